@@ -47,8 +47,7 @@ def asteroids(count: int) -> dict[str, Any]:
         "sampling": "latin-hypercube",
         "vary": {
             "ellipsoid.1.semi_axes.1": {"uniform": ["160 m", "260 m"]},
-            "ellipsoid.1.semi_axes.3": {"uniform": ["100 m", "149 m"]},
-            "material.rock.rheology": {"list": [{"kind": "quality-factor", "Q": 100}]},
+            "ellipsoid.1.semi_axes.3": {"uniform": ["100 m", "139 m"]},
             "material.rock.shear": {"log-uniform": ["10 MPa", "10 GPa"]},
         },
         "answer": {"quantities": ["evolve.time"]},
@@ -110,7 +109,7 @@ def heyoka_batches(reduced: quasirigid.Reduced, starts: np.ndarray, end: float) 
         found = []
         for first in range(0, len(starts), 8):
             block = starts[first : first + 8]
-            taylor.time = np.zeros(8)
+            taylor.set_time(0.0)
             taylor.state[:] = np.resize(block, (8, 3)).T
             taylor.propagate_until(np.full(8, end))
             found.append(taylor.state.T[: len(block)].copy())

@@ -55,6 +55,9 @@ pub enum Command {
     /// Answer the same question of many bodies: grids, random draws, a table of bodies
     #[command(after_help = "Example:\n  quasirigid sweep examples/damper-study/study.toml -o damper")]
     Sweep(SweepArgs),
+    /// Make the report of a record again, or the body in motion as a glTF file for other viewers
+    #[command(after_help = "Example:\n  quasirigid report spin --gltf spin.glb")]
+    Report(Report),
     /// Print the references of what the model uses, as BibTeX
     #[command(after_help = "Example:\n  quasirigid cite examples/apophis/model.toml")]
     Cite(Cite),
@@ -115,6 +118,31 @@ pub struct RunArgs {
 pub struct Check {
     #[command(flatten)]
     pub common: Common,
+}
+
+#[derive(Args, Debug)]
+pub struct Report {
+    /// Folder of a record, as `quasirigid run` writes it
+    #[arg(value_name = "DIR")]
+    pub folder: PathBuf,
+    /// File of the report [default: report.html in the folder]
+    #[arg(long, short, value_name = "FILE", conflicts_with = "gltf")]
+    pub out: Option<PathBuf>,
+    /// Write body and motion as a binary glTF file in the place of the report
+    #[arg(long, value_name = "FILE.glb")]
+    pub gltf: Option<PathBuf>,
+    /// Seconds that the animation takes, for the whole run [default: 30]
+    #[arg(long, value_name = "S", requires = "gltf", allow_hyphen_values = true)]
+    pub duration: Option<f64>,
+    /// Factor of the displacements in the animation [default: the largest is a twentieth of the body]
+    #[arg(long, value_name = "X", requires = "gltf", allow_hyphen_values = true)]
+    pub deformation: Option<f64>,
+    /// Replace a file that is there
+    #[arg(long)]
+    pub overwrite: bool,
+    /// Print nothing but errors
+    #[arg(long, short)]
+    pub quiet: bool,
 }
 
 #[derive(Args, Debug)]

@@ -37,6 +37,10 @@ pub enum Failure {
     Write { path: PathBuf, cause: std::io::Error },
     #[error("{option}: {cause}; {advice}", advice = cause.advice())]
     Target { option: &'static str, cause: Box<TargetError> },
+    #[error("{}: the record has no scene to draw; run the model again with this version", folder.display())]
+    NoScene { folder: PathBuf },
+    #[error("{option} is {value}, but must be positive")]
+    NotPositive { option: &'static str, value: f64 },
     #[error("cannot listen for Ctrl-C: {0}")]
     Signals(#[from] ctrlc::Error),
     #[error("interrupted; the table breaks off here")]

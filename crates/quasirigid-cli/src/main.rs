@@ -43,6 +43,7 @@ fn main() -> ExitCode {
         Command::Evolve(evolve) => commands::evolve::evolve(evolve),
         Command::Verify(verify) => commands::verify::verify(verify),
         Command::Sweep(sweep) => commands::sweep::sweep(sweep),
+        Command::Report(report) => commands::report::report(report),
         Command::Cite(cite) => commands::cite::cite(cite),
     };
     match result {

@@ -35,6 +35,9 @@ def test_rows_are_the_single_evolutions() -> None:
     for row in np.flatnonzero(many.holds):
         one = single(STARTS[row]).evolve()
         assert (many.time[row], many.turns[row], many.message[row]) == (one.time, one.turns, one.message)
+        for name in ("power", "separatrix_time", "damping_time", "growth_time"):
+            alone = getattr(one, name)
+            assert getattr(many, name)[row] == alone or (alone is None and np.isnan(getattr(many, name)[row])), name
     np.testing.assert_array_equal(many.initial, STARTS)
     assert "does not turn" in many.message[2] and "not finite" in many.message[3]
     assert np.isnan(many.time[[2, 3]]).all() and many.status[2] == "error"

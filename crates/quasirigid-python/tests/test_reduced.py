@@ -58,6 +58,9 @@ def test_shapes_and_kinds_of_arrays() -> None:
 
 
 def test_inertia_is_that_of_the_program() -> None:
+    wheel = Model(quasirigid.EXAMPLE + '[[wheel]]\nname = "w"\naxis = [3, 0, 4]\nmomentum = 7.0\n').reduce()
+    np.testing.assert_array_equal(wheel.inertia, wheel.to_dict()["inertia"])
+    np.testing.assert_allclose(wheel.angular_momentum([0.0, 0.0, 0.0]), [4.2, 0.0, 5.6])
     reduced = Model(quasirigid.EXAMPLE).reduce()
     np.testing.assert_array_equal(reduced.inertia, reduced.to_dict()["inertia"])
     assert reduced.mass == reduced.to_dict()["mass"] == 50.0

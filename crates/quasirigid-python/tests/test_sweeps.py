@@ -76,6 +76,7 @@ def test_columns_are_those_of_the_parts(serial: tuple[Path, Path]) -> None:
     assert frame.columns == parts.columns == study.columns and len(study) == 18
     assert frame.fill_nan(None).equals(parts)
     assert study["row"].dtype == np.int64 and study["check.valid"].dtype == object and study["check.valid"][17] is None
+    assert study["reason"][~study.answered].tolist() == [reason for reason in study.reason if reason]
     assert study.units["evolve.time"] == "s" and study["evolve.mode.end"][17] is None
     back = pickle.loads(pickle.dumps(study))
     assert back.summary == study.summary and polars.DataFrame(back).equals(frame)

@@ -17,12 +17,15 @@ struct ReadmeOfCrate;
 
 mod columns;
 mod figure;
+mod gltf;
 mod number;
 mod page;
 mod sections;
 mod sphere;
 mod study;
 mod verdict;
+mod viewer;
 
+pub use gltf::{GltfOptions, gltf};
 pub use page::{page, sphere_picture};
 pub use study::study_page;

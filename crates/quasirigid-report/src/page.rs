@@ -3,9 +3,11 @@ use quasirigid_io::record::RunRecord;
 
 use crate::columns::main_history;
 use crate::sphere;
+use crate::viewer;
 
 use crate::sections::{
-    answer, body, evolution, figures, head, liquids, modes, provenance, reduction, validity, verification,
+    answer, body, evolution, figures, head, liquids, modes, overview, provenance, reduction, validity,
+    verification,
 };
 
 pub(crate) const STYLE: &str = include_str!("assets/page.css");
@@ -31,11 +33,16 @@ pub fn page(record: &RunRecord) -> String {
                 meta name="generator" content={ "quasirigid " (record.version) };
                 meta http-equiv="Content-Security-Policy" content=(POLICY);
                 title { (record.model.name) " · quasirigid report" }
-                style { (PreEscaped(PALETTE)) (PreEscaped(STYLE)) (PreEscaped(SPHERE)) }
+                style {
+                    (PreEscaped(PALETTE)) (PreEscaped(STYLE)) (PreEscaped(SPHERE))
+                    @if record.scene.is_some() { (PreEscaped(viewer::STYLE)) }
+                }
             }
             body {
                 main {
                     (head::section(record))
+                    (overview::facts(record))
+                    @if let Some(scene) = &record.scene { (viewer::section(scene)) }
                     (answer::section(record))
                     @if let Some(evolution) = &record.evolution { (evolution::section(evolution)) }
                     @if !record.steady_spins.is_empty() { (modes::section(&record.steady_spins)) }
@@ -48,6 +55,7 @@ pub fn page(record: &RunRecord) -> String {
                     (provenance::section(record))
                 }
                 script { (PreEscaped(SCRIPT)) }
+                @if record.scene.is_some() { (viewer::script()) }
             }
         }
     };

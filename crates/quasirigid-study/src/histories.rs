@@ -123,8 +123,9 @@ pub(crate) struct Collector<'w> {
     pub samples: Vec<Sample>,
     /// Energy (J) that each dissipator took, by name, once a propagation has ended.
     pub budget: Vec<(String, f64)>,
-    /// Internal coordinates and their rates, one list per sample, if they are kept.
+    /// Internal coordinates and their rates, one list for every so many samples, if they are kept.
     pub coordinates: Option<Vec<Vec<f64>>>,
+    stride: usize,
     watch: &'w mut dyn Watch,
     stage: &'w str,
     duration: f64,
@@ -133,7 +134,13 @@ pub(crate) struct Collector<'w> {
 impl<'w> Collector<'w> {
     pub fn new(watch: &'w mut dyn Watch, stage: &'w str, times: &[f64]) -> Self {
         let duration = times.last().copied().unwrap_or(0.0);
-        Self { samples: Vec::new(), budget: Vec::new(), coordinates: None, watch, stage, duration }
+        Self { samples: Vec::new(), budget: Vec::new(), coordinates: None, stride: 1, watch, stage, duration }
+    }
+
+    /// Keeps the internal coordinates of the first of every so many samples.
+    pub fn keep_every(&mut self, stride: Option<usize>) {
+        self.coordinates = stride.map(|_| Vec::new());
+        self.stride = stride.unwrap_or(1);
     }
 }
 
@@ -147,7 +154,9 @@ impl Observer for Collector<'_> {
     }
 
     fn coordinates(&mut self, q: &[f64], rate: &[f64]) {
-        if let Some(kept) = &mut self.coordinates {
+        if let Some(kept) =
+            self.coordinates.as_mut().filter(|_| self.samples.len().is_multiple_of(self.stride))
+        {
             kept.push([q, rate].concat());
         }
     }
@@ -316,7 +325,7 @@ impl Study {
             }
         }
         let mut collector = Collector::new(watch, "propagating", &times);
-        collector.coordinates = kept.then(Vec::new);
+        collector.keep_every(kept.then_some(1));
         let run = motion.follow(table.system, &times, &options, &mut collector)?;
         let Collector { samples, budget, coordinates, .. } = collector;
         let rows = coordinates.unwrap_or_default();

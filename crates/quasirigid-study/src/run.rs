@@ -18,6 +18,7 @@ use crate::histories::{Collector, Propagation, circled_axis, even_times, room};
 use crate::left_out::LeftOut;
 use crate::liquids::{Liquid, liquids};
 use crate::motion::{DISPLACED, Motion};
+use crate::scene::{self, Frames};
 use crate::study::Study;
 use crate::watch::Watch;
 use crate::words::drift_note;
@@ -93,12 +94,19 @@ impl Study {
         let nutating = Nutating { rigid: &rigid, nearly_rigid: if holds { &reduced } else { &rigid } };
         let mut notes = model.notes.clone();
         let poles = steady::at_start(&motion, self)?;
+        let scene_modes = poles.nearest.clone();
         let left_out = LeftOut::at(self, start.omega, poles.nearest);
         notes.extend(left_out.notes());
         let plan = Plan::new(self, propagation, &motion, nutating)?;
         let evolution = plan.evolution(start, &mut notes, watch)?;
-        let histories = plan.histories(&mut notes, watch)?;
+        let mut frames = None;
+        let histories = plan.histories(&mut notes, &mut frames, watch)?;
         let verification = plan.verification(&mut notes, watch)?;
+        let equations = frames.as_ref().filter(|_| !motion.system().acts()).and_then(|frames| {
+            let [first, .., last] = frames.samples.as_slice() else { return None };
+            scene::equations(self, (first, last.t - first.t), &validity).ok()
+        });
+        let scene = scene::scene(self, self.visuals()?, frames.as_ref(), scene_modes.as_ref(), equations);
         let record = RunRecord {
             version: env!("CARGO_PKG_VERSION").into(),
             model: record::model(model),
@@ -111,6 +119,7 @@ impl Study {
             histories,
             verification,
             evolution,
+            scene: Some(scene),
         };
         let done = plan.is_done(&record);
         let equations =
@@ -168,6 +177,7 @@ impl<'a> Plan<'a> {
     fn histories(
         &self,
         notes: &mut Vec<String>,
+        frames: &mut Option<Frames>,
         watch: &mut dyn Watch,
     ) -> Result<Vec<HistoryRecord>, StudyError> {
         let mut histories = Vec::new();
@@ -176,14 +186,14 @@ impl<'a> Plan<'a> {
                 notes.push(INTERRUPTED.replace("{system}", system.name()));
                 continue;
             }
-            match self.history(*system, watch) {
+            match self.history(*system, frames, watch) {
                 Ok(history) => histories.push(history),
                 Err(StudyError::Propagate(PropagateError::NoAngularMomentum))
                     if *system == System::Reduced =>
                 {
                     notes.push(NO_MOMENTUM.into());
                     if !self.systems.contains(&System::Full) {
-                        histories.push(self.history(System::Full, watch)?);
+                        histories.push(self.history(System::Full, frames, watch)?);
                     }
                 }
                 Err(failure) => return Err(failure),
@@ -236,12 +246,28 @@ impl<'a> Plan<'a> {
         Ok(Some(record))
     }
 
-    fn history(&self, system: System, watch: &mut dyn Watch) -> Result<HistoryRecord, StudyError> {
+    /// A history; of the first one that is followed, also the frames.
+    fn history(
+        &self,
+        system: System,
+        frames: &mut Option<Frames>,
+        watch: &mut dyn Watch,
+    ) -> Result<HistoryRecord, StudyError> {
         let name = system.name();
+        let stride = Frames::stride(self.times.len());
         let mut collector = Collector::new(watch, name, &self.times);
+        collector.keep_every(if frames.is_none() { Some(stride) } else { None });
         let run = self.motion.follow(system, &self.times, &self.options, &mut collector)?;
-        let Collector { samples, budget, .. } = collector;
+        let Collector { samples, budget, coordinates, .. } = collector;
         let body = self.motion.system().body;
+        if let Some(coordinates) = coordinates {
+            *frames = Some(Frames {
+                system: name.into(),
+                samples: samples.iter().step_by(stride).copied().collect(),
+                coordinates,
+                count: body.coordinates().len(),
+            });
+        }
         if matches!(run.outcome, Outcome::Failed(_) | Outcome::StepLimit | Outcome::LeftRange(_)) {
             watch.remark(&format!("{name}: {}", record::status(body, run.outcome, run.last.t).1));
         }

@@ -3,10 +3,10 @@
 use std::collections::BTreeMap;
 use std::io::Read;
 use std::path::Path;
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use quasirigid::dynamics::Start;
-use quasirigid::elements::{Built, Condensation, Resolution, SlowLiquid, Surface};
+use quasirigid::elements::{Built, Condensation, Resolution, SlowLiquid, Surface, Visual};
 use quasirigid::model::force::Force;
 use quasirigid::model::{FlexibleBody, Marker, ReducedBody};
 use quasirigid::reduction::{ReductionError, reduce};
@@ -47,6 +47,8 @@ pub struct Study {
     pub resolution: Option<Resolution>,
     /// Order of the reduced equations.
     pub order: usize,
+    /// Visual geometry of the elements, once it was asked for.
+    visuals: OnceLock<Vec<Visual>>,
     /// Reduced equations by order, once they were asked for.
     reductions: Mutex<BTreeMap<usize, Arc<ReducedBody>>>,
 }
@@ -72,22 +74,62 @@ impl Study {
     ///
     /// # Errors
     /// As [`open`](Self::open).
-    pub fn new(mut model: Model, order: Option<usize>) -> Result<Self, StudyError> {
+    pub fn new(model: Model, order: Option<usize>) -> Result<Self, StudyError> {
+        Self::assembled(model, order, false)
+    }
+
+    /// Study of a model whose visual geometry is made with its body: of a large mesh it costs next to nothing there, and afterwards as much
+    /// as the body again.
+    ///
+    /// # Errors
+    /// As [`open`](Self::open).
+    pub fn with_visuals(model: Model, order: Option<usize>) -> Result<Self, StudyError> {
+        Self::assembled(model, order, true)
+    }
+
+    fn assembled(mut model: Model, order: Option<usize>, drawn: bool) -> Result<Self, StudyError> {
         let order = order.unwrap_or(model.run.order);
         model.assembly.reduction.order = order;
         let errors = model.assembly.check();
         if !errors.is_empty() {
             return Err(model.diagnose_all(&errors).into());
         }
-        let Built { body, forces, condensation, speeds, liquids: slow, resolution } =
-            model.assembly.build().map_err(|error| model.diagnose(&error))?;
+        let built = if drawn { model.assembly.build_with_visuals() } else { model.assembly.build() };
+        let Built { body, forces, condensation, speeds, liquids: slow, resolution, visuals } =
+            built.map_err(|error| model.diagnose(&error))?;
+        let visuals = if drawn { OnceLock::from(visuals) } else { OnceLock::new() };
         model.notes.extend(beyond(&model.assembly, order));
         model.notes.extend(liquids::notes(&model.assembly, &slow));
         if let Some(resolution) = &resolution {
             settle(&mut model, resolution);
         }
         let reductions = Mutex::default();
-        Ok(Self { model, body, forces, speeds, liquids: slow, condensation, resolution, order, reductions })
+        Ok(Self {
+            model,
+            body,
+            forces,
+            speeds,
+            liquids: slow,
+            condensation,
+            resolution,
+            order,
+            visuals,
+            reductions,
+        })
+    }
+
+    /// Visual geometry of the elements.
+    ///
+    /// # Errors
+    /// As [`open`](Self::open).
+    pub fn visuals(&self) -> Result<&[Visual], StudyError> {
+        if self.visuals.get().is_none() {
+            let built = self.model.assembly.build_with_visuals();
+            let built = built.map_err(|error| self.model.diagnose(&error))?;
+            // a second build in another thread made the same
+            let _ = self.visuals.set(built.visuals);
+        }
+        Ok(self.visuals.get().map_or(&[], Vec::as_slice))
     }
 
     /// Reduced equations of the body at an order, derived once: a study that has answered is not changed.

@@ -3,9 +3,10 @@
 use std::fmt::{self, Write};
 use std::path::Path;
 
-use quasirigid_io::record::{HistoryRecord, RunRecord};
+use quasirigid_io::record::{Column, HistoryRecord, RunRecord};
 
 use crate::layout::paragraph;
+use crate::spark::spark;
 use crate::verification;
 use crate::words::{dissipation, significant, time};
 
@@ -43,6 +44,9 @@ fn write(out: &mut String, record: &RunRecord) -> fmt::Result {
             "\n{}",
             paragraph(&format!("Over many revolutions: {}", evolution.sentence), "", "  ")
         )?;
+        if evolution.status == "finished" {
+            write_wobble(out, &evolution.columns)?;
+        }
     }
     if let Some(verification) = &record.verification {
         write!(out, "\n{}", verification::text("Verification", verification))?;
@@ -77,6 +81,7 @@ fn write_history(out: &mut String, history: &HistoryRecord) -> fmt::Result {
     let angles = [degrees(first("nutation_max")), degrees(last("nutation_max"))];
     let axes = [first("circled_axis"), last("circled_axis")];
     writeln!(out, "  nutation, greatest {}", nutation(&angles, axes))?;
+    write_wobble(out, &history.columns)?;
     writeln!(
         out,
         "  energy dissipated  {:>12} J of {} J",
@@ -93,6 +98,16 @@ fn write_history(out: &mut String, history: &HistoryRecord) -> fmt::Result {
         significant(history.energy_drift, 2),
         significant(history.momentum_drift, 2)
     )
+}
+
+/// The greatest nutation against time, where it changes.
+fn write_wobble(out: &mut String, columns: &[Column]) -> fmt::Result {
+    let named =
+        |name: &str| columns.iter().find(|column| column.name == name).map(|column| column.values.as_slice());
+    match named("t").zip(named("nutation_max")).and_then(|(times, angles)| spark(times, angles)) {
+        Some(line) => writeln!(out, "  nutation over time   {line}"),
+        None => Ok(()),
+    }
 }
 
 /// The greatest angles at the start and at the end, with the principal axes that are circled where these differ.

@@ -5,6 +5,7 @@ pub mod cite;
 pub mod derive;
 pub mod evolve;
 pub mod modes;
+pub mod report;
 pub mod run;
 pub mod simulate;
 pub mod sweep;
@@ -12,6 +13,7 @@ pub mod verify;
 
 use std::path::Path;
 
+use quasirigid_io::model::Model;
 use quasirigid_io::units::{Dimension, quantity};
 use quasirigid_study::{LeftOut, Study, StudyError, histories, watched};
 
@@ -29,12 +31,14 @@ fn is_standard_input(common: &Common) -> bool {
 }
 
 fn open(common: &Common) -> Result<Study, Failure> {
-    whole(common, || {
-        if is_standard_input(common) {
-            Study::read_from(Path::new(STANDARD_INPUT), std::io::stdin().lock(), common.order)
-        } else {
-            Study::open(&common.model, common.order)
-        }
+    whole(common, || Study::new(model(common)?, common.order))
+}
+
+fn model(common: &Common) -> Result<Model, StudyError> {
+    Ok(if is_standard_input(common) {
+        Model::read_from(Path::new(STANDARD_INPUT), std::io::stdin().lock())?
+    } else {
+        Model::read(&common.model)?
     })
 }
 

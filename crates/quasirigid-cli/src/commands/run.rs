@@ -1,9 +1,9 @@
 use std::path::{Path, PathBuf};
 
 use quasirigid_io::model::Model;
-use quasirigid_study::summary;
+use quasirigid_study::{Study, summary};
 
-use super::{is_standard_input, open, propagation};
+use super::{is_standard_input, model, propagation, whole};
 use crate::args::RunArgs;
 use crate::failure::Failure;
 use crate::interrupt::Interrupt;
@@ -17,7 +17,7 @@ pub fn run(arguments: &RunArgs) -> Result<ExitStatus, Failure> {
     if arguments.out.is_none() && is_standard_input(common) {
         return Err(Failure::NamelessRun);
     }
-    let study = open(common)?;
+    let study = whole(common, || Study::with_visuals(model(common)?, common.order))?;
     study.initial()?;
     let path = arguments.out.clone().unwrap_or_else(|| default_folder(&study.model));
     Folder::check(&path, *overwrite)?;

@@ -9,7 +9,7 @@ use std::time::Duration;
 use quasirigid_io::table_file::{Cells, read_parquet};
 use tempfile::TempDir;
 
-use crate::support::{MODEL, folder_with, names, one_line, program, ran_in};
+use crate::support::{MODEL, folder_of, folder_with, names, one_line, program, ran_in};
 
 const STUDY: &str = "\
 model = \"model.toml\"
@@ -327,6 +327,17 @@ fn states_at_times_and_refused_evolutions() {
     assert_eq!(row["answers"]["evolve.time"].is_null(), !finished || evolved["time"].is_null());
     assert_eq!(row["answers"]["evolve.status"], evolved["status"]);
     assert_eq!(summary["rows"], 2);
+}
+
+/// A time that is known to a few per cent says so in its row.
+#[test]
+fn coarse_times_are_noted() {
+    let folder = folder_of("axial-mass");
+    let study = "model = \"model.toml\"\n[vary]\n\"run.order\" = { list = [3] }\n[answer]\nquantities = [\"evolve.time\"]\n";
+    fs::write(folder.path().join("study.toml"), study).unwrap();
+    let row = ran_in(folder.path(), "sweep study.toml --row 0 --json").json();
+    assert_eq!(row["status"], "answered");
+    assert!(row["note"].as_str().unwrap().contains("the time of evolve is good to 3.69 %"), "{row:#}");
 }
 
 /// A spring too soft for the reduced equations gives no states, in a row as on the command line.

@@ -68,6 +68,14 @@ pub enum RecordError {
         /// Message of the JSON reader.
         problem: String,
     },
+    /// A scene of a later version.
+    #[error("{}: scene of version {version}, later than this program reads; use the quasirigid that made the run", file.display())]
+    SceneVersion {
+        /// The file.
+        file: PathBuf,
+        /// Its version.
+        version: u32,
+    },
     /// A CSV file whose header differs from the columns that `record.json` lists.
     #[error("{}:1: columns are {found:?}, record.json says {expected:?}; take both files from the same run", file.display())]
     Header {

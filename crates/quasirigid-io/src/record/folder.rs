@@ -3,8 +3,11 @@
 use std::collections::HashSet;
 use std::fs::{self, File};
 use std::io::{self, BufWriter, Write};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
+use serde::de::DeserializeOwned;
+
+use super::scene::{SCENE_VERSION, SceneRecord};
 use super::table::{history_csv, read_rows};
 use super::{Column, EvolutionRecord, RecordError, RunRecord};
 
@@ -12,6 +15,8 @@ use super::{Column, EvolutionRecord, RecordError, RunRecord};
 const EVOLUTION: &str = "evolution.csv";
 /// File of everything but rows.
 const RECORD: &str = "record.json";
+/// File of what a viewer draws.
+const SCENE: &str = "scene.json";
 
 impl RunRecord {
     /// Writes the record into an existing empty folder: the CSV files first, then `record.json`, so that a folder
@@ -27,6 +32,9 @@ impl RunRecord {
         for (file, columns) in tables {
             create(&dir.join(file), |out| history_csv(columns, out))?;
         }
+        if let Some(scene) = &self.scene {
+            create(&dir.join(SCENE), |out| Ok(serde_json::to_writer(out, scene)?))?;
+        }
         create(&dir.join(RECORD), |out| {
             serde_json::to_writer_pretty(&mut *out, self)?;
             out.write_all(b"\n")
@@ -38,14 +46,11 @@ impl RunRecord {
     /// # Errors
     /// [`RecordError`] with the file, and the line where there is one.
     pub fn read(dir: &Path) -> Result<Self, RecordError> {
-        let file = dir.join(RECORD);
-        let text = fs::read(&file).map_err(|error| unusable(&file, &error))?;
-        let mut record: Self = serde_json::from_slice(&text).map_err(|error| RecordError::Json {
-            line: error.line(),
-            column: error.column(),
-            problem: problem(&error),
-            file,
-        })?;
+        let mut record: Self = read_json(dir.join(RECORD))?;
+        let scene = dir.join(SCENE);
+        if scene.exists() {
+            record.scene = Some(read_scene(scene)?);
+        }
         record.check_names()?;
         record.evolution.iter_mut().for_each(EvolutionRecord::restore_unknown);
         for (file, columns) in record.tables_mut() {
@@ -60,7 +65,8 @@ impl RunRecord {
     #[must_use]
     pub fn files(&self) -> Vec<String> {
         let tables = self.tables().map(|(file, _)| file);
-        tables.chain([RECORD.to_owned()]).collect()
+        let scene = self.scene.iter().map(|_| SCENE.to_owned());
+        tables.chain(scene).chain([RECORD.to_owned()]).collect()
     }
 
     /// Every CSV file with its columns.
@@ -91,6 +97,24 @@ impl RunRecord {
         }
         Ok(())
     }
+}
+
+fn read_json<T: DeserializeOwned>(file: PathBuf) -> Result<T, RecordError> {
+    let text = fs::read(&file).map_err(|error| unusable(&file, &error))?;
+    serde_json::from_slice(&text).map_err(|error| RecordError::Json {
+        line: error.line(),
+        column: error.column(),
+        problem: problem(&error),
+        file,
+    })
+}
+
+fn read_scene(file: PathBuf) -> Result<SceneRecord, RecordError> {
+    let scene: SceneRecord = read_json(file.clone())?;
+    if scene.version > SCENE_VERSION {
+        return Err(RecordError::SceneVersion { file, version: scene.version });
+    }
+    Ok(scene)
 }
 
 fn check_lengths(file: &str, columns: &[Column]) -> Result<(), RecordError> {

@@ -1,7 +1,7 @@
 //! Record of a run: numbers and words enough to remake its report years later.
 //!
 //! On disk a record is a folder: `record.json` holds everything but the rows of the histories and of the evolution,
-//! `history-<system>.csv` holds the rows of one history and `evolution.csv` those of the evolution. Every
+//! `history-<system>.csv` holds the rows of one history, `evolution.csv` those of the evolution, and `scene.json` what a viewer draws. Every
 //! finite number reads back bit for bit. One that is not finite is `null` in JSON, which reads back as infinity where the field can be
 //! infinite, else as NaN or none; in CSV it is `NaN`, `inf` or `-inf`.
 
@@ -10,6 +10,7 @@ mod evolution;
 mod folder;
 mod modes;
 mod number;
+mod scene;
 mod sweep;
 mod table;
 
@@ -22,6 +23,10 @@ pub use evolution::{
     ApproachRecord, CrossingRecord, EstimateRecord, EvolutionRecord, HarmonicRecord, ObservedRecord,
 };
 pub use modes::{ModeRecord, SteadySpinRecord};
+pub use scene::{
+    CoordinateRecord, EquationsRecord, FieldRecord, Packed, PieceRecord, PrincipalRecord, SCENE_VERSION,
+    SceneRecord, ShapeRecord, StartRecord, TermRecord, TrackRecord, TurningRecord, VectorsRecord,
+};
 pub use sweep::{
     CorrelationRecord, InputRecord, IntervalRecord, PercentileRecord, QuantityRecord, ReasonRecord,
     SweepColumn, SweepRecord, UncertaintyRecord, percentile,
@@ -57,6 +62,9 @@ pub struct RunRecord {
     /// The rotation over many revolutions, where the model asks for it.
     #[serde(default)]
     pub evolution: Option<EvolutionRecord>,
+    /// What a viewer draws. Kept in a file of its own; none in records of versions before this field.
+    #[serde(skip)]
+    pub scene: Option<SceneRecord>,
 }
 
 /// The model a record was made from.

@@ -195,14 +195,59 @@ prop_compose! {
 }
 
 prop_compose! {
+    fn scene()(
+        name in ".*", radius in finite(), moments in [finite(), finite(), finite()],
+        vertices in vec(proptest::num::f32::NORMAL, 0..9), triangles in option::of(vec(any::<u16>(), 0..6)),
+        multiples in vec(any::<i16>(), 0..9),
+        size in option::of(finite()), t in vec(finite(), 0..4), limit in prop_oneof![finite(), Just(f64::INFINITY)],
+        values in vec(vec(finite(), 0..3), 0..3), rotor in 0usize..3, note in ".*",
+    ) -> SceneRecord {
+        let packed = || Packed(vertices.clone());
+        let term = TermRecord { degree: 2, stiffness: -1, damping: 1, values };
+        let piece = PieceRecord {
+            name: name.clone(),
+            kind: note.clone(),
+            vertices: VectorsRecord { unit: radius, values: Packed(multiples.clone()) },
+            triangles: triangles.map(Packed),
+            lines: None,
+            size,
+            fields: vec![FieldRecord { coordinate: rotor, vectors: VectorsRecord { unit: -radius, values: Packed(multiples) } }],
+            turning: Some(TurningRecord { axis: moments, center: moments, rotor }),
+        };
+        let mut equations = EquationsRecord {
+            order: 3, scalable: true, note, spin_of_momentum: vec![term.clone()], momentum: vec![term], energy: vec![],
+            power: vec![], displacements: vec![], limits: [radius, limit],
+            start: StartRecord { momentum: moments, attitude: [1.0, 0.0, 0.0, 0.0], duration: radius },
+        };
+        equations.limits.sort_by(f64::total_cmp);
+        SceneRecord {
+            version: SCENE_VERSION, name: name.clone(), radius,
+            coordinates: vec![CoordinateRecord { name, unit: "m".into() }],
+            pieces: vec![piece],
+            principal: PrincipalRecord { moments, axes: [moments; 3] },
+            track: Some(TrackRecord {
+                system: "full".into(), t: Packed(t), attitude: packed(), omega: packed(), momentum: packed(), q: None,
+                rotors: Some(packed()), dissipated: Packed(vec![radius]),
+            }),
+            spin: None,
+            modes: vec![ShapeRecord {
+                name: "nutation".into(), frequency: radius, rate: -radius, rotation: [[radius, 0.0]; 3], q: vec![[radius; 2]],
+            }],
+            equations: Some(equations),
+        }
+    }
+}
+
+prop_compose! {
     fn record()(
         version in ".*", name in ".*", file in ".*", sha256 in ".*", notes in vec(".*", 0..3),
         body in body(), liquids in vec(liquid(), 0..3), validity in validity(), reduction in reduction(),
         reduced in option::of(history("reduced")), rigid in option::of(history("rigid")),
         verification in option::of(verification()), evolution in option::of(evolution()),
-        steady_spins in vec(steady_spin(), 0..3),
+        steady_spins in vec(steady_spin(), 0..3), scene in option::of(scene()),
     ) -> RunRecord {
         RunRecord {
+            scene,
             version, model: ModelRecord { name, file, sha256 }, notes, body, liquids, validity, steady_spins,
             reduction,
             histories: reduced.into_iter().chain(rigid).collect(), verification, evolution,
@@ -218,6 +263,7 @@ fn sample() -> RunRecord {
         values: values.into(),
     };
     RunRecord {
+        scene: None,
         version: "0.1.0".into(),
         model: ModelRecord { name: "boom".into(), file: "boom.toml".into(), sha256: "ab".into() },
         notes: vec![],
@@ -563,4 +609,19 @@ fn broken_rows_are_located() {
         RecordError::NotANumber { line: 3, column, text, .. } if column == "wx" && text == "0x"
     ));
     assert!(matches!(with(""), RecordError::Header { found, .. } if found.is_empty()));
+}
+
+/// Vectors come back to half a unit, the largest component exactly.
+#[test]
+fn packed_vectors_come_back() {
+    let vectors = [[1.5, -0.25, 0.0], [1e-3, 0.7, -1.2]];
+    let packed = VectorsRecord::pack(&vectors);
+    for (back, vector) in packed.unpack().iter().zip(&vectors) {
+        for (back, entry) in back.iter().zip(vector) {
+            assert!((back - entry).abs() <= 0.5001 * packed.unit, "{back} {entry}");
+        }
+    }
+    assert_eq!(packed.unpack()[0][0], 1.5);
+    assert_eq!(VectorsRecord::pack(&[[0.0; 3]]).unpack(), [[0.0; 3]]);
+    assert!(VectorsRecord::pack(&[]).unpack().is_empty());
 }

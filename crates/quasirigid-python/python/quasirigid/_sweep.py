@@ -59,8 +59,9 @@ class Sweep:
         self._summary, self._text, self._folder = summary, text, folder
 
     def __getitem__(self, name: str) -> Any:
-        """A column, ``(rows,)``: numbers and truth values as arrays, texts as a list."""
-        return self.table[name]
+        """A column, an array ``(rows,)``; one of texts has ``dtype=object`` and ``None`` where there is no text."""
+        column = self.table[name]
+        return np.array(column, dtype=object) if isinstance(column, list) else column
 
     def __iter__(self) -> NoReturn:
         """Refuses: a study is no list of its rows."""

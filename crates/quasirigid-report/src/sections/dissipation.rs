@@ -28,7 +28,7 @@ pub fn bars(caption: &str, shares: &BTreeMap<String, f64>) -> Markup {
     }
 }
 
-fn bar(share: f64) -> Markup {
+pub fn bar(share: f64) -> Markup {
     let width = if share.is_finite() { 100.0 * share.clamp(0.0, 1.0) } else { 0.0 };
     html! { span.bar style={ "width:" (format!("{width:.2}")) "%" } {} }
 }

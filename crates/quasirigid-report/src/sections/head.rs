@@ -1,19 +1,25 @@
 use maud::{Markup, html};
 use quasirigid_io::record::{HistoryRecord, RunRecord};
 
+use super::overview;
 use crate::columns::main_history;
 use crate::verdict::Verdict;
 
 /// Name, verdict, reason of an early end, and the remarks to read before the numbers.
 pub fn section(record: &RunRecord) -> Markup {
     let verdict = Verdict::of_all(&record.validity);
+    let (shown, words) = overview::headline(record, verdict);
     html! {
         header {
             p.kind { "Spin of an almost rigid body" }
             h1 { (name(record)) }
-            div.verdict.(verdict.class()) role="status" {
-                (verdict.icon())
-                p { strong { (verdict.words()) } " " (record.validity.verdict) }
+            (overview::answer(record))
+            div.verdict.(shown.class()) role="status" {
+                (shown.icon())
+                p {
+                    strong { (words) } " " (record.validity.verdict)
+                    @if let Some(advice) = overview::advice(record, verdict) { " " (advice) }
+                }
             }
             @if let Some(history) = main_history(record).filter(|history| ended_early(history)) {
                 div.verdict.marginal {

@@ -9,6 +9,7 @@ pub mod figures;
 pub mod head;
 pub mod liquids;
 pub mod modes;
+pub mod overview;
 pub mod provenance;
 pub mod reduction;
 mod table;

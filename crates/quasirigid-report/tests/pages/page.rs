@@ -123,18 +123,22 @@ fn page_answers_from_the_top() {
     assert_drawable(&page);
 }
 
-/// A record without shares, of an earlier version, and a body with one dissipator show no bars.
+/// The overview lists a few dissipators of any number; a table of more than one stands with the equations.
 #[test]
-fn shares_of_one_are_not_drawn() {
+fn dissipators_are_listed_once_and_tabled_where_they_are_several() {
     let mut record = crate::support::record(40, 600.0, 1e-4);
     let evolution = record.evolution.as_mut().unwrap();
     evolution.dissipation.clear();
     record.reduction.dissipation = [("tank".to_owned(), 1.0)].into();
     record.histories.iter_mut().for_each(|history| history.dissipation.clear());
-    assert!(!page(&record).contains("class=\"bar\""));
+    let one = page(&record);
+    assert_eq!((one.matches("class=\"bar\"").count(), one.contains("Dissipator")), (1, false));
+    assert_in_order(&one, &["What dissipates", "tank", "100\u{a0}%", "At the initial spin."]);
+    record.reduction.dissipation.clear();
+    assert!(!page(&record).contains("What dissipates"));
     record.reduction.dissipation = (0..20).map(|i| (format!("spring {i:02}"), 0.05)).collect();
     let page = page(&record);
-    assert_eq!(page.matches("class=\"bar\"").count(), 12);
+    assert_eq!(page.matches("class=\"bar\"").count(), 4 + 12);
     assert_in_order(&page, &["spring 00", "spring 11", "and 8 more in record.json", "Degrees of"]);
 }
 

@@ -264,6 +264,7 @@ fn steady_spins() -> Vec<SteadySpinRecord> {
 pub fn record(rows: usize, duration: f64, alpha: f64) -> RunRecord {
     let histories = vec![history("reduced", rows, duration, alpha), history("rigid", rows, duration, 0.0)];
     RunRecord {
+        scene: None,
         version: "0.1.0".into(),
         model: ModelRecord {
             name: "Boom satellite".into(),

@@ -92,6 +92,9 @@ pub(super) struct Answers {
     pub(super) notes: Vec<String>,
 }
 
+/// Relative error of a time of `evolve` from which a row notes it: that of a calibrated average is told to be this much.
+const COARSE: f64 = 0.02;
+
 /// Runs the commands that the quantities need on the text of a model; none if the work was cancelled.
 pub(super) fn answers(
     model: &Source,
@@ -161,6 +164,10 @@ fn command_of(command: Command, study: &Study, asked: &Answer, watch: &mut Remar
         Command::Evolve => {
             study.evolve(&Asked { samples: 2, ..study.evolution_asked() }, watch).map(|evolved| {
                 let status = if evolved.holds() { Status::Answered } else { Status::Refused };
+                let error = evolved.record.time_error.filter(|error| *error > COARSE);
+                watch.notes.extend(
+                    error.map(|error| format!("the time of evolve is good to {:.2} %", 100.0 * error)),
+                );
                 Answered::Objects(vec![evolved.json()], status, evolved.record.message.clone())
             })
         }

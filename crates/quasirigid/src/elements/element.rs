@@ -4,9 +4,10 @@
 use super::assembly::attachment::{Attachment, Attachments};
 use super::assembly::internal::Internal;
 use super::assembly::single_element::WholeBody;
-use super::assembly::{MovingBody, PartGraph};
+use super::assembly::{Asked, MovingBody, PartGraph};
 use super::error::{ElementError, ElementId, Field, Problem, at};
 use super::kinds::material::Material;
+use super::visual::Outline;
 use super::{Assembly, End, Incomplete, PartReduction};
 use crate::model::Rheology;
 use crate::structure::Block;
@@ -37,12 +38,12 @@ pub(in crate::elements) trait Element {
         None
     }
 
-    /// Whole body made of this element; `told` asks for the error of a given approximation too.
+    /// Whole body made of this element.
     fn whole(
         &self,
         _id: ElementId,
         _reduction: PartReduction,
-        _told: bool,
+        _asked: Asked,
     ) -> Result<Option<WholeBody>, ElementError> {
         Ok(None)
     }
@@ -60,6 +61,11 @@ pub(in crate::elements) trait Element {
     /// Grips: places of other elements at which the element acts.
     fn grips(&self) -> Vec<Grip> {
         Vec::new()
+    }
+
+    /// What a viewer draws of the element; none of one that is not seen.
+    fn outline(&self, _id: ElementId, _body: &Assembly) -> Option<Outline> {
+        None
     }
 
     /// Rigid piece of mass with coordinates of its own.

@@ -9,6 +9,7 @@ mod complete;
 mod element;
 mod error;
 mod kinds;
+mod visual;
 
 pub use crate::finite::beam::{BeamError, Quantity, Section, SectionShape};
 pub use crate::finite::elasticity::{ElasticityError, Modulus};
@@ -39,6 +40,7 @@ pub use kinds::station::Station;
 pub use kinds::surface::{Approximation, Resolution, Surface};
 pub use kinds::wheel::{Wheel, WheelSpeed};
 pub use registry::ElementId;
+pub use visual::{Turning, Visual};
 
 use assembly::{coefficient, compliance};
 use kinds::force;

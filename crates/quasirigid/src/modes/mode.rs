@@ -3,7 +3,7 @@
 //! whose angular momentum leaves the axis most, not the slowest one.
 //! Equations (M2) to (M5), docs/theory/15-modes.md.
 
-use nalgebra::Complex;
+use nalgebra::{Complex, Vector3};
 
 use super::equilibrium::RelativeEquilibrium;
 use super::error::ModesError;
@@ -158,6 +158,19 @@ impl SpinModes {
     #[must_use]
     pub fn stable(&self) -> bool {
         !self.modes.iter().any(SpinMode::grows)
+    }
+
+    /// Rotation `θ` of the body from its steady attitude in a mode (rad), real and imaginary parts: `λθ + Ω × θ = δω`. None for a mode
+    /// that is a steady spin about another direction.
+    #[must_use]
+    pub fn rotation(&self, mode: &SpinMode) -> Option<[[f64; 2]; 3]> {
+        let lambda = Complex::new(-mode.decay_rate, mode.frequency);
+        let spin = Vector3::from(self.equilibrium.omega).map(Complex::from);
+        let change = Vector3::from(mode.omega.map(|[re, im]| Complex::new(re, im)));
+        let angle = change * lambda * lambda - spin.cross(&change) * lambda + spin * spin.dot(&change);
+        let angle = angle / (lambda * (lambda * lambda + spin.dot(&spin)));
+        let parts: [[f64; 2]; 3] = std::array::from_fn(|axis| [angle[axis].re, angle[axis].im]);
+        parts.as_flattened().iter().all(|part| part.is_finite()).then_some(parts)
     }
 
     /// Frequencies (rad/s) of a mode in inertial axes: `λ − |ω|` and `λ + |ω|`.

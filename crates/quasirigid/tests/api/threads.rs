@@ -38,6 +38,8 @@ fn public_types_are_send_sync_and_debug() {
     crosses::<elements::CavityShape>();
     crosses::<elements::Coefficient>();
     crosses::<elements::Condensation>();
+    crosses::<elements::Turning>();
+    crosses::<elements::Visual>();
     crosses::<elements::Connection>();
     crosses::<elements::Constant>();
     crosses::<elements::ElasticityError>();

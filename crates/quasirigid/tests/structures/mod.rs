@@ -20,4 +20,5 @@ mod skew_springs;
 mod solids;
 mod spin_up;
 mod spinning;
+mod visuals;
 mod whirl;

@@ -2,7 +2,8 @@
 const bytes = (text) => Uint8Array.from(atob(text), (character) => character.charCodeAt(0)).buffer;
 const floats = (text) => (text ? new Float32Array(bytes(text)) : null);
 const doubles = (text) => (text ? new Float64Array(bytes(text)) : null);
-const indices = (text) => (text ? new Uint32Array(bytes(text)) : null);
+const indices = (text) => (text ? new Uint16Array(bytes(text)) : null);
+const vectors = ({ unit, values }) => Float32Array.from(new Int16Array(bytes(values)), (whole) => unit * whole);
 
 /** Index of the last entry of a rising list that is not above a value. */
 const lastNotAbove = (list, value) => {
@@ -15,5 +16,8 @@ const lastNotAbove = (list, value) => {
   }
   return low;
 };
+
+/** Rows of a list. */
+const chunks = (list, width) => Array.from({ length: list.length / width }, (_, i) => list.subarray(width * i, width * (i + 1)));
 
 const clamp = (value, low, high) => Math.min(high, Math.max(low, value));

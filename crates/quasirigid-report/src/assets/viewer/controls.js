@@ -1,163 +1,304 @@
-// The controls under the picture, and the words beside them.
-const bindControls = (viewer) => {
-  const words = (id, text) => {
-    if (byId(id).textContent !== text) byId(id).textContent = text;
-  };
-  const rate = () => (viewer.now?.omega ? size(viewer.now.omega) : 0);
-  const setSpeed = (speed) => {
-    viewer.runClock.speed = clamp(speed, 1, 1e9);
-    byId("viewer-speed").value = Math.log10(viewer.runClock.speed);
-    viewer.redraw();
-  };
-  const setMagnified = (factor) => {
-    viewer.magnified = factor;
-    byId("viewer-magnified").value = Math.log10(factor);
-    viewer.redraw();
-  };
-  const actions = {
-    toggle: () => {
-      viewer.clock.play(!viewer.clock.playing);
-      viewer.redraw();
-    },
-    scrub: (part) => {
-      viewer.clock.part = part;
-      viewer.redraw();
-    },
-    look: (view) => {
-      viewer.view = view;
-      for (const radio of document.getElementsByName("viewer-view")) radio.checked = radio.value === view;
-      viewer.redraw();
-    },
-    reset: () => {
-      viewer.camera.reset();
-      viewer.redraw();
-    },
-  };
+// Controls of the viewer: buttons, sliders, keys and pointers, and what is written beside the picture.
+const byId = (id) => document.getElementById(id);
+const LARGEST_SHARE = 0.05; // of the radius: what the largest displacement is magnified to
+const TURN = 0.06; // rad a key press
+const ZOOM = 1.12;
+const STEP = 0.005; // of the run a key press
 
-  byId("viewer-play").addEventListener("click", actions.toggle);
-  byId("viewer-scrub").addEventListener("input", (event) => actions.scrub(Number(event.target.value)));
-  byId("viewer-reset").addEventListener("click", actions.reset);
-  byId("viewer-speed").addEventListener("input", (event) => setSpeed(10 ** Number(event.target.value)));
-  byId("viewer-speed-real").addEventListener("click", () => setSpeed(1));
-  byId("viewer-speed-turn").addEventListener("click", () => setSpeed((2 * Math.PI) / (3 * rate())));
-  byId("viewer-speed-whole").addEventListener("click", () => setSpeed((viewer.frames.end - viewer.frames.start) / 30));
-  byId("viewer-magnified").addEventListener("input", (event) => setMagnified(10 ** Number(event.target.value)));
-  for (const radio of document.getElementsByName("viewer-view")) radio.addEventListener("change", () => actions.look(radio.value));
-  for (const name of ["spin", "momentum", "axes"]) {
-    byId(`viewer-show-${name}`).addEventListener("change", (event) => {
-      viewer.show[name] = event.target.checked;
-      viewer.redraw();
-    });
+class Controls {
+  constructor(viewer) {
+    Object.assign(this, { viewer, canvas: viewer.canvas, pointers: new Map() });
+    this.chooseMagnification();
+    this.chooseSpeed(this.speedOfTurn());
+    this.transport();
+    this.options();
+    this.motions();
+    this.legend();
+    this.pointing();
+    this.canvas.addEventListener("keydown", (event) => this.key(event));
+    const dark = matchMedia("(prefers-color-scheme: dark)");
+    dark.addEventListener("change", () => viewer.recolor());
+    viewer.onDraw = () => this.told();
+    this.hideUnserved();
+    if (viewer.frames && !matchMedia("(prefers-reduced-motion: reduce)").matches) this.playInView();
   }
-  byId("viewer-amplitude").addEventListener("input", (event) => {
-    viewer.amplitude = Number(event.target.value);
+
+  /** Plays as soon as the picture is on the screen. */
+  playInView() {
+    const seen = new IntersectionObserver(([entry]) => {
+      if (!entry.isIntersecting) return;
+      seen.disconnect();
+      this.play(true);
+    });
+    seen.observe(this.canvas);
+  }
+
+  hideUnserved() {
+    const { scene, frames } = this.viewer;
+    const absent = {
+      "viewer-side": !this.viewer.polhode,
+      "viewer-magnified-control": !scene.coordinates?.length,
+      "viewer-motion-control": !this.viewer.modes.length,
+      "viewer-speed-control": !frames,
+      "viewer-play": !frames,
+      "viewer-scrub": !frames,
+    };
+    for (const [id, hidden] of Object.entries(absent)) byId(id).hidden = hidden;
+  }
+
+  transport() {
+    byId("viewer-play").addEventListener("click", () => this.play(!this.viewer.clock.playing));
+    byId("viewer-scrub").addEventListener("input", (event) => this.scrub(Number(event.target.value)));
+    byId("viewer-speed").addEventListener("input", (event) => this.chooseSpeed(10 ** Number(event.target.value)));
+    byId("viewer-speed-real").addEventListener("click", () => this.chooseSpeed(1));
+    byId("viewer-speed-turn").addEventListener("click", () => this.chooseSpeed(this.speedOfTurn()));
+    byId("viewer-speed-whole").addEventListener("click", () => this.chooseSpeed((this.viewer.frames.end - this.viewer.frames.start) / 30));
+  }
+
+  play(playing) {
+    this.viewer.clock.play(playing);
+    this.viewer.redraw();
+  }
+
+  scrub(part) {
+    this.viewer.clock.part = part;
+    this.viewer.redraw();
+  }
+
+  /** Rate of the rotation at the start (rad/s). */
+  rate() {
+    const { frames } = this.viewer;
+    return frames ? size(frames.spinAt(0)) : 0;
+  }
+
+  speedOfTurn() {
+    const rate = this.rate();
+    return rate > 0 ? (2 * Math.PI) / rate / PERIOD_SHOWN : 1;
+  }
+
+  chooseSpeed(speed) {
+    const { viewer } = this;
+    const slider = byId("viewer-speed");
+    viewer.runSpeed = speed;
+    if (!viewer.mode && viewer.clock) viewer.clock.speed = speed;
+    slider.value = Math.log10(speed);
+    byId("viewer-speed-words").textContent = speedWords(speed, this.rate());
     viewer.redraw();
-  });
-  bindPointer(viewer);
-  bindKeys(viewer, actions);
-  fillLegend(viewer);
-  fillMotions(viewer, setMagnified);
+  }
 
-  /** Keeps the words and sliders in step with the picture. */
-  const update = () => {
-    const { clock, mode, frames } = viewer;
-    words("viewer-play", clock.playing ? "Pause" : "Play");
-    const scrub = byId("viewer-scrub");
-    scrub.value = clock.part;
-    const scale = timeUnit(clock.end - clock.start);
-    const time = mode
-      ? `${numeral(360 * clock.part, 3)}° of a period`
-      : `${(clock.time / scale[0]).toFixed(2)} of ${inUnit(clock.end, scale, 4)}`;
-    words("viewer-time", time);
-    scrub.setAttribute("aria-valuetext", time);
-    words("viewer-speed-words", speedWords(viewer.runClock.speed, rate()));
-    byId("viewer-speed").setAttribute("aria-valuetext", byId("viewer-speed-words").textContent);
-    const magnified = byId("viewer-magnified-words");
-    words("viewer-magnified-words", viewer.magnified === 1 ? "as it is" : factorWords(viewer.magnified));
-    byId("viewer-magnified").setAttribute("aria-valuetext", magnified.textContent);
-    words("viewer-amplitude-words", numeral(viewer.amplitude, 2));
-    byId("viewer-strobe").hidden = mode !== null || rate() * clock.step <= Math.PI;
-    if (!clock.playing) words("viewer-state", stateWords(viewer, time));
-    for (const name of ["momentum", "spin", "1", "2", "3"]) {
-      const tag = byId(`viewer-tag-${name}`);
-      const place = viewer.tags.find(([tagged]) => tagged === name)?.[1];
-      tag.hidden = !place;
-      if (place) [tag.style.left, tag.style.top] = place.map((part) => `${(100 * clamp(part, 0.02, 0.98)).toFixed(2)}%`);
-    }
-    if (frames && !mode) viewer.onTime?.(clock.part);
-  };
-
-  viewer.runClock = viewer.clock;
-  viewer.onDraw = update;
-  const largest = viewer.largestDisplacement();
-  byId("viewer-magnified-control").hidden = !(largest > 0);
-  setMagnified(largest > 0 ? Math.max(1, rounded((0.05 * viewer.radius) / largest)) : 1);
-  byId("viewer-magnified").max = Math.max(2, Math.log10(viewer.magnified) + 2);
-  byId("viewer-magnified").value = Math.log10(viewer.magnified);
-  const start = viewer.frames?.frame(0);
-  if (start && size(start.omega) > 0) setSpeed(rounded((2 * Math.PI) / (3 * size(start.omega))));
-  return actions;
-};
-
-/** What the picture shows, in a sentence. */
-const stateWords = ({ mode, now, scene }, time) => {
-  if (mode) return `Small motion about the steady spin: ${mode.source.name}; ${mode.words()}.`;
-  if (!now.omega) return "The body at rest.";
-  const { moments, axes } = scene.principal ?? {};
-  const circled = axes && (circlesGreatest(now.momentum, moments, axes) ? 2 : 0);
-  const nutation = axes && angleBetween(now.momentum, times(Math.sign(dot(axes[circled], now.momentum)) || 1, axes[circled]));
-  const angle = axes ? `, angular momentum ${angleWords(nutation)} from the axis of ${circled ? "greatest" : "least"} moment` : "";
-  const lost = now.dissipated > 0 ? `, ${numeral(now.dissipated)} J dissipated` : "";
-  return `${time}: spin ${numeral(size(now.omega))} rad/s${angle}${lost}.`;
-};
-
-/** Whether K circles the axis of greatest moment. */
-const circlesGreatest = (momentum, moments, axes) => {
-  const squares = axes.map((axis) => dot(axis, momentum) ** 2);
-  return squares.reduce((sum, square, i) => sum + square * (1 / moments[i] - 1 / moments[1]), 0) <= 0;
-};
-
-const fillLegend = (viewer) => {
-  const holder = byId("viewer-legend");
-  for (const entry of viewer.legend) {
-    const button = holder.appendChild(document.createElement("button"));
-    button.type = "button";
-    button.setAttribute("aria-pressed", "true");
-    const swatch = button.appendChild(document.createElement("span"));
-    swatch.className = "viewer-swatch";
-    swatch.style.background = `var(${entry.color})`;
-    button.append(entry.name);
-    const light = (on) => () => {
-      viewer.lit = on ? entry.pieces : null;
+  chooseMagnification() {
+    const { viewer } = this;
+    const largest = viewer.largestDisplacement();
+    const usual = largest > 0 ? Math.max(1, rounded((LARGEST_SHARE * viewer.radius) / largest)) : 1;
+    const slider = byId("viewer-magnified");
+    const choose = (factor) => {
+      viewer.magnified = factor;
+      slider.value = Math.log10(factor);
+      byId("viewer-magnified-words").textContent = factor === 1 ? "true to scale" : factorWords(factor);
       viewer.redraw();
     };
-    for (const [event, on] of [["pointerenter", true], ["pointerleave", false], ["focus", true], ["blur", false]]) {
-      button.addEventListener(event, light(on));
-    }
-    button.addEventListener("click", () => {
-      const hidden = !entry.pieces[0].hidden;
-      for (const piece of entry.pieces) piece.hidden = hidden;
-      button.setAttribute("aria-pressed", String(!hidden));
-      viewer.redraw();
-    });
+    slider.max = Math.max(3, Math.ceil(Math.log10(usual)) + 2);
+    slider.addEventListener("input", () => choose(10 ** Number(slider.value)));
+    choose(usual);
+    this.magnify = choose;
+    this.usual = usual;
   }
-};
 
-const fillMotions = (viewer, setMagnified) => {
-  const list = byId("viewer-motion");
-  byId("viewer-motion-control").hidden = viewer.modes.length === 0;
-  list.append(new Option(viewer.track ? "the run" : "at rest", ""));
-  viewer.modes.forEach((mode, i) => list.append(new Option(`mode: ${mode.source.name}`, String(i))));
-  let usual = null;
-  list.addEventListener("change", () => {
-    const mode = list.value === "" ? null : viewer.modes[Number(list.value)];
-    usual ??= viewer.magnified;
-    viewer.choose(mode);
-    setMagnified(mode ? mode.magnified : usual);
-    if (!mode) usual = null;
-    byId("viewer-amplitude-control").hidden = !mode;
-    byId("viewer-speed-control").hidden = Boolean(mode);
-    byId("viewer-side").hidden = Boolean(mode) || !viewer.polhode;
-    byId("viewer-motion-words").textContent = mode ? mode.words() : "";
-  });
-};
+  options() {
+    const { viewer } = this;
+    for (const radio of document.getElementsByName("viewer-view")) {
+      radio.addEventListener("change", () => this.see(radio.value));
+    }
+    for (const name of ["spin", "momentum", "axes"]) {
+      byId(`viewer-show-${name}`).addEventListener("change", (event) => {
+        viewer.show[name] = event.target.checked;
+        viewer.redraw();
+      });
+    }
+    byId("viewer-reset").addEventListener("click", () => this.reset());
+  }
+
+  see(view) {
+    this.viewer.view = view;
+    for (const radio of document.getElementsByName("viewer-view")) radio.checked = radio.value === view;
+    this.viewer.redraw();
+  }
+
+  reset() {
+    this.viewer.camera.reset();
+    this.viewer.redraw();
+  }
+
+  /** The run, and the vibration modes one by one. */
+  motions() {
+    const { viewer } = this;
+    const select = byId("viewer-motion");
+    const amplitude = byId("viewer-amplitude");
+    const names = [viewer.frames ? "the run" : "at rest", ...viewer.modes.map((mode, i) => `mode ${i + 1}: ${mode.source.name}`)];
+    for (const [i, name] of names.entries()) select.add(new Option(name, String(i)));
+    const choose = () => {
+      const mode = viewer.modes[Number(select.value) - 1] ?? null;
+      viewer.choose(mode);
+      byId("viewer-amplitude-control").hidden = !mode;
+      byId("viewer-motion-words").textContent = mode ? mode.words() : "";
+      for (const id of ["viewer-speed-control", "viewer-side"]) byId(id).hidden = Boolean(mode) || !viewer.frames;
+      this.magnify(mode ? mode.magnified : this.usual);
+      if (mode && !matchMedia("(prefers-reduced-motion: reduce)").matches) this.play(true);
+    };
+    const size = () => {
+      viewer.amplitude = Number(amplitude.value);
+      byId("viewer-amplitude-words").textContent = numeral(viewer.amplitude, 2);
+      viewer.redraw();
+    };
+    select.addEventListener("change", choose);
+    amplitude.addEventListener("input", size);
+    size();
+  }
+
+  /** A button for each part: pressed parts are shown, and the part under the pointer or with the focus stands out. */
+  legend() {
+    const { viewer } = this;
+    const place = byId("viewer-legend");
+    const light = (pieces) => {
+      viewer.lit = pieces;
+      viewer.redraw();
+    };
+    for (const entry of viewer.legend) {
+      const button = document.createElement("button");
+      const swatch = document.createElement("span");
+      button.type = "button";
+      button.setAttribute("aria-pressed", "true");
+      swatch.className = "viewer-swatch";
+      swatch.style.background = `var(${entry.color})`;
+      button.append(swatch, entry.name && entry.name !== entry.kind ? `${entry.name} (${entry.kind})` : entry.kind);
+      button.addEventListener("click", () => {
+        const shown = button.getAttribute("aria-pressed") !== "true";
+        button.setAttribute("aria-pressed", String(shown));
+        for (const piece of entry.pieces) piece.hidden = !shown;
+        viewer.redraw();
+      });
+      for (const type of ["pointerenter", "focus"]) button.addEventListener(type, () => light(entry.pieces));
+      for (const type of ["pointerleave", "blur"]) button.addEventListener(type, () => light(null));
+      place.append(button);
+    }
+  }
+
+  pointing() {
+    const { canvas } = this;
+    canvas.addEventListener("pointerdown", (event) => {
+      canvas.setPointerCapture(event.pointerId);
+      this.pointers.set(event.pointerId, [event.clientX, event.clientY]);
+    });
+    for (const type of ["pointerup", "pointercancel"]) canvas.addEventListener(type, (event) => this.pointers.delete(event.pointerId));
+    canvas.addEventListener("pointermove", (event) => this.moved(event));
+    canvas.addEventListener("pointerleave", () => (byId("viewer-tip").hidden = true));
+    canvas.addEventListener(
+      "wheel",
+      (event) => {
+        if (document.activeElement !== canvas) return;
+        event.preventDefault();
+        this.zoom(Math.exp(-0.0015 * event.deltaY));
+      },
+      { passive: false },
+    );
+  }
+
+  moved(event) {
+    const before = this.pointers.get(event.pointerId);
+    if (!before) return this.hover(event);
+    const now = [event.clientX, event.clientY];
+    const others = [...this.pointers].filter(([id]) => id !== event.pointerId).map(([, place]) => place);
+    this.pointers.set(event.pointerId, now);
+    if (others.length === 1) {
+      const apart = ([x, y]) => Math.hypot(x - others[0][0], y - others[0][1]);
+      if (apart(before) > 0) this.zoom(apart(now) / apart(before));
+    } else if (others.length === 0) {
+      const scale = Math.PI / this.canvas.clientHeight;
+      this.turn(scale * (now[0] - before[0]), scale * (now[1] - before[1]));
+    }
+  }
+
+  turn(azimuth, elevation) {
+    this.viewer.camera.turn(azimuth, elevation);
+    this.viewer.redraw();
+  }
+
+  zoom(factor) {
+    this.viewer.camera.closer(factor);
+    this.viewer.redraw();
+  }
+
+  hover(event) {
+    if (event.pointerType === "touch") return;
+    const box = this.canvas.getBoundingClientRect();
+    const [x, y] = [event.clientX - box.left, event.clientY - box.top];
+    const found = this.viewer.under(x / box.width, y / box.height);
+    const tip = byId("viewer-tip");
+    tip.hidden = !found;
+    if (!found) return;
+    const { name, kind } = found.piece;
+    const moved = found.displacement > 0 ? `: displaced by ${numeral(found.displacement)} m` : "";
+    tip.textContent = `${name || kind}${moved}`;
+    tip.style.left = `${Math.min(x + 12, box.width - 160)}px`;
+    tip.style.top = `${y + 14}px`;
+  }
+
+  key(event) {
+    if (event.ctrlKey || event.metaKey || event.altKey) return;
+    const step = (sign) => this.scrub(this.viewer.clock.part + sign * STEP);
+    const arrows = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
+    const actions = {
+      " ": () => this.play(!this.viewer.clock.playing),
+      ",": () => step(-1),
+      ".": () => step(1),
+      "+": () => this.zoom(ZOOM),
+      "=": () => this.zoom(ZOOM),
+      "-": () => this.zoom(1 / ZOOM),
+      1: () => this.see("body"),
+      2: () => this.see("inertial"),
+      r: () => this.reset(),
+    };
+    const arrow = arrows[event.key];
+    const sideways = event.shiftKey && arrow && arrow[0];
+    const action = sideways ? () => step(arrow[0]) : arrow ? () => this.turn(TURN * arrow[0], TURN * arrow[1]) : actions[event.key.toLowerCase()];
+    if (!action) return;
+    event.preventDefault();
+    action();
+  }
+
+  /** Writes what the picture shows. */
+  told() {
+    const { viewer } = this;
+    const { clock, now } = viewer;
+    byId("viewer-play").textContent = clock.playing ? "Pause" : "Play";
+    if (viewer.frames) {
+      byId("viewer-scrub").value = clock.part;
+      byId("viewer-time").textContent = `${timeIn(clock.time, timeUnit(clock.time), 4)} of ${timeWords(clock.end)}`;
+      byId("viewer-scrub").setAttribute("aria-valuetext", byId("viewer-time").textContent);
+      byId("viewer-state").textContent = this.stateWords(now);
+    }
+    const strobe = clock.playing && now.omega && size(now.omega) * Math.abs(clock.step) > Math.PI;
+    byId("viewer-strobe").hidden = !strobe;
+    this.tags();
+    this.panel?.mark(clock.part);
+  }
+
+  stateWords({ omega, momentum, dissipated }) {
+    const words = [];
+    if (omega) words.push(`|ω| ${numeral(size(omega), 4)} rad/s`);
+    if (omega && momentum) words.push(`angle of ω from K ${angleWords(angleBetween(omega, momentum))}`);
+    if (dissipated !== undefined) words.push(`dissipated ${numeral(dissipated)} J`);
+    return words.join(", ");
+  }
+
+  tags() {
+    const box = this.canvas;
+    for (const name of ["momentum", "spin", "1", "2", "3"]) byId(`viewer-tag-${name}`).hidden = true;
+    for (const [name, [x, y]] of this.viewer.tags) {
+      const tag = byId(`viewer-tag-${name}`);
+      tag.hidden = !(x > 0.01 && x < 0.99 && y > 0.02 && y < 0.98);
+      tag.style.left = `${x * box.clientWidth}px`;
+      tag.style.top = `${y * box.clientHeight}px`;
+    }
+  }
+}

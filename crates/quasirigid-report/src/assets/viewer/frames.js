@@ -3,6 +3,7 @@
 // integrated from the frame before, by the reduced equations; the difference at the frame after is spread over the
 // interval, unless the frames come from the same equations.
 const SMOOTH = 1.2; // rad from frame to frame
+const TRAIL = 0.3; // rad from point to point of a trail
 const MOST_STEPS = 4000;
 
 class Frames {
@@ -90,7 +91,7 @@ class Frames {
   recent(state, revolutions, perRevolution) {
     const i = lastNotAbove(this.t, state.t);
     const next = Math.min(i + 1, this.count - 1);
-    if (size(state.omega) * (this.t[next] - this.t[Math.max(0, next - 1)]) >= SMOOTH) {
+    if (size(state.omega) * (this.t[next] - this.t[Math.max(0, next - 1)]) >= TRAIL) {
       return trail(this.equations, state, revolutions, perRevolution);
     }
     const points = [state];
@@ -123,7 +124,7 @@ class Frames {
       attitude: product(motion.attitude(), exponential(turn)),
       momentum: turned(exponential(times(-1, turn)), motion.momentum()),
       omega,
-      q: this.displaced(omega) ?? this.row(this.q, this.coordinates, part > 0.5 ? i + 1 : i),
+      q: this.displaced(omega) ?? this.linear(this.q, this.coordinates, i, part),
       rotors: this.linear(this.rotors, this.rotorCount, i, part),
       dissipated: this.own ? motion.dissipated() : this.linear(this.dissipated, 1, i, part)[0],
     };

@@ -2,13 +2,17 @@
 // Vertices are split where the faces around them meet at an angle, so that boxes are sharp and spheres smooth.
 const CREASE = Math.cos((38 * Math.PI) / 180);
 const COIL_STEPS = 14;
+// Radius of points and lines over that of the body, where the model gives none.
+const POINT = 0.03;
+const LINE = 0.006;
 
 class Piece {
-  constructor(source) {
-    Object.assign(this, { name: source.name, kind: source.kind, size: source.size ?? 0, turning: source.turning ?? null });
-    this.rest = floats(source.vertices);
-    this.fields = (source.fields ?? []).map((field) => ({ coordinate: field.coordinate, vectors: floats(field.vectors) }));
-    this.curvatures = (source.curvatures ?? []).map((field) => ({ coordinates: field.coordinates, vectors: floats(field.vectors) }));
+  constructor(source, radius) {
+    const usual = radius * (source.triangles ? 0 : source.lines ? LINE : POINT);
+    Object.assign(this, { name: source.name, kind: source.kind, size: source.size ?? usual, turning: source.turning ?? null });
+    this.rest = vectors(source.vertices);
+    this.fields = (source.fields ?? []).map((field) => ({ coordinate: field.coordinate, vectors: vectors(field.vectors) }));
+    this.curvatures = (source.curvatures ?? []).map((field) => ({ coordinates: field.coordinates, vectors: vectors(field.vectors) }));
     this.lines = indices(source.lines);
     const triangles = indices(source.triangles);
     if (this.kind === "spring" && this.lines?.length === 2 && !triangles && this.size > 0) this.coil();

@@ -49,7 +49,7 @@ const scaledEquations = (equations, s = 1, d = 1) => {
     power: of(equations.power),
     energy: of(equations.energy),
     displacements: equations.displacements?.length ? of(equations.displacements) : null,
-    limits: equations.limits?.map((limit) => limit * Math.sqrt(s)) ?? null,
+    limits: equations.limits?.every(Number.isFinite) ? equations.limits.map((limit) => limit * Math.sqrt(s)) : null,
   };
 };
 

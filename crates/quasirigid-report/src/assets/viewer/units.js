@@ -18,8 +18,8 @@ const TIME_UNITS = [
 ];
 /** The largest unit that leaves at least two of it. */
 const timeUnit = (seconds) => TIME_UNITS.find(([length]) => Math.abs(seconds) >= 2 * length) ?? TIME_UNITS[4];
-const inUnit = (value, [unitSize, name], digits = 3) => `${numeral(value / unitSize, digits)} ${name}`;
-const timeWords = (seconds) => inUnit(seconds, timeUnit(seconds));
+const timeIn = (seconds, [length, name], digits = 3) => `${numeral(seconds / length, digits)} ${name}`;
+const timeWords = (seconds) => timeIn(seconds, timeUnit(seconds));
 
 const degrees = (angle) => (angle * 180) / Math.PI;
 const angleWords = (angle) => `${numeral(degrees(angle))}°`;
@@ -31,9 +31,6 @@ const speedWords = (speed, rate) => {
   const turning = revolution > 0.02 ? `one revolution in ${timeWords(revolution)}` : `${numeral(1 / revolution)} revolutions a second`;
   return rate > 0 && Number.isFinite(revolution) ? `${pace}: ${turning}` : pace;
 };
-
-const LENGTH_UNITS = [[1000, "km"], [1, "m"], [1e-3, "mm"], [1e-6, "µm"], [1e-9, "nm"]];
-const lengthWords = (metres) => inUnit(metres, LENGTH_UNITS.find(([length]) => metres >= length) ?? LENGTH_UNITS[4]);
 
 /** A round number near a given one: 1, 2 or 5 times a power of ten. */
 const rounded = (value) => {

@@ -2,23 +2,31 @@
 const REVOLUTIONS = 12;
 const PER_REVOLUTION = 24;
 
+/** Equations that turn the body from frame to frame: the reduced ones where they hold, else those of the rigid body. */
+const equationsBetween = ({ equations, principal, track }) => {
+  const fastest = track ? Math.max(...chunks(floats(track.omega), 3).map(size)) : 0;
+  const reduced = equations && scaledEquations(equations);
+  const holds = reduced && fastest <= (reduced.limits?.[1] ?? Infinity);
+  return holds ? reduced : principal && rigidEquations(principal);
+};
+
 class Viewer {
   constructor(scene, gl) {
-    Object.assign(this, { scene, gl, canvas: gl.canvas, view: "body", magnified: 1, lit: null, mode: null, amplitude: 0.12 });
+    Object.assign(this, { scene, gl, canvas: gl.canvas, view: "inertial", magnified: 1, lit: null, mode: null, amplitude: 0.12 });
     this.show = { spin: true, momentum: true, axes: true };
     this.radius = scene.radius;
     this.camera = new Camera(scene.radius);
     this.stage = new Stage(gl);
-    this.pieces = scene.pieces.map((source) => new Piece(source));
+    this.pieces = scene.pieces.filter(({ vertices }) => vertices.values).map((source) => new Piece(source, scene.radius));
     this.legend = legendOf(this.pieces);
     this.drawn = new Map(this.pieces.map((piece) => [piece, this.stage.upload(piece)]));
     for (const piece of this.pieces) {
-      const hull = ["carrier", "surface", "solid"].includes(piece.kind) && piece.faces;
+      const hull = ["carrier", "ellipsoid", "surface", "solid"].includes(piece.kind) && piece.faces;
       const inside = hull && this.pieces.some((other) => other !== piece && piece.holds(other.middle()));
       piece.seenThrough = piece.kind === "liquid" || Boolean(inside);
       piece.hidden = false;
     }
-    this.between = scene.equations ? scaledEquations(scene.equations) : scene.principal && rigidEquations(scene.principal);
+    this.between = equationsBetween(scene);
     this.track = scene.track && this.between ? this.stored(scene.track) : null;
     this.modes = (scene.modes ?? []).map((mode) => new Mode(mode, scene.spin, this.pieces, scene.radius));
     this.polhode = scene.principal && this.track ? new PolhodeView(byId("viewer-polhode"), scene.principal) : null;
@@ -94,6 +102,7 @@ class Viewer {
 
   draw() {
     const { stage, canvas, theme } = this;
+    if (!canvas.clientWidth) return; // on paper
     const scale = Math.min(window.devicePixelRatio || 1, 2);
     const [width, height] = [canvas.clientWidth * scale, canvas.clientHeight * scale].map((x) => Math.max(1, Math.round(x)));
     if (canvas.width !== width || canvas.height !== height) Object.assign(canvas, { width, height });
@@ -120,14 +129,18 @@ class Viewer {
   }
 
   drawPieces(pieces) {
-    const [edge, paper] = ["--edge", "--panel"].map(this.theme.rgb);
-    for (const piece of pieces) {
-      const rgb = this.theme.rgb(piece.color);
-      const dimmed = this.lit && !this.lit.includes(piece);
-      const color = dimmed ? rgb.map((x, i) => 0.45 * x + 0.55 * paper[i]) : rgb;
-      const glow = this.lit && !dimmed ? 1 : 0;
-      const alpha = piece.seenThrough ? (piece.kind === "liquid" ? 0.5 : 0.32) : 1;
-      this.stage.draw(this.drawn.get(piece), { color, edge, alpha, glow });
+    const edge = this.theme.rgb("--edge");
+    for (const { color, pieces: members } of this.legend) {
+      const rgb = this.theme.rgb(color);
+      for (const piece of members) {
+        if (!pieces.includes(piece)) continue;
+        const glow = this.lit && !this.lit.includes(piece) ? 0 : this.lit ? 1 : 0;
+        const dim = this.lit && !this.lit.includes(piece);
+        const paper = this.theme.rgb("--panel");
+        const shown = dim ? rgb.map((x, i) => 0.5 * x + 0.5 * paper[i]) : rgb;
+        const alpha = piece.seenThrough ? (piece.kind === "liquid" ? 0.5 : 0.32) : 1;
+        this.stage.draw(this.drawn.get(piece), { color: shown, edge, alpha, glow });
+      }
     }
   }
 

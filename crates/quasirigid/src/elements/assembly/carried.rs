@@ -15,6 +15,7 @@ use crate::elements::assembly::system_matrices::Matrices;
 use crate::elements::element::{Grip, Preload, Role, Site};
 use crate::elements::error::{ElementError, ElementId, ElementKind, Field, Problem, at};
 use crate::elements::kinds::part::NodeRef;
+use crate::elements::visual::Vertex;
 use crate::elements::{End, Hinged, Station};
 use crate::math::memory;
 use crate::math::sparse::SparseRows;
@@ -53,14 +54,20 @@ const BALANCED: f64 = 1e-6;
 
 impl Assembly {
     /// A body with a carrier.
-    pub(super) fn carried(&self, forces: &[Force<Station>]) -> Result<Built, ElementError> {
+    pub(super) fn carried(&self, forces: &[Force<Station>], visuals: bool) -> Result<Built, ElementError> {
         let carrier =
             self.carrier.as_ref().ok_or_else(|| at(ElementId::CARRIER, Field::MASS)(Problem::NoBody))?;
-        let graph = if self.parts.is_empty() { None } else { Some(PartGraph::of_parts(self)?) };
+        let mut graph = if self.parts.is_empty() { None } else { Some(PartGraph::of_parts(self)?) };
+        if let Some(graph) = graph.as_mut().filter(|_| visuals) {
+            graph.draw(self.drawn_nodes());
+        }
         let component = graph.as_ref().map(|graph| graph.component(false)).transpose()?;
         let (moving_bodies, flexible) = self.moving_bodies()?;
         let order = self.reduction.order;
-        let inner = self.each().filter_map(|(id, element)| element.inner(id, order).transpose());
+        let inner = self.each().filter_map(|(id, element)| {
+            let inner = element.inner(id, order).transpose()?;
+            Some(inner.map(|inner| inner.of(id)))
+        });
         let elastic = flexible + component.as_ref().map_or(0, Component::size);
         let inner = Internal::sum(elastic, inner)?;
         let mut rigid = vec![(carrier.piece()?, carrier.position())];
@@ -74,6 +81,7 @@ impl Assembly {
         let paths =
             whole.component.as_ref().and_then(|component| component.curved_paths(pole, start, &invariants));
         let nodes = graph.as_ref().zip(whole.component.as_ref());
+        let drawn = nodes.map_or_else(BTreeMap::new, |(graph, component)| graph.drawn(component, start));
         let nodes =
             nodes.map_or_else(BTreeMap::new, |(graph, component)| graph.attachments(component, start));
         let reaches = graph.as_ref().map_or_else(Vec::new, |graph| graph.reaches(&nodes));
@@ -86,6 +94,11 @@ impl Assembly {
         })?;
         let markers = whole.markers(&nodes, pole);
         let forces = self.placed_forces(forces, pole, &attachments)?;
+        let visuals = if visuals {
+            self.visuals_at(pole, &whole.places(&drawn), &|id| whole.inner.firsts.get(&id).copied())
+        } else {
+            Vec::new()
+        };
         let body = FlexibleBody::new(BodyParts {
             support: self.support.clone(),
             pole: pole.into(),
@@ -117,6 +130,7 @@ impl Assembly {
             speeds: whole.inner.speeds,
             liquids: whole.inner.liquids,
             resolution: None,
+            visuals,
         })
     }
 
@@ -268,6 +282,24 @@ impl Carried {
     fn attachment(&self, id: ElementId, place: usize) -> Option<Attachment> {
         let Moved { moving_body, start, .. } = self.moved(id)?;
         moving_body.attachments(*start).nth(place)
+    }
+
+    /// Places of vertices, with the coordinates that displace them.
+    fn places<'a>(
+        &'a self,
+        drawn: &'a BTreeMap<NodeRef, Attachment>,
+    ) -> impl Fn(ElementId, Vertex) -> Option<Attachment> + 'a {
+        move |id, vertex| match vertex {
+            Vertex::Still(place) => Some(Attachment::at(place.into(), false)),
+            Vertex::Own(place) => {
+                let Moved { moving_body, start, .. } = self.moved(id)?;
+                Some(moving_body.place("", &(Vector3::from(place) - moving_body.base), *start))
+            }
+            Vertex::At(End::Carrier) => None,
+            Vertex::At(End::Point(index)) => self.attachment(ElementKind::Point.at(index), 0),
+            Vertex::At(End::Hinged(on)) => self.attachment(ElementKind::Hinged.at(on.hinged), 1 + on.place),
+            Vertex::At(End::Node(node)) => drawn.get(&node).cloned(),
+        }
     }
 
     fn mass_center(&self) -> (f64, Vector3<f64>) {

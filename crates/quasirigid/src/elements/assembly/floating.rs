@@ -2,14 +2,17 @@
 //! Nothing rigid fixes the frame: it is the Tisserand frame, unless a part of modes brings a frame of its own.
 //! Equations (G2), docs/theory/11-materials.md, and (K7), docs/theory/12-structures.md.
 
+use std::collections::BTreeMap;
+
 use nalgebra::Vector3;
 
 use super::part_graph::PartGraph;
 use super::{Assembly, Built};
-use crate::elements::assembly::attachment::Attachments;
+use crate::elements::assembly::attachment::{Attachment, Attachments};
 use crate::elements::assembly::system_matrices::Matrices;
 use crate::elements::error::{ElementError, ElementId, ElementKind, Field, Problem, at};
 use crate::elements::kinds::part::{NodeRef, Part};
+use crate::elements::visual::Vertex;
 use crate::elements::{End, Station};
 use crate::math::sparse::SparseRows;
 use crate::math::sym3::Sym;
@@ -23,12 +26,17 @@ impl Assembly {
         &self,
         forces: &[Force<Station>],
         exact: Option<Exact<'_>>,
+        visuals: bool,
     ) -> Result<Built, ElementError> {
         if self.parts.is_empty() && self.points.len() < 3 {
             return Err(at(ElementId::CARRIER, Field::MASS)(Problem::NoBody));
         }
         self.free()?;
-        let graph = PartGraph::of_everything(self)?;
+        let mut graph = PartGraph::of_everything(self)?;
+        if visuals {
+            let points = (0..self.points.len()).map(|node| NodeRef { part: self.parts.len(), node });
+            graph.draw(self.drawn_nodes().into_iter().chain(points));
+        }
         let component = graph.component(!self.parts.iter().any(Part::is_frame))?;
         let center = exact.as_ref().map_or(component.center(), |exact| exact.center.into());
         let mut invariants = invariants(&component, center);
@@ -51,6 +59,12 @@ impl Assembly {
             attachments.note(end, attachment.clone());
         }
         let forces = self.placed_forces(forces, center, &attachments)?;
+        let drawn = graph.drawn(&component, 0);
+        let visuals = if visuals {
+            self.visuals_at(center, &places(&drawn, self.parts.len()), &|_| None)
+        } else {
+            Vec::new()
+        };
         let markers: Vec<Marker> = nodes.values().map(|node| node.marker(center)).collect();
         let body = FlexibleBody::new(BodyParts {
             support: Support::Free,
@@ -80,7 +94,26 @@ impl Assembly {
             speeds: Vec::new(),
             liquids: Vec::new(),
             resolution: None,
+            visuals,
         })
+    }
+}
+
+/// Places of vertices in a body whose points are the nodes of a part after the others.
+fn places(
+    drawn: &BTreeMap<NodeRef, Attachment>,
+    points: usize,
+) -> impl Fn(ElementId, Vertex) -> Option<Attachment> + '_ {
+    move |id, vertex| {
+        let node = match (id, vertex) {
+            (ElementId { kind: ElementKind::Point, index }, Vertex::Own(_)) => {
+                NodeRef { part: points, node: index }
+            }
+            (_, Vertex::At(End::Point(node))) => NodeRef { part: points, node },
+            (_, Vertex::At(End::Node(node))) => node,
+            _ => return None,
+        };
+        drawn.get(&node).cloned()
     }
 }
 

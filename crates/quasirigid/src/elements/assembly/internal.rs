@@ -1,9 +1,10 @@
+use std::collections::BTreeMap;
 use std::ops::Range;
 
 use nalgebra::Vector3;
 
 use crate::elements::assembly::affine::Piece;
-use crate::elements::error::ElementError;
+use crate::elements::error::{ElementError, ElementId};
 use crate::elements::kinds::cavity::SlowLiquid;
 use crate::model::{Advection, Coordinate, LiquidMemory, Pair, Wheels};
 use crate::structure::Entries;
@@ -32,6 +33,8 @@ pub(in crate::elements) struct Internal {
     pub rigid: Vec<(Piece, Vector3<f64>)>,
     /// Slow response of liquids.
     pub liquids: Vec<SlowLiquid>,
+    /// First coordinate of each element.
+    pub firsts: BTreeMap<ElementId, usize>,
 }
 
 impl Internal {
@@ -53,8 +56,14 @@ impl Internal {
             sum.wheels.add(next.wheels);
             sum.rigid.extend(next.rigid);
             sum.liquids.extend(next.liquids);
+            sum.firsts.extend(next.firsts);
         }
         Ok(sum)
+    }
+
+    /// Internal motion of an element.
+    pub fn of(self, element: ElementId) -> Self {
+        Self { firsts: BTreeMap::from([(element, 0)]), ..self }
     }
 
     /// Internal motion with its coordinates numbered from `start`.
@@ -66,6 +75,7 @@ impl Internal {
         let entries = entries.map(|(j, k, _)| (j, k)).chain(self.pairs.iter_mut().map(|(j, k, _)| (j, k)));
         entries.for_each(|(j, k)| (*j, *k) = (start + *j, start + *k));
         self.speeds.iter_mut().for_each(|(j, _)| *j += start);
+        self.firsts.values_mut().for_each(|first| *first += start);
         self
     }
 }

@@ -30,6 +30,7 @@ use crate::elements::assembly::single_element::WholeBody;
 use crate::elements::element::{Element, Grip, Role};
 use crate::elements::error::{ElementError, ElementId, ElementKind, Field, Problem, at};
 use crate::elements::kinds::part::NodeRef;
+use crate::elements::visual::Visual;
 use crate::elements::{Assembly, Condensation, End, PlaceRef, Resolution, SlowLiquid, Station, force};
 use crate::model::force::Force;
 use crate::model::{FlexibleBody, Marker, Support};
@@ -59,6 +60,17 @@ pub struct Built {
     pub liquids: Vec<SlowLiquid>,
     /// Approximation of a solid inside a surface; none of other bodies.
     pub resolution: Option<Resolution>,
+    /// Visual geometry of the elements, where it was asked for.
+    pub visuals: Vec<Visual>,
+}
+
+/// What a build makes beside the body.
+#[derive(Clone, Copy, Debug, Default)]
+pub(in crate::elements) struct Asked {
+    /// Errors of given approximations.
+    pub errors: bool,
+    /// Visual geometry.
+    pub visuals: bool,
 }
 
 impl Default for PartReduction {
@@ -87,7 +99,7 @@ impl Assembly {
     /// # Errors
     /// As [`build`](Self::build).
     pub fn body(&self) -> Result<FlexibleBody, ElementError> {
-        Ok(self.under(&[], false)?.body)
+        Ok(self.under(&[], Asked::default())?.body)
     }
 
     /// External forces with their points of action, as seen from the pole of [`Self::body`].
@@ -103,19 +115,31 @@ impl Assembly {
     /// # Errors
     /// [`ElementError`] for the first element that no body can have, for a force that cannot act, and for a mechanism.
     pub fn build(&self) -> Result<Built, ElementError> {
-        self.under(&self.forces, true)
+        self.under(&self.forces, Asked { errors: true, visuals: false })
     }
 
-    /// The body under some of its forces; `told` says whether errors of a given approximation are wanted.
-    fn under(&self, forces: &[Force<Station>], told: bool) -> Result<Built, ElementError> {
+    /// As [`build`](Self::build), with the visual geometry of the elements.
+    ///
+    /// # Errors
+    /// As [`build`](Self::build).
+    pub fn build_with_visuals(&self) -> Result<Built, ElementError> {
+        self.under(&self.forces, Asked { errors: true, visuals: true })
+    }
+
+    /// The body under some of its forces.
+    fn under(&self, forces: &[Force<Station>], asked: Asked) -> Result<Built, ElementError> {
         if let Some(error) = self.same_names().into_iter().next() {
             return Err(error);
         }
         self.without_carrier()?;
         let Some((id, alone)) = self.alone()? else {
-            return if self.carrier.is_some() { self.carried(forces) } else { self.floating(forces, None) };
+            return match self.carrier {
+                Some(_) => self.carried(forces, asked.visuals),
+                None => self.floating(forces, None, asked.visuals),
+            };
         };
-        let Some(WholeBody { body, condensation, resolution }) = alone.whole(id, self.reduction, told)?
+        let Some(WholeBody { body, condensation, resolution, visuals }) =
+            alone.whole(id, self.reduction, asked)?
         else {
             return Err(at(id, Field::NAME)(Problem::NoBody));
         };
@@ -127,6 +151,7 @@ impl Assembly {
             speeds: Vec::new(),
             liquids: Vec::new(),
             resolution,
+            visuals,
         })
     }
 

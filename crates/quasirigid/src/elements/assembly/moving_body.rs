@@ -43,28 +43,28 @@ impl MovingBody {
 
     /// Places on the piece, with its coordinates numbered from `start`: the watched one, then the others.
     pub fn attachments(&self, start: usize) -> impl Iterator<Item = Attachment> + '_ {
+        let all = std::iter::once(&self.marker).chain(&self.places);
+        all.map(move |(name, s)| self.place(name, s, start))
+    }
+
+    /// A place on the piece, at `s` (m) from its base, with its coordinates numbered from `start`.
+    pub fn place(&self, name: &str, s: &Vector3<f64>, start: usize) -> Attachment {
+        let displaced = |shape: &Shape| -> [f64; 3] { (shape.constant + shape.linear * s).into() };
         let turn = |shape: &Shape| -> [f64; 3] {
             // the axial vector of a skew matrix
             let L = &shape.linear;
             [L[(2, 1)], L[(0, 2)], L[(1, 0)]]
         };
-        let rotations = self.rotations.then(|| {
-            self.shapes.iter().enumerate().map(|(j, shape)| (start + j, turn(shape))).collect::<Vec<_>>()
+        let shapes = || self.shapes.iter().enumerate();
+        let curved = self.curvature.iter().enumerate().flat_map(|(j, row)| {
+            row.iter().enumerate().map(move |(k, G)| (start + j, start + k, displaced(G)))
         });
-        let all = std::iter::once(&self.marker).chain(&self.places);
-        all.map(move |(name, s)| {
-            let displaced = |shape: &Shape| -> [f64; 3] { (shape.constant + shape.linear * s).into() };
-            let curved = self.curvature.iter().enumerate().flat_map(|(j, row)| {
-                row.iter().enumerate().map(move |(k, G)| (start + j, start + k, displaced(G)))
-            });
-            let shapes = self.shapes.iter().enumerate();
-            Attachment {
-                name: name.clone(),
-                position: self.base + s,
-                shapes: shapes.map(|(j, H)| (start + j, displaced(H))).collect(),
-                rotations: rotations.clone(),
-                curvature: curved.filter(|(.., G)| *G != [0.0; 3]).collect(),
-            }
-        })
+        Attachment {
+            name: name.to_owned(),
+            position: self.base + s,
+            shapes: shapes().map(|(j, H)| (start + j, displaced(H))).collect(),
+            rotations: self.rotations.then(|| shapes().map(|(j, H)| (start + j, turn(H))).collect()),
+            curvature: curved.filter(|(.., G)| *G != [0.0; 3]).collect(),
+        }
     }
 }

@@ -26,8 +26,9 @@ pub(in crate::elements) struct PartGraph<'a> {
     joints: Vec<usize>,
     /// Connection of each spring about the axes of a joint.
     hinges: Vec<usize>,
-    /// Nodes whose displacements the component keeps.
+    /// Nodes whose displacements the component keeps: those that are watched or loaded, then those that are only drawn.
     stations: Vec<NodeRef>,
+    drawn: Vec<NodeRef>,
     /// Loads of links and forces at each of these nodes.
     loads: Vec<Load>,
 }
@@ -81,8 +82,8 @@ impl<'a> PartGraph<'a> {
         }
         firsts.push(structure.nodes.len());
         let (joints, hinges) = (Vec::new(), Vec::new());
-        let mut graph =
-            Self { assembly, structure, firsts, joints, hinges, stations: Vec::new(), loads: Vec::new() };
+        let (stations, drawn, loads) = (Vec::new(), Vec::new(), Vec::new());
+        let mut graph = Self { assembly, structure, firsts, joints, hinges, stations, drawn, loads };
         for point in assembly.points.iter().filter(|_| floating) {
             graph.point(point.mass, point.position.into());
         }
@@ -100,7 +101,8 @@ impl<'a> PartGraph<'a> {
         let dofs = Dofs::new(&self.structure.nodes, &self.structure.constraints).map_err(|circle| {
             self.attribute_to(circle.node, Problem::Circle { node: self.node_name(circle.node) })
         })?;
-        let stations: Vec<usize> = self.stations.iter().map(|station| self.index(*station)).collect();
+        let kept = self.stations.iter().chain(&self.drawn);
+        let stations: Vec<usize> = kept.map(|station| self.index(*station)).collect();
         let purpose = Purpose {
             order: self.assembly.reduction.order.min(HIGHEST),
             modes: self.assembly.reduction.modes,
@@ -116,9 +118,31 @@ impl<'a> PartGraph<'a> {
         self.firsts[node.part] + node.node
     }
 
-    /// Attachments: nodes whose displacements the component keeps, in terms of its coordinates, numbered from `start`.
+    /// Asks the component to keep the displacements of nodes that are drawn.
+    pub fn draw(&mut self, nodes: impl IntoIterator<Item = NodeRef>) {
+        self.drawn.extend(nodes);
+    }
+
+    /// Attachments: nodes that are watched or loaded, in terms of the coordinates of the component, numbered from `start`.
     pub fn attachments(&self, component: &Component, start: usize) -> BTreeMap<NodeRef, Attachment> {
+        self.kept(&self.stations, 0, component, start)
+    }
+
+    /// Nodes that are drawn, as [`attachments`](Self::attachments).
+    pub fn drawn(&self, component: &Component, start: usize) -> BTreeMap<NodeRef, Attachment> {
+        self.kept(&self.drawn, self.stations.len(), component, start)
+    }
+
+    /// Nodes, the first of them with a number among those that the component keeps.
+    fn kept(
+        &self,
+        nodes: &[NodeRef],
+        first: usize,
+        component: &Component,
+        start: usize,
+    ) -> BTreeMap<NodeRef, Attachment> {
         let attachment = |(number, node): (usize, &NodeRef)| {
+            let number = first + number;
             let index = self.index(*node);
             let attachment = Attachment {
                 name: self.node_name(index),
@@ -129,7 +153,7 @@ impl<'a> PartGraph<'a> {
             };
             (*node, attachment)
         };
-        self.stations.iter().enumerate().map(attachment).collect()
+        nodes.iter().enumerate().map(attachment).collect()
     }
 
     /// Reaches: nodes that measure the displacement of parts, each with its distance from the nearest clamped node of its part, or from the

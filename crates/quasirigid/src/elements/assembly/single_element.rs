@@ -1,5 +1,6 @@
 use crate::elements::assembly::system_matrices::Matrices;
 use crate::elements::error::{ElementError, ElementId, Field, Problem, at};
+use crate::elements::visual::Visual;
 use crate::elements::{Condensation, Resolution};
 use crate::model::{BodyParts, Coordinate, FlexibleBody, Invariants, Marker, Support, Wheels};
 use crate::structure::Block;
@@ -20,6 +21,7 @@ pub(in crate::elements) struct WholeBody {
     pub body: FlexibleBody,
     pub condensation: Option<Condensation>,
     pub resolution: Option<Resolution>,
+    pub visuals: Vec<Visual>,
 }
 
 impl Whole {

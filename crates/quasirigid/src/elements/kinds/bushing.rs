@@ -8,6 +8,7 @@ use crate::elements::assembly::PartGraph;
 use crate::elements::assembly::attachment::Attachment;
 use crate::elements::element::{Element, Grip, Role, Site, joined};
 use crate::elements::error::{ElementError, ElementId, Field, Problem, at};
+use crate::elements::visual::Outline;
 use crate::elements::{Assembly, Coefficient, End, Incomplete, coefficient};
 use crate::finite::Link;
 use crate::model::Rheology;
@@ -185,6 +186,10 @@ impl Element for Bushing {
     fn grips(&self) -> Vec<Grip> {
         let ends = [(Field::FROM, self.from), (Field::TO, self.to)];
         ends.map(|(field, end)| Grip { field, end, moment: true }).to_vec()
+    }
+
+    fn outline(&self, _: ElementId, body: &Assembly) -> Option<Outline> {
+        Outline::link(body, [self.from, self.to], self.center)
     }
 
     fn block(&self, site: &Site<'_>) -> Result<Option<Block>, ElementError> {

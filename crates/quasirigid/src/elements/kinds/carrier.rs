@@ -3,6 +3,7 @@ use nalgebra::Vector3;
 use crate::elements::assembly::affine::Piece;
 use crate::elements::assembly::coefficient;
 use crate::elements::error::{ElementError, ElementId, Field, at};
+use crate::elements::visual::{Outline, cuboid_of};
 use crate::model::Inertia;
 
 /// Carrier: the rigid body `G` that everything else is mounted on (paper, §1).
@@ -24,6 +25,12 @@ impl Carrier {
         let inertia = Inertia::new(self.inertia)
             .map_err(|error| at(ElementId::CARRIER, Field::INERTIA)(error.into()))?;
         Ok(Piece::rigid(self.mass, Vector3::zeros(), &inertia))
+    }
+
+    /// Box with the mass, the centre and the inertia of the carrier.
+    pub(in crate::elements) fn outline(&self) -> Option<Outline> {
+        let piece = self.piece().ok()?;
+        Some(Outline::still(cuboid_of(self.mass, self.position(), piece.second)?))
     }
 
     pub(in crate::elements) fn position(&self) -> Vector3<f64> {

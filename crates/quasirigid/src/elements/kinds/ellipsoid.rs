@@ -6,11 +6,13 @@ use std::f64::consts::PI;
 
 use nalgebra::{Matrix3, Vector3};
 
+use crate::elements::assembly::Asked;
 use crate::elements::assembly::single_element::{Whole, WholeBody};
 use crate::elements::element::{Element, Role};
 use crate::elements::error::{ElementError, ElementId, Field, at};
 use crate::elements::kinds::material::Material;
-use crate::elements::{Assembly, Incomplete, PartReduction, coefficient};
+use crate::elements::visual::ellipsoid;
+use crate::elements::{Assembly, Incomplete, PartReduction, Visual, coefficient};
 use crate::math::sparse::SparseRows;
 use crate::math::sym3::Sym;
 use crate::model::moment;
@@ -254,17 +256,43 @@ impl Ellipsoid {
     fn tip(&self, axis: usize, shapes: &[Shape]) -> Marker {
         let mut place = [0.0; 3];
         place[axis] = self.semi_axes[axis];
-        let moved = |shape: &Shape| -> [f64; 3] {
-            let terms = shape.terms.iter();
-            let there = terms.filter(|term| term.exponents.iter().sum::<usize>() == term.exponents[axis]);
-            there.fold(Vector3::zeros(), |sum, term| sum + term.factor * Vector3::ith(term.axis, 1.0)).into()
-        };
+        let moved = |shape: &Shape| self.displaced(shape, place);
         Marker {
             name: format!("{} along {}", self.name, letter(axis)),
             position: place,
             shapes: shapes.iter().map(moved).enumerate().collect(),
             curvature: Vec::new(),
         }
+    }
+
+    /// Surface of the ellipsoid.
+    fn visual(&self, id: ElementId) -> Visual {
+        let shapes = self.shapes();
+        let (vertices, triangles) = ellipsoid(Vector3::zeros(), Matrix3::identity(), self.semi_axes.into());
+        let moved = |shape: &Shape| vertices.iter().map(|place| self.displaced(shape, *place)).collect();
+        Visual {
+            element: id,
+            name: self.name.clone(),
+            kind: id.kind.words(),
+            shapes: shapes.iter().map(moved).enumerate().collect(),
+            vertices,
+            triangles,
+            lines: Vec::new(),
+            radius: None,
+            turning: None,
+        }
+    }
+
+    /// Displacement of a place (m from the centre) per unit of a coordinate.
+    fn displaced(&self, shape: &Shape, place: [f64; 3]) -> [f64; 3] {
+        let power = |term: &Term| -> f64 {
+            (0..3)
+                .map(|axis| (place[axis] / self.semi_axes[axis]).powi(term.exponents[axis] as i32))
+                .product()
+        };
+        let moved =
+            |sum: Vector3<f64>, term: &Term| sum + term.factor * power(term) * Vector3::ith(term.axis, 1.0);
+        shape.terms.iter().fold(Vector3::zeros(), moved).into()
     }
 
     /// Pressure of self-gravity at the centre of the sphere of equal volume (Pa).
@@ -309,7 +337,14 @@ impl Element for Ellipsoid {
         Some(&self.material)
     }
 
-    fn whole(&self, id: ElementId, _: PartReduction, _: bool) -> Result<Option<WholeBody>, ElementError> {
-        Ok(Some(WholeBody { body: self.body(id)?, condensation: None, resolution: None }))
+    fn whole(
+        &self,
+        id: ElementId,
+        _: PartReduction,
+        asked: Asked,
+    ) -> Result<Option<WholeBody>, ElementError> {
+        let body = self.body(id)?;
+        let visuals = if asked.visuals { vec![self.visual(id)] } else { Vec::new() };
+        Ok(Some(WholeBody { body, condensation: None, resolution: None, visuals }))
     }
 }

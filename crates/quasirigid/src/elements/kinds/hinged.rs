@@ -8,6 +8,7 @@ use crate::elements::assembly::MovingBody;
 use crate::elements::assembly::affine::{Field as Shape, Piece};
 use crate::elements::element::{Element, Role, Site};
 use crate::elements::error::{ElementError, ElementId, ElementKind, Field, Problem, at};
+use crate::elements::visual::{Outline, Vertex, cuboid_of};
 use crate::elements::{Assembly, Incomplete, coefficient};
 use crate::model::{Coordinate, Hinge, Inertia, Rheology};
 use crate::structure::Block;
@@ -161,6 +162,18 @@ impl Element for Hinged {
 
     fn rheologies_mut(&mut self) -> Vec<&mut Rheology> {
         vec![&mut self.rheology]
+    }
+
+    /// Box with the mass and the inertia of the appendage, and lines from its hinge to the places on it.
+    fn outline(&self, _: ElementId, _: &Assembly) -> Option<Outline> {
+        let second = Inertia::new(self.inertia).ok()?.second_moments();
+        let mut outline = Outline::own(cuboid_of(self.mass, self.center_of_mass.into(), second)?);
+        let hinge = outline.vertices.len();
+        let ends = std::iter::once(&self.center_of_mass).chain(self.places.iter().map(|(_, place)| place));
+        outline.vertices.push(Vertex::Own(self.hinge));
+        outline.vertices.extend(ends.map(|end| Vertex::Own(*end)));
+        outline.lines = (hinge + 1..outline.vertices.len()).map(|end| [hinge, end]).collect();
+        Some(outline)
     }
 
     fn moving_body(&self, id: ElementId) -> Result<Option<MovingBody>, ElementError> {

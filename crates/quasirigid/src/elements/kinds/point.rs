@@ -3,11 +3,13 @@
 
 use nalgebra::Vector3;
 
+use crate::elements::Assembly;
 use crate::elements::assembly::MovingBody;
 use crate::elements::assembly::affine::{Field as Shape, Piece};
 use crate::elements::assembly::coefficient;
 use crate::elements::element::{Element, Role};
 use crate::elements::error::{ElementError, ElementId, Field, Problem, at};
+use crate::elements::visual::{Outline, Vertex};
 use crate::model::Coordinate;
 
 /// Material point with its equilibrium position and the directions that ideal constraints leave free (paper, §1).
@@ -98,6 +100,10 @@ impl Element for Point {
 
     fn role(&self) -> Role {
         Role::Mass
+    }
+
+    fn outline(&self, _: ElementId, _: &Assembly) -> Option<Outline> {
+        Some(Outline { vertices: vec![Vertex::Own(self.position)], ..Outline::default() })
     }
 
     fn moving_body(&self, id: ElementId) -> Result<Option<MovingBody>, ElementError> {

@@ -4,10 +4,12 @@
 
 use nalgebra::Vector3;
 
+use crate::elements::Assembly;
 use crate::elements::assembly::coefficient;
 use crate::elements::assembly::internal::Internal;
 use crate::elements::element::{Element, Role};
 use crate::elements::error::{ElementError, ElementId, Field, Problem, at};
+use crate::elements::visual::{Outline, disc};
 use crate::model::{Coordinate, Pair};
 
 /// A rotor with friction relative to the carrier: a flywheel in its bearings, a ball in a viscous liquid. (C9)
@@ -96,6 +98,12 @@ impl Element for Rotor {
 
     fn role(&self) -> Role {
         Role::Inside(Field::AXIS)
+    }
+
+    /// Disc about the axis of a flywheel, at the centre of the carrier: the model gives it no place.
+    fn outline(&self, _: ElementId, body: &Assembly) -> Option<Outline> {
+        let RotorKind::Flywheel { axis } = self.kind else { return None };
+        disc(body.carrier.as_ref()?, axis)
     }
 
     fn inner(&self, id: ElementId, _: usize) -> Result<Option<Internal>, ElementError> {

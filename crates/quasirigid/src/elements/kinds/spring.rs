@@ -10,6 +10,7 @@ use crate::elements::element::{Element, Grip, Preload, Role, Site, joined};
 use crate::elements::error::{ElementError, ElementId, Field, Problem, at};
 use crate::elements::kinds::hinged::PlaceRef;
 use crate::elements::kinds::part::NodeRef;
+use crate::elements::visual::Outline;
 use crate::elements::{Assembly, Incomplete, coefficient};
 use crate::finite::Link;
 use crate::model::Rheology;
@@ -228,6 +229,11 @@ impl Element for Spring {
 
     fn grips(&self) -> Vec<Grip> {
         vec![Grip::force(Field::FROM, self.from), Grip::force(Field::TO, self.to)]
+    }
+
+    fn outline(&self, _: ElementId, body: &Assembly) -> Option<Outline> {
+        let anchor = if let SpringLaw::Axial { anchor, .. } = self.law { anchor } else { None };
+        Outline::link(body, [self.from, self.to], anchor)
     }
 
     fn block(&self, site: &Site<'_>) -> Result<Option<Block>, ElementError> {

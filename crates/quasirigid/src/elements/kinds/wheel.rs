@@ -1,7 +1,9 @@
+use crate::elements::Assembly;
 use crate::elements::assembly::coefficient;
 use crate::elements::assembly::internal::Internal;
 use crate::elements::element::{Element, Role};
 use crate::elements::error::{ElementError, ElementId, Field, at};
+use crate::elements::visual::{Outline, disc};
 use crate::math::expression::Expression;
 use crate::model::{DrivenWheel, Wheels};
 
@@ -65,6 +67,11 @@ impl Element for Wheel {
 
     fn role(&self) -> Role {
         Role::Inside(Field::AXIS)
+    }
+
+    /// Disc about the axis of the wheel, at the centre of the carrier: the model gives it no place.
+    fn outline(&self, _: ElementId, body: &Assembly) -> Option<Outline> {
+        disc(body.carrier.as_ref()?, self.axis)
     }
 
     fn inner(&self, id: ElementId, _: usize) -> Result<Option<Internal>, ElementError> {

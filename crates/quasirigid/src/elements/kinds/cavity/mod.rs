@@ -7,6 +7,7 @@ mod flowing;
 mod ideal;
 mod liquid;
 mod meshed;
+mod outline;
 mod pipe;
 mod revolved;
 mod shape;
@@ -19,6 +20,7 @@ use crate::elements::assembly::affine::Piece;
 use crate::elements::assembly::internal::Internal;
 use crate::elements::element::{Element, Role};
 use crate::elements::error::{ElementError, ElementId, Field, Problem, at};
+use crate::elements::visual::Outline;
 use crate::elements::{Assembly, Incomplete, coefficient};
 use crate::math::rotation::to_inertial;
 use crate::model::{Advection, Coordinate, Inertia, LiquidFlow, LiquidMemory, Pair};
@@ -264,6 +266,10 @@ impl Element for Cavity {
     fn incomplete(&self) -> Vec<Incomplete> {
         let ring = matches!(self.shape, CavityShape::Ring { .. });
         if self.regime == Regime::Viscous && !ring { vec![Incomplete::Liquids] } else { Vec::new() }
+    }
+
+    fn outline(&self, _: ElementId, _: &Assembly) -> Option<Outline> {
+        Some(self.wall())
     }
 
     fn inner(&self, id: ElementId, order: usize) -> Result<Option<Internal>, ElementError> {

@@ -7,6 +7,7 @@ mod matrices;
 mod modes;
 mod nodal;
 mod nodal_body;
+mod outline;
 mod panel;
 mod solid;
 
@@ -23,8 +24,9 @@ pub use panel::{Layer, Panel};
 pub use solid::{Region, Solid};
 
 use crate::elements::element::{Element, Role};
-use crate::elements::error::{ElementError, ElementKind, Problem};
-use crate::elements::{Incomplete, Material};
+use crate::elements::error::{ElementError, ElementId, ElementKind, Problem};
+use crate::elements::visual::Outline;
+use crate::elements::{Assembly, Incomplete, Material};
 use crate::model::Rheology;
 use crate::structure::{Constraint, Node, Structure};
 use quasirigid_mesh::{Mesh, MeshNote};
@@ -237,6 +239,10 @@ impl Element for Part {
 
     fn role(&self) -> Role {
         Role::Mass
+    }
+
+    fn outline(&self, id: ElementId, _: &Assembly) -> Option<Outline> {
+        Some(self.drawn(id.index))
     }
 
     fn homogeneous(&self) -> Option<&Material> {

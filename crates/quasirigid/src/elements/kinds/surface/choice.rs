@@ -3,6 +3,7 @@
 use super::elements::Meshed;
 use super::error::{AGREED, CONVERGED, LEAST, TAIL, between_meshes, hidden};
 use super::{Approximation, Found, PartReduction, Resolution, Surface, compliance};
+use crate::elements::assembly::Asked;
 use crate::elements::assembly::ritz::Ritz;
 use crate::elements::error::{ElementError, ElementId, Field, Problem, at};
 use crate::math::watch;
@@ -19,7 +20,7 @@ const WANTED: f64 = 0.05;
 const REFUSED: f64 = 0.5;
 
 impl Surface {
-    /// The body; `told` asks for the error of a given approximation too.
+    /// The body.
     ///
     /// # Errors
     /// [`ElementError`] for a value that no solid has, polynomials that are linearly dependent up to rounding, and a shape that no mesh
@@ -28,10 +29,11 @@ impl Surface {
         &self,
         place: ElementId,
         reduction: PartReduction,
-        told: bool,
+        asked: Asked,
     ) -> Result<Found, ElementError> {
         self.check_values(place)?;
-        let road = Road { surface: self, place, reduction };
+        let road = Road { surface: self, place, reduction, visuals: asked.visuals };
+        let told = asked.errors;
         match (self.degree, self.cells) {
             (Some(degree), _) => road.of_degree(degree, told),
             (None, Some(cells)) => road.of_cells(cells, told),
@@ -45,6 +47,8 @@ struct Road<'a> {
     surface: &'a Surface,
     place: ElementId,
     reduction: PartReduction,
+    /// Whether visual geometry is wanted.
+    visuals: bool,
 }
 
 impl Road<'_> {
@@ -53,9 +57,10 @@ impl Road<'_> {
     }
 
     fn of(&self, degree: usize, ritz: Ritz, error: f64) -> Result<Found, ElementError> {
+        let visuals = if self.visuals { vec![self.surface.visual(self.place, &ritz)] } else { Vec::new() };
         let body = self.surface.of_polynomials(self.place, ritz)?;
         let resolution = Resolution { approximation: Approximation::Polynomials { degree }, error };
-        Ok(Found { body, condensation: None, resolution })
+        Ok(Found { body, condensation: None, resolution, visuals })
     }
 
     /// Polynomials of a given degree, judged by finite elements unless the body is convex.
@@ -174,7 +179,7 @@ impl Road<'_> {
     }
 
     fn mesh(&self, cells: usize, necks: &[Neck]) -> Result<Meshed, ElementError> {
-        Meshed::new(self.surface, cells, necks.first(), self.reduction)
+        Meshed::new(self.surface, self.place, cells, necks.first(), (self.reduction, self.visuals))
             .map_err(|problem| self.unmeshed(problem))
     }
 

@@ -3,11 +3,11 @@
 use std::sync::Arc;
 
 use super::{Approximation, Found, PartReduction, Resolution, Surface};
-use crate::elements::Assembly;
 use crate::elements::assembly::Exact;
-use crate::elements::error::Problem;
+use crate::elements::error::{ElementId, Problem};
 use crate::elements::kinds::material::Material;
 use crate::elements::kinds::part::{ElasticMaterial, Part, PartKind, Region, Solid};
+use crate::elements::{Assembly, Visual};
 use crate::math::sym3::Sym;
 use crate::model::FlexibleBody;
 use crate::structure::Condensation;
@@ -20,15 +20,17 @@ pub(super) struct Meshed {
     pub cells: usize,
     asked: usize,
     condensation: Option<Condensation>,
+    visuals: Vec<Visual>,
 }
 
 impl Meshed {
     /// Solid in about so many cells, finest in a neck. Mass, centre and inertia are those of the surface itself. (G11)
     pub fn new(
         solid: &Surface,
+        place: ElementId,
         asked: usize,
         neck: Option<&Neck>,
-        reduction: PartReduction,
+        (reduction, visuals): (PartReduction, bool),
     ) -> Result<Self, Problem> {
         let mesh = graded(&solid.surface, neck, asked)?;
         let cells = mesh.mesh.cells.len();
@@ -42,15 +44,27 @@ impl Meshed {
         let (name, masses, attached) = (solid.name.clone(), Vec::new(), Vec::new());
         let part = Part { name, kind, masses, attached, rayleigh: [0.0; 2] };
         let assembly = Assembly { parts: vec![part], reduction, ..Assembly::default() };
-        let built = assembly.floating(&[], Some(exact)).map_err(|error| error.problem)?;
-        Ok(Self { body: built.body, mesh, cells, asked, condensation: built.condensation })
+        let built = assembly.floating(&[], Some(exact), visuals).map_err(|error| error.problem)?;
+        let visuals = built.visuals.into_iter().map(|visual| Visual {
+            element: place,
+            kind: place.kind.words(),
+            ..visual
+        });
+        Ok(Self {
+            body: built.body,
+            mesh,
+            cells,
+            asked,
+            condensation: built.condensation,
+            visuals: visuals.collect(),
+        })
     }
 
     /// The body with its error.
     pub fn found(self, error: f64) -> Found {
         let approximation = Approximation::Elements { cells: self.cells, asked: self.asked };
         let resolution = Resolution { approximation, error };
-        Found { body: self.body, condensation: self.condensation, resolution }
+        Found { body: self.body, condensation: self.condensation, resolution, visuals: self.visuals }
     }
 }
 

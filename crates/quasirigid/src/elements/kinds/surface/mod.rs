@@ -6,12 +6,14 @@ mod error;
 
 use nalgebra::Matrix3;
 
+use crate::elements::assembly::Asked;
 use crate::elements::assembly::ritz::{Ritz, Solid};
 use crate::elements::assembly::single_element::{Whole, WholeBody};
 use crate::elements::element::{Element, Role};
 use crate::elements::error::{ElementError, ElementId, Field, Problem, at};
 use crate::elements::kinds::material::Material;
-use crate::elements::{Assembly, Incomplete, PartReduction, compliance};
+use crate::elements::visual::thinned;
+use crate::elements::{Assembly, Incomplete, PartReduction, Visual, compliance};
 use crate::model::{Coordinate, FlexibleBody, Marker, Rheology};
 use crate::structure::Condensation;
 use quasirigid_mesh::surface::ClosedSurface;
@@ -68,6 +70,7 @@ pub(in crate::elements) struct Found {
     pub body: FlexibleBody,
     pub condensation: Option<Condensation>,
     pub resolution: Resolution,
+    pub visuals: Vec<Visual>,
 }
 
 impl Surface {
@@ -157,6 +160,30 @@ impl Surface {
         (0..count).map(coordinate).collect()
     }
 
+    /// The surface, moved by polynomials.
+    fn visual(&self, id: ElementId, ritz: &Ritz) -> Visual {
+        let center = self.surface.centroid();
+        let (kept, triangles) = thinned(self.surface.vertices(), self.surface.triangles());
+        let place =
+            |vertex: &usize| [0, 1, 2].map(|axis| self.surface.vertices()[*vertex][axis] - center[axis]);
+        let vertices: Vec<[f64; 3]> = kept.iter().map(place).collect();
+        let moved: Vec<Vec<(usize, [f64; 3])>> = vertices.iter().map(|place| ritz.shapes(*place)).collect();
+        let count = moved.first().map_or(0, Vec::len);
+        let field =
+            |coordinate: usize| (coordinate, moved.iter().map(|shapes| shapes[coordinate].1).collect());
+        Visual {
+            element: id,
+            name: self.name.clone(),
+            kind: id.kind.words(),
+            shapes: (0..count).map(field).collect(),
+            vertices,
+            triangles,
+            lines: Vec::new(),
+            radius: None,
+            turning: None,
+        }
+    }
+
     /// The vertices farthest along each axis, both ways.
     fn tips(&self, ritz: &Ritz, center: [f64; 3]) -> Vec<Marker> {
         let farthest = |axis: usize, sign: f64| {
@@ -203,9 +230,9 @@ impl Element for Surface {
         &self,
         id: ElementId,
         reduction: PartReduction,
-        told: bool,
+        asked: Asked,
     ) -> Result<Option<WholeBody>, ElementError> {
-        let Found { body, condensation, resolution } = self.built(id, reduction, told)?;
-        Ok(Some(WholeBody { body, condensation, resolution: Some(resolution) }))
+        let Found { body, condensation, resolution, visuals } = self.built(id, reduction, asked)?;
+        Ok(Some(WholeBody { body, condensation, resolution: Some(resolution), visuals }))
     }
 }

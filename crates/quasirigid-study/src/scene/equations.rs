@@ -1,0 +1,107 @@
+//! Reduced equations of a scene, with the powers in which common factors of all stiffnesses and dampings scale each term.
+//! To the order three of the paper every term of an elastic body is one power of each: (R2) to (R11) with `C → sC`, `B → dB`.
+
+use quasirigid::dynamics::Sample;
+use quasirigid::model::{FlexibleBody, ReducedBody};
+use quasirigid::reduction::{Comparison, Criterion, ReductionError, Validity, Verdict};
+use quasirigid_io::record::{EquationsRecord, StartRecord, TermRecord};
+use quasirigid_math::polynomial::Series;
+use quasirigid_math::vec3::norm;
+
+use crate::study::Study;
+
+/// Order to which a term has one power of the stiffness and one of the damping.
+const SCALABLE: usize = 3;
+/// Share by which a limit lies below a spin that is beyond it for another reason.
+const BELOW: f64 = 1e-3;
+
+/// The equations from the first sample of a history on, for a duration (s).
+pub(crate) fn equations(
+    study: &Study,
+    (first, duration): (&Sample, f64),
+    validity: &Validity,
+) -> Result<EquationsRecord, ReductionError> {
+    let body = &study.body;
+    let fixed = unscalable(body);
+    let order = if fixed.is_none() { study.order.min(SCALABLE) } else { study.order };
+    let reduced: &ReducedBody = &*study.reduced(order)?;
+    // a term of degree n above the rigid one is s^-1 for n = 2 and d s^-2 for n = 3
+    let above = |rigid: usize| {
+        move |degree: usize| match degree.saturating_sub(rigid) {
+            2 => [-1, 0],
+            3 => [-2, 1],
+            _ => [0, 0],
+        }
+    };
+    let scaled = fixed.is_none();
+    Ok(EquationsRecord {
+        order,
+        scalable: scaled,
+        note: fixed.unwrap_or_default().into(),
+        spin_of_momentum: terms(&reduced.Omega, scaled, above(1)),
+        momentum: terms(&reduced.K, scaled, above(1)),
+        energy: terms(&reduced.energy, scaled, above(2)),
+        power: terms(&reduced.power, scaled, |_| [-2, 1]),
+        displacements: terms(&reduced.q, scaled, above(0)),
+        limits: limits(validity, norm(first.omega)),
+        start: StartRecord { momentum: first.angular_momentum, attitude: first.attitude, duration },
+    })
+}
+
+/// Spins (rad/s) beyond which the equations hold marginally, and beyond which they fail, from the criteria at a spin that grow with it; at
+/// that spin the verdict is the one of all criteria.
+fn limits(validity: &Validity, spin: f64) -> [f64; 2] {
+    let power = |criterion: &Criterion| match criterion.comparison {
+        Comparison::Spin | Comparison::Damping | Comparison::Relaxation => Some(1.0),
+        Comparison::Linearity => Some(2.0),
+        // beyond one the ratio of the terms grows with their degree
+        Comparison::Series if criterion.value < 1.0 => Some(2.0),
+        _ => None,
+    };
+    let mut limits = [f64::INFINITY; 2];
+    for criterion in &validity.criteria {
+        if let Some(power) = power(criterion).filter(|_| criterion.value > 0.0) {
+            let reached = |ratio: f64| spin * (ratio / criterion.value).powf(1.0 / power);
+            limits[0] = limits[0].min(reached(criterion.limit()));
+            limits[1] = limits[1].min(reached(criterion.failure()));
+        }
+    }
+    let below = spin * (1.0 - BELOW);
+    match validity.verdict() {
+        Verdict::Holds => {}
+        Verdict::Marginal => limits[0] = limits[0].min(below),
+        Verdict::Fails => limits = limits.map(|limit| limit.min(below)),
+    }
+    limits
+}
+
+/// Reason for which common factors do not scale the terms of a body by powers.
+fn unscalable(body: &FlexibleBody) -> Option<&'static str> {
+    if !body.cyclic().is_empty() || !body.memories().is_empty() {
+        return Some(
+            "The body has internal rotors or liquids, whose terms a factor of the stiffness does not scale.",
+        );
+    }
+    if !body.wheels().driven.is_empty() || body.wheels().constant != [0.0; 3] {
+        return Some("The body has momentum wheels, whose terms a factor of the stiffness does not scale.");
+    }
+    if !body.viscoelastic().is_empty() {
+        return Some("The body has materials whose loss depends on the frequency.");
+    }
+    (body.elastic() == 0).then_some("The body is rigid.")
+}
+
+/// Terms of a series that are not zero; `powers` gives those of stiffness and damping by degree.
+fn terms(series: &Series, scaled: bool, powers: impl Fn(usize) -> [i32; 2]) -> Vec<TermRecord> {
+    let term = |(degree, monomials): (usize, usize)| {
+        let part = series.part(degree);
+        let row = |row: usize| part.row_of(monomials, row).map(<[f64]>::to_vec);
+        let values: Vec<Vec<f64>> = (0..series.rows()).map(row).collect::<Option<_>>()?;
+        let zero = values.iter().flatten().all(|value| *value == 0.0);
+        let [stiffness, damping] = if scaled { powers(degree) } else { [0, 0] };
+        (!zero).then_some(TermRecord { degree: monomials, stiffness, damping, values })
+    };
+    let degrees =
+        (0..=series.degree()).flat_map(|degree| (0..=degree).rev().map(move |lower| (degree, lower)));
+    degrees.filter_map(term).collect()
+}

@@ -1,0 +1,119 @@
+//! Visual geometry: what a viewer draws of each element, with the displacement of every vertex by the internal coordinates.
+//! Kinds of elements give outlines on places of the body; the assembly resolves the places, so that no kind knows the coordinates.
+//! A body looks as its model says: a carrier known by its inertia alone is the box with that inertia.
+
+mod boundary;
+mod disc;
+mod outline;
+mod shapes;
+mod thinned;
+
+pub(in crate::elements) use boundary::boundary;
+pub(in crate::elements) use disc::disc;
+pub(in crate::elements) use outline::{Outline, Vertex};
+pub(in crate::elements) use shapes::{cuboid, cuboid_of, ellipsoid, revolved};
+pub(in crate::elements) use thinned::thinned;
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use nalgebra::Vector3;
+
+use crate::elements::assembly::attachment::Attachment;
+use crate::elements::element::Element;
+use crate::elements::kinds::part::NodeRef;
+use crate::elements::{Assembly, ElementId, End};
+
+/// Visual geometry of an element: vertices with their displacements, joined by lines and triangles; without these they are points.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Visual {
+    /// The element.
+    pub element: ElementId,
+    /// Name of the element; empty for one without.
+    pub name: String,
+    /// Words for the kind of the element.
+    pub kind: &'static str,
+    /// Vertices at equilibrium (m), from the pole, body axes.
+    pub vertices: Vec<[f64; 3]>,
+    /// Coordinates that displace vertices, ascending, each with the displacement of every vertex per unit.
+    pub shapes: Vec<(usize, Vec<[f64; 3]>)>,
+    /// Lines between two vertices each.
+    pub lines: Vec<[usize; 2]>,
+    /// Triangles, counter-clockwise seen from outside where there is an outside.
+    pub triangles: Vec<[usize; 3]>,
+    /// Radius of points and lines (m), where the model gives one.
+    pub radius: Option<f64>,
+    /// Axis of a rotor, which its rotation turns the vertices about.
+    pub turning: Option<Turning>,
+}
+
+/// Axis about which an element turns in its carrier.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Turning {
+    /// Direction, a unit vector.
+    pub axis: [f64; 3],
+    /// Point of the axis (m), from the pole.
+    pub center: [f64; 3],
+    /// Cyclic coordinate that is the angle (rad).
+    pub coordinate: usize,
+}
+
+impl Assembly {
+    /// Nodes of parts on which outlines have vertices.
+    pub(in crate::elements) fn drawn_nodes(&self) -> BTreeSet<NodeRef> {
+        let vertices = self.outlines().flat_map(|(_, _, outline)| outline.vertices);
+        let node = |vertex| if let Vertex::At(End::Node(node)) = vertex { Some(node) } else { None };
+        vertices.filter_map(node).collect()
+    }
+
+    /// Visual geometry of the elements, with each vertex at the place that `place` finds.
+    pub(in crate::elements) fn visuals_at(
+        &self,
+        pole: Vector3<f64>,
+        place: &dyn Fn(ElementId, Vertex) -> Option<Attachment>,
+        rotor: &dyn Fn(ElementId) -> Option<usize>,
+    ) -> Vec<Visual> {
+        let visual = |(element, kind, outline): (ElementId, &'static str, Outline)| {
+            let places: Vec<Attachment> =
+                outline.vertices.iter().map(|vertex| place(element, *vertex)).collect::<Option<_>>()?;
+            let turning = outline.axis.zip(rotor(element)).map(|((axis, center), coordinate)| Turning {
+                axis,
+                center: (Vector3::from(center) - pole).into(),
+                coordinate,
+            });
+            Some(Visual {
+                element,
+                name: self.element(element).map_or_else(String::new, |element| element.name().to_owned()),
+                kind,
+                vertices: places.iter().map(|place| (place.position - pole).into()).collect(),
+                shapes: by_coordinate(&places),
+                lines: outline.lines,
+                triangles: outline.triangles,
+                radius: outline.radius,
+                turning,
+            })
+        };
+        self.outlines().filter_map(visual).collect()
+    }
+
+    /// Outlines of the elements that are seen, with the words for their kinds.
+    fn outlines(&self) -> impl Iterator<Item = (ElementId, &'static str, Outline)> + '_ {
+        let carrier =
+            self.carrier.iter().filter_map(|carrier| Some((ElementId::CARRIER, carrier.outline()?)));
+        let elements = self.each().filter_map(|(id, element)| Some((id, element.outline(id, self)?)));
+        carrier.chain(elements).map(|(id, outline)| {
+            let words = self.element(id).and_then(Element::words);
+            (id, words.unwrap_or_else(|| id.kind.words()), outline)
+        })
+    }
+}
+
+/// Displacements of places, coordinate by coordinate.
+fn by_coordinate(places: &[Attachment]) -> Vec<(usize, Vec<[f64; 3]>)> {
+    let mut found: BTreeMap<usize, Vec<[f64; 3]>> = BTreeMap::new();
+    for (vertex, place) in places.iter().enumerate() {
+        for (coordinate, shape) in &place.shapes {
+            found.entry(*coordinate).or_insert_with(|| vec![[0.0; 3]; places.len()])[vertex] = *shape;
+        }
+    }
+    found.into_iter().collect()
+}

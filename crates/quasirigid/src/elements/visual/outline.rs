@@ -1,0 +1,50 @@
+//! Outline of an element: vertices on places of the body, before the coordinates of the body are known.
+
+use crate::elements::{Assembly, End};
+
+/// Outline of an element, in the file's frame.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(in crate::elements) struct Outline {
+    pub vertices: Vec<Vertex>,
+    pub lines: Vec<[usize; 2]>,
+    pub triangles: Vec<[usize; 3]>,
+    /// Radius of points and lines (m).
+    pub radius: Option<f64>,
+    /// Direction and a point (m) of the axis that the first cyclic coordinate of the element turns the outline about.
+    pub axis: Option<([f64; 3], [f64; 3])>,
+}
+
+/// Place of a vertex.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(in crate::elements) enum Vertex {
+    /// On the carrier (m).
+    Still([f64; 3]),
+    /// On the element itself, as it moves (m at equilibrium).
+    Own([f64; 3]),
+    /// At a place of another element.
+    At(End),
+}
+
+impl Outline {
+    /// Outline of the element's own places, in triangles.
+    pub fn own((places, triangles): (Vec<[f64; 3]>, Vec<[usize; 3]>)) -> Self {
+        Self { vertices: places.into_iter().map(Vertex::Own).collect(), triangles, ..Self::default() }
+    }
+
+    /// Outline of places on the carrier, in triangles.
+    pub fn still((places, triangles): (Vec<[f64; 3]>, Vec<[usize; 3]>)) -> Self {
+        Self { vertices: places.into_iter().map(Vertex::Still).collect(), triangles, ..Self::default() }
+    }
+
+    /// Line between the ends of a link. An end on the carrier is at `anchor`, or where the other end is at equilibrium, so that the line
+    /// shows the displacement.
+    pub fn link(body: &Assembly, [from, to]: [End; 2], anchor: Option<[f64; 3]>) -> Option<Self> {
+        let rest = |other: End| Some(body.at_rest(other).ok()?.position.into());
+        let vertex = |end: End, other: End| match end {
+            End::Carrier => Some(Vertex::Still(anchor.or_else(|| rest(other))?)),
+            _ => Some(Vertex::At(end)),
+        };
+        let vertices = vec![vertex(from, to)?, vertex(to, from)?];
+        Some(Self { vertices, lines: vec![[0, 1]], ..Self::default() })
+    }
+}

@@ -319,12 +319,12 @@ def test_the_sliders_move_the_body_too(look: Open) -> None:
 
 def test_curves_of_both_axes_and_of_the_full_equations(look: Open) -> None:
     page = look("nutation-damper")
-    curves = "[...document.querySelectorAll('#panel-angle .viewer-curve')].map((curve) => curve.getAttribute('d'))"
+    angles = "[...document.querySelectorAll('#panel-angle .tick[text-anchor=end]')].map((tick) => Number(tick.textContent))"
     assert "full equations" in page.inner_text("#panel-theirs")
-    before = page.evaluate(curves)
-    assert len(before) == 2 and all(before)
+    assert page.locator("#panel-angle .viewer-curve").count() == 2
+    assert 1 <= max(page.evaluate(angles)) <= 2
     page.select_option("#panel-axis", "0")
-    until(page, f"JSON.stringify({curves}) !== JSON.stringify({before!r})")
+    until(page, f"{angles}.includes(50)")
     assert float(page.inner_text("#panel-wobble-words").rstrip("°")) > 80
 
 

@@ -1,6 +1,6 @@
 // Two curves over time in one SVG: these settings and the run, each a band where it swings within a column.
 const SVG = "http://www.w3.org/2000/svg";
-const PLOT = { left: 40, right: 10, top: 10, bottom: 26, width: 400, height: 190 };
+const PLOT = { left: 40, right: 14, top: 10, bottom: 26, width: 400, height: 190 };
 
 const svgNode = (parent, name, attributes, words) => {
   const node = parent.appendChild(document.createElementNS(SVG, name));
@@ -28,19 +28,19 @@ const outlines = (curve, x, y) => {
   return { area: `M${path([...upper, ...lower])}Z`, edges: `M${path(upper)}M${path(lower)}` };
 };
 
-/** Draws curves, each a list of [least, greatest] by column, over time; returns the power of ten of the numbers. */
-const drawCurves = (svg, duration, curves) => {
+/** Draws curves, each a list of [least, greatest] by column, over time, on the scale of some of them; returns its power of ten. */
+const drawCurves = (svg, duration, curves, leading) => {
   const { left, right, top, bottom, width, height } = PLOT;
   svg.replaceChildren();
   svg.setAttribute("viewBox", `0 0 ${width} ${height}`);
-  const values = curves.flatMap(({ curve }) => curve.flat()).filter(Number.isFinite);
+  const values = leading.flatMap(({ curve }) => curve.flat()).filter(Number.isFinite);
   const low = Math.min(0, ...values);
   const most = Math.max(low, ...values);
   const high = most > low ? most : low + 1;
   const exponent = Math.floor(Math.log10(Math.max(high, -low)));
   const power = exponent < -2 || exponent > 4 ? exponent : 0;
   const x = (i) => left + ((width - left - right) * (i + 0.5)) / COLUMNS;
-  const y = (value) => height - bottom - ((height - top - bottom) * (value - low)) / (high - low);
+  const y = (value) => clamp(height - bottom - ((height - top - bottom) * (value - low)) / (high - low), 0, height - bottom);
   for (const tick of ticksOf(low, high, 4)) {
     svgNode(svg, "line", { class: "grid", x1: left, x2: width - right, y1: y(tick), y2: y(tick) });
     svgNode(svg, "text", { class: "tick", x: left - 6, y: y(tick), dy: "0.32em", "text-anchor": "end" }, numeral(tick / 10 ** power));

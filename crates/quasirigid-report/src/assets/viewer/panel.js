@@ -133,7 +133,8 @@ class Panel {
     const theirs = this.other ?? (this.isOwn ? this.usual : null);
     const draw = (id, of) => {
       const both = [...(theirs ? [{ curve: of(theirs), name: "viewer-theirs" }] : []), { curve: of(curves), name: "viewer-ours" }];
-      return drawCurves(byId(id), run.duration, both);
+      // The settings of the run leave its scale: reduced equations that do not hold may say anything.
+      return drawCurves(byId(id), run.duration, both, this.isOwn ? both : both.slice(0, 1));
     };
     draw("panel-angle", (of) => of.angle(this.axis));
     const power = draw("panel-energy", (of) => of.energy());

@@ -13,7 +13,7 @@ vec4 lit(vec3 n, vec3 place) {
   float fill = max(dot(n, normalize(vec3(0.8, -0.1, 0.45))), 0.0);
   float light = 0.56 + 0.46 * wrapped * wrapped + 0.1 * fill;
   float spark = 0.10 * pow(max(dot(n, normalize(key + towards)), 0.0), 28.0);
-  return vec4(mix(color * light + spark, vec3(1.0), 0.32 * glow), alpha);
+  return vec4(mix(color * light + spark, vec3(1.0), 0.12 * glow), alpha);
 }`;
 
 const FACE_VERTEX = `

@@ -1,6 +1,7 @@
 // The picture: what is shown at a time, and one drawing loop that sleeps when nothing changes.
 const REVOLUTIONS = 12;
 const PER_REVOLUTION = 24;
+const EDGE = 0.55; // of the colour of a piece
 
 /** Equations that turn the body from frame to frame: the reduced ones where they hold, else those of the rigid body. */
 const equationsBetween = ({ equations, principal, track }) => {
@@ -129,11 +130,12 @@ class Viewer {
   }
 
   drawPieces(pieces) {
-    const [edge, paper] = ["--edge", "--panel"].map(this.theme.rgb);
+    const paper = this.theme.rgb("--panel");
     for (const piece of pieces) {
       const rgb = this.theme.rgb(piece.color);
       const dimmed = this.lit && !this.lit.includes(piece);
       const color = dimmed ? rgb.map((x, i) => 0.45 * x + 0.55 * paper[i]) : rgb;
+      const edge = times(EDGE, color);
       const glow = this.lit && !dimmed ? 1 : 0;
       const alpha = piece.seenThrough ? (piece.kind === "liquid" ? 0.5 : 0.32) : 1;
       this.stage.draw(this.drawn.get(piece), { color, edge, alpha, glow });

@@ -4,6 +4,7 @@ const LARGEST_SHARE = 0.05; // of the radius: what the largest displacement is m
 const TURN = 0.06; // rad a key press
 const ZOOM = 1.12;
 const STEP = 0.005; // of the run a key press
+const BESIDE = 13; // pixels from a tip to its letter
 
 class Controls {
   constructor(viewer) {
@@ -20,17 +21,18 @@ class Controls {
     dark.addEventListener("change", () => viewer.recolor());
     viewer.onDraw = () => this.told();
     this.hideUnserved();
-    if (viewer.frames && !matchMedia("(prefers-reduced-motion: reduce)").matches) this.playInView();
+    this.playInView(viewer.frames && !matchMedia("(prefers-reduced-motion: reduce)").matches);
   }
 
-  /** Plays as soon as the picture is on the screen. */
-  playInView() {
-    const seen = new IntersectionObserver(([entry]) => {
+  /** Plays as soon as the picture is on the screen, and rests while it is not. */
+  playInView(plays) {
+    let first = plays;
+    new IntersectionObserver(([entry]) => {
+      this.viewer.awake = entry.isIntersecting;
       if (!entry.isIntersecting) return;
-      seen.disconnect();
-      this.play(true);
-    });
-    seen.observe(this.canvas);
+      this.play(first || this.viewer.clock.playing);
+      first = false;
+    }).observe(this.canvas);
   }
 
   hideUnserved() {
@@ -82,7 +84,6 @@ class Controls {
     viewer.runSpeed = speed;
     if (!viewer.mode && viewer.clock) viewer.clock.speed = speed;
     slider.value = Math.log10(speed);
-    byId("viewer-speed-words").textContent = speedWords(speed, this.rate());
     viewer.redraw();
   }
 
@@ -170,7 +171,7 @@ class Controls {
       button.setAttribute("aria-pressed", "true");
       swatch.className = "viewer-swatch";
       swatch.style.background = `var(${entry.color})`;
-      button.append(swatch, entry.name && entry.name !== entry.kind ? `${entry.name} (${entry.kind})` : entry.kind);
+      button.append(swatch, titleOf(entry));
       button.addEventListener("click", () => {
         const shown = button.getAttribute("aria-pressed") !== "true";
         button.setAttribute("aria-pressed", String(shown));
@@ -237,7 +238,7 @@ class Controls {
     tip.hidden = !found;
     if (!found) return;
     const { name, kind } = found.piece;
-    const moved = found.displacement > 0 ? `: displaced by ${numeral(found.displacement)} m` : "";
+    const moved = found.displacement > 0 ? `: displaced by ${lengthWords(found.displacement)}` : "";
     tip.textContent = `${name || kind}${moved}`;
     tip.style.left = `${Math.min(x + 12, box.width - 160)}px`;
     tip.style.top = `${y + 14}px`;
@@ -279,26 +280,43 @@ class Controls {
     }
     const strobe = clock.playing && now.omega && size(now.omega) * Math.abs(clock.step) > Math.PI;
     byId("viewer-strobe").hidden = !strobe;
+    byId("viewer-speed-words").textContent = speedWords(viewer.runSpeed, this.rate());
     this.tags();
-    this.panel?.mark(clock.part);
+    if (!viewer.mode) this.panel?.mark(clock.time - clock.start);
   }
 
   stateWords({ omega, momentum, dissipated }) {
     const words = [];
     if (omega) words.push(`|ω| ${numeral(size(omega), 4)} rad/s`);
     if (omega && momentum) words.push(`angle of ω from K ${angleWords(angleBetween(omega, momentum))}`);
+    if (momentum && this.viewer.scene.principal) words.push(nutationWords(momentum, this.viewer.scene.principal));
     if (dissipated !== undefined) words.push(`dissipated ${numeral(dissipated)} J`);
     return words.join(", ");
   }
 
   tags() {
-    const box = this.canvas;
-    for (const name of ["momentum", "spin", "1", "2", "3"]) byId(`viewer-tag-${name}`).hidden = true;
-    for (const [name, [x, y]] of this.viewer.tags) {
+    const { clientWidth: width, clientHeight: height } = this.canvas;
+    const places = new Map(this.viewer.tags.map(([name, [x, y]]) => [name, [x * width, y * height]]));
+    const [spin, momentum] = [places.get("spin"), places.get("momentum")];
+    if (spin && momentum) spin[0] += spin[0] < momentum[0] ? -BESIDE : BESIDE;
+    const covered = ([x, y]) => [spin, momentum].some((other) => other && Math.hypot(x - other[0], y - other[1]) < 1.5 * BESIDE);
+    for (const name of ["momentum", "spin", "1", "2", "3"]) {
       const tag = byId(`viewer-tag-${name}`);
-      tag.hidden = !(x > 0.01 && x < 0.99 && y > 0.02 && y < 0.98);
-      tag.style.left = `${x * box.clientWidth}px`;
-      tag.style.top = `${y * box.clientHeight}px`;
+      const place = places.get(name);
+      const isAxis = name.length === 1;
+      tag.hidden = !place || place[0] < 6 || place[0] > width - 6 || place[1] < 8 || place[1] > height - 8 || (isAxis && covered(place));
+      if (place) [tag.style.left, tag.style.top] = place.map((x) => `${x}px`);
     }
   }
 }
+
+const titleOf = ({ name, kind, pieces }) => (pieces.length > 1 ? name : name && name !== kind ? `${name} (${kind})` : kind);
+
+/** Angle of K from the principal axis that it circles. */
+const nutationWords = (momentum, { moments, axes }) => {
+  const squares = axes.map((axis) => dot(axis, momentum) ** 2);
+  const excess = squares.reduce((sum, square, i) => sum + square * (1 / moments[i] - 1 / moments[1]), 0);
+  const [circled, name] = excess > 0 ? [axes[0], "least"] : [axes[2], "greatest"];
+  const angle = angleBetween(momentum, circled);
+  return `K ${angleWords(Math.min(angle, Math.PI - angle))} from the axis of ${name} moment`;
+};

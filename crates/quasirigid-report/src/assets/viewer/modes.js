@@ -32,10 +32,9 @@ class Mode {
 
   words() {
     const { frequency, rate } = this.source;
-    const slow = this.period / PERIOD_SHOWN;
-    const pace = `${numeral(frequency)} rad/s in the body, period ${timeWords(this.period)}`;
-    const shown = `shown ${numeral(slow)} times as fast`;
     const change = rate === 0 ? "undamped" : `${rate < 0 ? "decays" : "grows"} e-fold in ${timeWords(1 / Math.abs(rate))} (not shown)`;
-    return `${pace}, ${shown}; ${change}`;
+    if (!frequency) return `does not swing in the body, shown as if it did; ${change}`;
+    const slow = this.period / PERIOD_SHOWN;
+    return `${numeral(frequency)} rad/s in the body, period ${timeWords(this.period)}, shown ${numeral(slow)} times as fast; ${change}`;
   }
 }

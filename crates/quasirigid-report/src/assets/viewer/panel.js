@@ -8,13 +8,16 @@ const MOST_WORK = 8000; // ms
 class Panel {
   /** `show` takes the frames of a run, or null for the run of the record. */
   constructor(scene, track, show) {
-    Object.assign(this, { scene, track, show, job: 0, isOwn: false });
+    Object.assign(this, { scene, track, show, job: 0, time: 0, isOwn: false });
     this.node = byId("panel");
     this.node.hidden = false;
     this.start = scene.equations.start;
     this.axis = this.nearestAxis();
     byId("panel-axis").value = String(this.axis);
-    byId("panel-theirs").textContent = track ? `the run of this report (${scene.track.system} equations)` : "the settings of the run";
+    // A run of other equations is drawn from its frames; one of these, from the page's own integration of it.
+    const { system } = scene.track ?? {};
+    this.other = track && system !== "reduced" ? curvesOf(track, scene.principal.axes.map((_, i) => this.direction(i)), this.start.duration) : null;
+    byId("panel-theirs").textContent = this.other ? `the run of this report (${system} equations)` : "the run";
     const fixed = !scene.equations.scalable;
     for (const name of ["stiffness", "damping"]) byId(`panel-${name}-control`).hidden = fixed;
     byId("panel-fixed").hidden = !fixed || !scene.equations.note;
@@ -30,8 +33,8 @@ class Panel {
   }
 
   /** The chosen principal axis, on the side of the run's K. */
-  direction() {
-    const axis = this.scene.principal.axes[this.axis];
+  direction(i = this.axis) {
+    const axis = this.scene.principal.axes[i];
     return dot(axis, this.start.K) < 0 ? times(-1, axis) : axis;
   }
 
@@ -47,7 +50,6 @@ class Panel {
     const K = this.settings().K;
     this.axis = axis;
     this.slider("wobble").value = degrees(angleBetween(K, this.direction()));
-    this.theirs = this.curvesOfRun();
     this.begin();
   }
 
@@ -55,7 +57,6 @@ class Panel {
     for (const name of ["spin", "stiffness", "damping"]) this.slider(name).value = 0;
     this.slider("wobble").value = degrees(angleBetween(this.start.K, this.direction()));
     this.isOwn = false;
-    this.theirs = this.curvesOfRun();
     this.show(null);
     this.begin();
   }
@@ -63,10 +64,6 @@ class Panel {
   changed() {
     this.isOwn = true;
     this.begin();
-  }
-
-  curvesOfRun() {
-    return this.track && curvesOf(this.track, this.direction(), this.start.duration);
   }
 
   /** Start of the run with the settings: K turned in its plane with the axis, and fixed in inertial axes. */
@@ -99,20 +96,27 @@ class Panel {
     const slice = () => {
       if (job !== this.job) return;
       const from = performance.now();
-      try {
-        run ??= new Run(equations, settings, this.direction(), effort.tolerance);
-        run.advance(this.work === 0 ? effort.first : effort.slice);
-      } catch (error) {
-        byId("panel-work").textContent = `The integration stopped: ${error.message}.`;
-        return;
-      }
+      const first = run === null;
+      run ??= new Run(equations, settings, this.scene.principal.axes.map((_, i) => this.direction(i)), effort.tolerance);
+      const stopped = !this.advanced(run, first ? effort.first : effort.slice);
       this.work += performance.now() - from;
-      const spent = this.work > MOST_WORK;
-      if (effort === DRAFT || run.finished) this.report(run, settings, spent);
-      if (!run.finished && !spent) requestAnimationFrame(slice);
+      const last = stopped || run.finished || this.work > MOST_WORK;
+      if (effort === DRAFT || run.finished) this.report(run, last, stopped);
+      if (this.isOwn && effort === DRAFT ? first || last : this.isOwn && run.finished) this.show(run.frames());
+      if (!last) requestAnimationFrame(slice);
       else if (effort === DRAFT && run.finished) setTimeout(() => job === this.job && this.pursue(settings, FINE, job), REST);
     };
     requestAnimationFrame(slice);
+  }
+
+  /** Whether a run went on; equations far outside their range may have no solution. */
+  advanced(run, milliseconds) {
+    try {
+      run.advance(milliseconds);
+      return true;
+    } catch {
+      return false;
+    }
   }
 
   words({ spin, s, d, angle }) {
@@ -123,23 +127,29 @@ class Panel {
     byId("panel-wobble-words").textContent = angleWords(angle);
   }
 
-  report(run, settings, spent) {
+  report(run, last, stopped) {
     const { curves } = run;
-    const angle = (of) => Array.from(of.least, (low, i) => [degrees(low), degrees(of.greatest[i])]);
-    const energy = (of) => Array.from(of.dissipated, (value) => [value, value]);
-    const both = (of) => [
-      ...(this.theirs ? [{ curve: of(this.theirs), name: "viewer-theirs" }] : []),
-      { curve: of(curves), name: "viewer-ours" },
-    ];
-    drawCurves(byId("panel-angle"), run.duration, both(angle));
-    drawCurves(byId("panel-energy"), run.duration, both(energy));
+    if (!this.isOwn && !this.other) this.usual = curves;
+    const theirs = this.other ?? (this.isOwn ? this.usual : null);
+    const draw = (id, of) => {
+      const both = [...(theirs ? [{ curve: of(theirs), name: "viewer-theirs" }] : []), { curve: of(curves), name: "viewer-ours" }];
+      return drawCurves(byId(id), run.duration, both);
+    };
+    draw("panel-angle", (of) => of.angle(this.axis));
+    const power = draw("panel-energy", (of) => of.energy());
+    byId("panel-energy-title").textContent = `Dissipated energy, ${power ? `${powerOfTen(power)} J` : "J"}`;
+    byId("panel-ours").textContent = this.isOwn ? "these settings" : this.other ? "reduced equations, settings of the run" : "the run";
+    byId("panel-theirs-key").hidden = !theirs;
+    this.mark();
     this.judge(run);
     const lost = run.motion.dissipated() / run.energy;
-    const part = run.finished ? "" : ` ${spent ? "Stopped" : "So far"} at ${timeWords(run.motion.t)} of ${timeWords(run.duration)}.`;
-    byId("panel-work").textContent =
-      `Dissipated: ${numeral(lost)} of the kinetic energy. Numerical drift of |K|, taken out at each step: ` +
-      `${numeral(run.motion.drift, 2)} in ${run.motion.solver.steps} steps.${part}`;
-    if (this.isOwn) this.show(run.frames());
+    const reached = `${timeWords(run.motion.t)} of ${timeWords(run.duration)}`;
+    const broken = `Broken off after ${reached}: equations so far outside their range need not have a solution.`;
+    const part = run.finished ? "" : ` ${last ? "Stopped after" : "So far"} ${reached}.`;
+    byId("panel-work").textContent = stopped
+      ? broken
+      : `Dissipated: ${numeral(lost)} of the kinetic energy. Numerical drift of |K|, taken out at each step: ` +
+        `${numeral(run.motion.drift, 2)} in ${run.motion.solver.steps} steps.${part}`;
   }
 
   judge(run) {
@@ -147,7 +157,7 @@ class Panel {
     const place = byId("panel-validity");
     place.hidden = !limits;
     if (!limits) return;
-    const rate = Math.max(run.fastest, size(run.motion.omega));
+    const rate = run.fastest;
     const [level, verdict] =
       rate <= limits[0]
         ? ["holds", "The reduced equations hold"]
@@ -156,12 +166,15 @@ class Panel {
           : ["fails", "The reduced equations do not hold"];
     this.node.classList.remove("holds", "marginal", "fails");
     this.node.classList.add(level);
-    const limit = level === "holds" ? `up to ${numeral(limits[0])}` : `well up to ${numeral(limits[0])}, not beyond ${numeral(limits[1])}`;
-    const sentence = `${verdict}: the angular velocity reaches ${numeral(rate)} rad/s, and they hold ${limit} rad/s.`;
+    const limit = level === "holds" ? `to ${numeral(limits[0])}` : `well to ${numeral(limits[0])}, not beyond ${numeral(limits[1])}`;
+    const sentence = `${verdict}: |ω| reaches ${numeral(rate)} rad/s; they hold ${limit} rad/s.`;
     if (place.textContent !== sentence) place.textContent = sentence;
   }
 
-  mark(part) {
+  /** Marks a time since the start of the run. */
+  mark(time = this.time) {
+    this.time = time;
+    const part = time / this.start.duration;
     markTime(byId("panel-angle"), part);
     markTime(byId("panel-energy"), part);
   }

@@ -1,5 +1,6 @@
 // Two small pictures of the rotation: K on its sphere in body axes, and the tip of omega on the invariable plane.
 const SHADES = ["--t0", "--t1", "--t2", "--t3", "--t4", "--t5"];
+const POLHODES = 48;
 const VIEWPOINT = [0.62, 0.6, 0.5];
 
 /** The polhode of a rigid body through a direction k, in principal components; an intersection of sphere and ellipsoid. */
@@ -101,8 +102,8 @@ class PolhodeView extends SmallCanvas {
     const whole = frames.dissipated[frames.count - 1] - frames.dissipated[0];
     const shade = (i) => (whole > 0 ? clamp(Math.floor((6 * (frames.dissipated[i] - frames.dissipated[0])) / whole), 0, 5) : 0);
     const direction = (i) => this.principal(unit(vectorAt(frames.momentum, i)));
-    const near = (i) => angleBetween(vectorAt(frames.momentum, i), vectorAt(frames.momentum, i + 1)) < 0.5;
-    const joined = frames.count > 1 && Array.from({ length: frames.count - 1 }, (_, i) => near(i)).filter(Boolean).length > 0.9 * frames.count;
+    const turn = Array.from({ length: frames.count - 1 }, (_, i) => size(frames.spinAt(i)) * (frames.t[i + 1] - frames.t[i])).sort((x, y) => x - y);
+    const joined = turn[Math.floor(0.9 * turn.length)] < SMOOTH;
     if (joined) {
       const paths = [];
       for (let i = 0; i < frames.count; i++) {
@@ -112,7 +113,8 @@ class PolhodeView extends SmallCanvas {
       }
       return paths;
     }
-    const chosen = Array.from({ length: 48 }, (_, j) => Math.round((j * (frames.count - 1)) / 47));
+    const level = (part) => (whole > 0 ? lastNotAbove(frames.dissipated, frames.dissipated[0] + part * whole) : Math.round(part * (frames.count - 1)));
+    const chosen = Array.from({ length: POLHODES }, (_, j) => level(j / (POLHODES - 1)));
     return chosen.map((i) => ({ points: rigidPolhode(this.moments, direction(i)), shade: shade(i) }));
   }
 

@@ -47,7 +47,6 @@ const scaledEquations = (equations, s = 1, d = 1) => {
   return {
     spin: of(equations.spin_of_momentum),
     power: of(equations.power),
-    energy: of(equations.energy),
     displacements: equations.displacements?.length ? of(equations.displacements) : null,
     limits: equations.limits?.every(Number.isFinite) ? equations.limits.map((limit) => limit * Math.sqrt(s)) : null,
   };

@@ -1,47 +1,64 @@
 // A run of the reduced equations for settings of the sliders, integrated in slices so that the page stays awake.
-// Beside the frames it keeps what the curves need: in each column the least and the greatest nutation angle.
+// Beside the frames it keeps what the curves need: in each column the range of the nutation angle from each axis.
 const COLUMNS = 360;
 const MOST_FRAMES = 4096;
+const RESOLVED = 5; // columns a period, from which on the curve shows each swing
 
 class Curves {
-  constructor(duration) {
-    this.duration = duration;
-    this.least = new Float64Array(COLUMNS).fill(Infinity);
-    this.greatest = new Float64Array(COLUMNS).fill(-Infinity);
-    this.dissipated = new Float64Array(COLUMNS).fill(NaN);
-    this.reached = 0;
+  constructor(duration, axes) {
+    const column = (value) => new Float64Array(COLUMNS).fill(value);
+    const band = (axis) => ({ axis, least: column(Infinity), greatest: column(-Infinity), last: NaN, rising: true, swings: 0 });
+    Object.assign(this, { duration, bands: axes.map(band), dissipated: column(NaN), reached: 0 });
   }
 
-  add(t, angle, dissipated) {
+  add(t, K, dissipated) {
     const column = clamp(Math.floor((t / this.duration) * COLUMNS), 0, COLUMNS - 1);
-    this.least[column] = Math.min(this.least[column], angle);
-    this.greatest[column] = Math.max(this.greatest[column], angle);
+    for (const band of this.bands) {
+      const angle = angleBetween(K, band.axis);
+      band.least[column] = Math.min(band.least[column], angle);
+      band.greatest[column] = Math.max(band.greatest[column], angle);
+      const rising = angle > band.last;
+      if (rising !== band.rising) band.swings += 0.5;
+      Object.assign(band, { last: angle, rising });
+    }
     this.dissipated[column] = dissipated;
     this.reached = Math.max(this.reached, t);
+  }
+
+  /** Range of the angle (degrees) from an axis by column; of a whole period where the columns do not resolve one. */
+  angle(axis) {
+    const { least, greatest, swings } = this.bands[axis];
+    const period = (COLUMNS * this.reached) / this.duration / swings;
+    const reach = period < RESOLVED ? Math.ceil(0.6 * period) : 0;
+    const near = (list, i) => list.subarray(Math.max(0, i - reach), i + reach + 1);
+    const known = (i) => greatest[i] >= least[i];
+    return Array.from(least, (_, i) => (known(i) ? [Math.min(...near(least, i)), Math.max(...near(greatest, i))].map(degrees) : [NaN, NaN]));
+  }
+
+  energy() {
+    return Array.from(this.dissipated, (value) => [value, value]);
   }
 }
 
 /** Curves of a list of frames, from its start. */
-const curvesOf = (frames, axis, duration) => {
-  const curves = new Curves(duration);
-  for (let i = 0; i < frames.count; i++) {
-    curves.add(frames.t[i] - frames.start, angleBetween(vectorAt(frames.momentum, i), axis), frames.dissipated[i]);
-  }
+const curvesOf = (frames, axes, duration) => {
+  const curves = new Curves(duration, axes);
+  for (let i = 0; i < frames.count; i++) curves.add(frames.t[i] - frames.start, vectorAt(frames.momentum, i), frames.dissipated[i]);
   return curves;
 };
 
 class Run {
-  constructor(equations, { K, attitude, duration }, axis, tolerance) {
-    Object.assign(this, { equations, duration, axis });
+  constructor(equations, { K, attitude, duration }, axes, tolerance) {
+    Object.assign(this, { equations, duration });
     this.motion = new FreeMotion(equations, tolerance);
     this.motion.start(0, K, attitude);
     this.energy = this.motion.energy;
-    this.curves = new Curves(duration);
+    this.curves = new Curves(duration, axes);
     this.list = [];
     this.every = 1;
-    this.fastest = 0;
+    this.fastest = size(this.motion.omega);
     this.keep();
-    this.note(0, K, 0);
+    this.curves.add(0, K, 0);
   }
 
   get finished() {
@@ -69,13 +86,9 @@ class Run {
     for (let i = 1; i <= samples; i++) {
       const x = i / samples;
       const K = [0, 1, 2].map((j) => hermite(before.K[j], h * rate[j], after.K[j], h * end[j], x));
-      this.note(before.t + x * h, K, before.W + x * (after.W - before.W));
+      this.curves.add(before.t + x * h, K, before.W + x * (after.W - before.W));
     }
     if (motion.solver.steps % this.every === 0 || this.finished) this.keep();
-  }
-
-  note(t, K, W) {
-    this.curves.add(t, angleBetween(K, this.axis), W);
   }
 
   /** Keeps the state as a frame; when there are too many, every other one goes. */

@@ -11,7 +11,7 @@ vec4 lit(vec3 n, vec3 place) {
   vec3 key = normalize(vec3(-0.45, 0.8, 0.62));
   float wrapped = 0.5 + 0.5 * dot(n, key);
   float fill = max(dot(n, normalize(vec3(0.8, -0.1, 0.45))), 0.0);
-  float light = 0.46 + 0.56 * wrapped * wrapped + 0.12 * fill;
+  float light = 0.56 + 0.46 * wrapped * wrapped + 0.1 * fill;
   float spark = 0.10 * pow(max(dot(n, normalize(key + towards)), 0.0), 28.0);
   return vec4(mix(color * light + spark, vec3(1.0), 0.32 * glow), alpha);
 }`;

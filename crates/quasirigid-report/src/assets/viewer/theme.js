@@ -4,12 +4,15 @@ const KIND_COLORS = { carrier: "--v0", ellipsoid: "--v0", surface: "--v0", liqui
 
 const currentTheme = () => {
   const style = getComputedStyle(document.documentElement);
-  const text = (name) => style.getPropertyValue(name).trim();
-  const rgb = (name) => {
-    const digits = text(name).slice(1);
-    const wide = digits.length === 3 ? [...digits].map((digit) => digit + digit).join("") : digits;
-    return [0, 2, 4].map((i) => parseInt(wide.slice(i, i + 2), 16) / 255);
-  };
+  const known = new Map();
+  const once = (key, value) => known.get(key) ?? known.set(key, value()).get(key);
+  const text = (name) => once(name, () => style.getPropertyValue(name).trim());
+  const rgb = (name) =>
+    once(`rgb ${name}`, () => {
+      const digits = text(name).slice(1);
+      const wide = digits.length === 3 ? [...digits].map((digit) => digit + digit).join("") : digits;
+      return [0, 2, 4].map((i) => parseInt(wide.slice(i, i + 2), 16) / 255);
+    });
   return { text, rgb };
 };
 
@@ -25,6 +28,7 @@ const legendOf = (pieces) => {
   let next = 0;
   for (const entry of entries) {
     entry.color = KIND_COLORS[entry.kind] ?? PIECE_COLORS[next++ % PIECE_COLORS.length];
+    for (const piece of entry.pieces) piece.color = entry.color;
   }
   return entries;
 };

@@ -16,14 +16,19 @@ const numeral = (value, digits = 3) => {
 const TIME_UNITS = [
   [365.25 * 86400, "years"], [86400, "days"], [3600, "h"], [60, "min"], [1, "s"], [1e-3, "ms"], [1e-6, "µs"],
 ];
-/** The largest unit that leaves at least two of it. */
-const timeUnit = (seconds) => TIME_UNITS.find(([length]) => Math.abs(seconds) >= 2 * length) ?? TIME_UNITS[4];
+/** The largest unit that leaves at least two of it, or one second. */
+const timeUnit = (seconds) => TIME_UNITS.find(([length]) => Math.abs(seconds) >= (length > 1 ? 2 * length : length)) ?? TIME_UNITS[4];
 const timeIn = (seconds, [length, name], digits = 3) => `${numeral(seconds / length, digits)} ${name}`;
 const timeWords = (seconds) => timeIn(seconds, timeUnit(seconds));
 
 const degrees = (angle) => (angle * 180) / Math.PI;
 const angleWords = (angle) => `${numeral(degrees(angle))}°`;
-const factorWords = (factor) => `× ${numeral(factor, 2)}`;
+const factorWords = (factor) => `${numeral(factor, 2)} times`;
+const LENGTH_UNITS = [[1000, "km"], [1, "m"], [1e-3, "mm"], [1e-6, "µm"], [1e-9, "nm"]];
+const lengthWords = (metres) => {
+  const [length, name] = LENGTH_UNITS.find(([length]) => metres >= length) ?? LENGTH_UNITS[4];
+  return `${numeral(metres / length)} ${name}`;
+};
 
 const speedWords = (speed, rate) => {
   const pace = Math.abs(speed - 1) < 1e-3 ? "real time" : `${numeral(speed)} times real time`;

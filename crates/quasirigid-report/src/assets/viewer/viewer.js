@@ -12,7 +12,7 @@ const equationsBetween = ({ equations, principal, track }) => {
 
 class Viewer {
   constructor(scene, gl) {
-    Object.assign(this, { scene, gl, canvas: gl.canvas, view: "inertial", magnified: 1, lit: null, mode: null, amplitude: 0.12 });
+    Object.assign(this, { scene, gl, canvas: gl.canvas, view: "inertial", magnified: 1, lit: null, mode: null, amplitude: 0.12, awake: true });
     this.show = { spin: true, momentum: true, axes: true };
     this.radius = scene.radius;
     this.camera = new Camera(scene.radius);
@@ -96,7 +96,7 @@ class Viewer {
     this.waiting = 0;
     this.clock.tick(now);
     this.draw();
-    if (this.clock.playing) this.redraw();
+    if (this.clock.playing && this.awake) this.redraw();
     this.onDraw?.();
   }
 
@@ -129,18 +129,14 @@ class Viewer {
   }
 
   drawPieces(pieces) {
-    const edge = this.theme.rgb("--edge");
-    for (const { color, pieces: members } of this.legend) {
-      const rgb = this.theme.rgb(color);
-      for (const piece of members) {
-        if (!pieces.includes(piece)) continue;
-        const glow = this.lit && !this.lit.includes(piece) ? 0 : this.lit ? 1 : 0;
-        const dim = this.lit && !this.lit.includes(piece);
-        const paper = this.theme.rgb("--panel");
-        const shown = dim ? rgb.map((x, i) => 0.5 * x + 0.5 * paper[i]) : rgb;
-        const alpha = piece.seenThrough ? (piece.kind === "liquid" ? 0.5 : 0.32) : 1;
-        this.stage.draw(this.drawn.get(piece), { color: shown, edge, alpha, glow });
-      }
+    const [edge, paper] = ["--edge", "--panel"].map(this.theme.rgb);
+    for (const piece of pieces) {
+      const rgb = this.theme.rgb(piece.color);
+      const dimmed = this.lit && !this.lit.includes(piece);
+      const color = dimmed ? rgb.map((x, i) => 0.45 * x + 0.55 * paper[i]) : rgb;
+      const glow = this.lit && !dimmed ? 1 : 0;
+      const alpha = piece.seenThrough ? (piece.kind === "liquid" ? 0.5 : 0.32) : 1;
+      this.stage.draw(this.drawn.get(piece), { color, edge, alpha, glow });
     }
   }
 

@@ -74,7 +74,9 @@ fn pieces_are_meshes_that_their_coordinates_displace() {
         let reader = primitive.reader(|_| Some(&blob));
         let places: Vec<[f32; 3]> = reader.read_positions().unwrap().collect();
         let indices: Vec<u32> = reader.read_indices().unwrap().into_u32().collect();
-        assert!(indices.iter().all(|index| (*index as usize) < places.len()) && indices.len().is_multiple_of(3));
+        assert!(
+            indices.iter().all(|index| (*index as usize) < places.len()) && indices.len().is_multiple_of(3)
+        );
         let morphs: Vec<_> = reader.read_morph_targets().collect();
         assert_eq!(morphs.len(), targets);
         for (moved, ..) in morphs {

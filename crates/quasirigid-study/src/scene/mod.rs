@@ -135,7 +135,7 @@ mod tests {
     /// Frames are rows of the history, and the whole is small, whatever the body.
     #[test]
     fn scenes_are_small_and_their_frames_are_rows() {
-        for example in ["apophis", "friction-wheel", "nutation-damper", "solar-panels", "spherical-tank"] {
+        for example in ["apophis", "friction-wheel", "nutation-damper", "solar-panels"] {
             let record = run(&text(example));
             let scene = record.scene.as_ref().unwrap();
             let track = scene.track.as_ref().unwrap();

@@ -4,8 +4,9 @@ use std::f64::consts::PI;
 
 use nalgebra::Matrix3;
 use quasirigid::elements::{
-    Assembly, Carrier, Cavity, CavityShape, Ellipsoid, Frame, FrameNode, HingeCoefficient, Hinged, Material,
-    Member, Part, PartKind, Regime, Rotor, RotorKind, SectionShape, Visual,
+    Assembly, Carrier, Cavity, CavityShape, Coefficient, Ellipsoid, End, Frame, FrameNode, HingeCoefficient,
+    Hinged, Material, Member, Part, PartKind, Point, PointMotion, Prestress, Regime, Rotor, RotorKind,
+    SectionShape, Spring, SpringLaw, Visual,
 };
 use quasirigid::model::Rheology;
 use quasirigid_mesh::surface::ClosedSurface;
@@ -130,6 +131,41 @@ fn appendages_and_rotors_turn() {
     }
     let turning = of(&built.visuals, "flywheel").turning.unwrap();
     assert_eq!((turning.axis, turning.coordinate), ([0.0, 0.6, 0.8], 2));
+}
+
+/// A spring runs between its ends: one on the carrier is at its anchor, else at the centre of the carrier; one on a point moves with it.
+#[test]
+fn springs_run_between_their_ends() {
+    let point =
+        Point { name: "mass".into(), mass: 2.0, position: [1.0, 0.5, -0.5], motion: PointMotion::Free };
+    let spring = |name: &str, law| Spring {
+        name: name.into(),
+        from: End::Carrier,
+        to: End::Point(0),
+        law,
+        rheology: Rheology::Elastic,
+    };
+    let all =
+        SpringLaw::Spatial { stiffness: Coefficient::Isotropic(40.0), damping: Coefficient::Isotropic(1.0) };
+    let anchor = [0.5, 0.5, 0.5];
+    let line = SpringLaw::Axial {
+        stiffness: 5.0,
+        damping: 0.0,
+        anchor: Some(anchor),
+        prestress: Prestress::Relaxed,
+    };
+    let springs = vec![spring("all", all), spring("line", line)];
+    let assembly = Assembly { carrier: Some(carrier()), points: vec![point], springs, ..Assembly::default() };
+    let built = assembly.build_with_visuals().unwrap();
+    let from_pole =
+        |place: [f64; 3]| -> [f64; 3] { std::array::from_fn(|i| place[i] - built.body.pole()[i]) };
+    for (name, start) in [("all", CENTER), ("line", anchor)] {
+        let spring = of(&built.visuals, name);
+        assert_eq!(spring.vertices, [from_pole(start), from_pole([1.0, 0.5, -0.5])]);
+        let moved: Vec<_> =
+            spring.shapes.iter().map(|(coordinate, shape)| (*coordinate, shape[0], shape[1])).collect();
+        assert_eq!(moved[2], (2, [0.0; 3], [0.0, 0.0, 1.0]));
+    }
 }
 
 /// The end of a beam is drawn where its marker is, and moves as it does; the lines join its nodes in order.

@@ -36,15 +36,15 @@ impl Outline {
         Self { vertices: places.into_iter().map(Vertex::Still).collect(), triangles, ..Self::default() }
     }
 
-    /// Line between the ends of a link. An end on the carrier is at `anchor`, or where the other end is at equilibrium, so that the line
-    /// shows the displacement.
+    /// Line between the ends of a link. An end on the carrier is at `anchor`, or at the centre of mass of the carrier where the model gives
+    /// it no place.
     pub fn link(body: &Assembly, [from, to]: [End; 2], anchor: Option<[f64; 3]>) -> Option<Self> {
-        let rest = |other: End| Some(body.at_rest(other).ok()?.position.into());
-        let vertex = |end: End, other: End| match end {
-            End::Carrier => Some(Vertex::Still(anchor.or_else(|| rest(other))?)),
+        let center = || Some(body.carrier.as_ref()?.center_of_mass);
+        let vertex = |end: End| match end {
+            End::Carrier => Some(Vertex::Still(anchor.or_else(center)?)),
             _ => Some(Vertex::At(end)),
         };
-        let vertices = vec![vertex(from, to)?, vertex(to, from)?];
+        let vertices = vec![vertex(from)?, vertex(to)?];
         Some(Self { vertices, lines: vec![[0, 1]], ..Self::default() })
     }
 }

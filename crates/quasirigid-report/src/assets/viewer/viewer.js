@@ -53,6 +53,7 @@ class Viewer {
     if (this.mode) this.runClock = clock;
     else this.clock = clock;
     if (frames) {
+      this.fullSpin = size(frames.spinAt(0));
       this.polhode?.follow(frames);
       this.herpolhode?.follow(frames);
       this.upright = this.upright ?? this.uprightAxes(frames.frame(0));

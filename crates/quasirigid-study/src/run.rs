@@ -254,12 +254,12 @@ impl<'a> Plan<'a> {
         watch: &mut dyn Watch,
     ) -> Result<HistoryRecord, StudyError> {
         let name = system.name();
-        let stride = Frames::stride(self.times.len());
+        let body = self.motion.system().body;
+        let stride = Frames::stride(self.times.len(), body.coordinates().len());
         let mut collector = Collector::new(watch, name, &self.times);
         collector.keep_every(if frames.is_none() { Some(stride) } else { None });
         let run = self.motion.follow(system, &self.times, &self.options, &mut collector)?;
         let Collector { samples, budget, coordinates, .. } = collector;
-        let body = self.motion.system().body;
         if let Some(coordinates) = coordinates {
             *frames = Some(Frames {
                 system: name.into(),

@@ -1,10 +1,14 @@
 //! Coordinates that a scene keeps: all of a few, else those that displace the body most, until the displacements fill the room of a page.
 
+use std::collections::BTreeSet;
+
 use quasirigid::elements::Visual;
 use quasirigid::model::FlexibleBody;
 use quasirigid::modes::SpinModes;
 use quasirigid_io::record::{EquationsRecord, TermRecord};
+use quasirigid_math::vec3::norm;
 
+use super::merged::pieces_of;
 use super::track::Frames;
 
 /// Most vectors of displacement in a scene: a megabyte of page.
@@ -66,13 +70,18 @@ impl Kept {
     }
 }
 
-/// Largest displacement (m) per unit of each coordinate, and the number of vectors that it takes.
+/// Largest displacement (m) per unit of each coordinate, and the number of vectors that it takes: one for each vertex of the pieces that
+/// it displaces.
 fn reaches(elastic: usize, visuals: &[Visual]) -> Vec<(f64, usize)> {
     let mut found = vec![(0.0, 0); elastic];
-    for (coordinate, vectors) in visuals.iter().flat_map(|visual| &visual.shapes) {
-        if let Some((reach, count)) = found.get_mut(*coordinate) {
-            *reach = vectors.iter().map(|vector| quasirigid_math::vec3::norm(*vector)).fold(*reach, f64::max);
-            *count += vectors.len();
+    for piece in pieces_of(visuals) {
+        let vertices: usize = piece.iter().map(|visual| visual.vertices.len()).sum();
+        let mut displaced = BTreeSet::new();
+        for (coordinate, vectors) in piece.iter().flat_map(|visual| &visual.shapes) {
+            if let Some((reach, count)) = found.get_mut(*coordinate) {
+                *reach = vectors.iter().map(|vector| norm(*vector)).fold(*reach, f64::max);
+                *count += if displaced.insert(*coordinate) { vertices } else { 0 };
+            }
         }
     }
     found

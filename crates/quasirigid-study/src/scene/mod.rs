@@ -30,10 +30,11 @@ pub(crate) fn scene(
     equations: Option<EquationsRecord>,
 ) -> SceneRecord {
     let body = &study.body;
-    let visuals = &*merged::merged(visuals);
     let kept = Kept::new(body, visuals, frames, modes);
     let principal = Principal::compute(body.invariants().J);
-    let rotors = pieces::rotors(visuals);
+    let pieces: Vec<Visual> =
+        merged::pieces_of(visuals).iter().map(|elements| merged::joined(elements, &kept)).collect();
+    let rotors = pieces::rotors(&pieces);
     SceneRecord {
         version: SCENE_VERSION,
         name: one_line(&study.model.name),
@@ -44,7 +45,7 @@ pub(crate) fn scene(
             .map(|j| &body.coordinates()[*j])
             .map(|each| CoordinateRecord { name: one_line(&each.name), unit: each.unit.to_owned() })
             .collect(),
-        pieces: visuals.iter().map(|visual| pieces::piece(visual, &kept, &rotors)).collect(),
+        pieces: pieces.iter().map(|visual| pieces::piece(visual, &kept, &rotors)).collect(),
         principal: PrincipalRecord { moments: principal.moments, axes: principal.axes },
         track: frames.map(|frames| frames.record(&kept.coordinates, &rotors)),
         spin: modes.map(|modes| modes.equilibrium.omega),

@@ -6,6 +6,9 @@ use quasirigid_io::record::{Packed, TrackRecord};
 /// Most frames of a scene.
 const MOST_FRAMES: usize = 2_000;
 
+/// Most coordinates and rates in all frames together: what a picture may take of the memory.
+const MOST_NUMBERS: usize = 20_000_000;
+
 /// Frames of the main history.
 pub(crate) struct Frames {
     pub system: String,
@@ -17,9 +20,11 @@ pub(crate) struct Frames {
 }
 
 impl Frames {
-    /// Rows between frames of a history with so many rows.
-    pub fn stride(rows: usize) -> usize {
-        rows.saturating_sub(1).div_ceil(MOST_FRAMES - 1).max(1)
+    /// Rows between frames of a history with so many rows, of a body with so many coordinates.
+    pub fn stride(rows: usize, coordinates: usize) -> usize {
+        let room = MOST_NUMBERS / (2 * coordinates).max(1);
+        let frames = room.clamp(2, MOST_FRAMES);
+        rows.saturating_sub(1).div_ceil(frames - 1).max(1)
     }
 
     /// Largest size of a coordinate.

@@ -59,7 +59,8 @@ impl Assembly {
             self.carrier.as_ref().ok_or_else(|| at(ElementId::CARRIER, Field::MASS)(Problem::NoBody))?;
         let mut graph = if self.parts.is_empty() { None } else { Some(PartGraph::of_parts(self)?) };
         if let Some(graph) = graph.as_mut().filter(|_| visuals) {
-            graph.draw(self.drawn_nodes());
+            let node = |end| if let End::Node(node) = end { Some(node) } else { None };
+            graph.draw(self.drawn_ends().into_iter().filter_map(node));
         }
         let component = graph.as_ref().map(|graph| graph.component(false)).transpose()?;
         let (moving_bodies, flexible) = self.moving_bodies()?;

@@ -34,8 +34,12 @@ impl Assembly {
         self.free()?;
         let mut graph = PartGraph::of_everything(self)?;
         if visuals {
-            let points = (0..self.points.len()).map(|node| NodeRef { part: self.parts.len(), node });
-            graph.draw(self.drawn_nodes().into_iter().chain(points));
+            let node = |end| match end {
+                End::Node(node) => Some(node),
+                End::Point(node) => Some(NodeRef { part: self.parts.len(), node }),
+                End::Carrier | End::Hinged(_) => None,
+            };
+            graph.draw(self.drawn_ends().into_iter().filter_map(node));
         }
         let component = graph.component(!self.parts.iter().any(Part::is_frame))?;
         let center = exact.as_ref().map_or(component.center(), |exact| exact.center.into());

@@ -119,8 +119,9 @@ impl<'a> PartGraph<'a> {
     }
 
     /// Asks the component to keep the displacements of nodes that are drawn.
-    pub fn draw(&mut self, nodes: impl IntoIterator<Item = NodeRef>) {
+    pub fn draw(&mut self, nodes: impl Iterator<Item = NodeRef>) {
         self.drawn.extend(nodes);
+        self.drawn.sort_unstable();
     }
 
     /// Attachments: nodes that are watched or loaded, in terms of the coordinates of the component, numbered from `start`.

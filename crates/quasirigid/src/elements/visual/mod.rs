@@ -14,14 +14,16 @@ pub(in crate::elements) use outline::{Outline, Vertex};
 pub(in crate::elements) use shapes::{cuboid, cuboid_of, ellipsoid, revolved};
 pub(in crate::elements) use thinned::thinned;
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::{BTreeMap, HashSet};
 
 use nalgebra::Vector3;
 
 use crate::elements::assembly::attachment::Attachment;
 use crate::elements::element::Element;
-use crate::elements::kinds::part::NodeRef;
-use crate::elements::{Assembly, ElementId, End};
+use crate::elements::{Assembly, ElementId, ElementKind, End};
+
+/// Most elements of a kind that are drawn.
+const MOST_OF_A_KIND: usize = 3_000;
 
 /// Visual geometry of an element: vertices with their displacements, joined by lines and triangles; without these they are points.
 #[derive(Clone, Debug, PartialEq)]
@@ -58,11 +60,16 @@ pub struct Turning {
 }
 
 impl Assembly {
-    /// Nodes of parts on which outlines have vertices.
-    pub(in crate::elements) fn drawn_nodes(&self) -> BTreeSet<NodeRef> {
-        let vertices = self.outlines().flat_map(|(_, _, outline)| outline.vertices);
-        let node = |vertex| if let Vertex::At(End::Node(node)) = vertex { Some(node) } else { None };
-        vertices.filter_map(node).collect()
+    /// Points and nodes of parts on which outlines have vertices.
+    pub(in crate::elements) fn drawn_ends(&self) -> HashSet<End> {
+        let of_outline = |(id, _, outline): (ElementId, &'static str, Outline)| {
+            outline.vertices.into_iter().filter_map(move |vertex| match vertex {
+                Vertex::At(end) => Some(end),
+                Vertex::Own(_) if id.kind == ElementKind::Point => Some(End::Point(id.index)),
+                Vertex::Own(_) | Vertex::Still(_) => None,
+            })
+        };
+        self.outlines().flat_map(of_outline).collect()
     }
 
     /// Visual geometry of the elements, with each vertex at the place that `place` finds.
@@ -95,11 +102,16 @@ impl Assembly {
         self.outlines().filter_map(visual).collect()
     }
 
-    /// Outlines of the elements that are seen, with the words for their kinds.
+    /// Outlines of the elements that are seen, with the words for their kinds; of very many of a kind some, evenly among all.
     fn outlines(&self) -> impl Iterator<Item = (ElementId, &'static str, Outline)> + '_ {
         let carrier =
             self.carrier.iter().filter_map(|carrier| Some((ElementId::CARRIER, carrier.outline()?)));
-        let elements = self.each().filter_map(|(id, element)| Some((id, element.outline(id, self)?)));
+        let mut counts: BTreeMap<ElementKind, usize> = BTreeMap::new();
+        self.each().for_each(|(id, _)| *counts.entry(id.kind).or_default() += 1);
+        let drawn =
+            move |id: ElementId| id.index.is_multiple_of(counts[&id.kind].div_ceil(MOST_OF_A_KIND).max(1));
+        let elements = self.each().filter(move |(id, _)| drawn(*id));
+        let elements = elements.filter_map(|(id, element)| Some((id, element.outline(id, self)?)));
         carrier.chain(elements).map(|(id, outline)| {
             let words = self.element(id).and_then(Element::words);
             (id, words.unwrap_or_else(|| id.kind.words()), outline)

@@ -252,6 +252,11 @@ def test_sliders_integrate_the_equations(look: Open) -> None:
     assert "do not hold" in page.inner_text("#panel-validity")
     page.click("#panel-reset")
     until(page, "document.querySelector('#panel').classList.contains('holds')")
+    slide(page, "panel-damping", 2)
+    until(page, "document.querySelector('#panel').classList.contains('fails')")
+    slide(page, "panel-stiffness", 2)
+    until(page, "document.querySelector('#panel').classList.contains('holds')")
+    page.click("#panel-reset")
     assert page.inner_text("#panel-spin-words") == "as in the run"
 
 

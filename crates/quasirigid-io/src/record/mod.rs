@@ -24,8 +24,9 @@ pub use evolution::{
 };
 pub use modes::{ModeRecord, SteadySpinRecord};
 pub use scene::{
-    CoordinateRecord, EquationsRecord, FieldRecord, Packed, PieceRecord, PrincipalRecord, SCENE_VERSION,
-    SceneRecord, ShapeRecord, StartRecord, TermRecord, TrackRecord, TurningRecord, VectorsRecord,
+    CoordinateRecord, EquationsRecord, FieldRecord, LimitRecord, Packed, PieceRecord, PrincipalRecord,
+    SCENE_VERSION, SceneRecord, ShapeRecord, StartRecord, TermRecord, TrackRecord, TurningRecord,
+    VectorsRecord,
 };
 pub use sweep::{
     CorrelationRecord, InputRecord, IntervalRecord, PercentileRecord, QuantityRecord, ReasonRecord,

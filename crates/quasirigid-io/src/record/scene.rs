@@ -150,11 +150,25 @@ pub struct EquationsRecord {
     pub power: Vec<TermRecord>,
     /// Internal coordinates, of the angular velocity.
     pub displacements: Vec<TermRecord>,
-    /// Spins (rad/s) beyond which the equations hold marginally, and beyond which they fail; null without a limit.
-    #[serde(with = "super::number::unbounded")]
-    pub limits: [f64; 2],
+    /// Limits of the spin; none of equations that hold at any.
+    pub limits: Vec<LimitRecord>,
     /// Start of the run.
     pub start: StartRecord,
+}
+
+/// Limit of the spin by one criterion, scaled by powers of common factors of all stiffnesses and all dampings.
+#[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
+pub struct LimitRecord {
+    /// Spin (rad/s) up to which the equations hold.
+    #[serde(with = "super::number::unbounded")]
+    pub holds: f64,
+    /// Spin (rad/s) from which they fail.
+    #[serde(with = "super::number::unbounded")]
+    pub fails: f64,
+    /// Power of the factor of the stiffnesses.
+    pub stiffness: f64,
+    /// Power of the factor of the dampings.
+    pub damping: f64,
 }
 
 /// Homogeneous polynomial, scaled by powers of common factors of all stiffnesses and all dampings.

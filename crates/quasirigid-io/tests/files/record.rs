@@ -214,12 +214,11 @@ prop_compose! {
             fields: vec![FieldRecord { coordinate: rotor, vectors: VectorsRecord { unit: -radius, values: Packed(multiples) } }],
             turning: Some(TurningRecord { axis: moments, center: moments, rotor }),
         };
-        let mut equations = EquationsRecord {
+        let equations = EquationsRecord {
             order: 3, scalable: true, note, spin_of_momentum: vec![term.clone()], momentum: vec![term], energy: vec![],
-            power: vec![], displacements: vec![], limits: [radius, limit],
+            power: vec![], displacements: vec![], limits: vec![LimitRecord { holds: radius, fails: limit, stiffness: 0.5, damping: -1.0 }],
             start: StartRecord { momentum: moments, attitude: [1.0, 0.0, 0.0, 0.0], duration: radius },
         };
-        equations.limits.sort_by(f64::total_cmp);
         SceneRecord {
             version: SCENE_VERSION, name: name.clone(), radius,
             coordinates: vec![CoordinateRecord { name, unit: "m".into() }],

@@ -13,7 +13,7 @@ pub fn section(record: &RunRecord) -> Markup {
         header {
             p.kind { "Spin of an almost rigid body" }
             h1 { (name(record)) }
-            (overview::answer(record))
+            (overview::answer(record, shown))
             div.verdict.(shown.class()) role="status" {
                 (shown.icon())
                 p {

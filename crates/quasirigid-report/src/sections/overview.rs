@@ -16,9 +16,9 @@ const MOST: usize = 4;
 /// Share of the dissipation below which a dissipator is not listed.
 const LEAST: f64 = 0.005;
 
-/// The answer in a sentence, where the record has one.
-pub fn answer(record: &RunRecord) -> Markup {
-    let of_history = || history_sentence(record);
+/// The answer in a sentence, where the record has one; a history of equations that do not hold gives none.
+pub fn answer(record: &RunRecord, shown: Verdict) -> Markup {
+    let of_history = || history_sentence(record).filter(|_| shown != Verdict::Fails);
     let of_spin = || record.steady_spins.first().map(|spin| spin.sentence.clone());
     let sentence =
         answered(record).map(|evolution| evolution.sentence.clone()).or_else(of_history).or_else(of_spin);
@@ -69,8 +69,9 @@ pub fn headline(record: &RunRecord, verdict: Verdict) -> (Verdict, &'static str)
 
 /// Modes, dissipators and fate.
 pub fn facts(record: &RunRecord) -> Markup {
+    let (shown, _) = headline(record, Verdict::of_all(&record.validity));
     let modes = record.steady_spins.first().filter(|spin| !spin.modes.is_empty());
-    let shares = shares(record);
+    let shares = shares(record, shown);
     let fate = fate(record);
     html! {
         @if modes.is_some() || shares.is_some() || fate.is_some() {
@@ -169,12 +170,15 @@ fn time_constants(spin: &SteadySpinRecord) -> Markup {
     }
 }
 
-/// Shares of the dissipators: over the run, else at the start of the evolution, else at the initial spin.
-fn shares(record: &RunRecord) -> Option<(&'static str, &BTreeMap<String, f64>)> {
+/// Shares of the dissipators: over the run, else at the start of the evolution, else at the initial spin. Reduced equations that do not hold
+/// tell none.
+fn shares(record: &RunRecord, shown: Verdict) -> Option<(&'static str, &BTreeMap<String, f64>)> {
     let run = main_history(record).map(|history| ("Over the run.", &history.dissipation));
-    let start = record.evolution.as_ref().map(|evolution| ("At the start.", &evolution.dissipation));
+    let start = answered(record).map(|evolution| ("At the start.", &evolution.dissipation));
     let reduction = ("At the initial spin.", &record.reduction.dissipation);
-    run.into_iter().chain(start).chain([reduction]).find(|(_, shares)| !shares.is_empty())
+    let reduced = shown != Verdict::Fails;
+    let all = run.filter(|_| reduced).into_iter().chain(start).chain(Some(reduction).filter(|_| reduced));
+    all.into_iter().find(|(_, shares)| !shares.is_empty())
 }
 
 fn dissipators(when: &str, shares: &BTreeMap<String, f64>) -> Markup {

@@ -4,7 +4,7 @@
 use quasirigid::dynamics::Sample;
 use quasirigid::model::{FlexibleBody, ReducedBody};
 use quasirigid::reduction::{Comparison, Criterion, ReductionError, Validity, Verdict};
-use quasirigid_io::record::{EquationsRecord, StartRecord, TermRecord};
+use quasirigid_io::record::{EquationsRecord, LimitRecord, StartRecord, TermRecord};
 use quasirigid_math::polynomial::Series;
 use quasirigid_math::vec3::norm;
 
@@ -48,31 +48,31 @@ pub(crate) fn equations(
     })
 }
 
-/// Spins (rad/s) beyond which the equations hold marginally, and beyond which they fail, from the criteria at a spin that grow with it; at
-/// that spin the verdict is the one of all criteria.
-fn limits(validity: &Validity, spin: f64) -> [f64; 2] {
-    let power = |criterion: &Criterion| match criterion.comparison {
-        Comparison::Spin | Comparison::Damping | Comparison::Relaxation => Some(1.0),
-        Comparison::Linearity => Some(2.0),
+/// Limits of the spin from the criteria at a spin that grow with it; at that spin their verdict is not milder than the one of all criteria.
+fn limits(validity: &Validity, spin: f64) -> Vec<LimitRecord> {
+    // power of the spin in the ratio, and powers of stiffness and damping in the limit
+    let powers = |criterion: &Criterion| match criterion.comparison {
+        Comparison::Spin | Comparison::Relaxation => Some([1.0, 0.5, 0.0]),
+        Comparison::Damping => Some([1.0, 1.0, -1.0]),
+        Comparison::Linearity => Some([2.0, 0.5, 0.0]),
         // beyond one the ratio of the terms grows with their degree
-        Comparison::Series if criterion.value < 1.0 => Some(2.0),
+        Comparison::Series if criterion.value < 1.0 => Some([2.0, 0.5, 0.0]),
         _ => None,
     };
-    let mut limits = [f64::INFINITY; 2];
-    for criterion in &validity.criteria {
-        if let Some(power) = power(criterion).filter(|_| criterion.value > 0.0) {
-            let reached = |ratio: f64| spin * (ratio / criterion.value).powf(1.0 / power);
-            limits[0] = limits[0].min(reached(criterion.limit()));
-            limits[1] = limits[1].min(reached(criterion.failure()));
-        }
-    }
-    let below = spin * (1.0 - BELOW);
-    match validity.verdict() {
-        Verdict::Holds => {}
-        Verdict::Marginal => limits[0] = limits[0].min(below),
-        Verdict::Fails => limits = limits.map(|limit| limit.min(below)),
-    }
-    limits
+    let limit = |criterion: &Criterion| {
+        let [power, stiffness, damping] = powers(criterion).filter(|_| criterion.value > 0.0)?;
+        let reached = |ratio: f64| spin * (ratio / criterion.value).powf(1.0 / power);
+        let [holds, fails] = [criterion.limit(), criterion.failure()].map(reached);
+        Some(LimitRecord { holds, fails, stiffness, damping })
+    };
+    let holds = spin * (1.0 - BELOW);
+    let told = match validity.verdict() {
+        Verdict::Holds => None,
+        Verdict::Marginal => Some(f64::INFINITY),
+        Verdict::Fails => Some(holds),
+    };
+    let told = told.map(|fails| LimitRecord { holds, fails, stiffness: 0.5, damping: 0.0 });
+    validity.criteria.iter().filter_map(limit).chain(told).collect()
 }
 
 /// Reason for which common factors do not scale the terms of a body by powers.

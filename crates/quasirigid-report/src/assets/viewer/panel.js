@@ -167,7 +167,8 @@ class Panel {
           : ["fails", "The reduced equations do not hold"];
     this.node.classList.remove("holds", "marginal", "fails");
     this.node.classList.add(level);
-    const limit = level === "holds" ? `to ${numeral(limits[0])}` : `well to ${numeral(limits[0])}, not beyond ${numeral(limits[1])}`;
+    const beyond = level !== "holds" && Number.isFinite(limits[1]) ? `, not beyond ${numeral(limits[1])}` : "";
+    const limit = `${level === "holds" ? "to" : "well to"} ${numeral(limits[0])}${beyond}`;
     const sentence = `${verdict}: |ω| reaches ${numeral(rate)} rad/s; they hold ${limit} rad/s.`;
     if (place.textContent !== sentence) place.textContent = sentence;
   }

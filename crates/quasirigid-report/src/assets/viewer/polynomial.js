@@ -41,6 +41,12 @@ class Polynomial {
   }
 }
 
+/** Spins up to which the equations hold, and from which they fail; null where there is no limit. */
+const scaledLimits = (limits, s, d) => {
+  const least = (name) => Math.min(...limits.map((limit) => (limit[name] ?? Infinity) * s ** limit.stiffness * d ** limit.damping));
+  return limits.length ? [least("holds"), least("fails")] : null;
+};
+
 /** The reduced equations with stiffnesses times s and dampings times d. */
 const scaledEquations = (equations, s = 1, d = 1) => {
   const of = (terms) => new Polynomial(terms ?? [], s, d);
@@ -48,7 +54,7 @@ const scaledEquations = (equations, s = 1, d = 1) => {
     spin: of(equations.spin_of_momentum),
     power: of(equations.power),
     displacements: equations.displacements?.length ? of(equations.displacements) : null,
-    limits: equations.limits?.every(Number.isFinite) ? equations.limits.map((limit) => limit * Math.sqrt(s)) : null,
+    limits: scaledLimits(equations.limits ?? [], s, d),
   };
 };
 

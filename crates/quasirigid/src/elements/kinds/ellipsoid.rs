@@ -268,19 +268,10 @@ impl Ellipsoid {
     /// Surface of the ellipsoid.
     fn visual(&self, id: ElementId) -> Visual {
         let shapes = self.shapes();
-        let (vertices, triangles) = ellipsoid(Vector3::zeros(), Matrix3::identity(), self.semi_axes.into());
-        let moved = |shape: &Shape| vertices.iter().map(|place| self.displaced(shape, *place)).collect();
-        Visual {
-            element: id,
-            name: self.name.clone(),
-            kind: id.kind.words(),
-            shapes: shapes.iter().map(moved).enumerate().collect(),
-            vertices,
-            triangles,
-            lines: Vec::new(),
-            radius: None,
-            turning: None,
-        }
+        let surface = ellipsoid(Vector3::zeros(), Matrix3::identity(), self.semi_axes.into());
+        Visual::surface((id, &self.name), surface, |place| {
+            shapes.iter().map(|shape| self.displaced(shape, place)).enumerate().collect()
+        })
     }
 
     /// Displacement of a place (m from the centre) per unit of a coordinate.

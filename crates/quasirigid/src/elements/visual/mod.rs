@@ -11,7 +11,7 @@ mod thinned;
 pub(in crate::elements) use boundary::boundary;
 pub(in crate::elements) use disc::disc;
 pub(in crate::elements) use outline::{Outline, Vertex};
-pub(in crate::elements) use shapes::{cuboid, cuboid_of, ellipsoid, revolved};
+pub(in crate::elements) use shapes::{Triangulated, cuboid, cuboid_of, ellipsoid, revolved};
 pub(in crate::elements) use thinned::thinned;
 
 use std::collections::{BTreeMap, HashSet};
@@ -59,6 +59,28 @@ pub struct Turning {
     pub coordinate: usize,
 }
 
+impl Visual {
+    /// Surface of an element that is a whole body; `shapes` gives the displacement of a vertex per unit of each coordinate.
+    pub(in crate::elements) fn surface(
+        (element, name): (ElementId, &str),
+        (vertices, triangles): Triangulated,
+        shapes: impl Fn([f64; 3]) -> Vec<(usize, [f64; 3])>,
+    ) -> Self {
+        let moved: Vec<_> = vertices.iter().map(|vertex| shapes(*vertex)).collect();
+        Self {
+            element,
+            name: name.to_owned(),
+            kind: element.kind.words(),
+            shapes: by_coordinate(&moved),
+            vertices,
+            lines: Vec::new(),
+            triangles,
+            radius: None,
+            turning: None,
+        }
+    }
+}
+
 impl Assembly {
     /// Points and nodes of parts on which outlines have vertices.
     pub(in crate::elements) fn drawn_ends(&self) -> HashSet<End> {
@@ -92,7 +114,7 @@ impl Assembly {
                 name: self.element(element).map_or_else(String::new, |element| element.name().to_owned()),
                 kind,
                 vertices: places.iter().map(|place| (place.position - pole).into()).collect(),
-                shapes: by_coordinate(&places),
+                shapes: by_coordinate(&places.into_iter().map(|place| place.shapes).collect::<Vec<_>>()),
                 lines: outline.lines,
                 triangles: outline.triangles,
                 radius: outline.radius,
@@ -120,11 +142,11 @@ impl Assembly {
 }
 
 /// Displacements of places, coordinate by coordinate.
-fn by_coordinate(places: &[Attachment]) -> Vec<(usize, Vec<[f64; 3]>)> {
+fn by_coordinate(places: &[Vec<(usize, [f64; 3])>]) -> Vec<(usize, Vec<[f64; 3]>)> {
     let mut found: BTreeMap<usize, Vec<[f64; 3]>> = BTreeMap::new();
-    for (vertex, place) in places.iter().enumerate() {
-        for (coordinate, shape) in &place.shapes {
-            found.entry(*coordinate).or_insert_with(|| vec![[0.0; 3]; places.len()])[vertex] = *shape;
+    for (place, shapes) in places.iter().enumerate() {
+        for (coordinate, shape) in shapes {
+            found.entry(*coordinate).or_insert_with(|| vec![[0.0; 3]; places.len()])[place] = *shape;
         }
     }
     found.into_iter().collect()

@@ -1,5 +1,6 @@
 //! Outline of an element: vertices on places of the body, before the coordinates of the body are known.
 
+use super::shapes::Triangulated;
 use crate::elements::{Assembly, End};
 
 /// Outline of an element, in the file's frame.
@@ -27,12 +28,12 @@ pub(in crate::elements) enum Vertex {
 
 impl Outline {
     /// Outline of the element's own places, in triangles.
-    pub fn own((places, triangles): (Vec<[f64; 3]>, Vec<[usize; 3]>)) -> Self {
+    pub fn own((places, triangles): Triangulated) -> Self {
         Self { vertices: places.into_iter().map(Vertex::Own).collect(), triangles, ..Self::default() }
     }
 
     /// Outline of places on the carrier, in triangles.
-    pub fn still((places, triangles): (Vec<[f64; 3]>, Vec<[usize; 3]>)) -> Self {
+    pub fn still((places, triangles): Triangulated) -> Self {
         Self { vertices: places.into_iter().map(Vertex::Still).collect(), triangles, ..Self::default() }
     }
 

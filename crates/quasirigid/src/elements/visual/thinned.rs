@@ -1,6 +1,6 @@
 //! Thinning of triangles: vertices that share a cell of a grid become one, so that a picture of a fine mesh stays small.
 
-use std::collections::{BTreeMap, HashMap};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 /// Most vertices of the picture of an element: enough for its shape on a screen.
 pub(in crate::elements) const MOST_VERTICES: usize = 2_500;
@@ -12,33 +12,27 @@ pub(in crate::elements) fn thinned(
     places: &[[f64; 3]],
     triangles: &[[usize; 3]],
 ) -> (Vec<usize>, Vec<[usize; 3]>) {
-    let used: BTreeMap<usize, usize> = triangles.iter().flatten().map(|vertex| (*vertex, *vertex)).collect();
-    let mut merged = used;
-    let mut side = 0.0;
+    let used: BTreeSet<usize> = triangles.iter().flatten().copied().collect();
+    let mut merged: BTreeMap<usize, usize> = used.iter().map(|vertex| (*vertex, *vertex)).collect();
+    let mut side = first_side(places, &used);
     loop {
-        let kept: Vec<usize> = {
-            let mut kept: Vec<usize> = merged.values().copied().collect();
-            kept.sort_unstable();
-            kept.dedup();
-            kept
-        };
+        let kept: BTreeSet<usize> = merged.values().copied().collect();
         if kept.len() <= MOST_VERTICES {
-            return renumbered(&kept, &merged, triangles);
+            return renumbered(kept.into_iter().collect(), &merged, triangles);
         }
-        side = if side == 0.0 { first_side(places, &kept) } else { COARSER * side };
         let mut cells: HashMap<[i64; 3], usize> = HashMap::new();
-        let vertices: Vec<usize> = merged.keys().copied().collect();
-        for vertex in vertices {
-            let cell = places[vertex].map(|entry| (entry / side).floor() as i64);
-            merged.insert(vertex, *cells.entry(cell).or_insert(vertex));
+        for (vertex, other) in &mut merged {
+            let cell = places[*vertex].map(|entry| (entry / side).floor() as i64);
+            *other = *cells.entry(cell).or_insert(*vertex);
         }
+        side *= COARSER;
     }
 }
 
 /// Side of the cells of a surface of as many cells as vertices are wanted.
-fn first_side(places: &[[f64; 3]], kept: &[usize]) -> f64 {
+fn first_side(places: &[[f64; 3]], used: &BTreeSet<usize>) -> f64 {
     let span = |axis: usize| {
-        let along = kept.iter().map(|vertex| places[*vertex][axis]);
+        let along = used.iter().map(|vertex| places[*vertex][axis]);
         along.clone().fold(f64::NEG_INFINITY, f64::max) - along.fold(f64::INFINITY, f64::min)
     };
     let [x, y, z] = [0, 1, 2].map(span);
@@ -46,14 +40,15 @@ fn first_side(places: &[[f64; 3]], kept: &[usize]) -> f64 {
 }
 
 fn renumbered(
-    kept: &[usize],
+    kept: Vec<usize>,
     merged: &BTreeMap<usize, usize>,
     triangles: &[[usize; 3]],
 ) -> (Vec<usize>, Vec<[usize; 3]>) {
     let number: HashMap<usize, usize> =
         kept.iter().enumerate().map(|(number, vertex)| (*vertex, number)).collect();
     let moved = triangles.iter().map(|triangle| triangle.map(|vertex| number[&merged[&vertex]]));
-    (kept.to_vec(), moved.filter(|[a, b, c]| a != b && b != c && c != a).collect())
+    let triangles = moved.filter(|[a, b, c]| a != b && b != c && c != a).collect();
+    (kept, triangles)
 }
 
 #[cfg(test)]

@@ -166,22 +166,8 @@ impl Surface {
         let (kept, triangles) = thinned(self.surface.vertices(), self.surface.triangles());
         let place =
             |vertex: &usize| [0, 1, 2].map(|axis| self.surface.vertices()[*vertex][axis] - center[axis]);
-        let vertices: Vec<[f64; 3]> = kept.iter().map(place).collect();
-        let moved: Vec<Vec<(usize, [f64; 3])>> = vertices.iter().map(|place| ritz.shapes(*place)).collect();
-        let count = moved.first().map_or(0, Vec::len);
-        let field =
-            |coordinate: usize| (coordinate, moved.iter().map(|shapes| shapes[coordinate].1).collect());
-        Visual {
-            element: id,
-            name: self.name.clone(),
-            kind: id.kind.words(),
-            shapes: (0..count).map(field).collect(),
-            vertices,
-            triangles,
-            lines: Vec::new(),
-            radius: None,
-            turning: None,
-        }
+        let vertices = kept.iter().map(place).collect();
+        Visual::surface((id, &self.name), (vertices, triangles), |place| ritz.shapes(place))
     }
 
     /// The vertices farthest along each axis, both ways.

@@ -55,9 +55,14 @@ pub enum Command {
     /// Answer the same question of many bodies: grids, random draws, a table of bodies
     #[command(after_help = "Example:\n  quasirigid sweep examples/damper-study/study.toml -o damper")]
     Sweep(SweepArgs),
-    /// Make the report of a record again, or the body in motion as a glTF file for other viewers
-    #[command(after_help = "Example:\n  quasirigid report spin --gltf spin.glb")]
+    /// Make the report of a record again, a comparison of several, or the body in motion as a glTF file for other viewers
+    #[command(
+        after_help = "Examples:\n  quasirigid report spin --open\n  quasirigid report light-damper heavy-damper -o comparison.html\n  quasirigid report spin --gltf spin.glb"
+    )]
     Report(Report),
+    /// Draw one figure of a record as a file for a paper or a slide; without a figure, list them
+    #[command(after_help = "Example:\n  quasirigid plot spin --figure nutation --format png")]
+    Plot(Plot),
     /// Print the references of what the model uses, as BibTeX
     #[command(after_help = "Example:\n  quasirigid cite examples/apophis/model.toml")]
     Cite(Cite),
@@ -112,6 +117,9 @@ pub struct RunArgs {
     /// Replace the folder if it is there
     #[arg(long)]
     pub overwrite: bool,
+    /// Open the report in the browser
+    #[arg(long)]
+    pub open: bool,
 }
 
 #[derive(Args, Debug)]
@@ -122,12 +130,15 @@ pub struct Check {
 
 #[derive(Args, Debug)]
 pub struct Report {
-    /// Folder of a record, as `quasirigid run` writes it
-    #[arg(value_name = "DIR")]
-    pub folder: PathBuf,
-    /// File of the report [default: report.html in the folder]
+    /// Folder of a record, as `quasirigid run` writes it; of several, they are put side by side
+    #[arg(value_name = "DIR", required = true)]
+    pub folders: Vec<PathBuf>,
+    /// File of the report [default: report.html in the folder; of several, comparison.html]
     #[arg(long, short, value_name = "FILE", conflicts_with = "gltf")]
     pub out: Option<PathBuf>,
+    /// Open the report in the browser
+    #[arg(long, conflicts_with = "gltf")]
+    pub open: bool,
     /// Write body and motion as a binary glTF file in the place of the report
     #[arg(long, value_name = "FILE.glb")]
     pub gltf: Option<PathBuf>,
@@ -143,6 +154,49 @@ pub struct Report {
     /// Print nothing but errors
     #[arg(long, short)]
     pub quiet: bool,
+}
+
+#[derive(Args, Debug)]
+pub struct Plot {
+    /// Folder of a record, as `quasirigid run` writes it
+    #[arg(value_name = "DIR")]
+    pub folder: PathBuf,
+    /// Name of the figure
+    #[arg(long, value_name = "NAME")]
+    pub figure: Option<String>,
+    /// Format of the picture [default: that of the file's name, or svg]
+    #[arg(long, value_enum, requires = "figure")]
+    pub format: Option<PictureFormat>,
+    /// File of the picture [default: the figure's name in the current folder]
+    #[arg(long, short, value_name = "FILE", requires = "figure")]
+    pub out: Option<PathBuf>,
+    /// Width of a PNG picture in pixels [default: 1600]
+    #[arg(long, value_name = "N", requires = "figure")]
+    pub pixels: Option<u32>,
+    /// Replace a file that is there
+    #[arg(long)]
+    pub overwrite: bool,
+    /// Print nothing but errors
+    #[arg(long, short)]
+    pub quiet: bool,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum PictureFormat {
+    /// Curves, for papers
+    Svg,
+    /// Pixels, for slides
+    Png,
+}
+
+impl PictureFormat {
+    /// Ending of the names of files.
+    pub fn ending(self) -> &'static str {
+        match self {
+            Self::Svg => "svg",
+            Self::Png => "png",
+        }
+    }
 }
 
 #[derive(Args, Debug)]

@@ -6,6 +6,7 @@ use std::path::PathBuf;
 use quasirigid_io::model::{ModelError, TargetError};
 use quasirigid_io::record::RecordError;
 use quasirigid_io::units::UnitError;
+use quasirigid_report::PngError;
 use quasirigid_study::sweep::SweepError;
 use quasirigid_study::{Setting, StudyError};
 use thiserror::Error;
@@ -39,6 +40,20 @@ pub enum Failure {
     Target { option: &'static str, cause: Box<TargetError> },
     #[error("{}: the record has no scene to draw; run the model again with this version", folder.display())]
     NoScene { folder: PathBuf },
+    #[error("{}: the record has no figure {name:?}; it has {}", folder.display(), known.join(", "))]
+    NoFigure { folder: PathBuf, name: String, known: Vec<&'static str> },
+    #[error("{}: the record has nothing that a figure could show", folder.display())]
+    NoFigures { folder: PathBuf },
+    #[error("{}: pictures are svg or png files; name the format with --format", path.display())]
+    PictureEnding { path: PathBuf },
+    #[error("--pixels belongs to PNG pictures; an SVG picture has any size")]
+    PixelsOfSvg,
+    #[error(transparent)]
+    Picture(#[from] PngError),
+    #[error("a glTF file shows one body in motion; name one record with --gltf")]
+    OneScene,
+    #[error("cannot open {path} in a browser: {cause}; open it by hand", path = path.display())]
+    Browser { path: PathBuf, cause: std::io::Error },
     #[error("{option} is {value}, but must be positive")]
     NotPositive { option: &'static str, value: f64 },
     #[error("cannot listen for Ctrl-C: {0}")]

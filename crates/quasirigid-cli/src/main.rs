@@ -44,6 +44,7 @@ fn main() -> ExitCode {
         Command::Verify(verify) => commands::verify::verify(verify),
         Command::Sweep(sweep) => commands::sweep::sweep(sweep),
         Command::Report(report) => commands::report::report(report),
+        Command::Plot(plot) => commands::plot::plot(plot),
         Command::Cite(cite) => commands::cite::cite(cite),
     };
     match result {

@@ -45,6 +45,11 @@ pub fn print(text: &str) -> Result<(), Failure> {
     out.write_all(visible(text).as_bytes()).and_then(|()| out.flush()).map_err(|cause| printed(cause.kind()))
 }
 
+/// Opens a page in the browser, without waiting for it.
+pub fn open(page: &Path) -> Result<(), Failure> {
+    open::that_detached(page).map_err(|cause| Failure::Browser { path: page.into(), cause: plain(cause) })
+}
+
 /// Writes to standard output, buffered, until Ctrl-C.
 pub fn to_stdout(
     interrupt: &Interrupt,

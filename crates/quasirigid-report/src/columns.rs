@@ -37,6 +37,12 @@ pub struct TimeUnit {
 }
 
 impl TimeUnit {
+    /// The unit that suits the longest of some tables.
+    pub fn of_longest<'a>(tables: impl Iterator<Item = &'a [Column]>) -> Self {
+        let units = tables.map(|columns| Self::of(columns, usize::MAX));
+        units.max_by(|a, b| a.length.total_cmp(&b.length)).unwrap_or(Self { name: "s".into(), length: 1.0 })
+    }
+
     /// The unit that suits the span of the first `rows` rows of the column `t`.
     pub fn of(columns: &[Column], rows: usize) -> Self {
         let Some(column) = column(columns, "t") else {

@@ -16,16 +16,25 @@
 struct ReadmeOfCrate;
 
 mod columns;
+mod comparison;
 mod figure;
+mod figures;
 mod gltf;
 mod number;
 mod page;
+#[cfg(feature = "png")]
+mod png;
 mod sections;
 mod sphere;
 mod study;
 mod verdict;
 mod viewer;
 
+pub use comparison::{Compared, comparison_page};
+pub use figures::{figure_names, picture};
 pub use gltf::{GltfOptions, gltf};
-pub use page::{page, sphere_picture};
+pub use page::page;
+#[cfg(feature = "png")]
+pub use png::{PngError, png};
+pub use sphere::sphere_picture;
 pub use study::study_page;

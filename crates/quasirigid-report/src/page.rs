@@ -1,7 +1,6 @@
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 use quasirigid_io::record::RunRecord;
 
-use crate::columns::main_history;
 use crate::sphere;
 use crate::viewer;
 
@@ -12,11 +11,11 @@ use crate::sections::{
 
 pub(crate) const STYLE: &str = include_str!("assets/page.css");
 pub(crate) const PALETTE: &str = include_str!("assets/palette.css");
-const SPHERE: &str = include_str!("assets/sphere.css");
-const SCRIPT: &str = include_str!("assets/plot.js");
+pub(crate) const SCRIPT: &str = include_str!("assets/plot.js");
 
 /// Content security policy: no resource from outside the page, as the browser enforces.
-pub(crate) const POLICY: &str = "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'";
+pub(crate) const POLICY: &str =
+    "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'; img-src data:";
 
 /// The report of a run: one HTML page that needs no other file.
 ///
@@ -34,7 +33,7 @@ pub fn page(record: &RunRecord) -> String {
                 meta http-equiv="Content-Security-Policy" content=(POLICY);
                 title { (record.model.name) " · quasirigid report" }
                 style {
-                    (PreEscaped(PALETTE)) (PreEscaped(STYLE)) (PreEscaped(SPHERE))
+                    (PreEscaped(PALETTE)) (PreEscaped(STYLE)) (PreEscaped(sphere::STYLE))
                     @if record.scene.is_some() { (PreEscaped(viewer::STYLE)) }
                 }
             }
@@ -60,13 +59,4 @@ pub fn page(record: &RunRecord) -> String {
         }
     };
     document.into_string()
-}
-
-/// The path of the angular momentum on its sphere, as an SVG file of its own: the report's last figure, for a paper or
-/// a slide. None if the record has no history, or lacks what the figure needs.
-pub fn sphere_picture(record: &RunRecord) -> Option<String> {
-    let drawing = sphere::drawing(&record.body, main_history(record)?)?.into_string();
-    let style = format!("<style>{PALETTE}{SPHERE}.sphere {{ font-family: system-ui, sans-serif; }}</style>");
-    let namespace = "<svg xmlns=\"http://www.w3.org/2000/svg\"";
-    Some(drawing.replacen("<svg", namespace, 1).replacen('>', &format!(">{style}"), 1))
 }

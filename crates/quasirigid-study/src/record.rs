@@ -163,6 +163,7 @@ pub fn history(
         work: run.last.work,
         energy_drift: run.last.energy_drift,
         momentum_drift: run.last.momentum_drift,
+        rows: samples.len() as u64,
         columns: columns(body.support(), samples, Some(nutating)),
     }
 }

@@ -5,6 +5,7 @@ pub mod cite;
 pub mod derive;
 pub mod evolve;
 pub mod modes;
+pub mod plot;
 pub mod report;
 pub mod run;
 pub mod simulate;

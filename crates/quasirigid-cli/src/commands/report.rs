@@ -1,4 +1,7 @@
+use std::path::{Path, PathBuf};
+
 use quasirigid_io::record::RunRecord;
+use quasirigid_report::{Compared, comparison_page};
 use quasirigid_study::report::{GltfOptions, gltf, page};
 
 use crate::args::Report;
@@ -8,29 +11,57 @@ use crate::{ExitStatus, output};
 
 /// Name of the report in the folder of its record.
 const REPORT: &str = "report.html";
+/// Name of the comparison of several records.
+const COMPARISON: &str = "comparison.html";
 
-/// Makes the report of a record again, or the body in motion as a glTF file.
+/// Makes the report of a record again, the comparison of several, or the body in motion as a glTF file.
 pub fn report(arguments: &Report) -> Result<ExitStatus, Failure> {
-    let Report { folder, out, gltf: model, duration, deformation, overwrite, quiet } = arguments;
+    let Report { folders, out, gltf: model, duration, deformation, open, overwrite, quiet } = arguments;
     // the report of a record is made by this program, and made again from the record alone
-    let (path, overwrite) = match out.as_ref().or(model.as_ref()) {
-        Some(path) => (path.clone(), *overwrite),
-        None => (folder.join(REPORT), true),
+    let (path, overwrite) = match (out.as_ref().or(model.as_ref()), folders.as_slice()) {
+        (Some(path), _) => (path.clone(), *overwrite),
+        (None, [folder]) => (folder.join(REPORT), true),
+        (None, _) => (PathBuf::from(COMPARISON), *overwrite),
     };
     output::check_file(&path, overwrite)?;
-    let record = RunRecord::read(folder)?;
-    let bytes = match model {
-        Some(_) => {
+    let bytes = match (model, folders.as_slice()) {
+        (Some(_), [folder]) => {
+            let record = RunRecord::read(folder)?;
             let scene = record.scene.as_ref().ok_or_else(|| Failure::NoScene { folder: folder.clone() })?;
             gltf(scene, &options(*duration, *deformation)?)
         }
-        None => page(&record).into_bytes(),
+        (Some(_), _) => return Err(Failure::OneScene),
+        (None, [folder]) => page(&RunRecord::read(folder)?).into_bytes(),
+        (None, folders) => comparison(folders)?.into_bytes(),
     };
     let placed = output::to_file(&path, overwrite, |out| out.write_all(&bytes))?;
     if !quiet {
         remark(&format!("wrote {}", placed.path.display()));
     }
+    if *open {
+        output::open(&placed.path)?;
+    }
     Ok(if placed.told(&path) { ExitStatus::Done } else { ExitStatus::CheckFailed })
+}
+
+fn comparison(folders: &[PathBuf]) -> Result<String, Failure> {
+    let records = folders.iter().map(|folder| RunRecord::read(folder)).collect::<Result<Vec<_>, _>>()?;
+    let labels = labels(folders);
+    let runs: Vec<Compared<'_>> =
+        labels.iter().zip(&records).map(|(label, record)| Compared { label, record }).collect();
+    Ok(comparison_page(&runs))
+}
+
+/// Names of the folders, or their paths where two have the same name.
+fn labels(folders: &[PathBuf]) -> Vec<String> {
+    let name = |folder: &Path| folder.file_name().map(|name| name.to_string_lossy().into_owned());
+    let names: Vec<String> =
+        folders.iter().map(|folder| name(folder).unwrap_or_else(|| folder.display().to_string())).collect();
+    let unique = |label: &String| names.iter().filter(|other| *other == label).count() == 1;
+    let label = |(name, folder): (&String, &PathBuf)| {
+        if unique(name) { name.clone() } else { folder.display().to_string() }
+    };
+    names.iter().zip(folders).map(label).collect()
 }
 
 fn options(duration: Option<f64>, deformation: Option<f64>) -> Result<GltfOptions, Failure> {

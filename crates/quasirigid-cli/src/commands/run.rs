@@ -11,6 +11,9 @@ use crate::output::Folder;
 use crate::progress::Terminal;
 use crate::{ExitStatus, output};
 
+/// Name of the report in the folder.
+const REPORT: &str = "report.html";
+
 /// The main job: check, reduce, propagate, and write the record with its report.
 pub fn run(arguments: &RunArgs) -> Result<ExitStatus, Failure> {
     let RunArgs { common, overwrite, .. } = arguments;
@@ -33,6 +36,9 @@ pub fn run(arguments: &RunArgs) -> Result<ExitStatus, Failure> {
         output::print(&format!("{:#}\n", serde_json::json!(found.record)))?;
     } else if !common.quiet {
         output::print(&summary::text(&found.record, &placed.path))?;
+    }
+    if arguments.open {
+        output::open(&placed.path.join(REPORT))?;
     }
     Ok(if found.holds && in_place { ExitStatus::Done } else { ExitStatus::CheckFailed })
 }

@@ -21,6 +21,7 @@ mod modes;
 #[cfg(unix)]
 mod odd_files;
 mod place;
+mod plot;
 mod run;
 mod run_folder;
 mod simulate;

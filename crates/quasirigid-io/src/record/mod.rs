@@ -280,8 +280,21 @@ pub struct HistoryRecord {
     /// Change of `|K|` made by the integrator alone, relative.
     #[serde(with = "number")]
     pub momentum_drift: f64,
-    /// Rows of the history, one array per column. The values are kept in a CSV file for each history.
+    /// Rows of the table on disk; zero in records of versions before this field.
+    #[serde(default)]
+    pub rows: u64,
+    /// Rows of the history, one array per column, or of a long one the rows with the extremes of each interval. The values are kept in
+    /// the table of each history.
     pub columns: Vec<Column>,
+}
+
+impl HistoryRecord {
+    /// Rows of the history, of which the columns hold all or the extremes.
+    #[must_use]
+    pub fn rows(&self) -> u64 {
+        let held = self.columns.first().map_or(0, |column| column.values.len());
+        self.rows.max(held as u64)
+    }
 }
 
 /// A column of a history or of the evolution.

@@ -105,7 +105,7 @@ prop_compose! {
         let [tolerance, revolutions, energy, dissipated, work, energy_drift, momentum_drift] = numbers;
         HistoryRecord {
             system: system.into(), form, method, status, message, tolerance, steps, rejected, revolutions,
-            energy, dissipated, dissipation, work, energy_drift, momentum_drift, columns,
+            energy, dissipated, dissipation, work, energy_drift, momentum_drift, rows: 0, columns,
         }
     }
 }
@@ -315,6 +315,7 @@ fn sample() -> RunRecord {
             work: 0.0,
             energy_drift: 0.0,
             momentum_drift: 0.0,
+            rows: 0,
             columns: vec![column("t", "s", [0.0, 0.1 + 0.2]), column("wx", "rad/s", [f64::NAN, -1e300])],
         }],
         verification: None,

@@ -64,6 +64,13 @@ impl Axis {
         Some(Self { low, high, power: 0, log: true })
     }
 
+    /// A logarithmic axis over the positive values, at most thirty decades, without a margin.
+    pub fn spanning(values: impl Iterator<Item = f64>) -> Option<Self> {
+        let (low, high) = range(values.filter(|&value| value > 0.0))?;
+        let high = high.log10();
+        Some(Self { low: low.log10().clamp(high - DECADES, high - NARROWEST), high, power: 0, log: true })
+    }
+
     /// An axis on which the finite values are spread: logarithmic for positive values over more than a decade and a half; none unless two
     /// values differ.
     pub fn fitting(values: impl Iterator<Item = f64> + Clone) -> Option<Self> {

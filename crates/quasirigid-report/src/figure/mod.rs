@@ -3,31 +3,37 @@
 mod axis;
 mod band;
 mod contour;
+mod data;
 mod frame;
 mod histogram;
 mod map;
+mod picture;
 mod trace;
 
 use maud::{Markup, html};
 
 use crate::number::unit_with_power;
 use axis::{Axis, Tick};
-use trace::{HEIGHT, Trace, WIDTH};
+use trace::{HEIGHT, PAGE, Trace, WIDTH};
 
 pub use band::{Stop, band};
 pub use histogram::histogram;
 pub use map::{Grid, map};
 
-/// A curve.
+/// A curve, or a set of points.
 pub struct Series {
     /// Label at the right end of the curve.
     pub label: String,
     /// CSS class of the colour, `s1` to `s4`.
     pub class: &'static str,
-    /// Places along the time axis.
+    /// Places along the horizontal axis.
     pub x: Vec<f64>,
     /// Values, one per place.
     pub y: Vec<f64>,
+    /// Rows of the record that the places stand for, where they are its extremes alone.
+    pub rows: u64,
+    /// Whether the places are points that no line joins.
+    pub points: bool,
 }
 
 /// A quantity with its unit, as an axis names it.
@@ -36,6 +42,16 @@ pub struct Quantity {
     pub name: &'static str,
     /// Unit.
     pub unit: String,
+    /// Whether its axis is logarithmic.
+    pub log: bool,
+}
+
+/// Link of the horizontal axis to those of other figures, which show the same range.
+pub struct Link {
+    /// Name of the group.
+    pub group: &'static str,
+    /// Length of the unit of the axis in that of the group.
+    pub factor: f64,
 }
 
 /// An event: a place on the horizontal axis with a label.
@@ -46,7 +62,7 @@ pub struct Mark {
     pub label: String,
 }
 
-/// A chart of curves against time.
+/// A chart of curves.
 pub struct Figure {
     /// Identifier within the page.
     pub id: &'static str,
@@ -58,8 +74,8 @@ pub struct Figure {
     pub x: Quantity,
     /// The vertical axis.
     pub y: Quantity,
-    /// Whether the vertical axis is logarithmic.
-    pub log: bool,
+    /// Link of the horizontal axis.
+    pub link: Option<Link>,
     /// The curves, the most important first: it is drawn over the others.
     pub series: Vec<Series>,
     /// Events, each drawn as a line across the curves.
@@ -69,20 +85,33 @@ pub struct Figure {
 impl Figure {
     /// The chart, or a sentence when it has nothing to draw.
     pub fn draw(&self) -> Markup {
-        let values = || self.series.iter().flat_map(|series| series.y.iter().copied());
-        let x = Axis::linear(self.series.iter().flat_map(|series| series.x.iter().copied()), 0.0);
-        let y = if self.log { Axis::logarithmic(values()) } else { Axis::linear(values(), 0.05) };
+        let axes = self.axes();
         html! {
             figure {
                 h3 { (self.title) }
-                @if let (Some(x), Some(y)) = (x, y) {
+                @if let Some([x, y]) = axes {
                     (self.chart(&x, &y))
                     figcaption { (self.caption) }
+                    (data::script(self, &x, &y))
                 } @else {
                     p.absent { "The record holds nothing that this figure could show." }
                 }
             }
         }
+    }
+
+    /// Whether a curve has a value.
+    pub fn has_curves(&self) -> bool {
+        self.axes().is_some()
+    }
+
+    /// The axes; none of a figure that has nothing to draw.
+    fn axes(&self) -> Option<[Axis; 2]> {
+        let values = || self.series.iter().flat_map(|series| series.y.iter().copied());
+        let places = || self.series.iter().flat_map(|series| series.x.iter().copied());
+        let x = if self.x.log { Axis::spanning(places()) } else { Axis::linear(places(), 0.0) };
+        let y = if self.y.log { Axis::logarithmic(values()) } else { Axis::linear(values(), 0.05) };
+        Some([x?, y?])
     }
 
     fn chart(&self, x: &Axis, y: &Axis) -> Markup {
@@ -99,12 +128,14 @@ impl Figure {
                     text.name.end x="100%" y="100%" dy="3.1em" { (x_name) }
                     svg viewBox={ "0 0 " (WIDTH) " " (HEIGHT) } preserveAspectRatio="none" width="100%" height="100%" {
                         @for series in self.series.iter().rev() {
-                            @let Trace { line, dots } = series.trace(x, y);
+                            @let Trace { line, dots } = series.trace(x, y, PAGE);
                             path.curve.(series.class) data-label=(series.label) d=(line) {}
                             path.dots.(series.class) d=(dots) {}
                         }
                     }
-                    (self.labels(y))
+                    @for (place, series) in self.labels(y) {
+                        text.label.(series.class) x="100%" y=(percent(place)) dx="0.6em" dy="0.35em" { (series.label) }
+                    }
                     @for mark in &self.marks { (mark.draw(x)) }
                 }
             }
@@ -112,26 +143,21 @@ impl Figure {
     }
 
     fn description(&self, x: &str, y: &str) -> String {
-        let labels: Vec<&str> = self.series.iter().map(|series| series.label.as_str()).collect();
+        let labels = self.series.iter().map(|series| series.label.as_str());
+        let labels: Vec<&str> = labels.filter(|label| !label.is_empty()).collect();
         format!("Curves of {}: {y} against {x}. {}", labels.join(", "), self.caption)
     }
 
-    /// The names of the curves at their right ends, pushed apart where they would overlap.
-    fn labels(&self, y: &Axis) -> Markup {
+    /// The curves with names at their right ends, by places from the top that are pushed apart where names would overlap.
+    fn labels(&self, y: &Axis) -> Vec<(f64, &Series)> {
         let end =
             |series: &Series| series.y.iter().rev().map(|&v| y.place(v)).find(|place| place.is_finite());
-        let mut labels: Vec<(f64, &Series)> = self
-            .series
-            .iter()
-            .filter_map(|series| Some((1.0 - end(series)?.clamp(0.0, 1.0), series)))
-            .collect();
+        let named = self.series.iter().filter(|series| !series.label.is_empty());
+        let mut labels: Vec<(f64, &Series)> =
+            named.filter_map(|series| Some((1.0 - end(series)?.clamp(0.0, 1.0), series))).collect();
         labels.sort_by(|a, b| a.0.total_cmp(&b.0));
         let places = apart(labels.iter().map(|label| label.0).collect());
-        html! {
-            @for (place, (_, series)) in places.into_iter().zip(labels) {
-                text.label.(series.class) x="100%" y=(percent(place)) dx="0.6em" dy="0.35em" { (series.label) }
-            }
-        }
+        places.into_iter().zip(labels).map(|(place, (_, series))| (place, series)).collect()
     }
 }
 
@@ -158,9 +184,21 @@ impl Quantity {
 }
 
 impl Series {
-    fn trace(&self, x: &Axis, y: &Axis) -> Trace {
-        let places = |(&t, &value): (&f64, &f64)| (x.place(t), y.place(value));
-        Trace::new(self.x.iter().zip(&self.y).map(places))
+    /// A curve through all rows of a table.
+    pub fn line(label: &str, class: &'static str, x: Vec<f64>, y: Vec<f64>) -> Self {
+        let rows = x.len() as u64;
+        Self { label: label.into(), class, x, y, rows, points: false }
+    }
+
+    /// The curve as the extremes of so many rows of a record.
+    pub fn of_rows(mut self, rows: u64) -> Self {
+        self.rows = rows;
+        self
+    }
+
+    fn trace(&self, x: &Axis, y: &Axis, size: [f64; 2]) -> Trace {
+        let places = self.x.iter().zip(&self.y).map(|(&t, &value)| (x.place(t), y.place(value)));
+        if self.points { Trace::of_points(size, places) } else { Trace::new(size, places) }
     }
 }
 

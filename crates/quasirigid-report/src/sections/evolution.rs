@@ -6,15 +6,13 @@ use std::f64::consts::TAU;
 
 use maud::{Markup, html};
 use quasirigid_io::record::{
-    ApproachRecord, Column, CrossingRecord, EstimateRecord, EvolutionRecord, HarmonicRecord, ObservedRecord,
+    ApproachRecord, CrossingRecord, EstimateRecord, EvolutionRecord, HarmonicRecord, ObservedRecord,
 };
 
 use super::answer::tile;
-use super::curve::{Curve, unit};
 use super::dissipation::bars;
 use super::table::{facts, first, table};
-use crate::columns::{TimeUnit, column};
-use crate::figure::{Figure, Mark, Quantity, Series};
+use crate::figures::evolution::{map, nutation, power as power_figure};
 use crate::number::{digits, duration, percent, short, tidy};
 use crate::verdict::Verdict;
 
@@ -22,15 +20,12 @@ use crate::verdict::Verdict;
 const MOST: usize = 12;
 /// Relative error of a time below which the error is not mentioned.
 const EXACT: f64 = 1e-6;
-/// Resonances marked in the map.
-const MARKED: usize = 4;
 
 /// The rotation over many revolutions: the answer, its numbers, nutation and power against time, and the dissipators.
 pub fn section(evolution: &EvolutionRecord) -> Markup {
     if evolution.status == "refused" {
         return html! { section aria-label="Over many revolutions" { h2 { "Over many revolutions" } (sentence(evolution)) } };
     }
-    let columns = with_gaps(&evolution.columns);
     html! {
         section aria-label="Over many revolutions" {
             h2 { "Over many revolutions" }
@@ -44,9 +39,9 @@ pub fn section(evolution: &EvolutionRecord) -> Markup {
                 (mode(evolution))
                 (power(evolution))
             }
-            (nutation_figure(evolution, &columns).draw())
-            (power_figure(evolution, &columns).draw())
-            (map(evolution, &columns).draw())
+            (nutation(evolution).draw())
+            (power_figure(evolution).draw())
+            (map(evolution).draw())
             (bars("What dissipates at the start", &evolution.dissipation))
             (harmonics(&evolution.harmonics))
             (resonances(&evolution.resonances, evolution.approach.as_ref()))
@@ -145,105 +140,6 @@ fn power(evolution: &EvolutionRecord) -> Markup {
 /// A time to an event, or "never" where it is infinite.
 fn until(seconds: f64) -> String {
     if seconds == f64::INFINITY { "never".into() } else { duration(seconds) }
-}
-
-/// The columns with a gap wherever the angular momentum comes to circle another axis: a curve jumps there.
-fn with_gaps(columns: &[Column]) -> Vec<Column> {
-    let axes = column(columns, "circled_axis").map_or(&[][..], |column| &column.values);
-    let changes =
-        |row: usize| matches!(axes.get(row.wrapping_sub(1)..=row), Some([a, b]) if (a - b).abs() > 0.5);
-    let with_gaps = |column: &Column| {
-        let mut values = Vec::with_capacity(column.values.len());
-        for (row, &value) in column.values.iter().enumerate() {
-            if changes(row) {
-                values.push(if column.name == "t" { column.values[row - 1] } else { f64::NAN });
-            }
-            values.push(value);
-        }
-        Column { values, ..column.clone() }
-    };
-    columns.iter().map(with_gaps).collect()
-}
-
-fn nutation_figure(evolution: &EvolutionRecord, columns: &[Column]) -> Figure {
-    let time = TimeUnit::of(columns, usize::MAX);
-    let curves = [
-        Curve { name: "nutation_max", label: "max", class: "s1" },
-        Curve { name: "nutation_min", label: "min", class: "s2" },
-    ];
-    Figure {
-        id: "evolution-nutation",
-        title: "Nutation over many revolutions",
-        caption: format!(
-            "Greatest and least angle between the angular momentum and the axis that it circles, in one period of the \
-             wobble.{}",
-            if evolution.separatrix_time.is_some() { " At the separatrix that axis changes." } else { "" }
-        ),
-        series: curves.iter().filter_map(|curve| curve.series(columns, &time, f64::to_degrees)).collect(),
-        marks: separatrix_mark(evolution, &time),
-        x: Quantity { name: "t", unit: time.name },
-        y: Quantity { name: "nutation", unit: "°".into() },
-        log: false,
-    }
-}
-
-fn power_figure(evolution: &EvolutionRecord, columns: &[Column]) -> Figure {
-    let time = TimeUnit::of(columns, usize::MAX);
-    let curve = Curve { name: "power", label: "power", class: "s1" };
-    Figure {
-        id: "evolution-power",
-        title: "Mean power dissipated over many revolutions",
-        caption: format!(
-            "{}{}",
-            if evolution.road == "direct" {
-                "Taken over the interval from row to row of the full system; it vanishes with the wobble."
-            } else {
-                "Averaged over the wobble; it vanishes with it."
-            },
-            if evolution.separatrix_time.is_some() {
-                " It dips at the separatrix, where the spin lingers near the middle axis."
-            } else {
-                ""
-            }
-        ),
-        series: curve.series(columns, &time, |power| power).into_iter().collect(),
-        marks: separatrix_mark(evolution, &time),
-        x: Quantity { name: "t", unit: time.name },
-        y: Quantity { name: "power", unit: unit(columns, "power") },
-        log: true,
-    }
-}
-
-fn separatrix_mark(evolution: &EvolutionRecord, time: &TimeUnit) -> Vec<Mark> {
-    let mark = |seconds| Mark { x: seconds / time.length, label: "separatrix".into() };
-    evolution.separatrix_time.map(mark).into_iter().collect()
-}
-
-/// Power against `D/I₃` instead of time, with the resonances marked.
-fn map(evolution: &EvolutionRecord, columns: &[Column]) -> Figure {
-    let curves = [("power", "followed", "s1"), ("polynomial_power", "reduced", "s2")];
-    let series = |(name, label, class): (&str, &str, &'static str)| {
-        let x = column(columns, "D_over_I3")?.values.clone();
-        let y = column(columns, name)?.values.clone();
-        Some(Series { label: label.into(), class, x, y })
-    };
-    let crossing = |crossing: &CrossingRecord| Mark {
-        x: crossing.ratio,
-        label: format!("{} Ωₚ = {} rad/s", crossing.harmonic, digits(crossing.frequency, 3)),
-    };
-    Figure {
-        id: "evolution-map",
-        title: "Mean power over the way",
-        caption: "From the axis of least inertia towards that of greatest, D/I₃ = 1: the power that was followed, and that of the \
-                  reduced equations, which know no resonance. Lines mark where a harmonic of the wobble meets an elastic \
-                  frequency."
-            .into(),
-        series: curves.into_iter().filter_map(series).collect(),
-        marks: evolution.resonances.iter().take(MARKED).map(crossing).collect(),
-        x: Quantity { name: "D/I₃", unit: "1".into() },
-        y: Quantity { name: "power", unit: unit(columns, "power") },
-        log: true,
-    }
 }
 
 fn harmonics(harmonics: &[HarmonicRecord]) -> Markup {

@@ -2,8 +2,7 @@
 
 pub mod answer;
 pub mod body;
-mod curve;
-mod dissipation;
+pub mod dissipation;
 pub mod evolution;
 pub mod figures;
 pub mod head;
@@ -12,6 +11,6 @@ pub mod modes;
 pub mod overview;
 pub mod provenance;
 pub mod reduction;
-mod table;
+pub mod table;
 pub mod validity;
 pub mod verification;

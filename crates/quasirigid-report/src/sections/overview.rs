@@ -85,7 +85,7 @@ pub fn facts(record: &RunRecord) -> Markup {
 }
 
 /// The evolution, where it has an answer.
-fn answered(record: &RunRecord) -> Option<&EvolutionRecord> {
+pub fn answered(record: &RunRecord) -> Option<&EvolutionRecord> {
     let told = |evolution: &&EvolutionRecord| {
         !matches!(
             evolution.status.as_str(),
@@ -172,7 +172,7 @@ fn time_constants(spin: &SteadySpinRecord) -> Markup {
 
 /// Shares of the dissipators: over the run, else at the start of the evolution, else at the initial spin. Reduced equations that do not hold
 /// tell none.
-fn shares(record: &RunRecord, shown: Verdict) -> Option<(&'static str, &BTreeMap<String, f64>)> {
+pub fn shares(record: &RunRecord, shown: Verdict) -> Option<(&'static str, &BTreeMap<String, f64>)> {
     let run = main_history(record).map(|history| ("Over the run.", &history.dissipation));
     let start = answered(record).map(|evolution| ("At the start.", &evolution.dissipation));
     let reduction = ("At the initial spin.", &record.reduction.dissipation);

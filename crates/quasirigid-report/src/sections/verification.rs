@@ -6,12 +6,9 @@ use maud::{Markup, html};
 use quasirigid_io::record::{AverageRecord, OrderRecord, VerificationRecord};
 
 use super::table::table;
-use crate::figure::{Figure, Quantity, Series};
+use crate::figures::verification::convergence;
 use crate::number::{digits, duration, short, tidy};
 use crate::verdict::Verdict;
-
-/// Colours of curves, which limit the number of orders drawn together.
-const COLOURS: [&str; 4] = ["s1", "s2", "s3", "s4"];
 
 /// The reduced equations against the full ones: the difference, and its fall as the body is stiffened.
 pub fn section(verification: &VerificationRecord) -> Markup {
@@ -44,27 +41,6 @@ fn mean_power(AverageRecord { errors, order, expected, reached, .. }: &AverageRe
             " in ε, expected " (expected) ". "
             @if !*reached { strong.warning { "Not reached." } }
         }
-    }
-}
-
-fn convergence(orders: &[OrderRecord]) -> Figure {
-    let curves = orders.iter().filter(|row| row.form == "momentum").zip(COLOURS).map(|(row, class)| Series {
-        label: format!("p = {}", row.p),
-        class,
-        x: row.epsilons.iter().map(|epsilon| -epsilon.log2()).collect(),
-        y: row.errors.clone(),
-    });
-    Figure {
-        id: "convergence",
-        title: "Difference in spin as the body is stiffened",
-        caption: "Largest difference between the full and the reduced system, relative to the spin. Each halving of ε divides \
-                  it by 2ᵖ⁺¹, until rounding levels it."
-            .into(),
-        series: curves.collect(),
-        x: Quantity { name: "halvings of ε", unit: "1".into() },
-        y: Quantity { name: "difference", unit: "1".into() },
-        log: true,
-        marks: Vec::new(),
     }
 }
 

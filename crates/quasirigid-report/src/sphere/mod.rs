@@ -1,5 +1,6 @@
 //! The path of the angular momentum on its sphere, seen from the body.
 
+mod picture;
 mod rigid_polhodes;
 mod stretches;
 mod vector;
@@ -8,10 +9,14 @@ mod view;
 use maud::{Markup, html};
 use quasirigid_io::record::{BodyRecord, HistoryRecord};
 
+pub use picture::sphere_picture;
 use rigid_polhodes::polhodes;
 use stretches::{momentum_directions, pieces};
 use vector::{Vector, combined, dot};
 use view::{Halves, RADIUS, Spot, View};
+
+/// Style of the figure.
+pub const STYLE: &str = include_str!("../assets/sphere.css");
 
 /// The part of the plane that is drawn: left, top, width, height.
 const VIEW_BOX: &str = "-280 -205 560 390";
@@ -38,11 +43,6 @@ pub fn figure(body: &BodyRecord, history: &HistoryRecord) -> Markup {
             }
         }
     }
-}
-
-/// The drawing alone; none if the record lacks the data.
-pub fn drawing(body: &BodyRecord, history: &HistoryRecord) -> Option<Markup> {
-    Scene::new(body, history).map(|scene| scene.draw())
 }
 
 struct Scene {

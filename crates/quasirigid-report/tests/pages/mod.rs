@@ -1,4 +1,5 @@
 //! Contents of a page, of a record as a run leaves it and of any other.
 
 mod any_record;
+mod comparison;
 mod page;

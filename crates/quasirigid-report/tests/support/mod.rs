@@ -145,6 +145,7 @@ pub fn history(system: &str, rows: usize, duration: f64, alpha: f64) -> HistoryR
         work: 0.0,
         energy_drift: last("energy_drift"),
         momentum_drift: last("momentum_drift"),
+        rows: rows as u64,
         system: system.into(),
         columns,
     }

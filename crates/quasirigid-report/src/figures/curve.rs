@@ -6,6 +6,7 @@ use crate::columns::{TimeUnit, column};
 use crate::figure::Series;
 
 /// A column to draw against the column `t`.
+#[derive(Clone, Copy)]
 pub struct Curve<'a> {
     /// Name of the column.
     pub name: &'a str,
@@ -20,7 +21,7 @@ impl Curve<'_> {
     pub fn series(&self, columns: &[Column], time: &TimeUnit, value: fn(f64) -> f64) -> Option<Series> {
         let x = column(columns, "t")?.values.iter().map(|t| t / time.length).collect();
         let y = column(columns, self.name)?.values.iter().map(|&v| value(v)).collect();
-        Some(Series { label: self.label.into(), class: self.class, x, y })
+        Some(Series::line(self.label, self.class, x, y))
     }
 }
 

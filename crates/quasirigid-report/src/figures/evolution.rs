@@ -1,0 +1,145 @@
+//! Figures of the evolution: nutation and power against time, power against `D/I₃` with the resonances.
+
+use quasirigid_io::record::{Column, CrossingRecord, EvolutionRecord};
+
+use super::curve::{Curve, unit};
+use crate::columns::{TimeUnit, column, ends};
+use crate::figure::{Figure, Link, Mark, Quantity, Series};
+use crate::number::digits;
+
+/// Resonances marked in the map.
+const MARKED: usize = 4;
+/// Ratio of the time at the end to that of the first row after the start from which the axis is logarithmic.
+const LONG: f64 = 300.0;
+/// Least time of a logarithmic axis over the time at the end.
+const EARLIEST: f64 = 1e-6;
+
+/// Nutation against time, on a logarithmic axis where the rows span many decades.
+pub fn nutation(evolution: &EvolutionRecord) -> Figure {
+    let columns = with_gaps(&evolution.columns);
+    let time = TimeUnit::of(&columns, usize::MAX);
+    let curves = [
+        Curve { name: "nutation_max", label: "max", class: "s1" },
+        Curve { name: "nutation_min", label: "min", class: "s2" },
+    ];
+    let mut series: Vec<Series> =
+        curves.iter().filter_map(|curve| curve.series(&columns, &time, f64::to_degrees)).collect();
+    let log = spans_decades(&columns);
+    if log {
+        series.iter_mut().for_each(without_the_start);
+    }
+    Figure {
+        id: "evolution-nutation",
+        title: "Nutation over many revolutions",
+        caption: format!(
+            "Greatest and least angle between the angular momentum and the axis that it circles, in one period of the \
+             nutation.{}",
+            if evolution.separatrix_time.is_some() { " At the separatrix that axis changes." } else { "" }
+        ),
+        series,
+        marks: separatrix_mark(evolution, &time),
+        link: Some(Link { group: "evolution", factor: time.length }),
+        x: Quantity { name: "t", unit: time.name, log },
+        y: Quantity { name: "nutation", unit: "°".into(), log: false },
+    }
+}
+
+/// Mean power against time.
+pub fn power(evolution: &EvolutionRecord) -> Figure {
+    let columns = with_gaps(&evolution.columns);
+    let time = TimeUnit::of(&columns, usize::MAX);
+    let curve = Curve { name: "power", label: "power", class: "s1" };
+    let mut series: Vec<Series> = curve.series(&columns, &time, |power| power).into_iter().collect();
+    let log = spans_decades(&columns);
+    if log {
+        series.iter_mut().for_each(without_the_start);
+    }
+    Figure {
+        id: "evolution-power",
+        title: "Mean power dissipated over many revolutions",
+        caption: format!(
+            "{}{}",
+            if evolution.road == "direct" {
+                "Taken over the interval from row to row of the full system; it vanishes with the nutation."
+            } else {
+                "Averaged over the nutation; it vanishes with it."
+            },
+            if evolution.separatrix_time.is_some() {
+                " It dips at the separatrix, where the spin lingers near the middle axis."
+            } else {
+                ""
+            }
+        ),
+        series,
+        marks: separatrix_mark(evolution, &time),
+        link: Some(Link { group: "evolution", factor: time.length }),
+        x: Quantity { name: "t", unit: time.name, log },
+        y: Quantity { name: "power", unit: unit(&columns, "power"), log: true },
+    }
+}
+
+/// Power against `D/I₃` instead of time, with the resonances marked.
+pub fn map(evolution: &EvolutionRecord) -> Figure {
+    let columns = with_gaps(&evolution.columns);
+    let curves = [("power", "followed", "s1"), ("polynomial_power", "reduced", "s2")];
+    let series = |(name, label, class): (&str, &str, &'static str)| {
+        let x = column(&columns, "D_over_I3")?.values.clone();
+        let y = column(&columns, name)?.values.clone();
+        Some(Series::line(label, class, x, y))
+    };
+    let crossing = |crossing: &CrossingRecord| Mark {
+        x: crossing.ratio,
+        label: format!("{} Ωₚ = {} rad/s", crossing.harmonic, digits(crossing.frequency, 3)),
+    };
+    Figure {
+        id: "evolution-map",
+        title: "Mean power along the evolution",
+        caption: "From the axis of least inertia towards that of greatest, D/I₃ = 1: the power that was followed, and that of the \
+                  reduced equations, which know no resonance. Lines mark where a harmonic of the nutation meets an elastic \
+                  frequency."
+            .into(),
+        series: curves.into_iter().filter_map(series).collect(),
+        marks: evolution.resonances.iter().take(MARKED).map(crossing).collect(),
+        link: None,
+        x: Quantity { name: "D/I₃", unit: "1".into(), log: false },
+        y: Quantity { name: "power", unit: unit(&columns, "power"), log: true },
+    }
+}
+
+/// Whether the rows after the start span so many decades of time that a logarithmic axis shows more.
+fn spans_decades(columns: &[Column]) -> bool {
+    let Some(t) = column(columns, "t") else { return false };
+    let after = t.values.iter().copied().filter(|t| *t > 0.0);
+    ends(after).is_some_and(|(first, last)| last > LONG * first)
+}
+
+/// Leaves out the rows that a logarithmic axis cannot show, or that would fill it with the first moments.
+fn without_the_start(series: &mut Series) {
+    let last = series.x.iter().copied().filter(|t| t.is_finite()).fold(0.0, f64::max);
+    let early = series.x.iter().take_while(|t| **t < EARLIEST * last).count();
+    series.x.drain(..early);
+    series.y.drain(..early.min(series.y.len()));
+}
+
+fn separatrix_mark(evolution: &EvolutionRecord, time: &TimeUnit) -> Vec<Mark> {
+    let mark = |seconds| Mark { x: seconds / time.length, label: "separatrix".into() };
+    evolution.separatrix_time.map(mark).into_iter().collect()
+}
+
+/// The columns with a gap wherever the angular momentum comes to circle another axis: a curve jumps there.
+fn with_gaps(columns: &[Column]) -> Vec<Column> {
+    let axes = column(columns, "circled_axis").map_or(&[][..], |column| &column.values);
+    let changes =
+        |row: usize| matches!(axes.get(row.wrapping_sub(1)..=row), Some([a, b]) if (a - b).abs() > 0.5);
+    let with_gaps = |column: &Column| {
+        let mut values = Vec::with_capacity(column.values.len());
+        for (row, &value) in column.values.iter().enumerate() {
+            if changes(row) {
+                values.push(if column.name == "t" { column.values[row - 1] } else { f64::NAN });
+            }
+            values.push(value);
+        }
+        Column { values, ..column.clone() }
+    };
+    columns.iter().map(with_gaps).collect()
+}

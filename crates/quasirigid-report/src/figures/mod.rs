@@ -1,0 +1,47 @@
+//! Figures of a record by name, for its page, for pictures of papers and for the comparison of runs.
+
+mod curve;
+pub mod evolution;
+pub mod history;
+pub mod verification;
+
+use quasirigid_io::record::RunRecord;
+
+use crate::columns::main_history;
+use crate::figure::Figure;
+use crate::sphere::sphere_picture;
+
+/// Name of the figure of the angular momentum on its sphere.
+const SPHERE: &str = "sphere";
+
+/// Every figure that a record has something to draw in.
+pub fn all(record: &RunRecord) -> Vec<Figure> {
+    let mut figures = Vec::new();
+    if let Some(history) = main_history(record) {
+        figures.push(history::spin(history));
+        figures.extend(history::first_revolutions(history));
+        figures.push(history::energy(history));
+        figures.push(history::nutation(record, history));
+        figures.extend(history::difference(record));
+    }
+    if let Some(secular) = &record.evolution {
+        figures.extend([evolution::nutation(secular), evolution::power(secular), evolution::map(secular)]);
+    }
+    figures.extend(record.verification.iter().map(|found| verification::convergence(&found.orders)));
+    figures.retain(Figure::has_curves);
+    figures
+}
+
+/// Names of the figures of a record that [`picture`] draws.
+pub fn figure_names(record: &RunRecord) -> Vec<&'static str> {
+    let sphere = sphere_picture(record).map(|_| SPHERE);
+    all(record).iter().map(|figure| figure.id).chain(sphere).collect()
+}
+
+/// A figure of a record as an SVG file of its own, for a paper or a slide; none if the record has nothing to draw in a figure of that name.
+pub fn picture(record: &RunRecord, name: &str) -> Option<String> {
+    if name == SPHERE {
+        return sphere_picture(record);
+    }
+    all(record).iter().find(|figure| figure.id == name)?.picture()
+}

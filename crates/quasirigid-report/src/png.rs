@@ -1,0 +1,66 @@
+//! Pictures in pixels from SVG files of figures, by resvg with the fonts of the machine.
+
+use std::sync::Arc;
+
+use resvg::tiny_skia::{Pixmap, Transform};
+use resvg::usvg::fontdb::Database;
+use resvg::usvg::{Options, Tree};
+use thiserror::Error;
+
+/// Failure to make a picture in pixels.
+#[derive(Clone, Debug, Error, PartialEq)]
+pub enum PngError {
+    /// The machine has no font to draw text with.
+    #[error("this machine has no fonts to draw the words of a PNG picture with; make an SVG picture")]
+    NoFonts,
+    /// The size is out of range.
+    #[error("a picture can be {least} to {most} pixels wide, not {pixels}")]
+    Size {
+        /// Width asked for.
+        pixels: u32,
+        /// Least width.
+        least: u32,
+        /// Greatest width.
+        most: u32,
+    },
+    /// The SVG file is not one that can be drawn.
+    #[error("the picture could not be drawn: {0}")]
+    Drawing(String),
+}
+
+/// Widths of pictures.
+const LEAST: u32 = 64;
+const MOST: u32 = 16_384;
+/// Families tried for the words, the first that the machine has.
+const FAMILIES: [&str; 5] = ["Helvetica", "Arial", "Liberation Sans", "DejaVu Sans", "Noto Sans"];
+
+/// An SVG file of a figure as a PNG file of this width in pixels, on its own background.
+///
+/// # Errors
+/// [`PngError`].
+pub fn png(svg: &str, pixels: u32) -> Result<Vec<u8>, PngError> {
+    if !(LEAST..=MOST).contains(&pixels) {
+        return Err(PngError::Size { pixels, least: LEAST, most: MOST });
+    }
+    let drawing = |cause: &dyn std::fmt::Display| PngError::Drawing(cause.to_string());
+    let options = Options { fontdb: Arc::new(fonts()?), ..Options::default() };
+    let tree = Tree::from_str(svg, &options).map_err(|cause| drawing(&cause))?;
+    let scale = pixels as f32 / tree.size().width();
+    let height = (tree.size().height() * scale).round().max(1.0) as u32;
+    let mut picture = Pixmap::new(pixels, height).ok_or_else(|| drawing(&"it has no size"))?;
+    resvg::render(&tree, Transform::from_scale(scale, scale), &mut picture.as_mut());
+    picture.encode_png().map_err(|cause| drawing(&cause))
+}
+
+/// The fonts of the machine, with one that is there for words without a family.
+fn fonts() -> Result<Database, PngError> {
+    let mut fonts = Database::new();
+    fonts.load_system_fonts();
+    let named =
+        |family: &&str| fonts.faces().any(|face| face.families.iter().any(|(name, _)| name == family));
+    let any = || fonts.faces().find_map(|face| face.families.first().map(|(name, _)| name.clone()));
+    let known = FAMILIES.iter().find(|family| named(family)).map(|family| (*family).to_owned());
+    let family = known.or_else(any).ok_or(PngError::NoFonts)?;
+    fonts.set_sans_serif_family(family);
+    Ok(fonts)
+}

@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use quasirigid_io::model::{ModelError, TargetError};
 use quasirigid_io::record::RecordError;
 use quasirigid_io::units::UnitError;
-use quasirigid_report::PngError;
+use quasirigid_study::report::PngError;
 use quasirigid_study::sweep::SweepError;
 use quasirigid_study::{Setting, StudyError};
 use thiserror::Error;

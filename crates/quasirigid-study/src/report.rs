@@ -1,3 +1,5 @@
-//! Reports: what is made of a record alone, the page and the body in motion.
+//! Reports: what is made of records alone, the page, the comparison of several, single figures, and the body in motion.
 
-pub use quasirigid_report::{GltfOptions, gltf, page};
+pub use quasirigid_report::{Compared, GltfOptions, comparison_page, figure_names, gltf, page, picture};
+#[cfg(feature = "png")]
+pub use quasirigid_report::{PngError, png};

@@ -1,7 +1,7 @@
 use std::path::{Path, PathBuf};
 
 use quasirigid_io::record::RunRecord;
-use quasirigid_report::{figure_names, picture, png};
+use quasirigid_study::report::{figure_names, picture, png};
 
 use crate::args::{PictureFormat, Plot};
 use crate::failure::Failure;

@@ -1,8 +1,8 @@
 use std::path::{Path, PathBuf};
 
 use quasirigid_io::record::RunRecord;
-use quasirigid_report::{Compared, comparison_page};
-use quasirigid_study::report::{GltfOptions, gltf, page};
+
+use quasirigid_study::report::{Compared, GltfOptions, comparison_page, gltf, page};
 
 use crate::args::Report;
 use crate::failure::Failure;

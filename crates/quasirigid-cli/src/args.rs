@@ -8,6 +8,7 @@ use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use quasirigid::dynamics::{Form, Method};
 use quasirigid_io::model::{EvolveMethod, Named, Power, System};
+use quasirigid_io::record::TableFormat;
 use quasirigid_study::modes::PrincipalAxis;
 use quasirigid_study::sweep::Shard;
 
@@ -114,6 +115,9 @@ pub struct RunArgs {
     /// Folder for the record and report.html [default: the model's name with -run]
     #[arg(long, short, value_name = "DIR")]
     pub out: Option<PathBuf>,
+    /// Formats of the tables, separated by commas [default: csv, or parquet for histories over 100000 rows]
+    #[arg(long, value_name = "FORMAT", value_delimiter = ',', value_parser = named::<TableFormat>())]
+    pub tables: Option<Vec<TableFormat>>,
     /// Replace the folder if it is there
     #[arg(long)]
     pub overwrite: bool,
@@ -257,7 +261,7 @@ pub struct Simulate {
     #[arg(conflicts_with_all = ["duration", "samples"])]
     pub times: Option<Vec<f64>>,
     /// Format of the table
-    #[arg(long, value_enum, default_value_t = TableFormat::Csv)]
+    #[arg(long, value_parser = named::<TableFormat>(), default_value = TableFormat::Csv.name())]
     pub format: TableFormat,
     /// File for the table [default: standard output, or none with --json]
     #[arg(long, value_name = "FILE")]
@@ -265,11 +269,6 @@ pub struct Simulate {
     /// Replace the file if it is there
     #[arg(long)]
     pub overwrite: bool,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum TableFormat {
-    Csv,
 }
 
 #[derive(Args, Debug)]

@@ -50,6 +50,8 @@ pub enum Failure {
     PixelsOfSvg,
     #[error(transparent)]
     Picture(#[from] PngError),
+    #[error("{format} is no text for a terminal; name a file with --out")]
+    BinaryOnTerminal { format: &'static str },
     #[error("a glTF file shows one body in motion; name one record with --gltf")]
     OneScene,
     #[error("cannot open {path} in a browser: {cause}; open it by hand", path = path.display())]

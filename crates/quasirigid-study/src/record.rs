@@ -164,6 +164,7 @@ pub fn history(
         energy_drift: run.last.energy_drift,
         momentum_drift: run.last.momentum_drift,
         rows: samples.len() as u64,
+        log: None,
         columns: columns(body.support(), samples, Some(nutating)),
     }
 }

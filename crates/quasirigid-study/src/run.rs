@@ -55,7 +55,7 @@ impl RunOutcome {
     /// # Errors
     /// [`StudyError::Record`] and [`StudyError::Write`].
     pub fn write(&self, folder: &Path) -> Result<(), StudyError> {
-        self.record.write(folder)?;
+        self.record.write(folder, self.record.usual_formats())?;
         self.files().into_iter().try_for_each(|(name, text)| {
             let path = folder.join(name);
             fs::write(&path, text).map_err(|cause| StudyError::Write { path, cause })

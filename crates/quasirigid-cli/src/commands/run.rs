@@ -28,7 +28,8 @@ pub fn run(arguments: &RunArgs) -> Result<ExitStatus, Failure> {
     let interrupt = Interrupt::listen()?;
     let found = study.run(&asked, &mut Terminal::new(&interrupt, common.quiet))?;
     let folder = Folder::new(&path, *overwrite)?;
-    found.record.write(&folder.building())?;
+    let formats = arguments.tables.as_deref().unwrap_or(found.record.usual_formats());
+    found.record.write(&folder.building(), formats)?;
     found.files().iter().try_for_each(|(name, text)| folder.write(name, text))?;
     let placed = folder.finish()?;
     let in_place = placed.told(&path);

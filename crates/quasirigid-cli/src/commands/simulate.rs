@@ -1,9 +1,11 @@
+use std::io::{IsTerminal, Write};
+
 use quasirigid::dynamics::Outcome;
-use quasirigid_io::record::{Column, history_csv};
+use quasirigid_io::record::{Column, TableFormat, history_csv};
 use quasirigid_study::histories::{History, Table};
 
 use super::{notes, open, propagation};
-use crate::args::{Simulate, TableFormat};
+use crate::args::Simulate;
 use crate::failure::Failure;
 use crate::interrupt::Interrupt;
 use crate::message::remark;
@@ -17,8 +19,12 @@ pub fn simulate(arguments: &Simulate) -> Result<ExitStatus, Failure> {
     notes(&study, common);
     study.initial()?;
     let asked = propagation(&arguments.propagation)?;
-    if let Some(path) = out {
-        output::check_file(path, *overwrite)?;
+    match out {
+        Some(path) => output::check_file(path, *overwrite)?,
+        None if arguments.format != TableFormat::Csv && !common.json && std::io::stdout().is_terminal() => {
+            return Err(Failure::BinaryOnTerminal { format: arguments.format.ending() });
+        }
+        None => {}
     }
     let table = Table {
         system: arguments.system,
@@ -51,14 +57,21 @@ fn tell_end(history: &History) {
 }
 
 /// Writes the table; returns whether it stands at the place asked for.
-fn print_table(arguments: &Simulate, columns: &[Column], interrupt: &Interrupt) -> Result<bool, Failure> {
-    let TableFormat::Csv = arguments.format;
+fn print_table(arguments: &Simulate, columns: &Vec<Column>, interrupt: &Interrupt) -> Result<bool, Failure> {
+    let binary = match arguments.format {
+        TableFormat::Csv => None,
+        format => Some(format.bytes(columns)?),
+    };
+    let write = |out: &mut dyn Write| match &binary {
+        Some(bytes) => out.write_all(bytes),
+        None => history_csv(columns, out),
+    };
     match (&arguments.out, arguments.common.json) {
         (Some(path), _) => {
-            let placed = output::to_file(path, arguments.overwrite, |out| history_csv(columns, out))?;
+            let placed = output::to_file(path, arguments.overwrite, write)?;
             return Ok(placed.told(path));
         }
-        (None, false) => output::to_stdout(interrupt, |out| history_csv(columns, out))?,
+        (None, false) => output::to_stdout(interrupt, write)?,
         (None, true) => {}
     }
     Ok(true)

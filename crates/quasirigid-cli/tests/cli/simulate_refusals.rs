@@ -80,7 +80,7 @@ fn unknown_choices_are_refused_with_the_known_ones() {
     for (options, known) in [
         ("--system ful", "[possible values: full, reduced, rigid]"),
         ("--form spin", "[possible values: momentum, paper]"),
-        ("--format xml", "[possible values: csv]"),
+        ("--format xml", "[possible values: csv, parquet, npz]"),
     ] {
         assert!(refusal(options).contains(known), "{}", refusal(options));
     }

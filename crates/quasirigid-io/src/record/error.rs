@@ -98,6 +98,24 @@ pub enum RecordError {
         /// Columns of the header.
         expected: usize,
     },
+    /// A binary table that is damaged.
+    #[error("{}: {problem}; if the file was cut short or edited, run the model again", file.display())]
+    Table {
+        /// The file.
+        file: PathBuf,
+        /// Message of its reader.
+        problem: String,
+    },
+    /// A table that is in none of the formats.
+    #[error("{}: the rows are missing: there is no file {table}.{}; copy the whole folder, or run the model again", folder.display(), endings.join(&format!(", {table}.")))]
+    NoTable {
+        /// The folder.
+        folder: PathBuf,
+        /// Name of the file, without its ending.
+        table: String,
+        /// Endings looked for.
+        endings: [&'static str; 3],
+    },
     /// A field that is no number.
     #[error("{}:{line}: column {column:?}: {text:?} is not a number; write it like 1.5, 2e-7, NaN or inf", file.display())]
     NotANumber {

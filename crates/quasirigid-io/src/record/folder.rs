@@ -1,4 +1,4 @@
-//! A record on disk: one folder, `record.json` and a CSV file per history, and one of the evolution.
+//! A record on disk: one folder, `record.json` and a table for each history, and one of the evolution.
 
 use std::collections::HashSet;
 use std::fs::{self, File};
@@ -8,29 +8,33 @@ use std::path::{Path, PathBuf};
 use serde::de::DeserializeOwned;
 
 use super::scene::{SCENE_VERSION, SceneRecord};
-use super::table::{history_csv, read_rows};
-use super::{Column, EvolutionRecord, RecordError, RunRecord};
+use super::table::{Extremes, RowTable, Rows, TableFormat};
+use super::{Column, EvolutionRecord, HistoryRecord, RecordError, RunRecord};
 
-/// File of the evolution's rows.
-const EVOLUTION: &str = "evolution.csv";
+/// File of the evolution's rows, without the ending.
+const EVOLUTION: &str = "evolution";
+/// Ending of the log of a run in work.
+pub(super) const LOG: &str = "rows";
 /// File of everything but rows.
 const RECORD: &str = "record.json";
 /// File of what a viewer draws.
 const SCENE: &str = "scene.json";
 
 impl RunRecord {
-    /// Writes the record into an existing empty folder: the CSV files first, then `record.json`, so that a folder
-    /// with a `record.json` is complete.
+    /// Writes the record into an existing empty folder, with its tables in these formats: the tables first, then `record.json`, so that a
+    /// folder with a `record.json` is complete.
     ///
     /// # Errors
     /// [`RecordError`]; names and lengths are checked before the first file is made.
-    pub fn write(&self, dir: &Path) -> Result<(), RecordError> {
+    pub fn write(&self, dir: &Path, formats: &[TableFormat]) -> Result<(), RecordError> {
         check_empty(dir)?;
         self.check_names()?;
-        let tables: Vec<_> = self.tables().collect();
-        tables.iter().try_for_each(|(file, columns)| check_lengths(file, columns))?;
-        for (file, columns) in tables {
-            create(&dir.join(file), |out| history_csv(columns, out))?;
+        self.tables().try_for_each(|table| check_lengths(&table.stem, table.columns))?;
+        for table in self.tables() {
+            for format in formats {
+                let file = dir.join(format!("{}.{}", table.stem, format.ending()));
+                format.write(&file, table.columns, table.rows())?;
+            }
         }
         if let Some(scene) = &self.scene {
             create(&dir.join(SCENE), |out| Ok(serde_json::to_writer(out, scene)?))?;
@@ -41,7 +45,16 @@ impl RunRecord {
         })
     }
 
-    /// Reads a record that [`write`](Self::write) wrote, finite numbers bit for bit. Other files in the folder are ignored.
+    /// Formats of the tables where none are asked for: CSV, or Parquet beside a history that is not kept whole.
+    #[must_use]
+    pub fn usual_formats(&self) -> &'static [TableFormat] {
+        let long = self.histories.iter().any(|history| history.log.is_some());
+        if long { &[TableFormat::Parquet] } else { &[TableFormat::Csv] }
+    }
+
+    /// Reads a record that [`write`](Self::write) wrote, finite numbers bit for bit; of a table of more than [`MOST_ROWS`] rows those with
+    /// the extremes of each of a thousand intervals. Other files in the folder are ignored. The folder of a run in work is read up to the
+    /// last row there.
     ///
     /// # Errors
     /// [`RecordError`] with the file, and the line where there is one.
@@ -53,34 +66,41 @@ impl RunRecord {
         }
         record.check_names()?;
         record.evolution.iter_mut().for_each(EvolutionRecord::restore_unknown);
-        for (file, columns) in record.tables_mut() {
-            let file = dir.join(file);
-            let input = File::open(&file).map_err(|error| unusable(&file, &error))?;
-            read_rows(columns, input, &file)?;
+        for history in &mut record.histories {
+            read_history(dir, history)?;
+        }
+        if let Some(evolution) = &mut record.evolution {
+            let (file, format) = found(dir, EVOLUTION)?;
+            let mut rows = Extremes::new(&evolution.columns, 0);
+            format.read(&file, &evolution.columns, &mut |row| rows.push(row))?;
+            evolution.columns = rows.into_columns();
         }
         Ok(record)
     }
 
-    /// Names of the files that [`write`](Self::write) makes.
+    /// Names of the files that [`write`](Self::write) makes, with tables in any format.
     #[must_use]
     pub fn files(&self) -> Vec<String> {
-        let tables = self.tables().map(|(file, _)| file);
+        let tables = self
+            .tables()
+            .flat_map(|table| TableFormat::ALL.map(|format| format!("{}.{}", table.stem, format.ending())));
         let scene = self.scene.iter().map(|_| SCENE.to_owned());
         tables.chain(scene).chain([RECORD.to_owned()]).collect()
     }
 
-    /// Every CSV file with its columns.
-    fn tables(&self) -> impl Iterator<Item = (String, &Vec<Column>)> {
-        let histories =
-            self.histories.iter().map(|history| (history_file(&history.system), &history.columns));
-        histories.chain(self.evolution.iter().map(|evolution| (EVOLUTION.into(), &evolution.columns)))
-    }
-
-    /// Every CSV file with its columns, to be filled.
-    fn tables_mut(&mut self) -> impl Iterator<Item = (String, &mut Vec<Column>)> {
-        let histories =
-            self.histories.iter_mut().map(|history| (history_file(&history.system), &mut history.columns));
-        histories.chain(self.evolution.iter_mut().map(|evolution| (EVOLUTION.into(), &mut evolution.columns)))
+    /// Every table.
+    fn tables(&self) -> impl Iterator<Item = Table<'_>> {
+        let histories = self.histories.iter().map(|history| Table {
+            stem: history_stem(&history.system),
+            columns: &history.columns,
+            log: history.log.as_ref(),
+        });
+        let evolution = self.evolution.iter();
+        histories.chain(evolution.map(|evolution| Table {
+            stem: EVOLUTION.into(),
+            columns: &evolution.columns,
+            log: None,
+        }))
     }
 
     fn check_names(&self) -> Result<(), RecordError> {
@@ -97,6 +117,56 @@ impl RunRecord {
         }
         Ok(())
     }
+}
+
+/// A table of a record.
+struct Table<'a> {
+    /// Name of its files without the ending.
+    stem: String,
+    columns: &'a Vec<Column>,
+    log: Option<&'a RowTable>,
+}
+
+impl<'a> Table<'a> {
+    fn rows(&self) -> &'a dyn Rows {
+        match self.log {
+            Some(log) => log,
+            None => self.columns,
+        }
+    }
+}
+
+/// The rows of a history, from its table, or from the log of a run in work.
+fn read_history(dir: &Path, history: &mut HistoryRecord) -> Result<(), RecordError> {
+    let stem = history_stem(&history.system);
+    let log = dir.join(format!("{stem}.{LOG}"));
+    let mut rows;
+    if log.exists() {
+        let table = RowTable::open(&log, history.columns.len())?;
+        rows = Extremes::new(&history.columns, table.rows());
+        table.each(&mut |row| {
+            rows.push(row);
+            Ok(())
+        })?;
+    } else {
+        let (file, format) = found(dir, &stem)?;
+        rows = Extremes::new(&history.columns, history.rows);
+        format.read(&file, &history.columns, &mut |row| rows.push(row))?;
+    }
+    history.rows = if history.rows == 0 && !log.exists() { 0 } else { rows.rows() };
+    history.columns = rows.into_columns();
+    Ok(())
+}
+
+/// The file of a table, in the first format that is there.
+fn found(dir: &Path, stem: &str) -> Result<(PathBuf, TableFormat), RecordError> {
+    let file = |format: TableFormat| dir.join(format!("{stem}.{}", format.ending()));
+    let there = TableFormat::ALL.into_iter().find(|format| file(*format).exists());
+    there.map(|format| (file(format), format)).ok_or_else(|| RecordError::NoTable {
+        folder: dir.into(),
+        table: stem.into(),
+        endings: TableFormat::ALL.map(TableFormat::ending),
+    })
 }
 
 fn read_json<T: DeserializeOwned>(file: PathBuf) -> Result<T, RecordError> {
@@ -117,7 +187,7 @@ fn read_scene(file: PathBuf) -> Result<SceneRecord, RecordError> {
     Ok(scene)
 }
 
-fn check_lengths(file: &str, columns: &[Column]) -> Result<(), RecordError> {
+pub(super) fn check_lengths(file: &str, columns: &[Column]) -> Result<(), RecordError> {
     let expected = columns.first().map_or(0, |column| column.values.len());
     match columns.iter().find(|column| column.values.len() != expected) {
         None => Ok(()),
@@ -155,11 +225,12 @@ fn create(file: &Path, fill: impl FnOnce(&mut BufWriter<File>) -> io::Result<()>
         .map_err(|error| unusable(file, &error))
 }
 
-fn history_file(system: &str) -> String {
-    format!("history-{system}.csv")
+/// Name of the files of a history's rows, without the ending.
+pub(super) fn history_stem(system: &str) -> String {
+    format!("history-{system}")
 }
 
-fn unusable(file: &Path, error: &io::Error) -> RecordError {
+pub(super) fn unusable(file: &Path, error: &io::Error) -> RecordError {
     RecordError::File { file: file.into(), kind: error.kind() }
 }
 
@@ -192,7 +263,7 @@ mod tests {
     #[test]
     fn full_disk_is_called_so() {
         let column = Column { name: "t".into(), unit: "s".into(), values: vec![0.0; 100_000] };
-        let error = history_csv(&[column], Full).unwrap_err();
+        let error = crate::record::history_csv(&[column], Full).unwrap_err();
         assert_eq!(error.kind(), io::ErrorKind::StorageFull);
         let said = unusable(Path::new("history-full.csv"), &error).to_string();
         assert!(said.starts_with("history-full.csv: no storage space; "), "{said}");

@@ -1,7 +1,7 @@
 //! Record of a run: numbers and words enough to remake its report years later.
 //!
-//! On disk a record is a folder: `record.json` holds everything but the rows of the histories and of the evolution,
-//! `history-<system>.csv` holds the rows of one history, `evolution.csv` those of the evolution, and `scene.json` what a viewer draws. Every
+//! On disk a record is a folder: `record.json` holds everything but the rows of the histories and of the evolution, `history-<system>` with
+//! the ending of its format holds the rows of one history, `evolution` those of the evolution, and `scene.json` what a viewer draws. Every
 //! finite number reads back bit for bit. One that is not finite is `null` in JSON, which reads back as infinity where the field can be
 //! infinite, else as NaN or none; in CSV it is `NaN`, `inf` or `-inf`.
 
@@ -32,7 +32,7 @@ pub use sweep::{
     CorrelationRecord, InputRecord, IntervalRecord, PercentileRecord, QuantityRecord, ReasonRecord,
     SweepColumn, SweepRecord, UncertaintyRecord, percentile,
 };
-pub use table::history_csv;
+pub use table::{Extremes, MOST_ROWS, RowLog, RowTable, TableFormat, history_csv};
 
 /// Everything a run computed, in SI units.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
@@ -286,6 +286,9 @@ pub struct HistoryRecord {
     /// Rows of the history, one array per column, or of a long one the rows with the extremes of each interval. The values are kept in
     /// the table of each history.
     pub columns: Vec<Column>,
+    /// Every row of a long history, as the run that made the record logged it.
+    #[serde(skip)]
+    pub log: Option<RowTable>,
 }
 
 impl HistoryRecord {

@@ -105,7 +105,7 @@ prop_compose! {
         let [tolerance, revolutions, energy, dissipated, work, energy_drift, momentum_drift] = numbers;
         HistoryRecord {
             system: system.into(), form, method, status, message, tolerance, steps, rejected, revolutions,
-            energy, dissipated, dissipation, work, energy_drift, momentum_drift, rows: 0, columns,
+            energy, dissipated, dissipation, work, energy_drift, momentum_drift, rows: 0, columns, log: None,
         }
     }
 }
@@ -255,7 +255,7 @@ prop_compose! {
 }
 
 /// A record with one history of two rows and an evolution of as many, to be damaged.
-fn sample() -> RunRecord {
+pub fn sample() -> RunRecord {
     let column = |name: &str, unit: &str, values: [f64; 2]| Column {
         name: name.into(),
         unit: unit.into(),
@@ -316,6 +316,7 @@ fn sample() -> RunRecord {
             energy_drift: 0.0,
             momentum_drift: 0.0,
             rows: 0,
+            log: None,
             columns: vec![column("t", "s", [0.0, 0.1 + 0.2]), column("wx", "rad/s", [f64::NAN, -1e300])],
         }],
         verification: None,
@@ -366,7 +367,7 @@ fn bits(record: &RunRecord) -> String {
 
 fn written() -> tempfile::TempDir {
     let dir = tempdir().unwrap();
-    sample().write(dir.path()).unwrap();
+    sample().write(dir.path(), &[TableFormat::Csv]).unwrap();
     dir
 }
 
@@ -396,7 +397,7 @@ proptest! {
     #[test]
     fn record_read_is_the_record_written(record in record()) {
         let dir = tempdir().unwrap();
-        record.write(dir.path()).unwrap();
+        record.write(dir.path(), &[TableFormat::Csv]).unwrap();
         prop_assert_eq!(bits(&RunRecord::read(dir.path()).unwrap()), bits(&record));
     }
 
@@ -481,7 +482,7 @@ fn evolution_names_what_is_not_known() {
 fn nothing_is_written_into_a_folder_that_holds_something() {
     let dir = tempdir().unwrap();
     fs::write(dir.path().join("mine.txt"), "").unwrap();
-    let error = sample().write(dir.path()).unwrap_err();
+    let error = sample().write(dir.path(), &[TableFormat::Csv]).unwrap_err();
     assert_eq!(error, RecordError::NotEmpty { folder: dir.path().into(), found: "mine.txt".into() });
     assert_eq!(fs::read_dir(dir.path()).unwrap().count(), 1);
 }
@@ -489,7 +490,7 @@ fn nothing_is_written_into_a_folder_that_holds_something() {
 #[test]
 fn folder_must_exist() {
     let folder = tempdir().unwrap().path().join("none");
-    assert_eq!(sample().write(&folder).unwrap_err(), RecordError::NoFolder { folder });
+    assert_eq!(sample().write(&folder, &[TableFormat::Csv]).unwrap_err(), RecordError::NoFolder { folder });
 }
 
 #[test]
@@ -498,13 +499,13 @@ fn names_that_would_leave_the_folder_or_collide_are_refused_before_writing() {
     let mut record = sample();
     for system in ["../x", "", "a b"] {
         record.histories[0].system = system.into();
-        let error = record.write(dir.path()).unwrap_err();
+        let error = record.write(dir.path(), &[TableFormat::Csv]).unwrap_err();
         assert_eq!(error, RecordError::SystemName { system: system.into() });
     }
     let mut record = sample();
     record.histories.push(record.histories[0].clone());
     record.histories[1].system = "Reduced".into();
-    let error = record.write(dir.path()).unwrap_err();
+    let error = record.write(dir.path(), &[TableFormat::Csv]).unwrap_err();
     assert_eq!(error, RecordError::SameSystem { system: "Reduced".into() });
     assert_eq!(fs::read_dir(dir.path()).unwrap().count(), 0);
 }
@@ -513,7 +514,7 @@ fn names_that_would_leave_the_folder_or_collide_are_refused_before_writing() {
 fn columns_of_unequal_length_are_refused() {
     let mut record = sample();
     record.histories[0].columns[1].values.pop();
-    let error = record.write(tempdir().unwrap().path()).unwrap_err();
+    let error = record.write(tempdir().unwrap().path(), &[TableFormat::Csv]).unwrap_err();
     assert!(matches!(&error, RecordError::Ragged { file, column, rows: 1, expected: 2 }
         if file == "history-reduced.csv" && column == "wx"));
     let refused = history_csv(&record.histories[0].columns, Vec::new()).unwrap_err();
@@ -526,7 +527,7 @@ fn ragged_evolution_is_refused_before_writing() {
     let dir = tempdir().unwrap();
     let mut record = sample();
     record.evolution.as_mut().unwrap().columns[1].values.pop();
-    let error = record.write(dir.path()).unwrap_err();
+    let error = record.write(dir.path(), &[TableFormat::Csv]).unwrap_err();
     assert_eq!(
         error.to_string(),
         "evolution.csv: column \"power\" has 1 rows, the first column 2; give all the same"
@@ -548,7 +549,7 @@ fn missing_file_is_named() {
 fn record_without_evolution_has_no_file_of_it_and_reads_back() {
     let dir = tempdir().unwrap();
     let record = RunRecord { evolution: None, ..sample() };
-    record.write(dir.path()).unwrap();
+    record.write(dir.path(), &[TableFormat::Csv]).unwrap();
     assert!(!dir.path().join("evolution.csv").exists());
     let file = dir.path().join("record.json");
     let text = fs::read_to_string(&file).unwrap();

@@ -2,6 +2,8 @@
 //! An evaluation costs far more than a sweep, an old part more sweeps and shorter steps; the period adapts to the slowing of the iteration.
 //! The linear part of the full system is (T4), docs/theory/08-full-system.md.
 
+use super::Checkpoint;
+
 /// Age of a stiff linear part that changes with the state: the part is evaluated again when the iteration of the stages slows, or has
 /// slowed at that age before.
 #[derive(Clone, Copy, Debug, Default)]
@@ -19,6 +21,20 @@ const AGED: f64 = 1.5;
 const FRESH: f64 = 1.1;
 
 impl Age {
+    /// Saves the age.
+    pub fn save(self, checkpoint: &mut Checkpoint) {
+        checkpoint.save_count(self.steps.map_or(0, |steps| u64::from(steps) + 1));
+        checkpoint.save_count(self.lasts.into());
+        checkpoint.save(self.pace);
+    }
+
+    /// Loads a saved age.
+    pub fn load(checkpoint: &mut Checkpoint) -> Option<Self> {
+        let steps = checkpoint.load_count()?.checked_sub(1).map(|steps| u32::try_from(steps).ok());
+        let lasts = u32::try_from(checkpoint.load_count()?).ok()?;
+        Some(Self { steps: steps.flatten(), lasts, pace: checkpoint.load()? })
+    }
+
     /// Whether the part is to be evaluated again.
     pub fn is_due(self) -> bool {
         self.steps.is_none_or(|steps| steps > self.lasts)

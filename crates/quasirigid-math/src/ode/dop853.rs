@@ -4,6 +4,7 @@
 
 use std::marker::PhantomData;
 
+use super::Checkpoint;
 use super::dop853_tableau::{A, B, C, D, E3, E5, EXTRA, STAGES};
 use super::system::{DenseOutput, Rate, Solver, State, StepError, System, Work, accumulate, towards};
 use crate::simd::Arithmetic;
@@ -227,6 +228,25 @@ impl<S: System<Y>, Y: State, R: Arithmetic> Solver for Dop853<S, Y, R> {
         self.y = y;
         self.carry.as_mut().fill(0.0);
         self.evaluate_end();
+    }
+
+    fn save(&self, checkpoint: &mut Checkpoint) {
+        let Self { t, y, carry, h, work, last, start, stages, .. } = self;
+        [*t, *h, last.0, last.1].into_iter().for_each(|number| checkpoint.save(number));
+        [y, carry, start, &stages[STAGES]].into_iter().for_each(|list| checkpoint.save_list(list.as_ref()));
+        checkpoint.save_work(*work);
+    }
+
+    fn load(&mut self, checkpoint: &mut Checkpoint) -> Option<()> {
+        let Self { t, y, carry, h, work, last, start, stages, .. } = self;
+        for number in [t, h, &mut last.0, &mut last.1] {
+            *number = checkpoint.load()?;
+        }
+        for list in [y, carry, start, &mut stages[STAGES]] {
+            checkpoint.load_into(list.as_mut())?;
+        }
+        *work = checkpoint.load_work()?;
+        Some(())
     }
 
     #[inline(always)]

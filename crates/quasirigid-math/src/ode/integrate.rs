@@ -35,15 +35,16 @@ pub enum StopReason {
     Failed(StepError),
 }
 
-/// Integrates to the last of the ascending `times`, with outputs at each of them.
+/// Integrates to the last of the ascending `times`, with outputs at each of them from the one with the number `first` on.
 #[inline(always)]
 pub fn integrate<M: Solver>(
     solver: &mut M,
     times: &[f64],
+    first: usize,
     most_steps: u64,
     observer: &mut impl StepObserver<M>,
 ) -> StopReason {
-    let mut next = 0;
+    let mut next = first;
     while next < times.len() && times[next] <= solver.t() {
         observer.output(times[next], solver.y());
         next += 1;

@@ -1,6 +1,7 @@
 //! Initial value problems.
 
 mod age;
+mod checkpoint;
 mod dop853;
 mod dop853_tableau;
 mod integrate;
@@ -9,6 +10,7 @@ mod radau_stages;
 mod radau_tableau;
 mod system;
 
+pub use checkpoint::Checkpoint;
 pub use dop853::Dop853;
 pub use integrate::{StepObserver, StopReason, integrate};
 pub use radau::Radau;

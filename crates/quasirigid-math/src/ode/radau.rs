@@ -5,6 +5,7 @@
 use std::marker::PhantomData;
 use std::ops::Range;
 
+use super::Checkpoint;
 use super::age::Age;
 use super::radau_stages::{Attempt, Search, Stages, Stiff};
 use super::radau_tableau::{C, ERROR, GAMMA, SPLIT, STAGES, START};
@@ -38,6 +39,8 @@ pub struct Radau<S, R> {
     factored: f64,
     /// Age of the linear part, where it changes.
     age: Age,
+    /// Time and state at which the linear part was evaluated; empty of a constant one.
+    renewed: (f64, Vec<f64>),
     error: Vec<f64>,
     smoothed: Vec<[f64; 2]>,
     arithmetic: PhantomData<R>,
@@ -80,6 +83,7 @@ impl<S: Stiff, R: Arithmetic> Radau<S, R> {
             continues: false,
             factored: 0.0,
             age: Age::default(),
+            renewed: (t, Vec::new()),
             error: zero,
             smoothed: vec![[0.0; 2]; y.len() - stiff],
             arithmetic: PhantomData,
@@ -103,14 +107,19 @@ impl<S: Stiff, R: Arithmetic> Radau<S, R> {
         if renewed {
             let middle: Vec<f64> =
                 self.y.iter().zip(&self.stages.changes[MIDDLE]).map(|(y, change)| y + change).collect();
-            self.system.renew(self.t + C[MIDDLE] * h, &middle);
+            self.renewed = (self.t + C[MIDDLE] * h, middle);
+            self.system.renew(self.renewed.0, &self.renewed.1);
             self.age.steps = Some(0);
         }
         if renewed || self.factored != h {
-            self.system.shift(GAMMA.map(|[re, im]| [re / h, im / h]));
-            self.factored = h;
+            self.shift(h);
             self.work.factorizations += 1;
         }
+    }
+
+    fn shift(&mut self, h: f64) {
+        self.system.shift(GAMMA.map(|[re, im]| [re / h, im / h]));
+        self.factored = h;
     }
 
     fn find_stages(&mut self, h: f64) -> Search {
@@ -222,6 +231,42 @@ impl<S: Stiff, R: Arithmetic> Solver for Radau<S, R> {
             row
         });
         DenseOutput { t, h, y: self.start.clone(), coefficients }
+    }
+
+    fn save(&self, checkpoint: &mut Checkpoint) {
+        let Self {
+            t, y, carry, h, work, last, start, rate, stages, continues, factored, age, renewed, ..
+        } = self;
+        [*t, *h, last.0, last.1, *factored, renewed.0].into_iter().for_each(|number| checkpoint.save(number));
+        [y, carry, start, rate, &renewed.1].into_iter().for_each(|list| checkpoint.save_list(list));
+        checkpoint.save_work(*work);
+        checkpoint.save_count(u64::from(*continues));
+        age.save(checkpoint);
+        stages.save(checkpoint);
+    }
+
+    fn load(&mut self, checkpoint: &mut Checkpoint) -> Option<()> {
+        let Self {
+            t, y, carry, h, work, last, start, rate, stages, continues, factored, age, renewed, ..
+        } = self;
+        for number in [t, h, &mut last.0, &mut last.1, factored, &mut renewed.0] {
+            *number = checkpoint.load()?;
+        }
+        for list in [y, carry, start, rate] {
+            checkpoint.load_into(list)?;
+        }
+        renewed.1 = checkpoint.load_list()?;
+        *work = checkpoint.load_work()?;
+        *continues = checkpoint.load_count()? == 1;
+        *age = Age::load(checkpoint)?;
+        stages.load(checkpoint)?;
+        if self.renewed.1.len() == self.y.len() {
+            self.system.renew(self.renewed.0, &self.renewed.1);
+        }
+        if self.factored > 0.0 {
+            self.shift(self.factored);
+        }
+        Some(())
     }
 
     fn correct(&mut self, change: &Vec<f64>) {

@@ -2,6 +2,7 @@
 //! The inverse of the weights is diagonalised once, so that a solution of all stages is one real and three complex ones.
 //! Transformation of the stages `[@hairer1999]`.
 
+use super::Checkpoint;
 use super::radau_tableau::{A, C, FROM_EIGEN, GAMMA, SHIFTS, STAGES, TO_EIGEN};
 use super::system::System;
 use crate::simd::Arithmetic;
@@ -154,6 +155,22 @@ impl Stages {
             kept.iter_mut().zip(new).for_each(|(kept, new)| kept.copy_from_slice(new));
         }
         self.earlier_rate.copy_from_slice(rate);
+    }
+
+    /// Saves the last step, from which the next guess starts, and the count of sweeps.
+    pub fn save(&self, checkpoint: &mut Checkpoint) {
+        self.earlier.iter().flatten().chain([&self.earlier_rate]).for_each(|list| checkpoint.save_list(list));
+        checkpoint.save_count(self.sweeps);
+    }
+
+    /// Loads a saved step.
+    pub fn load(&mut self, checkpoint: &mut Checkpoint) -> Option<()> {
+        let Self { earlier, earlier_rate, sweeps, .. } = self;
+        for list in earlier.iter_mut().flatten().chain([earlier_rate]) {
+            checkpoint.load_into(list)?;
+        }
+        *sweeps = checkpoint.load_count()?;
+        Some(())
     }
 
     /// Improves the guess until it satisfies the equations of the stages.

@@ -3,6 +3,7 @@
 
 use thiserror::Error;
 
+use super::Checkpoint;
 use crate::simd::{Arithmetic, Task, scaled_sum};
 
 /// State of a system: a list of numbers, of a length known to the compiler or not.
@@ -104,6 +105,12 @@ pub trait Solver {
 
     /// Goes back to a state within the last step.
     fn rewind(&mut self, t: f64, y: Self::State);
+
+    /// Saves what decides the next steps. Between steps alone.
+    fn save(&self, checkpoint: &mut Checkpoint);
+
+    /// Goes on from a checkpoint of a solver of the same system; none if it is of another.
+    fn load(&mut self, checkpoint: &mut Checkpoint) -> Option<()>;
 }
 
 /// Work done.

@@ -146,6 +146,7 @@ pub fn history(system: &str, rows: usize, duration: f64, alpha: f64) -> HistoryR
         energy_drift: last("energy_drift"),
         momentum_drift: last("momentum_drift"),
         rows: rows as u64,
+        log: None,
         system: system.into(),
         columns,
     }

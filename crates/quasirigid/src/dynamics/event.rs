@@ -6,6 +6,7 @@
 use std::f64::consts::PI;
 
 use super::Sample;
+use crate::math::ode::Checkpoint;
 use crate::math::rotation::angle;
 use crate::math::vec3::norm;
 
@@ -71,6 +72,18 @@ const HALVINGS: usize = 52;
 impl EventDetector {
     pub fn new(events: &[Event]) -> Self {
         Self { events: events.to_vec(), ..Self::default() }
+    }
+
+    /// Saves the levels at the last step.
+    pub fn save(&self, checkpoint: &mut Checkpoint) {
+        checkpoint.save(self.t);
+        checkpoint.save_list(&self.levels);
+    }
+
+    /// Loads saved levels; none of other events.
+    pub fn load(&mut self, checkpoint: &mut Checkpoint) -> Option<()> {
+        self.t = checkpoint.load()?;
+        checkpoint.load_into(&mut self.levels)
     }
 
     /// True if no event is watched for.

@@ -8,9 +8,9 @@ use std::ops::ControlFlow;
 
 use super::conserved_momentum::Conserved;
 use super::event::EventDetector;
-use super::run::{Observer, Options, Outcome, Pace, Sample};
+use super::run::{Observer, Options, Outcome, Pace, PropagateError, Sample};
 use super::seat::Seat;
-use crate::math::ode::{Solver, State, StepObserver, StopReason};
+use crate::math::ode::{Checkpoint, Solver, State, StepObserver, StopReason};
 use crate::math::rotation;
 use crate::math::vec3::{add, norm, scale};
 use crate::model::Displaced;
@@ -52,6 +52,17 @@ pub(super) trait Trajectory {
     /// Called after each step, with the state corrected.
     fn stepped(&mut self, t: f64, y: &[f64]) {
         let _ = (t, y);
+    }
+
+    /// Saves what the motion has summed up beside the state.
+    fn save(&self, checkpoint: &mut Checkpoint) {
+        let _ = checkpoint;
+    }
+
+    /// Loads what was saved; none if it is of another motion.
+    fn load(&mut self, checkpoint: &mut Checkpoint) -> Option<()> {
+        let _ = checkpoint;
+        Some(())
     }
 
     /// Passes the internal coordinates and their rates to an observer.
@@ -108,6 +119,8 @@ pub(super) struct InvariantMonitor<'o, T> {
     /// Part that has left the range of the equations, which ends the run.
     left: Option<Displaced>,
     pub observer: &'o mut dyn Observer,
+    /// Outputs so far.
+    outputs: u64,
     pace: Pace,
 }
 
@@ -122,11 +135,53 @@ impl<'o, T: Trajectory> InvariantMonitor<'o, T> {
     ) -> Self {
         let energy = trajectory.view(0.0, y).energy;
         let (detector, pace) = (EventDetector::new(&options.events), Pace::new());
-        let mut monitor =
-            Self { trajectory, angular_momentum, energy, drift: 0.0, detector, left: None, observer, pace };
+        let mut monitor = Self {
+            trajectory,
+            angular_momentum,
+            energy,
+            drift: 0.0,
+            detector,
+            left: None,
+            observer,
+            outputs: 0,
+            pace,
+        };
         let start = monitor.sample(0.0, y);
         monitor.detector.set(&start);
         monitor
+    }
+
+    /// Goes on from the checkpoint of the observer, if it has one; returns the number of outputs made before.
+    pub fn resume(&mut self, solver: &mut impl Solver<State = T::State>) -> Result<usize, PropagateError> {
+        let Some(mut checkpoint) = self.observer.resumes() else { return Ok(0) };
+        self.load(&mut checkpoint, solver)
+            .filter(|_| checkpoint.is_spent())
+            .and_then(|()| usize::try_from(self.outputs).ok())
+            .ok_or(PropagateError::Checkpoint)
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn save(&mut self, solver: &impl Solver<State = T::State>) {
+        let mut checkpoint = Checkpoint::default();
+        checkpoint.save_count(self.outputs);
+        checkpoint.save(self.drift);
+        self.detector.save(&mut checkpoint);
+        self.trajectory.save(&mut checkpoint);
+        solver.save(&mut checkpoint);
+        self.observer.checkpoint(checkpoint);
+    }
+
+    fn load(
+        &mut self,
+        checkpoint: &mut Checkpoint,
+        solver: &mut impl Solver<State = T::State>,
+    ) -> Option<()> {
+        self.outputs = checkpoint.load_count()?;
+        self.drift = checkpoint.load()?;
+        self.detector.load(checkpoint)?;
+        self.trajectory.load(checkpoint)?;
+        solver.load(checkpoint)
     }
 
     /// Sample of a state.
@@ -216,6 +271,7 @@ impl<M: Solver<State = T::State>, T: Trajectory> StepObserver<M> for InvariantMo
         let sample = self.read(t, y.as_ref(), &view);
         self.trajectory.show_coordinates(&view, self.observer);
         self.observer.sample(&sample);
+        self.outputs += 1;
     }
 
     fn event(&mut self, solver: &mut M) -> Option<f64> {
@@ -242,7 +298,11 @@ impl<M: Solver<State = T::State>, T: Trajectory> StepObserver<M> for InvariantMo
             return ControlFlow::Break(());
         }
         if self.pace.due(solver.work().steps) {
-            self.observer.progress(solver.t())
+            let flow = self.observer.progress(solver.t());
+            if self.observer.wants_checkpoint() {
+                self.save(solver);
+            }
+            flow
         } else {
             ControlFlow::Continue(())
         }

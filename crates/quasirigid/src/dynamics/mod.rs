@@ -22,6 +22,7 @@ mod start;
 mod starting;
 mod steady;
 
+pub use crate::math::ode::Checkpoint;
 pub use damped::DampedMode;
 pub use event::Event;
 pub use external::Forced;

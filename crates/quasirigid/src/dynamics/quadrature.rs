@@ -1,5 +1,7 @@
 //! Quadrature over the steps of a solver, of quantities outside of its state.
 
+use crate::math::ode::Checkpoint;
+
 /// Points of the interpolating polynomial that is integrated.
 const POINTS: usize = 4;
 /// Places of Gauss' rule, exact for the cubic, over half the interval.
@@ -19,6 +21,23 @@ impl Quadrature {
     pub fn new(t: f64, values: Vec<f64>) -> Self {
         let sums = vec![0.0; values.len()];
         Self { times: vec![t], values: vec![values], sums, under_way: false }
+    }
+
+    /// Saves the integrals and the last points.
+    pub fn save(&self, checkpoint: &mut Checkpoint) {
+        checkpoint.save_list(&self.times);
+        self.values.iter().for_each(|values| checkpoint.save_list(values));
+        checkpoint.save_list(&self.sums);
+        checkpoint.save_count(u64::from(self.under_way));
+    }
+
+    /// Loads saved integrals; none of other quantities.
+    pub fn load(&mut self, checkpoint: &mut Checkpoint) -> Option<()> {
+        self.times = checkpoint.load_list()?;
+        self.values = self.times.iter().map(|_| checkpoint.load_list()).collect::<Option<_>>()?;
+        checkpoint.load_into(&mut self.sums)?;
+        self.under_way = checkpoint.load_count()? == 1;
+        self.values.iter().all(|values| values.len() == self.sums.len()).then_some(())
     }
 
     /// Adds the next point; a point at the time of the last one is skipped.

@@ -11,7 +11,7 @@ use super::run::{Observer, Options, PropagateError, Run, Sample, Start, check};
 use super::seat::Seat;
 use super::spin::{ATTITUDE, Accounted, Accounts};
 use super::start::start;
-use crate::math::ode::{Dop853, Solver, integrate};
+use crate::math::ode::{Checkpoint, Dop853, Solver, integrate};
 use crate::math::polynomial::{Kernel, Series};
 use crate::math::rotation;
 use crate::math::simd::{Arithmetic, Plain, Task, dispatch};
@@ -48,10 +48,10 @@ pub fn propagate(
     let inside = inside(body.angular_momentum(initial.omega), body.J, initial.omega);
     let shares = Shares::of(body);
     let plan = Plan { power: &power, shares, x, inside, initial, times, options, observer };
-    Ok(match options.form {
+    match options.form {
         Form::AngularMomentum => dispatch(Propagation { equations: &AngularMomentumForm::new(body), plan }),
         Form::AngularVelocity => dispatch(Propagation { equations: &AngularVelocityForm::new(body), plan }),
-    })
+    }
 }
 
 /// Arguments of a propagation, for either form.
@@ -72,10 +72,10 @@ struct Propagation<'a, E> {
 }
 
 impl<E: Equations> Task for Propagation<'_, E> {
-    type Output = Run;
+    type Output = Result<Run, PropagateError>;
 
     #[inline(always)]
-    fn run<A: Arithmetic>(self) -> Run {
+    fn run<A: Arithmetic>(self) -> Self::Output {
         let Self { equations, plan } = self;
         let Plan { power, shares, x, inside, initial, times, options, observer } = plan;
         let system = Accounted { equations, power };
@@ -91,11 +91,12 @@ impl<E: Equations> Task for Propagation<'_, E> {
         let trajectory = Reduced { equations, form: options.form, initial, shares, taken };
         let angular_momentum = Conserved::new(rotation::to_inertial(initial.attitude, K), norm(K), inside);
         let mut monitor = InvariantMonitor::new(trajectory, solver.y(), angular_momentum, options, observer);
-        let reason = integrate(&mut solver, times, options.most_steps, &mut monitor);
+        let first = monitor.resume(&mut solver)?;
+        let reason = integrate(&mut solver, times, first, options.most_steps, &mut monitor);
         let last = monitor.sample(solver.t(), solver.y());
         let budget = monitor.trajectory.budget(&last);
         monitor.observer.budget(&budget);
-        Run { outcome: monitor.outcome(reason), last, work: solver.work() }
+        Ok(Run { outcome: monitor.outcome(reason), last, work: solver.work() })
     }
 }
 
@@ -203,6 +204,14 @@ impl<E: Equations> Trajectory for Reduced<'_, E> {
             let omega = self.equations.omega::<Plain>(Accounts::unpack(y).x);
             taken.add(t, self.shares.powers(omega));
         }
+    }
+
+    fn save(&self, checkpoint: &mut Checkpoint) {
+        self.taken.iter().for_each(|taken| taken.save(checkpoint));
+    }
+
+    fn load(&mut self, checkpoint: &mut Checkpoint) -> Option<()> {
+        self.taken.iter_mut().try_for_each(|taken| taken.load(checkpoint))
     }
 
     fn show_coordinates(&self, view: &StateView, observer: &mut dyn Observer) {

@@ -12,7 +12,7 @@ use thiserror::Error;
 use super::event::Event;
 use super::form::Form;
 use super::slow::MAX_FORCED_ORDER;
-use crate::math::ode::{StepError, StopReason, Work};
+use crate::math::ode::{Checkpoint, StepError, StopReason, Work};
 use crate::model::Displaced;
 
 /// Start of a propagation. States of the full system from a start: [`settled`](Self::settled) on the slow manifold or
@@ -135,6 +135,21 @@ pub trait Observer {
     /// (D4)
     fn budget(&mut self, energies: &[(String, f64)]) {
         let _ = energies;
+    }
+
+    /// State to go on from in the place of the start, of a propagation of the same system from the same start.
+    fn resumes(&mut self) -> Option<Checkpoint> {
+        None
+    }
+
+    /// True if [`checkpoint`](Self::checkpoint) is to be called now; asked after each [`progress`](Self::progress).
+    fn wants_checkpoint(&self) -> bool {
+        false
+    }
+
+    /// Receives the state of the propagation between two steps; one that [`resumes`](Self::resumes) it gives the same bits.
+    fn checkpoint(&mut self, checkpoint: Checkpoint) {
+        let _ = checkpoint;
     }
 
     /// Called from moment to moment, and after the first step; `Break` ends the propagation.
@@ -276,6 +291,9 @@ pub enum PropagateError {
         /// Coordinates of the body.
         needed: usize,
     },
+    /// The checkpoint is not one of this propagation.
+    #[error("the checkpoint is not one of this propagation; start it anew")]
+    Checkpoint,
     /// The forces have no value at the start.
     #[error(
         "the forces are not finite numbers at the start: look for a square root, logarithm or division in a force that fails there"

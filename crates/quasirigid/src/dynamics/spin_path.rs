@@ -77,7 +77,7 @@ impl<E: Equations> Task for Path<'_, E> {
         let allowed = [error, error, error, f64::INFINITY];
         let mut solver = Dop853::<_, _, A>::new(system, 0.0, [x, y, z, 0.0], allowed);
         let mut collector = Collector { equations, omega: Vec::with_capacity(times.len()) };
-        let reason = integrate(&mut solver, times, options.most_steps, &mut collector);
+        let reason = integrate(&mut solver, times, 0, options.most_steps, &mut collector);
         SpinPath { omega: collector.omega, outcome: Outcome::of(reason, None), work: solver.work() }
     }
 }

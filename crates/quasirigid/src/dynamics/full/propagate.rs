@@ -60,7 +60,8 @@ pub fn propagate_full(
     let angular_momentum = Conserved::of(triple(&y, MOMENTUM), initial.attitude, scales.inside);
     let mut monitor = InvariantMonitor::new(full.clone(), &y, angular_momentum, options, observer);
     let mut solver = FullSolver::new(full, y, allowed, options.method);
-    let reason = integrate(&mut solver, times, options.most_steps, &mut monitor);
+    let first = monitor.resume(&mut solver)?;
+    let reason = integrate(&mut solver, times, first, options.most_steps, &mut monitor);
     let last = monitor.sample(solver.t(), solver.y());
     let run = Run { outcome: monitor.outcome(reason), last, work: solver.work() };
     observer.budget(&budget(system.body, &solver.y()[layout.accounts()], last.dissipated));

@@ -5,7 +5,7 @@
 
 use super::system::FullSystem;
 use crate::dynamics::run::Method;
-use crate::math::ode::{DenseOutput, Dop853, Radau, Solver, StepError, Work};
+use crate::math::ode::{Checkpoint, DenseOutput, Dop853, Radau, Solver, StepError, Work};
 use crate::math::simd::Plain;
 
 type State = Vec<f64>;
@@ -159,5 +159,28 @@ impl Solver for FullSolver<'_> {
 
     fn rewind(&mut self, t: f64, y: State) {
         active!(&mut self.active, solver => solver.rewind(t, y));
+    }
+
+    fn save(&self, checkpoint: &mut Checkpoint) {
+        let Self { active, since, against, trust, done, .. } = self;
+        let implicit = matches!(active, Active::Implicit(_));
+        [u64::from(implicit), *since, *against, *trust]
+            .into_iter()
+            .for_each(|count| checkpoint.save_count(count));
+        checkpoint.save_work(*done);
+        active!(active, solver => solver.save(checkpoint));
+    }
+
+    fn load(&mut self, checkpoint: &mut Checkpoint) -> Option<()> {
+        let implicit = checkpoint.load_count()? == 1;
+        if implicit != matches!(self.active, Active::Implicit(_)) {
+            self.switch();
+        }
+        let Self { active, since, against, trust, done, .. } = self;
+        for count in [since, against, trust] {
+            *count = checkpoint.load_count()?;
+        }
+        *done = checkpoint.load_work()?;
+        active!(active, solver => solver.load(checkpoint))
     }
 }

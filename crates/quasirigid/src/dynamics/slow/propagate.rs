@@ -96,7 +96,8 @@ pub fn propagate_forced(
     let angular_momentum = Conserved::of(angular_momentum, initial.attitude, scales.inside);
     let mut monitor = InvariantMonitor::new(slow, &y, angular_momentum, options, observer);
     let mut solver = Dop853::<_, _, Plain>::new(slow, 0.0, y, allowed);
-    let reason = integrate(&mut solver, times, options.most_steps, &mut monitor);
+    let first = monitor.resume(&mut solver)?;
+    let reason = integrate(&mut solver, times, first, options.most_steps, &mut monitor);
     let last = monitor.sample(solver.t(), solver.y());
     Ok(Run { outcome: monitor.outcome(reason), last, work: solver.work() })
 }

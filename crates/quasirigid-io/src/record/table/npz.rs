@@ -1,0 +1,93 @@
+//! NPZ tables of histories: an archive with one NumPy array of doubles for each column, stored without compression, as `numpy.load` reads.
+
+use std::fs::File;
+use std::io::{self, Read, Seek, Write};
+use std::path::Path;
+
+use zip::write::SimpleFileOptions;
+use zip::{CompressionMethod, ZipArchive, ZipWriter};
+
+use super::super::folder::unusable;
+use super::super::{Column, RecordError};
+use super::{Rows, Take};
+
+/// Alignment of the data of an array.
+const ALIGNED: usize = 64;
+/// Beginning of an array file of version 1.
+const MAGIC: &[u8] = b"\x93NUMPY\x01\x00";
+
+/// Writes rows into a file, one pass over them for each column.
+pub fn write(
+    file: &Path,
+    out: &mut (impl Write + Seek),
+    columns: &[Column],
+    rows: &dyn Rows,
+) -> Result<(), RecordError> {
+    let failed = |error: &io::Error| unusable(file, error);
+    let mut count = 0_u64;
+    rows.each(&mut |_| {
+        count += 1;
+        Ok(())
+    })?;
+    let options = SimpleFileOptions::default()
+        .compression_method(CompressionMethod::Stored)
+        .large_file(count > u64::from(u32::MAX) / 16)
+        .last_modified_time(zip::DateTime::default());
+    let mut archive = ZipWriter::new(out);
+    for (place, column) in columns.iter().enumerate() {
+        archive.start_file(member(&column.name), options).map_err(|error| failed(&error.into()))?;
+        archive.write_all(&header(count)).map_err(|error| failed(&error))?;
+        rows.each(&mut |row| archive.write_all(&row[place].to_le_bytes()).map_err(|error| failed(&error)))?;
+    }
+    archive.finish().map(drop).map_err(|error| failed(&error.into()))
+}
+
+/// Name of the file of a column in the archive; what a path could not hold is replaced.
+fn member(name: &str) -> String {
+    format!("{}.npy", name.replace(['/', '\\', '\0'], "_"))
+}
+
+fn header(rows: u64) -> Vec<u8> {
+    let text = format!("{{'descr': '<f8', 'fortran_order': False, 'shape': ({rows},), }}");
+    let before = MAGIC.len() + 2;
+    let whole = (before + text.len() + 1).next_multiple_of(ALIGNED);
+    let length = whole - before;
+    let mut bytes = MAGIC.to_vec();
+    bytes.extend((length as u16).to_le_bytes());
+    bytes.extend(format!("{text:<width$}\n", width = length - 1).bytes());
+    bytes
+}
+
+/// Reads the rows of a file whose columns have the names of these, all at once.
+pub fn read(file: &Path, columns: &[Column], take: Take<'_>) -> Result<(), RecordError> {
+    let damaged = |problem: String| RecordError::Table { file: file.into(), problem };
+    let opened = File::open(file).map_err(|error| unusable(file, &error))?;
+    let mut archive = ZipArchive::new(opened).map_err(|error| damaged(error.to_string()))?;
+    let mut read = |column: &Column| {
+        let mut input = archive.by_name(&member(&column.name)).map_err(|error| damaged(error.to_string()))?;
+        let mut bytes = Vec::new();
+        input.read_to_end(&mut bytes).map_err(|error| unusable(file, &error))?;
+        numbers(&bytes).ok_or_else(|| damaged(format!("column {:?} is no array of doubles", column.name)))
+    };
+    let values = columns.iter().map(&mut read).collect::<Result<Vec<_>, _>>()?;
+    let rows = values.first().map_or(0, Vec::len);
+    if values.iter().any(|column| column.len() != rows) {
+        return Err(damaged("columns of unequal length".to_owned()));
+    }
+    for place in 0..rows {
+        take(&values.iter().map(|column| column[place]).collect::<Vec<_>>());
+    }
+    Ok(())
+}
+
+fn numbers(bytes: &[u8]) -> Option<Vec<f64>> {
+    let rest = bytes.strip_prefix(MAGIC)?;
+    let (length, rest) = rest.split_first_chunk()?;
+    let (text, data) = rest.split_at_checked(u16::from_le_bytes(*length).into())?;
+    let text = std::str::from_utf8(text).ok()?;
+    if !(text.contains("'<f8'") && text.contains("'fortran_order': False")) {
+        return None;
+    }
+    let (numbers, rest) = data.as_chunks();
+    rest.is_empty().then(|| numbers.iter().map(|bytes| f64::from_le_bytes(*bytes)).collect())
+}

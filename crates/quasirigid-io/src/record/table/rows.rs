@@ -1,0 +1,122 @@
+//! Log of rows of a run in work: numbers of 8 bytes, little-endian, row after row, to which a run appends. Of a run that was cut off
+//! every whole row is there.
+
+use std::fs::{File, OpenOptions};
+use std::io::{self, BufReader, Read, Seek, SeekFrom, Write};
+use std::path::{Path, PathBuf};
+
+use super::super::RecordError;
+use super::super::folder::unusable;
+use super::Rows;
+use crate::disk::settle;
+
+/// Bytes that are kept back before they are written.
+const BUFFER: usize = 1 << 20;
+
+/// Log to which rows are appended.
+#[derive(Debug)]
+pub struct RowLog {
+    path: PathBuf,
+    file: File,
+    width: usize,
+    rows: u64,
+    waiting: Vec<u8>,
+}
+
+impl RowLog {
+    /// Opens a log of rows of so many numbers, keeps its first rows and drops the others.
+    ///
+    /// # Errors
+    /// Those of the system, and [`io::ErrorKind::UnexpectedEof`] where the log is shorter.
+    pub fn open(path: &Path, width: usize, rows: u64) -> io::Result<Self> {
+        let mut file = OpenOptions::new().write(true).create(true).truncate(false).open(path)?;
+        let length = rows.checked_mul(8 * width as u64).ok_or(io::ErrorKind::InvalidInput)?;
+        if file.metadata()?.len() < length {
+            return Err(io::ErrorKind::UnexpectedEof.into());
+        }
+        file.set_len(length)?;
+        file.seek(SeekFrom::End(0))?;
+        Ok(Self { path: path.to_owned(), file, width, rows, waiting: Vec::new() })
+    }
+
+    /// Appends a row.
+    ///
+    /// # Errors
+    /// Those of the system.
+    pub fn push(&mut self, row: &[f64]) -> io::Result<()> {
+        self.waiting.extend(row.iter().flat_map(|number| number.to_le_bytes()));
+        self.rows += 1;
+        if self.waiting.len() >= BUFFER { self.write() } else { Ok(()) }
+    }
+
+    /// Rows of the log.
+    #[must_use]
+    pub fn rows(&self) -> u64 {
+        self.rows
+    }
+
+    /// Waits until every row is on the disk.
+    ///
+    /// # Errors
+    /// Those of the system.
+    pub fn settle(&mut self) -> io::Result<()> {
+        self.write()?;
+        settle(&self.file)
+    }
+
+    /// The rows as a table.
+    ///
+    /// # Errors
+    /// Those of the system.
+    pub fn into_table(mut self) -> io::Result<RowTable> {
+        self.write()?;
+        Ok(RowTable { path: self.path, width: self.width, rows: self.rows })
+    }
+
+    fn write(&mut self) -> io::Result<()> {
+        self.file.write_all(&self.waiting)?;
+        self.waiting.clear();
+        Ok(())
+    }
+}
+
+/// Rows of a log.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct RowTable {
+    path: PathBuf,
+    width: usize,
+    rows: u64,
+}
+
+impl RowTable {
+    /// The whole rows of a log.
+    ///
+    /// # Errors
+    /// [`RecordError::File`].
+    pub fn open(path: &Path, width: usize) -> Result<Self, RecordError> {
+        let length = path.metadata().map_err(|error| unusable(path, &error))?.len();
+        Ok(Self { path: path.to_owned(), width, rows: length / (8 * width.max(1) as u64) })
+    }
+
+    /// Number of rows.
+    #[must_use]
+    pub fn rows(&self) -> u64 {
+        self.rows
+    }
+}
+
+impl Rows for RowTable {
+    fn each(&self, take: &mut dyn FnMut(&[f64]) -> Result<(), RecordError>) -> Result<(), RecordError> {
+        let unread = |error: io::Error| unusable(&self.path, &error);
+        let mut input = BufReader::with_capacity(BUFFER, File::open(&self.path).map_err(unread)?);
+        let mut bytes = vec![0; 8 * self.width];
+        let mut row = vec![0.0; self.width];
+        for _ in 0..self.rows {
+            input.read_exact(&mut bytes).map_err(unread)?;
+            let (numbers, _) = bytes.as_chunks();
+            row.iter_mut().zip(numbers).for_each(|(number, bytes)| *number = f64::from_le_bytes(*bytes));
+            take(&row)?;
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,165 @@
+//! Checkpoints: a propagation that goes on from one gives the bits of one that never stopped, by every method and form.
+
+use proptest::prelude::*;
+use quasirigid::dynamics::{
+    Checkpoint, Event, Forced, Form, Method, Observer, Options, Outcome, PropagateError, Run, Sample,
+    SlowState, Start, propagate, propagate_forced, propagate_full,
+};
+use quasirigid::elements::Assembly;
+use quasirigid::model::force::{Axes, Force, ForceLaw, Wave};
+use quasirigid::model::{FlexibleBody, Support};
+use quasirigid::problems::AxialMass;
+use quasirigid::reduction::reduce;
+use quasirigid_math::rotation::ALIGNED;
+
+use super::wobbler::times_to;
+use crate::support::{assemblies, cases};
+
+const AXIAL: AxialMass = AxialMass { carrier: 7.0, A: 1.0, C: 1.5, m: 0.1, rho: 0.5, c: 4e4, b: 3e2 };
+
+/// What a propagation tells: everything, and its checkpoints.
+#[derive(Clone, Debug, Default)]
+struct Told {
+    samples: Vec<Sample>,
+    coordinates: Vec<[Vec<f64>; 2]>,
+    budget: Vec<(String, f64)>,
+    checkpoints: Vec<(usize, Checkpoint)>,
+    resumes: Option<Checkpoint>,
+}
+
+impl Observer for Told {
+    fn sample(&mut self, sample: &Sample) {
+        self.samples.push(*sample);
+    }
+
+    fn keeps_coordinates(&self) -> bool {
+        true
+    }
+
+    fn coordinates(&mut self, q: &[f64], rate: &[f64]) {
+        self.coordinates.push([q.to_vec(), rate.to_vec()]);
+    }
+
+    fn budget(&mut self, energies: &[(String, f64)]) {
+        self.budget = energies.to_vec();
+    }
+
+    fn resumes(&mut self) -> Option<Checkpoint> {
+        self.resumes.take()
+    }
+
+    fn wants_checkpoint(&self) -> bool {
+        true
+    }
+
+    fn checkpoint(&mut self, checkpoint: Checkpoint) {
+        let read_back = Checkpoint::from_words(checkpoint.words().to_vec());
+        self.checkpoints.push((self.samples.len(), read_back));
+    }
+}
+
+type Propagation<'a> = dyn Fn(&mut Told) -> Result<Run, PropagateError> + 'a;
+
+/// Runs through, then from each checkpoint, and compares all bits. Returns the number of checkpoints.
+fn assert_resumes(propagation: &Propagation<'_>) -> usize {
+    let mut whole = Told::default();
+    let run = propagation(&mut whole).unwrap();
+    for (rows, checkpoint) in &whole.checkpoints {
+        let mut rest = Told { resumes: Some(checkpoint.clone()), ..Told::default() };
+        let again = propagation(&mut rest).unwrap();
+        assert_eq!(format!("{again:?}"), format!("{run:?}"), "from row {rows}");
+        assert_eq!(rest.samples, whole.samples[*rows..], "from row {rows}");
+        assert_eq!(rest.coordinates, whole.coordinates[*rows..]);
+        assert_eq!(rest.budget, whole.budget);
+    }
+    whole.checkpoints.len()
+}
+
+fn options(method: Method, form: Form) -> Options {
+    Options { tolerance: 1e-9, method, form, ..Options::default() }
+}
+
+fn spun(body: &FlexibleBody) -> Start {
+    let slowest = quasirigid::reduction::frequencies(body).unwrap()[0];
+    Start::new([0.02, 0.013, 0.05].map(|part| part * slowest), ALIGNED)
+}
+
+proptest! {
+    #![proptest_config(cases(12))]
+
+    #[test]
+    fn full_and_reduced_systems_go_on_with_the_same_bits(assembly in assemblies()) {
+        let body = Assembly { support: Support::Free, ..assembly }.body().unwrap();
+        prop_assume!(body.elastic() > 0);
+        let start = spun(&body);
+        let times = times_to(3.0 / start.omega[2], 40);
+        let settled = start.settled(Forced::not(&body), 1).unwrap();
+        for method in [Method::Explicit, Method::Implicit, Method::Automatic] {
+            let options = options(method, Form::AngularMomentum);
+            assert_resumes(&|told| propagate_full(Forced::not(&body), &settled, &times, &options, told));
+        }
+        let reduced = reduce(&body, 3).unwrap();
+        for form in [Form::AngularMomentum, Form::AngularVelocity] {
+            let options = options(Method::Automatic, form);
+            assert_resumes(&|told| propagate(&reduced, start, &times, &options, told));
+        }
+    }
+}
+
+/// Long enough for changes of method, evaluations of the linear part and the event at the end.
+#[test]
+fn stiff_run_with_an_event_goes_on_with_the_same_bits() {
+    let body = AXIAL.assembly().body().unwrap();
+    let start = Start::new([0.3, 0.1, 1.0], ALIGNED);
+    let settled = start.settled(Forced::not(&body), 3).unwrap();
+    let times = times_to(400.0, 300);
+    let mut whole = Told::default();
+    let free = options(Method::Automatic, Form::AngularMomentum);
+    let run = propagate_full(Forced::not(&body), &settled, &times, &free, &mut whole).unwrap();
+    assert!(run.work.implicit_steps > 0);
+    let level = whole.samples[250].energy;
+    let options = Options { events: vec![Event::Energy(level)], ..free };
+    let outcome = propagate_full(Forced::not(&body), &settled, &times, &options, &mut Told::default());
+    assert_eq!(outcome.unwrap().outcome, Outcome::Event(Event::Energy(level)));
+    let count = assert_resumes(&|told| propagate_full(Forced::not(&body), &settled, &times, &options, told));
+    assert!(count > 5, "{count} checkpoints");
+}
+
+#[test]
+fn forced_run_goes_on_with_the_same_bits() {
+    let body = AXIAL.assembly().body().unwrap();
+    let wave = Wave { frequency: 0.7, phase: 0.2 };
+    let law = ForceLaw::Torque { torque: [0.02, -0.01, 0.03], axes: Axes::Body, wave };
+    let forces = [Force { name: "torque".into(), law }];
+    let system = Forced { body: &body, forces: &forces };
+    let start = Start::new([0.3, 0.1, 1.0], ALIGNED);
+    let times = times_to(60.0, 100);
+    let still =
+        SlowState { angular_momentum: [0.0; 3], attitude: ALIGNED, place: [0.0; 3], velocity: [0.0; 3] };
+    let slow = still.with_spin(system, 3, start.omega).unwrap();
+    for form in [Form::AngularMomentum, Form::AngularVelocity] {
+        let options = options(Method::Automatic, form);
+        assert!(assert_resumes(&|told| propagate_forced(system, 3, &slow, &times, &options, told)) > 3);
+    }
+}
+
+#[test]
+fn checkpoint_of_another_propagation_is_refused() {
+    let (one, other) =
+        (AXIAL.assembly().body().unwrap(), quasirigid::problems::ring_of_points(4).body().unwrap());
+    let start = Start::new([0.3, 0.1, 1.0], ALIGNED);
+    let options = options(Method::Explicit, Form::AngularMomentum);
+    let times = times_to(10.0, 20);
+    let mut told = Told::default();
+    let settled = start.settled(Forced::not(&one), 1).unwrap();
+    propagate_full(Forced::not(&one), &settled, &times, &options, &mut told).unwrap();
+    let mut foreign = Told { resumes: Some(told.checkpoints[0].1.clone()), ..Told::default() };
+    let settled = start.settled(Forced::not(&other), 1).unwrap();
+    let refused = propagate_full(Forced::not(&other), &settled, &times, &options, &mut foreign);
+    assert_eq!(refused.unwrap_err(), PropagateError::Checkpoint);
+    for words in [vec![], vec![3], vec![u64::MAX; 40]] {
+        let mut broken = Told { resumes: Some(Checkpoint::from_words(words)), ..Told::default() };
+        let refused = propagate_full(Forced::not(&other), &settled, &times, &options, &mut broken);
+        assert_eq!(refused.unwrap_err(), PropagateError::Checkpoint);
+    }
+}

@@ -20,7 +20,7 @@ class Keys {
     over.tabIndex = 0;
     const attributes = { role: "application", "aria-roledescription": "chart", "aria-label": chart.data.title, "aria-describedby": "plot-keys" };
     for (const [key, value] of Object.entries(attributes)) over.setAttribute(key, value);
-    over.addEventListener("keydown", (event) => this.key(event));
+    chart.figure.addEventListener("keydown", (event) => (event.target === over || event.key === "Escape") && this.key(event));
     over.addEventListener("blur", () => this.readAt(null));
   }
 

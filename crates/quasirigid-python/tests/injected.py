@@ -57,8 +57,9 @@ def data(figure: str) -> str:
     found = []
     for style, label, path in reversed(re.findall(r'<path class="curve ([^"]*)" data-label="([^"]*)" d="([^"]*)"', figure)):
         t, v, rows = series(path, x, y)
-        grids.append(packed(t))
-        found.append({"label": unquoted(label), "class": style, "grid": grids.index(grids[-1]), "values": packed(v), "rows": rows, "points": False})
+        if packed(t) not in grids:
+            grids.append(packed(t))
+        found.append({"label": unquoted(label), "class": style, "grid": grids.index(packed(t)), "values": packed(v), "rows": rows, "points": False})
     title = unquoted(re.search(r"<h3>(.*?)</h3>", figure)[1])  # type: ignore[index]
     name = re.search(r'<title id="(.*?)-title"', figure)[1]  # type: ignore[index]
     place = r'<line class="event" x1="([\d.]+)%".*?</line><text[^>]*>(.*?)</text>'

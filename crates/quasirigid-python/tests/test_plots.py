@@ -188,6 +188,15 @@ def settle(page: Any) -> None:
     page.evaluate("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => requestAnimationFrame(done))))")
 
 
+def until(page: Any, true: str) -> None:
+    """Waits for an expression; the page's own policy forbids the driver to poll it."""
+    for _ in range(200):
+        if page.evaluate(true):
+            return
+        page.wait_for_timeout(50)
+    pytest.fail(f"never: {true}")
+
+
 def number(text: str) -> float:
     """A number as the page writes it."""
     raised = text.replace("−", "-").replace("\u202f", "").replace("×10", "e")
@@ -436,18 +445,17 @@ def test_the_clock_of_the_picture_and_the_charts_go_together(look: Open, pages: 
     page.evaluate("window.asked = []; addEventListener('quasirigid:seek', ({ detail }) => asked.push(detail.t))")
     page.locator("#viewer-canvas").scroll_into_view_if_needed()
     page.evaluate("(() => { const it = document.getElementById('viewer-scrub'); it.value = 0.7; it.dispatchEvent(new Event('input')); })()")
-    page.wait_for_timeout(300)
     chart = Chart(page, "spin")
-    chart.settle()
+    until(page, "Math.abs(parseFloat(document.querySelector('figure:has(#spin-title) .now').style.left) - 70) < 0.5")
     now = chart.box.locator(".now")
-    assert now.is_visible() and float(now.evaluate("(node) => parseFloat(node.style.left)")) == pytest.approx(70, abs=0.5)
+    assert now.is_visible()
     page.mouse.click(*chart.spot(0.25))
-    page.wait_for_timeout(300)
+    place = "parseFloat(document.querySelector('figure:has(#spin-title) .now').style.left)"
+    until(page, f"Math.abs({place} - 25) < 0.5")
     x = data_of(pages["nutation-damper"], "spin")["x"]
     t = x["link"]["factor"] * (x["low"] + 0.25 * (x["high"] - x["low"]))
     assert page.evaluate("asked") == pytest.approx([t], rel=0.01)
     assert page.inner_text("#viewer-time").startswith("15") or page.inner_text("#viewer-time").startswith("14.9")
-    assert float(now.evaluate("(node) => parseFloat(node.style.left)")) == pytest.approx(25, abs=0.5)
     chart.drag(0.5, 0.6)
     assert len(page.evaluate("asked")) == 1 and now.is_hidden()
     page.select_option("#viewer-motion", index=1)
@@ -526,7 +534,7 @@ def test_the_table_is_the_data(look: Open, pages: dict[str, Path]) -> None:
             for series, near in zip(data["series"], inside):
                 known = dict(zip(np.float32(series["x"][near]), true(series["y"][near])))
                 got = found[series["label"]]
-                assert abs(len(got) - near.sum()) <= 0.03 * near.sum() + 2
+                assert abs(len(got) - near.sum()) <= (0.03 * near.sum() + 2 if start else 0)
                 for t, value in got:
                     expected = known[min(known, key=lambda at: abs(at - float(t)))] if len(known) < 50 else known.get(np.float32(float(t)), np.nan)
                     if value and np.isfinite(expected):

@@ -10,6 +10,9 @@ const svgNode = (parent, name, attributes, words) => {
   return node;
 };
 
+/** A line across the plot, but for the ends that are given. */
+const line = (parent, style, ends) => svgNode(parent, "line", { class: style, x1: 0, x2: "100%", y1: 0, y2: "100%", ...ends });
+
 const percent = (part) => `${(100 * part).toFixed(2)}%`;
 
 /** Moves sorted places apart to the height of a line of text, keeping them within the plot. */
@@ -35,11 +38,11 @@ class Layer {
     this.grid = svgNode(own, "g", {});
     this.names = { x: own.appendChild(nameOfX.cloneNode(true)), y: own.appendChild(nameOfY.cloneNode(true)) };
     this.named = { x: nameOfX.textContent, y: nameOfY.textContent };
-    const inner = svgNode(own, "svg", { viewBox: `0 0 ${WIDTH} ${HEIGHT}`, preserveAspectRatio: "none", width: "100%", height: "100%" });
+    const box = { viewBox: `0 0 ${WIDTH} ${HEIGHT}`, preserveAspectRatio: "none", width: "100%", height: "100%" };
+    const inner = svgNode(own, "svg", box);
     const path = (kind, { style, label }) => svgNode(inner, "path", { class: `${kind} ${style}`, "data-label": label });
     const paths = (source) => ({ area: path("reach", source), line: path("curve", source), dots: path("dots", source) });
-    const nodes = [...series].reverse().map((source) => [source, paths(source)]);
-    this.paths = new Map(nodes);
+    this.paths = new Map([...series].reverse().map((source) => [source, paths(source)]));
     this.over = svgNode(own, "g", {});
   }
 
@@ -66,17 +69,17 @@ class Layer {
   drawGrid(x, y) {
     const { grid, chart } = this;
     grid.replaceChildren();
-    svgNode(grid, "line", { class: "base", x1: 0, x2: "100%", y1: "100%", y2: "100%" });
+    line(grid, "base", { y1: "100%" });
     const vertical = ticksOf(y);
     for (const tick of vertical.ticks) {
       const at = percent(1 - tick.at);
-      svgNode(grid, "line", { class: "grid", x1: 0, x2: "100%", y1: at, y2: at });
+      line(grid, "grid", { y1: at, y2: at });
       svgNode(grid, "text", { class: "tick end", x: 0, y: at, dx: "-0.6em", dy: "0.35em" }, tick.label);
     }
     const horizontal = this.ticksThatFit(x, chart.over.clientWidth);
     for (const tick of horizontal.ticks) {
       const at = percent(tick.at);
-      svgNode(grid, "line", { class: "grid", x1: at, x2: at, y1: 0, y2: "100%" });
+      line(grid, "grid", { x1: at, x2: at });
       svgNode(grid, "text", { class: "tick middle", x: at, y: "100%", dy: "1.5em" }, tick.label);
     }
     this.names.x.textContent = this.nameOf("x", horizontal.power);
@@ -122,8 +125,7 @@ class Layer {
     if (!(part >= 0 && part <= 1)) return;
     const at = percent(part);
     const left = part > 0.5;
-    svgNode(this.over, "line", { class: "event", x1: at, x2: at, y1: 0, y2: "100%" });
-    const style = `name event${left ? " end" : ""}`;
-    svgNode(this.over, "text", { class: style, x: at, y: "100%", dx: left ? "-0.5em" : "0.5em", dy: "-0.6em" }, label);
+    line(this.over, "event", { x1: at, x2: at });
+    svgNode(this.over, "text", { class: `name event${left ? " end" : ""}`, x: at, y: "100%", dx: left ? "-0.5em" : "0.5em", dy: "-0.6em" }, label);
   }
 }

@@ -60,7 +60,7 @@ class Reader {
       const i = series.nearest(at, high - low, rise);
       const x = series.x[i];
       const isBeyond = i < 0 || (Math.abs(x - at) > 0.02 * (high - low) && (i === 0 || i === series.x.length - 1));
-      if (isBeyond || Number.isNaN(series.y[i])) continue;
+      if (isBeyond || !Number.isFinite(series.y[i])) continue;
       const indices = series.thinned && series.swings[i >> 1] ? series.band(i >> 1) : [i];
       found.push({ series, points: indices.map((j) => [series.x[j], series.y[j]]) });
     }
@@ -87,12 +87,11 @@ class Reader {
   }
 
   write(at, read) {
-    const parts = read.map((each) => [each.series.style, this.words(each)]);
     this.readout.replaceChildren();
     element(this.readout, "span", "").textContent = this.placeWords(at, read);
-    for (const [style, words] of parts) {
-      const part = element(this.readout, "span", style.replace("dashed", ""));
-      part.textContent = words;
+    for (const each of read) {
+      const part = element(this.readout, "span", each.series.color);
+      part.textContent = this.words(each);
       element(part, "span", "unit").textContent = withUnit("", this.chart.y.unit);
     }
   }
@@ -105,7 +104,7 @@ class Reader {
       for (const [x, y] of points) {
         const [part, rise] = [chart.partOf(x), place(axis, y)];
         if (part < 0 || part > 1 || rise < -0.01 || rise > 1.01) continue;
-        const ring = element(this.spots, "i", series.style.replace("dashed", ""));
+        const ring = element(this.spots, "i", series.color);
         Object.assign(ring.style, { left: percent(part), top: percent(1 - rise) });
       }
     }

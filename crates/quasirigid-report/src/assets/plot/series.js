@@ -1,6 +1,7 @@
 // Points of a curve. Where they stand for more rows of the record, two and two are the extremes of an interval of rows.
 const OVERLAP = 0.2; // of the range of an interval with those of both neighbours, where the curve swings within it
 const WIDEST = 1.7; // pixels: the width of a line
+const ROUNDING = 1.2e-7; // of numbers of four bytes
 const WINDOW = 6; // intervals on either side
 const MOST_TURNS = 5; // of a curve that a line through its extremes shows
 
@@ -8,7 +9,7 @@ const isSorted = (list, sign) => list.every((value, i) => i === 0 || sign * (val
 
 class Series {
   constructor({ label, class: style, values, rows, points }, grid) {
-    Object.assign(this, { label, style, rows, apart: points });
+    Object.assign(this, { label, style, rows, apart: points, color: style.split(" ")[0] });
     this.read = once(() => this.decoded(grid(), floats(values)));
     this.search = once(() => this.found());
   }
@@ -100,10 +101,8 @@ class Series {
   /** Indices from the first point inside a range to the one after the last. */
   inside(low, high) {
     if (!this.sorted) return [0, this.x.length];
-    const first = firstFrom(this.x, low);
-    let end = firstFrom(this.x, high);
-    while (this.x[end] === high) end++;
-    return [first, end];
+    const slack = ROUNDING * Math.max(Math.abs(low), Math.abs(high));
+    return [firstFrom(this.x, low - slack), firstFrom(this.x, high + slack)];
   }
 
   /** Value between a point and the next. */
@@ -128,7 +127,7 @@ class Series {
       if (value < least) least = value;
       if (value > most) most = value;
     };
-    const [from, to] = banded ? [Math.max(0, (first - 1) & ~1), Math.min(this.y.length, (end + 1) | 1)] : [first, end];
+    const [from, to] = banded ? [Math.max(0, first - 4), Math.min(this.y.length, end + 4)] : [first, end];
     for (let i = from; i < to; i++) if (this.sorted || (this.x[i] >= low && this.x[i] <= high)) meet(this.y[i]);
     if (!banded) this.edges(low, high).forEach(meet);
     return [least, most];

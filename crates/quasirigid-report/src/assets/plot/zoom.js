@@ -8,14 +8,10 @@ class Gestures {
     Object.assign(this, { chart, over: chart.over, fingers: new Map(), drag: null });
     this.band = element(chart.over, "div", "band-of-range");
     this.band.hidden = true;
-    const on = (type, act, options) => this.over.addEventListener(type, (event) => act.call(this, event), options);
-    on("pointerdown", this.down);
-    on("pointermove", this.move);
-    on("pointerup", this.up);
-    on("pointercancel", this.cancel);
-    on("pointerleave", this.leave);
-    on("dblclick", () => chart.group.whole());
-    on("wheel", this.wheel, { passive: false });
+    const on = (name) => this.over.addEventListener(`pointer${name}`, (event) => this[name](event));
+    ["down", "move", "up", "cancel", "leave"].forEach(on);
+    this.over.addEventListener("dblclick", () => chart.group.whole());
+    this.over.addEventListener("wheel", (event) => this.wheel(event), { passive: false });
   }
 
   spot({ clientX, clientY }) {
@@ -55,7 +51,7 @@ class Gestures {
     this.cancelDrag();
     if (!drag) return;
     if (drag.moved && !drag.pans) this.chart.select(drag.from, drag.to);
-    else if (!drag.moved && event.detail < 2) this.chart.seek(drag.from);
+    else if (!drag.moved) this.chart.seek(drag.from);
   }
 
   cancel(event) {

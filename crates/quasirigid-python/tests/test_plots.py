@@ -308,6 +308,9 @@ def test_the_readout_tells_the_nearest_points(look: Open, pages: dict[str, Path]
                 assert words.startswith(f"{series['label']} ")
                 assert numbers(words)[0] == pytest.approx(value, rel=1e-2), (words, value)
     other = Chart(page, "evolution-nutation")
+    other.drag(0.2, 0.4)
+    left = other.box.locator(".rule").evaluate("(node) => parseFloat(node.style.left)")
+    assert left == pytest.approx(40, abs=0.5), "the rule is under the pointer after a zoom too"
     assert other.box.locator(".rule").is_visible() and len(other.readout()) == 3
     page.mouse.move(0, 0)
     other.settle()
@@ -484,6 +487,7 @@ def test_the_picture_is_a_file_of_its_own(look: Open, pages: dict[str, Path]) ->
         assert "%" not in re.sub(r"<(title|desc)>.*?</", "", text) and "class=" not in text and "var(" not in text and "em\"" not in text
         assert {"power", "t [s]", "power [W]", *chart.ticks()} <= set(words)
         assert text != light
+        assert next(node for node in root.iter(f"{svg}text") if node.text == "t [s]").get("x") == "800"
         light = text
         x = [float(place.split(" ")[0]) for place in re.split("[ML]", curves[0].get("d", ""))[1:]]
         assert 0 <= min(x) < 20 and 780 < max(x) <= 800
@@ -565,7 +569,8 @@ def test_hostile_labels_stay_text(look: Open) -> None:
 def test_a_narrow_screen_holds_the_charts(look: Open, scheme: str) -> None:
     page = look("boom-satellite", viewport={"width": 320, "height": 640}, color_scheme=scheme, has_touch=True)
     chart = Chart(page, "spin")
-    chart.drag(0.3, 0.33)
+    for _ in range(3):
+        chart.drag(0.3, 0.5)
     chart.hover(0.4)
     assert chart.zoomed and page.evaluate("document.documentElement.scrollWidth") <= 320
     ticks = [node.bounding_box() for node in chart.box.locator(".part .tick.middle").all()]

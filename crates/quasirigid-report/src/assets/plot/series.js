@@ -83,19 +83,19 @@ class Series {
   }
 
   found() {
-    const { intervals } = this;
-    const range = (k) => this.extremesOf(2 * k, 2 * k + 2).map((i) => this.y[i]);
-    const ranges = Array.from({ length: intervals }, (_, k) => range(k));
-    const overlaps = (k, j) => {
-      if (!ranges[j]) return true;
-      const [[low, high], [lower, higher]] = [ranges[k], ranges[j]];
-      return Math.min(high, higher) - Math.max(low, lower) > OVERLAP * (high - low);
+    const count = this.intervals;
+    const [lows, highs] = [new Float32Array(count), new Float32Array(count)];
+    for (let k = 0; k < count; k++) [lows[k], highs[k]] = this.extremesOf(2 * k, 2 * k + 2).map((i) => this.y[i]);
+    const overlaps = (k, j) => j < 0 || j >= count || Math.min(highs[k], highs[j]) - Math.max(lows[k], lows[j]) > OVERLAP * (highs[k] - lows[k]);
+    const rises = (k) => lows[k] + highs[k] > lows[k - 1] + highs[k - 1];
+    const sums = (is) => {
+      const sum = new Uint32Array(count + 1);
+      for (let k = 0; k < count; k++) sum[k + 1] = sum[k] + is(k);
+      return (k, reach) => sum[Math.min(count, k + reach + 1)] - sum[Math.max(0, k - reach)];
     };
-    const rises = ranges.map(([low, high], k) => k > 0 && low + high > ranges[k - 1][0] + ranges[k - 1][1]);
-    const turns = Uint8Array.from(ranges, ([low, high], k) => k > 1 && high > low && rises[k] !== rises[k - 1]);
-    const fast = Uint8Array.from(ranges, (_, k) => overlaps(k, k - 1) && overlaps(k, k + 1));
-    const around = (list, k, reach) => list.subarray(Math.max(0, k - reach), k + reach + 1).reduce((sum, one) => sum + one, 0);
-    return fast.map((_, k) => around(fast, k, 1) > 0 || around(turns, k, WINDOW) > MOST_TURNS);
+    const fast = sums((k) => overlaps(k, k - 1) && overlaps(k, k + 1));
+    const turns = sums((k) => k > 1 && highs[k] > lows[k] && rises(k) !== rises(k - 1));
+    return new Uint8Array(count).map((_, k) => fast(k, 1) > 0 || turns(k, WINDOW) > MOST_TURNS);
   }
 
   /** Indices from the first point inside a range to the one after the last. */

@@ -10,7 +10,7 @@ class Gestures {
     this.band.hidden = true;
     const on = (name) => this.over.addEventListener(`pointer${name}`, (event) => this[name](event));
     ["down", "move", "up", "cancel", "leave"].forEach(on);
-    this.over.addEventListener("dblclick", () => chart.group.whole());
+    this.over.addEventListener("dblclick", (event) => this.change(event, () => chart.group.whole()));
     this.over.addEventListener("wheel", (event) => this.wheel(event), { passive: false });
   }
 
@@ -37,10 +37,7 @@ class Gestures {
     if (!drag) return;
     drag.moved ||= Math.abs(event.clientX - drag.x) > CLICK;
     if (!drag.moved) return;
-    if (drag.pans) {
-      this.chart.pan(drag.to - part);
-      this.chart.refresh();
-    }
+    if (drag.pans) this.change(event, () => this.chart.pan(drag.to - part));
     drag.to = part;
     if (!drag.pans) this.mark();
   }
@@ -50,8 +47,16 @@ class Gestures {
     this.fingers.delete(event.pointerId);
     this.cancelDrag();
     if (!drag) return;
-    if (drag.moved && !drag.pans) this.chart.select(drag.from, drag.to);
+    if (drag.moved && !drag.pans) this.change(event, () => this.chart.select(drag.from, drag.to));
     else if (!drag.moved) this.chart.seek(drag.from);
+  }
+
+  /** Changes what is shown, and reads the place that is under the pointer then. */
+  change(event, act) {
+    act();
+    this.chart.refresh();
+    const [part, rise] = this.spot(event);
+    this.read(clamp(part, 0, 1), rise);
   }
 
   cancel(event) {

@@ -569,7 +569,7 @@ def test_hostile_labels_stay_text(look: Open) -> None:
 def test_a_narrow_screen_holds_the_charts(look: Open, scheme: str) -> None:
     page = look("boom-satellite", viewport={"width": 320, "height": 640}, color_scheme=scheme, has_touch=True)
     chart = Chart(page, "spin")
-    for _ in range(3):
+    for _ in range(5):
         chart.drag(0.3, 0.5)
     chart.hover(0.4)
     assert chart.zoomed and page.evaluate("document.documentElement.scrollWidth") <= 320

@@ -69,8 +69,8 @@ def data(figure: str) -> str:
 
 
 def injected(text: str) -> str:
-    """The page with data and scripts; a page that carries them already, as it is."""
-    if "figure-data" in text:
+    """The page with data and scripts; what it carries already stays as it is."""
+    if "startPlots" in text:
         return text
 
     def with_data(found: re.Match[str]) -> str:
@@ -79,7 +79,8 @@ def injected(text: str) -> str:
             return figure
         return figure.replace("</figure>", f'<script type="application/json" class="figure-data">{data(figure)}</script></figure>')
 
-    text = re.sub(r"<figure>.*?</figure>", with_data, text, flags=re.DOTALL)
+    if "figure-data" not in text:
+        text = re.sub(r"<figure>.*?</figure>", with_data, text, flags=re.DOTALL)
     scripts = "".join((ASSETS / "plot" / f"{name}.js").read_text() for name in SCRIPTS)
     start = text.index("<script>// Reads the values")
     end = text.index("</script>", start)
@@ -89,5 +90,6 @@ def injected(text: str) -> str:
         new = (ASSETS / "viewer" / "controls.js").read_text()
         at = text.index(new.split("\n", 1)[0], viewer)
         text = text[:at] + new.rstrip("\n") + text[text.index("\n// Starts the viewer", at) :]
-    text = text.replace(POLICY, f"{POLICY}; img-src data:")
+    if "img-src" not in text:
+        text = text.replace(POLICY, f"{POLICY}; img-src data:")
     return text.replace("</style>", (ASSETS / "plot" / "plot.css").read_text() + "</style>", 1)

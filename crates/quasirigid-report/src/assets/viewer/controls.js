@@ -52,6 +52,7 @@ class Controls {
     byId("viewer-play").addEventListener("click", () => this.play(!this.viewer.clock.playing));
     byId("viewer-scrub").addEventListener("input", (event) => this.scrub(Number(event.target.value)));
     byId("viewer-speed").addEventListener("input", (event) => this.chooseSpeed(10 ** Number(event.target.value)));
+    window.addEventListener("quasirigid:seek", ({ detail }) => this.seek(detail?.t));
     byId("viewer-speed-real").addEventListener("click", () => this.chooseSpeed(1));
     byId("viewer-speed-turn").addEventListener("click", () => this.chooseSpeed(this.speedOfTurn()));
     byId("viewer-speed-whole").addEventListener("click", () => this.chooseSpeed((this.viewer.frames.end - this.viewer.frames.start) / 30));
@@ -282,7 +283,24 @@ class Controls {
     byId("viewer-strobe").hidden = !strobe;
     byId("viewer-speed-words").textContent = speedWords(viewer.runSpeed, this.rate());
     this.tags();
-    if (!viewer.mode) this.panel?.mark(clock.time - clock.start);
+    if (viewer.mode) return;
+    this.panel?.mark(clock.time - clock.start);
+    if (viewer.frames && clock.time !== this.toldTime) this.tell(clock.time);
+  }
+
+  /** Tells the charts of the page which time is shown. */
+  tell(t) {
+    this.toldTime = t;
+    window.dispatchEvent(new CustomEvent("quasirigid:time", { detail: { t } }));
+  }
+
+  /** Goes to a time of the run, as a click on a chart asks. */
+  seek(t) {
+    const { viewer } = this;
+    const clock = viewer.mode ? viewer.runClock : viewer.clock;
+    if (!viewer.frames || !Number.isFinite(t)) return;
+    clock.time = clamp(t, clock.start, clock.end);
+    viewer.redraw();
   }
 
   stateWords({ omega, momentum, dissipated }) {

@@ -288,7 +288,7 @@ def test_the_page_integrates_as_the_program(look: Open, pages: dict[str, Path], 
     history = model.simulate(system="reduced", duration=100 * np.pi / rate, samples=51, tolerance=1e-13, order=3)
     spin, attitude = np.array(history.angular_velocity), np.array(history.attitude)
     K = momentum_with(json.loads(scene_of(text))["equations"]["spin_of_momentum"], spin[0])
-    scripts = text[text.index('"use strict";') :]
+    scripts = text[text.rindex('"use strict";') :]
     scripts = scripts[: scripts.index("if (byId(\"scene\")) startViewer();")]
     states = look(name).evaluate(
         f"""(start) => {{ {scripts}

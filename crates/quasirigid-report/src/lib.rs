@@ -15,6 +15,7 @@
 #[doc = include_str!("../README.md")]
 struct ReadmeOfCrate;
 
+mod charts;
 mod columns;
 mod comparison;
 mod figure;

@@ -1,6 +1,7 @@
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 use quasirigid_io::record::RunRecord;
 
+use crate::charts;
 use crate::sphere;
 use crate::viewer;
 
@@ -11,7 +12,6 @@ use crate::sections::{
 
 pub(crate) const STYLE: &str = include_str!("assets/page.css");
 pub(crate) const PALETTE: &str = include_str!("assets/palette.css");
-pub(crate) const SCRIPT: &str = include_str!("assets/plot.js");
 
 /// Content security policy: no resource from outside the page, as the browser enforces.
 pub(crate) const POLICY: &str =
@@ -20,8 +20,8 @@ pub(crate) const POLICY: &str =
 /// The report of a run: one HTML page that needs no other file.
 ///
 /// The verdict on validity comes first, then the answer, the figures and the tables. Whatever the record lacks
-/// (histories, columns, damping) is said in words where it would have stood. The page stays below a megabyte
-/// for histories of any length.
+/// (histories, columns, damping) is said in words where it would have stood. Figures of histories of any
+/// length take less than a megabyte, the scene about as much.
 pub fn page(record: &RunRecord) -> String {
     let document: Markup = html! {
         (DOCTYPE)
@@ -33,7 +33,7 @@ pub fn page(record: &RunRecord) -> String {
                 meta http-equiv="Content-Security-Policy" content=(POLICY);
                 title { (record.model.name) " · quasirigid report" }
                 style {
-                    (PreEscaped(PALETTE)) (PreEscaped(STYLE)) (PreEscaped(sphere::STYLE))
+                    (PreEscaped(PALETTE)) (PreEscaped(STYLE)) (PreEscaped(charts::STYLE)) (PreEscaped(sphere::STYLE))
                     @if record.scene.is_some() { (PreEscaped(viewer::STYLE)) }
                 }
             }
@@ -53,7 +53,7 @@ pub fn page(record: &RunRecord) -> String {
                     @if !record.liquids.is_empty() { (liquids::section(&record.liquids)) }
                     (provenance::section(record))
                 }
-                script { (PreEscaped(SCRIPT)) }
+                (charts::script())
                 @if record.scene.is_some() { (viewer::script()) }
             }
         }

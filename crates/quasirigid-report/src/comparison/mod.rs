@@ -7,7 +7,8 @@ mod rows;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 use quasirigid_io::record::RunRecord;
 
-use crate::page::{PALETTE, POLICY, SCRIPT, STYLE};
+use crate::charts;
+use crate::page::{PALETTE, POLICY, STYLE};
 use crate::sections::{overview, table::table};
 use crate::verdict::Verdict;
 use rows::Row;
@@ -54,7 +55,7 @@ pub fn comparison_page(runs: &[Compared<'_>]) -> String {
                 meta name="generator" content={ "quasirigid " (env!("CARGO_PKG_VERSION")) };
                 meta http-equiv="Content-Security-Policy" content=(POLICY);
                 title { (title(runs)) " · quasirigid comparison" }
-                style { (PreEscaped(PALETTE)) (PreEscaped(STYLE)) (PreEscaped(TABLES)) }
+                style { (PreEscaped(PALETTE)) (PreEscaped(STYLE)) (PreEscaped(charts::STYLE)) (PreEscaped(TABLES)) }
             }
             body {
                 main {
@@ -79,7 +80,7 @@ pub fn comparison_page(runs: &[Compared<'_>]) -> String {
                         @else { (alike(&same)) }
                     }
                 }
-                script { (PreEscaped(SCRIPT)) }
+                (charts::script())
             }
         }
     }

@@ -121,6 +121,9 @@ pub struct RunArgs {
     /// Replace the folder if it is there
     #[arg(long)]
     pub overwrite: bool,
+    /// Go on with a run that was cut off, with the same bits
+    #[arg(long)]
+    pub resume: bool,
     /// Open the report in the browser
     #[arg(long)]
     pub open: bool,

@@ -193,6 +193,13 @@ pub enum StudyError {
         /// Cause.
         cause: std::io::Error,
     },
+    /// A run in work that cannot be started or gone on with.
+    KeptRun {
+        /// Folder of the run in work.
+        folder: PathBuf,
+        /// Reason.
+        problem: &'static str,
+    },
     /// Work that was told to end.
     Interrupted,
 }
@@ -231,6 +238,9 @@ impl StudyError {
                 name(Setting::Spin)
             ),
             Self::Write { path, cause } => format!("cannot write {}: {cause}", path.display()),
+            Self::KeptRun { folder, problem } => {
+                format!("{}: {}", folder.display(), problem.replace("{resume}", name(Setting::Resume)))
+            }
             Self::Interrupted => "interrupted; the table breaks off here".into(),
             Self::NoDuration { .. }
             | Self::Samples { .. }

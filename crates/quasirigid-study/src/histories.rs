@@ -329,7 +329,7 @@ impl Study {
         let run = motion.follow(table.system, &times, &options, &mut collector)?;
         let Collector { samples, budget, coordinates, .. } = collector;
         let rows = coordinates.unwrap_or_default();
-        let mut columns = columns(body.support(), &samples, None);
+        let mut columns = columns(body.support(), &samples);
         if table.displacements {
             columns.extend(displacement_columns(body.markers(), &rows));
         }

@@ -1,76 +1,117 @@
 //! Columns of a spin history, with their units: samples, nutation, internal coordinates and displacements.
 
-use quasirigid::dynamics::{Nutation, Nutations, Sample};
+use quasirigid::dynamics::{Checkpoint, Nutation, Nutations, Sample};
 use quasirigid::model::{Coordinate, Marker, Principal, ReducedBody, Support};
 use quasirigid_io::record::Column;
 use quasirigid_math::vec3::{dot, norm};
 
 use crate::visible::one_line;
 
-/// The columns of a table of samples: nutation only with a body to count it by, places only of a body that can move away.
-pub fn columns(support: &Support, samples: &[Sample], nutating: Option<&ReducedBody>) -> Vec<Column> {
-    let column = |name: &str, unit: &str, value: &dyn Fn(&Sample) -> f64| Column {
-        name: name.into(),
-        unit: unit.into(),
-        values: samples.iter().map(value).collect(),
-    };
-    let mut columns = vec![
-        column("t", "s", &|s| s.t),
-        column("wx", "rad/s", &|s| s.omega[0]),
-        column("wy", "rad/s", &|s| s.omega[1]),
-        column("wz", "rad/s", &|s| s.omega[2]),
-        column("qw", "1", &|s| s.attitude[0]),
-        column("qx", "1", &|s| s.attitude[1]),
-        column("qy", "1", &|s| s.attitude[2]),
-        column("qz", "1", &|s| s.attitude[3]),
-        column("energy", "J", &|s| s.energy),
-        column("momentum", "N m s", &|s| norm(s.angular_momentum)),
-        column("dissipated", "J", &|s| s.dissipated),
-        column("work", "J", &|s| s.work),
-        column("energy_drift", "J", &|s| s.energy_drift),
-        column("momentum_drift", "1", &|s| s.momentum_drift),
-    ];
-    if let Some(body) = nutating {
-        columns.extend(nutation_columns(body, samples));
-    }
-    if matches!(support, Support::FixedPoint { .. }) {
-        return columns;
-    }
-    for (axis, name) in ["x", "y", "z"].iter().enumerate() {
-        columns.push(column(name, "m", &|s| s.place[axis]));
-    }
-    for (axis, name) in ["vx", "vy", "vz"].iter().enumerate() {
-        columns.push(column(name, "m/s", &|s| s.velocity[axis]));
-    }
-    if matches!(support, Support::Free) {
-        for (axis, name) in ["R0x", "R0y", "R0z"].iter().enumerate() {
-            columns.push(column(name, "m", &|s| s.pole[axis]));
-        }
-    }
-    columns
+/// Numbers of a sample that every table has: names, units and values.
+type Entry = (&'static str, &'static str, fn(&Sample) -> f64);
+
+const MOTION: [Entry; 14] = [
+    ("t", "s", |s| s.t),
+    ("wx", "rad/s", |s| s.omega[0]),
+    ("wy", "rad/s", |s| s.omega[1]),
+    ("wz", "rad/s", |s| s.omega[2]),
+    ("qw", "1", |s| s.attitude[0]),
+    ("qx", "1", |s| s.attitude[1]),
+    ("qy", "1", |s| s.attitude[2]),
+    ("qz", "1", |s| s.attitude[3]),
+    ("energy", "J", |s| s.energy),
+    ("momentum", "N m s", |s| norm(s.angular_momentum)),
+    ("dissipated", "J", |s| s.dissipated),
+    ("work", "J", |s| s.work),
+    ("energy_drift", "J", |s| s.energy_drift),
+    ("momentum_drift", "1", |s| s.momentum_drift),
+];
+
+const NUTATION: [(&str, &str); 3] = [("circled_axis", "1"), ("nutation_min", "rad"), ("nutation_max", "rad")];
+
+/// Places of a body that can move away.
+const PLACE: [Entry; 6] = [
+    ("x", "m", |s| s.place[0]),
+    ("y", "m", |s| s.place[1]),
+    ("z", "m", |s| s.place[2]),
+    ("vx", "m/s", |s| s.velocity[0]),
+    ("vy", "m/s", |s| s.velocity[1]),
+    ("vz", "m/s", |s| s.velocity[2]),
+];
+
+/// Places of the pole of a free body.
+const POLE: [Entry; 3] =
+    [("R0x", "m", |s| s.pole[0]), ("R0y", "m", |s| s.pole[1]), ("R0z", "m", |s| s.pole[2])];
+
+/// Rows of the table of a history: nutation only with a body to count it by, places only of a body that can move away.
+#[derive(Clone, Debug)]
+pub struct HistoryTable<'b> {
+    nutations: Option<(Nutations<'b>, [[f64; 3]; 3])>,
+    after: Vec<Entry>,
 }
 
-/// The principal axis next to the circled one, from 1 for the least inertia, and the least and the greatest nutation angle at each
-/// sample; not a number where there is no nutation. (P8)
-fn nutation_columns(body: &ReducedBody, samples: &[Sample]) -> [Column; 3] {
-    let mut nutations = Nutations::new(body);
-    let found: Vec<Option<Nutation>> =
-        samples.iter().map(|sample| nutations.at(sample.angular_momentum)).collect();
-    let axes = Principal::compute(body.J).axes;
-    let circled = |nutation: &Nutation| {
-        let along = |axis: &usize| dot(axes[*axis], nutation.axis).abs();
-        (0..3).max_by(|a, b| along(a).total_cmp(&along(b))).map_or(f64::NAN, |axis| (axis + 1) as f64)
-    };
-    let column = |name: &str, unit: &str, value: &dyn Fn(&Nutation) -> f64| Column {
-        name: name.into(),
-        unit: unit.into(),
-        values: found.iter().map(|nutation| nutation.as_ref().map_or(f64::NAN, value)).collect(),
-    };
-    [
-        column("circled_axis", "1", &circled),
-        column("nutation_min", "rad", &|nutation| nutation.least),
-        column("nutation_max", "rad", &|nutation| nutation.greatest),
-    ]
+impl<'b> HistoryTable<'b> {
+    pub fn new(support: &Support, nutating: Option<&'b ReducedBody>) -> Self {
+        let after = match support {
+            Support::FixedPoint { .. } => Vec::new(),
+            Support::Prescribed { .. } => PLACE.to_vec(),
+            Support::Free => PLACE.iter().chain(&POLE).copied().collect(),
+        };
+        let nutations = nutating.map(|body| (Nutations::new(body), Principal::compute(body.J).axes));
+        Self { nutations, after }
+    }
+
+    /// The columns, without values.
+    pub fn columns(&self) -> Vec<Column> {
+        let nutation = if self.nutations.is_some() { &NUTATION[..] } else { &[] };
+        let head =
+            |(name, unit): (&str, &str)| Column { name: name.into(), unit: unit.into(), values: Vec::new() };
+        let named = |(name, unit, _): &Entry| (*name, *unit);
+        let all = MOTION.iter().map(named).chain(nutation.iter().copied());
+        all.chain(self.after.iter().map(named)).map(head).collect()
+    }
+
+    /// Fills the row of a sample, which follows those before.
+    pub fn fill(&mut self, sample: &Sample, row: &mut Vec<f64>) {
+        row.clear();
+        row.extend(MOTION.iter().map(|(.., value)| value(sample)));
+        if let Some((nutations, axes)) = &mut self.nutations {
+            row.extend(nutation(nutations.at(sample.angular_momentum), axes));
+        }
+        row.extend(self.after.iter().map(|(.., value)| value(sample)));
+    }
+
+    /// Saves what the next rows depend on.
+    pub fn save(&self, checkpoint: &mut Checkpoint) {
+        self.nutations.iter().for_each(|(nutations, _)| nutations.save(checkpoint));
+    }
+
+    /// Loads what was saved.
+    pub fn load(&mut self, checkpoint: &mut Checkpoint) -> Option<()> {
+        self.nutations.iter_mut().try_for_each(|(nutations, _)| nutations.load(checkpoint))
+    }
+}
+
+/// The principal axis next to the circled one, from 1 for the least inertia, and the least and the greatest nutation angle; not a number
+/// where there is no nutation. (P8)
+fn nutation(found: Option<Nutation>, axes: &[[f64; 3]; 3]) -> [f64; 3] {
+    let Some(nutation) = found else { return [f64::NAN; 3] };
+    let along = |axis: &usize| dot(axes[*axis], nutation.axis).abs();
+    let circled =
+        (0..3).max_by(|a, b| along(a).total_cmp(&along(b))).map_or(f64::NAN, |axis| (axis + 1) as f64);
+    [circled, nutation.least, nutation.greatest]
+}
+
+/// The columns of a table of samples, without nutation.
+pub fn columns(support: &Support, samples: &[Sample]) -> Vec<Column> {
+    let mut table = HistoryTable::new(support, None);
+    let mut columns = table.columns();
+    let mut row = Vec::new();
+    for sample in samples {
+        table.fill(sample, &mut row);
+        columns.iter_mut().zip(&row).for_each(|(column, number)| column.values.push(*number));
+    }
+    columns
 }
 
 /// Columns of the first `valued` internal coordinates, then of the rates of all, from one list of both per row.

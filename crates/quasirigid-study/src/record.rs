@@ -1,17 +1,17 @@
 //! Results of the library as parts of a run record.
 
-use quasirigid::dynamics::{Event, Options, Outcome, Run, Sample};
+use quasirigid::dynamics::{Event, Options, Outcome, Run};
 use quasirigid::model::{FlexibleBody, Principal, ReducedBody, Support};
 use quasirigid::reduction::{Validity, Verdict, residual};
 use quasirigid::verification::{AverageRow, Difference, OrderRow, VerificationPlan};
 use quasirigid_io::model::{Model, Named, System};
 use quasirigid_io::record::{
-    AverageRecord, BodyRecord, CriterionRecord, DegreeRecord, HistoryRecord, ModelRecord, OrderRecord,
-    ReductionRecord, ResolutionRecord, ValidityRecord, VerificationRecord,
+    AverageRecord, BodyRecord, Column, CriterionRecord, DegreeRecord, HistoryRecord, ModelRecord,
+    OrderRecord, ReductionRecord, ResolutionRecord, UNFINISHED, ValidityRecord, VerificationRecord,
 };
 use quasirigid_math::ode::Work;
 
-use crate::history_columns::columns;
+use crate::history_sink::Followed;
 use crate::study::Study;
 use crate::verification::Proof;
 use crate::{resolution, words};
@@ -137,14 +137,37 @@ pub fn verification(plan: &VerificationPlan, Proof { verification, average }: &P
     }
 }
 
-/// A spin history of some `equations`, in words, with the nutation by the `nutating` body.
+/// A history of some `equations`, in words, that is in work.
+pub fn unfinished(system: System, equations: &str, options: &Options, columns: Vec<Column>) -> HistoryRecord {
+    HistoryRecord {
+        system: system.name().into(),
+        form: equations.into(),
+        method: method(system, Work::default()),
+        status: UNFINISHED.into(),
+        message: "the run was cut off; quasirigid run with --resume goes on with it".into(),
+        tolerance: options.tolerance,
+        steps: 0,
+        rejected: 0,
+        revolutions: f64::NAN,
+        energy: f64::NAN,
+        dissipated: f64::NAN,
+        dissipation: std::collections::BTreeMap::new(),
+        work: f64::NAN,
+        energy_drift: f64::NAN,
+        momentum_drift: f64::NAN,
+        rows: 0,
+        columns,
+        log: None,
+    }
+}
+
+/// A spin history of some `equations`, in words.
 pub fn history(
     system: System,
     equations: &str,
     options: &Options,
-    (samples, budget): (&[Sample], &[(String, f64)]),
+    followed: Followed,
     (body, run): (&FlexibleBody, &Run),
-    nutating: &ReducedBody,
 ) -> HistoryRecord {
     let (status, message) = status(body, run.outcome, run.last.t);
     HistoryRecord {
@@ -157,15 +180,15 @@ pub fn history(
         steps: run.work.steps,
         rejected: run.work.rejected,
         revolutions: run.last.revolutions,
-        energy: samples.first().map_or(f64::NAN, |first| first.energy),
+        energy: followed.energy,
         dissipated: run.last.dissipated,
-        dissipation: words::shares(budget),
+        dissipation: words::shares(&followed.budget),
         work: run.last.work,
         energy_drift: run.last.energy_drift,
         momentum_drift: run.last.momentum_drift,
-        rows: samples.len() as u64,
-        log: None,
-        columns: columns(body.support(), samples, Some(nutating)),
+        rows: followed.rows,
+        columns: followed.columns,
+        log: followed.log,
     }
 }
 

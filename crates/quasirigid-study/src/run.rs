@@ -1,7 +1,7 @@
 //! The main job: check, reduce, propagate, follow over many revolutions, prove; and the record of it all.
 
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use quasirigid::dynamics::{Options, Outcome, PropagateError, Start};
@@ -14,7 +14,10 @@ use quasirigid_math::vec3::norm;
 use crate::derive;
 use crate::error::StudyError;
 use crate::evolution::Evolved;
-use crate::histories::{Collector, Propagation, circled_axis, even_times, room};
+use crate::histories::{Propagation, circled_axis, even_times, room};
+use crate::history_columns::HistoryTable;
+use crate::history_sink::{FrameList, HistorySink};
+use crate::kept_run::{HistoryLog, Keeping, KeptRun};
 use crate::left_out::LeftOut;
 use crate::liquids::{Liquid, liquids};
 use crate::motion::{DISPLACED, Motion};
@@ -39,7 +42,7 @@ const SETTLES: &str = "the full system moves until its friction has stilled it, 
                        settles on";
 
 /// Result of a run.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub struct RunOutcome {
     /// The record.
     pub record: RunRecord,
@@ -47,9 +50,22 @@ pub struct RunOutcome {
     pub reduced: String,
     /// Whether everything asked for is done and holds.
     pub holds: bool,
+    /// Folder of the run in work.
+    kept: Option<KeptRun>,
 }
 
 impl RunOutcome {
+    /// Removes the folder of the run in work, once the record is written; that of a run that was interrupted stays, so that it can go on.
+    /// Returns the folder that stays.
+    pub fn settle(self) -> Option<PathBuf> {
+        let kept = self.kept?;
+        if kept.is_there() && self.record.histories.iter().any(|history| history.status == "interrupted") {
+            return Some(kept.folder().to_owned());
+        }
+        kept.remove();
+        None
+    }
+
     /// Writes the record, the reduced equations, the report and its picture into a folder that is there.
     ///
     /// # Errors
@@ -80,6 +96,22 @@ impl Study {
     /// # Errors
     /// [`StudyError`] for a start that is none, and for settings out of range; what is interrupted is left out with a note.
     pub fn run(&self, propagation: &Propagation, watch: &mut dyn Watch) -> Result<RunOutcome, StudyError> {
+        self.run_kept(propagation, None, watch)
+    }
+
+    /// Does everything that the model asks for in `[run]`, and keeps the histories in work in a folder, from which a run that was cut off
+    /// goes on with the same bits. A long history is then written to the disk as it goes. The folder is that of the outcome, until
+    /// [`RunOutcome::settle`] removes it.
+    ///
+    /// # Errors
+    /// Those of [`run`](Self::run), and [`StudyError::KeptRun`].
+    pub fn run_kept(
+        &self,
+        propagation: &Propagation,
+        keeping: Option<&Keeping>,
+        watch: &mut dyn Watch,
+    ) -> Result<RunOutcome, StudyError> {
+        let mut kept = keeping.map(|keeping| KeptRun::open(keeping, self, propagation)).transpose()?;
         let Study { model, body, order, .. } = self;
         let start = self.initial()?;
         let motion = Motion::new(self, start);
@@ -97,17 +129,9 @@ impl Study {
         let scene_modes = poles.nearest.clone();
         let left_out = LeftOut::at(self, start.omega, poles.nearest);
         notes.extend(left_out.notes());
-        let plan = Plan::new(self, propagation, &motion, nutating)?;
+        let plan = Plan::new(self, propagation, &motion, nutating, kept.is_some())?;
         let evolution = plan.evolution(start, &mut notes, watch)?;
-        let mut frames = None;
-        let histories = plan.histories(&mut notes, &mut frames, watch)?;
-        let verification = plan.verification(&mut notes, watch)?;
-        let equations = frames.as_ref().filter(|_| !motion.system().acts()).and_then(|frames| {
-            let [first, .., last] = frames.samples.as_slice() else { return None };
-            scene::equations(self, (first, last.t - first.t), &validity).ok()
-        });
-        let scene = scene::scene(self, self.visuals()?, frames.as_ref(), scene_modes.as_ref(), equations);
-        let record = RunRecord {
+        let mut record = RunRecord {
             version: env!("CARGO_PKG_VERSION").into(),
             model: record::model(model),
             notes,
@@ -116,11 +140,20 @@ impl Study {
             validity: record::validity(&validity),
             steady_spins: poles.records,
             reduction: record::reduction(body, &reduced, &validity, start.omega),
-            histories,
-            verification,
+            histories: Vec::new(),
+            verification: None,
             evolution,
-            scene: Some(scene),
+            scene: None,
         };
+        let mut frames = None;
+        plan.histories(&mut record, &mut frames, &mut kept, watch)?;
+        record.verification = plan.verification(&mut record.notes, watch)?;
+        let equations = frames.as_ref().filter(|_| !motion.system().acts()).and_then(|frames| {
+            let [first, .., last] = frames.samples.as_slice() else { return None };
+            scene::equations(self, (first, last.t - first.t), &validity).ok()
+        });
+        let scene = scene::scene(self, self.visuals()?, frames.as_ref(), scene_modes.as_ref(), equations);
+        record.scene = Some(scene);
         let done = plan.is_done(&record);
         let equations =
             derive::of_reduced(self, Arc::clone(&reduced), &validity.vibrations.frequencies, Some(start));
@@ -128,6 +161,7 @@ impl Study {
             record,
             reduced: equations.json(),
             holds: done && holds && left_out.liquids.is_none(),
+            kept,
         })
     }
 }
@@ -161,6 +195,7 @@ impl<'a> Plan<'a> {
         propagation: &Propagation,
         motion: &'a Motion<'a>,
         nutating: Nutating<'a>,
+        kept: bool,
     ) -> Result<Self, StudyError> {
         let omega = motion.start.omega;
         let duration = propagation.duration(study, omega)?;
@@ -168,46 +203,49 @@ impl<'a> Plan<'a> {
         let rows = (ROWS_PER_TURN * revolutions).ceil().clamp(ROWS[0], ROWS[1]) as usize;
         let rows = propagation.samples(study, rows);
         let systems = study.model.run.systems.clone().unwrap_or_else(|| vec![System::Reduced, System::Rigid]);
-        room(rows, systems.len() + 1, 0)?;
+        if !kept {
+            room(rows, systems.len() + 1, 0)?;
+        }
         let options = propagation.options(study, circled_axis(nutating.nearly_rigid, omega))?;
         Ok(Self { study, motion, systems, times: even_times(rows, duration)?, options, nutating })
     }
 
-    /// The histories, in the order asked for; `notes` says why one is missing.
+    /// The histories, in the order asked for; a note says why one is missing.
     fn histories(
         &self,
-        notes: &mut Vec<String>,
+        record: &mut RunRecord,
         frames: &mut Option<Frames>,
+        kept: &mut Option<KeptRun>,
         watch: &mut dyn Watch,
-    ) -> Result<Vec<HistoryRecord>, StudyError> {
-        let mut histories = Vec::new();
+    ) -> Result<(), StudyError> {
         for system in &self.systems {
             if watch.at(system.name(), 0.0).is_break() {
-                notes.push(INTERRUPTED.replace("{system}", system.name()));
+                record.notes.push(INTERRUPTED.replace("{system}", system.name()));
                 continue;
             }
-            match self.history(*system, frames, watch) {
-                Ok(history) => histories.push(history),
+            match self.history(*system, record, frames, kept, watch) {
+                Ok(history) => record.histories.push(history),
                 Err(StudyError::Propagate(PropagateError::NoAngularMomentum))
                     if *system == System::Reduced =>
                 {
-                    notes.push(NO_MOMENTUM.into());
+                    record.notes.push(NO_MOMENTUM.into());
                     if !self.systems.contains(&System::Full) {
-                        histories.push(self.history(System::Full, frames, watch)?);
+                        let history = self.history(System::Full, record, frames, kept, watch)?;
+                        record.histories.push(history);
                     }
                 }
                 Err(failure) => return Err(failure),
             }
         }
         if self.motion.starts_displaced() {
-            notes.push(format!("{DISPLACED}: {SETTLES}."));
+            record.notes.push(format!("{DISPLACED}: {SETTLES}."));
         }
         let forced = self.motion.system().acts();
         let note = |each: &HistoryRecord| {
             drift_note(&each.system, forced, each.energy, [each.energy_drift, each.dissipated])
         };
-        notes.extend(histories.iter().filter_map(note));
-        Ok(histories)
+        record.notes.extend(record.histories.iter().filter_map(note));
+        Ok(())
     }
 
     /// The proof against the full system, where the file asks for it.
@@ -250,30 +288,52 @@ impl<'a> Plan<'a> {
     fn history(
         &self,
         system: System,
+        record: &RunRecord,
         frames: &mut Option<Frames>,
+        kept: &mut Option<KeptRun>,
         watch: &mut dyn Watch,
     ) -> Result<HistoryRecord, StudyError> {
         let name = system.name();
         let body = self.motion.system().body;
-        let stride = Frames::stride(self.times.len(), body.coordinates().len());
-        let mut collector = Collector::new(watch, name, &self.times);
-        collector.keep_every(if frames.is_none() { Some(stride) } else { None });
-        let run = self.motion.follow(system, &self.times, &self.options, &mut collector)?;
-        let Collector { samples, budget, coordinates, .. } = collector;
-        if let Some(coordinates) = coordinates {
+        let equations = self.motion.equations(system, self.options.form);
+        let table = HistoryTable::new(body.support(), Some(self.nutating.of(system)));
+        let list = match frames {
+            None => {
+                let count = body.coordinates().len();
+                FrameList::new(Frames::stride(self.times.len(), count), count)
+            }
+            Some(_) => FrameList::default(),
+        };
+        let (mut log, mut resumed) = (None, None);
+        if let Some(kept) = kept {
+            kept.begin(with_unfinished(
+                record,
+                record::unfinished(system, equations, &self.options, table.columns()),
+            ))?;
+            let widths = [table.columns().len(), list.width()];
+            let (opened, found) = HistoryLog::open(kept, name, widths)?;
+            (log, resumed) = (Some(opened), found);
+        }
+        let mut sink = HistorySink::new(table, &self.times, list, log, (&mut *watch, name));
+        if let Some(resumed) = resumed {
+            sink.resume(resumed)?;
+        }
+        sink.log_if_long(self.times.len())?;
+        let run = self.motion.follow(system, &self.times, &self.options, &mut sink)?;
+        let mut followed = sink.finish()?;
+        if frames.is_none() {
+            let list = std::mem::take(&mut followed.frames);
             *frames = Some(Frames {
                 system: name.into(),
-                samples: samples.iter().step_by(stride).copied().collect(),
-                coordinates,
+                samples: list.samples,
+                coordinates: list.coordinates,
                 count: body.coordinates().len(),
             });
         }
         if matches!(run.outcome, Outcome::Failed(_) | Outcome::StepLimit | Outcome::LeftRange(_)) {
             watch.remark(&format!("{name}: {}", record::status(body, run.outcome, run.last.t).1));
         }
-        let equations = self.motion.equations(system, self.options.form);
-        let counted = self.nutating.of(system);
-        Ok(record::history(system, equations, &self.options, (&samples, &budget), (body, &run), counted))
+        Ok(record::history(system, equations, &self.options, followed, (body, &run)))
     }
 
     /// Whether everything asked for was followed to its end and verified.
@@ -285,4 +345,11 @@ impl<'a> Plan<'a> {
             && record.verification.as_ref().is_none_or(|verification| verification.reached)
             && record.evolution.as_ref().is_none_or(|evolution| evolution.status == "finished")
     }
+}
+
+/// The record so far with a history that begins.
+fn with_unfinished(record: &RunRecord, history: HistoryRecord) -> RunRecord {
+    let mut record = record.clone();
+    record.histories.push(history);
+    record
 }

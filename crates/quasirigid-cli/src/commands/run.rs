@@ -1,12 +1,14 @@
 use std::path::{Path, PathBuf};
 
 use quasirigid_io::model::Model;
-use quasirigid_study::{Study, summary};
+use quasirigid_io::record::RunRecord;
+use quasirigid_study::{Keeping, Study, summary};
 
 use super::{is_standard_input, model, propagation, whole};
 use crate::args::RunArgs;
 use crate::failure::Failure;
 use crate::interrupt::Interrupt;
+use crate::message::remark;
 use crate::output::Folder;
 use crate::progress::Terminal;
 use crate::{ExitStatus, output};
@@ -16,18 +18,20 @@ const REPORT: &str = "report.html";
 
 /// The main job: check, reduce, propagate, and write the record with its report.
 pub fn run(arguments: &RunArgs) -> Result<ExitStatus, Failure> {
-    let RunArgs { common, overwrite, .. } = arguments;
+    let RunArgs { common, overwrite, resume, .. } = arguments;
     if arguments.out.is_none() && is_standard_input(common) {
         return Err(Failure::NamelessRun);
     }
     let study = whole(common, || Study::with_visuals(model(common)?, common.order))?;
     study.initial()?;
     let path = arguments.out.clone().unwrap_or_else(|| default_folder(&study.model));
-    Folder::check(&path, *overwrite)?;
+    let overwrite = *overwrite || *resume && is_partial(&path, &study.model);
+    Folder::check(&path, overwrite)?;
     let asked = propagation(&arguments.propagation)?;
     let interrupt = Interrupt::listen()?;
-    let found = study.run(&asked, &mut Terminal::new(&interrupt, common.quiet))?;
-    let folder = Folder::new(&path, *overwrite)?;
+    let keeping = Keeping { folder: unfinished(&path), resume: *resume };
+    let found = study.run_kept(&asked, Some(&keeping), &mut Terminal::new(&interrupt, common.quiet))?;
+    let folder = Folder::new(&path, overwrite)?;
     let formats = arguments.tables.as_deref().unwrap_or(found.record.usual_formats());
     found.record.write(&folder.building(), formats)?;
     found.files().iter().try_for_each(|(name, text)| folder.write(name, text))?;
@@ -41,7 +45,26 @@ pub fn run(arguments: &RunArgs) -> Result<ExitStatus, Failure> {
     if arguments.open {
         output::open(&placed.path.join(REPORT))?;
     }
-    Ok(if found.holds && in_place { ExitStatus::Done } else { ExitStatus::CheckFailed })
+    let holds = found.holds;
+    if let Some(kept) = found.settle() {
+        remark(&format!("{} is kept; the same command with --resume goes on with the run", kept.display()));
+    }
+    Ok(if holds && in_place { ExitStatus::Done } else { ExitStatus::CheckFailed })
+}
+
+/// Folder of the run in work beside that of its record.
+fn unfinished(path: &Path) -> PathBuf {
+    let mut name = path.file_name().unwrap_or_default().to_owned();
+    name.push("-unfinished");
+    path.with_file_name(name)
+}
+
+/// Whether a folder has a record of this model that was interrupted.
+fn is_partial(path: &Path, model: &Model) -> bool {
+    RunRecord::read(path).is_ok_and(|record| {
+        let interrupted = record.histories.iter().any(|history| history.status == "interrupted");
+        interrupted && record.model.sha256 == model.source.sha256
+    })
 }
 
 /// The file's name with `-run`; a file called `model.toml` has the name of its folder.

@@ -15,6 +15,8 @@ use super::{Column, EvolutionRecord, HistoryRecord, RecordError, RunRecord};
 const EVOLUTION: &str = "evolution";
 /// Ending of the log of a run in work.
 pub(super) const LOG: &str = "rows";
+/// Status of a history in work.
+pub const UNFINISHED: &str = "unfinished";
 /// File of everything but rows.
 const RECORD: &str = "record.json";
 /// File of what a viewer draws.
@@ -43,6 +45,27 @@ impl RunRecord {
             serde_json::to_writer_pretty(&mut *out, self)?;
             out.write_all(b"\n")
         })
+    }
+
+    /// Writes the record of a run in work over an older one, without tables of histories, which the run logs.
+    ///
+    /// # Errors
+    /// [`RecordError`].
+    pub fn write_unfinished(&self, dir: &Path) -> Result<(), RecordError> {
+        if let Some(evolution) = &self.evolution {
+            let file = dir.join(format!("{EVOLUTION}.{}", TableFormat::Csv.ending()));
+            if !file.exists() {
+                TableFormat::Csv.write(&file, &evolution.columns, &evolution.columns)?;
+            }
+        }
+        let new = dir.join(format!("{RECORD}.new"));
+        let written = fs::remove_file(&new).or_else(|error| match error.kind() {
+            io::ErrorKind::NotFound => Ok(()),
+            _ => Err(error),
+        });
+        written.map_err(|error| unusable(&new, &error))?;
+        create(&new, |out| Ok(serde_json::to_writer_pretty(out, self)?))?;
+        fs::rename(&new, dir.join(RECORD)).map_err(|error| unusable(&new, &error))
     }
 
     /// Formats of the tables where none are asked for: CSV, or Parquet beside a history that is not kept whole.
@@ -144,17 +167,18 @@ fn read_history(dir: &Path, history: &mut HistoryRecord) -> Result<(), RecordErr
     if log.exists() {
         let table = RowTable::open(&log, history.columns.len())?;
         rows = Extremes::new(&history.columns, table.rows());
-        table.each(&mut |row| {
-            rows.push(row);
-            Ok(())
-        })?;
+        table.for_each(|row| rows.push(row))?;
     } else {
         let (file, format) = found(dir, &stem)?;
         rows = Extremes::new(&history.columns, history.rows);
         format.read(&file, &history.columns, &mut |row| rows.push(row))?;
     }
+    let unfinished = log.exists() && history.status == UNFINISHED;
     history.rows = if history.rows == 0 && !log.exists() { 0 } else { rows.rows() };
     history.columns = rows.into_columns();
+    if unfinished {
+        history.sum_up();
+    }
     Ok(())
 }
 

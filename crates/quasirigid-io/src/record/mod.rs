@@ -22,6 +22,7 @@ pub use error::RecordError;
 pub use evolution::{
     ApproachRecord, CrossingRecord, EstimateRecord, EvolutionRecord, HarmonicRecord, ObservedRecord,
 };
+pub use folder::UNFINISHED;
 pub use modes::{ModeRecord, SteadySpinRecord};
 pub use scene::{
     CoordinateRecord, EquationsRecord, FieldRecord, LimitRecord, Packed, PieceRecord, PrincipalRecord,
@@ -292,6 +293,16 @@ pub struct HistoryRecord {
 }
 
 impl HistoryRecord {
+    /// Takes the energies and drifts of a history in work from its rows.
+    fn sum_up(&mut self) {
+        let of = |name: &str| self.columns.iter().find(|column| column.name == name);
+        let first = |name: &str| of(name).and_then(|column| column.values.first().copied());
+        let last = |name: &str| of(name).and_then(|column| column.values.last().copied()).unwrap_or(f64::NAN);
+        self.energy = first("energy").unwrap_or(f64::NAN);
+        [self.dissipated, self.work] = ["dissipated", "work"].map(last);
+        [self.energy_drift, self.momentum_drift] = ["energy_drift", "momentum_drift"].map(last);
+    }
+
     /// Rows of the history, of which the columns hold all or the extremes.
     #[must_use]
     pub fn rows(&self) -> u64 {

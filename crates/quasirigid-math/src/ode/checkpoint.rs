@@ -87,6 +87,12 @@ impl Checkpoint {
         })
     }
 
+    /// The numbers that have not been loaded.
+    #[must_use]
+    pub fn rest(&self) -> Self {
+        Self::from_words(self.words[self.next..].to_vec())
+    }
+
     /// Whether every number has been loaded.
     #[must_use]
     pub fn is_spent(&self) -> bool {

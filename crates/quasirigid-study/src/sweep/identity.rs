@@ -2,16 +2,14 @@
 //! A run goes on only in a folder of the same identity, so that a changed mesh never meets the rows of the old one.
 
 use std::collections::BTreeSet;
-use std::fs::File;
-use std::io::{self, Write};
 use std::path::Path;
 
 use quasirigid_io::model::Source;
 use quasirigid_io::study_file::StudyFile;
-use sha2::{Digest, Sha256};
 
 use super::SweepError;
 use super::bodies::Bodies;
+use crate::hashed::Hashed;
 
 /// SHA-256, in hexadecimal, of the version of the program, the study, the model, the table, and the files that any of them names for the
 /// model.
@@ -20,12 +18,12 @@ pub(super) fn identity(
     model: &Source,
     bodies: Option<&Bodies>,
 ) -> Result<String, SweepError> {
-    let mut hash = Hashed(Sha256::new());
+    let mut hash = Hashed::default();
     for text in [env!("CARGO_PKG_VERSION"), &study.source.sha256, &model.sha256] {
         hash.text(text);
     }
     if let Some(table) = &study.table {
-        hash.file(&table.file)?;
+        hash.file(&table.file).map_err(SweepError::io(&table.file))?;
     }
     let folder = model.file.parent().unwrap_or(Path::new(""));
     let mut files = model.files_in(folder);
@@ -34,33 +32,8 @@ pub(super) fn identity(
     files.extend(cells.into_iter().filter(|name| folder.join(name).is_file()).map(str::to_owned));
     for name in files {
         hash.text(&name);
-        hash.file(&folder.join(name))?;
+        let file = folder.join(name);
+        hash.file(&file).map_err(SweepError::io(&file))?;
     }
-    Ok(hash.0.finalize().iter().map(|byte| format!("{byte:02x}")).collect())
-}
-
-/// A checksum as a writer.
-struct Hashed(Sha256);
-
-impl Hashed {
-    fn text(&mut self, text: &str) {
-        self.0.update(text.as_bytes());
-        self.0.update([0]);
-    }
-
-    fn file(&mut self, path: &Path) -> Result<(), SweepError> {
-        let mut file = File::open(path).map_err(SweepError::io(path))?;
-        io::copy(&mut file, self).map(drop).map_err(SweepError::io(path))
-    }
-}
-
-impl Write for Hashed {
-    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        self.0.update(bytes);
-        Ok(bytes.len())
-    }
-
-    fn flush(&mut self) -> io::Result<()> {
-        Ok(())
-    }
+    Ok(hash.finish())
 }

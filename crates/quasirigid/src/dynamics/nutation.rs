@@ -4,7 +4,7 @@
 //! Equation (P8), docs/theory/05-propagation.md; (N1), docs/theory/17-levels.md.
 
 use super::steady::{all_steady_spins, steady_angular_momentum};
-use crate::math::ode::{Dop853, Solver, System};
+use crate::math::ode::{Checkpoint, Dop853, Solver, System};
 use crate::math::polynomial::{Kernel, Series};
 use crate::math::rotation::angle;
 use crate::math::simd::{Arithmetic, Plain};
@@ -80,6 +80,30 @@ impl<'b> Nutations<'b> {
         let slow_energy = body.energy_of_momentum.even();
         let slope = Kernel::new(&deviator(&slow_energy.gradient(), 1.0));
         Self { body, slope, slow_energy, steady: Vec::new(), last: None }
+    }
+
+    /// Saves what the next nutations start from.
+    pub fn save(&self, checkpoint: &mut Checkpoint) {
+        checkpoint.save_list(self.steady.as_flattened());
+        let last = self.last.map(|(energy, G, Nutation { axis: [x, y, z], least, greatest })| {
+            vec![energy, G, x, y, z, least, greatest]
+        });
+        checkpoint.save_list(&last.unwrap_or_default());
+    }
+
+    /// Goes on from a checkpoint; none if it is of something else.
+    pub fn load(&mut self, checkpoint: &mut Checkpoint) -> Option<()> {
+        let steady = checkpoint.load_list()?;
+        let (steady, rest) = steady.as_chunks();
+        self.steady = steady.to_vec();
+        self.last = match checkpoint.load_list()?[..] {
+            [] => None,
+            [energy, G, x, y, z, least, greatest] => {
+                Some((energy, G, Nutation { axis: [x, y, z], least, greatest }))
+            }
+            _ => return None,
+        };
+        rest.is_empty().then_some(())
     }
 
     /// Nutation at an angular momentum `K` (N·m·s, body axes); none at `K = 0`, where every spin is steady, and on a separatrix.

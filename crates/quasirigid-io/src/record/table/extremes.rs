@@ -63,6 +63,16 @@ impl Extremes {
         self.rows
     }
 
+    /// Passes the rows kept, in order.
+    ///
+    /// # Errors
+    /// Those of the receiver.
+    pub fn each<E>(&self, mut take: impl FnMut(&[f64]) -> Result<(), E>) -> Result<(), E> {
+        let rows = self.columns.first().map_or(0, |column| column.values.len());
+        let row = |place: usize| self.columns.iter().map(move |column| column.values[place]);
+        (0..rows).try_for_each(|place| take(&row(place).collect::<Vec<_>>()))
+    }
+
     /// The columns with the rows kept.
     #[must_use]
     pub fn into_columns(mut self) -> Vec<Column> {

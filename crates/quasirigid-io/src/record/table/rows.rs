@@ -103,6 +103,17 @@ impl RowTable {
     pub fn rows(&self) -> u64 {
         self.rows
     }
+
+    /// Passes every row, in order.
+    ///
+    /// # Errors
+    /// [`RecordError::File`].
+    pub fn for_each(&self, mut take: impl FnMut(&[f64])) -> Result<(), RecordError> {
+        self.each(&mut |row| {
+            take(row);
+            Ok(())
+        })
+    }
 }
 
 impl Rows for RowTable {

@@ -1,0 +1,289 @@
+//! Folder of a run in work: logs of rows and frames, checkpoints, and the record so far, so that a run that was cut off can be read and
+//! goes on with the same bits. The folder appears with the first checkpoint; a run of moments leaves none.
+
+use std::fs::{self, File, TryLockError};
+use std::io::{self, ErrorKind, Write};
+use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
+
+use quasirigid::dynamics::Checkpoint;
+use quasirigid_io::disk::{settle, settle_folder};
+use quasirigid_io::record::{RowLog, RowTable, RunRecord};
+
+use crate::error::StudyError;
+use crate::hashed::Hashed;
+use crate::histories::Propagation;
+use crate::study::Study;
+
+/// Time between two checkpoints.
+const PAUSE: Duration = Duration::from_secs(1);
+/// File of the identity of the run, which its process locks.
+const IDENTITY: &str = "run.identity";
+/// Beginning of a checkpoint file.
+const MAGIC: &[u8; 8] = b"QRCHECK1";
+
+/// Place of a run in work, and whether it goes on from there.
+#[derive(Clone, Debug)]
+pub struct Keeping {
+    /// Folder of the run in work.
+    pub folder: PathBuf,
+    /// Whether the run goes on from what is there.
+    pub resume: bool,
+}
+
+/// Folder of a run in work.
+#[derive(Debug)]
+pub(crate) struct KeptRun {
+    folder: PathBuf,
+    identity: String,
+    resumes: bool,
+    /// The record as far as it is known; written into the folder.
+    record: Option<RunRecord>,
+    /// Lock of the folder, once it is made.
+    lock: Option<File>,
+}
+
+impl KeptRun {
+    /// Of a study with these settings.
+    ///
+    /// # Errors
+    /// [`StudyError::KeptRun`] where a folder is there that this run does not go on from, or none is that it should.
+    pub fn open(keeping: &Keeping, study: &Study, propagation: &Propagation) -> Result<Self, StudyError> {
+        let Keeping { folder, resume } = keeping;
+        let identity = identity(study, propagation).map_err(wrong(folder))?;
+        let mut run = Self { folder: folder.clone(), identity, resumes: *resume, record: None, lock: None };
+        let problem = |problem: &'static str| StudyError::KeptRun { folder: folder.clone(), problem };
+        match (folder.exists(), resume) {
+            (false, false) => {}
+            (false, true) => return Err(problem("there is no run here to go on with")),
+            (true, false) => {
+                return Err(problem(
+                    "a run that was cut off is here; go on with it by {resume}, or remove the folder",
+                ));
+            }
+            (true, true) => {
+                let known = fs::read_to_string(folder.join(IDENTITY)).map_err(wrong(folder))?;
+                if known != run.identity {
+                    return Err(problem(
+                        "the run here has another model, other settings, or another version of the program",
+                    ));
+                }
+                run.lock()?;
+            }
+        }
+        Ok(run)
+    }
+
+    /// Takes the record so far, with the history that begins.
+    pub fn begin(&mut self, record: RunRecord) -> Result<(), StudyError> {
+        self.record = Some(record);
+        if self.lock.is_some() { self.write_record() } else { Ok(()) }
+    }
+
+    /// Makes the folder, if it is not there.
+    fn make(&mut self) -> Result<(), StudyError> {
+        if self.lock.is_some() {
+            return Ok(());
+        }
+        fs::create_dir(&self.folder).map_err(wrong(&self.folder))?;
+        fs::write(self.folder.join(IDENTITY), &self.identity).map_err(wrong(&self.folder))?;
+        self.lock()?;
+        self.write_record()
+    }
+
+    fn lock(&mut self) -> Result<(), StudyError> {
+        let path = self.folder.join(IDENTITY);
+        let file = File::open(&path).map_err(wrong(&path))?;
+        if matches!(file.try_lock(), Err(TryLockError::WouldBlock)) {
+            let problem = "another process has this run in work";
+            return Err(StudyError::KeptRun { folder: self.folder.clone(), problem });
+        }
+        self.lock = Some(file);
+        Ok(())
+    }
+
+    fn write_record(&self) -> Result<(), StudyError> {
+        match &self.record {
+            Some(record) => Ok(record.write_unfinished(&self.folder)?),
+            None => Ok(()),
+        }
+    }
+
+    fn path(&self, system: &str, ending: &str) -> PathBuf {
+        self.folder.join(format!("history-{system}.{ending}"))
+    }
+
+    /// Whether the folder has been made.
+    pub fn is_there(&self) -> bool {
+        self.lock.is_some()
+    }
+
+    /// The folder.
+    pub fn folder(&self) -> &Path {
+        &self.folder
+    }
+
+    /// Removes the folder, if nothing but the run is in it.
+    pub fn remove(self) {
+        for entry in fs::read_dir(&self.folder).into_iter().flatten().flatten() {
+            let name = entry.file_name().to_string_lossy().into_owned();
+            let ours = ["history-", "record.json", "evolution.", IDENTITY, "report.html"];
+            if ours.iter().any(|known| name.starts_with(known)) {
+                let _ = fs::remove_file(entry.path());
+            }
+        }
+        let _ = fs::remove_dir(&self.folder);
+    }
+}
+
+/// Log of a history: its rows, its frames and its last checkpoint.
+#[derive(Debug)]
+pub(crate) struct HistoryLog<'r> {
+    run: &'r mut KeptRun,
+    system: &'static str,
+    /// Numbers of a row and of a frame.
+    widths: [usize; 2],
+    logs: Option<[RowLog; 2]>,
+    last: Instant,
+}
+
+/// State of a history that goes on.
+pub(crate) struct Resumed {
+    /// Rows and frames up to the checkpoint.
+    pub tables: [RowTable; 2],
+    /// The checkpoint.
+    pub checkpoint: Checkpoint,
+}
+
+impl<'r> HistoryLog<'r> {
+    /// Log of a history with rows and frames of so many numbers, and what it goes on from.
+    pub fn open(
+        run: &'r mut KeptRun,
+        system: &'static str,
+        widths: [usize; 2],
+    ) -> Result<(Self, Option<Resumed>), StudyError> {
+        let mut log = Self { run, system, widths, logs: None, last: Instant::now() };
+        let file = log.run.path(system, "checkpoint");
+        if !log.run.resumes || !file.exists() {
+            return Ok((log, None));
+        }
+        let broken = || StudyError::KeptRun {
+            folder: log.run.folder.clone(),
+            problem: "its checkpoint is damaged; remove the folder and start anew",
+        };
+        let mut checkpoint = read(&fs::read(&file).map_err(wrong(&file))?).ok_or_else(broken)?;
+        let (Some(rows), Some(frames)) = (checkpoint.load_count(), checkpoint.load_count()) else {
+            return Err(broken());
+        };
+        log.open_logs([rows, frames])?;
+        let [rows, frames] = ["rows", "frames"].map(|ending| log.run.path(system, ending));
+        let tables = [RowTable::open(&rows, widths[0])?, RowTable::open(&frames, widths[1])?];
+        Ok((log, Some(Resumed { tables, checkpoint })))
+    }
+
+    fn open_logs(&mut self, [rows, frames]: [u64; 2]) -> Result<(), StudyError> {
+        let open = |ending: &str, width: usize, count: u64| {
+            let path = self.run.path(self.system, ending);
+            RowLog::open(&path, width, count).map_err(wrong(&path))
+        };
+        let [row, frame] = self.widths;
+        self.logs = Some([open("rows", row, rows)?, open("frames", frame, frames)?]);
+        Ok(())
+    }
+
+    /// Whether the log is on the disk.
+    pub fn is_open(&self) -> bool {
+        self.logs.is_some()
+    }
+
+    /// Makes the folder and starts the log; the rows and frames so far are to be pushed.
+    pub fn start(&mut self) -> Result<(), StudyError> {
+        self.run.make()?;
+        self.open_logs([0, 0])
+    }
+
+    /// Logs a row.
+    pub fn row(&mut self, row: &[f64]) -> Result<(), StudyError> {
+        self.push(0, row)
+    }
+
+    /// Logs a frame.
+    pub fn frame(&mut self, frame: &[f64]) -> Result<(), StudyError> {
+        self.push(1, frame)
+    }
+
+    fn push(&mut self, log: usize, row: &[f64]) -> Result<(), StudyError> {
+        match &mut self.logs {
+            Some(logs) => logs[log].push(row).map_err(wrong(&self.run.folder)),
+            None => Ok(()),
+        }
+    }
+
+    /// Whether a checkpoint is due.
+    pub fn is_due(&self) -> bool {
+        self.last.elapsed() >= PAUSE
+    }
+
+    /// Puts a checkpoint on the disk, after the rows that it continues.
+    pub fn checkpoint(&mut self, state: &Checkpoint) -> Result<(), StudyError> {
+        let Some(logs) = &mut self.logs else { return Ok(()) };
+        logs.iter_mut().try_for_each(RowLog::settle).map_err(wrong(&self.run.folder))?;
+        let mut whole = Checkpoint::default();
+        logs.iter().for_each(|log| whole.save_count(log.rows()));
+        let words: Vec<u64> = whole.words().iter().chain(state.words()).copied().collect();
+        let path = self.run.path(self.system, "checkpoint");
+        let new = self.run.path(self.system, "checkpoint-new");
+        write(&new, &words).and_then(|()| fs::rename(&new, &path)).map_err(wrong(&path))?;
+        settle_folder(&self.run.folder).map_err(wrong(&self.run.folder))?;
+        self.last = Instant::now();
+        Ok(())
+    }
+
+    /// The rows as a table.
+    pub fn into_rows(self) -> Result<Option<RowTable>, StudyError> {
+        let Some([rows, _]) = self.logs else { return Ok(None) };
+        rows.into_table().map(Some).map_err(wrong(&self.run.folder))
+    }
+}
+
+fn write(path: &Path, words: &[u64]) -> io::Result<()> {
+    let bytes: Vec<u8> = words.iter().flat_map(|word| word.to_le_bytes()).collect();
+    let mut file = File::create(path)?;
+    file.write_all(MAGIC)?;
+    file.write_all(&crc32fast::hash(&bytes).to_le_bytes())?;
+    file.write_all(&bytes)?;
+    settle(&file)
+}
+
+fn read(bytes: &[u8]) -> Option<Checkpoint> {
+    let (checksum, bytes) = bytes.strip_prefix(MAGIC)?.split_first_chunk()?;
+    let (words, rest) = bytes.as_chunks();
+    let whole = rest.is_empty() && u32::from_le_bytes(*checksum) == crc32fast::hash(bytes);
+    whole.then(|| Checkpoint::from_words(words.iter().map(|word| u64::from_le_bytes(*word)).collect()))
+}
+
+/// Checksum of everything that the bits of a run depend on.
+fn identity(study: &Study, propagation: &Propagation) -> io::Result<String> {
+    let source = &study.model.source;
+    let folder = source.file.parent().unwrap_or(Path::new(""));
+    let mut hash = Hashed::default();
+    hash.text(env!("CARGO_PKG_VERSION"));
+    hash.text(&source.sha256);
+    hash.text(&format!("{propagation:?} {}", study.order));
+    for name in source.files_in(folder) {
+        hash.text(&name);
+        hash.file(&folder.join(name))?;
+    }
+    Ok(hash.finish())
+}
+
+fn wrong(path: &Path) -> impl FnOnce(io::Error) -> StudyError {
+    let path = path.to_owned();
+    move |cause| match cause.kind() {
+        ErrorKind::UnexpectedEof => StudyError::KeptRun {
+            folder: path.parent().unwrap_or(Path::new("")).to_owned(),
+            problem: "its rows are cut short; remove the folder and start anew",
+        },
+        _ => StudyError::Write { path, cause },
+    }
+}

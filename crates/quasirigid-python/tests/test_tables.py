@@ -1,101 +1,56 @@
-"""Tables: arrays on shared memory, and Arrow into the libraries that are installed."""
+"""Tables of a record as other programs read them: pandas, polars, pyarrow, NumPy."""
 
 from __future__ import annotations
 
-import ctypes
-import gc
-import pickle
+import json
+import subprocess
+from pathlib import Path
 
 import numpy as np
+import pandas
+import polars
+import pyarrow.parquet
 import pytest
-
-import quasirigid
-from quasirigid import Model, Table
-
-HISTORY = Model(quasirigid.EXAMPLE).simulate(duration=60, samples=7)
-MANY = Model(quasirigid.EXAMPLE).evolve(initial=[[0.1, 1.2, 0.0], [np.nan, 0, 0]])
+from conftest import EXAMPLES, program
 
 
-def test_columns_share_the_memory_of_the_table() -> None:
-    t, again = HISTORY.table["t"], HISTORY.table["t"]
-    assert np.shares_memory(t, again) and not t.flags.writeable and not t.flags.owndata
-    with pytest.raises(ValueError, match="read-only"):
-        t[0] = 1
-    kept = Model(quasirigid.EXAMPLE).simulate(duration=60, samples=7).t
-    gc.collect()
-    np.testing.assert_array_equal(kept, t)
+@pytest.fixture(scope="module")
+def record(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A record with its tables in every format."""
+    folder = tmp_path_factory.mktemp("tables") / "spin"
+    call = [str(program()), "run", str(EXAMPLES / "axial-mass" / "model.toml"), "-o", str(folder), "--quiet"]
+    subprocess.run([*call, "--samples", "301", "--duration", "60", "--tables", "csv,parquet,npz"], check=True)
+    return folder
 
 
-def test_a_table_is_a_mapping_with_units() -> None:
-    table = HISTORY.table
-    assert list(table)[:2] == ["t", "wx"] and len(table) == len(table.units) and "wz" in table
-    assert table.units["momentum"] == "N m s" and table.rows == 7
-    assert set(map(len, table.values())) == {7}
-    with pytest.raises(KeyError, match="the columns are t, wx"):
-        table["none"]
-    twin = pickle.loads(pickle.dumps(table))
-    assert twin.units == table.units
-    np.testing.assert_array_equal(twin["wz"], table["wz"])
-    assert pickle.loads(pickle.dumps(MANY.table))["message"] == MANY.table["message"]
+def test_every_reader_finds_the_same_numbers(record: Path) -> None:
+    heads = json.loads((record / "record.json").read_text())["histories"][0]["columns"]
+    table = pandas.read_csv(record / "history-reduced.csv")
+    binary = pandas.read_parquet(record / "history-reduced.parquet")
+    other = polars.read_parquet(record / "history-reduced.parquet")
+    with np.load(record / "history-reduced.npz") as arrays:
+        assert sorted(arrays.files) == sorted(head["name"] for head in heads)
+        for head in heads:
+            name = head["name"]
+            assert table[name].to_numpy().tobytes() == arrays[name].tobytes() == binary[name].to_numpy().tobytes(), name
+            assert other[name].to_numpy().tobytes() == arrays[name].tobytes()
+            assert arrays[name].dtype == np.dtype("<f8") and arrays[name].shape == (301,)
 
 
-def test_a_table_is_no_array_of_its_names() -> None:
-    pandas = pytest.importorskip("pandas")
-    for wrong in (np.asarray, pandas.DataFrame):
-        with pytest.raises(TypeError, match="polars.DataFrame"):
-            wrong(HISTORY.table)
-    assert list(pandas.DataFrame.from_arrow(HISTORY.table)["wz"]) == list(HISTORY.table["wz"])
+def test_units_stand_in_the_metadata(record: Path) -> None:
+    metadata = pyarrow.parquet.read_schema(record / "history-reduced.parquet").metadata
+    units = json.loads(metadata[b"quasirigid.units"])
+    heads = json.loads((record / "record.json").read_text())["histories"][0]["columns"]
+    assert units == {head["name"]: head["unit"] for head in heads}
 
 
-def test_pyarrow_reads_every_kind_of_column() -> None:
-    pyarrow = pytest.importorskip("pyarrow")
-    table = pyarrow.table(MANY.table)
-    table.validate(full=True)
-    assert table.column_names == list(MANY.table)
-    assert table.schema.field("time").metadata == {b"unit": b"s"} and table.schema.field("status").metadata is None
-    np.testing.assert_array_equal(table["time"].to_numpy(), MANY.time)
-    assert table["message"].to_pylist() == MANY.message
-    assert pyarrow.schema(HISTORY) == pyarrow.table(HISTORY).schema
-    reader = pyarrow.RecordBatchReader.from_stream(HISTORY)
-    assert [batch.num_rows for batch in reader] == [7]
-    empty = pyarrow.table(Model(quasirigid.EXAMPLE).evolve(initial=np.zeros((0, 3))))
-    assert empty.num_rows == 0
-
-
-def test_memory_outlives_the_table() -> None:
-    pyarrow = pytest.importorskip("pyarrow")
-    table = pyarrow.table(Model(quasirigid.EXAMPLE).simulate(duration=60, samples=7))
-    gc.collect()
-    np.testing.assert_array_equal(table["wz"].to_numpy(), HISTORY.table["wz"])
-    picked = pyarrow.table(HISTORY).select(["t"])["t"]
-    gc.collect()
-    assert picked.to_pylist()[-1] == 60.0
-
-
-def test_polars_and_pandas_read_tables() -> None:
-    polars = pytest.importorskip("polars")
-    frame = polars.DataFrame(HISTORY)
-    assert frame.shape == (7, len(HISTORY.table))
-    np.testing.assert_array_equal(frame["wz"].to_numpy(), HISTORY.table["wz"])
-    assert polars.DataFrame(MANY)["status"].to_list() == MANY.status
-    pandas = pytest.importorskip("pandas")
-    frame = pandas.DataFrame.from_arrow(MANY)
-    assert frame["status"].tolist() == MANY.status and np.isnan(frame["time"][1])
-
-
-def test_a_stream_that_nobody_reads_is_freed() -> None:
-    name = ctypes.pythonapi.PyCapsule_GetName
-    name.restype, name.argtypes = ctypes.c_char_p, [ctypes.py_object]
-    for _ in range(1000):
-        assert name(HISTORY.__arrow_c_stream__()) == b"arrow_array_stream"
-        assert name(HISTORY.__arrow_c_schema__()) == b"arrow_schema"
-
-
-def test_tables_that_cannot_be_are_refused() -> None:
-    from quasirigid import _core
-
-    with pytest.raises(quasirigid.InputError, match="differ in number"):
-        _core.Columns(["a"], [], [])
-    with pytest.raises(quasirigid.InputError, match="differ in length"):
-        _core.Columns(["a", "b"], ["", ""], [["x"], ["x", "y"]])
-    assert isinstance(HISTORY.table, Table)
+@pytest.mark.parametrize("form", ["parquet", "npz"])
+def test_a_table_of_simulate_is_that_of_csv(form: str, tmp_path: Path) -> None:
+    call = [str(program()), "simulate", str(EXAMPLES / "boom-satellite" / "model.toml"), "--quiet", "--duration", "60", "--samples", "101"]
+    for name in [form, "csv"]:
+        subprocess.run([*call, "--system", "full", "--coordinates", "--format", name, "--out", str(tmp_path / f"t.{name}")], check=True)
+    table = pandas.read_csv(tmp_path / "t.csv")
+    read = pandas.read_parquet(tmp_path / "t.parquet") if form == "parquet" else np.load(tmp_path / "t.npz")
+    for name in table.columns:
+        member = name.replace("/", "_") if form == "npz" else name
+        assert np.array_equal(table[name].to_numpy(), np.asarray(read[member])), name

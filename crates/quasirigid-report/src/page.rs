@@ -44,7 +44,7 @@ pub fn page(record: &RunRecord) -> String {
                     @if let Some(scene) = &record.scene { (viewer::section(scene)) }
                     (answer::section(record))
                     @if let Some(evolution) = &record.evolution { (evolution::section(evolution)) }
-                    @if !record.steady_spins.is_empty() { (modes::section(&record.steady_spins)) }
+                    @if !record.steady_spins.is_empty() { (modes::section(&record.steady_spins, record.campbell.as_ref())) }
                     (figures::section(record))
                     (validity::section(&record.validity))
                     @if let Some(verification) = &record.verification { (verification::section(verification)) }

@@ -56,13 +56,16 @@ impl KeptRun {
         match (folder.exists(), resume) {
             (false, false) => {}
             (false, true) => return Err(problem("there is no run here to go on with")),
+            (true, false) if is_in_work(folder) => {} // by another process, beside whose folder this run makes its own
             (true, false) => {
                 return Err(problem(
                     "a run that was cut off is here; go on with it by {resume}, or remove the folder",
                 ));
             }
             (true, true) => {
-                let known = fs::read_to_string(folder.join(IDENTITY)).map_err(wrong(folder))?;
+                let Ok(known) = fs::read_to_string(folder.join(IDENTITY)) else {
+                    return Err(problem("there is no run here to go on with"));
+                };
                 if known != run.identity {
                     return Err(problem(
                         "the run here has another model, other settings, or another version of the program",
@@ -85,10 +88,26 @@ impl KeptRun {
         if self.lock.is_some() {
             return Ok(());
         }
-        fs::create_dir(&self.folder).map_err(wrong(&self.folder))?;
+        self.create()?;
         fs::write(self.folder.join(IDENTITY), &self.identity).map_err(wrong(&self.folder))?;
         self.lock()?;
         self.write_record()
+    }
+
+    /// Makes a new folder, beside one that has appeared meanwhile.
+    fn create(&mut self) -> Result<(), StudyError> {
+        let asked = self.folder.clone();
+        for number in 2.. {
+            match fs::create_dir(&self.folder) {
+                Err(error) if error.kind() == ErrorKind::AlreadyExists && number < 1000 => {
+                    let mut name = asked.file_name().unwrap_or_default().to_owned();
+                    name.push(format!("-{number}"));
+                    self.folder = asked.with_file_name(name);
+                }
+                made => return made.map_err(wrong(&asked)),
+            }
+        }
+        Ok(())
     }
 
     fn lock(&mut self) -> Result<(), StudyError> {
@@ -123,8 +142,11 @@ impl KeptRun {
         &self.folder
     }
 
-    /// Removes the folder, if nothing but the run is in it.
+    /// Removes the folder, if this run made it and nothing but the run is in it.
     pub fn remove(self) {
+        if !self.is_there() {
+            return;
+        }
         for entry in fs::read_dir(&self.folder).into_iter().flatten().flatten() {
             let name = entry.file_name().to_string_lossy().into_owned();
             let ours = ["history-", "record.json", "evolution.", IDENTITY, "report.html"];
@@ -244,6 +266,12 @@ impl<'r> HistoryLog<'r> {
         let Some([rows, _]) = self.logs else { return Ok(None) };
         rows.into_table().map(Some).map_err(wrong(&self.run.folder))
     }
+}
+
+/// Whether a living process has a folder in work.
+fn is_in_work(folder: &Path) -> bool {
+    let file = File::open(folder.join(IDENTITY));
+    file.is_ok_and(|file| matches!(file.try_lock(), Err(TryLockError::WouldBlock)))
 }
 
 fn write(path: &Path, words: &[u64]) -> io::Result<()> {

@@ -54,6 +54,7 @@ struct ReadmeOfCrate;
 #[doc = include_str!("../../../docs/guide/16-library.md")]
 struct Library;
 
+mod campbell;
 pub mod check;
 pub mod cite;
 pub mod derive;

@@ -11,6 +11,7 @@ use quasirigid_io::model::{Named, System, Verify};
 use quasirigid_io::record::{EvolutionRecord, HistoryRecord, RunRecord, VerificationRecord};
 use quasirigid_math::vec3::norm;
 
+use crate::campbell::campbell;
 use crate::derive;
 use crate::error::StudyError;
 use crate::evolution::Evolved;
@@ -139,6 +140,7 @@ impl Study {
             liquids: liquids(self, norm(start.omega)).iter().map(Liquid::record).collect(),
             validity: record::validity(&validity),
             steady_spins: poles.records,
+            campbell: scene_modes.as_ref().and_then(|modes| campbell(self, modes)),
             reduction: record::reduction(body, &reduced, &validity, start.omega),
             histories: Vec::new(),
             verification: None,

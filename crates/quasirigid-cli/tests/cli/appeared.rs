@@ -36,7 +36,7 @@ fn folder_that_appears_during_the_run_stays_and_the_record_goes_beside_it() {
     assert_eq!(ran.code, Some(1));
     assert_eq!(names(folder.path().join("out")), ["thesis.txt"]);
     RunRecord::read(&folder.path().join("out-2")).unwrap();
-    assert_eq!(names(&folder), ["model.toml", "out", "out-2"]);
+    assert_eq!(names(&folder), ["model.toml", "out", "out-2", "out-unfinished"]);
     let words = "out appeared while the work went on, and is left as it is; the result is in out-2";
     assert!(ran.stderr.contains(words), "{}", ran.stderr);
 }

@@ -97,7 +97,7 @@ fn interrupted_run_leaves_a_valid_record_that_says_so_and_starts_no_second_histo
     let folder = folder_of("explorer1-stiff");
     let ran = interrupted(&folder, LONG);
     assert_eq!(ran.code, Some(1), "{ran:?}");
-    assert_eq!(names(&folder), ["model.toml", "spin"]);
+    assert_eq!(names(&folder), ["model.toml", "spin", "spin-unfinished"]);
     let record = RunRecord::read(&folder.path().join("spin")).unwrap();
     let [history] = &record.histories[..] else { panic!("{} histories", record.histories.len()) };
     assert_eq!((&*history.system, &*history.status), ("reduced", "interrupted"));
@@ -204,13 +204,13 @@ fn printing_of_a_long_table_ends_on_ctrl_c() {
 }
 
 #[test]
-fn killed_run_leaves_nothing() {
+fn killed_run_leaves_nothing_but_the_run_in_work() {
     let folder = folder_of("explorer1-stiff");
     let mut child = start(&folder, LONG);
     wait_until_it_listens(&child);
     signal(&child, "-KILL");
     child.wait().unwrap();
-    assert_eq!(names(&folder), ["model.toml"]);
+    assert_eq!(names(&folder), ["model.toml", "spin-unfinished"]);
 }
 
 #[test]
@@ -236,7 +236,7 @@ fn signal_to_end_does_what_ctrl_c_does() {
     assert_eq!(ended(&mut child).code(), Some(1));
     let record = RunRecord::read(&folder.path().join("spin")).unwrap();
     assert_eq!(record.histories[0].status, "interrupted");
-    assert_eq!(names(&folder), ["model.toml", "spin"]);
+    assert_eq!(names(&folder), ["model.toml", "spin", "spin-unfinished"]);
 }
 
 /// Nobody reads the pipe, so the program never asks whether it should end.

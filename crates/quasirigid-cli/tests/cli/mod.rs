@@ -22,6 +22,8 @@ mod modes;
 mod odd_files;
 mod place;
 mod plot;
+#[cfg(unix)]
+mod resume;
 mod run;
 mod run_folder;
 mod simulate;

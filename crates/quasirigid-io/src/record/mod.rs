@@ -23,7 +23,7 @@ pub use evolution::{
     ApproachRecord, CrossingRecord, EstimateRecord, EvolutionRecord, HarmonicRecord, ObservedRecord,
 };
 pub use folder::UNFINISHED;
-pub use modes::{ModeRecord, SteadySpinRecord};
+pub use modes::{CampbellRecord, ModeRecord, SteadySpinRecord};
 pub use scene::{
     CoordinateRecord, EquationsRecord, FieldRecord, LimitRecord, Packed, PieceRecord, PrincipalRecord,
     SCENE_VERSION, SceneRecord, ShapeRecord, StartRecord, TermRecord, TrackRecord, TurningRecord,
@@ -54,6 +54,9 @@ pub struct RunRecord {
     /// Steady spins with the angular momentum of the start, each with the small motions about it.
     #[serde(default)]
     pub steady_spins: Vec<SteadySpinRecord>,
+    /// Modes over the spin, about the axis next to the start.
+    #[serde(default)]
+    pub campbell: Option<CampbellRecord>,
     /// The reduced equations at the initial spin.
     pub reduction: ReductionRecord,
     /// Spin histories, one per system propagated; the first is the main one.

@@ -30,6 +30,25 @@ pub struct SteadySpinRecord {
     pub modes: Vec<ModeRecord>,
 }
 
+/// Campbell diagram: modes of the body at many spins, one entry in each list for a mode at a spin.
+#[derive(Clone, Debug, Default, Deserialize, PartialEq, Serialize)]
+pub struct CampbellRecord {
+    /// Axis about which the body spins: `least` or `greatest` inertia.
+    pub axis: String,
+    /// Spin of the run (rad/s).
+    #[serde(with = "number")]
+    pub spin: f64,
+    /// Spins (rad/s).
+    #[serde(with = "number")]
+    pub spins: Vec<f64>,
+    /// Frequencies in body axes (rad/s).
+    #[serde(with = "number")]
+    pub frequencies: Vec<f64>,
+    /// Decay rates (1/s), negative for modes that grow.
+    #[serde(with = "number")]
+    pub decay_rates: Vec<f64>,
+}
+
 /// A mode of a spinning body.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 pub struct ModeRecord {

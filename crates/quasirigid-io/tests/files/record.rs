@@ -247,7 +247,7 @@ prop_compose! {
     ) -> RunRecord {
         RunRecord {
             scene,
-            version, model: ModelRecord { name, file, sha256 }, notes, body, liquids, validity, steady_spins,
+            version, model: ModelRecord { name, file, sha256 }, notes, body, liquids, validity, steady_spins, campbell: None,
             reduction,
             histories: reduced.into_iter().chain(rigid).collect(), verification, evolution,
         }
@@ -279,6 +279,7 @@ pub fn sample() -> RunRecord {
         },
         liquids: vec![],
         steady_spins: vec![],
+        campbell: None,
         validity: ValidityRecord {
             valid: true,
             verdict: "The reduced equations hold.".into(),
@@ -516,7 +517,7 @@ fn columns_of_unequal_length_are_refused() {
     record.histories[0].columns[1].values.pop();
     let error = record.write(tempdir().unwrap().path(), &[TableFormat::Csv]).unwrap_err();
     assert!(matches!(&error, RecordError::Ragged { file, column, rows: 1, expected: 2 }
-        if file == "history-reduced.csv" && column == "wx"));
+        if file == "history-reduced" && column == "wx"));
     let refused = history_csv(&record.histories[0].columns, Vec::new()).unwrap_err();
     assert_eq!(refused.kind(), ErrorKind::InvalidInput);
 }
@@ -530,18 +531,18 @@ fn ragged_evolution_is_refused_before_writing() {
     let error = record.write(dir.path(), &[TableFormat::Csv]).unwrap_err();
     assert_eq!(
         error.to_string(),
-        "evolution.csv: column \"power\" has 1 rows, the first column 2; give all the same"
+        "evolution: column \"power\" has 1 rows, the first column 2; give all the same"
     );
     assert_eq!(fs::read_dir(dir.path()).unwrap().count(), 0);
 }
 
 #[test]
 fn missing_file_is_named() {
-    for name in ["history-reduced.csv", "evolution.csv"] {
+    for name in ["history-reduced", "evolution"] {
         let dir = written();
-        let file = dir.path().join(name);
-        fs::remove_file(&file).unwrap();
-        assert_eq!(refusal(dir.path()), RecordError::File { file, kind: ErrorKind::NotFound });
+        fs::remove_file(dir.path().join(format!("{name}.csv"))).unwrap();
+        let missing = refusal(dir.path());
+        assert!(matches!(&missing, RecordError::NoTable { table, .. } if table == name), "{missing}");
     }
 }
 

@@ -190,6 +190,12 @@ impl Series {
         Self { label: label.into(), class, x, y, rows, points: false }
     }
 
+    /// The places as points that no line joins.
+    pub fn of_points(mut self) -> Self {
+        self.points = true;
+        self
+    }
+
     /// The curve as the extremes of so many rows of a record.
     pub fn of_rows(mut self, rows: u64) -> Self {
         self.rows = rows;

@@ -1,5 +1,6 @@
 //! Figures of a record by name, for its page, for pictures of papers and for the comparison of runs.
 
+pub mod campbell;
 mod curve;
 pub mod evolution;
 pub mod history;
@@ -24,6 +25,7 @@ pub fn all(record: &RunRecord) -> Vec<Figure> {
         figures.push(history::nutation(record, history));
         figures.extend(history::difference(record));
     }
+    figures.extend(record.campbell.iter().map(campbell::campbell));
     if let Some(secular) = &record.evolution {
         figures.extend([evolution::nutation(secular), evolution::power(secular), evolution::map(secular)]);
     }

@@ -1,9 +1,10 @@
 use std::collections::BTreeMap;
 
 use maud::{Markup, html};
-use quasirigid_io::record::{ModeRecord, SteadySpinRecord};
+use quasirigid_io::record::{CampbellRecord, ModeRecord, SteadySpinRecord};
 
 use super::table::{first, table};
+use crate::figures::campbell::campbell;
 use crate::number::{digits, duration, percent};
 
 /// Modes shown of each steady spin, and dissipators of each mode.
@@ -11,11 +12,12 @@ const MOST: usize = 12;
 const SHARES: usize = 3;
 
 /// Steady spins with the angular momentum of the start, instability first, with the small motions about them.
-pub fn section(spins: &[SteadySpinRecord]) -> Markup {
+pub fn section(spins: &[SteadySpinRecord], diagram: Option<&CampbellRecord>) -> Markup {
     html! {
         section aria-label="Modes" {
             h2 { "Steady spins and their modes" }
             @for spin in spins { (one(spin)) }
+            @if let Some(diagram) = diagram { (campbell(diagram).draw()) }
         }
     }
 }

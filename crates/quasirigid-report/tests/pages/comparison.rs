@@ -55,13 +55,26 @@ fn equal_runs_differ_in_nothing() {
     assert!(page.contains("data-label=\"two\""));
 }
 
+/// Modes that grow stand apart from those that decay, each mode a point.
+#[test]
+fn campbell_diagram_has_a_point_for_each_mode() {
+    let svg = picture(&record(), "campbell").unwrap();
+    let document = roxmltree::Document::parse(&svg).unwrap();
+    let dots = |colour: &str| {
+        let paths = document.descendants().filter(|node| node.attribute("stroke") == Some(colour));
+        paths.filter_map(|node| node.attribute("d")).map(|d| d.matches("h0").count()).sum::<usize>()
+    };
+    assert_eq!([dots("#0068a8"), dots("#c24a00")], [20, 20]);
+    assert!(svg.contains("growing") && svg.contains("this run"));
+}
+
 #[test]
 fn pictures_stand_alone() {
     let mut record = record();
     record.evolution = Some(secular::evolution(0.6));
     let names = figure_names(&record);
     assert!(
-        ["spin", "energy", "nutation", "evolution-nutation", "evolution-map", "sphere"]
+        ["spin", "energy", "nutation", "campbell", "evolution-nutation", "evolution-map", "sphere"]
             .iter()
             .all(|name| names.contains(name)),
         "{names:?}"

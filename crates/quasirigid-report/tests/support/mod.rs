@@ -233,6 +233,19 @@ fn liquids() -> Vec<LiquidRecord> {
     vec![tank, water]
 }
 
+/// A mode that rises with the spin, and one that stays and grows.
+fn campbell() -> CampbellRecord {
+    let spins: Vec<f64> = (1..=20).map(|step| 0.1 * f64::from(step)).collect();
+    let modes = spins.iter().flat_map(|spin| [(*spin, 0.4 * spin, 0.01), (*spin, 3.0, -0.002)]);
+    let mut record = CampbellRecord { axis: "least".into(), spin: 1.0, ..Default::default() };
+    for (spin, frequency, rate) in modes {
+        record.spins.push(spin);
+        record.frequencies.push(frequency);
+        record.decay_rates.push(rate);
+    }
+    record
+}
+
 /// A steady spin with two modes, and one that was not found.
 fn steady_spins() -> Vec<SteadySpinRecord> {
     let mode = |name: &str, decay_rate: f64, frequency: f64| ModeRecord {
@@ -293,6 +306,7 @@ pub fn record(rows: usize, duration: f64, alpha: f64) -> RunRecord {
         liquids: liquids(),
         validity: validity(),
         steady_spins: steady_spins(),
+        campbell: Some(campbell()),
         reduction: ReductionRecord {
             order: 3,
             optimal_order: 9,

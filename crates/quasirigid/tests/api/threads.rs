@@ -141,6 +141,7 @@ fn public_types_are_send_sync_and_debug() {
     crosses::<reduction::Verdict>();
     crosses::<reduction::Vibrations>();
     crosses::<dynamics::BoundaryLayer>();
+    crosses::<dynamics::Checkpoint>();
     crosses::<dynamics::DampedMode>();
     crosses::<dynamics::Event>();
     crosses::<dynamics::FastPart>();

@@ -14,13 +14,13 @@ const SPINS: usize = 48;
 /// Greatest spin over that of the run.
 const REACH: f64 = 2.0;
 
-/// The diagram about the axis of the steady spin of the run; none of a body of many coordinates, or where a steady spin is found at few
-/// spins.
+/// The diagram about the axis of the steady spin of the run; none of a body of many coordinates or with liquids, whose modes take seconds,
+/// or where a steady spin is found at few spins.
 pub(crate) fn campbell(study: &Study, of_run: &SpinModes) -> Option<CampbellRecord> {
     let body = &study.body;
     let omega = of_run.equilibrium.omega;
     let spin = norm(omega);
-    if body.coordinates().len() > MANY || !(spin > 0.0) {
+    if body.coordinates().len() > MANY || !study.liquids.is_empty() || !(spin > 0.0) {
         return None;
     }
     let [mode, _] = Principal::compute(body.invariants().J).nearest(omega);

@@ -30,7 +30,10 @@ fn read(name: &str) -> Vec<u8> {
 #[test]
 fn figures_are_listed_and_drawn() {
     let listed = ran("plot spin").stdout;
-    assert_eq!(listed.lines().collect::<Vec<_>>(), ["spin", "energy", "nutation", "difference", "sphere"]);
+    assert_eq!(
+        listed.lines().collect::<Vec<_>>(),
+        ["spin", "energy", "nutation", "difference", "campbell", "sphere"]
+    );
     for figure in listed.lines() {
         let drawn = ran(&format!("plot spin --figure {figure}"));
         assert_eq!(
@@ -59,7 +62,7 @@ fn format_is_asked_for_or_that_of_the_name() {
 
 #[test]
 fn figure_that_a_record_lacks_is_refused_by_name() {
-    assert_snapshot!(one_line(ran("plot spin --figure wobble").refusal()), @r#"quasirigid: spin: the record has no figure "wobble"; it has spin, energy, nutation, difference, sphere"#);
+    assert_snapshot!(one_line(ran("plot spin --figure wobble").refusal()), @r#"quasirigid: spin: the record has no figure "wobble"; it has spin, energy, nutation, difference, campbell, sphere"#);
     assert!(ran("plot nowhere").refusal().contains("nowhere"));
 }
 

@@ -75,7 +75,7 @@ impl RunRecord {
         if long { &[TableFormat::Parquet] } else { &[TableFormat::Csv] }
     }
 
-    /// Reads a record that [`write`](Self::write) wrote, finite numbers bit for bit; of a table of more than [`MOST_ROWS`] rows those with
+    /// Reads a record that [`write`](Self::write) wrote, finite numbers bit for bit; of a table of more than [`MOST_ROWS`](super::MOST_ROWS) rows those with
     /// the extremes of each of a thousand intervals. Other files in the folder are ignored. The folder of a run in work is read up to the
     /// last row there.
     ///

@@ -4,7 +4,7 @@ mod folder;
 mod leftover;
 mod place;
 
-use std::io::{self, BufWriter, ErrorKind, Write};
+use std::io::{self, BufWriter, ErrorKind, IsTerminal, Write};
 use std::path::{Path, PathBuf};
 
 use quasirigid_io::disk::{settle, settle_folder};
@@ -43,6 +43,27 @@ impl Placed {
 pub fn print(text: &str) -> Result<(), Failure> {
     let mut out = io::stdout().lock();
     out.write_all(visible(text).as_bytes()).and_then(|()| out.flush()).map_err(|cause| printed(cause.kind()))
+}
+
+/// Prints a text on standard output whose first line is a verdict: `holds`, `marginal` or `fails`. On a terminal that line is coloured.
+pub fn print_verdict(text: &str, verdict: &str) -> Result<(), Failure> {
+    let colour = match verdict {
+        "holds" => 32,
+        "marginal" => 33,
+        _ => 31,
+    };
+    let text = visible(text);
+    let (first, rest) = text.split_once('\n').unwrap_or((&text, ""));
+    let painted =
+        if in_colour() { format!("\u{1b}[1;{colour}m{first}\u{1b}[0m\n{rest}") } else { text.to_string() };
+    let mut out = io::stdout().lock();
+    out.write_all(painted.as_bytes()).and_then(|()| out.flush()).map_err(|cause| printed(cause.kind()))
+}
+
+/// Whether standard output takes colours: a terminal, or forced, unless the user wants none.
+fn in_colour() -> bool {
+    let set = |name: &str| std::env::var_os(name).is_some_and(|value| !value.is_empty());
+    !set("NO_COLOR") && (io::stdout().is_terminal() || set("CLICOLOR_FORCE"))
 }
 
 /// Opens a page in the browser, without waiting for it.

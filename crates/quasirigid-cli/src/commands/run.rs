@@ -40,7 +40,7 @@ pub fn run(arguments: &RunArgs) -> Result<ExitStatus, Failure> {
     if common.json {
         output::print(&format!("{:#}\n", serde_json::json!(found.record)))?;
     } else if !common.quiet {
-        output::print(&summary::text(&found.record, &placed.path))?;
+        output::print_verdict(&summary::text(&found.record, &placed.path), &found.record.validity.overall)?;
     }
     if arguments.open {
         output::open(&placed.path.join(REPORT))?;

@@ -3,6 +3,7 @@
 #[cfg(unix)]
 mod appeared;
 mod check;
+mod colour;
 mod complete;
 mod derive;
 mod docs;

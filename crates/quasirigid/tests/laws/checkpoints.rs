@@ -12,7 +12,7 @@ use quasirigid::problems::AxialMass;
 use quasirigid::reduction::reduce;
 use quasirigid_math::rotation::ALIGNED;
 
-use super::wobbler::times_to;
+use super::wobbler::{assembly, times_to};
 use crate::support::{assemblies, cases};
 
 const AXIAL: AxialMass = AxialMass { carrier: 7.0, A: 1.0, C: 1.5, m: 0.1, rho: 0.5, c: 4e4, b: 3e2 };
@@ -60,19 +60,26 @@ impl Observer for Told {
 
 type Propagation<'a> = dyn Fn(&mut Told) -> Result<Run, PropagateError> + 'a;
 
-/// Runs through, then from each checkpoint, and compares all bits. Returns the number of checkpoints.
+/// Runs through, then from each checkpoint and from those of the runs that went on, and compares all bits. Returns the number of
+/// checkpoints.
 fn assert_resumes(propagation: &Propagation<'_>) -> usize {
     let mut whole = Told::default();
     let run = propagation(&mut whole).unwrap();
-    for (rows, checkpoint) in &whole.checkpoints {
+    let resumed = |(rows, checkpoint): &(usize, Checkpoint)| {
         let mut rest = Told { resumes: Some(checkpoint.clone()), ..Told::default() };
         let again = propagation(&mut rest).unwrap();
         assert_eq!(format!("{again:?}"), format!("{run:?}"), "from row {rows}");
         assert_eq!(rest.samples, whole.samples[*rows..], "from row {rows}");
         assert_eq!(rest.coordinates, whole.coordinates[*rows..]);
         assert_eq!(rest.budget, whole.budget);
-    }
-    whole.checkpoints.len()
+        rest.checkpoints
+            .into_iter()
+            .map(|(further, checkpoint)| (rows + further, checkpoint))
+            .collect::<Vec<_>>()
+    };
+    let others: Vec<_> = whole.checkpoints.iter().flat_map(resumed).collect();
+    others.iter().step_by(5).for_each(|checkpoint| drop(resumed(checkpoint)));
+    whole.checkpoints.len() + others.len()
 }
 
 fn options(method: Method, form: Form) -> Options {
@@ -123,6 +130,21 @@ fn stiff_run_with_an_event_goes_on_with_the_same_bits() {
     assert_eq!(outcome.unwrap().outcome, Outcome::Event(Event::Energy(level)));
     let count = assert_resumes(&|told| propagate_full(Forced::not(&body), &settled, &times, &options, told));
     assert!(count > 5, "{count} checkpoints");
+}
+
+/// On curved paths the linear part of the implicit method changes, and its age decides when it is evaluated again.
+#[test]
+fn implicit_run_on_curved_paths_goes_on_with_the_same_bits() {
+    let body = assembly().body().unwrap();
+    let start = Start::new([0.5, -0.3, 0.9], ALIGNED);
+    let settled = start.settled(Forced::not(&body), 1).unwrap();
+    let options = options(Method::Implicit, Form::AngularMomentum);
+    let times = times_to(60.0, 200);
+    let mut whole = Told::default();
+    let run = propagate_full(Forced::not(&body), &settled, &times, &options, &mut whole).unwrap();
+    assert!(run.work.factorizations > 2 && run.work.factorizations < run.work.steps, "{:?}", run.work);
+    let count = assert_resumes(&|told| propagate_full(Forced::not(&body), &settled, &times, &options, told));
+    assert!(count > 4, "{count} checkpoints");
 }
 
 #[test]

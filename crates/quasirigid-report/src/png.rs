@@ -43,7 +43,8 @@ pub fn png(svg: &str, pixels: u32) -> Result<Vec<u8>, PngError> {
         return Err(PngError::Size { pixels, least: LEAST, most: MOST });
     }
     let drawing = |cause: &dyn std::fmt::Display| PngError::Drawing(cause.to_string());
-    let options = Options { fontdb: Arc::new(fonts()?), ..Options::default() };
+    let fonts = if svg.contains("<text") { fonts()? } else { Database::new() };
+    let options = Options { fontdb: Arc::new(fonts), ..Options::default() };
     let tree = Tree::from_str(svg, &options).map_err(|cause| drawing(&cause))?;
     let scale = pixels as f32 / tree.size().width();
     let height = (tree.size().height() * scale).round().max(1.0) as u32;

@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 
 use quasirigid::dynamics::{Checkpoint, Observer, PropagateError, Sample};
-use quasirigid_io::record::{Column, Extremes, MOST_ROWS, RowTable};
+use quasirigid_io::record::{Column, Extremes, RowTable};
 
 use crate::error::StudyError;
 use crate::history_columns::HistoryTable;
@@ -120,9 +120,9 @@ impl<'a, 'r> HistorySink<'a, 'r> {
     }
 
     /// Puts the log on the disk at once, for a history that memory does not hold.
-    pub fn log_if_long(&mut self, rows: usize) -> Result<(), StudyError> {
+    pub fn log_if_long(&mut self) -> Result<(), StudyError> {
         match &mut self.log {
-            Some(log) if rows as u64 > MOST_ROWS && !log.is_open() => log.start(),
+            Some(log) if !self.rows.is_whole() && !log.is_open() => log.start(),
             _ => Ok(()),
         }
     }
@@ -134,8 +134,8 @@ impl<'a, 'r> HistorySink<'a, 'r> {
         }
         let rows = self.rows.rows();
         let log = match self.log {
-            Some(log) => log.into_rows()?.filter(|_| rows > MOST_ROWS),
-            None => None,
+            Some(log) if !self.rows.is_whole() => log.into_rows()?,
+            _ => None,
         };
         Ok(Followed {
             columns: self.rows.into_columns(),
@@ -165,8 +165,8 @@ impl<'a, 'r> HistorySink<'a, 'r> {
         let mut checkpoint = Checkpoint::default();
         checkpoint.save(self.energy);
         self.table.save(&mut checkpoint);
-        let words: Vec<u64> = checkpoint.words().iter().chain(state.words()).copied().collect();
-        log.checkpoint(&Checkpoint::from_words(words))
+        checkpoint.save_rest(state);
+        log.checkpoint(&checkpoint)
     }
 }
 

@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 
 use quasirigid::dynamics::Checkpoint;
 use quasirigid_io::disk::{settle, settle_folder};
-use quasirigid_io::record::{RowLog, RowTable, RunRecord};
+use quasirigid_io::record::{ROWS, RowLog, RowTable, RunRecord, history_file};
 
 use crate::error::StudyError;
 use crate::hashed::Hashed;
@@ -17,6 +17,8 @@ use crate::study::Study;
 
 /// Time between two checkpoints.
 const PAUSE: Duration = Duration::from_secs(1);
+/// Ending of the log of frames.
+const FRAMES: &str = "frames";
 /// File of the identity of the run, which its process locks.
 const IDENTITY: &str = "run.identity";
 /// Beginning of a checkpoint file.
@@ -129,7 +131,7 @@ impl KeptRun {
     }
 
     fn path(&self, system: &str, ending: &str) -> PathBuf {
-        self.folder.join(format!("history-{system}.{ending}"))
+        self.folder.join(history_file(system, ending))
     }
 
     /// Whether the folder has been made.
@@ -198,7 +200,7 @@ impl<'r> HistoryLog<'r> {
             return Err(broken());
         };
         log.open_logs([rows, frames])?;
-        let [rows, frames] = ["rows", "frames"].map(|ending| log.run.path(system, ending));
+        let [rows, frames] = [ROWS, FRAMES].map(|ending| log.run.path(system, ending));
         let tables = [RowTable::open(&rows, widths[0])?, RowTable::open(&frames, widths[1])?];
         Ok((log, Some(Resumed { tables, checkpoint })))
     }
@@ -209,7 +211,7 @@ impl<'r> HistoryLog<'r> {
             RowLog::open(&path, width, count).map_err(wrong(&path))
         };
         let [row, frame] = self.widths;
-        self.logs = Some([open("rows", row, rows)?, open("frames", frame, frames)?]);
+        self.logs = Some([open(ROWS, row, rows)?, open(FRAMES, frame, frames)?]);
         Ok(())
     }
 
@@ -252,10 +254,10 @@ impl<'r> HistoryLog<'r> {
         logs.iter_mut().try_for_each(RowLog::settle).map_err(wrong(&self.run.folder))?;
         let mut whole = Checkpoint::default();
         logs.iter().for_each(|log| whole.save_count(log.rows()));
-        let words: Vec<u64> = whole.words().iter().chain(state.words()).copied().collect();
+        whole.save_rest(state);
         let path = self.run.path(self.system, "checkpoint");
         let new = self.run.path(self.system, "checkpoint-new");
-        write(&new, &words).and_then(|()| fs::rename(&new, &path)).map_err(wrong(&path))?;
+        write(&new, whole.words()).and_then(|()| fs::rename(&new, &path)).map_err(wrong(&path))?;
         settle_folder(&self.run.folder).map_err(wrong(&self.run.folder))?;
         self.last = Instant::now();
         Ok(())

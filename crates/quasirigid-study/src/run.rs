@@ -320,7 +320,7 @@ impl<'a> Plan<'a> {
         if let Some(resumed) = resumed {
             sink.resume(resumed)?;
         }
-        sink.log_if_long(self.times.len())?;
+        sink.log_if_long()?;
         let run = self.motion.follow(system, &self.times, &self.options, &mut sink)?;
         let mut followed = sink.finish()?;
         if frames.is_none() {

@@ -106,6 +106,14 @@ pub enum RecordError {
         /// Message of its reader.
         problem: String,
     },
+    /// A history of which only the extremes are at hand.
+    #[error(
+        "history {system:?}: of its rows this record has only the extremes, as it was read; copy the folder in the place of writing it again"
+    )]
+    Thinned {
+        /// Name of the history.
+        system: String,
+    },
     /// A table that is in none of the formats.
     #[error("{}: the rows are missing: there is no file {table}.{}; copy the whole folder, or run the model again", folder.display(), endings.join(&format!(", {table}.")))]
     NoTable {

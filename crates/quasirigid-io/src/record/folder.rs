@@ -13,8 +13,8 @@ use super::{Column, EvolutionRecord, HistoryRecord, RecordError, RunRecord};
 
 /// File of the evolution's rows, without the ending.
 const EVOLUTION: &str = "evolution";
-/// Ending of the log of a run in work.
-pub(super) const LOG: &str = "rows";
+/// Ending of the log of rows of a run in work.
+pub const ROWS: &str = "rows";
 /// Status of a history in work.
 pub const UNFINISHED: &str = "unfinished";
 /// File of everything but rows.
@@ -32,6 +32,11 @@ impl RunRecord {
         check_empty(dir)?;
         self.check_names()?;
         self.tables().try_for_each(|table| check_lengths(&table.stem, table.columns))?;
+        if let Some(thinned) =
+            self.histories.iter().find(|history| history.log.is_none() && !history.is_whole())
+        {
+            return Err(RecordError::Thinned { system: thinned.system.clone() });
+        }
         for table in self.tables() {
             for format in formats {
                 let file = dir.join(format!("{}.{}", table.stem, format.ending()));
@@ -161,23 +166,20 @@ impl<'a> Table<'a> {
 
 /// The rows of a history, from its table, or from the log of a run in work.
 fn read_history(dir: &Path, history: &mut HistoryRecord) -> Result<(), RecordError> {
-    let stem = history_stem(&history.system);
-    let log = dir.join(format!("{stem}.{LOG}"));
-    let mut rows;
+    let log = dir.join(history_file(&history.system, ROWS));
     if log.exists() {
         let table = RowTable::open(&log, history.columns.len())?;
-        rows = Extremes::new(&history.columns, table.rows());
+        let mut rows = Extremes::new(&history.columns, table.rows());
         table.for_each(|row| rows.push(row))?;
+        (history.rows, history.columns) = (table.rows(), rows.into_columns());
+        if history.status == UNFINISHED {
+            history.sum_up();
+        }
     } else {
-        let (file, format) = found(dir, &stem)?;
-        rows = Extremes::new(&history.columns, history.rows);
+        let (file, format) = found(dir, &history_stem(&history.system))?;
+        let mut rows = Extremes::new(&history.columns, history.rows);
         format.read(&file, &history.columns, &mut |row| rows.push(row))?;
-    }
-    let unfinished = log.exists() && history.status == UNFINISHED;
-    history.rows = if history.rows == 0 && !log.exists() { 0 } else { rows.rows() };
-    history.columns = rows.into_columns();
-    if unfinished {
-        history.sum_up();
+        history.columns = rows.into_columns();
     }
     Ok(())
 }
@@ -250,8 +252,14 @@ fn create(file: &Path, fill: impl FnOnce(&mut BufWriter<File>) -> io::Result<()>
 }
 
 /// Name of the files of a history's rows, without the ending.
-pub(super) fn history_stem(system: &str) -> String {
+fn history_stem(system: &str) -> String {
     format!("history-{system}")
+}
+
+/// Name of a file of a history with this ending.
+#[must_use]
+pub fn history_file(system: &str, ending: &str) -> String {
+    format!("{}.{ending}", history_stem(system))
 }
 
 pub(super) fn unusable(file: &Path, error: &io::Error) -> RecordError {

@@ -22,7 +22,7 @@ pub use error::RecordError;
 pub use evolution::{
     ApproachRecord, CrossingRecord, EstimateRecord, EvolutionRecord, HarmonicRecord, ObservedRecord,
 };
-pub use folder::UNFINISHED;
+pub use folder::{ROWS, UNFINISHED, history_file};
 pub use modes::{CampbellRecord, ModeRecord, SteadySpinRecord};
 pub use scene::{
     CoordinateRecord, EquationsRecord, FieldRecord, LimitRecord, Packed, PieceRecord, PrincipalRecord,
@@ -304,6 +304,12 @@ impl HistoryRecord {
         self.energy = first("energy").unwrap_or(f64::NAN);
         [self.dissipated, self.work] = ["dissipated", "work"].map(last);
         [self.energy_drift, self.momentum_drift] = ["energy_drift", "momentum_drift"].map(last);
+    }
+
+    /// Whether the columns hold every row, not the extremes alone.
+    #[must_use]
+    pub fn is_whole(&self) -> bool {
+        self.columns.first().is_none_or(|column| column.values.len() as u64 >= self.rows)
     }
 
     /// Rows of the history, of which the columns hold all or the extremes.

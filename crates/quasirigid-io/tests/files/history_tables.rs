@@ -119,6 +119,17 @@ fn long_tables_keep_every_extreme_of_every_column() {
     }
 }
 
+/// A record that was read without all its rows does not pass for a whole one.
+#[test]
+fn record_with_extremes_alone_is_not_written_again() {
+    let mut record = sample();
+    record.histories[0].rows = 1_000_000;
+    let dir = tempdir().unwrap();
+    let refused = record.write(dir.path(), &[TableFormat::Csv]).unwrap_err();
+    assert!(matches!(refused, RecordError::Thinned { .. }), "{refused}");
+    assert_eq!(fs::read_dir(dir.path()).unwrap().count(), 0);
+}
+
 #[test]
 fn log_drops_what_was_written_after_the_rows_asked_for() {
     let dir = tempdir().unwrap();

@@ -46,6 +46,11 @@ impl Checkpoint {
         self.words.extend([steps, rejected, evaluations, factorizations, implicit_steps]);
     }
 
+    /// Saves another checkpoint behind this one, whose [`rest`](Self::rest) it then is.
+    pub fn save_rest(&mut self, other: &Self) {
+        self.words.extend(&other.words);
+    }
+
     /// Loads a count; none at the end.
     pub fn load_count(&mut self) -> Option<u64> {
         let word = *self.words.get(self.next)?;

@@ -28,8 +28,7 @@ fn first_rows(history: &HistoryRecord, rows: usize) -> Figure {
         let mut curve = Curve { name, label, class }.series(&history.columns, &time, |value| value)?;
         curve.x.truncate(rows);
         curve.y.truncate(rows);
-        curve.rows = curve.rows.min(rows as u64);
-        Some(curve)
+        Some(curve.of_rows(history.rows().min(rows as u64)))
     });
     Figure {
         id: "spin",
@@ -51,7 +50,8 @@ pub fn first_revolutions(history: &HistoryRecord) -> Option<Figure> {
     let (first, last) = (*t.first()?, *t.last()?);
     let until = first + (last - first) * FIRST_REVOLUTIONS / history.revolutions;
     let rows = t.iter().take_while(|&&t| t <= until).count();
-    if history.revolutions < MANY_REVOLUTIONS || rows < ENOUGH_ROWS || rows == t.len() {
+    if !history.is_whole() || history.revolutions < MANY_REVOLUTIONS || rows < ENOUGH_ROWS || rows == t.len()
+    {
         return None;
     }
     Some(Figure {
@@ -76,7 +76,10 @@ pub fn energy(history: &HistoryRecord) -> Figure {
         caption: "Energy of the motion, and what the dashpots took of it; beside it the size of the change made by the integrator \
                   alone, since one can imitate the other."
             .into(),
-        series: curves.iter().filter_map(|curve| curve.series(&history.columns, &time, f64::abs)).collect(),
+        series: curves
+            .iter()
+            .filter_map(|curve| Some(curve.series(&history.columns, &time, f64::abs)?.of_rows(history.rows())))
+            .collect(),
         link: link(&time),
         x: Quantity { name: "t", unit: time.name, log: false },
         y: Quantity { name: "energy", unit: unit(&history.columns, "dissipated"), log: true },
@@ -88,17 +91,9 @@ pub fn energy(history: &HistoryRecord) -> Figure {
 pub fn nutation(record: &RunRecord, main: &HistoryRecord) -> Figure {
     let time = TimeUnit::of(&main.columns, usize::MAX);
     let greatest = record.histories.iter().zip(COLOURS).filter_map(|(history, class)| {
-        Curve { name: "nutation_max", label: &history.system, class }.series(
-            &history.columns,
-            &time,
-            f64::to_degrees,
-        )
+        degrees(history, &time, Curve { name: "nutation_max", label: &history.system, class })
     });
-    let least = Curve { name: "nutation_min", label: "least", class: "s1 dashed" }.series(
-        &main.columns,
-        &time,
-        f64::to_degrees,
-    );
+    let least = degrees(main, &time, Curve { name: "nutation_min", label: "least", class: "s1 dashed" });
     Figure {
         id: "nutation",
         title: "Nutation",
@@ -111,6 +106,10 @@ pub fn nutation(record: &RunRecord, main: &HistoryRecord) -> Figure {
         y: Quantity { name: "nutation", unit: "°".into(), log: false },
         marks: Vec::new(),
     }
+}
+
+fn degrees(history: &HistoryRecord, time: &TimeUnit, curve: Curve) -> Option<Series> {
+    Some(curve.series(&history.columns, time, f64::to_degrees)?.of_rows(history.rows()))
 }
 
 /// Difference in spin of every other system from the first, relative to the spin; none of a record with one history, or of histories at

@@ -17,9 +17,9 @@ pub fn section(record: &RunRecord) -> Markup {
             ]))
             @for history in &record.histories {
                 (integration(history))
-                (columns(&format!("history-{}.csv", history.system), &history.columns))
+                (columns(&format!("history-{}.csv", history.system), &history.columns, history.rows()))
             }
-            @if let Some(evolution) = &record.evolution { (columns("evolution.csv", &evolution.columns)) }
+            @if let Some(evolution) = &record.evolution { (columns("evolution.csv", &evolution.columns, 0)) }
         }
     }
 }
@@ -44,8 +44,9 @@ fn integration(history: &HistoryRecord) -> Markup {
     )
 }
 
-fn columns(file: &str, columns: &[Column]) -> Markup {
-    let rows = columns.first().map_or(0, |column| column.values.len());
+/// Summary of a table of so many rows, or of as many as are there.
+fn columns(file: &str, columns: &[Column], rows: u64) -> Markup {
+    let rows = columns.first().map_or(0, |column| rows.max(column.values.len() as u64));
     if rows == 0 {
         return html! { p.absent { "No rows in " (file) "." } };
     }

@@ -25,6 +25,7 @@ const CAPTION: &str = "Direction of the angular momentum K = Jω in the axes of 
 half is dimmed. Faint lines are the polhodes of the rigid body, the dashed ones its separatrix: without dissipation K \
 stays on one of them. J is the inertia of the frozen body, so K is placed as exactly as the body is rigid.";
 
+const THINNED: &str = "The history is too long to be kept whole in the page: its ends are drawn.";
 const SAMPLED: &str = "The history is long: stretches of it are drawn, evenly spaced over the run.";
 
 /// The figure, or a sentence on the missing data.
@@ -35,7 +36,7 @@ pub fn figure(body: &BodyRecord, history: &HistoryRecord) -> Markup {
             @match Scene::new(body, history) {
                 Some(scene) => {
                     (scene.draw())
-                    figcaption { (CAPTION) @if scene.sampled { " " (SAMPLED) } }
+                    figcaption { (CAPTION) @if scene.sampled { " " (SAMPLED) } @if scene.thinned { " " (THINNED) } }
                 }
                 None => p.absent {
                     "Not drawn: it needs the columns wx, wy, wz, the inertia and orthonormal principal axes."
@@ -57,6 +58,8 @@ struct Scene {
     pieces: Vec<(usize, Halves)>,
     /// Whether the pieces are a sample of the path.
     sampled: bool,
+    /// Whether the record has the extremes of the path alone, of which the ends are drawn.
+    thinned: bool,
 }
 
 impl Scene {
@@ -66,8 +69,10 @@ impl Scene {
         let turned = axes.map(|axis| path.iter().flatten().map(|&k| dot(axis, k)).sum::<f64>() < 0.0);
         let axes = [0, 1, 2].map(|i| if turned[i] { axes[i].map(|x| -x) } else { axes[i] });
         let view = View::between(axes)?;
-        let (pieces, sampled) = pieces(&view, &path);
-        Some(Self { axes, turned, moments: body.principal_moments, view, path, pieces, sampled })
+        // between the extremes of intervals lie revolutions, so that no line joins them
+        let thinned = !history.is_whole();
+        let (pieces, sampled) = if thinned { (Vec::new(), false) } else { pieces(&view, &path) };
+        Some(Self { axes, turned, moments: body.principal_moments, view, path, pieces, sampled, thinned })
     }
 
     fn draw(&self) -> Markup {

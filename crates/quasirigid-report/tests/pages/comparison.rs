@@ -55,6 +55,17 @@ fn equal_runs_differ_in_nothing() {
     assert!(page.contains("data-label=\"two\""));
 }
 
+/// Of a history of which a record has the extremes, no figure joins rows that are revolutions apart, and the data tell their number.
+#[test]
+fn extremes_are_not_drawn_as_a_path() {
+    let mut record = record();
+    record.histories[0].rows = 5_000_000;
+    let page = quasirigid_report::page(&record);
+    assert!(page.contains("its ends are drawn") && !page.contains("id=\"first-turns-title\""));
+    assert!(!page.contains("<path class=\"angular_momentum"));
+    assert!(page.contains("\"rows\":5000000") && page.contains("5000000 rows"));
+}
+
 /// Modes that grow stand apart from those that decay, each mode a point.
 #[test]
 fn campbell_diagram_has_a_point_for_each_mode() {

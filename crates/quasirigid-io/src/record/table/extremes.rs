@@ -35,7 +35,7 @@ impl Extremes {
     /// Takes the next row.
     pub fn push(&mut self, row: &[f64]) {
         self.rows += 1;
-        if self.interval == 1 {
+        if self.is_whole() {
             self.keep(row);
             return;
         }
@@ -55,6 +55,12 @@ impl Extremes {
         if self.rows.is_multiple_of(self.interval) {
             self.close();
         }
+    }
+
+    /// Whether every row is kept.
+    #[must_use]
+    pub fn is_whole(&self) -> bool {
+        self.interval == 1
     }
 
     /// Rows taken so far.

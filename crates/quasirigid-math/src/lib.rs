@@ -22,6 +22,7 @@ pub mod rotation;
 pub mod scalar;
 pub mod simd;
 pub mod sphere;
+pub mod submanifold;
 pub mod sym3;
 pub mod taylor;
 pub mod vec3;

@@ -10,6 +10,7 @@ use crate::model::{FlexibleError, InertiaError, RheologyError};
 use crate::modes::{EquilibriumError, ModesError, SteadyError};
 use crate::reduction::{ReductionError, ValidityError};
 use crate::secular::MeasureError;
+use crate::submanifold::SubmanifoldError;
 use crate::verification::{AverageError, VerificationError};
 
 /// Error of any module of the crate.
@@ -47,6 +48,8 @@ pub enum Error {
     Equilibrium(#[from] EquilibriumError),
     /// Modes about a steady spin that were not found.
     Modes(#[from] ModesError),
+    /// Reduced equations about a steady spin that were not found.
+    Submanifold(#[from] SubmanifoldError),
     /// Steady state under forces that was not found.
     Steady(#[from] SteadyError),
     /// Torque-free rotation that no body makes.

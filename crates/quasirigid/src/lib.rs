@@ -14,6 +14,7 @@
 //! - [`reduction`] derives the reduced equations to any order and assesses their validity,
 //! - [`dynamics`] integrates them, and the full stiff system beside them,
 //! - [`modes`] has the small motions about a steady spin,
+//! - [`submanifold`] has the reduced equations about a steady spin, at any ratio of spin to elastic frequency,
 //! - [`averaging`] follows the secular evolution by dissipation over millions of revolutions,
 //! - [`verification`] compares full and reduced motions,
 //! - [`secular`] judges whether an average holds over many revolutions, and measures the mean power where none does,
@@ -83,6 +84,8 @@ pub mod dynamics;
 pub mod averaging;
 
 pub mod modes;
+
+pub mod submanifold;
 
 pub mod secular;
 

@@ -10,3 +10,4 @@ mod laws;
 mod levels;
 mod published;
 mod structures;
+mod submanifold;

@@ -13,7 +13,7 @@ const PHYSICS: &str = "quasirigid";
 
 /// Modules that each top-level module of the physics crate may use, beside itself: the description of a body in a row, then a star
 /// without sideways arrows. `math` is the crate `quasirigid-math` by its name in the physics.
-const MODULES: [(&str, &[&str]); 14] = [
+const MODULES: [(&str, &[&str]); 15] = [
     ("model", &["math"]),
     ("finite", &["math", "model"]),
     ("flow", &["math", "model", "finite"]),
@@ -23,7 +23,8 @@ const MODULES: [(&str, &[&str]); 14] = [
     ("dynamics", &["math", "model"]),
     ("averaging", &["math", "model"]),
     ("modes", &["math", "model"]),
-    ("secular", &["math", "model", "reduction", "dynamics", "averaging", "modes"]),
+    ("submanifold", &["math", "model", "dynamics", "modes"]),
+    ("secular", &["math", "model", "reduction", "dynamics", "averaging", "modes", "submanifold"]),
     ("verification", &["math", "model", "reduction", "dynamics", "averaging", "modes", "secular"]),
     ("problems", &["math", "model", "elements", "reduction", "dynamics", "averaging"]),
     (
@@ -36,13 +37,24 @@ const MODULES: [(&str, &[&str]); 14] = [
             "dynamics",
             "averaging",
             "modes",
+            "submanifold",
             "secular",
             "verification",
         ],
     ),
     (
         "prelude",
-        &["math", "model", "elements", "reduction", "dynamics", "averaging", "modes", "verification"],
+        &[
+            "math",
+            "model",
+            "elements",
+            "reduction",
+            "dynamics",
+            "averaging",
+            "modes",
+            "submanifold",
+            "verification",
+        ],
     ),
 ];
 

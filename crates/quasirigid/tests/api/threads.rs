@@ -2,16 +2,19 @@
 
 use std::fmt::Debug;
 
-use quasirigid::{averaging, dynamics, elements, model, modes, problems, reduction, secular, verification};
+use quasirigid::{
+    averaging, dynamics, elements, model, modes, problems, reduction, secular, submanifold, verification,
+};
 
 /// Modules that a user meets, as their sources list them.
-const MODULES: [(&str, &str); 9] = [
+const MODULES: [(&str, &str); 10] = [
     ("elements", include_str!("../../src/elements/mod.rs")),
     ("model", include_str!("../../src/model/mod.rs")),
     ("reduction", include_str!("../../src/reduction/mod.rs")),
     ("dynamics", include_str!("../../src/dynamics/mod.rs")),
     ("averaging", include_str!("../../src/averaging/mod.rs")),
     ("modes", include_str!("../../src/modes/mod.rs")),
+    ("submanifold", include_str!("../../src/submanifold/mod.rs")),
     ("secular", include_str!("../../src/secular/mod.rs")),
     ("verification", include_str!("../../src/verification/mod.rs")),
     ("problems", include_str!("../../src/problems/mod.rs")),
@@ -101,6 +104,7 @@ fn public_types_are_send_sync_and_debug() {
     crosses::<model::Displaced>();
     crosses::<model::Dissipator>();
     crosses::<model::DrivenWheel>();
+    crosses::<model::ExpandedMotion>();
     crosses::<model::FlexibleBody>();
     crosses::<model::FlexibleError>();
     crosses::<model::Hinge>();
@@ -213,6 +217,20 @@ fn public_types_are_send_sync_and_debug() {
     crosses::<modes::SteadyError>();
     crosses::<modes::SteadyModes>();
     crosses::<modes::SteadyState>();
+    crosses::<submanifold::AmplitudeRange>();
+    crosses::<submanifold::Backbone>();
+    crosses::<submanifold::BackbonePoint>();
+    crosses::<submanifold::Defect>();
+    crosses::<submanifold::ManifoldRun>();
+    crosses::<submanifold::ManifoldStart>();
+    crosses::<submanifold::MasterMode>();
+    crosses::<submanifold::Masters>();
+    crosses::<submanifold::OuterMode>();
+    crosses::<submanifold::SpinManifold>();
+    crosses::<submanifold::SpinManifoldPlan>();
+    crosses::<submanifold::SteadySpin>();
+    crosses::<submanifold::Style>();
+    crosses::<submanifold::SubmanifoldError>();
     crosses::<secular::AverageCriteria>();
     crosses::<secular::CalibratedPower>();
     crosses::<secular::DirectStopReason>();

@@ -1,6 +1,6 @@
 //! Internal rotors, momentum wheels and liquids.
 
-mod bodies;
+pub mod bodies;
 mod budget;
 mod description;
 mod oracle;

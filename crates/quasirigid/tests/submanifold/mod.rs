@@ -1,0 +1,4 @@
+//! Reduced equations about a steady spin.
+
+mod bodies;
+mod orders;

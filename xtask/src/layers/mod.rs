@@ -25,7 +25,10 @@ const MODULES: [(&str, &[&str]); 15] = [
     ("modes", &["math", "model"]),
     ("submanifold", &["math", "model", "dynamics", "modes"]),
     ("secular", &["math", "model", "reduction", "dynamics", "averaging", "modes", "submanifold"]),
-    ("verification", &["math", "model", "reduction", "dynamics", "averaging", "modes", "secular"]),
+    (
+        "verification",
+        &["math", "model", "reduction", "dynamics", "averaging", "modes", "submanifold", "secular"],
+    ),
     ("problems", &["math", "model", "elements", "reduction", "dynamics", "averaging"]),
     (
         "error",

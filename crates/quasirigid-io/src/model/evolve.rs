@@ -40,6 +40,8 @@ pub enum EvolveMethod {
     Direct,
     /// The average at the rates that the modes at the poles have.
     Modes,
+    /// The reduced equations about the spin from start to end.
+    Manifold,
 }
 
 /// Source of the mean power.

@@ -72,5 +72,6 @@ impl Named for EvolveMethod {
         ("micro-runs", Self::MicroRuns, "The mean power measured by short runs of the full system"),
         ("direct", Self::Direct, "The full system from start to end"),
         ("modes", Self::Modes, "The average at the rates of the modes about the steady spins"),
+        ("manifold", Self::Manifold, "The reduced equations about the spin from start to end"),
     ];
 }

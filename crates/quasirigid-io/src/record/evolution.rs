@@ -17,7 +17,8 @@ use super::{Column, number};
 pub struct EvolutionRecord {
     /// The answer, in one or two sentences.
     pub sentence: String,
-    /// The method: `average` along the polhode, `levels` of the slow energy, `modes` at the poles, `micro-runs` of the full system,
+    /// The method: `average` along the polhode, `levels` of the slow energy, `modes` at the poles, reduced equations
+    /// about the spin (`manifold`), `micro-runs` of the full system,
     /// `direct` integration of it, or `none` where no method holds.
     #[serde(default)]
     pub road: String,

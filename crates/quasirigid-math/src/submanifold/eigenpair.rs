@@ -24,6 +24,8 @@ pub(super) type Vector = Vec<Complex<f64>>;
 const ITERATIONS: usize = 6;
 /// Relative change of the eigenvalue at which the iteration ends.
 const CONVERGED: f64 = 4.0 * f64::EPSILON;
+/// Size of an eigenvalue that is zero, over the fastest rate of the system.
+const LEAST: f64 = 1e-6;
 /// Distance of the shift from the eigenvalue, relative to the size of the eigenvalue, so that the pencil can be factored.
 const OFFSET: f64 = 1e-13;
 
@@ -53,18 +55,15 @@ pub(super) fn two_sided(linear: &LinearPart, [re, im]: [f64; 2], right: &[[f64; 
     let real = im == 0.0;
     let mut lambda = Complex::new(re, im);
     let mut x: Vector = complex(right).collect();
-    let size = x.len();
     let mut left: Vector = linear
         .scales
         .iter()
         .enumerate()
         .map(|(i, scale)| Complex::from((1.0 + 0.5 * (i as f64).sin()) / scale))
         .collect();
-    let fastest = (0..size)
-        .map(|i| slope.at(i, i).abs() / mass.at(i, i).abs().max(f64::MIN_POSITIVE))
-        .fold(0.0, f64::max);
+    let fastest = fastest(linear);
     for _ in 0..ITERATIONS {
-        let size = lambda.norm().max(f64::EPSILON * fastest);
+        let size = lambda.norm().max(LEAST * fastest);
         let shift = lambda
             + if real { Complex::from(OFFSET * size) } else { Complex::new(OFFSET * size, OFFSET * size) };
         let pencil = linear.pencil(shift);
@@ -84,6 +83,15 @@ pub(super) fn two_sided(linear: &LinearPart, [re, im]: [f64; 2], right: &[[f64; 
     let left: Vector = left.iter().map(|entry| entry / unit).collect();
     let finite = left.iter().chain(&x).all(|entry| entry.re.is_finite() && entry.im.is_finite());
     finite.then(|| Eigenpair { lambda: [lambda.re, lambda.im], right: pairs(&x), left: pairs(&left) })
+}
+
+/// Upper estimate of the rates of a system: the largest entry of each row of `A₀` over that of `M₀`, components in their scales.
+fn fastest(linear: &LinearPart) -> f64 {
+    let size = linear.state.len();
+    let largest = |matrix: &Dense, row: usize| {
+        (0..size).map(|k| (matrix.at(row, k) * linear.scales[k]).abs()).fold(0.0, f64::max)
+    };
+    (0..size).map(|row| largest(&linear.slope, row) / largest(&linear.mass, row)).fold(0.0, f64::max)
 }
 
 /// Vector of complex numbers of pairs.

@@ -46,6 +46,9 @@ pub enum ExpansionError {
         /// Exponents of the masters.
         exponents: Vec<u8>,
     },
+    /// The change of the conserved quantity is no mode of the equilibrium.
+    #[error("the change of the conserved quantity was not found among the modes of the equilibrium")]
+    Level,
     /// The caller asked for an end.
     #[error("the expansion was interrupted")]
     Interrupted,
@@ -65,7 +68,7 @@ pub fn expand(
 ) -> Result<InvariantManifold, ExpansionError> {
     let Plan { masters, style, degree } = plan;
     let ring = Ring::new(masters.len(), degree);
-    let mut expansion = Expansion::new(linear, masters, style, &ring);
+    let mut expansion = Expansion::new(linear, masters, style, &ring)?;
     for degree in 2..=degree {
         expansion.add_degree(system, degree, &ring, watch)?;
     }
@@ -85,7 +88,12 @@ struct Expansion<'a> {
 
 impl<'a> Expansion<'a> {
     /// Equilibrium and tangent.
-    fn new(linear: &'a LinearPart, masters: Vec<Master>, style: Style, ring: &Ring) -> Self {
+    fn new(
+        linear: &'a LinearPart,
+        masters: Vec<Master>,
+        style: Style,
+        ring: &Ring,
+    ) -> Result<Self, ExpansionError> {
         let mut W: Vec<Truncated> = linear.state.iter().map(|x| ring.constant(*x)).collect();
         let mut R = vec![ring.zero(); masters.len()];
         for (k, master) in masters.iter().enumerate() {
@@ -98,7 +106,11 @@ impl<'a> Expansion<'a> {
             .iter()
             .map(|master| Border::of_mode(linear, &master.mode.right, &master.mode.left))
             .collect();
-        Self { linear, style, borders, conserved: conserved(linear), masters, W, R }
+        let conserved = match &linear.conserved {
+            Some(gradient) => Some(level_border(linear, gradient).ok_or(ExpansionError::Level)?),
+            None => None,
+        };
+        Ok(Self { linear, style, borders, conserved, masters, W, R })
     }
 
     /// Adds the coefficients of a degree. (W4)
@@ -205,8 +217,7 @@ pub(super) fn turning(masters: &[Master], exponents: &[u8]) -> Vec<i32> {
 }
 
 /// Border that keeps the conserved quantity at its level; its mode is the change of level, with eigenvalue zero.
-fn conserved(linear: &LinearPart) -> Option<Border> {
-    let gradient = linear.conserved.as_ref()?;
+fn level_border(linear: &LinearPart, gradient: &[f64]) -> Option<Border> {
     let guess: Vec<[f64; 2]> = linear
         .scales
         .iter()

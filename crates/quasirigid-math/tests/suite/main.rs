@@ -3,6 +3,7 @@
 
 mod elliptic;
 mod formulas;
+mod submanifold;
 
 use proptest::prelude::ProptestConfig;
 use proptest::test_runner::RngSeed;

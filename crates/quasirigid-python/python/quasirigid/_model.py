@@ -348,7 +348,7 @@ class Model:
             duration: Longest time (s).
             samples: Number of rows, 2 to 1000000; 201 by default.
             power: Source of the mean power: ``polynomial`` or ``harmonics``.
-            method: ``average``, ``micro-runs``, ``direct`` or ``modes``; by default the one that holds.
+            method: ``average``, ``micro-runs``, ``direct``, ``modes`` or ``manifold``; by default the one that holds.
 
         Raises:
             StartError: for a start that is none or does not evolve, unless it is a row of ``initial``.

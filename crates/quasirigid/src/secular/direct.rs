@@ -182,7 +182,7 @@ impl DirectRun {
 
 impl DirectRow {
     /// Row of a sample whose time, energies and revolutions count from this row.
-    fn after(&self, sample: &Sample) -> Self {
+    pub(super) fn after(&self, sample: &Sample) -> Self {
         Self {
             t: self.t + sample.t,
             energy: sample.energy,

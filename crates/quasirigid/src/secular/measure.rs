@@ -29,6 +29,8 @@ pub struct Measurement {
     pub revolutions: f64,
     /// Steps of the run.
     pub steps: u64,
+    /// True if the power is that of reduced equations about a spin, without a run.
+    pub reduced: bool,
 }
 
 /// Error of a mean power that was not found.
@@ -113,7 +115,8 @@ pub(super) fn measured(
             change = (share(&mean, &now) / share(before, &then) - 1.0).abs();
             if change <= plan.change || (doubling == plan.doublings && change <= 4.0 * plan.change) {
                 let Mean { power, budget, .. } = mean;
-                return Ok(Measurement { stage, power, error: change, budget, revolutions, steps });
+                let reduced = false;
+                return Ok(Measurement { stage, power, error: change, budget, revolutions, steps, reduced });
             }
         }
         before = Some(mean);

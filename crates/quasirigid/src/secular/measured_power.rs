@@ -7,6 +7,7 @@ use std::ops::ControlFlow;
 
 use super::criteria::uneven;
 use super::energy_range::EnergyRange;
+use super::hand_over::{Chart, HandOver};
 use super::measure::{MeasureError, Measurement};
 use super::poles::Poles;
 use super::site::{MeasureOptions, NEAREST, Site, small, span};
@@ -22,8 +23,10 @@ pub struct MeasuredPower {
     moments: [f64; 3],
     /// Logarithms of the ratio in the long-axis and the short-axis mode.
     curves: [Option<Curve>; 2],
-    /// Measurements, in the order in which they were made.
+    /// Measurements, in the order in which they were made; some from reduced equations about a spin.
     pub measurements: Vec<Measurement>,
+    /// Ranges within which the power is that of reduced equations about a spin, with the difference from short runs at their edges. (Q11)
+    pub hand_overs: Vec<HandOver>,
     /// Estimate of the relative error of the power: of the interpolation and of the measurements.
     pub error: f64,
 }
@@ -46,11 +49,19 @@ impl MeasuredPower {
         options: &MeasureOptions,
         watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
     ) -> Result<Self, MeasureError> {
-        let mut power =
-            Self { moments: range.moments(), curves: [None, None], measurements: Vec::new(), error: 0.0 };
+        let mut power = Self {
+            moments: range.moments(),
+            curves: [None, None],
+            measurements: Vec::new(),
+            hand_overs: Vec::new(),
+            error: 0.0,
+        };
         for mode in [Mode::LongAxis, Mode::ShortAxis] {
             let Some(ends) = span(range, mode, [from, to], NEAREST) else { continue };
-            let mut worker = Worker { body, range, poles, mode, options: *options, power: &mut power, watch };
+            let chart = Chart::about(body, range, mode);
+            let mut worker =
+                Worker { body, range, poles, mode, options: *options, chart, power: &mut power, watch };
+            worker.hand_over(ends)?;
             let curve = worker.curve(ends)?;
             power.curves[usize::from(mode == Mode::ShortAxis)] = Some(curve);
         }
@@ -88,6 +99,8 @@ struct Worker<'w, 'b> {
     poles: &'b Poles,
     mode: Mode,
     options: MeasureOptions,
+    /// Reduced equations about the pole, where they are of use.
+    chart: Option<Chart<'b>>,
     power: &'w mut MeasuredPower,
     watch: &'w mut dyn FnMut(f64) -> ControlFlow<()>,
 }
@@ -135,20 +148,47 @@ impl Worker<'_, '_> {
         (high + 0.5 * BEYOND > xi - BEYOND && ratio > 0.0).then(|| [xi, ratio.ln()])
     }
 
+    /// Compares the reduced equations about the pole with a short run at the edge of their range, and drops them where both differ. (Q11)
+    fn hand_over(&mut self, [low, _]: [f64; 2]) -> Result<(), MeasureError> {
+        let Some(chart) = self.chart.take() else { return Ok(()) };
+        let Some(edge) = chart.edge(self.range, self.mode) else { return Ok(()) };
+        if low >= edge.xi {
+            self.power.hand_overs.push(chart.inside(self.mode));
+            self.chart = Some(chart);
+            return Ok(());
+        }
+        let run = self.short_run(edge.xi)?;
+        let Ok(hand_over) = chart.hand_over(self.range, &run) else { return Ok(()) };
+        self.power.measurements.push(run);
+        if hand_over.mismatch <= self.options.error {
+            self.power.error = self.power.error.max(hand_over.mismatch);
+            self.power.hand_overs.push(hand_over);
+            self.chart = Some(chart);
+        }
+        Ok(())
+    }
+
     /// Measures the logarithm of the ratio near a place.
     fn node(&mut self, xi: f64) -> Result<[f64; 2], MeasureError> {
+        let state = RotationState { mode: self.mode, xi };
+        let reduced = self.chart.as_ref().and_then(|chart| chart.measurement(self.range, state));
+        let found = reduced.map_or_else(|| self.short_run(xi), Ok)?;
+        let RotationState { mode, xi } = found.stage;
+        let there = FreeRotation::at_logit(self.power.moments, self.range.angular_momentum(), mode, xi);
+        let value = (found.power / there.mean_square_acceleration()).ln();
+        self.power.measurements.push(found);
+        Ok([xi, value])
+    }
+
+    /// Measures the power near a place by a short run of the full system.
+    fn short_run(&mut self, xi: f64) -> Result<Measurement, MeasureError> {
         let done: u64 = self.power.measurements.iter().map(|each| each.steps).sum();
         let share = done as f64 / self.options.most_steps as f64;
         let options =
             MeasureOptions { most_steps: self.options.most_steps.saturating_sub(done), ..self.options };
         let site = Site { body: self.body, range: self.range, poles: self.poles, options };
         let watch = &mut *self.watch;
-        let found = site.measure(RotationState { mode: self.mode, xi }, &mut || watch(share))?;
-        let RotationState { mode, xi } = found.stage;
-        let there = FreeRotation::at_logit(self.power.moments, self.range.angular_momentum(), mode, xi);
-        let value = (found.power / there.mean_square_acceleration()).ln();
-        self.power.measurements.push(found);
-        Ok([xi, value])
+        site.measure(RotationState { mode: self.mode, xi }, &mut || watch(share))
     }
 }
 

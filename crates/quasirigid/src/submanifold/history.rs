@@ -34,7 +34,8 @@ pub struct ManifoldRun {
     pub last: Sample,
     /// Coordinates at the end.
     pub z: Vec<[f64; 2]>,
-    /// Largest defect over the output times that were examined, with its time (s).
+    /// Defect of the history, with the time (s) of its largest part in the motion: that over the output times that were examined; in the
+    /// power the largest change of energy that no dissipator explains, over the energy dissipated.
     pub worst: (Defect, f64),
     /// Work done.
     pub work: Work,

@@ -42,6 +42,7 @@ pub fn propagate_on_manifold(
     let mut monitor = Monitor::new(manifold, start, &phases, times, observer);
     let reason = integrate(&mut solver, times, 0, options.most_steps, &mut monitor);
     let (last, z) = monitor.sample(solver.t(), solver.y());
+    monitor.worst.0.power = if monitor.drift == 0.0 { 0.0 } else { monitor.drift / last.dissipated.abs() };
     let outcome = match reason {
         StopReason::Finished | StopReason::Event => Outcome::Finished,
         StopReason::Interrupted => Outcome::Interrupted,
@@ -166,6 +167,8 @@ struct Monitor<'a, 'b> {
     outputs: usize,
     stride: usize,
     worst: (Defect, f64),
+    /// Largest change of energy (J) that no dissipator explains.
+    drift: f64,
     observer: &'a mut dyn Observer,
 }
 
@@ -193,6 +196,7 @@ impl<'a, 'b> Monitor<'a, 'b> {
             outputs: 0,
             stride: times.len().div_ceil(EXAMINED).max(1),
             worst: (Defect::default(), 0.0),
+            drift: 0.0,
             observer,
         }
     }
@@ -251,12 +255,13 @@ impl<M: Solver<State = Vec<f64>>> StepObserver<M> for Monitor<'_, '_> {
     fn output(&mut self, t: f64, y: &Vec<f64>) {
         let (sample, z) = self.sample(t, y);
         if self.outputs.is_multiple_of(self.stride) {
-            let defect = self.manifold.defect_around(&z);
-            if defect.largest() > self.worst.0.largest() {
-                self.worst = (defect, t);
+            let motion = self.manifold.defect_around(&z).motion;
+            if !(motion <= self.worst.0.motion) {
+                self.worst = (Defect { motion, power: 0.0 }, t);
             }
         }
         self.outputs += 1;
+        self.drift = self.drift.max(sample.energy_drift.abs());
         if self.observer.keeps_coordinates() {
             let state = self.manifold.full_state(&z, sample.attitude);
             self.observer.coordinates(&state.q, &state.rate);

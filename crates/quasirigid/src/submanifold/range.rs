@@ -5,6 +5,7 @@
 use std::f64::consts::TAU;
 
 use crate::math::submanifold::Residual;
+use crate::math::vec3::norm;
 use crate::model::{ExpandedMotion, FlexibleBody};
 
 use super::spin_manifold::SpinManifold;
@@ -38,6 +39,8 @@ pub const WIDEST: f64 = 1.6;
 /// Smallest amplitude examined, and the ratio of one to the next.
 const LEAST: f64 = 1e-4;
 const STEP: f64 = 1.25;
+/// Smallest motion, relative to the steady spin, in whose terms a defect is told: a smaller one is rounding.
+const LEAST_MOTION: f64 = 1e-9;
 /// Halvings that locate the edge of the range.
 const HALVINGS: usize = 12;
 
@@ -92,7 +95,8 @@ impl SpinManifold<'_> {
             power += dissipation(self.body, &residual);
         }
         let share = |part: f64, whole: f64| if part == 0.0 { 0.0 } else { part / whole };
-        Defect { motion: share(left, motion), power: share(f64::abs(excess), power) }
+        let least = LEAST_MOTION * self.rate() * norm(self.spin.omega) / self.spin.linear.scales[0];
+        Defect { motion: left / motion.max(least), power: share(f64::abs(excess), power) }
     }
 
     /// Amplitude up to which the defects stay below a share. (W11)

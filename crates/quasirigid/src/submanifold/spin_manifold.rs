@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 
 use crate::math::submanifold::{InvariantManifold, NearResonance, Plan, Style, expand};
-use crate::math::vec3::{norm, scale};
+use crate::math::vec3::{dot, norm, scale};
 use crate::model::{ExpandedMotion, FlexibleBody, Mode, Support};
 use crate::modes::{Given, RelativeEquilibrium};
 
@@ -17,8 +17,8 @@ use super::steady::SteadySpin;
 pub struct SpinManifoldPlan {
     /// Principal axis that the nutation circles.
     pub mode: Mode,
-    /// Angular momentum `|K|` (N·m·s), that of wheels included.
-    pub angular_momentum: f64,
+    /// Angular momentum (N·m·s) of a state, body axes, that of wheels included: its size, and the side of the axis that it circles.
+    pub angular_momentum: [f64; 3],
     /// Masters beside the nutation.
     pub masters: Masters,
     /// Highest degree in the amplitude.
@@ -66,9 +66,13 @@ impl<'a> SpinManifold<'a> {
         watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
     ) -> Result<Self, SubmanifoldError> {
         check(body, plan)?;
-        let given = Given::AngularMomentum(plan.angular_momentum);
-        let near = RelativeEquilibrium::extreme(body, plan.mode, given)?;
-        let spin = SteadySpin::polished(body, &near, plan.angular_momentum)?;
+        let angular_momentum = norm(plan.angular_momentum);
+        let given = Given::AngularMomentum(angular_momentum);
+        let mut near = RelativeEquilibrium::extreme(body, plan.mode, given)?;
+        if dot(near.angular_momentum, plan.angular_momentum) < 0.0 {
+            near = RelativeEquilibrium::near(body, scale(-1.0, near.omega), given)?;
+        }
+        let spin = SteadySpin::polished(body, &near, angular_momentum)?;
         let Chosen { masters, modes, mut outer } = choose(body, near, &spin, &plan.masters)?;
         outer.sort_by(|a, b| a.decay_rate.hypot(a.frequency).total_cmp(&b.decay_rate.hypot(b.frequency)));
         let system = ExpandedMotion::of(body);

@@ -14,6 +14,7 @@ use crate::dynamics::{Forced, Form, MAX_FORCED_ORDER, Options, Outcome, Propagat
 use crate::math::vec3::norm;
 use crate::model::FlexibleError;
 use crate::reduction::{MAX_ORDER, ReductionError};
+use crate::submanifold::SubmanifoldError;
 
 /// Plan of a verification.
 #[derive(Clone, Debug, PartialEq)]
@@ -103,6 +104,9 @@ pub enum VerificationError {
     /// The stiffened body is invalid.
     #[error(transparent)]
     Body(#[from] FlexibleError),
+    /// There are no reduced equations about the spin.
+    #[error(transparent)]
+    Submanifold(#[from] SubmanifoldError),
     /// A history could not start.
     #[error(transparent)]
     Propagate(#[from] PropagateError),
@@ -181,7 +185,7 @@ pub fn verify(
         }
     }
     for row in &mut rows {
-        row.order = order(&epsilons, &row.differences, &floors);
+        row.order = slope(&epsilons, &row.differences, &floors);
     }
     Ok(Verification { epsilons, duration, rows, steps })
 }
@@ -203,7 +207,7 @@ fn check(system: Forced, plan: &VerificationPlan) -> Result<usize, VerificationE
 }
 
 /// Slope of the difference in angular velocity at the smallest `ε` where the difference stands above the error of the integrator.
-fn order(epsilons: &[f64], differences: &[Difference], floors: &[f64]) -> Option<f64> {
+pub(super) fn slope(epsilons: &[f64], differences: &[Difference], floors: &[f64]) -> Option<f64> {
     let above =
         differences.iter().zip(floors).take_while(|(difference, floor)| difference.omega > **floor).count();
     let (last, before) = (above.checked_sub(1)?, above.checked_sub(2)?);

@@ -221,6 +221,7 @@ fn public_types_are_send_sync_and_debug() {
     crosses::<submanifold::Backbone>();
     crosses::<submanifold::BackbonePoint>();
     crosses::<submanifold::Defect>();
+    crosses::<submanifold::ManifoldPower>();
     crosses::<submanifold::ManifoldRun>();
     crosses::<submanifold::ManifoldStart>();
     crosses::<submanifold::MasterMode>();
@@ -240,6 +241,8 @@ fn public_types_are_send_sync_and_debug() {
     crosses::<secular::EnergyRange>();
     crosses::<secular::MeasureError>();
     crosses::<secular::MeasureOptions>();
+    crosses::<secular::HandOver>();
+    crosses::<secular::ManifoldHistory>();
     crosses::<secular::MeasuredPower>();
     crosses::<secular::Measurement>();
     crosses::<secular::Pole>();
@@ -247,8 +250,11 @@ fn public_types_are_send_sync_and_debug() {
     crosses::<secular::Probes>();
     crosses::<verification::AverageError>();
     crosses::<verification::AverageRow>();
+    crosses::<verification::DegreeRow>();
     crosses::<verification::Difference>();
     crosses::<verification::OrderRow>();
+    crosses::<verification::SpinVerification>();
+    crosses::<verification::SpinVerificationPlan>();
     crosses::<verification::VerificationPlan>();
     crosses::<verification::Verification>();
     crosses::<verification::VerificationError>();

@@ -13,11 +13,11 @@ use crate::error::StudyError;
 use crate::words::{significant, time};
 
 /// Steps of a history.
-const STEPS: u64 = 30_000_000;
+pub const STEPS: u64 = 30_000_000;
 /// Steps of a history that is followed unasked, times the square of the number of coordinates or, on curved paths, its cube: minutes.
 const WORK: f64 = 1e9;
 /// Error allowed per step of the full system, relative.
-const TOLERANCE: f64 = 1e-10;
+pub const TOLERANCE: f64 = 1e-10;
 /// Revolutions in which no wobble dies out.
 const ONE_TURN: f64 = 1.0;
 /// Relaxation times in which a start is forgotten, and periods of the polhode at most.

@@ -3,6 +3,7 @@
 mod average;
 mod full;
 mod levels;
+mod on_manifold;
 mod short_or_full;
 mod start_and_end;
 mod steady_spins;
@@ -88,7 +89,9 @@ pub fn choose(
     let found = match asked.method {
         Some(EvolveMethod::Average) => Ok(choice.forced_average(secular)),
         Some(EvolveMethod::Modes) => choice.calibrated(secular),
-        Some(EvolveMethod::MicroRuns | EvolveMethod::Direct) if !ground.complete(way.ends) => {
+        Some(EvolveMethod::MicroRuns | EvolveMethod::Direct | EvolveMethod::Manifold)
+            if !ground.complete(way.ends) =>
+        {
             Err(without_equations(ground.left_out(way.ends)))
         }
         Some(EvolveMethod::MicroRuns) => match choice.measured(watch) {
@@ -96,6 +99,7 @@ pub fn choose(
             found => found.map_err(|error| error.to_string()),
         },
         Some(EvolveMethod::Direct) => choice.direct(watch)?,
+        Some(EvolveMethod::Manifold) => choice.along_manifold(watch)?,
         None => match choice.average(secular, watch)? {
             Some(road) => Ok(road),
             None => match choice.levels(study, asked) {

@@ -51,6 +51,9 @@ impl<'a> Choice<'a> {
         if !self.ground.complete(self.way.ends) {
             return Ok(self.calibrated(secular));
         }
+        if let Some(road) = self.on_manifold(watch)? {
+            return Ok(Ok(road));
+        }
         let revolutions = self.ground.revolutions(self.way.ends);
         let fast = self.ground.haste(self.way.ends) > DECAY;
         if fast || self.whirls() || revolutions.is_none_or(|revolutions| revolutions <= FEW) {

@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use quasirigid::averaging::{LevelPassage, MeanPower};
 use quasirigid::model::Mode;
-use quasirigid::secular::{AverageCriteria, DirectRow, DirectRun, MeasuredPower};
+use quasirigid::secular::{AverageCriteria, DirectRow, DirectRun, HandOver, ManifoldHistory, MeasuredPower};
 
 use super::History;
 use super::start_and_end::{Levels, Way};
@@ -21,7 +21,7 @@ const LEAST: f64 = 1e-6;
 /// The method taken, with its reason, its error, and its results beside the power.
 #[derive(Clone, Debug, Default)]
 pub struct Verdict {
-    /// `average`, `levels`, `modes`, `micro-runs`, `direct`, or `none`.
+    /// `average`, `levels`, `modes`, `manifold`, `micro-runs`, `direct`, or `none`.
     pub road: &'static str,
     /// Reason for the method and limits of its validity.
     pub sentence: String,
@@ -88,6 +88,7 @@ impl Verdict {
         match self.road {
             "micro-runs" => Some("measured by short runs of the full system along the way".into()),
             "levels" => Some("mean of the power of the reduced equations along level curves of the slow energy".into()),
+            "manifold" => Some("the reduced equations about the spin from start to end; the wobble is the envelope, that of a rigid body with the same energy".into()),
             "direct" => Some("the full system from start to end; the wobble is the envelope, that of a rigid body with the same energy".into()),
             _ => None,
         }
@@ -104,6 +105,8 @@ pub enum ChosenMethod {
     Calibrated { power: Arc<dyn MeanPower>, error: f64 },
     /// The power measured by short runs, after the full system has forgotten its start.
     Measured(Box<MeasuredPower>, Option<DirectRow>),
+    /// The history of the reduced equations about the spin.
+    Manifold(Box<ManifoldHistory>),
     /// The history of the full system.
     Direct(Box<DirectRun>),
     /// The average along levels of the slow energy.
@@ -158,11 +161,7 @@ pub fn take(road: ChosenMethod, ground: &Ground, way: &Way, secular: &mut Secula
             let error = power.time_error(ground.revolutions(way.ends).unwrap_or(f64::INFINITY));
             secular.verdict = Verdict {
                 road: "micro-runs",
-                sentence: format!(
-                    "What moves inside is too heavy or too soft for an average: the mean power was measured in {} short runs of the \
-                     full system",
-                    power.measurements.len()
-                ),
+                sentence: measured(&power),
                 judge: Some(""),
                 error: Some(error),
                 budget: first.map(|first| names(&first.budget, &way.dissipators)),
@@ -175,6 +174,29 @@ pub fn take(road: ChosenMethod, ground: &Ground, way: &Way, secular: &mut Secula
                 return History::Settled(row, ground.range.clone());
             }
             History::None
+        }
+        ChosenMethod::Manifold(history) => {
+            let ManifoldHistory { run, error, range, beside, .. } = *history;
+            let beside = if beside.is_empty() {
+                String::new()
+            } else {
+                format!(", with the motion of {}", beside.join(" and "))
+            };
+            secular.verdict = Verdict {
+                road: "manifold",
+                sentence: format!(
+                    "The reduced equations about the spin were followed{beside}; they hold to a nutation of {} degrees",
+                    significant(range.to_degrees(), 3)
+                ),
+                judge: Some(""),
+                error: Some(error),
+                budget: Some(names(&run.budget, &way.dissipators)),
+                rates: secular.verdict.rates,
+                parametric: secular.verdict.parametric.take(),
+                ..Verdict::default()
+            };
+            secular.take(Arc::new(Levels(ground.range.moments())), &ground.range, way.energies[0]);
+            History::Full(Box::new(run), ground.range.clone())
         }
         ChosenMethod::Direct(run) => {
             secular.verdict = Verdict {
@@ -200,6 +222,33 @@ pub fn take(road: ChosenMethod, ground: &Ground, way: &Way, secular: &mut Secula
             History::Levels(passage)
         }
     }
+}
+
+/// Sources of a measured power, in words.
+fn measured(power: &MeasuredPower) -> String {
+    let runs = power.measurements.iter().filter(|each| !each.reduced).count();
+    let edges: Vec<String> = power.hand_overs.iter().map(handed).collect();
+    let within = if edges.is_empty() {
+        String::new()
+    } else {
+        format!("taken from the reduced equations about the spin {}, and elsewhere ", edges.join(", "))
+    };
+    format!(
+        "What moves inside is too heavy or too soft for an average: the mean power was {within}measured in {runs} short runs of the \
+         full system"
+    )
+}
+
+/// Range within which the power is that of reduced equations about a spin, in words.
+fn handed(hand_over: &HandOver) -> String {
+    let HandOver { mode, nutation, mismatch } = *hand_over;
+    let axis = if mode == Mode::ShortAxis { "greatest" } else { "least" };
+    let differs = if mismatch == 0.0 {
+        String::new()
+    } else {
+        format!(", where both differ by {} %", significant(100.0 * mismatch, 2))
+    };
+    format!("to {} degrees about the axis of {axis} inertia{differs}", significant(nutation.to_degrees(), 3))
 }
 
 fn capital(words: &str) -> String {

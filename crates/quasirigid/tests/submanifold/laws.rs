@@ -1,0 +1,97 @@
+//! Laws of the reduced equations about a spin: conservation, energy, axes, units, styles.
+
+use nalgebra::{Rotation3, Vector3};
+use quasirigid::dynamics::{Options, Sample};
+use quasirigid::elements::Assembly;
+use quasirigid::model::FlexibleBody;
+use quasirigid::submanifold::{SpinManifold, SpinManifoldPlan, Style, propagate_on_manifold};
+use quasirigid_math::rotation::ALIGNED;
+use quasirigid_math::vec3::norm;
+
+use crate::support::transform::{Units, rescaled, rotated};
+
+use super::{bodies, body_of, cubic, derived, plan};
+
+fn invariants(manifold: &SpinManifold) -> [f64; 4] {
+    let [re, im] = cubic(manifold);
+    [manifold.masters[0].decay_rate, manifold.masters[0].frequency, re, im]
+}
+
+fn close(a: [f64; 4], b: [f64; 4], unit: f64) {
+    for (a, b) in a.iter().zip(b) {
+        assert!((a * unit - b).abs() < 1e-9 * b.abs(), "{a} {b}");
+    }
+}
+
+/// `|K|` of the manifold departs with the first power that is left out, since it is a condition on every coefficient.
+#[test]
+fn the_angular_momentum_keeps_its_size() {
+    let body = body_of(&bodies::everything());
+    for degree in [2, 3, 4, 5] {
+        let manifold = derived(&body, &plan(&body, 3.0, degree));
+        let drift = |amplitude: f64| {
+            let size = |phase: f64| {
+                let z = [amplitude * phase.cos(), amplitude * phase.sin()];
+                norm(manifold.full_state(&[z], ALIGNED).angular_momentum(&body))
+            };
+            let sizes = (0..8).map(|i| size(f64::from(i)) / norm(manifold.spin.angular_momentum) - 1.0);
+            sizes.map(f64::abs).fold(0.0, f64::max)
+        };
+        let slope = (drift(0.06) / drift(0.03)).log2();
+        assert!(slope > degree as f64 + 0.7, "degree {degree}: {slope}");
+    }
+}
+
+/// What the dashpots take is what the energy loses, to the defect.
+#[test]
+fn the_energy_falls_by_what_is_dissipated() {
+    let body = body_of(&bodies::everything());
+    let manifold = derived(&body, &plan(&body, 3.0, 7));
+    let start = manifold.start(&manifold.full_state(&[[0.1, 0.05]], ALIGNED));
+    let mut samples: Vec<Sample> = Vec::new();
+    let times: Vec<f64> = (0..=50).map(f64::from).collect();
+    let run = propagate_on_manifold(&manifold, &start, &times, &Options::default(), &mut samples).unwrap();
+    let taken = run.last.dissipated;
+    assert!(taken > 0.0 && run.worst.0.largest() < 1e-4, "{run:?}");
+    assert!(samples.windows(2).all(|pair| pair[1].dissipated > pair[0].dissipated));
+}
+
+/// Rates belong to the body, not to the axes or units of its description.
+#[test]
+fn axes_and_units_change_nothing() {
+    let assembly = Assembly { hinged: bodies::hinged().hinged, ..bodies::two_masses() };
+    let body = body_of(&assembly);
+    let plan = plan(&body, 3.0, 3);
+    let own = invariants(&derived(&body, &plan));
+    let turn = Rotation3::from_euler_angles(0.7, -1.1, 0.4);
+    let turned = body_of(&rotated(&assembly, turn.matrix()));
+    let K: [f64; 3] = (turn * Vector3::from(plan.angular_momentum)).into();
+    let there = SpinManifoldPlan { angular_momentum: K, ..plan.clone() };
+    close(invariants(&derived(&turned, &there)), own, 1.0);
+    for [mass, length, time] in [[1e-9, 1e-3, 1e2], [1e6, 1e3, 1e-3]] {
+        let scaled = body_of(&rescaled(&assembly, Units { length, mass, time }));
+        let unit = mass * length * length / time;
+        let K = plan.angular_momentum.map(|K| unit * K);
+        let there = SpinManifoldPlan { angular_momentum: K, ..plan.clone() };
+        close(invariants(&derived(&scaled, &there)), own, time);
+    }
+}
+
+/// Both styles describe the same motion: the mean rates at an amplitude differ by the next order.
+#[test]
+fn styles_agree_on_the_rates_at_an_energy() {
+    let body: FlexibleBody = body_of(&bodies::two_masses());
+    let rate = |style: Style| {
+        let manifold = derived(&body, &SpinManifoldPlan { style, ..plan(&body, 5.0, 5) });
+        let options = Options::default();
+        let normal = derived(&body, &plan(&body, 5.0, 5));
+        let state = normal.full_state(&[[0.12, 0.0]], ALIGNED);
+        let mut samples: Vec<Sample> = Vec::new();
+        let start = manifold.start(&state);
+        propagate_on_manifold(&manifold, &start, &[0.0, 40.0], &options, &mut samples).unwrap();
+        (samples[0].energy - samples[1].energy, samples[1].omega)
+    };
+    let (normal, graph) = (rate(Style::NormalForm), rate(Style::Graph));
+    assert!((normal.0 / graph.0 - 1.0).abs() < 1e-4, "{normal:?} {graph:?}");
+    assert!(normal.1.iter().zip(graph.1).all(|(a, b)| (a - b).abs() < 1e-4), "{normal:?} {graph:?}");
+}

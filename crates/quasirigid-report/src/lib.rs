@@ -21,6 +21,7 @@ mod comparison;
 mod figure;
 mod figures;
 mod gltf;
+mod motion;
 mod number;
 mod page;
 #[cfg(feature = "png")]

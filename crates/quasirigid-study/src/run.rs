@@ -8,7 +8,7 @@ use quasirigid::dynamics::{Options, Outcome, PropagateError, Start};
 use quasirigid::model::ReducedBody;
 use quasirigid::reduction::{Validity, Verdict};
 use quasirigid_io::model::{Named, System, Verify};
-use quasirigid_io::record::{EvolutionRecord, HistoryRecord, RunRecord, VerificationRecord};
+use quasirigid_io::record::{EvolutionRecord, HistoryRecord, RECORD_FORMAT, RunRecord, VerificationRecord};
 use quasirigid_math::vec3::norm;
 
 use crate::campbell::campbell;
@@ -133,6 +133,7 @@ impl Study {
         let plan = Plan::new(self, propagation, &motion, nutating, kept.is_some())?;
         let evolution = plan.evolution(start, &mut notes, watch)?;
         let mut record = RunRecord {
+            format: RECORD_FORMAT,
             version: env!("CARGO_PKG_VERSION").into(),
             model: record::model(model),
             notes,

@@ -68,6 +68,19 @@ pub enum RecordError {
         /// Message of the JSON reader.
         problem: String,
     },
+    /// A record whose folder has a later layout.
+    #[error(
+        "{}: record of format {format}, later than {known}, the last that this program reads; use the quasirigid that made the run",
+        file.display()
+    )]
+    Format {
+        /// The file.
+        file: PathBuf,
+        /// Version of its layout.
+        format: u32,
+        /// Last version that is read.
+        known: u32,
+    },
     /// A scene of a later version.
     #[error("{}: scene of version {version}, later than this program reads; use the quasirigid that made the run", file.display())]
     SceneVersion {

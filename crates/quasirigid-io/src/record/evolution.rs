@@ -176,6 +176,9 @@ pub struct HarmonicRecord {
     /// Share of the harmonic in the mean power.
     #[serde(with = "number")]
     pub share: f64,
+    /// Parts of that share by dissipator; empty in records of versions before this field.
+    #[serde(with = "number", default)]
+    pub dissipation: BTreeMap<String, f64>,
 }
 
 /// A place on the way where a harmonic has the frequency of a vibration.

@@ -5,11 +5,12 @@ use std::fs::{self, File};
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
+use serde::Deserialize;
 use serde::de::DeserializeOwned;
 
 use super::scene::{SCENE_VERSION, SceneRecord};
 use super::table::{Extremes, RowTable, Rows, TableFormat};
-use super::{Column, EvolutionRecord, HistoryRecord, RecordError, RunRecord};
+use super::{Column, EvolutionRecord, HistoryRecord, RECORD_FORMAT, RecordError, RunRecord};
 
 /// File of the evolution's rows, without the ending.
 const EVOLUTION: &str = "evolution";
@@ -87,7 +88,7 @@ impl RunRecord {
     /// # Errors
     /// [`RecordError`] with the file, and the line where there is one.
     pub fn read(dir: &Path) -> Result<Self, RecordError> {
-        let mut record: Self = read_json(dir.join(RECORD))?;
+        let mut record: Self = read_record(dir.join(RECORD))?;
         let scene = dir.join(SCENE);
         if scene.exists() {
             record.scene = Some(read_scene(scene)?);
@@ -195,22 +196,42 @@ fn found(dir: &Path, stem: &str) -> Result<(PathBuf, TableFormat), RecordError> 
     })
 }
 
-fn read_json<T: DeserializeOwned>(file: PathBuf) -> Result<T, RecordError> {
+/// Reads the numbers of a record. The number of its layout is looked at first, since another layout would fail elsewhere, in words that
+/// lead astray; likewise of a scene.
+fn read_record(file: PathBuf) -> Result<RunRecord, RecordError> {
+    #[derive(Deserialize)]
+    struct Layout {
+        #[serde(default)]
+        format: u32,
+    }
     let text = fs::read(&file).map_err(|error| unusable(&file, &error))?;
-    serde_json::from_slice(&text).map_err(|error| RecordError::Json {
-        line: error.line(),
-        column: error.column(),
-        problem: problem(&error),
-        file,
-    })
+    let Layout { format } = parse(&file, &text)?;
+    if format > RECORD_FORMAT {
+        return Err(RecordError::Format { file, format, known: RECORD_FORMAT });
+    }
+    parse(&file, &text)
 }
 
 fn read_scene(file: PathBuf) -> Result<SceneRecord, RecordError> {
-    let scene: SceneRecord = read_json(file.clone())?;
-    if scene.version > SCENE_VERSION {
-        return Err(RecordError::SceneVersion { file, version: scene.version });
+    #[derive(Deserialize)]
+    struct Layout {
+        version: u32,
     }
-    Ok(scene)
+    let text = fs::read(&file).map_err(|error| unusable(&file, &error))?;
+    let Layout { version } = parse(&file, &text)?;
+    if version > SCENE_VERSION {
+        return Err(RecordError::SceneVersion { file, version });
+    }
+    parse(&file, &text)
+}
+
+fn parse<T: DeserializeOwned>(file: &Path, text: &[u8]) -> Result<T, RecordError> {
+    serde_json::from_slice(text).map_err(|error| RecordError::Json {
+        line: error.line(),
+        column: error.column(),
+        problem: problem(&error),
+        file: file.into(),
+    })
 }
 
 pub(super) fn check_lengths(file: &str, columns: &[Column]) -> Result<(), RecordError> {

@@ -35,9 +35,16 @@ pub use sweep::{
 };
 pub use table::{Extremes, MOST_ROWS, RowLog, RowTable, TableFormat, history_csv};
 
+/// Version of the layout of a record's folder: its files, their keys and columns. A reader refuses later ones; a key that is new and may be
+/// missing makes no new version.
+pub const RECORD_FORMAT: u32 = 1;
+
 /// Everything a run computed, in SI units.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 pub struct RunRecord {
+    /// Version of the layout of the folder; [`RECORD_FORMAT`] of records before this field, whose layout it is.
+    #[serde(default = "first_format")]
+    pub format: u32,
     /// Version of `quasirigid` that made the record.
     pub version: String,
     /// The model of the record.
@@ -70,6 +77,10 @@ pub struct RunRecord {
     /// What a viewer draws. Kept in a file of its own; none in records of versions before this field.
     #[serde(skip)]
     pub scene: Option<SceneRecord>,
+}
+
+fn first_format() -> u32 {
+    1
 }
 
 /// The model a record was made from.

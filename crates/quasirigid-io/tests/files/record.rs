@@ -148,7 +148,9 @@ prop_compose! {
     ) -> EvolutionRecord {
         let [sentence, method, status, message, mode_start, mode_end] = words;
         let [angular_momentum, ratio_start, ratio_end, time, revolutions, power, damping_time, growth_time] = numbers;
-        let harmonic = |(number, frequency, share)| HarmonicRecord { number, frequency, share };
+        let harmonic = |(number, frequency, share)| HarmonicRecord {
+            number, frequency, share, dissipation: [("spring".to_owned(), share)].into(),
+        };
         let mode = mode_end.clone();
         let [start, end] = observed.map(|numbers| numbers.map(|[rotation_period, precession_period, nutation_least, nutation_greatest, energy_ratio]| {
             ObservedRecord { rotation_period, precession_period, nutation_least, nutation_greatest, energy_ratio }
@@ -247,7 +249,7 @@ prop_compose! {
     ) -> RunRecord {
         RunRecord {
             scene,
-            version, model: ModelRecord { name, file, sha256 }, notes, body, liquids, validity, steady_spins, campbell: None,
+            format: RECORD_FORMAT, version, model: ModelRecord { name, file, sha256 }, notes, body, liquids, validity, steady_spins, campbell: None,
             reduction,
             histories: reduced.into_iter().chain(rigid).collect(), verification, evolution,
         }
@@ -263,6 +265,7 @@ pub fn sample() -> RunRecord {
     };
     RunRecord {
         scene: None,
+        format: RECORD_FORMAT,
         version: "0.1.0".into(),
         model: ModelRecord { name: "boom".into(), file: "boom.toml".into(), sha256: "ab".into() },
         notes: vec![],
@@ -390,6 +393,38 @@ fn record_without_shares_reads_with_none() {
 
 fn refusal(dir: &Path) -> RecordError {
     RunRecord::read(dir).unwrap_err()
+}
+
+/// Records of versions before the layout had a number read as those of its first version; a later layout is refused by its number, whatever
+/// else has changed in it.
+#[test]
+fn record_of_a_later_format_is_refused_in_words() {
+    let dir = written();
+    let path = dir.path().join("record.json");
+    let mut object: serde_json::Value = serde_json::from_str(&fs::read_to_string(&path).unwrap()).unwrap();
+    assert_eq!(object["format"], RECORD_FORMAT);
+    object.as_object_mut().unwrap().remove("format");
+    fs::write(&path, object.to_string()).unwrap();
+    assert_eq!(bits(&RunRecord::read(dir.path()).unwrap()), bits(&sample()));
+    fs::write(&path, r#"{ "body": 3, "format": 2 }"#).unwrap();
+    let error = refusal(dir.path());
+    assert_eq!(error, RecordError::Format { file: path.clone(), format: 2, known: RECORD_FORMAT });
+    let said = error.to_string().replace(&path.display().to_string(), "record.json");
+    assert_eq!(
+        said,
+        "record.json: record of format 2, later than 1, the last that this program reads; use the quasirigid that made the run"
+    );
+    fs::write(&path, r#"{ "body": 3, "format": 1 }"#).unwrap();
+    assert!(matches!(refusal(dir.path()), RecordError::Json { .. }));
+}
+
+/// The number of a scene is looked at before its keys, as that of a record.
+#[test]
+fn scene_of_a_later_version_is_refused_in_words() {
+    let dir = written();
+    let path = dir.path().join("scene.json");
+    fs::write(&path, r#"{ "pieces": {}, "version": 2 }"#).unwrap();
+    assert_eq!(refusal(dir.path()), RecordError::SceneVersion { file: path, version: SCENE_VERSION + 1 });
 }
 
 proptest! {
@@ -590,7 +625,7 @@ fn broken_json_is_located() {
     fs::write(&file, text).unwrap();
     let error = refusal(dir.path());
     assert!(
-        matches!(&error, RecordError::Json { line: 71, problem, .. }
+        matches!(&error, RecordError::Json { line: 72, problem, .. }
         if problem == "invalid value: string \"large\", expected a number or null"),
         "{error}"
     );

@@ -1,6 +1,7 @@
-//! Laws of formulas over random ones, and elliptic functions against an independent library.
+//! Laws of formulas over random ones, elliptic functions against an independent library, checkpoints of the integrators.
 #![allow(clippy::unwrap_used, clippy::print_stdout)]
 
+mod checkpoints;
 mod elliptic;
 mod formulas;
 mod submanifold;

@@ -14,6 +14,7 @@ pub struct Tick {
 ///
 /// Values are divided by `10ᵖᵒʷᵉʳ`, which the label of the axis names, so that ticks stay short from 10⁻³⁰⁰ to 10³⁰⁰.
 /// On a logarithmic axis `low` and `high` are decades.
+#[derive(Default)]
 pub struct Axis {
     /// Value at 0, over the power.
     pub low: f64,
@@ -23,7 +24,12 @@ pub struct Axis {
     pub power: i32,
     /// Whether the axis is logarithmic.
     pub log: bool,
+    /// Whether the axis counts: it has ticks at whole numbers alone.
+    pub whole: bool,
 }
+
+/// Room of a counting axis beside the first and the last number.
+const BESIDE: f64 = 0.6;
 
 /// Decades a logarithmic axis shows below the largest value.
 const DECADES: f64 = 30.0;
@@ -45,7 +51,7 @@ impl Axis {
         let (low, high) = range(values)?;
         let largest = low.abs().max(high.abs());
         if largest < 1e-300 {
-            return Some(Self { low: -1.0, high: 1.0, power: 0, log: false });
+            return Some(Self { low: -1.0, high: 1.0, power: 0, log: false, whole: false });
         }
         let exponent = largest.log10().floor() as i32;
         let power = if (-3..5).contains(&exponent) { 0 } else { 3 * exponent.div_euclid(3) };
@@ -53,7 +59,19 @@ impl Axis {
             (over_power(low, power), over_power(high, power), over_power(largest, power));
         let constant = high - low < NARROWEST * largest;
         let extra = if constant { AROUND_CONSTANT * largest } else { margin * (high - low) };
-        Some(Self { low: low - extra, high: high + extra, power, log: false })
+        Some(Self { low: low - extra, high: high + extra, power, log: false, whole: false })
+    }
+
+    /// An axis of whole numbers, with room for the bars of the first and the last, and ticks at whole numbers alone.
+    pub fn counting(values: impl Iterator<Item = f64>) -> Option<Self> {
+        let (low, high) = range(values)?;
+        Some(Self { low: low - BESIDE, high: high + BESIDE, whole: true, ..Self::default() })
+    }
+
+    /// A linear axis from zero to a little beyond the largest value.
+    pub fn from_zero(values: impl Iterator<Item = f64>) -> Option<Self> {
+        let (_, high) = range(values)?;
+        Self::linear([0.0, if high > 0.0 { 1.05 * high } else { 1.0 }].into_iter(), 0.0)
     }
 
     /// A logarithmic axis over the positive values, at most thirty decades, from decade to decade.
@@ -61,14 +79,20 @@ impl Axis {
         let (low, high) = range(values.filter(|&value| value > 0.0))?;
         let high = high.log10().ceil();
         let low = low.log10().floor().clamp(high - DECADES, high - 1.0);
-        Some(Self { low, high, power: 0, log: true })
+        Some(Self { low, high, power: 0, log: true, whole: false })
     }
 
     /// A logarithmic axis over the positive values, at most thirty decades, without a margin.
     pub fn spanning(values: impl Iterator<Item = f64>) -> Option<Self> {
         let (low, high) = range(values.filter(|&value| value > 0.0))?;
         let high = high.log10();
-        Some(Self { low: low.log10().clamp(high - DECADES, high - NARROWEST), high, power: 0, log: true })
+        Some(Self {
+            low: low.log10().clamp(high - DECADES, high - NARROWEST),
+            high,
+            power: 0,
+            log: true,
+            whole: false,
+        })
     }
 
     /// An axis on which the finite values are spread: logarithmic for positive values over more than a decade and a half; none unless two
@@ -78,7 +102,7 @@ impl Axis {
         if low > 0.0 && high > SPREAD * low {
             let [low, high] = [low, high].map(f64::log10);
             let extra = MARGIN * (high - low);
-            return Some(Self { low: low - extra, high: high + extra, power: 0, log: true });
+            return Some(Self { low: low - extra, high: high + extra, power: 0, log: true, whole: false });
         }
         if high > low { Self::linear(values, MARGIN) } else { None }
     }
@@ -104,7 +128,7 @@ impl Axis {
         let step = if self.log {
             ((self.high - self.low) / 6.0).ceil()
         } else {
-            round_step((self.high - self.low) / 6.0)
+            round_step((self.high - self.low) / 6.0).max(if self.whole { 1.0 } else { 0.0 })
         };
         let decimals = (-step.log10().floor()).max(0.0) as usize;
         let tick = |i: i64| {

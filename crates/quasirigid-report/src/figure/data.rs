@@ -32,7 +32,7 @@ fn data(figure: &Figure, x: &Axis, y: &Axis) -> Value {
             });
             json!({
                 "label": series.label, "class": series.class, "grid": number, "values": Packed(values),
-                "rows": series.rows, "points": series.points,
+                "rows": series.rows, "points": series.points, "bar": series.bar,
             })
         })
         .collect();
@@ -50,7 +50,7 @@ fn data(figure: &Figure, x: &Axis, y: &Axis) -> Value {
 fn axis(quantity: &Quantity, axis: &Axis) -> Value {
     json!({
         "name": quantity.name, "unit": quantity.unit, "power": axis.power, "low": axis.low, "high": axis.high,
-        "log": axis.log,
+        "log": axis.log, "whole": axis.whole,
     })
 }
 
@@ -86,7 +86,7 @@ mod tests {
     fn series(rows: usize, value: impl Fn(f64) -> f64) -> Series {
         let x: Vec<f64> = (0..rows).map(|row| row as f64).collect();
         let y = x.iter().map(|t| value(*t)).collect();
-        Series { label: "a".into(), class: "s1", x, y, rows: rows as u64, points: false }
+        Series { label: "a".into(), class: "s1", x, y, rows: rows as u64, points: false, bar: None }
     }
 
     fn axes(series: &Series) -> [Axis; 2] {

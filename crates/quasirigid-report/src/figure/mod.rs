@@ -34,6 +34,8 @@ pub struct Series {
     pub rows: u64,
     /// Whether the places are points that no line joins.
     pub points: bool,
+    /// Left and right edge of the bars from zero to each value, from its place; none of curves and points.
+    pub bar: Option<[f64; 2]>,
 }
 
 /// A quantity with its unit, as an axis names it.
@@ -109,9 +111,17 @@ impl Figure {
     fn axes(&self) -> Option<[Axis; 2]> {
         let values = || self.series.iter().flat_map(|series| series.y.iter().copied());
         let places = || self.series.iter().flat_map(|series| series.x.iter().copied());
+        if self.has_bars() {
+            return Some([Axis::counting(places())?, Axis::from_zero(values())?]);
+        }
         let x = if self.x.log { Axis::spanning(places()) } else { Axis::linear(places(), 0.0) };
         let y = if self.y.log { Axis::logarithmic(values()) } else { Axis::linear(values(), 0.05) };
         Some([x?, y?])
+    }
+
+    /// Whether values are drawn as bars.
+    fn has_bars(&self) -> bool {
+        self.series.iter().any(|series| series.bar.is_some())
     }
 
     fn chart(&self, x: &Axis, y: &Axis) -> Markup {
@@ -187,7 +197,13 @@ impl Series {
     /// A curve through all rows of a table.
     pub fn line(label: &str, class: &'static str, x: Vec<f64>, y: Vec<f64>) -> Self {
         let rows = x.len() as u64;
-        Self { label: label.into(), class, x, y, rows, points: false }
+        Self { label: label.into(), class, x, y, rows, points: false, bar: None }
+    }
+
+    /// The values as bars with these edges.
+    pub fn of_bars(mut self, edges: [f64; 2]) -> Self {
+        self.bar = Some(edges);
+        self
     }
 
     /// The places as points that no line joins.
@@ -204,6 +220,11 @@ impl Series {
 
     fn trace(&self, x: &Axis, y: &Axis, size: [f64; 2]) -> Trace {
         let places = self.x.iter().zip(&self.y).map(|(&t, &value)| (x.place(t), y.place(value)));
+        if let Some([left, right]) = self.bar {
+            let edges = |x_value: f64| [left, right].map(|edge| x.place(x_value + edge));
+            let bars = self.x.iter().zip(&self.y).map(|(&t, &value)| (edges(t), y.place(value)));
+            return Trace::of_bars(size, y.place(0.0), bars);
+        }
         if self.points { Trace::of_points(size, places) } else { Trace::new(size, places) }
     }
 }

@@ -45,7 +45,11 @@ impl Figure {
                         @for series in self.series.iter().rev() {
                             @let Trace { line, dots } = series.trace(&x, &y, BOX);
                             @let dashes = series.class.contains("dashed").then_some("5 4");
-                            path stroke=(colour(series.class)) stroke-dasharray=[dashes] d=(line) {}
+                            @if series.bar.is_some() {
+                                path fill=(colour(series.class)) stroke="none" d=(line) {}
+                            } @else {
+                                path stroke=(colour(series.class)) stroke-dasharray=[dashes] d=(line) {}
+                            }
                             path stroke=(colour(series.class)) stroke-width="4" d=(dots) {}
                         }
                     }

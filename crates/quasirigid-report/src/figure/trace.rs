@@ -49,6 +49,18 @@ impl Trace {
         pen.trace
     }
 
+    /// Bars between two places along x, from a base to a height; those that are not finite are left out.
+    pub fn of_bars(size: [f64; 2], base: f64, bars: impl Iterator<Item = ([f64; 2], f64)>) -> Self {
+        let mut trace = Self::default();
+        let base = (1.0 - base) * size[1];
+        for ([left, right], top) in bars.filter(|(_, top)| top.is_finite()) {
+            let [left, right, top] = [left * size[0], right * size[0], (1.0 - top) * size[1]];
+            write!(trace.line, "M{left:.1} {base:.1}V{top:.1}H{right:.1}V{base:.1}Z")
+                .expect("a String takes any text");
+        }
+        trace
+    }
+
     /// Points that no line joins.
     pub fn of_points(size: [f64; 2], points: impl Iterator<Item = (f64, f64)>) -> Self {
         let mut pen = Pen::new(size);

@@ -1,12 +1,18 @@
-//! Figures of the evolution: nutation and power against time, power against `D/I₃` with the resonances.
+//! Figures of the evolution: nutation and power against time, power against `D/I₃` with the resonances, dissipation by harmonic.
 
-use quasirigid_io::record::{Column, CrossingRecord, EvolutionRecord};
+use std::collections::BTreeMap;
+
+use quasirigid_io::record::{Column, CrossingRecord, EvolutionRecord, HarmonicRecord};
 
 use super::curve::{Curve, unit};
 use crate::columns::{TimeUnit, column, ends};
 use crate::figure::{Figure, Link, Mark, Quantity, Series};
 use crate::number::digits;
 
+/// Harmonics drawn, width of a group of bars, and classes of the bars.
+const HARMONICS: usize = 12;
+const GROUP: f64 = 0.72;
+const BARS: [&str; 4] = ["s1 bars", "s2 bars", "s3 bars", "s4 bars"];
 /// Resonances marked in the map.
 const MARKED: usize = 4;
 /// Ratio of the time at the end to that of the first row after the start from which the axis is logarithmic.
@@ -104,6 +110,58 @@ pub fn map(evolution: &EvolutionRecord) -> Figure {
         x: Quantity { name: "D/I₃", unit: "1".into(), log: false },
         y: Quantity { name: "power", unit: unit(&columns, "power"), log: true },
     }
+}
+
+/// Share of each harmonic of the wobble in the mean power at the start, by dissipator.
+pub fn harmonics(evolution: &EvolutionRecord) -> Figure {
+    let harmonics = &evolution.harmonics[..evolution.harmonics.len().min(HARMONICS)];
+    let parts = parts(harmonics);
+    let width = GROUP / parts.len().max(1) as f64;
+    let bars = |(i, (label, shares)): (usize, (String, Vec<f64>))| {
+        let x = harmonics.iter().map(|harmonic| harmonic.number as f64).collect();
+        let left = i as f64 * width - 0.5 * GROUP;
+        let y = shares.into_iter().map(|share| 100.0 * share).collect();
+        Series::line(&label, BARS[i], x, y).of_bars([left, left + width])
+    };
+    Figure {
+        id: "evolution-harmonics",
+        title: "Dissipation by harmonic of the wobble",
+        caption: "Share in the mean power at the start of each harmonic of the wobble, the motion of the angular momentum in the axes of \
+                  the body, and of each dissipator in it."
+            .into(),
+        series: parts.into_iter().enumerate().map(bars).collect(),
+        marks: Vec::new(),
+        link: None,
+        x: Quantity { name: "harmonic", unit: "1".into(), log: false },
+        y: Quantity { name: "share of the power", unit: "%".into(), log: false },
+    }
+}
+
+/// Dissipators with their share in each harmonic, the largest first, those beyond the colours as one.
+fn parts(harmonics: &[HarmonicRecord]) -> Vec<(String, Vec<f64>)> {
+    let mut sums: BTreeMap<&str, f64> = BTreeMap::new();
+    for (name, share) in harmonics.iter().flat_map(|harmonic| &harmonic.dissipation) {
+        *sums.entry(name).or_default() += share;
+    }
+    if sums.len() < 2 {
+        return vec![(String::new(), harmonics.iter().map(|harmonic| harmonic.share).collect())];
+    }
+    let mut names: Vec<(&str, f64)> = sums.into_iter().collect();
+    names.sort_by(|a, b| b.1.total_cmp(&a.1));
+    let of = |name: &str| {
+        let share = |harmonic: &HarmonicRecord| harmonic.dissipation.get(name).copied().unwrap_or(0.0);
+        (name.to_owned(), harmonics.iter().map(share).collect::<Vec<f64>>())
+    };
+    if names.len() <= BARS.len() {
+        return names.iter().map(|(name, _)| of(name)).collect();
+    }
+    let (first, others) = names.split_at(BARS.len() - 1);
+    let rest = others.iter().map(|(name, _)| of(name).1).reduce(|mut sum, part| {
+        sum.iter_mut().zip(part).for_each(|(sum, part)| *sum += part);
+        sum
+    });
+    let rest = rest.map(|shares| (format!("{} others", others.len()), shares));
+    first.iter().map(|(name, _)| of(name)).chain(rest).collect()
 }
 
 /// Whether the rows after the start span so many decades of time that a logarithmic axis shows more.

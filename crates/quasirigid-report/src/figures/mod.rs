@@ -10,10 +10,13 @@ use quasirigid_io::record::RunRecord;
 
 use crate::columns::main_history;
 use crate::figure::Figure;
+use crate::motion::motion_picture;
 use crate::sphere::sphere_picture;
 
 /// Name of the figure of the angular momentum on its sphere.
 const SPHERE: &str = "sphere";
+/// Name of the moving picture.
+const MOTION: &str = "motion";
 
 /// Every figure that a record has something to draw in.
 pub fn all(record: &RunRecord) -> Vec<Figure> {
@@ -28,6 +31,7 @@ pub fn all(record: &RunRecord) -> Vec<Figure> {
     figures.extend(record.campbell.iter().map(campbell::campbell));
     if let Some(secular) = &record.evolution {
         figures.extend([evolution::nutation(secular), evolution::power(secular), evolution::map(secular)]);
+        figures.push(evolution::harmonics(secular));
     }
     figures.extend(record.verification.iter().map(|found| verification::convergence(&found.orders)));
     figures.retain(Figure::has_curves);
@@ -37,13 +41,16 @@ pub fn all(record: &RunRecord) -> Vec<Figure> {
 /// Names of the figures of a record that [`picture`] draws.
 pub fn figure_names(record: &RunRecord) -> Vec<&'static str> {
     let sphere = sphere_picture(record).map(|_| SPHERE);
-    all(record).iter().map(|figure| figure.id).chain(sphere).collect()
+    let motion = motion_picture(record).map(|_| MOTION);
+    all(record).iter().map(|figure| figure.id).chain(sphere).chain(motion).collect()
 }
 
 /// A figure of a record as an SVG file of its own, for a paper or a slide; none if the record has nothing to draw in a figure of that name.
 pub fn picture(record: &RunRecord, name: &str) -> Option<String> {
-    if name == SPHERE {
-        return sphere_picture(record);
+    match name {
+        SPHERE => return sphere_picture(record),
+        MOTION => return motion_picture(record),
+        _ => {}
     }
     all(record).iter().find(|figure| figure.id == name)?.picture()
 }

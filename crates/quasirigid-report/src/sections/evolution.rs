@@ -12,7 +12,7 @@ use quasirigid_io::record::{
 use super::answer::tile;
 use super::dissipation::bars;
 use super::table::{facts, first, table};
-use crate::figures::evolution::{map, nutation, power as power_figure};
+use crate::figures::evolution::{harmonics as harmonics_figure, map, nutation, power as power_figure};
 use crate::number::{digits, duration, percent, short, tidy};
 use crate::verdict::Verdict;
 
@@ -43,6 +43,7 @@ pub fn section(evolution: &EvolutionRecord) -> Markup {
             (power_figure(evolution).draw())
             (map(evolution).draw())
             (bars("What dissipates at the start", &evolution.dissipation))
+            @if !evolution.harmonics.is_empty() { (harmonics_figure(evolution).draw()) }
             (harmonics(&evolution.harmonics))
             (resonances(&evolution.resonances, evolution.approach.as_ref()))
             (details(evolution))

@@ -10,7 +10,7 @@ use crate::sphere;
 /// Spin, energy, nutation and the sphere of the angular momentum.
 pub fn section(record: &RunRecord) -> Markup {
     html! {
-        section.figures aria-label="Figures" {
+        section aria-label="Figures" {
             h2 { "How it went" }
             @match main_history(record) {
                 None => p.absent { "No history, nothing to draw." },

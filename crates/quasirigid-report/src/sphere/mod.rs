@@ -3,17 +3,17 @@
 mod picture;
 mod rigid_polhodes;
 mod stretches;
-mod vector;
+pub mod vector;
 mod view;
 
 use maud::{Markup, html};
 use quasirigid_io::record::{BodyRecord, HistoryRecord};
 
-pub use picture::sphere_picture;
+pub use picture::{on_paper, sphere_picture};
 use rigid_polhodes::polhodes;
 use stretches::{momentum_directions, pieces};
 use vector::{Vector, combined, dot};
-use view::{Halves, RADIUS, Spot, View};
+pub use view::{Halves, RADIUS, Spot, View};
 
 /// Style of the figure.
 pub const STYLE: &str = include_str!("../assets/sphere.css");
@@ -46,7 +46,8 @@ pub fn figure(body: &BodyRecord, history: &HistoryRecord) -> Markup {
     }
 }
 
-struct Scene {
+/// What the figure shows.
+pub struct Scene {
     /// Principal axes, each turned to the side where the path runs.
     axes: [Vector; 3],
     /// Whether an axis was turned.
@@ -63,7 +64,8 @@ struct Scene {
 }
 
 impl Scene {
-    fn new(body: &BodyRecord, history: &HistoryRecord) -> Option<Self> {
+    /// None unless the record has spins, an inertia and principal axes.
+    pub fn new(body: &BodyRecord, history: &HistoryRecord) -> Option<Self> {
         let axes = orthonormal(body.principal_axes)?;
         let path = momentum_directions(body.inertia, &history.columns)?;
         let turned = axes.map(|axis| path.iter().flatten().map(|&k| dot(axis, k)).sum::<f64>() < 0.0);
@@ -73,6 +75,29 @@ impl Scene {
         let thinned = !history.is_whole();
         let (pieces, sampled) = if thinned { (Vec::new(), false) } else { pieces(&view, &path) };
         Some(Self { axes, turned, moments: body.principal_moments, view, path, pieces, sampled, thinned })
+    }
+
+    /// Direction of the angular momentum in every row.
+    pub fn path(&self) -> &[Option<Vector>] {
+        &self.path
+    }
+
+    /// The viewpoint.
+    pub fn view(&self) -> &View {
+        &self.view
+    }
+
+    /// The sphere with the paths of the rigid body and the axes, without the path and names.
+    pub fn backdrop(&self) -> Markup {
+        let [plain, dashed] = [false, true].map(|separatrix| self.polhodes(separatrix));
+        html! {
+            @for &axis in &self.axes { (self.stub(axis, -1.0)) (self.stub(axis, 1.0)) }
+            circle.ball r=(RADIUS) {}
+            path.polhode.far d=(plain.far) {}
+            path.polhode.separatrix.far d=(dashed.far) {}
+            path.polhode d=(plain.near) {}
+            path.polhode.separatrix d=(dashed.near) {}
+        }
     }
 
     fn draw(&self) -> Markup {
@@ -86,10 +111,10 @@ impl Scene {
                 circle.ball r=(RADIUS) {}
                 path.polhode.far d=(plain.far) {}
                 path.polhode.separatrix.far d=(dashed.far) {}
-                @for (shade, halves) in &self.pieces { path.angular_momentum.far.{ "t" (shade) } d=(halves.far) {} }
+                @for (shade, halves) in &self.pieces { path.track.far.{ "t" (shade) } d=(halves.far) {} }
                 path.polhode d=(plain.near) {}
                 path.polhode.separatrix d=(dashed.near) {}
-                @for (shade, halves) in &self.pieces { path.angular_momentum.{ "t" (shade) } d=(halves.near) {} }
+                @for (shade, halves) in &self.pieces { path.track.{ "t" (shade) } d=(halves.near) {} }
                 (self.ends())
                 @for &axis in &self.axes { (self.stub(axis, 1.0)) }
                 (self.labels())
@@ -114,13 +139,14 @@ impl Scene {
         html! { line.axis x1=(px(from.x)) y1=(px(from.y)) x2=(px(to.x)) y2=(px(to.y)) {} }
     }
 
-    fn labels(&self) -> Markup {
+    /// Names of the axes.
+    pub fn labels(&self) -> Markup {
         const NAMES: [&str; 3] = ["axis 1, least J", "axis 2", "axis 3, greatest J"];
         html! {
             @for i in 0..3 {
                 @let Spot { x, y, .. } = self.beside(self.axes[i], 1.14);
-                @let side = if x.abs() < 0.2 * RADIUS { "middle" } else if x < 0.0 { "end" } else { "begin" };
-                text.(side) x=(px(x)) y=(px(y)) dy="0.3em" { @if self.turned[i] { "−" } (NAMES[i]) }
+                @let side = if x.abs() < 0.2 * RADIUS { Some("middle") } else { (x < 0.0).then_some("end") };
+                text class=[side] x=(px(x)) y=(px(y)) dy="0.3em" { @if self.turned[i] { "−" } (NAMES[i]) }
             }
         }
     }

@@ -18,7 +18,7 @@ pub fn sphere_picture(record: &RunRecord) -> Option<String> {
 }
 
 /// The style with the light colours of the palette in place of their names, which few programs but browsers know.
-fn on_paper(style: &str) -> String {
+pub fn on_paper(style: &str) -> String {
     let light = PALETTE.split_once('}').map_or("", |(light, _)| light);
     let colours =
         light.split([';', '{']).filter_map(|entry| entry.trim().strip_prefix("--")?.split_once(':'));

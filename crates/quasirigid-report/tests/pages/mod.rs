@@ -2,4 +2,7 @@
 
 mod any_record;
 mod comparison;
+mod harmonics;
+mod motion;
 mod page;
+mod styles;

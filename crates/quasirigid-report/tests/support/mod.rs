@@ -280,6 +280,7 @@ pub fn record(rows: usize, duration: f64, alpha: f64) -> RunRecord {
     let histories = vec![history("reduced", rows, duration, alpha), history("rigid", rows, duration, 0.0)];
     RunRecord {
         scene: None,
+        format: RECORD_FORMAT,
         version: "0.1.0".into(),
         model: ModelRecord {
             name: "Boom satellite".into(),

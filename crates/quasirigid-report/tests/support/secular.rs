@@ -110,6 +110,7 @@ pub fn evolution(ratio_start: f64) -> EvolutionRecord {
                 number,
                 frequency: number as f64 * TAU / polhode_period(ratio_start),
                 share,
+                dissipation: super::shares().into_iter().map(|(name, part)| (name, part * share)).collect(),
             })
             .collect(),
         resonances: [(7, "slosh.x", 0.9671, 0.113), (12, "boulder.angle", 0.9654, 3.4e-4)]

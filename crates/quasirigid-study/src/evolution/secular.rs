@@ -394,13 +394,18 @@ impl SecularEvolution {
     fn harmonics(&self, motion: &FreeRotation) -> Vec<HarmonicRecord> {
         let powers: Vec<(f64, f64)> = self.response.harmonic_powers(motion).collect();
         let sum: f64 = powers.iter().map(|(_, power)| power).sum();
-        let record = |(i, (frequency, power)): (usize, &(f64, f64))| HarmonicRecord {
+        let names: Vec<&str> = self.response.dissipators().collect();
+        let parts = |taken: Vec<f64>| {
+            names.iter().zip(taken).map(|(name, power)| ((*name).to_owned(), power / sum)).collect()
+        };
+        let listed = powers.iter().zip(self.response.harmonic_budgets(motion)).enumerate();
+        let record = |(i, ((frequency, power), taken)): (usize, (&(f64, f64), Vec<f64>))| HarmonicRecord {
             number: i + 1,
             frequency: *frequency,
             share: power / sum,
+            dissipation: parts(taken),
         };
-        let harmonics = powers.iter().enumerate().map(record);
-        harmonics.filter(|harmonic| harmonic.share > FAINT).take(MOST_HARMONICS).collect()
+        listed.map(record).filter(|harmonic| harmonic.share > FAINT).take(MOST_HARMONICS).collect()
     }
 
     fn resonances(

@@ -14,17 +14,29 @@ impl Response {
     /// the share of the damping in the response, their sum does not.
     #[must_use]
     pub fn budget(&self, motion: &FreeRotation) -> Vec<(String, f64)> {
-        let mean_spin = motion.mean_spin();
         let mut powers = vec![0.0; self.dissipators.len()];
-        for harmonic in motion.harmonics() {
-            let [real, imaginary] = harmonic.products;
-            let mirrored = Harmonic { products: [real, imaginary.map(|part| -part)], ..harmonic };
-            let both = [(harmonic, mean_spin), (mirrored, mean_spin.map(|rate| -rate))];
-            for taken in both.map(|(harmonic, spin)| self.taken(&harmonic, spin)) {
-                powers.iter_mut().zip(taken).for_each(|(power, taken)| *power += 0.5 * taken);
-            }
+        for taken in self.harmonic_budgets(motion) {
+            powers.iter_mut().zip(taken).for_each(|(power, taken)| *power += taken);
         }
         self.dissipators.iter().map(|part| part.name.clone()).zip(powers).collect()
+    }
+
+    /// Names of the dissipators, in the order of their powers.
+    pub fn dissipators(&self) -> impl Iterator<Item = &str> {
+        self.dissipators.iter().map(|part| part.name.as_str())
+    }
+
+    /// Mean power (W) that each dissipator takes from each harmonic of a free rotation, in the order of
+    /// [`harmonic_powers`](Self::harmonic_powers), which are the sums; shares as in [`budget`](Self::budget). (D2)
+    pub fn harmonic_budgets(&self, motion: &FreeRotation) -> impl Iterator<Item = Vec<f64>> {
+        let mean_spin = motion.mean_spin();
+        motion.harmonics().map(move |harmonic| {
+            let [real, imaginary] = harmonic.products;
+            let mirrored = Harmonic { products: [real, imaginary.map(|part| -part)], ..harmonic };
+            let one = self.taken(&harmonic, mean_spin);
+            let other = self.taken(&mirrored, mean_spin.map(|rate| -rate));
+            one.into_iter().zip(other).map(|(one, other)| 0.5 * (one + other)).collect()
+        })
     }
 
     /// Mean power (W) of a harmonic that each dissipator takes: `2ν` times `x̄ᵀ(νB_c + Im C_c)x` of the response `x`. (D2)

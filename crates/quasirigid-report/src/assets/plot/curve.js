@@ -83,4 +83,14 @@ const banded = (series, pen) => {
   return pen.result(area);
 };
 
-const outline = (series, x, y, asBand) => (series.apart ? dotted : asBand ? banded : lined)(series, new Pen(x, y));
+/** Bars from zero. */
+const barred = ({ x, y, bar }, pen) => {
+  let area = "";
+  for (let i = 0; i < x.length; i++) {
+    const [left, right] = bar.map((edge) => pen.across(x[i] + edge));
+    if (Number.isFinite(y[i])) area += `M${left} ${pen.down(0)}V${pen.down(y[i])}H${right}V${pen.down(0)}Z`;
+  }
+  return pen.result(area);
+};
+
+const outline = (series, x, y, asBand) => (series.bar ? barred : series.apart ? dotted : asBand ? banded : lined)(series, new Pen(x, y));

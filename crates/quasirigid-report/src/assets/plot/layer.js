@@ -54,7 +54,8 @@ class Layer {
     chart.banded = chart.coarse.filter((each) => each.swingsIn(low, high));
     const ends = series.map((each) => each.extremes(low, high, chart.banded.includes(each)));
     const [least, most] = [Math.min(...ends.map(([least]) => least)), Math.max(...ends.map(([, most]) => most))];
-    const y = least <= most ? fitted(chart.y, least, most) : chart.y;
+    const y = least <= most ? fitted(chart.y, least, most) : { ...chart.y };
+    if (series.some(({ bar }) => bar)) y.low = 0;
     this.scale = { x, y };
     this.drawGrid(x, y);
     for (const [each, nodes] of this.paths) {

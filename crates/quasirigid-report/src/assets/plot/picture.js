@@ -43,7 +43,10 @@ const picturePath = (parent, node, scale) => {
   const color = colorOf(node);
   if (node.classList.contains("dots")) {
     for (const [, cx, cy] of d.matchAll(/M(\S+) (\S+)h0/g)) svgNode(parent, "circle", { cx, cy, r: 3, fill: color, "fill-opacity": 0.8 });
-  } else if (d) svgNode(parent, "path", { d, fill: color, stroke: color, ...stylesOf(node) });
+  } else if (d) {
+    const filled = node.classList.contains("bars") ? { fill: color, "fill-opacity": 1, stroke: "none" } : {};
+    svgNode(parent, "path", { d, fill: color, stroke: color, ...stylesOf(node), ...filled });
+  }
 };
 
 /** The curves, cut to the area. */

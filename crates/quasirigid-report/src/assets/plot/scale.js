@@ -51,8 +51,8 @@ const fittedLinear = (axis, least, most) => {
 /** The axis over values from least to most, with the margin of the static page. */
 const fitted = (axis, least, most) => (axis.log ? fittedDecades : fittedLinear)(axis, least, most);
 
-const roundTicks = (low, high, most, at) => {
-  const step = roundStep((high - low) / most);
+const roundTicks = (low, high, most, at, whole) => {
+  const step = Math.max(roundStep((high - low) / most), whole ? 1 : 0);
   const decimals = Math.max(0, -Math.floor(Math.log10(step) + 1e-9));
   const first = Math.ceil(low / step - 1e-9);
   const count = Math.floor(high / step + 1e-9) - first + 1;
@@ -75,9 +75,9 @@ const ticksOfPart = (low, high, most) => {
 const decadeLabel = (exponent) => (exponent === 0 ? "1" : powerOfTen(exponent));
 
 /** Ticks at round numbers, each with its place and label, and the power of ten that the labels leave out. */
-const ticksOf = ({ low, high, log, power = 0 }, most = TICKS) => {
+const ticksOf = ({ low, high, log, whole, power = 0 }, most = TICKS) => {
   const length = high - low;
-  if (!log) return { power, ticks: roundTicks(low, high, most, (value) => (value - low) / length) };
+  if (!log) return { power, ticks: roundTicks(low, high, most, (value) => (value - low) / length, whole) };
   if (length < PART_OF_A_DECADE) return ticksOfPart(low, high, most);
   if (length < FEW_DECADES) return { power: 0, ticks: ticksWithinDecades(low, high) };
   const step = Math.ceil(length / most);

@@ -8,8 +8,8 @@ const MOST_TURNS = 5; // of a curve that a line through its extremes shows
 const isSorted = (list, sign) => list.every((value, i) => i === 0 || sign * (value - list[i - 1]) >= 0);
 
 class Series {
-  constructor({ label, class: style, values, rows, points }, grid) {
-    Object.assign(this, { label, style, rows, apart: points, color: style.split(" ")[0] });
+  constructor({ label, class: style, values, rows, points, bar }, grid) {
+    Object.assign(this, { label, style, rows, bar, apart: points || Boolean(bar), color: style.split(" ")[0] });
     this.read = once(() => this.decoded(grid(), floats(values)));
     this.search = once(() => this.found());
   }

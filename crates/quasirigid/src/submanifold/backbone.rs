@@ -36,16 +36,7 @@ impl SpinManifold<'_> {
     /// Motion at an amplitude of the nutation (rad), the other masters at rest. (W12)
     #[must_use]
     pub fn backbone_point(&self, amplitude: f64) -> BackbonePoint {
-        let (mut decay, mut turned) = (0.0, 0.0);
-        for i in 0..PHASES {
-            let phase = TAU * i as f64 / PHASES as f64;
-            let (sine, cosine) = phase.sin_cos();
-            let mut z = vec![[0.0; 2]; self.manifold.free()];
-            z[0] = [amplitude * cosine, amplitude * sine];
-            let [re, im] = self.manifold.rates_at(&z)[0];
-            decay -= (re * cosine + im * sine) / amplitude;
-            turned += (im * cosine - re * sine) / amplitude;
-        }
+        let [decay_rate, frequency] = self.mean_rates(amplitude);
         let mut z = vec![[0.0; 2]; self.manifold.free()];
         z[0] = [amplitude, 0.0];
         let monomials = self.manifold.monomials(&z);
@@ -54,11 +45,25 @@ impl SpinManifold<'_> {
         BackbonePoint {
             amplitude,
             nutation: self.nutation(amplitude),
-            decay_rate: decay / PHASES as f64,
-            frequency: turned / PHASES as f64,
+            decay_rate,
+            frequency,
             power: names.zip(powers).collect(),
             defect: self.defect(amplitude),
         }
+    }
+
+    /// Decay rate (1/s) and frequency (rad/s) of the amplitude, means over the phases.
+    pub(super) fn mean_rates(&self, amplitude: f64) -> [f64; 2] {
+        let (mut decay, mut turned) = (0.0, 0.0);
+        for i in 0..PHASES {
+            let (sine, cosine) = (TAU * i as f64 / PHASES as f64).sin_cos();
+            let mut z = vec![[0.0; 2]; self.manifold.free()];
+            z[0] = [amplitude * cosine, amplitude * sine];
+            let [re, im] = self.manifold.rates_at(&z)[0];
+            decay -= (re * cosine + im * sine) / amplitude;
+            turned += (im * cosine - re * sine) / amplitude;
+        }
+        [decay / PHASES as f64, turned / PHASES as f64]
     }
 
     /// Motion at amplitudes from nearly zero up to one (rad), equally spaced.

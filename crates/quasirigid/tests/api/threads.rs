@@ -217,6 +217,7 @@ fn public_types_are_send_sync_and_debug() {
     crosses::<modes::SteadyError>();
     crosses::<modes::SteadyModes>();
     crosses::<modes::SteadyState>();
+    crosses::<modes::WhirlOnset>();
     crosses::<submanifold::AmplitudeRange>();
     crosses::<submanifold::Backbone>();
     crosses::<submanifold::BackbonePoint>();
@@ -226,6 +227,7 @@ fn public_types_are_send_sync_and_debug() {
     crosses::<submanifold::ManifoldStart>();
     crosses::<submanifold::MasterMode>();
     crosses::<submanifold::Masters>();
+    crosses::<submanifold::MetResonance>();
     crosses::<submanifold::OuterMode>();
     crosses::<submanifold::SpinManifold>();
     crosses::<submanifold::SpinManifoldPlan>();

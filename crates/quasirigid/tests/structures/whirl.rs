@@ -1,11 +1,13 @@
 //! Growing and decaying motions of the equations of motion: materials that leave no dashpots, and a boom that whirls. (M4)
 
+use std::ops::ControlFlow;
+
 use quasirigid::elements::{
     Assembly, Carrier, Frame, FrameNode, HingeCoefficient, Hinged, Material, Member, Part, PartKind,
     PartReduction, SectionShape,
 };
 use quasirigid::model::{FlexibleBody, Mode, Rheology};
-use quasirigid::modes::SpinModes;
+use quasirigid::modes::{Given, RelativeEquilibrium, SpinModes, whirl_onset};
 use quasirigid::secular::{EnergyRange, Pole, Poles};
 
 use super::common::turned_axes;
@@ -76,6 +78,35 @@ fn a_dashpot_makes_every_internal_motion_decay() {
 /// independent code has it grow e-fold in 364 s.
 #[test]
 fn a_boom_above_its_critical_spin_whirls() {
+    let body = stage();
+    let spin = 50.0 * std::f64::consts::TAU / 60.0;
+    let angular_momentum = spin * quasirigid::model::Principal::compute(body.invariants().J).moments[0];
+    let poles = Poles::compute(&body, &EnergyRange::compute(&body, angular_momentum).unwrap()).unwrap();
+    let long = internal(poles.long.as_ref());
+    let slowest = long.internal.iter().map(|[decay, _]| *decay).fold(f64::INFINITY, f64::min);
+    let grown = long.modes.iter().filter(|mode| mode.grows() && !mode.nutation).count();
+    println!("{slowest:e} {grown}");
+    assert!(slowest < 0.0 && grown == 1, "{:?}", long.internal);
+    assert!((-1.0 / slowest / 364.0 - 1.0).abs() < 0.05, "{slowest}");
+}
+
+/// The onset of whirl lies where the slowest internal motion neither grows nor decays: of the two spins around it one whirls. (M9)
+#[test]
+fn the_onset_of_whirl_parts_spins_that_whirl_from_those_that_do_not() {
+    let body = stage();
+    let onset = whirl_onset(&body, Mode::LongAxis, [0.5, 20.0], &mut |_| ControlFlow::Continue(())).unwrap();
+    let decay = |spin: f64| {
+        let steady = RelativeEquilibrium::extreme(&body, Mode::LongAxis, Given::Rate(spin)).unwrap();
+        let modes = SpinModes::about(&body, steady).unwrap();
+        modes.internal.iter().map(|[decay, _]| *decay).fold(f64::INFINITY, f64::min)
+    };
+    println!("{onset:?} {:e} {:e}", decay(0.999 * onset.spin), decay(1.001 * onset.spin));
+    assert!(decay(0.999 * onset.spin) > 0.0 && decay(1.001 * onset.spin) < 0.0, "{onset:?}");
+    assert!(onset.spin < 50.0 * std::f64::consts::TAU / 60.0, "{onset:?}");
+}
+
+/// A stage with a boom along its axis of least inertia.
+fn stage() -> FlexibleBody {
     let boom = Hinged {
         name: "boom".to_owned(),
         mass: 3.5,
@@ -93,14 +124,5 @@ fn a_boom_above_its_critical_spin_whirls() {
         center_of_mass: [0.0; 3],
         inertia: [[1100.0, 0.0, 0.0], [0.0, 1150.0, 0.0], [0.0, 0.0, 300.0]],
     };
-    let body = Assembly { carrier: Some(carrier), hinged: vec![boom], ..Assembly::default() }.body().unwrap();
-    let spin = 50.0 * std::f64::consts::TAU / 60.0;
-    let angular_momentum = spin * quasirigid::model::Principal::compute(body.invariants().J).moments[0];
-    let poles = Poles::compute(&body, &EnergyRange::compute(&body, angular_momentum).unwrap()).unwrap();
-    let long = internal(poles.long.as_ref());
-    let slowest = long.internal.iter().map(|[decay, _]| *decay).fold(f64::INFINITY, f64::min);
-    let grown = long.modes.iter().filter(|mode| mode.grows() && !mode.nutation).count();
-    println!("{slowest:e} {grown}");
-    assert!(slowest < 0.0 && grown == 1, "{:?}", long.internal);
-    assert!((-1.0 / slowest / 364.0 - 1.0).abs() < 0.05, "{slowest}");
+    Assembly { carrier: Some(carrier), hinged: vec![boom], ..Assembly::default() }.body().unwrap()
 }

@@ -2,7 +2,7 @@
 
 use std::ops::ControlFlow;
 
-use crate::math::submanifold::{InvariantManifold, NearResonance, Plan, Style, expand};
+use crate::math::submanifold::{InvariantManifold, NearResonance, Plan, Style, Truncated, expand};
 use crate::math::vec3::{norm, scale};
 use crate::model::{ExpandedMotion, FlexibleBody, Mode, Support};
 use crate::modes::{Given, RelativeEquilibrium};
@@ -68,6 +68,23 @@ impl<'a> SpinManifold<'a> {
         check(body, plan)?;
         let given = Given::AngularMomentum(plan.angular_momentum);
         let near = RelativeEquilibrium::extreme(body, plan.mode, given)?;
+        Self::about(body, near, plan, watch)
+    }
+
+    /// Derives the reduced equations about the steady spin next to a relative equilibrium, which tells the side of the axis: the other side
+    /// has equations of its own. (W3), (W4), (W9)
+    ///
+    /// The equilibrium stands in the place of the mode of the plan; its angular momentum should be that of the plan.
+    ///
+    /// # Errors
+    /// [`SubmanifoldError`].
+    pub fn about(
+        body: &'a FlexibleBody,
+        near: RelativeEquilibrium,
+        plan: &SpinManifoldPlan,
+        watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
+    ) -> Result<Self, SubmanifoldError> {
+        check(body, plan)?;
         let spin = SteadySpin::polished(body, &near, plan.angular_momentum)?;
         let Chosen { masters, modes, mut outer } = choose(body, near, &spin, &plan.masters)?;
         outer.sort_by(|a, b| a.decay_rate.hypot(a.frequency).total_cmp(&b.decay_rate.hypot(b.frequency)));
@@ -100,6 +117,12 @@ impl<'a> SpinManifold<'a> {
     #[must_use]
     pub fn expansion(&self) -> &InvariantManifold {
         &self.manifold
+    }
+
+    /// Direction of the angular momentum, body axes, as polynomials of the coordinates.
+    #[must_use]
+    pub fn direction_expansion(&self) -> &[Truncated; 3] {
+        &self.observables.direction
     }
 
     /// Modes left out that a monomial of the masters comes near, nearest first: each limits the range. (W6)

@@ -7,7 +7,8 @@ use std::path::PathBuf;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use quasirigid::dynamics::{Form, Method};
-use quasirigid_io::model::{EvolveMethod, Named, Power, System};
+use quasirigid::submanifold::MAX_DEGREE;
+use quasirigid_io::model::{EvolveMethod, ManifoldMasters, ManifoldStyle, Named, Power, System};
 use quasirigid_io::record::TableFormat;
 use quasirigid_study::modes::PrincipalAxis;
 use quasirigid_study::sweep::Shard;
@@ -225,10 +226,56 @@ pub struct ModesArgs {
     pub axis: Option<PrincipalAxis>,
 }
 
+/// Options of the reduced equations about a spin.
+#[derive(Args, Debug)]
+pub struct Manifold {
+    /// Degree of the reduced equations about the spin in the amplitude, 1 to 11 [default: the file's, or 5]
+    #[arg(long, value_name = "N", value_parser = degree)]
+    pub degree: Option<usize>,
+    /// Modes that they follow: automatic, nutation, or frequencies in rad/s beside the nutation [default: the file's, or automatic]
+    #[arg(long, value_name = "WHICH", value_parser = str::parse::<ManifoldMasters>)]
+    pub masters: Option<ManifoldMasters>,
+    /// Style of the equations about the spin [default: the file's, or normal-form]
+    #[arg(long, value_parser = named::<ManifoldStyle>())]
+    pub style: Option<ManifoldStyle>,
+}
+
+impl Manifold {
+    /// Whether one of the options is given.
+    pub fn is_given(&self) -> bool {
+        self.degree.is_some() || self.masters.is_some() || self.style.is_some()
+    }
+}
+
+/// Reads a degree of the reduced equations about a spin.
+fn degree(text: &str) -> Result<usize, String> {
+    match text.parse() {
+        Ok(degree) if (1..=MAX_DEGREE).contains(&degree) => Ok(degree),
+        _ => Err(format!("a degree of the reduced equations about a spin lies from 1 to {MAX_DEGREE}")),
+    }
+}
+
+/// State about which reduced equations expand.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum About {
+    /// In the angular velocity: where the spin is slow beside the vibrations
+    Rest,
+    /// In the nutation about the steady spin: at any ratio of spin to vibrations
+    Spin,
+}
+
 #[derive(Args, Debug)]
 pub struct Derive {
     #[command(flatten)]
     pub common: Common,
+    /// State about which the equations expand
+    #[arg(long, value_enum, default_value_t = About::Rest)]
+    pub about: About,
+    #[command(flatten)]
+    pub manifold: Manifold,
+    /// Principal axis of the steady spin [default: the one that the start circles]
+    #[arg(long, value_parser = named::<PrincipalAxis>())]
+    pub axis: Option<PrincipalAxis>,
     /// Format of the result
     #[arg(long, value_enum, default_value_t = DeriveFormat::Text)]
     pub format: DeriveFormat,
@@ -253,6 +300,8 @@ pub struct Simulate {
     /// System of equations to integrate
     #[arg(long, value_parser = named::<System>(), default_value = System::Reduced.name())]
     pub system: System,
+    #[command(flatten)]
+    pub manifold: Manifold,
     /// Add the internal coordinates and their rates to the table of the full system
     #[arg(long)]
     pub coordinates: bool,

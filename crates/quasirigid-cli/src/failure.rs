@@ -52,6 +52,10 @@ pub enum Failure {
     Picture(#[from] PngError),
     #[error("{format} is no text for a terminal; name a file with --out")]
     BinaryOnTerminal { format: &'static str },
+    #[error("--degree, --masters, --style and --axis belong to the equations about a spin; add {with}")]
+    NotAboutSpin { with: &'static str },
+    #[error("LaTeX has the equations about rest alone; take --format json for those about the spin")]
+    NoLatexAboutSpin,
     #[error("a glTF file shows one body in motion; name one record with --gltf")]
     OneScene,
     #[error("cannot open {path} in a browser: {cause}; open it by hand", path = path.display())]

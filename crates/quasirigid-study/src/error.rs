@@ -9,6 +9,7 @@ use quasirigid::dynamics::PropagateError;
 use quasirigid::elements::ElementError;
 use quasirigid::modes::EquilibriumError;
 use quasirigid::reduction::{ReductionError, ValidityError};
+use quasirigid::submanifold::{ExpansionError, SubmanifoldError};
 use quasirigid::verification::VerificationError;
 use quasirigid_io::model::ModelError;
 use quasirigid_io::record::RecordError;
@@ -70,6 +71,9 @@ impl Setting {
         }
     }
 }
+
+/// Modes listed where one asked for is not there.
+const LISTED_MODES: usize = 6;
 
 /// A study that gives no answer. The text names settings by their keys; [`told`](Self::told) has other names for them.
 #[derive(Debug)]
@@ -186,6 +190,29 @@ pub enum StudyError {
     },
     /// A principal axis of a body that moments act on.
     AxisUnderForces,
+    /// Reduced equations about a spin that were not found.
+    Submanifold(SubmanifoldError),
+    /// Reduced equations about a spin of a body on which forces act.
+    ForcesAboutSpin {
+        /// Names of the forces.
+        names: Vec<String>,
+    },
+    /// Reduced equations about the axis of middle inertia.
+    MiddleAxis,
+    /// Events in a history by the reduced equations about a spin.
+    EventsAboutSpin,
+    /// A steady spin that displaces a part beyond the range of its paths.
+    SteadySpinBeyond {
+        /// The part and its displacement, in words.
+        what: String,
+    },
+    /// A master asked for that no mode about the spin is.
+    NoMaster {
+        /// Frequency asked for (rad/s).
+        frequency: f64,
+        /// Names and frequencies (rad/s) of the modes, nearest first.
+        modes: Vec<(String, f64)>,
+    },
     /// A file that cannot be written.
     Write {
         /// The file.
@@ -246,7 +273,54 @@ impl StudyError {
             | Self::Samples { .. }
             | Self::History { .. }
             | Self::NoCoordinates { .. } => self.of_histories(name),
+            Self::Submanifold(_)
+            | Self::ForcesAboutSpin { .. }
+            | Self::MiddleAxis
+            | Self::EventsAboutSpin
+            | Self::SteadySpinBeyond { .. }
+            | Self::NoMaster { .. } => self.about_spin(name),
             _ => self.of_evolutions(name),
+        }
+    }
+
+    fn about_spin(&self, name: &dyn Fn(Setting) -> &'static str) -> String {
+        match self {
+            Self::Submanifold(cause) => cause.to_string(),
+            Self::ForcesAboutSpin { names } => {
+                let which =
+                    if names.is_empty() { "a support or a motor moves it".into() } else { names.join(", ") };
+                format!(
+                    "reduced equations about a spin are for a body without external forces ({which}); follow it with {} full",
+                    name(Setting::System)
+                )
+            }
+            Self::MiddleAxis => format!(
+                "a spin about the axis of middle inertia has no nutation to follow; take {} least or greatest",
+                name(Setting::Axis)
+            ),
+            Self::EventsAboutSpin => format!(
+                "the reduced equations about a spin know no events; leave out [run] stop, or take {} full",
+                name(Setting::System)
+            ),
+            Self::SteadySpinBeyond { what } => format!(
+                "no reduced equations about the spin, since in the steady spin {}",
+                what.trim_end_matches(',')
+            ),
+            Self::NoMaster { frequency, modes } => {
+                let list = modes.iter().take(LISTED_MODES);
+                let list = list.map(|(name, frequency)| format!("{name} {}", significant(*frequency, 5)));
+                let list = list.collect::<Vec<_>>().join(", ");
+                let known = if list.is_empty() {
+                    "there are none".to_owned()
+                } else {
+                    format!("the next are {list}")
+                };
+                format!(
+                    "no mode about this spin beside the nutation has a frequency near {} rad/s; {known}",
+                    significant(*frequency, 5)
+                )
+            }
+            _ => String::new(),
         }
     }
 
@@ -342,6 +416,15 @@ causes! {
     Verification: VerificationError,
     Record: RecordError,
     Unaveraged: Unaveraged,
+}
+
+impl From<SubmanifoldError> for StudyError {
+    fn from(cause: SubmanifoldError) -> Self {
+        match cause {
+            SubmanifoldError::Expansion(ExpansionError::Interrupted) => Self::Interrupted,
+            cause => Self::Submanifold(cause),
+        }
+    }
 }
 
 impl From<FreeRotationError> for StudyError {

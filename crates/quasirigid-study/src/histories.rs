@@ -12,6 +12,7 @@ use quasirigid_math::memory;
 use quasirigid_math::vec3::norm;
 use serde_json::{Value, json};
 
+use crate::about_spin::{AskedManifold, OnManifold};
 use crate::error::{Setting, StudyError};
 use crate::history_columns::{columns, coordinate_columns, displacement_columns};
 use crate::left_out::LeftOut;
@@ -181,6 +182,8 @@ pub struct Table {
     pub displacements: bool,
     /// Output times (s), in the place of even ones.
     pub times: Option<Vec<f64>>,
+    /// Settings of the reduced equations about the spin.
+    pub manifold: AskedManifold,
 }
 
 /// A history of the spin.
@@ -200,6 +203,8 @@ pub struct History {
     pub budget: Vec<(String, f64)>,
     /// Notes to read before the numbers: the drift of the integrator may imitate dissipation.
     pub notes: Vec<String>,
+    /// Verdict on the reduced equations about the spin, where these were followed.
+    pub manifold: Option<OnManifold>,
     /// Reason for which the numbers are not those of the body, known before the work: the reduced equations do not hold at the start, or
     /// the effect of a liquid is not right.
     pub wrong: Option<String>,
@@ -209,10 +214,11 @@ impl History {
     /// Whether the integration reached the last time, or an event of the file.
     #[must_use]
     pub fn ended(&self) -> bool {
-        matches!(
+        let reached = matches!(
             self.run.outcome,
             Outcome::Finished | Outcome::Event(Event::Energy(_) | Event::Nutation { .. })
-        )
+        );
+        reached && self.manifold.as_ref().is_none_or(OnManifold::holds)
     }
 
     /// Reason for which the history is not that of the body to the end asked for; none if it is.
@@ -232,7 +238,7 @@ impl History {
     #[must_use]
     pub fn json(&self) -> Value {
         let Run { last, work, .. } = &self.run;
-        json!({
+        let mut object = json!({
             "system": self.system.name(),
             "status": self.status,
             "message": self.message,
@@ -255,7 +261,11 @@ impl History {
             "implicit_steps": work.implicit_steps,
             "evaluations": work.evaluations,
             "factorizations": work.factorizations,
-        })
+        });
+        if let Some(manifold) = &self.manifold {
+            object["manifold"] = manifold.json();
+        }
+        object
     }
 }
 
@@ -326,7 +336,8 @@ impl Study {
         }
         let mut collector = Collector::new(watch, "propagating", &times);
         collector.keep_every(kept.then_some(1));
-        let run = motion.follow(table.system, &times, &options, &mut collector)?;
+        let (run, manifold) =
+            motion.follow(table.system, &table.manifold, &times, &options, &mut collector)?;
         let Collector { samples, budget, coordinates, .. } = collector;
         let rows = coordinates.unwrap_or_default();
         let mut columns = columns(body.support(), &samples);
@@ -339,9 +350,12 @@ impl Study {
         }
         let (forced, last) = (motion.system().acts(), run.last);
         let energies = [last.energy_drift, last.dissipated];
-        let notes = drift_note(table.system.name(), forced, last.energy, energies).into_iter().collect();
-        let (status, message) = status(body, run.outcome, last.t);
-        Ok(History { system: table.system, status, message, columns, run, budget, notes, wrong })
+        let mut notes: Vec<String> =
+            drift_note(table.system.name(), forced, last.energy, energies).into_iter().collect();
+        notes.extend(manifold.as_ref().and_then(OnManifold::note));
+        let left = manifold.as_ref().and_then(|verdict| verdict.status(run.outcome));
+        let (status, message) = left.unwrap_or_else(|| status(body, run.outcome, last.t));
+        Ok(History { system: table.system, status, message, columns, run, budget, notes, manifold, wrong })
     }
 }
 

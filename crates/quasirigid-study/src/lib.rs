@@ -54,6 +54,7 @@ struct ReadmeOfCrate;
 #[doc = include_str!("../../../docs/guide/16-library.md")]
 struct Library;
 
+pub mod about_spin;
 mod campbell;
 pub mod check;
 pub mod cite;

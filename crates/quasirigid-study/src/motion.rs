@@ -11,6 +11,7 @@ use quasirigid::secular::spun_displacements;
 use quasirigid_io::model::Displacements;
 use quasirigid_math::vec3::{add, norm, scale};
 
+use crate::about_spin::{self, AskedManifold, OnManifold};
 use crate::error::StudyError;
 use crate::start::{follows_its_spin, slaved_order};
 use crate::study::Study;
@@ -62,6 +63,10 @@ impl<'a> Motion<'a> {
         Self { study, body, forces, order: *order, start, displaced, speeds }
     }
 
+    pub fn study(&self) -> &'a Study {
+        self.study
+    }
+
     pub fn system(&self) -> Forced<'a> {
         Forced { body: self.body, forces: self.forces }
     }
@@ -71,8 +76,23 @@ impl<'a> Motion<'a> {
         self.displaced.is_some() || !self.speeds.is_empty()
     }
 
-    /// Follows one of the systems.
+    /// Follows one of the systems; of the reduced equations about the spin also their verdict.
     pub fn follow(
+        &self,
+        system: System,
+        manifold: &AskedManifold,
+        times: &[f64],
+        options: &Options,
+        observer: &mut dyn Observer,
+    ) -> Result<(Run, Option<OnManifold>), StudyError> {
+        if system == System::Manifold {
+            let (run, verdict) = about_spin::follow(self, manifold, times, options, observer)?;
+            return Ok((run, Some(verdict)));
+        }
+        Ok((self.follow_body(system, times, options, observer)?, None))
+    }
+
+    fn follow_body(
         &self,
         system: System,
         times: &[f64],
@@ -82,12 +102,12 @@ impl<'a> Motion<'a> {
         let order = if system == System::Rigid { 0 } else { self.order };
         match system {
             System::Full => Ok(propagate_full(self.system(), &self.full()?, times, options, observer)?),
-            System::Reduced | System::Rigid if self.system().acts() => {
+            System::Reduced | System::Rigid | System::Manifold if self.system().acts() => {
                 let slow = self.slow(order)?;
                 let options = if order > 1 { &self.bounded(options)? } else { options };
                 Ok(propagate_forced(self.system(), order, &slow, times, options, observer)?)
             }
-            System::Reduced | System::Rigid => {
+            System::Reduced | System::Rigid | System::Manifold => {
                 let reduced = self.study.reduced(order)?;
                 let Start { omega, attitude, place, velocity } = self.start;
                 let (omega, attitude) = if system == System::Reduced && self.starts_displaced() {
@@ -189,6 +209,7 @@ impl<'a> Motion<'a> {
     pub fn equations(&self, system: System, form: Form) -> &'static str {
         let forces = self.system();
         match (system, forces.acts(), form) {
+            (System::Manifold, ..) => "about the steady spin, z' = R(z) on a spectral submanifold",
             (System::Full, ..) => "full: momenta of the body and of every internal coordinate",
             (_, false, Form::AngularMomentum) => "angular momentum in body axes, K' = K x Omega(K)",
             (_, true, Form::AngularMomentum) => "angular momentum in body axes, K' = K x w + M",

@@ -196,7 +196,7 @@ pub fn history(
 fn method(system: System, work: Work) -> String {
     let explicit = work.steps - work.implicit_steps;
     match (system, work.implicit_steps, explicit) {
-        (System::Reduced | System::Rigid, ..) | (_, 0, _) => {
+        (System::Reduced | System::Rigid | System::Manifold, ..) | (_, 0, _) => {
             "explicit Runge-Kutta of order 8 (DOP853)".into()
         }
         (_, _, 0) => "implicit Runge-Kutta of order 13 (Radau IIA)".into(),

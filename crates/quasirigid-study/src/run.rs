@@ -11,6 +11,7 @@ use quasirigid_io::model::{Named, System, Verify};
 use quasirigid_io::record::{EvolutionRecord, HistoryRecord, RECORD_FORMAT, RunRecord, VerificationRecord};
 use quasirigid_math::vec3::norm;
 
+use crate::about_spin::{AskedManifold, OnManifold};
 use crate::campbell::campbell;
 use crate::derive;
 use crate::error::StudyError;
@@ -227,14 +228,14 @@ impl<'a> Plan<'a> {
                 continue;
             }
             match self.history(*system, record, frames, kept, watch) {
-                Ok(history) => record.histories.push(history),
+                Ok(followed) => add(record, followed),
                 Err(StudyError::Propagate(PropagateError::NoAngularMomentum))
                     if *system == System::Reduced =>
                 {
                     record.notes.push(NO_MOMENTUM.into());
                     if !self.systems.contains(&System::Full) {
-                        let history = self.history(System::Full, record, frames, kept, watch)?;
-                        record.histories.push(history);
+                        let followed = self.history(System::Full, record, frames, kept, watch)?;
+                        add(record, followed);
                     }
                 }
                 Err(failure) => return Err(failure),
@@ -287,7 +288,7 @@ impl<'a> Plan<'a> {
         Ok(Some(record))
     }
 
-    /// A history; of the first one that is followed, also the frames.
+    /// A history, with a note on it; of the first one that is followed, also the frames.
     fn history(
         &self,
         system: System,
@@ -295,7 +296,7 @@ impl<'a> Plan<'a> {
         frames: &mut Option<Frames>,
         kept: &mut Option<KeptRun>,
         watch: &mut dyn Watch,
-    ) -> Result<HistoryRecord, StudyError> {
+    ) -> Result<(HistoryRecord, Option<String>), StudyError> {
         let name = system.name();
         let body = self.motion.system().body;
         let equations = self.motion.equations(system, self.options.form);
@@ -322,7 +323,8 @@ impl<'a> Plan<'a> {
             sink.resume(resumed)?;
         }
         sink.log_if_long()?;
-        let run = self.motion.follow(system, &self.times, &self.options, &mut sink)?;
+        let (run, verdict) =
+            self.motion.follow(system, &AskedManifold::default(), &self.times, &self.options, &mut sink)?;
         let mut followed = sink.finish()?;
         if frames.is_none() {
             let list = std::mem::take(&mut followed.frames);
@@ -336,7 +338,14 @@ impl<'a> Plan<'a> {
         if matches!(run.outcome, Outcome::Failed(_) | Outcome::StepLimit | Outcome::LeftRange(_)) {
             watch.remark(&format!("{name}: {}", record::status(body, run.outcome, run.last.t).1));
         }
-        Ok(record::history(system, equations, &self.options, followed, (body, &run)))
+        let mut history = record::history(system, equations, &self.options, followed, (body, &run));
+        let note = verdict.as_ref().and_then(OnManifold::note);
+        if let Some(verdict) = verdict {
+            if let Some((status, message)) = verdict.status(run.outcome) {
+                (history.status, history.message) = (status.into(), message);
+            }
+        }
+        Ok((history, note))
     }
 
     /// Whether everything asked for was followed to its end and verified.
@@ -348,6 +357,12 @@ impl<'a> Plan<'a> {
             && record.verification.as_ref().is_none_or(|verification| verification.reached)
             && record.evolution.as_ref().is_none_or(|evolution| evolution.status == "finished")
     }
+}
+
+/// Adds a history, and the note on it.
+fn add(record: &mut RunRecord, (history, note): (HistoryRecord, Option<String>)) {
+    record.histories.push(history);
+    record.notes.extend(note);
 }
 
 /// The record so far with a history that begins.

@@ -1,14 +1,24 @@
-use super::{notes, open, whole};
-use crate::args::{Derive, DeriveFormat};
+use super::{manifold, notes, open, whole};
+use crate::args::{About, Derive, DeriveFormat};
 use crate::failure::Failure;
 use crate::{ExitStatus, output};
 
 /// Prints the reduced equations.
 pub fn derive(arguments: &Derive) -> Result<ExitStatus, Failure> {
+    let format = if arguments.common.json { DeriveFormat::Json } else { arguments.format };
+    match arguments.about {
+        About::Rest if arguments.manifold.is_given() || arguments.axis.is_some() => {
+            Err(Failure::NotAboutSpin { with: "--about spin" })
+        }
+        About::Rest => about_rest(arguments, format),
+        About::Spin => about_spin(arguments, format),
+    }
+}
+
+fn about_rest(arguments: &Derive, format: DeriveFormat) -> Result<ExitStatus, Failure> {
     let study = open(&arguments.common)?;
     notes(&study, &arguments.common);
     let equations = whole(&arguments.common, || study.derive())?;
-    let format = if arguments.common.json { DeriveFormat::Json } else { arguments.format };
     let mut text = match format {
         DeriveFormat::Text => equations.text(),
         DeriveFormat::Json => equations.json(),
@@ -19,4 +29,19 @@ pub fn derive(arguments: &Derive) -> Result<ExitStatus, Failure> {
     }
     output::print(&text)?;
     Ok(ExitStatus::Done)
+}
+
+fn about_spin(arguments: &Derive, format: DeriveFormat) -> Result<ExitStatus, Failure> {
+    if format == DeriveFormat::Latex {
+        return Err(Failure::NoLatexAboutSpin);
+    }
+    let study = open(&arguments.common)?;
+    notes(&study, &arguments.common);
+    let asked = manifold(&arguments.manifold, arguments.axis);
+    let equations = whole(&arguments.common, || study.about_spin(&asked))?;
+    output::print(&match format {
+        DeriveFormat::Json => format!("{:#}\n", equations.json()),
+        _ => equations.text(),
+    })?;
+    Ok(if equations.holds() { ExitStatus::Done } else { ExitStatus::CheckFailed })
 }

@@ -14,11 +14,13 @@ pub mod verify;
 
 use std::path::Path;
 
-use quasirigid_io::model::Model;
+use quasirigid_io::model::{self, Model};
 use quasirigid_io::units::{Dimension, quantity};
+use quasirigid_study::about_spin::AskedManifold;
+use quasirigid_study::modes::PrincipalAxis;
 use quasirigid_study::{LeftOut, Study, StudyError, histories, watched};
 
-use crate::args::{Common, Propagation};
+use crate::args::{Common, Manifold, Propagation};
 use crate::failure::Failure;
 use crate::message::remark;
 use crate::progress::Terminal;
@@ -78,6 +80,13 @@ fn propagation(arguments: &Propagation) -> Result<histories::Propagation, Failur
         form: *form,
         method: *method,
     })
+}
+
+/// Settings of the reduced equations about a spin from the command line.
+fn manifold(arguments: &Manifold, axis: Option<PrincipalAxis>) -> AskedManifold {
+    let Manifold { degree, masters, style } = arguments;
+    let settings = model::Manifold { degree: *degree, masters: masters.clone(), style: *style };
+    AskedManifold { settings, axis }
 }
 
 /// A time (s) given on the command line.

@@ -1,10 +1,11 @@
 use std::io::{IsTerminal, Write};
 
 use quasirigid::dynamics::Outcome;
+use quasirigid_io::model::System;
 use quasirigid_io::record::{Column, TableFormat, history_csv};
 use quasirigid_study::histories::{History, Table};
 
-use super::{notes, open, propagation};
+use super::{manifold, notes, open, propagation};
 use crate::args::Simulate;
 use crate::failure::Failure;
 use crate::interrupt::Interrupt;
@@ -15,6 +16,9 @@ use crate::{ExitStatus, output};
 /// Propagates the spin and prints a table.
 pub fn simulate(arguments: &Simulate) -> Result<ExitStatus, Failure> {
     let Simulate { common, out, overwrite, .. } = arguments;
+    if arguments.manifold.is_given() && arguments.system != System::Manifold {
+        return Err(Failure::NotAboutSpin { with: "--system manifold" });
+    }
     let study = open(common)?;
     notes(&study, common);
     study.initial()?;
@@ -31,6 +35,7 @@ pub fn simulate(arguments: &Simulate) -> Result<ExitStatus, Failure> {
         coordinates: arguments.coordinates,
         displacements: arguments.displacements,
         times: arguments.times.clone(),
+        manifold: manifold(&arguments.manifold, None),
     };
     let interrupt = Interrupt::listen()?;
     let history = study.simulate(&asked, &table, &mut Terminal::new(&interrupt, common.quiet))?;
@@ -38,6 +43,7 @@ pub fn simulate(arguments: &Simulate) -> Result<ExitStatus, Failure> {
     // what is wrong is told to quiet callers too; others have read it before the work
     history.wrong.iter().filter(|_| common.quiet).for_each(|reason| remark(reason));
     history.notes.iter().for_each(|note| remark(note));
+    tell_range(&history, common.quiet);
     let in_place = print_table(arguments, &history.columns, &interrupt)?;
     if common.json {
         output::print(&format!("{:#}\n", history.json()))?;
@@ -46,11 +52,20 @@ pub fn simulate(arguments: &Simulate) -> Result<ExitStatus, Failure> {
     Ok(if history.holds() && in_place { ExitStatus::Done } else { ExitStatus::CheckFailed })
 }
 
+/// Says how far the reduced equations about the spin hold, before the table of a history by them.
+fn tell_range(history: &History, quiet: bool) {
+    if let Some(verdict) = &history.manifold
+        && (!quiet || !verdict.holds())
+    {
+        remark(&verdict.sentence());
+    }
+}
+
 /// Says how a history ended that is not the one to the last time.
 fn tell_end(history: &History) {
     let message = &history.message;
     match history.run.outcome {
-        Outcome::Finished => {}
+        Outcome::Finished => {} // a history that left the range was told first
         _ if history.ended() => remark(message),
         _ => remark(&format!("{message}; the table is valid up to there")),
     }

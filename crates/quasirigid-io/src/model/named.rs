@@ -3,6 +3,7 @@
 use quasirigid::dynamics::{Form, Method};
 
 use super::evolve::{EvolveMethod, Power};
+use super::manifold::ManifoldStyle;
 use super::settings::System;
 
 /// A setting that is one of a few.
@@ -52,6 +53,14 @@ impl Named for System {
         ("full", Self::Full, "The stiff equations with every internal coordinate"),
         ("reduced", Self::Reduced, "The reduced equations of the nearly rigid body"),
         ("rigid", Self::Rigid, "The body frozen in its equilibrium shape"),
+        ("manifold", Self::Manifold, "The reduced equations about the steady spin"),
+    ];
+}
+
+impl Named for ManifoldStyle {
+    const VALUES: &'static [(&'static str, Self, &'static str)] = &[
+        ("normal-form", Self::NormalForm, "Amplitudes separate from phases"),
+        ("graph", Self::Graph, "Every monomial of the motion is kept"),
     ];
 }
 

@@ -6,6 +6,7 @@ use std::f64::consts::PI;
 use quasirigid::dynamics::{Form, Method};
 
 use super::evolve::{Evolve, evolve};
+use super::manifold::{Manifold, manifold};
 use super::table::{Keys, Table};
 use super::value::Value;
 use crate::units::Dimension;
@@ -23,6 +24,7 @@ pub(super) const RUN: Keys = Keys {
         "stop",
         "verify",
         "evolve",
+        "manifold",
     ],
 };
 const STOP: Keys = Keys { known: &["energy", "nutation", "validity"] };
@@ -58,6 +60,8 @@ pub struct RunSettings {
     pub verify: Option<Verify>,
     /// Secular evolution of the rotation; none if the file does not ask for it.
     pub evolve: Option<Evolve>,
+    /// Reduced equations about the steady spin; none if the file does not ask for them.
+    pub manifold: Option<Manifold>,
 }
 
 impl Default for RunSettings {
@@ -73,6 +77,7 @@ impl Default for RunSettings {
             stop: Stop::default(),
             verify: None,
             evolve: None,
+            manifold: None,
         }
     }
 }
@@ -86,6 +91,8 @@ pub enum System {
     Rigid,
     /// The body with all its coordinates, which is stiff.
     Full,
+    /// The reduced equations about the steady spin.
+    Manifold,
 }
 
 /// Events that end a run before its time.
@@ -122,6 +129,7 @@ pub(super) fn run(table: &Table<'_>) -> Option<RunSettings> {
     let stop = table.get("stop").map_or(Some(Stop::default()), |value| stop(&value));
     let verify = optional(table.get("verify"), |value| verify(&value));
     let evolve = optional(table.get("evolve"), |value| evolve(&value));
+    let manifold = optional(table.get("manifold"), |value| manifold(&value));
     Some(RunSettings {
         order: order?.unwrap_or(ORDER),
         duration: duration?,
@@ -133,6 +141,7 @@ pub(super) fn run(table: &Table<'_>) -> Option<RunSettings> {
         stop: stop?,
         verify: verify?,
         evolve: evolve?,
+        manifold: manifold?,
     })
 }
 

@@ -15,6 +15,7 @@ use serde_json::{Value, json};
 
 use super::Output;
 use super::cell::Cell;
+use crate::about_spin::AskedManifold;
 use crate::error::StudyError;
 use crate::evolution::Asked;
 use crate::histories::{Propagation, Table};
@@ -195,6 +196,7 @@ fn simulated(study: &Study, asked: &Answer, watch: &mut Remarks<'_>) -> Result<A
         coordinates: false,
         displacements: false,
         times: (!times.is_empty()).then_some(times),
+        manifold: AskedManifold::default(),
     };
     let settings = Propagation { samples: Some(2), ..Propagation::default() };
     let history = study.simulate(&settings, &table, watch)?;

@@ -46,7 +46,7 @@ impl<'b> Chart<'b> {
         let plan = SpinManifoldPlan { mode, angular_momentum, masters, degree: DEGREE, style };
         let manifold = SpinManifold::derive(body, &plan, &mut |_| ControlFlow::Continue(())).ok()?;
         let range = manifold.range(SHARE);
-        (range.nutation >= LEAST).then_some(Self { manifold, range })
+        (range.nutation >= LEAST && manifold.unstable().is_none()).then_some(Self { manifold, range })
     }
 
     /// Mean power near a rotation state of an energy range; none outside the range of the equations.

@@ -60,6 +60,9 @@ pub fn follow_on_manifold(
         let (masters, style) = (Masters::Automatic, Style::NormalForm);
         let plan = SpinManifoldPlan { mode, angular_momentum, masters, degree, style };
         let manifold = SpinManifold::derive(body, &plan, watch)?;
+        if manifold.unstable().is_some() {
+            return Ok(None);
+        }
         let from = manifold.start(start);
         let outside = !(from.left_out <= ACCEPTED) || !from.z.as_flattened().iter().all(|z| z.is_finite());
         if outside {

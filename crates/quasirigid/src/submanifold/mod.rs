@@ -21,8 +21,8 @@ pub use masters::{MasterMode, Masters, OuterMode};
 pub use met::MetResonance;
 pub use power::ManifoldPower;
 pub use propagate::propagate_on_manifold;
-pub use range::{AmplitudeRange, Defect};
+pub use range::{AmplitudeRange, Defect, WIDEST};
 pub use spin_manifold::{MAX_DEGREE, SpinManifold, SpinManifoldPlan};
 pub use steady::SteadySpin;
 
-pub use crate::math::submanifold::Style;
+pub use crate::math::submanifold::{ExpansionError, NearResonance, Ring, Style, Truncated};

@@ -65,8 +65,9 @@ impl SpinManifold<'_> {
         self.defect_over((0..PHASES).map(|i| point(TAU * i as f64 / PHASES as f64)))
     }
 
-    /// Defect over a turn of the phases through coordinates.
-    pub(super) fn defect_around(&self, z: &[[f64; 2]]) -> Defect {
+    /// Defect over a turn of the phases through coordinates. (W11)
+    #[must_use]
+    pub fn defect_around(&self, z: &[[f64; 2]]) -> Defect {
         let leads = self.manifold.masters.iter().enumerate().filter(|(k, master)| master.partner >= *k);
         let weights: Vec<f64> =
             leads.map(|(_, master)| master.weight.iter().map(|w| f64::from(*w)).sum()).collect();

@@ -2,7 +2,7 @@
 
 use std::ops::ControlFlow;
 
-use crate::math::submanifold::{InvariantManifold, NearResonance, Plan, Style, expand};
+use crate::math::submanifold::{InvariantManifold, NearResonance, Plan, Style, Truncated, expand};
 use crate::math::vec3::{dot, norm, scale};
 use crate::model::{ExpandedMotion, FlexibleBody, Mode, Support};
 use crate::modes::{Given, RelativeEquilibrium};
@@ -50,6 +50,8 @@ pub struct SpinManifold<'a> {
 pub const MAX_DEGREE: usize = 11;
 /// Largest number of internal coordinates.
 const MOST: usize = 600;
+/// Growth of a mode relative to its size that is rounding.
+const ROUNDING: f64 = 1e-10;
 /// Relative distance below which a resonance with a mode left out is told.
 const RESONANT: f64 = 0.1;
 
@@ -104,6 +106,19 @@ impl<'a> SpinManifold<'a> {
     #[must_use]
     pub fn expansion(&self) -> &InvariantManifold {
         &self.manifold
+    }
+
+    /// Direction of the angular momentum, body axes, as polynomials of the coordinates.
+    #[must_use]
+    pub fn direction_expansion(&self) -> &[Truncated; 3] {
+        &self.observables.direction
+    }
+
+    /// Mode left out that grows; none if none does. The motion then leaves the manifold by itself.
+    #[must_use]
+    pub fn unstable(&self) -> Option<&OuterMode> {
+        let grows = |mode: &&OuterMode| mode.decay_rate < -ROUNDING * mode.decay_rate.hypot(mode.frequency);
+        self.outer.iter().find(grows)
     }
 
     /// Modes left out that a monomial of the masters comes near, nearest first: each limits the range. (W6)

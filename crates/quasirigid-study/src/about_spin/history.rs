@@ -1,0 +1,132 @@
+//! Histories by the reduced equations about the steady spin, and the verdict on them.
+
+use std::ops::ControlFlow;
+
+use quasirigid::dynamics::{Observer, Options, Outcome, Run};
+use quasirigid::submanifold::{AmplitudeRange, Defect, ManifoldRun, propagate_on_manifold};
+use serde_json::{Value, json};
+
+use super::{AskedManifold, SHARE, derived};
+use crate::error::StudyError;
+use crate::motion::Motion;
+use crate::words::significant;
+
+/// Verdict on a history by the reduced equations about a spin.
+#[derive(Clone, Debug)]
+pub struct OnManifold {
+    /// Degree of the equations.
+    pub degree: usize,
+    /// Range of the nutation.
+    pub range: AmplitudeRange,
+    /// Largest defect met.
+    pub worst: Defect,
+    /// Its time (s).
+    pub worst_time: f64,
+    /// Share of the internal energy of the start that the equations leave out: its vibrations.
+    pub left_out: f64,
+}
+
+/// Share of the internal energy of a start from which the vibrations left out are told.
+const TOLD: f64 = 1e-3;
+
+/// Follows the reduced equations about the steady spin of a motion.
+pub(crate) fn follow(
+    motion: &Motion,
+    asked: &AskedManifold,
+    times: &[f64],
+    options: &Options,
+    observer: &mut dyn Observer,
+) -> Result<(Run, OnManifold), StudyError> {
+    if motion.system().acts() {
+        let names = motion.forces.iter().map(|force| force.name.clone()).collect();
+        return Err(StudyError::ForcesAboutSpin { names });
+    }
+    if !options.events.is_empty() {
+        return Err(StudyError::EventsAboutSpin);
+    }
+    let found = derived(motion, asked, &mut |_| observer.progress(0.0));
+    let found = match found {
+        Err(StudyError::Interrupted) if observer.progress(0.0) == ControlFlow::Continue(()) => {
+            return Err(StudyError::Interrupted);
+        }
+        found => found?,
+    };
+    let (manifold, Some(state)) = (found.manifold, found.state) else { return Err(StudyError::MiddleAxis) };
+    let start = manifold.start(&state);
+    let range = manifold.range(SHARE);
+    let ManifoldRun { outcome, last, worst, work, .. } =
+        propagate_on_manifold(&manifold, &start, times, options, observer)?;
+    let verdict = OnManifold {
+        degree: manifold.degree(),
+        range,
+        worst: worst.0,
+        worst_time: worst.1,
+        left_out: start.left_out,
+    };
+    Ok((Run { outcome, last, work }, verdict))
+}
+
+impl OnManifold {
+    /// Whether the history stayed within the range.
+    #[must_use]
+    pub fn holds(&self) -> bool {
+        self.worst.largest() <= self.range.share
+    }
+
+    /// The verdict in a sentence.
+    #[must_use]
+    pub fn sentence(&self) -> String {
+        let Self { degree, range, worst, worst_time, .. } = self;
+        let held = format!(
+            "hold to a nutation of {} degrees within {} % at degree {degree}",
+            significant(range.nutation.to_degrees(), 3),
+            significant(100.0 * range.share, 2)
+        );
+        let defect = worst.largest();
+        let met = if defect.is_finite() {
+            format!("{} % at t = {worst_time} s", significant(100.0 * defect, 2))
+        } else {
+            format!("without bound at t = {worst_time} s")
+        };
+        if self.holds() {
+            return format!("The reduced equations about the spin {held}; the largest defect met is {met}.");
+        }
+        format!(
+            "The history LEFT THE RANGE of the reduced equations about the spin, which {held}: the largest defect met is {met}."
+        )
+    }
+
+    /// Note on the vibrations of the start that are left out; none where they are small.
+    #[must_use]
+    pub fn note(&self) -> Option<String> {
+        (self.left_out > TOLD).then(|| {
+            format!(
+                "Of the energy that the start has beyond its steady spin, {} % is in vibrations off the manifold, which are left out.",
+                significant(100.0 * self.left_out, 2)
+            )
+        })
+    }
+
+    /// For machines.
+    #[must_use]
+    pub fn json(&self) -> Value {
+        let finite = |value: f64| value.is_finite().then_some(value);
+        let Self { degree, range, worst, worst_time, left_out } = self;
+        json!({
+            "holds": self.holds(),
+            "sentence": self.sentence(),
+            "degree": degree,
+            "range": super::json::range(range),
+            "defect": { "motion": finite(worst.motion), "power": finite(worst.power), "time": worst_time },
+            "left_out": finite(*left_out),
+        })
+    }
+}
+
+impl OnManifold {
+    /// Whether an outcome is that of a history which was followed to its end.
+    #[must_use]
+    pub fn status(&self, outcome: Outcome) -> Option<(&'static str, String)> {
+        (matches!(outcome, Outcome::Finished) && !self.holds()).then(|| ("left-validity", self.sentence()))
+    }
+}

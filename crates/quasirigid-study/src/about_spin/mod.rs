@@ -1,0 +1,287 @@
+//! Reduced equations about the steady spin of a study: the spin, the range, the start within it, and histories.
+
+mod history;
+mod json;
+mod text;
+
+use std::ops::ControlFlow;
+
+use quasirigid::dynamics::{FullState, Nutations};
+use quasirigid::model::{Mode, Principal};
+use quasirigid::modes::acts;
+use quasirigid::submanifold::{
+    AmplitudeRange, Backbone, Defect, ManifoldStart, Masters, SpinManifold, SpinManifoldPlan, Style,
+};
+use quasirigid_io::model::{Manifold, ManifoldMasters, ManifoldStyle};
+use quasirigid_math::rotation::angle;
+use quasirigid_math::vec3::norm;
+use quasirigid_math::watch;
+
+use crate::error::StudyError;
+use crate::left_out::LeftOut;
+use crate::modes::PrincipalAxis;
+use crate::motion::Motion;
+use crate::study::Study;
+use crate::words::{displaced, significant, time};
+
+pub use history::OnManifold;
+pub(crate) use history::follow;
+
+/// Share of motion and dissipation that reduced equations about a spin may leave: the border of their range. (W11)
+pub const SHARE: f64 = 0.01;
+/// Degree without a given one.
+pub const DEGREE: usize = 5;
+/// Amplitudes of the backbone within the range, and beyond: a point lies on the border.
+const WITHIN: usize = 32;
+const BEYOND: usize = 8;
+/// Widest amplitude of a backbone where no amplitude is within the range (rad).
+const NARROW: f64 = 0.1;
+/// Amplitude (rad) below which the defect of a start is rounding.
+const STILL: f64 = 1e-4;
+/// Relative difference of the frequency asked for from that of a mode, within which they are the same.
+const SAME: f64 = 0.05;
+
+/// Request for reduced equations about a spin; absent settings are those of the file, or the defaults.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct AskedManifold {
+    /// Degree, masters and style.
+    pub settings: Manifold,
+    /// Principal axis to spin about; none for the one that the start circles.
+    pub axis: Option<PrincipalAxis>,
+}
+
+/// Start of a study among the reduced equations about its spin.
+#[derive(Clone, Debug)]
+pub struct StartWithin {
+    /// Coordinates and attitude.
+    pub start: ManifoldStart,
+    /// Amplitude of the nutation (rad).
+    pub amplitude: f64,
+    /// Greatest nutation angle over a period at that amplitude (rad); where there is none, that of the start.
+    pub nutation: f64,
+    /// Defect over a period.
+    pub defect: Defect,
+    /// Whether the start lies within the range.
+    pub within: bool,
+}
+
+/// Reduced equations about the steady spin of a study, with their range.
+#[derive(Debug)]
+pub struct AboutSpin<'a> {
+    study: &'a Study,
+    /// The equations.
+    pub manifold: SpinManifold<'a>,
+    /// Principal axis of the steady spin.
+    pub axis: PrincipalAxis,
+    /// Range of amplitudes.
+    pub range: AmplitudeRange,
+    /// Motion along the manifold, to a quarter beyond the range.
+    pub backbone: Backbone,
+    /// Start of the model; none about an axis that the start does not circle.
+    pub start: Option<StartWithin>,
+    /// Losses that the equations of motion leave out.
+    pub left_out: LeftOut,
+}
+
+impl Study {
+    /// Derives the reduced equations about the steady spin with the angular momentum of the start.
+    ///
+    /// # Errors
+    /// [`StudyError`] for a start that is none, and where there are no such equations.
+    pub fn about_spin(&self, asked: &AskedManifold) -> Result<AboutSpin<'_>, StudyError> {
+        watch::stage("expanding about the spin");
+        let mut ask = |share: f64| {
+            watch::progress(share);
+            ControlFlow::Continue(())
+        };
+        about(&Motion::new(self, self.initial()?), asked, &mut ask)
+    }
+}
+
+/// The reduced equations about the steady spin of a motion, with their range and backbone.
+pub(crate) fn about<'a>(
+    motion: &Motion<'a>,
+    asked: &AskedManifold,
+    watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
+) -> Result<AboutSpin<'a>, StudyError> {
+    let Derived { manifold, axis, state } = derived(motion, asked, watch)?;
+    let range = manifold.range(SHARE);
+    let inside = if range.amplitude > 0.0 { range.amplitude } else { NARROW };
+    let count = WITHIN + BEYOND;
+    let backbone = manifold.backbone(inside * count as f64 / WITHIN as f64, count);
+    let start = state.map(|state| within(&manifold, &range, &state));
+    let left_out = LeftOut::at(motion.study(), manifold.spin.omega, None);
+    Ok(AboutSpin { study: motion.study(), manifold, axis, range, backbone, start, left_out })
+}
+
+/// Reduced equations about a spin, with the state of the start where it circles that spin.
+struct Derived<'a> {
+    manifold: SpinManifold<'a>,
+    axis: PrincipalAxis,
+    state: Option<FullState>,
+}
+
+fn derived<'a>(
+    motion: &Motion<'a>,
+    asked: &AskedManifold,
+    watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
+) -> Result<Derived<'a>, StudyError> {
+    let (study, body) = (motion.study(), motion.body);
+    if acts(body, motion.forces) {
+        return Err(StudyError::ForcesAboutSpin {
+            names: motion.forces.iter().map(|force| force.name.clone()).collect(),
+        });
+    }
+    let state = motion.full()?;
+    let K = state.angular_momentum(body);
+    if !(norm(K) > 0.0) {
+        return Err(StudyError::AtRest);
+    }
+    let circled = circled(study, K)?;
+    let axis = asked.axis.unwrap_or(circled);
+    let mode = match axis {
+        PrincipalAxis::Least => Mode::LongAxis,
+        PrincipalAxis::Greatest => Mode::ShortAxis,
+        PrincipalAxis::Middle => return Err(StudyError::MiddleAxis),
+    };
+    let plan = plan(study, &asked.settings, mode, K);
+    let manifold = SpinManifold::derive(body, &plan, watch)?;
+    if let Some(left) = body.left_range(&manifold.spin.q) {
+        return Err(StudyError::SteadySpinBeyond { what: displaced(body, left) });
+    }
+    if let Masters::With(frequencies) = &plan.masters {
+        there(&manifold, frequencies)?;
+    }
+    Ok(Derived { manifold, axis, state: (axis == circled).then_some(state) })
+}
+
+/// The principal axis of the frozen body that an angular momentum circles; the nearer of the outer two on a separatrix.
+fn circled(study: &Study, K: [f64; 3]) -> Result<PrincipalAxis, StudyError> {
+    let rigid = study.reduced(0)?;
+    let principal = Principal::compute(rigid.J);
+    let nutation = Nutations::new(&rigid).at(K);
+    let nearest = principal.nearest(nutation.map_or(K, |nutation| nutation.axis))[0];
+    Ok(match nearest {
+        Mode::ShortAxis => PrincipalAxis::Greatest,
+        Mode::LongAxis => PrincipalAxis::Least,
+    })
+}
+
+fn plan(study: &Study, asked: &Manifold, mode: Mode, angular_momentum: [f64; 3]) -> SpinManifoldPlan {
+    let file = study.model.run.manifold.clone().unwrap_or_default();
+    let masters = asked.masters.clone().or(file.masters);
+    let style = asked.style.or(file.style);
+    SpinManifoldPlan {
+        mode,
+        angular_momentum,
+        masters: match masters {
+            None | Some(ManifoldMasters::Automatic) => Masters::Automatic,
+            Some(ManifoldMasters::Nutation) => Masters::Nutation,
+            Some(ManifoldMasters::With(frequencies)) => Masters::With(frequencies),
+        },
+        degree: asked.degree.or(file.degree).unwrap_or(DEGREE),
+        style: match style {
+            None | Some(ManifoldStyle::NormalForm) => Style::NormalForm,
+            Some(ManifoldStyle::Graph) => Style::Graph,
+        },
+    }
+}
+
+/// Refuses frequencies asked for that no mode about the spin has.
+fn there(manifold: &SpinManifold, frequencies: &[f64]) -> Result<(), StudyError> {
+    let found = &manifold.masters[1..];
+    let missing = frequencies.iter().enumerate().find(|(at, frequency)| {
+        let near = |master: f64| (master - **frequency).abs() <= SAME * frequency.max(master);
+        !found.get(*at).is_some_and(|master| near(master.frequency))
+    });
+    let Some((_, frequency)) = missing else { return Ok(()) };
+    let kept = found.iter().map(|mode| (mode.name.clone(), mode.frequency));
+    let outer = manifold.outer.iter().map(|mode| (mode.name.clone(), mode.frequency));
+    let mut modes: Vec<(String, f64)> = kept.chain(outer).collect();
+    modes.sort_by(|a, b| (a.1 - frequency).abs().total_cmp(&(b.1 - frequency).abs()));
+    modes.dedup();
+    Err(StudyError::NoMaster { frequency: *frequency, modes })
+}
+
+/// The start of a state, and whether it lies within the range.
+fn within(manifold: &SpinManifold, range: &AmplitudeRange, state: &FullState) -> StartWithin {
+    let start = manifold.start(state);
+    let sizes: Vec<f64> = start.z.iter().map(|[re, im]| re.hypot(*im)).collect();
+    let widest = sizes.iter().copied().fold(0.0, f64::max);
+    let amplitude = sizes[0];
+    let lost = sizes.iter().any(|size| !size.is_finite()) || amplitude > quasirigid::submanifold::WIDEST;
+    let nutation = if lost {
+        angle(state.angular_momentum(manifold.body), manifold.axis())
+    } else {
+        manifold.nutation(amplitude)
+    };
+    let defect = match (lost, widest > STILL) {
+        (true, _) => Defect { motion: f64::INFINITY, power: f64::INFINITY },
+        (_, true) => manifold.defect_around(&start.z),
+        (_, false) => Defect::default(),
+    };
+    let within = amplitude <= range.amplitude && defect.largest() <= range.share;
+    StartWithin { start, amplitude, nutation, defect, within }
+}
+
+impl AboutSpin<'_> {
+    /// Whether the equations hold somewhere, at the start too, and leave no loss out.
+    #[must_use]
+    pub fn holds(&self) -> bool {
+        self.reason().is_none()
+    }
+
+    /// Reason for which they do not hold, in words.
+    fn reason(&self) -> Option<String> {
+        let percent = significant(100.0 * self.range.share, 2);
+        let fails = "The reduced equations about the spin DO NOT HOLD";
+        if let Some(mode) = self.manifold.unstable() {
+            return Some(format!(
+                "{fails}: the steady spin is unstable, a motion of {} grows e-fold in {}.",
+                mode.name,
+                time(-mode.decay_rate.recip())
+            ));
+        }
+        if self.range.amplitude <= 0.0 {
+            let near = self.manifold.near_resonances().first().map_or_else(String::new, |(_, mode)| {
+                format!(", with {} in resonance: follow its mode too", mode.name)
+            });
+            return Some(format!("{fails} at any nutation within {percent} %{near}."));
+        }
+        let outside = self.start.as_ref().filter(|start| !start.within);
+        if let Some(start) = outside {
+            let degrees = |angle: f64| significant(angle.to_degrees(), 3);
+            let held = degrees(self.range.nutation);
+            if start.amplitude <= self.range.amplitude {
+                let defect = significant(100.0 * start.defect.largest(), 2);
+                return Some(format!(
+                    "{fails} at the start: with its other modes they leave {defect} % there, beyond {percent} %."
+                ));
+            }
+            return Some(format!(
+                "{fails} at the start: its nutation is {} degrees, and at degree {} they hold to {held} degrees within {percent} %.",
+                degrees(start.nutation),
+                self.manifold.degree()
+            ));
+        }
+        self.left_out.liquids.clone()
+    }
+
+    /// The range, or the reason for which the equations do not hold, in a sentence.
+    #[must_use]
+    pub fn sentence(&self) -> String {
+        self.reason().unwrap_or_else(|| {
+            let at_least = if self.range.beyond { "at least " } else { "" };
+            format!(
+                "The reduced equations about the spin hold to a nutation of {at_least}{} degrees within {} %.",
+                significant(self.range.nutation.to_degrees(), 3),
+                significant(100.0 * self.range.share, 2)
+            )
+        })
+    }
+
+    /// Points of the backbone, without the steady spin itself, within the range.
+    fn inner(&self) -> &[quasirigid::submanifold::BackbonePoint] {
+        &self.backbone.points[..=WITHIN]
+    }
+}

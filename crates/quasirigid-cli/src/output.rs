@@ -145,6 +145,20 @@ pub fn to_file(
     }
 }
 
+/// A temporary file that goes with its guard: beside a result, or among the temporary files of the system for standard output and devices.
+pub fn spool(beside: Option<&Path>) -> Result<NamedTempFile, Failure> {
+    let folder = match beside.filter(|path| !is_device(path)) {
+        Some(path) => parent(path).to_owned(),
+        None => std::env::temp_dir(),
+    };
+    let file = temporary()
+        .tempfile_in(&folder)
+        .map_err(|cause| Failure::Write { path: folder, cause: plain(cause) })?;
+    leftover::remember(file.path());
+    let _ = file.as_file().try_lock();
+    Ok(file)
+}
+
 /// Puts a file in its place, or beside it if something is there that may not be replaced.
 fn placed(file: NamedTempFile, path: &Path, overwrite: bool) -> io::Result<PathBuf> {
     let mut file = Some(file);

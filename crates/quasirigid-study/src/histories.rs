@@ -1,24 +1,25 @@
 //! Histories of the spin: duration, rows, tolerance, and systems of equations.
 
 use std::f64::consts::TAU;
-use std::ops::ControlFlow;
+use std::path::Path;
 
-use quasirigid::dynamics::{Event, Form, Method, Nutations, Observer, Options, Outcome, Run, Sample, Start};
+use quasirigid::dynamics::{Event, Form, Method, Nutations, Options, Outcome, Run, Start};
 use quasirigid::model::{Principal, ReducedBody};
 use quasirigid::reduction::{Comparison, Criterion, Validity, Verdict, frequencies};
 use quasirigid_io::model::{Named, Stop, System};
-use quasirigid_io::record::Column;
+use quasirigid_io::record::{Column, RowTable};
 use quasirigid_math::memory;
 use quasirigid_math::vec3::norm;
 use serde_json::{Value, json};
 
 use crate::about_spin::{AskedManifold, OnManifold};
 use crate::error::{Setting, StudyError};
-use crate::history_columns::{columns, coordinate_columns, displacement_columns};
+use crate::history_columns::{HistoryTable, Internal};
 use crate::left_out::LeftOut;
 use crate::motion::Motion;
 use crate::record::status;
 use crate::study::Study;
+use crate::table_sink::TableSink;
 use crate::watch::Watch;
 use crate::words::{drift_note, shares, verdict};
 
@@ -119,58 +120,6 @@ pub(crate) fn even_times(samples: usize, duration: f64) -> Result<Vec<f64>, Stud
     Ok((0..samples).map(|i| if i == last { duration } else { duration * i as f64 / last as f64 }).collect())
 }
 
-/// Samples of a propagation, with its internal coordinates on request.
-pub(crate) struct Collector<'w> {
-    pub samples: Vec<Sample>,
-    /// Energy (J) that each dissipator took, by name, once a propagation has ended.
-    pub budget: Vec<(String, f64)>,
-    /// Internal coordinates and their rates, one list for every so many samples, if they are kept.
-    pub coordinates: Option<Vec<Vec<f64>>>,
-    stride: usize,
-    watch: &'w mut dyn Watch,
-    stage: &'w str,
-    duration: f64,
-}
-
-impl<'w> Collector<'w> {
-    pub fn new(watch: &'w mut dyn Watch, stage: &'w str, times: &[f64]) -> Self {
-        let duration = times.last().copied().unwrap_or(0.0);
-        Self { samples: Vec::new(), budget: Vec::new(), coordinates: None, stride: 1, watch, stage, duration }
-    }
-
-    /// Keeps the internal coordinates of the first of every so many samples.
-    pub fn keep_every(&mut self, stride: Option<usize>) {
-        self.coordinates = stride.map(|_| Vec::new());
-        self.stride = stride.unwrap_or(1);
-    }
-}
-
-impl Observer for Collector<'_> {
-    fn sample(&mut self, sample: &Sample) {
-        self.samples.push(*sample);
-    }
-
-    fn keeps_coordinates(&self) -> bool {
-        self.coordinates.is_some()
-    }
-
-    fn coordinates(&mut self, q: &[f64], rate: &[f64]) {
-        if let Some(kept) =
-            self.coordinates.as_mut().filter(|_| self.samples.len().is_multiple_of(self.stride))
-        {
-            kept.push([q, rate].concat());
-        }
-    }
-
-    fn budget(&mut self, energies: &[(String, f64)]) {
-        self.budget = energies.to_vec();
-    }
-
-    fn progress(&mut self, t: f64) -> ControlFlow<()> {
-        self.watch.at(self.stage, t / self.duration)
-    }
-}
-
 /// Contents of the table of a history.
 #[derive(Clone, Debug)]
 pub struct Table {
@@ -195,8 +144,10 @@ pub struct History {
     pub status: &'static str,
     /// Status in a sentence.
     pub message: String,
-    /// The table.
+    /// The table; without values where its rows are logged.
     pub columns: Vec<Column>,
+    /// Rows of a long table that was to be logged.
+    pub log: Option<RowTable>,
     /// Result of the integration.
     pub run: Run,
     /// Energy (J) that each dissipator took, by name.
@@ -286,6 +237,26 @@ impl Study {
         self.simulate_from(self.initial()?, propagation, table, watch)
     }
 
+    /// Number of rows of a table.
+    #[must_use]
+    pub fn table_rows(&self, propagation: &Propagation, table: &Table) -> usize {
+        table.times.as_ref().map_or_else(|| propagation.samples(self, TABLE_ROWS), Vec::len)
+    }
+
+    /// Follows one system of equations, and logs the rows in a file as they come, so that a table of any length needs little memory.
+    ///
+    /// # Errors
+    /// As [`simulate`](Self::simulate), and [`StudyError::Write`].
+    pub fn simulate_logged(
+        &self,
+        propagation: &Propagation,
+        table: &Table,
+        log: &Path,
+        watch: &mut dyn Watch,
+    ) -> Result<History, StudyError> {
+        self.follow_table(self.initial()?, propagation, table, Some(log), watch)
+    }
+
     /// Follows one system of equations from a rotation in the place of the model's own.
     ///
     /// # Errors
@@ -297,17 +268,30 @@ impl Study {
         table: &Table,
         watch: &mut dyn Watch,
     ) -> Result<History, StudyError> {
+        self.follow_table(spin, propagation, table, None, watch)
+    }
+
+    fn follow_table(
+        &self,
+        spin: Start,
+        propagation: &Propagation,
+        table: &Table,
+        log: Option<&Path>,
+        watch: &mut dyn Watch,
+    ) -> Result<History, StudyError> {
         let body = &self.body;
         let options = propagation.options(self, stop_axis(self, spin.omega)?)?;
         let times = match &table.times {
             Some(times) => times.clone(),
             None => {
-                let rows = propagation.samples(self, TABLE_ROWS);
+                let rows = self.table_rows(propagation, table);
                 even_times(rows, propagation.duration(self, spin.omega)?)?
             }
         };
-        let kept = table.coordinates || table.displacements;
-        room(times.len(), 1, if kept { body.coordinates().len() } else { 0 })?;
+        if log.is_none() {
+            let kept = table.coordinates || table.displacements;
+            room(times.len(), 1, if kept { body.coordinates().len() } else { 0 })?;
+        }
         for (asked, setting) in
             [(table.coordinates, Setting::Coordinates), (table.displacements, Setting::Displacements)]
         {
@@ -334,20 +318,16 @@ impl Study {
                 wrong = Some(doubt);
             }
         }
-        let mut collector = Collector::new(watch, "propagating", &times);
-        collector.keep_every(kept.then_some(1));
-        let (run, manifold) =
-            motion.follow(table.system, &table.manifold, &times, &options, &mut collector)?;
-        let Collector { samples, budget, coordinates, .. } = collector;
-        let rows = coordinates.unwrap_or_default();
-        let mut columns = columns(body.support(), &samples);
-        if table.displacements {
-            columns.extend(displacement_columns(body.markers(), &rows));
-        }
-        if table.coordinates {
-            let valued = if table.system == System::Full { body.coordinates().len() } else { body.elastic() };
-            columns.extend(coordinate_columns(body.coordinates(), valued, &rows));
-        }
+        let valued = if table.system == System::Full { body.coordinates().len() } else { body.elastic() };
+        let internal = Internal {
+            markers: if table.displacements { body.markers() } else { &[] },
+            coordinates: table.coordinates.then(|| (body.coordinates(), valued)),
+        };
+        let history = HistoryTable::new(body.support(), None);
+        let mut sink = TableSink::new(history, internal, &times, log, watch)?;
+        let (run, manifold) = motion.follow(table.system, &table.manifold, &times, &options, &mut sink)?;
+        let budget = std::mem::take(&mut sink.budget);
+        let (columns, log) = sink.finish()?;
         let (forced, last) = (motion.system().acts(), run.last);
         let energies = [last.energy_drift, last.dissipated];
         let mut notes: Vec<String> =
@@ -355,7 +335,18 @@ impl Study {
         notes.extend(manifold.as_ref().and_then(OnManifold::note));
         let left = manifold.as_ref().and_then(|verdict| verdict.status(run.outcome));
         let (status, message) = left.unwrap_or_else(|| status(body, run.outcome, last.t));
-        Ok(History { system: table.system, status, message, columns, run, budget, notes, manifold, wrong })
+        Ok(History {
+            system: table.system,
+            status,
+            message,
+            columns,
+            log,
+            run,
+            budget,
+            notes,
+            manifold,
+            wrong,
+        })
     }
 }
 

@@ -102,42 +102,44 @@ fn nutation(found: Option<Nutation>, axes: &[[f64; 3]; 3]) -> [f64; 3] {
     [circled, nutation.least, nutation.greatest]
 }
 
-/// The columns of a table of samples, without nutation.
-pub fn columns(support: &Support, samples: &[Sample]) -> Vec<Column> {
-    let mut table = HistoryTable::new(support, None);
-    let mut columns = table.columns();
-    let mut row = Vec::new();
-    for sample in samples {
-        table.fill(sample, &mut row);
-        columns.iter_mut().zip(&row).for_each(|(column, number)| column.values.push(*number));
+/// Columns of internal coordinates and their rates, and of the displacements of watched places, that a table has on request.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Internal<'b> {
+    /// Watched places whose displacements have columns, to the first order.
+    pub markers: &'b [Marker],
+    /// Coordinates, and the number of those with a value; the rates of all have columns.
+    pub coordinates: Option<(&'b [Coordinate], usize)>,
+}
+
+impl Internal<'_> {
+    /// Whether no such columns are asked for.
+    pub fn is_empty(&self) -> bool {
+        self.markers.is_empty() && self.coordinates.is_none()
     }
-    columns
-}
 
-/// Columns of the first `valued` internal coordinates, then of the rates of all, from one list of both per row.
-pub fn coordinate_columns(coordinates: &[Coordinate], valued: usize, rows: &[Vec<f64>]) -> Vec<Column> {
-    let column = |i: usize, name: String, unit: String| Column {
-        name,
-        unit,
-        values: rows.iter().map(|row| row[i]).collect(),
-    };
-    let name = |coordinate: &Coordinate| one_line(&coordinate.name.replace('"', ""));
-    let values = coordinates.iter().enumerate().take(valued);
-    let values = values.map(|(i, each)| column(i, name(each), each.unit.to_owned()));
-    let rates = coordinates.iter().enumerate().map(|(i, each)| {
-        column(coordinates.len() + i, format!("{} rate", name(each)), format!("{}/s", each.unit))
-    });
-    values.chain(rates).collect()
-}
+    /// The columns, without values.
+    pub fn columns(&self) -> Vec<Column> {
+        let column = |name: String, unit: String| Column { name, unit, values: Vec::new() };
+        let plain = |name: &str| one_line(&name.replace('"', ""));
+        let along = |marker: &Marker| {
+            ["x", "y", "z"].map(|axis| column(format!("{} along {axis}", plain(&marker.name)), "m".into()))
+        };
+        let (coordinates, valued) = self.coordinates.unwrap_or_default();
+        let values = coordinates[..valued].iter().map(|each| column(plain(&each.name), each.unit.to_owned()));
+        let rates = coordinates
+            .iter()
+            .map(|each| column(format!("{} rate", plain(&each.name)), format!("{}/s", each.unit)));
+        self.markers.iter().flat_map(along).chain(values).chain(rates).collect()
+    }
 
-/// Columns of the displacements of watched places, to the first order, from one list of internal coordinates per row.
-pub fn displacement_columns(markers: &[Marker], rows: &[Vec<f64>]) -> Vec<Column> {
-    let column = |marker: &Marker, axis: usize| {
-        let displacement =
-            |row: &Vec<f64>| marker.shapes.iter().map(|(j, shape)| row[*j] * shape[axis]).sum::<f64>();
-        let name = format!("{} along {}", one_line(&marker.name.replace('"', "")), ["x", "y", "z"][axis]);
-        Column { name, unit: "m".to_owned(), values: rows.iter().map(displacement).collect() }
-    };
-    let axes = |marker| [0, 1, 2].map(|axis| column(marker, axis));
-    markers.iter().flat_map(axes).collect()
+    /// Appends the numbers of a row.
+    pub fn fill(&self, q: &[f64], rate: &[f64], row: &mut Vec<f64>) {
+        let along = |marker: &Marker| {
+            [0, 1, 2].map(|axis| marker.shapes.iter().map(|(j, shape)| q[*j] * shape[axis]).sum::<f64>())
+        };
+        row.extend(self.markers.iter().flat_map(along));
+        if let Some((_, valued)) = self.coordinates {
+            row.extend(q[..valued].iter().chain(rate));
+        }
+    }
 }

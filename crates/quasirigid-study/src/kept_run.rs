@@ -33,6 +33,16 @@ pub struct Keeping {
     pub resume: bool,
 }
 
+impl Keeping {
+    /// Beside the folder of the record.
+    #[must_use]
+    pub fn beside(folder: &Path, resume: bool) -> Self {
+        let mut name = folder.file_name().unwrap_or_default().to_owned();
+        name.push("-unfinished");
+        Self { folder: folder.with_file_name(name), resume }
+    }
+}
+
 /// Folder of a run in work.
 #[derive(Debug)]
 pub(crate) struct KeptRun {

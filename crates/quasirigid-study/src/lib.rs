@@ -84,6 +84,7 @@ mod steady_state;
 mod study;
 pub mod summary;
 pub mod sweep;
+mod table_sink;
 pub mod verification;
 pub mod visible;
 mod watch;

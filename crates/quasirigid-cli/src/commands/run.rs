@@ -29,7 +29,7 @@ pub fn run(arguments: &RunArgs) -> Result<ExitStatus, Failure> {
     Folder::check(&path, overwrite)?;
     let asked = propagation(&arguments.propagation)?;
     let interrupt = Interrupt::listen()?;
-    let keeping = Keeping { folder: unfinished(&path), resume: *resume };
+    let keeping = Keeping::beside(&path, *resume);
     let found = study.run_kept(&asked, Some(&keeping), &mut Terminal::new(&interrupt, common.quiet))?;
     let folder = Folder::new(&path, overwrite)?;
     let formats = arguments.tables.as_deref().unwrap_or(found.record.usual_formats());
@@ -50,13 +50,6 @@ pub fn run(arguments: &RunArgs) -> Result<ExitStatus, Failure> {
         remark(&format!("{} is kept; the same command with --resume goes on with the run", kept.display()));
     }
     Ok(if holds && in_place { ExitStatus::Done } else { ExitStatus::CheckFailed })
-}
-
-/// Folder of the run in work beside that of its record.
-fn unfinished(path: &Path) -> PathBuf {
-    let mut name = path.file_name().unwrap_or_default().to_owned();
-    name.push("-unfinished");
-    path.with_file_name(name)
 }
 
 /// Whether a folder has a record of this model that was interrupted.

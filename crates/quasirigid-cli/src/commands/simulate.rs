@@ -1,8 +1,8 @@
-use std::io::{IsTerminal, Write};
+use std::io::{self, BufWriter, IsTerminal, Seek, Write};
 
 use quasirigid::dynamics::Outcome;
 use quasirigid_io::model::System;
-use quasirigid_io::record::{Column, TableFormat, history_csv};
+use quasirigid_io::record::{MOST_ROWS, TableFormat, history_csv, log_csv};
 use quasirigid_study::histories::{History, Table};
 
 use super::{manifold, notes, open, propagation};
@@ -38,13 +38,21 @@ pub fn simulate(arguments: &Simulate) -> Result<ExitStatus, Failure> {
         manifold: manifold(&arguments.manifold, None),
     };
     let interrupt = Interrupt::listen()?;
-    let history = study.simulate(&asked, &table, &mut Terminal::new(&interrupt, common.quiet))?;
+    let mut terminal = Terminal::new(&interrupt, common.quiet);
+    // the rows of a long table go to the disk as they come
+    let long = study.table_rows(&asked, &table) as u64 > MOST_ROWS;
+    let spool = long.then(|| output::spool(out.as_deref())).transpose()?;
+    let history = match &spool {
+        Some(spool) => study.simulate_logged(&asked, &table, spool.path(), &mut terminal)?,
+        None => study.simulate(&asked, &table, &mut terminal)?,
+    };
+    drop(terminal);
     interrupt.forget();
     // what is wrong is told to quiet callers too; others have read it before the work
     history.wrong.iter().filter(|_| common.quiet).for_each(|reason| remark(reason));
     history.notes.iter().for_each(|note| remark(note));
     tell_range(&history, common.quiet);
-    let in_place = print_table(arguments, &history.columns, &interrupt)?;
+    let in_place = print_table(arguments, &history, &interrupt)?;
     if common.json {
         output::print(&format!("{:#}\n", history.json()))?;
     }
@@ -72,22 +80,29 @@ fn tell_end(history: &History) {
 }
 
 /// Writes the table; returns whether it stands at the place asked for.
-fn print_table(arguments: &Simulate, columns: &Vec<Column>, interrupt: &Interrupt) -> Result<bool, Failure> {
-    let binary = match arguments.format {
-        TableFormat::Csv => None,
-        format => Some(format.bytes(columns)?),
-    };
-    let write = |out: &mut dyn Write| match &binary {
-        Some(bytes) => out.write_all(bytes),
-        None => history_csv(columns, out),
-    };
-    match (&arguments.out, arguments.common.json) {
-        (Some(path), _) => {
-            let placed = output::to_file(path, arguments.overwrite, write)?;
-            return Ok(placed.told(path));
-        }
-        (None, false) => output::to_stdout(interrupt, write)?,
-        (None, true) => {}
+fn print_table(arguments: &Simulate, history: &History, interrupt: &Interrupt) -> Result<bool, Failure> {
+    let (format, columns) = (arguments.format, &history.columns);
+    if arguments.out.is_none() && arguments.common.json {
+        return Ok(true);
     }
-    Ok(true)
+    let write: Box<dyn FnOnce(&mut dyn Write) -> io::Result<()>> = match (&history.log, format) {
+        (None, TableFormat::Csv) => Box::new(|out| history_csv(columns, out)),
+        (Some(log), TableFormat::Csv) => Box::new(|out| log_csv(columns, log, out)),
+        (None, format) => {
+            let bytes = format.bytes(columns)?;
+            Box::new(move |out| out.write_all(&bytes))
+        }
+        (Some(log), format) => {
+            let mut table = output::spool(arguments.out.as_deref())?;
+            let mut buffered = BufWriter::new(table.as_file_mut());
+            format.copy_log(&mut buffered, columns, log)?;
+            drop(buffered);
+            table.rewind().map_err(|cause| Failure::Write { path: "table".into(), cause })?;
+            Box::new(move |out| io::copy(table.as_file_mut(), out).map(drop))
+        }
+    };
+    match &arguments.out {
+        Some(path) => Ok(output::to_file(path, arguments.overwrite, write)?.told(path)),
+        None => output::to_stdout(interrupt, write).map(|()| true),
+    }
 }

@@ -32,7 +32,7 @@ fn figures_are_listed_and_drawn() {
     let listed = ran("plot spin").stdout;
     assert_eq!(
         listed.lines().collect::<Vec<_>>(),
-        ["spin", "energy", "nutation", "difference", "campbell", "sphere"]
+        ["spin", "energy", "nutation", "difference", "campbell", "sphere", "motion"]
     );
     for figure in listed.lines() {
         let drawn = ran(&format!("plot spin --figure {figure}"));
@@ -67,7 +67,7 @@ fn format_is_asked_for_or_that_of_the_name() {
 
 #[test]
 fn figure_that_a_record_lacks_is_refused_by_name() {
-    assert_snapshot!(one_line(ran("plot spin --figure wobble").refusal()), @r#"quasirigid: spin: the record has no figure "wobble"; it has spin, energy, nutation, difference, campbell, sphere"#);
+    assert_snapshot!(one_line(ran("plot spin --figure wobble").refusal()), @r#"quasirigid: spin: the record has no figure "wobble"; it has spin, energy, nutation, difference, campbell, sphere, motion"#);
     assert!(ran("plot nowhere").refusal().contains("nowhere"));
 }
 

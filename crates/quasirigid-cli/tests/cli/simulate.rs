@@ -212,3 +212,29 @@ fn object_of_a_history_holds_the_shares_of_dissipators() {
         assert!((share - other).abs() < 0.02, "{name}: {share} {other}");
     }
 }
+
+/// Beyond 100 000 rows a table goes to the disk as it comes: the bytes are those of one that memory holds, and nothing else is left.
+#[test]
+fn long_tables_are_those_of_memory() {
+    let folder = folder_of("three-masses");
+    let line = |options: &str| format!("simulate model.toml --duration 20 --system rigid --quiet {options}");
+    assert_eq!(ran_in(folder.path(), &line("--samples 100002 --out long.csv")).code, Some(0));
+    let printed = ran_in(folder.path(), &line("--samples 100002")).stdout;
+    let long = std::fs::read_to_string(folder.path().join("long.csv")).unwrap();
+    assert!(long == printed && long.lines().count() == 100_003);
+    for format in ["parquet", "npz"] {
+        let out = format!("long.{format}");
+        assert_eq!(
+            ran_in(folder.path(), &line(&format!("--samples 100002 --format {format} --out {out}"))).code,
+            Some(0)
+        );
+        assert!(std::fs::metadata(folder.path().join(out)).unwrap().len() > 1_000_000);
+    }
+    let ends = Table::of(&ran_in(folder.path(), &line("--samples 2")).stdout);
+    let last: Vec<f64> =
+        long.lines().last().unwrap().split(',').map(|number| number.parse().unwrap()).collect();
+    assert_eq!(last[0], ends.rows[1][0]);
+    let mut left = crate::support::names(folder.path());
+    left.retain(|name| name.starts_with('.'));
+    assert!(left.is_empty(), "{left:?}");
+}

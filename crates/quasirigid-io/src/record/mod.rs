@@ -33,7 +33,7 @@ pub use sweep::{
     CorrelationRecord, InputRecord, IntervalRecord, PercentileRecord, QuantityRecord, ReasonRecord,
     SweepColumn, SweepRecord, UncertaintyRecord, percentile,
 };
-pub use table::{Extremes, MOST_ROWS, RowLog, RowTable, TableFormat, history_csv};
+pub use table::{Extremes, MOST_ROWS, RowLog, RowTable, TableFormat, history_csv, log_csv};
 
 /// Version of the layout of a record's folder: its files, their keys and columns. A reader refuses later ones; a key that is new and may be
 /// missing makes no new version.

@@ -73,12 +73,17 @@ proptest! {
             (response.budget(&motion), response.mean_power(&motion)),
             (reduced.power_budget(omega), reduced.dissipated_power(omega)),
         ];
+        let whole_power = roads[1].1;
         for (budget, whole) in roads {
             let found: Vec<_> = budget.iter().map(|(name, _)| name.clone()).collect();
             prop_assert_eq!(&found, &names);
             prop_assert!((sum(&budget) / whole - 1.0).abs() < 1e-11, "{:?} {}", budget, whole);
             prop_assert!(budget.iter().all(|(_, power)| *power > -1e-12 * whole));
         }
+        for ((_, power), taken) in response.harmonic_powers(&motion).zip(response.harmonic_budgets(&motion)) {
+            prop_assert!((taken.iter().sum::<f64>() - power).abs() < 1e-11 * whole_power, "{:?} {}", taken, power);
+        }
+        prop_assert!(response.dissipators().eq(names.iter().map(String::as_str)));
         let stiff = body.stiffened(0.5).unwrap();
         prop_assert_eq!(stiff.dissipators()[0].damping.diagonal(), body.dissipators()[0].damping.scaled(2.0).diagonal());
         prop_assert!(body.stiff_outside().dissipators().is_empty());

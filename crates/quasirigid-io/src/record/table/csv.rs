@@ -9,7 +9,7 @@ use csv::{ByteRecord, ReaderBuilder, Writer};
 
 use super::super::folder::unusable;
 use super::super::{Column, RecordError};
-use super::{Rows, Take};
+use super::{RowTable, Rows, Take};
 
 /// Writes the columns of a history, or of the evolution, as CSV: a header of names, then one line per row.
 ///
@@ -29,6 +29,17 @@ pub fn history_csv(columns: &[Column], out: impl Write) -> io::Result<()> {
         lines.push(columns.iter().map(|column| column.values[row]))?;
     }
     lines.out.flush()
+}
+
+/// Writes the rows of a log as [`history_csv`] writes columns.
+///
+/// # Errors
+/// What `out` reports, a closed pipe included, or the file of the log.
+pub fn log_csv(columns: &[Column], log: &RowTable, out: impl Write) -> io::Result<()> {
+    write(Path::new("table.csv"), out, columns, log).map_err(|error| match error {
+        RecordError::File { kind, .. } => kind.into(),
+        other => io::Error::other(other),
+    })
 }
 
 /// Writes rows into a file.

@@ -11,7 +11,7 @@ use std::fs::File;
 use std::io::{BufWriter, Cursor, Seek, Write};
 use std::path::Path;
 
-pub use csv::history_csv;
+pub use csv::{history_csv, log_csv};
 pub use extremes::{Extremes, MOST_ROWS};
 pub use rows::{RowLog, RowTable};
 
@@ -50,6 +50,19 @@ impl TableFormat {
         let mut out = Cursor::new(Vec::new());
         self.fill(Path::new(&name), &mut out, columns, columns)?;
         Ok(out.into_inner())
+    }
+
+    /// Writes the rows of a log, row by row or column by column, so that they need no room in memory.
+    ///
+    /// # Errors
+    /// [`RecordError::File`], of the log or of `out`, and [`RecordError::Table`] for columns that the format cannot hold.
+    pub fn copy_log(
+        self,
+        out: &mut (impl Write + Seek + Send),
+        columns: &[Column],
+        log: &RowTable,
+    ) -> Result<(), RecordError> {
+        self.fill(Path::new(&format!("table.{}", self.ending())), out, columns, log)
     }
 
     /// Writes a table into a new file.

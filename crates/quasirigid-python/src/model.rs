@@ -9,12 +9,13 @@ use std::sync::{Arc, Mutex, PoisonError};
 use numpy::PyReadonlyArray2;
 use pyo3::prelude::*;
 use quasirigid_io::model::{self as file, EvolveMethod, Power, System, Verify};
+use quasirigid_io::record::TableFormat;
 use quasirigid_study::evolution::Asked;
 use quasirigid_study::histories::{Propagation, Table};
 use quasirigid_study::modes::{AskedSpin, PrincipalAxis};
 use quasirigid_study::{Study, StudyError};
 
-use crate::answers::{self, Answer, RunAnswer};
+use crate::answers::{self, Answer, RunAnswer, RunPlace};
 use crate::arguments::{Quantity, named};
 use crate::columns::Columns;
 use crate::ensemble::{self, Histories};
@@ -204,18 +205,32 @@ impl Model {
     }
 
     /// The main job, and its record.
-    #[pyo3(signature = (folder, settings, order, observer))]
+    #[pyo3(signature = (folder, tables, resume, settings, order, observer))]
     fn run(
         &self,
         py: Python<'_>,
         folder: Option<PathBuf>,
+        tables: Option<Vec<String>>,
+        resume: bool,
         settings: Settings,
         order: Option<usize>,
         observer: Observer,
     ) -> PyResult<RunAnswer> {
         let propagation = settings.propagation()?;
+        let formats = |names: Vec<String>| {
+            let format = |name: &String| named::<TableFormat>(Some(name), "tables");
+            names.iter().map(format).collect::<Result<Option<Vec<_>>, _>>()
+        };
+        let tables = tables.map(formats).transpose()?.flatten();
+        let place = match folder {
+            Some(folder) => Some(RunPlace { folder, tables, resume }),
+            None if resume || tables.is_some() => {
+                return Err(Failure::Input("tables and resume need the folder of the record".into()).into());
+            }
+            None => None,
+        };
         Ok(interruptible(py, observer.as_ref(), |shared| {
-            answers::run(&*self.study(order)?, &propagation, folder.as_deref(), shared)
+            answers::run(&*self.study(order)?, &propagation, place.as_ref(), shared)
         })?)
     }
 

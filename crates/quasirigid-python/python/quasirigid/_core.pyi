@@ -96,7 +96,13 @@ class Model:
         observer: _Observer,
     ) -> _Answer: ...
     def run(
-        self, folder: str | None, settings: dict[str, Any], order: int | None, observer: _Observer
+        self,
+        folder: str | None,
+        tables: list[str] | None,
+        resume: bool,
+        settings: dict[str, Any],
+        order: int | None,
+        observer: _Observer,
     ) -> RunAnswer: ...
     def cite(self) -> str: ...
 

@@ -205,30 +205,17 @@ impl Model {
     }
 
     /// The main job, and its record.
-    #[pyo3(signature = (folder, tables, resume, settings, order, observer))]
+    #[pyo3(signature = (place, settings, order, observer))]
     fn run(
         &self,
         py: Python<'_>,
-        folder: Option<PathBuf>,
-        tables: Option<Vec<String>>,
-        resume: bool,
+        place: Option<Place>,
         settings: Settings,
         order: Option<usize>,
         observer: Observer,
     ) -> PyResult<RunAnswer> {
         let propagation = settings.propagation()?;
-        let formats = |names: Vec<String>| {
-            let format = |name: &String| named::<TableFormat>(Some(name), "tables");
-            names.iter().map(format).collect::<Result<Option<Vec<_>>, _>>()
-        };
-        let tables = tables.map(formats).transpose()?.flatten();
-        let place = match folder {
-            Some(folder) => Some(RunPlace { folder, tables, resume }),
-            None if resume || tables.is_some() => {
-                return Err(Failure::Input("tables and resume need the folder of the record".into()).into());
-            }
-            None => None,
-        };
+        let place = place.map(Place::read).transpose()?;
         Ok(interruptible(py, observer.as_ref(), |shared| {
             answers::run(&*self.study(order)?, &propagation, place.as_ref(), shared)
         })?)
@@ -237,6 +224,24 @@ impl Model {
     /// BibTeX entries of what the model uses.
     fn cite(&self) -> String {
         quasirigid_study::cite::bibtex(&self.parsed)
+    }
+}
+
+/// Place of the record of a run, as a dictionary.
+#[derive(FromPyObject)]
+#[pyo3(from_item_all)]
+pub struct Place {
+    folder: PathBuf,
+    tables: Option<Vec<String>>,
+    resume: bool,
+}
+
+impl Place {
+    fn read(self) -> Result<RunPlace, Failure> {
+        let Self { folder, tables, resume } = self;
+        let format = |name: &String| named::<TableFormat>(Some(name), "tables");
+        let formats = |names: Vec<String>| names.iter().map(format).collect::<Result<Option<Vec<_>>, _>>();
+        Ok(RunPlace { folder, tables: tables.map(formats).transpose()?.flatten(), resume })
     }
 }
 

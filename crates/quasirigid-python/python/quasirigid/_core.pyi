@@ -97,9 +97,7 @@ class Model:
     ) -> _Answer: ...
     def run(
         self,
-        folder: str | None,
-        tables: list[str] | None,
-        resume: bool,
+        place: dict[str, Any] | None,
         settings: dict[str, Any],
         order: int | None,
         observer: _Observer,

@@ -435,11 +435,13 @@ class Model:
             InputError: for ``tables`` or ``resume`` without a folder, and for a run that is not there to go on with, or is another.
             StartError: for a start that is none.
         """
-        path = None if folder is None else _path(folder, "folder")
+        if folder is None and (tables is not None or resume):
+            raise InputError("tables and resume need the folder of the record")
         formats = tables.split(",") if isinstance(tables, str) else None if tables is None else list(tables)
+        place = None if folder is None else {"folder": _path(folder, "folder"), "tables": formats, "resume": bool(resume)}
         settings = _settings(duration, samples, tolerance, form, method)
         with observer(progress) as watch:
-            return Run(self._core.run(path, formats, resume, settings, _arguments.count(order, "order"), watch))
+            return Run(self._core.run(place, settings, _arguments.count(order, "order"), watch))
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Model):

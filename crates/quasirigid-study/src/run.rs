@@ -245,10 +245,11 @@ impl<'a> Plan<'a> {
             record.notes.push(format!("{DISPLACED}: {SETTLES}."));
         }
         let forced = self.motion.system().acts();
-        let note = |each: &HistoryRecord| {
+        let note = |each: &&HistoryRecord| each.system != System::Manifold.name();
+        let drift = |each: &HistoryRecord| {
             drift_note(&each.system, forced, each.energy, [each.energy_drift, each.dissipated])
         };
-        record.notes.extend(record.histories.iter().filter_map(note));
+        record.notes.extend(record.histories.iter().filter(note).filter_map(drift));
         Ok(())
     }
 

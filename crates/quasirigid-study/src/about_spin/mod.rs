@@ -233,7 +233,7 @@ impl AboutSpin<'_> {
 
     /// Reason for which they do not hold, in words.
     fn reason(&self) -> Option<String> {
-        let percent = significant(100.0 * self.range.share, 2);
+        let percent = significant(100.0 * self.range.share, 1);
         let fails = "The reduced equations about the spin DO NOT HOLD";
         if let Some(mode) = self.manifold.unstable() {
             return Some(format!(
@@ -275,7 +275,7 @@ impl AboutSpin<'_> {
             format!(
                 "The reduced equations about the spin hold to a nutation of {at_least}{} degrees within {} %.",
                 significant(self.range.nutation.to_degrees(), 3),
-                significant(100.0 * self.range.share, 2)
+                significant(100.0 * self.range.share, 1)
             )
         })
     }

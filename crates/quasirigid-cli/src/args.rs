@@ -327,13 +327,21 @@ pub struct Simulate {
 pub struct Verify {
     #[command(flatten)]
     pub common: Common,
-    /// Orders to verify, separated by commas [default: 1 to the model's order; from 0 with rotors or liquids]
+    /// State about which the equations expand
+    #[arg(long, value_enum, default_value_t = About::Rest)]
+    pub about: About,
+    #[command(flatten)]
+    pub manifold: Manifold,
+    /// Largest amplitude of the nutation about the spin, in degrees [default: 2.86, 0.05 rad]
+    #[arg(long, value_name = "DEGREES")]
+    pub amplitude: Option<f64>,
+    /// Orders to verify, separated by commas [default: 1 to the model's order; from 0 with rotors or liquids; about the spin degrees 1 to 3]
     #[arg(long, value_name = "P,P,P", value_delimiter = ',', allow_hyphen_values = true)]
     pub orders: Option<Vec<usize>>,
-    /// Revolutions of each history [default: 5]
+    /// Revolutions of each history [default: 5]; about the spin periods of the nutation [default: 1]
     #[arg(long, value_name = "N", allow_hyphen_values = true)]
     pub rotations: Option<f64>,
-    /// How often epsilon is halved [default: 4]
+    /// How often epsilon is halved [default: 4]; about the spin the amplitude [default: 3]
     #[arg(long, value_name = "N", allow_hyphen_values = true)]
     pub halvings: Option<usize>,
 }

@@ -1,11 +1,12 @@
 use quasirigid_io::model::Verify as Asked;
+use quasirigid_study::about_spin::{AskedSpinVerification, verification_json, verification_text};
 use quasirigid_study::beyond;
 use quasirigid_study::layout::paragraph;
 use quasirigid_study::verification::text;
 use serde_json::json;
 
-use super::{note_left_out, notes, open};
-use crate::args::Verify;
+use super::{manifold, note_left_out, notes, open};
+use crate::args::{About, Verify};
 use crate::failure::Failure;
 use crate::interrupt::Interrupt;
 use crate::message::remark;
@@ -14,6 +15,39 @@ use crate::{ExitStatus, output};
 
 /// Sets the full system against the reduced equations, and prints the differences with their order.
 pub fn verify(arguments: &Verify) -> Result<ExitStatus, Failure> {
+    match arguments.about {
+        About::Rest if arguments.manifold.is_given() || arguments.amplitude.is_some() => {
+            Err(Failure::NotAboutSpin { with: "--about spin" })
+        }
+        About::Rest => about_rest(arguments),
+        About::Spin => about_spin(arguments),
+    }
+}
+
+fn about_spin(arguments: &Verify) -> Result<ExitStatus, Failure> {
+    let study = open(&arguments.common)?;
+    notes(&study, &arguments.common);
+    let asked = AskedSpinVerification {
+        about: manifold(&arguments.manifold, None),
+        degrees: arguments.orders.clone(),
+        amplitude: arguments.amplitude.map(f64::to_radians),
+        periods: arguments.rotations,
+        halvings: arguments.halvings,
+    };
+    let interrupt = Interrupt::listen()?;
+    let found = study.verify_about_spin(&asked, &mut Terminal::new(&interrupt, arguments.common.quiet))?;
+    let Some(found) = found else {
+        remark("the verification was interrupted; nothing was measured");
+        return Ok(ExitStatus::CheckFailed);
+    };
+    output::print(&match arguments.common.json {
+        true => format!("{:#}\n", verification_json(&found)),
+        false => verification_text(&study.model.name, &found),
+    })?;
+    Ok(if found.reached() { ExitStatus::Done } else { ExitStatus::CheckFailed })
+}
+
+fn about_rest(arguments: &Verify) -> Result<ExitStatus, Failure> {
     let quiet = arguments.common.quiet;
     let study = open(&arguments.common)?;
     notes(&study, &arguments.common);

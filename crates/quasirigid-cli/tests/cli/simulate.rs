@@ -2,7 +2,7 @@
 //! Closed forms and invariants are the references: Euler's precession, constant angular momentum, dissipation equal to the loss.
 //! Propagation: (P1) to (P4), docs/theory/05-propagation.md.
 
-use crate::support::{EXAMPLES, Table, difference, folder_with, numbers, ran, ran_in, ran_with};
+use crate::support::{EXAMPLES, Table, difference, folder_of, folder_with, numbers, ran, ran_in, ran_with};
 
 const HEADER: &str = "t,wx,wy,wz,qw,qx,qy,qz,energy,momentum,dissipated,work,energy_drift,momentum_drift,\
                       x,y,z,vx,vy,vz,R0x,R0y,R0z";

@@ -117,6 +117,13 @@ impl AboutSpin<'_> {
             "resonances": resonances.iter().map(|(near, mode)| json!({
                 "exponents": near.exponents, "name": mode.name, "frequency": mode.frequency, "distance": near.distance,
             })).collect::<Vec<_>>(),
+            "met": self.met.iter().map(|met| json!({
+                "name": met.name, "harmonic": met.harmonic, "amplitude": met.amplitude, "nutation": met.nutation,
+                "frequency": met.frequency,
+            })).collect::<Vec<_>>(),
+            "whirl_onset": self.onset.as_ref().map(|onset| json!({
+                "spin": onset.spin, "name": onset.name, "frequency": onset.frequency,
+            })),
             "variables": self.variables(),
             "coordinates": names(&body.coordinates()[..elastic]),
             "rates": names(body.coordinates()),

@@ -3,14 +3,16 @@
 mod history;
 mod json;
 mod text;
+mod verification;
 
 use std::ops::ControlFlow;
 
 use quasirigid::dynamics::{FullState, Nutations};
 use quasirigid::model::{Mode, Principal};
-use quasirigid::modes::acts;
+use quasirigid::modes::{WhirlOnset, acts, whirl_onset};
 use quasirigid::submanifold::{
-    AmplitudeRange, Backbone, Defect, ManifoldStart, Masters, SpinManifold, SpinManifoldPlan, Style,
+    AmplitudeRange, Backbone, Defect, ManifoldStart, Masters, MetResonance, SpinManifold, SpinManifoldPlan,
+    Style,
 };
 use quasirigid_io::model::{Manifold, ManifoldMasters, ManifoldStyle};
 use quasirigid_math::rotation::angle;
@@ -26,11 +28,15 @@ use crate::words::{displaced, significant, time};
 
 pub use history::OnManifold;
 pub(crate) use history::follow;
+pub use verification::{AskedSpinVerification, verification_json, verification_text};
 
 /// Share of motion and dissipation that reduced equations about a spin may leave: the border of their range. (W11)
 pub const SHARE: f64 = 0.01;
 /// Degree without a given one.
 pub const DEGREE: usize = 5;
+/// Number of coordinates up to which the onset of whirl is looked for, and how much faster than the spin.
+const FEW: usize = 24;
+const FASTER: f64 = 10.0;
 /// Amplitudes of the backbone within the range, and beyond: a point lies on the border.
 const WITHIN: usize = 32;
 const BEYOND: usize = 8;
@@ -81,6 +87,10 @@ pub struct AboutSpin<'a> {
     pub start: Option<StartWithin>,
     /// Losses that the equations of motion leave out.
     pub left_out: LeftOut,
+    /// Resonances of modes left out that the nutation meets within its range.
+    pub met: Vec<MetResonance>,
+    /// Onset of whirl above the spin, up to ten times as fast; none where it was not looked for or not found.
+    pub onset: Option<WhirlOnset>,
 }
 
 impl Study {
@@ -111,7 +121,23 @@ pub(crate) fn about<'a>(
     let backbone = manifold.backbone(inside * count as f64 / WITHIN as f64, count);
     let start = state.map(|state| within(&manifold, &range, &state));
     let left_out = LeftOut::at(motion.study(), manifold.spin.omega, None);
-    Ok(AboutSpin { study: motion.study(), manifold, axis, range, backbone, start, left_out })
+    let met = manifold.resonances_met(range.amplitude);
+    let onset = onset(&manifold, axis, watch);
+    Ok(AboutSpin { study: motion.study(), manifold, axis, range, backbone, start, left_out, met, onset })
+}
+
+/// Onset of whirl above the steady spin of a body of few coordinates.
+fn onset(
+    manifold: &SpinManifold,
+    axis: PrincipalAxis,
+    watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
+) -> Option<WhirlOnset> {
+    if manifold.body.coordinates().len() > FEW || manifold.unstable().is_some() {
+        return None;
+    }
+    let mode = if axis == PrincipalAxis::Least { Mode::LongAxis } else { Mode::ShortAxis };
+    let spin = manifold.rate();
+    whirl_onset(manifold.body, mode, [spin, FASTER * spin], watch)
 }
 
 /// Reduced equations about a spin, with the state of the start where it circles that spin.
@@ -126,6 +152,27 @@ fn derived<'a>(
     asked: &AskedManifold,
     watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
 ) -> Result<Derived<'a>, StudyError> {
+    let body = motion.body;
+    let Planned { plan, axis, circled, state } = planned(motion, asked)?;
+    let manifold = SpinManifold::derive(body, &plan, watch)?;
+    if let Some(left) = body.left_range(&manifold.spin.q) {
+        return Err(StudyError::SteadySpinBeyond { what: displaced(body, left) });
+    }
+    if let Masters::With(frequencies) = &plan.masters {
+        there(&manifold, frequencies)?;
+    }
+    Ok(Derived { manifold, axis, state: (axis == circled).then_some(state) })
+}
+
+/// Plan of the equations about the spin of a start, with the axes of the spin and of the start.
+struct Planned {
+    plan: SpinManifoldPlan,
+    axis: PrincipalAxis,
+    circled: PrincipalAxis,
+    state: FullState,
+}
+
+fn planned(motion: &Motion<'_>, asked: &AskedManifold) -> Result<Planned, StudyError> {
     let (study, body) = (motion.study(), motion.body);
     if acts(body, motion.forces) {
         return Err(StudyError::ForcesAboutSpin {
@@ -144,15 +191,7 @@ fn derived<'a>(
         PrincipalAxis::Greatest => Mode::ShortAxis,
         PrincipalAxis::Middle => return Err(StudyError::MiddleAxis),
     };
-    let plan = plan(study, &asked.settings, mode, K);
-    let manifold = SpinManifold::derive(body, &plan, watch)?;
-    if let Some(left) = body.left_range(&manifold.spin.q) {
-        return Err(StudyError::SteadySpinBeyond { what: displaced(body, left) });
-    }
-    if let Masters::With(frequencies) = &plan.masters {
-        there(&manifold, frequencies)?;
-    }
-    Ok(Derived { manifold, axis, state: (axis == circled).then_some(state) })
+    Ok(Planned { plan: plan(study, &asked.settings, mode, K), axis, circled, state })
 }
 
 /// The principal axis of the frozen body that an angular momentum circles; the nearer of the outer two on a separatrix.
@@ -235,11 +274,10 @@ impl AboutSpin<'_> {
     fn reason(&self) -> Option<String> {
         let percent = significant(100.0 * self.range.share, 1);
         let fails = "The reduced equations about the spin DO NOT HOLD";
-        if let Some(mode) = self.manifold.unstable() {
+        if let Some((name, decay_rate)) = self.manifold.unstable() {
             return Some(format!(
-                "{fails}: the steady spin is unstable, a motion of {} grows e-fold in {}.",
-                mode.name,
-                time(-mode.decay_rate.recip())
+                "{fails}: the steady spin is unstable, a motion of {name} grows e-fold in {}.",
+                time(-decay_rate.recip())
             ));
         }
         if self.range.amplitude <= 0.0 {

@@ -53,6 +53,7 @@ impl AboutSpin<'_> {
         self.write_masters(out)?;
         self.write_backbone(out)?;
         self.write_outer(out)?;
+        self.write_events(out)?;
         self.write_rates(out)
     }
 
@@ -150,6 +151,30 @@ impl AboutSpin<'_> {
         }
         if near.len() > LISTED {
             writeln!(out, "  and {} more near resonances (all in JSON)", near.len() - LISTED)?;
+        }
+        Ok(())
+    }
+
+    /// Resonances met within the range, and the onset of whirl.
+    fn write_events(&self, out: &mut String) -> fmt::Result {
+        for met in self.met.iter().take(LISTED) {
+            let words = format!(
+                "at a nutation of {} degrees harmonic {} meets {}, {} rad/s, which may be captured: follow its mode too",
+                significant(met.nutation.to_degrees(), 3),
+                met.harmonic,
+                met.name,
+                significant(met.frequency, 4)
+            );
+            writeln!(out, "{}", paragraph(&words, "  ", "    "))?;
+        }
+        if let Some(onset) = &self.onset {
+            let words = format!(
+                "onset of whirl: from {} rad/s on, {} times this spin, a motion of {} grows",
+                significant(onset.spin, 4),
+                significant(onset.spin / self.manifold.rate(), 3),
+                onset.name
+            );
+            writeln!(out, "{}", paragraph(&words, "  ", "    "))?;
         }
         Ok(())
     }

@@ -11,6 +11,7 @@ use quasirigid::reduction::{Validity, Verdict};
 use quasirigid_io::record::SteadySpinRecord;
 use serde_json::{Value, json};
 
+use crate::about_spin::AskedManifold;
 use crate::error::StudyError;
 use crate::left_out::LeftOut;
 use crate::liquids::{Liquid, liquids};
@@ -39,8 +40,23 @@ pub struct CheckReport<'a> {
     pub left_out: LeftOut,
     /// Steady state under the forces, in words, where moments act.
     pub under_forces: Option<String>,
+    /// Reduced equations about the spin, tried where those about rest fail.
+    pub about_spin: Option<InsteadOfRest>,
 }
 
+/// Verdict on the reduced equations about the spin, where those about rest fail.
+#[derive(Clone, Debug)]
+pub struct InsteadOfRest {
+    /// Whether they hold at the start.
+    pub holds: bool,
+    /// The verdict in words.
+    pub sentence: String,
+    /// For machines: range, masters and resonances; none where there are no such equations.
+    pub json: Value,
+}
+
+/// Coordinates of a body up to which the reduced equations about the spin take a moment.
+const TRIED: usize = 60;
 /// Coordinates of a body whose modes under forces take a moment.
 const FEW: usize = 60;
 
@@ -59,7 +75,7 @@ impl Study {
         let known = validity.verdict() != Verdict::Fails && body.viscoelastic().is_empty();
         let budget = if known { shares(&reduced.power_budget(omega)) } else { BTreeMap::new() };
         let steady::Poles { records: spins, nearest } = steady::at_start(&motion, self)?;
-        Ok(CheckReport {
+        let mut report = CheckReport {
             study: self,
             reduced,
             omega,
@@ -69,7 +85,29 @@ impl Study {
             spins,
             left_out: LeftOut::at(self, omega, nearest),
             under_forces: under_forces(self)?,
-        })
+            about_spin: None,
+        };
+        if !report.holds() {
+            report.about_spin = Some(about_spin(self));
+        }
+        Ok(report)
+    }
+}
+
+/// Tries the reduced equations about the spin.
+fn about_spin(study: &Study) -> InsteadOfRest {
+    let none = |sentence: String| InsteadOfRest { holds: false, sentence, json: Value::Null };
+    let coordinates = study.body.coordinates().len();
+    if coordinates > TRIED {
+        return none(format!(
+            "Reduced equations about the spin were not tried for a body of {coordinates} coordinates; `derive --about spin` does."
+        ));
+    }
+    match study.about_spin(&AskedManifold::default()) {
+        Ok(found) => {
+            InsteadOfRest { holds: found.holds(), sentence: found.sentence(), json: found.short_json() }
+        }
+        Err(error) => none(format!("There are no reduced equations about the spin: {error}.")),
     }
 }
 
@@ -92,6 +130,16 @@ impl CheckReport<'_> {
     pub fn holds(&self) -> bool {
         let fails = [self.validity.verdict(), self.validity.dissipation()].contains(&Verdict::Fails);
         !fails && self.left_out.liquids.is_none()
+    }
+
+    /// The reduction that holds: `rest`, `spin`, or `none`.
+    #[must_use]
+    pub fn reduction(&self) -> &'static str {
+        match &self.about_spin {
+            _ if self.holds() => "rest",
+            Some(about) if about.holds => "spin",
+            _ => "none",
+        }
     }
 
     /// The verdict in a sentence or two.
@@ -139,6 +187,10 @@ impl CheckReport<'_> {
             "degrees": validity.degrees.iter()
                 .map(|d| json!({ "degree": d.degree, "size": d.size })).collect::<Vec<_>>(),
             "optimal_order": validity.optimal_order,
+            "reduction": self.reduction(),
+            "about_spin": self.about_spin.as_ref().map(|about| json!({
+                "holds": about.holds, "sentence": about.sentence, "equations": about.json,
+            })),
             "dissipation": budget,
             "steady_spins": spins,
             "left_out": left_out.notes(),

@@ -29,7 +29,8 @@ pub(super) fn text(report: &CheckReport) -> String {
     let Study { model, body, condensation, .. } = study;
     let omega = report.omega;
     let mut text = String::new();
-    write(&mut text, &model.name, reduced, (omega, without(study)), validity)
+    let about = report.about_spin.as_ref().map(|about| about.sentence.as_str());
+    write(&mut text, (&model.name, about), reduced, (omega, without(study)), validity)
         .expect("a string takes any text");
     report.start.iter().for_each(|start| text.push_str(&settled(*start, omega)));
     text.push_str(&steady::lines(spins));
@@ -76,7 +77,7 @@ fn settled(start: [f64; 3], omega: [f64; 3]) -> String {
 
 fn write(
     out: &mut String,
-    name: &str,
+    (name, about_spin): (&str, Option<&str>),
     reduced: &ReducedBody,
     (omega, without): ([f64; 3], &str),
     validity: &Validity,
@@ -84,6 +85,9 @@ fn write(
     writeln!(out, "{}", paragraph(&format!("{name}: {}", verdict(validity)), "", "  "))?;
     for reason in reasons(validity) {
         writeln!(out, "{}", paragraph(&reason, "  - ", "    "))?;
+    }
+    if let Some(words) = about_spin {
+        writeln!(out, "{}", paragraph(words, "  + ", "    "))?;
     }
     times(out, validity)?;
     writeln!(out, "\nCriteria                          symbol                 value  limit  verdict")?;

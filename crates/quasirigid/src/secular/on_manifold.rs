@@ -37,6 +37,8 @@ const FIRST: f64 = 0.05;
 const LONGER: f64 = 1.5;
 /// Longest piece, in decay times of the nutation.
 const LONGEST: f64 = 1.0;
+/// Phase of the nutation (rad) by which the energy, which falls unevenly, comes to a value sooner or later than between rows.
+const LAGS: f64 = 0.1;
 /// Rows over which the power at the end is taken.
 const SLOPE: usize = 12;
 /// Rows in a piece, and limit of pieces.
@@ -113,7 +115,8 @@ impl<'a, 'b> History<'a, 'b> {
         let power = (behind.energy - last.energy) / (last.t - behind.t);
         let energy = self.from.left_out * (first.energy - self.steady).abs() + self.drift;
         let late = if energy == 0.0 { 0.0 } else { energy / (power * last.t).abs() };
-        let error = self.motion + drift + self.from.left_out + late;
+        let uneven = LAGS / (self.manifold.masters[0].frequency * last.t);
+        let error = self.motion + drift + self.from.left_out + late + uneven;
         if error.is_nan() { f64::INFINITY } else { error }
     }
 

@@ -114,11 +114,15 @@ impl<'a> SpinManifold<'a> {
         &self.observables.direction
     }
 
-    /// Mode left out that grows; none if none does. The motion then leaves the manifold by itself.
+    /// Name and decay rate (1/s, negative) of a mode beside the nutation that grows; none if none does. The motion then leaves the nutation by
+    /// itself.
     #[must_use]
-    pub fn unstable(&self) -> Option<&OuterMode> {
-        let grows = |mode: &&OuterMode| mode.decay_rate < -ROUNDING * mode.decay_rate.hypot(mode.frequency);
-        self.outer.iter().find(grows)
+    pub fn unstable(&self) -> Option<(&str, f64)> {
+        let masters =
+            self.masters[1..].iter().map(|mode| (mode.name.as_str(), mode.decay_rate, mode.frequency));
+        let outer = self.outer.iter().map(|mode| (mode.name.as_str(), mode.decay_rate, mode.frequency));
+        let grows = |(_, decay, frequency): &(&str, f64, f64)| *decay < -ROUNDING * decay.hypot(*frequency);
+        masters.chain(outer).find(grows).map(|(name, decay, _)| (name, decay))
     }
 
     /// Modes left out that a monomial of the masters comes near, nearest first: each limits the range. (W6)

@@ -1,0 +1,121 @@
+//! Verification of the reduced equations about a spin against the full system: plan, run, JSON and text.
+
+use std::fmt::{self, Write};
+
+use quasirigid::verification::{
+    SpinVerification, SpinVerificationPlan, VerificationError, verify_about_spin,
+};
+use serde_json::{Value, json};
+
+use super::{AskedManifold, Planned, planned};
+use crate::error::StudyError;
+use crate::layout::paragraph;
+use crate::motion::Motion;
+use crate::study::Study;
+use crate::watch::Watch;
+use crate::words::{significant, time};
+
+/// Request for a verification about the spin; absent settings are the defaults.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct AskedSpinVerification {
+    /// Masters, style and axis; the degree is not read.
+    pub about: AskedManifold,
+    /// Degrees, 1 to 3 by default.
+    pub degrees: Option<Vec<usize>>,
+    /// Largest amplitude of the nutation (rad), 0.05 by default.
+    pub amplitude: Option<f64>,
+    /// Periods of the nutation, 1 by default.
+    pub periods: Option<f64>,
+    /// Halvings of the amplitude, 3 by default.
+    pub halvings: Option<usize>,
+}
+
+/// Amplitude (rad) and number of times without given ones.
+const AMPLITUDE: f64 = 0.05;
+const SAMPLES: usize = 50;
+const STAGE: &str = "verifying";
+
+impl Study {
+    /// Verifies the reduced equations about the spin of a study; none if the watch ended it. (W14)
+    ///
+    /// # Errors
+    /// [`StudyError`] for a start that is none, and where there are no such equations.
+    pub fn verify_about_spin(
+        &self,
+        asked: &AskedSpinVerification,
+        watch: &mut dyn Watch,
+    ) -> Result<Option<SpinVerification>, StudyError> {
+        let Planned { plan: about, .. } = planned(&Motion::new(self, self.initial()?), &asked.about)?;
+        let plan = SpinVerificationPlan {
+            about,
+            degrees: asked.degrees.clone().unwrap_or_else(|| vec![1, 2, 3]),
+            amplitude: asked.amplitude.unwrap_or(AMPLITUDE),
+            halvings: asked.halvings.unwrap_or(3),
+            periods: asked.periods.unwrap_or(1.0),
+            samples: SAMPLES,
+        };
+        match verify_about_spin(&self.body, &plan, &mut |share| watch.at(STAGE, share)) {
+            Err(VerificationError::Interrupted) => Ok(None),
+            found => Ok(Some(found?)),
+        }
+    }
+}
+
+/// The verification as JSON.
+#[must_use]
+pub fn verification_json(found: &SpinVerification) -> Value {
+    let rows = found.rows.iter().map(|row| {
+        let of = |value: fn(&quasirigid::verification::Difference) -> f64| -> Vec<f64> {
+            row.differences.iter().map(value).collect()
+        };
+        json!({
+            "p": row.degree,
+            "order": row.order,
+            "expected": row.degree + 1,
+            "reached": row.reached(),
+            "amplitudes": found.amplitudes,
+            "errors": of(|difference| difference.omega),
+            "attitude": of(|difference| difference.attitude),
+        })
+    });
+    let orders: Vec<Value> = rows.collect();
+    json!({ "about": "spin", "reached": found.reached(), "duration": found.duration, "orders": orders })
+}
+
+/// The differences and their orders, for a terminal of 80 columns.
+#[must_use]
+pub fn verification_text(name: &str, found: &SpinVerification) -> String {
+    let mut text = String::new();
+    write(&mut text, name, found).expect("a string takes any text");
+    text
+}
+
+/// Columns that fit a terminal.
+const COLUMNS: usize = 5;
+
+fn write(out: &mut String, name: &str, found: &SpinVerification) -> fmt::Result {
+    let title = format!(
+        "{name}: the full system against the reduced equations about the spin over {}, from points of their manifold at \
+         nutations of {} degrees and its halves.",
+        time(found.duration),
+        significant(found.amplitudes[0].to_degrees(), 3)
+    );
+    writeln!(out, "{}", paragraph(&title, "", "  "))?;
+    writeln!(out, "\n  Largest difference in spin, relative to the spin")?;
+    write!(out, "   p")?;
+    for amplitude in found.amplitudes.iter().take(COLUMNS) {
+        write!(out, " {:>9}", format!("{} deg", significant(amplitude.to_degrees(), 2)))?;
+    }
+    writeln!(out, "   order (expected)")?;
+    for row in &found.rows {
+        write!(out, "  {:>2}", row.degree)?;
+        for difference in row.differences.iter().take(COLUMNS) {
+            write!(out, " {:>9.2e}", difference.omega)?;
+        }
+        let order = row.order.map_or("below rounding".into(), |order| format!("{order:.3}"));
+        let missed = if row.reached() { "" } else { " NOT REACHED" };
+        writeln!(out, "   {order} ({}){missed}", row.degree + 1)?;
+    }
+    let verdict = if found.reached() { "Every order is reached." } else { "NOT EVERY ORDER IS REACHED." };
+    writeln!(out, "\n{verdict}")
+}

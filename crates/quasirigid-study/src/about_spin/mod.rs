@@ -2,6 +2,7 @@
 
 mod history;
 mod json;
+mod record;
 mod text;
 mod verification;
 
@@ -34,6 +35,10 @@ pub use verification::{AskedSpinVerification, verification_json, verification_te
 pub const SHARE: f64 = 0.01;
 /// Degree without a given one.
 pub const DEGREE: usize = 5;
+/// Degrees tried where the start lies outside the range of the usual one.
+const HIGHER: [usize; 2] = [7, 9];
+/// Coordinates of a body up to which the equations take a moment, and are tried unasked.
+pub(crate) const TRIED: usize = 60;
 /// Number of coordinates up to which the onset of whirl is looked for, and how much faster than the spin.
 const FEW: usize = 24;
 const FASTER: f64 = 10.0;
@@ -106,6 +111,40 @@ impl Study {
         };
         about(&Motion::new(self, self.initial()?), asked, &mut ask)
     }
+
+    /// Derives the reduced equations about the steady spin of the lowest degree among a few at which they hold at the start, unless the
+    /// file chooses a degree; where none holds, of the highest degree tried.
+    ///
+    /// # Errors
+    /// As [`about_spin`](Self::about_spin).
+    pub fn about_spin_that_holds(&self) -> Result<AboutSpin<'_>, StudyError> {
+        watch::stage("expanding about the spin");
+        let mut ask = |share: f64| {
+            watch::progress(share);
+            ControlFlow::Continue(())
+        };
+        that_holds(&Motion::new(self, self.initial()?), &mut ask)
+    }
+}
+
+/// The reduced equations about the steady spin of a motion, of the lowest degree among a few at which they hold at the start: that of the
+/// file alone, where the file has one; where none holds, the highest.
+pub(crate) fn that_holds<'a>(
+    motion: &Motion<'a>,
+    watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
+) -> Result<AboutSpin<'a>, StudyError> {
+    let file = motion.study().model.run.manifold.as_ref().and_then(|manifold| manifold.degree);
+    let mut asked = AskedManifold::default();
+    let mut found = about(motion, &asked, watch)?;
+    for degree in HIGHER {
+        let outside = found.start.as_ref().is_some_and(|start| !start.within);
+        if file.is_some() || !outside || found.range.amplitude <= 0.0 {
+            break;
+        }
+        asked.settings.degree = Some(degree);
+        found = about(motion, &asked, watch)?;
+    }
+    Ok(found)
 }
 
 /// The reduced equations about the steady spin of a motion, with their range and backbone.
@@ -311,9 +350,10 @@ impl AboutSpin<'_> {
         self.reason().unwrap_or_else(|| {
             let at_least = if self.range.beyond { "at least " } else { "" };
             format!(
-                "The reduced equations about the spin hold to a nutation of {at_least}{} degrees within {} %.",
+                "The reduced equations about the spin hold to a nutation of {at_least}{} degrees within {} % at degree {}.",
                 significant(self.range.nutation.to_degrees(), 3),
-                significant(100.0 * self.range.share, 1)
+                significant(100.0 * self.range.share, 1),
+                self.manifold.degree()
             )
         })
     }

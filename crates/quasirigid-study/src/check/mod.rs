@@ -11,7 +11,7 @@ use quasirigid::reduction::{Validity, Verdict};
 use quasirigid_io::record::SteadySpinRecord;
 use serde_json::{Value, json};
 
-use crate::about_spin::AskedManifold;
+use crate::about_spin::TRIED;
 use crate::error::StudyError;
 use crate::left_out::LeftOut;
 use crate::liquids::{Liquid, liquids};
@@ -55,8 +55,6 @@ pub struct InsteadOfRest {
     pub json: Value,
 }
 
-/// Coordinates of a body up to which the reduced equations about the spin take a moment.
-const TRIED: usize = 60;
 /// Coordinates of a body whose modes under forces take a moment.
 const FEW: usize = 60;
 
@@ -103,7 +101,7 @@ fn about_spin(study: &Study) -> InsteadOfRest {
             "Reduced equations about the spin were not tried for a body of {coordinates} coordinates; `derive --about spin` does."
         ));
     }
-    match study.about_spin(&AskedManifold::default()) {
+    match study.about_spin_that_holds() {
         Ok(found) => {
             InsteadOfRest { holds: found.holds(), sentence: found.sentence(), json: found.short_json() }
         }

@@ -155,9 +155,10 @@ impl Study {
             evolution,
             scene: None,
         };
-        record.about_spin = plan.about_spin(holds, &mut record.notes, watch)?;
         let mut frames = None;
         plan.histories(&mut record, &mut frames, &mut kept, watch)?;
+        let enough = holds || left_out.liquids.is_some(); // the equations about the spin have the same liquids
+        record.about_spin = plan.about_spin(enough, &mut record.notes, watch)?;
         record.verification = plan.verification(&mut record.notes, watch)?;
         let equations = frames.as_ref().filter(|_| !motion.system().acts()).and_then(|frames| {
             let [first, .., last] = frames.samples.as_slice() else { return None };
@@ -228,21 +229,21 @@ impl<'a> Plan<'a> {
         self.study.model.run.manifold.is_some() || self.systems.contains(&System::Manifold)
     }
 
-    /// The reduced equations about the spin: where the file asks for them, and where those about rest fail and these hold.
+    /// The reduced equations about the spin: where the file asks for them, and where those about rest are not enough and these hold.
     fn about_spin(
         &self,
-        rest: bool,
+        enough: bool,
         notes: &mut Vec<String>,
         watch: &mut dyn Watch,
     ) -> Result<Option<AboutSpinRecord>, StudyError> {
         let asked = self.asks_about_spin();
-        if !asked && (rest || self.motion.body.coordinates().len() > about_spin::TRIED) {
+        if !asked && (enough || self.motion.body.coordinates().len() > about_spin::TRIED) {
             return Ok(None);
         }
         let found = about_spin::that_holds(self.motion, &mut |share| watch.at(STAGE, share));
         let missing = match found {
             Ok(found) => return Ok((asked || found.holds()).then(|| found.record())),
-            Err(StudyError::Interrupted) => UNEXPANDED.to_owned(),
+            Err(StudyError::Interrupted) if asked => UNEXPANDED.to_owned(),
             Err(error) if asked => format!("There are no reduced equations about the spin: {error}."),
             Err(_) => return Ok(None),
         };

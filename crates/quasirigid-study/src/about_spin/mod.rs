@@ -35,6 +35,9 @@ pub use verification::{AskedSpinVerification, verification_json, verification_te
 pub const SHARE: f64 = 0.01;
 /// Degree without a given one.
 pub const DEGREE: usize = 5;
+/// Number of masters up to which an expansion to the usual degree takes a moment, and the degree of those with more.
+const QUICK: usize = 4;
+const LOWER: usize = 3;
 /// Degrees tried where the start lies outside the range of the usual one.
 const HIGHER: [usize; 2] = [7, 9];
 /// Coordinates of a body up to which the equations take a moment, and are tried unasked.
@@ -127,18 +130,25 @@ impl Study {
     }
 }
 
-/// The reduced equations about the steady spin of a motion, of the lowest degree among a few at which they hold at the start: that of the
-/// file alone, where the file has one; where none holds, the highest.
+/// The reduced equations about the steady spin of a motion, of the lowest degree among a few at which they hold at the start; where none
+/// holds, the highest. The degree is that of the file, where the file has one, and a low one where many masters make it slow.
 pub(crate) fn that_holds<'a>(
     motion: &Motion<'a>,
     watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
 ) -> Result<AboutSpin<'a>, StudyError> {
     let file = motion.study().model.run.manifold.as_ref().and_then(|manifold| manifold.degree);
     let mut asked = AskedManifold::default();
+    if file.is_some() {
+        return about(motion, &asked, watch);
+    }
+    asked.settings.degree = Some(1);
+    let masters = derived(motion, &asked, watch)?.manifold.expansion().masters.len();
+    let quick = masters <= QUICK;
+    asked.settings.degree = Some(if quick { DEGREE } else { LOWER });
     let mut found = about(motion, &asked, watch)?;
-    for degree in HIGHER {
+    for degree in HIGHER.into_iter().filter(|_| quick) {
         let outside = found.start.as_ref().is_some_and(|start| !start.within);
-        if file.is_some() || !outside || found.range.amplitude <= 0.0 {
+        if !outside || found.range.amplitude <= 0.0 {
             break;
         }
         asked.settings.degree = Some(degree);

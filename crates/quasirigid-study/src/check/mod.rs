@@ -86,15 +86,18 @@ impl Study {
             about_spin: None,
         };
         if !report.holds() {
-            report.about_spin = Some(about_spin(self));
+            report.about_spin = Some(about_spin(self, &report.left_out));
         }
         Ok(report)
     }
 }
 
 /// Tries the reduced equations about the spin.
-fn about_spin(study: &Study) -> InsteadOfRest {
+fn about_spin(study: &Study, left_out: &LeftOut) -> InsteadOfRest {
     let none = |sentence: String| InsteadOfRest { holds: false, sentence, json: Value::Null };
+    if left_out.liquids.is_some() {
+        return none("Reduced equations about the spin have the same liquids, and were not tried.".into());
+    }
     let coordinates = study.body.coordinates().len();
     if coordinates > TRIED {
         return none(format!(

@@ -10,6 +10,7 @@ use std::path::{Path, PathBuf};
 use pyo3::prelude::*;
 use quasirigid_io::model::Verify;
 use quasirigid_io::record::{HistoryRecord, TableFormat};
+use quasirigid_study::about_spin::AskedManifold;
 use quasirigid_study::evolution::{self, Asked};
 use quasirigid_study::histories::{Propagation, Table};
 use quasirigid_study::layout::paragraph;
@@ -70,6 +71,20 @@ pub fn modes(study: &Study, asked: AskedSpin) -> Result<Answer, Failure> {
         notes: study.model.notes.clone(),
         numbers: BTreeMap::new(),
         columns: None,
+    })
+}
+
+/// Reduced equations about the spin; the table is the backbone.
+pub fn about_spin(study: &Study, asked: &AskedManifold) -> Result<Answer, Failure> {
+    let found = study.about_spin(asked)?;
+    Ok(Answer {
+        json: Json(found.json()),
+        text: found.text(),
+        sentence: found.sentence(),
+        holds: found.holds(),
+        notes: study.model.notes.iter().cloned().chain(found.left_out.notes()).collect(),
+        numbers: BTreeMap::new(),
+        columns: Some(Columns::of_record(found.columns().0)),
     })
 }
 

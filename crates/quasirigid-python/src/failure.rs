@@ -4,6 +4,7 @@
 
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
+use quasirigid::submanifold::SubmanifoldError;
 use quasirigid_io::model::{Diagnostic, FileProblem, ModelError};
 use quasirigid_study::sweep::SweepError;
 use quasirigid_study::visible::visible;
@@ -107,6 +108,16 @@ fn class(error: &StudyError) -> &'static str {
         | StudyError::Steady
         | StudyError::AtRest
         | StudyError::BoundlessSpin => "StartError",
+        StudyError::Submanifold(SubmanifoldError::Degree { .. }) => "InputError",
+        StudyError::Submanifold(
+            SubmanifoldError::NoEquations { .. }
+            | SubmanifoldError::External { .. }
+            | SubmanifoldError::TooLarge { .. }
+            | SubmanifoldError::NoNutation,
+        )
+        | StudyError::ForcesAboutSpin { .. }
+        | StudyError::EventsAboutSpin => "UnsupportedError",
+        StudyError::Submanifold(_) | StudyError::SteadySpinBeyond { .. } => "ReductionError",
         StudyError::Unaveraged(_)
         | StudyError::DrivenPole
         | StudyError::Wheels

@@ -8,8 +8,11 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use numpy::PyReadonlyArray2;
 use pyo3::prelude::*;
-use quasirigid_io::model::{self as file, EvolveMethod, Power, System, Verify};
+use quasirigid_io::model::{
+    self as file, EvolveMethod, Manifold, ManifoldMasters, ManifoldStyle, MastersError, Power, System, Verify,
+};
 use quasirigid_io::record::TableFormat;
+use quasirigid_study::about_spin::AskedManifold;
 use quasirigid_study::evolution::Asked;
 use quasirigid_study::histories::{Propagation, Table};
 use quasirigid_study::modes::{AskedSpin, PrincipalAxis};
@@ -112,6 +115,20 @@ impl Model {
     ) -> PyResult<Answer> {
         let asked = AskedSpin { omega: spin, axis: named::<PrincipalAxis>(axis, "axis")? };
         Ok(interruptible(py, observer.as_ref(), |_| answers::modes(&*self.study(order)?, asked))?)
+    }
+
+    /// Reduced equations about the spin.
+    #[pyo3(signature = (asked, axis, observer))]
+    fn about_spin(
+        &self,
+        py: Python<'_>,
+        asked: AboutSpin,
+        axis: Option<&str>,
+        observer: Observer,
+    ) -> PyResult<Answer> {
+        let axis = named::<PrincipalAxis>(axis, "axis")?;
+        let asked = AskedManifold { settings: asked.settings()?, axis };
+        Ok(interruptible(py, observer.as_ref(), |_| answers::about_spin(&*self.study(None)?, &asked))?)
     }
 
     /// The reduced equations.
@@ -276,13 +293,45 @@ pub struct Contents {
     coordinates: bool,
     displacements: bool,
     times: Option<Vec<f64>>,
+    manifold: Option<AboutSpin>,
+}
+
+/// Settings of the reduced equations about the spin, as a dictionary; what is absent is the model's own.
+#[derive(FromPyObject)]
+#[pyo3(from_item_all)]
+pub struct AboutSpin {
+    degree: Option<usize>,
+    masters: Option<MasterModes>,
+    style: Option<String>,
+}
+
+/// A word, or frequencies (rad/s).
+#[derive(FromPyObject)]
+enum MasterModes {
+    Word(String),
+    Frequencies(Vec<f64>),
+}
+
+impl AboutSpin {
+    fn settings(&self) -> Result<Manifold, Failure> {
+        let refuse = |error: MastersError| Failure::Input(format!("masters: {error}"));
+        let masters = match &self.masters {
+            None => None,
+            Some(MasterModes::Word(word)) => Some(word.parse().map_err(refuse)?),
+            Some(MasterModes::Frequencies(list)) => Some(ManifoldMasters::of(list.clone()).map_err(refuse)?),
+        };
+        let style = named::<ManifoldStyle>(self.style.as_deref(), "style")?;
+        Ok(Manifold { degree: self.degree, masters, style })
+    }
 }
 
 impl Contents {
     fn table(self) -> Result<Table, Failure> {
         let system = named::<System>(Some(&self.system), "system")?.unwrap_or(System::Reduced);
+        let settings = self.manifold.as_ref().map(AboutSpin::settings).transpose()?.unwrap_or_default();
         let Self { coordinates, displacements, times, .. } = self;
-        Ok(Table { system, coordinates, displacements, times })
+        let manifold = AskedManifold { settings, axis: None };
+        Ok(Table { system, coordinates, displacements, times, manifold })
     }
 }
 

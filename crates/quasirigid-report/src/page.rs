@@ -6,8 +6,8 @@ use crate::sphere;
 use crate::viewer;
 
 use crate::sections::{
-    answer, body, evolution, figures, head, liquids, modes, overview, provenance, reduction, validity,
-    verification,
+    about_spin, answer, body, evolution, figures, head, liquids, modes, overview, provenance, reduction,
+    validity, verification,
 };
 
 pub(crate) const STYLE: &str = include_str!("assets/page.css");
@@ -45,6 +45,7 @@ pub fn page(record: &RunRecord) -> String {
                     (answer::section(record))
                     @if let Some(evolution) = &record.evolution { (evolution::section(evolution)) }
                     @if !record.steady_spins.is_empty() { (modes::section(&record.steady_spins, record.campbell.as_ref())) }
+                    @if let Some(about) = &record.about_spin { (about_spin::section(about)) }
                     (figures::section(record))
                     (validity::section(&record.validity))
                     @if let Some(verification) = &record.verification { (verification::section(verification)) }

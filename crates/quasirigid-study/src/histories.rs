@@ -330,9 +330,12 @@ impl Study {
         let (columns, log) = sink.finish()?;
         let (forced, last) = (motion.system().acts(), run.last);
         let energies = [last.energy_drift, last.dissipated];
-        let mut notes: Vec<String> =
-            drift_note(table.system.name(), forced, last.energy, energies).into_iter().collect();
-        notes.extend(manifold.as_ref().and_then(OnManifold::note));
+        // the defect judges the equations about a spin: their energy is truncated, whatever the integrator does
+        let note = match &manifold {
+            Some(verdict) => verdict.note(),
+            None => drift_note(table.system.name(), forced, last.energy, energies),
+        };
+        let notes = note.into_iter().collect();
         let left = manifold.as_ref().and_then(|verdict| verdict.status(run.outcome));
         let (status, message) = left.unwrap_or_else(|| status(body, run.outcome, last.t));
         Ok(History {

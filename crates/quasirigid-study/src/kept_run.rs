@@ -161,7 +161,7 @@ impl KeptRun {
         }
         for entry in fs::read_dir(&self.folder).into_iter().flatten().flatten() {
             let name = entry.file_name().to_string_lossy().into_owned();
-            let ours = ["history-", "record.json", "evolution.", IDENTITY, "report.html"];
+            let ours = ["history-", "record.json", "evolution.", "backbone.", IDENTITY, "report.html"];
             if ours.iter().any(|known| name.starts_with(known)) {
                 let _ = fs::remove_file(entry.path());
             }

@@ -9,11 +9,12 @@ use quasirigid::model::ReducedBody;
 use quasirigid::reduction::{Validity, Verdict};
 use quasirigid_io::model::{Named, System, Verify};
 use quasirigid_io::record::{
-    EvolutionRecord, HistoryRecord, RECORD_FORMAT, RunRecord, TableFormat, VerificationRecord,
+    AboutSpinRecord, EvolutionRecord, HistoryRecord, RECORD_FORMAT, RunRecord, TableFormat,
+    VerificationRecord,
 };
 use quasirigid_math::vec3::norm;
 
-use crate::about_spin::{AskedManifold, OnManifold};
+use crate::about_spin::{self, AskedManifold, OnManifold};
 use crate::campbell::campbell;
 use crate::derive;
 use crate::error::StudyError;
@@ -40,6 +41,9 @@ const NO_MOMENTUM: &str = "The truncated series has no angular momentum for this
                            in the place of the reduced equations.";
 /// Note on a run that was told to end.
 const INTERRUPTED: &str = "The run was interrupted, so the history of the {system} body was left out.";
+const UNEXPANDED: &str = "The run was interrupted, so the reduced equations about the spin were left out.";
+/// Stage of the expansion about the spin.
+const STAGE: &str = "expanding about the spin";
 const UNPROVED: &str = "The run was interrupted, so the verification against the full system was left out.";
 /// Note on the histories of a start off the slow manifold.
 const SETTLES: &str = "the full system moves until its friction has stilled it, and the reduced body starts from the state that it \
@@ -159,6 +163,7 @@ impl Study {
             validity: record::validity(&validity),
             steady_spins: poles.records,
             campbell: scene_modes.as_ref().and_then(|modes| campbell(self, modes)),
+            about_spin: None,
             reduction: record::reduction(body, &reduced, &validity, start.omega),
             histories: Vec::new(),
             verification: None,
@@ -167,6 +172,8 @@ impl Study {
         };
         let mut frames = None;
         plan.histories(&mut record, &mut frames, &mut kept, watch)?;
+        let enough = holds || left_out.liquids.is_some(); // the equations about the spin have the same liquids
+        record.about_spin = plan.about_spin(enough, &mut record.notes, watch)?;
         record.verification = plan.verification(&mut record.notes, watch)?;
         let equations = frames.as_ref().filter(|_| !motion.system().acts()).and_then(|frames| {
             let [first, .., last] = frames.samples.as_slice() else { return None };
@@ -175,12 +182,14 @@ impl Study {
         let scene = scene::scene(self, self.visuals()?, frames.as_ref(), scene_modes.as_ref(), equations);
         record.scene = Some(scene);
         let done = plan.is_done(&record);
+        // a model that asks for the equations about the spin has its answer where these hold
+        let instead = plan.asks_about_spin() && record.about_spin.as_ref().is_some_and(|about| about.holds);
         let equations =
             derive::of_reduced(self, Arc::clone(&reduced), &validity.vibrations.frequencies, Some(start));
         Ok(RunOutcome {
             record,
             reduced: equations.json(),
-            holds: done && holds && left_out.liquids.is_none(),
+            holds: done && (holds || instead) && left_out.liquids.is_none(),
             kept,
         })
     }
@@ -230,6 +239,33 @@ impl<'a> Plan<'a> {
         Ok(Self { study, motion, systems, times: even_times(rows, duration)?, options, nutating })
     }
 
+    /// Whether the file asks for the reduced equations about the spin.
+    fn asks_about_spin(&self) -> bool {
+        self.study.model.run.manifold.is_some() || self.systems.contains(&System::Manifold)
+    }
+
+    /// The reduced equations about the spin: where the file asks for them, and where those about rest are not enough and these hold.
+    fn about_spin(
+        &self,
+        enough: bool,
+        notes: &mut Vec<String>,
+        watch: &mut dyn Watch,
+    ) -> Result<Option<AboutSpinRecord>, StudyError> {
+        let asked = self.asks_about_spin();
+        if !asked && (enough || self.motion.body.coordinates().len() > about_spin::TRIED) {
+            return Ok(None);
+        }
+        let found = about_spin::that_holds(self.motion, &mut |share| watch.at(STAGE, share));
+        let missing = match found {
+            Ok(found) => return Ok((asked || found.holds()).then(|| found.record())),
+            Err(StudyError::Interrupted) if asked => UNEXPANDED.to_owned(),
+            Err(error) if asked => format!("There are no reduced equations about the spin: {error}."),
+            Err(_) => return Ok(None),
+        };
+        notes.push(missing);
+        Ok(None)
+    }
+
     /// The histories, in the order asked for; a note says why one is missing.
     fn histories(
         &self,
@@ -261,10 +297,11 @@ impl<'a> Plan<'a> {
             record.notes.push(format!("{DISPLACED}: {SETTLES}."));
         }
         let forced = self.motion.system().acts();
-        let note = |each: &HistoryRecord| {
+        let note = |each: &&HistoryRecord| each.system != System::Manifold.name();
+        let drift = |each: &HistoryRecord| {
             drift_note(&each.system, forced, each.energy, [each.energy_drift, each.dissipated])
         };
-        record.notes.extend(record.histories.iter().filter_map(note));
+        record.notes.extend(record.histories.iter().filter(note).filter_map(drift));
         Ok(())
     }
 

@@ -27,6 +27,9 @@ fn write(out: &mut String, record: &RunRecord) -> fmt::Result {
     for criterion in record.validity.criteria.iter().filter(|each| each.verdict == "fails") {
         writeln!(out, "{}", paragraph(&criterion.sentence, "  - ", "    "))?;
     }
+    if let Some(about) = &record.about_spin {
+        writeln!(out, "{}", paragraph(&about.sentence, "  + ", "    "))?;
+    }
     if record.validity.valid {
         let residual = significant(record.reduction.residual, 2);
         let order = record.reduction.order;

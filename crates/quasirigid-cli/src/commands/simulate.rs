@@ -48,10 +48,10 @@ pub fn simulate(arguments: &Simulate) -> Result<ExitStatus, Failure> {
     };
     drop(terminal);
     interrupt.forget();
+    tell_range(&history, common.quiet);
     // what is wrong is told to quiet callers too; others have read it before the work
     history.wrong.iter().filter(|_| common.quiet).for_each(|reason| remark(reason));
     history.notes.iter().for_each(|note| remark(note));
-    tell_range(&history, common.quiet);
     let in_place = print_table(arguments, &history, &interrupt)?;
     if common.json {
         output::print(&format!("{:#}\n", history.json()))?;

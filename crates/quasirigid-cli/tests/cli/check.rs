@@ -23,6 +23,8 @@ fn explorer_1_fails_and_says_why_in_order_of_the_theory() {
         body.
       - Put into the full equations, the reduced ones leave 0.977 of the load
         unbalanced.
+      + The reduced equations about the spin hold to a nutation of 32.9 degrees
+        within 1 % at degree 7.
     "#);
     assert!(!checked.stdout.contains("grows e-fold"), "what does not hold is not predicted");
 }

@@ -75,14 +75,37 @@ fn keys_of_check_and_modes_are_those_of_the_guide() {
             .skip(1)
             .map(|key| format!("resolution.{key}")),
     );
+    check.extend(printed(&["check examples/nutation-damper/model.toml"]));
+    let equations = under("about_spin.equations", &about_spin());
+    check.retain(|key| !equations.contains(key));
     assert_same(&check, &(&listed(PAGE, "`check`") | &spins));
     let modes = printed(&["modes examples/three-masses/model.toml", "modes examples/heavy-top/model.toml"]);
     assert_same(&modes, &(&(&listed(PAGE, "`modes`") | &spin) | &spins));
 }
 
+/// Keys of reduced equations about a spin, with those of their terms.
+fn about_spin() -> Keys {
+    listed(PAGE, "`derive --about spin`")
+}
+
+#[test]
+fn keys_of_equations_about_a_spin_are_those_of_the_guide() {
+    let mut derive = printed(&[
+        "derive examples/explorer1/model.toml --about spin",
+        "derive examples/nutation-damper/model.toml --about spin --degree 3",
+    ]);
+    // met by few bodies
+    derive.extend(["name", "harmonic", "amplitude", "nutation", "frequency"].map(|key| format!("met.{key}")));
+    derive.extend(["spin", "name", "frequency"].map(|key| format!("whirl_onset.{key}")));
+    derive.extend(["exponents", "name", "frequency", "distance"].map(|key| format!("resonances.{key}")));
+    assert_same(&derive, &about_spin());
+}
+
 #[test]
 fn keys_of_histories_are_those_of_the_guide() {
     let simulate = printed(&["simulate examples/three-masses/model.toml --samples 2 --duration 1"]);
+    let mut simulate = simulate;
+    simulate.extend(printed(&["simulate examples/nutation-damper/model.toml --system manifold --times 0,1"]));
     assert_same(&simulate, &listed(PAGE, "`simulate`"));
     let verify = "verify examples/boom-satellite/model.toml --orders 1 --halvings 2";
     assert_same(&printed(&[verify]), &listed(PAGE, "`verify`"));

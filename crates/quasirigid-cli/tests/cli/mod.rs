@@ -1,7 +1,7 @@
 //! The command line as its users meet it: output, files and exit code of each command.
 
-#[cfg(unix)]
 mod about_spin;
+#[cfg(unix)]
 mod appeared;
 mod check;
 mod colour;

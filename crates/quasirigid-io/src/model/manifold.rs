@@ -78,19 +78,21 @@ impl FromStr for ManifoldMasters {
             list => {
                 let read = |item: &str| item.trim().parse().map_err(|_| unknown());
                 let frequencies: Vec<f64> = list.split(',').map(read).collect::<Result<_, _>>()?;
-                Self::of(frequencies).ok_or_else(unknown)
+                Self::of(frequencies).map_err(|_| unknown())
             }
         }
     }
 }
 
 impl ManifoldMasters {
-    /// Masters at frequencies (rad/s), if these can be frequencies and are not too many.
-    #[must_use]
-    pub fn of(frequencies: Vec<f64>) -> Option<Self> {
+    /// Masters at frequencies (rad/s).
+    ///
+    /// # Errors
+    /// [`MastersError`] where they cannot be frequencies, or are none or too many.
+    pub fn of(frequencies: Vec<f64>) -> Result<Self, MastersError> {
         let fit = (1..=MOST_MASTERS).contains(&frequencies.len())
             && frequencies.iter().all(|frequency| *frequency >= 0.0 && frequency.is_finite());
-        fit.then_some(Self::With(frequencies))
+        if fit { Ok(Self::With(frequencies)) } else { Err(MastersError { text: format!("{frequencies:?}") }) }
     }
 }
 
@@ -122,7 +124,7 @@ fn masters(value: &Value<'_>) -> Option<ManifoldMasters> {
         frequencies.push(item.quantity(Dimension::FREQUENCY)?);
     }
     let found = ManifoldMasters::of(frequencies);
-    found.or_else(|| {
+    found.ok().or_else(|| {
         let message = format!(
             "`masters` has 1 to {MOST_MASTERS} frequencies of modes beside the nutation, none negative"
         );

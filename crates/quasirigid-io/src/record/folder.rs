@@ -14,6 +14,8 @@ use super::{Column, EvolutionRecord, HistoryRecord, RECORD_FORMAT, RecordError, 
 
 /// File of the evolution's rows, without the ending.
 const EVOLUTION: &str = "evolution";
+/// File of the backbone of the reduced equations about the spin, without the ending.
+const BACKBONE: &str = "backbone";
 /// Ending of the log of rows of a run in work.
 pub const ROWS: &str = "rows";
 /// Status of a history in work.
@@ -58,10 +60,12 @@ impl RunRecord {
     /// # Errors
     /// [`RecordError`].
     pub fn write_unfinished(&self, dir: &Path) -> Result<(), RecordError> {
-        if let Some(evolution) = &self.evolution {
-            let file = dir.join(format!("{EVOLUTION}.{}", TableFormat::Csv.ending()));
+        let evolution = self.evolution.iter().map(|evolution| (EVOLUTION, &evolution.columns));
+        let backbone = self.about_spin.iter().map(|about| (BACKBONE, &about.columns));
+        for (stem, columns) in evolution.chain(backbone) {
+            let file = dir.join(format!("{stem}.{}", TableFormat::Csv.ending()));
             if !file.exists() {
-                TableFormat::Csv.write(&file, &evolution.columns, &evolution.columns)?;
+                TableFormat::Csv.write(&file, columns, columns)?;
             }
         }
         let new = dir.join(format!("{RECORD}.new"));
@@ -98,11 +102,13 @@ impl RunRecord {
         for history in &mut record.histories {
             read_history(dir, history)?;
         }
-        if let Some(evolution) = &mut record.evolution {
-            let (file, format) = found(dir, EVOLUTION)?;
-            let mut rows = Extremes::new(&evolution.columns, 0);
-            format.read(&file, &evolution.columns, &mut |row| rows.push(row))?;
-            evolution.columns = rows.into_columns();
+        let evolution = record.evolution.iter_mut().map(|evolution| (EVOLUTION, &mut evolution.columns));
+        let backbone = record.about_spin.iter_mut().map(|about| (BACKBONE, &mut about.columns));
+        for (stem, columns) in evolution.chain(backbone) {
+            let (file, format) = found(dir, stem)?;
+            let mut rows = Extremes::new(columns, 0);
+            format.read(&file, columns, &mut |row| rows.push(row))?;
+            *columns = rows.into_columns();
         }
         Ok(record)
     }
@@ -124,12 +130,10 @@ impl RunRecord {
             columns: &history.columns,
             log: history.log.as_ref(),
         });
-        let evolution = self.evolution.iter();
-        histories.chain(evolution.map(|evolution| Table {
-            stem: EVOLUTION.into(),
-            columns: &evolution.columns,
-            log: None,
-        }))
+        let evolution = self.evolution.iter().map(|evolution| (EVOLUTION, &evolution.columns));
+        let backbone = self.about_spin.iter().map(|about| (BACKBONE, &about.columns));
+        let others = evolution.chain(backbone);
+        histories.chain(others.map(|(stem, columns)| Table { stem: stem.into(), columns, log: None }))
     }
 
     fn check_names(&self) -> Result<(), RecordError> {

@@ -1,10 +1,12 @@
 //! Record of a run: numbers and words enough to remake its report years later.
 //!
 //! On disk a record is a folder: `record.json` holds everything but the rows of the histories and of the evolution, `history-<system>` with
-//! the ending of its format holds the rows of one history, `evolution` those of the evolution, and `scene.json` what a viewer draws. Every
+//! the ending of its format holds the rows of one history, `evolution` those of the evolution, `backbone` those of the reduced equations about the spin, and `scene.json` what
+//! a viewer draws. Every
 //! finite number reads back bit for bit. One that is not finite is `null` in JSON, which reads back as infinity where the field can be
 //! infinite, else as NaN or none; in CSV it is `NaN`, `inf` or `-inf`.
 
+mod about_spin;
 mod error;
 mod evolution;
 mod folder;
@@ -18,6 +20,7 @@ use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
+pub use about_spin::{AboutSpinRecord, MasterRecord};
 pub use error::RecordError;
 pub use evolution::{
     ApproachRecord, CrossingRecord, EstimateRecord, EvolutionRecord, HarmonicRecord, ObservedRecord,
@@ -64,6 +67,9 @@ pub struct RunRecord {
     /// Modes over the spin, about the axis next to the start.
     #[serde(default)]
     pub campbell: Option<CampbellRecord>,
+    /// Reduced equations about the steady spin, where the model asks for them or those about rest fail.
+    #[serde(default)]
+    pub about_spin: Option<AboutSpinRecord>,
     /// The reduced equations at the initial spin.
     pub reduction: ReductionRecord,
     /// Spin histories, one per system propagated; the first is the main one.

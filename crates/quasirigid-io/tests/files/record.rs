@@ -139,6 +139,20 @@ prop_compose! {
 }
 
 prop_compose! {
+    fn about_spin()(
+        words in [".*", ".*", ".*", ".*"], holds: bool, spin in [finite(); 3], angular_momentum in [finite(); 3], degree in 1usize..12,
+        range in finite(), share in finite(), start in option::of(finite()), resonances in vec(".*", 0..3),
+        dissipators in vec(".*", 0..3), columns in columns(),
+    ) -> AboutSpinRecord {
+        let [sentence, axis, style, name] = words;
+        let masters = vec![MasterRecord { name, decay_rate: range, frequency: share }];
+        AboutSpinRecord {
+            sentence, holds, axis, spin, angular_momentum, degree, style, masters, range, share, start, resonances, dissipators, columns,
+        }
+    }
+}
+
+prop_compose! {
     fn evolution()(
         words in [".*", ".*", ".*", ".*", ".*", ".*"], numbers in [finite(); 8], time_range in option::of([finite(); 2]),
         separatrix_time in option::of(finite()), lingering in option::of(finite()), columns in columns(),
@@ -245,11 +259,11 @@ prop_compose! {
         body in body(), liquids in vec(liquid(), 0..3), validity in validity(), reduction in reduction(),
         reduced in option::of(history("reduced")), rigid in option::of(history("rigid")),
         verification in option::of(verification()), evolution in option::of(evolution()),
-        steady_spins in vec(steady_spin(), 0..3), scene in option::of(scene()),
+        steady_spins in vec(steady_spin(), 0..3), scene in option::of(scene()), about_spin in option::of(about_spin()),
     ) -> RunRecord {
         RunRecord {
             scene,
-            format: RECORD_FORMAT, version, model: ModelRecord { name, file, sha256 }, notes, body, liquids, validity, steady_spins, campbell: None,
+            format: RECORD_FORMAT, version, model: ModelRecord { name, file, sha256 }, notes, body, liquids, validity, steady_spins, campbell: None, about_spin,
             reduction,
             histories: reduced.into_iter().chain(rigid).collect(), verification, evolution,
         }
@@ -283,6 +297,7 @@ pub fn sample() -> RunRecord {
         liquids: vec![],
         steady_spins: vec![],
         campbell: None,
+        about_spin: None,
         validity: ValidityRecord {
             valid: true,
             verdict: "The reduced equations hold.".into(),

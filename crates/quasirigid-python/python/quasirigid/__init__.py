@@ -12,7 +12,7 @@ history, its secular evolution over millions of revolutions.
 Units are SI throughout. An answer that does not hold is false, begins with the reason, and has ``None`` for its numbers.
 """
 
-from quasirigid._answers import Answer, Check, Evolution, History, Modes, Run, Verification
+from quasirigid._answers import AboutSpin, Answer, Check, Evolution, History, Modes, Run, Verification
 from quasirigid._core import EXAMPLE
 from quasirigid._core import VERSION as __version__
 from quasirigid._ensemble import Evolutions, Histories
@@ -40,6 +40,7 @@ from quasirigid._table import Table
 
 __all__ = [
     "EXAMPLE",
+    "AboutSpin",
     "Answer",
     "Check",
     "Diagnostic",

@@ -10,16 +10,18 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, NoReturn, Self
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from quasirigid import _core
-from quasirigid._errors import FileError, Refused
+from quasirigid._errors import FileError, InputError, Refused
 from quasirigid._table import Table
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-__all__ = ["Answer", "Check", "Evolution", "History", "Modes", "Run", "Verification"]
+    from quasirigid._progress import Progress
+
+__all__ = ["AboutSpin", "Answer", "Check", "Evolution", "History", "Modes", "Run", "Verification"]
 
 
 class Answer:
@@ -295,6 +297,136 @@ class Modes(Answer):
         return _plot.modes(self)
 
 
+class AboutSpin(Answer):
+    """Reduced equations about a steady spin: the spin, the modes that they follow, their range, and the motion along their manifold.
+
+    They do not hold if the nutation of the start is outside the range, or if the equations of motion get the liquids wrong.
+
+    >>> import quasirigid
+    >>> about = quasirigid.Model(quasirigid.EXAMPLE).about_spin(degree=5)
+    >>> about.degree, bool(about.backbone["nutation"][32] == about.range["nutation"])
+    (5, True)
+    >>> about.simulate(duration=60, samples=3).system
+    'manifold'
+    """
+
+    __slots__ = ()
+
+    @property
+    def spin(self) -> NDArray[np.float64]:
+        """Angular velocity of the steady spin (rad/s), body axes, ``(3,)``."""
+        return _array(self._parts["json"]["spin"])
+
+    @property
+    def angular_momentum(self) -> NDArray[np.float64]:
+        """Angular momentum of the steady spin (N·m·s), body axes, ``(3,)``."""
+        return _array(self._parts["json"]["angular_momentum"])
+
+    @property
+    def axis(self) -> str:
+        """``least`` or ``greatest``: the principal axis of the steady spin."""
+        return str(self._parts["json"]["axis"])
+
+    @property
+    def degree(self) -> int:
+        """Degree in the amplitude."""
+        return int(self._parts["json"]["degree"])
+
+    @property
+    def style(self) -> str:
+        """``normal-form`` or ``graph``."""
+        return str(self._parts["json"]["style"])
+
+    @property
+    def masters(self) -> list[dict[str, Any]]:
+        """Modes that the equations follow, the nutation first: ``name``, ``decay_rate`` (1/s), ``time_constant`` (s), ``frequency`` (rad/s)."""
+        return copy.deepcopy(self._parts["json"]["masters"])
+
+    @property
+    def range(self) -> dict[str, Any]:
+        """Range: ``nutation`` and ``amplitude`` (rad) to which the equations leave less than ``share`` of motion and dissipation;
+        ``beyond`` if it reaches as far as was looked."""
+        return copy.deepcopy(self._parts["json"]["range"])
+
+    @property
+    def start(self) -> dict[str, Any] | None:
+        """Start of the model: ``nutation`` and ``amplitude`` (rad), ``within`` the range, ``defect``, share ``left_out`` of its energy,
+        ``coordinates``; ``None`` about an axis that it does not circle."""
+        start: dict[str, Any] | None = copy.deepcopy(self._parts["json"]["start"])
+        return start
+
+    @property
+    def backbone(self) -> Table:
+        """Motion by the amplitude of the nutation, to a quarter beyond the range: ``amplitude`` and ``nutation`` (rad), ``decay_rate``
+        (1/s), ``frequency`` (rad/s), ``power`` (W), ``defect``, and a ``share of`` the power for each dissipator."""
+        assert self._table is not None
+        return self._table
+
+    @property
+    def outer(self) -> list[dict[str, Any]]:
+        """Modes left out: ``name``, ``decay_rate`` (1/s), ``frequency`` (rad/s)."""
+        return copy.deepcopy(self._parts["json"]["outer"])
+
+    @property
+    def resonances(self) -> list[dict[str, Any]]:
+        """Near resonances of monomials with modes left out, nearest first: ``exponents``, ``name``, ``frequency``, ``distance``."""
+        return copy.deepcopy(self._parts["json"]["resonances"])
+
+    @property
+    def variables(self) -> list[str]:
+        """Names of the coordinates, to which the exponents belong: ``z1``, its conjugate ``z1*``, and those of the next master."""
+        return list(self._parts["json"]["variables"])
+
+    def coefficients(self, master: int = 0) -> tuple[NDArray[np.int64], NDArray[np.complex128]]:
+        """Coefficients of the rate of a master: exponents ``(n, variables)`` and complex values ``(n,)``, with
+        ``dz/dt = sum(values * prod(z**exponents))``.
+
+        >>> import numpy as np, quasirigid
+        >>> about = quasirigid.Model(quasirigid.EXAMPLE).about_spin()
+        >>> exponents, values = about.coefficients()
+        >>> nutation = about.masters[0]
+        >>> bool(np.isclose(values[0], -nutation["decay_rate"] + 1j * nutation["frequency"]))
+        True
+        """
+        terms = [term for term in self._parts["json"]["R"] if term["master"] == master]
+        exponents = np.array([term["exponents"] for term in terms], dtype=np.int64)
+        values = np.array([complex(*term["value"]) for term in terms], dtype=np.complex128)
+        return exponents.reshape(len(terms), len(self.variables)), values
+
+    def simulate(
+        self,
+        *,
+        duration: float | str | None = None,
+        samples: int | None = None,
+        times: ArrayLike | None = None,
+        tolerance: float | None = None,
+        coordinates: bool = False,
+        displacements: bool = False,
+        progress: Progress = False,
+    ) -> History:
+        """History by these equations from the start of the model, as ``Model.simulate`` has it.
+
+        It does not hold if it leaves the range; its sentence says when.
+
+        Raises:
+            InputError: about an axis that the start does not circle, and for settings out of range.
+        """
+        if self.start is None:
+            raise InputError("the start does not circle this axis; leave out axis")
+        model = self._parts["model"]
+        history: History = model._about_spin_history(
+            self._parts["settings"],
+            duration=duration,
+            samples=samples,
+            times=times,
+            tolerance=tolerance,
+            coordinates=coordinates,
+            displacements=displacements,
+            progress=progress,
+        )
+        return history
+
+
 class _Tabled(Answer):
     """Answer with a table."""
 
@@ -358,7 +490,7 @@ class History(_Tabled):
 
     @property
     def system(self) -> str:
-        """``full``, ``reduced`` or ``rigid``."""
+        """``full``, ``reduced``, ``rigid`` or ``manifold``."""
         return str(self._parts["json"]["system"])
 
     @property

@@ -10,7 +10,7 @@ from typing import Any, NoReturn, overload
 from numpy.typing import ArrayLike
 
 from quasirigid import _arguments, _core
-from quasirigid._answers import Check, Evolution, History, Modes, Run, Verification
+from quasirigid._answers import AboutSpin, Check, Evolution, History, Modes, Run, Verification
 from quasirigid._ensemble import Evolutions, Histories
 from quasirigid._errors import InputError, ModelError
 from quasirigid._progress import Progress, observer
@@ -189,6 +189,38 @@ class Model:
         with observer(progress) as watch:
             return Modes(self._core.modes(vector, name, _arguments.count(order, "order"), watch))
 
+    def about_spin(
+        self,
+        *,
+        degree: int | None = None,
+        axis: str | None = None,
+        masters: str | Sequence[float] | None = None,
+        style: str | None = None,
+        progress: Progress = False,
+    ) -> AboutSpin:
+        """Derives the reduced equations about the steady spin with the angular momentum of the start, at any ratio of spin to vibrations.
+
+        Args:
+            degree: Degree in the amplitude of the nutation, 1 to 11; the model's own, or 5.
+            axis: Principal axis of the steady spin, ``least`` or ``greatest``; by default the one that the start circles.
+            masters: Modes that the equations follow: ``automatic``, ``nutation``, or frequencies (rad/s) beside the nutation.
+            style: ``normal-form`` or ``graph``.
+
+        Raises:
+            StartError: for a start that is none.
+            UnsupportedError: for forces, driven supports, materials without an equation of motion, and spins without a nutation.
+            InputError: for settings out of range and masters that are not there.
+
+        >>> import quasirigid
+        >>> about = quasirigid.Model(quasirigid.EXAMPLE).about_spin()
+        >>> about.holds, about.masters[0]["name"]
+        (True, 'nutation')
+        """
+        settings = _manifold(degree, masters, style)
+        word = _arguments.word(axis, "axis")
+        with observer(progress) as watch:
+            return AboutSpin({**self._core.about_spin(settings, word, watch), "model": self, "settings": settings})
+
     def reduce(self, order: int | None = None, *, progress: Progress = False) -> Reduced:
         """Derives the reduced equations.
 
@@ -217,6 +249,7 @@ class Model:
         method: str | None = None,
         coordinates: bool = False,
         displacements: bool = False,
+        degree: int | None = None,
         order: int | None = None,
         progress: Progress = False,
     ) -> History: ...
@@ -252,13 +285,14 @@ class Model:
         method: str | None = None,
         coordinates: bool = False,
         displacements: bool = False,
+        degree: int | None = None,
         order: int | None = None,
         progress: Progress = False,
     ) -> History | Histories:
         """Follows the spin in time.
 
         Args:
-            system: ``reduced``, ``full`` or ``rigid``.
+            system: ``reduced``, ``full``, ``rigid``, or ``manifold`` for the reduced equations about the spin.
             initial: Angular velocities at the start (rad/s), body axes, ``(n, 3)``: one history each, on every core, in the place
                 of the model's own start. A row that fails has its reason.
             duration: Duration (s); the model's own, or a hundred revolutions.
@@ -269,6 +303,7 @@ class Model:
             method: Integrator of the full system: ``automatic``, ``explicit`` or ``implicit``.
             coordinates: Internal coordinates and their rates in the table, too.
             displacements: Displacements of points, appendages and nodes, too.
+            degree: Degree of the reduced equations about the spin, 1 to 11.
 
         Raises:
             StartError, PropagationError: for a start that is none, unless it is a row of ``initial``.
@@ -281,9 +316,65 @@ class Model:
         """
         if times is not None and (duration is not None or samples is not None):
             raise InputError("times stand in the place of duration and samples; give the one or the others")
-        settings = _settings(duration, samples, tolerance, form, method)
+        if degree is not None and system != "manifold":
+            raise InputError('degree belongs to the reduced equations about the spin; take system="manifold"')
+        return self._simulate(
+            system,
+            _settings(duration, samples, tolerance, form, method),
+            coordinates=coordinates,
+            displacements=displacements,
+            times=times,
+            manifold=_manifold(degree, None, None),
+            initial=initial,
+            order=order,
+            progress=progress,
+        )
+
+    def _about_spin_history(
+        self,
+        manifold: dict[str, Any],
+        *,
+        duration: float | str | None,
+        samples: int | None,
+        times: ArrayLike | None,
+        tolerance: float | None,
+        coordinates: bool,
+        displacements: bool,
+        progress: Progress,
+    ) -> History:
+        """History by reduced equations about the spin with these settings."""
+        if times is not None and (duration is not None or samples is not None):
+            raise InputError("times stand in the place of duration and samples; give the one or the others")
+        history = self._simulate(
+            "manifold",
+            _settings(duration, samples, tolerance, None, None),
+            coordinates=coordinates,
+            displacements=displacements,
+            times=times,
+            manifold=manifold,
+            initial=None,
+            order=None,
+            progress=progress,
+        )
+        assert isinstance(history, History)
+        return history
+
+    def _simulate(
+        self,
+        system: str,
+        settings: dict[str, Any],
+        *,
+        coordinates: bool,
+        displacements: bool,
+        times: ArrayLike | None,
+        manifold: dict[str, Any],
+        initial: ArrayLike | None,
+        order: int | None,
+        progress: Progress,
+    ) -> History | Histories:
         table = {
             "system": _arguments.word(system, "system") or "",
+            "manifold": manifold,
             "coordinates": bool(coordinates),
             "displacements": bool(displacements),
             "times": _arguments.times(times),
@@ -499,6 +590,15 @@ def _path(path: str | os.PathLike[str], name: str) -> str:
     if not isinstance(found, str) or not found or "\0" in found:
         raise InputError(f"{name} = {path!r} is not a path")
     return found
+
+
+def _manifold(degree: int | None, masters: str | Sequence[float] | None, style: str | None) -> dict[str, Any]:
+    listed = masters if masters is None or isinstance(masters, str) else [float(each) for each in masters]
+    return {
+        "degree": _arguments.count(degree, "degree"),
+        "masters": listed,
+        "style": _arguments.word(style, "style"),
+    }
 
 
 def _settings(

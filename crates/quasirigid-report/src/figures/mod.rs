@@ -1,5 +1,6 @@
 //! Figures of a record by name, for its page, for pictures of papers and for the comparison of runs.
 
+pub mod about_spin;
 pub mod campbell;
 mod curve;
 pub mod evolution;
@@ -29,6 +30,13 @@ pub fn all(record: &RunRecord) -> Vec<Figure> {
         figures.extend(history::difference(record));
     }
     figures.extend(record.campbell.iter().map(campbell::campbell));
+    if let Some(about) = &record.about_spin {
+        figures.extend([
+            about_spin::time_constant(about),
+            about_spin::frequency(about),
+            about_spin::dissipation(about),
+        ]);
+    }
     if let Some(secular) = &record.evolution {
         figures.extend([evolution::nutation(secular), evolution::power(secular), evolution::map(secular)]);
         figures.push(evolution::harmonics(secular));

@@ -1,5 +1,6 @@
 //! The sections of the page, in their order.
 
+pub mod about_spin;
 pub mod answer;
 pub mod body;
 pub mod dissipation;

@@ -246,6 +246,46 @@ fn campbell() -> CampbellRecord {
     record
 }
 
+/// Reduced equations about a spin whose nutation grows to 30 degrees and decays beyond, with names that a page has to escape.
+fn about_spin() -> AboutSpinRecord {
+    let angles: Vec<f64> = (0..=20).map(|step| 0.001 + 0.04 * f64::from(step)).collect();
+    let column = |name: &str, unit: &str, value: &dyn Fn(f64) -> f64| Column {
+        name: name.into(),
+        unit: unit.into(),
+        values: angles.iter().map(|angle| value(*angle)).collect(),
+    };
+    AboutSpinRecord {
+        sentence:
+            "The reduced equations about the spin hold to a nutation of 35 degrees within 1 % at degree 5."
+                .into(),
+        holds: true,
+        axis: "least".into(),
+        spin: [0.0, 0.1, 1.0],
+        angular_momentum: [0.0, 0.9, 9.0],
+        degree: 5,
+        style: "normal-form".into(),
+        masters: vec![
+            MasterRecord { name: "nutation".into(), decay_rate: -1e-3, frequency: 0.4 },
+            MasterRecord { name: "damper <x>".into(), decay_rate: 2e-2, frequency: 0.0 },
+        ],
+        range: 35f64.to_radians(),
+        share: 0.01,
+        start: Some(20f64.to_radians()),
+        resonances: vec!["near resonance: z1^2 turns within 3 % of tip <x>, 0.82 rad/s".into()],
+        dissipators: vec!["tip <x>".into(), "tip y".into()],
+        columns: vec![
+            column("amplitude", "rad", &|angle| angle),
+            column("nutation", "rad", &|angle| angle),
+            column("decay_rate", "1/s", &|angle| 4e-3 * (angle * angle - 0.27)),
+            column("frequency", "rad/s", &|angle| 0.4 - 0.2 * angle * angle),
+            column("power", "W", &|angle| angle * angle),
+            column("defect", "1", &|angle| 0.02 * angle),
+            column("share of tip <x>", "1", &|angle| 0.7 + 0.2 * angle),
+            column("share of tip y", "1", &|angle| 0.3 - 0.2 * angle),
+        ],
+    }
+}
+
 /// A steady spin with two modes, and one that was not found.
 fn steady_spins() -> Vec<SteadySpinRecord> {
     let mode = |name: &str, decay_rate: f64, frequency: f64| ModeRecord {
@@ -308,6 +348,7 @@ pub fn record(rows: usize, duration: f64, alpha: f64) -> RunRecord {
         validity: validity(),
         steady_spins: steady_spins(),
         campbell: Some(campbell()),
+        about_spin: Some(about_spin()),
         reduction: ReductionRecord {
             order: 3,
             optimal_order: 9,

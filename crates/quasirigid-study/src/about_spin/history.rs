@@ -80,7 +80,7 @@ impl OnManifold {
         let held = format!(
             "hold to a nutation of {} degrees within {} % at degree {degree}",
             significant(range.nutation.to_degrees(), 3),
-            significant(100.0 * range.share, 2)
+            significant(100.0 * range.share, 1)
         );
         let defect = worst.largest();
         let met = if defect.is_finite() {

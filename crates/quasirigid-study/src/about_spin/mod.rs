@@ -2,6 +2,7 @@
 
 mod history;
 mod json;
+mod record;
 mod text;
 mod verification;
 
@@ -34,6 +35,13 @@ pub use verification::{AskedSpinVerification, verification_json, verification_te
 pub const SHARE: f64 = 0.01;
 /// Degree without a given one.
 pub const DEGREE: usize = 5;
+/// Number of masters up to which an expansion to the usual degree takes a moment, and the degree of those with more.
+const QUICK: usize = 4;
+const LOWER: usize = 3;
+/// Degrees tried where the start lies outside the range of the usual one.
+const HIGHER: [usize; 2] = [7, 9];
+/// Coordinates of a body up to which the equations take a moment, and are tried unasked.
+pub(crate) const TRIED: usize = 60;
 /// Number of coordinates up to which the onset of whirl is looked for, and how much faster than the spin.
 const FEW: usize = 24;
 const FASTER: f64 = 10.0;
@@ -106,6 +114,47 @@ impl Study {
         };
         about(&Motion::new(self, self.initial()?), asked, &mut ask)
     }
+
+    /// Derives the reduced equations about the steady spin of the lowest degree among a few at which they hold at the start, unless the
+    /// file chooses a degree; where none holds, of the highest degree tried.
+    ///
+    /// # Errors
+    /// As [`about_spin`](Self::about_spin).
+    pub fn about_spin_that_holds(&self) -> Result<AboutSpin<'_>, StudyError> {
+        watch::stage("expanding about the spin");
+        let mut ask = |share: f64| {
+            watch::progress(share);
+            ControlFlow::Continue(())
+        };
+        that_holds(&Motion::new(self, self.initial()?), &mut ask)
+    }
+}
+
+/// The reduced equations about the steady spin of a motion, of the lowest degree among a few at which they hold at the start; where none
+/// holds, the highest. The degree is that of the file, where the file has one, and a low one where many masters make it slow.
+pub(crate) fn that_holds<'a>(
+    motion: &Motion<'a>,
+    watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
+) -> Result<AboutSpin<'a>, StudyError> {
+    let file = motion.study().model.run.manifold.as_ref().and_then(|manifold| manifold.degree);
+    let mut asked = AskedManifold::default();
+    if file.is_some() {
+        return about(motion, &asked, watch);
+    }
+    asked.settings.degree = Some(1);
+    let masters = derived(motion, &asked, watch)?.manifold.expansion().masters.len();
+    let quick = masters <= QUICK;
+    asked.settings.degree = Some(if quick { DEGREE } else { LOWER });
+    let mut found = about(motion, &asked, watch)?;
+    for degree in HIGHER.into_iter().filter(|_| quick) {
+        let outside = found.start.as_ref().is_some_and(|start| !start.within);
+        if !outside || found.range.amplitude <= 0.0 {
+            break;
+        }
+        asked.settings.degree = Some(degree);
+        found = about(motion, &asked, watch)?;
+    }
+    Ok(found)
 }
 
 /// The reduced equations about the steady spin of a motion, with their range and backbone.
@@ -272,7 +321,7 @@ impl AboutSpin<'_> {
 
     /// Reason for which they do not hold, in words.
     fn reason(&self) -> Option<String> {
-        let percent = significant(100.0 * self.range.share, 2);
+        let percent = significant(100.0 * self.range.share, 1);
         let fails = "The reduced equations about the spin DO NOT HOLD";
         if let Some((name, decay_rate)) = self.manifold.unstable() {
             return Some(format!(
@@ -311,9 +360,10 @@ impl AboutSpin<'_> {
         self.reason().unwrap_or_else(|| {
             let at_least = if self.range.beyond { "at least " } else { "" };
             format!(
-                "The reduced equations about the spin hold to a nutation of {at_least}{} degrees within {} %.",
+                "The reduced equations about the spin hold to a nutation of {at_least}{} degrees within {} % at degree {}.",
                 significant(self.range.nutation.to_degrees(), 3),
-                significant(100.0 * self.range.share, 2)
+                significant(100.0 * self.range.share, 1),
+                self.manifold.degree()
             )
         })
     }

@@ -53,7 +53,7 @@ impl AboutSpin<'_> {
         self.write_masters(out)?;
         self.write_backbone(out)?;
         self.write_outer(out)?;
-        self.write_events(out)?;
+        self.write_resonances(out)?;
         self.write_rates(out)
     }
 
@@ -137,46 +137,52 @@ impl AboutSpin<'_> {
         if outer.len() > LISTED {
             writeln!(out, "  and {} more (all in JSON)", outer.len() - LISTED)?;
         }
-        let variables = self.variables();
-        let near = self.manifold.near_resonances();
-        for (resonance, mode) in near.iter().take(LISTED) {
-            let monomial = monomial(&variables, &resonance.exponents);
-            let words = format!(
-                "near resonance: {monomial} turns within {} % of {}, {} rad/s",
-                significant(100.0 * resonance.distance, 2),
-                mode.name,
-                significant(mode.frequency, 4)
-            );
-            writeln!(out, "{}", paragraph(&words, "  ", "    "))?;
-        }
-        if near.len() > LISTED {
-            writeln!(out, "  and {} more near resonances (all in JSON)", near.len() - LISTED)?;
-        }
         Ok(())
     }
 
-    /// Resonances met within the range, and the onset of whirl.
-    fn write_events(&self, out: &mut String) -> fmt::Result {
-        for met in self.met.iter().take(LISTED) {
-            let words = format!(
+    /// Resonances with modes left out, near or met within the range, and the onset of whirl, in sentences.
+    pub(super) fn resonances(&self) -> Vec<String> {
+        let variables = self.variables();
+        let near = self.manifold.near_resonances();
+        let mut words: Vec<String> = near
+            .iter()
+            .take(LISTED)
+            .map(|(resonance, mode)| {
+                format!(
+                    "near resonance: {} turns within {} % of {}, {} rad/s",
+                    monomial(&variables, &resonance.exponents),
+                    significant(100.0 * resonance.distance, 2),
+                    mode.name,
+                    significant(mode.frequency, 4)
+                )
+            })
+            .collect();
+        if near.len() > LISTED {
+            words.push(format!("and {} more near resonances (all in JSON)", near.len() - LISTED));
+        }
+        words.extend(self.met.iter().take(LISTED).map(|met| {
+            format!(
                 "at a nutation of {} degrees harmonic {} meets {}, {} rad/s, which may be captured: follow its mode too",
                 significant(met.nutation.to_degrees(), 3),
                 met.harmonic,
                 met.name,
                 significant(met.frequency, 4)
-            );
-            writeln!(out, "{}", paragraph(&words, "  ", "    "))?;
-        }
-        if let Some(onset) = &self.onset {
-            let words = format!(
+            )
+        }));
+        words.extend(self.onset.as_ref().map(|onset| {
+            format!(
                 "onset of whirl: from {} rad/s on, {} times this spin, a motion of {} grows",
                 significant(onset.spin, 4),
                 significant(onset.spin / self.manifold.rate(), 3),
                 onset.name
-            );
-            writeln!(out, "{}", paragraph(&words, "  ", "    "))?;
-        }
-        Ok(())
+            )
+        }));
+        words
+    }
+
+    fn write_resonances(&self, out: &mut String) -> fmt::Result {
+        let resonances = self.resonances();
+        resonances.iter().try_for_each(|words| writeln!(out, "{}", paragraph(words, "  ", "    ")))
     }
 
     fn write_rates(&self, out: &mut String) -> fmt::Result {

@@ -11,7 +11,7 @@ use quasirigid::reduction::{Validity, Verdict};
 use quasirigid_io::record::SteadySpinRecord;
 use serde_json::{Value, json};
 
-use crate::about_spin::AskedManifold;
+use crate::about_spin::TRIED;
 use crate::error::StudyError;
 use crate::left_out::LeftOut;
 use crate::liquids::{Liquid, liquids};
@@ -55,8 +55,6 @@ pub struct InsteadOfRest {
     pub json: Value,
 }
 
-/// Coordinates of a body up to which the reduced equations about the spin take a moment.
-const TRIED: usize = 60;
 /// Coordinates of a body whose modes under forces take a moment.
 const FEW: usize = 60;
 
@@ -88,22 +86,25 @@ impl Study {
             about_spin: None,
         };
         if !report.holds() {
-            report.about_spin = Some(about_spin(self));
+            report.about_spin = Some(about_spin(self, &report.left_out));
         }
         Ok(report)
     }
 }
 
 /// Tries the reduced equations about the spin.
-fn about_spin(study: &Study) -> InsteadOfRest {
+fn about_spin(study: &Study, left_out: &LeftOut) -> InsteadOfRest {
     let none = |sentence: String| InsteadOfRest { holds: false, sentence, json: Value::Null };
+    if left_out.liquids.is_some() {
+        return none("Reduced equations about the spin have the same liquids, and were not tried.".into());
+    }
     let coordinates = study.body.coordinates().len();
     if coordinates > TRIED {
         return none(format!(
             "Reduced equations about the spin were not tried for a body of {coordinates} coordinates; `derive --about spin` does."
         ));
     }
-    match study.about_spin(&AskedManifold::default()) {
+    match study.about_spin_that_holds() {
         Ok(found) => {
             InsteadOfRest { holds: found.holds(), sentence: found.sentence(), json: found.short_json() }
         }

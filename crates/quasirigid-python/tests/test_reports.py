@@ -407,6 +407,25 @@ def test_paper_has_the_still_picture(look: Open) -> None:
     assert page.locator("#viewer-canvas").is_hidden() and page.locator("svg.sphere").is_visible()
 
 
+def test_paper_has_the_body_as_it_was_shown(look: Open) -> None:
+    page = look("boom-satellite")
+    assert page.locator("#viewer-paper").is_hidden()
+    assert len(page.pdf()) > 10_000
+    assert page.locator("#viewer-paper").get_attribute("src").startswith("data:image/png;base64,")
+    page.emulate_media(media="print")
+    assert page.locator("#viewer-paper").is_visible() and page.locator("#viewer-controls, .viewer-transport").first.is_hidden()
+    drawn = page.evaluate("""async () => {
+        const image = byId("viewer-paper"), canvas = document.createElement("canvas");
+        await image.decode();
+        Object.assign(canvas, { width: image.naturalWidth, height: image.naturalHeight });
+        const context = canvas.getContext("2d");
+        context.drawImage(image, 0, 0);
+        const { data } = context.getImageData(0, 0, canvas.width, canvas.height);
+        return new Set(Array.from({ length: data.length / 4 }, (_, i) => data.slice(4 * i, 4 * i + 3).join())).size;
+    }""".replace("byId(", "document.getElementById("))
+    assert drawn > 20, "a body, not a blank"
+
+
 @pytest.mark.parametrize("scheme", ["light", "dark"])
 def test_nothing_bars_a_reader(look: Open, scheme: str) -> None:
     axe = pytest.importorskip("axe_playwright_python.sync_playwright")

@@ -34,7 +34,7 @@ mod viewer;
 
 pub use comparison::{Compared, comparison_page};
 pub use figures::{figure_names, picture};
-pub use gltf::{GltfOptions, gltf};
+pub use gltf::{GltfOptions, gltf, revolutions_per_frame};
 pub use page::page;
 #[cfg(feature = "png")]
 pub use png::{PngError, png};

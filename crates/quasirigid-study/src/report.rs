@@ -1,5 +1,7 @@
 //! Reports: what is made of records alone, the page, the comparison of several, single figures, and the body in motion.
 
-pub use quasirigid_report::{Compared, GltfOptions, comparison_page, figure_names, gltf, page, picture};
+pub use quasirigid_report::{
+    Compared, GltfOptions, comparison_page, figure_names, gltf, page, picture, revolutions_per_frame,
+};
 #[cfg(feature = "png")]
 pub use quasirigid_report::{PngError, png};

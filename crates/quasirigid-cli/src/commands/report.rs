@@ -2,7 +2,7 @@ use std::path::{Path, PathBuf};
 
 use quasirigid_io::record::RunRecord;
 
-use quasirigid_study::report::{Compared, GltfOptions, comparison_page, gltf, page};
+use quasirigid_study::report::{Compared, GltfOptions, comparison_page, gltf, page, revolutions_per_frame};
 
 use crate::args::Report;
 use crate::failure::Failure;
@@ -11,6 +11,8 @@ use crate::{ExitStatus, output};
 
 /// Name of the report in the folder of its record.
 const REPORT: &str = "report.html";
+/// Revolutions from one frame to the next above which an animation shows the body stroboscopically.
+const STROBOSCOPIC: f64 = 0.5;
 /// Name of the comparison of several records.
 const COMPARISON: &str = "comparison.html";
 
@@ -28,6 +30,13 @@ pub fn report(arguments: &Report) -> Result<ExitStatus, Failure> {
         (Some(_), [folder]) => {
             let record = RunRecord::read(folder)?;
             let scene = record.scene.as_ref().ok_or_else(|| Failure::NoScene { folder: folder.clone() })?;
+            if let Some(turns) = revolutions_per_frame(scene).filter(|turns| *turns > STROBOSCOPIC && !quiet)
+            {
+                remark(&format!(
+                    "note: the body makes up to {turns:.1} revolutions from one frame to the next, so the animation shows it \
+                     stroboscopically; a record of a shorter run has its frames closer together"
+                ));
+            }
             gltf(scene, &options(*duration, *deformation)?)
         }
         (Some(_), _) => return Err(Failure::OneScene),

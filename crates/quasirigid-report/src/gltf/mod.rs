@@ -34,6 +34,21 @@ impl Default for GltfOptions {
     }
 }
 
+/// Most revolutions of the body from one frame to the next; none of a scene without frames. From one half on an animation shows the body
+/// stroboscopically.
+#[must_use]
+pub fn revolutions_per_frame(scene: &SceneRecord) -> Option<f64> {
+    let track = scene.track.as_ref()?;
+    let spins = track
+        .omega
+        .0
+        .chunks_exact(3)
+        .map(|omega| omega.iter().map(|w| f64::from(*w).powi(2)).sum::<f64>().sqrt());
+    let steps = track.t.0.windows(2).map(|pair| pair[1] - pair[0]);
+    let turned = steps.zip(spins).map(|(step, spin)| step * spin / std::f64::consts::TAU);
+    Some(turned.fold(0.0, f64::max))
+}
+
 /// Body and motion of a scene as a binary glTF file (`.glb`). Unit of length: the metre, or for large bodies the body's radius over ten.
 #[must_use]
 pub fn gltf(scene: &SceneRecord, options: &GltfOptions) -> Vec<u8> {

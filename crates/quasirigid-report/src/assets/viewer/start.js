@@ -8,6 +8,10 @@ const startViewer = () => {
     byId("viewer-live").hidden = false;
     viewer = new Viewer(scene, gl);
     controls = new Controls(viewer);
+    addEventListener("beforeprint", () => {
+      viewer.draw();
+      Object.assign(byId("viewer-paper"), { src: viewer.canvas.toDataURL(), hidden: false });
+    });
   } else {
     byId("viewer-absent").hidden = false;
     byId("viewer-absent").textContent = "The body is not drawn in motion: this browser has no WebGL2. The picture and the curves below need none.";

@@ -9,13 +9,14 @@ use std::path::{Path, PathBuf};
 
 use pyo3::prelude::*;
 use quasirigid_io::model::Verify;
+use quasirigid_io::record::{HistoryRecord, TableFormat};
 use quasirigid_study::about_spin::AskedManifold;
 use quasirigid_study::evolution::{self, Asked};
 use quasirigid_study::histories::{Propagation, Table};
 use quasirigid_study::layout::paragraph;
 use quasirigid_study::modes::AskedSpin;
 use quasirigid_study::run::RunOutcome;
-use quasirigid_study::{LeftOut, Study, StudyError, beyond, summary, verification};
+use quasirigid_study::{Keeping, LeftOut, Study, StudyError, beyond, summary, verification};
 use serde_json::json;
 
 use crate::columns::Columns;
@@ -170,21 +171,42 @@ pub fn verify(study: &Study, asked: Verify, mut shared: &Shared) -> Result<Answe
 /// The record of a run.
 #[pyclass(frozen, module = "quasirigid._core")]
 #[derive(Debug)]
-pub struct RunAnswer(RunOutcome);
+pub struct RunAnswer {
+    outcome: RunOutcome,
+    /// Folder of the record, which has the rows of long histories.
+    folder: Option<PathBuf>,
+}
 
-/// The main job; the record goes into a new folder, if one is named.
+/// Place of the record of a run.
+pub struct RunPlace {
+    /// New folder.
+    pub folder: PathBuf,
+    /// Formats of the tables, where they are not the usual ones.
+    pub tables: Option<Vec<TableFormat>>,
+    /// Whether a run that was cut off goes on.
+    pub resume: bool,
+}
+
+/// The main job; the record goes into a new folder, if one is named, beside which the run is kept while it is in work.
 pub fn run(
     study: &Study,
     propagation: &Propagation,
-    folder: Option<&Path>,
+    place: Option<&RunPlace>,
     mut shared: &Shared,
 ) -> Result<RunAnswer, Failure> {
-    folder.map_or(Ok(()), vacant)?;
-    let answer = RunAnswer(study.run(propagation, &mut shared)?);
+    place.map_or(Ok(()), |place| vacant(&place.folder))?;
+    let keeping = place.map(|place| Keeping::beside(&place.folder, place.resume));
+    let outcome = study.run_kept(propagation, keeping.as_ref(), &mut shared)?;
+    let mut answer = RunAnswer { outcome, folder: None };
     if shared.stopped() {
+        answer.outcome.release();
         return Err(StudyError::Interrupted.into());
     }
-    folder.map_or(Ok(()), |folder| answer.place(folder))?;
+    if let Some(RunPlace { folder, tables, .. }) = place {
+        answer.place(folder, tables.as_deref())?;
+        answer.folder = Some(folder.clone());
+        answer.outcome.release();
+    }
     Ok(answer)
 }
 
@@ -201,7 +223,7 @@ fn vacant(folder: &Path) -> Result<(), Failure> {
 
 impl RunAnswer {
     /// Writes the record into a folder that appears only when it is complete.
-    fn place(&self, folder: &Path) -> Result<(), Failure> {
+    fn place(&self, folder: &Path, tables: Option<&[TableFormat]>) -> Result<(), Failure> {
         vacant(folder)?;
         let Some(name) = folder.file_name() else {
             return Err(Failure::File(format!("{} is no name for a folder", folder.display())));
@@ -213,7 +235,8 @@ impl RunAnswer {
             Failure::File(format!("cannot write {}: {cause}{advice}", folder.display()))
         };
         fs::create_dir(&building).map_err(failed)?;
-        let placed = self.0.write(&building).map_err(Failure::from);
+        let formats = tables.unwrap_or(self.outcome.record.usual_formats());
+        let placed = self.outcome.write_tables(&building, formats).map_err(Failure::from);
         let placed = placed.and_then(|()| fs::rename(&building, folder).map_err(failed));
         if placed.is_err() {
             // The failure that is told matters more than a folder left over.
@@ -223,55 +246,66 @@ impl RunAnswer {
     }
 }
 
+impl RunAnswer {
+    /// A history with every row; of a long one they are in the folder of the record.
+    fn history(&self, history: &HistoryRecord) -> Result<(String, Columns), Failure> {
+        let columns = match &self.folder {
+            Some(folder) if !history.is_whole() => history.whole_table(folder).map_err(StudyError::from)?,
+            _ => history.columns.clone(),
+        };
+        Ok((history.system.clone(), Columns::of_record(columns)))
+    }
+}
+
 #[pymethods]
 impl RunAnswer {
     #[getter]
     fn json(&self) -> Json {
-        Json(json!(self.0.record))
+        Json(json!(self.outcome.record))
     }
 
     #[getter]
     fn text(&self) -> String {
-        summary::answer(&self.0.record)
+        summary::answer(&self.outcome.record)
     }
 
     #[getter]
     fn sentence(&self) -> &str {
-        &self.0.record.validity.verdict
+        &self.outcome.record.validity.verdict
     }
 
     #[getter]
     fn holds(&self) -> bool {
-        self.0.holds
+        self.outcome.holds
     }
 
     #[getter]
     fn notes(&self) -> Vec<String> {
-        self.0.record.notes.clone()
+        self.outcome.record.notes.clone()
     }
 
     /// The histories: the name of each system, and its table.
     #[getter]
-    fn histories(&self) -> Vec<(String, Columns)> {
-        let histories = self.0.record.histories.iter();
-        histories.map(|each| (each.system.clone(), Columns::of_record(each.columns.clone()))).collect()
+    fn histories(&self) -> PyResult<Vec<(String, Columns)>> {
+        let histories = self.outcome.record.histories.iter();
+        Ok(histories.map(|each| self.history(each)).collect::<Result<_, _>>()?)
     }
 
     /// The table of the secular evolution, where the model asks for it.
     #[getter]
     fn evolution(&self) -> Option<Columns> {
-        let evolution = self.0.record.evolution.as_ref();
+        let evolution = self.outcome.record.evolution.as_ref();
         evolution.map(|each| Columns::of_record(each.columns.clone()))
     }
 
     /// The files beside the record: the reduced equations, the report and its picture.
     fn files(&self, py: Python<'_>) -> Vec<(&'static str, String)> {
-        py.detach(|| self.0.files())
+        py.detach(|| self.outcome.files())
     }
 
     /// Writes record and report into a new folder.
     fn write(&self, py: Python<'_>, folder: PathBuf) -> PyResult<()> {
-        Ok(py.detach(|| self.place(&folder))?)
+        Ok(py.detach(|| self.place(&folder, None))?)
     }
 }
 

@@ -11,13 +11,14 @@ use pyo3::prelude::*;
 use quasirigid_io::model::{
     self as file, EvolveMethod, Manifold, ManifoldMasters, ManifoldStyle, MastersError, Power, System, Verify,
 };
+use quasirigid_io::record::TableFormat;
 use quasirigid_study::about_spin::AskedManifold;
 use quasirigid_study::evolution::Asked;
 use quasirigid_study::histories::{Propagation, Table};
 use quasirigid_study::modes::{AskedSpin, PrincipalAxis};
 use quasirigid_study::{Study, StudyError};
 
-use crate::answers::{self, Answer, RunAnswer};
+use crate::answers::{self, Answer, RunAnswer, RunPlace};
 use crate::arguments::{Quantity, named};
 use crate::columns::Columns;
 use crate::ensemble::{self, Histories};
@@ -221,24 +222,43 @@ impl Model {
     }
 
     /// The main job, and its record.
-    #[pyo3(signature = (folder, settings, order, observer))]
+    #[pyo3(signature = (place, settings, order, observer))]
     fn run(
         &self,
         py: Python<'_>,
-        folder: Option<PathBuf>,
+        place: Option<Place>,
         settings: Settings,
         order: Option<usize>,
         observer: Observer,
     ) -> PyResult<RunAnswer> {
         let propagation = settings.propagation()?;
+        let place = place.map(Place::read).transpose()?;
         Ok(interruptible(py, observer.as_ref(), |shared| {
-            answers::run(&*self.study(order)?, &propagation, folder.as_deref(), shared)
+            answers::run(&*self.study(order)?, &propagation, place.as_ref(), shared)
         })?)
     }
 
     /// BibTeX entries of what the model uses.
     fn cite(&self) -> String {
         quasirigid_study::cite::bibtex(&self.parsed)
+    }
+}
+
+/// Place of the record of a run, as a dictionary.
+#[derive(FromPyObject)]
+#[pyo3(from_item_all)]
+pub struct Place {
+    folder: PathBuf,
+    tables: Option<Vec<String>>,
+    resume: bool,
+}
+
+impl Place {
+    fn read(self) -> Result<RunPlace, Failure> {
+        let Self { folder, tables, resume } = self;
+        let format = |name: &String| named::<TableFormat>(Some(name), "tables");
+        let formats = |names: Vec<String>| names.iter().map(format).collect::<Result<Option<Vec<_>>, _>>();
+        Ok(RunPlace { folder, tables: tables.map(formats).transpose()?.flatten(), resume })
     }
 }
 

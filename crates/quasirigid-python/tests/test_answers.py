@@ -118,6 +118,48 @@ def test_a_run_is_written_once(tmp_path: Path, told: Any) -> None:
     assert sorted(path.name for path in tmp_path.iterdir()) == ["page.html", "program", "run"]
 
 
+def test_a_run_has_its_tables_in_the_formats_asked_for(tmp_path: Path) -> None:
+    body = model("three-masses")
+    asked = [("parquet", ["parquet"]), ("csv,npz", ["csv", "npz"]), (["npz", "csv"], ["csv", "npz"])]
+    for number, (formats, endings) in enumerate(asked):
+        folder = tmp_path / f"run-{number}"
+        run = body.run(folder, samples=21, tables=formats)
+        assert sorted(path.suffix[1:] for path in folder.glob("history-reduced.*")) == endings
+        if "npz" in endings:
+            np.testing.assert_array_equal(np.load(folder / "history-reduced.npz")["wx"], run.histories["reduced"]["wx"])
+    with pytest.raises(quasirigid.InputError, match='"parquet", "csv", "npz"|"csv", "parquet", "npz"'):
+        body.run(tmp_path / "other", tables="hdf5")
+    with pytest.raises(quasirigid.InputError, match="folder"):
+        body.run(tables="csv")
+    with pytest.raises(quasirigid.InputError, match="folder"):
+        body.run(resume=True)
+    assert not (tmp_path / "other").exists()
+
+
+def test_a_run_that_was_cut_off_goes_on_with_the_same_bits(tmp_path: Path) -> None:
+    """Interrupted by its observer once it is on the disk; more rows than memory keeps, so that the histories come from the record."""
+    body = model("boom-satellite").with_({"run.systems": ["reduced"]})
+    kept = tmp_path / "cut-unfinished"
+
+    def cut(stage: str, share: float) -> bool:
+        return not (kept / "history-reduced.checkpoint").exists()
+
+    with pytest.raises(quasirigid.InputError, match="no run here"):
+        body.run(tmp_path / "cut", samples=150_001, resume=True)
+    with pytest.raises(quasirigid.Interrupted):
+        body.run(tmp_path / "cut", samples=150_001, progress=cut)
+    assert kept.exists() and not (tmp_path / "cut").exists()
+    with pytest.raises(quasirigid.InputError, match="resume=True"):
+        body.run(tmp_path / "cut", samples=150_001)
+    run = body.run(tmp_path / "cut", samples=150_001, resume=True)
+    body.run(tmp_path / "whole", samples=150_001)
+    names = {path.name for path in (tmp_path / "whole").iterdir()}
+    assert names == {path.name for path in (tmp_path / "cut").iterdir()} and "history-reduced.parquet" in names
+    for name in names:
+        assert (tmp_path / "cut" / name).read_bytes() == (tmp_path / "whole" / name).read_bytes(), name
+    assert not kept.exists() and run.histories["reduced"].rows == 150_001
+
+
 def test_html_is_escaped() -> None:
     named = Model(quasirigid.EXAMPLE.replace('name = "boom satellite"', 'name = "<script>&"'))
     for shown in (named.check()._repr_html_(), named._repr_html_(), named.reduce()._repr_html_()):

@@ -6,13 +6,14 @@ import base64
 import itertools
 import json
 import shutil
+import subprocess
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
-from conftest import EXAMPLES
+from conftest import EXAMPLES, program
 
 from quasirigid import Model
 
@@ -413,3 +414,24 @@ def test_nothing_bars_a_reader(look: Open, scheme: str) -> None:
     found = axe.Axe().run(page).response["violations"]
     serious = [each for each in found if each["impact"] in ("serious", "critical")]
     assert not serious, [(each["id"], [node["html"][:120] for node in each["nodes"][:3]]) for each in serious]
+
+
+def test_the_moving_picture_moves_in_a_page_and_rests_for_who_asks(browser: Any, tmp_path: Path) -> None:
+    """``plot --figure motion`` in an image, and opened by itself with less motion asked for."""
+    Model.from_file(EXAMPLES / "axial-mass" / "model.toml").run(tmp_path / "run", duration="2 min", samples=2001)
+    call = [program(), "plot", tmp_path / "run", "--figure", "motion", "--out", tmp_path / "motion.svg", "--quiet"]
+    subprocess.run(call, check=True)
+    (tmp_path / "page.html").write_text('<img src="motion.svg" alt="">')
+
+    def shots(name: str, **options: Any) -> list[bytes]:
+        page = browser.new_page(viewport={"width": 900, "height": 520}, **options)
+        page.goto((tmp_path / name).as_uri())
+        found = []
+        for _ in range(3):
+            page.wait_for_timeout(600)
+            found.append(page.screenshot())
+        page.close()
+        return found
+
+    assert len(set(shots("page.html"))) == 3
+    assert len(set(shots("motion.svg", reduced_motion="reduce"))) == 1

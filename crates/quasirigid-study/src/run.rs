@@ -9,7 +9,8 @@ use quasirigid::model::ReducedBody;
 use quasirigid::reduction::{Validity, Verdict};
 use quasirigid_io::model::{Named, System, Verify};
 use quasirigid_io::record::{
-    AboutSpinRecord, EvolutionRecord, HistoryRecord, RECORD_FORMAT, RunRecord, VerificationRecord,
+    AboutSpinRecord, EvolutionRecord, HistoryRecord, RECORD_FORMAT, RunRecord, TableFormat,
+    VerificationRecord,
 };
 use quasirigid_math::vec3::norm;
 
@@ -64,8 +65,14 @@ pub struct RunOutcome {
 impl RunOutcome {
     /// Removes the folder of the run in work, once the record is written; that of a run that was interrupted stays, so that it can go on.
     /// Returns the folder that stays.
-    pub fn settle(self) -> Option<PathBuf> {
-        let kept = self.kept?;
+    pub fn settle(mut self) -> Option<PathBuf> {
+        self.release()
+    }
+
+    /// As [`settle`](Self::settle); of long histories, whose rows were in that folder, the record has the extremes from then on.
+    pub fn release(&mut self) -> Option<PathBuf> {
+        let kept = self.kept.take()?;
+        self.record.histories.iter_mut().for_each(|history| history.log = None);
         if kept.is_there() && self.record.histories.iter().any(|history| history.status == "interrupted") {
             return Some(kept.folder().to_owned());
         }
@@ -78,7 +85,15 @@ impl RunOutcome {
     /// # Errors
     /// [`StudyError::Record`] and [`StudyError::Write`].
     pub fn write(&self, folder: &Path) -> Result<(), StudyError> {
-        self.record.write(folder, self.record.usual_formats())?;
+        self.write_tables(folder, self.record.usual_formats())
+    }
+
+    /// The same with tables in these formats.
+    ///
+    /// # Errors
+    /// Those of [`write`](Self::write).
+    pub fn write_tables(&self, folder: &Path, formats: &[TableFormat]) -> Result<(), StudyError> {
+        self.record.write(folder, formats)?;
         self.files().into_iter().try_for_each(|(name, text)| {
             let path = folder.join(name);
             fs::write(&path, text).map_err(|cause| StudyError::Write { path, cause })

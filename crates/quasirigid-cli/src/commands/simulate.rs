@@ -79,13 +79,16 @@ fn tell_end(history: &History) {
     }
 }
 
+/// Writing of a table to its place.
+type Writing<'a> = Box<dyn FnOnce(&mut dyn Write) -> io::Result<()> + 'a>;
+
 /// Writes the table; returns whether it stands at the place asked for.
 fn print_table(arguments: &Simulate, history: &History, interrupt: &Interrupt) -> Result<bool, Failure> {
     let (format, columns) = (arguments.format, &history.columns);
     if arguments.out.is_none() && arguments.common.json {
         return Ok(true);
     }
-    let write: Box<dyn FnOnce(&mut dyn Write) -> io::Result<()>> = match (&history.log, format) {
+    let write: Writing<'_> = match (&history.log, format) {
         (None, TableFormat::Csv) => Box::new(|out| history_csv(columns, out)),
         (Some(log), TableFormat::Csv) => Box::new(|out| log_csv(columns, log, out)),
         (None, format) => {

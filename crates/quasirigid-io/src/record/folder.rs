@@ -189,6 +189,23 @@ fn read_history(dir: &Path, history: &mut HistoryRecord) -> Result<(), RecordErr
     Ok(())
 }
 
+impl HistoryRecord {
+    /// Every row of the history, from its table in the folder of the record.
+    ///
+    /// # Errors
+    /// Those of [`RunRecord::read`].
+    pub fn whole_table(&self, dir: &Path) -> Result<Vec<Column>, RecordError> {
+        let (file, format) = found(dir, &history_stem(&self.system))?;
+        let empty = |column: &Column| Column { values: Vec::new(), ..column.clone() };
+        let names: Vec<Column> = self.columns.iter().map(empty).collect();
+        let mut columns = names.clone();
+        format.read(&file, &names, &mut |row| {
+            columns.iter_mut().zip(row).for_each(|(column, number)| column.values.push(*number));
+        })?;
+        Ok(columns)
+    }
+}
+
 /// The file of a table, in the first format that is there.
 fn found(dir: &Path, stem: &str) -> Result<(PathBuf, TableFormat), RecordError> {
     let file = |format: TableFormat| dir.join(format!("{stem}.{}", format.ending()));

@@ -97,7 +97,11 @@ class Model:
         observer: _Observer,
     ) -> _Answer: ...
     def run(
-        self, folder: str | None, settings: dict[str, Any], order: int | None, observer: _Observer
+        self,
+        place: dict[str, Any] | None,
+        settings: dict[str, Any],
+        order: int | None,
+        observer: _Observer,
     ) -> RunAnswer: ...
     def cite(self) -> str: ...
 

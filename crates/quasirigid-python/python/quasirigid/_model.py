@@ -506,22 +506,33 @@ class Model:
         form: str | None = None,
         method: str | None = None,
         order: int | None = None,
+        tables: str | Sequence[str] | None = None,
+        resume: bool = False,
         progress: Progress = False,
     ) -> Run:
         """Does everything that the model asks for in ``[run]``: check, reduce, propagate, follow, verify.
 
         Args:
             folder: New folder for the record and its report; it appears only when the record is complete. Without one nothing
-                is written.
+                is written. From the first second of work on the run is kept beside it, in ``<folder>-unfinished``, and histories
+                of any number of rows take little memory.
+            tables: Formats of the tables: ``csv``, ``parquet``, ``npz``, or several of them; CSV by default, Parquet where a history
+                has more than 100 000 rows.
+            resume: Whether to go on from ``<folder>-unfinished``, where a run was cut off, with the bits of a run that nothing
+                stopped.
 
         Raises:
             FileError: for a folder that is there already, before any work.
+            InputError: for ``tables`` or ``resume`` without a folder, and for a run that is not there to go on with, or is another.
             StartError: for a start that is none.
         """
-        path = None if folder is None else _path(folder, "folder")
+        if folder is None and (tables is not None or resume):
+            raise InputError("tables and resume need the folder of the record")
+        formats = tables.split(",") if isinstance(tables, str) else None if tables is None else list(tables)
+        place = None if folder is None else {"folder": _path(folder, "folder"), "tables": formats, "resume": bool(resume)}
         settings = _settings(duration, samples, tolerance, form, method)
         with observer(progress) as watch:
-            return Run(self._core.run(path, settings, _arguments.count(order, "order"), watch))
+            return Run(self._core.run(place, settings, _arguments.count(order, "order"), watch))
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Model):

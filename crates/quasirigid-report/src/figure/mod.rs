@@ -144,7 +144,8 @@ impl Figure {
                         }
                     }
                     @for (place, series) in self.labels(y) {
-                        text.label.(series.class) x="100%" y=(percent(place)) dx="0.6em" dy="0.35em" { (series.label) }
+                        text.label.(series.class).end[self.has_bars()] x="100%" y=(percent(place))
+                            dx=(if self.has_bars() { "-0.6em" } else { "0.6em" }) dy="0.35em" { (series.label) }
                     }
                     @for mark in &self.marks { (mark.draw(x)) }
                 }
@@ -158,8 +159,13 @@ impl Figure {
         format!("Curves of {}: {y} against {x}. {}", labels.join(", "), self.caption)
     }
 
-    /// The curves with names at their right ends, by places from the top that are pushed apart where names would overlap.
+    /// The names of bars below each other in the upper right corner, or the curves with names at their right ends, by places from the top that are pushed apart where names would overlap.
     fn labels(&self, y: &Axis) -> Vec<(f64, &Series)> {
+        if self.has_bars() {
+            let line = |i: usize| (i as f64 + 0.7) * LINE;
+            let named = self.series.iter().filter(|series| !series.label.is_empty());
+            return named.enumerate().map(|(i, series)| (line(i), series)).collect();
+        }
         let end =
             |series: &Series| series.y.iter().rev().map(|&v| y.place(v)).find(|place| place.is_finite());
         let named = self.series.iter().filter(|series| !series.label.is_empty());
@@ -249,9 +255,11 @@ fn percent(place: f64) -> String {
     format!("{:.2}%", 100.0 * place)
 }
 
+/// Height of a line of text.
+const LINE: f64 = 16.0 / HEIGHT;
+
 /// Moves sorted places apart to the height of a line of text, keeping them within the plot.
 fn apart(mut places: Vec<f64>) -> Vec<f64> {
-    const LINE: f64 = 16.0 / HEIGHT;
     for i in 1..places.len() {
         places[i] = places[i].max(places[i - 1] + LINE);
     }

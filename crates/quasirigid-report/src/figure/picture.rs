@@ -54,7 +54,8 @@ impl Figure {
                         }
                     }
                     @for (place, series) in self.labels(&y) {
-                        text x=(width + 8.0) y=(number(place * height + 4.5)) fill=(colour(series.class)) font-weight="bold" {
+                        text x=(if self.has_bars() { width - 8.0 } else { width + 8.0 }) text-anchor=[self.has_bars().then_some("end")]
+                            y=(number(place * height + 4.5)) fill=(colour(series.class)) font-weight="bold" {
                             (series.label)
                         }
                     }

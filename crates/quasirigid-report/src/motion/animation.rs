@@ -35,12 +35,11 @@ impl Clock {
             (self.at(i - 1) + (self.at(i) - self.at(i - 1)) * before / (before - after), seen(i))
         });
         let runs: Vec<(f64, bool)> = [(0.0, seen(0))].into_iter().chain(changes).collect();
-        let values: Vec<&str> =
-            runs.iter().map(|(_, seen)| if *seen { "visible" } else { "hidden" }).collect();
+        let values: Vec<&str> = runs.iter().map(|(_, seen)| if *seen { "inline" } else { "none" }).collect();
         let times: Vec<String> = runs.iter().map(|(time, _)| part(*time)).collect();
         html! {
             @if runs.iter().any(|(_, seen)| !seen) {
-                animate attributeName="visibility" dur=(self.length()) repeatCount="indefinite" calcMode="discrete"
+                animate attributeName="display" dur=(self.length()) repeatCount="indefinite" calcMode="discrete"
                     values=(values.join(";")) keyTimes=(times.join(";")) {}
             }
         }
@@ -80,12 +79,12 @@ mod tests {
     fn changes_are_told_by_their_times() {
         let clock = Clock { duration: 2.5, frames: 5 };
         let shown = clock.show(&[-1.0, -3.0, 1.0, 2.0, -2.0]).into_string();
-        assert!(shown.contains(r#"values="hidden;visible;hidden" keyTimes="0;0.4375;0.875""#), "{shown}");
+        assert!(shown.contains(r#"values="none;inline;none" keyTimes="0;0.4375;0.875""#), "{shown}");
         assert!(shown.contains(r#"dur="2.5s""#));
         assert_eq!(clock.show(&[1.0; 5]).into_string(), "");
-        assert!(clock.show(&[-1.0; 5]).into_string().contains(r#"values="hidden" keyTimes="0""#));
+        assert!(clock.show(&[-1.0; 5]).into_string().contains(r#"values="none" keyTimes="0""#));
         let shown = clock.show_in(1..3).into_string();
-        assert!(shown.contains(r#"values="hidden;visible;hidden" keyTimes="0;0.2498;0.5002""#), "{shown}");
+        assert!(shown.contains(r#"values="none;inline;none" keyTimes="0;0.2498;0.5002""#), "{shown}");
         assert_eq!(clock.animate("x", &["1".into(), "1".into()]).into_string(), "");
     }
 }

@@ -86,7 +86,7 @@ fn draw(
     if !seen.iter().any(|measure| *measure > 0.0) {
         return html! {};
     }
-    let hidden = (seen[0] <= 0.0).then_some("hidden");
+    let hidden = (seen[0] <= 0.0).then_some("none");
     let paths = |path: &dyn Fn(&Quaternion) -> String| frames.iter().map(path).collect::<Vec<_>>();
     let (style, values) = match shape {
         Shape::Face { corners, normal } => (
@@ -106,14 +106,14 @@ fn draw(
             let radius = (observer.scale * radius).clamp(DOTS[0] * UNITS, DOTS[1] * UNITS);
             let style = format!("{class} dot");
             return html! {
-                circle class=(style) visibility=[hidden] cx=(of(0)[0]) cy=(of(1)[0]) r=(whole(radius)) {
+                circle class=(style) display=[hidden] cx=(of(0)[0]) cy=(of(1)[0]) r=(whole(radius)) {
                     (clock.animate("cx", &of(0))) (clock.animate("cy", &of(1))) (clock.show(&seen))
                 }
             };
         }
     };
     html! {
-        path class=(style) visibility=[hidden] d=(values[0]) { (clock.animate("d", &values)) (clock.show(&seen)) }
+        path class=(style) display=[hidden] d=(values[0]) { (clock.animate("d", &values)) (clock.show(&seen)) }
     }
 }
 

@@ -1,6 +1,6 @@
 //! Moving picture of a run: the body as it tumbles in inertial axes, beside it the path of the angular momentum in body axes as it grows.
-//! An SVG file without a script, which moves in an `<img>`; for readers who asked for less motion, on paper, and in programs that do not
-//! animate it is a still picture of the start with the whole path.
+//! An SVG file without a script, which moves in an `<img>`; on paper, in programs that do not animate, and opened by itself by readers who
+//! asked for less motion it is a still picture of the start with the whole path.
 
 mod animation;
 mod attitude;
@@ -246,11 +246,11 @@ impl Movie<'_> {
                     @let x: Vec<String> = self.stretches.iter().flat_map(|stretch| &stretch.frames).map(|frame| format!("{:.1}", place(frame.0))).collect();
                     @if several {
                         circle.stop cx=(format!("{:.1}", place(stretch.frames[0].0))) cy=(LINE[2]) r="4" {}
-                        circle.now cx=(format!("{:.1}", place(stretch.frames[0].0))) cy=(LINE[2]) r="6" { (clock.show_in(span.clone())) }
+                        circle.now cx=(format!("{:.1}", place(stretch.frames[0].0))) cy=(LINE[2]) r="6" display=[(span.start > 0).then_some("none")] { (clock.show_in(span.clone())) }
                     } @else {
                         circle.now cx=(x[0]) cy=(LINE[2]) r="6" { (clock.animate("cx", &x)) }
                     }
-                    text.state x=(LINE[0]) y=(LINE[2] - 18.0) visibility=[(span.start > 0).then_some("hidden")] {
+                    text.state x=(LINE[0]) y=(LINE[2] - 18.0) display=[(span.start > 0).then_some("none")] {
                         (self.state(stretch, first)) @if several { (clock.show_in(span.clone())) }
                     }
                 }

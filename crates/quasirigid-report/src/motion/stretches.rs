@@ -35,7 +35,7 @@ pub fn stretches(history: &HistoryRecord, most: usize) -> Option<Vec<Stretch>> {
     let angles = angles(&poses);
     let whole = *angles.last()?;
     let usual = (last - first) / (poses.len() - 1) as f64;
-    if !history.is_whole() || !(whole > 0.0 && usual > 0.0) {
+    if !(history.is_whole() && whole > 0.0 && usual > 0.0) {
         return None;
     }
     let (count, [length, drawn]) = if whole <= FEW * TAU {

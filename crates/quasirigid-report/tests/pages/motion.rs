@@ -170,13 +170,13 @@ fn far_sides_and_pieces_behind_are_hidden() {
     let seen_at = |node: Node, place: f64| {
         let times = node
             .children()
-            .find(|child| child.attribute("attributeName") == Some("visibility"))
+            .find(|child| child.attribute("attributeName") == Some("display"))
             .map_or_else(Vec::new, |found| {
                 found.attribute("keyTimes").unwrap().split(';').map(|t| t.parse::<f64>().unwrap()).collect()
             });
-        let states = values(node, "visibility");
+        let states = values(node, "display");
         let now = times.iter().rposition(|time| *time <= place);
-        now.is_none_or(|now| states[now] == "visible")
+        now.is_none_or(|now| states[now] == "inline")
     };
     let faces: Vec<Node> =
         ["tone-1", "tone-2", "tone-3"].iter().flat_map(|tone| of_class(&document, "moving", tone)).collect();

@@ -38,7 +38,7 @@ const LONGER: f64 = 1.5;
 /// Longest piece, in decay times of the nutation.
 const LONGEST: f64 = 1.0;
 /// Phase of the nutation (rad) by which the energy, which falls unevenly, comes to a value sooner or later than between rows.
-const LAGS: f64 = 0.1;
+const LAGS: f64 = 0.3;
 /// Rows over which the power at the end is taken.
 const SLOPE: usize = 12;
 /// Rows in a piece, and limit of pieces.

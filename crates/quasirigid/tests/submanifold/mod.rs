@@ -1,5 +1,6 @@
 //! Reduced equations about a steady spin.
 
+mod between_poles;
 mod bodies;
 mod explorer_1;
 mod laws;

@@ -104,12 +104,21 @@ class Layer {
 
   /** Names at the right ends of the curves. */
   drawLabels(x, y) {
+    if (this.chart.series.some(({ bar }) => bar)) return this.listLabels();
     const ends = this.chart.series.filter(({ label }) => label).map((series) => [series, this.endOf(series, x, y)]);
     const known = ends.filter(([, at]) => Number.isFinite(at)).sort((a, b) => a[1] - b[1]);
     const places = apart(known.map(([, at]) => at));
     known.forEach(([series], i) => {
       const attributes = { class: `label ${series.style}`, x: "100%", y: percent(places[i]), dx: "0.6em", dy: "0.35em" };
       svgNode(this.over, "text", attributes, series.label);
+    });
+  }
+
+  /** Names of bars, in the upper right corner. */
+  listLabels() {
+    this.chart.series.filter(({ label }) => label).forEach(({ style, label }, i) => {
+      const attributes = { class: `label ${style} end`, x: "100%", y: percent((i + 0.7) * LINE), dx: "-0.6em", dy: "0.35em" };
+      svgNode(this.over, "text", attributes, label);
     });
   }
 

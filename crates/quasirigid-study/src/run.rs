@@ -393,10 +393,8 @@ impl<'a> Plan<'a> {
         }
         let mut history = record::history(system, equations, &self.options, followed, (body, &run));
         let note = verdict.as_ref().and_then(OnManifold::note);
-        if let Some(verdict) = verdict {
-            if let Some((status, message)) = verdict.status(run.outcome) {
-                (history.status, history.message) = (status.into(), message);
-            }
+        if let Some((status, message)) = verdict.and_then(|verdict| verdict.status(run.outcome)) {
+            (history.status, history.message) = (status.into(), message);
         }
         Ok((history, note))
     }

@@ -1,5 +1,6 @@
 //! Time to derive the reduced equations about a steady spin, and of a history by them beside the full system at equal error.
 #![allow(missing_docs)]
+#![allow(non_snake_case)]
 
 use std::ops::ControlFlow;
 

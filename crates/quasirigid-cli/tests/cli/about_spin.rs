@@ -258,8 +258,9 @@ fn what_has_no_equations_about_its_spin_is_refused_in_words() {
         "{MODEL}[[force]]\nname = \"push\"\nkind = \"expression\"\non = \"tip\"\nforce = [\"0\", \"1\", \"0\"]\n"
     );
     let stop = format!("{MODEL}stop = {{ energy = 0.01 }}\n");
-    let driven =
-        format!("{MODEL}[support]\nkind = \"prescribed\"\nacceleration = [\"0\", \"0\", \"sin(t)\"]\n");
+    let driven = format!(
+        "{MODEL}[support]\nkind = \"prescribed\"\npoint = [0.0, 0.0, 0.0]\nacceleration = [\"0\", \"0\", \"sin(t)\"]\n"
+    );
     let cases: [(&str, &str, &str); 11] = [
         (&example("apophis"), "derive model.toml --about spin", "has no equations of motion of its own"),
         (&forced, "derive model.toml --about spin", "without external forces (push)"),

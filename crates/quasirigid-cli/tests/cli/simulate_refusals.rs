@@ -78,7 +78,7 @@ fn options_that_exclude_each_other_are_refused() {
 #[test]
 fn unknown_choices_are_refused_with_the_known_ones() {
     for (options, known) in [
-        ("--system ful", "[possible values: full, reduced, rigid]"),
+        ("--system ful", "[possible values: full, reduced, rigid, manifold]"),
         ("--form spin", "[possible values: momentum, paper]"),
         ("--format xml", "[possible values: csv, parquet, npz]"),
     ] {

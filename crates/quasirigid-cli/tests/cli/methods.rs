@@ -184,8 +184,8 @@ fn times_are_those_of_the_full_system() {
     let heavy = FLYWHEEL.replace("inertia = 3.0\nfriction = 0.05", "inertia = 0.8\nfriction = 4.0");
     let soft = SLOSH.replace("damping = 0.02", "damping = 0.004");
     let roads = [
-        (example("nutation-damper"), "direct"),
-        (tuned, "direct"),
+        (example("nutation-damper"), "manifold"),
+        (tuned, "manifold"),
         (SLOSH.to_owned(), "direct"),
         (heavy, "average"),
         (soft, "micro-runs"),

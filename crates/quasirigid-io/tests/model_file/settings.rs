@@ -77,7 +77,7 @@ fn systems_and_methods_are_read() {
     assert_eq!(methods, [Some(Method::Automatic), Some(Method::Explicit), Some(Method::Implicit)]);
     assert_snapshot!(refusal_of("[run]\nsystems = [\"full\", \"ful\", \"full\", 3]\nmethod = \"implict\"\n"), @r#"
     model.toml:10:20: `systems` cannot be "ful"
-      did you mean "full"? write "full", "reduced" or "rigid"
+      did you mean "full"? write "full", "reduced", "rigid" or "manifold"
     model.toml:10:27: `systems` has this twice
       leave it out
     model.toml:10:35: `systems`: found an integer, expected a text

@@ -157,7 +157,11 @@ impl Worker<'_, '_> {
             self.chart = Some(chart);
             return Ok(());
         }
-        let run = self.short_run(edge.xi)?;
+        let run = match self.short_run(edge.xi) {
+            Ok(run) => run,
+            Err(MeasureError::Interrupted) => return Err(MeasureError::Interrupted),
+            Err(_) => return Ok(()),
+        };
         let Ok(hand_over) = chart.hand_over(self.range, &run) else { return Ok(()) };
         self.power.measurements.push(run);
         if hand_over.mismatch <= self.options.error {

@@ -228,6 +228,13 @@ pub fn take(road: ChosenMethod, ground: &Ground, way: &Way, secular: &mut Secula
 fn measured(power: &MeasuredPower) -> String {
     let runs = power.measurements.iter().filter(|each| !each.reduced).count();
     let edges: Vec<String> = power.hand_overs.iter().map(handed).collect();
+    if runs == 0 {
+        return format!(
+            "What moves inside is too heavy or too soft for an average: the mean power was taken from the reduced equations about the \
+             spin, which hold {}",
+            edges.join(", ")
+        );
+    }
     let within = if edges.is_empty() {
         String::new()
     } else {

@@ -23,7 +23,7 @@ const MODULES: [(&str, &[&str]); 15] = [
     ("dynamics", &["math", "model"]),
     ("averaging", &["math", "model"]),
     ("modes", &["math", "model"]),
-    ("submanifold", &["math", "model", "dynamics", "modes"]),
+    ("submanifold", &["math", "model", "dynamics", "averaging", "modes"]),
     ("secular", &["math", "model", "reduction", "dynamics", "averaging", "modes", "submanifold"]),
     (
         "verification",

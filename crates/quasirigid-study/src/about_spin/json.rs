@@ -118,8 +118,7 @@ impl AboutSpin<'_> {
                 "exponents": near.exponents, "name": mode.name, "frequency": mode.frequency, "distance": near.distance,
             })).collect::<Vec<_>>(),
             "met": self.met.iter().map(|met| json!({
-                "name": met.name, "harmonic": met.harmonic, "amplitude": met.amplitude, "nutation": met.nutation,
-                "frequency": met.frequency,
+                "name": met.name, "harmonic": met.harmonic, "nutation": met.nutation, "frequency": met.frequency,
             })).collect::<Vec<_>>(),
             "whirl_onset": self.onset.as_ref().map(|onset| json!({
                 "spin": onset.spin, "name": onset.name, "frequency": onset.frequency,

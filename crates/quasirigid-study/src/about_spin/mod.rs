@@ -54,6 +54,8 @@ const NARROW: f64 = 0.1;
 const STILL: f64 = 1e-4;
 /// Relative difference of the frequency asked for from that of a mode, within which they are the same.
 const SAME: f64 = 0.05;
+/// Angle up to which resonances met are told, in ranges.
+const MET: f64 = 2.0;
 
 /// Request for reduced equations about a spin; absent settings are those of the file, or the defaults.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -170,7 +172,7 @@ pub(crate) fn about<'a>(
     let backbone = manifold.backbone(inside * count as f64 / WITHIN as f64, count);
     let start = state.map(|state| within(&manifold, &range, &state));
     let left_out = LeftOut::at(motion.study(), manifold.spin.omega, None);
-    let met = manifold.resonances_met(range.amplitude);
+    let met = manifold.resonances_met(MET * range.nutation);
     let onset = onset(&manifold, axis, watch);
     Ok(AboutSpin { study: motion.study(), manifold, axis, range, backbone, start, left_out, met, onset })
 }

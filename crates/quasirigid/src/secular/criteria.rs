@@ -38,10 +38,10 @@ impl AverageCriteria {
         (CAUTION * compared).max(self.liquids)
     }
 
-    /// Bound of the relative error of an averaged time of so many revolutions. (Q7)
+    /// Bound of the relative error of an averaged time of so many periods of the wobble. (Q7)
     #[must_use]
-    pub fn time_error(&self, revolutions: f64) -> f64 {
-        self.error() + uneven(revolutions)
+    pub fn time_error(&self, periods: f64) -> f64 {
+        self.error() + uneven(periods)
     }
 
     /// True if the average may be used.
@@ -51,9 +51,10 @@ impl AverageCriteria {
     }
 }
 
-/// Relative error of a time of so many revolutions from the uneven fall of the energy of a full system: half a revolution.
-pub(super) fn uneven(revolutions: f64) -> f64 {
-    0.5 / revolutions
+/// Relative error of a time of so many periods of the wobble from the uneven fall of the energy of a full system: a quarter of a period at
+/// each end, as of a power that acts half the time.
+pub(super) fn uneven(periods: f64) -> f64 {
+    0.5 / periods
 }
 
 /// Criteria of an average between two rotation states, from the modes at the poles. (Q7)

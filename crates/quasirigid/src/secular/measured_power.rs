@@ -68,10 +68,10 @@ impl MeasuredPower {
         Ok(power)
     }
 
-    /// Bound of the relative error of a time of so many revolutions from this power. (Q4)
+    /// Bound of the relative error of a time of so many periods of the wobble from this power. (Q4)
     #[must_use]
-    pub fn time_error(&self, revolutions: f64) -> f64 {
-        CAUTION * self.error + uneven(revolutions)
+    pub fn time_error(&self, periods: f64) -> f64 {
+        CAUTION * self.error + uneven(periods)
     }
 
     /// First measurement, with the mean power of each dissipator (W).

@@ -1,63 +1,79 @@
-//! Resonances met along the backbone: nutations at which a harmonic of the nutation has the frequency of another mode.
-//! There a mode may be captured; the reduced equations then need it among their masters.
+//! Resonances met as the nutation changes: angles at which one of its harmonics has the frequency of another mode.
+//! There a mode is excited and may be captured, and the reduced equations without it end; with it among their masters they go on.
+
+use std::f64::consts::FRAC_PI_2;
+
+use crate::averaging::FreeRotation;
+use crate::math::bisection::bisected;
+use crate::math::vec3::norm;
+use crate::model::Principal;
 
 use super::spin_manifold::SpinManifold;
-use crate::math::bisection::bisected;
 
-/// Resonance met along the backbone. (W15)
+/// Resonance met on the way. (W15)
 #[derive(Clone, Debug, PartialEq)]
 pub struct MetResonance {
     /// Name of what moves in the other mode.
     pub name: String,
     /// Harmonic of the nutation.
     pub harmonic: usize,
-    /// Amplitude of the nutation (rad).
-    pub amplitude: f64,
     /// Greatest nutation angle there (rad).
     pub nutation: f64,
     /// Frequency of the other mode (rad/s).
     pub frequency: f64,
 }
 
-/// Highest harmonic, and amplitudes examined.
+/// Highest harmonic, and angles examined.
 const HARMONICS: usize = 3;
 const EXAMINED: usize = 64;
 /// Damping ratio above which a mode has no resonance to speak of.
 const DAMPED: f64 = 0.3;
+/// Least angle (rad), whose frequency is that of the mode.
+const SMALL: f64 = 1e-3;
 
 impl SpinManifold<'_> {
-    /// Resonances of lightly damped modes met up to an amplitude of the nutation (rad), by ascending amplitude. (W15)
+    /// Resonances with lightly damped modes left out, met up to a greatest nutation angle (rad), by ascending angle. (W15)
+    ///
+    /// The frequency changes with the angle as that of the rigid body: a series of the manifold ends where it meets one. None are known
+    /// of a body with momentum wheels.
     #[must_use]
     pub fn resonances_met(&self, widest: f64) -> Vec<MetResonance> {
         let mut met = Vec::new();
-        let rates: Vec<f64> = (0..=EXAMINED)
-            .map(|i| self.frequency_at(widest * (i as f64).max(1e-3) / EXAMINED as f64))
-            .collect();
+        let angles: Vec<f64> = (0..=EXAMINED).map(|i| widest * i as f64 / EXAMINED as f64).collect();
+        let rates: Option<Vec<f64>> = angles.iter().map(|angle| self.frequency_at(*angle)).collect();
+        let Some(rates) = rates else { return met };
         for mode in self.outer.iter().filter(|mode| mode.decay_rate.abs() < DAMPED * mode.frequency) {
             for harmonic in 1..=HARMONICS {
                 let wanted = mode.frequency / harmonic as f64;
-                for (i, pair) in rates.windows(2).enumerate() {
+                for (pair, ends) in rates.windows(2).zip(angles.windows(2)) {
                     if (pair[0] - wanted) * (pair[1] - wanted) > 0.0 || pair[0] == pair[1] {
                         continue;
                     }
-                    let ends = [i, i + 1].map(|i| widest * i as f64 / EXAMINED as f64);
-                    let amplitude = bisected(ends, |a| self.frequency_at(a), wanted, pair[1] > pair[0]);
+                    let at = |angle: f64| self.frequency_at(angle).unwrap_or(wanted);
                     met.push(MetResonance {
                         name: mode.name.clone(),
                         harmonic,
-                        amplitude,
-                        nutation: self.nutation(amplitude),
+                        nutation: bisected([ends[0], ends[1]], at, wanted, pair[1] > pair[0]),
                         frequency: mode.frequency,
                     });
                 }
             }
         }
-        met.sort_by(|a, b| a.amplitude.total_cmp(&b.amplitude));
+        met.sort_by(|a, b| a.nutation.total_cmp(&b.nutation));
         met
     }
 
-    /// Frequency of the nutation (rad/s) at an amplitude (rad), the other masters at rest.
-    fn frequency_at(&self, amplitude: f64) -> f64 {
-        self.mean_rates(amplitude.max(f64::MIN_POSITIVE.sqrt()))[1]
+    /// Frequency of the nutation (rad/s) at a greatest angle (rad): that of the mode, changed as in the rigid body.
+    fn frequency_at(&self, nutation: f64) -> Option<f64> {
+        if self.body.wheels().constant != [0.0; 3] {
+            return None;
+        }
+        let moments = Principal::compute(self.body.invariants().J).moments;
+        let G = norm(self.spin.angular_momentum);
+        let rigid = |angle: f64| {
+            let angle = angle.clamp(SMALL, FRAC_PI_2 - SMALL);
+            Some(FreeRotation::at_nutation(moments, G, self.mode, angle).ok()?.polhode_period())
+        };
+        Some(self.masters[0].frequency * rigid(SMALL)? / rigid(nutation)?)
     }
 }

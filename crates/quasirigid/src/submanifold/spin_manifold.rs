@@ -34,6 +34,8 @@ pub struct SpinManifoldPlan {
 pub struct SpinManifold<'a> {
     /// Body.
     pub body: &'a FlexibleBody,
+    /// Principal axis that the nutation circles.
+    pub mode: Mode,
     /// Steady spin.
     pub spin: SteadySpin,
     /// Masters: the nutation first.
@@ -81,7 +83,16 @@ impl<'a> SpinManifold<'a> {
         let wanted = Plan { masters, style: plan.style, degree: plan.degree };
         let manifold = expand(&system, &spin.linear, wanted, watch)?;
         let observables = Observables::of(body, &spin, &manifold);
-        Ok(Self { body, spin, masters: modes, outer, style: plan.style, manifold, observables })
+        Ok(Self {
+            body,
+            mode: plan.mode,
+            spin,
+            masters: modes,
+            outer,
+            style: plan.style,
+            manifold,
+            observables,
+        })
     }
 
     /// Degree of the expansion.

@@ -1,6 +1,9 @@
 //! Bodies whose parts are soft beside their spin.
 
-use quasirigid::elements::{Assembly, Carrier, HingeCoefficient, Hinged, Point, Spring, WheelSpeed};
+use quasirigid::elements::{
+    Assembly, Carrier, Frame, FrameNode, HingeCoefficient, Hinged, Material, Member, Part, PartKind,
+    PartReduction, Point, SectionShape, Spring, WheelSpeed,
+};
 use quasirigid::model::Rheology;
 use quasirigid::prelude::CARRIER;
 
@@ -9,10 +12,14 @@ use crate::support::rotors::{ball, flywheel};
 
 /// Two sprung masses, lowest frequencies 4.4 to 5.8 rad/s: the body of `manifold_at_spin.py` of the theory's prototype.
 pub fn two_masses() -> Assembly {
+    masses(1.0)
+}
+
+fn masses(held: f64) -> Assembly {
     let mut body = Assembly::default().with(Carrier::principal(40.0, [9.0, 13.0, 16.0]));
     let springs = [
-        ("first", 2.0, [0.8, 0.3, 0.5], [60.0, 90.0, 70.0], [3.0, 2.0, 4.0]),
-        ("second", 1.5, [-0.6, 0.5, -0.2], [50.0, 80.0, 65.0], [2.0, 3.0, 1.0]),
+        ("first", 2.0, [0.8, 0.3, 0.5], [60.0 * held, 90.0 * held, 70.0 * held], [3.0, 2.0, 4.0]),
+        ("second", 1.5, [-0.6, 0.5, -0.2], [50.0 * held, 80.0 * held, 65.0 * held], [2.0, 3.0, 1.0]),
     ];
     for (name, mass, position, stiffness, damping) in springs {
         let point = body.add(Point::new(name, mass, position));
@@ -42,12 +49,12 @@ fn two_masses_without_points() -> Assembly {
     Assembly::default().with(Carrier::principal(40.0, [9.0, 13.0, 16.0]))
 }
 
-/// Two sprung masses with a flywheel, a ball on friction and a momentum wheel.
-pub fn rotors() -> Assembly {
+/// Carrier with a boom, a flywheel, a ball on friction and a momentum wheel (N·m·s).
+pub fn rotors(angular_momentum: f64) -> Assembly {
     Assembly {
         rotors: vec![flywheel([0.3, 1.0, -0.5], 0.4, 0.6), ball(0.3, 0.5)],
-        wheels: vec![wheel([1.0, 0.2, 4.0], WheelSpeed::Constant { angular_momentum: 5.0 })],
-        ..two_masses()
+        wheels: vec![wheel([1.0, 0.2, 4.0], WheelSpeed::Constant { angular_momentum })],
+        ..hinged()
     }
 }
 
@@ -56,7 +63,29 @@ pub fn liquid() -> Assembly {
     Assembly { cavities: vec![tank([0.1, -0.2, 0.3], 0.3, 900.0, 0.05)], ..two_masses() }
 }
 
-/// Masses, a boom, rotors, a wheel and a liquid.
-pub fn everything() -> Assembly {
-    Assembly { hinged: hinged().hinged, cavities: liquid().cavities, ..rotors() }
+/// Carrier with a slender beam whose material is a dashpot too, on curved paths, three degrees off the radius.
+pub fn beam() -> Assembly {
+    let node = |name: &str, position: [f64; 3]| FrameNode { name: name.to_owned(), position };
+    let rheology = Rheology::KelvinVoigt { time: 0.02 };
+    let material = Material { density: 1600.0, young: 9e9, poisson: 0.3, rheology };
+    let member = Member {
+        ends: [0, 1],
+        section: SectionShape::Rectangle { height: 0.03, width: 0.02 },
+        up: None,
+        material,
+        elements: 5,
+    };
+    let nodes = vec![node("root", [0.3, -0.03, 0.04]), node("tip", [2.3, 0.07, -0.02])];
+    let kind = PartKind::Frame(Frame { nodes, members: vec![member] });
+    let part =
+        Part { name: "beam".to_owned(), kind, masses: Vec::new(), attached: vec![0], rayleigh: [0.0; 2] };
+    let reduction = PartReduction { order: 3, modes: 2 };
+    Assembly { parts: vec![part], reduction, ..two_masses_without_points() }
+}
+
+/// Masses on springs too stiff to be pulled off by ten times the lowest frequency, a boom, a beam, rotors, a wheel (N·m·s) and a liquid.
+pub fn everything(angular_momentum: f64) -> Assembly {
+    let Assembly { parts, reduction, .. } = beam();
+    let Assembly { hinged, rotors, wheels, .. } = rotors(angular_momentum);
+    Assembly { hinged, rotors, wheels, cavities: liquid().cavities, parts, reduction, ..masses(120.0) }
 }

@@ -26,7 +26,7 @@ fn close(a: [f64; 4], b: [f64; 4], unit: f64) {
 /// `|K|` of the manifold departs with the first power that is left out, since it is a condition on every coefficient.
 #[test]
 fn the_angular_momentum_keeps_its_size() {
-    let body = body_of(&bodies::everything());
+    let body = body_of(&bodies::everything(5.0));
     for degree in [2, 3, 4, 5] {
         let manifold = derived(&body, &plan(&body, 3.0, degree));
         let drift = |amplitude: f64| {
@@ -45,7 +45,7 @@ fn the_angular_momentum_keeps_its_size() {
 /// What the dashpots take is what the energy loses, to the defect.
 #[test]
 fn the_energy_falls_by_what_is_dissipated() {
-    let body = body_of(&bodies::everything());
+    let body = body_of(&bodies::everything(5.0));
     let manifold = derived(&body, &plan(&body, 3.0, 7));
     let start = manifold.start(&manifold.full_state(&[[0.1, 0.05]], ALIGNED));
     let mut samples: Vec<Sample> = Vec::new();

@@ -6,6 +6,7 @@ mod explorer_1;
 mod laws;
 mod orders;
 mod refused;
+mod resonance;
 mod stiff_limit;
 mod tuned_damper;
 

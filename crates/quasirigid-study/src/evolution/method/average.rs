@@ -106,8 +106,8 @@ impl Choice<'_> {
 
     /// The average, with the error of its time.
     pub fn averaged(&self, criteria: AverageCriteria) -> ChosenMethod {
-        let revolutions = self.ground.revolutions(self.way.ends).unwrap_or(f64::INFINITY);
-        ChosenMethod::Average { error: criteria.time_error(revolutions) }
+        let periods = self.ground.periods(self.way.ends).unwrap_or(f64::INFINITY);
+        ChosenMethod::Average { error: criteria.time_error(periods) }
     }
 
     /// The response in the spinning frame; none of a body of many coordinates.

@@ -105,18 +105,31 @@ impl<'a> Ground<'a> {
 
     /// Estimate of the revolutions from one state to another, from the rates of the modes; none if these are not known.
     pub fn revolutions(&self, ends: [RotationState; 2]) -> Option<f64> {
-        let [from, to] = ends;
+        let time: f64 = self.times(ends)?.iter().map(|(_, time)| time).sum();
+        let spin = self.range.angular_momentum() / self.range.moments()[ends[1].mode.circled()];
+        Some(time * spin / TAU)
+    }
+
+    /// Estimate of the periods of the wobble from one state to another; none if the modes are not known.
+    pub fn periods(&self, ends: [RotationState; 2]) -> Option<f64> {
+        let nutation = |mode| Some(self.poles.of_mode(mode)?.modes.nutation()?.frequency);
+        let periods = |&(mode, time): &(Mode, f64)| Some(time * nutation(mode)? / TAU);
+        self.times(ends)?.iter().map(periods).sum()
+    }
+
+    /// Estimate of the times in the modes from one state to another, from the rates of their nutation; none if these are not known.
+    fn times(&self, [from, to]: [RotationState; 2]) -> Option<Vec<(Mode, f64)>> {
         let excess = |stage: RotationState| self.motion(stage).energy_from_axis();
         let middle = |mode: Mode| excess(RotationState { mode, xi: -6.0 });
-        let rate = |mode: Mode| self.poles.rate(mode).filter(|rate| *rate > 0.0);
-        let time = if from.mode == to.mode {
-            (excess(from) / excess(to)).ln().abs() / (2.0 * rate(from.mode)?)
-        } else {
-            let grown = (middle(from.mode) / excess(from)).ln() / (2.0 * rate(from.mode)?);
-            grown + (middle(to.mode) / excess(to)).ln() / (2.0 * rate(to.mode)?)
+        let between = |mode: Mode, energies: [f64; 2]| {
+            let rate = self.poles.rate(mode).filter(|rate| *rate > 0.0)?;
+            Some((mode, (energies[0] / energies[1]).ln().abs() / (2.0 * rate)))
         };
-        let spin = self.range.angular_momentum() / self.range.moments()[to.mode.circled()];
-        Some(time * spin / TAU)
+        if from.mode == to.mode {
+            return Some(vec![between(from.mode, [excess(from), excess(to)])?]);
+        }
+        let through = [from, to].map(|stage| between(stage.mode, [middle(stage.mode), excess(stage)]));
+        through.into_iter().collect()
     }
 
     /// Decay in a period of the polhode at the poles of the way.

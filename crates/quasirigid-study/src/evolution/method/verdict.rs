@@ -158,7 +158,7 @@ pub fn take(road: ChosenMethod, ground: &Ground, way: &Way, secular: &mut Secula
         }
         ChosenMethod::Measured(power, settled) => {
             let first = power.measurements.first();
-            let error = power.time_error(ground.revolutions(way.ends).unwrap_or(f64::INFINITY));
+            let error = power.time_error(ground.periods(way.ends).unwrap_or(f64::INFINITY));
             secular.verdict = Verdict {
                 road: "micro-runs",
                 sentence: measured(&power),

@@ -1,6 +1,7 @@
 //! Bodies: flexible with internal coordinates, reduced without them, and their parts.
 
 mod advection;
+mod balanced;
 mod coordinate;
 mod curved;
 mod derived;
@@ -27,6 +28,7 @@ mod watched;
 mod wheels;
 
 pub use advection::Advection;
+pub use balanced::BalancedSpin;
 pub use coordinate::{Coordinate, Marker};
 pub use dissipator::{Dissipator, Viscoelastic};
 pub use equations::MotionState;
@@ -43,7 +45,7 @@ pub use paths::CurvedPaths;
 pub use principal::{Mode, Polhode, Principal};
 pub use reduced::ReducedBody;
 pub use rheology::{Measured, Rheology, RheologyError};
-pub use spinning::{BalancedSpin, SpinCoefficients};
+pub use spinning::SpinCoefficients;
 pub use support::Support;
 pub use watched::{Displaced, HINGE_RANGE, Hinge, RANGE, Reach, Watched};
 pub use wheels::{DrivenWheel, Wheels};

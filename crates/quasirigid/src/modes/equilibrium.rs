@@ -6,8 +6,9 @@
 use nalgebra::{Matrix3, Matrix4, Vector3, Vector4};
 use thiserror::Error;
 
+use crate::math::sym3;
 use crate::math::vec3::{add, dot, norm, scale};
-use crate::model::{FlexibleBody, Mode, MotionState, Principal, SpinCoefficients};
+use crate::model::{FlexibleBody, Mode, Principal, SpinCoefficients};
 
 /// Relative equilibrium: a steady spin and the displacements that it causes. (M1)
 #[derive(Clone, Debug, PartialEq)]
@@ -133,7 +134,7 @@ impl RelativeEquilibrium {
     /// Coefficients of small motions about the equilibrium. (M2)
     #[must_use]
     pub fn coefficients(&self, body: &FlexibleBody) -> SpinCoefficients {
-        body.about_spin(self.omega, &self.q)
+        body.about_spin_on_paths(self.omega, &self.q)
     }
 
     /// Largest displacement of a watched place, with its name (m); none for a body without watched places.
@@ -223,10 +224,10 @@ impl Guess {
     fn finish(self, body: &FlexibleBody) -> RelativeEquilibrium {
         let omega: [f64; 3] = self.omega.into();
         let q = body.balanced(omega).map_or_else(Vec::new, |balanced| balanced.q);
-        let still = vec![0.0; q.len()];
-        let motion = MotionState { omega, q: &q, rate: &still };
-        let angular_momentum = add(body.angular_momentum(motion), body.wheels().angular_momentum(0.0));
-        let energy = body.energy(motion);
+        let own = sym3::times(body.about_spin_on_paths(omega, &q).inertia, omega);
+        let angular_momentum = add(own, body.wheels().angular_momentum(0.0));
+        let elastic: f64 = body.stiffness().times(&q).iter().zip(&q).map(|(force, q)| force * q).sum();
+        let energy = 0.5 * (dot(own, omega) + elastic);
         RelativeEquilibrium { omega, angular_momentum, ratio: self.ratio, energy, q }
     }
 }

@@ -52,7 +52,6 @@ impl<'a> Pencil<'a> {
         };
         let memories: Vec<_> = body.memories().iter().map(place).collect();
         let (B, C) = (Dense::of(body.damping()), Dense::of(body.stiffness()));
-        let A = body.mass_matrix();
         let part = |entry: &dyn Fn(usize, usize) -> f64| {
             let mut part = Dense::zero(kept.len());
             for (row, j) in kept.iter().enumerate() {
@@ -60,7 +59,7 @@ impl<'a> Pencil<'a> {
             }
             part
         };
-        let SpinCoefficients { gyroscopic, centrifugal, .. } = coefficients;
+        let SpinCoefficients { mass: A, gyroscopic, centrifugal, .. } = coefficients;
         let viscoelastic = |viscoelastic: &'a Viscoelastic| {
             let whole = Dense::of(&viscoelastic.stiffness);
             (viscoelastic, part(&|j, k| whole.at(j, k)))

@@ -22,7 +22,7 @@ pub(super) fn moving(
     let SpinCoefficients { inertia, h, .. } = coefficients;
     let [re, im] = [0, 1]
         .map(|part| rate.iter().map(|rate| if part == 0 { rate.re } else { rate.im }).collect::<Vec<f64>>());
-    let (re, im) = (body.mass_times(&re), body.mass_times(&im));
+    let (re, im) = (coefficients.mass_times(&re), coefficients.mass_times(&im));
     let mut K = sym3::rows(*inertia).map(|row| row[0] * delta[0] + row[1] * delta[1] + row[2] * delta[2]);
     let mut parts: Vec<(String, f64)> = vec![("body".to_owned(), 0.0)];
     let mut of_structure = 0.0;

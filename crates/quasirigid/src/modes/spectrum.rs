@@ -47,10 +47,7 @@ fn within(
     let size = moving + elastic;
     let failed = || NoConvergence { size };
     let all = few.all(body.cyclic().len());
-    let L = (all.transpose() * mass(body, coefficients) * &all)
-        .cholesky()
-        .ok_or(ModesError::BeyondRange)?
-        .unpack();
+    let L = (all.transpose() * mass(coefficients) * &all).cholesky().ok_or(ModesError::BeyondRange)?.unpack();
     let back = L.transpose();
     let (velocity, stiffness) = forces(body, equilibrium.omega, equilibrium.angular_momentum, coefficients);
     let velocity = all.transpose() * velocity * &all;
@@ -163,9 +160,9 @@ impl Few {
 }
 
 /// Mass of the angular velocity and the rates, `[[J, h], [hᵀ, A]]`.
-pub(super) fn mass(body: &FlexibleBody, coefficients: &SpinCoefficients) -> DMatrix<f64> {
-    let SpinCoefficients { inertia, h, .. } = coefficients;
-    let (J, A) = (sym3::rows(*inertia), body.mass_matrix());
+pub(super) fn mass(coefficients: &SpinCoefficients) -> DMatrix<f64> {
+    let SpinCoefficients { inertia, mass: A, h, .. } = coefficients;
+    let J = sym3::rows(*inertia);
     DMatrix::from_fn(3 + h.len(), 3 + h.len(), |row, column| {
         match (row.checked_sub(3), column.checked_sub(3)) {
             (None, None) => J[row][column],
@@ -184,7 +181,7 @@ pub(super) fn forces(
     angular_momentum: [f64; 3],
     coefficients: &SpinCoefficients,
 ) -> (DMatrix<f64>, DMatrix<f64>) {
-    let SpinCoefficients { inertia, h, slopes, gyroscopic, centrifugal } = coefficients;
+    let SpinCoefficients { inertia, h, slopes, gyroscopic, centrifugal, .. } = coefficients;
     let (n, elastic) = (h.len(), body.elastic());
     let turned = |vector: [f64; 3]| vec3::cross(omega, vector);
     let mut velocity = DMatrix::zeros(3 + n, 3 + n);

@@ -12,11 +12,12 @@ use crate::support::rotors::{ball, flywheel};
 
 /// Two sprung masses, lowest frequencies 4.4 to 5.8 rad/s: the body of `manifold_at_spin.py` of the theory's prototype.
 pub fn two_masses() -> Assembly {
-    masses(1.0)
+    masses(1.0, 1.0)
 }
 
-fn masses(held: f64) -> Assembly {
-    let mut body = Assembly::default().with(Carrier::principal(40.0, [9.0, 13.0, 16.0]));
+fn masses(carrier: f64, held: f64) -> Assembly {
+    let inertia = [9.0 * carrier, 13.0 * carrier, 16.0 * carrier];
+    let mut body = Assembly::default().with(Carrier::principal(40.0 * carrier, inertia));
     let springs = [
         ("first", 2.0, [0.8, 0.3, 0.5], [60.0 * held, 90.0 * held, 70.0 * held], [3.0, 2.0, 4.0]),
         ("second", 1.5, [-0.6, 0.5, -0.2], [50.0 * held, 80.0 * held, 65.0 * held], [2.0, 3.0, 1.0]),
@@ -83,9 +84,10 @@ pub fn beam() -> Assembly {
     Assembly { parts: vec![part], reduction, ..two_masses_without_points() }
 }
 
-/// Masses on springs too stiff to be pulled off by ten times the lowest frequency, a boom, a beam, rotors, a wheel (N·m·s) and a liquid.
+/// Masses on springs too stiff to be pulled off by ten times the lowest frequency, a boom, a beam, rotors, a wheel (N·m·s) and a liquid, on a
+/// carrier that keeps the spin across the beam.
 pub fn everything(angular_momentum: f64) -> Assembly {
     let Assembly { parts, reduction, .. } = beam();
     let Assembly { hinged, rotors, wheels, .. } = rotors(angular_momentum);
-    Assembly { hinged, rotors, wheels, cavities: liquid().cavities, parts, reduction, ..masses(120.0) }
+    Assembly { hinged, rotors, wheels, cavities: liquid().cavities, parts, reduction, ..masses(20.0, 400.0) }
 }

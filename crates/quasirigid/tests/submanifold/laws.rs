@@ -4,6 +4,7 @@ use nalgebra::{Rotation3, Vector3};
 use quasirigid::dynamics::{Options, Sample};
 use quasirigid::elements::Assembly;
 use quasirigid::model::FlexibleBody;
+use quasirigid::modes::{Given, RelativeEquilibrium, SpinModes};
 use quasirigid::submanifold::{SpinManifold, SpinManifoldPlan, Style, propagate_on_manifold};
 use quasirigid_math::rotation::ALIGNED;
 use quasirigid_math::vec3::norm;
@@ -94,4 +95,27 @@ fn styles_agree_on_the_rates_at_an_energy() {
     let (normal, graph) = (rate(Style::NormalForm), rate(Style::Graph));
     assert!((normal.0 / graph.0 - 1.0).abs() < 1e-4, "{normal:?} {graph:?}");
     assert!(normal.1.iter().zip(graph.1).all(|(a, b)| (a - b).abs() < 1e-4), "{normal:?} {graph:?}");
+}
+
+/// The nutation of the modes is that of the linear part of the polynomial equations, along curved paths too: decay from the balance of the
+/// energy on one side, from the eigenvalue on the other.
+#[test]
+fn the_linear_part_has_the_nutation_of_the_modes() {
+    let bodies =
+        [bodies::two_masses(), bodies::hinged(), bodies::beam(), bodies::rotors(5.0), bodies::liquid()];
+    for (assembly, spin) in bodies.iter().flat_map(|assembly| [(assembly, 2.0), (assembly, 30.0)]) {
+        let body = body_of(assembly);
+        let plan = plan(&body, spin, 1);
+        let manifold = derived(&body, &plan);
+        let given = Given::AngularMomentum(norm(plan.angular_momentum));
+        let near = RelativeEquilibrium::near(&body, manifold.spin.omega, given).unwrap();
+        let displaced = near.q.iter().zip(&manifold.spin.q).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+        assert!(displaced < 1e-9, "{spin}: {displaced}");
+        let modes = SpinModes::about(&body, near).unwrap();
+        let nutation = modes.nutation().unwrap();
+        let own = &manifold.masters[0];
+        let [decay, frequency] = nutation.of_motion;
+        assert!((frequency / own.frequency - 1.0).abs() < 1e-10, "{spin}: {nutation:?} {own:?}");
+        assert!((decay - own.decay_rate).abs() < 1e-10 * frequency, "{spin}: {nutation:?} {own:?}");
+    }
 }

@@ -36,7 +36,7 @@ impl System {
         let angular_momentum = add(body.angular_momentum(motion), body.wheels().angular_momentum(0.0));
         let size = if followed { 6 + n } else { 3 + n };
         let mut mass_matrix = DMatrix::zeros(size, size);
-        mass_matrix.view_mut((0, 0), (3 + n, 3 + n)).copy_from(&mass(body, &coefficients));
+        mass_matrix.view_mut((0, 0), (3 + n, 3 + n)).copy_from(&mass(&coefficients));
         let (velocities, displacements) = forces(body, *omega, angular_momentum, &coefficients);
         let mut rate = DMatrix::zeros(size, size);
         rate.view_mut((0, 0), (3 + n, 3 + n)).copy_from(&velocities);

@@ -95,7 +95,7 @@ fn keys_of_equations_about_a_spin_are_those_of_the_guide() {
         "derive examples/nutation-damper/model.toml --about spin --degree 3",
     ]);
     // met by few bodies
-    derive.extend(["name", "harmonic", "amplitude", "nutation", "frequency"].map(|key| format!("met.{key}")));
+    derive.extend(["name", "harmonic", "nutation", "frequency"].map(|key| format!("met.{key}")));
     derive.extend(["spin", "name", "frequency"].map(|key| format!("whirl_onset.{key}")));
     derive.extend(["exponents", "name", "frequency", "distance"].map(|key| format!("resonances.{key}")));
     assert_same(&derive, &about_spin());

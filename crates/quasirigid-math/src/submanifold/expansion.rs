@@ -86,6 +86,9 @@ struct Expansion<'a> {
     R: Vec<Truncated>,
 }
 
+/// Rates of masters at a monomial, with the index of each.
+type Rates = Vec<(usize, Complex<f64>)>;
+
 impl<'a> Expansion<'a> {
     /// Equilibrium and tangent.
     fn new(
@@ -166,7 +169,7 @@ impl<'a> Expansion<'a> {
         exponents: &[u8],
         load: &[Complex<f64>],
         level: Option<Complex<f64>>,
-    ) -> Option<(Vector, Vec<(usize, Complex<f64>)>)> {
+    ) -> Option<(Vector, Rates)> {
         let kept: Vec<usize> = (0..self.masters.len()).filter(|k| self.keeps(exponents, *k)).collect();
         let mut borders: Vec<&Border> = kept.iter().map(|k| &self.borders[*k]).collect();
         let mut levels = vec![Complex::default(); kept.len()];

@@ -28,6 +28,9 @@ pub struct LinearPart {
     factor: Option<Lu>,
 }
 
+/// Eigenvalue and its vector, real and imaginary parts.
+pub type LinearMode = ([f64; 2], Vec<[f64; 2]>);
+
 /// Variables that are differentiated by at a time.
 const CHUNK: usize = 24;
 
@@ -76,7 +79,7 @@ impl LinearPart {
     ///
     /// # Errors
     /// [`NoConvergence`] if the solver fails or `M₀` is singular.
-    pub fn spectrum(&self) -> Result<Vec<([f64; 2], Vec<[f64; 2]>)>, NoConvergence> {
+    pub fn spectrum(&self) -> Result<Vec<LinearMode>, NoConvergence> {
         let size = self.state.len();
         let scaled = |matrix: &Dense| {
             let mut scaled = Dense::zero(size);

@@ -13,7 +13,7 @@ mod system;
 
 pub use eigenpair::Eigenpair;
 pub use expansion::{ExpansionError, Plan, Style, expand};
-pub use linear_part::LinearPart;
+pub use linear_part::{LinearMode, LinearPart};
 pub use manifold::{InvariantManifold, Master, Monomials, NearResonance, Residual};
 pub use ring::{Ring, Truncated};
 pub use system::{Equations, PolynomialSystem};

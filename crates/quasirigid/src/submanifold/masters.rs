@@ -1,6 +1,6 @@
 //! Masters of the reduced equations about a spin: the nutation, and the modes that the nutation cannot be followed without.
 
-use crate::math::submanifold::{LinearPart, Master};
+use crate::math::submanifold::{LinearMode, LinearPart, Master};
 use crate::math::vec3::{dot, norm, scale};
 use crate::model::FlexibleBody;
 use crate::modes::{RelativeEquilibrium, SpinModes};
@@ -42,9 +42,6 @@ pub struct OuterMode {
     pub frequency: f64,
 }
 
-/// Eigenvalue with `Im λ ≥ 0` and its vector.
-type Mode = ([f64; 2], Vec<[f64; 2]>);
-
 /// Largest number of modes followed beside the nutation.
 pub const MOST: usize = 2;
 /// Distance of a mode from a harmonic of the nutation, over the frequency of the nutation, below which the mode is followed too.
@@ -77,7 +74,7 @@ pub(super) fn choose(
     let nutation =
         named.nutation().filter(|mode| mode.of_motion[1] > 0.0).ok_or(SubmanifoldError::NoNutation)?;
     let [decay, frequency] = nutation.of_motion;
-    let mut found: Vec<Mode> = linear.spectrum().map_err(crate::modes::ModesError::from)?;
+    let mut found: Vec<LinearMode> = linear.spectrum().map_err(crate::modes::ModesError::from)?;
     found.retain(|([re, im], _)| re.hypot(*im) > ZERO * norm(spin.omega));
     let distance = |[re, im]: [f64; 2], to: [f64; 2]| (re - to[0]).hypot(im - to[1]);
     let index = (0..found.len())
@@ -136,7 +133,7 @@ pub(super) fn choose(
 }
 
 /// Indices of the modes followed beside the nutation.
-fn followed(nutation: [f64; 2], others: &[Mode], masters: &Masters) -> Vec<usize> {
+fn followed(nutation: [f64; 2], others: &[LinearMode], masters: &Masters) -> Vec<usize> {
     let size = nutation[0].hypot(nutation[1]);
     match masters {
         Masters::Nutation => Vec::new(),

@@ -13,6 +13,12 @@ fn scripts<'a>(page: &'a str, tag: &str) -> Vec<&'a str> {
     page.split(tag).skip(1).map(|rest| rest.split("</script>").next().unwrap()).collect()
 }
 
+/// Data of the figures of a page, or of a part of it.
+pub fn figures(page: &str) -> Vec<Value> {
+    let tag = "<script class=\"figure-data\" type=\"application/octet-stream\">";
+    scripts(page, tag).into_iter().map(unpack).collect()
+}
+
 /// The JSON of packed data, its arrays in base64.
 fn unpack(text: &str) -> Value {
     let all = decompress_to_vec(&STANDARD.decode(text).unwrap()).unwrap();
@@ -106,9 +112,9 @@ fn packed_data_are_small_and_the_same_each_time() {
 #[test]
 fn data_of_figures_unpack_to_their_curves() {
     let page = page(&crate::support::record(400, 600.0, 1e-4));
-    let figures = scripts(&page, "<script class=\"figure-data\" type=\"application/octet-stream\">");
+    let figures = figures(&page);
     assert!(figures.len() > 3);
-    for figure in figures.into_iter().map(unpack) {
+    for figure in figures {
         let grids = figure["grids"].as_array().unwrap();
         for series in figure["series"].as_array().unwrap() {
             let grid = grids[series["grid"].as_u64().unwrap() as usize].as_str().unwrap();

@@ -27,6 +27,8 @@ const ARRAYS: [&str; 11] = [
     "triangles",
     "values",
 ];
+/// Bytes below which no coding is tried.
+const FEW: usize = 256;
 /// Effort of the trials, and of the result, from 0 to 10.
 const TRIAL: u8 = 1;
 const RESULT: u8 = 9;
@@ -81,6 +83,9 @@ impl Coding {
 
     /// The coding that deflates best, and the array in it.
     fn smallest(bytes: &[u8]) -> (Self, Vec<u8>) {
+        if bytes.len() < FEW {
+            return (Self::PLAIN, bytes.to_vec());
+        }
         let widths = [2, 4, 8].into_iter().filter(|width| bytes.len().is_multiple_of(*width));
         let codings = widths.flat_map(|width| {
             let differences =

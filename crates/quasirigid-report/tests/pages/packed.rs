@@ -84,6 +84,8 @@ fn scene(frames: usize, coordinates: usize, noise: &[f64]) -> SceneRecord {
 }
 
 proptest! {
+    #![proptest_config(ProptestConfig::with_cases(32))]
+
     #[test]
     fn a_packed_scene_unpacks_to_the_same_json(
         frames in 0usize..80, coordinates in 0usize..7, noise in prop::collection::vec(-1e-4..1e-4, 1..50)

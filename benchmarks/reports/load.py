@@ -1,8 +1,10 @@
 """Size of reports and the time until a browser has loaded them: ``python load.py REPORT.html ...``.
 
-Needs playwright and a Chromium on the path. Each page is loaded three times from the disk, drawn in software; the shortest time to the
-end of the load event is given, and the number of messages in the console. ``--large REPORT.html`` puts a membrane of 10 000 vertices with
-six modes in 2000 frames in the place of the body of a report, writes ``large.html`` beside it, and takes that too.
+Needs playwright, a Chromium on the path and, for ``--large``, the program: ``quasirigid`` on the path, or the one that QUASIRIGID names.
+Each page is loaded three times from the disk, drawn in software; the shortest time is given in which it is loaded, its charts are live and
+its body is drawn, and the number of messages in the console. ``--large REPORT.html`` copies the record of a report, puts a membrane of
+10 000 vertices with six modes in 2000 frames in the place of its body, and takes the report that the program makes of it, ``large.html``
+beside the first.
 """
 
 from __future__ import annotations
@@ -10,14 +12,23 @@ from __future__ import annotations
 import argparse
 import base64
 import json
+import os
 import shutil
+import subprocess
+import tempfile
+import time
 from pathlib import Path
 
 import numpy as np
-from playwright.sync_api import Browser, sync_playwright
+from playwright.sync_api import Browser, Page, sync_playwright
 
-SCENE = '<script type="application/json" id="scene">'
-LOADED = "performance.getEntriesByType('navigation')[0].loadEventEnd"
+LOADED = """(() => {
+  const [{ loadEventEnd }] = performance.getEntriesByType("navigation");
+  const marks = ["charts", "viewer"].map((name) => performance.getEntriesByName(`quasirigid:${name}`)[0]?.startTime ?? 0);
+  const awaited = [true, document.getElementById("scene")];
+  return loadEventEnd && awaited.every((part, i) => !part || marks[i]) ? Math.max(loadEventEnd, ...marks) : 0;
+})()"""
+PATIENCE = 10  # s
 
 
 def packed(values: object, kind: str) -> str:
@@ -30,10 +41,7 @@ def whole(vectors: np.ndarray) -> dict[str, object]:
 
 
 def enlarged(report: Path) -> Path:
-    text = report.read_text()
-    start = text.index(SCENE) + len(SCENE)
-    end = text.index("</script>", start)
-    scene = json.loads(text[start:end])
+    scene = json.loads((report.parent / "scene.json").read_text())
     side, frames, modes = 100, 2000, range(6)
     x, y = (grid.ravel() for grid in np.meshgrid(np.linspace(-1, 1, side), np.linspace(-1, 1, side)))
     corner = (np.arange(side - 1)[:, None] * side + np.arange(side - 1)).ravel()
@@ -52,11 +60,24 @@ def enlarged(report: Path) -> Path:
     track["q"] = packed([[0.01 * np.sin(0.01 * (m + 1) * i) for m in modes] for i in range(frames)], "<f4")
     if scene["equations"]:
         scene["equations"]["displacements"] = []
-    new = json.dumps(scene, separators=(",", ":")).replace("<", "\\u003c")
-    print(f"scene of 10 000 vertices: {len(new) / 1e6:.2f} MB")
     large = report.with_name("large.html")
-    large.write_text(text[:start] + new + text[end:])
+    with tempfile.TemporaryDirectory() as folder:
+        record = Path(folder) / "record"
+        shutil.copytree(report.parent, record)
+        (record / "scene.json").write_text(json.dumps(scene))
+        program = os.environ.get("QUASIRIGID", "quasirigid")
+        subprocess.run([program, "report", record, "--out", large.resolve(), "--overwrite", "--quiet"], check=True)
     return large
+
+
+def loaded(page: Page) -> float:
+    """Milliseconds until all of the page is there."""
+    until = time.monotonic() + PATIENCE
+    while time.monotonic() < until:
+        if spent := page.evaluate(LOADED):
+            return float(spent)
+        page.wait_for_timeout(20)
+    return float("nan")
 
 
 def tell(browser: Browser, report: Path) -> None:
@@ -67,7 +88,7 @@ def tell(browser: Browser, report: Path) -> None:
     times = []
     for _ in range(3):
         page.goto(report.resolve().as_uri())
-        times.append(page.evaluate(LOADED))
+        times.append(loaded(page))
     name = f"{report.parent.name}/{report.name}"
     print(f"{name:32s} {report.stat().st_size / 1e6:.2f} MB  {min(times) / 1000:.2f} s  {len(messages)} messages")
     page.close()

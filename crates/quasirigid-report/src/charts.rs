@@ -2,12 +2,15 @@
 
 use maud::{Markup, PreEscaped, html};
 
+use crate::packed;
+
 /// Style that the scripts add to that of the page.
 pub const STYLE: &str = include_str!("assets/plot/plot.css");
 
 /// Scripts, each before those that run it when the page is read.
-const SCRIPTS: [&str; 15] = [
-    include_str!("assets/plot/decode.js"),
+const SCRIPTS: [&str; 16] = [
+    packed::SCRIPT,
+    include_str!("assets/plot/lists.js"),
     include_str!("assets/plot/words.js"),
     include_str!("assets/plot/scale.js"),
     include_str!("assets/plot/series.js"),

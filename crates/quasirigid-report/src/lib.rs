@@ -23,6 +23,7 @@ mod figures;
 mod gltf;
 mod motion;
 mod number;
+mod packed;
 mod page;
 #[cfg(feature = "png")]
 mod png;

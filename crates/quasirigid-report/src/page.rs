@@ -20,8 +20,8 @@ pub(crate) const POLICY: &str =
 /// The report of a run: one HTML page that needs no other file.
 ///
 /// The verdict on validity comes first, then the answer, the figures and the tables. Whatever the record lacks
-/// (histories, columns, damping) is said in words where it would have stood. Figures of histories of any
-/// length take less than a megabyte, the scene about as much.
+/// (histories, columns, damping) is said in words where it would have stood. A page takes less than a megabyte,
+/// with histories of any length and a scene of 10 000 vertices, six modes and 2000 frames.
 pub fn page(record: &RunRecord) -> String {
     let document: Markup = html! {
         (DOCTYPE)

@@ -4,12 +4,15 @@
 use maud::{Markup, PreEscaped, html};
 use quasirigid_io::record::SceneRecord;
 
+use crate::packed;
+
 /// Style of the viewer.
 pub const STYLE: &str = include_str!("assets/viewer/viewer.css");
 const MARKUP: &str = include_str!("assets/viewer/viewer.html");
 
 /// Scripts, each before those that run it when the page is read.
-const SCRIPTS: [&str; 24] = [
+const SCRIPTS: [&str; 25] = [
+    packed::SCRIPT,
     include_str!("assets/viewer/arrays.js"),
     include_str!("assets/viewer/linear.js"),
     include_str!("assets/viewer/units.js"),
@@ -38,19 +41,14 @@ const SCRIPTS: [&str; 24] = [
 
 /// The viewer with its scene.
 pub fn section(scene: &SceneRecord) -> Markup {
+    let scene = serde_json::to_value(scene).expect("a scene is numbers and text");
     html! {
         (PreEscaped(MARKUP))
-        script type="application/json" id="scene" { (PreEscaped(embedded(scene))) }
+        script type="application/octet-stream" id="scene" { (packed::data(scene)) }
     }
 }
 
 /// The scripts as one, whose names are its own.
 pub fn script() -> Markup {
     html! { script { (PreEscaped(format!("(() => {{\n\"use strict\";\n{}}})();\n", SCRIPTS.concat()))) } }
-}
-
-/// The scene as JSON that no markup can end.
-fn embedded(scene: &SceneRecord) -> String {
-    let json = serde_json::to_string(scene).expect("a scene is numbers and text");
-    json.replace('<', "\\u003c")
 }

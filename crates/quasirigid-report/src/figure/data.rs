@@ -1,21 +1,21 @@
-//! Data of a chart for the scripts of the page: points on the scales of the axes, in base64.
+//! Data of a chart for the scripts of the page: points on the scales of the axes.
 //! A curve of more rows than a page can hold is kept as the extremes of intervals of rows, so that a zoom shows a true envelope.
 
-use maud::{Markup, PreEscaped, html};
+use maud::{Markup, html};
 use quasirigid_io::record::Packed;
 use serde_json::{Value, json};
 
 use super::axis::Axis;
-use super::{Figure, Quantity, Series};
+use super::{Figure, Mark, Quantity, Series};
 use crate::number::over_power;
+use crate::packed;
 
 /// Most points of a curve in the page.
 const MOST: usize = 4_000;
 
-/// The data as JSON that no markup can end.
+/// The data, packed.
 pub fn script(figure: &Figure, x: &Axis, y: &Axis) -> Markup {
-    let text = data(figure, x, y).to_string().replace('<', "\\u003c");
-    html! { script.figure-data type="application/json" { (PreEscaped(text)) } }
+    html! { script.figure-data type="application/octet-stream" { (packed::data(data(figure, x, y))) } }
 }
 
 fn data(figure: &Figure, x: &Axis, y: &Axis) -> Value {
@@ -39,8 +39,8 @@ fn data(figure: &Figure, x: &Axis, y: &Axis) -> Value {
     let link = figure.link.as_ref().map(|link| json!({ "group": link.group, "factor": link.factor }));
     let mut abscissa = axis(&figure.x, x);
     abscissa["link"] = json!(link);
-    let marks: Vec<Value> =
-        figure.marks.iter().map(|mark| json!({ "x": scaled(x, mark.x), "label": mark.label })).collect();
+    let mark = |mark: &Mark| json!({ "x": scaled(x, mark.x), "label": mark.label, "above": figure.is_above(mark, x, y) });
+    let marks: Vec<Value> = figure.marks.iter().map(mark).collect();
     json!({
         "name": figure.id, "title": figure.title, "x": abscissa, "y": axis(&figure.y, y),
         "grids": grids.into_iter().map(Packed).collect::<Vec<_>>(), "series": series, "marks": marks,

@@ -20,6 +20,13 @@ pub use band::{Stop, band};
 pub use histogram::histogram;
 pub use map::{Grid, map};
 
+/// Most characters of a name beside its curve.
+const BESIDE: usize = 8;
+/// Distance of the labels of events (em), their reach along the axis, and the height that they take, as parts of the box.
+const MARK_ROW: f64 = 1.4;
+const MARK_REACH: f64 = 0.3;
+const MARK_HEIGHT: f64 = 0.2;
+
 /// A curve, or a set of points.
 pub struct Series {
     /// Label at the right end of the curve.
@@ -89,9 +96,10 @@ impl Figure {
     pub fn draw(&self) -> Markup {
         let axes = self.axes();
         html! {
-            figure {
+            figure.keyed[self.is_keyed()] {
                 h3 { (self.title) }
                 @if let Some([x, y]) = axes {
+                    @if self.is_keyed() { (self.key()) }
                     (self.chart(&x, &y))
                     figcaption { (self.caption) }
                     (data::script(self, &x, &y))
@@ -115,13 +123,45 @@ impl Figure {
             return Some([Axis::counting(places())?, Axis::from_zero(values())?]);
         }
         let x = if self.x.log { Axis::spanning(places()) } else { Axis::linear(places(), 0.0) };
-        let y = if self.y.log { Axis::logarithmic(values()) } else { Axis::linear(values(), 0.05) };
+        let y = match (self.y.log, self.y.unit.as_str()) {
+            (true, _) => Axis::logarithmic(values()),
+            (_, "%") => Axis::from_zero(values()),
+            _ => Axis::linear(values(), 0.05),
+        };
         Some([x?, y?])
     }
 
     /// Whether values are drawn as bars.
     fn has_bars(&self) -> bool {
         self.series.iter().any(|series| series.bar.is_some())
+    }
+
+    /// Whether the label of an event stands at the top of the box: where curves near the event run at the bottom and not at the top.
+    fn is_above(&self, mark: &Mark, x: &Axis, y: &Axis) -> bool {
+        let points = self.series.iter().flat_map(|series| series.x.iter().zip(&series.y));
+        let near = points.filter(|(at, _)| (x.place(**at) - x.place(mark.x)).abs() < MARK_REACH);
+        let [mut low, mut high] = [false; 2];
+        for place in near.map(|(_, value)| y.place(*value)) {
+            low |= place < MARK_HEIGHT;
+            high |= place > 1.0 - MARK_HEIGHT;
+        }
+        low && !high
+    }
+
+    /// Whether a name is too long for the right end of its curve, so that the names stand above the chart.
+    fn is_keyed(&self) -> bool {
+        !self.has_bars() && self.series.iter().any(|series| series.label.chars().count() > BESIDE)
+    }
+
+    /// The names above the chart; those at the ends of the curves are left to pictures that are saved.
+    fn key(&self) -> Markup {
+        html! {
+            p.key {
+                @for series in self.series.iter().filter(|series| !series.label.is_empty()) {
+                    span.(series.class) { (series.label) }
+                }
+            }
+        }
     }
 
     fn chart(&self, x: &Axis, y: &Axis) -> Markup {
@@ -147,7 +187,7 @@ impl Figure {
                         text.label.(series.class).end[self.has_bars()] x="100%" y=(percent(place))
                             dx=(if self.has_bars() { "-0.6em" } else { "0.6em" }) dy="0.35em" { (series.label) }
                     }
-                    @for mark in &self.marks { (mark.draw(x)) }
+                    @for (row, mark) in self.marks.iter().enumerate() { (mark.draw(x, row, self.is_above(mark, x, y))) }
                 }
             }
         }
@@ -178,14 +218,16 @@ impl Figure {
 }
 
 impl Mark {
-    /// Draws the line and its label, on the side with more room; nothing if the line lies off the axis.
-    fn draw(&self, x: &Axis) -> Markup {
+    /// Draws the line and its label, on the side with more room and in a row of its own; nothing if the line lies off the axis.
+    fn draw(&self, x: &Axis, row: usize, above: bool) -> Markup {
         let place = x.place(self.x);
         let (at, left) = (percent(place), place > 0.5);
+        let (edge, down) =
+            if above { ("0%", 1.1 + MARK_ROW * row as f64) } else { ("100%", -0.6 - MARK_ROW * row as f64) };
         html! {
             @if (0.0..=1.0).contains(&place) {
                 line.event x1=(at) x2=(at) y1="0" y2="100%" {}
-                text.name.event.end[left] x=(at) y="100%" dx=(if left { "-0.5em" } else { "0.5em" }) dy="-0.6em" {
+                text.name.event.end[left] x=(at) y=(edge) dx=(if left { "-0.5em" } else { "0.5em" }) dy={ (format!("{down:.1}")) "em" } {
                     (self.label)
                 }
             }
@@ -282,5 +324,39 @@ mod tests {
         assert_eq!(apart(vec![0.0, 0.0, 0.01]), [0.0, line, 2.0 * line]);
         let [a, b, c] = apart(vec![0.99, 1.0, 1.0])[..] else { panic!("three labels stay three") };
         assert!(c <= 1.0 && c - b > 0.999 * line && b - a > 0.999 * line);
+    }
+
+    fn shares(names: [&str; 2]) -> Figure {
+        let curve = |name: &str| Series::line(name, "s1", vec![0.0, 40.0], vec![25.0, 25.0]);
+        let quantity = |name, unit: &str| Quantity { name, unit: unit.into(), log: false };
+        let mark = |x: f64| Mark { x, label: "start".into() };
+        Figure {
+            id: "shares",
+            title: "Shares",
+            caption: String::new(),
+            x: quantity("nutation", "°"),
+            y: quantity("share", "%"),
+            link: None,
+            series: names.map(curve).into(),
+            marks: vec![mark(10.0), mark(12.0)],
+        }
+    }
+
+    #[test]
+    fn long_names_stand_above_the_chart_and_labels_of_events_in_rows() {
+        let long = shares(["whip", "spring damper-carrier"]).draw().into_string();
+        assert!(
+            long.contains("class=\"keyed\"")
+                && long.contains("<p class=\"key\"><span class=\"s1\">whip</span>")
+        );
+        let short = shares(["whip +x", "whip -x"]).draw().into_string();
+        assert!(!short.contains("key"));
+        assert!(short.contains("dy=\"-0.6em\"") && short.contains("dy=\"-2.0em\""));
+    }
+
+    #[test]
+    fn shares_are_drawn_from_zero() {
+        let [_, y] = shares(["a", "b"]).axes().unwrap();
+        assert!(y.low == 0.0 && (25.0..30.0).contains(&y.high));
     }
 }

@@ -53,13 +53,16 @@ impl Figure {
                             path stroke=(colour(series.class)) stroke-width="4" d=(dots) {}
                         }
                     }
+                    @let inside = self.has_bars() || self.is_keyed();
+                    @let lifted = if self.is_keyed() { -12.0 } else { 0.0 };
                     @for (place, series) in self.labels(&y) {
-                        text x=(if self.has_bars() { width - 8.0 } else { width + 8.0 }) text-anchor=[self.has_bars().then_some("end")]
-                            y=(number(place * height + 4.5)) fill=(colour(series.class)) font-weight="bold" {
+                        text x=(if inside { width - 8.0 } else { width + 8.0 }) text-anchor=[inside.then_some("end")]
+                            y=(number((place * height + 4.5 + lifted).max(12.0))) fill=(colour(series.class)) font-weight="bold"
+                            stroke=[inside.then_some("#fff")] stroke-width=[inside.then_some("3")] paint-order=[inside.then_some("stroke")] {
                             (series.label)
                         }
                     }
-                    (self.marked(&x))
+                    (self.marked(&x, &y))
                     text x=(-LEFT + 8.0) y="-14" fill=(INK) { (raised(&self.y.text(y.power))) }
                     text x=(width) y=(height + 42.0) text-anchor="end" fill=(INK) { (raised(&self.x.text(x.power))) }
                 }
@@ -69,15 +72,18 @@ impl Figure {
     }
 
     /// The events, each a dashed line with its label.
-    fn marked(&self, x: &Axis) -> Markup {
+    fn marked(&self, x: &Axis, y: &Axis) -> Markup {
         let [width, height] = BOX;
-        let places = self.marks.iter().map(|mark| (x.place(mark.x), &mark.label));
+        let places = self.marks.iter().enumerate().map(|(row, mark)| {
+            let (from, step) = if self.is_above(mark, x, y) { (16.0, 18.0) } else { (height - 8.0, -18.0) };
+            (x.place(mark.x), &mark.label, from + step * row as f64)
+        });
         html! {
-            @for (place, label) in places.filter(|(place, _)| (0.0..=1.0).contains(place)) {
+            @for (place, label, down) in places.filter(|(place, ..)| (0.0..=1.0).contains(place)) {
                 @let at = number(place * width);
                 @let (anchor, gap) = if place > 0.5 { ("end", -6.0) } else { ("start", 6.0) };
                 line x1=(at) x2=(at) y1="0" y2=(height) stroke=(MUTED) stroke-dasharray="3 3" {}
-                text x=(number(place * width + gap)) y=(height - 8.0) text-anchor=(anchor) fill=(MUTED) { (label) }
+                text x=(number(place * width + gap)) y=(number(down)) text-anchor=(anchor) fill=(MUTED) { (label) }
             }
         }
     }

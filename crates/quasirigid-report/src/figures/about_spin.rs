@@ -46,7 +46,7 @@ pub fn frequency(about: &AboutSpinRecord) -> Figure {
             "Frequency in body axes of the nutation, by its greatest angle over a period. {}",
             border(about)
         ),
-        series: vec![Series::line("frequency", "s1", angles(about), values(about, "frequency").to_vec())],
+        series: vec![Series::line("", "s1", angles(about), values(about, "frequency").to_vec())],
         marks: marks(about),
         link: None,
         x: nutation(),

@@ -100,7 +100,7 @@ fn free_energy(record: &RunRecord, history: &HistoryRecord) -> Option<f64> {
 
 fn drift(history: &HistoryRecord) -> Markup {
     let of_dissipation = (history.energy_drift / history.dissipated).abs();
-    let value = html! { (short(history.energy_drift)) small { " J" } };
+    let value = html! { (tidy(history.energy_drift, 2)) small { " J" } };
     tile(
         "Numerical drift of energy",
         value,
@@ -112,7 +112,8 @@ fn drift(history: &HistoryRecord) -> Markup {
             } @else {
                 strong.warning { (percent(of_dissipation)) " of the dissipation: too much, tighten the tolerance" }
             }
-            "; |K| by " (tidy(history.momentum_drift, 2)) " relative"
+            @if history.momentum_drift.abs() < f64::EPSILON { "; |K| by less than its rounding" }
+            @else { "; |K| by " (tidy(history.momentum_drift, 2)) " relative" }
         },
     )
 }
@@ -120,7 +121,7 @@ fn drift(history: &HistoryRecord) -> Markup {
 fn revolutions(history: &HistoryRecord) -> Markup {
     let span = column(&history.columns, "t").and_then(|t| Some((ends(t.values.iter().copied())?, t)));
     tile(
-        "Turns",
+        "Revolutions",
         html! { (tidy(history.revolutions, 5)) },
         html! {
             @if let Some(((first, last), column)) = span {

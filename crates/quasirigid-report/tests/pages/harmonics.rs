@@ -77,8 +77,9 @@ fn page_has_the_bars_with_their_data() {
     let page = page(&record());
     let (_, after) = page.split_once("Dissipation by harmonic of the wobble</h3>").unwrap();
     let figure = after.split("</figure>").next().unwrap();
+    let data = &super::packed::figures(figure)[0];
     assert!(
-        figure.contains("curve s1 bars") && figure.contains("\"bar\":[") && figure.contains("\"whole\":true")
+        figure.contains("curve s1 bars") && data["series"][0]["bar"].is_array() && data["x"]["whole"] == true
     );
     assert!(figure.contains("share of the power [%]</text>") && figure.contains("spring tip-carrier"));
     let ticks: Vec<&str> =

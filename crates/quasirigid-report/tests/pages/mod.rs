@@ -4,5 +4,6 @@ mod any_record;
 mod comparison;
 mod harmonics;
 mod motion;
+mod packed;
 mod page;
 mod styles;

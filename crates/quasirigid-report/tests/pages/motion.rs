@@ -85,7 +85,7 @@ fn record(revolutions: f64, rows_each: f64) -> RunRecord {
     record
 }
 
-fn scene() -> SceneRecord {
+pub fn scene() -> SceneRecord {
     let piece = |name: &str, kind: &str, vertices: &[Vector]| PieceRecord {
         name: name.into(),
         kind: kind.into(),

@@ -64,7 +64,7 @@ fn page_answers_from_the_top() {
             "Energy dissipated",
             "Numerical drift of energy",
             "of the dissipation: small",
-            "Turns",
+            "Revolutions",
             "in 10\u{a0}min",
             "What dissipated</caption>",
             "spring tip-carrier",

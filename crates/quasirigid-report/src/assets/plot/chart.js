@@ -11,7 +11,7 @@ class Chart {
     Object.assign(this, { figure, data, x: data.x, y: data.y, visible: false, view: null, coarse: [], banded: [] });
     this.box = figure.querySelector(".chart");
     this.plot = figure.querySelector(".plot");
-    const grids = data.grids.map((text) => once(() => floats(text)));
+    const grids = data.grids.map((bytes) => new Float32Array(bytes));
     this.series = data.series.map((source) => new Series(source, grids[source.grid]));
     this.group = groupOf(data.x.link);
     this.group.charts.push(this);

@@ -2,6 +2,7 @@
 const SVG = "http://www.w3.org/2000/svg";
 const LINE = 16 / 240; // height of a line of text
 const CHARACTER = 7.3; // pixels
+const MARK_ROW = 1.4; // em from the label of an event to that of the next
 
 const svgNode = (parent, name, attributes, words) => {
   const node = parent.appendChild(document.createElementNS(SVG, name));
@@ -64,7 +65,7 @@ class Layer {
     }
     this.over.replaceChildren();
     this.drawLabels(x, y);
-    for (const mark of chart.data.marks) this.drawMark(place(x, mark.x), mark.label);
+    chart.data.marks.forEach((mark, row) => this.drawMark(place(x, mark.x), mark, row));
   }
 
   drawGrid(x, y) {
@@ -131,11 +132,12 @@ class Layer {
     return clamp(1 - place(y, Number.isFinite(last) ? last : enters), 0, 1);
   }
 
-  drawMark(part, label) {
+  drawMark(part, { label, above }, row) {
     if (!(part >= 0 && part <= 1)) return;
     const at = percent(part);
     const left = part > 0.5;
+    const down = above ? 1.1 + MARK_ROW * row : -0.6 - MARK_ROW * row;
     line(this.over, "event", { x1: at, x2: at });
-    svgNode(this.over, "text", { class: `name event${left ? " end" : ""}`, x: at, y: "100%", dx: left ? "-0.5em" : "0.5em", dy: "-0.6em" }, label);
+    svgNode(this.over, "text", { class: `name event${left ? " end" : ""}`, x: at, y: above ? "0%" : "100%", dx: left ? "-0.5em" : "0.5em", dy: `${down}em` }, label);
   }
 }

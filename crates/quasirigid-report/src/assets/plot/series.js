@@ -10,7 +10,7 @@ const isSorted = (list, sign) => list.every((value, i) => i === 0 || sign * (val
 class Series {
   constructor({ label, class: style, values, rows, points, bar }, grid) {
     Object.assign(this, { label, style, rows, bar, apart: points || Boolean(bar), color: style.split(" ")[0] });
-    this.read = once(() => this.decoded(grid(), floats(values)));
+    this.read = once(() => this.decoded(grid, new Float32Array(values)));
     this.search = once(() => this.found());
   }
 

@@ -1,9 +1,9 @@
-// Typed arrays from base64. The scene is little-endian, as is every machine that runs a browser.
-const bytes = (text) => Uint8Array.from(atob(text), (character) => character.charCodeAt(0)).buffer;
-const floats = (text) => (text ? new Float32Array(bytes(text)) : null);
-const doubles = (text) => (text ? new Float64Array(bytes(text)) : null);
-const indices = (text) => (text ? new Uint16Array(bytes(text)) : null);
-const vectors = ({ unit, values }) => Float32Array.from(new Int16Array(bytes(values)), (whole) => unit * whole);
+// Typed arrays. The scene is little-endian, as is every machine that runs a browser.
+const numbers = (Kind, bytes) => (bytes?.byteLength ? new Kind(bytes) : null);
+const floats = (bytes) => numbers(Float32Array, bytes);
+const doubles = (bytes) => numbers(Float64Array, bytes);
+const indices = (bytes) => numbers(Uint16Array, bytes);
+const vectors = ({ unit, values }) => Float32Array.from(numbers(Int16Array, values) ?? [], (whole) => unit * whole);
 
 /** Index of the last entry of a rising list that is not above a value. */
 const lastNotAbove = (list, value) => {

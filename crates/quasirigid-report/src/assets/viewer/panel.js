@@ -144,12 +144,13 @@ class Panel {
     this.mark();
     this.judge(run);
     const lost = run.motion.dissipated() / run.energy;
+    const share = lost <= 1 ? `${numeral(lost)} of the kinetic energy` : "more than the kinetic energy, which no body can lose";
     const reached = `${timeWords(run.motion.t)} of ${timeWords(run.duration)}`;
     const broken = `Broken off after ${reached}: equations so far outside their range need not have a solution.`;
     const part = run.finished ? "" : ` ${last ? "Stopped after" : "So far"} ${reached}.`;
     byId("panel-work").textContent = stopped
       ? broken
-      : `Dissipated: ${numeral(lost)} of the kinetic energy. Numerical drift of |K|, taken out at each step: ` +
+      : `Dissipated: ${share}. Numerical drift of |K|, taken out at each step: ` +
         `${numeral(run.motion.drift, 2)} in ${run.motion.solver.steps} steps.${part}`;
   }
 

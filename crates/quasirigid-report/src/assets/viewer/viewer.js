@@ -18,7 +18,7 @@ class Viewer {
     this.radius = scene.radius;
     this.camera = new Camera(scene.radius);
     this.stage = new Stage(gl);
-    this.pieces = scene.pieces.filter(({ vertices }) => vertices.values).map((source) => new Piece(source, scene.radius));
+    this.pieces = scene.pieces.filter(({ vertices }) => vertices.values.byteLength).map((source) => new Piece(source, scene.radius));
     this.legend = legendOf(this.pieces);
     this.drawn = new Map(this.pieces.map((piece) => [piece, this.stage.upload(piece)]));
     for (const piece of this.pieces) {

@@ -1,11 +1,4 @@
-// Typed arrays from base64. The data are little-endian, as is every machine that runs a browser.
-const floats = (text) => {
-  const characters = atob(text);
-  const bytes = new Uint8Array(characters.length);
-  for (let i = 0; i < bytes.length; i++) bytes[i] = characters.charCodeAt(i);
-  return new Float32Array(bytes.buffer);
-};
-
+// Lists of numbers, and results that are worked out when they are first asked for.
 /** Calls a function once, when its result is first asked for. */
 const once = (make) => {
   let made = null;

@@ -84,15 +84,25 @@ pub fn power(evolution: &EvolutionRecord) -> Figure {
     }
 }
 
+/// Factor between the power that was followed and that of the reduced equations up to which the latter is drawn.
+const FACTOR: f64 = 10.0;
+
 /// Power against `D/I₃` instead of time, with the resonances marked.
 pub fn map(evolution: &EvolutionRecord) -> Figure {
     let columns = with_gaps(&evolution.columns);
-    let curves = [("power", "followed", "s1"), ("polynomial_power", "reduced", "s2")];
-    let series = |(name, label, class): (&str, &str, &'static str)| {
-        let x = column(&columns, "D_over_I3")?.values.clone();
-        let y = column(&columns, name)?.values.clone();
-        Some(Series::line(label, class, x, y))
+    let series = |label: &str, class: &'static str, power: Vec<f64>| {
+        Some(Series::line(label, class, column(&columns, "D_over_I3")?.values.clone(), power))
     };
+    let followed = column(&columns, "power").map(|power| power.values.clone());
+    let reduced =
+        column(&columns, "polynomial_power").zip(followed.as_ref()).and_then(|(reduced, followed)| {
+            let near = |(reduced, followed): (&f64, &f64)| {
+                if (reduced / followed).ln().abs() <= FACTOR.ln() { *reduced } else { f64::NAN }
+            };
+            let near: Vec<f64> = reduced.values.iter().zip(followed).map(near).collect();
+            near.iter().any(|power| power.is_finite()).then_some(near)
+        });
+    let curves = [("followed", "s1", followed), ("reduced", "s2", reduced)];
     let crossing = |crossing: &CrossingRecord| Mark {
         x: crossing.ratio,
         label: format!("{} Ωₚ = {} rad/s", crossing.harmonic, digits(crossing.frequency, 3)),
@@ -101,10 +111,10 @@ pub fn map(evolution: &EvolutionRecord) -> Figure {
         id: "evolution-map",
         title: "Mean power along the evolution",
         caption: "From the axis of least inertia towards that of greatest, D/I₃ = 1: the power that was followed, and that of the \
-                  reduced equations, which know no resonance. Lines mark where a harmonic of the nutation meets an elastic \
+                  reduced equations, which know no resonance, where it is within a factor of ten. Lines mark where a harmonic of the nutation meets an elastic \
                   frequency."
             .into(),
-        series: curves.into_iter().filter_map(series).collect(),
+        series: curves.into_iter().filter_map(|(label, class, power)| series(label, class, power?)).collect(),
         marks: evolution.resonances.iter().take(MARKED).map(crossing).collect(),
         link: None,
         x: Quantity { name: "D/I₃", unit: "1".into(), log: false },

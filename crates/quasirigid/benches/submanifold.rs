@@ -75,11 +75,11 @@ fn history(manifold: &SpinManifold) -> ([f64; 2], ManifoldStart) {
     ([0.0, end], manifold.start(&state))
 }
 
-/// A history of 1000 revolutions by the reduced equations of degree 5.
+/// A history of 1000 revolutions by the reduced equations of degree 7: 4e-9 of the angular velocity of the wobble off.
 #[divan::bench(args = [2, 17], sample_count = 10)]
 fn history_reduced(bencher: Bencher, points: usize) {
     let body = ring_of_points(points).body().expect("the ring has an equilibrium");
-    let manifold = derived(&body, 5, Masters::Nutation);
+    let manifold = derived(&body, 7, Masters::Nutation);
     let (times, start) = history(&manifold);
     let options = Options { tolerance: 1e-9, ..Options::default() };
     bencher.bench(|| {
@@ -89,14 +89,14 @@ fn history_reduced(bencher: Bencher, points: usize) {
     });
 }
 
-/// The same by the full system, at the tolerance of the same error.
+/// The same by the full system, at a tolerance that leaves it 1e-8 off with 2 points and 4e-8 with 17.
 #[divan::bench(args = [2, 17], sample_count = 3)]
 fn history_full(bencher: Bencher, points: usize) {
     let body = ring_of_points(points).body().expect("the ring has an equilibrium");
-    let manifold = derived(&body, 5, Masters::Nutation);
+    let manifold = derived(&body, 7, Masters::Nutation);
     let (times, start) = history(&manifold);
     let state = manifold.full_state(&start.z, start.attitude);
-    let options = Options { tolerance: 1e-8, ..Options::default() };
+    let options = Options { tolerance: 1e-6, ..Options::default() };
     bencher.bench(|| {
         let mut samples: Vec<Sample> = Vec::new();
         propagate_full(Forced::not(&body), &state, &times, &options, &mut samples).expect("a history");

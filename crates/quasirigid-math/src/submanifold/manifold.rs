@@ -81,7 +81,7 @@ impl InvariantManifold {
         z
     }
 
-    /// Values of the monomials at coordinates, one of each pair of conjugates, for [`value`](Self::value).
+    /// Values of the monomials at coordinates, one of each pair of conjugates, for [`Monomials::value`].
     #[must_use]
     pub fn monomials(&self, free: &[[f64; 2]]) -> Monomials {
         Monomials(self.ring.values(&self.coordinates(free)))

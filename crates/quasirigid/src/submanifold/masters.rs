@@ -11,7 +11,7 @@ use super::steady::SteadySpin;
 /// Choice of the masters beside the nutation.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub enum Masters {
-    /// The nutation, with the modes near it or near a resonance, up to [`MOST`].
+    /// The nutation, with the modes near it or near a resonance, up to two.
     #[default]
     Automatic,
     /// The nutation alone.

@@ -48,7 +48,10 @@ impl Campaign {
         let jobs: Vec<io::Result<Count>> = std::thread::scope(|scope| {
             let job = |job: usize| self.job(target, job as u64, folder.path());
             let threads: Vec<_> = (0..self.jobs).map(|number| scope.spawn(move || job(number))).collect();
-            threads.into_iter().map(|thread| thread.join().unwrap_or_else(|_| Err(io::ErrorKind::Other.into()))).collect()
+            threads
+                .into_iter()
+                .map(|thread| thread.join().unwrap_or_else(|_| Err(io::ErrorKind::Other.into())))
+                .collect()
         });
         let mut sum = Count::default();
         for count in jobs {
@@ -87,7 +90,14 @@ impl Campaign {
         Ok(count)
     }
 
-    fn start(&self, target: &Target, seed: u64, time: Duration, replay: bool, scratch: &Path) -> io::Result<Child> {
+    fn start(
+        &self,
+        target: &Target,
+        seed: u64,
+        time: Duration,
+        replay: bool,
+        scratch: &Path,
+    ) -> io::Result<Child> {
         let mut command = Command::new(&self.program);
         command.arg("--worker").arg(scratch).args(["--target", target.name]);
         command.args(["--seed", &seed.to_string(), "--seconds", &time.as_secs_f64().to_string()]);

@@ -22,7 +22,9 @@ static LAST: Mutex<Option<Failure>> = Mutex::new(None);
 pub fn catch_panics() {
     panic::set_hook(Box::new(|info| {
         let place = info.location().map_or_else(|| "?".to_owned(), ToString::to_string);
-        let place = place.rsplit_once(':').map_or(place.clone(), |(line, _)| line.to_owned());
+        let place = place.rsplit_once(':').map_or(place.as_str(), |(line, _)| line);
+        let place = place.split_once("/registry/src/").map_or(place, |(_, library)| library);
+        let place = place.trim_start_matches("index.crates.io-").to_owned();
         let message = info.payload_as_str().unwrap_or("a panic without words").to_owned();
         if let Ok(mut last) = LAST.lock() {
             *last = Some(Failure { place, message });
@@ -44,6 +46,7 @@ pub fn execute(target: &Target, input: &[u8]) -> Result<(), Failure> {
     if used <= target.memory {
         return Ok(());
     }
-    let message = format!("{used} bytes for an input of {}; at most {} are allowed", input.len(), target.memory);
+    let message =
+        format!("{used} bytes for an input of {}; at most {} are allowed", input.len(), target.memory);
     Err(Failure { place: "memory".to_owned(), message })
 }

@@ -42,7 +42,8 @@ unsafe impl GlobalAlloc for Counted {
 
 fn grown(pointer: *mut u8, before: usize, after: usize) {
     if !pointer.is_null() {
-        let live = LIVE.fetch_add(after.wrapping_sub(before), Relaxed).wrapping_add(after.wrapping_sub(before));
+        let live =
+            LIVE.fetch_add(after.wrapping_sub(before), Relaxed).wrapping_add(after.wrapping_sub(before));
         PEAK.fetch_max(live, Relaxed);
     }
 }

@@ -62,11 +62,21 @@ fn run(arguments: Arguments) -> io::Result<ExitCode> {
         TARGETS.iter().filter(|known| target == "all" || known.name == target).collect();
     if targets.is_empty() {
         let names: Vec<&str> = TARGETS.iter().map(|target| target.name).collect();
-        return Err(io::Error::other(format!("there is no target {target:?}; they are {}", names.join(", "))));
+        return Err(io::Error::other(format!(
+            "there is no target {target:?}; they are {}",
+            names.join(", ")
+        )));
     }
     if let Some(scratch) = worker {
-        let failures =
-            work(&Work { target: targets[0], seed, time, executions, replay: !no_replay, scratch, findings })?;
+        let failures = work(&Work {
+            target: targets[0],
+            seed,
+            time,
+            executions,
+            replay: !no_replay,
+            scratch,
+            findings,
+        })?;
         return Ok(ExitCode::from(u8::from(failures > 0)));
     }
     let program = std::env::current_exe()?;

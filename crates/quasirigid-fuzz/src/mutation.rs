@@ -31,8 +31,29 @@ const COUNTS: [u64; 14] = [
 
 /// Numbers as text, on the edges of what readers accept.
 const NUMBERS: [&str; 24] = [
-    "0", "-0", "1", "-1", "2", "1e308", "-1e308", "1e-308", "5e-324", "1e400", "1e30", "1e-30", "nan", "inf", "-inf",
-    "255", "65536", "1000000", "2147483648", "4294967296", "9223372036854775807", "18446744073709551616", "1.5D-3",
+    "0",
+    "-0",
+    "1",
+    "-1",
+    "2",
+    "1e308",
+    "-1e308",
+    "1e-308",
+    "5e-324",
+    "1e400",
+    "1e30",
+    "1e-30",
+    "nan",
+    "inf",
+    "-inf",
+    "255",
+    "65536",
+    "1000000",
+    "2147483648",
+    "4294967296",
+    "9223372036854775807",
+    "18446744073709551616",
+    "1.5D-3",
     "0.1",
 ];
 
@@ -144,7 +165,8 @@ impl<'c> Mutator<'c> {
     fn number(&mut self, input: &mut Vec<u8>) {
         let part = |byte: &u8| byte.is_ascii_digit() || matches!(byte, b'.' | b'-' | b'+' | b'e' | b'E');
         let from = self.random.below(input.len());
-        let Some(start) = input.iter().skip(from).position(u8::is_ascii_digit).map(|found| from + found) else {
+        let Some(start) = input.iter().skip(from).position(u8::is_ascii_digit).map(|found| from + found)
+        else {
             return;
         };
         let end = start + input[start..].iter().take_while(|byte| part(byte)).count();
@@ -156,8 +178,11 @@ impl<'c> Mutator<'c> {
     fn count(&mut self, input: &mut [u8]) {
         let value = *self.random.pick(&COUNTS);
         let width = *self.random.pick(&[2, 4, 8]);
-        let bytes =
-            if self.random.below(2) == 0 { value.to_le_bytes() } else { (value << (64 - 8 * width)).to_be_bytes() };
+        let bytes = if self.random.below(2) == 0 {
+            value.to_le_bytes()
+        } else {
+            (value << (64 - 8 * width)).to_be_bytes()
+        };
         let place = self.random.below(input.len());
         for (byte, new) in input.iter_mut().skip(place).zip(&bytes[..width]) {
             *byte = *new;
@@ -168,7 +193,11 @@ impl<'c> Mutator<'c> {
     fn line(&mut self, input: &mut Vec<u8>) {
         let from = self.random.below(input.len());
         let before = input.iter().take(from).rposition(|byte| *byte == b'\n').map_or(0, |place| place + 1);
-        let after = input.iter().skip(from).position(|byte| *byte == b'\n').map_or(input.len(), |place| from + place + 1);
+        let after = input
+            .iter()
+            .skip(from)
+            .position(|byte| *byte == b'\n')
+            .map_or(input.len(), |place| from + place + 1);
         if self.random.below(2) == 0 {
             input.drain(before..after);
         } else {

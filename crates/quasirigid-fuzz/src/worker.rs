@@ -3,6 +3,7 @@
 //! A panic is kept and the process goes on. An input that takes too long, or more memory than the process may have, ends it; the campaign
 //! that started it finds that input in the scratch file.
 
+use std::collections::HashSet;
 use std::io::{self, Write};
 use std::path::PathBuf;
 use std::process;
@@ -11,6 +12,7 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 use rustix::process::{Resource, Rlimit, setrlimit};
+use rustix::time::{ClockId, clock_gettime};
 
 use crate::corpus::{self, keep};
 use crate::execution::{catch_panics, execute};
@@ -19,7 +21,7 @@ use crate::mutation::Mutator;
 use crate::scratch::Scratch;
 use crate::targets::Target;
 
-/// Longest execution.
+/// Longest execution, in processor time.
 pub const LONGEST: Duration = Duration::from_secs(10);
 /// Exit code of a process that an input held for longer than that.
 pub const HANG: i32 = 70;
@@ -47,7 +49,7 @@ pub struct Work {
     pub findings: PathBuf,
 }
 
-/// Start of the execution in work, in milliseconds from the start of the process and one more; zero between executions.
+/// Start of the execution in work, in milliseconds of processor time and one more; zero between executions.
 static STARTED: AtomicU64 = AtomicU64::new(0);
 
 /// Executes, and returns the number of failures.
@@ -58,16 +60,19 @@ pub fn work(work: &Work) -> io::Result<u64> {
     catch_panics();
     limit_memory(work.target.memory as u64);
     let clock = Instant::now();
-    thread::spawn(move || watch(clock));
+    thread::spawn(watch);
     let mut scratch = Scratch::new(&work.scratch)?;
-    let mut failures = 0;
+    let (mut failures, mut seen) = (0, HashSet::new());
     let mut once = |input: &[u8]| -> io::Result<()> {
         scratch.note(input)?;
-        STARTED.store(clock.elapsed().as_millis() as u64 + 1, Relaxed);
+        STARTED.store(processor_time() + 1, Relaxed);
         let result = execute(work.target, input);
         STARTED.store(0, Relaxed);
         let Err(failure) = result else { return Ok(()) };
         failures += 1;
+        if !seen.insert(failure.place.clone()) {
+            return Ok(());
+        }
         let smaller = minimized(work.target, input, &failure.place);
         let (name, shown) = work.target.shown(&smaller);
         let path = keep(&work.findings, name, &failure.place, &shown)?;
@@ -96,15 +101,20 @@ fn limit_memory(memory: u64) {
 }
 
 /// Ends the process if an execution takes too long.
-fn watch(clock: Instant) {
+fn watch() {
     loop {
         thread::sleep(LOOK);
         let started = STARTED.load(Relaxed);
-        let now = clock.elapsed().as_millis() as u64 + 1;
-        if started > 0 && now.saturating_sub(started) > LONGEST.as_millis() as u64 {
+        if started > 0 && processor_time().saturating_sub(started) > LONGEST.as_millis() as u64 {
             process::exit(HANG);
         }
     }
+}
+
+/// Processor time of the process (ms), so that other work on the machine makes no execution long.
+fn processor_time() -> u64 {
+    let time = clock_gettime(ClockId::ProcessCPUTime);
+    time.tv_sec as u64 * 1000 + time.tv_nsec as u64 / 1_000_000
 }
 
 fn say(text: &str) -> io::Result<()> {

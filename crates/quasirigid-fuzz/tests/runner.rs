@@ -27,7 +27,8 @@ fn no_input_breaks_a_promise() {
     let start = Instant::now();
     let (first, second) = TARGETS.split_at(TARGETS.len() / 2);
     let run = |targets: &[quasirigid_fuzz::targets::Target]| -> Vec<&'static str> {
-        let failed = |target: &&quasirigid_fuzz::targets::Target| campaign(22).run(target).unwrap().failed > 0;
+        let failed =
+            |target: &&quasirigid_fuzz::targets::Target| campaign(22).run(target).unwrap().failed > 0;
         targets.iter().filter(failed).map(|target| target.name).collect()
     };
     let failed = std::thread::scope(|scope| {

@@ -84,7 +84,11 @@ fn law(d: &mut Draft<'_, '_>) {
     for (key, typical) in [("stiffness", 600.0), ("damping", 3.0)] {
         let value = match below(d.numbers.u, 5) {
             0 if !axial => d.numbers.triple(typical),
-            1 if !axial => format!("[[{0}, 0, 0], [0, {0}, {1}], [0, {1}, {0}]]", d.numbers.near(typical), d.numbers.near(0.1 * typical)),
+            1 if !axial => format!(
+                "[[{0}, 0, 0], [0, {0}, {1}], [0, {1}, {0}]]",
+                d.numbers.near(typical),
+                d.numbers.near(0.1 * typical)
+            ),
             _ => d.numbers.near(typical),
         };
         d.line(key, &value);
@@ -151,14 +155,16 @@ pub fn wheel(d: &mut Draft<'_, '_>) {
     let (inertia, speed) = (d.numbers.near(0.02), d.numbers.signed(100.0));
     d.line("inertia", &inertia);
     let formula = d.chance(80);
-    let speed = if formula { format!("{{ formula = \"{}\" }}", super::formula::formula(d.numbers.u)) } else { speed };
+    let speed =
+        if formula { format!("{{ formula = \"{}\" }}", super::formula::formula(d.numbers.u)) } else { speed };
     d.line("speed", &speed);
 }
 
 pub fn cavity(d: &mut Draft<'_, '_>) {
     d.head("[[cavity]]");
     d.name("tank");
-    let shape = d.pick(&["sphere", "ellipsoid", "cylinder", "annulus", "ring", "box", "shell", "mesh", "surface"]);
+    let shape =
+        d.pick(&["sphere", "ellipsoid", "cylinder", "annulus", "ring", "box", "shell", "mesh", "surface"]);
     d.line("shape", &format!("\"{shape}\""));
     let keys: &[(&str, f64)] = match shape {
         "sphere" => &[("radius", 0.3)],

@@ -23,7 +23,10 @@ fn tree(u: &mut Unstructured<'_>, depth: usize) -> String {
         4 => {
             let function = pick(
                 u,
-                &["sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "exp", "ln", "log10", "sqrt", "abs", "nothing"],
+                &[
+                    "sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "exp", "ln",
+                    "log10", "sqrt", "abs", "nothing",
+                ],
             );
             format!("{function}({})", tree(u, depth - 1))
         }
@@ -39,6 +42,9 @@ fn tree(u: &mut Unstructured<'_>, depth: usize) -> String {
 }
 
 fn leaf(u: &mut Unstructured<'_>) -> String {
-    let leaves = ["0", "1", "t", "x", "wx", "qw", "0.5", "2", "3", "-1", "pi", "e", "1e308", "1e-308", "0.1", "1e400", "7", ".5", "2.", "vx"];
+    let leaves = [
+        "0", "1", "t", "x", "wx", "qw", "0.5", "2", "3", "-1", "pi", "e", "1e308", "1e-308", "0.1", "1e400",
+        "7", ".5", "2.", "vx",
+    ];
     pick(u, &leaves).to_owned()
 }

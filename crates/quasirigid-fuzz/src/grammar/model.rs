@@ -48,7 +48,8 @@ pub struct Draft<'u, 'b> {
 
 /// A model file.
 pub fn model(u: &mut Unstructured<'_>) -> String {
-    let mut draft = Draft { text: String::new(), numbers: Numbers::new(u), names: Vec::new(), parts: Vec::new() };
+    let mut draft =
+        Draft { text: String::new(), numbers: Numbers::new(u), names: Vec::new(), parts: Vec::new() };
     let alone = chance(draft.numbers.u, 30);
     if alone {
         element::alone(&mut draft);
@@ -103,7 +104,9 @@ impl Draft<'_, '_> {
         match below(self.numbers.u, 4) {
             0 => "\"carrier\"".to_owned(),
             1 if !self.parts.is_empty() => self.node(),
-            3 => self.pick(&["\"nobody\"", "{ part = \"boom\", node = \"root\" }", "\"point1\"", "\"carrier\""]).to_owned(),
+            3 => self
+                .pick(&["\"nobody\"", "{ part = \"boom\", node = \"root\" }", "\"point1\"", "\"carrier\""])
+                .to_owned(),
             _ if self.names.is_empty() => "\"carrier\"".to_owned(),
             _ => {
                 let index = below(self.numbers.u, self.names.len());
@@ -127,11 +130,21 @@ impl Draft<'_, '_> {
             0 => format!("{{ kind = \"kelvin-voigt\", time = {time} }}"),
             1 => format!("{{ kind = \"quality-factor\", Q = {} }}", self.numbers.near(100.0)),
             2 => format!("{{ kind = \"maxwell\", time = {time} }}"),
-            3 => format!("{{ kind = \"standard-linear\", time = {time}, strength = {} }}", self.numbers.near(0.1)),
-            4 => format!("{{ kind = \"andrade\", time = {time}, creep_time = {}, exponent = {} }}", self.numbers.near(10.0), self.numbers.near(0.3)),
+            3 => format!(
+                "{{ kind = \"standard-linear\", time = {time}, strength = {} }}",
+                self.numbers.near(0.1)
+            ),
+            4 => format!(
+                "{{ kind = \"andrade\", time = {time}, creep_time = {}, exponent = {} }}",
+                self.numbers.near(10.0),
+                self.numbers.near(0.3)
+            ),
             _ => format!(
                 "{{ kind = \"table\", rows = [[{time}, {}, {}], [{}, {}, 0.01]] }}",
-                self.numbers.near(1.0), self.numbers.near(0.01), self.numbers.near(90.0), self.numbers.near(2.0)
+                self.numbers.near(1.0),
+                self.numbers.near(0.01),
+                self.numbers.near(90.0),
+                self.numbers.near(2.0)
             ),
         };
         self.line("rheology", &rheology);

@@ -6,10 +6,46 @@ use super::choice::{below, chance, pick};
 
 /// Numbers that no body has, and values that are none.
 const HOSTILE: [&str; 40] = [
-    "0", "-1", "0.0", "-0.0", "1e308", "-1e308", "1e-308", "5e-324", "1e154", "1e-154", "1e100", "1e-100", "1e30", "1e-30", "nan", "inf",
-    "-inf", "1e400", "9223372036854775807", "9223372036854775808", "-9223372036854775809", "0x7fffffffffffffff", "0b1", "1_000", "true", "\"\"",
-    "\"x\"", "[]", "{}", "[1, 2]", "[[1]]", "1979-05-27", "\"1e308 km\"", "\"1e-320 m\"", "\"3 furlongs\"", "\"2 kg m/s\"", "\"1 1/s\"",
-    "\"-5 rpm\"", "\"nan m\"", "\"12 km^3/s^2\"",
+    "0",
+    "-1",
+    "0.0",
+    "-0.0",
+    "1e308",
+    "-1e308",
+    "1e-308",
+    "5e-324",
+    "1e154",
+    "1e-154",
+    "1e100",
+    "1e-100",
+    "1e30",
+    "1e-30",
+    "nan",
+    "inf",
+    "-inf",
+    "1e400",
+    "9223372036854775807",
+    "9223372036854775808",
+    "-9223372036854775809",
+    "0x7fffffffffffffff",
+    "0b1",
+    "1_000",
+    "true",
+    "\"\"",
+    "\"x\"",
+    "[]",
+    "{}",
+    "[1, 2]",
+    "[[1]]",
+    "1979-05-27",
+    "\"1e308 km\"",
+    "\"1e-320 m\"",
+    "\"3 furlongs\"",
+    "\"2 kg m/s\"",
+    "\"1 1/s\"",
+    "\"-5 rpm\"",
+    "\"nan m\"",
+    "\"12 km^3/s^2\"",
 ];
 
 /// Writer of numbers with some share of hostile ones.
@@ -85,7 +121,11 @@ impl<'u, 'b> Numbers<'u, 'b> {
     /// A small count, or one that no machine has room for.
     pub fn count(&mut self, most: usize) -> String {
         if chance(self.u, self.hostility) {
-            return pick(self.u, &["0", "-1", "1000", "10000", "1000000", "1000000000", "9223372036854775807", "1.5", "\"3\""]).to_owned();
+            return pick(
+                self.u,
+                &["0", "-1", "1000", "10000", "1000000", "1000000000", "9223372036854775807", "1.5", "\"3\""],
+            )
+            .to_owned();
         }
         (1 + below(self.u, most)).to_string()
     }

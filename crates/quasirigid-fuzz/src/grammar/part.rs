@@ -8,7 +8,12 @@ pub fn beam(d: &mut Draft<'_, '_>) {
     let name = d.name("boom");
     let (root, tip) = (d.numbers.vector(0.3), d.numbers.vector(2.0));
     d.line("nodes", &format!("{{ root = {root}, tip = {tip}, side = [0.5, 1.5, 0.2] }}"));
-    let lines = d.pick(&["[[\"root\", \"tip\"]]", "[[\"root\", \"tip\"], [\"tip\", \"side\"]]", "[[\"root\", \"root\"]]", "[[\"root\", \"nowhere\"]]"]);
+    let lines = d.pick(&[
+        "[[\"root\", \"tip\"]]",
+        "[[\"root\", \"tip\"], [\"tip\", \"side\"]]",
+        "[[\"root\", \"root\"]]",
+        "[[\"root\", \"nowhere\"]]",
+    ]);
     d.line("lines", lines);
     let section = d.pick(&["tube", "bar", "general", "I", "none"]);
     d.line("section", &format!("\"{section}\""));
@@ -42,7 +47,10 @@ pub fn panel(d: &mut Draft<'_, '_>) {
     let name = d.name("wing");
     let (first, second) = (d.numbers.near(2.0), d.numbers.near(1.0));
     let cells = [d.numbers.count(3), d.numbers.count(3)];
-    d.line("rectangle", &format!("{{ sides = [[{first}, 0, 0], [0, {second}, 0]], cells = [{}, {}] }}", cells[0], cells[1]));
+    d.line(
+        "rectangle",
+        &format!("{{ sides = [[{first}, 0, 0], [0, {second}, 0]], cells = [{}, {}] }}", cells[0], cells[1]),
+    );
     let position = d.numbers.vector(0.4);
     d.line("position", &position);
     let (thickness, angle) = (d.numbers.near(2e-3), d.numbers.signed(0.5));
@@ -161,7 +169,9 @@ pub fn shared(d: &mut Draft<'_, '_>) {
     d.text += &format!("shape = \"I\"\nheight = {height}\nwidth = {width}\nweb = 0.002\nflange = 0.003\n");
     d.head("[section.general]");
     let (area, second) = (d.numbers.near(1e-4), d.numbers.near(1e-8));
-    d.text += &format!("shape = \"general\"\narea = {area}\nsecond_y = {second}\nsecond_z = {second}\ntorsion = {second}\n");
+    d.text += &format!(
+        "shape = \"general\"\narea = {area}\nsecond_y = {second}\nsecond_z = {second}\ntorsion = {second}\n"
+    );
     if d.chance(40) {
         d.head("[reduction]");
         let modes = d.numbers.count(4);

@@ -6,7 +6,16 @@ use super::model::Draft;
 
 pub fn force(d: &mut Draft<'_, '_>) {
     d.head("[[force]]");
-    let kind = d.pick(&["uniform-gravity", "central-gravity", "drag", "spin-drag", "torque", "thrust", "magnetic-dipole", "expression"]);
+    let kind = d.pick(&[
+        "uniform-gravity",
+        "central-gravity",
+        "drag",
+        "spin-drag",
+        "torque",
+        "thrust",
+        "magnetic-dipole",
+        "expression",
+    ]);
     d.line("kind", &format!("\"{kind}\""));
     if matches!(kind, "drag" | "thrust" | "expression") {
         let on = d.end();
@@ -79,7 +88,9 @@ fn support(d: &mut Draft<'_, '_>) {
         }
         1 => {
             let (point, acceleration) = (d.numbers.vector(0.3), formula(d.numbers.u));
-            d.text += &format!("[support]\nkind = \"prescribed\"\npoint = {point}\nacceleration = [\"{acceleration}\", \"0\", \"0.3*cos(2*t)\"]\n");
+            d.text += &format!(
+                "[support]\nkind = \"prescribed\"\npoint = {point}\nacceleration = [\"{acceleration}\", \"0\", \"0.3*cos(2*t)\"]\n"
+            );
         }
         _ => {}
     }
@@ -93,12 +104,16 @@ fn initial(d: &mut Draft<'_, '_>) {
             d.line("angular_velocity", &spin);
         }
         2 => {
-            let (angle, rate, mode) = (d.numbers.near(0.1), d.numbers.near(0.5), d.pick(&["short-axis", "long-axis", "SAM"]));
+            let (angle, rate, mode) =
+                (d.numbers.near(0.1), d.numbers.near(0.5), d.pick(&["short-axis", "long-axis", "SAM"]));
             d.line("wobble", &format!("{{ angle = {angle}, rate = {rate}, mode = \"{mode}\" }}"));
         }
         _ => {
             let (rotation, precession) = (d.numbers.near(3e4), d.numbers.near(9e4));
-            d.line("periods", &format!("{{ rotation = {rotation}, precession = {precession}, mode = \"long-axis\" }}"));
+            d.line(
+                "periods",
+                &format!("{{ rotation = {rotation}, precession = {precession}, mode = \"long-axis\" }}"),
+            );
         }
     }
     if d.chance(60) {
@@ -119,7 +134,8 @@ fn run(d: &mut Draft<'_, '_>) {
     let duration = d.numbers.near(60.0);
     d.line("duration", &duration);
     if d.chance(60) {
-        let (key, value) = (d.pick(&["samples", "tolerance", "method", "form", "systems"]), d.numbers.near(1e-9));
+        let (key, value) =
+            (d.pick(&["samples", "tolerance", "method", "form", "systems"]), d.numbers.near(1e-9));
         let word = d.pick(&["\"full\"", "[\"full\", \"reduced\"]", "\"automatic\"", "100", "[]"]).to_owned();
         let value = if d.chance(128) { value } else { word };
         d.line(key, &value);

@@ -5,10 +5,24 @@ use arbitrary::Unstructured;
 use super::choice::{below, chance, pick};
 use super::number::Numbers;
 
-const KEYS: [&str; 6] =
-    ["carrier.mass", "spring.1.stiffness", "\\\"material.rock.rheology.Q\\\"", "point.tip.position.2", "carrier", "a.b.c.d.e.f"];
-const QUANTITIES: [&str; 8] =
-    ["evolve.time", "check.valid", "modes.nutation.time_constant", "simulate.energy", "derive.mu", "modes.stable", "nothing", "check.T1"];
+const KEYS: [&str; 6] = [
+    "carrier.mass",
+    "spring.1.stiffness",
+    "\\\"material.rock.rheology.Q\\\"",
+    "point.tip.position.2",
+    "carrier",
+    "a.b.c.d.e.f",
+];
+const QUANTITIES: [&str; 8] = [
+    "evolve.time",
+    "check.valid",
+    "modes.nutation.time_constant",
+    "simulate.energy",
+    "derive.mu",
+    "modes.stable",
+    "nothing",
+    "check.T1",
+];
 
 /// A study.
 pub fn study(u: &mut Unstructured<'_>) -> String {
@@ -30,7 +44,8 @@ pub fn study(u: &mut Unstructured<'_>) -> String {
     if chance(numbers.u, 40) {
         text += "[table]\nfile = \"bodies.csv\"\ncolumns = { \"a_km\" = { key = \"ellipsoid.1.semi_axes.1\", unit = \"km\" } }\nkeep = [\"name\"]\n";
     }
-    let quantities: Vec<String> = (0..1 + below(numbers.u, 3)).map(|_| format!("\"{}\"", pick(numbers.u, &QUANTITIES))).collect();
+    let quantities: Vec<String> =
+        (0..1 + below(numbers.u, 3)).map(|_| format!("\"{}\"", pick(numbers.u, &QUANTITIES))).collect();
     text += &format!("[answer]\nquantities = [{}]\n", quantities.join(", "));
     if chance(numbers.u, 60) {
         text += &format!("percentiles = [{}, {}]\n", numbers.near(20.0), numbers.near(50.0));
@@ -44,7 +59,8 @@ pub fn study(u: &mut Unstructured<'_>) -> String {
 fn values(numbers: &mut Numbers<'_, '_>) -> String {
     let (a, b) = (numbers.near(1.0), numbers.near(100.0));
     let unit = pick(numbers.u, &["N/m", "km", "kg", "Hz", "furlong"]);
-    let (a, b) = if chance(numbers.u, 100) { (format!("\"{a} {unit}\""), format!("\"{b} {unit}\"")) } else { (a, b) };
+    let (a, b) =
+        if chance(numbers.u, 100) { (format!("\"{a} {unit}\""), format!("\"{b} {unit}\"")) } else { (a, b) };
     let count = numbers.count(40);
     match below(numbers.u, 7) {
         0 => format!("{{ linear = [{a}, {b}], count = {count} }}"),

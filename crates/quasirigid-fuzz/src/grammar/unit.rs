@@ -5,13 +5,14 @@ use arbitrary::Unstructured;
 use super::choice::{below, chance, pick};
 
 const SYMBOLS: [&str; 30] = [
-    "m", "kg", "s", "N", "rad", "deg", "rpm", "Hz", "in", "ft", "lb", "lbf", "g", "Pa", "J", "W", "h", "d", "yr", "A", "T", "cSt", "slug", "km",
-    "µm", "GPa", "Myr", "oz", "V", "mas",
+    "m", "kg", "s", "N", "rad", "deg", "rpm", "Hz", "in", "ft", "lb", "lbf", "g", "Pa", "J", "W", "h", "d",
+    "yr", "A", "T", "cSt", "slug", "km", "µm", "GPa", "Myr", "oz", "V", "mas",
 ];
 
 /// A quantity.
 pub fn quantity(u: &mut Unstructured<'_>) -> String {
-    let number = pick(u, &["1", "2.5", "-3", "1e300", "1e-300", "0", ".5", "1e400", "nan", "+7", "1e", "12."]);
+    let number =
+        pick(u, &["1", "2.5", "-3", "1e300", "1e-300", "0", ".5", "1e400", "nan", "+7", "1e", "12."]);
     format!("{number} {}", product(u, 4))
 }
 

@@ -26,14 +26,18 @@ pub fn of_body(body: &FlexibleBody) {
             power += term;
             sizes += term.abs();
         }
-        assert!(power >= -ROUNDING * sizes || !sizes.is_finite(), "the damping matrix gives {power} of {sizes} W");
+        assert!(
+            power >= -ROUNDING * sizes || !sizes.is_finite(),
+            "the damping matrix gives {power} of {sizes} W"
+        );
     }
 }
 
 /// The power of the reduced equations and of each dissipator.
 pub fn of_reduced(body: &ReducedBody) {
     for omega in DIRECTIONS {
-        let parts: Vec<f64> = (0..=body.power.degree()).map(|degree| body.power.part(degree).value(omega)[0]).collect();
+        let parts: Vec<f64> =
+            (0..=body.power.degree()).map(|degree| body.power.part(degree).value(omega)[0]).collect();
         let sizes: f64 = parts.iter().map(|part| part.abs()).sum();
         let power = body.dissipated_power(omega);
         assert!(power.is_finite(), "the power at {omega:?} rad/s is {power} W");

@@ -23,7 +23,9 @@ pub fn agree(body: &FlexibleBody, reduced: &ReducedBody, equations: &Equations<'
     };
     let cyclic = !body.cyclic().is_empty();
     for omega in DIRECTIONS {
-        same("mu", &object["mu"], omega, &reduced.torque(omega));
+        let mu = (3..=reduced.highest_degree()).map(|degree| reduced.mu(degree).value(omega));
+        let torque = mu.fold(vec![0.0; 3], |sum, part| sum.iter().zip(part).map(|(a, b)| a + b).collect());
+        same("mu", &object["mu"], omega, &torque);
         same("momentum", &object["momentum"], omega, &above(&reduced.K, if cyclic { 2 } else { 3 }, omega));
         same("energy", &object["energy"], omega, &[reduced.energy(omega)]);
         same("power", &object["power"], omega, &[reduced.dissipated_power(omega)]);
@@ -38,7 +40,9 @@ pub fn agree(body: &FlexibleBody, reduced: &ReducedBody, equations: &Equations<'
 fn nulls(value: &Value, path: &str) -> Option<String> {
     match value {
         Value::Null => Some(path.to_owned()),
-        Value::Array(items) => items.iter().enumerate().find_map(|(index, item)| nulls(item, &format!("{path}.{index}"))),
+        Value::Array(items) => {
+            items.iter().enumerate().find_map(|(index, item)| nulls(item, &format!("{path}.{index}")))
+        }
         Value::Object(entries) => {
             let mut entries = entries.iter().filter(|(key, _)| *key != "forces");
             entries.find_map(|(key, item)| nulls(item, &format!("{path}.{key}")))

@@ -68,5 +68,8 @@ pub fn of_full(study: &Study, reduced: &ReducedBody) {
     }
     let last = run.last;
     assert!(last.momentum_drift.abs() <= DRIFT, "|K| drifts by {:e} over {} s", last.momentum_drift, last.t);
-    assert!(last.energy.is_finite() && last.omega.iter().all(|w| w.is_finite()), "a run that went on has numbers: {last:?}");
+    assert!(
+        last.energy.is_finite() && last.omega.iter().all(|w| w.is_finite()),
+        "a run that went on has numbers: {last:?}"
+    );
 }

@@ -25,7 +25,9 @@ impl Default for View {
 impl View {
     pub fn drawn(u: &mut Unstructured<'_>) -> Self {
         let axis: [f64; 3] = std::array::from_fn(|_| signed(u, 2.0));
-        let units = std::array::from_fn(|_| 10f64.powi(below(u, 13) as i32 - 6) * (1.0 + below(u, 100) as f64 / 37.0));
+        let units = std::array::from_fn(|_| {
+            10f64.powi(below(u, 13) as i32 - 6) * (1.0 + below(u, 100) as f64 / 37.0)
+        });
         Self { attitude: rotation::turned(ALIGNED, axis), units }
     }
 
@@ -39,14 +41,16 @@ impl View {
     }
 
     fn vector(&self, vector: [f64; 3], exponents: [i32; 3]) -> String {
-        let [x, y, z] = rotation::to_inertial(self.attitude, vector).map(|entry| self.number(entry, exponents));
+        let [x, y, z] =
+            rotation::to_inertial(self.attitude, vector).map(|entry| self.number(entry, exponents));
         format!("[{x}, {y}, {z}]")
     }
 
     fn tensor(&self, rows: [[f64; 3]; 3], exponents: [i32; 3]) -> String {
         let half: [[f64; 3]; 3] = rows.map(|row| rotation::to_inertial(self.attitude, row));
-        let columns: [[f64; 3]; 3] =
-            std::array::from_fn(|j| rotation::to_inertial(self.attitude, [half[0][j], half[1][j], half[2][j]]));
+        let columns: [[f64; 3]; 3] = std::array::from_fn(|j| {
+            rotation::to_inertial(self.attitude, [half[0][j], half[1][j], half[2][j]])
+        });
         let entry = |i: usize, j: usize| self.number(0.5 * (columns[j][i] + columns[i][j]), exponents);
         let row = |i: usize| format!("[{}, {}, {}]", entry(i, 0), entry(i, 1), entry(i, 2));
         format!("[{}, {}, {}]", row(0), row(1), row(2))
@@ -125,7 +129,8 @@ impl Sketch {
         const INERTIA: [i32; 3] = [2, 1, 0];
         let diagonal = |J: [f64; 3]| [[J[0], 0.0, 0.0], [0.0, J[1], 0.0], [0.0, 0.0, J[2]]];
         let mut text = String::new();
-        let mut line = |words: std::fmt::Arguments<'_>| text.write_fmt(words).expect("a string takes every text");
+        let mut line =
+            |words: std::fmt::Arguments<'_>| text.write_fmt(words).expect("a string takes every text");
         line(format_args!("[carrier]\nmass = {}\n", view.number(self.mass, MASS)));
         line(format_args!("center_of_mass = {}\n", view.vector(self.center, LENGTH)));
         line(format_args!("inertia = {}\n", view.tensor(diagonal(self.inertia), INERTIA)));
@@ -152,7 +157,8 @@ impl Sketch {
             line(format_args!("center_of_mass = {}\n", view.vector(center, LENGTH)));
             line(format_args!("inertia = {}\n", view.tensor(diagonal(whip.inertia), INERTIA)));
             line(format_args!("hinge = {}\n", view.vector(whip.hinge, LENGTH)));
-            let axes = [[0.6, 0.8, 0.0], [0.0, 0.0, 1.0], [-0.8, 0.6, 0.0]].map(|axis| view.vector(axis, [0; 3]));
+            let axes =
+                [[0.6, 0.8, 0.0], [0.0, 0.0, 1.0], [-0.8, 0.6, 0.0]].map(|axis| view.vector(axis, [0; 3]));
             line(format_args!("axes = [{}]\n", axes[..whip.axes].join(", ")));
             line(format_args!("stiffness = {}\n", view.number(whip.stiffness, [2, 1, -2])));
             line(format_args!("damping = {}\n", view.number(whip.damping, [2, 1, -1])));

@@ -14,7 +14,11 @@ pub fn change(bytes: &[u8]) {
             let path: KeyPath = path.parse().expect("the path was followed");
             let found = again.find(&path);
             assert!(found.is_ok(), "the path leads to its value in the copy: {found:?}");
-            assert_eq!(again.changed(&[(path, given)]).as_deref(), Ok(copy.as_str()), "a change twice is a change once");
+            assert_eq!(
+                again.changed(&[(path, given)]).as_deref(),
+                Ok(copy.as_str()),
+                "a change twice is a change once"
+            );
         }
         Err(error) => assert!(!error.to_string().is_empty()),
     }

@@ -8,12 +8,13 @@ use crate::grammar;
 
 /// Words of formulas.
 pub const WORDS: &[&str] = &[
-    "sin(", "cos(", "atan2(", "pow(", "min(", "max(", "hypot(", "sqrt(", "ln(", "exp(", "abs(", "^", "**", "pi", "t", "wx", "-", "(", ")",
-    ",", "1e308", "2^-3",
+    "sin(", "cos(", "atan2(", "pow(", "min(", "max(", "hypot(", "sqrt(", "ln(", "exp(", "abs(", "^", "**",
+    "pi", "t", "wx", "-", "(", ")", ",", "1e308", "2^-3",
 ];
 
 const VARIABLES: [&str; 4] = ["t", "wx", "x", "qw"];
-const POINTS: [[f64; 4]; 4] = [[0.0; 4], [0.7, -1.3, 2.9, 1.0], [1e300, -1e300, 5e-324, -1.0], [-1.0, 1.0, -0.0, 0.5]];
+const POINTS: [[f64; 4]; 4] =
+    [[0.0; 4], [0.7, -1.3, 2.9, 1.0], [1e300, -1e300, 5e-324, -1.0], [-1.0, 1.0, -0.0, 0.5]];
 
 pub fn text(bytes: &[u8]) {
     let Ok(text) = std::str::from_utf8(bytes) else { return };

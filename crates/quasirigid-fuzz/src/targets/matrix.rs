@@ -6,17 +6,48 @@ use quasirigid_io::matrix::{dofs_of, matrix_of, nodes_of};
 
 /// Words of Matrix Market files.
 pub const MARKET: &[&str] = &[
-    "%%MatrixMarket matrix coordinate real general\n", "%%MatrixMarket matrix array real symmetric\n", "skew-symmetric",
-    "integer", "pattern", "complex", "hermitian", "%",
+    "%%MatrixMarket matrix coordinate real general\n",
+    "%%MatrixMarket matrix array real symmetric\n",
+    "skew-symmetric",
+    "integer",
+    "pattern",
+    "complex",
+    "hermitian",
+    "%",
 ];
 /// Words of NumPy files.
 pub const NUMPY: &[&str] = &[
-    "\u{93}NUMPY", "{'descr': '<f8', 'fortran_order': False, 'shape': (3, 3), }", "'<i8'", "'>f4'", "'|O'", "True", "(0,)",
-    "(18446744073709551615, 2)", "PK\u{3}\u{4}", "PK\u{1}\u{2}", "PK\u{5}\u{6}", ".npy", "indptr", "indices", "data", "shape", "format",
+    "\u{93}NUMPY",
+    "{'descr': '<f8', 'fortran_order': False, 'shape': (3, 3), }",
+    "'<i8'",
+    "'>f4'",
+    "'|O'",
+    "True",
+    "(0,)",
+    "(18446744073709551615, 2)",
+    "PK\u{3}\u{4}",
+    "PK\u{1}\u{2}",
+    "PK\u{5}\u{6}",
+    ".npy",
+    "indptr",
+    "indices",
+    "data",
+    "shape",
+    "format",
 ];
 /// Words of NASTRAN bulk data.
 pub const DMIG: &[&str] = &[
-    "DMIG,", "DMIG*   ", "DMIG    KAAX    ", "       0       6       1       0", "*       ", "+", ",", "$", "ENDDATA", "1.0-3", "BEGIN BULK\n",
+    "DMIG,",
+    "DMIG*   ",
+    "DMIG    KAAX    ",
+    "       0       6       1       0",
+    "*       ",
+    "+",
+    ",",
+    "$",
+    "ENDDATA",
+    "1.0-3",
+    "BEGIN BULK\n",
 ];
 /// Words of node tables.
 pub const NODES: &[&str] = &["GRID,", "GRID*   ", "GRDSET", "*NODE\n", "# ", ";", "\t", "CORD2R,"];

@@ -64,7 +64,8 @@ impl Target {
 
 /// Every target.
 pub const TARGETS: [Target; 34] = [
-    Target::of_body("model_text", model::text, model::WORDS).seeded(&[("examples", "toml"), ("data/published", "toml")]),
+    Target::of_body("model_text", model::text, model::WORDS)
+        .seeded(&[("examples", "toml"), ("data/published", "toml")]),
     Target::of_body("model_tables", model::tables, &[]).drawn("model_text", model::drawn),
     Target::of_body("body_laws", laws::laws, &[]),
     Target::of_file("model_change", change::change, model::WORDS),
@@ -75,19 +76,44 @@ pub const TARGETS: [Target; 34] = [
     Target::of_file("quantity_text", quantity::text, quantity::WORDS),
     Target::of_file("quantity_unit", quantity::unit, &[]).drawn("quantity_text", quantity::drawn),
     Target::of_file("surface_obj", surface::obj, &["v ", "f ", "//", "vn ", "\\\n"]),
-    Target::of_file("surface_stl", surface::stl, &["solid ", "facet normal ", "outer loop", "vertex ", "endfacet", "endsolid"]),
+    Target::of_file(
+        "surface_stl",
+        surface::stl,
+        &["solid ", "facet normal ", "outer loop", "vertex ", "endfacet", "endsolid"],
+    ),
     Target::of_file("surface_ply", surface::ply, surface::PLY),
     Target::of_file("surface_plates", surface::plates, &[]),
-    Target::of_file("volume_gmsh", volume::gmsh, volume::GMSH).seeded(&[("crates/quasirigid-io/tests/data/volume", "msh"), ("crates/quasirigid-io/tests/data/bodies", "msh")]),
-    Target::of_file("volume_vtk", volume::vtk, volume::VTK).seeded(&[("crates/quasirigid-io/tests/data/volume", "vtk"), ("crates/quasirigid-io/tests/data/volume", "vtu")]),
-    Target::of_file("volume_abaqus", volume::abaqus, volume::ABAQUS).seeded(&[("crates/quasirigid-io/tests/data/volume", "inp"), ("crates/quasirigid-io/tests/data/bodies", "inp")]),
-    Target::of_file("matrix_market", matrix::market, matrix::MARKET).seeded(&[("crates/quasirigid-io/tests/data/matrix", "mtx")]),
-    Target::of_file("matrix_numpy", matrix::numpy, matrix::NUMPY).seeded(&[("crates/quasirigid-io/tests/data/matrix", "npy"), ("crates/quasirigid-io/tests/data/matrix", "npz")]),
-    Target::of_file("matrix_calculix", matrix::calculix, &[]).seeded(&[("crates/quasirigid-io/tests/data/matrix", "sti"), ("crates/quasirigid-io/tests/data/bodies", "mas")]),
-    Target::of_file("matrix_dmig", matrix::dmig, matrix::DMIG).seeded(&[("crates/quasirigid-io/tests/data/matrix", "bdf")]),
-    Target::of_file("matrix_op4", matrix::op4, &["1P,3E23.16", "1P,5E16.9", "KAA     ", "BIGMAT"]).seeded(&[("crates/quasirigid-io/tests/data/matrix", "op4")]),
+    Target::of_file("volume_gmsh", volume::gmsh, volume::GMSH).seeded(&[
+        ("crates/quasirigid-io/tests/data/volume", "msh"),
+        ("crates/quasirigid-io/tests/data/bodies", "msh"),
+    ]),
+    Target::of_file("volume_vtk", volume::vtk, volume::VTK).seeded(&[
+        ("crates/quasirigid-io/tests/data/volume", "vtk"),
+        ("crates/quasirigid-io/tests/data/volume", "vtu"),
+    ]),
+    Target::of_file("volume_abaqus", volume::abaqus, volume::ABAQUS).seeded(&[
+        ("crates/quasirigid-io/tests/data/volume", "inp"),
+        ("crates/quasirigid-io/tests/data/bodies", "inp"),
+    ]),
+    Target::of_file("matrix_market", matrix::market, matrix::MARKET)
+        .seeded(&[("crates/quasirigid-io/tests/data/matrix", "mtx")]),
+    Target::of_file("matrix_numpy", matrix::numpy, matrix::NUMPY).seeded(&[
+        ("crates/quasirigid-io/tests/data/matrix", "npy"),
+        ("crates/quasirigid-io/tests/data/matrix", "npz"),
+    ]),
+    Target::of_file("matrix_calculix", matrix::calculix, &[]).seeded(&[
+        ("crates/quasirigid-io/tests/data/matrix", "sti"),
+        ("crates/quasirigid-io/tests/data/bodies", "mas"),
+    ]),
+    Target::of_file("matrix_dmig", matrix::dmig, matrix::DMIG)
+        .seeded(&[("crates/quasirigid-io/tests/data/matrix", "bdf")]),
+    Target::of_file("matrix_op4", matrix::op4, &["1P,3E23.16", "1P,5E16.9", "KAA     ", "BIGMAT"])
+        .seeded(&[("crates/quasirigid-io/tests/data/matrix", "op4")]),
     Target::of_file("nodes", matrix::nodes, matrix::NODES),
-    Target::of_file("dofs", matrix::dofs, &[".1", ".6", "#"]).seeded(&[("crates/quasirigid-io/tests/data/matrix", "dof"), ("crates/quasirigid-io/tests/data/bodies", "dof")]),
+    Target::of_file("dofs", matrix::dofs, &[".1", ".6", "#"]).seeded(&[
+        ("crates/quasirigid-io/tests/data/matrix", "dof"),
+        ("crates/quasirigid-io/tests/data/bodies", "dof"),
+    ]),
     Target::of_file("record_json", record::json, record::JSON),
     Target::of_file("record_scene", record::scene, record::JSON),
     Target::of_file("record_csv", record::csv, &["t,", "NaN", "inf", "\"", "\r\n"]),

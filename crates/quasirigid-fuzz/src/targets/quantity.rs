@@ -8,8 +8,29 @@ use crate::grammar::unit;
 
 /// Words of quantities.
 pub const WORDS: &[&str] = &[
-    "rpm", "rad/s", "g/cm^3", "lbf/in", "N m/rad", "deg", "Myr", "Hz", "^-2", "**3", "*", "·", "/", "(", ")", "µm", "% of I3", "km",
-    "^2147483647", "e400", "1e-400", "slug", "°",
+    "rpm",
+    "rad/s",
+    "g/cm^3",
+    "lbf/in",
+    "N m/rad",
+    "deg",
+    "Myr",
+    "Hz",
+    "^-2",
+    "**3",
+    "*",
+    "·",
+    "/",
+    "(",
+    ")",
+    "µm",
+    "% of I3",
+    "km",
+    "^2147483647",
+    "e400",
+    "1e-400",
+    "slug",
+    "°",
 ];
 
 const DIMENSIONS: [Dimension; 12] = [

@@ -8,7 +8,21 @@ use quasirigid_report::{GltfOptions, figure_names, gltf, page, picture};
 use super::disk::with_files;
 
 /// Words of JSON files.
-pub const JSON: &[&str] = &["null", "true", "[]", "{}", "\"\"", "1e999", "-1", "\"columns\":", "\"rows\":", "[[[[", "\\ud800", ",", "18446744073709551615"];
+pub const JSON: &[&str] = &[
+    "null",
+    "true",
+    "[]",
+    "{}",
+    "\"\"",
+    "1e999",
+    "-1",
+    "\"columns\":",
+    "\"rows\":",
+    "[[[[",
+    "\\ud800",
+    ",",
+    "18446744073709551615",
+];
 
 const RECORD: &[u8] = include_bytes!("../../fixtures/record/record.json");
 const SCENE: &[u8] = include_bytes!("../../fixtures/record/scene.json");

@@ -7,9 +7,17 @@ use quasirigid_mesh::surface::ClosedSurface;
 
 /// Words of PLY files.
 pub const PLY: &[&str] = &[
-    "ply\n", "format ascii 1.0\n", "format binary_little_endian 1.0\n", "format binary_big_endian 1.0\n",
-    "element vertex ", "element face ", "property float x\n", "property list uchar int vertex_indices\n",
-    "property list uint double ", "end_header\n", "comment ",
+    "ply\n",
+    "format ascii 1.0\n",
+    "format binary_little_endian 1.0\n",
+    "format binary_big_endian 1.0\n",
+    "element vertex ",
+    "element face ",
+    "property float x\n",
+    "property list uchar int vertex_indices\n",
+    "property list uint double ",
+    "end_header\n",
+    "comment ",
 ];
 
 /// Most triangles of a surface that is taken further than its file.
@@ -43,7 +51,11 @@ fn read(name: &str, bytes: &[u8]) {
     }
     match ClosedSurface::new(mesh.vertices, mesh.triangles) {
         Ok(surface) => {
-            assert!(surface.volume() > 0.0 || surface.volume() == f64::INFINITY || surface.volume() == 0.0, "{}", surface.volume());
+            assert!(
+                surface.volume() > 0.0 || surface.volume() == f64::INFINITY || surface.volume() == 0.0,
+                "{}",
+                surface.volume()
+            );
             let _ = (surface.centroid(), surface.bodies(), surface.is_convex());
         }
         Err(error) => drop(error.to_string()),

@@ -21,7 +21,10 @@ fn bodies(name: &str, bytes: &[u8]) {
         Ok(table) => {
             assert!(table.rows() > 0, "a table has rows");
             assert_eq!(table.names.len(), table.columns.len());
-            assert!(table.columns.iter().all(|column| column.len() == table.rows()), "columns are equally long");
+            assert!(
+                table.columns.iter().all(|column| column.len() == table.rows()),
+                "columns are equally long"
+            );
             assert!(table.unread.keys().all(|row| *row < table.rows()), "unread rows exist");
         }
         Err(error) => assert!(!error.to_string().is_empty()),
@@ -40,8 +43,10 @@ pub fn cells_parquet(bytes: &[u8]) {
 
 /// The summary of a study beside one part.
 pub fn sweep_results(bytes: &[u8]) {
-    with_files(&[("summary.json", bytes), ("parts/part-00000.parquet", PART)], |folder| match sweep::read(folder) {
-        Ok(results) => drop(quasirigid_report::study_page(&results.summary, &[])),
-        Err(error) => assert!(!error.to_string().is_empty()),
+    with_files(&[("summary.json", bytes), ("parts/part-00000.parquet", PART)], |folder| {
+        match sweep::read(folder) {
+            Ok(results) => drop(quasirigid_report::study_page(&results.summary, &[])),
+            Err(error) => assert!(!error.to_string().is_empty()),
+        }
     });
 }

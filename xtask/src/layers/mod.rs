@@ -62,7 +62,7 @@ const MODULES: [(&str, &[&str]); 15] = [
 ];
 
 /// Modules that each crate may use of the others.
-const CRATES: [(&str, &[&str]); 9] = [
+const CRATES: [(&str, &[&str]); 10] = [
     ("quasirigid-linear", &[]),
     ("quasirigid-math", &["quasirigid_linear"]),
     ("quasirigid-mesh", &["quasirigid_math"]),
@@ -82,6 +82,17 @@ const CRATES: [(&str, &[&str]); 9] = [
     ("quasirigid-study", &["quasirigid", "quasirigid_math", "quasirigid_io", "quasirigid_report"]),
     ("quasirigid-cli", &["quasirigid", "quasirigid_io", "quasirigid_study"]),
     ("quasirigid-python", &["quasirigid", "quasirigid_io", "quasirigid_study"]),
+    (
+        "quasirigid-fuzz",
+        &[
+            "quasirigid",
+            "quasirigid_math",
+            "quasirigid_mesh",
+            "quasirigid_io",
+            "quasirigid_report",
+            "quasirigid_study",
+        ],
+    ),
 ];
 
 /// Libraries that only one folder may name.

@@ -9,6 +9,7 @@ use parquet::file::reader::{FileReader, SerializedFileReader};
 use parquet::record::Field;
 
 use super::TableError;
+use super::parquet::undamaged;
 
 /// Table of bodies.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -90,20 +91,22 @@ fn of_csv(file: &Path) -> Result<BodyTable, TableError> {
 }
 
 fn of_parquet(file: &Path) -> Result<BodyTable, TableError> {
-    let refuse = |cause: parquet::errors::ParquetError| TableError::Parquet {
-        file: file.to_owned(),
-        cause: cause.to_string(),
-    };
-    let reader = SerializedFileReader::new(open(file)?).map_err(refuse)?;
-    let fields = reader.metadata().file_metadata().schema().get_fields().to_vec();
-    let mut table = BodyTable::of(fields.iter().map(|field| field.name().to_owned()));
-    for row in reader.get_row_iter(None).map_err(refuse)? {
-        let row = row.map_err(refuse)?;
-        for (column, (_, field)) in table.columns.iter_mut().zip(row.get_column_iter()) {
-            column.push(text(field));
+    let opened = open(file)?;
+    undamaged(file, || {
+        let reader = SerializedFileReader::new(opened)?;
+        let fields = reader.metadata().file_metadata().schema().get_fields().to_vec();
+        let mut table = BodyTable::of(fields.iter().map(|field| field.name().to_owned()));
+        // rows without columns would be counted for as long as the file says
+        if fields.is_empty() {
+            return Ok(table);
         }
-    }
-    Ok(table)
+        for row in reader.get_row_iter(None)? {
+            for (column, (_, field)) in table.columns.iter_mut().zip(row?.get_column_iter()) {
+                column.push(text(field));
+            }
+        }
+        Ok(table)
+    })
 }
 
 /// Text of a value that keeps every bit of a number.

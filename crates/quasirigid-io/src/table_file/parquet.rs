@@ -4,13 +4,14 @@
 use std::collections::BTreeMap;
 use std::fs::File;
 use std::io::Write;
+use std::panic::{self, AssertUnwindSafe};
 use std::path::Path;
 use std::sync::Arc;
 
 use parquet::basic::{Compression, LogicalType, Repetition, Type as Physical};
-use parquet::column::reader::ColumnReader;
+use parquet::column::reader::{ColumnReader, ColumnReaderImpl};
 use parquet::column::writer::ColumnWriter;
-use parquet::data_type::ByteArray;
+use parquet::data_type::{ByteArray, DataType};
 use parquet::errors::ParquetError;
 use parquet::file::metadata::KeyValue;
 use parquet::file::properties::WriterProperties;
@@ -22,6 +23,8 @@ use super::{CellColumn, Cells, TableError};
 
 /// Key of the metadata under which the units stand, a JSON object by name of the column.
 const UNITS: &str = "quasirigid.units";
+/// Rows that are read at once.
+const BATCH: usize = 1 << 16;
 
 /// Writes columns of equal length; `metadata` are further pairs of key and value for the file.
 ///
@@ -44,8 +47,17 @@ pub fn write_parquet(
 pub fn read_parquet(file: &Path, wanted: Option<&[&str]>) -> Result<Vec<CellColumn>, TableError> {
     let opened =
         File::open(file).map_err(|cause| TableError::File { file: file.to_owned(), kind: cause.kind() })?;
-    read(opened, wanted)
-        .map_err(|cause| TableError::Parquet { file: file.to_owned(), cause: cause.to_string() })
+    undamaged(file, || read(opened, wanted))
+}
+
+/// Calls a reader of Parquet. Of damaged metadata the library panics, which is an error like others.
+pub(super) fn undamaged<T>(
+    file: &Path,
+    read: impl FnOnce() -> Result<T, ParquetError>,
+) -> Result<T, TableError> {
+    let damaged = |_| Err(ParquetError::General("damaged metadata".to_owned()));
+    let reading = panic::catch_unwind(AssertUnwindSafe(read)).unwrap_or_else(damaged);
+    reading.map_err(|cause| TableError::Parquet { file: file.to_owned(), cause: cause.to_string() })
 }
 
 fn written(
@@ -147,32 +159,27 @@ fn read_group(
     cells: &mut Option<Cells>,
 ) -> Result<(), ParquetError> {
     let rows = usize::try_from(group.metadata().num_rows()).unwrap_or(0);
-    let mut levels = Vec::with_capacity(rows);
     match group.get_column_reader(index)? {
-        ColumnReader::Int64ColumnReader(mut reader) => {
-            let mut values = Vec::with_capacity(rows);
-            reader.read_records(rows, Some(&mut levels), None, &mut values)?;
+        ColumnReader::Int64ColumnReader(reader) => {
+            let (values, _) = records(reader, rows)?;
             if let Cells::Counts(all) = cells.get_or_insert(Cells::Counts(Vec::new())) {
                 all.extend(values);
             }
         }
-        ColumnReader::DoubleColumnReader(mut reader) => {
-            let mut values = Vec::with_capacity(rows);
-            reader.read_records(rows, Some(&mut levels), None, &mut values)?;
+        ColumnReader::DoubleColumnReader(reader) => {
+            let (values, levels) = records(reader, rows)?;
             if let Cells::Numbers(all) = cells.get_or_insert(Cells::Numbers(Vec::new())) {
                 all.extend(dense(values, &levels));
             }
         }
-        ColumnReader::BoolColumnReader(mut reader) => {
-            let mut values = Vec::with_capacity(rows);
-            reader.read_records(rows, Some(&mut levels), None, &mut values)?;
+        ColumnReader::BoolColumnReader(reader) => {
+            let (values, levels) = records(reader, rows)?;
             if let Cells::Booleans(all) = cells.get_or_insert(Cells::Booleans(Vec::new())) {
                 all.extend(dense(values, &levels));
             }
         }
-        ColumnReader::ByteArrayColumnReader(mut reader) => {
-            let mut values = Vec::with_capacity(rows);
-            reader.read_records(rows, Some(&mut levels), None, &mut values)?;
+        ColumnReader::ByteArrayColumnReader(reader) => {
+            let (values, levels) = records(reader, rows)?;
             let texts =
                 values.iter().map(|text| text.as_utf8().map(str::to_owned)).collect::<Result<Vec<_>, _>>()?;
             if let Cells::Texts(all) = cells.get_or_insert(Cells::Texts(Vec::new())) {
@@ -184,8 +191,27 @@ fn read_group(
     Ok(())
 }
 
-/// A value for each level: the next where the level is 1.
-fn dense<T>(values: Vec<T>, levels: &[i16]) -> impl Iterator<Item = Option<T>> {
+/// The values of so many rows, and the levels that say which rows have one. Memory grows with what is there, whatever the file announces.
+fn records<T: DataType>(
+    mut reader: ColumnReaderImpl<T>,
+    rows: usize,
+) -> Result<(Vec<T::T>, Vec<i16>), ParquetError> {
+    let (mut values, mut levels, mut done) = (Vec::new(), Vec::new(), 0);
+    while done < rows {
+        let (read, ..) = reader.read_records(BATCH.min(rows - done), Some(&mut levels), None, &mut values)?;
+        if read == 0 {
+            return Err(ParquetError::General(format!("a column ends after {done} of {rows} rows")));
+        }
+        done += read;
+    }
+    Ok((values, levels))
+}
+
+/// A value for each level: the next where the level is 1. A column of which no value may be missing has no levels.
+fn dense<T>(values: Vec<T>, levels: &[i16]) -> Vec<Option<T>> {
+    if levels.is_empty() {
+        return values.into_iter().map(Some).collect();
+    }
     let mut values = values.into_iter();
-    levels.iter().map(move |level| if *level == 1 { values.next() } else { None })
+    levels.iter().map(|level| if *level == 1 { values.next() } else { None }).collect()
 }

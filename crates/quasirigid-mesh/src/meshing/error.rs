@@ -1,6 +1,7 @@
 //! Errors of meshing: lengths out of range, too many cells, or cells too wide for the shape.
 //! Wherever a finer mesh may help, the error names the resolution to try.
 
+use quasirigid_math::memory::TooMuchMemory;
 use thiserror::Error;
 
 /// Error of a shape for which there is no mesh.
@@ -51,6 +52,14 @@ pub enum MeshingError {
         most: usize,
         /// The resolution that has about as many; 0 if none has.
         resolution: usize,
+    },
+    /// Cells for which there is no room.
+    #[error("there would be about {cells:.3e} cells: {cause}; lower the resolution")]
+    Memory {
+        /// Number of cells that would be made.
+        cells: f64,
+        /// The memory that they take.
+        cause: TooMuchMemory,
     },
     /// Curved cells that overlap themselves.
     #[error("{count} of {cells} curved cells are inside out near a wall; raise the resolution")]

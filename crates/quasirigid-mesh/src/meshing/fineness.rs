@@ -1,9 +1,13 @@
 //! Fineness of a division, and the sizes that a shape may have.
 
+use quasirigid_math::memory;
+
 use super::MeshingError;
 
 /// Most cells of a mesh.
 pub(super) const MOST_CELLS: usize = 5_000_000;
+/// Memory that a cell takes while a mesh is made (bytes): ten nodes, its share of the nodes, and their places in the tables of edges.
+const CELL: f64 = 400.0;
 /// Greatest ratio of the longest length of a shape to its shortest.
 const MOST_RATIO: f64 = 1e4;
 /// Largest exponent of grading.
@@ -49,10 +53,10 @@ impl Fineness {
     }
 }
 
-/// Accepts a number of cells if a mesh may have as many; the error names a resolution that would do.
+/// Accepts a number of cells if a mesh may have as many and there is room for them; the error names a resolution that would do.
 pub(super) fn allowed(cells: f64, resolution: usize) -> Result<(), MeshingError> {
     if cells <= MOST_CELLS as f64 {
-        return Ok(());
+        return memory::ask(cells * CELL).map_err(|cause| MeshingError::Memory { cells, cause });
     }
     let coarser = resolution as f64 * (MOST_CELLS as f64 / cells).cbrt();
     Err(MeshingError::TooMany { cells, most: MOST_CELLS, resolution: coarser as usize })
@@ -103,7 +107,7 @@ mod tests {
         assert!(Fineness::new(1, 1.0).is_ok() && Fineness::new(1, 0.99).is_err());
         assert_eq!(Fineness::new(0, 1.0).err(), Some(MeshingError::Resolution));
         let fineness = Fineness::new(100, 1.0).unwrap();
-        assert_eq!(fineness.allowed(5e6), Ok(()));
+        assert!(!matches!(fineness.allowed(5e6), Err(MeshingError::TooMany { .. })));
         let refusal = fineness.allowed(40e6).unwrap_err();
         let expected = "there would be about 4.000e7 cells, more than 5000000; try a resolution of 50";
         assert_eq!(refusal.to_string(), expected);

@@ -18,6 +18,8 @@ const DRAWN: f64 = 6.0;
 const FRAMES: f64 = 24.0;
 /// Angle (rad) from row to row beyond which the rows do not tell the motion between them.
 const COARSEST: f64 = 1.3;
+/// Deviation of a squared norm from one that an attitude may have.
+const UNIT: f64 = 1e-3;
 
 /// A stretch of a history.
 pub struct Stretch {
@@ -71,7 +73,7 @@ impl Step {
 }
 
 fn stretch(poses: &[Pose], start: usize, drawn: usize, step: Step) -> Option<Stretch> {
-    if poses.windows(2).any(|pair| norm(pair[0].omega) * (pair[1].t - pair[0].t) > COARSEST) {
+    if poses.windows(2).any(|pair| !(norm(pair[0].omega) * (pair[1].t - pair[0].t) <= COARSEST)) {
         return None;
     }
     let last = (poses.len() - 1) / step.rows * step.rows;
@@ -94,11 +96,13 @@ fn poses(columns: &[Column]) -> Option<Vec<Pose>> {
     let omegas = vectors(columns, ["wx", "wy", "wz"])?;
     let pose = |i: usize| Pose { t: t[i], attitude: [w[i], x[i], y[i], z[i]], omega: omegas[i] };
     let poses: Vec<Pose> = (0..omegas.len().min(t.len())).map(pose).collect();
+    // of a damaged table, attitudes may be none, and times in any order
     let is_known = |pose: &Pose| {
-        let numbers = pose.attitude.iter().chain(&pose.omega).chain([&pose.t]);
-        numbers.copied().all(f64::is_finite)
+        let size: f64 = pose.attitude.iter().map(|part| part * part).sum();
+        (size - 1.0).abs() < UNIT && pose.omega.iter().chain([&pose.t]).all(|number| number.is_finite())
     };
-    (poses.len() > 1 && poses.iter().all(is_known)).then_some(poses)
+    let ascend = poses.is_sorted_by(|before, after| before.t < after.t);
+    (poses.len() > 1 && ascend && poses.iter().all(is_known)).then_some(poses)
 }
 
 /// Angles turned up to each row.

@@ -6,6 +6,7 @@ use thiserror::Error;
 
 use super::manifold::Manifold;
 use super::{angular_momentum_form, energetics};
+use crate::math::polynomial::Series;
 use crate::model::{FlexibleBody, ReducedBody};
 
 /// Error of a reduction that cannot be made.
@@ -23,7 +24,7 @@ pub enum ReductionError {
         "the coefficients of degree {degree} are not finite numbers; check the units of the model, or lower the order"
     )]
     NotFinite {
-        /// Lowest degree of `f` at fault.
+        /// Lowest degree at fault.
         degree: usize,
     },
 }
@@ -55,7 +56,7 @@ pub fn reduce(body: &FlexibleBody, order: usize) -> Result<ReducedBody, Reductio
     let energy = energetics::energy(body, &manifold, order);
     let (power, power_shares) = energetics::power(body, &manifold, order);
     let moment = energetics::first_moment(body, &manifold.q);
-    Ok(ReducedBody {
+    let reduced = ReducedBody {
         order,
         mass: body.invariants().mass,
         J,
@@ -70,7 +71,20 @@ pub fn reduce(body: &FlexibleBody, order: usize) -> Result<ReducedBody, Reductio
         K: manifold.K,
         q: manifold.q,
         rate: manifold.rate,
-    })
+    };
+    finite(&reduced)?;
+    Ok(reduced)
+}
+
+/// Checks what is derived from the manifold: products of numbers near the largest overflow where the numbers do not.
+fn finite(reduced: &ReducedBody) -> Result<(), ReductionError> {
+    let ReducedBody { K, Omega, energy, energy_of_momentum, power, phi, pole, q, rate, .. } = reduced;
+    let derived = [K, Omega, energy, energy_of_momentum, power, phi, pole, q, rate];
+    let at_fault = |series: &Series| (0..=series.degree()).find(|degree| !series.part(*degree).is_finite());
+    match derived.into_iter().filter_map(at_fault).min() {
+        Some(degree) => Err(ReductionError::NotFinite { degree }),
+        None => Ok(()),
+    }
 }
 
 /// Slow manifold to order `p`, checked for its order and for overflow.

@@ -1,0 +1,75 @@
+//! The angular momentum of a free body is constant in inertial axes: in the reduced equations degree by degree, and in the full ones.
+
+use quasirigid::dynamics::{Forced, Options, Outcome, Sample, Start, propagate_full};
+use quasirigid::model::ReducedBody;
+use quasirigid_math::polynomial::{Homogeneous, Series};
+use quasirigid_math::rotation::ALIGNED;
+use quasirigid_math::sym3;
+use quasirigid_study::Study;
+
+/// Rounding of a product of polynomials, relative to the largest term.
+const ROUNDING: f64 = 1e-12;
+/// Largest condition of the inertia tensor with which the balance is judged.
+const CONDITION: f64 = 1e6;
+/// Tolerance of the integrator, the drift that so many of its steps may make, and their number.
+const TOLERANCE: f64 = 1e-9;
+const DRIFT: f64 = 1e-6;
+const STEPS: u64 = 60;
+
+/// `∇K f + ω × K = 0`. (R2), (R5)
+pub fn of_reduced(body: &ReducedBody) {
+    let condition = condition(body);
+    if body.has_wheels() || !(condition < CONDITION) {
+        return;
+    }
+    let mut omega = Series::zero(1, 3);
+    omega.set(Homogeneous::identity());
+    for degree in 2..=body.f.degree() {
+        let mut sum = body.K.rate(&body.f, degree);
+        let turning = omega.cross(&body.K, degree);
+        let terms = (1..degree).filter(|part| *part <= body.K.degree());
+        let largest = terms.map(|part| body.K.part(part).along(body.f.part(degree + 1 - part)).amax());
+        let scale = largest.fold(turning.amax(), f64::max);
+        sum.add_scaled(1.0, &turning);
+        assert!(
+            sum.amax() <= ROUNDING * condition * scale || !scale.is_finite(),
+            "the rate of the angular momentum at degree {degree} is {:e} of {scale:e}, condition {condition:e}",
+            sum.amax()
+        );
+    }
+}
+
+/// Greatest over least moment of inertia, from above.
+fn condition(body: &ReducedBody) -> f64 {
+    let J = sym3::rows(body.J);
+    let trace = J[0][0] + J[1][1] + J[2][2];
+    let cofactor = |i: usize, j: usize| J[i][i] * J[j][j] - J[i][j] * J[j][i];
+    let inverse_trace = (cofactor(0, 1) + cofactor(1, 2) + cofactor(0, 2)) / determinant(J);
+    trace * inverse_trace.abs()
+}
+
+fn determinant(J: [[f64; 3]; 3]) -> f64 {
+    J[0][0] * (J[1][1] * J[2][2] - J[1][2] * J[2][1]) - J[0][1] * (J[1][0] * J[2][2] - J[1][2] * J[2][0])
+        + J[0][2] * (J[1][0] * J[2][1] - J[1][1] * J[2][0])
+}
+
+/// A few steps of the full equations, without forces: `|K|` stays, and energy is not made.
+pub fn of_full(study: &Study, reduced: &ReducedBody) {
+    let system = Forced::not(&study.body);
+    let Ok(Start { omega, .. }) = study.initial() else { return };
+    let spin = omega.iter().fold(0.0, |size: f64, w| size.hypot(*w));
+    let Ok(settled) = Start::new(omega, ALIGNED).settled(system, reduced.order) else { return };
+    let options = Options { tolerance: TOLERANCE, most_steps: STEPS, ..Options::default() };
+    let mut samples: Vec<Sample> = Vec::new();
+    let end = 0.01 / spin;
+    let Ok(run) = propagate_full(system, &settled, &[0.0, end], &options, &mut samples) else { return };
+    if !matches!(run.outcome, Outcome::Finished | Outcome::StepLimit) {
+        return;
+    }
+    let last = run.last;
+    assert!(last.momentum_drift.abs() <= DRIFT, "|K| drifts by {:e} over {} s", last.momentum_drift, last.t);
+    assert!(
+        last.energy.is_finite() && last.omega.iter().all(|w| w.is_finite()),
+        "a run that went on has numbers: {last:?}"
+    );
+}

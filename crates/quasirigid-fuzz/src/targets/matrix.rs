@@ -1,0 +1,111 @@
+//! Matrices of finite-element programs, their nodes and degrees of freedom.
+
+use std::path::Path;
+
+use quasirigid_io::matrix::{dofs_of, matrix_of, nodes_of};
+
+/// Words of Matrix Market files.
+pub const MARKET: &[&str] = &[
+    "%%MatrixMarket matrix coordinate real general\n",
+    "%%MatrixMarket matrix array real symmetric\n",
+    "skew-symmetric",
+    "integer",
+    "pattern",
+    "complex",
+    "hermitian",
+    "%",
+];
+/// Words of NumPy files.
+pub const NUMPY: &[&str] = &[
+    "\u{93}NUMPY",
+    "{'descr': '<f8', 'fortran_order': False, 'shape': (3, 3), }",
+    "'<i8'",
+    "'>f4'",
+    "'|O'",
+    "True",
+    "(0,)",
+    "(18446744073709551615, 2)",
+    "PK\u{3}\u{4}",
+    "PK\u{1}\u{2}",
+    "PK\u{5}\u{6}",
+    ".npy",
+    "indptr",
+    "indices",
+    "data",
+    "shape",
+    "format",
+];
+/// Words of NASTRAN bulk data.
+pub const DMIG: &[&str] = &[
+    "DMIG,",
+    "DMIG*   ",
+    "DMIG    KAAX    ",
+    "       0       6       1       0",
+    "*       ",
+    "+",
+    ",",
+    "$",
+    "ENDDATA",
+    "1.0-3",
+    "BEGIN BULK\n",
+];
+/// Words of node tables.
+pub const NODES: &[&str] = &["GRID,", "GRID*   ", "GRDSET", "*NODE\n", "# ", ";", "\t", "CORD2R,"];
+
+pub fn market(bytes: &[u8]) {
+    read("a.mtx", bytes, None);
+}
+
+pub fn numpy(bytes: &[u8]) {
+    read("a.npz", bytes, None);
+    read("a.npz", bytes, Some("K"));
+}
+
+pub fn calculix(bytes: &[u8]) {
+    read("a.sti", bytes, None);
+}
+
+pub fn dmig(bytes: &[u8]) {
+    read("a.bdf", bytes, None);
+    read("a.bdf", bytes, Some("kaax"));
+}
+
+pub fn op4(bytes: &[u8]) {
+    read("a.op4", bytes, None);
+    read("a.op4", bytes, Some("kaa"));
+}
+
+fn read(file: &str, bytes: &[u8], name: Option<&str>) {
+    let matrix = match matrix_of(Path::new(file), bytes, name) {
+        Ok(matrix) => matrix,
+        Err(error) => return assert!(error.to_string().starts_with(file), "{error}"),
+    };
+    let inside = |(row, column, value): &(usize, usize, f64)| {
+        *row < matrix.rows && *column < matrix.columns && value.is_finite() && *value != 0.0
+    };
+    assert!(matrix.entries.iter().all(inside), "entries are inside and finite");
+    let places = matrix.entries.iter().map(|(row, column, _)| (row, column));
+    assert!(places.is_sorted_by(|a, b| a < b), "each place once, in order");
+    if let Some(labels) = &matrix.labels {
+        assert_eq!(labels.len(), matrix.rows);
+    }
+}
+
+/// Nodes, whose beginning or name tells the format: all three names.
+pub fn nodes(bytes: &[u8]) {
+    for name in ["a.csv", "a.inp", "a.bdf"] {
+        match nodes_of(Path::new(name), bytes) {
+            Ok(table) => {
+                let finite = |node: &quasirigid_io::matrix::Node| node.place.iter().all(|x| x.is_finite());
+                assert!(table.nodes().iter().all(finite), "nodes are finite");
+            }
+            Err(error) => assert!(error.to_string().starts_with(name), "{error}"),
+        }
+    }
+}
+
+pub fn dofs(bytes: &[u8]) {
+    if let Err(error) = dofs_of(Path::new("a.dof"), bytes) {
+        assert!(error.to_string().starts_with("a.dof"), "{error}");
+    }
+}

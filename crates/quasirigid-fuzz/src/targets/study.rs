@@ -1,0 +1,88 @@
+//! Study files, and the points of their grids.
+
+use std::path::Path;
+
+use arbitrary::Unstructured;
+use quasirigid_io::model::{Given, ModelError};
+use quasirigid_io::study_file::{StudyFile, Values};
+
+use crate::grammar;
+
+/// Words of study files.
+pub const WORDS: &[&str] = &[
+    "[vary]\n",
+    "[answer]\n",
+    "[table]\n",
+    "model = \"m.toml\"\n",
+    "seed = ",
+    "samples = ",
+    "sampling = \"sobol\"\n",
+    "part = ",
+    "linear = [",
+    "geometric = [",
+    "list = [",
+    "uniform = [",
+    "log-uniform = [",
+    "normal = {",
+    "log-normal = {",
+    "count = ",
+    "quantities = [",
+    "\"evolve.time\"",
+    "\"check.valid\"",
+    "percentiles = [",
+    "times = [",
+    "decades = ",
+    "sigma = ",
+    "median = ",
+    "mean = ",
+    "deviation = ",
+    "min = ",
+    "max = ",
+    "columns = {",
+    "keep = [",
+    "file = ",
+    "1e308",
+    "\"1 km\"",
+    "nan",
+    "inf",
+];
+
+/// Points of a grid that are looked at.
+const LOOKS: usize = 5;
+
+pub fn text(bytes: &[u8]) {
+    let Ok(text) = std::str::from_utf8(bytes) else { return };
+    match StudyFile::parse(Path::new("study.toml"), text) {
+        Ok(study) => {
+            for varied in &study.vary {
+                let Values::Grid(grid) = &varied.values else { continue };
+                assert!(!grid.is_empty(), "a grid has points");
+                for look in 0..LOOKS {
+                    let point = grid.point((grid.len() - 1) / (LOOKS - 1) * look);
+                    assert!(
+                        !matches!(point, Given::Number(number) if !number.is_finite()),
+                        "{}: {point}",
+                        varied.key
+                    );
+                }
+            }
+        }
+        Err(ModelError::Invalid { diagnostics, .. }) => {
+            assert!(!diagnostics.is_empty(), "a refusal says why");
+            assert!(
+                diagnostics.iter().all(|one| text.get(one.span.clone()).is_some()),
+                "places are in the text"
+            );
+        }
+        Err(error) => assert!(!error.to_string().is_empty()),
+    }
+}
+
+/// Studies of the grammar.
+pub fn tables(bytes: &[u8]) {
+    text(drawn(bytes).as_bytes());
+}
+
+pub fn drawn(bytes: &[u8]) -> String {
+    grammar::study::study(&mut Unstructured::new(bytes))
+}

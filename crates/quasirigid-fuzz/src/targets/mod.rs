@@ -26,8 +26,15 @@ pub struct Target {
     pub seeds: &'static [(&'static str, &'static str)],
     /// Memory that one execution may use (bytes).
     pub memory: usize,
-    /// Target and input that show a failure as a text, for targets whose bytes are choices of a grammar.
-    text: Option<(&'static str, fn(&[u8]) -> String)>,
+    /// Text that the bytes stand for, of a target whose bytes are choices of a grammar.
+    text: Option<Drawn>,
+}
+
+/// A text drawn by bytes, and the target that reads such texts.
+#[derive(Clone, Copy, Debug)]
+struct Drawn {
+    target: &'static str,
+    text: fn(&[u8]) -> String,
 }
 
 /// Memory for files: a small multiple of their size, a thousand times as much where they are compressed.
@@ -45,7 +52,7 @@ impl Target {
     }
 
     const fn drawn(self, target: &'static str, text: fn(&[u8]) -> String) -> Self {
-        Self { text: Some((target, text)), ..self }
+        Self { text: Some(Drawn { target, text }), ..self }
     }
 
     const fn seeded(self, seeds: &'static [(&'static str, &'static str)]) -> Self {
@@ -56,7 +63,7 @@ impl Target {
     #[must_use]
     pub fn shown(&self, input: &[u8]) -> (&'static str, Vec<u8>) {
         match self.text {
-            Some((target, text)) => (target, text(input).into_bytes()),
+            Some(Drawn { target, text }) => (target, text(input).into_bytes()),
             None => (self.name, input.to_vec()),
         }
     }

@@ -249,6 +249,16 @@ fn a_history_that_leaves_the_range_says_so_first() {
     assert_eq!((&manifold["holds"], &manifold["defect"]["time"]), (&Value::from(false), &Value::from(30.0)));
 }
 
+/// A damper too heavy for its spring, which the spin throws out.
+#[test]
+fn a_history_that_the_motion_leaves_by_itself_says_so_first() {
+    let heavy = example("nutation-damper").replace("mass = 0.1\n", "mass = 4.17431\n");
+    let told = ran_with(&heavy, "simulate model.toml --system manifold --times 0,25");
+    assert_eq!(told.code, Some(1));
+    let first = "quasirigid: The history DOES NOT HOLD: a motion of \"damper\" along its line grows e-fold in 0.5459 s";
+    assert!(one_line(&told.stderr).starts_with(first), "{}", told.stderr);
+}
+
 #[test]
 fn what_has_no_equations_about_its_spin_is_refused_in_words() {
     let sphere = MODEL.replace("inertia = [9.0, 13.0, 16.0]", "inertia = [9.0, 9.0, 9.0]");

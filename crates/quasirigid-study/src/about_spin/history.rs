@@ -9,7 +9,7 @@ use serde_json::{Value, json};
 use super::{AskedManifold, SHARE, derived};
 use crate::error::StudyError;
 use crate::motion::Motion;
-use crate::words::significant;
+use crate::words::{significant, time};
 
 /// Verdict on a history by the reduced equations about a spin.
 #[derive(Clone, Debug)]
@@ -24,10 +24,15 @@ pub struct OnManifold {
     pub worst_time: f64,
     /// Share of the internal energy of the start that the equations leave out: its vibrations.
     pub left_out: f64,
+    /// Name of a mode left out that grows, with its time constant in words.
+    pub growing: Option<String>,
 }
 
-/// Share of the internal energy of a start from which the vibrations left out are told.
+/// Share of the internal energy of a start from which the vibrations left out are told, and above which the start is not near the manifold.
 const TOLD: f64 = 1e-3;
+const FAR: f64 = 1.0;
+/// Ratio of energies above which it is not told.
+const MANY: f64 = 1000.0;
 
 /// Follows the reduced equations about the steady spin of a motion.
 pub(crate) fn follow(
@@ -62,21 +67,36 @@ pub(crate) fn follow(
         worst: worst.0,
         worst_time: worst.1,
         left_out: start.left_out,
+        growing: manifold.growing_outside().map(|(name, decay_rate)| {
+            format!("a motion of {name} grows e-fold in {}", time(-decay_rate.recip()))
+        }),
     };
     Ok((Run { outcome, last, work }, verdict))
 }
 
 impl OnManifold {
-    /// Whether the history stayed within the range.
+    /// Whether the start was near the manifold, nothing grows away from it, and the history stayed within the range.
     #[must_use]
     pub fn holds(&self) -> bool {
-        self.worst.largest() <= self.range.share
+        self.growing.is_none() && self.left_out <= FAR && self.worst.largest() <= self.range.share
     }
 
     /// The verdict in a sentence.
     #[must_use]
     pub fn sentence(&self) -> String {
-        let Self { degree, range, worst, worst_time, .. } = self;
+        let Self { degree, range, worst, worst_time, left_out, growing } = self;
+        if let Some(growing) = growing {
+            return format!(
+                "The history DOES NOT HOLD: {growing}, which the reduced equations about the spin leave out."
+            );
+        }
+        if !(*left_out <= FAR) {
+            let times = if *left_out < MANY { significant(*left_out, 2) } else { format!("over {MANY}") };
+            return format!(
+                "The history DOES NOT HOLD: the vibrations of the start, which the reduced equations about the spin leave out, have {times} \
+                 times the energy of the motion that they follow."
+            );
+        }
         let held = format!(
             "hold to a nutation of {} degrees within {} % at degree {degree}",
             significant(range.nutation.to_degrees(), 3),
@@ -111,7 +131,7 @@ impl OnManifold {
     #[must_use]
     pub fn json(&self) -> Value {
         let finite = |value: f64| value.is_finite().then_some(value);
-        let Self { degree, range, worst, worst_time, left_out } = self;
+        let Self { degree, range, worst, worst_time, left_out, .. } = self;
         json!({
             "holds": self.holds(),
             "sentence": self.sentence(),

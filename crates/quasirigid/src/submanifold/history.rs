@@ -44,6 +44,8 @@ pub struct ManifoldRun {
 /// Limit of iterations for the coordinates of a state, and the change at which they end.
 const STEPS: usize = 60;
 const SETTLED: f64 = 1e-14;
+/// Difference of energies, relative to the whole, that is rounding.
+const ROUNDING: f64 = 1e-14;
 
 impl SpinManifold<'_> {
     /// Start on the manifold of a state of the full system: its slow coordinates, with the angular momentum kept in inertial axes. (W10)
@@ -76,8 +78,9 @@ impl SpinManifold<'_> {
         let fixed = to_inertial(state.attitude, state.angular_momentum(self.body));
         let attitude = aligned(state.attitude, there.angular_momentum(self.body), fixed);
         let (energy, own) = (state.energy(self.body), there.energy(self.body));
-        let internal = there.energy(self.body) - self.steady_energy();
-        let left_out = ((energy - own) / internal).abs();
+        let internal = own - self.steady_energy();
+        let left_out =
+            if (energy - own).abs() <= ROUNDING * energy { 0.0 } else { ((energy - own) / internal).abs() };
         ManifoldStart { z, attitude, place: state.place, velocity: state.velocity, left_out }
     }
 

@@ -129,11 +129,15 @@ impl<'a> SpinManifold<'a> {
     /// itself.
     #[must_use]
     pub fn unstable(&self) -> Option<(&str, f64)> {
-        let masters =
-            self.masters[1..].iter().map(|mode| (mode.name.as_str(), mode.decay_rate, mode.frequency));
-        let outer = self.outer.iter().map(|mode| (mode.name.as_str(), mode.decay_rate, mode.frequency));
-        let grows = |(_, decay, frequency): &(&str, f64, f64)| *decay < -ROUNDING * decay.hypot(*frequency);
-        masters.chain(outer).find(grows).map(|(name, decay, _)| (name, decay))
+        let followed = self.masters[1..].iter().find(|mode| grows(mode.decay_rate, mode.frequency));
+        followed.map(|mode| (mode.name.as_str(), mode.decay_rate)).or_else(|| self.growing_outside())
+    }
+
+    /// Name and decay rate (1/s, negative) of a mode left out that grows; none if none does. No history on the manifold then lasts.
+    #[must_use]
+    pub fn growing_outside(&self) -> Option<(&str, f64)> {
+        let outer = self.outer.iter().find(|mode| grows(mode.decay_rate, mode.frequency));
+        outer.map(|mode| (mode.name.as_str(), mode.decay_rate))
     }
 
     /// Modes left out that a monomial of the masters comes near, nearest first: each limits the range. (W6)
@@ -164,4 +168,9 @@ fn check(body: &FlexibleBody, plan: &SpinManifoldPlan) -> Result<(), Submanifold
         Some(dissipator) => Err(SubmanifoldError::NoEquations { what: dissipator.name.clone() }),
         None => Ok(()),
     }
+}
+
+/// True if a mode grows, beyond rounding.
+fn grows(decay_rate: f64, frequency: f64) -> bool {
+    decay_rate < -ROUNDING * decay_rate.hypot(frequency)
 }

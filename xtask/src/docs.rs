@@ -15,7 +15,11 @@ const TEST_COMMAND: &str = "test_command=";
 /// Options whose value is a path that the command makes.
 const OUTPUTS: [&str; 2] = ["-o", "--out"];
 
-/// Blocks of TOML that do not parse, example paths that do not exist, and a README without the test command.
+/// The workspace's manifest.
+const MANIFEST: &str = "Cargo.toml";
+
+/// Blocks of TOML that do not parse, example paths that do not exist, a README without the test command, and one whose `cargo run` finds no one
+/// program.
 pub fn check(tree: &Tree) -> Vec<Finding> {
     let readme = tree.text(README);
     let pages = readme.map(|text| (README, text)).into_iter().chain(tree.files("docs/guide", ".md"));
@@ -28,6 +32,7 @@ pub fn check(tree: &Tree) -> Vec<Finding> {
         })
         .collect();
     findings.extend(readme.and_then(|text| without_test_command(tree, text)));
+    findings.extend(readme.and_then(|text| without_one_program(tree, text)));
     findings
 }
 
@@ -79,6 +84,23 @@ fn without_test_command(tree: &Tree, readme: &str) -> Option<Finding> {
     (!shown.any(|(_, command)| command == wanted)).then(|| Finding::error(README, 1, message))
 }
 
+/// A `cargo run` that names no package needs one program among the default members.
+fn without_one_program(tree: &Tree, readme: &str) -> Option<Finding> {
+    let blocks = blocks(readme);
+    let mut shown = blocks.iter().flat_map(commands);
+    let (line, _) = shown.find(|(_, command)| {
+        command.starts_with("cargo run ") && !command.contains(" -p ") && !command.contains(" --bin ")
+    })?;
+    let manifest: toml::Table = tree.text(MANIFEST)?.parse().ok()?;
+    let members = manifest.get("workspace")?.get("default-members")?.as_array()?;
+    let members = members.iter().filter_map(toml::Value::as_str);
+    let programs = members.filter(|member| tree.exists(&format!("{member}/src/main.rs"))).count();
+    let message = format!(
+        "`cargo run` needs one program among the default members of {MANIFEST}; there are {programs}"
+    );
+    (programs != 1).then(|| Finding::error(README, line, message))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -124,6 +146,32 @@ mod tests {
         }
         let tree = sample(&[("README.md", GOOD), EXAMPLE, (".ci/run", "cargo test\n")]);
         assert_eq!(check(&tree), [Finding::error(".ci/run", 1, "no line starts with test_command=")]);
+    }
+
+    #[test]
+    fn cargo_run_finds_one_program() {
+        let readme = GOOD.replace("quasirigid run", "cargo run --release -- run");
+        let with = |members: &str| {
+            let manifest = format!("[workspace]\ndefault-members = [{members}]\n");
+            let program = |name| (name, "fn main() {}\n");
+            let programs = [program("crates/door/src/main.rs"), program("crates/fuzz/src/main.rs")];
+            let tree = sample(&[
+                SCRIPT,
+                EXAMPLE,
+                ("README.md", &readme),
+                ("Cargo.toml", &manifest),
+                programs[0],
+                programs[1],
+            ]);
+            check(&tree).iter().map(ToString::to_string).collect::<Vec<_>>()
+        };
+        assert_eq!(with("\"crates/door\", \"crates/body\""), [""; 0]);
+        for (members, programs) in [("\"crates/door\", \"crates/fuzz\"", 2), ("\"crates/body\"", 0)] {
+            let message = format!(
+                "README.md:9: `cargo run` needs one program among the default members of Cargo.toml; there are {programs}"
+            );
+            assert_eq!(with(members), [message]);
+        }
     }
 
     #[test]

@@ -1,28 +1,19 @@
-//! Random numbers of the runner: the same seed gives the same executions on every machine.
+//! Choices of the runner: the same seed gives the same executions on every machine.
 
-/// Generator SplitMix64 of Steele, Lea and Flood (2014): small, and good enough to draw mutations.
+/// Source of choices.
 #[derive(Clone, Debug)]
-pub struct Random(u64);
+pub struct Random(quasirigid_math::random::Random);
 
 impl Random {
-    /// Generator with a seed.
+    /// Source with a seed.
     #[must_use]
     pub fn new(seed: u64) -> Self {
-        Self(seed)
-    }
-
-    /// The next 64 bits.
-    pub fn bits(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
+        Self(quasirigid_math::random::Random::new(seed))
     }
 
     /// A number below `most`; zero for none.
     pub fn below(&mut self, most: usize) -> usize {
-        if most == 0 { 0 } else { (self.bits() % most as u64) as usize }
+        if most == 0 { 0 } else { (self.0.bits() % most as u64) as usize }
     }
 
     /// One of several things.
@@ -35,6 +26,6 @@ impl Random {
 
     /// So many random bytes.
     pub fn bytes(&mut self, count: usize) -> Vec<u8> {
-        (0..count).map(|_| self.bits() as u8).collect()
+        (0..count).map(|_| self.0.bits() as u8).collect()
     }
 }

@@ -78,12 +78,10 @@ pub fn work(work: &Work) -> io::Result<u64> {
         let path = keep(&work.findings, name, &failure.place, &shown)?;
         say(&format!("{}: {}: {}\n  {}", work.target.name, failure.place, failure.message, path.display()))
     };
-    if work.replay {
-        for path in corpus::files(work.target) {
-            once(&std::fs::read(path)?)?;
-        }
-    }
     let corpus = corpus::inputs(work.target)?;
+    if work.replay {
+        corpus.iter().try_for_each(|input| once(input))?;
+    }
     let mut mutator = Mutator::new(work.seed, &corpus, work.target.words);
     for _ in 0..work.executions {
         if clock.elapsed() >= work.time {

@@ -18,6 +18,7 @@ pub mod gmres;
 pub mod ode;
 pub mod polynomial;
 pub mod quadrature;
+pub mod random;
 pub mod rotation;
 pub mod scalar;
 pub mod simd;

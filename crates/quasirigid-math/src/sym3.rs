@@ -44,6 +44,14 @@ pub fn smooth_times<T: Scalar>([xx, yy, zz, yz, zx, xy]: [T; 6], x: [T; 3]) -> [
     [dot([xx, xy, zx], x), dot([xy, yy, yz], x), dot([zx, yz, zz], x)]
 }
 
+/// Inertia tensor of a unit mass at a place.
+#[inline]
+#[must_use]
+pub fn of_unit_mass(place: [f64; 3]) -> Sym {
+    let [xx, yy, zz, yz, zx, xy] = products(place);
+    [yy + zz, zz + xx, xx + yy, -yz, -zx, -xy]
+}
+
 /// Products `xx, yy, zz, yz, zx, xy` of the components of a vector.
 #[inline]
 #[must_use]

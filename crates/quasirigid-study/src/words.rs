@@ -225,6 +225,11 @@ pub fn significant(value: f64, digits: i32) -> String {
     format!("{value:.decimals$}")
 }
 
+/// A motion that grows at a decay rate below zero (1/s).
+pub fn growth(name: &str, decay_rate: f64) -> String {
+    format!("a motion of {name} grows e-fold in {}", time(-decay_rate.recip()))
+}
+
 /// A time (s) in the unit a person would choose.
 pub fn time(seconds: f64) -> String {
     const UNITS: [(f64, &str); 8] = [

@@ -259,6 +259,18 @@ fn a_history_that_the_motion_leaves_by_itself_says_so_first() {
     assert!(one_line(&told.stderr).starts_with(first), "{}", told.stderr);
 }
 
+/// Whips that vibrate much more than the satellite nutates.
+#[test]
+fn a_history_of_vibrations_says_so_first() {
+    let start = "angular_velocity = [0.002, 0.002, \"750 rpm\"]\ndisplacements = { \"whip +x\" = [0, \"5 deg\"], \"whip -x\" = [0, \"5 deg\"] }";
+    let model = example("explorer1").replace("angular_velocity = [0.75, 0.75, \"750 rpm\"]", start);
+    let told = ran_with(&model, "simulate model.toml --system manifold --times 0,1");
+    assert_eq!(told.code, Some(1));
+    let told = one_line(&told.stderr);
+    assert!(told.starts_with("quasirigid: The history DOES NOT HOLD: the vibrations of the start"), "{told}");
+    assert!(told.contains("have 230 times the energy of the motion that they follow"), "{told}");
+}
+
 #[test]
 fn what_has_no_equations_about_its_spin_is_refused_in_words() {
     let sphere = MODEL.replace("inertia = [9.0, 13.0, 16.0]", "inertia = [9.0, 9.0, 9.0]");

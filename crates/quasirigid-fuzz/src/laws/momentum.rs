@@ -41,16 +41,8 @@ pub fn of_reduced(body: &ReducedBody) {
 
 /// Greatest over least moment of inertia, from above.
 fn condition(body: &ReducedBody) -> f64 {
-    let J = sym3::rows(body.J);
-    let trace = J[0][0] + J[1][1] + J[2][2];
-    let cofactor = |i: usize, j: usize| J[i][i] * J[j][j] - J[i][j] * J[j][i];
-    let inverse_trace = (cofactor(0, 1) + cofactor(1, 2) + cofactor(0, 2)) / determinant(J);
-    trace * inverse_trace.abs()
-}
-
-fn determinant(J: [[f64; 3]; 3]) -> f64 {
-    J[0][0] * (J[1][1] * J[2][2] - J[1][2] * J[2][1]) - J[0][1] * (J[1][0] * J[2][2] - J[1][2] * J[2][0])
-        + J[0][2] * (J[1][0] * J[2][1] - J[1][1] * J[2][0])
+    let trace = |matrix: sym3::Sym| matrix[..3].iter().sum::<f64>();
+    trace(body.J) * trace(sym3::inverse(body.J)).abs()
 }
 
 /// A few steps of the full equations, without forces: `|K|` stays, and energy is not made.

@@ -90,19 +90,14 @@ const FACTOR: f64 = 10.0;
 /// Power against `D/I₃` instead of time, with the resonances marked.
 pub fn map(evolution: &EvolutionRecord) -> Figure {
     let columns = with_gaps(&evolution.columns);
-    let series = |label: &str, class: &'static str, power: Vec<f64>| {
-        Some(Series::line(label, class, column(&columns, "D_over_I3")?.values.clone(), power))
+    let values = |name: &str| column(&columns, name).map_or_else(Vec::new, |column| column.values.clone());
+    let (place, followed) = (values("D_over_I3"), values("power"));
+    let near = |(reduced, followed): (f64, &f64)| {
+        if (reduced / followed).ln().abs() <= FACTOR.ln() { reduced } else { f64::NAN }
     };
-    let followed = column(&columns, "power").map(|power| power.values.clone());
-    let reduced =
-        column(&columns, "polynomial_power").zip(followed.as_ref()).and_then(|(reduced, followed)| {
-            let near = |(reduced, followed): (&f64, &f64)| {
-                if (reduced / followed).ln().abs() <= FACTOR.ln() { *reduced } else { f64::NAN }
-            };
-            let near: Vec<f64> = reduced.values.iter().zip(followed).map(near).collect();
-            near.iter().any(|power| power.is_finite()).then_some(near)
-        });
+    let reduced: Vec<f64> = values("polynomial_power").into_iter().zip(&followed).map(near).collect();
     let curves = [("followed", "s1", followed), ("reduced", "s2", reduced)];
+    let drawn = curves.into_iter().filter(|(.., power)| power.iter().any(|power| power.is_finite()));
     let crossing = |crossing: &CrossingRecord| Mark {
         x: crossing.ratio,
         label: format!("{} Ωₚ = {} rad/s", crossing.harmonic, digits(crossing.frequency, 3)),
@@ -114,7 +109,7 @@ pub fn map(evolution: &EvolutionRecord) -> Figure {
                   reduced equations, which know no resonance, where it is within a factor of ten. Lines mark where a harmonic of the nutation meets an elastic \
                   frequency."
             .into(),
-        series: curves.into_iter().filter_map(|(label, class, power)| series(label, class, power?)).collect(),
+        series: drawn.map(|(label, class, power)| Series::line(label, class, place.clone(), power)).collect(),
         marks: evolution.resonances.iter().take(MARKED).map(crossing).collect(),
         link: None,
         x: Quantity { name: "D/I₃", unit: "1".into(), log: false },

@@ -9,7 +9,7 @@ use serde_json::{Value, json};
 use super::{AskedManifold, SHARE, derived};
 use crate::error::StudyError;
 use crate::motion::Motion;
-use crate::words::{significant, time};
+use crate::words::{growth, significant};
 
 /// Verdict on a history by the reduced equations about a spin.
 #[derive(Clone, Debug)]
@@ -24,7 +24,7 @@ pub struct OnManifold {
     pub worst_time: f64,
     /// Share of the internal energy of the start that the equations leave out: its vibrations.
     pub left_out: f64,
-    /// Name of a mode left out that grows, with its time constant in words.
+    /// Motion left out that grows, in words.
     pub growing: Option<String>,
 }
 
@@ -67,9 +67,7 @@ pub(crate) fn follow(
         worst: worst.0,
         worst_time: worst.1,
         left_out: start.left_out,
-        growing: manifold.growing_outside().map(|(name, decay_rate)| {
-            format!("a motion of {name} grows e-fold in {}", time(-decay_rate.recip()))
-        }),
+        growing: manifold.growing_outside().map(|(name, decay_rate)| growth(name, decay_rate)),
     };
     Ok((Run { outcome, last, work }, verdict))
 }

@@ -25,7 +25,7 @@ use crate::left_out::LeftOut;
 use crate::modes::PrincipalAxis;
 use crate::motion::Motion;
 use crate::study::Study;
-use crate::words::{displaced, significant, time};
+use crate::words::{displaced, growth, significant};
 
 pub use history::OnManifold;
 pub(crate) use history::follow;
@@ -326,10 +326,7 @@ impl AboutSpin<'_> {
         let percent = significant(100.0 * self.range.share, 1);
         let fails = "The reduced equations about the spin DO NOT HOLD";
         if let Some((name, decay_rate)) = self.manifold.unstable() {
-            return Some(format!(
-                "{fails}: the steady spin is unstable, a motion of {name} grows e-fold in {}.",
-                time(-decay_rate.recip())
-            ));
+            return Some(format!("{fails}: the steady spin is unstable, {}.", growth(name, decay_rate)));
         }
         if self.range.amplitude <= 0.0 {
             let near = self.manifold.near_resonances().first().map_or_else(String::new, |(_, mode)| {

@@ -1,7 +1,7 @@
 //! Displacements in balance with a steady angular velocity.
 //! Equations (M1) and (M10), docs/theory/15-modes.md.
 
-use super::{FlexibleBody, SpinCoefficients};
+use super::{FlexibleBody, Invariants, SpinCoefficients};
 use crate::math::eigen::Dense;
 use crate::math::lu::Lu;
 use crate::math::sym3::{self, times};
@@ -37,13 +37,12 @@ impl BalancedSpin {
     fn of(body: &FlexibleBody, omega: [f64; 3]) -> Option<Self> {
         let elastic = body.elastic();
         let mut q = vec![0.0; body.coordinates().len()];
-        let start = body.about_spin(omega, &q);
+        let Invariants { J, J1, .. } = body.invariants();
         if elastic == 0 {
-            let angular_momentum = times(start.inertia, omega);
-            return Some(Self { q, angular_momentum, slope: sym3::rows(start.inertia) });
+            return Some(Self { q, angular_momentum: times(*J, omega), slope: sym3::rows(*J) });
         }
-        let factor = softened(body, &start.centrifugal)?;
-        let load: Vec<f64> = start.slopes[..elastic].iter().map(|slope| 0.5 * dot(omega, *slope)).collect();
+        let factor = softened(body, &body.centrifugal_stiffness(omega))?;
+        let load: Vec<f64> = J1[..elastic].iter().map(|J1| 0.5 * dot(omega, times(*J1, omega))).collect();
         q[..elastic].copy_from_slice(&factor.solve(&load, 1)?);
         let (coefficients, factor) = settled(body, omega, &mut q, factor)?;
         let mut slope = sym3::rows(coefficients.inertia);

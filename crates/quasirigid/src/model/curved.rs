@@ -6,7 +6,7 @@
 use nalgebra::{Cholesky, DMatrix, DVectorViewMut, Dyn};
 
 use super::{CurvedPaths, FlexibleBody, Invariants, MotionState};
-use crate::math::sym3::{Sym, products, times};
+use crate::math::sym3::{Sym, of_unit_mass, products, times};
 use crate::math::vec3::{add, cross, dot, scale};
 
 /// Full equations along curved paths: those of the body on straight paths, whose last coordinates follow the others. (K12), (K13)
@@ -79,20 +79,9 @@ impl<'a> CurvedKinetics<'a> {
 
     /// Sets the displacements and the fields that follow them; returns the inertia tensor there and the first moment of the displacement.
     fn displace(&mut self, q: &[f64]) -> (Sym, [f64; 3]) {
-        let CurvedPaths { coordinates, forms, .. } = self.paths;
         let (n, elastic) = (q.len(), self.body.elastic());
         self.z[..elastic].copy_from_slice(&q[..elastic]);
-        let curving = &q[coordinates.clone()];
-        let size = curving.len();
-        for (e, form) in forms.iter().enumerate() {
-            let mut y = 0.0;
-            for (j, row) in form.chunks_exact(size.max(1)).enumerate() {
-                let slope: f64 = row.iter().zip(curving).map(|(form, q)| form * q).sum();
-                self.slopes[(e, coordinates.start + j)] = slope;
-                y += 0.5 * slope * curving[j];
-            }
-            self.z[n + e] = y;
-        }
+        self.paths.follow(q, &mut self.z[n..], &mut self.slopes);
         self.straight()
     }
 
@@ -119,9 +108,7 @@ impl<'a> CurvedKinetics<'a> {
             }
         }
         let Some(per_mass) = self.body.translation() else { return (J, [0.0; 3]) };
-        let [xx, yy, zz, yz, zx, xy] = products(s);
-        let about_center = [yy + zz, zz + xx, xx + yy, -yz, -zx, -xy];
-        J.iter_mut().zip(about_center).for_each(|(J, part)| *J -= per_mass * part);
+        J.iter_mut().zip(of_unit_mass(s)).for_each(|(J, part)| *J -= per_mass * part);
         for (h, S) in self.h.iter_mut().zip(S) {
             *h = add(*h, scale(-per_mass, cross(s, *S)));
         }

@@ -9,7 +9,7 @@ use super::curved::CurvedKinetics;
 use super::{FlexibleBody, Invariants, MotionState};
 use crate::math::cholesky::Cholesky;
 use crate::math::sparse::SparseRows;
-use crate::math::sym3::{self, Sym, products, times};
+use crate::math::sym3::{self, Sym, of_unit_mass, products, times};
 use crate::math::vec3::{add, cross, dot, scale};
 
 /// Velocities from momenta: solves (S2) and (S4) for the angular velocity and the rates of the coordinates, at any displacement.
@@ -136,9 +136,7 @@ impl<'a> Kinetics<'a> {
         let Some(per_mass) = self.body.translation() else {
             return (J, [0.0; 3]);
         };
-        let [xx, yy, zz, yz, zx, xy] = products(s);
-        let about_center = [yy + zz, zz + xx, xx + yy, -yz, -zx, -xy];
-        J.iter_mut().zip(about_center).for_each(|(J, part)| *J -= per_mass * part);
+        J.iter_mut().zip(of_unit_mass(s)).for_each(|(J, part)| *J -= per_mass * part);
         for (row, S) in self.rows.iter_mut().zip(S) {
             let turn = cross(s, *S);
             row.iter_mut().zip(turn).for_each(|(h, turn)| *h -= per_mass * turn);

@@ -1,5 +1,7 @@
 use std::ops::Range;
 
+use nalgebra::DMatrix;
+
 use super::{Invariants, Pair};
 use crate::math::sparse::SparseRows;
 
@@ -21,6 +23,20 @@ impl CurvedPaths {
     #[must_use]
     pub fn fields(&self) -> usize {
         self.forms.len()
+    }
+
+    /// Sets the values `y_e` of the fields at displacements of all coordinates, and their slopes `∂y_e/∂q_j`, a row for each field. (K12)
+    pub(super) fn follow(&self, q: &[f64], y: &mut [f64], slopes: &mut DMatrix<f64>) {
+        let curving = &q[self.coordinates.clone()];
+        let size = curving.len();
+        for (e, form) in self.forms.iter().enumerate() {
+            y[e] = 0.0;
+            for (j, row) in form.chunks_exact(size.max(1)).enumerate() {
+                let slope: f64 = row.iter().zip(curving).map(|(form, q)| form * q).sum();
+                slopes[(e, self.coordinates.start + j)] = slope;
+                y[e] += 0.5 * slope * curving[j];
+            }
+        }
     }
 
     /// Paths in a body with these of `all` coordinates kept and the others locked; none if coordinates of the paths are locked.

@@ -1,8 +1,10 @@
 //! Coefficients of the full equations about a steady rotation with displaced coordinates. (M2)
 
-use super::{CurvedPaths, FlexibleBody, Invariants};
+use nalgebra::DMatrix;
+
+use super::{FlexibleBody, Invariants};
 use crate::math::eigen::Dense;
-use crate::math::sym3::{self, Sym, times};
+use crate::math::sym3::{Sym, of_unit_mass, times};
 use crate::math::vec3::{add, cross, dot, scale};
 
 /// Coefficients of small motions about a steady angular velocity `ω` and displacements `q`. (M2)
@@ -34,6 +36,13 @@ impl SpinCoefficients {
 }
 
 impl FlexibleBody {
+    /// Centrifugal stiffness `N_jk = ωᵀJ_jk ω` at an angular velocity (rad/s) and any displacements of the second order, symmetric. (M2)
+    #[must_use]
+    pub fn centrifugal_stiffness(&self, omega: [f64; 3]) -> Dense {
+        let elastic = self.elastic();
+        centrifugal(self.invariants(), self.translation(), &|j| j < elastic, omega)
+    }
+
     /// Coefficients of small motions about a steady angular velocity (rad/s) with these displacements, momenta and inertia to the second
     /// order in these. (M2), (K6)
     #[must_use]
@@ -47,16 +56,16 @@ impl FlexibleBody {
     pub fn about_spin_on_paths(&self, omega: [f64; 3], q: &[f64]) -> SpinCoefficients {
         let Some(paths) = self.paths() else { return self.about_spin(omega, q) };
         let (n, elastic) = (q.len(), self.elastic());
-        let Followed { z, slopes } = Followed::at(paths, q);
+        let (mut z, mut slopes) = (q.to_vec(), DMatrix::zeros(paths.fields(), n));
+        z.resize(n + paths.fields(), 0.0);
+        paths.follow(q, &mut z[n..], &mut slopes);
         let displaced = |j: usize| j < elastic || j >= n;
         let whole = straight(&paths.straight, self.translation(), &displaced, omega, &z);
         let gathered = |list: &[[f64; 3]]| -> Vec<[f64; 3]> {
-            let fields = |j: usize| {
-                slopes.iter().zip(&list[n..]).map(move |(slopes, vector)| scale(slopes[j], *vector))
-            };
-            (0..n).map(|j| fields(j).fold(list[j], add)).collect()
+            let field = |j: usize, e: usize| scale(slopes[(e, j)], list[n + e]);
+            (0..n).map(|j| (0..paths.fields()).fold(list[j], |sum, e| add(sum, field(j, e)))).collect()
         };
-        let mut centrifugal = projected(&whole.centrifugal, &slopes, n);
+        let mut centrifugal = projected(&whole.centrifugal, &slopes);
         let from = paths.coordinates.start;
         for (form, slope) in paths.forms.iter().zip(&whole.slopes[n..]) {
             let load = 0.5 * dot(omega, *slope);
@@ -67,48 +76,27 @@ impl FlexibleBody {
         }
         SpinCoefficients {
             inertia: whole.inertia,
-            mass: projected(&whole.mass, &slopes, n),
+            mass: projected(&whole.mass, &slopes),
             h: gathered(&whole.h),
             slopes: gathered(&whole.slopes),
-            gyroscopic: projected(&whole.gyroscopic, &slopes, n),
+            gyroscopic: projected(&whole.gyroscopic, &slopes),
             centrifugal,
         }
     }
 }
 
-/// Values of all coordinates of a body on straight paths, the last of which follow the others, with the slopes `∂y_e/∂q_j`. (K12)
-struct Followed {
-    z: Vec<f64>,
-    slopes: Vec<Vec<f64>>,
-}
-
-impl Followed {
-    fn at(paths: &CurvedPaths, q: &[f64]) -> Self {
-        let curving = &q[paths.coordinates.clone()];
-        let (mut z, mut slopes) = (q.to_vec(), Vec::with_capacity(paths.fields()));
-        for form in &paths.forms {
-            let mut slope = vec![0.0; q.len()];
-            for (j, row) in form.chunks_exact(curving.len()).enumerate() {
-                slope[paths.coordinates.start + j] = row.iter().zip(curving).map(|(form, q)| form * q).sum();
-            }
-            z.push(0.5 * slope.iter().zip(q).map(|(slope, q)| slope * q).sum::<f64>());
-            slopes.push(slope);
-        }
-        Self { z, slopes }
-    }
-}
-
-/// `DᵀMD` with the slopes `D` of all coordinates of a body on straight paths with respect to the first `n`.
-fn projected(matrix: &Dense, slopes: &[Vec<f64>], n: usize) -> Dense {
+/// `DᵀMD` with the derivatives `D` of all coordinates of a body on straight paths by the first, those of the last being `slopes`.
+fn projected(matrix: &Dense, slopes: &DMatrix<f64>) -> Dense {
+    let (fields, n) = slopes.shape();
     let half = |i: usize, k: usize| {
-        let fields = slopes.iter().enumerate().map(|(e, slopes)| matrix.at(i, n + e) * slopes[k]);
-        matrix.at(i, k) + fields.sum::<f64>()
+        let along = (0..fields).map(|e| matrix.at(i, n + e) * slopes[(e, k)]);
+        matrix.at(i, k) + along.sum::<f64>()
     };
     let mut sum = Dense::zero(n);
     for k in 0..n {
-        let fields: Vec<f64> = (0..slopes.len()).map(|e| half(n + e, k)).collect();
+        let along: Vec<f64> = (0..fields).map(|e| half(n + e, k)).collect();
         for j in 0..n {
-            let own: f64 = slopes.iter().zip(&fields).map(|(slopes, field)| slopes[j] * field).sum();
+            let own: f64 = along.iter().enumerate().map(|(e, along)| slopes[(e, j)] * along).sum();
             sum.add(j, k, half(j, k) + own);
         }
     }
@@ -127,7 +115,7 @@ fn straight(
     let count = S.len();
     let (mut inertia, mut h) = (*J, h.clone());
     let mut slopes: Vec<[f64; 3]> = J1.iter().map(|J1| times(*J1, omega)).collect();
-    let (mut A, mut G, mut N) = (Dense::zero(count), Dense::zero(count), Dense::zero(count));
+    let (mut A, mut G) = (Dense::zero(count), Dense::zero(count));
     let mut grow =
         |amount: f64, part: Sym| inertia.iter_mut().zip(part).for_each(|(sum, part)| *sum += amount * part);
     (0..count).filter(|j| displaced(*j)).for_each(|j| grow(z[j], J1[j]));
@@ -142,15 +130,40 @@ fn straight(
             h[k] = add(h[k], scale(z[j], pair.Z));
             if displaced(k) {
                 grow(z[j] * z[k], pair.J2);
-                N.add(j, k, dot(omega, load));
             }
         }
     }
-    let mut coefficients = SpinCoefficients { inertia, mass: A, h, slopes, gyroscopic: G, centrifugal: N };
+    let centrifugal = centrifugal(invariants, translation, displaced, omega);
+    let mut coefficients = SpinCoefficients { inertia, mass: A, h, slopes, gyroscopic: G, centrifugal };
     if let Some(per_mass) = translation {
         coefficients.recoil(S, per_mass, displaced, omega, z);
     }
     coefficients
+}
+
+/// Centrifugal stiffness on straight paths, the translation of a free body taken out.
+fn centrifugal(
+    invariants: &Invariants,
+    translation: Option<f64>,
+    displaced: &dyn Fn(usize) -> bool,
+    omega: [f64; 3],
+) -> Dense {
+    let Invariants { S, pairs, .. } = invariants;
+    let mut N = Dense::zero(S.len());
+    for (j, k, pair) in pairs.iter().filter(|(j, k, _)| displaced(*j) && displaced(*k)) {
+        N.add(j, k, dot(omega, times(pair.J2, omega)));
+    }
+    if let Some(per_mass) = translation {
+        let square = dot(omega, omega);
+        let moved: Vec<usize> = (0..S.len()).filter(|j| displaced(*j)).collect();
+        for &j in &moved {
+            for &k in &moved {
+                let load = square * dot(S[j], S[k]) - dot(S[j], omega) * dot(S[k], omega);
+                N.add(j, k, -per_mass * load);
+            }
+        }
+    }
+    N
 }
 
 impl SpinCoefficients {
@@ -165,10 +178,7 @@ impl SpinCoefficients {
     ) {
         let moved = (0..S.len()).filter(|j| displaced(*j));
         let s = moved.fold([0.0; 3], |s, j| add(s, scale(z[j], S[j])));
-        let [xx, yy, zz, yz, zx, xy] = sym3::products(s);
-        let about_center = [yy + zz, zz + xx, xx + yy, -yz, -zx, -xy];
-        self.inertia.iter_mut().zip(about_center).for_each(|(J, part)| *J -= per_mass * part);
-        let square = dot(omega, omega);
+        self.inertia.iter_mut().zip(of_unit_mass(s)).for_each(|(J, part)| *J -= per_mass * part);
         for (j, S_j) in S.iter().enumerate() {
             for (k, S_k) in S.iter().enumerate() {
                 self.mass.add(j, k, -per_mass * dot(*S_j, *S_k));
@@ -182,10 +192,6 @@ impl SpinCoefficients {
             self.h[j] = add(self.h[j], scale(-per_mass, cross(s, *S_j)));
             for (k, S_k) in S.iter().enumerate() {
                 self.gyroscopic.add(j, k, 2.0 * per_mass * dot(omega, cross(*S_j, *S_k)));
-                if displaced(k) {
-                    let load = square * dot(*S_j, *S_k) - dot(*S_j, omega) * dot(*S_k, omega);
-                    self.centrifugal.add(j, k, -per_mass * load);
-                }
             }
         }
     }

@@ -6,9 +6,8 @@
 use nalgebra::{Matrix3, Matrix4, Vector3, Vector4};
 use thiserror::Error;
 
-use crate::math::sym3;
 use crate::math::vec3::{add, dot, norm, scale};
-use crate::model::{FlexibleBody, Mode, Principal, SpinCoefficients};
+use crate::model::{BalancedSpin, FlexibleBody, Mode, Principal, SpinCoefficients};
 
 /// Relative equilibrium: a steady spin and the displacements that it causes. (M1)
 #[derive(Clone, Debug, PartialEq)]
@@ -84,15 +83,16 @@ impl RelativeEquilibrium {
         }
         let axis = axis.map(|entry| entry / length);
         let start = Guess::rigid(body, axis, given);
-        if let Some(found) = start.newton(body, given, axis) {
-            return Ok(found.finish(body));
+        if let Some((found, balanced)) = start.newton(body, given, axis) {
+            return Ok(found.finish(body, balanced));
         }
         let mut guess = Guess::rigid(body, axis, given.times(SHORTEST));
         let (mut reached, mut step) = (SHORTEST, 0.25);
-        while reached < 1.0 {
+        loop {
             let next = (reached + step).min(1.0);
             match guess.scaled(next / reached).newton(body, given.times(next), axis) {
-                Some(found) => {
+                Some((found, balanced)) if next >= 1.0 => return Ok(found.finish(body, balanced)),
+                Some((found, _)) => {
                     (guess, reached) = (found, next);
                     step *= 2.0;
                 }
@@ -100,7 +100,6 @@ impl RelativeEquilibrium {
                 None => return Err(EquilibriumError::NotFound { axis, reached }),
             }
         }
-        Ok(guess.finish(body))
     }
 
     /// Relative equilibria next to the principal axes of the frozen body, in the order of ascending moments. (M1)
@@ -182,8 +181,8 @@ impl Guess {
         Self { omega: factor * self.omega, ..self }
     }
 
-    /// Solves `K(ω) = ratio · ω` with the given quantity by Newton's method.
-    fn newton(self, body: &FlexibleBody, given: Given, axis: [f64; 3]) -> Option<Self> {
+    /// Solves `K(ω) = ratio · ω` with the given quantity by Newton's method; with the displacements in balance.
+    fn newton(self, body: &FlexibleBody, given: Given, axis: [f64; 3]) -> Option<(Self, BalancedSpin)> {
         let wheels = Vector3::from(body.wheels().angular_momentum(0.0));
         let Self { mut omega, mut ratio } = self;
         let mut best = f64::INFINITY;
@@ -202,7 +201,7 @@ impl Guess {
             };
             let residual = gap.norm() / K.norm() + excess.abs();
             if residual <= CONVERGED || (residual >= 0.5 * best && best <= ACCEPTED) {
-                return Some(Self { omega, ratio });
+                return Some((Self { omega, ratio }, balanced));
             }
             best = best.min(residual);
             let mut system = Matrix4::zeros();
@@ -221,10 +220,9 @@ impl Guess {
         None
     }
 
-    fn finish(self, body: &FlexibleBody) -> RelativeEquilibrium {
+    fn finish(self, body: &FlexibleBody, balanced: BalancedSpin) -> RelativeEquilibrium {
         let omega: [f64; 3] = self.omega.into();
-        let q = body.balanced(omega).map_or_else(Vec::new, |balanced| balanced.q);
-        let own = sym3::times(body.about_spin_on_paths(omega, &q).inertia, omega);
+        let BalancedSpin { q, angular_momentum: own, .. } = balanced;
         let angular_momentum = add(own, body.wheels().angular_momentum(0.0));
         let elastic: f64 = body.stiffness().times(&q).iter().zip(&q).map(|(force, q)| force * q).sum();
         let energy = 0.5 * (dot(own, omega) + elastic);

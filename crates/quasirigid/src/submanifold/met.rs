@@ -39,9 +39,9 @@ impl SpinManifold<'_> {
     #[must_use]
     pub fn resonances_met(&self, widest: f64) -> Vec<MetResonance> {
         let mut met = Vec::new();
+        let Some(frequency) = self.frequency() else { return met };
         let angles: Vec<f64> = (0..=EXAMINED).map(|i| widest * i as f64 / EXAMINED as f64).collect();
-        let rates: Option<Vec<f64>> = angles.iter().map(|angle| self.frequency_at(*angle)).collect();
-        let Some(rates) = rates else { return met };
+        let rates: Vec<f64> = angles.iter().map(|angle| frequency(*angle)).collect();
         for mode in self.outer.iter().filter(|mode| mode.decay_rate.abs() < DAMPED * mode.frequency) {
             for harmonic in 1..=HARMONICS {
                 let wanted = mode.frequency / harmonic as f64;
@@ -49,11 +49,10 @@ impl SpinManifold<'_> {
                     if (pair[0] - wanted) * (pair[1] - wanted) > 0.0 || pair[0] == pair[1] {
                         continue;
                     }
-                    let at = |angle: f64| self.frequency_at(angle).unwrap_or(wanted);
                     met.push(MetResonance {
                         name: mode.name.clone(),
                         harmonic,
-                        nutation: bisected([ends[0], ends[1]], at, wanted, pair[1] > pair[0]),
+                        nutation: bisected([ends[0], ends[1]], &frequency, wanted, pair[1] > pair[0]),
                         frequency: mode.frequency,
                     });
                 }
@@ -63,17 +62,19 @@ impl SpinManifold<'_> {
         met
     }
 
-    /// Frequency of the nutation (rad/s) at a greatest angle (rad): that of the mode, changed as in the rigid body.
-    fn frequency_at(&self, nutation: f64) -> Option<f64> {
+    /// Frequency of the nutation (rad/s) as a function of its greatest angle (rad): that of the mode, changed as in the rigid body.
+    fn frequency(&self) -> Option<impl Fn(f64) -> f64> {
         if self.body.wheels().constant != [0.0; 3] {
             return None;
         }
         let moments = Principal::compute(self.body.invariants().J).moments;
-        let G = norm(self.spin.angular_momentum);
-        let rigid = |angle: f64| {
+        let (G, mode) = (norm(self.spin.angular_momentum), self.mode);
+        let period = move |angle: f64| {
             let angle = angle.clamp(SMALL, FRAC_PI_2 - SMALL);
-            Some(FreeRotation::at_nutation(moments, G, self.mode, angle).ok()?.polhode_period())
+            let rigid = FreeRotation::at_nutation(moments, G, mode, angle);
+            rigid.map_or(f64::NAN, |rigid| rigid.polhode_period())
         };
-        Some(self.masters[0].frequency * rigid(SMALL)? / rigid(nutation)?)
+        let turn = self.masters[0].frequency * period(SMALL);
+        turn.is_finite().then_some(move |angle| turn / period(angle))
     }
 }

@@ -11,7 +11,7 @@ use crate::error::StudyError;
 use crate::left_out::{LEFT_OUT, of_nutation};
 use crate::liquids::unanswered;
 use crate::study::Study;
-use crate::words::time;
+use crate::words::growth;
 
 /// Basis of every judgement of a method: the steady spins at the angular momentum of the start, and their modes.
 pub struct Ground<'a> {
@@ -144,9 +144,6 @@ impl<'a> Ground<'a> {
 
 /// Sentence on a mode that grows about an axis of extreme inertia.
 fn grows(inertia: &str, mode: &SpinMode) -> String {
-    format!(
-        "the steady spin about the axis of {inertia} inertia is unstable: a motion of {} grows e-fold in {}",
-        mode.name,
-        time(-mode.time_constant())
-    )
+    let motion = growth(&mode.name, mode.decay_rate);
+    format!("the steady spin about the axis of {inertia} inertia is unstable: {motion}")
 }

@@ -7,6 +7,7 @@ use std::f64::consts::PI;
 
 use crate::elements::PointMotion;
 use crate::elements::{End, Point, Prestress, Spring, SpringLaw};
+use crate::math::random::Random;
 use crate::model::Rheology;
 
 /// A random network of equal masses and springs that fills an ellipsoid: the rubble of N-body simulations
@@ -50,11 +51,11 @@ impl Network {
     /// The points, and the springs between them as pairs of their indices.
     #[must_use]
     pub fn layout(&self) -> (Vec<[f64; 3]>, Vec<[usize; 2]>) {
-        let mut random = Random { state: self.seed };
+        let mut random = Random::new(self.seed);
         let mut near = Near { side: self.spacing, cells: HashMap::new() };
         let mut places: Vec<[f64; 3]> = Vec::new();
         for _ in 0..(THROWS * self.volume() / self.spacing.powi(3)) as usize {
-            let unit = random.in_ball();
+            let unit = in_ball(&mut random);
             let place = [0, 1, 2].map(|axis| self.center[axis] + self.semi_axes[axis] * unit[axis]);
             if near.around(place, 1).all(|other| distance(places[other], place) > self.spacing) {
                 near.cells.entry(near.cell(place)).or_default().push(places.len());
@@ -128,29 +129,12 @@ impl Near {
     }
 }
 
-/// Random numbers after SplitMix64 `[@steele2014]`.
-struct Random {
-    state: u64,
-}
-
-impl Random {
-    /// A number from −1 to 1.
-    fn next(&mut self) -> f64 {
-        self.state = self.state.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut bits = self.state;
-        bits = (bits ^ (bits >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        bits = (bits ^ (bits >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        bits ^= bits >> 31;
-        (bits >> 11) as f64 / 2f64.powi(52) - 1.0
-    }
-
-    /// A place in the unit ball.
-    fn in_ball(&mut self) -> [f64; 3] {
-        loop {
-            let place = [self.next(), self.next(), self.next()];
-            if place.iter().map(|entry| entry * entry).sum::<f64>() <= 1.0 {
-                return place;
-            }
+/// A random place in the unit ball.
+fn in_ball(random: &mut Random) -> [f64; 3] {
+    loop {
+        let place: [f64; 3] = std::array::from_fn(|_| (random.bits() >> 11) as f64 / 2f64.powi(52) - 1.0);
+        if place.iter().map(|entry| entry * entry).sum::<f64>() <= 1.0 {
+            return place;
         }
     }
 }

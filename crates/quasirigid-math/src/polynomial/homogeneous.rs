@@ -54,6 +54,12 @@ impl Homogeneous {
         Self::from(Ternary::half_quadratic(matrices))
     }
 
+    /// Whether no term has the constant, so that the value at a multiple of a point is a power of the factor times the value.
+    #[must_use]
+    pub fn is_pure(&self) -> bool {
+        self.mixed.is_empty()
+    }
+
     /// Degree.
     #[inline]
     #[must_use]

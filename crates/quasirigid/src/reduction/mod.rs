@@ -20,5 +20,5 @@ pub use reduce::{MAX_ORDER, ReductionError, reduce};
 pub use relaxation::Relaxation;
 pub use residual::{Residual, residual};
 pub use resonance::{Resonance, resonances};
-pub use validity::{Validity, ValidityError};
+pub use validity::{Assessment, Validity, ValidityError};
 pub use vibration::{Vibrations, frequencies};

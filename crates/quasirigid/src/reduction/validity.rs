@@ -7,9 +7,8 @@ use thiserror::Error;
 
 use super::angular_momentum_form::reverted;
 use super::criterion::{Comparison, Criterion, Verdict};
-use super::degrees::{DegreeSize, levels_ratio, momentum_ratio, optimal_order, power_change, sizes};
+use super::degrees::{Circles, DegreeSize, PowerChange, Sizes, levels_ratio, momentum_ratio, optimal_order};
 use super::energetics;
-use super::manifold::Manifold;
 use super::reduce::{MAX_ORDER, ReductionError, manifold, reduce};
 use super::relaxation::Relaxation;
 use super::residual::residual;
@@ -77,6 +76,8 @@ pub enum ValidityError {
 
 /// Degrees beyond the order asked for that the search for the optimal order takes.
 const LOOK_AHEAD: usize = 4;
+/// Spin over the lowest frequency at which sizes are measured.
+const MEASURED: f64 = 0.1;
 
 impl Validity {
     /// Assesses the equations of order `p` at an angular velocity (rad/s).
@@ -96,54 +97,7 @@ impl Validity {
         reduced: &ReducedBody,
         omega: [f64; 3],
     ) -> Result<Self, ValidityError> {
-        let spin = norm(omega);
-        if !spin.is_finite() || spin == 0.0 {
-            return Err(ValidityError::NoSpin { omega });
-        }
-        let ahead = manifold(body, (reduced.order + LOOK_AHEAD).min(MAX_ORDER))?;
-        let vibrations = Vibrations::compute(body)?;
-        let slowest = vibrations.frequencies.first().copied().unwrap_or(f64::INFINITY);
-        let relaxation = Relaxation::compute(body)?;
-        let decay = vibrations.decay_rates.first().map_or(f64::INFINITY, |rate| rate.max(0.0));
-        let decay = decay.min(relaxation.longest().recip());
-        let resonances = if body.wheels().is_empty() {
-            resonances(&Principal::compute(reduced.J), &vibrations.free_frequencies, omega)
-        } else {
-            Vec::new()
-        };
-        let displacement = displacement(body, reduced, omega);
-        let angular_momentum = norm(reduced.angular_momentum(omega));
-        let Omega = reverted(&ahead.K.truncated(5), reduced.J);
-        let series = momentum_ratio(&Omega, angular_momentum, [1, 3]).max(momentum_ratio(
-            &Omega,
-            angular_momentum,
-            [3, 5],
-        ));
-        let criteria = [
-            (Comparison::Spin, spin / slowest),
-            (Comparison::Damping, spin * vibrations.damping_time),
-            (Comparison::Relaxation, spin * relaxation.longest()),
-            (Comparison::Series, series),
-            (Comparison::Resonance, resonances.first().map_or(0.0, |strongest| strongest.strength)),
-            (Comparison::Linearity, displacement.as_ref().map_or(0.0, |(_, r)| r / size(body))),
-            (Comparison::Residual, left_over(body, reduced, omega)),
-            (Comparison::Power, power_series(body, reduced, &ahead, omega)),
-            (Comparison::Levels, levels_ratio(&ahead.f, reduced.J, omega)),
-            (Comparison::Forgetting, spin / decay),
-        ];
-        let degrees = sizes(&ahead.f, spin);
-        Ok(Self {
-            T1: std::f64::consts::TAU / slowest,
-            T2: decay.recip(),
-            T3: spin.recip(),
-            vibrations,
-            relaxation,
-            criteria: criteria.map(|(comparison, value)| Criterion { comparison, value }).to_vec(),
-            resonances,
-            displacement,
-            optimal_order: optimal_order(&degrees),
-            degrees,
-        })
+        Assessment::new(body, reduced)?.at(omega)
     }
 
     /// Worst verdict of the criteria that concern the motion on the slow manifold.
@@ -171,14 +125,101 @@ impl Validity {
     }
 }
 
-/// Change of the power by two more orders; at the highest orders, by the last two. (V11)
-fn power_series(body: &FlexibleBody, reduced: &ReducedBody, ahead: &Manifold, omega: [f64; 3]) -> f64 {
-    let order = reduced.order;
-    let power = |order: usize| energetics::power(body, ahead, order).0;
-    if order + 2 <= MAX_ORDER {
-        power_change(&reduced.power, &power(order + 2), omega)
-    } else {
-        power_change(&power(order - 2), &reduced.power, omega)
+/// What the validity of a body takes of it at every angular velocity: its vibrations, and the equations some orders ahead. The costly part of
+/// a [`Validity`], done once for many.
+#[derive(Clone, Debug)]
+pub struct Assessment<'a> {
+    body: &'a FlexibleBody,
+    reduced: ReducedBody,
+    principal: Principal,
+    vibrations: Vibrations,
+    relaxation: Relaxation,
+    /// Sizes of the equation `f` some orders ahead, and of the angular velocity as a series of the angular momentum.
+    f: Sizes,
+    Omega: Sizes,
+    circles: Circles,
+    /// Power of the order and of two orders ahead; at the highest orders of two orders behind.
+    power: PowerChange,
+}
+
+impl<'a> Assessment<'a> {
+    /// Prepares the assessment of the equations of a reduced body.
+    ///
+    /// # Errors
+    /// [`ValidityError`] if the order is out of range, or an eigenvalue solver fails.
+    pub fn new(body: &'a FlexibleBody, reduced: &ReducedBody) -> Result<Self, ValidityError> {
+        let order = reduced.order;
+        let ahead = manifold(body, (order + LOOK_AHEAD).min(MAX_ORDER))?;
+        let other = if order + 2 <= MAX_ORDER { order + 2 } else { order - 2 };
+        let other = energetics::power(body, &ahead, other).0;
+        let [lower, higher] = if order + 2 <= MAX_ORDER {
+            [reduced.power.clone(), other]
+        } else {
+            [other, reduced.power.clone()]
+        };
+        let vibrations = Vibrations::compute(body)?;
+        // sizes are measured in the middle of the spins that the theory takes
+        let radius = vibrations.frequencies.first().map_or(1.0, |slowest| MEASURED * slowest);
+        let principal = Principal::compute(reduced.J);
+        Ok(Self {
+            body,
+            relaxation: Relaxation::compute(body)?,
+            Omega: Sizes::new(reverted(&ahead.K.truncated(5), reduced.J), radius * principal.moments[2]),
+            power: PowerChange::new(lower, higher, radius),
+            circles: Circles::new(&ahead.f, reduced.J, radius),
+            f: Sizes::new(ahead.f, radius),
+            principal,
+            vibrations,
+            reduced: reduced.clone(),
+        })
+    }
+
+    /// Assesses the equations at an angular velocity (rad/s).
+    ///
+    /// # Errors
+    /// [`ValidityError::NoSpin`].
+    pub fn at(&self, omega: [f64; 3]) -> Result<Validity, ValidityError> {
+        let Self { body, reduced, principal, vibrations, relaxation, f, .. } = self;
+        let spin = norm(omega);
+        if !spin.is_finite() || spin == 0.0 {
+            return Err(ValidityError::NoSpin { omega });
+        }
+        let slowest = vibrations.frequencies.first().copied().unwrap_or(f64::INFINITY);
+        let decay = vibrations.decay_rates.first().map_or(f64::INFINITY, |rate| rate.max(0.0));
+        let decay = decay.min(relaxation.longest().recip());
+        let resonances = if body.wheels().is_empty() {
+            resonances(principal, &vibrations.free_frequencies, omega)
+        } else {
+            Vec::new()
+        };
+        let displacement = displacement(body, reduced, omega);
+        let angular_momentum = norm(reduced.angular_momentum(omega));
+        let series = |degrees| momentum_ratio(&self.Omega, angular_momentum, degrees);
+        let criteria = [
+            (Comparison::Spin, spin / slowest),
+            (Comparison::Damping, spin * vibrations.damping_time),
+            (Comparison::Relaxation, spin * relaxation.longest()),
+            (Comparison::Series, series([1, 3]).max(series([3, 5]))),
+            (Comparison::Resonance, resonances.first().map_or(0.0, |strongest| strongest.strength)),
+            (Comparison::Linearity, displacement.as_ref().map_or(0.0, |(_, r)| r / size(body))),
+            (Comparison::Residual, left_over(body, reduced, omega)),
+            (Comparison::Power, self.power.at(spin)),
+            (Comparison::Levels, levels_ratio(f, &self.circles, spin)),
+            (Comparison::Forgetting, spin / decay),
+        ];
+        let degrees = f.degrees(spin);
+        Ok(Validity {
+            T1: std::f64::consts::TAU / slowest,
+            T2: decay.recip(),
+            T3: spin.recip(),
+            vibrations: vibrations.clone(),
+            relaxation: relaxation.clone(),
+            criteria: criteria.map(|(comparison, value)| Criterion { comparison, value }).to_vec(),
+            resonances,
+            displacement,
+            optimal_order: optimal_order(&degrees),
+            degrees,
+        })
     }
 }
 

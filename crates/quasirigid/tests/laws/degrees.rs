@@ -176,7 +176,11 @@ proptest! {
         let spin = Vector3::from(omega).norm();
         let validity = Validity::assess(&body, order, omega).unwrap();
         let ahead = reduce(&body, (order + 4).min(MAX_ORDER)).unwrap();
-        prop_assert_eq!(&validity.degrees, &degree_sizes(&ahead, omega));
+        // sizes at this spin follow from those at another by powers
+        for (found, known) in validity.degrees.iter().zip(degree_sizes(&ahead, omega)) {
+            prop_assert!(found.degree == known.degree && (found.size - known.size).abs() <= 1e-13 * known.size, "{found:?} {known:?}");
+        }
+        prop_assert_eq!(validity.degrees.len(), ahead.f.degree() - 1);
         let reduced = reduce(&body, order).unwrap();
         let angular_momentum = Vector3::from(reduced.angular_momentum(omega)).norm();
         let size = |degree: usize| greatest(|x| value(ahead.Omega.part(degree), x), angular_momentum);

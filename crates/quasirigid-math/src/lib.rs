@@ -15,6 +15,7 @@ pub mod connected_components;
 pub mod elliptic;
 pub mod expression;
 pub mod gmres;
+pub mod lanes;
 pub mod ode;
 pub mod polynomial;
 pub mod quadrature;

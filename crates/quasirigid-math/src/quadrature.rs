@@ -2,8 +2,8 @@
 
 use std::f64::consts::PI;
 
-/// Nodes of the Kronrod rule of 15 points on −1 to 1, with its weights and those of the Gauss rule of 7 points within it.
-const NODES: [[f64; 3]; 8] = [
+/// Nodes, not negative, of the Kronrod rule of 15 points on −1 to 1, with its weights and those of the Gauss rule of 7 points within it.
+pub const KRONROD: [[f64; 3]; 8] = [
     [0.991_455_371_120_812_6, 0.022_935_322_010_529_224, 0.0],
     [0.949_107_912_342_758_5, 0.063_092_092_629_978_56, 0.129_484_966_168_869_7],
     [0.864_864_423_359_769_1, 0.104_790_010_322_250_19, 0.0],
@@ -96,9 +96,9 @@ fn total<const N: usize>(pieces: &[Piece<N>]) -> Integral<N> {
 /// function, as in QUADPACK `[@piessens1983]`.
 fn kronrod<const N: usize>(f: &mut impl FnMut(f64) -> [f64; N], a: f64, b: f64) -> Integral<N> {
     let (middle, half) = (0.5 * (a + b), 0.5 * (b - a));
-    let mut values = [[[0.0; N]; 2]; NODES.len()];
+    let mut values = [[[0.0; N]; 2]; KRONROD.len()];
     let (mut kronrod, mut gauss) = ([0.0; N], [0.0; N]);
-    for ([node, weight, coarse], pair) in NODES.iter().zip(&mut values) {
+    for ([node, weight, coarse], pair) in KRONROD.iter().zip(&mut values) {
         let sides = if *node == 0.0 { 1 } else { 2 };
         for (value, side) in pair.iter_mut().zip([half * node, -half * node]).take(sides) {
             *value = f(middle + side);
@@ -114,7 +114,7 @@ fn kronrod<const N: usize>(f: &mut impl FnMut(f64) -> [f64; N], a: f64, b: f64) 
             let sides = if node[0] == 0.0 { 1 } else { 2 };
             pair.iter().take(sides).map(|value| node[1] * (value[i] - mean).abs()).sum::<f64>()
         };
-        let variation = (half * values.iter().zip(&NODES).map(away).sum::<f64>()).abs();
+        let variation = (half * values.iter().zip(&KRONROD).map(away).sum::<f64>()).abs();
         let distance = (kronrod[i] - gauss[i]).abs();
         if variation > 0.0 { variation * (200.0 * distance / variation).powf(1.5).min(1.0) } else { distance }
     };

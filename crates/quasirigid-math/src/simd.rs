@@ -1,7 +1,9 @@
 //! Choice of the processor's fastest arithmetic at run time.
 //!
-//! A task is compiled twice: for any x86-64 (or other) processor, and for those with fused multiply-add on four numbers
-//! at once. The two round differently in the last bit; one machine always takes the same one.
+//! A task is compiled for any processor, and on x86-64 for vectors of four and of eight numbers, each with and without fused multiply-add.
+//! Only the fused one rounds differently, in the last bit; the width of the vectors changes none. One machine always takes the same one.
+
+use std::marker::PhantomData;
 
 /// Arithmetic: the way in which `a·b + c` is computed.
 pub trait Arithmetic: Copy + Default {
@@ -12,18 +14,56 @@ pub trait Arithmetic: Copy + Default {
     fn call<T: Task>(task: T) -> T::Output;
 }
 
-/// Two roundings.
+/// Bits of a result: as fast as the processor allows, or the same everywhere.
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Rounding {
+    /// Fused multiply-add where the processor has it: one rounding in the place of two.
+    #[default]
+    Fastest,
+    /// Two roundings, with the same bits on every processor.
+    Reproducible,
+}
+
+/// Two roundings, in the registers that every processor has.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Plain;
 
-/// One rounding, in one instruction. Private, because only [`dispatch`] knows that the processor has it.
+/// How often `a·b + c` is rounded.
+trait MulAdd: Copy + Default {
+    fn mul_add(a: f64, b: f64, c: f64) -> f64;
+}
+
+/// One rounding, in one instruction.
 #[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Fused;
+pub(crate) struct Once;
+
+impl MulAdd for Once {
+    #[inline(always)]
+    fn mul_add(a: f64, b: f64, c: f64) -> f64 {
+        a.mul_add(b, c)
+    }
+}
+
+impl MulAdd for Plain {
+    #[inline(always)]
+    fn mul_add(a: f64, b: f64, c: f64) -> f64 {
+        a * b + c
+    }
+}
+
+/// Registers of so many numbers. Private, because only [`dispatch`] and [`dispatch_lanes`] know that the processor has them.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Vector<M, const NUMBERS: usize>(PhantomData<M>);
+
+/// One rounding, in registers of four numbers.
+#[cfg(all(test, target_arch = "x86_64"))]
+pub(crate) type Fused = Vector<Once, 4>;
 
 impl Arithmetic for Plain {
     #[inline(always)]
     fn mul_add(a: f64, b: f64, c: f64) -> f64 {
-        a * b + c
+        <Self as MulAdd>::mul_add(a, b, c)
     }
 
     fn call<T: Task>(task: T) -> T::Output {
@@ -31,18 +71,29 @@ impl Arithmetic for Plain {
     }
 }
 
-impl Arithmetic for Fused {
+#[cfg(target_arch = "x86_64")]
+impl<M: MulAdd> Arithmetic for Vector<M, 4> {
     #[inline(always)]
     fn mul_add(a: f64, b: f64, c: f64) -> f64 {
-        a.mul_add(b, c)
+        M::mul_add(a, b, c)
     }
 
     fn call<T: Task>(task: T) -> T::Output {
-        // SAFETY: only `dispatch` starts work by this arithmetic, after it has asked the processor.
-        #[cfg(target_arch = "x86_64")]
-        return unsafe { fused(task) };
-        #[cfg(not(target_arch = "x86_64"))]
-        unreachable!("no processor but x86-64 is asked for it")
+        // SAFETY: only `dispatch` and `dispatch_lanes` start work by this arithmetic, after they have asked the processor.
+        unsafe { four::<M, T>(task) }
+    }
+}
+
+#[cfg(target_arch = "x86_64")]
+impl<M: MulAdd> Arithmetic for Vector<M, 8> {
+    #[inline(always)]
+    fn mul_add(a: f64, b: f64, c: f64) -> f64 {
+        M::mul_add(a, b, c)
+    }
+
+    fn call<T: Task>(task: T) -> T::Output {
+        // SAFETY: only `dispatch_lanes` starts work by this arithmetic, after it has asked the processor.
+        unsafe { eight::<M, T>(task) }
     }
 }
 
@@ -55,14 +106,36 @@ pub trait Task {
     fn run<A: Arithmetic>(self) -> Self::Output;
 }
 
-/// Runs a task with the fastest arithmetic this processor has.
-pub fn dispatch<T: Task>(task: T) -> T::Output {
+/// Runs a task on numbers that fill at most four places of a register.
+pub fn dispatch<T: Task>(rounding: Rounding, task: T) -> T::Output {
     #[cfg(target_arch = "x86_64")]
-    if std::arch::is_x86_feature_detected!("avx2") && std::arch::is_x86_feature_detected!("fma") {
+    if rounding == Rounding::Fastest && has_four() {
         // SAFETY: the processor has the features that the function is compiled for.
-        return unsafe { fused(task) };
+        return unsafe { four::<Once, T>(task) };
     }
     plain(task)
+}
+
+/// Runs a task on [`Lanes`](crate::lanes::Lanes), in the widest registers that the processor has.
+pub fn dispatch_lanes<T: Task>(rounding: Rounding, task: T) -> T::Output {
+    #[cfg(target_arch = "x86_64")]
+    {
+        let fused = rounding == Rounding::Fastest;
+        if has_four() && std::arch::is_x86_feature_detected!("avx512f") {
+            // SAFETY: the processor has the features that the functions are compiled for.
+            return unsafe { if fused { eight::<Once, T>(task) } else { eight::<Plain, T>(task) } };
+        }
+        if has_four() {
+            // SAFETY: the processor has the features that the functions are compiled for.
+            return unsafe { if fused { four::<Once, T>(task) } else { four::<Plain, T>(task) } };
+        }
+    }
+    plain(task)
+}
+
+#[cfg(target_arch = "x86_64")]
+fn has_four() -> bool {
+    std::arch::is_x86_feature_detected!("avx2") && std::arch::is_x86_feature_detected!("fma")
 }
 
 #[inline(never)]
@@ -73,8 +146,15 @@ fn plain<T: Task>(task: T) -> T::Output {
 #[cfg(target_arch = "x86_64")]
 #[inline(never)]
 #[target_feature(enable = "avx2,fma")]
-fn fused<T: Task>(task: T) -> T::Output {
-    task.run::<Fused>()
+fn four<M: MulAdd, T: Task>(task: T) -> T::Output {
+    task.run::<Vector<M, 4>>()
+}
+
+#[cfg(target_arch = "x86_64")]
+#[inline(never)]
+#[target_feature(enable = "avx512f,avx2,fma")]
+fn eight<M: MulAdd, T: Task>(task: T) -> T::Output {
+    task.run::<Vector<M, 8>>()
 }
 
 /// `a·b + c`, component by component.

@@ -16,8 +16,9 @@ pub fn rows([xx, yy, zz, yz, zx, xy]: Sym) -> [[f64; 3]; 3] {
 /// Matrix times vector.
 #[inline(always)]
 #[must_use]
-pub fn times<T: Scalar>(matrix: Sym, x: [T; 3]) -> [T; 3] {
-    rows(matrix).map(|row| dot(row.map(T::from), x))
+pub fn times<T: Scalar>([xx, yy, zz, yz, zx, xy]: Sym, x: [T; 3]) -> [T; 3] {
+    // closures would not be compiled into one vector arithmetic
+    smooth_times([T::from(xx), T::from(yy), T::from(zz), T::from(yz), T::from(zx), T::from(xy)], x)
 }
 
 /// Inverse of a symmetric positive definite matrix.

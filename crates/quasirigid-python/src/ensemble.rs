@@ -26,9 +26,9 @@ use crate::reduced::rows;
 use crate::watching::Shared;
 
 /// Watch of one row: it ends with the whole, and keeps its remarks to itself.
-struct RowWatch<'a> {
-    shared: &'a Shared,
-    remarks: Vec<String>,
+pub struct RowWatch<'a> {
+    pub shared: &'a Shared,
+    pub remarks: Vec<String>,
 }
 
 impl Watch for RowWatch<'_> {
@@ -54,8 +54,7 @@ fn each<T: Send + 'static>(
     row: impl Fn(&Study, Start, &mut RowWatch) -> Result<T, Failure> + Send + Sync + 'static,
 ) -> Result<Vec<Result<T, Failure>>, Failure> {
     let (study, own, starts) = (Arc::clone(study), Arc::clone(shared), starts.to_vec());
-    let (answer, answers) = mpsc::channel();
-    pool()?.spawn(move || {
+    on_pool(shared, move || {
         let (done, count) = (AtomicUsize::new(0), starts.len());
         let rows = starts.par_iter().map(|omega| {
             let found = one(&study, *omega, &own, &row);
@@ -63,8 +62,19 @@ fn each<T: Send + 'static>(
             own.tell("rows", done as f64 / count as f64);
             found
         });
+        rows.collect()
+    })
+}
+
+/// Does work on the threads of the pool, and leaves it there when a signal comes.
+pub fn on_pool<T: Send + 'static>(
+    shared: &Shared,
+    work: impl FnOnce() -> T + Send + 'static,
+) -> Result<T, Failure> {
+    let (answer, answers) = mpsc::channel();
+    pool()?.spawn(move || {
         // Nobody listens once a signal has come.
-        let _ = answer.send(rows.collect());
+        let _ = answer.send(work());
     });
     loop {
         match answers.recv_timeout(LOOK) {

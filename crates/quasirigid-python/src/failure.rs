@@ -116,7 +116,8 @@ fn class(error: &StudyError) -> &'static str {
             | SubmanifoldError::NoNutation,
         )
         | StudyError::ForcesAboutSpin { .. }
-        | StudyError::EventsAboutSpin => "UnsupportedError",
+        | StudyError::EventsAboutSpin
+        | StudyError::SpinsAlone { .. } => "UnsupportedError",
         StudyError::Submanifold(_) | StudyError::SteadySpinBeyond { .. } => "ReductionError",
         StudyError::Unaveraged(_)
         | StudyError::DrivenPole

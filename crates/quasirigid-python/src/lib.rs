@@ -8,11 +8,13 @@ mod arguments;
 mod arrow;
 mod columns;
 mod dictionary;
+mod ellipsoids;
 mod ensemble;
 mod failure;
 mod model;
 mod pool;
 mod reduced;
+mod spin_paths;
 mod sweep;
 mod values;
 mod watching;
@@ -28,6 +30,8 @@ mod _core {
     use crate::columns::Columns;
     #[pymodule_export]
     use crate::dictionary::{to_toml, with_changes};
+    #[pymodule_export]
+    use crate::ellipsoids::evolve_ellipsoids;
     #[pymodule_export]
     use crate::model::Model;
     #[pymodule_export]

@@ -8,6 +8,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use numpy::PyReadonlyArray2;
 use pyo3::prelude::*;
+use quasirigid::dynamics::Rounding;
 use quasirigid_io::model::{
     self as file, EvolveMethod, Manifold, ManifoldMasters, ManifoldStyle, MastersError, Power, System, Verify,
 };
@@ -24,6 +25,7 @@ use crate::columns::Columns;
 use crate::ensemble::{self, Histories};
 use crate::failure::Failure;
 use crate::reduced::Reduced;
+use crate::spin_paths::{self, SpinPaths};
 use crate::watching::interruptible;
 
 /// A model file that was read.
@@ -168,6 +170,25 @@ impl Model {
         let (propagation, table) = (settings.propagation()?, table.table()?);
         Ok(interruptible(py, observer.as_ref(), |shared| {
             ensemble::simulate(&self.study(order)?, &starts, &propagation, table, shared)
+        })?)
+    }
+
+    /// Angular velocities from many angular velocities.
+    #[pyo3(signature = (initial, settings, times, reproducible, order, observer))]
+    fn spins(
+        &self,
+        py: Python<'_>,
+        initial: PyReadonlyArray2<'_, f64>,
+        settings: Settings,
+        times: Vec<f64>,
+        reproducible: bool,
+        order: Option<usize>,
+        observer: Observer,
+    ) -> PyResult<SpinPaths> {
+        let (starts, propagation) = (ensemble::starts(&initial)?, settings.propagation()?);
+        let rounding = if reproducible { Rounding::Reproducible } else { Rounding::Fastest };
+        Ok(interruptible(py, observer.as_ref(), |shared| {
+            spin_paths::spins(&self.study(order)?, &starts, &times, &propagation, rounding, shared)
         })?)
     }
 

@@ -174,3 +174,44 @@ def test_ctrl_c_ends_the_work(work: str) -> None:
     finally:
         child.kill()
     assert (child.returncode, out) == (7, "interrupted True\n"), err
+
+
+def test_spins_are_those_of_the_histories() -> None:
+    times = [0.0, 10.0, 200.0]
+    paths, histories = (BOOM.spins(STARTS, times), BOOM.simulate(initial=STARTS, times=times))
+    assert paths.angular_velocity.shape == (5, 3, 3) and paths.holds.tolist() == [True, True, False, False, True]
+    for row in (0, 1, 4):
+        size = np.linalg.norm(STARTS[row])
+        np.testing.assert_allclose(paths.angular_velocity[row], histories.angular_velocity[row], rtol=0, atol=1e-9 * size)
+        assert paths.notes[row] == histories.notes[row] and paths.message[row] == "the run reached its end"
+    assert np.isnan(paths.angular_velocity[[2, 3]]).all() and paths.status[2] == "error"
+    assert "3 of 5 rows hold; DO NOT HOLD" in repr(paths)
+    with pytest.raises(ValueError):
+        paths.angular_velocity[0, 0, 0] = 1.0
+
+
+def test_spins_do_not_depend_on_their_neighbours_or_the_block() -> None:
+    generator = np.random.default_rng(5)
+    starts = generator.normal(size=(150, 3)) * 10.0 ** generator.uniform(-2, 0, (150, 1))
+    for settings in ({}, {"reproducible": True, "form": "paper"}):
+        whole = BOOM.spins(starts, [3.0, 50.0], **settings).angular_velocity
+        for rows in (slice(0, 1), slice(60, 70), slice(149, 150), slice(None, None, 7)):
+            np.testing.assert_array_equal(BOOM.spins(starts[rows], [3.0, 50.0], **settings).angular_velocity, whole[rows])
+
+
+def test_spins_whose_reduced_equations_fail_do_not_hold() -> None:
+    paths = BOOM.spins([[0.0, 0.0, 1.0], [0.0, 200.0, 1.0]], [1.0], tolerance=1e-6)
+    assert paths.holds.tolist() == [True, False] and "check says why" in paths.message[1]
+
+
+def test_spins_refuse_forces_events_and_bad_settings() -> None:
+    with pytest.raises(quasirigid.UnsupportedError, match="ends its histories at an event"):
+        Model(quasirigid.EXAMPLE + 'stop = { nutation = "30 deg" }\n').spins(STARTS, [1.0])
+    with pytest.raises(quasirigid.UnsupportedError, match="forces act"):
+        Model(f'{quasirigid.EXAMPLE}\n[[force]]\nkind = "drag"\non = "tip 1"\ncoefficient = "0.2 N s/m"\n').spins(STARTS, [1.0])
+    with pytest.raises(quasirigid.InputError, match="times"):
+        BOOM.spins(STARTS, [])
+    with pytest.raises(quasirigid.InputError, match="shape"):
+        BOOM.spins([0.1, 0.2, 0.3], [1.0])
+    assert "ascend" in BOOM.spins(STARTS[:1], [2.0, 1.0]).message[0]
+    assert "out of range" in BOOM.spins(STARTS[:1], [2.0], tolerance=1.0).message[0]

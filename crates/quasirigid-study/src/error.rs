@@ -119,6 +119,11 @@ pub enum StudyError {
         /// Setting that asks for coordinates.
         setting: Setting,
     },
+    /// Spins without attitude, asked for a body under forces, or with events at which its histories end.
+    SpinsAlone {
+        /// Whether forces act.
+        forces: bool,
+    },
     /// The model has no initial rotation.
     NoSpin {
         /// File of the model.
@@ -272,7 +277,8 @@ impl StudyError {
             Self::NoDuration { .. }
             | Self::Samples { .. }
             | Self::History { .. }
-            | Self::NoCoordinates { .. } => self.of_histories(name),
+            | Self::NoCoordinates { .. }
+            | Self::SpinsAlone { .. } => self.of_histories(name),
             Self::Submanifold(_)
             | Self::ForcesAboutSpin { .. }
             | Self::MiddleAxis
@@ -341,6 +347,12 @@ impl StudyError {
                 format!(
                     "{asked}: the rigid body has no internal coordinates; take {system} reduced or {system} full"
                 )
+            }
+            Self::SpinsAlone { forces: true } => {
+                "forces act on the body, which need its attitude; follow its histories by simulate".into()
+            }
+            Self::SpinsAlone { forces: false } => {
+                "the file ends its histories at an event (stop in [run]); follow them by simulate, or take the key out".into()
             }
             _ => String::new(),
         }

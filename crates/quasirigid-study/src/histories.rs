@@ -5,7 +5,7 @@ use std::path::Path;
 
 use quasirigid::dynamics::{Event, Form, Method, Nutations, Options, Outcome, Run, Start};
 use quasirigid::model::{Principal, ReducedBody};
-use quasirigid::reduction::{Comparison, Criterion, Validity, Verdict, frequencies};
+use quasirigid::reduction::{Assessment, Comparison, Criterion, Validity, Verdict, frequencies};
 use quasirigid_io::model::{Named, Stop, System};
 use quasirigid_io::record::{Column, RowTable};
 use quasirigid_math::memory;
@@ -300,24 +300,8 @@ impl Study {
             }
         }
         let motion = Motion::new(self, spin);
-        let judged = spin.omega != [0.0; 3] || !motion.system().acts();
-        let mut wrong = None;
-        if table.system != System::Rigid {
-            let left_out = LeftOut::at(self, spin.omega, None);
-            left_out.notes().iter().for_each(|note| watch.remark(note));
-            wrong = left_out.liquids;
-        }
-        if table.system == System::Reduced && judged {
-            let reduced = self.reduced(self.order)?;
-            let validity = Validity::assess_reduced(body, &reduced, motion.settled_spin(&reduced)?)?;
-            let doubt = format!("{} The check says why.", verdict(&validity));
-            if validity.verdict() != Verdict::Holds {
-                watch.remark(&doubt);
-            }
-            if validity.verdict() == Verdict::Fails {
-                wrong = Some(doubt);
-            }
-        }
+        let Doubts { remarks, wrong } = Doubts::before(&motion, table.system)?;
+        remarks.iter().for_each(|note| watch.remark(note));
         let valued = if table.system == System::Full { body.coordinates().len() } else { body.elastic() };
         let internal = Internal {
             markers: if table.displacements { body.markers() } else { &[] },
@@ -350,6 +334,50 @@ impl Study {
             manifold,
             wrong,
         })
+    }
+}
+
+/// Doubts about a history that are known before the work.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Doubts {
+    /// Notes to read before the numbers.
+    pub remarks: Vec<String>,
+    /// Reason for which the numbers are not those of the body.
+    pub wrong: Option<String>,
+}
+
+impl Doubts {
+    /// Losses that a system of equations leaves out, and the verdict on the reduced equations at the start.
+    pub fn before(motion: &Motion, system: System) -> Result<Self, StudyError> {
+        let study = motion.study();
+        let judged = motion.start.omega != [0.0; 3] || !motion.system().acts();
+        if system != System::Reduced || !judged {
+            return Ok(Self::left_out(motion, system));
+        }
+        let reduced = study.reduced(study.order)?;
+        Self::judged(motion, &Assessment::new(&study.body, &reduced)?, motion.settled_spin(&reduced)?)
+    }
+
+    /// The same for the reduced equations, whose assessment is prepared, from the spin at which they start.
+    pub fn judged(motion: &Motion, assessment: &Assessment, settled: [f64; 3]) -> Result<Self, StudyError> {
+        let mut doubts = Self::left_out(motion, System::Reduced);
+        let validity = assessment.at(settled)?;
+        let doubt = format!("{} The check says why.", verdict(&validity));
+        if validity.verdict() != Verdict::Holds {
+            doubts.remarks.push(doubt.clone());
+        }
+        if validity.verdict() == Verdict::Fails {
+            doubts.wrong = Some(doubt);
+        }
+        Ok(doubts)
+    }
+
+    fn left_out(motion: &Motion, system: System) -> Self {
+        if system == System::Rigid {
+            return Self::default();
+        }
+        let left_out = LeftOut::at(motion.study(), motion.start.omega, None);
+        Self { remarks: left_out.notes(), wrong: left_out.liquids }
     }
 }
 

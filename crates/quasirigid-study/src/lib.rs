@@ -78,6 +78,7 @@ mod resolution;
 pub mod run;
 mod scene;
 mod spark;
+pub mod spins;
 mod start;
 mod steady;
 mod steady_state;

@@ -9,7 +9,7 @@ use quasirigid::dynamics::{Form, Options, Sample, Start, propagate, spin_path};
 use quasirigid::problems::QuarticQuintic;
 use quasirigid_math::polynomial::{Kernel, Series};
 use quasirigid_math::rotation::ALIGNED;
-use quasirigid_math::simd::{Arithmetic, Task, dispatch};
+use quasirigid_math::simd::{Arithmetic, Rounding, Task, dispatch};
 use quasirigid_math::vec3::cross;
 
 fn main() {
@@ -96,7 +96,7 @@ fn right_hand_side_of_the_papers_form(bencher: Bencher) {
     let kernel = dense(&[2, 4, 5]);
     bencher
         .counter(ItemsCount::new(EVALUATIONS))
-        .bench(|| dispatch(Chain { kernel: &kernel, angular_momentum: false }));
+        .bench(|| dispatch(Rounding::Fastest, Chain { kernel: &kernel, angular_momentum: false }));
 }
 
 /// Items are right-hand sides `K × (Ω₁ + Ω₃ + Ω₄)`.
@@ -105,5 +105,5 @@ fn right_hand_side_of_the_momentum_form(bencher: Bencher) {
     let kernel = dense(&[1, 3, 4]);
     bencher
         .counter(ItemsCount::new(EVALUATIONS))
-        .bench(|| dispatch(Chain { kernel: &kernel, angular_momentum: true }));
+        .bench(|| dispatch(Rounding::Fastest, Chain { kernel: &kernel, angular_momentum: true }));
 }

@@ -2,8 +2,8 @@
 
 pub use crate::averaging::{Evolution, FreeRotation, PowerSource, Response, RotationState};
 pub use crate::dynamics::{
-    Event, Forced, Form, FullState, Method, Observer, Options, Outcome, Sample, Start, propagate,
-    propagate_full, spin_path, steady_spins,
+    Event, Forced, Form, FullState, Method, Observer, Options, Outcome, Rounding, Sample, Start, propagate,
+    propagate_full, spin_path, spin_paths, steady_spins,
 };
 pub use crate::elements::{
     Assembly, AssemblyElement, CARRIER, Carrier, ElementId, Ellipsoid, End, Hinged, Material, Point,

@@ -6,7 +6,7 @@ use std::marker::PhantomData;
 
 use super::Checkpoint;
 use super::dop853_tableau::{A, B, C, D, E3, E5, EXTRA, STAGES};
-use super::system::{DenseOutput, Rate, Solver, State, StepError, System, Work, accumulate, towards};
+use super::system::{DenseOutput, POWERS, Rate, Solver, State, StepError, System, Work, accumulate, towards};
 use crate::simd::Arithmetic;
 
 /// Explicit Runge–Kutta method of order 8 with error control and dense output (DOP853) `[@hairer1993]`.
@@ -35,9 +35,9 @@ pub struct Dop853<S, Y, R> {
 }
 
 /// Step factors: safety, and the limits of one change.
-const CAUTION: f64 = 0.9;
-const SHRINK: f64 = 0.333;
-const GROW: f64 = 6.0;
+pub(super) const CAUTION: f64 = 0.9;
+pub(super) const SHRINK: f64 = 0.333;
+pub(super) const GROW: f64 = 6.0;
 /// Order of the error estimate plus one.
 const ORDER: f64 = 8.0;
 
@@ -86,6 +86,11 @@ impl<S: System<Y>, Y: State, R: Arithmetic> Dop853<S, Y, R> {
     }
 
     /// Rate of the state reached.
+    pub fn rate(&self) -> &Y {
+        &self.stages[STAGES]
+    }
+
+    /// Evaluates the rate of the state reached.
     #[inline(always)]
     fn evaluate_end(&mut self) {
         let Self { system, t, y, stages, .. } = self;
@@ -122,8 +127,8 @@ impl<S: System<Y>, Y: State, R: Arithmetic> Dop853<S, Y, R> {
         for (i, allowed) in self.allowed.as_ref().iter().enumerate() {
             let (mut e5, mut e3) = (0.0, 0.0);
             for stage in 0..STAGES {
-                e5 += E5[stage] * self.stages[stage].as_ref()[i];
-                e3 += E3[stage] * self.stages[stage].as_ref()[i];
+                e5 = R::mul_add(self.stages[stage].as_ref()[i], E5[stage], e5);
+                e3 = R::mul_add(self.stages[stage].as_ref()[i], E3[stage], e3);
             }
             let unit = allowed.recip();
             fifth += (e5 * unit) * (e5 * unit);
@@ -204,7 +209,8 @@ impl<S: System<Y>, Y: State, R: Arithmetic> Solver for Dop853<S, Y, R> {
                 rejected = true;
                 continue;
             }
-            let factor = (CAUTION * error.powf(-1.0 / ORDER)).clamp(SHRINK, GROW);
+            // the root of order 8, by operations that every processor rounds alike
+            let factor = (CAUTION / error.sqrt().sqrt().sqrt()).clamp(SHRINK, GROW);
             if error <= 1.0 {
                 let growth = if rejected { factor.min(1.0) } else { factor };
                 self.h = if reaches { self.h.max(h * growth) } else { h * growth };
@@ -258,20 +264,31 @@ impl<S: System<Y>, Y: State, R: Arithmetic> Solver for Dop853<S, Y, R> {
             R::call(Rate { system, t: t + C[stage] * h, y: place, rate: &mut stages[stage] });
         }
         self.work.evaluations += EXTRA as u64;
-        let zero = self.y.zeroed();
-        let mut coefficients: [Y; 7] = std::array::from_fn(|_| zero.clone());
-        for i in 0..zero.as_ref().len() {
-            let change = self.y.as_ref()[i] - self.start.as_ref()[i];
-            let (first, last) = (self.stages[0].as_ref()[i], self.stages[STAGES].as_ref()[i]);
-            coefficients[0].as_mut()[i] = change;
-            coefficients[1].as_mut()[i] = h * first - change;
-            coefficients[2].as_mut()[i] = 2.0 * change - h * (first + last);
-        }
-        for (row, weights) in D.iter().enumerate() {
-            coefficients[3 + row].combine::<R>(&zero, h, weights, &self.stages);
-        }
-        DenseOutput { t, h, y: self.start.clone(), coefficients }
+        interpolant::<Y, R>((t, h), &self.start, &self.y, &self.stages)
     }
+}
+
+/// Dense output of a step at `t` of length `h` between two states, from the rates at all its stages.
+#[inline(always)]
+pub(super) fn interpolant<Y: State, R: Arithmetic>(
+    (t, h): (f64, f64),
+    start: &Y,
+    end: &Y,
+    stages: &[Y; STAGES + EXTRA + 1],
+) -> DenseOutput<Y> {
+    let zero = start.zeroed();
+    let mut coefficients: [Y; POWERS] = std::array::from_fn(|_| zero.clone());
+    for i in 0..zero.as_ref().len() {
+        let change = end.as_ref()[i] - start.as_ref()[i];
+        let (first, last) = (stages[0].as_ref()[i], stages[STAGES].as_ref()[i]);
+        coefficients[0].as_mut()[i] = change;
+        coefficients[1].as_mut()[i] = h * first - change;
+        coefficients[2].as_mut()[i] = 2.0 * change - h * (first + last);
+    }
+    for (row, weights) in D.iter().enumerate() {
+        coefficients[3 + row].combine::<R>(&zero, h, weights, stages);
+    }
+    DenseOutput { t, h, y: start.clone(), coefficients }
 }
 
 #[cfg(test)]

@@ -3,7 +3,9 @@
 mod age;
 mod checkpoint;
 mod dop853;
+mod dop853_lanes;
 mod dop853_tableau;
+mod ensemble;
 mod integrate;
 mod radau;
 mod radau_stages;
@@ -12,6 +14,8 @@ mod system;
 
 pub use checkpoint::Checkpoint;
 pub use dop853::Dop853;
+pub use dop853_lanes::{LaneStart, LaneSystem};
+pub use ensemble::{LaneRun, integrate_lanes};
 pub use integrate::{StepObserver, StopReason, integrate};
 pub use radau::Radau;
 pub use radau_stages::Stiff;

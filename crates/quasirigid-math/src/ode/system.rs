@@ -153,7 +153,7 @@ pub enum StepError {
 
 impl StepError {
     /// Error of a step that has shrunk to nothing, with the rate undefined or not just beyond it.
-    fn at(t: f64, undefined: bool) -> Self {
+    pub(super) fn at(t: f64, undefined: bool) -> Self {
         if undefined { Self::NotFinite { t } } else { Self::TooSmall { t } }
     }
 }
@@ -190,12 +190,15 @@ impl<Y: State> DenseOutput<Y> {
     }
 }
 
+/// Share of the rest from which on a step is made to reach the end.
+pub(super) const REACH: f64 = 0.999_999;
+
 /// Step of length `h` from `t`, or the rest until `end`, and whether it reaches `end`; `undefined` says whether the rate just beyond `t` is
 /// undefined.
 #[inline(always)]
 pub(super) fn towards(end: f64, t: f64, h: f64, undefined: bool) -> Result<(f64, bool), StepError> {
     let remaining = end - t;
-    let reaches = h >= 0.999_999 * remaining;
+    let reaches = h >= REACH * remaining;
     let h = if reaches { remaining } else { h };
     if h > f64::EPSILON * t.abs() { Ok((h, reaches)) } else { Err(StepError::at(t, undefined)) }
 }

@@ -3,13 +3,67 @@
 
 use super::Series;
 use super::monomial::count;
+use crate::lanes::Lanes;
+use crate::scalar::Scalar;
 use crate::simd::{Arithmetic, scaled_sum};
+
+/// A number that kernels are evaluated at: one, or one for each of several problems.
+pub trait Number: Scalar {
+    /// Values of the rows: four numbers, which fill a register, or three that fill one each.
+    type Rows: Copy;
+
+    /// Coefficients of a monomial.
+    fn coefficients(of: [f64; 4]) -> Self::Rows;
+
+    /// Next sum of Horner's form: `sum · x + next`.
+    fn next<A: Arithmetic>(sum: Self::Rows, x: Self, next: Self::Rows) -> Self::Rows;
+
+    /// First three rows.
+    fn three(rows: Self::Rows) -> [Self; 3];
+}
+
+impl Number for f64 {
+    type Rows = [f64; 4];
+
+    #[inline(always)]
+    fn coefficients(of: [f64; 4]) -> [f64; 4] {
+        of
+    }
+
+    #[inline(always)]
+    fn next<A: Arithmetic>(sum: [f64; 4], x: f64, next: [f64; 4]) -> [f64; 4] {
+        scaled_sum::<A, 4>(sum, x, next)
+    }
+
+    #[inline(always)]
+    fn three([a, b, c, _]: [f64; 4]) -> [f64; 3] {
+        [a, b, c]
+    }
+}
+
+impl Number for Lanes {
+    type Rows = [Lanes; 3];
+
+    #[inline(always)]
+    fn coefficients([a, b, c, _]: [f64; 4]) -> [Lanes; 3] {
+        [Lanes::splat(a), Lanes::splat(b), Lanes::splat(c)]
+    }
+
+    #[inline(always)]
+    fn next<A: Arithmetic>([a, b, c]: [Lanes; 3], x: Lanes, [d, e, f]: [Lanes; 3]) -> [Lanes; 3] {
+        [a.mul_add::<A>(x, d), b.mul_add::<A>(x, e), c.mul_add::<A>(x, f)]
+    }
+
+    #[inline(always)]
+    fn three(rows: [Lanes; 3]) -> [Lanes; 3] {
+        rows
+    }
+}
 
 /// A polynomial map of at most four rows, compiled for fast evaluation: nested Horner form, one vector operation per
 /// monomial for all rows at once.
 ///
-/// The coefficients do not depend on how many points are evaluated together, so a batch of trajectories can use the
-/// same table with one lane each.
+/// The coefficients do not depend on how many points are evaluated together: eight trajectories use the same table, one lane each.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Kernel {
     degree: usize,
@@ -44,57 +98,70 @@ impl Kernel {
     #[inline(always)]
     #[must_use]
     pub fn value<A: Arithmetic>(&self, x: [f64; 3]) -> [f64; 4] {
+        self.rows::<A, f64>(x)
+    }
+
+    /// First three rows at a point, or at one point in each lane.
+    #[inline(always)]
+    #[must_use]
+    pub fn vector<A: Arithmetic, N: Number>(&self, x: [N; 3]) -> [N; 3] {
+        N::three(self.rows::<A, N>(x))
+    }
+
+    #[inline(always)]
+    fn rows<A: Arithmetic, N: Number>(&self, x: [N; 3]) -> N::Rows {
         match self.degree {
-            0 => self.coefficients[0],
-            1 => self.unrolled::<A, 1>(x),
-            2 => self.unrolled::<A, 2>(x),
-            3 => self.unrolled::<A, 3>(x),
-            4 => self.unrolled::<A, 4>(x),
-            5 => self.unrolled::<A, 5>(x),
-            UNROLLED => self.unrolled::<A, UNROLLED>(x),
-            _ => self.streamed::<A>(x),
+            0 => N::coefficients(self.coefficients[0]),
+            1 => self.unrolled::<A, N, 1>(x),
+            2 => self.unrolled::<A, N, 2>(x),
+            3 => self.unrolled::<A, N, 3>(x),
+            4 => self.unrolled::<A, N, 4>(x),
+            5 => self.unrolled::<A, N, 5>(x),
+            UNROLLED => self.unrolled::<A, N, UNROLLED>(x),
+            _ => self.streamed::<A, N>(x),
         }
     }
 
     #[inline(always)]
-    fn unrolled<A: Arithmetic, const D: usize>(&self, [x, y, z]: [f64; 3]) -> [f64; 4] {
+    fn unrolled<A: Arithmetic, N: Number, const D: usize>(&self, [x, y, z]: [N; 3]) -> N::Rows {
         let c = &self.coefficients[..(D + 1) * (D + 2) * (D + 3) / 6];
-        let mut sum = plane::<A, 0>(c, y, z);
+        let mut sum = plane::<A, N, 0>(c, y, z);
         if D >= 1 {
-            sum = scaled_sum::<A, 4>(sum, x, plane::<A, 1>(c, y, z));
+            sum = N::next::<A>(sum, x, plane::<A, N, 1>(c, y, z));
         }
         if D >= 2 {
-            sum = scaled_sum::<A, 4>(sum, x, plane::<A, 2>(c, y, z));
+            sum = N::next::<A>(sum, x, plane::<A, N, 2>(c, y, z));
         }
         if D >= 3 {
-            sum = scaled_sum::<A, 4>(sum, x, plane::<A, 3>(c, y, z));
+            sum = N::next::<A>(sum, x, plane::<A, N, 3>(c, y, z));
         }
         if D >= 4 {
-            sum = scaled_sum::<A, 4>(sum, x, plane::<A, 4>(c, y, z));
+            sum = N::next::<A>(sum, x, plane::<A, N, 4>(c, y, z));
         }
         if D >= 5 {
-            sum = scaled_sum::<A, 4>(sum, x, plane::<A, 5>(c, y, z));
+            sum = N::next::<A>(sum, x, plane::<A, N, 5>(c, y, z));
         }
         if D >= 6 {
-            sum = scaled_sum::<A, 4>(sum, x, plane::<A, 6>(c, y, z));
+            sum = N::next::<A>(sum, x, plane::<A, N, 6>(c, y, z));
         }
         sum
     }
 
     #[inline(always)]
-    fn streamed<A: Arithmetic>(&self, [x, y, z]: [f64; 3]) -> [f64; 4] {
+    fn streamed<A: Arithmetic, N: Number>(&self, [x, y, z]: [N; 3]) -> N::Rows {
         let mut terms = self.coefficients.iter();
-        let mut sum = [0.0; 4];
+        let zero = N::coefficients([0.0; 4]);
+        let mut sum = zero;
         for plane in 0..=self.degree {
-            let mut in_y = [0.0; 4];
+            let mut in_y = zero;
             for row in 0..=plane {
-                let mut in_z = [0.0; 4];
+                let mut in_z = zero;
                 for term in terms.by_ref().take(row + 1) {
-                    in_z = scaled_sum::<A, 4>(in_z, z, *term);
+                    in_z = N::next::<A>(in_z, z, N::coefficients(*term));
                 }
-                in_y = scaled_sum::<A, 4>(in_y, y, in_z);
+                in_y = N::next::<A>(in_y, y, in_z);
             }
-            sum = scaled_sum::<A, 4>(sum, x, in_y);
+            sum = N::next::<A>(sum, x, in_y);
         }
         sum
     }
@@ -102,36 +169,36 @@ impl Kernel {
 
 /// Polynomial in y and z of degree `I`, the coefficient of one power of x.
 #[inline(always)]
-fn plane<A: Arithmetic, const I: usize>(c: &[[f64; 4]], y: f64, z: f64) -> [f64; 4] {
+fn plane<A: Arithmetic, N: Number, const I: usize>(c: &[[f64; 4]], y: N, z: N) -> N::Rows {
     let start = I * (I + 1) * (I + 2) / 6;
-    let mut sum = line::<A, 1>(c, start, z);
+    let mut sum = line::<A, N, 1>(c, start, z);
     if I >= 1 {
-        sum = scaled_sum::<A, 4>(sum, y, line::<A, 2>(c, start + 1, z));
+        sum = N::next::<A>(sum, y, line::<A, N, 2>(c, start + 1, z));
     }
     if I >= 2 {
-        sum = scaled_sum::<A, 4>(sum, y, line::<A, 3>(c, start + 3, z));
+        sum = N::next::<A>(sum, y, line::<A, N, 3>(c, start + 3, z));
     }
     if I >= 3 {
-        sum = scaled_sum::<A, 4>(sum, y, line::<A, 4>(c, start + 6, z));
+        sum = N::next::<A>(sum, y, line::<A, N, 4>(c, start + 6, z));
     }
     if I >= 4 {
-        sum = scaled_sum::<A, 4>(sum, y, line::<A, 5>(c, start + 10, z));
+        sum = N::next::<A>(sum, y, line::<A, N, 5>(c, start + 10, z));
     }
     if I >= 5 {
-        sum = scaled_sum::<A, 4>(sum, y, line::<A, 6>(c, start + 15, z));
+        sum = N::next::<A>(sum, y, line::<A, N, 6>(c, start + 15, z));
     }
     if I >= 6 {
-        sum = scaled_sum::<A, 4>(sum, y, line::<A, 7>(c, start + 21, z));
+        sum = N::next::<A>(sum, y, line::<A, N, 7>(c, start + 21, z));
     }
     sum
 }
 
 /// Polynomial in z with `L` coefficients.
 #[inline(always)]
-fn line<A: Arithmetic, const L: usize>(c: &[[f64; 4]], start: usize, z: f64) -> [f64; 4] {
-    let mut sum = c[start];
+fn line<A: Arithmetic, N: Number, const L: usize>(c: &[[f64; 4]], start: usize, z: N) -> N::Rows {
+    let mut sum = N::coefficients(c[start]);
     for term in 1..L {
-        sum = scaled_sum::<A, 4>(sum, z, c[start + term]);
+        sum = N::next::<A>(sum, z, N::coefficients(c[start + term]));
     }
     sum
 }
@@ -140,7 +207,9 @@ fn line<A: Arithmetic, const L: usize>(c: &[[f64; 4]], start: usize, z: f64) -> 
 mod tests {
     use super::*;
     use crate::polynomial::Homogeneous;
-    use crate::simd::{Fused, Plain};
+    #[cfg(target_arch = "x86_64")]
+    use crate::simd::Fused;
+    use crate::simd::Plain;
 
     #[test]
     fn kernel_agrees_with_the_series_at_every_degree() {
@@ -159,7 +228,11 @@ mod tests {
                 map.set(part);
             }
             let kernel = Kernel::new(&map);
-            for value in [kernel.value::<Plain>(x), kernel.value::<Fused>(x)] {
+            for value in [
+                kernel.value::<Plain>(x),
+                #[cfg(target_arch = "x86_64")]
+                kernel.value::<Fused>(x),
+            ] {
                 for (found, expected) in value.iter().zip(map.vector(x)) {
                     assert!((found - expected).abs() < 1e-13 * expected.abs().max(1.0), "degree {degree}");
                 }

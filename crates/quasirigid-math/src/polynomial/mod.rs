@@ -7,5 +7,5 @@ mod series;
 mod ternary;
 
 pub use homogeneous::Homogeneous;
-pub use kernel::Kernel;
+pub use kernel::{Kernel, Number};
 pub use series::Series;

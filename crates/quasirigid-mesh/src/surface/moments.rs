@@ -6,7 +6,7 @@ use super::ClosedSurface;
 use super::geometry::{minus, triple};
 use quasirigid_math::polynomial::monomial::{count, index};
 use quasirigid_math::quadrature::gauss_legendre;
-use quasirigid_math::simd::{Arithmetic, Task, dispatch};
+use quasirigid_math::simd::{Arithmetic, Rounding, Task, dispatch};
 
 /// Points of a triangle in one vector operation.
 const LANES: usize = 8;
@@ -51,7 +51,7 @@ impl ClosedSurface {
     /// from far outside, the terms of its near and its far side cancel.
     #[must_use]
     pub fn moments(&self, degree: usize, origin: [f64; 3], scale: [f64; 3]) -> Moments {
-        let sums = dispatch(Integration { surface: self, degree, origin, scale });
+        let sums = dispatch(Rounding::Fastest, Integration { surface: self, degree, origin, scale });
         let mut values: Vec<Vec<f64>> = (0..=degree).map(|degree| vec![0.0; count(degree)]).collect();
         for ([i, j, k], [sum, rest]) in monomials(degree).zip(sums) {
             values[i + j + k][index([i, j, k])] = (sum + rest) / (i + j + k + 3) as f64;

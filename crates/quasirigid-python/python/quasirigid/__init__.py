@@ -15,7 +15,8 @@ Units are SI throughout. An answer that does not hold is false, begins with the 
 from quasirigid._answers import AboutSpin, Answer, Check, Evolution, History, Modes, Run, Verification
 from quasirigid._core import EXAMPLE
 from quasirigid._core import VERSION as __version__
-from quasirigid._ensemble import Evolutions, Histories
+from quasirigid._ellipsoids import EllipsoidEvolutions, evolve_ellipsoids
+from quasirigid._ensemble import Evolutions, Histories, SpinPaths
 from quasirigid._errors import (
     Diagnostic,
     Error,
@@ -44,6 +45,7 @@ __all__ = [
     "Answer",
     "Check",
     "Diagnostic",
+    "EllipsoidEvolutions",
     "Error",
     "Evolution",
     "Evolutions",
@@ -63,6 +65,7 @@ __all__ = [
     "ReductionError",
     "Refused",
     "Run",
+    "SpinPaths",
     "StartError",
     "Sweep",
     "SympyEquations",
@@ -73,6 +76,7 @@ __all__ = [
     "VerificationError",
     "__version__",
     "cite",
+    "evolve_ellipsoids",
     "read_sweep",
     "sweep",
 ]
@@ -81,5 +85,5 @@ __all__ = [
 for _name in __all__:
     if isinstance(globals()[_name], type):
         globals()[_name].__module__ = "quasirigid"
-cite.__module__ = read_sweep.__module__ = sweep.__module__ = "quasirigid"
+cite.__module__ = evolve_ellipsoids.__module__ = read_sweep.__module__ = sweep.__module__ = "quasirigid"
 del _name

@@ -16,6 +16,7 @@ __all__ = [
     "Reduced",
     "RunAnswer",
     "Sweep",
+    "evolve_ellipsoids",
     "read_sweep",
     "to_toml",
     "with_changes",
@@ -28,6 +29,7 @@ _Observer: TypeAlias = Callable[[str, float], object] | None
 _Floats: TypeAlias = NDArray[np.float64]
 _Answer: TypeAlias = dict[str, Any]
 
+def evolve_ellipsoids(columns: dict[str, Any], reproducible: bool, observer: _Observer) -> _Answer: ...
 def to_toml(model: dict[str, Any]) -> str: ...
 def with_changes(text: str, changes: dict[str, Any]) -> str: ...
 def read_sweep(folder: str) -> tuple[Columns, dict[str, Any], str]: ...
@@ -81,6 +83,15 @@ class Model:
         initial: _Floats,
         settings: dict[str, Any],
         table: dict[str, Any],
+        order: int | None,
+        observer: _Observer,
+    ) -> _Answer: ...
+    def spins(
+        self,
+        initial: _Floats,
+        settings: dict[str, Any],
+        times: list[float],
+        reproducible: bool,
         order: int | None,
         observer: _Observer,
     ) -> _Answer: ...

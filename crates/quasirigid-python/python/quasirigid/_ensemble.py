@@ -14,7 +14,7 @@ from quasirigid._table import Table
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-__all__ = ["Evolutions", "Histories"]
+__all__ = ["Evolutions", "Histories", "SpinPaths"]
 
 
 class _Rows:
@@ -242,3 +242,44 @@ class Histories(_Rows):
         from quasirigid import _plot
 
         return _plot.histories(self)
+
+
+class SpinPaths(_Rows):
+    """Angular velocities along the reduced motion from many starts, without attitude and energy accounts.
+
+    Arrays have a first axis for the starts, in their order, and a second for the times; behind the end of a path, and in rows that
+    failed, they are NaN.
+
+    >>> import quasirigid
+    >>> starts = [[0.1, 1.2, 0.0], [0.2, 1.2, 0.0]]
+    >>> paths = quasirigid.Model(quasirigid.EXAMPLE).spins(starts, [0, 60, 600])
+    >>> paths.angular_velocity.shape, paths.holds.tolist()
+    ((2, 3, 3), [True, True])
+    """
+
+    __slots__ = ("_parts", "angular_velocity", "holds", "t")
+
+    def __init__(self, parts: dict[str, Any], times: list[float]) -> None:
+        self._parts = parts
+        self.t: NDArray[np.float64] = np.array(times)
+        """Output times (s), ``(m,)``."""
+        self.angular_velocity: NDArray[np.float64] = parts["values"]
+        """Angular velocities (rad/s), body axes, ``(n, m, 3)``; read-only."""
+        self.angular_velocity.flags.writeable = False
+        self.holds: NDArray[np.bool_] = parts["holds"]
+        """Whether each row holds, ``(n,)``."""
+
+    @property
+    def status(self) -> list[str]:
+        """``finished``, ``error``, or why the path ended early."""
+        return list(self._parts["status"])
+
+    @property
+    def message(self) -> list[str]:
+        """Status of each row in a sentence."""
+        return list(self._parts["message"])
+
+    @property
+    def notes(self) -> list[list[str]]:
+        """Notes to read before the numbers, for each row."""
+        return [list(notes) for notes in self._parts["notes"]]

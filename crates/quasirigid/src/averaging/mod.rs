@@ -2,6 +2,7 @@
 
 mod budget;
 mod drift;
+mod ellipsoids;
 mod euler_angles;
 mod evolution;
 mod harmonic_resonance;
@@ -19,6 +20,9 @@ mod slow_torque;
 mod source;
 
 pub use drift::{Drift, DriftHistory, DriftLimits, DriftState, DriftStopReason, SeparatrixPassage};
+pub use ellipsoids::{
+    EllipsoidLoss, EllipsoidPassage, EllipsoidRefusal, Wobble, WobblingEllipsoid, ellipsoid_passages,
+};
 pub use euler_angles::EulerAngles;
 pub use evolution::{Elapsed, Evolution, RotationState};
 pub use harmonic_resonance::HarmonicResonance;

@@ -1,7 +1,7 @@
 //! Angular-momentum form and angular-velocity form of the reduced equations, as polynomial kernels for integration. (P1), (P2)
 
 use super::conserved_momentum::size;
-use crate::math::polynomial::{Homogeneous, Kernel, Series};
+use crate::math::polynomial::{Homogeneous, Kernel, Number, Series};
 use crate::math::simd::Arithmetic;
 use crate::math::sym3::{self, Sym};
 use crate::math::vec3::{self, cross, dot, norm};
@@ -31,10 +31,10 @@ impl Form {
 /// Form of the reduced equations: rates of its state `x`, and the quantities that follow from `x`.
 pub(super) trait Equations {
     /// Angular velocity (rad/s).
-    fn omega<A: Arithmetic>(&self, x: [f64; 3]) -> [f64; 3];
+    fn omega<A: Arithmetic, N: Number>(&self, x: [N; 3]) -> [N; 3];
 
     /// Rate of the state, whose angular velocity is `omega`.
-    fn rate<A: Arithmetic>(&self, x: [f64; 3], omega: [f64; 3]) -> [f64; 3];
+    fn rate<A: Arithmetic, N: Number>(&self, x: [N; 3], omega: [N; 3]) -> [N; 3];
 
     /// Rate of the form's energy (W) along its own field, which moves the state at `rate`. (P4)
     fn energy_rate<A: Arithmetic>(&self, x: [f64; 3], rate: [f64; 3]) -> f64;
@@ -74,19 +74,19 @@ impl AngularMomentumForm {
 
 impl Equations for AngularMomentumForm {
     #[inline(always)]
-    fn omega<A: Arithmetic>(&self, K: [f64; 3]) -> [f64; 3] {
-        vector(self.Omega.value::<A>(K))
+    fn omega<A: Arithmetic, N: Number>(&self, K: [N; 3]) -> [N; 3] {
+        self.Omega.vector::<A, _>(K)
     }
 
     #[inline(always)]
-    fn rate<A: Arithmetic>(&self, K: [f64; 3], omega: [f64; 3]) -> [f64; 3] {
+    fn rate<A: Arithmetic, N: Number>(&self, K: [N; 3], omega: [N; 3]) -> [N; 3] {
         cross(K, omega)
     }
 
     /// `∇E·(K × Ω) = ∇E·(K × (Ω − ∇E)) = −(Ω − ∇E)·(K × Ω)`, which has no terms that cancel.
     #[inline(always)]
     fn energy_rate<A: Arithmetic>(&self, K: [f64; 3], rate: [f64; 3]) -> f64 {
-        -dot(vector(self.working.value::<A>(K)), rate)
+        -dot(self.working.vector::<A, _>(K), rate)
     }
 
     fn energy(&self, K: [f64; 3]) -> f64 {
@@ -133,21 +133,23 @@ impl AngularVelocityForm {
 
 impl Equations for AngularVelocityForm {
     #[inline(always)]
-    fn omega<A: Arithmetic>(&self, omega: [f64; 3]) -> [f64; 3] {
+    fn omega<A: Arithmetic, N: Number>(&self, omega: [N; 3]) -> [N; 3] {
         omega
     }
 
     #[inline(always)]
-    fn rate<A: Arithmetic>(&self, omega: [f64; 3], _: [f64; 3]) -> [f64; 3] {
-        let mu = vector(self.mu.value::<A>(omega));
-        let gyroscopic = cross(vec3::add(sym3::times(self.J, omega), self.wheels), omega);
+    fn rate<A: Arithmetic, N: Number>(&self, omega: [N; 3], _: [N; 3]) -> [N; 3] {
+        let mu = self.mu.vector::<A, _>(omega);
+        let [x, y, z] = self.wheels;
+        let gyroscopic =
+            cross(vec3::add(sym3::times(self.J, omega), [N::from(x), N::from(y), N::from(z)]), omega);
         sym3::times(self.inverse, vec3::add(gyroscopic, mu))
     }
 
     #[inline(always)]
     fn energy_rate<A: Arithmetic>(&self, omega: [f64; 3], rate: [f64; 3]) -> f64 {
-        let mu = vector(self.mu.value::<A>(omega));
-        dot(omega, mu) + dot(vector(self.gradient.value::<A>(omega)), rate)
+        let mu = self.mu.vector::<A, _>(omega);
+        dot(omega, mu) + dot(self.gradient.vector::<A, _>(omega), rate)
     }
 
     fn energy(&self, omega: [f64; 3]) -> f64 {

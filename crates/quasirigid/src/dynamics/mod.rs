@@ -18,11 +18,13 @@ mod seat;
 mod slow;
 mod spin;
 mod spin_path;
+mod spin_paths;
 mod start;
 mod starting;
 mod steady;
 
 pub use crate::math::ode::Checkpoint;
+pub use crate::math::simd::Rounding;
 pub use damped::DampedMode;
 pub use event::Event;
 pub use external::Forced;
@@ -37,4 +39,5 @@ pub use slow::{
     slow_state_point, takes,
 };
 pub use spin_path::{SpinPath, spin_path};
+pub use spin_paths::spin_paths;
 pub use steady::{IsolatedSpin, SteadySpin, SteadySpins, all_steady_spins, steady_spins};

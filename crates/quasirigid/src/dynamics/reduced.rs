@@ -49,8 +49,12 @@ pub fn propagate(
     let shares = Shares::of(body);
     let plan = Plan { power: &power, shares, x, inside, initial, times, options, observer };
     match options.form {
-        Form::AngularMomentum => dispatch(Propagation { equations: &AngularMomentumForm::new(body), plan }),
-        Form::AngularVelocity => dispatch(Propagation { equations: &AngularVelocityForm::new(body), plan }),
+        Form::AngularMomentum => {
+            dispatch(options.rounding, Propagation { equations: &AngularMomentumForm::new(body), plan })
+        }
+        Form::AngularVelocity => {
+            dispatch(options.rounding, Propagation { equations: &AngularVelocityForm::new(body), plan })
+        }
     }
 }
 
@@ -160,7 +164,7 @@ impl<E: Equations> Trajectory for Reduced<'_, E> {
     fn view(&mut self, _: f64, y: &[f64]) -> StateView {
         let Accounts { x, dissipated, energy_change, angle, .. } = Accounts::unpack(y);
         StateView {
-            omega: self.equations.omega::<Plain>(x),
+            omega: self.equations.omega::<Plain, f64>(x),
             angular_momentum: self.equations.angular_momentum(x),
             energy: self.equations.energy(x),
             q: Vec::new(),
@@ -201,7 +205,7 @@ impl<E: Equations> Trajectory for Reduced<'_, E> {
     #[inline(always)]
     fn stepped(&mut self, t: f64, y: &[f64]) {
         if let Some(taken) = &mut self.taken {
-            let omega = self.equations.omega::<Plain>(Accounts::unpack(y).x);
+            let omega = self.equations.omega::<Plain, f64>(Accounts::unpack(y).x);
             taken.add(t, self.shares.powers(omega));
         }
     }

@@ -13,6 +13,7 @@ use super::event::Event;
 use super::form::Form;
 use super::slow::MAX_FORCED_ORDER;
 use crate::math::ode::{Checkpoint, StepError, StopReason, Work};
+use crate::math::simd::Rounding;
 use crate::model::Displaced;
 
 /// Start of a propagation. States of the full system from a start: [`settled`](Self::settled) on the slow manifold or
@@ -53,6 +54,8 @@ pub struct Options {
     pub most_steps: u64,
     /// Events that end the propagation.
     pub events: Vec<Event>,
+    /// Bits of a reduced motion: as fast as the processor allows, or the same on every processor.
+    pub rounding: Rounding,
 }
 
 impl Default for Options {
@@ -63,6 +66,7 @@ impl Default for Options {
             tolerance: 1e-12,
             most_steps: 1_000_000_000,
             events: Vec::new(),
+            rounding: Rounding::Fastest,
         }
     }
 }

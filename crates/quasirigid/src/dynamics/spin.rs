@@ -14,7 +14,7 @@ impl<E: Equations> System<[f64; 4]> for SpinOnly<'_, E> {
     #[inline(always)]
     fn rate<A: Arithmetic>(&mut self, _: f64, y: &[f64; 4], rate: &mut [f64; 4]) {
         let x = vector(*y);
-        let [x, y, z] = self.0.rate::<A>(x, self.0.omega::<A>(x));
+        let [x, y, z] = self.0.rate::<A, f64>(x, self.0.omega::<A, f64>(x));
         *rate = [x, y, z, 0.0];
     }
 }
@@ -69,8 +69,8 @@ impl<E: Equations> System<[f64; 12]> for Accounted<'_, E> {
     #[inline(always)]
     fn rate<A: Arithmetic>(&mut self, _: f64, y: &[f64; 12], rate: &mut [f64; 12]) {
         let Accounts { x, attitude, .. } = Accounts::unpack(y);
-        let omega = self.equations.omega::<A>(x);
-        let moved = self.equations.rate::<A>(x, omega);
+        let omega = self.equations.omega::<A, f64>(x);
+        let moved = self.equations.rate::<A, f64>(x, omega);
         let rates = Accounts {
             x: moved,
             attitude: rotation::rate(attitude, omega),

@@ -50,12 +50,14 @@ pub fn spin_path(
     let x = start(body, omega, options.form).ok_or(PropagateError::NoAngularMomentum)?;
     let error = options.tolerance * options.form.size(x, inside(body.angular_momentum(omega), body.J, omega));
     Ok(match options.form {
-        Form::AngularMomentum => {
-            dispatch(Path { equations: &AngularMomentumForm::new(body), x, error, times, options })
-        }
-        Form::AngularVelocity => {
-            dispatch(Path { equations: &AngularVelocityForm::new(body), x, error, times, options })
-        }
+        Form::AngularMomentum => dispatch(
+            options.rounding,
+            Path { equations: &AngularMomentumForm::new(body), x, error, times, options },
+        ),
+        Form::AngularVelocity => dispatch(
+            options.rounding,
+            Path { equations: &AngularVelocityForm::new(body), x, error, times, options },
+        ),
     })
 }
 
@@ -89,7 +91,7 @@ struct Collector<'a, E> {
 
 impl<E: Equations, M: Solver<State = [f64; 4]>> StepObserver<M> for Collector<'_, E> {
     fn output(&mut self, _: f64, y: &[f64; 4]) {
-        self.omega.push(self.equations.omega::<Plain>(vector(*y)));
+        self.omega.push(self.equations.omega::<Plain, f64>(vector(*y)));
     }
 
     #[inline(always)]

@@ -133,6 +133,7 @@ fn public_types_are_send_sync_and_debug() {
     crosses::<model::Velocities>();
     crosses::<model::Watched>();
     crosses::<model::Wheels>();
+    crosses::<reduction::Assessment<'static>>();
     crosses::<reduction::Comparison>();
     crosses::<reduction::Criterion>();
     crosses::<reduction::DegreeSize>();
@@ -148,6 +149,7 @@ fn public_types_are_send_sync_and_debug() {
     crosses::<dynamics::Checkpoint>();
     crosses::<dynamics::DampedMode>();
     crosses::<dynamics::Event>();
+    crosses::<dynamics::Rounding>();
     crosses::<dynamics::FastPart>();
     crosses::<dynamics::Forced<'static>>();
     crosses::<dynamics::ForcedTorque>();
@@ -173,6 +175,11 @@ fn public_types_are_send_sync_and_debug() {
     crosses::<averaging::DampingEstimate>();
     crosses::<averaging::Drift>();
     crosses::<averaging::DriftStopReason>();
+    crosses::<averaging::EllipsoidLoss>();
+    crosses::<averaging::EllipsoidPassage>();
+    crosses::<averaging::EllipsoidRefusal>();
+    crosses::<averaging::Wobble>();
+    crosses::<averaging::WobblingEllipsoid>();
     crosses::<averaging::DriftHistory>();
     crosses::<averaging::DriftLimits>();
     crosses::<averaging::DriftState>();

@@ -1,0 +1,214 @@
+//! Lanes: eight numbers that take the same operations side by side, one for each of eight problems.
+//! An operation on lanes rounds each as the same operation on one number does, so that a problem gives the same bits in any lane and alone.
+
+use std::ops::{Add, BitOr, Div, Mul, Not, Sub};
+
+use crate::scalar::Scalar;
+use crate::simd::Arithmetic;
+
+/// Number of lanes.
+pub const LANES: usize = 8;
+
+/// Numbers of eight problems, side by side.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C, align(64))]
+pub struct Lanes(pub [f64; LANES]);
+
+/// One truth for each lane: all bits set, or none.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(C, align(64))]
+pub struct Mask([u64; LANES]);
+
+impl Mask {
+    /// False in every lane.
+    pub const NONE: Self = Self([0; LANES]);
+
+    /// Truth in a lane.
+    #[inline(always)]
+    #[must_use]
+    pub fn get(self, lane: usize) -> bool {
+        self.0[lane] != 0
+    }
+
+    /// Sets the truth in a lane.
+    #[inline(always)]
+    pub fn set(&mut self, lane: usize, truth: bool) {
+        self.0[lane] = if truth { u64::MAX } else { 0 };
+    }
+
+    /// Where both are true.
+    #[inline(always)]
+    #[must_use]
+    pub fn and(self, other: Self) -> Self {
+        self.and_not(!other)
+    }
+
+    /// Where `self` is true and `other` is not.
+    #[inline(always)]
+    #[must_use]
+    pub fn and_not(self, other: Self) -> Self {
+        let mut result = self;
+        let mut lane = 0;
+        while lane < LANES {
+            result.0[lane] = self.0[lane] & !other.0[lane];
+            lane += 1;
+        }
+        result
+    }
+}
+
+impl Not for Mask {
+    type Output = Self;
+
+    #[inline(always)]
+    fn not(self) -> Self {
+        let mut result = self;
+        let mut lane = 0;
+        while lane < LANES {
+            result.0[lane] = !self.0[lane];
+            lane += 1;
+        }
+        result
+    }
+}
+
+impl BitOr for Mask {
+    type Output = Self;
+
+    #[inline(always)]
+    fn bitor(self, other: Self) -> Self {
+        let mut result = self;
+        let mut lane = 0;
+        while lane < LANES {
+            result.0[lane] = self.0[lane] | other.0[lane];
+            lane += 1;
+        }
+        result
+    }
+}
+
+impl Lanes {
+    /// The same number in every lane.
+    #[inline(always)]
+    #[must_use]
+    pub const fn splat(number: f64) -> Self {
+        Self([number; LANES])
+    }
+
+    /// Lane by lane.
+    #[inline(always)]
+    fn each(self, other: Self, operation: impl Fn(f64, f64) -> f64) -> Self {
+        let mut result = self;
+        let mut lane = 0;
+        while lane < LANES {
+            result.0[lane] = operation(self.0[lane], other.0[lane]);
+            lane += 1;
+        }
+        result
+    }
+
+    /// `self · b + c`.
+    #[inline(always)]
+    #[must_use]
+    pub fn mul_add<A: Arithmetic>(self, b: Self, c: Self) -> Self {
+        let mut result = c;
+        let mut lane = 0;
+        while lane < LANES {
+            result.0[lane] = A::mul_add(self.0[lane], b.0[lane], c.0[lane]);
+            lane += 1;
+        }
+        result
+    }
+
+    /// Square root.
+    #[inline(always)]
+    #[must_use]
+    pub fn sqrt(self) -> Self {
+        self.each(self, |a, _| a.sqrt())
+    }
+
+    /// The smaller number; where `self` is NaN, the other.
+    #[inline(always)]
+    #[must_use]
+    pub fn min(self, other: Self) -> Self {
+        self.each(other, |a, b| if a < b { a } else { b })
+    }
+
+    /// The larger number; where `self` is NaN, the other.
+    #[inline(always)]
+    #[must_use]
+    pub fn max(self, other: Self) -> Self {
+        self.each(other, |a, b| if a > b { a } else { b })
+    }
+
+    /// Where `self ≤ other`; false where either is NaN.
+    #[inline(always)]
+    #[must_use]
+    pub fn at_most(self, other: Self) -> Mask {
+        let mut mask = Mask::NONE;
+        let mut lane = 0;
+        while lane < LANES {
+            mask.0[lane] = if self.0[lane] <= other.0[lane] { u64::MAX } else { 0 };
+            lane += 1;
+        }
+        mask
+    }
+
+    /// `self` where the mask is true, `other` elsewhere.
+    #[inline(always)]
+    #[must_use]
+    pub fn select(self, mask: Mask, other: Self) -> Self {
+        let mut result = other;
+        let mut lane = 0;
+        while lane < LANES {
+            result.0[lane] = if mask.0[lane] != 0 { self.0[lane] } else { other.0[lane] };
+            lane += 1;
+        }
+        result
+    }
+}
+
+impl From<f64> for Lanes {
+    #[inline(always)]
+    fn from(number: f64) -> Self {
+        Self::splat(number)
+    }
+}
+
+impl Add for Lanes {
+    type Output = Self;
+
+    #[inline(always)]
+    fn add(self, other: Self) -> Self {
+        self.each(other, |a, b| a + b)
+    }
+}
+
+impl Sub for Lanes {
+    type Output = Self;
+
+    #[inline(always)]
+    fn sub(self, other: Self) -> Self {
+        self.each(other, |a, b| a - b)
+    }
+}
+
+impl Mul for Lanes {
+    type Output = Self;
+
+    #[inline(always)]
+    fn mul(self, other: Self) -> Self {
+        self.each(other, |a, b| a * b)
+    }
+}
+
+impl Div for Lanes {
+    type Output = Self;
+
+    #[inline(always)]
+    fn div(self, other: Self) -> Self {
+        self.each(other, |a, b| a / b)
+    }
+}
+
+impl Scalar for Lanes {}

@@ -1,0 +1,180 @@
+//! Ensembles: many trajectories of one autonomous system, eight at a time.
+//! A lane that has ended its trajectory takes the next one, so that none waits for the longest.
+
+use super::StopReason;
+use super::dop853_lanes::{Dop853Lanes, LaneStart, LaneSystem, Trial};
+use super::dop853_tableau::{EXTRA, STAGES};
+use super::system::{StepError, Work};
+use crate::lanes::{LANES, Lanes};
+use crate::simd::Arithmetic;
+
+/// A trajectory of an ensemble.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LaneRun<const D: usize> {
+    /// State at each output time reached.
+    pub outputs: Vec<[f64; D]>,
+    /// Reason of the end.
+    pub reason: StopReason,
+    /// Work done, without the first rates, which the starts bring.
+    pub work: Work,
+}
+
+/// Integrates from each start at the time zero to the last of the ascending `times`, with outputs at each of them.
+///
+/// `goes_on` is asked from moment to moment with the number of trajectories that have ended; `false` interrupts the others.
+#[inline(always)]
+pub fn integrate_lanes<S: LaneSystem<D>, R: Arithmetic, const D: usize>(
+    system: &S,
+    starts: &[LaneStart<D>],
+    times: &[f64],
+    most_steps: u64,
+    goes_on: &mut dyn FnMut(usize) -> bool,
+) -> Vec<LaneRun<D>> {
+    let at_once = times.iter().take_while(|t| **t <= 0.0).count();
+    let mut ensemble = Ensemble { starts, times, most_steps, at_once, begun: 0, ended: 0, runs: Vec::new() };
+    ensemble.runs = starts.iter().map(|start| ensemble.not_begun(start)).collect();
+    let mut solver = Dop853Lanes::<S, R, D>::new(system);
+    let mut seats: [Option<Seat>; LANES] = std::array::from_fn(|lane| ensemble.next(&mut solver, lane));
+    for sweep in 1_u64.. {
+        if seats.iter().all(Option::is_none) || (sweep % LOOK == 0 && !goes_on(ensemble.ended)) {
+            break;
+        }
+        let trial = solver.step();
+        if ensemble.count(&mut seats, &trial, solver.t()) {
+            solver.prepare_dense();
+        }
+        for (lane, place) in seats.iter_mut().enumerate() {
+            let Some(seat) = place else { continue };
+            if trial.accepted.get(lane) {
+                ensemble.output(seat, &solver, lane);
+            }
+            if let Some(reason) = ensemble.reason(seat, &trial, &solver, lane) {
+                ensemble.end(seat, reason);
+                *place = ensemble.next(&mut solver, lane);
+            }
+        }
+    }
+    for seat in seats.iter().flatten() {
+        ensemble.end(seat, StopReason::Interrupted);
+    }
+    ensemble.runs
+}
+
+/// Sweeps between two questions whether to go on.
+const LOOK: u64 = 4096;
+
+/// A trajectory in its lane.
+struct Seat {
+    index: usize,
+    /// Number of its next output.
+    next: usize,
+    steps: u64,
+    rejected: u64,
+    dense: u64,
+}
+
+/// Trajectories that wait, run and have ended.
+struct Ensemble<'a, const D: usize> {
+    starts: &'a [LaneStart<D>],
+    times: &'a [f64],
+    most_steps: u64,
+    /// Number of outputs at the start.
+    at_once: usize,
+    begun: usize,
+    ended: usize,
+    runs: Vec<LaneRun<D>>,
+}
+
+impl<const D: usize> Ensemble<'_, D> {
+    /// A trajectory before its first step.
+    fn not_begun(&self, start: &LaneStart<D>) -> LaneRun<D> {
+        let mut outputs = Vec::with_capacity(self.times.len());
+        outputs.resize(self.at_once, start.y);
+        let reason = if self.at_once == self.times.len() {
+            StopReason::Finished
+        } else if self.most_steps == 0 {
+            StopReason::StepLimit
+        } else {
+            StopReason::Interrupted
+        };
+        LaneRun { outputs, reason, work: Work::default() }
+    }
+
+    /// Puts the next trajectory that needs steps into a lane, or leaves it idle.
+    fn next<S: LaneSystem<D>, R: Arithmetic>(
+        &mut self,
+        solver: &mut Dop853Lanes<S, R, D>,
+        lane: usize,
+    ) -> Option<Seat> {
+        let end = self.times.last().copied().unwrap_or(0.0);
+        if self.begun == self.starts.len() || self.at_once == self.times.len() || self.most_steps == 0 {
+            solver.unload(lane);
+            return None;
+        }
+        let index = self.begun;
+        self.begun += 1;
+        solver.load(lane, &self.starts[index], end);
+        Some(Seat { index, next: self.at_once, steps: 0, rejected: 0, dense: 0 })
+    }
+
+    /// Counts a trial in each lane, and tells whether a lane has passed its next output.
+    #[inline(always)]
+    fn count(&self, seats: &mut [Option<Seat>; LANES], trial: &Trial, t: Lanes) -> bool {
+        let mut passed = false;
+        for (lane, seat) in seats.iter_mut().enumerate() {
+            if let Some(seat) = seat {
+                let accepted = trial.accepted.get(lane);
+                seat.steps += u64::from(accepted);
+                seat.rejected += u64::from(!accepted && !trial.stuck.get(lane));
+                passed |= accepted && self.times[seat.next] <= t.0[lane];
+            }
+        }
+        passed
+    }
+
+    /// Keeps the outputs of the step that a lane has made.
+    #[inline(always)]
+    fn output<S: LaneSystem<D>, R: Arithmetic>(
+        &mut self,
+        seat: &mut Seat,
+        solver: &Dop853Lanes<S, R, D>,
+        lane: usize,
+    ) {
+        let reached = solver.t().0[lane];
+        if self.times[seat.next] > reached {
+            return;
+        }
+        let dense = solver.dense(lane);
+        seat.dense += 1;
+        while seat.next < self.times.len() && self.times[seat.next] <= reached {
+            self.runs[seat.index].outputs.push(dense.at(self.times[seat.next]));
+            seat.next += 1;
+        }
+    }
+
+    /// Reason for which the trajectory of a lane ends after a trial, if it does.
+    #[inline(always)]
+    fn reason<S: LaneSystem<D>, R: Arithmetic>(
+        &self,
+        seat: &Seat,
+        trial: &Trial,
+        solver: &Dop853Lanes<S, R, D>,
+        lane: usize,
+    ) -> Option<StopReason> {
+        if trial.stuck.get(lane) {
+            let error = StepError::at(solver.t().0[lane], solver.undefined(lane));
+            return Some(StopReason::Failed(error));
+        }
+        let finished = (seat.next == self.times.len()).then_some(StopReason::Finished);
+        finished.or((seat.steps >= self.most_steps).then_some(StopReason::StepLimit))
+    }
+
+    fn end(&mut self, seat: &Seat, reason: StopReason) {
+        let run = &mut self.runs[seat.index];
+        let trials = seat.steps + seat.rejected;
+        let evaluations = (STAGES as u64 - 1) * trials + seat.steps + EXTRA as u64 * seat.dense;
+        run.work = Work { steps: seat.steps, rejected: seat.rejected, evaluations, ..Work::default() };
+        run.reason = reason;
+        self.ended += 1;
+    }
+}

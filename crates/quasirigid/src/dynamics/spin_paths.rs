@@ -1,0 +1,129 @@
+//! Angular velocities along many reduced motions of one body at once: eight trajectories in the lanes of the processor's vectors.
+//! Equations (P1) and (P2), docs/theory/05-propagation.md.
+
+use super::conserved_momentum::inside;
+use super::form::{AngularMomentumForm, AngularVelocityForm, Equations, Form, vector};
+use super::run::{ALIGNED, Options, Outcome, PropagateError, check};
+use super::spin::SpinOnly;
+use super::spin_path::SpinPath;
+use super::start::start;
+use crate::math::lanes::Lanes;
+use crate::math::ode::{Dop853, LaneRun, LaneStart, LaneSystem, Work, integrate_lanes};
+use crate::math::simd::{Arithmetic, Plain, Task, dispatch_lanes};
+use crate::math::vec3::norm;
+use crate::model::ReducedBody;
+
+/// Integrates the angular velocity of a reduced body from many starts at `t = 0` to the last of the times (s), eight trajectories at a time.
+/// Each has a step size of its own, and the bits that [`spin_path`](super::spin_path) gives from its start. (P1), (P2)
+///
+/// `goes_on` is asked from moment to moment with the number of trajectories that have ended; `false` interrupts the others.
+///
+/// ```
+/// use quasirigid::prelude::*;
+/// use quasirigid::problems::ring_of_points;
+///
+/// let reduced = reduce(&ring_of_points(4).body()?, 3)?;
+/// let starts = [[0.1, 0.0, 1.0], [0.2, 0.0, 1.0]];
+/// let paths = spin_paths(&reduced, &starts, &[1.0, 2.0], &Options::default(), &mut |_| true);
+/// assert_eq!(paths[1], spin_path(&reduced, starts[1], &[1.0, 2.0], &Options::default()));
+/// # Ok::<(), quasirigid::Error>(())
+/// ```
+///
+/// # Errors
+/// [`PropagateError`] in the place of a path, as for [`propagate`](super::propagate).
+pub fn spin_paths(
+    body: &ReducedBody,
+    omega: &[[f64; 3]],
+    times: &[f64],
+    options: &Options,
+    goes_on: &mut dyn FnMut(usize) -> bool,
+) -> Vec<Result<SpinPath, PropagateError>> {
+    let starts: Vec<_> = omega.iter().map(|omega| begin(body, *omega, times, options)).collect();
+    let good: Vec<Begun> = starts.iter().filter_map(|start| start.as_ref().ok().copied()).collect();
+    let mut paths = match options.form {
+        Form::AngularMomentum => {
+            let equations = &AngularMomentumForm::new(body);
+            dispatch_lanes(options.rounding, Paths { equations, starts: &good, times, options, goes_on })
+        }
+        Form::AngularVelocity => {
+            let equations = &AngularVelocityForm::new(body);
+            dispatch_lanes(options.rounding, Paths { equations, starts: &good, times, options, goes_on })
+        }
+    }
+    .into_iter();
+    starts.into_iter().map(|start| start.map(|_| paths.next().expect("a path for each good start"))).collect()
+}
+
+/// State of a form at the start, and the error allowed per step.
+#[derive(Clone, Copy)]
+struct Begun {
+    x: [f64; 3],
+    error: f64,
+}
+
+fn begin(
+    body: &ReducedBody,
+    omega: [f64; 3],
+    times: &[f64],
+    options: &Options,
+) -> Result<Begun, PropagateError> {
+    check(norm(omega), ALIGNED, times, options)?;
+    let x = start(body, omega, options.form).ok_or(PropagateError::NoAngularMomentum)?;
+    let inside = inside(body.angular_momentum(omega), body.J, omega);
+    Ok(Begun { x, error: options.tolerance * options.form.size(x, inside) })
+}
+
+struct Paths<'a, E> {
+    equations: &'a E,
+    starts: &'a [Begun],
+    times: &'a [f64],
+    options: &'a Options,
+    goes_on: &'a mut dyn FnMut(usize) -> bool,
+}
+
+impl<E: Equations> Task for Paths<'_, E> {
+    type Output = Vec<SpinPath>;
+
+    #[inline(always)]
+    fn run<A: Arithmetic>(self) -> Vec<SpinPath> {
+        let Self { equations, starts, times, options, goes_on } = self;
+        let starts: Vec<_> = starts.iter().map(|start| first_step::<E, A>(equations, *start)).collect();
+        let runs =
+            integrate_lanes::<_, A, 3>(&SpinLanes(equations), &starts, times, options.most_steps, goes_on);
+        runs.into_iter().map(|run| path(equations, run)).collect()
+    }
+}
+
+/// Variable of the form alone, in lanes.
+struct SpinLanes<'a, E>(&'a E);
+
+impl<E: Equations> LaneSystem<3> for SpinLanes<'_, E> {
+    #[inline(always)]
+    fn rate<A: Arithmetic>(&self, x: &[Lanes; 3]) -> [Lanes; 3] {
+        self.0.rate::<A, Lanes>(*x, self.0.omega::<A, Lanes>(*x))
+    }
+}
+
+/// First step of a trajectory, as the method chooses it for one alone.
+#[inline(always)]
+fn first_step<E: Equations, A: Arithmetic>(
+    equations: &E,
+    Begun { x: [x, y, z], error }: Begun,
+) -> LaneStart<3> {
+    let solver = Dop853::<_, _, A>::new(
+        SpinOnly(equations),
+        0.0,
+        [x, y, z, 0.0],
+        [error, error, error, f64::INFINITY],
+    );
+    LaneStart { y: [x, y, z], rate: vector(*solver.rate()), h: solver.h(), allowed: [error; 3] }
+}
+
+/// Evaluations of the rate before the first step.
+const FIRST: u64 = 2;
+
+fn path<E: Equations>(equations: &E, LaneRun { outputs, reason, work }: LaneRun<3>) -> SpinPath {
+    let omega = outputs.into_iter().map(|x| equations.omega::<Plain, f64>(x)).collect();
+    let work = Work { evaluations: work.evaluations + FIRST, ..work };
+    SpinPath { omega, outcome: Outcome::of(reason, None), work }
+}

@@ -174,21 +174,21 @@ impl Model {
     }
 
     /// Angular velocities from many angular velocities.
-    #[pyo3(signature = (initial, settings, times, reproducible, order, observer))]
+    #[pyo3(signature = (initial, asked, order, observer))]
     fn spins(
         &self,
         py: Python<'_>,
         initial: PyReadonlyArray2<'_, f64>,
-        settings: Settings,
-        times: Vec<f64>,
-        reproducible: bool,
+        asked: AskedSpins,
         order: Option<usize>,
         observer: Observer,
     ) -> PyResult<SpinPaths> {
-        let (starts, propagation) = (ensemble::starts(&initial)?, settings.propagation()?);
-        let rounding = if reproducible { Rounding::Reproducible } else { Rounding::Fastest };
+        let starts = ensemble::starts(&initial)?;
+        let form = named(asked.form.as_deref(), "form")?;
+        let propagation = Propagation { tolerance: asked.tolerance, form, ..Propagation::default() };
+        let rounding = if asked.reproducible { Rounding::Reproducible } else { Rounding::Fastest };
         Ok(interruptible(py, observer.as_ref(), |shared| {
-            spin_paths::spins(&self.study(order)?, &starts, &times, &propagation, rounding, shared)
+            spin_paths::spins(&self.study(order)?, &starts, &asked.times, &propagation, rounding, shared)
         })?)
     }
 
@@ -304,6 +304,16 @@ impl Settings {
             method: named(self.method.as_deref(), "method")?,
         })
     }
+}
+
+/// Settings of spins, as a dictionary.
+#[derive(FromPyObject)]
+#[pyo3(from_item_all)]
+pub struct AskedSpins {
+    times: Vec<f64>,
+    tolerance: Option<f64>,
+    form: Option<String>,
+    reproducible: bool,
 }
 
 /// Contents of a table, as a dictionary.

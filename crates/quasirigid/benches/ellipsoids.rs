@@ -61,7 +61,7 @@ fn drawn() -> Vec<WobblingEllipsoid> {
             poisson: 0.2 + 0.2 * unit(),
             loss: EllipsoidLoss::QualityFactor(10f64.powf(1.0 + 2.0 * unit())),
             spin: 2.0 * PI / (HOUR * 10f64.powf(0.5 + 2.0 * unit())),
-            from: if i % 2 == 0 {
+            from: if i.is_multiple_of(2) {
                 Wobble::Ratio(least + (middle - least) * unit())
             } else {
                 Wobble::Nutation(0.3 + unit())

@@ -86,15 +86,7 @@ class Model:
         order: int | None,
         observer: _Observer,
     ) -> _Answer: ...
-    def spins(
-        self,
-        initial: _Floats,
-        settings: dict[str, Any],
-        times: list[float],
-        reproducible: bool,
-        order: int | None,
-        observer: _Observer,
-    ) -> _Answer: ...
+    def spins(self, initial: _Floats, asked: dict[str, Any], order: int | None, observer: _Observer) -> _Answer: ...
     def evolve(self, wish: dict[str, Any], order: int | None, observer: _Observer) -> _Answer: ...
     def evolve_all(
         self, initial: _Floats, wish: dict[str, Any], order: int | None, observer: _Observer

@@ -418,10 +418,15 @@ class Model:
         instants = _arguments.times(times)
         if instants is None:
             raise InputError("times is None; give a list of at least one time (s)")
-        settings = _settings(None, None, tolerance, form, None)
+        asked = {
+            "times": instants,
+            "tolerance": _arguments.number(tolerance, "tolerance"),
+            "form": _arguments.word(form, "form"),
+            "reproducible": bool(reproducible),
+        }
         whole = _arguments.count(order, "order")
         with observer(progress) as watch:
-            return SpinPaths(self._core.spins(_starts(initial), settings, instants, bool(reproducible), whole, watch), instants)
+            return SpinPaths(self._core.spins(_starts(initial), asked, whole, watch), instants)
 
     @overload
     def evolve(

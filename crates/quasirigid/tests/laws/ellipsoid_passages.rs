@@ -32,14 +32,14 @@ fn drawn(count: usize) -> Vec<WobblingEllipsoid> {
             density: 1000.0 + 2000.0 * unit(),
             shear,
             poisson: 0.45 * unit(),
-            loss: if i % 2 == 0 {
+            loss: if i.is_multiple_of(2) {
                 EllipsoidLoss::QualityFactor(10.0 + 1000.0 * unit())
             } else {
                 EllipsoidLoss::KelvinVoigt(1e-3 + 10.0 * unit())
             },
             spin: 2.0 * PI / (HOUR * 10f64.powf(1.0 + 1.5 * unit())),
             from: if i % 4 < 2 { ratio(0.02 + 0.7 * unit()) } else { Wobble::Nutation(0.4 + unit()) },
-            until: if i % 8 == 0 { ratio(0.98) } else { Wobble::Nutation(0.01 + 0.2 * unit()) },
+            until: if i.is_multiple_of(8) { ratio(0.98) } else { Wobble::Nutation(0.01 + 0.2 * unit()) },
         }
     };
     (0..count).map(&mut asteroid).collect()

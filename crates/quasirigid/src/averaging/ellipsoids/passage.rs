@@ -92,7 +92,7 @@ impl Task for Passages<'_> {
         // pieces side by side have about as many harmonics
         pieces.sort_by(|a, b| a.ends[0].total_cmp(&b.ends[0]));
         for block in pieces.chunks(LANES) {
-            follow::<A>(self.bodies, block, &mut ways);
+            follow(self.bodies, block, &mut ways);
         }
         ways.into_iter().map(|way| way?.passage()).collect()
     }
@@ -283,11 +283,7 @@ impl Way {
 
 /// Adds eight pieces to the sums of their ways.
 #[inline(always)]
-fn follow<A: Arithmetic>(
-    bodies: &[WobblingEllipsoid],
-    block: &[Piece],
-    ways: &mut [Result<Way, EllipsoidRefusal>],
-) {
+fn follow(bodies: &[WobblingEllipsoid], block: &[Piece], ways: &mut [Result<Way, EllipsoidRefusal>]) {
     let piece = |lane: usize| block[lane.min(block.len() - 1)];
     let wobbles = gather(bodies, &piece, ways);
     let (mut middle, mut half) = (Lanes::splat(0.0), Lanes::splat(0.0));
@@ -299,7 +295,7 @@ fn follow<A: Arithmetic>(
     let (mut time, mut coarse, mut revolutions) = (zero, zero, zero);
     for [node, weight, in_coarse] in KRONROD {
         for side in [-node, node] {
-            let at = wobbles.at::<A>(middle + half * Lanes::splat(side));
+            let at = wobbles.at(middle + half * Lanes::splat(side));
             let slowness = at.energy_slope / at.power;
             time = time + Lanes::splat(weight) * slowness;
             coarse = coarse + Lanes::splat(in_coarse) * slowness;
@@ -310,7 +306,7 @@ fn follow<A: Arithmetic>(
         }
     }
     let ends = block.iter().any(|piece| piece.outer != [false; 2]);
-    let at_ends = ends.then(|| [wobbles.at::<A>(middle - half), wobbles.at::<A>(middle + half)]);
+    let at_ends = ends.then(|| [wobbles.at(middle - half), wobbles.at(middle + half)]);
     for (lane, piece) in block.iter().enumerate() {
         let Ok(way) = &mut ways[piece.way] else { continue };
         // a piece of the long-axis mode runs towards its separatrix, against ξ

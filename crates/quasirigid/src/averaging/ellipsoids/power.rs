@@ -5,7 +5,6 @@
 use std::f64::consts::PI;
 
 use crate::math::lanes::{LANES, Lanes, Mask};
-use crate::math::simd::Arithmetic;
 
 /// Loss of a material, by the numbers of its law in each lane: `tan δ = ν · time + 1/Q` of a unit modulus.
 #[derive(Clone, Copy, Debug)]
@@ -57,7 +56,7 @@ const HARMONICS: usize = 2000;
 impl Wobbles {
     /// The wobble at a place, with its mean power. (G7), (G15)
     #[inline(always)]
-    pub fn at<R: Arithmetic>(&self, xi: Lanes) -> At {
+    pub fn at(&self, xi: Lanes) -> At {
         let one = Lanes::splat(1.0);
         let [circled, middle, other] = self.moments;
         let exponential = each(xi, libm::exp);
@@ -80,7 +79,7 @@ impl Wobbles {
         let energy = Lanes::splat(0.5) * twice_energy;
         let square = self.angular_momentum * self.angular_momentum;
         At {
-            power: self.power::<R>(&series, amplitudes, polhode),
+            power: self.power(&series, amplitudes, polhode),
             energy_slope: energy * near / square * to_separatrix,
             revolution: twice_energy / self.angular_momentum,
             polhode,
@@ -90,12 +89,7 @@ impl Wobbles {
 
     /// Sum over the harmonics, from the squares of the amplitudes of the angular velocity about the circled, middle and other axis. (G15)
     #[inline(always)]
-    fn power<R: Arithmetic>(
-        &self,
-        series: &Nome,
-        [circled, middle, other]: [Lanes; 3],
-        polhode: Lanes,
-    ) -> Lanes {
+    fn power(&self, series: &Nome, [circled, middle, other]: [Lanes; 3], polhode: Lanes) -> Lanes {
         let one = Lanes::splat(1.0);
         // relative amplitudes of the squares are those of dn², −sn² and cn²
         let shape = [series.parameter * circled, Lanes::splat(0.0) - middle, other];

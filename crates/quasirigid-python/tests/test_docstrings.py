@@ -54,7 +54,7 @@ def test_the_examples_of_a_docstring_run(name: str) -> None:
 
 
 def test_classes_and_questions_have_an_example() -> None:
-    questions = {"Model.check", "Model.modes", "Model.reduce", "Model.simulate", "Model.evolve", "Model.with_", "cite"}
+    questions = {"Model.check", "Model.modes", "Model.reduce", "Model.simulate", "Model.evolve", "Model.spins", "Model.with_", "cite", "evolve_ellipsoids"}
     kinds = {name for name, value in DOCUMENTED.items() if inspect.isclass(value) and not issubclass(value, Exception)}
     missing = {name for name in questions | kinds if not examples(name)} - WITHOUT_EXAMPLE
     assert not missing

@@ -178,3 +178,91 @@ impl<const D: usize> Ensemble<'_, D> {
         self.ended += 1;
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::ode::{Dop853, Solver, StepObserver, System, integrate};
+    use crate::simd::{Rounding, Task, dispatch_lanes};
+    use std::ops::ControlFlow;
+
+    /// A pendulum by its sine and cosine, whose rates differ from lane to lane.
+    struct Pendulum;
+
+    impl System<[f64; 3]> for Pendulum {
+        fn rate<R: Arithmetic>(&mut self, _: f64, [s, c, w]: &[f64; 3], rate: &mut [f64; 3]) {
+            *rate = [c * w, 0.0 - s * w, 0.0 - *s];
+        }
+    }
+
+    impl LaneSystem<3> for Pendulum {
+        fn rate<R: Arithmetic>(&self, [s, c, w]: &[Lanes; 3]) -> [Lanes; 3] {
+            let zero = Lanes::splat(0.0);
+            [*c * *w, zero - *s * *w, zero - *s]
+        }
+    }
+
+    struct Kept(Vec<[f64; 3]>);
+
+    impl<R: Arithmetic> StepObserver<Dop853<Pendulum, [f64; 3], R>> for Kept {
+        fn output(&mut self, _: f64, y: &[f64; 3]) {
+            self.0.push(*y);
+        }
+
+        fn stepped(&mut self, _: &mut Dop853<Pendulum, [f64; 3], R>) -> ControlFlow<()> {
+            ControlFlow::Continue(())
+        }
+    }
+
+    const ALLOWED: [f64; 3] = [1e-10, 1e-10, f64::INFINITY];
+    const TIMES: [f64; 4] = [0.0, 1.0, 1.5, 30.0];
+
+    /// Every trajectory in lanes and alone, by one arithmetic.
+    struct Both;
+
+    impl Task for Both {
+        type Output = [Vec<LaneRun<3>>; 2];
+
+        fn run<A: Arithmetic>(self) -> Self::Output {
+            let starts: Vec<[f64; 3]> = (0..19).map(|i| [0.0, 1.0, 0.1 * 1.3_f64.powi(i)]).collect();
+            let lane = |y: &[f64; 3]| {
+                let solver = Dop853::<_, _, A>::new(Pendulum, 0.0, *y, ALLOWED);
+                LaneStart { y: *y, rate: *solver.rate(), h: solver.h(), allowed: ALLOWED }
+            };
+            let lanes: Vec<_> = starts.iter().map(lane).collect();
+            let together = integrate_lanes::<_, A, 3>(&Pendulum, &lanes, &TIMES, u64::MAX, &mut |_| true);
+            let alone = |y: &[f64; 3]| {
+                let mut solver = Dop853::<_, _, A>::new(Pendulum, 0.0, *y, ALLOWED);
+                let mut kept = Kept(Vec::new());
+                let reason = integrate(&mut solver, &TIMES, 0, u64::MAX, &mut kept);
+                let Work { steps, rejected, evaluations, .. } = solver.work();
+                // two rates before the first step, which a lane is given
+                LaneRun {
+                    outputs: kept.0,
+                    reason,
+                    work: Work { steps, rejected, evaluations: evaluations - 2, ..Work::default() },
+                }
+            };
+            [together, starts.iter().map(alone).collect()]
+        }
+    }
+
+    #[test]
+    fn lanes_are_single_trajectories() {
+        let [exact, fastest] = [Rounding::Reproducible, Rounding::Fastest].map(|rounding| {
+            let [together, alone] = dispatch_lanes(rounding, Both);
+            assert_eq!(together, alone);
+            assert!(alone.iter().any(|run| run.work.rejected > 0), "a rejected step is compared, too");
+            alone
+        });
+        assert_eq!(dispatch_plain(), exact, "registers change no bit");
+        let gap = |i: usize| (exact[18].outputs[3][i] - fastest[18].outputs[3][i]).abs();
+        assert!((0..3).all(|i| gap(i) < 1e-7));
+    }
+
+    /// By the registers that every processor has.
+    fn dispatch_plain() -> Vec<LaneRun<3>> {
+        let [together, _] = Both.run::<crate::simd::Plain>();
+        together
+    }
+}

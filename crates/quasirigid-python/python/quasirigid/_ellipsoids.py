@@ -16,7 +16,15 @@ __all__ = ["EllipsoidEvolutions", "evolve_ellipsoids"]
 
 
 class EllipsoidEvolutions(_Rows):
-    """Secular evolutions of many ellipsoids; attributes are arrays ``(n,)`` in the order of the rows, NaN in rows that do not hold."""
+    """Secular evolutions of many ellipsoids; attributes are arrays ``(n,)`` in the order of the rows, NaN in rows that do not hold.
+
+    >>> import quasirigid
+    >>> evolutions = quasirigid.evolve_ellipsoids(
+    ...     [[170, 130, 100], [100, 100, 200]], density=2000, shear=5e8, quality_factor=100, spin=6e-5, nutation=1.0, until_nutation=0.1,
+    ... )
+    >>> evolutions.holds.tolist(), evolutions.message[1][:31]
+    ([True, False], 'the two greatest moments are eq')
+    """
 
     __slots__ = ("_parts", "_reasons", "holds")
 

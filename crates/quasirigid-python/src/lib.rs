@@ -13,6 +13,7 @@ mod failure;
 mod model;
 mod pool;
 mod reduced;
+mod series;
 mod sweep;
 mod values;
 mod watching;

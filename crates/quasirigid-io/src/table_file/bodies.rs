@@ -9,6 +9,7 @@ use parquet::file::reader::{FileReader, SerializedFileReader};
 use parquet::record::Field;
 
 use super::TableError;
+use super::formula::unguarded;
 use super::parquet::undamaged;
 
 /// Table of bodies.
@@ -69,7 +70,8 @@ fn of_csv(file: &Path) -> Result<BodyTable, TableError> {
         .comment(Some(b'#'))
         .from_reader(open(file)?);
     let header = reader.byte_headers().map_err(refuse)?.clone();
-    let name = |bytes: &[u8]| String::from_utf8_lossy(bytes).trim_start_matches('\u{feff}').to_owned();
+    let name =
+        |bytes: &[u8]| unguarded(String::from_utf8_lossy(bytes).trim_start_matches('\u{feff}')).into_owned();
     let mut table = BodyTable::of(header.iter().map(name));
     let mut record = csv::ByteRecord::new();
     while reader.read_byte_record(&mut record).map_err(refuse)? {
@@ -83,7 +85,7 @@ fn of_csv(file: &Path) -> Result<BodyTable, TableError> {
             table.unread(format!("line {line} of the table is not UTF-8 text"));
         } else {
             for (column, bytes) in table.columns.iter_mut().zip(&record) {
-                column.push(String::from_utf8_lossy(bytes).into_owned());
+                column.push(unguarded(&String::from_utf8_lossy(bytes)).into_owned());
             }
         }
     }

@@ -10,6 +10,7 @@ mod markdown;
 mod paths;
 mod test;
 mod tree;
+mod unsafe_code;
 
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -20,12 +21,13 @@ use tree::Tree;
 
 type Check = fn(&Tree) -> Vec<Finding>;
 
-const CHECKS: [(&str, Check); 5] = [
+const CHECKS: [(&str, Check); 6] = [
     ("layers", layers::check),
     ("labels", labels::check),
     ("paths", paths::check),
     ("contents", contents::check),
     ("docs", docs::check),
+    ("unsafe", unsafe_code::check),
 ];
 
 const HELP: &str = "\
@@ -41,6 +43,7 @@ usage: cargo xtask test [--require-python] [--wheel]
   paths    ARCHITECTURE.md names what exists, and every module folder
   contents theory and guide list each of their chapters under its number
   docs     TOML and commands in README.md and docs/guide are sound
+  unsafe   docs/reliability.md lists every file with unsafe code
 
 exit code: 0 nothing found, 1 something found, 2 could not run";
 

@@ -4,8 +4,8 @@ use ariadne::{Color, Config, IndexType, Label, Report, ReportKind, Source};
 use quasirigid_io::model::{Diagnostic, ModelError};
 
 use crate::failure::Failure;
+use quasirigid_io::visible::{masked, visible};
 use quasirigid_study::layout;
-use quasirigid_study::visible::{masked, visible};
 
 /// Columns before a message, `Error: `.
 const ERROR: usize = 7;
@@ -25,6 +25,17 @@ pub fn print(failure: &Failure) {
         remark(&format!("{file}: {problems}; nothing was computed"));
     } else {
         remark(&failure.to_string());
+    }
+}
+
+/// Prints what is wrong with the arguments, or the help that they ask for; without colours where an argument would steer the terminal.
+pub fn of_arguments(error: &clap::Error) {
+    let plain = error.render().to_string();
+    let shown = visible(&plain);
+    if shown == plain {
+        let _ = error.print(); // nobody is left to tell
+    } else {
+        eprint!("{shown}");
     }
 }
 

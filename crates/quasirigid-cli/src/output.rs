@@ -16,7 +16,7 @@ pub use leftover::abandon;
 use crate::failure::Failure;
 use crate::interrupt::Interrupt;
 use crate::message::remark;
-use quasirigid_study::visible::visible;
+use quasirigid_io::visible::visible;
 
 /// Place of a result.
 pub struct Placed {

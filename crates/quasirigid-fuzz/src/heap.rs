@@ -60,3 +60,25 @@ pub fn begin() -> usize {
 pub fn peak() -> usize {
     PEAK.load(Relaxed)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[global_allocator]
+    static COUNTED: Counted = Counted;
+
+    /// Other tests may take memory meanwhile, so that the counts are bounds.
+    #[test]
+    fn peak_is_that_of_the_work_and_ends_with_it() {
+        const SIZE: usize = 1 << 20;
+        let before = begin();
+        let mut grown = vec![1_u8; SIZE];
+        grown.extend(vec![0_u8; SIZE]);
+        grown.shrink_to_fit();
+        assert!(begin() >= before + 2 * SIZE);
+        drop(grown);
+        assert!(peak() >= before + 2 * SIZE);
+        assert!(begin() < before + SIZE);
+    }
+}

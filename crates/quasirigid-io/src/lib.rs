@@ -17,3 +17,4 @@ pub mod study_file;
 pub mod table_file;
 pub mod text_file;
 pub mod units;
+pub mod visible;

@@ -128,6 +128,11 @@ pub(crate) fn all_of(stream: impl Read, limit: u64) -> Result<Vec<u8>, Unread> {
     if bytes.len() as u64 > limit { Err(Unread::TooLarge) } else { Ok(bytes) }
 }
 
+/// Bytes that a compressed file may unpack to: a hundred for each of its own, and 64 MiB always.
+pub(crate) fn unpacked_limit(size: u64) -> u64 {
+    size.saturating_mul(100).max(64 * 1024 * 1024)
+}
+
 /// The bytes of a file as text, without a byte order mark.
 pub(crate) fn text<P: ReadProblem>(bytes: &[u8]) -> Result<&str, Fault<P>> {
     let text = std::str::from_utf8(bytes).map_err(|error| {

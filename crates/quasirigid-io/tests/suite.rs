@@ -2,5 +2,6 @@
 #![allow(non_snake_case, clippy::unwrap_used, clippy::print_stdout)]
 
 mod files;
+mod heap;
 mod model_file;
 mod volume_mesh;

@@ -212,3 +212,52 @@ impl Div for Lanes {
 }
 
 impl Scalar for Lanes {}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::simd::Plain;
+
+    const A: Lanes = Lanes([1.0, -2.0, 0.0, -0.0, 4.0, f64::INFINITY, f64::NAN, 1e-300]);
+    const B: Lanes = Lanes([3.0, -2.0, 0.5, 0.0, -1.0, 2.0, 5.0, f64::NAN]);
+
+    /// The same bits; any NaN is one.
+    fn same(a: f64, b: f64) -> bool {
+        a.to_bits() == b.to_bits() || a.is_nan() && b.is_nan()
+    }
+
+    #[test]
+    fn operations_are_those_of_each_lane() {
+        let c = Lanes::from(0.25);
+        for lane in 0..LANES {
+            let (a, b) = (A.0[lane], B.0[lane]);
+            let found =
+                [A + B, A - B, A * B, A / B, A.sqrt(), A.mul_add::<Plain>(B, c)].map(|lanes| lanes.0[lane]);
+            let known = [a + b, a - b, a * b, a / b, a.sqrt(), a * b + 0.25];
+            assert!(
+                found.iter().zip(known).all(|(found, known)| same(*found, known)),
+                "{lane}: {found:?} {known:?}"
+            );
+            let least = if a < b { a } else { b };
+            let greatest = if a > b { a } else { b };
+            assert!(same(A.min(B).0[lane], least) && same(A.max(B).0[lane], greatest), "{lane}");
+        }
+    }
+
+    #[test]
+    fn masks_choose_lane_by_lane() {
+        let below = A.at_most(B);
+        let mut odd = Mask::NONE;
+        (0..LANES).for_each(|lane| odd.set(lane, lane % 2 == 1));
+        for lane in 0..LANES {
+            let (one, other) = (A.0[lane] <= B.0[lane], lane % 2 == 1);
+            assert_eq!((below.get(lane), odd.get(lane), Mask::NONE.get(lane)), (one, other, false), "{lane}");
+            let found = [below.and(odd), below.and_not(odd), below | odd, !below].map(|mask| mask.get(lane));
+            assert_eq!(found, [one && other, one && !other, one || other, !one], "{lane}");
+            let chosen = if one { A } else { B }.0[lane];
+            assert!(same(A.select(below, B).0[lane], chosen), "{lane}");
+        }
+        odd.set(3, false);
+        assert!(!odd.get(3) && odd.get(5));
+    }
+}

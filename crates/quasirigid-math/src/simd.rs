@@ -170,3 +170,47 @@ pub fn scaled_sum<A: Arithmetic, const N: usize>(a: [f64; N], b: f64, c: [f64; N
     }
     sum
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// `0.1·10 − 1`, which one rounding tells from zero.
+    #[derive(Clone, Copy)]
+    struct Remainder;
+
+    impl Task for Remainder {
+        type Output = f64;
+
+        #[inline(always)]
+        fn run<A: Arithmetic>(self) -> f64 {
+            A::mul_add(std::hint::black_box(0.1), 10.0, -1.0)
+        }
+    }
+
+    /// The same in a function of its own.
+    struct Called;
+
+    impl Task for Called {
+        type Output = [f64; 2];
+
+        #[inline(always)]
+        fn run<A: Arithmetic>(self) -> [f64; 2] {
+            [A::call(Remainder), scaled_sum::<A, 1>([0.1], 10.0, [-1.0])[0]]
+        }
+    }
+
+    #[test]
+    fn processor_does_all_work_by_one_arithmetic() {
+        let rounded = dispatch(Rounding::Fastest, Remainder);
+        assert!([0.0, 0.25 * f64::EPSILON].contains(&rounded), "{rounded:e}");
+        assert_eq!(dispatch(Rounding::Fastest, Called), [rounded; 2]);
+        assert_eq!(dispatch_lanes(Rounding::Fastest, Called), [rounded; 2]);
+        for exact in
+            [dispatch(Rounding::Reproducible, Called), dispatch_lanes(Rounding::Reproducible, Called)]
+        {
+            assert_eq!(exact, [0.0; 2]);
+        }
+        assert_eq!(Plain::call(Remainder), 0.0);
+    }
+}

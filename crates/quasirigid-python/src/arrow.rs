@@ -7,7 +7,7 @@ use std::ffi::{CStr, CString, c_char, c_int, c_void};
 use std::ptr::{null, null_mut};
 use std::sync::Arc;
 
-use crate::columns::{Series, Values};
+use crate::series::{Series, Values};
 
 /// Names that the capsules must have.
 pub const STREAM: &CStr = c"arrow_array_stream";
@@ -58,6 +58,7 @@ pub struct Stream {
 
 // SAFETY: the structs own what they point to, and nothing in it belongs to one thread.
 unsafe impl Send for Schema {}
+// SAFETY: as for a schema.
 unsafe impl Send for Stream {}
 
 /// Memory behind a schema.

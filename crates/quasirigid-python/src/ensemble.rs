@@ -19,10 +19,11 @@ use quasirigid_study::histories::{Propagation, Table, room};
 use quasirigid_study::{Study, StudyError, Watch};
 use rayon::prelude::*;
 
-use crate::columns::{Columns, Series};
+use crate::columns::Columns;
 use crate::failure::Failure;
 use crate::pool::pool;
 use crate::reduced::rows;
+use crate::series::Series;
 use crate::watching::Shared;
 
 /// Watch of one row: it ends with the whole, and keeps its remarks to itself.

@@ -6,8 +6,8 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use quasirigid::submanifold::SubmanifoldError;
 use quasirigid_io::model::{Diagnostic, FileProblem, ModelError};
+use quasirigid_io::visible::visible;
 use quasirigid_study::sweep::SweepError;
-use quasirigid_study::visible::visible;
 use quasirigid_study::{Setting, StudyError};
 
 /// A failure on its way to Python.

@@ -14,6 +14,7 @@ mod failure;
 mod model;
 mod pool;
 mod reduced;
+mod series;
 mod spin_paths;
 mod sweep;
 mod values;

@@ -1,5 +1,6 @@
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 use quasirigid_io::record::RunRecord;
+use quasirigid_io::visible::visible;
 
 use crate::charts;
 use crate::sphere;
@@ -59,5 +60,5 @@ pub fn page(record: &RunRecord) -> String {
             }
         }
     };
-    document.into_string()
+    visible(&document.into_string())
 }

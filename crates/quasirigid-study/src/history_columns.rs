@@ -3,9 +3,8 @@
 use quasirigid::dynamics::{Checkpoint, Nutation, Nutations, Sample};
 use quasirigid::model::{Coordinate, Marker, Principal, ReducedBody, Support};
 use quasirigid_io::record::Column;
+use quasirigid_io::visible::one_line;
 use quasirigid_math::vec3::{dot, norm};
-
-use crate::visible::one_line;
 
 /// Numbers of a sample that every table has: names, units and values.
 type Entry = (&'static str, &'static str, fn(&Sample) -> f64);

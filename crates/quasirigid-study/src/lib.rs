@@ -87,7 +87,6 @@ pub mod summary;
 pub mod sweep;
 mod table_sink;
 pub mod verification;
-pub mod visible;
 mod watch;
 mod words;
 

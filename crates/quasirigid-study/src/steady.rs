@@ -5,6 +5,7 @@ use std::fmt::{self, Write};
 use quasirigid::model::{Mode, Principal};
 use quasirigid::modes::{EquilibriumError, Given, RelativeEquilibrium, SpinMode, SpinModes, acts};
 use quasirigid_io::record::{ModeRecord, SteadySpinRecord};
+use quasirigid_io::visible::one_line;
 use quasirigid_math::vec3::norm;
 
 use crate::error::StudyError;
@@ -183,7 +184,7 @@ pub fn fate(decay_rate: f64) -> String {
 pub fn text(name: &str, spins: &[SteadySpinRecord]) -> String {
     let mut text = String::new();
     for spin in spins {
-        write(&mut text, name, spin).expect("a string takes any text");
+        write(&mut text, &one_line(name), spin).expect("a string takes any text");
     }
     text
 }

@@ -4,6 +4,7 @@ use std::fmt::{self, Write};
 use std::path::Path;
 
 use quasirigid_io::record::{Column, HistoryRecord, RunRecord};
+use quasirigid_io::visible::one_line;
 
 use crate::layout::paragraph;
 use crate::spark::spark;
@@ -23,7 +24,11 @@ pub fn answer(record: &RunRecord) -> String {
 }
 
 fn write(out: &mut String, record: &RunRecord) -> fmt::Result {
-    writeln!(out, "{}", paragraph(&format!("{}: {}", record.model.name, record.validity.verdict), "", "  "))?;
+    writeln!(
+        out,
+        "{}",
+        paragraph(&format!("{}: {}", one_line(&record.model.name), record.validity.verdict), "", "  ")
+    )?;
     for criterion in record.validity.criteria.iter().filter(|each| each.verdict == "fails") {
         writeln!(out, "{}", paragraph(&criterion.sentence, "  - ", "    "))?;
     }

@@ -8,6 +8,7 @@ use quasirigid::verification::{
 };
 use quasirigid_io::model::Verify;
 use quasirigid_io::record::{AverageRecord, OrderRecord, VerificationRecord};
+use quasirigid_io::visible::one_line;
 
 use crate::error::StudyError;
 use crate::layout::paragraph;
@@ -84,7 +85,7 @@ pub(crate) fn follow(
 /// The differences and their orders, for a terminal of 80 columns.
 pub fn text(name: &str, verification: &VerificationRecord) -> String {
     let mut text = String::new();
-    write(&mut text, name, verification).expect("a string takes any text");
+    write(&mut text, &one_line(name), verification).expect("a string takes any text");
     text
 }
 

@@ -78,7 +78,7 @@ const CRATES: [(&str, &[&str]); 10] = [
             "quasirigid::dynamics::Method",
         ],
     ),
-    ("quasirigid-report", &["quasirigid_io::record"]),
+    ("quasirigid-report", &["quasirigid_io::record", "quasirigid_io::visible"]),
     ("quasirigid-study", &["quasirigid", "quasirigid_math", "quasirigid_io", "quasirigid_report"]),
     ("quasirigid-cli", &["quasirigid", "quasirigid_io", "quasirigid_study"]),
     ("quasirigid-python", &["quasirigid", "quasirigid_io", "quasirigid_study"]),

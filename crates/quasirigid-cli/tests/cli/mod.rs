@@ -13,6 +13,7 @@ mod evolve;
 mod files;
 mod full;
 mod help;
+mod hostile_names;
 #[cfg(unix)]
 mod interrupt;
 mod keys;

@@ -7,6 +7,7 @@ use std::fmt::{self, Write};
 use quasirigid_math::polynomial::Homogeneous;
 
 use super::{Derived, MOST};
+use crate::visible::one_line;
 
 /// Terms smaller than this share of the largest of their degree are rounding and left out.
 const KEPT: f64 = 1e-13;
@@ -26,12 +27,7 @@ impl Derived<'_> {
         let degrees = self.mu();
         let sum: Vec<_> = degrees.iter().map(|part| format!(r"\mu_{{{}}}(\omega)", part.degree())).collect();
         let sum = if sum.is_empty() { "0".into() } else { sum.join(" + ") };
-        writeln!(
-            out,
-            "% {}, order {}; SI units, body axes",
-            self.name.replace('\n', " "),
-            self.reduced.order
-        )?;
+        writeln!(out, "% {}, order {}; SI units, body axes", one_line(self.name), self.reduced.order)?;
         let sum = if self.forces.is_some() {
             writeln!(
                 out,
@@ -72,7 +68,7 @@ impl Derived<'_> {
             return writeln!(out, "% q(omega) of {elastic} internal coordinates: with --format json");
         }
         for (number, coordinate) in self.body.coordinates()[..elastic].iter().enumerate() {
-            let name = coordinate.name.replace('\n', " ").replace('"', "");
+            let name = one_line(&coordinate.name.replace('"', ""));
             writeln!(out, "% q_{}: {name}, {}", number + 1, coordinate.unit)?;
         }
         let sum: Vec<_> = degrees.iter().map(|part| format!("q_{{{}}}(\\omega)", part.degree())).collect();

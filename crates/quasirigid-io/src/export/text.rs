@@ -8,6 +8,7 @@ use quasirigid::model::{Principal, Support};
 use quasirigid_math::polynomial::Homogeneous;
 
 use super::{Derived, MOST, comparison, forces, rows};
+use crate::visible::one_line;
 
 /// Terms smaller than this share of the largest of their degree are rounding and not shown.
 const SHOWN: f64 = 1e-13;
@@ -24,7 +25,7 @@ impl Derived<'_> {
     fn write(&self, out: &mut String) -> fmt::Result {
         let Derived { name, body, reduced, frequencies, mechanisms, forces } = *self;
         let principal = Principal::compute(reduced.J);
-        writeln!(out, "{name}: reduced equations of order {}", reduced.order)?;
+        writeln!(out, "{}: reduced equations of order {}", one_line(name), reduced.order)?;
         let wheels = body.wheels().angular_momentum(0.0);
         let equation = match (body.wheels().is_empty(), forces.is_some()) {
             (true, false) => "J w' + w x Jw = mu(w)        w in rad/s",
@@ -75,7 +76,7 @@ impl Derived<'_> {
         }
         if let Some(forces) = forces {
             let gap = if mechanisms.is_empty() { "" } else { "\n" };
-            writeln!(out, "{gap}forces            {}", forces.names.join(", "))?;
+            writeln!(out, "{gap}forces            {}", one_line(&forces.names.join(", ")))?;
             forces::write(out, forces, self.elastic_only())?;
         }
         for part in self.mu() {
@@ -105,7 +106,13 @@ impl Derived<'_> {
         }
         writeln!(out, "\ninternal coordinates")?;
         for (number, coordinate) in self.body.coordinates()[..elastic].iter().enumerate() {
-            writeln!(out, "  q{:<3} {}, {}", number + 1, coordinate.name.replace('"', ""), coordinate.unit)?;
+            writeln!(
+                out,
+                "  q{:<3} {}, {}",
+                number + 1,
+                one_line(&coordinate.name.replace('"', "")),
+                coordinate.unit
+            )?;
         }
         for part in &degrees {
             for start in (0..elastic).step_by(3) {

@@ -27,7 +27,7 @@ const STUDY: Keys =
 
 /// Most draws for one point, and most rows of one part.
 const MOST_SAMPLES: usize = 10_000_000_000;
-const MOST_IN_PART: usize = 1_000_000;
+pub(crate) const MOST_IN_PART: usize = 1_000_000;
 /// Rows of a part unless the study says otherwise.
 const PART: usize = 4096;
 /// Longest Sobol sequence of the library behind it.

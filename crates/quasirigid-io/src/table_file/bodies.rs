@@ -5,11 +5,14 @@ use std::collections::BTreeMap;
 use std::fs::File;
 use std::path::Path;
 
+use parquet::errors::ParquetError;
 use parquet::file::reader::{FileReader, SerializedFileReader};
 use parquet::record::Field;
 
 use super::TableError;
+use super::formula::unguarded;
 use super::parquet::undamaged;
+use crate::text_file::unpacked_limit;
 
 /// Table of bodies.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -57,8 +60,13 @@ pub fn read_bodies(file: &Path) -> Result<BodyTable, TableError> {
     }
 }
 
+/// Opens a file on a disk; a pipe or a device may never end.
 fn open(file: &Path) -> Result<File, TableError> {
-    File::open(file).map_err(|cause| TableError::File { file: file.to_owned(), kind: cause.kind() })
+    let refused = |cause: std::io::Error| TableError::File { file: file.to_owned(), kind: cause.kind() };
+    if !file.metadata().map_err(refused)?.is_file() {
+        return Err(TableError::NoFile { file: file.to_owned() });
+    }
+    File::open(file).map_err(refused)
 }
 
 fn of_csv(file: &Path) -> Result<BodyTable, TableError> {
@@ -69,7 +77,8 @@ fn of_csv(file: &Path) -> Result<BodyTable, TableError> {
         .comment(Some(b'#'))
         .from_reader(open(file)?);
     let header = reader.byte_headers().map_err(refuse)?.clone();
-    let name = |bytes: &[u8]| String::from_utf8_lossy(bytes).trim_start_matches('\u{feff}').to_owned();
+    let name =
+        |bytes: &[u8]| unguarded(String::from_utf8_lossy(bytes).trim_start_matches('\u{feff}')).into_owned();
     let mut table = BodyTable::of(header.iter().map(name));
     let mut record = csv::ByteRecord::new();
     while reader.read_byte_record(&mut record).map_err(refuse)? {
@@ -83,7 +92,7 @@ fn of_csv(file: &Path) -> Result<BodyTable, TableError> {
             table.unread(format!("line {line} of the table is not UTF-8 text"));
         } else {
             for (column, bytes) in table.columns.iter_mut().zip(&record) {
-                column.push(String::from_utf8_lossy(bytes).into_owned());
+                column.push(unguarded(&String::from_utf8_lossy(bytes)).into_owned());
             }
         }
     }
@@ -92,6 +101,8 @@ fn of_csv(file: &Path) -> Result<BodyTable, TableError> {
 
 fn of_parquet(file: &Path) -> Result<BodyTable, TableError> {
     let opened = open(file)?;
+    let limit = unpacked_limit(opened.metadata().map_or(0, |metadata| metadata.len()));
+    let mut left = limit;
     undamaged(file, || {
         let reader = SerializedFileReader::new(opened)?;
         let fields = reader.metadata().file_metadata().schema().get_fields().to_vec();
@@ -102,7 +113,12 @@ fn of_parquet(file: &Path) -> Result<BodyTable, TableError> {
         }
         for row in reader.get_row_iter(None)? {
             for (column, (_, field)) in table.columns.iter_mut().zip(row?.get_column_iter()) {
-                column.push(text(field));
+                let text = text(field);
+                let size = (size_of::<String>() + text.len()) as u64;
+                left = left.checked_sub(size).ok_or_else(|| {
+                    ParquetError::General(format!("the table unpacks to more than {} MiB", limit >> 20))
+                })?;
+                column.push(text);
             }
         }
         Ok(table)

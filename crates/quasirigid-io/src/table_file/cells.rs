@@ -1,5 +1,7 @@
 //! Columns of results: whole numbers, numbers, truth values and texts, each with values that may be missing, and their form in CSV.
 
+use super::formula::guarded;
+
 /// Values of a column; none where a row has no value.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Cells {
@@ -59,15 +61,15 @@ impl CellColumn {
             Cells::Counts(values) => values[row].to_string(),
             Cells::Numbers(values) => values[row].map(|number| format!("{number:?}")).unwrap_or_default(),
             Cells::Booleans(values) => values[row].map(|truth| truth.to_string()).unwrap_or_default(),
-            Cells::Texts(values) => values[row].clone().unwrap_or_default(),
+            Cells::Texts(values) => guarded(values[row].as_deref().unwrap_or_default()).into_owned(),
         }
     }
 }
 
-/// Line of the names of columns, as CSV.
+/// Line of the names of columns, as CSV; a spreadsheet takes no name and no text for a formula.
 #[must_use]
 pub fn csv_header(columns: &[CellColumn]) -> Vec<u8> {
-    lines(std::iter::once(columns.iter().map(|column| column.name.clone()).collect()))
+    lines(std::iter::once(columns.iter().map(|column| guarded(&column.name).into_owned()).collect()))
 }
 
 /// Lines of the rows of columns, as CSV; the columns are equally long.

@@ -15,6 +15,12 @@ pub enum TableError {
         /// Error kind that the operating system reports.
         kind: ErrorKind,
     },
+    /// A folder, a pipe or a device in the place of a file.
+    #[error("{}: this is no file on a disk but a folder, a pipe or a device", file.display())]
+    NoFile {
+        /// The path.
+        file: PathBuf,
+    },
     /// A CSV file that cannot be read.
     #[error("{}: {cause}", file.display())]
     Csv {

@@ -5,9 +5,11 @@
 mod bodies;
 mod cells;
 mod error;
+mod formula;
 mod parquet;
 
 pub use bodies::{BodyTable, read_bodies};
 pub use cells::{CellColumn, CellKind, Cells, csv_header, csv_rows};
 pub use error::TableError;
+pub(crate) use formula::{guarded, unguarded};
 pub use parquet::{read_parquet, write_parquet};

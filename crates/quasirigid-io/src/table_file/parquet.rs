@@ -18,8 +18,10 @@ use parquet::file::properties::WriterProperties;
 use parquet::file::reader::{FileReader, RowGroupReader, SerializedFileReader};
 use parquet::file::writer::SerializedFileWriter;
 use parquet::schema::types::{Type, TypePtr};
+use quasirigid_math::memory;
 
 use super::{CellColumn, Cells, TableError};
+use crate::study_file::MOST_IN_PART;
 
 /// Key of the metadata under which the units stand, a JSON object by name of the column.
 const UNITS: &str = "quasirigid.units";
@@ -136,6 +138,15 @@ fn read(file: File, wanted: Option<&[&str]>) -> Result<Vec<CellColumn>, ParquetE
     let units = metadata.key_value_metadata().and_then(|pairs| pairs.iter().find(|pair| pair.key == UNITS));
     let units: BTreeMap<String, String> =
         units.and_then(|pair| serde_json::from_str(pair.value.as_deref()?).ok()).unwrap_or_default();
+    let rows = reader
+        .metadata()
+        .row_groups()
+        .iter()
+        .fold(0, |rows: i64, group| rows.saturating_add(group.num_rows().max(0)));
+    if rows as usize > MOST_IN_PART {
+        let problem = format!("it has {rows} rows, and a part of a study has {MOST_IN_PART} at most");
+        return Err(ParquetError::General(problem));
+    }
     let mut columns = Vec::new();
     for (index, field) in metadata.schema_descr().columns().iter().enumerate() {
         let name = field.name().to_owned();
@@ -180,6 +191,8 @@ fn read_group(
         }
         ColumnReader::ByteArrayColumnReader(reader) => {
             let (values, levels) = records(reader, rows)?;
+            let size: usize = values.iter().map(|text| size_of::<Option<String>>() + text.len()).sum();
+            memory::ask(size as f64).map_err(|cause| ParquetError::External(Box::new(cause)))?;
             let texts =
                 values.iter().map(|text| text.as_utf8().map(str::to_owned)).collect::<Result<Vec<_>, _>>()?;
             if let Cells::Texts(all) = cells.get_or_insert(Cells::Texts(Vec::new())) {

@@ -1,5 +1,6 @@
 //! Files beside a model, and the folder of a record.
 
+mod bounds;
 mod history_tables;
 mod matrix_files;
 mod mesh;

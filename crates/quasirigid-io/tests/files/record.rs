@@ -88,7 +88,7 @@ fn shares() -> impl Strategy<Value = BTreeMap<String, f64>> {
 
 fn columns() -> impl Strategy<Value = Vec<Column>> {
     (0usize..4, 0usize..6).prop_flat_map(|(columns, rows)| {
-        let column = ("[a-z,\" ω]{0,6}", ".*", vec(ANY, rows)).prop_map(|(name, unit, values)| Column {
+        let column = ("[-a-z,\" ω=+;']{0,6}", ".*", vec(ANY, rows)).prop_map(|(name, unit, values)| Column {
             name,
             unit,
             values,

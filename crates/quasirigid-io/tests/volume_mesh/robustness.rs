@@ -1,34 +1,12 @@
 //! Damaged files are refused without a panic and without more memory than their size explains.
 
-use std::alloc::{GlobalAlloc, Layout, System};
-use std::cell::Cell;
 use std::path::Path;
 
 use proptest::prelude::*;
 use quasirigid_io::mesh::mesh_of;
 
 use super::bytes;
-
-thread_local! {
-    /// Largest piece of memory that this thread asked for at once (bytes).
-    static LARGEST: Cell<usize> = const { Cell::new(0) };
-}
-
-struct Watched;
-
-unsafe impl GlobalAlloc for Watched {
-    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
-        LARGEST.set(LARGEST.get().max(layout.size()));
-        unsafe { System.alloc(layout) }
-    }
-
-    unsafe fn dealloc(&self, pointer: *mut u8, layout: Layout) {
-        unsafe { System.dealloc(pointer, layout) }
-    }
-}
-
-#[global_allocator]
-static WATCHED: Watched = Watched;
+use crate::heap::watched;
 
 /// No file of 20 kB needs more, even if it is compressed a thousand times.
 const MOST: usize = 32 * 1024 * 1024;
@@ -56,8 +34,8 @@ const FILES: [&str; 18] = [
 
 /// Reads bytes; a mesh that results is consistent.
 fn read(bytes: &[u8]) -> Result<(), TestCaseError> {
-    LARGEST.set(0);
-    if let Ok(mesh) = mesh_of(Path::new("nowhere/a"), bytes) {
+    let (mesh, largest) = watched(|| mesh_of(Path::new("nowhere/a"), bytes));
+    if let Ok(mesh) = mesh {
         prop_assert_eq!(mesh.nodes.len(), mesh.node_labels.len());
         prop_assert!(mesh.nodes.iter().flatten().all(|x| x.is_finite()));
         for cell in &mesh.cells {
@@ -70,7 +48,6 @@ fn read(bytes: &[u8]) -> Result<(), TestCaseError> {
             prop_assert!(set.cells.last().is_none_or(|cell| *cell < mesh.cells.len()));
         }
     }
-    let largest = LARGEST.get();
     prop_assert!(largest < MOST, "{} bytes at once", largest);
     Ok(())
 }

@@ -38,8 +38,12 @@ pub struct Dop853<S, Y, R> {
 pub(super) const CAUTION: f64 = 0.9;
 pub(super) const SHRINK: f64 = 0.333;
 pub(super) const GROW: f64 = 6.0;
-/// Order of the error estimate plus one.
-const ORDER: f64 = 8.0;
+
+/// Root by the order of the error estimate plus one, by operations that every processor rounds alike.
+#[inline(always)]
+fn eighth_root(number: f64) -> f64 {
+    number.sqrt().sqrt().sqrt()
+}
 
 /// Rates at the later stages of a step from a time and a state; the rate at its start is in the first.
 #[inline(always)]
@@ -171,8 +175,7 @@ impl<S: System<Y>, Y: State, R: Arithmetic> Dop853<S, Y, R> {
             *change -= rate;
         }
         let largest = rate.max(size(change.as_ref()) / guess);
-        let step =
-            if largest > 1e-15 { (0.01 / largest).powf(1.0 / ORDER) } else { (1e-3 * guess).max(1e-6) };
+        let step = if largest > 1e-15 { eighth_root(0.01 / largest) } else { (1e-3 * guess).max(1e-6) };
         step.min(100.0 * guess)
     }
 }
@@ -209,8 +212,7 @@ impl<S: System<Y>, Y: State, R: Arithmetic> Solver for Dop853<S, Y, R> {
                 rejected = true;
                 continue;
             }
-            // the root of order 8, by operations that every processor rounds alike
-            let factor = (CAUTION / error.sqrt().sqrt().sqrt()).clamp(SHRINK, GROW);
+            let factor = (CAUTION / eighth_root(error)).clamp(SHRINK, GROW);
             if error <= 1.0 {
                 let growth = if rejected { factor.min(1.0) } else { factor };
                 self.h = if reaches { self.h.max(h * growth) } else { h * growth };

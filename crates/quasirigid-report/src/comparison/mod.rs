@@ -6,6 +6,7 @@ mod rows;
 
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 use quasirigid_io::record::RunRecord;
+use quasirigid_io::visible::visible;
 
 use crate::charts;
 use crate::page::{PALETTE, POLICY, STYLE};
@@ -46,7 +47,7 @@ impl Compared<'_> {
 /// The verdict on each run comes first; a number of equations that do not hold is not given.
 pub fn comparison_page(runs: &[Compared<'_>]) -> String {
     let (differing, same): (Vec<Row>, Vec<Row>) = rows::of(runs).into_iter().partition(Row::differs);
-    html! {
+    let document: Markup = html! {
         (DOCTYPE)
         html lang="en" {
             head {
@@ -83,8 +84,8 @@ pub fn comparison_page(runs: &[Compared<'_>]) -> String {
                 (charts::script())
             }
         }
-    }
-    .into_string()
+    };
+    visible(&document.into_string())
 }
 
 fn title(runs: &[Compared<'_>]) -> String {

@@ -1,7 +1,8 @@
 //! Picture of a chart for a paper or a slide: an SVG file of its own, with places in pixels and every style in the file.
 //! It takes no style sheet and no units but pixels, so that every program that reads SVG draws the same.
 
-use maud::{Markup, PreEscaped, html};
+use maud::{Markup, html};
+use quasirigid_io::visible::visible;
 
 use super::Figure;
 use super::axis::Axis;
@@ -68,7 +69,7 @@ impl Figure {
                 }
             }
         };
-        Some(format!("{HEAD}{}\n", PreEscaped(drawing.into_string()).0))
+        Some(format!("{HEAD}{}\n", visible(&drawing.into_string())))
     }
 
     /// The events, each a dashed line with its label.

@@ -10,6 +10,7 @@ mod stretches;
 
 use maud::{Markup, PreEscaped, html};
 use quasirigid_io::record::{HistoryRecord, RunRecord};
+use quasirigid_io::visible::visible;
 
 use crate::columns::{column, ends, main_history};
 use crate::number::{digits, duration, tidy};
@@ -91,7 +92,7 @@ impl Movie<'_> {
                 g.still { (still) }
             }
         };
-        Some(format!("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n{}\n", drawing.into_string()))
+        Some(format!("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n{}\n", visible(&drawing.into_string())))
     }
 
     fn clock(&self) -> Clock {

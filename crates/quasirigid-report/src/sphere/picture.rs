@@ -1,6 +1,7 @@
 //! Picture of the sphere for a paper or a slide: an SVG file of its own, with the colours of white paper in it.
 
 use quasirigid_io::record::RunRecord;
+use quasirigid_io::visible::visible;
 
 use super::{STYLE, Scene};
 use crate::columns::main_history;
@@ -14,7 +15,7 @@ pub fn sphere_picture(record: &RunRecord) -> Option<String> {
     let namespace = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"560\" height=\"390\"";
     let paper = "<rect x=\"-280\" y=\"-205\" width=\"560\" height=\"390\" fill=\"#fff\"/>";
     let head = format!("><style>{style}</style>{paper}");
-    Some(drawing.replacen("<svg", namespace, 1).replacen('>', &head, 1))
+    Some(visible(&drawing.replacen("<svg", namespace, 1).replacen('>', &head, 1)))
 }
 
 /// The style with the light colours of the palette in place of their names, which few programs but browsers know.

@@ -5,8 +5,9 @@ mod figures;
 mod scatter;
 mod tables;
 
-use maud::{DOCTYPE, PreEscaped, html};
+use maud::{DOCTYPE, Markup, PreEscaped, html};
 use quasirigid_io::record::{SweepColumn, SweepRecord};
+use quasirigid_io::visible::visible;
 
 use crate::page::{PALETTE, POLICY, STYLE};
 
@@ -20,7 +21,7 @@ const SCRIPT: &str = include_str!("../assets/scatter.js");
 ///
 /// All columns have the same rows; a column of the record that is not among them has no figure.
 pub fn study_page(record: &SweepRecord, columns: &[SweepColumn]) -> String {
-    html! {
+    let document: Markup = html! {
         (DOCTYPE)
         html lang="en" {
             head {
@@ -48,6 +49,6 @@ pub fn study_page(record: &SweepRecord, columns: &[SweepColumn]) -> String {
                 script { (PreEscaped(SCRIPT)) }
             }
         }
-    }
-    .into_string()
+    };
+    visible(&document.into_string())
 }

@@ -3,9 +3,9 @@
 use quasirigid::submanifold::{BackbonePoint, Style};
 use quasirigid_io::model::Named;
 use quasirigid_io::record::{AboutSpinRecord, Column, MasterRecord};
+use quasirigid_io::visible::one_line;
 
 use super::AboutSpin;
-use crate::visible::one_line;
 use crate::words::shares;
 
 /// Number of a point of the backbone: name, unit and value.

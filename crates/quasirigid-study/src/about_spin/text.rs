@@ -4,6 +4,7 @@ use std::fmt::{self, Write};
 
 use quasirigid::submanifold::{BackbonePoint, Style};
 use quasirigid_io::model::Named;
+use quasirigid_io::visible::one_line;
 use quasirigid_math::vec3::norm;
 
 use super::{AboutSpin, WITHIN};
@@ -46,7 +47,7 @@ impl AboutSpin<'_> {
     }
 
     fn write(&self, out: &mut String) -> fmt::Result {
-        let told = format!("{}: {}", self.study.model.name, self.sentence());
+        let told = format!("{}: {}", one_line(&self.study.model.name), self.sentence());
         writeln!(out, "{}", paragraph(&told, "", "  "))?;
         self.left_out.notes().iter().try_for_each(|note| writeln!(out, "{}", paragraph(note, "  ", "  ")))?;
         self.write_spin(out)?;

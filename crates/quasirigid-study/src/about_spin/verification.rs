@@ -5,6 +5,7 @@ use std::fmt::{self, Write};
 use quasirigid::verification::{
     SpinVerification, SpinVerificationPlan, VerificationError, verify_about_spin,
 };
+use quasirigid_io::visible::one_line;
 use serde_json::{Value, json};
 
 use super::{AskedManifold, Planned, planned};
@@ -86,7 +87,7 @@ pub fn verification_json(found: &SpinVerification) -> Value {
 #[must_use]
 pub fn verification_text(name: &str, found: &SpinVerification) -> String {
     let mut text = String::new();
-    write(&mut text, name, found).expect("a string takes any text");
+    write(&mut text, &one_line(name), found).expect("a string takes any text");
     text
 }
 

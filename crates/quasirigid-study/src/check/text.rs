@@ -6,6 +6,7 @@ use quasirigid::dynamics::{IsolatedSpin, SteadySpin, SteadySpins, all_steady_spi
 use quasirigid::elements::{Condensation, Ellipsoid, Part, PartKind};
 use quasirigid::model::{Principal, ReducedBody};
 use quasirigid::reduction::{Validity, Verdict};
+use quasirigid_io::visible::one_line;
 use quasirigid_math::rotation::angle;
 use quasirigid_math::sphere::StationaryKind as Stationary;
 use quasirigid_math::sym3;
@@ -30,7 +31,7 @@ pub(super) fn text(report: &CheckReport) -> String {
     let omega = report.omega;
     let mut text = String::new();
     let about = report.about_spin.as_ref().map(|about| about.sentence.as_str());
-    write(&mut text, (&model.name, about), reduced, (omega, without(study)), validity)
+    write(&mut text, (&one_line(&model.name), about), reduced, (omega, without(study)), validity)
         .expect("a string takes any text");
     report.start.iter().for_each(|start| text.push_str(&settled(*start, omega)));
     text.push_str(&steady::lines(spins));

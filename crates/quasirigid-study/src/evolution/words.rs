@@ -4,6 +4,7 @@ use std::fmt::{self, Write};
 
 use quasirigid::averaging::{DriftHistory, DriftStopReason, MeanPower, RotationState};
 use quasirigid_io::record::{Column, EstimateRecord, EvolutionRecord, ObservedRecord};
+use quasirigid_io::visible::one_line;
 
 use super::Asked;
 use super::secular::SecularEvolution;
@@ -156,7 +157,7 @@ pub fn notes(secular: &SecularEvolution, ends: [RotationState; 2], unranged: boo
 /// The answer, the table and the details, for a terminal of 80 columns.
 pub fn text(name: &str, record: &EvolutionRecord) -> String {
     let mut text = String::new();
-    write(&mut text, name, record).expect("a string takes any text");
+    write(&mut text, &one_line(name), record).expect("a string takes any text");
     text
 }
 

@@ -12,13 +12,13 @@ use quasirigid::elements::Visual;
 use quasirigid::model::{FlexibleBody, Principal};
 use quasirigid::modes::SpinModes;
 use quasirigid_io::record::{CoordinateRecord, EquationsRecord, PrincipalRecord, SCENE_VERSION, SceneRecord};
+use quasirigid_io::visible::one_line;
 use quasirigid_math::vec3::norm;
 
 pub(crate) use equations::equations;
 pub(crate) use track::Frames;
 
 use crate::study::Study;
-use crate::visible::one_line;
 use kept::Kept;
 
 /// The scene of a run, from its frames, the modes about its steady spin and the reduced equations, where there are any.

@@ -2,8 +2,7 @@
 
 use quasirigid::modes::{SpinMode, SpinModes};
 use quasirigid_io::record::ShapeRecord;
-
-use crate::visible::one_line;
+use quasirigid_io::visible::one_line;
 
 /// Most modes of a scene.
 pub(super) const MOST: usize = 12;

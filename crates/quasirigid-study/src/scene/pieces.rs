@@ -2,9 +2,9 @@
 
 use quasirigid::elements::Visual;
 use quasirigid_io::record::{FieldRecord, Packed, PieceRecord, TurningRecord, VectorsRecord};
+use quasirigid_io::visible::one_line;
 
 use super::kept::Kept;
-use crate::visible::one_line;
 
 /// Cyclic coordinates of the rotors that are drawn, in order.
 pub(super) fn rotors(visuals: &[Visual]) -> Vec<usize> {

@@ -3,6 +3,7 @@
 use std::fmt::{self, Write};
 
 use quasirigid_io::record::{CorrelationRecord, QuantityRecord, SweepRecord};
+use quasirigid_io::visible::one_line;
 
 use crate::layout::paragraph;
 use crate::words::significant;
@@ -23,10 +24,11 @@ pub fn text(record: &SweepRecord) -> String {
 fn write(out: &mut String, record: &SweepRecord) -> fmt::Result {
     let count = |status: &str| record.status.get(status).copied().unwrap_or(0);
     let answered = count("answered");
+    let name = one_line(&record.name);
     let mut title = if answered == record.rows {
-        format!("{}: all {} rows answered.", record.name, record.rows)
+        format!("{name}: all {} rows answered.", record.rows)
     } else {
-        format!("{}: {answered} of {} rows answered", record.name, record.rows)
+        format!("{name}: {answered} of {} rows answered", record.rows)
     };
     if answered != record.rows {
         let rest = ["refused", "invalid", "failed"].map(|status| (count(status), status));
@@ -47,7 +49,7 @@ fn write(out: &mut String, record: &SweepRecord) -> fmt::Result {
     }
     for quantity in &record.quantities {
         let unit = if quantity.unit.is_empty() { String::new() } else { format!(" ({})", quantity.unit) };
-        writeln!(out, "\n  {}{unit}", quantity.name)?;
+        writeln!(out, "\n  {}{unit}", one_line(&quantity.name))?;
         statistics(out, quantity)?;
         let strongest = record.correlations.iter().filter(|each| each.quantity == quantity.name);
         correlations(out, &strongest.take(CORRELATIONS).collect::<Vec<_>>())?;

@@ -10,7 +10,7 @@ use super::sparse::{self, Parts};
 use crate::matrix::error::{Fault, MatrixProblem, Place};
 use crate::matrix::listed::At;
 use crate::matrix::{LARGEST, MatrixFile};
-use crate::text_file::Member;
+use crate::text_file::{Member, unpacked_limit};
 
 /// The matrix of a `.npz` archive: a sparse one in its parts, or a dense one by its name.
 pub(in crate::matrix) fn read_archive(bytes: &[u8], name: Option<&str>) -> Result<MatrixFile, Fault> {
@@ -49,14 +49,10 @@ struct Archive<'a> {
     limit: u64,
 }
 
-/// Bytes that an archive may unpack to for each of its own, and always.
-const INFLATION: u64 = 100;
-const SMALL: u64 = 64 * 1024 * 1024;
-
 impl<'a> Archive<'a> {
     fn new(bytes: &'a [u8]) -> Result<Self, Fault> {
         let refused = |error: zip::result::ZipError| (Place::File, archive(&error));
-        let left = (bytes.len() as u64).saturating_mul(INFLATION).clamp(SMALL, LARGEST);
+        let left = unpacked_limit(bytes.len() as u64).min(LARGEST);
         Ok(Self { zip: ZipArchive::new(Cursor::new(bytes)).map_err(refused)?, left, limit: left })
     }
 

@@ -10,11 +10,12 @@ use csv::{ByteRecord, ReaderBuilder, Writer};
 use super::super::folder::unusable;
 use super::super::{Column, RecordError};
 use super::{RowTable, Rows, Take};
+use crate::table_file::{guarded, unguarded};
 
 /// Writes the columns of a history, or of the evolution, as CSV: a header of names, then one line per row.
 ///
 /// Numbers are printed with the fewest digits that read back bit for bit; those that are not finite as `NaN`, `inf`,
-/// `-inf`. No columns make an empty file.
+/// `-inf`. No columns make an empty file. A spreadsheet takes no name for a formula.
 ///
 /// # Errors
 /// [`ErrorKind::InvalidInput`] if the columns differ in length, before anything is written; otherwise what `out`
@@ -63,7 +64,7 @@ impl<W: Write> Lines<W> {
             return Ok(None);
         }
         let mut out = Writer::from_writer(out);
-        out.write_record(columns.iter().map(|column| &column.name)).map_err(cause)?;
+        out.write_record(columns.iter().map(|column| guarded(&column.name).into_owned())).map_err(cause)?;
         Ok(Some(Self { out, digits: String::new() }))
     }
 
@@ -119,7 +120,8 @@ pub fn read(file: &Path, columns: &[Column], take: Take<'_>) -> Result<(), Recor
 
 fn check_header(columns: &[Column], header: &ByteRecord, file: &Path) -> Result<(), RecordError> {
     let expected: Vec<String> = columns.iter().map(|column| column.name.clone()).collect();
-    let found: Vec<String> = header.iter().map(|name| String::from_utf8_lossy(name).into()).collect();
+    let found: Vec<String> =
+        header.iter().map(|name| unguarded(&String::from_utf8_lossy(name)).into_owned()).collect();
     if found == expected { Ok(()) } else { Err(RecordError::Header { file: file.into(), expected, found }) }
 }
 

@@ -1,4 +1,5 @@
 //! NPZ tables of histories: an archive with one NumPy array of doubles for each column, stored without compression, as `numpy.load` reads.
+//! An archive that another program has compressed is read up to a hundred times its size.
 
 use std::fs::File;
 use std::io::{self, Read, Seek, Write};
@@ -10,6 +11,7 @@ use zip::{CompressionMethod, ZipArchive, ZipWriter};
 use super::super::folder::unusable;
 use super::super::{Column, RecordError};
 use super::{Rows, Take};
+use crate::text_file::unpacked_limit;
 
 /// Alignment of the data of an array.
 const ALIGNED: usize = 64;
@@ -62,11 +64,16 @@ fn header(rows: u64) -> Vec<u8> {
 pub fn read(file: &Path, columns: &[Column], take: Take<'_>) -> Result<(), RecordError> {
     let damaged = |problem: String| RecordError::Table { file: file.into(), problem };
     let opened = File::open(file).map_err(|error| unusable(file, &error))?;
+    let limit = unpacked_limit(opened.metadata().map_err(|error| unusable(file, &error))?.len());
+    let mut left = limit;
     let mut archive = ZipArchive::new(opened).map_err(|error| damaged(error.to_string()))?;
     let mut read = |column: &Column| {
-        let mut input = archive.by_name(&member(&column.name)).map_err(|error| damaged(error.to_string()))?;
+        let input = archive.by_name(&member(&column.name)).map_err(|error| damaged(error.to_string()))?;
         let mut bytes = Vec::new();
-        input.read_to_end(&mut bytes).map_err(|error| unusable(file, &error))?;
+        input.take(left + 1).read_to_end(&mut bytes).map_err(|error| unusable(file, &error))?;
+        left = left
+            .checked_sub(bytes.len() as u64)
+            .ok_or_else(|| damaged(format!("the archive unpacks to more than {} MiB", limit >> 20)))?;
         numbers(&bytes).ok_or_else(|| damaged(format!("column {:?} is no array of doubles", column.name)))
     };
     let values = columns.iter().map(&mut read).collect::<Result<Vec<_>, _>>()?;

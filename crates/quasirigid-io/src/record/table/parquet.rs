@@ -8,8 +8,9 @@ use std::path::Path;
 use std::sync::Arc;
 
 use parquet::basic::{Compression, Repetition, Type as Physical};
-use parquet::column::reader::ColumnReader;
+use parquet::column::reader::{ColumnReader, ColumnReaderImpl};
 use parquet::column::writer::ColumnWriter;
+use parquet::data_type::DoubleType;
 use parquet::errors::ParquetError;
 use parquet::file::metadata::KeyValue;
 use parquet::file::properties::WriterProperties;
@@ -21,7 +22,7 @@ use super::super::folder::unusable;
 use super::super::{Column, RecordError};
 use super::{Rows, Take};
 
-/// Rows of a group.
+/// Rows of a group that is written, and rows that are read at once.
 const GROUP: usize = 65_536;
 /// Key of the metadata under which the units stand, a JSON object by name of the column.
 const UNITS: &str = "quasirigid.units";
@@ -102,40 +103,57 @@ fn read_undamaged(file: &Path, columns: &[Column], take: Take<'_>) -> Result<(),
     }
     let mut row = vec![0.0; columns.len()];
     for number in 0..reader.num_row_groups() {
-        let group = group(&reader, number, columns.len()).map_err(failed)?;
-        for place in 0..group.first().map_or(0, Vec::len) {
-            for (value, column) in row.iter_mut().zip(&group) {
-                *value = *column.get(place).ok_or_else(|| damaged(file, &"columns of unequal length"))?;
+        let mut group = Group::new(&reader, number, columns.len()).map_err(failed)?;
+        while group.next().map_err(failed)? {
+            for place in 0..group.values.first().map_or(0, Vec::len) {
+                for (value, column) in row.iter_mut().zip(&group.values) {
+                    *value = *column.get(place).ok_or_else(|| damaged(file, &"columns of unequal length"))?;
+                }
+                take(&row);
             }
-            take(&row);
         }
     }
     Ok(())
 }
 
-fn group(
-    reader: &SerializedFileReader<File>,
-    number: usize,
-    columns: usize,
-) -> Result<Vec<Vec<f64>>, ParquetError> {
-    let group = reader.get_row_group(number)?;
-    let rows = usize::try_from(group.metadata().num_rows()).unwrap_or(0);
-    let column = |index: usize| match group.get_column_reader(index)? {
-        ColumnReader::DoubleColumnReader(mut reader) => {
-            let mut values = Vec::new();
-            let mut levels = Vec::new();
-            while values.len() < rows {
+/// Row group, read some rows at a time: a few bytes may stand for any number of equal values.
+struct Group {
+    columns: Vec<ColumnReaderImpl<DoubleType>>,
+    /// The rows read last, column by column.
+    values: Vec<Vec<f64>>,
+    left: usize,
+}
+
+impl Group {
+    fn new(reader: &SerializedFileReader<File>, number: usize, columns: usize) -> Result<Self, ParquetError> {
+        let group = reader.get_row_group(number)?;
+        let column = |index: usize| match group.get_column_reader(index)? {
+            ColumnReader::DoubleColumnReader(reader) => Ok(reader),
+            _ => Err(ParquetError::General("a column that is no number".to_owned())),
+        };
+        Ok(Self {
+            columns: (0..columns).map(column).collect::<Result<_, _>>()?,
+            values: vec![Vec::new(); columns],
+            left: usize::try_from(group.metadata().num_rows()).unwrap_or(0),
+        })
+    }
+
+    /// Reads the next rows; none are left where there are none in any column.
+    fn next(&mut self) -> Result<bool, ParquetError> {
+        let wanted = self.left.min(GROUP);
+        for (reader, values) in self.columns.iter_mut().zip(&mut self.values) {
+            values.clear();
+            while values.len() < wanted {
                 let (read, ..) =
-                    reader.read_records(rows - values.len(), Some(&mut levels), None, &mut values)?;
+                    reader.read_records(wanted - values.len(), Some(&mut Vec::new()), None, values)?;
                 if read == 0 {
                     break;
                 }
             }
-            Ok(values)
         }
-        _ => Err(ParquetError::General("a column that is no number".to_owned())),
-    };
-    (0..columns).map(column).collect()
+        self.left -= wanted;
+        Ok(self.values.iter().any(|values| !values.is_empty()))
+    }
 }
 
 fn damaged(file: &Path, cause: &dyn std::fmt::Display) -> RecordError {

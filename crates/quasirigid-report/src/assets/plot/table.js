@@ -1,8 +1,8 @@
 // The points in view as CSV (RFC 4180): true values in the units of the axes, with seven digits.
 const DIGITS = 7;
 
-/** Text that no spreadsheet takes for a formula. */
-const guarded = (text) => (/^[=+\-@\t\r]/.test(text) ? `'${text}` : text);
+/** Text that no spreadsheet takes for a formula, as in the tables of the program: an apostrophe before the sign that begins a cell. */
+const guarded = (text) => text.replace(/(^|[;\t\r\n])([\s']*)(?=[=+\-@＝＋－＠])/g, "$1$2'");
 const quoted = (text) => (/[",\r\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text);
 const headed = (name, { unit }) => guarded(unit ? `${name} [${unit}]` : name);
 

@@ -8,7 +8,6 @@ use super::compliance::Solids;
 use super::criteria::EllipsoidCriteria;
 use super::power::{At, Losses, Wobbles};
 use super::{EllipsoidLoss, EllipsoidRefusal, Wobble, WobblingEllipsoid};
-use crate::averaging::poinsot::FreeRotation;
 use crate::math::lanes::{LANES, Lanes};
 use crate::math::quadrature::KRONROD;
 use crate::math::simd::{Arithmetic, Rounding, Task, dispatch_lanes};
@@ -217,20 +216,20 @@ fn way(body: &WobblingEllipsoid, prepared: Prepared) -> Result<Way, EllipsoidRef
     Ok(Way { body: prepared, from, until, criteria, sums })
 }
 
-/// Place of a wobble of a body with these moments.
+/// Place of a wobble of a body with these moments, by functions that are the same on every machine.
 fn place(moments: [f64; 3], wobble: Wobble) -> Result<Place, EllipsoidRefusal> {
     let [I1, I2, I3] = moments;
     let refused = EllipsoidRefusal::NoState { wobble, least: I1 / I3 };
     let (mode, xi) = match wobble {
         Wobble::Nutation(_) if !Mode::ShortAxis.exists(moments) => return Err(EllipsoidRefusal::NoShortAxis),
         Wobble::Nutation(angle) if angle > 0.0 && angle < FRAC_PI_2 => {
-            (Mode::ShortAxis, FreeRotation::logit_of(moments, Mode::ShortAxis, angle))
+            (Mode::ShortAxis, libm::log(I2 / I3) - 2.0 * libm::log(libm::tan(angle)))
         }
         Wobble::Ratio(ratio) if ratio * I3 >= I2 && ratio < 1.0 => {
-            (Mode::ShortAxis, ((ratio * I3 - I2) / (I3 * (1.0 - ratio))).ln())
+            (Mode::ShortAxis, libm::log((ratio * I3 - I2) / (I3 * (1.0 - ratio))))
         }
         Wobble::Ratio(ratio) if ratio * I3 < I2 && ratio * I3 > I1 => {
-            (Mode::LongAxis, ((I2 - ratio * I3) / (ratio * I3 - I1)).ln())
+            (Mode::LongAxis, libm::log((I2 - ratio * I3) / (ratio * I3 - I1)))
         }
         _ => return Err(refused),
     };

@@ -1,19 +1,22 @@
-//! Text of files on a terminal: characters that would steer the terminal are shown instead.
+//! Text of files on a terminal, on a page and in comments of exported equations: characters that would steer the reader are shown instead.
 
 use std::fmt::Write;
 
 /// A text in which control characters, line breaks and tabs apart, stand as `\u001b`; so do characters that change the direction of
 /// writing. JSON keeps its meaning with them.
+#[must_use]
 pub fn visible(text: &str) -> String {
     escaped(text, |letter| steers(letter) && !matches!(letter, '\n' | '\t'))
 }
 
 /// A name made visible likewise, without line breaks.
+#[must_use]
 pub fn one_line(name: &str) -> String {
     escaped(name, steers)
 }
 
 /// A text of equal length in bytes, in which question marks stand for such characters; ends of lines stay.
+#[must_use]
 pub fn masked(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     let mut letters = text.chars().peekable();
@@ -40,10 +43,13 @@ fn escaped(text: &str, hidden: impl Fn(char) -> bool) -> String {
     out
 }
 
-/// Whether a character steers a terminal, or the direction in which it writes.
+/// Whether a character steers a terminal or the direction in which it writes, ends a line or a paragraph, or has no place in XML.
 fn steers(letter: char) -> bool {
     letter.is_control()
-        || matches!(letter, '\u{200e}' | '\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
+        || matches!(
+            letter,
+            '\u{61c}' | '\u{200e}' | '\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2066}'..='\u{2069}' | '\u{fffe}' | '\u{ffff}'
+        )
 }
 
 #[cfg(test)]

@@ -1,0 +1,35 @@
+//! Allocator that knows the largest piece of memory that a thread asked for at once.
+
+use std::alloc::{GlobalAlloc, Layout, System};
+use std::cell::Cell;
+
+thread_local! {
+    /// Largest piece of memory that this thread asked for at once (bytes).
+    static LARGEST: Cell<usize> = const { Cell::new(0) };
+}
+
+struct Watched;
+
+// SAFETY: every call is passed on to the allocator of the system unchanged; the counter touches no memory of the caller.
+unsafe impl GlobalAlloc for Watched {
+    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
+        LARGEST.set(LARGEST.get().max(layout.size()));
+        // SAFETY: the caller keeps the contract of `alloc`.
+        unsafe { System.alloc(layout) }
+    }
+
+    unsafe fn dealloc(&self, pointer: *mut u8, layout: Layout) {
+        // SAFETY: the caller keeps the contract of `dealloc`.
+        unsafe { System.dealloc(pointer, layout) }
+    }
+}
+
+#[global_allocator]
+static WATCHED: Watched = Watched;
+
+/// What work returns, and the largest piece of memory (bytes) that it asked for at once.
+pub fn watched<T>(work: impl FnOnce() -> T) -> (T, usize) {
+    LARGEST.set(0);
+    let done = work();
+    (done, LARGEST.get())
+}

@@ -243,7 +243,13 @@ fn read_scene(file: PathBuf) -> Result<SceneRecord, RecordError> {
     if version > SCENE_VERSION {
         return Err(RecordError::SceneVersion { file, version });
     }
-    parse(&file, &text)
+    let scene: SceneRecord = parse(&file, &text)?;
+    match scene.damage() {
+        None => Ok(scene),
+        Some(part) => {
+            Err(RecordError::Table { file, problem: format!("{part} do not fit the rest of the scene") })
+        }
+    }
 }
 
 fn parse<T: DeserializeOwned>(file: &Path, text: &[u8]) -> Result<T, RecordError> {

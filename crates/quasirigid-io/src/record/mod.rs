@@ -13,6 +13,7 @@ mod folder;
 mod modes;
 mod number;
 mod scene;
+mod scene_check;
 mod sweep;
 mod table;
 

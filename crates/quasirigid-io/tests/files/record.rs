@@ -9,7 +9,8 @@ use proptest::collection::{btree_map, vec};
 use proptest::num::f64::{ANY, Any, NEGATIVE, NORMAL, POSITIVE, SUBNORMAL, ZERO};
 use proptest::option;
 use proptest::prelude::*;
-use proptest::test_runner::RngSeed;
+use proptest::strategy::ValueTree;
+use proptest::test_runner::{RngSeed, TestRunner};
 use quasirigid_io::record::*;
 use tempfile::tempdir;
 
@@ -213,21 +214,26 @@ prop_compose! {
 prop_compose! {
     fn scene()(
         name in ".*", radius in finite(), moments in [finite(), finite(), finite()],
-        vertices in vec(proptest::num::f32::NORMAL, 0..9), triangles in option::of(vec(any::<u16>(), 0..6)),
-        multiples in vec(any::<i16>(), 0..9),
+        triangles in option::of(vec(any::<[u16; 3]>(), 0..3)), multiples in vec(any::<[i16; 3]>(), 1..4),
+        numbers in vec(proptest::num::f32::NORMAL, 30),
         size in option::of(finite()), t in vec(finite(), 0..4), limit in prop_oneof![finite(), Just(f64::INFINITY)],
         values in vec(vec(finite(), 0..3), 0..3), rotor in 0usize..3, note in ".*",
     ) -> SceneRecord {
-        let packed = || Packed(vertices.clone());
+        let packed = |count: usize| Packed(numbers.iter().copied().take(count * t.len()).collect());
+        let [attitude, omega, momentum, rotors] = [4, 3, 3, 3].map(packed);
+        let dissipated = Packed(t.iter().map(|t| -t).collect());
+        let vertices = multiples.len() as u16;
+        let triangles = triangles.map(|corners| Packed(corners.into_flattened().into_iter().map(|corner| corner % vertices).collect()));
+        let multiples = multiples.into_flattened();
         let term = TermRecord { degree: 2, stiffness: -1, damping: 1, values };
         let piece = PieceRecord {
             name: name.clone(),
             kind: note.clone(),
             vertices: VectorsRecord { unit: radius, values: Packed(multiples.clone()) },
-            triangles: triangles.map(Packed),
+            triangles,
             lines: None,
             size,
-            fields: vec![FieldRecord { coordinate: rotor, vectors: VectorsRecord { unit: -radius, values: Packed(multiples) } }],
+            fields: vec![FieldRecord { coordinate: 0, vectors: VectorsRecord { unit: -radius, values: Packed(multiples) } }],
             turning: Some(TurningRecord { axis: moments, center: moments, rotor }),
         };
         let equations = EquationsRecord {
@@ -241,8 +247,7 @@ prop_compose! {
             pieces: vec![piece],
             principal: PrincipalRecord { moments, axes: [moments; 3] },
             track: Some(TrackRecord {
-                system: "full".into(), t: Packed(t), attitude: packed(), omega: packed(), momentum: packed(), q: None,
-                rotors: Some(packed()), dissipated: Packed(vec![radius]),
+                system: "full".into(), t: Packed(t), attitude, omega, momentum, q: None, rotors: Some(rotors), dissipated,
             }),
             spin: None,
             modes: vec![ShapeRecord {
@@ -441,6 +446,33 @@ fn scene_of_a_later_version_is_refused_in_words() {
     let path = dir.path().join("scene.json");
     fs::write(&path, r#"{ "pieces": {}, "version": 2 }"#).unwrap();
     assert_eq!(refusal(dir.path()), RecordError::SceneVersion { file: path, version: SCENE_VERSION + 1 });
+}
+
+/// A scene whose parts do not fit each other would be drawn from what is not there.
+#[test]
+fn scene_with_a_vertex_that_is_not_there_is_refused() {
+    let scene = scene().new_tree(&mut TestRunner::deterministic()).unwrap().current();
+    let dir = tempdir().unwrap();
+    RunRecord { scene: Some(scene), ..sample() }.write(dir.path(), &[TableFormat::Csv]).unwrap();
+    assert!(RunRecord::read(dir.path()).is_ok());
+    let path = dir.path().join("scene.json");
+    let good: serde_json::Value = serde_json::from_slice(&fs::read(&path).unwrap()).unwrap();
+    let damages: [(&str, fn(&mut serde_json::Value)); 5] = [
+        ("the triangles of the piece", |scene| scene["pieces"][0]["triangles"] = "AAABAP//".into()),
+        ("the lines of the piece", |scene| scene["pieces"][0]["lines"] = "AAABAP//".into()),
+        ("the vertices of the piece", |scene| {
+            scene["pieces"][0]["vertices"]["values"] = "AAABAAIAAAA=".into()
+        }),
+        ("the displacements of the piece", |scene| scene["pieces"][0]["fields"][0]["coordinate"] = 7.into()),
+        ("the arrays of the history", |scene| scene["track"]["omega"] = "AAAAAA==".into()),
+    ];
+    for (part, damage) in damages {
+        let mut scene = good.clone();
+        damage(&mut scene);
+        fs::write(&path, scene.to_string()).unwrap();
+        let said = refusal(dir.path()).to_string();
+        assert!(said.contains(part) && said.contains("do not fit the rest of the scene"), "{said}");
+    }
 }
 
 proptest! {

@@ -87,6 +87,13 @@ pub enum SweepError {
         /// Cause.
         cause: io::Error,
     },
+    /// A part of the results that is damaged, or another.
+    Part {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong with it.
+        problem: String,
+    },
     /// A model without a table of uncertain keys.
     Certain {
         /// The file.
@@ -160,6 +167,11 @@ impl SweepError {
             Self::Io { path, cause } => {
                 format!("{}: {cause}; may the folder be written, is the disk full?", path.display())
             }
+            Self::Part { path, problem } => format!(
+                "{}: {problem}; this is no longer the part that the study wrote: remove the file, and its rows are answered again with {}",
+                path.display(),
+                name(Setting::Resume)
+            ),
             Self::Certain { file } => format!(
                 "{}: the model has no [uncertainty]; add a table such as\n\n    [uncertainty]\n    \"material.rock.density\" = {{ normal = {{ mean = 2000, deviation = 300 }} }}\n",
                 file.display()

@@ -8,10 +8,10 @@ use std::sync::mpsc;
 use std::time::{Duration, Instant};
 
 use quasirigid_io::record::SweepRecord;
-use quasirigid_io::table_file::{csv_header, csv_rows, read_parquet};
+use quasirigid_io::table_file::{csv_header, csv_rows};
 use rayon::ThreadPool;
 
-use super::folder::{Folder, REPORT, ROWS, SUMMARY, tidy};
+use super::folder::{Folder, REPORT, ROWS, SUMMARY, read_part, tidy};
 use super::part::Opened;
 use super::row::RowAnswer;
 use super::{Sweep, SweepError, page, summary};
@@ -89,6 +89,7 @@ impl Sweep {
         for part in parts {
             let rows = rows_in(&folder, part);
             if folder.part(part).is_file() {
+                folder.check_part(part)?;
                 folder.drop_journal(part);
             } else {
                 match work_on(self, &folder, part, &pool, &mut progress)? {
@@ -192,6 +193,7 @@ fn work_on(
     progress.done += rows_in(folder, part) - todo.len() as u64;
     together(sweep, &todo, pool, progress, &mut |answers| work.keep(answers).map(drop))?;
     if !work.is_whole() {
+        work.settle()?;
         return Ok(Worked::Stopped);
     }
     work.write(folder)?;
@@ -251,7 +253,7 @@ fn summarized(sweep: &Sweep, folder: &Folder<'_>) -> Result<SweepRecord, SweepEr
         let mut problem = None;
         let written = folder.put(ROWS, |out| {
             for part in 0..folder.parts() {
-                match read_parquet(&folder.part(part), None) {
+                match read_part(&folder.part(part), None) {
                     Ok(columns) => {
                         if part == 0 {
                             out.write_all(&csv_header(&columns))?;
@@ -267,7 +269,7 @@ fn summarized(sweep: &Sweep, folder: &Folder<'_>) -> Result<SweepRecord, SweepEr
             Ok(())
         });
         if let Some(problem) = problem {
-            return Err(problem.into());
+            return Err(problem);
         }
         written?;
     }

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 use quasirigid::dynamics::Checkpoint;
-use quasirigid_io::disk::{is_temporary, parent, replace, settle_folder, stands};
+use quasirigid_io::disk::{is_temporary, parent, replace, settle_folder, stands, tidy};
 use quasirigid_io::record::{ROWS, RowLog, RowTable, RunRecord, history_file};
 
 use crate::error::StudyError;
@@ -86,6 +86,7 @@ impl KeptRun {
                     ));
                 }
                 run.lock()?;
+                tidy(folder);
             }
         }
         Ok(run)

@@ -2,7 +2,7 @@ use std::io::{self, BufWriter, IsTerminal, Seek, Write};
 
 use quasirigid::dynamics::Outcome;
 use quasirigid_io::model::System;
-use quasirigid_io::record::{MOST_ROWS, TableFormat, history_csv, log_csv};
+use quasirigid_io::record::{MOST_ROWS, RecordError, TableFormat, history_csv, log_csv};
 use quasirigid_study::histories::{History, Table};
 
 use super::{manifold, notes, open, propagation};
@@ -98,9 +98,15 @@ fn print_table(arguments: &Simulate, history: &History, interrupt: &Interrupt) -
         (Some(log), format) => {
             let mut table = output::spool(arguments.out.as_deref())?;
             let mut buffered = BufWriter::new(table.as_file_mut());
-            format.copy_log(&mut buffered, columns, log)?;
+            let path = arguments.out.clone().unwrap_or_else(|| "standard output".into());
+            let unwritten = |cause| Failure::Write { path: path.clone(), cause };
+            format.copy_log(&mut buffered, columns, log).map_err(|error| match error {
+                RecordError::File { kind, .. } => unwritten(kind.into()),
+                other => other.into(),
+            })?;
+            buffered.flush().map_err(unwritten)?;
             drop(buffered);
-            table.rewind().map_err(|cause| Failure::Write { path: "table".into(), cause })?;
+            table.rewind().map_err(unwritten)?;
             Box::new(move |out| io::copy(table.as_file_mut(), out).map(drop))
         }
     };

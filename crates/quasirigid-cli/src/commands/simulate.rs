@@ -3,6 +3,7 @@ use std::io::{self, BufWriter, IsTerminal, Seek, Write};
 use quasirigid::dynamics::Outcome;
 use quasirigid_io::model::System;
 use quasirigid_io::record::{MOST_ROWS, RecordError, TableFormat, history_csv, log_csv};
+use quasirigid_study::StudyError;
 use quasirigid_study::histories::{History, Table};
 
 use super::{manifold, notes, open, propagation};
@@ -43,7 +44,13 @@ pub fn simulate(arguments: &Simulate) -> Result<ExitStatus, Failure> {
     let long = study.table_rows(&asked, &table) as u64 > MOST_ROWS;
     let spool = long.then(|| output::spool(out.as_deref())).transpose()?;
     let history = match &spool {
-        Some(spool) => study.simulate_logged(&asked, &table, spool.path(), &mut terminal)?,
+        Some(spool) => study.simulate_logged(&asked, &table, spool.path(), &mut terminal).map_err(|error| {
+            // a temporary file says nothing to a user
+            match (error, out) {
+                (StudyError::Write { cause, .. }, Some(path)) => Failure::Write { path: path.clone(), cause },
+                (other, _) => other.into(),
+            }
+        })?,
         None => study.simulate(&asked, &table, &mut terminal)?,
     };
     drop(terminal);

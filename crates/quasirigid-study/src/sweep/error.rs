@@ -4,6 +4,7 @@ use std::{fmt, io};
 
 use quasirigid_io::model::ModelError;
 use quasirigid_io::table_file::TableError;
+use quasirigid_math::memory::TooMuchMemory;
 
 use crate::error::Setting;
 
@@ -21,6 +22,13 @@ pub enum SweepError {
     TooLarge {
         /// Most rows of a study.
         most: u64,
+    },
+    /// Rows that have no room in memory.
+    Memory {
+        /// Number of rows.
+        rows: u64,
+        /// Memory that they take.
+        cause: TooMuchMemory,
     },
     /// A row that the study does not have.
     NoRow {
@@ -126,6 +134,7 @@ impl SweepError {
             Self::TooLarge { most } => {
                 format!("the study has more than {most} rows; take fewer samples, or grids with fewer points")
             }
+            Self::Memory { rows, cause } => format!("{rows} rows are too many here: {cause}; take fewer samples"),
             Self::NoRow { row, rows } => {
                 format!("there is no row {row}: the study has {rows}, from 0 to {}", rows.saturating_sub(1))
             }

@@ -8,9 +8,11 @@ use std::sync::mpsc;
 use std::time::{Duration, Instant};
 
 use quasirigid_io::record::SweepRecord;
+use quasirigid_math::memory;
 use quasirigid_io::table_file::{csv_header, csv_rows};
 use rayon::ThreadPool;
 
+use super::cell::Cell;
 use super::folder::{Folder, REPORT, ROWS, SUMMARY, read_part, tidy};
 use super::part::Opened;
 use super::row::RowAnswer;
@@ -23,6 +25,8 @@ const MOST_IN_CSV: u64 = 1_000_000;
 const PERIOD: Duration = Duration::from_millis(100);
 /// Time for which a thread keeps its answers to itself: what a kill loses, and a thousand writes saved.
 const TOGETHER: Duration = Duration::from_millis(20);
+/// Bytes of an answer in memory, in its row and in its column.
+const CELL: usize = size_of::<Cell>() + size_of::<Option<f64>>();
 const STAGE: &str = "answering";
 
 /// A share of the parts of a study: those whose number leaves this remainder.
@@ -127,6 +131,9 @@ fn rows_in(folder: &Folder<'_>, part: u64) -> u64 {
 impl Sweep {
     /// Answers every row and keeps the answers in memory, in the order of the rows; none if the watch ended the work.
     pub(super) fn in_memory(&self, watch: &mut dyn Watch) -> Result<Option<Vec<RowAnswer>>, SweepError> {
+        let row = size_of::<RowAnswer>() + size_of::<u64>() + self.outputs.len() * CELL;
+        memory::ask(self.rows as f64 * row as f64)
+            .map_err(|cause| SweepError::Memory { rows: self.rows, cause })?;
         let threads = std::thread::available_parallelism().map_or(1, Into::into);
         let todo: Vec<u64> = (0..self.rows).collect();
         let mut answers: Vec<Option<RowAnswer>> = todo.iter().map(|_| None).collect();

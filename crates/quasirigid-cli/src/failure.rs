@@ -36,6 +36,8 @@ pub enum Failure {
     NoFolder { path: PathBuf, folder: PathBuf },
     #[error("cannot write {path}: {cause}", path = path.display())]
     Write { path: PathBuf, cause: std::io::Error },
+    #[error("{path} is written, but the system does not say that it is on the disk: {cause}; write it again before you rely on it", path = path.display())]
+    Unsettled { path: PathBuf, cause: std::io::Error },
     #[error("{option}: {cause}; {advice}", advice = cause.advice())]
     Target { option: &'static str, cause: Box<TargetError> },
     #[error("{}: the record has no scene to draw; run the model again with this version", folder.display())]
@@ -63,7 +65,7 @@ pub enum Failure {
     #[error("{option} is {value}, but must be positive")]
     NotPositive { option: &'static str, value: f64 },
     #[error("cannot listen for Ctrl-C: {0}")]
-    Signals(#[from] ctrlc::Error),
+    Signals(std::io::Error),
     #[error("interrupted; the table breaks off here")]
     Interrupted,
     #[error("interrupted; the rows answered so far are kept, go on with --resume")]
@@ -91,6 +93,11 @@ impl From<RecordError> for Failure {
 }
 
 impl Failure {
+    /// Whether the failure is one of writing, so that the same work ends well once there is room and access.
+    pub fn is_of_writing(&self) -> bool {
+        matches!(self, Self::Write { .. } | Self::Unsettled { .. } | Self::Study(StudyError::Record(_)))
+    }
+
     /// Error of the model file, if the failure is one.
     pub fn model(&self) -> Option<&ModelError> {
         match self {

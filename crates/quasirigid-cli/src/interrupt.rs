@@ -1,3 +1,4 @@
+use std::io;
 use std::process;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -32,13 +33,14 @@ impl Interrupt {
     pub fn listen() -> Result<Self, Failure> {
         let state = Arc::new(State::default());
         let seen = Arc::clone(&state);
-        ctrlc::set_handler(move || {
+        at_signals(move || {
             if seen.pressed.swap(true, Ordering::SeqCst) {
                 seen.end();
             }
             let waiting = Arc::clone(&seen);
             thread::spawn(move || waiting.wait());
-        })?;
+        })
+        .map_err(Failure::Signals)?;
         Ok(Self(state))
     }
 
@@ -61,6 +63,41 @@ impl Interrupt {
         self.0.pressed.store(false, Ordering::SeqCst);
         self.0.heard.store(false, Ordering::SeqCst);
     }
+}
+
+/// Does something at each signal to end: Ctrl-C, SIGTERM, the limit of processor time, and the end of the terminal unless that is to be
+/// ignored, as `nohup` has it.
+#[cfg(unix)]
+fn at_signals(act: impl Fn() + Send + 'static) -> io::Result<()> {
+    use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM, SIGXCPU};
+    let mut wanted = vec![SIGINT, SIGTERM, SIGXCPU];
+    if !is_ignored(SIGHUP) {
+        wanted.push(SIGHUP);
+    }
+    let mut signals = signal_hook::iterator::Signals::new(wanted)?;
+    thread::spawn(move || signals.forever().for_each(|_| act()));
+    Ok(())
+}
+
+#[cfg(not(unix))]
+fn at_signals(act: impl Fn() + Send + 'static) -> io::Result<()> {
+    ctrlc::set_handler(act).map_err(io::Error::other)
+}
+
+/// Whether this process was started with a signal ignored, where the system says so.
+#[cfg(unix)]
+fn is_ignored(signal: i32) -> bool {
+    let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
+    let ignored = status.lines().find_map(|line| line.strip_prefix("SigIgn:"));
+    ignored.is_some_and(|mask| {
+        u64::from_str_radix(mask.trim(), 16).is_ok_and(|mask| mask >> (signal - 1) & 1 == 1)
+    })
+}
+
+/// Makes a file beyond the size that the system allows an error of its writing, not the end of the program.
+pub fn survive_limits() {
+    #[cfg(unix)]
+    let _ = signal_hook::flag::register(signal_hook::consts::SIGXFSZ, Arc::default()); // without it the program ends, as most do
 }
 
 impl State {

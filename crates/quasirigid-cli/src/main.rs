@@ -29,12 +29,15 @@ fn main() -> ExitCode {
     let arguments = match Arguments::try_parse() {
         Ok(arguments) => arguments,
         Err(error) => {
-            let code = if error.use_stderr() { 2 } else { 0 };
-            message::of_arguments(&error);
-            return ExitCode::from(code);
+            let wrong = error.use_stderr();
+            return match message::of_arguments(&error) {
+                Err(cause) if !wrong => ended(Err(output::printed(cause.kind()))),
+                _ => ExitCode::from(if wrong { 2 } else { 0 }),
+            };
         }
     };
-    let result = match &arguments.command {
+    interrupt::survive_limits();
+    ended(match &arguments.command {
         Command::Run(run) => commands::run::run(run),
         Command::Check(check) => commands::check::check(check),
         Command::Modes(modes) => commands::modes::modes(modes),
@@ -46,12 +49,16 @@ fn main() -> ExitCode {
         Command::Report(report) => commands::report::report(report),
         Command::Plot(plot) => commands::plot::plot(plot),
         Command::Cite(cite) => commands::cite::cite(cite),
-    };
+    })
+}
+
+/// Exit code of a command, with the message of its failure.
+fn ended(result: Result<ExitStatus, Failure>) -> ExitCode {
     match result {
         Ok(ExitStatus::Done) => ExitCode::SUCCESS,
         Ok(ExitStatus::CheckFailed) => ExitCode::from(1),
         Err(Failure::BrokenPipe) => ExitCode::SUCCESS,
-        Err(failure @ Failure::Interrupted) => {
+        Err(failure @ (Failure::Interrupted | Failure::Abandoned)) => {
             message::print(&failure);
             ExitCode::from(1)
         }

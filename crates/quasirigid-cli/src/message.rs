@@ -1,4 +1,4 @@
-use std::io::IsTerminal;
+use std::io::{self, IsTerminal, Write};
 
 use ariadne::{Color, Config, IndexType, Label, Report, ReportKind, Source};
 use quasirigid_io::model::{Diagnostic, ModelError};
@@ -18,7 +18,7 @@ pub fn print(failure: &Failure) {
         let file = masked(&model.file.display().to_string());
         let text = masked(&model.text);
         for diagnostic in diagnostics {
-            eprintln!("{}", located(&file, &text, diagnostic));
+            say(&located(&file, &text, diagnostic));
         }
         let count = diagnostics.len();
         let problems = if count == 1 { "1 problem".into() } else { format!("{count} problems") };
@@ -29,19 +29,23 @@ pub fn print(failure: &Failure) {
 }
 
 /// Prints what is wrong with the arguments, or the help that they ask for; without colours where an argument would steer the terminal.
-pub fn of_arguments(error: &clap::Error) {
+///
+/// # Errors
+/// Those of the system.
+pub fn of_arguments(error: &clap::Error) -> io::Result<()> {
     let plain = error.render().to_string();
     let shown = visible(&plain);
-    if shown == plain {
-        let _ = error.print(); // nobody is left to tell
-    } else {
-        eprint!("{shown}");
-    }
+    if shown == plain { error.print() } else { write!(io::stderr(), "{shown}") }
 }
 
 /// Prints a remark on standard error.
 pub fn remark(text: &str) {
-    eprintln!("{}", layout::message(&visible(&format!("quasirigid: {text}"))));
+    say(&layout::message(&visible(&format!("quasirigid: {text}"))));
+}
+
+/// Prints lines on standard error. Where that is full or closed they are lost, and the work goes on.
+fn say(lines: &str) {
+    let _ = writeln!(std::io::stderr().lock(), "{lines}");
 }
 
 /// A diagnostic as `file:line:column: message`, the source line, and the advice.

@@ -7,7 +7,7 @@ mod place;
 use std::io::{self, BufWriter, ErrorKind, IsTerminal, Write};
 use std::path::{Path, PathBuf};
 
-use quasirigid_io::disk::{settle, settle_folder};
+use quasirigid_io::disk::{parent, settle, settle_folder};
 use tempfile::NamedTempFile;
 
 pub use folder::Folder;
@@ -136,13 +136,13 @@ pub fn to_file(
         let undisturbed = leftover::undisturbed();
         let placed = placed(file, path, overwrite)?;
         drop(undisturbed);
-        let _ = settle_folder(parent(path)); // the file stands there; whether it would survive a loss of power is not known
         Ok(placed)
     };
-    match whole() {
-        Ok(placed) => Ok(Placed { beside: placed != path, path: placed }),
-        Err(cause) => Err(Failure::Write { path: path.into(), cause: plain(cause) }),
+    let placed = whole().map_err(|cause| Failure::Write { path: path.into(), cause: plain(cause) })?;
+    if !is_device(&placed) {
+        settle_folder(parent(&placed)).map_err(|cause| Failure::Unsettled { path: placed.clone(), cause })?;
     }
+    Ok(Placed { beside: placed != path, path: placed })
 }
 
 /// A temporary file that goes with its guard: beside a result, or among the temporary files of the system for standard output and devices.
@@ -212,11 +212,8 @@ fn plain(error: io::Error) -> io::Error {
     error.raw_os_error().map_or_else(|| error.kind().into(), io::Error::from_raw_os_error)
 }
 
-fn parent(path: &Path) -> &Path {
-    path.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or(Path::new("."))
-}
-
-fn printed(cause: io::ErrorKind) -> Failure {
+/// Failure of standard output: none that matters where its reader went away.
+pub fn printed(cause: io::ErrorKind) -> Failure {
     match cause {
         io::ErrorKind::BrokenPipe => Failure::BrokenPipe,
         _ => Failure::Write { path: "standard output".into(), cause: cause.into() },

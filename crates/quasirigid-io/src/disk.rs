@@ -1,8 +1,15 @@
-//! Waits until files and the names in folders are on the disk, so that a loss of power takes nothing that was said to be written.
+//! Files that appear only when they are whole, and wait until they and their names are on the disk, so that a loss of power takes nothing
+//! that was said to be written. Every writer of results settles its files here.
 
-use std::fs::File;
-use std::io::{self, ErrorKind};
-use std::path::Path;
+use std::fs::{self, File, OpenOptions, TryLockError};
+use std::io::{self, BufWriter, ErrorKind, Write};
+use std::path::{Path, PathBuf};
+use std::process;
+use std::sync::atomic::{AtomicU64, Ordering};
+
+/// Beginning and ending of the names of temporary files.
+const BEGINNING: &str = ".quasirigid-";
+const ENDING: &str = ".tmp";
 
 /// Waits until the contents of a file are on the disk. A file system without this operation is trusted.
 ///
@@ -15,12 +22,105 @@ pub fn settle(file: &File) -> io::Result<()> {
     }
 }
 
-/// Waits until the names in a folder are on the disk; where folders cannot be opened the system does that itself.
+/// Waits until the names in a folder are on the disk. A folder that may be written but not read is trusted, and so is a system that
+/// opens no folders.
 ///
 /// # Errors
 /// Those of the system.
 pub fn settle_folder(folder: &Path) -> io::Result<()> {
-    if cfg!(unix) { settle(&File::open(folder)?) } else { Ok(()) }
+    if !cfg!(unix) {
+        return Ok(());
+    }
+    match File::open(folder) {
+        Ok(folder) => settle(&folder),
+        Err(error) if error.kind() == ErrorKind::PermissionDenied => Ok(()),
+        Err(error) => Err(error),
+    }
+}
+
+/// Waits until the files in a folder, their contents and their names, are on the disk.
+///
+/// # Errors
+/// Those of the system.
+pub fn settle_files(folder: &Path) -> io::Result<()> {
+    for entry in fs::read_dir(folder)? {
+        settle(&File::open(entry?.path())?)?;
+    }
+    settle_folder(folder)
+}
+
+/// Folder of a file.
+#[must_use]
+pub fn parent(path: &Path) -> &Path {
+    path.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or(Path::new("."))
+}
+
+/// Writes a file that appears only when it is whole and on the disk, over an older one of its name.
+///
+/// # Errors
+/// Those of the system and of `write`; the older file then stays.
+pub fn replace(path: &Path, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {
+    let (file, temporary) = temporary(parent(path))?;
+    let mut out = BufWriter::new(&file);
+    let written = write(&mut out).and_then(|()| out.flush()).and_then(|()| settle(&file));
+    written.and_then(|()| fs::rename(&temporary, path)).inspect_err(|_| drop(fs::remove_file(&temporary)))?;
+    settle_folder(parent(path))
+}
+
+/// A new file, locked as long as it is open: a file of that kind without a lock is the leftover of a killed process.
+fn temporary(folder: &Path) -> io::Result<(File, PathBuf)> {
+    static NUMBER: AtomicU64 = AtomicU64::new(0);
+    loop {
+        let number = NUMBER.fetch_add(1, Ordering::Relaxed);
+        let path = folder.join(format!("{BEGINNING}{}-{number}{ENDING}", process::id()));
+        match File::create_new(&path) {
+            // of a process of this number that was killed, or lives on another machine
+            Err(error) if error.kind() == ErrorKind::AlreadyExists => {}
+            Err(error) => return Err(error),
+            Ok(file) => {
+                let found = matches!(file.try_lock(), Err(TryLockError::WouldBlock));
+                if !found && stands(&file, &path) {
+                    return Ok((file, path)); // no other process took it for a leftover before it was locked
+                }
+            }
+        }
+    }
+}
+
+/// Whether a name is that of a temporary file.
+#[must_use]
+pub fn is_temporary(name: &str) -> bool {
+    name.starts_with(BEGINNING) && name.ends_with(ENDING)
+}
+
+/// Removes the temporary files that killed processes left in a folder. Where the file system has no locks they stay.
+pub fn tidy(folder: &Path) {
+    for entry in fs::read_dir(folder).into_iter().flatten().flatten() {
+        let regular = entry.file_type().is_ok_and(|kind| kind.is_file());
+        if !(regular && entry.file_name().to_str().is_some_and(is_temporary)) {
+            continue;
+        }
+        let file = OpenOptions::new().write(true).open(entry.path());
+        if file.is_ok_and(|file| file.try_lock().is_ok()) {
+            let _ = fs::remove_file(entry.path());
+        }
+    }
+}
+
+/// Whether an open file still stands at its place, and no other in its stead.
+#[must_use]
+pub fn stands(file: &File, path: &Path) -> bool {
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::MetadataExt;
+        let (Ok(one), Ok(other)) = (file.metadata(), path.symlink_metadata()) else { return false };
+        (one.dev(), one.ino()) == (other.dev(), other.ino())
+    }
+    #[cfg(not(unix))]
+    {
+        let _ = file;
+        path.exists()
+    }
 }
 
 /// Whether an error says that the system or the file system has no such operation.

@@ -8,6 +8,7 @@ use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
 use pyo3::prelude::*;
+use quasirigid_io::disk::{parent, replace, settle_files, settle_folder};
 use quasirigid_io::model::Verify;
 use quasirigid_io::record::{HistoryRecord, TableFormat};
 use quasirigid_study::about_spin::AskedManifold;
@@ -15,6 +16,7 @@ use quasirigid_study::evolution::{self, Asked};
 use quasirigid_study::histories::{Propagation, Table};
 use quasirigid_study::layout::paragraph;
 use quasirigid_study::modes::AskedSpin;
+use quasirigid_study::report::page;
 use quasirigid_study::run::RunOutcome;
 use quasirigid_study::{Keeping, LeftOut, Study, StudyError, beyond, summary, verification};
 use serde_json::json;
@@ -222,7 +224,7 @@ fn vacant(folder: &Path) -> Result<(), Failure> {
 }
 
 impl RunAnswer {
-    /// Writes the record into a folder that appears only when it is complete.
+    /// Writes the record into a folder that appears only when it is complete and on the disk.
     fn place(&self, folder: &Path, tables: Option<&[TableFormat]>) -> Result<(), Failure> {
         vacant(folder)?;
         let Some(name) = folder.file_name() else {
@@ -237,16 +239,29 @@ impl RunAnswer {
         fs::create_dir(&building).map_err(failed)?;
         let formats = tables.unwrap_or(self.outcome.record.usual_formats());
         let placed = self.outcome.write_tables(&building, formats).map_err(Failure::from);
-        let placed = placed.and_then(|()| fs::rename(&building, folder).map_err(failed));
+        let settled = placed.and_then(|()| settle_files(&building).map_err(failed));
+        let placed = settled.and_then(|()| fs::rename(&building, folder).map_err(failed));
         if placed.is_err() {
             // The failure that is told matters more than a folder left over.
             let _ = fs::remove_dir_all(&building);
         }
-        placed
+        placed?;
+        settle_folder(parent(folder)).map_err(failed)
     }
 }
 
 impl RunAnswer {
+    /// Writes the report over an older file, which stays until the new one is on the disk; a pipe or a device is written directly.
+    fn replace_report(&self, path: &Path) -> Result<(), Failure> {
+        let page = page(&self.outcome.record);
+        let place = path.canonicalize().unwrap_or_else(|_| path.to_owned());
+        let written = match place.metadata() {
+            Ok(there) if !there.is_file() => fs::write(&place, page),
+            _ => replace(&place, |out| out.write_all(page.as_bytes())),
+        };
+        written.map_err(|cause| Failure::File(format!("cannot write {}: {cause}", path.display())))
+    }
+
     /// A history with every row; of a long one they are in the folder of the record.
     fn history(&self, history: &HistoryRecord) -> Result<(String, Columns), Failure> {
         let columns = match &self.folder {
@@ -306,6 +321,11 @@ impl RunAnswer {
     /// Writes record and report into a new folder.
     fn write(&self, py: Python<'_>, folder: PathBuf) -> PyResult<()> {
         Ok(py.detach(|| self.place(&folder, None))?)
+    }
+
+    /// Writes the report, over a file of that name.
+    fn report(&self, py: Python<'_>, path: PathBuf) -> PyResult<()> {
+        Ok(py.detach(|| self.replace_report(&path))?)
     }
 }
 

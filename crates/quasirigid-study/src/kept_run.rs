@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 use quasirigid::dynamics::Checkpoint;
-use quasirigid_io::disk::{settle, settle_folder};
+use quasirigid_io::disk::{is_temporary, parent, replace, settle_folder, stands, tidy};
 use quasirigid_io::record::{ROWS, RowLog, RowTable, RunRecord, history_file};
 
 use crate::error::StudyError;
@@ -19,10 +19,12 @@ use crate::study::Study;
 const PAUSE: Duration = Duration::from_secs(1);
 /// Ending of the log of frames.
 const FRAMES: &str = "frames";
+/// Ending of checkpoints.
+const CHECKPOINT: &str = "checkpoint";
 /// File of the identity of the run, which its process locks.
 const IDENTITY: &str = "run.identity";
 /// Beginning of a checkpoint file.
-const MAGIC: &[u8; 8] = b"QRCHECK1";
+const MAGIC: &[u8; 8] = b"QRCHECK2";
 
 /// Place of a run in work, and whether it goes on from there.
 #[derive(Clone, Debug)]
@@ -84,6 +86,7 @@ impl KeptRun {
                     ));
                 }
                 run.lock()?;
+                tidy(folder);
             }
         }
         Ok(run)
@@ -101,8 +104,10 @@ impl KeptRun {
             return Ok(());
         }
         self.create()?;
-        fs::write(self.folder.join(IDENTITY), &self.identity).map_err(wrong(&self.folder))?;
+        let path = self.folder.join(IDENTITY);
+        replace(&path, |out| out.write_all(self.identity.as_bytes())).map_err(wrong(&path))?;
         self.lock()?;
+        settle_folder(parent(&self.folder)).map_err(wrong(&self.folder))?;
         self.write_record()
     }
 
@@ -154,15 +159,26 @@ impl KeptRun {
         &self.folder
     }
 
-    /// Removes the folder, if this run made it and nothing but the run is in it.
+    /// Whether the folder stands where this run has it in work, and no other in its stead.
+    fn stands(&self) -> bool {
+        self.lock.as_ref().is_some_and(|lock| stands(lock, &self.folder.join(IDENTITY)))
+    }
+
+    /// Refuses to go on with a folder that was removed, moved or replaced.
+    fn check(&self) -> Result<(), StudyError> {
+        let problem = "the folder of the run was removed, moved or replaced while the run went on; what was moved can be put back, and gone \
+                       on with by {resume}";
+        let gone = || StudyError::KeptRun { folder: self.folder.clone(), problem };
+        self.stands().then_some(()).ok_or_else(gone)
+    }
+
+    /// Removes the files of the run, and the folder if nothing else is in it. A folder that stands there instead is left alone.
     pub fn remove(self) {
-        if !self.is_there() {
+        if !self.stands() {
             return;
         }
         for entry in fs::read_dir(&self.folder).into_iter().flatten().flatten() {
-            let name = entry.file_name().to_string_lossy().into_owned();
-            let ours = ["history-", "record.json", "evolution.", "backbone.", IDENTITY, "report.html"];
-            if ours.iter().any(|known| name.starts_with(known)) {
+            if entry.file_name().to_str().is_some_and(is_of_run) {
                 let _ = fs::remove_file(entry.path());
             }
         }
@@ -197,7 +213,7 @@ impl<'r> HistoryLog<'r> {
         widths: [usize; 2],
     ) -> Result<(Self, Option<Resumed>), StudyError> {
         let mut log = Self { run, system, widths, logs: None, last: Instant::now() };
-        let file = log.run.path(system, "checkpoint");
+        let file = log.run.path(system, CHECKPOINT);
         if !log.run.resumes || !file.exists() {
             return Ok((log, None));
         }
@@ -206,19 +222,23 @@ impl<'r> HistoryLog<'r> {
             problem: "its checkpoint is damaged; remove the folder and start anew",
         };
         let mut checkpoint = read(&fs::read(&file).map_err(wrong(&file))?).ok_or_else(broken)?;
-        let (Some(rows), Some(frames)) = (checkpoint.load_count(), checkpoint.load_count()) else {
-            return Err(broken());
-        };
-        log.open_logs([rows, frames])?;
+        let mut logged = || Some((checkpoint.load_count()?, u32::try_from(checkpoint.load_count()?).ok()?));
+        let (Some(rows), Some(frames)) = (logged(), logged()) else { return Err(broken()) };
+        log.open_logs([Some(rows), Some(frames)])?;
         let [rows, frames] = [ROWS, FRAMES].map(|ending| log.run.path(system, ending));
         let tables = [RowTable::open(&rows, widths[0])?, RowTable::open(&frames, widths[1])?];
         Ok((log, Some(Resumed { tables, checkpoint })))
     }
 
-    fn open_logs(&mut self, [rows, frames]: [u64; 2]) -> Result<(), StudyError> {
-        let open = |ending: &str, width: usize, count: u64| {
+    /// Opens the logs: new ones, or those that have so many rows with these checksums.
+    fn open_logs(&mut self, [rows, frames]: [Option<(u64, u32)>; 2]) -> Result<(), StudyError> {
+        let open = |ending: &str, width: usize, logged: Option<(u64, u32)>| {
             let path = self.run.path(self.system, ending);
-            RowLog::open(&path, width, count).map_err(wrong(&path))
+            let log = match logged {
+                Some((count, checksum)) => RowLog::resume(&path, width, count, checksum),
+                None => RowLog::create(&path, width),
+            };
+            log.map_err(wrong(&path))
         };
         let [row, frame] = self.widths;
         self.logs = Some([open(ROWS, row, rows)?, open(FRAMES, frame, frames)?]);
@@ -233,7 +253,7 @@ impl<'r> HistoryLog<'r> {
     /// Makes the folder and starts the log; the rows and frames so far are to be pushed.
     pub fn start(&mut self) -> Result<(), StudyError> {
         self.run.make()?;
-        self.open_logs([0, 0])
+        self.open_logs([None, None])
     }
 
     /// Logs a row.
@@ -261,14 +281,16 @@ impl<'r> HistoryLog<'r> {
     /// Puts a checkpoint on the disk, after the rows that it continues.
     pub fn checkpoint(&mut self, state: &Checkpoint) -> Result<(), StudyError> {
         let Some(logs) = &mut self.logs else { return Ok(()) };
+        self.run.check()?;
         logs.iter_mut().try_for_each(RowLog::settle).map_err(wrong(&self.run.folder))?;
         let mut whole = Checkpoint::default();
-        logs.iter().for_each(|log| whole.save_count(log.rows()));
+        for log in &*logs {
+            whole.save_count(log.rows());
+            whole.save_count(log.checksum().into());
+        }
         whole.save_rest(state);
-        let path = self.run.path(self.system, "checkpoint");
-        let new = self.run.path(self.system, "checkpoint-new");
-        write(&new, whole.words()).and_then(|()| fs::rename(&new, &path)).map_err(wrong(&path))?;
-        settle_folder(&self.run.folder).map_err(wrong(&self.run.folder))?;
+        let path = self.run.path(self.system, CHECKPOINT);
+        replace(&path, |out| write(out, whole.words())).map_err(wrong(&path))?;
         self.last = Instant::now();
         Ok(())
     }
@@ -286,13 +308,20 @@ fn is_in_work(folder: &Path) -> bool {
     file.is_ok_and(|file| matches!(file.try_lock(), Err(TryLockError::WouldBlock)))
 }
 
-fn write(path: &Path, words: &[u64]) -> io::Result<()> {
+/// Whether a name is that of a file that a run in work makes, or a report of it.
+fn is_of_run(name: &str) -> bool {
+    let history = name.strip_prefix("history-").and_then(|rest| rest.rsplit_once('.'));
+    let named = ["record.json", "evolution.csv", "backbone.csv", "report.html", IDENTITY].contains(&name);
+    named
+        || is_temporary(name)
+        || history.is_some_and(|(_, ending)| [ROWS, FRAMES, CHECKPOINT].contains(&ending))
+}
+
+fn write(out: &mut dyn Write, words: &[u64]) -> io::Result<()> {
     let bytes: Vec<u8> = words.iter().flat_map(|word| word.to_le_bytes()).collect();
-    let mut file = File::create(path)?;
-    file.write_all(MAGIC)?;
-    file.write_all(&crc32fast::hash(&bytes).to_le_bytes())?;
-    file.write_all(&bytes)?;
-    settle(&file)
+    out.write_all(MAGIC)?;
+    out.write_all(&crc32fast::hash(&bytes).to_le_bytes())?;
+    out.write_all(&bytes)
 }
 
 fn read(bytes: &[u8]) -> Option<Checkpoint> {
@@ -323,6 +352,10 @@ fn wrong(path: &Path) -> impl FnOnce(io::Error) -> StudyError {
         ErrorKind::UnexpectedEof => StudyError::KeptRun {
             folder: path.parent().unwrap_or(Path::new("")).to_owned(),
             problem: "its rows are cut short; remove the folder and start anew",
+        },
+        ErrorKind::InvalidData => StudyError::KeptRun {
+            folder: path.parent().unwrap_or(Path::new("")).to_owned(),
+            problem: "its rows are damaged; remove the folder and start anew",
         },
         _ => StudyError::Write { path, cause },
     }

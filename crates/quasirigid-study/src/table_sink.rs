@@ -35,7 +35,7 @@ impl<'a> TableSink<'a> {
         watch: &'a mut dyn Watch,
     ) -> Result<Self, StudyError> {
         let columns: Vec<Column> = table.columns().into_iter().chain(internal.columns()).collect();
-        let open = |path: &Path| match RowLog::open(path, columns.len(), 0) {
+        let open = |path: &Path| match RowLog::create(path, columns.len()) {
             Ok(log) => Ok((path.to_owned(), log)),
             Err(cause) => Err(StudyError::Write { path: path.to_owned(), cause }),
         };

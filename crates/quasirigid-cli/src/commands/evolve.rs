@@ -35,7 +35,7 @@ pub fn evolve(arguments: &Evolve) -> Result<ExitStatus, Failure> {
     let evolved = study.evolve(&asked, watch)?;
     let Evolved { record, notes: remarks } = &evolved;
     let uncertainty = match arguments.samples_of_uncertainty {
-        Some(samples) => Some(study.uncertainty(samples as usize, watch)?.ok_or(Failure::Interrupted)?),
+        Some(samples) => Some(study.uncertainty(samples as usize, watch)?.ok_or(Failure::Abandoned)?),
         None => None,
     };
     interrupt.forget();

@@ -1,7 +1,8 @@
 use std::path::{Path, PathBuf};
 
 use quasirigid_io::model::Model;
-use quasirigid_io::record::RunRecord;
+use quasirigid_io::record::{RunRecord, TableFormat};
+use quasirigid_study::run::RunOutcome;
 use quasirigid_study::{Keeping, Study, summary};
 
 use super::{is_standard_input, model, propagation, whole};
@@ -9,7 +10,7 @@ use crate::args::RunArgs;
 use crate::failure::Failure;
 use crate::interrupt::Interrupt;
 use crate::message::remark;
-use crate::output::Folder;
+use crate::output::{Folder, Placed};
 use crate::progress::Terminal;
 use crate::{ExitStatus, output};
 
@@ -30,13 +31,23 @@ pub fn run(arguments: &RunArgs) -> Result<ExitStatus, Failure> {
     let asked = propagation(&arguments.propagation)?;
     let interrupt = Interrupt::listen()?;
     let keeping = Keeping::beside(&path, *resume);
-    let found = study.run_kept(&asked, Some(&keeping), &mut Terminal::new(&interrupt, common.quiet))?;
-    let folder = Folder::new(&path, overwrite)?;
-    let formats = arguments.tables.as_deref().unwrap_or(found.record.usual_formats());
-    found.record.write(&folder.building(), formats)?;
-    found.files().iter().try_for_each(|(name, text)| folder.write(name, text))?;
-    let placed = folder.finish()?;
+    let ours = *resume || !keeping.folder.exists();
+    let work = || {
+        let mut terminal = Terminal::new(&interrupt, common.quiet);
+        let found = study.run_kept(&asked, Some(&keeping), &mut terminal)?;
+        let placed = place(&found, &path, overwrite, arguments.tables.as_deref())?;
+        Ok((found, placed))
+    };
+    let (mut found, placed) = work().inspect_err(|failure: &Failure| {
+        if failure.is_of_writing() && ours && keeping.folder.is_dir() {
+            let kept = keeping.folder.display();
+            remark(&format!(
+                "{kept} is kept; once files can be written, the same command with --resume goes on"
+            ));
+        }
+    })?;
     let in_place = placed.told(&path);
+    let kept = found.release();
     if common.json {
         output::print(&format!("{:#}\n", serde_json::json!(found.record)))?;
     } else if !common.quiet {
@@ -45,11 +56,25 @@ pub fn run(arguments: &RunArgs) -> Result<ExitStatus, Failure> {
     if arguments.open {
         output::open(&placed.path.join(REPORT))?;
     }
-    let holds = found.holds;
-    if let Some(kept) = found.settle() {
-        remark(&format!("{} is kept; the same command with --resume goes on with the run", kept.display()));
+    if let Some(kept) = kept {
+        let (folder, asked) = (kept.display(), keeping.folder.display());
+        let rename = if kept == keeping.folder { String::new() } else { format!("rename it {asked}, and ") };
+        remark(&format!("{folder} is kept; {rename}the same command with --resume goes on with the run"));
     }
-    Ok(if holds && in_place { ExitStatus::Done } else { ExitStatus::CheckFailed })
+    Ok(if found.holds && in_place { ExitStatus::Done } else { ExitStatus::CheckFailed })
+}
+
+/// Writes the record, with its report, in its place.
+fn place(
+    found: &RunOutcome,
+    path: &Path,
+    overwrite: bool,
+    tables: Option<&[TableFormat]>,
+) -> Result<Placed, Failure> {
+    let folder = Folder::new(path, overwrite)?;
+    folder.write_record(&found.record, tables.unwrap_or(found.record.usual_formats()))?;
+    found.files().iter().try_for_each(|(name, text)| folder.write(name, text))?;
+    folder.finish()
 }
 
 /// Whether a folder has a record of this model that was interrupted.

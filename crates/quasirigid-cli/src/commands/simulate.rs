@@ -2,7 +2,8 @@ use std::io::{self, BufWriter, IsTerminal, Seek, Write};
 
 use quasirigid::dynamics::Outcome;
 use quasirigid_io::model::System;
-use quasirigid_io::record::{MOST_ROWS, TableFormat, history_csv, log_csv};
+use quasirigid_io::record::{MOST_ROWS, RecordError, TableFormat, history_csv, log_csv};
+use quasirigid_study::StudyError;
 use quasirigid_study::histories::{History, Table};
 
 use super::{manifold, notes, open, propagation};
@@ -43,7 +44,17 @@ pub fn simulate(arguments: &Simulate) -> Result<ExitStatus, Failure> {
     let long = study.table_rows(&asked, &table) as u64 > MOST_ROWS;
     let spool = long.then(|| output::spool(out.as_deref())).transpose()?;
     let history = match &spool {
-        Some(spool) => study.simulate_logged(&asked, &table, spool.path(), &mut terminal)?,
+        Some(spool) => {
+            study.simulate_logged(&asked, &table, spool.path(), &mut terminal).map_err(|error| {
+                // a temporary file says nothing to a user
+                match (error, out) {
+                    (StudyError::Write { cause, .. }, Some(path)) => {
+                        Failure::Write { path: path.clone(), cause }
+                    }
+                    (other, _) => other.into(),
+                }
+            })?
+        }
         None => study.simulate(&asked, &table, &mut terminal)?,
     };
     drop(terminal);
@@ -98,9 +109,15 @@ fn print_table(arguments: &Simulate, history: &History, interrupt: &Interrupt) -
         (Some(log), format) => {
             let mut table = output::spool(arguments.out.as_deref())?;
             let mut buffered = BufWriter::new(table.as_file_mut());
-            format.copy_log(&mut buffered, columns, log)?;
+            let path = arguments.out.clone().unwrap_or_else(|| "standard output".into());
+            let unwritten = |cause| Failure::Write { path: path.clone(), cause };
+            format.copy_log(&mut buffered, columns, log).map_err(|error| match error {
+                RecordError::File { kind, .. } => unwritten(kind.into()),
+                other => other.into(),
+            })?;
+            buffered.flush().map_err(unwritten)?;
             drop(buffered);
-            table.rewind().map_err(|cause| Failure::Write { path: "table".into(), cause })?;
+            table.rewind().map_err(unwritten)?;
             Box::new(move |out| io::copy(table.as_file_mut(), out).map(drop))
         }
     };

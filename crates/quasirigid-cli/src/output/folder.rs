@@ -5,13 +5,13 @@ use std::fs::{self, File};
 use std::io::{self, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
-use quasirigid_io::disk::{settle, settle_folder};
-use quasirigid_io::record::RunRecord;
+use quasirigid_io::disk::{parent, settle_files, settle_folder};
+use quasirigid_io::record::{RecordError, RunRecord, TableFormat};
 use tempfile::TempDir;
 
 use super::leftover::{self, BUILDING, PREFIX};
 use super::place::{exchange, first_free, put};
-use super::{Placed, check_parent, parent, plain};
+use super::{Placed, check_parent, plain};
 use crate::failure::Failure;
 
 /// A folder of results that appears only when it is whole.
@@ -52,8 +52,20 @@ impl Folder {
     }
 
     /// Folder of the files until all are whole.
-    pub fn building(&self) -> PathBuf {
+    fn building(&self) -> PathBuf {
         self.beside.path().join(BUILDING)
+    }
+
+    /// Writes a record into the folder, with its tables in these formats. A file that cannot be written is named by its place.
+    pub fn write_record(&self, record: &RunRecord, formats: &[TableFormat]) -> Result<(), Failure> {
+        let building = self.building();
+        record.write(&building, formats).map_err(|error| match error {
+            RecordError::File { file, kind } if file.starts_with(&building) => {
+                let name = file.file_name().unwrap_or_default();
+                Failure::Write { path: self.path.join(name), cause: kind.into() }
+            }
+            other => other.into(),
+        })
     }
 
     /// Writes a text file into the folder.
@@ -65,22 +77,13 @@ impl Folder {
     /// Puts the folder in its place. An older record goes only when the new one stands there and is on the disk; anything else that
     /// has appeared there stays, and the new one goes beside it.
     pub fn finish(self) -> Result<Placed, Failure> {
-        let settled = self.settle();
+        let settled = settle_files(&self.building());
         let undisturbed = leftover::undisturbed();
         let placed = settled.and_then(|()| self.place());
         drop(undisturbed);
         let path = placed.map_err(|cause| Failure::Write { path: self.path.clone(), cause: plain(cause) })?;
-        let _ = settle_folder(parent(&path)); // the folder stands there; whether it would survive a loss of power is not known
+        settle_folder(parent(&path)).map_err(|cause| Failure::Unsettled { path: path.clone(), cause })?;
         Ok(Placed { beside: path != self.path, path })
-    }
-
-    /// Waits until every file is on the disk.
-    fn settle(&self) -> io::Result<()> {
-        let building = self.building();
-        for entry in fs::read_dir(&building)? {
-            settle(&File::open(entry?.path())?)?;
-        }
-        settle_folder(&building)
     }
 
     /// The place taken: the one asked for, or the first free one beside it.
@@ -88,11 +91,13 @@ impl Folder {
         let new = self.building();
         if self.overwrite && files_of(&self.path).is_some() {
             exchange(&new, &self.path)?;
-            if let Some(files) = files_of(&new) {
+            let settled = settle_folder(parent(&self.path));
+            if let (Ok(()), Some(files)) = (&settled, files_of(&new)) {
                 files.iter().for_each(|file| drop(fs::remove_file(new.join(file))));
                 return Ok(self.path.clone());
             }
-            exchange(&new, &self.path)?; // something was put into it meanwhile
+            exchange(&new, &self.path)?; // something was put into it meanwhile, or the new one is not on the disk
+            settled?;
         }
         first_free(&self.path, |place| put(&new, place))
     }

@@ -9,8 +9,9 @@ use serde::Deserialize;
 use serde::de::DeserializeOwned;
 
 use super::scene::{SCENE_VERSION, SceneRecord};
-use super::table::{Extremes, RowTable, Rows, TableFormat};
+use super::table::{Extremes, RowTable, Rows, TableFormat, history_csv};
 use super::{Column, EvolutionRecord, HistoryRecord, RECORD_FORMAT, RecordError, RunRecord};
+use crate::disk::replace;
 
 /// File of the evolution's rows, without the ending.
 const EVOLUTION: &str = "evolution";
@@ -55,7 +56,8 @@ impl RunRecord {
         })
     }
 
-    /// Writes the record of a run in work over an older one, without tables of histories, which the run logs.
+    /// Writes the record of a run in work over an older one, without tables of histories, which the run logs. The record is on the disk
+    /// when this returns.
     ///
     /// # Errors
     /// [`RecordError`].
@@ -64,18 +66,11 @@ impl RunRecord {
         let backbone = self.about_spin.iter().map(|about| (BACKBONE, &about.columns));
         for (stem, columns) in evolution.chain(backbone) {
             let file = dir.join(format!("{stem}.{}", TableFormat::Csv.ending()));
-            if !file.exists() {
-                TableFormat::Csv.write(&file, columns, columns)?;
-            }
+            replace(&file, |out| history_csv(columns, out)).map_err(|error| unusable(&file, &error))?;
         }
-        let new = dir.join(format!("{RECORD}.new"));
-        let written = fs::remove_file(&new).or_else(|error| match error.kind() {
-            io::ErrorKind::NotFound => Ok(()),
-            _ => Err(error),
-        });
-        written.map_err(|error| unusable(&new, &error))?;
-        create(&new, |out| Ok(serde_json::to_writer_pretty(out, self)?))?;
-        fs::rename(&new, dir.join(RECORD)).map_err(|error| unusable(&new, &error))
+        let file = dir.join(RECORD);
+        replace(&file, |out| Ok(serde_json::to_writer_pretty(out, self)?))
+            .map_err(|error| unusable(&file, &error))
     }
 
     /// Formats of the tables where none are asked for: CSV, or Parquet beside a history that is not kept whole.

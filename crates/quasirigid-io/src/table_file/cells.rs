@@ -1,5 +1,7 @@
 //! Columns of results: whole numbers, numbers, truth values and texts, each with values that may be missing, and their form in CSV.
 
+use crc32fast::Hasher;
+
 use super::formula::guarded;
 
 /// Values of a column; none where a row has no value.
@@ -53,6 +55,31 @@ impl CellColumn {
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.len() == 0
+    }
+
+    /// CRC-32 of the values, whatever the form in which a file holds them.
+    pub(super) fn checksum(&self) -> u32 {
+        let mut sum = Hasher::new();
+        let mut add = |bytes: Option<&[u8]>| {
+            let length = bytes.map_or(u64::MAX, |bytes| bytes.len() as u64);
+            sum.update(&length.to_le_bytes());
+            sum.update(bytes.unwrap_or_default());
+        };
+        match &self.cells {
+            Cells::Counts(values) => values.iter().for_each(|count| add(Some(&count.to_le_bytes()))),
+            Cells::Numbers(values) => {
+                values
+                    .iter()
+                    .for_each(|value| add(value.map(f64::to_le_bytes).as_ref().map(|bytes| &bytes[..])));
+            }
+            Cells::Booleans(values) => {
+                values.iter().for_each(|value| {
+                    add(value.map(|truth| [u8::from(truth)]).as_ref().map(|byte| &byte[..]))
+                });
+            }
+            Cells::Texts(values) => values.iter().for_each(|text| add(text.as_ref().map(String::as_bytes))),
+        }
+        sum.finalize()
     }
 
     /// The value of a row as text; empty where there is none.

@@ -13,18 +13,22 @@ use parquet::column::reader::{ColumnReader, ColumnReaderImpl};
 use parquet::column::writer::ColumnWriter;
 use parquet::data_type::{ByteArray, DataType};
 use parquet::errors::ParquetError;
-use parquet::file::metadata::KeyValue;
+use parquet::file::metadata::{FileMetaData, KeyValue};
 use parquet::file::properties::WriterProperties;
 use parquet::file::reader::{FileReader, RowGroupReader, SerializedFileReader};
 use parquet::file::writer::SerializedFileWriter;
 use parquet::schema::types::{Type, TypePtr};
 use quasirigid_math::memory;
 
+use serde::de::DeserializeOwned;
+
 use super::{CellColumn, Cells, TableError};
 use crate::study_file::MOST_IN_PART;
 
 /// Key of the metadata under which the units stand, a JSON object by name of the column.
 const UNITS: &str = "quasirigid.units";
+/// Key of the metadata under which the checksums of the values stand, a JSON object by name of the column.
+const CHECKSUMS: &str = "quasirigid.crc32";
 /// Rows that are read at once.
 const BATCH: usize = 1 << 16;
 
@@ -45,7 +49,7 @@ pub fn write_parquet(
 /// Reads the columns that [`write_parquet`] wrote, those of the names asked for or all of them, in the order of the file.
 ///
 /// # Errors
-/// [`TableError`] for a file that cannot be read, and for one of another origin.
+/// [`TableError`] for a file that cannot be read, for one of another origin, and for values without the checksum that they had.
 pub fn read_parquet(file: &Path, wanted: Option<&[&str]>) -> Result<Vec<CellColumn>, TableError> {
     let opened =
         File::open(file).map_err(|cause| TableError::File { file: file.to_owned(), kind: cause.kind() })?;
@@ -73,9 +77,12 @@ fn written(
         .map(|c| (c.name.as_str(), c.unit.as_str()))
         .collect();
     let units = serde_json::to_string(&units).map_err(|cause| ParquetError::General(cause.to_string()))?;
+    let checksums: BTreeMap<&str, u32> = columns.iter().map(|c| (c.name.as_str(), c.checksum())).collect();
+    let checksums =
+        serde_json::to_string(&checksums).map_err(|cause| ParquetError::General(cause.to_string()))?;
     let pairs = metadata.iter().map(|(key, value)| ((*key).to_owned(), value.clone()));
-    let pairs =
-        pairs.chain([(UNITS.to_owned(), units)]).map(|(key, value)| KeyValue::new(key, value)).collect();
+    let own = [(UNITS.to_owned(), units), (CHECKSUMS.to_owned(), checksums)];
+    let pairs = pairs.chain(own).map(|(key, value)| KeyValue::new(key, value)).collect();
     let properties = WriterProperties::builder()
         .set_compression(Compression::SNAPPY)
         .set_key_value_metadata(Some(pairs))
@@ -135,9 +142,8 @@ fn schema(columns: &[CellColumn]) -> Result<TypePtr, ParquetError> {
 fn read(file: File, wanted: Option<&[&str]>) -> Result<Vec<CellColumn>, ParquetError> {
     let reader = SerializedFileReader::new(file)?;
     let metadata = reader.metadata().file_metadata();
-    let units = metadata.key_value_metadata().and_then(|pairs| pairs.iter().find(|pair| pair.key == UNITS));
-    let units: BTreeMap<String, String> =
-        units.and_then(|pair| serde_json::from_str(pair.value.as_deref()?).ok()).unwrap_or_default();
+    let units: BTreeMap<String, String> = by_name(metadata, UNITS)?;
+    let checksums: BTreeMap<String, u32> = by_name(metadata, CHECKSUMS)?;
     let rows = reader
         .metadata()
         .row_groups()
@@ -160,7 +166,23 @@ fn read(file: File, wanted: Option<&[&str]>) -> Result<Vec<CellColumn>, ParquetE
         let unit = units.get(&name).cloned().unwrap_or_default();
         columns.extend(cells.map(|cells| CellColumn { name, unit, cells }));
     }
-    Ok(columns)
+    let altered =
+        |column: &&CellColumn| checksums.get(&column.name).is_some_and(|sum| *sum != column.checksum());
+    match columns.iter().find(altered) {
+        Some(CellColumn { name, .. }) => Err(ParquetError::General(format!("column {name:?} is damaged"))),
+        None => Ok(columns),
+    }
+}
+
+/// Values by the name of the column, from a key of the metadata; none where the key is missing.
+fn by_name<T: DeserializeOwned>(
+    metadata: &FileMetaData,
+    key: &str,
+) -> Result<BTreeMap<String, T>, ParquetError> {
+    let pairs = metadata.key_value_metadata();
+    let text = pairs.and_then(|pairs| pairs.iter().find(|pair| pair.key == key)?.value.as_deref());
+    let damaged = |_| ParquetError::General(format!("damaged metadata {key}"));
+    text.map_or_else(|| Ok(BTreeMap::new()), |text| serde_json::from_str(text).map_err(damaged))
 }
 
 /// Appends the values of one column of one row group.

@@ -131,18 +131,32 @@ fn record_with_extremes_alone_is_not_written_again() {
 }
 
 #[test]
-fn log_drops_what_was_written_after_the_rows_asked_for() {
+fn log_goes_on_from_rows_with_their_checksum_and_drops_the_others() {
     let dir = tempdir().unwrap();
     let path = dir.path().join("log");
-    let mut log = RowLog::open(&path, 2, 0).unwrap();
-    (0..5).for_each(|row| log.push(&[f64::from(row), -1.0]).unwrap());
+    let mut log = RowLog::create(&path, 2).unwrap();
+    (0..3).for_each(|row| log.push(&[f64::from(row), -1.0]).unwrap());
+    log.settle().unwrap();
+    let checksum = log.checksum();
+    (3..5).for_each(|row| log.push(&[f64::from(row), -1.0]).unwrap());
     log.settle().unwrap();
     drop(log);
-    fs::write(&path, [fs::read(&path).unwrap(), vec![1, 2, 3]].concat()).unwrap();
+    let whole = fs::read(&path).unwrap();
+    for damaged in (0..48).step_by(7) {
+        let mut bytes = whole.clone();
+        bytes[damaged] ^= 1;
+        fs::write(&path, bytes).unwrap();
+        assert_eq!(
+            RowLog::resume(&path, 2, 3, checksum).unwrap_err().kind(),
+            std::io::ErrorKind::InvalidData
+        );
+        assert_eq!(fs::metadata(&path).unwrap().len(), 5 * 16, "a log that is refused stays");
+    }
+    fs::write(&path, [whole, vec![1, 2, 3]].concat()).unwrap();
     assert_eq!(RowTable::open(&path, 2).unwrap().rows(), 5, "a torn row is none");
-    let mut again = RowLog::open(&path, 2, 3).unwrap();
+    let mut again = RowLog::resume(&path, 2, 3, checksum).unwrap();
     again.push(&[7.0, 8.0]).unwrap();
     assert_eq!((again.rows(), again.into_table().unwrap().rows()), (4, 4));
     assert_eq!(fs::metadata(&path).unwrap().len(), 4 * 16);
-    assert!(RowLog::open(&path, 2, 9).is_err(), "rows that are not there");
+    assert!(RowLog::resume(&path, 2, 9, checksum).is_err(), "rows that are not there");
 }

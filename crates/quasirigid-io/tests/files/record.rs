@@ -448,6 +448,9 @@ fn scene_of_a_later_version_is_refused_in_words() {
     assert_eq!(refusal(dir.path()), RecordError::SceneVersion { file: path, version: SCENE_VERSION + 1 });
 }
 
+/// Change of a scene that was written.
+type Damage = fn(&mut serde_json::Value);
+
 /// A scene whose parts do not fit each other would be drawn from what is not there.
 #[test]
 fn scene_with_a_vertex_that_is_not_there_is_refused() {
@@ -457,7 +460,7 @@ fn scene_with_a_vertex_that_is_not_there_is_refused() {
     assert!(RunRecord::read(dir.path()).is_ok());
     let path = dir.path().join("scene.json");
     let good: serde_json::Value = serde_json::from_slice(&fs::read(&path).unwrap()).unwrap();
-    let damages: [(&str, fn(&mut serde_json::Value)); 5] = [
+    let damages: [(&str, Damage); 5] = [
         ("the triangles of the piece", |scene| scene["pieces"][0]["triangles"] = "AAABAP//".into()),
         ("the lines of the piece", |scene| scene["pieces"][0]["lines"] = "AAABAP//".into()),
         ("the vertices of the piece", |scene| {

@@ -6,14 +6,13 @@ import copy
 import html
 import math
 import os
-from pathlib import Path
 from typing import TYPE_CHECKING, Any, NoReturn, Self
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from quasirigid import _core
-from quasirigid._errors import FileError, InputError, Refused
+from quasirigid._errors import InputError, Refused
 from quasirigid._table import Table
 
 if TYPE_CHECKING:
@@ -706,16 +705,12 @@ class Run(Answer):
         self._run.write(os.fspath(folder))
 
     def report(self, path: str | os.PathLike[str]) -> None:
-        """Writes the report, one self-contained HTML page; a file of that name is replaced.
+        """Writes the report, one self-contained HTML page; a file of that name is replaced once the new one is on the disk.
 
         Raises:
             FileError: if the file cannot be written.
         """
-        page = dict(self._run.files())["report.html"]
-        try:
-            Path(path).write_text(page, encoding="utf-8")
-        except OSError as error:
-            raise FileError(f"cannot write {os.fspath(path)}: {error.strerror or error}") from error
+        self._run.report(os.fspath(path))
 
     def plot(self) -> Figure:
         """Angular velocity and energy of every history against time (needs matplotlib)."""

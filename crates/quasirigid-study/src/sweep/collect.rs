@@ -92,6 +92,7 @@ impl Collector {
             let rows = folder.rows_of(part);
             self.done += rows.end - rows.start;
             if folder.part(part).is_file() {
+                folder.check_part(part)?;
                 folder.drop_journal(part);
                 continue;
             }
@@ -141,7 +142,8 @@ impl Collector {
     ///
     /// # Errors
     /// [`SweepError`] for files that cannot be written.
-    pub fn finish(self) -> Result<Finished, SweepError> {
+    pub fn finish(mut self) -> Result<Finished, SweepError> {
+        self.open.values_mut().try_for_each(PartInWork::settle)?;
         let folder = Folder::at(&self.path, &self.sweep);
         finished(&self.sweep, &folder, self.elsewhere, !self.open.is_empty())
     }

@@ -4,6 +4,7 @@ use std::{fmt, io};
 
 use quasirigid_io::model::ModelError;
 use quasirigid_io::table_file::TableError;
+use quasirigid_math::memory::TooMuchMemory;
 
 use crate::error::Setting;
 
@@ -21,6 +22,13 @@ pub enum SweepError {
     TooLarge {
         /// Most rows of a study.
         most: u64,
+    },
+    /// Rows that have no room in memory.
+    Memory {
+        /// Number of rows.
+        rows: u64,
+        /// Memory that they take.
+        cause: TooMuchMemory,
     },
     /// A row that the study does not have.
     NoRow {
@@ -87,6 +95,13 @@ pub enum SweepError {
         /// Cause.
         cause: io::Error,
     },
+    /// A part of the results that is damaged, or another.
+    Part {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong with it.
+        problem: String,
+    },
     /// A model without a table of uncertain keys.
     Certain {
         /// The file.
@@ -118,6 +133,9 @@ impl SweepError {
             Self::Table(error) => error.to_string(),
             Self::TooLarge { most } => {
                 format!("the study has more than {most} rows; take fewer samples, or grids with fewer points")
+            }
+            Self::Memory { rows, cause } => {
+                format!("{rows} rows are too many here: {cause}; take fewer samples")
             }
             Self::NoRow { row, rows } => {
                 format!("there is no row {row}: the study has {rows}, from 0 to {}", rows.saturating_sub(1))
@@ -160,6 +178,11 @@ impl SweepError {
             Self::Io { path, cause } => {
                 format!("{}: {cause}; may the folder be written, is the disk full?", path.display())
             }
+            Self::Part { path, problem } => format!(
+                "{}: {problem}; this is no longer the part that the study wrote: remove the file, and its rows are answered again with {}",
+                path.display(),
+                name(Setting::Resume)
+            ),
             Self::Certain { file } => format!(
                 "{}: the model has no [uncertainty]; add a table such as\n\n    [uncertainty]\n    \"material.rock.density\" = {{ normal = {{ mean = 2000, deviation = 300 }} }}\n",
                 file.display()

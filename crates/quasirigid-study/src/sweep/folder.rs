@@ -1,12 +1,12 @@
 //! Folder of a study: its text, its model, parts of a fixed number of rows, and at the end one table and a summary.
 //! Every file appears whole or not at all; a folder of another study is left alone.
 
-use std::fs::{self, File};
+use std::fs;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-use quasirigid_io::disk::{settle, settle_folder};
-use quasirigid_io::table_file::{CellColumn, CellKind, Cells, read_parquet, write_parquet};
+use quasirigid_io::disk::{self, is_temporary, replace, settle_folder};
+use quasirigid_io::table_file::{CellColumn, CellKind, Cells, TableError, read_parquet, write_parquet};
 use serde_json::{Value, json};
 
 use super::cell::{Cell, cells};
@@ -18,6 +18,8 @@ const HEAD: &str = "sweep.json";
 const STUDY: &str = "study.toml";
 const MODEL: &str = "model.toml";
 const PARTS: &str = "parts";
+/// Column of the numbers of the rows.
+const ROW: &str = "row";
 pub(super) const REPORT: &str = "report.html";
 pub(super) const ROWS: &str = "rows.csv";
 pub(super) const SUMMARY: &str = "summary.json";
@@ -53,12 +55,16 @@ impl<'s> Folder<'s> {
         if path.exists() && !is_begun(path) {
             return Err(SweepError::Foreign { folder: path.to_owned() });
         }
-        let above = path.parent().filter(|above| !above.as_os_str().is_empty()).unwrap_or(Path::new("."));
+        let above = disk::parent(path);
         if !above.is_dir() {
             return Err(SweepError::NoFolder { folder: path.to_owned(), above: above.to_owned() });
         }
+        if path.is_symlink() && !path.exists() {
+            return Err(SweepError::Foreign { folder: path.to_owned() }); // it would be made where the link leads to
+        }
         let parts = path.join(PARTS);
         fs::create_dir_all(&parts).map_err(SweepError::io(&parts))?;
+        settle_folder(above).map_err(SweepError::io(path))?;
         folder.put(STUDY, |out| out.write_all(sweep.study.source.text.as_bytes()))?;
         folder.put(MODEL, |out| out.write_all(sweep.model.text.as_bytes()))?;
         let head = json!({
@@ -113,7 +119,22 @@ impl<'s> Folder<'s> {
         let path = self.part(part);
         let mut bytes = Vec::new();
         write_parquet(&path, &mut bytes, &columns, &metadata)?;
-        put(&path, |out| out.write_all(&bytes)).map_err(SweepError::io(&path))
+        replace(&path, |out| out.write_all(&bytes)).map_err(SweepError::io(&path))
+    }
+
+    /// Refuses a part that is there and does not hold its rows, each with its checksum.
+    pub(super) fn check_part(&self, part: u64) -> Result<(), SweepError> {
+        let path = self.part(part);
+        let columns = read_part(&path, None)?;
+        let found = columns.iter().find_map(|column| match &column.cells {
+            Cells::Counts(rows) if column.name == ROW => Some(rows.as_slice()),
+            _ => None,
+        });
+        let rows = self.rows_of(part).map(|row| row as i64);
+        if found.is_some_and(|found| rows.eq(found.iter().copied())) {
+            return Ok(());
+        }
+        Err(SweepError::Part { path, problem: "it holds other rows".into() })
     }
 
     /// Columns of these names over all parts, in the order of the file.
@@ -128,7 +149,7 @@ impl<'s> Folder<'s> {
         write: impl FnOnce(&mut dyn Write) -> io::Result<()>,
     ) -> Result<(), SweepError> {
         let path = self.path.join(name);
-        put(&path, write).map_err(SweepError::io(path))
+        replace(&path, write).map_err(SweepError::io(path))
     }
 }
 
@@ -141,7 +162,7 @@ pub(super) fn read_parts(folder: &Path, wanted: Option<&[&str]>) -> Result<Vec<C
     let mut all: Vec<CellColumn> = Vec::new();
     let parts = (0..).map(|part| part_file(folder, part)).take_while(|path| path.is_file());
     for path in parts {
-        let columns = read_parquet(&path, wanted)?;
+        let columns = read_part(&path, wanted)?;
         if all.is_empty() {
             all = columns;
             continue;
@@ -151,6 +172,14 @@ pub(super) fn read_parts(folder: &Path, wanted: Option<&[&str]>) -> Result<Vec<C
         }
     }
     Ok(all)
+}
+
+/// Columns of a part, of these names or all.
+pub(super) fn read_part(path: &Path, wanted: Option<&[&str]>) -> Result<Vec<CellColumn>, SweepError> {
+    read_parquet(path, wanted).map_err(|error| match error {
+        TableError::Parquet { file, cause } => SweepError::Part { path: file, problem: cause },
+        other => other.into(),
+    })
 }
 
 /// Columns of a part: row, inputs, answers, status, reason, note.
@@ -165,7 +194,7 @@ pub(super) fn columns(sweep: &Sweep, rows: &[RowAnswer]) -> Vec<CellColumn> {
                 .collect(),
         )
     };
-    let mut columns = vec![column("row", "", Cells::Counts(rows.iter().map(|row| row.row as i64).collect()))];
+    let mut columns = vec![column(ROW, "", Cells::Counts(rows.iter().map(|row| row.row as i64).collect()))];
     columns.extend(sweep.inputs.iter().enumerate().map(|(i, input)| {
         column(&input.name, &input.unit, cells(input.kind, inputs.iter().map(|row| &row[i])))
     }));
@@ -200,9 +229,7 @@ fn append(cells: &mut Cells, more: Cells) {
 /// Whether a folder holds nothing, or nothing but what the start of a study writes before its head.
 fn is_begun(path: &Path) -> bool {
     let Ok(entries) = fs::read_dir(path) else { return false };
-    let ours = |name: &str| {
-        [STUDY, MODEL, PARTS].contains(&name) || (name.starts_with(".quasirigid-") && name.ends_with(".tmp"))
-    };
+    let ours = |name: &str| [STUDY, MODEL, PARTS].contains(&name) || is_temporary(name);
     let mut names = entries.map(|entry| entry.map(|entry| entry.file_name()));
     let begun = names.all(|name| name.is_ok_and(|name| name.to_str().is_some_and(ours)));
     begun && fs::read_dir(path.join(PARTS)).map_or(true, |mut parts| parts.next().is_none())
@@ -212,37 +239,8 @@ fn file_name(path: &Path) -> String {
     path.file_name().unwrap_or_default().to_string_lossy().into_owned()
 }
 
-/// Writes a file that appears only when it is whole and on the disk, over an older one of its name.
-///
-/// The name of the temporary file is that of the process, so that two that write the same file do not meet; a killed one leaves it, and
-/// the next removes it.
-fn put(path: &Path, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {
-    let parent = path.parent().unwrap_or(Path::new("."));
-    let temporary = parent.join(format!(".quasirigid-{}-{}.tmp", std::process::id(), file_name(path)));
-    let file = File::create(&temporary)?;
-    let mut out = io::BufWriter::new(&file);
-    let written = write(&mut out).and_then(|()| out.flush()).and_then(|()| settle(&file));
-    written.and_then(|()| fs::rename(&temporary, path)).inspect_err(|_| drop(fs::remove_file(&temporary)))?;
-    let _ = settle_folder(parent); // the file stands there; whether a loss of power would be survived is not known
-    Ok(())
-}
-
-/// Removes temporary files that killed runs left in a folder of parts, older than any that is still written.
+/// Removes the temporary files that killed runs left in a folder of parts.
 pub(super) fn tidy(folder: &Path) {
-    for place in [folder.to_owned(), folder.join(PARTS)] {
-        let Ok(entries) = fs::read_dir(place) else { continue };
-        for entry in entries.flatten() {
-            let name = entry.file_name();
-            let ours =
-                name.to_str().is_some_and(|name| name.starts_with(".quasirigid-") && name.ends_with(".tmp"));
-            let age = entry
-                .metadata()
-                .and_then(|metadata| metadata.modified())
-                .ok()
-                .and_then(|at| at.elapsed().ok());
-            if ours && age.is_some_and(|age| age.as_secs() >= 60) {
-                let _ = fs::remove_file(entry.path());
-            }
-        }
-    }
+    disk::tidy(folder);
+    disk::tidy(&folder.join(PARTS));
 }

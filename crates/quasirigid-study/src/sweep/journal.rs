@@ -4,17 +4,24 @@
 use std::fs::{File, OpenOptions};
 use std::io::{self, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
 
+use quasirigid_io::disk::{parent, settle, settle_folder, stands};
 use serde_json::{Value, json};
 
 use super::cell::Cell;
 use super::row::{RowAnswer, Status};
+
+/// Longest time for which rows are not yet on the disk: what a loss of power takes.
+const PAUSE: Duration = Duration::from_secs(1);
 
 /// Journal of a part, locked by this process as long as it is open.
 #[derive(Debug)]
 pub(super) struct Journal {
     file: File,
     path: PathBuf,
+    /// Time at which the rows were on the disk.
+    settled: Instant,
 }
 
 impl Journal {
@@ -36,13 +43,25 @@ impl Journal {
         }
         file.set_len(whole as u64)?;
         file.seek(SeekFrom::End(0))?;
-        Ok(Some((Self { file, path: path.to_owned() }, rows)))
+        Ok(Some((Self { file, path: path.to_owned(), settled: Instant::now() }, rows)))
     }
 
     /// Writes rows.
     pub(super) fn write(&mut self, rows: &[RowAnswer]) -> io::Result<()> {
         let lines: String = rows.iter().map(line).collect();
-        self.file.write_all(lines.as_bytes())
+        self.file.write_all(lines.as_bytes())?;
+        if self.settled.elapsed() >= PAUSE { self.settle() } else { Ok(()) }
+    }
+
+    /// Waits until the rows are on the disk. A journal that was removed, or is in another place by now, is an error: its rows are lost.
+    pub(super) fn settle(&mut self) -> io::Result<()> {
+        if !stands(&self.file, &self.path) {
+            return Err(io::ErrorKind::NotFound.into());
+        }
+        settle(&self.file)?;
+        settle_folder(parent(&self.path))?;
+        self.settled = Instant::now();
+        Ok(())
     }
 
     /// Removes the journal of a part that is written.

@@ -76,6 +76,11 @@ impl PartInWork {
         Ok(before - self.missing())
     }
 
+    /// Waits until the answers that are kept are on the disk.
+    pub(super) fn settle(&mut self) -> Result<(), SweepError> {
+        self.journal.settle().map_err(SweepError::io(&self.path))
+    }
+
     /// Number of rows without an answer.
     fn missing(&self) -> u64 {
         self.answers.iter().filter(|answer| answer.is_none()).count() as u64

@@ -8,10 +8,12 @@ use std::sync::mpsc;
 use std::time::{Duration, Instant};
 
 use quasirigid_io::record::SweepRecord;
-use quasirigid_io::table_file::{csv_header, csv_rows, read_parquet};
+use quasirigid_io::table_file::{csv_header, csv_rows};
+use quasirigid_math::memory;
 use rayon::ThreadPool;
 
-use super::folder::{Folder, REPORT, ROWS, SUMMARY, tidy};
+use super::cell::Cell;
+use super::folder::{Folder, REPORT, ROWS, SUMMARY, read_part, tidy};
 use super::part::Opened;
 use super::row::RowAnswer;
 use super::{Sweep, SweepError, page, summary};
@@ -23,6 +25,8 @@ const MOST_IN_CSV: u64 = 1_000_000;
 const PERIOD: Duration = Duration::from_millis(100);
 /// Time for which a thread keeps its answers to itself: what a kill loses, and a thousand writes saved.
 const TOGETHER: Duration = Duration::from_millis(20);
+/// Bytes of an answer in memory, in its row and in its column.
+const CELL: usize = size_of::<Cell>() + size_of::<Option<f64>>();
 const STAGE: &str = "answering";
 
 /// A share of the parts of a study: those whose number leaves this remainder.
@@ -89,6 +93,7 @@ impl Sweep {
         for part in parts {
             let rows = rows_in(&folder, part);
             if folder.part(part).is_file() {
+                folder.check_part(part)?;
                 folder.drop_journal(part);
             } else {
                 match work_on(self, &folder, part, &pool, &mut progress)? {
@@ -126,6 +131,9 @@ fn rows_in(folder: &Folder<'_>, part: u64) -> u64 {
 impl Sweep {
     /// Answers every row and keeps the answers in memory, in the order of the rows; none if the watch ended the work.
     pub(super) fn in_memory(&self, watch: &mut dyn Watch) -> Result<Option<Vec<RowAnswer>>, SweepError> {
+        let row = size_of::<RowAnswer>() + size_of::<u64>() + self.outputs.len() * CELL;
+        memory::ask(self.rows as f64 * row as f64)
+            .map_err(|cause| SweepError::Memory { rows: self.rows, cause })?;
         let threads = std::thread::available_parallelism().map_or(1, Into::into);
         let todo: Vec<u64> = (0..self.rows).collect();
         let mut answers: Vec<Option<RowAnswer>> = todo.iter().map(|_| None).collect();
@@ -192,6 +200,7 @@ fn work_on(
     progress.done += rows_in(folder, part) - todo.len() as u64;
     together(sweep, &todo, pool, progress, &mut |answers| work.keep(answers).map(drop))?;
     if !work.is_whole() {
+        work.settle()?;
         return Ok(Worked::Stopped);
     }
     work.write(folder)?;
@@ -251,7 +260,7 @@ fn summarized(sweep: &Sweep, folder: &Folder<'_>) -> Result<SweepRecord, SweepEr
         let mut problem = None;
         let written = folder.put(ROWS, |out| {
             for part in 0..folder.parts() {
-                match read_parquet(&folder.part(part), None) {
+                match read_part(&folder.part(part), None) {
                     Ok(columns) => {
                         if part == 0 {
                             out.write_all(&csv_header(&columns))?;
@@ -267,7 +276,7 @@ fn summarized(sweep: &Sweep, folder: &Folder<'_>) -> Result<SweepRecord, SweepEr
             Ok(())
         });
         if let Some(problem) = problem {
-            return Err(problem.into());
+            return Err(problem);
         }
         written?;
     }

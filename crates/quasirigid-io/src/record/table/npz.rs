@@ -2,7 +2,7 @@
 //! An archive that another program has compressed is read up to a hundred times its size.
 
 use std::fs::File;
-use std::io::{self, Read, Seek, Write};
+use std::io::{self, Read, Seek, SeekFrom, Write};
 use std::path::Path;
 
 use zip::write::SimpleFileOptions;
@@ -35,13 +35,57 @@ pub fn write(
         .compression_method(CompressionMethod::Stored)
         .large_file(count > u64::from(u32::MAX) / 16)
         .last_modified_time(zip::DateTime::default());
-    let mut archive = ZipWriter::new(out);
+    let mut archive = ZipWriter::new(Once { out, position: 0, end: 0, failed: false });
     for (place, column) in columns.iter().enumerate() {
         archive.start_file(member(&column.name), options).map_err(|error| failed(&error.into()))?;
         archive.write_all(&header(count)).map_err(|error| failed(&error))?;
         rows.each(&mut |row| archive.write_all(&row[place].to_le_bytes()).map_err(|error| failed(&error)))?;
     }
     archive.finish().map(drop).map_err(|error| failed(&error.into()))
+}
+
+/// Output that fails once and from then on takes everything: the writer of archives prints on standard error what fails while it is
+/// dropped, after a failure that is told.
+struct Once<W> {
+    out: W,
+    position: u64,
+    end: u64,
+    failed: bool,
+}
+
+impl<W> Once<W> {
+    fn noted<T>(&mut self, result: io::Result<T>) -> io::Result<T> {
+        self.failed |= result.as_ref().is_err_and(|error| error.kind() != io::ErrorKind::Interrupted);
+        result
+    }
+}
+
+impl<W: Write> Write for Once<W> {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        let written = if self.failed { Ok(bytes.len()) } else { self.out.write(bytes) };
+        let written = self.noted(written)?;
+        self.position += written as u64;
+        self.end = self.end.max(self.position);
+        Ok(written)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        let flushed = if self.failed { Ok(()) } else { self.out.flush() };
+        self.noted(flushed)
+    }
+}
+
+impl<W: Seek> Seek for Once<W> {
+    fn seek(&mut self, to: SeekFrom) -> io::Result<u64> {
+        let sought = match to {
+            _ if !self.failed => self.out.seek(to),
+            SeekFrom::Start(place) => Ok(place),
+            SeekFrom::Current(by) => Ok(self.position.saturating_add_signed(by)),
+            SeekFrom::End(by) => Ok(self.end.saturating_add_signed(by)),
+        };
+        self.position = self.noted(sought)?;
+        Ok(self.position)
+    }
 }
 
 /// Name of the file of a column in the archive; what a path could not hold is replaced.

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 use std::fs::File;
-use std::io::Write;
+use std::io::{self, Write};
 use std::panic::{self, AssertUnwindSafe};
 use std::path::Path;
 use std::sync::Arc;
@@ -34,7 +34,7 @@ pub fn write(
     columns: &[Column],
     rows: &dyn Rows,
 ) -> Result<(), RecordError> {
-    let failed = |error: ParquetError| damaged(file, &error);
+    let failed = |error: ParquetError| unwritten(file, &error);
     let mut writer = writer(out, columns).map_err(failed)?;
     let mut group: Vec<Vec<f64>> = columns.iter().map(|_| Vec::new()).collect();
     rows.each(&mut |row| {
@@ -83,6 +83,15 @@ fn flush<W: Write + Send>(
         values.clear();
     }
     group.close().map(drop)
+}
+
+/// A table that cannot be written: the system says why, or the library.
+fn unwritten(file: &Path, error: &ParquetError) -> RecordError {
+    let system = match error {
+        ParquetError::External(cause) => cause.downcast_ref::<io::Error>(),
+        _ => None,
+    };
+    system.map_or_else(|| damaged(file, error), |cause| unusable(file, cause))
 }
 
 /// Reads the rows of a file whose columns have the names of these. Of damaged metadata the library panics, which is an error like others.

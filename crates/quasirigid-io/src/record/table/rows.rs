@@ -1,9 +1,11 @@
 //! Log of rows of a run in work: numbers of 8 bytes, little-endian, row after row, to which a run appends. Of a run that was cut off
-//! every whole row is there.
+//! every whole row is there; a run goes on from rows that have the checksum of its checkpoint.
 
 use std::fs::{File, OpenOptions};
-use std::io::{self, BufReader, Read, Seek, SeekFrom, Write};
+use std::io::{self, BufReader, Read, Write};
 use std::path::{Path, PathBuf};
+
+use crc32fast::Hasher;
 
 use super::super::RecordError;
 use super::super::folder::unusable;
@@ -20,23 +22,43 @@ pub struct RowLog {
     file: File,
     width: usize,
     rows: u64,
+    checksum: Hasher,
     waiting: Vec<u8>,
 }
 
 impl RowLog {
-    /// Opens a log of rows of so many numbers, keeps its first rows and drops the others.
+    /// Starts a log of rows of so many numbers, in the place of an older one.
     ///
     /// # Errors
-    /// Those of the system, and [`io::ErrorKind::UnexpectedEof`] where the log is shorter.
-    pub fn open(path: &Path, width: usize, rows: u64) -> io::Result<Self> {
-        let mut file = OpenOptions::new().write(true).create(true).truncate(false).open(path)?;
+    /// Those of the system.
+    pub fn create(path: &Path, width: usize) -> io::Result<Self> {
+        let file = File::create(path)?;
+        Ok(Self { path: path.to_owned(), file, width, rows: 0, checksum: Hasher::new(), waiting: Vec::new() })
+    }
+
+    /// Goes on with a log: keeps its first rows, which have a checksum, and drops the others.
+    ///
+    /// # Errors
+    /// Those of the system, [`io::ErrorKind::UnexpectedEof`] where the log is shorter, and [`io::ErrorKind::InvalidData`] where its rows
+    /// have another checksum; the log then stays as it is.
+    pub fn resume(path: &Path, width: usize, rows: u64, checksum: u32) -> io::Result<Self> {
+        let mut file = OpenOptions::new().read(true).write(true).open(path)?;
         let length = rows.checked_mul(8 * width as u64).ok_or(io::ErrorKind::InvalidInput)?;
         if file.metadata()?.len() < length {
             return Err(io::ErrorKind::UnexpectedEof.into());
         }
-        file.set_len(length)?;
-        file.seek(SeekFrom::End(0))?;
-        Ok(Self { path: path.to_owned(), file, width, rows, waiting: Vec::new() })
+        let (mut found, mut bytes, mut left) = (Hasher::new(), vec![0; BUFFER], length);
+        while left > 0 {
+            let next = &mut bytes[..left.min(BUFFER as u64) as usize];
+            file.read_exact(next)?;
+            found.update(next);
+            left -= next.len() as u64;
+        }
+        if found.clone().finalize() != checksum {
+            return Err(io::ErrorKind::InvalidData.into());
+        }
+        file.set_len(length)?; // the file is read up to there, and goes on from there
+        Ok(Self { path: path.to_owned(), file, width, rows, checksum: found, waiting: Vec::new() })
     }
 
     /// Appends a row.
@@ -53,6 +75,12 @@ impl RowLog {
     #[must_use]
     pub fn rows(&self) -> u64 {
         self.rows
+    }
+
+    /// CRC-32 of the rows that are written.
+    #[must_use]
+    pub fn checksum(&self) -> u32 {
+        self.checksum.clone().finalize()
     }
 
     /// Waits until every row is on the disk.
@@ -75,6 +103,7 @@ impl RowLog {
 
     fn write(&mut self) -> io::Result<()> {
         self.file.write_all(&self.waiting)?;
+        self.checksum.update(&self.waiting);
         self.waiting.clear();
         Ok(())
     }

@@ -1,3 +1,4 @@
+use std::ffi::OsString;
 use std::io::{self, IsTerminal, Write};
 
 use ariadne::{Color, Config, IndexType, Label, Report, ReportKind, Source};
@@ -33,9 +34,12 @@ pub fn print(failure: &Failure) {
 /// # Errors
 /// Those of the system.
 pub fn of_arguments(error: &clap::Error) -> io::Result<()> {
-    let plain = error.render().to_string();
-    let shown = visible(&plain);
-    if shown == plain { error.print() } else { write!(io::stderr(), "{shown}") }
+    let steers = |argument: OsString| visible(&argument.to_string_lossy()) != argument.to_string_lossy();
+    if std::env::args_os().any(steers) {
+        write!(io::stderr(), "{}", visible(&error.render().to_string()))
+    } else {
+        error.print()
+    }
 }
 
 /// Prints a remark on standard error.

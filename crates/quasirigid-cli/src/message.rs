@@ -1,3 +1,4 @@
+use std::ffi::OsString;
 use std::io::IsTerminal;
 
 use ariadne::{Color, Config, IndexType, Label, Report, ReportKind, Source};
@@ -30,12 +31,11 @@ pub fn print(failure: &Failure) {
 
 /// Prints what is wrong with the arguments, or the help that they ask for; without colours where an argument would steer the terminal.
 pub fn of_arguments(error: &clap::Error) {
-    let plain = error.render().to_string();
-    let shown = visible(&plain);
-    if shown == plain {
-        let _ = error.print(); // nobody is left to tell
+    let steers = |argument: OsString| visible(&argument.to_string_lossy()) != argument.to_string_lossy();
+    if std::env::args_os().any(steers) {
+        eprint!("{}", visible(&error.render().to_string()));
     } else {
-        eprint!("{shown}");
+        let _ = error.print(); // nobody is left to tell
     }
 }
 

@@ -27,7 +27,7 @@ fn nothing_from_a_file_steers_the_terminal() {
             ran.stdout
         );
     }
-    let point = MODEL.replace("\"tip\"", "\"ti\\u001b[2J\\np\"");
+    let point = MODEL.replace("\"tip\"", "\"ti\\u001b[2Jp\"");
     let table = ran_with(&point, "simulate model.toml --system full --samples 2 --coordinates");
     assert!(!steers(&table.stdout) && table.stdout.lines().count() == 3, "{}", table.stdout);
 }

@@ -206,7 +206,7 @@ fn content(text: &str, folder: &Path, problems: &Problems<'_>) -> Option<Content
     let file = Table::new("the file", 0..0, &tree, &FILE, &|_| None, problems);
     let mut notes = Vec::new();
     let name = file.table("body", "[body]", &settings::BODY).and_then(|table| table.get("name"));
-    let name = name.and_then(|value| value.text()).map(str::to_owned);
+    let name = name.and_then(|value| value.name()).map(str::to_owned);
     let body = body::body(&file, folder, problems, &mut notes);
     let initial = match file.table("initial", "[initial]", &initial::INITIAL) {
         Some(table) => initial::initial(&table, &body, &mut notes),

@@ -248,7 +248,7 @@ fn name(Opened { reader, number, table, .. }: &Opened<'_>) -> String {
         Naming::Optional => String::new(),
         Naming::Nameless => return String::new(),
     };
-    table.get("name").and_then(|value| value.text()).map_or(made, str::to_owned)
+    table.get("name").and_then(|value| value.name()).map_or(made, str::to_owned)
 }
 
 /// Names that must differ, each with its owner and place.

@@ -150,6 +150,20 @@ impl<'a> Value<'a> {
         }
     }
 
+    /// A name: a text in one line.
+    pub(crate) fn name(&self) -> Option<&'a str> {
+        let text = self.text()?;
+        if text.contains(['\t', '\n', '\u{b}', '\u{c}', '\r', '\u{85}', '\u{2028}', '\u{2029}']) {
+            let help = "write it without line breaks and tabs".to_owned();
+            return self.refuse(
+                format!("{text:?} is not in one line, as a name is"),
+                "more than a line",
+                Some(help),
+            );
+        }
+        Some(text)
+    }
+
     /// One of several words.
     pub(crate) fn choice<T: Copy>(&self, choices: &[(&str, T)]) -> Option<T> {
         let text = self.text()?;

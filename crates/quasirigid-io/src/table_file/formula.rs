@@ -32,7 +32,7 @@ pub(crate) fn unguarded(cell: &str) -> Cow<'_, str> {
         return Cow::Borrowed(cell);
     }
     let mut text = cell.to_owned();
-    signs.iter().rev().for_each(|sign| drop(text.remove(sign - GUARD.len_utf8())));
+    signs.iter().rev().for_each(|sign| text.replace_range(sign - GUARD.len_utf8()..*sign, ""));
     Cow::Owned(text)
 }
 

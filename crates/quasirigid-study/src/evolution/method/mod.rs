@@ -11,10 +11,10 @@ mod verdict;
 
 use std::ops::ControlFlow;
 
-use quasirigid::averaging::LevelPassage;
+use quasirigid::averaging::{LevelPassage, MeanPower};
 use quasirigid::dynamics::Start;
 use quasirigid::model::FlexibleBody;
-use quasirigid::secular::{DirectRow, DirectRun, EnergyRange, MeasureError};
+use quasirigid::secular::{DirectRow, DirectRun, EnergyRange, MeasureError, apart};
 use quasirigid_io::model::EvolveMethod;
 use quasirigid_math::vec3::norm;
 
@@ -54,6 +54,8 @@ const SLOW: f64 = 1e-3;
 const UNDER_TORQUE: f64 = 0.1;
 /// Moments whose relative difference is larger are distinct for so slow a spin.
 const DISTINCT: f64 = 1e-3;
+/// Relative difference between the powers of the polynomial and of the harmonics below which losses are of first order.
+const FIRST_ORDER: f64 = 2.5e-3;
 
 /// Chooses the method for a body on which no torque acts: the power that is followed from then on, or the history.
 pub fn choose(
@@ -173,10 +175,12 @@ pub fn under_torque(
     Ok(Some(Refusal { message, rates }))
 }
 
-/// Whether a body is so stiff, with moments so distinct, that the average needs no judgement.
+/// Whether a body is so stiff, with moments so distinct and losses so small within a period, that the average needs no judgement.
 fn plain(body: &FlexibleBody, secular: &SecularEvolution, spin: f64) -> bool {
     let [I1, I2, I3] = secular.principal.moments;
     let distinct = [I2 - I1, I3 - I2].iter().all(|gap| *gap > DISTINCT * I3 || *gap < 1e-9 * I3);
     let slowest = secular.response.frequencies().next().map_or(f64::INFINITY, |(frequency, _)| frequency);
-    body.cyclic().is_empty() && distinct && spin < SLOW * slowest
+    let by_harmonics = || secular.response.mean_power(&secular.initial);
+    let first_order = || apart(secular.power().mean_power(&secular.initial), by_harmonics()) < FIRST_ORDER;
+    body.cyclic().is_empty() && distinct && spin < SLOW * slowest && (!secular.by_polynomial || first_order())
 }

@@ -5,6 +5,8 @@
 
 use std::f64::consts::PI;
 
+use crate::scalar::Scalar;
+
 /// Complete integral of the first kind `K(m)`, for `0 ≤ m < 1`; infinite at 1.
 #[must_use]
 pub fn complete_first(m: f64) -> f64 {
@@ -15,6 +17,18 @@ pub fn complete_first(m: f64) -> f64 {
 #[must_use]
 pub fn nome(m: f64) -> f64 {
     (-PI * first_of_complement(m) / complete_first(m)).exp()
+}
+
+/// Parameter below which [`nome_over_parameter`] is the nome over the parameter to rounding.
+pub const SMALL: f64 = 1e-5;
+
+/// Nome over the parameter `m` by its power series, for `m` below [`SMALL`]: finite where both vanish.
+#[inline(always)]
+#[must_use]
+pub fn nome_over_parameter<T: Scalar>(m: T) -> T {
+    let number = T::from;
+    let x = m * number(1.0 / 16.0);
+    (number(1.0) + x * (number(8.0) + x * (number(84.0) + number(992.0) * x))) * number(1.0 / 16.0)
 }
 
 /// `K(1 − m)`, which loses no digits for small `m`: Carlson's `R_F(0, m, 1)`.

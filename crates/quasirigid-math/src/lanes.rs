@@ -1,7 +1,7 @@
 //! Lanes: eight numbers that take the same operations side by side, one for each of eight problems.
 //! An operation on lanes rounds each as the same operation on one number does, so that a problem gives the same bits in any lane and alone.
 
-use std::ops::{Add, BitOr, Div, Mul, Not, Sub};
+use std::ops::{Add, BitAnd, BitOr, Div, Mul, Not, Sub};
 
 use crate::scalar::Scalar;
 use crate::simd::Arithmetic;
@@ -36,21 +36,13 @@ impl Mask {
         self.0[lane] = if truth { u64::MAX } else { 0 };
     }
 
-    /// Where both are true.
+    /// Lane by lane.
     #[inline(always)]
-    #[must_use]
-    pub fn and(self, other: Self) -> Self {
-        self.and_not(!other)
-    }
-
-    /// Where `self` is true and `other` is not.
-    #[inline(always)]
-    #[must_use]
-    pub fn and_not(self, other: Self) -> Self {
+    fn each(self, other: Self, operation: impl Fn(u64, u64) -> u64) -> Self {
         let mut result = self;
         let mut lane = 0;
         while lane < LANES {
-            result.0[lane] = self.0[lane] & !other.0[lane];
+            result.0[lane] = operation(self.0[lane], other.0[lane]);
             lane += 1;
         }
         result
@@ -62,13 +54,16 @@ impl Not for Mask {
 
     #[inline(always)]
     fn not(self) -> Self {
-        let mut result = self;
-        let mut lane = 0;
-        while lane < LANES {
-            result.0[lane] = !self.0[lane];
-            lane += 1;
-        }
-        result
+        self.each(self, |a, _| !a)
+    }
+}
+
+impl BitAnd for Mask {
+    type Output = Self;
+
+    #[inline(always)]
+    fn bitand(self, other: Self) -> Self {
+        self.each(other, |a, b| a & b)
     }
 }
 
@@ -77,13 +72,7 @@ impl BitOr for Mask {
 
     #[inline(always)]
     fn bitor(self, other: Self) -> Self {
-        let mut result = self;
-        let mut lane = 0;
-        while lane < LANES {
-            result.0[lane] = self.0[lane] | other.0[lane];
-            lane += 1;
-        }
-        result
+        self.each(other, |a, b| a | b)
     }
 }
 
@@ -120,11 +109,25 @@ impl Lanes {
         result
     }
 
+    /// A function of each lane.
+    #[inline(always)]
+    #[must_use]
+    pub fn map(self, function: impl Fn(f64) -> f64) -> Self {
+        self.each(self, |a, _| function(a))
+    }
+
     /// Square root.
     #[inline(always)]
     #[must_use]
     pub fn sqrt(self) -> Self {
-        self.each(self, |a, _| a.sqrt())
+        self.map(f64::sqrt)
+    }
+
+    /// Size.
+    #[inline(always)]
+    #[must_use]
+    pub fn abs(self) -> Self {
+        self.map(f64::abs)
     }
 
     /// The smaller number; where `self` is NaN, the other.
@@ -231,9 +234,9 @@ mod tests {
         let c = Lanes::from(0.25);
         for lane in 0..LANES {
             let (a, b) = (A.0[lane], B.0[lane]);
-            let found =
-                [A + B, A - B, A * B, A / B, A.sqrt(), A.mul_add::<Plain>(B, c)].map(|lanes| lanes.0[lane]);
-            let known = [a + b, a - b, a * b, a / b, a.sqrt(), a * b + 0.25];
+            let found = [A + B, A - B, A * B, A / B, A.sqrt(), A.abs(), A.mul_add::<Plain>(B, c)];
+            let found = found.map(|lanes| lanes.0[lane]);
+            let known = [a + b, a - b, a * b, a / b, a.sqrt(), a.abs(), a * b + 0.25];
             assert!(
                 found.iter().zip(known).all(|(found, known)| same(*found, known)),
                 "{lane}: {found:?} {known:?}"
@@ -252,7 +255,7 @@ mod tests {
         for lane in 0..LANES {
             let (one, other) = (A.0[lane] <= B.0[lane], lane % 2 == 1);
             assert_eq!((below.get(lane), odd.get(lane), Mask::NONE.get(lane)), (one, other, false), "{lane}");
-            let found = [below.and(odd), below.and_not(odd), below | odd, !below].map(|mask| mask.get(lane));
+            let found = [below & odd, below & !odd, below | odd, !below].map(|mask| mask.get(lane));
             assert_eq!(found, [one && other, one && !other, one || other, !one], "{lane}");
             let chosen = if one { A } else { B }.0[lane];
             assert!(same(A.select(below, B).0[lane], chosen), "{lane}");

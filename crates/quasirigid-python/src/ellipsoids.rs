@@ -108,7 +108,11 @@ pub fn evolve_ellipsoids<'py>(
         time: column(|passage| passage.time),
         turns: column(|passage| passage.revolutions),
         power: column(|passage| passage.power),
-        error: column(|passage| passage.error + passage.quadrature_error / passage.time),
+        error: column(|passage| {
+            let of_quadrature =
+                if passage.time > 0.0 { passage.quadrature_error / passage.time } else { 0.0 };
+            passage.error + of_quadrature
+        }),
         holds: PyArray1::from_iter(py, found.iter().map(Result::is_ok)),
         reasons: found.iter().enumerate().filter_map(reason).collect(),
     })

@@ -94,7 +94,7 @@ impl SpinsAsked<'_> {
         let mut paths = spin_paths(&reduced, &settled, times, options, &mut goes_on).into_iter();
         let found = begun.into_iter().map(|begun| {
             let (_, doubts) = begun?;
-            let path = paths.next().unwrap_or(Err(PropagateError::NoAngularMomentum))?;
+            let path = paths.next().expect("a path for each good start")?;
             Ok(self.spins(path, doubts))
         });
         let found: Vec<Result<Spins, StudyError>> = found.collect();

@@ -48,7 +48,7 @@ fn seconds<T>(work: impl FnOnce() -> T) -> f64 {
 /// Asteroids of 10 m to 10 km that tumble in all modes, half of them about the long axis.
 fn drawn() -> Vec<WobblingEllipsoid> {
     let mut random = Random::new(2012);
-    let mut unit = || random.bits() as f64 / u64::MAX as f64;
+    let mut unit = || random.unit();
     let mut asteroid = |i: usize| {
         let a = 10f64.powf(1.0 + 3.0 * unit());
         let b = a * (0.3 + 0.65 * unit());

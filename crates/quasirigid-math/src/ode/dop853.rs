@@ -41,7 +41,7 @@ pub(super) const GROW: f64 = 6.0;
 
 /// Root by the order of the error estimate plus one, by operations that every processor rounds alike.
 #[inline(always)]
-fn eighth_root(number: f64) -> f64 {
+pub(super) fn eighth_root(number: f64) -> f64 {
     number.sqrt().sqrt().sqrt()
 }
 

@@ -5,7 +5,7 @@
 
 use std::marker::PhantomData;
 
-use super::dop853::{CAUTION, GROW, SHRINK, interpolant};
+use super::dop853::{CAUTION, GROW, SHRINK, eighth_root, interpolant};
 use super::dop853_tableau::{A, B, E3, E5, EXTRA, STAGES};
 use super::system::{DenseOutput, REACH};
 use crate::lanes::{Lanes, Mask};
@@ -167,8 +167,7 @@ impl<'a, S: LaneSystem<D>, R: Arithmetic, const D: usize> Dop853Lanes<'a, S, R, 
         let remaining = self.end - self.t;
         let reaches = (Lanes::splat(REACH) * remaining).at_most(self.h);
         let h = remaining.select(reaches, self.h);
-        let size = self.t.max(Lanes::splat(0.0) - self.t);
-        let stuck = h.at_most(Lanes::splat(f64::EPSILON) * size);
+        let stuck = h.at_most(Lanes::splat(f64::EPSILON) * self.t.abs());
         self.stages[0] = self.stages[STAGES];
         for stage in 1..STAGES {
             let place = combine::<R, D>(&self.y, h, &A[stage], &self.stages[..stage]);
@@ -176,7 +175,7 @@ impl<'a, S: LaneSystem<D>, R: Arithmetic, const D: usize> Dop853Lanes<'a, S, R, 
         }
         let change = combine::<R, D>(&self.carry, h, &B, &self.stages[..STAGES]);
         let error = self.error(h);
-        let accepted = error.at_most(Lanes::splat(1.0)).and_not(stuck);
+        let accepted = error.at_most(Lanes::splat(1.0)) & !stuck;
         self.adapt(h, error, [reaches, accepted, stuck]);
         self.accept(h, &change, [reaches, accepted]);
         Trial { accepted, stuck }
@@ -203,7 +202,7 @@ impl<'a, S: LaneSystem<D>, R: Arithmetic, const D: usize> Dop853Lanes<'a, S, R, 
     #[inline(always)]
     fn adapt(&mut self, h: Lanes, error: Lanes, [reaches, accepted, stuck]: [Mask; 3]) {
         let defined = error.at_most(Lanes::splat(f64::MAX));
-        let factor = Lanes::splat(CAUTION) / error.sqrt().sqrt().sqrt();
+        let factor = Lanes::splat(CAUTION) / error.map(eighth_root);
         let factor =
             factor.min(Lanes::splat(GROW)).max(Lanes::splat(SHRINK)).select(defined, Lanes::splat(SHRINK));
         let longer = h * factor.min(Lanes::splat(1.0)).select(self.rejected, factor);
@@ -211,7 +210,7 @@ impl<'a, S: LaneSystem<D>, R: Arithmetic, const D: usize> Dop853Lanes<'a, S, R, 
         let next = longer.select(accepted, h * factor);
         self.h = self.h.select(stuck, next);
         self.rejected = !accepted;
-        self.undefined = (!defined).and_not(stuck) | self.undefined.and_not(!stuck);
+        self.undefined = !stuck & !defined | stuck & self.undefined;
     }
 
     /// Adds the changes of the accepted trials to the states, keeping their rounding errors.

@@ -7,7 +7,7 @@ use std::f64::consts::{PI, TAU};
 use nalgebra::Complex;
 
 use super::poinsot::FreeRotation;
-use crate::math::elliptic::first_of_complement;
+use crate::math::elliptic::{SMALL, first_of_complement, nome_over_parameter};
 use crate::model::Mode;
 
 /// Harmonic of the six products of the angular velocity along the polhode. (G5)
@@ -25,8 +25,6 @@ pub struct Harmonic {
 
 /// Square of the relative amplitude below which harmonics are left out.
 const WEAK: f64 = 1e-18;
-/// Parameter `k²` below which the nome is a power series in it.
-const SMALL: f64 = 1e-5;
 
 impl FreeRotation {
     /// Harmonics of the products of the angular velocity, from the first to the last above rounding; none of a motion that is steady, and
@@ -57,8 +55,7 @@ impl Series {
         let (m, complement) = (motion.parameter(), motion.complement());
         let quarter = first_of_complement(complement);
         let (nome, over_square) = if m < SMALL {
-            let x = m / 16.0;
-            let ratio = (1.0 + x * (8.0 + x * (84.0 + 992.0 * x))) / 16.0;
+            let ratio = nome_over_parameter(m);
             (m * ratio, ratio)
         } else {
             let nome = (-PI * first_of_complement(m) / quarter).exp();

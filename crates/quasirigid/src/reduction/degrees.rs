@@ -24,12 +24,8 @@ const DIRECTIONS: usize = 400;
 /// Size of each degree of `f`, from 2 to `p + 2`, at the length of a spin (rad/s). (R14)
 #[must_use]
 pub fn degree_sizes(body: &ReducedBody, omega: [f64; 3]) -> Vec<DegreeSize> {
-    sizes(&body.f, norm(omega))
-}
-
-/// Size of each degree of the rate `f(ω)` at the length of a spin (rad/s).
-fn sizes(f: &Series, spin: f64) -> Vec<DegreeSize> {
-    (2..=f.degree()).map(|degree| DegreeSize { degree, size: size(f, degree, spin) }).collect()
+    let spin = norm(omega);
+    (2..=body.f.degree()).map(|degree| DegreeSize { degree, size: size(&body.f, degree, spin) }).collect()
 }
 
 /// Sizes of the degrees of a vector field at a radius, from which those at any other follow by powers. Parts with a constant, as of a wheel,

@@ -16,7 +16,7 @@ const HOUR: f64 = 3600.0;
 /// Tumbling asteroids of any shape, material and rotation, one of each law of loss and each mode among four.
 fn drawn(count: usize) -> Vec<WobblingEllipsoid> {
     let mut random = Random::new(1978);
-    let mut unit = || random.bits() as f64 / u64::MAX as f64;
+    let mut unit = || random.unit();
     let mut asteroid = |i: usize| {
         let size = 10f64.powf(1.0 + 3.0 * unit());
         let mut semi_axes = [size, size * (0.25 + 0.7 * unit()), size * (0.25 + 0.7 * unit())];
@@ -170,6 +170,33 @@ fn what_no_ellipsoid_has_is_refused() {
     );
     assert!(refused(|body| body.semi_axes = [1.0, 1.0, 2.0]).contains("two greatest moments are equal"));
     assert!(refused(|body| body.semi_axes = [1.0; 3]).contains("two greatest moments are equal"));
+}
+
+/// Numbers that overflow or vanish on the way are refused, and no answer is NaN or infinite.
+#[test]
+fn what_has_no_numbers_is_refused() {
+    let body = drawn(4)[2];
+    for factor in [1e300, 1e150, 1e80, 1e-80, 1e-150, 1e-300] {
+        let scaled = [
+            WobblingEllipsoid { density: factor * body.density, ..body },
+            WobblingEllipsoid { shear: factor * body.shear, ..body },
+            WobblingEllipsoid { spin: factor * body.spin, ..body },
+            WobblingEllipsoid { semi_axes: body.semi_axes.map(|axis| factor * axis), ..body },
+            WobblingEllipsoid { loss: EllipsoidLoss::KelvinVoigt(factor), ..body },
+            WobblingEllipsoid { loss: EllipsoidLoss::QualityFactor(factor), ..body },
+        ];
+        for body in scaled {
+            let Ok(EllipsoidPassage { time, revolutions, power, quadrature_error, error }) = one(body) else {
+                continue;
+            };
+            let numbers = [time, revolutions, power, quadrature_error, error];
+            assert!(numbers.iter().all(|number| number.is_finite()) && power > 0.0, "{body:?}: {numbers:?}");
+        }
+    }
+    let refused = one(WobblingEllipsoid { density: 1e-300, ..body }).unwrap_err();
+    assert_eq!(refused, EllipsoidRefusal::OutOfRange);
+    let still = one(WobblingEllipsoid { until: body.from, ..body }).unwrap();
+    assert_eq!((still.time, still.revolutions), (0.0, 0.0));
 }
 
 /// Too soft, too lossy, too fast: refused, with the reason.

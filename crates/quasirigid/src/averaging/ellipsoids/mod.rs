@@ -85,6 +85,11 @@ pub enum EllipsoidRefusal {
         "the two greatest moments are equal: the body has no axis of greatest inertia of its own to wobble about"
     )]
     NoShortAxis,
+    /// Moments of inertia, power or time outside of the range of double precision.
+    #[error(
+        "the moments of inertia, the power or the time leave the range of double precision; choose other units"
+    )]
+    OutOfRange,
     /// The end lies before the start.
     #[error("the wobble at the end is the larger one; dissipation leads from wide wobbles to narrow ones")]
     Behind,

@@ -17,7 +17,7 @@ use crate::model::Mode;
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EllipsoidPassage {
-    /// Time (s); infinite without a loss.
+    /// Time (s).
     pub time: f64,
     /// Revolutions about the angular momentum.
     pub revolutions: f64,
@@ -203,6 +203,10 @@ fn checked(body: &WobblingEllipsoid) -> Result<(), EllipsoidRefusal> {
 
 fn way(body: &WobblingEllipsoid, prepared: Prepared) -> Result<Way, EllipsoidRefusal> {
     let moments = prepared.moments;
+    let numbers = moments.iter().chain(prepared.squares.as_flattened()).chain(&prepared.products);
+    if !numbers.chain([&prepared.angular_momentum]).all(|number| number.is_normal()) {
+        return Err(EllipsoidRefusal::OutOfRange);
+    }
     let [from, until] = [place(moments, body.from)?, place(moments, body.until)?];
     if until.along() < from.along() {
         return Err(EllipsoidRefusal::Behind);
@@ -276,7 +280,10 @@ impl Way {
 
     fn passage(self) -> Result<EllipsoidPassage, EllipsoidRefusal> {
         self.criteria.judge()?;
-        Ok(EllipsoidPassage { error: self.criteria.error(), ..self.sums })
+        let passage = EllipsoidPassage { error: self.criteria.error(), ..self.sums };
+        let EllipsoidPassage { time, revolutions, power, quadrature_error, error } = passage;
+        let known = [time, revolutions, quadrature_error, error].iter().all(|number| number.is_finite());
+        if known && power.is_normal() { Ok(passage) } else { Err(EllipsoidRefusal::OutOfRange) }
     }
 }
 

@@ -4,7 +4,8 @@
 
 use std::f64::consts::PI;
 
-use crate::math::lanes::{LANES, Lanes, Mask};
+use crate::math::elliptic::{SMALL, nome_over_parameter};
+use crate::math::lanes::{Lanes, Mask};
 
 /// Loss of a material, by the numbers of its law in each lane: `tan δ = ν · time + 1/Q` of a unit modulus.
 #[derive(Clone, Copy, Debug)]
@@ -46,8 +47,6 @@ pub(super) struct At {
 
 /// Steps of the arithmetic-geometric mean, which bring any ratio of this module to rounding.
 const MEANS: usize = 7;
-/// Parameter `k²` below which the nome is a power series in it.
-const SMALL: f64 = 1e-5;
 /// Power, relative to the first harmonics, below which harmonics are left out.
 const WEAK: f64 = 1e-12;
 /// Limit of the harmonics.
@@ -59,18 +58,18 @@ impl Wobbles {
     pub fn at(&self, xi: Lanes) -> At {
         let one = Lanes::splat(1.0);
         let [circled, middle, other] = self.moments;
-        let exponential = each(xi, libm::exp);
+        let exponential = xi.map(libm::exp);
         let to_axis = one / (one + exponential);
         let to_separatrix = exponential / (one + exponential);
-        let away = size(circled - middle);
-        let wide = size(circled - other);
+        let away = (circled - middle).abs();
+        let wide = (circled - other).abs();
         let equivalent = circled + (middle - circled) * to_axis;
         let twice_energy = self.angular_momentum * self.angular_momentum / equivalent;
         let near = twice_energy * away * to_axis;
         let far = twice_energy * away * to_separatrix;
-        let from_other = twice_energy * size(equivalent - other);
+        let from_other = twice_energy * (equivalent - other).abs();
         let haste = away * from_other;
-        let parameter = size(middle - other) * near / haste;
+        let parameter = (middle - other).abs() * near / haste;
         let complement = wide * far / haste;
         let series = Nome::of(parameter, complement);
         let rate = (haste / (circled * middle * other)).sqrt();
@@ -125,7 +124,7 @@ impl Wobbles {
             weights[parity] = weights[parity] * step;
             powers[parity] = power * step;
             let weak = taken.at_most(Lanes::splat(WEAK) * largest);
-            open = open.and_not(weak.and(weak_before));
+            open = open & !(weak & weak_before);
             weak_before = weak;
             if open == Mask::NONE {
                 break;
@@ -161,13 +160,10 @@ impl Nome {
     #[inline(always)]
     fn of(parameter: Lanes, complement: Lanes) -> Self {
         let quarter = first_of_complement(complement);
-        let x = parameter * Lanes::splat(1.0 / 16.0);
-        let ratio = Lanes::splat(84.0) + Lanes::splat(992.0) * x;
-        let ratio = Lanes::splat(8.0) + x * ratio;
-        let ratio = (Lanes::splat(1.0) + x * ratio) * Lanes::splat(1.0 / 16.0);
+        let ratio = nome_over_parameter(parameter);
         let small = parameter.at_most(Lanes::splat(SMALL));
         let exponent = Lanes::splat(-PI) * first_of_complement(parameter.max(Lanes::splat(SMALL))) / quarter;
-        let whole = each(exponent, libm::exp);
+        let whole = exponent.map(libm::exp);
         let scale = Lanes::splat(PI) / quarter;
         Self {
             quarter,
@@ -190,19 +186,4 @@ fn first_of_complement(m: Lanes) -> Lanes {
         arithmetic = mean;
     }
     Lanes::splat(0.5 * PI) / arithmetic
-}
-
-#[inline(always)]
-fn size(number: Lanes) -> Lanes {
-    number.max(Lanes::splat(0.0) - number)
-}
-
-/// A function of each lane.
-#[inline(always)]
-fn each(numbers: Lanes, function: impl Fn(f64) -> f64) -> Lanes {
-    let mut result = numbers;
-    for lane in 0..LANES {
-        result.0[lane] = function(numbers.0[lane]);
-    }
-    result
 }

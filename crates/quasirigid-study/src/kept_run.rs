@@ -312,7 +312,9 @@ fn is_in_work(folder: &Path) -> bool {
 fn is_of_run(name: &str) -> bool {
     let history = name.strip_prefix("history-").and_then(|rest| rest.rsplit_once('.'));
     let named = ["record.json", "evolution.csv", "backbone.csv", "report.html", IDENTITY].contains(&name);
-    named || is_temporary(name) || history.is_some_and(|(_, ending)| [ROWS, FRAMES, CHECKPOINT].contains(&ending))
+    named
+        || is_temporary(name)
+        || history.is_some_and(|(_, ending)| [ROWS, FRAMES, CHECKPOINT].contains(&ending))
 }
 
 fn write(out: &mut dyn Write, words: &[u64]) -> io::Result<()> {

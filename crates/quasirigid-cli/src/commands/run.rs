@@ -41,7 +41,9 @@ pub fn run(arguments: &RunArgs) -> Result<ExitStatus, Failure> {
     let (mut found, placed) = work().inspect_err(|failure: &Failure| {
         if failure.is_of_writing() && ours && keeping.folder.is_dir() {
             let kept = keeping.folder.display();
-            remark(&format!("{kept} is kept; once files can be written, the same command with --resume goes on"));
+            remark(&format!(
+                "{kept} is kept; once files can be written, the same command with --resume goes on"
+            ));
         }
     })?;
     let in_place = placed.told(&path);

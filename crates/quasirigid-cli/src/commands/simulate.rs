@@ -44,13 +44,17 @@ pub fn simulate(arguments: &Simulate) -> Result<ExitStatus, Failure> {
     let long = study.table_rows(&asked, &table) as u64 > MOST_ROWS;
     let spool = long.then(|| output::spool(out.as_deref())).transpose()?;
     let history = match &spool {
-        Some(spool) => study.simulate_logged(&asked, &table, spool.path(), &mut terminal).map_err(|error| {
-            // a temporary file says nothing to a user
-            match (error, out) {
-                (StudyError::Write { cause, .. }, Some(path)) => Failure::Write { path: path.clone(), cause },
-                (other, _) => other.into(),
-            }
-        })?,
+        Some(spool) => {
+            study.simulate_logged(&asked, &table, spool.path(), &mut terminal).map_err(|error| {
+                // a temporary file says nothing to a user
+                match (error, out) {
+                    (StudyError::Write { cause, .. }, Some(path)) => {
+                        Failure::Write { path: path.clone(), cause }
+                    }
+                    (other, _) => other.into(),
+                }
+            })?
+        }
         None => study.simulate(&asked, &table, &mut terminal)?,
     };
     drop(terminal);

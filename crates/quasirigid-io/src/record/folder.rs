@@ -69,7 +69,8 @@ impl RunRecord {
             replace(&file, |out| history_csv(columns, out)).map_err(|error| unusable(&file, &error))?;
         }
         let file = dir.join(RECORD);
-        replace(&file, |out| Ok(serde_json::to_writer_pretty(out, self)?)).map_err(|error| unusable(&file, &error))
+        replace(&file, |out| Ok(serde_json::to_writer_pretty(out, self)?))
+            .map_err(|error| unusable(&file, &error))
     }
 
     /// Formats of the tables where none are asked for: CSV, or Parquet beside a history that is not kept whole.

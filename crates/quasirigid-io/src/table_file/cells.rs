@@ -66,10 +66,14 @@ impl CellColumn {
         match &self.cells {
             Cells::Counts(values) => values.iter().for_each(|count| add(Some(&count.to_le_bytes()))),
             Cells::Numbers(values) => {
-                values.iter().for_each(|value| add(value.map(f64::to_le_bytes).as_ref().map(|bytes| &bytes[..])));
+                values
+                    .iter()
+                    .for_each(|value| add(value.map(f64::to_le_bytes).as_ref().map(|bytes| &bytes[..])));
             }
             Cells::Booleans(values) => {
-                values.iter().for_each(|value| add(value.map(|truth| [u8::from(truth)]).as_ref().map(|byte| &byte[..])));
+                values.iter().for_each(|value| {
+                    add(value.map(|truth| [u8::from(truth)]).as_ref().map(|byte| &byte[..]))
+                });
             }
             Cells::Texts(values) => values.iter().for_each(|text| add(text.as_ref().map(String::as_bytes))),
         }

@@ -146,7 +146,10 @@ fn log_goes_on_from_rows_with_their_checksum_and_drops_the_others() {
         let mut bytes = whole.clone();
         bytes[damaged] ^= 1;
         fs::write(&path, bytes).unwrap();
-        assert_eq!(RowLog::resume(&path, 2, 3, checksum).unwrap_err().kind(), std::io::ErrorKind::InvalidData);
+        assert_eq!(
+            RowLog::resume(&path, 2, 3, checksum).unwrap_err().kind(),
+            std::io::ErrorKind::InvalidData
+        );
         assert_eq!(fs::metadata(&path).unwrap().len(), 5 * 16, "a log that is refused stays");
     }
     fs::write(&path, [whole, vec![1, 2, 3]].concat()).unwrap();

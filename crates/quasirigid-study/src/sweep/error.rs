@@ -134,7 +134,9 @@ impl SweepError {
             Self::TooLarge { most } => {
                 format!("the study has more than {most} rows; take fewer samples, or grids with fewer points")
             }
-            Self::Memory { rows, cause } => format!("{rows} rows are too many here: {cause}; take fewer samples"),
+            Self::Memory { rows, cause } => {
+                format!("{rows} rows are too many here: {cause}; take fewer samples")
+            }
             Self::NoRow { row, rows } => {
                 format!("there is no row {row}: the study has {rows}, from 0 to {}", rows.saturating_sub(1))
             }

@@ -227,9 +227,7 @@ fn append(cells: &mut Cells, more: Cells) {
 /// Whether a folder holds nothing, or nothing but what the start of a study writes before its head.
 fn is_begun(path: &Path) -> bool {
     let Ok(entries) = fs::read_dir(path) else { return false };
-    let ours = |name: &str| {
-        [STUDY, MODEL, PARTS].contains(&name) || is_temporary(name)
-    };
+    let ours = |name: &str| [STUDY, MODEL, PARTS].contains(&name) || is_temporary(name);
     let mut names = entries.map(|entry| entry.map(|entry| entry.file_name()));
     let begun = names.all(|name| name.is_ok_and(|name| name.to_str().is_some_and(ours)));
     begun && fs::read_dir(path.join(PARTS)).map_or(true, |mut parts| parts.next().is_none())

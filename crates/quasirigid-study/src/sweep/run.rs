@@ -8,8 +8,8 @@ use std::sync::mpsc;
 use std::time::{Duration, Instant};
 
 use quasirigid_io::record::SweepRecord;
-use quasirigid_math::memory;
 use quasirigid_io::table_file::{csv_header, csv_rows};
+use quasirigid_math::memory;
 use rayon::ThreadPool;
 
 use super::cell::Cell;

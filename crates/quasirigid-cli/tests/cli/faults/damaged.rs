@@ -53,7 +53,10 @@ fn damaged_rows_are_refused_and_stay() {
             fs::write(&path, &bytes).unwrap();
             let refused = ran_in(folder.path(), &format!("{LONG} --resume"));
             let said = one_line(refused.refusal());
-            assert!(said.contains("its rows are damaged") || said.contains("its rows are cut short"), "{said}");
+            assert!(
+                said.contains("its rows are damaged") || said.contains("its rows are cut short"),
+                "{said}"
+            );
             assert_eq!(fs::read(&path).unwrap(), bytes, "{name}");
         }
         fs::write(&path, whole).unwrap();
@@ -89,7 +92,7 @@ fn damaged_part_of_a_study_is_refused_and_answered_again() {
         let named = said.contains("out/parts/part-00001.parquet: ") && said.contains("with --resume");
         assert!(named, "{damage}: {said}");
     };
-    let changed = (4..bytes.len()).step_by(61).map(|at| {
+    let changed = (4..bytes.len()).step_by(151).map(|at| {
         let mut changed = bytes.clone();
         changed[at] ^= 0x10;
         (format!("byte {at}"), changed)
@@ -114,7 +117,8 @@ fn torn_journal_of_a_study_is_answered_again() {
     let other = folder_of_study(STUDY);
     copy(&folder.path().join("whole"), &other.path().join("out"));
     let journal = other.path().join("out/parts/part-00002.journal");
-    for torn in [&b"deadbeef [8,\"answered\""[..], b"\0\0\0\0\0\0\0\0\n", b"\xff\xfe\n\n\n", b"00000000 []\n"] {
+    for torn in [&b"deadbeef [8,\"answered\""[..], b"\0\0\0\0\0\0\0\0\n", b"\xff\xfe\n\n\n", b"00000000 []\n"]
+    {
         fs::remove_file(other.path().join("out/parts/part-00002.parquet")).unwrap();
         fs::write(&journal, torn).unwrap();
         let ran = ran_in(other.path(), "sweep study.toml -o out -q --resume");

@@ -13,7 +13,10 @@ use crate::support::{names, ran_in};
 const WRITERS: [(&str, &str); 9] = [
     ("run model.toml --duration 20 --samples 200 --tables csv,parquet,npz -q -o out --overwrite", "out"),
     ("simulate model.toml --duration 20 --samples 200 -q --overwrite --out t.csv", "t.csv"),
-    ("simulate model.toml --duration 20 --samples 200 -q --overwrite --format parquet --out t.parquet", "t.parquet"),
+    (
+        "simulate model.toml --duration 20 --samples 200 -q --overwrite --format parquet --out t.parquet",
+        "t.parquet",
+    ),
     ("simulate model.toml --duration 20 --samples 200 -q --overwrite --format npz --out t.npz", "t.npz"),
     ("evolve model.toml --samples 300 -q --overwrite --out e.csv", "e.csv"),
     ("report record --out page.html -q --overwrite", "page.html"),
@@ -35,7 +38,11 @@ fn with_older_results() -> TempDir {
 
 /// The bytes of a result, a file or a folder.
 fn bytes(path: &Path) -> Vec<(String, Vec<u8>)> {
-    if path.is_dir() { files(path).into_iter().collect() } else { vec![(String::new(), fs::read(path).unwrap())] }
+    if path.is_dir() {
+        files(path).into_iter().collect()
+    } else {
+        vec![(String::new(), fs::read(path).unwrap())]
+    }
 }
 
 /// Each file is as large as the limit at another place, so that every stage of the writing meets it; `ulimit` counts 512 bytes.
@@ -50,8 +57,15 @@ fn result_beyond_a_limit_of_size_leaves_the_older_one() {
             let ran = after(folder.path(), &format!("ulimit -f {blocks}"), line);
             let large = older.len() > 1 || blocks == 0 || ran.code == Some(2);
             if large {
-                assert!(ran.refusal().contains("File too large") || ran.stderr.contains("file too large"), "{line}: {ran:?}");
-                assert!(ran.stderr.contains(result) && !ran.stderr.contains(".quasirigid-"), "{line}: {}", ran.stderr);
+                assert!(
+                    ran.refusal().contains("File too large") || ran.stderr.contains("file too large"),
+                    "{line}: {ran:?}"
+                );
+                assert!(
+                    ran.stderr.contains(result) && !ran.stderr.contains(".quasirigid-"),
+                    "{line}: {}",
+                    ran.stderr
+                );
                 assert_eq!(ran.stderr.matches("too large").count(), 1, "{}", ran.stderr);
                 assert!(bytes(&path) == older, "{line}: the older result is gone");
             } else {
@@ -70,7 +84,11 @@ fn study_beyond_a_limit_of_size_goes_on_to_the_same_bytes() {
     let mut refused = 0;
     for blocks in [0, 1, 3, 7, 14] {
         let ran = after(folder.path(), &format!("ulimit -f {blocks}"), "sweep study.toml -o out -q --resume");
-        assert!(ran.refusal().contains("out/") && ran.stderr.contains("File too large"), "{blocks}: {}", ran.stderr);
+        assert!(
+            ran.refusal().contains("out/") && ran.stderr.contains("File too large"),
+            "{blocks}: {}",
+            ran.stderr
+        );
         refused += 1;
         assert!(!folder.path().join("out/summary.json").exists());
     }
@@ -110,7 +128,8 @@ impl Disk {
         let filler = self.0.path().join("filler");
         let _ = fs::remove_file(&filler);
         let sizes = Command::new("df").args(["--output=avail", "-k"]).arg(self.0.path()).output().unwrap();
-        let available: u64 = String::from_utf8(sizes.stdout).unwrap().lines().nth(1).unwrap().trim().parse().unwrap();
+        let available: u64 =
+            String::from_utf8(sizes.stdout).unwrap().lines().nth(1).unwrap().trim().parse().unwrap();
         fs::write(filler, vec![0; 1024 * available.saturating_sub(free) as usize]).unwrap();
     }
 }
@@ -143,7 +162,11 @@ fn full_disk_leaves_what_stands_there_and_the_work_goes_on_once_there_is_room() 
     for free in [0, 4, 8, 12] {
         disk.fill(free);
         let ran = ran_in(folder, "sweep study.toml -o study -q --resume");
-        assert!(ran.refusal().contains("No space left on device") && ran.stderr.contains("study"), "{free}: {}", ran.stderr);
+        assert!(
+            ran.refusal().contains("No space left on device") && ran.stderr.contains("study"),
+            "{free}: {}",
+            ran.stderr
+        );
         assert!(!folder.join("study/summary.json").exists(), "{free}");
     }
     fs::remove_file(folder.join("filler")).unwrap();

@@ -44,7 +44,8 @@ fn record_in_the_place_of_a_run_in_work_is_left_alone() {
 #[test]
 fn files_of_others_in_a_run_in_work_stay() {
     let folder = folder_with(MODEL);
-    let mut child = start(&folder, "run model.toml --samples 100101 --duration 600 --tables parquet -q -o out");
+    let mut child =
+        start(&folder, "run model.toml --samples 100101 --duration 600 --tables parquet -q -o out");
     let kept = folder.path().join("out-unfinished");
     while !kept.join("run.identity").exists() {
         assert!(child.try_wait().unwrap().is_none(), "the run ended before");
@@ -57,7 +58,9 @@ fn files_of_others_in_a_run_in_work_stay() {
 
 #[test]
 fn study_whose_folder_is_removed_is_told() {
-    let folder = folder_of_study(&STUDY.replace("samples = 12", "samples = 900000").replace("part = 4", "part = 900000"));
+    let folder = folder_of_study(
+        &STUDY.replace("samples = 12", "samples = 900000").replace("part = 4", "part = 900000"),
+    );
     let child = start(&folder, "sweep study.toml -o out -q");
     wait_until_it_listens(&child);
     let journal = folder.path().join("out/parts/part-00000.journal");

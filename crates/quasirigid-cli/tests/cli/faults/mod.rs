@@ -49,7 +49,9 @@ pub fn files(folder: &Path) -> BTreeMap<String, Vec<u8>> {
     for name in names(folder) {
         let path = folder.join(&name);
         if path.is_dir() {
-            files.extend(self::files(&path).into_iter().map(|(inner, bytes)| (format!("{name}/{inner}"), bytes)));
+            files.extend(
+                self::files(&path).into_iter().map(|(inner, bytes)| (format!("{name}/{inner}"), bytes)),
+            );
         } else {
             files.insert(name, fs::read(path).unwrap_or_default());
         }

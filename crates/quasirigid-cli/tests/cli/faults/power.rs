@@ -14,7 +14,13 @@ const CALLS: &str = "trace=write,fsync,rename,renameat,renameat2,unlink,unlinkat
 fn traced(folder: &Path, options: &[&str], line: &str) -> Ran {
     let mut command = Command::new("strace");
     command.args(["-f", "-y", "-qq", "-s", "0"]).args(options);
-    command.arg(env!("CARGO_BIN_EXE_quasirigid")).args(line.split(' ')).current_dir(folder).output().unwrap().into()
+    command
+        .arg(env!("CARGO_BIN_EXE_quasirigid"))
+        .args(line.split(' '))
+        .current_dir(folder)
+        .output()
+        .unwrap()
+        .into()
 }
 
 /// What a call did, as far as it matters here.
@@ -80,7 +86,11 @@ fn assert_ordered(line: &str, calls: &[Call]) {
             }
             Call::Renamed(from, to) if to.file_name().is_some_and(|name| name != "lock") => {
                 let torn = unsettled.iter().find(|(path, what)| **what == "bytes" && path.starts_with(from));
-                assert!(torn.is_none(), "{line}: {torn:?} is not on the disk when {} gets its name", to.display());
+                assert!(
+                    torn.is_none(),
+                    "{line}: {torn:?} is not on the disk when {} gets its name",
+                    to.display()
+                );
                 unsettled.insert(to.clone(), "name");
                 results += 1;
             }
@@ -92,7 +102,9 @@ fn assert_ordered(line: &str, calls: &[Call]) {
             Call::Made(path) if !path.to_string_lossy().contains(".quasirigid-") => {
                 unsettled.insert(path.clone(), "name");
             }
-            Call::Said => assert!(unsettled.values().all(|what| *what != "name"), "{line}: said before {unsettled:?}"),
+            Call::Said => {
+                assert!(unsettled.values().all(|what| *what != "name"), "{line}: said before {unsettled:?}")
+            }
             _ => {}
         }
     }
@@ -149,7 +161,8 @@ fn disk_that_fails_is_told_and_the_older_result_stays() {
             assert!(files(folder.path()) == before, "{call}, {line}: {:?}", names(&folder));
         }
         let line = format!("sweep study.toml -q -o study-{name}");
-        let ran = traced(folder.path(), &["-o", "/dev/null", "-e", &format!("inject={call}:error=EIO")], &line);
+        let ran =
+            traced(folder.path(), &["-o", "/dev/null", "-e", &format!("inject={call}:error=EIO")], &line);
         assert_eq!(ran.code, Some(2), "{call}: {}", ran.stderr);
         assert!(ran.stderr.contains(&format!("study-{name}")), "{}", ran.stderr);
         std::fs::remove_dir_all(folder.path().join(format!("study-{name}"))).unwrap();

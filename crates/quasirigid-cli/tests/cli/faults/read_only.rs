@@ -56,11 +56,25 @@ fn read_only_file_system_is_told_by_every_writer() {
 fn as_nobody(folder: &TempDir, line: &str) -> Option<Ran> {
     let program = env!("CARGO_BIN_EXE_quasirigid");
     let nobody = ["--reuid", "65534", "--regid", "65534", "--clear-groups"];
-    if !Command::new("setpriv").args(nobody).args([program, "--version"]).output().is_ok_and(|ran| ran.status.success()) {
+    if !Command::new("setpriv")
+        .args(nobody)
+        .args([program, "--version"])
+        .output()
+        .is_ok_and(|ran| ran.status.success())
+    {
         return None;
     }
     let mut command = Command::new("setpriv");
-    Some(command.args(nobody).arg(program).args(line.split(' ')).current_dir(folder.path()).output().unwrap().into())
+    Some(
+        command
+            .args(nobody)
+            .arg(program)
+            .args(line.split(' '))
+            .current_dir(folder.path())
+            .output()
+            .unwrap()
+            .into(),
+    )
 }
 
 #[cfg(target_os = "linux")]

@@ -4,8 +4,8 @@ use std::fs;
 use std::process::{Command, Stdio};
 use std::time::Duration;
 
-use super::after;
 use super::super::interrupt::{ended, signal, wait_until_it_listens};
+use super::after;
 use crate::support::{MODEL, folder_of, folder_with, names, ran_in};
 
 /// More rows than a record keeps in memory, so that there is a folder of the run in work.
@@ -35,7 +35,10 @@ fn help_that_cannot_be_printed_is_told() {
     let folder = folder_with(MODEL);
     for line in ["--help", "run --help", "--version"] {
         let ran = after(folder.path(), "exec >/dev/full", line);
-        assert_eq!((ran.code, &*ran.stderr), (Some(2), "quasirigid: cannot write standard output: no storage space\n"));
+        assert_eq!(
+            (ran.code, &*ran.stderr),
+            (Some(2), "quasirigid: cannot write standard output: no storage space\n")
+        );
         assert_eq!(after(folder.path(), "exec >&-", line).code, Some(0), "closed on purpose");
     }
 }
@@ -49,7 +52,10 @@ fn run_whose_summary_is_not_read_leaves_no_run_in_work() {
     assert_eq!(names(&folder), ["model.toml", "out"]);
     if cfg!(target_os = "linux") {
         let full = after(folder.path(), "exec >/dev/full", &format!("{LOGGED} --overwrite"));
-        assert_eq!((full.code, &*full.stderr), (Some(2), "quasirigid: cannot write standard output: no storage space\n"));
+        assert_eq!(
+            (full.code, &*full.stderr),
+            (Some(2), "quasirigid: cannot write standard output: no storage space\n")
+        );
         assert_eq!(names(&folder), ["model.toml", "out"]);
     }
 }

@@ -63,7 +63,11 @@ fn second_run_says_how_it_goes_on() {
         wait_until_it_listens(&child);
         both.push(child);
     }
-    for (child, words) in both.iter_mut().rev().zip(["out-unfinished-2 is kept; rename it out-unfinished, and", "out-unfinished is kept; the same"]) {
+    for (child, words) in both
+        .iter_mut()
+        .rev()
+        .zip(["out-unfinished-2 is kept; rename it out-unfinished, and", "out-unfinished is kept; the same"])
+    {
         signal(child, "-INT");
         assert_eq!(ended(child).code(), Some(1));
         let mut said = String::new();
@@ -79,7 +83,11 @@ fn temporary_files_are_told_from_leftovers_whatever_their_time() {
     let folder = folder_of_study(STUDY);
     assert_eq!(ran_in(folder.path(), "sweep study.toml -o out -q").code, Some(0));
     let day = Duration::from_secs(86_400);
-    for (number, time) in [SystemTime::UNIX_EPOCH - 20_000 * day, SystemTime::UNIX_EPOCH, SystemTime::now() + 40_000 * day].into_iter().enumerate() {
+    for (number, time) in
+        [SystemTime::UNIX_EPOCH - 20_000 * day, SystemTime::UNIX_EPOCH, SystemTime::now() + 40_000 * day]
+            .into_iter()
+            .enumerate()
+    {
         let [living, dead] = ["living", "dead"].map(|state| {
             let path = folder.path().join(format!("out/parts/.quasirigid-{state}-{number}.tmp"));
             let file = File::create(&path).unwrap();
@@ -104,7 +112,9 @@ fn files_of_any_year_are_read_and_replaced() {
         for name in ["model.toml", "out/record.json", "out/report.html"] {
             File::options().write(true).open(folder.path().join(name)).unwrap().set_modified(time).unwrap();
         }
-        for line in [&format!("{run} --overwrite"), "report out -q", "plot out --figure spin -q --overwrite"] {
+        File::create(folder.path().join(".quasirigid-left")).unwrap().set_modified(time).unwrap();
+        for line in [&format!("{run} --overwrite"), "report out -q", "plot out --figure spin -q --overwrite"]
+        {
             let ran = ran_in(folder.path(), line);
             assert_eq!((ran.code, &*ran.stderr), (Some(0), ""), "{line}");
         }

@@ -5,8 +5,8 @@ use std::os::unix::fs::symlink;
 use std::time::Duration;
 
 use super::super::interrupt::{ended, signal, start, wait_until_it_listens};
-use super::{STUDY, files, folder_of_study, in_work};
-use crate::support::{MODEL, Ran, folder_of, folder_with, names, one_line, ran_in};
+use super::{STUDY, files, folder_of_rigid, folder_of_study, in_work};
+use crate::support::{Ran, folder_of, names, one_line, ran_in};
 
 #[test]
 fn run_in_work_that_is_moved_is_told_and_goes_on_when_it_is_back() {
@@ -43,7 +43,7 @@ fn record_in_the_place_of_a_run_in_work_is_left_alone() {
 /// Files with names like those of a run that somebody put into its folder stay when the run ends.
 #[test]
 fn files_of_others_in_a_run_in_work_stay() {
-    let folder = folder_with(MODEL);
+    let folder = folder_of_rigid();
     let mut child =
         start(&folder, "run model.toml --samples 100101 --duration 600 --tables parquet -q -o out");
     let kept = folder.path().join("out-unfinished");

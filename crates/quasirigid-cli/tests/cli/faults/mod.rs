@@ -36,6 +36,11 @@ quantities = [\"check.valid\", \"check.T1\", \"check.verdict\"]
 /// A run of seconds, whose rows go to the disk from the start.
 pub const LONG: &str = "run model.toml --samples 100101 --duration 6h --tables parquet -q -o out";
 
+/// A folder with a model of which only the rigid body is followed, so that many rows take little time.
+pub fn folder_of_rigid() -> TempDir {
+    folder_with(&format!("{MODEL}systems = [\"rigid\"]\n"))
+}
+
 /// A folder with a model and a study.
 pub fn folder_of_study(study: &str) -> TempDir {
     let folder = folder_with(MODEL);

@@ -2,10 +2,11 @@
 //! says so, and an older result goes only after that; and that a disk that fails is told.
 
 use std::collections::HashMap;
+use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use super::{STUDY, can, files, folder_of_study, skip};
+use super::{STUDY, can, files, folder_of_rigid, folder_of_study, skip};
 use crate::support::{Ran, names, ran_in};
 
 const CALLS: &str = "trace=write,fsync,rename,renameat,renameat2,unlink,unlinkat,mkdir";
@@ -42,7 +43,7 @@ fn calls(folder: &Path, line: &str) -> Vec<Call> {
     assert_eq!(ran.code, Some(0), "{line}: {}", ran.stderr);
     let root = folder.canonicalize().unwrap();
     let full = |text: &str| root.join(text).components().collect::<PathBuf>();
-    let text = std::fs::read_to_string(log.path()).unwrap();
+    let text = fs::read_to_string(log.path()).unwrap();
     text.lines().filter_map(|line| call(line, &full)).collect()
 }
 
@@ -123,10 +124,11 @@ fn results_are_on_the_disk_before_anything_is_said() {
         return skip("strace is missing, or may not trace");
     }
     let folder = folder_of_study(STUDY);
+    fs::copy(folder_of_rigid().path().join("model.toml"), folder.path().join("rigid.toml")).unwrap();
     for line in [
         "run model.toml --duration 5 -o out",
         "run model.toml --duration 6 --tables csv,npz,parquet -o out --overwrite",
-        "run model.toml --duration 60 --samples 100101 --tables parquet -o long",
+        "run rigid.toml --duration 60 --samples 100101 --tables parquet -o long",
         "simulate model.toml --duration 5 --out t.csv --json",
         "simulate model.toml --duration 5 --out t.csv --json --overwrite",
         "evolve model.toml --out e.csv",
@@ -146,7 +148,7 @@ fn disk_that_fails_is_told_and_the_older_result_stays() {
     }
     let folder = folder_of_study(STUDY);
     assert_eq!(ran_in(folder.path(), "run model.toml --duration 5 -q -o out").code, Some(0));
-    std::fs::write(folder.path().join("t.csv"), "older").unwrap();
+    fs::write(folder.path().join("t.csv"), "older").unwrap();
     let before = files(folder.path());
     for (name, call) in [("fsync", "fsync"), ("rename", "rename,renameat,renameat2")] {
         for line in [
@@ -165,7 +167,7 @@ fn disk_that_fails_is_told_and_the_older_result_stays() {
             traced(folder.path(), &["-o", "/dev/null", "-e", &format!("inject={call}:error=EIO")], &line);
         assert_eq!(ran.code, Some(2), "{call}: {}", ran.stderr);
         assert!(ran.stderr.contains(&format!("study-{name}")), "{}", ran.stderr);
-        std::fs::remove_dir_all(folder.path().join(format!("study-{name}"))).unwrap();
+        fs::remove_dir_all(folder.path().join(format!("study-{name}"))).unwrap();
     }
 }
 

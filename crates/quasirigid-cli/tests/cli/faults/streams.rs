@@ -5,7 +5,7 @@ use std::process::{Command, Stdio};
 use std::time::Duration;
 
 use super::super::interrupt::{ended, signal, wait_until_it_listens};
-use super::after;
+use super::{after, folder_of_rigid};
 use crate::support::{MODEL, folder_of, folder_with, names, ran_in};
 
 /// More rows than a record keeps in memory, so that there is a folder of the run in work.
@@ -46,7 +46,7 @@ fn help_that_cannot_be_printed_is_told() {
 /// The record stands in its place, whatever becomes of the summary.
 #[test]
 fn run_whose_summary_is_not_read_leaves_no_run_in_work() {
-    let folder = folder_with(MODEL);
+    let folder = folder_of_rigid();
     let line = format!("{} {LOGGED} | true", env!("CARGO_BIN_EXE_quasirigid"));
     assert!(Command::new("sh").args(["-c", &line]).current_dir(folder.path()).status().unwrap().success());
     assert_eq!(names(&folder), ["model.toml", "out"]);

@@ -10,6 +10,8 @@ mod derive;
 mod docs;
 mod eigenvalues;
 mod evolve;
+#[cfg(unix)]
+mod faults;
 mod files;
 mod full;
 mod help;

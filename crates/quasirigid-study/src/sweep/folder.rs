@@ -18,8 +18,6 @@ const HEAD: &str = "sweep.json";
 const STUDY: &str = "study.toml";
 const MODEL: &str = "model.toml";
 const PARTS: &str = "parts";
-/// Column of the numbers of the rows.
-const ROW: &str = "row";
 pub(super) const REPORT: &str = "report.html";
 pub(super) const ROWS: &str = "rows.csv";
 pub(super) const SUMMARY: &str = "summary.json";
@@ -109,32 +107,32 @@ impl<'s> Folder<'s> {
 
     /// Writes a part from its rows, in the order of the study.
     pub(super) fn write_part(&self, part: u64, rows: &[RowAnswer]) -> Result<(), SweepError> {
-        let sweep = self.sweep;
-        let columns = columns(sweep, rows);
-        let metadata = [
-            ("quasirigid.study", sweep.sha256.clone()),
-            ("quasirigid.version", env!("CARGO_PKG_VERSION").to_owned()),
-            ("quasirigid.part", part.to_string()),
-        ];
         let path = self.part(part);
-        let mut bytes = Vec::new();
-        write_parquet(&path, &mut bytes, &columns, &metadata)?;
+        let bytes = self.bytes(part, &columns(self.sweep, rows))?;
         replace(&path, |out| out.write_all(&bytes)).map_err(SweepError::io(&path))
     }
 
-    /// Refuses a part that is there and does not hold its rows, each with its checksum.
+    /// The file of a part with these columns, byte for byte.
+    fn bytes(&self, part: u64, columns: &[CellColumn]) -> Result<Vec<u8>, SweepError> {
+        let metadata = [
+            ("quasirigid.study", self.sweep.sha256.clone()),
+            ("quasirigid.version", env!("CARGO_PKG_VERSION").to_owned()),
+            ("quasirigid.part", part.to_string()),
+        ];
+        let mut bytes = Vec::new();
+        write_parquet(&self.part(part), &mut bytes, columns, &metadata)?;
+        Ok(bytes)
+    }
+
+    /// Refuses a part that is there and is not, to the byte, what this study wrote: the checksums of its values are among the bytes.
     pub(super) fn check_part(&self, part: u64) -> Result<(), SweepError> {
         let path = self.part(part);
         let columns = read_part(&path, None)?;
-        let found = columns.iter().find_map(|column| match &column.cells {
-            Cells::Counts(rows) if column.name == ROW => Some(rows.as_slice()),
-            _ => None,
-        });
-        let rows = self.rows_of(part).map(|row| row as i64);
-        if found.is_some_and(|found| rows.eq(found.iter().copied())) {
+        let found = fs::read(&path).map_err(SweepError::io(&path))?;
+        if found == self.bytes(part, &columns)? {
             return Ok(());
         }
-        Err(SweepError::Part { path, problem: "it holds other rows".into() })
+        Err(SweepError::Part { path, problem: "it is damaged, or holds other rows".into() })
     }
 
     /// Columns of these names over all parts, in the order of the file.
@@ -194,7 +192,7 @@ pub(super) fn columns(sweep: &Sweep, rows: &[RowAnswer]) -> Vec<CellColumn> {
                 .collect(),
         )
     };
-    let mut columns = vec![column(ROW, "", Cells::Counts(rows.iter().map(|row| row.row as i64).collect()))];
+    let mut columns = vec![column("row", "", Cells::Counts(rows.iter().map(|row| row.row as i64).collect()))];
     columns.extend(sweep.inputs.iter().enumerate().map(|(i, input)| {
         column(&input.name, &input.unit, cells(input.kind, inputs.iter().map(|row| &row[i])))
     }));

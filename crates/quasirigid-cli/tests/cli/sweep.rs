@@ -1,15 +1,13 @@
 //! Studies of many bodies: the same bytes whatever the threads, shards and kills; bad rows told, the rest answered.
 
-use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
 use std::process::Stdio;
 use std::time::Duration;
 
 use quasirigid_io::table_file::{Cells, read_parquet};
-use tempfile::TempDir;
 
-use crate::support::{MODEL, folder_of, folder_with, names, one_line, program, ran_in};
+use crate::support::{files, folder_of, folder_of_study, folder_with, names, one_line, program, ran_in};
 
 const STUDY: &str = "\
 model = \"model.toml\"
@@ -24,28 +22,6 @@ part = 16
 [answer]
 quantities = [\"check.valid\", \"check.T1\", \"modes.nutation.time_constant\", \"simulate.wz\", \"check.verdict\"]
 ";
-
-fn folder_of_study(study: &str) -> TempDir {
-    let folder = folder_with(MODEL);
-    fs::write(folder.path().join("study.toml"), study).unwrap();
-    folder
-}
-
-/// Every file below a folder, by its path.
-fn files(folder: &Path) -> BTreeMap<String, Vec<u8>> {
-    let mut files = BTreeMap::new();
-    for name in names(folder) {
-        let path = folder.join(&name);
-        if path.is_dir() {
-            files.extend(
-                self::files(&path).into_iter().map(|(inner, bytes)| (format!("{name}/{inner}"), bytes)),
-            );
-        } else {
-            files.insert(name, fs::read(path).unwrap());
-        }
-    }
-    files
-}
 
 #[track_caller]
 fn assert_same(one: &Path, other: &Path) {

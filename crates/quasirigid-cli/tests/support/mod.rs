@@ -1,6 +1,6 @@
 //! Helpers of the tests: the program, models, answers.
 
-use std::collections::HashMap;
+use std::collections::{BTreeMap, HashMap};
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
@@ -122,6 +122,13 @@ pub fn folder_with(model: &str) -> TempDir {
     folder
 }
 
+/// A folder with a model and a study.
+pub fn folder_of_study(study: &str) -> TempDir {
+    let folder = folder_with(MODEL);
+    fs::write(folder.path().join("study.toml"), study).unwrap();
+    folder
+}
+
 /// A folder with the model of an example.
 pub fn folder_of(example: &str) -> TempDir {
     let text = fs::read_to_string(format!("{ROOT}/examples/{example}/model.toml")).unwrap();
@@ -140,6 +147,22 @@ pub fn names(folder: impl AsRef<Path>) -> Vec<String> {
         entries.map(|entry| entry.unwrap().file_name().to_string_lossy().into_owned()).collect();
     names.sort();
     names
+}
+
+/// Every file below a folder, by its path.
+pub fn files(folder: &Path) -> BTreeMap<String, Vec<u8>> {
+    let mut files = BTreeMap::new();
+    for name in names(folder) {
+        let path = folder.join(&name);
+        if path.is_dir() {
+            files.extend(
+                self::files(&path).into_iter().map(|(inner, bytes)| (format!("{name}/{inner}"), bytes)),
+            );
+        } else {
+            files.insert(name, fs::read(path).unwrap());
+        }
+    }
+    files
 }
 
 /// Copies a folder with its contents.

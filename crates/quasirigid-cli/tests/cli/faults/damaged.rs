@@ -4,8 +4,8 @@
 use std::fs;
 use std::path::Path;
 
-use super::{LONG, STUDY, files, folder_of_study, killed_run};
-use crate::support::{copy, names, one_line, ran_in};
+use super::{LONG, STUDY, killed_run};
+use crate::support::{copy, files, folder_of_study, names, one_line, ran_in};
 
 /// Forms of damage to a file.
 fn damages(whole: &[u8]) -> Vec<(String, Vec<u8>)> {

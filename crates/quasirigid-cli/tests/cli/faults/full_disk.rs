@@ -6,8 +6,8 @@ use std::process::Command;
 
 use tempfile::TempDir;
 
-use super::{STUDY, after, can, files, folder_of_study, skip};
-use crate::support::{names, ran_in};
+use super::{Mounted, STUDY, after, skip};
+use crate::support::{files, folder_of_study, names, ran_in};
 
 /// Commands that write one result, and the result.
 const WRITERS: [(&str, &str); 9] = [
@@ -113,14 +113,13 @@ fn long_table_beyond_a_limit_of_size_is_refused_at_its_last_byte() {
     }
 }
 
-/// A small file system in memory, as long as this lives.
-struct Disk(TempDir);
+/// A small file system in memory.
+struct Disk(Mounted);
 
 impl Disk {
     fn of(kibi: u64) -> Option<Self> {
-        let place = TempDir::new().unwrap();
-        let path = place.path().to_str().unwrap().to_owned();
-        can("mount", &["-t", "tmpfs", "-o", &format!("size={kibi}k"), "tmpfs", &path]).then_some(Self(place))
+        let size = format!("size={kibi}k");
+        Some(Self(Mounted::on(TempDir::new().unwrap(), &["-t", "tmpfs", "-o", &size, "tmpfs"])?))
     }
 
     /// Leaves so many KiB free.
@@ -131,12 +130,6 @@ impl Disk {
         let available: u64 =
             String::from_utf8(sizes.stdout).unwrap().lines().nth(1).unwrap().trim().parse().unwrap();
         fs::write(filler, vec![0; 1024 * available.saturating_sub(free) as usize]).unwrap();
-    }
-}
-
-impl Drop for Disk {
-    fn drop(&mut self) {
-        can("umount", &[self.0.path().to_str().unwrap()]);
     }
 }
 

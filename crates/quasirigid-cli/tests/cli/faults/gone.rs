@@ -5,8 +5,8 @@ use std::os::unix::fs::symlink;
 use std::time::Duration;
 
 use super::super::interrupt::{ended, signal, start, wait_until_it_listens};
-use super::{STUDY, files, folder_of_rigid, folder_of_study, in_work};
-use crate::support::{Ran, folder_of, names, one_line, ran_in};
+use super::{STUDY, folder_of_rigid, in_work};
+use crate::support::{Ran, files, folder_of, folder_of_study, names, one_line, ran_in};
 
 #[test]
 fn run_in_work_that_is_moved_is_told_and_goes_on_when_it_is_back() {

@@ -10,7 +10,6 @@ mod read_only;
 mod streams;
 mod together;
 
-use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
 use std::process::{Child, Command, Stdio};
@@ -19,7 +18,7 @@ use std::time::Duration;
 
 use tempfile::TempDir;
 
-use crate::support::{MODEL, Ran, copy, folder_of, folder_with, names, program};
+use crate::support::{MODEL, Ran, copy, folder_of, folder_with, program};
 
 /// A study of three parts.
 pub const STUDY: &str = "\
@@ -41,29 +40,6 @@ pub fn folder_of_rigid() -> TempDir {
     folder_with(&format!("{MODEL}systems = [\"rigid\"]\n"))
 }
 
-/// A folder with a model and a study.
-pub fn folder_of_study(study: &str) -> TempDir {
-    let folder = folder_with(MODEL);
-    fs::write(folder.path().join("study.toml"), study).unwrap();
-    folder
-}
-
-/// Every file below a folder, by its path.
-pub fn files(folder: &Path) -> BTreeMap<String, Vec<u8>> {
-    let mut files = BTreeMap::new();
-    for name in names(folder) {
-        let path = folder.join(&name);
-        if path.is_dir() {
-            files.extend(
-                self::files(&path).into_iter().map(|(inner, bytes)| (format!("{name}/{inner}"), bytes)),
-            );
-        } else {
-            files.insert(name, fs::read(path).unwrap_or_default());
-        }
-    }
-    files
-}
-
 /// The answer to a command line of the program after others of the shell, such as limits.
 pub fn after(folder: &Path, first: &str, line: &str) -> Ran {
     let line = format!("{first}; exec {} {line}", env!("CARGO_BIN_EXE_quasirigid"));
@@ -80,6 +56,27 @@ pub fn skip(reason: &str) {
 pub fn can(command: &str, arguments: &[&str]) -> bool {
     let tried = Command::new(command).args(arguments).stdout(Stdio::null()).stderr(Stdio::null()).status();
     tried.is_ok_and(|status| status.success())
+}
+
+/// A folder on which something is mounted as long as this lives.
+pub struct Mounted(TempDir);
+
+impl Mounted {
+    /// Mounts with these options of `mount`; none where that is not allowed.
+    pub fn on(folder: TempDir, options: &[&str]) -> Option<Self> {
+        let path = folder.path().to_str().unwrap().to_owned();
+        can("mount", &[options, &[path.as_str()]].concat()).then_some(Self(folder))
+    }
+
+    pub fn path(&self) -> &Path {
+        self.0.path()
+    }
+}
+
+impl Drop for Mounted {
+    fn drop(&mut self) {
+        can("umount", &[self.path().to_str().unwrap()]);
+    }
 }
 
 /// Starts a long run and waits for its first checkpoint.

@@ -6,8 +6,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use super::{STUDY, can, files, folder_of_rigid, folder_of_study, skip};
-use crate::support::{Ran, names, ran_in};
+use super::{STUDY, can, folder_of_rigid, skip};
+use crate::support::{Ran, files, folder_of_study, names, ran_in};
 
 const CALLS: &str = "trace=write,fsync,rename,renameat,renameat2,unlink,unlinkat,mkdir";
 

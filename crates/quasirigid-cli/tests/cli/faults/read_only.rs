@@ -5,25 +5,14 @@ use std::process::Command;
 
 use tempfile::TempDir;
 
-use super::{STUDY, can, files, folder_of_study, skip};
-use crate::support::{Ran, one_line, ran_in};
+use super::{Mounted, STUDY, can, skip};
+use crate::support::{Ran, files, folder_of_study, one_line, ran_in};
 
 /// A folder that is read-only as long as this lives, root or not.
-struct Sealed(TempDir);
-
-impl Sealed {
-    fn new(folder: TempDir) -> Option<Self> {
-        let path = folder.path().to_str().unwrap().to_owned();
-        let bound = can("mount", &["--bind", &path, &path]);
-        let sealed = bound.then_some(Self(folder))?;
-        can("mount", &["-o", "remount,ro,bind", &path]).then_some(sealed)
-    }
-}
-
-impl Drop for Sealed {
-    fn drop(&mut self) {
-        can("umount", &[self.0.path().to_str().unwrap()]);
-    }
+fn sealed(folder: TempDir) -> Option<Mounted> {
+    let path = folder.path().to_str().unwrap().to_owned();
+    let sealed = Mounted::on(folder, &["--bind", &path])?;
+    can("mount", &["-o", "remount,ro,bind", &path]).then_some(sealed)
 }
 
 #[cfg(target_os = "linux")]
@@ -33,7 +22,7 @@ fn read_only_file_system_is_told_by_every_writer() {
     assert_eq!(ran_in(folder.path(), "run model.toml --duration 5 -q -o out").code, Some(0));
     assert_eq!(ran_in(folder.path(), "sweep study.toml -q -o study").code, Some(0));
     let before = files(folder.path());
-    let Some(sealed) = Sealed::new(folder) else { return skip("only root may mount a folder read-only") };
+    let Some(sealed) = sealed(folder) else { return skip("only root may mount a folder read-only") };
     for (line, place) in [
         ("run model.toml --duration 20h -q -o new", "new"),
         ("run model.toml --duration 20h -q -o out --overwrite", "out"),
@@ -45,11 +34,11 @@ fn read_only_file_system_is_told_by_every_writer() {
         ("sweep study.toml -q -o new", "new/parts"),
         ("sweep study.toml -q -o study --resume", "study/"),
     ] {
-        let refused = ran_in(sealed.0.path(), line);
+        let refused = ran_in(sealed.path(), line);
         let said = one_line(&refused.refusal().to_lowercase());
         assert!(said.contains(place) && said.contains("read-only file"), "{line}: {said}");
     }
-    assert!(files(sealed.0.path()) == before);
+    assert!(files(sealed.path()) == before);
 }
 
 /// The program as somebody without rights here.

@@ -5,8 +5,8 @@ use std::io::Read;
 use std::time::{Duration, SystemTime};
 
 use super::super::interrupt::{ended, signal, start, wait_until_it_listens};
-use super::{LONG, STUDY, files, folder_of_study, in_work};
-use crate::support::{folder_of, names, one_line, ran_in};
+use super::{LONG, STUDY, in_work};
+use crate::support::{files, folder_of, folder_of_study, names, one_line, ran_in};
 
 #[test]
 fn two_studies_in_one_folder_end_with_the_same_bytes() {

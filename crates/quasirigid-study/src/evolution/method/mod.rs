@@ -11,9 +11,9 @@ mod verdict;
 
 use std::ops::ControlFlow;
 
-use quasirigid::averaging::{LevelPassage, MeanPower};
+use quasirigid::averaging::{FreeRotation, LevelPassage, MeanPower};
 use quasirigid::dynamics::Start;
-use quasirigid::model::FlexibleBody;
+use quasirigid::model::{FlexibleBody, Mode};
 use quasirigid::secular::{DirectRow, DirectRun, EnergyRange, MeasureError, apart};
 use quasirigid_io::model::EvolveMethod;
 use quasirigid_math::vec3::norm;
@@ -56,6 +56,8 @@ const UNDER_TORQUE: f64 = 0.1;
 const DISTINCT: f64 = 1e-3;
 /// Relative difference between the powers of the polynomial and of the harmonics below which losses are of first order.
 const FIRST_ORDER: f64 = 2.5e-3;
+/// Places `ξ` at which the two are compared, from the separatrix to the axis.
+const PLACES: [f64; 5] = [-6.0, -3.0, 0.0, 3.0, 12.0];
 
 /// Chooses the method for a body on which no torque acts: the power that is followed from then on, or the history.
 pub fn choose(
@@ -66,7 +68,7 @@ pub fn choose(
     watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
 ) -> Result<Result<History, Refusal>, StudyError> {
     let body = &study.body;
-    if asked.method.is_none() && plain(body, secular, norm(start.omega)) {
+    if asked.method.is_none() && needs_no_judgement(body, secular, norm(start.omega)) {
         return Ok(Ok(History::None));
     }
     let full = Motion::new(study, start).full()?;
@@ -137,7 +139,7 @@ pub fn under_torque(
     secular: &mut SecularEvolution,
 ) -> Result<Option<Refusal>, StudyError> {
     let body = &study.body;
-    if plain(body, secular, norm(start.omega)) {
+    if needs_no_judgement(body, secular, norm(start.omega)) {
         return Ok(None);
     }
     let full = Motion::new(study, start).full()?;
@@ -175,12 +177,35 @@ pub fn under_torque(
     Ok(Some(Refusal { message, rates }))
 }
 
-/// Whether a body is so stiff, with moments so distinct and losses so small within a period, that the average needs no judgement.
+/// Whether the average of a body needs no judgement: one of the harmonics, where losses are not of first order and no power was asked for.
+fn needs_no_judgement(body: &FlexibleBody, secular: &mut SecularEvolution, spin: f64) -> bool {
+    if !plain(body, secular, spin) {
+        return false;
+    }
+    if secular.by_polynomial && !first_order(secular) {
+        if secular.power_was_asked {
+            return false;
+        }
+        secular.take_harmonics();
+    }
+    true
+}
+
+/// Whether a body is so stiff, with moments so distinct, that the polhode is that of the frozen body.
 fn plain(body: &FlexibleBody, secular: &SecularEvolution, spin: f64) -> bool {
     let [I1, I2, I3] = secular.principal.moments;
     let distinct = [I2 - I1, I3 - I2].iter().all(|gap| *gap > DISTINCT * I3 || *gap < 1e-9 * I3);
     let slowest = secular.response.frequencies().next().map_or(f64::INFINITY, |(frequency, _)| frequency);
-    let by_harmonics = || secular.response.mean_power(&secular.initial);
-    let first_order = || apart(secular.power().mean_power(&secular.initial), by_harmonics()) < FIRST_ORDER;
-    body.cyclic().is_empty() && distinct && spin < SLOW * slowest && (!secular.by_polynomial || first_order())
+    body.cyclic().is_empty() && distinct && spin < SLOW * slowest
+}
+
+/// Whether polynomial and harmonics have the same power wherever an evolution may lead: next to the separatrix the wobble is slow, so that the
+/// start alone says nothing of the rest.
+fn first_order(secular: &SecularEvolution) -> bool {
+    let (moments, G) = (secular.initial.moments(), secular.initial.angular_momentum());
+    let modes = [Mode::ShortAxis, Mode::LongAxis].into_iter().filter(|mode| mode.exists(moments));
+    let mut motions = modes.flat_map(|mode| PLACES.map(|xi| FreeRotation::at_logit(moments, G, mode, xi)));
+    motions.all(|motion| {
+        apart(secular.power().mean_power(&motion), secular.response.mean_power(&motion)) < FIRST_ORDER
+    })
 }

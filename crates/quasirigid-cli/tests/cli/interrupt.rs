@@ -72,7 +72,7 @@ pub fn ended(child: &mut Child) -> ExitStatus {
         if let Some(status) = child.try_wait().unwrap() {
             return status;
         }
-        if pressed.elapsed() > Duration::from_secs(60) {
+        if pressed.elapsed() > Duration::from_secs(15) {
             child.kill().unwrap();
             panic!("it goes on after Ctrl-C");
         }

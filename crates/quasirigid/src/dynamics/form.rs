@@ -2,7 +2,7 @@
 
 use super::conserved_momentum::size;
 use crate::math::polynomial::{Homogeneous, Kernel, Number, Series};
-use crate::math::simd::Arithmetic;
+use crate::math::simd::{Arithmetic, Plain};
 use crate::math::sym3::{self, Sym};
 use crate::math::vec3::{self, cross, dot, norm};
 use crate::model::ReducedBody;
@@ -69,6 +69,12 @@ impl AngularMomentumForm {
             working: Kernel::new(&working),
             energy: body.energy_of_momentum.clone(),
         }
+    }
+
+    /// Gradient of the energy over the angular momentum (rad/s).
+    pub fn energy_gradient(&self, K: [f64; 3]) -> [f64; 3] {
+        let working = self.working.vector::<Plain, f64>(K);
+        vec3::add(self.Omega.vector::<Plain, f64>(K), vec3::scale(-1.0, working))
     }
 }
 

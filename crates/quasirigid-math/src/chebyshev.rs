@@ -49,6 +49,24 @@ impl<const N: usize> Chebyshev<N> {
         Self { ends, coefficients }
     }
 
+    /// From the [`coefficients`](Self::coefficients) on an interval.
+    #[must_use]
+    pub fn of(ends: [f64; 2], coefficients: [[f64; NODES]; N]) -> Self {
+        Self { ends, coefficients }
+    }
+
+    /// Coefficients of each function, from the constant one up.
+    #[must_use]
+    pub fn coefficients(&self) -> &[[f64; NODES]; N] {
+        &self.coefficients
+    }
+
+    /// The interval.
+    #[must_use]
+    pub fn ends(&self) -> [f64; 2] {
+        self.ends
+    }
+
     /// Largest share of the last two polynomials: an estimate of the error of the interpolation.
     #[must_use]
     pub fn tail(&self) -> f64 {

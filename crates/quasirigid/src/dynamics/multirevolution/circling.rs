@@ -171,6 +171,7 @@ impl Circling {
 
     pub fn save(&self, checkpoint: &mut Checkpoint) {
         self.section.save(checkpoint);
+        self.rates.save(checkpoint);
         checkpoint.save_list(&self.attitude);
         checkpoint.save(self.first);
         self.place.save(checkpoint);
@@ -179,13 +180,13 @@ impl Circling {
     }
 
     pub fn load(checkpoint: &mut Checkpoint, dissipators: usize) -> Option<Self> {
-        let section = Section::load(checkpoint)?;
+        let (section, rates) = (Section::load(checkpoint)?, Rates::load(checkpoint)?);
         let mut attitude = [0.0; 4];
         checkpoint.load_into(&mut attitude)?;
         let (first, place) = (checkpoint.load()?, Place::load(checkpoint)?);
         let mut taken = (checkpoint.load_count()? == 1).then(|| Quadrature::new(0.0, vec![0.0; dissipators]));
         taken.iter_mut().try_for_each(|taken| taken.load(checkpoint))?;
-        Some(Self { section, rates: Rates::new(), attitude, first, place, taken })
+        Some(Self { section, rates, attitude, first, place, taken })
     }
 }
 

@@ -70,7 +70,7 @@ impl Place {
         let left = self.before(until);
         let psi = self.psi();
         let rates = fit.at(psi, 0.0);
-        let end = if rates[0] > 0.0 { fit.ends[1] } else { fit.ends[0] };
+        let end = if rates[0] > 0.0 { fit.ends()[1] } else { fit.ends()[0] };
         let room = (end / psi).ln() / rates[0];
         let whole = (left / rates[1]).min(room).min(most as f64).max(1.0);
         let beyond = |y: &[f64; ROWS]| y[1] > left || !fit.holds(psi * y[0].exp());

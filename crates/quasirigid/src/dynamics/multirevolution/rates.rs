@@ -10,6 +10,7 @@ use std::f64::consts::TAU;
 use super::revolution::{GAUSS, Motion, ROWS, Revolution};
 use super::section::Section;
 use crate::math::chebyshev::{Chebyshev, NODES};
+use crate::math::ode::Checkpoint;
 use crate::math::simd::Arithmetic;
 use crate::math::vec3::dot;
 
@@ -30,10 +31,7 @@ enum Piece {
 
 /// Rates on an interval of the angle `ψ`, in the order of [`Revolution::changes`].
 #[derive(Clone, Debug)]
-pub(super) struct Fit {
-    pub ends: [f64; 2],
-    rates: Chebyshev<ROWS>,
-}
+pub(super) struct Fit(Chebyshev<ROWS>);
 
 /// Width of a piece that was not halved (rad).
 const WIDTH: f64 = 0.25;
@@ -65,10 +63,8 @@ impl Rates {
     pub fn at<A: Arithmetic>(&mut self, motion: &Motion<'_, A>, section: &Section, psi: f64) -> Option<&Fit> {
         let mut found = None;
         for depth in 0..=DEEPEST {
-            let width = WIDTH / f64::from(1 << depth);
-            let index = (psi / width).floor();
-            let key = (depth, index as u64);
-            let ends = [index * width, (index + 1.0) * width];
+            let key = (depth, (psi / width(depth)).floor() as u64);
+            let ends = ends(key);
             let piece = self.pieces.entry(key).or_insert_with(|| piece(motion, section, ends, depth));
             match piece {
                 Piece::Fit(_) => {
@@ -81,6 +77,61 @@ impl Rates {
         }
         match self.pieces.get(&found?) {
             Some(Piece::Fit(fit)) => Some(fit),
+            _ => None,
+        }
+    }
+
+    pub fn save(&self, checkpoint: &mut Checkpoint) {
+        checkpoint.save_count(self.pieces.len() as u64);
+        for ((depth, index), piece) in &self.pieces {
+            checkpoint.save_count((*depth).into());
+            checkpoint.save_count(*index);
+            piece.save(checkpoint);
+        }
+    }
+
+    pub fn load(checkpoint: &mut Checkpoint) -> Option<Self> {
+        let mut pieces = BTreeMap::new();
+        for _ in 0..checkpoint.load_count()? {
+            let depth = u32::try_from(checkpoint.load_count()?).ok().filter(|depth| *depth <= DEEPEST)?;
+            let key = (depth, checkpoint.load_count()?);
+            pieces.insert(key, Piece::load(checkpoint, ends(key))?);
+        }
+        Some(Self { pieces })
+    }
+}
+
+/// Width (rad) of a piece that comes from so many halvings.
+fn width(depth: u32) -> f64 {
+    WIDTH / f64::from(1 << depth)
+}
+
+/// Interval of the piece with a number among those of its width.
+fn ends((depth, index): (u32, u64)) -> [f64; 2] {
+    [index as f64, index as f64 + 1.0].map(|number| number * width(depth))
+}
+
+impl Piece {
+    fn save(&self, checkpoint: &mut Checkpoint) {
+        match self {
+            Self::Halved => checkpoint.save_count(0),
+            Self::Rough => checkpoint.save_count(1),
+            Self::Fit(fit) => {
+                checkpoint.save_count(2);
+                fit.0.coefficients().iter().for_each(|row| checkpoint.save_list(row));
+            }
+        }
+    }
+
+    fn load(checkpoint: &mut Checkpoint, ends: [f64; 2]) -> Option<Self> {
+        match checkpoint.load_count()? {
+            0 => Some(Self::Halved),
+            1 => Some(Self::Rough),
+            2 => {
+                let mut rows = [[0.0; NODES]; ROWS];
+                rows.iter_mut().try_for_each(|row| checkpoint.load_into(row))?;
+                Some(Self::Fit(Box::new(Fit(Chebyshev::of(ends, rows)))))
+            }
             _ => None,
         }
     }
@@ -113,7 +164,7 @@ fn piece<A: Arithmetic>(motion: &Motion<'_, A>, section: &Section, ends: [f64; 2
         return halved;
     }
     let rates = flow(ends, &nodes, &changes);
-    if fits(&rates) { Piece::Fit(Box::new(Fit { ends, rates })) } else { halved }
+    if fits(&rates) { Piece::Fit(Box::new(Fit(rates))) } else { halved }
 }
 
 /// Changes over a revolution from each node, with a precession that is continuous from node to node: what it lacks to the angle turned about the
@@ -132,7 +183,7 @@ fn changes(map: &[Revolution]) -> [[f64; ROWS]; NODES] {
 fn flow(ends: [f64; 2], nodes: &[f64; NODES], changes: &[[f64; ROWS]; NODES]) -> Chebyshev<ROWS> {
     let mut values = *changes;
     for _ in 0..ITERATIONS {
-        let fit = Fit { ends, rates: Chebyshev::through(ends, &values) };
+        let fit = Fit(Chebyshev::through(ends, &values));
         let mut largest: f64 = 0.0;
         for ((value, change), psi) in values.iter_mut().zip(changes).zip(nodes) {
             let made = fit.over_a_revolution(*psi);
@@ -150,20 +201,26 @@ fn flow(ends: [f64; 2], nodes: &[f64; NODES], changes: &[[f64; ROWS]; NODES]) ->
 }
 
 impl Fit {
+    /// The interval (rad).
+    pub fn ends(&self) -> [f64; 2] {
+        self.0.ends()
+    }
+
     /// Whether an angle is on the interval.
     pub fn holds(&self, psi: f64) -> bool {
-        (self.ends[0]..=self.ends[1]).contains(&psi)
+        let [start, end] = self.ends();
+        (start..=end).contains(&psi)
     }
 
     /// Sizes of the rates on the interval.
     pub fn largest(&self) -> [f64; ROWS] {
-        self.rates.tails().map(|[_, largest]| largest)
+        self.0.tails().map(|[_, largest]| largest)
     }
 
     /// Rates per revolution at an angle that differs from `psi` by a change of its logarithm. The distance from the end is kept apart: near a
     /// separatrix the last digit of the angle matters.
     pub fn at(&self, psi: f64, growth: f64) -> [f64; ROWS] {
-        self.rates.at_distance((psi - self.ends[0]) + psi * growth.exp_m1())
+        self.0.at_distance((psi - self.ends()[0]) + psi * growth.exp_m1())
     }
 
     /// Changes that the flow makes over a revolution: Gauss' method of order 6, by iteration.

@@ -57,18 +57,23 @@ pub(super) struct AngularMomentumForm {
 
 impl AngularMomentumForm {
     pub fn new(body: &ReducedBody) -> Self {
-        let gradient = gradient(&body.energy_of_momentum);
-        let mut working = body.Omega.clone();
+        Self::of(&body.Omega, &body.energy_of_momentum)
+    }
+
+    /// The form with angular momentum and angular velocity by their components along other axes.
+    pub fn in_axes(body: &ReducedBody, axes: [[f64; 3]; 3]) -> Self {
+        Self::of(&body.Omega.field_in_axes(axes), &body.energy_of_momentum.in_axes(axes))
+    }
+
+    fn of(Omega: &Series, energy: &Series) -> Self {
+        let gradient = gradient(energy);
+        let mut working = Omega.clone();
         for degree in 0..=working.degree() {
             let mut part = working.part(degree).clone();
             part.add_scaled(-1.0, gradient.part(degree));
             working.set(if degree == 1 { Homogeneous::zero(1, 3) } else { part });
         }
-        Self {
-            Omega: Kernel::new(&body.Omega),
-            working: Kernel::new(&working),
-            energy: body.energy_of_momentum.clone(),
-        }
+        Self { Omega: Kernel::new(Omega), working: Kernel::new(&working), energy: energy.clone() }
     }
 
     /// Gradient of the energy over the angular momentum (rad/s).

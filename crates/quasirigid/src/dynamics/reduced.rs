@@ -194,6 +194,11 @@ impl<'a> Shares<'a> {
         if self.kernels.is_empty() { 0 } else { self.body.power_shares.len() }
     }
 
+    /// The body.
+    pub fn body(&self) -> &'a ReducedBody {
+        self.body
+    }
+
     /// Power (W) of each dissipator at an angular velocity.
     pub fn powers(&self, omega: [f64; 3]) -> Vec<f64> {
         let all = self.kernels.iter().flat_map(|kernel| kernel.value::<Plain>(omega));

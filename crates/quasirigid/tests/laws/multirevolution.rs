@@ -150,6 +150,20 @@ fn a_billion_revolutions_leave_no_drift() {
     assert!(run.work.steps < 1_000_000, "{run:?}");
 }
 
+/// A wobble that dies out about an axis that is none of the body's own: the digits of ever smaller angles last, and so do the leaps.
+#[test]
+fn dying_wobbles_leap_to_the_end() {
+    let body = reduced(3);
+    let omega = [0.02, 0.01, 0.05];
+    let times = times_to(1e9 * TAU / norm(omega), 20);
+    let (run, kept) = followed(&body, omega, &times, &Options::default());
+    let axis = Principal::compute(body.J).axes[2];
+    let wobble = |sample: &Sample| quasirigid_math::rotation::angle(sample.angular_momentum, axis);
+    assert!(wobble(&kept.samples[0]) > 0.2 && wobble(&run.last) < 1e-3, "{run:?}");
+    assert!(run.work.leaped > 500_000_000 && run.work.steps < 300_000, "{run:?}");
+    assert!(run.last.energy_drift.abs() < 1e-12 * run.last.dissipated, "{run:?}");
+}
+
 /// Where outputs lie, and that a motion was begun anew on the way, changes only the rounding of its phase.
 #[test]
 fn outputs_and_starts_on_the_way_change_nothing() {

@@ -1,6 +1,7 @@
 //! Motion that circles a steady spin, known where it passes the section: by whole revolutions, one by one or in leaps.
 //! Equations (P9) to (P12), docs/theory/05-propagation.md.
 
+use super::frame::Frame;
 use super::place::Place;
 use super::rates::Rates;
 use super::revolution::{Motion, Passage};
@@ -18,9 +19,10 @@ use crate::math::vec3::{norm, scale};
 /// Motion that circles a steady spin, at its last passage of the section.
 #[derive(Debug)]
 pub(super) struct Circling {
+    frame: Frame,
     section: Section,
     rates: Rates,
-    /// Attitude at the first passage, and the angle (rad) there.
+    /// Attitude of the axes of the section at the first passage, and the angle (rad) there.
     attitude: Attitude,
     first: f64,
     pub place: Place,
@@ -52,23 +54,28 @@ impl Circling {
         spins: &[IsolatedSpin],
         (t, state): (f64, &Accounts),
     ) -> Option<Self> {
+        let body = shares.body();
         let rate =
             motion.equations.rate::<Plain, f64>(state.x, motion.equations.omega::<Plain, f64>(state.x));
-        Section::about(spins, state.x).into_iter().find_map(|mut section| {
-            section.sense = section.azimuth_rate(state.x, rate).signum();
-            if rotation::angle(section.axis(), state.x) < STEADY {
-                return Self::steady(motion, shares, section, (t, state));
+        Frame::axes_about(spins, state.x).into_iter().find_map(|axes| {
+            let frame = Frame::new(body, axes);
+            let inside = frame.inside(state.x);
+            let mut section = Section { G: norm(state.x), sense: 1.0 };
+            section.sense = section.azimuth_rate(inside, frame.inside(rate)).signum();
+            if inside[0].hypot(inside[1]).atan2(inside[2]) < STEADY {
+                return Self::steady(motion, shares, (frame, section), (t, state));
             }
-            let azimuth = section.azimuth(state.x);
-            let Passage { K, attitude, sums } = motion.to_section(&section, state.x, azimuth, |_, _| ())?;
-            let first = section.angle(K);
-            let mut energies = Energies::of(motion, shares);
-            motion.revolution(&section, first, energies.adder())?;
+            let azimuth = section.azimuth(inside);
+            let around = frame.motion(motion);
+            let Passage { K, attitude, sums } = around.to_section(&section, inside, azimuth, |_, _| ())?;
+            let first = Section::angle(K);
+            let mut energies = Energies::of(&around, shares, &frame);
+            around.revolution(&section, first, energies.adder())?;
             let place = Place::new([first.ln(), t, 0.0, state.dissipated, state.energy_change, state.angle])
                 .moved(0, [0.0, sums.time, 0.0, sums.dissipated, sums.energy_change, sums.angle]);
-            let attitude = rotation::product(state.attitude, attitude);
+            let attitude = rotation::product(frame.attitude_inside(state.attitude), attitude);
             let taken = energies.sums().map(|energies| Quadrature::new(0.0, energies));
-            Some(Self { section, rates: Rates::new(), attitude, first, place, taken })
+            Some(Self { frame, section, rates: Rates::new(), attitude, first, place, taken })
         })
     }
 
@@ -76,18 +83,20 @@ impl Circling {
     fn steady<A: Arithmetic>(
         motion: &Motion<'_, A>,
         shares: &Shares<'_>,
-        mut section: Section,
+        (frame, mut section): (Frame, Section),
         (t, state): (f64, &Accounts),
     ) -> Option<Self> {
         let mut rates = Rates::new();
-        let first = rotation::angle(section.axis(), state.x).max(f64::MIN_POSITIVE);
+        let [x, y, z] = frame.inside(state.x);
+        let first = x.hypot(y).atan2(z).max(f64::MIN_POSITIVE);
         let found = [1.0, -1.0].into_iter().any(|sense| {
             (section.sense, rates) = (sense, Rates::new());
-            rates.at(motion, &section, first).is_some()
+            rates.at(&frame.motion(motion), &section, first).is_some()
         });
         let place = Place::new([first.ln(), t, 0.0, state.dissipated, state.energy_change, state.angle]);
         let taken = (shares.count() > 0).then(|| Quadrature::new(0.0, vec![0.0; shares.count()]));
-        found.then(|| Self { section, rates, attitude: state.attitude, first, place, taken })
+        let attitude = frame.attitude_inside(state.attitude);
+        found.then(|| Self { frame, section, rates, attitude, first, place, taken })
     }
 
     /// Time (s) of the passage.
@@ -100,9 +109,10 @@ impl Circling {
         let [_, _, precession, dissipated, energy_change, angle] = self.place.sums();
         let psi = self.place.psi();
         let K = rotation::to_inertial(self.attitude, self.section.at(self.first));
-        let still = self.section.moved(self.attitude, self.first, psi);
+        let still = Section::moved(self.attitude, self.first, psi);
         let attitude = rotation::turned(still, scale(precession / norm(K), K));
-        Accounts { x: self.section.at(psi), attitude, dissipated, energy_change, angle }
+        let x = self.frame.outside(self.section.at(psi));
+        Accounts { x, attitude: self.frame.attitude_outside(attitude), dissipated, energy_change, angle }
     }
 
     /// Goes on by whole revolutions that end before a time (s), at most so many: over a piece of the rates, or by one.
@@ -113,6 +123,7 @@ impl Circling {
         until: f64,
         most: u64,
     ) -> Advance {
+        let motion = &self.frame.motion(motion);
         let mut passed = Vec::new();
         if let Some(fit) = self.rates.at(motion, &self.section, self.place.psi()) {
             let period = fit.at(self.place.psi(), 0.0)[1];
@@ -122,8 +133,9 @@ impl Circling {
                 motion.add_leaped(leaped);
                 self.place = place;
                 for (revolutions, psi) in passed {
-                    let energies = Energies::over_a_revolution(motion, shares, &self.section, psi);
-                    self.take(revolutions, energies);
+                    let energies =
+                        Energies::of(motion, shares, &self.frame).over_a_revolution(&self.section, psi);
+                    take(&mut self.taken, revolutions, energies);
                 }
                 return Advance::Moved;
             }
@@ -131,13 +143,13 @@ impl Circling {
                 return Advance::Arrived;
             }
         }
-        let mut energies = Energies::of(motion, shares);
+        let mut energies = Energies::of(motion, shares, &self.frame);
         let revolution = motion.revolution(&self.section, self.place.psi(), energies.adder());
         let Some(revolution) = revolution else { return Advance::Lost };
         if revolution.sums.time > self.place.before(until) {
             return Advance::Arrived;
         }
-        self.take(self.place.revolutions as f64, energies.sums());
+        take(&mut self.taken, self.place.revolutions as f64, energies.sums());
         self.place = self.place.moved(1, revolution.changes());
         Advance::Moved
     }
@@ -154,7 +166,7 @@ impl Circling {
 
     /// Time (s) of the next revolution; none if the motion leaves the section.
     pub fn period<A: Arithmetic>(&self, motion: &Motion<'_, A>) -> Option<f64> {
-        Some(motion.revolution(&self.section, self.place.psi(), |_, _| ())?.sums.time)
+        Some(self.frame.motion(motion).revolution(&self.section, self.place.psi(), |_, _| ())?.sums.time)
     }
 
     /// Energies taken by each of several dissipators so far.
@@ -162,15 +174,10 @@ impl Circling {
         self.taken.clone()
     }
 
-    /// Adds the energies that the dissipators take over the revolution from a place on.
-    fn take(&mut self, revolutions: f64, energies: Option<Vec<f64>>) {
-        if let (Some(taken), Some(energies)) = (&mut self.taken, energies) {
-            taken.add(revolutions, energies);
-        }
-    }
-
     pub fn save(&self, checkpoint: &mut Checkpoint) {
-        self.section.save(checkpoint);
+        self.frame.save(checkpoint);
+        checkpoint.save(self.section.G);
+        checkpoint.save(self.section.sense);
         self.rates.save(checkpoint);
         checkpoint.save_list(&self.attitude);
         checkpoint.save(self.first);
@@ -179,14 +186,23 @@ impl Circling {
         self.taken.iter().for_each(|taken| taken.save(checkpoint));
     }
 
-    pub fn load(checkpoint: &mut Checkpoint, dissipators: usize) -> Option<Self> {
-        let (section, rates) = (Section::load(checkpoint)?, Rates::load(checkpoint)?);
-        let mut attitude = [0.0; 4];
+    pub fn load(checkpoint: &mut Checkpoint, shares: &Shares<'_>) -> Option<Self> {
+        let frame = Frame::load(checkpoint, shares.body())?;
+        let section = Section { G: checkpoint.load()?, sense: checkpoint.load()? };
+        let (rates, mut attitude) = (Rates::load(checkpoint)?, [0.0; 4]);
         checkpoint.load_into(&mut attitude)?;
         let (first, place) = (checkpoint.load()?, Place::load(checkpoint)?);
-        let mut taken = (checkpoint.load_count()? == 1).then(|| Quadrature::new(0.0, vec![0.0; dissipators]));
+        let mut taken =
+            (checkpoint.load_count()? == 1).then(|| Quadrature::new(0.0, vec![0.0; shares.count()]));
         taken.iter_mut().try_for_each(|taken| taken.load(checkpoint))?;
-        Some(Self { section, rates, attitude, first, place, taken })
+        Some(Self { frame, section, rates, attitude, first, place, taken })
+    }
+}
+
+/// Adds the energies that the dissipators take over the revolution from a place on.
+fn take(taken: &mut Option<Quadrature>, revolutions: f64, energies: Option<Vec<f64>>) {
+    if let (Some(taken), Some(energies)) = (taken, energies) {
+        taken.add(revolutions, energies);
     }
 }
 
@@ -194,34 +210,30 @@ impl Circling {
 struct Energies<'a, A> {
     motion: &'a Motion<'a, A>,
     shares: &'a Shares<'a>,
+    frame: &'a Frame,
     sums: Option<Quadrature>,
 }
 
 impl<'a, A: Arithmetic> Energies<'a, A> {
-    fn of(motion: &'a Motion<'a, A>, shares: &'a Shares<'a>) -> Self {
-        Self { motion, shares, sums: None }
+    fn of(motion: &'a Motion<'a, A>, shares: &'a Shares<'a>, frame: &'a Frame) -> Self {
+        Self { motion, shares, frame, sums: None }
     }
 
     /// Energies over the revolution from an angle `ψ` (rad) on; near the axis they are as its square.
-    fn over_a_revolution(
-        motion: &'a Motion<'a, A>,
-        shares: &'a Shares<'a>,
-        section: &Section,
-        psi: f64,
-    ) -> Option<Vec<f64>> {
-        let mut energies = Self::of(motion, shares);
-        if shares.count() > 0 {
-            motion.revolution(section, psi.max(NEAR), energies.adder())?;
+    fn over_a_revolution(mut self, section: &Section, psi: f64) -> Option<Vec<f64>> {
+        if self.shares.count() > 0 {
+            self.motion.revolution(section, psi.max(NEAR), self.adder())?;
         }
         let share = (psi / psi.max(NEAR)).powi(2);
-        energies.sums().map(|sums| sums.into_iter().map(|energy| share * energy).collect())
+        self.sums().map(|sums| sums.into_iter().map(|energy| share * energy).collect())
     }
 
     /// Receiver of the times and angular momenta of the stretch.
     fn adder(&mut self) -> impl FnMut(f64, [f64; 3]) {
         |t, K| {
             if self.shares.count() > 0 {
-                let powers = self.shares.powers(self.motion.equations.omega::<Plain, f64>(K));
+                let omega = self.motion.equations.omega::<Plain, f64>(K);
+                let powers = self.shares.powers(self.frame.outside(omega));
                 match &mut self.sums {
                     Some(sums) => sums.add(t, powers),
                     None => self.sums = Some(Quadrature::new(t, powers)),

@@ -13,7 +13,7 @@ use super::revolution::Motion;
 use crate::dynamics::form::{AngularMomentumForm, Equations};
 use crate::dynamics::invariant_monitor::InvariantMonitor;
 use crate::dynamics::quadrature::Quadrature;
-use crate::dynamics::reduced::{Prepared, Reduced};
+use crate::dynamics::reduced::{Prepared, Reduced, Shares};
 use crate::dynamics::run::{Options, PropagateError, Run};
 use crate::dynamics::spin::{Accounted, Accounts};
 use crate::dynamics::steady::IsolatedSpin;
@@ -266,13 +266,13 @@ impl<'w, 'a, A: Arithmetic> Follower<'w, 'a, A> {
     fn load(&mut self, mut checkpoint: Checkpoint) -> Option<Stage> {
         let Self { monitor, work, taken, lost, last: (t, y), .. } = self;
         let mut stage = None;
-        self.next = monitor.load(&mut checkpoint, |_, checkpoint| {
+        self.next = monitor.load(&mut checkpoint, |trajectory, checkpoint| {
             work.set(checkpoint.load_work()?);
             *lost = u32::try_from(checkpoint.load_count()?).ok().filter(|lost| *lost <= LONGEST)?;
             checkpoint.load_into(taken)?;
             *t = checkpoint.load()?;
             checkpoint.load_into(y)?;
-            stage = Some(Stage::load(checkpoint, taken.len())?);
+            stage = Some(Stage::load(checkpoint, &trajectory.shares)?);
             Some(())
         })?;
         stage
@@ -291,9 +291,9 @@ impl Stage {
         }
     }
 
-    fn load(checkpoint: &mut Checkpoint, dissipators: usize) -> Option<Self> {
+    fn load(checkpoint: &mut Checkpoint, shares: &Shares<'_>) -> Option<Self> {
         if checkpoint.load_count()? == 1 {
-            return Some(Self::Circling(Box::new(Circling::load(checkpoint, dissipators)?)));
+            return Some(Self::Circling(Box::new(Circling::load(checkpoint, shares)?)));
         }
         let (t, mut y) = (checkpoint.load()?, [0.0; 12]);
         checkpoint.load_into(&mut y)?;

@@ -2,6 +2,7 @@
 
 mod circling;
 mod follow;
+mod frame;
 mod place;
 mod rates;
 mod revolution;

@@ -13,9 +13,9 @@ use crate::math::ode::{Dop853, Solver, System, Work};
 use crate::math::polynomial::Kernel;
 use crate::math::rotation::{self, ALIGNED, Attitude};
 use crate::math::simd::{Arithmetic, Task};
-use crate::math::vec3::{cross, dot, norm, scale};
+use crate::math::vec3::{dot, norm, scale};
 
-/// Equations of the motion, with the power (W) of the dashpots by the angular velocity.
+/// Equations of the motion in the axes of a section or of the body, with the power (W) of the dashpots by the angular velocity.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Motion<'a, A> {
     pub equations: &'a AngularMomentumForm,
@@ -109,7 +109,7 @@ impl<A: Arithmetic> Motion<'_, A> {
         let K = section.at(psi);
         let Passage { K: after, attitude, sums } = self.to_section(section, K, 0.0, at)?;
         let growth = (self.nutation_of(section, psi, sums.energy_change)? / psi).ln_1p();
-        let still = section.moved(ALIGNED, psi, section.angle(after));
+        let still = Section::moved(ALIGNED, psi, Section::angle(after));
         let [s, vector @ ..] = rotation::between(still, attitude);
         let precession = 2.0 * dot(vector, scale(section.G.recip(), K)).atan2(s);
         Some(Revolution { growth, precession, sums })
@@ -142,7 +142,7 @@ impl<A: Arithmetic, F: FnMut(f64, [f64; 3])> Task for Stretch<'_, A, F> {
     #[inline(always)]
     fn run<R: Arithmetic>(self) -> Option<Passage> {
         let Self { motion, section, K, azimuth, mut at } = self;
-        let circuit = norm(cross(K, section.axis()));
+        let circuit = K[0].hypot(K[1]);
         let error = (TOLERANCE * circuit).max(0.1 * f64::EPSILON * section.G);
         let (turn, free) = (TOLERANCE, f64::INFINITY);
         let allowed = [error, error, error, turn, turn, turn, turn, free, free, free, free, free];

@@ -23,7 +23,7 @@ import rebound
 ROOT = Path(__file__).resolve().parents[2]
 PROGRAM = ROOT / "target" / "release" / "quasirigid"
 MODEL = ROOT / "examples" / "three-masses" / "model.toml"
-ROWS = 1001
+ROWS = 101
 
 
 def processor() -> float:

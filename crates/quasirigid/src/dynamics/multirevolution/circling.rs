@@ -67,7 +67,8 @@ impl Circling {
             }
             let azimuth = section.azimuth(inside);
             let around = frame.motion(motion);
-            let Passage { K, attitude, sums } = around.to_section(&section, inside, azimuth, |_, _| ())?;
+            let Passage { K, attitude, sums } =
+                around.end_on_section(&section, inside, azimuth, |_, _| ())?;
             let first = Section::angle(K);
             let mut energies = Energies::of(&around, shares, &frame);
             around.revolution(&section, first, energies.adder())?;
@@ -96,7 +97,7 @@ impl Circling {
         let place = Place::new([first.ln(), t, 0.0, state.dissipated, state.energy_change, state.angle]);
         let taken = (shares.count() > 0).then(|| Quadrature::new(0.0, vec![0.0; shares.count()]));
         let attitude = frame.attitude_inside(state.attitude);
-        found.then(|| Self { frame, section, rates, attitude, first, place, taken })
+        found.then_some(Self { frame, section, rates, attitude, first, place, taken })
     }
 
     /// Time (s) of the passage.

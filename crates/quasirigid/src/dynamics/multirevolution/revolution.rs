@@ -75,15 +75,15 @@ const STEPS: usize = 4_000;
 const NEWTON_STEPS: usize = 4;
 /// Places and weights of Gauss' rule on the unit interval, exact to degree 5.
 pub(super) const GAUSS: [(f64, f64); 3] = [
-    (0.112_701_665_379_258_31, 0.277_777_777_777_777_79),
-    (0.5, 0.444_444_444_444_444_44),
-    (0.887_298_334_620_741_7, 0.277_777_777_777_777_79),
+    (0.112_701_665_379_258_31, 0.277_777_777_777_777_8),
+    (0.5, 0.444_444_444_444_444_4),
+    (0.887_298_334_620_741_7, 0.277_777_777_777_777_8),
 ];
 
 impl<A: Arithmetic> Motion<'_, A> {
     /// The motion from an angular momentum to the azimuth of a full turn; none if it does not circle the axis. `at` receives the time since the
     /// start and the angular momentum after each step.
-    pub fn to_section(
+    pub fn end_on_section(
         &self,
         section: &Section,
         K: [f64; 3],
@@ -99,7 +99,7 @@ impl<A: Arithmetic> Motion<'_, A> {
     }
 
     /// The change over a revolution from an angle `ψ` (rad); none where the motion does not come back to the section. `at` as in
-    /// [`to_section`](Self::to_section). (P10)
+    /// [`end_on_section`](Self::end_on_section). (P10)
     pub fn revolution(
         &self,
         section: &Section,
@@ -107,7 +107,7 @@ impl<A: Arithmetic> Motion<'_, A> {
         at: impl FnMut(f64, [f64; 3]),
     ) -> Option<Revolution> {
         let K = section.at(psi);
-        let Passage { K: after, attitude, sums } = self.to_section(section, K, 0.0, at)?;
+        let Passage { K: after, attitude, sums } = self.end_on_section(section, K, 0.0, at)?;
         let growth = (self.nutation_of(section, psi, sums.energy_change)? / psi).ln_1p();
         let still = Section::moved(ALIGNED, psi, Section::angle(after));
         let [s, vector @ ..] = rotation::between(still, attitude);

@@ -159,7 +159,8 @@ fn dying_wobbles_leap_to_the_end() {
     let (run, kept) = followed(&body, omega, &times, &Options::default());
     let axis = Principal::compute(body.J).axes[2];
     let wobble = |sample: &Sample| norm(cross(sample.angular_momentum, axis)) / norm(sample.angular_momentum);
-    assert!(wobble(&kept.samples[0]) > 0.2 && wobble(&run.last) < 1e-3, "{run:?}");
+    let [start, end] = [&kept.samples[0], &run.last].map(wobble);
+    assert!(start > 0.05 && end < 1e-3, "{start} {end}");
     assert!(run.work.leaped > 100_000_000 && run.work.steps < 300_000, "{run:?}");
     assert!(run.last.energy_drift.abs() < 1e-12 * run.last.dissipated, "{run:?}");
 }

@@ -3,7 +3,12 @@
 use std::f64::consts::PI;
 
 /// Nodes of an interpolation.
-const NODES: usize = 12;
+pub const NODES: usize = 12;
+
+/// `acos` of a node of the interval from −1 to 1.
+fn node(k: usize) -> f64 {
+    PI * (k as f64 + 0.5) / NODES as f64
+}
 
 /// Several functions on an interval, interpolated at Chebyshev nodes.
 #[derive(Clone, Debug)]
@@ -13,53 +18,97 @@ pub struct Chebyshev<const N: usize> {
 }
 
 impl<const N: usize> Chebyshev<N> {
+    /// Nodes of the interpolation on an interval, descending.
+    #[must_use]
+    pub fn nodes(ends: [f64; 2]) -> [f64; NODES] {
+        let (middle, half) = (0.5 * (ends[0] + ends[1]), 0.5 * (ends[1] - ends[0]));
+        std::array::from_fn(|k| middle + half * node(k).cos())
+    }
+
     /// Interpolates functions on an interval; none if one fails at a node.
     pub fn fit(ends: [f64; 2], mut function: impl FnMut(f64) -> Option<[f64; N]>) -> Option<Self> {
-        let (middle, half) = (0.5 * (ends[0] + ends[1]), 0.5 * (ends[1] - ends[0]));
-        let angle = |k: usize| PI * (k as f64 + 0.5) / NODES as f64;
+        let mut values = [[0.0; N]; NODES];
+        for (values, place) in values.iter_mut().zip(Self::nodes(ends)) {
+            *values = function(place)?;
+        }
+        Some(Self::through(ends, &values))
+    }
+
+    /// Interpolates values at the [`nodes`](Self::nodes).
+    #[must_use]
+    pub fn through(ends: [f64; 2], values: &[[f64; N]; NODES]) -> Self {
         let mut coefficients = [[0.0; NODES]; N];
-        for k in 0..NODES {
-            let values = function(middle + half * angle(k).cos())?;
+        for (k, values) in values.iter().enumerate() {
             for (row, value) in coefficients.iter_mut().zip(values) {
                 for (j, coefficient) in row.iter_mut().enumerate() {
                     let weight = if j == 0 { 1.0 } else { 2.0 };
-                    *coefficient += weight / NODES as f64 * value * (j as f64 * angle(k)).cos();
+                    *coefficient += weight / NODES as f64 * value * (j as f64 * node(k)).cos();
                 }
             }
         }
-        Some(Self { ends, coefficients })
+        Self { ends, coefficients }
+    }
+
+    /// From the [`coefficients`](Self::coefficients) on an interval.
+    #[must_use]
+    pub fn of(ends: [f64; 2], coefficients: [[f64; NODES]; N]) -> Self {
+        Self { ends, coefficients }
+    }
+
+    /// Coefficients of each function, from the constant one up.
+    #[must_use]
+    pub fn coefficients(&self) -> &[[f64; NODES]; N] {
+        &self.coefficients
+    }
+
+    /// The interval.
+    #[must_use]
+    pub fn ends(&self) -> [f64; 2] {
+        self.ends
     }
 
     /// Largest share of the last two polynomials: an estimate of the error of the interpolation.
     #[must_use]
     pub fn tail(&self) -> f64 {
-        let share = |row: &[f64; NODES]| {
+        let shares = self.tails().map(|[tail, largest]| tail / largest.max(f64::MIN_POSITIVE));
+        shares.into_iter().fold(0.0, f64::max)
+    }
+
+    /// Of each function the larger coefficient of the last two polynomials, and the largest of all.
+    #[must_use]
+    pub fn tails(&self) -> [[f64; 2]; N] {
+        self.coefficients.map(|row| {
             let largest = row.iter().fold(0.0_f64, |largest, c| largest.max(c.abs()));
-            row[NODES - 2].abs().max(row[NODES - 1].abs()) / largest.max(f64::MIN_POSITIVE)
-        };
-        self.coefficients.iter().map(share).fold(0.0, f64::max)
+            [row[NODES - 2].abs().max(row[NODES - 1].abs()), largest]
+        })
     }
 
     fn half(&self) -> f64 {
         0.5 * (self.ends[1] - self.ends[0])
     }
 
-    /// `acos` of a place in the interval, from 1 to −1.
-    fn angle(&self, x: f64) -> f64 {
-        ((x - self.ends[0]) / self.half() - 1.0).clamp(-1.0, 1.0).acos()
+    /// `acos` of a place in the interval, from 1 to −1, by its distance from the start.
+    fn angle(&self, distance: f64) -> f64 {
+        (distance / self.half() - 1.0).clamp(-1.0, 1.0).acos()
     }
 
     /// Values at a place in the interval.
     #[must_use]
     pub fn at(&self, x: f64) -> [f64; N] {
-        let angle = self.angle(x);
+        self.at_distance(x - self.ends[0])
+    }
+
+    /// Values at a place in the interval that is known by its distance from the start.
+    #[must_use]
+    pub fn at_distance(&self, distance: f64) -> [f64; N] {
+        let angle = self.angle(distance);
         self.coefficients.map(|row| row.iter().enumerate().map(|(j, c)| c * (j as f64 * angle).cos()).sum())
     }
 
     /// Integrals from the start of the interval to a place in it.
     #[must_use]
     pub fn integral(&self, x: f64) -> [f64; N] {
-        let angle = self.angle(x);
+        let angle = self.angle(x - self.ends[0]);
         self.coefficients.map(|row| self.half() * (primitive(&row, angle) - primitive(&row, PI)))
     }
 }

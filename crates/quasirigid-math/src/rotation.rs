@@ -94,6 +94,20 @@ pub fn turned(attitude: Attitude, rotation: [f64; 3]) -> Attitude {
     [q.w, q.i, q.j, q.k]
 }
 
+/// Attitude after one that is relative to another: `first ⊗ second`.
+#[must_use]
+pub fn product(first: Attitude, second: Attitude) -> Attitude {
+    let q = unit(first) * unit(second);
+    [q.w, q.i, q.j, q.k]
+}
+
+/// Rotation in inertial axes, as a unit quaternion, that takes one attitude to another.
+#[must_use]
+pub fn between(from: Attitude, to: Attitude) -> Attitude {
+    let q = unit(to) / unit(from);
+    [q.w, q.i, q.j, q.k]
+}
+
 /// Angle (rad) of the rotation from one attitude to another.
 #[must_use]
 pub fn angle_between(a: Attitude, b: Attitude) -> f64 {

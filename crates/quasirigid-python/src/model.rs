@@ -292,6 +292,7 @@ pub struct Settings {
     tolerance: Option<f64>,
     form: Option<String>,
     method: Option<String>,
+    every_revolution: bool,
 }
 
 impl Settings {
@@ -302,6 +303,7 @@ impl Settings {
             samples: self.samples,
             form: named(self.form.as_deref(), "form")?,
             method: named(self.method.as_deref(), "method")?,
+            every_revolution: self.every_revolution,
         })
     }
 }

@@ -89,6 +89,11 @@ impl<S: System<Y>, Y: State, R: Arithmetic> Dop853<S, Y, R> {
         self.h
     }
 
+    /// Chooses the step that the method tries next, which it shortens as its errors ask.
+    pub fn try_step(&mut self, h: f64) {
+        self.h = h;
+    }
+
     /// Rate of the state reached.
     pub fn rate(&self) -> &Y {
         &self.stages[STAGES]

@@ -44,17 +44,32 @@ pub fn integrate<M: Solver>(
     most_steps: u64,
     observer: &mut impl StepObserver<M>,
 ) -> StopReason {
+    let end = times.last().copied().unwrap_or_default();
+    integrate_until(solver, end, times, first, most_steps, observer).0
+}
+
+/// Integrates to a time not beyond the last of the ascending `times`, with outputs at each of them from the one with the number `first` on;
+/// returns also the number of the next output.
+#[inline(always)]
+pub fn integrate_until<M: Solver>(
+    solver: &mut M,
+    end: f64,
+    times: &[f64],
+    first: usize,
+    most_steps: u64,
+    observer: &mut impl StepObserver<M>,
+) -> (StopReason, usize) {
     let mut next = first;
     while next < times.len() && times[next] <= solver.t() {
         observer.output(times[next], solver.y());
         next += 1;
     }
-    while next < times.len() {
+    while next < times.len() && solver.t() < end {
         if solver.work().steps >= most_steps {
-            return StopReason::StepLimit;
+            return (StopReason::StepLimit, next);
         }
-        if let Err(error) = solver.step(times[times.len() - 1]) {
-            return StopReason::Failed(error);
+        if let Err(error) = solver.step(end) {
+            return (StopReason::Failed(error), next);
         }
         let event = observer.event(solver);
         let reached = event.unwrap_or(solver.t());
@@ -63,14 +78,14 @@ pub fn integrate<M: Solver>(
             next = outputs(solver, &dense, times, next, reached, observer);
             if event.is_some() {
                 solver.rewind(reached, dense.at(reached));
-                return StopReason::Event;
+                return (StopReason::Event, next);
             }
         }
         if observer.stepped(solver).is_break() {
-            return StopReason::Interrupted;
+            return (StopReason::Interrupted, next);
         }
     }
-    StopReason::Finished
+    (StopReason::Finished, next)
 }
 
 /// Writes the outputs up to the time reached and returns the number of the next one.

@@ -16,7 +16,7 @@ pub use checkpoint::Checkpoint;
 pub use dop853::Dop853;
 pub use dop853_lanes::{LaneStart, LaneSystem};
 pub use ensemble::{LaneRun, integrate_lanes};
-pub use integrate::{StepObserver, StopReason, integrate};
+pub use integrate::{StepObserver, StopReason, integrate, integrate_until};
 pub use radau::Radau;
 pub use radau_stages::Stiff;
 pub use system::{DenseOutput, Solver, State, StepError, System, Work};

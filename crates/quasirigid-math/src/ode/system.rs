@@ -1,6 +1,8 @@
 //! Interfaces of initial value problems: systems, solvers, dense output and errors of a step.
 //! Solvers take the state as array or list and the arithmetic as a type, so that small systems compile to vector code without heap.
 
+use std::ops::Add;
+
 use thiserror::Error;
 
 use super::Checkpoint;
@@ -127,6 +129,23 @@ pub struct Work {
     pub factorizations: u64,
     /// Steps made by the implicit method.
     pub implicit_steps: u64,
+    /// Revolutions passed in leaps, without a step for each of them.
+    pub leaped: u64,
+}
+
+impl Add for Work {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        Self {
+            steps: self.steps + other.steps,
+            rejected: self.rejected + other.rejected,
+            evaluations: self.evaluations + other.evaluations,
+            factorizations: self.factorizations + other.factorizations,
+            implicit_steps: self.implicit_steps + other.implicit_steps,
+            leaped: self.leaped + other.leaped,
+        }
+    }
 }
 
 /// A step that could not be made.

@@ -1,5 +1,6 @@
 //! Polynomial maps of three variables, graded by degree.
 
+mod axes;
 mod homogeneous;
 mod kernel;
 pub mod monomial;

@@ -247,6 +247,7 @@ class Model:
         tolerance: float | None = None,
         form: str | None = None,
         method: str | None = None,
+        every_revolution: bool = False,
         coordinates: bool = False,
         displacements: bool = False,
         degree: int | None = None,
@@ -266,6 +267,7 @@ class Model:
         tolerance: float | None = None,
         form: str | None = None,
         method: str | None = None,
+        every_revolution: bool = False,
         coordinates: bool = False,
         displacements: bool = False,
         order: int | None = None,
@@ -283,6 +285,7 @@ class Model:
         tolerance: float | None = None,
         form: str | None = None,
         method: str | None = None,
+        every_revolution: bool = False,
         coordinates: bool = False,
         displacements: bool = False,
         degree: int | None = None,
@@ -301,6 +304,7 @@ class Model:
             tolerance: Error allowed per step, relative, 1e-15 to 1e-2.
             form: Variable that is integrated: ``momentum`` or ``paper``.
             method: Integrator of the full system: ``automatic``, ``explicit`` or ``implicit``.
+            every_revolution: Integrates every revolution of the reduced equations, also where rows lie over a thousand of them apart.
             coordinates: Internal coordinates and their rates in the table, too.
             displacements: Displacements of points, appendages and nodes, too.
             degree: Degree of the reduced equations about the spin, 1 to 11.
@@ -320,7 +324,7 @@ class Model:
             raise InputError('degree belongs to the reduced equations about the spin; take system="manifold"')
         return self._simulate(
             system,
-            _settings(duration, samples, tolerance, form, method),
+            _settings(duration, samples, tolerance, form, method, every_revolution),
             coordinates=coordinates,
             displacements=displacements,
             times=times,
@@ -347,7 +351,7 @@ class Model:
             raise InputError("times stand in the place of duration and samples; give the one or the others")
         history = self._simulate(
             "manifold",
-            _settings(duration, samples, tolerance, None, None),
+            _settings(duration, samples, tolerance, None, None, every_revolution=False),
             coordinates=coordinates,
             displacements=displacements,
             times=times,
@@ -548,6 +552,7 @@ class Model:
         tolerance: float | None = None,
         form: str | None = None,
         method: str | None = None,
+        every_revolution: bool = False,
         order: int | None = None,
         tables: str | Sequence[str] | None = None,
         resume: bool = False,
@@ -573,7 +578,7 @@ class Model:
             raise InputError("tables and resume need the folder of the record")
         formats = tables.split(",") if isinstance(tables, str) else None if tables is None else list(tables)
         place = None if folder is None else {"folder": _path(folder, "folder"), "tables": formats, "resume": bool(resume)}
-        settings = _settings(duration, samples, tolerance, form, method)
+        settings = _settings(duration, samples, tolerance, form, method, every_revolution)
         with observer(progress) as watch:
             return Run(self._core.run(place, settings, _arguments.count(order, "order"), watch))
 
@@ -650,6 +655,7 @@ def _settings(
     tolerance: float | None,
     form: str | None,
     method: str | None,
+    every_revolution: bool,
 ) -> dict[str, Any]:
     return {
         "duration": _arguments.duration(duration),
@@ -657,6 +663,7 @@ def _settings(
         "tolerance": _arguments.number(tolerance, "tolerance"),
         "form": _arguments.word(form, "form"),
         "method": _arguments.word(method, "method"),
+        "every_revolution": bool(every_revolution),
     }
 
 

@@ -33,7 +33,7 @@ fn integration(history: &HistoryRecord) -> Markup {
             ("Method", html! { (history.method) }),
             ("Status", html! { (history.status) @if !history.message.is_empty() { ": " (history.message) } }),
             ("Relative tolerance", html! { (short(history.tolerance)) }),
-            ("Steps", html! { (history.steps) " accepted, " (history.rejected) " rejected" }),
+            ("Steps", steps(history)),
             ("Revolutions", html! { (tidy(history.revolutions, 6)) }),
             ("Energy at the start", joules(history.energy)),
             ("Energy dissipated", joules(history.dissipated)),
@@ -42,6 +42,13 @@ fn integration(history: &HistoryRecord) -> Markup {
             ("Numerical drift of |K|, relative", html! { (short(history.momentum_drift)) }),
         ],
     )
+}
+
+fn steps(history: &HistoryRecord) -> Markup {
+    html! {
+        (history.steps) " accepted, " (history.rejected) " rejected"
+        @if history.leaped > 0 { "; " (history.leaped) " revolutions of the nutation passed in leaps" }
+    }
 }
 
 /// Summary of a table of so many rows, or of as many as are there.

@@ -9,7 +9,7 @@ use std::sync::Arc;
 use super::poinsot::FreeRotation;
 use super::response::Response;
 use crate::math::elliptic::{first_of_complement, jacobi};
-use crate::math::polynomial::{Homogeneous, Series};
+use crate::math::polynomial::Series;
 use crate::model::{Principal, ReducedBody};
 
 /// Mean power that a body dissipates on a free rotation (W).
@@ -125,7 +125,7 @@ impl PolynomialPower {
 fn squares(power: &Series, axes: [[f64; 3]; 3]) -> Terms {
     let mut terms = Vec::new();
     for degree in (2..=power.degree()).step_by(2) {
-        let part = in_axes(power.part(degree), axes);
+        let part = power.part(degree).in_axes(axes);
         for (exponents, coefficient) in part.terms() {
             let even = exponents.iter().all(|power| power % 2 == 0);
             let on_an_axis = exponents.contains(&degree);
@@ -156,34 +156,4 @@ impl MeanPower for PolynomialPower {
         let means = self.means(motion, self.shares.iter().map(|(_, terms)| terms));
         self.shares.iter().map(|(name, _)| name.clone()).zip(means).collect()
     }
-}
-
-/// Change of axes of a polynomial.
-fn in_axes(polynomial: &Homogeneous, axes: [[f64; 3]; 3]) -> Homogeneous {
-    let degree = polynomial.degree();
-    let component = |c: usize| powers(Homogeneous::linear(&[axes.map(|axis| axis[c])]), degree);
-    let [x, y, z] = [0, 1, 2].map(component);
-    let mut turned = Homogeneous::zero(degree, 1);
-    for ([i, j, k], coefficient) in polynomial.terms() {
-        if coefficient[0] != 0.0 {
-            let mut plane = Homogeneous::zero(i + j, 1);
-            plane.add_product(0, 1.0, (x.part(i), 0), (y.part(j), 0));
-            turned.add_product(0, coefficient[0], (&plane, 0), (z.part(k), 0));
-        }
-    }
-    turned
-}
-
-/// Powers of a linear form, to a degree.
-fn powers(form: Homogeneous, degree: usize) -> Series {
-    let mut powers = Series::zero(degree, 1);
-    let mut power = Homogeneous::zero(0, 1);
-    power.row_mut(0)[0] = 1.0;
-    for next in 1..=degree {
-        let mut product = Homogeneous::zero(next, 1);
-        product.add_product(0, 1.0, (&power, 0), (&form, 0));
-        powers.set(std::mem::replace(&mut power, product));
-    }
-    powers.set(power);
-    powers
 }

@@ -56,7 +56,7 @@ impl Event {
 }
 
 /// Detector of events from step to step.
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub(super) struct EventDetector {
     events: Vec<Event>,
     levels: Vec<f64>,
@@ -95,6 +95,14 @@ impl EventDetector {
     pub fn set(&mut self, start: &Sample) {
         self.t = start.t;
         self.levels = self.events.iter().map(|event| event.level(start)).collect();
+    }
+
+    /// Whether an event function has another sign than at the last sample.
+    pub fn differs(&self, sample: &Sample) -> bool {
+        let signs = self.events.iter().zip(&self.levels);
+        signs
+            .into_iter()
+            .any(|(event, before)| *before != 0.0 && (event.level(sample) > 0.0) != (*before > 0.0))
     }
 
     /// Time of the first event in the step that ends with this sample. `at` is asked for samples within the step only if an event

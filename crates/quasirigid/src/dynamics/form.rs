@@ -2,7 +2,7 @@
 
 use super::conserved_momentum::size;
 use crate::math::polynomial::{Homogeneous, Kernel, Number, Series};
-use crate::math::simd::Arithmetic;
+use crate::math::simd::{Arithmetic, Plain};
 use crate::math::sym3::{self, Sym};
 use crate::math::vec3::{self, cross, dot, norm};
 use crate::model::ReducedBody;
@@ -57,18 +57,29 @@ pub(super) struct AngularMomentumForm {
 
 impl AngularMomentumForm {
     pub fn new(body: &ReducedBody) -> Self {
-        let gradient = gradient(&body.energy_of_momentum);
-        let mut working = body.Omega.clone();
+        Self::of(&body.Omega, &body.energy_of_momentum)
+    }
+
+    /// The form with angular momentum and angular velocity by their components along other axes.
+    pub fn in_axes(body: &ReducedBody, axes: [[f64; 3]; 3]) -> Self {
+        Self::of(&body.Omega.field_in_axes(axes), &body.energy_of_momentum.in_axes(axes))
+    }
+
+    fn of(Omega: &Series, energy: &Series) -> Self {
+        let gradient = gradient(energy);
+        let mut working = Omega.clone();
         for degree in 0..=working.degree() {
             let mut part = working.part(degree).clone();
             part.add_scaled(-1.0, gradient.part(degree));
             working.set(if degree == 1 { Homogeneous::zero(1, 3) } else { part });
         }
-        Self {
-            Omega: Kernel::new(&body.Omega),
-            working: Kernel::new(&working),
-            energy: body.energy_of_momentum.clone(),
-        }
+        Self { Omega: Kernel::new(Omega), working: Kernel::new(&working), energy: energy.clone() }
+    }
+
+    /// Gradient of the energy over the angular momentum (rad/s).
+    pub fn energy_gradient(&self, K: [f64; 3]) -> [f64; 3] {
+        let working = self.working.vector::<Plain, f64>(K);
+        vec3::add(self.Omega.vector::<Plain, f64>(K), vec3::scale(-1.0, working))
     }
 }
 

@@ -154,34 +154,77 @@ impl<'o, T: Trajectory> InvariantMonitor<'o, T> {
     /// Goes on from the checkpoint of the observer, if it has one; returns the number of outputs made before.
     pub fn resume(&mut self, solver: &mut impl Solver<State = T::State>) -> Result<usize, PropagateError> {
         let Some(mut checkpoint) = self.observer.resumes() else { return Ok(0) };
-        self.load(&mut checkpoint, solver)
-            .filter(|_| checkpoint.is_spent())
-            .and_then(|()| usize::try_from(self.outputs).ok())
-            .ok_or(PropagateError::Checkpoint)
+        let loaded = self.load(&mut checkpoint, |trajectory, checkpoint| {
+            trajectory.load(checkpoint)?;
+            solver.load(checkpoint)
+        });
+        loaded.ok_or(PropagateError::Checkpoint)
     }
 
+    /// Passes a checkpoint to the observer, with what `state` saves behind the monitor.
     #[cold]
     #[inline(never)]
-    fn save(&mut self, solver: &impl Solver<State = T::State>) {
+    pub fn save(&mut self, state: impl FnOnce(&T, &mut Checkpoint)) {
         let mut checkpoint = Checkpoint::default();
         checkpoint.save_count(self.outputs);
         checkpoint.save(self.drift);
         self.detector.save(&mut checkpoint);
-        self.trajectory.save(&mut checkpoint);
-        solver.save(&mut checkpoint);
+        state(&self.trajectory, &mut checkpoint);
         self.observer.checkpoint(checkpoint);
     }
 
-    fn load(
+    /// Loads a checkpoint to its end, with what `state` loads behind the monitor; returns the number of outputs made before.
+    pub fn load(
         &mut self,
         checkpoint: &mut Checkpoint,
-        solver: &mut impl Solver<State = T::State>,
-    ) -> Option<()> {
+        state: impl FnOnce(&mut T, &mut Checkpoint) -> Option<()>,
+    ) -> Option<usize> {
         self.outputs = checkpoint.load_count()?;
         self.drift = checkpoint.load()?;
         self.detector.load(checkpoint)?;
-        self.trajectory.load(checkpoint)?;
-        solver.load(checkpoint)
+        state(&mut self.trajectory, checkpoint)?;
+        usize::try_from(self.outputs).ok().filter(|_| checkpoint.is_spent())
+    }
+
+    /// Whether events are watched for.
+    pub fn watches(&self) -> bool {
+        !self.detector.idle()
+    }
+
+    /// Watches for events from a state on.
+    pub fn watch_from(&mut self, t: f64, y: &[f64]) {
+        let sample = self.sample(t, y);
+        self.detector.set(&sample);
+    }
+
+    /// Whether an event has happened between the last state watched and this one.
+    pub fn has_passed(&mut self, t: f64, y: &[f64]) -> bool {
+        let sample = self.sample(t, y);
+        self.detector.differs(&sample)
+    }
+
+    /// Watches for events from a state on as long as `work` does, and then from where it was.
+    pub fn probe<R>(&mut self, t: f64, y: &[f64], work: impl FnOnce(&mut Self) -> R) -> R {
+        let kept = self.detector.clone();
+        self.watch_from(t, y);
+        let result = work(self);
+        self.detector = kept;
+        result
+    }
+
+    /// Tells the observer the progress after so many steps from moment to moment; none between.
+    #[inline(always)]
+    pub fn progress(&mut self, steps: u64, t: f64) -> Option<ControlFlow<()>> {
+        self.pace.due(steps).then(|| self.observer.progress(t))
+    }
+
+    /// Corrects the state after a step.
+    #[inline(always)]
+    pub fn settle(&mut self, solver: &mut impl Solver<State = T::State>) -> ControlFlow<()> {
+        self.hold_invariants(solver);
+        self.trajectory.stepped(solver.t(), solver.y().as_ref());
+        self.left = self.trajectory.left(solver.y().as_ref());
+        if self.left.is_some() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     }
 
     /// Sample of a state.
@@ -291,20 +334,16 @@ impl<M: Solver<State = T::State>, T: Trajectory> StepObserver<M> for InvariantMo
 
     #[inline(always)]
     fn stepped(&mut self, solver: &mut M) -> ControlFlow<()> {
-        self.hold_invariants(solver);
-        self.trajectory.stepped(solver.t(), solver.y().as_ref());
-        self.left = self.trajectory.left(solver.y().as_ref());
-        if self.left.is_some() {
-            return ControlFlow::Break(());
+        self.settle(solver)?;
+        let Some(flow) = self.progress(solver.work().steps, solver.t()) else {
+            return ControlFlow::Continue(());
+        };
+        if self.observer.wants_checkpoint() {
+            self.save(|trajectory, checkpoint| {
+                trajectory.save(checkpoint);
+                solver.save(checkpoint);
+            });
         }
-        if self.pace.due(solver.work().steps) {
-            let flow = self.observer.progress(solver.t());
-            if self.observer.wants_checkpoint() {
-                self.save(solver);
-            }
-            flow
-        } else {
-            ControlFlow::Continue(())
-        }
+        flow
     }
 }

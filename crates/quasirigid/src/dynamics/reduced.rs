@@ -3,14 +3,18 @@
 //! vector, whose fixed length keeps the inner loop in registers.
 //! Equations (P1) to (P6), docs/theory/05-propagation.md; (D4), docs/theory/11-materials.md.
 
-use super::conserved_momentum::{Conserved, inside};
+use std::f64::consts::TAU;
+
+use super::conserved_momentum::{Conserved, inside, size};
 use super::form::{AngularMomentumForm, AngularVelocityForm, Equations, Form};
 use super::invariant_monitor::{Invariant, InvariantMonitor, StateView, Trajectory};
+use super::multirevolution;
 use super::quadrature::Quadrature;
 use super::run::{Observer, Options, PropagateError, Run, Sample, Start, check};
 use super::seat::Seat;
 use super::spin::{ATTITUDE, Accounted, Accounts};
 use super::start::start;
+use super::steady::{IsolatedSpin, all_steady_spins};
 use crate::math::ode::{Checkpoint, Dop853, Solver, integrate};
 use crate::math::polynomial::{Kernel, Series};
 use crate::math::rotation;
@@ -50,12 +54,34 @@ pub fn propagate(
     let plan = Plan { power: &power, shares, x, inside, initial, times, options, observer };
     match options.form {
         Form::AngularMomentum => {
-            dispatch(options.rounding, Propagation { equations: &AngularMomentumForm::new(body), plan })
+            let spins = if options.leaps { circled(body, x, inside, times) } else { Vec::new() };
+            let equations = &AngularMomentumForm::new(body);
+            if spins.is_empty() {
+                dispatch(options.rounding, StepByStep { equations, plan })
+            } else {
+                dispatch(options.rounding, InLeaps { equations, spins: &spins, plan })
+            }
         }
         Form::AngularVelocity => {
-            dispatch(options.rounding, Propagation { equations: &AngularVelocityForm::new(body), plan })
+            dispatch(options.rounding, StepByStep { equations: &AngularVelocityForm::new(body), plan })
         }
     }
+}
+
+/// Revolutions per output from which on they are passed in leaps.
+const SPARSE: f64 = 1000.0;
+
+/// Steady spins that a motion may circle, where so few outputs are asked for that its revolutions are passed in leaps.
+fn circled(body: &ReducedBody, K: [f64; 3], inside: [f64; 3], times: &[f64]) -> Vec<IsolatedSpin> {
+    let G = norm(K);
+    let revolutions = times.last().copied().unwrap_or_default() * norm(body.Omega.vector(K)) / TAU;
+    if revolutions < SPARSE * times.len() as f64 || size(K, inside) > G {
+        return Vec::new();
+    }
+    let spins = all_steady_spins(body, G).isolated;
+    let fastest = spins.iter().map(|spin| spin.spin.frequency).fold(0.0, f64::max);
+    let circuits = times.last().copied().unwrap_or_default() * fastest / TAU;
+    if circuits < SPARSE * times.len() as f64 { Vec::new() } else { spins }
 }
 
 /// Arguments of a propagation, for either form.
@@ -70,52 +96,84 @@ struct Plan<'a> {
     observer: &'a mut dyn Observer,
 }
 
-struct Propagation<'a, E> {
-    equations: &'a E,
-    plan: Plan<'a>,
+/// Equations ready to be integrated: system, state, error allowed per step, monitor.
+pub(super) struct Prepared<'a, E> {
+    pub system: Accounted<'a, E>,
+    pub y: [f64; 12],
+    pub allowed: [f64; 12],
+    pub monitor: InvariantMonitor<'a, Reduced<'a, E>>,
+    pub times: &'a [f64],
+    pub options: &'a Options,
 }
 
-impl<E: Equations> Task for Propagation<'_, E> {
-    type Output = Result<Run, PropagateError>;
-
-    #[inline(always)]
-    fn run<A: Arithmetic>(self) -> Self::Output {
-        let Self { equations, plan } = self;
-        let Plan { power, shares, x, inside, initial, times, options, observer } = plan;
-        let system = Accounted { equations, power };
+impl<'a> Plan<'a> {
+    fn prepared<E: Equations>(self, equations: &'a E) -> Prepared<'a, E> {
+        let Self { power, shares, x, inside, initial, times, options, observer } = self;
         let start =
             Accounts { x, attitude: initial.attitude, dissipated: 0.0, energy_change: 0.0, angle: 0.0 };
+        let y = start.pack();
         let K = equations.angular_momentum(x);
         let first = options.form.size(x, inside);
         let (error, attitude, free) = (options.tolerance * first, options.tolerance, f64::INFINITY);
         let allowed =
             [error, error, error, free, attitude, attitude, attitude, attitude, free, free, free, free];
-        let mut solver = Dop853::<_, _, A>::new(system, 0.0, start.pack(), allowed);
-        let taken = (!shares.kernels.is_empty()).then(|| Quadrature::new(0.0, shares.powers(initial.omega)));
-        let trajectory = Reduced { equations, form: options.form, initial, shares, taken };
+        let trajectory = Reduced { equations, form: options.form, initial, shares, taken: None };
         let angular_momentum = Conserved::new(rotation::to_inertial(initial.attitude, K), norm(K), inside);
-        let mut monitor = InvariantMonitor::new(trajectory, solver.y(), angular_momentum, options, observer);
+        let monitor = InvariantMonitor::new(trajectory, &y, angular_momentum, options, observer);
+        Prepared { system: Accounted { equations, power }, y, allowed, monitor, times, options }
+    }
+}
+
+struct StepByStep<'a, E> {
+    equations: &'a E,
+    plan: Plan<'a>,
+}
+
+impl<E: Equations> Task for StepByStep<'_, E> {
+    type Output = Result<Run, PropagateError>;
+
+    #[inline(always)]
+    fn run<A: Arithmetic>(self) -> Self::Output {
+        let Prepared { system, y, allowed, mut monitor, times, options } = self.plan.prepared(self.equations);
+        monitor.trajectory.begin(0.0, &y);
+        let mut solver = Dop853::<_, _, A>::new(system, 0.0, y, allowed);
         let first = monitor.resume(&mut solver)?;
         let reason = integrate(&mut solver, times, first, options.most_steps, &mut monitor);
         let last = monitor.sample(solver.t(), solver.y());
-        let budget = monitor.trajectory.budget(&last);
+        let sums = monitor.trajectory.end(&last);
+        let budget = monitor.trajectory.budget(&sums, &last);
         monitor.observer.budget(&budget);
         Ok(Run { outcome: monitor.outcome(reason), last, work: solver.work() })
     }
 }
 
+struct InLeaps<'a> {
+    equations: &'a AngularMomentumForm,
+    spins: &'a [IsolatedSpin],
+    plan: Plan<'a>,
+}
+
+impl Task for InLeaps<'_> {
+    type Output = Result<Run, PropagateError>;
+
+    #[inline(always)]
+    fn run<A: Arithmetic>(self) -> Self::Output {
+        multirevolution::follow::<A>(self.plan.prepared(self.equations), self.spins)
+    }
+}
+
 /// Motion of the reduced equations in a form, with the accounts of the dissipators.
-struct Reduced<'a, E> {
+pub(super) struct Reduced<'a, E> {
     equations: &'a E,
     form: Form,
     initial: Start,
-    shares: Shares<'a>,
-    /// Energies taken by the dissipators, if there are several.
-    taken: Option<Quadrature>,
+    pub shares: Shares<'a>,
+    /// Energies taken by the dissipators, if there are several, since the begin of a stretch.
+    pub taken: Option<Quadrature>,
 }
 
 /// Powers of the dissipators of a reduced body, if there are several.
-struct Shares<'a> {
+pub(super) struct Shares<'a> {
     body: &'a ReducedBody,
     /// Kernels of `ROWS` powers each.
     kernels: Vec<Kernel>,
@@ -131,27 +189,45 @@ impl<'a> Shares<'a> {
         Self { body, kernels: groups.map(|group| Kernel::new(&Series::stacked(group))).collect() }
     }
 
+    /// Number of dissipators among which the energy is to be shared; none if there is one.
+    pub fn count(&self) -> usize {
+        if self.kernels.is_empty() { 0 } else { self.body.power_shares.len() }
+    }
+
+    /// The body.
+    pub fn body(&self) -> &'a ReducedBody {
+        self.body
+    }
+
     /// Power (W) of each dissipator at an angular velocity.
-    fn powers(&self, omega: [f64; 3]) -> Vec<f64> {
+    pub fn powers(&self, omega: [f64; 3]) -> Vec<f64> {
         let all = self.kernels.iter().flat_map(|kernel| kernel.value::<Plain>(omega));
         all.take(self.body.power_shares.len()).collect()
     }
 }
 
 impl<E: Equations> Reduced<'_, E> {
-    /// Energy taken by each dissipator: its share of the integrals over the steps, times the total that the solver has integrated. (D4)
-    fn budget(&mut self, last: &Sample) -> Vec<(String, f64)> {
+    /// Begins to sum up what the dissipators take, at a state.
+    pub fn begin(&mut self, t: f64, y: &[f64]) {
+        let powers = || self.shares.powers(self.equations.omega::<Plain, f64>(Accounts::unpack(y).x));
+        self.taken = (self.shares.count() > 0).then(|| Quadrature::new(t, powers()));
+    }
+
+    /// Sums of what the dissipators have taken up to the last sample; of one dissipator alone any number.
+    fn end(&mut self, last: &Sample) -> Vec<f64> {
+        self.taken.take().map_or_else(Vec::new, |mut taken| {
+            taken.add(last.t, self.shares.powers(last.omega));
+            taken.sums()
+        })
+    }
+
+    /// Energy taken by each dissipator: its share of these integrals, times the total that the solver has integrated. (D4)
+    pub fn budget(&self, sums: &[f64], last: &Sample) -> Vec<(String, f64)> {
         let names = self.shares.body.power_shares.iter().map(|(name, _)| name.clone());
-        let sums = match &mut self.taken {
-            None => vec![1.0],
-            Some(taken) => {
-                taken.add(last.t, self.shares.powers(last.omega));
-                taken.sums()
-            }
-        };
+        let sums = if sums.is_empty() { &[1.0] } else { sums };
         let whole: f64 = sums.iter().sum();
-        let share = |sum: f64| if whole > 0.0 { last.dissipated * sum / whole } else { 0.0 };
-        names.zip(sums.into_iter().map(share)).collect()
+        let share = |sum: &f64| if whole > 0.0 { last.dissipated * sum / whole } else { 0.0 };
+        names.zip(sums.iter().map(share)).collect()
     }
 }
 

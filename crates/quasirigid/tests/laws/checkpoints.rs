@@ -12,7 +12,7 @@ use quasirigid::problems::AxialMass;
 use quasirigid::reduction::reduce;
 use quasirigid_math::rotation::ALIGNED;
 
-use super::wobbler::{assembly, times_to};
+use super::wobbler::{assembly, reduced, times_to};
 use crate::support::{assemblies, cases};
 
 const AXIAL: AxialMass = AxialMass { carrier: 7.0, A: 1.0, C: 1.5, m: 0.1, rho: 0.5, c: 4e4, b: 3e2 };
@@ -185,5 +185,24 @@ fn checkpoint_of_another_propagation_is_refused() {
         let mut broken = Told { resumes: Some(Checkpoint::from_words(words)), ..Told::default() };
         let refused = propagate_full(Forced::not(&other), &settled, &times, &options, &mut broken);
         assert_eq!(refused.unwrap_err(), PropagateError::Checkpoint);
+    }
+}
+
+/// Through a separatrix in leaps, with two dissipators, to outputs alone and to an event.
+#[test]
+fn leaps_go_on_with_the_same_bits() {
+    let body = reduced(3);
+    assert!(body.power_shares.len() > 1);
+    let start = Start::new([0.5, 0.05, 0.34], ALIGNED);
+    let times = times_to(1.2e5, 3);
+    let free = Options::default();
+    let mut whole = Told::default();
+    let run = propagate(&body, start, &times, &free, &mut whole).unwrap();
+    assert!(run.work.leaped > 0, "{run:?}");
+    let level = 0.3 * whole.samples[0].energy + 0.7 * run.last.energy;
+    for events in [vec![], vec![Event::Energy(level)]] {
+        let options = Options { events, ..free.clone() };
+        let count = assert_resumes(&|told| propagate(&body, start, &times, &options, told));
+        assert!(count > 5, "{count} checkpoints");
     }
 }

@@ -28,6 +28,7 @@ mod harmonics;
 mod invariants;
 mod lagrangian;
 mod mechanisms;
+mod multirevolution;
 mod nutation;
 mod orbits;
 mod orders;

@@ -122,14 +122,7 @@ impl Solver for FullSolver<'_> {
     }
 
     fn work(&self) -> Work {
-        let now = active!(&self.active, solver => solver.work());
-        Work {
-            steps: self.done.steps + now.steps,
-            rejected: self.done.rejected + now.rejected,
-            evaluations: self.done.evaluations + now.evaluations,
-            factorizations: self.done.factorizations + now.factorizations,
-            implicit_steps: self.done.implicit_steps + now.implicit_steps,
-        }
+        self.done + active!(&self.active, solver => solver.work())
     }
 
     fn step(&mut self, end: f64) -> Result<(), StepError> {

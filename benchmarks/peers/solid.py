@@ -1,10 +1,12 @@
-"""Static solution of an elastic cube in quasirigid and in other direct solvers: the same matrix, one thread each.
+"""Static solution of an elastic cube in quasirigid and in other direct solvers: the same matrix, as many threads each.
 
 python solid.py 22 32 46
+python solid.py 32 46 --threads 2 --repeat 3
 python solid.py 69 --precision single --peers "" --limit 21
 
 Takes the nodes along an edge of the cubes; needs cargo. A peer that is missing or runs out of memory is one line of
-the table. Times are of the processor, in seconds; memory is the peak of a process of its own for each solver.
+the table. Times are of the processor on one thread and on the wall on several, in seconds; memory is the peak of a process of its
+own for each solver. Repeated runs take turns, so that whatever else the machine does meets all of them.
 """
 
 import argparse
@@ -15,9 +17,6 @@ import sys
 import tempfile
 import time
 from pathlib import Path
-
-for library in ("OMP", "MKL", "OPENBLAS"):
-    os.environ[f"{library}_NUM_THREADS"] = "1"
 
 import numpy as np
 import scipy.sparse as sp
@@ -88,27 +87,36 @@ def mumps(lower):
 PEERS = {solver.__name__: solver for solver in (cholmod, pardiso, mumps)}
 
 
+PHASES = ("order", "factor", f"solve{WIDTH}")
+
+
+def now():
+    """Time of the processor, of all threads, and on the wall."""
+    return time.process_time(), time.perf_counter()
+
+
 def solve(path, name, limit):
     """Solves in this process and prints lines of a name and a value, as the benchmark of quasirigid does."""
     resource.setrlimit(resource.RLIMIT_AS, (int(limit * GIGABYTE),) * 2)
     lower = lower_triangle(path)
     right = np.asfortranarray(np.cos(0.7 * np.arange(WIDTH * lower.shape[0])).reshape(-1, WIDTH))
-    clock = [time.process_time()]
+    clock = [now()]
     phases = PEERS[name](lower)
     entries = next(phases)
-    clock.append(time.process_time())
+    clock.append(now())
     if entries:
         print("entries", entries, flush=True)
         if 8 * entries > limit * GIGABYTE:
             sys.exit(f"the factor would take {8 * entries / GIGABYTE:.1f} GB")
     next(phases)
-    clock.append(time.process_time())
+    clock.append(now())
     solution = next(phases)(right)
-    clock.append(time.process_time())
+    clock.append(now())
     peak = 1.024e-3 * resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
     gap = lower @ solution + lower.T @ solution - lower.diagonal()[:, None] * solution - right
-    for phase, seconds in zip(("order", "factor", f"solve{WIDTH}"), np.diff(clock), strict=True):
-        print(phase, round(seconds, 3))
+    for phase, (processor, wall) in zip(PHASES, np.diff(clock, axis=0), strict=True):
+        print(phase, round(processor, 3))
+        print(f"{phase}_wall", round(wall, 3))
     print("residual", np.linalg.norm(gap) / np.linalg.norm(right))
     print("peak", peak)
 
@@ -122,58 +130,71 @@ def figures(command, **options):
     return pairs
 
 
-def best(runs):
+def best(runs, suffix):
     """The run with the least time in all, and the first that failed if any did."""
     failed = [run for run in runs if "failure" in run]
-    return failed[0] if failed else min(runs, key=total)
+    return failed[0] if failed else min(runs, key=lambda run: total(run, suffix))
 
 
-def total(run):
-    return sum(float(run[name]) for name in ("order", "factor", f"solve{WIDTH}"))
+def total(run, suffix):
+    return sum(float(run[name + suffix]) for name in PHASES)
 
 
-COLUMNS = {
-    "ordering": lambda run: float(run["order"]),
-    "factorisation": lambda run: float(run["factor"]),
-    f"{WIDTH} solutions": lambda run: float(run[f"solve{WIDTH}"]),
-    "total": total,
-    "memory (GB)": lambda run: float(run["peak"]) / 1000,
-}
+def columns(suffix):
+    """Columns of the table; with a suffix, times on the wall and the processor time of all threads."""
+    found = {
+        "ordering": lambda run: float(run["order" + suffix]),
+        "factorisation": lambda run: float(run["factor" + suffix]),
+        f"{WIDTH} solutions": lambda run: float(run[f"solve{WIDTH}" + suffix]),
+        "total": lambda run: total(run, suffix),
+    }
+    if suffix:
+        found["processor"] = lambda run: total(run, "")
+    found["memory (GB)"] = lambda run: float(run["peak"]) / 1000
+    return found
 
 
-def rows(ours, peers):
+def rows(ours, peers, suffix):
     """Lines of the table for one matrix, with the ratios of ours to the best peer last."""
+    shown = columns(suffix)
     size = f"{int(ours['unknowns']):,}".replace(",", " ")
     for name, run in {"**quasirigid**": ours, **peers}.items():
         entries = f"{float(run['entries']) / 1e6:.1f}" if "entries" in run else "–"
-        assembly = run.get("assembly", "–")
+        assembly = run.get("assembly" + suffix, "–")
         if "failure" in run:
-            yield f"| {size} | {name} | {entries} | {assembly} | {run['failure']} |" + len(COLUMNS) * " |"
+            yield f"| {size} | {name} | {entries} | {assembly} | {run['failure']} |" + len(shown) * " |"
             continue
-        values = " | ".join(f"{column(run):.3g}" for column in COLUMNS.values())
+        values = " | ".join(f"{column(run):.3g}" for column in shown.values())
         yield f"| {size} | {name} | {entries} | {assembly} | {values} | {float(run['residual']):.0e} |"
     finished = [run for run in peers.values() if "failure" not in run]
     if finished and "failure" not in ours:
-        ratios = (column(ours) / min(map(column, finished)) for column in COLUMNS.values())
+        ratios = (column(ours) / min(map(column, finished)) for column in shown.values())
         yield f"| {size} | ratio | | | {' | '.join(f'{ratio:.2f}' for ratio in ratios)} | |"
 
 
 def compare(arguments):
-    heading = ["unknowns", "solver", "entries (10⁶)", "assembly", *COLUMNS, "residual"]
+    suffix = "_wall" if arguments.threads > 1 else ""
+    heading = ["unknowns", "solver", "entries (10⁶)", "assembly", *columns(suffix), "residual"]
     print(f"| {' | '.join(heading)} |\n{'|---' * len(heading)}|", flush=True)
     bench = ["cargo", "bench", "--quiet", "--package", "quasirigid", "--bench", "solid", "--"]
-    repeats = range(arguments.repeat)
+    bench = [arguments.program] if arguments.program else bench
+    names = list(filter(None, arguments.peers.split(",")))
+    count = str(arguments.threads)
+    threads = {f"{library}_NUM_THREADS": count for library in ("RAYON", "OMP", "MKL", "OPENBLAS")}
+    environment = {**os.environ, **threads}
     with tempfile.TemporaryDirectory() as folder:
         path = str(Path(folder) / "matrix")
         for nodes in arguments.nodes:
-            command = [*bench, str(nodes), path, arguments.precision]
-            ours = best([figures(command, cwd=WORKSPACE) for _ in repeats])
-            peers = {}
-            for name in filter(None, arguments.peers.split(",")):
-                command = [sys.executable, __file__, "--matrix", path, "--peers", name]
-                command += ["--limit", str(arguments.limit)]
-                peers[name] = best([figures(command) for _ in repeats])
-            print("\n".join(rows(ours, peers)), flush=True)
+            runs = {name: [] for name in ("", *names)}
+            for _ in range(arguments.repeat):
+                command = [*bench, str(nodes), path, arguments.precision]
+                runs[""].append(figures(command, cwd=WORKSPACE, env=environment))
+                for name in names:
+                    command = [sys.executable, __file__, "--matrix", path, "--peers", name]
+                    command += ["--limit", str(arguments.limit)]
+                    runs[name].append(figures(command, env=environment))
+            ours, *peers = (best(found, suffix) for found in runs.values())
+            print("\n".join(rows(ours, dict(zip(names, peers, strict=True)), suffix)), flush=True)
 
 
 def main():
@@ -182,6 +203,8 @@ def main():
     parser.add_argument("--precision", choices=("double", "single"), default="double", help="of quasirigid")
     parser.add_argument("--peers", default=",".join(PEERS), help="solvers beside quasirigid; empty for none")
     parser.add_argument("--repeat", type=int, default=1, help="runs of each, of which the fastest counts")
+    parser.add_argument("--threads", type=int, default=1, help="threads of each solver")
+    parser.add_argument("--program", help="command of the benchmark of quasirigid, in place of cargo")
     parser.add_argument("--limit", type=float, default=20, help="GB of memory for a peer")
     parser.add_argument("--matrix", help=argparse.SUPPRESS)
     arguments = parser.parse_args()

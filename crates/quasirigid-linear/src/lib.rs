@@ -20,4 +20,5 @@ pub mod memory;
 pub mod span;
 pub mod sparse;
 pub mod symmetric;
+pub mod threads;
 pub mod watch;

@@ -16,6 +16,8 @@ use std::time::Duration;
 
 use thiserror::Error;
 
+use crate::threads;
+
 /// The work was told to end.
 #[derive(Clone, Copy, Debug, Error, PartialEq, Eq)]
 #[error("interrupted")]
@@ -52,9 +54,10 @@ pub fn watched<T: Send>(
     let place = Arc::new(Place::default());
     let (done, waiting) = mpsc::channel();
     let given = Arc::clone(&place);
+    let limit = threads::limit();
     let watched = move || {
         PLACE.with_borrow_mut(|place| *place = Some(given));
-        let found = panic::catch_unwind(AssertUnwindSafe(work));
+        let found = panic::catch_unwind(AssertUnwindSafe(|| threads::within(limit, work)));
         let _ = done.send(());
         found
     };
@@ -85,6 +88,27 @@ pub fn cancellable<T>(cancelled: &Arc<AtomicBool>, work: impl FnOnce() -> T) -> 
     let found = panic::catch_unwind(AssertUnwindSafe(work));
     PLACE.with_borrow_mut(|current| *current = before);
     settled(found)
+}
+
+/// Watch of a thread, handed to others that work for it.
+pub(crate) struct Handed(Option<Arc<Place>>);
+
+impl Handed {
+    pub fn of_this_thread() -> Self {
+        Self(PLACE.with_borrow(Option::clone))
+    }
+
+    /// Does work that reports to this watch.
+    pub fn watches<T>(&self, work: impl FnOnce() -> T) -> T {
+        struct Before(Option<Arc<Place>>);
+        impl Drop for Before {
+            fn drop(&mut self) {
+                PLACE.with_borrow_mut(|place| *place = self.0.take());
+            }
+        }
+        let _before = Before(PLACE.with_borrow_mut(|place| std::mem::replace(place, self.0.clone())));
+        work()
+    }
 }
 
 fn settled<T>(found: Result<T, Box<dyn Any + Send>>) -> Result<T, Cancelled> {

@@ -30,5 +30,5 @@ pub mod taylor;
 pub mod vec3;
 
 pub use quasirigid_linear::{
-    cholesky, dynamic_stiffness, eigen, factor, krylov, lu, memory, span, sparse, symmetric, watch,
+    cholesky, dynamic_stiffness, eigen, factor, krylov, lu, memory, span, sparse, symmetric, threads, watch,
 };

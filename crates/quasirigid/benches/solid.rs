@@ -8,34 +8,42 @@
 use std::fs::{self, File};
 use std::io::{self, BufWriter, Write};
 use std::sync::Arc;
-use std::time::{Duration, Instant};
+use std::time::Instant;
 
 use quasirigid_math::factor::{Analysis, Factor, Ordering, Precision};
 use quasirigid_math::krylov::Pencil;
 use quasirigid_math::symmetric::{Pattern, Symmetric};
+use quasirigid_math::threads::Team;
 
 const WIDTH: usize = 9;
+/// Elements whose matrices exist at once.
+const BATCH: usize = 1024;
 
-/// Processor time of this thread, where the system tells; else the time on the wall.
+/// Time on the wall, and processor time of all threads.
 struct Clock {
     wall: Instant,
-    processor: Option<Duration>,
+    processor: f64,
 }
 
 impl Clock {
     fn now() -> Self {
-        Self { wall: Instant::now(), processor: Self::processor() }
+        Self { wall: Instant::now(), processor: processor() }
     }
 
-    fn seconds(&self) -> f64 {
-        let processor = self.processor.zip(Self::processor()).map(|(start, end)| end - start);
-        processor.unwrap_or_else(|| self.wall.elapsed()).as_secs_f64()
+    /// Prints both times of a phase, the time on the wall under the name with `_wall`.
+    fn print(&self, phase: &str) {
+        println!("{phase} {:.3}", processor() - self.processor);
+        println!("{phase}_wall {:.3}", self.wall.elapsed().as_secs_f64());
     }
+}
 
-    fn processor() -> Option<Duration> {
-        let text = fs::read_to_string("/proc/thread-self/schedstat").ok()?;
-        text.split_whitespace().next()?.parse().ok().map(Duration::from_nanos)
-    }
+/// Processor time of this process (s), its ended threads included; not a number where the system does not tell.
+fn processor() -> f64 {
+    let ended = fs::read_to_string("/proc/self/stat").unwrap_or_default();
+    // The name of the program may have spaces; user and system time follow eleven fields behind it, in hundredths of a second.
+    let fields = ended.rsplit(')').next().unwrap_or_default().split_whitespace().skip(11).take(2);
+    let ticks: Vec<f64> = fields.filter_map(|field| field.parse().ok()).collect();
+    if ticks.len() < 2 { f64::NAN } else { ticks.iter().sum::<f64>() / 100.0 }
 }
 
 fn main() -> io::Result<()> {
@@ -44,7 +52,8 @@ fn main() -> io::Result<()> {
     let word = |word: &str| arguments.iter().any(|argument| argument == word);
     let start = Clock::now();
     let (stiffness, mass) = Cube { nodes }.matrices(word("modes"));
-    println!("unknowns {}\nassembly {:.3}", stiffness.size(), start.seconds());
+    println!("unknowns {}", stiffness.size());
+    start.print("assembly");
     if let Some(path) = arguments.get(1).filter(|path| *path != "-") {
         write(path, &stiffness)?;
     }
@@ -56,17 +65,20 @@ fn main() -> io::Result<()> {
     let start = Clock::now();
     let ordering = if word("scotch") { Ordering::Scotch } else { Ordering::Automatic };
     let analysis = Analysis::new(&stiffness, ordering).expect("the cube has a diagonal");
-    println!("order {:.3}\nentries {}", start.seconds(), analysis.entries());
+    start.print("order");
+    println!("entries {}\nmultiplications {:e}", analysis.entries(), analysis.multiplications());
     let start = Clock::now();
     let factor = analysis.factor(precision).expect("the cube is held");
-    println!("factor {:.3}\nprecision {:?}", start.seconds(), factor.work().precision);
+    start.print("factor");
+    println!("precision {:?}", factor.work().precision);
     for width in [1, WIDTH] {
         let right: Vec<f64> = (0..width * stiffness.size()).map(|i| (i as f64 * 0.7).cos()).collect();
         let mut x = right.clone();
         let start = Clock::now();
         let iterations = factor.solve(&mut x, width).iterations;
-        println!("solve{width} {:.3}\niterations {iterations}", start.seconds());
-        println!("residual {:.1e}", residual(&stiffness, &x, &right, width));
+        start.print(&format!("solve{width}"));
+        println!("iterations {iterations}");
+        println!("residual {:.1e}\nbits {:016x}", residual(&stiffness, &x, &right, width), bits(&x));
     }
     if word("modes") {
         modes(&stiffness, &mass, &factor);
@@ -79,6 +91,11 @@ fn main() -> io::Result<()> {
 fn residual(matrix: &Symmetric, x: &[f64], right: &[f64], width: usize) -> f64 {
     let gap: f64 = matrix.times_block(x, width).iter().zip(right).map(|(Ax, b)| (b - Ax).powi(2)).sum();
     (gap / right.iter().map(|b| b * b).sum::<f64>()).sqrt()
+}
+
+/// A sum over the bits of some numbers, which tells whether two runs agree in all of them.
+fn bits(x: &[f64]) -> u64 {
+    x.iter().fold(0, |sum: u64, x| sum.rotate_left(5).wrapping_mul(0x9e37_79b9_7f4a_7c15) ^ x.to_bits())
 }
 
 /// The 20 lowest modes.
@@ -95,7 +112,8 @@ fn modes(stiffness: &Symmetric, mass: &Symmetric, factor: &Factor) {
         mass: &|x| mass.times(x),
     };
     let vectors = pencil.largest(20).expect("the modes of a cube converge");
-    println!("modes20 {:.3}\nsolves {}", start.seconds(), solves.get());
+    start.print("modes20");
+    println!("solves {}", solves.get());
     for x in &vectors {
         println!("eigenvalue {:.12e}", quasirigid_math::krylov::dot(x, &mass.times(x)).recip());
     }
@@ -181,15 +199,19 @@ impl Cube {
         let pattern = Pattern::new(&first, elements.iter().map(|nodes| nodes.as_slice()));
         let mut stiffness = Symmetric::zero(Arc::new(pattern.expect("elements join nodes of the cube")));
         let mut mass = stiffness.clone();
-        for nodes in &elements {
-            let own: Vec<Option<u32>> = nodes
-                .iter()
-                .flat_map(|node| (0..3).map(|axis| unknowns[3 * *node as usize + axis]))
-                .collect();
-            let (K, M) = hexahedron(&nodes.map(|node| self.place(node as usize)));
-            stiffness.add(&own, &K).expect("the pattern has all elements");
+        let team = Team::new();
+        for batch in elements.chunks(BATCH) {
+            let made = team.map(batch.iter().collect(), |nodes| {
+                let axes = |node: &u32| (0..3).map(|axis| 3 * *node as usize + axis).collect::<Vec<_>>();
+                let own: Vec<Option<u32>> = nodes.iter().flat_map(axes).map(|row| unknowns[row]).collect();
+                (own, hexahedron(&nodes.map(|node| self.place(node as usize))))
+            });
+            let parts: Vec<(&[Option<u32>], &[f64])> =
+                made.iter().map(|(own, (K, _))| (&own[..], &K[..])).collect();
+            stiffness.add_all(&parts, &team).expect("the pattern has all elements");
             if massive {
-                mass.add(&own, &M).expect("the pattern has all elements");
+                let parts: Vec<_> = made.iter().map(|(own, (_, M))| (&own[..], &M[..])).collect();
+                mass.add_all(&parts, &team).expect("the pattern has all elements");
             }
         }
         (stiffness, mass)

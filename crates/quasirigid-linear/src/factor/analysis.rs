@@ -37,7 +37,7 @@ impl Analysis {
         self.structure.as_ref().map_or(0, Structure::entries)
     }
 
-    /// Bytes that computing the factor will take, at least.
+    /// Bytes that computing the factor will take, at least, with as many threads as it would take here.
     #[must_use]
     pub fn bytes(&self, precision: Precision) -> f64 {
         let Some(structure) = &self.structure else { return 0.0 };

@@ -1,12 +1,20 @@
 //! Factors of large sparse symmetric positive definite matrices, and solutions with them.
 
 mod analysis;
+mod branch;
 mod conjugate;
+mod dense;
 mod graph;
 #[cfg(feature = "metis")]
 mod metis;
+mod numeric;
 mod ordering;
+mod permuted;
+mod places;
+mod separators;
 mod softest;
+mod solution;
+mod supernodes;
 #[cfg(test)]
 mod tests;
 mod tree;

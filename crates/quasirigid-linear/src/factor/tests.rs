@@ -2,11 +2,13 @@
 //! Rows have units from 1e-9 to 1e9, because scaling to a unit diagonal has to make results independent of them.
 
 use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
 
 use nalgebra::{DMatrix, DVector};
 
 use super::*;
 use crate::symmetric::Pattern;
+use crate::{threads, watch};
 
 /// Springs between all nodes of a cubic grid that share a cell, three unknowns to a node, each in a unit of its own,
 /// and a foundation under every node. The first `held` nodes are fixed.
@@ -264,4 +266,93 @@ fn nothing_to_solve_is_solved() {
     let mut zero = vec![0.0; 4];
     assert_eq!(Factor::new(&pair(0.5), AUTOMATIC).unwrap().solve(&mut zero, 2).residual, 0.0);
     assert_eq!(zero, [0.0; 4]);
+}
+
+/// Large enough for branches and separators.
+fn cut() -> Symmetric {
+    let matrix = grid(12, 30, 0.002, odd_unit);
+    let [branches, separators] = Structure::new(&matrix, Ordering::Automatic).unwrap().pieces();
+    assert!(branches > 4 && separators > 2, "{branches} branches, {separators} separators");
+    matrix
+}
+
+#[test]
+fn the_bits_do_not_depend_on_the_number_of_threads() {
+    let matrix = cut();
+    for precision in [Precision::Double, Precision::Single] {
+        let solution = |count: usize| {
+            let count = count.try_into().unwrap();
+            threads::limited(count, || {
+                let factor = Factor::new(&matrix, method(precision, Ordering::Automatic)).unwrap();
+                let mut x = right(2 * matrix.size());
+                let refinement = factor.solve(&mut x, 2);
+                assert_eq!(factor.work().precision, precision);
+                assert!(refinement.residual < 1e-13, "{precision:?}: {refinement:?}");
+                x.into_iter().map(f64::to_bits).collect::<Vec<_>>()
+            })
+        };
+        let alone = solution(1);
+        assert!([2, 3, 4].iter().all(|count| solution(*count) == alone), "{precision:?}");
+    }
+}
+
+/// The same matrix in an order of elimination that shares no supernode with the first.
+#[test]
+fn branches_and_separators_give_the_solution_of_another_order() {
+    let matrix = cut();
+    let solution = |ordering: Ordering| {
+        let mut x = right(2 * matrix.size());
+        let factor = Factor::new(&matrix, method(Precision::Double, ordering)).unwrap();
+        assert!(factor.solve(&mut x, 2).residual < 1e-13);
+        x
+    };
+    let gap = difference(&solution(Ordering::Scotch), &solution(Ordering::MinimumDegree), odd_unit);
+    assert!(gap < 1e-11, "{gap:e}");
+}
+
+#[test]
+fn a_negative_pivot_is_found_in_a_branch_and_in_a_separator() {
+    let matrix = cut();
+    let structure = Structure::new(&matrix, Ordering::Automatic).unwrap();
+    let scale = unit_diagonal(&matrix.diagonal()).unwrap();
+    assert!(Triangle::<f64>::new(structure.clone(), &matrix, &scale, 0.0).is_some());
+    for unknown in [0, matrix.size() / 3, matrix.size() / 2, matrix.size() - 1] {
+        let mut indefinite = matrix.clone();
+        indefinite.add(&[Some(unknown as u32)], &[-1.5 * matrix.diagonal()[unknown]]).unwrap();
+        assert!(Triangle::<f64>::new(structure.clone(), &indefinite, &scale, 0.0).is_none(), "{unknown}");
+    }
+}
+
+#[test]
+fn a_factorisation_tells_how_far_it_is_and_ends_where_it_is_cancelled() {
+    let matrix = cut();
+    for count in [1, 2] {
+        let analysis = Analysis::new(&matrix, Ordering::Automatic).unwrap();
+        let cancelled = Arc::new(AtomicBool::new(true));
+        let count = count.try_into().unwrap();
+        let work =
+            || threads::limited(count, || analysis.factor(Precision::Double).map(|factor| factor.work()));
+        assert_eq!(watch::cancellable(&cancelled, work), Err(watch::Cancelled));
+    }
+    let (mut last, mut rises) = (0.0, true);
+    let watch = &mut |_: &str, share: f64| {
+        rises &= share >= last && share <= 1.0 + 1e-9;
+        last = share;
+        std::ops::ControlFlow::Continue(())
+    };
+    let factored =
+        watch::watched(watch, || Factor::new(&matrix, AUTOMATIC).map(|factor| factor.work().entries));
+    assert!(factored.unwrap().is_ok() && rises);
+}
+
+/// What is asked for is no less than what the pieces take: the factor, the matrix in its order, and the updates of as many branches as
+/// wait at once.
+#[test]
+fn memory_is_asked_for_the_threads_that_work() {
+    let matrix = cut();
+    let analysis = Analysis::new(&matrix, Ordering::Automatic).unwrap();
+    let asked =
+        |count: usize| threads::limited(count.try_into().unwrap(), || analysis.bytes(Precision::Double));
+    let least = 8.0 * analysis.entries() as f64 + 12.0 * matrix.entries().len() as f64;
+    assert!(asked(1) > least && asked(2) > asked(1) && asked(4) >= asked(2));
 }

@@ -2,6 +2,7 @@
 
 mod error;
 mod pattern;
+mod strip;
 #[cfg(test)]
 mod tests;
 
@@ -9,7 +10,9 @@ use std::sync::Arc;
 
 pub use self::error::SymmetricError;
 pub use self::pattern::Pattern;
+use self::strip::{Strip, strips};
 use super::sparse::SparseRows;
+use super::threads::Team;
 
 /// Sparse symmetric matrix: the entries of its lower triangle on a pattern that several matrices may share.
 ///
@@ -35,31 +38,26 @@ impl Symmetric {
     /// [`SymmetricError`] if the element matrix has the wrong size or an entry has no place; the matrix may then hold
     /// a part of the element.
     pub fn add(&mut self, unknowns: &[Option<u32>], element: &[f64]) -> Result<(), SymmetricError> {
-        let width = unknowns.len();
-        if element.len() != width * width {
-            return Err(SymmetricError::Shape { unknowns: width, entries: element.len() });
-        }
-        let mut order: Vec<(u32, usize)> =
-            unknowns.iter().enumerate().filter_map(|(local, unknown)| Some(((*unknown)?, local))).collect();
-        order.sort_unstable();
         let entries = Arc::make_mut(&mut self.entries);
-        for (index, (column, j)) in order.iter().enumerate() {
-            let outside = |row: u32| SymmetricError::Outside { row, column: *column };
-            let range = self.pattern.range(*column).ok_or_else(|| outside(*column))?;
-            let mut place = range.start;
-            for (row, i) in &order[index..] {
-                place += self.pattern.rows()[place..range.end].partition_point(|other| other < row);
-                if place == range.end || self.pattern.rows()[place] != *row {
-                    return Err(outside(*row));
-                }
-                entries[place] += element[i * width + j];
-                // An element that names an unknown twice has both mirror images on the diagonal.
-                if row == column && i != j {
-                    entries[place] += element[j * width + i];
-                }
-            }
-        }
-        Ok(())
+        let mut whole = Strip { pattern: &self.pattern, columns: 0..u32::MAX, first: 0, entries };
+        whole.add(unknowns, element)
+    }
+
+    /// Adds the matrices of elements, shared among threads; the sums have the bits of [`Symmetric::add`] one element after another.
+    ///
+    /// # Errors
+    /// As of [`Symmetric::add`].
+    pub fn add_all(
+        &mut self,
+        elements: &[(&[Option<u32>], &[f64])],
+        team: &Team,
+    ) -> Result<(), SymmetricError> {
+        let strips =
+            strips(&self.pattern, Arc::make_mut(&mut self.entries).as_mut_slice(), elements, team.size());
+        let added = team.map(strips, |mut strip| {
+            elements.iter().try_for_each(|(unknowns, element)| strip.add(unknowns, element))
+        });
+        added.into_iter().collect()
     }
 
     /// Number of unknowns.

@@ -5,6 +5,7 @@ use nalgebra::DMatrix;
 use proptest::prelude::*;
 
 use super::*;
+use crate::threads;
 
 /// Nodes with 3, 0, 1 and 2 unknowns, and elements that overlap; the last names a node twice.
 const FIRST: [u32; 5] = [0, 3, 3, 4, 6];
@@ -40,6 +41,37 @@ fn assembled(seed: f64) -> (Symmetric, DMatrix<f64>) {
         }
     }
     (sparse, dense)
+}
+
+/// Many elements over few unknowns, so that every entry is a sum whose order counts.
+#[test]
+fn elements_added_by_any_number_of_threads_give_the_same_bits() {
+    let zero = Symmetric::zero(Arc::new(Pattern::new(&FIRST, ELEMENTS.into_iter()).unwrap()));
+    let made: Vec<(Vec<Option<u32>>, Vec<f64>)> = (0..200)
+        .map(|index| {
+            let unknowns = unknowns(ELEMENTS[index * 7 % 4]);
+            let element = symmetric(unknowns.len(), 0.37 * index as f64);
+            (unknowns, element)
+        })
+        .collect();
+    let mut expected = zero.clone();
+    made.iter().for_each(|(unknowns, element)| expected.add(unknowns, element).unwrap());
+    let parts: Vec<(&[Option<u32>], &[f64])> =
+        made.iter().map(|(u, e)| (u.as_slice(), e.as_slice())).collect();
+    for count in [1, 2, 3, 4, 9] {
+        let team = threads::limited(count.try_into().unwrap(), Team::new);
+        let mut sum = zero.clone();
+        sum.add_all(&parts, &team).unwrap();
+        let equal = sum.entries().iter().zip(expected.entries()).all(|(a, b)| a.to_bits() == b.to_bits());
+        assert!(equal, "{count} threads");
+        assert_eq!(
+            sum.add_all(&[(&[Some(1), Some(3)], &[0.0; 3])], &team),
+            Err(SymmetricError::Shape { unknowns: 2, entries: 3 })
+        );
+        let far = [(&[Some(3), Some(5)][..], &[1.0; 4][..])];
+        assert_eq!(sum.add_all(&far, &team), Err(SymmetricError::Outside { row: 5, column: 3 }));
+    }
+    zero.clone().add_all(&[], &Team::alone()).unwrap();
 }
 
 /// Every entry, from products with unit vectors.

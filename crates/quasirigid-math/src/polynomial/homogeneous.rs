@@ -179,7 +179,7 @@ impl Homogeneous {
     /// # Panics
     /// If there are more or fewer columns than rows.
     #[must_use]
-    pub fn contracted(&self, columns: &[[f64; 3]]) -> Self {
+    pub fn contracted<const N: usize>(&self, columns: &[[f64; N]]) -> Self {
         assert_eq!(columns.len(), self.rows(), "one column per row");
         self.mapped(|part| part.contracted(columns))
     }
@@ -208,8 +208,10 @@ impl Homogeneous {
     pub fn dot(&self, other: &Self) -> Self {
         assert_eq!(self.rows(), other.rows(), "a scalar product needs as many rows");
         let mut product = Self::zero(self.degree() + other.degree(), 1);
-        for row in 0..self.rows() {
-            product.add_product(0, 1.0, (self, row), (other, row));
+        for (power, part) in self.parts().enumerate() {
+            for (power_other, other) in other.parts().enumerate() {
+                product.part_mut(power + power_other).add_dot(part, other);
+            }
         }
         product
     }
@@ -320,6 +322,15 @@ mod tests {
         let dot = value(&a.dot(&b), X)[0];
         assert!((cross[1] - (va[2] * vb[0] - va[0] * vb[2])).abs() < 1e-13);
         assert!((dot - (0..3).map(|i| va[i] * vb[i]).sum::<f64>()).abs() < 1e-13);
+    }
+
+    #[test]
+    fn scalar_product_is_the_sum_of_the_products_of_rows() {
+        let (a, b) = (sample(4, 2, 5, 6), sample(3, 1, 5, 7));
+        let mut sum = Homogeneous::zero(7, 1);
+        (0..5).for_each(|row| sum.add_product(0, 1.0, (&a, row), (&b, row)));
+        sum.add_scaled(-1.0, &a.dot(&b));
+        assert!(sum.amax() < 1e-14, "{:e}", sum.amax());
     }
 
     #[test]

@@ -5,6 +5,7 @@
 use super::Homogeneous;
 use super::monomial::index;
 use crate::scalar::Scalar;
+use crate::sparse::SparseRows;
 
 /// A polynomial map of three variables, kept degree by degree; degrees above the last are zero or unknown.
 #[derive(Clone, Debug, PartialEq)]
@@ -65,6 +66,26 @@ impl Series {
     /// Adds a multiple of a row of a polynomial of at most this degree to a row of the part of the degree.
     pub fn add_row(&mut self, degree: usize, row: usize, factor: f64, other: (&Homogeneous, usize)) {
         self.parts[degree].add_row(row, factor, other);
+    }
+
+    /// `matrix · self`, degree by degree.
+    #[must_use]
+    pub fn times(&self, matrix: &SparseRows<f64>) -> Self {
+        let mut product = Self::zero(self.degree(), self.rows);
+        for (part, own) in product.parts.iter_mut().zip(&self.parts).filter(|(_, own)| own.amax() > 0.0) {
+            matrix.iter().for_each(|(row, column, entry)| part.add_row(row, *entry, (own, column)));
+        }
+        product
+    }
+
+    /// Some rows of the map.
+    #[must_use]
+    pub fn picked(&self, rows: &[usize]) -> Self {
+        let mut picked = Self::zero(self.degree(), rows.len());
+        for (part, own) in picked.parts.iter_mut().zip(&self.parts) {
+            rows.iter().enumerate().for_each(|(place, row)| part.add_row(place, 1.0, (own, *row)));
+        }
+        picked
     }
 
     /// The map without the parts above a degree.

@@ -111,9 +111,30 @@ impl Ternary {
         }
     }
 
+    /// Adds `Σ aᵢ bᵢ` over all rows of two maps, whose degrees add up to this one, to the only row.
+    ///
+    /// The products of all pairs of coefficients are summed over the rows before they are sorted by monomials: one pass over the rows.
+    pub fn add_dot(&mut self, a: &Self, b: &Self) {
+        assert_eq!((self.degree, self.rows), (a.degree + b.degree, 1));
+        let (deep, wide) = (count(a.degree), count(b.degree));
+        let mut sums = vec![0.0; deep * wide];
+        for (a, b) in a.coefficients.chunks_exact(deep).zip(b.coefficients.chunks_exact(wide)) {
+            for (sum, c) in sums.chunks_exact_mut(wide).zip(a).filter(|(_, c)| **c != 0.0) {
+                axpy(sum, *c, b);
+            }
+        }
+        let rows = (0..=a.degree).flat_map(|r| (0..=r).map(move |k| (r, k)));
+        for ((r, k), sum) in rows.zip(sums.chunks_exact(wide)) {
+            for (other, along) in blocks(b.degree, sum) {
+                let start = index([0, r + other - k, k]);
+                axpy(&mut self.coefficients[start..start + along.len()], 1.0, along);
+            }
+        }
+    }
+
     /// `matrix · self` for a matrix given by its columns, one per row of `self`.
-    pub fn contracted(&self, columns: &[[f64; 3]]) -> Self {
-        let mut sum = Self::zero(self.degree, 3);
+    pub fn contracted<const N: usize>(&self, columns: &[[f64; N]]) -> Self {
+        let mut sum = Self::zero(self.degree, N);
         for (row, column) in columns.iter().enumerate() {
             for (axis, weight) in column.iter().enumerate().filter(|(_, weight)| **weight != 0.0) {
                 axpy(sum.row_mut(axis), *weight, self.row(row));
@@ -140,18 +161,26 @@ impl Ternary {
     /// The derivative is linear in the polynomial, so it is made once per monomial and applied to every row.
     pub fn along(&self, field: &Self) -> Self {
         let degree = self.degree + field.degree - 1;
-        let mut derivative = Self::zero(degree, self.rows);
+        let (width, length) = (count(degree), count(self.degree));
         let mut monomial = Self::zero(self.degree, 1);
-        for term in 0..count(self.degree) {
+        let mut images = Vec::with_capacity(length * width);
+        for term in 0..length {
             monomial.coefficients.fill(0.0);
             monomial.coefficients[term] = 1.0;
             let mut image = Self::zero(degree, 1);
             for axis in 0..3 {
                 image.add_product(0, 1.0, (&monomial.partial(axis), 0), (field, axis));
             }
-            for row in 0..self.rows {
-                let weight = self.row(row)[term];
-                axpy(derivative.row_mut(row), weight, &image.coefficients);
+            images.extend(image.coefficients);
+        }
+        let mut derivative = Self::zero(degree, self.rows);
+        let rows =
+            derivative.coefficients.chunks_exact_mut(width).zip(self.coefficients.chunks_exact(length));
+        for (sum, weights) in rows {
+            for (image, weight) in
+                images.chunks_exact(width).zip(weights).filter(|(_, weight)| **weight != 0.0)
+            {
+                axpy(sum, *weight, image);
             }
         }
         derivative

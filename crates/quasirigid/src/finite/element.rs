@@ -7,7 +7,7 @@ use nalgebra::{DMatrix, DVector, Matrix3xX, Vector3};
 /// Element of elastic material between nodes, in the axes of the file's frame.
 ///
 /// Degrees of freedom are numbered node by node: the three displacements (m), and where a node also has rotations these three (rad).
-pub(crate) trait Element {
+pub(crate) trait Element: Sync {
     /// Nodes that the element joins.
     fn nodes(&self) -> &[usize];
 

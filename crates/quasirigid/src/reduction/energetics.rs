@@ -1,20 +1,20 @@
 //! Energy, dissipated power and force on the pole as polynomials along the slow manifold. (R8) to (R10)
 
-use std::collections::HashMap;
-
 use super::manifold::Manifold;
 use crate::math::polynomial::{Homogeneous, Series};
+use crate::math::sparse::SparseRows;
 use crate::math::vec3;
-use crate::model::FlexibleBody;
+use crate::model::{Dissipator, FlexibleBody};
 
 /// Energy on the slow manifold, degrees 2 to `p + 2`. (R10)
 ///
 /// Twice the kinetic energy is `ω·K + p·q̇`, with the momenta of `ω` and `q̇`.
 pub(super) fn energy(body: &FlexibleBody, manifold: &Manifold, order: usize) -> Series {
     let mut energy = Series::zero(order + 2, 1);
+    let forces = manifold.q.times(body.stiffness());
     for degree in 2..=order + 2 {
         let mut part = Homogeneous::identity().dot(&own(body, manifold, degree - 1));
-        part.add_scaled(1.0, &internal(body, manifold, degree));
+        part.add_scaled(1.0, &internal(body, manifold, &forces, degree));
         part.scale(0.5);
         energy.set(part);
     }
@@ -26,26 +26,15 @@ fn own(body: &FlexibleBody, manifold: &Manifold, degree: usize) -> Homogeneous {
     if degree == 1 { Homogeneous::linear(&body.inertia()) } else { manifold.K.part(degree).clone() }
 }
 
-/// `[q̇·(A q̇ + h(q)·ω) + q·C q]_d`.
-fn internal(body: &FlexibleBody, manifold: &Manifold, degree: usize) -> Homogeneous {
-    let Manifold { q, rate, u, .. } = manifold;
-    let invariants = body.invariants();
-    let omega = Homogeneous::identity();
-    let mut sum = Homogeneous::zero(degree, 1);
-    let turning = rate.part(degree - 1).contracted(&invariants.h);
-    sum.add_scaled(1.0, &omega.dot(&turning));
-    for (j, k, pair) in invariants.pairs.iter() {
-        sum.add_scaled(pair.A, &rate.row_product(j, rate, k, degree));
-        let moving = q.row_product(j, rate, k, degree - 1);
-        sum.add_product(0, 1.0, (&Homogeneous::linear(&[pair.Z]), 0), (&moving, 0));
-    }
-    for (j, k, C) in body.stiffness().iter() {
-        sum.add_scaled(*C, &q.row_product(j, q, k, degree));
-    }
+/// `[q̇·(A q̇ + h(q)·ω) + q·C q]_d`, from the momenta `p` and the forces `C q`.
+fn internal(body: &FlexibleBody, manifold: &Manifold, forces: &Series, degree: usize) -> Homogeneous {
+    let Manifold { q, rate, u, p, .. } = manifold;
+    let mut sum = rate.dot(p, degree);
+    sum.add_scaled(1.0, &q.dot(forces, degree));
     if let Some(per_mass) = body.translation() {
         let mut moving = Series::zero(rate.degree(), 3);
         for part in 0..=rate.degree() {
-            moving.set(rate.part(part).contracted(&invariants.S));
+            moving.set(rate.part(part).contracted(&body.invariants().S));
         }
         sum.add_scaled(-per_mass, &moving.dot(u, degree));
     }
@@ -69,37 +58,23 @@ pub(super) fn power(
         rate.set(last);
         highest += 2;
     }
-    let zero = Series::zero(highest.max(2), 1);
+    let power = |rate: &Series, forces: &Series| {
+        let mut power = Series::zero(highest.max(2), 1);
+        (4..=highest).for_each(|degree| power.set(rate.dot(forces, degree)));
+        power
+    };
     let named = body.dissipators().iter().filter(|part| part.damping.iter().next().is_some());
-    let mut shares: Vec<(String, Series)> = named.map(|part| (part.name.clone(), zero.clone())).collect();
-    let owners = owners(body);
-    let mut power = zero;
-    for degree in 4..=highest {
-        let mut whole = Homogeneous::zero(degree, 1);
-        let mut parts = vec![whole.clone(); shares.len()];
-        for (j, k, B) in body.damping().iter() {
-            let product = rate.row_product(j, &rate, k, degree);
-            whole.add_scaled(*B, &product);
-            for (owner, B) in owners.get(&(j, k)).into_iter().flatten() {
-                parts[*owner].add_scaled(*B, &product);
-            }
-        }
-        power.set(whole);
-        shares.iter_mut().zip(parts).for_each(|((_, share), part)| share.set(part));
-    }
-    (power, shares)
-}
-
-/// Contribution of each dissipator with damping to an entry of `B`, by row and column.
-fn owners(body: &FlexibleBody) -> HashMap<(usize, usize), Vec<(usize, f64)>> {
-    let mut owners: HashMap<(usize, usize), Vec<(usize, f64)>> = HashMap::new();
-    let named = body.dissipators().iter().filter(|part| part.damping.iter().next().is_some());
-    for (owner, part) in named.enumerate() {
-        for (j, k, entry) in part.damping.iter() {
-            owners.entry((j, k)).or_default().push((owner, *entry));
-        }
-    }
-    owners
+    let share = |part: &Dissipator| {
+        let mut moved: Vec<usize> = part.damping.iter().flat_map(|(j, k, _)| [j, k]).collect();
+        moved.sort_unstable();
+        moved.dedup();
+        let place = |j: usize| moved.partition_point(|other| *other < j);
+        let entries = part.damping.iter().map(|(j, k, B)| (place(j), place(k), *B)).collect();
+        let own = rate.picked(&moved);
+        (part.name.clone(), power(&own, &own.times(&SparseRows::sum(moved.len(), entries))))
+    };
+    let shares = named.map(share).collect();
+    (power(&rate, &rate.times(body.damping())), shares)
 }
 
 /// Force `φ = −Σ mᵢ r̈ᵢ` of the displacements, degrees 4 to `p + 2`, from their first moment. (R8)
@@ -126,16 +101,24 @@ pub(super) fn force(moment: &Series, f: &Series) -> Series {
 /// coordinates go. (F3)
 pub(super) fn first_moment(body: &FlexibleBody, q: &Series) -> Series {
     let invariants = body.invariants();
+    let curved = invariants.pairs.iter().any(|(_, _, pair)| vec3::norm(pair.S2) > 0.0);
+    let curvatures = if curved { weighted(body, q) } else { Vec::new() };
     let mut moment = Series::zero(q.degree(), 3);
     for degree in 2..=q.degree() {
         let mut part = q.part(degree).contracted(&invariants.S);
-        for (j, k, pair) in invariants.pairs.iter().filter(|(_, _, pair)| vec3::norm(pair.S2) > 0.0) {
-            let product = q.row_product(j, q, k, degree);
-            for (axis, curvature) in pair.S2.iter().enumerate() {
-                part.add_row(axis, 0.5 * curvature, (&product, 0));
-            }
+        for (axis, curvature) in curvatures.iter().enumerate() {
+            part.add_row(axis, 0.5, (&q.dot(curvature, degree), 0));
         }
         moment.set(part);
     }
     moment
+}
+
+/// `Γ_jk q_k` along each axis.
+fn weighted(body: &FlexibleBody, q: &Series) -> Vec<Series> {
+    let along = |axis: usize| {
+        let entries = body.invariants().pairs.iter().map(|(j, k, pair)| (j, k, pair.S2[axis]));
+        q.times(&SparseRows::sum(q.rows(), entries.collect()))
+    };
+    (0..3).map(along).collect()
 }

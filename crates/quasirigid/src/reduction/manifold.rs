@@ -3,6 +3,7 @@
 //! the steps within a degree matters.
 //! Equations (R1) to (R6) and (R13), docs/theory/03-reduction.md; (C3), (L21), docs/theory/13-inside.md; (S6), docs/theory/01-system.md.
 
+use super::couplings::{Couplings, add_turned};
 use crate::math::polynomial::{Homogeneous, Series};
 use crate::math::sym3::{self, Sym};
 use crate::math::watch;
@@ -25,6 +26,8 @@ pub(super) struct Manifold {
     /// First moment `s` of the displacement, to degree `p`, and its inertial rate `u`, to degree `p + 1`. (S6)
     pub s: Series,
     pub u: Series,
+    /// Generalised momenta `A q̇ + h(q)·ω`, without the translation, to degree `p`. (S4)
+    pub p: Series,
 }
 
 /// Recursion (R2)–(R5) for a body, in progress.
@@ -33,8 +36,7 @@ struct Recursion<'a> {
     order: usize,
     inverse_inertia: Sym,
     manifold: Manifold,
-    /// Generalised momenta `A q̇ + h(q)·ω`, without the translation.
-    p: Series,
+    couplings: Couplings,
 }
 
 impl Manifold {
@@ -52,8 +54,9 @@ impl Manifold {
                 K: Series::zero(order + 1, 3),
                 s: Series::zero(order, 3),
                 u: Series::zero(order + 1, 3),
+                p: Series::zero(order, n),
             },
-            p: Series::zero(order, n),
+            couplings: Couplings::new(body, order),
         };
         let mut K = Homogeneous::linear(&body.inertia());
         let wheels = body.wheels().angular_momentum(0.0);
@@ -62,7 +65,7 @@ impl Manifold {
         }
         recursion.manifold.K.set(K);
         if order > 0 {
-            recursion.p.set(Homogeneous::linear(&body.invariants().h));
+            recursion.manifold.p.set(Homogeneous::linear(&body.invariants().h));
         }
         watch::stage("reducing the equations");
         for degree in 2..=order + 2 {
@@ -108,7 +111,7 @@ impl Recursion<'_> {
         let degree = rate.degree();
         let cyclic = self.body.cyclic();
         let mut right = self.load(degree);
-        right.add_scaled(-1.0, &self.p.rate(&self.manifold.f, degree));
+        right.add_scaled(-1.0, &self.manifold.p.rate(&self.manifold.f, degree));
         for j in cyclic.clone() {
             for (k, B) in self.body.damping().row(j).filter(|(k, _)| !cyclic.contains(k)) {
                 right.add_row(j, -B, (rate, k));
@@ -124,7 +127,7 @@ impl Recursion<'_> {
             return;
         }
         let mut right = self.load(degree);
-        right.add_scaled(-1.0, &self.p.rate(&self.manifold.f, degree));
+        right.add_scaled(-1.0, &self.manifold.p.rate(&self.manifold.f, degree));
         let rate = self.manifold.rate.part(degree);
         for (j, k, B) in self.body.damping().iter().take_while(|(j, ..)| *j < self.body.elastic()) {
             right.add_row(j, -B, (rate, k));
@@ -132,24 +135,20 @@ impl Recursion<'_> {
         let all = 0..right.rows();
         right.solve_rows(all, |rows, width| self.body.solve_stiffness(rows, width));
         self.manifold.s.set(right.contracted(&self.body.invariants().S));
+        self.couplings.follow(self.body, &right);
         self.manifold.q.set(right);
-        self.p.set(self.generalized_momentum(degree));
+        self.manifold.p.set(self.generalized_momentum(degree));
     }
 
     /// `[½ ωᵀJ_jω + ωᵀJ_jkω q_k + ω·Z_jk q̇_k]_d`, `S_j·(u̇ + ω×u)/m*` for a free body, and the advection of liquids. (R4), (S6), (L21)
     fn load(&self, degree: usize) -> Homogeneous {
-        let Manifold { q, rate, f, u, .. } = &self.manifold;
+        let Manifold { rate, f, u, .. } = &self.manifold;
         let invariants = self.body.invariants();
         if degree == 2 {
             return Homogeneous::half_quadratic(&invariants.J1);
         }
-        let mut load = Homogeneous::zero(degree, q.rows());
-        for (j, k, pair) in invariants.pairs.iter() {
-            let form = Homogeneous::half_quadratic(&[pair.J2.map(|entry| 2.0 * entry)]);
-            load.add_product(j, 1.0, (&form, 0), (q.part(degree - 2), k));
-            let coriolis = Homogeneous::linear(&[pair.Z]);
-            load.add_product(j, 1.0, (&coriolis, 0), (rate.part(degree - 1), k));
-        }
+        let mut load = Homogeneous::zero(degree, rate.rows());
+        self.couplings.add_load(self.body, rate.part(degree - 1), &mut load);
         self.body.advections().iter().for_each(|advection| self.add_advection(advection, &mut load));
         if let Some(per_mass) = self.body.translation() {
             let mut acceleration = u.rate(f, degree);
@@ -191,12 +190,10 @@ impl Recursion<'_> {
 
     /// `[A q̇ + h(q)·ω]_d`. (S4)
     fn generalized_momentum(&self, degree: usize) -> Homogeneous {
-        let Manifold { q, rate, .. } = &self.manifold;
-        let mut p = Homogeneous::zero(degree, q.rows());
-        for (j, k, pair) in self.body.invariants().pairs.iter() {
-            p.add_row(j, pair.A, (rate.part(degree), k));
-            p.add_product(k, 1.0, (&Homogeneous::linear(&[pair.Z]), 0), (q.part(degree - 1), j));
-        }
+        let rate = self.manifold.rate.part(degree);
+        let mut p = Homogeneous::zero(degree, rate.rows());
+        self.body.invariants().pairs.iter().for_each(|(j, k, pair)| p.add_row(j, pair.A, (rate, k)));
+        self.couplings.add_momentum(&mut p);
         p
     }
 
@@ -205,21 +202,8 @@ impl Recursion<'_> {
         let Manifold { q, rate, s, u, .. } = &self.manifold;
         let invariants = self.body.invariants();
         let mut K = rate.part(degree).contracted(&invariants.h);
-        for (j, J1) in invariants.J1.iter().enumerate() {
-            let turned = Homogeneous::linear(&sym3::rows(*J1));
-            for axis in 0..3 {
-                K.add_product(axis, 1.0, (&turned, axis), (q.part(degree - 1), j));
-            }
-        }
-        for (j, k, pair) in invariants.pairs.iter() {
-            let turned = Homogeneous::linear(&sym3::rows(pair.J2));
-            let displaced = q.row_product(j, q, k, degree - 1);
-            let moving = q.row_product(j, rate, k, degree);
-            for (axis, Z) in pair.Z.iter().enumerate() {
-                K.add_product(axis, 1.0, (&turned, axis), (&displaced, 0));
-                K.add_row(axis, *Z, (&moving, 0));
-            }
-        }
+        add_turned(&q.part(degree - 1).contracted(&invariants.J1), &mut K);
+        self.couplings.add_angular_momentum(q, rate, &mut K);
         if let Some(per_mass) = self.body.translation() {
             K.add_scaled(-per_mass, &s.cross(u, degree));
         }

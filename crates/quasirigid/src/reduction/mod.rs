@@ -1,6 +1,7 @@
 //! Reduction: reduced equations of a flexible body, and their validity.
 
 mod angular_momentum_form;
+mod couplings;
 mod criterion;
 mod decay;
 mod degrees;

@@ -4,6 +4,7 @@
 
 use nalgebra::{DMatrix, Vector3};
 
+use super::assembly::Sums;
 use super::dofs::{Constraint, Dofs, Node, Unknown};
 use super::sum::{DofMap, pattern};
 use crate::finite::Element;
@@ -117,21 +118,11 @@ impl<'a> Discrete<'a> {
             pattern.places() as f64 * size_of::<f64>() as f64 * (structure.materials.len() + MATRICES) as f64,
         )?;
         let zero = Symmetric::zero(pattern);
-        let mut stiffness = vec![zero.clone(); structure.materials.len()];
-        let (mut damping, mut mass) = (zero.clone(), zero.clone());
+        let stiffness = vec![zero.clone(); structure.materials.len()];
+        let mut sums = Sums { stiffness, damping: zero.clone(), mass: zero.clone() };
         watch::stage("assembling the elements");
-        for (number, (element, map)) in structure.elements.iter().zip(&maps).enumerate() {
-            watch::progress(number as f64 / maps.len() as f64);
-            let material = &structure.materials[element.material()];
-            let (K, M) = (element.stiffness(), element.mass());
-            map.add(&K, 1.0, &mut stiffness[element.material()]);
-            map.add(&M, 1.0, &mut mass);
-            map.add(&K, material.per_stiffness, &mut damping);
-            map.add(&M, material.per_mass, &mut damping);
-            if let Some(dashpots) = element.damping() {
-                map.add(&dashpots, 1.0, &mut damping);
-            }
-        }
+        sums.add(structure, &maps);
+        let Sums { mut stiffness, mut damping, mass } = sums;
         for joint in &structure.joints {
             for (axis, unknown) in joint_unknowns(&dofs, joint) {
                 diagonal(unknown, joint.stiffness[axis], &mut stiffness[joint.material]);

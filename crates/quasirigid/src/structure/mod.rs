@@ -1,5 +1,6 @@
 //! Structures of finite elements, and their condensation to the few coordinates of their slow motion.
 
+mod assembly;
 mod basis;
 mod block;
 mod component;

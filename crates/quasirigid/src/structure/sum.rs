@@ -4,7 +4,7 @@ use nalgebra::DMatrix;
 
 use super::dofs::Dofs;
 use crate::finite::Element;
-use crate::math::symmetric::{Pattern, Symmetric};
+use crate::math::symmetric::Pattern;
 
 /// Unknowns of an element, and its degrees of freedom as combinations of them.
 pub(super) struct DofMap {
@@ -36,16 +36,17 @@ impl DofMap {
         }
     }
 
-    /// Adds a multiple of the symmetric matrix of an element.
-    pub fn add(&self, matrix: &DMatrix<f64>, factor: f64, sum: &mut Symmetric) {
-        if factor == 0.0 {
-            return;
-        }
-        let tied = match &self.shares {
+    /// Unknowns, none in place of a fixed degree of freedom.
+    pub fn unknowns(&self) -> &[Option<u32>] {
+        &self.unknowns
+    }
+
+    /// A multiple of the symmetric matrix of an element, over the unknowns.
+    pub fn tied(&self, matrix: &DMatrix<f64>, factor: f64) -> DMatrix<f64> {
+        match &self.shares {
             Some(shares) => factor * shares.tr_mul(matrix) * shares,
             None => factor * matrix,
-        };
-        sum.add(&self.unknowns, tied.as_slice()).expect("the pattern has the places of every element");
+        }
     }
 
     /// Displacements of the unknowns over the degrees of freedom of the element, a row per degree of freedom.

@@ -1,0 +1,93 @@
+//! Numerical factorisation over a tree of supernodes: branches side by side, then the separators above them on all threads.
+
+use std::sync::atomic::{AtomicU64, Ordering};
+
+use faer::sparse::linalg::cholesky::supernodal::SymbolicSupernodalCholesky;
+
+use super::branch;
+use super::permuted::{self, Permuted};
+use super::separators::Separators;
+use super::supernodes::{Tree, supernode};
+use super::triangle::Real;
+use crate::symmetric::Symmetric;
+use crate::threads::{self, Team};
+use crate::watch;
+
+/// Branches for each thread whose updates wait at once to be added in their order.
+const AHEAD: usize = 2;
+
+/// Entries of the factor of a matrix, scaled and shifted, by supernodes; `places` has the place of each unknown in the order of
+/// elimination. None if a pivot is not positive.
+pub(super) fn factored<T: Real>(
+    symbolic: &SymbolicSupernodalCholesky<usize>,
+    tree: &Tree,
+    places: Option<&[usize]>,
+    (matrix, scale, shift): (&Symmetric, &[f64], f64),
+) -> Option<Vec<T>> {
+    let team = if tree.separators.is_empty() { Team::alone() } else { Team::new() };
+    let node = |index: usize| supernode(symbolic, index);
+    let unmoved: Vec<usize>;
+    let places = match places {
+        Some(places) => places,
+        None => {
+            unmoved = (0..matrix.size()).collect();
+            &unmoved
+        }
+    };
+    let matrix = Permuted::new(matrix, places, scale, shift);
+    let mut entries = vec![T::rounded(0.0); symbolic.len_val()];
+    let mut panels = panels(symbolic.col_ptr_for_val(), &mut entries);
+    let mut taken = |index: &usize| std::mem::take(&mut panels[*index]);
+    let upper = tree.separators.iter().map(&mut taken).collect();
+    let mut separators = Separators::new(tree, node, &matrix, upper);
+    let progress =
+        Progress::of((0..symbolic.n_supernodes()).map(|index| node(index).multiplications()).sum());
+    let mut stacks = vec![Vec::new(); AHEAD * team.size()];
+    for round in tree.branches.chunks(stacks.len()) {
+        let panels: Vec<Vec<&mut [T]>> =
+            round.iter().map(|branch| branch.nodes.iter().map(&mut taken).collect()).collect();
+        let tasks: Vec<_> = round.iter().zip(panels).zip(&mut stacks).collect();
+        let done = team.map(tasks, |((branch, panels), stack)| {
+            let done = |more| progress.add(more);
+            branch::eliminate(branch, &tree.children, node, &matrix, panels, stack, done)
+        });
+        done.into_iter().collect::<Option<()>>()?;
+        separators.add(node, &round.iter().zip(&stacks).collect::<Vec<_>>(), &team);
+    }
+    drop((matrix, stacks));
+    separators.eliminate(&team, |more| progress.add(more))?;
+    Some(entries)
+}
+
+/// Bytes beside the factor: the matrix, and the updates that exist at once.
+pub(super) fn bytes<T: Real>(tree: &Tree, size: usize, matrix_entries: usize) -> usize {
+    let mut rooms: Vec<usize> = tree.branches.iter().map(|branch| branch.room).collect();
+    rooms.sort_unstable_by(|a, b| b.cmp(a));
+    let updates: usize = rooms.iter().take(AHEAD * threads::count()).sum();
+    updates * size_of::<T>() + permuted::bytes::<T>(size, matrix_entries)
+}
+
+/// The panel of each supernode.
+fn panels<'a, T>(starts: &[usize], entries: &'a mut [T]) -> Vec<&'a mut [T]> {
+    let mut rest = entries;
+    let lengths = starts.windows(2).map(|pair| pair[1] - pair[0]);
+    lengths.map(|length| rest.split_off_mut(..length).unwrap_or_default()).collect()
+}
+
+/// Multiplications done by all threads, as the watch is told.
+struct Progress {
+    all: f64,
+    done: AtomicU64,
+}
+
+impl Progress {
+    fn of(all: f64) -> Self {
+        Self { all, done: AtomicU64::new(0) }
+    }
+
+    fn add(&self, more: f64) {
+        let more = more as u64;
+        let done = self.done.fetch_add(more, Ordering::Relaxed) + more;
+        watch::progress(done as f64 / self.all);
+    }
+}

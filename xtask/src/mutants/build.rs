@@ -89,9 +89,7 @@ impl Copy {
                 if complaints.is_empty() {
                     break;
                 }
-                let named = |n: &usize| {
-                    complaints.iter().any(|it| it.places.iter().any(|(file, _)| *file == mutants[*n].file))
-                };
+                let named = |n: &usize| complaints.iter().any(|it| it.places[0].0 == mutants[*n].file);
                 let (bad, good): (Vec<usize>, Vec<usize>) = batch.into_iter().partition(named);
                 if bad.is_empty() {
                     return Err(format!("of no mutant: {}", complaints[0].message));
@@ -179,7 +177,7 @@ fn switched(root: &Path, edits: &Edits) -> Result<BTreeMap<String, String>, Stri
     Ok(texts)
 }
 
-/// An error of the compiler with the places that it names, those of its notes after its own.
+/// An error of the compiler with the places that it names, those of its notes after its own; a macro is where it is called.
 fn complaint(message: &Value) -> Option<Complaint> {
     let message = &message["message"];
     if message["level"] != "error" || message["spans"].as_array()?.is_empty() {
@@ -189,8 +187,13 @@ fn complaint(message: &Value) -> Option<Complaint> {
     let mut spans: Vec<&Value> =
         [message].into_iter().chain(children).flat_map(|it| it["spans"].as_array()).flatten().collect();
     spans.sort_by_key(|span| span["is_primary"] != true);
-    let place =
-        |span: &&Value| Some((span["file_name"].as_str()?.to_owned(), span["byte_start"].as_u64()? as usize));
+    let place = |span: &&Value| {
+        let mut span = *span;
+        while span["expansion"].is_object() {
+            span = &span["expansion"]["span"];
+        }
+        Some((span["file_name"].as_str()?.to_owned(), span["byte_start"].as_u64()? as usize))
+    };
     let places = spans.iter().filter_map(place).collect();
     Some(Complaint { message: message["rendered"].as_str()?.to_owned(), places })
 }

@@ -75,7 +75,11 @@ pub fn run(root: &Path, wishes: Wishes) -> Result<usize, String> {
     let viable = |n: &usize| edits.has(*n) || alone.contains(n);
     let chosen: Vec<usize> = (0..candidates.len()).filter(viable).take(wishes.count).collect();
     let unviable = chosen.last().map_or(0, |last| last + 1 - chosen.len());
-    println!("{} mutants; {unviable} that do not compile were passed over", chosen.len());
+    let without = chosen.iter().filter(|n| alone.contains(n)).count();
+    println!(
+        "{} mutants, {without} of them without a switch; {unviable} that do not compile were passed over",
+        chosen.len()
+    );
 
     let mut outcomes = Outcomes::open(&folder.join("outcomes.tsv"))?;
     let copy = Copy::of(root, &folder, "switched", &edits)?;

@@ -15,6 +15,8 @@ use super::{read, write};
 /// Root of the crate, and the module of the switch.
 const ROOT: &str = "crates/quasirigid/src/lib.rs";
 const SWITCH: &str = "crates/quasirigid/src/mutant_switch.rs";
+/// Start of the root: what the compiler sees to fail when it runs is for the tests to find.
+const LENIENT: &str = "#![allow(warnings, arithmetic_overflow, unconditional_panic)] ";
 /// Folders that the copy does without.
 const SKIPPED: [&str; 2] = [".git", "target"];
 
@@ -109,10 +111,12 @@ impl Copy {
 
     /// Programs of the tests, with one mutant that has no switch.
     pub fn plain(&self, root: &Path, mutant: &Mutant) -> Result<Vec<PathBuf>, String> {
-        let original = read(&root.join(&mutant.file))?;
-        self.put(&mutant.file, &mutated(&original, mutant)?)?;
+        let original = |file: &str| read(&root.join(file));
+        self.put(ROOT, &format!("{LENIENT}{}", original(ROOT)?))?;
+        let lenient = if mutant.file == ROOT { LENIENT } else { "" };
+        self.put(&mutant.file, &format!("{lenient}{}", mutated(&original(&mutant.file)?, mutant)?))?;
         let programs = self.programs();
-        self.put(&mutant.file, &original)?;
+        self.put(&mutant.file, &original(&mutant.file)?)?;
         programs
     }
 
@@ -172,7 +176,7 @@ fn switched(root: &Path, edits: &Edits) -> Result<BTreeMap<String, String>, Stri
         return Ok(texts);
     }
     let lib = texts.remove(ROOT).map_or_else(|| read(&root.join(ROOT)), Ok)?;
-    texts.insert(ROOT.into(), lib + "\n#[doc(hidden)]\npub mod mutant_switch;\n");
+    texts.insert(ROOT.into(), format!("{LENIENT}{lib}\n#[doc(hidden)]\npub mod mutant_switch;\n"));
     texts.insert(SWITCH.into(), include_str!("switch.rs").into());
     Ok(texts)
 }

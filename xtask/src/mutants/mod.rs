@@ -11,6 +11,7 @@ mod sample;
 mod schema;
 mod source;
 mod switch;
+mod viable;
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -19,6 +20,7 @@ use build::Copy;
 use outcome::Outcomes;
 use reach::Test;
 use source::Edits;
+use viable::Viable;
 
 /// Candidates for each mutant that is asked for: some do not compile.
 const SPARE: f64 = 1.4;
@@ -68,25 +70,22 @@ pub fn run(root: &Path, wishes: Wishes) -> Result<usize, String> {
     println!("{} mutants listed by cargo-mutants; seed {}", listed.len(), wishes.seed);
     let candidates = sample::sample(listed, asked, wishes.seed);
 
-    let mut edits = Edits::of(root, &candidates)?;
     let scratch = Copy::of(root, &folder, "scratch", &Edits::default())?;
-    scratch.weed(root, &mut edits)?;
-    let alone = scratch.alone(root, &candidates, &edits)?;
-    let viable = |n: &usize| edits.has(*n) || alone.contains(n);
-    let chosen: Vec<usize> = (0..candidates.len()).filter(viable).take(wishes.count).collect();
+    let viable = Viable::of(root, &scratch, &folder.join("compiles.tsv"), &candidates)?;
+    let chosen: Vec<usize> = (0..candidates.len()).filter(|n| viable.has(*n)).take(wishes.count).collect();
     let unviable = chosen.last().map_or(0, |last| last + 1 - chosen.len());
-    let without = chosen.iter().filter(|n| alone.contains(n)).count();
+    let without = chosen.iter().filter(|n| viable.alone.contains(n)).count();
     println!(
         "{} mutants, {without} of them without a switch; {unviable} that do not compile were passed over",
         chosen.len()
     );
 
     let mut outcomes = Outcomes::open(&folder.join("outcomes.tsv"))?;
-    let copy = Copy::of(root, &folder, "switched", &edits)?;
+    let copy = Copy::of(root, &folder, "switched", &viable.edits)?;
     let tests = reach::measure(&folder, &copy.package(), &copy.programs()?, wishes.jobs)?;
     let name = |n: usize| candidates[n].name.as_str();
     let pending = chosen.iter().copied().filter(|n| !outcomes.caught(name(*n)));
-    let (switched, plain): (Vec<_>, Vec<_>) = pending.partition(|n| edits.has(*n));
+    let (switched, plain): (Vec<_>, Vec<_>) = pending.partition(|n| viable.edits.has(*n));
     let one = |at: usize| {
         let reaching = tests.iter().filter(|test| test.reached.contains(&switched[at]));
         run::mutant(reaching, &copy.package(), &switched[at].to_string())
@@ -116,6 +115,6 @@ fn read(path: &Path) -> Result<String, String> {
     fs::read_to_string(path).map_err(|error| format!("cannot read {}: {error}", path.display()))
 }
 
-fn write(path: &PathBuf, text: &str) -> Result<(), String> {
+fn write(path: &Path, text: &str) -> Result<(), String> {
     fs::write(path, text).map_err(|error| format!("cannot write {}: {error}", path.display()))
 }

@@ -122,9 +122,10 @@ fn a_torque_against_the_spin_turns_the_body_over() {
         let [passage] = found.passages[..] else { panic!("{found:?}") };
         assert_eq!((passage.from, passage.to), ((Mode::ShortAxis, 1.0), (Mode::ShortAxis, -1.0)));
         assert_eq!(
-            (passage.probability, found.ending, found.end.side),
-            (1.0, DriftStopReason::Finished, -1.0)
+            (passage.probability, &found.ending, found.end.side),
+            (1.0, &DriftStopReason::Finished, -1.0)
         );
+        assert!(found.ending.done());
         let (mut turned, mut last) = (f64::NAN, [0.0; 3]);
         let omega = FreeRotation::at_logit(MOMENTS, 5.0, Mode::ShortAxis, 1.0).omega(0.0);
         euler(torque, omega, 0.02, |t, omega| {

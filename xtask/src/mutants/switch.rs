@@ -43,8 +43,13 @@ fn looked(mutant: u32) -> bool {
         };
         ACTIVE.store(active, Relaxed);
     }
-    if ACTIVE.load(Relaxed) == LISTED && REACHED[mutant as usize].swap(1, Relaxed) == 0 {
+    if ACTIVE.load(Relaxed) == LISTED && is_new(mutant) {
         LIST.lock().unwrap().as_mut().unwrap().write_all(format!("{mutant}\n").as_bytes()).unwrap();
     }
     ACTIVE.load(Relaxed) == mutant
+}
+
+fn is_new(mutant: u32) -> bool {
+    let reached = &REACHED[mutant as usize];
+    reached.load(Relaxed) == 0 && reached.swap(1, Relaxed) == 0
 }

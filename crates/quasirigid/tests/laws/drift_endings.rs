@@ -256,8 +256,9 @@ fn a_drift_can_be_stopped_and_never_hangs() {
         if asked == 5 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     });
     assert_eq!((stopped.ending, stopped.states.len(), stopped.steps), (DriftStopReason::Interrupted, 1, 5));
-    assert!(stopped.end.t > 0.0);
+    assert!(stopped.end.t > 0.0 && !DriftStopReason::Interrupted.done());
     let limited = drift(torque).follow(from, &[], &DriftLimits { steps: 7, ..limits }, onward);
+    assert!(!limited.ending.done());
     assert_eq!((limited.ending, limited.steps), (DriftStopReason::StepLimit { steps: 7 }, 7));
     let held = drift(SlowTorque::default()).follow(start(Mode::ShortAxis, -30.0, 5.0), &[], &limits, onward);
     assert_eq!(held.ending, DriftStopReason::Held);

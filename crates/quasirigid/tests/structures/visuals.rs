@@ -112,7 +112,12 @@ fn appendages_and_rotors_turn() {
         rheology: Rheology::Elastic,
         places: vec![("middle".into(), [2.0, 0.4, -0.3]), ("tip".into(), [3.0, 0.2, -0.1])],
     };
-    let line = SpringLaw::Axial { stiffness: 5.0, damping: 0.0, anchor: None, prestress: Prestress::Relaxed };
+    let line = SpringLaw::Axial {
+        stiffness: 5.0,
+        damping: 0.0,
+        anchor: Some([0.5; 3]),
+        prestress: Prestress::Relaxed,
+    };
     let to_place = |place: usize| Spring {
         name: format!("stay {place}"),
         from: End::Carrier,

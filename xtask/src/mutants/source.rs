@@ -87,8 +87,8 @@ pub fn render(text: &str, part: Range<usize>, edits: &[Edit]) -> String {
 pub fn offset(text: &str, [line, column]: [usize; 2]) -> Option<usize> {
     let start: usize = text.split_inclusive('\n').take(line - 1).map(str::len).sum();
     let rest = &text[start..];
-    let ends = rest.char_indices().map(|(at, _)| at).chain([rest.len()]);
-    ends.skip(column - 1).next().map(|at| start + at)
+    let mut ends = rest.char_indices().map(|(at, _)| at).chain([rest.len()]);
+    ends.nth(column - 1).map(|at| start + at)
 }
 
 /// A text with a mutant and no switch.

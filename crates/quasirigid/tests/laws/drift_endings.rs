@@ -122,10 +122,9 @@ fn a_torque_against_the_spin_turns_the_body_over() {
         let [passage] = found.passages[..] else { panic!("{found:?}") };
         assert_eq!((passage.from, passage.to), ((Mode::ShortAxis, 1.0), (Mode::ShortAxis, -1.0)));
         assert_eq!(
-            (passage.probability, &found.ending, found.end.side),
-            (1.0, &DriftStopReason::Finished, -1.0)
+            (passage.probability, found.ending, found.end.side),
+            (1.0, DriftStopReason::Finished, -1.0)
         );
-        assert!(found.ending.done());
         let (mut turned, mut last) = (f64::NAN, [0.0; 3]);
         let omega = FreeRotation::at_logit(MOMENTS, 5.0, Mode::ShortAxis, 1.0).omega(0.0);
         euler(torque, omega, 0.02, |t, omega| {
@@ -256,9 +255,8 @@ fn a_drift_can_be_stopped_and_never_hangs() {
         if asked == 5 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     });
     assert_eq!((stopped.ending, stopped.states.len(), stopped.steps), (DriftStopReason::Interrupted, 1, 5));
-    assert!(stopped.end.t > 0.0 && !DriftStopReason::Interrupted.done());
+    assert!(stopped.end.t > 0.0);
     let limited = drift(torque).follow(from, &[], &DriftLimits { steps: 7, ..limits }, onward);
-    assert!(!limited.ending.done());
     assert_eq!((limited.ending, limited.steps), (DriftStopReason::StepLimit { steps: 7 }, 7));
     let held = drift(SlowTorque::default()).follow(start(Mode::ShortAxis, -30.0, 5.0), &[], &limits, onward);
     assert_eq!(held.ending, DriftStopReason::Held);

@@ -5,8 +5,8 @@ use std::f64::consts::PI;
 use nalgebra::Matrix3;
 use quasirigid::elements::{
     Assembly, Carrier, Cavity, CavityShape, Coefficient, Ellipsoid, End, Frame, FrameNode, HingeCoefficient,
-    Hinged, Material, Member, Part, PartKind, PlaceRef, Point, PointMotion, Prestress, Regime, Rotor,
-    RotorKind, SectionShape, Spring, SpringLaw, Visual,
+    Hinged, Material, Member, Part, PartKind, Point, PointMotion, Prestress, Regime, Rotor, RotorKind,
+    SectionShape, Spring, SpringLaw, Visual,
 };
 use quasirigid::model::Rheology;
 use quasirigid_mesh::surface::ClosedSurface;
@@ -110,27 +110,12 @@ fn appendages_and_rotors_turn() {
         stiffness: HingeCoefficient::PerAxis(vec![50.0, 60.0]),
         damping: HingeCoefficient::PerAxis(vec![1.0, 1.0]),
         rheology: Rheology::Elastic,
-        places: vec![("middle".into(), [2.0, 0.4, -0.3]), ("tip".into(), [3.0, 0.2, -0.1])],
+        places: vec![("tip".into(), [3.0, 0.2, -0.3])],
     };
-    let line = SpringLaw::Axial {
-        stiffness: 5.0,
-        damping: 0.0,
-        anchor: Some([0.5; 3]),
-        prestress: Prestress::Relaxed,
-    };
-    let to_place = |place: usize| Spring {
-        name: format!("stay {place}"),
-        from: End::Carrier,
-        to: End::Hinged(PlaceRef { hinged: 0, place }),
-        law: line.clone(),
-        rheology: Rheology::Elastic,
-    };
-    let places = boom.places.clone();
     let kind = RotorKind::Flywheel { axis: [0.0, 3.0, 4.0] };
     let rotor = Rotor { name: "flywheel".into(), kind, inertia: 0.2, friction: 0.05, speed: None };
     let assembly =
         Assembly { carrier: Some(carrier()), hinged: vec![boom], rotors: vec![rotor], ..Assembly::default() };
-    let assembly = Assembly { springs: vec![to_place(0), to_place(1)], ..assembly };
     let built = assembly.build_with_visuals().unwrap();
     let pole = built.body.pole();
     let boom = of(&built.visuals, "boom");
@@ -142,16 +127,6 @@ fn appendages_and_rotors_turn() {
                 (0..3).all(|i| (moved[i] - turned[i]).abs() < 1e-12),
                 "{coordinate}: {moved:?} {turned:?}"
             );
-        }
-    }
-    for (number, (name, place)) in places.iter().enumerate() {
-        let stay = of(&built.visuals, &format!("stay {number}"));
-        let end: [f64; 3] = std::array::from_fn(|i| stay.vertices[1][i] + pole[i]);
-        assert!((0..3).all(|i| (end[i] - place[i]).abs() < 1e-12), "{name}: {end:?}");
-        let arm: [f64; 3] = std::array::from_fn(|i| place[i] - hinge[i]);
-        for (axis, (_, shape)) in [[0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].into_iter().zip(&stay.shapes) {
-            let turned = quasirigid_math::vec3::cross(axis, arm);
-            assert!((0..3).all(|i| (shape[1][i] - turned[i]).abs() < 1e-12), "{name}: {shape:?} {turned:?}");
         }
     }
     let turning = of(&built.visuals, "flywheel").turning.unwrap();

@@ -1,4 +1,4 @@
-//! Automation of the workspace, all of it in Rust: `cargo xtask check`, `cargo xtask test`.
+//! Automation of the workspace, all of it in Rust: `cargo xtask check`, `cargo xtask test`, `cargo xtask mutants`.
 #![allow(clippy::print_stdout, clippy::print_stderr)]
 
 mod contents;
@@ -7,6 +7,7 @@ mod finding;
 mod labels;
 mod layers;
 mod markdown;
+mod mutants;
 mod paths;
 mod test;
 mod tree;
@@ -32,10 +33,13 @@ const CHECKS: [(&str, Check); 6] = [
 
 const HELP: &str = "\
 usage: cargo xtask test [--require-python] [--wheel]
+       cargo xtask mutants [--count N] [--seed S] [--jobs J]
        cargo xtask <check>
 
   test     every test, of Rust and of Python; what Python lacks is told, and fails only with --require-python;
            --wheel tests the package as users install it, which takes four minutes more
+
+  mutants  the tests of the physics crate against N of its mutants, 300 unless told; needs cargo-mutants
 
   check    all of the following
   layers   who imports whom, and no foreign type in a public signature
@@ -58,6 +62,12 @@ fn main() -> ExitCode {
             }) {
                 Ok(wishes) => test(wishes),
                 Err(()) => refuse(HELP),
+            };
+        }
+        ["mutants", ref wishes @ ..] => {
+            return match mutants::Wishes::read(wishes) {
+                Some(wishes) => mutants(wishes),
+                None => refuse(HELP),
             };
         }
         [name] => name,
@@ -92,6 +102,18 @@ fn test(wishes: Wishes) -> ExitCode {
             eprintln!("\nxtask test: {message}");
             ExitCode::FAILURE
         }
+    }
+}
+
+/// Runs the tests against mutants.
+fn mutants(wishes: mutants::Wishes) -> ExitCode {
+    let done = workspace_root()
+        .map_err(|error| format!("cannot read the workspace: {error}"))
+        .and_then(|root| mutants::run(&root, wishes));
+    match done {
+        Ok(0) => ExitCode::SUCCESS,
+        Ok(_) => ExitCode::FAILURE,
+        Err(message) => refuse(&format!("xtask mutants: {message}")),
     }
 }
 

@@ -147,6 +147,10 @@ mod tests {
         assert!(asked.load(Ordering::Relaxed) - once < 30, "{asked:?} {once}");
         let other = FreeRotation::at_logit(response.moments(), 1.1 * angular_momentum, Mode::ShortAxis, 0.3);
         assert_eq!(interpolated.mean_power(&other), response.mean_power(&other));
+        assert!(interpolated.budget(&other).is_empty(), "the source names no dissipators");
+        let named = InterpolatedPower::new(response.clone(), angular_momentum).budget(&other);
+        let whole: f64 = named.iter().map(|(_, power)| power).sum();
+        assert!((whole / response.mean_power(&other) - 1.0).abs() < 1e-12, "{named:?}");
     }
 
     /// Power with a resonance of a width and a height at a place `ξ`.

@@ -53,7 +53,12 @@ mod tests {
     /// `μQ = 5e11 Pa` and 2000 kg/m³; the time goes with `P³/D²`.
     #[test]
     fn harris_in_his_own_units() {
-        let [harris, _] = DAMPING_ESTIMATES;
+        let [harris, burns] = DAMPING_ESTIMATES;
+        // K₃² from 0.1 for elongated bodies to 0.01 for nearly spherical ones; 0.03 by Harris.
+        assert!([0, 1].iter().all(|i| (harris.factors[*i] * 0.03 - 1.0).abs() < 1e-15));
+        assert!(
+            [(0, 0.1), (1, 0.01)].iter().all(|(i, shape)| (burns.factors[*i] * shape - 1.0).abs() < 1e-15)
+        );
         for (diameter, period) in [(1.0, 17.0), (0.3, 5.0), (4.0, 170.0)] {
             let radius = 500.0 * diameter;
             let body = SmallBody {

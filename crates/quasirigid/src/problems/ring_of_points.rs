@@ -46,3 +46,23 @@ fn spring(from: usize, to: End, k: f64) -> Spring {
         rheology: Rheology::Elastic,
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_point_is_joined_to_the_carrier_and_to_the_next() {
+        for count in [1, 2, 5] {
+            let springs = ring_of_points(count).springs;
+            let joined = |from: usize, to: End| {
+                springs.iter().filter(|spring| spring.from == End::Point(from) && spring.to == to).count()
+            };
+            for point in 0..count {
+                let next = (point + 1) % count;
+                assert_eq!(joined(point, End::Carrier), 1);
+                assert_eq!(joined(point, End::Point(next)), usize::from(count > 1));
+            }
+        }
+    }
+}

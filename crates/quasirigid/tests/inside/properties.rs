@@ -1,10 +1,16 @@
 //! Internal rotors and liquids depend neither on the axes of the file nor on its units.
 
+use quasirigid::dynamics::FullState;
 use quasirigid::elements::Assembly;
+use quasirigid::model::FlexibleBody;
 use quasirigid::reduction::{Relaxation, Validity, reduce};
+use quasirigid_math::rotation::ALIGNED;
+use quasirigid_math::vec3::norm;
 
 use super::bodies::everything;
 use super::description::{Description, SAME};
+use crate::submanifold::bodies::beam;
+use crate::support::rotors::flywheel;
 
 /// Order kept, and the order that the liquids are prepared for.
 const ORDER: usize = 4;
@@ -65,6 +71,27 @@ fn changing_the_units_scales_every_result() {
         assert_the_same(description);
         assert_the_same_criteria(description);
     }
+}
+
+/// A beam keeps its curved paths where a rotor beside it is locked: energy and angular momentum are those of the rotor at rest.
+#[test]
+fn a_locked_rotor_leaves_the_paths_of_a_beam() {
+    let rotors = vec![flywheel([0.3, 1.0, -0.5], 0.4, 0.6)];
+    let body = Assembly { rotors, ..beam() }.body().unwrap();
+    let locked = body.locked_inside();
+    let elastic = locked.coordinates().len();
+    assert_eq!(elastic + 1, body.coordinates().len());
+    let moved = |body: &FlexibleBody| {
+        let mut state = FullState::at_rest(body, OMEGA, ALIGNED);
+        for j in 0..elastic {
+            state.q[j] = 0.1 / (1.0 + j as f64);
+            state.rate[j] = 0.3 - 0.2 * j as f64;
+        }
+        (state.energy(body), state.angular_momentum(body))
+    };
+    let ((energy, momentum), (expected, whole)) = (moved(&locked), moved(&body));
+    assert!((energy / expected - 1.0).abs() < 1e-12, "{energy} {expected}");
+    assert!((0..3).all(|i| (momentum[i] - whole[i]).abs() < 1e-12 * norm(whole)), "{momentum:?} {whole:?}");
 }
 
 #[test]

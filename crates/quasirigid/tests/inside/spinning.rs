@@ -3,7 +3,7 @@
 use nalgebra::{Complex, Matrix3, Vector3};
 use quasirigid::elements::{Assembly, Carrier, Cavity, CavityShape};
 use quasirigid::model::Mode;
-use quasirigid::modes::{Given, RelativeEquilibrium, SpinMode, SpinModes};
+use quasirigid::modes::{Given, Near, RelativeEquilibrium, SpinMode, SpinModes, SteadyModes, SteadyState};
 use quasirigid_math::rotation::turned;
 
 use super::bodies::tank;
@@ -91,6 +91,31 @@ fn slow_liquids_have_the_slow_tensor() {
             let found = nutation(&assembly, mode).decay_rate;
             assert!((found / -s.re - 1.0).abs() < 0.01, "{shape:?}: {found:e} {s}");
         }
+    }
+}
+
+/// A body under no force has the nutation of the free spin, by the equations for bodies under forces as well; with a liquid at once.
+#[test]
+fn a_body_under_no_force_nutates_as_a_free_one() {
+    for (liquid, moments) in [(true, [150.0, 240.0]), (false, [150.0, 240.0])] {
+        let mut assembly = stage(&shapes()[1], moments, 1e-3, [0.7, -1.1, 0.4], 1.0);
+        if !liquid {
+            assembly.cavities.clear();
+        }
+        let body = assembly.body().unwrap();
+        assert_eq!(body.memories().is_empty(), !liquid);
+        let spin = RelativeEquilibrium::extreme(&body, Mode::ShortAxis, Given::Rate(SPIN)).unwrap();
+        let expected = SpinModes::about(&body, spin.clone()).unwrap().nutation().unwrap().clone();
+        let near =
+            Near { omega: spin.omega, attitude: ALIGNED, place: [0.0; 3], velocity: [0.0; 3], asked: true };
+        let state = SteadyState::near(&body, &[], near).unwrap();
+        let found = SteadyModes::about(&body, &[], state).unwrap();
+        assert_eq!(found.refined, liquid);
+        let distance = |mode: &SpinMode| {
+            (mode.frequency - expected.frequency).hypot(mode.decay_rate - expected.decay_rate) / SPIN
+        };
+        let nearest = found.modes.iter().map(distance).fold(f64::INFINITY, f64::min);
+        assert!(nearest < 1e-8, "{nearest:e}: {expected:?} in {:?}", found.modes);
     }
 }
 

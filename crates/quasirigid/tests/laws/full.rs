@@ -244,3 +244,27 @@ fn events_end_a_run_where_they_happen() {
         assert!((run.last.energy / mark - 1.0).abs() < 1e-12, "{form:?}: {:?}", run.outcome);
     }
 }
+
+/// Of two events in one step the earlier one ends the run, in whichever order they are watched for; of two at the same moment, the first
+/// in the list.
+#[test]
+fn the_earliest_of_two_events_ends_a_run() {
+    let body = CommonProblem::SOFT.assembly().body().unwrap();
+    let start = FullState::at_rest(&body, CommonProblem::SPIN, ALIGNED);
+    let energy = start.energy(&body);
+    let [early, late] = [2.0e-3, 2.000_001e-3].map(|fall| Event::Energy(energy - fall));
+    let ended = |events: Vec<Event>| {
+        let options = Options { events, ..at(1e-11) };
+        let mut samples: Vec<Sample> = Vec::new();
+        propagate_full(Forced::not(&body), &start, &[1e5], &options, &mut samples).unwrap()
+    };
+    for events in [vec![early, late], vec![late, early]] {
+        assert_eq!(ended(events).outcome, Outcome::Event(early));
+    }
+    // The rate passes the middle of its values at the ends; halves of both sides are exact.
+    let limit = 0.5 * (norm(CommonProblem::SPIN) + norm(ended(vec![early]).last.omega));
+    let [one, other] = [1.0, 2.0].map(|slowest| Event::Validity { slowest, limit: limit / slowest });
+    for events in [[one, other], [other, one]] {
+        assert_eq!(ended(events.to_vec()).outcome, Outcome::Event(events[0]));
+    }
+}

@@ -334,6 +334,11 @@ fn a_body_without_inertia_about_some_axis_is_refused() {
     refused!(needle(0.0), ElementId::CARRIER, Field::INERTIA, Problem::NoInertia { .. });
     refused!(needle(1.4e-8), ElementId::CARRIER, Field::INERTIA, Problem::NoInertia { .. });
     assert_eq!(error(needle(1.6e-8)), None);
+    let speck = |a: &mut Assembly| {
+        needle(0.0)(a);
+        carrier(a).inertia = [[0.0; 3]; 3];
+    };
+    refused!(speck, ElementId::CARRIER, Field::INERTIA, Problem::NoInertia { .. });
 }
 
 /// Three points in a line on a body without a carrier; the slightest bend gives it inertia.

@@ -7,7 +7,7 @@ use quasirigid::model::{FlexibleBody, Principal, Watched};
 use quasirigid::modes::{Given, RelativeEquilibrium, SpinMode, SpinModes};
 use quasirigid_math::eigen::{Dense, modes};
 use quasirigid_math::sym3::{rows, times};
-use quasirigid_math::vec3::norm;
+use quasirigid_math::vec3::{cross, norm};
 
 use crate::support::transform::{rescaled, rotated};
 use crate::support::{assemblies, cases, rotation, units, vector};
@@ -78,6 +78,22 @@ fn difference(body: &FlexibleBody, modes: &SpinModes, mode: &SpinMode) -> f64 {
     scale(gap, &left) / (SMALL * size)
 }
 
+/// Residual of `λθ + Ω × θ = δω`, relative to `δω`; none of the modes that are a steady spin about another direction.
+fn rotation_residual(modes: &SpinModes, mode: &SpinMode) -> f64 {
+    let Some(turn) = modes.rotation(mode) else { return 0.0 };
+    let [sigma, nu] = [-mode.decay_rate, mode.frequency];
+    let part = |part: usize| cross(modes.equilibrium.omega, turn.map(|pair| pair[part]));
+    let across = [part(0), part(1)];
+    let size = mode.omega.as_flattened().iter().fold(0.0_f64, |size, x| size.max(x.abs()));
+    let gap = |axis: usize| {
+        let [re, im] = turn[axis];
+        let [real, imaginary] = mode.omega[axis];
+        let left = sigma * re - nu * im + across[0][axis] - real;
+        left.hypot(sigma * im + nu * re + across[1][axis] - imaginary)
+    };
+    (0..3).map(gap).fold(0.0, f64::max) / size
+}
+
 trait RowDiagonal {
     fn row_diagonal(&self) -> Vec<f64>;
 }
@@ -137,6 +153,8 @@ proptest! {
         let Ok(steady) = RelativeEquilibrium::near(&body, axis, Given::Rate(share * lowest)) else { return Ok(()) };
         let modes = SpinModes::about(&body, steady).unwrap();
         for mode in &modes.modes {
+            let turned = rotation_residual(&modes, mode);
+            prop_assert!(turned < 1e-9, "{}: {turned:e}", mode.name);
             let found = difference(&body, &modes, mode);
             prop_assert!(found < DIFFERENCE, "{}: {found:e} of {mode:?}", mode.name);
         }

@@ -135,3 +135,15 @@ fn quadratic_cells_do_not_lock() {
         assert!(identity.abs() < 0.01, "{identity}");
     }
 }
+
+/// `3GM²/8πR⁴` for a homogeneous sphere of the same mass and volume.
+#[test]
+fn the_central_pressure_is_that_of_the_sphere_of_equal_volume() {
+    let semi_axes = [310.0, 270.0, 160.0];
+    let material = Material { density: 2100.0, young: 1e9, poisson: 0.25, rheology: Rheology::Elastic };
+    let ellipsoid = Ellipsoid { name: "rock".into(), semi_axes, center: [1.0, 2.0, 3.0], material };
+    let volume = 4.0 / 3.0 * PI * 310.0 * 270.0 * 160.0;
+    let (mass, radius) = (2100.0 * volume, (3.0 * volume / (4.0 * PI)).cbrt());
+    let expected = 3.0 * 6.6743e-11 * mass * mass / (8.0 * PI * radius.powi(4));
+    assert!((ellipsoid.central_pressure() / expected - 1.0).abs() < 1e-14);
+}

@@ -1,8 +1,8 @@
 //! Frames of beams on a carrier.
 
 use quasirigid::elements::{
-    Anchor, Assembly, Carrier, Connection, Frame, FrameNode, HingeCoefficient, Hinged, Material, Member,
-    Part, PartKind, PartReduction, SectionShape,
+    Anchor, Assembly, Carrier, Connection, Field, Frame, FrameNode, HingeCoefficient, Hinged, Material,
+    Member, Part, PartKind, PartReduction, Problem, SectionShape,
 };
 use quasirigid::model::{FlexibleBody, Rheology};
 use quasirigid::reduction::reduce;
@@ -97,4 +97,25 @@ fn stiff_beams_on_a_hinge_are_a_hinged_appendage() {
         // Bending is in proportion to the compliance of the beams.
         assert!(errors[1] < 1e-5 && (errors[1] / errors[0] / 0.01 - 1.0).abs() < 0.1, "{errors:?}");
     }
+}
+
+/// A fourth axis is one too many, three are a ball joint.
+#[test]
+fn a_hinge_of_four_axes_is_refused() {
+    let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [1.0, 1.0, 1.0]];
+    let built = |count: usize| {
+        let hinge = Connection {
+            from: Anchor::Carrier,
+            to: Anchor::Nodes { part: 0, nodes: vec![0] },
+            axes: axes[..count].to_vec(),
+            stiffness: vec![90.0; count],
+            damping: vec![4.0; count],
+            rheology: Rheology::Elastic,
+        };
+        let parts = vec![boom(1e9, 3)];
+        Assembly { carrier: Some(carrier()), parts, connections: vec![hinge], ..Assembly::default() }.body()
+    };
+    assert!(built(3).is_ok());
+    let error = built(4).unwrap_err();
+    assert_eq!((error.field, error.problem), (Field::HINGE, Problem::AxisCount { count: 4 }));
 }

@@ -212,6 +212,8 @@ fn what_is_no_mode_is_refused() {
     assert_eq!(few, Problem::ValuePerMode { modes: 24, values: 3 });
     let still = problem(with(vec![0.0; 24], vec![0.0; 24]), Vec::new());
     assert_eq!(still, Problem::NotPositive { value: 0.0 });
+    let driven = problem(with(vec![1.0; 24], vec![-1e-3; 24]), Vec::new());
+    assert_eq!(driven, Problem::Indefinite { eigenvalue: -1e-3 });
     let mut coupled = with(vec![1.0; 24], vec![0.0; 24]);
     coupled.mass.entries.iter_mut().filter(|(row, ..)| *row < 3).for_each(|entry| entry.2 *= 20.0);
     assert!(matches!(problem(coupled, Vec::new()), Problem::CoupledModes { .. }));

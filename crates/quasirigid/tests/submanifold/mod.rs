@@ -1,7 +1,7 @@
 //! Reduced equations about a steady spin.
 
 mod between_poles;
-mod bodies;
+pub mod bodies;
 mod explorer_1;
 mod laws;
 mod orders;

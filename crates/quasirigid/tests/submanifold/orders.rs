@@ -8,7 +8,9 @@ use quasirigid::reduction::frequencies;
 use quasirigid::submanifold::{
     ManifoldStart, Masters, SpinManifold, SpinManifoldPlan, Style, propagate_on_manifold,
 };
-use quasirigid::verification::{SpinVerificationPlan, verify_about_spin};
+use quasirigid::verification::{
+    DegreeRow, Difference, SpinVerificationPlan, VerificationError, verify_about_spin,
+};
 use quasirigid_math::rotation::angle_between;
 use quasirigid_math::vec3::{add, norm, scale};
 
@@ -88,12 +90,52 @@ fn verified(amplitude: f64, at: &dyn Fn(f64) -> Assembly) {
             periods: 1.0,
             samples: 8,
         };
-        let found = verify_about_spin(&body, &plan, &mut |_| ControlFlow::Continue(())).unwrap();
+        let mut shares = Vec::new();
+        let watch = &mut |share: f64| {
+            shares.push(share);
+            ControlFlow::Continue(())
+        };
+        let found = verify_about_spin(&body, &plan, watch).unwrap();
+        assert!(shares.iter().all(|share| (0.0..1.0).contains(share)), "{shares:?}");
         for row in &found.rows {
             let gaps: Vec<f64> = row.differences.iter().map(|difference| difference.omega).collect();
             println!("ratio {ratio}, degree {}: {:?} {gaps:?}", row.degree, row.order);
         }
         assert!(found.reached(), "ratio {ratio}");
+    }
+}
+
+/// A row whose differences fall with an order less than its own has not reached it, nor has one whose differences are no numbers.
+#[test]
+fn differences_that_do_not_fall_are_told() {
+    let difference = |omega: f64| Difference { omega, attitude: 0.0, dissipated: 0.0, dissipation: 1.0 };
+    let row =
+        |order: Option<f64>, omega: f64| DegreeRow { degree: 3, differences: vec![difference(omega)], order };
+    assert!(row(Some(4.0), 1e-6).reached() && row(None, 1e-14).reached());
+    assert!(!row(Some(3.0), 1e-6).reached() && !row(None, f64::NAN).reached());
+}
+
+#[test]
+fn a_verification_at_rest_or_without_an_end_is_refused() {
+    let body = body_of(&bodies::two_masses());
+    let good = SpinVerificationPlan {
+        about: plan(&body, 1.0, 1),
+        degrees: vec![1],
+        amplitude: 0.08,
+        halvings: 1,
+        periods: 0.1,
+        samples: 2,
+    };
+    let refused = |plan: SpinVerificationPlan| {
+        let found = verify_about_spin(&body, &plan, &mut |_| ControlFlow::Continue(()));
+        matches!(found, Err(VerificationError::Plan { .. }))
+    };
+    assert!(!refused(good.clone()));
+    for amplitude in [0.0, -0.08, f64::NAN, f64::INFINITY] {
+        assert!(refused(SpinVerificationPlan { amplitude, ..good.clone() }), "{amplitude}");
+    }
+    for periods in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+        assert!(refused(SpinVerificationPlan { periods, ..good.clone() }), "{periods}");
     }
 }
 

@@ -1,8 +1,11 @@
 //! Tuned damper: the damper and the nutation exchange their energy, and no average holds.
 
+use std::ops::ControlFlow;
+
 use quasirigid::dynamics::{Forced, FullState, Options, Sample, propagate_full};
 use quasirigid::model::{FlexibleBody, Mode};
 use quasirigid::prelude::{Assembly, CARRIER, Carrier, Point, Spring};
+use quasirigid::secular::{DirectOptions, DirectStopReason, follow_directly, follow_on_manifold};
 use quasirigid::submanifold::{Masters, SpinManifold, SpinManifoldPlan, Style, propagate_on_manifold};
 use quasirigid_math::rotation::ALIGNED;
 
@@ -63,4 +66,29 @@ fn every_time_is_that_of_the_full_system() {
         }
     }
     println!("largest difference of a time: {worst:.1e}");
+}
+
+/// The time in which the wobble dies to a tenth of its energy, by the equations about the spin and by the full system. (Q10)
+#[test]
+fn a_history_on_the_manifold_ends_when_that_of_the_full_system_does() {
+    let body = satellite(0.1);
+    let rate = std::f64::consts::TAU;
+    let start = FullState::at_rest(&body, [0.05 * rate, 0.08 * rate, rate], ALIGNED);
+    let (mode, masters, style) = (Mode::ShortAxis, Masters::Nutation, Style::NormalForm);
+    let plan =
+        SpinManifoldPlan { mode, angular_momentum: start.angular_momentum(&body), masters, degree: 3, style };
+    let steady = derived(&body, &plan).steady_energy();
+    let options = DirectOptions {
+        until: Some(steady + 0.1 * (start.energy(&body) - steady)),
+        duration: f64::MAX,
+        most_revolutions: 1e5,
+        most_steps: 50_000_000,
+        tolerance: 1e-10,
+    };
+    let go_on = &mut |_: f64| ControlFlow::Continue(());
+    let found = follow_on_manifold(&body, mode, &start, &options, go_on).unwrap().unwrap();
+    let direct = follow_directly(&body, &start, &options, go_on).unwrap();
+    assert_eq!((&found.run.ending, &direct.ending), (&DirectStopReason::Reached, &DirectStopReason::Reached));
+    let [time, expected] = [&found.run, &direct].map(|run| run.rows.last().unwrap().t);
+    assert!((time / expected - 1.0).abs() < 0.02, "{time} s, the full system {expected} s");
 }

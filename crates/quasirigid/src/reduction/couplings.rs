@@ -133,7 +133,7 @@ mod tests {
 
     fn gap(mut found: Homogeneous, expected: &Homogeneous) -> f64 {
         found.add_scaled(-1.0, expected);
-        found.amax() / expected.amax()
+        found.amax() / expected.amax().max(f64::MIN_POSITIVE)
     }
 
     /// Every sum once more, by a product of polynomials for each pair.

@@ -66,7 +66,7 @@ impl AngularMomentumForm {
     }
 
     fn of(Omega: &Series, energy: &Series) -> Self {
-        let gradient = gradient(energy);
+        let gradient = energy.gradient();
         let mut working = Omega.clone();
         for degree in 0..=working.degree() {
             let mut part = working.part(degree).clone();
@@ -128,7 +128,7 @@ impl AngularVelocityForm {
         for degree in 3..=body.f.degree() {
             mu.set(body.mu(degree));
         }
-        let mut gradient = gradient(&body.energy);
+        let mut gradient = body.energy.gradient();
         gradient.set(Homogeneous::zero(1, 3));
         Self {
             J: body.J,
@@ -170,19 +170,6 @@ impl Equations for AngularVelocityForm {
     fn angular_momentum(&self, omega: [f64; 3]) -> [f64; 3] {
         self.angular_momentum.vector(omega)
     }
-}
-
-/// Gradient of a scalar polynomial.
-fn gradient(map: &Series) -> Series {
-    let mut gradient = Series::zero(map.degree() - 1, 3);
-    for degree in 1..=map.degree() {
-        let mut part = Homogeneous::zero(degree - 1, 3);
-        for axis in 0..3 {
-            part.add_row(axis, 1.0, (&map.part(degree).partial(axis), 0));
-        }
-        gradient.set(part);
-    }
-    gradient
 }
 
 #[inline(always)]

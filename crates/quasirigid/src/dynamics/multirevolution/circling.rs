@@ -62,7 +62,7 @@ impl Circling {
             let inside = frame.inside(state.x);
             let mut section = Section { G: norm(state.x), sense: 1.0 };
             section.sense = section.azimuth_rate(inside, frame.inside(rate)).signum();
-            if inside[0].hypot(inside[1]).atan2(inside[2]) < STEADY {
+            if Section::from_axis(inside) < STEADY {
                 return Self::steady(motion, shares, (frame, section), (t, state));
             }
             let azimuth = section.azimuth(inside);
@@ -88,8 +88,7 @@ impl Circling {
         (t, state): (f64, &Accounts),
     ) -> Option<Self> {
         let mut rates = Rates::new();
-        let [x, y, z] = frame.inside(state.x);
-        let first = x.hypot(y).atan2(z).max(f64::MIN_POSITIVE);
+        let first = Section::from_axis(frame.inside(state.x)).max(f64::MIN_POSITIVE);
         let found = [1.0, -1.0].into_iter().any(|sense| {
             (section.sense, rates) = (sense, Rates::new());
             rates.at(&frame.motion(motion), &section, first).is_some()

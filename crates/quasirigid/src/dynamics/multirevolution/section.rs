@@ -36,6 +36,11 @@ impl Section {
         x.atan2(z)
     }
 
+    /// Angle (rad) of any angular momentum from the axis.
+    pub fn from_axis([x, y, z]: [f64; 3]) -> f64 {
+        x.hypot(y).atan2(z)
+    }
+
     /// Azimuth (rad) of an angular momentum about the axis, from the half-plane on in the sense of the motion, from 0 to 2π. One on the
     /// half-plane to rounding has a whole turn before it.
     pub fn azimuth(&self, [x, y, _]: [f64; 3]) -> f64 {

@@ -15,6 +15,7 @@ mod inertia;
 mod invariants;
 mod kinetics;
 pub(crate) mod liquid;
+mod mass_inverse;
 mod mass_matrix;
 pub(crate) mod moment;
 mod part_mass;

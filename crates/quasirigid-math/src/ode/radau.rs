@@ -7,10 +7,12 @@ use std::ops::Range;
 
 use super::Checkpoint;
 use super::age::Age;
-use super::radau_stages::{Attempt, Search, Stages, Stiff};
-use super::radau_tableau::{C, ERROR, GAMMA, SPLIT, STAGES, START};
+use super::radau_iteration::Iteration;
+use super::radau_search::{Attempt, Search};
+use super::radau_tableau::{C, GAMMA, SPLIT, STAGES, START};
+use super::stiff::Stiff;
 use super::system::{DenseOutput, Solver, State, StepError, Work, accumulate, towards};
-use crate::simd::Arithmetic;
+use crate::simd::{Arithmetic, Rounding};
 
 /// Implicit Runge–Kutta method Radau IIA of seven stages and order 13 `[@hairer1999]` for systems whose stiff part is
 /// linear and constant or changes slowly, so that a factorisation lasts as long as the step, or until the iteration slows.
@@ -32,7 +34,7 @@ pub struct Radau<S, R> {
     start: Vec<f64>,
     /// Rate at the state reached.
     rate: Vec<f64>,
-    stages: Stages,
+    stages: Iteration,
     /// Whether the last step continues into the next.
     continues: bool,
     /// Step for which the linear part is factored.
@@ -41,6 +43,8 @@ pub struct Radau<S, R> {
     age: Age,
     /// Time and state at which the linear part was evaluated; empty of a constant one.
     renewed: (f64, Vec<f64>),
+    /// Change over the last step, and its error estimate.
+    change: Vec<f64>,
     error: Vec<f64>,
     smoothed: Vec<[f64; 2]>,
     arithmetic: PhantomData<R>,
@@ -64,11 +68,24 @@ const MIDDLE: usize = 3;
 
 impl<S: Stiff, R: Arithmetic> Radau<S, R> {
     /// Starts at a state with a first step (s), and with the error allowed per step in each component.
-    pub fn new(mut system: S, t: f64, y: Vec<f64>, allowed: &[f64], h: f64) -> Self {
+    pub fn new(system: S, t: f64, y: Vec<f64>, allowed: &[f64], h: f64) -> Self {
+        Self::rounded(system, t, y, allowed, h, Rounding::Fastest)
+    }
+
+    /// As [`new`](Self::new), with the bits of stages that are evaluated side by side.
+    pub fn rounded(
+        mut system: S,
+        t: f64,
+        y: Vec<f64>,
+        allowed: &[f64],
+        h: f64,
+        rounding: Rounding,
+    ) -> Self {
         let zero = vec![0.0; y.len()];
         let mut rate = zero.clone();
         system.rate::<R>(t, &y, &mut rate);
         let stiff = system.stiff();
+        let stages = Iteration::new(&system, y.len(), rounding);
         Self {
             system,
             t,
@@ -79,11 +96,12 @@ impl<S: Stiff, R: Arithmetic> Radau<S, R> {
             last: (t, 0.0),
             start: y.clone(),
             rate,
-            stages: Stages::new(y.len(), stiff),
+            stages,
             continues: false,
             factored: 0.0,
             age: Age::default(),
             renewed: (t, Vec::new()),
+            change: zero.clone(),
             error: zero,
             smoothed: vec![[0.0; 2]; y.len() - stiff],
             arithmetic: PhantomData,
@@ -106,7 +124,7 @@ impl<S: Stiff, R: Arithmetic> Radau<S, R> {
         let renewed = self.system.changes() && self.age.is_due();
         if renewed {
             let middle: Vec<f64> =
-                self.y.iter().zip(&self.stages.changes[MIDDLE]).map(|(y, change)| y + change).collect();
+                self.y.iter().zip(self.stages.changes(MIDDLE)).map(|(y, change)| y + change).collect();
             self.renewed = (self.t + C[MIDDLE] * h, middle);
             self.system.renew(self.renewed.0, &self.renewed.1);
             self.age.steps = Some(0);
@@ -119,6 +137,7 @@ impl<S: Stiff, R: Arithmetic> Radau<S, R> {
 
     fn shift(&mut self, h: f64) {
         self.system.shift(GAMMA.map(|[re, im]| [re / h, im / h]));
+        self.stages.factor(&mut self.system);
         self.factored = h;
     }
 
@@ -136,11 +155,7 @@ impl<S: Stiff, R: Arithmetic> Radau<S, R> {
     /// Error estimate of the step in units of the error allowed, filtered by the linear part.
     fn estimate(&mut self, h: f64) -> f64 {
         let stiff = self.system.stiff();
-        for (i, error) in self.error.iter_mut().enumerate() {
-            let stages: f64 =
-                self.stages.rates.iter().zip(ERROR).map(|(rate, weight)| weight * rate[i]).sum();
-            *error = h * (stages + START * self.rate[i]);
-        }
+        self.stages.error(h, &self.rate, &mut self.error);
         for (smoothed, error) in self.smoothed.iter_mut().zip(&self.error[stiff..]) {
             *smoothed = [error / (START * h), 0.0];
         }
@@ -155,11 +170,9 @@ impl<S: Stiff, R: Arithmetic> Radau<S, R> {
     fn accept(&mut self, h: f64, t: f64) {
         self.last = (self.t, h);
         self.start.copy_from_slice(&self.y);
-        self.stages.keep(&self.rate);
-        let [.., change] = &self.stages.changes;
-        accumulate(&mut self.y, &mut self.carry, change);
-        let [.., rate] = &self.stages.rates;
-        self.rate.copy_from_slice(rate);
+        self.stages.keep(h, &self.rate);
+        self.stages.end(&mut self.change, &mut self.rate);
+        accumulate(&mut self.y, &mut self.carry, &self.change);
         self.t = t;
         self.work.steps += 1;
         self.work.implicit_steps += 1;
@@ -188,7 +201,7 @@ impl<S: Stiff, R: Arithmetic> Solver for Radau<S, R> {
     }
 
     fn work(&self) -> Work {
-        Work { evaluations: self.work.evaluations + STAGES as u64 * self.stages.sweeps, ..self.work }
+        Work { evaluations: self.work.evaluations + STAGES as u64 * self.stages.sweeps(), ..self.work }
     }
 
     fn step(&mut self, end: f64) -> Result<(), StepError> {
@@ -224,10 +237,11 @@ impl<S: Stiff, R: Arithmetic> Solver for Radau<S, R> {
 
     fn dense(&mut self) -> DenseOutput<Vec<f64>> {
         let (t, h) = self.last;
+        let changes: [Vec<f64>; STAGES] = std::array::from_fn(|stage| self.stages.changes(stage));
         let coefficients = SPLIT.map(|weights| {
             let mut row = self.start.zeroed();
             let start = row.clone();
-            row.combine::<R>(&start, 1.0, &weights, &self.stages.changes);
+            row.combine::<R>(&start, 1.0, &weights, &changes);
             row
         });
         DenseOutput { t, h, y: self.start.clone(), coefficients }

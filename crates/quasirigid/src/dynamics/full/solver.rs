@@ -6,7 +6,7 @@
 use super::system::FullSystem;
 use crate::dynamics::run::Method;
 use crate::math::ode::{Checkpoint, DenseOutput, Dop853, Radau, Solver, StepError, Work};
-use crate::math::simd::Plain;
+use crate::math::simd::{Plain, Rounding};
 
 type State = Vec<f64>;
 type Explicit<'a> = Dop853<FullSystem<'a>, State, Plain>;
@@ -15,6 +15,7 @@ type Implicit<'a> = Radau<FullSystem<'a>, Plain>;
 /// Solver of the full system with two methods, one of them active.
 pub(super) struct FullSolver<'a> {
     method: Method,
+    rounding: Rounding,
     active: Active<'a>,
     allowed: State,
     /// Fastest rate of the elastic part (1/s).
@@ -49,17 +50,17 @@ const TRUST: u64 = 50;
 const LEAP: f64 = 3.0;
 
 impl<'a> FullSolver<'a> {
-    pub fn new(mut system: FullSystem<'a>, y: State, allowed: State, method: Method) -> Self {
+    pub fn new(mut system: FullSystem<'a>, y: State, allowed: State, method: Method, rounding: Rounding) -> Self {
         let fastest = system.fastest();
         let explicit = Explicit::new(system.clone(), 0.0, y.clone(), allowed.clone());
         let active = match method {
             Method::Implicit => {
                 let h = explicit.h();
-                Active::Implicit(Box::new(Implicit::new(system, 0.0, y, &allowed, h)))
+                Active::Implicit(Box::new(Implicit::rounded(system, 0.0, y, &allowed, h, rounding)))
             }
             Method::Automatic | Method::Explicit => Active::Explicit(Box::new(explicit)),
         };
-        Self { method, active, allowed, fastest, since: 0, against: 0, trust: TRUST, done: Work::default() }
+        Self { method, rounding, active, allowed, fastest, since: 0, against: 0, trust: TRUST, done: Work::default() }
     }
 
     /// True if the last step speaks against the active method.
@@ -90,7 +91,7 @@ impl<'a> FullSolver<'a> {
         self.active = match &self.active {
             Active::Explicit(solver) => {
                 let (t, y, h) = (solver.t(), solver.y().clone(), LEAP * solver.h());
-                Active::Implicit(Box::new(Implicit::new(solver.system().clone(), t, y, &allowed, h)))
+                Active::Implicit(Box::new(Implicit::rounded(solver.system().clone(), t, y, &allowed, h, self.rounding)))
             }
             Active::Implicit(solver) => {
                 let (t, y) = (solver.t(), solver.y().clone());

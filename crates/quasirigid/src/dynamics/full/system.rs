@@ -11,12 +11,13 @@ use crate::dynamics::layout::{
 };
 use crate::dynamics::seat::Seat;
 use crate::math::eigen::Dense;
+use crate::math::lanes::Lanes;
 use crate::math::ode::{Stiff, System};
 use crate::math::rotation::{self, Turn};
 use crate::math::simd::{Arithmetic, Plain};
 use crate::math::sparse::SparseRows;
 use crate::math::vec3::{add, cross, dot, norm, scale};
-use crate::model::{Displaced, Kinetics, MotionState};
+use crate::model::{Displaced, Kinetics, MotionState, StraightKinetics};
 
 /// Full equations in momenta, `K̇ = K × ω + M`, `ṗ = ∂L/∂q − Bq̇ + Q`: no acceleration is solved for. (S3), (S4), (T1), (C2)
 #[derive(Clone, Debug)]
@@ -24,6 +25,9 @@ pub(super) struct FullSystem<'a> {
     system: Forced<'a>,
     layout: Layout,
     kinetics: Kinetics<'a>,
+    /// Kinetics for stages side by side and the angular velocities of the last ones, where nothing acts from outside on a small body.
+    straight: Option<StraightKinetics>,
+    omega: [Lanes; 3],
     /// Damping of each dissipator, if there are several: entries of the upper triangle, those off the diagonal doubled.
     accounts: Vec<Vec<(usize, usize, f64)>>,
     stiff: StiffPart,
@@ -46,6 +50,8 @@ impl<'a> FullSystem<'a> {
             system,
             layout,
             kinetics: Kinetics::new(body)?,
+            straight: if system.acts() { None } else { StraightKinetics::new(body) },
+            omega: [Lanes::splat(0.0); 3],
             accounts: accounts.collect(),
             stiff: StiffPart::vibrations(body),
             differences: sizes[layout.slow()..].iter().map(|size| DIFFERENCE * size).collect(),
@@ -217,6 +223,41 @@ impl Stiff for FullSystem<'_> {
 
     fn solve(&mut self, shift: usize, right: &mut [[f64; 2]]) {
         self.stiff.solve(shift, right);
+    }
+
+    fn steering(&self) -> Option<usize> {
+        self.straight.as_ref().map(|_| DISSIPATED)
+    }
+
+    #[inline(always)]
+    fn rates_beside<R: Arithmetic>(&mut self, y: &[Lanes], rates: &mut [Lanes]) {
+        let Some(straight) = &mut self.straight else { return };
+        let wheels = self.system.body.wheels().constant;
+        let (slow, n) = (self.layout.slow(), self.layout.n);
+        let K = [y[MOMENTUM], y[MOMENTUM + 1], y[MOMENTUM + 2]];
+        let own = [0, 1, 2].map(|i| K[i] - Lanes::splat(wheels[i]));
+        let (steering, fast) = rates.split_at_mut(slow);
+        let (q_rate, p_rate) = fast.split_at_mut(n);
+        let omega = straight.rates::<R>(own, [&y[slow..slow + n], &y[slow + n..]], [q_rate, p_rate]);
+        let attitude = [y[ATTITUDE], y[ATTITUDE + 1], y[ATTITUDE + 2], y[ATTITUDE + 3]];
+        steering[MOMENTUM..MOMENTUM + 3].copy_from_slice(&cross(K, omega));
+        steering[ATTITUDE..ATTITUDE + 4].copy_from_slice(&rotation::rate(attitude, omega));
+        self.omega = omega;
+    }
+
+    #[inline(always)]
+    fn integrands_beside<R: Arithmetic>(&mut self, y: &[Lanes], rates: &mut [Lanes]) {
+        let Some(straight) = &self.straight else { return };
+        let q_rate = self.layout.q();
+        rates[DISSIPATED] = straight.dissipation::<R>(&rates[q_rate.clone()]);
+        for (place, entries) in self.layout.accounts().zip(&self.accounts) {
+            let product = |&(j, k, entry): &(usize, usize, f64)| {
+                Lanes::splat(entry) * rates[q_rate.start + j] * rates[q_rate.start + k]
+            };
+            rates[place] = entries.iter().map(product).fold(Lanes::splat(0.0), |sum, part| sum + part);
+        }
+        rates[ANGLE] = dot(self.omega, self.omega).sqrt();
+        rates[PLACE..PLACE + 3].copy_from_slice(&y[VELOCITY..VELOCITY + 3]);
     }
 }
 

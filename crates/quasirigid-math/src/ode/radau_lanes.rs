@@ -1,0 +1,339 @@
+//! Stages of the Radau IIA method side by side, a lane for each: one sweep evaluates the rates at every stage at once and solves for all of them.
+//! The lane that is left over takes the start of the step, which the first guess and the error estimate need too.
+//! Equation (T6), docs/theory/08-full-system.md.
+
+use super::Checkpoint;
+use super::radau_predictor::Predictor;
+use super::radau_search::{Attempt, Convergence, Search};
+use super::radau_tableau::{A, ERROR, FROM_EIGEN, GAMMA, SHIFTS, STAGES, START, TO_EIGEN};
+use super::stiff::Stiff;
+use crate::lanes::{LANES, Lanes};
+use crate::simd::{Arithmetic, Rounding, Task, dispatch_lanes};
+
+/// Stages of a step in lanes.
+#[derive(Clone, Debug)]
+pub(super) struct LaneStages {
+    rounding: Rounding,
+    /// Number of steering components before the integrals, and the first stiff component.
+    steering: usize,
+    stiff: usize,
+    /// Changes of each component from the start of the step, and its rates.
+    changes: Vec<Lanes>,
+    rates: Vec<Lanes>,
+    place: Vec<Lanes>,
+    /// Changes of the stiff components, and the residuals of their equations, at the shifts.
+    shifted: Vec<Lanes>,
+    residuals: Vec<Lanes>,
+    /// Rows of the solution at the shifts: factors of the residuals, and of the residuals with real and imaginary parts exchanged.
+    solution: Vec<[Lanes; 2]>,
+    predictor: Predictor,
+    /// Sweeps over the stages.
+    pub sweeps: u64,
+}
+
+/// Lane of the end of the step.
+const END: usize = STAGES - 1;
+/// Most sweeps over the stages.
+const SWEEPS: i32 = 16;
+/// Share of the error allowed below which the rest of the iteration ends it.
+const CONVERGED: f64 = 1e-7;
+
+/// Weights of each stage in the others.
+const WEIGHTS: [Lanes; STAGES] = {
+    let mut columns = [[0.0; LANES]; STAGES];
+    let (mut stage, mut other) = (0, 0);
+    while stage < STAGES {
+        while other < STAGES {
+            columns[other][stage] = A[stage][other];
+            other += 1;
+        }
+        (stage, other) = (stage + 1, 0);
+    }
+    lanes(columns)
+};
+
+/// Contribution of each stage to the parts at the shifts: real, then real and imaginary three times; a complex shift counts twice.
+const TO_SHIFTS: [Lanes; STAGES] = {
+    let mut columns = [[0.0; LANES]; STAGES];
+    let (mut stage, mut shift) = (0, 1);
+    while stage < STAGES {
+        columns[stage][0] = TO_EIGEN[0][stage][0];
+        while shift < SHIFTS {
+            columns[stage][2 * shift - 1] = 2.0 * TO_EIGEN[shift][stage][0];
+            columns[stage][2 * shift] = 2.0 * TO_EIGEN[shift][stage][1];
+            shift += 1;
+        }
+        (stage, shift) = (stage + 1, 1);
+    }
+    lanes(columns)
+};
+
+/// Contribution of each part at the shifts to the stages.
+const FROM_SHIFTS: [Lanes; STAGES] = {
+    let mut columns = [[0.0; LANES]; STAGES];
+    let (mut stage, mut shift) = (0, 1);
+    while stage < STAGES {
+        columns[0][stage] = FROM_EIGEN[0][stage][0];
+        while shift < SHIFTS {
+            columns[2 * shift - 1][stage] = FROM_EIGEN[shift][stage][0];
+            columns[2 * shift][stage] = -FROM_EIGEN[shift][stage][1];
+            shift += 1;
+        }
+        (stage, shift) = (stage + 1, 1);
+    }
+    lanes(columns)
+};
+
+const fn lanes(columns: [[f64; LANES]; STAGES]) -> [Lanes; STAGES] {
+    let mut result = [Lanes::splat(0.0); STAGES];
+    let mut i = 0;
+    while i < STAGES {
+        result[i] = Lanes(columns[i]);
+        i += 1;
+    }
+    result
+}
+
+/// Product with a complex number at each shift: factors of the parts, and of the parts with real and imaginary exchanged.
+fn factors(numbers: [[f64; 2]; SHIFTS]) -> [Lanes; 2] {
+    let [[a, _], [b, bi], [c, ci], [d, di]] = numbers;
+    [Lanes([a, b, b, c, c, d, d, 0.0]), Lanes([0.0, -bi, bi, -ci, ci, -di, di, 0.0])]
+}
+
+/// Parts at the shifts with real and imaginary exchanged.
+#[inline(always)]
+fn exchanged(Lanes([a, b, c, d, e, f, g, h]): Lanes) -> Lanes {
+    Lanes([a, c, b, e, d, g, f, h])
+}
+
+/// `start + Σ column · entry` over the first seven entries of the lanes.
+#[inline(always)]
+fn product<R: Arithmetic>(columns: &[Lanes; STAGES], entries: Lanes, start: Lanes) -> Lanes {
+    let mut even = start;
+    let mut odd = columns[1] * Lanes::splat(entries.0[1]);
+    even = columns[0].mul_add::<R>(Lanes::splat(entries.0[0]), even);
+    even = columns[2].mul_add::<R>(Lanes::splat(entries.0[2]), even);
+    odd = columns[3].mul_add::<R>(Lanes::splat(entries.0[3]), odd);
+    even = columns[4].mul_add::<R>(Lanes::splat(entries.0[4]), even);
+    odd = columns[5].mul_add::<R>(Lanes::splat(entries.0[5]), odd);
+    even = columns[6].mul_add::<R>(Lanes::splat(entries.0[6]), even);
+    even + odd
+}
+
+/// Sum over the lanes.
+#[inline(always)]
+fn sum(Lanes([a, b, c, d, e, f, g, h]): Lanes) -> f64 {
+    ((a + e) + (c + g)) + ((b + f) + (d + h))
+}
+
+/// Search for the stages, as work that is compiled for the widest registers.
+struct Find<'a, S> {
+    stages: &'a mut LaneStages,
+    system: &'a mut S,
+    attempt: Attempt<'a>,
+}
+
+impl<S: Stiff> Task for Find<'_, S> {
+    type Output = Search;
+
+    #[inline(always)]
+    fn run<R: Arithmetic>(self) -> Search {
+        self.stages.iterate::<S, R>(self.system, self.attempt)
+    }
+}
+
+/// First guess.
+struct Guess<'a> {
+    stages: &'a mut LaneStages,
+    ratio: f64,
+}
+
+impl Task for Guess<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<R: Arithmetic>(self) {
+        self.stages.predict::<R>(self.ratio);
+    }
+}
+
+impl LaneStages {
+    /// Stages of a system with so many components.
+    pub fn new(components: usize, steering: usize, stiff: usize, rounding: Rounding) -> Self {
+        let list = |length: usize| vec![Lanes::splat(0.0); length];
+        let shifted = components - stiff;
+        Self {
+            rounding,
+            steering,
+            stiff,
+            changes: list(components),
+            rates: list(components),
+            place: list(components),
+            shifted: list(shifted),
+            residuals: list(shifted),
+            solution: vec![[Lanes::splat(0.0); 2]; shifted * shifted],
+            predictor: Predictor::new(steering + shifted),
+            sweeps: 0,
+        }
+    }
+
+    /// First guess: nothing changes.
+    pub fn guess_still(&mut self, rate: &[f64]) {
+        self.changes.fill(Lanes::splat(0.0));
+        self.rates.iter_mut().zip(rate).for_each(|(lanes, rate)| *lanes = Lanes::splat(*rate));
+        self.predictor.forget();
+    }
+
+    /// First guess: the polynomial of the last steps continues over one that is `ratio` times as long as the last.
+    pub fn guess_continued(&mut self, ratio: f64) {
+        dispatch_lanes(self.rounding, Guess { stages: self, ratio });
+    }
+
+    #[inline(always)]
+    fn predict<R: Arithmetic>(&mut self, ratio: f64) {
+        self.predictor.prepare(ratio);
+        let Self { predictor, rates, changes, steering, stiff, .. } = self;
+        for (i, rate) in rates[..*steering].iter_mut().enumerate() {
+            *rate = predictor.value::<R>(i);
+        }
+        for (i, change) in changes[*stiff..].iter_mut().enumerate() {
+            *change = predictor.change::<R>(*steering + i);
+        }
+    }
+
+    /// Takes the solutions `(s − L)⁻¹` at the shifts of a system into lanes.
+    pub fn factor(&mut self, system: &mut impl Stiff) {
+        let size = self.shifted.len();
+        for column in 0..size {
+            let solved: [Vec<[f64; 2]>; SHIFTS] = std::array::from_fn(|shift| {
+                let mut unit = vec![[0.0; 2]; size];
+                unit[column][0] = 1.0;
+                system.solve(shift, &mut unit);
+                unit
+            });
+            for row in 0..size {
+                self.solution[row * size + column] = factors(solved.each_ref().map(|solved| solved[row]));
+            }
+        }
+    }
+
+    /// Improves the guess until it satisfies the equations of the stages.
+    pub fn find<S: Stiff>(&mut self, system: &mut S, attempt: Attempt) -> Search {
+        dispatch_lanes(self.rounding, Find { stages: self, system, attempt })
+    }
+
+    #[inline(always)]
+    fn iterate<S: Stiff, R: Arithmetic>(&mut self, system: &mut S, attempt: Attempt) -> Search {
+        for (shifted, change) in self.shifted.iter_mut().zip(&self.changes[self.stiff..]) {
+            *shifted = product::<R>(&TO_SHIFTS, *change, Lanes::splat(0.0));
+        }
+        let weights = WEIGHTS.map(|column| column * Lanes::splat(attempt.h));
+        let gammas = factors(GAMMA.map(|[re, im]| [-re / attempt.h, -im / attempt.h]));
+        let mut convergence = Convergence::new(attempt, CONVERGED, SWEEPS);
+        loop {
+            let moved = self.sweep::<S, R>(system, attempt, &weights, &gammas);
+            if let Some(search) = convergence.after(moved) {
+                if matches!(search, Search::Found(_)) {
+                    self.close::<S, R>(system, &weights);
+                }
+                return search;
+            }
+        }
+    }
+
+    /// One sweep over the stages; returns the change of the components in units of the error allowed. (T6)
+    #[inline(always)]
+    fn sweep<S: Stiff, R: Arithmetic>(
+        &mut self,
+        system: &mut S,
+        attempt: Attempt,
+        columns: &[Lanes; STAGES],
+        gammas: &[Lanes; 2],
+    ) -> f64 {
+        let Attempt { y, weights, .. } = attempt;
+        let zero = Lanes::splat(0.0);
+        let Self { steering, stiff, changes, rates, place, shifted, residuals, solution, .. } = self;
+        let (steering, stiff, size) = (*steering, *stiff, shifted.len());
+        let mut moved = zero;
+        for i in 0..steering {
+            let change = product::<R>(columns, rates[i], zero);
+            let step = (change - changes[i]) * Lanes::splat(weights[i]);
+            moved = step.mul_add::<R>(step, moved);
+            changes[i] = change;
+            place[i] = change + Lanes::splat(y[i]);
+        }
+        for i in stiff..stiff + size {
+            place[i] = changes[i] + Lanes::splat(y[i]);
+        }
+        system.rates_beside::<R>(place, rates);
+        for (i, residual) in residuals.iter_mut().enumerate() {
+            let scaled = gammas[0] * shifted[i];
+            let scaled = gammas[1].mul_add::<R>(exchanged(shifted[i]), scaled);
+            *residual = product::<R>(&TO_SHIFTS, rates[stiff + i], scaled);
+        }
+        for i in 0..size {
+            let (mut straight, mut crossed) = (zero, zero);
+            for (residual, factors) in residuals.iter().zip(&solution[i * size..(i + 1) * size]) {
+                straight = factors[0].mul_add::<R>(*residual, straight);
+                crossed = factors[1].mul_add::<R>(exchanged(*residual), crossed);
+            }
+            let correction = straight + crossed;
+            shifted[i] = shifted[i] + correction;
+            let correction = product::<R>(&FROM_SHIFTS, correction, zero);
+            let step = correction * Lanes::splat(weights[stiff + i]);
+            moved = step.mul_add::<R>(step, moved);
+            changes[stiff + i] = changes[stiff + i] + correction;
+        }
+        self.sweeps += 1;
+        sum(moved).sqrt()
+    }
+
+    /// Computes the changes of the non-stiff components from the last rates.
+    #[inline(always)]
+    fn close<S: Stiff, R: Arithmetic>(&mut self, system: &mut S, columns: &[Lanes; STAGES]) {
+        system.integrands_beside::<R>(&self.place, &mut self.rates);
+        for (change, rate) in self.changes[..self.stiff].iter_mut().zip(&self.rates) {
+            *change = product::<R>(columns, *rate, Lanes::splat(0.0));
+        }
+    }
+
+    /// Weighted sum of the rates at the start and at the stages that measures the error.
+    pub fn error(&self, h: f64, error: &mut [f64]) {
+        let [a, b, c, d, e, f, g] = ERROR;
+        let weights = Lanes([a, b, c, d, e, f, g, START]);
+        for (error, rate) in error.iter_mut().zip(&self.rates) {
+            *error = h * sum(*rate * weights);
+        }
+    }
+
+    /// Keeps the stages of a step for the guess of the next.
+    pub fn keep(&mut self, h: f64) {
+        let Self { predictor, rates, changes, steering, stiff, .. } = self;
+        let tracks = rates[..*steering].iter().chain(&changes[*stiff..]);
+        predictor.keep(h, *steering, tracks);
+    }
+
+    /// Changes from the start of the step to a stage.
+    pub fn changes(&self, stage: usize) -> Vec<f64> {
+        self.changes.iter().map(|change| change.0[stage]).collect()
+    }
+
+    /// Writes the change from the start to the end of the step, and the rate there.
+    pub fn end(&self, change: &mut [f64], rate: &mut [f64]) {
+        change.iter_mut().zip(&self.changes).for_each(|(change, lanes)| *change = lanes.0[END]);
+        rate.iter_mut().zip(&self.rates).for_each(|(rate, lanes)| *rate = lanes.0[END]);
+    }
+
+    /// Saves the last steps, from which the next guess starts, and the count of sweeps.
+    pub fn save(&self, checkpoint: &mut Checkpoint) {
+        self.predictor.save(checkpoint);
+        checkpoint.save_count(self.sweeps);
+    }
+
+    /// Loads saved steps.
+    pub fn load(&mut self, checkpoint: &mut Checkpoint) -> Option<()> {
+        self.predictor.load(checkpoint)?;
+        self.sweeps = checkpoint.load_count()?;
+        Some(())
+    }
+}

@@ -1,0 +1,263 @@
+//! Kinetics on straight paths in lanes: eight states of a body of few coordinates side by side.
+//! With the momenta as variables every coefficient of the rates is a polynomial of degree two in the coordinates, whose coefficients, sums over
+//! pairs of coordinates, are formed once.
+//! Equation (T5), docs/theory/08-full-system.md.
+
+use super::mass_inverse::MassInverse;
+use super::{FlexibleBody, Invariants};
+use crate::math::lanes::Lanes;
+use crate::math::simd::Arithmetic;
+use crate::math::sparse::SparseRows;
+use crate::math::sym3::{Sym, of_unit_mass};
+use crate::math::vec3::{add, cross, scale};
+
+/// Rates of a body on straight paths, as polynomials of the coordinates. (T5)
+#[derive(Clone, Debug)]
+pub struct StraightKinetics {
+    /// `N(q) = N + N_j q_j + N_jk q_j q_k`: the constant part, `½N_j`, and `N_jk` row by row.
+    inertia: Sym,
+    half_slopes: Vec<Sym>,
+    squares: Vec<Sym>,
+    /// `X(q) = X + X_j q_j`: `X` coordinate by coordinate, and the rows `X_jk`.
+    coupling: Vec<[f64; 3]>,
+    couplings: Vec<[f64; 3]>,
+    /// Rows of `A⁻¹`, `B` and `C`.
+    inverse: Vec<f64>,
+    damping: Vec<f64>,
+    stiffness: Vec<f64>,
+    /// Gyroscopic coupling of cyclic coordinates.
+    gyroscopic: Vec<(usize, usize, [f64; 3])>,
+    /// `½∂N/∂q_j` and `X_jk p_k` at the last states, and their first moments of angular momentum.
+    slopes: Vec<[Lanes; 6]>,
+    moments: Vec<[Lanes; 3]>,
+}
+
+/// Number of coordinates up to which the rates of eight states side by side cost less than one after the other.
+const MOST: usize = 12;
+
+impl StraightKinetics {
+    /// Polynomials of a body; none for a body of many coordinates, on curved paths or with liquids that are carried along, and where the mass
+    /// matrix is not positive.
+    #[must_use]
+    pub fn new(body: &FlexibleBody) -> Option<Self> {
+        let n = body.coordinates().len();
+        if n > MOST || body.paths().is_some() || !body.advections().is_empty() {
+            return None;
+        }
+        let inverse = inverse(body)?;
+        let times = |rows: &[[f64; 3]]| -> Vec<[f64; 3]> {
+            let row = |k: usize| (0..n).fold([0.0; 3], |sum, l| add(sum, scale(inverse[k * n + l], rows[l])));
+            (0..n).map(row).collect()
+        };
+        let Invariants { J, J1, h, .. } = body.invariants();
+        let (second, changes) = second_order(body);
+        let coupling = times(h);
+        let couplings: Vec<_> = changes.chunks_exact(n.max(1)).flat_map(times).collect();
+        let row = |j: usize| j * n..(j + 1) * n;
+        let slope = |j: usize| {
+            let both = [less(&changes[row(j)], &coupling), less(h, &couplings[row(j)])];
+            sum(J1[j], sum(both[0], both[1])).map(|entry| 0.5 * entry)
+        };
+        let square = |j: usize, k: usize| {
+            let both = [
+                less(&changes[row(j)], &couplings[row(k)]),
+                less(&changes[row(k)], &couplings[row(j)]),
+            ];
+            sum(second[j * n + k], sum(both[0], both[1]).map(|entry| 0.5 * entry))
+        };
+        Some(Self {
+            inertia: sum(*J, less(h, &coupling)),
+            half_slopes: (0..n).map(slope).collect(),
+            squares: (0..n * n).map(|place| square(place / n, place % n)).collect(),
+            damping: full(body.damping()),
+            stiffness: full(body.stiffness()),
+            gyroscopic: gyroscopic(body),
+            slopes: vec![[Lanes::splat(0.0); 6]; n],
+            moments: vec![[Lanes::splat(0.0); 3]; n],
+            coupling,
+            couplings,
+            inverse,
+        })
+    }
+
+    /// Angular velocities at these angular momenta (without the wheels), momenta and coordinates; writes the rates of the coordinates and of
+    /// their momenta. (T5)
+    #[inline(always)]
+    pub fn rates<R: Arithmetic>(
+        &mut self,
+        K: [Lanes; 3],
+        [q, p]: [&[Lanes]; 2],
+        [q_rate, p_rate]: [&mut [Lanes]; 2],
+    ) -> [Lanes; 3] {
+        let n = q.len();
+        let mut inertia = self.inertia.map(Lanes::splat);
+        let mut load = K;
+        for j in 0..n {
+            let mut slope = self.half_slopes[j].map(Lanes::splat);
+            let mut moment = [Lanes::splat(0.0); 3];
+            for k in 0..n {
+                add_scaled::<R, 6>(&mut slope, &self.squares[j * n + k], q[k]);
+                add_scaled::<R, 3>(&mut moment, &self.couplings[j * n + k], p[k]);
+            }
+            let minus = [Lanes::splat(0.0) - q[j], Lanes::splat(0.0) - p[j]];
+            for i in 0..6 {
+                inertia[i] = (slope[i] + Lanes::splat(self.half_slopes[j][i])).mul_add::<R>(q[j], inertia[i]);
+            }
+            for i in 0..3 {
+                load[i] = moment[i].mul_add::<R>(minus[0], load[i]);
+            }
+            add_scaled::<R, 3>(&mut load, &self.coupling[j], minus[1]);
+            (self.slopes[j], self.moments[j]) = (slope, moment);
+        }
+        let omega = solved::<R>(inertia, load);
+        let minus = omega.map(|omega| Lanes::splat(0.0) - omega);
+        for k in 0..n {
+            let mut coupling = self.coupling[k].map(Lanes::splat);
+            let mut rate = Lanes::splat(0.0);
+            for j in 0..n {
+                add_scaled::<R, 3>(&mut coupling, &self.couplings[j * n + k], q[j]);
+                rate = p[j].mul_add::<R>(Lanes::splat(self.inverse[k * n + j]), rate);
+            }
+            q_rate[k] = product::<R>(coupling, minus, rate);
+        }
+        self.load::<R>(omega, q, q_rate, p_rate);
+        omega
+    }
+
+    /// Loads on the coordinates, centrifugal and Coriolis, spring and dashpot.
+    #[inline(always)]
+    fn load<R: Arithmetic>(&self, omega: [Lanes; 3], q: &[Lanes], q_rate: &[Lanes], p_rate: &mut [Lanes]) {
+        let n = q.len();
+        let [x, y, z] = omega;
+        let twice = omega.map(|omega| omega + omega);
+        let square = [x * x, y * y, z * z, twice[1] * z, twice[2] * x, twice[0] * y];
+        for j in 0..n {
+            let mut load = product::<R>(self.moments[j], omega, Lanes::splat(0.0));
+            for i in 0..6 {
+                load = self.slopes[j][i].mul_add::<R>(square[i], load);
+            }
+            for k in 0..n {
+                load = q_rate[k].mul_add::<R>(Lanes::splat(-self.damping[j * n + k]), load);
+                load = q[k].mul_add::<R>(Lanes::splat(-self.stiffness[j * n + k]), load);
+            }
+            p_rate[j] = load;
+        }
+        for (j, k, coupling) in &self.gyroscopic {
+            let turning = product::<R>(coupling.map(Lanes::splat), omega, Lanes::splat(0.0));
+            p_rate[*j] = turning.mul_add::<R>(q_rate[*k], p_rate[*j]);
+        }
+    }
+
+    /// Power that the dashpots take at these rates (W).
+    #[inline(always)]
+    pub fn dissipation<R: Arithmetic>(&self, q_rate: &[Lanes]) -> Lanes {
+        let n = q_rate.len();
+        let mut power = Lanes::splat(0.0);
+        for j in 0..n {
+            let mut force = Lanes::splat(0.0);
+            for k in 0..n {
+                force = q_rate[k].mul_add::<R>(Lanes::splat(self.damping[j * n + k]), force);
+            }
+            power = force.mul_add::<R>(q_rate[j], power);
+        }
+        power
+    }
+}
+
+/// Rows of `A⁻¹`, the translation of a free body eliminated; none where the matrix is not positive.
+fn inverse(body: &FlexibleBody) -> Option<Vec<f64>> {
+    let n = body.coordinates().len();
+    let factor = MassInverse::new(body)?;
+    let mut columns = vec![0.0; n * n];
+    for column in 0..n {
+        let unit: Vec<_> = (0..n).map(|row| [f64::from(u8::from(row == column)), 0.0, 0.0, 0.0]).collect();
+        let mut solved = vec![[0.0; 4]; n];
+        factor.apply(&unit, &mut solved);
+        solved.iter().enumerate().for_each(|(row, solved)| columns[row * n + column] = solved[0]);
+    }
+    Some(columns)
+}
+
+/// `J_jk` and the changes of `h_k` with `q_j`, row by row, the translation of a free body eliminated; zero for cyclic coordinates, whose
+/// values have no effect.
+fn second_order(body: &FlexibleBody) -> (Vec<Sym>, Vec<[f64; 3]>) {
+    let n = body.coordinates().len();
+    let Invariants { S, pairs, .. } = body.invariants();
+    let per_mass = body.translation().unwrap_or(0.0);
+    let (mut second, mut changes) = (vec![[0.0; 6]; n * n], vec![[0.0; 3]; n * n]);
+    let elastic = body.elastic();
+    for (j, k, pair) in pairs.iter().filter(|(j, ..)| *j < elastic) {
+        second[j * n + k] = pair.J2;
+        changes[j * n + k] = pair.Z;
+    }
+    for j in 0..elastic {
+        for k in 0..n {
+            let place = j * n + k;
+            changes[place] = add(changes[place], scale(-per_mass, cross(S[j], S[k])));
+            if k < elastic {
+                let [both, one, other] = [add(S[j], S[k]), S[j], S[k]].map(of_unit_mass);
+                for i in 0..6 {
+                    second[place][i] -= 0.5 * per_mass * (both[i] - one[i] - other[i]);
+                }
+            }
+        }
+    }
+    (second, changes)
+}
+
+/// Couplings `Z_jk` of pairs of cyclic coordinates.
+fn gyroscopic(body: &FlexibleBody) -> Vec<(usize, usize, [f64; 3])> {
+    let cyclic = body.invariants().pairs.iter().filter(|(j, ..)| *j >= body.elastic());
+    cyclic.filter(|(.., pair)| pair.Z != [0.0; 3]).map(|(j, k, pair)| (j, k, pair.Z)).collect()
+}
+
+/// `−½ Σ (a bᵀ + b aᵀ)` over the rows of two lists.
+fn less(a: &[[f64; 3]], b: &[[f64; 3]]) -> Sym {
+    let mut sum = [0.0; 6];
+    for (a, b) in a.iter().zip(b) {
+        for (i, (row, column)) in [(0, 0), (1, 1), (2, 2), (1, 2), (2, 0), (0, 1)].into_iter().enumerate() {
+            sum[i] -= 0.5 * (a[row] * b[column] + a[column] * b[row]);
+        }
+    }
+    sum
+}
+
+fn sum(a: Sym, b: Sym) -> Sym {
+    std::array::from_fn(|i| a[i] + b[i])
+}
+
+fn full(matrix: &SparseRows<f64>) -> Vec<f64> {
+    let n = matrix.size();
+    let mut rows = vec![0.0; n * n];
+    matrix.iter().for_each(|(row, column, entry)| rows[row * n + column] += entry);
+    rows
+}
+
+/// Adds `entries · factor` to the sums.
+#[inline(always)]
+fn add_scaled<R: Arithmetic, const D: usize>(sums: &mut [Lanes; D], entries: &[f64; D], factor: Lanes) {
+    for i in 0..D {
+        sums[i] = factor.mul_add::<R>(Lanes::splat(entries[i]), sums[i]);
+    }
+}
+
+/// `a · b + c`.
+#[inline(always)]
+fn product<R: Arithmetic>(a: [Lanes; 3], b: [Lanes; 3], c: Lanes) -> Lanes {
+    a[2].mul_add::<R>(b[2], a[1].mul_add::<R>(b[1], a[0].mul_add::<R>(b[0], c)))
+}
+
+/// Solution of a symmetric system of size three, by its cofactors.
+#[inline(always)]
+fn solved<R: Arithmetic>([xx, yy, zz, yz, zx, xy]: [Lanes; 6], load: [Lanes; 3]) -> [Lanes; 3] {
+    let minor = |a: Lanes, b: Lanes, c: Lanes, d: Lanes| {
+        let minus = Lanes::splat(0.0) - c;
+        minus.mul_add::<R>(d, a * b)
+    };
+    let zero = Lanes::splat(0.0);
+    let x = [minor(yy, zz, yz, yz), minor(yz, zx, xy, zz), minor(xy, yz, zx, yy)];
+    let y = [x[1], minor(zz, xx, zx, zx), minor(zx, xy, yz, xx)];
+    let z = [x[2], y[2], minor(xx, yy, xy, xy)];
+    let scale = Lanes::splat(1.0) / product::<R>(x, [xx, xy, zx], zero);
+    [x, y, z].map(|row| scale * product::<R>(row, load, zero))
+}

@@ -11,7 +11,7 @@ mod radau;
 mod radau_iteration;
 mod radau_lanes;
 mod radau_predictor;
-mod radau_search;
+pub mod radau_search;
 mod radau_stages;
 mod radau_tableau;
 mod stiff;

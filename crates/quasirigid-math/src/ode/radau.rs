@@ -8,7 +8,7 @@ use std::ops::Range;
 use super::Checkpoint;
 use super::age::Age;
 use super::radau_iteration::Iteration;
-use super::radau_search::{Attempt, Search};
+use super::radau_search::{knob, Attempt, Search};
 use super::radau_tableau::{C, GAMMA, SPLIT, STAGES, START};
 use super::stiff::Stiff;
 use super::system::{DenseOutput, Solver, State, StepError, Work, accumulate, towards};
@@ -183,7 +183,7 @@ impl<S: Stiff, R: Arithmetic> Radau<S, R> {
     /// Growth of the step that the iteration of the stages permits, where accuracy permits `wanted`; a linear part that is too old is
     /// evaluated again first.
     fn affordable(&mut self, ratio: f64, h: f64, wanted: f64) -> f64 {
-        let growth = if ratio > FAR * CONTRACTION { SHORTER } else { (CONTRACTION / ratio).max(1.0) };
+        let growth = if ratio > knob(4,FAR) * knob(3,CONTRACTION) { SHORTER } else { (knob(3,CONTRACTION) / ratio).max(1.0) };
         let aged = self.system.changes() && self.age.shows(ratio / h, growth < wanted);
         if aged { growth.max(1.0) } else { growth }
     }
@@ -214,11 +214,11 @@ impl<S: Stiff, R: Arithmetic> Solver for Radau<S, R> {
             let factor = match search {
                 Search::Found(ratio) => {
                     let error = self.estimate(h).max(f64::MIN_POSITIVE);
-                    let factor = (CAUTION * error.powf(-1.0 / ORDER)).clamp(SHRINK, GROW);
+                    let factor = (knob(7,CAUTION) * error.powf(-1.0 / ORDER)).clamp(SHRINK, GROW);
                     if error <= 1.0 {
                         let growth = factor.min(self.affordable(ratio, h, factor));
                         let growth = if rejected { growth.min(1.0) } else { growth };
-                        let kept = if KEPT.contains(&growth) { 1.0 } else { growth };
+                        let kept = if (knob(5,0.93)..knob(6,1.2)).contains(&growth) { 1.0 } else { growth };
                         self.h = if reaches { self.h.max(h * kept) } else { h * kept };
                         self.accept(h, if reaches { end } else { self.t + h });
                         return Ok(());
@@ -226,7 +226,7 @@ impl<S: Stiff, R: Arithmetic> Solver for Radau<S, R> {
                     factor
                 }
                 Search::Slow(_) if self.system.changes() && self.age.is_to_blame() => 1.0,
-                Search::Slow(ratio) => (CONTRACTION / ratio).clamp(SHRINK, 0.5),
+                Search::Slow(ratio) => (knob(3,CONTRACTION) / ratio).clamp(SHRINK, 0.5),
                 Search::NotFinite => 0.5,
             };
             self.h = h * factor;

@@ -4,7 +4,7 @@
 
 use super::Checkpoint;
 use super::radau_predictor::Predictor;
-use super::radau_search::{Attempt, Convergence, Search};
+use super::radau_search::{Attempt, Convergence, Search, knob};
 use super::radau_tableau::{A, ERROR, FROM_EIGEN, GAMMA, SHIFTS, STAGES, START, TO_EIGEN};
 use super::stiff::Stiff;
 use crate::lanes::{LANES, Lanes};
@@ -227,9 +227,12 @@ impl LaneStages {
         for (shifted, change) in self.shifted.iter_mut().zip(&self.changes[self.stiff..]) {
             *shifted = product::<R>(&TO_SHIFTS, *change, Lanes::splat(0.0));
         }
-        let weights = WEIGHTS.map(|column| column * Lanes::splat(attempt.h));
+        let mut weights = WEIGHTS;
+        for column in &mut weights {
+            *column = *column * Lanes::splat(attempt.h);
+        }
         let gammas = factors(GAMMA.map(|[re, im]| [-re / attempt.h, -im / attempt.h]));
-        let mut convergence = Convergence::new(attempt, CONVERGED, SWEEPS);
+        let mut convergence = Convergence::new(attempt, knob(0, CONVERGED), knob(8, f64::from(SWEEPS)) as i32, knob(1, 0.05));
         loop {
             let moved = self.sweep::<S, R>(system, attempt, &weights, &gammas);
             if let Some(search) = convergence.after(moved) {

@@ -2,6 +2,7 @@
 //! Steps are short beside the motion, so that the further nodes make the guess better by several sweeps.
 
 use super::Checkpoint;
+use super::radau_search::knob;
 use super::radau_tableau::{C, STAGES};
 use crate::lanes::{LANES, Lanes};
 use crate::simd::Arithmetic;
@@ -71,7 +72,7 @@ impl Predictor {
         let mut nodes = [0.0; LANES + EARLIER];
         nodes[..STAGES].copy_from_slice(&C);
         (0..EARLIER).for_each(|i| nodes[LANES + i] = before * (C[FIRST + i] - 1.0));
-        let both = EVEN.contains(&before) && EVEN.contains(&ratio);
+        let both = knob(2, 1.0) > 0.5 && EVEN.contains(&before) && EVEN.contains(&ratio);
         let nodes = &nodes[..if both { LANES + EARLIER } else { LANES }];
         self.weights.fill(Lanes::splat(0.0));
         for (stage, c) in C.iter().enumerate() {

@@ -33,6 +33,7 @@ pub(super) struct Convergence {
     converged: f64,
     /// Rounding error of a correction.
     rounding: f64,
+    least: f64,
     /// Sweeps made, and their limit.
     made: i32,
     limit: i32,
@@ -44,11 +45,18 @@ pub(super) struct Convergence {
 const ROUNDING: f64 = 32.0;
 const STALLED: f64 = 0.3;
 
+/// KNOB
+pub fn knob(i: usize, default: f64) -> f64 {
+    static K: std::sync::OnceLock<Vec<f64>> = std::sync::OnceLock::new();
+    let k = K.get_or_init(|| std::env::var("KNOBS").unwrap_or_default().split(',').map(|x| x.parse().unwrap_or(f64::NAN)).collect());
+    match k.get(i) { Some(x) if !x.is_nan() => *x, _ => default }
+}
+
 impl Convergence {
     /// Before the first of so many sweeps.
-    pub fn new(attempt: Attempt, converged: f64, limit: i32) -> Self {
+    pub fn new(attempt: Attempt, converged: f64, limit: i32, least: f64) -> Self {
         let rounding = ROUNDING * f64::EPSILON * attempt.size();
-        Self { converged, rounding, made: 0, limit, before: f64::INFINITY, ratios: [0.0; 2] }
+        Self { converged, rounding, least, made: 0, limit, before: f64::INFINITY, ratios: [0.0; 2] }
     }
 
     /// Result after a sweep that has moved the stages so far; none if more sweeps are needed.
@@ -59,7 +67,7 @@ impl Convergence {
         let [_, before] = self.ratios;
         let last = moved / self.before;
         (self.ratios, self.before, self.made) = ([before, last], moved, self.made + 1);
-        let worst = before.max(last);
+        let worst = before.max(last).max(self.least);
         let stalled = last > STALLED && moved < self.rounding;
         let found = stalled || worst < 1.0 && moved * worst / (1.0 - worst) < self.converged;
         if self.made > 1 && found {

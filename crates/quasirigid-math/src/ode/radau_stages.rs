@@ -124,7 +124,7 @@ impl Stages {
 
     /// Improves the guess until it satisfies the equations of the stages.
     pub fn find<S: Stiff, R: Arithmetic>(&mut self, system: &mut S, attempt: Attempt) -> Search {
-        let mut convergence = Convergence::new(attempt, CONVERGED, SWEEPS);
+        let mut convergence = Convergence::new(attempt, CONVERGED, SWEEPS, 0.0);
         loop {
             let rest = self.sweep::<S, R>(system, attempt);
             let moved = (rest + self.solve_stiff(system, attempt)).sqrt();

@@ -89,17 +89,17 @@ impl StraightKinetics {
         [q, p]: [&[Lanes]; 2],
         [q_rate, p_rate]: [&mut [Lanes]; 2],
     ) -> [Lanes; 3] {
-        let n = q.len();
-        let mut inertia = self.inertia.map(Lanes::splat);
+        let (n, zero) = (q.len(), Lanes::splat(0.0));
+        let mut inertia = splat(&self.inertia);
         let mut load = K;
         for j in 0..n {
-            let mut slope = self.half_slopes[j].map(Lanes::splat);
-            let mut moment = [Lanes::splat(0.0); 3];
+            let mut slope = splat(&self.half_slopes[j]);
+            let mut moment = [zero; 3];
             for k in 0..n {
                 add_scaled::<R, 6>(&mut slope, &self.squares[j * n + k], q[k]);
                 add_scaled::<R, 3>(&mut moment, &self.couplings[j * n + k], p[k]);
             }
-            let minus = [Lanes::splat(0.0) - q[j], Lanes::splat(0.0) - p[j]];
+            let minus = [zero - q[j], zero - p[j]];
             for i in 0..6 {
                 inertia[i] = (slope[i] + Lanes::splat(self.half_slopes[j][i])).mul_add::<R>(q[j], inertia[i]);
             }
@@ -110,10 +110,10 @@ impl StraightKinetics {
             (self.slopes[j], self.moments[j]) = (slope, moment);
         }
         let omega = solved::<R>(inertia, load);
-        let minus = omega.map(|omega| Lanes::splat(0.0) - omega);
+        let minus = [zero - omega[0], zero - omega[1], zero - omega[2]];
         for k in 0..n {
-            let mut coupling = self.coupling[k].map(Lanes::splat);
-            let mut rate = Lanes::splat(0.0);
+            let mut coupling = splat(&self.coupling[k]);
+            let mut rate = zero;
             for j in 0..n {
                 add_scaled::<R, 3>(&mut coupling, &self.couplings[j * n + k], q[j]);
                 rate = p[j].mul_add::<R>(Lanes::splat(self.inverse[k * n + j]), rate);
@@ -129,8 +129,7 @@ impl StraightKinetics {
     fn load<R: Arithmetic>(&self, omega: [Lanes; 3], q: &[Lanes], q_rate: &[Lanes], p_rate: &mut [Lanes]) {
         let n = q.len();
         let [x, y, z] = omega;
-        let twice = omega.map(|omega| omega + omega);
-        let square = [x * x, y * y, z * z, twice[1] * z, twice[2] * x, twice[0] * y];
+        let square = [x * x, y * y, z * z, (y + y) * z, (z + z) * x, (x + x) * y];
         for j in 0..n {
             let mut load = product::<R>(self.moments[j], omega, Lanes::splat(0.0));
             for i in 0..6 {
@@ -143,7 +142,7 @@ impl StraightKinetics {
             p_rate[j] = load;
         }
         for (j, k, coupling) in &self.gyroscopic {
-            let turning = product::<R>(coupling.map(Lanes::splat), omega, Lanes::splat(0.0));
+            let turning = product::<R>(splat(coupling), omega, Lanes::splat(0.0));
             p_rate[*j] = turning.mul_add::<R>(q_rate[*k], p_rate[*j]);
         }
     }
@@ -233,6 +232,16 @@ fn full(matrix: &SparseRows<f64>) -> Vec<f64> {
     rows
 }
 
+/// The same numbers in every lane.
+#[inline(always)]
+fn splat<const D: usize>(numbers: &[f64; D]) -> [Lanes; D] {
+    let mut lanes = [Lanes::splat(0.0); D];
+    for i in 0..D {
+        lanes[i] = Lanes::splat(numbers[i]);
+    }
+    lanes
+}
+
 /// Adds `entries · factor` to the sums.
 #[inline(always)]
 fn add_scaled<R: Arithmetic, const D: usize>(sums: &mut [Lanes; D], entries: &[f64; D], factor: Lanes) {
@@ -250,14 +259,20 @@ fn product<R: Arithmetic>(a: [Lanes; 3], b: [Lanes; 3], c: Lanes) -> Lanes {
 /// Solution of a symmetric system of size three, by its cofactors.
 #[inline(always)]
 fn solved<R: Arithmetic>([xx, yy, zz, yz, zx, xy]: [Lanes; 6], load: [Lanes; 3]) -> [Lanes; 3] {
-    let minor = |a: Lanes, b: Lanes, c: Lanes, d: Lanes| {
-        let minus = Lanes::splat(0.0) - c;
-        minus.mul_add::<R>(d, a * b)
-    };
     let zero = Lanes::splat(0.0);
-    let x = [minor(yy, zz, yz, yz), minor(yz, zx, xy, zz), minor(xy, yz, zx, yy)];
-    let y = [x[1], minor(zz, xx, zx, zx), minor(zx, xy, yz, xx)];
-    let z = [x[2], y[2], minor(xx, yy, xy, xy)];
+    let x = [minor::<R>(yy, zz, yz, yz), minor::<R>(yz, zx, xy, zz), minor::<R>(xy, yz, zx, yy)];
+    let y = [x[1], minor::<R>(zz, xx, zx, zx), minor::<R>(zx, xy, yz, xx)];
+    let z = [x[2], y[2], minor::<R>(xx, yy, xy, xy)];
     let scale = Lanes::splat(1.0) / product::<R>(x, [xx, xy, zx], zero);
-    [x, y, z].map(|row| scale * product::<R>(row, load, zero))
+    [
+        scale * product::<R>(x, load, zero),
+        scale * product::<R>(y, load, zero),
+        scale * product::<R>(z, load, zero),
+    ]
+}
+
+/// `a b − c d`.
+#[inline(always)]
+fn minor<R: Arithmetic>(a: Lanes, b: Lanes, c: Lanes, d: Lanes) -> Lanes {
+    (Lanes::splat(0.0) - c).mul_add::<R>(d, a * b)
 }

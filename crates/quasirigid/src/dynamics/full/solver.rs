@@ -5,6 +5,7 @@
 
 use super::system::FullSystem;
 use crate::dynamics::run::Method;
+use crate::math::ode::radau_search::knob;
 use crate::math::ode::{Checkpoint, DenseOutput, Dop853, Radau, Solver, StepError, Work};
 use crate::math::simd::{Plain, Rounding};
 
@@ -60,20 +61,20 @@ impl<'a> FullSolver<'a> {
             }
             Method::Automatic | Method::Explicit => Active::Explicit(Box::new(explicit)),
         };
-        Self { method, rounding, active, allowed, fastest, since: 0, against: 0, trust: TRUST, done: Work::default() }
+        Self { method, rounding, active, allowed, fastest, since: 0, against: 0, trust: knob(10, TRUST as f64) as u64, done: Work::default() }
     }
 
     /// True if the last step speaks against the active method.
     fn misfit(&self) -> bool {
         match &self.active {
             Active::Explicit(solver) => solver.h() * self.fastest > STABILITY,
-            Active::Implicit(solver) => solver.h() * self.fastest < WORTHWHILE,
+            Active::Implicit(solver) => solver.h() * self.fastest < knob(9, WORTHWHILE),
         }
     }
 
     /// True if the other method is to be tried.
     fn due(&self) -> bool {
-        let unfit = self.against >= PATIENCE;
+        let unfit = self.against >= knob(11, PATIENCE as f64) as u64;
         let due = match &self.active {
             Active::Explicit(_) => self.since >= self.trust || (unfit && self.trust == TRUST),
             Active::Implicit(_) => unfit,
@@ -90,7 +91,7 @@ impl<'a> FullSolver<'a> {
         let allowed = self.allowed.clone();
         self.active = match &self.active {
             Active::Explicit(solver) => {
-                let (t, y, h) = (solver.t(), solver.y().clone(), LEAP * solver.h());
+                let (t, y, h) = (solver.t(), solver.y().clone(), knob(12, LEAP) * solver.h());
                 Active::Implicit(Box::new(Implicit::rounded(solver.system().clone(), t, y, &allowed, h, self.rounding)))
             }
             Active::Implicit(solver) => {

@@ -235,7 +235,11 @@ impl Stiff for FullSystem<'_> {
         let wheels = self.system.body.wheels().constant;
         let (slow, n) = (self.layout.slow(), self.layout.n);
         let K = [y[MOMENTUM], y[MOMENTUM + 1], y[MOMENTUM + 2]];
-        let own = [0, 1, 2].map(|i| K[i] - Lanes::splat(wheels[i]));
+        let own = [
+            K[0] - Lanes::splat(wheels[0]),
+            K[1] - Lanes::splat(wheels[1]),
+            K[2] - Lanes::splat(wheels[2]),
+        ];
         let (steering, fast) = rates.split_at_mut(slow);
         let (q_rate, p_rate) = fast.split_at_mut(n);
         let omega = straight.rates::<R>(own, [&y[slow..slow + n], &y[slow + n..]], [q_rate, p_rate]);

@@ -3,11 +3,10 @@
 //! Method `[@hairer1999]`; equations (T2) and (T4), docs/theory/08-full-system.md.
 
 use std::marker::PhantomData;
-use std::ops::Range;
 
 use super::Checkpoint;
 use super::age::Age;
-use super::radau_iteration::Iteration;
+use super::radau_iteration::{Iteration, Pace};
 use super::radau_search::{knob, Attempt, Search};
 use super::radau_tableau::{C, GAMMA, SPLIT, STAGES, START};
 use super::stiff::Stiff;
@@ -37,6 +36,8 @@ pub struct Radau<S, R> {
     stages: Iteration,
     /// Whether the last step continues into the next.
     continues: bool,
+    /// Steps since the last search for stages that was too slow.
+    calm: u32,
     /// Step for which the linear part is factored.
     factored: f64,
     /// Age of the linear part, where it changes.
@@ -50,18 +51,13 @@ pub struct Radau<S, R> {
     arithmetic: PhantomData<R>,
 }
 
-/// Safety factor, and the limits of one change of the step.
+/// Safety factor, and the limit of one cut of the step.
 const CAUTION: f64 = 0.82;
 const SHRINK: f64 = 0.2;
-const GROW: f64 = 5.0;
-/// Factors of the step that are not worth a new factorisation: the step stays.
-const KEPT: Range<f64> = 0.93..1.2;
 /// Order of the error estimate plus one.
 const ORDER: f64 = 8.0;
-/// Ratio of consecutive corrections of the stages up to which longer steps pay; shorter ones pay beyond `FAR` times as much.
-const CONTRACTION: f64 = 0.12;
+/// Multiple of the ratio of corrections up to which longer steps pay beyond which shorter ones pay, and the factor of the step then.
 const FAR: f64 = 2.0;
-/// Factor of the step in that case.
 const SHORTER: f64 = 0.7;
 /// Stage in the middle of a step.
 const MIDDLE: usize = 3;
@@ -98,6 +94,7 @@ impl<S: Stiff, R: Arithmetic> Radau<S, R> {
             rate,
             stages,
             continues: false,
+            calm: u32::MAX,
             factored: 0.0,
             age: Age::default(),
             renewed: (t, Vec::new()),
@@ -124,7 +121,7 @@ impl<S: Stiff, R: Arithmetic> Radau<S, R> {
         let renewed = self.system.changes() && self.age.is_due();
         if renewed {
             let middle: Vec<f64> =
-                self.y.iter().zip(self.stages.changes(MIDDLE)).map(|(y, change)| y + change).collect();
+                self.y.iter().zip(self.stages.changes(MIDDLE, h)).map(|(y, change)| y + change).collect();
             self.renewed = (self.t + C[MIDDLE] * h, middle);
             self.system.renew(self.renewed.0, &self.renewed.1);
             self.age.steps = Some(0);
@@ -170,20 +167,22 @@ impl<S: Stiff, R: Arithmetic> Radau<S, R> {
     fn accept(&mut self, h: f64, t: f64) {
         self.last = (self.t, h);
         self.start.copy_from_slice(&self.y);
-        self.stages.keep(h, &self.rate);
-        self.stages.end(&mut self.change, &mut self.rate);
+        self.stages.keep(&self.rate);
+        self.stages.end(h, &mut self.change, &mut self.rate);
         accumulate(&mut self.y, &mut self.carry, &self.change);
         self.t = t;
         self.work.steps += 1;
         self.work.implicit_steps += 1;
         self.continues = true;
+        self.calm = self.calm.saturating_add(1);
         self.age.steps = self.age.steps.map(|steps| steps + 1);
     }
 
     /// Growth of the step that the iteration of the stages permits, where accuracy permits `wanted`; a linear part that is too old is
     /// evaluated again first.
     fn affordable(&mut self, ratio: f64, h: f64, wanted: f64) -> f64 {
-        let growth = if ratio > knob(4,FAR) * knob(3,CONTRACTION) { SHORTER } else { (knob(3,CONTRACTION) / ratio).max(1.0) };
+        let Pace { contraction, .. } = self.stages.pace();
+        let growth = if ratio > knob(4, FAR) * contraction { SHORTER } else { (contraction / ratio).max(1.0) };
         let aged = self.system.changes() && self.age.shows(ratio / h, growth < wanted);
         if aged { growth.max(1.0) } else { growth }
     }
@@ -205,6 +204,7 @@ impl<S: Stiff, R: Arithmetic> Solver for Radau<S, R> {
     }
 
     fn step(&mut self, end: f64) -> Result<(), StepError> {
+        let pace = self.stages.pace();
         let mut rejected = false;
         let mut undefined = self.rate.iter().any(|rate| !rate.is_finite());
         loop {
@@ -214,11 +214,12 @@ impl<S: Stiff, R: Arithmetic> Solver for Radau<S, R> {
             let factor = match search {
                 Search::Found(ratio) => {
                     let error = self.estimate(h).max(f64::MIN_POSITIVE);
-                    let factor = (knob(7,CAUTION) * error.powf(-1.0 / ORDER)).clamp(SHRINK, GROW);
+                    let factor = (knob(7,CAUTION) * error.powf(-1.0 / ORDER)).clamp(SHRINK, pace.grow);
                     if error <= 1.0 {
                         let growth = factor.min(self.affordable(ratio, h, factor));
-                        let growth = if rejected { growth.min(1.0) } else { growth };
-                        let kept = if (knob(5,0.93)..knob(6,1.2)).contains(&growth) { 1.0 } else { growth };
+                        let limit = if rejected || self.calm < pace.rest { 1.0 } else { pace.grow };
+                        let growth = growth.min(limit);
+                        let kept = if pace.kept.contains(&growth) { 1.0 } else { growth };
                         self.h = if reaches { self.h.max(h * kept) } else { h * kept };
                         self.accept(h, if reaches { end } else { self.t + h });
                         return Ok(());
@@ -226,7 +227,10 @@ impl<S: Stiff, R: Arithmetic> Solver for Radau<S, R> {
                     factor
                 }
                 Search::Slow(_) if self.system.changes() && self.age.is_to_blame() => 1.0,
-                Search::Slow(ratio) => (knob(3,CONTRACTION) / ratio).clamp(SHRINK, 0.5),
+                Search::Slow(ratio) => {
+                    self.calm = 0;
+                    (pace.contraction / ratio).clamp(SHRINK, 0.5)
+                }
                 Search::NotFinite => 0.5,
             };
             self.h = h * factor;
@@ -237,7 +241,7 @@ impl<S: Stiff, R: Arithmetic> Solver for Radau<S, R> {
 
     fn dense(&mut self) -> DenseOutput<Vec<f64>> {
         let (t, h) = self.last;
-        let changes: [Vec<f64>; STAGES] = std::array::from_fn(|stage| self.stages.changes(stage));
+        let changes: [Vec<f64>; STAGES] = std::array::from_fn(|stage| self.stages.changes(stage, h));
         let coefficients = SPLIT.map(|weights| {
             let mut row = self.start.zeroed();
             let start = row.clone();
@@ -249,19 +253,20 @@ impl<S: Stiff, R: Arithmetic> Solver for Radau<S, R> {
 
     fn save(&self, checkpoint: &mut Checkpoint) {
         let Self {
-            t, y, carry, h, work, last, start, rate, stages, continues, factored, age, renewed, ..
+            t, y, carry, h, work, last, start, rate, stages, continues, calm, factored, age, renewed, ..
         } = self;
         [*t, *h, last.0, last.1, *factored, renewed.0].into_iter().for_each(|number| checkpoint.save(number));
         [y, carry, start, rate, &renewed.1].into_iter().for_each(|list| checkpoint.save_list(list));
         checkpoint.save_work(*work);
         checkpoint.save_count(u64::from(*continues));
+        checkpoint.save_count(u64::from(*calm));
         age.save(checkpoint);
         stages.save(checkpoint);
     }
 
     fn load(&mut self, checkpoint: &mut Checkpoint) -> Option<()> {
         let Self {
-            t, y, carry, h, work, last, start, rate, stages, continues, factored, age, renewed, ..
+            t, y, carry, h, work, last, start, rate, stages, continues, calm, factored, age, renewed, ..
         } = self;
         for number in [t, h, &mut last.0, &mut last.1, factored, &mut renewed.0] {
             *number = checkpoint.load()?;
@@ -272,6 +277,7 @@ impl<S: Stiff, R: Arithmetic> Solver for Radau<S, R> {
         renewed.1 = checkpoint.load_list()?;
         *work = checkpoint.load_work()?;
         *continues = checkpoint.load_count()? == 1;
+        *calm = u32::try_from(checkpoint.load_count()?).ok()?;
         *age = Age::load(checkpoint)?;
         stages.load(checkpoint)?;
         if self.renewed.1.len() == self.y.len() {

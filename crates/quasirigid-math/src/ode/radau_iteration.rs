@@ -1,9 +1,11 @@
 //! The two iterations for the stages of the Radau IIA method: stage after stage, and side by side in lanes where the system can evaluate its
 //! rates so.
 
+use std::ops::Range;
+
 use super::Checkpoint;
 use super::radau_lanes::LaneStages;
-use super::radau_search::{Attempt, Search};
+use super::radau_search::{Attempt, Search, knob};
 use super::radau_stages::Stages;
 use super::radau_tableau::{ERROR, START};
 use super::stiff::Stiff;
@@ -16,6 +18,19 @@ pub(super) enum Iteration {
     InTurn(Stages),
     /// All stages at once.
     Beside(LaneStages),
+}
+
+/// How the length of a step follows an iteration.
+#[derive(Clone, Debug)]
+pub(super) struct Pace {
+    /// Factors of the step that are not worth a new factorisation: the step stays.
+    pub kept: Range<f64>,
+    /// Ratio of consecutive corrections of the stages up to which longer steps pay.
+    pub contraction: f64,
+    /// Limit of one growth of the step.
+    pub grow: f64,
+    /// Steps after stages that were not found in which the step does not grow.
+    pub rest: u32,
 }
 
 /// Calls a method of the iteration in use.
@@ -34,6 +49,17 @@ impl Iteration {
         match system.steering() {
             None => Self::InTurn(Stages::new(components, system.stiff())),
             Some(steering) => Self::Beside(LaneStages::new(components, steering, system.stiff(), rounding)),
+        }
+    }
+
+    /// How the length of a step follows.
+    ///
+    /// In lanes a factorisation costs as much as two dozen sweeps and more sweeps to a step cost little, but the first guess of a much longer
+    /// step is poor.
+    pub fn pace(&self) -> Pace {
+        match self {
+            Self::InTurn(_) => Pace { kept: 0.93..1.2, contraction: 0.12, grow: 5.0, rest: 0 },
+            Self::Beside(_) => Pace { kept: knob(5, 0.93)..knob(6, 1.5), contraction: knob(3, 0.2), grow: knob(13, 2.0), rest: knob(14, 8.0) as u32 },
         }
     }
 
@@ -82,30 +108,30 @@ impl Iteration {
     }
 
     /// Keeps the step for the guess of the next.
-    pub fn keep(&mut self, h: f64, rate: &[f64]) {
+    pub fn keep(&mut self, rate: &[f64]) {
         match self {
             Self::InTurn(stages) => stages.keep(rate),
-            Self::Beside(stages) => stages.keep(h),
+            Self::Beside(stages) => stages.keep(),
         }
     }
 
     /// Changes from the start of the step to a stage.
-    pub fn changes(&self, stage: usize) -> Vec<f64> {
+    pub fn changes(&self, stage: usize, h: f64) -> Vec<f64> {
         match self {
             Self::InTurn(stages) => stages.changes[stage].clone(),
-            Self::Beside(stages) => stages.changes(stage),
+            Self::Beside(stages) => stages.changes(stage, h),
         }
     }
 
     /// Writes the change from the start to the end of the step, and the rate there.
-    pub fn end(&self, change: &mut [f64], rate: &mut [f64]) {
+    pub fn end(&self, h: f64, change: &mut [f64], rate: &mut [f64]) {
         match self {
             Self::InTurn(stages) => {
                 let ([.., changes], [.., rates]) = (&stages.changes, &stages.rates);
                 change.copy_from_slice(changes);
                 rate.copy_from_slice(rates);
             }
-            Self::Beside(stages) => stages.end(change, rate),
+            Self::Beside(stages) => stages.end(h, change, rate),
         }
     }
 

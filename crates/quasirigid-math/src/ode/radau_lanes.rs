@@ -33,10 +33,12 @@ pub(super) struct LaneStages {
 
 /// Lane of the end of the step.
 const END: usize = STAGES - 1;
+/// Any number of stiff components: others are known to the compiler.
+const ANY: usize = 0;
 /// Most sweeps over the stages.
-const SWEEPS: i32 = 16;
+const SWEEPS: i32 = 20;
 /// Share of the error allowed below which the rest of the iteration ends it.
-const CONVERGED: f64 = 1e-7;
+const CONVERGED: f64 = 1e-6;
 
 /// Weights of each stage in the others.
 const WEIGHTS: [Lanes; STAGES] = {
@@ -142,6 +144,22 @@ impl<S: Stiff> Task for Find<'_, S> {
     }
 }
 
+/// Rates at the stages, as work that is compiled once however many components are stiff.
+struct Rates<'a, S> {
+    system: &'a mut S,
+    place: &'a [Lanes],
+    rates: &'a mut [Lanes],
+}
+
+impl<S: Stiff> Task for Rates<'_, S> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<R: Arithmetic>(self) {
+        self.system.rates_beside::<R>(self.place, self.rates);
+    }
+}
+
 /// First guess.
 struct Guess<'a> {
     stages: &'a mut LaneStages,
@@ -181,7 +199,6 @@ impl LaneStages {
     pub fn guess_still(&mut self, rate: &[f64]) {
         self.changes.fill(Lanes::splat(0.0));
         self.rates.iter_mut().zip(rate).for_each(|(lanes, rate)| *lanes = Lanes::splat(*rate));
-        self.predictor.forget();
     }
 
     /// First guess: the polynomial of the last steps continues over one that is `ratio` times as long as the last.
@@ -234,7 +251,12 @@ impl LaneStages {
         let gammas = factors(GAMMA.map(|[re, im]| [-re / attempt.h, -im / attempt.h]));
         let mut convergence = Convergence::new(attempt, knob(0, CONVERGED), knob(8, f64::from(SWEEPS)) as i32, knob(1, 0.05));
         loop {
-            let moved = self.sweep::<S, R>(system, attempt, &weights, &gammas);
+            let moved = match self.shifted.len() {
+                2 => self.sweep::<S, R, 2>(system, attempt, &weights, &gammas),
+                4 => self.sweep::<S, R, 4>(system, attempt, &weights, &gammas),
+                6 => self.sweep::<S, R, 6>(system, attempt, &weights, &gammas),
+                _ => self.sweep::<S, R, ANY>(system, attempt, &weights, &gammas),
+            };
             if let Some(search) = convergence.after(moved) {
                 if matches!(search, Search::Found(_)) {
                     self.close::<S, R>(system, &weights);
@@ -244,9 +266,9 @@ impl LaneStages {
         }
     }
 
-    /// One sweep over the stages; returns the change of the components in units of the error allowed. (T6)
+    /// One sweep over the stages with so many stiff components; returns the change of the components in units of the error allowed. (T6)
     #[inline(always)]
-    fn sweep<S: Stiff, R: Arithmetic>(
+    fn sweep<S: Stiff, R: Arithmetic, const SIZE: usize>(
         &mut self,
         system: &mut S,
         attempt: Attempt,
@@ -256,7 +278,8 @@ impl LaneStages {
         let Attempt { y, weights, .. } = attempt;
         let zero = Lanes::splat(0.0);
         let Self { steering, stiff, changes, rates, place, shifted, residuals, solution, .. } = self;
-        let (steering, stiff, size) = (*steering, *stiff, shifted.len());
+        let (steering, stiff) = (*steering, *stiff);
+        let size = if SIZE == ANY { shifted.len() } else { SIZE };
         let mut moved = zero;
         for i in 0..steering {
             let change = product::<R>(columns, rates[i], zero);
@@ -265,27 +288,31 @@ impl LaneStages {
             changes[i] = change;
             place[i] = change + Lanes::splat(y[i]);
         }
-        for i in stiff..stiff + size {
-            place[i] = changes[i] + Lanes::splat(y[i]);
+        let (changes, weights) = (&mut changes[stiff..stiff + size], &weights[stiff..stiff + size]);
+        let (shifted, residuals) = (&mut shifted[..size], &mut residuals[..size]);
+        for i in 0..size {
+            place[stiff + i] = changes[i] + Lanes::splat(y[stiff + i]);
         }
-        system.rates_beside::<R>(place, rates);
-        for (i, residual) in residuals.iter_mut().enumerate() {
+        R::call(Rates { system: &mut *system, place, rates });
+        let rates = &rates[stiff..stiff + size];
+        for i in 0..size {
             let scaled = gammas[0] * shifted[i];
             let scaled = gammas[1].mul_add::<R>(exchanged(shifted[i]), scaled);
-            *residual = product::<R>(&TO_SHIFTS, rates[stiff + i], scaled);
+            residuals[i] = product::<R>(&TO_SHIFTS, rates[i], scaled);
         }
         for i in 0..size {
             let (mut straight, mut crossed) = (zero, zero);
-            for (residual, factors) in residuals.iter().zip(&solution[i * size..(i + 1) * size]) {
-                straight = factors[0].mul_add::<R>(*residual, straight);
-                crossed = factors[1].mul_add::<R>(exchanged(*residual), crossed);
+            let row = &solution[i * size..(i + 1) * size];
+            for k in 0..size {
+                straight = row[k][0].mul_add::<R>(residuals[k], straight);
+                crossed = row[k][1].mul_add::<R>(exchanged(residuals[k]), crossed);
             }
             let correction = straight + crossed;
             shifted[i] = shifted[i] + correction;
             let correction = product::<R>(&FROM_SHIFTS, correction, zero);
-            let step = correction * Lanes::splat(weights[stiff + i]);
+            let step = correction * Lanes::splat(weights[i]);
             moved = step.mul_add::<R>(step, moved);
-            changes[stiff + i] = changes[stiff + i] + correction;
+            changes[i] = changes[i] + correction;
         }
         self.sweeps += 1;
         sum(moved).sqrt()
@@ -295,7 +322,7 @@ impl LaneStages {
     #[inline(always)]
     fn close<S: Stiff, R: Arithmetic>(&mut self, system: &mut S, columns: &[Lanes; STAGES]) {
         system.integrands_beside::<R>(&self.place, &mut self.rates);
-        for (change, rate) in self.changes[..self.stiff].iter_mut().zip(&self.rates) {
+        for (change, rate) in self.changes[..self.steering].iter_mut().zip(&self.rates) {
             *change = product::<R>(columns, *rate, Lanes::splat(0.0));
         }
     }
@@ -310,21 +337,33 @@ impl LaneStages {
     }
 
     /// Keeps the stages of a step for the guess of the next.
-    pub fn keep(&mut self, h: f64) {
+    pub fn keep(&mut self) {
         let Self { predictor, rates, changes, steering, stiff, .. } = self;
         let tracks = rates[..*steering].iter().chain(&changes[*stiff..]);
-        predictor.keep(h, *steering, tracks);
+        predictor.keep(tracks);
     }
 
-    /// Changes from the start of the step to a stage.
-    pub fn changes(&self, stage: usize) -> Vec<f64> {
-        self.changes.iter().map(|change| change.0[stage]).collect()
+    /// Changes from the start of a step of length `h` to a stage.
+    pub fn changes(&self, stage: usize, h: f64) -> Vec<f64> {
+        let mut changes: Vec<f64> = self.changes.iter().map(|change| change.0[stage]).collect();
+        self.integrate(stage, h, &mut changes);
+        changes
     }
 
-    /// Writes the change from the start to the end of the step, and the rate there.
-    pub fn end(&self, change: &mut [f64], rate: &mut [f64]) {
+    /// Writes the change from the start to the end of a step of length `h`, and the rate there.
+    pub fn end(&self, h: f64, change: &mut [f64], rate: &mut [f64]) {
         change.iter_mut().zip(&self.changes).for_each(|(change, lanes)| *change = lanes.0[END]);
+        self.integrate(END, h, change);
         rate.iter_mut().zip(&self.rates).for_each(|(rate, lanes)| *rate = lanes.0[END]);
+    }
+
+    /// Writes the changes of the integrals from the start of a step to a stage.
+    fn integrate(&self, stage: usize, h: f64, changes: &mut [f64]) {
+        let [a, b, c, d, e, f, g] = A[stage];
+        let weights = Lanes([a, b, c, d, e, f, g, 0.0]);
+        for i in self.steering..self.stiff {
+            changes[i] = h * sum(self.rates[i] * weights);
+        }
     }
 
     /// Saves the last steps, from which the next guess starts, and the count of sweeps.

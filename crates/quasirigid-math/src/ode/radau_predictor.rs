@@ -1,88 +1,47 @@
-//! First guess of the stages of a step: the polynomial through the last step and the end of the one before continues.
-//! Steps are short beside the motion, so that the further nodes make the guess better by several sweeps.
+//! First guess of the stages in lanes: the polynomial through the last step continues.
 
 use super::Checkpoint;
-use super::radau_search::knob;
+use super::radau_stages::lagrange;
 use super::radau_tableau::{C, STAGES};
 use crate::lanes::{LANES, Lanes};
 use crate::simd::Arithmetic;
 
-/// Extrapolation of the tracks of a motion, values or changes since the start of a step, from its last two steps.
+/// Extrapolation of the tracks of a motion, values or changes since the start of a step, from the last step.
 #[derive(Clone, Debug)]
 pub(super) struct Predictor {
-    /// Tracks of the last step, its start in the last lane, and of the step before, relative to the start of the last.
+    /// Tracks of the last step, its start in the last lane.
     last: Vec<Lanes>,
-    before: Vec<Lanes>,
-    /// Lengths of these steps; zero where none is kept.
-    lengths: [f64; 2],
-    /// Length of the new step and of the one before the last, in lengths of the last, that the weights are for.
-    ratios: [f64; 2],
-    /// Weights of the nodes in the new stages, the last ones those of the step before.
-    weights: [Lanes; LANES + EARLIER],
+    /// Length of the new step in lengths of the last that the weights are for.
+    ratio: f64,
+    /// Weights of the stages and the start of the last step in the new stages.
+    weights: [Lanes; LANES],
     /// Weight of the end of the last step in a change since then.
     end: Lanes,
 }
 
-/// Stages of the step before the last that are nodes, the latest ones before its end.
-const EARLIER: usize = 4;
-const FIRST: usize = STAGES - 1 - EARLIER;
 const END: usize = STAGES - 1;
-/// Limits of the ratio of two steps for which the polynomial goes through both: beyond, the nodes lie too far apart.
-const EVEN: std::ops::Range<f64> = 0.6..1.7;
 
 impl Predictor {
     pub fn new(tracks: usize) -> Self {
         let zero = Lanes::splat(0.0);
-        Self {
-            last: vec![zero; tracks],
-            before: vec![zero; tracks],
-            lengths: [0.0; 2],
-            ratios: [0.0; 2],
-            weights: [zero; LANES + EARLIER],
-            end: zero,
-        }
+        Self { last: vec![zero; tracks], ratio: 0.0, weights: [zero; LANES], end: zero }
     }
 
-    /// Forgets the steps kept.
-    pub fn forget(&mut self) {
-        self.lengths = [0.0; 2];
-    }
-
-    /// Keeps the tracks of a step of length `h`: values up to a number, then changes.
-    pub fn keep<'a>(&mut self, h: f64, values: usize, tracks: impl Iterator<Item = &'a Lanes>) {
-        std::mem::swap(&mut self.last, &mut self.before);
+    /// Keeps the tracks of a step.
+    pub fn keep<'a>(&mut self, tracks: impl Iterator<Item = &'a Lanes>) {
         self.last.iter_mut().zip(tracks).for_each(|(kept, track)| *kept = *track);
-        for change in &mut self.before[values..] {
-            *change = *change - Lanes::splat(change.0[END]);
-        }
-        self.lengths = [h, self.lengths[0]];
     }
 
     /// Prepares the guess of a step `ratio` times as long as the last.
     pub fn prepare(&mut self, ratio: f64) {
-        let ratios = [ratio, self.lengths[1] / self.lengths[0]];
-        if ratios != self.ratios {
-            self.ratios = ratios;
-            self.weigh();
+        if ratio == self.ratio {
+            return;
         }
-    }
-
-    fn weigh(&mut self) {
-        let [ratio, before] = self.ratios;
-        let mut nodes = [0.0; LANES + EARLIER];
-        nodes[..STAGES].copy_from_slice(&C);
-        (0..EARLIER).for_each(|i| nodes[LANES + i] = before * (C[FIRST + i] - 1.0));
-        let both = knob(2, 1.0) > 0.5 && EVEN.contains(&before) && EVEN.contains(&ratio);
-        let nodes = &nodes[..if both { LANES + EARLIER } else { LANES }];
-        self.weights.fill(Lanes::splat(0.0));
+        self.ratio = ratio;
         for (stage, c) in C.iter().enumerate() {
-            let x = 1.0 + ratio * c;
-            for (i, node) in nodes.iter().enumerate() {
-                let others = nodes.iter().enumerate().filter(|(j, _)| *j != i);
-                let [above, below] = others.fold([1.0, 1.0], |[above, below], (_, other)| {
-                    [above * (x - other), below * (node - other)]
-                });
-                self.weights[i].0[stage] = above / below;
+            let (start, stages) = lagrange(1.0 + ratio * c);
+            for (weights, weight) in self.weights.iter_mut().zip(stages.into_iter().chain([start])) {
+                weights.0[stage] = weight;
             }
         }
         self.end = self.weights[END];
@@ -103,35 +62,21 @@ impl Predictor {
 
     #[inline(always)]
     fn combined<R: Arithmetic>(&self, track: usize, end: Lanes) -> Lanes {
-        let (last, before) = (self.last[track], self.before[track]);
+        let last = self.last[track];
         let mut sum = end * Lanes::splat(last.0[END]);
         for i in 0..END {
             sum = self.weights[i].mul_add::<R>(Lanes::splat(last.0[i]), sum);
         }
-        sum = self.weights[STAGES].mul_add::<R>(Lanes::splat(last.0[STAGES]), sum);
-        for i in 0..EARLIER {
-            sum = self.weights[LANES + i].mul_add::<R>(Lanes::splat(before.0[FIRST + i]), sum);
-        }
-        sum
+        self.weights[STAGES].mul_add::<R>(Lanes::splat(last.0[STAGES]), sum)
     }
 
-    /// Saves the steps kept.
+    /// Saves the step kept.
     pub fn save(&self, checkpoint: &mut Checkpoint) {
-        self.lengths.into_iter().for_each(|length| checkpoint.save(length));
-        for lanes in self.last.iter().chain(&self.before) {
-            checkpoint.save_list(&lanes.0);
-        }
+        self.last.iter().for_each(|lanes| checkpoint.save_list(&lanes.0));
     }
 
-    /// Loads saved steps.
+    /// Loads a saved step.
     pub fn load(&mut self, checkpoint: &mut Checkpoint) -> Option<()> {
-        for length in &mut self.lengths {
-            *length = checkpoint.load()?;
-        }
-        for lanes in self.last.iter_mut().chain(&mut self.before) {
-            lanes.0.copy_from_slice(&checkpoint.load_list()?.get(..LANES)?);
-        }
-        self.ratios = [0.0; 2];
-        Some(())
+        self.last.iter_mut().try_for_each(|lanes| checkpoint.load_into(&mut lanes.0))
     }
 }

@@ -237,7 +237,7 @@ const DISTANCES: [f64; STAGES + 1] = {
 };
 
 /// Weights of the values at the start and at the stages in the polynomial through them, at a place `x > 1` in steps.
-fn lagrange(x: f64) -> (f64, [f64; STAGES]) {
+pub(super) fn lagrange(x: f64) -> (f64, [f64; STAGES]) {
     let whole: f64 = NODES.iter().map(|node| x - node).product();
     let weight = |node: usize| whole / ((x - NODES[node]) * DISTANCES[node]);
     (weight(0), std::array::from_fn(|stage| weight(stage + 1)))

@@ -35,6 +35,9 @@ pub struct StraightKinetics {
 /// Number of coordinates up to which the rates of eight states side by side cost less than one after the other.
 const MOST: usize = 12;
 
+/// Any number of coordinates: others are known to the compiler.
+const ANY: usize = 0;
+
 impl StraightKinetics {
     /// Polynomials of a body; none for a body of many coordinates, on curved paths or with liquids that are carried along, and where the mass
     /// matrix is not positive.
@@ -86,10 +89,27 @@ impl StraightKinetics {
     pub fn rates<R: Arithmetic>(
         &mut self,
         K: [Lanes; 3],
+        states: [&[Lanes]; 2],
+        rates: [&mut [Lanes]; 2],
+    ) -> [Lanes; 3] {
+        match self.half_slopes.len() {
+            1 => self.rates_of::<R, 1>(K, states, rates),
+            2 => self.rates_of::<R, 2>(K, states, rates),
+            3 => self.rates_of::<R, 3>(K, states, rates),
+            _ => self.rates_of::<R, ANY>(K, states, rates),
+        }
+    }
+
+    /// Rates for so many coordinates.
+    #[inline(always)]
+    fn rates_of<R: Arithmetic, const N: usize>(
+        &mut self,
+        K: [Lanes; 3],
         [q, p]: [&[Lanes]; 2],
         [q_rate, p_rate]: [&mut [Lanes]; 2],
     ) -> [Lanes; 3] {
-        let (n, zero) = (q.len(), Lanes::splat(0.0));
+        let (n, zero) = (if N == ANY { q.len() } else { N }, Lanes::splat(0.0));
+        let (q, p, q_rate, p_rate) = (&q[..n], &p[..n], &mut q_rate[..n], &mut p_rate[..n]);
         let mut inertia = splat(&self.inertia);
         let mut load = K;
         for j in 0..n {
@@ -120,14 +140,20 @@ impl StraightKinetics {
             }
             q_rate[k] = product::<R>(coupling, minus, rate);
         }
-        self.load::<R>(omega, q, q_rate, p_rate);
+        self.load::<R, N>(omega, q, q_rate, p_rate);
         omega
     }
 
     /// Loads on the coordinates, centrifugal and Coriolis, spring and dashpot.
     #[inline(always)]
-    fn load<R: Arithmetic>(&self, omega: [Lanes; 3], q: &[Lanes], q_rate: &[Lanes], p_rate: &mut [Lanes]) {
-        let n = q.len();
+    fn load<R: Arithmetic, const N: usize>(
+        &self,
+        omega: [Lanes; 3],
+        q: &[Lanes],
+        q_rate: &[Lanes],
+        p_rate: &mut [Lanes],
+    ) {
+        let n = if N == ANY { q.len() } else { N };
         let [x, y, z] = omega;
         let square = [x * x, y * y, z * z, (y + y) * z, (z + z) * x, (x + x) * y];
         for j in 0..n {

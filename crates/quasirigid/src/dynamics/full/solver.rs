@@ -61,14 +61,14 @@ impl<'a> FullSolver<'a> {
             }
             Method::Automatic | Method::Explicit => Active::Explicit(Box::new(explicit)),
         };
-        Self { method, rounding, active, allowed, fastest, since: 0, against: 0, trust: knob(10, TRUST as f64) as u64, done: Work::default() }
+        Self { method, rounding, active, allowed, fastest, since: 0, against: 0, trust: knob(10, 12.0) as u64, done: Work::default() }
     }
 
     /// True if the last step speaks against the active method.
     fn misfit(&self) -> bool {
         match &self.active {
             Active::Explicit(solver) => solver.h() * self.fastest > STABILITY,
-            Active::Implicit(solver) => solver.h() * self.fastest < knob(9, WORTHWHILE),
+            Active::Implicit(solver) => solver.h() * self.fastest < knob(9, 3.0),
         }
     }
 
@@ -91,7 +91,7 @@ impl<'a> FullSolver<'a> {
         let allowed = self.allowed.clone();
         self.active = match &self.active {
             Active::Explicit(solver) => {
-                let (t, y, h) = (solver.t(), solver.y().clone(), knob(12, LEAP) * solver.h());
+                let (t, y, h) = (solver.t(), solver.y().clone(), knob(12, 5.0) * solver.h());
                 Active::Implicit(Box::new(Implicit::rounded(solver.system().clone(), t, y, &allowed, h, self.rounding)))
             }
             Active::Implicit(solver) => {

@@ -7,7 +7,7 @@ use std::marker::PhantomData;
 use super::Checkpoint;
 use super::age::Age;
 use super::radau_iteration::{Iteration, Pace};
-use super::radau_search::{knob, Attempt, Search};
+use super::radau_search::{Attempt, Search};
 use super::radau_tableau::{C, GAMMA, SPLIT, STAGES, START};
 use super::stiff::Stiff;
 use super::system::{DenseOutput, Solver, State, StepError, Work, accumulate, towards};
@@ -69,14 +69,7 @@ impl<S: Stiff, R: Arithmetic> Radau<S, R> {
     }
 
     /// As [`new`](Self::new), with the bits of stages that are evaluated side by side.
-    pub fn rounded(
-        mut system: S,
-        t: f64,
-        y: Vec<f64>,
-        allowed: &[f64],
-        h: f64,
-        rounding: Rounding,
-    ) -> Self {
+    pub fn rounded(mut system: S, t: f64, y: Vec<f64>, allowed: &[f64], h: f64, rounding: Rounding) -> Self {
         let zero = vec![0.0; y.len()];
         let mut rate = zero.clone();
         system.rate::<R>(t, &y, &mut rate);
@@ -182,7 +175,7 @@ impl<S: Stiff, R: Arithmetic> Radau<S, R> {
     /// evaluated again first.
     fn affordable(&mut self, ratio: f64, h: f64, wanted: f64) -> f64 {
         let Pace { contraction, .. } = self.stages.pace();
-        let growth = if ratio > knob(4, FAR) * contraction { SHORTER } else { (contraction / ratio).max(1.0) };
+        let growth = if ratio > FAR * contraction { SHORTER } else { (contraction / ratio).max(1.0) };
         let aged = self.system.changes() && self.age.shows(ratio / h, growth < wanted);
         if aged { growth.max(1.0) } else { growth }
     }
@@ -214,7 +207,7 @@ impl<S: Stiff, R: Arithmetic> Solver for Radau<S, R> {
             let factor = match search {
                 Search::Found(ratio) => {
                     let error = self.estimate(h).max(f64::MIN_POSITIVE);
-                    let factor = (knob(7,CAUTION) * error.powf(-1.0 / ORDER)).clamp(SHRINK, pace.grow);
+                    let factor = (CAUTION * error.powf(-1.0 / ORDER)).clamp(SHRINK, pace.grow);
                     if error <= 1.0 {
                         let growth = factor.min(self.affordable(ratio, h, factor));
                         let limit = if rejected || self.calm < pace.rest { 1.0 } else { pace.grow };
@@ -253,7 +246,21 @@ impl<S: Stiff, R: Arithmetic> Solver for Radau<S, R> {
 
     fn save(&self, checkpoint: &mut Checkpoint) {
         let Self {
-            t, y, carry, h, work, last, start, rate, stages, continues, calm, factored, age, renewed, ..
+            t,
+            y,
+            carry,
+            h,
+            work,
+            last,
+            start,
+            rate,
+            stages,
+            continues,
+            calm,
+            factored,
+            age,
+            renewed,
+            ..
         } = self;
         [*t, *h, last.0, last.1, *factored, renewed.0].into_iter().for_each(|number| checkpoint.save(number));
         [y, carry, start, rate, &renewed.1].into_iter().for_each(|list| checkpoint.save_list(list));
@@ -266,7 +273,21 @@ impl<S: Stiff, R: Arithmetic> Solver for Radau<S, R> {
 
     fn load(&mut self, checkpoint: &mut Checkpoint) -> Option<()> {
         let Self {
-            t, y, carry, h, work, last, start, rate, stages, continues, calm, factored, age, renewed, ..
+            t,
+            y,
+            carry,
+            h,
+            work,
+            last,
+            start,
+            rate,
+            stages,
+            continues,
+            calm,
+            factored,
+            age,
+            renewed,
+            ..
         } = self;
         for number in [t, h, &mut last.0, &mut last.1, factored, &mut renewed.0] {
             *number = checkpoint.load()?;

@@ -5,7 +5,7 @@ use std::ops::Range;
 
 use super::Checkpoint;
 use super::radau_lanes::LaneStages;
-use super::radau_search::{Attempt, Search, knob};
+use super::radau_search::{Attempt, Search};
 use super::radau_stages::Stages;
 use super::radau_tableau::{ERROR, START};
 use super::stiff::Stiff;
@@ -54,12 +54,11 @@ impl Iteration {
 
     /// How the length of a step follows.
     ///
-    /// In lanes a factorisation costs as much as two dozen sweeps and more sweeps to a step cost little, but the first guess of a much longer
-    /// step is poor.
+    /// In lanes a factorisation costs as much as two dozen sweeps, and a few sweeps more cost less than a shorter step.
     pub fn pace(&self) -> Pace {
         match self {
             Self::InTurn(_) => Pace { kept: 0.93..1.2, contraction: 0.12, grow: 5.0, rest: 0 },
-            Self::Beside(_) => Pace { kept: knob(5, 0.93)..knob(6, 1.5), contraction: knob(3, 0.2), grow: knob(13, 2.0), rest: knob(14, 8.0) as u32 },
+            Self::Beside(_) => Pace { kept: 0.93..1.5, contraction: 0.2, grow: 5.0, rest: 8 },
         }
     }
 

@@ -4,10 +4,11 @@
 
 use super::Checkpoint;
 use super::radau_predictor::Predictor;
-use super::radau_search::{Attempt, Convergence, Search, knob};
-use super::radau_tableau::{A, ERROR, FROM_EIGEN, GAMMA, SHIFTS, STAGES, START, TO_EIGEN};
+use super::radau_search::{Attempt, Convergence, Limits, Search};
+use super::radau_shifts::{FROM_SHIFTS, TO_SHIFTS, WEIGHTS, exchanged, factors, product, sum};
+use super::radau_tableau::{A, ERROR, GAMMA, SHIFTS, STAGES, START};
 use super::stiff::Stiff;
-use crate::lanes::{LANES, Lanes};
+use crate::lanes::Lanes;
 use crate::simd::{Arithmetic, Rounding, Task, dispatch_lanes};
 
 /// Stages of a step in lanes.
@@ -35,98 +36,8 @@ pub(super) struct LaneStages {
 const END: usize = STAGES - 1;
 /// Any number of stiff components: others are known to the compiler.
 const ANY: usize = 0;
-/// Most sweeps over the stages.
-const SWEEPS: i32 = 20;
-/// Share of the error allowed below which the rest of the iteration ends it.
-const CONVERGED: f64 = 1e-6;
-
-/// Weights of each stage in the others.
-const WEIGHTS: [Lanes; STAGES] = {
-    let mut columns = [[0.0; LANES]; STAGES];
-    let (mut stage, mut other) = (0, 0);
-    while stage < STAGES {
-        while other < STAGES {
-            columns[other][stage] = A[stage][other];
-            other += 1;
-        }
-        (stage, other) = (stage + 1, 0);
-    }
-    lanes(columns)
-};
-
-/// Contribution of each stage to the parts at the shifts: real, then real and imaginary three times; a complex shift counts twice.
-const TO_SHIFTS: [Lanes; STAGES] = {
-    let mut columns = [[0.0; LANES]; STAGES];
-    let (mut stage, mut shift) = (0, 1);
-    while stage < STAGES {
-        columns[stage][0] = TO_EIGEN[0][stage][0];
-        while shift < SHIFTS {
-            columns[stage][2 * shift - 1] = 2.0 * TO_EIGEN[shift][stage][0];
-            columns[stage][2 * shift] = 2.0 * TO_EIGEN[shift][stage][1];
-            shift += 1;
-        }
-        (stage, shift) = (stage + 1, 1);
-    }
-    lanes(columns)
-};
-
-/// Contribution of each part at the shifts to the stages.
-const FROM_SHIFTS: [Lanes; STAGES] = {
-    let mut columns = [[0.0; LANES]; STAGES];
-    let (mut stage, mut shift) = (0, 1);
-    while stage < STAGES {
-        columns[0][stage] = FROM_EIGEN[0][stage][0];
-        while shift < SHIFTS {
-            columns[2 * shift - 1][stage] = FROM_EIGEN[shift][stage][0];
-            columns[2 * shift][stage] = -FROM_EIGEN[shift][stage][1];
-            shift += 1;
-        }
-        (stage, shift) = (stage + 1, 1);
-    }
-    lanes(columns)
-};
-
-const fn lanes(columns: [[f64; LANES]; STAGES]) -> [Lanes; STAGES] {
-    let mut result = [Lanes::splat(0.0); STAGES];
-    let mut i = 0;
-    while i < STAGES {
-        result[i] = Lanes(columns[i]);
-        i += 1;
-    }
-    result
-}
-
-/// Product with a complex number at each shift: factors of the parts, and of the parts with real and imaginary exchanged.
-fn factors(numbers: [[f64; 2]; SHIFTS]) -> [Lanes; 2] {
-    let [[a, _], [b, bi], [c, ci], [d, di]] = numbers;
-    [Lanes([a, b, b, c, c, d, d, 0.0]), Lanes([0.0, -bi, bi, -ci, ci, -di, di, 0.0])]
-}
-
-/// Parts at the shifts with real and imaginary exchanged.
-#[inline(always)]
-fn exchanged(Lanes([a, b, c, d, e, f, g, h]): Lanes) -> Lanes {
-    Lanes([a, c, b, e, d, g, f, h])
-}
-
-/// `start + Σ column · entry` over the first seven entries of the lanes.
-#[inline(always)]
-fn product<R: Arithmetic>(columns: &[Lanes; STAGES], entries: Lanes, start: Lanes) -> Lanes {
-    let mut even = start;
-    let mut odd = columns[1] * Lanes::splat(entries.0[1]);
-    even = columns[0].mul_add::<R>(Lanes::splat(entries.0[0]), even);
-    even = columns[2].mul_add::<R>(Lanes::splat(entries.0[2]), even);
-    odd = columns[3].mul_add::<R>(Lanes::splat(entries.0[3]), odd);
-    even = columns[4].mul_add::<R>(Lanes::splat(entries.0[4]), even);
-    odd = columns[5].mul_add::<R>(Lanes::splat(entries.0[5]), odd);
-    even = columns[6].mul_add::<R>(Lanes::splat(entries.0[6]), even);
-    even + odd
-}
-
-/// Sum over the lanes.
-#[inline(always)]
-fn sum(Lanes([a, b, c, d, e, f, g, h]): Lanes) -> f64 {
-    ((a + e) + (c + g)) + ((b + f) + (d + h))
-}
+/// Sweeps are cheap, and the error that they leave adds up over thousands of steps.
+const LIMITS: Limits = Limits { sweeps: 20, converged: 1e-6, least: 0.05 };
 
 /// Search for the stages, as work that is compiled for the widest registers.
 struct Find<'a, S> {
@@ -249,7 +160,7 @@ impl LaneStages {
             *column = *column * Lanes::splat(attempt.h);
         }
         let gammas = factors(GAMMA.map(|[re, im]| [-re / attempt.h, -im / attempt.h]));
-        let mut convergence = Convergence::new(attempt, knob(0, CONVERGED), knob(8, f64::from(SWEEPS)) as i32, knob(1, 0.05));
+        let mut convergence = Convergence::new(attempt, LIMITS);
         loop {
             let moved = match self.shifted.len() {
                 2 => self.sweep::<S, R, 2>(system, attempt, &weights, &gammas),
@@ -377,5 +288,80 @@ impl LaneStages {
         self.predictor.load(checkpoint)?;
         self.sweeps = checkpoint.load_count()?;
         Some(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::eigen::Dense;
+    use crate::lu::{ComplexDense, ComplexLu};
+    use crate::ode::system::System;
+
+    /// A linear system without symmetry.
+    struct Linear {
+        L: Dense,
+        factors: Vec<ComplexLu>,
+    }
+
+    const SIZE: usize = 5;
+
+    impl System<Vec<f64>> for Linear {
+        fn rate<R: Arithmetic>(&mut self, _: f64, y: &Vec<f64>, rate: &mut Vec<f64>) {
+            rate.copy_from_slice(&self.L.times(y));
+        }
+    }
+
+    impl Stiff for Linear {
+        fn stiff(&self) -> usize {
+            0
+        }
+
+        fn shift(&mut self, shifts: [[f64; 2]; SHIFTS]) {
+            let factored = |shift: [f64; 2]| {
+                let mut matrix = ComplexDense::zero(SIZE);
+                matrix.add_scaled([-1.0, 0.0], &self.L);
+                (0..SIZE).for_each(|i| matrix.add(i, i, shift));
+                ComplexLu::new(&matrix).unwrap()
+            };
+            self.factors = shifts.map(factored).into();
+        }
+
+        fn solve(&mut self, shift: usize, right: &mut [[f64; 2]]) {
+            right.copy_from_slice(&self.factors[shift].solve(right, 1).unwrap());
+        }
+    }
+
+    /// The rows of the solution in lanes do what the solution at each shift does.
+    #[test]
+    fn solution_in_lanes_is_the_solution_at_each_shift() {
+        let mut L = Dense::zero(SIZE);
+        (0..SIZE * SIZE).for_each(|i| L.add(i / SIZE, i % SIZE, (1.7 * i as f64 + 0.3).sin()));
+        let mut system = Linear { L, factors: Vec::new() };
+        system.shift(GAMMA);
+        let mut stages = LaneStages::new(SIZE, 0, 0, Rounding::Reproducible);
+        stages.factor(&mut system);
+        let right = |shift: usize, i: usize| [(i as f64 + 0.4 * shift as f64).cos(), (3.0 * i as f64).sin()];
+        let parts = |at: &dyn Fn(usize) -> [f64; 2]| {
+            let [[a, _], [b, bi], [c, ci], [d, di]] = std::array::from_fn(at);
+            Lanes([a, b, bi, c, ci, d, di, 0.0])
+        };
+        let rights: Vec<Lanes> = (0..SIZE).map(|i| parts(&|shift| right(shift, i))).collect();
+        let solved: [Vec<[f64; 2]>; SHIFTS] = std::array::from_fn(|shift| {
+            let real = |number: [f64; 2]| if shift == 0 { [number[0], 0.0] } else { number };
+            let mut solved: Vec<_> = (0..SIZE).map(|i| real(right(shift, i))).collect();
+            system.solve(shift, &mut solved);
+            solved
+        });
+        for row in 0..SIZE {
+            let known = parts(&|shift| solved[shift][row]);
+            let mut found = Lanes::splat(0.0);
+            for (right, [straight, crossed]) in rights.iter().zip(&stages.solution[row * SIZE..]) {
+                found = found + *straight * *right + *crossed * exchanged(*right);
+            }
+            for lane in 0..STAGES {
+                assert!((found.0[lane] - known.0[lane]).abs() < 1e-13, "{row} {lane}: {found:?} {known:?}");
+            }
+        }
     }
 }

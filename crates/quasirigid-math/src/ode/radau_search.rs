@@ -26,17 +26,25 @@ pub(super) enum Search {
     NotFinite,
 }
 
+/// Limits of an iteration.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Limits {
+    /// Most sweeps over the stages.
+    pub sweeps: i32,
+    /// Share of the error allowed below which the rest of the iteration ends it.
+    pub converged: f64,
+    /// Least ratio of consecutive corrections that is believed: the first correction, of a poor guess, may be far larger than the second.
+    pub least: f64,
+}
+
 /// Convergence of the iteration, from the size of its corrections.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Convergence {
-    /// Share of the error allowed below which the rest of the iteration ends it.
-    converged: f64,
+    limits: Limits,
     /// Rounding error of a correction.
     rounding: f64,
-    least: f64,
-    /// Sweeps made, and their limit.
+    /// Sweeps made.
     made: i32,
-    limit: i32,
     before: f64,
     ratios: [f64; 2],
 }
@@ -45,18 +53,11 @@ pub(super) struct Convergence {
 const ROUNDING: f64 = 32.0;
 const STALLED: f64 = 0.3;
 
-/// KNOB
-pub fn knob(i: usize, default: f64) -> f64 {
-    static K: std::sync::OnceLock<Vec<f64>> = std::sync::OnceLock::new();
-    let k = K.get_or_init(|| std::env::var("KNOBS").unwrap_or_default().split(',').map(|x| x.parse().unwrap_or(f64::NAN)).collect());
-    match k.get(i) { Some(x) if !x.is_nan() => *x, _ => default }
-}
-
 impl Convergence {
-    /// Before the first of so many sweeps.
-    pub fn new(attempt: Attempt, converged: f64, limit: i32, least: f64) -> Self {
+    /// Before the first sweep.
+    pub fn new(attempt: Attempt, limits: Limits) -> Self {
         let rounding = ROUNDING * f64::EPSILON * attempt.size();
-        Self { converged, rounding, least, made: 0, limit, before: f64::INFINITY, ratios: [0.0; 2] }
+        Self { limits, rounding, made: 0, before: f64::INFINITY, ratios: [0.0; 2] }
     }
 
     /// Result after a sweep that has moved the stages so far; none if more sweeps are needed.
@@ -64,17 +65,18 @@ impl Convergence {
         if !moved.is_finite() {
             return Some(Search::NotFinite);
         }
+        let Limits { sweeps, converged, least } = self.limits;
         let [_, before] = self.ratios;
         let last = moved / self.before;
         (self.ratios, self.before, self.made) = ([before, last], moved, self.made + 1);
-        let worst = before.max(last).max(self.least);
+        let worst = before.max(last).max(least);
         let stalled = last > STALLED && moved < self.rounding;
-        let found = stalled || worst < 1.0 && moved * worst / (1.0 - worst) < self.converged;
+        let found = stalled || worst < 1.0 && moved * worst / (1.0 - worst) < converged;
         if self.made > 1 && found {
             return Some(Search::Found(if stalled { before } else { last }));
         }
-        let remaining = self.limit - self.made;
-        let hopeless = last >= 1.0 || moved * last.powi(remaining) > self.converged.max(self.rounding);
+        let remaining = sweeps - self.made;
+        let hopeless = last >= 1.0 || moved * last.powi(remaining) > converged.max(self.rounding);
         (remaining == 0 || self.made > 2 && hopeless).then_some(Search::Slow(last))
     }
 }

@@ -3,7 +3,7 @@
 //! Transformation of the stages `[@hairer1999]`.
 
 use super::Checkpoint;
-use super::radau_search::{Attempt, Convergence, Search};
+use super::radau_search::{Attempt, Convergence, Limits, Search};
 use super::radau_tableau::{A, C, FROM_EIGEN, GAMMA, SHIFTS, STAGES, TO_EIGEN};
 use super::stiff::Stiff;
 use crate::simd::Arithmetic;
@@ -25,11 +25,9 @@ pub(super) struct Stages {
     pub sweeps: u64,
 }
 
-/// Most sweeps over the stages.
-const SWEEPS: i32 = 12;
-/// Share of the error allowed below which the rest of the iteration ends it: the state at the end of the step is better than the error
-/// estimate by that much.
-const CONVERGED: f64 = 3e-5;
+/// The state at the end of the step is better than the error estimate by the share of the error that the iteration may leave.
+const LIMITS: Limits = Limits { sweeps: 12, converged: 3e-5, least: 0.0 };
+
 /// Contribution of each stage to the real and imaginary parts at the shifts; a complex shift counts twice.
 const TO_SHIFTS: [[f64; 2 * SHIFTS]; STAGES] = {
     let mut rows = [[0.0; 2 * SHIFTS]; STAGES];
@@ -124,7 +122,7 @@ impl Stages {
 
     /// Improves the guess until it satisfies the equations of the stages.
     pub fn find<S: Stiff, R: Arithmetic>(&mut self, system: &mut S, attempt: Attempt) -> Search {
-        let mut convergence = Convergence::new(attempt, CONVERGED, SWEEPS, 0.0);
+        let mut convergence = Convergence::new(attempt, LIMITS);
         loop {
             let rest = self.sweep::<S, R>(system, attempt);
             let moved = (rest + self.solve_stiff(system, attempt)).sqrt();

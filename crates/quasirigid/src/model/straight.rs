@@ -62,10 +62,8 @@ impl StraightKinetics {
             sum(J1[j], sum(both[0], both[1])).map(|entry| 0.5 * entry)
         };
         let square = |j: usize, k: usize| {
-            let both = [
-                less(&changes[row(j)], &couplings[row(k)]),
-                less(&changes[row(k)], &couplings[row(j)]),
-            ];
+            let both =
+                [less(&changes[row(j)], &couplings[row(k)]), less(&changes[row(k)], &couplings[row(j)])];
             sum(second[j * n + k], sum(both[0], both[1]).map(|entry| 0.5 * entry))
         };
         Some(Self {

@@ -159,6 +159,9 @@ impl LaneStages {
         for column in &mut weights {
             *column = *column * Lanes::splat(attempt.h);
         }
+        for (change, rate) in self.changes[..self.steering].iter_mut().zip(&self.rates) {
+            *change = product::<R>(&weights, *rate, Lanes::splat(0.0));
+        }
         let gammas = factors(GAMMA.map(|[re, im]| [-re / attempt.h, -im / attempt.h]));
         let mut convergence = Convergence::new(attempt, LIMITS);
         loop {

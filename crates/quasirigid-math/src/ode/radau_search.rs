@@ -67,7 +67,7 @@ impl Convergence {
         }
         let Limits { sweeps, converged, least } = self.limits;
         let [_, before] = self.ratios;
-        let last = moved / self.before;
+        let last = if moved > 0.0 { moved / self.before } else { 0.0 };
         (self.ratios, self.before, self.made) = ([before, last], moved, self.made + 1);
         let worst = before.max(last).max(least);
         let stalled = last > STALLED && moved < self.rounding;

@@ -27,7 +27,7 @@ pub struct StraightKinetics {
     stiffness: Vec<f64>,
     /// Gyroscopic coupling of cyclic coordinates.
     gyroscopic: Vec<(usize, usize, [f64; 3])>,
-    /// `½∂N/∂q_j` and `X_jk p_k` at the last states, and their first moments of angular momentum.
+    /// At the last states: `½∂N/∂q_j`, and `X_jk p_k`.
     slopes: Vec<[Lanes; 6]>,
     moments: Vec<[Lanes; 3]>,
 }

@@ -173,7 +173,7 @@ impl LaneStages {
             };
             if let Some(search) = convergence.after(moved) {
                 if matches!(search, Search::Found(_)) {
-                    self.close::<S, R>(system, &weights);
+                    self.close::<S, R>(system, attempt.y, &weights);
                 }
                 return search;
             }
@@ -232,9 +232,12 @@ impl LaneStages {
         sum(moved).sqrt()
     }
 
-    /// Computes the changes of the non-stiff components from the last rates.
+    /// Computes the rates of the integrals, and the changes of the steering components from the last rates.
     #[inline(always)]
-    fn close<S: Stiff, R: Arithmetic>(&mut self, system: &mut S, columns: &[Lanes; STAGES]) {
+    fn close<S: Stiff, R: Arithmetic>(&mut self, system: &mut S, y: &[f64], columns: &[Lanes; STAGES]) {
+        for i in self.steering..self.stiff {
+            self.place[i] = Lanes::splat(y[i]);
+        }
         system.integrands_beside::<R>(&self.place, &mut self.rates);
         for (change, rate) in self.changes[..self.steering].iter_mut().zip(&self.rates) {
             *change = product::<R>(columns, *rate, Lanes::splat(0.0));

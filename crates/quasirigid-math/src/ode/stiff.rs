@@ -40,7 +40,8 @@ pub trait Stiff: System<Vec<f64>> {
         let _ = (y, rates);
     }
 
-    /// Writes the rates of the components that steer none, at the states of the last [`rates_beside`](Self::rates_beside).
+    /// Writes the rates of the integrals, at the states of the last [`rates_beside`](Self::rates_beside) with the integrals at the start of the
+    /// step: the rate of an integral may depend on one that is constant.
     fn integrands_beside<R: Arithmetic>(&mut self, y: &[Lanes], rates: &mut [Lanes]) {
         let _ = (y, rates);
     }

@@ -94,7 +94,8 @@ fn methods_agree() {
 #[test]
 fn stages_side_by_side_are_those_found_in_turn() {
     let body = body();
-    let start = FullState::at_rest(&body, OMEGA, ALIGNED);
+    let still = FullState::at_rest(&body, OMEGA, ALIGNED);
+    let start = FullState { place: [1.0, -2.0, 0.5], velocity: [0.3, 0.1, -0.2], ..still };
     let times = [0.3, 2.0, 11.0, 40.0];
     let law =
         ForceLaw::Torque { torque: [0.0; 3], axes: Axes::Body, wave: Wave { frequency: 0.0, phase: 0.0 } };
@@ -111,6 +112,7 @@ fn stages_side_by_side_are_those_found_in_turn() {
         for (truth, found) in in_turn.iter().zip(&beside) {
             assert!(norm(add(truth.omega, scale(-1.0, found.omega))) < 1e-10);
             assert!(angle_between(truth.attitude, found.attitude) < 1e-10);
+            assert!(norm(add(truth.place, scale(-1.0, found.place))) < 1e-10);
             assert!((truth.energy / found.energy - 1.0).abs() < 1e-10);
             assert!((truth.dissipated / found.dissipated - 1.0).abs() < 1e-8);
             assert!((truth.revolutions / found.revolutions - 1.0).abs() < 1e-8);

@@ -6,9 +6,9 @@ use std::error::Error;
 use std::time::Instant;
 
 use quasirigid::dynamics::{Forced, FullState, Method, Options, propagate_full};
+use quasirigid::problems::CommonProblem;
 use quasirigid_math::ode::Work;
 use quasirigid_math::rotation::ALIGNED;
-use quasirigid::problems::CommonProblem;
 
 /// Runs until their total is so many times the least of them.
 const ENOUGH: f64 = 5.0;
@@ -35,8 +35,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let (mut seconds, mut total) = (f64::INFINITY, 0.0);
     let run = loop {
         let clock = Instant::now();
-        let run =
-            propagate_full(Forced::not(&body), &start, &[case.duration], &options, &mut Vec::new())?;
+        let run = propagate_full(Forced::not(&body), &start, &[case.duration], &options, &mut Vec::new())?;
         let elapsed = clock.elapsed().as_secs_f64();
         (seconds, total) = (elapsed.min(seconds), total + elapsed);
         if total > ENOUGH * seconds {

@@ -3,14 +3,15 @@
 //! Method `[@hairer1999]`; equations (T2) and (T4), docs/theory/08-full-system.md.
 
 use std::marker::PhantomData;
-use std::ops::Range;
 
 use super::Checkpoint;
 use super::age::Age;
-use super::radau_stages::{Attempt, Search, Stages, Stiff};
-use super::radau_tableau::{C, ERROR, GAMMA, SPLIT, STAGES, START};
+use super::radau_iteration::{Iteration, Pace};
+use super::radau_search::{Attempt, Search};
+use super::radau_tableau::{C, GAMMA, SPLIT, STAGES, START};
+use super::stiff::Stiff;
 use super::system::{DenseOutput, Solver, State, StepError, Work, accumulate, towards};
-use crate::simd::Arithmetic;
+use crate::simd::{Arithmetic, Rounding};
 
 /// Implicit Runge–Kutta method Radau IIA of seven stages and order 13 `[@hairer1999]` for systems whose stiff part is
 /// linear and constant or changes slowly, so that a factorisation lasts as long as the step, or until the iteration slows.
@@ -32,43 +33,48 @@ pub struct Radau<S, R> {
     start: Vec<f64>,
     /// Rate at the state reached.
     rate: Vec<f64>,
-    stages: Stages,
+    stages: Iteration,
     /// Whether the last step continues into the next.
     continues: bool,
+    /// Steps since the last search for stages that was too slow.
+    calm: u32,
     /// Step for which the linear part is factored.
     factored: f64,
     /// Age of the linear part, where it changes.
     age: Age,
     /// Time and state at which the linear part was evaluated; empty of a constant one.
     renewed: (f64, Vec<f64>),
+    /// Change over the last step, and its error estimate.
+    change: Vec<f64>,
     error: Vec<f64>,
     smoothed: Vec<[f64; 2]>,
     arithmetic: PhantomData<R>,
 }
 
-/// Safety factor, and the limits of one change of the step.
+/// Safety factor, and the limit of one cut of the step.
 const CAUTION: f64 = 0.82;
 const SHRINK: f64 = 0.2;
-const GROW: f64 = 5.0;
-/// Factors of the step that are not worth a new factorisation: the step stays.
-const KEPT: Range<f64> = 0.93..1.2;
 /// Order of the error estimate plus one.
 const ORDER: f64 = 8.0;
-/// Ratio of consecutive corrections of the stages up to which longer steps pay; shorter ones pay beyond `FAR` times as much.
-const CONTRACTION: f64 = 0.12;
+/// Multiple of the ratio of corrections up to which longer steps pay beyond which shorter ones pay, and the factor of the step then.
 const FAR: f64 = 2.0;
-/// Factor of the step in that case.
 const SHORTER: f64 = 0.7;
 /// Stage in the middle of a step.
 const MIDDLE: usize = 3;
 
 impl<S: Stiff, R: Arithmetic> Radau<S, R> {
     /// Starts at a state with a first step (s), and with the error allowed per step in each component.
-    pub fn new(mut system: S, t: f64, y: Vec<f64>, allowed: &[f64], h: f64) -> Self {
+    pub fn new(system: S, t: f64, y: Vec<f64>, allowed: &[f64], h: f64) -> Self {
+        Self::rounded(system, t, y, allowed, h, Rounding::Fastest)
+    }
+
+    /// As [`new`](Self::new), with the bits of stages that are evaluated side by side.
+    pub fn rounded(mut system: S, t: f64, y: Vec<f64>, allowed: &[f64], h: f64, rounding: Rounding) -> Self {
         let zero = vec![0.0; y.len()];
         let mut rate = zero.clone();
         system.rate::<R>(t, &y, &mut rate);
         let stiff = system.stiff();
+        let stages = Iteration::new(&system, y.len(), rounding);
         Self {
             system,
             t,
@@ -79,11 +85,13 @@ impl<S: Stiff, R: Arithmetic> Radau<S, R> {
             last: (t, 0.0),
             start: y.clone(),
             rate,
-            stages: Stages::new(y.len(), stiff),
+            stages,
             continues: false,
+            calm: u32::MAX,
             factored: 0.0,
             age: Age::default(),
             renewed: (t, Vec::new()),
+            change: zero.clone(),
             error: zero,
             smoothed: vec![[0.0; 2]; y.len() - stiff],
             arithmetic: PhantomData,
@@ -106,7 +114,7 @@ impl<S: Stiff, R: Arithmetic> Radau<S, R> {
         let renewed = self.system.changes() && self.age.is_due();
         if renewed {
             let middle: Vec<f64> =
-                self.y.iter().zip(&self.stages.changes[MIDDLE]).map(|(y, change)| y + change).collect();
+                self.y.iter().zip(self.stages.changes(MIDDLE, h)).map(|(y, change)| y + change).collect();
             self.renewed = (self.t + C[MIDDLE] * h, middle);
             self.system.renew(self.renewed.0, &self.renewed.1);
             self.age.steps = Some(0);
@@ -119,6 +127,7 @@ impl<S: Stiff, R: Arithmetic> Radau<S, R> {
 
     fn shift(&mut self, h: f64) {
         self.system.shift(GAMMA.map(|[re, im]| [re / h, im / h]));
+        self.stages.factor(&mut self.system);
         self.factored = h;
     }
 
@@ -136,11 +145,7 @@ impl<S: Stiff, R: Arithmetic> Radau<S, R> {
     /// Error estimate of the step in units of the error allowed, filtered by the linear part.
     fn estimate(&mut self, h: f64) -> f64 {
         let stiff = self.system.stiff();
-        for (i, error) in self.error.iter_mut().enumerate() {
-            let stages: f64 =
-                self.stages.rates.iter().zip(ERROR).map(|(rate, weight)| weight * rate[i]).sum();
-            *error = h * (stages + START * self.rate[i]);
-        }
+        self.stages.error(h, &self.rate, &mut self.error);
         for (smoothed, error) in self.smoothed.iter_mut().zip(&self.error[stiff..]) {
             *smoothed = [error / (START * h), 0.0];
         }
@@ -156,21 +161,21 @@ impl<S: Stiff, R: Arithmetic> Radau<S, R> {
         self.last = (self.t, h);
         self.start.copy_from_slice(&self.y);
         self.stages.keep(&self.rate);
-        let [.., change] = &self.stages.changes;
-        accumulate(&mut self.y, &mut self.carry, change);
-        let [.., rate] = &self.stages.rates;
-        self.rate.copy_from_slice(rate);
+        self.stages.end(h, &mut self.change, &mut self.rate);
+        accumulate(&mut self.y, &mut self.carry, &self.change);
         self.t = t;
         self.work.steps += 1;
         self.work.implicit_steps += 1;
         self.continues = true;
+        self.calm = self.calm.saturating_add(1);
         self.age.steps = self.age.steps.map(|steps| steps + 1);
     }
 
     /// Growth of the step that the iteration of the stages permits, where accuracy permits `wanted`; a linear part that is too old is
     /// evaluated again first.
     fn affordable(&mut self, ratio: f64, h: f64, wanted: f64) -> f64 {
-        let growth = if ratio > FAR * CONTRACTION { SHORTER } else { (CONTRACTION / ratio).max(1.0) };
+        let Pace { contraction, .. } = self.stages.pace();
+        let growth = if ratio > FAR * contraction { SHORTER } else { (contraction / ratio).max(1.0) };
         let aged = self.system.changes() && self.age.shows(ratio / h, growth < wanted);
         if aged { growth.max(1.0) } else { growth }
     }
@@ -188,10 +193,11 @@ impl<S: Stiff, R: Arithmetic> Solver for Radau<S, R> {
     }
 
     fn work(&self) -> Work {
-        Work { evaluations: self.work.evaluations + STAGES as u64 * self.stages.sweeps, ..self.work }
+        Work { evaluations: self.work.evaluations + STAGES as u64 * self.stages.sweeps(), ..self.work }
     }
 
     fn step(&mut self, end: f64) -> Result<(), StepError> {
+        let pace = self.stages.pace();
         let mut rejected = false;
         let mut undefined = self.rate.iter().any(|rate| !rate.is_finite());
         loop {
@@ -201,11 +207,12 @@ impl<S: Stiff, R: Arithmetic> Solver for Radau<S, R> {
             let factor = match search {
                 Search::Found(ratio) => {
                     let error = self.estimate(h).max(f64::MIN_POSITIVE);
-                    let factor = (CAUTION * error.powf(-1.0 / ORDER)).clamp(SHRINK, GROW);
+                    let factor = (CAUTION * error.powf(-1.0 / ORDER)).clamp(SHRINK, pace.grow);
                     if error <= 1.0 {
                         let growth = factor.min(self.affordable(ratio, h, factor));
-                        let growth = if rejected { growth.min(1.0) } else { growth };
-                        let kept = if KEPT.contains(&growth) { 1.0 } else { growth };
+                        let limit = if rejected || self.calm < pace.rest { 1.0 } else { pace.grow };
+                        let growth = growth.min(limit);
+                        let kept = if pace.kept.contains(&growth) { 1.0 } else { growth };
                         self.h = if reaches { self.h.max(h * kept) } else { h * kept };
                         self.accept(h, if reaches { end } else { self.t + h });
                         return Ok(());
@@ -213,7 +220,10 @@ impl<S: Stiff, R: Arithmetic> Solver for Radau<S, R> {
                     factor
                 }
                 Search::Slow(_) if self.system.changes() && self.age.is_to_blame() => 1.0,
-                Search::Slow(ratio) => (CONTRACTION / ratio).clamp(SHRINK, 0.5),
+                Search::Slow(ratio) => {
+                    self.calm = 0;
+                    (pace.contraction / ratio).clamp(SHRINK, 0.5)
+                }
                 Search::NotFinite => 0.5,
             };
             self.h = h * factor;
@@ -224,10 +234,11 @@ impl<S: Stiff, R: Arithmetic> Solver for Radau<S, R> {
 
     fn dense(&mut self) -> DenseOutput<Vec<f64>> {
         let (t, h) = self.last;
+        let changes: [Vec<f64>; STAGES] = std::array::from_fn(|stage| self.stages.changes(stage, h));
         let coefficients = SPLIT.map(|weights| {
             let mut row = self.start.zeroed();
             let start = row.clone();
-            row.combine::<R>(&start, 1.0, &weights, &self.stages.changes);
+            row.combine::<R>(&start, 1.0, &weights, &changes);
             row
         });
         DenseOutput { t, h, y: self.start.clone(), coefficients }
@@ -235,19 +246,48 @@ impl<S: Stiff, R: Arithmetic> Solver for Radau<S, R> {
 
     fn save(&self, checkpoint: &mut Checkpoint) {
         let Self {
-            t, y, carry, h, work, last, start, rate, stages, continues, factored, age, renewed, ..
+            t,
+            y,
+            carry,
+            h,
+            work,
+            last,
+            start,
+            rate,
+            stages,
+            continues,
+            calm,
+            factored,
+            age,
+            renewed,
+            ..
         } = self;
         [*t, *h, last.0, last.1, *factored, renewed.0].into_iter().for_each(|number| checkpoint.save(number));
         [y, carry, start, rate, &renewed.1].into_iter().for_each(|list| checkpoint.save_list(list));
         checkpoint.save_work(*work);
         checkpoint.save_count(u64::from(*continues));
+        checkpoint.save_count(u64::from(*calm));
         age.save(checkpoint);
         stages.save(checkpoint);
     }
 
     fn load(&mut self, checkpoint: &mut Checkpoint) -> Option<()> {
         let Self {
-            t, y, carry, h, work, last, start, rate, stages, continues, factored, age, renewed, ..
+            t,
+            y,
+            carry,
+            h,
+            work,
+            last,
+            start,
+            rate,
+            stages,
+            continues,
+            calm,
+            factored,
+            age,
+            renewed,
+            ..
         } = self;
         for number in [t, h, &mut last.0, &mut last.1, factored, &mut renewed.0] {
             *number = checkpoint.load()?;
@@ -258,6 +298,7 @@ impl<S: Stiff, R: Arithmetic> Solver for Radau<S, R> {
         renewed.1 = checkpoint.load_list()?;
         *work = checkpoint.load_work()?;
         *continues = checkpoint.load_count()? == 1;
+        *calm = u32::try_from(checkpoint.load_count()?).ok()?;
         *age = Age::load(checkpoint)?;
         stages.load(checkpoint)?;
         if self.renewed.1.len() == self.y.len() {

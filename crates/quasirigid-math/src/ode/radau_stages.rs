@@ -3,31 +3,10 @@
 //! Transformation of the stages `[@hairer1999]`.
 
 use super::Checkpoint;
+use super::radau_search::{Attempt, Convergence, Limits, Search};
 use super::radau_tableau::{A, C, FROM_EIGEN, GAMMA, SHIFTS, STAGES, TO_EIGEN};
-use super::system::System;
+use super::stiff::Stiff;
 use crate::simd::Arithmetic;
-
-/// System with a stiff linear part `L` that hardly changes in a step: `rate = L y + non-stiff rest`.
-pub trait Stiff: System<Vec<f64>> {
-    /// First of the components that `L` acts on; the components before it are not stiff.
-    fn stiff(&self) -> usize;
-
-    /// Whether `L` changes with the state.
-    fn changes(&self) -> bool {
-        false
-    }
-
-    /// Evaluates `L` at a time and a state, if it changes; [`shift`](Self::shift) is due.
-    fn renew(&mut self, t: f64, y: &[f64]) {
-        let _ = (t, y);
-    }
-
-    /// Prepares to solve `(s − L) x = right` at the shifts `s` (1/s): real and imaginary part.
-    fn shift(&mut self, shifts: [[f64; 2]; SHIFTS]);
-
-    /// Solves `(s − L) x = right` in place, at the shift with this number.
-    fn solve(&mut self, shift: usize, right: &mut [[f64; 2]]);
-}
 
 /// Stages of a step of the method Radau IIA, found by iteration.
 #[derive(Clone, Debug)]
@@ -46,40 +25,8 @@ pub(super) struct Stages {
     pub sweeps: u64,
 }
 
-/// Step whose stages are sought.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Attempt<'a> {
-    pub t: f64,
-    pub h: f64,
-    pub y: &'a [f64],
-    /// One over the error allowed in each component.
-    pub weights: &'a [f64],
-}
-
-impl Attempt<'_> {
-    /// The state in units of the error allowed.
-    fn size(&self) -> f64 {
-        self.y.iter().zip(self.weights).map(|(y, weight)| (y * weight).powi(2)).sum::<f64>().sqrt()
-    }
-}
-
-/// Result of a search for the stages.
-#[derive(Clone, Copy, Debug)]
-pub(super) enum Search {
-    /// Stages found, with the ratio of the last two corrections above rounding.
-    Found(f64),
-    Slow(f64),
-    NotFinite,
-}
-
-/// Most sweeps over the stages.
-const SWEEPS: usize = 12;
-/// Share of the error allowed below which the rest of the iteration ends it: the state at the end of the step is better than the error
-/// estimate by that much.
-const CONVERGED: f64 = 3e-5;
-/// Rounding error of the iteration, in roundings of the state, and the ratio of corrections that shows it.
-const ROUNDING: f64 = 32.0;
-const STALLED: f64 = 0.3;
+/// The state at the end of the step is better than the error estimate by the share of the error that the iteration may leave.
+const LIMITS: Limits = Limits { sweeps: 12, converged: 3e-5, least: 0.0 };
 
 /// Contribution of each stage to the real and imaginary parts at the shifts; a complex shift counts twice.
 const TO_SHIFTS: [[f64; 2 * SHIFTS]; STAGES] = {
@@ -175,29 +122,17 @@ impl Stages {
 
     /// Improves the guess until it satisfies the equations of the stages.
     pub fn find<S: Stiff, R: Arithmetic>(&mut self, system: &mut S, attempt: Attempt) -> Search {
-        let rounding = ROUNDING * f64::EPSILON * attempt.size();
-        let (mut before, mut ratios) = (f64::INFINITY, [0.0; 2]);
-        for sweep in 0..SWEEPS {
+        let mut convergence = Convergence::new(attempt, LIMITS);
+        loop {
             let rest = self.sweep::<S, R>(system, attempt);
             let moved = (rest + self.solve_stiff(system, attempt)).sqrt();
-            if !moved.is_finite() {
-                return Search::NotFinite;
-            }
-            ratios = [ratios[1], moved / before];
-            before = moved;
-            let (last, worst) = (ratios[1], ratios[0].max(ratios[1]));
-            let converged = worst < 1.0 && moved * worst / (1.0 - worst) < CONVERGED;
-            let stalled = last > STALLED && moved < rounding;
-            if sweep > 0 && (converged || stalled) {
-                self.close(attempt.h, system.stiff());
-                return Search::Found(if stalled { ratios[0] } else { last });
-            }
-            let remaining = (SWEEPS - sweep - 1) as f64;
-            if sweep > 1 && (last >= 1.0 || moved * last.powf(remaining) > CONVERGED.max(rounding)) {
-                return Search::Slow(last);
+            if let Some(search) = convergence.after(moved) {
+                if matches!(search, Search::Found(_)) {
+                    self.close(attempt.h, system.stiff());
+                }
+                return search;
             }
         }
-        Search::Slow(ratios[1])
     }
 
     /// One sweep over the stages, each with the newest rates of the others; returns the squared change of the non-stiff components, in
@@ -300,7 +235,7 @@ const DISTANCES: [f64; STAGES + 1] = {
 };
 
 /// Weights of the values at the start and at the stages in the polynomial through them, at a place `x > 1` in steps.
-fn lagrange(x: f64) -> (f64, [f64; STAGES]) {
+pub(super) fn lagrange(x: f64) -> (f64, [f64; STAGES]) {
     let whole: f64 = NODES.iter().map(|node| x - node).product();
     let weight = |node: usize| whole / ((x - NODES[node]) * DISTANCES[node]);
     (weight(0), std::array::from_fn(|stage| weight(stage + 1)))

@@ -57,7 +57,8 @@ pub struct Options {
     /// Whether whole revolutions of a free reduced motion are passed in leaps where outputs lie thousands of them apart: the multirevolution
     /// method of the angular-momentum form. (P11)
     pub leaps: bool,
-    /// Bits of a reduced motion: as fast as the processor allows, or the same on every processor.
+    /// Bits of a reduced motion, and of a full one whose stages are evaluated side by side: as fast as the processor allows, or the same on
+    /// every processor.
     pub rounding: Rounding,
 }
 

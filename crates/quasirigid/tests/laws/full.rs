@@ -1,15 +1,16 @@
 //! The full system: its invariants, motions without dissipation, and the fate of its fast part.
 
 use quasirigid::dynamics::{
-    BoundaryLayer, Event, Forced, Form, FullState, Method, Options, Outcome, Sample, SlowState, Start,
-    composite_spin, matched_start, propagate, propagate_forced, propagate_full, slow_state_point,
+    BoundaryLayer, Event, Forced, Form, FullState, Method, Options, Outcome, Rounding, Sample, SlowState,
+    Start, composite_spin, matched_start, propagate, propagate_forced, propagate_full, slow_state_point,
     steady_spins,
 };
 use quasirigid::elements::{Carrier, Coefficient, End, Spring, SpringLaw};
+use quasirigid::model::force::{Axes, Force, ForceLaw, Wave};
 use quasirigid::model::{FlexibleBody, Rheology};
 use quasirigid::problems::CommonProblem;
 use quasirigid::reduction::reduce;
-use quasirigid_math::rotation::ALIGNED;
+use quasirigid_math::rotation::{ALIGNED, angle_between};
 use quasirigid_math::vec3::{add, norm, scale};
 
 use crate::support::{Sprung, sprung_body};
@@ -85,6 +86,36 @@ fn methods_agree() {
             assert!((truth.dissipated / other.dissipated - 1.0).abs() < 1e-7);
             assert!(other.energy_drift.abs() < 1e-7 * other.dissipated, "{:e}", other.energy_drift);
             assert!(other.momentum_drift.abs() < 1e-11);
+        }
+    }
+}
+
+/// A force of no size has the stages of implicit steps found one after the other; without it they are found side by side in lanes.
+#[test]
+fn stages_side_by_side_are_those_found_in_turn() {
+    let body = body();
+    let still = FullState::at_rest(&body, OMEGA, ALIGNED);
+    let start = FullState { place: [1.0, -2.0, 0.5], velocity: [0.3, 0.1, -0.2], ..still };
+    let times = [0.3, 2.0, 11.0, 40.0];
+    let law =
+        ForceLaw::Torque { torque: [0.0; 3], axes: Axes::Body, wave: Wave { frequency: 0.0, phase: 0.0 } };
+    let none = [Force { name: "none".into(), law }];
+    let options = Options { method: Method::Implicit, ..at(1e-12) };
+    let mut in_turn: Vec<Sample> = Vec::new();
+    let system = Forced { body: &body, forces: &none };
+    let slow = propagate_full(system, &start, &times, &options, &mut in_turn).unwrap();
+    for rounding in [Rounding::Fastest, Rounding::Reproducible] {
+        let mut beside: Vec<Sample> = Vec::new();
+        let options = Options { rounding, ..options.clone() };
+        let quick = propagate_full(Forced::not(&body), &start, &times, &options, &mut beside).unwrap();
+        assert_ne!(quick.work, slow.work, "the same road");
+        for (truth, found) in in_turn.iter().zip(&beside) {
+            assert!(norm(add(truth.omega, scale(-1.0, found.omega))) < 1e-10);
+            assert!(angle_between(truth.attitude, found.attitude) < 1e-10);
+            assert!(norm(add(truth.place, scale(-1.0, found.place))) < 1e-10);
+            assert!((truth.energy / found.energy - 1.0).abs() < 1e-10);
+            assert!((truth.dissipated / found.dissipated - 1.0).abs() < 1e-8);
+            assert!((truth.revolutions / found.revolutions - 1.0).abs() < 1e-8);
         }
     }
 }

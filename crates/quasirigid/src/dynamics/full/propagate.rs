@@ -59,7 +59,7 @@ pub fn propagate_full(
     let layout = Layout::of(system.body);
     let angular_momentum = Conserved::of(triple(&y, MOMENTUM), initial.attitude, scales.inside);
     let mut monitor = InvariantMonitor::new(full.clone(), &y, angular_momentum, options, observer);
-    let mut solver = FullSolver::new(full, y, allowed, options.method);
+    let mut solver = FullSolver::new(full, y, allowed, options.method, options.rounding);
     let first = monitor.resume(&mut solver)?;
     let reason = integrate(&mut solver, times, first, options.most_steps, &mut monitor);
     let last = monitor.sample(solver.t(), solver.y());

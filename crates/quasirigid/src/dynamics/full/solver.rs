@@ -5,8 +5,8 @@
 
 use super::system::FullSystem;
 use crate::dynamics::run::Method;
-use crate::math::ode::{Checkpoint, DenseOutput, Dop853, Radau, Solver, StepError, Work};
-use crate::math::simd::Plain;
+use crate::math::ode::{Checkpoint, DenseOutput, Dop853, Radau, Solver, StepError, Stiff, Work};
+use crate::math::simd::{Plain, Rounding};
 
 type State = Vec<f64>;
 type Explicit<'a> = Dop853<FullSystem<'a>, State, Plain>;
@@ -15,6 +15,8 @@ type Implicit<'a> = Radau<FullSystem<'a>, Plain>;
 /// Solver of the full system with two methods, one of them active.
 pub(super) struct FullSolver<'a> {
     method: Method,
+    rounding: Rounding,
+    costs: Costs,
     active: Active<'a>,
     allowed: State,
     /// Fastest rate of the elastic part (1/s).
@@ -39,34 +41,66 @@ const STABILITY: f64 = 4.0;
 /// Limit of an explicit step times the fastest rate for which dense output is as accurate as the end of the step: beyond, the stages
 /// leave the slow manifold and only the end returns.
 const RESOLVED: f64 = 1.0;
-/// Implicit step times the fastest rate below which it does not pay: an implicit step costs as much as four explicit ones of `STABILITY`.
-const WORTHWHILE: f64 = 16.0;
 /// Steps in a row before a change of method.
 const PATIENCE: u64 = 12;
-/// Explicit steps before the implicit method is first tried; twice as many after each trial that did not pay.
-const TRUST: u64 = 50;
-/// First implicit step over the last explicit one.
-const LEAP: f64 = 3.0;
+
+/// Costs of implicit steps beside explicit ones.
+#[derive(Clone, Copy, Debug)]
+struct Costs {
+    /// Implicit step times the fastest rate below which it does not pay.
+    worthwhile: f64,
+    /// Explicit steps before the implicit method is first tried; twice as many after each trial that did not pay.
+    trust: u64,
+    /// First implicit step over the last explicit one.
+    leap: f64,
+}
+
+impl Costs {
+    /// Stage after stage an implicit step costs as much as four explicit ones of `STABILITY`; side by side it costs less than one.
+    fn of(system: &FullSystem) -> Self {
+        match system.steering() {
+            None => Self { worthwhile: 16.0, trust: 50, leap: 3.0 },
+            Some(_) => Self { worthwhile: 3.0, trust: 12, leap: 5.0 },
+        }
+    }
+}
 
 impl<'a> FullSolver<'a> {
-    pub fn new(mut system: FullSystem<'a>, y: State, allowed: State, method: Method) -> Self {
-        let fastest = system.fastest();
+    pub fn new(
+        mut system: FullSystem<'a>,
+        y: State,
+        allowed: State,
+        method: Method,
+        rounding: Rounding,
+    ) -> Self {
+        let (fastest, costs) = (system.fastest(), Costs::of(&system));
         let explicit = Explicit::new(system.clone(), 0.0, y.clone(), allowed.clone());
         let active = match method {
             Method::Implicit => {
                 let h = explicit.h();
-                Active::Implicit(Box::new(Implicit::new(system, 0.0, y, &allowed, h)))
+                Active::Implicit(Box::new(Implicit::rounded(system, 0.0, y, &allowed, h, rounding)))
             }
             Method::Automatic | Method::Explicit => Active::Explicit(Box::new(explicit)),
         };
-        Self { method, active, allowed, fastest, since: 0, against: 0, trust: TRUST, done: Work::default() }
+        Self {
+            method,
+            rounding,
+            costs,
+            active,
+            allowed,
+            fastest,
+            since: 0,
+            against: 0,
+            trust: costs.trust,
+            done: Work::default(),
+        }
     }
 
     /// True if the last step speaks against the active method.
     fn misfit(&self) -> bool {
         match &self.active {
             Active::Explicit(solver) => solver.h() * self.fastest > STABILITY,
-            Active::Implicit(solver) => solver.h() * self.fastest < WORTHWHILE,
+            Active::Implicit(solver) => solver.h() * self.fastest < self.costs.worthwhile,
         }
     }
 
@@ -74,7 +108,7 @@ impl<'a> FullSolver<'a> {
     fn due(&self) -> bool {
         let unfit = self.against >= PATIENCE;
         let due = match &self.active {
-            Active::Explicit(_) => self.since >= self.trust || (unfit && self.trust == TRUST),
+            Active::Explicit(_) => self.since >= self.trust || (unfit && self.trust == self.costs.trust),
             Active::Implicit(_) => unfit,
         };
         due && self.method == Method::Automatic
@@ -82,15 +116,23 @@ impl<'a> FullSolver<'a> {
 
     fn switch(&mut self) {
         if matches!(self.active, Active::Implicit(_)) {
-            self.trust = if self.since < 3 * PATIENCE { self.trust.saturating_mul(2) } else { TRUST };
+            self.trust =
+                if self.since < 3 * PATIENCE { self.trust.saturating_mul(2) } else { self.costs.trust };
         }
         (self.since, self.against) = (0, 0);
         self.done = self.work();
         let allowed = self.allowed.clone();
         self.active = match &self.active {
             Active::Explicit(solver) => {
-                let (t, y, h) = (solver.t(), solver.y().clone(), LEAP * solver.h());
-                Active::Implicit(Box::new(Implicit::new(solver.system().clone(), t, y, &allowed, h)))
+                let (t, y, h) = (solver.t(), solver.y().clone(), self.costs.leap * solver.h());
+                Active::Implicit(Box::new(Implicit::rounded(
+                    solver.system().clone(),
+                    t,
+                    y,
+                    &allowed,
+                    h,
+                    self.rounding,
+                )))
             }
             Active::Implicit(solver) => {
                 let (t, y) = (solver.t(), solver.y().clone());

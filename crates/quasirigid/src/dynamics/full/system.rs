@@ -11,12 +11,13 @@ use crate::dynamics::layout::{
 };
 use crate::dynamics::seat::Seat;
 use crate::math::eigen::Dense;
+use crate::math::lanes::Lanes;
 use crate::math::ode::{Stiff, System};
 use crate::math::rotation::{self, Turn};
 use crate::math::simd::{Arithmetic, Plain};
 use crate::math::sparse::SparseRows;
 use crate::math::vec3::{add, cross, dot, norm, scale};
-use crate::model::{Displaced, Kinetics, MotionState};
+use crate::model::{Displaced, Kinetics, MotionState, StraightKinetics};
 
 /// Full equations in momenta, `K̇ = K × ω + M`, `ṗ = ∂L/∂q − Bq̇ + Q`: no acceleration is solved for. (S3), (S4), (T1), (C2)
 #[derive(Clone, Debug)]
@@ -24,6 +25,9 @@ pub(super) struct FullSystem<'a> {
     system: Forced<'a>,
     layout: Layout,
     kinetics: Kinetics<'a>,
+    /// Kinetics for stages side by side and the angular velocities of the last ones, where nothing acts from outside on a small body.
+    straight: Option<StraightKinetics>,
+    omega: [Lanes; 3],
     /// Damping of each dissipator, if there are several: entries of the upper triangle, those off the diagonal doubled.
     accounts: Vec<Vec<(usize, usize, f64)>>,
     stiff: StiffPart,
@@ -46,6 +50,8 @@ impl<'a> FullSystem<'a> {
             system,
             layout,
             kinetics: Kinetics::new(body)?,
+            straight: if system.acts() { None } else { StraightKinetics::new(body) },
+            omega: [Lanes::splat(0.0); 3],
             accounts: accounts.collect(),
             stiff: StiffPart::vibrations(body),
             differences: sizes[layout.slow()..].iter().map(|size| DIFFERENCE * size).collect(),
@@ -218,6 +224,42 @@ impl Stiff for FullSystem<'_> {
     fn solve(&mut self, shift: usize, right: &mut [[f64; 2]]) {
         self.stiff.solve(shift, right);
     }
+
+    fn steering(&self) -> Option<usize> {
+        self.straight.as_ref().map(|_| DISSIPATED)
+    }
+
+    #[inline(always)]
+    fn rates_beside<R: Arithmetic>(&mut self, y: &[Lanes], rates: &mut [Lanes]) {
+        let Some(straight) = &mut self.straight else { return };
+        let wheels = self.system.body.wheels().constant;
+        let (slow, n) = (self.layout.slow(), self.layout.n);
+        let K = [y[MOMENTUM], y[MOMENTUM + 1], y[MOMENTUM + 2]];
+        let own =
+            [K[0] - Lanes::splat(wheels[0]), K[1] - Lanes::splat(wheels[1]), K[2] - Lanes::splat(wheels[2])];
+        let (steering, fast) = rates.split_at_mut(slow);
+        let (q_rate, p_rate) = fast.split_at_mut(n);
+        let omega = straight.rates::<R>(own, [&y[slow..slow + n], &y[slow + n..]], [q_rate, p_rate]);
+        let attitude = [y[ATTITUDE], y[ATTITUDE + 1], y[ATTITUDE + 2], y[ATTITUDE + 3]];
+        steering[MOMENTUM..MOMENTUM + 3].copy_from_slice(&cross(K, omega));
+        steering[ATTITUDE..ATTITUDE + 4].copy_from_slice(&rotation::rate(attitude, omega));
+        self.omega = omega;
+    }
+
+    #[inline(always)]
+    fn integrands_beside<R: Arithmetic>(&mut self, y: &[Lanes], rates: &mut [Lanes]) {
+        let Some(straight) = &self.straight else { return };
+        let q_rate = self.layout.q();
+        rates[DISSIPATED] = straight.dissipation::<R>(&rates[q_rate.clone()]);
+        for (place, entries) in self.layout.accounts().zip(&self.accounts) {
+            let product = |&(j, k, entry): &(usize, usize, f64)| {
+                Lanes::splat(entry) * rates[q_rate.start + j] * rates[q_rate.start + k]
+            };
+            rates[place] = entries.iter().map(product).fold(Lanes::splat(0.0), |sum, part| sum + part);
+        }
+        rates[ANGLE] = dot(self.omega, self.omega).sqrt();
+        rates[PLACE..PLACE + 3].copy_from_slice(&y[VELOCITY..VELOCITY + 3]);
+    }
 }
 
 /// Entries of a symmetric matrix on and above the diagonal, the others doubled.
@@ -228,4 +270,73 @@ fn upper(matrix: &SparseRows<f64>) -> Vec<(usize, usize, f64)> {
 
 fn product(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::elements::Assembly;
+    use crate::math::lanes::LANES;
+    use crate::math::simd::{Rounding, Task, dispatch_lanes};
+    use crate::model::Support;
+    use crate::problems::ring_of_points;
+
+    /// Rates at eight states, side by side.
+    struct Beside<'a, 'b> {
+        system: &'a mut FullSystem<'b>,
+        states: &'a [Lanes],
+    }
+
+    impl Task for Beside<'_, '_> {
+        type Output = Vec<Lanes>;
+
+        fn run<R: Arithmetic>(self) -> Vec<Lanes> {
+            let mut rates = vec![Lanes::splat(0.0); self.states.len()];
+            self.system.rates_beside::<R>(self.states, &mut rates);
+            self.system.integrands_beside::<R>(self.states, &mut rates);
+            rates
+        }
+    }
+
+    /// Largest difference of the rates in lanes from those of one state after the other, over the largest rate of the kind.
+    fn difference(assembly: &Assembly, rounding: Rounding) -> f64 {
+        let body = assembly.body().unwrap();
+        let layout = Layout::of(&body);
+        let mut system = FullSystem::new(Forced::not(&body), &vec![1.0; layout.len()]).unwrap();
+        assert!(system.steering().is_some());
+        let entry = |i: usize, lane: usize| (1.3 * i as f64 + 0.9 * lane as f64 + 0.2).sin();
+        let small = |i: usize| if i < layout.slow() { 1.0 } else { 0.2 };
+        let states: Vec<Lanes> =
+            (0..layout.len()).map(|i| Lanes(std::array::from_fn(|lane| small(i) * entry(i, lane)))).collect();
+        let found = dispatch_lanes(rounding, Beside { system: &mut system, states: &states });
+        let mut worst = 0.0_f64;
+        for lane in 0..LANES {
+            let state: Vec<f64> = states.iter().map(|lanes| lanes.0[lane]).collect();
+            let mut known = vec![0.0; layout.len()];
+            system.rate::<Plain>(0.0, &state, &mut known);
+            let kinds = [0..3, 3..7, DISSIPATED..WORK, ANGLE..IMPULSE, PLACE..VELOCITY];
+            for kind in kinds.into_iter().chain([layout.accounts(), layout.q(), layout.p()]) {
+                let size = known[kind.clone()].iter().fold(0.0_f64, |size, rate| size.max(rate.abs()));
+                for i in kind {
+                    worst = worst.max((found[i].0[lane] - known[i]).abs() / size);
+                }
+            }
+        }
+        worst
+    }
+
+    /// Coordinates coupled in mass, stiffness and damping, off every axis and plane, free and constrained off the centre.
+    #[test]
+    fn rates_side_by_side_are_those_of_each_state() {
+        for count in [1, 2, 4] {
+            let free = ring_of_points(count);
+            let support = Support::FixedPoint { point: [0.4, -0.3, 0.7] };
+            for assembly in [Assembly { support, ..free.clone() }, free] {
+                for rounding in [Rounding::Fastest, Rounding::Reproducible] {
+                    let worst = difference(&assembly, rounding);
+                    assert!(worst < 1e-13, "{count} points, {:?}: {worst:e}", assembly.support);
+                }
+            }
+        }
+    }
 }

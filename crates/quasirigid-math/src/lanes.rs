@@ -36,6 +36,19 @@ impl Mask {
         self.0[lane] = if truth { u64::MAX } else { 0 };
     }
 
+    /// Whether it is true in any lane.
+    #[inline(always)]
+    #[must_use]
+    pub fn any(self) -> bool {
+        let mut all = 0;
+        let mut lane = 0;
+        while lane < LANES {
+            all |= self.0[lane];
+            lane += 1;
+        }
+        all != 0
+    }
+
     /// Lane by lane.
     #[inline(always)]
     fn each(self, other: Self, operation: impl Fn(u64, u64) -> u64) -> Self {
@@ -257,6 +270,9 @@ mod tests {
             assert_eq!((below.get(lane), odd.get(lane), Mask::NONE.get(lane)), (one, other, false), "{lane}");
             let found = [below & odd, below & !odd, below | odd, !below].map(|mask| mask.get(lane));
             assert_eq!(found, [one && other, one && !other, one || other, !one], "{lane}");
+            let mut alone = Mask::NONE;
+            alone.set(lane, true);
+            assert!(alone.any() && !Mask::NONE.any(), "{lane}");
             let chosen = if one { A } else { B }.0[lane];
             assert!(same(A.select(below, B).0[lane], chosen), "{lane}");
         }

@@ -6,7 +6,8 @@ use std::hint::black_box;
 use divan::Bencher;
 use divan::counter::ItemsCount;
 use quasirigid::dynamics::{Form, Options, Sample, Start, propagate, spin_path};
-use quasirigid::problems::QuarticQuintic;
+use quasirigid::model::Kinetics;
+use quasirigid::problems::{QuarticQuintic, ring_of_points};
 use quasirigid_math::polynomial::{Kernel, Series};
 use quasirigid_math::rotation::ALIGNED;
 use quasirigid_math::simd::{Arithmetic, Rounding, Task, dispatch};
@@ -106,4 +107,19 @@ fn right_hand_side_of_the_momentum_form(bencher: Bencher) {
     bencher
         .counter(ItemsCount::new(EVALUATIONS))
         .bench(|| dispatch(Rounding::Fastest, Chain { kernel: &kernel, angular_momentum: true }));
+}
+
+/// Rates of the full system: velocities from momenta, and loads. Items are coordinates, whose mass matrix falls into blocks.
+#[divan::bench(args = [10, 100, 333, 3333])]
+fn full_rates_of_sprung_points(bencher: Bencher, count: usize) {
+    let body = ring_of_points(count).body().expect("the ring has an equilibrium");
+    let n = body.coordinates().len();
+    let mut kinetics = Kinetics::new(&body).expect("its mass matrix is positive");
+    let wave = |scale: f64| -> Vec<f64> { (0..n).map(|i| scale * (0.7 * i as f64).sin()).collect() };
+    let (q, p, mut rate, mut load) = (wave(1e-3), wave(1e-2), vec![0.0; n], vec![0.0; n]);
+    bencher.counter(ItemsCount::new(n)).bench_local(|| {
+        load.fill(0.0);
+        let velocities = kinetics.velocities(black_box([1.0, 2.0, 3.0]), &p, &q, &mut rate);
+        velocities.add_loads(&q, &rate, &mut load)
+    });
 }

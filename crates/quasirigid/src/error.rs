@@ -7,7 +7,7 @@ use crate::dynamics::PropagateError;
 use crate::elements::ElementError;
 use crate::math::eigen::NoConvergence;
 use crate::model::{FlexibleError, InertiaError, RheologyError};
-use crate::modes::{EquilibriumError, ModesError, SteadyError};
+use crate::modes::{CampbellError, EquilibriumError, ModesError, SteadyError};
 use crate::reduction::{ReductionError, ValidityError};
 use crate::secular::MeasureError;
 use crate::submanifold::SubmanifoldError;
@@ -48,6 +48,8 @@ pub enum Error {
     Equilibrium(#[from] EquilibriumError),
     /// Modes about a steady spin that were not found.
     Modes(#[from] ModesError),
+    /// Eigenvalues of a spin that were not found.
+    Campbell(#[from] CampbellError),
     /// Reduced equations about a steady spin that were not found.
     Submanifold(#[from] SubmanifoldError),
     /// Steady state under forces that was not found.

@@ -5,7 +5,13 @@ use crate::study_file::{Values, Varied, vary};
 /// Reads `[uncertainty]`: keys of the same file with the distributions from which studies draw them.
 pub(super) fn uncertainty(value: &Value<'_>, text: &str) -> Option<Vec<Varied>> {
     let keys = vary(value)?;
-    let template = Template::new(text).ok()?; // the text has been read, so it is TOML
+    let template = match Template::new(text) {
+        Ok(template) => template,
+        Err(error) => {
+            let help = "studies change the text of the model, so all of it must be plain TOML; write a number beyond 9.2e18 as 1e19";
+            return value.refuse(error.to_string(), "cannot be drawn", Some(help.to_owned()));
+        }
+    };
     let known = keys.iter().map(|varied| match (&varied.values, template.find(&varied.key)) {
         (Values::Drawn(_), Ok(_)) => Some(()),
         (Values::Grid(_), _) => value.refuse_at(

@@ -3,7 +3,7 @@
 
 use insta::assert_snapshot;
 
-use super::{CARRIER, refusal, refusal_of, refusal_of_spring};
+use super::{CARRIER, read, refusal, refusal_of, refusal_of_spring};
 
 #[test]
 fn an_unknown_key_is_refused_with_the_nearest_known_one() {
@@ -118,4 +118,16 @@ fn a_mistake_made_many_times_is_cut_short() {
     let locations = report.lines().filter(|line| line.starts_with("model.toml:")).count();
     assert_eq!(locations, 101);
     assert_snapshot!(report.lines().last().unwrap_or_default(), @"model.toml:408:1: there are more problems like these");
+}
+
+/// An integer that is too large is a number to the reader, and no TOML to what changes the text for studies.
+#[test]
+fn an_uncertain_model_that_no_study_can_change_is_refused() {
+    let uncertain = "[uncertainty]\n\"carrier.mass\" = { uniform = [30.0, 50.0] }\n";
+    let large = "[run]\nduration = 9223372036854775808\n";
+    read(&format!("{CARRIER}{large}"));
+    assert_snapshot!(refusal(&format!("{CARRIER}{large}{uncertain}")), @"
+    model.toml:7:1: the model is not valid TOML: integer number overflowed
+      studies change the text of the model, so all of it must be plain TOML; write a number beyond 9.2e18 as 1e19
+    ");
 }

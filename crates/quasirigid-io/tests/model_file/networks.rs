@@ -109,6 +109,11 @@ fn a_network_that_cannot_be_is_refused() {
     model.toml:5:11: about 2.5e6 points fit into this ellipsoid
       widen the spacing: a network has 1e5 points or fewer
     ");
+    let long = "spacing = 0.04\nreach = 0.4";
+    assert_snapshot!(refusal(&rubble("").replace("spacing = 0.5", long)), @"
+    model.toml:5:11: about 6.6e7 springs join these points: a network has 1e7 springs or fewer
+      widen the spacing or shorten the reach: 2.3 times the spacing is usual
+    ");
     assert_snapshot!(refusal(&rubble("").replace("3 t", "-3 t")), @r#"
     model.toml:3:8: `mass` is -3000 kg, but must be positive
       write a number in kg, or a text with its unit such as "12 lb"

@@ -29,10 +29,15 @@ impl Strip<'_> {
             let (column, j) = order[index];
             let outside = |row: u32| SymmetricError::Outside { row, column };
             let range = self.pattern.range(column).ok_or_else(|| outside(column))?;
+            let rows = &self.pattern.rows()[..range.end];
             let mut place = range.start;
             for (row, i) in &order[index..] {
-                place += self.pattern.rows()[place..range.end].partition_point(|other| other < row);
-                if place == range.end || self.pattern.rows()[place] != *row {
+                if rows.get(place + 1) == Some(row) {
+                    place += 1;
+                } else {
+                    place += rows[place..].partition_point(|other| other < row);
+                }
+                if rows.get(place) != Some(row) {
                     return Err(outside(*row));
                 }
                 let entry = &mut self.entries[place - self.first];

@@ -22,6 +22,8 @@ use crate::simd::{Arithmetic, Rounding};
 pub struct Radau<S, R> {
     system: S,
     t: f64,
+    /// What the rounding of `t` has lost, which would add up over steps of one length.
+    late: f64,
     y: Vec<f64>,
     carry: Vec<f64>,
     /// One over the error allowed per step in each component; zero where it is not controlled.
@@ -78,6 +80,7 @@ impl<S: Stiff, R: Arithmetic> Radau<S, R> {
         Self {
             system,
             t,
+            late: 0.0,
             carry: zero.clone(),
             weights: allowed.iter().map(|allowed| 1.0 / allowed).collect(),
             h,
@@ -157,12 +160,16 @@ impl<S: Stiff, R: Arithmetic> Radau<S, R> {
         squares.sum::<f64>().sqrt()
     }
 
-    fn accept(&mut self, h: f64, t: f64) {
+    /// Takes over a step, which may reach an end.
+    fn accept(&mut self, h: f64, end: Option<f64>) {
         self.last = (self.t, h);
         self.start.copy_from_slice(&self.y);
         self.stages.keep(&self.rate);
         self.stages.end(h, &mut self.change, &mut self.rate);
         accumulate(&mut self.y, &mut self.carry, &self.change);
+        let change = h + self.late;
+        let t = end.unwrap_or(self.t + change);
+        self.late = if end.is_none() { change - (t - self.t) } else { 0.0 };
         self.t = t;
         self.work.steps += 1;
         self.work.implicit_steps += 1;
@@ -202,6 +209,7 @@ impl<S: Stiff, R: Arithmetic> Solver for Radau<S, R> {
         let mut undefined = self.rate.iter().any(|rate| !rate.is_finite());
         loop {
             let (h, reaches) = towards(end, self.t, self.h, undefined)?;
+            let h = if reaches { h - self.late } else { h };
             let search = self.find_stages(h);
             undefined = matches!(search, Search::NotFinite);
             let factor = match search {
@@ -214,7 +222,7 @@ impl<S: Stiff, R: Arithmetic> Solver for Radau<S, R> {
                         let growth = growth.min(limit);
                         let kept = if pace.kept.contains(&growth) { 1.0 } else { growth };
                         self.h = if reaches { self.h.max(h * kept) } else { h * kept };
-                        self.accept(h, if reaches { end } else { self.t + h });
+                        self.accept(h, reaches.then_some(end));
                         return Ok(());
                     }
                     factor
@@ -247,6 +255,7 @@ impl<S: Stiff, R: Arithmetic> Solver for Radau<S, R> {
     fn save(&self, checkpoint: &mut Checkpoint) {
         let Self {
             t,
+            late,
             y,
             carry,
             h,
@@ -262,7 +271,9 @@ impl<S: Stiff, R: Arithmetic> Solver for Radau<S, R> {
             renewed,
             ..
         } = self;
-        [*t, *h, last.0, last.1, *factored, renewed.0].into_iter().for_each(|number| checkpoint.save(number));
+        [*t, *late, *h, last.0, last.1, *factored, renewed.0]
+            .into_iter()
+            .for_each(|number| checkpoint.save(number));
         [y, carry, start, rate, &renewed.1].into_iter().for_each(|list| checkpoint.save_list(list));
         checkpoint.save_work(*work);
         checkpoint.save_count(u64::from(*continues));
@@ -274,6 +285,7 @@ impl<S: Stiff, R: Arithmetic> Solver for Radau<S, R> {
     fn load(&mut self, checkpoint: &mut Checkpoint) -> Option<()> {
         let Self {
             t,
+            late,
             y,
             carry,
             h,
@@ -289,7 +301,7 @@ impl<S: Stiff, R: Arithmetic> Solver for Radau<S, R> {
             renewed,
             ..
         } = self;
-        for number in [t, h, &mut last.0, &mut last.1, factored, &mut renewed.0] {
+        for number in [t, late, h, &mut last.0, &mut last.1, factored, &mut renewed.0] {
             *number = checkpoint.load()?;
         }
         for list in [y, carry, start, rate] {
@@ -315,7 +327,7 @@ impl<S: Stiff, R: Arithmetic> Solver for Radau<S, R> {
     }
 
     fn rewind(&mut self, t: f64, y: Vec<f64>) {
-        self.t = t;
+        (self.t, self.late) = (t, 0.0);
         self.y = y;
         self.carry.fill(0.0);
         self.continues = false;

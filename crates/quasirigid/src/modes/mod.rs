@@ -1,7 +1,10 @@
 //! Small motions about a steady spin: relative equilibria, and the modes of the spinning body.
 
+mod campbell;
+mod displacements;
 mod equilibrium;
 mod error;
+mod first_order;
 mod forced;
 mod iteration;
 mod mode;
@@ -10,6 +13,7 @@ mod pencil;
 mod shares;
 mod spectrum;
 
+pub use campbell::{CampbellError, SpinEigenvalues, campbell};
 pub use equilibrium::{EquilibriumError, Given, RelativeEquilibrium};
 pub use error::ModesError;
 pub use forced::{Near, SteadyError, SteadyModes, SteadyState, acts};

@@ -10,7 +10,7 @@ use super::error::ModesError;
 use super::iteration::{Pair, belongs};
 use super::pencil::Pencil;
 use super::shares::{dissipation, form, leading, listed, moving, tellable};
-use super::spectrum::{Eigenmotion, spectrum};
+use super::spectrum::{Eigenmotion, ZERO, spectrum};
 use crate::math::sym3;
 use crate::math::vec3::{self, norm, scale};
 use crate::model::{FlexibleBody, Principal, SpinCoefficients};
@@ -57,8 +57,6 @@ const REFINED: usize = 40;
 const SLOWEST: usize = 24;
 /// Number of coordinates above which the nutation is refined only for materials or liquids.
 const MANY: usize = 300;
-/// Share of the spin below which an eigenvalue is zero: a change of `|K|`, or of the direction in a body without a preferred one.
-const ZERO: f64 = 1e-7;
 /// Share of the largest tilt of the angular momentum from which a mode may be the nutation.
 const CLEAR: f64 = 0.1;
 /// Share of the decay rate below which a frequency is negligible.

@@ -129,6 +129,7 @@ fn public_types_are_send_sync_and_debug() {
     crosses::<model::Rheology>();
     crosses::<model::RheologyError>();
     crosses::<model::SpinCoefficients>();
+    crosses::<model::StraightKinetics>();
     crosses::<model::Support>();
     crosses::<model::Velocities>();
     crosses::<model::Watched>();
@@ -214,11 +215,13 @@ fn public_types_are_send_sync_and_debug() {
     crosses::<averaging::Unaveraged>();
     crosses::<averaging::Until>();
     crosses::<averaging::Way>();
+    crosses::<modes::CampbellError>();
     crosses::<modes::EquilibriumError>();
     crosses::<modes::Given>();
     crosses::<modes::ModesError>();
     crosses::<modes::Near>();
     crosses::<modes::RelativeEquilibrium>();
+    crosses::<modes::SpinEigenvalues>();
     crosses::<modes::SpinMode>();
     crosses::<modes::SpinModes>();
     crosses::<modes::SteadyError>();

@@ -1,5 +1,7 @@
 //! Budget of dissipation: shares that sum to the whole by every method, and that do not depend on each other.
 
+use std::ops::ControlFlow;
+
 use proptest::prelude::*;
 use quasirigid::averaging::{FreeRotation, MeanPower, PolynomialPower, Response};
 use quasirigid::dynamics::{
@@ -9,6 +11,7 @@ use quasirigid::elements::{Assembly, Carrier, Coefficient, End, Spring, SpringLa
 use quasirigid::model::{FlexibleBody, Mode, Principal, Rheology, Support};
 use quasirigid::problems::AxialMass;
 use quasirigid::reduction::reduce;
+use quasirigid::secular::{DirectOptions, follow_directly};
 use quasirigid_math::rotation::ALIGNED;
 
 use super::evolution::tumbler;
@@ -302,4 +305,27 @@ fn dissipators_have_names() {
     assert_eq!(names, ["spring 0-carrier", "spring 1-carrier", "spring 0-carrier 2", "strut"]);
     let strut = &body.dissipators()[3].damping;
     assert_eq!(strut.diagonal()[0], 2.0 * body.dissipators()[0].damping.diagonal()[0]);
+}
+
+/// A direct run splits its loss by samples, as the full system does by integrals.
+#[test]
+fn a_direct_run_has_the_budget_of_the_full_system() {
+    let duration = 60.0;
+    let (body, full, _) = histories(Method::Automatic, 0.3, duration, 10);
+    let start = Start { omega: [0.5, 0.7, 0.6], attitude: ALIGNED, place: [0.0; 3], velocity: [0.0; 3] };
+    let settled = start.settled(Forced::not(&body), 5).unwrap();
+    let options = DirectOptions {
+        until: None,
+        duration,
+        most_revolutions: f64::INFINITY,
+        most_steps: u64::MAX,
+        tolerance: 1e-12,
+    };
+    let run = follow_directly(&body, &settled, &options, &mut |_| ControlFlow::Continue(())).unwrap();
+    let dissipated = run.rows.last().unwrap().dissipated;
+    assert!((dissipated / sum(&full.budget) - 1.0).abs() < 1e-8, "{dissipated} {:?}", full.budget);
+    assert_eq!(run.budget.len(), full.budget.len());
+    for (found, (name, energy)) in run.budget.iter().zip(&full.budget) {
+        assert!((found - energy).abs() < 1e-2 * energy, "{name}: {found} {energy}");
+    }
 }

@@ -190,6 +190,7 @@ fn ends_do_not_depend_on_the_rows() {
     let ratio = Evolution::new(&Rigid, 5.0).ratio(reached.end.stage);
     assert!(reached.ending == DriftStopReason::Target && (ratio / 0.8 - 1.0).abs() < 1e-13, "{reached:?}");
     assert_eq!(ends(all).ending, DriftStopReason::Finished);
+    assert!(reached.ending.done() && ends(all).ending.done());
     assert_eq!(ends(all).passages.len(), 1);
 }
 
@@ -221,6 +222,7 @@ fn steady_spins_end_at_rest_or_spun_up() {
         if mode == Mode::ShortAxis {
             let slowed = ended(mode, SlowTorque { constant: [0.0; 3], drag: 1e-4 }, f64::INFINITY);
             assert_eq!(slowed.ending, DriftStopReason::Rest { share: 1e-9 });
+            assert!(!slowed.ending.done());
             close(slowed.end.t, MOMENTS[axis] / 1e-4 * 1e9_f64.ln());
         }
         let found = ended(mode, torque(1e-4), 3.0);

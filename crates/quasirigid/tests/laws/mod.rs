@@ -12,6 +12,7 @@ mod wobbler;
 mod angular_momentum_form;
 mod axes_and_units;
 mod budget;
+mod campbell;
 mod checkpoints;
 mod cutting;
 mod degrees;

@@ -2,12 +2,12 @@
 
 use std::ops::ControlFlow;
 
-use quasirigid::dynamics::{Forced, Form, Options, SlowState, Start, propagate_forced};
+use quasirigid::dynamics::{Forced, Form, Options, Sample, SlowState, Start, propagate_forced};
 use quasirigid::elements::{Assembly, Carrier, End, Station};
 use quasirigid::model::Support;
 use quasirigid::model::force::{Axes, Force, ForceLaw, MagneticField, Orbit, Wave};
 use quasirigid::secular::MeasureError;
-use quasirigid::verification::{AverageError, VerificationPlan, verify, verify_average};
+use quasirigid::verification::{AverageError, Difference, VerificationPlan, verify, verify_average};
 use quasirigid_math::expression::Expression;
 use quasirigid_math::rotation::turned;
 use quasirigid_math::vec3::{add, norm, scale};
@@ -198,4 +198,21 @@ fn averages_that_there_are_none_of_are_refused() {
         ControlFlow::Break(())
     });
     assert!(matches!(found, Err(AverageError::Measure(MeasureError::Interrupted))), "{found:?}");
+}
+
+/// Histories differ by the largest difference of each kind: the spin relative to the fastest, an angle, an energy.
+#[test]
+fn differences_of_histories_are_the_largest_of_each_kind() {
+    let turn = |angle: f64| [(0.5 * angle).cos(), 0.0, (0.5 * angle).sin(), 0.0];
+    let sample =
+        |omega, angle, dissipated| Sample { omega, attitude: turn(angle), dissipated, ..Sample::default() };
+    let full = [sample([0.0, 0.0, 4.0], 0.1, 2.0), sample([0.0, 3.0, 0.0], 0.2, 5.0)];
+    let reduced = [sample([0.0, 1.0, 4.0], 0.4, 2.5), sample([0.0, 2.5, 0.0], 0.3, 4.25)];
+    let found = Difference::between(&full, &reduced);
+    let close = |found: f64, expected: f64| assert!((found - expected).abs() < 1e-12, "{found} {expected}");
+    close(found.omega, 0.25);
+    close(found.attitude, 0.3);
+    close(found.dissipated, 0.75);
+    close(found.dissipation, 5.0);
+    assert!(Difference::between(&full, &reduced[..1]).dissipated.is_nan());
 }

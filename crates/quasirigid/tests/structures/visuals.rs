@@ -5,8 +5,8 @@ use std::f64::consts::PI;
 use nalgebra::Matrix3;
 use quasirigid::elements::{
     Assembly, Carrier, Cavity, CavityShape, Coefficient, Ellipsoid, End, Frame, FrameNode, HingeCoefficient,
-    Hinged, Material, Member, Part, PartKind, Point, PointMotion, Prestress, Regime, Rotor, RotorKind,
-    SectionShape, Spring, SpringLaw, Visual,
+    Hinged, Material, Member, Part, PartKind, PlaceRef, Point, PointMotion, Prestress, Regime, Rotor,
+    RotorKind, SectionShape, Spring, SpringLaw, Visual,
 };
 use quasirigid::model::Rheology;
 use quasirigid_mesh::surface::ClosedSurface;
@@ -165,6 +165,48 @@ fn springs_run_between_their_ends() {
         let moved: Vec<_> =
             spring.shapes.iter().map(|(coordinate, shape)| (*coordinate, shape[0], shape[1])).collect();
         assert_eq!(moved[2], (2, [0.0; 3], [0.0, 0.0, 1.0]));
+    }
+}
+
+/// A spring on a place of an appendage ends there, and moves as that place does.
+#[test]
+fn springs_end_at_places_of_appendages() {
+    let places = [("near", [1.5, 0.2, -0.3]), ("far", [3.0, 0.4, -0.3])];
+    let boom = Hinged {
+        name: "boom".into(),
+        mass: 2.0,
+        center_of_mass: [2.0, 0.2, -0.3],
+        inertia: [[0.01, 0.0, 0.0], [0.0, 0.6, 0.0], [0.0, 0.0, 0.6]],
+        hinge: [1.0, 0.2, -0.3],
+        axes: vec![[0.0, 0.0, 1.0]],
+        stiffness: HingeCoefficient::PerAxis(vec![50.0]),
+        damping: HingeCoefficient::PerAxis(vec![1.0]),
+        rheology: Rheology::Elastic,
+        places: places.map(|(name, place)| (name.into(), place)).into(),
+    };
+    let law = SpringLaw::Axial {
+        stiffness: 5.0,
+        damping: 0.0,
+        anchor: Some([0.5, 0.5, 0.5]),
+        prestress: Prestress::Relaxed,
+    };
+    let spring = |(place, (name, _)): (usize, (&str, [f64; 3]))| Spring {
+        name: name.into(),
+        from: End::Carrier,
+        to: End::Hinged(PlaceRef { hinged: 0, place }),
+        law,
+        rheology: Rheology::Elastic,
+    };
+    let springs = places.into_iter().enumerate().map(spring).collect();
+    let assembly = Assembly { carrier: Some(carrier()), hinged: vec![boom], springs, ..Assembly::default() };
+    let built = assembly.build_with_visuals().unwrap();
+    for (name, place) in places {
+        let spring = of(&built.visuals, name);
+        let end: [f64; 3] = std::array::from_fn(|i| spring.vertices[1][i] + built.body.pole()[i]);
+        assert!((0..3).all(|i| (end[i] - place[i]).abs() < 1e-12), "{name}: {end:?}");
+        let [(0, shape)] = spring.shapes.as_slice() else { panic!("{:?}", spring.shapes) };
+        let turned = [-(place[1] - 0.2), place[0] - 1.0, 0.0];
+        assert!((0..3).all(|i| (shape[1][i] - turned[i]).abs() < 1e-12), "{name}: {shape:?}");
     }
 }
 

@@ -8,6 +8,7 @@ use quasirigid::elements::{
 };
 use quasirigid::model::{FlexibleBody, Mode, Rheology};
 use quasirigid::modes::{Given, RelativeEquilibrium, SpinModes, whirl_onset};
+use quasirigid::problems::AxialMass;
 use quasirigid::secular::{EnergyRange, Pole, Poles};
 
 use super::common::turned_axes;
@@ -103,6 +104,56 @@ fn the_onset_of_whirl_parts_spins_that_whirl_from_those_that_do_not() {
     println!("{onset:?} {:e} {:e}", decay(0.999 * onset.spin), decay(1.001 * onset.spin));
     assert!(decay(0.999 * onset.spin) > 0.0 && decay(1.001 * onset.spin) < 0.0, "{onset:?}");
     assert!(onset.spin < 50.0 * std::f64::consts::TAU / 60.0, "{onset:?}");
+}
+
+/// Onset of whirl by the modes of every spin alone.
+fn onset_by_modes(body: &FlexibleBody, mode: Mode, [from, to]: [f64; 2]) -> Option<f64> {
+    let grows = |spin: f64| {
+        let steady = RelativeEquilibrium::extreme(body, mode, Given::Rate(spin)).ok()?;
+        let modes = SpinModes::about(body, steady).ok()?.modes;
+        Some(modes.iter().any(|mode| !mode.nutation && mode.decay_rate < -1e-12 * mode.frequency))
+    };
+    let mut stable = None;
+    for i in 0..=48 {
+        let mut high = from * (to / from).powf(48_f64.recip()).powi(i);
+        match grows(high) {
+            Some(true) => {
+                let Some(mut low) = stable else { return Some(high) };
+                while high - low > 1e-10 * high {
+                    let middle = 0.5 * (low + high);
+                    match grows(middle) {
+                        Some(true) => high = middle,
+                        Some(false) => low = middle,
+                        None => break,
+                    }
+                }
+                return Some(high);
+            }
+            Some(false) => stable = Some(high),
+            None => {}
+        }
+    }
+    None
+}
+
+/// The eigenvalues by which spins are passed over change neither spin nor motion: about the axis of greatest inertia, where all may decay, and
+/// about that of least, where the nutation grows.
+#[test]
+fn the_onset_of_whirl_is_that_of_the_modes() {
+    let on_axis = AxialMass { carrier: 7.0, A: 1.0, C: 1.5, m: 0.1, rho: 0.5, c: 40.0, b: 0.3 }
+        .assembly()
+        .body()
+        .unwrap();
+    let onset = |body: &FlexibleBody, mode: Mode, range: [f64; 2]| {
+        let found =
+            whirl_onset(body, mode, range, &mut |_| ControlFlow::Continue(())).map(|onset| onset.spin);
+        assert_eq!(found, onset_by_modes(body, mode, range), "{mode:?}");
+        found
+    };
+    assert!(onset(&on_axis, Mode::ShortAxis, [0.5, 60.0]).is_some());
+    assert!(onset(&on_axis, Mode::ShortAxis, [0.5, 6.0]).is_none());
+    assert!(onset(&stage(), Mode::LongAxis, [0.5, 20.0]).is_some());
+    assert!(onset(&stage(), Mode::ShortAxis, [0.5, 20.0]).is_none());
 }
 
 /// A stage with a boom along its axis of least inertia.

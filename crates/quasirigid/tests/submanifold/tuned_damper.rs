@@ -92,3 +92,28 @@ fn a_history_on_the_manifold_ends_when_that_of_the_full_system_does() {
     let [time, expected] = [&found.run, &direct].map(|run| run.rows.last().unwrap().t);
     assert!((time / expected - 1.0).abs() < 0.02, "{time} s, the full system {expected} s");
 }
+
+/// An amplitude has a mean energy, and the energy its amplitude; energies beyond the range have none.
+#[test]
+fn an_energy_has_its_amplitude_within_the_range() {
+    let body = satellite(0.1);
+    let rate = std::f64::consts::TAU;
+    let start = FullState::at_rest(&body, [0.05 * rate, 0.08 * rate, rate], ALIGNED);
+    let plan = SpinManifoldPlan {
+        mode: Mode::ShortAxis,
+        angular_momentum: start.angular_momentum(&body),
+        masters: Masters::Nutation,
+        degree: 3,
+        style: Style::NormalForm,
+    };
+    let manifold = derived(&body, &plan);
+    let (least, most) = (manifold.steady_energy(), manifold.power_at(0.1).energy);
+    for amplitude in [0.02, 0.07] {
+        let energy = manifold.power_at(amplitude).energy;
+        let found = manifold.amplitude_at(energy, 0.1).unwrap();
+        assert!((found / amplitude - 1.0).abs() < 1e-6, "{found} {amplitude}");
+    }
+    for outside in [least - 0.2 * (most - least), least + 1.2 * (most - least)] {
+        assert_eq!(manifold.amplitude_at(outside, 0.1), None);
+    }
+}

@@ -3,6 +3,7 @@
 //! limited before any is drawn.
 
 use quasirigid::elements::{ElementKind, Network};
+use quasirigid_math::memory;
 
 use super::super::body::FEWEST_POINTS;
 use super::super::names::Part;
@@ -34,6 +35,10 @@ const NETWORK: Keys = Keys {
 
 /// Most points that a network may be expected to have.
 const MOST_POINTS: f64 = 1e5;
+/// Most springs that a network may be expected to have.
+const MOST_SPRINGS: f64 = 1e7;
+/// Memory of a spring while the file is read (bytes), as measured, with the growth of lists.
+const SPRING: f64 = 400.0;
 /// Reach of the springs over the least distance of points, unless the file gives the reach.
 const REACH: f64 = 2.3;
 /// Longest springs over the least distance of points.
@@ -85,6 +90,17 @@ pub(in crate::model) fn network(table: &Table<'_>, name: &str) -> Option<(Networ
         let message = format!("about {:.1e} points fit into this ellipsoid", network.expected());
         let help = format!("widen the spacing: a network has {MOST_POINTS:e} points or fewer");
         return table.get("spacing")?.refuse(message, "too many points", Some(help));
+    }
+    let springs = network.expected_springs();
+    let problem = match memory::ask(SPRING * springs) {
+        _ if springs > MOST_SPRINGS => Some(format!("a network has {MOST_SPRINGS:e} springs or fewer")),
+        Err(cause) => Some(cause.to_string()),
+        Ok(()) => None,
+    };
+    if let Some(problem) = problem {
+        let message = format!("about {springs:.1e} springs join these points: {problem}");
+        let help = format!("widen the spacing or shorten the reach: {REACH} times the spacing is usual");
+        return table.get("spacing")?.refuse(message, "too many springs", Some(help));
     }
     Some((network, known.extremes))
 }

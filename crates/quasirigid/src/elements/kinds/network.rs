@@ -48,6 +48,13 @@ impl Network {
         0.8 * self.volume() / self.spacing.powi(3)
     }
 
+    /// Upper estimate of the number of springs: every pair of the expected points that is near, as if none were at the surface.
+    #[must_use]
+    pub fn expected_springs(&self) -> f64 {
+        let near = 0.8 * 4.0 / 3.0 * PI * (self.reach / self.spacing).powi(3);
+        0.5 * self.expected() * near
+    }
+
     /// The points, and the springs between them as pairs of their indices.
     #[must_use]
     pub fn layout(&self) -> (Vec<[f64; 3]>, Vec<[usize; 2]>) {
@@ -180,6 +187,8 @@ mod tests {
             }
         }
         assert_eq!(pairs, near);
+        let expected = network.expected_springs();
+        assert!(near.len() as f64 > 0.3 * expected && (near.len() as f64) < expected);
     }
 
     #[test]

@@ -5,7 +5,7 @@ use nalgebra::{DMatrix, Matrix3, Vector3};
 use super::slopes::{DISPLACED, Instant, OMEGA, Slopes, THETA, VELOCITY};
 use crate::math::vec3::{add, cross, norm, scale};
 use crate::model::{FlexibleBody, MotionState, SpinCoefficients};
-use crate::modes::spectrum::{forces, mass};
+use crate::modes::first_order::{forces, mass};
 
 /// `M ẇ + D w + S y = 0` with `w = (δω, δq̇, δv)` and `y = (θ, δq)`; `δv` only of a body whose velocity is followed. (M6)
 #[derive(Clone, Debug)]

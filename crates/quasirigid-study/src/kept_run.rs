@@ -302,10 +302,12 @@ impl<'r> HistoryLog<'r> {
     }
 }
 
-/// Whether a living process has a folder in work.
+/// Whether a living process has a folder in work. One without an identity is being made by it, or is of no run.
 fn is_in_work(folder: &Path) -> bool {
-    let file = File::open(folder.join(IDENTITY));
-    file.is_ok_and(|file| matches!(file.try_lock(), Err(TryLockError::WouldBlock)))
+    match File::open(folder.join(IDENTITY)) {
+        Ok(file) => matches!(file.try_lock(), Err(TryLockError::WouldBlock)),
+        Err(error) => error.kind() == ErrorKind::NotFound,
+    }
 }
 
 /// Whether a name is that of a file that a run in work makes, or a report of it.
@@ -358,5 +360,27 @@ fn wrong(path: &Path) -> impl FnOnce(io::Error) -> StudyError {
             problem: "its rows are damaged; remove the folder and start anew",
         },
         _ => StudyError::Write { path, cause },
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests {
+    use super::*;
+
+    /// The end of a run comes after its last checkpoint, at which the folder was looked at.
+    #[cfg(unix)]
+    #[test]
+    fn folder_in_the_place_of_a_run_that_ends_is_left_alone() {
+        let above = tempfile::tempdir().unwrap();
+        let folder = above.path().join("out-unfinished");
+        let identity = String::new();
+        let mut run = KeptRun { folder: folder.clone(), identity, resumes: false, record: None, lock: None };
+        run.make().unwrap();
+        fs::rename(&folder, above.path().join("moved")).unwrap();
+        fs::create_dir(&folder).unwrap();
+        fs::write(folder.join("record.json"), "precious").unwrap();
+        run.remove();
+        assert_eq!(fs::read_to_string(folder.join("record.json")).unwrap(), "precious");
     }
 }

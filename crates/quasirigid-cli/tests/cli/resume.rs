@@ -1,6 +1,7 @@
 //! Runs that were cut off: what is there reads as a record, and `--resume` ends with the bytes of a run that was not.
 
 use std::fs;
+use std::io::Write;
 use std::path::Path;
 use std::process::{Child, Stdio};
 use std::sync::LazyLock;
@@ -41,10 +42,12 @@ fn start(folder: &TempDir, options: &str) -> Child {
 
 /// Starts the run and kills it a while after its first, or next, checkpoint.
 fn cut(folder: &TempDir, options: &str, pause: u64) {
-    let checkpoint = folder.path().join("spin-unfinished/history-reduced.checkpoint");
+    let [checkpoint, rows] = ["checkpoint", "rows"]
+        .map(|ending| folder.path().join(format!("spin-unfinished/history-reduced.{ending}")));
     let before = fs::read(&checkpoint).unwrap_or_default();
     let mut child = start(folder, options);
     while fs::read(&checkpoint).unwrap_or_default() == before {
+        assert!(before.is_empty() || fs::metadata(&rows).unwrap().len() > 0, "the run began anew");
         assert!(child.try_wait().unwrap().is_none(), "the run ended before a checkpoint");
         std::thread::sleep(Duration::from_millis(5));
     }
@@ -71,6 +74,11 @@ fn killed_run_reads_as_a_record_and_goes_on_with_the_same_bits() {
         );
     }
     fs::remove_file(folder.path().join("cut.html")).unwrap();
+    for ending in ["rows", "frames"] {
+        // a kill leaves rows that no checkpoint knows
+        let log = unfinished.join(format!("history-reduced.{ending}"));
+        fs::OpenOptions::new().append(true).open(log).unwrap().write_all(&[7; 5000]).unwrap();
+    }
     let ended = ran_in(folder.path(), &format!("{RUN} -o spin --resume"));
     assert_eq!((ended.code, &*ended.stderr), (Some(0), ""));
     assert_whole(&folder);

@@ -117,8 +117,14 @@ fn torn_journal_of_a_study_is_answered_again() {
     let other = folder_of_study(STUDY);
     copy(&folder.path().join("whole"), &other.path().join("out"));
     let journal = other.path().join("out/parts/part-00002.journal");
-    for torn in [&b"deadbeef [8,\"answered\""[..], b"\0\0\0\0\0\0\0\0\n", b"\xff\xfe\n\n\n", b"00000000 []\n"]
-    {
+    let readable = b"00000000 [8,\"answered\",\"\",\"\",[true,[0],\"holds\"]]\n"; // an answer, but for its checksum
+    for torn in [
+        &b"deadbeef [8,\"answered\""[..],
+        b"\0\0\0\0\0\0\0\0\n",
+        b"\xff\xfe\n\n\n",
+        b"00000000 []\n",
+        readable,
+    ] {
         fs::remove_file(other.path().join("out/parts/part-00002.parquet")).unwrap();
         fs::write(&journal, torn).unwrap();
         let ran = ran_in(other.path(), "sweep study.toml -o out -q --resume");

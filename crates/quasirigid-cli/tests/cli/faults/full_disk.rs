@@ -9,8 +9,8 @@ use tempfile::TempDir;
 use super::{Mounted, STUDY, after, skip};
 use crate::support::{files, folder_of_study, names, ran_in};
 
-/// Commands that write one result, and the result.
-const WRITERS: [(&str, &str); 9] = [
+/// Commands that write one result, and the result. A small one is in the buffer of its file until that is closed.
+const WRITERS: [(&str, &str); 10] = [
     ("run model.toml --duration 20 --samples 200 --tables csv,parquet,npz -q -o out --overwrite", "out"),
     ("simulate model.toml --duration 20 --samples 200 -q --overwrite --out t.csv", "t.csv"),
     (
@@ -18,6 +18,10 @@ const WRITERS: [(&str, &str); 9] = [
         "t.parquet",
     ),
     ("simulate model.toml --duration 20 --samples 200 -q --overwrite --format npz --out t.npz", "t.npz"),
+    (
+        "simulate model.toml --duration 20 --samples 3 -q --overwrite --format npz --out small.npz",
+        "small.npz",
+    ),
     ("evolve model.toml --samples 300 -q --overwrite --out e.csv", "e.csv"),
     ("report record --out page.html -q --overwrite", "page.html"),
     ("report record --gltf body.glb -q --overwrite", "body.glb"),
@@ -45,7 +49,12 @@ fn bytes(path: &Path) -> Vec<(String, Vec<u8>)> {
     }
 }
 
-/// Each file is as large as the limit at another place, so that every stage of the writing meets it; `ulimit` counts 512 bytes.
+/// The limit, in the 512 bytes that `ulimit` counts, which only the last bytes of a file are beyond: those that are written as it closes.
+fn last_block(size: usize) -> usize {
+    (size - 1) / 512
+}
+
+/// Each file is as large as the limit at another place, so that every stage of the writing meets it.
 #[test]
 fn result_beyond_a_limit_of_size_leaves_the_older_one() {
     let folder = with_older_results();
@@ -53,9 +62,17 @@ fn result_beyond_a_limit_of_size_leaves_the_older_one() {
     for (line, result) in WRITERS {
         let path = folder.path().join(result);
         let older = bytes(&path);
-        for blocks in [0, 3, 20] {
+        let last = if older.len() == 1 {
+            assert!(ran_in(folder.path(), line).code.is_some_and(|code| code < 2), "{line}");
+            let size = fs::metadata(&path).unwrap().len() as usize;
+            fs::write(&path, "older").unwrap();
+            last_block(size)
+        } else {
+            0
+        };
+        for blocks in [0, 3, 20, last] {
             let ran = after(folder.path(), &format!("ulimit -f {blocks}"), line);
-            let large = older.len() > 1 || blocks == 0 || ran.code == Some(2);
+            let large = older.len() > 1 || blocks == 0 || blocks == last || ran.code == Some(2);
             if large {
                 assert!(
                     ran.refusal().contains("File too large") || ran.stderr.contains("file too large"),
@@ -74,6 +91,35 @@ fn result_beyond_a_limit_of_size_leaves_the_older_one() {
             }
             assert_eq!(names(&folder), before, "{line}");
         }
+    }
+}
+
+/// Files of a record, in the order in which they are written.
+const WRITTEN: [&str; 7] = [
+    "history-reduced.csv",
+    "history-rigid.csv",
+    "scene.json",
+    "record.json",
+    "reduced.json",
+    "report.html",
+    "sphere.svg",
+];
+
+/// The first file that is too large is named, even if the last bytes of it alone are.
+#[test]
+fn record_beyond_a_limit_of_size_at_the_last_byte_of_a_file_leaves_the_older_one() {
+    let folder = with_older_results();
+    let run = "run model.toml --duration 5 --samples 6 -q -o";
+    assert_eq!(ran_in(folder.path(), &format!("{run} whole")).code, Some(0));
+    let before = files(folder.path());
+    let sizes = WRITTEN.map(|name| before[&format!("whole/{name}")].len());
+    assert_eq!(names(folder.path().join("whole")).len(), WRITTEN.len());
+    for last in sizes.map(last_block) {
+        let ran = after(folder.path(), &format!("ulimit -f {last}"), &format!("{run} out --overwrite"));
+        let first = sizes.iter().position(|size| *size > 512 * last).unwrap();
+        let words = format!("cannot write out/{}: file too large", WRITTEN[first]);
+        assert!(ran.refusal().to_lowercase().contains(&words), "{last}, {words}: {}", ran.stderr);
+        assert!(files(folder.path()) == before, "{last}: the older record is gone");
     }
 }
 

@@ -1,10 +1,11 @@
 //! Folders that are removed, moved or replaced while the work goes on, and places behind links that lead nowhere.
 
 use std::fs;
+use std::io::Read;
 use std::os::unix::fs::symlink;
 use std::time::Duration;
 
-use super::super::interrupt::{ended, signal, start, wait_until_it_listens};
+use super::super::interrupt::{ended, signal, start, wait_until_it_keeps, wait_until_it_listens};
 use super::{STUDY, folder_of_rigid, in_work};
 use crate::support::{Ran, files, folder_of, folder_of_study, names, one_line, ran_in};
 
@@ -56,21 +57,36 @@ fn files_of_others_in_a_run_in_work_stay() {
     assert_eq!(names(&kept), ["history-thesis.txt"]);
 }
 
+/// Where a folder with the same names stands in its place, nothing is written into that.
 #[test]
-fn study_whose_folder_is_removed_is_told() {
-    let folder = folder_of_study(
-        &STUDY.replace("samples = 12", "samples = 900000").replace("part = 4", "part = 900000"),
-    );
-    let child = start(&folder, "sweep study.toml -o out -q");
-    wait_until_it_listens(&child);
-    let journal = folder.path().join("out/parts/part-00000.journal");
-    while !journal.exists() {
-        std::thread::sleep(Duration::from_millis(5));
+fn study_whose_folder_is_removed_or_replaced_is_told() {
+    for replaced in [false, true] {
+        let folder = folder_of_study(
+            &STUDY.replace("samples = 12", "samples = 900000").replace("part = 4", "part = 900000"),
+        );
+        let mut child = start(&folder, "sweep study.toml -o out -q");
+        wait_until_it_listens(&child);
+        let out = folder.path().join("out");
+        while !out.join("parts/part-00000.journal").exists() {
+            std::thread::sleep(Duration::from_millis(5));
+        }
+        if replaced {
+            fs::rename(&out, folder.path().join("moved")).unwrap();
+            fs::create_dir_all(out.join("parts")).unwrap();
+        } else {
+            fs::remove_dir_all(&out).unwrap();
+        }
+        assert_eq!(ended(&mut child).code(), Some(2));
+        let ran: Ran = child.wait_with_output().unwrap().into();
+        assert!(ran.refusal().contains("out/parts/part-00000.journal: "), "{}", ran.stderr);
+        let left: &[&str] = if replaced {
+            &["model.toml", "moved", "out", "study.toml"]
+        } else {
+            &["model.toml", "study.toml"]
+        };
+        assert_eq!(names(&folder), left);
+        assert!(!replaced || names(out.join("parts")).is_empty());
     }
-    fs::remove_dir_all(folder.path().join("out")).unwrap();
-    let ran: Ran = child.wait_with_output().unwrap().into();
-    assert!(ran.refusal().contains("out/parts/part-00000.journal: "), "{}", ran.stderr);
-    assert_eq!(names(&folder), ["model.toml", "study.toml"]);
 }
 
 /// What a run has in work moves with the folder above it; nothing appears in the old place, or in another folder there.
@@ -81,13 +97,17 @@ fn folder_above_that_is_renamed_is_told() {
         fs::create_dir(folder.path().join("above")).unwrap();
         let line = "run model.toml --duration 2000h --samples 2000001 -q -o above/out";
         let mut child = start(&folder, line);
-        wait_until_it_listens(&child);
+        wait_until_it_keeps(&child, &folder.path().join("above/out-unfinished"));
         fs::rename(folder.path().join("above"), folder.path().join("elsewhere")).unwrap();
         if replaced {
             fs::create_dir(folder.path().join("above")).unwrap();
         }
         signal(&child, "-INT");
         assert_eq!(ended(&mut child).code(), Some(2));
+        let mut said = String::new();
+        child.stderr.take().unwrap().read_to_string(&mut said).unwrap();
+        let words = "above/out-unfinished: the folder of the run was removed, moved or replaced";
+        assert!(one_line(&said).contains(words), "{said}");
         assert!(!replaced || names(folder.path().join("above")).is_empty());
         assert_eq!(names(folder.path().join("elsewhere")), ["out-unfinished"]);
     }

@@ -5,23 +5,24 @@ use std::collections::HashMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
+use std::time::{Duration, Instant};
 
-use super::{STUDY, can, folder_of_rigid, skip};
-use crate::support::{Ran, files, folder_of_study, names, ran_in};
+use super::super::interrupt::ended;
+use super::{LONG, STUDY, can, folder_of_rigid, skip};
+use crate::support::{Ran, files, folder_of, folder_of_study, names, ran_in};
 
 const CALLS: &str = "trace=write,fsync,rename,renameat,renameat2,unlink,unlinkat,mkdir";
 
-/// The program under `strace`, which writes what it sees into a file.
-fn traced(folder: &Path, options: &[&str], line: &str) -> Ran {
+/// The program under `strace`, which writes what it sees into a file, or lets calls fail or take long.
+pub fn tracing(folder: &Path, options: &[&str], line: &str) -> Command {
     let mut command = Command::new("strace");
     command.args(["-f", "-y", "-qq", "-s", "0"]).args(options);
+    command.arg(env!("CARGO_BIN_EXE_quasirigid")).args(line.split(' ')).current_dir(folder);
     command
-        .arg(env!("CARGO_BIN_EXE_quasirigid"))
-        .args(line.split(' '))
-        .current_dir(folder)
-        .output()
-        .unwrap()
-        .into()
+}
+
+fn traced(folder: &Path, options: &[&str], line: &str) -> Ran {
+    tracing(folder, options, line).output().unwrap().into()
 }
 
 /// What a call did, as far as it matters here.
@@ -69,7 +70,12 @@ fn call(line: &str, full: &dyn Fn(&str) -> PathBuf) -> Option<Call> {
     })
 }
 
-/// Asserts the order of the calls of a writer.
+fn is_checkpoint(path: &Path) -> bool {
+    path.extension().is_some_and(|ending| ending == "checkpoint")
+}
+
+/// Asserts the order of the calls of a writer: a checkpoint gets its name after its folder and the rows that
+/// it continues.
 fn assert_ordered(line: &str, calls: &[Call]) {
     let ours = |path: &Path| !path.starts_with("/dev") && !path.starts_with("/proc") && path.is_absolute();
     let mut unsettled: HashMap<PathBuf, &str> = HashMap::new();
@@ -80,13 +86,20 @@ fn assert_ordered(line: &str, calls: &[Call]) {
                 unsettled.insert(path.clone(), "bytes");
             }
             Call::Settled(path) => {
-                unsettled.retain(|place, what| {
-                    let named = *what == "name" && place.parent() == Some(path);
-                    place != path && !named
+                // what is in a folder has its name settled with it, the folder itself has not
+                unsettled.retain(|place, what| match *what {
+                    "bytes" => place != path,
+                    _ => place.parent() != Some(path),
                 });
             }
             Call::Renamed(from, to) if to.file_name().is_some_and(|name| name != "lock") => {
-                let torn = unsettled.iter().find(|(path, what)| **what == "bytes" && path.starts_with(from));
+                let torn = unsettled.iter().find(|(path, what)| match **what {
+                    "bytes" => {
+                        path.starts_with(from)
+                            || is_checkpoint(to) && path.with_extension("") == to.with_extension("")
+                    }
+                    _ => is_checkpoint(to) && Some(path.as_path()) == to.parent(),
+                });
                 assert!(
                     torn.is_none(),
                     "{line}: {torn:?} is not on the disk when {} gets its name",
@@ -114,7 +127,7 @@ fn assert_ordered(line: &str, calls: &[Call]) {
     assert!(names.is_empty(), "{line}: {names:?} may be lost");
 }
 
-fn can_trace() -> bool {
+pub fn can_trace() -> bool {
     can("strace", &["-f", "-y", "-qq", "-o", "/dev/null", "true"])
 }
 
@@ -139,6 +152,42 @@ fn results_are_on_the_disk_before_anything_is_said() {
     ] {
         assert_ordered(line, &calls(folder.path(), line));
     }
+}
+
+#[test]
+fn rows_are_on_the_disk_before_the_checkpoint_that_continues_them() {
+    if !can_trace() {
+        return skip("strace is missing, or may not trace");
+    }
+    let folder = folder_of("boom-satellite");
+    let calls = calls(folder.path(), LONG);
+    assert_ordered(LONG, &calls);
+    assert!(calls.iter().any(|call| matches!(call, Call::Renamed(_, to) if is_checkpoint(to))), "{calls:?}");
+}
+
+/// What a loss of power takes of a study is the answers of the last second.
+#[test]
+fn answers_of_a_study_in_work_come_to_the_disk() {
+    if !can_trace() {
+        return skip("strace is missing, or may not trace");
+    }
+    let folder = folder_of_study(
+        &STUDY.replace("samples = 12", "samples = 900000").replace("part = 4", "part = 900000"),
+    );
+    let log = tempfile::NamedTempFile::new().unwrap();
+    let options = ["-o", log.path().to_str().unwrap(), "-e", "trace=fsync"];
+    let mut child = tracing(folder.path(), &options, "sweep study.toml -o out -q").spawn().unwrap();
+    let start = Instant::now();
+    let (settled, process) = loop {
+        let seen = fs::read_to_string(log.path()).unwrap();
+        let settled = seen.lines().any(|line| line.contains("part-00000.journal>"));
+        if settled || start.elapsed() > Duration::from_secs(30) {
+            break (settled, seen.split_whitespace().next().unwrap_or_default().to_owned());
+        }
+        std::thread::sleep(Duration::from_millis(20));
+    };
+    assert!(can("kill", &["-INT", &process])); // strace itself lets no signal through
+    assert_eq!((settled, ended(&mut child).code()), (true, Some(1)));
 }
 
 #[test]
@@ -169,6 +218,58 @@ fn disk_that_fails_is_told_and_the_older_result_stays() {
         assert!(ran.stderr.contains(&format!("study-{name}")), "{}", ran.stderr);
         fs::remove_dir_all(folder.path().join(format!("study-{name}"))).unwrap();
     }
+}
+
+/// The last step, when all files of the record are on the disk; and file systems that know neither exchange nor exclusive names.
+#[test]
+fn record_that_cannot_take_its_place_leaves_the_older_one() {
+    if !can_trace() {
+        return skip("strace is missing, or may not trace");
+    }
+    let folder = folder_of_study(STUDY);
+    assert_eq!(ran_in(folder.path(), "run model.toml --duration 5 -q -o out").code, Some(0));
+    let [out, kept] = ["out", "out-unfinished"].map(|name| folder.path().join(name));
+    let before = files(&out);
+    let lines =
+        ["run model.toml --duration 6 -q -o out --overwrite", "run model.toml --duration 5 -q -o new"];
+    for line in lines {
+        let ran = traced(folder.path(), &["-o", "/dev/null", "-e", "inject=renameat2:error=EIO"], line);
+        assert_eq!(ran.code, Some(2), "{line}: {}", ran.stderr);
+        assert!(ran.stderr.contains("cannot write"), "{line}: {}", ran.stderr);
+        let _ = fs::remove_dir_all(&kept); // of a slow machine
+        assert!(files(&out) == before, "{line}");
+        assert_eq!(names(&folder), ["model.toml", "out", "study.toml"], "{line}");
+    }
+    for line in lines {
+        let ran = traced(folder.path(), &["-o", "/dev/null", "-e", "inject=renameat2:error=EINVAL"], line);
+        assert_eq!((ran.code, &*ran.stderr), (Some(0), ""), "{line}");
+    }
+    assert_eq!(names(&folder), ["model.toml", "new", "out", "study.toml"]);
+    assert!(files(&out)["record.json"] != before["record.json"]);
+}
+
+/// The older record is looked at once more when it is out of its place.
+#[test]
+fn what_is_put_into_an_older_record_at_the_last_moment_stays() {
+    if !can_trace() {
+        return skip("strace is missing, or may not trace");
+    }
+    let folder = folder_of_study(STUDY);
+    assert_eq!(ran_in(folder.path(), "run model.toml --duration 5 -q -o out").code, Some(0));
+    let log = tempfile::NamedTempFile::new().unwrap();
+    let path = log.path().to_str().unwrap();
+    let slow = ["-o", path, "-e", "trace=fsync,renameat2", "-e", "inject=renameat2:delay_enter=2000000"];
+    let line = "run model.toml --duration 6 -q -o out --overwrite";
+    let mut child = tracing(folder.path(), &slow, line).spawn().unwrap();
+    while !fs::read_to_string(log.path()).unwrap().contains("/new>") {
+        assert!(child.try_wait().unwrap().is_none(), "the run ended before");
+        std::thread::sleep(Duration::from_millis(5));
+    }
+    std::thread::sleep(Duration::from_millis(500)); // the record is on the disk, and waits for the exchange
+    fs::write(folder.path().join("out/thesis.txt"), "precious").unwrap();
+    assert_eq!(ended(&mut child).code(), Some(1));
+    assert_eq!(fs::read_to_string(folder.path().join("out/thesis.txt")).unwrap(), "precious");
+    assert_eq!(names(&folder), ["model.toml", "out", "out-2", "study.toml"]);
 }
 
 /// The name of the new record may not be on the disk, so the older one comes back.

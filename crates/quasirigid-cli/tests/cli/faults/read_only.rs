@@ -37,6 +37,7 @@ fn read_only_file_system_is_told_by_every_writer() {
         let refused = ran_in(sealed.path(), line);
         let said = one_line(&refused.refusal().to_lowercase());
         assert!(said.contains(place) && said.contains("read-only file"), "{line}: {said}");
+        assert!(!said.contains(".quasirigid-"), "{line}: {said}");
     }
     assert!(files(sealed.path()) == before);
 }

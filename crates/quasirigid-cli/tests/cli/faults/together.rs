@@ -4,8 +4,8 @@ use std::fs::{self, File};
 use std::io::Read;
 use std::time::{Duration, SystemTime};
 
-use super::super::interrupt::{ended, signal, start, wait_until_it_listens};
-use super::{LONG, STUDY, in_work};
+use super::super::interrupt::{ended, signal, start, wait_until_it_keeps};
+use super::{LONG, STUDY, folder_of_rigid, in_work};
 use crate::support::{files, folder_of, folder_of_study, names, one_line, ran_in};
 
 #[test]
@@ -17,6 +17,29 @@ fn two_studies_in_one_folder_end_with_the_same_bytes() {
         assert_eq!(child.wait().unwrap().code(), Some(0));
     }
     assert!(files(&folder.path().join("out")) == files(&folder.path().join("whole")));
+}
+
+/// The first has a temporary file for as long as its disk takes, and the second ends before it.
+#[cfg(target_os = "linux")]
+#[test]
+fn study_beside_one_on_a_slow_disk_ends_with_the_same_bytes() {
+    use super::power::{can_trace, tracing};
+    if !can_trace() {
+        return super::skip("strace is missing, or may not trace");
+    }
+    let folder = folder_of_study(STUDY);
+    let line = "sweep study.toml -o out -q --resume";
+    assert_eq!(ran_in(folder.path(), "sweep study.toml -o whole -q").code, Some(0));
+    let slow = ["-o", "/dev/null", "-e", "trace=fsync", "-e", "inject=fsync:delay_enter=500000"];
+    let mut first = tracing(folder.path(), &slow, line).spawn().unwrap();
+    let out = folder.path().join("out");
+    while !(out.is_dir() && names(&out).iter().any(|name| name.ends_with(".tmp"))) {
+        assert!(first.try_wait().unwrap().is_none(), "the first study ended before");
+        std::thread::sleep(Duration::from_millis(5));
+    }
+    assert_eq!(ran_in(folder.path(), line).code, Some(0));
+    assert_eq!(first.wait().unwrap().code(), Some(0));
+    assert!(files(&out) == files(&folder.path().join("whole")));
 }
 
 /// A lock dies with its process.
@@ -58,9 +81,9 @@ fn second_run_says_how_it_goes_on() {
     let folder = folder_of("explorer1-stiff");
     let line = "run model.toml --duration 2000h --samples 2000001 -q -o out";
     let mut both = Vec::new();
-    for _ in 0..2 {
+    for kept in ["out-unfinished", "out-unfinished-2"] {
         let child = start(&folder, line);
-        wait_until_it_listens(&child);
+        wait_until_it_keeps(&child, &folder.path().join(kept));
         both.push(child);
     }
     for (child, words) in both
@@ -75,6 +98,21 @@ fn second_run_says_how_it_goes_on() {
         assert!(one_line(&said).contains(words), "{said}");
     }
     assert_eq!(names(&folder), ["model.toml", "out", "out-2", "out-unfinished", "out-unfinished-2"]);
+}
+
+/// The folder of a run has no identity until that is on the disk, which can take long; a second run that starts meanwhile was told to
+/// remove it.
+#[test]
+fn run_beside_one_that_makes_its_folder_has_another() {
+    let folder = folder_of_rigid();
+    let making = folder.path().join("out-unfinished");
+    fs::create_dir(&making).unwrap();
+    fs::write(making.join(".quasirigid-1-0.tmp"), "").unwrap();
+    let line = "run model.toml --samples 100101 --duration 60 --tables parquet -q -o out";
+    let ran = ran_in(folder.path(), line);
+    assert_eq!((ran.code, &*ran.stderr), (Some(0), ""));
+    assert_eq!(names(&folder), ["model.toml", "out", "out-unfinished"]);
+    assert_eq!(names(&making), [".quasirigid-1-0.tmp"]);
 }
 
 /// What is left of a dead process is told by its lock; the clock of a file server may be years off.

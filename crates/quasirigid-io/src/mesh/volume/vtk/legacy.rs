@@ -120,10 +120,12 @@ impl<'a> File<'a> {
     /// A line that announces values, and these values.
     fn read_part(&mut self, line: &'a str, offsets: bool, parts: &mut Parts<'a>) -> Result<(), Fault> {
         let words: Vec<&str> = line.split_whitespace().collect();
-        let keyword = words[0].to_ascii_uppercase(); // the line is not blank
+        // A line that is not blank may still have blanks alone that are not ASCII.
+        let Some((keyword, values)) = words.split_first() else { return Err(self.unexpected(line)) };
+        let keyword = keyword.to_ascii_uppercase();
         let of_cells = matches!(parts.data, Some((true, _)));
         let count = parts.data.map_or(0, |(_, count)| count);
-        match (keyword.as_str(), &words[1..]) {
+        match (keyword.as_str(), values) {
             ("DATASET", [kind]) if kind.eq_ignore_ascii_case("UNSTRUCTURED_GRID") => {}
             ("POINTS", [points, scalar]) if parts.points.is_none() => {
                 let points = self.count(points)?.saturating_mul(3);

@@ -3,11 +3,12 @@
 use std::fs::{self, File};
 use std::io::Read;
 use std::path::Path;
+use std::time::{Duration, Instant, SystemTime};
 
 use quasirigid_io::record::RunRecord;
 use tempfile::TempDir;
 
-use super::interrupt::{ended, signal, start, wait_until_it_listens};
+use super::interrupt::{ended, signal, start, wait_until_it_keeps, wait_until_it_listens};
 use crate::support::{Ran, folder_of, names, one_line, ran_in};
 
 const LONG: &str = "run model.toml --duration 2000h --samples 2000001 -o out -q";
@@ -16,7 +17,11 @@ const SHORT: &str = "run model.toml --duration 5 --samples 6 -q -o out";
 /// Does something while a command is at work, which then is interrupted and ends with its partial result.
 fn meanwhile(folder: &TempDir, line: &str, done: impl FnOnce(&Path)) -> Ran {
     let mut child = start(folder, line);
-    wait_until_it_listens(&child);
+    if line.starts_with("run") {
+        wait_until_it_keeps(&child, &folder.path().join("out-unfinished"));
+    } else {
+        wait_until_it_listens(&child);
+    }
     done(folder.path());
     signal(&child, "-INT");
     let code = ended(&mut child).code();
@@ -129,7 +134,7 @@ fn what_killed_runs_left_is_swept_and_what_living_ones_work_in_is_not() {
     fs::write(folder.path().join(".quasirigid-fresh"), "").unwrap();
     let old = folder.path().join(".quasirigid-old");
     fs::write(&old, "t,wx").unwrap();
-    let hour_ago = std::time::SystemTime::now() - std::time::Duration::from_secs(3600);
+    let hour_ago = SystemTime::now() - Duration::from_secs(3600);
     File::options().write(true).open(&old).unwrap().set_modified(hour_ago).unwrap();
     assert_eq!(ran_in(folder.path(), SHORT).code, Some(0));
     let left = [".quasirigid-fresh", ".quasirigid-living", ".quasirigid-not-ours", "model.toml", "out"];
@@ -156,11 +161,13 @@ fn name_that_no_file_can_have_is_refused_before_the_work() {
     let folder = folder_of("explorer1-stiff");
     let name = "n".repeat(300);
     for line in [
-        format!("run model.toml --duration 20h -o {name}"),
-        format!("simulate model.toml --duration 20h --out {name}"),
+        format!("run model.toml --duration 2000h --samples 2000001 -o {name}"),
+        format!("simulate model.toml --duration 2000h --samples 2000001 --out {name}"),
     ] {
+        let start = Instant::now();
         let refused = ran_in(folder.path(), &line);
         assert!(refused.refusal().contains("File name too long"), "{}", refused.stderr);
+        assert!(start.elapsed() < Duration::from_secs(10), "{line}");
         assert_eq!(names(&folder), ["model.toml"]);
     }
 }

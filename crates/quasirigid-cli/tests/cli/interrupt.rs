@@ -2,6 +2,7 @@
 
 use std::fs;
 use std::io::{BufRead, BufReader, Read};
+use std::path::Path;
 use std::process::{Child, Command, ExitStatus, Stdio};
 use std::thread::JoinHandle;
 use std::time::{Duration, Instant};
@@ -35,6 +36,16 @@ pub fn wait_until_it_listens(child: &Child) {
     std::thread::sleep(BEGUN);
 }
 
+/// Waits until a run has its folder, which is when it propagates a long history.
+pub fn wait_until_it_keeps(child: &Child, kept: &Path) {
+    let start = Instant::now();
+    while !kept.join("run.identity").exists() {
+        assert!(start.elapsed() < PATIENCE, "there is no {}", kept.display());
+        std::thread::sleep(Duration::from_millis(10));
+    }
+    wait_until_it_listens(child);
+}
+
 #[cfg(target_os = "linux")]
 fn listens(child: &Child) -> bool {
     let status = fs::read_to_string(format!("/proc/{}/status", child.id())).unwrap_or_default();
@@ -50,16 +61,20 @@ fn listens(_: &Child) -> bool {
 
 /// Presses Ctrl-C once the program propagates, and waits for its end, which must come at once.
 fn interrupted(folder: &TempDir, line: &str) -> Ran {
-    interrupted_after(Duration::ZERO, folder, line)
+    interrupted_when(wait_until_it_listens, folder, line)
 }
 
-/// Presses Ctrl-C some time after the propagation has begun, and waits for the end.
-fn interrupted_after(later: Duration, folder: &TempDir, line: &str) -> Ran {
+/// Presses Ctrl-C in a long run, which keeps what it has in work.
+fn interrupted_long(folder: &TempDir) -> Ran {
+    interrupted_when(|child| wait_until_it_keeps(child, &folder.path().join("spin-unfinished")), folder, LONG)
+}
+
+/// Presses Ctrl-C after a wait, and waits for the end.
+fn interrupted_when(wait: impl FnOnce(&Child), folder: &TempDir, line: &str) -> Ran {
     let mut child = start(folder, line);
     let (stdout, stderr) = (child.stdout.take().unwrap(), child.stderr.take().unwrap());
     let [stdout, stderr] = [reading(stdout), reading(stderr)];
-    wait_until_it_listens(&child);
-    std::thread::sleep(later);
+    wait(&child);
     signal(&child, "-INT");
     let status = ended(&mut child);
     Ran { code: status.code(), stdout: stdout.join().unwrap(), stderr: stderr.join().unwrap() }
@@ -95,7 +110,7 @@ const LONG: &str = "run model.toml --duration 2000h --samples 2000001 -o spin";
 #[test]
 fn interrupted_run_leaves_a_valid_record_that_says_so_and_starts_no_second_history() {
     let folder = folder_of("explorer1-stiff");
-    let ran = interrupted(&folder, LONG);
+    let ran = interrupted_long(&folder);
     assert_eq!(ran.code, Some(1), "{ran:?}");
     assert_eq!(names(&folder), ["model.toml", "spin", "spin-unfinished"]);
     let record = RunRecord::read(&folder.path().join("spin")).unwrap();
@@ -117,7 +132,7 @@ fn interrupted_run_leaves_a_valid_record_that_says_so_and_starts_no_second_histo
 #[test]
 fn a_history_in_the_place_of_another_can_be_interrupted_too() {
     let folder = folder_of("explorer1");
-    let ran = interrupted(&folder, LONG);
+    let ran = interrupted_long(&folder);
     assert_eq!(ran.code, Some(1));
     let record = RunRecord::read(&folder.path().join("spin")).unwrap();
     let states: Vec<_> = record.histories.iter().map(|each| (&*each.system, &*each.status)).collect();
@@ -164,7 +179,11 @@ fn interrupted_proof_is_left_out_of_the_record() {
     let file = folder.path().join("model.toml");
     let text = fs::read_to_string(&file).unwrap();
     fs::write(&file, text + "verify = { rotations = 1e7 }\n").unwrap();
-    let ran = interrupted_after(Duration::from_secs(2), &folder, "run model.toml --duration 10 -o spin");
+    let after_histories = |child: &Child| {
+        wait_until_it_listens(child);
+        std::thread::sleep(Duration::from_secs(2));
+    };
+    let ran = interrupted_when(after_histories, &folder, "run model.toml --duration 10 -o spin");
     assert_eq!(ran.code, Some(1), "{ran:?}");
     let record = RunRecord::read(&folder.path().join("spin")).unwrap();
     assert_eq!((record.histories.len(), record.verification), (2, None));
@@ -207,7 +226,7 @@ fn printing_of_a_long_table_ends_on_ctrl_c() {
 fn killed_run_leaves_nothing_but_the_run_in_work() {
     let folder = folder_of("explorer1-stiff");
     let mut child = start(&folder, LONG);
-    wait_until_it_listens(&child);
+    wait_until_it_keeps(&child, &folder.path().join("spin-unfinished"));
     signal(&child, "-KILL");
     child.wait().unwrap();
     assert_eq!(names(&folder), ["model.toml", "spin-unfinished"]);
@@ -232,7 +251,7 @@ fn signal_to_end_does_what_ctrl_c_does() {
     for name in ["-TERM", "-XCPU"] {
         let folder = folder_of("explorer1-stiff");
         let mut child = start(&folder, LONG);
-        wait_until_it_listens(&child);
+        wait_until_it_keeps(&child, &folder.path().join("spin-unfinished"));
         signal(&child, name);
         assert_eq!(ended(&mut child).code(), Some(1), "{name}");
         let record = RunRecord::read(&folder.path().join("spin")).unwrap();

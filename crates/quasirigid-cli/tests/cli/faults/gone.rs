@@ -5,7 +5,7 @@ use std::io::Read;
 use std::os::unix::fs::symlink;
 use std::time::Duration;
 
-use super::super::interrupt::{ended, signal, start, wait_until_it_listens};
+use super::super::interrupt::{ended, signal, start, wait_until_it_keeps, wait_until_it_listens};
 use super::{STUDY, folder_of_rigid, in_work};
 use crate::support::{Ran, files, folder_of, folder_of_study, names, one_line, ran_in};
 
@@ -97,7 +97,7 @@ fn folder_above_that_is_renamed_is_told() {
         fs::create_dir(folder.path().join("above")).unwrap();
         let line = "run model.toml --duration 2000h --samples 2000001 -q -o above/out";
         let mut child = start(&folder, line);
-        wait_until_it_listens(&child);
+        wait_until_it_keeps(&child, &folder.path().join("above/out-unfinished"));
         fs::rename(folder.path().join("above"), folder.path().join("elsewhere")).unwrap();
         if replaced {
             fs::create_dir(folder.path().join("above")).unwrap();

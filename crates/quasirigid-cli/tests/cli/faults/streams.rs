@@ -4,7 +4,7 @@ use std::fs;
 use std::process::{Command, Stdio};
 use std::time::Duration;
 
-use super::super::interrupt::{ended, signal, wait_until_it_listens};
+use super::super::interrupt::{ended, signal, wait_until_it_keeps};
 use super::{after, folder_of_rigid, skip};
 use crate::support::{MODEL, folder_of, folder_with, names, ran_in};
 
@@ -91,7 +91,7 @@ fn run_under_nohup_survives_its_terminal() {
         let mut command = Command::new("sh");
         command.args(["-c", &line]).current_dir(folder.path()).stderr(Stdio::null());
         let mut child = command.spawn().unwrap();
-        wait_until_it_listens(&child);
+        wait_until_it_keeps(&child, &folder.path().join("out-unfinished"));
         signal(&child, "-HUP");
         if survives {
             std::thread::sleep(Duration::from_millis(700));

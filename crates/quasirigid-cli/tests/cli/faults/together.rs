@@ -2,9 +2,9 @@
 
 use std::fs::{self, File};
 use std::io::Read;
-use std::time::{Duration, Instant, SystemTime};
+use std::time::{Duration, SystemTime};
 
-use super::super::interrupt::{ended, signal, start, wait_until_it_listens};
+use super::super::interrupt::{ended, signal, start, wait_until_it_keeps};
 use super::{LONG, STUDY, folder_of_rigid, in_work};
 use crate::support::{files, folder_of, folder_of_study, names, one_line, ran_in};
 
@@ -83,12 +83,7 @@ fn second_run_says_how_it_goes_on() {
     let mut both = Vec::new();
     for kept in ["out-unfinished", "out-unfinished-2"] {
         let child = start(&folder, line);
-        wait_until_it_listens(&child);
-        let begun = Instant::now();
-        while !folder.path().join(kept).join("run.identity").exists() {
-            assert!(begun.elapsed() < Duration::from_secs(60), "there is no {kept}");
-            std::thread::sleep(Duration::from_millis(5));
-        }
+        wait_until_it_keeps(&child, &folder.path().join(kept));
         both.push(child);
     }
     for (child, words) in both

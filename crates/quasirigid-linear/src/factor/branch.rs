@@ -11,7 +11,7 @@ use super::places::Places;
 use super::supernodes::{Branch, Supernode};
 use super::triangle::Real;
 
-/// Eliminates the supernodes of a branch in their panels, which are zero at first; none if a pivot is not positive.
+/// Eliminates the supernodes of a branch in their panels; none if a pivot is not positive.
 ///
 /// Leaves in `stack` the updates of the roots, one after another: each a square over the rows below its root, lower triangle.
 pub(super) fn eliminate<'a, T: Real>(
@@ -32,6 +32,7 @@ pub(super) fn eliminate<'a, T: Real>(
     for (index, panel) in branch.nodes.iter().zip(panels) {
         let own = node(*index);
         let length = own.below.len();
+        panel.fill(zero);
         fill(own, matrix, panel, &mut local);
         let (below, above) = stack.split_at_mut(top);
         let update = &mut above[..length * length];
@@ -76,7 +77,7 @@ pub(super) fn eliminate<'a, T: Real>(
     Some(())
 }
 
-/// Puts the entries of the matrix into a panel; `local` is room for the place of each row.
+/// Puts the entries of the matrix into a panel of zeros; `local` is room for the place of each row.
 pub(super) fn fill<T: Real>(own: Supernode<'_>, matrix: &Permuted<T>, panel: &mut [T], local: &mut Vec<u32>) {
     let end = own.start + own.width;
     let last = own.below.last().map_or(0, |last| last + 1 - end);

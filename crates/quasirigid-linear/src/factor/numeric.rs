@@ -39,7 +39,7 @@ pub(super) fn factored<T: Real>(
     let mut panels = panels(symbolic.col_ptr_for_val(), &mut entries);
     let mut taken = |index: &usize| std::mem::take(&mut panels[*index]);
     let upper = tree.separators.iter().map(&mut taken).collect();
-    let mut separators = Separators::new(tree, node, &matrix, upper);
+    let mut separators = Separators::new(tree, node, &matrix, upper, &team);
     let progress =
         Progress::of((0..symbolic.n_supernodes()).map(|index| node(index).multiplications()).sum());
     let mut stacks = vec![Vec::new(); AHEAD * team.size()];

@@ -44,14 +44,21 @@ struct Strip<'p, T> {
 }
 
 impl<'a, T: Real> Separators<'a, T> {
-    /// Panels, zero at first, with the entries of the matrix.
+    /// Panels with the entries of the matrix.
+    ///
+    /// Zeros are written to new memory, on and below the diagonal: the system maps a page twice that is read before it is written.
     pub fn new(
         tree: &'a Tree,
         node: impl Fn(usize) -> Supernode<'a>,
         matrix: &Permuted<T>,
         mut panels: Vec<&'a mut [T]>,
+        team: &Team,
     ) -> Self {
         let nodes: Vec<Supernode<'a>> = tree.separators.iter().map(|index| node(*index)).collect();
+        let columns = nodes.iter().zip(&mut panels).flat_map(|(own, panel)| {
+            panel.chunks_exact_mut(own.rows()).enumerate().map(|(diagonal, column)| &mut column[diagonal..])
+        });
+        team.map(columns.collect(), |column: &mut [T]| column.fill(T::rounded(0.0)));
         let mut local = Vec::new();
         nodes.iter().zip(&mut panels).for_each(|(own, panel)| fill(*own, matrix, panel, &mut local));
         Self { tree, nodes, panels }

@@ -29,23 +29,29 @@ impl Graph {
             hashes[column] = hashes[column].wrapping_add(hash(row));
         }
         let (vertices, members) = groups(&hashes);
-        let first = |unknown: usize| members[vertices[unknown] as usize][0] as usize == unknown;
+        let mut first = vec![false; size];
+        members.iter().for_each(|members| first[members[0] as usize] = true);
+        let (first, numbers) = (&first, &vertices);
         let edges = || {
-            pairs()
-                .filter(|(row, column)| first(*row) && first(*column) && vertices[*row] != vertices[*column])
+            members.iter().enumerate().flat_map(move |(vertex, members)| {
+                let column = members[0] as usize;
+                let rows = rows[starts[column]..starts[column + 1]].iter().map(|row| *row as usize);
+                let others = rows.filter(|row| first[*row]).map(|row| numbers[row] as usize);
+                others.filter(move |other| *other != vertex).map(move |other| (other, vertex))
+            })
         };
         let mut next = vec![0_i32; members.len() + 1];
-        for (row, column) in edges() {
-            next[vertices[row] as usize + 1] += 1;
-            next[vertices[column] as usize + 1] += 1;
+        for (one, other) in edges() {
+            next[one + 1] += 1;
+            next[other + 1] += 1;
         }
         (0..members.len()).for_each(|vertex| next[vertex + 1] += next[vertex]);
         let starts = next.clone();
         let mut neighbours = vec![0; starts[members.len()] as usize];
-        for (row, column) in edges() {
-            for (vertex, other) in [(vertices[row], vertices[column]), (vertices[column], vertices[row])] {
-                let place = &mut next[vertex as usize];
-                neighbours[*place as usize] = other as i32;
+        for (one, other) in edges() {
+            for (vertex, neighbour) in [(one, other), (other, one)] {
+                let place = &mut next[vertex];
+                neighbours[*place as usize] = neighbour as i32;
                 *place += 1;
             }
         }

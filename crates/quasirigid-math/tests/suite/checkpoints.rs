@@ -2,6 +2,7 @@
 //! The stiff system below is written for the purpose: its linear part changes by a factor of eight along the slow motion, so the age of
 //! that part decides when it is evaluated again.
 
+use quasirigid_math::lanes::Lanes;
 use quasirigid_math::ode::{Checkpoint, Dop853, Radau, Solver, Stiff, System, Work};
 use quasirigid_math::simd::{Arithmetic, Plain};
 
@@ -112,6 +113,80 @@ fn implicit_steps_with_a_linear_part_that_ages_go_on_with_the_same_bits() {
     // otherwise no age would matter: some steps use an old part, some a new one
     assert!(4 < evaluated && 2 * evaluated < steps, "{evaluated} evaluations in {steps} steps");
     assert_goes_on(|| implicit(1e-4));
+}
+
+/// The same spring with the work of its damper; stages are found side by side or in turn. The state is `(p, p', w, x, x')`.
+#[derive(Clone, Debug)]
+struct Working {
+    spring: Hardening,
+    beside: bool,
+}
+
+impl System<Vec<f64>> for Working {
+    fn rate<R: Arithmetic>(&mut self, t: f64, y: &Vec<f64>, rate: &mut Vec<f64>) {
+        let mut others = vec![0.0; 4];
+        self.spring.rate::<R>(t, &vec![y[0], y[1], y[3], y[4]], &mut others);
+        rate.copy_from_slice(&[others[0], others[1], DAMPING * y[4].powi(2), others[2], others[3]]);
+    }
+}
+
+impl Stiff for Working {
+    fn stiff(&self) -> usize {
+        3
+    }
+
+    fn changes(&self) -> bool {
+        true
+    }
+
+    fn renew(&mut self, t: f64, y: &[f64]) {
+        self.spring.renew(t, &y[1..]);
+    }
+
+    fn shift(&mut self, shifts: [[f64; 2]; 4]) {
+        self.spring.shift(shifts);
+    }
+
+    fn solve(&mut self, shift: usize, right: &mut [[f64; 2]]) {
+        self.spring.solve(shift, right);
+    }
+
+    fn steering(&self) -> Option<usize> {
+        self.beside.then_some(2)
+    }
+
+    fn rates_beside<R: Arithmetic>(&mut self, y: &[Lanes], rates: &mut [Lanes]) {
+        let number = Lanes::splat;
+        let [p, speed, _, x, v] = y[..] else { panic!("five components") };
+        rates[0] = speed;
+        rates[1] = number(0.0) - p;
+        rates[3] = v;
+        let stretch = x + number(HARDENING) * x * x * x - p;
+        rates[4] = number(0.0) - number(STIFFNESS) * stretch - number(DAMPING) * v;
+    }
+
+    fn integrands_beside<R: Arithmetic>(&mut self, _: &[Lanes], rates: &mut [Lanes]) {
+        rates[2] = Lanes::splat(DAMPING) * rates[3] * rates[3];
+    }
+}
+
+#[test]
+fn stages_side_by_side_go_on_with_the_same_bits_and_agree_with_stages_in_turn() {
+    let [p, speed, x, v] = START;
+    let new = |beside| {
+        let system = Working { spring: Hardening::default(), beside };
+        Radau::<_, Plain>::new(system, 0.0, vec![p, speed, 0.0, x, v], &[1e-9; 5], 1e-4)
+    };
+    assert!(assert_goes_on(|| new(true)) > 100);
+    let [one, other] = [true, false].map(|beside| {
+        let mut solver = new(beside);
+        rest(&mut solver, |_| ());
+        solver.y().clone()
+    });
+    for (a, b) in one.iter().zip(&other) {
+        assert!((a - b).abs() < 1e-8 * a.abs().max(1.0), "{one:?} {other:?}");
+    }
+    assert!(one[2] > 1.0);
 }
 
 #[test]

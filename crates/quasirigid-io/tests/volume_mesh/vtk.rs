@@ -70,7 +70,7 @@ fn legacy_files_are_refused_by_line() {
     assert_snapshot!(with(LEGACY, "POINTS 5", "POINTS 6"), @r#"a:12: the array "POINTS" has 15 values instead of 18; is the file damaged?"#);
     assert_snapshot!(with(LEGACY, "POINTS 5", "POINTS 1000000000"), @r#"a:12: the array "POINTS" has 15 values instead of 3000000000; is the file damaged?"#);
     assert_snapshot!(with(LEGACY, "POINTS 5", "POINTS five"), @r#"a:8: "five" is not a number; here stands a keyword, perhaps with name, type and number of the values after it"#);
-    assert_snapshot!(with(LEGACY, "CELLS 3 12", "\u{b}\nCELLS 3 12"), @"");
+    assert_snapshot!(with(LEGACY, "CELLS 3 12", "\u{b}\nCELLS 3 12"), @r#"a:12: "\u{b}" cannot stand here; a VTK file of cells has ASCII or BINARY, DATASET UNSTRUCTURED_GRID, POINTS, CELLS and CELL_TYPES, then CELL_DATA and POINT_DATA"#);
     assert_snapshot!(with(LEGACY, "5 float", "5 complex"), @r#"a:8: values of type "complex" are not read; save them as numbers"#);
     assert_snapshot!(with(LEGACY, "0 0 1\n1 1 1", "0 0 1\n1 inf 1"), @"a:11: the coordinate inf of node 4 is not finite; correct it, or leave out the node and its cells");
     assert_snapshot!(with(LEGACY, "4 4 1 2 3", "4 5 1 2 3"), @"a:15: cell 2 names node 5, which is not among the nodes before it; was the node left out?");

@@ -57,3 +57,36 @@ impl Scales {
         scales
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::expression::Expression;
+    use crate::model::force::{Axes, Force, ForceLaw};
+    use crate::problems::ring_of_points;
+
+    /// From rest, in a moment `12 t (2 − t)` that is largest in the middle of the run: `Iω²` is that moment, and a point at the radius of
+    /// gyration has `mv²` equal to it too.
+    #[test]
+    fn a_body_at_rest_has_the_scales_of_its_largest_moment() {
+        let formula = |text: &str| {
+            let names = ["x", "y", "z", "vx", "vy", "vz", "t", "wx", "wy", "wz", "qw", "qx", "qy", "qz"];
+            Expression::parse(text, &names).unwrap()
+        };
+        let torque = ["0", "12*t*(2-t)", "0"].map(formula);
+        let law = ForceLaw::TorqueExpression { torque, axes: Axes::Body };
+        let mut assembly = ring_of_points(1);
+        assembly.forces = vec![Force { name: "motor".into(), law }];
+        let (body, forces) = (assembly.body().unwrap(), assembly.forces().unwrap());
+        let pose = Pose { t: 0.0, attitude: [1.0, 0.0, 0.0, 0.0], place: [0.0; 3], velocity: [0.0; 3] };
+        let found = Scales::of(Forced { body: &body, forces: &forces }, [0.0; 3], [0.0; 3], pose, 2.0);
+        let [xx, yy, zz, ..] = body.invariants().J;
+        let (inertia, mass) = (xx + yy + zz, body.invariants().mass);
+        let close =
+            |found: f64, expected: f64| assert!((found / expected - 1.0).abs() < 1e-12, "{found} {expected}");
+        close(inertia * found.spin * found.spin, 12.0);
+        close(mass * found.velocity * found.velocity, 12.0);
+        close(mass * found.place * found.place, inertia);
+        close(3.0 * found.angular_momentum, inertia * found.spin);
+    }
+}

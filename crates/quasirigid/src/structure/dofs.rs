@@ -138,3 +138,16 @@ impl Dofs {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn unknowns_of_one_node_are_a_group() {
+        let nodes = [true, false, true].map(|rotations| Node { place: Vector3::zeros(), rotations });
+        let partly = Constraint::Partly([true, false, false, true, false, false]);
+        let dofs = Dofs::new(&nodes, &[Constraint::Free, Constraint::Free, partly]).unwrap();
+        assert_eq!(dofs.groups(), [0, 6, 9, 11]);
+    }
+}

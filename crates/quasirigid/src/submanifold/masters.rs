@@ -209,3 +209,19 @@ fn phase(frequency: f64, phases: &mut Vec<f64>) -> Vec<i32> {
     weight[phases.len() - 1] = 1;
     weight
 }
+
+#[cfg(test)]
+mod tests {
+    use super::phase;
+
+    /// Ratios decide whether two frequencies are in resonance, in whatever unit of time.
+    #[test]
+    fn a_resonance_has_no_unit() {
+        for unit in [1e-6, 1.0, 1e6] {
+            let mut phases = vec![unit];
+            assert_eq!(phase(2.1 * unit, &mut phases), [2], "{unit:e}: near twice the first");
+            assert_eq!(phase(2.4 * unit, &mut phases), [0, 1], "{unit:e}: between twice and three times");
+            assert_eq!(phases, [unit, 2.4 * unit]);
+        }
+    }
+}

@@ -121,3 +121,21 @@ fn power(ring: &Ring, dissipator: &Dissipator, rates: &[Truncated]) -> Truncated
     }
     power
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_square_of_a_length_is_the_sum_of_the_squares() {
+        let ring = Ring::new(2, 5);
+        let omega = [ring.shifted(2.0, 0, 0.3), ring.shifted(-1.0, 1, 0.5), ring.shifted(0.5, 0, -0.7)];
+        let length = length(&ring, &omega, 5.25);
+        let mut gap = ring.product(&length, &length);
+        omega.iter().for_each(|omega| ring.add_product(&mut gap, -1.0, omega, omega));
+        for monomial in 0..ring.size() {
+            let [re, im] = gap.coefficient(monomial);
+            assert!(re.hypot(im) < 1e-14, "{:?}: {re:e}", ring.exponents()[monomial]);
+        }
+    }
+}

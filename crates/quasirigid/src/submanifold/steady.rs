@@ -134,3 +134,25 @@ impl Newton<'_> {
         Some(step.into_iter().map(|entry| -entry).collect())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::problems::ring_of_points;
+
+    /// A balance at another angular momentum is a start as good as any: the spin that is found has the one that is asked for.
+    #[test]
+    fn a_spin_is_found_from_a_balance_at_another_angular_momentum() {
+        let body = ring_of_points(2).body().unwrap();
+        let axis = crate::model::Principal::compute(body.invariants().J).axes[2];
+        let G = 20.0;
+        let exact = SteadySpin::near(&body, axis, G).unwrap();
+        for share in [0.9, 1.2] {
+            let off = RelativeEquilibrium::near(&body, axis, Given::AngularMomentum(share * G)).unwrap();
+            let found = SteadySpin::polished(&body, &off, G).unwrap();
+            assert!((norm(found.angular_momentum) / G - 1.0).abs() < 1e-13, "{:?}", found.angular_momentum);
+            let gap = (0..3).map(|i| (found.omega[i] - exact.omega[i]).abs()).fold(0.0, f64::max);
+            assert!(gap < 1e-12 * norm(exact.omega), "{share}: {gap:e}");
+        }
+    }
+}

@@ -166,3 +166,26 @@ fn mean_over_a_polhode_needs_few_points() {
         assert!(calls < 600, "{calls} points");
     }
 }
+
+/// The time next to the separatrix is that between the places a hundredth of the way to either axis, as `D` measures it; of a way that ends
+/// or begins in between it is the part.
+#[test]
+fn the_time_next_to_the_separatrix_is_that_between_its_hundredths() {
+    let reduced = reduce(&tumbler(0.05).body().unwrap(), 3).unwrap();
+    let [I1, I2, I3] = Principal::compute(reduced.J).moments;
+    let power = PolynomialPower::from_reduced(&reduced);
+    let evolution = Evolution::new(&power, 20.0);
+    let long = |share: f64| evolution.stage((I2 + share * (I1 - I2)) / I3).unwrap();
+    let short = |share: f64| evolution.stage((I2 + share * (I3 - I2)) / I3).unwrap();
+    assert_eq!((long(0.01).mode, short(0.01).mode), (Mode::LongAxis, Mode::ShortAxis));
+    for ([from, to], [low, high]) in [
+        ([long(0.8), short(0.9)], [long(0.01), short(0.01)]),
+        ([long(0.004), short(0.9)], [long(0.004), short(0.01)]),
+        ([long(0.8), short(0.002)], [long(0.01), short(0.002)]),
+    ] {
+        let (found, expected) = (evolution.lingering(from, to).unwrap(), evolution.time(low, high));
+        assert!((found / expected - 1.0).abs() < 1e-9, "{found} {expected}");
+    }
+    assert_eq!(evolution.lingering(short(0.02), short(0.9)), None);
+    assert_eq!(evolution.lingering(long(0.8), long(0.02)), None);
+}

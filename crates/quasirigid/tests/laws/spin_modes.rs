@@ -2,7 +2,7 @@
 
 use proptest::prelude::*;
 use quasirigid::dynamics::{Forced, FullState, Observer, Options, Sample, propagate_full};
-use quasirigid::elements::{Rotor, RotorKind, Wheel, WheelSpeed};
+use quasirigid::elements::{Carrier, Rotor, RotorKind, Wheel, WheelSpeed};
 use quasirigid::model::{FlexibleBody, Principal, Watched};
 use quasirigid::modes::{Given, RelativeEquilibrium, SpinMode, SpinModes};
 use quasirigid_math::eigen::{Dense, modes};
@@ -10,7 +10,7 @@ use quasirigid_math::sym3::{rows, times};
 use quasirigid_math::vec3::{cross, norm};
 
 use crate::support::transform::{rescaled, rotated};
-use crate::support::{assemblies, cases, rotation, units, vector};
+use crate::support::{Sprung, assemblies, cases, rotation, sprung_body, units, vector};
 
 /// Size of the motion beside the steady spin, whose square is left out.
 const SMALL: f64 = 1e-5;
@@ -186,4 +186,20 @@ proptest! {
             }
         }
     }
+}
+
+/// A body of revolution, with a mass at its centre that takes no part, nutates at `Ω(C − A)/A` in its own axes and at `G/A` in space, where
+/// in the other sense it is the spin that is left: `Ω − Ω(C − A)/A`.
+#[test]
+fn a_nutation_is_seen_from_outside_at_the_angular_momentum_over_the_transverse_moment() {
+    let mass = Sprung { mass: 1.0, position: [0.0; 3], stiffness: [90.0; 3], damping: [1.0; 3] };
+    let (A, C, spin) = (9.0, 16.0, 0.7);
+    let body = sprung_body(Carrier::principal(40.0, [A, A, C]), &[mass]).body().unwrap();
+    let steady = RelativeEquilibrium::near(&body, [0.0, 0.0, 1.0], Given::Rate(spin)).unwrap();
+    let modes = SpinModes::about(&body, steady).unwrap();
+    let nutation = modes.nutation().unwrap();
+    assert!((nutation.frequency / (spin * (C - A) / A) - 1.0).abs() < 1e-9, "{nutation:?}");
+    let [slow, fast] = modes.seen_from_outside(nutation);
+    assert!((fast / (spin * C / A) - 1.0).abs() < 1e-9, "{fast}");
+    assert!((slow - (spin - spin * (C - A) / A)).abs() < 1e-9, "{slow}");
 }

@@ -10,7 +10,7 @@ use quasirigid_math::expression::Expression;
 
 use super::forced::formula;
 use crate::support::transform::rescaled;
-use crate::support::{cases, rotation, units};
+use crate::support::{Sprung, cases, rotation, sprung_body, units};
 
 type V = Vector3<f64>;
 type C = Complex<f64>;
@@ -477,4 +477,61 @@ fn what_has_no_steady_state_is_refused_in_words() {
     assembly.wheels.push(Wheel { name: "wheel".into(), axis: [0.0, 0.0, 1.0], speed });
     let message = found(&assembly, near(spin, &Matrix3::identity())).unwrap_err().to_string();
     assert!(message.contains("wheel changes its speed"), "{message}");
+}
+
+/// Support at a radius (m) from a centre about which it is driven round at a rate (rad/s), in the plane across `z` from the `x` axis on.
+fn driven_round(point: [f64; 3], radius: f64, rate: f64) -> Support {
+    let pull = radius * rate * rate;
+    let component = |wave: &str| formula_of_t(&format!("{:e}*{wave}({rate:e}*t)", -pull));
+    let acceleration = [component("cos"), component("sin"), constant(0.0)];
+    Support::Prescribed {
+        point,
+        acceleration,
+        velocity: [0.0, radius * rate, 0.0],
+        position: [radius, 0.0, 0.0],
+    }
+}
+
+/// A body driven round by its pivot, with air drag `k` at the centre of mass `l` from the pivot: it lags by the angle `α` of
+/// `mΩR sin α = k (R cos α + l)`, and is steady, because the air meets it alike all the way round.
+#[test]
+fn a_centrifuge_in_air_lags_as_its_closed_form() {
+    let R = *Rotation3::new(V::new(0.3, -0.2, 0.5)).matrix();
+    let (m, l, k, radius, rate) = (2.0, 0.4, 0.7, 1.5, 3.0);
+    let body = Rigid { mass: m, moments: [0.5, 0.8, 0.7], axes: R, center: V::new(0.4, -0.3, 0.8) };
+    let mut assembly = body.held(l);
+    let Support::FixedPoint { point } = assembly.support else { unreachable!() };
+    assembly.support = driven_round(point, radius, rate);
+    let at = Station { on: quasirigid::elements::End::Carrier, at: Some(body.center.into()) };
+    assembly.forces.push(Force { name: "air".into(), law: ForceLaw::Drag { at, coefficient: k } });
+    // The third axis outwards, the second up.
+    let axes = Matrix3::from_columns(&[V::y(), V::z(), V::x()]);
+    let attitude = axes * R.transpose();
+    let omega = attitude.transpose() * V::z() * rate;
+    let driven =
+        Near { place: [radius, 0.0, 0.0], velocity: [0.0, radius * rate, 0.0], ..near(omega, &attitude) };
+    let modes = found(&assembly, driven).unwrap();
+    let lag = (k * l / (m * rate * radius).hypot(k * radius)).asin() + k.atan2(m * rate);
+    let out = attitude_of(&modes) * R.column(2);
+    assert!((out - V::new(lag.cos(), -lag.sin(), 0.0)).norm() < 1e-9, "{out} {lag}");
+    assert!(modes.stable(), "{modes:?}");
+}
+
+/// A mass on the axis of a spin, whose velocity along the axis a drag resists that changes as the body turns: nothing pulls at the steady
+/// state, but small motions of that one coordinate are damped by a coefficient that is not constant.
+#[test]
+fn a_damping_that_changes_with_time_is_refused() {
+    let names = ["x", "y", "z", "vx", "vy", "vz", "t", "wx", "wy", "wz", "qw", "qx", "qy", "qz"];
+    let told = |law: &str| {
+        let mass = Sprung { mass: 1.0, position: [0.0, 0.0, 0.6], stiffness: [90.0; 3], damping: [1.0; 3] };
+        let mut assembly = sprung_body(Carrier::principal(40.0, [9.0, 13.0, 16.0]), &[mass]);
+        assembly.support = Support::FixedPoint { point: [0.0; 3] };
+        let at = Station { on: quasirigid::elements::End::Point(0), at: None };
+        let force = ["0", "0", law].map(|text| Expression::parse(text, &names).unwrap());
+        assembly.forces.push(Force { name: "air".into(), law: ForceLaw::Expression { at, force } });
+        found(&assembly, near(1.5 * V::z(), &Matrix3::identity()))
+    };
+    assert!(told("-vz").unwrap().stable());
+    let message = told("-(1 + 0.5*qz)*vz").unwrap_err().to_string();
+    assert!(message.contains("the force \"air\" changes with time"), "{message}");
 }

@@ -3,10 +3,12 @@
 use nalgebra::{DMatrix, Vector3};
 use quasirigid::dynamics::{Forced, FullState, Observer, Options, Outcome, Run, Sample, propagate_full};
 use quasirigid::elements::{
-    Assembly, Carrier, Frame, FrameNode, Material, Member, Part, PartKind, SectionShape, TipMass,
+    Assembly, Carrier, Frame, FrameNode, Material, Member, Part, PartKind, Point, SectionShape, Spring,
+    TipMass,
 };
 use quasirigid::model::force::{Axes, Force, ForceLaw, Wave};
 use quasirigid::model::{Displaced, FlexibleBody, Kinetics, MotionState, RANGE, Rheology, Support};
+use quasirigid::prelude::CARRIER;
 use quasirigid_math::rotation::ALIGNED;
 use quasirigid_math::vec3;
 
@@ -277,4 +279,34 @@ fn energy_stays_over_many_turns() {
     let drift = samples.iter().map(|sample| sample.energy_drift.abs()).fold(0.0, f64::max);
     println!("{:.0} turns, drift {drift:.1e} J of {} J", run.last.revolutions, run.last.energy);
     assert!(run.last.revolutions > 0.99 * rotations && drift < 1e-7 * run.last.energy, "{drift}");
+}
+
+/// A boom beside a chain of points on springs ten thousand times as stiff as those to the carrier: rounding ends the progress of the
+/// displacements early, and they are balanced all the same.
+#[test]
+fn displacements_that_rounding_disturbs_are_balanced() {
+    let mut assembly = Boom { aside: 0.7, ..TUBE }.assembly();
+    let mut last = None;
+    for (i, x) in [0.3, 0.5, 0.7, 0.9, 1.1, 1.3].into_iter().enumerate() {
+        let point = assembly.add(Point::new(format!("point {i}"), 0.2, [x, 0.4 - 0.3 * x, 0.2 * x]));
+        assembly.add(Spring::isotropic(30.0, 1.0).between(point, CARRIER));
+        if let Some(before) = last.replace(point) {
+            assembly.add(Spring::isotropic(3e5, 1.0).between(before, point));
+        }
+    }
+    let body = assembly.body().unwrap();
+    assert!(body.paths().is_some());
+    for spin in [0.1, 0.17, 0.23, 0.31, 0.4] {
+        let omega = [0.1 * spin, -0.2 * spin, spin];
+        let q = body.balanced(omega).unwrap().q;
+        let slopes = body.about_spin_on_paths(omega, &q).slopes;
+        let pulls: Vec<f64> = slopes.iter().map(|slope| 0.5 * vec3::dot(omega, *slope)).collect();
+        let held = body.stiffness().times(&q);
+        // Forces by the displacements of equal energy that they cause.
+        let units = body.stiffness().diagonal().iter().map(|c| c.sqrt()).collect::<Vec<_>>();
+        let largest = pulls.iter().zip(&units).map(|(pull, unit)| (pull / unit).abs()).fold(0.0, f64::max);
+        for ((pull, held), unit) in pulls.iter().zip(&held).zip(&units) {
+            assert!((pull - held).abs() / unit < 1e-9 * largest, "{pull} {held}");
+        }
+    }
 }

@@ -1,7 +1,7 @@
 //! Laws of the reduced equations about a spin: conservation, energy, axes, units, styles.
 
 use nalgebra::{Rotation3, Vector3};
-use quasirigid::dynamics::{Options, Sample};
+use quasirigid::dynamics::{Observer, Options, Sample};
 use quasirigid::elements::Assembly;
 use quasirigid::model::FlexibleBody;
 use quasirigid::modes::{Given, RelativeEquilibrium, SpinModes};
@@ -69,7 +69,7 @@ fn axes_and_units_change_nothing() {
     let K: [f64; 3] = (turn * Vector3::from(plan.angular_momentum)).into();
     let there = SpinManifoldPlan { angular_momentum: K, ..plan.clone() };
     close(invariants(&derived(&turned, &there)), own, 1.0);
-    for [mass, length, time] in [[1e-9, 1e-3, 1e2], [1e6, 1e3, 1e-3]] {
+    for [mass, length, time] in [[1e-9, 1e-3, 1e2], [1e6, 1e3, 1e-3], [1.0, 1.0, 1e-12]] {
         let scaled = body_of(&rescaled(&assembly, Units { length, mass, time }));
         let unit = mass * length * length / time;
         let K = plan.angular_momentum.map(|K| unit * K);
@@ -117,5 +117,57 @@ fn the_linear_part_has_the_nutation_of_the_modes() {
         let [decay, frequency] = nutation.of_motion;
         assert!((frequency / own.frequency - 1.0).abs() < 1e-10, "{spin}: {nutation:?} {own:?}");
         assert!((decay - own.decay_rate).abs() < 1e-10 * frequency, "{spin}: {nutation:?} {own:?}");
+    }
+}
+
+/// The mean over a turn of the phases does not depend on where the turn begins, and with the other masters at rest it is that at the
+/// amplitude.
+#[test]
+fn a_defect_is_that_of_the_whole_turn() {
+    let body = body_of(&bodies::two_masses());
+    let manifold = derived(&body, &plan(&body, 3.0, 3));
+    let amplitude = 0.3_f64;
+    let expected = manifold.defect(amplitude);
+    assert!(expected.motion > 1e-6 && expected.power > 1e-6, "{expected:?}");
+    for step in [0, 1, 7, 20] {
+        let phase = std::f64::consts::TAU * f64::from(step) / 24.0;
+        let found = manifold.defect_around(&[[amplitude * phase.cos(), amplitude * phase.sin()]]);
+        for (found, expected) in [(found.motion, expected.motion), (found.power, expected.power)] {
+            assert!((found / expected - 1.0).abs() < 1e-9, "{step}: {found:e} {expected:e}");
+        }
+    }
+}
+
+/// What each dissipator took, by name.
+#[derive(Default)]
+struct Taken(Vec<(String, f64)>);
+
+impl Observer for Taken {
+    fn sample(&mut self, _: &Sample) {}
+
+    fn budget(&mut self, energies: &[(String, f64)]) {
+        self.0 = energies.to_vec();
+    }
+}
+
+/// The dissipators of a history are those of the body, and together they take what the history has dissipated; each takes what the mean
+/// power of its own says.
+#[test]
+fn the_dissipators_share_what_a_history_takes() {
+    let body = body_of(&bodies::two_masses());
+    let manifold = derived(&body, &plan(&body, 3.0, 5));
+    let start = manifold.start(&manifold.full_state(&[[0.02, 0.0]], ALIGNED));
+    let mut taken = Taken::default();
+    let run =
+        propagate_on_manifold(&manifold, &start, &[0.0, 60.0], &Options::default(), &mut taken).unwrap();
+    let names: Vec<&str> = taken.0.iter().map(|(name, _)| name.as_str()).collect();
+    let expected: Vec<&str> = body.dissipators().iter().map(|dissipator| dissipator.name.as_str()).collect();
+    assert_eq!(names, expected);
+    let sum: f64 = taken.0.iter().map(|(_, energy)| energy).sum();
+    assert!(run.last.dissipated > 0.0 && (sum / run.last.dissipated - 1.0).abs() < 1e-12, "{sum} {run:?}");
+    let power = manifold.power_at(0.02);
+    for ((name, energy), own) in taken.0.iter().zip(&power.budget) {
+        let (found, expected) = (energy / sum, own / power.power);
+        assert!((found - expected).abs() < 0.02 * expected, "{name}: {found} {expected}");
     }
 }

@@ -260,3 +260,42 @@ impl<'a> FirstOrder<'a> {
         })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::Mode;
+    use crate::problems::ring_of_points;
+
+    /// A resonance is named for the coordinate with the most energy at whatever phase its vector is told, potential or kinetic.
+    #[test]
+    fn the_name_of_a_resonance_is_no_matter_of_its_phase() {
+        let body = ring_of_points(1).body().unwrap();
+        let coefficients = Coefficients::compute(&body, usize::MAX).unwrap();
+        let motion = FreeRotation::at_logit(coefficients.principal.moments, 10.0, Mode::ShortAxis, 0.5);
+        let system = FirstOrder::new(&coefficients, &motion, f64::MAX);
+        assert_eq!((system.elastic, system.kept.len()), (3, 3));
+        // Displacements, then momenta, of vibrations whose energies are as 1 to 0.9, in halves of both kinds or in one.
+        let halves = std::f64::consts::FRAC_1_SQRT_2;
+        for (most, [large, small]) in [
+            (0, [[1.0, 0.0], [0.0, 0.9]]),
+            (0, [[0.0, 1.0], [0.9, 0.0]]),
+            (1, [[halves, halves], [0.9 * halves, 0.9 * halves]]),
+            (2, [[0.0, 1.0], [0.0, 0.9]]),
+        ] {
+            let mut amplitudes = [0.0; 6];
+            let other = (most + 1) % 3;
+            for (place, [displacement, momentum]) in [(most, large), (other, small)] {
+                (amplitudes[place], amplitudes[3 + place]) = (displacement, momentum);
+            }
+            for phase in [0.0, 0.4, std::f64::consts::FRAC_PI_2, 2.9] {
+                let vector = amplitudes.iter().map(|size| [size * f64::cos(phase), size * f64::sin(phase)]);
+                let found = system.resonance(&(vec![[1.1, 0.3]], vector.collect()), 2.0).unwrap();
+                assert_eq!(found.coordinate, coefficients.rows[system.kept[most]].name, "{most} {phase}");
+                assert!((found.rate - 1.1_f64.hypot(0.3).ln() * 2.0 / TAU).abs() < 1e-12, "{found:?}");
+            }
+        }
+        let names: std::collections::BTreeSet<_> = coefficients.rows.iter().map(|row| &row.name).collect();
+        assert_eq!(names.len(), 3, "{names:?}");
+    }
+}

@@ -319,3 +319,39 @@ impl Making<'_> {
         if stretch.leg + 1 == self.legs.len() { self.xi } else { f64::INFINITY }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::vec3::norm;
+    use crate::problems::ring_of_points;
+    use crate::reduction::reduce;
+
+    /// What is added beside a saddle is the rest of the way to it: the same time and revolutions remain, however far levels are followed.
+    #[test]
+    fn the_rest_of_the_way_to_a_saddle_has_no_end_of_its_own() {
+        let reduced = reduce(&ring_of_points(2).body().unwrap(), 3).unwrap();
+        let K = reduced.angular_momentum([1.0, 0.2, 0.1]);
+        let levels = LevelEvolution::new(&reduced, norm(K)).unwrap();
+        let leg = levels.leg(levels.moving(K).unwrap(), None).unwrap();
+        assert!(!leg.saddles.is_empty());
+        let rest = |xi: f64| {
+            let (time, revolutions) = (0.0, 0.0);
+            let (legs, stretches, separatrices) = (Vec::new(), Vec::new(), Vec::new());
+            let mut making = Making { levels: &levels, legs, stretches, separatrices, xi, time, revolutions };
+            making.rest(&leg, xi).unwrap();
+            [making.time, making.revolutions]
+        };
+        let pieces = leg.pieces(&levels.energy, [10.0, 12.0]).unwrap();
+        let (near, far) = (rest(10.0), rest(12.0));
+        for i in 0..2 {
+            let between: f64 = pieces.iter().map(|piece| piece.until(piece.ends[1])[i]).sum();
+            assert!(
+                ((between + far[i]) / near[i] - 1.0).abs() < 0.05,
+                "{between} and {} of {}",
+                far[i],
+                near[i]
+            );
+        }
+    }
+}

@@ -135,3 +135,24 @@ impl System<[f64; ROWS]> for Slow<'_> {
         *rate = self.fit.at(self.psi, y[0]);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A million revolutions of 0.3 s at a time of 10⁹ s, where the rounding of the time is 10⁻⁷ s: what is left to a time loses none of
+    /// them. The period is a sum of powers of two, so that the time of all of them is exact.
+    #[test]
+    fn times_of_many_revolutions_lose_nothing() {
+        let (start, count) = (1e9, 1_000_000_u32);
+        let period = 0.3_f64 - 0.3_f64.rem_euclid(f64::powi(2.0, -26)) + f64::powi(2.0, -30);
+        let mut place = Place::new([0.0, start, 0.0, 0.0, 0.0, 0.0]);
+        for _ in 0..count {
+            place = place.moved(1, [0.0, period, 0.0, 0.0, 0.0, 0.0]);
+        }
+        assert_eq!(place.revolutions, u64::from(count));
+        let end = start + (f64::from(count) * period).floor();
+        let left = place.before(end) + (f64::from(count) * period).fract();
+        assert!(left.abs() < 1e-10, "{left:e} s");
+    }
+}

@@ -66,3 +66,35 @@ impl Divergence {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// `p·Bu = u·Bᵀp`, for velocities and pressures side by side, with nodes on the wall and shared by cells.
+    #[test]
+    fn the_transpose_is_adjoint() {
+        let wave = |seed: usize, i: usize| (1.7 * i as f64 + 0.9 * seed as f64).sin();
+        let (unknowns, vertices, width) = (15, 6, 2);
+        let mut divergence = Divergence::new(unknowns, vertices);
+        for cell in 0..2 {
+            let nodes = std::array::from_fn(|i| (i % 4 != 1).then_some((5 * cell + i) as u32));
+            let corners = std::array::from_fn(|i| (2 * cell + i) as u32);
+            let entry = |i: usize, j: usize, axis: usize| wave(cell, 12 * i + 3 * j + axis);
+            let entries = std::array::from_fn(|i| {
+                std::array::from_fn(|j| std::array::from_fn(|axis| entry(i, j, axis)))
+            });
+            divergence.add(nodes, corners, entries);
+        }
+        let u: Vec<f64> = (0..3 * unknowns * width).map(|i| wave(5, i)).collect();
+        let p: Vec<f64> = (0..vertices * width).map(|i| wave(7, i)).collect();
+        let (Bu, Bp) = (divergence.times(&u, width), divergence.transposed_times(&p, width));
+        for column in 0..width {
+            let along = |a: &[f64], b: &[f64]| -> f64 {
+                a.iter().zip(b).skip(column).step_by(width).map(|(a, b)| a * b).sum()
+            };
+            let (left, right) = (along(&p, &Bu), along(&u, &Bp));
+            assert!(left.abs() > 0.1 && (left - right).abs() < 1e-12 * left.abs(), "{left} {right}");
+        }
+    }
+}

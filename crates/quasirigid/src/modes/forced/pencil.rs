@@ -198,3 +198,46 @@ pub(super) fn form(X: &DMatrix<f64>, x: &[C], y: &[C]) -> C {
     let row = |i: usize| (0..y.len()).map(|k| X[(i, k)] * y[k]).sum::<C>();
     (0..x.len()).map(|i| x[i].conj() * row(i)).sum()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::modes::forced::slopes::{Instant, Slopes};
+    use crate::problems::ring_of_points;
+
+    /// A velocity counts with the mass of the body, in every direction and at every rate; a rate of a coordinate with its own.
+    #[test]
+    fn translations_in_all_directions_weigh_the_same() {
+        let body = ring_of_points(1).body().unwrap();
+        let n = body.coordinates().len();
+        let instant = Instant {
+            t: 0.0,
+            attitude: [1.0, 0.0, 0.0, 0.0],
+            omega: [0.2, -0.1, 0.9],
+            q: vec![0.0; n],
+            place: [0.0; 3],
+            velocity: [0.3, 0.1, -0.2],
+        };
+        let system = System::about(&body, Slopes::none(&body), &instant, true);
+        let pencil = Pencil::new(&body, &system, true, true);
+        let one = |i: usize, j: usize| C::from(f64::from(u8::from(i == j)));
+        let lambda = C::new(-0.4, 7.0);
+        for axis in 0..3 {
+            let x =
+                pencil.unknowns([C::from(0.0); 3], &vec![C::from(0.0); n], &[0, 1, 2].map(|i| one(i, axis)));
+            let found = pencil.product(&x, &x, lambda);
+            assert!(
+                (found - body.invariants().mass).norm() < 1e-12 * body.invariants().mass,
+                "{axis}: {found}"
+            );
+        }
+        for j in 0..n {
+            let q: Vec<C> = (0..n).map(|k| one(j, k)).collect();
+            let x = pencil.unknowns([C::from(0.0); 3], &q, &[C::from(0.0); 3]);
+            let rate: Vec<f64> = (0..n).map(|k| lambda.norm() * one(j, k).re).collect();
+            let twice: f64 = body.mass_times(&rate).iter().zip(&rate).map(|(p, rate)| p * rate).sum();
+            let found = pencil.product(&x, &x, lambda);
+            assert!((found - twice).norm() < 1e-12 * twice, "{j}: {found} {twice}");
+        }
+    }
+}

@@ -70,3 +70,26 @@ pub(super) fn least_squares(
     x.rows_mut(own, others).scale_mut(unit);
     Some(x)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Of the solutions of one equation the shortest shares it among its unknowns; what others are measured in does not matter.
+    #[test]
+    fn unknowns_of_any_unit_share_an_equation() {
+        for unit in [1e-9, 1e-2, 1.0, 30.0, 1e7] {
+            let left = DMatrix::from_row_slice(1, 2, &[3.0, 3.0 * unit]);
+            let x = least_squares(left, &DVector::from_element(1, 12.0), 1).unwrap();
+            assert!((x[0] - 2.0).abs() < 1e-12 && (x[1] * unit - 2.0).abs() < 1e-12, "{unit:e}: {x}");
+        }
+    }
+
+    /// Unknowns without an effect stay at zero.
+    #[test]
+    fn an_unknown_that_does_nothing_is_left_alone() {
+        let left = DMatrix::from_row_slice(1, 2, &[3.0, 0.0]);
+        let x = least_squares(left, &DVector::from_element(1, 12.0), 1).unwrap();
+        assert!((x[0] - 4.0).abs() < 1e-12 && x[1] == 0.0, "{x}");
+    }
+}

@@ -126,3 +126,28 @@ fn without_zeros(A: DMatrix<f64>) -> Result<(Vec<Pair>, usize), NoConvergence> {
     };
     Ok((values.iter().zip(&vectors).map(lifted).collect(), levels.len()))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Matrices with the eigenvalue zero, once and in a Jordan chain: the others have their eigenvectors, parts along the null vectors too.
+    #[test]
+    fn eigenvectors_beside_zeros_are_those_of_the_whole_matrix() {
+        let once = [2.0, 1.0, 3.0, 0.0, -1.0, 1.0, 2.0, 0.0, 4.0];
+        // P diag([[0, 1], [0, 0]], 3, −2) P⁻¹ with a P of whole numbers.
+        let P =
+            DMatrix::from_row_slice(4, 4, &[1., 2., 0., 1., 0., 1., 3., 0., 1., 0., 1., 1., 0., 1., 0., 2.]);
+        let mut chain = DMatrix::zeros(4, 4);
+        (chain[(0, 1)], chain[(2, 2)], chain[(3, 3)]) = (1.0, 3.0, -2.0);
+        let chain = &P * chain * P.clone().try_inverse().unwrap();
+        for (A, zeros) in [(DMatrix::from_row_slice(3, 3, &once), 1), (chain, 2)] {
+            let (found, count) = without_zeros(A.clone()).unwrap();
+            assert_eq!((found.len(), count), (A.nrows() - zeros, zeros));
+            for (lambda, x) in found {
+                let gap = (A.map(C::from) * &x - &x * lambda).norm();
+                assert!(gap < 1e-12 * A.norm() * x.norm(), "{lambda}: {gap:e}");
+            }
+        }
+    }
+}

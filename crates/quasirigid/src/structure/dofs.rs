@@ -22,7 +22,7 @@ pub(crate) struct Node {
 pub(crate) enum Constraint {
     /// No constraint: only elements act on the node.
     Free,
-    /// Some of the components 0 to 5 are fixed.
+    /// Components 0 to 5, translations before rotations, each true where it is free: the others are fixed.
     Partly([bool; 6]),
     /// Joint to the carrier or to another node: one rigid piece but for rotations about these axes; three axes are a ball joint.
     On {

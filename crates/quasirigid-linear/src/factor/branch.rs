@@ -32,7 +32,7 @@ pub(super) fn eliminate<'a, T: Real>(
     for (index, panel) in branch.nodes.iter().zip(panels) {
         let own = node(*index);
         let length = own.below.len();
-        panel.fill(zero);
+        panel.fill(zero); // new memory, written before it is read: see `Separators::new`
         fill(own, matrix, panel, &mut local);
         let (below, above) = stack.split_at_mut(top);
         let update = &mut above[..length * length];

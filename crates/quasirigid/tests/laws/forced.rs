@@ -201,7 +201,8 @@ impl Numbers {
 
 /// A formula of place, velocity and time.
 pub fn formula(text: &str) -> Expression {
-    Expression::parse(text, &["x", "y", "z", "vx", "vy", "vz", "t"]).unwrap()
+    let names = ["x", "y", "z", "vx", "vy", "vz", "t", "wx", "wy", "wz", "qw", "qx", "qy", "qz"];
+    Expression::parse(text, &names).unwrap()
 }
 
 /// The body with these forces.

@@ -10,9 +10,9 @@ use quasirigid::model::force::{Axes, Force, ForceLaw, KinematicState, MagneticFi
 use quasirigid::model::{MotionState as Moving, Rheology};
 use quasirigid::reduction::frequencies;
 use quasirigid::verification::{VerificationPlan, verify};
-use quasirigid_math::expression::Expression;
 use quasirigid_math::rotation::Turn;
 
+use super::forced::formula;
 use super::wobbler::{assembly, attitude};
 
 type V = Vector3<f64>;
@@ -325,9 +325,4 @@ fn what_is_incomplete_is_known() {
     assert_eq!(assembly.incomplete_at(3), []);
     assert_eq!(assembly.incomplete_at(4), [Incomplete::SpringsOnAppendages]);
     assert_eq!(string(Prestress::Tension(1.0)).incomplete_at(4), [Incomplete::AxialSprings]);
-}
-
-fn formula(text: &str) -> Expression {
-    let variables = ["x", "y", "z", "vx", "vy", "vz", "t", "wx", "wy", "wz", "qw", "qx", "qy", "qz"];
-    Expression::parse(text, &variables).unwrap()
 }

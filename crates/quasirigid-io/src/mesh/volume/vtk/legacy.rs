@@ -120,7 +120,7 @@ impl<'a> File<'a> {
     /// A line that announces values, and these values.
     fn read_part(&mut self, line: &'a str, offsets: bool, parts: &mut Parts<'a>) -> Result<(), Fault> {
         let words: Vec<&str> = line.split_whitespace().collect();
-        // A line that is not blank may still have blanks alone that are not ASCII.
+        // A vertical tab is a blank to `split_whitespace` and not to `trim_ascii`.
         let Some((keyword, values)) = words.split_first() else { return Err(self.unexpected(line)) };
         let keyword = keyword.to_ascii_uppercase();
         let of_cells = matches!(parts.data, Some((true, _)));

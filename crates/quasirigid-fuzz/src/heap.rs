@@ -68,17 +68,18 @@ mod tests {
     #[global_allocator]
     static COUNTED: Counted = Counted;
 
-    /// Other tests may take memory meanwhile, so that the counts are bounds.
+    /// Other threads may take and give back memory meanwhile, far less than the slack.
     #[test]
     fn peak_is_that_of_the_work_and_ends_with_it() {
-        const SIZE: usize = 1 << 20;
+        const SIZE: usize = 1 << 24;
+        const SLACK: usize = SIZE / 2;
         let before = begin();
         let mut grown = vec![1_u8; SIZE];
         grown.extend(vec![0_u8; SIZE]);
         grown.shrink_to_fit();
-        assert!(begin() >= before + 2 * SIZE);
+        assert!(begin() + SLACK >= before + 2 * SIZE);
         drop(grown);
-        assert!(peak() >= before + 2 * SIZE);
-        assert!(begin() < before + SIZE);
+        assert!(peak() + SLACK >= before + 2 * SIZE);
+        assert!(begin() < before + SLACK);
     }
 }

@@ -8,7 +8,8 @@ use faer::{Accum, MatMut, Par};
 use super::dense;
 use super::permuted::Permuted;
 use super::places::Places;
-use super::supernodes::{Branch, Supernode};
+use super::supernodes::Supernode;
+use super::tree::Branch;
 use super::triangle::Real;
 
 /// Eliminates the supernodes of a branch in their panels; none if a pivot is not positive.

@@ -11,9 +11,11 @@ mod numeric;
 mod ordering;
 mod permuted;
 mod places;
+mod postorder;
 mod separators;
 mod softest;
 mod solution;
+mod structure;
 mod supernodes;
 #[cfg(test)]
 mod tests;
@@ -24,7 +26,8 @@ pub use self::analysis::Analysis;
 pub use self::conjugate::Refinement;
 pub use self::ordering::Ordering;
 pub(super) use self::softest::{refusal, verdict};
-pub(super) use self::triangle::{Real, Structure, Triangle};
+pub(super) use self::structure::Structure;
+pub(super) use self::triangle::{Real, Triangle};
 
 use self::conjugate::System;
 use super::symmetric::Symmetric;

@@ -2,12 +2,11 @@
 
 use std::sync::atomic::{AtomicU64, Ordering};
 
-use faer::sparse::linalg::cholesky::supernodal::SymbolicSupernodalCholesky;
-
 use super::branch;
 use super::permuted::{self, Permuted};
 use super::separators::Separators;
-use super::supernodes::{Tree, supernode};
+use super::structure::Panels;
+use super::supernodes::Supernodes;
 use super::triangle::Real;
 use crate::symmetric::Symmetric;
 use crate::threads::{self, Team};
@@ -16,32 +15,21 @@ use crate::watch;
 /// Branches for each thread whose updates wait at once to be added in their order.
 const AHEAD: usize = 2;
 
-/// Entries of the factor of a matrix, scaled and shifted, by supernodes; `places` has the place of each unknown in the order of
-/// elimination. None if a pivot is not positive.
+/// Entries of the factor of a matrix, scaled and shifted, panel by panel; none if a pivot is not positive.
 pub(super) fn factored<T: Real>(
-    symbolic: &SymbolicSupernodalCholesky<usize>,
-    tree: &Tree,
-    places: Option<&[usize]>,
+    panels: &Panels,
     (matrix, scale, shift): (&Symmetric, &[f64], f64),
 ) -> Option<Vec<T>> {
+    let Panels { supernodes, tree, .. } = panels;
     let team = if tree.separators.is_empty() { Team::alone() } else { Team::new() };
-    let node = |index: usize| supernode(symbolic, index);
-    let unmoved: Vec<usize>;
-    let places = match places {
-        Some(places) => places,
-        None => {
-            unmoved = (0..matrix.size()).collect();
-            &unmoved
-        }
-    };
-    let matrix = Permuted::new(matrix, places, scale, shift);
-    let mut entries = vec![T::rounded(0.0); symbolic.len_val()];
-    let mut panels = panels(symbolic.col_ptr_for_val(), &mut entries);
+    let node = |index: usize| supernodes.node(index);
+    let matrix = Permuted::new(matrix, &panels.places(), scale, shift);
+    let mut entries = vec![T::rounded(0.0); supernodes.entries()];
+    let mut panels = split(supernodes, &mut entries);
     let mut taken = |index: &usize| std::mem::take(&mut panels[*index]);
     let upper = tree.separators.iter().map(&mut taken).collect();
     let mut separators = Separators::new(tree, node, &matrix, upper, &team);
-    let progress =
-        Progress::of((0..symbolic.n_supernodes()).map(|index| node(index).multiplications()).sum());
+    let progress = Progress::of(supernodes.multiplications());
     let mut stacks = vec![Vec::new(); AHEAD * team.size()];
     for round in tree.branches.chunks(stacks.len()) {
         let panels: Vec<Vec<&mut [T]>> =
@@ -60,17 +48,17 @@ pub(super) fn factored<T: Real>(
 }
 
 /// Bytes beside the factor: the matrix, and the updates that exist at once.
-pub(super) fn bytes<T: Real>(tree: &Tree, size: usize, matrix_entries: usize) -> usize {
-    let mut rooms: Vec<usize> = tree.branches.iter().map(|branch| branch.room).collect();
+pub(super) fn bytes<T: Real>(panels: &Panels, matrix_entries: usize) -> usize {
+    let mut rooms: Vec<usize> = panels.tree.branches.iter().map(|branch| branch.room).collect();
     rooms.sort_unstable_by(|a, b| b.cmp(a));
     let updates: usize = rooms.iter().take(AHEAD * threads::count()).sum();
-    updates * size_of::<T>() + permuted::bytes::<T>(size, matrix_entries)
+    updates * size_of::<T>() + permuted::bytes::<T>(panels.supernodes.size(), matrix_entries)
 }
 
 /// The panel of each supernode.
-fn panels<'a, T>(starts: &[usize], entries: &'a mut [T]) -> Vec<&'a mut [T]> {
+fn split<'a, T>(supernodes: &Supernodes, entries: &'a mut [T]) -> Vec<&'a mut [T]> {
     let mut rest = entries;
-    let lengths = starts.windows(2).map(|pair| pair[1] - pair[0]);
+    let lengths = (0..supernodes.count()).map(|index| supernodes.panel(index).len());
     lengths.map(|length| rest.split_off_mut(..length).unwrap_or_default()).collect()
 }
 

@@ -3,7 +3,7 @@
 use super::graph::Graph;
 #[cfg(feature = "metis")]
 use super::metis;
-use super::tree::postordered;
+use super::postorder::postordered;
 
 /// Method for the order of elimination.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -26,12 +26,26 @@ const SMALL: usize = 2000;
 /// Neighbours of a vertex, on average, up to which a graph is almost a tree, which fills little in any order.
 const FEW_NEIGHBOURS: usize = 4;
 
-/// Unknowns in the order of elimination, and the method that gave it; no list stands for minimum degree.
-pub(super) fn elimination(
+/// The graph of a matrix with its vertices in the order of elimination, right after those that hand them their updates.
+pub(super) struct Dissection {
+    pub graph: Graph,
+    pub order: Vec<u32>,
+}
+
+impl Dissection {
+    /// Unknowns in the order of elimination.
+    pub fn unknowns(&self) -> Vec<usize> {
+        let members = self.order.iter().flat_map(|vertex| &self.graph.members[*vertex as usize]);
+        members.map(|unknown| *unknown as usize).collect()
+    }
+}
+
+/// Nested dissection of a matrix, and the method that gave it; none stands for minimum degree.
+pub(super) fn dissection(
     starts: &[usize],
     rows: &[u32],
     ordering: Ordering,
-) -> (Option<Vec<usize>>, Ordering) {
+) -> (Option<Dissection>, Ordering) {
     let size = starts.len() - 1;
     let automatic = ordering == Ordering::Automatic;
     if ordering == Ordering::MinimumDegree || automatic && size < SMALL {
@@ -47,9 +61,8 @@ pub(super) fn elimination(
         _ => (scotch(&graph), Ordering::Scotch),
     };
     let Some(vertices) = vertices else { return (None, Ordering::MinimumDegree) };
-    let members =
-        postordered(&graph, &vertices).into_iter().flat_map(|vertex| &graph.members[vertex as usize]);
-    (Some(members.map(|unknown| *unknown as usize).collect()), found)
+    let order = postordered(&graph, &vertices);
+    (Some(Dissection { graph, order }), found)
 }
 
 fn scotch(graph: &Graph) -> Option<Vec<u32>> {

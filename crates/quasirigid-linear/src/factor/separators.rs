@@ -9,7 +9,8 @@ use super::branch::fill;
 use super::dense::{ROWS, add_product, eliminate_together};
 use super::permuted::Permuted;
 use super::places::Places;
-use super::supernodes::{Branch, Supernode, Tree};
+use super::supernodes::Supernode;
+use super::tree::{Branch, Tree};
 use super::triangle::Real;
 use crate::threads::Team;
 

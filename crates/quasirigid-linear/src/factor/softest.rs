@@ -1,7 +1,8 @@
 //! The softest direction of a matrix, which tells whether it is positive definite.
 
 use super::NotPositive;
-use super::triangle::{Structure, Triangle};
+use super::structure::Structure;
+use super::triangle::Triangle;
 use crate::symmetric::Symmetric;
 
 /// Quadratic forms below this, for a unit diagonal, are rounding.

@@ -4,19 +4,19 @@
 use faer::linalg::matmul::matmul;
 use faer::linalg::triangular_solve::{solve_lower_triangular_in_place, solve_upper_triangular_in_place};
 use faer::prelude::ReborrowMut;
-use faer::sparse::linalg::cholesky::supernodal::SymbolicSupernodalCholesky;
 use faer::{Accum, MatMut, MatRef, Par};
 
 use super::dense::{COLUMNS, tiles};
 use super::places::Places;
-use super::supernodes::{Branch, Supernode, Tree, supernode};
+use super::structure::Panels;
+use super::supernodes::Supernode;
+use super::tree::Branch;
 use super::triangle::Real;
 use crate::threads::Team;
 
 /// A factor and the number of right-hand sides.
 pub(super) struct Solution<'a, T> {
-    pub symbolic: &'a SymbolicSupernodalCholesky<usize>,
-    pub tree: &'a Tree,
+    pub panels: &'a Panels,
     pub entries: &'a [T],
     pub width: usize,
 }
@@ -24,9 +24,9 @@ pub(super) struct Solution<'a, T> {
 impl<'a, T: Real> Solution<'a, T> {
     /// Solves `L Lᵀ x = b` in place.
     pub fn solve(&self, x: &mut [T]) {
-        let team = if self.tree.separators.is_empty() { Team::alone() } else { Team::new() };
+        let team = if self.panels.tree.separators.is_empty() { Team::alone() } else { Team::new() };
         let passed = team.map(self.shares(x), |(branch, own)| self.up(branch, own));
-        for (branch, passed) in self.tree.branches.iter().zip(passed) {
+        for (branch, passed) in self.panels.tree.branches.iter().zip(passed) {
             let mut rest = passed.as_slice();
             for root in &branch.roots {
                 let rows = self.node(*root).below;
@@ -35,39 +35,35 @@ impl<'a, T: Real> Solution<'a, T> {
                 rest = others;
             }
         }
-        self.tree.separators.iter().for_each(|index| self.up_together(*index, x, &team));
-        self.tree.separators.iter().rev().for_each(|index| self.down_together(*index, x, &team));
+        self.panels.tree.separators.iter().for_each(|index| self.up_together(*index, x, &team));
+        self.panels.tree.separators.iter().rev().for_each(|index| self.down_together(*index, x, &team));
         let above = |branch: &Branch| {
             branch.roots.iter().flat_map(|root| self.taken(self.node(*root).below, x)).collect()
         };
-        let above: Vec<Vec<T>> = self.tree.branches.iter().map(above).collect();
+        let above: Vec<Vec<T>> = self.panels.tree.branches.iter().map(above).collect();
         let tasks = self.shares(x).into_iter().zip(above).collect();
         team.map(tasks, |((branch, own), above)| self.down(branch, own, above));
     }
 
     fn node(&self, index: usize) -> Supernode<'a> {
-        supernode(self.symbolic, index)
+        self.panels.supernodes.node(index)
     }
 
     fn panel(&self, index: usize) -> MatRef<'a, T> {
-        let (node, starts) = (self.node(index), self.symbolic.col_ptr_for_val());
-        MatRef::from_column_major_slice(
-            &self.entries[starts[index]..starts[index + 1]],
-            node.rows(),
-            node.width,
-        )
+        let (node, entries) = (self.node(index), self.panels.supernodes.panel(index));
+        MatRef::from_column_major_slice(&self.entries[entries], node.rows(), node.width)
     }
 
     /// The rows of each branch, supernode by supernode.
     fn shares<'x>(&self, x: &'x mut [T]) -> Vec<(&'a Branch, Vec<&'x mut [T]>)> {
         let mut rest = x;
-        let lengths = (0..self.symbolic.n_supernodes()).map(|index| self.node(index).width * self.width);
+        let lengths = self.panels.supernodes.iter().map(|node| node.width * self.width);
         let mut rows: Vec<&mut [T]> =
             lengths.map(|length| rest.split_off_mut(..length).unwrap_or_default()).collect();
         let own = |branch: &Branch, rows: &mut Vec<&'x mut [T]>| {
             branch.nodes.iter().map(|index| std::mem::take(&mut rows[*index])).collect()
         };
-        self.tree.branches.iter().map(|branch| (branch, own(branch, &mut rows))).collect()
+        self.panels.tree.branches.iter().map(|branch| (branch, own(branch, &mut rows))).collect()
     }
 
     /// `L y = b` in a branch; returns what its roots subtract from the rows above, as negative numbers.
@@ -77,7 +73,7 @@ impl<'a, T: Real> Solution<'a, T> {
             let node = self.node(*index);
             let mut front = vec![T::rounded(0.0); node.rows() * self.width];
             front[..x.len()].copy_from_slice(x);
-            let children = &self.tree.children[*index];
+            let children = &self.panels.tree.children[*index];
             let length = |child: &usize| self.node(*child).below.len() * self.width;
             let mut start = stack.len() - children.iter().map(length).sum::<usize>();
             let base = start;
@@ -116,7 +112,7 @@ impl<'a, T: Real> Solution<'a, T> {
             matmul(top.rb_mut(), Accum::Add, across, low.as_ref(), T::rounded(-1.0), Par::Seq);
             solve_upper_triangular_in_place(panel.subrows(0, node.width).transpose(), top, Par::Seq);
             x.copy_from_slice(&front[..x.len()]);
-            for child in &self.tree.children[*index] {
+            for child in &self.panels.tree.children[*index] {
                 let rows = self.node(*child).below;
                 let places = Places::of(rows, node);
                 (0..rows.len())

@@ -1,6 +1,4 @@
-//! Supernodes: columns of a factor with the same rows below, and the tree in which each hands its update to its parent.
-//! The tree is cut into branches, one thread's work each, and the separators above them, whose own work is shared. The cut depends on the
-//! matrix alone.
+//! Supernodes: columns of a factor with the same rows below, whose entries are stored as one dense panel.
 
 use std::ops::Range;
 
@@ -30,104 +28,72 @@ impl Supernode<'_> {
     }
 }
 
-/// Subtrees that one thread eliminates.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Branch {
-    /// Supernodes, children before their parents, each subtree on its own.
-    pub nodes: Vec<usize>,
-    /// Last nodes of the subtrees.
-    pub roots: Vec<usize>,
-    /// Entries of updates that exist at once.
-    pub room: usize,
-}
-
-/// The tree cut into branches and separators.
+/// All supernodes of a factor, in the order of elimination.
 #[derive(Clone, Debug)]
-pub(super) struct Tree {
-    pub children: Vec<Vec<usize>>,
-    pub branches: Vec<Branch>,
-    /// Supernodes above the branches, ascending, so that parents come last.
-    pub separators: Vec<usize>,
-    /// Supernode of each column.
-    pub owners: Vec<u32>,
+pub(super) struct Supernodes {
+    /// First column of each, and the number of columns.
+    starts: Vec<usize>,
+    /// Rows below the columns of each, one list after another.
+    below: Vec<usize>,
+    /// Where each list begins, and the end of the last.
+    lists: Vec<usize>,
+    /// Where the entries of each panel begin, and their number.
+    panels: Vec<usize>,
 }
 
-/// Multiplications below which a tree is one branch, as threads would cost more than they save.
-const SMALL: f64 = 1e8;
-/// A branch has no more than this share of all multiplications.
-const SHARE: f64 = 1.0 / 64.0;
-
-/// One supernode of a symbolic factor.
-pub(super) fn supernode(symbolic: &SymbolicSupernodalCholesky<usize>, index: usize) -> Supernode<'_> {
-    let start = symbolic.supernode_begin()[index];
-    let width = symbolic.supernode_end()[index] - start;
-    Supernode { start, width, below: symbolic.supernode(index).pattern() }
-}
-
-impl Tree {
-    pub fn of(symbolic: &SymbolicSupernodalCholesky<usize>) -> Self {
+impl Supernodes {
+    /// Supernodes of a symbolic factor, each column of which stands for several; `columns` has the first of them, and the number of all.
+    pub fn of(symbolic: &SymbolicSupernodalCholesky<usize>, columns: &[usize]) -> Self {
         let count = symbolic.n_supernodes();
-        let nodes: Vec<Supernode<'_>> = (0..count).map(|index| supernode(symbolic, index)).collect();
-        let mut owners = vec![0; symbolic.ncols()];
-        nodes.iter().enumerate().for_each(|(index, node)| owners[node.columns()].fill(index as u32));
-        let mut children = vec![Vec::new(); count];
-        let mut work: Vec<f64> = nodes.iter().map(Supernode::multiplications).collect();
-        let all: f64 = work.iter().sum();
-        let mut parents = vec![None; count];
+        let mut starts = Vec::with_capacity(count + 1);
+        let (mut below, mut lists, mut panels) = (Vec::new(), vec![0], vec![0]);
         for index in 0..count {
-            if let Some(first) = nodes[index].below.first() {
-                let parent = owners[*first] as usize;
-                parents[index] = Some(parent);
-                children[parent].push(index);
-                work[parent] += work[index];
-            }
+            let (start, end) =
+                (columns[symbolic.supernode_begin()[index]], columns[symbolic.supernode_end()[index]]);
+            starts.push(start);
+            below.extend(
+                symbolic.supernode(index).pattern().iter().flat_map(|row| columns[*row]..columns[row + 1]),
+            );
+            let length = below.len() - lists[index];
+            lists.push(below.len());
+            panels.push(panels[index] + (end - start) * (end - start + length));
         }
-        let most = if all < SMALL { f64::INFINITY } else { SHARE * all };
-        let above = |index: usize| work[index] > most;
-        let separators: Vec<usize> = (0..count).filter(|index| above(*index)).collect();
-        let roots = (0..count).filter(|index| !above(*index) && parents[*index].is_none_or(above));
-        let mut branches = Vec::new();
-        let (mut branch, mut sum) = (Branch::default(), 0.0);
-        for root in roots {
-            if sum + work[root] > most {
-                branches.push(std::mem::take(&mut branch));
-                sum = 0.0;
-            }
-            sum += work[root];
-            descend(&children, root, &mut branch.nodes);
-            branch.roots.push(root);
-        }
-        branches.push(branch);
-        branches.retain(|branch| !branch.nodes.is_empty());
-        for branch in &mut branches {
-            branch.room = room(&nodes, &children, &branch.nodes);
-        }
-        Self { children, branches, separators, owners }
+        starts.extend(columns.last());
+        Self { starts, below, lists, panels }
     }
-}
 
-/// A subtree, children before their parents.
-fn descend(children: &[Vec<usize>], root: usize, nodes: &mut Vec<usize>) {
-    let mut path = vec![(root, 0)];
-    while let Some((node, next)) = path.last_mut() {
-        if let Some(child) = children[*node].get(*next) {
-            *next += 1;
-            path.push((*child, 0));
-        } else {
-            nodes.push(*node);
-            path.pop();
-        }
+    /// Number of supernodes.
+    pub fn count(&self) -> usize {
+        self.panels.len() - 1
     }
-}
 
-/// Most entries of updates on a stack from which each supernode takes those of its children before it leaves its own.
-fn room(nodes: &[Supernode<'_>], children: &[Vec<usize>], order: &[usize]) -> usize {
-    let square = |index: usize| nodes[index].below.len().pow(2);
-    let (mut stack, mut most) = (0, 0);
-    for index in order {
-        most = most.max(stack + square(*index));
-        stack -= children[*index].iter().map(|child| square(*child)).sum::<usize>();
-        stack += square(*index);
+    /// Number of columns.
+    pub fn size(&self) -> usize {
+        self.starts[self.count()]
     }
-    most
+
+    /// Number of entries of the factor.
+    pub fn entries(&self) -> usize {
+        self.panels[self.count()]
+    }
+
+    pub fn node(&self, index: usize) -> Supernode<'_> {
+        let start = self.starts[index];
+        let below = &self.below[self.lists[index]..self.lists[index + 1]];
+        Supernode { start, width: self.starts[index + 1] - start, below }
+    }
+
+    pub fn iter(&self) -> impl Iterator<Item = Supernode<'_>> {
+        (0..self.count()).map(|index| self.node(index))
+    }
+
+    /// Entries of a panel among those of the factor.
+    pub fn panel(&self, index: usize) -> Range<usize> {
+        self.panels[index]..self.panels[index + 1]
+    }
+
+    /// Multiplications of the factorisation.
+    pub fn multiplications(&self) -> f64 {
+        self.iter().map(|node| node.multiplications()).sum()
+    }
 }

@@ -1,127 +1,103 @@
-//! Postorder of the elimination tree, which makes columns of equal structure neighbours.
+//! Tree of the supernodes, in which each hands its update to its parent.
+//! It is cut into branches, one thread's work each, and the separators above them, whose own work is shared. The cut depends on the
+//! matrix alone.
 
-use super::graph::Graph;
+use super::supernodes::{Supernode, Supernodes};
 
-/// Postorder: an equivalent elimination with every vertex right after its children; the fill does not change.
-///
-/// Liu, The role of elimination trees in sparse factorization, SIAM J. Matrix Anal. Appl. 11 (1990), 134.
-pub(super) fn postordered(graph: &Graph, order: &[u32]) -> Vec<u32> {
-    let parents = parents(graph, order);
-    let size = order.len();
-    // Children as linked lists, in the order of elimination.
-    let (mut child, mut sibling) = (vec![NONE; size + 1], vec![NONE; size]);
-    for place in (0..size).rev() {
-        let parent = if parents[place] == NONE { size } else { parents[place] };
-        sibling[place] = child[parent];
-        child[parent] = place;
+/// Subtrees that one thread eliminates.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Branch {
+    /// Supernodes, children before their parents, each subtree on its own.
+    pub nodes: Vec<usize>,
+    /// Last nodes of the subtrees.
+    pub roots: Vec<usize>,
+    /// Entries of updates that exist at once.
+    pub room: usize,
+}
+
+/// The tree cut into branches and separators.
+#[derive(Clone, Debug)]
+pub(super) struct Tree {
+    pub children: Vec<Vec<usize>>,
+    /// The costly first, so that branches eliminated side by side end together.
+    pub branches: Vec<Branch>,
+    /// Supernodes above the branches, ascending, so that parents come last.
+    pub separators: Vec<usize>,
+    /// Supernode of each column.
+    pub owners: Vec<u32>,
+}
+
+/// Multiplications below which a tree is one branch, as threads would cost more than they save.
+const SMALL: f64 = 1e8;
+/// A branch has no more than this share of all multiplications; the updates of a small one take little memory.
+const SHARE: f64 = 1.0 / 256.0;
+
+impl Tree {
+    pub fn of(supernodes: &Supernodes) -> Self {
+        let count = supernodes.count();
+        let nodes: Vec<Supernode<'_>> = supernodes.iter().collect();
+        let mut owners = vec![0; supernodes.size()];
+        nodes.iter().enumerate().for_each(|(index, node)| owners[node.columns()].fill(index as u32));
+        let mut children = vec![Vec::new(); count];
+        let mut work: Vec<f64> = nodes.iter().map(Supernode::multiplications).collect();
+        let all: f64 = work.iter().sum();
+        let mut parents = vec![None; count];
+        for index in 0..count {
+            if let Some(first) = nodes[index].below.first() {
+                let parent = owners[*first] as usize;
+                parents[index] = Some(parent);
+                children[parent].push(index);
+                work[parent] += work[index];
+            }
+        }
+        let most = if all < SMALL { f64::INFINITY } else { SHARE * all };
+        let above = |index: usize| work[index] > most;
+        let separators: Vec<usize> = (0..count).filter(|index| above(*index)).collect();
+        let roots = (0..count).filter(|index| !above(*index) && parents[*index].is_none_or(above));
+        let mut branches = Vec::new();
+        let (mut branch, mut sum) = (Branch::default(), 0.0);
+        for root in roots {
+            if sum + work[root] > most {
+                branches.push(std::mem::take(&mut branch));
+                sum = 0.0;
+            }
+            sum += work[root];
+            descend(&children, root, &mut branch.nodes);
+            branch.roots.push(root);
+        }
+        branches.push(branch);
+        branches.retain(|branch| !branch.nodes.is_empty());
+        let cost = |branch: &Branch| branch.roots.iter().map(|root| work[*root]).sum::<f64>();
+        branches.sort_by(|a, b| cost(b).total_cmp(&cost(a)));
+        for branch in &mut branches {
+            branch.room = room(&nodes, &children, &branch.nodes);
+        }
+        Self { children, branches, separators, owners }
     }
-    let mut path = vec![size];
-    let mut sorted = Vec::with_capacity(size);
-    while let Some(place) = path.last().copied() {
-        let next = child[place];
-        if next == NONE {
-            path.pop();
-            sorted.extend(order.get(place).copied());
+}
+
+/// A subtree, children before their parents.
+fn descend(children: &[Vec<usize>], root: usize, nodes: &mut Vec<usize>) {
+    let mut path = vec![(root, 0)];
+    while let Some((node, next)) = path.last_mut() {
+        if let Some(child) = children[*node].get(*next) {
+            *next += 1;
+            path.push((*child, 0));
         } else {
-            child[place] = sibling[next];
-            path.push(next);
+            nodes.push(*node);
+            path.pop();
         }
     }
-    sorted
 }
 
-const NONE: usize = usize::MAX;
-
-/// Parent of each place in the elimination tree, by paths to the roots that are shortened as they are walked.
-fn parents(graph: &Graph, order: &[u32]) -> Vec<usize> {
-    let mut places = vec![0; order.len()];
-    order.iter().enumerate().for_each(|(place, vertex)| places[*vertex as usize] = place);
-    let (mut parents, mut roots) = (vec![NONE; order.len()], vec![NONE; order.len()]);
-    for (place, vertex) in order.iter().enumerate() {
-        for mut below in
-            graph.neighbours(*vertex as usize).map(|other| places[other]).filter(|other| *other < place)
-        {
-            while roots[below] != NONE && roots[below] != place {
-                below = std::mem::replace(&mut roots[below], place);
-            }
-            if roots[below] == NONE {
-                roots[below] = place;
-                parents[below] = place;
-            }
-        }
+/// Most entries of updates on a stack from which each supernode takes those of its children before it leaves its own.
+fn room(nodes: &[Supernode<'_>], children: &[Vec<usize>], order: &[usize]) -> usize {
+    let square = |index: usize| nodes[index].below.len().pow(2);
+    let (mut stack, mut most) = (0, 0);
+    for index in order {
+        most = most.max(stack + square(*index));
+        stack -= children[*index].iter().map(|child| square(*child)).sum::<usize>();
+        stack += square(*index);
     }
-    parents
-}
-
-#[cfg(test)]
-mod tests {
-    use std::collections::BTreeSet;
-
-    use proptest::prelude::*;
-
-    use super::*;
-
-    /// Places that fill when the vertices are eliminated one by one.
-    fn fill(graph: &Graph, order: &[u32]) -> usize {
-        let mut sets: Vec<BTreeSet<usize>> =
-            (0..graph.size()).map(|v| graph.neighbours(v).collect()).collect();
-        let mut places = 0;
-        for vertex in order {
-            let around = std::mem::take(&mut sets[*vertex as usize]);
-            places += around.len();
-            for a in &around {
-                sets[*a].remove(&(*vertex as usize));
-                sets[*a].extend(around.iter().filter(|b| *b != a));
-            }
-        }
-        places
-    }
-
-    fn graph(size: usize, edges: &[(usize, usize)]) -> Graph {
-        let mut columns = vec![BTreeSet::new(); size];
-        edges.iter().for_each(|(a, b)| _ = columns[*a.min(b)].insert(*a.max(b) as u32));
-        let (mut starts, mut rows) = (vec![0], Vec::new());
-        for (column, below) in columns.iter().enumerate() {
-            rows.push(column as u32);
-            rows.extend(below.iter().filter(|row| **row as usize != column));
-            starts.push(rows.len());
-        }
-        Graph::of(&starts, &rows)
-    }
-
-    proptest! {
-        #[test]
-        fn postorder_keeps_the_fill_and_puts_parents_last(
-            edges in prop::collection::vec((0..30_usize, 0..30_usize), 0..60),
-            keys in prop::collection::vec(any::<u16>(), 30),
-        ) {
-            let graph = graph(30, &edges);
-            let mut order: Vec<u32> = (0..graph.size() as u32).collect();
-            order.sort_by_key(|vertex| keys[*vertex as usize]);
-            let sorted = postordered(&graph, &order);
-            prop_assert_eq!(sorted.iter().collect::<BTreeSet<_>>().len(), order.len());
-            prop_assert_eq!(fill(&graph, &sorted), fill(&graph, &order));
-            // In a postorder the vertices below each one are those right before it.
-            let parents = parents(&graph, &sorted);
-            for (place, parent) in parents.iter().enumerate().filter(|(_, parent)| **parent != NONE) {
-                prop_assert!(*parent > place);
-                prop_assert!((place + 1..*parent).all(|between| parents[between] <= *parent));
-            }
-        }
-
-        /// A clique is one vertex, whatever its size, and weights add up.
-        #[test]
-        fn unknowns_with_the_same_neighbours_are_one_vertex(edges in prop::collection::vec((0..12_usize, 0..12_usize), 0..20)) {
-            let thrice: Vec<(usize, usize)> = edges
-                .iter()
-                .copied()
-                .chain((0..12).map(|node| (node, node)))
-                .flat_map(|(a, b)| (0..9).map(move |k| (3 * a + k / 3, 3 * b + k % 3)))
-                .collect();
-            let (one, three) = (graph(12, &edges), graph(36, &thrice));
-            prop_assert_eq!(&one.neighbours, &three.neighbours);
-            prop_assert_eq!(one.members.iter().map(|m| 3 * m.len()).collect::<Vec<_>>(),
-                three.members.iter().map(Vec::len).collect::<Vec<_>>());
-        }
-    }
+    most
 }

@@ -310,6 +310,58 @@ fn branches_and_separators_give_the_solution_of_another_order() {
     assert!(gap < 1e-11, "{gap:e}");
 }
 
+/// Springs between nodes of one to eleven unknowns on a ring with long chords, and from all to a node of thirty.
+fn uneven() -> Symmetric {
+    let (nodes, hub) = (260_u32, 99);
+    let mut first = vec![0];
+    for node in 0..nodes {
+        let size = if node == hub { 30 } else { 1 + node * node % 11 };
+        first.push(first[node as usize] + size);
+    }
+    let chords = (0..nodes).flat_map(|node| [1, 7, 31].map(|step| [node, (node + step) % nodes]));
+    let springs: Vec<[u32; 2]> =
+        chords.chain((0..nodes).filter(|node| *node != hub).map(|node| [node, hub])).collect();
+    let pattern = Pattern::new(&first, springs.iter().map(|nodes| nodes.as_slice())).unwrap();
+    let mut matrix = Symmetric::zero(Arc::new(pattern));
+    for (place, nodes) in springs.iter().enumerate() {
+        let own = |node: &u32| first[*node as usize]..first[*node as usize + 1];
+        let unknowns: Vec<u32> = nodes.iter().flat_map(own).collect();
+        let unit = |unknown: u32| odd_unit(unknown as usize);
+        let stretch =
+            |unknown: u32| unit(unknown) * f64::from((unknown * 13 + place as u32) % 7) - 3.0 * unit(unknown);
+        let mut element = Vec::new();
+        for i in &unknowns {
+            let soil = |j: u32| if *i == j { 2.0 * unit(j).powi(2) } else { 0.0 };
+            element.extend(unknowns.iter().map(|j| stretch(*i) * stretch(*j) + soil(*j)));
+        }
+        matrix.add(&unknowns.into_iter().map(Some).collect::<Vec<_>>(), &element).unwrap();
+    }
+    matrix
+}
+
+#[test]
+fn nodes_of_any_size_fill_as_their_unknowns_do() {
+    let matrix = uneven();
+    let solution = |ordering: Ordering| {
+        let [branches, _] = Structure::new(&matrix, ordering).unwrap().pieces();
+        let mut x = right(2 * matrix.size());
+        let factor = Factor::new(&matrix, method(Precision::Double, ordering)).unwrap();
+        let refinement = factor.solve(&mut x, 2);
+        assert!(branches > 0 && refinement.iterations == 0 && refinement.residual < 1e-13, "{refinement:?}");
+        (x, factor.work().entries)
+    };
+    let (reference, least) = solution(Ordering::MinimumDegree);
+    for ordering in [
+        #[cfg(feature = "metis")]
+        Ordering::Metis,
+        Ordering::Scotch,
+    ] {
+        let (x, entries) = solution(ordering);
+        assert!(difference(&x, &reference, odd_unit) < 1e-11);
+        assert!(entries < 2 * least, "{ordering:?}: {entries}, {least}");
+    }
+}
+
 #[test]
 fn a_negative_pivot_is_found_in_a_branch_and_in_a_separator() {
     let matrix = cut();

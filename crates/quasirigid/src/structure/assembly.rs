@@ -1,13 +1,11 @@
 //! Stiffness, damping and mass of a structure, summed over its elements by several threads.
-//! Element matrices are made side by side, a batch at a time, and added in the order of the elements: the sums have the same bits for any
-//! number of threads.
-
-use std::ops::Range;
+//! Matrices of patches are made side by side, a batch at a time, and added in their order: the sums have the same bits for any number of
+//! threads.
 
 use nalgebra::DMatrix;
 
 use super::discrete::Structure;
-use super::sum::DofMap;
+use super::patch::Patch;
 use crate::math::symmetric::Symmetric;
 use crate::math::threads::Team;
 use crate::math::watch;
@@ -20,11 +18,11 @@ pub(super) struct Sums {
     pub mass: Symmetric,
 }
 
-/// Matrices of one element over its unknowns.
+/// Matrices of one patch over its unknowns.
 struct Made {
-    /// None of an element that has mass alone.
+    /// None of elements that have mass alone.
     stiffness: Option<DMatrix<f64>>,
-    damping: Vec<DMatrix<f64>>,
+    damping: Option<DMatrix<f64>>,
     mass: DMatrix<f64>,
 }
 
@@ -34,68 +32,63 @@ const MANY: usize = 512;
 
 impl Sums {
     /// Adds the elements. (K1)–(K3)
-    pub fn add(&mut self, structure: &Structure, maps: &[DofMap]) {
-        let team = if maps.len() < MANY { Team::alone() } else { Team::new() };
-        for batch in batches(maps) {
-            watch::progress(batch.start as f64 / maps.len() as f64);
-            let made =
-                team.map(batch.clone().collect(), |element| Made::new(structure, element, &maps[element]));
-            let all = || batch.clone().map(|element| maps[element].unknowns()).zip(&made);
-            let material = |element: usize| structure.elements[element].material();
+    pub fn add(&mut self, structure: &Structure, patches: &[Patch]) {
+        let elements = structure.elements.len();
+        let team = if elements < MANY { Team::alone() } else { Team::new() };
+        for batch in batches(patches) {
+            watch::progress(batch[0].elements.start as f64 / elements as f64);
+            let made = team.map(batch.iter().collect(), |patch| Made::new(structure, patch));
+            let all = || batch.iter().zip(&made);
+            let material = |patch: &Patch| structure.elements[patch.elements.start].material();
             for (number, sum) in self.stiffness.iter_mut().enumerate() {
-                let own = batch.clone().zip(all()).filter(|(element, _)| material(*element) == number);
-                let stiff =
-                    own.filter_map(|(_, (unknowns, made))| Some((unknowns, made.stiffness.as_ref()?)));
-                add(sum, stiff, &team);
+                let own = all().filter(|(patch, _)| material(patch) == number);
+                add(sum, own.filter_map(|(patch, made)| Some((patch, made.stiffness.as_ref()?))), &team);
             }
-            add(&mut self.mass, all().map(|(unknowns, made)| (unknowns, &made.mass)), &team);
-            let damped =
-                all().flat_map(|(unknowns, made)| made.damping.iter().map(move |part| (unknowns, part)));
+            add(&mut self.mass, all().map(|(patch, made)| (patch, &made.mass)), &team);
+            let damped = all().filter_map(|(patch, made)| Some((patch, made.damping.as_ref()?)));
             add(&mut self.damping, damped, &team);
         }
     }
 }
 
 impl Made {
-    fn new(structure: &Structure, element: usize, map: &DofMap) -> Self {
-        let element = &structure.elements[element];
-        let material = &structure.materials[element.material()];
-        let (K, M) = (element.stiffness(), element.mass());
-        let shares = [(&K, material.per_stiffness), (&M, material.per_mass)];
-        let mut damping: Vec<_> = shares
-            .iter()
-            .filter(|(_, share)| *share != 0.0)
-            .map(|(part, share)| map.tied(part, *share))
-            .collect();
-        damping.extend(element.damping().map(|dashpots| map.tied(&dashpots, 1.0)));
-        let stiff = K.iter().any(|entry| *entry != 0.0);
-        Self { stiffness: stiff.then(|| map.tied(&K, 1.0)), damping, mass: map.tied(&M, 1.0) }
+    fn new(structure: &Structure, patch: &Patch) -> Self {
+        let elements = &structure.elements[patch.elements.clone()];
+        let material = &structure.materials[elements[0].material()];
+        let numbered = || elements.iter().enumerate();
+        let stiffness: Vec<_> = numbered().map(|(number, element)| (number, element.stiffness())).collect();
+        let stiffness: Vec<_> =
+            stiffness.into_iter().filter(|(_, K)| K.iter().any(|entry| *entry != 0.0)).collect();
+        let mass: Vec<_> = numbered().map(|(number, element)| (number, element.mass())).collect();
+        let mut damping = Vec::new();
+        for (parts, share) in [(&stiffness, material.per_stiffness), (&mass, material.per_mass)] {
+            damping
+                .extend(parts.iter().filter(|_| share != 0.0).map(|(number, part)| (*number, share * part)));
+        }
+        damping.extend(numbered().filter_map(|(number, element)| Some((number, element.damping()?))));
+        let some = |parts: Vec<_>| (!parts.is_empty()).then(|| patch.sum(parts));
+        Self { stiffness: some(stiffness), damping: some(damping), mass: patch.sum(mass) }
     }
 }
 
-/// Ranges of elements whose matrices have about `BATCH` entries together.
-fn batches(maps: &[DofMap]) -> Vec<Range<usize>> {
-    let mut batches: Vec<Range<usize>> = Vec::new();
-    let mut entries = BATCH;
-    for (element, map) in maps.iter().enumerate() {
-        match batches.last_mut() {
-            Some(batch) if entries < BATCH => batch.end += 1,
-            _ => {
-                batches.push(element..element + 1);
-                entries = 0;
-            }
+/// Patches whose matrices have about `BATCH` entries together.
+fn batches(patches: &[Patch]) -> Vec<&[Patch]> {
+    let mut batches = Vec::new();
+    let (mut start, mut entries) = (0, 0);
+    for (end, patch) in patches.iter().enumerate() {
+        if entries >= BATCH {
+            batches.push(&patches[start..end]);
+            (start, entries) = (end, 0);
         }
-        entries += map.unknowns().len().pow(2);
+        entries += patch.unknowns.len().pow(2);
     }
+    batches.push(&patches[start..]);
+    batches.retain(|batch| !batch.is_empty());
     batches
 }
 
-fn add<'m>(
-    sum: &mut Symmetric,
-    parts: impl Iterator<Item = (&'m [Option<u32>], &'m DMatrix<f64>)>,
-    team: &Team,
-) {
-    let parts: Vec<_> = parts.map(|(unknowns, matrix)| (unknowns, matrix.as_slice())).collect();
+fn add<'m>(sum: &mut Symmetric, parts: impl Iterator<Item = (&'m Patch, &'m DMatrix<f64>)>, team: &Team) {
+    let parts: Vec<_> = parts.map(|(patch, matrix)| (&patch.unknowns[..], matrix.as_slice())).collect();
     if !parts.is_empty() {
         sum.add_all(&parts, team).expect("the pattern has the places of every element");
     }

@@ -6,7 +6,7 @@ use nalgebra::{DMatrix, Vector3};
 
 use super::assembly::Sums;
 use super::dofs::{Constraint, Dofs, Node, Unknown};
-use super::sum::{DofMap, pattern};
+use super::patch::{patches, pattern};
 use crate::finite::Element;
 use crate::math::memory::{self, TooMuchMemory};
 use crate::math::symmetric::Symmetric;
@@ -111,9 +111,8 @@ impl<'a> Discrete<'a> {
     /// [`TooMuchMemory`] if the matrices have no room.
     pub fn new(structure: &'a Structure, dofs: Dofs) -> Result<Self, TooMuchMemory> {
         memory::ask(structure.elements.len() as f64 * ELEMENT)?;
-        let maps: Vec<DofMap> =
-            structure.elements.iter().map(|element| DofMap::new(&dofs, element.as_ref())).collect();
-        let pattern = pattern(&dofs, &maps);
+        let patches = patches(structure, &dofs);
+        let pattern = pattern(&dofs, &patches);
         memory::ask(
             pattern.places() as f64 * size_of::<f64>() as f64 * (structure.materials.len() + MATRICES) as f64,
         )?;
@@ -121,7 +120,7 @@ impl<'a> Discrete<'a> {
         let stiffness = vec![zero.clone(); structure.materials.len()];
         let mut sums = Sums { stiffness, damping: zero.clone(), mass: zero.clone() };
         watch::stage("assembling the elements");
-        sums.add(structure, &maps);
+        sums.add(structure, &patches);
         let Sums { mut stiffness, mut damping, mass } = sums;
         for joint in &structure.joints {
             for (axis, unknown) in joint_unknowns(&dofs, joint) {

@@ -5,7 +5,6 @@
 use nalgebra::DMatrix;
 
 use super::discrete::{Discrete, joint_unknowns, times};
-use super::sum::DofMap;
 use crate::model::Rheology;
 use crate::structure::Block;
 
@@ -111,7 +110,7 @@ impl<'a> Budget<'a> {
         for (element, number) in structure.elements.iter().zip(&self.elements) {
             let Some([stiffness, damping]) = number.map(|number| &mut sums[number]) else { continue };
             let material = &structure.materials[element.material()];
-            let moved = DofMap::new(&discrete.dofs, element.as_ref()).moved(fields);
+            let moved = discrete.dofs.spread(element.nodes(), element.dofs(), fields).transpose();
             let add = |sum: &mut DMatrix<f64>, factor: f64, matrix: &DMatrix<f64>| {
                 *sum += factor * moved.tr_mul(&(matrix * &moved));
             };

@@ -13,11 +13,11 @@ mod losses;
 mod lumped_masses;
 mod masses;
 mod owned;
+mod patch;
 mod paths;
 mod rigid;
 mod rows;
 mod solver;
-mod sum;
 
 pub(crate) use block::{Block, Entries};
 pub(crate) use component::{Component, Fault, Load, Purpose};

@@ -1,7 +1,6 @@
 use nalgebra::DMatrix;
 
 use super::discrete::Discrete;
-use super::sum::DofMap;
 
 /// Name of masses without an owner: the points of a body without a carrier.
 const POINTS: &str = "points";
@@ -15,7 +14,7 @@ pub(super) fn masses(discrete: &Discrete<'_>, fields: &DMatrix<f64>) -> Vec<(Str
         if mass.amax() == 0.0 {
             continue;
         }
-        let moved = DofMap::new(&discrete.dofs, element.as_ref()).moved(fields);
+        let moved = discrete.dofs.spread(element.nodes(), element.dofs(), fields).transpose();
         let own = moved.tr_mul(&(mass * &moved));
         match sums.iter_mut().find(|(name, _)| *name == owner) {
             Some((_, sum)) => *sum += own,

@@ -56,9 +56,8 @@ impl Made {
         let elements = &structure.elements[patch.elements.clone()];
         let material = &structure.materials[elements[0].material()];
         let numbered = || elements.iter().enumerate();
-        let stiffness: Vec<_> = numbered().map(|(number, element)| (number, element.stiffness())).collect();
-        let stiffness: Vec<_> =
-            stiffness.into_iter().filter(|(_, K)| K.iter().any(|entry| *entry != 0.0)).collect();
+        let stiffness = numbered().map(|(number, element)| (number, element.stiffness()));
+        let stiffness: Vec<_> = stiffness.filter(|(_, K)| K.iter().any(|entry| *entry != 0.0)).collect();
         let mass: Vec<_> = numbered().map(|(number, element)| (number, element.mass())).collect();
         let mut damping = Vec::new();
         for (parts, share) in [(&stiffness, material.per_stiffness), (&mass, material.per_mass)] {

@@ -355,10 +355,10 @@ pub struct Evolve {
     pub common: Common,
     /// Where to start: D/I3 = |K|^2/2EI3 as 0.9 or "90% of I3", or the greatest wobble about the axis of greatest inertia as
     /// "20 deg" [default: the initial state]
-    #[arg(long, value_name = "X", allow_hyphen_values = true)]
+    #[arg(long, value_name = "X", allow_hyphen_values = true, alias = "start")]
     pub from: Option<String>,
     /// Where to end, in the same form [default: the file's, or 1 % of the energy of the wobble left]
-    #[arg(long, value_name = "Y", allow_hyphen_values = true)]
+    #[arg(long, value_name = "Y", allow_hyphen_values = true, alias = "until")]
     pub to: Option<String>,
     /// Longest time, in seconds or with a unit such as "10 Gyr" [default: the file's, or none]
     #[arg(long, value_name = "T", allow_hyphen_values = true)]

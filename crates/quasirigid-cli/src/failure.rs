@@ -52,7 +52,15 @@ pub enum Failure {
     PixelsOfSvg,
     #[error(transparent)]
     Picture(#[from] PngError),
-    #[error("{format} is no text for a terminal; name a file with --out")]
+    #[error("--out - and {option} both ask for standard output; name a file with --out")]
+    TwiceOnStdout { option: &'static str },
+    #[error(
+        "{option} - asks for standard output, but a folder is written; name one, or ./- for a folder of that name"
+    )]
+    FolderOnStdout { option: &'static str },
+    #[error("standard output is no page that a browser could open; name a file with --out")]
+    OpenedStdout,
+    #[error("{format} is a binary format, not text for a terminal; name a file with --out")]
     BinaryOnTerminal { format: &'static str },
     #[error("--degree, --masters, --style and --axis belong to the equations about a spin; add {with}")]
     NotAboutSpin { with: &'static str },
@@ -72,7 +80,7 @@ pub enum Failure {
     Left,
     #[error("interrupted; no file was written or changed")]
     Abandoned,
-    #[error("the reader of the output went away")]
+    #[error("broken pipe")]
     BrokenPipe,
 }
 

@@ -99,8 +99,16 @@ fn unbuffered() -> io::Result<impl Write> {
     Ok(io::stdout().lock())
 }
 
+/// Whether a file asked for is standard output, as `-` says to most programs; a file of that name is `./-`.
+pub fn is_stdout(path: &Path) -> bool {
+    path == Path::new("-")
+}
+
 /// Refuses a file that cannot be written, before the work for it starts.
 pub fn check_file(path: &Path, overwrite: bool) -> Result<(), Failure> {
+    if is_stdout(path) {
+        return Ok(());
+    }
     if path.is_dir() {
         return Err(Failure::IsFolder { path: path.into() });
     }
@@ -117,12 +125,17 @@ pub fn check_file(path: &Path, overwrite: bool) -> Result<(), Failure> {
 }
 
 /// Writes a file that appears only when it is whole, and over nothing unless that is asked for: a file that has appeared meanwhile
-/// stays, and the new one goes beside it. A pipe or a device is written directly.
+/// stays, and the new one goes beside it. A pipe, a device or standard output is written directly.
 pub fn to_file(
     path: &Path,
     overwrite: bool,
     write: impl FnOnce(&mut dyn Write) -> io::Result<()>,
 ) -> Result<Placed, Failure> {
+    if is_stdout(path) {
+        let mut out = unbuffered().map(BufWriter::new).map_err(|cause| printed(cause.kind()))?;
+        write(&mut out).and_then(|()| out.flush()).map_err(|cause| printed(cause.kind()))?;
+        return Ok(Placed { beside: false, path: path.to_owned() });
+    }
     let whole = || {
         if is_device(path) {
             filled(&mut std::fs::OpenOptions::new().write(true).open(path)?, write)?;
@@ -148,8 +161,8 @@ pub fn to_file(
 /// A temporary file that goes with its guard: beside a result, or among the temporary files of the system for standard output and devices.
 pub fn spool(beside: Option<&Path>) -> Result<NamedTempFile, Failure> {
     let folder = match beside.filter(|path| !is_device(path)) {
-        Some(path) => parent(path).to_owned(),
-        None => std::env::temp_dir(),
+        Some(path) if !is_stdout(path) => parent(path).to_owned(),
+        _ => std::env::temp_dir(),
     };
     let file = temporary()
         .tempfile_in(&folder)

@@ -2,7 +2,7 @@
 //! that was said to be written. Every writer of results settles its files here.
 
 use std::fs::{self, File, OpenOptions, TryLockError};
-use std::io::{self, BufWriter, ErrorKind, Write};
+use std::io::{self, BufWriter, ErrorKind, Read, Write};
 use std::path::{Path, PathBuf};
 use std::process;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -47,6 +47,40 @@ pub fn settle_files(folder: &Path) -> io::Result<()> {
         settle(&File::open(entry?.path())?)?;
     }
     settle_folder(folder)
+}
+
+/// What is read in the place of a file: a folder, or a pipe or a device, which may never end.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("this is no file on a disk but a folder, a pipe or a device")]
+struct NoFile;
+
+/// Opens a file on a disk. Records, tables and logs, which are read to their end, are opened here: a pipe would be waited for, and a device
+/// read for ever, also where a link leads to it.
+///
+/// # Errors
+/// Those of the system, and one that [`is_no_file`] knows.
+pub fn open_regular(path: &Path) -> io::Result<File> {
+    if path.metadata()?.is_file() {
+        File::open(path)
+    } else {
+        Err(io::Error::new(ErrorKind::InvalidInput, NoFile))
+    }
+}
+
+/// Whether an error says that a folder, a pipe or a device stands in the place of a file.
+#[must_use]
+pub fn is_no_file(error: &io::Error) -> bool {
+    error.get_ref().is_some_and(|cause| cause.is::<NoFile>())
+}
+
+/// The bytes of a file on a disk.
+///
+/// # Errors
+/// Those of [`open_regular`] and of the system.
+pub fn read_regular(path: &Path) -> io::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    open_regular(path)?.read_to_end(&mut bytes)?;
+    Ok(bytes)
 }
 
 /// Folder of a file.

@@ -8,9 +8,11 @@ use std::fs::File;
 use std::io::{Error, ErrorKind, Read};
 use std::path::{Path, PathBuf};
 
+use crate::visible::shortened;
+
 /// A file that cannot be used, with the place and the problem.
 #[derive(Clone, Debug, thiserror::Error, PartialEq)]
-#[error("{}{place}: {problem}", file.display())]
+#[error("{}{place}: {}", file.display(), shortened(&problem.to_string()))]
 pub struct FileError<P: error::Error> {
     /// The file.
     pub file: PathBuf,
@@ -57,6 +59,25 @@ impl fmt::Display for Place {
             Self::Byte(byte) => write!(f, ": byte {byte}"),
             Self::Member(member) => write!(f, ": {}: byte {}", member.name, member.byte),
         }
+    }
+}
+
+/// What a file is that no reader here knows, in words; nothing of it is quoted.
+pub(crate) fn kind_of(bytes: &[u8]) -> &'static str {
+    let start = &bytes[..bytes.len().min(1024)];
+    let begins = |word: &[u8]| start.get(..word.len()).is_some_and(|found| found.eq_ignore_ascii_case(word));
+    if begins(b"<!doctype html") || begins(b"<html") {
+        "a web page"
+    } else if begins(b"version https://git-lfs") {
+        "a pointer of Git LFS in the place of the file"
+    } else if begins(b"PK\x03\x04") {
+        "a ZIP archive"
+    } else if begins(b"\x1f\x8b") {
+        "packed by gzip"
+    } else if start.iter().all(|byte| byte.is_ascii_whitespace() || !byte.is_ascii_control()) {
+        "text"
+    } else {
+        "binary"
     }
 }
 

@@ -1,6 +1,7 @@
 //! Text of files on a terminal, on a page and in comments of exported equations: characters that would steer the reader are shown instead.
 
-use std::fmt::Write;
+use std::borrow::Cow;
+use std::fmt::{self, Write};
 
 /// A text in which control characters, line breaks and tabs apart, stand as `\u001b`; so do characters that change the direction of
 /// writing. JSON keeps its meaning with them.
@@ -31,6 +32,63 @@ pub fn masked(text: &str) -> String {
     out
 }
 
+/// Most characters of a file that a message quotes at a place.
+const QUOTED: usize = 120;
+
+/// Excerpt of a file in a message: the beginning of what stands at a place, on one line, cut where it is long. A model may name any file
+/// that its user can read, and what is printed may be read by others.
+#[derive(Clone, PartialEq, Eq)]
+pub struct Excerpt(String);
+
+impl From<&str> for Excerpt {
+    fn from(text: &str) -> Self {
+        let line = text.lines().next().unwrap_or_default();
+        match line.char_indices().nth(QUOTED) {
+            Some((end, _)) => Self(format!("{}…", &line[..end])),
+            None => Self(line.to_owned()),
+        }
+    }
+}
+
+impl From<String> for Excerpt {
+    fn from(text: String) -> Self {
+        Self::from(text.as_str())
+    }
+}
+
+impl From<Cow<'_, str>> for Excerpt {
+    fn from(text: Cow<'_, str>) -> Self {
+        Self::from(&*text)
+    }
+}
+
+impl fmt::Display for Excerpt {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.0)
+    }
+}
+
+impl fmt::Debug for Excerpt {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Debug::fmt(&self.0, f)
+    }
+}
+
+/// Most characters of a message that has something of a file in it.
+const LONGEST: usize = 700;
+
+/// A message, of whose middle a part is left out where it is long: what a file has is quoted in it, at any length, and the advice stands at
+/// its end.
+#[must_use]
+pub fn shortened(message: &str) -> Cow<'_, str> {
+    if message.len() <= LONGEST {
+        return Cow::Borrowed(message);
+    }
+    let head = message.floor_char_boundary(LONGEST / 2);
+    let tail = message.ceil_char_boundary(message.len() - LONGEST / 2);
+    Cow::Owned(format!("{} … {}", &message[..head], &message[tail..]))
+}
+
 fn escaped(text: &str, hidden: impl Fn(char) -> bool) -> String {
     let mut out = String::with_capacity(text.len());
     for letter in text.chars() {
@@ -55,6 +113,15 @@ fn steers(letter: char) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn long_messages_keep_their_ends() {
+        assert_eq!(shortened("short é"), "short é");
+        let long = format!("{:?} is no number; write 1.5", "é".repeat(1_000_000));
+        let short = shortened(&long);
+        assert!(short.len() < LONGEST + 10 && short.starts_with("\"éé"), "{short}");
+        assert!(short.contains(" … ") && short.ends_with("éé\" is no number; write 1.5"), "{short}");
+    }
 
     #[test]
     fn what_steers_a_terminal_is_shown() {

@@ -31,11 +31,25 @@ pub fn inverse(matrix: Sym) -> Sym {
 /// Inverse of a symmetric matrix of numbers or series.
 #[inline(always)]
 #[must_use]
-pub fn smooth_inverse<T: Smooth>([xx, yy, zz, yz, zx, xy]: [T; 6]) -> [T; 6] {
-    let minors = [yy * zz - yz * yz, zz * xx - zx * zx, xx * yy - xy * xy];
-    let mixed = [zx * xy - yz * xx, xy * yz - zx * yy, yz * zx - xy * zz];
-    let determinant = xx * minors[0] + xy * mixed[2] + zx * mixed[1];
-    [minors[0], minors[1], minors[2], mixed[0], mixed[1], mixed[2]].map(|cofactor| cofactor / determinant)
+pub fn smooth_inverse<T: Smooth>(matrix: [T; 6]) -> [T; 6] {
+    let [xx, .., zx, xy] = matrix;
+    let adjugate = adjugate(matrix);
+    let determinant = xx * adjugate[0] + xy * adjugate[5] + zx * adjugate[4];
+    adjugate.map(|cofactor| cofactor / determinant)
+}
+
+/// Adjugate of a symmetric matrix of numbers or series: its cofactors.
+#[inline(always)]
+#[must_use]
+pub fn adjugate<T: Scalar>([xx, yy, zz, yz, zx, xy]: [T; 6]) -> [T; 6] {
+    [
+        yy * zz - yz * yz,
+        zz * xx - zx * zx,
+        xx * yy - xy * xy,
+        zx * xy - yz * xx,
+        xy * yz - zx * yy,
+        yz * zx - xy * zz,
+    ]
 }
 
 /// Matrix of numbers or series times vector.

@@ -18,6 +18,7 @@ use quasirigid_study::layout::paragraph;
 use quasirigid_study::modes::AskedSpin;
 use quasirigid_study::report::page;
 use quasirigid_study::run::RunOutcome;
+use quasirigid_study::sweep::uncertainty_text;
 use quasirigid_study::{Keeping, LeftOut, Study, StudyError, beyond, summary, verification};
 use serde_json::json;
 
@@ -116,14 +117,25 @@ pub fn simulate(
 }
 
 /// The secular evolution.
-pub fn evolve(study: &Study, asked: &Asked, mut shared: &Shared) -> Result<Answer, Failure> {
+pub fn evolve(
+    study: &Study,
+    asked: &Asked,
+    draws: Option<usize>,
+    mut shared: &Shared,
+) -> Result<Answer, Failure> {
     let evolved = study.evolve(asked, &mut shared)?;
-    let (holds, answers, json) = (evolved.holds(), evolved.has_numbers(), evolved.json());
+    let (holds, answers, mut json) = (evolved.holds(), evolved.has_numbers(), evolved.json());
+    let mut text = evolution::text(&study.model.name, &evolved.record);
+    if let Some(draws) = draws {
+        let uncertainty = study.uncertainty(draws, &mut shared)?.ok_or(StudyError::Interrupted)?;
+        text.push_str(&uncertainty_text(&uncertainty));
+        json["uncertainty"] = json!(uncertainty);
+    }
     let record = evolved.record;
     let number = |value: f64| if answers { value } else { f64::NAN };
     Ok(Answer {
         json: Json(json),
-        text: evolution::text(&study.model.name, &record),
+        text,
         // What does not hold is not told as if it did.
         sentence: if answers || record.status == "refused" {
             record.sentence.clone()

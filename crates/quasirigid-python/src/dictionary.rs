@@ -27,7 +27,7 @@ pub fn with_changes(text: &str, changes: &Bound<'_, PyDict>) -> PyResult<String>
         let Ok(path) = path.cast::<PyString>() else {
             return Ok(refuse(format!("the path {} is not a text", shown(&path)))?);
         };
-        let path = path.to_cow()?.into_owned();
+        let path = text_of(path)?;
         let item = value(&item, &path, 0)?;
         given.push((path, self::given(item)));
     }
@@ -58,7 +58,7 @@ fn table(dictionary: &Bound<'_, PyDict>, place: &str, depth: usize) -> Result<Ta
             let place = if place.is_empty() { "the model" } else { place };
             return refuse(format!("{place}: the key {} is not a text", shown(&key)));
         };
-        let name = name.to_cow()?.into_owned();
+        let name = text_of(name)?;
         let inside = if place.is_empty() { name.clone() } else { format!("{place}.{name}") };
         table.insert(name, value(&item, &inside, depth)?);
     }
@@ -91,7 +91,7 @@ fn value(item: &Bound<'_, PyAny>, place: &str, depth: usize) -> Result<Value, Fa
         return Ok(Value::Float(item.value()));
     }
     if let Ok(item) = item.cast::<PyString>() {
-        return Ok(Value::String(item.to_cow()?.into_owned()));
+        return Ok(Value::String(text_of(item)?));
     }
     if item.is_none() {
         return refuse(format!("{place} is None; leave it out"));
@@ -103,6 +103,12 @@ fn value(item: &Bound<'_, PyAny>, place: &str, depth: usize) -> Result<Value, Fa
     refuse(format!(
         "{place}: a {kind} has no place in a model; give a number, a text, a list or a dictionary"
     ))
+}
+
+/// The text of a string, which in Python may hold halves of characters.
+fn text_of(text: &Bound<'_, PyString>) -> Result<String, Failure> {
+    let told = |_| Failure::Input(format!("{} is no text: UTF-8 cannot write its surrogates", shown(text)));
+    text.to_cow().map(|text| text.into_owned()).map_err(told)
 }
 
 /// An object as Python shows it.

@@ -201,10 +201,10 @@ impl Model {
         order: Option<usize>,
         observer: Observer,
     ) -> PyResult<Answer> {
-        let asked = wish.read()?;
+        let (asked, draws) = (wish.read()?, wish.samples_of_uncertainty);
         Ok(interruptible(py, observer.as_ref(), |shared| {
             let study = self.study(order)?;
-            answers::evolve(&study, &asked(&study), shared)
+            answers::evolve(&study, &asked(&study), draws, shared)
         })?)
     }
 
@@ -378,6 +378,7 @@ pub struct Wish {
     samples: Option<usize>,
     power: Option<String>,
     method: Option<String>,
+    samples_of_uncertainty: Option<usize>,
 }
 
 impl Wish {

@@ -110,6 +110,24 @@ impl Reduced {
         self.vectors(py, &omega, ReducedBody::angular_momentum)
     }
 
+    /// The angular velocity of an angular momentum by the energy form.
+    fn angular_velocity<'py>(
+        &self,
+        py: Python<'py>,
+        K: PyReadonlyArray2<'py, f64>,
+    ) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        self.vectors(py, &K, ReducedBody::angular_velocity)
+    }
+
+    /// The rate of the angular momentum by the energy form.
+    fn momentum_rate<'py>(
+        &self,
+        py: Python<'py>,
+        K: PyReadonlyArray2<'py, f64>,
+    ) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        self.vectors(py, &K, |body, K| body.motion(K).rate)
+    }
+
     /// The rate of the angular velocity without forces.
     fn rate<'py>(
         &self,

@@ -202,3 +202,32 @@ def test_an_unstable_spin_is_refused_where_a_stable_one_is_required() -> None:
         stable["wobble"]
     with pytest.raises(quasirigid.InputError, match="axis='greatest'"):
         found.modes("greatest")
+
+
+ROCK = """
+[material.rock]
+density = "2 g/cm^3"
+shear = "0.5 GPa"
+poisson = 0.25
+rheology = { kind = "quality-factor", Q = 100 }
+[[ellipsoid]]
+semi_axes = [219.0, 151.0, 143.0]
+material = "rock"
+[initial]
+wobble = { angle = "20 deg", rate = "1 rpm", mode = "short-axis" }
+[run]
+evolve = { until = "5 deg" }
+"""
+
+
+def test_the_uncertainty_of_an_evolution_is_in_its_answer() -> None:
+    """The time is proportional to Q: its interval is that of Q, to one of 64 intervals of equal probability."""
+    uncertain = Model(ROCK + '[uncertainty]\n"material.rock.rheology.Q" = { log-normal = { median = 100, decades = 0.5 } }\n')
+    plain, drawn = uncertain.evolve(), uncertain.evolve(samples_of_uncertainty=64)
+    assert plain.uncertainty is None and drawn.time == plain.time
+    found = drawn.uncertainty
+    assert found is not None and found["answered"] == 64 and found["intervals"][0]["name"] == "time"
+    for end, sign in zip(found["intervals"][0]["interval_68"], (-1, 1), strict=True):
+        assert math.log10(end / drawn.time) == pytest.approx(sign * 0.5 * 0.994458, abs=0.032)
+    with pytest.raises(quasirigid.Error, match=r"has no \[uncertainty\]"):
+        Model(ROCK).evolve(samples_of_uncertainty=9)

@@ -72,6 +72,16 @@ def test_rows_that_do_not_hold_have_their_reason() -> None:
     assert "1 of 5 rows hold; DO NOT HOLD" in repr(rows)
 
 
+def test_reasons_that_differ_in_their_numbers_are_one() -> None:
+    """Of a thousand bodies each had its own reason."""
+    rows = evolve_ellipsoids(AXES, **{**ROCK, "shear": [-1.0, -2e8, np.nan, 5e8]})
+    assert len(set(rows.message[:3])) == 3, rows.message
+    held, *reasons = rows.sentence.splitlines()
+    assert "1 of 4 rows hold" in held and len(reasons) == 2, reasons
+    assert reasons[0].startswith("  2 rows: the shear modulus is #;") and f"such as: {rows.message[0]}" in reasons[0]
+    assert reasons[1] == f"  1 rows: {rows.message[2]}"
+
+
 def test_arguments_are_told_by_their_names() -> None:
     for change, message in [
         ({"nutation": None}, "nutation and ratio, not neither"),

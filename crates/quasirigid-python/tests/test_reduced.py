@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 import pytest
 from conftest import EXAMPLES
@@ -42,6 +44,33 @@ def test_balances() -> None:
     expressed = equations.torque.subs(at)
     np.testing.assert_allclose(np.array(expressed, dtype=float)[:, 0], reduced.torque(list(at.values())), rtol=1e-12)
     assert omega.shape == (3, 1)
+
+
+def test_the_energy_form_keeps_its_laws() -> None:
+    """By its rate |K| stays and the energy falls, at spins far outside the range too; the rate is that of the exported polynomials."""
+    reduced = Model(quasirigid.EXAMPLE).reduce(4)
+    terms = reduced.to_dict()
+
+    def at(name: str, K: Any) -> Any:
+        return sum(np.prod(np.array(K) ** term["exponents"]) * np.array(term["value"]) for term in terms[name])
+
+    def slope(K: Any, axis: int) -> Any:
+        step = 1e-6 * np.linalg.norm(K) * np.eye(3)[axis]
+        return (at("energy_of_momentum", K + step) - at("energy_of_momentum", K - step)).item() / (2e-6 * np.linalg.norm(K))
+
+    for K in np.array([[0.3, -0.2, 0.5], [30.0, -20.0, 50.0]]):
+        rate, omega = reduced.momentum_rate(K), reduced.angular_velocity(K)
+        np.testing.assert_allclose(np.cross(K, omega), rate, atol=1e-12 * np.linalg.norm(rate))
+        gradient = np.array([slope(K, axis) for axis in range(3)])
+        v = np.cross(K, gradient)
+        xx, yy, zz, yz, zx, xy = at("T", K)
+        T = np.array([[xx, xy, zx], [xy, yy, yz], [zx, yz, zz]])
+        cofactors = np.array([np.cross(T[1], T[2]), np.cross(T[2], T[0]), np.cross(T[0], T[1])])
+        a = 1 + K @ at("c", K)
+        expected = (a * v + np.cross(K, T @ v)) / (a * a + K @ cofactors @ K)
+        np.testing.assert_allclose(rate, expected, atol=1e-8 * np.linalg.norm(rate))
+        assert gradient @ rate <= 0
+        assert gradient @ rate == pytest.approx(-rate @ T @ rate, abs=1e-8 * np.linalg.norm(gradient) * np.linalg.norm(rate))
 
 
 def test_shapes_and_kinds_of_arrays() -> None:

@@ -98,7 +98,7 @@ def enlarged(scene: Any) -> None:
 
 def unstable(scene: Any) -> None:
     """Terms so large that the equations have no solution for long."""
-    for term in scene["equations"]["spin_of_momentum"]:
+    for term in scene["equations"]["energy_gradient"]:
         if term["degree"] > 1:
             term["values"] = [[1e9 * value for value in row] for row in term["values"]]
 
@@ -253,22 +253,11 @@ def test_sliders_integrate_the_equations(look: Open) -> None:
     assert page.inner_text("#panel-spin-words") == "as in the run"
 
 
-def spin_of(terms: Any, K: Any) -> Any:
-    """Angular velocity of an angular momentum, term by term."""
-    total = np.zeros(3)
-    for term in terms:
-        n = term["degree"]
-        monomials = [K[0] ** i * K[1] ** j * K[2] ** (n - i - j) for i in range(n, -1, -1) for j in range(n - i, -1, -1)]
-        total += np.array(term["values"]) @ monomials
-    return total
-
-
-def momentum_with(terms: Any, spin: Any) -> Any:
-    """Angular momentum with an angular velocity: the inertia of the term of degree one corrects an estimate."""
-    inertia = np.linalg.inv(next(np.array(term["values"]) for term in terms if term["degree"] == 1))
-    K = inertia @ spin
+def momentum_with(reduced: Any, spin: Any) -> Any:
+    """Angular momentum with an angular velocity in the energy form: the inertia corrects an estimate."""
+    K = reduced.angular_momentum(spin)
     for _ in range(100):
-        K = K + inertia @ (spin - spin_of(terms, K))
+        K = K + reduced.inertia @ (spin - reduced.angular_velocity(K))
     return K
 
 
@@ -280,7 +269,7 @@ def test_the_page_integrates_as_the_program(look: Open, pages: dict[str, Path], 
     rate = np.linalg.norm(model.simulate(system="reduced", duration=1, samples=2, order=3).angular_velocity[0])
     history = model.simulate(system="reduced", duration=100 * np.pi / rate, samples=51, tolerance=1e-13, order=3)
     spin, attitude = np.array(history.angular_velocity), np.array(history.attitude)
-    K = momentum_with(json.loads((pages[name].parent / "scene.json").read_text())["equations"]["spin_of_momentum"], spin[0])
+    K = momentum_with(model.reduce(3), spin[0])
     scripts = text[text.rindex('"use strict";') :]
     scripts = scripts[: scripts.index("if (byId(\"scene\")) startViewer();")]
     states = look(name).evaluate(

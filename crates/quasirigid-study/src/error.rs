@@ -100,6 +100,8 @@ pub enum StudyError {
         /// The duration.
         seconds: f64,
     },
+    /// A body at rest without a duration: it has no revolutions to count by.
+    RestWithoutDuration,
     /// No start is found.
     NoStart(EquilibriumError),
     /// A number of rows that no table has.
@@ -260,7 +262,7 @@ impl StudyError {
                 "the start: {cause}; the slow manifold has no meaning at this spin; give [initial] displacements = \"rest\", or numbers"
             ),
             Self::Nutation { angle } => format!(
-                "a wobble of {} degrees is none; give an angle above 0 and below 90 degrees",
+                "the wobble must lie between 0 and 90 degrees, not {}",
                 significant(angle.to_degrees(), 6)
             ),
             Self::Extreme { cause } => format!("at one end of the ranges of the materials: {cause}"),
@@ -275,6 +277,7 @@ impl StudyError {
             }
             Self::Interrupted => "interrupted; the table breaks off here".into(),
             Self::NoDuration { .. }
+            | Self::RestWithoutDuration
             | Self::Samples { .. }
             | Self::History { .. }
             | Self::NoCoordinates { .. }
@@ -336,6 +339,9 @@ impl StudyError {
             Self::NoDuration { seconds } => {
                 format!("{duration} {seconds} s is not a duration; give one above zero, such as \"2 h\"")
             }
+            Self::RestWithoutDuration => format!(
+                "the body starts from rest, so there are no revolutions to count the time by; give {duration}, such as \"2 h\""
+            ),
             Self::Samples { samples: rows } => {
                 format!("{samples} {rows} is out of range; give 2 to 10000000")
             }
@@ -362,10 +368,10 @@ impl StudyError {
         let (from, until) = (name(Setting::From), name(Setting::Until));
         match self {
             Self::NoRotationState { ratio, least } => format!(
-                "no rotation of this body has D/I3 = {ratio}: it lies between {least:.6}, a spin about the axis of least inertia, and 1, one about that of greatest, and neither end changes"
+                "no rotation of this body has D/I3 = {ratio}: it lies between {least:.6}, a spin about the axis of least inertia, and 1, one about that of greatest, and both limits are steady spins"
             ),
             Self::Steady => format!(
-                "the body spins about a principal axis, so the rotation stays as it is; give [initial] a wobble, or choose another start with {from}"
+                "the body is in steady spin, so there is no nutation to follow; give [initial] a wobble, or choose another start with {from}"
             ),
             Self::AtRest => {
                 "the body does not turn, so there is no rotation to follow; give [initial] an angular velocity".into()
@@ -394,7 +400,7 @@ impl StudyError {
                 "the pole of this body is driven, so its rotation is not free; evolve follows free bodies and fixed points".into()
             }
             Self::Wheels => {
-                "this body has momentum wheels, and the average over free rotations knows none; follow it with `simulate`, or see in `modes` how fast its nutation grows or decays".into()
+                "this body has momentum wheels, and averaging assumes torque-free rotation without stored angular momentum; follow it with `simulate`, or see in `modes` how fast its nutation grows or decays".into()
             }
             _ => String::new(),
         }

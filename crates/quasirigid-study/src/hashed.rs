@@ -1,9 +1,9 @@
 //! Checksum of texts and files: SHA-256 of everything that a result depends on.
 
-use std::fs::File;
 use std::io::{self, Write};
 use std::path::Path;
 
+use quasirigid_io::disk::open_regular;
 use sha2::{Digest, Sha256};
 
 /// Checksum in work, as a writer.
@@ -17,9 +17,9 @@ impl Hashed {
         self.0.update([0]);
     }
 
-    /// Adds the contents of a file.
-    pub fn file(&mut self, path: &Path) -> io::Result<()> {
-        io::copy(&mut File::open(path)?, self).map(drop)
+    /// Adds the contents of a file, and returns their length.
+    pub fn file(&mut self, path: &Path) -> io::Result<u64> {
+        io::copy(&mut open_regular(path)?, self)
     }
 
     /// The checksum in hexadecimal.

@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 use std::path::Path;
 
-use quasirigid::dynamics::{Event, Form, Method, Nutations, Options, Outcome, Run, Start};
+use quasirigid::dynamics::{Event, Form, Method, Nutations, Options, Outcome, Run, Scan, Start};
 use quasirigid::model::{Principal, ReducedBody};
 use quasirigid::reduction::{Assessment, Comparison, Criterion, Validity, Verdict, frequencies};
 use quasirigid_io::model::{Named, Stop, System};
@@ -51,10 +51,11 @@ impl Propagation {
     /// Duration (s) of a motion that starts with an angular velocity (rad/s).
     ///
     /// # Errors
-    /// [`StudyError::NoDuration`].
+    /// [`StudyError::NoDuration`], [`StudyError::RestWithoutDuration`].
     pub fn duration(&self, study: &Study, omega: [f64; 3]) -> Result<f64, StudyError> {
         let Some(seconds) = self.duration else {
-            return Ok(study.model.run.duration.unwrap_or(TURNS * TAU / norm(omega)));
+            let usual = Some(TURNS * TAU / norm(omega)).filter(|seconds| seconds.is_finite());
+            return study.model.run.duration.or(usual).ok_or(StudyError::RestWithoutDuration);
         };
         if seconds > 0.0 && seconds.is_finite() {
             Ok(seconds)
@@ -217,6 +218,8 @@ impl History {
             "evaluations": work.evaluations,
             "factorizations": work.factorizations,
         });
+        let Scan { evaluations, breakpoints, stops } = self.run.scan;
+        object["scan"] = json!({ "evaluations": evaluations, "breakpoints": breakpoints, "stops": stops });
         if let Some(manifold) = &self.manifold {
             object["manifold"] = manifold.json();
         }
@@ -354,8 +357,7 @@ impl Doubts {
     /// Losses that a system of equations leaves out, and the verdict on the reduced equations at the start.
     pub fn before(motion: &Motion, system: System) -> Result<Self, StudyError> {
         let study = motion.study();
-        let judged = motion.start.omega != [0.0; 3] || !motion.system().acts();
-        if system != System::Reduced || !judged {
+        if system != System::Reduced || motion.start.omega == [0.0; 3] {
             return Ok(Self::left_out(motion, system));
         }
         let reduced = study.reduced(study.order)?;

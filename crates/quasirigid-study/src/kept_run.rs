@@ -7,7 +7,9 @@ use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 use quasirigid::dynamics::Checkpoint;
-use quasirigid_io::disk::{is_temporary, parent, replace, settle_folder, stands, tidy};
+use quasirigid_io::disk::{
+    is_temporary, open_regular, parent, read_regular, replace, settle_folder, stands, tidy,
+};
 use quasirigid_io::record::{ROWS, RowLog, RowTable, RunRecord, history_file};
 
 use crate::error::StudyError;
@@ -77,10 +79,10 @@ impl KeptRun {
                 ));
             }
             (true, true) => {
-                let Ok(known) = fs::read_to_string(folder.join(IDENTITY)) else {
+                let Ok(known) = read_regular(&folder.join(IDENTITY)) else {
                     return Err(problem("there is no run here to go on with"));
                 };
-                if known != run.identity {
+                if known != run.identity.as_bytes() {
                     return Err(problem(
                         "the run here has another model, other settings, or another version of the program",
                     ));
@@ -129,7 +131,7 @@ impl KeptRun {
 
     fn lock(&mut self) -> Result<(), StudyError> {
         let path = self.folder.join(IDENTITY);
-        let file = File::open(&path).map_err(wrong(&path))?;
+        let file = open_regular(&path).map_err(wrong(&path))?;
         if matches!(file.try_lock(), Err(TryLockError::WouldBlock)) {
             let problem = "another process has this run in work";
             return Err(StudyError::KeptRun { folder: self.folder.clone(), problem });
@@ -221,7 +223,7 @@ impl<'r> HistoryLog<'r> {
             folder: log.run.folder.clone(),
             problem: "its checkpoint is damaged; remove the folder and start anew",
         };
-        let mut checkpoint = read(&fs::read(&file).map_err(wrong(&file))?).ok_or_else(broken)?;
+        let mut checkpoint = read(&read_regular(&file).map_err(wrong(&file))?).ok_or_else(broken)?;
         let mut logged = || Some((checkpoint.load_count()?, u32::try_from(checkpoint.load_count()?).ok()?));
         let (Some(rows), Some(frames)) = (logged(), logged()) else { return Err(broken()) };
         log.open_logs([Some(rows), Some(frames)])?;
@@ -304,7 +306,7 @@ impl<'r> HistoryLog<'r> {
 
 /// Whether a living process has a folder in work. One without an identity is being made by it, or is of no run.
 fn is_in_work(folder: &Path) -> bool {
-    match File::open(folder.join(IDENTITY)) {
+    match open_regular(&folder.join(IDENTITY)) {
         Ok(file) => matches!(file.try_lock(), Err(TryLockError::WouldBlock)),
         Err(error) => error.kind() == ErrorKind::NotFound,
     }

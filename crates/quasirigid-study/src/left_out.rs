@@ -12,8 +12,8 @@ use crate::words::significant;
 /// Largest share of a decay that losses without an equation of motion may have.
 pub const LEFT_OUT: f64 = 0.02;
 
-const LOSSLESS: &str = "Part of the body loses energy by a law of its material that no equation of motion holds: the full and the \
-                        reduced system take it as elastic, and `evolve` alone counts its loss.";
+const LOSSLESS: &str = "Part of the body loses energy by a law of its material that is known only per frequency: `evolve` and `modes` \
+                        include this loss, histories of the full and the reduced system take that part as elastic.";
 
 /// Losses that the equations of motion leave out.
 #[derive(Clone, Debug)]

@@ -2,7 +2,7 @@
 
 use quasirigid::model::{FlexibleBody, Principal};
 use quasirigid::modes::{Given, acts};
-use quasirigid_io::model::Named;
+use quasirigid_io::model::{Named, Rotation};
 use quasirigid_io::record::SteadySpinRecord;
 use quasirigid_math::vec3::{dot, norm};
 use serde_json::{Value, json};
@@ -91,13 +91,17 @@ impl Study {
     /// # Errors
     /// [`StudyError::AxisUnderForces`], and those of a start that is none.
     pub fn modes(&self, asked: AskedSpin) -> Result<Modes, StudyError> {
-        let Study { body, forces, .. } = self;
-        if acts(body, forces) {
-            if asked.axis.is_some() {
-                return Err(StudyError::AxisUnderForces);
-            }
+        let body = &self.body;
+        let acting = steady_state::acting_at_start(self);
+        let under_forces = acts(body, &acting);
+        let rests = asked.axis.is_none()
+            && (asked.omega == Some([0.0; 3]) || asked.omega.is_none() && starts_from_rest(self));
+        if under_forces && asked.axis.is_some() {
+            return Err(StudyError::AxisUnderForces);
+        }
+        if under_forces || rests {
             let near = steady_state::near(self, asked.omega)?;
-            let steady_state::Told { record, state } = steady_state::told(self, near);
+            let steady_state::Told { record, state } = steady_state::told(self, &acting, near);
             return Ok(Modes { spins: vec![record], state, under_forces: true });
         }
         let (omega, given) = match asked.omega {
@@ -114,6 +118,11 @@ impl Study {
         };
         Ok(Modes { spins, state: None, under_forces: false })
     }
+}
+
+/// True if the file gives a body the angular velocity zero.
+fn starts_from_rest(study: &Study) -> bool {
+    matches!(study.model.initial.rotation, Some(Rotation::Spin(omega)) if omega == [0.0; 3])
 }
 
 /// The angular velocity (rad/s) of the start, and its angular momentum, or its rate if internal rotors and liquids take that up.

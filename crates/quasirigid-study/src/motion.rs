@@ -139,7 +139,8 @@ impl<'a> Motion<'a> {
         let mut state = match &self.displaced {
             Some((q, rate)) => {
                 let (mut rate, cyclic) = (rate.clone(), self.body.cyclic());
-                if !cyclic.is_empty() {
+                // rotors and liquids that the spin does not slave turn with the body
+                if !cyclic.is_empty() && slaved_order(self.body, 1, omega)? > 0 {
                     let settled = self.start.settled(self.system(), self.order)?;
                     rate[cyclic.clone()].copy_from_slice(&settled.rate[cyclic]);
                 }
@@ -183,7 +184,7 @@ impl<'a> Motion<'a> {
         if self.order == 0 {
             return Ok(self.start.omega);
         }
-        let omega = reduced.Omega.vector(slow.angular_momentum);
+        let omega = reduced.angular_velocity(slow.angular_momentum);
         let gap = norm(add(reduced.angular_momentum(omega), scale(-1.0, slow.angular_momentum)));
         if gap <= CLOSED * norm(slow.angular_momentum) {
             Ok(omega)
@@ -211,7 +212,9 @@ impl<'a> Motion<'a> {
         match (system, forces.acts(), form) {
             (System::Manifold, ..) => "about the steady spin, z' = R(z) on a spectral submanifold",
             (System::Full, ..) => "full: momenta of the body and of every internal coordinate",
-            (_, false, Form::AngularMomentum) => "angular momentum in body axes, K' = K x Omega(K)",
+            (_, false, Form::AngularMomentum) => {
+                "angular momentum in body axes, energy form: K' = (a v + K x Tv)/(a^2 + K.adj(T)K), v = K x grad E"
+            }
             (_, true, Form::AngularMomentum) => "angular momentum in body axes, K' = K x w + M",
             (_, false, Form::AngularVelocity) if !forces.body.wheels().is_empty() => {
                 "spin, J w' + w x (Jw + k) = mu(w)"

@@ -1,16 +1,20 @@
 //! Results of the library as parts of a run record.
 
+use std::path::Path;
+
 use quasirigid::dynamics::{Event, Options, Outcome, Run};
 use quasirigid::model::{FlexibleBody, Principal, ReducedBody, Support};
 use quasirigid::reduction::{Validity, Verdict, residual};
 use quasirigid::verification::{AverageRow, Difference, OrderRow, VerificationPlan};
 use quasirigid_io::model::{Model, Named, System};
 use quasirigid_io::record::{
-    AverageRecord, BodyRecord, Column, CriterionRecord, DegreeRecord, HistoryRecord, ModelRecord,
-    OrderRecord, ReductionRecord, ResolutionRecord, UNFINISHED, ValidityRecord, VerificationRecord,
+    AverageRecord, BodyRecord, Column, CriterionRecord, DegreeRecord, HistoryRecord, InputFileRecord,
+    ModelRecord, OrderRecord, ReductionRecord, ResolutionRecord, UNFINISHED, ValidityRecord,
+    VerificationRecord,
 };
 use quasirigid_math::ode::Work;
 
+use crate::hashed::Hashed;
 use crate::history_sink::Followed;
 use crate::study::Study;
 use crate::verification::Proof;
@@ -23,7 +27,19 @@ pub fn model(model: &Model) -> ModelRecord {
         name: model.name.clone(),
         file: file.to_string_lossy().into_owned(),
         sha256: model.source.sha256.clone(),
+        files: input_files(model),
     }
+}
+
+/// The files that the text of a model names. One that is gone by now is left out: what was read of it, nobody can say.
+fn input_files(model: &Model) -> Vec<InputFileRecord> {
+    let folder = model.source.file.parent().unwrap_or(Path::new(""));
+    let record = |name: String| {
+        let mut hash = Hashed::default();
+        let bytes = hash.file(&folder.join(&name)).ok()?;
+        Some(InputFileRecord { name, bytes, sha256: hash.finish() })
+    };
+    model.source.files_in(folder).into_iter().filter_map(record).collect()
 }
 
 /// The frozen body.
@@ -222,6 +238,7 @@ pub fn status(body: &FlexibleBody, outcome: Outcome, t: f64) -> (&'static str, S
         Outcome::LeftRange(left) => {
             ("left-validity", format!("{} at t = {t} s", words::displaced(body, left)))
         }
+        Outcome::Missed(missed) => ("missed-force", missed.to_string()),
         Outcome::Failed(error) => ("failed", error.to_string()),
         Outcome::Event(Event::Energy(energy)) => {
             ("event", format!("the energy passed {energy} J at t = {t} s, where the run was to stop"))

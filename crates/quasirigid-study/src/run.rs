@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use quasirigid::dynamics::{Options, Outcome, PropagateError, Start};
+use quasirigid::dynamics::{Options, Outcome, PropagateError, Scan, Start, spin_from_rest};
 use quasirigid::model::ReducedBody;
 use quasirigid::reduction::{Validity, Verdict};
 use quasirigid_io::model::{Named, System, Verify};
@@ -29,7 +29,7 @@ use crate::motion::{DISPLACED, Motion};
 use crate::scene::{self, Frames};
 use crate::study::Study;
 use crate::watch::Watch;
-use crate::words::drift_note;
+use crate::words::{drift_note, significant};
 use crate::{evolution, record, steady, verification};
 
 /// Rows of a history without a given number: enough for smooth curves, within limits.
@@ -39,6 +39,9 @@ const ROWS: [f64; 2] = [2_001.0, 50_001.0];
 /// Note on a spin outside the range of the series.
 const NO_MOMENTUM: &str = "The truncated series has no angular momentum for this angular velocity, so the full system was followed \
                            in the place of the reduced equations.";
+/// Note on a start from rest.
+const FROM_REST: &str = "The body starts from rest. The reduced equations are judged at {spin} rad/s, which is what acts on it can give it, \
+                         or a radian in the whole time.";
 /// Note on a run that was told to end.
 const INTERRUPTED: &str = "The run was interrupted, so the history of the {system} body was left out.";
 const UNEXPANDED: &str = "The run was interrupted, so the reduced equations about the spin were left out.";
@@ -138,7 +141,13 @@ impl Study {
         let start = self.initial()?;
         let motion = Motion::new(self, start);
         let reduced = self.reduced(*order)?;
-        let judged = match motion.settled_spin(&reduced) {
+        let from_rest = if start.omega == [0.0; 3] {
+            let duration = propagation.duration(self, start.omega)?;
+            Some(spin_from_rest(motion.system(), motion.start, duration))
+        } else {
+            None
+        };
+        let judged = match from_rest.map_or_else(|| motion.settled_spin(&reduced), Ok) {
             Err(StudyError::Propagate(PropagateError::NoAngularMomentum)) => start.omega,
             other => other?,
         };
@@ -147,6 +156,7 @@ impl Study {
         let holds = validity.verdict() != Verdict::Fails;
         let nutating = Nutating { rigid: &rigid, nearly_rigid: if holds { &reduced } else { &rigid } };
         let mut notes = model.notes.clone();
+        notes.extend(from_rest.map(|spin| FROM_REST.replace("{spin}", &significant(norm(spin), 3))));
         let poles = steady::at_start(&motion, self)?;
         let scene_modes = poles.nearest.clone();
         let left_out = LeftOut::at(self, start.omega, poles.nearest);
@@ -164,7 +174,7 @@ impl Study {
             steady_spins: poles.records,
             campbell: scene_modes.as_ref().and_then(|modes| campbell(self, modes)),
             about_spin: None,
-            reduction: record::reduction(body, &reduced, &validity, start.omega),
+            reduction: record::reduction(body, &reduced, &validity, from_rest.unwrap_or(start.omega)),
             histories: Vec::new(),
             verification: None,
             evolution,
@@ -388,11 +398,14 @@ impl<'a> Plan<'a> {
                 count: body.coordinates().len(),
             });
         }
-        if matches!(run.outcome, Outcome::Failed(_) | Outcome::StepLimit | Outcome::LeftRange(_)) {
+        if matches!(
+            run.outcome,
+            Outcome::Failed(_) | Outcome::Missed(_) | Outcome::StepLimit | Outcome::LeftRange(_)
+        ) {
             watch.remark(&format!("{name}: {}", record::status(body, run.outcome, run.last.t).1));
         }
         let mut history = record::history(system, equations, &self.options, followed, (body, &run));
-        let note = verdict.as_ref().and_then(OnManifold::note);
+        let note = verdict.as_ref().and_then(OnManifold::note).or_else(|| scanned(run.scan));
         if let Some((status, message)) = verdict.and_then(|verdict| verdict.status(run.outcome)) {
             (history.status, history.message) = (status.into(), message);
         }
@@ -413,7 +426,16 @@ impl<'a> Plan<'a> {
 /// Adds a history, and the note on it.
 fn add(record: &mut RunRecord, (history, note): (HistoryRecord, Option<String>)) {
     record.histories.push(history);
-    record.notes.extend(note);
+    record.notes.extend(note.filter(|note| !record.notes.contains(note)));
+}
+
+/// Note on the formulas of the time that were followed.
+fn scanned(Scan { evaluations, breakpoints, stops }: Scan) -> Option<String> {
+    (evaluations > 0).then(|| {
+        format!(
+            "Formulas of t were followed through the run: {evaluations} evaluations, {breakpoints} breakpoints, {stops} stops."
+        )
+    })
 }
 
 /// The record so far with a history that begins.

@@ -50,7 +50,7 @@ pub fn initial(study: &Study) -> Result<Start, StudyError> {
         return Ok(Start::new(omega, attitude));
     }
     let reduced = study.reduced(slaved_order(body, *order, rigid)?)?;
-    let omega = reduced.Omega.vector(K);
+    let omega = reduced.angular_velocity(K);
     if follows_its_spin(body, &reduced, omega) && norm(omega) < FAR * norm(rigid) {
         return Ok(Start::new(omega, attitude));
     }

@@ -29,17 +29,19 @@ pub struct Poles {
     pub records: Vec<SteadySpinRecord>,
     /// Modes of the first, if they were found.
     pub nearest: Option<SpinModes>,
+    /// Modes of the other one, if they were found.
+    pub other: Option<SpinModes>,
 }
 
 /// The steady spins about the axes of greatest and of least inertia, the one next to an angular velocity first.
 pub fn poles(study: &Study, omega: [f64; 3], given: Given) -> Poles {
     let body = &study.body;
-    let nearest = Principal::compute(body.invariants().J).nearest(omega);
-    let [(first, modes), (second, _)] = nearest.map(|mode| {
+    let modes = Principal::compute(body.invariants().J).nearest(omega);
+    let [(first, nearest), (second, other)] = modes.map(|mode| {
         let name = if mode == Mode::ShortAxis { "greatest" } else { "least" };
         told(study, name, RelativeEquilibrium::extreme(body, mode, given))
     });
-    Poles { records: vec![first, second], nearest: modes }
+    Poles { records: vec![first, second], nearest, other }
 }
 
 /// The steady spins with the angular momentum of the start; none where moments act, of a body without angular momentum, and of bodies

@@ -1,6 +1,8 @@
 //! The steady state of a body under moments with the modes about it: search, record and text.
 
-use quasirigid::modes::{Near, SteadyModes, SteadyState};
+use quasirigid::model::Marker;
+use quasirigid::model::force::Force;
+use quasirigid::modes::{Near, SteadyModes, SteadyState, acts};
 use quasirigid_io::model::Rotation;
 use quasirigid_io::record::SteadySpinRecord;
 use quasirigid_math::vec3::norm;
@@ -16,6 +18,8 @@ use crate::words::significant;
 
 /// Entry for the axis in the record of a steady state under moments.
 pub const UNDER_FORCES: &str = "under forces";
+/// The same of a body at rest on which nothing acts.
+pub const AT_REST: &str = "at rest";
 /// Distance of a state from the place of the search from which the distance is mentioned (rad, share of the rate).
 const AWAY: f64 = 0.1;
 
@@ -24,6 +28,11 @@ pub struct Told {
     pub record: SteadySpinRecord,
     /// Results beside those of every steady spin.
     pub state: Option<Value>,
+}
+
+/// Forces of a model but for those that act in time alone and not at the start: about the start they change nothing.
+pub fn acting_at_start(study: &Study) -> Vec<Force<Marker>> {
+    study.forces.iter().filter(|force| !force.law.sleeps()).cloned().collect()
 }
 
 /// Place of the search: the angular velocity asked for, or the start of the file, at rest if the file has no rotation.
@@ -39,9 +48,9 @@ pub fn near(study: &Study, asked: Option<[f64; 3]>) -> Result<Near, StudyError> 
 }
 
 /// The steady state next to a start with the modes about it, or the reason for its absence.
-pub fn told(study: &Study, near: Near) -> Told {
-    let found = SteadyState::near(&study.body, &study.forces, near)
-        .and_then(|state| SteadyModes::about(&study.body, &study.forces, state));
+pub fn told(study: &Study, forces: &[Force<Marker>], near: Near) -> Told {
+    let found = SteadyState::near(&study.body, forces, near)
+        .and_then(|state| SteadyModes::about(&study.body, forces, state));
     let refused = |why: String| Told {
         record: missing(UNDER_FORCES, format!("Under the forces: {why}.")),
         state: None,
@@ -49,7 +58,7 @@ pub fn told(study: &Study, near: Near) -> Told {
     match found {
         Ok(modes) => match silent(study, &modes) {
             Some(message) => refused(format!("no answer, since {message}")),
-            None => Told { record: record(study, &modes, near), state: Some(described(&modes)) },
+            None => Told { record: record(study, forces, &modes, near), state: Some(described(&modes)) },
         },
         Err(error) => refused(error.to_string()),
     }
@@ -61,12 +70,12 @@ fn silent(study: &Study, modes: &SteadyModes) -> Option<String> {
     unanswered(study, modes.state.omega, swinging.fold(f64::INFINITY, f64::min))
 }
 
-fn record(study: &Study, modes: &SteadyModes, near: Near) -> SteadySpinRecord {
+fn record(study: &Study, forces: &[Force<Marker>], modes: &SteadyModes, near: Near) -> SteadySpinRecord {
     let state = &modes.state;
     let coordinates = study.body.coordinates().iter().zip(&state.q).take(study.body.elastic());
     SteadySpinRecord {
-        sentence: sentence(modes, near),
-        axis: UNDER_FORCES.into(),
+        sentence: sentence(modes, near, &subject(study, forces)),
+        axis: if acts(&study.body, forces) { UNDER_FORCES } else { AT_REST }.into(),
         spin: Some(state.omega.map(|component| tidy(component, norm(state.omega)))),
         angular_momentum: Some(state.angular_momentum),
         energy: Some(state.energy),
@@ -84,24 +93,38 @@ fn described(modes: &SteadyModes) -> Value {
     })
 }
 
+/// The steady state in words, without the forces that do not act at the start.
+fn subject(study: &Study, forces: &[Force<Marker>]) -> String {
+    let mut subject = "steady state under the forces".to_owned();
+    if !acts(&study.body, forces) {
+        subject = "state of rest".to_owned();
+    }
+    let asleep: Vec<String> = study
+        .forces
+        .iter()
+        .filter(|force| force.law.sleeps())
+        .map(|force| format!("{:?}", force.name))
+        .collect();
+    if !asleep.is_empty() {
+        subject.push_str(&format!(" without {}, which does not act at the start,", asleep.join(", ")));
+    }
+    subject
+}
+
 /// Result of the steady state in words, instability first.
-fn sentence(modes: &SteadyModes, near: Near) -> String {
+fn sentence(modes: &SteadyModes, near: Near, subject: &str) -> String {
     let fastest = modes.modes.iter().min_by(|a, b| a.decay_rate.total_cmp(&b.decay_rate));
     let mut sentence = match fastest {
         Some(mode) if mode.grows() => {
-            format!(
-                "The steady state under the forces is UNSTABLE: a motion of {} {}.",
-                mode.name,
-                fate(mode.decay_rate)
-            )
+            format!("The {subject} is UNSTABLE: a motion of {} {}.", mode.name, fate(mode.decay_rate))
         }
         Some(mode) => format!(
-            "No small motion about the steady state under the forces grows: that of {} {}{}.",
+            "No small motion about the {subject} grows: that of {} {}{}.",
             mode.name,
             fate(mode.decay_rate),
             if mode.decay_rate > 0.0 { ", the slowest" } else { "" },
         ),
-        None => "The steady state under the forces has no modes.".into(),
+        None => format!("The {subject} has no modes."),
     };
     sentence.push_str(&rate(modes));
     if modes.neutral > 0 {

@@ -47,6 +47,8 @@ pub struct Study {
     pub resolution: Option<Resolution>,
     /// Order of the reduced equations.
     pub order: usize,
+    /// Whether somebody asked for that order.
+    pub(crate) order_given: bool,
     /// Visual geometry of the elements, once it was asked for.
     visuals: OnceLock<Vec<Visual>>,
     /// Reduced equations by order, once they were asked for.
@@ -88,6 +90,7 @@ impl Study {
     }
 
     fn assembled(mut model: Model, order: Option<usize>, drawn: bool) -> Result<Self, StudyError> {
+        let order_given = order.is_some() || model.run.order_given;
         let order = order.unwrap_or(model.run.order);
         model.assembly.reduction.order = order;
         let errors = model.assembly.check();
@@ -113,6 +116,7 @@ impl Study {
             condensation,
             resolution,
             order,
+            order_given,
             visuals,
             reductions,
         })

@@ -32,6 +32,7 @@ fn names(comparison: Comparison) -> (&'static str, &'static str) {
         Comparison::Linearity => ("displacement against size", "max|r|/max|rho|"),
         Comparison::Residual => ("residual of the full equations", "|residual|/|load|"),
         Comparison::Power => ("convergence of the power", "change of P/P"),
+        Comparison::Wobbles => ("rates of small wobbles", "change of rate"),
         Comparison::Levels => ("averages along rigid polhodes", "max|f4|/max|f2|"),
         Comparison::Forgetting => ("decay of initial vibrations", "T2/T3"),
     }
@@ -85,14 +86,17 @@ fn sentence(criterion: &Criterion, validity: &Validity) -> String {
         Comparison::Power => format!(
             "Two orders more change the power that is dissipated by {ratio} of itself: what follows from it is no better at this order."
         ),
+        Comparison::Wobbles => format!(
+            "Rate or frequency of a small wobble about a steady spin differs by {ratio} from that of the modes of the full system."
+        ),
         Comparison::Levels => format!(
-            "The elastic torque is {ratio} of that of the rigid body: the angular momentum follows the rigid polhode no better than this, and averages along it err in this measure."
+            "The elastic torque is {ratio} of that of the rigid body: the angular momentum follows the rigid polhode no better than this, and averages along it have relative errors of this size."
         ),
         Comparison::Forgetting if verdict == Verdict::Holds => {
             "Vibrations excited at the start die out before the body has turned by a radian.".into()
         }
         Comparison::Forgetting if validity.T2.is_infinite() => {
-            "Vibrations excited at the start last for ever; a start on the slow manifold excites none.".into()
+            "Vibrations excited at the start are undamped; a start on the slow manifold excites none.".into()
         }
         Comparison::Forgetting => format!(
             "Vibrations excited at the start last while the body turns by {ratio} rad; a start on the slow manifold excites none."

@@ -28,4 +28,4 @@ fn main() -> Result<(), quasirigid::Error> {
 }
 
 // Prints:
-// spin differs by 5e-8 from the manifold, 3e-4 from rest
+// spin differs by 2e-8 from the manifold, 3e-4 from rest

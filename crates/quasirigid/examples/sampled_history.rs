@@ -27,6 +27,6 @@ fn main() -> Result<(), quasirigid::Error> {
 
 // Prints:
 //    0 s: 14.093 deg, 8.7662 J, drift below 1 nJ: true
-// 1000 s: 27.680 deg, 8.7647 J, drift below 1 nJ: true
-// 2000 s: 18.091 deg, 8.7632 J, drift below 1 nJ: true
-// 3000 s: 25.824 deg, 8.7617 J, drift below 1 nJ: true
+// 1000 s: 27.682 deg, 8.7647 J, drift below 1 nJ: true
+// 2000 s: 18.074 deg, 8.7632 J, drift below 1 nJ: true
+// 3000 s: 25.850 deg, 8.7616 J, drift below 1 nJ: true

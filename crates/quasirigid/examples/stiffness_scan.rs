@@ -31,4 +31,4 @@ fn main() -> Result<(), quasirigid::Error> {
 }
 
 // Prints:
-// 200 of 200 hold; best 50 N/m, -1.875e-5 1/s
+// 200 of 200 hold; best 50 N/m, -1.902e-5 1/s

@@ -39,8 +39,8 @@
 //! # Ok::<(), quasirigid::Error>(())
 //! ```
 //!
-//! [`prelude`] has the names that most programs need; [`Error`] wraps the errors of all modules. The folder `examples` holds five
-//! programs of at most 15 lines.
+//! [`prelude`] has the names that most programs need; [`Error`] wraps the errors of all modules. The folder `examples` has six short
+//! programs.
 //!
 //! Mathematics and meshes are crates of their own, `quasirigid-math` and [`quasirigid-mesh`](mesh); their items in public types are
 //! re-exported here.

@@ -18,6 +18,10 @@ pub fn evolve(arguments: &Evolve) -> Result<ExitStatus, Failure> {
     let study = open(common)?;
     notes(&study, common);
     study.initial()?;
+    let printed = out.as_deref().is_some_and(output::is_stdout);
+    if printed && common.json {
+        return Err(Failure::TwiceOnStdout { option: "--json" });
+    }
     if let Some(path) = out {
         output::check_file(path, *overwrite)?;
     }
@@ -52,6 +56,8 @@ pub fn evolve(arguments: &Evolve) -> Result<ExitStatus, Failure> {
             object["uncertainty"] = json!(uncertainty);
         }
         output::print(&format!("{object:#}\n"))?;
+    } else if printed {
+        // the table is all that a program behind a pipe reads
     } else if arguments.format == EvolveFormat::Csv {
         output::to_stdout(&interrupt, |out| history_csv(&record.columns, out))?;
     } else {
@@ -63,7 +69,7 @@ pub fn evolve(arguments: &Evolve) -> Result<ExitStatus, Failure> {
     if evolved.holds() {
         return Ok(if in_place { ExitStatus::Done } else { ExitStatus::CheckFailed });
     }
-    let told = !common.json && arguments.format == EvolveFormat::Text;
+    let told = !common.json && !printed && arguments.format == EvolveFormat::Text;
     if !(told && record.status == "does-not-hold") {
         remark(&record.message);
     }

@@ -1,3 +1,4 @@
+use std::io::{self, IsTerminal};
 use std::path::{Path, PathBuf};
 
 use quasirigid_io::record::RunRecord;
@@ -23,6 +24,9 @@ pub fn plot(arguments: &Plot) -> Result<ExitStatus, Failure> {
     let format = format(arguments)?;
     let path = arguments.out.clone().unwrap_or_else(|| PathBuf::from(name).with_extension(format.ending()));
     output::check_file(&path, *overwrite)?;
+    if output::is_stdout(&path) && format == PictureFormat::Png && io::stdout().is_terminal() {
+        return Err(Failure::BinaryOnTerminal { format: "png" });
+    }
     let record = RunRecord::read(folder)?;
     let svg = picture(&record, name).ok_or_else(|| unknown(folder, name, figure_names(&record)))?;
     let bytes = match format {
@@ -30,7 +34,7 @@ pub fn plot(arguments: &Plot) -> Result<ExitStatus, Failure> {
         PictureFormat::Png => png(&svg, arguments.pixels.unwrap_or(PIXELS))?,
     };
     let placed = output::to_file(&path, *overwrite, |out| out.write_all(&bytes))?;
-    if !quiet {
+    if !quiet && !output::is_stdout(&path) {
         remark(&format!("wrote {}", placed.path.display()));
     }
     Ok(if placed.told(&path) { ExitStatus::Done } else { ExitStatus::CheckFailed })
@@ -45,6 +49,7 @@ fn format(arguments: &Plot) -> Result<PictureFormat, Failure> {
     let format = match (arguments.format, named, &arguments.out) {
         (Some(format), ..) | (None, Some(format), _) => format,
         (None, None, None) => PictureFormat::Svg,
+        (None, None, Some(path)) if output::is_stdout(path) => PictureFormat::Svg,
         (None, None, Some(path)) => return Err(Failure::PictureEnding { path: path.clone() }),
     };
     if format == PictureFormat::Svg && arguments.pixels.is_some() {

@@ -26,6 +26,9 @@ pub fn report(arguments: &Report) -> Result<ExitStatus, Failure> {
         (None, _) => (PathBuf::from(COMPARISON), *overwrite),
     };
     output::check_file(&path, overwrite)?;
+    if output::is_stdout(&path) && *open {
+        return Err(Failure::OpenedStdout);
+    }
     let bytes = match (model, folders.as_slice()) {
         (Some(_), [folder]) => {
             let record = RunRecord::read(folder)?;
@@ -44,7 +47,7 @@ pub fn report(arguments: &Report) -> Result<ExitStatus, Failure> {
         (None, folders) => comparison(folders)?.into_bytes(),
     };
     let placed = output::to_file(&path, overwrite, |out| out.write_all(&bytes))?;
-    if !quiet {
+    if !quiet && !output::is_stdout(&path) {
         remark(&format!("wrote {}", placed.path.display()));
     }
     if *open {

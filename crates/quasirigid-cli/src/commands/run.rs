@@ -23,6 +23,9 @@ pub fn run(arguments: &RunArgs) -> Result<ExitStatus, Failure> {
     if arguments.out.is_none() && is_standard_input(common) {
         return Err(Failure::NamelessRun);
     }
+    if arguments.out.as_deref().is_some_and(output::is_stdout) {
+        return Err(Failure::FolderOnStdout { option: "-o" });
+    }
     let study = whole(common, || Study::with_visuals(model(common)?, common.order))?;
     study.initial()?;
     let path = arguments.out.clone().unwrap_or_else(|| default_folder(&study.model));
@@ -90,6 +93,7 @@ fn default_folder(model: &Model) -> PathBuf {
     let file = &model.source.file;
     let folder =
         file.parent().and_then(Path::file_name).filter(|_| file.file_stem() == Some("model".as_ref()));
-    let name = folder.or(file.file_stem()).unwrap_or_default().to_string_lossy();
-    PathBuf::from(format!("{name}-run"))
+    let mut name = folder.or(file.file_stem()).unwrap_or_default().to_owned();
+    name.push("-run"); // of whatever bytes the name is
+    PathBuf::from(name)
 }

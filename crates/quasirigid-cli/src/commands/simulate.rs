@@ -25,11 +25,14 @@ pub fn simulate(arguments: &Simulate) -> Result<ExitStatus, Failure> {
     study.initial()?;
     let asked = propagation(&arguments.propagation)?;
     match out {
-        Some(path) => output::check_file(path, *overwrite)?,
-        None if arguments.format != TableFormat::Csv && !common.json && std::io::stdout().is_terminal() => {
+        Some(path) if output::is_stdout(path) && common.json => {
+            return Err(Failure::TwiceOnStdout { option: "--json" });
+        }
+        Some(path) if !output::is_stdout(path) => output::check_file(path, *overwrite)?,
+        _ if arguments.format != TableFormat::Csv && !common.json && std::io::stdout().is_terminal() => {
             return Err(Failure::BinaryOnTerminal { format: arguments.format.ending() });
         }
-        None => {}
+        _ => {}
     }
     let table = Table {
         system: arguments.system,

@@ -12,6 +12,9 @@ use crate::{ExitStatus, output};
 
 /// Answers the same question of many bodies.
 pub fn sweep(arguments: &SweepArgs) -> Result<ExitStatus, Failure> {
+    if arguments.out.as_deref().is_some_and(output::is_stdout) {
+        return Err(Failure::FolderOnStdout { option: "-o" });
+    }
     let interrupt = Interrupt::listen()?;
     let mut terminal = Terminal::new(&interrupt, arguments.quiet);
     let sweep = Sweep::open(&arguments.study, &mut terminal)?;
@@ -118,6 +121,7 @@ fn value(cell: &Cell) -> Value {
 fn default_folder(study: &Path) -> PathBuf {
     let folder =
         study.parent().and_then(Path::file_name).filter(|_| study.file_stem() == Some("study".as_ref()));
-    let name = folder.or(study.file_stem()).unwrap_or_default().to_string_lossy();
-    PathBuf::from(format!("{name}-sweep"))
+    let mut name = folder.or(study.file_stem()).unwrap_or_default().to_owned();
+    name.push("-sweep"); // of whatever bytes the name is
+    PathBuf::from(name)
 }

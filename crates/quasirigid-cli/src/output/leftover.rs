@@ -6,6 +6,8 @@ use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
+use quasirigid_io::disk::read_regular;
+
 use super::place::put;
 
 /// Prefix of the names of all temporary files and folders.
@@ -80,7 +82,7 @@ fn sweep_folder(path: &Path) {
 
 /// Place of the folder that was being built.
 fn place_of(path: &Path) -> Option<PathBuf> {
-    let name = fs::read_to_string(path.join(PLACE)).ok()?;
+    let name = String::from_utf8(read_regular(&path.join(PLACE)).ok()?).ok()?;
     let plain = Path::new(&name).file_name().is_some_and(|plain| plain == name.as_str());
     plain.then(|| path.with_file_name(name))
 }

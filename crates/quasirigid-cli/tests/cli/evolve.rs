@@ -144,13 +144,22 @@ fn slow_torques_are_averaged_and_others_refused() {
     "#);
 }
 
+/// The model file and Python call the ends of the way `until` and `start`.
+#[test]
+fn ends_of_the_way_have_the_names_of_the_file_too() {
+    let rows = |line: &str| ran_with(ASTEROID, &format!("evolve model.toml --format csv {line}")).stdout;
+    let known = rows("--from 0.95 --to 0.99");
+    assert!(known.lines().count() > 2);
+    assert_eq!(rows("--start 0.95 --until 0.99"), known);
+}
+
 #[test]
 fn what_cannot_be_is_refused() {
     let refusal = |line: &str| ran_with(ASTEROID, &format!("evolve model.toml {line}")).refusal().to_owned();
     assert_snapshot!(refusal("--to 0.2"), @r#"
     quasirigid: no rotation of this body has D/I3 = 0.2: it lies between 0.348068,
     a spin about the axis of least inertia, and 1, one about that of greatest, and
-    neither end changes
+    both limits are steady spins
     "#);
     assert_snapshot!(refusal("--from 0.99 --to 0.95"), @r#"
     quasirigid: dissipation only raises D/I3, and the target 0.95 lies below the
@@ -186,7 +195,7 @@ fn run_keeps_the_evolution_and_its_report_shows_it() {
     let table = Table::of(&fs::read_to_string(folder.path().join("out/evolution.csv")).unwrap());
     assert_eq!(table.rows.len(), 201);
     let report = fs::read_to_string(folder.path().join("out/report.html")).unwrap();
-    assert!(report.contains("Over many revolutions") && report.contains("no equation of motion holds"));
+    assert!(report.contains("Over many revolutions") && report.contains("known only per frequency"));
 }
 
 /// Observed periods are those of the motion that `simulate` starts.

@@ -4,7 +4,7 @@ use std::fs;
 
 use insta::assert_snapshot;
 
-use crate::support::{Ran, folder_of, names, ran_in};
+use crate::support::{MODEL, Ran, folder_of, folder_with, names, ran_in};
 
 const SHORT: &str = "simulate model.toml --duration 10 --samples 5";
 
@@ -113,4 +113,30 @@ fn pipe_with_a_name_is_written_and_stays_a_pipe() {
     assert_eq!((written.code, &*written.stderr), (Some(0), ""));
     assert_eq!(reader.join().unwrap().lines().count(), 6);
     assert!(fs::metadata(&pipe).unwrap().file_type().is_fifo());
+}
+
+/// `--out -` used to make a file of that name.
+#[test]
+fn minus_is_standard_output() {
+    let folder = folder_with(MODEL);
+    let ran = |line: &str| ran_in(folder.path(), line);
+    let table = "simulate model.toml --samples 3";
+    assert_eq!(ran(&format!("{table} --out -")).stdout, ran(table).stdout);
+    let rows = "evolve model.toml --samples 3";
+    assert_eq!(ran(&format!("{rows} --out -")).stdout, ran(&format!("{rows} --format csv")).stdout);
+    assert_eq!(ran("run model.toml -o spin -q").code, Some(0));
+    for (line, begins) in [("report spin --out -", "<!"), ("plot spin --figure energy --out -", "<?xml")] {
+        let ran = ran(line);
+        assert_eq!((ran.code, &*ran.stderr), (Some(0), ""), "{line}");
+        assert!(ran.stdout.trim_start().starts_with(begins), "{line}: {:.80}", ran.stdout);
+    }
+    for line in [
+        "simulate model.toml --samples 3 --out - --json",
+        "evolve model.toml --out - --json",
+        "run model.toml -o -",
+        "report spin --out - --open",
+    ] {
+        assert!(ran(line).refusal().contains("standard output"), "{line}");
+    }
+    assert!(!folder.path().join("-").exists());
 }

@@ -113,11 +113,12 @@ fn keys_of_histories_are_those_of_the_guide() {
 
 #[test]
 fn keys_of_evolve_are_those_of_the_guide() {
-    let evolve = printed(&[
+    let mut evolve = printed(&[
         "evolve examples/apophis/model.toml",
         "evolve examples/nutation-damper/model.toml",
         "evolve examples/nutation-damper/model.toml --from 80deg --to 5deg --method average",
     ]);
+    evolve.insert("uncertainty".to_owned()); // with --samples-of-uncertainty alone
     assert_same(&evolve, &listed(PAGE, "`evolve`"));
 }
 
@@ -126,8 +127,19 @@ fn keys_of_derive_are_those_of_the_guide() {
     let derive =
         printed(&["derive examples/three-masses/model.toml", "derive examples/heavy-top/model.toml"]);
     let term = ["exponents", "value"].map(str::to_owned).into();
-    let polynomials =
-        ["mu", "momentum", "spin_of_momentum", "force", "energy", "power", "displacements", "rates"];
+    let polynomials = [
+        "mu",
+        "momentum",
+        "spin_of_momentum",
+        "energy_of_momentum",
+        "c",
+        "T",
+        "force",
+        "energy",
+        "power",
+        "displacements",
+        "rates",
+    ];
     let terms = polynomials.iter().filter(|name| derive.contains(&format!("{name}.value")));
     let terms = terms.fold(Keys::new(), |all, name| &all | &under(name, &term));
     let start = listed("04-derive-equations.md", "Under forces");

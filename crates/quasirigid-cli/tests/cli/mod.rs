@@ -9,6 +9,7 @@ mod complete;
 mod derive;
 mod docs;
 mod eigenvalues;
+mod events;
 mod evolve;
 #[cfg(unix)]
 mod faults;

@@ -47,6 +47,20 @@ fn lines_that_are_quoted_do_not_steer_it_either() {
     }
 }
 
+/// A name of a file is any bytes; the folder of a run had others than its model.
+#[cfg(unix)]
+#[test]
+fn folder_of_a_run_has_the_bytes_of_its_model() {
+    use std::os::unix::ffi::OsStrExt;
+
+    let folder = folder_with(MODEL);
+    let name = std::ffi::OsStr::from_bytes(b"m\xff.toml");
+    fs::rename(folder.path().join("model.toml"), folder.path().join(name)).unwrap();
+    let ran = program(folder.path()).arg("run").arg(name).args(["--duration", "10", "-q"]).output().unwrap();
+    assert_eq!(ran.status.code(), Some(0), "{ran:?}");
+    assert!(folder.path().join(std::ffi::OsStr::from_bytes(b"m\xff-run/record.json")).is_file());
+}
+
 #[test]
 fn pipe_in_the_place_of_a_mesh_is_refused() {
     let folder = folder_with(
@@ -59,6 +73,37 @@ fn pipe_in_the_place_of_a_mesh_is_refused() {
         "{}",
         refused.stderr
     );
+}
+
+/// A model may name any file that its user can read, and its messages may be read by others.
+#[test]
+fn nothing_of_a_foreign_file_is_quoted() {
+    let secret = "root:$6$hG7rQx9w$Zk0PvUuYt1:19000:0:99999:7:::\ndaemon:*:19000:0:99999:7:::\n";
+    let al = "[material.al]\ndensity = 2700\nyoung = \"70 GPa\"\npoisson = 0.33\n";
+    let matrices = "[[matrices]]\nmass = \"secret\"\nstiffness = \"secret\"\nnodes = \"secret\"\n";
+    let modes = "[[modes]]\nnodes = \"secret\"\nmass = \"secret\"\nshapes = \"secret\"\nfrequencies = { file = \"secret\" }\n";
+    for model in [
+        format!("{al}[[solid]]\nfile = \"secret\"\nmaterial = \"al\"\n"),
+        format!("{al}[[surface]]\nfile = \"secret\"\nmaterial = \"al\"\n"),
+        format!("{MODEL}{matrices}"),
+        format!("{MODEL}{modes}"),
+    ] {
+        let folder = folder_with(&model);
+        fs::write(folder.path().join("secret"), secret).unwrap();
+        let refused = ran_in(folder.path(), "check model.toml");
+        assert!(!refused.refusal().contains("root"), "{}", refused.stderr);
+        assert!(!refused.stderr.contains("$6$") && refused.stderr.contains("secret"), "{}", refused.stderr);
+    }
+    let folder = folder_with(MODEL);
+    fs::write(folder.path().join("secret"), secret).unwrap();
+    for asked in ["columns = { m = \"carrier.mass\" }\n", ""] {
+        let study = format!(
+            "model = \"model.toml\"\n[table]\nfile = \"secret\"\n{asked}[answer]\nquantities = [\"check.valid\"]\n"
+        );
+        fs::write(folder.path().join("study.toml"), study).unwrap();
+        let refused = ran_in(folder.path(), "sweep study.toml");
+        assert!(!refused.refusal().contains("root"), "{}", refused.stderr);
+    }
 }
 
 /// The limit of the shell stands for a small machine.

@@ -52,9 +52,9 @@ fn summary_gives_spin_nutation_dissipation_and_drift_of_both_bodies() {
 
     reduced body, 30.00 s (7.07891 revolutions; the run reached its end)
       spin at the start      0.723704      1.16382     0.561738 rad/s
-      spin at the end         1.07912     0.772885     0.643288 rad/s
+      spin at the end         1.07911     0.772891     0.643289 rad/s
       nutation, greatest       62.174 to 62.124 degrees
-      energy dissipated     0.0025141 J of 21.1636 J
+      energy dissipated     0.0025340 J of 21.1636 J
       what dissipates: spring p2-carrier 62.4 %, spring p1-p2 13.7 %, spring p0-p2
           8.81 %, spring p0-carrier 6.65 %, spring p0-p1 5.02 %, spring p1-carrier
           3.46 %

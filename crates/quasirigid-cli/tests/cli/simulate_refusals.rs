@@ -3,7 +3,7 @@
 
 use insta::assert_snapshot;
 
-use crate::support::{folder_of, names, ran, ran_in};
+use crate::support::{MODEL, folder_of, names, one_line, ran, ran_in, ran_with};
 
 const AXIAL: &str = "simulate examples/axial-mass/model.toml";
 
@@ -92,5 +92,15 @@ fn what_is_refused_leaves_no_file() {
     for options in ["--tolerance 1", "--samples 1", "--times 2,1", "--duration 0", "--order 13"] {
         ran_in(folder.path(), &format!("simulate model.toml --out table.csv {options}")).refusal();
         assert_eq!(names(&folder), ["model.toml"], "{options}");
+    }
+}
+
+/// Beyond a quarter turn there is no small motion about a spin that could be verified.
+#[test]
+fn amplitudes_that_no_equations_reach_are_refused() {
+    for amplitude in ["180", "92", "0", "nan"] {
+        let line = format!("verify model.toml --about spin --amplitude {amplitude}");
+        let said = one_line(ran_with(MODEL, &line).refusal());
+        assert!(said.contains("degrees is out of range; choose more than 0, and up to 91 degrees"), "{said}");
     }
 }

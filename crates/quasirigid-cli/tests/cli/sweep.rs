@@ -373,6 +373,24 @@ fn study_of_a_changed_mesh_is_another() {
     }
 }
 
+/// Two shapes under one name gave records that nothing told apart.
+#[test]
+fn record_names_the_files_of_its_model() {
+    let mesh = include_str!("../../../../docs/guide/data/brick.obj");
+    let folder = folder_with(BRICK);
+    let files = |text: &str, place: &str| -> serde_json::Value {
+        fs::write(folder.path().join("brick.obj"), text).unwrap();
+        let ran = ran_in(folder.path(), &format!("run model.toml -o {place} --duration 60 -q"));
+        assert!(ran.code < Some(2), "{ran:?}");
+        let record = fs::read_to_string(folder.path().join(place).join("record.json")).unwrap();
+        serde_json::from_str::<serde_json::Value>(&record).unwrap()["model"]["files"].clone()
+    };
+    let [one, other] = [files(mesh, "a"), files(&format!("# another\n{mesh}"), "b")];
+    assert_eq!((&one[0]["name"], &one[0]["bytes"]), (&"brick.obj".into(), &mesh.len().into()));
+    assert_eq!(one[0]["sha256"].as_str().unwrap().len(), 64);
+    assert_ne!(one[0]["sha256"], other[0]["sha256"]);
+}
+
 const ROCK: &str = "\
 [material.rock]
 density = \"2 g/cm^3\"

@@ -30,6 +30,14 @@ pub fn agree(body: &FlexibleBody, reduced: &ReducedBody, equations: &Equations<'
         same("energy", &object["energy"], omega, &[reduced.energy(omega)]);
         same("power", &object["power"], omega, &[reduced.dissipated_power(omega)]);
         same("spin_of_momentum", &object["spin_of_momentum"], omega, &above(&reduced.Omega, 1, omega));
+        same(
+            "energy_of_momentum",
+            &object["energy_of_momentum"],
+            omega,
+            &[reduced.energy_of_momentum.scalar(omega)],
+        );
+        same("c", &object["c"], omega, &reduced.c.value(omega));
+        same("T", &object["T"], omega, &reduced.T.value(omega));
         let q = above(&reduced.q, 2, omega);
         same("displacements", &object["displacements"], omega, &q[..body.elastic()]);
         same("rates", &object["rates"], omega, &above(&reduced.rate, 2, omega)[body.cyclic()]);

@@ -45,6 +45,6 @@ fn dof(line: &str) -> Result<Dof, MatrixProblem> {
     let node = whole(node, Row::Dof)?;
     match whole(component, Row::Dof)? {
         component @ 1..=6 => Ok(Dof { node, component: component as u8 }),
-        _ => Err(MatrixProblem::Component { found: component.to_owned() }),
+        _ => Err(MatrixProblem::Component { found: component.into() }),
     }
 }

@@ -11,6 +11,7 @@ pub(super) use super::row::Row;
 
 pub use crate::text_file::Place;
 use crate::text_file::{self, FileError, ReadProblem, Unread};
+use crate::visible::Excerpt;
 
 /// A file from which no matrix, nodes or degrees of freedom can be read, with the place and the problem.
 pub type MatrixError = FileError<MatrixProblem>;
@@ -54,12 +55,12 @@ pub enum MatrixProblem {
     Empty,
     /// A file whose beginning and name are those of no known format.
     #[error(
-        "the file begins with {start:?}, as no matrix known here does; give a Matrix Market, .npy or .npz file, \
+        "the file is {kind}, and begins as no matrix known here does; give a Matrix Market, .npy or .npz file, \
          .sti or .mas of CalculiX, or DMIG cards or OUTPUT4 of NASTRAN"
     )]
     NotAMatrix {
-        /// First characters of the file.
-        start: String,
+        /// What the file is; nothing of it is quoted.
+        kind: &'static str,
     },
     /// A byte that no text has.
     #[error("the byte 0x{byte:02X} is not UTF-8 text; save the text as UTF-8, or is the file damaged?")]
@@ -71,7 +72,7 @@ pub enum MatrixProblem {
     #[error("{found:?} is not a number that can stand here; {row}")]
     NotANumber {
         /// The word.
-        found: String,
+        found: Excerpt,
         /// Kind of line expected there.
         row: Row,
     },
@@ -79,7 +80,7 @@ pub enum MatrixProblem {
     #[error("{found} is not finite; did the program that wrote it fail?")]
     NotFinite {
         /// The number.
-        found: String,
+        found: Excerpt,
     },
     /// Too few values, or too many.
     #[error("{found} values; {row}")]
@@ -93,7 +94,7 @@ pub enum MatrixProblem {
     #[error("{found:?} cannot stand here; {row}")]
     Unexpected {
         /// Text found there.
-        found: String,
+        found: Excerpt,
         /// Kind of line expected there.
         row: Row,
     },
@@ -216,13 +217,13 @@ pub enum MatrixProblem {
     #[error("{found:?} is no .npy header; it has descr, fortran_order and shape, as numpy.save writes them")]
     NumpyHeader {
         /// The header, or its beginning.
-        found: String,
+        found: Excerpt,
     },
     /// A kind of number that is not read.
     #[error("numbers of type {found}; write float64 with numpy.save, or int32 or int64 for indices")]
     NumpyType {
         /// The type as NumPy names it.
-        found: String,
+        found: Excerpt,
     },
     /// An array of another form.
     #[error("an array of shape {}; {wanted} is needed here", shape(.found))]
@@ -258,7 +259,7 @@ pub enum MatrixProblem {
     #[error("the sparse format {found:?} is not read; convert the matrix with tocsr() before save_npz")]
     SparseFormat {
         /// The format as SciPy names it.
-        found: String,
+        found: Excerpt,
     },
     /// Pointers of a sparse matrix that do not ascend from 0 to the number of entries.
     #[error(
@@ -285,13 +286,13 @@ pub enum MatrixProblem {
     )]
     Form {
         /// The form.
-        found: String,
+        found: Excerpt,
     },
     /// A matrix of an unknown type of number.
     #[error("type {found} is not known; 1 and 2 are real numbers of single and double precision")]
     Type {
         /// The type.
-        found: String,
+        found: Excerpt,
     },
     /// Columns without a header.
     #[error("no header DMIG {name} 0 ...; add the card that tells the form of the matrix")]
@@ -344,7 +345,7 @@ pub enum MatrixProblem {
     #[error("component {found}; 1 to 3 are displacements and 4 to 6 rotations")]
     Component {
         /// The component.
-        found: String,
+        found: Excerpt,
     },
     /// A degree of freedom that stands twice.
     #[error("{dof} stands twice; a matrix has one row for each degree of freedom")]
@@ -364,7 +365,7 @@ pub enum MatrixProblem {
     )]
     OwnSystem {
         /// Card or parameter that asks for the system.
-        found: String,
+        found: Excerpt,
     },
     /// No nodes.
     #[error("the file has no nodes; give a table label x y z, GRID cards or a *NODE block")]

@@ -5,9 +5,7 @@ use std::path::Path;
 
 use super::error::{Fault, MatrixProblem, Place};
 use super::op4;
-
-/// Characters of an unknown file that are shown.
-const SHOWN: usize = 24;
+use crate::text_file::kind_of;
 
 /// Format of a matrix file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -34,7 +32,7 @@ impl Format {
             Some("sti" | "mas") => Ok(Self::CalculiX),
             Some("bdf" | "dat" | "nas" | "pch" | "dmig") => Ok(Self::Dmig),
             Some("op4") => Ok(Self::Op4Text),
-            _ => Err((Place::File, MatrixProblem::NotAMatrix { start: start(bytes) })),
+            _ => Err((Place::File, MatrixProblem::NotAMatrix { kind: kind_of(bytes) })),
         }
     }
 
@@ -91,9 +89,4 @@ fn has_prefix(line: &[u8], word: &[u8]) -> bool {
 fn first_line<'a>(bytes: &'a [u8], comment: &[u8]) -> Option<&'a [u8]> {
     let mut lines = bytes.split(|byte| *byte == b'\n').map(<[u8]>::trim_ascii);
     lines.find(|line| !line.is_empty() && !line.starts_with(comment))
-}
-
-/// The first characters of a file.
-fn start(bytes: &[u8]) -> String {
-    String::from_utf8_lossy(&bytes[..bytes.len().min(4 * SHOWN)]).chars().take(SHOWN).collect()
 }

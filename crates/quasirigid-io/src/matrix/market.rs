@@ -34,7 +34,7 @@ impl Header {
     fn of(line: &str) -> Result<Self, MatrixProblem> {
         let lower = line.to_lowercase();
         let words: Vec<&str> = lower.split_whitespace().collect();
-        let unknown = || MatrixProblem::Unexpected { found: line.to_owned(), row: Row::MarketHeader };
+        let unknown = || MatrixProblem::Unexpected { found: line.into(), row: Row::MarketHeader };
         let [_, "matrix", layout, field, symmetry] = words[..] else { return Err(unknown()) };
         let (coordinate, integer) = match (layout, field) {
             ("coordinate" | "array", "complex") => return Err(MatrixProblem::Complex),
@@ -129,7 +129,7 @@ impl Header {
     fn value(&self, word: &str, row: Row) -> Result<f64, MatrixProblem> {
         match word.parse::<i64>() {
             Err(_) if self.integer => {
-                Err(MatrixProblem::NotANumber { found: word.to_owned(), row: Row::MarketInteger })
+                Err(MatrixProblem::NotANumber { found: word.into(), row: Row::MarketInteger })
             }
             _ => number(word, row),
         }

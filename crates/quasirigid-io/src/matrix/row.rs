@@ -95,10 +95,10 @@ impl Line for Row {
     type Problem = MatrixProblem;
 
     fn not_a_number(self, found: String) -> MatrixProblem {
-        MatrixProblem::NotANumber { found, row: self }
+        MatrixProblem::NotANumber { found: found.into(), row: self }
     }
 
     fn not_finite(self, found: String) -> MatrixProblem {
-        MatrixProblem::NotFinite { found }
+        MatrixProblem::NotFinite { found: found.into() }
     }
 }

@@ -12,6 +12,7 @@ use super::volume::VolumeProblem;
 pub(super) use super::row::Row;
 pub use crate::text_file::Place;
 use crate::text_file::{self, FileError, ReadProblem, Unread};
+use crate::visible::Excerpt;
 
 /// A file from which no mesh can be read, with the place and the problem.
 pub type MeshError = FileError<MeshProblem>;
@@ -45,12 +46,12 @@ impl fmt::Display for Part {
         match self {
             Self::Vertices => write!(f, "vertices"),
             Self::Faces => write!(f, "faces"),
-            Self::Elements(name) => write!(f, "elements {name:?}"),
+            Self::Elements(name) => write!(f, "elements {:?}", Excerpt::from(name.as_str())),
             Self::Nodes => write!(f, "nodes"),
             Self::Cells => write!(f, "cells"),
             Self::Entities => write!(f, "entities"),
             Self::Names => write!(f, "names"),
-            Self::Values(name) => write!(f, "values of {name:?}"),
+            Self::Values(name) => write!(f, "values of {:?}", Excerpt::from(name.as_str())),
         }
     }
 }
@@ -85,11 +86,11 @@ pub enum MeshProblem {
     Empty,
     /// A file whose beginning and name are those of no known format.
     #[error(
-        "the file begins with {start:?}, as no surface known here does; give an OBJ, STL or PLY file, or a plate table"
+        "the file is {kind}, and begins as no surface known here does; give an OBJ, STL or PLY file, or a plate table"
     )]
     NotAMesh {
-        /// First characters of the file.
-        start: String,
+        /// What the file is; nothing of it is quoted.
+        kind: &'static str,
     },
     /// A byte that no text has.
     #[error("the byte 0x{byte:02X} is not UTF-8 text; save the text as UTF-8, or is the file damaged?")]
@@ -101,7 +102,7 @@ pub enum MeshProblem {
     #[error("{found:?} is not a number; {row}")]
     NotANumber {
         /// The word.
-        found: String,
+        found: Excerpt,
         /// Kind of line expected there.
         row: Row,
     },
@@ -117,7 +118,7 @@ pub enum MeshProblem {
     #[error("{found:?} cannot stand here; {row}")]
     Unexpected {
         /// The line.
-        found: String,
+        found: Excerpt,
         /// Kind of line expected here.
         row: Row,
     },
@@ -125,13 +126,13 @@ pub enum MeshProblem {
     #[error("the coordinate {found} is not finite; leave out this vertex and its faces, and close the gap")]
     NotFinite {
         /// The coordinate.
-        found: String,
+        found: Excerpt,
     },
     /// A corner that is no vertex.
     #[error("there is no vertex {found}; {vertices} vertices count from {first} here")]
     NoSuchVertex {
         /// The corner as the file names it.
-        found: String,
+        found: Excerpt,
         /// Number of the first vertex, 0 or 1.
         first: usize,
         /// Number of vertices, up to here where corners count back.
@@ -174,7 +175,7 @@ pub enum MeshProblem {
     #[error("number {found} stands where {expected} should; rows count from 1 without a gap")]
     Numbering {
         /// The number of the row.
-        found: String,
+        found: Excerpt,
         /// Number that the row should have.
         expected: u64,
     },
@@ -185,7 +186,7 @@ pub enum MeshProblem {
     )]
     Header {
         /// The line.
-        found: String,
+        found: Excerpt,
     },
     /// A PLY file whose header does not end.
     #[error("the header has no end_header; was the file cut off?")]
@@ -200,7 +201,7 @@ pub enum MeshProblem {
     #[error("a list cannot have {found} entries; is the header right about the types?")]
     ListLength {
         /// The length.
-        found: String,
+        found: Excerpt,
     },
     /// A file without vertices, faces or another part.
     #[error("the file has no {part}; export the surface as triangles")]

@@ -2,9 +2,7 @@ use std::path::Path;
 
 use super::error::{Fault, MeshProblem, Place};
 use super::stl;
-
-/// Characters of an unknown file that are shown.
-const SHOWN: usize = 24;
+use crate::text_file::kind_of;
 
 /// Format of a surface file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -36,7 +34,7 @@ impl Format {
             (Some("obj"), _) if is_text => Ok(Self::Obj),
             (Some("tab" | "plt"), _) if is_text => Ok(Self::Plates),
             (_, Some(format)) if is_text => Ok(format),
-            _ => Err((Place::File, MeshProblem::NotAMesh { start: start(bytes) })),
+            _ => Err((Place::File, MeshProblem::NotAMesh { kind: kind_of(bytes) })),
         }
     }
 
@@ -54,9 +52,4 @@ impl Format {
             _ => None,
         }
     }
-}
-
-/// The first characters of a file.
-pub(super) fn start(bytes: &[u8]) -> String {
-    String::from_utf8_lossy(&bytes[..bytes.len().min(4 * SHOWN)]).chars().take(SHOWN).collect()
 }

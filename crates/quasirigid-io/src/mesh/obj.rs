@@ -22,7 +22,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<TriangleMesh, Fault> {
     let vertices = mesh.vertices.len();
     for (corners, line) in mesh.triangles.iter().zip(lines) {
         if let Some(corner) = corners.iter().find(|corner| **corner >= vertices) {
-            let found = (corner + 1).to_string();
+            let found = (corner + 1).to_string().into();
             return Err((Place::Line(line), MeshProblem::NoSuchVertex { found, first: 1, vertices }));
         }
     }
@@ -40,7 +40,7 @@ fn corner(word: &str, vertices: usize) -> Result<usize, MeshProblem> {
     let first = word.split('/').next().unwrap_or(word);
     let digits = first.strip_prefix('-').unwrap_or(first);
     if digits.is_empty() || !digits.bytes().all(|byte| byte.is_ascii_digit()) {
-        return Err(MeshProblem::NotANumber { found: word.to_owned(), row: Row::ObjFace });
+        return Err(MeshProblem::NotANumber { found: word.into(), row: Row::ObjFace });
     }
     let index = match first.parse::<i64>() {
         Ok(number) if number > 0 => usize::try_from(number - 1).ok(),
@@ -49,7 +49,7 @@ fn corner(word: &str, vertices: usize) -> Result<usize, MeshProblem> {
         }
         _ => None,
     };
-    index.ok_or_else(|| MeshProblem::NoSuchVertex { found: first.to_owned(), first: 1, vertices })
+    index.ok_or_else(|| MeshProblem::NoSuchVertex { found: first.into(), first: 1, vertices })
 }
 
 /// Lines without their comments, with the number of the line on which they start; a backslash at its end joins a line to

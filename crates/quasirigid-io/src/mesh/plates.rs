@@ -78,7 +78,7 @@ fn numbered<'a>(words: &[&'a str], expected: u64, row: Row) -> Result<[&'a str; 
     if whole(number, row)? == expected {
         Ok([a, b, c])
     } else {
-        Err(MeshProblem::Numbering { found: (*number).to_owned(), expected })
+        Err(MeshProblem::Numbering { found: (*number).into(), expected })
     }
 }
 
@@ -87,7 +87,7 @@ fn triangle(words: [&str; 3], vertices: usize) -> Result<[usize; 3], MeshProblem
     for (word, corner) in words.into_iter().zip(&mut triangle) {
         let number = whole(word, Row::PlateFace)?;
         let index = usize::try_from(number).ok().and_then(|number| number.checked_sub(1));
-        let no_such = || MeshProblem::NoSuchVertex { found: word.to_owned(), first: 1, vertices };
+        let no_such = || MeshProblem::NoSuchVertex { found: word.into(), first: 1, vertices };
         *corner = index.filter(|index| *index < vertices).ok_or_else(no_such)?;
     }
     Ok(triangle)

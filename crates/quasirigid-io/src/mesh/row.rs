@@ -89,10 +89,10 @@ impl Line for Row {
     type Problem = MeshProblem;
 
     fn not_a_number(self, found: String) -> MeshProblem {
-        MeshProblem::NotANumber { found, row: self }
+        MeshProblem::NotANumber { found: found.into(), row: self }
     }
 
     fn not_finite(self, found: String) -> MeshProblem {
-        MeshProblem::NotFinite { found }
+        MeshProblem::NotFinite { found: found.into() }
     }
 }

@@ -72,10 +72,10 @@ pub(super) fn read_text(bytes: &[u8]) -> Result<TriangleMesh, Fault> {
             "solid" => open = true,
             "endsolid" => open = false,
             "facet" | "outer" | "endloop" => {}
-            _ => return Err(fault(MeshProblem::Unexpected { found: line.to_owned(), row: Row::Stl })),
+            _ => return Err(fault(MeshProblem::Unexpected { found: line.into(), row: Row::Stl })),
         }
         if word == "facet" && !corners.is_empty() {
-            return Err(fault(MeshProblem::Unexpected { found: line.to_owned(), row: Row::Stl }));
+            return Err(fault(MeshProblem::Unexpected { found: line.into(), row: Row::Stl }));
         }
     }
     if open || !corners.is_empty() {
@@ -109,7 +109,7 @@ pub(super) fn read_binary(bytes: &[u8]) -> Result<TriangleMesh, Fault> {
                 let value = f32::from_le_bytes([facet[at], facet[at + 1], facet[at + 2], facet[at + 3]]);
                 if !value.is_finite() {
                     let place = Place::Byte(HEADER + FACET * number + at);
-                    return Err((place, MeshProblem::NotFinite { found: value.to_string() }));
+                    return Err((place, MeshProblem::NotFinite { found: value.to_string().into() }));
                 }
                 *x = f64::from(value);
             }

@@ -73,12 +73,14 @@ pub(super) fn body<'a>(
         assembly: Assembly::default(),
         ranges: Ranges::default(),
         networks: Vec::new(),
+        notes: Vec::new(),
     };
     let good = single_tables(file, &mut draft.assembly, &mut spans);
     let good = every(&opened, &mut draft) && good;
     notes.extend(materials.unused());
     notes.extend(materials.chosen());
-    let Draft { names, assembly, ranges, networks, .. } = draft;
+    let Draft { names, assembly, ranges, networks, notes: of_parts, .. } = draft;
+    notes.extend(of_parts);
     spans.networks = networks;
     let parts = good.then(|| Parts { extremes: ranges.ends(&assembly), assembly, spans });
     Body { names, parts }

@@ -4,6 +4,8 @@
 use std::cell::RefCell;
 use std::ops::Range;
 
+use crate::visible::shortened;
+
 /// Most diagnostics kept for one file: a file with more has one mistake made many times.
 const MOST: usize = 100;
 
@@ -22,11 +24,17 @@ pub struct Diagnostic {
 
 impl Diagnostic {
     pub(crate) fn new(span: Range<usize>, message: impl Into<String>, label: impl Into<String>) -> Self {
-        Self { span, message: message.into(), label: label.into(), help: None }
+        Self { span, message: cut(message), label: cut(label), help: None }
     }
 
     pub(crate) fn help(self, help: impl Into<String>) -> Self {
-        Self { help: Some(help.into()), ..self }
+        Self { help: Some(cut(help)), ..self }
+    }
+
+    /// The same at another place, of an excerpt of the file.
+    #[must_use]
+    pub fn at(&self, span: Range<usize>) -> Self {
+        Self { span, ..self.clone() }
     }
 
     /// Line and column of the start of the diagnostic in `text`, both from 1, the column in characters.
@@ -37,6 +45,11 @@ impl Diagnostic {
         let lines = before.bytes().filter(|byte| *byte == b'\n').count();
         (lines + 1, before[line_start..].chars().count() + 1)
     }
+}
+
+/// A text of a diagnostic; what it quotes may have any length.
+fn cut(text: impl Into<String>) -> String {
+    shortened(&text.into()).into_owned()
 }
 
 /// The diagnostics found so far in a file. All its readers share one, so that none stops at the first.

@@ -1,8 +1,9 @@
 //! Force reader: `[[force]]`, one function for each of eight laws.
 //! Whether a law needs a place or refuses one is a law of mechanics and checked by the library; here only keys and units are.
-//! Equations (F3) to (F10), docs/theory/07-forces.md.
+//! Equations (F3) to (F10), (F13) and (F14), docs/theory/07-forces.md.
 
 use std::f64::consts::TAU;
+use std::path::Path;
 
 use quasirigid::elements::{ElementKind, Station};
 use quasirigid::model::force::{Axes, Force, ForceLaw, MagneticField, Orbit, Wave};
@@ -13,30 +14,65 @@ use super::names::{Fixed, Names, Part};
 use super::orbit::{ORBIT, orbit};
 use super::reader::{Keyed, Naming, Reader};
 use super::table::{Keys, Table};
+use super::timing::{alone, tabled, twice, windows};
 use super::value::Value;
 use crate::units::Dimension;
 
-type Read = fn(&Table<'_>, &Names<'_>) -> Option<ForceLaw<Station>>;
+type Read = fn(&Table<'_>, &Names<'_>, &Path) -> Option<ForceLaw<Station>>;
 
 static KINDS: [Kind<Read>; 8] = [
-    kind!("[[force]]", "uniform-gravity", &["kind", "name", "acceleration"], uniform_gravity),
-    kind!("[[force]]", "central-gravity", &["kind", "name", "orbit"], central_gravity),
-    kind!("[[force]]", "drag", &["kind", "name", "on", "at", "coefficient"], drag),
-    kind!("[[force]]", "spin-drag", &["kind", "name", "coefficient"], spin_drag),
-    kind!("[[force]]", "torque", &["kind", "name", "torque", "axes", "frequency", "period", "phase"], torque),
+    kind!("[[force]]", "uniform-gravity", &["kind", "name", "acceleration", "during"], uniform_gravity),
+    kind!("[[force]]", "central-gravity", &["kind", "name", "orbit", "during"], central_gravity),
+    kind!("[[force]]", "drag", &["kind", "name", "on", "at", "coefficient", "during"], drag),
+    kind!("[[force]]", "spin-drag", &["kind", "name", "coefficient", "during"], spin_drag),
+    kind!(
+        "[[force]]",
+        "torque",
+        &[
+            "kind",
+            "name",
+            "torque",
+            "axes",
+            "frequency",
+            "period",
+            "phase",
+            "timetable",
+            "interpolation",
+            "during"
+        ],
+        torque
+    ),
     kind!(
         "[[force]]",
         "thrust",
-        &["kind", "name", "on", "at", "force", "axes", "frequency", "period", "phase"],
+        &[
+            "kind",
+            "name",
+            "on",
+            "at",
+            "force",
+            "axes",
+            "frequency",
+            "period",
+            "phase",
+            "timetable",
+            "interpolation",
+            "during"
+        ],
         thrust
     ),
     kind!(
         "[[force]]",
         "magnetic-dipole",
-        &["kind", "name", "moment", "field", "dipole", "orbit"],
+        &["kind", "name", "moment", "field", "dipole", "orbit", "during"],
         magnetic_dipole
     ),
-    kind!("[[force]]", "expression", &["kind", "name", "on", "at", "force", "torque", "axes"], expression),
+    kind!(
+        "[[force]]",
+        "expression",
+        &["kind", "name", "on", "at", "force", "torque", "axes", "timetable", "interpolation", "during"],
+        expression
+    ),
 ];
 
 /// Keys of a force without a kind: those of every kind.
@@ -58,6 +94,9 @@ const ANY: Keys = Keys {
         "moment",
         "field",
         "dipole",
+        "timetable",
+        "interpolation",
+        "during",
     ],
 };
 
@@ -72,49 +111,63 @@ pub(super) const READER: Reader = Reader {
     nested: &[("orbit", &ORBIT)],
     is_body: false,
     read: |entry, draft| {
-        let law = (of_table(entry.table, "kind", &KINDS)?.read)(entry.table, &draft.names)?;
+        let folder = draft.sources.folder;
+        let law = (of_table(entry.table, "kind", &KINDS)?.read)(entry.table, &draft.names, folder);
+        let windows = windows(entry.table);
+        let (law, windows) = (law?, windows?);
+        let law = match windows {
+            Some(windows) => ForceLaw::During { windows, law: Box::new(law) },
+            None => law,
+        };
         draft.assembly.forces.push(Force { name: entry.name.to_owned(), law });
         Some(())
     },
 };
 
-fn uniform_gravity(table: &Table<'_>, _: &Names<'_>) -> Option<ForceLaw<Station>> {
+fn uniform_gravity(table: &Table<'_>, _: &Names<'_>, _: &Path) -> Option<ForceLaw<Station>> {
     let acceleration =
         vector(table, "acceleration", Dimension::ACCELERATION, "acceleration = [0, 0, -9.81]")?;
     Some(ForceLaw::UniformGravity { acceleration })
 }
 
-fn central_gravity(table: &Table<'_>, _: &Names<'_>) -> Option<ForceLaw<Station>> {
+fn central_gravity(table: &Table<'_>, _: &Names<'_>, _: &Path) -> Option<ForceLaw<Station>> {
     Some(ForceLaw::CentralGravity { orbit: required_orbit(table)? })
 }
 
-fn drag(table: &Table<'_>, names: &Names<'_>) -> Option<ForceLaw<Station>> {
+fn drag(table: &Table<'_>, names: &Names<'_>, _: &Path) -> Option<ForceLaw<Station>> {
     let at = station(table, names);
     let coefficient = coefficient(table, Dimension::DAMPING, "coefficient = \"0.2 N s/m\"");
     Some(ForceLaw::Drag { at: at?, coefficient: coefficient? })
 }
 
-fn spin_drag(table: &Table<'_>, _: &Names<'_>) -> Option<ForceLaw<Station>> {
+fn spin_drag(table: &Table<'_>, _: &Names<'_>, _: &Path) -> Option<ForceLaw<Station>> {
     let coefficient = coefficient(table, Dimension::ROTATIONAL_DAMPING, "coefficient = \"1e-4 N m s\"")?;
     Some(ForceLaw::SpinDrag { coefficient })
 }
 
-fn torque(table: &Table<'_>, _: &Names<'_>) -> Option<ForceLaw<Station>> {
+fn torque(table: &Table<'_>, _: &Names<'_>, folder: &Path) -> Option<ForceLaw<Station>> {
+    if let Some(given) = tabled(table, "torque", folder) {
+        return given.and_then(|given| Some(ForceLaw::TorqueTable { table: given, axes: axes(table)? }));
+    }
     let torque = vector(table, "torque", Dimension::TORQUE, "torque = [0, 0, \"0.05 N m\"]");
     let axes = axes(table);
     let wave = wave(table);
     Some(ForceLaw::Torque { torque: torque?, axes: axes?, wave: wave? })
 }
 
-fn thrust(table: &Table<'_>, names: &Names<'_>) -> Option<ForceLaw<Station>> {
+fn thrust(table: &Table<'_>, names: &Names<'_>, folder: &Path) -> Option<ForceLaw<Station>> {
     let at = station(table, names);
+    if let Some(given) = tabled(table, "force", folder) {
+        let axes = axes(table);
+        return Some(ForceLaw::ForceTable { at: at?, table: given?, axes: axes? });
+    }
     let force = vector(table, "force", Dimension::FORCE, "force = [0, 0, \"5 mN\"]");
     let axes = axes(table);
     let wave = wave(table);
     Some(ForceLaw::Thrust { at: at?, force: force?, axes: axes?, wave: wave? })
 }
 
-fn magnetic_dipole(table: &Table<'_>, _: &Names<'_>) -> Option<ForceLaw<Station>> {
+fn magnetic_dipole(table: &Table<'_>, _: &Names<'_>, _: &Path) -> Option<ForceLaw<Station>> {
     let moment = vector(table, "moment", Dimension::MAGNETIC_MOMENT, "moment = [0, 0, \"0.2 A m^2\"]");
     let field = match (table.get("field"), table.get("dipole")) {
         (None, Some(dipole)) => {
@@ -142,7 +195,13 @@ fn uniform_field(table: &Table<'_>) -> Option<MagneticField> {
     Some(MagneticField::Uniform(field?))
 }
 
-fn expression(table: &Table<'_>, names: &Names<'_>) -> Option<ForceLaw<Station>> {
+fn expression(table: &Table<'_>, names: &Names<'_>, folder: &Path) -> Option<ForceLaw<Station>> {
+    if table.get("timetable").is_some() {
+        return timetable_or_formula(table, names, folder);
+    }
+    if let Some(value) = table.get("interpolation") {
+        return alone(&value);
+    }
     if let Some(torque) = table.get("torque") {
         return torque_expression(table, &torque);
     }
@@ -157,6 +216,20 @@ fn expression(table: &Table<'_>, names: &Names<'_>) -> Option<ForceLaw<Station>>
         .required("force", "force = [\"-0.1*vx\", \"0\", \"sin(2*t)\"]")
         .and_then(|value| formulas(&value, &PLACE, Dimension::FORCE));
     Some(ForceLaw::Expression { at: at?, force: force? })
+}
+
+/// A table in the place of formulas: of a force where the entry has a place, of a torque on the carrier elsewhere.
+fn timetable_or_formula(table: &Table<'_>, names: &Names<'_>, folder: &Path) -> Option<ForceLaw<Station>> {
+    let given = tabled(table, "torque", folder)?;
+    if let Some(force) = table.get("force") {
+        return twice(&force);
+    }
+    if table.get("on").is_some() {
+        let (at, axes) = (station(table, names), axes_or(table, Axes::Inertial));
+        return Some(ForceLaw::ForceTable { at: at?, table: given?, axes: axes? });
+    }
+    let axes = axes(table);
+    Some(ForceLaw::TorqueTable { table: given?, axes: axes? })
 }
 
 fn torque_expression(table: &Table<'_>, torque: &Value<'_>) -> Option<ForceLaw<Station>> {
@@ -182,8 +255,12 @@ fn station(table: &Table<'_>, names: &Names<'_>) -> Option<Station> {
 }
 
 fn axes(table: &Table<'_>) -> Option<Axes> {
+    axes_or(table, Axes::Body)
+}
+
+fn axes_or(table: &Table<'_>, usual: Axes) -> Option<Axes> {
     let choices = [("body", Axes::Body), ("inertial", Axes::Inertial)];
-    table.get("axes").map_or(Some(Axes::Body), |value| value.choice(&choices))
+    table.get("axes").map_or(Some(usual), |value| value.choice(&choices))
 }
 
 /// Reads the wave of an amplitude: frequency or period, and phase.

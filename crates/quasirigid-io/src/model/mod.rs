@@ -40,6 +40,7 @@ mod support;
 mod surface;
 pub(crate) mod syntax;
 pub(crate) mod table;
+mod timing;
 mod uncertainty;
 pub(crate) mod value;
 mod wheel;

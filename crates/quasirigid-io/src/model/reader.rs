@@ -95,6 +95,8 @@ pub(super) struct Draft<'s, 'a> {
     pub(super) assembly: Assembly,
     pub(super) ranges: Ranges,
     pub(super) networks: Vec<NetworkSpans>,
+    /// Suspect but not wrong things.
+    pub(super) notes: Vec<String>,
 }
 
 impl Reader {

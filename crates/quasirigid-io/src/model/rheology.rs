@@ -65,7 +65,7 @@ fn kelvin_voigt(table: &Table<'_>, _: Scale) -> Option<Known> {
 }
 
 fn quality_factor(table: &Table<'_>, _: Scale) -> Option<Known> {
-    let factor = Parameter::read(table, "Q", "Q = 100", Dimension::NUMBER)?;
+    let factor = Parameter::read(table, "Q", "Q = 100", Dimension::NUMBER, |value| value.quality())?;
     Some(factor.of(|factor| Rheology::QualityFactor { factor }))
 }
 
@@ -127,14 +127,21 @@ struct Parameter {
 }
 
 fn time(table: &Table<'_>) -> Option<Parameter> {
-    Parameter::read(table, "time", "time = \"100 s\"", Dimension::TIME)
+    let positive = |value: &Value<'_>| value.positive(Dimension::TIME);
+    Parameter::read(table, "time", "time = \"100 s\"", Dimension::TIME, positive)
 }
 
 impl Parameter {
-    fn read(table: &Table<'_>, key: &'static str, example: &str, dimension: Dimension) -> Option<Self> {
-        let value = table.required(key, example).and_then(|value| value.positive(dimension));
+    fn read(
+        table: &Table<'_>,
+        key: &'static str,
+        example: &str,
+        dimension: Dimension,
+        allowed: impl Fn(&Value<'_>) -> Option<f64>,
+    ) -> Option<Self> {
+        let value = table.required(key, example).and_then(|value| allowed(&value));
         let range = optional(table.get("range"), |range| {
-            let ends = range.array("numbers", |item| item.positive(dimension))?;
+            let ends = range.array("numbers", |item| allowed(&item))?;
             around(&range, key, ends, value?, dimension)
         });
         Some(Self { value: value?, range: range? })

@@ -42,6 +42,8 @@ const MOST_HALVINGS: usize = 10;
 pub struct RunSettings {
     /// Order of the reduced equations, from 0 to 12.
     pub order: usize,
+    /// Whether the file gives the order.
+    pub order_given: bool,
     /// Length of the spin history (s).
     pub duration: Option<f64>,
     /// Relative tolerance of the integrator.
@@ -68,6 +70,7 @@ impl Default for RunSettings {
     fn default() -> Self {
         Self {
             order: ORDER,
+            order_given: false,
             duration: None,
             tolerance: None,
             samples: None,
@@ -132,6 +135,7 @@ pub(super) fn run(table: &Table<'_>) -> Option<RunSettings> {
     let manifold = optional(table.get("manifold"), |value| manifold(&value));
     Some(RunSettings {
         order: order?.unwrap_or(ORDER),
+        order_given: table.get("order").is_some(),
         duration: duration?,
         tolerance: tolerance?,
         samples: samples?,
@@ -213,7 +217,7 @@ fn distinct<T: PartialEq + Copy>(
     for item in items {
         match read(item) {
             Some(value) if values.contains(&value) => {
-                let message = format!("`{}` has this twice", item.key());
+                let message = format!("`{}` has a duplicate entry", item.key());
                 item.refuse::<T>(message, "given before", Some("leave it out".to_owned()));
                 wrong = true;
             }

@@ -30,6 +30,9 @@ pub(super) const READER: Reader = Reader {
     read: |entry, draft| {
         let Sources { materials, folder, .. } = draft.sources;
         let (surface, range) = surface(entry.table, entry.name, materials, folder)?;
+        if entry.table.get("unit").is_none() {
+            draft.notes.push(taken_in_metres(&surface));
+        }
         draft.assembly.surfaces.push(surface);
         draft.range(ElementKind::Surface, entry, range)
     },
@@ -52,6 +55,13 @@ pub(super) fn surface(
     let (material, extremes) = materials.of(table)?;
     let name = name.to_owned();
     Some((Surface { name, surface: surface?, material, degree: degree?, cells: cells? }, extremes))
+}
+
+/// A note on a surface whose unit the model does not say: a shape in kilometres would be a body of metres.
+fn taken_in_metres(Surface { name, surface, .. }: &Surface) -> String {
+    let [low, high] = surface.bounds();
+    let [x, y, z] = [0, 1, 2].map(|axis| high[axis] - low[axis]);
+    format!("{name:?} has no `unit`, so that its file is taken in metres: {x:.3} by {y:.3} by {z:.3} m")
 }
 
 /// Reads the length of one unit of a file: `"km"` or `"2.5 cm"`.

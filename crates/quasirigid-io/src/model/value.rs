@@ -272,6 +272,17 @@ impl<'a> Value<'a> {
         }
     }
 
+    /// A quality factor: a pure number that is 1 or above.
+    pub(crate) fn quality(&self) -> Option<f64> {
+        let number = self.quantity(Dimension::NUMBER)?;
+        let help = "for a material that loses more than it stores, write its kind \"maxwell\", \"standard-linear\" or \"table\"";
+        if number >= 1.0 {
+            Some(number)
+        } else {
+            self.outside(number, Dimension::NUMBER, "at least 1", help.to_owned())
+        }
+    }
+
     /// Three quantities.
     pub(crate) fn vector(&self, dimension: Dimension) -> Option<[f64; 3]> {
         self.numbers(dimension)

@@ -4,7 +4,11 @@
 use std::io::ErrorKind;
 use std::path::PathBuf;
 
+use quasirigid_math::memory::TooMuchMemory;
 use thiserror::Error;
+
+use super::scene::SCENE_VERSION;
+use crate::visible::{Excerpt, shortened};
 
 /// Problem of a record that could not be written or read.
 #[derive(Clone, Debug, Error, PartialEq)]
@@ -56,6 +60,12 @@ pub enum RecordError {
         /// Error kind that the operating system reports.
         kind: ErrorKind,
     },
+    /// A folder, a pipe or a device in the place of a file, perhaps behind a link.
+    #[error("{}: this is no file on a disk but a folder, a pipe or a device, which no run writes", file.display())]
+    NoFile {
+        /// The path.
+        file: PathBuf,
+    },
     /// A `record.json` that is no record.
     #[error("{}:{line}:{column}: {problem}; edited, cut short, or of another version? run the model again", file.display())]
     Json {
@@ -68,9 +78,9 @@ pub enum RecordError {
         /// Message of the JSON reader.
         problem: String,
     },
-    /// A record whose folder has a later layout.
+    /// A record whose folder has a layout that is not known.
     #[error(
-        "{}: record of format {format}, later than {known}, the last that this program reads; use the quasirigid that made the run",
+        "{}: record of format {format}, and {known} is the last that this program reads; use the quasirigid that made the run",
         file.display()
     )]
     Format {
@@ -81,8 +91,8 @@ pub enum RecordError {
         /// Last version that is read.
         known: u32,
     },
-    /// A scene of a later version.
-    #[error("{}: scene of version {version}, later than this program reads; use the quasirigid that made the run", file.display())]
+    /// A scene of another version.
+    #[error("{}: scene of version {version}, this program reads {SCENE_VERSION}; run the model again, or use the quasirigid that made the run", file.display())]
     SceneVersion {
         /// The file.
         file: PathBuf,
@@ -90,7 +100,7 @@ pub enum RecordError {
         version: u32,
     },
     /// A CSV file whose header differs from the columns that `record.json` lists.
-    #[error("{}:1: columns are {found:?}, record.json says {expected:?}; take both files from the same run", file.display())]
+    #[error("{}:1: columns are {}, record.json says {expected:?}; take both files from the same run", file.display(), shortened(&format!("{found:?}")))]
     Header {
         /// The file.
         file: PathBuf,
@@ -110,6 +120,32 @@ pub enum RecordError {
         fields: usize,
         /// Columns of the header.
         expected: usize,
+    },
+    /// A table with other rows than the record says.
+    #[error("{}: {} rows, but record.json says {expected}; copy the whole folder, or run the model again", file.display(), found_rows(*found, *expected))]
+    Rows {
+        /// The file.
+        file: PathBuf,
+        /// Rows found: all, or the first that is too many.
+        found: u64,
+        /// Rows that `record.json` says.
+        expected: u64,
+    },
+    /// A table of more rows than any run writes.
+    #[error("{}: more than {most} rows, the most that a run writes; run the model again", file.display())]
+    TooLong {
+        /// The file.
+        file: PathBuf,
+        /// Most rows.
+        most: u64,
+    },
+    /// A table that has no room in memory.
+    #[error("{}: {cause}; ask for fewer rows", file.display())]
+    Memory {
+        /// The file.
+        file: PathBuf,
+        /// Memory that it takes.
+        cause: TooMuchMemory,
     },
     /// A binary table that is damaged.
     #[error("{}: {problem}; if the file was cut short or edited, run the model again", file.display())]
@@ -147,6 +183,11 @@ pub enum RecordError {
         /// Name of the column.
         column: String,
         /// The field.
-        text: String,
+        text: Excerpt,
     },
+}
+
+/// Rows found; a table is left at the first row that is too many.
+fn found_rows(found: u64, expected: u64) -> String {
+    if found > expected { format!("more than {expected}") } else { found.to_string() }
 }

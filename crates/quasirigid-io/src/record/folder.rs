@@ -5,18 +5,22 @@ use std::fs::{self, File};
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
+use quasirigid_math::memory;
 use serde::Deserialize;
 use serde::de::DeserializeOwned;
 
 use super::scene::{SCENE_VERSION, SceneRecord};
 use super::table::{Extremes, RowTable, Rows, TableFormat, history_csv};
 use super::{Column, EvolutionRecord, HistoryRecord, RECORD_FORMAT, RecordError, RunRecord};
-use crate::disk::replace;
+use crate::disk::{is_no_file, read_regular, replace};
+use crate::visible::shortened;
 
 /// File of the evolution's rows, without the ending.
 const EVOLUTION: &str = "evolution";
 /// File of the backbone of the reduced equations about the spin, without the ending.
 const BACKBONE: &str = "backbone";
+/// Most rows of a table whose rows the record does not count; `evolve` writes up to a million.
+const MOST_UNCOUNTED: u64 = 2_000_000;
 /// Ending of the log of rows of a run in work.
 pub const ROWS: &str = "rows";
 /// Status of a history in work.
@@ -102,7 +106,13 @@ impl RunRecord {
         for (stem, columns) in evolution.chain(backbone) {
             let (file, format) = found(dir, stem)?;
             let mut rows = Extremes::new(columns, 0);
-            format.read(&file, columns, &mut |row| rows.push(row))?;
+            format.read(&file, columns, &mut |row| {
+                if rows.rows() == MOST_UNCOUNTED {
+                    return Err(RecordError::TooLong { file: file.clone(), most: MOST_UNCOUNTED });
+                }
+                rows.push(row);
+                Ok(())
+            })?;
             *columns = rows.into_columns();
         }
         Ok(record)
@@ -177,11 +187,53 @@ fn read_history(dir: &Path, history: &mut HistoryRecord) -> Result<(), RecordErr
         }
     } else {
         let (file, format) = found(dir, &history_stem(&history.system))?;
+        let mut count = Count::new(&file, history.rows);
         let mut rows = Extremes::new(&history.columns, history.rows);
-        format.read(&file, &history.columns, &mut |row| rows.push(row))?;
+        format.read(&file, &history.columns, &mut |row| {
+            count.take()?;
+            rows.push(row);
+            Ok(())
+        })?;
+        count.end()?;
         history.columns = rows.into_columns();
     }
     Ok(())
+}
+
+/// Count of the rows of a table. A few bytes may stand for any number of rows, so the room in memory goes by what the record says.
+struct Count<'a> {
+    file: &'a Path,
+    found: u64,
+    /// Rows that the record says; zero where it does not.
+    expected: u64,
+}
+
+impl<'a> Count<'a> {
+    fn new(file: &'a Path, expected: u64) -> Self {
+        Self { file, found: 0, expected }
+    }
+
+    /// Refuses a row that is too many.
+    fn take(&mut self) -> Result<(), RecordError> {
+        self.found += 1;
+        match self.expected {
+            0 if self.found > MOST_UNCOUNTED => {
+                Err(RecordError::TooLong { file: self.file.into(), most: MOST_UNCOUNTED })
+            }
+            0 => Ok(()),
+            expected if self.found > expected => Err(self.wrong()),
+            _ => Ok(()),
+        }
+    }
+
+    /// Refuses a table that ends too early.
+    fn end(&self) -> Result<(), RecordError> {
+        if self.expected == 0 || self.found == self.expected { Ok(()) } else { Err(self.wrong()) }
+    }
+
+    fn wrong(&self) -> RecordError {
+        RecordError::Rows { file: self.file.into(), found: self.found, expected: self.expected }
+    }
 }
 
 impl HistoryRecord {
@@ -193,10 +245,16 @@ impl HistoryRecord {
         let (file, format) = found(dir, &history_stem(&self.system))?;
         let empty = |column: &Column| Column { values: Vec::new(), ..column.clone() };
         let names: Vec<Column> = self.columns.iter().map(empty).collect();
+        let size = self.rows as f64 * (size_of::<f64>() * names.len()) as f64;
+        memory::ask(size).map_err(|cause| RecordError::Memory { file: file.clone(), cause })?;
         let mut columns = names.clone();
+        let mut count = Count::new(&file, self.rows);
         format.read(&file, &names, &mut |row| {
+            count.take()?;
             columns.iter_mut().zip(row).for_each(|(column, number)| column.values.push(*number));
+            Ok(())
         })?;
+        count.end()?;
         Ok(columns)
     }
 }
@@ -217,15 +275,16 @@ fn found(dir: &Path, stem: &str) -> Result<(PathBuf, TableFormat), RecordError> 
 fn read_record(file: PathBuf) -> Result<RunRecord, RecordError> {
     #[derive(Deserialize)]
     struct Layout {
-        #[serde(default)]
-        format: u32,
+        format: Option<u32>,
     }
-    let text = fs::read(&file).map_err(|error| unusable(&file, &error))?;
+    let text = read_regular(&file).map_err(|error| unusable(&file, &error))?;
     let Layout { format } = parse(&file, &text)?;
-    if format > RECORD_FORMAT {
-        return Err(RecordError::Format { file, format, known: RECORD_FORMAT });
+    match format {
+        Some(format) if !(1..=RECORD_FORMAT).contains(&format) => {
+            Err(RecordError::Format { file, format, known: RECORD_FORMAT })
+        }
+        _ => parse(&file, &text), // records of the first versions have no number
     }
-    parse(&file, &text)
 }
 
 fn read_scene(file: PathBuf) -> Result<SceneRecord, RecordError> {
@@ -233,9 +292,9 @@ fn read_scene(file: PathBuf) -> Result<SceneRecord, RecordError> {
     struct Layout {
         version: u32,
     }
-    let text = fs::read(&file).map_err(|error| unusable(&file, &error))?;
+    let text = read_regular(&file).map_err(|error| unusable(&file, &error))?;
     let Layout { version } = parse(&file, &text)?;
-    if version > SCENE_VERSION {
+    if version != SCENE_VERSION {
         return Err(RecordError::SceneVersion { file, version });
     }
     let scene: SceneRecord = parse(&file, &text)?;
@@ -306,14 +365,17 @@ pub fn history_file(system: &str, ending: &str) -> String {
 }
 
 pub(super) fn unusable(file: &Path, error: &io::Error) -> RecordError {
-    RecordError::File { file: file.into(), kind: error.kind() }
+    match is_no_file(error) {
+        true => RecordError::NoFile { file: file.into() },
+        false => RecordError::File { file: file.into(), kind: error.kind() },
+    }
 }
 
 /// The message without the place that serde_json adds at its end.
 fn problem(error: &serde_json::Error) -> String {
     let text = error.to_string();
     let place = format!(" at line {} column {}", error.line(), error.column());
-    text.strip_suffix(&place).unwrap_or(&text).into()
+    shortened(text.strip_suffix(&place).unwrap_or(&text)).into()
 }
 
 #[cfg(test)]

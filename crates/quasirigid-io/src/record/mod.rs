@@ -34,8 +34,8 @@ pub use scene::{
     VectorsRecord,
 };
 pub use sweep::{
-    CorrelationRecord, InputRecord, IntervalRecord, PercentileRecord, QuantityRecord, ReasonRecord,
-    SweepColumn, SweepRecord, UncertaintyRecord, percentile,
+    CorrelationRecord, InputRecord, IntervalRecord, Ordered, PercentileRecord, QuantityRecord, ReasonRecord,
+    SweepColumn, SweepRecord, UncertaintyRecord, by_rate, growth_rate, percentile,
 };
 pub use table::{Extremes, MOST_ROWS, RowLog, RowTable, TableFormat, history_csv, log_csv};
 
@@ -98,6 +98,20 @@ pub struct ModelRecord {
     /// File name, without its folder.
     pub file: String,
     /// SHA-256 of the file's text, in hexadecimal.
+    pub sha256: String,
+    /// Files that the text names: shapes, meshes, matrices, tables. Empty in records of versions before this field.
+    #[serde(default)]
+    pub files: Vec<InputFileRecord>,
+}
+
+/// A file that a model names.
+#[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
+pub struct InputFileRecord {
+    /// Name in the text of the model.
+    pub name: String,
+    /// Length (bytes).
+    pub bytes: u64,
+    /// SHA-256 of the contents, in hexadecimal.
     pub sha256: String,
 }
 

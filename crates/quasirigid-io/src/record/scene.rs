@@ -1,5 +1,5 @@
 //! Scene of a run: what a viewer needs to draw the body as it moves. Arrays are packed, so that a page may carry them.
-//! The layout is that of version 1, which docs/guide/19-reports.md describes; a reader refuses later ones.
+//! The layout is that of version 2, which docs/guide/19-reports.md describes; a reader refuses others.
 
 use std::borrow::Cow;
 
@@ -9,7 +9,7 @@ use serde::de::Error as _;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 /// Version of the layout.
-pub const SCENE_VERSION: u32 = 1;
+pub const SCENE_VERSION: u32 = 2;
 
 /// Scene: visual geometry, motion, modes and reduced equations. SI units, body axes, places from the pole.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
@@ -140,8 +140,12 @@ pub struct EquationsRecord {
     pub scalable: bool,
     /// Reason for which they are not; empty where they are.
     pub note: String,
-    /// Angular velocity `Ω(K)` (rad/s), of the angular momentum (N·m·s).
-    pub spin_of_momentum: Vec<TermRecord>,
+    /// Gradient of the energy (rad/s), of the angular momentum (N·m·s). (R16)
+    pub energy_gradient: Vec<TermRecord>,
+    /// Axial vector `c(K)` (1/(N·m·s)), of the angular momentum. (R18)
+    pub c: Vec<TermRecord>,
+    /// Tensor `T(K)` (s/(kg·m²)) of the dissipation, rows xx, yy, zz, yz, zx, xy, of the angular momentum. (R19)
+    pub T: Vec<TermRecord>,
     /// Angular momentum `K(ω)` (N·m·s).
     pub momentum: Vec<TermRecord>,
     /// Energy (J), of the angular velocity.

@@ -67,13 +67,13 @@ pub struct QuantityRecord {
     pub infinite: u64,
     /// Percentiles of the values, infinite ones included.
     pub percentiles: Vec<PercentileRecord>,
-    /// Mean of the finite values; none without any.
+    /// Mean of the finite values; none without any, and none of time constants of both signs.
     #[serde(with = "number")]
     pub mean: Option<f64>,
-    /// Least finite value.
+    /// First finite value: the least, or of time constants of both signs the fastest decay.
     #[serde(with = "number")]
     pub min: Option<f64>,
-    /// Greatest finite value.
+    /// Last finite value: the greatest, or of time constants of both signs the fastest growth.
     #[serde(with = "number")]
     pub max: Option<f64>,
     /// Number of rows with each truth value or text, the 50 most frequent; empty for numbers.
@@ -172,6 +172,71 @@ pub fn percentile(sorted: &[f64], percent: f64) -> Option<f64> {
     Some(if below == above { below } else { below + (above - below) * place.fract() })
 }
 
+/// Whether the values of a quantity are ordered by their rates: time constants of which some are negative, times of growth.
+#[must_use]
+pub fn by_rate(quantity: &str, values: &[f64]) -> bool {
+    quantity.ends_with("time_constant") && values.iter().any(|value| *value < 0.0)
+}
+
+/// Rate of growth `−1/τ` (1/s) of a time constant `τ`: negative of a motion that decays, zero of one that stays.
+#[must_use]
+pub fn growth_rate(time_constant: f64) -> f64 {
+    if time_constant.is_infinite() { 0.0 } else { -time_constant.recip() }
+}
+
+/// Values of a quantity in their order: of numbers upwards, and of time constants of both signs by the rate of growth, from the fastest decay
+/// over what stays to the fastest growth. Upwards the slowest growth would stand before the fastest, and both before every decay.
+#[derive(Clone, Debug)]
+pub struct Ordered {
+    /// Values, or rates of growth.
+    sorted: Vec<f64>,
+    by_rate: bool,
+}
+
+impl Ordered {
+    /// The values of a quantity of this name.
+    #[must_use]
+    pub fn new(quantity: &str, mut values: Vec<f64>) -> Self {
+        let by_rate = by_rate(quantity, &values);
+        if by_rate {
+            values.iter_mut().for_each(|value| *value = growth_rate(*value));
+        }
+        values.sort_by(f64::total_cmp);
+        Self { sorted: values, by_rate }
+    }
+
+    /// Number of values.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.sorted.len()
+    }
+
+    /// Whether there is none.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.sorted.is_empty()
+    }
+
+    /// The values in their order.
+    pub fn values(&self) -> impl Iterator<Item = f64> {
+        self.sorted.iter().map(|value| self.value(*value))
+    }
+
+    /// Percentile of the values; between time constants of both signs, linear in the rate.
+    #[must_use]
+    pub fn percentile(&self, percent: f64) -> Option<f64> {
+        percentile(&self.sorted, percent).map(|value| self.value(value))
+    }
+
+    fn value(&self, sorted: f64) -> f64 {
+        match (self.by_rate, sorted) {
+            (false, value) => value,
+            (true, 0.0) => f64::INFINITY,
+            (true, rate) => -rate.recip(),
+        }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -183,5 +248,22 @@ mod tests {
         assert_eq!(percentile(&[1.0, f64::INFINITY], 100.0), Some(f64::INFINITY));
         assert_eq!(percentile(&[f64::INFINITY, f64::INFINITY], 30.0), Some(f64::INFINITY));
         assert_eq!(percentile(&[], 50.0), None);
+    }
+
+    /// Of motions that decay in 10 s and 1000 s, one that stays, and two that grow, the middle one stays: by the number of seconds the
+    /// slowest growth would be the lowest and the slow decay the middle.
+    #[test]
+    fn signed_time_constants_are_ordered_from_decay_to_growth() {
+        let times = vec![-1000.0, 1000.0, f64::INFINITY, -10.0, 10.0];
+        let ordered = Ordered::new("modes.nutation.time_constant", times.clone());
+        let upright: Vec<f64> = ordered.values().map(|time| (time * 1e6).round() / 1e6).collect();
+        assert_eq!(upright, [10.0, 1000.0, f64::INFINITY, -1000.0, -10.0]);
+        assert_eq!(ordered.percentile(50.0), Some(f64::INFINITY));
+        let near_last = ordered.percentile(87.5).unwrap_or_default();
+        assert!((near_last + 1.0 / (0.5 * (0.1 + 0.001))).abs() < 1e-12, "{near_last}");
+        let numbers = Ordered::new("evolve.energy", times);
+        assert_eq!(numbers.percentile(0.0), Some(-1000.0));
+        let decays = Ordered::new("modes.nutation.time_constant", vec![2.0, 1.0]);
+        assert_eq!(decays.percentile(50.0), Some(1.5), "decays alone are numbers like others");
     }
 }

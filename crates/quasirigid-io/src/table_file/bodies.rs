@@ -3,6 +3,7 @@
 
 use std::collections::BTreeMap;
 use std::fs::File;
+use std::io::{self, BufRead, BufReader};
 use std::path::Path;
 
 use parquet::errors::ParquetError;
@@ -11,7 +12,9 @@ use parquet::record::Field;
 
 use super::TableError;
 use super::formula::unguarded;
+use super::line::fields;
 use super::parquet::undamaged;
+use crate::disk::{is_no_file, open_regular};
 use crate::text_file::unpacked_limit;
 
 /// Table of bodies.
@@ -37,6 +40,39 @@ impl BodyTable {
         Self { columns: vec![Vec::new(); names.len()], names, unread: BTreeMap::new() }
     }
 
+    /// Leaves out the columns without name and values, which a comma at the end of every line makes.
+    fn without_unnamed(self) -> Self {
+        let named = |(name, values): &(String, Vec<String>)| {
+            !(name.is_empty() && values.iter().all(String::is_empty))
+        };
+        let (names, columns) = self.names.into_iter().zip(self.columns).filter(named).unzip();
+        Self { names, columns, unread: self.unread }
+    }
+
+    /// Adds the row of a line.
+    fn add(&mut self, line: usize, fields: Option<Vec<Vec<u8>>>) {
+        let Some(mut fields) = fields else {
+            return self
+                .unread(format!("a quotation mark in line {line} of the table is not closed on that line"));
+        };
+        let expected = self.names.len();
+        while fields.len() > expected && fields.last().is_some_and(Vec::is_empty) {
+            fields.pop(); // commas at the end of the line
+        }
+        if fields.len() != expected {
+            let found = fields.len();
+            return self.unread(format!(
+                "line {line} of the table has {found} values, but the header has {expected}"
+            ));
+        }
+        let Ok(texts) = fields.into_iter().map(String::from_utf8).collect::<Result<Vec<_>, _>>() else {
+            return self.unread(format!("line {line} of the table is not UTF-8 text"));
+        };
+        for (column, text) in self.columns.iter_mut().zip(&texts) {
+            column.push(unguarded(text).into_owned());
+        }
+    }
+
     fn unread(&mut self, reason: String) {
         self.unread.insert(self.rows(), reason);
         self.columns.iter_mut().for_each(|column| column.push(String::new()));
@@ -50,6 +86,13 @@ impl BodyTable {
 pub fn read_bodies(file: &Path) -> Result<BodyTable, TableError> {
     let parquet = file.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("parquet"));
     let table = if parquet { of_parquet(file)? } else { of_csv(file)? };
+    let nameless = |(name, values): (&String, &Vec<String>)| {
+        name.is_empty() && values.iter().any(|value| !value.is_empty())
+    };
+    if let Some(index) = table.names.iter().zip(&table.columns).position(nameless) {
+        return Err(TableError::Unnamed { file: file.to_owned(), column: index + 1 });
+    }
+    let table = table.without_unnamed();
     if table.rows() == 0 {
         return Err(TableError::Empty { file: file.to_owned() });
     }
@@ -60,43 +103,36 @@ pub fn read_bodies(file: &Path) -> Result<BodyTable, TableError> {
     }
 }
 
-/// Opens a file on a disk; a pipe or a device may never end.
-fn open(file: &Path) -> Result<File, TableError> {
-    let refused = |cause: std::io::Error| TableError::File { file: file.to_owned(), kind: cause.kind() };
-    if !file.metadata().map_err(refused)?.is_file() {
-        return Err(TableError::NoFile { file: file.to_owned() });
-    }
-    File::open(file).map_err(refused)
+/// Opens a file on a disk.
+pub(super) fn open(file: &Path) -> Result<File, TableError> {
+    open_regular(file).map_err(|cause| match is_no_file(&cause) {
+        true => TableError::NoFile { file: file.to_owned() },
+        false => TableError::File { file: file.to_owned(), kind: cause.kind() },
+    })
 }
 
 fn of_csv(file: &Path) -> Result<BodyTable, TableError> {
-    let refuse = |cause: csv::Error| TableError::Csv { file: file.to_owned(), cause: cause.to_string() };
-    let mut reader = csv::ReaderBuilder::new()
-        .flexible(true)
-        .trim(csv::Trim::All)
-        .comment(Some(b'#'))
-        .from_reader(open(file)?);
-    let header = reader.byte_headers().map_err(refuse)?.clone();
-    let name =
-        |bytes: &[u8]| unguarded(String::from_utf8_lossy(bytes).trim_start_matches('\u{feff}')).into_owned();
-    let mut table = BodyTable::of(header.iter().map(name));
-    let mut record = csv::ByteRecord::new();
-    while reader.read_byte_record(&mut record).map_err(refuse)? {
-        let line = record.position().map_or(0, csv::Position::line);
-        if record.len() != table.names.len() {
-            let (found, expected) = (record.len(), table.names.len());
-            table.unread(format!(
-                "line {line} of the table has {found} values, but the header has {expected}"
-            ));
-        } else if record.iter().any(|bytes| std::str::from_utf8(bytes).is_err()) {
-            table.unread(format!("line {line} of the table is not UTF-8 text"));
-        } else {
-            for (column, bytes) in table.columns.iter_mut().zip(&record) {
-                column.push(unguarded(&String::from_utf8_lossy(bytes)).into_owned());
+    let refuse = |cause: io::Error| TableError::File { file: file.to_owned(), kind: cause.kind() };
+    let mut input = BufReader::new(open(file)?);
+    let (mut text, mut number) = (Vec::new(), 0);
+    let mut table: Option<BodyTable> = None;
+    while input.read_until(b'\n', &mut text).map_err(refuse)? > 0 {
+        number += 1;
+        let marked = if number == 1 { text.strip_prefix(b"\xef\xbb\xbf") } else { None };
+        let lines = marked.unwrap_or(&text).split(|byte| matches!(byte, b'\r' | b'\n'));
+        for line in lines.filter(|line| !line.is_empty() && !line.starts_with(b"#")) {
+            match &mut table {
+                Some(table) => table.add(number, fields(line)),
+                None => {
+                    let names = fields(line).ok_or_else(|| TableError::Names { file: file.to_owned() })?;
+                    let name = |name: &Vec<u8>| unguarded(&String::from_utf8_lossy(name)).into_owned();
+                    table = Some(BodyTable::of(names.iter().map(name)));
+                }
             }
         }
+        text.clear();
     }
-    Ok(table)
+    Ok(table.unwrap_or_default())
 }
 
 fn of_parquet(file: &Path) -> Result<BodyTable, TableError> {

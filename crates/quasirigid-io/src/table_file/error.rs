@@ -21,13 +21,11 @@ pub enum TableError {
         /// The path.
         file: PathBuf,
     },
-    /// A CSV file that cannot be read.
-    #[error("{}: {cause}", file.display())]
-    Csv {
+    /// A CSV file with a quotation mark in the line of the names that is not closed on it.
+    #[error("{}: a quotation mark in the line of the names is not closed on that line; close it", file.display())]
+    Names {
         /// The file.
         file: PathBuf,
-        /// Message of the reader.
-        cause: String,
     },
     /// A Parquet file that cannot be read or written.
     #[error("{}: {cause}; files without compression or with Snappy are read", file.display())]
@@ -42,6 +40,14 @@ pub enum TableError {
     Empty {
         /// The file.
         file: PathBuf,
+    },
+    /// A column with values and without a name.
+    #[error("{}: column {column} has values but no name; name it in the first line", file.display())]
+    Unnamed {
+        /// The file.
+        file: PathBuf,
+        /// Number of the column, from 1.
+        column: usize,
     },
     /// Two columns of one name.
     #[error("{}: two columns are named {name:?}; rename one", file.display())]

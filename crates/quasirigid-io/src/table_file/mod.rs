@@ -6,6 +6,7 @@ mod bodies;
 mod cells;
 mod error;
 mod formula;
+mod line;
 mod parquet;
 
 pub use bodies::{BodyTable, read_bodies};

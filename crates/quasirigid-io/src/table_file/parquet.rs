@@ -22,6 +22,7 @@ use quasirigid_math::memory;
 
 use serde::de::DeserializeOwned;
 
+use super::bodies::open;
 use super::{CellColumn, Cells, TableError};
 use crate::study_file::MOST_IN_PART;
 
@@ -51,8 +52,7 @@ pub fn write_parquet(
 /// # Errors
 /// [`TableError`] for a file that cannot be read, for one of another origin, and for values without the checksum that they had.
 pub fn read_parquet(file: &Path, wanted: Option<&[&str]>) -> Result<Vec<CellColumn>, TableError> {
-    let opened =
-        File::open(file).map_err(|cause| TableError::File { file: file.to_owned(), kind: cause.kind() })?;
+    let opened = open(file)?;
     undamaged(file, || read(opened, wanted))
 }
 

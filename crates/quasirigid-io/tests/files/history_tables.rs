@@ -96,6 +96,30 @@ fn damaged_tables_are_refused_by_name() {
     }
 }
 
+/// A few bytes of Parquet stand for any number of equal rows: the room in memory goes by the rows that the record says.
+#[test]
+fn tables_with_other_rows_than_the_record_says_are_refused() {
+    for format in TableFormat::ALL {
+        for (rows, told) in [(3_000_000, 100), (7, 100), (2, 1)] {
+            let dir = tempdir().unwrap();
+            let mut record = with_values([vec![0.0; rows], vec![0.0; rows]]);
+            record.histories[0].columns.truncate(2);
+            record.histories[0].rows = rows as u64;
+            record.write(dir.path(), &[format]).unwrap();
+            let path = dir.path().join("record.json");
+            let text = fs::read_to_string(&path).unwrap();
+            fs::write(&path, text.replace(&format!("\"rows\": {rows}"), &format!("\"rows\": {told}")))
+                .unwrap();
+            let refused = RunRecord::read(dir.path()).unwrap_err();
+            let found = (rows as u64).min(told + 1);
+            assert!(
+                matches!(refused, RecordError::Rows { found: f, expected, .. } if f == found && expected == told),
+                "{refused}"
+            );
+        }
+    }
+}
+
 fn column(name: &str) -> Column {
     Column { name: name.into(), unit: "1".into(), values: Vec::new() }
 }

@@ -191,10 +191,10 @@ fn files_that_are_no_surface_are_refused() {
     assert_snapshot!(without_folder(""), @"[folder]/: this is a folder; give the file of the mesh inside it");
     assert_snapshot!(says("a.obj", ""), @"a.obj: the file is empty; was its download cut off?");
     assert_snapshot!(says("a.ply", "\n \n"), @"a.ply: the file is empty; was its download cut off?");
-    assert_snapshot!(says("a.html", "<!doctype html><html lang=en>"), @r#"a.html: the file begins with "<!doctype html><html lan", as no surface known here does; give an OBJ, STL or PLY file, or a plate table"#);
-    assert_snapshot!(says("a.stl", "dear reader, this is no surface"), @r#"a.stl: the file begins with "dear reader, this is no ", as no surface known here does; give an OBJ, STL or PLY file, or a plate table"#);
+    assert_snapshot!(says("a.html", "<!doctype html><html lang=en>"), @"a.html: the file is a web page, and begins as no surface known here does; give an OBJ, STL or PLY file, or a plate table");
+    assert_snapshot!(says("a.stl", "dear reader, this is no surface"), @"a.stl: the file is text, and begins as no surface known here does; give an OBJ, STL or PLY file, or a plate table");
     assert_snapshot!(says("a.obj", b"v 0 0 0\n# caf\xE9\n"), @"a.obj:2: the byte 0xE9 is not UTF-8 text; save the text as UTF-8, or is the file damaged?");
-    assert_snapshot!(says("a.obj", b"v 0\0 0 0\n"), @r#"a.obj: the file begins with "v 0\0 0 0\n", as no surface known here does; give an OBJ, STL or PLY file, or a plate table"#);
+    assert_snapshot!(says("a.obj", b"v 0\0 0 0\n"), @"a.obj: the file is binary, and begins as no surface known here does; give an OBJ, STL or PLY file, or a plate table");
     assert_snapshot!(says("a.obj", "v 0 0 0\nv 1 0 0\n"), @"a.obj: the file has no faces; export the surface as triangles");
     assert_snapshot!(says("a.txt", "3 0\n1 0 0 0\n2 1 0 0\n3 0 1 0\n"), @"a.txt: the file has no faces; export the surface as triangles");
 }

@@ -12,6 +12,7 @@ use proptest::prelude::*;
 use proptest::strategy::ValueTree;
 use proptest::test_runner::{RngSeed, TestRunner};
 use quasirigid_io::record::*;
+use quasirigid_io::table_file::{TableError, read_bodies, read_parquet};
 use tempfile::tempdir;
 
 /// Numbers that JSON can write: every one that is finite, with its sign.
@@ -237,7 +238,7 @@ prop_compose! {
             turning: Some(TurningRecord { axis: moments, center: moments, rotor }),
         };
         let equations = EquationsRecord {
-            order: 3, scalable: true, note, spin_of_momentum: vec![term.clone()], momentum: vec![term], energy: vec![],
+            order: 3, scalable: true, note, energy_gradient: vec![term.clone()], c: vec![term.clone()], T: vec![term.clone()], momentum: vec![term], energy: vec![],
             power: vec![], displacements: vec![], limits: vec![LimitRecord { holds: radius, fails: limit, stiffness: 0.5, damping: -1.0 }],
             start: StartRecord { momentum: moments, attitude: [1.0, 0.0, 0.0, 0.0], duration: radius },
         };
@@ -259,8 +260,14 @@ prop_compose! {
 }
 
 prop_compose! {
+    fn input_file()(name in ".*", bytes: u64, sha256 in ".*") -> InputFileRecord {
+        InputFileRecord { name, bytes, sha256 }
+    }
+}
+
+prop_compose! {
     fn record()(
-        version in ".*", name in ".*", file in ".*", sha256 in ".*", notes in vec(".*", 0..3),
+        files in vec(input_file(), 0..3), version in ".*", name in ".*", file in ".*", sha256 in ".*", notes in vec(".*", 0..3),
         body in body(), liquids in vec(liquid(), 0..3), validity in validity(), reduction in reduction(),
         reduced in option::of(history("reduced")), rigid in option::of(history("rigid")),
         verification in option::of(verification()), evolution in option::of(evolution()),
@@ -268,7 +275,7 @@ prop_compose! {
     ) -> RunRecord {
         RunRecord {
             scene,
-            format: RECORD_FORMAT, version, model: ModelRecord { name, file, sha256 }, notes, body, liquids, validity, steady_spins, campbell: None, about_spin,
+            format: RECORD_FORMAT, version, model: ModelRecord { name, file, sha256, files }, notes, body, liquids, validity, steady_spins, campbell: None, about_spin,
             reduction,
             histories: reduced.into_iter().chain(rigid).collect(), verification, evolution,
         }
@@ -286,7 +293,12 @@ pub fn sample() -> RunRecord {
         scene: None,
         format: RECORD_FORMAT,
         version: "0.1.0".into(),
-        model: ModelRecord { name: "boom".into(), file: "boom.toml".into(), sha256: "ab".into() },
+        model: ModelRecord {
+            name: "boom".into(),
+            file: "boom.toml".into(),
+            sha256: "ab".into(),
+            files: Vec::new(),
+        },
         notes: vec![],
         body: BodyRecord {
             mass: 1.0,
@@ -434,7 +446,12 @@ fn record_of_a_later_format_is_refused_in_words() {
     let said = error.to_string().replace(&path.display().to_string(), "record.json");
     assert_eq!(
         said,
-        "record.json: record of format 2, later than 1, the last that this program reads; use the quasirigid that made the run"
+        "record.json: record of format 2, and 1 is the last that this program reads; use the quasirigid that made the run"
+    );
+    fs::write(&path, r#"{ "body": 3, "format": 0 }"#).unwrap();
+    assert!(
+        matches!(refusal(dir.path()), RecordError::Format { format: 0, .. }),
+        "there was never such a one"
     );
     fs::write(&path, r#"{ "body": 3, "format": 1 }"#).unwrap();
     assert!(matches!(refusal(dir.path()), RecordError::Json { .. }));
@@ -442,11 +459,13 @@ fn record_of_a_later_format_is_refused_in_words() {
 
 /// The number of a scene is looked at before its keys, as that of a record.
 #[test]
-fn scene_of_a_later_version_is_refused_in_words() {
+fn scene_of_another_version_is_refused_in_words() {
     let dir = written();
     let path = dir.path().join("scene.json");
-    fs::write(&path, r#"{ "pieces": {}, "version": 2 }"#).unwrap();
-    assert_eq!(refusal(dir.path()), RecordError::SceneVersion { file: path, version: SCENE_VERSION + 1 });
+    for version in [0, SCENE_VERSION - 1, SCENE_VERSION + 1] {
+        fs::write(&path, format!("{{ \"pieces\": {{}}, \"version\": {version} }}")).unwrap();
+        assert_eq!(refusal(dir.path()), RecordError::SceneVersion { file: path.clone(), version });
+    }
 }
 
 /// Change of a scene that was written.
@@ -677,7 +696,7 @@ fn broken_json_is_located() {
     fs::write(&file, text).unwrap();
     let error = refusal(dir.path());
     assert!(
-        matches!(&error, RecordError::Json { line: 72, problem, .. }
+        matches!(&error, RecordError::Json { line: 73, problem, .. }
         if problem == "invalid value: string \"large\", expected a number or null"),
         "{error}"
     );
@@ -695,7 +714,7 @@ fn broken_rows_are_located() {
     assert!(matches!(with("t,wx\n1,2\n1\n"), RecordError::Width { line: 3, fields: 1, expected: 2, .. }));
     assert!(matches!(
         with("t,wx\n1,2\n1,0x\n"),
-        RecordError::NotANumber { line: 3, column, text, .. } if column == "wx" && text == "0x"
+        RecordError::NotANumber { line: 3, column, text, .. } if column == "wx" && text.to_string() == "0x"
     ));
     assert!(matches!(with(""), RecordError::Header { found, .. } if found.is_empty()));
 }
@@ -713,4 +732,44 @@ fn packed_vectors_come_back() {
     assert_eq!(packed.unpack()[0][0], 1.5);
     assert_eq!(VectorsRecord::pack(&[[0.0; 3]]).unpack(), [[0.0; 3]]);
     assert!(VectorsRecord::pack(&[]).unpack().is_empty());
+}
+
+/// A folder, a pipe nobody writes into, and a link to a device, in the place of each file of a record and of a table of bodies: nothing is
+/// waited for or read for ever.
+#[cfg(unix)]
+#[test]
+fn nothing_but_files_is_read() {
+    use std::os::unix::fs::symlink;
+    use std::process::Command;
+
+    let put: [&dyn Fn(&Path); 3] = [
+        &|path| fs::create_dir(path).unwrap(),
+        &|path| assert!(Command::new("mkfifo").arg(path).status().unwrap().success()),
+        &|path| symlink("/dev/zero", path).unwrap(),
+    ];
+    for format in TableFormat::ALL {
+        let ending = format.ending();
+        for name in [
+            "record.json".to_owned(),
+            "scene.json".into(),
+            format!("history-reduced.{ending}"),
+            format!("evolution.{ending}"),
+        ] {
+            for put in put {
+                let dir = tempfile::tempdir().unwrap();
+                sample().write(dir.path(), &[format]).unwrap();
+                let path = dir.path().join(&name);
+                fs::remove_file(&path).unwrap_or(()); // not every record has a scene
+                put(&path);
+                assert_eq!(refusal(dir.path()), RecordError::NoFile { file: path });
+            }
+        }
+    }
+    for put in put {
+        let path = tempfile::tempdir().unwrap().keep().join("bodies.csv");
+        put(&path);
+        assert!(matches!(read_bodies(&path), Err(TableError::NoFile { .. })));
+        assert!(matches!(read_parquet(&path, None), Err(TableError::NoFile { .. })));
+        fs::remove_dir_all(path.parent().unwrap()).unwrap();
+    }
 }

@@ -68,6 +68,53 @@ fn lines_that_cannot_be_read_are_kept_apart() {
     );
 }
 
+/// A quotation mark without its partner used to take the rows up to the next mark.
+#[test]
+fn lone_quotation_mark_spoils_its_own_line_alone() {
+    let folder = TempDir::new().unwrap();
+    let path = folder.path().join("bodies.csv");
+    let good = "\"x, \"\"y\"\"\",2\n";
+    let text = format!("a,b\n# a \"comment\n{good}\"lone,1\n\n{good}3\",\"4\n{good}5\",6\n");
+    for text in [text.clone(), text.replace('\n', "\r\n"), format!("\u{feff}{text}")] {
+        fs::write(&path, text).unwrap();
+        let bodies = read_bodies(&path).unwrap();
+        assert_eq!(bodies.columns[0], ["x, \"y\"", "", "x, \"y\"", "", "x, \"y\"", "5\""]);
+        let lines: Vec<_> = bodies.unread.values().map(String::as_str).collect();
+        let reason =
+            |line: usize| format!("a quotation mark in line {line} of the table is not closed on that line");
+        assert_eq!(lines, [reason(4), reason(7)]);
+    }
+    fs::write(&path, "a,b\r1,2\r3,4\r").unwrap(); // lines as they ended on a Macintosh
+    assert_eq!(read_bodies(&path).unwrap().columns, [["1", "3"], ["2", "4"]]);
+    for names in ["\"a,b\n1,2\n", "\u{feff}\"a,b\n1,2\n"] {
+        fs::write(&path, names).unwrap();
+        assert!(matches!(read_bodies(&path), Err(TableError::Names { .. })));
+    }
+}
+
+/// Programs of tables end every line with a comma.
+#[test]
+fn commas_at_the_end_of_lines_make_no_column() {
+    let folder = TempDir::new().unwrap();
+    let path = folder.path().join("bodies.csv");
+    for text in ["a,b,\n1,2,\n3,4,\n", "a,b\n1,2,\n3,4,,\n", "a,,b,\n1,,2,\n3,,4,\n"] {
+        fs::write(&path, text).unwrap();
+        let bodies = read_bodies(&path).unwrap();
+        assert_eq!(
+            (bodies.names, bodies.columns),
+            (
+                vec!["a".into(), "b".into()],
+                vec![vec!["1".to_owned(), "3".into()], vec!["2".into(), "4".into()],]
+            ),
+            "{text}"
+        );
+        assert!(bodies.unread.is_empty());
+    }
+    fs::write(&path, ",,\n,2,\n").unwrap();
+    let refused = read_bodies(&path).unwrap_err();
+    assert!(matches!(refused, TableError::Unnamed { column: 2, .. }), "{refused}");
+}
+
 #[test]
 fn tables_that_are_none_are_refused() {
     let folder = TempDir::new().unwrap();

@@ -235,7 +235,7 @@ fn a_force_says_its_kind() {
     model.toml:9:1: [[force]] has no `kind`
       add a line such as: kind = "uniform-gravity", "central-gravity", "drag", "spin-drag", "torque", "thrust", "magnetic-dipole" or "expression"
     model.toml:12:1: unknown key "knd" in [[force]]
-      did you mean `kind`? the keys are kind, name, on, at, coefficient, acceleration, orbit, torque, force, axes, frequency, period, phase, moment, field, dipole
+      did you mean `kind`? the keys are kind, name, on, at, coefficient, acceleration, orbit, torque, force, axes, frequency, period, phase, moment, field, dipole, timetable, interpolation, during
     "#);
     assert_snapshot!(refused("drga", "anything = 1\n"), @r#"
     model.toml:10:8: `kind` cannot be "drga"
@@ -263,13 +263,13 @@ fn a_force_says_its_kind() {
 fn a_key_of_another_kind_is_refused() {
     assert_snapshot!(refused("drag", "on = \"tip\"\ncoefficient = 1\nperiod = 3\ncoeficient = 1\n"), @r#"
     model.toml:13:1: `period` is not a key of [[force]] of kind "drag"
-      it is for kind = "torque" or kind = "thrust"; the keys here are kind, name, on, at, coefficient
+      it is for kind = "torque" or kind = "thrust"; the keys here are kind, name, on, at, coefficient, during
     model.toml:14:1: unknown key "coeficient" in [[force]] of kind "drag"
-      did you mean `coefficient`? the keys are kind, name, on, at, coefficient
+      did you mean `coefficient`? the keys are kind, name, on, at, coefficient, during
     "#);
     assert_snapshot!(refused("uniform-gravity", "acceleration = [0, 0, -9.81]\norbit = {}\n"), @r#"
     model.toml:12:1: `orbit` is not a key of [[force]] of kind "uniform-gravity"
-      it is for kind = "central-gravity" or kind = "magnetic-dipole"; the keys here are kind, name, acceleration
+      it is for kind = "central-gravity" or kind = "magnetic-dipole"; the keys here are kind, name, acceleration, during
     "#);
 }
 

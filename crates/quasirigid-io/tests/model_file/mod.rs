@@ -33,6 +33,7 @@ mod settings;
 mod shorthands;
 mod solids;
 mod surfaces;
+mod timing;
 mod values;
 
 use std::fs;

@@ -117,6 +117,18 @@ fn a_spring_is_measured_relative_to_its_stiffness() {
     "#);
 }
 
+/// Below 1 the law `1 + i/Q` loses less the smaller `Q` is, and the times were symmetric about 1.
+#[test]
+fn a_quality_factor_is_at_least_one() {
+    assert_eq!(rheology("{ kind = \"quality-factor\", Q = 1 }"), Rheology::QualityFactor { factor: 1.0 });
+    assert_snapshot!(refused("{ kind = \"quality-factor\", Q = 0.99, range = [0.5, 2] }"), @r#"
+    model.toml:8:43: `Q` is 0.99, but must be at least 1
+      for a material that loses more than it stores, write its kind "maxwell", "standard-linear" or "table"
+    model.toml:8:58: `range` is 0.5, but must be at least 1
+      for a material that loses more than it stores, write its kind "maxwell", "standard-linear" or "table"
+    "#);
+}
+
 #[test]
 fn a_range_contains_what_it_is_the_range_of() {
     let factor = |range: &str| format!("{{ kind = \"quality-factor\", Q = 100, range = {range} }}");
@@ -137,10 +149,10 @@ fn a_range_contains_what_it_is_the_range_of() {
     model.toml:8:56: `range` goes from 61 to 120 s, but `time` is 60 s
       write the least and the greatest value that `time` may have
     ");
-    assert_snapshot!(refused(&factor("[0, 200]")), @"
-    model.toml:8:57: `range` is 0, but must be positive
-      write a number
-    ");
+    assert_snapshot!(refused(&factor("[0, 200]")), @r#"
+    model.toml:8:57: `range` is 0, but must be at least 1
+      for a material that loses more than it stores, write its kind "maxwell", "standard-linear" or "table"
+    "#);
     assert_snapshot!(refused(&factor("[nan, 200]")), @"
     model.toml:8:57: `range` is nan, which is not a finite number
       write a number

@@ -78,7 +78,7 @@ fn systems_and_methods_are_read() {
     assert_snapshot!(refusal_of("[run]\nsystems = [\"full\", \"ful\", \"full\", 3]\nmethod = \"implict\"\n"), @r#"
     model.toml:10:20: `systems` cannot be "ful"
       did you mean "full"? write "full", "reduced", "rigid" or "manifold"
-    model.toml:10:27: `systems` has this twice
+    model.toml:10:27: `systems` has a duplicate entry
       leave it out
     model.toml:10:35: `systems`: found an integer, expected a text
       write the systems in quotes
@@ -138,7 +138,7 @@ fn a_verification_is_read() {
       write an integer from 1 to 12
     model.toml:10:43: `orders` is 13, but must be an integer from 1 to 12
       write an integer from 1 to 12
-    model.toml:10:47: `orders` has this twice
+    model.toml:10:47: `orders` has a duplicate entry
       leave it out
     model.toml:10:62: `halvings` is 11, but must be an integer from 1 to 10
       write an integer from 1 to 10

@@ -44,6 +44,11 @@ fn a_surface_is_read_in_its_unit() {
     assert_eq!(cells.assembly.surfaces[0].cells, Some(700));
     let odd = read(TETRAHEDRON, "file = \"shape.obj\"\nunit = \"2.5 cm\"\n").expect("a model");
     assert!((odd.assembly.surfaces[0].surface.volume() / (0.05_f64.powi(3) / 6.0) - 1.0).abs() < 1e-12);
+    assert!(odd.notes.is_empty());
+    assert_eq!(
+        cells.notes,
+        ["\"surface 1\" has no `unit`, so that its file is taken in metres: 2.000 by 2.000 by 2.000 m"]
+    );
 }
 
 #[test]

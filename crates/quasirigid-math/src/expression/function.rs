@@ -20,6 +20,7 @@ pub enum Unary {
     Log10,
     Sqrt,
     Abs,
+    Step,
 }
 
 /// Operation on two numbers.
@@ -44,7 +45,7 @@ pub enum Operation {
 }
 
 /// Names and uses of the functions, in the order in which messages list them.
-pub const FUNCTIONS: [(&str, &str, Operation); 19] = [
+pub const FUNCTIONS: [(&str, &str, Operation); 20] = [
     ("sin", "sin(x)", Operation::Unary(Unary::Sin)),
     ("cos", "cos(x)", Operation::Unary(Unary::Cos)),
     ("tan", "tan(x)", Operation::Unary(Unary::Tan)),
@@ -60,6 +61,7 @@ pub const FUNCTIONS: [(&str, &str, Operation); 19] = [
     ("log10", "log10(x)", Operation::Unary(Unary::Log10)),
     ("sqrt", "sqrt(x)", Operation::Unary(Unary::Sqrt)),
     ("abs", "abs(x)", Operation::Unary(Unary::Abs)),
+    ("step", "step(x)", Operation::Unary(Unary::Step)),
     ("pow", "pow(a, b)", Operation::Binary(Binary::Power)),
     ("min", "min(a, b)", Operation::Binary(Binary::Min)),
     ("max", "max(a, b)", Operation::Binary(Binary::Max)),
@@ -89,6 +91,8 @@ impl Unary {
             Self::Sqrt => x.sqrt(),
             Self::Abs if x.value() < 0.0 => -x,
             Self::Abs => x,
+            Self::Step if x.value().is_nan() => x,
+            Self::Step => T::from(f64::from(u8::from(x.value() >= 0.0))),
         }
     }
 }

@@ -1,16 +1,21 @@
 //! Formulas that users write, with exact derivatives.
 //!
 //! Numbers, the variables named, `pi` and `e`; `+ - * /`, powers `^` or `**`; `sin cos tan asin acos atan sinh cosh
-//! tanh exp ln log10 sqrt abs` of one argument, `atan2(y, x) pow(a, b) min(a, b) max(a, b) hypot(x, y)` of two. Powers
+//! tanh exp ln log10 sqrt abs step` of one argument, `atan2(y, x) pow(a, b) min(a, b) max(a, b) hypot(x, y)` of two;
+//! `step(x)` is zero below zero and one from there on. Powers
 //! bind more tightly than a sign before them and group from the right: `-x^2` is `-(x^2)`, `a^b^c` is `a^(b^c)`.
 
+mod changes;
 mod function;
 mod lexer;
+mod lobatto;
 mod message;
 mod parser;
 mod program;
 #[cfg(feature = "serde")]
 mod written;
+
+pub use changes::Changes;
 
 use super::scalar::Smooth;
 use program::Program;
@@ -67,10 +72,21 @@ impl Expression {
         self.program.uses(variable)
     }
 
+    /// Where the formula changes along a variable, between two values of it; the others stay as `at` has them. (Z2)
+    ///
+    /// The formula is evaluated `budget` times at most.
+    ///
+    /// # Panics
+    /// If there are fewer variables than were named.
+    #[must_use]
+    pub fn changes(&self, along: usize, at: &[f64], ends: [f64; 2], budget: u64) -> Changes {
+        changes::changes(&self.program, along, at, ends, budget)
+    }
+
     /// Value at the variables, in the order in which they were named; NaN where there is none.
     ///
-    /// A power with a constant exponent is [`Smooth::powf`], any other is `exp(b ln a)`; `abs`, `min` and `max` are the
-    /// branch that the values choose.
+    /// A power with a constant exponent is [`Smooth::powf`], any other is `exp(b ln a)`; `abs`, `min`, `max` and `step` are
+    /// the branch that the values choose.
     ///
     /// # Panics
     /// If there are fewer variables than were named.
@@ -129,6 +145,7 @@ mod tests {
             ("abs(x)*abs(t)", -x * t),
             ("atan2(x, -t)", x.atan2(-t)),
             ("min(x, t) + 10*max(x, t) + 100*min(t, x) + 1000*max(t, x)", 101.0 * x + 1010.0 * t),
+            ("step(x) + 10*step(t) + 100*step(x - x)", 110.0),
             ("hypot(x, t)", x.hypot(t)),
             ("hypot(x - x, 0*t)", 0.0),
             ("hypot(1e200*x, 1e200*t)*1e-200", x.hypot(t)),
@@ -154,7 +171,8 @@ mod tests {
         let t = [Taylor::<3>::variable(-0.4), Taylor::from(-0.6), Taylor::from(0.0)];
         let slope = |text| Expression::parse(text, &VARIABLES).unwrap().value(&t).coefficient(1);
         assert_eq!(["abs(t)", "abs(-t)", "min(t, x)", "max(t, x)"].map(slope), [-1.0, -1.0, 0.0, 1.0]);
-        for text in ["min(ln(x), 1)", "max(1, ln(x))", "min(1, ln(x))", "max(ln(x), 1)"] {
+        assert_eq!(slope("t*step(t) - t*step(-t)"), -1.0);
+        for text in ["step(ln(x))", "min(ln(x), 1)", "max(1, ln(x))", "min(1, ln(x))", "max(ln(x), 1)"] {
             assert!(value(text).is_nan(), "{text}");
         }
     }

@@ -24,6 +24,43 @@ pub struct Program {
     room: usize,
 }
 
+/// A step of a program as a node of a tree.
+#[derive(Clone, Debug)]
+pub struct Node {
+    pub role: Role,
+    /// Nodes that it acts on.
+    pub operands: Vec<usize>,
+}
+
+/// What a step does to the changes of its operands.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Role {
+    Constant,
+    Variable(usize),
+    /// As smooth as its operands, and no narrower.
+    Even,
+    /// May act in a short part of the range of its operand: about its zeros and extremes.
+    Narrow,
+    /// Has a corner or a jump where its operand is zero.
+    Corner,
+    /// Has a corner where its operands are equal.
+    Choice,
+}
+
+impl Role {
+    fn of(step: &Step) -> Self {
+        match step {
+            Step::Constant(_) => Self::Constant,
+            Step::Variable(index) => Self::Variable(*index),
+            Step::Unary(Unary::Abs | Unary::Step) => Self::Corner,
+            Step::Binary(Binary::Min | Binary::Max) => Self::Choice,
+            Step::Unary(Unary::Negate | Unary::Sin | Unary::Cos)
+            | Step::Binary(Binary::Add | Binary::Subtract | Binary::Multiply) => Self::Even,
+            Step::Power(_) | Step::Unary(_) | Step::Binary(_) => Self::Narrow,
+        }
+    }
+}
+
 /// Height of the stack up to which no memory is allocated; few formulas need more.
 const SHALLOW: usize = 12;
 
@@ -76,6 +113,42 @@ impl Program {
         } else {
             run(&self.steps, variables, &mut vec![zero; self.room])
         }
+    }
+
+    /// Values after each of the steps up to the last one asked for, in their order.
+    pub fn trace(&self, variables: &[f64], last: usize, values: &mut Vec<f64>) {
+        values.clear();
+        let mut stack = Vec::with_capacity(self.room);
+        for step in &self.steps[..=last] {
+            let value = match *step {
+                Step::Constant(value) => value,
+                Step::Variable(index) => variables[index],
+                Step::Power(exponent) => stack.pop().unwrap_or(f64::NAN).powf(exponent),
+                Step::Unary(unary) => unary.of(stack.pop().unwrap_or(f64::NAN)),
+                Step::Binary(binary) => {
+                    let (b, a) = (stack.pop().unwrap_or(f64::NAN), stack.pop().unwrap_or(f64::NAN));
+                    binary.of(a, b)
+                }
+            };
+            stack.push(value);
+            values.push(value);
+        }
+    }
+
+    /// The steps as nodes of a tree: what each does, and on which of those before it.
+    pub fn nodes(&self) -> Vec<Node> {
+        let (mut nodes, mut stack): (Vec<Node>, Vec<usize>) = (Vec::new(), Vec::new());
+        for (index, step) in self.steps.iter().enumerate() {
+            let operands = match step {
+                Step::Constant(_) | Step::Variable(_) => 0,
+                Step::Power(_) | Step::Unary(_) => 1,
+                Step::Binary(_) => 2,
+            };
+            let operands = stack.split_off(stack.len().saturating_sub(operands));
+            stack.push(index);
+            nodes.push(Node { role: Role::of(step), operands });
+        }
+        nodes
     }
 
     /// The step for a power; takes a constant exponent off the steps.

@@ -6,6 +6,7 @@ use std::marker::PhantomData;
 
 use super::Checkpoint;
 use super::dop853_tableau::{A, B, C, D, E3, E5, EXTRA, STAGES};
+use super::stretch::{StepRule, Stretch};
 use super::system::{DenseOutput, POWERS, Rate, Solver, State, StepError, System, Work, accumulate, towards};
 use crate::simd::Arithmetic;
 
@@ -241,6 +242,20 @@ impl<S: System<Y>, Y: State, R: Arithmetic> Solver for Dop853<S, Y, R> {
         self.y = y;
         self.carry.as_mut().fill(0.0);
         self.evaluate_end();
+    }
+
+    fn enter(&mut self, stretch: Stretch) {
+        self.system.enter(stretch);
+    }
+
+    fn restart(&mut self, stretch: Stretch) {
+        self.system.enter(stretch);
+        self.evaluate_end();
+        self.h = self.first_step();
+    }
+
+    fn rule(&self) -> StepRule {
+        StepRule::explicit(self.last)
     }
 
     fn save(&self, checkpoint: &mut Checkpoint) {

@@ -3,7 +3,7 @@
 
 use std::ops::ControlFlow;
 
-use super::{DenseOutput, Solver, StepError};
+use super::{DenseOutput, Solver, StepError, Stretch};
 
 /// Observer of an integration from step to step.
 pub trait StepObserver<M: Solver> {
@@ -13,6 +13,18 @@ pub trait StepObserver<M: Solver> {
     /// Time of an event within the last step, at which the integration ends; none without an event.
     fn event(&mut self, solver: &mut M) -> Option<f64> {
         let _ = solver;
+        None
+    }
+
+    /// Time that no step from `t` on passes: the next breakpoint of the rate, or place where it changes quickly. (Z1)
+    fn stop(&mut self, t: f64) -> f64 {
+        let _ = t;
+        f64::INFINITY
+    }
+
+    /// The stretch between breakpoints of the rate that a step from `t` on lies in, and whether it begins there; none without breakpoints.
+    fn stretch(&mut self, t: f64) -> Option<(Stretch, bool)> {
+        let _ = t;
         None
     }
 
@@ -60,6 +72,11 @@ pub fn integrate_until<M: Solver>(
     observer: &mut impl StepObserver<M>,
 ) -> (StopReason, usize) {
     let mut next = first;
+    match observer.stretch(solver.t()) {
+        Some((stretch, true)) if solver.work().steps > 0 => solver.restart(stretch),
+        Some((stretch, _)) => solver.enter(stretch),
+        None => {}
+    }
     while next < times.len() && times[next] <= solver.t() {
         observer.output(times[next], solver.y());
         next += 1;
@@ -68,7 +85,7 @@ pub fn integrate_until<M: Solver>(
         if solver.work().steps >= most_steps {
             return (StopReason::StepLimit, next);
         }
-        if let Err(error) = solver.step(end) {
+        if let Err(error) = solver.step(end.min(observer.stop(solver.t()))) {
             return (StopReason::Failed(error), next);
         }
         let event = observer.event(solver);
@@ -83,6 +100,9 @@ pub fn integrate_until<M: Solver>(
         }
         if observer.stepped(solver).is_break() {
             return (StopReason::Interrupted, next);
+        }
+        if let Some((stretch, true)) = observer.stretch(solver.t()) {
+            solver.restart(stretch);
         }
     }
     (StopReason::Finished, next)

@@ -16,6 +16,7 @@ mod radau_shifts;
 mod radau_stages;
 mod radau_tableau;
 mod stiff;
+mod stretch;
 mod system;
 
 pub use checkpoint::Checkpoint;
@@ -25,4 +26,5 @@ pub use ensemble::{LaneRun, integrate_lanes};
 pub use integrate::{StepObserver, StopReason, integrate, integrate_until};
 pub use radau::Radau;
 pub use stiff::Stiff;
+pub use stretch::{StepRule, Stretch};
 pub use system::{DenseOutput, Solver, State, StepError, System, Work};

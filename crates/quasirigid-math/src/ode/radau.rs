@@ -10,6 +10,7 @@ use super::radau_iteration::{Iteration, Pace};
 use super::radau_search::{Attempt, Search};
 use super::radau_tableau::{C, GAMMA, SPLIT, STAGES, START};
 use super::stiff::Stiff;
+use super::stretch::{StepRule, Stretch};
 use super::system::{DenseOutput, Solver, State, StepError, Work, accumulate, towards};
 use crate::simd::{Arithmetic, Rounding};
 
@@ -250,6 +251,21 @@ impl<S: Stiff, R: Arithmetic> Solver for Radau<S, R> {
             row
         });
         DenseOutput { t, h, y: self.start.clone(), coefficients }
+    }
+
+    fn enter(&mut self, stretch: Stretch) {
+        self.system.enter(stretch);
+    }
+
+    fn restart(&mut self, stretch: Stretch) {
+        self.system.enter(stretch);
+        self.continues = false;
+        self.system.rate::<R>(self.t, &self.y, &mut self.rate);
+        self.work.evaluations += 1;
+    }
+
+    fn rule(&self) -> StepRule {
+        StepRule::implicit(self.last)
     }
 
     fn save(&self, checkpoint: &mut Checkpoint) {

@@ -5,7 +5,7 @@ use std::ops::Add;
 
 use thiserror::Error;
 
-use super::Checkpoint;
+use super::{Checkpoint, StepRule, Stretch};
 use crate::simd::{Arithmetic, Task, scaled_sum};
 
 /// State of a system: a list of numbers, of a length known to the compiler or not.
@@ -52,6 +52,11 @@ impl State for Vec<f64> {
 pub trait System<Y> {
     /// Writes the rate of the state into `rate`.
     fn rate<R: Arithmetic>(&mut self, t: f64, y: &Y, rate: &mut Y);
+
+    /// Told before a stretch of time between two breakpoints: rates asked for from then on are those inside it. (Z1)
+    fn enter(&mut self, stretch: Stretch) {
+        let _ = stretch;
+    }
 }
 
 /// Rate of a system at the places where a method needs it.
@@ -107,6 +112,15 @@ pub trait Solver {
 
     /// Goes back to a state within the last step.
     fn rewind(&mut self, t: f64, y: Self::State);
+
+    /// Goes on in another stretch from the state reached, as after [`load`](Self::load).
+    fn enter(&mut self, stretch: Stretch);
+
+    /// Begins anew from the state reached, at a breakpoint of the rate: nothing is carried over from before it. (Z1)
+    fn restart(&mut self, stretch: Stretch);
+
+    /// The last step as a rule of quadrature.
+    fn rule(&self) -> StepRule;
 
     /// Saves what decides the next steps. Between steps alone.
     fn save(&self, checkpoint: &mut Checkpoint);

@@ -44,6 +44,23 @@ impl Series {
         }
         turned
     }
+
+    /// A symmetric tensor field, rows xx, yy, zz, yz, zx, xy, with its argument and its values by their components along other axes.
+    #[must_use]
+    pub fn tensor_in_axes(&self, axes: [[f64; 3]; 3]) -> Self {
+        const COMPONENTS: [(usize, usize); 6] = [(0, 0), (1, 1), (2, 2), (1, 2), (2, 0), (0, 1)];
+        let columns = COMPONENTS.map(|(i, j)| {
+            COMPONENTS.map(|(a, b)| {
+                let product = axes[a][i] * axes[b][j];
+                if i == j { product } else { product + axes[a][j] * axes[b][i] }
+            })
+        });
+        let mut turned = self.clone();
+        for degree in 0..=self.degree() {
+            turned.set(self.part(degree).in_axes(axes).contracted(&columns));
+        }
+        turned
+    }
 }
 
 /// Powers of a linear form, to a degree.

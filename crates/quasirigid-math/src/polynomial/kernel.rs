@@ -1,6 +1,8 @@
 //! Compiled polynomial map: nested Horner form over all rows at once, for the right-hand side of the reduced equations.
 //! The rows fill one vector register; loops of fixed degree are unrolled, higher ones are streamed over the same table.
 
+use std::ops::Div;
+
 use super::Series;
 use super::monomial::count;
 use crate::lanes::Lanes;
@@ -8,7 +10,7 @@ use crate::scalar::Scalar;
 use crate::simd::{Arithmetic, scaled_sum};
 
 /// A number that kernels are evaluated at: one, or one for each of several problems.
-pub trait Number: Scalar {
+pub trait Number: Scalar + Div<Output = Self> {
     /// Values of the rows: four numbers, which fill a register, or three that fill one each.
     type Rows: Copy;
 

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, NoReturn, Self
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from quasirigid import _core
+from quasirigid import _arguments, _core
 from quasirigid._errors import InputError, Refused
 from quasirigid._table import Table
 
@@ -606,6 +606,12 @@ class Evolution(_Tabled):
         return least, greatest
 
     @property
+    def uncertainty(self) -> dict[str, Any] | None:
+        """Intervals over the draws of the model's uncertain keys, with the keys that decide; ``None`` where none were drawn."""
+        found: dict[str, Any] | None = self._parts["json"].get("uncertainty")
+        return found
+
+    @property
     def separatrix_time(self) -> float | None:
         """Time from the start to the separatrix (s); ``None`` if it is not passed."""
         time: float | None = self._parts["json"]["separatrix_time"]
@@ -702,7 +708,7 @@ class Run(Answer):
         Raises:
             FileError: if the folder is there already, or cannot be written.
         """
-        self._run.write(os.fspath(folder))
+        self._run.write(_arguments.path(folder, "folder"))
 
     def report(self, path: str | os.PathLike[str]) -> None:
         """Writes the report, one self-contained HTML page; a file of that name is replaced once the new one is on the disk.
@@ -710,7 +716,7 @@ class Run(Answer):
         Raises:
             FileError: if the file cannot be written.
         """
-        self._run.report(os.fspath(path))
+        self._run.report(_arguments.path(path, "path"))
 
     def plot(self) -> Figure:
         """Angular velocity and energy of every history against time (needs matplotlib)."""

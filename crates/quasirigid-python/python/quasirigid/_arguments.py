@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import operator
+import os
 from collections.abc import Iterable
 from typing import Any
 
@@ -17,10 +18,39 @@ __all__: list[str] = []
 _MOST = 2**62
 
 
+def text(value: str, name: str) -> str:
+    """A text that UTF-8 can write; Python's own may hold halves of characters."""
+    try:
+        value.encode()
+    except UnicodeEncodeError as error:
+        place = error.start
+        message = f"{name} is no text: its character {place} is the surrogate {value[place]!a}, which UTF-8 cannot write"
+        raise InputError(message) from None
+    return value
+
+
+def path(value: str | bytes | os.PathLike[Any], name: str) -> str:
+    """A name of a file or a folder."""
+    try:
+        found = os.fsdecode(value)
+        os.fsencode(found)
+    except TypeError as error:
+        raise InputError(f"{name} = {value!r} is not a path") from error
+    except UnicodeEncodeError:
+        raise InputError(f"{name} = {value!a} is not a path: no name of a file has such a surrogate") from None
+    if not found or "\0" in found:
+        raise InputError(f"{name} = {value!r} is not a path")
+    return found
+
+
 def quantity(value: Any, name: str) -> float | str | None:
     """A number in SI units or a text with a unit."""
-    if value is None or isinstance(value, str):
+    if value is None:
         return value
+    if isinstance(value, str):
+        return text(value, name)
+    if masked(value):
+        raise InputError(f"{name} is masked; give a number")
     if isinstance(value, (bool, np.bool_)):
         raise InputError(f"{name} = {value!r}: give a number in SI units, or a text with a unit such as '2 h'")
     try:
@@ -61,15 +91,32 @@ def rows(value: Any, name: str) -> int | None:
     return found
 
 
+def draws(value: Any, name: str) -> int | None:
+    """A number of draws."""
+    found = count(value, name)
+    if found is not None and not 2 <= found <= 10_000_000:
+        raise InputError(f"{name} = {found} is out of range; give 2 to 10000000")
+    return found
+
+
 def word(value: Any, name: str) -> str | None:
     """A name among a few."""
     if value is not None and not isinstance(value, str):
         raise InputError(f"{name} = {value!r} is not a text")
-    return value
+    return None if value is None else text(value, name)
+
+
+def masked(value: Any) -> bool:
+    """Whether a value, or one in a list, is masked."""
+    if isinstance(value, (list, tuple)):
+        return any(masked(each) for each in value)
+    return bool(np.ma.is_masked(value))
 
 
 def array(value: ArrayLike, name: str) -> NDArray[np.float64]:
-    """An array of real numbers."""
+    """An array of real numbers. A masked value has no number, and an array forgets the mask of another."""
+    if masked(value):
+        raise InputError(f"{name} has masked values; leave them out, or give them a number with filled()")
     try:
         found = np.asarray(value)
     except ValueError as error:

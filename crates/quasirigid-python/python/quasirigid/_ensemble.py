@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections import Counter
+import re
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -15,6 +15,9 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 __all__ = ["Evolutions", "Histories", "SpinPaths"]
+
+# Reasons that differ in their numbers alone are one.
+_NUMBER = re.compile(r"(?<!\w)[-+]?\d+(\.\d+)?([eE][-+]?\d+)?")
 
 
 class _Rows:
@@ -42,7 +45,14 @@ class _Rows:
         """Number of rows that hold, and the reasons of the others, most frequent first."""
         held = int(self.holds.sum())
         others = [message for message, holds in zip(self.message, self.holds, strict=True) if not holds]
-        reasons = "".join(f"\n  {count} rows: {text}" for text, count in Counter(others).most_common(5))
+        groups: dict[str, list[str]] = {}
+        for text in others:
+            groups.setdefault(_NUMBER.sub("#", text), []).append(text)
+        largest = sorted(groups.items(), key=lambda group: -len(group[1]))[:5]
+        reasons = "".join(
+            f"\n  {len(texts)} rows: {texts[0] if len(set(texts)) == 1 else f'{masked} (such as: {texts[0]})'}"
+            for masked, texts in largest
+        )
         return f"{held} of {len(self)} rows hold{':' if held == len(self) else '; DO NOT HOLD:'}".rstrip(":") + (
             f":{reasons}" if reasons else ""
         )

@@ -53,7 +53,7 @@ class Model:
     def __init__(self, text: str, *, file: str | os.PathLike[str] = _NAMELESS) -> None:
         if not isinstance(text, str):
             raise InputError(f"the text of a model is a str, not {type(text).__name__}; for a file: Model.from_file")
-        _set(self, _core.Model(text, _path(file, "file")))
+        _set(self, _core.Model(_arguments.text(text, "the text of the model"), _arguments.path(file, "file")))
 
     @classmethod
     def from_file(cls, path: str | os.PathLike[str]) -> Model:
@@ -70,7 +70,7 @@ class Model:
         'boom satellite'
         """
         model = cls.__new__(cls)
-        _set(model, _core.Model.read(os.path.abspath(_path(path, "path"))))
+        _set(model, _core.Model.read(os.path.abspath(_arguments.path(path, "path"))))
         return model
 
     @classmethod
@@ -443,6 +443,7 @@ class Model:
         samples: int | None = None,
         power: str | None = None,
         method: str | None = None,
+        samples_of_uncertainty: int | None = None,
         order: int | None = None,
         progress: Progress = False,
     ) -> Evolution: ...
@@ -472,6 +473,7 @@ class Model:
         samples: int | None = None,
         power: str | None = None,
         method: str | None = None,
+        samples_of_uncertainty: int | None = None,
         order: int | None = None,
         progress: Progress = False,
     ) -> Evolution | Evolutions:
@@ -487,6 +489,8 @@ class Model:
             samples: Number of rows, 2 to 1000000; 201 by default.
             power: Source of the mean power: ``polynomial`` or ``harmonics``.
             method: ``average``, ``micro-runs``, ``direct``, ``modes`` or ``manifold``; by default the one that holds.
+            samples_of_uncertainty: Draws of the keys in the model's ``[uncertainty]``, 2 to 10000000; their intervals are in
+                ``uncertainty``.
 
         Raises:
             StartError: for a start that is none or does not evolve, unless it is a row of ``initial``.
@@ -505,7 +509,10 @@ class Model:
             "samples": _arguments.rows(samples, "samples"),
             "power": _arguments.word(power, "power"),
             "method": _arguments.word(method, "method"),
+            "samples_of_uncertainty": _arguments.draws(samples_of_uncertainty, "samples_of_uncertainty"),
         }
+        if initial is not None and samples_of_uncertainty is not None:
+            raise InputError("samples_of_uncertainty draws the model's own keys; leave initial out, or vary both in a study")
         whole = _arguments.count(order, "order")
         with observer(progress) as watch:
             if initial is None:
@@ -577,7 +584,7 @@ class Model:
         if folder is None and (tables is not None or resume):
             raise InputError("tables and resume need the folder of the record")
         formats = tables.split(",") if isinstance(tables, str) else None if tables is None else list(tables)
-        place = None if folder is None else {"folder": _path(folder, "folder"), "tables": formats, "resume": bool(resume)}
+        place = None if folder is None else {"folder": _arguments.path(folder, "folder"), "tables": formats, "resume": bool(resume)}
         settings = _settings(duration, samples, tolerance, form, method, every_revolution)
         with observer(progress) as watch:
             return Run(self._core.run(place, settings, _arguments.count(order, "order"), watch))
@@ -628,16 +635,6 @@ def _set(model: Model, core: _core.Model) -> None:
 
 def _model(kind: type[Model], text: str, file: str) -> Model:
     return kind(text, file=file)
-
-
-def _path(path: str | os.PathLike[str], name: str) -> str:
-    try:
-        found = os.fspath(path)
-    except TypeError as error:
-        raise InputError(f"{name} = {path!r} is not a path") from error
-    if not isinstance(found, str) or not found or "\0" in found:
-        raise InputError(f"{name} = {path!r} is not a path")
-    return found
 
 
 def _manifold(degree: int | None, masters: str | Sequence[float] | None, style: str | None) -> dict[str, Any]:

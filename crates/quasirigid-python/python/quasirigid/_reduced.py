@@ -113,6 +113,17 @@ class Reduced:
         """Angular momentum K(ω) on the slow manifold (N·m·s), body axes, ``(..., 3)``."""
         return self._vectors(self._reduced.angular_momentum, omega)
 
+    def angular_velocity(self, K: ArrayLike) -> NDArray[np.float64]:
+        """Angular velocity ω(K) of the energy form (rad/s), of angular momenta (N·m·s), body axes, ``(..., 3)``."""
+        return self._vectors(self._reduced.angular_velocity, K)
+
+    def momentum_rate(self, K: ArrayLike) -> NDArray[np.float64]:
+        """Rate of the angular momentum in body axes ``K × ω(K)`` (N·m), without forces, ``(..., 3)``.
+
+        The energy form keeps ``|K|`` and loses exactly its power, whatever the order.
+        """
+        return self._vectors(self._reduced.momentum_rate, K)
+
     def rate(self, omega: ArrayLike) -> NDArray[np.float64]:
         """Rate of the angular velocity without forces (rad/s²), body axes, ``(..., 3)``."""
         return self._vectors(self._reduced.rate, omega)

@@ -196,7 +196,7 @@ def sweep(
     with contextlib.ExitStack() as stack:
         scratch = stack.enter_context(_scratch())
         parts = _parts(study)
-        place = Path(os.fsdecode(folder)) if folder is not None else scratch / "results"
+        place = Path(_arguments.path(folder, "folder")) if folder is not None else scratch / "results"
         show = stack.enter_context(observer(progress))
         core = _core.Sweep.open(*parts, show)
         try:
@@ -221,8 +221,9 @@ def read_sweep(folder: str | os.PathLike[str]) -> Sweep:
         ...
     quasirigid.FileError: no-such-folder has no summary of a study: its rows are not all answered, or it is another folder; ...
     """
-    columns, summary, text = _core.read_sweep(os.fsdecode(folder))
-    return Sweep(Table(columns), summary, text, Path(os.fsdecode(folder)))
+    place = _arguments.path(folder, "folder")
+    columns, summary, text = _core.read_sweep(place)
+    return Sweep(Table(columns), summary, text, Path(place))
 
 
 def _results(place: Path, ended: tuple[int, int, int, bool], kept: bool) -> Sweep:
@@ -247,9 +248,9 @@ Show: TypeAlias = Callable[[str, float], object]
 def _parts(study: str | os.PathLike[str] | Mapping[str, Any]) -> Parts:
     if not isinstance(study, Mapping):
         try:
-            return os.path.abspath(os.fsdecode(study)), None, None
-        except TypeError as error:
-            raise InputError(f"study = {study!r}: give the path of a study file, or a dictionary") from error
+            return os.path.abspath(_arguments.path(study, "study")), None, None
+        except InputError as error:
+            raise InputError(f"{error}; give the path of a study file, or a dictionary") from None
     entries, model_text = dict(study), None
     model = entries.get("model")
     if isinstance(model, Model):

@@ -2,7 +2,7 @@
 //! Rows that share the grid point of a figure are one value of it, their median.
 
 use maud::{Markup, html};
-use quasirigid_io::record::{QuantityRecord, SweepColumn, SweepRecord, percentile};
+use quasirigid_io::record::{Ordered, QuantityRecord, SweepColumn, SweepRecord};
 
 use crate::figure::{Grid, Stop, band, histogram, map};
 
@@ -85,10 +85,10 @@ fn curve(id: &str, x: Shown<'_>, y: Shown<'_>) -> Option<Markup> {
         }
     }
     let stop = |(x, values): (&f64, &mut Vec<f64>)| {
-        values.sort_by(f64::total_cmp);
+        let values = Ordered::new(y.name, std::mem::take(values));
         Some(Stop {
             x: *x,
-            y: [percentile(values, 16.0)?, percentile(values, 50.0)?, percentile(values, 84.0)?],
+            y: [values.percentile(16.0)?, values.percentile(50.0)?, values.percentile(84.0)?],
         })
     };
     let stops: Vec<Stop> = across.iter().zip(&mut shared).filter_map(stop).collect();
@@ -104,8 +104,7 @@ fn over_two(id: &str, x: Shown<'_>, y: Shown<'_>, quantity: Shown<'_>) -> Option
         }
     }
     let middle = |values: &mut Vec<f64>| {
-        values.sort_by(f64::total_cmp);
-        percentile(values, 50.0).unwrap_or(f64::NAN)
+        Ordered::new(quantity.name, std::mem::take(values)).percentile(50.0).unwrap_or(f64::NAN)
     };
     let values = cells.iter_mut().map(|row| row.iter_mut().map(middle).collect()).collect();
     let grid = Grid { x: across, y: along, values };

@@ -260,7 +260,8 @@ fn every_column_and_every_axis_has_its_unit() {
 fn text_of_the_record_is_only_text() {
     let mut record = crate::support::record(3, 1.0, 0.0);
     let evil = "<b a=\"'&\"></script><script>x()</script>";
-    record.model = ModelRecord { name: evil.into(), file: evil.into(), sha256: evil.into() };
+    record.model =
+        ModelRecord { name: evil.into(), file: evil.into(), sha256: evil.into(), files: Vec::new() };
     record.notes = vec![evil.into()];
     record.body.coordinates = vec![evil.into()];
     record.validity.verdict = evil.into();

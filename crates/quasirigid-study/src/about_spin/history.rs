@@ -2,7 +2,7 @@
 
 use std::ops::ControlFlow;
 
-use quasirigid::dynamics::{Observer, Options, Outcome, Run};
+use quasirigid::dynamics::{Observer, Options, Outcome, Run, Scan};
 use quasirigid::submanifold::{AmplitudeRange, Defect, ManifoldRun, propagate_on_manifold};
 use serde_json::{Value, json};
 
@@ -69,7 +69,7 @@ pub(crate) fn follow(
         left_out: start.left_out,
         growing: manifold.growing_outside().map(|(name, decay_rate)| growth(name, decay_rate)),
     };
-    Ok((Run { outcome, last, work }, verdict))
+    Ok((Run { outcome, last, work, scan: Scan::default() }, verdict))
 }
 
 impl OnManifold {

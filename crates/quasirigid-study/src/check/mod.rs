@@ -1,5 +1,6 @@
 //! Validity of the reduced equations at the start of a study.
 
+mod judged;
 mod text;
 
 use std::collections::BTreeMap;
@@ -11,6 +12,7 @@ use quasirigid::reduction::{Validity, Verdict};
 use quasirigid_io::record::SteadySpinRecord;
 use serde_json::{Value, json};
 
+use self::judged::Judged;
 use crate::about_spin::TRIED;
 use crate::error::StudyError;
 use crate::left_out::LeftOut;
@@ -24,6 +26,8 @@ use crate::{record, steady, steady_state};
 #[derive(Debug)]
 pub struct CheckReport<'a> {
     study: &'a Study,
+    /// Order that is judged: that of the study, or a higher one that holds where nobody asked for one.
+    pub order: usize,
     /// The reduced equations.
     pub reduced: Arc<ReducedBody>,
     /// Angular velocity that is judged (rad/s): that of the start, or the one on which the internal coordinates settle.
@@ -64,17 +68,18 @@ impl Study {
     /// # Errors
     /// [`StudyError`] for a start that is none, and where the reduction fails.
     pub fn check(&self) -> Result<CheckReport<'_>, StudyError> {
-        let Study { body, order, .. } = self;
+        let Study { body, .. } = self;
         let start = self.initial()?;
         let motion = Motion::new(self, start);
-        let reduced = self.reduced(*order)?;
-        let omega = motion.settled_spin(&reduced)?;
-        let validity = Validity::assess_reduced(body, &reduced, omega)?;
+        let steady::Poles { records: spins, nearest, other } = steady::at_start(&motion, self)?;
+        let modes: Vec<_> = nearest.iter().chain(&other).collect();
+        let Judged { order, reduced, omega, validity } =
+            judged::at_an_order_that_holds(self, &motion, &modes)?;
         let known = validity.verdict() != Verdict::Fails && body.viscoelastic().is_empty();
         let budget = if known { shares(&reduced.power_budget(omega)) } else { BTreeMap::new() };
-        let steady::Poles { records: spins, nearest } = steady::at_start(&motion, self)?;
         let mut report = CheckReport {
             study: self,
+            order,
             reduced,
             omega,
             start: motion.starts_displaced().then_some(start.omega),
@@ -121,7 +126,7 @@ fn under_forces(study: &Study) -> Result<Option<String>, StudyError> {
     Ok(Some(if body.coordinates().len() > FEW {
         "The modes of its steady state are left out here; asked for, they are found.".to_owned()
     } else {
-        steady_state::told(study, steady_state::near(study, None)?).record.sentence
+        steady_state::told(study, forces, steady_state::near(study, None)?).record.sentence
     }))
 }
 
@@ -146,7 +151,14 @@ impl CheckReport<'_> {
     /// The verdict in a sentence or two.
     #[must_use]
     pub fn sentence(&self) -> String {
-        verdict(&self.validity)
+        let verdict = verdict(&self.validity);
+        if self.order == self.study.order {
+            return verdict;
+        }
+        let Self { order, study: Study { order: default, .. }, .. } = self;
+        format!(
+            "{verdict} This is judged at order {order}: at order {default}, the default, dissipation or rates do not hold; ask for order {order}."
+        )
     }
 
     /// For a terminal of 80 columns.
@@ -173,7 +185,7 @@ impl CheckReport<'_> {
         let finite = |value: f64| value.is_finite().then_some(value);
         json!({
             "name": study.model.name,
-            "order": study.order,
+            "order": self.order,
             "valid": validity.verdict() != Verdict::Fails,
             "verdict": word(validity.verdict()),
             "dissipation_verdict": word(validity.dissipation()),

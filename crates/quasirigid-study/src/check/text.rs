@@ -18,7 +18,7 @@ use crate::layout::paragraph;
 use crate::liquids::liquids;
 use crate::motion::DISPLACED;
 use crate::study::Study;
-use crate::words::{criterion, dissipation, range, reasons, significant, time, verdict, word};
+use crate::words::{criterion, dissipation, range, reasons, significant, time, word};
 use crate::{record, steady};
 
 /// Frequencies printed one by one.
@@ -31,7 +31,8 @@ pub(super) fn text(report: &CheckReport) -> String {
     let omega = report.omega;
     let mut text = String::new();
     let about = report.about_spin.as_ref().map(|about| about.sentence.as_str());
-    write(&mut text, (&one_line(&model.name), about), reduced, (omega, without(study)), validity)
+    let head = format!("{}: {}", one_line(&model.name), report.sentence());
+    write(&mut text, (&head, about), reduced, (omega, without(study)), validity)
         .expect("a string takes any text");
     report.start.iter().for_each(|start| text.push_str(&settled(*start, omega)));
     text.push_str(&steady::lines(spins));
@@ -78,12 +79,12 @@ fn settled(start: [f64; 3], omega: [f64; 3]) -> String {
 
 fn write(
     out: &mut String,
-    (name, about_spin): (&str, Option<&str>),
+    (head, about_spin): (&str, Option<&str>),
     reduced: &ReducedBody,
     (omega, without): ([f64; 3], &str),
     validity: &Validity,
 ) -> fmt::Result {
-    writeln!(out, "{}", paragraph(&format!("{name}: {}", verdict(validity)), "", "  "))?;
+    writeln!(out, "{}", paragraph(head, "", "  "))?;
     for reason in reasons(validity) {
         writeln!(out, "{}", paragraph(&reason, "  - ", "    "))?;
     }
@@ -161,7 +162,7 @@ fn series(out: &mut String, order: usize, validity: &Validity) -> fmt::Result {
     let highest = validity.degrees.last().map_or(0, |d| d.degree).saturating_sub(4);
     let best = validity.optimal_order;
     let beyond = if best == highest { " or above" } else { "" };
-    writeln!(out, "  terms left out are smallest at order {best}{beyond}; order {order} was asked for")
+    writeln!(out, "  terms left out are smallest at order {best}{beyond}; order {order} is judged")
 }
 
 fn spin(out: &mut String, reduced: &ReducedBody, omega: [f64; 3], rates: bool, without: &str) -> fmt::Result {

@@ -26,8 +26,8 @@ pub(crate) fn equations(
     let order = if fixed.is_none() { study.order.min(SCALABLE) } else { study.order };
     let reduced: &ReducedBody = &*study.reduced(order)?;
     // a term of degree n above the rigid one is s^-1 for n = 2 and d s^-2 for n = 3
-    let above = |rigid: usize| {
-        move |degree: usize| match degree.saturating_sub(rigid) {
+    let above = |rigid: i32| {
+        move |degree: usize| match degree as i32 - rigid {
             2 => [-1, 0],
             3 => [-2, 1],
             _ => [0, 0],
@@ -38,7 +38,9 @@ pub(crate) fn equations(
         order,
         scalable: scaled,
         note: fixed.unwrap_or_default().into(),
-        spin_of_momentum: terms(&reduced.Omega, scaled, above(1)),
+        energy_gradient: terms(&reduced.energy_of_momentum.gradient(), scaled, above(1)),
+        c: terms(&reduced.c, scaled, above(-1)),
+        T: terms(&reduced.T, scaled, above(-1)),
         momentum: terms(&reduced.K, scaled, above(1)),
         energy: terms(&reduced.energy, scaled, above(2)),
         power: terms(&reduced.power, scaled, |_| [-2, 1]),

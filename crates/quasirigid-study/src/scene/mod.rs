@@ -119,7 +119,9 @@ mod tests {
                 }
             }
         };
-        families(&|equations| equations.spin_of_momentum.clone());
+        families(&|equations| equations.energy_gradient.clone());
+        families(&|equations| equations.c.clone());
+        families(&|equations| equations.T.clone());
         families(&|equations| equations.momentum.clone());
         families(&|equations| equations.energy.clone());
         families(&|equations| equations.power.clone());

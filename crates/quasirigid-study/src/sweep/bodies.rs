@@ -4,6 +4,7 @@
 use quasirigid_io::model::{ChangeError, Given, KeyPath, ModelError, Template};
 use quasirigid_io::study_file::{StudyFile, TableColumn, TableSource};
 use quasirigid_io::table_file::{BodyTable, CellKind, TableError, read_bodies};
+use quasirigid_io::visible::Excerpt;
 
 use super::SweepError;
 use super::cell::Cell;
@@ -37,9 +38,19 @@ impl Bodies {
         template: &Template,
     ) -> Result<Self, SweepError> {
         let table = read_bodies(&source.file).map_err(|error| located(study, source, &error))?;
+        let asked =
+            source.columns.iter().map(|column| &column.name).chain(source.keep.iter().map(|(name, _)| name));
+        let is_key = |name: &String| {
+            name.contains('.') && name.parse::<KeyPath>().is_ok_and(|key| template.find(&key).is_ok())
+        };
+        if !(asked.clone().any(|name| table.names.contains(name)) || table.names.iter().any(is_key)) {
+            return Err(no_table(study, source, asked.map(String::as_str).collect()));
+        }
         let missing = |name: &str, span: &std::ops::Range<usize>| {
             let message = format!("the table has no column {name:?}");
-            let help = format!("its columns are {}", table.names.join(", "));
+            let names: Vec<String> =
+                table.names.iter().map(|name| Excerpt::from(name.as_str()).to_string()).collect();
+            let help = format!("its columns are {}", names.join(", "));
             SweepError::File(study.refuse(span.clone(), message, "no such column", Some(help)))
         };
         for (name, span) in source
@@ -67,7 +78,7 @@ impl Bodies {
                 });
             } else if source.keep.iter().any(|(each, _)| each == name) {
                 kept.push((name.clone(), column));
-            } else {
+            } else if !table.columns[column].iter().all(String::is_empty) {
                 let key = name.parse::<KeyPath>().and_then(|key| template.find(&key).map(|_| key));
                 let key = key.map_err(|error| unknown(study, source, name, &error))?;
                 keys.push(KeyColumn { name: name.clone(), key, unit: None, kind: CellKind::Text, column });
@@ -113,8 +124,9 @@ impl Bodies {
             return match text.parse::<f64>() {
                 Ok(number) if number.is_finite() => Ok(Given::Text(format!("{text} {unit}"))),
                 _ => Err(format!(
-                    "row {} of the table, column {name:?}: {text:?} is not a finite number",
-                    body + 1
+                    "row {} of the table, column {name:?}: {:?} is not a finite number",
+                    body + 1,
+                    Excerpt::from(text)
                 )),
             };
         }
@@ -149,6 +161,17 @@ impl Bodies {
 /// A key that a study names and the model does not have, at its place in the study.
 pub(super) fn nowhere(study: &StudyFile, span: std::ops::Range<usize>, error: &ChangeError) -> SweepError {
     SweepError::File(study.refuse(span, format!("the model has no such key: {error}"), "no such key", None))
+}
+
+/// A table that has nothing of what is asked. It may be any file, so that none of it is quoted.
+fn no_table(study: &StudyFile, source: &TableSource, asked: Vec<&str>) -> SweepError {
+    let message =
+        "the first line of the table names no column that the study asks for, and no key of the model";
+    let help = match asked.as_slice() {
+        [] => "name the keys of its columns with columns = { .. }, or give another file".to_owned(),
+        names => format!("the study asks for {}; is this the right file?", names.join(", ")),
+    };
+    SweepError::File(study.refuse(source.span.clone(), message.to_owned(), "this table", Some(help)))
 }
 
 fn located(study: &StudyFile, source: &TableSource, error: &TableError) -> SweepError {

@@ -5,7 +5,7 @@ use std::fs;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-use quasirigid_io::disk::{self, is_temporary, replace, settle_folder};
+use quasirigid_io::disk::{self, is_temporary, read_regular, replace, settle_folder};
 use quasirigid_io::table_file::{CellColumn, CellKind, Cells, TableError, read_parquet, write_parquet};
 use serde_json::{Value, json};
 
@@ -40,8 +40,8 @@ impl<'s> Folder<'s> {
         let folder = Self::at(path, sweep);
         let head = path.join(HEAD);
         if head.is_file() {
-            let text = fs::read_to_string(&head).map_err(SweepError::io(&head))?;
-            let known: Option<Value> = serde_json::from_str(&text).ok();
+            let text = read_regular(&head).map_err(SweepError::io(&head))?;
+            let known: Option<Value> = serde_json::from_slice(&text).ok();
             if known.is_none_or(|known| known["sha256"] != sweep.sha256.as_str()) {
                 return Err(SweepError::OtherStudy { folder: path.to_owned() });
             }
@@ -128,7 +128,7 @@ impl<'s> Folder<'s> {
     pub(super) fn check_part(&self, part: u64) -> Result<(), SweepError> {
         let path = self.part(part);
         let columns = read_part(&path, None)?;
-        let found = fs::read(&path).map_err(SweepError::io(&path))?;
+        let found = read_regular(&path).map_err(SweepError::io(&path))?;
         if found == self.bytes(part, &columns)? {
             return Ok(());
         }

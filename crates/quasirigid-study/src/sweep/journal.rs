@@ -6,7 +6,7 @@ use std::io::{self, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
-use quasirigid_io::disk::{parent, settle, settle_folder, stands};
+use quasirigid_io::disk::{open_regular, parent, settle, settle_folder, stands};
 use serde_json::{Value, json};
 
 use super::cell::Cell;
@@ -27,6 +27,9 @@ pub(super) struct Journal {
 impl Journal {
     /// Opens the journal of a part with the rows that are in it already; none if another process has it.
     pub(super) fn open(path: &Path) -> io::Result<Option<(Self, Vec<RowAnswer>)>> {
+        if path.exists() {
+            open_regular(path)?;
+        }
         let mut file = OpenOptions::new().read(true).write(true).create(true).truncate(false).open(path)?;
         match file.try_lock() {
             Err(std::fs::TryLockError::WouldBlock) => return Ok(None),

@@ -57,7 +57,7 @@ fn entry<'a>(items: &'a [Value], segment: &str) -> Option<&'a Value> {
     items
         .iter()
         .find(|item| item.get("name").is_some_and(|name| name == segment))
-        .or_else(|| items.get(segment.parse::<usize>().ok()?))
+        .or_else(|| items.get(segment.parse::<usize>().ok()?.checked_sub(1)?))
 }
 
 /// Most names that a message lists.
@@ -66,11 +66,10 @@ const LISTED: usize = 30;
 fn absent(quantity: &Quantity, at: usize, value: &Value) -> String {
     let names: Vec<String> = match value {
         Value::Object(entries) => entries.keys().cloned().collect(),
-        Value::Array(items) => items
-            .iter()
-            .enumerate()
+        Value::Array(items) => (1..)
+            .zip(items)
             .map(|(i, item)| {
-                item.get("name").and_then(Value::as_str).map_or_else(|| i.to_string(), str::to_owned)
+                item.get("name").and_then(Value::as_str).map_or_else(|| usize::to_string(&i), str::to_owned)
             })
             .collect(),
         _ => Vec::new(),
@@ -125,11 +124,11 @@ mod tests {
     fn paths_lead_through_names_numbers_and_modes() {
         let object = json!({ "spin": [1.0, 2.0, 3.0], "modes": [{ "name": "nutation", "time_constant": 5.0, "damping_ratio": null }] });
         let at = |path: &[&str]| format!("{:?}", find(&quantity(Command::Modes, path), &object));
-        assert_eq!(at(&["spin", "1"]), "Value(Number(2.0))");
+        assert_eq!(at(&["spin", "2"]), "Value(Number(2.0))");
         for path in [
             &["nutation", "time_constant"][..],
             &["modes", "nutation", "time_constant"],
-            &["modes", "0", "time_constant"],
+            &["modes", "1", "time_constant"],
         ] {
             assert_eq!(at(path), "Value(Number(5.0))");
         }
@@ -138,7 +137,10 @@ mod tests {
             at(&["tip", "time_constant"])
                 .contains("there is no `tip`; there is modes, spin; the modes are nutation")
         );
-        assert!(at(&["spin", "3"]).contains("there is no `3`; there is 0, 1, 2"));
+        for number in ["0", "4"] {
+            let said = format!("there is no `{number}`; there is 1, 2, 3");
+            assert!(at(&["spin", number]).contains(&said));
+        }
         assert!(at(&["spin", "1", "x"]).starts_with("Absent"));
     }
 

@@ -4,7 +4,8 @@
 use std::collections::BTreeMap;
 
 use quasirigid_io::record::{
-    CorrelationRecord, InputRecord, PercentileRecord, QuantityRecord, ReasonRecord, SweepRecord, percentile,
+    CorrelationRecord, InputRecord, Ordered, PercentileRecord, QuantityRecord, ReasonRecord, SweepRecord,
+    by_rate, growth_rate,
 };
 use quasirigid_io::study_file::{Grid, Values};
 use quasirigid_io::table_file::{CellColumn, CellKind, Cells};
@@ -100,9 +101,9 @@ fn statistics(output: &Output, cells: &Cells, percents: &[f64]) -> QuantityRecor
         Cells::Texts(values) => (Vec::new(), counted(values.iter().flatten().cloned())),
         Cells::Counts(_) => (Vec::new(), BTreeMap::new()),
     };
-    let mut sorted: Vec<f64> = values;
-    sorted.sort_by(f64::total_cmp);
-    let finite: Vec<f64> = sorted.iter().copied().filter(|value| value.is_finite()).collect();
+    let by_rate = by_rate(&output.name, &values);
+    let sorted = Ordered::new(&output.name, values);
+    let finite: Vec<f64> = sorted.values().filter(|value| value.is_finite()).collect();
     let (rows, count) = match cells {
         Cells::Numbers(all) => (all.len(), sorted.len()),
         Cells::Booleans(all) => (all.len(), all.iter().flatten().count()),
@@ -110,7 +111,7 @@ fn statistics(output: &Output, cells: &Cells, percents: &[f64]) -> QuantityRecor
         Cells::Counts(all) => (all.len(), all.len()),
     };
     let percentile = |percent: &f64| {
-        percentile(&sorted, *percent).map(|value| PercentileRecord { percent: *percent, value })
+        sorted.percentile(*percent).map(|value| PercentileRecord { percent: *percent, value })
     };
     QuantityRecord {
         name: output.name.clone(),
@@ -121,7 +122,8 @@ fn statistics(output: &Output, cells: &Cells, percents: &[f64]) -> QuantityRecor
         infinite: (sorted.len() - finite.len()) as u64,
         percentiles: percents.iter().filter_map(percentile).collect(),
         // the sum of numbers near the largest would overflow
-        mean: (!finite.is_empty()).then(|| finite.iter().map(|value| value / finite.len() as f64).sum()),
+        mean: (!finite.is_empty() && !by_rate)
+            .then(|| finite.iter().map(|value| value / finite.len() as f64).sum()),
         min: finite.first().copied(),
         max: finite.last().copied(),
         counts,
@@ -143,7 +145,11 @@ fn correlation(
     given: &[Option<f64>],
     values: &[Option<f64>],
 ) -> CorrelationRecord {
-    let pairs: Vec<(f64, f64)> = given.iter().zip(values).filter_map(|(x, y)| Some(((*x)?, (*y)?))).collect();
+    let of_values: Vec<f64> = values.iter().flatten().copied().collect();
+    let by_rate = by_rate(&output.name, &of_values);
+    let place = |value: f64| if by_rate { growth_rate(value) } else { value };
+    let pairs: Vec<(f64, f64)> =
+        given.iter().zip(values).filter_map(|(x, y)| Some(((*x)?, place((*y)?)))).collect();
     let (rho, p) = spearman(&pairs);
     CorrelationRecord {
         input: input.name.clone(),

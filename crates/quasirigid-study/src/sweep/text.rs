@@ -65,12 +65,21 @@ fn statistics(out: &mut String, quantity: &QuantityRecord) -> fmt::Result {
         listed.sort_by_key(|(_, count)| std::cmp::Reverse(**count));
         let listed = listed.iter().take(LISTED).map(|(text, count)| format!("{text}: {count}"));
         writeln!(out, "{}", paragraph(&listed.collect::<Vec<_>>().join(", "), "    ", "    "))?;
-    } else if let (Some(mean), Some(min), Some(max)) = (mean, min, max) {
+    } else if let (Some(min), Some(max)) = (min, max) {
         for percentile in percentiles {
             writeln!(out, "    {:>6} %  {:>14}", percentile.percent, number(percentile.value))?;
         }
         let of = if *infinite > 0 { " of the finite values" } else { "" };
-        writeln!(out, "    mean {}, from {} to {}{of}", number(*mean), number(*min), number(*max))?;
+        match mean {
+            Some(mean) => {
+                writeln!(out, "    mean {}, from {} to {}{of}", number(*mean), number(*min), number(*max))?
+            }
+            // their signs tell decay from growth, which no mean does
+            None => {
+                let range = format!("from {} to {}{of}", number(*min), number(*max));
+                writeln!(out, "    {range}; in the order of rates: decay first, growth (< 0) last")?;
+            }
+        }
     }
     if *infinite > 0 {
         writeln!(out, "    {infinite} of {count} values are infinite: the end is never reached")?;

@@ -58,9 +58,16 @@ impl Conserved {
         (norm(K) / self.G).ln()
     }
 
-    /// Change of `|K|`, relative to `|K|` or to the internal part that nearly cancels the rest.
+    /// Angular momentum along another, with the size at the start. (P6)
+    #[inline(always)]
+    pub fn sized(&self, K: [f64; 3]) -> [f64; 3] {
+        scale(self.G / norm(K), K)
+    }
+
+    /// Change of `|K|`, relative to `|K|` or to the internal part that nearly cancels the rest; from rest as it is (N·m·s).
     pub fn change(&self, K: [f64; 3]) -> f64 {
         match self.cancelled {
+            Some(0.0) => norm(K),
             Some(inside) => (norm(K) - self.G) / inside,
             None => norm(K) / self.G - 1.0,
         }

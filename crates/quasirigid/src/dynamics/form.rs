@@ -1,17 +1,19 @@
-//! Angular-momentum form and angular-velocity form of the reduced equations, as polynomial kernels for integration. (P1), (P2)
+//! Energy form, in the angular momentum, and angular-velocity form of the reduced equations, as polynomial kernels for integration.
+//! Equations (P1), (P2), docs/theory/05-propagation.md; (R16), docs/theory/03-reduction.md.
 
 use super::conserved_momentum::size;
 use crate::math::polynomial::{Homogeneous, Kernel, Number, Series};
 use crate::math::simd::{Arithmetic, Plain};
 use crate::math::sym3::{self, Sym};
 use crate::math::vec3::{self, cross, dot, norm};
-use crate::model::ReducedBody;
+use crate::model::energy_form::{energy_form, momentum_rate};
+use crate::model::{EnergyMotion, ReducedBody};
 
 /// Form of the reduced equations: the variable of integration.
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Form {
-    /// Angular-momentum form: `K` in body axes, `K̇ = K × Ω(K)`; `|K|` is exact. (P1)
+    /// Energy form: `K` in body axes; `|K|` is exact, and the energy falls by exactly the power. (P1), (R16)
     #[default]
     AngularMomentum,
     /// Angular-velocity form: `J ω̇ + ω × (Jω + k) = μ(ω)`, as in the paper, with the angular momentum `k` of wheels. (P2)
@@ -28,80 +30,116 @@ impl Form {
     }
 }
 
+/// Motion at a state of a form.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Motion {
+    /// Angular velocity (rad/s).
+    pub omega: [f64; 3],
+    /// Rate of the state.
+    pub rate: [f64; 3],
+    /// Power taken by the dashpots (W).
+    pub power: f64,
+    /// Rate of the form's energy (W) along its own field. (P4)
+    pub energy_rate: f64,
+}
+
 /// Form of the reduced equations: rates of its state `x`, and the quantities that follow from `x`.
 pub(super) trait Equations {
     /// Angular velocity (rad/s).
     fn omega<A: Arithmetic, N: Number>(&self, x: [N; 3]) -> [N; 3];
 
-    /// Rate of the state, whose angular velocity is `omega`.
-    fn rate<A: Arithmetic, N: Number>(&self, x: [N; 3], omega: [N; 3]) -> [N; 3];
+    /// Rate of the state.
+    fn rate<A: Arithmetic, N: Number>(&self, x: [N; 3]) -> [N; 3];
 
-    /// Rate of the form's energy (W) along its own field, which moves the state at `rate`. (P4)
-    fn energy_rate<A: Arithmetic>(&self, x: [f64; 3], rate: [f64; 3]) -> f64;
+    /// Angular velocity, rate of the state, power and rate of the energy at once.
+    fn motion<A: Arithmetic>(&self, x: [f64; 3]) -> Motion;
 
     /// Energy (J).
     fn energy(&self, x: [f64; 3]) -> f64;
+
+    /// Gradient of the energy over the state, where the form loses exactly its power. (R16)
+    fn energy_gradient(&self, x: [f64; 3]) -> Option<[f64; 3]>;
 
     /// Angular momentum (N·m·s, body axes).
     fn angular_momentum(&self, x: [f64; 3]) -> [f64; 3];
 }
 
-/// `K̇ = K × Ω(K)`. (P1)
+/// Energy form `K̇ = [a v + K × T v]/(a² + K·adj(T)K)`, `v = K × ∇E`: keeps `|K|` and loses exactly its power. (P1), (R16)
 #[derive(Clone, Debug)]
 pub(super) struct AngularMomentumForm {
-    Omega: Kernel,
-    /// `Ω − ∇E`: the part of the angular velocity that changes the energy, kept apart so that no digits cancel.
-    working: Kernel,
-    energy: Series,
+    gradient: Kernel,
+    c: Kernel,
+    /// Diagonal of `T`, and its other components yz, zx, xy.
+    T: [Kernel; 2],
+    energy: Kernel,
 }
 
 impl AngularMomentumForm {
     pub fn new(body: &ReducedBody) -> Self {
-        Self::of(&body.Omega, &body.energy_of_momentum)
+        Self::of(&body.energy_of_momentum, &body.c, &body.T)
     }
 
-    /// The form with angular momentum and angular velocity by their components along other axes.
+    /// The form with angular momentum and angular velocity by their components along other axes, a right-handed set.
     pub fn in_axes(body: &ReducedBody, axes: [[f64; 3]; 3]) -> Self {
-        Self::of(&body.Omega.field_in_axes(axes), &body.energy_of_momentum.in_axes(axes))
+        Self::of(
+            &body.energy_of_momentum.in_axes(axes),
+            &body.c.field_in_axes(axes),
+            &body.T.tensor_in_axes(axes),
+        )
     }
 
-    fn of(Omega: &Series, energy: &Series) -> Self {
-        let gradient = energy.gradient();
-        let mut working = Omega.clone();
-        for degree in 0..=working.degree() {
-            let mut part = working.part(degree).clone();
-            part.add_scaled(-1.0, gradient.part(degree));
-            working.set(if degree == 1 { Homogeneous::zero(1, 3) } else { part });
+    fn of(energy: &Series, c: &Series, T: &Series) -> Self {
+        let rows = |rows: [usize; 3]| Kernel::new(&T.picked(&rows));
+        Self {
+            gradient: Kernel::new(&energy.gradient()),
+            c: Kernel::new(c),
+            T: [rows([0, 1, 2]), rows([3, 4, 5])],
+            energy: Kernel::new(energy),
         }
-        Self { Omega: Kernel::new(Omega), working: Kernel::new(&working), energy: energy.clone() }
     }
 
     /// Gradient of the energy over the angular momentum (rad/s).
-    pub fn energy_gradient(&self, K: [f64; 3]) -> [f64; 3] {
-        let working = self.working.vector::<Plain, f64>(K);
-        vec3::add(self.Omega.vector::<Plain, f64>(K), vec3::scale(-1.0, working))
+    pub fn slope(&self, K: [f64; 3]) -> [f64; 3] {
+        self.gradient.vector::<Plain, f64>(K)
+    }
+
+    /// Gradient of the energy, `c` and `T`.
+    #[inline(always)]
+    fn terms<A: Arithmetic, N: Number>(&self, K: [N; 3]) -> ([N; 3], [N; 3], [N; 6]) {
+        let [xx, yy, zz] = self.T[0].vector::<A, N>(K);
+        let [yz, zx, xy] = self.T[1].vector::<A, N>(K);
+        (self.gradient.vector::<A, N>(K), self.c.vector::<A, N>(K), [xx, yy, zz, yz, zx, xy])
     }
 }
 
 impl Equations for AngularMomentumForm {
     #[inline(always)]
     fn omega<A: Arithmetic, N: Number>(&self, K: [N; 3]) -> [N; 3] {
-        self.Omega.vector::<A, _>(K)
+        let (gradient, c, T) = self.terms::<A, N>(K);
+        energy_form(K, gradient, c, T).omega
     }
 
     #[inline(always)]
-    fn rate<A: Arithmetic, N: Number>(&self, K: [N; 3], omega: [N; 3]) -> [N; 3] {
-        cross(K, omega)
+    fn rate<A: Arithmetic, N: Number>(&self, K: [N; 3]) -> [N; 3] {
+        let (gradient, c, T) = self.terms::<A, N>(K);
+        momentum_rate(K, gradient, c, T)
     }
 
-    /// `∇E·(K × Ω) = ∇E·(K × (Ω − ∇E)) = −(Ω − ∇E)·(K × Ω)`, which has no terms that cancel.
     #[inline(always)]
-    fn energy_rate<A: Arithmetic>(&self, K: [f64; 3], rate: [f64; 3]) -> f64 {
-        -dot(self.working.vector::<A, _>(K), rate)
+    fn motion<A: Arithmetic>(&self, K: [f64; 3]) -> Motion {
+        let (gradient, c, T) = self.terms::<A, f64>(K);
+        let EnergyMotion { omega, rate, power } = energy_form(K, gradient, c, T);
+        Motion { omega, rate, power, energy_rate: -power }
     }
 
+    #[inline(always)]
     fn energy(&self, K: [f64; 3]) -> f64 {
-        self.energy.scalar(K)
+        self.energy.value::<Plain>(K)[0]
+    }
+
+    #[inline(always)]
+    fn energy_gradient(&self, K: [f64; 3]) -> Option<[f64; 3]> {
+        Some(self.slope(K))
     }
 
     fn angular_momentum(&self, K: [f64; 3]) -> [f64; 3] {
@@ -118,6 +156,7 @@ pub(super) struct AngularVelocityForm {
     mu: Kernel,
     /// `∇E − Jω`.
     gradient: Kernel,
+    power: Kernel,
     energy: Series,
     angular_momentum: Series,
 }
@@ -136,9 +175,21 @@ impl AngularVelocityForm {
             wheels: body.wheels(),
             mu: Kernel::new(&mu),
             gradient: Kernel::new(&gradient),
+            power: Kernel::new(&body.power),
             energy: body.energy.clone(),
             angular_momentum: body.K.clone(),
         }
+    }
+}
+
+impl AngularVelocityForm {
+    /// Rate of the angular velocity under the torque `μ`.
+    #[inline(always)]
+    fn driven_rate<N: Number>(&self, omega: [N; 3], mu: [N; 3]) -> [N; 3] {
+        let [x, y, z] = self.wheels;
+        let gyroscopic =
+            cross(vec3::add(sym3::times(self.J, omega), [N::from(x), N::from(y), N::from(z)]), omega);
+        sym3::times(self.inverse, vec3::add(gyroscopic, mu))
     }
 }
 
@@ -149,22 +200,24 @@ impl Equations for AngularVelocityForm {
     }
 
     #[inline(always)]
-    fn rate<A: Arithmetic, N: Number>(&self, omega: [N; 3], _: [N; 3]) -> [N; 3] {
-        let mu = self.mu.vector::<A, _>(omega);
-        let [x, y, z] = self.wheels;
-        let gyroscopic =
-            cross(vec3::add(sym3::times(self.J, omega), [N::from(x), N::from(y), N::from(z)]), omega);
-        sym3::times(self.inverse, vec3::add(gyroscopic, mu))
+    fn rate<A: Arithmetic, N: Number>(&self, omega: [N; 3]) -> [N; 3] {
+        self.driven_rate(omega, self.mu.vector::<A, _>(omega))
     }
 
     #[inline(always)]
-    fn energy_rate<A: Arithmetic>(&self, omega: [f64; 3], rate: [f64; 3]) -> f64 {
-        let mu = self.mu.vector::<A, _>(omega);
-        dot(omega, mu) + dot(self.gradient.vector::<A, _>(omega), rate)
+    fn motion<A: Arithmetic>(&self, omega: [f64; 3]) -> Motion {
+        let mu = self.mu.vector::<A, f64>(omega);
+        let rate = self.driven_rate(omega, mu);
+        let energy_rate = dot(omega, mu) + dot(self.gradient.vector::<A, _>(omega), rate);
+        Motion { omega, rate, power: self.power.value::<A>(omega)[0], energy_rate }
     }
 
     fn energy(&self, omega: [f64; 3]) -> f64 {
         self.energy.scalar(omega)
+    }
+
+    fn energy_gradient(&self, _: [f64; 3]) -> Option<[f64; 3]> {
+        None
     }
 
     fn angular_momentum(&self, omega: [f64; 3]) -> [f64; 3] {

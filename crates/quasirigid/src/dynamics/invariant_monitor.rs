@@ -1,5 +1,5 @@
 //! Invariant monitor: after each step the angular momentum and the attitude are projected back onto their constants
-//! (P3), (P6), events are looked for, and states become samples.
+//! (P3), (P6), events are looked for, states become samples, and what acts from outside has its timing (Z1).
 //!
 //! One monitor serves every integrated system; a [`Trajectory`] tells the monitor the quantities of a state.
 
@@ -8,11 +8,12 @@ use std::ops::ControlFlow;
 
 use super::conserved_momentum::Conserved;
 use super::event::EventDetector;
-use super::run::{Observer, Options, Outcome, Pace, PropagateError, Sample};
+use super::run::{Observer, Options, Outcome, Pace, PropagateError, Sample, Scan};
 use super::seat::Seat;
-use crate::math::ode::{Checkpoint, Solver, State, StepObserver, StopReason};
+use super::timing::Timing;
+use crate::math::ode::{Checkpoint, Solver, State, StepObserver, StopReason, Stretch};
 use crate::math::rotation;
-use crate::math::vec3::{add, norm, scale};
+use crate::math::vec3::{add, dot, norm, scale};
 use crate::model::Displaced;
 
 /// Motion of an integrated system, whose state begins with the angular momentum in body axes or with the angular velocity.
@@ -42,6 +43,13 @@ pub(super) trait Trajectory {
 
     /// Quantity that is constant along the motion.
     fn invariant(&self) -> Invariant;
+
+    /// Energy at an angular momentum less the change that the state accounts for (J), constant along the motion, and its gradient over the
+    /// angular momentum; none where the equations do not keep the balance. (R16)
+    fn energy_balance(&self, y: &[f64], K: [f64; 3]) -> Option<(f64, [f64; 3])> {
+        let _ = (y, K);
+        None
+    }
 
     /// Part displaced beyond the range of the equations. (K14)
     fn left(&self, y: &[f64]) -> Option<Displaced> {
@@ -106,6 +114,14 @@ pub(super) enum Invariant {
     Impulse,
 }
 
+/// Imbalance of the energy, relative to the energy, that is left as rounding.
+const BALANCED: f64 = 32.0 * f64::EPSILON;
+/// Largest change of the angular momentum, relative to it, that a projection makes: beyond it the step is at fault.
+const FARTHEST: f64 = 1e-3;
+
+/// Limit of the Newton steps of a projection, which square the gap.
+const PROJECTIONS: usize = 4;
+
 /// Monitor of the invariants and the accounts of a run.
 pub(super) struct InvariantMonitor<'o, T> {
     pub trajectory: T,
@@ -118,6 +134,8 @@ pub(super) struct InvariantMonitor<'o, T> {
     detector: EventDetector,
     /// Part that has left the range of the equations, which ends the run.
     left: Option<Displaced>,
+    /// Timing of what acts from outside, where something depends on the time.
+    pub timing: Option<Timing<'o>>,
     pub observer: &'o mut dyn Observer,
     /// Outputs so far.
     outputs: u64,
@@ -142,6 +160,7 @@ impl<'o, T: Trajectory> InvariantMonitor<'o, T> {
             drift: 0.0,
             detector,
             left: None,
+            timing: None,
             observer,
             outputs: 0,
             pace,
@@ -169,6 +188,7 @@ impl<'o, T: Trajectory> InvariantMonitor<'o, T> {
         checkpoint.save_count(self.outputs);
         checkpoint.save(self.drift);
         self.detector.save(&mut checkpoint);
+        self.timing.iter().for_each(|timing| timing.save(&mut checkpoint));
         state(&self.trajectory, &mut checkpoint);
         self.observer.checkpoint(checkpoint);
     }
@@ -182,6 +202,7 @@ impl<'o, T: Trajectory> InvariantMonitor<'o, T> {
         self.outputs = checkpoint.load_count()?;
         self.drift = checkpoint.load()?;
         self.detector.load(checkpoint)?;
+        self.timing.iter_mut().try_for_each(|timing| timing.load(checkpoint))?;
         state(&mut self.trajectory, checkpoint)?;
         usize::try_from(self.outputs).ok().filter(|_| checkpoint.is_spent())
     }
@@ -224,18 +245,54 @@ impl<'o, T: Trajectory> InvariantMonitor<'o, T> {
         self.hold_invariants(solver);
         self.trajectory.stepped(solver.t(), solver.y().as_ref());
         self.left = self.trajectory.left(solver.y().as_ref());
-        if self.left.is_some() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        let mut missed = false;
+        if let Some(timing) = &mut self.timing {
+            timing.stepped(solver.rule(), solver.t());
+            missed = timing.missed.is_some();
+        }
+        if self.left.is_some() || missed { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     }
 
-    /// Sample of a state.
+    /// Sample of a state, projected as states after steps are: between steps the interpolant errs as much.
     pub fn sample(&mut self, t: f64, y: &[f64]) -> Sample {
+        let y = &self.projected(t, y);
         let view = self.trajectory.view(t, y);
         self.read(t, y, &view)
     }
 
+    /// State with `|K|` and the balance of the energy restored. (P6)
+    fn projected(&mut self, t: f64, y: &[f64]) -> Vec<f64> {
+        let mut projected = y.to_vec();
+        if self.trajectory.invariant() == Invariant::AngularMomentum && self.angular_momentum.held() {
+            let K = self.trajectory.angular_momentum(t, y);
+            let change = add(self.restored(y, K), scale(-1.0, K));
+            (0..3).for_each(|axis| projected[axis] += change[axis]);
+        }
+        projected
+    }
+
+    /// Angular momentum with `|K|` and the balance of the energy restored, by Newton steps along the sphere. (P6)
+    #[inline(always)]
+    fn restored(&self, y: &[f64], K: [f64; 3]) -> [f64; 3] {
+        let mut K = self.angular_momentum.sized(K);
+        for _ in 0..PROJECTIONS {
+            let Some((energy, gradient)) = self.trajectory.energy_balance(y, K) else { break };
+            let Some(change) = self.energy_change(K, energy - self.energy, gradient) else { break };
+            K = self.angular_momentum.sized(add(K, change));
+        }
+        K
+    }
+
+    /// Formulas of the time, as far as they were followed.
+    pub fn scan(&self) -> Scan {
+        self.timing.as_ref().map(Timing::scan).unwrap_or_default()
+    }
+
     /// Outcome of the run.
     pub fn outcome(&self, reason: StopReason) -> Outcome {
-        self.left.map_or_else(|| Outcome::of(reason, self.detector.triggered), Outcome::LeftRange)
+        let missed = self.timing.as_ref().and_then(|timing| timing.missed);
+        let end = self.left.map(Outcome::LeftRange).or(missed.map(Outcome::Missed));
+        end.unwrap_or_else(|| Outcome::of(reason, self.detector.triggered))
     }
 
     fn read(&self, t: f64, y: &[f64], view: &StateView) -> Sample {
@@ -286,7 +343,19 @@ impl<'o, T: Trajectory> InvariantMonitor<'o, T> {
         }
     }
 
-    /// Projects `|K|` (P6) and the attitude (P3) back onto their constants.
+    /// Change of the angular momentum, tangential to `|K| = G`, that takes a gap in the balance of the energy out; none where the gap is
+    /// rounding, which next to a steady spin would move the angular momentum more than the integrator errs. (P6)
+    #[inline(always)]
+    fn energy_change(&self, K: [f64; 3], gap: f64, gradient: [f64; 3]) -> Option<[f64; 3]> {
+        if gap.abs() <= BALANCED * self.energy.abs() {
+            return None;
+        }
+        let slope = add(gradient, scale(-dot(K, gradient) / dot(K, K), K));
+        let change = scale(-gap / dot(slope, slope), slope);
+        (norm(change) <= FARTHEST * norm(K)).then_some(change)
+    }
+
+    /// Projects `|K|` and the energy (P6) and the attitude (P3) back onto their constants.
     #[inline(always)]
     fn hold_invariants(&mut self, solver: &mut impl Solver<State = T::State>) {
         let y = solver.y().as_ref();
@@ -300,7 +369,7 @@ impl<'o, T: Trajectory> InvariantMonitor<'o, T> {
         if self.trajectory.invariant() == Invariant::AngularMomentum && self.angular_momentum.held() {
             let drift = self.angular_momentum.drift(angular_momentum);
             self.drift += drift;
-            pull = angular_momentum.map(|K| -drift * K);
+            pull = add(self.restored(y, angular_momentum), scale(-1.0, angular_momentum));
         }
         let aligned = self.aligned(y, angular_momentum);
         let turn = std::array::from_fn(|i| aligned[i] - y[T::ATTITUDE + i]);
@@ -310,11 +379,20 @@ impl<'o, T: Trajectory> InvariantMonitor<'o, T> {
 
 impl<M: Solver<State = T::State>, T: Trajectory> StepObserver<M> for InvariantMonitor<'_, T> {
     fn output(&mut self, t: f64, y: &M::State) {
-        let view = self.trajectory.view(t, y.as_ref());
-        let sample = self.read(t, y.as_ref(), &view);
+        let y = &self.projected(t, y.as_ref());
+        let view = self.trajectory.view(t, y);
+        let sample = self.read(t, y, &view);
         self.trajectory.show_coordinates(&view, self.observer);
         self.observer.sample(&sample);
         self.outputs += 1;
+    }
+
+    fn stop(&mut self, t: f64) -> f64 {
+        self.timing.as_mut().map_or(f64::INFINITY, |timing| timing.stop(t))
+    }
+
+    fn stretch(&mut self, t: f64) -> Option<(Stretch, bool)> {
+        self.timing.as_mut()?.stretch(t)
     }
 
     fn event(&mut self, solver: &mut M) -> Option<f64> {

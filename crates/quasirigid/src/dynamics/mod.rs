@@ -13,6 +13,7 @@ mod multirevolution;
 mod nutation;
 mod quadrature;
 mod reduced;
+mod resting;
 mod run;
 mod scale;
 mod seat;
@@ -23,6 +24,7 @@ mod spin_paths;
 mod start;
 mod starting;
 mod steady;
+mod timing;
 
 pub use crate::math::ode::Checkpoint;
 pub use crate::math::simd::Rounding;
@@ -34,11 +36,13 @@ pub use full::{FullState, propagate_full};
 pub use initial_transient::{BoundaryLayer, FastPart, composite_spin, matched_start};
 pub use nutation::{Nutation, Nutations};
 pub use reduced::propagate;
-pub use run::{Method, Observer, Options, Outcome, PropagateError, Run, Sample, Start};
+pub use run::{Method, Observer, Options, Outcome, PropagateError, Run, Sample, Scan, Start};
+pub use scale::spin_from_rest;
 pub use slow::{
     ForcedTorque, MAX_FORCED_ORDER, RigidState, SlowPoint, SlowState, forced_torque, propagate_forced,
     slow_state_point, takes,
 };
 pub use spin_path::{SpinPath, spin_path};
 pub use spin_paths::spin_paths;
-pub use steady::{IsolatedSpin, SteadySpin, SteadySpins, all_steady_spins, steady_spins};
+pub use steady::{IsolatedSpin, SteadySpin, SteadySpins, all_steady_spins, steady_spin_near, steady_spins};
+pub use timing::Missed;

@@ -133,8 +133,9 @@ impl<'b> Nutations<'b> {
                 .map(|spin| spin.angular_momentum)
                 .collect();
         } else if self.steady.iter().any(|K| (norm(*K) - G).abs() > SAME * G) {
+            let gradient = self.body.energy_of_momentum.gradient();
             let moved = self.steady.iter().filter_map(|K| {
-                steady_angular_momentum(&self.body.Omega, scale(norm(*K).recip(), *K), G).map(Into::into)
+                steady_angular_momentum(&gradient, scale(norm(*K).recip(), *K), G).map(Into::into)
             });
             self.steady = moved.collect();
         }
@@ -143,7 +144,7 @@ impl<'b> Nutations<'b> {
     fn turn(&self, start: [f64; 3], angular_momentum: f64) -> Option<Nutation> {
         let along = Along { slope: &self.slope, angular_momentum };
         let velocity = along.velocity(start);
-        let spin = norm(self.body.Omega.vector(scale(angular_momentum, start)));
+        let spin = norm(self.body.angular_velocity(scale(angular_momentum, start)));
         if norm(velocity) <= AT_REST * spin {
             let axis = self.circled(start)?;
             let angle = angle(axis, start);

@@ -10,7 +10,8 @@ use super::form::{AngularMomentumForm, AngularVelocityForm, Equations, Form};
 use super::invariant_monitor::{Invariant, InvariantMonitor, StateView, Trajectory};
 use super::multirevolution;
 use super::quadrature::Quadrature;
-use super::run::{Observer, Options, PropagateError, Run, Sample, Start, check};
+use super::resting::stays_at_rest;
+use super::run::{Observer, Options, PropagateError, Run, Sample, Scan, Start, check};
 use super::seat::Seat;
 use super::spin::{ATTITUDE, Accounted, Accounts};
 use super::start::start;
@@ -47,11 +48,13 @@ pub fn propagate(
     observer: &mut dyn Observer,
 ) -> Result<Run, PropagateError> {
     check(norm(initial.omega), initial.attitude, times, options)?;
+    if initial.omega == [0.0; 3] {
+        return Ok(stays_at_rest(body, initial, times, observer));
+    }
     let x = start(body, initial.omega, options.form).ok_or(PropagateError::NoAngularMomentum)?;
-    let power = Kernel::new(&body.power);
     let inside = inside(body.angular_momentum(initial.omega), body.J, initial.omega);
     let shares = Shares::of(body);
-    let plan = Plan { power: &power, shares, x, inside, initial, times, options, observer };
+    let plan = Plan { shares, x, inside, initial, times, options, observer };
     match options.form {
         Form::AngularMomentum => {
             let spins = if options.leaps { circled(body, x, inside, times) } else { Vec::new() };
@@ -74,7 +77,7 @@ const SPARSE: f64 = 1000.0;
 /// Steady spins that a motion may circle, where so few outputs are asked for that its revolutions are passed in leaps.
 fn circled(body: &ReducedBody, K: [f64; 3], inside: [f64; 3], times: &[f64]) -> Vec<IsolatedSpin> {
     let G = norm(K);
-    let revolutions = times.last().copied().unwrap_or_default() * norm(body.Omega.vector(K)) / TAU;
+    let revolutions = times.last().copied().unwrap_or_default() * norm(body.angular_velocity(K)) / TAU;
     if revolutions < SPARSE * times.len() as f64 || size(K, inside) > G {
         return Vec::new();
     }
@@ -86,7 +89,6 @@ fn circled(body: &ReducedBody, K: [f64; 3], inside: [f64; 3], times: &[f64]) -> 
 
 /// Arguments of a propagation, for either form.
 struct Plan<'a> {
-    power: &'a Kernel,
     shares: Shares<'a>,
     x: [f64; 3],
     inside: [f64; 3],
@@ -108,7 +110,7 @@ pub(super) struct Prepared<'a, E> {
 
 impl<'a> Plan<'a> {
     fn prepared<E: Equations>(self, equations: &'a E) -> Prepared<'a, E> {
-        let Self { power, shares, x, inside, initial, times, options, observer } = self;
+        let Self { shares, x, inside, initial, times, options, observer } = self;
         let start =
             Accounts { x, attitude: initial.attitude, dissipated: 0.0, energy_change: 0.0, angle: 0.0 };
         let y = start.pack();
@@ -120,7 +122,7 @@ impl<'a> Plan<'a> {
         let trajectory = Reduced { equations, form: options.form, initial, shares, taken: None };
         let angular_momentum = Conserved::new(rotation::to_inertial(initial.attitude, K), norm(K), inside);
         let monitor = InvariantMonitor::new(trajectory, &y, angular_momentum, options, observer);
-        Prepared { system: Accounted { equations, power }, y, allowed, monitor, times, options }
+        Prepared { system: Accounted { equations }, y, allowed, monitor, times, options }
     }
 }
 
@@ -143,7 +145,7 @@ impl<E: Equations> Task for StepByStep<'_, E> {
         let sums = monitor.trajectory.end(&last);
         let budget = monitor.trajectory.budget(&sums, &last);
         monitor.observer.budget(&budget);
-        Ok(Run { outcome: monitor.outcome(reason), last, work: solver.work() })
+        Ok(Run { outcome: monitor.outcome(reason), last, work: solver.work(), scan: Scan::default() })
     }
 }
 
@@ -268,6 +270,12 @@ impl<E: Equations> Trajectory for Reduced<'_, E> {
     #[inline(always)]
     fn change(&self, _: &[f64; 12], x: [f64; 3], attitude: [f64; 4]) -> [f64; 12] {
         Accounts { x, attitude, dissipated: 0.0, energy_change: 0.0, angle: 0.0 }.pack()
+    }
+
+    #[inline(always)]
+    fn energy_balance(&self, y: &[f64], K: [f64; 3]) -> Option<(f64, [f64; 3])> {
+        let gradient = self.equations.energy_gradient(K)?;
+        Some((self.equations.energy(K) - Accounts::unpack(y).energy_change, gradient))
     }
 
     #[inline(always)]

@@ -12,6 +12,7 @@ use thiserror::Error;
 use super::event::Event;
 use super::form::Form;
 use super::slow::MAX_FORCED_ORDER;
+use super::timing::Missed;
 use crate::math::ode::{Checkpoint, StepError, StopReason, Work};
 use crate::math::simd::Rounding;
 use crate::model::Displaced;
@@ -184,6 +185,20 @@ pub struct Run {
     pub last: Sample,
     /// Work done.
     pub work: Work,
+    /// Formulas of the time, as far as they were followed.
+    pub scan: Scan,
+}
+
+/// Cost and result of following the formulas of the time through a run. (Z3)
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Scan {
+    /// Evaluations of the formulas.
+    pub evaluations: u64,
+    /// Breakpoints of formulas, windows and tables, at which the steps begin anew.
+    pub breakpoints: u64,
+    /// Stops that no step passes: the breakpoints, and ends of the intervals in which formulas change.
+    pub stops: u64,
 }
 
 /// Reason why a propagation ended.
@@ -200,6 +215,8 @@ pub enum Outcome {
     StepLimit,
     /// A part was displaced beyond the range of the equations; its index is one of [`CurvedPaths`](crate::model::CurvedPaths). (K14)
     LeftRange(Displaced),
+    /// The steps did not see the impulse of a force that is given in time. (Z4)
+    Missed(Missed),
     /// No step could be made.
     Failed(StepError),
 }
@@ -212,6 +229,7 @@ impl fmt::Display for Outcome {
             Self::Event(_) => f.write_str("an event that was to end it happened"),
             Self::StepLimit => f.write_str("the steps allowed were used up; loosen the tolerance"),
             Self::LeftRange(_) => f.write_str("a part was displaced beyond the range of the equations"),
+            Self::Missed(missed) => missed.fmt(f),
             Self::Failed(error) => error.fmt(f),
         }
     }
@@ -233,14 +251,14 @@ impl Outcome {
 #[non_exhaustive]
 #[derive(Clone, Copy, Debug, Error, PartialEq)]
 pub enum PropagateError {
-    /// The angular velocity is zero or no number.
+    /// The angular velocity is no number, or zero where a spin is needed.
     #[error("{spin} rad/s is not a spin; give an angular velocity that is finite and not zero")]
     NoSpin {
         /// Size of the angular velocity asked for (rad/s).
         spin: f64,
     },
     /// The attitude is no rotation.
-    #[error("{attitude:?} is no attitude; give a unit quaternion, scalar first")]
+    #[error("{attitude:?} is not a unit quaternion; give one of norm 1, scalar first")]
     Attitude {
         /// Attitude asked for.
         attitude: [f64; 4],
@@ -255,7 +273,7 @@ pub enum PropagateError {
     },
     /// Coordinates, their rates, the place or its velocity are no numbers.
     #[error(
-        "the state at the start holds what is no finite number; give finite coordinates, rates, place and velocity"
+        "the state at the start contains a non-finite number; give finite coordinates, rates, place and velocity"
     )]
     NotFinite,
     /// The tolerance is below rounding or above any accuracy.
@@ -309,9 +327,7 @@ pub enum PropagateError {
     )]
     NoForce,
     /// The mass matrix is not positive: the carrier is too light beside the masses that move on it.
-    #[error(
-        "the mass that is not on springs is lost in rounding beside the mass that is: less than 1e-13 of it; give the carrier a mass, or leave it out"
-    )]
+    #[error("the carrier's mass is below 1e-13 of the sprung mass; give the carrier a mass, or leave it out")]
     LightCarrier,
     /// The free vibrations are linearly dependent, to rounding.
     #[error("the damped modes of the body could not be found; the damping matrix may be defective")]
@@ -372,7 +388,7 @@ pub(super) fn check(
         return Err(PropagateError::Event { event: *event });
     }
     let tolerance = options.tolerance;
-    if !(spin.is_finite() && spin > 0.0) {
+    if !(spin.is_finite() && spin >= 0.0) {
         return Err(PropagateError::NoSpin { spin });
     }
     if !(1e-15..=1e-2).contains(&tolerance) {

@@ -1,8 +1,7 @@
 //! Systems of the reduced equations: variable of the form alone, or with attitude and energy accounts. (P1) to (P4)
 
-use super::form::{Equations, vector};
+use super::form::{Equations, Motion, vector};
 use crate::math::ode::System;
-use crate::math::polynomial::Kernel;
 use crate::math::rotation;
 use crate::math::simd::Arithmetic;
 use crate::math::vec3::norm;
@@ -14,7 +13,7 @@ impl<E: Equations> System<[f64; 4]> for SpinOnly<'_, E> {
     #[inline(always)]
     fn rate<A: Arithmetic>(&mut self, _: f64, y: &[f64; 4], rate: &mut [f64; 4]) {
         let x = vector(*y);
-        let [x, y, z] = self.0.rate::<A, f64>(x, self.0.omega::<A, f64>(x));
+        let [x, y, z] = self.0.rate::<A, f64>(x);
         *rate = [x, y, z, 0.0];
     }
 }
@@ -22,8 +21,6 @@ impl<E: Equations> System<[f64; 4]> for SpinOnly<'_, E> {
 /// Variable of the form with attitude and accounts.
 pub(super) struct Accounted<'a, E> {
     pub equations: &'a E,
-    /// Power taken by the dashpots, as a function of the angular velocity.
-    pub power: &'a Kernel,
 }
 
 /// State of [`Accounted`], fields in the order of the state vector.
@@ -69,13 +66,12 @@ impl<E: Equations> System<[f64; 12]> for Accounted<'_, E> {
     #[inline(always)]
     fn rate<A: Arithmetic>(&mut self, _: f64, y: &[f64; 12], rate: &mut [f64; 12]) {
         let Accounts { x, attitude, .. } = Accounts::unpack(y);
-        let omega = self.equations.omega::<A, f64>(x);
-        let moved = self.equations.rate::<A, f64>(x, omega);
+        let Motion { omega, rate: moved, power, energy_rate } = self.equations.motion::<A>(x);
         let rates = Accounts {
             x: moved,
             attitude: rotation::rate(attitude, omega),
-            dissipated: self.power.value::<A>(omega)[0],
-            energy_change: self.equations.energy_rate::<A>(x, moved),
+            dissipated: power,
+            energy_change: energy_rate,
             angle: norm(omega),
         };
         *rate = rates.pack();

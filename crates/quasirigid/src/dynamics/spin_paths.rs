@@ -100,7 +100,7 @@ struct SpinLanes<'a, E>(&'a E);
 impl<E: Equations> LaneSystem<3> for SpinLanes<'_, E> {
     #[inline(always)]
     fn rate<A: Arithmetic>(&self, x: &[Lanes; 3]) -> [Lanes; 3] {
-        self.0.rate::<A, Lanes>(*x, self.0.omega::<A, Lanes>(*x))
+        self.0.rate::<A, Lanes>(*x)
     }
 }
 

@@ -15,10 +15,10 @@ impl Start {
         FullState { place, velocity, ..FullState::at_rest(body, omega, attitude) }
     }
 
-    /// Reduced start with the angular momentum of a full state, `ω = Ω(K)`. (R11)
+    /// Reduced start with the angular momentum of a full state, `ω = ω(K)`. (R17)
     #[must_use]
     pub fn matched(reduced: &ReducedBody, body: &FlexibleBody, full: &FullState) -> Self {
         let FullState { attitude, place, velocity, .. } = *full;
-        Self { omega: reduced.Omega.vector(full.angular_momentum(body)), attitude, place, velocity }
+        Self { omega: reduced.angular_velocity(full.angular_momentum(body)), attitude, place, velocity }
     }
 }

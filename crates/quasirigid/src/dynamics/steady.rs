@@ -5,10 +5,10 @@
 
 use nalgebra::{Matrix3, Matrix4, Vector3, Vector4};
 
-use crate::math::polynomial::{Homogeneous, Series};
+use crate::math::polynomial::Series;
 use crate::math::sphere::{StationaryKind, deviator, jacobian, stationary, tangents};
 use crate::math::sym3;
-use crate::math::vec3::{dot, scale};
+use crate::math::vec3::{dot, norm, scale};
 use crate::model::{Principal, ReducedBody};
 
 /// Steady spin near a principal axis, with growth rate and frequency of a small nutation about it. (P5)
@@ -23,8 +23,6 @@ pub struct SteadySpin {
 }
 
 const NEWTON_STEPS: usize = 30;
-/// Relative difference of the entries of a symmetric matrix that counts as rounding.
-const ROUNDING: f64 = 1e-12;
 
 /// Steady spins of a reduced body with the angular momentum `|K|` (N·m·s), one near each principal axis, in the order of ascending
 /// moments; a negative value reverses all axes, which matters for momentum wheels. None where the axis is not determined, as across the
@@ -34,9 +32,19 @@ pub fn steady_spins(body: &ReducedBody, angular_momentum: f64) -> [Option<Steady
     let principal = Principal::compute(body.J);
     let (determined, axes) = (principal.determined(), principal.axes);
     std::array::from_fn(|i| {
-        let K = determined[i].then(|| steady_angular_momentum(&body.Omega, axes[i], angular_momentum))??;
-        Some(nutation(&body.Omega, K))
+        let gradient = &body.energy_of_momentum.gradient();
+        let K = determined[i].then(|| steady_angular_momentum(gradient, axes[i], angular_momentum))??;
+        Some(nutation(body, gradient, K))
     })
+}
+
+/// Steady spin of a reduced body next to an angular momentum (N·m·s, body axes), of the same size; none if there is none near it. (P5)
+#[must_use]
+pub fn steady_spin_near(body: &ReducedBody, angular_momentum: [f64; 3]) -> Option<SteadySpin> {
+    let G = norm(angular_momentum);
+    let gradient = &body.energy_of_momentum.gradient();
+    let K = steady_angular_momentum(gradient, scale(G.recip(), angular_momentum), G)?;
+    Some(nutation(body, gradient, K))
 }
 
 /// Isolated steady spin anywhere on the sphere `|K| = G`, with its kind of stationary point of the energy. (N2)
@@ -71,28 +79,29 @@ pub fn all_steady_spins(body: &ReducedBody, angular_momentum: f64) -> SteadySpin
     let given = [axes, axes.map(|axis| scale(-1.0, axis))].concat();
     let slowness = sym3::inverse(body.J).iter().fold(0.0_f64, |largest, entry| largest.max(entry.abs()));
     let rounding = TANGENTIAL * slowness * angular_momentum.abs();
-    let found = stationary(&deviator(&body.Omega, angular_momentum), &given, rounding);
+    let gradient = body.energy_of_momentum.gradient();
+    let found = stationary(&deviator(&gradient, angular_momentum), &given, rounding);
     let isolated = found.points.iter().map(|point| {
         let K = scale(angular_momentum, point.place);
-        IsolatedSpin { spin: nutation(&body.Omega, K.into()), angular_momentum: K, kind: point.kind }
+        IsolatedSpin { spin: nutation(body, &gradient, K.into()), angular_momentum: K, kind: point.kind }
     });
     SteadySpins { isolated: isolated.collect(), families: found.families, complete: found.complete }
 }
 
-/// Solves `Ω(K) = λK`, `|K| = G`, by Newton's method from a principal axis.
-pub(super) fn steady_angular_momentum(Omega: &Series, axis: [f64; 3], G: f64) -> Option<Vector3<f64>> {
+/// Solves `∇E(K) = λK`, `|K| = G`, by Newton's method from a principal axis.
+pub(super) fn steady_angular_momentum(gradient: &Series, axis: [f64; 3], G: f64) -> Option<Vector3<f64>> {
     let mut K = G * Vector3::from(axis);
-    let spin = Vector3::from(Omega.vector(K.into()));
+    let spin = Vector3::from(gradient.vector(K.into()));
     let mut rate = spin.dot(&K) / (G * G);
     let scale = spin.norm();
     for _ in 0..NEWTON_STEPS {
-        let gap = Vector3::from(Omega.vector(K.into())) - rate * K;
+        let gap = Vector3::from(gradient.vector(K.into())) - rate * K;
         let length = 0.5 * (G * G - K.norm_squared());
         if gap.norm() < 1e-14 * scale && length.abs() < 1e-14 * G * G {
             return Some(K);
         }
         let mut system = Matrix4::zeros();
-        let slope = Matrix3::from(jacobian(Omega, K.into())) - rate * Matrix3::identity();
+        let slope = Matrix3::from(jacobian(gradient, K.into())) - rate * Matrix3::identity();
         system.fixed_view_mut::<3, 3>(0, 0).copy_from(&slope);
         system.fixed_view_mut::<3, 1>(0, 3).copy_from(&-K);
         system.fixed_view_mut::<1, 3>(3, 0).copy_from(&K.transpose());
@@ -106,28 +115,31 @@ pub(super) fn steady_angular_momentum(Omega: &Series, axis: [f64; 3], G: f64) ->
             return None;
         }
     }
-    let gap = Vector3::from(Omega.vector(K.into())) - rate * K;
+    let gap = Vector3::from(gradient.vector(K.into())) - rate * K;
     (gap.norm() < 1e-11 * scale).then_some(K)
 }
 
-/// Growth and frequency of a small nutation about a steady spin.
-fn nutation(Omega: &Series, K: Vector3<f64>) -> SteadySpin {
+/// Growth and frequency of a small nutation about a steady spin, by the energy form: with `h` the second variation of the energy on the
+/// sphere and `D = a² + G² det T`, growth `−G² tr(adj(T) h)/2D` and determinant `G² det h/D`. At a least energy it never grows, at a
+/// greatest it never decays. (P5)
+fn nutation(body: &ReducedBody, gradient: &Series, K: Vector3<f64>) -> SteadySpin {
     let G = K.norm();
-    let omega = Omega.vector(K.into());
-    let rate = dot(omega, K.into()) / (G * G);
+    let omega = body.angular_velocity(K.into());
+    let rate = dot(gradient.vector(K.into()), K.into()) / (G * G);
     let [first, second] = tangents((K / G).into()).map(Vector3::from);
-    let mut deviation = Omega.clone();
-    deviation.set(Homogeneous::zero(1, 3));
-    let linear = Matrix3::from(jacobian(&Omega.truncated(1), K.into())) - rate * Matrix3::identity();
-    let bent = Matrix3::from(jacobian(&deviation, K.into()));
-    let M = |a: &Vector3<f64>, b: &Vector3<f64>| a.dot(&(linear * b)) + a.dot(&(bent * b));
-    let determinant = M(&first, &first) * M(&second, &second) - M(&first, &second) * M(&second, &first);
-    // The linear map is symmetric: its part of the difference would be rounding and is left out.
-    let (over, under) = (first.dot(&(bent * second)), second.dot(&(bent * first)));
-    let asymmetry =
-        if (over - under).abs() > ROUNDING * (over.abs() + under.abs()) { over - under } else { 0.0 };
-    let damping = 0.5 * G * asymmetry;
-    let square = damping * damping - G * G * determinant;
+    let slopes = Matrix3::from(jacobian(gradient, K.into())) - rate * Matrix3::identity();
+    let T = Matrix3::from(sym3::rows(std::array::from_fn(|i| body.T.value(K.into())[i])));
+    let across = |matrix: &Matrix3<f64>| {
+        let entry = |a: &Vector3<f64>, b: &Vector3<f64>| a.dot(&(matrix * b));
+        let mixed = 0.5 * (entry(&first, &second) + entry(&second, &first));
+        [entry(&first, &first), entry(&second, &second), mixed]
+    };
+    let (h, T) = (across(&slopes), across(&T));
+    let determinant = |[xx, yy, xy]: [f64; 3]| xx * yy - xy * xy;
+    let a = 1.0 + dot(body.c.vector(K.into()), K.into());
+    let scale = G * G / (a * a + G * G * determinant(T));
+    let damping = -0.5 * scale * (T[1] * h[0] + T[0] * h[1] - 2.0 * T[2] * h[2]);
+    let square = damping * damping - scale * determinant(h);
     let (growth, frequency) =
         if square < 0.0 { (damping, (-square).sqrt()) } else { (damping + square.sqrt(), 0.0) };
     SteadySpin { omega, growth, frequency }

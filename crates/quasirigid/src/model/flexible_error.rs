@@ -20,7 +20,7 @@ pub enum FlexibleError {
         coordinates: String,
     },
     /// A motion of the cyclic coordinates meets no friction.
-    #[error("no friction brakes some motion of {coordinates}")]
+    #[error("no damping acts on some motion of {coordinates}")]
     Frictionless {
         /// Names of the coordinates that move.
         coordinates: String,

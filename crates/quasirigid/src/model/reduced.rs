@@ -5,6 +5,7 @@
 use crate::math::polynomial::monomial::index;
 use crate::math::polynomial::{Homogeneous, Series};
 use crate::math::sym3::{self, Sym};
+use crate::model::energy_form::{EnergyMotion, energy_form, energy_gradient};
 
 /// Reduced equations of a nearly rigid body to order `p`: the second core type.
 ///
@@ -38,6 +39,12 @@ pub struct ReducedBody {
     pub K: Series,
     /// Angular velocity `Ω(K)` (rad/s) as a polynomial in the angular momentum (N·m·s), degrees 1 to `p + 1`. (R11)
     pub Omega: Series,
+    /// Axial vector `c(K)` (1/(N·m·s)) by which the internal momenta slow the angular momentum down, `K̇ = (K × ∇E)/(1 + K·c)` without
+    /// dissipation: degrees 0 to `p − 1`, over the angular momentum. (R18)
+    pub c: Series,
+    /// Tensor `T(K)` (s/(kg·m²)) of the dissipation, `P = K̇·T K̇`, positive semi-definite: xx, yy, zz, yz, zx, xy, over the angular momentum;
+    /// of elastic coordinates from degree 2, of cyclic ones from degree 0. (R19)
+    pub T: Series,
     /// Energy (J) without that of the wheels, degrees 2 to `p + 2`. (R10), (C5)
     pub energy: Series,
     /// Energy (J) as a polynomial in the angular momentum (N·m·s), degrees 2 to `p + 2`. (R11)
@@ -126,6 +133,20 @@ impl ReducedBody {
     #[must_use]
     pub fn angular_momentum(&self, omega: [f64; 3]) -> [f64; 3] {
         self.K.vector(omega)
+    }
+
+    /// Motion at an angular momentum (N·m·s, body axes) by the energy form. (R16)
+    #[must_use]
+    pub fn motion(&self, K: [f64; 3]) -> EnergyMotion<f64> {
+        let gradient = energy_gradient(&self.energy_of_momentum, K);
+        let (c, T) = (self.c.vector(K), self.T.value(K));
+        energy_form(K, gradient, c, std::array::from_fn(|component| T[component]))
+    }
+
+    /// Angular velocity (rad/s, body axes) at an angular momentum (N·m·s, body axes) by the energy form. (R17)
+    #[must_use]
+    pub fn angular_velocity(&self, K: [f64; 3]) -> [f64; 3] {
+        self.motion(K).omega
     }
 
     /// Energy (J) of the whole body on the slow manifold at an angular velocity (rad/s).

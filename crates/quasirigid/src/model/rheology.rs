@@ -25,7 +25,7 @@ pub enum Rheology {
     },
     /// Constant loss at every frequency, `1 + i/Q`.
     QualityFactor {
-        /// Quality factor `Q`.
+        /// Quality factor `Q`, at least 1.
         factor: f64,
     },
     /// Dashpot in series with the spring, `iντ/(1 + iντ)`: the modulus is that of fast strain, and slow strain flows.
@@ -71,6 +71,12 @@ pub enum RheologyError {
         /// Number given.
         value: f64,
     },
+    /// A quality factor below 1: more is lost in a radian than the material stores.
+    #[error("a quality factor is at least 1, not {value}")]
+    Quality {
+        /// Number given.
+        value: f64,
+    },
     /// The exponent is outside of 0 to 1.
     #[error("an exponent lies between 0 and 1, not at {value}")]
     Exponent {
@@ -102,6 +108,9 @@ impl Rheology {
         match *self {
             Self::Elastic | Self::Table(_) => Ok(()),
             Self::KelvinVoigt { time } | Self::Maxwell { time } => positive(time),
+            Self::QualityFactor { factor } if factor > 0.0 && factor < 1.0 => {
+                Err(RheologyError::Quality { value: factor })
+            }
             Self::QualityFactor { factor } => positive(factor),
             Self::StandardLinear { time, strength } => positive(time).and(positive(strength)),
             Self::Andrade { time, creep_time, exponent } => {

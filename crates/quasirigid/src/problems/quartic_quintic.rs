@@ -54,6 +54,8 @@ fn equation(f: Series) -> ReducedBody {
         f,
         K: none(3),
         Omega: none(3),
+        c: none(3),
+        T: none(6),
         energy: none(1),
         energy_of_momentum: none(1),
         power: none(1),

@@ -41,9 +41,12 @@ pub(super) fn of_momentum(energy: &Series, Omega: &Series) -> Series {
 }
 
 /// `Σ outer_d(inner)` over `d ≥ lowest`, to degree `highest`.
-fn composed(outer: &Series, lowest: usize, inner: &Series, highest: usize) -> Series {
+pub(super) fn composed(outer: &Series, lowest: usize, inner: &Series, highest: usize) -> Series {
     let rows = outer.rows();
     let mut sum = Series::zero(highest, rows);
+    if rows == 0 {
+        return sum;
+    }
     let mut powers = vec![constant_one(highest)];
     for power in 0..=highest.min(outer.degree()) {
         if power > 0 {

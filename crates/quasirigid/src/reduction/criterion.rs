@@ -1,7 +1,7 @@
 //! Criteria of validity and their verdicts: ratios that should be small, each with two limits.
 //! Criteria of initial vibrations, dissipation and averages do not judge the motion; the limits are set so that the deviation from the
 //! rigid body is in error by about 2 % at the first one.
-//! Equations (V4) to (V11), docs/theory/04-validity.md; (R12), docs/theory/03-reduction.md; (C7), docs/theory/13-inside.md.
+//! Equations (V4) to (V12), docs/theory/04-validity.md; (R12), docs/theory/03-reduction.md; (C7), docs/theory/13-inside.md.
 
 /// Comparison that a criterion of validity makes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -22,6 +22,8 @@ pub enum Comparison {
     Residual,
     /// Change of the power dissipated by two more orders of the series, against the power: concerns dissipation only. (V11)
     Power,
+    /// Rate and frequency of a small wobble about the steady spins against the modes: concerns dissipation only. (V12)
+    Wobbles,
     /// Elastic torque against the rigid body's, `max|f₄|/max|f₂|`: concerns averages along rigid polhodes only. (V10)
     Levels,
     /// Decay of free vibrations against the spin, `T₂/T₃`: concerns initial vibrations only. (V6)
@@ -52,7 +54,7 @@ impl Comparison {
     /// True if the comparison concerns the motion on the slow manifold, not the start, the dissipation or averages alone.
     #[must_use]
     pub fn concerns_motion(self) -> bool {
-        !matches!(self, Self::Power | Self::Levels | Self::Forgetting)
+        !matches!(self, Self::Power | Self::Wobbles | Self::Levels | Self::Forgetting)
     }
 }
 
@@ -93,6 +95,7 @@ impl Criterion {
             | Comparison::Linearity
             | Comparison::Residual
             | Comparison::Power
+            | Comparison::Wobbles
             | Comparison::Levels => (0.1, 0.5),
             Comparison::Forgetting => (1.0, f64::INFINITY),
         }

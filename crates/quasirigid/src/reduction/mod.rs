@@ -6,6 +6,7 @@ mod criterion;
 mod decay;
 mod degrees;
 mod energetics;
+mod energy_form;
 mod manifold;
 mod projection;
 mod reduce;

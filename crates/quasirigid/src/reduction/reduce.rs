@@ -1,9 +1,10 @@
 //! Reduced equations of a body to any order: the entry point of the reduction.
 //! Refuses an order above 12, since the series is asymptotic, and coefficients that overflow, which would turn up as NaN much later.
-//! Equations (R1) to (R11), docs/theory/03-reduction.md.
+//! Equations (R1) to (R11) and (R16), docs/theory/03-reduction.md.
 
 use thiserror::Error;
 
+use super::energy_form::EnergyForm;
 use super::manifold::Manifold;
 use super::{angular_momentum_form, energetics};
 use crate::math::polynomial::Series;
@@ -56,12 +57,15 @@ pub fn reduce(body: &FlexibleBody, order: usize) -> Result<ReducedBody, Reductio
     let energy = energetics::energy(body, &manifold, order);
     let (power, power_shares) = energetics::power(body, &manifold, order);
     let moment = energetics::first_moment(body, &manifold.q);
+    let EnergyForm { c, T } = EnergyForm::compute(body, &manifold, &Omega, order);
     let reduced = ReducedBody {
         order,
         mass: body.invariants().mass,
         J,
         energy_of_momentum: angular_momentum_form::of_momentum(&energy, &Omega),
         Omega,
+        c,
+        T,
         energy,
         power,
         power_shares,
@@ -78,8 +82,8 @@ pub fn reduce(body: &FlexibleBody, order: usize) -> Result<ReducedBody, Reductio
 
 /// Checks what is derived from the manifold: products of numbers near the largest overflow where the numbers do not.
 fn finite(reduced: &ReducedBody) -> Result<(), ReductionError> {
-    let ReducedBody { K, Omega, energy, energy_of_momentum, power, phi, pole, q, rate, .. } = reduced;
-    let derived = [K, Omega, energy, energy_of_momentum, power, phi, pole, q, rate];
+    let ReducedBody { K, Omega, c, T, energy, energy_of_momentum, power, phi, pole, q, rate, .. } = reduced;
+    let derived = [K, Omega, c, T, energy, energy_of_momentum, power, phi, pole, q, rate];
     let at_fault = |series: &Series| (0..=series.degree()).find(|degree| !series.part(*degree).is_finite());
     match derived.into_iter().filter_map(at_fault).min() {
         Some(degree) => Err(ReductionError::NotFinite { degree }),

@@ -106,10 +106,10 @@ impl Validity {
         self.worst(Comparison::concerns_motion)
     }
 
-    /// Verdict on the power dissipated at the order, if the motion holds. (V11)
+    /// Verdict on the power dissipated at the order and on the rates that follow, if the motion holds. (V11), (V12)
     #[must_use]
     pub fn dissipation(&self) -> Verdict {
-        self.worst(|comparison| comparison == Comparison::Power)
+        self.worst(|comparison| matches!(comparison, Comparison::Power | Comparison::Wobbles))
     }
 
     /// Verdict on averages along rigid polhodes, if the motion holds; where they fail, averages along levels of the slow energy may hold.

@@ -161,7 +161,9 @@ impl DirectRun {
             Outcome::StepLimit => Some(DirectStopReason::StepLimit),
             Outcome::Interrupted => Some(DirectStopReason::Interrupted),
             Outcome::LeftRange(left) => Some(DirectStopReason::Failed { reason: left.to_string() }),
-            Outcome::Failed(error) => Some(DirectStopReason::Failed { reason: error.to_string() }),
+            failed @ (Outcome::Missed(_) | Outcome::Failed(_)) => {
+                Some(DirectStopReason::Failed { reason: failed.to_string() })
+            }
         };
         if self.rows.last().is_none_or(|last| last.t < end.t) {
             self.rows.push(end);

@@ -160,7 +160,7 @@ impl Window {
             Outcome::StepLimit => return Err(MeasureError::StepLimit),
             Outcome::LeftRange(left) => Some(left.to_string()),
             Outcome::Event(_) => Some("an event".to_owned()),
-            Outcome::Failed(error) => Some(error.to_string()),
+            failed @ (Outcome::Missed(_) | Outcome::Failed(_)) => Some(failed.to_string()),
         };
         if let Some(reason) = reason {
             return Err(MeasureError::Ended { t: run.last.t, reason });

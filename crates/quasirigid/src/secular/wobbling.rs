@@ -24,6 +24,6 @@ impl Start {
         let motion = FreeRotation::at_nutation(principal.moments, size, mode, nutation)?;
         let rigid = motion.omega(0.0);
         let K = principal.vector([0, 1, 2].map(|i| principal.moments[i] * rigid[i]));
-        Ok(Self::new(reduced.Omega.vector(K), ALIGNED))
+        Ok(Self::new(reduced.angular_velocity(K), ALIGNED))
     }
 }

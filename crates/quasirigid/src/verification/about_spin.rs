@@ -9,7 +9,7 @@ use super::compare::Difference;
 use super::verify::{VerificationError, falls, slope};
 use crate::dynamics::{Forced, Observer, Options, Outcome, Sample, propagate_full};
 use crate::model::FlexibleBody;
-use crate::submanifold::{ManifoldStart, SpinManifold, SpinManifoldPlan, propagate_on_manifold};
+use crate::submanifold::{ManifoldStart, SpinManifold, SpinManifoldPlan, WIDEST, propagate_on_manifold};
 
 /// Plan of a verification about a spin.
 #[derive(Clone, Debug, PartialEq)]
@@ -116,7 +116,13 @@ fn check(plan: &SpinVerificationPlan) -> Result<(), VerificationError> {
     if plan.degrees.is_empty() {
         return Err(VerificationError::NoOrder { highest: crate::submanifold::MAX_DEGREE });
     }
-    let sound = amplitude > 0.0 && amplitude.is_finite() && periods > 0.0 && periods.is_finite();
+    if !(amplitude > 0.0 && amplitude <= WIDEST) {
+        return Err(VerificationError::Amplitude {
+            degrees: amplitude.to_degrees(),
+            most: WIDEST.to_degrees().floor(),
+        });
+    }
+    let sound = periods > 0.0 && periods.is_finite();
     if !(sound && (1..=12).contains(&halvings)) {
         return Err(VerificationError::Plan { rotations: periods, halvings });
     }

@@ -37,7 +37,7 @@ pub enum AverageError {
     #[error("the average is of a free body without wheels and forces")]
     NotFree,
     /// The body has materials or liquids outside of the full system.
-    #[error("the full system does not hold all that dissipates")]
+    #[error("the full system has no equation for part of the dissipation")]
     LeftOut,
     /// The body spins steadily.
     #[error("the body spins steadily, so that there is no wobble")]

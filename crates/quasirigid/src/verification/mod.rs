@@ -5,8 +5,10 @@ mod averages;
 mod compare;
 mod runs;
 mod verify;
+mod wobbles;
 
 pub use about_spin::{DegreeRow, SpinVerification, SpinVerificationPlan, verify_about_spin};
 pub use averages::{AverageError, AverageRow, verify_average};
 pub use compare::Difference;
 pub use verify::{OrderRow, Verification, VerificationError, VerificationPlan, verify};
+pub use wobbles::wobble_difference;

@@ -72,7 +72,7 @@ pub(super) fn reduced(
     } else {
         let body = reduce(system.body, order)?;
         let FullState { attitude, place, velocity, .. } = *full;
-        let initial = Start { omega: body.Omega.vector(angular_momentum), attitude, place, velocity };
+        let initial = Start { omega: body.angular_velocity(angular_momentum), attitude, place, velocity };
         propagate(&body, initial, times, options, &mut collector)?
     };
     finished(run.outcome)?;

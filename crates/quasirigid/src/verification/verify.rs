@@ -88,9 +88,19 @@ pub enum VerificationError {
         /// Highest order.
         highest: usize,
     },
+    /// An amplitude of the nutation that no reduced equations about a spin reach.
+    #[error(
+        "an amplitude of {degrees} degrees is out of range; choose more than 0, and up to {most} degrees"
+    )]
+    Amplitude {
+        /// Amplitude asked for (degrees).
+        degrees: f64,
+        /// Largest amplitude (degrees).
+        most: f64,
+    },
     /// A number of the plan is out of range.
     #[error(
-        "a verification over {rotations} rotations with {halvings} halvings means nothing; choose more than 0 rotations, and 1 to 12 halvings"
+        "a verification over {rotations} rotations with {halvings} halvings is out of range; choose more than 0 rotations, and 1 to 12 halvings"
     )]
     Plan {
         /// Rotations asked for.

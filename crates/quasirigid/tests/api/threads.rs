@@ -125,6 +125,7 @@ fn public_types_are_send_sync_and_debug() {
     crosses::<model::Polhode>();
     crosses::<model::Principal>();
     crosses::<model::Reach>();
+    crosses::<model::EnergyMotion<f64>>();
     crosses::<model::ReducedBody>();
     crosses::<model::Rheology>();
     crosses::<model::RheologyError>();
@@ -160,12 +161,14 @@ fn public_types_are_send_sync_and_debug() {
     crosses::<dynamics::Method>();
     crosses::<dynamics::Nutation>();
     crosses::<dynamics::Nutations>();
+    crosses::<dynamics::Missed>();
     crosses::<dynamics::Options>();
     crosses::<dynamics::Outcome>();
     crosses::<dynamics::PropagateError>();
     crosses::<dynamics::RigidState>();
     crosses::<dynamics::Run>();
     crosses::<dynamics::Sample>();
+    crosses::<dynamics::Scan>();
     crosses::<dynamics::SlowPoint>();
     crosses::<dynamics::SlowState>();
     crosses::<dynamics::SpinPath>();

@@ -7,6 +7,7 @@ mod oracle;
 
 mod advection;
 mod balance;
+mod energy_form;
 mod full;
 mod liquids;
 mod secular;

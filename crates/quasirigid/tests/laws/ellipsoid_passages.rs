@@ -150,6 +150,9 @@ fn what_no_ellipsoid_has_is_refused() {
         refused(|body| body.loss = EllipsoidLoss::QualityFactor(-3.0)).contains("the quality factor is -3")
     );
     assert!(
+        refused(|body| body.loss = EllipsoidLoss::QualityFactor(0.9)).contains("the quality factor is 0.9")
+    );
+    assert!(
         refused(|body| body.loss = EllipsoidLoss::KelvinVoigt(0.0)).contains("the time of the material is 0")
     );
     assert!(refused(|body| body.poisson = 0.5).contains("Poisson's ratio 0.5"));

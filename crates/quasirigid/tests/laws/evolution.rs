@@ -127,6 +127,7 @@ fn full_reduced_and_averaged_histories_close_up() {
     let taken = |gaps: &[[f64; 2]], system: usize| gaps[system][1] / gaps[2][1] - 1.0;
     let [paper, fifth] = [0, 1].map(|system| order(taken(&coarse, system), taken(&fine, system)));
     let averaged = order(coarse[2][0], fine[2][0]);
+    println!("{coarse:?} {fine:?}");
     println!("orders: full to p = 3 {paper}, full to p = 5 {fifth}, full to averaged {averaged}");
     assert!((paper - 2.0).abs() < 0.2 && (averaged - 2.0).abs() < 0.2, "{paper} {averaged}");
     assert!((fifth - 4.0).abs() < 0.3, "{fifth}");

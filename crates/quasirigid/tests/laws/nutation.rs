@@ -5,26 +5,34 @@ use quasirigid::dynamics::{SteadySpin, steady_spins};
 use quasirigid::model::{Principal, ReducedBody};
 use quasirigid::reduction::reduce;
 use quasirigid_math::sym3::times;
-use quasirigid_math::taylor::Taylor;
-use quasirigid_math::vec3::{cross, dot, norm};
+use quasirigid_math::vec3::{add, dot, norm, scale};
 
 use crate::support::transform::rescaled;
 use crate::support::{assemblies, cases, direction, units};
 
 /// Newton's method ends at rounding of the spin.
 const STEADY: f64 = 1e-12;
-/// Rounding of the flow's derivatives, whose linear parts cancel in the sum of the roots.
-const ROUNDING: f64 = 1e-12;
+/// Step of differences of the fourth order, of the angular momentum: truncation and rounding are equal about here.
+const DIFFERENCE: f64 = 1e-3;
+/// Error of those differences, whose linear parts cancel in the sum of the roots.
+const ROUNDING: f64 = 1e-11;
 /// A share of a spin that is itself a tenth of the lowest frequency.
 const SLOW: f64 = 0.03;
 
-/// Sum and product of the two eigenvalues across `K` of the derivative of `K × Ω(K)`: the third is zero, since the flow
-/// has no part along `K`.
+/// Sum and product of the two eigenvalues across `K` of the derivative of `K̇`, by differences of the fourth order: the third is zero,
+/// since the flow has no part along `K`.
 fn roots(body: &ReducedBody, K: [f64; 3]) -> (f64, f64) {
+    let step = DIFFERENCE * norm(K);
     let columns: [[f64; 3]; 3] = std::array::from_fn(|j| {
-        let beside: [Taylor<2>; 3] =
-            std::array::from_fn(|i| if i == j { Taylor::variable(K[i]) } else { K[i].into() });
-        cross(beside, body.Omega.vector(beside)).map(|rate| rate.coefficient(1))
+        let across = |half: f64| {
+            let [ahead, behind] = [half, -half].map(|step| {
+                let mut beside = K;
+                beside[j] += step;
+                body.motion(beside).rate
+            });
+            scale(0.5 / half, add(ahead, scale(-1.0, behind)))
+        };
+        add(scale(4.0 / 3.0, across(step)), scale(-1.0 / 3.0, across(2.0 * step)))
     });
     let minor = |i: usize, j: usize| columns[i][i] * columns[j][j] - columns[i][j] * columns[j][i];
     (columns[0][0] + columns[1][1] + columns[2][2], minor(0, 1) + minor(1, 2) + minor(2, 0))
@@ -33,16 +41,16 @@ fn roots(body: &ReducedBody, K: [f64; 3]) -> (f64, f64) {
 /// Fault of a steady spin near an axis.
 fn fault(body: &ReducedBody, spin: SteadySpin, axis: [f64; 3], angular_momentum: f64) -> Option<String> {
     let SteadySpin { omega, growth, frequency } = spin;
-    let scale = norm(omega);
-    let K = omega.map(|w| angular_momentum * w / scale);
-    let left = norm(cross(K, body.Omega.vector(K))) / (angular_momentum * scale);
+    let fast = norm(omega);
+    let K = omega.map(|w| angular_momentum * w / fast);
+    let left = norm(body.motion(K).rate) / (angular_momentum * fast);
     let (sum, product) = roots(body, K);
     let wrong = if frequency > 0.0 {
         let turning = growth * growth + frequency * frequency - product;
-        ((2.0 * growth - sum) / scale).abs().max(turning.abs() / (scale * scale))
+        ((2.0 * growth - sum) / fast).abs().max(turning.abs() / (fast * fast))
     } else {
         let root = growth * growth - sum * growth + product;
-        if growth >= 0.5 * sum { root.abs() / (scale * scale) } else { f64::INFINITY }
+        if growth >= 0.5 * sum { root.abs() / (fast * fast) } else { f64::INFINITY }
     };
     let near = dot(K, axis) > 0.9 * angular_momentum;
     let sound = near && left < STEADY && wrong < ROUNDING;

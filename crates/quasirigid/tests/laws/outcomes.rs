@@ -123,11 +123,13 @@ fn refused(omega: [f64; 3], times: &[f64], options: Options) -> Option<Propagate
 
 #[test]
 fn what_is_no_spin_is_refused() {
-    for omega in [[0.0; 3], [f64::NAN, 0.0, 1.0], [0.0, f64::INFINITY, 0.0]] {
+    for omega in [[f64::NAN, 0.0, 1.0], [0.0, f64::INFINITY, 0.0]] {
         let error = refused(omega, &[1.0], Options::default());
         assert!(matches!(error, Some(PropagateError::NoSpin { .. })), "{error:?}");
     }
-    assert_eq!(refused([0.0, 0.0, 1e-100], &[1.0], Options::default()), None);
+    for rest_and_slow in [[0.0; 3], [0.0, 0.0, 1e-100]] {
+        assert_eq!(refused(rest_and_slow, &[1.0], Options::default()), None);
+    }
 }
 
 #[test]

@@ -10,7 +10,7 @@ fn laws() -> impl Strategy<Value = Rheology> {
     let time = || (-3.0..3.0).prop_map(|exponent: f64| 10f64.powf(exponent));
     prop_oneof![
         time().prop_map(|time| Rheology::KelvinVoigt { time }),
-        time().prop_map(|factor| Rheology::QualityFactor { factor }),
+        time().prop_map(|time| Rheology::QualityFactor { factor: 1.0 + time }),
         time().prop_map(|time| Rheology::Maxwell { time }),
         (time(), time()).prop_map(|(time, strength)| Rheology::StandardLinear { time, strength }),
         (time(), time(), 0.05..0.95).prop_map(|(time, creep_time, exponent)| Rheology::Andrade {
@@ -90,6 +90,9 @@ fn laws_that_no_material_has_are_refused() {
         let linear = Rheology::StandardLinear { time: 1.0, strength: time };
         assert!(matches!(refused(linear), RheologyError::NotPositive { .. }));
     }
+    let lossy = Rheology::QualityFactor { factor: 0.99 };
+    assert_eq!(refused(lossy), RheologyError::Quality { value: 0.99 });
+    Rheology::QualityFactor { factor: 1.0 }.check().unwrap();
     for exponent in [0.0, 1.0, f64::NAN] {
         let andrade = Rheology::Andrade { time: 1.0, creep_time: 1.0, exponent };
         assert!(matches!(refused(andrade), RheologyError::Exponent { .. }));

@@ -67,8 +67,8 @@ fn loss_over_many_periods_is_that_of_the_reduced_equations() {
     }
 }
 
-/// Order 3 has less than a fifth of the power, order 5 all but 2 % of it. Figures of an independent full system: 4.20e-13 W,
-/// order 5 4.13e-13 W, order 3 7.7e-14 W, over 22 200 s.
+/// Order 3 has 99 % of the power, order 5 all but a part in a thousand. An independent full system loses 4.20e-13 W over 22 200 s, as the
+/// energy form of order 5 does; the paper's equations lose 4.13e-13 W.
 #[test]
 fn near_sphere_loses_what_the_full_system_loses() {
     let body = near_sphere().body().unwrap();
@@ -83,10 +83,10 @@ fn near_sphere_loses_what_the_full_system_loses() {
         "full {full:e}, level of order 5 {:e}, of order 3 {:e}, {} s",
         fifth.power, third.power, fifth.period
     );
-    assert!((fifth.power / full - 1.0).abs() < 0.02);
-    assert!(third.power < full / 5.0);
+    assert!((fifth.power / full - 1.0).abs() < 1e-3);
+    assert!((third.power / full - 1.0).abs() < 0.01);
     let short = dissipated(&reduce(&body, 5).unwrap(), SPIN, 22_200.0) / 22_200.0;
-    assert!((short / 4.13e-13 - 1.0).abs() < 0.002, "{short:e}"); // three digits given
+    assert!((short / 4.20e-13 - 1.0).abs() < 0.002, "{short:e}"); // three digits given
 }
 
 /// A ball with one sprung mass: no polhode exists. Levels are circles about the mass, and the steady spins that attract a family.

@@ -93,7 +93,7 @@ fn add_fields<'a>(line: usize, content: &'a str, fields: &mut Vec<Field<'a>>) ->
         return Err((line, MatrixProblem::Tab));
     }
     if !content.is_ascii() {
-        return Err((line, MatrixProblem::Unexpected { found: content.to_owned(), row: Row::Card }));
+        return Err((line, MatrixProblem::Unexpected { found: content.into(), row: Row::Card }));
     }
     let (count, width) = if first_field(content).contains('*') { (4, 16) } else { (8, 8) };
     let texts: Vec<&str> = if content.contains(',') {
@@ -121,7 +121,7 @@ pub(in crate::matrix) fn real(field: Field) -> Result<f64, At> {
     let value = if field.text.contains('.') {
         number(field.text, Row::NastranReal)
     } else {
-        Err(MatrixProblem::NotANumber { found: field.text.to_owned(), row: Row::NastranReal })
+        Err(MatrixProblem::NotANumber { found: field.text.into(), row: Row::NastranReal })
     };
     value.map_err(|problem| (field.line, problem))
 }

@@ -96,12 +96,12 @@ impl Header {
             "1" => Form::Square,
             "2" | "9" => Form::Rectangular,
             "6" => Form::Symmetric,
-            found => return refused(form, MatrixProblem::Form { found: found.to_owned() }),
+            found => return refused(form, MatrixProblem::Form { found: found.into() }),
         };
         match kind.text {
             "1" | "2" => {}
             "3" | "4" => return refused(kind, MatrixProblem::Complex),
-            found => return refused(kind, MatrixProblem::Type { found: found.to_owned() }),
+            found => return refused(kind, MatrixProblem::Type { found: found.into() }),
         }
         let columns = match count.text {
             "" => None,
@@ -144,7 +144,7 @@ impl Header {
 fn column(card: &Card, terms: &mut Vec<Term>) -> Result<(), At> {
     let column = dof(card.field(3), card.field(4))?;
     if !card.field(5).text.is_empty() {
-        let found = card.field(5).text.to_owned();
+        let found = card.field(5).text.into();
         return Err((card.line, MatrixProblem::Unexpected { found, row: Row::DmigColumn }));
     }
     for term in card.fields_from(6).chunks(4) {
@@ -153,7 +153,7 @@ fn column(card: &Card, terms: &mut Vec<Term>) -> Result<(), At> {
             continue;
         }
         if !imaginary.text.is_empty() {
-            let found = imaginary.text.to_owned();
+            let found = imaginary.text.into();
             return Err((imaginary.line, MatrixProblem::Unexpected { found, row: Row::DmigColumn }));
         }
         terms.push(Term { row: dof(point, component)?, column, value: real(value)?, line: value.line });
@@ -168,7 +168,7 @@ fn dof(point: Field, component: Field) -> Result<Dof, At> {
         "" => Ok(Dof { node, component: 0 }),
         _ => match integer(component, Row::DmigColumn)? {
             component @ 0..=6 => Ok(Dof { node, component: component as u8 }),
-            found => Err((component.line, MatrixProblem::Component { found: found.to_string() })),
+            found => Err((component.line, MatrixProblem::Component { found: found.to_string().into() })),
         },
     }
 }

@@ -29,7 +29,7 @@ fn in_basic_system(card: &Card, name: &str) -> Result<(), At> {
         let field = card.field(number);
         if !matches!(field.text, "" | "0") {
             let found = format!("{what} {} of {name}", field.text);
-            return Err((field.line, MatrixProblem::OwnSystem { found }));
+            return Err((field.line, MatrixProblem::OwnSystem { found: found.into() }));
         }
     }
     Ok(())

@@ -30,9 +30,11 @@ fn is_block(keyword: &str) -> Result<bool, MatrixProblem> {
     match words.next().unwrap_or_default() {
         "*NODE" => {
             let other = words.find(|word| !word.is_empty() && !word.replace(' ', "").starts_with("NSET="));
-            other.map_or(Ok(true), |found| Err(MatrixProblem::OwnSystem { found: format!("*NODE, {found}") }))
+            other.map_or(Ok(true), |found| {
+                Err(MatrixProblem::OwnSystem { found: format!("*NODE, {found}").into() })
+            })
         }
-        found @ ("*TRANSFORM" | "*SYSTEM") => Err(MatrixProblem::OwnSystem { found: found.to_owned() }),
+        found @ ("*TRANSFORM" | "*SYSTEM") => Err(MatrixProblem::OwnSystem { found: found.into() }),
         _ => Ok(false),
     }
 }

@@ -38,7 +38,7 @@ impl<'a> Array<'a> {
         let (scalar, big_endian) = Scalar::of(&descr).ok_or_else(|| {
             let problem = match descr.trim_start_matches(['<', '>', '=', '|']).starts_with('c') {
                 true => MatrixProblem::Complex,
-                false => MatrixProblem::NumpyType { found: descr },
+                false => MatrixProblem::NumpyType { found: descr.into() },
             };
             (start, problem)
         })?;
@@ -71,7 +71,7 @@ impl<'a> Array<'a> {
         if value.is_finite() {
             return Ok(value);
         }
-        Err((self.byte(index), MatrixProblem::NotFinite { found: value.to_string() }))
+        Err((self.byte(index), MatrixProblem::NotFinite { found: value.to_string().into() }))
     }
 
     /// An integer in the order of the file.
@@ -79,7 +79,7 @@ impl<'a> Array<'a> {
         match self.scalar {
             Scalar::Int32 => Ok(i32::from_le_bytes(self.bytes(index)?).into()),
             Scalar::Int64 => Ok(i64::from_le_bytes(self.bytes(index)?)),
-            _ => Err((self.start, MatrixProblem::NumpyType { found: self.scalar.name().to_owned() })),
+            _ => Err((self.start, MatrixProblem::NumpyType { found: self.scalar.name().into() })),
         }
     }
 

@@ -22,7 +22,7 @@ const MAGIC: usize = 8;
 impl Header {
     pub fn of(bytes: &[u8]) -> Result<Self, At> {
         let not_numpy = || MatrixProblem::NumpyHeader {
-            found: String::from_utf8_lossy(&bytes[..bytes.len().min(MAGIC)]).into_owned(),
+            found: String::from_utf8_lossy(&bytes[..bytes.len().min(MAGIC)]).into(),
         };
         let rest = bytes.strip_prefix(b"\x93NUMPY").ok_or_else(|| (0, not_numpy()))?;
         let (start, length) = match *rest {
@@ -37,12 +37,11 @@ impl Header {
         let (announced, found) = (length as u64, (bytes.len() - start) as u64);
         let header = bytes.get(start..end).ok_or((start, MatrixProblem::NumpyLength { announced, found }))?;
         let text = String::from_utf8_lossy(header);
-        let refused =
-            || (start, MatrixProblem::NumpyHeader { found: text.trim().chars().take(80).collect() });
+        let refused = || (start, MatrixProblem::NumpyHeader { found: text.trim().into() });
         let [descr, fortran_order, shape] = Literal(&text).fields().ok_or_else(refused)?;
         let descr = match descr.strip_prefix(['\'', '"']).and_then(|text| text.strip_suffix(['\'', '"'])) {
             Some(descr) => descr.to_owned(),
-            None => return Err((start, MatrixProblem::NumpyType { found: descr.to_owned() })),
+            None => return Err((start, MatrixProblem::NumpyType { found: descr.into() })),
         };
         let fortran_order = match fortran_order {
             "True" => true,

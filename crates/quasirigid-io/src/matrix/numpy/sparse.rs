@@ -60,7 +60,7 @@ pub(super) fn matrix(parts: &Parts) -> Result<MatrixFile, In> {
             compressed(parts, rows / height, [height, width], |i, j, value, at| listed.add(i, j, value, at))?;
         }
         "coo" => coordinates(parts, |i, j, value, at| listed.add(i, j, value, at))?,
-        _ => return Err(("format", (0, MatrixProblem::SparseFormat { found: format }))),
+        _ => return Err(("format", (0, MatrixProblem::SparseFormat { found: format.into() }))),
     }
     Ok(listed.sum())
 }

@@ -132,7 +132,7 @@ impl Records for Binary<'_> {
         if value.is_finite() {
             return Ok(value);
         }
-        Err((self.at, MatrixProblem::NotFinite { found: value.to_string() }))
+        Err((self.at, MatrixProblem::NotFinite { found: value.to_string().into() }))
     }
 
     fn end(&mut self) -> Result<(), At> {

@@ -75,15 +75,15 @@ impl Header {
     /// The four integers of a header.
     fn new([columns, rows, form, kind]: [i64; 4], name: &str, at: usize) -> Result<Self, At> {
         if !(1..=4).contains(&kind) {
-            return Err((at, MatrixProblem::Type { found: kind.to_string() }));
+            return Err((at, MatrixProblem::Type { found: kind.to_string().into() }));
         }
         let size = |count: i64| {
-            let found = count.to_string();
+            let found = count.to_string().into();
             usize::try_from(count.unsigned_abs())
                 .map_err(|_| (at, MatrixProblem::NotANumber { found, row: Row::Op4Header }))
         };
         if columns < 0 {
-            let found = columns.to_string();
+            let found = columns.to_string().into();
             return Err((at, MatrixProblem::Unexpected { found, row: Row::Op4Header }));
         }
         let (columns, big, rows) = (size(columns)?, rows < 0, size(rows)?);
@@ -105,7 +105,7 @@ impl Header {
             return Err((self.at, MatrixProblem::Complex));
         }
         if !matches!(self.form, 1 | 2 | 6 | 9) {
-            return Err((self.at, MatrixProblem::Form { found: self.form.to_string() }));
+            return Err((self.at, MatrixProblem::Form { found: self.form.to_string().into() }));
         }
         Listed::new(self.rows, self.columns).map_err(|problem| (self.at, problem))
     }
@@ -223,5 +223,5 @@ fn run(
 }
 
 fn unexpected(records: &impl Records, found: i64, row: Row) -> At {
-    (records.at(), MatrixProblem::Unexpected { found: found.to_string(), row })
+    (records.at(), MatrixProblem::Unexpected { found: found.to_string().into(), row })
 }

@@ -52,7 +52,7 @@ impl<'a> Text<'a> {
     }
 
     fn unexpected(&self, line: &str, row: Row) -> At {
-        (self.line, MatrixProblem::Unexpected { found: line.to_owned(), row })
+        (self.line, MatrixProblem::Unexpected { found: line.into(), row })
     }
 }
 

@@ -4,9 +4,6 @@
 use crate::mesh::error::{Fault, MeshProblem, Part, Place};
 use crate::mesh::file::Encoding;
 
-/// Characters of a line that are shown.
-const SHOWN: usize = 80;
-
 /// Type of a number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Scalar {
@@ -105,8 +102,7 @@ impl Header {
             };
             (lines, size) = (lines + 1, size + length + 1);
             let line = String::from_utf8_lossy(rest[..length].trim_ascii()); // comments may be in any encoding
-            let refused =
-                || (Place::Line(lines), MeshProblem::Header { found: line.chars().take(SHOWN).collect() });
+            let refused = || (Place::Line(lines), MeshProblem::Header { found: (&*line).into() });
             let words: Vec<&str> = line.split_whitespace().collect();
             match words.as_slice() {
                 ["ply"] if lines == 1 => {}

@@ -52,7 +52,7 @@ fn read_vertices(element: &Element, values: &mut impl Values, mesh: &mut Triangl
         read_element(element, values, |property, value, values| {
             if let Some(axis) = axis_of.iter().position(|axis| *axis == property) {
                 if !value.is_finite() {
-                    return Err((values.place(), MeshProblem::NotFinite { found: value.to_string() }));
+                    return Err((values.place(), MeshProblem::NotFinite { found: value.to_string().into() }));
                 }
                 vertex[axis] = value;
             }
@@ -76,7 +76,8 @@ fn read_faces(
         read_element(element, values, |property, value, values| {
             if property == list {
                 if value.fract() != 0.0 || !(0.0..vertices as f64).contains(&value) {
-                    let problem = MeshProblem::NoSuchVertex { found: value.to_string(), first: 0, vertices };
+                    let problem =
+                        MeshProblem::NoSuchVertex { found: value.to_string().into(), first: 0, vertices };
                     return Err((values.place(), problem));
                 }
                 corners.push(value as usize);
@@ -104,7 +105,10 @@ fn read_element<V: Values>(
             Kind::List { length, item } => {
                 let found = values.next(length)?;
                 if found.fract() != 0.0 || !(0.0..=u32::MAX.into()).contains(&found) {
-                    return Err((values.place(), MeshProblem::ListLength { found: found.to_string() }));
+                    return Err((
+                        values.place(),
+                        MeshProblem::ListLength { found: found.to_string().into() },
+                    ));
                 }
                 for _ in 0..found as u64 {
                     let value = values.next(item)?;

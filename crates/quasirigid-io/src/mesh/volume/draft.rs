@@ -71,7 +71,7 @@ impl Draft {
 /// Refuses a node whose coordinates are not finite.
 pub(super) fn finite(label: u64, place: [f64; 3]) -> Result<(), MeshProblem> {
     match place.iter().find(|x| !x.is_finite()) {
-        Some(x) => Err(VolumeProblem::NotFinite { node: label, found: x.to_string() }.into()),
+        Some(x) => Err(VolumeProblem::NotFinite { node: label, found: x.to_string().into() }.into()),
         None => Ok(()),
     }
 }

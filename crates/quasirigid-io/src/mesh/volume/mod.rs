@@ -13,8 +13,7 @@ use quasirigid_mesh::Mesh;
 
 use super::error::{Fault, MeshError, MeshProblem, Part, Place};
 use super::file::LARGEST;
-use super::format::start;
-use crate::text_file::{FileError, bytes_of};
+use crate::text_file::{FileError, bytes_of, kind_of};
 pub use problem::VolumeProblem;
 
 /// Reads the nodes, cells and sets of a file, whose beginning tells the format.
@@ -75,7 +74,7 @@ impl Format {
             [b'*', ..] => Ok(Self::Abaqus),
             [b'<', ..] => Ok(Self::VtkXml),
             _ if beginning.starts_with(b"# vtk DataFile") => Ok(Self::VtkLegacy),
-            _ => Err((Place::File, VolumeProblem::NotAMesh { start: start(bytes) }.into())),
+            _ => Err((Place::File, VolumeProblem::NotAMesh { kind: kind_of(bytes) }.into())),
         }
     }
 }

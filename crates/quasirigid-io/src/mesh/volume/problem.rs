@@ -6,6 +6,7 @@ use std::path::PathBuf;
 use thiserror::Error;
 
 use super::Part;
+use crate::visible::Excerpt;
 
 /// Problem of a file of nodes and cells.
 #[non_exhaustive]
@@ -13,12 +14,12 @@ use super::Part;
 pub enum VolumeProblem {
     /// A file whose beginning is that of no known format.
     #[error(
-        "the file begins with {start:?}, as no mesh of cells known here does; give a .msh file of gmsh, .vtk or \
+        "the file is {kind}, and begins as no mesh of cells known here does; give a .msh file of gmsh, .vtk or \
          .vtu of VTK, or .inp of Abaqus or CalculiX"
     )]
     NotAMesh {
-        /// First characters of the file.
-        start: String,
+        /// What the file is; nothing of it is quoted.
+        kind: &'static str,
     },
     /// A file without cells.
     #[error(
@@ -29,7 +30,7 @@ pub enum VolumeProblem {
     #[error("{found:?} is not read; save gmsh meshes as version 2.2 or 4.1, VTK grids as version 2 to 5")]
     Version {
         /// The version, or what stands in its place.
-        found: String,
+        found: Excerpt,
     },
     /// A cell that is none of the shapes.
     #[error(
@@ -38,7 +39,7 @@ pub enum VolumeProblem {
     )]
     Kind {
         /// Type of the cell, as the file says it, with its name where that is known.
-        found: String,
+        found: Excerpt,
     },
     /// A coordinate that is NaN or infinite.
     #[error(
@@ -48,7 +49,7 @@ pub enum VolumeProblem {
         /// The node.
         node: u64,
         /// The coordinate.
-        found: String,
+        found: Excerpt,
     },
     /// Two nodes or cells with one number.
     #[error("the number {label} comes twice among the {part}; renumber them")]
@@ -102,7 +103,7 @@ pub enum VolumeProblem {
     )]
     Section {
         /// The line.
-        found: String,
+        found: Excerpt,
     },
     /// A section that does not end.
     #[error("the section ${section} does not end; was the file cut off?")]
@@ -138,19 +139,19 @@ pub enum VolumeProblem {
     )]
     Keyword {
         /// The line.
-        found: String,
+        found: Excerpt,
     },
     /// A VTK file without something that cells need.
     #[error("the file ends without {keyword}; was it cut off?")]
     Missing {
         /// The keyword.
-        keyword: String,
+        keyword: Excerpt,
     },
     /// A type of number that is not read.
     #[error("values of type {found:?} are not read; save them as numbers")]
     Scalar {
         /// The type.
-        found: String,
+        found: Excerpt,
     },
     /// A file that is no XML.
     #[error("the XML is damaged at column {column}; was the file cut off, or not written by VTK?")]
@@ -196,7 +197,7 @@ pub enum VolumeProblem {
     #[error("the compression {found:?} is not read; save with zlib or without compression")]
     Compressor {
         /// Name.
-        found: String,
+        found: Excerpt,
     },
     /// An array with a wrong number of values.
     #[error("the array {array:?} has {found} values instead of {expected}; is the file damaged?")]
@@ -228,19 +229,19 @@ pub enum VolumeProblem {
     )]
     Generated {
         /// The keyword, with the parameter that matters.
-        found: String,
+        found: Excerpt,
     },
     /// More than one body in an Abaqus file, or a body that is moved.
     #[error("{found}; save a flattened file: one part, where it is, without instances")]
     Assembly {
         /// Obstacle: a second part, a second instance, an instance that is moved.
-        found: String,
+        found: Excerpt,
     },
     /// A keyword of an Abaqus file without a parameter that it needs.
     #[error("*{keyword} lacks {parameter}=; add it")]
     Parameter {
         /// The keyword.
-        keyword: String,
+        keyword: Excerpt,
         /// The parameter.
         parameter: String,
     },

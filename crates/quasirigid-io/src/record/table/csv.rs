@@ -1,7 +1,6 @@
 //! The rows of a history, or of the evolution, as CSV.
 
 use std::fmt::Write as _;
-use std::fs::File;
 use std::io::{self, ErrorKind, Write};
 use std::path::Path;
 
@@ -10,6 +9,7 @@ use csv::{ByteRecord, ReaderBuilder, Writer};
 use super::super::folder::unusable;
 use super::super::{Column, RecordError};
 use super::{RowTable, Rows, Take};
+use crate::disk::open_regular;
 use crate::table_file::{guarded, unguarded};
 
 /// Writes the columns of a history, or of the evolution, as CSV: a header of names, then one line per row.
@@ -89,7 +89,7 @@ fn cause(error: csv::Error) -> io::Error {
 /// Reads the rows of a file whose header is the names of the columns.
 pub fn read(file: &Path, columns: &[Column], take: Take<'_>) -> Result<(), RecordError> {
     let unreadable = |error: csv::Error| unusable(file, &cause(error));
-    let input = File::open(file).map_err(|error| unusable(file, &error))?;
+    let input = open_regular(file).map_err(|error| unusable(file, &error))?;
     let mut reader = ReaderBuilder::new().has_headers(false).flexible(true).from_reader(input);
     let mut line = ByteRecord::new();
     reader.read_byte_record(&mut line).map_err(unreadable)?;
@@ -113,7 +113,7 @@ pub fn read(file: &Path, columns: &[Column], take: Take<'_>) -> Result<(), Recor
                 text: String::from_utf8_lossy(field).into(),
             })?;
         }
-        take(&row);
+        take(&row)?;
     }
     Ok(())
 }

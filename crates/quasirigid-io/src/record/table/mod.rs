@@ -107,8 +107,8 @@ impl Named for TableFormat {
     ];
 }
 
-/// Receiver of rows.
-pub(super) type Take<'a> = &'a mut dyn FnMut(&[f64]);
+/// Receiver of rows; one that fails ends the reading.
+pub(super) type Take<'a> = &'a mut dyn FnMut(&[f64]) -> Result<(), RecordError>;
 
 /// Rows that can be gone through again and again.
 pub(super) trait Rows {

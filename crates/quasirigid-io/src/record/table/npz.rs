@@ -1,7 +1,6 @@
 //! NPZ tables of histories: an archive with one NumPy array of doubles for each column, stored without compression, as `numpy.load` reads.
 //! An archive that another program has compressed is read up to a hundred times its size.
 
-use std::fs::File;
 use std::io::{self, Read, Seek, SeekFrom, Write};
 use std::path::Path;
 
@@ -11,6 +10,7 @@ use zip::{CompressionMethod, ZipArchive, ZipWriter};
 use super::super::folder::unusable;
 use super::super::{Column, RecordError};
 use super::{Rows, Take};
+use crate::disk::open_regular;
 use crate::text_file::unpacked_limit;
 
 /// Alignment of the data of an array.
@@ -107,7 +107,7 @@ fn header(rows: u64) -> Vec<u8> {
 /// Reads the rows of a file whose columns have the names of these, all at once.
 pub fn read(file: &Path, columns: &[Column], take: Take<'_>) -> Result<(), RecordError> {
     let damaged = |problem: String| RecordError::Table { file: file.into(), problem };
-    let opened = File::open(file).map_err(|error| unusable(file, &error))?;
+    let opened = open_regular(file).map_err(|error| unusable(file, &error))?;
     let limit = unpacked_limit(opened.metadata().map_err(|error| unusable(file, &error))?.len());
     let mut left = limit;
     let mut archive = ZipArchive::new(opened).map_err(|error| damaged(error.to_string()))?;
@@ -126,7 +126,7 @@ pub fn read(file: &Path, columns: &[Column], take: Take<'_>) -> Result<(), Recor
         return Err(damaged("columns of unequal length".to_owned()));
     }
     for place in 0..rows {
-        take(&values.iter().map(|column| column[place]).collect::<Vec<_>>());
+        take(&values.iter().map(|column| column[place]).collect::<Vec<_>>())?;
     }
     Ok(())
 }

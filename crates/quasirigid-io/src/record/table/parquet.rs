@@ -21,6 +21,7 @@ use parquet::schema::types::Type;
 use super::super::folder::unusable;
 use super::super::{Column, RecordError};
 use super::{Rows, Take};
+use crate::disk::open_regular;
 
 /// Rows of a group that is written, and rows that are read at once.
 const GROUP: usize = 65_536;
@@ -102,7 +103,7 @@ pub fn read(file: &Path, columns: &[Column], take: Take<'_>) -> Result<(), Recor
 
 fn read_undamaged(file: &Path, columns: &[Column], take: Take<'_>) -> Result<(), RecordError> {
     let failed = |error: ParquetError| damaged(file, &error);
-    let opened = File::open(file).map_err(|error| unusable(file, &error))?;
+    let opened = open_regular(file).map_err(|error| unusable(file, &error))?;
     let reader = SerializedFileReader::new(opened).map_err(failed)?;
     let described = reader.metadata().file_metadata().schema_descr();
     let found: Vec<String> = described.columns().iter().map(|column| column.name().to_owned()).collect();
@@ -118,7 +119,7 @@ fn read_undamaged(file: &Path, columns: &[Column], take: Take<'_>) -> Result<(),
                 for (value, column) in row.iter_mut().zip(&group.values) {
                     *value = *column.get(place).ok_or_else(|| damaged(file, &"columns of unequal length"))?;
                 }
-                take(&row);
+                take(&row)?;
             }
         }
     }

@@ -10,7 +10,7 @@ use crc32fast::Hasher;
 use super::super::RecordError;
 use super::super::folder::unusable;
 use super::Rows;
-use crate::disk::settle;
+use crate::disk::{open_regular, settle};
 
 /// Bytes that are kept back before they are written.
 const BUFFER: usize = 1 << 20;
@@ -42,6 +42,7 @@ impl RowLog {
     /// Those of the system, [`io::ErrorKind::UnexpectedEof`] where the log is shorter, and [`io::ErrorKind::InvalidData`] where its rows
     /// have another checksum; the log then stays as it is.
     pub fn resume(path: &Path, width: usize, rows: u64, checksum: u32) -> io::Result<Self> {
+        open_regular(path)?;
         let mut file = OpenOptions::new().read(true).write(true).open(path)?;
         let length = rows.checked_mul(8 * width as u64).ok_or(io::ErrorKind::InvalidInput)?;
         if file.metadata()?.len() < length {
@@ -123,7 +124,8 @@ impl RowTable {
     /// # Errors
     /// [`RecordError::File`].
     pub fn open(path: &Path, width: usize) -> Result<Self, RecordError> {
-        let length = path.metadata().map_err(|error| unusable(path, &error))?.len();
+        let length =
+            open_regular(path).and_then(|log| log.metadata()).map_err(|error| unusable(path, &error))?.len();
         Ok(Self { path: path.to_owned(), width, rows: length / (8 * width.max(1) as u64) })
     }
 
@@ -148,7 +150,7 @@ impl RowTable {
 impl Rows for RowTable {
     fn each(&self, take: &mut dyn FnMut(&[f64]) -> Result<(), RecordError>) -> Result<(), RecordError> {
         let unread = |error: io::Error| unusable(&self.path, &error);
-        let mut input = BufReader::with_capacity(BUFFER, File::open(&self.path).map_err(unread)?);
+        let mut input = BufReader::with_capacity(BUFFER, open_regular(&self.path).map_err(unread)?);
         let mut bytes = vec![0; 8 * self.width];
         let mut row = vec![0.0; self.width];
         for _ in 0..self.rows {

@@ -28,9 +28,9 @@ class Frames {
 
   spinAt(i) {
     if (this.omega) return vectorAt(this.omega, i);
-    const out = new Float64Array(3);
-    this.equations.spin.at(...vectorAt(this.momentum, i), out);
-    return Array.from(out);
+    const out = new Float64Array(7);
+    this.equations.form.at(...vectorAt(this.momentum, i), out);
+    return Array.from(out.subarray(0, 3));
   }
 
   row(list, width, i) {

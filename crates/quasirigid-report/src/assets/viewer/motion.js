@@ -1,17 +1,21 @@
-// Free motion of the reduced body: dK/dt = K x Omega(K), dW/dt = power(Omega), and the attitude.
+// Free motion of the reduced body by the energy form, dK/dt = K x omega(K), dW/dt = power, and the attitude.
 // K is fixed in inertial axes, so the attitude is T R(e, psi) A, where A is the smallest rotation of k = K/|K| into a
 // body axis e, and T turns e into the inertial direction of K. The angle psi obeys
-//   dpsi/dt = Omega . (k + e) / (1 + k . e),
+//   dpsi/dt = omega . (k + e) / (1 + k . e),
 // a quadrature: long steps stay exact where the spin is much faster than the nutation, and K never leaves its line.
 class FreeMotion {
   constructor(equations, tolerance) {
     this.equations = equations;
-    this.omega = new Float64Array(3);
-    this.scalar = new Float64Array(1);
+    /** Angular velocity, rate of the angular momentum, power. */
+    this.now = new Float64Array(7);
     this.axis = [0, 0, 1];
     /** Relative changes of |K| by the integrator, added up; every step takes its own out. */
     this.drift = 0;
     this.solver = new Dop853(5, (y, out) => this.rate(y, out), (y, out) => this.allowed(y, out, tolerance));
+  }
+
+  get omega() {
+    return this.now.subarray(0, 3);
   }
 
   get t() {
@@ -33,19 +37,16 @@ class FreeMotion {
   }
 
   rate(y, out) {
-    const { omega, axis, scalar } = this;
+    const { now, axis } = this;
     const [K1, K2, K3] = y;
-    this.equations.spin.at(K1, K2, K3, omega);
-    const [w1, w2, w3] = omega;
-    out[0] = K2 * w3 - K3 * w2;
-    out[1] = K3 * w1 - K1 * w3;
-    out[2] = K1 * w2 - K2 * w1;
+    this.equations.form.at(K1, K2, K3, now);
+    const [w1, w2, w3] = now;
+    [out[0], out[1], out[2]] = [now[3], now[4], now[5]];
     const scale = 1 / this.size;
     const [e1, e2, e3] = axis;
     const along = w1 * (scale * K1 + e1) + w2 * (scale * K2 + e2) + w3 * (scale * K3 + e3);
     out[3] = along / (1 + scale * (K1 * e1 + K2 * e2 + K3 * e3));
-    this.equations.power.at(w1, w2, w3, scalar);
-    out[4] = scalar[0];
+    out[4] = now[6];
   }
 
   allowed(y, out, tolerance) {
@@ -93,7 +94,7 @@ class FreeMotion {
   /** Angular velocity of the state reached. */
   spin() {
     const { y } = this.solver;
-    this.equations.spin.at(y[0], y[1], y[2], this.omega);
+    this.equations.form.at(y[0], y[1], y[2], this.now);
     return Array.from(this.omega);
   }
 

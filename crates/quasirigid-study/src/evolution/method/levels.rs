@@ -54,7 +54,7 @@ impl Choice<'_> {
                     Ok(ChosenMethod::Levels(Box::new(passage)))
                 }
                 LevelStopReason::Undecided => Err(format!(
-                    "the rotation comes to a saddle of the slow energy after {}, behind which the ways differ",
+                    "the rotation reaches a separatrix after {}; what follows depends on the phase",
                     time(passage.rows.last().map_or(f64::NAN, |row| row.time))
                 )),
                 LevelStopReason::Lossless => Err("nothing is dissipated".into()),

@@ -120,8 +120,8 @@ pub fn choose(
 
 /// Reason why the full system gives no answer, in words.
 fn without_equations(left_out: f64) -> String {
-    let why = "the full system has no equations of motion for all that dissipates (materials and liquids whose answer is known at each \
-               frequency alone)";
+    let why = "the full system has no equations of motion for all that dissipates (materials and liquids whose response is known only \
+               in the frequency domain)";
     if !left_out.is_finite() {
         return format!("{why}, and the modes do not say how much that is");
     }

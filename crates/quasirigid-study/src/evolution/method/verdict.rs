@@ -230,7 +230,7 @@ fn measured(power: &MeasuredPower) -> String {
     let edges: Vec<String> = power.hand_overs.iter().map(handed).collect();
     if runs == 0 {
         return format!(
-            "What moves inside is too heavy or too soft for an average: the mean power was taken from the reduced equations about the \
+            "The internal parts are too massive or too compliant for averaging: the mean power was taken from the reduced equations about the \
              spin, which hold {}",
             edges.join(", ")
         );
@@ -241,7 +241,7 @@ fn measured(power: &MeasuredPower) -> String {
         format!("taken from the reduced equations about the spin {}, and elsewhere ", edges.join(", "))
     };
     format!(
-        "What moves inside is too heavy or too soft for an average: the mean power was {within}measured in {runs} short runs of the \
+        "The internal parts are too massive or too compliant for averaging: the mean power was {within}measured in {runs} short runs of the \
          full system"
     )
 }
@@ -282,12 +282,9 @@ pub fn unfounded(criteria: AverageCriteria) -> String {
     }
     if settling > poles {
         return format!(
-            "the wobble changes at {} of the rate at which the inside follows it",
+            "the wobble changes at {} of the relaxation rate of the internal motion",
             significant(settling, 2)
         );
     }
-    format!(
-        "a small wobble changes at a rate that is {} % off that of the modes, which is exact",
-        percent(poles)
-    )
+    format!("a small wobble changes at a rate that is {} % off that of the linear modes", percent(poles))
 }

@@ -64,6 +64,12 @@ pub enum EllipsoidRefusal {
         /// The number.
         value: f64,
     },
+    /// A quality factor below 1.
+    #[error("the quality factor is {value}; give one of at least 1")]
+    Quality {
+        /// Factor asked for.
+        value: f64,
+    },
     /// Poisson's ratio out of range.
     #[error("Poisson's ratio {value} is out of range; give one above -1 and below 1/2")]
     Poisson {

@@ -195,6 +195,11 @@ fn checked(body: &WobblingEllipsoid) -> Result<(), EllipsoidRefusal> {
     if let Some(&(name, value)) = positive.iter().find(|(_, value)| !(*value > 0.0 && value.is_finite())) {
         return Err(EllipsoidRefusal::NotPositive { name, value });
     }
+    if let EllipsoidLoss::QualityFactor(value) = body.loss
+        && value < 1.0
+    {
+        return Err(EllipsoidRefusal::Quality { value });
+    }
     if !(body.poisson > -1.0 && body.poisson < 0.5) {
         return Err(EllipsoidRefusal::Poisson { value: body.poisson });
     }

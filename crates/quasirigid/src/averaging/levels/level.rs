@@ -56,7 +56,7 @@ impl System<State> for Along<'_> {
     fn rate<A: Arithmetic>(&mut self, _: f64, y: &State, rate: &mut State) {
         let u = [y[0], y[1], y[2]];
         let (velocity, ratio) = self.energy.velocity(u);
-        let [power, turning] = self.energy.power(u);
+        let [power, turning] = self.energy.power(u, scale(ratio, velocity));
         let slowness = ratio.recip();
         let swept = dot(self.axis, cross(u, velocity)) / (1.0 + dot(self.axis, u));
         *rate =

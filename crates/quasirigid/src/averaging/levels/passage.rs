@@ -101,9 +101,14 @@ impl LevelEvolution {
     /// `ξ`. (N5), (N6)
     ///
     /// # Errors
-    /// [`LevelError`] if the start is steady or on a separatrix, and for the angle of a wobble about a family of steady spins.
+    /// [`LevelError`] if the start is steady or on a separatrix, for an angle that is lost in rounding, and for the angle of a wobble about a
+    /// family of steady spins.
     pub fn follow(&self, K: [f64; 3], until: Until, rows: usize) -> Result<LevelPassage, LevelError> {
         let u = self.moving(K)?;
+        match until {
+            Until::Wobble(angle) if angle < SMALLEST => return Err(LevelError::TooSmall { angle }),
+            _ => {}
+        }
         let leg = self.leg(u, None)?;
         let h = self.energy.energy(u);
         let xi = leg.place(h - leg.bottom);
@@ -116,11 +121,8 @@ impl LevelEvolution {
             time: 0.0,
             revolutions: 0.0,
         };
-        let followed = making.run(h, until).and_then(|ending| making.passage(ending, rows));
-        followed.map_err(|error| match (error, until) {
-            (LevelError::Open, Until::Wobble(angle)) if angle < SMALLEST => LevelError::TooSmall { angle },
-            (error, _) => error,
-        })
+        let ending = making.run(h, until)?;
+        making.passage(ending, rows)
     }
 }
 

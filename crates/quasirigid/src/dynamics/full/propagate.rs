@@ -12,6 +12,7 @@ use crate::dynamics::invariant_monitor::InvariantMonitor;
 use crate::dynamics::layout::{ATTITUDE, Layout, MOMENTUM, PLACE, VELOCITY, triple};
 use crate::dynamics::run::{Observer, Options, PropagateError, Run, check};
 use crate::dynamics::scale::Scales;
+use crate::dynamics::timing::{Allowed, Timing};
 use crate::math::ode::{Solver, integrate};
 use crate::model::FlexibleBody;
 
@@ -51,7 +52,13 @@ pub fn propagate_full(
     }
     let y = initial.pack(system.body);
     let end = times.last().copied().unwrap_or_default();
-    let scales = Scales::of(system, initial.omega, triple(&y, MOMENTUM), initial.pose(), end);
+    let pose = initial.pose();
+    let mut timing = Timing::of(system, initial.omega, &pose, end);
+    let intervals = timing.as_ref().map_or_else(Vec::new, Timing::intervals);
+    let mut scales = Scales::of(system, initial.omega, triple(&y, MOMENTUM), pose, end, &intervals);
+    if initial.omega == [0.0; 3] {
+        scales.stir(initial.energy(system.body));
+    }
     check(scales.spin, initial.attitude, times, options)?;
     let sizes = sizes(system.body, &scales);
     let allowed = sizes.iter().map(|size| options.tolerance * size).collect();
@@ -59,11 +66,16 @@ pub fn propagate_full(
     let layout = Layout::of(system.body);
     let angular_momentum = Conserved::of(triple(&y, MOMENTUM), initial.attitude, scales.inside);
     let mut monitor = InvariantMonitor::new(full.clone(), &y, angular_momentum, options, observer);
+    if let Some(timing) = &mut timing {
+        let angular_momentum = options.tolerance * scales.angular_momentum;
+        timing.allow(system, Allowed { angular_momentum, velocity: options.tolerance * scales.velocity });
+    }
+    monitor.timing = timing;
     let mut solver = FullSolver::new(full, y, allowed, options.method, options.rounding);
     let first = monitor.resume(&mut solver)?;
     let reason = integrate(&mut solver, times, first, options.most_steps, &mut monitor);
     let last = monitor.sample(solver.t(), solver.y());
-    let run = Run { outcome: monitor.outcome(reason), last, work: solver.work() };
+    let run = Run { outcome: monitor.outcome(reason), last, work: solver.work(), scan: monitor.scan() };
     observer.budget(&budget(system.body, &solver.y()[layout.accounts()], last.dissipated));
     Ok(run)
 }

@@ -5,7 +5,9 @@
 
 use super::system::FullSystem;
 use crate::dynamics::run::Method;
-use crate::math::ode::{Checkpoint, DenseOutput, Dop853, Radau, Solver, StepError, Stiff, Work};
+use crate::math::ode::{
+    Checkpoint, DenseOutput, Dop853, Radau, Solver, StepError, StepRule, Stiff, Stretch, Work,
+};
 use crate::math::simd::{Plain, Rounding};
 
 type State = Vec<f64>;
@@ -194,6 +196,18 @@ impl Solver for FullSolver<'_> {
 
     fn rewind(&mut self, t: f64, y: State) {
         active!(&mut self.active, solver => solver.rewind(t, y));
+    }
+
+    fn enter(&mut self, stretch: Stretch) {
+        active!(&mut self.active, solver => solver.enter(stretch));
+    }
+
+    fn restart(&mut self, stretch: Stretch) {
+        active!(&mut self.active, solver => solver.restart(stretch));
+    }
+
+    fn rule(&self) -> StepRule {
+        active!(&self.active, solver => solver.rule())
     }
 
     fn save(&self, checkpoint: &mut Checkpoint) {

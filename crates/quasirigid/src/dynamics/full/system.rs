@@ -12,7 +12,7 @@ use crate::dynamics::layout::{
 use crate::dynamics::seat::Seat;
 use crate::math::eigen::Dense;
 use crate::math::lanes::Lanes;
-use crate::math::ode::{Stiff, System};
+use crate::math::ode::{Stiff, Stretch, System};
 use crate::math::rotation::{self, Turn};
 use crate::math::simd::{Arithmetic, Plain};
 use crate::math::sparse::SparseRows;
@@ -31,6 +31,8 @@ pub(super) struct FullSystem<'a> {
     /// Damping of each dissipator, if there are several: entries of the upper triangle, those off the diagonal doubled.
     accounts: Vec<Vec<(usize, usize, f64)>>,
     stiff: StiffPart,
+    /// Stretch between breakpoints of the forces that steps lie in. (Z1)
+    stretch: Stretch,
     /// Steps of the finite differences of a Jacobian: in the coordinates, then in their momenta.
     differences: Vec<f64>,
 }
@@ -54,6 +56,7 @@ impl<'a> FullSystem<'a> {
             omega: [Lanes::splat(0.0); 3],
             accounts: accounts.collect(),
             stiff: StiffPart::vibrations(body),
+            stretch: Stretch::default(),
             differences: sizes[layout.slow()..].iter().map(|size| DIFFERENCE * size).collect(),
         })
     }
@@ -132,6 +135,7 @@ impl<'a> FullSystem<'a> {
 
 impl System<Vec<f64>> for FullSystem<'_> {
     fn rate<A: Arithmetic>(&mut self, t: f64, y: &Vec<f64>, rate: &mut Vec<f64>) {
+        let t = self.stretch.within(t);
         let K = triple(y, MOMENTUM);
         let (q, p) = (&y[self.layout.q()], &y[self.layout.p()]);
         let (slow, fast) = rate.split_at_mut(self.layout.slow());
@@ -155,6 +159,10 @@ impl System<Vec<f64>> for FullSystem<'_> {
         } else {
             slow[PLACE..PLACE + 3].copy_from_slice(&triple(y, VELOCITY));
         }
+    }
+
+    fn enter(&mut self, stretch: Stretch) {
+        self.stretch = stretch;
     }
 }
 

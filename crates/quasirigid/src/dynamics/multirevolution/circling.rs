@@ -55,8 +55,7 @@ impl Circling {
         (t, state): (f64, &Accounts),
     ) -> Option<Self> {
         let body = shares.body();
-        let rate =
-            motion.equations.rate::<Plain, f64>(state.x, motion.equations.omega::<Plain, f64>(state.x));
+        let rate = motion.equations.rate::<Plain, f64>(state.x);
         Frame::axes_about(spins, state.x).into_iter().find_map(|axes| {
             let frame = Frame::new(body, axes);
             let inside = frame.inside(state.x);

@@ -14,7 +14,7 @@ use crate::dynamics::form::{AngularMomentumForm, Equations};
 use crate::dynamics::invariant_monitor::InvariantMonitor;
 use crate::dynamics::quadrature::Quadrature;
 use crate::dynamics::reduced::{Prepared, Reduced, Shares};
-use crate::dynamics::run::{Options, PropagateError, Run};
+use crate::dynamics::run::{Options, PropagateError, Run, Scan};
 use crate::dynamics::spin::{Accounted, Accounts};
 use crate::dynamics::steady::IsolatedSpin;
 use crate::math::ode::{Checkpoint, Dop853, Solver, StepObserver, StopReason, Work, integrate_until};
@@ -60,12 +60,7 @@ pub(in crate::dynamics) fn follow<A: Arithmetic>(
 ) -> Result<Run, PropagateError> {
     let Prepared { system, y, allowed, monitor, times, options } = prepared;
     let work = Cell::new(Work::default());
-    let motion = Motion {
-        equations: system.equations,
-        power: system.power,
-        work: &work,
-        arithmetic: PhantomData::<A>,
-    };
+    let motion = Motion { equations: system.equations, work: &work, arithmetic: PhantomData::<A> };
     let taken = vec![0.0; monitor.trajectory.shares.count()];
     let mut follower = Follower {
         motion,
@@ -89,7 +84,7 @@ pub(in crate::dynamics) fn follow<A: Arithmetic>(
     let last = monitor.sample(t, &y);
     let budget = monitor.trajectory.budget(&taken, &last);
     monitor.observer.budget(&budget);
-    Ok(Run { outcome: monitor.outcome(reason), last, work: work.get() })
+    Ok(Run { outcome: monitor.outcome(reason), last, work: work.get(), scan: Scan::default() })
 }
 
 impl<'w, 'a, A: Arithmetic> Follower<'w, 'a, A> {
@@ -198,7 +193,7 @@ impl<'w, 'a, A: Arithmetic> Follower<'w, 'a, A> {
     }
 
     fn direct(&self, t: f64, y: [f64; 12]) -> Direct<'w, A> {
-        let system = Accounted { equations: self.motion.equations, power: self.motion.power };
+        let system = Accounted { equations: self.motion.equations };
         Dop853::new(system, t, y, self.allowed)
     }
 

@@ -7,7 +7,6 @@ use super::revolution::Motion;
 use crate::dynamics::form::AngularMomentumForm;
 use crate::dynamics::steady::IsolatedSpin;
 use crate::math::ode::Checkpoint;
-use crate::math::polynomial::Kernel;
 use crate::math::rotation::{self, Attitude};
 use crate::math::sphere::{StationaryKind, tangents};
 use crate::math::vec3::{cross, dot, norm, scale};
@@ -20,7 +19,6 @@ pub(super) struct Frame {
     /// Attitude of the axes in the body.
     attitude: Attitude,
     equations: AngularMomentumForm,
-    power: Kernel,
 }
 
 impl Frame {
@@ -51,18 +49,12 @@ impl Frame {
             axes,
             attitude: [turn.w, turn.i, turn.j, turn.k],
             equations: AngularMomentumForm::in_axes(body, axes),
-            power: Kernel::new(&body.power.in_axes(axes)),
         }
     }
 
     /// The equations, as those of a motion.
     pub fn motion<'m, A>(&'m self, motion: &Motion<'m, A>) -> Motion<'m, A> {
-        Motion {
-            equations: &self.equations,
-            power: &self.power,
-            work: motion.work,
-            arithmetic: motion.arithmetic,
-        }
+        Motion { equations: &self.equations, work: motion.work, arithmetic: motion.arithmetic }
     }
 
     /// Components of a vector of the body in these axes.

@@ -8,18 +8,16 @@ use std::f64::consts::TAU;
 use std::marker::PhantomData;
 
 use super::section::Section;
-use crate::dynamics::form::{AngularMomentumForm, Equations};
+use crate::dynamics::form::{self, AngularMomentumForm, Equations};
 use crate::math::ode::{Dop853, Solver, System, Work};
-use crate::math::polynomial::Kernel;
 use crate::math::rotation::{self, ALIGNED, Attitude};
 use crate::math::simd::{Arithmetic, Task};
 use crate::math::vec3::{dot, norm, scale};
 
-/// Equations of the motion in the axes of a section or of the body, with the power (W) of the dashpots by the angular velocity.
+/// Equations of the motion in the axes of a section or of the body.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Motion<'a, A> {
     pub equations: &'a AngularMomentumForm,
-    pub power: &'a Kernel,
     pub work: &'a Cell<Work>,
     pub arithmetic: PhantomData<A>,
 }
@@ -117,7 +115,7 @@ impl<A: Arithmetic> Motion<'_, A> {
 
     /// Change of the angle in the half-plane that changes the energy by so much. (P10)
     fn nutation_of(&self, section: &Section, psi: f64, energy_change: f64) -> Option<f64> {
-        let slope = |psi: f64| dot(self.equations.energy_gradient(section.at(psi)), section.slope(psi));
+        let slope = |psi: f64| dot(self.equations.slope(section.at(psi)), section.slope(psi));
         let mut change = energy_change / slope(psi);
         for _ in 0..NEWTON_STEPS {
             let gained: f64 = GAUSS.iter().map(|(x, weight)| weight * slope(psi + x * change)).sum();
@@ -172,17 +170,14 @@ struct Round<'a, A> {
 impl<A: Arithmetic> System<[f64; 12]> for Round<'_, A> {
     #[inline(always)]
     fn rate<R: Arithmetic>(&mut self, _: f64, y: &[f64; 12], rate: &mut [f64; 12]) {
-        let Motion { equations, power, .. } = self.motion;
+        let Motion { equations, .. } = self.motion;
         let (K, attitude) = ([y[0], y[1], y[2]], [y[3], y[4], y[5], y[6]]);
-        let omega = equations.omega::<R, f64>(K);
-        let moved = equations.rate::<R, f64>(K, omega);
+        let form::Motion { omega, rate: moved, power, energy_rate } = equations.motion::<R>(K);
         let azimuth = self.section.azimuth_rate(K, moved);
         let pace = if azimuth > 0.0 { azimuth.recip() } else { f64::NAN };
         let [x, y, z] = moved;
         let [s, i, j, k] = rotation::rate(attitude, omega);
-        let dissipated = power.value::<R>(omega)[0];
-        let energy_change = equations.energy_rate::<R>(K, moved);
         let about = dot(omega, K) / self.section.G;
-        *rate = [x, y, z, s, i, j, k, 1.0, dissipated, energy_change, norm(omega), about].map(|r| pace * r);
+        *rate = [x, y, z, s, i, j, k, 1.0, power, energy_rate, norm(omega), about].map(|r| pace * r);
     }
 }

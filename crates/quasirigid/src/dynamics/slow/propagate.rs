@@ -14,7 +14,8 @@ use crate::dynamics::layout::{ATTITUDE, MOMENTUM, PLACE, SLOW, VELOCITY};
 use crate::dynamics::run::{Observer, Options, PropagateError, Run, check};
 use crate::dynamics::scale::Scales;
 use crate::dynamics::seat;
-use crate::math::ode::{Dop853, Solver, integrate};
+use crate::dynamics::timing::{Allowed, Timing};
+use crate::math::ode::{Dop853, Solver, Stretch, integrate};
 use crate::math::simd::Plain;
 use crate::model::MotionState;
 
@@ -37,7 +38,7 @@ pub fn takes(system: Forced, form: Form, order: usize) -> bool {
 /// Start of the angular-velocity form: the angular velocity, and the pole displaced from the centre of mass by the displacements of (E3).
 /// (P7)
 fn paper_start(system: Forced, order: usize, start: &SlowPoint, center: [f64; SLOW]) -> [f64; SLOW] {
-    let slow = SlowSystem { system, order, form: Form::AngularVelocity };
+    let slow = SlowSystem { system, order, form: Form::AngularVelocity, stretch: Stretch::default() };
     let put = |motion: MotionState<f64>| {
         let [pole, pole_velocity] = seat::pole(system.body, motion, &center);
         let mut y = center;
@@ -78,7 +79,10 @@ pub fn propagate_forced(
     let start = slow_state_point(system, order, initial)?;
     let omega = start.omega;
     let end = times.last().copied().unwrap_or_default();
-    let scales = Scales::of(system, omega, initial.angular_momentum, initial.pose(0.0), end);
+    let pose = initial.pose(0.0);
+    let mut timing = Timing::of(system, omega, &pose, end);
+    let intervals = timing.as_ref().map_or_else(Vec::new, Timing::intervals);
+    let scales = Scales::of(system, omega, initial.angular_momentum, pose, end, &intervals);
     check(scales.spin, initial.attitude, times, options)?;
     let mut y = initial.pack();
     let mut first = scales.angular_momentum;
@@ -91,13 +95,18 @@ pub fn propagate_forced(
     allowed[ATTITUDE..ATTITUDE + 4].fill(options.tolerance);
     allowed[PLACE..PLACE + 3].fill(options.tolerance * scales.place);
     allowed[VELOCITY..VELOCITY + 3].fill(options.tolerance * scales.velocity);
-    let mut slow = SlowSystem { system, order, form: options.form };
+    let mut slow = SlowSystem { system, order, form: options.form, stretch: Stretch::default() };
     let angular_momentum = slow.view(0.0, &y).angular_momentum;
     let angular_momentum = Conserved::of(angular_momentum, initial.attitude, scales.inside);
     let mut monitor = InvariantMonitor::new(slow, &y, angular_momentum, options, observer);
+    if let Some(timing) = &mut timing {
+        let angular_momentum = options.tolerance * scales.angular_momentum;
+        timing.allow(system, Allowed { angular_momentum, velocity: options.tolerance * scales.velocity });
+    }
+    monitor.timing = timing;
     let mut solver = Dop853::<_, _, Plain>::new(slow, 0.0, y, allowed);
     let first = monitor.resume(&mut solver)?;
     let reason = integrate(&mut solver, times, first, options.most_steps, &mut monitor);
     let last = monitor.sample(solver.t(), solver.y());
-    Ok(Run { outcome: monitor.outcome(reason), last, work: solver.work() })
+    Ok(Run { outcome: monitor.outcome(reason), last, work: solver.work(), scan: monitor.scan() })
 }

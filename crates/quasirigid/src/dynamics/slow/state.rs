@@ -37,22 +37,27 @@ impl SlowState {
         let angular_momentum = add(times(J, omega), system.body.wheels().angular_momentum(0.0));
         let mut state = Self { angular_momentum, ..self };
         let mut best = f64::INFINITY;
+        // Of a body at rest: what its parts would turn it by.
+        let mut size = norm(omega);
         for _ in 0..ITERATIONS {
             let point = slow_state_point(system, order, &state)?;
             if !best.is_finite() && system.acts() && !norm(point.omega).is_finite() {
                 return Err(PropagateError::NoForce); // at the first guess the series is that of a spin all but the one asked for
             }
             let gap = add(omega, scale(-1.0, point.omega));
+            if !best.is_finite() {
+                size = size.max(norm(gap));
+            }
             if norm(gap) >= 0.9 * best {
                 break;
             }
             best = norm(gap);
-            if best <= 1e-15 * norm(omega) {
+            if best <= 1e-15 * size {
                 break;
             }
             state.angular_momentum = add(state.angular_momentum, times(J, gap));
         }
-        let near = best <= 1e-10 * norm(omega);
+        let near = best <= 1e-10 * size;
         if near && state.angular_momentum.iter().all(|K| K.is_finite()) {
             Ok(state)
         } else {

@@ -13,7 +13,7 @@ use crate::dynamics::layout::{
     ANGLE, ATTITUDE, DISSIPATED, IMPULSE, MOMENTUM, PLACE, SLOW, VELOCITY, WORK, triple,
 };
 use crate::dynamics::seat::Seat;
-use crate::math::ode::System;
+use crate::math::ode::{Stretch, System};
 use crate::math::rotation::{self, Turn};
 use crate::math::simd::Arithmetic;
 use crate::math::sym3::{inverse, times};
@@ -29,6 +29,8 @@ pub(super) struct SlowSystem<'a> {
     pub system: Forced<'a>,
     pub order: usize,
     pub form: Form,
+    /// Stretch between breakpoints of the forces that steps lie in. (Z1)
+    pub stretch: Stretch,
 }
 
 /// Rates and internal coordinates at a state.
@@ -82,6 +84,7 @@ impl SlowSystem<'_> {
 
 impl System<[f64; SLOW]> for SlowSystem<'_> {
     fn rate<A: Arithmetic>(&mut self, t: f64, y: &[f64; SLOW], rate: &mut [f64; SLOW]) {
+        let t = self.stretch.within(t);
         let now = self.rates(t, y);
         let SlowState { attitude, velocity, .. } = SlowState::unpack(y);
         let motion = MotionState { omega: now.omega, q: &now.q, rate: &now.rate };
@@ -96,6 +99,10 @@ impl System<[f64; SLOW]> for SlowSystem<'_> {
         rate[IMPULSE..IMPULSE + 3].copy_from_slice(&impulse);
         rate[PLACE..PLACE + 3].copy_from_slice(&velocity);
         rate[VELOCITY..VELOCITY + 3].copy_from_slice(&now.acceleration);
+    }
+
+    fn enter(&mut self, stretch: Stretch) {
+        self.stretch = stretch;
     }
 }
 

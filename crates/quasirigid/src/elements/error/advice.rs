@@ -129,6 +129,9 @@ impl Problem {
             Self::NotElliptic { .. } => "write 0 for a circle; a body that escapes is not modelled",
             Self::Poisson { .. } => "most rocks and metals have 0.2 to 0.35",
             Self::Rheology(RheologyError::NotPositive { .. }) => "write a positive number",
+            Self::Rheology(RheologyError::Quality { .. }) => {
+                "give a law or a table of a material that loses more than it stores"
+            }
             Self::Rheology(RheologyError::Exponent { .. }) => "most materials have 0.2 to 0.5",
             Self::NoBody => "add a [carrier], or parts that are elastic throughout, such as an [[ellipsoid]]",
             Self::BesideWhole => "leave it out, or make the body of a [carrier] and what hangs on it",

@@ -29,11 +29,15 @@ pub(in crate::elements) fn check(
     force: &Force<Station>,
     body: &Assembly,
 ) -> Result<(), ElementError> {
-    let finite = |field: Field, values: &[f64; 3]| coefficient::finite(values).map_err(at(place, field));
     if let Some(station) = force.law.place() {
         station.check(place, body)?;
     }
-    match &force.law {
+    lawful(place, &force.law)
+}
+
+fn lawful(place: ElementId, law: &ForceLaw<Station>) -> Result<(), ElementError> {
+    let finite = |field: Field, values: &[f64; 3]| coefficient::finite(values).map_err(at(place, field));
+    match law {
         ForceLaw::UniformGravity { acceleration } => finite(Field::ACCELERATION, acceleration),
         ForceLaw::CentralGravity { orbit } => on_orbit(place, orbit),
         ForceLaw::Drag { coefficient, .. } | ForceLaw::SpinDrag { coefficient } => {
@@ -57,7 +61,11 @@ pub(in crate::elements) fn check(
                 }
             }
         }
-        ForceLaw::Expression { .. } | ForceLaw::TorqueExpression { .. } => Ok(()),
+        ForceLaw::Expression { .. }
+        | ForceLaw::TorqueExpression { .. }
+        | ForceLaw::TorqueTable { .. }
+        | ForceLaw::ForceTable { .. } => Ok(()),
+        ForceLaw::During { law, .. } => lawful(place, law),
     }
 }
 

@@ -1,10 +1,10 @@
 //! External loads: force, moment and generalised forces of all laws on a body in motion.
 //! Generic over the scalar, so that the same code gives values, Taylor series in time and first variations; each law acts on the displaced
 //! place, curvature included.
-//! Equations (F1), (F2), (F5), (F6), (F9), (F11) and (F12), docs/theory/07-forces.md; (S1), docs/theory/01-system.md.
+//! Equations (F1), (F2), (F5), (F6), (F9) and (F11) to (F14), docs/theory/07-forces.md; (S1), docs/theory/01-system.md.
 
 use super::gravity::FirstMoment;
-use super::{Axes, Force, ForceLaw, Wave};
+use super::{Axes, Force, ForceLaw, VARIABLES, Wave};
 use crate::math::rotation::Turn;
 use crate::math::scalar::Smooth;
 use crate::math::vec3::{add, cross, dot, scale};
@@ -148,16 +148,22 @@ impl<T: Smooth> LoadContext<'_, T> {
             ForceLaw::TorqueExpression { torque, axes } => {
                 let felt = self.felt(self.kinematics.pole, self.kinematics.pole_velocity);
                 let torque = torque.each_ref().map(|component| component.value(&felt));
-                loads.add_torque(match axes {
-                    Axes::Body => torque,
-                    Axes::Inertial => self.turn.to_body(torque),
-                });
+                loads.add_torque(self.turned(torque, *axes));
+            }
+            ForceLaw::TorqueTable { table, axes } => loads.add_torque(self.turned(table.at(t), *axes)),
+            ForceLaw::ForceTable { at, table, axes } => {
+                loads.add_force(at, motion.q, self.place(at), self.turned(table.at(t), *axes));
+            }
+            ForceLaw::During { windows, law } => {
+                if windows.contains(t.value()) {
+                    self.add(law, loads);
+                }
             }
         }
     }
 
     /// Values of the variables of a formula, in their order. (F9)
-    fn felt(&self, [x, y, z]: [T; 3], [vx, vy, vz]: [T; 3]) -> [T; 14] {
+    fn felt(&self, [x, y, z]: [T; 3], [vx, vy, vz]: [T; 3]) -> [T; VARIABLES] {
         let KinematicState { t, attitude: [qw, qx, qy, qz], motion, .. } = *self.kinematics;
         let [wx, wy, wz] = motion.omega;
         [x, y, z, vx, vy, vz, t, wx, wy, wz, qw, qx, qy, qz]
@@ -184,10 +190,14 @@ impl<T: Smooth> LoadContext<'_, T> {
     /// Value of a varying amplitude at the time of the state, in body axes. (F6)
     fn varying(&self, amplitude: [f64; 3], axes: Axes, wave: Wave) -> [T; 3] {
         let phase = T::from(wave.frequency) * self.kinematics.t + T::from(wave.phase);
-        let now = scale(phase.cos(), amplitude.map(T::from));
+        self.turned(scale(phase.cos(), amplitude.map(T::from)), axes)
+    }
+
+    /// Vector in body axes.
+    fn turned(&self, vector: [T; 3], axes: Axes) -> [T; 3] {
         match axes {
-            Axes::Body => now,
-            Axes::Inertial => self.turn.to_body(now),
+            Axes::Body => vector,
+            Axes::Inertial => self.turn.to_body(vector),
         }
     }
 }

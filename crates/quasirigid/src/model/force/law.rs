@@ -1,10 +1,15 @@
 //! Laws of external forces, generic in the description of their places.
 //! One type serves the assembly, where a place is an element, and the body, where a place is a marker; [`Force::try_map`] takes one to the
 //! other.
-//! Equations (F3) to (F9), docs/theory/07-forces.md.
+//! Equations (F3) to (F9), (F13) and (F14), docs/theory/07-forces.md.
 
-use super::{MagneticField, Orbit};
+use super::{MagneticField, Orbit, Timetable, Windows};
 use crate::math::expression::Expression;
+use crate::math::taylor::Taylor;
+
+/// Variables of a formula, and the index of the time among them. (F9)
+pub(crate) const VARIABLES: usize = 14;
+pub(crate) const TIME: usize = 6;
 
 /// External force: name and law, with its place of action.
 ///
@@ -18,7 +23,7 @@ pub struct Force<P> {
     pub law: ForceLaw<P>,
 }
 
-/// Laws of external forces. (F3)–(F9)
+/// Laws of external forces. (F3)–(F9), (F13), (F14)
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Debug, PartialEq)]
 pub enum ForceLaw<P> {
@@ -87,6 +92,29 @@ pub enum ForceLaw<P> {
         /// Axes of the components.
         axes: Axes,
     },
+    /// Torque on the carrier from a table (N·m). (F14)
+    TorqueTable {
+        /// Table.
+        table: Timetable,
+        /// Axes of the components.
+        axes: Axes,
+    },
+    /// Force at a place from a table (N). (F14)
+    ForceTable {
+        /// Place of action.
+        at: P,
+        /// Table.
+        table: Timetable,
+        /// Axes of the components.
+        axes: Axes,
+    },
+    /// Law that acts in windows of time alone. (F13)
+    During {
+        /// Windows.
+        windows: Windows,
+        /// Law.
+        law: Box<ForceLaw<P>>,
+    },
 }
 
 impl<P> Force<P> {
@@ -104,13 +132,18 @@ impl<P> ForceLaw<P> {
     #[must_use]
     pub fn place(&self) -> Option<&P> {
         match self {
-            Self::Drag { at, .. } | Self::Thrust { at, .. } | Self::Expression { at, .. } => Some(at),
+            Self::Drag { at, .. }
+            | Self::Thrust { at, .. }
+            | Self::Expression { at, .. }
+            | Self::ForceTable { at, .. } => Some(at),
+            Self::During { law, .. } => law.place(),
             Self::UniformGravity { .. }
             | Self::CentralGravity { .. }
             | Self::SpinDrag { .. }
             | Self::Torque { .. }
             | Self::MagneticDipole { .. }
-            | Self::TorqueExpression { .. } => None,
+            | Self::TorqueExpression { .. }
+            | Self::TorqueTable { .. } => None,
         }
     }
 
@@ -121,7 +154,37 @@ impl<P> ForceLaw<P> {
             Self::Expression { force: formulas, .. } | Self::TorqueExpression { torque: formulas, .. } => {
                 Some(formulas)
             }
+            Self::During { law, .. } => law.formulas(),
             _ => None,
+        }
+    }
+
+    /// Law that acts, without the windows in which it does, and those windows. (F13)
+    #[must_use]
+    pub fn timed(&self) -> (&Self, Option<&Windows>) {
+        match self {
+            Self::During { windows, law } => (law, Some(windows)),
+            law => (law, None),
+        }
+    }
+
+    /// True if the law depends on the time alone, and gives nothing at `t = 0` and for some time thereafter.
+    #[must_use]
+    pub fn sleeps(&self) -> bool {
+        match self {
+            Self::During { windows, law } => !windows.contains(0.0) || law.sleeps(),
+            Self::TorqueTable { table, .. } | Self::ForceTable { table, .. } => {
+                table.at(Taylor::<2>::variable(0.0)).iter().all(|part| part.derivatives() == [0.0; 2])
+            }
+            Self::Expression { force: formulas, .. } | Self::TorqueExpression { torque: formulas, .. } => {
+                let mut variables = [Taylor::<8>::from(0.0); VARIABLES];
+                variables[TIME] = Taylor::variable(0.0);
+                let alone = |formula: &Expression| (0..VARIABLES).all(|i| i == TIME || !formula.uses(i));
+                formulas
+                    .iter()
+                    .all(|formula| alone(formula) && formula.value(&variables).derivatives() == [0.0; 8])
+            }
+            _ => false,
         }
     }
 
@@ -147,6 +210,13 @@ impl<P> ForceLaw<P> {
             Self::Expression { at, force } => ForceLaw::Expression { at: map(at)?, force: force.clone() },
             Self::TorqueExpression { torque, axes } => {
                 ForceLaw::TorqueExpression { torque: torque.clone(), axes: *axes }
+            }
+            Self::TorqueTable { table, axes } => ForceLaw::TorqueTable { table: table.clone(), axes: *axes },
+            Self::ForceTable { at, table, axes } => {
+                ForceLaw::ForceTable { at: map(at)?, table: table.clone(), axes: *axes }
+            }
+            Self::During { windows, law } => {
+                ForceLaw::During { windows: windows.clone(), law: Box::new(law.try_map(map)?) }
             }
         })
     }

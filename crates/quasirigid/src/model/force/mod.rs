@@ -1,4 +1,4 @@
-//! External forces on a body, for scalars that may be series in time. (F1) to (F12)
+//! External forces on a body, for scalars that may be series in time. (F1) to (F14)
 
 mod apply;
 mod field;
@@ -6,9 +6,12 @@ mod gravity;
 mod law;
 mod orbit;
 mod pose;
+mod timing;
 
 pub use apply::{KinematicState, Loads};
 pub use field::MagneticField;
 pub use law::{Axes, Force, ForceLaw, Wave};
+pub(crate) use law::{TIME, VARIABLES};
 pub use orbit::{Orbit, OrbitPoint};
 pub use pose::Pose;
+pub use timing::{Interpolation, Timetable, TimingProblem, Windows};

@@ -122,7 +122,12 @@ fn has_potential(law: &ForceLaw<Marker>) -> bool {
         | ForceLaw::Drag { .. }
         | ForceLaw::SpinDrag { .. } => true,
         ForceLaw::Thrust { axes, .. } => *axes == Axes::Inertial,
-        ForceLaw::Torque { .. } | ForceLaw::Expression { .. } | ForceLaw::TorqueExpression { .. } => false,
+        ForceLaw::During { law, .. } => has_potential(law),
+        ForceLaw::Torque { .. }
+        | ForceLaw::Expression { .. }
+        | ForceLaw::TorqueExpression { .. }
+        | ForceLaw::TorqueTable { .. }
+        | ForceLaw::ForceTable { .. } => false,
     }
 }
 

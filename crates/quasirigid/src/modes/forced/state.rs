@@ -80,9 +80,12 @@ impl SteadyState {
         let mut turning = Turning::of(body, &forces, near.velocity)?;
         let attitude = rotation::normalized(near.attitude);
         let omega_N = V::from(rotation::to_inertial(attitude, near.omega));
-        if turning == Turning::Unknown {
-            turning =
-                if omega_N == V::zeros() { Turning::Still } else { Turning::About(omega_N.normalize()) };
+        let rests = omega_N == V::zeros();
+        match turning {
+            Turning::Unknown if !rests => turning = Turning::About(omega_N.normalize()),
+            Turning::Unknown => turning = Turning::Still,
+            Turning::Own if rests && forces.is_empty() => turning = Turning::Still,
+            _ => {}
         }
         let problem = Problem { body, forces: &forces, followed, near: Near { attitude, ..near } };
         let found = match &turning {

@@ -170,6 +170,9 @@ impl Found {
                     self.directions.push(((*amplitude).into(), named));
                 }
             }
+            ForceLaw::During { .. } | ForceLaw::TorqueTable { .. } | ForceLaw::ForceTable { .. } => {
+                return changes();
+            }
             law @ (ForceLaw::Expression { .. } | ForceLaw::TorqueExpression { .. }) => {
                 if uses(law, 6..7) {
                     return changes();

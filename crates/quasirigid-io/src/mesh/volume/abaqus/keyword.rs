@@ -28,7 +28,8 @@ impl<'a> Keyword<'a> {
 
     /// The value of a parameter that must be there.
     pub(super) fn needs(&self, key: &str) -> Result<&'a str, VolumeProblem> {
-        let lacks = || VolumeProblem::Parameter { keyword: self.name.clone(), parameter: key.to_owned() };
+        let lacks =
+            || VolumeProblem::Parameter { keyword: self.name.clone().into(), parameter: key.to_owned() };
         self.parameter(key).filter(|value| !value.is_empty()).ok_or_else(lacks)
     }
 }

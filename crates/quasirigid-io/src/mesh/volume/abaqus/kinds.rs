@@ -29,7 +29,7 @@ impl Kind {
 
     /// The kind of a type such as `C3D10M`: family, nodes, and letters that leave its geometry as it is.
     pub(super) fn of(name: &str) -> Result<Self, VolumeProblem> {
-        let refused = || VolumeProblem::Kind { found: name.chars().take(40).collect() };
+        let refused = || VolumeProblem::Kind { found: name.into() };
         let upper = name.to_ascii_uppercase();
         let families: [Family; 9] = [
             ("C3D", "RIHTMSP", solid),

@@ -89,7 +89,7 @@ impl Reader {
     fn start(&mut self, keyword: &Keyword) -> Result<(), MeshProblem> {
         self.block.finish()?;
         if GENERATORS.contains(&keyword.name.as_str()) {
-            return Err(VolumeProblem::Generated { found: format!("*{}", keyword.name) }.into());
+            return Err(VolumeProblem::Generated { found: format!("*{}", keyword.name).into() }.into());
         }
         self.block = match keyword.name.as_str() {
             "NODE" => self.nodes(keyword)?,
@@ -113,7 +113,7 @@ impl Reader {
 
     fn nodes(&mut self, keyword: &Keyword) -> Result<Block, MeshProblem> {
         if let Some(system) = keyword.parameter("SYSTEM").filter(|system| !system.eq_ignore_ascii_case("R")) {
-            return Err(VolumeProblem::Generated { found: format!("*NODE, SYSTEM={system}") }.into());
+            return Err(VolumeProblem::Generated { found: format!("*NODE, SYSTEM={system}").into() }.into());
         }
         self.own_lines(keyword)?;
         let set = keyword.parameter("NSET").map(|name| Filling::new(&mut self.draft, name, false, false));
@@ -141,7 +141,8 @@ impl Reader {
     fn own_lines(&self, keyword: &Keyword) -> Result<(), MeshProblem> {
         match keyword.parameter("INPUT") {
             Some(file) => {
-                Err(VolumeProblem::Generated { found: format!("*{}, INPUT={file}", keyword.name) }.into())
+                Err(VolumeProblem::Generated { found: format!("*{}, INPUT={file}", keyword.name).into() }
+                    .into())
             }
             None => Ok(()),
         }
@@ -149,5 +150,5 @@ impl Reader {
 }
 
 fn one(count: usize, what: &str) -> Result<(), MeshProblem> {
-    if count < 2 { Ok(()) } else { Err(VolumeProblem::Assembly { found: what.to_owned() }.into()) }
+    if count < 2 { Ok(()) } else { Err(VolumeProblem::Assembly { found: what.into() }.into()) }
 }

@@ -46,7 +46,7 @@ pub(super) fn kind(code: u64) -> Result<Kind, MeshProblem> {
         16 => (Shape::Quad8, SAME),
         17 => (Shape::Hex20, HEX20),
         18 => (Shape::Wedge15, WEDGE15),
-        _ => return Err(VolumeProblem::Kind { found: name(code) }.into()),
+        _ => return Err(VolumeProblem::Kind { found: name(code).into() }.into()),
     };
     Ok(Kind { shape, order })
 }

@@ -52,7 +52,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Mesh, Fault> {
         }
     }
     if version.is_none() {
-        return Err((Place::File, VolumeProblem::Section { found: String::new() }.into()));
+        return Err((Place::File, VolumeProblem::Section { found: String::new().into() }.into()));
     }
     Ok(draft.mesh())
 }
@@ -61,7 +61,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Mesh, Fault> {
 fn read_format(source: &mut Source) -> Result<Version, Fault> {
     source.start_text(Row::GmshFormat)?;
     let found = source.remainder()?;
-    let refused = || (source.place(), VolumeProblem::Version { found: found.to_owned() }.into());
+    let refused = || (source.place(), VolumeProblem::Version { found: found.into() }.into());
     let words: Vec<&str> = found.split_whitespace().collect();
     let [version, encoding, "8"] = words.as_slice() else { return Err(refused()) };
     let version = match *version {

@@ -4,9 +4,6 @@
 use super::{Fault, MeshProblem, Part, Place, Row, VolumeProblem};
 use crate::mesh::file::Encoding;
 
-/// Characters of a line that are shown.
-const SHOWN: usize = 80;
-
 /// Size of a whole number in a binary file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Width {
@@ -152,7 +149,7 @@ impl<'a> Source<'a> {
     }
 
     fn no_number(&self, word: &str) -> Fault {
-        let found = word.chars().take(SHOWN).collect();
+        let found = word.into();
         (self.place(), MeshProblem::NotANumber { found, row: self.row })
     }
 

@@ -3,9 +3,6 @@
 
 use super::{Fault, MeshProblem, Part, Place, Row, VolumeProblem};
 
-/// Characters of a word that are shown.
-const SHOWN: usize = 40;
-
 /// Type of a number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Scalar {
@@ -38,7 +35,7 @@ impl Scalar {
             "unsigned_long" | "uint64" => Self::UInt64,
             "float" | "float32" => Self::Float32,
             "double" | "float64" => Self::Float64,
-            _ => return Err(VolumeProblem::Scalar { found: name.chars().take(SHOWN).collect() }.into()),
+            _ => return Err(VolumeProblem::Scalar { found: name.into() }.into()),
         })
     }
 
@@ -153,7 +150,7 @@ impl<'a> Words<'a> {
                     break;
                 }
                 None => {
-                    let found = String::from_utf8_lossy(word).chars().take(SHOWN).collect();
+                    let found = String::from_utf8_lossy(word).into();
                     return Err((self.line(start), MeshProblem::NotANumber { found, row: Row::VtkValue }));
                 }
             }

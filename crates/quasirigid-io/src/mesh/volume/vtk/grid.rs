@@ -148,7 +148,7 @@ fn shape(code: i64) -> Result<Shape, MeshProblem> {
         26 => Shape::Wedge15,
         28 => Shape::Quad9,
         29 => Shape::Hex27,
-        _ => return Err(VolumeProblem::Kind { found: name(code) }.into()),
+        _ => return Err(VolumeProblem::Kind { found: name(code).into() }.into()),
     })
 }
 

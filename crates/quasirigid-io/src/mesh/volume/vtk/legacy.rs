@@ -7,9 +7,6 @@ use super::array::{Array, Origin, Scalar, Values, Words, cut};
 use super::grid::Grid;
 use super::{Fault, MeshProblem, Place, Row, Sets, VolumeProblem};
 
-/// Characters of a line that are shown.
-const SHOWN: usize = 80;
-
 /// An unstructured grid of a legacy file.
 pub(in crate::mesh::volume) fn read(bytes: &[u8]) -> Result<Mesh, Fault> {
     let mut file = File { bytes, at: 0, start: 0, binary: false };
@@ -19,7 +16,7 @@ pub(in crate::mesh::volume) fn read(bytes: &[u8]) -> Result<Mesh, Fault> {
         file.read_part(line, offsets, &mut parts)?;
     }
     let end = file.end();
-    let missing = |part: &str| (end.clone(), VolumeProblem::Missing { keyword: part.to_owned() }.into());
+    let missing = |part: &str| (end.clone(), VolumeProblem::Missing { keyword: part.into() }.into());
     let (corners, ends) = parts.cells.ok_or_else(|| missing("CELLS"))?;
     let grid = Grid {
         points: parts.points.ok_or_else(|| missing("POINTS"))?,
@@ -62,8 +59,7 @@ impl<'a> File<'a> {
         let first = self.line()?.unwrap_or_default();
         let version = first.rsplit(' ').next().unwrap_or_default();
         let major: Option<u32> = version.split('.').next().and_then(|major| major.parse().ok());
-        let refused =
-            || (self.place(), VolumeProblem::Version { found: first.chars().take(SHOWN).collect() }.into());
+        let refused = || (self.place(), VolumeProblem::Version { found: first.into() }.into());
         let major = major.filter(|major| (1..=5).contains(major)).ok_or_else(refused)?;
         self.raw_line(); // the title, in any encoding
         let encoding = self.line()?.unwrap_or_default();
@@ -114,7 +110,7 @@ impl<'a> File<'a> {
     }
 
     fn unexpected(&self, line: &str) -> Fault {
-        (self.place(), VolumeProblem::Keyword { found: line.chars().take(SHOWN).collect() }.into())
+        (self.place(), VolumeProblem::Keyword { found: line.into() }.into())
     }
 
     /// A line that announces values, and these values.
@@ -270,8 +266,7 @@ impl<'a> File<'a> {
     }
 
     fn count(&self, word: &str) -> Result<u64, Fault> {
-        let wrong =
-            |_| (self.place(), MeshProblem::NotANumber { found: word.to_owned(), row: Row::VtkKeyword });
+        let wrong = |_| (self.place(), MeshProblem::NotANumber { found: word.into(), row: Row::VtkKeyword });
         word.parse().map_err(wrong)
     }
 

@@ -1,0 +1,57 @@
+//! One line of comma-separated values.
+//!
+//! CSV at large lets a quoted text go on over lines, so that one lone mark takes every row up to the next mark. A table of bodies has a line
+//! for each body; a mark that is not closed on its line spoils that line and no other.
+
+/// The fields of a line, without the blanks around them; none where a quotation mark is not closed.
+///
+/// A mark opens a text at the start of a field alone, and a double one in a text stands for itself.
+pub(super) fn fields(line: &[u8]) -> Option<Vec<Vec<u8>>> {
+    let (mut fields, mut field) = (Vec::new(), Vec::new());
+    let (mut quoted, mut starts) = (false, true);
+    let mut bytes = line.iter().peekable();
+    while let Some(byte) = bytes.next() {
+        match byte {
+            b'"' if quoted => match bytes.next_if_eq(&&b'"') {
+                Some(_) => field.push(b'"'),
+                None => quoted = false,
+            },
+            b'"' if starts => quoted = true,
+            b',' if !quoted => fields.push(std::mem::take(&mut field)),
+            _ => field.push(*byte),
+        }
+        starts = *byte == b',' && !quoted;
+    }
+    fields.push(field);
+    (!quoted).then(|| fields.iter().map(|field| field.trim_ascii().to_vec()).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    #[test]
+    fn a_mark_without_its_partner_spoils_the_line() {
+        for line in ["\"", "a,\"b", "\"a\"\"", "\"a\",\"b,c", "\"\"\""] {
+            assert_eq!(fields(line.as_bytes()), None, "{line}");
+        }
+    }
+
+    proptest! {
+        /// The fields are those of the reader of CSV; where a mark is not closed, that reader goes on into the next line.
+        #[test]
+        fn fields_are_those_of_the_reader_of_csv(line in "[a\", ]{1,12}") {
+            let text = format!("{line}\nnext\n");
+            let mut reader = csv::ReaderBuilder::new()
+                .has_headers(false)
+                .flexible(true)
+                .trim(csv::Trim::All)
+                .from_reader(text.as_bytes());
+            let rows: Vec<_> = reader.byte_records().filter_map(Result::ok).collect();
+            let expected = (rows.len() == 2).then(|| rows[0].iter().map(<[u8]>::to_vec).collect());
+            prop_assert_eq!(fields(line.as_bytes()), expected, "{:?}", line);
+        }
+    }
+}

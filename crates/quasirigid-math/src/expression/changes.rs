@@ -1,0 +1,379 @@
+//! Where a formula changes along one of its variables: corners, jumps, and the intervals over which it is all but a polynomial.
+//!
+//! The formula is followed part by part, innermost first, so that a pulse a millionth of the interval long is not looked for by luck: the
+//! part inside it is long and known by then, with its zeros and extremes, and the pulse lies there.
+//! Equation (Z2), docs/theory/19-events.md.
+
+use super::lobatto::{FINE, Lobatto};
+use super::program::{Node, Program, Role};
+
+/// Changes of a formula along a variable. (Z2)
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Changes {
+    /// Corners and jumps, ascending: places known to rounding that depend on this variable alone.
+    pub breaks: Vec<f64>,
+    /// Ends of the intervals, ascending, over each of which the formula and all its parts are nearly polynomials: where the formula changes
+    /// quickly they lie close together. The breaks are among them, and so are both ends.
+    pub ends: Vec<f64>,
+    /// Evaluations of the formula.
+    pub evaluations: u64,
+    /// False if the evaluations allowed did not suffice: there are changes between the ends that are not known.
+    pub complete: bool,
+}
+
+/// Distance from a polynomial, relative to the largest value of a part, that counts as none: far less than a quadrature may overlook.
+const FLAT: f64 = 1e-8;
+/// Rounding of the variable, in units of its own, that values over a short interval show.
+const ROUNDING: f64 = 8.0 * f64::EPSILON;
+/// Length of the shortest interval, relative to the whole: what changes within is a jump.
+const SHORTEST: f64 = 1e-13;
+/// First intervals: no simple fraction of the whole, so that no period fits them.
+const FIRST: [f64; 4] = [0.0, 0.236_067_977, 0.618_033_989, 1.0];
+/// Passes in which neighbours are joined.
+const PASSES: usize = 24;
+
+/// Finds the changes. (Z2)
+pub fn changes(program: &Program, along: usize, at: &[f64], ends: [f64; 2], budget: u64) -> Changes {
+    let [from, to] = ends;
+    if !(to > from) {
+        return Changes { complete: true, ..Changes::default() };
+    }
+    let mut scan = Scan::new(program, along, at, ends, budget);
+    for index in 0..scan.nodes.len() {
+        if scan.follows[index] && !matches!(scan.nodes[index].role, Role::Variable(_)) {
+            scan.part(index);
+        }
+    }
+    scan.join();
+    let Scan { edges, evaluations, budget, .. } = scan;
+    let breaks = edges.iter().filter(|edge| edge.breaks && edge.x > from && edge.x < to);
+    Changes {
+        breaks: breaks.map(|edge| edge.x).collect(),
+        ends: edges.iter().map(|edge| edge.x).collect(),
+        evaluations,
+        complete: evaluations < budget,
+    }
+}
+
+/// End of intervals.
+#[derive(Clone, Copy, Debug)]
+struct Edge {
+    x: f64,
+    /// Whether it is a corner or a jump whose place depends on the one variable alone.
+    breaks: bool,
+}
+
+/// A part of the formula, or the difference of two whose order decides.
+#[derive(Clone, Copy, Debug)]
+enum Part {
+    Node(usize),
+    Gap(usize, usize),
+}
+
+/// Scan of a formula along a variable.
+struct Scan<'p> {
+    program: &'p Program,
+    nodes: Vec<Node>,
+    /// Whether a node depends on the variable, on it alone, and whether what acts on the node may act in a short part of its range.
+    follows: Vec<bool>,
+    alone: Vec<bool>,
+    narrowed: Vec<bool>,
+    along: usize,
+    variables: Vec<f64>,
+    lobatto: Lobatto,
+    edges: Vec<Edge>,
+    /// Largest value of each node.
+    scales: Vec<f64>,
+    shortest: f64,
+    values: Vec<f64>,
+    evaluations: u64,
+    budget: u64,
+}
+
+impl<'p> Scan<'p> {
+    fn new(program: &'p Program, along: usize, at: &[f64], [from, to]: [f64; 2], budget: u64) -> Self {
+        let nodes = program.nodes();
+        let (mut follows, mut alone) = (vec![false; nodes.len()], vec![true; nodes.len()]);
+        let mut narrowed = follows.clone();
+        for (index, Node { role, operands }) in nodes.iter().enumerate() {
+            follows[index] = *role == Role::Variable(along) || operands.iter().any(|of| follows[*of]);
+            let other = matches!(role, Role::Variable(variable) if *variable != along);
+            alone[index] = !other && operands.iter().all(|of| alone[*of]);
+            if !matches!(role, Role::Even) {
+                operands.iter().for_each(|of| narrowed[*of] = true);
+            }
+        }
+        let edge = |share: f64| Edge { x: from + share * (to - from), breaks: false };
+        let mut edges: Vec<Edge> = FIRST.iter().map(|share| edge(*share)).collect();
+        edges[FIRST.len() - 1].x = to;
+        Self {
+            program,
+            scales: vec![0.0; nodes.len()],
+            nodes,
+            follows,
+            alone,
+            narrowed,
+            along,
+            variables: at.to_vec(),
+            lobatto: Lobatto::new(),
+            edges,
+            shortest: SHORTEST * (to - from).max(from.abs()).max(to.abs()),
+            values: Vec::new(),
+            evaluations: 0,
+            budget,
+        }
+    }
+
+    /// Follows a part whose own parts are known.
+    fn part(&mut self, index: usize) {
+        let Node { role, operands } = self.nodes[index].clone();
+        match (role, operands.as_slice()) {
+            (Role::Corner, [of]) => self.split_at_zeros(Part::Node(*of), self.alone[*of]),
+            (Role::Choice, [a, b]) => {
+                let alone = self.alone[*a] && self.alone[*b];
+                self.resolve(Part::Gap(*a, *b), alone);
+                if self.follows[*a] && self.follows[*b] {
+                    self.split_at_extremes(Part::Gap(*a, *b));
+                }
+                self.split_at_zeros(Part::Gap(*a, *b), alone);
+            }
+            _ => {}
+        }
+        self.scales[index] = self.resolve(Part::Node(index), self.alone[index]);
+        if self.narrowed[index] {
+            self.split_at_zeros(Part::Node(index), false);
+            self.split_at_extremes(Part::Node(index));
+        }
+    }
+
+    fn is_spent(&self) -> bool {
+        self.evaluations >= self.budget
+    }
+
+    /// Value of a part.
+    fn value(&mut self, part: Part, x: f64) -> f64 {
+        let last = match part {
+            Part::Node(index) => index,
+            Part::Gap(a, b) => a.max(b),
+        };
+        self.trace(x, last);
+        match part {
+            Part::Node(index) => self.values[index],
+            Part::Gap(a, b) => self.values[a] - self.values[b],
+        }
+    }
+
+    fn trace(&mut self, x: f64, last: usize) {
+        self.evaluations += 1;
+        self.variables[self.along] = x;
+        self.program.trace(&self.variables, last, &mut self.values);
+    }
+
+    fn places(&self, from: f64, to: f64) -> [f64; FINE] {
+        let mut places = self.lobatto.points.map(|point| from + point * (to - from));
+        places[FINE - 1] = to;
+        places
+    }
+
+    /// Values of a part over an interval; inside its ends where these are corners or jumps. Zeros, once the evaluations are spent.
+    fn sampled(&mut self, part: Part, from: f64, to: f64) -> [f64; FINE] {
+        if self.is_spent() {
+            return [0.0; FINE];
+        }
+        let inside = 4.0 * f64::EPSILON;
+        let (low, high) = (from + inside * from.abs(), to - inside * to.abs());
+        self.places(from, to)
+            .map(|x| if low < high { self.value(part, x.clamp(low, high)) } else { f64::NAN })
+    }
+
+    /// Halves intervals until a part is nearly a polynomial in each, or no number at all; returns its largest value. What is not in the
+    /// shortest interval jumps.
+    fn resolve(&mut self, part: Part, alone: bool) -> f64 {
+        let cells: Vec<[Edge; 2]> = self.edges.windows(2).map(|pair| [pair[0], pair[1]]).collect();
+        let largest = |values: &[f64; FINE]| {
+            values.iter().filter(|value| value.is_finite()).fold(0.0_f64, |most, value| most.max(value.abs()))
+        };
+        let sampled: Vec<_> = cells.iter().map(|[from, to]| self.sampled(part, from.x, to.x)).collect();
+        let mut scale = sampled.iter().map(largest).fold(0.0, f64::max);
+        let mut stack: Vec<_> = cells.into_iter().zip(sampled).rev().collect();
+        let mut edges = vec![self.edges[0]];
+        while let Some(([from, mut to], values)) = stack.pop() {
+            scale = scale.max(largest(&values));
+            let middle = 0.5 * (from.x + to.x);
+            let nothing = values.iter().all(|value| !value.is_finite());
+            let flat = FLAT * scale + rounding(&values, from.x, to.x);
+            if nothing || self.lobatto.defect(&values) <= flat || self.is_spent() {
+                edges.push(to);
+            } else if to.x - from.x <= self.shortest || middle <= from.x || middle >= to.x {
+                to.breaks |= alone;
+                edges.push(to);
+            } else {
+                let middle = Edge { x: middle, breaks: false };
+                for [from, to] in [[middle, to], [from, middle]] {
+                    stack.push(([from, to], self.sampled(part, from.x, to.x)));
+                }
+            }
+        }
+        self.edges = edges;
+        scale
+    }
+
+    /// Places and values of a part over all intervals, ascending.
+    fn history(&mut self, part: Part) -> Vec<[f64; 2]> {
+        let edges: Vec<f64> = self.edges.iter().map(|edge| edge.x).collect();
+        let mut history = Vec::with_capacity(FINE * edges.len());
+        for pair in edges.windows(2) {
+            if self.is_spent() {
+                break;
+            }
+            for x in self.places(pair[0], pair[1]).into_iter().skip(usize::from(!history.is_empty())) {
+                history.push([x, self.value(part, x)]);
+            }
+        }
+        history
+    }
+
+    /// Makes the zeros at which a part changes its sign ends of intervals.
+    fn split_at_zeros(&mut self, part: Part, breaks: bool) {
+        let mut found = Vec::new();
+        let history = self.history(part);
+        let mut before: Option<[f64; 2]> = None;
+        for [x, value] in history.into_iter().filter(|[_, value]| *value != 0.0 && !value.is_nan()) {
+            if let Some([other, sign]) = before
+                && sign * value.signum() < 0.0
+            {
+                found.push(Edge { x: self.zero(part, [other, x], sign), breaks });
+            }
+            before = Some([x, value.signum()]);
+        }
+        self.split(found);
+    }
+
+    /// Place between two where a part changes its sign, to rounding.
+    fn zero(&mut self, part: Part, [mut low, mut high]: [f64; 2], sign: f64) -> f64 {
+        while !self.is_spent() {
+            let middle = 0.5 * (low + high);
+            if middle <= low || middle >= high {
+                break;
+            }
+            let value = self.value(part, middle);
+            if value == 0.0 {
+                return middle;
+            }
+            if value * sign > 0.0 { low = middle } else { high = middle }
+        }
+        high
+    }
+
+    /// Makes the places where a part is largest or least ends of intervals.
+    fn split_at_extremes(&mut self, part: Part) {
+        let mut found = Vec::new();
+        let history = self.history(part);
+        // Slope before a place: that of the last two different values.
+        let (mut start, mut slope) = (history.first().copied().unwrap_or_default(), 0.0);
+        let mut before = start;
+        for [x, value] in history.into_iter().skip(1).filter(|[_, value]| !value.is_nan()) {
+            let now = (value - before[1]).signum() * f64::from(u8::from(value != before[1]));
+            if now * slope < 0.0 {
+                found.push(Edge { x: self.extreme(part, [start[0], x], slope), breaks: false });
+            }
+            if now != 0.0 {
+                (start, slope) = (before, now);
+            }
+            before = [x, value];
+        }
+        self.split(found);
+    }
+
+    /// Place of the largest value (slope 1 before it) or the least (−1) in an interval, by sections of equal share.
+    fn extreme(&mut self, part: Part, [mut low, mut high]: [f64; 2], slope: f64) -> f64 {
+        let share = 0.381_966_011_250_105_15;
+        let inner = |low: f64, high: f64| [low + share * (high - low), high - share * (high - low)];
+        let [mut a, mut b] = inner(low, high);
+        let (mut at_a, mut at_b) = (slope * self.value(part, a), slope * self.value(part, b));
+        while high - low > self.shortest && a > low && b < high && !self.is_spent() {
+            if at_a > at_b {
+                (high, b, at_b) = (b, a, at_a);
+                a = inner(low, high)[0];
+                at_a = slope * self.value(part, a);
+            } else {
+                (low, a, at_a) = (a, b, at_b);
+                b = inner(low, high)[1];
+                at_b = slope * self.value(part, b);
+            }
+        }
+        0.5 * (low + high)
+    }
+
+    /// Adds ends of intervals.
+    fn split(&mut self, found: Vec<Edge>) {
+        if found.is_empty() {
+            return;
+        }
+        self.edges.extend(found);
+        self.edges.sort_by(|a, b| a.x.total_cmp(&b.x));
+        self.edges.dedup_by(|later, kept| {
+            let same = later.x == kept.x;
+            kept.breaks |= same && later.breaks;
+            same
+        });
+    }
+
+    /// Joins neighbours over which every part is nearly a polynomial as well. (Z2)
+    fn join(&mut self) {
+        for _ in 0..PASSES {
+            let before = self.edges.len();
+            let edges = std::mem::take(&mut self.edges);
+            let mut kept = vec![edges[0]];
+            let mut index = 1;
+            while index < edges.len() {
+                let pair = edges.get(index + 1).filter(|_| !edges[index].breaks && !self.is_spent());
+                let joined = pair.filter(|end| self.is_even(kept[kept.len() - 1].x, edges[index].x, end.x));
+                index += 1 + usize::from(joined.is_some());
+                kept.push(joined.copied().unwrap_or(edges[index - 1]));
+            }
+            self.edges = kept;
+            if self.edges.len() == before {
+                return;
+            }
+        }
+    }
+
+    /// Whether every part is nearly a polynomial over two neighbouring intervals, at the points of each too.
+    fn is_even(&mut self, from: f64, middle: f64, to: f64) -> bool {
+        let last = self.nodes.len() - 1;
+        let mut all = vec![[0.0; FINE]; self.nodes.len()];
+        for [from, to] in [[from, middle], [middle, to], [from, to]] {
+            for (i, x) in self.places(from, to).into_iter().enumerate() {
+                self.trace(x, last);
+                all.iter_mut().zip(&self.values).for_each(|(row, value)| row[i] = *value);
+            }
+            let parts = (0..=last).filter(|index| self.follows[*index]);
+            let flat = |index: usize| FLAT * self.scale(index) + rounding(&all[index], from, to);
+            if !parts.into_iter().all(|index| self.lobatto.defect(&all[index]) <= flat(index)) {
+                return false;
+            }
+        }
+        true
+    }
+
+    /// Largest value of a node; of the variable itself the end of the whole.
+    fn scale(&self, index: usize) -> f64 {
+        match self.nodes[index].role {
+            Role::Variable(_) => f64::INFINITY,
+            _ => self.scales[index],
+        }
+    }
+}
+
+/// What the rounding of the variable changes in values over an interval.
+fn rounding(values: &[f64; FINE], from: f64, to: f64) -> f64 {
+    let [least, most] = values.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[least, most], value| {
+        [least.min(*value), most.max(*value)]
+    });
+    ROUNDING * from.abs().max(to.abs()) / (to - from) * (most - least)
+}
+
+#[cfg(test)]
+#[path = "changes_tests.rs"]
+mod tests;

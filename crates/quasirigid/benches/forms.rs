@@ -1,0 +1,54 @@
+//! Cost of the energy form beside the paper's polynomial, per step and in lanes, in one run.
+#![allow(missing_docs, clippy::print_stdout)]
+
+use std::hint::black_box;
+use std::time::Instant;
+
+use quasirigid::dynamics::{Form, Options, SpinPath, spin_path, spin_paths};
+use quasirigid::model::ReducedBody;
+use quasirigid::problems::ring_of_points;
+use quasirigid::reduction::reduce;
+
+/// Trajectories, and the time of each (s) at a spin of about one rad/s.
+const TRAJECTORIES: usize = 256;
+const END: f64 = 1000.0;
+const REPEATS: usize = 7;
+const ORDERS: [usize; 4] = [3, 4, 5, 7];
+
+fn main() {
+    println!("order | form | ns/step alone | us/s of motion in lanes");
+    for order in ORDERS {
+        let body = reduce(&ring_of_points(4).body().expect("a body"), order).expect("a reduction");
+        let costs = [Form::AngularVelocity, Form::AngularMomentum].map(|form| {
+            let [step, lane] = cost(&body, form);
+            println!("{order} | {form:?} | {step:.0} | {lane:.3}");
+            [step, lane]
+        });
+        println!("{order} | ratio | {:.2} | {:.2}", costs[1][0] / costs[0][0], costs[1][1] / costs[0][1]);
+    }
+}
+
+/// Nanoseconds of a step alone, and microseconds of a second of motion in lanes.
+fn cost(body: &ReducedBody, form: Form) -> [f64; 2] {
+    let options = Options { form, tolerance: 1e-11, ..Options::default() };
+    let starts: Vec<[f64; 3]> = (0..TRAJECTORIES)
+        .map(|i| [0.7, 0.5, 0.6].map(|w| w * (1.0 + 0.01 * (3.0 * i as f64).sin())))
+        .collect();
+    let alone = || spin_path(body, black_box(starts[0]), &[END], &options).expect("a free spin");
+    let steps = alone().work.steps as f64;
+    let together = || -> Vec<SpinPath> {
+        let paths = spin_paths(body, black_box(&starts), &[END], &options, &mut |_| true);
+        paths.into_iter().map(|path| path.expect("a free spin")).collect()
+    };
+    [1e9 * shortest(alone) / steps, 1e6 * shortest(together) / (TRAJECTORIES as f64 * END)]
+}
+
+/// Shortest time of some runs (s).
+fn shortest<T>(work: impl Fn() -> T) -> f64 {
+    let times = (0..REPEATS).map(|_| {
+        let start = Instant::now();
+        black_box(work());
+        start.elapsed().as_secs_f64()
+    });
+    times.fold(f64::INFINITY, f64::min)
+}

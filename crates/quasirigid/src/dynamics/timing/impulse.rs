@@ -1,0 +1,109 @@
+//! Impulse of a prescribed force: what the steps have summed up, against a quadrature that knows nothing of them. (Z4)
+
+use super::prescribed::Prescribed;
+use super::{Allowed, Missed};
+use crate::math::ode::{Checkpoint, StepRule, Stretch};
+use crate::math::quadrature::{gauss_lobatto, integral};
+use crate::math::vec3::{add, norm, scale};
+use crate::model::FlexibleBody;
+
+/// Difference, relative to the impulse of the force whatever its direction, above which it was not seen.
+const SEEN: f64 = 1e-6;
+/// Error of the quadrature, relative to the largest value in an interval; of the impulse whatever its direction, which only sets a limit.
+const ERROR: f64 = 1e-10;
+const ROUGH: f64 = 1e-2;
+/// Points at which the largest value in an interval is looked for.
+const LOOKS: usize = 17;
+
+/// Impulses of a prescribed force.
+#[derive(Clone, Debug)]
+pub(super) struct Account<'a> {
+    part: Prescribed<'a>,
+    /// Impulse of the steps in this interval.
+    seen: [f64; 3],
+    /// Difference from the quadrature in all intervals before.
+    gap: [f64; 3],
+    /// `∫|F| dt` in all intervals before.
+    whole: f64,
+    /// `∫|F| dt` over the whole run, roughly, as far as the intervals are known at its start.
+    expected: f64,
+    steps: u64,
+    /// Error that a step may have.
+    allowed: f64,
+    /// Places in an interval, as shares of it, at which its largest value is looked for.
+    looks: Vec<f64>,
+}
+
+impl<'a> Account<'a> {
+    pub fn of(part: Prescribed<'a>) -> Self {
+        let looks = gauss_lobatto(LOOKS).into_iter().map(|[x, _]| 0.5 * (x + 1.0)).collect();
+        Self { part, seen: [0.0; 3], gap: [0.0; 3], whole: 0.0, expected: 0.0, steps: 0, allowed: 0.0, looks }
+    }
+
+    /// Adds up what the force gives in intervals of this middle and length.
+    pub fn expect(&mut self, intervals: &[[f64; 2]]) {
+        let part = self.part;
+        let size = |[middle, length]: &[f64; 2]| {
+            let ends = [middle - 0.5 * length, middle + 0.5 * length];
+            integral(&mut |t| [norm(part.at(t))], ends[0], ends[1], ROUGH).value[0]
+        };
+        self.expected = intervals.iter().map(size).sum();
+    }
+
+    /// Sets the error that a step may have, from that of the angular momentum and of the velocity.
+    pub fn allow(&mut self, body: &FlexibleBody, allowed: Allowed) {
+        let invariants = body.invariants();
+        let [xx, yy, zz, ..] = invariants.J;
+        let gyration = ((xx + yy + zz) / invariants.mass).sqrt();
+        self.allowed = match self.part.place() {
+            None => allowed.angular_momentum,
+            Some(at) => {
+                let arm = norm(at.position).hypot(gyration);
+                let shift = invariants.mass * allowed.velocity;
+                (allowed.angular_momentum / arm).max(if shift.is_finite() { shift } else { 0.0 })
+            }
+        };
+    }
+
+    /// Adds a step.
+    pub fn add(&mut self, rule: StepRule, stretch: Stretch) {
+        let sum = rule.sum(|t| self.part.at(stretch.within(t)));
+        self.seen = add(self.seen, sum);
+        self.steps += 1;
+    }
+
+    /// Compares the steps over an interval with the quadrature. (Z4)
+    pub fn compare(&mut self, from: f64, to: f64, stretch: Stretch) -> Option<Missed> {
+        let part = self.part;
+        let value = |t: f64| part.at(stretch.within(t));
+        let looks = self.looks.iter().map(|share| value(from + share * (to - from)));
+        // an integrand that does not change its sign, so that the error is not relative to what cancels
+        let lift = 2.0 * looks.map(norm).fold(0.0, f64::max);
+        let lifted = integral(&mut |t| value(t).map(|part| part + lift), from, to, ERROR).value;
+        let [whole] = integral(&mut |t| [norm(value(t))], from, to, ROUGH).value;
+        let exact = lifted.map(|sum| sum - lift * (to - from));
+        self.gap = add(self.gap, add(self.seen, scale(-1.0, exact)));
+        self.whole += whole;
+        self.seen = [0.0; 3];
+        let difference = norm(self.gap);
+        let limit = SEEN * self.whole.max(self.expected) + self.allowed * self.steps as f64;
+        let missed =
+            Missed::Impulse { force: part.force, interval: [from, to], difference, whole: self.whole };
+        (!(difference <= limit)).then_some(missed)
+    }
+
+    pub fn save(&self, checkpoint: &mut Checkpoint) {
+        let Self { seen, gap, whole, steps, .. } = self;
+        seen.iter().chain(gap).chain([whole]).for_each(|number| checkpoint.save(*number));
+        checkpoint.save_count(*steps);
+    }
+
+    pub fn load(&mut self, checkpoint: &mut Checkpoint) -> Option<()> {
+        let Self { seen, gap, whole, steps, .. } = self;
+        for number in seen.iter_mut().chain(gap).chain([whole]) {
+            *number = checkpoint.load()?;
+        }
+        *steps = checkpoint.load_count()?;
+        Some(())
+    }
+}

@@ -1,0 +1,133 @@
+//! Timing of what acts on a body: places in time at which a run stops its steps, and the impulse of what is prescribed against a
+//! quadrature of its own.
+//!
+//! An integrator learns of a force at the stages of its steps alone, so that a short force between two of them does not exist for it. The
+//! times of what acts are known before the run: windows, rows of tables, corners of formulas, places where a formula changes quickly.
+//! Equations (Z1) to (Z4), docs/theory/19-events.md.
+
+mod impulse;
+mod missed;
+mod prescribed;
+mod stops;
+
+pub use missed::Missed;
+
+use impulse::Account;
+use prescribed::prescribed;
+use stops::{Stops, stops};
+
+use super::external::{Forced, Pose};
+use super::run::Scan;
+use crate::math::ode::{Checkpoint, StepRule, Stretch};
+
+/// Timing of a run. (Z1)
+#[derive(Debug)]
+pub(super) struct Timing<'a> {
+    stops: Stops<'a>,
+    accounts: Vec<Account<'a>>,
+    /// Time at which the interval began that the steps are in, and the one at which it ends.
+    interval: [f64; 2],
+    end: f64,
+    /// Force that was missed, which ends the run.
+    pub missed: Option<Missed>,
+}
+
+/// Sizes of errors that a run allows in a step, for the limits of the impulse.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Allowed {
+    /// Angular momentum (N·m·s).
+    pub angular_momentum: f64,
+    /// Velocity of the centre of mass (m/s); infinite where it is not followed.
+    pub velocity: f64,
+}
+
+impl<'a> Timing<'a> {
+    /// Timing of what acts on a body from `t = 0` to an end (s); none if nothing depends on the time.
+    pub fn of(system: Forced<'a>, omega: [f64; 3], pose: &Pose<f64>, end: f64) -> Option<Self> {
+        if !(end > 0.0 && end.is_finite()) {
+            return None;
+        }
+        let parts = prescribed(system);
+        let mut stops = stops(system, omega, pose, end);
+        if parts.is_empty() && stops.is_empty() {
+            return None;
+        }
+        stops.follow(0.0);
+        let accounts = parts.into_iter().map(Account::of).collect();
+        let first = stops.next(0.0).min(end);
+        let mut timing = Self { stops, accounts, interval: [0.0, first], end, missed: None };
+        let intervals = timing.intervals();
+        timing.accounts.iter_mut().for_each(|account| account.expect(&intervals));
+        Some(timing)
+    }
+
+    /// Sets the limits of the impulse. (Z4)
+    pub fn allow(&mut self, system: Forced, allowed: Allowed) {
+        self.accounts.iter_mut().for_each(|account| account.allow(system.body, allowed));
+    }
+
+    /// Cost and result of following the formulas so far.
+    pub fn scan(&self) -> Scan {
+        let (breaks, all) = (self.stops.breakpoints(), self.stops.list().len());
+        Scan { evaluations: self.stops.evaluations, breakpoints: breaks as u64, stops: all as u64 }
+    }
+
+    /// Middles and lengths of the intervals in which forces change, as far as they are known.
+    pub fn intervals(&self) -> Vec<[f64; 2]> {
+        let ends = self.stops.list().iter().copied().chain([self.end]);
+        let mut from = 0.0;
+        let interval = |to: f64| {
+            let interval = [0.5 * (from + to), to - from];
+            from = to;
+            interval
+        };
+        ends.map(interval).collect()
+    }
+
+    /// Time that no step from `t` on passes.
+    pub fn stop(&mut self, t: f64) -> f64 {
+        if t >= self.interval[1] {
+            self.stops.follow(t);
+            self.interval = [t, self.stops.next(t).min(self.end)];
+        }
+        self.interval[1]
+    }
+
+    /// The stretch between breakpoints that a step from `t` on lies in, and whether it begins there.
+    pub fn stretch(&mut self, t: f64) -> Option<(Stretch, bool)> {
+        self.stops.follow(t);
+        self.stops.stretch(t)
+    }
+
+    /// Adds a step to the impulse, and compares it at the end of an interval. (Z4)
+    pub fn stepped(&mut self, rule: StepRule, t: f64) {
+        let [from, to] = self.interval;
+        let stretch = self.stops.stretch(rule.t).map_or_else(Stretch::default, |(stretch, _)| stretch);
+        let whole = t >= to;
+        for account in &mut self.accounts {
+            account.add(rule, stretch);
+            if whole && self.missed.is_none() {
+                self.missed = account.compare(from, t, stretch);
+            }
+        }
+        if let Some(lost) = self.stops.lost.filter(|lost| t > *lost) {
+            let evaluations = self.stops.evaluations;
+            self.missed = self.missed.or(Some(Missed::Unfollowed { t: lost, evaluations }));
+        }
+    }
+
+    /// Saves the impulses.
+    pub fn save(&self, checkpoint: &mut Checkpoint) {
+        self.interval.iter().for_each(|t| checkpoint.save(*t));
+        self.accounts.iter().for_each(|account| account.save(checkpoint));
+    }
+
+    /// Loads saved impulses.
+    pub fn load(&mut self, checkpoint: &mut Checkpoint) -> Option<()> {
+        for t in &mut self.interval {
+            *t = checkpoint.load()?;
+        }
+        self.stops.follow(self.interval[0]);
+        self.accounts.iter_mut().try_for_each(|account| account.load(checkpoint))
+    }
+}

@@ -177,7 +177,7 @@ def test_arguments_of_the_wrong_kind() -> None:
         lambda: Model(b"x"),  # type: ignore[arg-type]
         lambda: Model(BOOM, file=3),  # type: ignore[arg-type]
         lambda: Model.from_file(None),  # type: ignore[arg-type]
-        lambda: Model.from_file(b"x"),  # type: ignore[arg-type]
+        lambda: Model.from_file(3),  # type: ignore[arg-type]
         lambda: Model.from_dict([1]),  # type: ignore[arg-type]
         lambda: quasirigid.cite("x"),  # type: ignore[arg-type]
     ):

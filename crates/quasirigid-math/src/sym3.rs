@@ -6,6 +6,9 @@ use super::vec3::dot;
 /// Entries xx, yy, zz, yz, zx, xy of a symmetric matrix.
 pub type Sym = [f64; 6];
 
+/// Rows and columns of the entries.
+pub const COMPONENTS: [(usize, usize); 6] = [(0, 0), (1, 1), (2, 2), (1, 2), (2, 0), (0, 1)];
+
 /// Rows of the matrix.
 #[inline]
 #[must_use]

@@ -1,13 +1,16 @@
 //! Cost of the energy form beside the paper's polynomial, per step and in lanes, in one run.
 #![allow(missing_docs, clippy::print_stdout)]
 
+mod support;
+
 use std::hint::black_box;
-use std::time::Instant;
 
 use quasirigid::dynamics::{Form, Options, SpinPath, spin_path, spin_paths};
 use quasirigid::model::ReducedBody;
 use quasirigid::problems::ring_of_points;
 use quasirigid::reduction::reduce;
+
+use support::shortest;
 
 /// Trajectories, and the time of each (s) at a spin of about one rad/s.
 const TRAJECTORIES: usize = 256;
@@ -40,15 +43,5 @@ fn cost(body: &ReducedBody, form: Form) -> [f64; 2] {
         let paths = spin_paths(body, black_box(&starts), &[END], &options, &mut |_| true);
         paths.into_iter().map(|path| path.expect("a free spin")).collect()
     };
-    [1e9 * shortest(alone) / steps, 1e6 * shortest(together) / (TRAJECTORIES as f64 * END)]
-}
-
-/// Shortest time of some runs (s).
-fn shortest<T>(work: impl Fn() -> T) -> f64 {
-    let times = (0..REPEATS).map(|_| {
-        let start = Instant::now();
-        black_box(work());
-        start.elapsed().as_secs_f64()
-    });
-    times.fold(f64::INFINITY, f64::min)
+    [1e9 * shortest(REPEATS, alone) / steps, 1e6 * shortest(REPEATS, together) / (TRAJECTORIES as f64 * END)]
 }

@@ -1,11 +1,14 @@
 //! Speed of ensembles of the dense quartic and quintic equation in lanes, at a known error: `benchmarks/lanes` runs it beside other programs.
 #![allow(missing_docs, clippy::print_stdout)]
 
+mod support;
+
 use std::hint::black_box;
-use std::time::Instant;
 
 use quasirigid::dynamics::{Form, Options, Rounding, SpinPath, spin_path, spin_paths};
 use quasirigid::problems::QuarticQuintic;
+
+use support::shortest;
 
 const TRAJECTORIES: usize = 256;
 /// Time of each trajectory (s).
@@ -33,14 +36,14 @@ fn main() {
     for (name, rounding) in [("lanes", Rounding::Fastest), ("lanes, reproducible", Rounding::Reproducible)] {
         for tolerance in [1e-9, 1e-10, 2e-11, 1e-11, 1e-12, 1e-13] {
             let options = at(tolerance, rounding);
-            report(name, tolerance, error(&all(&options), &exact), shortest(|| all(&options)));
+            report(name, tolerance, error(&all(&options), &exact), shortest(REPEATS, || all(&options)));
         }
     }
     let options = at(1e-11, Rounding::Fastest);
     let alone = || -> Vec<SpinPath> {
         starts.iter().filter_map(|omega| spin_path(&problem.body, *omega, &[END], &options).ok()).collect()
     };
-    report("one by one", 1e-11, error(&alone(), &exact), shortest(alone));
+    report("one by one", 1e-11, error(&alone(), &exact), shortest(REPEATS, alone));
 }
 
 /// Largest error of a component at the end (rad/s).
@@ -50,16 +53,6 @@ fn error(found: &[SpinPath], exact: &[SpinPath]) -> f64 {
         .zip(exact)
         .flat_map(|(a, b)| (0..3).map(move |axis| (a.omega[0][axis] - b.omega[0][axis]).abs()));
     gaps.fold(0.0, f64::max)
-}
-
-/// Shortest time of some runs (s).
-fn shortest<T>(work: impl Fn() -> T) -> f64 {
-    let times = (0..REPEATS).map(|_| {
-        let start = Instant::now();
-        black_box(work());
-        start.elapsed().as_secs_f64()
-    });
-    times.fold(f64::INFINITY, f64::min)
 }
 
 fn report(name: &str, tolerance: f64, error: f64, seconds: f64) {

@@ -118,20 +118,10 @@ impl Program {
     /// Values after each of the steps up to the last one asked for, in their order.
     pub fn trace(&self, variables: &[f64], last: usize, values: &mut Vec<f64>) {
         values.clear();
-        let mut stack = Vec::with_capacity(self.room);
+        let (mut stack, mut height) = (vec![0.0; self.room], 0);
         for step in &self.steps[..=last] {
-            let value = match *step {
-                Step::Constant(value) => value,
-                Step::Variable(index) => variables[index],
-                Step::Power(exponent) => stack.pop().unwrap_or(f64::NAN).powf(exponent),
-                Step::Unary(unary) => unary.of(stack.pop().unwrap_or(f64::NAN)),
-                Step::Binary(binary) => {
-                    let (b, a) = (stack.pop().unwrap_or(f64::NAN), stack.pop().unwrap_or(f64::NAN));
-                    binary.of(a, b)
-                }
-            };
-            stack.push(value);
-            values.push(value);
+            height = taken(step, variables, &mut stack, height);
+            values.push(stack[height - 1]);
         }
     }
 
@@ -176,22 +166,34 @@ impl Program {
 fn run<T: Smooth>(steps: &[Step], variables: &[T], stack: &mut [T]) -> T {
     let mut height = 0;
     for step in steps {
-        match *step {
-            Step::Constant(value) => {
-                stack[height] = T::from(value);
-                height += 1;
-            }
-            Step::Variable(index) => {
-                stack[height] = variables[index];
-                height += 1;
-            }
-            Step::Power(exponent) => stack[height - 1] = stack[height - 1].powf(exponent),
-            Step::Unary(unary) => stack[height - 1] = unary.of(stack[height - 1]),
-            Step::Binary(binary) => {
-                height -= 1;
-                stack[height - 1] = binary.of(stack[height - 1], stack[height]);
-            }
-        }
+        height = taken(step, variables, stack, height);
     }
     stack[0]
+}
+
+/// Takes a step on a stack of a height, and returns the height after it.
+#[inline(always)]
+fn taken<T: Smooth>(step: &Step, variables: &[T], stack: &mut [T], height: usize) -> usize {
+    match *step {
+        Step::Constant(value) => {
+            stack[height] = T::from(value);
+            height + 1
+        }
+        Step::Variable(index) => {
+            stack[height] = variables[index];
+            height + 1
+        }
+        Step::Power(exponent) => {
+            stack[height - 1] = stack[height - 1].powf(exponent);
+            height
+        }
+        Step::Unary(unary) => {
+            stack[height - 1] = unary.of(stack[height - 1]);
+            height
+        }
+        Step::Binary(binary) => {
+            stack[height - 2] = binary.of(stack[height - 2], stack[height - 1]);
+            height - 1
+        }
+    }
 }

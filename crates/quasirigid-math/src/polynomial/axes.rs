@@ -1,6 +1,7 @@
 //! Change of axes of polynomial maps.
 
 use super::{Homogeneous, Series};
+use crate::sym3::COMPONENTS;
 
 impl Homogeneous {
     /// The map over the components of its argument along other axes.
@@ -48,7 +49,6 @@ impl Series {
     /// A symmetric tensor field, rows xx, yy, zz, yz, zx, xy, with its argument and its values by their components along other axes.
     #[must_use]
     pub fn tensor_in_axes(&self, axes: [[f64; 3]; 3]) -> Self {
-        const COMPONENTS: [(usize, usize); 6] = [(0, 0), (1, 1), (2, 2), (1, 2), (2, 0), (0, 1)];
         let columns = COMPONENTS.map(|(i, j)| {
             COMPONENTS.map(|(a, b)| {
                 let product = axes[a][i] * axes[b][j];

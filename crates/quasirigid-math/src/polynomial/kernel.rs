@@ -73,6 +73,30 @@ pub struct Kernel {
     coefficients: Vec<[f64; 4]>,
 }
 
+/// A symmetric tensor, rows xx, yy, zz, yz, zx, xy, compiled for fast evaluation.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TensorKernel {
+    /// The diagonal, and the other entries.
+    halves: [Kernel; 2],
+}
+
+impl TensorKernel {
+    /// Compiles a map of six rows.
+    #[must_use]
+    pub fn new(map: &Series) -> Self {
+        Self { halves: [[0, 1, 2], [3, 4, 5]].map(|rows| Kernel::new(&map.picked(&rows))) }
+    }
+
+    /// Value at a point, or at one point in each lane.
+    #[inline(always)]
+    #[must_use]
+    pub fn value<A: Arithmetic, N: Number>(&self, x: [N; 3]) -> [N; 6] {
+        let [xx, yy, zz] = self.halves[0].vector::<A, N>(x);
+        let [yz, zx, xy] = self.halves[1].vector::<A, N>(x);
+        [xx, yy, zz, yz, zx, xy]
+    }
+}
+
 /// Highest degree that the compiler unrolls.
 const UNROLLED: usize = 6;
 

@@ -8,5 +8,5 @@ mod series;
 mod ternary;
 
 pub use homogeneous::Homogeneous;
-pub use kernel::{Kernel, Number};
+pub use kernel::{Kernel, Number, TensorKernel};
 pub use series::Series;

@@ -181,6 +181,20 @@ impl Series {
         value
     }
 
+    /// Value at a point of a symmetric tensor, a map with six rows.
+    ///
+    /// # Panics
+    /// If the map has other than six rows.
+    #[must_use]
+    pub fn tensor<T: Scalar>(&self, x: [T; 3]) -> [T; 6] {
+        assert_eq!(self.rows, 6, "a symmetric tensor has six rows");
+        let mut value = [T::from(0.0); 6];
+        for part in &self.parts {
+            part.add_value(x, &mut value);
+        }
+        value
+    }
+
     /// Value at a point of a map with one row.
     ///
     /// # Panics

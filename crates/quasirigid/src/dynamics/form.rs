@@ -2,7 +2,7 @@
 //! Equations (P1), (P2), docs/theory/05-propagation.md; (R16), docs/theory/03-reduction.md.
 
 use super::conserved_momentum::size;
-use crate::math::polynomial::{Homogeneous, Kernel, Number, Series};
+use crate::math::polynomial::{Homogeneous, Kernel, Number, Series, TensorKernel};
 use crate::math::simd::{Arithmetic, Plain};
 use crate::math::sym3::{self, Sym};
 use crate::math::vec3::{self, cross, dot, norm};
@@ -69,8 +69,7 @@ pub(super) trait Equations {
 pub(super) struct AngularMomentumForm {
     gradient: Kernel,
     c: Kernel,
-    /// Diagonal of `T`, and its other components yz, zx, xy.
-    T: [Kernel; 2],
+    T: TensorKernel,
     energy: Kernel,
 }
 
@@ -89,11 +88,10 @@ impl AngularMomentumForm {
     }
 
     fn of(energy: &Series, c: &Series, T: &Series) -> Self {
-        let rows = |rows: [usize; 3]| Kernel::new(&T.picked(&rows));
         Self {
             gradient: Kernel::new(&energy.gradient()),
             c: Kernel::new(c),
-            T: [rows([0, 1, 2]), rows([3, 4, 5])],
+            T: TensorKernel::new(T),
             energy: Kernel::new(energy),
         }
     }
@@ -106,9 +104,7 @@ impl AngularMomentumForm {
     /// Gradient of the energy, `c` and `T`.
     #[inline(always)]
     fn terms<A: Arithmetic, N: Number>(&self, K: [N; 3]) -> ([N; 3], [N; 3], [N; 6]) {
-        let [xx, yy, zz] = self.T[0].vector::<A, N>(K);
-        let [yz, zx, xy] = self.T[1].vector::<A, N>(K);
-        (self.gradient.vector::<A, N>(K), self.c.vector::<A, N>(K), [xx, yy, zz, yz, zx, xy])
+        (self.gradient.vector::<A, N>(K), self.c.vector::<A, N>(K), self.T.value::<A, N>(K))
     }
 }
 

@@ -1,7 +1,7 @@
 use super::conserved_momentum::{inside, size};
 use super::external::{Forced, Pose};
 use super::run::Start;
-use super::timing::Timing;
+use super::timing::{Allowed, Timing};
 use crate::math::sym3::{inverse, times};
 use crate::math::vec3::{add, norm, scale};
 use crate::model::{MotionState, Principal, Support};
@@ -31,8 +31,26 @@ const LEAST_LOOKS: usize = 3;
 const MOST_INTERVALS: usize = 4096;
 
 impl Scales {
+    /// Sizes of a motion from a pose to a time `end` (s), and the timing of what acts on it, whose intervals they look at.
+    pub fn timed<'a>(
+        system: Forced<'a>,
+        omega: [f64; 3],
+        K: [f64; 3],
+        pose: Pose<f64>,
+        end: f64,
+    ) -> (Self, Option<Timing<'a>>) {
+        let timing = Timing::of(system, omega, &pose, end);
+        let intervals = timing.as_ref().map_or_else(Vec::new, Timing::intervals);
+        (Self::of(system, omega, K, pose, end, &intervals), timing)
+    }
+
+    /// Errors that a step may have at a tolerance, for the limits of the impulse. (Z4)
+    pub fn allowed(&self, tolerance: f64) -> Allowed {
+        Allowed { angular_momentum: tolerance * self.angular_momentum, velocity: tolerance * self.velocity }
+    }
+
     /// Sizes of a motion from a pose to a time `end` (s); `intervals` are middles and lengths of those in which forces change.
-    pub fn of(
+    fn of(
         system: Forced,
         omega: [f64; 3],
         K: [f64; 3],
@@ -95,9 +113,8 @@ impl Scales {
 #[must_use]
 pub fn spin_from_rest(system: Forced, start: Start, end: f64) -> [f64; 3] {
     let pose = Pose { t: 0.0, attitude: start.attitude, place: start.place, velocity: start.velocity };
-    let intervals =
-        Timing::of(system, [0.0; 3], &pose, end).map_or_else(Vec::new, |timing| timing.intervals());
-    let spin = Scales::of(system, [0.0; 3], [0.0; 3], pose, end, &intervals).spin;
+    let (Scales { spin, .. }, timing) = Scales::timed(system, [0.0; 3], [0.0; 3], pose, end);
+    let intervals = timing.as_ref().map_or_else(Vec::new, Timing::intervals);
     let J = system.body.invariants().J;
     let still = vec![0.0; system.body.coordinates().len()];
     let looks = (0..LOOKS).map(|look| end * look as f64 / (LOOKS - 1) as f64);

@@ -31,8 +31,8 @@ const NEWTON_STEPS: usize = 30;
 pub fn steady_spins(body: &ReducedBody, angular_momentum: f64) -> [Option<SteadySpin>; 3] {
     let principal = Principal::compute(body.J);
     let (determined, axes) = (principal.determined(), principal.axes);
+    let gradient = &body.energy_of_momentum.gradient();
     std::array::from_fn(|i| {
-        let gradient = &body.energy_of_momentum.gradient();
         let K = determined[i].then(|| steady_angular_momentum(gradient, axes[i], angular_momentum))??;
         Some(nutation(body, gradient, K))
     })
@@ -128,7 +128,7 @@ fn nutation(body: &ReducedBody, gradient: &Series, K: Vector3<f64>) -> SteadySpi
     let rate = dot(gradient.vector(K.into()), K.into()) / (G * G);
     let [first, second] = tangents((K / G).into()).map(Vector3::from);
     let slopes = Matrix3::from(jacobian(gradient, K.into())) - rate * Matrix3::identity();
-    let T = Matrix3::from(sym3::rows(std::array::from_fn(|i| body.T.value(K.into())[i])));
+    let T = Matrix3::from(sym3::rows(body.T.tensor(K.into())));
     let across = |matrix: &Matrix3<f64>| {
         let entry = |a: &Vector3<f64>, b: &Vector3<f64>| a.dot(&(matrix * b));
         let mixed = 0.5 * (entry(&first, &second) + entry(&second, &first));

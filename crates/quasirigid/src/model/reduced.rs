@@ -139,8 +139,7 @@ impl ReducedBody {
     #[must_use]
     pub fn motion(&self, K: [f64; 3]) -> EnergyMotion<f64> {
         let gradient = energy_gradient(&self.energy_of_momentum, K);
-        let (c, T) = (self.c.vector(K), self.T.value(K));
-        energy_form(K, gradient, c, std::array::from_fn(|component| T[component]))
+        energy_form(K, gradient, self.c.vector(K), self.T.tensor(K))
     }
 
     /// Angular velocity (rad/s, body axes) at an angular momentum (N·m·s, body axes) by the energy form. (R17)

@@ -6,6 +6,7 @@
 use super::angular_momentum_form::composed;
 use super::manifold::Manifold;
 use crate::math::polynomial::{Homogeneous, Series};
+use crate::math::sym3::COMPONENTS;
 use crate::model::{Advection, FlexibleBody};
 
 /// Polynomials of the energy form. (R16)
@@ -17,8 +18,6 @@ pub(super) struct EnergyForm {
     pub T: Series,
 }
 
-/// Components of a symmetric tensor: xx, yy, zz, yz, zx, xy.
-const COMPONENTS: [(usize, usize); 6] = [(0, 0), (1, 1), (2, 2), (1, 2), (2, 0), (0, 1)];
 /// Components of the antisymmetric matrix of an axial vector.
 const AXIAL: [(usize, usize); 3] = [(1, 2), (2, 0), (0, 1)];
 

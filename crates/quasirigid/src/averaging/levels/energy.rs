@@ -2,7 +2,7 @@
 //! The part that is constant on the sphere is subtracted, or nearly equal moments lose their digits.
 //! Equations (N1) and (N3), docs/theory/17-levels.md.
 
-use crate::math::polynomial::{Homogeneous, Kernel, Series};
+use crate::math::polynomial::{Homogeneous, Kernel, Series, TensorKernel};
 use crate::math::simd::Plain;
 use crate::math::sphere::{deviator, directions};
 use crate::math::sym3;
@@ -27,8 +27,7 @@ pub(super) struct SlowEnergy {
     /// `∇h`, and `K·c` in the fourth row.
     field: Kernel,
     Omega: Kernel,
-    /// Diagonal of `T`, and its other components yz, zx, xy.
-    T: [Kernel; 2],
+    T: TensorKernel,
     /// Largest speed along a level over the sphere (1/s).
     pub fastest: f64,
     /// Largest power (W), and largest spin along the angular momentum (rad/s), over the sphere.
@@ -56,8 +55,6 @@ impl SlowEnergy {
             }
             field.set(part);
         }
-        let T = body.T.even().stretched(G);
-        let T = [[0, 1, 2], [3, 4, 5]].map(|rows| Kernel::new(&T.picked(&rows)));
         let mut slow = Self {
             G,
             long_axis: Principal::compute(body.J).axes[0],
@@ -66,7 +63,7 @@ impl SlowEnergy {
             field: Kernel::new(&field),
             gradient,
             Omega: Kernel::new(&body.Omega.odd().stretched(G)),
-            T,
+            T: TensorKernel::new(&body.T.even().stretched(G)),
             fastest: 0.0,
             largest_power: 0.0,
             fastest_turning: 0.0,
@@ -109,9 +106,8 @@ impl SlowEnergy {
     /// (rad/s). (N4), (R16)
     #[inline(always)]
     pub fn power(&self, u: [f64; 3], velocity: [f64; 3]) -> [f64; 2] {
-        let [[xx, yy, zz], [yz, zx, xy]] = [0, 1].map(|half| self.T[half].vector::<Plain, f64>(u));
         let rate = scale(self.G, velocity);
-        let power = dot(rate, sym3::times([xx, yy, zz, yz, zx, xy], rate));
+        let power = dot(rate, sym3::times(self.T.value::<Plain, f64>(u), rate));
         [power, dot(self.Omega.vector::<Plain, f64>(u), u)]
     }
 }

@@ -12,7 +12,6 @@ use crate::dynamics::invariant_monitor::InvariantMonitor;
 use crate::dynamics::layout::{ATTITUDE, Layout, MOMENTUM, PLACE, VELOCITY, triple};
 use crate::dynamics::run::{Observer, Options, PropagateError, Run, check};
 use crate::dynamics::scale::Scales;
-use crate::dynamics::timing::{Allowed, Timing};
 use crate::math::ode::{Solver, integrate};
 use crate::model::FlexibleBody;
 
@@ -53,9 +52,7 @@ pub fn propagate_full(
     let y = initial.pack(system.body);
     let end = times.last().copied().unwrap_or_default();
     let pose = initial.pose();
-    let mut timing = Timing::of(system, initial.omega, &pose, end);
-    let intervals = timing.as_ref().map_or_else(Vec::new, Timing::intervals);
-    let mut scales = Scales::of(system, initial.omega, triple(&y, MOMENTUM), pose, end, &intervals);
+    let (mut scales, mut timing) = Scales::timed(system, initial.omega, triple(&y, MOMENTUM), pose, end);
     if initial.omega == [0.0; 3] {
         scales.stir(initial.energy(system.body));
     }
@@ -67,8 +64,7 @@ pub fn propagate_full(
     let angular_momentum = Conserved::of(triple(&y, MOMENTUM), initial.attitude, scales.inside);
     let mut monitor = InvariantMonitor::new(full.clone(), &y, angular_momentum, options, observer);
     if let Some(timing) = &mut timing {
-        let angular_momentum = options.tolerance * scales.angular_momentum;
-        timing.allow(system, Allowed { angular_momentum, velocity: options.tolerance * scales.velocity });
+        timing.allow(system, scales.allowed(options.tolerance));
     }
     monitor.timing = timing;
     let mut solver = FullSolver::new(full, y, allowed, options.method, options.rounding);

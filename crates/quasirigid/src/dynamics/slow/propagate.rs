@@ -14,7 +14,6 @@ use crate::dynamics::layout::{ATTITUDE, MOMENTUM, PLACE, SLOW, VELOCITY};
 use crate::dynamics::run::{Observer, Options, PropagateError, Run, check};
 use crate::dynamics::scale::Scales;
 use crate::dynamics::seat;
-use crate::dynamics::timing::{Allowed, Timing};
 use crate::math::ode::{Dop853, Solver, Stretch, integrate};
 use crate::math::simd::Plain;
 use crate::model::MotionState;
@@ -80,9 +79,7 @@ pub fn propagate_forced(
     let omega = start.omega;
     let end = times.last().copied().unwrap_or_default();
     let pose = initial.pose(0.0);
-    let mut timing = Timing::of(system, omega, &pose, end);
-    let intervals = timing.as_ref().map_or_else(Vec::new, Timing::intervals);
-    let scales = Scales::of(system, omega, initial.angular_momentum, pose, end, &intervals);
+    let (scales, mut timing) = Scales::timed(system, omega, initial.angular_momentum, pose, end);
     check(scales.spin, initial.attitude, times, options)?;
     let mut y = initial.pack();
     let mut first = scales.angular_momentum;
@@ -100,8 +97,7 @@ pub fn propagate_forced(
     let angular_momentum = Conserved::of(angular_momentum, initial.attitude, scales.inside);
     let mut monitor = InvariantMonitor::new(slow, &y, angular_momentum, options, observer);
     if let Some(timing) = &mut timing {
-        let angular_momentum = options.tolerance * scales.angular_momentum;
-        timing.allow(system, Allowed { angular_momentum, velocity: options.tolerance * scales.velocity });
+        timing.allow(system, scales.allowed(options.tolerance));
     }
     monitor.timing = timing;
     let mut solver = Dop853::<_, _, Plain>::new(slow, 0.0, y, allowed);

@@ -22,8 +22,9 @@ struct State {
     resumable: AtomicBool,
 }
 
-/// Time in which the work must see Ctrl-C: longer than between any two questions of a propagation.
-const GRACE: Duration = Duration::from_secs(2);
+/// Time in which the work must see Ctrl-C: longer than between any two questions of a propagation, and under the second in which a person
+/// presses it again.
+const GRACE: Duration = Duration::from_millis(900);
 /// Time between two checks of that.
 const LOOK: Duration = Duration::from_millis(20);
 

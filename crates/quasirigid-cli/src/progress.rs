@@ -77,6 +77,12 @@ impl Watch for Terminal<'_> {
             remark(sentence);
         }
     }
+
+    fn plan(&mut self, sentence: &str) {
+        if stderr().is_terminal() {
+            self.remark(sentence);
+        }
+    }
 }
 
 impl Drop for Terminal<'_> {

@@ -102,6 +102,11 @@ pub enum StudyError {
     },
     /// A body at rest without a duration: it has no revolutions to count by.
     RestWithoutDuration,
+    /// A duration (s) of an evolution that is not positive and finite.
+    NoEvolutionTime {
+        /// The duration.
+        seconds: f64,
+    },
     /// No start is found.
     NoStart(EquilibriumError),
     /// A number of rows that no table has.
@@ -179,6 +184,11 @@ pub enum StudyError {
     },
     /// No end of an evolution under a torque.
     NoEvolutionDuration,
+    /// A body whose three principal moments are equal.
+    EqualMoments {
+        /// The moment (kg·m²).
+        moment: f64,
+    },
     /// A target of more wobble than the start has.
     Calmer {
         /// Wobble at the start (rad).
@@ -371,7 +381,11 @@ impl StudyError {
                 "no rotation of this body has D/I3 = {ratio}: it lies between {least:.6}, a spin about the axis of least inertia, and 1, one about that of greatest, and both limits are steady spins"
             ),
             Self::Steady => format!(
-                "the body is in steady spin, so there is no nutation to follow; give [initial] a wobble, or choose another start with {from}"
+                "the body starts in a steady spin, from which nothing evolves by itself; if it is unstable, as `modes` tells, the least wobble grows: give [initial] a wobble, or choose another start with {from}"
+            ),
+            Self::EqualMoments { moment } => format!(
+                "the three principal moments of this body are equal, {} kg m^2: every spin is steady, and there is no wobble to follow",
+                significant(*moment, 6)
             ),
             Self::AtRest => {
                 "the body does not turn, so there is no rotation to follow; give [initial] an angular velocity".into()
@@ -391,6 +405,10 @@ impl StudyError {
                 "dissipation only lowers the wobble, and that at the start, {} degrees, is smaller than the target, {} degrees; choose a smaller one with {until}, or an earlier start with {from}",
                 significant(start.to_degrees(), 3),
                 significant(to.to_degrees(), 3)
+            ),
+            Self::NoEvolutionTime { seconds } => format!(
+                "an evolution cannot be followed for {seconds} s; give a time above zero with {}",
+                name(Setting::EvolutionDuration)
             ),
             Self::NoEvolutionDuration => format!(
                 "under a torque the rotation need not reach any target; say how long to follow it, with {}",

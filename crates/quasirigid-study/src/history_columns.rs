@@ -104,7 +104,7 @@ fn nutation(found: Option<Nutation>, axes: &[[f64; 3]; 3]) -> [f64; 3] {
 /// Columns of internal coordinates and their rates, and of the displacements of watched places, that a table has on request.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Internal<'b> {
-    /// Watched places whose displacements have columns, to the first order.
+    /// Watched places whose displacements have columns: exact on appendages, of first order on parts.
     pub markers: &'b [Marker],
     /// Coordinates, and the number of those with a value; the rates of all have columns.
     pub coordinates: Option<(&'b [Coordinate], usize)>,
@@ -133,10 +133,7 @@ impl Internal<'_> {
 
     /// Appends the numbers of a row.
     pub fn fill(&self, q: &[f64], rate: &[f64], row: &mut Vec<f64>) {
-        let along = |marker: &Marker| {
-            [0, 1, 2].map(|axis| marker.shapes.iter().map(|(j, shape)| q[*j] * shape[axis]).sum::<f64>())
-        };
-        row.extend(self.markers.iter().flat_map(along));
+        row.extend(self.markers.iter().flat_map(|marker| marker.displacement(q)));
         if let Some((_, valued)) = self.coordinates {
             row.extend(q[..valued].iter().chain(rate));
         }

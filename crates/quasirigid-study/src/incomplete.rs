@@ -2,15 +2,21 @@
 
 use quasirigid::elements::{Assembly, Incomplete};
 
-/// Warns of an order above the one that the parts of a body support: full and reduced equations then lack the same terms,
-/// so that no verification shows the gap.
+/// Warns of an order above the one that the parts of a body support. Full and reduced equations then lack the same terms, so that no
+/// verification shows the gap; those of hinges alone are in the full system.
 pub fn beyond(assembly: &Assembly, order: usize) -> Option<String> {
     let missing = assembly.incomplete_at(order);
     let complete = missing.iter().map(|what| what.order()).min()?;
     let causes: Vec<&str> = missing.iter().map(|what| cause(*what)).collect();
+    let full = if missing == [Incomplete::Hinges] {
+        "The full system has the terms that are missing."
+    } else if missing.contains(&Incomplete::Hinges) {
+        "The terms that are missing are missing in the full system, too, but those of hinges."
+    } else {
+        "The terms that are missing are missing in the full system, too."
+    };
     Some(format!(
-        "Of this body the equations are complete to order {complete}, and order {order} is asked for: {}. The terms that are \
-         missing are missing in the full system, too.",
+        "Of this body the equations are complete to order {complete}, and order {order} is asked for: {}. {full}",
         causes.join("; ")
     ))
 }
@@ -25,7 +31,7 @@ fn cause(what: Incomplete) -> &'static str {
         Incomplete::SpringsOnAppendages => {
             "springs at places on appendages see the displacement to first order (order 3)"
         }
-        Incomplete::Hinges => "paths on hinges are kept to second order (order 5)",
+        Incomplete::Hinges => "paths on hinges are kept to second order in the reduced equations (order 5)",
         Incomplete::Structures => "paths of beams, panels and solids are kept to second order (order 5)",
     }
 }

@@ -46,7 +46,7 @@ pub fn initial(study: &Study) -> Result<Start, StudyError> {
     if let Displacements::Given { q, .. } = &model.initial.displacements {
         let mut q = q.clone();
         q.resize(body.coordinates().len(), 0.0);
-        let omega = times(inverse(body.inertia_at(&q)), K);
+        let omega = times(inverse(body.full_inertia_at(&q)), K);
         return Ok(Start::new(omega, attitude));
     }
     let reduced = study.reduced(slaved_order(body, *order, rigid)?)?;
@@ -76,7 +76,7 @@ fn angular_momentum(principal: &Principal, motion: &FreeRotation) -> ([f64; 3], 
 fn deformed(body: &FlexibleBody, angle: f64, rate: f64, mode: Mode) -> Result<[f64; 3], StudyError> {
     let axis = Principal::compute(body.invariants().J).axes[mode.circled()];
     let steady = RelativeEquilibrium::near(body, axis, Given::Rate(rate)).map_err(StudyError::NoStart)?;
-    let principal = Principal::compute(body.inertia_at(&steady.q));
+    let principal = Principal::compute(body.full_inertia_at(&steady.q));
     let motion = FreeRotation::at_nutation(principal.moments, norm(steady.angular_momentum), mode, angle)?;
     Ok(angular_momentum(&principal, &motion).0)
 }

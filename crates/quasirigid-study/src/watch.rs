@@ -17,6 +17,10 @@ pub trait Watch {
 
     /// Receives a sentence that cannot wait for the end of the work.
     fn remark(&mut self, _sentence: &str) {}
+
+    /// Receives what long work will do and how long it may take, for a person who waits. It depends on the machine and its load, so it is no part
+    /// of a result.
+    fn plan(&mut self, _sentence: &str) {}
 }
 
 /// Does work that has no partial result, such as opening a study, checking it or finding its modes, under a watch.

@@ -268,7 +268,7 @@ pub fn displaced(body: &FlexibleBody, left: Displaced) -> String {
             let name = body.watched().hinges.get(hinge).map_or("a hinge", |hinge| hinge.name.as_str());
             let [angle, range] = [angle, HINGE_RANGE].map(|angle| significant(angle.to_degrees(), 3));
             return format!(
-                "{name:?} turned on its hinge by {angle} degrees, beyond the {range} degrees to which paths on hinges hold,"
+                "{name:?} turned on its hinge by {angle} degrees, beyond the {range} degrees to which the springs at places on it hold,"
             );
         }
     };
@@ -300,8 +300,10 @@ pub fn range(body: &FlexibleBody) -> Option<String> {
             places.collect::<Vec<_>>().join(", ")
         )
     });
-    let turned = (!hinges.is_empty())
-        .then(|| format!("hinges up to angles of {} degrees", significant(HINGE_RANGE.to_degrees(), 3)));
+    let turned = (!hinges.is_empty()).then(|| {
+        let range = significant(HINGE_RANGE.to_degrees(), 3);
+        format!("appendages with springs at places on them up to hinge angles of {range} degrees")
+    });
     let followed: Vec<String> = parts.into_iter().chain(turned).collect();
     (!followed.is_empty())
         .then(|| format!("The full system follows {}, and ends there.", followed.join(" and ")))

@@ -38,6 +38,7 @@ fn orders_beyond_the_kinematics_are_said() {
         assert_eq!(note(complete), "", "{words}");
         let said = note(complete + 1);
         assert!(said.contains(words) && said.contains(&format!("complete to order {complete}")), "{said}");
+        assert_eq!(said.contains("The full system has the terms that are missing."), complete == 5, "{said}");
     }
     assert_eq!(
         ran_with(MODEL, "derive model.toml --order 9 --format latex").stderr,

@@ -6,6 +6,7 @@ mod secular;
 mod table;
 mod words;
 
+use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use quasirigid::averaging::{
@@ -14,7 +15,7 @@ use quasirigid::averaging::{
 };
 use quasirigid::dynamics::Start;
 use quasirigid::elements::Assembly;
-use quasirigid::model::{Rheology, Support};
+use quasirigid::model::{Mode, Rheology, Support};
 use quasirigid::reduction::reduce;
 use quasirigid_io::model::{EvolveMethod, Power, Target};
 use quasirigid_io::record::{EstimateRecord, EvolutionRecord};
@@ -25,7 +26,7 @@ use crate::liquids::{NOTABLE, unresolved};
 use crate::start::slaved_order;
 use crate::study::Study;
 use crate::watch::Watch;
-use method::History;
+use method::{History, Outlook};
 use secular::SecularEvolution;
 use table::EvolutionTable;
 
@@ -49,6 +50,11 @@ pub struct Asked {
 }
 
 impl Asked {
+    /// Time (s) up to which a steady spin that is reached stays: that asked for without a target.
+    fn stays(&self) -> Option<f64> {
+        self.duration.filter(|_| self.until.is_none())
+    }
+
     /// Request for the rest of the evolution after a time (s).
     fn after(&self, t: f64) -> Self {
         Self { duration: self.duration.map(|duration| (duration - t).max(0.0)), ..self.clone() }
@@ -136,6 +142,9 @@ pub(crate) fn follow(
     observer: &mut dyn Watch,
 ) -> Result<Evolved, StudyError> {
     let Study { model, body, forces, order, .. } = study;
+    if let Some(seconds) = asked.duration.filter(|seconds| !(*seconds > 0.0 && seconds.is_finite())) {
+        return Err(StudyError::NoEvolutionTime { seconds });
+    }
     if matches!(body.support(), Support::Prescribed { .. }) {
         return Err(StudyError::DrivenPole);
     }
@@ -147,9 +156,21 @@ pub(crate) fn follow(
     let slaved = slaved_order(body, *order, start.omega)?;
     let state = study.reduced(slaved)?;
     let mut secular = SecularEvolution::new(body, [&reduced, &state], start, asked.power)?;
-    let mut watch = |share: f64| observer.at("following", share);
+    let moments = secular.principal.moments;
+    if torque.is_zero() && [Mode::LongAxis, Mode::ShortAxis].iter().all(|mode| !mode.exists(moments)) {
+        return Err(StudyError::EqualMoments { moment: moments[2] });
+    }
+    let outlook = Outlook::new(asked.method.is_some());
+    let mut watch = |share: f64| {
+        if let Some(sentence) = outlook.due() {
+            observer.plan(&sentence);
+        }
+        if outlook.over() { ControlFlow::Break(()) } else { observer.at("following", share) }
+    };
     let run = if torque.is_zero() {
-        match method::choose(study, start, asked, &mut secular, &mut watch)? {
+        let chosen = method::choose(study, start, asked, &mut secular, &outlook, &mut watch);
+        let spent = outlook.over() && matches!(chosen, Err(StudyError::Interrupted));
+        match if spent { Err(secular.spent()) } else { chosen? } {
             Ok(history) => history,
             Err(refusal) => return Ok(Evolved { record: secular.refused(refusal), notes: Vec::new() }),
         }
@@ -170,14 +191,16 @@ pub(crate) fn follow(
         History::Settled(row, range) => {
             let stage = range.stage(row.energy).unwrap_or(from);
             let to = secular.end(&evolution, stage, &asked.after(row.t))?;
-            EvolutionTable::of_evolution(&evolution, stage, to, asked.samples).behind(from, row)
+            let rows = EvolutionTable::of_evolution(&evolution, stage, to, asked.samples).behind(from, row);
+            rows.staying(asked.stays())
         }
         History::None if torque.is_zero() => EvolutionTable::of_evolution(
             &evolution,
             from,
             secular.end(&evolution, from, asked)?,
             asked.samples,
-        ),
+        )
+        .staying(asked.stays()),
         History::None => {
             let limits = secular.limits(&evolution, asked)?;
             EvolutionTable::of_drift(
@@ -249,7 +272,6 @@ fn range(
 
 #[cfg(test)]
 mod tests {
-    use std::ops::ControlFlow;
     use std::path::Path;
 
     use super::*;

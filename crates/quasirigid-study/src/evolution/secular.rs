@@ -19,7 +19,7 @@ use quasirigid_io::record::{Column, CrossingRecord, EvolutionRecord, HarmonicRec
 use quasirigid_math::vec3::norm;
 
 use super::approach::approach;
-use super::method::{Refusal, Verdict};
+use super::method::{Outlook, Refusal, Verdict};
 use super::table::EvolutionTable;
 use super::{Asked, words};
 use crate::error::StudyError;
@@ -68,8 +68,7 @@ impl SecularEvolution {
     ) -> Result<Self, StudyError> {
         let viscoelastic = !body.viscoelastic().is_empty();
         let principal = Principal::compute(reduced.J);
-        let K = principal.components(slaved.angular_momentum(start.omega));
-        let frozen = [0, 1, 2].map(|i| K[i] / principal.moments[i]);
+        let frozen = frozen(&principal, slaved.angular_momentum(start.omega));
         let measured = body.viscoelastic().iter().filter_map(|part| part.rheology.measured_between());
         let (response, polynomial) = (Response::compute(body)?, PolynomialPower::from_reduced(reduced));
         let by_polynomial = match power {
@@ -96,6 +95,13 @@ impl SecularEvolution {
             viscoelastic,
             measured: measured.collect(),
         })
+    }
+
+    /// Takes the angular momentum (N·m·s, body axes) of the deformed body at its start, which a series of the slow manifold does not know of a
+    /// soft body.
+    pub fn turn_with(&mut self, K: [f64; 3]) -> Result<(), StudyError> {
+        self.initial = FreeRotation::through(self.principal.moments, frozen(&self.principal, K))?;
+        Ok(())
     }
 
     pub fn power(&self) -> &dyn MeanPower {
@@ -157,6 +163,11 @@ impl SecularEvolution {
         .with_unknown_named()
     }
 
+    /// Refusal of work that takes longer than is worked without being asked.
+    pub fn spent(&self) -> Refusal {
+        Refusal { message: Outlook::spent(), rates: self.verdict.rates }
+    }
+
     /// Takes another power, along the equivalent polhodes of the deformed body from an energy (J) on.
     pub fn take(&mut self, source: Arc<dyn MeanPower>, range: &EnergyRange, energy: f64) {
         self.principal.moments = range.moments();
@@ -208,7 +219,7 @@ impl SecularEvolution {
         }
     }
 
-    /// End of the evolution: the target (without one, a hundredth of the wobble's energy) or the time, whichever comes first.
+    /// End of the evolution: the target or the time, whichever comes first; without either a hundredth of the wobble's energy.
     pub fn end(
         &self,
         evolution: &Evolution,
@@ -217,6 +228,7 @@ impl SecularEvolution {
     ) -> Result<RotationState, StudyError> {
         let target = match asked.until {
             Some(target) => self.stage(evolution, target)?,
+            None if asked.duration.is_some() => evolution.settled(),
             None => evolution.faded(from, LEFT).ok_or(StudyError::Steady)?,
         };
         let [start, end] = [from, target].map(|stage| evolution.ratio(stage));
@@ -358,11 +370,15 @@ impl SecularEvolution {
             } else {
                 rows.crossing()
             },
-            lingering: if rows.steady() { evolution.lingering(from, to) } else { None },
+            lingering: if rows.steady() && self.has_separatrix() {
+                evolution.lingering(from, to)
+            } else {
+                None
+            },
             damping_time: self
                 .verdict
                 .folding(Mode::ShortAxis)
-                .unwrap_or(folding(evolution, Mode::ShortAxis)),
+                .unwrap_or_else(|| self.damping_time(evolution)),
             growth_time: self.verdict.folding(Mode::LongAxis).unwrap_or(folding(evolution, Mode::LongAxis)),
             not_known: Vec::new(),
             estimates: Vec::new(),
@@ -376,6 +392,19 @@ impl SecularEvolution {
             record.sentence = words::lossless(self.order);
         }
         record.with_unknown_named()
+    }
+
+    /// Whether three moments differ, so that a separatrix lies between the axes.
+    fn has_separatrix(&self) -> bool {
+        [Mode::LongAxis, Mode::ShortAxis].iter().all(|mode| mode.exists(self.principal.moments))
+    }
+
+    /// Time (s) in which a small wobble about the axis of greatest inertia, or about the plane of the two greatest equal moments, falls by e.
+    fn damping_time(&self, evolution: &Evolution) -> f64 {
+        if Mode::ShortAxis.exists(self.principal.moments) {
+            return folding(evolution, Mode::ShortAxis);
+        }
+        evolution.plane_rate().map_or(f64::NAN, f64::recip)
     }
 
     fn method(&self) -> String {
@@ -429,6 +458,12 @@ impl SecularEvolution {
             })
             .collect()
     }
+}
+
+/// Angular velocity (rad/s) of the frozen body with an angular momentum (N·m·s, body axes), in principal axes.
+fn frozen(principal: &Principal, K: [f64; 3]) -> [f64; 3] {
+    let K = principal.components(K);
+    [0, 1, 2].map(|i| K[i] / principal.moments[i])
 }
 
 /// Indices of columns.

@@ -34,6 +34,8 @@ pub struct EvolutionTable {
     known: usize,
     /// Levels of the slow energy, row by row.
     pub levels: Option<Vec<LevelRow>>,
+    /// Time (s) up to which the last state stays, where it is steady before the time asked for has passed.
+    stays: Option<f64>,
     /// Time (s) of the first passage through the separatrix, for histories whose rows do not hold it.
     crossed: Option<f64>,
 }
@@ -61,8 +63,14 @@ impl EvolutionTable {
             powers: None,
             known: 1,
             levels: None,
+            stays: None,
             crossed: None,
         }
+    }
+
+    /// Rows whose last one stays as it is up to a time (s), where it is reached before.
+    pub fn staying(self, time: Option<f64>) -> Self {
+        Self { stays: time, ..self }
     }
 
     /// Rows behind the start of the full system, which reaches the first of them at the time of `row`.
@@ -108,6 +116,7 @@ impl EvolutionTable {
             powers: None,
             known: 1,
             levels: None,
+            stays: None,
             crossed,
         }
     }
@@ -157,6 +166,7 @@ impl EvolutionTable {
             powers: Some(powers),
             known: 1,
             levels: None,
+            stays: None,
             crossed,
         }
     }
@@ -193,6 +203,7 @@ impl EvolutionTable {
             powers: Some(passage.rows.iter().map(|row| row.power).collect()),
             known: 1,
             levels: Some(passage.rows.clone()),
+            stays: None,
             crossed,
         }
     }
@@ -222,6 +233,17 @@ impl EvolutionTable {
             self.states[i].t = before.t + time;
             self.states[i].revolutions = before.revolutions + revolutions;
             self.error += error.abs();
+        }
+        if let (Some(evolution), Some(end)) =
+            (&self.evolution, self.stays.filter(|_| i >= self.known && i + 1 == self.states.len()))
+        {
+            let state = &mut self.states[i];
+            let (left, motion) = (end - state.t, evolution.motion(state.stage));
+            if left > 0.0 {
+                let turning = 2.0 * motion.energy() / motion.angular_momentum();
+                (state.t, state.revolutions) =
+                    (end, state.revolutions + left * turning / std::f64::consts::TAU);
+            }
         }
         self.states[i]
     }

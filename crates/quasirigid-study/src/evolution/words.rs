@@ -18,6 +18,8 @@ const ROWS: usize = 11;
 const APART: f64 = 0.1;
 /// Relative error of a time from which the error is mentioned.
 const UNCERTAIN: f64 = 1e-6;
+/// Angle (rad) from an axis below which a rotation is called a steady spin.
+const STEADY: f64 = 1e-8;
 /// Probabilities as near as this are equal.
 const ROUNDING: f64 = 1e-9;
 
@@ -86,16 +88,21 @@ pub fn sentence(record: &EvolutionRecord, drift: Option<&DriftHistory>) -> Strin
         format!("{died_out} The angular momentum went from {before} to {after} N m s.")
     });
     let axis = if record.mode_start == "short-axis" { "greatest" } else { "least" };
+    let last = if to < STEADY {
+        format!("{last} degrees, that is in the steady spin,")
+    } else {
+        format!("{last} degrees")
+    };
     if record.mode_start != record.mode_end {
         return format!(
-            "The rotation goes over from the {} to the {} mode and ends with a wobble of {last} degrees {taken}.{crossed}{drifted}",
+            "The rotation goes over from the {} to the {} mode and ends with a wobble of {last} {taken}.{crossed}{drifted}",
             record.mode_start, record.mode_end
         );
     }
     if record.separatrix_time.is_some() {
         return format!(
             "The rotation turns over: it comes to circle the other side of the axis of {axis} inertia, and ends with a wobble \
-             of {last} degrees {taken}.{crossed}{drifted}"
+             of {last} {taken}.{crossed}{drifted}"
         );
     }
     if from == 0.0 && to == 0.0 {
@@ -103,7 +110,7 @@ pub fn sentence(record: &EvolutionRecord, drift: Option<&DriftHistory>) -> Strin
     }
     let verb = if to > from { "grows" } else { "falls" };
     format!(
-        "The wobble about the axis of {axis} inertia {verb} from {first} to {last} degrees {taken}, {} mode throughout.{drifted}",
+        "The wobble about the axis of {axis} inertia {verb} from {first} to {last} {taken}, {} mode throughout.{drifted}",
         record.mode_start
     )
 }

@@ -74,9 +74,14 @@ pub struct Elapsed {
 const SEPARATRIX: f64 = -40.0;
 /// Place, as `ξ`, where a wobble is so small that only its first harmonic stands out of rounding.
 const AXIS: f64 = 36.0;
+/// Place, as `ξ`, where the angle of a wobble is below the rounding of a direction: `e^{−32}`.
+const SETTLED_AT: f64 = 64.0;
 /// Places `ξ` that count as next to the separatrix, `ln(0.01/0.99)`, and as the last that [`Evolution::stages`] lists before it.
 const NEAR: f64 = -4.595_119_850_134_59;
 const SEEN: f64 = -6.0;
+/// Places `ξ` next to a plane of steady spins, and the relative difference of rates there up to which they are one.
+const IN_PLANE: [f64; 2] = [-12.0, -16.0];
+const SAME_RATE: f64 = 1e-3;
 /// Relative error of a time.
 const TOLERANCE: f64 = 1e-10;
 /// Length in `ξ` of the pieces in which a time is looked for, and the limit of their number.
@@ -137,6 +142,16 @@ impl<P: MeanPower> Evolution<P> {
     pub fn faded(&self, from: RotationState, left: f64) -> Option<RotationState> {
         let over = 1.0 / self.motion(from).ratio() - 1.0;
         self.stage(1.0 / (1.0 + left * over))
+    }
+
+    /// Rotation state that every dissipation ends in, as far as numbers tell it from a steady spin: next to the axis of greatest inertia, or
+    /// to the plane of the two greatest moments where these are equal.
+    #[must_use]
+    pub fn settled(&self) -> RotationState {
+        match Mode::ShortAxis.exists(self.moments) {
+            true => RotationState { mode: Mode::ShortAxis, xi: SETTLED_AT },
+            false => RotationState { mode: Mode::LongAxis, xi: SEPARATRIX },
+        }
     }
 
     /// `D/I₃` of a rotation state.
@@ -247,6 +262,20 @@ impl<P: MeanPower> Evolution<P> {
         let stage = RotationState { mode, xi: AXIS };
         let motion = self.motion(stage);
         0.5 * self.power.mean_power(&motion) / motion.energy_from_axis()
+    }
+
+    /// Rate (1/s) at which the angle between the angular momentum and the plane of the two greatest moments falls where these are equal, as
+    /// `e^{−rate·t}`; none where the fall has no rate, as with a material of constant quality factor. (A12)
+    #[must_use]
+    pub fn plane_rate(&self) -> Option<f64> {
+        let [I1, I2, _] = self.moments;
+        let rate = |xi: f64| {
+            let motion = self.motion(RotationState { mode: Mode::LongAxis, xi });
+            let excess = motion.energy() * (I2 - I1) / (I2 * (1.0 + (-xi).exp()));
+            0.5 * self.power.mean_power(&motion) / excess
+        };
+        let [near, nearer] = IN_PLANE.map(rate);
+        ((near / nearer - 1.0).abs() < SAME_RATE).then_some(nearer)
     }
 
     fn between(&self, from: f64, to: f64) -> Elapsed {

@@ -19,7 +19,7 @@ pub enum Incomplete {
     AxialSprings,
     /// Springs at places on appendages: their displacements are linear. (I10)
     SpringsOnAppendages,
-    /// Hinges: paths are of second order. (I8)
+    /// Hinges: paths in the reduced equations are of second order. (I8)
     Hinges,
     /// Beams, panels and solids: paths are of second order. (K7)
     Structures,

@@ -1,9 +1,13 @@
 //! Displacements in balance with a steady angular velocity.
+//! Where appendages turn far on their hinges the balance is followed from rest as the spin rises, so that its branch is that of the body.
 //! Equations (M1) and (M10), docs/theory/15-modes.md.
 
-use super::{FlexibleBody, Invariants, SpinCoefficients};
+use nalgebra::{Cholesky, DMatrix, Dyn};
+
+use super::{CurvedPaths, FlexibleBody, Follower, Invariants, SpinCoefficients};
 use crate::math::eigen::Dense;
 use crate::math::lu::Lu;
+use crate::math::sparse::SparseRows;
 use crate::math::sym3::{self, times};
 use crate::math::vec3::dot;
 
@@ -24,6 +28,15 @@ const STEPS: usize = 30;
 const SETTLED: f64 = 1e-14;
 const ACCEPTED: f64 = 1e-9;
 
+/// Angle (rad) below which the balance of a hinge is known as a share of this angle.
+const SMALL: f64 = 1e-3;
+/// Angle (rad) from a guess beyond which the balance of a hinge may be another one.
+const FAR: f64 = 0.1;
+/// Shortest step of the square of the spin, as a share of it, and longest one over which the balance may cease to be firm: a longer one may
+/// lead to another branch.
+const SHORTEST: f64 = 1e-12;
+const FINE: f64 = 1e-3;
+
 impl FlexibleBody {
     /// Displacements in balance with a steady angular velocity, `C q = ½ ωᵀ(∂J/∂q)ω`, cyclic coordinates at zero; none where `C − N` is
     /// singular, or the displacements on curved paths are not found. (M1), (M10)
@@ -41,10 +54,20 @@ impl BalancedSpin {
         if elastic == 0 {
             return Some(Self { q, angular_momentum: times(*J, omega), slope: sym3::rows(*J) });
         }
-        let factor = softened(body, &body.centrifugal_stiffness(omega))?;
         let load: Vec<f64> = J1[..elastic].iter().map(|J1| 0.5 * dot(omega, times(*J1, omega))).collect();
-        q[..elastic].copy_from_slice(&factor.solve(&load, 1)?);
-        let (coefficients, factor) = settled(body, omega, &mut q, factor)?;
+        let straight = softened(body, &body.centrifugal_stiffness(omega)).and_then(|factor| {
+            q[..elastic].copy_from_slice(&factor.solve(&load, 1)?);
+            Some(factor)
+        });
+        let (coefficients, factor) = match (body.paths(), straight) {
+            (None, straight) => (body.about_spin(omega, &q), straight?),
+            (Some(paths), straight) => {
+                let straight = straight.is_some().then_some(q.as_slice());
+                let (found, coefficients, factor) = Balance::new(body, paths).at(omega, straight)?;
+                q = found;
+                (coefficients, factor)
+            }
+        };
         let mut slope = sym3::rows(coefficients.inertia);
         let answers = factor.solve(coefficients.slopes[..elastic].as_flattened(), 3)?;
         for (left, answer) in coefficients.slopes.iter().zip(answers.as_chunks::<3>().0) {
@@ -56,35 +79,101 @@ impl BalancedSpin {
     }
 }
 
-/// Coefficients and factors of `C − N` in balance, from displacements in balance on straight paths. (M10)
-fn settled(
-    body: &FlexibleBody,
-    omega: [f64; 3],
-    q: &mut [f64],
-    straight: Lu,
-) -> Option<(SpinCoefficients, Lu)> {
-    if body.paths().is_none() {
-        return Some((body.about_spin(omega, q), straight));
+/// Balance `C q = ½ ω·U(q)` along curved paths. (M10)
+struct Balance<'a> {
+    body: &'a FlexibleBody,
+    stiffness: SparseRows<f64>,
+    /// Angles of hinges among the coordinates.
+    angles: Vec<usize>,
+}
+
+/// Displacements in balance, the coefficients there, and the factors of `C − N`.
+type Balanced = (Vec<f64>, SpinCoefficients, Lu);
+
+impl<'a> Balance<'a> {
+    fn new(body: &'a FlexibleBody, paths: &CurvedPaths) -> Self {
+        let turning = paths.followers.iter().filter(|follower| matches!(follower, Follower::Rotation { .. }));
+        let angles = turning.flat_map(Follower::coordinates).collect();
+        Self { body, stiffness: body.stiffness().block(0..body.elastic()), angles }
     }
-    let elastic = body.elastic();
-    let stiffness = body.stiffness().block(0..elastic);
-    let size = |x: &[f64]| stiffness.times(x).iter().zip(x).map(|(force, x)| force * x).sum::<f64>().sqrt();
-    let mut best = f64::INFINITY;
-    for _ in 0..STEPS {
-        let coefficients = body.about_spin_on_paths(omega, q);
-        let factor = softened(body, &coefficients.centrifugal)?;
-        let held = stiffness.times(&q[..elastic]);
-        let excess =
-            coefficients.slopes.iter().zip(&held).map(|(slope, held)| 0.5 * dot(omega, *slope) - held);
-        let step = factor.solve(&excess.collect::<Vec<f64>>(), 1)?;
-        let change = size(&step) / size(&q[..elastic]).max(f64::MIN_POSITIVE);
-        if change <= SETTLED || (change >= 0.5 * best && best <= ACCEPTED) {
-            return Some((coefficients, factor));
+
+    /// Root of twice the elastic energy.
+    fn size(&self, x: &[f64]) -> f64 {
+        self.stiffness.times(x).iter().zip(x).map(|(force, x)| force * x).sum::<f64>().sqrt()
+    }
+
+    /// Displacements in balance that Newton's method finds from a guess, with no hinge far from it; none otherwise.
+    fn near(&self, omega: [f64; 3], guess: &[f64]) -> Option<Balanced> {
+        let elastic = self.body.elastic();
+        let mut q = guess.to_vec();
+        let diagonal = self.stiffness.diagonal();
+        let small: f64 = self.angles.iter().map(|j| SMALL * SMALL * diagonal[*j]).sum();
+        let mut best = f64::INFINITY;
+        for _ in 0..STEPS {
+            if self.angles.iter().any(|j| !((q[*j] - guess[*j]).abs() <= FAR)) {
+                return None;
+            }
+            let coefficients = self.body.about_spin_on_paths(omega, &q);
+            let factor = softened(self.body, &coefficients.centrifugal)?;
+            let held = self.stiffness.times(&q[..elastic]);
+            let slopes = coefficients.slopes.iter().zip(&held);
+            let excess = slopes.map(|(slope, held)| 0.5 * dot(omega, *slope) - held);
+            let step = factor.solve(&excess.collect::<Vec<f64>>(), 1)?;
+            let size = self.size(&q[..elastic]) + small.sqrt();
+            let change = self.size(&step) / size.max(f64::MIN_POSITIVE);
+            if change <= SETTLED || (change >= 0.5 * best && best <= ACCEPTED) {
+                return Some((q, coefficients, factor));
+            }
+            best = best.min(change);
+            q.iter_mut().zip(&step).for_each(|(q, step)| *q += step);
         }
-        best = best.min(change);
-        q.iter_mut().zip(&step).for_each(|(q, step)| *q += step);
+        None
     }
-    None
+
+    /// Displacements in balance on the branch from rest: those that Newton's method finds from straight paths, and of appendages on hinges those
+    /// followed as the spin rises, where the balance may have ceased to be firm on the way.
+    fn at(&self, omega: [f64; 3], straight: Option<&[f64]>) -> Option<Balanced> {
+        let direct = || straight.and_then(|q| self.near(omega, q));
+        if self.angles.is_empty() {
+            return direct();
+        }
+        let firm = self.firm(&self.body.centrifugal_stiffness(omega));
+        let direct = if firm { direct() } else { None };
+        let direct = direct.filter(|(_, coefficients, _)| self.firm(&coefficients.centrifugal));
+        direct.or_else(|| self.followed(omega))
+    }
+
+    /// Displacements in balance followed from rest as the square of the spin rises.
+    fn followed(&self, omega: [f64; 3]) -> Option<Balanced> {
+        let n = self.body.coordinates().len();
+        let (mut last, mut now) = ((0.0, vec![0.0; n]), (0.0, vec![0.0; n]));
+        let (mut step, mut firm) = (1.0, true);
+        while step > SHORTEST {
+            let share = f64::min(now.0 + step, 1.0);
+            let ahead = if now.0 > 0.0 { (share - now.0) / (now.0 - last.0) } else { 0.0 };
+            let guess: Vec<f64> = now.1.iter().zip(&last.1).map(|(q, last)| q + ahead * (q - last)).collect();
+            let found = self.near(omega.map(|entry| share.sqrt() * entry), &guess);
+            let stays =
+                found.as_ref().is_some_and(|(_, coefficients, _)| self.firm(&coefficients.centrifugal));
+            match found.filter(|_| stays || !firm || step <= FINE) {
+                Some(found) if share >= 1.0 => return Some(found),
+                Some((q, ..)) => {
+                    last = std::mem::replace(&mut now, (share, q));
+                    (step, firm) = (2.0 * step, stays);
+                }
+                None => step *= 0.25,
+            }
+        }
+        None
+    }
+
+    /// Whether `C − N` is positive definite: the balance withstands small displacements at this spin.
+    fn firm(&self, centrifugal: &Dense) -> bool {
+        let elastic = self.body.elastic();
+        let mut left = DMatrix::from_fn(elastic, elastic, |j, k| -centrifugal.at(j, k));
+        self.stiffness.iter().for_each(|(j, k, stiffness)| left[(j, k)] += stiffness);
+        Cholesky::<f64, Dyn>::new(left).is_some()
+    }
 }
 
 /// Factors of `C − N` of the elastic coordinates.

@@ -1,5 +1,9 @@
 //! Internal coordinates of a body, and markers: places that they displace.
 
+use super::Gimbal;
+use crate::math::scalar::Smooth;
+use crate::math::vec3::{add, scale};
+
 /// Internal coordinate.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Coordinate {
@@ -39,4 +43,40 @@ pub struct Marker {
     pub shapes: Vec<(usize, [f64; 3])>,
     /// Curvature `G_jk` of the path for pairs of coordinates, in both orders (m); none on straight paths. (I8)
     pub curvature: Vec<(usize, usize, [f64; 3])>,
+    /// Rotation that carries the place, of a place on an appendage: its path is exact.
+    pub carried: Option<Carried>,
+}
+
+/// Rotation of a place about a hinge. (I12)
+#[derive(Clone, Debug, PartialEq)]
+pub struct Carried {
+    /// Axes of the hinge.
+    pub gimbal: Gimbal,
+    /// Position of the place from the hinge at equilibrium (m).
+    pub arm: [f64; 3],
+}
+
+impl Marker {
+    /// Displacement of the place (m), body axes: exact on an appendage, else of second order. (S1), (I12)
+    #[must_use]
+    pub fn displacement(&self, q: &[f64]) -> [f64; 3] {
+        self.displaced(q).0
+    }
+
+    /// Displacement of the place (m), and its slopes by coordinate, some of them in several parts: exact on an appendage, else of second
+    /// order. (S1), (I12)
+    pub(crate) fn displaced<T: Smooth>(&self, q: &[T]) -> ([T; 3], Vec<(usize, [T; 3])>) {
+        if let Some(Carried { gimbal, arm }) = &self.carried {
+            return gimbal.displaced(q, *arm);
+        }
+        let mut slopes: Vec<(usize, [T; 3])> =
+            self.shapes.iter().map(|(j, H)| (*j, H.map(T::from))).collect();
+        let straight = slopes.iter().fold([T::from(0.0); 3], |u, (j, H)| add(u, scale(q[*j], *H)));
+        let half = T::from(0.5);
+        let displaced = self.curvature.iter().fold(straight, |u, (j, k, G)| {
+            slopes.push((*j, scale(q[*k], G.map(T::from))));
+            add(u, scale(half * q[*j] * q[*k], G.map(T::from)))
+        });
+        (displaced, slopes)
+    }
 }

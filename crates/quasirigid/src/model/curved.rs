@@ -1,10 +1,11 @@
-//! Full equations along curved paths: momenta, velocities and loads with the fields of second order as extra coordinates.
-//! The body on straight paths has more coordinates, the last of which follow the others quadratically; the mass matrix then changes with
-//! `q` and is factored at each displacement.
-//! Equations (K12) and (K13), docs/theory/12-structures.md; (S6), docs/theory/01-system.md.
+//! Full equations along curved paths: momenta, velocities and loads with the fields of the paths as extra coordinates.
+//! The body on straight paths has more coordinates, the last of which follow the others; the mass matrix then changes with `q` and is
+//! factored at each displacement.
+//! Equations (K12) and (K13), docs/theory/12-structures.md; (I12), docs/theory/02-invariants.md; (S6), docs/theory/01-system.md.
 
 use nalgebra::{Cholesky, DMatrix, DVectorViewMut, Dyn};
 
+use super::paths::Amplitudes;
 use super::{CurvedPaths, FlexibleBody, Invariants, MotionState};
 use crate::math::sym3::{Sym, of_unit_mass, products, times};
 use crate::math::vec3::{add, cross, dot, scale};
@@ -21,8 +22,8 @@ pub(super) struct CurvedKinetics<'a> {
     /// Values and rates of all coordinates; values of cyclic ones are zero.
     z: Vec<f64>,
     z_rate: Vec<f64>,
-    /// Slopes `∂y_e/∂q_j`, a row for each field.
-    slopes: DMatrix<f64>,
+    /// Amplitudes of the fields and their derivatives.
+    fields: Amplitudes,
     /// `h(z)` of all coordinates, and `½∂J/∂z` of the body without recoil in translation.
     h: Vec<[f64; 3]>,
     grown: Vec<Sym>,
@@ -61,7 +62,7 @@ impl<'a> CurvedKinetics<'a> {
             mass: DMatrix::zeros(all, all),
             z: vec![0.0; all],
             z_rate: vec![0.0; all],
-            slopes: DMatrix::zeros(paths.fields(), body.coordinates().len()),
+            fields: paths.still(body.coordinates().len()),
             h: vec![[0.0; 3]; all],
             grown: vec![[0.0; 6]; all],
             spin: [0.0; 3],
@@ -81,7 +82,8 @@ impl<'a> CurvedKinetics<'a> {
     fn displace(&mut self, q: &[f64]) -> (Sym, [f64; 3]) {
         let (n, elastic) = (q.len(), self.body.elastic());
         self.z[..elastic].copy_from_slice(&q[..elastic]);
-        self.paths.follow(q, &mut self.z[n..], &mut self.slopes);
+        self.paths.follow(q, &mut self.fields);
+        self.z[n..].copy_from_slice(&self.fields.y);
         self.straight()
     }
 
@@ -119,7 +121,7 @@ impl<'a> CurvedKinetics<'a> {
     fn gathered(&self, vectors: &[[f64; 3]], j: usize) -> [f64; 3] {
         let n = self.body.coordinates().len();
         let fields = vectors[n..].iter().enumerate();
-        fields.fold(vectors[j], |sum, (e, vector)| add(sum, scale(self.slopes[(e, j)], *vector)))
+        fields.fold(vectors[j], |sum, (e, vector)| add(sum, scale(self.fields.slopes[(e, j)], *vector)))
     }
 
     /// Mass matrix of the coordinates at the displacements set, the translation of a free body eliminated. (K13)
@@ -129,7 +131,8 @@ impl<'a> CurvedKinetics<'a> {
         let own = self.mass.view((0, 0), (n, n));
         let cross = self.mass.view((n, 0), (fields, n));
         let inner = self.mass.view((n, n), (fields, fields));
-        let mixed = self.slopes.transpose() * (0.5 * inner * &self.slopes + cross);
+        let slopes = &self.fields.slopes;
+        let mixed = slopes.transpose() * (0.5 * inner * slopes + cross);
         let mut mass = own + &mixed + mixed.transpose();
         if let Some(per_mass) = self.body.translation() {
             let S: Vec<[f64; 3]> = (0..n).map(|j| self.gathered(&self.paths.straight.S, j)).collect();
@@ -147,7 +150,8 @@ impl<'a> CurvedKinetics<'a> {
         let n = rate.len();
         self.z_rate[..n].copy_from_slice(rate);
         for e in 0..self.paths.fields() {
-            self.z_rate[n + e] = self.slopes.row(e).iter().zip(rate).map(|(slope, rate)| slope * rate).sum();
+            self.z_rate[n + e] =
+                self.fields.slopes.row(e).iter().zip(rate).map(|(slope, rate)| slope * rate).sum();
         }
         let S = &self.paths.straight.S;
         self.spin = omega;
@@ -218,15 +222,14 @@ impl<'a> CurvedKinetics<'a> {
         for (i, sum) in sum.iter_mut().enumerate() {
             *sum += load(i);
         }
-        let CurvedPaths { coordinates, forms, .. } = self.paths;
-        let rates = &self.z_rate[coordinates.clone()];
-        for (e, form) in forms.iter().enumerate() {
+        for (e, (coordinates, second)) in self.fields.curved.iter().enumerate() {
             let field = n + e;
+            let rates = &self.z_rate[coordinates.clone()];
             let (load, momentum) = (load(field), self.momentum(field));
-            for (j, row) in form.chunks_exact(rates.len().max(1)).enumerate() {
+            for (j, row) in second.chunks_exact(rates.len().max(1)).enumerate() {
                 let changing: f64 = row.iter().zip(rates).map(|(form, rate)| form * rate).sum();
                 let at = coordinates.start + j;
-                sum[at] += self.slopes[(e, at)] * load + changing * momentum;
+                sum[at] += self.fields.slopes[(e, at)] * load + changing * momentum;
             }
         }
     }
@@ -248,7 +251,7 @@ impl<'a> CurvedKinetics<'a> {
         let all: Vec<f64> = (0..self.z.len()).map(|i| self.momentum(i)).collect();
         let own = (0..n).map(|j| {
             let fields = all[n..].iter().enumerate();
-            all[j] + fields.map(|(e, momentum)| momentum * self.slopes[(e, j)]).sum::<f64>()
+            all[j] + fields.map(|(e, momentum)| momentum * self.fields.slopes[(e, j)]).sum::<f64>()
         });
         (add(times(J, omega), turning), own.collect())
     }

@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use super::flexible::BodyParts;
-use super::{FlexibleBody, FlexibleError, Invariants, Marker};
+use super::{Carried, FlexibleBody, FlexibleError, Invariants, Marker};
 
 impl FlexibleBody {
     /// Stiffened body, `C → C/ε²`, `B → B/ε`; paper, (2.2).
@@ -97,6 +97,9 @@ impl Marker {
         let shapes = self.shapes.iter().filter_map(|(j, H)| Some((place(*j)?, *H)));
         let pairs = self.curvature.iter();
         let curvature = pairs.filter_map(|(j, k, G)| Some((place(*j)?, place(*k)?, *G)));
-        Self { shapes: shapes.collect(), curvature: curvature.collect(), ..self.clone() }
+        let carried = self.carried.as_ref().and_then(|carried| {
+            Some(Carried { gimbal: carried.gimbal.renumbered(&place)?, arm: carried.arm })
+        });
+        Self { shapes: shapes.collect(), curvature: curvature.collect(), carried, ..self.clone() }
     }
 }

@@ -2,10 +2,13 @@
 //! Linear sums over pairs of coordinates come first, so that a product of polynomials is formed once for each coordinate, not for each pair.
 //! Equations (S2), (S4), (S6), docs/theory/01-system.md; (K13), docs/theory/12-structures.md; (W1), docs/theory/18-submanifolds.md.
 
+use std::ops::Range;
+
 use crate::math::submanifold::{Equations, PolynomialSystem, Ring, Truncated};
 use crate::math::sym3::Sym;
 
-use super::{CurvedPaths, FlexibleBody, Invariants, Pair};
+use super::path_series::Series;
+use super::{FlexibleBody, Invariants, Pair};
 
 /// Full equations of a body without external moments as a polynomial system; state: `ω`, `q̇` of all coordinates, `q` of the elastic ones.
 /// (W1)
@@ -175,33 +178,32 @@ impl ExpandedMotion<'_> {
             let invariants = body.invariants();
             return Straight { ring, invariants, per_mass, omega, z: values(0), rate: rate.to_vec() }.loads();
         };
-        let CurvedPaths { straight, coordinates, forms } = paths;
-        let (mut z, mut rates) = (values(forms.len()), rate.to_vec());
-        let along = |row: &[f64], of: &[Truncated]| {
+        let followed = paths.followers.iter().flat_map(|follower| {
+            let coordinates = follower.coordinates();
+            follower.series(ring, q).into_iter().map(move |series| (coordinates.clone(), series))
+        });
+        let followed: Vec<(Range<usize>, Series)> = followed.collect();
+        let (mut z, mut rates) = (values(followed.len()), rate.to_vec());
+        let along = |row: &[Truncated], coordinates: &Range<usize>| {
             let mut sum = ring.zero();
-            row.iter().zip(&of[coordinates.clone()]).for_each(|(form, q)| sum.add_scaled(*form, q));
+            let rates = &rate[coordinates.clone()];
+            row.iter().zip(rates).for_each(|(entry, rate)| ring.add_product(&mut sum, 1.0, entry, rate));
             sum
         };
-        let size = coordinates.len().max(1);
-        let slopes: Vec<Vec<Truncated>> =
-            forms.iter().map(|form| form.chunks_exact(size).map(|row| along(row, q)).collect()).collect();
-        for (e, slopes) in slopes.iter().enumerate() {
-            let (mut value, mut change) = (ring.zero(), ring.zero());
-            for (j, slope) in coordinates.clone().zip(slopes) {
-                ring.add_product(&mut value, 0.5, slope, &q[j]);
-                ring.add_product(&mut change, 1.0, slope, &rate[j]);
-            }
-            z[n + e] = value;
-            rates.push(change);
+        for (e, (coordinates, series)) in followed.iter().enumerate() {
+            z[n + e] = series.value.clone();
+            rates.push(along(&series.slopes, coordinates));
         }
-        let whole = Straight { ring, invariants: straight, per_mass, omega, z, rate: rates }.loads();
+        let invariants = &paths.straight;
+        let whole = Straight { ring, invariants, per_mass, omega, z, rate: rates }.loads();
         let Loads { angular_momentum, mut momenta, mut loads } = whole;
         let (field_momenta, field_loads) = (momenta.split_off(n), loads.split_off(n));
-        for (e, form) in forms.iter().enumerate() {
-            for ((j, slope), row) in coordinates.clone().zip(&slopes[e]).zip(form.chunks_exact(size)) {
+        for (e, (coordinates, series)) in followed.iter().enumerate() {
+            let rows = series.second.chunks_exact(coordinates.len().max(1));
+            for ((j, slope), row) in coordinates.clone().zip(&series.slopes).zip(rows) {
                 ring.add_product(&mut momenta[j], 1.0, slope, &field_momenta[e]);
                 ring.add_product(&mut loads[j], 1.0, slope, &field_loads[e]);
-                ring.add_product(&mut loads[j], 1.0, &along(row, rate), &field_momenta[e]);
+                ring.add_product(&mut loads[j], 1.0, &along(row, coordinates), &field_momenta[e]);
             }
         }
         Loads { angular_momentum, momenta, loads }

@@ -10,7 +10,7 @@ use crate::math::vec3;
 pub struct Watched {
     /// Places on parts.
     pub reaches: Vec<Reach>,
-    /// Hinges of appendages.
+    /// Hinges of appendages on which springs act at places: these take the displacement of the place to first order. (I9)
     pub hinges: Vec<Hinge>,
 }
 
@@ -48,8 +48,8 @@ pub enum Displaced {
 /// Limit of the displacement of a place over its distance from the attachment of its part, for the second order of curved paths: the
 /// third order, `(u/L)²` of the first, is a few per cent there. (K14)
 pub const RANGE: f64 = 0.2;
-/// Limit of the angle (rad) of a hinge, for the second order of its paths: the third order is a few per cent of the change by the
-/// rotation there. (K14)
+/// Limit of the angle (rad) of a hinge on whose appendage springs act, which take the displacement of their place to first order. The
+/// paths of the appendage itself have no limit. (K14), (I12)
 pub const HINGE_RANGE: f64 = 0.3;
 
 /// Watched hinge with its axes.
@@ -84,7 +84,7 @@ impl fmt::Display for Displaced {
                 let [angle, range] = [*angle, HINGE_RANGE].map(f64::to_degrees);
                 write!(
                     f,
-                    "a hinge turned by {angle:.1} degrees, beyond the {range:.1} degrees to which its paths hold"
+                    "a hinge turned by {angle:.1} degrees, beyond the {range:.1} degrees to which the springs on its appendage hold"
                 )
             }
         }

@@ -139,11 +139,8 @@ impl RelativeEquilibrium {
     /// Largest displacement of a watched place, with its name (m); none for a body without watched places.
     #[must_use]
     pub fn displacement(&self, body: &FlexibleBody) -> Option<(String, f64)> {
-        let moved = body.markers().iter().map(|marker| {
-            let zero = [0.0; 3];
-            let r = marker.shapes.iter().fold(zero, |sum, (j, H)| add(sum, H.map(|H| self.q[*j] * H)));
-            (marker.name.clone(), norm(r))
-        });
+        let moved =
+            body.markers().iter().map(|marker| (marker.name.clone(), norm(marker.displacement(&self.q))));
         moved.max_by(|a, b| a.1.total_cmp(&b.1))
     }
 }

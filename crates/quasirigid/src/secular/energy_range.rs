@@ -42,7 +42,7 @@ impl EnergyRange {
             })
             .collect();
         all.sort_by(|a, b| a.0.total_cmp(&b.0));
-        let moments = [all[0].0, all[1].0, all[2].0];
+        let moments = distinct([all[0].0, all[1].0, all[2].0]);
         let mut spins = all.into_iter().map(|(_, spin)| spin);
         let equilibria = std::array::from_fn(|_| spins.next().flatten());
         Ok(Self { angular_momentum, moments, equilibria })
@@ -70,15 +70,25 @@ impl EnergyRange {
     /// are clamped.
     #[must_use]
     pub fn polhode(&self, energy: f64) -> FreeRotation {
-        let [I1, _, I3] = self.moments;
-        let ratio = (0.5 * self.angular_momentum * self.angular_momentum / (energy * I3)).clamp(I1 / I3, 1.0);
-        FreeRotation::at_ratio(self.moments, self.angular_momentum, ratio)
+        let [least, greatest] = self.ratios();
+        FreeRotation::at_ratio(self.moments, self.angular_momentum, self.ratio(energy).clamp(least, greatest))
     }
 
-    /// Rotation state at an energy (J); none at a steady spin.
+    /// Rotation state at an energy (J); none at a steady spin or beyond those of the body.
     #[must_use]
     pub fn stage(&self, energy: f64) -> Option<RotationState> {
-        RotationState::from_motion(&self.polhode(energy))
+        let ([least, greatest], ratio) = (self.ratios(), self.ratio(energy));
+        let within = least < ratio && ratio < greatest;
+        RotationState::from_motion(&self.polhode(energy)).filter(|_| within)
+    }
+
+    /// `D/I3` at an energy (J), and at the steady spins about the axes of least and of greatest inertia.
+    fn ratio(&self, energy: f64) -> f64 {
+        0.5 * self.angular_momentum * self.angular_momentum / (energy * self.moments[2])
+    }
+
+    fn ratios(&self) -> [f64; 2] {
+        [self.moments[0] / self.moments[2], 1.0]
     }
 
     /// Rotation state of a body with an angular momentum `K` (N·m·s, body axes) after its vibrations have died out: at the energy of the
@@ -90,7 +100,7 @@ impl EnergyRange {
         let along = |spin: &&RelativeEquilibrium| dot(spin.angular_momentum, K).abs();
         let poles = [0, 2].into_iter().filter_map(|axis| self.equilibria[axis].as_ref());
         let spin = poles.max_by(|a, b| along(a).total_cmp(&along(b)))?;
-        let inverse = sym3::inverse(body.inertia_at(&spin.q));
+        let inverse = sym3::inverse(body.full_inertia_at(&spin.q));
         let turning = |K: [f64; 3]| 0.5 * dot(K, times(inverse, K));
         self.stage(spin.energy + turning(K) - turning(spin.angular_momentum))
     }
@@ -104,7 +114,7 @@ impl EnergyRange {
         let spin = self.equilibrium(stage.mode)?;
         let wanted =
             FreeRotation::at_logit(self.moments, self.angular_momentum, stage.mode, stage.xi).energy();
-        let J = body.inertia_at(&spin.q);
+        let J = body.full_inertia_at(&spin.q);
         let inverse = sym3::inverse(J);
         let along = scale(norm(spin.angular_momentum).recip(), spin.angular_momentum);
         let across = self.across(stage.mode, along);
@@ -134,6 +144,13 @@ impl EnergyRange {
         }
         scale(norm(towards).recip(), towards)
     }
+}
+
+/// Moments, ascending, of which any two that a body of revolution has equal are exactly so: their difference is rounding. (Q13)
+fn distinct([least, middle, greatest]: [f64; 3]) -> [f64; 3] {
+    let given = [least, middle, greatest];
+    let middle = if Mode::ShortAxis.exists(given) { middle } else { greatest };
+    if Mode::LongAxis.exists(given) { [least, middle, greatest] } else { [middle, middle, greatest] }
 }
 
 /// Largest angle (rad) between the angular momentum and the circled axis in the search for a state.

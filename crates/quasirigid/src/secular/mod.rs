@@ -28,5 +28,5 @@ pub use measured_power::MeasuredPower;
 pub use on_manifold::{ManifoldHistory, follow_on_manifold};
 pub use poles::{Pole, Poles};
 pub use probe::Probes;
-pub use site::MeasureOptions;
+pub use site::{MeasureOptions, micro_run_periods};
 pub use start::{manifold_has_meaning, spun_displacements, spun_state};

@@ -18,6 +18,10 @@ pub struct Poles {
     pub short: Option<Pole>,
 }
 
+/// Growth, as a share of the fastest rate of the body, below which it is rounding: the eigenvalues have errors of some `ε` times the norm of
+/// their matrix.
+const ROUNDING: f64 = 1e-12;
+
 impl Poles {
     /// Poles of an energy range.
     ///
@@ -64,10 +68,23 @@ impl Pole {
         self.modes.internal.iter().map(distance).fold(f64::INFINITY, f64::min)
     }
 
+    /// Fastest rate (1/s) of any motion about the spin, decaying or oscillating.
+    fn fastest(&self) -> f64 {
+        let modes = self.modes.modes.iter().map(|mode| [mode.decay_rate, mode.frequency]);
+        let all = modes.chain(self.modes.internal.iter().copied());
+        all.map(|[decay, frequency]| decay.hypot(frequency)).fold(0.0, f64::max)
+    }
+
+    /// Whether a motion of this decay rate (1/s) grows by more than the rounding of an eigenvalue. (Q13)
+    #[must_use]
+    pub fn grows(&self, decay_rate: f64) -> bool {
+        decay_rate < -ROUNDING * self.fastest()
+    }
+
     /// First mode that grows; none if no mode grows. About the axis of greatest inertia such a mode contradicts the evolution towards
     /// that axis. (Q3)
     #[must_use]
     pub fn unstable(&self) -> Option<&crate::modes::SpinMode> {
-        self.modes.modes.iter().find(|mode| mode.grows())
+        self.modes.modes.iter().find(|mode| self.grows(mode.decay_rate))
     }
 }

@@ -106,6 +106,17 @@ impl Site<'_> {
     }
 }
 
+/// Periods of the polhode that the short runs between two rotation states of a mode take in all, about: as many runs as the first doubling of
+/// the places has, each with its settling at a decay rate (1/s) of what moves inside and two windows. (Q4)
+#[must_use]
+pub fn micro_run_periods(settling_rate: f64, period: f64) -> f64 {
+    let settling = SETTLED / (settling_rate.max(f64::MIN_POSITIVE) * period);
+    RUNS * (settling.clamp(SETTLING[0], SETTLING[1]) + 2.0 * PERIODS[1])
+}
+
+/// Runs in a mode after the first doubling of the places.
+const RUNS: f64 = 9.0;
+
 /// Place `ξ` where the wobble is so small that the modes give the power.
 pub(super) fn small(range: &EnergyRange, mode: Mode) -> f64 {
     let angle = |xi: f64| wobble(range.moments(), range.angular_momentum(), RotationState { mode, xi });

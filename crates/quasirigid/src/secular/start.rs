@@ -43,7 +43,7 @@ pub fn spun_state(
     let mut omega = times(sym3::inverse(body.invariants().J), angular_momentum);
     let mut q = spun_displacements(body, omega)?;
     for _ in 0..STEPS {
-        let next = times(sym3::inverse(body.inertia_at(&q)), angular_momentum);
+        let next = times(sym3::inverse(body.full_inertia_at(&q)), angular_momentum);
         let change = norm(add(next, scale(-1.0, omega)));
         omega = next;
         q = spun_displacements(body, omega)?;

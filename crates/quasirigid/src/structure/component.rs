@@ -20,7 +20,7 @@ use crate::math::memory::{self, TooMuchMemory};
 use crate::math::sparse::SparseRows;
 use crate::math::sym3::Sym;
 use crate::model::moment;
-use crate::model::{Coordinate, CurvedPaths, Invariants, Pair, PartMass};
+use crate::model::{Coordinate, CurvedPaths, Follower, Invariants, Pair, PartMass};
 use crate::structure::Block;
 use crate::structure::Condensation;
 
@@ -235,7 +235,8 @@ impl Component {
         }
         whole.pairs = SparseRows::sum(whole.S.len(), pairs);
         let forms = paths.forms.iter().map(|form| form.as_slice().to_vec()).collect();
-        Some(CurvedPaths { straight: whole, coordinates: own, forms })
+        let follower = Follower::Quadratic { coordinates: own, forms };
+        Some(CurvedPaths { straight: whole, followers: vec![follower] })
     }
 
     /// Invariants of two coordinates without the contribution of the fields of the second order.

@@ -96,8 +96,10 @@ impl SpinManifold<'_> {
             power += dissipation(self.body, &residual);
         }
         let share = |part: f64, whole: f64| if part == 0.0 { 0.0 } else { part / whole };
+        let told =
+            (f64::abs(excess) - f64::EPSILON * self.steady_energy().abs() * norm(self.spin.omega)).max(0.0);
         let least = LEAST_MOTION * self.rate() * norm(self.spin.omega) / self.spin.linear.scales[0];
-        Defect { motion: left / motion.max(least), power: share(f64::abs(excess), power) }
+        Defect { motion: left / motion.max(least), power: share(told, power) }
     }
 
     /// Amplitude up to which the defects stay below a share. (W11)

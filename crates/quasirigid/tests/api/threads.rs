@@ -99,6 +99,7 @@ fn public_types_are_send_sync_and_debug() {
     crosses::<elements::WheelSpeed>();
     crosses::<model::Advection>();
     crosses::<model::BalancedSpin>();
+    crosses::<model::Carried>();
     crosses::<model::Coordinate>();
     crosses::<model::CurvedPaths>();
     crosses::<model::Displaced>();
@@ -107,6 +108,8 @@ fn public_types_are_send_sync_and_debug() {
     crosses::<model::ExpandedMotion>();
     crosses::<model::FlexibleBody>();
     crosses::<model::FlexibleError>();
+    crosses::<model::Follower>();
+    crosses::<model::Gimbal>();
     crosses::<model::Hinge>();
     crosses::<model::Inertia>();
     crosses::<model::InertiaError>();

@@ -263,17 +263,18 @@ proptest! {
         let felt = loads.about_center(&body, &state.q);
         let motion = state.kinematics().motion;
         let V_O = state.turn().transpose() * V::from(state.velocity);
-        // Σ m u and its slopes, from the invariants.
-        let invariants = body.invariants();
-        let (mut s, mut rate) = (V::zeros(), V::zeros());
-        for (j, S) in invariants.S.iter().enumerate() {
-            s += state.q[j] * V::from(*S);
-            rate += state.rate[j] * V::from(*S);
-        }
-        for (j, k, pair) in invariants.pairs.iter() {
-            s += 0.5 * state.q[j] * state.q[k] * V::from(pair.S2);
-            rate += state.q[j] * state.rate[k] * V::from(pair.S2);
-        }
+        // Σ m u and its slopes: the moment and the generalised forces of uniform gravities.
+        let weight = |axis: usize| {
+            let g = state.turn() * V::ith(axis, 1.0);
+            let law = ForceLaw::UniformGravity { acceleration: g.into() };
+            body.loads(&[Force { name: "weight".into(), law }], &state.kinematics())
+        };
+        let weights = [0, 1, 2].map(weight);
+        let s = V::new(weights[1].moment[2], -weights[0].moment[2], weights[0].moment[1]);
+        let along = |axis: usize| -> f64 {
+            weights[axis].generalized.iter().zip(&state.rate).map(|(slope, rate)| slope * rate).sum()
+        };
+        let rate = V::new(along(0), along(1), along(2));
         let drift = body.translation().map_or(V::zeros(), |per_mass| {
             per_mass * (rate + V::from(state.omega).cross(&s))
         });

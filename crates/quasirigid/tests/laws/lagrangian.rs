@@ -5,6 +5,7 @@ use proptest::collection::vec;
 use proptest::prelude::*;
 use quasirigid::model::{FlexibleBody, MotionState};
 use quasirigid_math::scalar::Jet;
+use quasirigid_math::sym3::times;
 
 use super::invariants::Cloud;
 use crate::support::transform::rescaled;
@@ -177,6 +178,29 @@ proptest! {
         // Rates by differences over 1e-3 round by 1e-13.
         prop_assert!(gap < 1e-11 * T.max(K.norm()), "K: {gap:e}");
         prop_assert!((kinetic(&body, &state) - T).abs() < 1e-11 * T);
+    }
+
+    /// Paths on hinges in the full equations: momentum, energy and inertia at any angles are sums over the masses. (I12), (K13)
+    #[test]
+    fn full_momentum_and_energy_on_hinges_are_sums_over_the_masses(
+        massive in massive().prop_filter("a hinge", |m| !m.appendages.is_empty()),
+        omega in vector(), numbers in vec(-1.0..1.0, 24)
+    ) {
+        let body = massive.assembly.body().unwrap();
+        let free = body.translation().is_some();
+        let cloud = Cloud::of(&massive, &body);
+        let mut state = State::new(omega, &numbers, body.coordinates().len(), 1.0);
+        let (K, T) = by_newton(&cloud, free, &state);
+        let size = T.max(K.norm());
+        let gap = (V::from(body.full_momenta(state.motion()).0) - K).norm();
+        let energy = body.full_energy(state.motion()) - elastic(&body, &state.q);
+        // rates by differences of fourth order over 1e-3
+        prop_assert!(gap < 1e-10 * size, "K: {gap:e} of {size}");
+        prop_assert!((energy - T).abs() < 1e-10 * size, "T: {energy} {T}");
+        state.rate.fill(0.0);
+        let still = by_newton(&cloud, free, &state).0;
+        let turned = times(body.full_inertia_at(&state.q), omega);
+        prop_assert!((V::from(turned) - still).norm() < 1e-12 * size, "J: {turned:?} {still}");
     }
 
     /// Curved paths: the error of the expansion is cubic in the displacements. (S1), (S6)

@@ -28,6 +28,7 @@ mod forms;
 mod full;
 mod gravity;
 mod harmonics;
+mod hinged_lagrangian;
 mod inertia;
 mod invariants;
 mod lagrangian;

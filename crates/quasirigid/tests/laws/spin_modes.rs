@@ -3,10 +3,10 @@
 use proptest::prelude::*;
 use quasirigid::dynamics::{Forced, FullState, Observer, Options, Sample, propagate_full};
 use quasirigid::elements::{Carrier, Rotor, RotorKind, Wheel, WheelSpeed};
-use quasirigid::model::{FlexibleBody, Principal, Watched};
+use quasirigid::model::{FlexibleBody, MotionState, Principal, Watched};
 use quasirigid::modes::{Given, RelativeEquilibrium, SpinMode, SpinModes};
 use quasirigid_math::eigen::{Dense, modes};
-use quasirigid_math::sym3::{rows, times};
+use quasirigid_math::sym3::times;
 use quasirigid_math::vec3::{cross, norm};
 
 use crate::support::transform::{rescaled, rotated};
@@ -104,21 +104,15 @@ impl RowDiagonal for quasirigid_math::sparse::SparseRows<quasirigid::model::Pair
     }
 }
 
-/// Trace of the damping in the metric of the masses: the sum of all decay rates, those of pairs twice.
+/// Trace of the damping in the metric of the masses at the displacements of the spin: the sum of all decay rates, those of pairs twice.
 fn trace(body: &FlexibleBody, modes: &SpinModes) -> f64 {
-    let coefficients = modes.equilibrium.coefficients(body);
-    let n = body.coordinates().len();
+    let (q, n) = (&modes.equilibrium.q, body.coordinates().len());
     let (mut mass, mut damping) = (Dense::zero(3 + n), Dense::zero(3 + n));
-    let (J, A) = (rows(coefficients.inertia), body.mass_matrix());
-    for row in 0..3 {
-        (0..3).for_each(|column| mass.add(row, column, J[row][column]));
-        for k in 0..n {
-            mass.add(row, 3 + k, coefficients.h[k][row]);
-            mass.add(3 + k, row, coefficients.h[k][row]);
-        }
-    }
-    for j in 0..n {
-        (0..n).for_each(|k| mass.add(3 + j, 3 + k, A.at(j, k)));
+    for column in 0..3 + n {
+        let one = |i: usize| if i == column { 1.0 } else { 0.0 };
+        let rate: Vec<f64> = (3..3 + n).map(one).collect();
+        let (K, p) = body.full_momenta(MotionState { omega: [0, 1, 2].map(one), q, rate: &rate });
+        K.iter().chain(&p).enumerate().for_each(|(row, momentum)| mass.add(row, column, *momentum));
     }
     body.damping().iter().for_each(|(j, k, B)| damping.add(3 + j, 3 + k, *B));
     // B x = Ω² M x with M positive definite: the trace is the sum of Ω².

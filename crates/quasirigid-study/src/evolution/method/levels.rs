@@ -39,15 +39,21 @@ impl Choice<'_> {
         let reduced = study.reduced(study.order.max(LEVEL_ORDER)).ok()?;
         let until = match (asked.until, self.duration) {
             (Some(Target::Wobble(angle)), _) => Until::Wobble(angle),
-            (Some(Target::Ratio(_)), None) => {
+            (Some(Target::Ratio(_)), _) => {
                 return Some(Err("elasticity changes a difference of the moments of inertia by more than 1 %, so that D/I3 says little; say how far to go by an angle".into()));
             }
-            (_, Some(duration)) => Until::Duration(duration),
+            (None, Some(duration)) => Until::Duration(duration),
             (None, None) => Until::EnergyLeft(0.01),
         };
         let angular_momentum = self.way.start.angular_momentum(self.body);
-        let found = LevelEvolution::new(&reduced, norm(angular_momentum))
-            .and_then(|levels| levels.follow(angular_momentum, until, asked.samples));
+        let found = LevelEvolution::new(&reduced, norm(angular_momentum)).and_then(|levels| {
+            let passage = levels.follow(angular_momentum, until, asked.samples)?;
+            let taken = passage.rows.last().map_or(0.0, |row| row.time);
+            match self.duration.filter(|duration| *duration < taken) {
+                Some(duration) => levels.follow(angular_momentum, Until::Duration(duration), asked.samples),
+                None => Ok(passage),
+            }
+        });
         Some(match found {
             Ok(passage) => match passage.ending {
                 LevelStopReason::Reached | LevelStopReason::Duration => {

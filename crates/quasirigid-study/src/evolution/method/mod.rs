@@ -4,6 +4,7 @@ mod average;
 mod full;
 mod levels;
 mod on_manifold;
+mod outlook;
 mod short_or_full;
 mod start_and_end;
 mod steady_spins;
@@ -24,6 +25,7 @@ use crate::error::StudyError;
 use crate::motion::Motion;
 use crate::study::Study;
 use crate::words::significant;
+pub use outlook::Outlook;
 use short_or_full::Choice;
 use start_and_end::Way;
 use steady_spins::Ground;
@@ -65,6 +67,7 @@ pub fn choose(
     start: Start,
     asked: &Asked,
     secular: &mut SecularEvolution,
+    outlook: &Outlook,
     watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
 ) -> Result<Result<History, Refusal>, StudyError> {
     let body = &study.body;
@@ -76,6 +79,7 @@ pub fn choose(
     if !(angular_momentum.is_finite() && angular_momentum > 0.0) {
         return Ok(Ok(History::None));
     }
+    secular.turn_with(full.angular_momentum(body))?;
     let ground = match Ground::of(study, angular_momentum)? {
         Ok(ground) => ground,
         Err(message) => return Ok(Err(Refusal { message, rates: None })),
@@ -88,7 +92,7 @@ pub fn choose(
     if let Some(silent) = way.ends.iter().find_map(|stage| ground.silent(stage.mode)) {
         return Ok(Err(Refusal { message: silent.clone(), rates: secular.verdict.rates }));
     }
-    let choice = Choice::new(&ground, &way, asked.duration);
+    let choice = Choice::new(&ground, &way, asked.duration, outlook);
     let refused = |message: String| Refusal { message, rates: Some(ground.rates()) };
     let found = match asked.method {
         Some(EvolveMethod::Average) => Ok(choice.forced_average(secular)),
@@ -147,6 +151,7 @@ pub fn under_torque(
     if !(angular_momentum.is_finite() && angular_momentum > 0.0) {
         return Ok(None);
     }
+    secular.turn_with(full.angular_momentum(body))?;
     let ground = match Ground::of(study, angular_momentum)? {
         Ok(ground) => ground,
         Err(message) => return Ok(Some(Refusal { message, rates: None })),

@@ -4,6 +4,7 @@ use std::ops::ControlFlow;
 use quasirigid::model::FlexibleBody;
 use quasirigid::secular::{AverageCriteria, MeasureError, Probes};
 
+use super::outlook::Outlook;
 use super::start_and_end::Way;
 use super::steady_spins::Ground;
 use super::verdict::ChosenMethod;
@@ -23,13 +24,19 @@ pub struct Choice<'a> {
     pub way: &'a Way,
     /// Longest time (s).
     pub duration: Option<f64>,
+    /// What is known of the work ahead.
+    pub outlook: &'a Outlook,
     /// Short runs of the full system, once made; none where they are not wanted.
     pub probes: OnceCell<Option<Probes>>,
 }
 
+/// Reason why nothing is followed where the modes give no rate.
+const NO_RATE: &str = "the modes give a small wobble no rate beyond rounding at an end of the way, so that nothing says how far the full system \
+                       would have to be followed; the method direct, asked for, does it";
+
 impl<'a> Choice<'a> {
-    pub fn new(ground: &'a Ground<'a>, way: &'a Way, duration: Option<f64>) -> Self {
-        Self { body: ground.body, ground, way, duration, probes: OnceCell::new() }
+    pub fn new(ground: &'a Ground<'a>, way: &'a Way, duration: Option<f64>, outlook: &'a Outlook) -> Self {
+        Self { body: ground.body, ground, way, duration, outlook, probes: OnceCell::new() }
     }
 
     pub fn criteria(&self, secular: &SecularEvolution) -> AverageCriteria {
@@ -56,14 +63,39 @@ impl<'a> Choice<'a> {
         }
         let revolutions = self.ground.revolutions(self.way.ends);
         let fast = self.ground.haste(self.way.ends) > DECAY;
-        if fast || self.whirls() || revolutions.is_none_or(|revolutions| revolutions <= FEW) {
-            return self.short_history(watch);
+        if fast || self.whirls() || revolutions.is_some_and(|revolutions| revolutions <= FEW) {
+            return self.announced_history(revolutions, watch);
+        }
+        if revolutions.is_none() {
+            return Ok(Err(NO_RATE.into()));
+        }
+        let announced = match self.announce_short_runs(watch) {
+            Err(MeasureError::Interrupted) => return Err(StudyError::Interrupted),
+            announced => announced.unwrap_or(Ok(())), // a full system that cannot be followed says so in the runs themselves
+        };
+        if let Err(long) = announced {
+            return Ok(Err(long));
         }
         match self.measured(watch) {
             Ok(road) => Ok(Ok(road)),
             Err(MeasureError::Interrupted) => Err(StudyError::Interrupted),
-            Err(_) if revolutions.is_some_and(|revolutions| revolutions <= MANY) => self.short_history(watch),
+            Err(_) if revolutions.is_some_and(|revolutions| revolutions <= MANY) => {
+                self.announced_history(revolutions, watch)
+            }
             Err(error) => Ok(Err(error.to_string())),
+        }
+    }
+
+    /// The history of the full system, if it takes no longer than is worked without being asked.
+    fn announced_history(
+        &self,
+        revolutions: Option<f64>,
+        watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
+    ) -> Result<Result<ChosenMethod, String>, StudyError> {
+        match self.announce_history(revolutions, watch) {
+            Err(MeasureError::Interrupted) => Err(StudyError::Interrupted),
+            Ok(Err(long)) => Ok(Err(long)),
+            _ => self.short_history(watch),
         }
     }
 
@@ -71,7 +103,7 @@ impl<'a> Choice<'a> {
     pub fn whirls(&self) -> bool {
         self.way.ends.iter().any(|stage| {
             let pole = self.ground.poles.of_mode(stage.mode);
-            pole.is_some_and(|pole| pole.modes.internal.iter().any(|[decay, _]| *decay < 0.0))
+            pole.is_some_and(|pole| pole.modes.internal.iter().any(|[decay, _]| pole.grows(*decay)))
         })
     }
 }

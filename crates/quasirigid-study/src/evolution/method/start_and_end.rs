@@ -52,7 +52,11 @@ impl Way {
                 let stage = secular.stage(&evolution, target)?;
                 (range.state(body, stage).ok_or(StudyError::Steady)?, stage)
             }
-            None => (full, range.stage(energy).ok_or(StudyError::Steady)?),
+            None => {
+                // What moves inside may hold more energy than the steady spins leave to a wobble; it is that of the wobble when it has died out.
+                let stage = range.stage(energy).or_else(|| range.settled(body, full.angular_momentum(body)));
+                (full, stage.ok_or(StudyError::Steady)?)
+            }
         };
         let asked = Asked { duration: None, ..asked.clone() };
         let to = secular.end(&evolution, from, &asked)?;

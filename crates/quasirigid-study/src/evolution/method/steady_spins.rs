@@ -46,8 +46,11 @@ impl<'a> Ground<'a> {
     /// Rates (1/s) of small wobbles about the axes of least and of greatest inertia, by the modes; not a number where the response of a
     /// liquid is not known.
     pub fn rates(&self) -> [Option<f64>; 2] {
-        let known =
-            |mode: Mode| if self.silent(mode).is_some() { Some(f64::NAN) } else { self.poles.rate(mode) };
+        let known = |mode: Mode| match self.silent(mode) {
+            _ if !mode.exists(self.range.moments()) => None,
+            Some(_) => Some(f64::NAN),
+            None => self.poles.rate(mode),
+        };
         [Mode::LongAxis, Mode::ShortAxis].map(known)
     }
 
@@ -61,15 +64,20 @@ impl<'a> Ground<'a> {
         FreeRotation::at_logit(self.range.moments(), self.range.angular_momentum(), mode, xi)
     }
 
-    /// Growing mode at the axis of greatest inertia, in words; none if its spin is stable.
+    /// Growing mode at the axis of greatest inertia, in words; none if its spin is stable, or one of a plane of steady spins, whose wobble has
+    /// no mode of its own. (Q13)
     pub fn unstable(&self) -> Option<String> {
+        if !Mode::ShortAxis.exists(self.range.moments()) {
+            return None;
+        }
         self.poles.short.as_ref()?.unstable().map(|mode| grows("greatest", mode))
     }
 
     /// Growing mode beside the nutation at the axis of least inertia, in words; none if nothing grows.
     pub fn whirl(&self) -> Option<String> {
-        let modes = &self.poles.long.as_ref()?.modes.modes;
-        modes.iter().find(|mode| mode.grows() && !mode.nutation).map(|mode| grows("least", mode))
+        let pole = self.poles.long.as_ref()?;
+        let growing = pole.modes.modes.iter().find(|mode| pole.grows(mode.decay_rate) && !mode.nutation);
+        growing.map(|mode| grows("least", mode))
     }
 
     /// Estimate of the relative error from the response of liquids about the mean spin on a way; the wobble is widest at an end or at the
@@ -96,6 +104,9 @@ impl<'a> Ground<'a> {
     /// Losses that the equations of motion leave out at the poles of the way, as a share of the rate of a small wobble: materials and
     /// liquids whose response is known at each frequency alone.
     pub fn left_out(&self, ends: [RotationState; 2]) -> f64 {
+        if self.body.viscoelastic().is_empty() && self.body.memories().is_empty() {
+            return 0.0; // dashpots and Kelvin-Voigt materials are in the equations; two eigenvalues of theirs differ by rounding alone
+        }
         let share = |stage: RotationState| {
             let nutation = self.poles.of_mode(stage.mode).and_then(|pole| pole.modes.nutation());
             nutation.map_or(f64::INFINITY, of_nutation)

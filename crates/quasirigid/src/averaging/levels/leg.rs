@@ -9,6 +9,7 @@ use super::descent::Descent;
 use super::energy::SlowEnergy;
 use super::level::{Level, Traced, traced};
 use crate::math::chebyshev::Chebyshev;
+use crate::math::rotation::angle;
 use crate::math::sphere::StationaryPoint;
 
 /// Stretch of the evolution between two energies, without a branch between them. (N5)
@@ -37,7 +38,7 @@ pub(super) struct Piece {
     fit: Chebyshev<2>,
 }
 
-/// Place beyond which a wobble about a minimum is so small that the rate is that of the smallest.
+/// Place beyond which a wobble about a minimum is so small that the rate is that of the smallest: `e^{−8}` of the leg's widest.
 const AXIS: f64 = 16.0;
 /// Relative error of a piece, and the limit of halvings to reach it.
 const TOLERANCE: f64 = 1e-8;
@@ -59,9 +60,17 @@ impl Leg {
         self.descent.at(energy, self.bottom + self.height(xi))
     }
 
-    /// One circuit of the level at a place.
+    /// One circuit of the level at a place. Levels beyond [`AXIS`] next to a minimum are that of `AXIS` made smaller: their own are lost
+    /// in rounding. (N5)
     pub fn turn(&self, energy: &SlowEnergy, xi: f64) -> Option<Traced> {
-        traced(energy, self.on(energy, xi), self.circled, |_| {})
+        let traceable = if self.saddles.is_empty() { xi.min(AXIS) } else { xi };
+        let turn = traced(energy, self.on(energy, traceable), self.circled, |_| {})?;
+        if traceable == xi {
+            return Some(turn);
+        }
+        let share = self.height(xi) / self.height(traceable);
+        let limit = if self.isolated { None } else { Some(angle(self.circled, self.descent.end())) };
+        Some(turn.smaller(share, limit))
     }
 
     /// The level at a place.
@@ -73,9 +82,9 @@ impl Leg {
     /// Time (s) and revolutions per unit of `ξ`.
     pub fn slowness(&self, energy: &SlowEnergy, xi: f64) -> Option<[f64; 2]> {
         let xi = if self.saddles.is_empty() { xi.min(AXIS) } else { xi };
-        let Traced { period, loss, angle, .. } = self.turn(energy, xi)?;
+        let Traced { period, loss, turned, .. } = self.turn(energy, xi)?;
         let fall = energy.G * self.height(xi) / (1.0 + (-xi).exp());
-        Some([fall * period / loss, fall * angle / (TAU * loss)])
+        Some([fall * period / loss, fall * turned / (TAU * loss)])
     }
 
     /// Pieces that cover an interval, each short enough for its interpolation; none where a level is not closed.

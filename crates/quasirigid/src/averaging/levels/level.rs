@@ -71,21 +71,38 @@ pub(super) struct Traced {
     /// Energy dissipated in a circuit (J).
     pub loss: f64,
     /// Angle turned about the angular momentum in a circuit (rad).
-    pub angle: f64,
+    pub turned: f64,
     /// Angle by which the axis of least inertia goes round the angular momentum in a circuit (rad).
     pub precession: f64,
     pub nutation: [f64; 2],
 }
 
 impl Traced {
+    /// Smaller level next to the same minimum, at a `share` of the height above it. (N5)
+    ///
+    /// About an isolated minimum a circuit keeps its period and its angles, and amplitudes go with the root of the height. About a family
+    /// of minima, whose nutation has a `limit` (rad), the speed goes with the distance from the family as the amplitude does.
+    pub fn smaller(self, share: f64, limit: Option<f64>) -> Self {
+        let root = share.sqrt();
+        let longer = if limit.is_some() { root.recip() } else { 1.0 };
+        let limit = limit.unwrap_or(0.0);
+        Self {
+            period: longer * self.period,
+            loss: share * longer * self.loss,
+            turned: longer * self.turned,
+            precession: longer * self.precession,
+            nutation: self.nutation.map(|angle| limit + root * (angle - limit)),
+        }
+    }
+
     /// Public level, with its slow energy (J).
     pub fn level(&self, energy: f64) -> Level {
-        let Self { period, loss, angle, precession, nutation } = *self;
+        let Self { period, loss, turned, precession, nutation } = *self;
         Level {
             energy,
             period,
             power: loss / period,
-            revolutions: angle / (TAU * period),
+            revolutions: turned / (TAU * period),
             long_axis_precession_rate: precession / period,
             nutation,
         }
@@ -144,7 +161,7 @@ pub(super) fn traced(
                 return Some(Traced {
                     period: y[3],
                     loss: y[4],
-                    angle: y[5],
+                    turned: y[5],
                     precession,
                     nutation: turn.nutation,
                 });

@@ -3,6 +3,8 @@
 //! evolution ends there, since a fraction of a revolution decides.
 //! Equations (N5) and (N6), docs/theory/17-levels.md.
 
+use std::f64::consts::TAU;
+
 use super::evolution::{LevelError, LevelEvolution};
 use super::leg::{Leg, Piece};
 use super::saddle_passage::Separatrix;
@@ -69,9 +71,11 @@ pub enum LevelStopReason {
     Lossless,
 }
 
-/// Length in `ξ` that is integrated at once, and the place where a wobble is negligible.
+/// Length in `ξ` that is integrated at once, and the place where a wobble is beyond numbers.
 const STRETCH: f64 = 2.0;
 const NOTHING: f64 = 300.0;
+/// Place where a wobble is below the rounding of a direction, so that the rotation is a steady spin: `e^{−32}` of the widest.
+const STEADY: f64 = 64.0;
 /// Relative excess of the last piece of time next to a saddle over its end value: the logarithm's share `1/ln(1/margin)`.
 const LOGARITHM: f64 = 1.0 / 16.0;
 /// Halvings that locate an angle of wobble.
@@ -145,6 +149,10 @@ impl Making<'_> {
             if goal.is_some() {
                 return Ok(LevelStopReason::Reached);
             }
+            if let (true, Until::Duration(duration)) = (self.leg().saddles.is_empty(), until) {
+                self.stay(duration)?;
+                return Ok(LevelStopReason::Duration);
+            }
             if !self.pass()? {
                 return Ok(LevelStopReason::Undecided);
             }
@@ -158,7 +166,7 @@ impl Making<'_> {
     /// The last place of the leg that is followed.
     fn end_of_leg(&self) -> f64 {
         let leg = self.leg();
-        if leg.saddles.is_empty() { NOTHING } else { leg.place(self.levels.saddles().margin()) }
+        if leg.saddles.is_empty() { STEADY } else { leg.place(self.levels.saddles().margin()) }
     }
 
     /// Place of the target, if on this leg.
@@ -167,7 +175,8 @@ impl Making<'_> {
         match until {
             Until::EnergyLeft(share) => {
                 let above = leg.minimum - leg.bottom + share * (start - leg.minimum);
-                let on = above > 0.0 && leg.place(above).max(self.xi) < self.end_of_leg();
+                let last = leg.saddles.is_empty();
+                let on = above > 0.0 && (last || leg.place(above).max(self.xi) < self.end_of_leg());
                 Ok(on.then(|| leg.place(above).max(self.xi)))
             }
             Until::Wobble(_) if !leg.isolated => Err(LevelError::Family),
@@ -225,6 +234,14 @@ impl Making<'_> {
             }
         }
         Ok(None)
+    }
+
+    /// Stays in the steady spin that was reached up to an elapsed time.
+    fn stay(&mut self, duration: f64) -> Result<(), LevelError> {
+        let spin = self.leg().turn(&self.levels.energy, STEADY).ok_or(LevelError::Open)?;
+        self.revolutions += (duration - self.time) * spin.turned / (TAU * spin.period);
+        self.time = duration;
+        Ok(())
     }
 
     /// Ends within the last stretch at an elapsed time.

@@ -119,7 +119,7 @@ impl<'a> Saddles<'a> {
         };
         let close = |a: f64, b: f64| (a - b).abs() <= ALIKE * a.abs().max(b.abs());
         let alike = next.array_windows().all(|[(_, a), (_, b)]| {
-            close(a.period, b.period) && close(a.loss, b.loss) && close(a.angle, b.angle)
+            close(a.period, b.period) && close(a.loss, b.loss) && close(a.turned, b.turned)
         });
         (next.iter().map(way).collect(), alike)
     }

@@ -6,7 +6,7 @@ use nalgebra::Vector3;
 
 use crate::elements::error::Problem;
 use crate::elements::{Assembly, End};
-use crate::model::Marker;
+use crate::model::{Carried, Marker};
 
 /// Attachment: a place of a body at which a link or a force acts.
 #[derive(Clone, Debug, Default)]
@@ -20,6 +20,8 @@ pub(in crate::elements) struct Attachment {
     pub rotations: Option<Vec<(usize, [f64; 3])>>,
     /// Curvature of the path of the place for pairs of coordinates, where known.
     pub curvature: Vec<(usize, usize, [f64; 3])>,
+    /// Rotation that carries the place, of a place on an appendage.
+    pub carried: Option<Carried>,
 }
 
 /// Attachments of the elements of a body.
@@ -41,6 +43,7 @@ impl Attachment {
             position: (self.position - pole).into(),
             shapes: self.shapes.clone(),
             curvature: self.curvature.clone(),
+            carried: self.carried.clone(),
         }
     }
 }

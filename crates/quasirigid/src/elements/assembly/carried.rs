@@ -2,7 +2,7 @@
 //! The order of coordinates is fixed here (moving pieces, parts, cyclic coordinates); matrices, invariants and markers all rely on it.
 //! Equations (I1) to (I6), (I9), (I10), docs/theory/02-invariants.md.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use nalgebra::{DMatrix, Matrix3, Vector3};
 
@@ -16,13 +16,14 @@ use crate::elements::element::{Grip, Preload, Role, Site};
 use crate::elements::error::{ElementError, ElementId, ElementKind, Field, Problem, at};
 use crate::elements::kinds::part::NodeRef;
 use crate::elements::visual::Vertex;
-use crate::elements::{End, Hinged, Station};
+use crate::elements::{End, Station};
 use crate::math::memory;
 use crate::math::sparse::SparseRows;
 use crate::math::sym3::Sym;
 use crate::model::force::Force;
 use crate::model::{
-    BodyParts, Coordinate, FlexibleBody, FlexibleError, Hinge, Invariants, Marker, Pair, Support, Watched,
+    BodyParts, Coordinate, CurvedPaths, FlexibleBody, FlexibleError, Hinge, Invariants, Marker, Pair,
+    Support, Watched,
 };
 use crate::structure::Block;
 use crate::structure::Component;
@@ -79,8 +80,7 @@ impl Assembly {
         let invariants = whole.invariants(pole, mass);
         self.has_inertia(ElementId::CARRIER, &invariants)?;
         let start = whole.flexible;
-        let paths =
-            whole.component.as_ref().and_then(|component| component.curved_paths(pole, start, &invariants));
+        let paths = whole.curved_paths(pole, &invariants);
         let nodes = graph.as_ref().zip(whole.component.as_ref());
         let drawn = nodes.map_or_else(BTreeMap::new, |(graph, component)| graph.drawn(component, start));
         let nodes =
@@ -135,12 +135,16 @@ impl Assembly {
         })
     }
 
-    /// Hinges of appendages.
+    /// Hinges of appendages on which springs act: these take the displacements of their places to first order. (I9), (K14)
     fn watched(&self, whole: &Carried) -> Result<Vec<Hinge>, ElementError> {
-        let hinge = |(index, hinged): (usize, &Hinged)| {
-            hinged.hinge(index, whole.start_of(ElementKind::Hinged.at(index)))
-        };
-        self.hinged.iter().enumerate().map(hinge).collect()
+        let sprung: BTreeSet<usize> = self
+            .grips()
+            .filter(|(_, role, _)| *role != Role::External)
+            .filter_map(|(_, _, grip)| if let End::Hinged(on) = grip.end { Some(on.hinged) } else { None })
+            .collect();
+        let hinge =
+            |index: usize| self.hinged[index].hinge(index, whole.start_of(ElementKind::Hinged.at(index)));
+        sprung.into_iter().map(hinge).collect()
     }
 
     /// Places at which elements act.
@@ -357,6 +361,18 @@ impl Carried {
         pairs.extend(&self.inner.pairs);
         let pairs = SparseRows::sum(S.len(), pairs);
         Invariants { mass, J, S, h, J1, pairs }
+    }
+
+    /// Curved paths: those of parts to second order, those of appendages on hinges at any angles. (K12), (I12)
+    fn curved_paths(&self, pole: Vector3<f64>, invariants: &Invariants) -> Option<CurvedPaths> {
+        let parts = self.component.as_ref();
+        let parts = parts.and_then(|component| component.curved_paths(pole, self.flexible, invariants));
+        let straight = || CurvedPaths { straight: invariants.clone(), followers: Vec::new() };
+        let mut paths = parts.unwrap_or_else(straight);
+        self.moving_bodies
+            .iter()
+            .for_each(|Moved { moving_body, start, .. }| moving_body.turn(pole, *start, &mut paths));
+        (!paths.followers.is_empty()).then_some(paths)
     }
 
     /// Places whose displacement is watched: points and appendages with the places on them, then nodes of parts.

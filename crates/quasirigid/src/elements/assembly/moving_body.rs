@@ -1,8 +1,9 @@
-use nalgebra::Vector3;
+use nalgebra::{Matrix3, Vector3};
 
 use crate::elements::assembly::affine::{Field as Shape, Piece};
 use crate::elements::assembly::attachment::Attachment;
-use crate::model::{Coordinate, Pair};
+use crate::math::sparse::SparseRows;
+use crate::model::{Carried, Coordinate, CurvedPaths, Follower, Gimbal, Pair};
 
 /// A rigid piece placed on the body, with the coordinates that move it.
 pub(in crate::elements) struct MovingBody {
@@ -14,8 +15,8 @@ pub(in crate::elements) struct MovingBody {
     pub shapes: Vec<Shape>,
     /// Curvature of the path of each pair of coordinates, `G_jk`.
     pub curvature: Vec<Vec<Shape>>,
-    /// Whether the piece has an orientation; a material point has none.
-    pub rotations: bool,
+    /// Hinge axes about which the piece rotates, outermost first; none of a material point, which has no orientation.
+    pub axes: Vec<Vector3<f64>>,
     /// Name and unit of each coordinate.
     pub coordinates: Vec<Coordinate>,
     /// Place watched on the piece: its name, and its position from the base.
@@ -24,7 +25,57 @@ pub(in crate::elements) struct MovingBody {
     pub places: Vec<(String, Vector3<f64>)>,
 }
 
+/// Second moment along a line, as a share of the whole, and first moment, as a share of its size, below which no mass is off the hinge
+/// along the line: rounding.
+const FLAT: [f64; 2] = [1e-15, 1e-14];
+
 impl MovingBody {
+    /// Axes of the hinge of the piece, with its coordinates numbered from `start`; none of a piece that does not rotate.
+    fn gimbal(&self, start: usize) -> Option<Gimbal> {
+        let axes = self.axes.iter().enumerate().map(|(j, axis)| (start + j, (*axis).into()));
+        (!self.axes.is_empty()).then(|| Gimbal { axes: axes.collect() })
+    }
+
+    /// Fields `Ψ_e = L^e s` that with the coordinates hold every rotation of the mass, and the matrices `W^e` of their amplitudes. (I12)
+    fn rotations(&self) -> Vec<(Shape, Matrix3<f64>)> {
+        if let [axis] = self.axes.as_slice() {
+            let [once, twice] = [axis.cross_matrix(), axis.cross_matrix() * axis.cross_matrix()];
+            return [once, twice].map(|L| (Shape::linear(L), 0.5 * L)).to_vec();
+        }
+        let eigen = self.piece.second.symmetric_eigen();
+        let lines =
+            eigen.eigenvectors.column_iter().zip(eigen.eigenvalues.iter()).filter(|(line, moment)| {
+                **moment > FLAT[0] * self.piece.second.trace()
+                    || line.dot(&self.piece.first).abs() > FLAT[1] * self.piece.first.norm()
+            });
+        let fields =
+            lines.flat_map(|(line, _)| (0..3).map(move |axis| Vector3::ith(axis, 1.0) * line.transpose()));
+        fields.map(|L| (Shape::linear(L), L)).collect()
+    }
+
+    /// Replaces the second order of the paths of the piece by the fields of its rotation, in a body on straight paths about a pole. (I12)
+    pub fn turn(&self, pole: Vector3<f64>, start: usize, paths: &mut CurvedPaths) {
+        let Some(gimbal) = self.gimbal(start) else { return };
+        let (rho, still) = (self.position(pole), Shape::constant(Vector3::zeros()));
+        let (fields, duals): (Vec<Shape>, Vec<_>) = self.rotations().into_iter().unzip();
+        let straight = &mut paths.straight;
+        let (first, own) = (straight.S.len(), start..start + self.shapes.len());
+        let others = straight.pairs.iter().filter(|(j, k, _)| !(own.contains(j) && own.contains(k)));
+        let mut pairs: Vec<(usize, usize, Pair)> = others.map(|(j, k, pair)| (j, k, *pair)).collect();
+        let numbered = || self.shapes.iter().chain(&fields).zip(own.clone().chain(first..));
+        for (u, j) in numbered() {
+            pairs.extend(numbered().map(|(v, k)| (j, k, self.piece.pair(&rho, u, v, &still))));
+        }
+        for field in &fields {
+            straight.S.push(self.piece.sum(field));
+            straight.h.push(self.piece.cross(&rho, field));
+            straight.J1.push(self.piece.inertia(&rho, field));
+        }
+        straight.pairs = SparseRows::sum(straight.S.len(), pairs);
+        let rows = |W: Matrix3<f64>| W.transpose().data.0;
+        paths.followers.push(Follower::Rotation { gimbal, duals: duals.into_iter().map(rows).collect() });
+    }
+
     /// Position field of the piece from a pole.
     pub fn position(&self, pole: Vector3<f64>) -> Shape {
         Shape::position(self.base - pole)
@@ -63,8 +114,9 @@ impl MovingBody {
             name: name.to_owned(),
             position: self.base + s,
             shapes: shapes().map(|(j, H)| (start + j, displaced(H))).collect(),
-            rotations: self.rotations.then(|| shapes().map(|(j, H)| (start + j, turn(H))).collect()),
+            rotations: (!self.axes.is_empty()).then(|| shapes().map(|(j, H)| (start + j, turn(H))).collect()),
             curvature: curved.filter(|(.., G)| *G != [0.0; 3]).collect(),
+            carried: self.gimbal(start).map(|gimbal| Carried { gimbal, arm: (*s).into() }),
         }
     }
 }

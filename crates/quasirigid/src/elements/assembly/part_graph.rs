@@ -151,6 +151,7 @@ impl<'a> PartGraph<'a> {
                 shapes: component.shapes(number, start),
                 rotations: component.rotations(number, start),
                 curvature: Vec::new(),
+                carried: None,
             };
             (*node, attachment)
         };

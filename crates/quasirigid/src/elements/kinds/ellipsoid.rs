@@ -262,6 +262,7 @@ impl Ellipsoid {
             position: place,
             shapes: shapes.iter().map(moved).enumerate().collect(),
             curvature: Vec::new(),
+            carried: None,
         }
     }
 

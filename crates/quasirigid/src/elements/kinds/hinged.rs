@@ -1,6 +1,7 @@
 //! Hinged appendage: a rigid piece on up to three gimbal axes, with its hinge spring.
-//! The paths of its points are curved, and the second order of the angles belongs to the reduced equations: linear shapes would lose it.
-//! Equations (I8) and (I9), docs/theory/02-invariants.md.
+//! The paths of its points are curved: exactly in the full equations and the modes, to the second order of the angles in the reduced
+//! equations.
+//! Equations (I8), (I9) and (I12), docs/theory/02-invariants.md.
 
 use nalgebra::{Matrix3, Vector3};
 
@@ -85,10 +86,10 @@ impl Hinged {
             base: hinge,
             shapes,
             curvature: curvature(&axes),
-            rotations: true,
             coordinates: (1..=axes.len())
                 .map(|axis| Coordinate { name: format!("\"{}\" about axis {axis}", self.name), unit: "rad" })
                 .collect(),
+            axes,
             marker: (self.name.clone(), farthest(&piece, center)),
             places: self.placed(hinge).map_err(at(place, Field::PLACES))?,
         })

@@ -82,7 +82,7 @@ impl Point {
             base: self.position.into(),
             shapes: directions.iter().map(|(direction, _)| Shape::constant(*direction)).collect(),
             curvature: vec![still; directions.len()],
-            rotations: false,
+            axes: Vec::new(),
             coordinates: directions
                 .iter()
                 .map(|(_, axis)| Coordinate { name: format!("\"{}\" {axis}", self.name), unit: "m" })

@@ -90,18 +90,18 @@ impl<T: Smooth> Loads<T> {
         self.moment = add(self.moment, torque);
     }
 
-    /// Adds a force (N, body axes) at a place with the position `u` (m) from the pole, with `∂u/∂q_j = H_j + G_jk q_k`. (F1)
-    fn add_force(&mut self, at: &Marker, q: &[T], u: [T; 3], force: [T; 3]) {
+    /// Adds a force (N, body axes) at a place with the position `u` (m) from the pole and the slopes `∂u/∂q_j`. (F1)
+    fn add_force(&mut self, (u, slopes): &DisplacedPlace<T>, force: [T; 3]) {
         self.force = add(self.force, force);
-        self.add_torque(cross(u, force));
-        for (j, H) in &at.shapes {
-            self.generalized[*j] = self.generalized[*j] + dot(H.map(T::from), force);
-        }
-        for (j, k, G) in &at.curvature {
-            self.generalized[*j] = self.generalized[*j] + q[*k] * dot(G.map(T::from), force);
+        self.add_torque(cross(*u, force));
+        for (j, slope) in slopes {
+            self.generalized[*j] = self.generalized[*j] + dot(*slope, force);
         }
     }
 }
+
+/// Place from the pole (m), with the slopes of its displacement by coordinate.
+type DisplacedPlace<T> = ([T; 3], Vec<(usize, [T; 3])>);
 
 /// Body and kinematic state for the evaluation of laws.
 struct LoadContext<'a, T> {
@@ -125,25 +125,25 @@ impl<T: Smooth> LoadContext<'_, T> {
                 loads.add_gradient(self.body, motion.q, n, kappa);
             }
             ForceLaw::Drag { at, coefficient } => {
-                let (u, velocity) = self.passing(at);
-                loads.add_force(at, motion.q, u, scale(T::from(-coefficient), velocity));
+                let (place, velocity) = self.passing(at);
+                loads.add_force(&place, scale(T::from(-coefficient), velocity));
             }
             ForceLaw::SpinDrag { coefficient } => {
                 loads.add_torque(scale(T::from(-coefficient), motion.omega))
             }
             ForceLaw::Torque { torque, axes, wave } => loads.add_torque(self.varying(*torque, *axes, *wave)),
             ForceLaw::Thrust { at, force, axes, wave } => {
-                loads.add_force(at, motion.q, self.place(at), self.varying(*force, *axes, *wave));
+                loads.add_force(&self.place(at), self.varying(*force, *axes, *wave));
             }
             ForceLaw::MagneticDipole { moment, field } => {
                 loads.add_torque(cross(moment.map(T::from), self.turn.to_body(field.at(t))));
             }
             ForceLaw::Expression { at, force } => {
-                let (u, velocity) = self.passing(at);
-                let place = add(self.kinematics.pole, self.turn.to_inertial(u));
+                let (at, velocity) = self.passing(at);
+                let place = add(self.kinematics.pole, self.turn.to_inertial(at.0));
                 let felt = self.felt(place, self.turn.to_inertial(velocity));
                 let force = force.each_ref().map(|component| component.value(&felt));
-                loads.add_force(at, motion.q, u, self.turn.to_body(force));
+                loads.add_force(&at, self.turn.to_body(force));
             }
             ForceLaw::TorqueExpression { torque, axes } => {
                 let felt = self.felt(self.kinematics.pole, self.kinematics.pole_velocity);
@@ -152,7 +152,7 @@ impl<T: Smooth> LoadContext<'_, T> {
             }
             ForceLaw::TorqueTable { table, axes } => loads.add_torque(self.turned(table.at(t), *axes)),
             ForceLaw::ForceTable { at, table, axes } => {
-                loads.add_force(at, motion.q, self.place(at), self.turned(table.at(t), *axes));
+                loads.add_force(&self.place(at), self.turned(table.at(t), *axes));
             }
             ForceLaw::During { windows, law } => {
                 if windows.contains(t.value()) {
@@ -169,22 +169,19 @@ impl<T: Smooth> LoadContext<'_, T> {
         [x, y, z, vx, vy, vz, t, wx, wy, wz, qw, qx, qy, qz]
     }
 
-    /// Displaced place from the pole (m), body axes, `u = ρ + H_j q_j + ½ G_jk q_j q_k`. (S1)
-    fn place(&self, at: &Marker) -> [T; 3] {
-        let q = self.kinematics.motion.q;
-        let half = T::from(0.5);
-        let straight = moved(at, at.position.map(T::from), q);
-        at.curvature.iter().fold(straight, |u, (j, k, G)| add(u, scale(half * q[*j] * q[*k], G.map(T::from))))
+    /// Displaced place from the pole (m), body axes, and its slopes by coordinate. (S1), (I12)
+    fn place(&self, at: &Marker) -> DisplacedPlace<T> {
+        let (displacement, slopes) = at.displaced(self.kinematics.motion.q);
+        (add(at.position.map(T::from), displacement), slopes)
     }
 
-    /// Displaced place from the pole (m) and its inertial velocity (m/s), body axes. (F5)
-    fn passing(&self, at: &Marker) -> ([T; 3], [T; 3]) {
-        let KinematicState { pole_velocity, motion: MotionState { omega, q, rate }, .. } = *self.kinematics;
-        let u = self.place(at);
+    /// Displaced place from the pole (m), with its slopes, and its inertial velocity (m/s), body axes. (F5)
+    fn passing(&self, at: &Marker) -> (DisplacedPlace<T>, [T; 3]) {
+        let KinematicState { pole_velocity, motion: MotionState { omega, rate, .. }, .. } = *self.kinematics;
+        let (u, slopes) = self.place(at);
         let carried = add(self.turn.to_body(pole_velocity), cross(omega, u));
-        let straight = moved(at, carried, rate);
-        let curved = at.curvature.iter();
-        (u, curved.fold(straight, |v, (j, k, G)| add(v, scale(q[*j] * rate[*k], G.map(T::from)))))
+        let velocity = slopes.iter().fold(carried, |v, (j, slope)| add(v, scale(rate[*j], *slope)));
+        ((u, slopes), velocity)
     }
 
     /// Value of a varying amplitude at the time of the state, in body axes. (F6)
@@ -200,9 +197,4 @@ impl<T: Smooth> LoadContext<'_, T> {
             Axes::Inertial => self.turn.to_body(vector),
         }
     }
-}
-
-/// Vector plus the displacement, or rate, of a place.
-fn moved<T: Smooth>(at: &Marker, from: [T; 3], amounts: &[T]) -> [T; 3] {
-    at.shapes.iter().fold(from, |sum, (j, H)| add(sum, scale(amounts[*j], H.map(T::from))))
 }

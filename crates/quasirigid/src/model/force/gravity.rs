@@ -2,11 +2,12 @@
 
 use super::Loads;
 use crate::math::scalar::Smooth;
-use crate::math::sym3::times;
+use crate::math::sym3::{Sym, times};
 use crate::math::vec3::{add, cross, dot, scale};
-use crate::model::{FlexibleBody, Invariants};
+use crate::model::{FlexibleBody, Follower, Invariants};
 
-/// First moment of the displacements (kg·m), `s = S_j q_j + ½ Γ_jk q_j q_k`, and its slopes `∂s/∂q_j`. (F3)
+/// First moment of the displacements (kg·m), `s = S_j q_j + ½ Γ_jk q_j q_k`, and its slopes `∂s/∂q_j`; exact of appendages on hinges.
+/// (F3), (I12)
 pub(super) struct FirstMoment<T> {
     pub s: [T; 3],
     pub slopes: Vec<[T; 3]>,
@@ -14,9 +15,11 @@ pub(super) struct FirstMoment<T> {
 
 impl<T: Smooth> FirstMoment<T> {
     pub fn of(body: &FlexibleBody, q: &[T]) -> Self {
-        let Invariants { S, pairs, .. } = body.invariants();
+        let Invariants { S, .. } = body.invariants();
+        let pairs = body.paths().map_or(&body.invariants().pairs, |paths| &paths.straight.pairs);
+        let n = S.len();
         let mut slopes: Vec<_> = S.iter().map(|S| S.map(T::from)).collect();
-        for (j, k, pair) in pairs.iter() {
+        for (j, k, pair) in pairs.iter().filter(|(j, k, _)| *j < n && *k < n) {
             slopes[j] = add(slopes[j], scale(q[k], pair.S2.map(T::from)));
         }
         // s = ½ q_j (S_j + ∂s/∂q_j), because s is of second degree.
@@ -25,7 +28,28 @@ impl<T: Smooth> FirstMoment<T> {
         let s = parts.fold([T::from(0.0); 3], |s, ((q, S), slope)| {
             add(s, scale(half * *q, add(S.map(T::from), *slope)))
         });
-        Self { s, slopes }
+        let mut moment = Self { s, slopes };
+        moment.turn(body, q);
+        moment
+    }
+
+    /// Adds the fields of appendages on hinges; those of second order are in the pairs. (I12)
+    fn turn(&mut self, body: &FlexibleBody, q: &[T]) {
+        let Some(paths) = body.paths() else { return };
+        let mut field = q.len();
+        for follower in &paths.followers {
+            if matches!(follower, Follower::Rotation { .. }) {
+                let start = follower.coordinates().start;
+                for (e, (value, slopes)) in follower.amplitudes(q).into_iter().enumerate() {
+                    let S = paths.straight.S[field + e].map(T::from);
+                    self.s = add(self.s, scale(value, S));
+                    for (j, slope) in slopes.into_iter().enumerate() {
+                        self.slopes[start + j] = add(self.slopes[start + j], scale(slope, S));
+                    }
+                }
+            }
+            field += follower.fields();
+        }
     }
 }
 
@@ -46,19 +70,29 @@ impl<T: Smooth> Loads<T> {
     /// Adds the loads of the acceleration `κ(3 n nᵀ − 1)d` of a mass element at `d` from the centre of mass of a free body, from the pole
     /// of a constrained one; `n` unit vector in body axes, `κ` in 1/s². (F4)
     pub(super) fn add_gradient(&mut self, body: &FlexibleBody, q: &[T], n: [T; 3], kappa: T) {
-        let invariants = body.invariants();
-        let (two, three, half) = (T::from(2.0), T::from(3.0), T::from(0.5));
+        let (three, half) = (T::from(3.0), T::from(0.5));
         // 3 nᵀXn − tr X
-        let form = |X| three * dot(n, times(X, n)) - T::from(X[0] + X[1] + X[2]);
+        let form = |X: Sym| three * dot(n, times(X, n)) - T::from(X[0] + X[1] + X[2]);
+        let (invariants, (z, fields)) = match body.paths() {
+            Some(paths) => (&paths.straight, paths.spread(q)),
+            None => (body.invariants(), (q.to_vec(), Vec::new())),
+        };
         let mut Jn = times(invariants.J, n);
-        for (j, J1) in invariants.J1.iter().enumerate() {
-            Jn = add(Jn, scale(q[j], times(*J1, n)));
-            self.generalized[j] = self.generalized[j] - half * kappa * form(*J1);
+        let mut forces = Vec::with_capacity(z.len());
+        for (z, J1) in z.iter().zip(&invariants.J1) {
+            Jn = add(Jn, scale(*z, times(*J1, n)));
+            forces.push(-(half * kappa * form(*J1)));
         }
         for (j, k, pair) in invariants.pairs.iter() {
-            Jn = add(Jn, scale(q[j] * q[k], times(pair.J2, n)));
-            self.generalized[j] = self.generalized[j] - half * kappa * two * q[k] * form(pair.J2);
+            Jn = add(Jn, scale(z[j] * z[k], times(pair.J2, n)));
+            forces[j] = forces[j] - kappa * z[k] * form(pair.J2);
         }
+        for ((start, slopes), force) in fields.iter().zip(forces.split_off(q.len())) {
+            slopes.iter().enumerate().for_each(|(j, slope)| {
+                forces[start + j] = forces[start + j] + *slope * force;
+            });
+        }
+        self.generalized.iter_mut().zip(forces).for_each(|(Q, force)| *Q = *Q + force);
         if let Some(per_mass) = body.translation() {
             let FirstMoment { s, slopes } = FirstMoment::of(body, q);
             let per_mass = T::from(per_mass);

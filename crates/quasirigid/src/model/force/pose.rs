@@ -42,12 +42,11 @@ impl FlexibleBody {
     ) -> Loads<T> {
         let Pose { t, attitude, place, velocity } = *pose;
         let (mut pole, mut pole_velocity) = (place, velocity);
-        if let Some(per_mass) = self.translation() {
-            let (s, u) = self.translation_of(motion);
+        if self.translation().is_some() {
+            let (offset, rate) = self.pole_from_center(motion);
             let turn = Turn::of(attitude);
-            let back = T::from(-per_mass);
-            pole = add(pole, scale(back, turn.to_inertial(s)));
-            pole_velocity = add(pole_velocity, scale(back, turn.to_inertial(u)));
+            pole = add(pole, turn.to_inertial(offset));
+            pole_velocity = add(pole_velocity, turn.to_inertial(rate));
         }
         let kinematics = KinematicState { t, attitude, pole, pole_velocity, motion };
         self.loads(forces, &kinematics).about_center(self, motion.q)

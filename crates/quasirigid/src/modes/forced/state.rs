@@ -119,7 +119,7 @@ impl SteadyState {
         let still = vec![0.0; at.q.len()];
         let motion = MotionState { omega: at.omega, q: &at.q, rate: &still };
         let angular_momentum =
-            V::from(body.angular_momentum(motion)) + V::from(body.wheels().angular_momentum(0.0));
+            V::from(body.full_momenta(motion).0) + V::from(body.wheels().angular_momentum(0.0));
         let spin = norm(at.omega);
         let spins = near.asked || turning == Turning::Own;
         let away = if spins {
@@ -134,7 +134,7 @@ impl SteadyState {
             axis: (spin > 0.0).then_some(axis),
             q: at.q.clone(),
             angular_momentum: angular_momentum.into(),
-            energy: body.energy(motion),
+            energy: body.full_energy(motion),
             velocity: at.velocity,
             away,
             place: at.place,

@@ -3,8 +3,9 @@
 use nalgebra::{DMatrix, Matrix3, Vector3};
 
 use super::slopes::{DISPLACED, Instant, OMEGA, Slopes, THETA, VELOCITY};
-use crate::math::vec3::{add, cross, norm, scale};
-use crate::model::{FlexibleBody, MotionState, SpinCoefficients};
+use crate::math::sym3::times;
+use crate::math::vec3::{add, cross, dot, norm, scale};
+use crate::model::{FlexibleBody, SpinCoefficients};
 use crate::modes::first_order::{forces, mass};
 
 /// `M ẇ + D w + S y = 0` with `w = (δω, δq̇, δv)` and `y = (θ, δq)`; `δv` only of a body whose velocity is followed. (M6)
@@ -30,10 +31,8 @@ impl System {
     pub fn about(body: &FlexibleBody, slopes: Slopes, instant: &Instant, followed: bool) -> Self {
         let Instant { omega, q, velocity, .. } = instant;
         let (n, elastic) = (q.len(), body.elastic());
-        let coefficients = body.about_spin(*omega, q);
-        let still = vec![0.0; n];
-        let motion = MotionState { omega: *omega, q, rate: &still };
-        let angular_momentum = add(body.angular_momentum(motion), body.wheels().angular_momentum(0.0));
+        let coefficients = body.about_spin_on_paths(*omega, q);
+        let angular_momentum = add(times(coefficients.inertia, *omega), body.wheels().angular_momentum(0.0));
         let size = if followed { 6 + n } else { 3 + n };
         let mut mass_matrix = DMatrix::zeros(size, size);
         mass_matrix.view_mut((0, 0), (3 + n, 3 + n)).copy_from(&mass(&coefficients));
@@ -53,8 +52,9 @@ impl System {
         less(&mut stiffness, 3, DISPLACED, elastic);
         let gyroscopic = cross(*omega, angular_momentum);
         let mut residual: Vec<f64> = (0..3).map(|i| gyroscopic[i] - slopes.value.moment[i]).collect();
-        let (held, pulled) = (body.stiffness().times(q), body.load(motion));
-        residual.extend((0..n).map(|j| held[j] - pulled[j] - slopes.value.generalized[j]));
+        let held = body.stiffness().times(q);
+        let pulled = |j: usize| 0.5 * dot(*omega, coefficients.slopes[j]);
+        residual.extend((0..n).map(|j| held[j] - pulled(j) - slopes.value.generalized[j]));
         if followed {
             less(&mut rate, 3 + n, VELOCITY, 3);
             let m = body.invariants().mass;

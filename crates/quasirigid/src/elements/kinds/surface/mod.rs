@@ -181,7 +181,13 @@ impl Surface {
             let vertex = farthest(axis, sign)?;
             let position = [0, 1, 2].map(|i| vertex[i] - center[i]);
             let name = format!("{} along {word}{}", self.name, ['x', 'y', 'z'][axis]);
-            Some(Marker { name, position, shapes: ritz.shapes(position), curvature: Vec::new() })
+            Some(Marker {
+                name,
+                position,
+                shapes: ritz.shapes(position),
+                curvature: Vec::new(),
+                carried: None,
+            })
         })
         .collect()
     }

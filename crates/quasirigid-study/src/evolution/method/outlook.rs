@@ -1,0 +1,131 @@
+//! Outlook on long work: what will be done and how long it may take, said before it is done, and the end of work that nobody asked for.
+//! Wall-clock time decides only whether there is an answer, never which.
+
+use std::cell::{Cell, RefCell};
+use std::ops::ControlFlow;
+use std::time::{Duration, Instant};
+
+use quasirigid::averaging::RotationState;
+use quasirigid::secular::{DirectOptions, MeasureError, follow_directly, micro_run_periods};
+
+use super::full::{STEPS, TOLERANCE};
+use super::short_or_full::Choice;
+use crate::words::time;
+
+/// Time after which work is said to be long, and the longest that is done without being asked for.
+const PATIENCE: f64 = 1.0;
+const LONGEST: f64 = 600.0;
+
+/// What is known of the work ahead, shared between the choice of the method and the observer of the work.
+pub struct Outlook {
+    start: Instant,
+    /// Whether a method was asked for, which then may take as long as it takes.
+    asked: bool,
+    /// Sentence to be told at the next report, and whether any was told.
+    sentence: RefCell<Option<String>>,
+    told: Cell<bool>,
+}
+
+impl Outlook {
+    pub fn new(asked: bool) -> Self {
+        Self { start: Instant::now(), asked, sentence: RefCell::new(None), told: Cell::new(false) }
+    }
+
+    /// Sentence that is due: a plan, or once that the work is long.
+    pub fn due(&self) -> Option<String> {
+        let long = || {
+            let first = !self.told.get() && self.start.elapsed().as_secs_f64() > PATIENCE;
+            first.then(|| "choosing the method of the evolution, by the modes, averages and short runs of the body; this may take a minute.".to_owned())
+        };
+        let sentence = self.sentence.take().or_else(long)?;
+        self.told.set(true);
+        Some(sentence)
+    }
+
+    /// Whether the work has taken longer than is done without being asked for.
+    pub fn over(&self) -> bool {
+        !self.asked && self.start.elapsed() > Duration::from_secs_f64(LONGEST)
+    }
+
+    /// Reason why work that is [over](Self::over) has no answer.
+    pub fn spent() -> String {
+        format!(
+            "no method came to the end within {}, the longest that is worked without being asked; a method that is asked for takes its time",
+            time(LONGEST)
+        )
+    }
+
+    /// Announces work that takes so many seconds; the reason why it is not done, if it takes too long.
+    fn allows(&self, what: &str, seconds: f64, method: &str) -> Result<(), String> {
+        if !self.asked && seconds + self.start.elapsed().as_secs_f64() > LONGEST {
+            return Err(format!(
+                "{what} would take about {}, and no more than {} is worked without being asked; the method {method}, asked for, does it",
+                time(seconds),
+                time(LONGEST)
+            ));
+        }
+        if seconds > PATIENCE {
+            let sentence = format!("{what}; this may take about {}.", time(seconds));
+            self.sentence.replace(Some(sentence));
+        }
+        Ok(())
+    }
+}
+
+impl Choice<'_> {
+    /// Announces short runs; the reason why they are not done, if they take too long.
+    pub fn announce_short_runs(
+        &self,
+        watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
+    ) -> Result<Result<(), String>, MeasureError> {
+        let per_period = self.seconds_per_period(watch)?;
+        let ends = self.way.ends;
+        let modes = if ends[0].mode == ends[1].mode { &ends[..1] } else { &ends[..] };
+        let periods: f64 = modes.iter().map(|stage| self.periods_of_runs(*stage)).sum();
+        Ok(self.outlook.allows(
+            "measuring the mean power by short runs of the full system",
+            per_period * periods,
+            "micro-runs",
+        ))
+    }
+
+    fn periods_of_runs(&self, stage: RotationState) -> f64 {
+        let period = self.ground.motion(stage).polhode_period();
+        let pole = self.ground.poles.of_mode(stage.mode);
+        micro_run_periods(pole.map_or(0.0, |pole| pole.settling_rate()), period)
+    }
+
+    /// Announces a history of the full system; the reason why it is not done, if it takes too long.
+    pub fn announce_history(
+        &self,
+        revolutions: Option<f64>,
+        watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
+    ) -> Result<Result<(), String>, MeasureError> {
+        let Some(revolutions) = revolutions else { return Ok(Ok(())) };
+        let stage = self.way.ends[0];
+        let per_period = self.seconds_per_period(watch)?;
+        let turns = self.ground.motion(stage).polhode_period()
+            * quasirigid_math::vec3::norm(self.way.start.omega)
+            / std::f64::consts::TAU;
+        Ok(self.outlook.allows(
+            "following the full system from start to end",
+            per_period * revolutions / turns,
+            "direct",
+        ))
+    }
+
+    /// Seconds of work that a period of the polhode takes in the full system.
+    fn seconds_per_period(&self, watch: &mut dyn FnMut(f64) -> ControlFlow<()>) -> Result<f64, MeasureError> {
+        let duration = self.ground.motion(self.way.ends[0]).polhode_period();
+        let options = DirectOptions {
+            until: None,
+            duration,
+            most_revolutions: f64::INFINITY,
+            most_steps: STEPS,
+            tolerance: TOLERANCE,
+        };
+        let before = Instant::now();
+        follow_directly(self.body, &self.way.start, &options, watch)?;
+        Ok(before.elapsed().as_secs_f64())
+    }
+}

@@ -227,6 +227,9 @@ pub struct ModesArgs {
     /// Principal axis to spin about
     #[arg(long, value_parser = named::<PrincipalAxis>())]
     pub axis: Option<PrincipalAxis>,
+    /// List every mode, overdamped ones too
+    #[arg(long)]
+    pub all: bool,
 }
 
 /// Options of the reduced equations about a spin.

@@ -41,7 +41,7 @@ pub(crate) fn campbell(study: &Study, of_run: &SpinModes) -> Option<CampbellReco
         }
         let Ok(modes) = SpinModes::about(body, equilibrium) else { continue };
         found += 1;
-        for mode in modes.modes.iter().filter(|mode| mode.frequency > 0.0) {
+        for mode in modes.modes.iter().filter(|mode| mode.frequency > 0.0 && !mode.overdamped()) {
             record.spins.push(rate);
             record.frequencies.push(mode.frequency);
             record.decay_rates.push(mode.decay_rate);

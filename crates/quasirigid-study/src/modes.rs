@@ -54,10 +54,10 @@ pub struct Modes {
 }
 
 impl Modes {
-    /// For a terminal of 80 columns.
+    /// For a terminal of 80 columns: every mode if asked for `all`, else the first dozen with overdamped ones folded into a line.
     #[must_use]
-    pub fn text(&self, name: &str) -> String {
-        steady::text(name, &self.spins)
+    pub fn text(&self, name: &str, all: bool) -> String {
+        steady::text(name, &self.spins, all)
     }
 
     /// For machines.

@@ -13,12 +13,16 @@ use crate::layout::paragraph;
 use crate::liquids::unanswered;
 use crate::motion::Motion;
 use crate::study::Study;
-use crate::words::{significant, time};
+use crate::words::{significant, tidied, time};
 
 /// Coordinates of a body whose modes take longer than a moment.
 const MANY: usize = 700;
 /// Modes listed for people.
 const LISTED: usize = 12;
+/// Longest name in the row of its mode; a longer one has a line of its own.
+const NAME: usize = 24;
+/// Overdamped modes up to which each has a row of its own.
+const FEW: usize = 2;
 /// Shares of parts and dissipators listed for people.
 const SHARES: usize = 4;
 
@@ -101,8 +105,8 @@ fn told(
     let record = SteadySpinRecord {
         sentence: sentence(name, &modes),
         axis: name.into(),
-        spin: Some(modes.equilibrium.omega),
-        angular_momentum: Some(modes.equilibrium.angular_momentum),
+        spin: Some(tidied(modes.equilibrium.omega)),
+        angular_momentum: Some(tidied(modes.equilibrium.angular_momentum)),
         energy: Some(modes.equilibrium.energy),
         displacements: coordinates.map(|(coordinate, q)| (coordinate.name.clone(), *q)).collect(),
         stable: modes.stable(),
@@ -116,6 +120,8 @@ pub fn recorded(mode: &SpinMode, seen_from_outside: [f64; 2]) -> ModeRecord {
     ModeRecord {
         name: mode.name.clone(),
         nutation: mode.nutation,
+        neutral: mode.neutral,
+        overdamped: mode.overdamped(),
         decay_rate: mode.decay_rate,
         frequency: mode.frequency,
         time_constant: Some(mode.time_constant()).filter(|time| time.is_finite()),
@@ -152,14 +158,7 @@ fn sentence(name: &str, modes: &SpinModes) -> String {
     let about = format!("About {}", axis(name));
     let growing = modes.modes.iter().filter(|mode| mode.grows());
     let fastest = growing.max_by(|a, b| b.decay_rate.total_cmp(&a.decay_rate));
-    let nutation = match modes.nutation() {
-        Some(nutation) => format!(
-            "the nutation, {} rad/s in the body, {}",
-            significant(nutation.frequency, 4),
-            fate(nutation.decay_rate)
-        ),
-        None => "there is no nutation".into(),
-    };
+    let nutation = modes.nutation().map_or_else(|| "there is no nutation".into(), nutation);
     match fastest {
         Some(mode) if !mode.nutation => format!(
             "{about} the spin is UNSTABLE: a motion of {} {}; {nutation}.",
@@ -169,6 +168,18 @@ fn sentence(name: &str, modes: &SpinModes) -> String {
         Some(_) => format!("{about} the spin is UNSTABLE: {nutation}."),
         None => format!("{about} {nutation}."),
     }
+}
+
+/// Nutation in words.
+fn nutation(nutation: &SpinMode) -> String {
+    if nutation.neutral {
+        return "the nutation is neutral to rounding and has no time constant, since the spins beside this one are steady too".into();
+    }
+    let frequency = match nutation.frequency {
+        0.0 => "which does not oscillate,".into(),
+        frequency => format!("{} rad/s in the body,", significant(frequency, 4)),
+    };
+    format!("the nutation, {frequency} {}", fate(nutation.decay_rate))
 }
 
 /// Fate of a small motion with this decay rate (1/s).
@@ -182,16 +193,16 @@ pub fn fate(decay_rate: f64) -> String {
     }
 }
 
-/// Steady spins with their modes, for a terminal of 80 columns.
-pub fn text(name: &str, spins: &[SteadySpinRecord]) -> String {
+/// Steady spins with their modes, for a terminal of 80 columns; every mode if asked for all, else the first, and overdamped ones in a line.
+pub fn text(name: &str, spins: &[SteadySpinRecord], all: bool) -> String {
     let mut text = String::new();
     for spin in spins {
-        write(&mut text, &one_line(name), spin).expect("a string takes any text");
+        write(&mut text, &one_line(name), spin, all).expect("a string takes any text");
     }
     text
 }
 
-fn write(out: &mut String, name: &str, record: &SteadySpinRecord) -> fmt::Result {
+fn write(out: &mut String, name: &str, record: &SteadySpinRecord, all: bool) -> fmt::Result {
     if !out.is_empty() {
         writeln!(out)?;
     }
@@ -202,31 +213,64 @@ fn write(out: &mut String, name: &str, record: &SteadySpinRecord) -> fmt::Result
     if let Some((name, moved)) = record.displacements.iter().max_by(|a, b| a.1.abs().total_cmp(&b.1.abs())) {
         writeln!(out, "  largest displacement {}: {}", name, significant(*moved, 3))?;
     }
-    writeln!(out, "\n  {:<24} {:>12} {:>9} {:>14}  seen from outside", "mode", "rad/s", "zeta", "e-fold")?;
-    for mode in record.modes.iter().take(LISTED) {
-        row(out, mode)?;
+    writeln!(out, "\n  {:<NAME$} {:>12} {:>9} {:>14}  seen from outside", "mode", "rad/s", "zeta", "e-fold")?;
+    let (overdamped, structural): (Vec<_>, Vec<_>) = record.modes.iter().partition(|mode| mode.overdamped);
+    let fold = !all && overdamped.len() > FEW;
+    let rows = structural.iter().chain(overdamped.iter().filter(|_| !fold));
+    let most = if all { usize::MAX } else { LISTED };
+    let count = rows.clone().count();
+    rows.take(most).try_for_each(|mode| row(out, mode))?;
+    if count > most {
+        writeln!(out, "  and {} more (--all lists them)", count - most)?;
     }
-    if record.modes.len() > LISTED {
-        writeln!(out, "  and {} more (all in JSON)", record.modes.len() - LISTED)?;
+    if fold {
+        writeln!(out, "{}", paragraph(&folded(&overdamped, &record.modes), "  ", "      "))?;
     }
     Ok(())
 }
 
+/// Overdamped modes in a line: how many, what moves, and the range of their times.
+fn folded(overdamped: &[&ModeRecord], all: &[ModeRecord]) -> String {
+    let first = |mode: &ModeRecord| {
+        let counts = |name: &str| mode.name.strip_prefix(name).is_some_and(|rest| rest.starts_with(", "));
+        all.iter()
+            .find(|other| counts(&other.name))
+            .map_or_else(|| mode.name.clone(), |other| other.name.clone())
+    };
+    let mut names: Vec<String> = overdamped.iter().map(|mode| first(mode)).collect();
+    names.sort_unstable();
+    names.dedup();
+    let more = if names.len() > SHARES { " and others" } else { "" };
+    names.truncate(SHARES);
+    let times = overdamped.iter().filter_map(|mode| mode.time_constant);
+    let (least, most) =
+        times.fold((f64::INFINITY, 0.0_f64), |(low, high), time| (low.min(time), high.max(time)));
+    format!(
+        "{} overdamped motions, of {}{more}, fall e-fold in {} to {} (--all lists them)",
+        overdamped.len(),
+        names.join(", "),
+        time(least),
+        time(most),
+    )
+}
+
 fn row(out: &mut String, mode: &ModeRecord) -> fmt::Result {
     let fold = match mode.time_constant {
+        None if mode.neutral => "neutral".into(),
         Some(constant) if constant < 0.0 => format!("GROWS {}", time(-constant)),
         Some(constant) => time(constant),
         None => "never".into(),
     };
     let [slow, fast] = mode.seen_from_outside.map(|rate| significant(rate, 4));
     let seen = if mode.frequency > 0.0 { format!("{slow}, {fast}") } else { String::new() };
-    writeln!(
-        out,
-        "  {:<24} {:>12} {:>9} {fold:>14}  {seen}",
-        mode.name,
-        significant(mode.frequency, 5),
-        significant(mode.damping_ratio, 2),
-    )?;
+    let mut name = mode.name.as_str();
+    if name.chars().count() > NAME {
+        writeln!(out, "  {name}")?;
+        name = "";
+    }
+    let [rate, zeta] =
+        [(mode.frequency, 5), (mode.damping_ratio, 2)].map(|(value, digits)| significant(value, digits));
+    writeln!(out, "  {name:<NAME$} {rate:>12} {zeta:>9} {fold:>14}  {seen}")?;
     if let Some(shares) = shares(&mode.dissipation) {
         writeln!(out, "{}", paragraph(&format!("dissipated by {shares}"), "      ", "        "))?;
     }
@@ -236,9 +280,11 @@ fn row(out: &mut String, mode: &ModeRecord) -> fmt::Result {
 /// Shares by name in words, the largest first; none if there are none.
 fn shares(shares: &std::collections::BTreeMap<String, f64>) -> Option<String> {
     let mut list: Vec<_> = shares.iter().collect();
-    list.sort_by(|a, b| b.1.total_cmp(a.1));
-    let words =
-        list.iter().take(SHARES).map(|(name, share)| format!("{name} {} %", significant(100.0 * **share, 3)));
+    list.sort_by(|a, b| b.1.abs().total_cmp(&a.1.abs()));
+    let words = list.iter().take(SHARES).map(|(name, share)| {
+        let gives = if **share < 0.0 { "gives " } else { "" };
+        format!("{name} {gives}{} %", significant(100.0 * share.abs(), 3))
+    });
     let words = words.collect::<Vec<_>>().join(", ");
     (!words.is_empty()).then_some(words)
 }

@@ -14,7 +14,7 @@ use crate::motion::placed;
 use crate::start::initial;
 use crate::steady::{fate, missing, recorded};
 use crate::study::Study;
-use crate::words::significant;
+use crate::words::{significant, tidied};
 
 /// Entry for the axis in the record of a steady state under moments.
 pub const UNDER_FORCES: &str = "under forces";
@@ -76,7 +76,7 @@ fn record(study: &Study, forces: &[Force<Marker>], modes: &SteadyModes, near: Ne
     SteadySpinRecord {
         sentence: sentence(modes, near, &subject(study, forces)),
         axis: if acts(&study.body, forces) { UNDER_FORCES } else { AT_REST }.into(),
-        spin: Some(state.omega.map(|component| tidy(component, norm(state.omega)))),
+        spin: Some(tidied(state.omega)),
         angular_momentum: Some(state.angular_momentum),
         energy: Some(state.energy),
         displacements: coordinates.map(|(coordinate, q)| (coordinate.name.clone(), *q)).collect(),
@@ -149,14 +149,9 @@ fn sentence(modes: &SteadyModes, near: Near, subject: &str) -> String {
 /// Rotation of the body, in words.
 fn rate(modes: &SteadyModes) -> String {
     let Some(axis) = modes.state.axis else { return " The body rests.".into() };
-    let axis = axis.map(|component| significant(tidy(component, 1.0), 4)).join(", ");
+    let axis = tidied(axis).map(|component| significant(component, 4)).join(", ");
     format!(
         " The body turns at {} rad/s about ({axis}), inertial axes.",
         significant(norm(modes.state.omega), 6)
     )
-}
-
-/// A component of a vector of this length, zero where it is rounding.
-fn tidy(component: f64, length: f64) -> f64 {
-    if component.abs() < 1e-9 * length { 0.0 } else { component }
 }

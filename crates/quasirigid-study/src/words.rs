@@ -5,6 +5,10 @@ use std::collections::BTreeMap;
 use crate::layout::FIRM;
 use quasirigid::model::{Displaced, FlexibleBody, HINGE_RANGE, RANGE, Reach, Watched};
 use quasirigid::reduction::{Comparison, Criterion, Validity, Verdict};
+use quasirigid_math::vec3::norm;
+
+/// Share of the length of a vector below which a component is rounding.
+const ROUNDING: f64 = 1e-9;
 
 /// A criterion in words.
 pub struct Words {
@@ -227,6 +231,12 @@ pub fn significant(value: f64, digits: i32) -> String {
     }
     let decimals = (digits - 1 - size.log10().floor() as i32).max(0) as usize;
     format!("{value:.decimals$}")
+}
+
+/// Components of a vector, zero where one is rounding beside the length.
+pub fn tidied(vector: [f64; 3]) -> [f64; 3] {
+    let least = ROUNDING * norm(vector);
+    vector.map(|component| if component.abs() < least { 0.0 } else { component })
 }
 
 /// A motion that grows at a decay rate below zero (1/s).

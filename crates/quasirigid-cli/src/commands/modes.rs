@@ -15,7 +15,7 @@ pub fn modes(arguments: &ModesArgs) -> Result<ExitStatus, Failure> {
     if arguments.common.json {
         output::print(&format!("{:#}\n", found.json(name)))?;
     } else {
-        output::print(&found.text(name))?;
+        output::print(&found.text(name, arguments.all))?;
     }
     Ok(if found.found() { ExitStatus::Done } else { ExitStatus::CheckFailed })
 }

@@ -24,6 +24,7 @@ mod left_out;
 mod methods;
 mod model_errors;
 mod modes;
+mod modes_told;
 #[cfg(unix)]
 mod odd_files;
 mod place;

@@ -26,7 +26,7 @@ pub struct SteadySpinRecord {
     pub displacements: BTreeMap<String, f64>,
     /// Whether no small motion grows.
     pub stable: bool,
-    /// The modes: the nutation first, then by ascending frequency.
+    /// The modes: the nutation first, then by ascending frequency, overdamped ones last.
     pub modes: Vec<ModeRecord>,
 }
 
@@ -52,17 +52,23 @@ pub struct CampbellRecord {
 /// A mode of a spinning body.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 pub struct ModeRecord {
-    /// `nutation`, or the coordinate that moves most.
+    /// `nutation`, or the coordinate that moves most; later ones of a name are counted: `"tip" x, second`.
     pub name: String,
     /// Whether the mode is the nutation.
     pub nutation: bool,
+    /// Whether the mode neither oscillates nor decays nor grows as far as rounding can tell.
+    #[serde(default)]
+    pub neutral: bool,
+    /// Whether the mode is an internal motion that decays with no oscillation to speak of.
+    #[serde(default)]
+    pub overdamped: bool,
     /// Decay rate (1/s), negative for a mode that grows.
     #[serde(with = "number")]
     pub decay_rate: f64,
     /// Frequency in body axes (rad/s).
     #[serde(with = "number")]
     pub frequency: f64,
-    /// Time in which the mode falls by e (s), negative for a mode that grows; none for a neutral one.
+    /// Time in which the mode falls by e (s), negative for a mode that grows; none for one that does neither.
     #[serde(with = "number")]
     pub time_constant: Option<f64>,
     /// Damping ratio.
@@ -74,7 +80,7 @@ pub struct ModeRecord {
     /// Shares of the kinetic energy, by part.
     #[serde(with = "number")]
     pub moves: BTreeMap<String, f64>,
-    /// Shares of the dissipated energy, by spring, hinge, part, material, rotor or cavity.
+    /// Shares of the dissipated energy, by spring, hinge, part, material, rotor, cavity or force; below zero for a force that gives energy.
     #[serde(with = "number")]
     pub dissipation: BTreeMap<String, f64>,
 }

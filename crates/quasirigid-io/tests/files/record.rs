@@ -192,13 +192,13 @@ prop_compose! {
 
 prop_compose! {
     fn mode()(
-        name in ".*", nutation: bool, numbers in [finite(); 5], time_constant in option::of(finite()), dissipation in shares(),
+        name in ".*", [nutation, neutral, overdamped] in any::<[bool; 3]>(), numbers in [finite(); 5], time_constant in option::of(finite()), dissipation in shares(),
         moves in shares(),
     ) -> ModeRecord {
         let [decay_rate, frequency, damping_ratio, slow, fast] = numbers;
         let seen_from_outside = [slow, fast];
         ModeRecord {
-            name, nutation, decay_rate, frequency, time_constant, damping_ratio, seen_from_outside, moves, dissipation,
+            name, nutation, neutral, overdamped, decay_rate, frequency, time_constant, damping_ratio, seen_from_outside, moves, dissipation,
         }
     }
 }

@@ -270,7 +270,8 @@ class Modes(Answer):
 
     @property
     def modes(self) -> list[dict[str, Any]]:
-        """Modes about the first steady spin, the nutation first: ``name``, ``decay_rate`` (1/s), ``frequency`` (rad/s),
+        """Modes about the first steady spin, the nutation first, overdamped ones last: ``name``, ``neutral``, ``overdamped``,
+        ``decay_rate`` (1/s), ``frequency`` (rad/s),
         ``time_constant`` (s), ``damping_ratio``, ``seen_from_outside`` (rad/s), shares ``moves`` and ``dissipation``."""
         return copy.deepcopy(self._parts["json"]["modes"])
 

@@ -10,6 +10,8 @@ use crate::number::{digits, duration, percent};
 /// Modes shown of each steady spin, and dissipators of each mode.
 const MOST: usize = 12;
 const SHARES: usize = 3;
+/// Overdamped modes up to which each has a row of its own.
+const FEW: usize = 2;
 
 /// Steady spins with the angular momentum of the start, instability first, with the small motions about them.
 pub fn section(spins: &[SteadySpinRecord], diagram: Option<&CampbellRecord>) -> Markup {
@@ -23,7 +25,12 @@ pub fn section(spins: &[SteadySpinRecord], diagram: Option<&CampbellRecord>) -> 
 }
 
 fn one(spin: &SteadySpinRecord) -> Markup {
-    let (shown, more) = first(&spin.modes, MOST);
+    let (overdamped, structural): (Vec<&ModeRecord>, Vec<&ModeRecord>) =
+        spin.modes.iter().partition(|mode| mode.overdamped);
+    let fold = overdamped.len() > FEW;
+    let rows: Vec<&ModeRecord> =
+        structural.into_iter().chain(overdamped.iter().copied().filter(|_| !fold)).collect();
+    let (shown, more) = first(&rows, MOST);
     html! {
         p { (spin.sentence) }
         @if !shown.is_empty() {
@@ -33,12 +40,22 @@ fn one(spin: &SteadySpinRecord) -> Markup {
                 html! { @for mode in shown { (row(mode)) } },
             ))
             @if let Some(more) = more { p.absent { (more) } }
+            @if fold { p.absent { (folded(&overdamped)) } }
         }
     }
 }
 
+/// Overdamped modes in a line.
+fn folded(overdamped: &[&ModeRecord]) -> String {
+    let times = overdamped.iter().filter_map(|mode| mode.time_constant);
+    let (least, most) =
+        times.fold((f64::INFINITY, 0.0_f64), |(low, high), time| (low.min(time), high.max(time)));
+    format!("{} overdamped motions fall by e in {} to {}", overdamped.len(), duration(least), duration(most))
+}
+
 fn row(mode: &ModeRecord) -> Markup {
     let fold = match mode.time_constant {
+        None if mode.neutral => "neutral".into(),
         Some(constant) if constant < 0.0 => format!("grows, {}", duration(-constant)),
         Some(constant) => duration(constant),
         None => "never".into(),
@@ -56,7 +73,7 @@ fn row(mode: &ModeRecord) -> Markup {
 
 fn shares(shares: &BTreeMap<String, f64>) -> String {
     let mut list: Vec<_> = shares.iter().collect();
-    list.sort_by(|a, b| b.1.total_cmp(a.1));
+    list.sort_by(|a, b| b.1.abs().total_cmp(&a.1.abs()));
     let words = list.iter().take(SHARES).map(|(name, share)| format!("{name} {}", percent(**share)));
     words.collect::<Vec<_>>().join(", ")
 }

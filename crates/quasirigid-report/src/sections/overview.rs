@@ -147,7 +147,7 @@ fn fate(record: &RunRecord) -> Option<(String, String)> {
 }
 
 fn time_constants(spin: &SteadySpinRecord) -> Markup {
-    let listed = spin.modes.iter().filter(|mode| mode.nutation || mode.frequency > 0.0).take(MOST);
+    let listed = spin.modes.iter().filter(|mode| !mode.overdamped).take(MOST);
     html! {
         div {
             h2 { "Time constants" }
@@ -159,6 +159,7 @@ fn time_constants(spin: &SteadySpinRecord) -> Markup {
                             @match mode.time_constant {
                                 Some(time) if time < 0.0 => { "grows, " (duration(-time)) }
                                 Some(time) => (duration(time)),
+                                None if mode.neutral => "neutral to rounding",
                                 None => "no decay",
                             }
                         }

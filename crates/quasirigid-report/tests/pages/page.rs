@@ -334,6 +334,30 @@ fn bodies_with_many_modes_stay_below_a_megabyte() {
     assert!(page.contains("and 99988 more in record.json"));
 }
 
+/// Overdamped motions are no time constants of the body: the card leaves them out, the table has them in a line.
+#[test]
+fn overdamped_motions_are_folded() {
+    let mut record = crate::support::record(40, 60.0, 1e-4);
+    let spin = &mut record.steady_spins[0];
+    let slack = ModeRecord {
+        name: "slack".into(),
+        nutation: false,
+        overdamped: true,
+        frequency: 0.0,
+        time_constant: Some(2.0),
+        ..spin.modes[0].clone()
+    };
+    spin.modes
+        .extend((0..3).map(|i| ModeRecord { time_constant: Some(2.0 + f64::from(i)), ..slack.clone() }));
+    spin.modes[0] = ModeRecord { neutral: true, time_constant: None, ..spin.modes[0].clone() };
+    let page = page(&record);
+    assert_in_order(
+        &page,
+        &["neutral to rounding", "3 overdamped motions fall by e in 2\u{a0}s to 4\u{a0}s"],
+    );
+    assert!(!page.contains("slack"));
+}
+
 #[test]
 fn what_is_missing_is_said() {
     let mut record = crate::support::without_histories();

@@ -292,6 +292,8 @@ fn steady_spins() -> Vec<SteadySpinRecord> {
     let mode = |name: &str, decay_rate: f64, frequency: f64| ModeRecord {
         name: name.into(),
         nutation: name == "nutation",
+        neutral: false,
+        overdamped: false,
         decay_rate,
         frequency,
         time_constant: Some(1.0 / decay_rate),

@@ -161,6 +161,20 @@ struct Guess {
     ratio: f64,
 }
 
+/// Share of the largest singular value below which a direction of Newton's step is neutral: steady spins lie side by side along it.
+const NEUTRAL: f64 = 1e-12;
+
+/// Shortest step of Newton's method, in units of the spin (rad/s) and of the ratio (kg·m²), rows in units of the angular momentum and one:
+/// none along a neutral direction, where every spin is steady.
+fn shortest(system: Matrix4<f64>, right: Vector4<f64>, spin: f64, ratio: f64) -> Option<Vector4<f64>> {
+    let unit = Vector4::new(spin, spin, spin, ratio.abs());
+    let row = Vector4::new(1.0, 1.0, 1.0, spin * ratio.abs()) / (spin * ratio.abs());
+    let scaled = Matrix4::from_diagonal(&row) * system * Matrix4::from_diagonal(&unit);
+    let factors = scaled.svd(true, true);
+    let step = factors.solve(&row.component_mul(&right), NEUTRAL * factors.singular_values.max()).ok()?;
+    Some(step.component_mul(&unit))
+}
+
 impl Guess {
     /// Guess from the spin of the frozen body about an axis.
     fn rigid(body: &FlexibleBody, axis: [f64; 3], given: Given) -> Self {
@@ -205,7 +219,8 @@ impl Guess {
             system.fixed_view_mut::<3, 3>(0, 0).copy_from(&(slope - ratio * Matrix3::identity()));
             system.fixed_view_mut::<3, 1>(0, 3).copy_from(&-omega);
             system.fixed_view_mut::<1, 3>(3, 0).copy_from(&gradient.transpose());
-            let step = system.lu().solve(&Vector4::new(-gap[0], -gap[1], -gap[2], -excess))?;
+            let step =
+                shortest(system, Vector4::new(-gap[0], -gap[1], -gap[2], -excess), omega.norm(), ratio)?;
             omega += step.fixed_rows::<3>(0);
             ratio += step[3];
             let sine = omega.cross(&Vector3::from(axis)).norm() / omega.norm();

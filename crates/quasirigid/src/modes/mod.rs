@@ -1,16 +1,21 @@
 //! Small motions about a steady spin: relative equilibria, and the modes of the spinning body.
 
 mod campbell;
+mod candidates;
+mod deflation;
 mod displacements;
 mod equilibrium;
 mod error;
 mod first_order;
 mod forced;
 mod iteration;
+mod lag;
 mod mode;
+mod nutation;
 mod onset;
 mod pencil;
 mod shares;
+mod slow;
 mod spectrum;
 
 pub use campbell::{CampbellError, SpinEigenvalues, campbell};

@@ -3,17 +3,21 @@
 //! whose angular momentum leaves the axis most, not the slowest one.
 //! Equations (M2) to (M5), docs/theory/15-modes.md.
 
+use std::collections::BTreeMap;
+
 use nalgebra::{Complex, Vector3};
 
+use super::candidates::{Source, candidates};
 use super::equilibrium::RelativeEquilibrium;
 use super::error::ModesError;
 use super::iteration::{Pair, belongs};
 use super::pencil::Pencil;
 use super::shares::{dissipation, form, leading, listed, moving, tellable};
-use super::spectrum::{Eigenmotion, ZERO, spectrum};
+use super::slow::SlowDirection;
+use super::spectrum::{Eigenmotion, spectrum};
 use crate::math::sym3;
-use crate::math::vec3::{self, norm, scale};
-use crate::model::{FlexibleBody, Principal, SpinCoefficients};
+use crate::math::vec3::norm;
+use crate::model::{FlexibleBody, SpinCoefficients};
 
 /// Mode of the spinning body: a small motion `e^{λt}` about a relative equilibrium, `λ = −decay_rate ± i·frequency`. (M2)
 #[derive(Clone, Debug, PartialEq)]
@@ -27,7 +31,10 @@ pub struct SpinMode {
     pub of_motion: [f64; 2],
     /// True for the nutation: the mode in which the angular momentum leaves the axis of the spin most.
     pub nutation: bool,
-    /// `nutation`, or the coordinate that moves most.
+    /// True where the motion neither decays nor grows nor oscillates as far as rounding can tell: steady spins lie side by side, and it has
+    /// no rate.
+    pub neutral: bool,
+    /// `nutation`, or the coordinate that moves most; later modes of one name are counted, `"tip" x, second`.
     pub name: String,
     /// Shares of the kinetic energy: the carrier, then each part, by name; those of 1e-3 or more.
     pub moves: Vec<(String, f64)>,
@@ -45,7 +52,7 @@ pub struct SpinMode {
 pub struct SpinModes {
     /// Steady spin.
     pub equilibrium: RelativeEquilibrium,
-    /// Modes: the nutation first, if there is one, then by ascending frequency and decay rate.
+    /// Modes: the nutation first, if there is one, then by ascending frequency and decay rate, overdamped ones last.
     pub modes: Vec<SpinMode>,
     /// Decay rates (1/s) and frequencies (rad/s) of the internal motions in the equations of motion: all but the nutation.
     pub internal: Vec<[f64; 2]>,
@@ -57,12 +64,8 @@ const REFINED: usize = 40;
 const SLOWEST: usize = 24;
 /// Number of coordinates above which the nutation is refined only for materials or liquids.
 const MANY: usize = 300;
-/// Share of the largest tilt of the angular momentum from which a mode may be the nutation.
-const CLEAR: f64 = 0.1;
 /// Share of the decay rate below which a frequency is negligible.
-const OVERDAMPED: f64 = 0.1;
-/// Logarithm of the ratio to the rigid-body frequency beyond which an oscillating mode gives way to other candidates for the nutation.
-const FAR: f64 = 1.5;
+pub(super) const OVERDAMPED: f64 = 0.1;
 /// Relative difference below which eigenvalues of a liquid are the same.
 const SAME: f64 = 1e-6;
 /// Share of the eigenvalue below which a decay rate is rounding, unless the energy balance gives it.
@@ -84,6 +87,16 @@ impl SpinMode {
         if size > 0.0 { self.decay_rate / size } else { 0.0 }
     }
 
+    /// True for an internal motion that decays with no oscillation to speak of: the body itself does not move most, and the frequency is below a
+    /// tenth of the decay rate.
+    #[must_use]
+    pub fn overdamped(&self) -> bool {
+        let share =
+            |name: &str| self.moves.iter().find(|(own, _)| own == name).map_or(0.0, |(_, share)| *share);
+        let internal = self.moves.iter().any(|(_, other)| *other > share("body"));
+        internal && !self.nutation && self.decay_rate > 0.0 && self.frequency < OVERDAMPED * self.decay_rate
+    }
+
     /// True if the mode grows.
     #[must_use]
     pub fn grows(&self) -> bool {
@@ -100,19 +113,23 @@ impl SpinModes {
         let coefficients = equilibrium.coefficients(body);
         let pencil = Pencil::new(body, &equilibrium, &coefficients);
         let spin = norm(equilibrium.omega);
-        let mut found = spectrum(body, &equilibrium, &coefficients)?;
-        found.retain(|motion| motion.lambda.norm() > ZERO * spin);
+        let slow = SlowDirection::of(body, &equilibrium, &coefficients);
+        let steady = slow.as_ref().map_or(&[][..], |slow| &slow.steady);
+        let found = spectrum(body, &equilibrium, &coefficients, steady)?;
+        let (sources, found): (Vec<Source>, Vec<Eigenmotion>) =
+            candidates(found, slow.as_ref(), (body, &coefficients, spin)).into_iter().unzip();
         let frame = Frame { body, equilibrium: &equilibrium, coefficients: &coefficients };
-        let tilts: Vec<f64> = found.iter().map(|motion| frame.tilt(motion)).collect();
-        let nutation = frame.nutation(&found, &tilts);
+        let of_direction = frame.of_direction(&found, &sources, slow.as_ref());
+        let nutation = of_direction.first().copied();
         let mut slowest: Vec<usize> = (0..found.len()).collect();
         slowest.sort_by(|a, b| found[*a].lambda.norm().total_cmp(&found[*b].lambda.norm()));
         let small = body.coordinates().len() <= REFINED;
         let many = body.coordinates().len() > MANY && !pencil.is_nonlinear();
         let again = |i: usize| {
-            small
-                || (Some(i) == nutation && !many)
-                || (pencil.is_nonlinear() && slowest[..slowest.len().min(SLOWEST)].contains(&i))
+            sources[i] == Source::Spectrum
+                && (small
+                    || (Some(i) == nutation && !many)
+                    || (pencil.is_nonlinear() && slowest[..slowest.len().min(SLOWEST)].contains(&i)))
         };
         let mut modes: Vec<SpinMode> = Vec::with_capacity(found.len());
         let mut internal = Vec::with_capacity(found.len());
@@ -133,16 +150,22 @@ impl SpinModes {
             // Relaxations of a liquid whose impedance is known are kept only where they lead to a new mode of the liquid; the nutation
             // always where it converges.
             let led_nowhere = |(lambda, _): &Pair| Some(i) != nutation && known(*lambda);
-            if pencil.has_liquids() && kept.as_ref().is_none_or(led_nowhere) {
+            let of_spectrum = sources[i] == Source::Spectrum;
+            if of_spectrum && pencil.has_liquids() && kept.as_ref().is_none_or(led_nowhere) {
                 continue;
             }
             let (lambda, x) = kept.unwrap_or(start);
-            modes.push(frame.mode(&pencil, motion.lambda, (lambda, &x), Some(i) == nutation));
+            let mut mode = frame.mode(&pencil, motion.lambda, (lambda, &x), Some(i) == nutation);
+            if !of_spectrum {
+                mode.decay_rate = -lambda.re;
+                mode.neutral = sources[i] == Source::Neutral;
+            }
+            if of_direction.contains(&i) {
+                mode.name = "nutation".to_owned();
+            }
+            modes.push(mode);
         }
-        modes.sort_by(|a, b| {
-            let order = b.nutation.cmp(&a.nutation).then(a.frequency.total_cmp(&b.frequency));
-            order.then(a.decay_rate.total_cmp(&b.decay_rate))
-        });
+        in_order(&mut modes);
         Ok(Self { equilibrium, modes, internal })
     }
 
@@ -179,18 +202,45 @@ impl SpinModes {
     }
 }
 
+/// Ordinals of modes that share a name.
+const ORDINALS: [&str; 9] =
+    ["second", "third", "fourth", "fifth", "sixth", "seventh", "eighth", "ninth", "tenth"];
+
+/// Brings modes into their order, and counts those of one name, so that every name belongs to one mode.
+pub(super) fn in_order(modes: &mut [SpinMode]) {
+    modes.sort_by(|a, b| {
+        let order = b.nutation.cmp(&a.nutation).then(a.overdamped().cmp(&b.overdamped()));
+        order.then(a.frequency.total_cmp(&b.frequency)).then(a.decay_rate.total_cmp(&b.decay_rate))
+    });
+    let mut counts: BTreeMap<String, usize> = BTreeMap::new();
+    for mode in modes {
+        let count = counts.entry(mode.name.clone()).or_default();
+        match ORDINALS.get(count.wrapping_sub(1)) {
+            _ if *count == 0 => {}
+            Some(ordinal) => mode.name = format!("{}, {ordinal}", mode.name),
+            None => mode.name = format!("{}, {}th", mode.name, *count + 1),
+        }
+        *count += 1;
+    }
+}
+
 /// Common data of the modes of a steady spin.
-struct Frame<'a> {
-    body: &'a FlexibleBody,
-    equilibrium: &'a RelativeEquilibrium,
-    coefficients: &'a SpinCoefficients,
+pub(super) struct Frame<'a> {
+    pub(super) body: &'a FlexibleBody,
+    pub(super) equilibrium: &'a RelativeEquilibrium,
+    pub(super) coefficients: &'a SpinCoefficients,
 }
 
 type Complex3 = [Complex<f64>; 3];
 
 impl Frame<'_> {
     /// Change of the angular momentum in body axes.
-    fn angular_momentum(&self, delta: Complex3, rate: &[Complex<f64>], q: &[Complex<f64>]) -> Complex3 {
+    pub(super) fn angular_momentum(
+        &self,
+        delta: Complex3,
+        rate: &[Complex<f64>],
+        q: &[Complex<f64>],
+    ) -> Complex3 {
         let SpinCoefficients { inertia, h, slopes, .. } = self.coefficients;
         let mut K = sym3::rows(*inertia).map(|row| row[0] * delta[0] + row[1] * delta[1] + row[2] * delta[2]);
         for (j, (h, u)) in h.iter().zip(slopes).enumerate() {
@@ -199,40 +249,6 @@ impl Frame<'_> {
             }
         }
         K
-    }
-
-    /// Index of the nutation: of the modes in which the angular momentum leaves the axis most, the one nearest in frequency to that of
-    /// the rigid body; an oscillating one, if near enough.
-    fn nutation(&self, found: &[Eigenmotion], tilts: &[f64]) -> Option<usize> {
-        let spin = norm(self.equilibrium.omega);
-        let axis = scale(spin.recip(), self.equilibrium.omega);
-        let J = self.coefficients.inertia;
-        let [I1, I2, I3] = Principal::compute(J).moments;
-        let along = vec3::dot(axis, sym3::times(J, axis));
-        let [A, B] = if along - I1 < I3 - along { [I2, I3] } else { [I1, I2] };
-        let rigid = spin * ((along - A) * (along - B) / (A * B)).abs().sqrt();
-        let near = |i: &usize| (found[*i].lambda.norm() / rigid).ln().abs();
-        let nearest = |candidates: &[usize]| {
-            let most = candidates.iter().map(|i| tilts[*i]).fold(0.0, f64::max);
-            let clear = candidates.iter().copied().filter(|i| tilts[*i] >= CLEAR * most);
-            clear.min_by(|a, b| near(a).total_cmp(&near(b)))
-        };
-        let all: Vec<usize> = (0..found.len()).collect();
-        let swings = |i: &usize| found[*i].lambda.im.abs() > OVERDAMPED * found[*i].lambda.re.abs();
-        let swinging: Vec<usize> = all.iter().copied().filter(swings).collect();
-        nearest(&swinging).filter(|i| near(i) < FAR).or_else(|| nearest(&all))
-    }
-
-    /// Square of the tilt of the angular momentum from the axis, per kinetic energy of the mode.
-    fn tilt(&self, motion: &Eigenmotion) -> f64 {
-        let Eigenmotion { delta, rate, q, .. } = motion;
-        let spin = norm(self.equilibrium.omega);
-        let axis = scale(spin.recip(), self.equilibrium.omega);
-        let K = self.angular_momentum(*delta, rate, q);
-        let along = K[0] * axis[0] + K[1] * axis[1] + K[2] * axis[2];
-        let across: f64 = (0..3).map(|i| (K[i] - along * axis[i]).norm_sqr()).sum();
-        let energy = kinetic(&moving(self.body, self.coefficients, *delta, rate, &[]));
-        if energy > 0.0 { across / (self.equilibrium.ratio.abs() * energy) } else { 0.0 }
     }
 
     fn mode(
@@ -263,6 +279,7 @@ impl Frame<'_> {
             frequency: if lambda.im.abs() > ROUNDING * lambda.norm() { lambda.im.abs() } else { 0.0 },
             of_motion: [-of_motion.re, of_motion.im],
             nutation,
+            neutral: false,
             name,
             moves: if kinetic > 0.0 { listed(moved, kinetic) } else { Vec::new() },
             dissipation: if total > 0.0 && told { listed(lost, total) } else { Vec::new() },
@@ -330,6 +347,6 @@ impl Frame<'_> {
 /// Share of the kinetic energy below which a second variation is lost in rounding.
 const CANCELLED: f64 = 1e-7;
 
-fn kinetic(parts: &[(String, f64)]) -> f64 {
+pub(super) fn kinetic(parts: &[(String, f64)]) -> f64 {
     parts.iter().map(|(_, energy)| energy).sum()
 }

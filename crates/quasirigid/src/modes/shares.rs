@@ -115,6 +115,14 @@ pub(super) fn listed(list: Vec<(String, f64)>, sum: f64) -> Vec<(String, f64)> {
     shares.filter(|(_, share)| *share >= SHOWN).collect()
 }
 
+/// Shares of what is taken from a motion in all, or given to it where that is more; negative for what gives.
+pub(super) fn balance(list: Vec<(String, f64)>) -> Vec<(String, f64)> {
+    let sum = |sign: f64| list.iter().map(|(_, power)| (sign * power).max(0.0)).sum::<f64>();
+    let whole = sum(1.0).max(sum(-1.0));
+    let shares = list.into_iter().map(|(name, power)| (name, power / whole));
+    shares.filter(|(_, share)| share.abs() >= SHOWN).collect()
+}
+
 /// True if shares of the dissipation are defined: the impedance of a liquid contains stored energy too, which a fast decay gives back.
 pub(super) fn tellable(lambda: Complex<f64>, liquids: usize, dissipators: usize) -> bool {
     liquids == 0 || dissipators == 1 || lambda.re.abs() <= SLOW * lambda.norm()

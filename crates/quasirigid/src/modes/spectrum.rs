@@ -1,13 +1,14 @@
 //! Linear eigenproblem of small motions about a steady spin: eigenvalues with their motions.
 //! Equation (M2), docs/theory/15-modes.md.
 
-use nalgebra::Complex;
+use nalgebra::{Complex, DMatrix};
 
+use super::deflation::{Pair, without};
 use super::displacements::WHOLE;
 use super::equilibrium::RelativeEquilibrium;
 use super::error::ModesError;
 use super::first_order::FirstOrder;
-use crate::math::eigen::eigenvectors;
+use crate::math::eigen::NoConvergence;
 use crate::model::{FlexibleBody, SpinCoefficients};
 
 /// Small motion `e^{λt}`: angular velocity, rates and displacements of all coordinates.
@@ -22,7 +23,8 @@ pub(super) struct Eigenmotion {
 /// Share of the spin below which an eigenvalue is zero: a change of `|K|`, or of the direction in a body without a preferred one.
 pub(super) const ZERO: f64 = 1e-7;
 
-/// Eigenvalues of the linear equations in first order with their motions, those with `Im λ ≥ 0`. (M2)
+/// Eigenvalues of the linear equations in first order with their motions, those with `Im λ ≥ 0`, without the zeros of the steady spins
+/// beside this one, which are given as changes of the angular velocity. (M2), (M12)
 ///
 /// # Errors
 /// [`ModesError`] if the eigenvalue solver fails, or the mass matrix is not positive.
@@ -30,8 +32,9 @@ pub(super) fn spectrum(
     body: &FlexibleBody,
     equilibrium: &RelativeEquilibrium,
     coefficients: &SpinCoefficients,
+    steady: &[[f64; 3]],
 ) -> Result<Vec<Eigenmotion>, ModesError> {
-    within(body, equilibrium, coefficients, WHOLE)
+    within(body, equilibrium, coefficients, (steady, WHOLE))
 }
 
 /// Spectrum with all displacements of a body of up to `whole` elastic coordinates.
@@ -39,17 +42,19 @@ fn within(
     body: &FlexibleBody,
     equilibrium: &RelativeEquilibrium,
     coefficients: &SpinCoefficients,
-    whole: usize,
+    (steady, whole): (&[[f64; 3]], usize),
 ) -> Result<Vec<Eigenmotion>, ModesError> {
     let FirstOrder { matrix, inverse, basis } = FirstOrder::of(body, equilibrium, coefficients, whole)?;
     let (elastic, moving) = (basis.units.len(), inverse.nrows());
-    let (values, vectors) = eigenvectors(&matrix)?;
-    let motion = |(value, vector): (&[f64; 2], &Vec<[f64; 2]>)| {
-        let entries: Vec<Complex<f64>> = vector.iter().map(|[re, im]| Complex::new(*re, *im)).collect();
+    let size = moving + elastic;
+    let matrix = DMatrix::from_fn(size, size, |row, column| matrix.at(row, column));
+    let null = null_vectors(&matrix, &inverse, steady).ok_or(NoConvergence { size })?;
+    let found = without(&matrix, &null)?;
+    let motion = |(lambda, vector): Pair| {
+        let entries = vector.as_slice();
         let velocities: Vec<Complex<f64>> = (0..moving)
             .map(|row| (0..moving).map(|column| entries[column] * inverse[(row, column)]).sum())
             .collect();
-        let lambda = Complex::new(value[0], value[1]);
         let displaced: Vec<Complex<f64>> =
             entries[moving..].iter().zip(&basis.units).map(|(entry, unit)| entry / *unit).collect();
         let mut q = basis.lifted(&displaced);
@@ -59,7 +64,26 @@ fn within(
         rate.extend(loose);
         Eigenmotion { lambda, delta: [velocities[0], velocities[1], velocities[2]], rate, q }
     };
-    Ok(values.iter().zip(&vectors).filter(|(value, _)| value[1] >= 0.0).map(motion).collect())
+    Ok(found.into_iter().filter(|(lambda, _)| lambda.im >= 0.0).map(motion).collect())
+}
+
+/// Null vectors of the equations in first order, one per column and of unit length: changes of the angular velocity with the displacements
+/// that balance them, all rates zero.
+fn null_vectors(matrix: &DMatrix<f64>, inverse: &DMatrix<f64>, steady: &[[f64; 3]]) -> Option<DMatrix<f64>> {
+    let (size, moving, count) = (matrix.nrows(), inverse.nrows(), steady.len());
+    let turned = DMatrix::from_fn(moving, count, |row, k| if row < 3 { steady[k][row] } else { 0.0 });
+    let velocities = inverse.solve_upper_triangular(&turned)?;
+    let mut null = DMatrix::zeros(size, count);
+    null.rows_mut(0, moving).copy_from(&velocities);
+    if size > moving {
+        let per_displacement = matrix.view((0, moving), (moving, size - moving)).into_owned().qr();
+        let load = per_displacement.q().transpose() * -matrix.view((0, 0), (moving, moving)) * velocities;
+        null.rows_mut(moving, size - moving).copy_from(&per_displacement.r().solve_upper_triangular(&load)?);
+    }
+    null.column_iter_mut().for_each(|mut column| {
+        column.normalize_mut();
+    });
+    Some(null)
 }
 
 #[cfg(test)]
@@ -76,7 +100,7 @@ mod tests {
         let steady = RelativeEquilibrium::near(&body, axis, Given::Rate(0.3)).unwrap();
         let coefficients = steady.coefficients(&body);
         let slow = |whole: usize| {
-            let mut found = within(&body, &steady, &coefficients, whole).unwrap();
+            let mut found = within(&body, &steady, &coefficients, (&[], whole)).unwrap();
             found.retain(|motion| motion.lambda.norm() > 1e-6);
             found.sort_by(|a, b| a.lambda.norm().total_cmp(&b.lambda.norm()));
             found.truncate(8);

@@ -41,6 +41,8 @@ const LEAST: f64 = 1e-4;
 const STEP: f64 = 1.25;
 /// Smallest motion, relative to the steady spin, in whose terms a defect is told: a smaller one is rounding.
 const LEAST_MOTION: f64 = 1e-9;
+/// Rounding of the power left at a point, over the power `E|ω|` of the loads of the steady spin.
+const ROUNDED: f64 = 8.0 * f64::EPSILON;
 /// Halvings that locate the edge of the range.
 const HALVINGS: usize = 12;
 
@@ -96,8 +98,8 @@ impl SpinManifold<'_> {
             power += dissipation(self.body, &residual);
         }
         let share = |part: f64, whole: f64| if part == 0.0 { 0.0 } else { part / whole };
-        let told =
-            (f64::abs(excess) - f64::EPSILON * self.steady_energy().abs() * norm(self.spin.omega)).max(0.0);
+        let rounding = ROUNDED * PHASES as f64 * self.steady_energy().abs() * norm(self.spin.omega);
+        let told = (f64::abs(excess) - rounding).max(0.0);
         let least = LEAST_MOTION * self.rate() * norm(self.spin.omega) / self.spin.linear.scales[0];
         Defect { motion: left / motion.max(least), power: share(told, power) }
     }

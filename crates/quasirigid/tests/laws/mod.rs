@@ -34,6 +34,7 @@ mod invariants;
 mod lagrangian;
 mod mechanisms;
 mod multirevolution;
+mod neutral_modes;
 mod nutation;
 mod orbits;
 mod orders;

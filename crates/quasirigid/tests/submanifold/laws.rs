@@ -5,6 +5,7 @@ use quasirigid::dynamics::{Observer, Options, Sample};
 use quasirigid::elements::Assembly;
 use quasirigid::model::FlexibleBody;
 use quasirigid::modes::{Given, RelativeEquilibrium, SpinModes};
+use quasirigid::prelude::{CARRIER, Carrier, Point, Spring};
 use quasirigid::submanifold::{SpinManifold, SpinManifoldPlan, Style, propagate_on_manifold};
 use quasirigid_math::rotation::ALIGNED;
 use quasirigid_math::vec3::norm;
@@ -170,4 +171,19 @@ fn the_dissipators_share_what_a_history_takes() {
         let (found, expected) = (energy / sum, own / power.power);
         assert!((found - expected).abs() < 0.02 * expected, "{name}: {found} {expected}");
     }
+}
+
+/// A defect is no rounding: a stiff body has the same range with structural damping and with a hundredth of that, where the loss at small
+/// amplitudes is below the rounding of the energy. (W11)
+#[test]
+fn the_range_does_not_depend_on_light_damping() {
+    let ranges = [20.0, 1.0, 0.2].map(|damping| {
+        let mut hub = Assembly::default().with(Carrier::principal(40.0, [9.0, 13.0, 16.0]));
+        let tip = hub.add(Point::new("tip", 5.0, [0.4, 1.0, 0.5]));
+        hub.add(Spring::isotropic(5000.0, damping).between(tip, CARRIER));
+        let body = body_of(&hub);
+        derived(&body, &plan(&body, 1.5, 5)).range(0.01).nutation
+    });
+    assert!(ranges[0] > 0.1, "{ranges:?}");
+    assert!(ranges.iter().all(|range| (range / ranges[0] - 1.0).abs() < 0.02), "{ranges:?}");
 }

@@ -147,7 +147,10 @@ impl<'a> Ground<'a> {
     pub fn haste(&self, ends: [RotationState; 2]) -> f64 {
         let haste = |stage: RotationState| {
             let nutation = self.poles.of_mode(stage.mode).and_then(|pole| pole.modes.nutation());
-            nutation.map_or(f64::INFINITY, |mode| mode.decay_rate.abs() * TAU / mode.frequency)
+            nutation.map_or(f64::INFINITY, |mode| match mode.decay_rate {
+                0.0 => 0.0,
+                decay => decay.abs() * TAU / mode.frequency,
+            })
         };
         haste(ends[0]).max(haste(ends[1]))
     }

@@ -16,8 +16,8 @@ use super::whole_body_names::{NamedMotion, named};
 use crate::model::force::{Force, ForceLaw};
 use crate::model::{FlexibleBody, Marker};
 use crate::modes::iteration::{belongs, inverse_iteration};
-use crate::modes::mode::SpinMode;
-use crate::modes::shares::{dissipation, leading, listed, moving, tellable};
+use crate::modes::mode::{SpinMode, in_order};
+use crate::modes::shares::{balance, dissipation, leading, listed, moving, tellable};
 
 type C = Complex<f64>;
 
@@ -26,7 +26,7 @@ type C = Complex<f64>;
 pub struct SteadyModes {
     /// The steady state.
     pub state: SteadyState,
-    /// The modes by ascending frequency and decay rate.
+    /// The modes by ascending frequency and decay rate, the nutation first and overdamped ones last.
     pub modes: Vec<SpinMode>,
     /// Number of neutral motions: constant, or with constant rate, beyond those of every such state, which are the rotation about its
     /// axis and the change of a free rate.
@@ -58,14 +58,9 @@ impl SteadyModes {
         let attitude = state.turning != Turning::Own;
         let (found, zeros) = spectrum(body, &system, attitude)?;
         let pencil = Pencil::new(body, &system, attitude, followed);
-        let drags = forces
-            .iter()
-            .filter(|force| matches!(force.law, ForceLaw::Drag { .. } | ForceLaw::SpinDrag { .. }));
-        let drag = |force: &Force<Marker>| {
-            (
-                force.name.clone(),
-                Slopes::of(body, std::slice::from_ref(force), &instant).by - support(body, &instant),
-            )
+        let exchange = |force: &Force<Marker>| {
+            let slopes = Slopes::of(body, std::slice::from_ref(force), &instant).by - support(body, &instant);
+            Some(Exchange { name: exchanging(force)?, drag: is_drag(&force.law), slopes })
         };
         let about = About {
             body,
@@ -74,17 +69,12 @@ impl SteadyModes {
             pencil: &pencil,
             attitude,
             conservative: attitude && !followed && forces.iter().all(|force| has_potential(&force.law)),
-            drags: drags.map(drag).collect(),
+            exchanges: forces.iter().filter_map(exchange).collect(),
         };
-        let mut modes = about.modes(&found);
-        modes.sort_by(|a, b| {
-            a.mode
-                .frequency
-                .total_cmp(&b.mode.frequency)
-                .then(a.mode.decay_rate.total_cmp(&b.mode.decay_rate))
-        });
+        let modes = about.modes(&found);
         let axis = state.axis.map(|axis| crate::math::rotation::Turn::of(state.attitude).to_body(axis));
-        let modes = named(modes, &state, axis);
+        let mut modes = named(modes, &state, axis);
+        in_order(&mut modes);
         let usual = match state.turning {
             Turning::About(_) => 2,
             Turning::Own => 1,
@@ -104,6 +94,28 @@ impl SteadyModes {
     pub fn seen_from_outside(&self, mode: &SpinMode) -> [f64; 2] {
         let spin = crate::math::vec3::norm(self.state.omega);
         [(mode.frequency - spin).abs(), mode.frequency + spin]
+    }
+}
+
+/// Force that takes energy from small motions, or gives it, with the slopes of its loads.
+struct Exchange {
+    name: String,
+    drag: bool,
+    slopes: DMatrix<f64>,
+}
+
+fn is_drag(law: &ForceLaw<Marker>) -> bool {
+    matches!(law, ForceLaw::Drag { .. } | ForceLaw::SpinDrag { .. })
+}
+
+/// Name among the dissipators of a force that depends on velocities, or is given by a formula; none of the others.
+fn exchanging(force: &Force<Marker>) -> Option<String> {
+    match &force.law {
+        law if is_drag(law) => Some(format!("drag {:?}", force.name)),
+        ForceLaw::Expression { .. } | ForceLaw::TorqueExpression { .. } => {
+            Some(format!("force {:?}", force.name))
+        }
+        _ => None,
     }
 }
 
@@ -139,8 +151,7 @@ struct About<'a> {
     pencil: &'a Pencil<'a>,
     attitude: bool,
     conservative: bool,
-    /// Slopes of the loads of each drag, by name.
-    drags: Vec<(String, DMatrix<f64>)>,
+    exchanges: Vec<Exchange>,
 }
 
 impl About<'_> {
@@ -177,13 +188,10 @@ impl About<'_> {
             self.pencil.liquids(x).map(|(liquid, angles)| (liquid, lambda, angles)).collect();
         let mut lost = dissipation(self.body, self.state.omega, lambda, &q, &liquids);
         let inside: f64 = lost.iter().map(|(_, power)| power).sum();
-        let mut velocities = delta.to_vec();
-        velocities.extend(&rate);
-        for (name, slopes) in &self.drags {
-            let power = -form(&self.velocities(slopes), &velocities, &velocities).re;
-            lost.push((format!("drag {name:?}"), power));
+        let turn = self.attitude.then(|| [x[0], x[1], x[2]]);
+        for exchange in &self.exchanges {
+            lost.push((exchange.name.clone(), self.taken(exchange, (delta, &rate), (turn, &q))));
         }
-        let total: f64 = lost.iter().map(|(_, power)| power).sum();
         let moved = moving(self.body, &self.system.coefficients, delta, &rate, &liquids);
         let kinetic: f64 = moved.iter().map(|(_, energy)| energy).sum();
         let carried = moved.iter().all(|(name, energy)| name == "body" || *energy <= moved[0].1);
@@ -202,14 +210,35 @@ impl About<'_> {
             },
             of_motion: [-of_motion.re, of_motion.im],
             nutation: false,
+            neutral: false,
             name,
             moves: if kinetic > 0.0 { listed(moved, kinetic) } else { Vec::new() },
-            dissipation: if total > 0.0 && told { listed(lost, total) } else { Vec::new() },
+            dissipation: if told { balance(lost) } else { Vec::new() },
             omega: delta.map(|entry| [entry.re, entry.im]),
             shape: q.iter().map(|entry| [entry.re, entry.im]).collect(),
         };
-        let turn = self.attitude.then(|| [x[0], x[1], x[2]]);
         NamedMotion { mode, turn, carried }
+    }
+
+    /// Twice the mean power that a force takes from a motion: by its slopes by the velocities, and by the part of those by the displacements
+    /// that has no potential. (M5)
+    fn taken(
+        &self,
+        Exchange { drag, slopes, .. }: &Exchange,
+        (delta, rate): ([C; 3], &[C]),
+        (turn, q): (Option<[C; 3]>, &[C]),
+    ) -> f64 {
+        let mut velocities = delta.to_vec();
+        velocities.extend(rate);
+        let power = form(&self.velocities(slopes), &velocities, &velocities).re;
+        if *drag {
+            return -power;
+        }
+        let mut displaced = turn.unwrap_or([C::from(0.0); 3]).to_vec();
+        displaced.extend(q);
+        let by = self.displacements(slopes);
+        let circulatory = 0.5 * (&by - by.transpose());
+        -power - form(&circulatory, &velocities, &displaced).re
     }
 
     fn energy(&self, j: usize, rate: &[C]) -> f64 {
@@ -254,7 +283,7 @@ impl About<'_> {
         let m = form(&mass, &y, &y).re;
         let gyroscopic = (form(&mass, &y, &z) + form(&rate, &y, &y)).im;
         let mut lost = b * inside / lambda.norm_sqr();
-        for (_, slopes) in &self.drags {
+        for Exchange { slopes, .. } in self.exchanges.iter().filter(|exchange| exchange.drag) {
             let velocities = self.velocities(slopes);
             lost -= b * form(&velocities, &y, &y).re;
             lost -= (form(&velocities, &y, &z) + form(&self.displacements(slopes), &y, &y)).im;

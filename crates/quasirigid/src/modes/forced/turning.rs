@@ -6,7 +6,7 @@ use nalgebra::Vector3;
 
 use super::error::SteadyError;
 use crate::math::taylor::Taylor;
-use crate::model::force::{Axes, Force, ForceLaw, MagneticField, Orbit};
+use crate::model::force::{Axes, Force, ForceLaw, MagneticField, Orbit, VARIABLES};
 use crate::model::{FlexibleBody, Marker, Support};
 
 type V = Vector3<f64>;
@@ -55,6 +55,14 @@ fn feels_velocity(law: &ForceLaw<Marker>) -> bool {
 /// True if a formula of a law uses one of these variables.
 fn uses(law: &ForceLaw<Marker>, mut variables: Range<usize>) -> bool {
     law.formulas().is_some_and(|formulas| variables.any(|i| formulas.iter().any(|formula| formula.uses(i))))
+}
+
+/// True if a law is a torque in body axes by a formula of the angular velocity alone, as that of a rate controller: no direction in space
+/// matters to it.
+fn turns_with_body(law: &ForceLaw<Marker>) -> bool {
+    matches!(law, ForceLaw::TorqueExpression { axes: Axes::Body, .. })
+        && !uses(law, 0..7)
+        && !uses(law, 10..VARIABLES)
 }
 
 /// True if a law depends on the place or the velocity of its point of action.
@@ -180,7 +188,7 @@ impl Found {
                 if body.translation().is_some() && uses(law, 0..3) {
                     return Err(SteadyError::Placed { name: force.name.clone() });
                 }
-                self.unknown = true;
+                self.unknown |= !turns_with_body(law);
             }
         }
         Ok(())

@@ -40,7 +40,29 @@ pub(super) fn named(
     if let (Some(axis), Turning::About(_)) = (axis, &state.turning) {
         top(&mut motions, axis, norm(state.omega));
     }
+    if state.turning == Turning::Own && norm(state.omega) > 0.0 {
+        nutation(&mut motions, state);
+    }
     motions.into_iter().map(|motion| motion.mode).collect()
+}
+
+/// Names the motion of the whole body across the axis of its spin, where no force depends on the attitude: the slowest that oscillates, else
+/// all of those that do not, the slowest first.
+fn nutation(motions: &mut [NamedMotion], state: &SteadyState) {
+    let axis = state.omega.map(|component| component / norm(state.omega));
+    let across = |motion: &&mut NamedMotion| {
+        let delta = motion.mode.omega.map(|[re, im]| Complex::new(re, im));
+        motion.carried && about(delta, axis) <= 1.0 - CLEAR
+    };
+    let mut found: Vec<&mut NamedMotion> = motions.iter_mut().filter(across).collect();
+    let swings = |motion: &NamedMotion| motion.mode.frequency > 0.0;
+    let size = |motion: &NamedMotion| (!swings(motion), motion.mode.frequency.hypot(motion.mode.decay_rate));
+    found.sort_by(|a, b| size(a).0.cmp(&size(b).0).then(size(a).1.total_cmp(&size(b).1)));
+    let last = if found.first().is_some_and(|first| swings(first)) { 1 } else { found.len() };
+    for (place, motion) in found.into_iter().take(last).enumerate() {
+        motion.mode.nutation = place == 0;
+        motion.mode.name = "nutation".into();
+    }
 }
 
 /// Share of a rotation that is about an axis.

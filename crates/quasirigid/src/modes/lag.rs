@@ -1,0 +1,130 @@
+//! Lag of the internal coordinates behind a motion of the direction of spin, exact at any eigenvalue. (M14)
+
+use nalgebra::{Complex, DMatrix, Matrix3, Vector3};
+
+use super::spectrum::Eigenmotion;
+use crate::model::{FlexibleBody, SpinCoefficients, Viscoelastic};
+
+type C = Complex<f64>;
+
+/// Equations of the internal coordinates at a given motion of the body: those of the elastic ones, and of the rates of cyclic ones. (M14)
+pub(super) struct Lag<'a> {
+    /// Angular momentum per rate, one coordinate per row.
+    h: DMatrix<C>,
+    /// Change of the angular momentum with each elastic coordinate.
+    slopes: DMatrix<C>,
+    mass: DMatrix<C>,
+    /// `B + G`.
+    velocity: DMatrix<C>,
+    /// `C − N` of the elastic coordinates.
+    stiffness: DMatrix<C>,
+    materials: Vec<(&'a Viscoelastic, DMatrix<C>)>,
+    /// Static displacements per angular velocity.
+    still: DMatrix<C>,
+}
+
+/// Response to a motion `e^{λt}` per angular velocity.
+pub(super) struct Lagging {
+    /// Eigenvalue (1/s).
+    pub lambda: C,
+    /// Angular momentum per rate of the angular velocity, `L(λ)` (kg·m²·s).
+    pub momentum: Matrix3<C>,
+    /// Elastic displacements.
+    displaced: DMatrix<C>,
+    /// Displacements of the cyclic coordinates.
+    turned: DMatrix<C>,
+}
+
+/// Number of coordinates up to which the response is found.
+const MOST: usize = 150;
+
+impl<'a> Lag<'a> {
+    /// None of a body with liquids of an impedance, and of large ones.
+    pub fn of(body: &'a FlexibleBody, coefficients: &SpinCoefficients) -> Option<Self> {
+        let SpinCoefficients { mass, h, slopes, gyroscopic, centrifugal, .. } = coefficients;
+        let (n, elastic) = (h.len(), body.elastic());
+        if !body.memories().is_empty() || n > MOST {
+            return None;
+        }
+        let block = |list: &[[f64; 3]]| DMatrix::from_fn(list.len(), 3, |j, axis| C::from(list[j][axis]));
+        let mut velocity = DMatrix::from_fn(n, n, |j, k| C::from(gyroscopic.at(j, k)));
+        body.damping().iter().for_each(|(j, k, B)| velocity[(j, k)] += B);
+        let within = |j: usize, k: usize| j < elastic && k < elastic;
+        let mut stiffness = DMatrix::from_fn(elastic, elastic, |j, k| C::from(-centrifugal.at(j, k)));
+        for (j, k, C) in body.stiffness().iter().filter(|(j, k, _)| within(*j, *k)) {
+            stiffness[(j, k)] += C;
+        }
+        let material = |viscoelastic: &'a Viscoelastic| {
+            let mut own = DMatrix::zeros(elastic, elastic);
+            for (j, k, C) in viscoelastic.stiffness.iter().filter(|(j, k, _)| within(*j, *k)) {
+                own[(j, k)] += C::from(*C);
+            }
+            (viscoelastic, own)
+        };
+        let slopes = block(&slopes[..elastic]);
+        let still = if elastic > 0 { stiffness.clone().lu().solve(&slopes)? } else { slopes.clone() };
+        Some(Self {
+            h: block(h),
+            slopes,
+            mass: DMatrix::from_fn(n, n, |j, k| C::from(mass.at(j, k))),
+            velocity,
+            stiffness,
+            materials: body.viscoelastic().iter().map(material).collect(),
+            still,
+        })
+    }
+
+    /// True if a material depends on the frequency by a law of its own.
+    pub fn has_materials(&self) -> bool {
+        !self.materials.is_empty()
+    }
+
+    /// Response at an eigenvalue that is not zero; none where it has no finite value, as for a cyclic coordinate without friction at rest.
+    ///
+    /// The static part is split off before the division by `λ`, so that no digit is lost however slow the motion is.
+    pub fn at(&self, lambda: C) -> Option<Lagging> {
+        let (n, elastic) = (self.h.nrows(), self.still.nrows());
+        let dynamic = &self.mass * lambda + &self.velocity;
+        let mut equations = dynamic.clone();
+        let mut displaced = equations.columns_mut(0, elastic);
+        displaced *= lambda;
+        let mut own = equations.view_mut((0, 0), (elastic, elastic));
+        own += &self.stiffness;
+        let mut load = -(&self.h + dynamic.columns(0, elastic) * &self.still);
+        for (viscoelastic, stiffness) in &self.materials {
+            let [re, im] = viscoelastic.rheology.continued([lambda.re, lambda.im]);
+            let factor = C::new(re - 1.0, im);
+            own += stiffness * factor;
+            let mut loaded = load.rows_mut(0, elastic);
+            loaded -= stiffness * &self.still * (factor / lambda);
+        }
+        let late = if n > 0 { equations.lu().solve(&load)? } else { load };
+        let displaced = &self.still + late.rows(0, elastic) * lambda;
+        let turned = late.rows(elastic, n - elastic).into_owned();
+        let momentum = self.slopes.transpose() * late.rows(0, elastic)
+            + self.h.rows(0, elastic).transpose() * &displaced
+            + self.h.rows(elastic, n - elastic).transpose() * &turned;
+        let momentum = momentum.fixed_view::<3, 3>(0, 0).into_owned();
+        let finite = momentum.iter().all(|entry| entry.re.is_finite() && entry.im.is_finite());
+        finite.then_some(Lagging { lambda, momentum, displaced, turned })
+    }
+}
+
+impl Lagging {
+    /// The same displacements in a motion without a rate.
+    pub fn standing(self) -> Self {
+        Self { lambda: C::from(0.0), ..self }
+    }
+
+    /// Motion of all coordinates with a change of the angular velocity.
+    pub fn motion(&self, delta: Vector3<C>) -> Eigenmotion {
+        let q: Vec<C> =
+            (&self.displaced * delta).iter().chain((&self.turned * delta).iter()).copied().collect();
+        Eigenmotion {
+            lambda: self.lambda,
+            delta: delta.into(),
+            rate: q.iter().map(|q| self.lambda * q).collect(),
+            q,
+        }
+    }
+}

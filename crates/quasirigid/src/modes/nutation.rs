@@ -1,0 +1,88 @@
+//! Motions of the direction of spin among those of a spectrum: the nutation, and its partner about the middle axis.
+
+use nalgebra::Complex;
+
+use super::candidates::Source;
+use super::mode::{Frame, OVERDAMPED, kinetic};
+use super::shares::moving;
+use super::slow::SlowDirection;
+use super::spectrum::Eigenmotion;
+use crate::math::sym3;
+use crate::math::vec3::{self, norm, scale};
+use crate::model::Principal;
+
+/// Share of the largest tilt of the angular momentum from which a mode may be the nutation.
+const CLEAR: f64 = 0.1;
+/// Logarithm of the ratio to the rigid-body frequency beyond which an oscillating mode gives way to other candidates for the nutation.
+const FAR: f64 = 1.5;
+
+impl Frame<'_> {
+    /// Indices of the motions of the direction of spin, the nutation first: none for a body like a sphere, two where one grows and one
+    /// decays without oscillation.
+    pub(super) fn of_direction(
+        &self,
+        found: &[Eigenmotion],
+        sources: &[Source],
+        slow: Option<&SlowDirection>,
+    ) -> Vec<usize> {
+        let tilts: Vec<f64> = found.iter().map(|motion| self.tilt(motion)).collect();
+        let known = sources.iter().take_while(|source| **source != Source::Spectrum).count();
+        let mut indices: Vec<usize> = match slow {
+            Some(slow) if slow.neutral() == 2 => Vec::new(),
+            _ if known > 0 => (0..known).collect(),
+            _ => self.nutation(found, &tilts),
+        };
+        indices.sort_by(|a, b| found[*b].lambda.re.total_cmp(&found[*a].lambda.re));
+        indices
+    }
+
+    /// Indices of the nutation: of the modes in which the angular momentum leaves the axis most, the one nearest in frequency to that of
+    /// the rigid body; an oscillating one, if near enough. About the middle axis, where the rigid body leaves it and returns to it without
+    /// oscillation, two of opposite sign.
+    fn nutation(&self, found: &[Eigenmotion], tilts: &[f64]) -> Vec<usize> {
+        let spin = norm(self.equilibrium.omega);
+        let axis = scale(spin.recip(), self.equilibrium.omega);
+        let J = self.coefficients.inertia;
+        let along = vec3::dot(axis, sym3::times(J, axis));
+        let mut across = Principal::compute(J).moments;
+        across.sort_by(|a, b| (b - along).abs().total_cmp(&(a - along).abs()));
+        let [A, B, _] = across;
+        let product = (along - A) * (along - B) / (A * B);
+        let rigid = spin * product.abs().sqrt();
+        let near = |i: &usize| (found[*i].lambda.norm() / rigid).ln().abs();
+        let most = |candidates: &[usize]| candidates.iter().map(|i| tilts[*i]).fold(0.0, f64::max);
+        let nearest = |candidates: &[usize]| {
+            let most = most(candidates);
+            let clear = candidates.iter().copied().filter(|i| tilts[*i] >= CLEAR * most);
+            clear.min_by(|a, b| near(a).total_cmp(&near(b)))
+        };
+        let all: Vec<usize> = (0..found.len()).collect();
+        let of = |keep: &dyn Fn(Complex<f64>) -> bool| -> Vec<usize> {
+            all.iter().copied().filter(|i| keep(found[*i].lambda)).collect()
+        };
+        if product < 0.0 {
+            let [away, back] = [
+                of(&|lambda| lambda.im == 0.0 && lambda.re > 0.0),
+                of(&|lambda| lambda.im == 0.0 && lambda.re < 0.0),
+            ];
+            let pair = [nearest(&away).filter(|i| near(i) < FAR), nearest(&back).filter(|i| near(i) < FAR)];
+            if let [Some(away), Some(back)] = pair {
+                return vec![away, back];
+            }
+        }
+        let swinging = of(&|lambda| lambda.im.abs() > OVERDAMPED * lambda.re.abs());
+        nearest(&swinging).filter(|i| near(i) < FAR).or_else(|| nearest(&all)).into_iter().collect()
+    }
+
+    /// Square of the tilt of the angular momentum from the axis, per kinetic energy of the mode.
+    fn tilt(&self, motion: &Eigenmotion) -> f64 {
+        let Eigenmotion { delta, rate, q, .. } = motion;
+        let spin = norm(self.equilibrium.omega);
+        let axis = scale(spin.recip(), self.equilibrium.omega);
+        let K = self.angular_momentum(*delta, rate, q);
+        let along = K[0] * axis[0] + K[1] * axis[1] + K[2] * axis[2];
+        let across: f64 = (0..3).map(|i| (K[i] - along * axis[i]).norm_sqr()).sum();
+        let energy = kinetic(&moving(self.body, self.coefficients, *delta, rate, &[]));
+        if energy > 0.0 { across / (self.equilibrium.ratio.abs() * energy) } else { 0.0 }
+    }
+}

@@ -85,8 +85,8 @@ fn text_names_times_criteria_frequencies_terms_and_steady_spins() {
     Steady spins at this angular momentum, with the modes about them
       About the axis of greatest inertia the nutation, 0.5172 rad/s in the body,
         decays e-fold in 9.464 d.
-      About the axis of least inertia the nutation, 20.30 rad/s in the body, decays
-        e-fold in 0.4803 s.
+      About the axis of least inertia the nutation is neutral to rounding and has
+        no time constant, since the spins beside this one are steady too.
     ");
 }
 

@@ -6,7 +6,7 @@
 use nalgebra::{Matrix3, Matrix4, Vector3, Vector4};
 use thiserror::Error;
 
-use crate::math::vec3::{add, dot, norm, scale};
+use crate::math::vec3::{add, cross, dot, norm, scale};
 use crate::model::{BalancedSpin, FlexibleBody, Mode, Principal, SpinCoefficients};
 
 /// Relative equilibrium: a steady spin and the displacements that it causes. (M1)
@@ -126,8 +126,15 @@ impl RelativeEquilibrium {
             let axis = add(scale(*a, axes[own]), scale(*b, axes[other]));
             Self::near(body, axis, given).ok()
         });
-        let best = found.clone().ok().into_iter().chain(between);
-        best.max_by(|a, b| (sign * a.ratio).total_cmp(&(sign * b.ratio))).map_or(found, Ok)
+        let extreme = |candidates: Vec<Self>| {
+            candidates.into_iter().max_by(|a, b| (sign * a.ratio).total_cmp(&(sign * b.ratio)))
+        };
+        let Some(best) = extreme(found.clone().ok().into_iter().chain(between).collect()) else {
+            return found;
+        };
+        // every start may lead to the steady spin of the lesser extreme, which is across the greater one
+        let across = Self::near(body, cross(axes[2 - own], best.omega), given).ok();
+        Ok(extreme(across.into_iter().chain([best.clone()]).collect()).unwrap_or(best))
     }
 
     /// Coefficients of small motions about the equilibrium. (M2)

@@ -37,7 +37,7 @@ impl Frame<'_> {
     }
 
     /// Indices of the nutation: of the modes in which the angular momentum leaves the axis most, the one nearest in frequency to that of
-    /// the rigid body; an oscillating one, if near enough. About the middle axis, where the rigid body leaves it and returns to it without
+    /// the rigid body, of equally near ones that of the largest tilt; an oscillating one, if near enough. About the middle axis, where the rigid body leaves it and returns to it without
     /// oscillation, two of opposite sign.
     fn nutation(&self, found: &[Eigenmotion], tilts: &[f64]) -> Vec<usize> {
         let spin = norm(self.equilibrium.omega);
@@ -54,7 +54,7 @@ impl Frame<'_> {
         let nearest = |candidates: &[usize]| {
             let most = most(candidates);
             let clear = candidates.iter().copied().filter(|i| tilts[*i] >= CLEAR * most);
-            clear.min_by(|a, b| near(a).total_cmp(&near(b)))
+            clear.min_by(|a, b| near(a).total_cmp(&near(b)).then(tilts[*b].total_cmp(&tilts[*a])))
         };
         let all: Vec<usize> = (0..found.len()).collect();
         let of = |keep: &dyn Fn(Complex<f64>) -> bool| -> Vec<usize> {

@@ -3,8 +3,9 @@
 //! variation of the energy, whose rounding is that of the moments of inertia.
 //! Equations (M12) to (M14), docs/theory/15-modes.md.
 
-use nalgebra::{Complex, Matrix2, Matrix3, SymmetricEigen, Vector2, Vector3};
+use nalgebra::{Complex, DMatrix, Matrix2, Matrix3, SymmetricEigen, Vector2, Vector3};
 
+use super::displacements::WHOLE;
 use super::equilibrium::RelativeEquilibrium;
 use super::lag::{Lag, Lagging};
 use super::spectrum::Eigenmotion;
@@ -53,8 +54,7 @@ impl SlowDirection {
     ) -> Option<Self> {
         let omega = Vector3::from(equilibrium.omega);
         let (spin, ratio) = (omega.norm(), equilibrium.ratio);
-        let slope = Matrix3::from(body.balanced(equilibrium.omega)?.slope);
-        let slope = 0.5 * (slope + slope.transpose());
+        let slope = slope(body, equilibrium, coefficients)?;
         let inverse = slope.try_inverse()?;
         let frame = across(omega / spin);
         let whole = frame.transpose() * (Matrix3::identity() - ratio * inverse) * frame;
@@ -174,6 +174,32 @@ impl SlowDirection {
         let momentum = self.frame.map(C::from) * Vector3::new(C::from(0.0), plane[0], plane[1]);
         Some(lagging.motion(self.slope_of(lagging).try_inverse()? * momentum))
     }
+}
+
+/// `∂K/∂ω = J_s + U(C − N)⁻¹Uᵀ` (kg·m²) with the displacements in balance, of the coefficients of the equations of motion; of large bodies
+/// that of the balance. (M12)
+fn slope(
+    body: &FlexibleBody,
+    equilibrium: &RelativeEquilibrium,
+    coefficients: &SpinCoefficients,
+) -> Option<Matrix3<f64>> {
+    let elastic = body.elastic();
+    let slope = if elastic > WHOLE {
+        Matrix3::from(body.balanced(equilibrium.omega)?.slope)
+    } else {
+        let mut stiffness = DMatrix::from_fn(elastic, elastic, |j, k| -coefficients.centrifugal.at(j, k));
+        for (j, k, C) in body.stiffness().iter().filter(|(j, k, _)| *j < elastic && *k < elastic) {
+            stiffness[(j, k)] += C;
+        }
+        let U = DMatrix::from_fn(elastic, 3, |j, axis| coefficients.slopes[j][axis]);
+        let inertia = Matrix3::from(sym3::rows(coefficients.inertia));
+        if elastic == 0 {
+            inertia
+        } else {
+            inertia + (U.transpose() * stiffness.lu().solve(&U)?).fixed_view::<3, 3>(0, 0)
+        }
+    };
+    Some(0.5 * (slope + slope.transpose()))
 }
 
 /// Right-handed frame with an axis as its first column.

@@ -35,8 +35,8 @@ fn decades(random: &mut Random, low: f64, high: f64) -> f64 {
 /// A carrier of two or three equal moments with rings of equal masses about its axis, and with an internal rotor; in every second body one
 /// mass differs by a share down to the last digits.
 fn drawn(random: &mut Random) -> Drawn {
-    let (along, across) = (between(random, 1.0, 9.0), between(random, 4.0, 9.0));
-    let along = if random.unit() < 0.2 { across } else { along };
+    let across = between(random, 4.0, 9.0);
+    let along = across * if random.unit() < 0.2 { 1.0 } else { between(random, 0.1, 1.9) };
     let apart = if random.unit() < 0.5 { 0.0 } else { decades(random, -15.0, -1.0) };
     let (stiffness, ratio) = (decades(random, 1.0, 4.0), decades(random, -3.0, 0.0));
     let mut masses = Vec::new();
@@ -191,7 +191,7 @@ fn what_is_neutral_does_not_depend_on_axes_units_and_order() {
 /// order `mω²/k`: of a prolate body; that of a flat disc grows.
 #[test]
 fn a_wobble_beside_two_equal_moments_decays_by_the_lag_of_the_shape() {
-    let (m, k, c, r, rate) = (0.2, 5e4, 30.0, 0.7, 0.3);
+    let (m, k, c, r, rate): (f64, f64, f64, f64, f64) = (0.2, 5e4, 30.0, 0.7, 0.3);
     for along in [2.0, 9.0] {
         let ring: Vec<Sprung> = (0..4)
             .map(|at| std::f64::consts::FRAC_PI_2 * f64::from(at))

@@ -68,7 +68,7 @@ pub fn modes(study: &Study, asked: AskedSpin) -> Result<Answer, Failure> {
     let sentences: Vec<&str> = found.spins.iter().map(|spin| spin.sentence.as_str()).collect();
     Ok(Answer {
         json: Json(found.json(name)),
-        text: found.text(name),
+        text: found.text(name, true),
         sentence: sentences.join(" "),
         holds: found.found(),
         notes: study.model.notes.clone(),

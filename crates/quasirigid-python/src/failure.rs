@@ -101,6 +101,7 @@ fn class(error: &StudyError) -> &'static str {
         StudyError::History { .. } => "TooLargeError",
         StudyError::NoSpin { .. }
         | StudyError::NoStart(_)
+        | StudyError::NoSlowSeries { .. }
         | StudyError::Observed { .. }
         | StudyError::NoWobble { .. }
         | StudyError::Nutation { .. }

@@ -109,6 +109,11 @@ pub enum StudyError {
     },
     /// No start is found.
     NoStart(EquilibriumError),
+    /// Reduced equations of a body whose rotors or liquids the spin does not slave. (Q8)
+    NoSlowSeries {
+        /// The angular velocity of the start (rad/s).
+        spin: f64,
+    },
     /// A number of rows that no table has.
     Samples {
         /// The number.
@@ -249,6 +254,11 @@ pub enum StudyError {
 }
 
 impl StudyError {
+    /// Whether the slow series has no motion to start from, of which the full system knows nothing.
+    pub(crate) fn is_of_the_series(&self) -> bool {
+        matches!(self, Self::NoSlowSeries { .. } | Self::Propagate(PropagateError::NoAngularMomentum))
+    }
+
     /// The text, with the names that an interface has for settings.
     #[must_use]
     pub fn told(&self, name: &dyn Fn(Setting) -> &'static str) -> String {
@@ -258,6 +268,10 @@ impl StudyError {
             Self::Validity(cause) => cause.to_string(),
             Self::Vibration(cause) => cause.to_string(),
             Self::Propagate(cause) => cause.to_string(),
+            Self::Verification(VerificationError::NoSlowManifold { spin }) => format!(
+                "there is no slow manifold to start on at {} rad/s: the truncated series is not small there; lower the spin, or raise the stiffness of springs and the friction of rotors and liquids",
+                significant(*spin, 3)
+            ),
             Self::Verification(cause) => cause.to_string(),
             Self::Record(cause) => cause.to_string(),
             Self::FreeRotation(cause) => cause.to_string(),
@@ -270,6 +284,11 @@ impl StudyError {
             Self::NoWobble { file, cause } => format!("{}: [initial] wobble: {cause}", file.display()),
             Self::NoStart(cause) => format!(
                 "the start: {cause}; the slow manifold has no meaning at this spin; give [initial] displacements = \"rest\", or numbers"
+            ),
+            Self::NoSlowSeries { spin } => format!(
+                "rotors and liquids do not follow the spin, {} rad/s: friction or stiffness is too small, the slow series has no meaning, and the reduced equations do not hold; follow the body with {} full, where they start at rest in it, or a rotor at the `speed` given in [[rotor]]",
+                significant(*spin, 3),
+                name(Setting::System)
             ),
             Self::Nutation { angle } => format!(
                 "the wobble must lie between 0 and 90 degrees, not {}",

@@ -16,7 +16,7 @@ use crate::about_spin::{AskedManifold, OnManifold};
 use crate::error::{Setting, StudyError};
 use crate::history_columns::{HistoryTable, Internal};
 use crate::left_out::LeftOut;
-use crate::motion::Motion;
+use crate::motion::{LOOSE, Motion};
 use crate::record::status;
 use crate::study::Study;
 use crate::table_sink::TableSink;
@@ -358,10 +358,14 @@ impl Doubts {
     pub fn before(motion: &Motion, system: System) -> Result<Self, StudyError> {
         let study = motion.study();
         if system != System::Reduced || motion.start.omega == [0.0; 3] {
-            return Ok(Self::left_out(motion, system));
+            let mut doubts = Self::left_out(motion, system);
+            if system == System::Full && motion.starts_loose()? {
+                doubts.remarks.push(LOOSE.into());
+            }
+            return Ok(doubts);
         }
         let reduced = study.reduced(study.order)?;
-        Self::judged(motion, &Assessment::new(&study.body, &reduced)?, motion.settled_spin(&reduced)?)
+        Self::judged(motion, &Assessment::new(&study.body, &reduced)?, motion.judged_spin(&reduced)?)
     }
 
     /// The same for the reduced equations, whose assessment is prepared, from the spin at which they start.
@@ -383,7 +387,7 @@ impl Doubts {
             return Self::default();
         }
         let left_out = LeftOut::at(motion.study(), motion.start.omega, None);
-        Self { remarks: left_out.notes(), wrong: left_out.liquids }
+        Self { remarks: left_out.notes(), wrong: left_out.wrong().map(str::to_owned) }
     }
 }
 

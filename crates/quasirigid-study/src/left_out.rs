@@ -6,6 +6,7 @@ use quasirigid::secular::apart;
 use quasirigid_math::vec3::norm;
 
 use crate::liquids::unanswered;
+use crate::materials::flowing_at;
 use crate::study::Study;
 use crate::words::significant;
 
@@ -20,6 +21,8 @@ const LOSSLESS: &str = "Part of the body loses energy by a law of its material t
 pub struct LeftOut {
     /// Loss of materials that the equations take as elastic.
     pub materials: Option<&'static str>,
+    /// Material that is no solid in this motion, which the equations take as elastic. (G16)
+    pub flow: Option<String>,
     /// Effect of liquids that the equations get wrong.
     pub liquids: Option<String>,
 }
@@ -29,6 +32,7 @@ impl LeftOut {
     pub fn at(study: &Study, omega: [f64; 3], known: Option<SpinModes>) -> Self {
         Self {
             materials: (!study.body.viscoelastic().is_empty()).then_some(LOSSLESS),
+            flow: flowing_at(study, omega).map(|why| format!("NO SOLID: {why}.")),
             liquids: if study.model.assembly.cavities.is_empty() || norm(omega) == 0.0 {
                 None
             } else {
@@ -40,7 +44,18 @@ impl LeftOut {
     /// Notes on the losses.
     #[must_use]
     pub fn notes(&self) -> Vec<String> {
-        self.materials.map(String::from).into_iter().chain(self.liquids.clone()).collect()
+        self.flow
+            .iter()
+            .cloned()
+            .chain(self.materials.map(String::from))
+            .chain(self.liquids.clone())
+            .collect()
+    }
+
+    /// Reason for which the equations of motion are not those of the body.
+    #[must_use]
+    pub fn wrong(&self) -> Option<&str> {
+        self.flow.as_deref().or(self.liquids.as_deref())
     }
 }
 

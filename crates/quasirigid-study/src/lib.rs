@@ -70,6 +70,7 @@ mod kept_run;
 pub mod layout;
 mod left_out;
 mod liquids;
+mod materials;
 pub mod modes;
 mod motion;
 mod record;

@@ -5,15 +5,16 @@ use quasirigid::dynamics::{
     Start, matched_start, propagate, propagate_forced, propagate_full,
 };
 use quasirigid::model::force::Force;
-use quasirigid::model::{FlexibleBody, Marker, ReducedBody, Support};
-use quasirigid::reduction::frequencies;
+use quasirigid::model::{FlexibleBody, Marker, MotionState, ReducedBody, Support};
+use quasirigid::reduction::{frequencies, manifold_has_meaning, state_has_meaning};
 use quasirigid::secular::spun_displacements;
+use quasirigid::verification::VerificationError;
 use quasirigid_io::model::Displacements;
 use quasirigid_math::vec3::{add, norm, scale};
 
 use crate::about_spin::{self, AskedManifold, OnManifold};
 use crate::error::StudyError;
-use crate::start::{follows_its_spin, slaved_order};
+use crate::start::{follows_its_spin, slaved_order, slaves};
 use crate::study::Study;
 use quasirigid_io::model::System;
 
@@ -23,6 +24,10 @@ const CLOSED: f64 = 0.01;
 
 /// Beginning of the notes on a model whose motion [starts displaced](Motion::starts_displaced).
 pub const DISPLACED: &str = "What moves inside does not start on the slow manifold";
+
+/// Note on a start of which the file asks for a slow manifold that there is not. (Q8)
+pub const LOOSE: &str = "Rotors and liquids do not follow this spin by a slow series, and start turning with the body; `speed` in \
+                                [[rotor]] starts a rotor otherwise.";
 
 /// A body with its forces and its initial state.
 pub struct Motion<'a> {
@@ -114,7 +119,7 @@ impl<'a> Motion<'a> {
                     let slow = self.matched(order.min(MAX_FORCED_ORDER))?;
                     (self.settled_on(&reduced, &slow)?, slow.attitude)
                 } else {
-                    (omega, attitude)
+                    (self.slaving(&reduced, omega)?, attitude)
                 };
                 let spin = Start { omega, attitude, place, velocity };
                 Ok(propagate(&reduced, spin, times, options, observer)?)
@@ -133,30 +138,54 @@ impl<'a> Motion<'a> {
         Ok(options)
     }
 
-    /// The full state at the start.
+    /// The full state at the start: on the slow manifold where there is one, else deformed by the steady spin, rotors and liquids turning
+    /// with the body; displacements and speeds that the file gives in their place. (Q8)
     pub fn full(&self) -> Result<FullState, StudyError> {
         let Start { omega, attitude, place, velocity } = self.start;
+        let cyclic = self.body.cyclic();
         let mut state = match &self.displaced {
             Some((q, rate)) => {
-                let (mut rate, cyclic) = (rate.clone(), self.body.cyclic());
-                // rotors and liquids that the spin does not slave turn with the body
-                if !cyclic.is_empty() && slaved_order(self.body, 1, omega)? > 0 {
-                    let settled = self.start.settled(self.system(), self.order)?;
-                    rate[cyclic.clone()].copy_from_slice(&settled.rate[cyclic]);
-                }
+                let mut rate = rate.clone();
+                let slow = if cyclic.is_empty() { None } else { self.on_slow_manifold()? };
+                slow.iter().for_each(|slow| rate[cyclic.clone()].copy_from_slice(&slow.rate[cyclic.clone()]));
                 FullState { omega, attitude, q: q.clone(), rate, place, velocity }
             }
-            None if slaved_order(self.body, 1, omega)? == 0 => {
-                FullState { place, velocity, ..FullState::at_rest(self.body, omega, attitude) }
-            }
-            None if self.is_soft()? => {
-                let q = spun_displacements(self.body, omega).map_err(StudyError::NoStart)?;
-                FullState { place, velocity, q, ..FullState::at_rest(self.body, omega, attitude) }
-            }
-            None => self.start.settled(self.system(), self.order)?,
+            None => match self.on_slow_manifold()? {
+                Some(slow) => slow,
+                None => FullState { place, velocity, ..self.spun()? },
+            },
         };
         self.speeds.iter().for_each(|(coordinate, speed)| state.rate[*coordinate] = *speed);
         Ok(state)
+    }
+
+    /// The state on the slow manifold; none where the series means nothing at the start. (Q8)
+    fn on_slow_manifold(&self) -> Result<Option<FullState>, StudyError> {
+        let omega = self.start.omega;
+        if !slaves(self.body, omega)? || self.is_soft()? {
+            return Ok(None);
+        }
+        match self.start.settled(self.system(), self.order) {
+            Err(VerificationError::NoSlowManifold { .. }) => Ok(None),
+            found => Ok(Some(found?)),
+        }
+    }
+
+    /// The state deformed by the steady spin, in which nothing moves in the body. (Q8)
+    fn spun(&self) -> Result<FullState, StudyError> {
+        let Start { omega, attitude, .. } = self.start;
+        let still = FullState::at_rest(self.body, omega, attitude);
+        if self.body.elastic() == 0 || norm(omega) == 0.0 {
+            return Ok(still);
+        }
+        let q = spun_displacements(self.body, omega).map_err(StudyError::NoStart)?;
+        Ok(FullState { q, ..still })
+    }
+
+    /// Whether rotors and liquids that the file asks for on the slow manifold start turning with the body, since they have none.
+    pub fn starts_loose(&self) -> Result<bool, StudyError> {
+        let asked = self.displaced.is_none() && self.speeds.len() < self.body.cyclic().len();
+        Ok(asked && norm(self.start.omega) > 0.0 && self.on_slow_manifold()?.is_none())
     }
 
     /// Size of the angular momentum at the start (N·m·s), internal angular momentum included.
@@ -164,11 +193,10 @@ impl<'a> Motion<'a> {
         Ok(norm(self.full()?.angular_momentum(self.body)))
     }
 
-    /// Whether the series of the slow manifold fails at the start, so that the displacements are those of a steady spin.
-    pub fn is_soft(&self) -> Result<bool, StudyError> {
+    /// Whether the series of the slow manifold fails at the start.
+    fn is_soft(&self) -> Result<bool, StudyError> {
         let omega = self.start.omega;
-        let asked = self.displaced.is_none() && slaved_order(self.body, 1, omega)? > 0 && norm(omega) > 0.0;
-        Ok(asked && !follows_its_spin(self.body, &*self.study.reduced(self.order)?, omega))
+        Ok(norm(omega) > 0.0 && !follows_its_spin(self.body, &*self.study.reduced(self.order)?, omega))
     }
 
     /// Spin (rad/s) at which the reduced equations start: the one given, or the one on which displacements and rotors off the slow
@@ -187,10 +215,41 @@ impl<'a> Motion<'a> {
         let omega = reduced.angular_velocity(slow.angular_momentum);
         let gap = norm(add(reduced.angular_momentum(omega), scale(-1.0, slow.angular_momentum)));
         if gap <= CLOSED * norm(slow.angular_momentum) {
-            Ok(omega)
+            self.slaving(reduced, omega)
         } else {
-            Err(PropagateError::NoAngularMomentum.into())
+            Err(self.unfound())
         }
+    }
+
+    /// An angular velocity (rad/s) at which the slow series of rotors and liquids has a meaning. (Q8)
+    pub fn slaving(&self, reduced: &ReducedBody, omega: [f64; 3]) -> Result<[f64; 3], StudyError> {
+        let means = self.is_rigid_inside(reduced.order) || manifold_has_meaning(self.body, reduced, omega);
+        if means { Ok(omega) } else { Err(self.unfound()) }
+    }
+
+    /// Whether the equations of an order have no rates of rotors and liquids.
+    fn is_rigid_inside(&self, order: usize) -> bool {
+        order == 0 || self.body.cyclic().is_empty()
+    }
+
+    /// Spin (rad/s) by which the reduced equations are judged: that at which they start, or that of the start where they fail already there.
+    pub fn judged_spin(&self, reduced: &ReducedBody) -> Result<[f64; 3], StudyError> {
+        let omega = self.start.omega;
+        match self.settled_spin(reduced) {
+            Err(error) if error.is_of_the_series() => match slaved_order(self.study, reduced.order, omega)? {
+                0 => Ok(omega),
+                _ => Err(error),
+            },
+            found => found,
+        }
+    }
+
+    /// Reason for which the reduced equations do not start.
+    fn unfound(&self) -> StudyError {
+        if self.body.cyclic().is_empty() {
+            return PropagateError::NoAngularMomentum.into();
+        }
+        StudyError::NoSlowSeries { spin: norm(self.start.omega) }
     }
 
     fn matched(&self, order: usize) -> Result<SlowState, StudyError> {
@@ -198,12 +257,20 @@ impl<'a> Motion<'a> {
     }
 
     fn slow(&self, order: usize) -> Result<SlowState, StudyError> {
-        if self.starts_displaced() && order > 0 {
-            return self.matched(order);
-        }
         let Start { omega, attitude, place, velocity } = self.start;
-        let still = SlowState { angular_momentum: [0.0; 3], attitude, place, velocity };
-        Ok(still.with_spin(self.system(), order, omega)?)
+        let slow = if self.starts_displaced() && order > 0 {
+            self.matched(order)?
+        } else {
+            let still = SlowState { angular_momentum: [0.0; 3], attitude, place, velocity };
+            still.with_spin(self.system(), order, omega)?
+        };
+        if self.is_rigid_inside(order) || norm(omega) == 0.0 {
+            return Ok(slow);
+        }
+        let FullState { omega, q, rate, .. } = FullState::on_manifold(self.system(), order, &slow)?;
+        let motion = MotionState { omega, q: &q, rate: &rate };
+        let means = state_has_meaning(self.body, motion, slow.angular_momentum);
+        if means { Ok(slow) } else { Err(self.unfound()) }
     }
 
     /// The equations integrated, in words.
@@ -224,3 +291,6 @@ impl<'a> Motion<'a> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests;

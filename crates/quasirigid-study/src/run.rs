@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use quasirigid::dynamics::{Options, Outcome, PropagateError, Scan, Start, spin_from_rest};
+use quasirigid::dynamics::{Options, Outcome, Scan, Start, spin_from_rest};
 use quasirigid::model::ReducedBody;
 use quasirigid::reduction::{Validity, Verdict};
 use quasirigid_io::model::{Named, System, Verify};
@@ -25,7 +25,7 @@ use crate::history_sink::{FrameList, HistorySink};
 use crate::kept_run::{HistoryLog, Keeping, KeptRun};
 use crate::left_out::LeftOut;
 use crate::liquids::{Liquid, liquids};
-use crate::motion::{DISPLACED, Motion};
+use crate::motion::{DISPLACED, LOOSE, Motion};
 use crate::scene::{self, Frames};
 use crate::study::Study;
 use crate::watch::Watch;
@@ -37,8 +37,8 @@ const ROWS_PER_TURN: f64 = 24.0;
 const ROWS: [f64; 2] = [2_001.0, 50_001.0];
 
 /// Note on a spin outside the range of the series.
-const NO_MOMENTUM: &str = "The truncated series has no angular momentum for this angular velocity, so the full system was followed \
-                           in the place of the reduced equations.";
+const NO_SERIES: &str = "The truncated series has no angular momentum for this angular velocity, so the full system was followed in \
+                         the place of the reduced equations.";
 /// Note on a start from rest.
 const FROM_REST: &str = "The body starts from rest. The reduced equations are judged at {spin} rad/s, which is what acts on it can give it, \
                          or a radian in the whole time.";
@@ -148,8 +148,8 @@ impl Study {
             None
         };
         let judged = match from_rest.map_or_else(|| motion.settled_spin(&reduced), Ok) {
-            Err(StudyError::Propagate(PropagateError::NoAngularMomentum)) => start.omega,
-            other => other?,
+            Err(error) if error.is_of_the_series() => start.omega,
+            found => found?,
         };
         let validity = Validity::assess_reduced(body, &reduced, judged)?;
         let rigid = self.reduced(0)?;
@@ -157,6 +157,9 @@ impl Study {
         let nutating = Nutating { rigid: &rigid, nearly_rigid: if holds { &reduced } else { &rigid } };
         let mut notes = model.notes.clone();
         notes.extend(from_rest.map(|spin| FROM_REST.replace("{spin}", &significant(norm(spin), 3))));
+        if motion.starts_loose()? {
+            notes.push(LOOSE.into());
+        }
         let poles = steady::at_start(&motion, self)?;
         let scene_modes = poles.nearest.clone();
         let left_out = LeftOut::at(self, start.omega, poles.nearest);
@@ -182,7 +185,7 @@ impl Study {
         };
         let mut frames = None;
         plan.histories(&mut record, &mut frames, &mut kept, watch)?;
-        let enough = holds || left_out.liquids.is_some(); // the equations about the spin have the same liquids
+        let enough = holds || left_out.wrong().is_some(); // the equations about the spin have the same liquids and materials
         record.about_spin = plan.about_spin(enough, &mut record.notes, watch)?;
         record.verification = plan.verification(&mut record.notes, watch)?;
         let equations = frames.as_ref().filter(|_| !motion.system().acts()).and_then(|frames| {
@@ -199,7 +202,7 @@ impl Study {
         Ok(RunOutcome {
             record,
             reduced: equations.json(),
-            holds: done && (holds || instead) && left_out.liquids.is_none(),
+            holds: done && (holds || instead) && left_out.wrong().is_none(),
             kept,
         })
     }
@@ -291,10 +294,8 @@ impl<'a> Plan<'a> {
             }
             match self.history(*system, record, frames, kept, watch) {
                 Ok(followed) => add(record, followed),
-                Err(StudyError::Propagate(PropagateError::NoAngularMomentum))
-                    if *system == System::Reduced =>
-                {
-                    record.notes.push(NO_MOMENTUM.into());
+                Err(error) if *system == System::Reduced && error.is_of_the_series() => {
+                    record.notes.push(NO_SERIES.into());
                     if !self.systems.contains(&System::Full) {
                         let followed = self.history(System::Full, record, frames, kept, watch)?;
                         add(record, followed);

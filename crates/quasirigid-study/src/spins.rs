@@ -108,7 +108,7 @@ impl SpinsAsked<'_> {
             return Err(PropagateError::NoSpin { spin: norm(omega) }.into());
         }
         let motion = Motion::new(self.study, Start::new(omega, self.study.model.initial.attitude));
-        let settled = motion.settled_spin(reduced)?;
+        let settled = motion.slaving(reduced, motion.settled_spin(reduced)?)?;
         Ok((settled, Doubts::judged(&motion, &self.assessment, settled)?))
     }
 

@@ -6,8 +6,8 @@ use quasirigid::averaging::{FreeRotation, ObservedPeriods};
 use quasirigid::dynamics::Start;
 use quasirigid::model::{FlexibleBody, Mode, Principal, ReducedBody};
 use quasirigid::modes::{Given, RelativeEquilibrium};
-use quasirigid::reduction::{Comparison, Criterion, Relaxation, Verdict, residual};
-use quasirigid::secular::{manifold_has_meaning, spun_state};
+use quasirigid::reduction::{Comparison, Criterion, Relaxation, Verdict, manifold_has_meaning, residual};
+use quasirigid::secular::spun_state;
 use quasirigid_io::model::{Displacements, Rotation};
 use quasirigid_math::sym3::{inverse, times};
 use quasirigid_math::vec3::norm;
@@ -49,7 +49,7 @@ pub fn initial(study: &Study) -> Result<Start, StudyError> {
         let omega = times(inverse(body.full_inertia_at(&q)), K);
         return Ok(Start::new(omega, attitude));
     }
-    let reduced = study.reduced(slaved_order(body, *order, rigid)?)?;
+    let reduced = study.reduced(slaved_order(study, *order, rigid)?)?;
     let omega = reduced.angular_velocity(K);
     if follows_its_spin(body, &reduced, omega) && norm(omega) < FAR * norm(rigid) {
         return Ok(Start::new(omega, attitude));
@@ -124,10 +124,19 @@ impl Display for NoWobble {
     }
 }
 
-/// The order to which the state of the body follows its spin (rad/s): that of the model, or 0 where internal rotors or liquids are
-/// so free that the spin does not slave them. They then turn with the body at the start.
-pub fn slaved_order(body: &FlexibleBody, order: usize, spin: [f64; 3]) -> Result<usize, StudyError> {
+/// Whether friction is strong enough against a spin (rad/s) to slave internal rotors and liquids. (C7)
+pub fn slaves(body: &FlexibleBody, spin: [f64; 3]) -> Result<bool, StudyError> {
     let value = Relaxation::compute(body)?.longest() * norm(spin);
     let criterion = Criterion { comparison: Comparison::Relaxation, value };
-    Ok(if criterion.verdict() == Verdict::Fails { 0 } else { order })
+    Ok(criterion.verdict() != Verdict::Fails)
+}
+
+/// The order to which the state of the body follows its spin (rad/s): that asked for, or 0 where internal rotors or liquids are so free
+/// that the slow series means nothing. They then turn with the body at the start. (C7), (Q8)
+pub fn slaved_order(study: &Study, order: usize, spin: [f64; 3]) -> Result<usize, StudyError> {
+    let body = &study.body;
+    let follows = order == 0
+        || body.cyclic().is_empty()
+        || slaves(body, spin)? && manifold_has_meaning(body, &*study.reduced(order)?, spin);
+    Ok(if follows { order } else { 0 })
 }

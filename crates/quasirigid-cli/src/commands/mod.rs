@@ -62,12 +62,13 @@ fn notes(study: &Study, common: &Common) {
 
 /// Prints on standard error the losses that the equations of motion leave out; returns whether their results may be false.
 fn note_left_out(study: &Study, omega: [f64; 3], common: &Common) -> bool {
-    let LeftOut { materials, liquids } = LeftOut::at(study, omega, None);
-    if let (Some(note), false) = (materials, common.quiet) {
+    let left_out = LeftOut::at(study, omega, None);
+    left_out.flow.iter().for_each(|wrong| remark(wrong));
+    if let (Some(note), false) = (left_out.materials, common.quiet) {
         remark(&format!("note: {note}"));
     }
-    liquids.iter().for_each(|wrong| remark(wrong));
-    liquids.is_some()
+    left_out.liquids.iter().for_each(|wrong| remark(wrong));
+    left_out.wrong().is_some()
 }
 
 /// Settings of a propagation from the command line.

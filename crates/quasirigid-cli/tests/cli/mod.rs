@@ -21,6 +21,7 @@ mod hostile_names;
 mod interrupt;
 mod keys;
 mod left_out;
+mod materials;
 mod methods;
 mod model_errors;
 mod modes;

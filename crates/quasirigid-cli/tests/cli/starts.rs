@@ -59,7 +59,10 @@ fn force_without_a_value_at_the_start_is_named() {
 fn verification_that_fails_says_so_in_words() {
     let stiff = MODEL.replace("stiffness = 600.0", "stiffness = 1e-30");
     let said = one_line(ran_with(&stiff, "verify model.toml").refusal());
-    assert!(said.contains("a history ended early") && !said.contains("Failed("), "{said}");
+    assert!(
+        said.contains("there is no slow manifold to start on at 0.127 rad/s") && !said.contains("Failed("),
+        "{said}"
+    );
 }
 
 #[test]
@@ -106,4 +109,26 @@ fn mass_lost_in_rounding_leaves_the_other_frequencies() {
     let frequencies = crate::support::numbers(&checked.json()["frequencies"]);
     assert!(frequencies.len() > 100 && frequencies.iter().all(|each| each.is_finite()), "{frequencies:?}");
     assert!(difference([frequencies[0]], [4.233169]) < 1e-5, "{}", frequencies[0]);
+}
+
+/// A rotor too free for the spin starts at rest in the body, or as the file says, and the reduced equations have no start: friction 0.03 N·m·s,
+/// inertia 1 kg·m², at 0.5 rad/s, with the angular momentum `Jω`. (Q8)
+#[test]
+fn a_rotor_too_free_for_the_spin_starts_turning_with_the_body() {
+    let rotor = "[[rotor]]\nname = \"wheel\"\naxis = [1, 0, 0]\ninertia = 1.0\nfriction = 0.03\n[initial]";
+    let model = MODEL.replace("[initial]", rotor).replace("[0.12, 0.035, 0.02]", "[0.2, 0.2, 0.4]");
+    for start in ["", "displacements = \"rest\"\n", "displacements = { tip = [0.001, 0, 0] }\n"] {
+        let folder = folder_with(&model.replace("[run]", &format!("{start}[run]")));
+        let full = ran_in(folder.path(), "simulate model.toml --system full --times 0 --coordinates");
+        let table = Table::of(&full.stdout);
+        let rate = table.header.iter().find(|name| name.contains("wheel") && name.ends_with("rate")).unwrap();
+        assert!(full.code == Some(0) && table.column(rate)[0].abs() < 1e-12, "{start}: {full:?}"); // rounding of momenta
+        assert!((7.0..9.0).contains(&table.column("momentum")[0]), "{start}");
+        assert_eq!(full.stderr.contains("start turning with the body"), start.is_empty(), "{}", full.stderr);
+        let reduced = one_line(ran_in(folder.path(), "simulate model.toml").refusal());
+        assert!(reduced.contains("rotors and liquids do not follow the spin"), "{start}: {reduced}");
+        let verified = one_line(ran_in(folder.path(), "verify model.toml").refusal());
+        assert!(verified.contains("there is no slow manifold to start on"), "{start}: {verified}");
+        assert_eq!(ran_in(folder.path(), "check model.toml").code, Some(1), "{start}");
+    }
 }

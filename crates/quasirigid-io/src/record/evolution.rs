@@ -90,6 +90,9 @@ pub struct EvolutionRecord {
     /// Published estimates of the first of these times, for a homogeneous body of one quality factor; empty otherwise.
     #[serde(default)]
     pub estimates: Vec<EstimateRecord>,
+    /// The body and its material, of a homogeneous one; none otherwise, and in records of versions before this field.
+    #[serde(default)]
+    pub homogeneous: Option<HomogeneousRecord>,
     /// The strongest harmonics at the start, in the order of their numbers.
     pub harmonics: Vec<HarmonicRecord>,
     /// Resonances on the way, the strongest first.
@@ -150,6 +153,26 @@ pub struct ObservedRecord {
     /// Energy over the least that this angular momentum allows; `E/E₀ = I₃/D`.
     #[serde(with = "number")]
     pub energy_ratio: f64,
+}
+
+/// A homogeneous body and its material, as the model was read.
+#[derive(Clone, Copy, Debug, Deserialize, PartialEq, Serialize)]
+pub struct HomogeneousRecord {
+    /// Mass (kg).
+    #[serde(with = "number")]
+    pub mass: f64,
+    /// Radius (m) of the ball of the same volume.
+    #[serde(with = "number")]
+    pub radius: f64,
+    /// Density (kg/m³).
+    #[serde(with = "number")]
+    pub density: f64,
+    /// Shear modulus (Pa).
+    #[serde(with = "number")]
+    pub shear: f64,
+    /// Quality factor; none of another rheology.
+    #[serde(with = "number", default)]
+    pub quality: Option<f64>,
 }
 
 /// A published estimate of the time in which a wobble is damped.

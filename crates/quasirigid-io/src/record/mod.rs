@@ -24,7 +24,8 @@ use serde::{Deserialize, Serialize};
 pub use about_spin::{AboutSpinRecord, MasterRecord};
 pub use error::RecordError;
 pub use evolution::{
-    ApproachRecord, CrossingRecord, EstimateRecord, EvolutionRecord, HarmonicRecord, ObservedRecord,
+    ApproachRecord, CrossingRecord, EstimateRecord, EvolutionRecord, HarmonicRecord, HomogeneousRecord,
+    ObservedRecord,
 };
 pub use folder::{ROWS, UNFINISHED, history_file};
 pub use modes::{CampbellRecord, ModeRecord, SteadySpinRecord};

@@ -161,6 +161,7 @@ prop_compose! {
         harmonics in vec((1usize..40, finite(), finite()), 0..3), resonances in vec((1usize..40, ".*", [finite(); 3]), 0..3),
         dissipation in shares(), road in ".*", verdict in ".*", time_error in option::of(finite()),
         estimates in vec((".*", finite(), finite()), 0..3), approach in option::of((1usize..9, ".*", [finite(); 3])), observed in [option::of([finite(); 5]), option::of([finite(); 5])],
+        body in option::of([finite(); 5]),
     ) -> EvolutionRecord {
         let [sentence, method, status, message, mode_start, mode_end] = words;
         let [angular_momentum, ratio_start, ratio_end, time, revolutions, power, damping_time, growth_time] = numbers;
@@ -174,12 +175,13 @@ prop_compose! {
         let crossing = |(harmonic, coordinate, [frequency, ratio, share]): (usize, String, [f64; 3])| CrossingRecord {
             harmonic, frequency, coordinate, ratio, mode: mode.clone(), share,
         };
+        let homogeneous = body.map(|[mass, radius, density, shear, quality]| HomogeneousRecord { mass, radius, density, shear, quality: Some(quality) });
         let estimate = |(source, least, greatest)| EstimateRecord { source, least, greatest };
         let approach = approach.map(|(harmonic, coordinate, [frequency, distance, ratio])| ApproachRecord {
             harmonic, frequency, coordinate, distance, ratio,
         });
         EvolutionRecord {
-            approach,
+            approach, homogeneous,
             estimates: estimates.into_iter().map(estimate).collect(),
             harmonics: harmonics.into_iter().map(harmonic).collect(),
             resonances: resonances.into_iter().map(crossing).collect(),
@@ -389,6 +391,7 @@ pub fn sample() -> RunRecord {
             growth_time: f64::NAN,
             not_known: vec!["growth_time".into()],
             estimates: vec![],
+            homogeneous: None,
             harmonics: vec![],
             resonances: vec![],
             approach: None,

@@ -102,6 +102,7 @@ pub fn evolution(ratio_start: f64) -> EvolutionRecord {
         damping_time: 0.12 * t,
         growth_time: 0.07 * t,
         not_known: vec![],
+        homogeneous: None,
         estimates: vec![EstimateRecord { source: "Harris 1994".into(), least: 0.3 * t, greatest: 0.3 * t }],
         harmonics: [0.061, 0.912, 0.0032, 0.0237, 7.1e-5]
             .into_iter()

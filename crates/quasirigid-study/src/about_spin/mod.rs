@@ -350,7 +350,7 @@ impl AboutSpin<'_> {
                 self.manifold.degree()
             ));
         }
-        self.left_out.liquids.clone()
+        self.left_out.wrong().map(str::to_owned)
     }
 
     /// The range, or the reason for which the equations do not hold, in a sentence.

@@ -52,7 +52,7 @@ impl Judged {
 
 fn judged(study: &Study, motion: &Motion, modes: &[&SpinModes], order: usize) -> Result<Judged, StudyError> {
     let reduced = study.reduced(order)?;
-    let omega = motion.settled_spin(&reduced)?;
+    let omega = motion.judged_spin(&reduced)?;
     let mut validity = Validity::assess_reduced(&study.body, &reduced, omega)?;
     // losses of materials are left out of the reduced equations, and are told of elsewhere
     let complete = study.body.viscoelastic().is_empty();

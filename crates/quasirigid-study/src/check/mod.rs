@@ -100,8 +100,9 @@ impl Study {
 /// Tries the reduced equations about the spin.
 fn about_spin(study: &Study, left_out: &LeftOut) -> InsteadOfRest {
     let none = |sentence: String| InsteadOfRest { holds: false, sentence, json: Value::Null };
-    if left_out.liquids.is_some() {
-        return none("Reduced equations about the spin have the same liquids, and were not tried.".into());
+    if left_out.wrong().is_some() {
+        let what = if left_out.flow.is_some() { "materials" } else { "liquids" };
+        return none(format!("Reduced equations about the spin have the same {what}, and were not tried."));
     }
     let coordinates = study.body.coordinates().len();
     if coordinates > TRIED {
@@ -135,7 +136,7 @@ impl CheckReport<'_> {
     #[must_use]
     pub fn holds(&self) -> bool {
         let fails = [self.validity.verdict(), self.validity.dissipation()].contains(&Verdict::Fails);
-        !fails && self.left_out.liquids.is_none()
+        !fails && self.left_out.wrong().is_none()
     }
 
     /// The reduction that holds: `rest`, `spin`, or `none`.
@@ -151,7 +152,8 @@ impl CheckReport<'_> {
     /// The verdict in a sentence or two.
     #[must_use]
     pub fn sentence(&self) -> String {
-        let verdict = verdict(&self.validity);
+        let verdict = [self.left_out.flow.clone(), Some(verdict(&self.validity))];
+        let verdict = verdict.into_iter().flatten().collect::<Vec<_>>().join(" ");
         if self.order == self.study.order {
             return verdict;
         }
@@ -186,7 +188,7 @@ impl CheckReport<'_> {
         json!({
             "name": study.model.name,
             "order": self.order,
-            "valid": validity.verdict() != Verdict::Fails,
+            "valid": validity.verdict() != Verdict::Fails && left_out.flow.is_none(),
             "verdict": word(validity.verdict()),
             "dissipation_verdict": word(validity.dissipation()),
             "averages": word(validity.averages()),

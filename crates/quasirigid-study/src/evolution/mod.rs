@@ -11,22 +11,23 @@ use std::sync::Arc;
 
 use quasirigid::averaging::{
     DAMPING_ESTIMATES, DampingEstimate, Evolution, MeanPower, PolynomialPower, Response, RotationState,
-    SlowTorque, SmallBody,
+    SlowTorque, SmallBody, ball_radius,
 };
 use quasirigid::dynamics::Start;
 use quasirigid::elements::Assembly;
 use quasirigid::model::{Mode, Rheology, Support};
 use quasirigid::reduction::reduce;
 use quasirigid_io::model::{EvolveMethod, Power, Target};
-use quasirigid_io::record::{EstimateRecord, EvolutionRecord};
+use quasirigid_io::record::{EstimateRecord, EvolutionRecord, HomogeneousRecord};
 use serde_json::{Value, json};
 
 use crate::error::StudyError;
 use crate::liquids::{NOTABLE, unresolved};
+use crate::materials::flowing;
 use crate::start::slaved_order;
 use crate::study::Study;
 use crate::watch::Watch;
-use method::{History, Outlook};
+use method::{History, Outlook, Refusal};
 use secular::SecularEvolution;
 use table::EvolutionTable;
 
@@ -153,12 +154,17 @@ pub(crate) fn follow(
     }
     let torque = SlowTorque::from_forces(forces)?;
     let reduced = study.reduced(*order)?;
-    let slaved = slaved_order(body, *order, start.omega)?;
+    let slaved = slaved_order(study, *order, start.omega)?;
     let state = study.reduced(slaved)?;
     let mut secular = SecularEvolution::new(body, [&reduced, &state], start, asked.power)?;
     let moments = secular.principal.moments;
     if torque.is_zero() && [Mode::LongAxis, Mode::ShortAxis].iter().all(|mode| !mode.exists(moments)) {
         return Err(StudyError::EqualMoments { moment: moments[2] });
+    }
+    let flow = flowing(&secular.response, &secular.initial);
+    if let (Some(message), true) = (&flow, asked.method != Some(EvolveMethod::Average)) {
+        let refusal = Refusal { message: message.clone(), rates: None };
+        return Ok(Evolved { record: secular.refused(refusal), notes: Vec::new() });
     }
     let outlook = Outlook::new(asked.method.is_some());
     let mut watch = |share: f64| {
@@ -213,6 +219,10 @@ pub(crate) fn follow(
             )
         }
     };
+    let ended = secular.evolution().motion(rows.last().stage);
+    if let Some(why) = flow.or_else(|| flowing(&secular.response, &ended)) {
+        secular.verdict.is_of_no_solid(&why);
+    }
     let columns = secular.columns(&mut rows, &mut watch);
     let time_range = match &model.extremes {
         Some(extremes) if rows.steady() && secular.verdict.road == "average" => {
@@ -221,11 +231,16 @@ pub(crate) fn follow(
         _ => None,
     };
     let unranged = time_range.is_none() && model.extremes.is_some();
-    let mut notes = words::notes(&secular, [from, rows.last().stage], unranged);
+    let drifted = rows.drift.as_ref().map(|drift| drift.end.angular_momentum);
+    let spin = |G: f64, stage: RotationState| G / secular.principal.moments[stage.mode.circled()];
+    let G = secular.initial.angular_momentum();
+    let spins = [spin(G, from), spin(drifted.unwrap_or(G), rows.last().stage)];
+    let mut notes: Vec<String> = words::beyond_gravity(homogeneous(study), spins).into_iter().collect();
+    notes.extend(words::notes(&secular, [from, rows.last().stage], unranged));
     notes.extend(words::uncertain(&rows));
     let record = secular.record(&evolution, from, &rows, asked, time_range, columns);
     let estimates = estimates(study, record.angular_momentum / secular.principal.moments[2]);
-    Ok(Evolved { record: EvolutionRecord { estimates, ..record }, notes })
+    Ok(Evolved { record: EvolutionRecord { estimates, homogeneous: homogeneous(study), ..record }, notes })
 }
 
 /// Approximated shape or flow with a significant error: a solid, or the flow of liquids.
@@ -235,13 +250,25 @@ fn approximated(study: &Study) -> Option<(&'static str, f64)> {
     solid.or((liquids > NOTABLE).then_some(("the flow", liquids)))
 }
 
+/// The body and its material, of a homogeneous one.
+fn homogeneous(Study { model, body, .. }: &Study) -> Option<HomogeneousRecord> {
+    let material = model.assembly.homogeneous()?;
+    let (mass, density) = (body.invariants().mass, material.density);
+    let radius = ball_radius(mass, density);
+    let quality = match material.rheology {
+        Rheology::QualityFactor { factor } => Some(factor),
+        _ => None,
+    };
+    Some(HomogeneousRecord { mass, radius, density, shear: material.shear(), quality })
+}
+
 /// Published estimates of the time in which the wobble is damped, at a spin (rad/s) about the axis of greatest inertia.
-fn estimates(Study { model, body, .. }: &Study, spin: f64) -> Vec<EstimateRecord> {
-    let Some(material) = model.assembly.homogeneous() else { return Vec::new() };
-    let Rheology::QualityFactor { factor } = material.rheology else { return Vec::new() };
-    let mass = body.invariants().mass;
-    let small = SmallBody { mass, density: material.density, shear: material.shear(), quality: factor };
-    let unit = small.damping_unit(spin);
+fn estimates(study: &Study, spin: f64) -> Vec<EstimateRecord> {
+    let Some(HomogeneousRecord { mass, density, shear, quality: Some(quality), .. }) = homogeneous(study)
+    else {
+        return Vec::new();
+    };
+    let unit = SmallBody { mass, density, shear, quality }.damping_unit(spin);
     let estimate = |DampingEstimate { source, factors: [least, greatest] }: DampingEstimate| EstimateRecord {
         source: source.into(),
         least: least * unit,

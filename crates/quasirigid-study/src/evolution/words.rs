@@ -1,9 +1,10 @@
 //! Secular evolution in words.
 
+use std::f64::consts::TAU;
 use std::fmt::{self, Write};
 
-use quasirigid::averaging::{DriftHistory, DriftStopReason, MeanPower, RotationState};
-use quasirigid_io::record::{Column, EstimateRecord, EvolutionRecord, ObservedRecord};
+use quasirigid::averaging::{DriftHistory, DriftStopReason, MeanPower, RotationState, spin_barrier};
+use quasirigid_io::record::{Column, EstimateRecord, EvolutionRecord, HomogeneousRecord, ObservedRecord};
 use quasirigid_io::visible::one_line;
 
 use super::Asked;
@@ -161,6 +162,24 @@ pub fn notes(secular: &SecularEvolution, ends: [RotationState; 2], unranged: boo
     notes
 }
 
+/// Radius (m) of the ball of the same volume above which asteroids do not spin beyond the barrier.
+const LOOSE: f64 = 100.0;
+
+/// Note on a homogeneous body that spins so fast at an end of its evolution, by its angular velocities (rad/s), that gravity does not hold loose
+/// material. (A13)
+pub fn beyond_gravity(homogeneous: Option<HomogeneousRecord>, spins: [f64; 2]) -> Option<String> {
+    let HomogeneousRecord { density, radius, .. } = homogeneous?;
+    let barrier = spin_barrier(density);
+    let place = spins.iter().position(|spin| *spin > barrier).filter(|_| radius > LOOSE)?;
+    Some(format!(
+        "At the {} the body turns once in {}, faster than {}, where gravity no longer holds loose material at the equator of a ball of its \
+         density: asteroids of this size break up there, and the model, which cannot break, goes on.",
+        ["start", "end"][place],
+        time(TAU / spins[place]),
+        time(TAU / barrier)
+    ))
+}
+
 /// The answer, the table and the details, for a terminal of 80 columns.
 pub fn text(name: &str, record: &EvolutionRecord) -> String {
     let mut text = String::new();
@@ -190,6 +209,9 @@ fn write(out: &mut String, name: &str, record: &EvolutionRecord) -> fmt::Result 
             writeln!(out, "  {:<25}  {}", format!("periods at the {place}"), periods(&rotation))?;
         }
     }
+    if let Some(body) = &record.homogeneous {
+        writeln!(out, "{}", paragraph(&made_of(body), "  ", "      "))?;
+    }
     writeln!(out, "  mean power at the start    {} W", significant(record.power, 4))?;
     small_wobbles(out, record)?;
     estimates(out, record)?;
@@ -206,6 +228,16 @@ fn write(out: &mut String, name: &str, record: &EvolutionRecord) -> fmt::Result 
     harmonics(out, record)?;
     resonances(out, record)?;
     writeln!(out, "{}", paragraph(&format!("Power: {}.", record.method), "\n  ", "  "))
+}
+
+/// A homogeneous body and its material as read: a unit forgotten in the model is seen here.
+fn made_of(body: &HomogeneousRecord) -> String {
+    let HomogeneousRecord { mass, radius, density, shear, quality } = body;
+    let [mass, radius, density, shear] = [mass, radius, density, shear].map(|number| significant(*number, 4));
+    let loss = quality.map_or_else(String::new, |quality| format!(", Q = {}", significant(quality, 4)));
+    format!(
+        "body                       {mass} kg, as a ball {radius} m in radius, {density} kg/m^3, shear modulus {shear} Pa{loss}"
+    )
 }
 
 /// An evolution that no method leads along.

@@ -11,6 +11,7 @@ mod hill;
 mod interpolated;
 mod levels;
 mod loaded_modes;
+mod materials;
 mod observed;
 mod poinsot;
 mod power;
@@ -32,10 +33,11 @@ pub use interpolated::InterpolatedPower;
 pub use levels::{
     Level, LevelError, LevelEvolution, LevelPassage, LevelRow, LevelStopReason, Separatrix, Until, Way,
 };
+pub use materials::DrivenMaterial;
 pub use observed::{ObservedError, ObservedPeriods};
 pub use poinsot::{FreeRotation, FreeRotationError};
 pub use power::{MeanPower, PolynomialPower};
-pub use published::{DAMPING_ESTIMATES, DampingEstimate, SmallBody};
+pub use published::{DAMPING_ESTIMATES, DampingEstimate, SmallBody, ball_radius, spin_barrier};
 pub use response::Response;
 pub use slow_torque::{SlowTorque, Unaveraged};
 pub use source::{EvolutionError, PowerSource, harmonic_power};

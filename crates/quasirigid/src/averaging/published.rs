@@ -31,11 +31,27 @@ pub const DAMPING_ESTIMATES: [DampingEstimate; 2] = [
     DampingEstimate { source: "Burns and Safronov 1973", factors: [1.0 / 0.1, 1.0 / 0.01] },
 ];
 
+/// Radius (m) of a homogeneous ball of a mass (kg) and a density (kg/m³).
+#[must_use]
+pub fn ball_radius(mass: f64, density: f64) -> f64 {
+    (0.75 * mass / (PI * density)).cbrt()
+}
+
+/// Newton's constant (m³/(kg·s²)).
+const GRAVITATION: f64 = 6.6743e-11;
+
+/// Spin (rad/s) at which loose material leaves the equator of a ball of this density (kg/m³), `√(4πGρ/3)`: 2.3 h at 2000 kg/m³, and faster
+/// than asteroids above some 200 m spin (Pravec and Harris 2000, Icarus 148, 12). (A13)
+#[must_use]
+pub fn spin_barrier(density: f64) -> f64 {
+    (4.0 / 3.0 * PI * GRAVITATION * density).sqrt()
+}
+
 impl SmallBody {
     /// Radius (m) of the ball of the same volume.
     #[must_use]
     pub fn radius(&self) -> f64 {
-        (0.75 * self.mass / (PI * self.density)).cbrt()
+        ball_radius(self.mass, self.density)
     }
 
     /// `μQ/ρR²Ω³` (s) at a spin (rad/s): the unit of the estimates. (A11)
@@ -48,6 +64,13 @@ impl SmallBody {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// The period at the barrier is `3.3 h/√ρ` with the density in g/cm³.
+    #[test]
+    fn the_spin_barrier_is_that_of_asteroids() {
+        let hours = |density: f64| 2.0 * PI / spin_barrier(density) / 3600.0;
+        assert!((hours(1000.0) - 3.3).abs() < 0.01 && (hours(4000.0) - 1.65).abs() < 0.005);
+    }
 
     /// Harris's own form of his estimate: a period of 17 h is damped in 1 Gyr at a diameter of 1 km, for the constants he takes,
     /// `μQ = 5e11 Pa` and 2000 kg/m³; the time goes with `P³/D²`.

@@ -8,6 +8,7 @@ mod degrees;
 mod energetics;
 mod energy_form;
 mod manifold;
+mod meaning;
 mod projection;
 mod reduce;
 mod relaxation;
@@ -18,6 +19,7 @@ mod vibration;
 
 pub use criterion::{Comparison, Criterion, Verdict};
 pub use degrees::{DegreeSize, degree_sizes, optimal_order};
+pub use meaning::{manifold_has_meaning, state_has_meaning};
 pub use reduce::{MAX_ORDER, ReductionError, reduce};
 pub use relaxation::Relaxation;
 pub use residual::{Residual, residual};

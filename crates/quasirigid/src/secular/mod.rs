@@ -29,4 +29,4 @@ pub use on_manifold::{ManifoldHistory, follow_on_manifold};
 pub use poles::{Pole, Poles};
 pub use probe::Probes;
 pub use site::{MeasureOptions, micro_run_periods};
-pub use start::{manifold_has_meaning, spun_displacements, spun_state};
+pub use start::{spun_displacements, spun_state};

@@ -1,27 +1,12 @@
 use crate::math::sym3::{self, times};
 use crate::math::vec3::{add, dot, norm, scale};
-use crate::model::{FlexibleBody, MotionState, Principal, ReducedBody};
+use crate::model::{FlexibleBody, Principal};
 use crate::modes::{EquilibriumError, Given, RelativeEquilibrium};
 
-/// Largest difference between the angular momentum of the series and that of the state from the series, relative to `|Jω|`, for the slow
-/// manifold to have a meaning. (Q8)
-const MEANINGFUL: f64 = 1e-2;
 /// Limit of iterations for the angular velocity of an angular momentum.
 const STEPS: usize = 60;
 /// Relative change of an angular velocity that is rounding.
 const SETTLED: f64 = 1e-14;
-
-/// True if the slow manifold of a reduced body has a meaning at an angular velocity (rad/s): the state from its series has the angular
-/// momentum of its series. (Q8)
-#[must_use]
-pub fn manifold_has_meaning(body: &FlexibleBody, reduced: &ReducedBody, omega: [f64; 3]) -> bool {
-    let (q, rate) = (reduced.q.value(omega), reduced.rate.value(omega));
-    let angular_momentum = body.angular_momentum(MotionState { omega, q: &q, rate: &rate });
-    let angular_momentum = add(angular_momentum, body.wheels().angular_momentum(0.0));
-    let said = reduced.angular_momentum(omega);
-    let gap = norm(add(said, scale(-1.0, angular_momentum)));
-    gap <= MEANINGFUL * norm(times(body.invariants().J, omega))
-}
 
 /// Displacements of the steady spin of the same size about the principal axis next to an angular velocity (rad/s). (Q8)
 ///

@@ -46,8 +46,18 @@ impl Structure {
     }
 
     /// Number of the material with a rheology, and damping in proportion to mass (1/s) and stiffness (s); a new material is added.
-    pub fn material(&mut self, rheology: &Rheology, [per_mass, per_stiffness]: [f64; 2]) -> usize {
-        let material = MaterialDamping { rheology: rheology.clone(), per_mass, per_stiffness };
+    pub fn material(&mut self, rheology: &Rheology, rayleigh: [f64; 2]) -> usize {
+        self.named_material("", rheology, rayleigh)
+    }
+
+    /// The same of a material by its name, under which its loss is counted; a name without loss is none.
+    pub fn named_material(&mut self, name: &str, rheology: &Rheology, rayleigh: [f64; 2]) -> usize {
+        let [per_mass, per_stiffness] = rayleigh;
+        let mut material =
+            MaterialDamping { name: String::new(), rheology: rheology.clone(), per_mass, per_stiffness };
+        if material.dissipates() {
+            name.clone_into(&mut material.name);
+        }
         self.materials.iter().position(|known| *known == material).unwrap_or_else(|| {
             self.materials.push(material);
             self.materials.len() - 1
@@ -58,6 +68,8 @@ impl Structure {
 /// Dissipation of a material.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct MaterialDamping {
+    /// Name, by which two materials of one rheology stay apart; none of one that has no share of its own.
+    pub name: String,
     pub rheology: Rheology,
     /// Damping per mass (1/s).
     pub per_mass: f64,

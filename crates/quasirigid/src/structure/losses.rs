@@ -4,7 +4,7 @@
 
 use nalgebra::DMatrix;
 
-use super::discrete::{Discrete, joint_unknowns, times};
+use super::discrete::{Discrete, MaterialDamping, joint_unknowns, times};
 use crate::model::Rheology;
 use crate::structure::Block;
 
@@ -42,7 +42,7 @@ pub(super) fn blocks(discrete: &Discrete<'_>, fields: &DMatrix<f64>) -> Vec<Bloc
         let stiffness =
             if shared(*material) { stiffness } else { Some(between(&discrete.stiffness[*material])) };
         let stiffness = stiffness.filter(|_| viscoelastic(*material));
-        blocks.push(block(budget.name(number), *material, [stiffness, damping]));
+        blocks.push(block(budget.name(number, materials), *material, [stiffness, damping]));
     }
     blocks
 }
@@ -86,12 +86,14 @@ impl<'a> Budget<'a> {
         Self { dissipators, elements, joints }
     }
 
-    /// Name of a dissipator: that of its owner, with a number if the owner has several materials that dissipate.
-    fn name(&self, number: usize) -> String {
-        let (owner, _) = self.dissipators[number];
+    /// Name of a dissipator: that of its owner, with that of the material, or a number, if the owner has several materials that dissipate.
+    fn name(&self, number: usize, materials: &[MaterialDamping]) -> String {
+        let (owner, material) = self.dissipators[number];
+        let name = &materials[material].name;
         let own = |(other, (name, _)): (usize, &(&str, usize))| (*name == owner).then_some(other);
         let all: Vec<usize> = self.dissipators.iter().enumerate().filter_map(own).collect();
         match all.iter().position(|other| *other == number) {
+            Some(_) if all.len() > 1 && !name.is_empty() => format!("{owner} {name}"),
             Some(place) if all.len() > 1 => format!("{owner} material {}", place + 1),
             _ => owner.to_owned(),
         }

@@ -201,7 +201,12 @@ mod tests {
         }
         for [per_mass, per_stiffness] in [[0.3, 0.0], [0.0, 0.2], [0.1, 0.7]] {
             let rheology = Rheology::Elastic;
-            structure.materials.push(MaterialDamping { rheology, per_mass, per_stiffness });
+            structure.materials.push(MaterialDamping {
+                name: String::new(),
+                rheology,
+                per_mass,
+                per_stiffness,
+            });
         }
         for (index, nodes) in [
             [1, 2],

@@ -10,22 +10,34 @@ use crate::dynamics::{
     Forced, FullState, MAX_FORCED_ORDER, Observer, Options, Outcome, Sample, SlowState, Start, propagate,
     propagate_forced, propagate_full,
 };
-use crate::reduction::{MAX_ORDER, reduce};
+use crate::math::vec3::norm;
+use crate::model::MotionState;
+use crate::reduction::{MAX_ORDER, manifold_has_meaning, reduce, state_has_meaning};
 
 impl Start {
     /// Full state on the slow manifold with this angular velocity, two orders above `order` where the reduction goes so far.
     ///
     /// # Errors
-    /// [`VerificationError`] if there is no such state.
+    /// [`VerificationError::NoSlowManifold`] where the series means nothing, and [`VerificationError`] if there is no such state. (Q8)
     pub fn settled(&self, system: Forced, order: usize) -> Result<FullState, VerificationError> {
         let Start { omega, attitude, place, velocity } = *self;
         if system.acts() {
             let above = (order + 2).min(MAX_FORCED_ORDER);
             let still = SlowState { angular_momentum: [0.0; 3], attitude, place, velocity };
             let slow = still.with_spin(system, above, omega)?;
-            return Ok(FullState::on_manifold(system, above, &slow)?);
+            let state = FullState::on_manifold(system, above, &slow)?;
+            let motion = MotionState { omega, q: &state.q, rate: &state.rate };
+            let exists = state_has_meaning(system.body, motion, slow.angular_momentum);
+            return if exists {
+                Ok(state)
+            } else {
+                Err(VerificationError::NoSlowManifold { spin: norm(omega) })
+            };
         }
         let reduced = reduce(system.body, (order + 2).min(MAX_ORDER))?;
+        if !manifold_has_meaning(system.body, &reduced, omega) {
+            return Err(VerificationError::NoSlowManifold { spin: norm(omega) });
+        }
         let (q, rate) = (reduced.q.value(omega), reduced.rate.value(omega));
         Ok(FullState { omega, attitude, q, rate, place, velocity })
     }

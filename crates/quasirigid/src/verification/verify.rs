@@ -117,6 +117,14 @@ pub enum VerificationError {
     /// There are no reduced equations about the spin.
     #[error(transparent)]
     Submanifold(#[from] SubmanifoldError),
+    /// The slow series means nothing at the angular velocity of the start. (Q8)
+    #[error(
+        "there is no slow manifold to start on at {spin:.4e} rad/s: the truncated series is not small there; lower the spin, or raise the stiffness of springs and the friction of rotors and liquids"
+    )]
+    NoSlowManifold {
+        /// The angular velocity (rad/s).
+        spin: f64,
+    },
     /// A history could not start.
     #[error(transparent)]
     Propagate(#[from] PropagateError),

@@ -318,7 +318,12 @@ fn a_bushing_at_a_node_of_a_solid_is_a_full_spring() {
     let cell = Cell { label: 1, shape: Shape::Hex8, nodes: (0..8).collect() };
     let mesh = Mesh { nodes, node_labels: (1..=8).collect(), cells: vec![cell], sets: Vec::new() };
     let rubber = Material { density: 1100.0, young: 2e6, poisson: 0.3, rheology: Rheology::Elastic };
-    let region = Region { cells: vec![0], material: ElasticMaterial::Isotropic(rubber), axes: UPRIGHT };
+    let region = Region {
+        cells: vec![0],
+        name: String::new(),
+        material: ElasticMaterial::Isotropic(rubber),
+        axes: UPRIGHT,
+    };
     let part = Part {
         name: "block".into(),
         kind: PartKind::Solid(Solid { mesh: Arc::new(mesh), regions: vec![region] }),

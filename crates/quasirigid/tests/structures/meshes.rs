@@ -186,6 +186,7 @@ pub fn solid(mesh: Mesh, regions: &[(Vec<usize>, Material)], attached: Vec<usize
     let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
     let region = |(cells, material): &(Vec<usize>, Material)| Region {
         cells: cells.clone(),
+        name: String::new(),
         material: ElasticMaterial::Isotropic(material.clone()),
         axes,
     };

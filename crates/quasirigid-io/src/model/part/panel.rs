@@ -84,15 +84,15 @@ fn layer(value: &Value<'_>, sources: Sources<'_, '_>) -> Option<(Layer, Extremes
         return value.mismatch("a table", "write { material = \"aluminium\", thickness = \"2 mm\" }");
     }
     let table = value.table("the layer", &LAYER)?;
-    let material = table
-        .required("material", "material = \"aluminium\"")
-        .and_then(|value| sources.materials.named(&value));
+    let named = table.required("material", "material = \"aluminium\"");
+    let material = named.as_ref().and_then(|value| sources.materials.named(value));
     let thickness = table
         .required("thickness", "thickness = \"2 mm\"")
         .and_then(|value| value.positive(Dimension::LENGTH));
     let angle = table.get("angle").map_or(Some(0.0), |value| value.quantity(Dimension::ANGLE));
     let (material, extremes) = material?;
-    Some((Layer { material, thickness: thickness?, angle: angle? }, extremes))
+    let name = named.and_then(|value| value.words().map(str::to_owned)).unwrap_or_default();
+    Some((Layer { name, material, thickness: thickness?, angle: angle? }, extremes))
 }
 
 /// Direction of the first side of the first cell.

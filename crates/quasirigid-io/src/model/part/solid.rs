@@ -76,9 +76,10 @@ fn one(
     axes: [[f64; 3]; 3],
 ) -> Option<(Region, Extremes)> {
     let help = "material = \"aluminium\", or materials = { SET = \"aluminium\" }";
-    let (material, extremes) =
-        table.required("material", help).and_then(|value| sources.materials.named(&value))?;
-    Some((Region { cells: solid_cells(mesh).collect(), material, axes }, extremes))
+    let value = table.required("material", help)?;
+    let (material, extremes) = sources.materials.named(&value)?;
+    let name = value.words().unwrap_or_default().to_owned();
+    Some((Region { cells: solid_cells(mesh).collect(), name, material, axes }, extremes))
 }
 
 /// Reads the materials of sets of cells; every solid cell is in one of them.
@@ -102,7 +103,8 @@ fn several(
         let cells = cells_of(&entry, mesh)?;
         cells.iter().for_each(|cell| owners[*cell] += 1);
         let (material, extremes) = sources.materials.named(&entry)?;
-        regions.push((Region { cells, material, axes }, extremes));
+        let name = entry.words().unwrap_or_default().to_owned();
+        regions.push((Region { cells, name, material, axes }, extremes));
     }
     let wrong: Vec<usize> = solid_cells(mesh).filter(|cell| owners[*cell] != 1).collect();
     let Some(first) = wrong.first() else { return Some(regions) };

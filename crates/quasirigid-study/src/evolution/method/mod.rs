@@ -10,6 +10,7 @@ mod start_and_end;
 mod steady_spins;
 mod verdict;
 
+use std::f64::consts::TAU;
 use std::ops::ControlFlow;
 
 use quasirigid::averaging::{FreeRotation, LevelPassage, MeanPower};
@@ -56,6 +57,8 @@ const SLOW: f64 = 1e-3;
 const UNDER_TORQUE: f64 = 0.1;
 /// Moments whose relative difference is larger are distinct for so slow a spin.
 const DISTINCT: f64 = 1e-3;
+/// Change of the wobble in a radian of the polhode from which an average is judged by the modes. (Q14)
+const BRIEF: f64 = 1e-2;
 /// Relative difference between the powers of the polynomial and of the harmonics below which losses are of first order.
 const FIRST_ORDER: f64 = 2.5e-3;
 /// Places `ξ` at which the two are compared, from the separatrix to the axis.
@@ -201,7 +204,20 @@ fn plain(body: &FlexibleBody, secular: &SecularEvolution, spin: f64) -> bool {
     let [I1, I2, I3] = secular.principal.moments;
     let distinct = [I2 - I1, I3 - I2].iter().all(|gap| *gap > DISTINCT * I3 || *gap < 1e-9 * I3);
     let slowest = secular.response.frequencies().next().map_or(f64::INFINITY, |(frequency, _)| frequency);
-    body.cyclic().is_empty() && distinct && spin < SLOW * slowest
+    let driven = secular.response.driven_materials(&secular.initial);
+    let softest = driven.iter().fold(1.0, |least: f64, material| least.min(material.modulus));
+    body.cyclic().is_empty()
+        && distinct
+        && spin < SLOW * slowest * softest.sqrt()
+        && !(per_revolution(secular) > BRIEF)
+}
+
+/// Rate of the wobble, `P/2E_w`, over the polhode rate: what an average over its period leaves out. (Q3), (Q14)
+fn per_revolution(secular: &SecularEvolution) -> f64 {
+    let motion = &secular.initial;
+    let steady = motion.angular_momentum().powi(2) / (2.0 * motion.moments()[motion.mode().circled()]);
+    let wobble = 2.0 * (motion.energy() - steady).abs();
+    secular.power().mean_power(motion) / wobble * motion.polhode_period() / TAU
 }
 
 /// Whether polynomial and harmonics have the same power wherever an evolution may lead: next to the separatrix the wobble is slow, so that the

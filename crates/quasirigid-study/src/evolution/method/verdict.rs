@@ -83,6 +83,12 @@ impl Verdict {
         }
     }
 
+    /// Says first that a material is no solid, for which nothing here holds. (G16)
+    pub fn is_of_no_solid(&mut self, why: &str) {
+        self.fails = true;
+        self.sentence = format!("NO SOLID: {why}. {}", self.sentence).trim().into();
+    }
+
     /// Source of the power, in words; none of an average.
     pub fn method(&self) -> Option<String> {
         match self.road {

@@ -32,6 +32,9 @@ pub struct Panel {
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Layer {
+    /// Name of the material, by which its share of the dissipation is told; it may be empty.
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub name: String,
     /// Material of the layer; its axis 3 is the normal.
     pub material: ElasticMaterial,
     /// Thickness (m).
@@ -94,7 +97,7 @@ impl Panel {
             .map_err(|cause| refuse(Problem::Shell { cell: None, cause }))?;
         let mut sections: Vec<(usize, ShellSection)> = Vec::new();
         for (layer, section) in self.layers.iter().zip(layers) {
-            let material = structure.material(layer.material.rheology(), rayleigh);
+            let material = structure.named_material(&layer.name, layer.material.rheology(), rayleigh);
             match sections.iter_mut().find(|(known, _)| *known == material) {
                 Some((_, sum)) => *sum = *sum + section,
                 None => sections.push((material, section)),

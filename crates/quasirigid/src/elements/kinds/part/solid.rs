@@ -28,6 +28,9 @@ pub struct Solid {
 pub struct Region {
     /// Indices of the cells; cells of other dimensions are skipped.
     pub cells: Vec<usize>,
+    /// Name of the material, by which its share of the dissipation is told; it may be empty.
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub name: String,
     /// Material of the cells.
     pub material: ElasticMaterial,
     /// Axes 1, 2, 3 of the material, a unit vector each, in the file's frame.
@@ -59,7 +62,7 @@ impl Solid {
         for region in &self.regions {
             region.material.check(place)?;
             let elasticity = Arc::new(region.elasticity().map_err(at(place, Field::MATERIAL))?);
-            let material = structure.material(region.material.rheology(), rayleigh);
+            let material = structure.named_material(&region.name, region.material.rheology(), rayleigh);
             let count = self.mesh.cells.len();
             if let Some(index) = region.cells.iter().copied().find(|cell| *cell >= count) {
                 return Err(at(place, Field::MATERIAL)(Problem::NoSuchCell { index, count }));

@@ -39,7 +39,12 @@ fn solid() -> PartKind {
     mesh.node_labels = (1..=mesh.nodes.len() as u64).collect();
     let material = Material { density: 2.5, young: 3.0, poisson: 0.3, rheology: Rheology::Elastic };
     let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
-    let region = Region { cells: vec![0, 1], material: ElasticMaterial::Isotropic(material), axes };
+    let region = Region {
+        cells: vec![0, 1],
+        name: String::new(),
+        material: ElasticMaterial::Isotropic(material),
+        axes,
+    };
     PartKind::Solid(Solid { mesh: Arc::new(mesh), regions: vec![region] })
 }
 

@@ -1,0 +1,39 @@
+//! Materials in the motion asked for, in words. Equation (G16), docs/theory/11-materials.md.
+
+use quasirigid::averaging::{FreeRotation, Response, RotationState};
+use quasirigid_math::vec3::norm;
+
+use crate::study::Study;
+use crate::words::significant;
+
+/// Tangent of the loss angle above which more is lost in a radian than is stored, as in a liquid.
+const LIQUID: f64 = 1.0;
+
+/// Reason why a material is no solid at the harmonics of a rotation; none if all are. (G16)
+pub fn flowing(response: &Response, motion: &FreeRotation) -> Option<String> {
+    RotationState::from_motion(motion)?;
+    let driven = response.driven_materials(motion);
+    let worst = driven.into_iter().max_by(|a, b| a.loss.total_cmp(&b.loss))?;
+    (worst.loss > LIQUID).then(|| {
+        format!(
+            "the material of {} flows in this motion like a liquid: at {} rad/s, a harmonic of it, its modulus is {} of the one given and \
+             its loss angle {} degrees, above 45 (Q = {}, below 1)",
+            worst.name,
+            significant(worst.frequency, 3),
+            significant(worst.modulus, 3),
+            significant(worst.loss.atan().to_degrees(), 3),
+            significant(worst.loss.recip(), 2)
+        )
+    })
+}
+
+/// The same at the free rotation of the frozen body with an angular velocity (rad/s, body axes).
+pub fn flowing_at(study: &Study, omega: [f64; 3]) -> Option<String> {
+    if study.body.viscoelastic().is_empty() || norm(omega) == 0.0 {
+        return None;
+    }
+    let response = Response::compute(&study.body).ok()?;
+    let principal = response.principal();
+    let motion = FreeRotation::through(principal.moments, principal.components(omega)).ok()?;
+    flowing(&response, &motion)
+}

@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 use std::path::Path;
 
-use quasirigid::dynamics::{Event, Form, Method, Nutations, Options, Outcome, Run, Scan, Start};
+use quasirigid::dynamics::{Event, Form, Method, Nutations, Options, Outcome, Run, Sample, Scan, Start};
 use quasirigid::model::{Principal, ReducedBody};
 use quasirigid::reduction::{Assessment, Comparison, Criterion, Validity, Verdict, frequencies};
 use quasirigid_io::model::{Named, Stop, System};
@@ -21,7 +21,7 @@ use crate::record::status;
 use crate::study::Study;
 use crate::table_sink::TableSink;
 use crate::watch::Watch;
-use crate::words::{drift_note, shares, verdict};
+use crate::words::{Accounts, energy_note, shares, verdict};
 
 /// Settings of a propagation by the user; absent ones are the file's, or the defaults.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -206,6 +206,7 @@ impl History {
             "dissipation": shares(&self.budget),
             "work": last.work,
             "energy_drift": last.energy_drift,
+            "left_out": self.run.left_out,
             "momentum_drift": last.momentum_drift,
             "turns": last.revolutions,
             "position": last.place,
@@ -320,11 +321,12 @@ impl Study {
         let budget = std::mem::take(&mut sink.budget);
         let (columns, log) = sink.finish()?;
         let (forced, last) = (motion.system().acts(), run.last);
-        let energies = [last.energy_drift, last.dissipated];
+        let Sample { energy, energy_drift: drift, dissipated, .. } = last;
+        let accounts = Accounts { energy, drift, dissipated, left_out: run.left_out };
         // the defect judges the equations about a spin: their energy is truncated, whatever the integrator does
         let note = match &manifold {
             Some(verdict) => verdict.note(),
-            None => drift_note(table.system.name(), forced, last.energy, energies),
+            None => energy_note(table.system.name(), forced, accounts),
         };
         let notes = note.into_iter().collect();
         let left = manifold.as_ref().and_then(|verdict| verdict.status(run.outcome));

@@ -29,7 +29,7 @@ use crate::motion::{DISPLACED, LOOSE, Motion};
 use crate::scene::{self, Frames};
 use crate::study::Study;
 use crate::watch::Watch;
-use crate::words::{drift_note, significant};
+use crate::words::{Accounts, energy_note, significant};
 use crate::{evolution, record, steady, verification};
 
 /// Rows of a history without a given number: enough for smooth curves, within limits.
@@ -310,7 +310,8 @@ impl<'a> Plan<'a> {
         let forced = self.motion.system().acts();
         let note = |each: &&HistoryRecord| each.system != System::Manifold.name();
         let drift = |each: &HistoryRecord| {
-            drift_note(&each.system, forced, each.energy, [each.energy_drift, each.dissipated])
+            let &HistoryRecord { energy, energy_drift: drift, dissipated, left_out, .. } = each;
+            energy_note(&each.system, forced, Accounts { energy, drift, dissipated, left_out })
         };
         record.notes.extend(record.histories.iter().filter(note).filter_map(drift));
         Ok(())

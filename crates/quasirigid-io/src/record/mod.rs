@@ -317,6 +317,10 @@ pub struct HistoryRecord {
     /// Change of energy made by the integrator alone (J).
     #[serde(with = "number")]
     pub energy_drift: f64,
+    /// Energy (J) of vibrations that forces excite, and of terms of the series, which the reduced equations leave out of the dissipated energy:
+    /// an estimate; zero of other systems and in records of versions before this field.
+    #[serde(with = "number", default)]
+    pub left_out: f64,
     /// Change of `|K|` made by the integrator alone, relative.
     #[serde(with = "number")]
     pub momentum_drift: f64,

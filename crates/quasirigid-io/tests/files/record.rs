@@ -102,12 +102,12 @@ fn columns() -> impl Strategy<Value = Vec<Column>> {
 prop_compose! {
     fn history(system: &'static str)(
         form in ".*", method in ".*", status in ".*", message in ".*", steps: u64, rejected: u64, leaped: u64,
-        numbers in [finite(), finite(), finite(), finite(), finite(), finite(), finite()], columns in columns(), dissipation in shares(),
+        numbers in [finite(), finite(), finite(), finite(), finite(), finite(), finite(), finite()], columns in columns(), dissipation in shares(),
     ) -> HistoryRecord {
-        let [tolerance, revolutions, energy, dissipated, work, energy_drift, momentum_drift] = numbers;
+        let [tolerance, revolutions, energy, dissipated, work, energy_drift, left_out, momentum_drift] = numbers;
         HistoryRecord {
             system: system.into(), form, method, status, message, tolerance, steps, rejected, leaped, revolutions,
-            energy, dissipated, dissipation, work, energy_drift, momentum_drift, rows: 0, columns, log: None,
+            energy, dissipated, dissipation, work, energy_drift, left_out, momentum_drift, rows: 0, columns, log: None,
         }
     }
 }
@@ -353,6 +353,7 @@ pub fn sample() -> RunRecord {
             dissipation: BTreeMap::new(),
             work: 0.0,
             energy_drift: 0.0,
+            left_out: 0.0,
             momentum_drift: 0.0,
             rows: 0,
             log: None,

@@ -62,6 +62,11 @@ pub(super) trait Trajectory {
         let _ = (t, y);
     }
 
+    /// Called before the steps in a stretch between breakpoints of the forces, with whether they begin at its begin. (Z1)
+    fn enter(&mut self, stretch: Stretch, begins: bool) {
+        let _ = (stretch, begins);
+    }
+
     /// Saves what the motion has summed up beside the state.
     fn save(&self, checkpoint: &mut Checkpoint) {
         let _ = checkpoint;
@@ -392,7 +397,9 @@ impl<M: Solver<State = T::State>, T: Trajectory> StepObserver<M> for InvariantMo
     }
 
     fn stretch(&mut self, t: f64) -> Option<(Stretch, bool)> {
-        self.timing.as_mut()?.stretch(t)
+        let (stretch, begins) = self.timing.as_mut()?.stretch(t)?;
+        self.trajectory.enter(stretch, begins);
+        Some((stretch, begins))
     }
 
     fn event(&mut self, solver: &mut M) -> Option<f64> {

@@ -145,7 +145,13 @@ impl<E: Equations> Task for StepByStep<'_, E> {
         let sums = monitor.trajectory.end(&last);
         let budget = monitor.trajectory.budget(&sums, &last);
         monitor.observer.budget(&budget);
-        Ok(Run { outcome: monitor.outcome(reason), last, work: solver.work(), scan: Scan::default() })
+        Ok(Run {
+            outcome: monitor.outcome(reason),
+            last,
+            work: solver.work(),
+            scan: Scan::default(),
+            left_out: 0.0,
+        })
     }
 }
 

@@ -41,5 +41,6 @@ pub(super) fn stays_at_rest(
         last: at(times.last().copied().unwrap_or_default()),
         work: Work::default(),
         scan: Scan::default(),
+        left_out: 0.0,
     }
 }

@@ -187,6 +187,9 @@ pub struct Run {
     pub work: Work,
     /// Formulas of the time, as far as they were followed.
     pub scan: Scan,
+    /// Energy (J) of vibrations that the forces excite, as far as reduced equations leave them out, and of what their series leaves out of the
+    /// dissipated energy: an estimate, zero of other systems. (E5)
+    pub left_out: f64,
 }
 
 /// Cost and result of following the formulas of the time through a run. (Z3)

@@ -62,7 +62,8 @@ fn replacement(
     let error = |size: f64| ROUNDED * if pair { fastest * spin / (size * size) } else { fastest / size };
     let least = sizes(false).fold(f64::INFINITY, f64::min);
     let least = if pair { least.min(slow.frequency) } else { least };
-    if slots.is_empty() || error(least) <= LOST {
+    // a single slow motion beside a neutral one is known by its source alone: a shape that lags and a rotor decay alike
+    if slots.is_empty() || (pair && error(least) <= LOST) {
         return None;
     }
     let Some(motions) = slow.motions(body, coefficients) else {

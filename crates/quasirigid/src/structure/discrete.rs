@@ -82,6 +82,12 @@ impl MaterialDamping {
     pub fn dissipates(&self) -> bool {
         self.rheology != Rheology::Elastic || self.per_mass != 0.0 || self.per_stiffness != 0.0
     }
+
+    /// Whether another material, of whatever name, takes the same share of its energy.
+    fn loses_like(&self, other: &Self) -> bool {
+        let law = |material: &Self| (material.per_mass, material.per_stiffness);
+        self.rheology == other.rheology && law(self) == law(other)
+    }
 }
 
 /// Springs and dashpots about the axes of a joint.
@@ -150,7 +156,7 @@ impl<'a> Discrete<'a> {
     /// Matrices that dissipate; none of them is a multiple of the stiffness.
     pub fn losses(&self) -> Vec<&Symmetric> {
         let materials = self.structure.materials.iter().zip(&self.stiffness);
-        let several = self.structure.materials.len() > 1;
+        let several = self.structure.materials.array_windows().any(|[one, other]| !one.loses_like(other));
         let viscoelastic =
             materials.filter(|(material, _)| several && material.rheology != Rheology::Elastic);
         self.damping.iter().chain(viscoelastic.map(|(_, stiffness)| stiffness)).collect()

@@ -181,6 +181,7 @@ fn public_types_are_send_sync_and_debug() {
     crosses::<averaging::HarmonicResonance>();
     crosses::<averaging::DampingEstimate>();
     crosses::<averaging::Drift>();
+    crosses::<averaging::DrivenMaterial>();
     crosses::<averaging::DriftStopReason>();
     crosses::<averaging::EllipsoidLoss>();
     crosses::<averaging::EllipsoidPassage>();

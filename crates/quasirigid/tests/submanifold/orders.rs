@@ -185,6 +185,7 @@ fn along_curved_paths_with_the_attitude() {
 }
 
 #[test]
+#[ignore = "half a minute; run at night"]
 fn everything_with_the_attitude() {
     falls(&slopes(&bodies::everything(WHEEL), 3.0, &Masters::Nutation, Style::NormalForm));
 }

@@ -71,7 +71,13 @@ pub fn propagate_full(
     let first = monitor.resume(&mut solver)?;
     let reason = integrate(&mut solver, times, first, options.most_steps, &mut monitor);
     let last = monitor.sample(solver.t(), solver.y());
-    let run = Run { outcome: monitor.outcome(reason), last, work: solver.work(), scan: monitor.scan() };
+    let run = Run {
+        outcome: monitor.outcome(reason),
+        last,
+        work: solver.work(),
+        scan: monitor.scan(),
+        left_out: 0.0,
+    };
     observer.budget(&budget(system.body, &solver.y()[layout.accounts()], last.dissipated));
     Ok(run)
 }

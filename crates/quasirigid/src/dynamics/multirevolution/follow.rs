@@ -84,7 +84,7 @@ pub(in crate::dynamics) fn follow<A: Arithmetic>(
     let last = monitor.sample(t, &y);
     let budget = monitor.trajectory.budget(&taken, &last);
     monitor.observer.budget(&budget);
-    Ok(Run { outcome: monitor.outcome(reason), last, work: work.get(), scan: Scan::default() })
+    Ok(Run { outcome: monitor.outcome(reason), last, work: work.get(), scan: Scan::default(), left_out: 0.0 })
 }
 
 impl<'w, 'a, A: Arithmetic> Follower<'w, 'a, A> {

@@ -1,7 +1,7 @@
 //! Slow motion under forces at a state: internal coordinates slaved to the rigid motion, by Taylor series in time.
 //! Forces are no polynomials in the angular velocity, so derivatives come from series along the flow; each pass gains one order and costs
 //! two terms.
-//! Equations (E1) and (E2), docs/theory/09-forced-reduction.md; (C3), docs/theory/13-inside.md.
+//! Equations (E1), (E2) and (E5), docs/theory/09-forced-reduction.md; (C3), docs/theory/13-inside.md.
 
 use std::ops::Range;
 
@@ -46,6 +46,23 @@ pub const MAX_FORCED_ORDER: usize = 5;
 /// # Panics
 /// If the order is above [`MAX_FORCED_ORDER`].
 pub(super) fn slow_point(system: Forced, order: usize, K: [f64; 3], pose: &Pose<f64>) -> SlowPoint {
+    passes(system, order, K, pose).0
+}
+
+/// Estimate of the error of the dissipated power (W) by the terms that the series leaves out, `2 δq̇·B·δq̇` with the rates `δq̇` that the last
+/// pass has added: as small beside the power as the series converges. Orders below 3, which have no second pass, are judged by it. (E5)
+pub(super) fn error_of_power(system: Forced, order: usize, K: [f64; 3], pose: &Pose<f64>) -> f64 {
+    let (point, before) = passes(system, order.max(JUDGED), K, pose);
+    let added: Vec<f64> = point.rate.iter().zip(before).map(|(last, before)| last - before).collect();
+    let forces = system.body.damping().times(&added);
+    2.0 * forces.iter().zip(added).map(|(force, rate)| force * rate).sum::<f64>()
+}
+
+/// Least order whose dissipation has a correction. (E5)
+const JUDGED: usize = 3;
+
+/// Slow motion, and the rates of the internal coordinates before the last pass.
+fn passes(system: Forced, order: usize, K: [f64; 3], pose: &Pose<f64>) -> (SlowPoint, Vec<f64>) {
     let improved = if system.body.cyclic().is_empty() { order.saturating_sub(1) } else { order };
     match improved {
         0 => point::<1>(system, improved, K, pose),
@@ -59,20 +76,40 @@ pub(super) fn slow_point(system: Forced, order: usize, K: [f64; 3], pose: &Pose<
 }
 
 /// Improves the coordinates `improved` times along the flow.
-fn point<const N: usize>(system: Forced, improved: usize, K: [f64; 3], pose: &Pose<f64>) -> SlowPoint {
+fn point<const N: usize>(
+    system: Forced,
+    improved: usize,
+    K: [f64; 3],
+    pose: &Pose<f64>,
+) -> (SlowPoint, Vec<f64>) {
     let n = system.body.coordinates().len();
+    let values = |list: &[Taylor<N>]| -> Vec<f64> { list.iter().map(|entry| entry.value()).collect() };
     let mut q = vec![Taylor::<N>::from(0.0); n];
     let mut rate = q.clone();
+    let mut before = vec![0.0; n];
     for _ in 0..improved {
+        before = values(&rate);
         let flow = Flow::along(system, K, pose, &q, &rate);
         (q, rate) = flow.coordinates(system, &q, &rate);
     }
-    let values = |list: &[Taylor<N>]| -> Vec<f64> { list.iter().map(|entry| entry.value()).collect() };
     let (q, rate) = (values(&q), values(&rate));
     let own = add(K, scale(-1.0, system.body.wheels().angular_momentum(pose.t)));
     let omega = spin(system, own, &q, &rate);
     let loads = loads(system, pose, MotionState { omega, q: &q, rate: &rate });
-    SlowPoint { omega, q, rate, loads }
+    (SlowPoint { omega, q, rate, loads }, before)
+}
+
+/// Energy (J) of the free vibration from a jump of the internal coordinates and their rates, about a body that recoils. (E5)
+pub(super) fn vibration_energy(system: Forced, before: &SlowPoint, after: &SlowPoint) -> f64 {
+    let jump = |of: fn(&SlowPoint) -> &[f64]| -> Vec<f64> {
+        of(after).iter().zip(of(before)).map(|(after, before)| after - before).collect()
+    };
+    let (q, rate) = (jump(|point| &point.q), jump(|point| &point.rate));
+    let still = vec![0.0; q.len()];
+    let omega = spin(system, [0.0; 3], &still, &rate);
+    let elastic: f64 = system.body.stiffness().times(&q).iter().zip(&q).map(|(force, q)| force * q).sum();
+    let kinetic = system.body.energy(MotionState { omega, q: &still, rate: &rate });
+    0.5 * elastic + kinetic
 }
 
 /// Angular velocity from an angular momentum without that of wheels, at a displacement: `J(q)ω = K − h(q)q̇`. (S2)

@@ -1,6 +1,7 @@
 //! Reduced motion of a body under external forces, by series in time at each state.
 
 mod flow;
+mod motion;
 mod propagate;
 mod state;
 mod system;

@@ -3,13 +3,14 @@
 //! Equations (E1) to (E3), docs/theory/09-forced-reduction.md; (P7), docs/theory/05-propagation.md.
 
 use super::flow::{MAX_FORCED_ORDER, SlowPoint};
+use super::motion::SlowMotion;
 use super::state::SlowState;
 use super::state::slow_state_point;
 use super::system::SlowSystem;
 use crate::dynamics::conserved_momentum::Conserved;
 use crate::dynamics::external::Forced;
 use crate::dynamics::form::Form;
-use crate::dynamics::invariant_monitor::{InvariantMonitor, StateView, Trajectory};
+use crate::dynamics::invariant_monitor::{InvariantMonitor, StateView};
 use crate::dynamics::layout::{ATTITUDE, MOMENTUM, PLACE, SLOW, VELOCITY};
 use crate::dynamics::run::{Observer, Options, PropagateError, Run, check};
 use crate::dynamics::scale::Scales;
@@ -46,7 +47,7 @@ fn paper_start(system: Forced, order: usize, start: &SlowPoint, center: [f64; SL
         y[VELOCITY..VELOCITY + 3].copy_from_slice(&pole_velocity);
         y
     };
-    let StateView { omega, q, rate, .. } = { slow }.view(0.0, &put(start.motion()));
+    let StateView { omega, q, rate, .. } = slow.view(0.0, &put(start.motion()));
     put(MotionState { omega, q: &q, rate: &rate })
 }
 
@@ -92,10 +93,11 @@ pub fn propagate_forced(
     allowed[ATTITUDE..ATTITUDE + 4].fill(options.tolerance);
     allowed[PLACE..PLACE + 3].fill(options.tolerance * scales.place);
     allowed[VELOCITY..VELOCITY + 3].fill(options.tolerance * scales.velocity);
-    let mut slow = SlowSystem { system, order, form: options.form, stretch: Stretch::default() };
+    let slow = SlowSystem { system, order, form: options.form, stretch: Stretch::default() };
     let angular_momentum = slow.view(0.0, &y).angular_momentum;
     let angular_momentum = Conserved::of(angular_momentum, initial.attitude, scales.inside);
-    let mut monitor = InvariantMonitor::new(slow, &y, angular_momentum, options, observer);
+    let mut monitor =
+        InvariantMonitor::new(SlowMotion::new(slow, &y), &y, angular_momentum, options, observer);
     if let Some(timing) = &mut timing {
         timing.allow(system, scales.allowed(options.tolerance));
     }
@@ -104,5 +106,6 @@ pub fn propagate_forced(
     let first = monitor.resume(&mut solver)?;
     let reason = integrate(&mut solver, times, first, options.most_steps, &mut monitor);
     let last = monitor.sample(solver.t(), solver.y());
-    Ok(Run { outcome: monitor.outcome(reason), last, work: solver.work(), scan: monitor.scan() })
+    let (outcome, left_out) = (monitor.outcome(reason), monitor.trajectory.left_out);
+    Ok(Run { outcome, last, work: solver.work(), scan: monitor.scan(), left_out })
 }

@@ -8,11 +8,10 @@ use super::state::SlowState;
 use super::torque::{ForcedTorque, RigidState, forced_torque};
 use crate::dynamics::external::Forced;
 use crate::dynamics::form::Form;
-use crate::dynamics::invariant_monitor::{Invariant, StateView, Trajectory};
+use crate::dynamics::invariant_monitor::StateView;
 use crate::dynamics::layout::{
     ANGLE, ATTITUDE, DISSIPATED, IMPULSE, MOMENTUM, PLACE, SLOW, VELOCITY, WORK, triple,
 };
-use crate::dynamics::seat::Seat;
 use crate::math::ode::{Stretch, System};
 use crate::math::rotation::{self, Turn};
 use crate::math::simd::Arithmetic;
@@ -48,6 +47,28 @@ impl SlowSystem<'_> {
         match self.form {
             Form::AngularMomentum => self.angular_momentum_form(t, y),
             Form::AngularVelocity => self.angular_velocity_form(t, y),
+        }
+    }
+
+    /// Quantities of a state.
+    pub fn view(&self, t: f64, y: &[f64]) -> StateView {
+        let Rates { omega, q, rate, .. } = self.rates(t, y);
+        let motion = MotionState { omega, q: &q, rate: &rate };
+        let body = self.system.body;
+        let angular_momentum = add(body.angular_momentum(motion), body.wheels().angular_momentum(t));
+        let energy = body.energy(motion);
+        let (dissipated, work) = (y[DISSIPATED], y[WORK]);
+        StateView {
+            omega,
+            angular_momentum,
+            energy,
+            q,
+            rate,
+            dissipated,
+            work,
+            explained: [-dissipated, work],
+            angle: y[ANGLE],
+            impulse: triple(y, IMPULSE),
         }
     }
 
@@ -103,55 +124,5 @@ impl System<[f64; SLOW]> for SlowSystem<'_> {
 
     fn enter(&mut self, stretch: Stretch) {
         self.stretch = stretch;
-    }
-}
-
-impl Trajectory for SlowSystem<'_> {
-    type State = [f64; SLOW];
-
-    const ATTITUDE: usize = ATTITUDE;
-
-    fn view(&mut self, t: f64, y: &[f64]) -> StateView {
-        let Rates { omega, q, rate, .. } = self.rates(t, y);
-        let motion = MotionState { omega, q: &q, rate: &rate };
-        let body = self.system.body;
-        let angular_momentum = add(body.angular_momentum(motion), body.wheels().angular_momentum(t));
-        let energy = body.energy(motion);
-        let (dissipated, work) = (y[DISSIPATED], y[WORK]);
-        StateView {
-            omega,
-            angular_momentum,
-            energy,
-            q,
-            rate,
-            dissipated,
-            work,
-            explained: [-dissipated, work],
-            angle: y[ANGLE],
-            impulse: triple(y, IMPULSE),
-        }
-    }
-
-    fn angular_momentum(&mut self, t: f64, y: &[f64]) -> [f64; 3] {
-        match self.form {
-            Form::AngularMomentum => triple(y, MOMENTUM),
-            Form::AngularVelocity => self.view(t, y).angular_momentum,
-        }
-    }
-
-    fn seat(&self, _: f64, y: &[f64], view: &StateView, _: [f64; 4]) -> Seat {
-        let motion = MotionState { omega: view.omega, q: &view.q, rate: &view.rate };
-        match self.form {
-            Form::AngularMomentum => Seat::of_center(self.system.body, motion, y),
-            Form::AngularVelocity => Seat::of_pole(self.system.body, motion, y),
-        }
-    }
-
-    fn invariant(&self) -> Invariant {
-        match (self.system.acts(), self.form) {
-            (true, _) => Invariant::Impulse,
-            (false, Form::AngularMomentum) => Invariant::AngularMomentum,
-            (false, Form::AngularVelocity) => Invariant::Direction,
-        }
     }
 }

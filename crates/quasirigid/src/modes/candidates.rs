@@ -27,7 +27,7 @@ const ROUNDED: f64 = 1e-15;
 const LOST: f64 = 1e-9;
 const UNKNOWN: f64 = 1e-4;
 /// Ratio of a motion of the direction to the internal motions and to the spin up to which it counts as slow.
-const SLOW: f64 = 1e-3;
+pub(super) const SLOW: f64 = 1e-3;
 
 /// Motions about a steady spin (rad/s) but for the zeros.
 pub(super) fn candidates(
@@ -62,8 +62,7 @@ fn replacement(
     let error = |size: f64| ROUNDED * if pair { fastest * spin / (size * size) } else { fastest / size };
     let least = sizes(false).fold(f64::INFINITY, f64::min);
     let least = if pair { least.min(slow.frequency) } else { least };
-    // a single slow motion beside a neutral one is known by its source alone: a shape that lags and a rotor decay alike
-    if slots.is_empty() || (pair && error(least) <= LOST) {
+    if slots.is_empty() || error(least) <= LOST {
         return None;
     }
     let Some(motions) = slow.motions(body, coefficients) else {

@@ -2,7 +2,7 @@
 
 use nalgebra::Complex;
 
-use super::candidates::Source;
+use super::candidates::{SLOW, Source};
 use super::mode::{Frame, OVERDAMPED, kinetic};
 use super::shares::moving;
 use super::slow::SlowDirection;
@@ -30,10 +30,22 @@ impl Frame<'_> {
         let mut indices: Vec<usize> = match slow {
             Some(slow) if slow.neutral() == 2 => Vec::new(),
             _ if known > 0 => (0..known).collect(),
+            Some(slow) if slow.neutral() == 1 => {
+                self.slowest(found).map_or_else(|| self.nutation(found, &tilts), |slowest| vec![slowest])
+            }
             _ => self.nutation(found, &tilts),
         };
         indices.sort_by(|a, b| found[*b].lambda.re.total_cmp(&found[*a].lambda.re));
         indices
+    }
+
+    /// The slowest motion, which is that of the direction beside a neutral one, if it is slow beside the others: a rotor decays as it does. (M13)
+    fn slowest(&self, found: &[Eigenmotion]) -> Option<usize> {
+        let size = |i: &usize| found[*i].lambda.norm();
+        let mut order: Vec<usize> = (0..found.len()).collect();
+        order.sort_by(|a, b| size(a).total_cmp(&size(b)));
+        let others = order.get(1).map_or(f64::INFINITY, size).min(norm(self.equilibrium.omega));
+        order.first().copied().filter(|slowest| size(slowest) < SLOW * others)
     }
 
     /// Indices of the nutation: of the modes in which the angular momentum leaves the axis most, the one nearest in frequency to that of

@@ -41,7 +41,7 @@ pub fn ball_radius(mass: f64, density: f64) -> f64 {
 const GRAVITATION: f64 = 6.6743e-11;
 
 /// Spin (rad/s) at which loose material leaves the equator of a ball of this density (kg/m³), `√(4πGρ/3)`: 2.3 h at 2000 kg/m³, and faster
-/// than asteroids above some 200 m spin (Pravec and Harris 2000, Icarus 148, 12). (A13)
+/// than asteroids above some 200 m spin `[@pravec2000]`. (A13)
 #[must_use]
 pub fn spin_barrier(density: f64) -> f64 {
     (4.0 / 3.0 * PI * GRAVITATION * density).sqrt()

@@ -177,7 +177,7 @@ fn every_system_starts_with_the_angular_momentum_of_the_full_start_or_refuses() 
         }
         if force.is_empty() {
             let spins = study.modes(AskedSpin::default()).unwrap().spins;
-            let K = spins[0].angular_momentum.map(|K| norm(K.into()));
+            let K = spins[0].angular_momentum.map(norm);
             assert!(K.is_none_or(|K| (K / whole - 1.0).abs() < 1e-6), "{told}: {K:?} {whole}");
         }
     }

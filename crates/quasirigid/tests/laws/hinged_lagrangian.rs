@@ -494,7 +494,7 @@ struct Ends {
 
 impl Observer for Ends {
     fn sample(&mut self, sample: &Sample) {
-        self.samples.push(sample.clone());
+        self.samples.push(*sample);
     }
 
     fn coordinates(&mut self, q: &[f64], _: &[f64]) {

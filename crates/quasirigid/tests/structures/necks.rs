@@ -72,8 +72,8 @@ fn told_bounds_true(body: &Necked) -> bool {
     errors.iter().all(|error| *error <= resolution.error)
 }
 
-/// Four of the family: a small one, one that touches in a crack, one off every axis, and the thinnest rod.
-const FOUR: [usize; 4] = [2, 6, 7, 9];
+/// Two of the family: one that touches in a crack, and the thinnest rod.
+const TWO: [usize; 2] = [6, 9];
 
 fn lies(chosen: impl Fn(usize) -> bool) -> Vec<&'static str> {
     let bodies = family().into_iter().enumerate().filter(|(number, _)| chosen(*number));
@@ -81,14 +81,14 @@ fn lies(chosen: impl Fn(usize) -> bool) -> Vec<&'static str> {
 }
 
 #[test]
-fn the_error_told_bounds_the_true_one_on_four_necks() {
-    assert_eq!(lies(|number| FOUR.contains(&number)), [""; 0]);
+fn the_error_told_bounds_the_true_one_on_two_necks() {
+    assert_eq!(lies(|number| TWO.contains(&number)), [""; 0]);
 }
 
 #[test]
 #[ignore = "a minute; nightly"]
-fn the_error_told_bounds_the_true_one_on_eight_other_necks() {
-    assert_eq!(lies(|number| !FOUR.contains(&number)), [""; 0]);
+fn the_error_told_bounds_the_true_one_on_ten_other_necks() {
+    assert_eq!(lies(|number| !TWO.contains(&number)), [""; 0]);
 }
 
 /// Given polynomials on a body with a neck are judged all the same.

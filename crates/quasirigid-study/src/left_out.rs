@@ -44,12 +44,12 @@ impl LeftOut {
     /// Notes on the losses.
     #[must_use]
     pub fn notes(&self) -> Vec<String> {
-        self.flow
-            .iter()
-            .cloned()
-            .chain(self.materials.map(String::from))
-            .chain(self.liquids.clone())
-            .collect()
+        self.flow.iter().cloned().chain(self.losses()).collect()
+    }
+
+    /// Notes on the losses that the equations leave out, without a material that is no solid.
+    pub fn losses(&self) -> impl Iterator<Item = String> {
+        self.materials.map(String::from).into_iter().chain(self.liquids.clone())
     }
 
     /// Reason for which the equations of motion are not those of the body.

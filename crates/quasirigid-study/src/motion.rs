@@ -1,5 +1,7 @@
 //! The motion that a model asks for, in each of its systems.
 
+use std::cell::OnceCell;
+
 use quasirigid::dynamics::{
     Event, Forced, Form, FullState, MAX_FORCED_ORDER, Observer, Options, PropagateError, Run, SlowState,
     Start, matched_start, propagate, propagate_forced, propagate_full,
@@ -40,6 +42,8 @@ pub struct Motion<'a> {
     displaced: Option<(Vec<f64>, Vec<f64>)>,
     /// Rates of cyclic coordinates, where the file gives them.
     speeds: &'a [(usize, f64)],
+    /// The state on the slow manifold at the start, once it was asked for.
+    slow: OnceCell<Option<FullState>>,
 }
 
 /// Position and velocity (m, m/s) at the start: of the centre of mass of a free body, of the pole of any other.
@@ -65,7 +69,7 @@ impl<'a> Motion<'a> {
             }
         };
         let start = Start { omega: spin.omega, attitude: spin.attitude, place, velocity };
-        Self { study, body, forces, order: *order, start, displaced, speeds }
+        Self { study, body, forces, order: *order, start, displaced, speeds, slow: OnceCell::new() }
     }
 
     pub fn study(&self) -> &'a Study {
@@ -151,7 +155,7 @@ impl<'a> Motion<'a> {
                 FullState { omega, attitude, q: q.clone(), rate, place, velocity }
             }
             None => match self.on_slow_manifold()? {
-                Some(slow) => slow,
+                Some(slow) => slow.clone(),
                 None => FullState { place, velocity, ..self.spun()? },
             },
         };
@@ -160,15 +164,19 @@ impl<'a> Motion<'a> {
     }
 
     /// The state on the slow manifold; none where the series means nothing at the start. (Q8)
-    fn on_slow_manifold(&self) -> Result<Option<FullState>, StudyError> {
-        let omega = self.start.omega;
-        if !slaves(self.body, omega)? || self.is_soft()? {
-            return Ok(None);
+    fn on_slow_manifold(&self) -> Result<Option<&FullState>, StudyError> {
+        if let Some(known) = self.slow.get() {
+            return Ok(known.as_ref());
         }
-        match self.start.settled(self.system(), self.order) {
-            Err(VerificationError::NoSlowManifold { .. }) => Ok(None),
-            found => Ok(Some(found?)),
-        }
+        let found = if !slaves(self.body, self.start.omega)? || self.is_soft()? {
+            None
+        } else {
+            match self.start.settled(self.system(), self.order) {
+                Err(VerificationError::NoSlowManifold { .. }) => None,
+                found => Some(found?),
+            }
+        };
+        Ok(self.slow.get_or_init(|| found).as_ref())
     }
 
     /// The state deformed by the steady spin, in which nothing moves in the body. (Q8)

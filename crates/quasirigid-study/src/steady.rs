@@ -4,7 +4,7 @@ use std::fmt::{self, Write};
 
 use quasirigid::model::{Mode, Principal};
 use quasirigid::modes::{EquilibriumError, Given, RelativeEquilibrium, SpinMode, SpinModes, acts};
-use quasirigid_io::record::{ModeRecord, SteadySpinRecord};
+use quasirigid_io::record::{ModeList, ModeRecord, SteadySpinRecord};
 use quasirigid_io::visible::one_line;
 use quasirigid_math::vec3::norm;
 
@@ -21,8 +21,6 @@ const MANY: usize = 700;
 const LISTED: usize = 12;
 /// Longest name in the row of its mode; a longer one has a line of its own.
 const NAME: usize = 24;
-/// Overdamped modes up to which each has a row of its own.
-const FEW: usize = 2;
 /// Shares of parts and dissipators listed for people.
 const SHARES: usize = 4;
 
@@ -214,43 +212,38 @@ fn write(out: &mut String, name: &str, record: &SteadySpinRecord, all: bool) -> 
         writeln!(out, "  largest displacement {}: {}", name, significant(*moved, 3))?;
     }
     writeln!(out, "\n  {:<NAME$} {:>12} {:>9} {:>14}  seen from outside", "mode", "rad/s", "zeta", "e-fold")?;
-    let (overdamped, structural): (Vec<_>, Vec<_>) = record.modes.iter().partition(|mode| mode.overdamped);
-    let fold = !all && overdamped.len() > FEW;
-    let rows = structural.iter().chain(overdamped.iter().filter(|_| !fold));
-    let most = if all { usize::MAX } else { LISTED };
-    let count = rows.clone().count();
-    rows.take(most).try_for_each(|mode| row(out, mode))?;
-    if count > most {
-        writeln!(out, "  and {} more (--all lists them)", count - most)?;
+    let modes = record.mode_list();
+    if all {
+        return modes.listed.iter().chain(&modes.folded).try_for_each(|mode| row(out, mode));
     }
-    if fold {
-        writeln!(out, "{}", paragraph(&folded(&overdamped, &record.modes), "  ", "      "))?;
+    modes.listed.iter().take(LISTED).try_for_each(|mode| row(out, mode))?;
+    if modes.listed.len() > LISTED {
+        writeln!(out, "  and {} more (--all lists them)", modes.listed.len() - LISTED)?;
+    }
+    if !modes.folded.is_empty() {
+        writeln!(out, "{}", paragraph(&folded(&modes, &record.modes), "  ", "      "))?;
     }
     Ok(())
 }
 
 /// Overdamped modes in a line: how many, what moves, and the range of their times.
-fn folded(overdamped: &[&ModeRecord], all: &[ModeRecord]) -> String {
+fn folded(modes: &ModeList, all: &[ModeRecord]) -> String {
     let first = |mode: &ModeRecord| {
         let counts = |name: &str| mode.name.strip_prefix(name).is_some_and(|rest| rest.starts_with(", "));
         all.iter()
             .find(|other| counts(&other.name))
             .map_or_else(|| mode.name.clone(), |other| other.name.clone())
     };
-    let mut names: Vec<String> = overdamped.iter().map(|mode| first(mode)).collect();
+    let mut names: Vec<String> = modes.folded.iter().map(|mode| first(mode)).collect();
     names.sort_unstable();
     names.dedup();
     let more = if names.len() > SHARES { " and others" } else { "" };
     names.truncate(SHARES);
-    let times = overdamped.iter().filter_map(|mode| mode.time_constant);
-    let (least, most) =
-        times.fold((f64::INFINITY, 0.0_f64), |(low, high), time| (low.min(time), high.max(time)));
+    let [least, most] = modes.folded_times().map(time);
     format!(
-        "{} overdamped motions, of {}{more}, fall e-fold in {} to {} (--all lists them)",
-        overdamped.len(),
+        "{} overdamped motions, of {}{more}, fall e-fold in {least} to {most} (--all lists them)",
+        modes.folded.len(),
         names.join(", "),
-        time(least),
-        time(most),
     )
 }
 

@@ -28,7 +28,7 @@ pub use evolution::{
     ObservedRecord,
 };
 pub use folder::{ROWS, UNFINISHED, history_file};
-pub use modes::{CampbellRecord, ModeRecord, SteadySpinRecord};
+pub use modes::{CampbellRecord, ModeList, ModeRecord, SteadySpinRecord};
 pub use scene::{
     CoordinateRecord, EquationsRecord, FieldRecord, LimitRecord, Packed, PieceRecord, PrincipalRecord,
     SCENE_VERSION, SceneRecord, ShapeRecord, StartRecord, TermRecord, TrackRecord, TurningRecord,

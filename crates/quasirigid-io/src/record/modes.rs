@@ -30,6 +30,40 @@ pub struct SteadySpinRecord {
     pub modes: Vec<ModeRecord>,
 }
 
+/// Overdamped modes up to which each is listed.
+const FEW: usize = 2;
+
+/// Modes of a spin for people: those listed, and many overdamped ones folded.
+#[derive(Clone, Debug)]
+pub struct ModeList<'a> {
+    /// Modes listed, overdamped ones last.
+    pub listed: Vec<&'a ModeRecord>,
+    /// Overdamped modes that are not listed; empty where they are few.
+    pub folded: Vec<&'a ModeRecord>,
+}
+
+impl SteadySpinRecord {
+    /// Modes for people: structural ones first, overdamped ones folded where there are more than a few.
+    #[must_use]
+    pub fn mode_list(&self) -> ModeList<'_> {
+        let (overdamped, mut listed): (Vec<_>, Vec<_>) = self.modes.iter().partition(|mode| mode.overdamped);
+        if overdamped.len() > FEW {
+            return ModeList { listed, folded: overdamped };
+        }
+        listed.extend(overdamped);
+        ModeList { listed, folded: Vec::new() }
+    }
+}
+
+impl ModeList<'_> {
+    /// Least and greatest time (s) in which the folded modes fall by e.
+    #[must_use]
+    pub fn folded_times(&self) -> [f64; 2] {
+        let times = self.folded.iter().filter_map(|mode| mode.time_constant);
+        times.fold([f64::INFINITY, 0.0], |[least, most], time| [least.min(time), most.max(time)])
+    }
+}
+
 /// Campbell diagram: modes of the body at many spins, one entry in each list for a mode at a spin.
 #[derive(Clone, Debug, Default, Deserialize, PartialEq, Serialize)]
 pub struct CampbellRecord {

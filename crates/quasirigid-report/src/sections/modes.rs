@@ -1,7 +1,7 @@
 use std::collections::BTreeMap;
 
 use maud::{Markup, html};
-use quasirigid_io::record::{CampbellRecord, ModeRecord, SteadySpinRecord};
+use quasirigid_io::record::{CampbellRecord, ModeList, ModeRecord, SteadySpinRecord};
 
 use super::table::{first, table};
 use crate::figures::campbell::campbell;
@@ -10,8 +10,6 @@ use crate::number::{digits, duration, percent};
 /// Modes shown of each steady spin, and dissipators of each mode.
 const MOST: usize = 12;
 const SHARES: usize = 3;
-/// Overdamped modes up to which each has a row of its own.
-const FEW: usize = 2;
 
 /// Steady spins with the angular momentum of the start, instability first, with the small motions about them.
 pub fn section(spins: &[SteadySpinRecord], diagram: Option<&CampbellRecord>) -> Markup {
@@ -25,12 +23,8 @@ pub fn section(spins: &[SteadySpinRecord], diagram: Option<&CampbellRecord>) -> 
 }
 
 fn one(spin: &SteadySpinRecord) -> Markup {
-    let (overdamped, structural): (Vec<&ModeRecord>, Vec<&ModeRecord>) =
-        spin.modes.iter().partition(|mode| mode.overdamped);
-    let fold = overdamped.len() > FEW;
-    let rows: Vec<&ModeRecord> =
-        structural.into_iter().chain(overdamped.iter().copied().filter(|_| !fold)).collect();
-    let (shown, more) = first(&rows, MOST);
+    let modes = spin.mode_list();
+    let (shown, more) = first(&modes.listed, MOST);
     html! {
         p { (spin.sentence) }
         @if !shown.is_empty() {
@@ -40,17 +34,15 @@ fn one(spin: &SteadySpinRecord) -> Markup {
                 html! { @for mode in shown { (row(mode)) } },
             ))
             @if let Some(more) = more { p.absent { (more) } }
-            @if fold { p.absent { (folded(&overdamped)) } }
+            @if !modes.folded.is_empty() { p.absent { (folded(&modes)) } }
         }
     }
 }
 
 /// Overdamped modes in a line.
-fn folded(overdamped: &[&ModeRecord]) -> String {
-    let times = overdamped.iter().filter_map(|mode| mode.time_constant);
-    let (least, most) =
-        times.fold((f64::INFINITY, 0.0_f64), |(low, high), time| (low.min(time), high.max(time)));
-    format!("{} overdamped motions fall by e in {} to {}", overdamped.len(), duration(least), duration(most))
+fn folded(modes: &ModeList) -> String {
+    let [least, most] = modes.folded_times().map(duration);
+    format!("{} overdamped motions fall by e in {least} to {most}", modes.folded.len())
 }
 
 fn row(mode: &ModeRecord) -> Markup {

@@ -45,7 +45,7 @@ pub(super) fn text(report: &CheckReport) -> String {
         let power = significant(reduced.dissipated_power(omega), 3);
         told(&format!("At this spin {power} W are dissipated; {words}."));
     }
-    left_out.notes().iter().skip(usize::from(left_out.flow.is_some())).for_each(|note| told(note));
+    left_out.losses().for_each(|note| told(&note));
     liquids(study, validity.T3.recip()).iter().for_each(|liquid| text.push_str(&liquid.text()));
     model.assembly.ellipsoids.iter().for_each(|ellipsoid| text.push_str(&self_gravity(ellipsoid)));
     let mut told = |words: &str| text.push_str(&format!("\n{}\n", paragraph(words, "", "  ")));

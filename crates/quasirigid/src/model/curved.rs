@@ -62,7 +62,7 @@ impl<'a> CurvedKinetics<'a> {
             mass: DMatrix::zeros(all, all),
             z: vec![0.0; all],
             z_rate: vec![0.0; all],
-            fields: paths.still(body.coordinates().len()),
+            fields: paths.amplitudes(&vec![0.0; body.coordinates().len()]),
             h: vec![[0.0; 3]; all],
             grown: vec![[0.0; 6]; all],
             spin: [0.0; 3],

@@ -18,31 +18,48 @@ pub struct MotionState<'a, T> {
     pub rate: &'a [T],
 }
 
+/// Inertia tensor on straight paths at displacements, of whose products those of these pairs count. (S2), (S6)
+fn inertia<'p, T: Scalar>(
+    Invariants { J, J1, S, .. }: &Invariants,
+    translation: Option<f64>,
+    q: &[T],
+    pairs: impl Iterator<Item = (usize, usize, &'p Pair)>,
+) -> [T; 6] {
+    let mut sum = J.map(T::from);
+    let mut grow = |amount: T, part: Sym| {
+        for (sum, part) in sum.iter_mut().zip(part) {
+            *sum = *sum + amount * T::from(part);
+        }
+    };
+    q.iter().zip(J1).for_each(|(q, J1)| grow(*q, *J1));
+    pairs.for_each(|(j, k, pair)| grow(q[j] * q[k], pair.J2));
+    if let Some(per_mass) = translation {
+        let zero = [T::from(0.0); 3];
+        let [x, y, z] = q.iter().zip(S).fold(zero, |s, (q, S)| add(s, scale(*q, S.map(T::from))));
+        let about = [y * y + z * z, z * z + x * x, x * x + y * y];
+        let mixed = [y * z, z * x, x * y];
+        for axis in 0..3 {
+            sum[axis] = sum[axis] - T::from(per_mass) * about[axis];
+            sum[3 + axis] = sum[3 + axis] + T::from(per_mass) * mixed[axis];
+        }
+    }
+    sum
+}
+
 impl FlexibleBody {
     /// Inertia tensor at a displacement (kg·m²): about the pole of a constrained body, about the centre of mass of a free one. (S2), (S6)
     #[must_use]
     pub fn inertia_at<T: Scalar>(&self, q: &[T]) -> [T; 6] {
-        let Invariants { J, J1, S, .. } = self.invariants();
-        let mut sum = J.map(T::from);
-        let mut grow = |amount: T, part: Sym| {
-            for (sum, part) in sum.iter_mut().zip(part) {
-                *sum = *sum + amount * T::from(part);
-            }
-        };
-        let q = &q[..self.elastic()];
-        q.iter().zip(J1).for_each(|(q, J1)| grow(*q, *J1));
-        self.displaced_pairs().for_each(|(j, k, pair)| grow(q[j] * q[k], pair.J2));
-        if let Some(per_mass) = self.translation() {
-            let zero = [T::from(0.0); 3];
-            let [x, y, z] = q.iter().zip(S).fold(zero, |s, (q, S)| add(s, scale(*q, S.map(T::from))));
-            let about = [y * y + z * z, z * z + x * x, x * x + y * y];
-            let mixed = [y * z, z * x, x * y];
-            for axis in 0..3 {
-                sum[axis] = sum[axis] - T::from(per_mass) * about[axis];
-                sum[3 + axis] = sum[3 + axis] + T::from(per_mass) * mixed[axis];
-            }
-        }
-        sum
+        inertia(self.invariants(), self.translation(), &q[..self.elastic()], self.displaced_pairs())
+    }
+
+    /// The same along curved paths, at any displacement. (S2), (K13)
+    #[must_use]
+    pub fn full_inertia_at(&self, q: &[f64]) -> Sym {
+        let Some(paths) = self.paths() else { return self.inertia_at(q) };
+        let (mut z, _) = paths.spread(q);
+        z[self.cyclic()].fill(0.0);
+        inertia(&paths.straight, self.translation(), &z, paths.straight.pairs.iter())
     }
 
     /// Angular momentum about the pole without that of the wheels, body axes (N·m·s). (S2)

@@ -159,8 +159,8 @@ impl CurvedPaths {
         })
     }
 
-    /// Amplitudes of a body of `n` coordinates that are not displaced.
-    pub(super) fn still(&self, n: usize) -> Amplitudes {
+    /// Amplitudes of the fields and their derivatives at displacements of all coordinates. (K12), (I12)
+    pub(super) fn amplitudes(&self, q: &[f64]) -> Amplitudes {
         let curved = |follower: &Follower| {
             let size = follower.coordinates().len();
             let form = |e: usize| match follower {
@@ -169,13 +169,13 @@ impl CurvedPaths {
             };
             (0..follower.fields()).map(|e| (follower.coordinates(), form(e))).collect::<Vec<_>>()
         };
-        let mut still = Amplitudes {
+        let mut at = Amplitudes {
             y: vec![0.0; self.fields()],
-            slopes: DMatrix::zeros(self.fields(), n),
+            slopes: DMatrix::zeros(self.fields(), q.len()),
             curved: self.followers.iter().flat_map(curved).collect(),
         };
-        self.follow(&vec![0.0; n], &mut still);
-        still
+        self.follow(q, &mut at);
+        at
     }
 
     /// Sets the amplitudes of the fields and their derivatives at displacements of all coordinates. (K12), (I12)

@@ -56,8 +56,7 @@ impl FlexibleBody {
     pub fn about_spin_on_paths(&self, omega: [f64; 3], q: &[f64]) -> SpinCoefficients {
         let Some(paths) = self.paths() else { return self.about_spin(omega, q) };
         let (n, elastic) = (q.len(), self.elastic());
-        let mut fields = paths.still(n);
-        paths.follow(q, &mut fields);
+        let fields = paths.amplitudes(q);
         let (slopes, mut z) = (&fields.slopes, q.to_vec());
         z.extend(&fields.y);
         let displaced = |j: usize| j < elastic || j >= n;
@@ -82,29 +81,6 @@ impl FlexibleBody {
             gyroscopic: projected(&whole.gyroscopic, slopes),
             centrifugal,
         }
-    }
-}
-
-impl FlexibleBody {
-    /// Inertia tensor (kg·m²) at any displacement, along curved paths: about the pole of a constrained body, about the centre of mass of a
-    /// free one. (S2), (K13)
-    #[must_use]
-    pub fn full_inertia_at(&self, q: &[f64]) -> Sym {
-        let Some(paths) = self.paths() else { return self.inertia_at(q) };
-        let (mut z, _) = paths.spread(q);
-        z[self.cyclic()].fill(0.0);
-        let Invariants { J, J1, S, pairs, .. } = &paths.straight;
-        let mut inertia = *J;
-        let mut grow = |amount: f64, part: Sym| {
-            inertia.iter_mut().zip(part).for_each(|(sum, part)| *sum += amount * part)
-        };
-        z.iter().zip(J1).for_each(|(z, J1)| grow(*z, *J1));
-        pairs.iter().for_each(|(j, k, pair)| grow(z[j] * z[k], pair.J2));
-        if let Some(per_mass) = self.translation() {
-            let s = z.iter().zip(S).fold([0.0; 3], |s, (z, S)| add(s, scale(*z, *S)));
-            grow(-per_mass, of_unit_mass(s));
-        }
-        inertia
     }
 }
 

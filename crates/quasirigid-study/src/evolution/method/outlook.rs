@@ -2,11 +2,13 @@
 //! Wall-clock time decides only whether there is an answer, never which.
 
 use std::cell::{Cell, RefCell};
+use std::f64::consts::TAU;
 use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
 
 use quasirigid::averaging::RotationState;
 use quasirigid::secular::{DirectOptions, MeasureError, follow_directly, micro_run_periods};
+use quasirigid_math::vec3::norm;
 
 use super::full::{STEPS, TOLERANCE};
 use super::short_or_full::Choice;
@@ -24,11 +26,19 @@ pub struct Outlook {
     /// Sentence to be told at the next report, and whether any was told.
     sentence: RefCell<Option<String>>,
     told: Cell<bool>,
+    /// Seconds of work that a period of the polhode takes in the full system, once measured.
+    per_period: Cell<Option<f64>>,
 }
 
 impl Outlook {
     pub fn new(asked: bool) -> Self {
-        Self { start: Instant::now(), asked, sentence: RefCell::new(None), told: Cell::new(false) }
+        Self {
+            start: Instant::now(),
+            asked,
+            sentence: RefCell::new(None),
+            told: Cell::new(false),
+            per_period: Cell::new(None),
+        }
     }
 
     /// Sentence that is due: a plan, or once that the work is long.
@@ -104,9 +114,7 @@ impl Choice<'_> {
         let Some(revolutions) = revolutions else { return Ok(Ok(())) };
         let stage = self.way.ends[0];
         let per_period = self.seconds_per_period(watch)?;
-        let turns = self.ground.motion(stage).polhode_period()
-            * quasirigid_math::vec3::norm(self.way.start.omega)
-            / std::f64::consts::TAU;
+        let turns = self.ground.motion(stage).polhode_period() * norm(self.way.start.omega) / TAU;
         Ok(self.outlook.allows(
             "following the full system from start to end",
             per_period * revolutions / turns,
@@ -116,6 +124,9 @@ impl Choice<'_> {
 
     /// Seconds of work that a period of the polhode takes in the full system.
     fn seconds_per_period(&self, watch: &mut dyn FnMut(f64) -> ControlFlow<()>) -> Result<f64, MeasureError> {
+        if let Some(known) = self.outlook.per_period.get() {
+            return Ok(known);
+        }
         let duration = self.ground.motion(self.way.ends[0]).polhode_period();
         let options = DirectOptions {
             until: None,
@@ -126,6 +137,8 @@ impl Choice<'_> {
         };
         let before = Instant::now();
         follow_directly(self.body, &self.way.start, &options, watch)?;
-        Ok(before.elapsed().as_secs_f64())
+        let seconds = before.elapsed().as_secs_f64();
+        self.outlook.per_period.set(Some(seconds));
+        Ok(seconds)
     }
 }

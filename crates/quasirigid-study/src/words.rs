@@ -176,14 +176,14 @@ pub struct Accounts {
 pub fn energy_note(system: &str, forced: bool, accounts: Accounts) -> Option<String> {
     let Accounts { energy, drift, dissipated, left_out } = accounts;
     let rounding = ROUNDINGS * f64::EPSILON * energy.abs();
-    let notable = |doubt: f64| dissipated > 0.0 && doubt > (NOTED_DRIFT * dissipated).max(rounding);
+    let notable = |doubt: f64| dissipated > 0.0 && doubt > NOTED_DRIFT * dissipated;
     if notable(left_out) {
         let [doubt, taken] = [left_out, dissipated].map(|energy| significant(energy, 2));
         return Some(format!(
             "THE DISSIPATED ENERGY MAY NOT HOLD: forces that change as fast as the body vibrates leave up to about {doubt} J in vibrations that the reduced equations do not have, beside {taken} J that the dashpots took; the full system has them."
         ));
     }
-    if !notable(drift.abs()) {
+    if !notable(drift.abs()) || drift.abs() <= rounding {
         return None;
     }
     let (culprit, remedy) = if forced && system == "reduced" {

@@ -6,6 +6,7 @@
 use std::ops::Range;
 
 use crate::dynamics::external::{Forced, Pose};
+use crate::math::ode::Checkpoint;
 use crate::math::rotation;
 use crate::math::scalar::Smooth;
 use crate::math::sym3::{smooth_inverse, smooth_times};
@@ -49,20 +50,95 @@ pub(super) fn slow_point(system: Forced, order: usize, K: [f64; 3], pose: &Pose<
     passes(system, order, K, pose).0
 }
 
-/// Estimate of the error of the dissipated power (W) by the terms that the series leaves out, `2 δq̇·B·δq̇` with the rates `δq̇` that the last
-/// pass has added: as small beside the power as the series converges. Orders below 3, which have no second pass, are judged by it. (E5)
-pub(super) fn error_of_power(system: Forced, order: usize, K: [f64; 3], pose: &Pose<f64>) -> f64 {
-    let (point, before) = passes(system, order.max(JUDGED), K, pose);
-    let added: Vec<f64> = point.rate.iter().zip(before).map(|(last, before)| last - before).collect();
-    let forces = system.body.damping().times(&added);
-    2.0 * forces.iter().zip(added).map(|(force, rate)| force * rate).sum::<f64>()
-}
-
-/// Least order whose dissipation has a correction. (E5)
+/// Least order whose dissipation has a correction, by which lower ones are judged. (E5)
 const JUDGED: usize = 3;
 
-/// Slow motion, and the rates of the internal coordinates before the last pass.
-fn passes(system: Forced, order: usize, K: [f64; 3], pose: &Pose<f64>) -> (SlowPoint, Vec<f64>) {
+/// What the last pass adds to the slow motion: as small beside it as the series converges. (E5)
+#[derive(Clone, Debug)]
+pub(super) struct Correction {
+    q: Vec<f64>,
+    rate: Vec<f64>,
+}
+
+impl Correction {
+    /// Correction at a state.
+    pub fn at(system: Forced, order: usize, K: [f64; 3], pose: &Pose<f64>) -> Self {
+        passes(system, order.max(JUDGED), K, pose).1
+    }
+
+    /// From one slow motion to another.
+    pub fn between(before: &SlowPoint, after: &SlowPoint) -> Self {
+        Self { q: less(&after.q, &before.q), rate: less(&after.rate, &before.rate) }
+    }
+
+    /// No correction of a body with so many coordinates.
+    pub fn none(coordinates: usize) -> Self {
+        Self { q: vec![0.0; coordinates], rate: vec![0.0; coordinates] }
+    }
+
+    /// Takes up a change to another correction over a time (s), and forgets what is older than the vibrations of such a shape. (E5)
+    pub fn follow(&mut self, system: Forced, [from, to]: [&Self; 2], time: f64) {
+        let shape = less(&to.q, &from.q);
+        let elapsed = time / (REMEMBERED * vibration_time(system, &shape));
+        let (kept, gained) = if elapsed > 0.0 && elapsed.is_finite() {
+            ((-elapsed).exp(), -(-elapsed).exp_m1() / elapsed)
+        } else {
+            (1.0, 1.0)
+        };
+        let grow = |own: &mut [f64], change: Vec<f64>| {
+            own.iter_mut().zip(change).for_each(|(own, change)| *own = kept * *own + gained * change);
+        };
+        grow(&mut self.q, shape);
+        grow(&mut self.rate, less(&to.rate, &from.rate));
+    }
+
+    /// Estimate of the error of the dissipated power (W) by the terms that the series leaves out, `2 δq̇·B·δq̇`. (E5)
+    pub fn error_of_power(&self, system: Forced) -> f64 {
+        let forces = system.body.damping().times(&self.rate);
+        2.0 * forces.iter().zip(&self.rate).map(|(force, rate)| force * rate).sum::<f64>()
+    }
+
+    /// Energy (J) of the free vibration with these displacements and rates, about a body that recoils. (E5)
+    pub fn vibration_energy(&self, system: Forced) -> f64 {
+        elastic_energy(system, &self.q) + kinetic_energy(system, &self.rate)
+    }
+
+    /// Saves displacements and rates.
+    pub fn save(&self, checkpoint: &mut Checkpoint) {
+        [&self.q, &self.rate].iter().for_each(|list| checkpoint.save_list(list));
+    }
+
+    /// Loads saved ones; none of another body.
+    pub fn load(&mut self, checkpoint: &mut Checkpoint) -> Option<()> {
+        [&mut self.q, &mut self.rate].into_iter().try_for_each(|list| checkpoint.load_into(list))
+    }
+}
+
+/// Radians of a vibration for which a change counts as one. (E5)
+const REMEMBERED: f64 = 3.0;
+
+/// Time (s) of a radian of vibration with a shape, by Rayleigh's quotient; infinite of one that no stiffness resists.
+fn vibration_time(system: Forced, shape: &[f64]) -> f64 {
+    (kinetic_energy(system, shape) / elastic_energy(system, shape)).sqrt()
+}
+
+fn elastic_energy(system: Forced, q: &[f64]) -> f64 {
+    0.5 * system.body.stiffness().times(q).iter().zip(q).map(|(force, q)| force * q).sum::<f64>()
+}
+
+/// Energy (J) of rates of the internal coordinates of a body that is not displaced, whose carrier recoils.
+fn kinetic_energy(system: Forced, rate: &[f64]) -> f64 {
+    let still = vec![0.0; rate.len()];
+    let omega = spin(system, [0.0; 3], &still, rate);
+    system.body.energy(MotionState { omega, q: &still, rate })
+}
+
+fn less(a: &[f64], b: &[f64]) -> Vec<f64> {
+    a.iter().zip(b).map(|(a, b)| a - b).collect()
+}
+
+/// Slow motion, and what the last pass has added.
+fn passes(system: Forced, order: usize, K: [f64; 3], pose: &Pose<f64>) -> (SlowPoint, Correction) {
     let improved = if system.body.cyclic().is_empty() { order.saturating_sub(1) } else { order };
     match improved {
         0 => point::<1>(system, improved, K, pose),
@@ -81,35 +157,23 @@ fn point<const N: usize>(
     improved: usize,
     K: [f64; 3],
     pose: &Pose<f64>,
-) -> (SlowPoint, Vec<f64>) {
+) -> (SlowPoint, Correction) {
     let n = system.body.coordinates().len();
     let values = |list: &[Taylor<N>]| -> Vec<f64> { list.iter().map(|entry| entry.value()).collect() };
     let mut q = vec![Taylor::<N>::from(0.0); n];
     let mut rate = q.clone();
-    let mut before = vec![0.0; n];
+    let mut before = (q.clone(), rate.clone());
     for _ in 0..improved {
-        before = values(&rate);
+        before = (q.clone(), rate.clone());
         let flow = Flow::along(system, K, pose, &q, &rate);
         (q, rate) = flow.coordinates(system, &q, &rate);
     }
     let (q, rate) = (values(&q), values(&rate));
+    let added = Correction { q: less(&q, &values(&before.0)), rate: less(&rate, &values(&before.1)) };
     let own = add(K, scale(-1.0, system.body.wheels().angular_momentum(pose.t)));
     let omega = spin(system, own, &q, &rate);
     let loads = loads(system, pose, MotionState { omega, q: &q, rate: &rate });
-    (SlowPoint { omega, q, rate, loads }, before)
-}
-
-/// Energy (J) of the free vibration from a jump of the internal coordinates and their rates, about a body that recoils. (E5)
-pub(super) fn vibration_energy(system: Forced, before: &SlowPoint, after: &SlowPoint) -> f64 {
-    let jump = |of: fn(&SlowPoint) -> &[f64]| -> Vec<f64> {
-        of(after).iter().zip(of(before)).map(|(after, before)| after - before).collect()
-    };
-    let (q, rate) = (jump(|point| &point.q), jump(|point| &point.rate));
-    let still = vec![0.0; q.len()];
-    let omega = spin(system, [0.0; 3], &still, &rate);
-    let elastic: f64 = system.body.stiffness().times(&q).iter().zip(&q).map(|(force, q)| force * q).sum();
-    let kinetic = system.body.energy(MotionState { omega, q: &still, rate: &rate });
-    0.5 * elastic + kinetic
+    (SlowPoint { omega, q, rate, loads }, added)
 }
 
 /// Angular velocity from an angular momentum without that of wheels, at a displacement: `J(q)ω = K − h(q)q̇`. (S2)

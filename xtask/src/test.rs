@@ -13,6 +13,8 @@ use std::process::Command;
 
 /// Versions of what the tests of Python need.
 const REQUIREMENTS: &str = "requirements-test.txt";
+/// Processes that share the tests of Python, file by file: many wait for a browser or a kernel.
+const WORKERS: &str = "2";
 /// Interpreter that `PYTHON` may replace.
 const INTERPRETER: &str = "python3";
 /// A program that an interpreter which can do the work runs in silence.
@@ -87,7 +89,7 @@ fn of_python(root: &Path, target: &Path, python: &Path, wheel: bool) -> Step {
     if wheel {
         install_wheel(root, target, &own)?;
     }
-    let suite = ["-m", "pytest", "-q", "crates/quasirigid-python/tests"];
+    let suite = ["-m", "pytest", "-q", "-n", WORKERS, "--dist", "loadfile", "crates/quasirigid-python/tests"];
     step(root, &own, suite)?;
     step(root, &own, ["-m", "mypy", "-p", "quasirigid"])?;
     step(root, &own, ["-m", "mypy.stubtest", "--mypy-config-file", "pyproject.toml", "quasirigid"])

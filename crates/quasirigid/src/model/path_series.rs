@@ -24,9 +24,8 @@ impl Follower {
                 forms.iter().map(|form| quadratic(ring, &q[coordinates.clone()], form)).collect()
             }
             Self::Rotation { gimbal, duals } => {
-                let factors: Vec<_> =
-                    gimbal.axes.iter().map(|(at, axis)| factor(ring, *axis, &q[*at])).collect();
-                duals.iter().map(|W| rotation(ring, gimbal, &factors, q, W)).collect()
+                let turned = Turned::of(ring, gimbal, q);
+                duals.iter().map(|W| turned.contracted(ring, gimbal, q, W)).collect()
             }
         }
     }
@@ -44,35 +43,58 @@ fn quadratic(ring: &Ring, q: &[Truncated], form: &[f64]) -> Series {
     Series { value, slopes, second: form.iter().map(|form| ring.constant(*form)).collect() }
 }
 
-/// `W : (R − 1 − q_j [a_j])`.
-fn rotation(ring: &Ring, gimbal: &Gimbal, factors: &[[Matrix; 3]], q: &[Truncated], W: &Rows<f64>) -> Series {
-    let count = factors.len();
-    let contracted = |orders: &dyn Fn(usize) -> usize| {
-        let chosen: Vec<&Matrix> =
-            factors.iter().enumerate().map(|(at, factor)| &factor[orders(at)]).collect();
-        let (first, others) = chosen.split_first().expect("a hinge has an axis");
-        let product = others.iter().fold((*first).clone(), |product, factor| times(ring, &product, factor));
-        let mut sum = ring.zero();
-        W.as_flattened().iter().zip(&product).for_each(|(W, entry)| sum.add_scaled(*W, entry));
-        sum
-    };
-    let order = |at: usize, one: usize| usize::from(at == one);
-    let mut value = contracted(&|_| 0);
-    value.add_scaled(-(W[0][0] + W[1][1] + W[2][2]), &ring.constant(1.0));
-    let mut slopes = Vec::with_capacity(count);
-    for (j, (at, axis)) in gimbal.axes.iter().enumerate() {
-        let axis = cross_matrix(*axis);
-        let straight: f64 =
-            W.as_flattened().iter().zip(axis.as_flattened()).map(|(W, entry)| W * entry).sum();
-        let mut slope = contracted(&|at| order(at, j));
-        slope.add_scaled(-straight, &ring.constant(1.0));
-        value.add_scaled(-straight, &q[*at]);
-        slopes.push(slope);
+/// Rotation with its first derivatives, and its second ones row by row.
+struct Turned {
+    turn: Matrix,
+    first: Vec<Matrix>,
+    second: Vec<Matrix>,
+}
+
+impl Turned {
+    fn of(ring: &Ring, gimbal: &Gimbal, q: &[Truncated]) -> Self {
+        let factors: Vec<_> = gimbal.axes.iter().map(|(at, axis)| factor(ring, *axis, &q[*at])).collect();
+        let count = factors.len();
+        let product = |orders: &dyn Fn(usize) -> usize| {
+            let chosen = factors.iter().enumerate().map(|(at, factor)| &factor[orders(at)]);
+            let product = |product: Option<Matrix>, factor: &Matrix| {
+                Some(product.map_or_else(|| factor.clone(), |product| times(ring, &product, factor)))
+            };
+            chosen.fold(None, product).expect("a hinge has an axis")
+        };
+        let order = |at: usize, one: usize| usize::from(at == one);
+        let mut second: Vec<Matrix> = Vec::with_capacity(count * count);
+        for (j, k) in (0..count).flat_map(|j| (0..count).map(move |k| (j, k))) {
+            let known = (k < j).then(|| second[k * count + j].clone());
+            second.push(known.unwrap_or_else(|| product(&|at| order(at, j) + order(at, k))));
+        }
+        Self {
+            turn: product(&|_| 0),
+            first: (0..count).map(|j| product(&|at| order(at, j))).collect(),
+            second,
+        }
     }
-    let second = (0..count * count)
-        .map(|pair| contracted(&|at| order(at, pair / count) + order(at, pair % count)))
-        .collect();
-    Series { value, slopes, second }
+
+    /// `W : (R − 1 − q_j [a_j])`.
+    fn contracted(&self, ring: &Ring, gimbal: &Gimbal, q: &[Truncated], W: &Rows<f64>) -> Series {
+        let contracted = |matrix: &Matrix| {
+            let mut sum = ring.zero();
+            W.as_flattened().iter().zip(matrix).for_each(|(W, entry)| sum.add_scaled(*W, entry));
+            sum
+        };
+        let mut value = contracted(&self.turn);
+        value.add_scaled(-(W[0][0] + W[1][1] + W[2][2]), &ring.constant(1.0));
+        let mut slopes = Vec::with_capacity(self.first.len());
+        for ((at, axis), first) in gimbal.axes.iter().zip(&self.first) {
+            let axis = cross_matrix(*axis);
+            let straight: f64 =
+                W.as_flattened().iter().zip(axis.as_flattened()).map(|(W, entry)| W * entry).sum();
+            let mut slope = contracted(first);
+            slope.add_scaled(-straight, &ring.constant(1.0));
+            value.add_scaled(-straight, &q[*at]);
+            slopes.push(slope);
+        }
+        Series { value, slopes, second: self.second.iter().map(contracted).collect() }
+    }
 }
 
 /// Rotation about one axis by an angle, with its first and second derivative.

@@ -176,8 +176,11 @@ impl<const N: usize> Mul for Taylor<N> {
 
     #[inline(never)]
     fn mul(self, other: Self) -> Self {
-        let term = |k: usize| (0..=k).map(|j| self.coefficients[j] * other.coefficients[k - j]).sum();
-        Self::new(std::array::from_fn(term))
+        let mut product = [-0.0; N]; // so that a product that is −0 keeps its sign
+        for (j, own) in self.coefficients.iter().enumerate() {
+            product[j..].iter_mut().zip(&other.coefficients).for_each(|(sum, other)| *sum += own * other);
+        }
+        Self::new(product)
     }
 }
 

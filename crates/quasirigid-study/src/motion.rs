@@ -3,8 +3,8 @@
 use std::cell::OnceCell;
 
 use quasirigid::dynamics::{
-    Event, Forced, Form, FullState, MAX_FORCED_ORDER, Observer, Options, PropagateError, Run, SlowState,
-    Start, matched_start, propagate, propagate_forced, propagate_full,
+    Event, Forced, Form, FullState, MAX_FORCED_ORDER, Observer, Options, PropagateError, Run, SlowEquations,
+    SlowState, Start, matched_start, propagate, propagate_forced, propagate_full,
 };
 use quasirigid::model::force::Force;
 use quasirigid::model::{FlexibleBody, Marker, MotionState, ReducedBody, Support};
@@ -112,9 +112,14 @@ impl<'a> Motion<'a> {
         match system {
             System::Full => Ok(propagate_full(self.system(), &self.full()?, times, options, observer)?),
             System::Reduced | System::Rigid | System::Manifold if self.system().acts() => {
-                let slow = self.slow(order)?;
+                let lawful = order > 0 && options.form == Form::AngularMomentum;
+                let reduced = if lawful { Some(self.study.reduced(order + 1)?) } else { None };
+                let series = SlowEquations::series(self.system(), order);
+                let energy_form = |reduced| SlowEquations::energy_form(self.system(), order, reduced);
+                let equations = reduced.as_deref().map_or(series, energy_form);
+                let slow = self.slow(equations, order)?;
                 let options = if order > 1 { &self.bounded(options)? } else { options };
-                Ok(propagate_forced(self.system(), order, &slow, times, options, observer)?)
+                Ok(propagate_forced(equations, &slow, times, options, observer)?)
             }
             System::Reduced | System::Rigid | System::Manifold => {
                 let reduced = self.study.reduced(order)?;
@@ -264,13 +269,13 @@ impl<'a> Motion<'a> {
         Ok(matched_start(self.system(), order, &self.full()?)?)
     }
 
-    fn slow(&self, order: usize) -> Result<SlowState, StudyError> {
+    fn slow(&self, equations: SlowEquations, order: usize) -> Result<SlowState, StudyError> {
         let Start { omega, attitude, place, velocity } = self.start;
         let slow = if self.starts_displaced() && order > 0 {
             self.matched(order)?
         } else {
             let still = SlowState { angular_momentum: [0.0; 3], attitude, place, velocity };
-            still.with_spin(self.system(), order, omega)?
+            equations.state(still, omega)?
         };
         if self.is_rigid_inside(order) || norm(omega) == 0.0 {
             return Ok(slow);
@@ -290,7 +295,12 @@ impl<'a> Motion<'a> {
             (_, false, Form::AngularMomentum) => {
                 "angular momentum in body axes, energy form: K' = (a v + K x Tv)/(a^2 + K.adj(T)K), v = K x grad E"
             }
-            (_, true, Form::AngularMomentum) => "angular momentum in body axes, K' = K x w + M",
+            (_, true, Form::AngularMomentum) if system == System::Rigid => {
+                "angular momentum in body axes, K' = K x w + M"
+            }
+            (_, true, Form::AngularMomentum) => {
+                "angular momentum in body axes, K' = K x w + M, torque-free part in the energy form"
+            }
             (_, false, Form::AngularVelocity) if !forces.body.wheels().is_empty() => {
                 "spin, J w' + w x (Jw + k) = mu(w)"
             }

@@ -28,6 +28,17 @@ impl<'a> Forced<'a> {
         !self.forces.is_empty() || driven || !self.body.wheels().driven.is_empty()
     }
 
+    /// True if an action depends on the place or the velocity of the body.
+    pub(super) fn feels_path(&self) -> bool {
+        self.forces.iter().any(|force| force.law.feels_path())
+    }
+
+    /// True if an action depends on the attitude, which turns what moves the body too.
+    pub(super) fn feels_attitude(&self) -> bool {
+        let driven = matches!(self.body.support(), Support::Prescribed { .. });
+        driven || self.feels_path() || self.forces.iter().any(|force| force.law.feels_attitude())
+    }
+
     /// Loads about the centre of mass of a free body, about the pole of a constrained one. (F1), (F11)
     pub(super) fn loads<T: Smooth>(&self, pose: &Pose<T>, motion: MotionState<T>) -> Loads<T> {
         self.body.loads_at(self.forces, pose, motion)

@@ -39,8 +39,8 @@ pub use reduced::propagate;
 pub use run::{Method, Observer, Options, Outcome, PropagateError, Run, Sample, Scan, Start};
 pub use scale::spin_from_rest;
 pub use slow::{
-    ForcedTorque, MAX_FORCED_ORDER, RigidState, SlowPoint, SlowState, forced_torque, propagate_forced,
-    slow_state_point, takes,
+    ForcedTorque, MAX_FORCED_ORDER, RigidState, SlowEquations, SlowPoint, SlowState, forced_torque,
+    propagate_forced, slow_state_point, takes,
 };
 pub use spin_path::{SpinPath, spin_path};
 pub use spin_paths::spin_paths;

@@ -7,8 +7,8 @@ use std::ops::ControlFlow;
 
 use super::verify::VerificationError;
 use crate::dynamics::{
-    Forced, FullState, MAX_FORCED_ORDER, Observer, Options, Outcome, Sample, SlowState, Start, propagate,
-    propagate_forced, propagate_full,
+    Forced, Form, FullState, MAX_FORCED_ORDER, Observer, Options, Outcome, Sample, SlowEquations, SlowState,
+    Start, propagate, propagate_forced, propagate_full,
 };
 use crate::math::vec3::norm;
 use crate::model::MotionState;
@@ -80,7 +80,11 @@ pub(super) fn reduced(
     let run = if system.acts() {
         let FullState { attitude, place, velocity, .. } = *full;
         let slow = SlowState { angular_momentum, attitude, place, velocity };
-        propagate_forced(system, order, &slow, times, options, &mut collector)?
+        let lawful = options.form == Form::AngularMomentum;
+        let body = if lawful { Some(reduce(system.body, order + 1)?) } else { None };
+        let series = SlowEquations::series(system, order);
+        let equations = body.as_ref().map_or(series, |body| SlowEquations::energy_form(system, order, body));
+        propagate_forced(equations, &slow, times, options, &mut collector)?
     } else {
         let body = reduce(system.body, order)?;
         let FullState { attitude, place, velocity, .. } = *full;

@@ -172,6 +172,7 @@ fn public_types_are_send_sync_and_debug() {
     crosses::<dynamics::Run>();
     crosses::<dynamics::Sample>();
     crosses::<dynamics::Scan>();
+    crosses::<dynamics::SlowEquations>();
     crosses::<dynamics::SlowPoint>();
     crosses::<dynamics::SlowState>();
     crosses::<dynamics::SpinPath>();

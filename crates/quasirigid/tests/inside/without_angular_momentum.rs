@@ -5,8 +5,8 @@ use std::ops::ControlFlow;
 
 use nalgebra::{Matrix3, Vector3};
 use quasirigid::dynamics::{
-    Forced, Form, FullState, Method, Options, Outcome, Run, Sample, SlowState, Start, matched_start,
-    propagate, propagate_forced, propagate_full, spin_path,
+    Forced, Form, FullState, Method, Options, Outcome, Run, Sample, SlowEquations, SlowState, Start,
+    matched_start, propagate, propagate_forced, propagate_full, spin_path,
 };
 use quasirigid::elements::{Assembly, Carrier, Cavity, WheelSpeed};
 use quasirigid::model::{FlexibleBody, Principal};
@@ -90,8 +90,14 @@ fn a_body_without_momentum_turns_evenly() {
         }
         let slow: SlowState = matched_start(Forced::not(&body), 3, &full).unwrap();
         let mut samples = Vec::new();
-        let run = propagate_forced(Forced::not(&body), 3, &slow, &times, &Options::default(), &mut samples)
-            .unwrap();
+        let run = propagate_forced(
+            SlowEquations::series(Forced::not(&body), 3),
+            &slow,
+            &times,
+            &Options::default(),
+            &mut samples,
+        )
+        .unwrap();
         assert_even("forced", omega, run, &samples);
     }
 }
@@ -269,5 +275,8 @@ fn a_driven_wheel_turns_a_body_from_rest() {
     let slow =
         SlowState { angular_momentum: [0.0; 3], attitude: ALIGNED, place: [0.0; 3], velocity: [0.0; 3] };
     let options = Options { most_steps: 10_000, ..Options::default() };
-    check("reduced", propagate_forced(system, 1, &slow, &[end], &options, &mut Vec::new()).unwrap());
+    check(
+        "reduced",
+        propagate_forced(SlowEquations::series(system, 1), &slow, &[end], &options, &mut Vec::new()).unwrap(),
+    );
 }

@@ -6,7 +6,7 @@ use quasirigid::averaging::{
     Drift, DriftHistory, DriftLimits, DriftState, DriftStopReason, Evolution, FreeRotation, MeanPower,
     PolynomialPower, RotationState, SlowTorque,
 };
-use quasirigid::dynamics::{Forced, Options, SlowState, propagate_forced};
+use quasirigid::dynamics::{Forced, Options, SlowEquations, SlowState, propagate_forced};
 use quasirigid::model::force::{Axes, Force, ForceLaw, Wave};
 use quasirigid::model::{Mode, Principal};
 use quasirigid::reduction::reduce;
@@ -111,7 +111,8 @@ fn drift_is_that_of_the_reduced_equations() {
         let slow = still.with_spin(system, 2, omega).unwrap();
         let mut samples = Vec::new();
         let options = Options { tolerance: 1e-11, ..Options::default() };
-        propagate_forced(system, 3, &slow, &[0.0, duration], &options, &mut samples).unwrap();
+        propagate_forced(SlowEquations::series(system, 3), &slow, &[0.0, duration], &options, &mut samples)
+            .unwrap();
         let G = norm(samples[0].angular_momentum);
         let evolution = Evolution::new(&power, G);
         let ratio = G * G / (2.0 * samples[0].energy * principal.moments[2]);

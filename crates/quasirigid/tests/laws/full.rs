@@ -1,9 +1,9 @@
 //! The full system: its invariants, motions without dissipation, and the fate of its fast part.
 
 use quasirigid::dynamics::{
-    BoundaryLayer, Event, Forced, Form, FullState, Method, Options, Outcome, Rounding, Sample, SlowState,
-    Start, composite_spin, matched_start, propagate, propagate_forced, propagate_full, slow_state_point,
-    steady_spins,
+    BoundaryLayer, Event, Forced, Form, FullState, Method, Options, Outcome, Rounding, Sample, SlowEquations,
+    SlowState, Start, composite_spin, matched_start, propagate, propagate_forced, propagate_full,
+    slow_state_point, steady_spins,
 };
 use quasirigid::elements::{Carrier, Coefficient, End, Spring, SpringLaw};
 use quasirigid::model::force::{Axes, Force, ForceLaw, Wave};
@@ -207,7 +207,8 @@ fn composite_solution_holds_from_the_first_moment() {
                 let layer = BoundaryLayer::compute(system, 3, &start).unwrap();
                 let times: Vec<f64> = (0..=400).map(|i| f64::from(i) * 0.005 * epsilon).collect();
                 let mut samples: Vec<Sample> = Vec::new();
-                propagate_forced(system, 3, &slow, &times, &at(1e-13), &mut samples).unwrap();
+                propagate_forced(SlowEquations::series(system, 3), &slow, &times, &at(1e-13), &mut samples)
+                    .unwrap();
                 let truth = full(&body, &start, &times, at(1e-13));
                 let gap = |(a, b): (&Sample, &Sample)| {
                     let part = layer.at(a.t);

@@ -22,6 +22,7 @@ mod ellipsoid_passages;
 mod ellipsoids;
 mod energy_form;
 mod energy_range;
+mod energy_under_forces;
 mod ensembles;
 mod forces;
 mod forms;

@@ -4,8 +4,8 @@ use std::ops::ControlFlow;
 
 use nalgebra::Vector3;
 use quasirigid::dynamics::{
-    Forced, Form, FullState, Observer, Options, Sample, SlowState, Start, propagate, propagate_forced,
-    propagate_full,
+    Forced, Form, FullState, Observer, Options, Sample, SlowEquations, SlowState, Start, propagate,
+    propagate_forced, propagate_full,
 };
 use quasirigid::elements::{Assembly, Carrier, End, Station};
 use quasirigid::model::force::{Force, ForceLaw};
@@ -101,7 +101,8 @@ fn parts_displaced_about_the_pole_have_their_centre_of_mass_at_the_place() {
                 let still =
                     SlowState { angular_momentum: [0.0; 3], attitude, place: PLACE, velocity: VELOCITY };
                 let slow = still.with_spin(system, 3, OMEGA).unwrap();
-                propagate_forced(system, 3, &slow, &times, &options(form), run).unwrap();
+                propagate_forced(SlowEquations::series(system, 3), &slow, &times, &options(form), run)
+                    .unwrap();
             }
         }
         for (number, Both(rows, _)) in runs.iter().enumerate() {

@@ -2,7 +2,9 @@
 
 use std::ops::ControlFlow;
 
-use quasirigid::dynamics::{Forced, Form, Options, Sample, SlowState, Start, propagate_forced};
+use quasirigid::dynamics::{
+    Forced, Form, Options, Sample, SlowEquations, SlowState, Start, propagate_forced,
+};
 use quasirigid::elements::{Assembly, Carrier, End, Station};
 use quasirigid::model::Support;
 use quasirigid::model::force::{Axes, Force, ForceLaw, MagneticField, Orbit, Wave};
@@ -157,7 +159,16 @@ fn the_papers_form_under_forces_agrees_with_the_momentum_form() {
             let state = still.with_spin(system, order, omega).unwrap();
             let end = |form| {
                 let options = Options { form, tolerance: 1e-12, ..Options::default() };
-                propagate_forced(system, order, &state, &[4.0], &options, &mut Vec::new()).unwrap().last.omega
+                propagate_forced(
+                    SlowEquations::series(system, order),
+                    &state,
+                    &[4.0],
+                    &options,
+                    &mut Vec::new(),
+                )
+                .unwrap()
+                .last
+                .omega
             };
             norm(add(end(Form::AngularMomentum), scale(-1.0, end(Form::AngularVelocity))))
         });

@@ -47,7 +47,15 @@ pub const MAX_FORCED_ORDER: usize = 5;
 /// # Panics
 /// If the order is above [`MAX_FORCED_ORDER`].
 pub(super) fn slow_point(system: Forced, order: usize, K: [f64; 3], pose: &Pose<f64>) -> SlowPoint {
-    passes(system, order, K, pose).0
+    passes(system, system.acts(), order, K, pose).0
+}
+
+/// Slow motion of order `p` without the actions from outside, at the momentary speeds of wheels. (E6)
+///
+/// # Panics
+/// As [`slow_point`].
+pub(super) fn free_point(system: Forced, order: usize, K: [f64; 3], pose: &Pose<f64>) -> SlowPoint {
+    passes(system, false, order, K, pose).0
 }
 
 /// Least order whose dissipation has a correction, by which lower ones are judged. (E5)
@@ -63,7 +71,7 @@ pub(super) struct Correction {
 impl Correction {
     /// Correction at a state.
     pub fn at(system: Forced, order: usize, K: [f64; 3], pose: &Pose<f64>) -> Self {
-        passes(system, order.max(JUDGED), K, pose).1
+        passes(system, system.acts(), order.max(JUDGED), K, pose).1
     }
 
     /// From one slow motion to another.
@@ -137,16 +145,22 @@ fn less(a: &[f64], b: &[f64]) -> Vec<f64> {
     a.iter().zip(b).map(|(a, b)| a - b).collect()
 }
 
-/// Slow motion, and what the last pass has added.
-fn passes(system: Forced, order: usize, K: [f64; 3], pose: &Pose<f64>) -> (SlowPoint, Correction) {
+/// Slow motion with or without the actions from outside, and what the last pass has added.
+fn passes(
+    system: Forced,
+    acts: bool,
+    order: usize,
+    K: [f64; 3],
+    pose: &Pose<f64>,
+) -> (SlowPoint, Correction) {
     let improved = if system.body.cyclic().is_empty() { order.saturating_sub(1) } else { order };
     match improved {
-        0 => point::<1>(system, improved, K, pose),
-        1 => point::<3>(system, improved, K, pose),
-        2 => point::<5>(system, improved, K, pose),
-        3 => point::<7>(system, improved, K, pose),
-        4 => point::<9>(system, improved, K, pose),
-        5 => point::<11>(system, improved, K, pose),
+        0 => point::<1>(system, acts, improved, K, pose),
+        1 => point::<3>(system, acts, improved, K, pose),
+        2 => point::<5>(system, acts, improved, K, pose),
+        3 => point::<7>(system, acts, improved, K, pose),
+        4 => point::<9>(system, acts, improved, K, pose),
+        5 => point::<11>(system, acts, improved, K, pose),
         _ => unreachable!("orders are checked where they enter"),
     }
 }
@@ -154,6 +168,7 @@ fn passes(system: Forced, order: usize, K: [f64; 3], pose: &Pose<f64>) -> (SlowP
 /// Improves the coordinates `improved` times along the flow.
 fn point<const N: usize>(
     system: Forced,
+    acts: bool,
     improved: usize,
     K: [f64; 3],
     pose: &Pose<f64>,
@@ -165,14 +180,14 @@ fn point<const N: usize>(
     let mut before = (q.clone(), rate.clone());
     for _ in 0..improved {
         before = (q.clone(), rate.clone());
-        let flow = Flow::along(system, K, pose, &q, &rate);
+        let flow = Flow::along(system, acts, K, pose, [&q, &rate]);
         (q, rate) = flow.coordinates(system, &q, &rate);
     }
     let (q, rate) = (values(&q), values(&rate));
     let added = Correction { q: less(&q, &values(&before.0)), rate: less(&rate, &values(&before.1)) };
     let own = add(K, scale(-1.0, system.body.wheels().angular_momentum(pose.t)));
     let omega = spin(system, own, &q, &rate);
-    let loads = loads(system, pose, MotionState { omega, q: &q, rate: &rate });
+    let loads = loads(system, acts, pose, MotionState { omega, q: &q, rate: &rate });
     (SlowPoint { omega, q, rate, loads }, added)
 }
 
@@ -184,8 +199,8 @@ fn spin<T: Smooth>(system: Forced, K: [T; 3], q: &[T], rate: &[T]) -> [T; 3] {
     smooth_times(smooth_inverse(system.body.inertia_at(q)), rest)
 }
 
-fn loads<T: Smooth>(system: Forced, pose: &Pose<T>, motion: MotionState<T>) -> Loads<T> {
-    if system.acts() { system.loads(pose, motion) } else { Loads::none(motion.q.len()) }
+fn loads<T: Smooth>(system: Forced, acts: bool, pose: &Pose<T>, motion: MotionState<T>) -> Loads<T> {
+    if acts { system.loads(pose, motion) } else { Loads::none(motion.q.len()) }
 }
 
 /// Taylor series in time of the slow variables, with the internal coordinates on a given path. (E1)
@@ -195,7 +210,13 @@ struct Flow<const N: usize> {
 }
 
 impl<const N: usize> Flow<N> {
-    fn along(system: Forced, K0: [f64; 3], start: &Pose<f64>, q: &[Taylor<N>], rate: &[Taylor<N>]) -> Self {
+    fn along(
+        system: Forced,
+        acts: bool,
+        K0: [f64; 3],
+        start: &Pose<f64>,
+        [q, rate]: [&[Taylor<N>]; 2],
+    ) -> Self {
         let mut K = K0.map(Taylor::from);
         let mut pose = Pose {
             t: Taylor::variable(start.t),
@@ -208,21 +229,26 @@ impl<const N: usize> Flow<N> {
         let internal =
             add(system.body.angular_momentum(still), system.body.wheels().angular_momentum(pose.t));
         let spin = |K: [Taylor<N>; 3]| smooth_times(inverse, add(K, scale(Taylor::from(-1.0), internal)));
+        let (feels_path, feels_attitude) = (system.feels_path(), system.feels_attitude());
         for _ in 1..N {
             let omega = spin(K);
             let mut torque = cross(K, omega);
-            if system.acts() {
+            if acts {
                 let loads = system.loads(&pose, MotionState { omega, q, rate });
                 torque = add(torque, loads.moment);
-                let velocity = Taylor::integrals(system.acceleration(&pose, loads.force), start.velocity);
-                pose.place = Taylor::integrals(pose.velocity, start.place);
-                pose.velocity = velocity;
-                pose.attitude = Taylor::integrals(rotation::rate(pose.attitude, omega), start.attitude);
+                if feels_path {
+                    let velocity = Taylor::integrals(system.acceleration(&pose, loads.force), start.velocity);
+                    pose.place = Taylor::integrals(pose.velocity, start.place);
+                    pose.velocity = velocity;
+                }
+                if feels_attitude {
+                    pose.attitude = Taylor::integrals(rotation::rate(pose.attitude, omega), start.attitude);
+                }
             }
             K = Taylor::integrals(torque, K0);
         }
         let omega = spin(K);
-        Self { omega, loads: loads(system, &pose, MotionState { omega, q, rate }) }
+        Self { omega, loads: loads(system, acts, &pose, MotionState { omega, q, rate }) }
     }
 
     /// `q = C⁻¹(∂T/∂q + Q − d/dt ∂T/∂q̇ − B q̇)` of elastic coordinates, with their rates, and `q̇ = B⁻¹(…)` of cyclic ones, from the

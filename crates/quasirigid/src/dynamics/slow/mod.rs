@@ -1,5 +1,6 @@
 //! Reduced motion of a body under external forces, by series in time at each state.
 
+mod equations;
 mod flow;
 mod motion;
 mod propagate;
@@ -7,6 +8,7 @@ mod state;
 mod system;
 mod torque;
 
+pub use equations::SlowEquations;
 pub use flow::{MAX_FORCED_ORDER, SlowPoint};
 pub use propagate::{propagate_forced, takes};
 pub use state::{SlowState, slow_state_point};

@@ -34,8 +34,8 @@ impl<'a> SlowMotion<'a> {
     /// From the first state.
     pub fn new(system: SlowSystem<'a>, y: &[f64; SLOW]) -> Self {
         let last = correction(&system, 0.0, y);
-        let error_of_power = last.error_of_power(system.system);
-        let quick = Correction::none(system.system.body.coordinates().len());
+        let error_of_power = last.error_of_power(system.equations.system);
+        let quick = Correction::none(system.equations.system.body.coordinates().len());
         Self { system, y: *y, t: 0.0, error_of_power, last, quick, largest: 0.0, summed: 0.0 }
     }
 
@@ -46,13 +46,13 @@ impl<'a> SlowMotion<'a> {
 
     fn point(&self) -> SlowPoint {
         let (K, pose) = place(&self.system, self.t, &self.y);
-        slow_point(self.system.system, self.system.order, K, &pose)
+        slow_point(self.system.equations.system, self.system.equations.order, K, &pose)
     }
 
     /// Takes the correction at the state as the last one.
     fn correct(&mut self) -> Correction {
         let correction = correction(&self.system, self.t, &self.y);
-        self.error_of_power = correction.error_of_power(self.system.system);
+        self.error_of_power = correction.error_of_power(self.system.equations.system);
         std::mem::replace(&mut self.last, correction)
     }
 }
@@ -69,7 +69,7 @@ fn place(system: &SlowSystem, t: f64, y: &[f64]) -> ([f64; 3], Pose<f64>) {
 
 fn correction(system: &SlowSystem, t: f64, y: &[f64]) -> Correction {
     let (K, pose) = place(system, t, y);
-    Correction::at(system.system, system.order, K, &pose)
+    Correction::at(system.equations.system, system.equations.order, K, &pose)
 }
 
 impl Trajectory for SlowMotion<'_> {
@@ -91,13 +91,13 @@ impl Trajectory for SlowMotion<'_> {
     fn seat(&self, _: f64, y: &[f64], view: &StateView, _: [f64; 4]) -> Seat {
         let motion = MotionState { omega: view.omega, q: &view.q, rate: &view.rate };
         match self.system.form {
-            Form::AngularMomentum => Seat::of_center(self.system.system.body, motion, y),
-            Form::AngularVelocity => Seat::of_pole(self.system.system.body, motion, y),
+            Form::AngularMomentum => Seat::of_center(self.system.equations.system.body, motion, y),
+            Form::AngularVelocity => Seat::of_pole(self.system.equations.system.body, motion, y),
         }
     }
 
     fn invariant(&self) -> Invariant {
-        match (self.system.system.acts(), self.system.form) {
+        match (self.system.equations.system.acts(), self.system.form) {
             (true, _) => Invariant::Impulse,
             (false, Form::AngularMomentum) => Invariant::AngularMomentum,
             (false, Form::AngularVelocity) => Invariant::Direction,
@@ -109,7 +109,7 @@ impl Trajectory for SlowMotion<'_> {
         self.system.stretch = stretch;
         if let Some(before) = before {
             let jump = Correction::between(&before, &self.point());
-            self.summed += jump.vibration_energy(self.system.system);
+            self.summed += jump.vibration_energy(self.system.equations.system);
         }
         if begins {
             self.correct();
@@ -121,7 +121,7 @@ impl Trajectory for SlowMotion<'_> {
         self.t = t;
         self.y.copy_from_slice(y);
         let from = self.correct();
-        let system = self.system.system;
+        let system = self.system.equations.system;
         self.quick.follow(system, [&from, &self.last], t - before.0);
         self.largest = self.largest.max(self.quick.vibration_energy(system));
         self.summed += 0.5 * (t - before.0) * (before.1 + self.error_of_power);

@@ -2,6 +2,7 @@
 //! The angular-velocity form starts with the pole where its own displacements put it, or forces that depend on place cost an order or two.
 //! Equations (E1) to (E3), docs/theory/09-forced-reduction.md; (P7), docs/theory/05-propagation.md.
 
+use super::equations::SlowEquations;
 use super::flow::{MAX_FORCED_ORDER, SlowPoint};
 use super::motion::SlowMotion;
 use super::state::SlowState;
@@ -37,10 +38,10 @@ pub fn takes(system: Forced, form: Form, order: usize) -> bool {
 
 /// Start of the angular-velocity form: the angular velocity, and the pole displaced from the centre of mass by the displacements of (E3).
 /// (P7)
-fn paper_start(system: Forced, order: usize, start: &SlowPoint, center: [f64; SLOW]) -> [f64; SLOW] {
-    let slow = SlowSystem { system, order, form: Form::AngularVelocity, stretch: Stretch::default() };
+fn paper_start(equations: SlowEquations, start: &SlowPoint, center: [f64; SLOW]) -> [f64; SLOW] {
+    let slow = SlowSystem { equations, form: Form::AngularVelocity, stretch: Stretch::default() };
     let put = |motion: MotionState<f64>| {
-        let [pole, pole_velocity] = seat::pole(system.body, motion, &center);
+        let [pole, pole_velocity] = seat::pole(equations.system.body, motion, &center);
         let mut y = center;
         y[MOMENTUM..MOMENTUM + 3].copy_from_slice(&start.omega);
         y[PLACE..PLACE + 3].copy_from_slice(&pole);
@@ -51,21 +52,21 @@ fn paper_start(system: Forced, order: usize, start: &SlowPoint, center: [f64; SL
     put(MotionState { omega, q: &q, rate: &rate })
 }
 
-/// Integrates the reduced equations of order `p` of a body under external forces from `t = 0` and observes the body at the output times
-/// (s). (E1)–(E3)
+/// Integrates the reduced equations of a body under external forces from `t = 0` and observes the body at the output times (s).
+/// (E1)–(E3), (E6)
 ///
 /// The angular-momentum form takes orders to [`MAX_FORCED_ORDER`], the angular-velocity form to 3.
 ///
 /// # Errors
 /// [`PropagateError`] before the first step. A later failure is an [`Outcome`](crate::dynamics::Outcome).
 pub fn propagate_forced(
-    system: Forced,
-    order: usize,
+    equations: SlowEquations,
     initial: &SlowState,
     times: &[f64],
     options: &Options,
     observer: &mut dyn Observer,
 ) -> Result<Run, PropagateError> {
+    let SlowEquations { system, order, .. } = equations;
     if order > highest(options.form) {
         return Err(PropagateError::Order { order });
     }
@@ -76,8 +77,10 @@ pub fn propagate_forced(
     if ![initial.place, initial.velocity].as_flattened().iter().all(|value| value.is_finite()) {
         return Err(PropagateError::NotFinite);
     }
-    let start = slow_state_point(system, order, initial)?;
-    let omega = start.omega;
+    let omega = match options.form {
+        Form::AngularMomentum => equations.angular_velocity(initial)?,
+        Form::AngularVelocity => slow_state_point(system, order, initial)?.omega,
+    };
     let end = times.last().copied().unwrap_or_default();
     let pose = initial.pose(0.0);
     let (scales, mut timing) = Scales::timed(system, omega, initial.angular_momentum, pose, end);
@@ -85,7 +88,7 @@ pub fn propagate_forced(
     let mut y = initial.pack();
     let mut first = scales.angular_momentum;
     if options.form == Form::AngularVelocity {
-        y = paper_start(system, order, &start, y);
+        y = paper_start(equations, &slow_state_point(system, order, initial)?, y);
         first = scales.spin;
     }
     let mut allowed = [f64::INFINITY; SLOW];
@@ -93,7 +96,7 @@ pub fn propagate_forced(
     allowed[ATTITUDE..ATTITUDE + 4].fill(options.tolerance);
     allowed[PLACE..PLACE + 3].fill(options.tolerance * scales.place);
     allowed[VELOCITY..VELOCITY + 3].fill(options.tolerance * scales.velocity);
-    let slow = SlowSystem { system, order, form: options.form, stretch: Stretch::default() };
+    let slow = SlowSystem { equations, form: options.form, stretch: Stretch::default() };
     let angular_momentum = slow.view(0.0, &y).angular_momentum;
     let angular_momentum = Conserved::of(angular_momentum, initial.attitude, scales.inside);
     let mut monitor =

@@ -1,13 +1,11 @@
-//! State of the slow motion under forces, and the angular momentum that belongs to a given angular velocity.
-//! The iteration stops where it no longer gains, not at a fixed tolerance: near the limit of the series each step gains little.
+//! State of the slow motion under forces.
 //! Equation (E2) and "Start", docs/theory/09-forced-reduction.md.
 
-use super::flow::{MAX_FORCED_ORDER, SlowPoint, slow_point};
+use super::equations::SlowEquations;
+use super::flow::{SlowPoint, slow_point};
 use crate::dynamics::external::{Forced, Pose};
 use crate::dynamics::layout::{ATTITUDE, MOMENTUM, PLACE, SLOW, VELOCITY, attitude, triple};
 use crate::dynamics::run::PropagateError;
-use crate::math::sym3::times;
-use crate::math::vec3::{add, norm, scale};
 
 /// State of the slow motion: the angular momentum determines the internal coordinates.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -22,47 +20,14 @@ pub struct SlowState {
     pub velocity: [f64; 3],
 }
 
-/// Limit of iterations for the angular momentum; each gains the ratio of elastic to rigid angular momentum.
-const ITERATIONS: usize = 60;
-
 impl SlowState {
-    /// State with the angular velocity `omega` (rad/s, body axes) on the slow manifold of order `p` at `t = 0`; attitude, place and
-    /// velocity are those of `self`.
+    /// State with the angular velocity `omega` (rad/s, body axes) on the slow manifold of order `p` at `t = 0` by the series along the flow;
+    /// attitude, place and velocity are those of `self`. (E2)
     ///
     /// # Errors
-    /// [`PropagateError::Order`], [`PropagateError::NoForce`] if a force has no value there, or [`PropagateError::NoAngularMomentum`] if
-    /// the slow manifold has no such angular velocity.
+    /// Those of [`SlowEquations::state`].
     pub fn with_spin(self, system: Forced, order: usize, omega: [f64; 3]) -> Result<Self, PropagateError> {
-        let J = system.body.invariants().J;
-        let angular_momentum = add(times(J, omega), system.body.wheels().angular_momentum(0.0));
-        let mut state = Self { angular_momentum, ..self };
-        let mut best = f64::INFINITY;
-        // Of a body at rest: what its parts would turn it by.
-        let mut size = norm(omega);
-        for _ in 0..ITERATIONS {
-            let point = slow_state_point(system, order, &state)?;
-            if !best.is_finite() && system.acts() && !norm(point.omega).is_finite() {
-                return Err(PropagateError::NoForce); // at the first guess the series is that of a spin all but the one asked for
-            }
-            let gap = add(omega, scale(-1.0, point.omega));
-            if !best.is_finite() {
-                size = size.max(norm(gap));
-            }
-            if norm(gap) >= 0.9 * best {
-                break;
-            }
-            best = norm(gap);
-            if best <= 1e-15 * size {
-                break;
-            }
-            state.angular_momentum = add(state.angular_momentum, times(J, gap));
-        }
-        let near = best <= 1e-10 * size;
-        if near && state.angular_momentum.iter().all(|K| K.is_finite()) {
-            Ok(state)
-        } else {
-            Err(PropagateError::NoAngularMomentum)
-        }
+        SlowEquations::series(system, order).state(self, omega)
     }
 
     pub(super) fn pose(&self, t: f64) -> Pose<f64> {
@@ -97,8 +62,6 @@ pub fn slow_state_point(
     order: usize,
     state: &SlowState,
 ) -> Result<SlowPoint, PropagateError> {
-    if order > MAX_FORCED_ORDER {
-        return Err(PropagateError::Order { order });
-    }
+    SlowEquations::series(system, order).check()?;
     Ok(slow_point(system, order, state.angular_momentum, &state.pose(0.0)))
 }

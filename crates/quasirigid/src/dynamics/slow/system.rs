@@ -1,12 +1,12 @@
 //! Reduced equations under forces as a system for the integrator, in either form.
 //! One state vector serves both forms: its first three components are the angular momentum or the angular velocity, its place the centre of
 //! mass or the pole.
-//! Equations (E2) and (E3), docs/theory/09-forced-reduction.md.
+//! Equations (E2), (E3) and (E6), docs/theory/09-forced-reduction.md.
 
-use super::flow::slow_point;
+use super::equations::{SlowEquations, SlowFlow};
+use super::flow::SlowPoint;
 use super::state::SlowState;
 use super::torque::{ForcedTorque, RigidState, forced_torque};
-use crate::dynamics::external::Forced;
 use crate::dynamics::form::Form;
 use crate::dynamics::invariant_monitor::StateView;
 use crate::dynamics::layout::{
@@ -21,12 +21,11 @@ use crate::model::MotionState;
 use crate::model::force::{KinematicState, Loads};
 
 /// Reduced equations of a forced body. In the angular-momentum form the state has the angular momentum, `K̇ = K × ω + M`, with angular
-/// velocity and loads of the slow motion (E2); in the angular-velocity form the angular velocity, `Jω̇ + ω × Jω = M* + μ`, and the place
+/// velocity and loads of the slow motion (E2), (E6); in the angular-velocity form the angular velocity, `Jω̇ + ω × Jω = M* + μ`, and the place
 /// of the pole (E3).
 #[derive(Clone, Copy, Debug)]
 pub(super) struct SlowSystem<'a> {
-    pub system: Forced<'a>,
-    pub order: usize,
+    pub equations: SlowEquations<'a>,
     pub form: Form,
     /// Stretch between breakpoints of the forces that steps lie in. (Z1)
     pub stretch: Stretch,
@@ -35,6 +34,9 @@ pub(super) struct SlowSystem<'a> {
 /// Rates and internal coordinates at a state.
 struct Rates {
     omega: [f64; 3],
+    angular_momentum: [f64; 3],
+    energy: f64,
+    power: f64,
     first: [f64; 3],
     acceleration: [f64; 3],
     loads: Loads<f64>,
@@ -52,11 +54,7 @@ impl SlowSystem<'_> {
 
     /// Quantities of a state.
     pub fn view(&self, t: f64, y: &[f64]) -> StateView {
-        let Rates { omega, q, rate, .. } = self.rates(t, y);
-        let motion = MotionState { omega, q: &q, rate: &rate };
-        let body = self.system.body;
-        let angular_momentum = add(body.angular_momentum(motion), body.wheels().angular_momentum(t));
-        let energy = body.energy(motion);
+        let Rates { omega, angular_momentum, energy, q, rate, .. } = self.rates(t, y);
         let (dissipated, work) = (y[DISSIPATED], y[WORK]);
         StateView {
             omega,
@@ -73,33 +71,46 @@ impl SlowSystem<'_> {
     }
 
     fn angular_momentum_form(&self, t: f64, y: &[f64]) -> Rates {
-        let state = SlowState::unpack(y);
-        let pose = state.pose(t);
-        let point = slow_point(self.system, self.order, state.angular_momentum, &pose);
+        let SlowState { angular_momentum, .. } = SlowState::unpack(y);
+        let pose = SlowState::unpack(y).pose(t);
+        let SlowFlow { omega, energy, power, point } = self.equations.at(angular_momentum, &pose);
+        let SlowPoint { q, rate, loads, .. } = point;
         Rates {
-            omega: point.omega,
-            first: add(cross(state.angular_momentum, point.omega), point.loads.moment),
-            acceleration: self.system.acceleration(&pose, point.loads.force),
-            loads: point.loads,
-            q: point.q,
-            rate: point.rate,
+            omega,
+            angular_momentum,
+            energy,
+            power,
+            first: add(cross(angular_momentum, omega), loads.moment),
+            acceleration: self.equations.system.acceleration(&pose, loads.force),
+            loads,
+            q,
+            rate,
         }
     }
 
     fn angular_velocity_form(&self, t: f64, y: &[f64]) -> Rates {
         let state = SlowState::unpack(y);
         let SlowState { angular_momentum: omega, attitude, place, velocity } = state;
-        let body = self.system.body;
+        let SlowEquations { system, order, .. } = self.equations;
+        let body = system.body;
         let at = RigidState { t, omega, attitude, pole: place, pole_velocity: velocity };
-        let ForcedTorque { moment, mu, force, phi, q, rate, .. } =
-            forced_torque(self.system, self.order, &at);
+        let ForcedTorque { moment, mu, force, phi, q, rate, .. } = forced_torque(system, order, &at);
         let J = body.invariants().J;
         let torque = add(add(moment, mu), cross(times(J, omega), omega));
         let motion = MotionState { omega, q: &q, rate: &rate };
         let kinematics = KinematicState { t, attitude, pole: place, pole_velocity: velocity, motion };
-        let loads = body.loads(self.system.forces, &kinematics).about_center(body, &q);
-        let acceleration = self.system.acceleration(&state.pose(t), add(force, phi));
-        Rates { omega, first: times(inverse(J), torque), acceleration, loads, q, rate }
+        let damped = body.damping().times(&rate);
+        Rates {
+            omega,
+            angular_momentum: add(body.angular_momentum(motion), body.wheels().angular_momentum(t)),
+            energy: body.energy(motion),
+            power: damped.iter().zip(&rate).map(|(force, rate)| force * rate).sum(),
+            first: times(inverse(J), torque),
+            acceleration: system.acceleration(&state.pose(t), add(force, phi)),
+            loads: body.loads(system.forces, &kinematics).about_center(body, &q),
+            q,
+            rate,
+        }
     }
 }
 
@@ -109,11 +120,10 @@ impl System<[f64; SLOW]> for SlowSystem<'_> {
         let now = self.rates(t, y);
         let SlowState { attitude, velocity, .. } = SlowState::unpack(y);
         let motion = MotionState { omega: now.omega, q: &now.q, rate: &now.rate };
-        let damped = self.system.body.damping().times(&now.rate);
         rate[MOMENTUM..MOMENTUM + 3].copy_from_slice(&now.first);
         rate[ATTITUDE..ATTITUDE + 4].copy_from_slice(&rotation::rate(attitude, now.omega));
-        rate[DISSIPATED] = damped.iter().zip(&now.rate).map(|(force, rate)| force * rate).sum();
-        let motors = dot(now.omega, self.system.body.wheels().torque(t));
+        rate[DISSIPATED] = now.power;
+        let motors = dot(now.omega, self.equations.system.body.wheels().torque(t));
         rate[WORK] = now.loads.power(motion, [0.0; 3]) - motors;
         rate[ANGLE] = norm(now.omega);
         let impulse = Turn::of(attitude).to_inertial(now.loads.moment);

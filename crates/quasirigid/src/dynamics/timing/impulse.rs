@@ -107,3 +107,40 @@ impl<'a> Account<'a> {
         Some(())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::prescribed::prescribed;
+    use super::*;
+    use crate::dynamics::external::Forced;
+    use crate::model::force::{Axes, Force, ForceLaw, Wave};
+    use crate::problems::ring_of_points;
+
+    /// Steps of the two-point rule through a wave: as long as it, they take it for a constant torque, and it is told; a hundred times
+    /// shorter they see it.
+    #[test]
+    fn steps_that_pass_a_wave_are_told() {
+        let body = ring_of_points(2).body().unwrap();
+        let wave = Wave { frequency: 2.0 * std::f64::consts::TAU, phase: -1.0 };
+        let law = ForceLaw::Torque { torque: [0.1, -0.3, 0.2], axes: Axes::Body, wave };
+        let forces = [Force { name: String::new(), law }];
+        let system = Forced { body: &body, forces: &forces };
+        let gauss = [0.5 - 0.5 / 3_f64.sqrt(), 0.5 + 0.5 / 3_f64.sqrt()];
+        let nodes: &'static [f64] = Box::leak(Box::new(gauss));
+        let [coarse, fine] = [0.5, 0.003].map(|h| {
+            let mut account = Account::of(prescribed(system)[0]);
+            account.allow(&body, Allowed { angular_momentum: 1e-12, velocity: 1e-12 });
+            let end = 100.0 * h;
+            for step in 0..100 {
+                let rule = StepRule { t: f64::from(step) * h, h, nodes, weights: &[0.5, 0.5] };
+                account.add(rule, Stretch::default());
+            }
+            account.compare(0.0, end, Stretch::default())
+        });
+        assert!(fine.is_none(), "{fine:?}");
+        let Some(Missed::Impulse { force: 0, interval: [0.0, to], difference, whole }) = coarse else {
+            panic!("{coarse:?}");
+        };
+        assert!((to - 50.0).abs() < 1e-9 && difference > 1e-3 * whole && whole > 1.0, "{coarse:?}");
+    }
+}

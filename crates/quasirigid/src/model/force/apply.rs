@@ -3,6 +3,8 @@
 //! place, curvature included.
 //! Equations (F1), (F2), (F5), (F6), (F9) and (F11) to (F14), docs/theory/07-forces.md; (S1), docs/theory/01-system.md.
 
+use std::cell::OnceCell;
+
 use super::gravity::FirstMoment;
 use super::{Axes, Force, ForceLaw, VARIABLES, Wave};
 use crate::math::rotation::Turn;
@@ -43,10 +45,10 @@ impl FlexibleBody {
     #[must_use]
     pub fn loads<T: Smooth>(&self, forces: &[Force<Marker>], kinematics: &KinematicState<T>) -> Loads<T> {
         let mut loads = Loads::none(self.coordinates().len());
-        let context = LoadContext { body: self, kinematics, turn: Turn::of(kinematics.attitude) };
+        let context = LoadContext { body: self, kinematics, turn: OnceCell::new() };
         if let Support::Prescribed { acceleration, .. } = self.support() {
             let inertial = acceleration.each_ref().map(|component| -component.value(&[kinematics.t]));
-            loads.add_uniform(self, kinematics.motion.q, context.turn.to_body(inertial));
+            loads.add_uniform(self, kinematics.motion.q, context.turn().to_body(inertial));
         }
         for force in forces {
             context.add(&force.law, &mut loads);
@@ -107,7 +109,7 @@ type DisplacedPlace<T> = ([T; 3], Vec<(usize, [T; 3])>);
 struct LoadContext<'a, T> {
     body: &'a FlexibleBody,
     kinematics: &'a KinematicState<'a, T>,
-    turn: Turn<T>,
+    turn: OnceCell<Turn<T>>,
 }
 
 impl<T: Smooth> LoadContext<'_, T> {
@@ -115,12 +117,12 @@ impl<T: Smooth> LoadContext<'_, T> {
         let KinematicState { t, motion, .. } = *self.kinematics;
         match law {
             ForceLaw::UniformGravity { acceleration } => {
-                loads.add_uniform(self.body, motion.q, self.turn.to_body(acceleration.map(T::from)));
+                loads.add_uniform(self.body, motion.q, self.turn().to_body(acceleration.map(T::from)));
             }
             ForceLaw::CentralGravity { orbit } => {
                 let passage = orbit.at(t);
                 let per_radius = T::from(1.0) / passage.radius;
-                let n = self.turn.to_body(scale(per_radius, passage.place));
+                let n = self.turn().to_body(scale(per_radius, passage.place));
                 let kappa = T::from(orbit.mu) * per_radius * per_radius * per_radius;
                 loads.add_gradient(self.body, motion.q, n, kappa);
             }
@@ -136,14 +138,14 @@ impl<T: Smooth> LoadContext<'_, T> {
                 loads.add_force(&self.place(at), self.varying(*force, *axes, *wave));
             }
             ForceLaw::MagneticDipole { moment, field } => {
-                loads.add_torque(cross(moment.map(T::from), self.turn.to_body(field.at(t))));
+                loads.add_torque(cross(moment.map(T::from), self.turn().to_body(field.at(t))));
             }
             ForceLaw::Expression { at, force } => {
                 let (at, velocity) = self.passing(at);
-                let place = add(self.kinematics.pole, self.turn.to_inertial(at.0));
-                let felt = self.felt(place, self.turn.to_inertial(velocity));
+                let place = add(self.kinematics.pole, self.turn().to_inertial(at.0));
+                let felt = self.felt(place, self.turn().to_inertial(velocity));
                 let force = force.each_ref().map(|component| component.value(&felt));
-                loads.add_force(&at, self.turn.to_body(force));
+                loads.add_force(&at, self.turn().to_body(force));
             }
             ForceLaw::TorqueExpression { torque, axes } => {
                 let felt = self.felt(self.kinematics.pole, self.kinematics.pole_velocity);
@@ -160,6 +162,10 @@ impl<T: Smooth> LoadContext<'_, T> {
                 }
             }
         }
+    }
+
+    fn turn(&self) -> &Turn<T> {
+        self.turn.get_or_init(|| Turn::of(self.kinematics.attitude))
     }
 
     /// Values of the variables of a formula, in their order. (F9)
@@ -179,7 +185,7 @@ impl<T: Smooth> LoadContext<'_, T> {
     fn passing(&self, at: &Marker) -> (DisplacedPlace<T>, [T; 3]) {
         let KinematicState { pole_velocity, motion: MotionState { omega, rate, .. }, .. } = *self.kinematics;
         let (u, slopes) = self.place(at);
-        let carried = add(self.turn.to_body(pole_velocity), cross(omega, u));
+        let carried = add(self.turn().to_body(pole_velocity), cross(omega, u));
         let velocity = slopes.iter().fold(carried, |v, (j, slope)| add(v, scale(rate[*j], *slope)));
         ((u, slopes), velocity)
     }
@@ -194,7 +200,7 @@ impl<T: Smooth> LoadContext<'_, T> {
     fn turned(&self, vector: [T; 3], axes: Axes) -> [T; 3] {
         match axes {
             Axes::Body => vector,
-            Axes::Inertial => self.turn.to_body(vector),
+            Axes::Inertial => self.turn().to_body(vector),
         }
     }
 }

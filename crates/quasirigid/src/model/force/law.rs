@@ -3,13 +3,18 @@
 //! other.
 //! Equations (F3) to (F9), (F13) and (F14), docs/theory/07-forces.md.
 
+use std::ops::Range;
+
 use super::{MagneticField, Orbit, Timetable, Windows};
 use crate::math::expression::Expression;
 use crate::math::taylor::Taylor;
 
-/// Variables of a formula, and the index of the time among them. (F9)
+/// Variables of a formula, and where in them are place, velocity, time and attitude. (F9)
 pub(crate) const VARIABLES: usize = 14;
+pub(crate) const PLACE: Range<usize> = 0..3;
+pub(crate) const VELOCITY: Range<usize> = 3..6;
 pub(crate) const TIME: usize = 6;
+pub(crate) const ATTITUDE: Range<usize> = 10..14;
 
 /// External force: name and law, with its place of action.
 ///

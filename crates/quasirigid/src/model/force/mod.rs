@@ -1,6 +1,7 @@
 //! External forces on a body, for scalars that may be series in time. (F1) to (F14)
 
 mod apply;
+mod felt;
 mod field;
 mod gravity;
 mod law;
@@ -11,7 +12,7 @@ mod timing;
 pub use apply::{KinematicState, Loads};
 pub use field::MagneticField;
 pub use law::{Axes, Force, ForceLaw, Wave};
-pub(crate) use law::{TIME, VARIABLES};
+pub(crate) use law::{PLACE, TIME, VARIABLES};
 pub use orbit::{Orbit, OrbitPoint};
 pub use pose::Pose;
 pub use timing::{Interpolation, Timetable, TimingProblem, Windows};

@@ -42,13 +42,15 @@ impl FlexibleBody {
     ) -> Loads<T> {
         let Pose { t, attitude, place, velocity } = *pose;
         let (mut pole, mut pole_velocity) = (place, velocity);
-        if self.translation().is_some() {
+        if self.translation().is_some() && forces.iter().any(|force| force.law.feels_path()) {
             let (offset, rate) = self.pole_from_center(motion);
             let turn = Turn::of(attitude);
             pole = add(pole, turn.to_inertial(offset));
             pole_velocity = add(pole_velocity, turn.to_inertial(rate));
         }
         let kinematics = KinematicState { t, attitude, pole, pole_velocity, motion };
-        self.loads(forces, &kinematics).about_center(self, motion.q)
+        let loads = self.loads(forces, &kinematics);
+        let pushed = !forces.iter().all(|force| force.law.is_torque());
+        if pushed { loads.about_center(self, motion.q) } else { loads }
     }
 }

@@ -1,12 +1,10 @@
 //! Axes in which the forces on a body are constant: their rotation, set or free. (M6)
 
-use std::ops::Range;
-
 use nalgebra::Vector3;
 
 use super::error::SteadyError;
 use crate::math::taylor::Taylor;
-use crate::model::force::{Axes, Force, ForceLaw, MagneticField, Orbit, VARIABLES};
+use crate::model::force::{Axes, Force, ForceLaw, MagneticField, Orbit, PLACE, TIME};
 use crate::model::{FlexibleBody, Marker, Support};
 
 type V = Vector3<f64>;
@@ -38,36 +36,10 @@ pub(super) fn effective(body: &FlexibleBody, forces: &[Force<Marker>]) -> (Vec<F
         _ => false,
     };
     let acting: Vec<_> = forces.iter().filter(|force| !at_rest(&force.law)).cloned().collect();
-    let followed = free && acting.iter().any(|force| feels_velocity(&force.law));
+    let followed = free && acting.iter().any(|force| force.law.feels_velocity());
     let felt =
         |law: &ForceLaw<Marker>| !(free && !followed && matches!(law, ForceLaw::UniformGravity { .. }));
     (acting.into_iter().filter(|force| felt(&force.law)).collect(), followed)
-}
-
-/// True if a law depends on the velocity of its point of action.
-fn feels_velocity(law: &ForceLaw<Marker>) -> bool {
-    match law {
-        ForceLaw::Drag { .. } => true,
-        _ => uses(law, 3..6),
-    }
-}
-
-/// True if a formula of a law uses one of these variables.
-fn uses(law: &ForceLaw<Marker>, mut variables: Range<usize>) -> bool {
-    law.formulas().is_some_and(|formulas| variables.any(|i| formulas.iter().any(|formula| formula.uses(i))))
-}
-
-/// True if a law is a torque in body axes by a formula of the angular velocity alone, as that of a rate controller: no direction in space
-/// matters to it.
-fn turns_with_body(law: &ForceLaw<Marker>) -> bool {
-    matches!(law, ForceLaw::TorqueExpression { axes: Axes::Body, .. })
-        && !uses(law, 0..7)
-        && !uses(law, 10..VARIABLES)
-}
-
-/// True if a law depends on the place or the velocity of its point of action.
-fn feels_path(law: &ForceLaw<Marker>) -> bool {
-    feels_velocity(law) || uses(law, 0..3)
 }
 
 /// True if the support has no acceleration.
@@ -105,7 +77,7 @@ impl Turning {
         let mut found = Found::default();
         let mut acceleration = V::zeros();
         let driven = matches!(body.support(), Support::Prescribed { .. });
-        let placed = forces.iter().any(|force| feels_path(&force.law));
+        let placed = forces.iter().any(|force| force.law.feels_path());
         if driven {
             acceleration = -found.support(body)?;
             if placed && !rests(body) && found.set.is_none() {
@@ -182,13 +154,13 @@ impl Found {
                 return changes();
             }
             law @ (ForceLaw::Expression { .. } | ForceLaw::TorqueExpression { .. }) => {
-                if uses(law, 6..7) {
+                if law.uses(TIME..TIME + 1) {
                     return changes();
                 }
-                if body.translation().is_some() && uses(law, 0..3) {
+                if body.translation().is_some() && law.uses(PLACE) {
                     return Err(SteadyError::Placed { name: force.name.clone() });
                 }
-                self.unknown |= !turns_with_body(law);
+                self.unknown |= !law.turns_with_body();
             }
         }
         Ok(())

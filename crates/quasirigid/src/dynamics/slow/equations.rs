@@ -1,0 +1,131 @@
+//! Slow equations under forces: the series along the flow, its torque-free part replaced by the energy form, which no cut-off of a series
+//! lets gain energy.
+//! The iteration for a spin stops where it no longer gains, not at a fixed tolerance: near the limit of the series each step gains little.
+//! Equations (E2), (E6) and "Start", docs/theory/09-forced-reduction.md.
+
+use super::flow::{MAX_FORCED_ORDER, SlowPoint, free_point, slow_point};
+use super::state::SlowState;
+use crate::dynamics::external::{Forced, Pose};
+use crate::dynamics::run::PropagateError;
+use crate::math::sym3::times;
+use crate::math::vec3::{add, norm, scale};
+use crate::model::{FlexibleBody, ReducedBody};
+
+/// Slow equations of a body under forces: the series along the flow (E2), or the energy form of the torque-free body with what forces
+/// change (E6).
+#[derive(Clone, Copy, Debug)]
+pub struct SlowEquations<'a> {
+    pub(super) system: Forced<'a>,
+    pub(super) order: usize,
+    free: Option<&'a ReducedBody>,
+}
+
+/// Slow motion at a state.
+pub(super) struct SlowFlow {
+    /// Angular velocity (rad/s), body axes.
+    pub omega: [f64; 3],
+    /// Energy (J), without that of wheels.
+    pub energy: f64,
+    /// Power (W) that dissipators take.
+    pub power: f64,
+    /// Internal coordinates and loads, by the series along the flow.
+    pub point: SlowPoint,
+}
+
+impl SlowFlow {
+    fn of_series(body: &FlexibleBody, point: SlowPoint) -> Self {
+        let damped = body.damping().times(&point.rate);
+        let power = damped.iter().zip(&point.rate).map(|(force, rate)| force * rate).sum();
+        Self { omega: point.omega, energy: body.energy(point.motion()), power, point }
+    }
+}
+
+/// Limit of iterations for the angular momentum; each gains the ratio of elastic to rigid angular momentum.
+const ITERATIONS: usize = 60;
+
+impl<'a> SlowEquations<'a> {
+    /// Series of order `p` along the flow. (E2)
+    #[must_use]
+    pub fn series(system: Forced<'a>, order: usize) -> Self {
+        Self { system, order, free: None }
+    }
+
+    /// Energy form of the torque-free body with what forces change by the series of order `p` along the flow (E6); that series alone where
+    /// motors change the angular momentum of wheels, on which the torque-free motion depends. `reduced` is of the order `p + 1`, by which the
+    /// torque-free part is as good as that of the series, whose inertia tensor is not cut off.
+    #[must_use]
+    pub fn energy_form(system: Forced<'a>, order: usize, reduced: &'a ReducedBody) -> Self {
+        let steady = system.body.wheels().driven.is_empty();
+        Self { system, order, free: steady.then_some(reduced) }
+    }
+
+    /// Slow motion at an angular momentum (N·m·s, body axes) and a pose. (E2), (E6)
+    pub(super) fn at(&self, K: [f64; 3], pose: &Pose<f64>) -> SlowFlow {
+        let body = self.system.body;
+        let acted = SlowFlow::of_series(body, slow_point(self.system, self.order, K, pose));
+        let Some(reduced) = self.free else { return acted };
+        let series = SlowFlow::of_series(body, free_point(self.system, self.order, K, pose));
+        let lawful = reduced.motion(K);
+        SlowFlow {
+            omega: add(lawful.omega, add(acted.omega, scale(-1.0, series.omega))),
+            energy: reduced.energy_of_momentum.scalar(K) + (acted.energy - series.energy),
+            power: lawful.power + (acted.power - series.power),
+            point: acted.point,
+        }
+    }
+
+    /// Angular velocity (rad/s, body axes) at a state, at `t = 0`.
+    ///
+    /// # Errors
+    /// [`PropagateError::Order`] if the order is above [`MAX_FORCED_ORDER`].
+    pub fn angular_velocity(&self, state: &SlowState) -> Result<[f64; 3], PropagateError> {
+        self.check()?;
+        Ok(self.at(state.angular_momentum, &state.pose(0.0)).omega)
+    }
+
+    pub(super) fn check(&self) -> Result<(), PropagateError> {
+        if self.order > MAX_FORCED_ORDER {
+            return Err(PropagateError::Order { order: self.order });
+        }
+        Ok(())
+    }
+
+    /// State with the angular velocity `omega` (rad/s, body axes) at `t = 0`; attitude, place and velocity are those of `still`.
+    ///
+    /// # Errors
+    /// [`PropagateError::Order`], [`PropagateError::NoForce`] if a force has no value there, or [`PropagateError::NoAngularMomentum`] if
+    /// the slow manifold has no such angular velocity.
+    pub fn state(&self, still: SlowState, omega: [f64; 3]) -> Result<SlowState, PropagateError> {
+        let body = self.system.body;
+        let J = body.invariants().J;
+        let angular_momentum = add(times(J, omega), body.wheels().angular_momentum(0.0));
+        let mut state = SlowState { angular_momentum, ..still };
+        let mut best = f64::INFINITY;
+        // Of a body at rest: what its parts would turn it by.
+        let mut size = norm(omega);
+        for _ in 0..ITERATIONS {
+            let found = self.angular_velocity(&state)?;
+            if !best.is_finite() && self.system.acts() && !norm(found).is_finite() {
+                return Err(PropagateError::NoForce); // at the first guess the series is that of a spin all but the one asked for
+            }
+            let gap = add(omega, scale(-1.0, found));
+            if !best.is_finite() {
+                size = size.max(norm(gap));
+            }
+            if norm(gap) >= 0.9 * best {
+                break;
+            }
+            best = norm(gap);
+            if best <= 1e-15 * size {
+                break;
+            }
+            state.angular_momentum = add(state.angular_momentum, times(J, gap));
+        }
+        let near = best <= 1e-10 * size;
+        if near && state.angular_momentum.iter().all(|K| K.is_finite()) {
+            Ok(state)
+        } else {
+            Err(PropagateError::NoAngularMomentum)
+        }
+    }
+}

@@ -15,7 +15,7 @@ import subprocess
 import time
 from pathlib import Path
 
-LIMIT = 300.0  # s, for each command
+LIMIT = 120.0  # s, for each command
 REVOLUTIONS = 300
 
 

@@ -99,6 +99,14 @@ impl<const N: usize> Taylor<N> {
         (Self::new(s), Self::new(c))
     }
 
+    fn convolved(&self, other: &Self) -> Self {
+        let mut product = [-0.0; N]; // so that a product that is −0 keeps its sign
+        for (j, own) in self.coefficients.iter().enumerate() {
+            product[j..].iter_mut().zip(&other.coefficients).for_each(|(sum, other)| *sum += own * other);
+        }
+        Self::new(product)
+    }
+
     fn quotient(&self, divisor: &Self) -> Self {
         let mut quotient = [0.0; N];
         for k in 0..N {
@@ -176,11 +184,7 @@ impl<const N: usize> Mul for Taylor<N> {
 
     #[inline(never)]
     fn mul(self, other: Self) -> Self {
-        let mut product = [-0.0; N]; // so that a product that is −0 keeps its sign
-        for (j, own) in self.coefficients.iter().enumerate() {
-            product[j..].iter_mut().zip(&other.coefficients).for_each(|(sum, other)| *sum += own * other);
-        }
-        Self::new(product)
+        self.convolved(&other)
     }
 }
 

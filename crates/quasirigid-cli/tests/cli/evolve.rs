@@ -269,3 +269,36 @@ fn rows_do_not_move_the_separatrix() {
     let [crossed, end] = ["separatrix_time", "time"].map(|key| few[key].as_f64().unwrap());
     assert!(0.3 < crossed / end && crossed / end < 0.32, "{crossed} of {end}");
 }
+
+/// A satellite whose mast changes the difference of its greatest moments, so that it is followed along levels of the slow energy.
+const MAST: &str = "\
+[carrier]
+mass = 305.52
+center_of_mass = [0.0172, 0.0123, -0.0065]
+inertia = [96.998, 52.585, 54.064]
+[[point]]
+name = \"tip\"
+mass = 3.5303
+position = [-0.1582, 1.8961, 1.0941]
+[[spring]]
+from = \"tip\"
+to = \"carrier\"
+stiffness = 9220.4
+damping = 2.006
+[initial]
+wobble = { angle = \"20.145 deg\", rate = 3.626, mode = \"short-axis\" }
+";
+
+/// Along levels of the slow energy the ratios of a record are those of its rows, and tell what the full system loses.
+#[test]
+fn ratios_on_levels_are_those_of_the_energy() {
+    let record = ran_with(MAST, "evolve model.toml --duration 260 --json --quiet").json();
+    assert_eq!(record["road"], "levels");
+    let [start, end] = ["ratio_start", "ratio_end"].map(|key| number(&record, key));
+    close(start, number(&record["start"], "energy_ratio").recip(), 1e-14);
+    close(end, number(&record["end"], "energy_ratio").recip(), 1e-14);
+    let line = "simulate model.toml --system full --duration 260 --samples 2 --json --quiet";
+    let full = ran_with(MAST, line).json();
+    let lost = number(&full, "dissipated");
+    close((number(&full, "energy") + lost) * (1.0 - start / end), lost, 5e-3);
+}

@@ -341,6 +341,13 @@ impl SecularEvolution {
         let to = last.stage;
         let power = rows.powers.as_ref().map_or_else(|| evolution.power(from), |powers| powers[0]);
         let ages = power > 0.0 || !rows.steady() || rows.powers.is_some();
+        let [start, end] = [0, rows.states.len().saturating_sub(1)].map(|row| observed(&columns, row));
+        // Levels of the slow energy have ratios of their own, which the stages of a rigid body do not tell.
+        let of_levels = |observed: &Option<ObservedRecord>, stage| {
+            let level = rows.levels.as_ref().and(observed.as_ref());
+            level.map_or_else(|| evolution.ratio(stage), |level| level.energy_ratio.recip())
+        };
+        let [ratio_start, ratio_end] = [of_levels(&start, from), of_levels(&end, to)];
         let mut record = EvolutionRecord {
             sentence: String::new(),
             road: self.verdict.road.into(),
@@ -355,11 +362,10 @@ impl SecularEvolution {
             angular_momentum: self.initial.angular_momentum(),
             mode_start: mode(from.mode).into(),
             mode_end: mode(to.mode).into(),
-            ratio_start: evolution.ratio(from),
-            ratio_end: evolution.ratio(to),
-            start: observed(&columns, 0),
-            // Work that was told to end before its first row has none.
-            end: rows.states.len().checked_sub(1).and_then(|last| observed(&columns, last)),
+            ratio_start,
+            ratio_end,
+            start,
+            end, // none of work that was told to end before its first row
             time: if ages { last.t } else { f64::INFINITY },
             time_error: self.verdict.error,
             time_range,

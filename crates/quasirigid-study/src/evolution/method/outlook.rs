@@ -14,8 +14,10 @@ use super::full::{STEPS, TOLERANCE};
 use super::short_or_full::Choice;
 use crate::words::time;
 
-/// Time after which work is said to be long, and the longest that is done without being asked for.
+/// Time after which work is said to be long; the longest expected that is begun without being asked for, and the longest that goes on: an
+/// expectation may be several times off.
 const PATIENCE: f64 = 1.0;
+const BEGUN: f64 = 60.0;
 const LONGEST: f64 = 600.0;
 
 /// What is known of the work ahead, shared between the choice of the method and the observer of the work.
@@ -67,11 +69,11 @@ impl Outlook {
 
     /// Announces work that takes so many seconds; the reason why it is not done, if it takes too long.
     fn allows(&self, what: &str, seconds: f64, method: &str) -> Result<(), String> {
-        if !self.asked && seconds + self.start.elapsed().as_secs_f64() > LONGEST {
+        if !self.asked && seconds + self.start.elapsed().as_secs_f64() > BEGUN {
             return Err(format!(
                 "{what} would take about {}, and no more than {} is worked without being asked; the method {method}, asked for, does it",
                 time(seconds),
-                time(LONGEST)
+                time(BEGUN)
             ));
         }
         if seconds > PATIENCE {

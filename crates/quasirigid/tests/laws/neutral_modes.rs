@@ -137,8 +137,9 @@ fn wrong(drawn: &Drawn, mode: Mode, random: &mut Random) -> Option<String> {
     let outward = own.nutation().filter(|nutation| mode == Mode::LongAxis && nutation.decay_rate > 0.0);
     if let Some(nutation) = outward {
         return Some(format!(
-            "the nutation about the axis of least inertia decays: {:?}",
-            eigenvalue(nutation)
+            "the nutation about the axis of least inertia decays: {:?} of {:?}",
+            eigenvalue(nutation),
+            own.modes.iter().map(eigenvalue).collect::<Vec<_>>()
         ));
     }
     for (k, (assembly, time)) in told_otherwise(&drawn.assembly, random).iter().enumerate() {

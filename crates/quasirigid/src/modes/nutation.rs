@@ -13,7 +13,8 @@ use crate::model::Principal;
 
 /// Share of the largest tilt of the angular momentum from which a mode may be the nutation.
 const CLEAR: f64 = 0.1;
-/// Logarithm of the ratio to the rigid-body frequency beyond which an oscillating mode gives way to other candidates for the nutation.
+/// Logarithm of the ratio to the rigid-body frequency beyond which an oscillating mode gives way to other candidates for the nutation, unless
+/// the angular momentum leaves the axis most in it: with nearly equal moments elasticity decides the frequency.
 const FAR: f64 = 1.5;
 
 impl Frame<'_> {
@@ -49,7 +50,7 @@ impl Frame<'_> {
     }
 
     /// Indices of the nutation: of the modes in which the angular momentum leaves the axis most, the one nearest in frequency to that of
-    /// the rigid body, of equally near ones that of the largest tilt; an oscillating one, if near enough. About the middle axis, where the rigid body leaves it and returns to it without
+    /// the rigid body, of equally near ones that of the largest tilt; an oscillating one, if near enough or of the largest tilt of all. About the middle axis, where the rigid body leaves it and returns to it without
     /// oscillation, two of opposite sign.
     fn nutation(&self, found: &[Eigenmotion], tilts: &[f64]) -> Vec<usize> {
         let spin = norm(self.equilibrium.omega);
@@ -83,7 +84,12 @@ impl Frame<'_> {
             }
         }
         let swinging = of(&|lambda| lambda.im.abs() > OVERDAMPED * lambda.re.abs());
-        nearest(&swinging).filter(|i| near(i) < FAR).or_else(|| nearest(&all)).into_iter().collect()
+        let foremost = |i: &usize| tilts[*i] >= most(&all);
+        nearest(&swinging)
+            .filter(|i| near(i) < FAR || foremost(i))
+            .or_else(|| nearest(&all))
+            .into_iter()
+            .collect()
     }
 
     /// Square of the tilt of the angular momentum from the axis, per kinetic energy of the mode.

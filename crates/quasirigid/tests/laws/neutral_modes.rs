@@ -163,6 +163,9 @@ fn wrong(drawn: &Drawn, mode: Mode, random: &mut Random) -> Option<String> {
     None
 }
 
+/// A body whose rotor decays nearer to the frequency of the rigid body than its nutation turns, which elasticity decides.
+const ONCE_WRONG: [u64; 1] = [325];
+
 /// Axes, units and the order of the parts change neither an eigenvalue nor what counts as neutral, of bodies with exactly and nearly equal
 /// moments; nothing grows about the axis of greatest inertia, and no nutation decays about that of least.
 #[test]
@@ -170,7 +173,7 @@ fn what_is_neutral_does_not_depend_on_axes_units_and_order() {
     let count = std::env::var("PROPTEST_CASES").ok().and_then(|count| count.parse().ok()).unwrap_or(BODIES);
     let mut found = Vec::new();
     let mut neutral = 0;
-    for seed in 0..count {
+    for seed in (0..count).chain(ONCE_WRONG) {
         let mut random = Random::new(seed);
         let drawn = drawn(&mut random);
         for mode in [Mode::ShortAxis, Mode::LongAxis] {

@@ -116,6 +116,12 @@ impl SparseRows<f64> {
     pub fn times(&self, x: &[f64]) -> Vec<f64> {
         (0..self.size()).map(|row| self.row(row).map(|(column, entry)| entry * x[column]).sum()).collect()
     }
+
+    /// `xᵀ A x`.
+    #[must_use]
+    pub fn quadratic(&self, x: &[f64]) -> f64 {
+        self.times(x).iter().zip(x).map(|(image, x)| image * x).sum()
+    }
 }
 
 #[cfg(test)]

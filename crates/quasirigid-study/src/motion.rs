@@ -112,11 +112,9 @@ impl<'a> Motion<'a> {
         match system {
             System::Full => Ok(propagate_full(self.system(), &self.full()?, times, options, observer)?),
             System::Reduced | System::Rigid | System::Manifold if self.system().acts() => {
-                let lawful = order > 0 && options.form == Form::AngularMomentum;
-                let reduced = if lawful { Some(self.study.reduced(order + 1)?) } else { None };
-                let series = SlowEquations::series(self.system(), order);
-                let energy_form = |reduced| SlowEquations::energy_form(self.system(), order, reduced);
-                let equations = reduced.as_deref().map_or(series, energy_form);
+                let above = SlowEquations::torque_free_order(self.system(), options.form, order);
+                let reduced = above.map(|above| self.study.reduced(above)).transpose()?;
+                let equations = SlowEquations::energy_form(self.system(), order, reduced.as_deref());
                 let slow = self.slow(equations, order)?;
                 let options = if order > 1 { &self.bounded(options)? } else { options };
                 Ok(propagate_forced(equations, &slow, times, options, observer)?)

@@ -24,8 +24,11 @@ impl<'a> Forced<'a> {
     /// True if an external action exists: a force, a support that moves, or a motor that changes the speed of its wheel.
     #[must_use]
     pub fn acts(&self) -> bool {
-        let driven = matches!(self.body.support(), Support::Prescribed { .. });
-        !self.forces.is_empty() || driven || !self.body.wheels().driven.is_empty()
+        !self.forces.is_empty() || self.is_driven() || !self.body.wheels().driven.is_empty()
+    }
+
+    fn is_driven(&self) -> bool {
+        matches!(self.body.support(), Support::Prescribed { .. })
     }
 
     /// True if an action depends on the place or the velocity of the body.
@@ -35,8 +38,7 @@ impl<'a> Forced<'a> {
 
     /// True if an action depends on the attitude, which turns what moves the body too.
     pub(super) fn feels_attitude(&self) -> bool {
-        let driven = matches!(self.body.support(), Support::Prescribed { .. });
-        driven || self.feels_path() || self.forces.iter().any(|force| force.law.feels_attitude())
+        self.is_driven() || self.feels_path() || self.forces.iter().any(|force| force.law.feels_attitude())
     }
 
     /// Loads about the centre of mass of a free body, about the pole of a constrained one. (F1), (F11)

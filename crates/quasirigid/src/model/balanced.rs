@@ -99,7 +99,7 @@ impl<'a> Balance<'a> {
 
     /// Root of twice the elastic energy.
     fn size(&self, x: &[f64]) -> f64 {
-        self.stiffness.times(x).iter().zip(x).map(|(force, x)| force * x).sum::<f64>().sqrt()
+        self.stiffness.quadratic(x).sqrt()
     }
 
     /// Displacements in balance that Newton's method finds from a guess, with no hinge far from it; none otherwise.

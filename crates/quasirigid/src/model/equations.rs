@@ -137,7 +137,7 @@ impl FlexibleBody {
         let K = self.angular_momentum(motion);
         let p = self.generalized_momentum(motion);
         let kinetic = dot(omega, K) + p.iter().zip(rate).map(|(p, v)| p * v).sum::<f64>();
-        let elastic: f64 = self.stiffness().times(q).iter().zip(q).map(|(force, q)| force * q).sum();
+        let elastic = self.stiffness().quadratic(q);
         0.5 * (kinetic + elastic)
     }
 

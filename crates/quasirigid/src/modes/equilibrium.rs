@@ -243,7 +243,7 @@ impl Guess {
         let omega: [f64; 3] = self.omega.into();
         let BalancedSpin { q, angular_momentum: own, .. } = balanced;
         let angular_momentum = add(own, body.wheels().angular_momentum(0.0));
-        let elastic: f64 = body.stiffness().times(&q).iter().zip(&q).map(|(force, q)| force * q).sum();
+        let elastic = body.stiffness().quadratic(&q);
         let energy = 0.5 * (dot(own, omega) + elastic);
         RelativeEquilibrium { omega, angular_momentum, ratio: self.ratio, energy, q }
     }

@@ -159,5 +159,5 @@ fn excess_power(body: &FlexibleBody, residual: &Residual) -> f64 {
 /// Power of all dissipators (W).
 fn dissipation(body: &FlexibleBody, residual: &Residual) -> f64 {
     let rates = &residual.state[3..3 + body.coordinates().len()];
-    body.damping().times(rates).iter().zip(rates).map(|(force, rate)| force * rate).sum()
+    body.damping().quadratic(rates)
 }

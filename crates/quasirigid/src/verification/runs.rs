@@ -7,8 +7,8 @@ use std::ops::ControlFlow;
 
 use super::verify::VerificationError;
 use crate::dynamics::{
-    Forced, Form, FullState, MAX_FORCED_ORDER, Observer, Options, Outcome, Sample, SlowEquations, SlowState,
-    Start, propagate, propagate_forced, propagate_full,
+    Forced, FullState, MAX_FORCED_ORDER, Observer, Options, Outcome, Sample, SlowEquations, SlowState, Start,
+    propagate, propagate_forced, propagate_full,
 };
 use crate::math::vec3::norm;
 use crate::model::MotionState;
@@ -80,10 +80,9 @@ pub(super) fn reduced(
     let run = if system.acts() {
         let FullState { attitude, place, velocity, .. } = *full;
         let slow = SlowState { angular_momentum, attitude, place, velocity };
-        let lawful = options.form == Form::AngularMomentum;
-        let body = if lawful { Some(reduce(system.body, order + 1)?) } else { None };
-        let series = SlowEquations::series(system, order);
-        let equations = body.as_ref().map_or(series, |body| SlowEquations::energy_form(system, order, body));
+        let above = SlowEquations::torque_free_order(system, options.form, order);
+        let body = above.map(|above| reduce(system.body, above)).transpose()?;
+        let equations = SlowEquations::energy_form(system, order, body.as_ref());
         propagate_forced(equations, &slow, times, options, &mut collector)?
     } else {
         let body = reduce(system.body, order)?;

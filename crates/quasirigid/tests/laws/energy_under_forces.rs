@@ -35,7 +35,7 @@ fn both(
 ) -> [Sample; 2] {
     let system = Forced { body, forces };
     let above = reduce(body, order + 1).unwrap();
-    [SlowEquations::energy_form(system, order, &above), SlowEquations::series(system, order)].map(
+    [SlowEquations::energy_form(system, order, Some(&above)), SlowEquations::series(system, order)].map(
         |equations| {
             let start = equations.state(STILL, omega).unwrap();
             assert!(

@@ -68,7 +68,7 @@ fn lowest(body: &FlexibleBody) -> Result<Vec<Vec<f64>>, NoConvergence> {
 
 /// Scales a vector to unit elastic energy, so that its remainder beside others is measured against itself.
 fn scaled(body: &FlexibleBody, x: &mut [f64]) {
-    let energy: f64 = body.stiffness().times(x).iter().zip(x.iter()).map(|(force, x)| force * x).sum();
+    let energy = body.stiffness().quadratic(x);
     if energy > 0.0 {
         let size = energy.sqrt();
         x.iter_mut().for_each(|entry| *entry /= size);

@@ -6,6 +6,7 @@
 use super::flow::{MAX_FORCED_ORDER, SlowPoint, free_point, slow_point};
 use super::state::SlowState;
 use crate::dynamics::external::{Forced, Pose};
+use crate::dynamics::form::Form;
 use crate::dynamics::run::PropagateError;
 use crate::math::sym3::times;
 use crate::math::vec3::{add, norm, scale};
@@ -34,8 +35,7 @@ pub(super) struct SlowFlow {
 
 impl SlowFlow {
     fn of_series(body: &FlexibleBody, point: SlowPoint) -> Self {
-        let damped = body.damping().times(&point.rate);
-        let power = damped.iter().zip(&point.rate).map(|(force, rate)| force * rate).sum();
+        let power = body.damping().quadratic(&point.rate);
         Self { omega: point.omega, energy: body.energy(point.motion()), power, point }
     }
 }
@@ -47,16 +47,23 @@ impl<'a> SlowEquations<'a> {
     /// Series of order `p` along the flow. (E2)
     #[must_use]
     pub fn series(system: Forced<'a>, order: usize) -> Self {
-        Self { system, order, free: None }
+        Self::energy_form(system, order, None)
     }
 
-    /// Energy form of the torque-free body with what forces change by the series of order `p` along the flow (E6); that series alone where
-    /// motors change the angular momentum of wheels, on which the torque-free motion depends. `reduced` is of the order `p + 1`, by which the
-    /// torque-free part is as good as that of the series, whose inertia tensor is not cut off.
+    /// Energy form of the torque-free body with what forces change by the series of order `p` along the flow. `reduced` is of
+    /// [`torque_free_order`](Self::torque_free_order); without it the series stands alone. (E6)
     #[must_use]
-    pub fn energy_form(system: Forced<'a>, order: usize, reduced: &'a ReducedBody) -> Self {
+    pub fn energy_form(system: Forced<'a>, order: usize, reduced: Option<&'a ReducedBody>) -> Self {
+        Self { system, order, free: reduced }
+    }
+
+    /// Order of the energy form beside a series of order `p`: one above, by which the torque-free part is as good as that of the series,
+    /// whose inertia tensor is not cut off. None where the series stands alone: of the rigid body, in the angular-velocity form, and where
+    /// motors change the angular momentum of wheels, on which the torque-free motion depends. (E6)
+    #[must_use]
+    pub fn torque_free_order(system: Forced, form: Form, order: usize) -> Option<usize> {
         let steady = system.body.wheels().driven.is_empty();
-        Self { system, order, free: steady.then_some(reduced) }
+        (order > 0 && form == Form::AngularMomentum && steady).then_some(order + 1)
     }
 
     /// Slow motion at an angular momentum (N·m·s, body axes) and a pose. (E2), (E6)

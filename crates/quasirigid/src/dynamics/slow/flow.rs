@@ -102,8 +102,7 @@ impl Correction {
 
     /// Estimate of the error of the dissipated power (W) by the terms that the series leaves out, `2 δq̇·B·δq̇`. (E5)
     pub fn error_of_power(&self, system: Forced) -> f64 {
-        let forces = system.body.damping().times(&self.rate);
-        2.0 * forces.iter().zip(&self.rate).map(|(force, rate)| force * rate).sum::<f64>()
+        2.0 * system.body.damping().quadratic(&self.rate)
     }
 
     /// Energy (J) of the free vibration with these displacements and rates, about a body that recoils. (E5)
@@ -131,7 +130,7 @@ fn vibration_time(system: Forced, shape: &[f64]) -> f64 {
 }
 
 fn elastic_energy(system: Forced, q: &[f64]) -> f64 {
-    0.5 * system.body.stiffness().times(q).iter().zip(q).map(|(force, q)| force * q).sum::<f64>()
+    0.5 * system.body.stiffness().quadratic(q)
 }
 
 /// Energy (J) of rates of the internal coordinates of a body that is not displaced, whose carrier recoils.

@@ -77,9 +77,13 @@ pub fn propagate_forced(
     if ![initial.place, initial.velocity].as_flattened().iter().all(|value| value.is_finite()) {
         return Err(PropagateError::NotFinite);
     }
-    let omega = match options.form {
-        Form::AngularMomentum => equations.angular_velocity(initial)?,
-        Form::AngularVelocity => slow_state_point(system, order, initial)?.omega,
+    let settled = match options.form {
+        Form::AngularMomentum => None,
+        Form::AngularVelocity => Some(slow_state_point(system, order, initial)?),
+    };
+    let omega = match &settled {
+        Some(point) => point.omega,
+        None => equations.angular_velocity(initial)?,
     };
     let end = times.last().copied().unwrap_or_default();
     let pose = initial.pose(0.0);
@@ -87,8 +91,8 @@ pub fn propagate_forced(
     check(scales.spin, initial.attitude, times, options)?;
     let mut y = initial.pack();
     let mut first = scales.angular_momentum;
-    if options.form == Form::AngularVelocity {
-        y = paper_start(equations, &slow_state_point(system, order, initial)?, y);
+    if let Some(point) = &settled {
+        y = paper_start(equations, point, y);
         first = scales.spin;
     }
     let mut allowed = [f64::INFINITY; SLOW];

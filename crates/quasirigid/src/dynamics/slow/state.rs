@@ -56,7 +56,7 @@ impl SlowState {
 /// Slow motion of order `p` at a state, at `t = 0`. (E2)
 ///
 /// # Errors
-/// [`PropagateError::Order`] if the order is above [`MAX_FORCED_ORDER`].
+/// [`PropagateError::Order`] if the order is above [`MAX_FORCED_ORDER`](crate::dynamics::MAX_FORCED_ORDER).
 pub fn slow_state_point(
     system: Forced,
     order: usize,

@@ -71,8 +71,8 @@ impl SlowSystem<'_> {
     }
 
     fn angular_momentum_form(&self, t: f64, y: &[f64]) -> Rates {
-        let SlowState { angular_momentum, .. } = SlowState::unpack(y);
-        let pose = SlowState::unpack(y).pose(t);
+        let state = SlowState::unpack(y);
+        let (angular_momentum, pose) = (state.angular_momentum, state.pose(t));
         let SlowFlow { omega, energy, power, point } = self.equations.at(angular_momentum, &pose);
         let SlowPoint { q, rate, loads, .. } = point;
         Rates {
@@ -99,12 +99,11 @@ impl SlowSystem<'_> {
         let torque = add(add(moment, mu), cross(times(J, omega), omega));
         let motion = MotionState { omega, q: &q, rate: &rate };
         let kinematics = KinematicState { t, attitude, pole: place, pole_velocity: velocity, motion };
-        let damped = body.damping().times(&rate);
         Rates {
             omega,
             angular_momentum: add(body.angular_momentum(motion), body.wheels().angular_momentum(t)),
             energy: body.energy(motion),
-            power: damped.iter().zip(&rate).map(|(force, rate)| force * rate).sum(),
+            power: body.damping().quadratic(&rate),
             first: times(inverse(J), torque),
             acceleration: system.acceleration(&state.pose(t), add(force, phi)),
             loads: body.loads(system.forces, &kinematics).about_center(body, &q),

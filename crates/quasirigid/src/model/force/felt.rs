@@ -12,9 +12,17 @@ impl<P> ForceLaw<P> {
             .is_some_and(|formulas| variables.any(|i| formulas.iter().any(|formula| formula.uses(i))))
     }
 
+    /// The law within its windows, however many.
+    fn acting(&self) -> &Self {
+        match self.timed() {
+            (law, Some(_)) => law.acting(),
+            (law, None) => law,
+        }
+    }
+
     /// True if the law depends on the velocity of its point of action.
     pub(crate) fn feels_velocity(&self) -> bool {
-        matches!(self.timed().0, Self::Drag { .. }) || self.uses(VELOCITY)
+        matches!(self.acting(), Self::Drag { .. }) || self.uses(VELOCITY)
     }
 
     /// True if the law depends on the place or the velocity of its point of action.
@@ -24,7 +32,7 @@ impl<P> ForceLaw<P> {
 
     /// True if the law depends on the attitude.
     pub(crate) fn feels_attitude(&self) -> bool {
-        match self.timed().0 {
+        match self.acting() {
             Self::SpinDrag { .. } => false,
             Self::Torque { axes, .. }
             | Self::Thrust { axes, .. }
@@ -38,7 +46,7 @@ impl<P> ForceLaw<P> {
     /// True if the law is a torque, without a force.
     pub(crate) fn is_torque(&self) -> bool {
         matches!(
-            self.timed().0,
+            self.acting(),
             Self::SpinDrag { .. }
                 | Self::Torque { .. }
                 | Self::MagneticDipole { .. }

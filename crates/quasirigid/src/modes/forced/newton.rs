@@ -198,8 +198,7 @@ impl Problem<'_> {
 
     /// Size of a step, relative to the quantities that it changes.
     fn size(&self, guess: &Guess, step: &Step, terms: f64) -> f64 {
-        let energy =
-            |q: &[f64]| self.body.stiffness().times(q).iter().zip(q).map(|(f, q)| f * q).sum::<f64>();
+        let energy = |q: &[f64]| self.body.stiffness().quadratic(q);
         let share = |part: f64, whole: f64| if whole > 0.0 { part / whole } else { 0.0 };
         let spin = norm(guess.at.omega).max(norm(self.near.omega));
         let speed = norm(guess.at.velocity).max(norm(self.near.velocity)).max(length(self.body) * spin);

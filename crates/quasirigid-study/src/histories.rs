@@ -15,13 +15,14 @@ use serde_json::{Value, json};
 use crate::about_spin::{AskedManifold, OnManifold};
 use crate::error::{Setting, StudyError};
 use crate::history_columns::{HistoryTable, Internal};
+use crate::judged::{self, Judged};
 use crate::left_out::LeftOut;
 use crate::motion::{LOOSE, Motion};
 use crate::record::status;
 use crate::study::Study;
 use crate::table_sink::TableSink;
 use crate::watch::Watch;
-use crate::words::{Accounts, energy_note, shares, verdict};
+use crate::words::{Accounts, energy_note, followed, shares};
 
 /// Settings of a propagation by the user; absent ones are the file's, or the defaults.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -308,7 +309,8 @@ impl Study {
             }
         }
         let motion = Motion::new(self, spin);
-        let Doubts { remarks, wrong } = Doubts::before(&motion, table.system)?;
+        let (order, Doubts { remarks, wrong }) = Doubts::before(&motion, table.system)?;
+        let motion = motion.of_order(order);
         remarks.iter().for_each(|note| watch.remark(note));
         let valued = if table.system == System::Full { body.coordinates().len() } else { body.elastic() };
         let internal = Internal {
@@ -356,32 +358,36 @@ pub(crate) struct Doubts {
 }
 
 impl Doubts {
-    /// Losses that a system of equations leaves out, and the verdict on the reduced equations at the start.
-    pub fn before(motion: &Motion, system: System) -> Result<Self, StudyError> {
+    /// Order of the reduced equations, with the losses that a system of equations leaves out and the verdict on the reduced ones at the start.
+    pub fn before(motion: &Motion, system: System) -> Result<(usize, Self), StudyError> {
         let study = motion.study();
         if system != System::Reduced || motion.start.omega == [0.0; 3] {
             let mut doubts = Self::left_out(motion, system);
             if system == System::Full && motion.starts_loose()? {
                 doubts.remarks.push(LOOSE.into());
             }
-            return Ok(doubts);
+            return Ok((study.order, doubts));
         }
-        let reduced = study.reduced(study.order)?;
-        Self::judged(motion, &Assessment::new(&study.body, &reduced)?, motion.judged_spin(&reduced)?)
+        let Judged { order, validity, .. } = judged::for_motion(motion, &judged::poles_in_a_moment(motion)?)?;
+        let mut doubts = Self::of_validity(motion, &validity);
+        doubts.remarks.extend(judged::raised(study, order));
+        Ok((order, doubts))
     }
 
     /// The same for the reduced equations, whose assessment is prepared, from the spin at which they start.
     pub fn judged(motion: &Motion, assessment: &Assessment, settled: [f64; 3]) -> Result<Self, StudyError> {
+        Ok(Self::of_validity(motion, &assessment.at(settled)?))
+    }
+
+    fn of_validity(motion: &Motion, validity: &Validity) -> Self {
         let mut doubts = Self::left_out(motion, System::Reduced);
-        let validity = assessment.at(settled)?;
-        let doubt = format!("{} The check says why.", verdict(&validity));
-        if validity.verdict() != Verdict::Holds {
-            doubts.remarks.push(doubt.clone());
+        let worst = validity.verdict().max(validity.dissipation());
+        if worst != Verdict::Holds {
+            let doubt = format!("{} The check says why.", followed(validity));
+            doubts.wrong = (worst == Verdict::Fails).then(|| doubt.clone());
+            doubts.remarks.push(doubt);
         }
-        if validity.verdict() == Verdict::Fails {
-            doubts.wrong = Some(doubt);
-        }
-        Ok(doubts)
+        doubts
     }
 
     fn left_out(motion: &Motion, system: System) -> Self {

@@ -66,6 +66,7 @@ pub mod histories;
 mod history_columns;
 mod history_sink;
 mod incomplete;
+mod judged;
 mod kept_run;
 pub mod layout;
 mod left_out;

@@ -72,6 +72,11 @@ impl<'a> Motion<'a> {
         Self { study, body, forces, order: *order, start, displaced, speeds, slow: OnceCell::new() }
     }
 
+    /// The motion with the reduced equations of another order.
+    pub fn of_order(self, order: usize) -> Self {
+        Self { order, slow: OnceCell::new(), ..self }
+    }
+
     pub fn study(&self) -> &'a Study {
         self.study
     }

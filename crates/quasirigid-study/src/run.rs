@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use quasirigid::dynamics::{Options, Outcome, Scan, Start, spin_from_rest};
 use quasirigid::model::ReducedBody;
-use quasirigid::reduction::{Validity, Verdict};
+use quasirigid::reduction::Verdict;
 use quasirigid_io::model::{Named, System, Verify};
 use quasirigid_io::record::{
     AboutSpinRecord, EvolutionRecord, HistoryRecord, RECORD_FORMAT, RunRecord, TableFormat,
@@ -22,6 +22,7 @@ use crate::evolution::Evolved;
 use crate::histories::{Propagation, circled_axis, even_times, room};
 use crate::history_columns::HistoryTable;
 use crate::history_sink::{FrameList, HistorySink};
+use crate::judged::{self, Judged};
 use crate::kept_run::{HistoryLog, Keeping, KeptRun};
 use crate::left_out::LeftOut;
 use crate::liquids::{Liquid, liquids};
@@ -137,30 +138,33 @@ impl Study {
         watch: &mut dyn Watch,
     ) -> Result<RunOutcome, StudyError> {
         let mut kept = keeping.map(|keeping| KeptRun::open(keeping, self, propagation)).transpose()?;
-        let Study { model, body, order, .. } = self;
+        let Study { model, body, .. } = self;
         let start = self.initial()?;
         let motion = Motion::new(self, start);
-        let reduced = self.reduced(*order)?;
         let from_rest = if start.omega == [0.0; 3] {
             let duration = propagation.duration(self, start.omega)?;
             Some(spin_from_rest(motion.system(), motion.start, duration))
         } else {
             None
         };
-        let judged = match from_rest.map_or_else(|| motion.settled_spin(&reduced), Ok) {
-            Err(error) if error.is_of_the_series() => start.omega,
+        let poles = steady::at_start(&motion, self)?;
+        let judged =
+            from_rest.map_or_else(|| judged::for_motion(&motion, &poles), |spin| judged::at(self, spin));
+        let Judged { order, reduced, validity, .. } = match judged {
+            Err(error) if error.is_of_the_series() => judged::at(self, start.omega)?,
             found => found?,
         };
-        let validity = Validity::assess_reduced(body, &reduced, judged)?;
+        let motion = motion.of_order(order);
         let rigid = self.reduced(0)?;
-        let holds = validity.verdict() != Verdict::Fails;
-        let nutating = Nutating { rigid: &rigid, nearly_rigid: if holds { &reduced } else { &rigid } };
+        let moves = validity.verdict() != Verdict::Fails;
+        let holds = moves && validity.dissipation() != Verdict::Fails;
+        let nutating = Nutating { rigid: &rigid, nearly_rigid: if moves { &reduced } else { &rigid } };
         let mut notes = model.notes.clone();
         notes.extend(from_rest.map(|spin| FROM_REST.replace("{spin}", &significant(norm(spin), 3))));
         if motion.starts_loose()? {
             notes.push(LOOSE.into());
         }
-        let poles = steady::at_start(&motion, self)?;
+        notes.extend(judged::raised(self, order));
         let scene_modes = poles.nearest.clone();
         let left_out = LeftOut::at(self, start.omega, poles.nearest);
         notes.extend(left_out.notes());
@@ -190,7 +194,7 @@ impl Study {
         record.verification = plan.verification(&mut record.notes, watch)?;
         let equations = frames.as_ref().filter(|_| !motion.system().acts()).and_then(|frames| {
             let [first, .., last] = frames.samples.as_slice() else { return None };
-            scene::equations(self, (first, last.t - first.t), &validity).ok()
+            scene::equations((self, order), (first, last.t - first.t), &validity).ok()
         });
         let scene = scene::scene(self, self.visuals()?, frames.as_ref(), scene_modes.as_ref(), equations);
         record.scene = Some(scene);

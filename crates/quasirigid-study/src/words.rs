@@ -124,19 +124,40 @@ fn resonance(validity: &Validity) -> String {
 
 /// The overall verdict, in one sentence; a second one where the motion holds, and the averages made of it do not.
 pub fn verdict(validity: &Validity) -> String {
-    let motion = match validity.verdict() {
-        Verdict::Holds => "The reduced equations hold at this spin.",
-        Verdict::Marginal => "The reduced equations are at the edge of their range at this spin.",
-        Verdict::Fails => return "The reduced equations DO NOT HOLD at this spin.".into(),
-    };
+    let motion = motion(validity.verdict());
+    if validity.verdict() == Verdict::Fails {
+        return motion.into();
+    }
     let fails = [validity.dissipation(), validity.averages()].map(|verdict| verdict == Verdict::Fails);
     let other = match fails {
         [false, false] => return motion.into(),
-        [true, false] => "Their dissipation DOES NOT at this order.",
+        [true, false] => DISSIPATION,
         [false, true] => "Averages along rigid polhodes DO NOT.",
         [true, true] => "Their dissipation at this order and averages along rigid polhodes DO NOT.",
     };
     format!("{motion} {other}")
+}
+
+fn motion(verdict: Verdict) -> &'static str {
+    match verdict {
+        Verdict::Holds => "The reduced equations hold at this spin.",
+        Verdict::Marginal => "The reduced equations are at the edge of their range at this spin.",
+        Verdict::Fails => "The reduced equations DO NOT HOLD at this spin.",
+    }
+}
+
+const DISSIPATION: &str = "Their dissipation DOES NOT at this order.";
+
+/// The verdict on a motion that is followed, in a sentence or two; averages are not asked for there.
+pub fn followed(validity: &Validity) -> String {
+    let motion = motion(validity.verdict());
+    match (validity.verdict(), validity.dissipation()) {
+        (Verdict::Fails, _) | (_, Verdict::Holds) => motion.into(),
+        (_, Verdict::Marginal) => {
+            format!("{motion} Their dissipation is at the edge of its range at this order.")
+        }
+        (_, Verdict::Fails) => format!("{motion} {DISSIPATION}"),
+    }
 }
 
 /// Sentences of the criteria that do not hold, the worst first.

@@ -2,6 +2,8 @@
 //! Closed forms and invariants are the references: Euler's precession, constant angular momentum, dissipation equal to the loss.
 //! Propagation: (P1) to (P4), docs/theory/05-propagation.md.
 
+use serde_json::Value;
+
 use crate::support::{EXAMPLES, Table, difference, folder_of, folder_with, numbers, ran, ran_in, ran_with};
 
 const HEADER: &str = "t,wx,wy,wz,qw,qx,qy,qz,energy,momentum,dissipated,work,energy_drift,momentum_drift,\
@@ -188,6 +190,66 @@ fn same_input_prints_the_same_bytes() {
     }
 }
 
+/// A soft mast whose dissipation holds at the sixth order, not at the default one.
+const SOFT_MAST: &str = r#"
+[body]
+name = "mast"
+[carrier]
+mass = 100
+center_of_mass = [0, 0, 0]
+inertia = [30, 36, 10]
+[[point]]
+name = "tip"
+mass = 1
+position = [0.1, -0.2, 1.5]
+[[spring]]
+from = "tip"
+to = "carrier"
+stiffness = 80
+damping = 0.1
+[initial]
+wobble = { angle = "12 deg", rate = 1, mode = "short-axis" }
+"#;
+
+/// Energy that a command finds dissipated, what it says on standard error in one line, and its exit code.
+fn dissipated(model: &str, options: &str) -> (f64, String, Option<i32>) {
+    let ran = ran_with(model, &format!("simulate model.toml --duration 500 --samples 2 --json{options}"));
+    let said = ran.stderr.split_whitespace().collect::<Vec<_>>().join(" ");
+    (serde_json::from_str::<Value>(&ran.stdout).unwrap()["dissipated"].as_f64().unwrap(), said, ran.code)
+}
+
+/// A motion is followed at the order that holds unless one is asked for; that one says first that its dissipation is doubtful, or is not that
+/// of the body.
+#[test]
+fn order_is_the_one_whose_dissipation_holds() {
+    let (full, ..) = dissipated(SOFT_MAST, " --system full");
+    let (own, said, code) = dissipated(SOFT_MAST, "");
+    assert!((own / full - 1.0).abs() < 2e-3 && code == Some(0), "{own} {full}");
+    assert!(said.contains("of order 6: at order 3, the default, dissipation or rates do not hold"), "{said}");
+    let (third, said, code) = dissipated(SOFT_MAST, " --order 3");
+    assert!((third / full - 1.0).abs() > 0.04 && code == Some(0), "{third} {full}");
+    assert!(said.contains("Their dissipation is at the edge of its range at this order."), "{said}");
+    let softer = SOFT_MAST.replace("stiffness = 80", "stiffness = 50");
+    let (_, said, code) = dissipated(&softer, "");
+    assert!(code == Some(1) && said.contains("Their dissipation DOES NOT at this order."), "{said}");
+}
+
+#[test]
+fn run_takes_the_order_whose_dissipation_holds_and_says_so() {
+    let folder = folder_with(SOFT_MAST);
+    let ran = ran_in(folder.path(), "run model.toml -o found --json --duration 500");
+    let record: Value = serde_json::from_str(&ran.stdout).unwrap();
+    assert_eq!((ran.code, &record["reduction"]["order"]), (Some(0), &6.into()));
+    assert!(
+        record["notes"].to_string().contains("The reduced equations are of order 6"),
+        "{}",
+        record["notes"]
+    );
+    let (full, ..) = dissipated(SOFT_MAST, " --system full");
+    let taken = record["histories"][0]["dissipated"].as_f64().unwrap();
+    assert!((taken / full - 1.0).abs() < 2e-3, "{taken} {full}");
+}
+
 #[test]
 fn theory_that_does_not_hold_is_said_before_the_refusal() {
     let refused = ran("simulate examples/explorer1/model.toml");
@@ -206,7 +268,8 @@ fn theory_at_its_edge_is_said_beside_the_table_unless_quiet() {
     let [said, quiet] = ["", " --quiet"].map(|option| ran_with(&model, &format!("{line}{option}")));
     assert_eq!(
         said.stderr,
-        "quasirigid: The reduced equations are at the edge of their range at this spin.\nThe check says why.\n"
+        "quasirigid: The reduced equations are at the edge of their range at this spin.\nThe check says why.\n\
+         quasirigid: The reduced equations are of order 4: at order 3, the default,\ndissipation or rates do not hold.\n"
     );
     assert_eq!((quiet.code, &*quiet.stderr), (Some(0), ""));
     assert_eq!(said.stdout, quiet.stdout);

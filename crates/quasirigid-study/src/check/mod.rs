@@ -1,6 +1,5 @@
 //! Validity of the reduced equations at the start of a study.
 
-mod judged;
 mod text;
 
 use std::collections::BTreeMap;
@@ -12,9 +11,9 @@ use quasirigid::reduction::{Validity, Verdict};
 use quasirigid_io::record::SteadySpinRecord;
 use serde_json::{Value, json};
 
-use self::judged::Judged;
 use crate::about_spin::TRIED;
 use crate::error::StudyError;
+use crate::judged::{self, Judged};
 use crate::left_out::LeftOut;
 use crate::liquids::{Liquid, liquids};
 use crate::motion::Motion;
@@ -71,10 +70,9 @@ impl Study {
         let Study { body, .. } = self;
         let start = self.initial()?;
         let motion = Motion::new(self, start);
-        let steady::Poles { records: spins, nearest, other } = steady::at_start(&motion, self)?;
-        let modes: Vec<_> = nearest.iter().chain(&other).collect();
-        let Judged { order, reduced, omega, validity } =
-            judged::at_an_order_that_holds(self, &motion, &modes)?;
+        let poles = steady::at_start(&motion, self)?;
+        let Judged { order, reduced, omega, validity } = judged::at_an_order_that_holds(&motion, &poles)?;
+        let steady::Poles { records: spins, nearest, .. } = poles;
         let known = validity.verdict() != Verdict::Fails && body.viscoelastic().is_empty();
         let budget = if known { shares(&reduced.power_budget(omega)) } else { BTreeMap::new() };
         let mut report = CheckReport {

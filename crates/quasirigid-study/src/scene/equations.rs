@@ -15,15 +15,15 @@ const SCALABLE: usize = 3;
 /// Share by which a limit lies below a spin that is beyond it for another reason.
 const BELOW: f64 = 1e-3;
 
-/// The equations from the first sample of a history on, for a duration (s).
+/// The equations to an order, from the first sample of a history on, for a duration (s).
 pub(crate) fn equations(
-    study: &Study,
+    (study, asked): (&Study, usize),
     (first, duration): (&Sample, f64),
     validity: &Validity,
 ) -> Result<EquationsRecord, ReductionError> {
     let body = &study.body;
     let fixed = unscalable(body);
-    let order = if fixed.is_none() { study.order.min(SCALABLE) } else { study.order };
+    let order = if fixed.is_none() { asked.min(SCALABLE) } else { asked };
     let reduced: &ReducedBody = &*study.reduced(order)?;
     // a term of degree n above the rigid one is s^-1 for n = 2 and d s^-2 for n = 3
     let above = |rigid: i32| {

@@ -161,6 +161,16 @@ mod tests {
         }
     }
 
+    /// A wheel whose motor keeps its momentum has no coordinate to turn by.
+    #[test]
+    fn wheels_beside_rotors_stand_still() {
+        let wheel = "[[wheel]]\nname = \"bias\"\naxis = [0, 0, 1]\nmomentum = 0.1\n";
+        let scene = scene(&format!("{}\n{wheel}", text("friction-wheel")));
+        let turning: Vec<_> = scene.pieces.iter().filter_map(|piece| piece.turning.as_ref()).collect();
+        assert_eq!(turning.iter().map(|turning| turning.rotor).collect::<Vec<_>>(), [0]);
+        assert!(scene.track.unwrap().rotors.unwrap().0.iter().any(|angle| *angle > 0.0));
+    }
+
     /// A wheel turns by the integral of its rate, and the modes turn the body about its steady spin.
     #[test]
     fn rotors_turn_and_modes_nutate() {

@@ -33,7 +33,7 @@ pub(in crate::elements) struct Internal {
     pub rigid: Vec<(Piece, Vector3<f64>)>,
     /// Slow response of liquids.
     pub liquids: Vec<SlowLiquid>,
-    /// First coordinate of each element.
+    /// First coordinate of each element that has any.
     pub firsts: BTreeMap<ElementId, usize>,
 }
 
@@ -63,7 +63,8 @@ impl Internal {
 
     /// Internal motion of an element.
     pub fn of(self, element: ElementId) -> Self {
-        Self { firsts: BTreeMap::from([(element, 0)]), ..self }
+        let first = (!self.coordinates.is_empty()).then_some((element, 0));
+        Self { firsts: first.into_iter().collect(), ..self }
     }
 
     /// Internal motion with its coordinates numbered from `start`.

@@ -264,6 +264,10 @@ impl StudyError {
     pub fn told(&self, name: &dyn Fn(Setting) -> &'static str) -> String {
         match self {
             Self::Model(cause) => cause.to_string(),
+            Self::Reduction(ReductionError::Hung { coordinates }) => format!(
+                "no spring restores {coordinates}: without stiffness at rest there is no slow manifold in powers of the angular velocity, and no reduced equations; follow the body with {} full, ask for the modes or for the reduced equations about a steady spin, or give the hinge a `stiffness`",
+                name(Setting::System)
+            ),
             Self::Reduction(cause) => cause.to_string(),
             Self::Validity(cause) => cause.to_string(),
             Self::Vibration(cause) => cause.to_string(),

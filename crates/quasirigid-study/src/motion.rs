@@ -176,14 +176,15 @@ impl<'a> Motion<'a> {
         if let Some(known) = self.slow.get() {
             return Ok(known.as_ref());
         }
-        let found = if !slaves(self.body, self.start.omega)? || self.is_soft()? {
-            None
-        } else {
-            match self.start.settled(self.system(), self.order) {
-                Err(VerificationError::NoSlowManifold { .. }) => None,
-                found => Some(found?),
-            }
-        };
+        let found =
+            if self.body.hung().is_some() || !slaves(self.body, self.start.omega)? || self.is_soft()? {
+                None
+            } else {
+                match self.start.settled(self.system(), self.order) {
+                    Err(VerificationError::NoSlowManifold { .. }) => None,
+                    found => Some(found?),
+                }
+            };
         Ok(self.slow.get_or_init(|| found).as_ref())
     }
 

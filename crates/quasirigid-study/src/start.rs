@@ -49,10 +49,12 @@ pub fn initial(study: &Study) -> Result<Start, StudyError> {
         let omega = times(inverse(body.full_inertia_at(&q)), K);
         return Ok(Start::new(omega, attitude));
     }
-    let reduced = study.reduced(slaved_order(study, *order, rigid)?)?;
-    let omega = reduced.angular_velocity(K);
-    if follows_its_spin(body, &reduced, omega) && norm(omega) < FAR * norm(rigid) {
-        return Ok(Start::new(omega, attitude));
+    if body.hung().is_none() {
+        let reduced = study.reduced(slaved_order(study, *order, rigid)?)?;
+        let omega = reduced.angular_velocity(K);
+        if follows_its_spin(body, &reduced, omega) && norm(omega) < FAR * norm(rigid) {
+            return Ok(Start::new(omega, attitude));
+        }
     }
     let K = match rotation {
         Rotation::Wobble { angle, rate, mode } => deformed(body, angle, rate, mode)?,

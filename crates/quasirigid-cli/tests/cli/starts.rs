@@ -132,3 +132,43 @@ fn a_rotor_too_free_for_the_spin_starts_turning_with_the_body() {
         assert_eq!(ran_in(folder.path(), "check model.toml").code, Some(1), "{start}");
     }
 }
+
+/// `found/third/cubesat/06`: a slosh pendulum without a spring is answered where the spin holds it, and refused by name elsewhere.
+#[test]
+fn a_pendulum_without_a_spring_is_followed_where_the_spin_holds_it() {
+    let body = |hinge: f64, start: &str| {
+        format!(
+            "[carrier]\nmass = 9\ncenter_of_mass = [0, 0, 0]\ninertia = [90, 110, 150]\n\
+             [[hinged]]\nname = \"slosh\"\nmass = 0.3\ncenter_of_mass = [{}, 0, 0]\ninertia = [1e-6, 1e-6, 1e-6]\n\
+             hinge = [{hinge}, 0, 0]\naxes = [[0, 0, 1], [0, 1, 0]]\nstiffness = 0\ndamping = 1e-5\n[initial]\n{start}\n",
+            hinge + 0.04
+        )
+    };
+    let wobbling = body(0.1, "wobble = { angle = \"3 deg\", rate = \"30 rpm\", mode = \"short-axis\" }");
+    let told = ran_with(&wobbling, "modes model.toml --axis greatest --json").json();
+    let modes = told["modes"].as_array().unwrap();
+    let found = |name: &str| {
+        modes.iter().find(|mode| mode["name"] == name).and_then(|mode| mode["frequency"].as_f64()).unwrap()
+    };
+    let found = [found("\"slosh\" about axis 1"), found("\"slosh\" about axis 2")];
+    assert!(difference(found, [4.9620, 5.8712]) < 1e-4, "{found:?}"); // with a stiffness of 1e-9
+    let run = ran_with(&wobbling, "simulate model.toml --system full --duration 20 --samples 2");
+    assert_eq!(run.code, Some(0), "{}", run.stderr);
+    for (model, line) in [
+        (&wobbling, "simulate model.toml"),
+        (&wobbling, "evolve model.toml"),
+        (&body(0.1, "angular_velocity = [0, 0, 0]"), "modes model.toml"),
+        (&body(0.0, "angular_velocity = [0, 0, 2]"), "modes model.toml"),
+    ] {
+        let ran = ran_with(model, line);
+        let said = one_line(&format!("{}{}", ran.stdout, ran.stderr));
+        assert!(
+            ran.code != Some(0) && said.contains("no spring restores \"slosh\" about axis 1"),
+            "{line}: {said}"
+        );
+        assert!(
+            said.contains("give its hinge a `stiffness`") || said.contains("give the hinge a `stiffness`"),
+            "{said}"
+        );
+    }
+}

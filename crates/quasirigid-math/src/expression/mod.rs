@@ -12,6 +12,7 @@ mod lobatto;
 mod message;
 mod parser;
 mod program;
+mod rates;
 #[cfg(feature = "serde")]
 mod written;
 
@@ -72,6 +73,13 @@ impl Expression {
         self.program.uses(variable)
     }
 
+    /// Rates `a` of sines and cosines of `a` times a variable, if the formula is a polynomial of these, and the variable occurs nowhere
+    /// else; none otherwise.
+    #[must_use]
+    pub fn rates(&self, variable: usize) -> Option<Vec<f64>> {
+        rates::rates(self.program.steps(), variable)
+    }
+
     /// Where the formula changes along a variable, between two values of it; the others stay as `at` has them. (Z2)
     ///
     /// The formula is evaluated `budget` times at most.
@@ -108,6 +116,26 @@ mod tests {
     use crate::taylor::Taylor;
 
     const VARIABLES: [&str; 3] = ["t", "x", "ω₁"];
+    #[test]
+    fn rates_are_those_of_polynomials_of_sines_and_cosines() {
+        let rates = |text: &str| Expression::parse(text, &VARIABLES).unwrap().rates(0);
+        assert_eq!(rates("x^2 + sin(x)"), Some(vec![]));
+        assert_eq!(rates("-(2*x)*(cos(3*t/2 + x)^2 + sin(-0.5*t)*x)/ω₁ - 1"), Some(vec![1.5, 0.5]));
+        for text in [
+            "t",
+            "t*x",
+            "cos(x*t)",
+            "exp(cos(t))",
+            "1/cos(t)",
+            "cos(t)^0.5",
+            "abs(sin(t))",
+            "step(t-3)",
+            "cos(t)+t",
+        ] {
+            assert_eq!(rates(text), None, "{text}");
+        }
+    }
+
     const POINT: [f64; 3] = [0.7, -1.3, 2.9];
 
     fn value(text: &str) -> f64 {

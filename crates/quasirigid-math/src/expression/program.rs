@@ -5,7 +5,7 @@ use crate::scalar::Smooth;
 
 /// One step.
 #[derive(Clone, Copy, Debug)]
-enum Step {
+pub(super) enum Step {
     Constant(f64),
     Variable(usize),
     /// Power with a constant exponent.
@@ -123,6 +123,11 @@ impl Program {
             height = taken(step, variables, &mut stack, height);
             values.push(stack[height - 1]);
         }
+    }
+
+    /// The steps, in their order.
+    pub(super) fn steps(&self) -> &[Step] {
+        &self.steps
     }
 
     /// The steps as nodes of a tree: what each does, and on which of those before it.

@@ -83,6 +83,8 @@ impl BalancedSpin {
 struct Balance<'a> {
     body: &'a FlexibleBody,
     stiffness: SparseRows<f64>,
+    /// Stiffness by which displacements are measured.
+    measure: SparseRows<f64>,
     /// Angles of hinges among the coordinates.
     angles: Vec<usize>,
 }
@@ -94,19 +96,24 @@ impl<'a> Balance<'a> {
     fn new(body: &'a FlexibleBody, paths: &CurvedPaths) -> Self {
         let turning = paths.followers.iter().filter(|follower| matches!(follower, Follower::Rotation { .. }));
         let angles = turning.flat_map(Follower::coordinates).collect();
-        Self { body, stiffness: body.stiffness().block(0..body.elastic()), angles }
+        Self {
+            body,
+            stiffness: body.stiffness().block(0..body.elastic()),
+            measure: body.grounded_stiffness(),
+            angles,
+        }
     }
 
     /// Root of twice the elastic energy.
     fn size(&self, x: &[f64]) -> f64 {
-        self.stiffness.quadratic(x).sqrt()
+        self.measure.quadratic(x).sqrt()
     }
 
     /// Displacements in balance that Newton's method finds from a guess, with no hinge far from it; none otherwise.
     fn near(&self, omega: [f64; 3], guess: &[f64]) -> Option<Balanced> {
         let elastic = self.body.elastic();
         let mut q = guess.to_vec();
-        let diagonal = self.stiffness.diagonal();
+        let diagonal = self.measure.diagonal();
         let small: f64 = self.angles.iter().map(|j| SMALL * SMALL * diagonal[*j]).sum();
         let mut best = f64::INFINITY;
         for _ in 0..STEPS {

@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use super::flexible::BodyParts;
-use super::{Carried, FlexibleBody, FlexibleError, Invariants, Marker};
+use super::{Carried, FlexibleBody, FlexibleError, Hung, Invariants, Marker};
 
 impl FlexibleBody {
     /// Stiffened body, `C → C/ε²`, `B → B/ε`; paper, (2.2).
@@ -25,7 +25,7 @@ impl FlexibleBody {
             advections: self.advections.clone(),
             watched: self.watched.clone(),
             part_masses: self.part_masses.clone(),
-            ..Self::new(parts)?
+            ..Self::hanging(parts, self.pendulums())?
         })
     }
 
@@ -47,6 +47,11 @@ impl FlexibleBody {
     #[must_use]
     pub fn stiff_outside(&self) -> Self {
         self.with(self.cyclic())
+    }
+
+    /// Coordinates that the spin may restore.
+    fn pendulums(&self) -> &[usize] {
+        self.hung.as_ref().map_or(&[], Hung::pendulums)
     }
 
     /// Body with a range of coordinates kept and the others locked: all elastic ones or all cyclic ones.
@@ -72,7 +77,8 @@ impl FlexibleBody {
             advections: advections.collect(),
             watched: self.watched.locked(&kept),
             part_masses: self.part_masses.iter().map(|part| part.locked(kept.clone())).collect(),
-            ..Self::new(parts).expect("a block of a positive definite matrix is positive definite")
+            ..Self::hanging(parts, if kept.start == 0 { self.pendulums() } else { &[] })
+                .expect("a block of a positive definite matrix is positive definite")
         }
     }
 }

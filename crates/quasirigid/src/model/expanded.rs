@@ -259,7 +259,7 @@ impl PolynomialSystem for ExpandedMotion<'_> {
         let [xx, yy, zz, ..] = self.body.invariants().J;
         let A = self.body.mass_matrix();
         let masses = (0..A.size()).map(|j| A.at(j, j));
-        let stiffness = self.body.stiffness().diagonal().into_iter().take(self.body.elastic());
+        let stiffness = self.body.grounded_stiffness().diagonal();
         let all = [xx, yy, zz].into_iter().chain(masses).chain(stiffness);
         all.map(|size| size.sqrt().recip()).collect()
     }

@@ -6,7 +6,7 @@ use std::ops::Range;
 
 use super::flexible_error::named;
 use super::{
-    Advection, Coordinate, CurvedPaths, Displaced, Dissipator, FlexibleError, Invariants, LiquidMemory,
+    Advection, Coordinate, CurvedPaths, Displaced, Dissipator, FlexibleError, Hung, Invariants, LiquidMemory,
     Marker, PartMass, Support, Viscoelastic, Watched, Wheels,
 };
 use crate::math::cholesky::Cholesky;
@@ -30,6 +30,8 @@ pub struct FlexibleBody {
     /// Factors: of the stiffness of the elastic coordinates, and of the damping of the cyclic ones.
     pub(super) factor: Cholesky,
     pub(super) friction: Cholesky,
+    /// What the spin alone restores.
+    pub(super) hung: Option<Hung>,
 }
 
 /// Parts of a [`FlexibleBody`].
@@ -70,11 +72,27 @@ impl FlexibleBody {
     /// # Errors
     /// [`FlexibleError`] names the coordinates that move without stiffness, or without friction.
     pub fn new(parts: BodyParts) -> Result<Self, FlexibleError> {
+        Self::hanging(parts, &[])
+    }
+
+    /// Joins the parts of a body in which the spin alone may restore some of the coordinates, as it does a pendulum. (I13)
+    ///
+    /// # Errors
+    /// [`FlexibleError`] names the coordinates that move without stiffness and are not among these, or without friction.
+    pub fn hanging(parts: BodyParts, pendulums: &[usize]) -> Result<Self, FlexibleError> {
         let BodyParts { coordinates, stiffness, damping, .. } = &parts;
         let elastic = coordinates.len() - parts.cyclic;
         let (held, braked) = coordinates.split_at(elastic);
-        let factor = Cholesky::new(&stiffness.block(0..elastic))
-            .map_err(|singular| FlexibleError::Mechanism { coordinates: named(held, &singular.direction) })?;
+        let mechanism = |direction: &[f64]| FlexibleError::Mechanism { coordinates: named(held, direction) };
+        let (factor, hung) = match Cholesky::new(&stiffness.block(0..elastic)) {
+            Ok(factor) => (factor, None),
+            Err(singular) => {
+                let hung = Hung::of(&parts, elastic, pendulums, &singular.direction);
+                let hung = hung.ok_or_else(|| mechanism(&singular.direction))?;
+                let factor = Cholesky::new(hung.grounded()).map_err(|other| mechanism(&other.direction))?;
+                (factor, Some(hung))
+            }
+        };
         let friction = Cholesky::new(&damping.block(elastic..coordinates.len())).map_err(|singular| {
             FlexibleError::Frictionless { coordinates: named(braked, &singular.direction) }
         })?;
@@ -87,7 +105,22 @@ impl FlexibleBody {
             elastic,
             factor,
             friction,
+            hung,
         })
+    }
+
+    /// Coordinates that nothing restores but the spin; none where springs hold everything. (I13)
+    #[must_use]
+    pub fn hung(&self) -> Option<&Hung> {
+        self.hung.as_ref()
+    }
+
+    /// Stiffness matrix of the elastic coordinates, with that of springs in the place of the spin where it alone restores: a measure of
+    /// displacements, no force. (I13)
+    #[must_use]
+    pub fn grounded_stiffness(&self) -> SparseRows<f64> {
+        let held = || self.parts.stiffness.block(0..self.elastic);
+        self.hung.as_ref().map_or_else(held, |hung| hung.grounded().clone())
     }
 
     /// Body with the complete second order of its paths in the full equations. (K12)
@@ -244,7 +277,7 @@ impl FlexibleBody {
     }
 
     /// Solves `C x = right` in place for right-hand sides stored coordinate by coordinate, `width` to a row; rows of cyclic
-    /// coordinates become zero.
+    /// coordinates become zero. Where the spin alone restores, `C` is the [grounded](Self::grounded_stiffness) one.
     pub fn solve_stiffness(&self, right: &mut [f64], width: usize) {
         let (held, braked) = right.split_at_mut(self.elastic * width);
         self.factor.solve(held, width);

@@ -12,7 +12,7 @@ use crate::model::{FlexibleBody, SpinCoefficients};
 pub(super) struct Displacements {
     /// Basis displacements, one per column; none where every coordinate is its own.
     columns: Option<DMatrix<f64>>,
-    /// Square root of the stiffness of each basis displacement.
+    /// Square root of the stiffness of each basis displacement, that of the spin where no spring acts.
     pub units: Vec<f64>,
 }
 
@@ -29,7 +29,9 @@ impl Displacements {
     ) -> Result<Self, NoConvergence> {
         let elastic = body.elastic();
         if elastic <= whole {
-            let units = body.stiffness().diagonal()[..elastic].iter().map(|C| C.sqrt()).collect();
+            let held = body.stiffness().diagonal();
+            let spun = |j: usize| coefficients.centrifugal.at(j, j).abs();
+            let units = (0..elastic).map(|j| if held[j] > 0.0 { held[j] } else { spun(j) }.sqrt()).collect();
             return Ok(Self { columns: None, units });
         }
         let padded = |x: &[f64]| {
@@ -41,7 +43,8 @@ impl Displacements {
             x.truncate(elastic);
             x
         };
-        let stiffness = |x: &[f64]| cut(body.stiffness().times(&padded(x)));
+        let grounded = body.grounded_stiffness();
+        let stiffness = |x: &[f64]| grounded.times(x);
         let mass = |x: &[f64]| cut(body.recoiling_mass_times(&padded(x)));
         let solve = |x: &mut [f64]| {
             let mut all = padded(x);

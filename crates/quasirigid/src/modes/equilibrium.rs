@@ -3,7 +3,7 @@
 //! and a continuation from zero spin where it fails.
 //! Equation (M1), docs/theory/15-modes.md.
 
-use nalgebra::{Matrix3, Matrix4, Vector3, Vector4};
+use nalgebra::{DMatrix, Matrix3, Matrix4, Vector3, Vector4};
 use thiserror::Error;
 
 use crate::math::vec3::{add, cross, dot, norm, scale};
@@ -53,6 +53,16 @@ pub enum EquilibriumError {
         /// Share of the spin up to which a steady spin was followed.
         reached: f64,
     },
+    /// No steady spin in which the spin restores the coordinates that no spring restores. (I13)
+    #[error(
+        "no spring restores {coordinates}, and no steady spin about the axis [{:.4}, {:.4}, {:.4}] was found that does; draw the appendage where the spin holds it, away from the axis, or give its hinge a `stiffness`", axis[0], axis[1], axis[2]
+    )]
+    Unrestored {
+        /// Names of the coordinates.
+        coordinates: String,
+        /// Axis, body axes.
+        axis: [f64; 3],
+    },
 }
 
 /// Difference of moments, as a share of the largest, below which they count as nearly equal.
@@ -67,6 +77,8 @@ const SHORTEST: f64 = 1e-3;
 const CONVERGED: f64 = 1e-13;
 /// Residual accepted where rounding ends the progress.
 const ACCEPTED: f64 = 1e-9;
+/// Least stiffness of a coordinate without a spring, in units of that of a centrifugal force on its own inertia, that is not rounding.
+const RESTORED: f64 = 1e-10;
 /// Sine of the angle from the starting axis beyond which the axis belongs to another equilibrium.
 const ASTRAY: f64 = 0.75;
 
@@ -84,20 +96,20 @@ impl RelativeEquilibrium {
         let axis = axis.map(|entry| entry / length);
         let start = Guess::rigid(body, axis, given);
         if let Some((found, balanced)) = start.newton(body, given, axis) {
-            return Ok(found.finish(body, balanced));
+            return found.finish(body, balanced).restored(body);
         }
         let mut guess = Guess::rigid(body, axis, given.times(SHORTEST));
         let (mut reached, mut step) = (SHORTEST, 0.25);
         loop {
             let next = (reached + step).min(1.0);
             match guess.scaled(next / reached).newton(body, given.times(next), axis) {
-                Some((found, balanced)) if next >= 1.0 => return Ok(found.finish(body, balanced)),
+                Some((found, balanced)) if next >= 1.0 => return found.finish(body, balanced).restored(body),
                 Some((found, _)) => {
                     (guess, reached) = (found, next);
                     step *= 2.0;
                 }
                 None if step > SHORTEST => step *= 0.25,
-                None => return Err(EquilibriumError::NotFound { axis, reached }),
+                None => return Err(unfound(body, axis, reached)),
             }
         }
     }
@@ -143,12 +155,42 @@ impl RelativeEquilibrium {
         body.about_spin_on_paths(self.omega, &self.q)
     }
 
+    /// The equilibrium, if every coordinate without a spring has a stiffness of the spin in it. (I13)
+    fn restored(self, body: &FlexibleBody) -> Result<Self, EquilibriumError> {
+        let Some(hung) = body.hung() else { return Ok(self) };
+        let SpinCoefficients { centrifugal, mass, .. } = self.coefficients(body);
+        let (held, spin) = (body.stiffness(), norm(self.omega));
+        let own = held.diagonal();
+        let unit = |j: usize| f64::max(own[j], spin * spin * mass.at(j, j)).sqrt();
+        let elastic = body.elastic();
+        let mut left = DMatrix::from_fn(elastic, elastic, |j, k| -centrifugal.at(j, k) / (unit(j) * unit(k)));
+        let springs = held.iter().filter(|(j, k, _)| *j < elastic && *k < elastic);
+        springs.for_each(|(j, k, C)| left[(j, k)] += C / (unit(j) * unit(k)));
+        let least =
+            left.symmetric_eigenvalues().iter().fold(f64::INFINITY, |least, own| own.abs().min(least));
+        if least > RESTORED {
+            return Ok(self);
+        }
+        Err(EquilibriumError::Unrestored {
+            coordinates: hung.names().into(),
+            axis: scale(spin.recip(), self.omega),
+        })
+    }
+
     /// Largest displacement of a watched place, with its name (m); none for a body without watched places.
     #[must_use]
     pub fn displacement(&self, body: &FlexibleBody) -> Option<(String, f64)> {
         let moved =
             body.markers().iter().map(|marker| (marker.name.clone(), norm(marker.displacement(&self.q))));
         moved.max_by(|a, b| a.1.total_cmp(&b.1))
+    }
+}
+
+/// Reason for which the continuation ends at a share of the spin.
+fn unfound(body: &FlexibleBody, axis: [f64; 3], reached: f64) -> EquilibriumError {
+    match body.hung() {
+        Some(hung) => EquilibriumError::Unrestored { coordinates: hung.names().into(), axis },
+        None => EquilibriumError::NotFound { axis, reached },
     }
 }
 

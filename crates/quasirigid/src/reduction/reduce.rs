@@ -12,7 +12,7 @@ use crate::model::{FlexibleBody, ReducedBody};
 
 /// Error of a reduction that cannot be made.
 #[non_exhaustive]
-#[derive(Clone, Copy, Debug, Error, PartialEq)]
+#[derive(Clone, Debug, Error, PartialEq)]
 pub enum ReductionError {
     /// The order is above [`MAX_ORDER`].
     #[error("order {order} is not available; choose 0 (rigid) to {MAX_ORDER}, 3 is the paper's")]
@@ -27,6 +27,14 @@ pub enum ReductionError {
     NotFinite {
         /// Lowest degree at fault.
         degree: usize,
+    },
+    /// Nothing but the spin restores some coordinates: without stiffness at rest they have no series in powers of the angular velocity. (I13)
+    #[error(
+        "no spring restores {coordinates}: without stiffness at rest there is no slow manifold in powers of the angular velocity; give the hinge a stiffness"
+    )]
+    Hung {
+        /// Names of the coordinates.
+        coordinates: String,
     },
 }
 
@@ -95,6 +103,9 @@ fn finite(reduced: &ReducedBody) -> Result<(), ReductionError> {
 pub(super) fn manifold(body: &FlexibleBody, order: usize) -> Result<Manifold, ReductionError> {
     if order > MAX_ORDER {
         return Err(ReductionError::Order { order });
+    }
+    if let Some(hung) = body.hung().filter(|_| order > 0) {
+        return Err(ReductionError::Hung { coordinates: hung.names().into() });
     }
     let manifold = Manifold::compute(body, order);
     match (2..=order + 2).find(|degree| !manifold.f.part(*degree).is_finite()) {

@@ -58,7 +58,7 @@ pub struct Validity {
 
 /// Error of a validity that cannot be assessed.
 #[non_exhaustive]
-#[derive(Clone, Copy, Debug, Error, PartialEq)]
+#[derive(Clone, Debug, Error, PartialEq)]
 pub enum ValidityError {
     /// The angular velocity is zero or no number.
     #[error("the angular velocity {omega:?} rad/s is not a spin; give a finite one that is not zero")]

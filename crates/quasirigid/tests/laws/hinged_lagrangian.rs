@@ -9,7 +9,8 @@ use quasirigid::dynamics::{Forced, FullState, Observer, Options, Outcome, Sample
 use quasirigid::elements::{Assembly, Carrier, End, HingeCoefficient, Hinged, PlaceRef, Station};
 use quasirigid::model::force::{Axes, Force, ForceLaw, Wave};
 use quasirigid::model::{FlexibleBody, Rheology, Support};
-use quasirigid::modes::{Given, RelativeEquilibrium, SpinModes};
+use quasirigid::modes::{EquilibriumError, Given, RelativeEquilibrium, SpinModes};
+use quasirigid::reduction::{ReductionError, reduce};
 use quasirigid_math::rotation::{ALIGNED, to_inertial};
 use quasirigid_math::vec3::norm;
 
@@ -455,8 +456,10 @@ fn state(body: &FlexibleBody, omega: [f64; 3], q: &[f64], rate: &[f64]) -> FullS
 /// is followed until its middle axis brings the other two in line, where its angles have no meaning.
 #[test]
 fn full_system_follows_hinges_to_any_angle() {
-    for (axes, duration) in [(&[ONE][..], 5.0), (&[TWO], 5.0), (&[THREE, ONE], 3.0)] {
-        let mut assembly = satellite(axes, 0.05, [1.0, 1.0]);
+    for (axes, stiffness, duration) in
+        [(&[ONE][..], 0.05, 5.0), (&[TWO], 0.05, 5.0), (&[TWO], 0.0, 5.0), (&[THREE, ONE], 0.05, 3.0)]
+    {
+        let mut assembly = satellite(axes, stiffness, [1.0, 1.0]);
         assembly.hinged.iter_mut().for_each(|hinged| {
             hinged.damping = HingeCoefficient::PerAxis(vec![0.0; hinged.axes.len()]);
         });
@@ -545,9 +548,15 @@ fn work_of_forces_on_appendages_is_force_times_displacement() {
 }
 
 /// `found/third/control/05`: a slosh pendulum in a spinning tank, deflected by 0.197 rad. The second order of the paths gives 0.2000 rad and
-/// 3.89e-5 1/s.
+/// 3.89e-5 1/s. Without the spring the spin alone restores it. (I13)
 #[test]
 fn slosh_pendulum_beside_the_spin_axis_decays_as_its_lagrangian_says() {
+    for stiffness in [1e-6, 0.0] {
+        decays_as_its_lagrangian_says(stiffness);
+    }
+}
+
+fn decays_as_its_lagrangian_says(stiffness: f64) {
     let carrier = Carrier {
         mass: 600.0,
         center_of_mass: [0.0; 3],
@@ -560,7 +569,7 @@ fn slosh_pendulum_beside_the_spin_axis_decays_as_its_lagrangian_says() {
         inertia: [[0.0; 3]; 3],
         hinge: [0.5, 0.1, 0.1],
         axes: vec![[0.0, 0.0, 1.0], [0.0, 1.0, 0.0]],
-        stiffness: HingeCoefficient::PerAxis(vec![1e-6; 2]),
+        stiffness: HingeCoefficient::PerAxis(vec![stiffness; 2]),
         damping: HingeCoefficient::PerAxis(vec![0.1; 2]),
         rheology: Rheology::Elastic,
         places: Vec::new(),
@@ -575,4 +584,52 @@ fn slosh_pendulum_beside_the_spin_axis_decays_as_its_lagrangian_says() {
     let modes = SpinModes::about(&body, steady).unwrap();
     let decay = modes.nutation().unwrap().decay_rate;
     assert!((decay / 3.7052e-5 - 1.0).abs() < 2e-5, "{decay:e}"); // five digits in chk.py
+}
+
+/// A bob without a spring on a hub so heavy that it does not feel it, in a unit of time (s).
+fn hung(hinge: [f64; 3], center_of_mass: [f64; 3], second: f64) -> FlexibleBody {
+    let carrier = Carrier {
+        mass: 1e8,
+        center_of_mass: [0.0; 3],
+        inertia: [[2e8, 0.0, 0.0], [0.0, 2.2e8, 0.0], [0.0, 0.0, 3e8]],
+    };
+    let bob = Hinged {
+        name: "bob".into(),
+        mass: 2.0,
+        center_of_mass,
+        inertia: [[0.0; 3]; 3],
+        hinge,
+        axes: vec![[0.0, 0.0, 1.0], [0.0, 1.0, 0.0]],
+        stiffness: HingeCoefficient::PerAxis(vec![0.0; 2]),
+        damping: HingeCoefficient::PerAxis(vec![0.02 / second; 2]),
+        rheology: Rheology::Elastic,
+        places: Vec::new(),
+    };
+    Assembly { carrier: Some(carrier), hinged: vec![bob], ..Assembly::default() }.body().unwrap()
+}
+
+/// `found/third/field/11`: at a distance `R` from the axis a pendulum of length `l` swings at `Ω √(R/l)` in the plane of the spin, at
+/// `Ω √(1 + R/l)` across it, and towards the axis it falls over. (I13)
+#[test]
+fn a_pendulum_without_a_spring_hangs_on_the_spin() {
+    let (R, l) = (0.5, 0.3);
+    for second in [1.0, 1e6] {
+        let rate = 2.0 / second;
+        let steady =
+            |body: &FlexibleBody| RelativeEquilibrium::near(body, [0.0, 0.0, 1.0], Given::Rate(rate));
+        let body = hung([R, 0.0, 0.0], [R + l, 0.0, 0.0], second);
+        assert_eq!(body.hung().unwrap().names(), "\"bob\" about axis 1, \"bob\" about axis 2");
+        let modes = SpinModes::about(&body, steady(&body).unwrap()).unwrap();
+        for (axis, known) in [(1, (R / l).sqrt()), (2, (1.0 + R / l).sqrt())] {
+            let mode = modes.modes.iter().find(|mode| mode.name.ends_with(&axis.to_string())).unwrap();
+            let size = mode.frequency.hypot(mode.decay_rate) / rate;
+            assert!((size - known).abs() < 1e-6 * known, "axis {axis}: {size} {known}"); // 2e-8 of the mass
+        }
+        let inwards = hung([R, 0.0, 0.0], [R - l, 0.0, 0.0], second);
+        let modes = SpinModes::about(&inwards, steady(&inwards).unwrap()).unwrap();
+        assert!(modes.modes.iter().any(|mode| mode.decay_rate < -0.5 * rate), "it stays up");
+        let axle = hung([0.0; 3], [l, 0.0, 0.0], second);
+        assert!(matches!(steady(&axle), Err(EquilibriumError::Unrestored { .. })), "{:?}", steady(&axle));
+        assert!(matches!(reduce(&body, 3), Err(ReductionError::Hung { .. })));
+    }
 }

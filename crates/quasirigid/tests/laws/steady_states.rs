@@ -416,6 +416,45 @@ fn refused(law: &[ForceLaw<Station>], free: bool, omega: V) -> String {
     found(&assembly, near(omega, &Matrix3::identity())).unwrap_err().to_string()
 }
 
+/// `found/third/control/07`: a controller about a frame that turns at the rate `n`, of which a formula knows by the time alone. The frame
+/// sets the rate of the state; pitch is `I₃ s² + d s + k`, roll and yaw are coupled by the rotation. A factor one, written with the time, changes nothing.
+#[test]
+fn formulas_of_the_time_that_turn_at_a_constant_rate_have_a_steady_state() {
+    let (I, n, k, d) = (V::new(30.0, 36.0, 10.0), 1e-3, 4e-4, 0.02);
+    let (c, s, one) = ("cos(0.0005*t)", "sin(0.0005*t)", "(cos(0.3*t)^2+sin(0.3*t)^2)");
+    let w = format!("({c}*qw+{s}*qz)");
+    let off = [format!("({c}*qx+{s}*qy)"), format!("({c}*qy-{s}*qx)"), format!("({c}*qz-{s}*qw)")];
+    let rates = ["wx", "wy", "(wz-0.001)"];
+    let torque = [0, 1, 2].map(|i| format!("-{one}*(2*{k}*{w}*{}+{d}*{})", off[i], rates[i]));
+    let body = Rigid { mass: 2.0, moments: I.into(), axes: Matrix3::identity(), center: V::zeros() };
+    let with = |torque: [&str; 3]| {
+        let law = ForceLaw::TorqueExpression { torque: torque.map(formula), axes: Axes::Body };
+        Assembly { forces: vec![Force { name: "PD".into(), law }], ..body.free() }
+    };
+    let close = near(V::new(0.0, 0.0, 0.9 * n), Rotation3::new(V::new(0.02, -0.03, 0.05)).matrix());
+    let modes = found(&with(torque.each_ref().map(String::as_str)), close).unwrap();
+    let omega = V::from(modes.state.omega);
+    assert!((omega - V::new(0.0, 0.0, n)).norm() < 1e-9 * n, "{omega}");
+    let (J, W) = (Matrix3::from_diagonal(&I), omega.cross_matrix());
+    let characteristic = |lambda: C| {
+        let complex = |M: Matrix3<f64>| M.map(C::from);
+        let turned = complex(Matrix3::identity()) * lambda + complex(W);
+        let moment =
+            complex(J) * lambda + complex(W * J - (J * omega).cross_matrix() + d * Matrix3::identity());
+        (moment * turned + complex(k * Matrix3::identity())).determinant()
+    };
+    assert_eq!(modes.modes.len(), 3, "three oscillating pairs");
+    for mode in &modes.modes {
+        let lambda = C::new(-mode.decay_rate, mode.frequency);
+        let scale = characteristic(lambda + C::from(1e-2 * lambda.norm())).norm();
+        assert!(characteristic(lambda).norm() < 1e-8 * scale, "{lambda}");
+    }
+    for refused in ["cos(0.1*t)*qx", "exp(-t)*qx", "qx+step(t-5)", "t*qx", "qx*cos(0.0005*t)"] {
+        let told = found(&with([refused, "0", "-wz"]), close).unwrap_err().to_string();
+        assert!(told.contains("the force \"PD\"") && told.contains("changes with time"), "{refused}: {told}");
+    }
+}
+
 #[test]
 fn what_has_no_steady_state_is_refused_in_words() {
     let carrier = Station { on: quasirigid::elements::End::Carrier, at: Some([0.5, 0.1, -0.3]) };

@@ -100,7 +100,7 @@ impl Assembly {
         } else {
             Vec::new()
         };
-        let body = FlexibleBody::new(BodyParts {
+        let parts = BodyParts {
             support: self.support.clone(),
             pole: pole.into(),
             center_of_mass: center_of_mass.into(),
@@ -114,7 +114,8 @@ impl Assembly {
             cyclic: whole.inner.coordinates.len(),
             wheels: whole.inner.wheels.clone(),
             markers,
-        });
+        };
+        let body = FlexibleBody::hanging(parts, &whole.pendulums());
         let body = body.map_err(|error| self.attribute(error))?.along(paths);
         let body = body
             .advected(whole.inner.advections.clone())
@@ -276,6 +277,12 @@ impl Carried {
     fn moved(&self, id: ElementId) -> Option<&Moved> {
         let found = self.moving_bodies.binary_search_by_key(&id, |moved| moved.id).ok()?;
         Some(&self.moving_bodies[found])
+    }
+
+    /// Angles of appendages on hinges, which the spin may restore where no spring does. (I13)
+    fn pendulums(&self) -> Vec<usize> {
+        let hinged = self.moving_bodies.iter().filter(|moved| moved.id.kind == ElementKind::Hinged);
+        hinged.flat_map(|moved| moved.start..moved.start + moved.moving_body.shapes.len()).collect()
     }
 
     /// First coordinate of an element; the first of all for one without coordinates.

@@ -71,6 +71,14 @@ pub enum SteadyError {
         "no steady state was found near the attitude and the angular velocity of the start: a body that spins about an axis of its own while the vertical turns in it has none in its axes, unless the spin is that of a momentum wheel"
     )]
     NotFound,
+    /// No steady state in which the loads restore the coordinates that no spring restores. (I13)
+    #[error(
+        "no spring restores {coordinates}, and no steady state was found near the start in which the spin or a force does; draw the appendage where it hangs, or give its hinge a `stiffness`"
+    )]
+    Unrestored {
+        /// Names of the coordinates.
+        coordinates: String,
+    },
     /// An angular velocity is asked for where the forces set it.
     #[error("{what} sets the rate and the axis: an angular velocity cannot be asked for")]
     Set {

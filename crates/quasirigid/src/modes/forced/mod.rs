@@ -10,6 +10,7 @@ mod spectrum;
 mod state;
 mod steadiness;
 mod system;
+mod timed;
 mod turning;
 mod whole_body_names;
 

@@ -159,8 +159,7 @@ impl Problem<'_> {
             return Ok(system);
         }
         let formula = self.forces.iter().find(|force| force.law.formulas().is_some());
-        Err(formula
-            .map_or(SteadyError::NotFound, |force| SteadyError::NotANumber { name: force.name.clone() }))
+        Err(formula.map_or(self.unfound(), |force| SteadyError::NotANumber { name: force.name.clone() }))
     }
 
     /// Size of the loads of a force (N·m).
@@ -178,27 +177,35 @@ impl Problem<'_> {
             // At rest every term vanishes: the residual is measured by the terms of the start.
             floor = if floor > 0.0 { floor } else { FLOOR * (system.terms - system.turned) };
             system.terms = system.terms.max(floor + system.turned);
-            let step = self.step(&guess, &system, unknowns).ok_or(SteadyError::NotFound)?;
+            let step = self.step(&guess, &system, unknowns).ok_or_else(|| self.unfound())?;
             let short = (LONGEST / step.turn.norm()).min(1.0);
             guess.moved(&step, short, unknowns);
             let moved = self.size(&guess, &step, system.terms);
             if !moved.is_finite() {
-                return Err(SteadyError::NotFound);
+                return Err(self.unfound());
             }
             if moved <= SETTLED || (moved <= ACCEPTED && moved >= 0.5 * best) {
                 let mut system = self.system(&guess.at)?;
                 system.terms = system.terms.max(floor + system.turned);
                 let balanced = self.balanced(&guess, &system, unknowns);
-                return if balanced { Ok((guess, system)) } else { Err(SteadyError::NotFound) };
+                return if balanced { Ok((guess, system)) } else { Err(self.unfound()) };
             }
             best = best.min(moved);
         }
-        Err(SteadyError::NotFound)
+        Err(self.unfound())
+    }
+
+    fn unfound(&self) -> SteadyError {
+        let hung = self.body.hung();
+        hung.map_or(SteadyError::NotFound, |hung| SteadyError::Unrestored {
+            coordinates: hung.names().into(),
+        })
     }
 
     /// Size of a step, relative to the quantities that it changes.
     fn size(&self, guess: &Guess, step: &Step, terms: f64) -> f64 {
-        let energy = |q: &[f64]| self.body.stiffness().quadratic(q);
+        let grounded = self.body.grounded_stiffness();
+        let energy = |q: &[f64]| grounded.quadratic(&q[..self.body.elastic()]);
         let share = |part: f64, whole: f64| if whole > 0.0 { part / whole } else { 0.0 };
         let spin = norm(guess.at.omega).max(norm(self.near.omega));
         let speed = norm(guess.at.velocity).max(norm(self.near.velocity)).max(length(self.body) * spin);
@@ -212,11 +219,11 @@ impl Problem<'_> {
     /// Strain energy (J) that is negligible beside that of loads as large as the moments that balance.
     fn slight(&self, terms: f64) -> f64 {
         let J = self.body.invariants().J;
+        let held = self.body.grounded_stiffness().diagonal();
         let square = |j: usize| {
             let A =
                 self.body.invariants().pairs.row(j).find(|(k, _)| *k == j).map_or(0.0, |(_, pair)| pair.A);
-            let C: f64 = self.body.stiffness().row(j).find(|(k, _)| *k == j).map_or(0.0, |(_, C)| *C);
-            A / C
+            A / held[j]
         };
         let softest = (0..self.body.elastic()).map(square).fold(0.0, f64::max);
         SLIGHT * terms * terms * softest / (J[0] + J[1] + J[2])

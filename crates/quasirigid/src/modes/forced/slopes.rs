@@ -1,6 +1,6 @@
 //! External loads with their exact derivatives, by Taylor series of two terms. (M6)
 
-use nalgebra::DMatrix;
+use nalgebra::{DMatrix, DVector};
 
 use crate::math::rotation::{self, Attitude, Turn};
 use crate::math::taylor::Taylor;
@@ -39,6 +39,9 @@ pub(super) const OMEGA: usize = 3;
 pub(super) const VELOCITY: usize = 6;
 pub(super) const DISPLACED: usize = 9;
 
+/// Column of none of them: the time.
+const CLOCK: usize = usize::MAX;
+
 /// Loads at an instant with their derivatives. (M6)
 #[derive(Clone, Debug)]
 pub(super) struct Slopes {
@@ -54,6 +57,13 @@ impl Slopes {
     pub fn none(body: &FlexibleBody) -> Self {
         let n = body.coordinates().len();
         Self { value: Loads::none(n), by: DMatrix::zeros(6 + n, DISPLACED + body.elastic() + n) }
+    }
+
+    /// Derivatives of the loads by the time, in the order of the rows, at a state that stays.
+    pub fn by_time(body: &FlexibleBody, forces: &[Force<Marker>], instant: &Instant) -> DVector<f64> {
+        let loads = along(body, forces, instant, CLOCK);
+        let rows = loads.moment.iter().chain(&loads.generalized).chain(&loads.force);
+        DVector::from_vec(rows.map(|entry| entry.coefficient(1)).collect())
     }
 
     pub fn of(body: &FlexibleBody, forces: &[Force<Marker>], instant: &Instant) -> Self {
@@ -97,7 +107,6 @@ fn along(body: &FlexibleBody, forces: &[Force<Marker>], instant: &Instant, colum
         .collect();
     let rate: Vec<Series> = (0..q.len()).map(|j| line(0.0, DISPLACED + elastic + j)).collect();
     let motion = MotionState { omega: triple(instant.omega, OMEGA), q: &q, rate: &rate };
-    let pose =
-        Pose { t: Series::from(instant.t), attitude, place: instant.place.map(Series::from), velocity };
+    let pose = Pose { t: line(instant.t, CLOCK), attitude, place: instant.place.map(Series::from), velocity };
     body.loads_at(forces, &pose, motion)
 }

@@ -76,7 +76,9 @@ fn units(body: &FlexibleBody, system: &System, attitude: bool) -> Vec<f64> {
         let unit = (held + gyroscopic + J * system.turning().norm_squared()).sqrt();
         units.extend([if unit > 0.0 { unit } else { J.sqrt() }; 3]);
     }
-    units.extend(body.stiffness().diagonal()[..body.elastic()].iter().map(|C| C.sqrt()));
+    let held = body.stiffness().diagonal();
+    let loaded = |j: usize| system.stiffness[(3 + j, 3 + j)].abs();
+    units.extend((0..body.elastic()).map(|j| if held[j] > 0.0 { held[j] } else { loaded(j) }.sqrt()));
     units
 }
 

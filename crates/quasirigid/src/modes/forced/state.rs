@@ -77,7 +77,7 @@ impl SteadyState {
             return Err(SteadyError::TooMany { coordinates, most: MOST });
         }
         let (forces, followed) = effective(body, forces);
-        let mut turning = Turning::of(body, &forces, near.velocity)?;
+        let mut turning = Turning::of(body, &forces, &near)?;
         let attitude = rotation::normalized(near.attitude);
         let omega_N = V::from(rotation::to_inertial(attitude, near.omega));
         let rests = omega_N == V::zeros();

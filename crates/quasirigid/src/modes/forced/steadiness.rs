@@ -6,6 +6,7 @@ use super::error::SteadyError;
 use super::slopes::{DISPLACED, Instant, OMEGA, Slopes, THETA, VELOCITY};
 use super::state::SteadyState;
 use super::system::length;
+use super::timed;
 use crate::math::vec3::norm;
 use crate::model::force::Force;
 use crate::model::{FlexibleBody, Marker, Support};
@@ -26,10 +27,14 @@ pub(super) fn check(
     let spin = norm(state.omega);
     let speed = norm(state.velocity);
     let held = body.translation().is_none();
+    let rates: Vec<f64> = forces.iter().filter_map(timed::rates).flatten().collect();
+    let fastest = rates.iter().fold(0.0, |most: f64, rate| most.max(*rate));
     let period = if spin > 0.0 {
         std::f64::consts::TAU / spin
     } else if held && speed > 0.0 {
         length(body) / speed
+    } else if fastest > 0.0 {
+        std::f64::consts::TAU / fastest
     } else {
         return Ok(());
     };
@@ -43,11 +48,12 @@ pub(super) fn check(
     let start = state.at(0.0);
     let now: Vec<_> =
         support.into_iter().chain(each).map(|(forces, what)| (forces, what, loads(forces, &start))).collect();
-    for turns in TURNS {
-        let later = later(body, state, turns * period);
+    for t in TURNS.map(|turns| turns * period).into_iter().chain(timed::times(&rates)) {
+        let later = later(body, state, t);
         for (forces, what, now) in &now {
-            if changed(now, &loads(forces, &later)) {
-                return Err(SteadyError::Changes { what: what.clone() });
+            let then = loads(forces, &later);
+            if changed(now, &then) {
+                return Err(SteadyError::Changes { what: format!("{what}, by {},", varies(now, &then)) });
             }
         }
     }
@@ -80,14 +86,31 @@ fn later(body: &FlexibleBody, state: &SteadyState, t: f64) -> Instant {
     later
 }
 
+/// What differs most, in words.
+fn varies(now: &DMatrix<f64>, then: &DMatrix<f64>) -> &'static str {
+    let gaps = (then - now).abs();
+    match (0..gaps.ncols())
+        .max_by(|a, b| gaps.column(*a).amax().total_cmp(&gaps.column(*b).amax()))
+        .unwrap_or(0)
+    {
+        0 => "its load",
+        column => match column - 1 {
+            THETA..OMEGA => "its slope by the attitude",
+            OMEGA..VELOCITY => "its slope by the angular velocity",
+            VELOCITY..DISPLACED => "its slope by the velocity",
+            _ => "its slope by a displacement or its rate",
+        },
+    }
+}
+
 /// True if loads or their slopes differ from those at `t = 0`.
-fn changed(now: &DMatrix<f64>, then: &DMatrix<f64>) -> bool {
+pub(super) fn changed(now: &DMatrix<f64>, then: &DMatrix<f64>) -> bool {
     let gap = (then - now).amax();
     !(gap <= SAME * now.amax().max(then.amax()))
 }
 
 /// Value and slopes in units of a moment: lengths in units of the body's, coordinates of its inertia, times of the period.
-fn weighted(body: &FlexibleBody, slopes: &Slopes, period: f64) -> DMatrix<f64> {
+pub(super) fn weighted(body: &FlexibleBody, slopes: &Slopes, period: f64) -> DMatrix<f64> {
     let n = body.coordinates().len();
     let elastic = body.elastic();
     let free = body.translation().is_some();

@@ -3,6 +3,8 @@
 use nalgebra::Vector3;
 
 use super::error::SteadyError;
+use super::state::Near;
+use super::timed::{Pace, pace};
 use crate::math::taylor::Taylor;
 use crate::model::force::{Axes, Force, ForceLaw, MagneticField, Orbit, PLACE, TIME};
 use crate::model::{FlexibleBody, Marker, Support};
@@ -66,11 +68,7 @@ const SAME: f64 = 1e-9;
 
 impl Turning {
     /// From the laws of the acting forces and the support.
-    pub fn of(
-        body: &FlexibleBody,
-        forces: &[Force<Marker>],
-        velocity: [f64; 3],
-    ) -> Result<Self, SteadyError> {
+    pub fn of(body: &FlexibleBody, forces: &[Force<Marker>], near: &Near) -> Result<Self, SteadyError> {
         if body.wheels().driven.iter().any(|wheel| wheel.speed.uses(0)) {
             return Err(SteadyError::Wheel);
         }
@@ -85,12 +83,13 @@ impl Turning {
                     what: "the velocity of the support, which a force feels,".into(),
                 });
             }
+            let velocity = near.velocity;
             if placed && velocity != [0.0; 3] && found.set.is_none() {
                 found.directions.push((velocity.into(), "the velocity of the support".into()));
             }
         }
         for force in forces {
-            found.force(body, force, &mut acceleration)?;
+            found.force(body, force, near, &mut acceleration)?;
         }
         if acceleration != V::zeros() {
             found.directions.push((acceleration, "the weight, or the acceleration of the support,".into()));
@@ -126,6 +125,7 @@ impl Found {
         &mut self,
         body: &FlexibleBody,
         force: &Force<Marker>,
+        near: &Near,
         acceleration: &mut V,
     ) -> Result<(), SteadyError> {
         let named = format!("the force {:?}", force.name);
@@ -155,7 +155,11 @@ impl Found {
             }
             law @ (ForceLaw::Expression { .. } | ForceLaw::TorqueExpression { .. }) => {
                 if law.uses(TIME..TIME + 1) {
-                    return changes();
+                    match pace(body, force, near) {
+                        Some(Pace::Constant) => {}
+                        Some(Pace::Turning(rate)) => self.set(rate, named, false)?,
+                        None => return changes(),
+                    }
                 }
                 if body.translation().is_some() && law.uses(PLACE) {
                     return Err(SteadyError::Placed { name: force.name.clone() });

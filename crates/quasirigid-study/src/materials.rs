@@ -9,6 +9,9 @@ use crate::words::significant;
 /// Tangent of the loss angle above which more is lost in a radian than is stored, as in a liquid.
 const LIQUID: f64 = 1.0;
 
+/// Time of a Kelvin–Voigt material, in units of the reciprocal of the spin, below which no harmonic of note has a loss angle above 45 degrees.
+const SPRING: f64 = 0.05;
+
 /// Reason why a material is no solid at the harmonics of a rotation; none if all are. (G16)
 pub fn flowing(response: &Response, motion: &FreeRotation) -> Option<String> {
     RotationState::from_motion(motion)?;
@@ -16,9 +19,14 @@ pub fn flowing(response: &Response, motion: &FreeRotation) -> Option<String> {
     let worst = driven.into_iter().max_by(|a, b| a.loss.total_cmp(&b.loss))?;
     (worst.loss > LIQUID).then(|| {
         format!(
-            "the material of {} flows in this motion like a liquid: at {} rad/s, a harmonic of it, its modulus is {} of the one given and \
+            "the material of {} {}: at {} rad/s, a harmonic of it, its modulus is {} of the one given and \
              its loss angle {} degrees, above 45 (Q = {}, below 1)",
             worst.name,
+            if worst.modulus > 1.0 {
+                "resists this motion as a dashpot, not as a spring"
+            } else {
+                "flows in this motion like a liquid"
+            },
             significant(worst.frequency, 3),
             significant(worst.modulus, 3),
             significant(worst.loss.atan().to_degrees(), 3),
@@ -29,7 +37,9 @@ pub fn flowing(response: &Response, motion: &FreeRotation) -> Option<String> {
 
 /// The same at the free rotation of the frozen body with an angular velocity (rad/s, body axes).
 pub fn flowing_at(study: &Study, omega: [f64; 3]) -> Option<String> {
-    if study.body.viscoelastic().is_empty() || norm(omega) == 0.0 {
+    let longest = study.body.dissipators().iter().filter_map(|part| part.kelvin_voigt).fold(0.0, f64::max);
+    let viscous = !(longest * norm(omega) > SPRING);
+    if (study.body.viscoelastic().is_empty() && viscous) || norm(omega) == 0.0 {
         return None;
     }
     let response = Response::compute(&study.body).ok()?;

@@ -38,10 +38,30 @@ fn a_liquid_is_no_solid_at_its_own_harmonics() {
     assert_eq!(ran_in(folder.path(), "check model.toml --json").json()["valid"], false);
 }
 
+/// A Kelvin–Voigt body of 1 d is more dashpot than spring in a rotation of 5 h.
+#[test]
+fn a_dashpot_is_no_solid_at_its_own_harmonics() {
+    let folder = folder_with(&ellipsoid("kind = \"kelvin-voigt\", time = \"1 d\""));
+    for command in ["evolve model.toml", "check model.toml", "simulate model.toml --times 0,1"] {
+        let ran = ran_in(folder.path(), command);
+        let told = said(&ran);
+        assert_eq!(ran.code, Some(1), "{command}: {ran:?}");
+        assert!(
+            told.contains("the material of ellipsoid 1 resists this motion as a dashpot, not as a spring: at 1.16e-4 rad/s")
+                && told.contains("above 45"),
+            "{command}: {told}"
+        );
+    }
+}
+
 /// The same law where the motion is fast beside the time is a solid, and `Q = 1` is the limit.
 #[test]
 fn a_solid_at_its_own_harmonics_is_followed() {
-    for rheology in ["kind = \"maxwell\", time = \"1 Myr\"", "kind = \"quality-factor\", Q = 1"] {
+    for rheology in [
+        "kind = \"maxwell\", time = \"1 Myr\"",
+        "kind = \"quality-factor\", Q = 1",
+        "kind = \"kelvin-voigt\", time = \"1 min\"",
+    ] {
         for command in ["evolve model.toml", "check model.toml"] {
             let ran = ran_with(&ellipsoid(rheology), command);
             assert!(ran.code == Some(0) && !said(&ran).contains("SOLID"), "{rheology}, {command}: {ran:?}");

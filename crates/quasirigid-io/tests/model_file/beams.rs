@@ -38,6 +38,7 @@ fn a_beam_is_read_with_its_nodes_in_the_order_of_the_file() {
     );
     let model = read(&text);
     let member = |ends| Member {
+        name: String::new(),
         ends,
         section: TUBE_IS,
         up: Some([0.0, 0.0, 2.0]),

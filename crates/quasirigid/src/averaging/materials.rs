@@ -3,6 +3,7 @@
 //! Equation (G16), docs/theory/11-materials.md.
 
 use super::{FreeRotation, Response};
+use crate::model::{Dissipator, Rheology};
 
 /// Material at a harmonic of a free rotation. (G16)
 #[derive(Clone, Debug, PartialEq)]
@@ -21,20 +22,23 @@ pub struct DrivenMaterial {
 const NOTABLE: f64 = 0.01;
 
 impl Response {
-    /// Materials at the harmonics from which they take power, but for those of dashpots alone. (G16)
+    /// Materials at the harmonics from which they take power, but for those of dashpots, and of Kelvin–Voigt materials that are more spring
+    /// than dashpot at every harmonic. (G16)
     #[must_use]
     pub fn driven_materials(&self, motion: &FreeRotation) -> Vec<DrivenMaterial> {
-        let viscous = self.dissipators.iter().all(|part| part.loss.is_none());
         let frequencies: Vec<f64> = motion.harmonics().map(|harmonic| harmonic.frequency).collect();
+        let fastest = frequencies.iter().fold(0.0, |most: f64, frequency| most.max(*frequency));
+        let laws: Vec<_> = self.dissipators.iter().map(|part| law(part, fastest)).collect();
+        let viscous = laws.iter().all(Option::is_none);
         let taken: Vec<Vec<f64>> = if viscous { Vec::new() } else { self.harmonic_budgets(motion).collect() };
         let mut driven = Vec::new();
-        for (number, part) in self.dissipators.iter().enumerate() {
-            let Some(loss) = &part.loss else { continue };
+        for (number, (part, law)) in self.dissipators.iter().zip(&laws).enumerate() {
+            let Some(law) = law else { continue };
             let whole: f64 = taken.iter().map(|powers| powers[number]).sum();
             let notable =
                 frequencies.iter().zip(&taken).filter(|(_, powers)| powers[number] > NOTABLE * whole);
             driven.extend(notable.map(|(frequency, _)| {
-                let [re, im] = loss.rheology.modulus(*frequency);
+                let [re, im] = law.modulus(*frequency);
                 DrivenMaterial {
                     name: part.name.clone(),
                     frequency: *frequency,
@@ -45,4 +49,13 @@ impl Response {
         }
         driven
     }
+}
+
+/// Law of a dissipator that may matter up to a frequency (rad/s).
+fn law(part: &Dissipator, fastest: f64) -> Option<Rheology> {
+    let viscous = part.kelvin_voigt.filter(|time| time * fastest > 1.0);
+    part.loss
+        .as_ref()
+        .map(|loss| loss.rheology.clone())
+        .or(viscous.map(|time| Rheology::KelvinVoigt { time }))
 }

@@ -15,6 +15,8 @@ pub struct Dissipator {
     pub damping: SparseRows<f64>,
     /// Part of the stiffness with the loss of a material, which is not in `B`.
     pub loss: Option<Viscoelastic>,
+    /// Longest time `τ` (s) of its Kelvin–Voigt materials, whose loss `τ C` is in `B`; none without one.
+    pub kelvin_voigt: Option<f64>,
 }
 
 impl Dissipator {
@@ -24,6 +26,7 @@ impl Dissipator {
             name: self.name.clone(),
             damping: self.damping.scaled(epsilon.recip()),
             loss: self.loss.as_ref().map(|loss| loss.scaled(epsilon.powi(-2))),
+            kelvin_voigt: self.kelvin_voigt.map(|time| epsilon * time),
         }
     }
 
@@ -33,7 +36,7 @@ impl Dissipator {
         let loss = self.loss.as_ref().map(|loss| loss.block(kept));
         let loss = loss.filter(|loss| loss.stiffness.iter().next().is_some());
         let dissipates = loss.is_some() || damping.iter().next().is_some();
-        dissipates.then(|| Self { name: self.name.clone(), damping, loss })
+        dissipates.then(|| Self { name: self.name.clone(), damping, loss, ..*self })
     }
 }
 

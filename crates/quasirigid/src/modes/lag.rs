@@ -1,6 +1,6 @@
 //! Lag of the internal coordinates behind a motion of the direction of spin, exact at any eigenvalue. (M14)
 
-use nalgebra::{Complex, DMatrix, Matrix3, Vector3};
+use nalgebra::{Complex, DMatrix, DVector, Matrix3, Vector3};
 
 use super::spectrum::Eigenmotion;
 use crate::model::{FlexibleBody, SpinCoefficients, Viscoelastic};
@@ -29,8 +29,9 @@ pub(super) struct Lagging {
     pub lambda: C,
     /// Angular momentum per rate of the angular velocity, `L(λ)` (kg·m²·s).
     pub momentum: Matrix3<C>,
-    /// Elastic displacements.
+    /// Elastic displacements, and what they lag behind those in balance, over `λ`.
     displaced: DMatrix<C>,
+    late: DMatrix<C>,
     /// Displacements of the cyclic coordinates.
     turned: DMatrix<C>,
 }
@@ -79,6 +80,25 @@ impl<'a> Lag<'a> {
         !self.materials.is_empty()
     }
 
+    /// Second variation of the energy that a motion has beside that of its angular momentum alone, `½[dᴴ(C−N)d + q̇ᴴAq̇ − |λ|²(Lω)ᴴS⁻¹Lω]`, with
+    /// `S = ∂K/∂ω`, and the power that dashpots take. No term in it is a small difference. (M15)
+    pub fn energy_and_power(
+        &self,
+        lagging: &Lagging,
+        motion: &Eigenmotion,
+        inverse: &Matrix3<f64>,
+    ) -> [f64; 2] {
+        let delta = Vector3::from(motion.delta);
+        let behind = &lagging.late * delta * lagging.lambda;
+        let rate = DVector::from_column_slice(&motion.rate);
+        let turned = lagging.momentum * delta;
+        let form = |x: &DVector<C>, matrix: &DMatrix<C>| (x.adjoint() * matrix * x)[(0, 0)].re;
+        let carried =
+            (turned.adjoint() * inverse.map(C::from) * turned)[(0, 0)].re * lagging.lambda.norm_sqr();
+        let energy = form(&behind, &self.stiffness) + form(&rate, &self.mass) - carried;
+        [0.5 * energy, form(&rate, &self.velocity)]
+    }
+
     /// Response at an eigenvalue that is not zero; none where it has no finite value, as for a cyclic coordinate without friction at rest.
     ///
     /// The static part is split off before the division by `λ`, so that no digit is lost however slow the motion is.
@@ -99,14 +119,15 @@ impl<'a> Lag<'a> {
             loaded -= stiffness * &self.still * (factor / lambda);
         }
         let late = if n > 0 { equations.lu().solve(&load)? } else { load };
-        let displaced = &self.still + late.rows(0, elastic) * lambda;
         let turned = late.rows(elastic, n - elastic).into_owned();
-        let momentum = self.slopes.transpose() * late.rows(0, elastic)
+        let late = late.rows(0, elastic).into_owned();
+        let displaced = &self.still + &late * lambda;
+        let momentum = self.slopes.transpose() * &late
             + self.h.rows(0, elastic).transpose() * &displaced
             + self.h.rows(elastic, n - elastic).transpose() * &turned;
         let momentum = momentum.fixed_view::<3, 3>(0, 0).into_owned();
         let finite = momentum.iter().all(|entry| entry.re.is_finite() && entry.im.is_finite());
-        finite.then_some(Lagging { lambda, momentum, displaced, turned })
+        finite.then_some(Lagging { lambda, momentum, displaced, late, turned })
     }
 }
 

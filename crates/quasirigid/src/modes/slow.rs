@@ -1,7 +1,7 @@
 //! Slow motion of the direction of spin: the steady spins that lie side by side, and the pair of eigenvalues beside them.
 //! The eigenvalues of the equations of motion are known to the rounding of the fastest one; those of the direction follow from the second
 //! variation of the energy, whose rounding is that of the moments of inertia.
-//! Equations (M12) to (M14), docs/theory/15-modes.md.
+//! Equations (M12) to (M15), docs/theory/15-modes.md.
 
 use nalgebra::{Complex, DMatrix, Matrix2, Matrix3, SymmetricEigen, Vector2, Vector3};
 
@@ -116,12 +116,32 @@ impl SlowDirection {
             let next = self.eigenvalues(&lagging).into_iter().min_by(|a, b| gap(a).total_cmp(&gap(b)))?;
             let moved = gap(&next) / next.norm();
             if moved <= SETTLED || (moved >= 0.5 * best && best <= ACCEPTED) {
-                return self.motion(&lagging);
+                let motion = self.motion(&lagging)?;
+                return Some(self.balanced(lag, &lagging, motion));
             }
             best = best.min(moved);
             lambda = next;
         }
         None
+    }
+
+    /// The motion with the decay rate that balances its energy: of a body whose dashpots alone dissipate that has every digit, where the
+    /// eigenvalue has those of its own rounding. (M4), (M15)
+    fn balanced(&self, lag: &Lag<'_>, lagging: &Lagging, mut motion: Eigenmotion) -> Eigenmotion {
+        let Some(inverse) = self.slope.try_inverse() else { return motion };
+        if lag.has_materials() || !(motion.lambda.im.abs() > motion.lambda.re.abs()) {
+            return motion;
+        }
+        let momentum =
+            self.frame.map(C::from).transpose() * self.slope_of(lagging) * Vector3::from(motion.delta);
+        let plane = Vector2::new(momentum[1], momentum[2]);
+        let own = (plane.adjoint() * self.variation.map(C::from) * plane)[(0, 0)].re / self.ratio;
+        let [beside, power] = lag.energy_and_power(lagging, &motion, &inverse);
+        let energy = beside - 0.5 * own;
+        if energy != 0.0 {
+            motion.lambda.re = -power / (2.0 * energy);
+        }
+        motion
     }
 
     /// `|ω|Λ(∂K/∂ω)⁻¹L(∂K/∂ω + λL)⁻¹` across the axis. (M13)

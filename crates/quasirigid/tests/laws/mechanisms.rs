@@ -101,10 +101,11 @@ fn two_points_joined_only_to_each_other_are_a_mechanism() {
 }
 
 #[test]
-fn a_hinge_axis_without_stiffness_is_a_mechanism() {
+fn a_hinge_without_stiffness_about_a_skew_axis_is_a_mechanism() {
     let mut assembly = wobbler::assembly();
     assembly.hinged[0].stiffness = HingeCoefficient::PerAxis(vec![14.0, 0.0]);
-    assert_eq!(named(&assembly), (ElementKind::Hinged.at(0), "\"boom\" about axis 2".into()));
+    let hung = assembly.body().unwrap();
+    assert_eq!(hung.hung().unwrap().names(), "\"boom\" about axis 2", "a spin may restore it");
     assembly.hinged[0].stiffness = HingeCoefficient::Full(vec![vec![4.0, 2.0], vec![2.0, 1.0]]);
     let (place, coordinates) = named(&assembly);
     assert_eq!(place, ElementKind::Hinged.at(0));

@@ -163,8 +163,9 @@ fn wrong(drawn: &Drawn, mode: Mode, random: &mut Random) -> Option<String> {
     None
 }
 
-/// A body whose rotor decays nearer to the frequency of the rigid body than its nutation turns, which elasticity decides.
-const ONCE_WRONG: [u64; 1] = [325];
+/// A body whose rotor decays nearer to the frequency of the rigid body than its nutation turns, which elasticity decides; bodies whose wobble
+/// decays by 1e-13 and 2e-14 of its own frequency.
+const ONCE_WRONG: [u64; 3] = [325, 140, 204];
 
 /// Axes, units and the order of the parts change neither an eigenvalue nor what counts as neutral, of bodies with exactly and nearly equal
 /// moments; nothing grows about the axis of greatest inertia, and no nutation decays about that of least.

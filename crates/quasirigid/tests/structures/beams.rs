@@ -36,6 +36,7 @@ impl Cantilever {
         let nodes =
             places.enumerate().map(|(i, place)| FrameNode { name: format!("{i}"), position: place.into() });
         let member = |node: usize| Member {
+            name: String::new(),
             ends: [node, node + 1],
             section: self.section,
             up: Some((turned_axes() * Vector3::y()).into()),

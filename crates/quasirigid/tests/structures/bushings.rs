@@ -163,6 +163,7 @@ const SECTION: SectionShape =
 fn beam(name: &str, turn: Rotation3<f64>, [from, to]: [V; 2], mass: Option<f64>, density: f64) -> Part {
     let node = |name: &str, place: V| FrameNode { name: name.into(), position: (turn * place).into() };
     let member = Member {
+        name: String::new(),
         ends: [0, 1],
         section: SECTION,
         up: None,

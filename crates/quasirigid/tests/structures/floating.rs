@@ -29,6 +29,7 @@ fn booms(masses: Vec<TipMass>, attached: Vec<usize>) -> Part {
     let node = |name: &str, position| FrameNode { name: name.to_owned(), position };
     let material = Material { density: 2700.0, young: 70e9, poisson: 0.3, rheology: Rheology::Elastic };
     let member = |end: usize| Member {
+        name: String::new(),
         ends: [0, end],
         section: SectionShape::Rectangle { height: 4e-3, width: 6e-3 },
         up: Some((turned_axes() * Vector3::z()).into()),

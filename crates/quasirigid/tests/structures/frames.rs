@@ -26,7 +26,7 @@ fn boom(young: f64, elements: usize) -> Part {
     let section = SectionShape::Circle { radius: RADIUS };
     let kind = PartKind::Frame(Frame {
         nodes: vec![node("root", ROOT), node("tip", TIP)],
-        members: vec![Member { ends: [0, 1], section, up: None, material, elements }],
+        members: vec![Member { name: String::new(), ends: [0, 1], section, up: None, material, elements }],
     });
     Part { name: "boom".to_owned(), kind, masses: Vec::new(), attached: Vec::new(), rayleigh: [0.0; 2] }
 }

@@ -33,7 +33,7 @@ impl Boom {
         let section = SectionShape::Tube { radius: 0.015, thickness: 0.001 };
         let material =
             Material { density: 1600.0, young: self.young, poisson: 0.3, rheology: Rheology::Elastic };
-        let member = Member { ends: [0, 1], section, up: None, material, elements: 4 };
+        let member = Member { name: String::new(), ends: [0, 1], section, up: None, material, elements: 4 };
         let part = Part {
             name: "boom".to_owned(),
             kind: PartKind::Frame(Frame {

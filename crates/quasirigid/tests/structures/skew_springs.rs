@@ -176,6 +176,7 @@ fn beams(kept: usize) -> FlexibleBody {
     let node = |name: &str, position| FrameNode { name: name.to_owned(), position };
     let frame = |name: &str, nodes, ends: &[[usize; 2]], section: SectionShape| {
         let member = |ends: &[usize; 2]| Member {
+            name: String::new(),
             ends: *ends,
             section,
             up: Some([0.0, 0.0, 1.0]),

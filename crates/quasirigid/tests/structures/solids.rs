@@ -97,6 +97,7 @@ fn beam(material: &Material) -> Part {
     let tip = axes * Vector3::new(LENGTH, 0.0, 0.0) + Vector3::from(ROOT);
     let node = |name: &str, position| FrameNode { name: name.to_owned(), position };
     let member = Member {
+        name: String::new(),
         ends: [0, 1],
         section: SectionShape::Rectangle { height: HEIGHT, width: WIDTH },
         up: Some((axes * Vector3::y()).into()),

@@ -217,6 +217,7 @@ fn beams_move_as_their_markers() {
     let node = |(name, position): (&str, [f64; 3])| FrameNode { name: name.into(), position };
     let material = Material { density: 2700.0, young: 7e10, poisson: 0.3, rheology: Rheology::Elastic };
     let member = Member {
+        name: String::new(),
         ends: [0, 1],
         section: SectionShape::Tube { radius: 0.02, thickness: 0.002 },
         up: None,

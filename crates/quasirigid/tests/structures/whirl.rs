@@ -23,6 +23,7 @@ pub fn booms(braked: f64) -> FlexibleBody {
         let rheology = Rheology::QualityFactor { factor: 40.0 };
         let material = Material { density: 1600.0, young: 9e9, poisson: 0.3, rheology };
         let member = Member {
+            name: String::new(),
             ends: [0, 1],
             section: SectionShape::Rectangle { height: 0.02, width: 0.014 },
             up: None,

@@ -70,6 +70,7 @@ pub fn beam() -> Assembly {
     let rheology = Rheology::KelvinVoigt { time: 0.02 };
     let material = Material { density: 1600.0, young: 9e9, poisson: 0.3, rheology };
     let member = Member {
+        name: String::new(),
         ends: [0, 1],
         section: SectionShape::Rectangle { height: 0.03, width: 0.02 },
         up: None,

@@ -60,7 +60,14 @@ pub(super) fn beam(table: &Table<'_>, name: &str, sources: Sources<'_, '_>) -> O
     let attached = attached(table, &nodes);
     let (section, (material, extremes)) = (section?, material?);
     let (up, elements) = (up?, elements?);
-    let member = |ends: [usize; 2]| Member { ends, section, up, material: material.clone(), elements };
+    let member = |ends: [usize; 2]| Member {
+        ends,
+        section,
+        up,
+        name: String::new(),
+        material: material.clone(),
+        elements,
+    };
     let lines = lines?;
     if let Some(value) = table.get("elements") {
         value.room((lines.len() * elements) as f64, ELEMENT)?;

@@ -18,6 +18,7 @@ struct Draft {
     name: String,
     damping: Entries,
     loss: Option<(Rheology, Entries)>,
+    kelvin_voigt: Option<f64>,
 }
 
 impl Matrices {
@@ -42,11 +43,12 @@ impl Matrices {
             }
             damping.extend_from_slice(&viscous);
             stiffness.extend(elastic);
-            Draft::add(&mut drafts, &block.name, &viscous, loss);
+            let time = if let Rheology::KelvinVoigt { time } = block.rheology { Some(time) } else { None };
+            Draft::add(&mut drafts, &block.name, &viscous, loss, time);
         }
         for (name, entries) in friction {
             damping.extend_from_slice(entries);
-            Draft::add(&mut drafts, name, entries, None);
+            Draft::add(&mut drafts, name, entries, None, None);
         }
         let viscoelastic =
             |(rheology, entries)| Viscoelastic { rheology, stiffness: SparseRows::sum(size, entries) };
@@ -61,7 +63,13 @@ impl Matrices {
 
 impl Draft {
     /// Adds damping and loss to the dissipator of a name; an entry with neither adds none.
-    fn add(drafts: &mut Vec<Self>, name: &str, damping: &Entries, loss: Option<(Rheology, Entries)>) {
+    fn add(
+        drafts: &mut Vec<Self>,
+        name: &str,
+        damping: &Entries,
+        loss: Option<(Rheology, Entries)>,
+        kelvin_voigt: Option<f64>,
+    ) {
         let damping = damping.iter().copied().filter(|(_, _, entry)| *entry != 0.0);
         let mut damping = damping.peekable();
         if damping.peek().is_none() && loss.is_none() {
@@ -75,10 +83,11 @@ impl Draft {
             same && draft.name == name
         };
         let Some(draft) = drafts.iter_mut().find(joins) else {
-            drafts.push(Self { name: name.to_owned(), damping: damping.collect(), loss });
+            drafts.push(Self { name: name.to_owned(), damping: damping.collect(), loss, kelvin_voigt });
             return;
         };
         draft.damping.extend(damping);
+        draft.kelvin_voigt = [draft.kelvin_voigt, kelvin_voigt].into_iter().flatten().reduce(f64::max);
         match (&mut draft.loss, loss) {
             (Some((_, entries)), Some((_, more))) => entries.extend(more),
             (known @ None, more) => *known = more,
@@ -93,6 +102,7 @@ impl Draft {
             name: self.name,
             damping: SparseRows::sum(size, self.damping),
             loss: self.loss.map(viscoelastic),
+            kelvin_voigt: self.kelvin_voigt,
         }
     }
 }

@@ -11,10 +11,12 @@ use crate::math::eigen::NoConvergence;
 #[derive(Clone, Debug, Error, PartialEq)]
 pub enum SteadyError {
     /// A force is not constant in axes that rotate with the body.
-    #[error("{what} changes with time in axes that turn with the body: no steady state")]
+    #[error("{what} changes with time in axes that turn with the body{}: no steady state", part.as_ref().map_or_else(String::new, |part| format!(" ({part})")))]
     Changes {
         /// Force or support, in words.
         what: String,
+        /// Part of it that changes most, in words, where a part was found to change.
+        part: Option<String>,
     },
     /// The rate of an orbit changes along its path.
     #[error(

@@ -53,7 +53,10 @@ pub(super) fn check(
         for (forces, what, now) in &now {
             let then = loads(forces, &later);
             if changed(now, &then) {
-                return Err(SteadyError::Changes { what: format!("{what}, by {},", varies(now, &then)) });
+                return Err(SteadyError::Changes {
+                    what: what.clone(),
+                    part: Some(varies(now, &then).into()),
+                });
             }
         }
     }

@@ -81,6 +81,7 @@ impl Turning {
             if placed && !rests(body) && found.set.is_none() {
                 return Err(SteadyError::Changes {
                     what: "the velocity of the support, which a force feels,".into(),
+                    part: None,
                 });
             }
             let velocity = near.velocity;
@@ -115,7 +116,7 @@ impl Found {
             (a(k + 1) - expected).norm() <= SAME * (rate.norm() * a(k).norm() + a(k + 1).norm())
         };
         if !(rate.norm() > 0.0 && rate.norm().is_finite() && (0..7).all(follows)) {
-            return Err(SteadyError::Changes { what: "the acceleration of the support".into() });
+            return Err(SteadyError::Changes { what: "the acceleration of the support".into(), part: None });
         }
         self.set(rate, "the support".into(), false)?;
         Ok(V::zeros())
@@ -129,7 +130,8 @@ impl Found {
         acceleration: &mut V,
     ) -> Result<(), SteadyError> {
         let named = format!("the force {:?}", force.name);
-        let changes = || Err(SteadyError::Changes { what: format!("the force {:?}", force.name) });
+        let changes =
+            || Err(SteadyError::Changes { what: format!("the force {:?}", force.name), part: None });
         match &force.law {
             ForceLaw::UniformGravity { acceleration: g } => *acceleration += V::from(*g),
             ForceLaw::CentralGravity { orbit } => self.orbit(&force.name, orbit)?,
@@ -195,7 +197,7 @@ impl Found {
             |axis: V| move |(other, _): &&(V, String)| other.cross(&axis).norm() > SAME * other.norm();
         if let Some((rate, what, orbit)) = self.set {
             return match self.directions.iter().find(across(rate.normalize())) {
-                Some((_, what)) => Err(SteadyError::Changes { what: what.clone() }),
+                Some((_, what)) => Err(SteadyError::Changes { what: what.clone(), part: None }),
                 None => Ok(Turning::Set { rate, what, orbit }),
             };
         }

@@ -41,6 +41,9 @@ pub struct Member {
     /// Direction of the `y` axis of the section, projected across the beam; none for the axis of the file's frame that is the least
     /// parallel to the beam.
     pub up: Option<[f64; 3]>,
+    /// Name of the material, by which its share of the dissipation is told; it may be empty.
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub name: String,
     /// Material of the member.
     pub material: Material,
     /// Number of elements, one or more.
@@ -104,7 +107,7 @@ impl Frame {
             let chain: Vec<usize> =
                 std::iter::once(start).chain(inner..inner + steps - 1).chain([end]).collect();
             inner += steps - 1;
-            let material = structure.material(&member.material.rheology, rayleigh);
+            let material = structure.named_material(&member.name, &member.material.rheology, rayleigh);
             for pair in chain.windows(2) {
                 let nodes = [pair[0], pair[1]];
                 let beam = member.beam(place, nodes.map(|node| places[node - first]))?;

@@ -165,7 +165,8 @@ mod tests {
     #[test]
     fn wheels_beside_rotors_stand_still() {
         let wheel = "[[wheel]]\nname = \"bias\"\naxis = [0, 0, 1]\nmomentum = 0.1\n";
-        let scene = scene(&format!("{}\n{wheel}", text("friction-wheel")));
+        let model = text("friction-wheel").replace("evolve = {}\n", "");
+        let scene = scene(&format!("{model}\n{wheel}"));
         let turning: Vec<_> = scene.pieces.iter().filter_map(|piece| piece.turning.as_ref()).collect();
         assert_eq!(turning.iter().map(|turning| turning.rotor).collect::<Vec<_>>(), [0]);
         assert!(scene.track.unwrap().rotors.unwrap().0.iter().any(|angle| *angle > 0.0));

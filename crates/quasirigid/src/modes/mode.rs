@@ -155,7 +155,10 @@ impl SpinModes {
                 continue;
             }
             let (lambda, x) = kept.unwrap_or(start);
-            let mut mode = frame.mode(&pencil, motion.lambda, (lambda, &x), Some(i) == nutation);
+            let balanced = of_spectrum && !pencil.is_nonlinear();
+            let decay = if balanced { frame.decay_of_motion(motion) } else { -motion.lambda.re };
+            let of_motion = [decay, motion.lambda.im];
+            let mut mode = frame.mode(&pencil, of_motion, (lambda, &x), Some(i) == nutation);
             if !of_spectrum {
                 mode.decay_rate = -lambda.re;
                 mode.neutral = sources[i] == Source::Neutral;
@@ -254,7 +257,7 @@ impl Frame<'_> {
     fn mode(
         &self,
         pencil: &Pencil,
-        of_motion: Complex<f64>,
+        of_motion: [f64; 2],
         (lambda, x): (Complex<f64>, &[Complex<f64>]),
         nutation: bool,
     ) -> SpinMode {
@@ -277,7 +280,7 @@ impl Frame<'_> {
         SpinMode {
             decay_rate: self.decay(pencil, lambda, (delta, &rate, &q), total),
             frequency: if lambda.im.abs() > ROUNDING * lambda.norm() { lambda.im.abs() } else { 0.0 },
-            of_motion: [-of_motion.re, of_motion.im],
+            of_motion,
             nutation,
             neutral: false,
             name,

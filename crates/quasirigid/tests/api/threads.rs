@@ -111,6 +111,7 @@ fn public_types_are_send_sync_and_debug() {
     crosses::<model::Follower>();
     crosses::<model::Gimbal>();
     crosses::<model::Hinge>();
+    crosses::<model::Hung>();
     crosses::<model::Inertia>();
     crosses::<model::InertiaError>();
     crosses::<model::Invariants>();

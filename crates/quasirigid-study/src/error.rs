@@ -203,8 +203,11 @@ pub enum StudyError {
     },
     /// A driven pole.
     DrivenPole,
-    /// Momentum wheels.
-    Wheels,
+    /// Request that has no meaning for a body with momentum wheels.
+    Wheels {
+        /// What holds instead.
+        what: &'static str,
+    },
     /// A body at one end of the ranges of the materials.
     Extreme {
         /// Error of the element.
@@ -440,9 +443,7 @@ impl StudyError {
             Self::DrivenPole => {
                 "the pole of this body is driven, so its rotation is not free; evolve follows free bodies and fixed points".into()
             }
-            Self::Wheels => {
-                "this body has momentum wheels, and averaging assumes torque-free rotation without stored angular momentum; follow it with `simulate`, or see in `modes` how fast its nutation grows or decays".into()
-            }
+            Self::Wheels { what } => format!("the evolution of a body with momentum wheels: {what}"),
             _ => String::new(),
         }
     }

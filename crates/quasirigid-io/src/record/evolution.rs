@@ -12,7 +12,8 @@ use super::{Column, number};
 ///
 /// The columns are `t`, `D_over_I3`, `circled_axis` (1 of least, 3 of greatest inertia), `nutation_min` and
 /// `nutation_max` (angle between the angular momentum and that axis), `energy`, `momentum`, `polhode_period`,
-/// `precession_period`, `power`, that of the reduced equations beside it, `polynomial_power`, and `turns`.
+/// `precession_period`, `power`, that of the reduced equations beside it, `polynomial_power`, and `turns`. A body with momentum wheels
+/// circles a steady spin about no principal axis: its `circled_axis` is 0, and `D_over_I3` is not known.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 pub struct EvolutionRecord {
     /// The answer, in one or two sentences.
@@ -37,7 +38,7 @@ pub struct EvolutionRecord {
     #[serde(with = "number")]
     #[serde(rename = "momentum")]
     pub angular_momentum: f64,
-    /// Mode at the start: `short-axis` or `long-axis`.
+    /// Mode at the start: `short-axis` or `long-axis`; `steady-spin` of a body with momentum wheels, which circles no principal axis.
     pub mode_start: String,
     /// Mode at the end.
     pub mode_end: String,
@@ -78,7 +79,7 @@ pub struct EvolutionRecord {
     /// Time spent within 1 % of the separatrix (s); none when the evolution does not come so near.
     #[serde(with = "number")]
     pub lingering: Option<f64>,
-    /// Time in which a small wobble about the axis of greatest inertia decays by e (s).
+    /// Time in which a small wobble about the axis of greatest inertia decays by e (s), or about the steady spin that attracts.
     #[serde(with = "number::unbounded")]
     pub damping_time: f64,
     /// Time in which a small wobble about the axis of least inertia grows by e (s).

@@ -620,7 +620,7 @@ class Evolution(_Tabled):
 
     @property
     def mode_start(self) -> str:
-        """``short-axis`` or ``long-axis``, at the start."""
+        """``short-axis`` or ``long-axis``, at the start; ``steady-spin`` with momentum wheels."""
         return str(self._parts["json"]["mode"]["start"])
 
     @property

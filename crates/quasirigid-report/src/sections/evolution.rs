@@ -36,16 +36,18 @@ pub fn section(evolution: &EvolutionRecord) -> Markup {
             dl {
                 (time(evolution))
                 (revolutions(evolution))
-                (mode(evolution))
+                @if of_axes(evolution) { (mode(evolution)) }
                 (power(evolution))
             }
             (nutation(evolution).draw())
             (power_figure(evolution).draw())
-            (map(evolution).draw())
+            @if of_axes(evolution) { (map(evolution).draw()) }
             (bars("What dissipates at the start", &evolution.dissipation))
             @if !evolution.harmonics.is_empty() { (harmonics_figure(evolution).draw()) }
-            (harmonics(&evolution.harmonics))
-            (resonances(&evolution.resonances, evolution.approach.as_ref()))
+            @if of_axes(evolution) {
+                (harmonics(&evolution.harmonics))
+                (resonances(&evolution.resonances, evolution.approach.as_ref()))
+            }
             (details(evolution))
         }
     }
@@ -86,6 +88,11 @@ fn separatrix(evolution: &EvolutionRecord, seconds: f64) -> Markup {
             _ => ".",
         }
     }
+}
+
+/// Whether the angular momentum circles axes of inertia, as it does without momentum wheels.
+fn of_axes(evolution: &EvolutionRecord) -> bool {
+    axis(&evolution.mode_end).is_some()
 }
 
 /// The axis that the angular momentum circles in a mode.
@@ -218,16 +225,18 @@ fn details(evolution: &EvolutionRecord) -> Markup {
     let told =
         |(place, rotation): (_, Option<ObservedRecord>)| rotation.map(|it| (place, html! { (observed(it)) }));
     rows.extend(ends.into_iter().filter_map(told));
-    rows.extend([
-        (
-            "Small wobble about the axis of greatest inertia, decay by e",
-            html! { (until(evolution.damping_time)) },
-        ),
-        (
-            "Small wobble about the axis of least inertia, growth by e",
-            html! { (until(evolution.growth_time)) },
-        ),
-    ]);
+    let damping = html! { (until(evolution.damping_time)) };
+    if of_axes(evolution) {
+        rows.extend([
+            ("Small wobble about the axis of greatest inertia, decay by e", damping),
+            (
+                "Small wobble about the axis of least inertia, growth by e",
+                html! { (until(evolution.growth_time)) },
+            ),
+        ]);
+    } else {
+        rows.push(("Small wobble about the steady spin that attracts, decay by e", damping));
+    }
     if !evolution.estimates.is_empty() {
         rows.push(("Published estimates of the decay", html! { (estimates(&evolution.estimates)) }));
     }

@@ -1,9 +1,11 @@
 //! Secular evolution: request, method, times and record.
 
 mod approach;
+mod gyrostat;
 mod method;
 mod secular;
 mod table;
+mod unanswered;
 mod words;
 
 use std::ops::ControlFlow;
@@ -64,6 +66,9 @@ impl Asked {
 
 /// Rows of the history unless another number is given.
 const SAMPLES: usize = 201;
+
+/// Mode of a body with momentum wheels, which circles no principal axis.
+const STEADY_SPIN: &str = "steady-spin";
 
 /// An evolution that was followed.
 #[derive(Clone, Debug)]
@@ -150,7 +155,7 @@ pub(crate) fn follow(
         return Err(StudyError::DrivenPole);
     }
     if !body.wheels().is_empty() {
-        return Err(StudyError::Wheels);
+        return gyrostat::follow(study, start, asked, observer);
     }
     let torque = SlowTorque::from_forces(forces)?;
     let reduced = study.reduced(*order)?;

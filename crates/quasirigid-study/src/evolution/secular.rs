@@ -21,6 +21,7 @@ use quasirigid_math::vec3::norm;
 use super::approach::approach;
 use super::method::{Outlook, Refusal, Verdict};
 use super::table::EvolutionTable;
+use super::unanswered::unanswered;
 use super::{Asked, words};
 use crate::error::StudyError;
 use crate::words::shares;
@@ -130,36 +131,9 @@ impl SecularEvolution {
         let folding = |mode| verdict.folding(mode).unwrap_or(f64::NAN);
         let (damping_time, growth_time) = (folding(Mode::ShortAxis), folding(Mode::LongAxis));
         EvolutionRecord {
-            sentence: format!("NO ANSWER: {message}."),
-            road: "none".into(),
-            verdict: String::new(),
-            method: "none: no method holds here".into(),
-            status: "refused".into(),
-            message: format!("No answer: {message}."),
-            angular_momentum: self.initial.angular_momentum(),
-            mode_start: mode(self.initial.mode()).into(),
-            mode_end: mode(self.initial.mode()).into(),
-            ratio_start: f64::NAN,
-            ratio_end: f64::NAN,
-            start: None,
-            end: None,
-            time: f64::NAN,
-            time_error: None,
-            time_range: None,
-            revolutions: f64::NAN,
-            power: f64::NAN,
-            dissipation: std::collections::BTreeMap::new(),
-            separatrix_time: None,
-            lingering: None,
             damping_time,
             growth_time,
-            not_known: Vec::new(),
-            estimates: Vec::new(),
-            homogeneous: None,
-            harmonics: Vec::new(),
-            resonances: Vec::new(),
-            approach: None,
-            columns: Vec::new(),
+            ..unanswered(&message, self.initial.angular_momentum(), mode(self.initial.mode()))
         }
         .with_unknown_named()
     }
@@ -481,7 +455,7 @@ const ENERGY: usize = 5;
 const PERIOD: usize = 7;
 const POWER: usize = 9;
 /// Columns of the table, each with its unit.
-const COLUMNS: [(&str, &str); 12] = [
+pub const COLUMNS: [(&str, &str); 12] = [
     ("t", "s"),
     ("D_over_I3", "1"),
     ("circled_axis", "1"),

@@ -7,9 +7,9 @@ use quasirigid::averaging::{DriftHistory, DriftStopReason, MeanPower, RotationSt
 use quasirigid_io::record::{Column, EstimateRecord, EvolutionRecord, HomogeneousRecord, ObservedRecord};
 use quasirigid_io::visible::one_line;
 
-use super::Asked;
 use super::secular::SecularEvolution;
 use super::table::EvolutionTable;
+use super::{Asked, STEADY_SPIN};
 use crate::layout::paragraph;
 use crate::words::{count, dissipation, significant, time};
 
@@ -205,7 +205,7 @@ fn write(out: &mut String, name: &str, record: &EvolutionRecord) -> fmt::Result 
     table(out, &record.columns)?;
     writeln!(out)?;
     for (place, rotation) in [("start", record.start), ("end", record.end)] {
-        if let Some(rotation) = rotation {
+        if let Some(rotation) = rotation.filter(|rotation| !rotation.rotation_period.is_nan()) {
             writeln!(out, "  {:<25}  {}", format!("periods at the {place}"), periods(&rotation))?;
         }
     }
@@ -226,7 +226,9 @@ fn write(out: &mut String, name: &str, record: &EvolutionRecord) -> fmt::Result 
         writeln!(out, "{}", paragraph(&text, "  ", "      "))?;
     }
     harmonics(out, record)?;
-    resonances(out, record)?;
+    if record.mode_end != STEADY_SPIN {
+        resonances(out, record)?;
+    }
     writeln!(out, "{}", paragraph(&format!("Power: {}.", record.method), "\n  ", "  "))
 }
 
@@ -243,7 +245,7 @@ fn made_of(body: &HomogeneousRecord) -> String {
 /// An evolution that no method leads along.
 fn refused(out: &mut String, name: &str, record: &EvolutionRecord) -> fmt::Result {
     writeln!(out, "{}", paragraph(&format!("{name}: {}", record.sentence), "", "  "))?;
-    if record.damping_time.is_nan() && record.growth_time.is_nan() {
+    if record.damping_time.is_nan() && (record.growth_time.is_nan() || record.mode_end == STEADY_SPIN) {
         return Ok(());
     }
     writeln!(out)?;
@@ -289,6 +291,9 @@ fn small_wobbles(out: &mut String, record: &EvolutionRecord) -> fmt::Result {
         _ if seconds.is_nan() => "is not known".to_owned(),
         _ => format!("{verb} e-fold in {}", time(seconds)),
     };
+    if record.mode_end == STEADY_SPIN {
+        return writeln!(out, "  small wobble               {}", folding("falls", record.damping_time));
+    }
     writeln!(out, "  small wobble, short axis   {}", folding("falls", record.damping_time))?;
     writeln!(out, "  small wobble, long axis    {}", folding("grows", record.growth_time))
 }
@@ -297,20 +302,26 @@ fn table(out: &mut String, columns: &[Column]) -> fmt::Result {
     let [t, ratio, axis, least, greatest, power, revolutions] =
         ["t", "D_over_I3", "circled_axis", "nutation_min", "nutation_max", "power", "turns"]
             .map(|name| column(columns, name));
-    writeln!(out, "\n            time revolutions     D/I3  mode   wobble, degrees       power, W")?;
+    let of_axes = axis.iter().any(|circled| *circled > 0.0);
+    let places = if of_axes { "    D/I3  mode   " } else { "" };
+    writeln!(out, "\n            time revolutions {places}wobble, degrees       power, W")?;
     let rows = t.len();
     let shown = ROWS.min(rows);
     for i in 0..shown {
         let row = if shown < 2 { 0 } else { i * (rows - 1) / (shown - 1) };
         let mode = if axis[row] == 3.0 { "short" } else { "long" };
+        let place = if of_axes { format!("{:>8.5}  {mode:<5}  ", ratio[row]) } else { String::new() };
         let wobble = [least, greatest].map(|angle| significant(angle[row].to_degrees(), 3));
-        let wobble = format!("{} to {}", wobble[0], wobble[1]);
+        let wobble = if greatest[row].is_nan() {
+            format!("over {}", wobble[0])
+        } else {
+            format!("{} to {}", wobble[0], wobble[1])
+        };
         writeln!(
             out,
-            "  {:>14} {:>11} {:>8.5}  {mode:<5}  {wobble:<18} {:>11}",
+            "  {:>14} {:>11} {place}{wobble:<18} {:>11}",
             time(t[row]),
             count(revolutions[row]),
-            ratio[row],
             significant(power[row], 4)
         )?;
     }

@@ -114,6 +114,23 @@ impl RelativeEquilibrium {
         }
     }
 
+    /// Relative equilibrium next to an angular velocity (rad/s) that is nearly one, as that of the frozen body. (M1)
+    ///
+    /// # Errors
+    /// [`EquilibriumError`] if Newton's method does not lead to one.
+    pub fn next_to(body: &FlexibleBody, omega: [f64; 3], given: Given) -> Result<Self, EquilibriumError> {
+        let (Given::Rate(value) | Given::AngularMomentum(value)) = given;
+        let rate = norm(omega);
+        if !(value > 0.0 && value.is_finite() && rate > 0.0 && rate.is_finite()) {
+            return Err(EquilibriumError::NoSpin { value });
+        }
+        let K = add(body.inertia().map(|row| dot(row, omega)), body.wheels().angular_momentum(0.0));
+        let guess = Guess { omega: omega.into(), ratio: dot(K, omega) / (rate * rate) };
+        let axis = scale(rate.recip(), omega);
+        let found = guess.newton(body, given, axis).map(|(found, balanced)| found.finish(body, balanced));
+        found.ok_or(EquilibriumError::NotFound { axis, reached: 0.0 })
+    }
+
     /// Relative equilibria next to the principal axes of the frozen body, in the order of ascending moments. (M1)
     pub fn all(body: &FlexibleBody, given: Given) -> [Result<Self, EquilibriumError>; 3] {
         Principal::compute(body.invariants().J).axes.map(|axis| Self::near(body, axis, given))

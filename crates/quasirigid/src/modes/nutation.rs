@@ -7,9 +7,9 @@ use super::mode::{Frame, OVERDAMPED, kinetic};
 use super::shares::moving;
 use super::slow::SlowDirection;
 use super::spectrum::Eigenmotion;
+use crate::math::sphere::tangents;
 use crate::math::sym3;
 use crate::math::vec3::{self, norm, scale};
-use crate::model::Principal;
 
 /// Share of the largest tilt of the angular momentum from which a mode may be the nutation.
 const CLEAR: f64 = 0.1;
@@ -53,15 +53,8 @@ impl Frame<'_> {
     /// the rigid body, of equally near ones that of the largest tilt; an oscillating one, if near enough or of the largest tilt of all. About the middle axis, where the rigid body leaves it and returns to it without
     /// oscillation, two of opposite sign.
     fn nutation(&self, found: &[Eigenmotion], tilts: &[f64]) -> Vec<usize> {
-        let spin = norm(self.equilibrium.omega);
-        let axis = scale(spin.recip(), self.equilibrium.omega);
-        let J = self.coefficients.inertia;
-        let along = vec3::dot(axis, sym3::times(J, axis));
-        let mut across = Principal::compute(J).moments;
-        across.sort_by(|a, b| (b - along).abs().total_cmp(&(a - along).abs()));
-        let [A, B, _] = across;
-        let product = (along - A) * (along - B) / (A * B);
-        let rigid = spin * product.abs().sqrt();
+        let product = self.rigid_product();
+        let rigid = product.abs().sqrt();
         let near = |i: &usize| (found[*i].lambda.norm() / rigid).ln().abs();
         let most = |candidates: &[usize]| candidates.iter().map(|i| tilts[*i]).fold(0.0, f64::max);
         let nearest = |candidates: &[usize]| {
@@ -90,6 +83,19 @@ impl Frame<'_> {
             .or_else(|| nearest(&all))
             .into_iter()
             .collect()
+    }
+
+    /// Square of the frequency (rad²/s²) of the rigid body beside its steady spin, negative where it leaves it: `K²` times the determinant of
+    /// `J⁻¹ − 1/Λ` across the axis.
+    fn rigid_product(&self) -> f64 {
+        let K = self.equilibrium.angular_momentum;
+        let [first, second] = tangents(scale(norm(K).recip(), K));
+        let inverse = sym3::inverse(self.coefficients.inertia);
+        let excess = |a: [f64; 3], b: [f64; 3]| {
+            vec3::dot(a, sym3::times(inverse, b)) - vec3::dot(a, b) / self.equilibrium.ratio
+        };
+        let determinant = excess(first, first) * excess(second, second) - excess(first, second).powi(2);
+        vec3::dot(K, K) * determinant
     }
 
     /// Square of the tilt of the angular momentum from the axis, per kinetic energy of the mode.

@@ -7,7 +7,8 @@ use std::ops::ControlFlow;
 
 use super::direct::{DirectOptions, DirectRow, DirectRun, DirectStopReason};
 use crate::dynamics::{FullState, Observer, Options, Outcome, Sample};
-use crate::model::{FlexibleBody, Mode};
+use crate::model::{FlexibleBody, Mode, Principal};
+use crate::modes::RelativeEquilibrium;
 use crate::submanifold::{
     ManifoldStart, Masters, SpinManifold, SpinManifoldPlan, Style, SubmanifoldError, propagate_on_manifold,
 };
@@ -57,11 +58,40 @@ pub fn follow_on_manifold(
     options: &DirectOptions,
     watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
 ) -> Result<Option<ManifoldHistory>, SubmanifoldError> {
+    follow(body, mode, None, start, options, watch)
+}
+
+/// As [`follow_on_manifold`] about a steady spin that is known, as one of a body with momentum wheels. (Q10)
+///
+/// # Errors
+/// [`SubmanifoldError`] if there are no such equations.
+pub fn follow_about(
+    body: &FlexibleBody,
+    spin: &RelativeEquilibrium,
+    start: &FullState,
+    options: &DirectOptions,
+    watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
+) -> Result<Option<ManifoldHistory>, SubmanifoldError> {
+    let [mode, _] = Principal::compute(body.invariants().J).nearest(spin.angular_momentum);
+    follow(body, mode, Some(spin), start, options, watch)
+}
+
+fn follow(
+    body: &FlexibleBody,
+    mode: Mode,
+    about: Option<&RelativeEquilibrium>,
+    start: &FullState,
+    options: &DirectOptions,
+    watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
+) -> Result<Option<ManifoldHistory>, SubmanifoldError> {
     let angular_momentum = start.angular_momentum(body);
     for degree in DEGREES {
         let (masters, style) = (Masters::Automatic, Style::NormalForm);
         let plan = SpinManifoldPlan { mode, angular_momentum, masters, degree, style };
-        let manifold = SpinManifold::derive(body, &plan, watch)?;
+        let manifold = match about {
+            Some(spin) => SpinManifold::about(body, spin.clone(), &plan, watch)?,
+            None => SpinManifold::derive(body, &plan, watch)?,
+        };
         if manifold.unstable().is_some() {
             return Ok(None);
         }

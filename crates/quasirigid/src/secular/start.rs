@@ -8,11 +8,17 @@ const STEPS: usize = 60;
 /// Relative change of an angular velocity that is rounding.
 const SETTLED: f64 = 1e-14;
 
-/// Displacements of the steady spin of the same size about the principal axis next to an angular velocity (rad/s). (Q8)
+/// Displacements of the steady spin of the same size about the principal axis next to an angular velocity (rad/s); with momentum wheels,
+/// whose steady spins have other axes, those in balance with the angular velocity itself. (Q8)
 ///
 /// # Errors
 /// [`EquilibriumError`] if there is no such steady spin.
 pub fn spun_displacements(body: &FlexibleBody, omega: [f64; 3]) -> Result<Vec<f64>, EquilibriumError> {
+    if !body.wheels().is_empty() {
+        let axis = scale(norm(omega).recip(), omega);
+        let balanced = body.balanced(omega).ok_or(EquilibriumError::NotFound { axis, reached: 0.0 })?;
+        return Ok(balanced.q);
+    }
     Ok(RelativeEquilibrium::near(body, nearest(body, omega), Given::Rate(norm(omega)))?.q)
 }
 

@@ -76,7 +76,21 @@ impl<'a> SpinManifold<'a> {
         if dot(near.angular_momentum, plan.angular_momentum) < 0.0 {
             near = RelativeEquilibrium::near(body, scale(-1.0, near.omega), given)?;
         }
-        let spin = SteadySpin::polished(body, &near, angular_momentum)?;
+        Self::about(body, near, plan, watch)
+    }
+
+    /// Derives the reduced equations about a steady spin that is known, as one of a body with momentum wheels. (W3), (W4)
+    ///
+    /// # Errors
+    /// [`SubmanifoldError`].
+    pub fn about(
+        body: &'a FlexibleBody,
+        near: RelativeEquilibrium,
+        plan: &SpinManifoldPlan,
+        watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
+    ) -> Result<Self, SubmanifoldError> {
+        check(body, plan)?;
+        let spin = SteadySpin::polished(body, &near, norm(plan.angular_momentum))?;
         let Chosen { masters, modes, mut outer } = choose(body, near, &spin, &plan.masters)?;
         outer.sort_by(|a, b| a.decay_rate.hypot(a.frequency).total_cmp(&b.decay_rate.hypot(b.frequency)));
         let system = ExpandedMotion::of(body);

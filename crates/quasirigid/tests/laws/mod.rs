@@ -28,6 +28,7 @@ mod forces;
 mod forms;
 mod full;
 mod gravity;
+mod gyrostats;
 mod harmonics;
 mod hinged_lagrangian;
 mod inertia;

@@ -1,6 +1,6 @@
 //! Choice of level curves of the slow energy.
 
-use quasirigid::averaging::{LevelEvolution, LevelStopReason, Until};
+use quasirigid::averaging::{LevelError, LevelEvolution, LevelPassage, LevelStopReason, Until};
 use quasirigid::model::Principal;
 use quasirigid::reduction::frequencies;
 use quasirigid_io::model::Target;
@@ -46,14 +46,8 @@ impl Choice<'_> {
             (None, None) => Until::EnergyLeft(0.01),
         };
         let angular_momentum = self.way.start.angular_momentum(self.body);
-        let found = LevelEvolution::new(&reduced, norm(angular_momentum)).and_then(|levels| {
-            let passage = levels.follow(angular_momentum, until, asked.samples)?;
-            let taken = passage.rows.last().map_or(0.0, |row| row.time);
-            match self.duration.filter(|duration| *duration < taken) {
-                Some(duration) => levels.follow(angular_momentum, Until::Duration(duration), asked.samples),
-                None => Ok(passage),
-            }
-        });
+        let found = LevelEvolution::new(&reduced, norm(angular_momentum))
+            .and_then(|levels| passage(&levels, angular_momentum, until, asked));
         Some(match found {
             Ok(passage) => match passage.ending {
                 LevelStopReason::Reached | LevelStopReason::Duration => {
@@ -67,5 +61,20 @@ impl Choice<'_> {
             },
             Err(error) => Err(error.to_string()),
         })
+    }
+}
+
+/// Levels from an angular momentum (N·m·s, body axes) to a target, or to the time asked for if that is before it.
+pub fn passage(
+    levels: &LevelEvolution,
+    angular_momentum: [f64; 3],
+    until: Until,
+    asked: &Asked,
+) -> Result<LevelPassage, LevelError> {
+    let passage = levels.follow(angular_momentum, until, asked.samples)?;
+    let taken = passage.rows.last().map_or(0.0, |row| row.time);
+    match asked.duration.filter(|duration| *duration < taken) {
+        Some(duration) => levels.follow(angular_momentum, Until::Duration(duration), asked.samples),
+        None => Ok(passage),
     }
 }

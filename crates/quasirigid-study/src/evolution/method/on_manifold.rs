@@ -11,7 +11,7 @@ use crate::error::StudyError;
 use crate::words::significant;
 
 /// Number of coordinates up to which the reduced equations about a spin are tried unasked.
-const FEW: usize = 150;
+pub const FEW: usize = 150;
 
 impl Choice<'_> {
     /// The history of the reduced equations about the spin, tried without having been asked for; none where they do not hold.

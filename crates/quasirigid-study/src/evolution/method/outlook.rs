@@ -68,7 +68,7 @@ impl Outlook {
     }
 
     /// Announces work that takes so many seconds; the reason why it is not done, if it takes too long.
-    fn allows(&self, what: &str, seconds: f64, method: &str) -> Result<(), String> {
+    pub fn allows(&self, what: &str, seconds: f64, method: &str) -> Result<(), String> {
         if !self.asked && seconds + self.start.elapsed().as_secs_f64() > BEGUN {
             return Err(format!(
                 "{what} would take about {}, and no more than {} is worked without being asked; the method {method}, asked for, does it",

@@ -1,0 +1,130 @@
+//! Answer of an evolution with momentum wheels: its rows, of a history or of a small wobble that falls at the rate of the modes.
+
+use std::f64::consts::TAU;
+
+use quasirigid::secular::{DirectRow, DirectRun, DirectStopReason};
+use quasirigid_math::vec3::norm;
+
+use super::ground::Ground;
+use crate::evolution::Asked;
+use crate::evolution::method::Verdict;
+use crate::words::significant;
+
+/// Greatest wobble (rad) from which the modes alone are followed behind the full system.
+pub const BEHIND: f64 = 0.01;
+
+/// Row of an evolution.
+#[derive(Clone, Copy, Debug)]
+pub struct Row {
+    pub t: f64,
+    pub revolutions: f64,
+    pub energy: f64,
+    /// Least and greatest angle (rad) from the steady spin circled.
+    pub nutation: [f64; 2],
+    /// Periods (s) of the wobble in the body and of the long axis about the angular momentum; not a number where they are not known.
+    pub periods: [f64; 2],
+    pub power: f64,
+}
+
+/// Evolution that was followed.
+pub struct Answer {
+    pub verdict: Verdict,
+    pub rows: Vec<Row>,
+    /// Angular momentum (N·m·s, body axes) and energy (J) of the steady spin that attracts.
+    pub attractor: [f64; 3],
+    pub steady: f64,
+    pub rate: Option<f64>,
+    /// Time (s) at which a separatrix was passed.
+    pub crossed: Option<f64>,
+}
+
+impl Ground<'_> {
+    pub fn start(&self) -> Row {
+        self.row(DirectRow { t: 0.0, energy: self.energy, dissipated: 0.0, revolutions: 0.0 }, f64::NAN)
+    }
+
+    fn row(&self, DirectRow { t, energy, revolutions, .. }: DirectRow, power: f64) -> Row {
+        let nutation = self.wobble.nutation(energy);
+        Row { t, revolutions: revolutions.abs(), energy, nutation, periods: [f64::NAN; 2], power }
+    }
+
+    pub fn answer(&self, verdict: Verdict, rows: Vec<Row>) -> Answer {
+        let attractor = self.pole.modes.equilibrium.angular_momentum;
+        Answer { verdict, rows, attractor, steady: self.steady(), rate: self.rate(), crossed: None }
+    }
+
+    /// Rows of a history, evenly in time.
+    pub fn of_run(&self, run: &DirectRun, verdict: Verdict, samples: usize) -> Answer {
+        let rows = &run.rows;
+        let end = rows[rows.len() - 1];
+        let last = samples.saturating_sub(1).max(1);
+        let half = 0.5 * self.nutation().map_or(0.0, |mode| TAU / mode.frequency).min(end.t);
+        let power = |i: usize| {
+            let first = rows.partition_point(|row| row.t < rows[i].t - half).min(i.saturating_sub(1));
+            let after = rows.partition_point(|row| row.t <= rows[i].t + half).max(i + 2) - 1;
+            let (a, b) = (rows[first], rows[after.min(rows.len() - 1)]);
+            if b.t > a.t { (b.dissipated - a.dissipated) / (b.t - a.t) } else { 0.0 }
+        };
+        let mut chosen: Vec<usize> = (0..=last)
+            .map(|i| rows.partition_point(|row| row.t < end.t * i as f64 / last as f64).min(rows.len() - 1))
+            .collect();
+        chosen.dedup();
+        let rows = chosen.into_iter().map(|i| self.row(rows[i], power(i))).collect();
+        let names = self.body.dissipators().iter().map(|each| each.name.clone());
+        let budget = Some(names.zip(run.budget.iter().copied()).collect());
+        self.answer(Verdict { budget, ..verdict }, rows)
+    }
+
+    /// A run of the full system, and the modes behind it.
+    pub fn with_tail(&self, run: DirectRun, goal: Option<f64>, asked: &Asked) -> Answer {
+        let (first, end) = (run.rows[0], run.rows[run.rows.len() - 1]);
+        let verdict = Verdict {
+            road: "direct",
+            sentence: "The full system was followed from start to end; the wobble is its envelope.".into(),
+            error: Some(run.energy_drift.abs() / (first.energy - end.energy).abs()),
+            ..Verdict::default()
+        };
+        let mut answer = self.of_run(&run, verdict, asked.samples);
+        let ended = goal.is_some_and(|goal| end.energy <= goal * (1.0 + f64::EPSILON));
+        if ended || run.ending == DirectStopReason::Finished {
+            return answer;
+        }
+        let left = asked.duration.map(|duration| duration - end.t);
+        if let Ok(tail) = self.tail(self.row(end, f64::NAN), goal, left, asked.samples) {
+            answer.verdict.sentence = format!(
+                "The full system was followed until its wobble was {} degrees, and the rate of the nutation from there on; the wobble is the envelope.",
+                significant(BEHIND.to_degrees(), 2)
+            );
+            answer.rows.extend(&tail[1..]);
+        }
+        answer
+    }
+
+    /// Rows of a small wobble that falls at the rate of the modes, from a row to an energy (J) or for a time (s).
+    pub fn tail(
+        &self,
+        from: Row,
+        goal: Option<f64>,
+        duration: Option<f64>,
+        samples: usize,
+    ) -> Result<Vec<Row>, String> {
+        let rate = self.rate().filter(|rate| *rate > 0.0).ok_or("the modes give a small wobble no rate")?;
+        let spin = &self.pole.modes.equilibrium;
+        let (above, turning) = (from.energy - self.steady(), norm(spin.omega) / TAU);
+        let falls = goal.map_or(f64::INFINITY, |goal| (above / (goal - self.steady())).ln() / (2.0 * rate));
+        let length = duration.map_or(falls, |duration| duration.min(falls));
+        let last = samples.saturating_sub(1).max(1);
+        let row = |i: usize| {
+            let t = length * i as f64 / last as f64;
+            let left = above * (-2.0 * rate * t).exp();
+            let row = DirectRow {
+                t: from.t + t,
+                energy: self.steady() + left,
+                dissipated: above - left,
+                revolutions: from.revolutions + turning * t,
+            };
+            self.row(row, 2.0 * rate * left)
+        };
+        Ok((0..=last).map(row).collect())
+    }
+}

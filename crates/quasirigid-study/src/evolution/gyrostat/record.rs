@@ -1,0 +1,112 @@
+//! Record of the evolution of a body with momentum wheels, in the columns of other evolutions; `circled_axis` is 0, no principal axis.
+
+use quasirigid_io::record::{Column, EvolutionRecord, ObservedRecord};
+use quasirigid_math::vec3::{norm, scale};
+
+use super::answer::{Answer, Row};
+use crate::evolution::method::Refusal;
+use crate::evolution::secular::COLUMNS;
+use crate::evolution::unanswered::unanswered;
+use crate::evolution::{Asked, STEADY_SPIN};
+use crate::words::{count, shares, significant, time};
+
+/// Record of an evolution that no method leads along.
+pub fn refused(refusal: Refusal, G: f64) -> EvolutionRecord {
+    let rate = refusal.rates.and_then(|[_, rate]| rate);
+    EvolutionRecord {
+        damping_time: rate.map_or(f64::NAN, folding),
+        growth_time: f64::INFINITY,
+        ..unanswered(&refusal.message, G, STEADY_SPIN)
+    }
+    .with_unknown_named()
+}
+
+/// Time (s) in which a small wobble falls by e.
+fn folding(rate: f64) -> f64 {
+    if rate > 0.0 || rate.is_nan() { rate.recip() } else { f64::INFINITY }
+}
+
+/// Record of an evolution that was followed.
+pub fn answered(answer: Answer, asked: &Asked) -> EvolutionRecord {
+    let Answer { verdict, rows, attractor, steady, rate, crossed } = answer;
+    let G = norm(attractor);
+    let (first, last) = (rows[0], rows[rows.len() - 1]);
+    let method = verdict.method().unwrap_or_else(|| "the rate of the nutation about the steady spin".into());
+    let observed = |row: Row| {
+        let [rotation_period, precession_period] = row.periods;
+        let [nutation_least, nutation_greatest] = row.nutation;
+        let energy_ratio = row.energy / steady;
+        Some(ObservedRecord {
+            rotation_period,
+            precession_period,
+            nutation_least,
+            nutation_greatest,
+            energy_ratio,
+        })
+    };
+    EvolutionRecord {
+        sentence: sentence(&rows, attractor, crossed),
+        road: verdict.road.into(),
+        status: if verdict.fails { "does-not-hold" } else { "finished" }.into(),
+        message: if verdict.fails { verdict.sentence.clone() } else { message(last.t, asked) },
+        method,
+        start: observed(first),
+        end: observed(last),
+        time: last.t,
+        time_error: verdict.error,
+        revolutions: last.revolutions,
+        power: first.power,
+        dissipation: shares(verdict.budget.as_deref().unwrap_or(&[])),
+        separatrix_time: crossed,
+        damping_time: rate.map_or(f64::NAN, folding),
+        growth_time: f64::INFINITY,
+        columns: columns(&rows, G),
+        verdict: verdict.sentence,
+        ..unanswered("", G, STEADY_SPIN)
+    }
+    .with_unknown_named()
+}
+
+fn message(t: f64, asked: &Asked) -> String {
+    let reached = time(t);
+    if asked.duration == Some(t) {
+        format!("The rotation was followed for {reached}, as asked.")
+    } else if asked.until.is_some() {
+        format!("The target was reached after {reached}.")
+    } else {
+        format!("All but 1 % of the energy of the wobble was lost after {reached}.")
+    }
+}
+
+fn sentence(rows: &[Row], attractor: [f64; 3], crossed: Option<f64>) -> String {
+    let (first, last) = (rows[0], rows[rows.len() - 1]);
+    let axis = scale(norm(attractor).recip(), attractor).map(|entry| format!("{entry:.3}")).join(", ");
+    let [from, to] = [first, last].map(|row| significant(row.nutation[1].to_degrees(), 3));
+    let taken = format!("{}, {} revolutions", time(last.t), count(last.revolutions));
+    let spin = format!("the steady spin that attracts, about the axis [{axis}]");
+    match crossed {
+        Some(seconds) => format!(
+            "The rotation passes a separatrix after {} and ends with a wobble of {to} degrees about {spin}, in {taken}.",
+            time(seconds)
+        ),
+        None if first.nutation[1].is_nan() => {
+            format!("The rotation comes to circle {spin}, and ends with a wobble of {to} degrees in {taken}.")
+        }
+        None => format!("The wobble about {spin}, falls from {from} to {to} degrees in {taken}."),
+    }
+}
+
+fn columns(rows: &[Row], G: f64) -> Vec<Column> {
+    let values = |row: &Row| {
+        let Row { t, revolutions, energy, nutation: [least, greatest], periods: [period, precession], power } =
+            *row;
+        [t, f64::NAN, 0.0, least, greatest, energy, G, period, precession, power, f64::NAN, revolutions]
+    };
+    let values: Vec<[f64; COLUMNS.len()]> = rows.iter().map(values).collect();
+    let column = |(i, (name, unit)): (usize, &(&str, &str))| Column {
+        name: (*name).into(),
+        unit: (*unit).into(),
+        values: values.iter().map(|row| row[i]).collect(),
+    };
+    COLUMNS.iter().enumerate().map(column).collect()
+}

@@ -122,7 +122,7 @@ fn class(error: &StudyError) -> &'static str {
         StudyError::Submanifold(_) | StudyError::SteadySpinBeyond { .. } => "ReductionError",
         StudyError::Unaveraged(_)
         | StudyError::DrivenPole
-        | StudyError::Wheels
+        | StudyError::Wheels { .. }
         | StudyError::NoShortAxis { .. } => "UnsupportedError",
         StudyError::Interrupted => "Interrupted",
         _ => "InputError",

@@ -206,11 +206,8 @@ fn as_the_full_system(model: &str, road: &str) -> Value {
         None => format!("{model}{run}"),
     };
     let told = number(&found, "time_error");
-    let tolerance = match found["separatrix_time"].as_f64() {
-        Some(_) => 5e-3, // the errors of two integrations grow beside a separatrix
-        None if road == "direct" => 1e-4,
-        None => told.min(5e-3),
-    };
+    let crosses = found["separatrix_time"].is_number();
+    let tolerance = if road == "direct" && !crosses { 1e-4 } else { told.min(5e-3) };
     close(time, full_time(&model, 1.2 * time), tolerance);
     found
 }

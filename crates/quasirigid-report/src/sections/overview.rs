@@ -101,11 +101,7 @@ fn history_sentence(record: &RunRecord) -> Option<String> {
     let nutation =
         column(&history.columns, "nutation_max").and_then(|column| ends(column.values.iter().copied()));
     let wobble = nutation.map_or_else(String::new, |(start, end)| {
-        format!(
-            " the nutation goes from {}° to {}°,",
-            digits(start.to_degrees(), 3),
-            digits(end.to_degrees(), 3)
-        )
+        format!(" the nutation {},", change(start.to_degrees(), end.to_degrees()))
     });
     Some(format!(
         "In {} the {} body makes {} revolutions:{wobble} {} J are dissipated.",
@@ -114,6 +110,23 @@ fn history_sentence(record: &RunRecord) -> Option<String> {
         digits(history.revolutions, 4),
         short(history.dissipated)
     ))
+}
+
+/// Change of an angle (degrees) larger than rounding, relative to it, that is told.
+const TOLD: f64 = 1e-9;
+
+/// Change of an angle (degrees) in words, also where it does not show in the digits of the angle.
+fn change(start: f64, end: f64) -> String {
+    let [from, to] = [start, end].map(|angle| digits(angle, 3));
+    if from != to {
+        return format!("goes from {from}° to {to}°");
+    }
+    let by = end - start;
+    if by.abs() > TOLD * start {
+        format!("of {from}° {} by {}°", if by > 0.0 { "grows" } else { "falls" }, digits(by.abs(), 2))
+    } else {
+        format!("stays at {from}°")
+    }
 }
 
 /// Fate in a few words, and a sentence on it.
@@ -195,5 +208,18 @@ fn dissipators(when: &str, shares: &BTreeMap<String, f64>) -> Markup {
             }
             p.remark { (when) }
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::change;
+
+    #[test]
+    fn changes_below_the_digits_of_an_angle_are_told() {
+        assert_eq!(change(24.0, 68.1), "goes from 24.0° to 68.1°");
+        assert_eq!(change(3.0, 3.0012), "of 3.00° grows by 0.0012°");
+        assert_eq!(change(3.0, 2.999_999_9), "of 3.00° falls by 1.0×10⁻⁷°");
+        assert_eq!(change(3.0, 3.0), "stays at 3.00°");
     }
 }

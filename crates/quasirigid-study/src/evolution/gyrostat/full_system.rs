@@ -16,6 +16,8 @@ use crate::words::time;
 
 /// Share of the energy of the separatrix above the steady spin by which it is passed before the way behind it is told.
 const BELOW: f64 = 1e-3;
+/// Error of the time through a separatrix, beside which two integrations part.
+const PARTED: f64 = 1e-2;
 
 /// The full system until its wobble is small, and the modes from there on.
 pub fn direct(
@@ -56,7 +58,11 @@ fn behind(ground: &Ground, first: DirectRun, asked: &Asked, watch: Watch<'_>) ->
         let second = followed(&below, &first.last, below.until(goal), left, watch)?;
         second.map(|second| joined(first, second))
     };
-    Ok(second.map(|whole| Answer { crossed: Some(end.t), ..below.with_tail(whole, goal, asked) }))
+    Ok(second.map(|whole| {
+        let mut answer = below.with_tail(whole, goal, asked);
+        answer.verdict.error = answer.verdict.error.map(|error| error.max(PARTED));
+        Answer { crossed: Some(end.t), ..answer }
+    }))
 }
 
 /// The full system to an energy.

@@ -264,6 +264,8 @@ fn public_types_are_send_sync_and_debug() {
     crosses::<secular::DirectRow>();
     crosses::<secular::DirectRun>();
     crosses::<secular::EnergyRange>();
+    crosses::<secular::GyrostatSpins>();
+    crosses::<secular::GyrostatWobble>();
     crosses::<secular::MeasureError>();
     crosses::<secular::MeasureOptions>();
     crosses::<secular::HandOver>();

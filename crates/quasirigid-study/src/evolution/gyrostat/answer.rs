@@ -96,6 +96,8 @@ impl Ground<'_> {
                 significant(BEHIND.to_degrees(), 2)
             );
             answer.rows.extend(&tail[1..]);
+            // the rate of the nutation changes by the square of the wobble
+            answer.verdict.error = answer.verdict.error.map(|error| error.max(BEHIND * BEHIND));
         }
         answer
     }

@@ -368,24 +368,29 @@ impl Doubts {
             }
             return Ok((study.order, doubts));
         }
-        let Judged { order, validity, .. } = judged::for_motion(motion, &judged::poles_in_a_moment(motion)?)?;
-        let mut doubts = Self::of_validity(motion, &validity);
+        let poles = judged::poles_in_a_moment(motion)?;
+        let Judged { order, validity, .. } = judged::for_motion(motion, &poles)?;
+        let losses = LeftOut::at(study, motion.start.omega, poles.nearest);
+        let mut doubts = Self::of_validity(&losses, &validity);
         doubts.remarks.extend(judged::raised(study, order));
         Ok((order, doubts))
     }
 
     /// The same for the reduced equations, whose assessment is prepared, from the spin at which they start.
     pub fn judged(motion: &Motion, assessment: &Assessment, settled: [f64; 3]) -> Result<Self, StudyError> {
-        Ok(Self::of_validity(motion, &assessment.at(settled)?))
+        let losses = LeftOut::at(motion.study(), motion.start.omega, None);
+        Ok(Self::of_validity(&losses, &assessment.at(settled)?))
     }
 
-    fn of_validity(motion: &Motion, validity: &Validity) -> Self {
-        let mut doubts = Self::left_out(motion, System::Reduced);
+    fn of_validity(losses: &LeftOut, validity: &Validity) -> Self {
+        let mut doubts = Self::of_losses(losses);
         let worst = validity.verdict().max(validity.dissipation());
         if worst != Verdict::Holds {
             let doubt = format!("{} The check says why.", followed(validity));
-            doubts.wrong = (worst == Verdict::Fails).then(|| doubt.clone());
-            doubts.remarks.push(doubt);
+            doubts.remarks.push(doubt.clone());
+            if worst == Verdict::Fails {
+                doubts.wrong = Some(doubt);
+            }
         }
         doubts
     }
@@ -394,8 +399,11 @@ impl Doubts {
         if system == System::Rigid {
             return Self::default();
         }
-        let left_out = LeftOut::at(motion.study(), motion.start.omega, None);
-        Self { remarks: left_out.notes(), wrong: left_out.wrong().map(str::to_owned) }
+        Self::of_losses(&LeftOut::at(motion.study(), motion.start.omega, None))
+    }
+
+    fn of_losses(losses: &LeftOut) -> Self {
+        Self { remarks: losses.notes(), wrong: losses.wrong().map(str::to_owned) }
     }
 }
 

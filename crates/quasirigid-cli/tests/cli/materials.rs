@@ -36,6 +36,10 @@ fn a_liquid_is_no_solid_at_its_own_harmonics() {
         assert!(ran.stdout.starts_with(first) && said(&ran).contains(LIQUID), "{command}: {ran:?}");
     }
     assert_eq!(ran_in(folder.path(), "check model.toml --json").json()["valid"], false);
+    // also where the reduced equations are at the edge of their range
+    let soft = ellipsoid(MAXWELL).replace("1 GPa", "1 kPa");
+    let ran = ran_with(&soft, "simulate model.toml --times 0,1");
+    assert!(ran.code == Some(1) && said(&ran).contains("edge of their range"), "{ran:?}");
 }
 
 /// A Kelvin–Voigt body of 1 d is more dashpot than spring in a rotation of 5 h.

@@ -194,7 +194,7 @@ impl Study {
         record.verification = plan.verification(&mut record.notes, watch)?;
         let equations = frames.as_ref().filter(|_| !motion.system().acts()).and_then(|frames| {
             let [first, .., last] = frames.samples.as_slice() else { return None };
-            scene::equations((self, order), (first, last.t - first.t), &validity).ok()
+            scene::equations(self, order, (first, last.t - first.t), &validity).ok()
         });
         let scene = scene::scene(self, self.visuals()?, frames.as_ref(), scene_modes.as_ref(), equations);
         record.scene = Some(scene);

@@ -8,7 +8,6 @@ mod table;
 mod unanswered;
 mod words;
 
-use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use quasirigid::averaging::{
@@ -172,12 +171,7 @@ pub(crate) fn follow(
         return Ok(Evolved { record: secular.refused(refusal), notes: Vec::new() });
     }
     let outlook = Outlook::new(asked.method.is_some());
-    let mut watch = |share: f64| {
-        if let Some(sentence) = outlook.due() {
-            observer.plan(&sentence);
-        }
-        if outlook.over() { ControlFlow::Break(()) } else { observer.at("following", share) }
-    };
+    let mut watch = |share: f64| outlook.observe(observer, share);
     let run = if torque.is_zero() {
         let chosen = method::choose(study, start, asked, &mut secular, &outlook, &mut watch);
         let spent = outlook.over() && matches!(chosen, Err(StudyError::Interrupted));
@@ -304,6 +298,8 @@ fn range(
 
 #[cfg(test)]
 mod tests {
+    use std::ops::ControlFlow;
+
     use std::path::Path;
 
     use super::*;

@@ -27,7 +27,7 @@ use crate::error::StudyError;
 use crate::words::shares;
 
 /// Share of the wobble's energy that is left at the end of an evolution without a target.
-const LEFT: f64 = 0.01;
+pub const LEFT: f64 = 0.01;
 /// Shares of harmonics below this are negligible and not listed, nor are more than so many harmonics.
 pub const FAINT: f64 = 1e-4;
 const MOST_HARMONICS: usize = 12;

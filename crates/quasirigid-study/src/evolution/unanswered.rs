@@ -1,3 +1,5 @@
+//! Record of an evolution without an answer, and the blank of one with an answer.
+
 use std::collections::BTreeMap;
 
 use quasirigid_io::record::EvolutionRecord;

@@ -36,11 +36,19 @@ pub fn message(rows: &EvolutionTable, asked: &Asked, ages: bool) -> String {
         ("finished", Some(_)) => format!("The rotation was followed for {reached}, as asked."),
         (_, Some(ending)) => format!("Ended after {reached}: {ending}."),
         _ if !ages => "Nothing is dissipated, so that the end is never reached.".into(),
-        _ if asked.duration == Some(rows.last().t) => {
-            format!("The rotation was followed for {reached}, as asked.")
-        }
-        _ if asked.until.is_some() => format!("The target was reached after {reached}."),
-        _ => format!("All but 1 % of the energy of the wobble was lost after {reached}."),
+        _ => finished(rows.last().t, asked),
+    }
+}
+
+/// End at a time (s) of an evolution that dissipates, in a sentence.
+pub fn finished(t: f64, asked: &Asked) -> String {
+    let reached = time(t);
+    if asked.duration == Some(t) {
+        format!("The rotation was followed for {reached}, as asked.")
+    } else if asked.until.is_some() {
+        format!("The target was reached after {reached}.")
+    } else {
+        format!("All but 1 % of the energy of the wobble was lost after {reached}.")
     }
 }
 

@@ -17,7 +17,8 @@ const BELOW: f64 = 1e-3;
 
 /// The equations to an order, from the first sample of a history on, for a duration (s).
 pub(crate) fn equations(
-    (study, asked): (&Study, usize),
+    study: &Study,
+    asked: usize,
     (first, duration): (&Sample, f64),
     validity: &Validity,
 ) -> Result<EquationsRecord, ReductionError> {

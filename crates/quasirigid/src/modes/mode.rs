@@ -136,8 +136,9 @@ impl SpinModes {
         let others = (0..found.len()).filter(|i| Some(*i) != nutation);
         for i in nutation.into_iter().chain(others) {
             let motion = &found[i];
+            let balanced = frame.decay_of_motion(motion);
             if Some(i) != nutation {
-                internal.push([frame.decay_of_motion(motion), motion.lambda.im]);
+                internal.push([balanced, motion.lambda.im]);
             }
             let start = (motion.lambda, pencil.unknowns(motion.delta, &motion.q));
             let refined = if again(i) { pencil.refined(start.clone()) } else { None };
@@ -155,9 +156,8 @@ impl SpinModes {
                 continue;
             }
             let (lambda, x) = kept.unwrap_or(start);
-            let balanced = of_spectrum && !pencil.is_nonlinear();
-            let decay = if balanced { frame.decay_of_motion(motion) } else { -motion.lambda.re };
-            let of_motion = [decay, motion.lambda.im];
+            let exact = of_spectrum && !pencil.is_nonlinear();
+            let of_motion = [if exact { balanced } else { -motion.lambda.re }, motion.lambda.im];
             let mut mode = frame.mode(&pencil, of_motion, (lambda, &x), Some(i) == nutation);
             if !of_spectrum {
                 mode.decay_rate = -lambda.re;

@@ -7,7 +7,7 @@ use quasirigid_math::vec3::norm;
 
 use super::ground::Ground;
 use crate::evolution::Asked;
-use crate::evolution::method::Verdict;
+use crate::evolution::method::{FOLLOWED, Verdict};
 use crate::words::significant;
 
 /// Greatest wobble (rad) from which the modes alone are followed behind the full system.
@@ -80,7 +80,7 @@ impl Ground<'_> {
         let (first, end) = (run.rows[0], run.rows[run.rows.len() - 1]);
         let verdict = Verdict {
             road: "direct",
-            sentence: "The full system was followed from start to end; the wobble is its envelope.".into(),
+            sentence: FOLLOWED.into(),
             error: Some(run.energy_drift.abs() / (first.energy - end.energy).abs()),
             ..Verdict::default()
         };

@@ -8,10 +8,10 @@ use quasirigid::secular::{DirectRow, DirectRun, DirectStopReason, follow_directl
 
 use super::answer::{Answer, BEHIND};
 use super::ground::Ground;
-use super::roads::{Found, Watch, options};
+use super::roads::{Found, Watch};
 use crate::error::StudyError;
 use crate::evolution::Asked;
-use crate::evolution::method::Outlook;
+use crate::evolution::method::{Outlook, options};
 use crate::words::time;
 
 /// Share of the energy of the separatrix above the steady spin by which it is passed before the way behind it is told.

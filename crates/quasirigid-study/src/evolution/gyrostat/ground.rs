@@ -1,3 +1,5 @@
+//! Ground on which a method is judged: the steady spin that attracts from a state, with its modes, its separatrix and the goal.
+
 use quasirigid::averaging::{LevelError, LevelEvolution, Until};
 use quasirigid::dynamics::FullState;
 use quasirigid::model::FlexibleBody;
@@ -8,13 +10,12 @@ use quasirigid_math::vec3::norm;
 
 use crate::error::StudyError;
 use crate::evolution::Asked;
+use crate::evolution::secular::LEFT;
 use crate::left_out::{LEFT_OUT, of_nutation};
 use crate::liquids::unanswered;
 use crate::study::Study;
 use crate::words::growth;
 
-/// Share of the energy of the wobble that is left without a target.
-const LEFT: f64 = 0.01;
 /// Energy of a wobble, relative to the whole, that is rounding.
 const ROUNDING: f64 = 1e-13;
 

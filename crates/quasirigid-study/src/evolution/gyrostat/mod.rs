@@ -8,8 +8,6 @@ mod ground;
 mod record;
 mod roads;
 
-use std::ops::ControlFlow;
-
 use quasirigid::averaging::SlowTorque;
 use quasirigid::dynamics::Start;
 use quasirigid_io::model::Target;
@@ -41,12 +39,7 @@ pub fn follow(
         return Ok(refused(Refusal { message, rates: None }));
     }
     let outlook = Outlook::new(asked.method.is_some());
-    let mut watch = |share: f64| {
-        if let Some(sentence) = outlook.due() {
-            observer.plan(&sentence);
-        }
-        if outlook.over() { ControlFlow::Break(()) } else { observer.at("following", share) }
-    };
+    let mut watch = |share: f64| outlook.observe(observer, share);
     let ground = match Ground::of(study, &full)? {
         Ok(ground) => ground,
         Err(message) => return Ok(refused(Refusal { message, rates: None })),

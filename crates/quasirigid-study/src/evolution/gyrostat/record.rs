@@ -7,6 +7,7 @@ use super::answer::{Answer, Row};
 use crate::evolution::method::Refusal;
 use crate::evolution::secular::COLUMNS;
 use crate::evolution::unanswered::unanswered;
+use crate::evolution::words::finished;
 use crate::evolution::{Asked, STEADY_SPIN};
 use crate::words::{count, shares, significant, time};
 
@@ -48,7 +49,7 @@ pub fn answered(answer: Answer, asked: &Asked) -> EvolutionRecord {
         sentence: sentence(&rows, attractor, crossed),
         road: verdict.road.into(),
         status: if verdict.fails { "does-not-hold" } else { "finished" }.into(),
-        message: if verdict.fails { verdict.sentence.clone() } else { message(last.t, asked) },
+        message: if verdict.fails { verdict.sentence.clone() } else { finished(last.t, asked) },
         method,
         start: observed(first),
         end: observed(last),
@@ -65,17 +66,6 @@ pub fn answered(answer: Answer, asked: &Asked) -> EvolutionRecord {
         ..unanswered("", G, STEADY_SPIN)
     }
     .with_unknown_named()
-}
-
-fn message(t: f64, asked: &Asked) -> String {
-    let reached = time(t);
-    if asked.duration == Some(t) {
-        format!("The rotation was followed for {reached}, as asked.")
-    } else if asked.until.is_some() {
-        format!("The target was reached after {reached}.")
-    } else {
-        format!("All but 1 % of the energy of the wobble was lost after {reached}.")
-    }
 }
 
 fn sentence(rows: &[Row], attractor: [f64; 3], crossed: Option<f64>) -> String {

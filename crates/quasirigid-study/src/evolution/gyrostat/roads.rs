@@ -4,12 +4,12 @@
 use std::f64::consts::TAU;
 use std::ops::ControlFlow;
 
-use quasirigid::averaging::{LevelEvolution, LevelPassage, LevelRow, LevelStopReason, Until};
+use quasirigid::averaging::{LevelEvolution, LevelPassage, LevelRow, LevelStopReason};
 use quasirigid::dynamics::FullState;
 use quasirigid::model::Principal;
 use quasirigid::reduction::frequencies;
-use quasirigid::secular::{DirectOptions, DirectStopReason, follow_about};
-use quasirigid_io::model::{EvolveMethod, Target};
+use quasirigid::secular::{DirectStopReason, follow_about};
+use quasirigid_io::model::EvolveMethod;
 use quasirigid_math::sphere::tangents;
 use quasirigid_math::vec3::{add, norm, scale};
 
@@ -18,12 +18,11 @@ use super::full_system::direct;
 use super::ground::Ground;
 use crate::error::StudyError;
 use crate::evolution::Asked;
-use crate::evolution::method::{FEW_COORDINATES, Outlook, STEPS, TOLERANCE, Verdict, passage};
+use crate::evolution::method::{FEW_COORDINATES, LEVEL_ORDER, Outlook, Verdict, options, passage};
 use crate::words::{significant, time};
 
-/// Bound of the ratio of any spin at the energy of the start to the slowest elastic frequency up to which levels are followed, and their order.
+/// Bound of the ratio of any spin at the energy of the start to the slowest elastic frequency up to which levels are followed.
 const STIFF: f64 = 0.1;
-const LEVEL_ORDER: usize = 5;
 /// Bound of the error of a method over its largest criterion, error per `γ/β`, and the largest error accepted, as of averages. (Q7)
 const CAUTION: f64 = 4.0;
 const PER_SETTLING: f64 = 1.6;
@@ -95,13 +94,8 @@ fn levels(ground: &Ground, asked: &Asked) -> Result<(bool, Result<Answer, String
     let study = ground.study;
     let reduced = study.reduced(study.order.max(LEVEL_ORDER))?;
     let K = ground.angular_momentum;
-    let until = match (asked.until, asked.duration) {
-        (Some(Target::Wobble(angle)), _) => Until::Wobble(angle),
-        (_, Some(duration)) => Until::Duration(duration),
-        _ => Until::EnergyLeft(0.01),
-    };
     let followed = LevelEvolution::new(&reduced, norm(K)).and_then(|levels| {
-        let passage = passage(&levels, K, until, asked)?;
+        let passage = passage(&levels, K, asked)?;
         let passed = passage.rows.last().map_or(0.0, |row| row.time);
         let error = levels_error(ground, &levels, passage.attractor, passed);
         Ok((passage, error))
@@ -214,16 +208,6 @@ fn on_manifold(
         ..Verdict::default()
     };
     Ok(Ok(ground.of_run(&history.run, verdict, asked.samples)))
-}
-
-pub fn options(until: Option<f64>, duration: Option<f64>) -> DirectOptions {
-    DirectOptions {
-        until,
-        duration: duration.unwrap_or(f64::MAX),
-        most_revolutions: f64::INFINITY,
-        most_steps: STEPS,
-        tolerance: TOLERANCE,
-    }
 }
 
 /// The rates of the modes from start to end.

@@ -13,11 +13,11 @@ use crate::error::StudyError;
 use crate::words::{significant, time};
 
 /// Steps of a history.
-pub const STEPS: u64 = 30_000_000;
+const STEPS: u64 = 30_000_000;
 /// Steps of a history that is followed unasked, times the square of the number of coordinates or, on curved paths, its cube: minutes.
 const WORK: f64 = 1e9;
 /// Error allowed per step of the full system, relative.
-pub const TOLERANCE: f64 = 1e-10;
+const TOLERANCE: f64 = 1e-10;
 /// Revolutions in which no wobble dies out.
 const ONE_TURN: f64 = 1.0;
 /// Relaxation times in which a start is forgotten, and periods of the polhode at most.
@@ -25,6 +25,17 @@ const FORGOTTEN: f64 = 8.0;
 const LONGEST: f64 = 400.0;
 /// Error from which an answer is refused.
 pub const REFUSED: f64 = 0.03;
+
+/// Options of a history of the full system, to an energy (J) or for a time (s).
+pub fn options(until: Option<f64>, duration: Option<f64>) -> DirectOptions {
+    DirectOptions {
+        until,
+        duration: duration.unwrap_or(f64::MAX),
+        most_revolutions: f64::INFINITY,
+        most_steps: STEPS,
+        tolerance: TOLERANCE,
+    }
+}
 
 impl Choice<'_> {
     /// The power measured by short runs.
@@ -54,13 +65,7 @@ impl Choice<'_> {
         };
         let period = self.ground.motion(self.way.ends[0]).polhode_period();
         let duration = (FORGOTTEN / pole.settling_rate()).clamp(period, LONGEST * period);
-        let options = DirectOptions {
-            until: Some(self.way.energies[1]),
-            duration,
-            most_revolutions: f64::INFINITY,
-            most_steps: STEPS,
-            tolerance: TOLERANCE,
-        };
+        let options = options(Some(self.way.energies[1]), Some(duration));
         let run = follow_directly(self.body, &self.way.start, &options, watch)?;
         match run.ending {
             DirectStopReason::Finished => Ok(run.rows.last().copied()),
@@ -93,11 +98,9 @@ impl Choice<'_> {
         watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
     ) -> Result<Result<ChosenMethod, String>, StudyError> {
         let options = DirectOptions {
-            until: Some(self.way.energies[1]),
-            duration: self.duration.unwrap_or(f64::MAX),
             most_revolutions,
             most_steps: STEPS.min(most_steps as u64),
-            tolerance: TOLERANCE,
+            ..options(Some(self.way.energies[1]), self.duration)
         };
         let run = follow_directly(self.body, &self.way.start, &options, watch)?;
         let end = run.rows[run.rows.len() - 1];

@@ -9,6 +9,7 @@ use quasirigid_math::vec3::norm;
 use super::short_or_full::Choice;
 use super::verdict::ChosenMethod;
 use crate::evolution::Asked;
+use crate::evolution::secular::LEFT;
 use crate::study::Study;
 use crate::words::time;
 
@@ -16,7 +17,7 @@ use crate::words::time;
 /// least order of the power on levels.
 const BENT: f64 = 0.01;
 const STIFF: f64 = 0.15;
-const LEVEL_ORDER: usize = 5;
+pub const LEVEL_ORDER: usize = 5;
 
 impl Choice<'_> {
     /// Average along levels of the slow energy, where elasticity changes the differences of the moments of a stiff body; none elsewhere.
@@ -37,17 +38,12 @@ impl Choice<'_> {
             return None;
         }
         let reduced = study.reduced(study.order.max(LEVEL_ORDER)).ok()?;
-        let until = match (asked.until, self.duration) {
-            (Some(Target::Wobble(angle)), _) => Until::Wobble(angle),
-            (Some(Target::Ratio(_)), _) => {
-                return Some(Err("elasticity changes a difference of the moments of inertia by more than 1 %, so that D/I3 says little; say how far to go by an angle".into()));
-            }
-            (None, Some(duration)) => Until::Duration(duration),
-            (None, None) => Until::EnergyLeft(0.01),
-        };
+        if matches!(asked.until, Some(Target::Ratio(_))) {
+            return Some(Err("elasticity changes a difference of the moments of inertia by more than 1 %, so that D/I3 says little; say how far to go by an angle".into()));
+        }
         let angular_momentum = self.way.start.angular_momentum(self.body);
         let found = LevelEvolution::new(&reduced, norm(angular_momentum))
-            .and_then(|levels| passage(&levels, angular_momentum, until, asked));
+            .and_then(|levels| passage(&levels, angular_momentum, asked));
         Some(match found {
             Ok(passage) => match passage.ending {
                 LevelStopReason::Reached | LevelStopReason::Duration => {
@@ -64,13 +60,18 @@ impl Choice<'_> {
     }
 }
 
-/// Levels from an angular momentum (N·m·s, body axes) to a target, or to the time asked for if that is before it.
+/// Levels from an angular momentum (N·m·s, body axes) to the wobble asked for, or to the time if that is before it; to a hundredth of the energy
+/// of the wobble without either.
 pub fn passage(
     levels: &LevelEvolution,
     angular_momentum: [f64; 3],
-    until: Until,
     asked: &Asked,
 ) -> Result<LevelPassage, LevelError> {
+    let until = match (asked.until, asked.duration) {
+        (Some(Target::Wobble(angle)), _) => Until::Wobble(angle),
+        (_, Some(duration)) => Until::Duration(duration),
+        _ => Until::EnergyLeft(LEFT),
+    };
     let passage = levels.follow(angular_momentum, until, asked.samples)?;
     let taken = passage.rows.last().map_or(0.0, |row| row.time);
     match asked.duration.filter(|duration| *duration < taken) {

@@ -26,14 +26,14 @@ use crate::error::StudyError;
 use crate::motion::Motion;
 use crate::study::Study;
 use crate::words::significant;
-pub use full::{STEPS, TOLERANCE};
-pub use levels::passage;
+pub use full::options;
+pub use levels::{LEVEL_ORDER, passage};
 pub use on_manifold::FEW as FEW_COORDINATES;
 pub use outlook::Outlook;
 use short_or_full::Choice;
 use start_and_end::Way;
 use steady_spins::Ground;
-pub use verdict::Verdict;
+pub use verdict::{FOLLOWED, Verdict};
 use verdict::{take, unfounded};
 
 /// History that is followed beside a power.

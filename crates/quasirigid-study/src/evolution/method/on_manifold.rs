@@ -2,9 +2,9 @@
 
 use std::ops::ControlFlow;
 
-use quasirigid::secular::{DirectOptions, DirectStopReason, follow_on_manifold};
+use quasirigid::secular::{DirectStopReason, follow_on_manifold};
 
-use super::full::{STEPS, TOLERANCE};
+use super::full::options;
 use super::short_or_full::Choice;
 use super::verdict::ChosenMethod;
 use crate::error::StudyError;
@@ -37,13 +37,7 @@ impl Choice<'_> {
                 "the reduced equations about a spin do not reach from one pole to the other".into()
             ));
         }
-        let options = DirectOptions {
-            until: Some(self.way.energies[1]),
-            duration: self.duration.unwrap_or(f64::MAX),
-            most_revolutions: f64::INFINITY,
-            most_steps: STEPS,
-            tolerance: TOLERANCE,
-        };
+        let options = options(Some(self.way.energies[1]), self.duration);
         let found = follow_on_manifold(self.body, from.mode, &self.way.start, &options, watch);
         let nutation = self.ground.motion(from).nutation()[1].to_degrees();
         Ok(match found {

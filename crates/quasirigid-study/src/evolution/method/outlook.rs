@@ -7,11 +7,12 @@ use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
 
 use quasirigid::averaging::RotationState;
-use quasirigid::secular::{DirectOptions, MeasureError, follow_directly, micro_run_periods};
+use quasirigid::secular::{MeasureError, follow_directly, micro_run_periods};
 use quasirigid_math::vec3::norm;
 
-use super::full::{STEPS, TOLERANCE};
+use super::full::options;
 use super::short_or_full::Choice;
+use crate::watch::Watch;
 use crate::words::time;
 
 /// Time after which work is said to be long; the longest expected that is begun without being asked for, and the longest that goes on: an
@@ -44,7 +45,7 @@ impl Outlook {
     }
 
     /// Sentence that is due: a plan, or once that the work is long.
-    pub fn due(&self) -> Option<String> {
+    fn due(&self) -> Option<String> {
         let long = || {
             let first = !self.told.get() && self.start.elapsed().as_secs_f64() > PATIENCE;
             first.then(|| "choosing the method of the evolution, by the modes, averages and short runs of the body; this may take a minute.".to_owned())
@@ -52,6 +53,14 @@ impl Outlook {
         let sentence = self.sentence.take().or_else(long)?;
         self.told.set(true);
         Some(sentence)
+    }
+
+    /// Tells an observer the sentence that is due and the share that is done; ends work that is [over](Self::over).
+    pub fn observe(&self, observer: &mut dyn Watch, share: f64) -> ControlFlow<()> {
+        if let Some(sentence) = self.due() {
+            observer.plan(&sentence);
+        }
+        if self.over() { ControlFlow::Break(()) } else { observer.at("following", share) }
     }
 
     /// Whether the work has taken longer than is done without being asked for.
@@ -130,15 +139,8 @@ impl Choice<'_> {
             return Ok(known);
         }
         let duration = self.ground.motion(self.way.ends[0]).polhode_period();
-        let options = DirectOptions {
-            until: None,
-            duration,
-            most_revolutions: f64::INFINITY,
-            most_steps: STEPS,
-            tolerance: TOLERANCE,
-        };
         let before = Instant::now();
-        follow_directly(self.body, &self.way.start, &options, watch)?;
+        follow_directly(self.body, &self.way.start, &options(None, Some(duration)), watch)?;
         let seconds = before.elapsed().as_secs_f64();
         self.outlook.per_period.set(Some(seconds));
         Ok(seconds)

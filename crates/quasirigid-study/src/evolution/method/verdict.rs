@@ -15,6 +15,9 @@ use crate::evolution::secular::SecularEvolution;
 use crate::resolution::{NOTHING, known};
 use crate::words::significant;
 
+/// Reason for a history of the full system.
+pub const FOLLOWED: &str = "The full system was followed from start to end; the wobble is its envelope.";
+
 /// Least relative error of a time that is stated.
 const LEAST: f64 = 1e-6;
 
@@ -207,8 +210,7 @@ pub fn take(road: ChosenMethod, ground: &Ground, way: &Way, secular: &mut Secula
         ChosenMethod::Direct(run) => {
             secular.verdict = Verdict {
                 road: "direct",
-                sentence: "The full system was followed from start to end; the wobble is its envelope."
-                    .into(),
+                sentence: FOLLOWED.into(),
                 error: Some(run.energy_drift.abs() / (way.energies[0] - way.energies[1]).abs()),
                 budget: Some(names(&run.budget, &way.dissipators)),
                 rates: secular.verdict.rates,

@@ -8,6 +8,7 @@ import json
 import shutil
 import subprocess
 from collections.abc import Callable, Iterator
+from io import BytesIO
 from pathlib import Path
 from typing import Any
 
@@ -23,6 +24,32 @@ playwright = pytest.importorskip("playwright.sync_api", reason="playwright is no
 
 DRAWING = ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
 Open = Callable[..., Any]
+
+ALONG_THE_SPIN = """
+[carrier]
+mass = 9
+center_of_mass = [0, 0, 0]
+inertia = [0.139, 0.108, 0.0458]
+[material.laminate]
+density = 1600
+young = 1e11
+poisson = 0.3
+rheology = { kind = "kelvin-voigt", time = 1.4e-3 }
+[section.tube]
+shape = "tube"
+radius = 0.004
+thickness = 0.0003
+[[beam]]
+name = "boom"
+nodes = { root = [0, 0, 0.183], tip = [0, 0, 1.683] }
+lines = [["root", "tip"]]
+section = "tube"
+material = "laminate"
+masses = [{ node = "tip", mass = 0.1 }]
+attach = "root"
+[initial]
+wobble = { angle = "3 deg", rate = "5 rpm", mode = "long-axis" }
+"""
 
 
 @pytest.fixture(scope="module")
@@ -229,6 +256,21 @@ def test_what_is_under_the_pointer_is_named(look: Open) -> None:
         if page.locator("#viewer-tip").is_visible():
             found.add(page.inner_text("#viewer-tip").split(":")[0])
     assert found & {"tip 1", "tip 2", "carrier"}
+
+
+def test_arrows_hide_no_boom_along_the_spin(browser: Any, tmp_path: Path) -> None:
+    read = pytest.importorskip("matplotlib.image").imread
+    Model(ALONG_THE_SPIN).run(duration=60).write(tmp_path / "along")
+    page = browser.new_page(viewport={"width": 1000, "height": 900})
+    page.goto((tmp_path / "along" / "report.html").as_uri())
+    paused(page)
+    shown = read(BytesIO(picture(page)))
+    page.click("#viewer-legend button:has-text('boom')")
+    page.wait_for_timeout(150)
+    changed = np.abs(read(BytesIO(picture(page))) - shown).max(axis=-1) > 0.1
+    rows = np.flatnonzero(changed.any(axis=1))
+    page.close()
+    assert np.ptp(rows) > 0.2 * len(shown), "the boom is a third of the picture high"
 
 
 def test_sliders_integrate_the_equations(look: Open) -> None:

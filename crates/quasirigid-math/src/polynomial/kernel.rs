@@ -1,5 +1,5 @@
 //! Compiled polynomial map: nested Horner form over all rows at once, for the right-hand side of the reduced equations.
-//! The rows fill one vector register; loops of fixed degree are unrolled, higher ones are streamed over the same table.
+//! The rows fill one vector register; the polynomials of low degree in y and z are unrolled, higher ones are streamed over the same table.
 
 use std::ops::Div;
 
@@ -7,7 +7,7 @@ use super::Series;
 use super::monomial::count;
 use crate::lanes::Lanes;
 use crate::scalar::Scalar;
-use crate::simd::{Arithmetic, scaled_sum};
+use crate::simd::{Arithmetic, Plain, scaled_sum};
 
 /// A number that kernels are evaluated at: one, or one for each of several problems.
 pub trait Number: Scalar + Div<Output = Self> {
@@ -95,9 +95,16 @@ impl TensorKernel {
         let [yz, zx, xy] = self.halves[1].vector::<A, N>(x);
         [xx, yy, zz, yz, zx, xy]
     }
+
+    /// Value at a point by two roundings, as [`Kernel::at`].
+    #[must_use]
+    pub fn at(&self, x: [f64; 3]) -> [f64; 6] {
+        let [[xx, yy, zz, _], [yz, zx, xy, _]] = [self.halves[0].at(x), self.halves[1].at(x)];
+        [xx, yy, zz, yz, zx, xy]
+    }
 }
 
-/// Highest degree that the compiler unrolls.
+/// Highest power of y and z together whose polynomials the compiler unrolls.
 const UNROLLED: usize = 6;
 
 impl Kernel {
@@ -120,6 +127,14 @@ impl Kernel {
         Self { degree, coefficients }
     }
 
+    /// Value at a point by two roundings, in a function of its own: where few points are asked for, as each value that is compiled into its
+    /// place is hundreds of instructions.
+    #[inline(never)]
+    #[must_use]
+    pub fn at(&self, x: [f64; 3]) -> [f64; 4] {
+        self.value::<Plain>(x)
+    }
+
     /// Value at a point.
     #[inline(always)]
     #[must_use]
@@ -134,55 +149,43 @@ impl Kernel {
         N::three(self.rows::<A, N>(x))
     }
 
+    /// The coefficients of a power of x stand in the same place at every degree, so one chain serves all of them.
     #[inline(always)]
-    fn rows<A: Arithmetic, N: Number>(&self, x: [N; 3]) -> N::Rows {
-        match self.degree {
-            0 => N::coefficients(self.coefficients[0]),
-            1 => self.unrolled::<A, N, 1>(x),
-            2 => self.unrolled::<A, N, 2>(x),
-            3 => self.unrolled::<A, N, 3>(x),
-            4 => self.unrolled::<A, N, 4>(x),
-            5 => self.unrolled::<A, N, 5>(x),
-            UNROLLED => self.unrolled::<A, N, UNROLLED>(x),
-            _ => self.streamed::<A, N>(x),
-        }
-    }
-
-    #[inline(always)]
-    fn unrolled<A: Arithmetic, N: Number, const D: usize>(&self, [x, y, z]: [N; 3]) -> N::Rows {
-        let c = &self.coefficients[..(D + 1) * (D + 2) * (D + 3) / 6];
+    fn rows<A: Arithmetic, N: Number>(&self, [x, y, z]: [N; 3]) -> N::Rows {
+        let (c, degree) = (&self.coefficients[..], self.degree);
         let mut sum = plane::<A, N, 0>(c, y, z);
-        if D >= 1 {
+        if degree >= 1 {
             sum = N::next::<A>(sum, x, plane::<A, N, 1>(c, y, z));
         }
-        if D >= 2 {
+        if degree >= 2 {
             sum = N::next::<A>(sum, x, plane::<A, N, 2>(c, y, z));
         }
-        if D >= 3 {
+        if degree >= 3 {
             sum = N::next::<A>(sum, x, plane::<A, N, 3>(c, y, z));
         }
-        if D >= 4 {
+        if degree >= 4 {
             sum = N::next::<A>(sum, x, plane::<A, N, 4>(c, y, z));
         }
-        if D >= 5 {
+        if degree >= 5 {
             sum = N::next::<A>(sum, x, plane::<A, N, 5>(c, y, z));
         }
-        if D >= 6 {
-            sum = N::next::<A>(sum, x, plane::<A, N, 6>(c, y, z));
+        if degree >= UNROLLED {
+            sum = N::next::<A>(sum, x, plane::<A, N, UNROLLED>(c, y, z));
         }
-        sum
+        if degree > UNROLLED { self.streamed::<A, N>(sum, [x, y, z]) } else { sum }
     }
 
+    /// The powers of x that are left.
     #[inline(always)]
-    fn streamed<A: Arithmetic, N: Number>(&self, [x, y, z]: [N; 3]) -> N::Rows {
-        let mut terms = self.coefficients.iter();
-        let zero = N::coefficients([0.0; 4]);
-        let mut sum = zero;
-        for plane in 0..=self.degree {
-            let mut in_y = zero;
+    fn streamed<A: Arithmetic, N: Number>(&self, mut sum: N::Rows, [x, y, z]: [N; 3]) -> N::Rows {
+        let mut left = &self.coefficients[start(UNROLLED + 1)..];
+        for plane in UNROLLED + 1..=self.degree {
+            let mut in_y = N::coefficients([0.0; 4]);
             for row in 0..=plane {
-                let mut in_z = zero;
-                for term in terms.by_ref().take(row + 1) {
+                let (terms, next) = left.split_at(row + 1);
+                left = next;
+                let mut in_z = N::coefficients(terms[0]);
+                for term in &terms[1..] {
                     in_z = N::next::<A>(in_z, z, N::coefficients(*term));
                 }
                 in_y = N::next::<A>(in_y, y, in_z);
@@ -193,28 +196,33 @@ impl Kernel {
     }
 }
 
+/// Place of the first coefficient of a polynomial in y and z of this degree.
+const fn start(degree: usize) -> usize {
+    degree * (degree + 1) * (degree + 2) / 6
+}
+
 /// Polynomial in y and z of degree `I`, the coefficient of one power of x.
 #[inline(always)]
 fn plane<A: Arithmetic, N: Number, const I: usize>(c: &[[f64; 4]], y: N, z: N) -> N::Rows {
-    let start = I * (I + 1) * (I + 2) / 6;
-    let mut sum = line::<A, N, 1>(c, start, z);
+    let c = &c[start(I)..start(I + 1)];
+    let mut sum = line::<A, N, 1>(c, 0, z);
     if I >= 1 {
-        sum = N::next::<A>(sum, y, line::<A, N, 2>(c, start + 1, z));
+        sum = N::next::<A>(sum, y, line::<A, N, 2>(c, 1, z));
     }
     if I >= 2 {
-        sum = N::next::<A>(sum, y, line::<A, N, 3>(c, start + 3, z));
+        sum = N::next::<A>(sum, y, line::<A, N, 3>(c, 3, z));
     }
     if I >= 3 {
-        sum = N::next::<A>(sum, y, line::<A, N, 4>(c, start + 6, z));
+        sum = N::next::<A>(sum, y, line::<A, N, 4>(c, 6, z));
     }
     if I >= 4 {
-        sum = N::next::<A>(sum, y, line::<A, N, 5>(c, start + 10, z));
+        sum = N::next::<A>(sum, y, line::<A, N, 5>(c, 10, z));
     }
     if I >= 5 {
-        sum = N::next::<A>(sum, y, line::<A, N, 6>(c, start + 15, z));
+        sum = N::next::<A>(sum, y, line::<A, N, 6>(c, 15, z));
     }
     if I >= 6 {
-        sum = N::next::<A>(sum, y, line::<A, N, 7>(c, start + 21, z));
+        sum = N::next::<A>(sum, y, line::<A, N, 7>(c, 21, z));
     }
     sum
 }
@@ -235,12 +243,11 @@ mod tests {
     use crate::polynomial::Homogeneous;
     #[cfg(target_arch = "x86_64")]
     use crate::simd::Fused;
-    use crate::simd::Plain;
 
     #[test]
     fn kernel_agrees_with_the_series_at_every_degree() {
         let x = [0.7, -1.3, 0.4];
-        for degree in 0..9 {
+        for degree in 0..13 {
             let mut map = Series::zero(degree, 3);
             for d in 0..=degree {
                 let mut part = Homogeneous::zero(d, 3);
@@ -255,7 +262,7 @@ mod tests {
             }
             let kernel = Kernel::new(&map);
             for value in [
-                kernel.value::<Plain>(x),
+                kernel.at(x),
                 #[cfg(target_arch = "x86_64")]
                 kernel.value::<Fused>(x),
             ] {

@@ -3,7 +3,7 @@
 
 use super::conserved_momentum::size;
 use crate::math::polynomial::{Homogeneous, Kernel, Number, Series, TensorKernel};
-use crate::math::simd::{Arithmetic, Plain};
+use crate::math::simd::Arithmetic;
 use crate::math::sym3::{self, Sym};
 use crate::math::vec3::{self, cross, dot, norm};
 use crate::model::energy_form::{energy_form, momentum_rate};
@@ -46,7 +46,7 @@ pub(super) struct Motion {
 /// Form of the reduced equations: rates of its state `x`, and the quantities that follow from `x`.
 pub(super) trait Equations {
     /// Angular velocity (rad/s).
-    fn omega<A: Arithmetic, N: Number>(&self, x: [N; 3]) -> [N; 3];
+    fn omega(&self, x: [f64; 3]) -> [f64; 3];
 
     /// Rate of the state.
     fn rate<A: Arithmetic, N: Number>(&self, x: [N; 3]) -> [N; 3];
@@ -98,7 +98,7 @@ impl AngularMomentumForm {
 
     /// Gradient of the energy over the angular momentum (rad/s).
     pub fn slope(&self, K: [f64; 3]) -> [f64; 3] {
-        self.gradient.vector::<Plain, f64>(K)
+        vector(self.gradient.at(K))
     }
 
     /// Gradient of the energy, `c` and `T`.
@@ -109,10 +109,8 @@ impl AngularMomentumForm {
 }
 
 impl Equations for AngularMomentumForm {
-    #[inline(always)]
-    fn omega<A: Arithmetic, N: Number>(&self, K: [N; 3]) -> [N; 3] {
-        let (gradient, c, T) = self.terms::<A, N>(K);
-        energy_form(K, gradient, c, T).omega
+    fn omega(&self, K: [f64; 3]) -> [f64; 3] {
+        energy_form(K, self.slope(K), vector(self.c.at(K)), self.T.at(K)).omega
     }
 
     #[inline(always)]
@@ -128,12 +126,10 @@ impl Equations for AngularMomentumForm {
         Motion { omega, rate, power, energy_rate: -power }
     }
 
-    #[inline(always)]
     fn energy(&self, K: [f64; 3]) -> f64 {
-        self.energy.value::<Plain>(K)[0]
+        self.energy.at(K)[0]
     }
 
-    #[inline(always)]
     fn energy_gradient(&self, K: [f64; 3]) -> Option<[f64; 3]> {
         Some(self.slope(K))
     }
@@ -190,8 +186,7 @@ impl AngularVelocityForm {
 }
 
 impl Equations for AngularVelocityForm {
-    #[inline(always)]
-    fn omega<A: Arithmetic, N: Number>(&self, omega: [N; 3]) -> [N; 3] {
+    fn omega(&self, omega: [f64; 3]) -> [f64; 3] {
         omega
     }
 

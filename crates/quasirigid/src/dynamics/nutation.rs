@@ -62,7 +62,7 @@ struct Along<'a> {
 impl Along<'_> {
     #[inline(always)]
     fn velocity(&self, u: [f64; 3]) -> [f64; 3] {
-        let [x, y, z, _] = self.slope.value::<Plain>(scale(self.angular_momentum, u));
+        let [x, y, z, _] = self.slope.at(scale(self.angular_momentum, u));
         cross(u, [x, y, z])
     }
 }

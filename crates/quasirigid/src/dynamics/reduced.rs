@@ -19,7 +19,7 @@ use super::steady::{IsolatedSpin, all_steady_spins};
 use crate::math::ode::{Checkpoint, Dop853, Solver, integrate};
 use crate::math::polynomial::{Kernel, Series};
 use crate::math::rotation;
-use crate::math::simd::{Arithmetic, Plain, Task, dispatch};
+use crate::math::simd::{Arithmetic, Task, dispatch};
 use crate::math::vec3::{add, norm, scale};
 use crate::model::ReducedBody;
 
@@ -209,7 +209,7 @@ impl<'a> Shares<'a> {
 
     /// Power (W) of each dissipator at an angular velocity.
     pub fn powers(&self, omega: [f64; 3]) -> Vec<f64> {
-        let all = self.kernels.iter().flat_map(|kernel| kernel.value::<Plain>(omega));
+        let all = self.kernels.iter().flat_map(|kernel| kernel.at(omega));
         all.take(self.body.power_shares.len()).collect()
     }
 }
@@ -217,7 +217,7 @@ impl<'a> Shares<'a> {
 impl<E: Equations> Reduced<'_, E> {
     /// Begins to sum up what the dissipators take, at a state.
     pub fn begin(&mut self, t: f64, y: &[f64]) {
-        let powers = || self.shares.powers(self.equations.omega::<Plain, f64>(Accounts::unpack(y).x));
+        let powers = || self.shares.powers(self.equations.omega(Accounts::unpack(y).x));
         self.taken = (self.shares.count() > 0).then(|| Quadrature::new(t, powers()));
     }
 
@@ -248,7 +248,7 @@ impl<E: Equations> Trajectory for Reduced<'_, E> {
     fn view(&mut self, _: f64, y: &[f64]) -> StateView {
         let Accounts { x, dissipated, energy_change, angle, .. } = Accounts::unpack(y);
         StateView {
-            omega: self.equations.omega::<Plain, f64>(x),
+            omega: self.equations.omega(x),
             angular_momentum: self.equations.angular_momentum(x),
             energy: self.equations.energy(x),
             q: Vec::new(),
@@ -295,7 +295,7 @@ impl<E: Equations> Trajectory for Reduced<'_, E> {
     #[inline(always)]
     fn stepped(&mut self, t: f64, y: &[f64]) {
         if let Some(taken) = &mut self.taken {
-            let omega = self.equations.omega::<Plain, f64>(Accounts::unpack(y).x);
+            let omega = self.equations.omega(Accounts::unpack(y).x);
             taken.add(t, self.shares.powers(omega));
         }
     }

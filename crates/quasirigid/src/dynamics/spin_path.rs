@@ -10,7 +10,7 @@ use super::run::{ALIGNED, Options, Outcome, PropagateError, check};
 use super::spin::SpinOnly;
 use super::start::start;
 use crate::math::ode::{Dop853, Solver, StepObserver, Work, integrate};
-use crate::math::simd::{Arithmetic, Plain, Task, dispatch};
+use crate::math::simd::{Arithmetic, Task, dispatch};
 use crate::math::vec3::norm;
 use crate::model::ReducedBody;
 
@@ -91,7 +91,7 @@ struct Collector<'a, E> {
 
 impl<E: Equations, M: Solver<State = [f64; 4]>> StepObserver<M> for Collector<'_, E> {
     fn output(&mut self, _: f64, y: &[f64; 4]) {
-        self.omega.push(self.equations.omega::<Plain, f64>(vector(*y)));
+        self.omega.push(self.equations.omega(vector(*y)));
     }
 
     #[inline(always)]

@@ -9,7 +9,7 @@ use super::spin_path::SpinPath;
 use super::start::start;
 use crate::math::lanes::Lanes;
 use crate::math::ode::{Dop853, LaneRun, LaneStart, LaneSystem, Work, integrate_lanes};
-use crate::math::simd::{Arithmetic, Plain, Task, dispatch_lanes};
+use crate::math::simd::{Arithmetic, Task, dispatch_lanes};
 use crate::math::vec3::norm;
 use crate::model::ReducedBody;
 
@@ -123,7 +123,7 @@ fn first_step<E: Equations, A: Arithmetic>(
 const FIRST: u64 = 2;
 
 fn path<E: Equations>(equations: &E, LaneRun { outputs, reason, work }: LaneRun<3>) -> SpinPath {
-    let omega = outputs.into_iter().map(|x| equations.omega::<Plain, f64>(x)).collect();
+    let omega = outputs.into_iter().map(|x| equations.omega(x)).collect();
     let work = Work { evaluations: work.evaluations + FIRST, ..work };
     SpinPath { omega, outcome: Outcome::of(reason, None), work }
 }

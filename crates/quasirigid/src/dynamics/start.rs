@@ -1,7 +1,6 @@
 use nalgebra::{Matrix3, Vector3};
 
 use super::form::{AngularMomentumForm, Equations, Form};
-use crate::math::simd::Plain;
 use crate::math::sym3;
 use crate::math::vec3::norm;
 use crate::model::ReducedBody;
@@ -18,7 +17,7 @@ pub(super) fn start(body: &ReducedBody, omega: [f64; 3], form: Form) -> Option<[
         return Some(omega);
     }
     let form = AngularMomentumForm::new(body);
-    let at = |K: Vector3<f64>| Vector3::from(form.omega::<Plain, f64>(K.into()));
+    let at = |K: Vector3<f64>| Vector3::from(form.omega(K.into()));
     let omega = Vector3::from(omega);
     let mut K = Vector3::from(body.angular_momentum(omega.into()));
     let step = DIFFERENCE * norm(sym3::times(body.J, omega.into()));

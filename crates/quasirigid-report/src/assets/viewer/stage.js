@@ -143,15 +143,16 @@ class Stage {
     gl.bindVertexArray(null);
   }
 
-  /** Draws an arrow from the origin. */
-  arrow(tip, radius, color) {
+  /** Draws an arrow between two points on a line through the origin. */
+  arrow(tail, tip, radius, color) {
     const { gl } = this;
-    const direction = unit(tip);
-    const head = Math.min(7 * radius, 0.5 * size(tip));
+    const shaft = plus(tip, tail, -1);
+    const direction = unit(shaft);
+    const head = Math.min(7 * radius, 0.5 * size(shaft));
     const base = plus(tip, direction, -head);
     gl.disable(gl.BLEND);
     gl.depthMask(true);
-    glFill(gl, this.strokes.buffer, Float32Array.from([0, 0, 0, ...base]));
+    glFill(gl, this.strokes.buffer, Float32Array.from([...tail, ...base]));
     this.drawSegments(this.strokes.arrays, 1, color, radius, 1, 1, 0);
     glFill(gl, this.cone, cone(base, direction, head, 0.36 * head));
     gl.bindVertexArray(this.cones);

@@ -2,6 +2,7 @@
 const REVOLUTIONS = 12;
 const PER_REVOLUTION = 24;
 const EDGE = 0.55; // of the colour of a piece
+const SLENDER = 0.1; // distance from an arrow, in radii of the body, within which a part is hidden by it
 
 /** Equations that turn the body from frame to frame: the reduced ones where they hold, else those of the rigid body. */
 const equationsBetween = ({ equations, principal, track }) => {
@@ -57,6 +58,7 @@ class Viewer {
       this.polhode?.follow(frames);
       this.herpolhode?.follow(frames);
       this.upright = this.upright ?? this.uprightAxes(frames.frame(0));
+      this.arrowsFrom = this.arrowsFrom ?? this.slenderReach(unit(frames.frame(0).momentum));
     }
     this.redraw();
   }
@@ -66,6 +68,19 @@ class Viewer {
     const axes = this.scene.principal?.axes ?? [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
     const nearest = axes.reduce((a, b) => (Math.abs(dot(b, momentum)) > Math.abs(dot(a, momentum)) ? b : a));
     return { body: times(Math.sign(dot(nearest, momentum)) || 1, nearest), inertial: turned(attitude, unit(momentum)) };
+  }
+
+  /** How far slender parts reach along a direction: arrows begin there, or they would hide the parts. */
+  slenderReach(direction) {
+    let reach = 0;
+    for (const { rest } of this.pieces) {
+      for (let i = 0; i < rest.length / 3; i++) {
+        const place = vectorAt(rest, i);
+        const along = dot(place, direction);
+        if (size(plus(place, direction, -along)) < SLENDER * this.radius) reach = Math.max(reach, along);
+      }
+    }
+    return reach > this.radius / 2 ? reach : 0;
   }
 
   choose(mode) {
@@ -154,17 +169,24 @@ class Viewer {
       });
     }
     if (this.show.momentum && momentum) {
-      const tip = times(1.36 * radius, unit(momentum));
-      stage.arrow(tip, 0.014 * radius, theme.rgb("--s2"));
+      const tip = this.drawArrow(momentum, 1.36, theme.rgb("--s2"));
       tags.push(["momentum", times(1.06, tip)]);
     }
     if (this.show.spin && omega && size(omega) > 0) {
       this.fullSpin ??= size(omega);
-      const tip = times(1.18 * radius * clamp(size(omega) / this.fullSpin, 0.2, 1.25), unit(omega));
-      stage.arrow(tip, 0.014 * radius, theme.rgb("--s1"));
+      const tip = this.drawArrow(omega, 1.18 * clamp(size(omega) / this.fullSpin, 0.2, 1.25), theme.rgb("--s1"));
       tags.push(["spin", times(1.07, tip)]);
     }
     this.tags = tags.map(([name, place]) => [name, Camera.spot(this.seen.both, place)]);
+  }
+
+  /** Draws an arrow along a vector, its length in radii of the body, and shorter by what slender parts take; returns its tip. */
+  drawArrow(vector, length, color) {
+    const { radius, arrowsFrom = 0 } = this;
+    const along = (radii) => times(arrowsFrom + radii * (radius - arrowsFrom / FAR), unit(vector));
+    const tip = along(length);
+    this.stage.arrow(along(0), tip, 0.014 * radius, color);
+    return tip;
   }
 
   /** Largest displacement of any vertex over the frames. */

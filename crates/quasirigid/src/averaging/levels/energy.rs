@@ -3,7 +3,6 @@
 //! Equations (N1) and (N3), docs/theory/17-levels.md.
 
 use crate::math::polynomial::{Homogeneous, Kernel, Series, TensorKernel};
-use crate::math::simd::Plain;
 use crate::math::sphere::{deviator, directions};
 use crate::math::sym3;
 use crate::math::vec3::{cross, dot, norm, scale};
@@ -80,7 +79,7 @@ impl SlowEnergy {
 
     /// `h` (1/s).
     pub fn energy(&self, u: [f64; 3]) -> f64 {
-        self.energy.value::<Plain>(u)[0]
+        self.energy.at(u)[0]
     }
 
     /// The slow energy itself (J) of a value of `h`.
@@ -90,7 +89,7 @@ impl SlowEnergy {
 
     /// Tangential part of `∇h` (1/s).
     pub fn slope(&self, u: [f64; 3]) -> [f64; 3] {
-        let [x, y, z, _] = self.field.value::<Plain>(u);
+        let [x, y, z, _] = self.field.at(u);
         let along = dot([x, y, z], u);
         [x - along * u[0], y - along * u[1], z - along * u[2]]
     }
@@ -98,7 +97,7 @@ impl SlowEnergy {
     /// Velocity `u × ∇h` along the level (1/s), and the factor `s` by which the angular momentum is faster. (N3)
     #[inline(always)]
     pub fn velocity(&self, u: [f64; 3]) -> ([f64; 3], f64) {
-        let [x, y, z, slowing] = self.field.value::<Plain>(u);
+        let [x, y, z, slowing] = self.field.at(u);
         (cross(u, [x, y, z]), (1.0 + slowing).recip())
     }
 
@@ -107,8 +106,9 @@ impl SlowEnergy {
     #[inline(always)]
     pub fn power(&self, u: [f64; 3], velocity: [f64; 3]) -> [f64; 2] {
         let rate = scale(self.G, velocity);
-        let power = dot(rate, sym3::times(self.T.value::<Plain, f64>(u), rate));
-        [power, dot(self.Omega.vector::<Plain, f64>(u), u)]
+        let power = dot(rate, sym3::times(self.T.at(u), rate));
+        let [x, y, z, _] = self.Omega.at(u);
+        [power, dot([x, y, z], u)]
     }
 }
 

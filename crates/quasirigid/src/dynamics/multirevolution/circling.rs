@@ -231,7 +231,7 @@ impl<'a, A: Arithmetic> Energies<'a, A> {
     fn adder(&mut self) -> impl FnMut(f64, [f64; 3]) {
         |t, K| {
             if self.shares.count() > 0 {
-                let omega = self.motion.equations.omega::<Plain, f64>(K);
+                let omega = self.motion.equations.omega(K);
                 let powers = self.shares.powers(self.frame.outside(omega));
                 match &mut self.sums {
                     Some(sums) => sums.add(t, powers),

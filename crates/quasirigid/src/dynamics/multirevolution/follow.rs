@@ -18,7 +18,7 @@ use crate::dynamics::run::{Options, PropagateError, Run, Scan};
 use crate::dynamics::spin::{Accounted, Accounts};
 use crate::dynamics::steady::IsolatedSpin;
 use crate::math::ode::{Checkpoint, Dop853, Solver, StepObserver, StopReason, Work, integrate_until};
-use crate::math::simd::{Arithmetic, Plain};
+use crate::math::simd::Arithmetic;
 use crate::math::vec3::norm;
 
 type Direct<'a, A> = Dop853<Accounted<'a, AngularMomentumForm>, [f64; 12], A>;
@@ -112,7 +112,7 @@ impl<'w, 'a, A: Arithmetic> Follower<'w, 'a, A> {
         let state = Accounts::unpack(&y);
         let shares = &self.monitor.trajectory.shares;
         let circling = Circling::start(&self.motion, shares, self.spins, (t, &state));
-        let spin = norm(self.motion.equations.omega::<Plain, f64>(state.x));
+        let spin = norm(self.motion.equations.omega(state.x));
         let stretch = f64::from(1 << self.lost) * TAU / spin;
         let end = circling.as_ref().map_or(t + stretch, Circling::time);
         self.lost = if circling.is_some() { 0 } else { (self.lost + 1).min(LONGEST) };

@@ -2,6 +2,7 @@
 const REVOLUTIONS = 12;
 const PER_REVOLUTION = 24;
 const EDGE = 0.55; // of the colour of a piece
+const MOMENTUM = 1.36; // length of the arrow of K, in radii of the body
 const SLENDER = 0.1; // distance from an arrow, in radii of the body, within which a part is hidden by it
 
 /** Equations that turn the body from frame to frame: the reduced ones where they hold, else those of the rigid body. */
@@ -169,7 +170,7 @@ class Viewer {
       });
     }
     if (this.show.momentum && momentum) {
-      const tip = this.drawArrow(momentum, 1.36, theme.rgb("--s2"));
+      const tip = this.drawArrow(momentum, MOMENTUM, theme.rgb("--s2"));
       tags.push(["momentum", times(1.06, tip)]);
     }
     if (this.show.spin && omega && size(omega) > 0) {
@@ -183,7 +184,7 @@ class Viewer {
   /** Draws an arrow along a vector, its length in radii of the body, and shorter by what slender parts take; returns its tip. */
   drawArrow(vector, length, color) {
     const { radius, arrowsFrom = 0 } = this;
-    const along = (radii) => times(arrowsFrom + radii * (radius - arrowsFrom / FAR), unit(vector));
+    const along = (radii) => times(arrowsFrom + radii * (radius - arrowsFrom / MOMENTUM), unit(vector));
     const tip = along(length);
     this.stage.arrow(along(0), tip, 0.014 * radius, color);
     return tip;

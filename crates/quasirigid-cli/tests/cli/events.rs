@@ -85,6 +85,56 @@ fn pulses_of_formulas_are_not_stepped_over() {
     }
 }
 
+/// Angular velocity about `z` at the end, from 0.5 rad/s, under a torque by a formula of the motion, in every system and by both integrators.
+#[track_caller]
+fn assert_spin(formula: &str, duration: f64, expected: f64, error: f64) {
+    let spinning = AXIAL.replace("angular_velocity = [0, 0, 0]", "angular_velocity = [0, 0, 0.5]");
+    let force = format!("[[force]]\nkind = \"expression\"\ntorque = [\"0\", \"0\", \"{formula}\"]\n");
+    let folder = folder_with(&format!("{spinning}{force}"));
+    for system in
+        ["full --method explicit", "full --method implicit", "reduced", "rigid", "rigid --tolerance 1e-9"]
+    {
+        let line = format!("simulate model.toml --system {system} --duration {duration} --samples 2 --json");
+        let rate = vector(&finished(&ran_in(folder.path(), &line)), "omega")[2];
+        assert!((rate - expected).abs() < error, "{system}: {rate} for {expected}, {formula}");
+    }
+}
+
+/// Torques that act where the motion is in a short part of its range, at times that nobody knows before: a jump at `wz = 0.6` that is passed in
+/// 2 ms, a Gaussian of the time at which `t - 10 wz` is 50 s, and one of the attitude. (Z5)
+#[test]
+fn pulses_that_depend_on_the_motion_are_not_stepped_over() {
+    let J = 420.0;
+    let jump = 0.6001 + 0.001 * (200.0 - 99.9 - 2e-3);
+    assert_spin("0.42 + 41.58*step(1e-4 - abs(wz - 0.6))", 200.0, jump, 1e-8);
+
+    // With s = t - 50 - 10 wz and g = exp(-(s/0.01)²): dwz/ds = 0.02 g/(1 - 0.2 g).
+    let slope = |s: f64| {
+        let g = (-(s / 0.01).powi(2)).exp();
+        0.02 * g / (1.0 - 0.2 * g)
+    };
+    let kick: f64 = (-800..800).map(|i| 1e-4 * slope(1e-4 * f64::from(i))).sum();
+    assert_spin("8.4*exp(-((t - 50 - 10*wz)/0.01)^2)", 200.0, 0.5 + kick, 1e-6 * kick);
+
+    // Where qz = sin(θ/2) is a half its rate is 0.5 wz cos(π/6).
+    let kick = 84.0 * 1e-5 * PI.sqrt() / (0.25 * (PI / 6.0).cos()) / J;
+    assert_spin("84*exp(-((qz - 0.5)/1e-5)^2)", 3.0, 0.5 + kick, 1e-4 * kick);
+}
+
+/// A force that acts in a tenth of a millimetre of the way gives `m v²/2 = F σ √π` beside what was there. (Z5)
+#[test]
+fn a_force_in_a_narrow_place_is_not_stepped_over() {
+    let moving = AXIAL.replace("angular_velocity", "velocity = [0.2, 0, 0]\nangular_velocity");
+    let at = 0.5 / 601.0;
+    let force = format!("[[force]]\nkind = \"expression\"\non = \"carrier\"\nat = [0, 0, {at}]\n");
+    let model = format!("{moving}{force}force = [\"1000*exp(-((x - 3)/1e-4)^2)\", \"0\", \"0\"]\n");
+    let object =
+        finished(&ran_with(&model, "simulate model.toml --system rigid --duration 60 --samples 2 --json"));
+    let expected = (0.04 + 2.0 * 1000.0 * 1e-4 * PI.sqrt() / 601.0).sqrt();
+    let speed = vector(&object, "velocity")[0];
+    assert!((speed / expected - 1.0).abs() < 1e-9, "{speed} for {expected}");
+}
+
 /// Two hundred peaks of a sine above a level: `∫(sin θ − c) dθ = 2 cos θ₀ − c(π − 2θ₀)`, `sin θ₀ = c`.
 #[test]
 fn trains_are_followed_pulse_by_pulse() {

@@ -22,7 +22,7 @@ pub struct Changes {
 }
 
 /// Distance from a polynomial, relative to the largest value of a part, that counts as none: far less than a quadrature may overlook.
-const FLAT: f64 = 1e-8;
+pub const FLAT: f64 = 1e-8;
 /// Rounding of the variable, in units of its own, that values over a short interval show.
 const ROUNDING: f64 = 8.0 * f64::EPSILON;
 /// Length of the shortest interval, relative to the whole: what changes within is a jump.
@@ -32,13 +32,36 @@ const FIRST: [f64; 4] = [0.0, 0.236_067_977, 0.618_033_989, 1.0];
 /// Passes in which neighbours are joined.
 const PASSES: usize = 24;
 
-/// Finds the changes. (Z2)
+/// Finds the changes along one of the variables. (Z2)
 pub fn changes(program: &Program, along: usize, at: &[f64], ends: [f64; 2], budget: u64) -> Changes {
+    let mut path = |x: f64, variables: &mut Vec<f64>| {
+        variables.clear();
+        variables.extend_from_slice(at);
+        variables[along] = x;
+    };
+    follow(program, &|variable| variable == along, &mut path, ends, budget)
+}
+
+/// Finds the changes along a path on which every variable may move: `path` gives the variables at a place of it. (Z2)
+pub fn changes_on_path(program: &Program, path: &mut Path, ends: [f64; 2], budget: u64) -> Changes {
+    follow(program, &|_| true, path, ends, budget)
+}
+
+/// Variables at a place of a path.
+pub type Path<'p> = dyn FnMut(f64, &mut Vec<f64>) + 'p;
+
+fn follow(
+    program: &Program,
+    moves: &dyn Fn(usize) -> bool,
+    path: &mut Path,
+    ends: [f64; 2],
+    budget: u64,
+) -> Changes {
     let [from, to] = ends;
     if !(to > from) {
         return Changes { complete: true, ..Changes::default() };
     }
-    let mut scan = Scan::new(program, along, at, ends, budget);
+    let mut scan = Scan::new(program, moves, path, ends, budget);
     for index in 0..scan.nodes.len() {
         if scan.follows[index] && !matches!(scan.nodes[index].role, Role::Variable(_)) {
             scan.part(index);
@@ -70,15 +93,15 @@ enum Part {
     Gap(usize, usize),
 }
 
-/// Scan of a formula along a variable.
-struct Scan<'p> {
+/// Scan of a formula along a path.
+struct Scan<'p, 'v> {
     program: &'p Program,
     nodes: Vec<Node>,
-    /// Whether a node depends on the variable, on it alone, and whether what acts on the node may act in a short part of its range.
+    /// Whether a node depends on what moves, on it alone, and whether what acts on the node may act in a short part of its range.
     follows: Vec<bool>,
     alone: Vec<bool>,
     narrowed: Vec<bool>,
-    along: usize,
+    path: &'p mut Path<'v>,
     variables: Vec<f64>,
     lobatto: Lobatto,
     edges: Vec<Edge>,
@@ -90,14 +113,21 @@ struct Scan<'p> {
     budget: u64,
 }
 
-impl<'p> Scan<'p> {
-    fn new(program: &'p Program, along: usize, at: &[f64], [from, to]: [f64; 2], budget: u64) -> Self {
+impl<'p, 'v> Scan<'p, 'v> {
+    fn new(
+        program: &'p Program,
+        moves: &dyn Fn(usize) -> bool,
+        path: &'p mut Path<'v>,
+        [from, to]: [f64; 2],
+        budget: u64,
+    ) -> Self {
         let nodes = program.nodes();
         let (mut follows, mut alone) = (vec![false; nodes.len()], vec![true; nodes.len()]);
         let mut narrowed = follows.clone();
         for (index, Node { role, operands }) in nodes.iter().enumerate() {
-            follows[index] = *role == Role::Variable(along) || operands.iter().any(|of| follows[*of]);
-            let other = matches!(role, Role::Variable(variable) if *variable != along);
+            let moved = matches!(role, Role::Variable(variable) if moves(*variable));
+            follows[index] = moved || operands.iter().any(|of| follows[*of]);
+            let other = matches!(role, Role::Variable(variable) if !moves(*variable));
             alone[index] = !other && operands.iter().all(|of| alone[*of]);
             if !matches!(role, Role::Even) {
                 operands.iter().for_each(|of| narrowed[*of] = true);
@@ -113,8 +143,8 @@ impl<'p> Scan<'p> {
             follows,
             alone,
             narrowed,
-            along,
-            variables: at.to_vec(),
+            path,
+            variables: Vec::new(),
             lobatto: Lobatto::new(),
             edges,
             shortest: SHORTEST * (to - from).max(from.abs()).max(to.abs()),
@@ -165,7 +195,7 @@ impl<'p> Scan<'p> {
 
     fn trace(&mut self, x: f64, last: usize) {
         self.evaluations += 1;
-        self.variables[self.along] = x;
+        (self.path)(x, &mut self.variables);
         self.program.trace(&self.variables, last, &mut self.values);
     }
 

@@ -15,12 +15,39 @@ pub struct Lobatto {
     weights: [[f64; COARSE]; COARSE - 1],
 }
 
+impl Default for Lobatto {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
 impl Lobatto {
+    /// Number of points.
+    pub const POINTS: usize = FINE;
+
+    /// Points and weights.
+    #[must_use]
     pub fn new() -> Self {
         let last = (FINE - 1) as f64;
         let points: [f64; FINE] = std::array::from_fn(|i| 0.5 - 0.5 * (PI * i as f64 / last).cos());
         let weights = std::array::from_fn(|i| cardinal(&points, points[2 * i + 1]));
         Self { points, weights }
+    }
+
+    /// Weights of the values at all points for the polynomial through them at a place of the interval.
+    #[must_use]
+    pub fn weights_at(&self, x: f64) -> [f64; FINE] {
+        if let Some(at) = self.points.iter().position(|point| *point == x) {
+            return std::array::from_fn(|i| f64::from(u8::from(i == at)));
+        }
+        // Barycentric weights of these points: one in turn with each sign, half at the ends.
+        let part = |i: usize| {
+            let end = if i == 0 || i == FINE - 1 { 0.5 } else { 1.0 };
+            (if i.is_multiple_of(2) { end } else { -end }) / (x - self.points[i])
+        };
+        let parts: [f64; FINE] = std::array::from_fn(part);
+        let sum: f64 = parts.iter().sum();
+        parts.map(|part| part / sum)
     }
 
     /// Largest distance of the values from the polynomial through every second of them; NaN if a value is not finite.
@@ -54,6 +81,21 @@ fn cardinal(points: &[f64; FINE], x: f64) -> [f64; COARSE] {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn polynomials_through_all_points_are_exact_to_degree_sixteen() {
+        let lobatto = Lobatto::new();
+        let f = |x: f64| 3.0 * x.powi(16) - x.powi(3) + 0.2;
+        for x in [0.0, 0.013, 0.5, 0.77, 1.0] {
+            let sum: f64 = lobatto
+                .weights_at(x)
+                .iter()
+                .zip(lobatto.points)
+                .map(|(weight, point)| weight * f(point))
+                .sum();
+            assert!((sum - f(x)).abs() < 1e-14, "{x}: {sum}");
+        }
+    }
 
     #[test]
     fn polynomials_of_degree_eight_have_no_defect_and_others_have() {

@@ -12,14 +12,16 @@ mod lobatto;
 mod message;
 mod parser;
 mod program;
+mod quiet;
 mod rates;
 #[cfg(feature = "serde")]
 mod written;
 
-pub use changes::Changes;
+pub use changes::{Changes, Path};
+pub use lobatto::Lobatto;
 
 use super::scalar::Smooth;
-use program::Program;
+use program::{Node, Program, Role};
 
 /// A formula in named variables, read once and evaluated at numbers or at series.
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -89,6 +91,35 @@ impl Expression {
     #[must_use]
     pub fn changes(&self, along: usize, at: &[f64], ends: [f64; 2], budget: u64) -> Changes {
         changes::changes(&self.program, along, at, ends, budget)
+    }
+
+    /// Where the formula changes along a path on which its variables move, between two places of it. (Z2)
+    ///
+    /// The formula is evaluated `budget` times at most.
+    #[must_use]
+    pub fn changes_on_path(&self, path: &mut Path, ends: [f64; 2], budget: u64) -> Changes {
+        changes::changes_on_path(&self.program, path, ends, budget)
+    }
+
+    /// Whether the formula hides nothing between the places of a path at which its variables are known, those of [`Lobatto::points`]: no
+    /// part of it acts in between. (Z2)
+    #[must_use]
+    pub fn is_quiet(&self, lobatto: &Lobatto, variables: &[&[f64]; Lobatto::POINTS]) -> bool {
+        quiet::is_quiet(&self.program, lobatto, variables)
+    }
+
+    /// Whether a part of the formula that has a corner, or may act in a short part of the range of its argument, depends on a variable of
+    /// these. (Z2)
+    #[must_use]
+    pub fn is_narrow_in(&self, mut variables: impl FnMut(usize) -> bool) -> bool {
+        let mut moves: Vec<bool> = Vec::new();
+        let mut narrow = false;
+        for Node { role, operands } in self.program.nodes() {
+            let moved = operands.iter().any(|of| moves[*of]);
+            narrow |= moved && matches!(role, Role::Narrow | Role::Corner | Role::Choice);
+            moves.push(moved || matches!(role, Role::Variable(variable) if variables(variable)));
+        }
+        narrow
     }
 
     /// Value at the variables, in the order in which they were named; NaN where there is none.

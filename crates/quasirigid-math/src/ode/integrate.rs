@@ -28,6 +28,12 @@ pub trait StepObserver<M: Solver> {
         None
     }
 
+    /// Whether the last step is taken back, because it has passed something that acted within it: the next steps then stop earlier. (Z5)
+    fn takes_back(&mut self, solver: &mut M) -> bool {
+        let _ = solver;
+        false
+    }
+
     /// Called after each step, and free to correct the state; `Break` ends the integration.
     fn stepped(&mut self, solver: &mut M) -> ControlFlow<()>;
 }
@@ -85,8 +91,14 @@ pub fn integrate_until<M: Solver>(
         if solver.work().steps >= most_steps {
             return (StopReason::StepLimit, next);
         }
-        if let Err(error) = solver.step(end.min(observer.stop(solver.t()))) {
+        let from = solver.t();
+        if let Err(error) = solver.step(end.min(observer.stop(from))) {
             return (StopReason::Failed(error), next);
+        }
+        if observer.takes_back(solver) {
+            let start = solver.dense().at(from);
+            solver.rewind(from, start);
+            continue;
         }
         let event = observer.event(solver);
         let reached = event.unwrap_or(solver.t());

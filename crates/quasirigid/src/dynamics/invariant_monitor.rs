@@ -11,10 +11,12 @@ use super::event::EventDetector;
 use super::run::{Observer, Options, Outcome, Pace, PropagateError, Sample, Scan};
 use super::seat::Seat;
 use super::timing::Timing;
+use crate::math::expression::Lobatto;
 use crate::math::ode::{Checkpoint, Solver, State, StepObserver, StopReason, Stretch};
 use crate::math::rotation;
 use crate::math::vec3::{add, dot, norm, scale};
-use crate::model::Displaced;
+use crate::model::force::{Felt, ForceLaw, KinematicState, VARIABLES};
+use crate::model::{Displaced, FlexibleBody, Marker, MotionState};
 
 /// Motion of an integrated system, whose state begins with the angular momentum in body axes or with the angular velocity.
 pub(super) trait Trajectory {
@@ -265,6 +267,18 @@ impl<'o, T: Trajectory> InvariantMonitor<'o, T> {
         self.read(t, y, &view)
     }
 
+    /// What the formulas of laws feel at a state. (F9)
+    fn felt(&mut self, t: f64, y: &[f64], body: &FlexibleBody, laws: &[&ForceLaw<Marker>]) -> Vec<Felt> {
+        let view = self.trajectory.view(t, y);
+        let sample = self.read(t, y, &view);
+        let motion = MotionState { omega: view.omega, q: &view.q, rate: &view.rate };
+        let pole_velocity =
+            add(sample.velocity, rotation::to_inertial(sample.attitude, body.pole_from_center(motion).1));
+        let kinematics =
+            KinematicState { t, attitude: sample.attitude, pole: sample.pole, pole_velocity, motion };
+        laws.iter().map(|law| body.felt(law, &kinematics)).collect()
+    }
+
     /// State with `|K|` and the balance of the energy restored. (P6)
     fn projected(&mut self, t: f64, y: &[f64]) -> Vec<f64> {
         let mut projected = y.to_vec();
@@ -400,6 +414,19 @@ impl<M: Solver<State = T::State>, T: Trajectory> StepObserver<M> for InvariantMo
         let (stretch, begins) = self.timing.as_mut()?.stretch(t)?;
         self.trajectory.enter(stretch, begins);
         Some((stretch, begins))
+    }
+
+    fn takes_back(&mut self, solver: &mut M) -> bool {
+        let Some((body, laws, shares)) = self.timing.as_ref().and_then(Timing::felt) else { return false };
+        let (rule, dense) = (solver.rule(), solver.dense());
+        let mut along = vec![[[0.0; VARIABLES]; Lobatto::POINTS]; laws.len()];
+        for (place, share) in shares.into_iter().enumerate() {
+            let t = rule.t + share * rule.h;
+            for (along, felt) in along.iter_mut().zip(self.felt(t, dense.at(t).as_ref(), body, &laws)) {
+                along[place] = felt;
+            }
+        }
+        self.timing.as_mut().is_some_and(|timing| timing.takes_back(rule, &along))
     }
 
     fn event(&mut self, solver: &mut M) -> Option<f64> {

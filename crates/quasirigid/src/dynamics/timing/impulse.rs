@@ -1,7 +1,7 @@
 //! Impulse of a prescribed force: what the steps have summed up, against a quadrature that knows nothing of them. (Z4)
 
 use super::prescribed::Prescribed;
-use super::{Allowed, Missed};
+use super::{Allowed, Missed, allowed_impulse};
 use crate::math::ode::{Checkpoint, StepRule, Stretch};
 use crate::math::quadrature::{gauss_lobatto, integral};
 use crate::math::vec3::{add, norm, scale};
@@ -52,17 +52,7 @@ impl<'a> Account<'a> {
 
     /// Sets the error that a step may have, from that of the angular momentum and of the velocity.
     pub fn allow(&mut self, body: &FlexibleBody, allowed: Allowed) {
-        let invariants = body.invariants();
-        let [xx, yy, zz, ..] = invariants.J;
-        let gyration = ((xx + yy + zz) / invariants.mass).sqrt();
-        self.allowed = match self.part.place() {
-            None => allowed.angular_momentum,
-            Some(at) => {
-                let arm = norm(at.position).hypot(gyration);
-                let shift = invariants.mass * allowed.velocity;
-                (allowed.angular_momentum / arm).max(if shift.is_finite() { shift } else { 0.0 })
-            }
-        };
+        self.allowed = allowed_impulse(body, self.part.place(), allowed);
     }
 
     /// Adds a step.

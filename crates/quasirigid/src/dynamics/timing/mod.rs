@@ -3,8 +3,10 @@
 //!
 //! An integrator learns of a force at the stages of its steps alone, so that a short force between two of them does not exist for it. The
 //! times of what acts are known before the run: windows, rows of tables, corners of formulas, places where a formula changes quickly.
-//! Equations (Z1) to (Z4), docs/theory/19-events.md.
+//! What acts by the motion has no such times: each step is compared with its own path, and taken back where it has passed something.
+//! Equations (Z1) to (Z5), docs/theory/19-events.md.
 
+mod felt;
 mod impulse;
 mod missed;
 mod prescribed;
@@ -12,19 +14,29 @@ mod stops;
 
 pub use missed::Missed;
 
+pub(super) use felt::Along;
+use felt::{FeltForce, Sight, felt_forces};
 use impulse::Account;
 use prescribed::prescribed;
 use stops::{Stops, stops};
 
 use super::external::{Forced, Pose};
 use super::run::Scan;
+use crate::math::expression::Lobatto;
 use crate::math::ode::{Checkpoint, StepRule, Stretch};
+use crate::math::vec3::norm;
+use crate::model::force::ForceLaw;
+use crate::model::{FlexibleBody, Marker};
 
 /// Timing of a run. (Z1)
 #[derive(Debug)]
 pub(super) struct Timing<'a> {
     stops: Stops<'a>,
     accounts: Vec<Account<'a>>,
+    /// Forces by the motion, and times that no step passes because of them, ascending.
+    felt: Vec<FeltForce<'a>>,
+    passed: Vec<f64>,
+    lobatto: Lobatto,
     /// Time at which the interval began that the steps are in, and the one at which it ends.
     interval: [f64; 2],
     end: f64,
@@ -49,13 +61,23 @@ impl<'a> Timing<'a> {
         }
         let parts = prescribed(system);
         let mut stops = stops(system, omega, pose, end);
-        if parts.is_empty() && stops.is_empty() {
+        let felt = felt_forces(system);
+        if parts.is_empty() && stops.is_empty() && felt.is_empty() {
             return None;
         }
         stops.follow(0.0);
         let accounts = parts.into_iter().map(Account::of).collect();
         let first = stops.next(0.0).min(end);
-        let mut timing = Self { stops, accounts, interval: [0.0, first], end, missed: None };
+        let mut timing = Self {
+            stops,
+            accounts,
+            felt,
+            passed: Vec::new(),
+            lobatto: Lobatto::new(),
+            interval: [0.0, first],
+            end,
+            missed: None,
+        };
         let intervals = timing.intervals();
         timing.accounts.iter_mut().for_each(|account| account.expect(&intervals));
         Some(timing)
@@ -64,6 +86,7 @@ impl<'a> Timing<'a> {
     /// Sets the limits of the impulse. (Z4)
     pub fn allow(&mut self, system: Forced, allowed: Allowed) {
         self.accounts.iter_mut().for_each(|account| account.allow(system.body, allowed));
+        self.felt.iter_mut().for_each(|force| force.allow(allowed));
     }
 
     /// Cost and result of following the formulas so far.
@@ -90,7 +113,31 @@ impl<'a> Timing<'a> {
             self.stops.follow(t);
             self.interval = [t, self.stops.next(t).min(self.end)];
         }
-        self.interval[1]
+        self.passed.retain(|stop| *stop > t);
+        self.passed.first().map_or(self.interval[1], |stop| stop.min(self.interval[1]))
+    }
+
+    /// The body, laws of the forces by the motion, and places in a step, as shares of it, at which they are compared with it; none without
+    /// such a force. (Z5)
+    pub fn felt(&self) -> Option<(&'a FlexibleBody, Vec<&'a ForceLaw<Marker>>, [f64; Lobatto::POINTS])> {
+        let laws: Vec<_> = self.felt.iter().map(|force| force.law).collect();
+        Some((self.felt.first()?.body, laws, self.lobatto.points))
+    }
+
+    /// Whether a step is taken back, because it has not seen what acted along its path. (Z5)
+    pub fn takes_back(&mut self, rule: StepRule, along: &[Along]) -> bool {
+        let mut stops = Vec::new();
+        for (force, along) in self.felt.iter_mut().zip(along) {
+            match force.look(&self.lobatto, rule, along) {
+                Sight::Seen => {}
+                Sight::Again(found) => stops.extend(found),
+                Sight::Missed(missed) => self.missed = self.missed.or(Some(missed)),
+            }
+        }
+        let again = !stops.is_empty();
+        self.passed.extend(stops);
+        self.passed.sort_by(f64::total_cmp);
+        again
     }
 
     /// The stretch between breakpoints that a step from `t` on lies in, and whether it begins there.
@@ -120,6 +167,11 @@ impl<'a> Timing<'a> {
     pub fn save(&self, checkpoint: &mut Checkpoint) {
         self.interval.iter().for_each(|t| checkpoint.save(*t));
         self.accounts.iter().for_each(|account| account.save(checkpoint));
+        if !self.felt.is_empty() {
+            self.felt.iter().for_each(|force| checkpoint.save(force.whole));
+            checkpoint.save_count(self.passed.len() as u64);
+            self.passed.iter().for_each(|stop| checkpoint.save(*stop));
+        }
     }
 
     /// Loads saved impulses.
@@ -128,6 +180,24 @@ impl<'a> Timing<'a> {
             *t = checkpoint.load()?;
         }
         self.stops.follow(self.interval[0]);
-        self.accounts.iter_mut().try_for_each(|account| account.load(checkpoint))
+        self.accounts.iter_mut().try_for_each(|account| account.load(checkpoint))?;
+        if !self.felt.is_empty() {
+            for force in &mut self.felt {
+                force.whole = checkpoint.load()?;
+            }
+            self.passed = (0..checkpoint.load_count()?).map(|_| checkpoint.load()).collect::<Option<_>>()?;
+        }
+        Some(())
     }
+}
+
+/// Error of the impulse that a step may have (N·m·s of a torque, N·s of a force at a place). (Z4)
+fn allowed_impulse(body: &FlexibleBody, at: Option<&Marker>, allowed: Allowed) -> f64 {
+    let Some(at) = at else { return allowed.angular_momentum };
+    let invariants = body.invariants();
+    let [xx, yy, zz, ..] = invariants.J;
+    let gyration = ((xx + yy + zz) / invariants.mass).sqrt();
+    let arm = norm(at.position).hypot(gyration);
+    let shift = invariants.mass * allowed.velocity;
+    (allowed.angular_momentum / arm).max(if shift.is_finite() { shift } else { 0.0 })
 }

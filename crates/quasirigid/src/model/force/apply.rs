@@ -57,6 +57,19 @@ impl FlexibleBody {
     }
 }
 
+/// Values of the variables of a formula, in their order. (F9)
+pub(crate) type Felt = [f64; VARIABLES];
+
+impl FlexibleBody {
+    /// What the formulas of a law feel at a state. (F9)
+    pub(crate) fn felt(&self, law: &ForceLaw<Marker>, kinematics: &KinematicState<f64>) -> Felt {
+        let context = LoadContext { body: self, kinematics, turn: OnceCell::new() };
+        let Some(at) = law.place() else { return context.felt(kinematics.pole, kinematics.pole_velocity) };
+        let (place, velocity) = context.passing(at);
+        context.felt_at(&place, velocity)
+    }
+}
+
 impl<T: Smooth> Loads<T> {
     /// No load on a body with this many coordinates.
     #[must_use]
@@ -142,8 +155,7 @@ impl<T: Smooth> LoadContext<'_, T> {
             }
             ForceLaw::Expression { at, force } => {
                 let (at, velocity) = self.passing(at);
-                let place = add(self.kinematics.pole, self.turn().to_inertial(at.0));
-                let felt = self.felt(place, self.turn().to_inertial(velocity));
+                let felt = self.felt_at(&at, velocity);
                 let force = force.each_ref().map(|component| component.value(&felt));
                 loads.add_force(&at, self.turn().to_body(force));
             }
@@ -166,6 +178,12 @@ impl<T: Smooth> LoadContext<'_, T> {
 
     fn turn(&self) -> &Turn<T> {
         self.turn.get_or_init(|| Turn::of(self.kinematics.attitude))
+    }
+
+    /// Values of the variables of a formula at a displaced place with its velocity (m/s), body axes. (F9)
+    fn felt_at(&self, (u, _): &DisplacedPlace<T>, velocity: [T; 3]) -> [T; VARIABLES] {
+        let place = add(self.kinematics.pole, self.turn().to_inertial(*u));
+        self.felt(place, self.turn().to_inertial(velocity))
     }
 
     /// Values of the variables of a formula, in their order. (F9)

@@ -9,6 +9,7 @@ mod orbit;
 mod pose;
 mod timing;
 
+pub(crate) use apply::Felt;
 pub use apply::{KinematicState, Loads};
 pub use field::MagneticField;
 pub use law::{Axes, Force, ForceLaw, Wave};

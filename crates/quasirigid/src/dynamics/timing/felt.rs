@@ -1,0 +1,142 @@
+//! Forces by formulas of the motion that may act in a short part of it: each step is compared with a quadrature along its own path, and taken
+//! back where the two differ. (Z5)
+
+use super::{Allowed, Missed, allowed_impulse};
+use crate::dynamics::external::Forced;
+use crate::math::expression::{Expression, Lobatto};
+use crate::math::ode::StepRule;
+use crate::math::quadrature::integral;
+use crate::math::vec3::{add, norm, scale};
+use crate::model::force::{Felt, ForceLaw, TIME, VARIABLES, Windows};
+use crate::model::{FlexibleBody, Marker};
+
+/// Difference of the impulse in a step, relative to the impulse of the force so far, above which the step is taken back.
+const SEEN: f64 = 1e-6;
+/// Errors of the quadrature, relative to the largest value in a cell, and of the impulse whatever its direction.
+const ERROR: f64 = 1e-10;
+const ROUGH: f64 = 1e-2;
+/// Evaluations of a formula along a step.
+const IN_STEP: u64 = 50_000;
+/// Shortest step that is taken back, relative to the time.
+const SHORTEST: f64 = 1e-13;
+
+/// Variables of a formula along a step, at the points of Lobatto.
+pub(in crate::dynamics) type Along = [Felt; Lobatto::POINTS];
+
+/// Force by formulas of the motion.
+#[derive(Clone, Debug)]
+pub(super) struct FeltForce<'a> {
+    /// Index of the force.
+    force: usize,
+    pub body: &'a FlexibleBody,
+    pub law: &'a ForceLaw<Marker>,
+    windows: Option<&'a Windows>,
+    formulas: &'a [Expression; 3],
+    /// `∫|F| dt` so far.
+    pub whole: f64,
+    /// Error that a step may have.
+    allowed: f64,
+}
+
+/// What the steps saw of a force.
+pub(super) enum Sight {
+    /// All of it.
+    Seen,
+    /// Not all: the step is taken back, and the next ones stop at these times.
+    Again(Vec<f64>),
+    /// Not all, in a step that is too short to be divided.
+    Missed(Missed),
+}
+
+/// The forces by formulas whose parts may act in a short part of the motion.
+pub(super) fn felt_forces(system: Forced<'_>) -> Vec<FeltForce<'_>> {
+    let own = system.forces.iter().enumerate().filter_map(|(force, given)| {
+        let (law, windows) = given.law.timed();
+        let formulas = law.formulas()?;
+        let narrow = formulas.iter().any(|formula| formula.is_narrow_in(|variable| variable != TIME));
+        narrow.then_some(FeltForce {
+            force,
+            body: system.body,
+            law,
+            windows,
+            formulas,
+            whole: 0.0,
+            allowed: 0.0,
+        })
+    });
+    own.collect()
+}
+
+impl FeltForce<'_> {
+    /// Sets the error that a step may have, from that of the angular momentum and of the velocity.
+    pub fn allow(&mut self, allowed: Allowed) {
+        self.allowed = allowed_impulse(self.body, self.law.place(), allowed);
+    }
+
+    fn value(&self, variables: &[f64]) -> [f64; 3] {
+        if self.windows.is_some_and(|windows| !windows.contains(variables[TIME])) {
+            return [0.0; 3];
+        }
+        self.formulas.each_ref().map(|formula| formula.value(variables))
+    }
+
+    /// Compares what a step saw with the impulse along its path. (Z5)
+    pub fn look(&mut self, lobatto: &Lobatto, rule: StepRule, along: &Along) -> Sight {
+        let places: [&[f64]; Lobatto::POINTS] = std::array::from_fn(|i| along[i].as_slice());
+        if self.formulas.iter().all(|formula| formula.is_quiet(lobatto, &places)) {
+            let sizes: f64 = along.iter().map(|variables| norm(self.value(variables))).sum();
+            self.whole += rule.h.abs() * sizes / Lobatto::POINTS as f64;
+            return Sight::Seen;
+        }
+        let at = |t: f64| -> [f64; VARIABLES] {
+            let weights = lobatto.weights_at(((t - rule.t) / rule.h).clamp(0.0, 1.0));
+            std::array::from_fn(|variable| {
+                weights.iter().zip(along).map(|(weight, felt)| weight * felt[variable]).sum()
+            })
+        };
+        let (from, to) = (rule.t, rule.t + rule.h);
+        let mut ends = vec![from, to];
+        for formula in self.formulas {
+            let mut path = |t: f64, variables: &mut Vec<f64>| {
+                variables.clear();
+                variables.extend_from_slice(&at(t));
+            };
+            ends.extend(formula.changes_on_path(&mut path, [from, to], IN_STEP).ends);
+        }
+        ends.sort_by(f64::total_cmp);
+        ends.dedup_by(|later, kept| *later - *kept <= SHORTEST * later.abs());
+        let (mut exact, mut whole) = ([0.0; 3], 0.0);
+        for cell in ends.windows(2) {
+            let size = |share: f64| norm(self.value(&at(cell[0] + share * (cell[1] - cell[0]))));
+            let lift = 2.0 * lobatto.points.iter().map(|share| size(*share)).fold(0.0, f64::max);
+            if lift == 0.0 {
+                continue;
+            }
+            // an integrand that does not change its sign, so that the error is not relative to what cancels
+            let lifted =
+                integral(&mut |t| self.value(&at(t)).map(|part| part + lift), cell[0], cell[1], ERROR).value;
+            exact = add(exact, lifted.map(|sum| sum - lift * (cell[1] - cell[0])));
+            whole += integral(&mut |t| [norm(self.value(&at(t)))], cell[0], cell[1], ROUGH).value[0];
+        }
+        let difference = norm(add(rule.sum(|t| self.value(&at(t))), scale(-1.0, exact)));
+        if difference <= SEEN * (self.whole + whole) + self.allowed {
+            self.whole += whole;
+            return Sight::Seen;
+        }
+        if rule.h <= SHORTEST * to.abs() {
+            let whole = self.whole + whole;
+            return Sight::Missed(Missed::Impulse {
+                force: self.force,
+                interval: [from, to],
+                difference,
+                whole,
+            });
+        }
+        let inside = |t: &f64| *t > from + SHORTEST * to.abs() && *t < to - SHORTEST * to.abs();
+        let mut stops: Vec<f64> = ends.into_iter().filter(inside).collect();
+        if stops.is_empty() {
+            stops.push(0.5 * (from + to));
+        }
+        Sight::Again(stops)
+    }
+}

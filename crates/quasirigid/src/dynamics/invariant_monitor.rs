@@ -10,7 +10,7 @@ use super::conserved_momentum::Conserved;
 use super::event::EventDetector;
 use super::run::{Observer, Options, Outcome, Pace, PropagateError, Sample, Scan};
 use super::seat::Seat;
-use super::timing::Timing;
+use super::timing::{FeltLaws, Timing};
 use crate::math::expression::Lobatto;
 use crate::math::ode::{Checkpoint, Solver, State, StepObserver, StopReason, Stretch};
 use crate::math::rotation;
@@ -417,7 +417,9 @@ impl<M: Solver<State = T::State>, T: Trajectory> StepObserver<M> for InvariantMo
     }
 
     fn takes_back(&mut self, solver: &mut M) -> bool {
-        let Some((body, laws, shares)) = self.timing.as_ref().and_then(Timing::felt) else { return false };
+        let Some(FeltLaws { body, laws, shares }) = self.timing.as_ref().and_then(Timing::felt) else {
+            return false;
+        };
         let (rule, dense) = (solver.rule(), solver.dense());
         let mut along = vec![[[0.0; VARIABLES]; Lobatto::POINTS]; laws.len()];
         for (place, share) in shares.into_iter().enumerate() {

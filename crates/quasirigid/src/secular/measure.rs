@@ -8,7 +8,7 @@ use std::ops::ControlFlow;
 use thiserror::Error;
 
 use super::energy_range::EnergyRange;
-use crate::averaging::{FreeRotation, RotationState};
+use crate::averaging::RotationState;
 use crate::dynamics::{
     Forced, FullState, Observer, Options, Outcome, PropagateError, Sample, propagate_full,
 };
@@ -72,6 +72,8 @@ pub(super) struct Plan {
     pub settling: f64,
     /// Periods of the polhode in a window.
     pub periods: f64,
+    /// Windows as long as the first before they double.
+    pub equal: usize,
     /// Relative change allowed between windows.
     pub change: f64,
     /// Error allowed per step, relative.
@@ -81,6 +83,9 @@ pub(super) struct Plan {
     /// Limit of doublings of the window until the mean settles.
     pub doublings: usize,
 }
+
+/// Relative change from window to window up to which a power may change along a line.
+const DRIFT: f64 = 0.1;
 
 /// Samples in a period of the polhode.
 const SAMPLES: f64 = 16.0;
@@ -95,12 +100,11 @@ pub(super) fn measured(
 ) -> Result<Measurement, MeasureError> {
     let mut state = start;
     let (mut revolutions, mut steps) = (0.0, 0);
-    let mut before: Option<Mean> = None;
-    let mut change = f64::INFINITY;
-    let share = |mean: &Mean, motion: &FreeRotation| mean.power / motion.mean_square_acceleration();
+    let mut shares: Vec<[f64; 2]> = Vec::new();
+    let (mut change, mut start_energy) = (f64::INFINITY, f64::NAN);
     for doubling in 0..=plan.doublings {
         let period = range.polhode(state.energy(body)).polhode_period();
-        let longer = 2.0_f64.powi(doubling as i32);
+        let longer = 2.0_f64.powi(doubling.saturating_sub(plan.equal) as i32);
         let settling = if doubling == 0 { plan.settling } else { 0.0 };
         let window = longer * plan.periods * period;
         let left = Plan { steps: plan.steps.saturating_sub(steps), ..plan };
@@ -109,19 +113,53 @@ pub(super) fn measured(
         state = run.last;
         let mean = run.mean;
         let stage = range.stage(mean.energy).ok_or(MeasureError::LeftMode)?;
-        let now = range.polhode(mean.energy);
-        if let Some(before) = &before {
-            let then = range.polhode(before.energy);
-            change = (share(&mean, &now) / share(before, &then) - 1.0).abs();
-            if change <= plan.change || (doubling == plan.doublings && change <= 4.0 * plan.change) {
-                let Mean { power, budget, .. } = mean;
-                let reduced = false;
-                return Ok(Measurement { stage, power, error: change, budget, revolutions, steps, reduced });
-            }
+        let share = mean.power / range.polhode(mean.energy).mean_square_acceleration();
+        if shares.is_empty() {
+            start_energy = mean.energy + mean.power * (settling + 0.5 * window);
         }
-        before = Some(mean);
+        shares.push([mean.energy, share]);
+        let last = doubling == plan.doublings;
+        let enough = |change: f64| change <= plan.change || (last && change <= 4.0 * plan.change);
+        let reduced = false;
+        change = still(&shares);
+        if enough(change) {
+            let Mean { power, budget, .. } = mean;
+            return Ok(Measurement { stage, power, error: change, budget, revolutions, steps, reduced });
+        }
+        if let Some(Line { slope, gap }) = straight(&shares).filter(|line| enough(line.gap)) {
+            let stage = range.stage(start_energy).ok_or(MeasureError::LeftMode)?;
+            let share = share + slope * (start_energy - mean.energy);
+            let power = share * range.polhode(start_energy).mean_square_acceleration();
+            let budget = mean.budget.iter().map(|part| part * power / mean.power).collect();
+            return Ok(Measurement { stage, power, error: gap, budget, revolutions, steps, reduced });
+        }
     }
     Err(MeasureError::Unsettled { change })
+}
+
+/// Relative change of the last of the powers, each with its mean energy, from the one before.
+fn still(shares: &[[f64; 2]]) -> f64 {
+    match shares {
+        [.., [_, before], [_, last]] => (last / before - 1.0).abs(),
+        _ => f64::INFINITY,
+    }
+}
+
+/// Line that the powers follow over the energy.
+struct Line {
+    slope: f64,
+    /// Relative distance of the last power from the line through the two before.
+    gap: f64,
+}
+
+/// Line of the last three powers, if they change slowly: in a body so soft that its power is not that of the equivalent polhode, the wobble
+/// itself changes it from window to window. (Q4)
+fn straight(shares: &[[f64; 2]]) -> Option<Line> {
+    let [.., [E1, first], [E2, second], [E3, third]] = shares else { return None };
+    let slow = (second / first - 1.0).abs().max((third / second - 1.0).abs()) <= DRIFT;
+    let expected = second + (second - first) / (E2 - E1) * (E3 - E2);
+    let gap = (third / expected - 1.0).abs();
+    (slow && gap.is_finite()).then_some(Line { slope: (third - first) / (E3 - E1), gap })
 }
 
 /// Means over a window, with weights that fall to zero at its ends faster than any power.
@@ -234,5 +272,24 @@ impl Observer for Collector<'_> {
 
     fn progress(&mut self, _: f64) -> ControlFlow<()> {
         (self.watch)()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Powers along a line over the energy have no gap from it and its slope; a bend has one, and a jump is no slow change.
+    #[test]
+    fn slow_changes_follow_a_line() {
+        let on_line = [[8.0, 3.0], [7.9, 2.95], [7.6, 2.8]];
+        let Line { slope, gap } = straight(&on_line).unwrap();
+        assert!((slope - 0.5).abs() < 1e-12 && gap < 1e-12, "{slope} {gap}");
+        assert!((still(&on_line) - (1.0 - 2.8 / 2.95)).abs() < 1e-12);
+        let bent = straight(&[[8.0, 3.0], [7.9, 2.95], [7.6, 2.82]]).unwrap();
+        assert!((bent.gap - 0.02 / 2.8).abs() < 1e-12, "{}", bent.gap);
+        assert!(straight(&[[8.0, 3.0], [7.9, 2.95], [7.6, 2.2]]).is_none());
+        assert!(straight(&[[8.0, 3.0], [8.0, 2.95], [8.0, 2.9]]).is_none(), "a line over nothing");
+        assert!(straight(&on_line[..2]).is_none());
     }
 }

@@ -34,12 +34,13 @@ impl Default for MeasureOptions {
 const SETTLED: f64 = 8.0;
 /// Least and largest time of settling, in periods of the polhode.
 const SETTLING: [f64; 2] = [2.0, 400.0];
-/// Periods of the polhode in a window: few where the wobble changes fast.
-const PERIODS: [f64; 2] = [8.0, 24.0];
+/// Periods of the polhode in a window: few where the wobble changes fast; in general, and for a run from the slow manifold.
+const PERIODS: [f64; 2] = [8.0, 16.0];
+const PERIODS_FROM_MANIFOLD: [f64; 2] = [8.0, 24.0];
 /// Share of a decay time of the wobble in a window.
 const DECAYS: f64 = 0.05;
 /// Limits of doublings of a window until the mean settles: in general, and for a run from the slow manifold.
-const DOUBLINGS: usize = 5;
+const DOUBLINGS: usize = 6;
 const DOUBLINGS_FROM_MANIFOLD: usize = 2;
 /// Wobble (rad) below which the modes give the power.
 const SMALL: f64 = 0.02;
@@ -53,6 +54,13 @@ pub(super) struct Site<'a> {
     pub range: &'a EnergyRange,
     pub poles: &'a Poles,
     pub options: MeasureOptions,
+}
+
+/// Windows of a run: periods of the polhode in the first, how many more are as long, and the limit of those in all.
+struct Windows {
+    periods: [f64; 2],
+    equal: usize,
+    doublings: usize,
 }
 
 impl Site<'_> {
@@ -69,7 +77,12 @@ impl Site<'_> {
         let pole = poles.of_mode(mode);
         let settling = pole.map_or(0.0, |pole| SETTLED / pole.settling_rate().max(f64::MIN_POSITIVE));
         let settling = settling.clamp(SETTLING[0] * period, SETTLING[1] * period);
-        self.follow((start, settling), (mode, period), DOUBLINGS, watch)
+        self.follow(
+            (start, settling),
+            (mode, period),
+            Windows { periods: PERIODS, equal: 1, doublings: DOUBLINGS },
+            watch,
+        )
     }
 
     /// Measures the mean power of a motion from a state on the slow manifold, which has no transient.
@@ -81,21 +94,24 @@ impl Site<'_> {
         let energy = start.energy(self.body);
         let RotationState { mode, .. } = self.range.stage(energy).ok_or(MeasureError::LeftMode)?;
         let period = self.range.polhode(energy).polhode_period();
-        self.follow((start, 0.0), (mode, period), DOUBLINGS_FROM_MANIFOLD, watch)
+        let windows =
+            Windows { periods: PERIODS_FROM_MANIFOLD, equal: 0, doublings: DOUBLINGS_FROM_MANIFOLD };
+        self.follow((start, 0.0), (mode, period), windows, watch)
     }
 
     fn follow(
         self,
         (start, settling): (FullState, f64),
         (mode, period): (Mode, f64),
-        doublings: usize,
+        Windows { periods: [fewest, most], equal, doublings }: Windows,
         watch: &mut dyn FnMut() -> ControlFlow<()>,
     ) -> Result<Measurement, MeasureError> {
         let Self { body, range, poles, options } = self;
         let rate = poles.rate(mode).map_or(0.0, f64::abs);
         let plan = Plan {
             settling,
-            periods: (DECAYS / (rate * period)).clamp(PERIODS[0], PERIODS[1]),
+            periods: (DECAYS / (rate * period)).clamp(fewest, most),
+            equal,
             change: 0.5 * options.error,
             tolerance: options.tolerance,
             steps: options.most_steps,

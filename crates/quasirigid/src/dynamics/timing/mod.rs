@@ -44,6 +44,15 @@ pub(super) struct Timing<'a> {
     pub missed: Option<Missed>,
 }
 
+/// What steps are compared with along their own path. (Z5)
+pub(super) struct FeltLaws<'a> {
+    pub body: &'a FlexibleBody,
+    /// Laws of the forces by the motion.
+    pub laws: Vec<&'a ForceLaw<Marker>>,
+    /// Places in a step, as shares of it.
+    pub shares: [f64; Lobatto::POINTS],
+}
+
 /// Sizes of errors that a run allows in a step, for the limits of the impulse.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Allowed {
@@ -117,11 +126,11 @@ impl<'a> Timing<'a> {
         self.passed.first().map_or(self.interval[1], |stop| stop.min(self.interval[1]))
     }
 
-    /// The body, laws of the forces by the motion, and places in a step, as shares of it, at which they are compared with it; none without
-    /// such a force. (Z5)
-    pub fn felt(&self) -> Option<(&'a FlexibleBody, Vec<&'a ForceLaw<Marker>>, [f64; Lobatto::POINTS])> {
-        let laws: Vec<_> = self.felt.iter().map(|force| force.law).collect();
-        Some((self.felt.first()?.body, laws, self.lobatto.points))
+    /// What steps are compared with; none without a force by the motion. (Z5)
+    pub fn felt(&self) -> Option<FeltLaws<'a>> {
+        let body = self.felt.first()?.body;
+        let laws = self.felt.iter().map(|force| force.law).collect();
+        Some(FeltLaws { body, laws, shares: self.lobatto.points })
     }
 
     /// Whether a step is taken back, because it has not seen what acted along its path. (Z5)

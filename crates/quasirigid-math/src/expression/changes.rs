@@ -129,7 +129,7 @@ impl<'p, 'v> Scan<'p, 'v> {
             follows[index] = moved || operands.iter().any(|of| follows[*of]);
             let other = matches!(role, Role::Variable(variable) if !moves(*variable));
             alone[index] = !other && operands.iter().all(|of| alone[*of]);
-            if !matches!(role, Role::Even) {
+            if role.is_narrow() {
                 operands.iter().for_each(|of| narrowed[*of] = true);
             }
         }

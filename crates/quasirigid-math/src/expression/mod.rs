@@ -116,7 +116,7 @@ impl Expression {
         let mut narrow = false;
         for Node { role, operands } in self.program.nodes() {
             let moved = operands.iter().any(|of| moves[*of]);
-            narrow |= moved && matches!(role, Role::Narrow | Role::Corner | Role::Choice);
+            narrow |= moved && role.is_narrow();
             moves.push(moved || matches!(role, Role::Variable(variable) if variables(variable)));
         }
         narrow

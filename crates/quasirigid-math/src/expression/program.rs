@@ -48,6 +48,11 @@ pub enum Role {
 }
 
 impl Role {
+    /// Whether what a node does may be narrower than its operands.
+    pub fn is_narrow(self) -> bool {
+        matches!(self, Self::Narrow | Self::Corner | Self::Choice)
+    }
+
     fn of(step: &Step) -> Self {
         match step {
             Step::Constant(_) => Self::Constant,

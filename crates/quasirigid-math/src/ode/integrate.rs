@@ -28,10 +28,11 @@ pub trait StepObserver<M: Solver> {
         None
     }
 
-    /// Whether the last step is taken back, because it has passed something that acted within it: the next steps then stop earlier. (Z5)
-    fn takes_back(&mut self, solver: &mut M) -> bool {
+    /// State at the start of the last step where this is taken back, because it has passed something that acted within it: the next steps then
+    /// stop earlier. (Z5)
+    fn takes_back(&mut self, solver: &mut M) -> Option<M::State> {
         let _ = solver;
-        false
+        None
     }
 
     /// Called after each step, and free to correct the state; `Break` ends the integration.
@@ -95,8 +96,7 @@ pub fn integrate_until<M: Solver>(
         if let Err(error) = solver.step(end.min(observer.stop(from))) {
             return (StopReason::Failed(error), next);
         }
-        if observer.takes_back(solver) {
-            let start = solver.dense().at(from);
+        if let Some(start) = observer.takes_back(solver) {
             solver.rewind(from, start);
             continue;
         }

@@ -416,10 +416,8 @@ impl<M: Solver<State = T::State>, T: Trajectory> StepObserver<M> for InvariantMo
         Some((stretch, begins))
     }
 
-    fn takes_back(&mut self, solver: &mut M) -> bool {
-        let Some(FeltLaws { body, laws, shares }) = self.timing.as_ref().and_then(Timing::felt) else {
-            return false;
-        };
+    fn takes_back(&mut self, solver: &mut M) -> Option<M::State> {
+        let FeltLaws { body, laws, shares } = self.timing.as_ref()?.felt()?;
         let (rule, dense) = (solver.rule(), solver.dense());
         let mut along = vec![[[0.0; VARIABLES]; Lobatto::POINTS]; laws.len()];
         for (place, share) in shares.into_iter().enumerate() {
@@ -428,7 +426,7 @@ impl<M: Solver<State = T::State>, T: Trajectory> StepObserver<M> for InvariantMo
                 along[place] = felt;
             }
         }
-        self.timing.as_mut().is_some_and(|timing| timing.takes_back(rule, &along))
+        self.timing.as_mut()?.takes_back(rule, &along).then(|| dense.at(rule.t))
     }
 
     fn event(&mut self, solver: &mut M) -> Option<f64> {

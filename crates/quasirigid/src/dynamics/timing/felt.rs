@@ -1,20 +1,15 @@
 //! Forces by formulas of the motion that may act in a short part of it: each step is compared with a quadrature along its own path, and taken
 //! back where the two differ. (Z5)
 
+use super::impulse::{SEEN, impulse};
 use super::{Allowed, Missed, allowed_impulse};
 use crate::dynamics::external::Forced;
 use crate::math::expression::{Expression, Lobatto};
 use crate::math::ode::StepRule;
-use crate::math::quadrature::integral;
 use crate::math::vec3::{add, norm, scale};
 use crate::model::force::{Felt, ForceLaw, TIME, VARIABLES, Windows};
 use crate::model::{FlexibleBody, Marker};
 
-/// Difference of the impulse in a step, relative to the impulse of the force so far, above which the step is taken back.
-const SEEN: f64 = 1e-6;
-/// Errors of the quadrature, relative to the largest value in a cell, and of the impulse whatever its direction.
-const ERROR: f64 = 1e-10;
-const ROUGH: f64 = 1e-2;
 /// Evaluations of a formula along a step.
 const IN_STEP: u64 = 50_000;
 /// Shortest step that is taken back, relative to the time.
@@ -106,17 +101,9 @@ impl FeltForce<'_> {
         ends.sort_by(f64::total_cmp);
         ends.dedup_by(|later, kept| *later - *kept <= SHORTEST * later.abs());
         let (mut exact, mut whole) = ([0.0; 3], 0.0);
-        for cell in ends.windows(2) {
-            let size = |share: f64| norm(self.value(&at(cell[0] + share * (cell[1] - cell[0]))));
-            let lift = 2.0 * lobatto.points.iter().map(|share| size(*share)).fold(0.0, f64::max);
-            if lift == 0.0 {
-                continue;
-            }
-            // an integrand that does not change its sign, so that the error is not relative to what cancels
-            let lifted =
-                integral(&mut |t| self.value(&at(t)).map(|part| part + lift), cell[0], cell[1], ERROR).value;
-            exact = add(exact, lifted.map(|sum| sum - lift * (cell[1] - cell[0])));
-            whole += integral(&mut |t| [norm(self.value(&at(t)))], cell[0], cell[1], ROUGH).value[0];
+        for cell in ends.array_windows() {
+            let (sum, size) = impulse(&|t| self.value(&at(t)), &lobatto.points, *cell);
+            (exact, whole) = (add(exact, sum), whole + size);
         }
         let difference = norm(add(rule.sum(|t| self.value(&at(t))), scale(-1.0, exact)));
         if difference <= SEEN * (self.whole + whole) + self.allowed {

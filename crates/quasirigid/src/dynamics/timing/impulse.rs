@@ -8,7 +8,7 @@ use crate::math::vec3::{add, norm, scale};
 use crate::model::FlexibleBody;
 
 /// Difference, relative to the impulse of the force whatever its direction, above which it was not seen.
-const SEEN: f64 = 1e-6;
+pub(super) const SEEN: f64 = 1e-6;
 /// Error of the quadrature, relative to the largest value in an interval; of the impulse whatever its direction, which only sets a limit.
 const ERROR: f64 = 1e-10;
 const ROUGH: f64 = 1e-2;
@@ -65,13 +65,7 @@ impl<'a> Account<'a> {
     /// Compares the steps over an interval with the quadrature. (Z4)
     pub fn compare(&mut self, from: f64, to: f64, stretch: Stretch) -> Option<Missed> {
         let part = self.part;
-        let value = |t: f64| part.at(stretch.within(t));
-        let looks = self.looks.iter().map(|share| value(from + share * (to - from)));
-        // an integrand that does not change its sign, so that the error is not relative to what cancels
-        let lift = 2.0 * looks.map(norm).fold(0.0, f64::max);
-        let lifted = integral(&mut |t| value(t).map(|part| part + lift), from, to, ERROR).value;
-        let [whole] = integral(&mut |t| [norm(value(t))], from, to, ROUGH).value;
-        let exact = lifted.map(|sum| sum - lift * (to - from));
+        let (exact, whole) = impulse(&|t| part.at(stretch.within(t)), &self.looks, [from, to]);
         self.gap = add(self.gap, add(self.seen, scale(-1.0, exact)));
         self.whole += whole;
         self.seen = [0.0; 3];
@@ -96,6 +90,20 @@ impl<'a> Account<'a> {
         *steps = checkpoint.load_count()?;
         Some(())
     }
+}
+
+/// Impulse of a force over an interval, and that whatever its direction; its largest value is looked for at the shares `looks` of the interval.
+pub(super) fn impulse(
+    force: &dyn Fn(f64) -> [f64; 3],
+    looks: &[f64],
+    [from, to]: [f64; 2],
+) -> ([f64; 3], f64) {
+    let sizes = looks.iter().map(|share| norm(force(from + share * (to - from))));
+    // an integrand that does not change its sign, so that the error is not relative to what cancels
+    let lift = 2.0 * sizes.fold(0.0, f64::max);
+    let lifted = integral(&mut |t| force(t).map(|part| part + lift), from, to, ERROR).value;
+    let [whole] = integral(&mut |t| [norm(force(t))], from, to, ROUGH).value;
+    (lifted.map(|sum| sum - lift * (to - from)), whole)
 }
 
 #[cfg(test)]

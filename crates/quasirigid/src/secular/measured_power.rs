@@ -124,7 +124,7 @@ impl Worker<'_, '_> {
                     break;
                 }
             }
-            let next = Curve::through(nodes.clone());
+            let next = Curve::through(nodes.clone(), [low, high]);
             let Some(before) = curve.replace(next) else {
                 intervals *= 2;
                 continue;
@@ -201,16 +201,19 @@ const SHORT: f64 = 0.05;
 /// Distance of the pole's node from the small wobble, as `ξ`.
 const BEYOND: f64 = 1.0;
 
-/// Barycentric polynomial interpolation between nodes, constant beyond them.
+/// Barycentric polynomial interpolation between nodes, and lines beyond them: the motion leaves a place while its power is measured, so
+/// that the last node lies short of it.
 #[derive(Clone, Debug)]
 struct Curve {
     nodes: Vec<[f64; 2]>,
     weights: Vec<f64>,
+    /// Slopes before the first node and beyond the last.
+    slopes: [f64; 2],
 }
 
 impl Curve {
-    /// Interpolates through nodes that crowd towards the ends, as Chebyshev points do.
-    fn through(mut nodes: Vec<[f64; 2]>) -> Self {
+    /// Interpolates through nodes that crowd towards the ends, as Chebyshev points do, for use between two places.
+    fn through(mut nodes: Vec<[f64; 2]>, [low, high]: [f64; 2]) -> Self {
         nodes.sort_by(|a, b| a[0].total_cmp(&b[0]));
         nodes.dedup_by(|a, b| (a[0] - b[0]).abs() < 1e-9);
         let span = nodes.last().map_or(0.0, |last| last[0]) - nodes.first().map_or(0.0, |first| first[0]);
@@ -220,12 +223,19 @@ impl Curve {
             others.map(|(_, other)| (scale * (nodes[i][0] - other[0])).recip()).product()
         };
         let weights = (0..nodes.len()).map(weight).collect();
-        Self { nodes, weights }
+        let slopes = [chord(nodes.iter(), low), chord(nodes.iter().rev(), high)];
+        Self { nodes, weights, slopes }
     }
 
     fn at(&self, x: f64) -> f64 {
         let (Some(first), Some(last)) = (self.nodes.first(), self.nodes.last()) else { return f64::NAN };
-        let x = x.clamp(first[0], last[0]);
+        let [before, beyond] = self.slopes;
+        if x <= first[0] {
+            return first[1] + before * (x - first[0]);
+        }
+        if x >= last[0] {
+            return last[1] + beyond * (x - last[0]);
+        }
         let (mut over, mut under) = (0.0, 0.0);
         for ([place, value], weight) in self.nodes.iter().zip(&self.weights) {
             if x == *place {
@@ -236,5 +246,32 @@ impl Curve {
             under += share;
         }
         over / under
+    }
+}
+
+/// Slope from the first of some nodes to the next as far from it as the place on its other side: no error of a node grows on the way there.
+fn chord<'a>(mut nodes: impl Iterator<Item = &'a [f64; 2]>, place: f64) -> f64 {
+    let Some([x, value]) = nodes.next() else { return 0.0 };
+    let far = nodes.find(|[other, _]| (other - x).abs() >= (place - x).abs());
+    far.map_or(0.0, |[other, there]| (there - value) / (other - x))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A line is followed beyond the nodes, by a chord no shorter than the way; a single node, or none so far, gives a constant.
+    #[test]
+    fn curves_go_on_along_lines() {
+        let line = |x: f64| 3.0 - 0.7 * x;
+        let nodes: Vec<_> = [0.1, 0.2, 1.0, 1.9].map(|x| [x, line(x)]).into();
+        let curve = Curve::through(nodes, [0.0, 2.2]);
+        for x in [0.0, 0.05, 0.6, 2.0, 2.2] {
+            assert!((curve.at(x) - line(x)).abs() < 1e-12, "{x}");
+        }
+        let rough = Curve::through(vec![[0.4, 1.0], [0.5, 1.01], [1.0, 0.8]], [0.0, 1.0]);
+        assert!((rough.at(0.0) - (1.0 + 0.4 * 0.2 / 0.6)).abs() < 1e-12, "{}", rough.at(0.0));
+        assert_eq!(Curve::through(vec![[0.4, 1.0]], [0.0, 1.0]).at(0.0), 1.0);
+        assert_eq!(Curve::through(vec![[0.4, 1.0], [0.5, 2.0]], [0.0, 0.5]).at(0.0), 1.0);
     }
 }

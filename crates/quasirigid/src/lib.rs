@@ -67,31 +67,9 @@ pub use quasirigid_math::{expression, polynomial, rotation, sym3, vec3, watch};
 pub use quasirigid_mesh as mesh;
 pub use quasirigid_mesh::surface;
 
-pub mod model;
-
-mod finite;
-
-mod flow;
-
-mod structure;
-
-pub mod elements;
-
-pub mod reduction;
-
-pub mod dynamics;
-
-pub mod averaging;
-
-pub mod modes;
-
-pub mod submanifold;
-
-pub mod secular;
-
-pub mod verification;
-
-pub mod problems;
+pub use quasirigid_body as model;
+pub use quasirigid_dynamics::{averaging, dynamics, modes, reduction, secular, submanifold, verification};
+pub use quasirigid_elements::{elements, problems};
 
 pub mod prelude;
 

@@ -8,16 +8,16 @@ use quasirigid::{
 
 /// Modules that a user meets, as their sources list them.
 const MODULES: [(&str, &str); 10] = [
-    ("elements", include_str!("../../src/elements/mod.rs")),
-    ("model", include_str!("../../src/model/mod.rs")),
-    ("reduction", include_str!("../../src/reduction/mod.rs")),
-    ("dynamics", include_str!("../../src/dynamics/mod.rs")),
-    ("averaging", include_str!("../../src/averaging/mod.rs")),
-    ("modes", include_str!("../../src/modes/mod.rs")),
-    ("submanifold", include_str!("../../src/submanifold/mod.rs")),
-    ("secular", include_str!("../../src/secular/mod.rs")),
-    ("verification", include_str!("../../src/verification/mod.rs")),
-    ("problems", include_str!("../../src/problems/mod.rs")),
+    ("elements", include_str!("../../../quasirigid-elements/src/elements/mod.rs")),
+    ("model", include_str!("../../../quasirigid-body/src/lib.rs")),
+    ("reduction", include_str!("../../../quasirigid-dynamics/src/reduction/mod.rs")),
+    ("dynamics", include_str!("../../../quasirigid-dynamics/src/dynamics/mod.rs")),
+    ("averaging", include_str!("../../../quasirigid-dynamics/src/averaging/mod.rs")),
+    ("modes", include_str!("../../../quasirigid-dynamics/src/modes/mod.rs")),
+    ("submanifold", include_str!("../../../quasirigid-dynamics/src/submanifold/mod.rs")),
+    ("secular", include_str!("../../../quasirigid-dynamics/src/secular/mod.rs")),
+    ("verification", include_str!("../../../quasirigid-dynamics/src/verification/mod.rs")),
+    ("problems", include_str!("../../../quasirigid-elements/src/problems/mod.rs")),
 ];
 
 /// Traits, which have no threads to cross.

@@ -1,0 +1,206 @@
+//! Nonlinear eigenproblem of the spinning body, `P(λ)x = 0`, and its refinement by inverse iteration.
+//! Materials and liquids with an impedance have no finite number of coordinates, so that only the nonlinear problem has their modes; it
+//! starts from those with dashpots.
+//! Equation (M3), docs/theory/15-modes.md; (L15), docs/theory/13-inside.md.
+
+use nalgebra::{Complex, Matrix3, Vector3};
+
+use super::equilibrium::RelativeEquilibrium;
+use super::iteration::{Nonlinear, Pair, inverse_iteration};
+use crate::math::eigen::Dense;
+use crate::math::lu::ComplexDense;
+use crate::math::sym3;
+use crate::math::vec3::scale;
+use crate::model::impedance;
+use crate::model::{FlexibleBody, LiquidMemory, SpinCoefficients, Viscoelastic};
+
+/// Dynamic stiffness of the spinning body, `P(λ)(δω, δq) = 0`: a nonlinear eigenproblem where a material or a liquid depends on the
+/// frequency. (M3)
+///
+/// Unknowns are the angular velocity, the coordinates, and for a liquid whose impedance is known the angles about its axes in place of
+/// its coordinates.
+pub(super) struct Pencil<'a> {
+    body: &'a FlexibleBody,
+    omega: Vector3<f64>,
+    angular_momentum: Vector3<f64>,
+    coefficients: &'a SpinCoefficients,
+    /// Coordinates that are unknowns.
+    kept: Vec<usize>,
+    /// `A`, `B + G` and `C − N` of the kept coordinates.
+    mass: Dense,
+    velocity: Dense,
+    stiffness: Dense,
+    viscoelastic: Vec<(&'a Viscoelastic, Dense)>,
+    /// Liquids with the index of their first axis among the unknowns after the angular velocity.
+    memories: Vec<(usize, &'a LiquidMemory)>,
+    size: usize,
+}
+
+impl<'a> Pencil<'a> {
+    pub fn new(
+        body: &'a FlexibleBody,
+        equilibrium: &RelativeEquilibrium,
+        coefficients: &'a SpinCoefficients,
+    ) -> Self {
+        let known = |j: &usize| body.memories().iter().any(|memory| memory.coordinates.contains(j));
+        let kept: Vec<usize> = (0..body.coordinates().len()).filter(|j| !known(j)).collect();
+        let mut next = kept.len();
+        let place = |memory: &'a LiquidMemory| {
+            let start = next;
+            next += memory.axes.len();
+            (start, memory)
+        };
+        let memories: Vec<_> = body.memories().iter().map(place).collect();
+        let (B, C) = (Dense::of(body.damping()), Dense::of(body.stiffness()));
+        let part = |entry: &dyn Fn(usize, usize) -> f64| {
+            let mut part = Dense::zero(kept.len());
+            for (row, j) in kept.iter().enumerate() {
+                kept.iter().enumerate().for_each(|(column, k)| part.add(row, column, entry(*j, *k)));
+            }
+            part
+        };
+        let SpinCoefficients { mass: A, gyroscopic, centrifugal, .. } = coefficients;
+        let viscoelastic = |viscoelastic: &'a Viscoelastic| {
+            let whole = Dense::of(&viscoelastic.stiffness);
+            (viscoelastic, part(&|j, k| whole.at(j, k)))
+        };
+        Self {
+            body,
+            omega: equilibrium.omega.into(),
+            angular_momentum: equilibrium.angular_momentum.into(),
+            coefficients,
+            mass: part(&|j, k| A.at(j, k)),
+            velocity: part(&|j, k| B.at(j, k) + gyroscopic.at(j, k)),
+            stiffness: part(&|j, k| C.at(j, k) - centrifugal.at(j, k)),
+            viscoelastic: body.viscoelastic().iter().map(viscoelastic).collect(),
+            kept,
+            memories,
+            size: 3 + next,
+        }
+    }
+
+    /// True if a material or a liquid makes the eigenproblem nonlinear.
+    pub fn is_nonlinear(&self) -> bool {
+        !(self.viscoelastic.is_empty() && self.memories.is_empty())
+    }
+
+    /// True if a liquid enters by its impedance in place of coordinates.
+    pub fn has_liquids(&self) -> bool {
+        !self.memories.is_empty()
+    }
+
+    /// Unknowns of a motion of all coordinates.
+    pub fn unknowns(&self, delta: [Complex<f64>; 3], q: &[Complex<f64>]) -> Vec<Complex<f64>> {
+        let mut x = delta.to_vec();
+        x.extend(self.kept.iter().map(|j| q[*j]));
+        x.resize(self.size, Complex::from(0.0));
+        x
+    }
+
+    /// Displacements of all coordinates; zero of those of a liquid whose impedance is known.
+    pub fn coordinates(&self, x: &[Complex<f64>]) -> Vec<Complex<f64>> {
+        let mut q = vec![Complex::from(0.0); self.body.coordinates().len()];
+        self.kept.iter().zip(&x[3..]).for_each(|(j, x)| q[*j] = *x);
+        q
+    }
+
+    /// Angles about the axes of each liquid whose impedance is known, with its angular momentum per unit rate.
+    pub fn liquids<'x>(
+        &'x self,
+        x: &'x [Complex<f64>],
+    ) -> impl Iterator<Item = (&'a LiquidMemory, &'x [Complex<f64>])> {
+        self.memories.iter().map(|(start, memory)| (*memory, &x[3 + start..3 + start + memory.axes.len()]))
+    }
+
+    /// Eigenpair that inverse iteration leads to; none without convergence. (M3)
+    pub fn refined(&self, start: Pair) -> Option<Pair> {
+        inverse_iteration(self, start)
+    }
+}
+
+impl Nonlinear for Pencil<'_> {
+    fn at(&self, lambda: Complex<f64>) -> ComplexDense {
+        let mut P = ComplexDense::zero(self.size);
+        let pair = |value: Complex<f64>| [value.re, value.im];
+        let turning = self.turning(lambda);
+        let J = Matrix3::from(sym3::rows(self.coefficients.inertia)).map(Complex::from);
+        let body = turning * J - self.angular_momentum.cross_matrix().map(Complex::from);
+        for row in 0..3 {
+            (0..3).for_each(|column| P.add(row, column, pair(body[(row, column)])));
+        }
+        for (place, (h, u)) in self.couplings().enumerate() {
+            let [h, u] = [h, u].map(|vector| Vector3::from(vector).map(Complex::from));
+            let column = turning * (h * lambda + u);
+            let row = h * lambda - u;
+            for axis in 0..3 {
+                P.add(axis, 3 + place, pair(column[axis]));
+                P.add(3 + place, axis, pair(row[axis]));
+            }
+        }
+        let factors = self.moduli(lambda);
+        let count = self.kept.len();
+        let square = lambda * lambda;
+        for j in 0..count {
+            for k in 0..count {
+                let mut sum = square * self.mass.at(j, k)
+                    + lambda * self.velocity.at(j, k)
+                    + Complex::from(self.stiffness.at(j, k));
+                for ((_, stiffness), factor) in self.viscoelastic.iter().zip(&factors) {
+                    sum += factor * stiffness.at(j, k);
+                }
+                P.add(3 + j, 3 + k, pair(sum));
+            }
+        }
+        for (start, memory) in &self.memories {
+            let Z = impedance(memory, lambda, self.omega);
+            for (i, a) in memory.axes.iter().enumerate() {
+                for (j, b) in memory.axes.iter().enumerate() {
+                    let [a, b] = [a, b].map(|axis| Vector3::from(*axis).map(Complex::from));
+                    P.add(3 + start + i, 3 + start + j, pair(lambda * a.dot(&(Z * b))));
+                }
+            }
+        }
+        P
+    }
+
+    fn product(&self, a: &[Complex<f64>], b: &[Complex<f64>], lambda: Complex<f64>) -> Complex<f64> {
+        let [xx, yy, zz, ..] = self.coefficients.inertia;
+        let square = lambda.norm_sqr();
+        let coordinates = (0..self.kept.len()).map(|j| square * self.mass.at(j, j));
+        let liquids = self
+            .memories
+            .iter()
+            .flat_map(|(_, memory)| memory.axes.iter().map(move |_| square * memory.inertia));
+        let weights = [xx, yy, zz].into_iter().chain(coordinates).chain(liquids);
+        weights.zip(a.iter().zip(b)).map(|(weight, (a, b))| weight * a.conj() * b).sum()
+    }
+}
+
+impl Pencil<'_> {
+    /// `λ1 + [ω]ₓ`.
+    fn turning(&self, lambda: Complex<f64>) -> Matrix3<Complex<f64>> {
+        Matrix3::from_diagonal_element(lambda) + self.omega.cross_matrix().map(Complex::from)
+    }
+
+    /// Angular momentum per unit rate and per unit displacement of each unknown after the angular velocity.
+    fn couplings(&self) -> impl Iterator<Item = ([f64; 3], [f64; 3])> + '_ {
+        let SpinCoefficients { h, slopes, .. } = self.coefficients;
+        let coordinates = self.kept.iter().map(|j| (h[*j], slopes[*j]));
+        let liquids = self
+            .memories
+            .iter()
+            .flat_map(|(_, memory)| memory.axes.iter().map(|axis| (scale(memory.inertia, *axis), [0.0; 3])));
+        coordinates.chain(liquids)
+    }
+
+    /// Complex moduli less one.
+    fn moduli(&self, lambda: Complex<f64>) -> Vec<Complex<f64>> {
+        self.viscoelastic
+            .iter()
+            .map(|(viscoelastic, _)| {
+                let [re, im] = viscoelastic.rheology.continued([lambda.re, lambda.im]);
+                Complex::new(re - 1.0, im)
+            })
+            .collect()
+    }
+}

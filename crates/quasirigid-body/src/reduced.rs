@@ -2,10 +2,10 @@
 //! A plain record: validity, propagation and averages take it, and bodies known only by their equations can be built without a reduction.
 //! Equations (R1) to (R11), docs/theory/03-reduction.md; (P7), docs/theory/05-propagation.md; (C4) to (C6), docs/theory/13-inside.md.
 
+use crate::energy_form::{EnergyMotion, energy_form, energy_gradient};
 use crate::math::polynomial::monomial::index;
 use crate::math::polynomial::{Homogeneous, Series};
 use crate::math::sym3::{self, Sym};
-use crate::energy_form::{EnergyMotion, energy_form, energy_gradient};
 
 /// Reduced equations of a nearly rigid body to order `p`: the second core type.
 ///

@@ -11,9 +11,11 @@
 struct ReadmeOfCrate;
 
 use quasirigid_body as model;
-use quasirigid_math as math;
 #[cfg(test)]
-use quasirigid_elements::{elements, problems};
+use quasirigid_elements as elements;
+#[cfg(test)]
+use quasirigid_elements::problems;
+use quasirigid_math as math;
 
 pub mod reduction;
 

@@ -1,8 +1,8 @@
-//! Parts of a body for [`quasirigid`](https://docs.rs/quasirigid): what a user describes, and how it becomes one flexible body.
+//! Elements of [`quasirigid`](https://docs.rs/quasirigid): the components of a body that a user describes, and their assembly into a
+//! flexible body.
 //!
-//! [`elements`] are points, springs, hinges, beams, plates, solids, surfaces, liquids, rotors and matrices of other programs, assembled
-//! into a flexible body; [`problems`] are bodies with known answers. Finite elements, flows in cavities and their component modes stand
-//! behind them.
+//! Points, springs, hinges, beams, plates, solids, surfaces, liquids, rotors and matrices of other programs; [`problems`] are bodies with
+//! known answers. Finite elements, flows in cavities and component modes stand behind them. `quasirigid::elements` is this crate.
 #![allow(non_snake_case)]
 
 /// The README of the crate, run with the documentation's own.
@@ -13,12 +13,81 @@ struct ReadmeOfCrate;
 use quasirigid_body as model;
 use quasirigid_math as math;
 
+#[macro_use]
+mod registry;
+
+mod assembly;
+mod builder;
+mod complete;
+mod element;
+mod error;
 mod finite;
-
 mod flow;
-
-mod structure;
-
-pub mod elements;
-
+mod kinds;
 pub mod problems;
+mod structure;
+mod visual;
+
+pub use crate::finite::beam::{BeamError, Quantity, Section, SectionShape};
+pub use crate::finite::elasticity::{ElasticityError, Modulus};
+pub use crate::finite::shell::{Constant, ShellError};
+pub use crate::flow::stokes::StokesError;
+pub use crate::structure::Condensation;
+pub use assembly::{Built, PartReduction};
+pub use builder::{AssemblyElement, CARRIER};
+pub use complete::Incomplete;
+pub use error::{ElementError, Field, Problem};
+pub use kinds::bushing::Bushing;
+pub use kinds::carrier::Carrier;
+pub use kinds::cavity::{
+    Cavity, CavityShape, MOST_OF_BALL, MOST_OF_CYLINDER, MOST_OF_SPHEROID, Regime, SlowLiquid,
+};
+pub use kinds::ellipsoid::Ellipsoid;
+pub use kinds::hinged::{HingeCoefficient, Hinged, PlaceRef};
+pub use kinds::material::Material;
+pub use kinds::network::Network;
+pub use kinds::part::{
+    Anchor, Connection, ElasticMaterial, Frame, FrameNode, GivenModes, Layer, Matrices, Member, NodalMass,
+    NodeRef, Orthotropic, Panel, Part, PartKind, Region, Solid, Spectrum, TipMass,
+};
+pub use kinds::point::{Point, PointMotion};
+pub use kinds::rotor::{Rotor, RotorKind};
+pub use kinds::spring::{Coefficient, End, Prestress, Spring, SpringLaw};
+pub use kinds::station::Station;
+pub use kinds::surface::{Approximation, Resolution, Surface};
+pub use kinds::wheel::{Wheel, WheelSpeed};
+pub use registry::ElementId;
+pub use visual::{Turning, Visual};
+
+use assembly::{coefficient, compliance};
+use kinds::force;
+
+use crate::model::Support;
+use crate::model::force::Force;
+
+kinds! {
+    /// Material points.
+    points: Point(Point) = "point";
+    /// Springs and dashpots.
+    springs: Spring(Spring) = "spring";
+    /// Bushings: springs along and about axes of their own.
+    bushings: Bushing(Bushing) = "bushing";
+    /// Rigid appendages on hinges.
+    hinged: Hinged(Hinged) = "appendage";
+    /// Ellipsoids, each of them a whole body.
+    ellipsoids: Ellipsoid(Ellipsoid) = "ellipsoid";
+    /// Solids inside closed surfaces, each of them a whole body.
+    surfaces: Surface(Surface) = "surface";
+    /// Parts of finite elements.
+    parts: Part(Part) = "part";
+    /// Joints between parts, and between them and the carrier.
+    connections: Connection(Connection) = "connection";
+    /// Rotors with friction.
+    rotors: Rotor(Rotor) = "rotor";
+    /// Momentum wheels.
+    wheels: Wheel(Wheel) = "wheel";
+    /// Cavities full of liquid.
+    cavities: Cavity(Cavity) = "cavity";
+    /// External forces.
+    forces: Force(Force<Station>) = "force";
+}

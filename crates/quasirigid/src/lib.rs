@@ -69,7 +69,8 @@ pub use quasirigid_mesh::surface;
 
 pub use quasirigid_body as model;
 pub use quasirigid_dynamics::{averaging, dynamics, modes, reduction, secular, submanifold, verification};
-pub use quasirigid_elements::{elements, problems};
+pub use quasirigid_elements as elements;
+pub use quasirigid_elements::problems;
 
 pub mod prelude;
 

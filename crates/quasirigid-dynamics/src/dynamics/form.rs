@@ -6,27 +6,13 @@ use crate::math::polynomial::{Homogeneous, Kernel, Number, Series, TensorKernel}
 use crate::math::simd::Arithmetic;
 use crate::math::sym3::{self, Sym};
 use crate::math::vec3::{self, cross, dot, norm};
-use crate::model::{energy_form, momentum_rate};
-use crate::model::{EnergyMotion, ReducedBody};
+use crate::model::{EnergyMotion, Form, ReducedBody, energy_form, momentum_rate};
 
-/// Form of the reduced equations: the variable of integration.
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Form {
-    /// Energy form: `K` in body axes; `|K|` is exact, and the energy falls by exactly the power. (P1), (R16)
-    #[default]
-    AngularMomentum,
-    /// Angular-velocity form: `J ω̇ + ω × (Jω + k) = μ(ω)`, as in the paper, with the angular momentum `k` of wheels. (P2)
-    AngularVelocity,
-}
-
-impl Form {
-    /// Scale of errors of the state `x`, with this internal angular momentum.
-    pub(super) fn size(self, x: [f64; 3], inside: [f64; 3]) -> f64 {
-        match self {
-            Self::AngularMomentum => size(x, inside),
-            Self::AngularVelocity => norm(x),
-        }
+/// Scale of errors of the state `x` of a form, with this internal angular momentum.
+pub(super) fn error_scale(form: Form, x: [f64; 3], inside: [f64; 3]) -> f64 {
+    match form {
+        Form::AngularMomentum => size(x, inside),
+        Form::AngularVelocity => norm(x),
     }
 }
 

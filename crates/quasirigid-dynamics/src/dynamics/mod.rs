@@ -28,15 +28,15 @@ mod timing;
 
 pub use crate::math::ode::Checkpoint;
 pub use crate::math::simd::Rounding;
+pub use crate::model::{Form, Method};
 pub use damped::DampedMode;
 pub use event::Event;
 pub use external::Forced;
-pub use form::Form;
 pub use full::{FullState, propagate_full};
 pub use initial_transient::{BoundaryLayer, FastPart, composite_spin, matched_start};
 pub use nutation::{Nutation, Nutations};
 pub use reduced::propagate;
-pub use run::{Method, Observer, Options, Outcome, PropagateError, Run, Sample, Scan, Start};
+pub use run::{Observer, Options, Outcome, PropagateError, Run, Sample, Scan, Start};
 pub use scale::spin_from_rest;
 pub use slow::{
     ForcedTorque, MAX_FORCED_ORDER, RigidState, SlowEquations, SlowPoint, SlowState, forced_torque,

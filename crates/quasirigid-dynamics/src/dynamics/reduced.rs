@@ -3,10 +3,11 @@
 //! vector, whose fixed length keeps the inner loop in registers.
 //! Equations (P1) to (P6), docs/theory/05-propagation.md; (D4), docs/theory/11-materials.md.
 
+use super::form::error_scale;
 use std::f64::consts::TAU;
 
 use super::conserved_momentum::{Conserved, inside, size};
-use super::form::{AngularMomentumForm, AngularVelocityForm, Equations, Form};
+use super::form::{AngularMomentumForm, AngularVelocityForm, Equations};
 use super::invariant_monitor::{Invariant, InvariantMonitor, StateView, Trajectory};
 use super::multirevolution;
 use super::quadrature::Quadrature;
@@ -21,7 +22,7 @@ use crate::math::polynomial::{Kernel, Series};
 use crate::math::rotation;
 use crate::math::simd::{Arithmetic, Task, dispatch};
 use crate::math::vec3::{add, norm, scale};
-use crate::model::ReducedBody;
+use crate::model::{Form, ReducedBody};
 
 /// Integrates the reduced equations of a body from `t = 0` and observes the body at the output times (s). (P1)–(P6)
 ///
@@ -115,7 +116,7 @@ impl<'a> Plan<'a> {
             Accounts { x, attitude: initial.attitude, dissipated: 0.0, energy_change: 0.0, angle: 0.0 };
         let y = start.pack();
         let K = equations.angular_momentum(x);
-        let first = options.form.size(x, inside);
+        let first = error_scale(options.form, x, inside);
         let (error, attitude, free) = (options.tolerance * first, options.tolerance, f64::INFINITY);
         let allowed =
             [error, error, error, free, attitude, attitude, attitude, attitude, free, free, free, free];

@@ -10,12 +10,11 @@ use std::time::{Duration, Instant};
 use thiserror::Error;
 
 use super::event::Event;
-use super::form::Form;
 use super::slow::MAX_FORCED_ORDER;
 use super::timing::Missed;
 use crate::math::ode::{Checkpoint, StepError, StopReason, Work};
 use crate::math::simd::Rounding;
-use crate::model::Displaced;
+use crate::model::{Displaced, Form, Method};
 
 /// Start of a propagation. States of the full system from a start: [`settled`](Self::settled) on the slow manifold or
 /// [`at_rest`](Self::at_rest). Starts from other data: [`matched`](Self::matched) or [`wobbling`](Self::wobbling).
@@ -75,19 +74,6 @@ impl Default for Options {
             rounding: Rounding::Fastest,
         }
     }
-}
-
-/// Method of integration of a full system.
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Method {
-    /// Explicit while vibrations have to be followed, implicit while the step is many times their period.
-    #[default]
-    Automatic,
-    /// Explicit, of order 8: cheap steps, but none longer than the fastest vibration.
-    Explicit,
-    /// Implicit, of order 13: costly steps, as long as the motion allows.
-    Implicit,
 }
 
 /// State of the body at one time.

@@ -2,17 +2,18 @@
 //! Without attitude and accounts the state is one vector register of four components.
 //! Equations (P1) and (P2), docs/theory/05-propagation.md.
 
+use super::form::error_scale;
 use std::ops::ControlFlow;
 
 use super::conserved_momentum::inside;
-use super::form::{AngularMomentumForm, AngularVelocityForm, Equations, Form, vector};
+use super::form::{AngularMomentumForm, AngularVelocityForm, Equations, vector};
 use super::run::{ALIGNED, Options, Outcome, PropagateError, check};
 use super::spin::SpinOnly;
 use super::start::start;
 use crate::math::ode::{Dop853, Solver, StepObserver, Work, integrate};
 use crate::math::simd::{Arithmetic, Task, dispatch};
 use crate::math::vec3::norm;
-use crate::model::ReducedBody;
+use crate::model::{Form, ReducedBody};
 
 /// Angular velocity (rad/s, body axes) at the output times, without attitude and accounts: the fast method for ensembles.
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -48,7 +49,8 @@ pub fn spin_path(
 ) -> Result<SpinPath, PropagateError> {
     check(norm(omega), ALIGNED, times, options)?;
     let x = start(body, omega, options.form).ok_or(PropagateError::NoAngularMomentum)?;
-    let error = options.tolerance * options.form.size(x, inside(body.angular_momentum(omega), body.J, omega));
+    let error =
+        options.tolerance * error_scale(options.form, x, inside(body.angular_momentum(omega), body.J, omega));
     Ok(match options.form {
         Form::AngularMomentum => dispatch(
             options.rounding,

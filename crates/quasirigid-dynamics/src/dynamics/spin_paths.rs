@@ -2,7 +2,8 @@
 //! Equations (P1) and (P2), docs/theory/05-propagation.md.
 
 use super::conserved_momentum::inside;
-use super::form::{AngularMomentumForm, AngularVelocityForm, Equations, Form, vector};
+use super::form::error_scale;
+use super::form::{AngularMomentumForm, AngularVelocityForm, Equations, vector};
 use super::run::{ALIGNED, Options, Outcome, PropagateError, check};
 use super::spin::SpinOnly;
 use super::spin_path::SpinPath;
@@ -11,7 +12,7 @@ use crate::math::lanes::Lanes;
 use crate::math::ode::{Dop853, LaneRun, LaneStart, LaneSystem, Work, integrate_lanes};
 use crate::math::simd::{Arithmetic, Task, dispatch_lanes};
 use crate::math::vec3::norm;
-use crate::model::ReducedBody;
+use crate::model::{Form, ReducedBody};
 
 /// Integrates the angular velocity of a reduced body from many starts at `t = 0` to the last of the times (s), eight trajectories at a time.
 /// Each has a step size of its own, and the bits that [`spin_path`](super::spin_path) gives from its start. (P1), (P2)
@@ -70,7 +71,7 @@ fn begin(
     check(norm(omega), ALIGNED, times, options)?;
     let x = start(body, omega, options.form).ok_or(PropagateError::NoAngularMomentum)?;
     let inside = inside(body.angular_momentum(omega), body.J, omega);
-    Ok(Begun { x, error: options.tolerance * options.form.size(x, inside) })
+    Ok(Begun { x, error: options.tolerance * error_scale(options.form, x, inside) })
 }
 
 struct Paths<'a, E> {

@@ -1,9 +1,9 @@
 use nalgebra::{Matrix3, Vector3};
 
-use super::form::{AngularMomentumForm, Equations, Form};
+use super::form::{AngularMomentumForm, Equations};
 use crate::math::sym3;
 use crate::math::vec3::norm;
-use crate::model::ReducedBody;
+use crate::model::{Form, ReducedBody};
 
 /// Limit of Newton steps; the series is a small change of a linear map, so a few suffice.
 const NEWTON_STEPS: usize = 30;

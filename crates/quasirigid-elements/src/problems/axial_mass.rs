@@ -2,8 +2,8 @@
 //! The elastic and dissipative torques are single formulas here, which makes this body the first check of any change in the reduction.
 //! Equations (X1) and (X2), docs/theory/06-closed-forms.md; `[@chernousko1973]`.
 
-use crate::elements::{Assembly, Carrier, Coefficient, End, Point, PointMotion, Spring, SpringLaw};
 use crate::model::Rheology;
+use crate::{Assembly, Carrier, Coefficient, End, Point, PointMotion, Spring, SpringLaw};
 
 /// Body of revolution with one sprung mass on its axis: closed form (X1), (X2) `[@chernousko1973]`.
 ///

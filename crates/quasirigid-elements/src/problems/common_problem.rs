@@ -1,5 +1,5 @@
-use crate::elements::{Assembly, Carrier, Coefficient, End, Point, PointMotion, Spring, SpringLaw};
 use crate::model::Rheology;
+use crate::{Assembly, Carrier, Coefficient, End, Point, PointMotion, Spring, SpringLaw};
 
 /// Common problem: one mass on a spring in a tumbling hub, for the comparison of programs for stiff bodies.
 ///

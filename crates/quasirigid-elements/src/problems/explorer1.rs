@@ -2,8 +2,8 @@
 //! With the flown data every criterion of validity fails by orders of magnitude; stiffened hinges give a case with a closed form.
 //! Equation (X3), docs/theory/06-closed-forms.md; data `[@pydy]`.
 
-use crate::elements::{Assembly, Carrier, HingeCoefficient, Hinged};
 use crate::model::Rheology;
+use crate::{Assembly, Carrier, HingeCoefficient, Hinged};
 
 /// Explorer 1 with four whip antennas as thin rods on two-axis hinges `[@pydy]`.
 #[derive(Clone, Copy, Debug, PartialEq)]

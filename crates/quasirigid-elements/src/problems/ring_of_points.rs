@@ -1,7 +1,7 @@
 use std::f64::consts::TAU;
 
-use crate::elements::{Assembly, Carrier, Coefficient, End, Point, PointMotion, Spring, SpringLaw};
 use crate::model::Rheology;
+use crate::{Assembly, Carrier, Coefficient, End, Point, PointMotion, Spring, SpringLaw};
 
 /// Free body with a crooked ring of sprung points, each joined to the carrier and to the next by general springs: of any size and without
 /// symmetry, for timing and tests.

@@ -8,7 +8,7 @@ use quasirigid::{
 
 /// Modules that a user meets, as their sources list them.
 const MODULES: [(&str, &str); 10] = [
-    ("elements", include_str!("../../../quasirigid-elements/src/elements/mod.rs")),
+    ("elements", include_str!("../../../quasirigid-elements/src/lib.rs")),
     ("model", include_str!("../../../quasirigid-body/src/lib.rs")),
     ("reduction", include_str!("../../../quasirigid-dynamics/src/reduction/mod.rs")),
     ("dynamics", include_str!("../../../quasirigid-dynamics/src/dynamics/mod.rs")),

@@ -6,8 +6,8 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::radial::Radial;
-use crate::math::quadrature::gauss_legendre;
 use crate::liquid::galerkin::{Fields, Products, TURNED, WEIGHTS};
+use crate::math::quadrature::gauss_legendre;
 
 /// Component of the flows of a degree: `u_x + iu_y`, `u_x − iu_y` or `u_z`.
 struct Part {

@@ -6,8 +6,8 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::lines::{Line, Values, axial, radial};
-use crate::math::quadrature::gauss_legendre;
 use crate::liquid::galerkin::{Fields, Products, TURNED, WEIGHTS};
+use crate::math::quadrature::gauss_legendre;
 
 /// Component of the flows of a kind: each function of the radius times each of the height.
 struct Part {

@@ -4,11 +4,11 @@
 //! "Choice of the method" and equation (T3), docs/theory/08-full-system.md.
 
 use super::system::FullSystem;
-use crate::dynamics::run::Method;
 use crate::math::ode::{
     Checkpoint, DenseOutput, Dop853, Radau, Solver, StepError, StepRule, Stiff, Stretch, Work,
 };
 use crate::math::simd::{Plain, Rounding};
+use crate::model::Method;
 
 type State = Vec<f64>;
 type Explicit<'a> = Dop853<FullSystem<'a>, State, Plain>;

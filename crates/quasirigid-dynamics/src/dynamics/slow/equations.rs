@@ -6,11 +6,10 @@
 use super::flow::{MAX_FORCED_ORDER, SlowPoint, free_point, slow_point};
 use super::state::SlowState;
 use crate::dynamics::external::{Forced, Pose};
-use crate::dynamics::form::Form;
 use crate::dynamics::run::PropagateError;
 use crate::math::sym3::times;
 use crate::math::vec3::{add, norm, scale};
-use crate::model::{FlexibleBody, ReducedBody};
+use crate::model::{FlexibleBody, Form, ReducedBody};
 
 /// Slow equations of a body under forces: the series along the flow (E2), or the energy form of the torque-free body with what forces
 /// change (E6).

@@ -5,12 +5,11 @@ use super::flow::{Correction, SlowPoint, slow_point};
 use super::state::SlowState;
 use super::system::SlowSystem;
 use crate::dynamics::external::Pose;
-use crate::dynamics::form::Form;
 use crate::dynamics::invariant_monitor::{Invariant, StateView, Trajectory};
 use crate::dynamics::layout::{ATTITUDE, MOMENTUM, SLOW, triple};
 use crate::dynamics::seat::Seat;
 use crate::math::ode::{Checkpoint, Stretch};
-use crate::model::MotionState;
+use crate::model::{Form, MotionState};
 
 /// Share of the energy of a correction that comes and goes: the vibrations of both its ends may add. (E5)
 const BOTH_ENDS: f64 = 4.0;

@@ -10,7 +10,6 @@ use super::state::slow_state_point;
 use super::system::SlowSystem;
 use crate::dynamics::conserved_momentum::Conserved;
 use crate::dynamics::external::Forced;
-use crate::dynamics::form::Form;
 use crate::dynamics::invariant_monitor::{InvariantMonitor, StateView};
 use crate::dynamics::layout::{ATTITUDE, MOMENTUM, PLACE, SLOW, VELOCITY};
 use crate::dynamics::run::{Observer, Options, PropagateError, Run, check};
@@ -18,7 +17,7 @@ use crate::dynamics::scale::Scales;
 use crate::dynamics::seat;
 use crate::math::ode::{Dop853, Solver, Stretch, integrate};
 use crate::math::simd::Plain;
-use crate::model::MotionState;
+use crate::model::{Form, MotionState};
 
 /// Highest order of a form under forces.
 fn highest(form: Form) -> usize {

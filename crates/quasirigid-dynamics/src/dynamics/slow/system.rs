@@ -7,7 +7,6 @@ use super::equations::{SlowEquations, SlowFlow};
 use super::flow::SlowPoint;
 use super::state::SlowState;
 use super::torque::{ForcedTorque, RigidState, forced_torque};
-use crate::dynamics::form::Form;
 use crate::dynamics::invariant_monitor::StateView;
 use crate::dynamics::layout::{
     ANGLE, ATTITUDE, DISSIPATED, IMPULSE, MOMENTUM, PLACE, SLOW, VELOCITY, WORK, triple,
@@ -17,8 +16,8 @@ use crate::math::rotation::{self, Turn};
 use crate::math::simd::Arithmetic;
 use crate::math::sym3::{inverse, times};
 use crate::math::vec3::{add, cross, dot, norm};
-use crate::model::MotionState;
 use crate::model::force::{KinematicState, Loads};
+use crate::model::{Form, MotionState};
 
 /// Reduced equations of a forced body. In the angular-momentum form the state has the angular momentum, `K̇ = K × ω + M`, with angular
 /// velocity and loads of the slow motion (E2), (E6); in the angular-velocity form the angular velocity, `Jω̇ + ω × Jω = M* + μ`, and the place

@@ -1,0 +1,94 @@
+//! Attachments: places of a body at which springs, forces and other links act, with the coordinates that displace and rotate them.
+
+use std::collections::HashMap;
+
+use nalgebra::Vector3;
+
+use crate::error::Problem;
+use crate::model::{Carried, Marker};
+use crate::{Assembly, End};
+
+/// Attachment: a place of a body at which a link or a force acts.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Attachment {
+    pub name: String,
+    /// Equilibrium position (m), in the file's frame; that of the carrier is its origin.
+    pub position: Vector3<f64>,
+    /// Coordinates that displace the place, with the displacement (m) per unit of each.
+    pub shapes: Vec<(usize, [f64; 3])>,
+    /// Coordinates that rotate the place, with the rotation (rad) per unit of each; none of a place without orientation.
+    pub rotations: Option<Vec<(usize, [f64; 3])>>,
+    /// Curvature of the path of the place for pairs of coordinates, where known.
+    pub curvature: Vec<(usize, usize, [f64; 3])>,
+    /// Rotation that carries the place, of a place on an appendage.
+    pub carried: Option<Carried>,
+}
+
+/// Attachments of the elements of a body.
+#[derive(Default)]
+pub(crate) struct Attachments {
+    of: HashMap<End, Attachment>,
+}
+
+impl Attachment {
+    /// Place that no coordinate moves.
+    pub fn at(position: Vector3<f64>, rotations: bool) -> Self {
+        Self { position, rotations: rotations.then(Vec::new), ..Self::default() }
+    }
+
+    /// Marker of the place, from the pole.
+    pub fn marker(&self, pole: Vector3<f64>) -> Marker {
+        Marker {
+            name: self.name.clone(),
+            position: (self.position - pole).into(),
+            shapes: self.shapes.clone(),
+            curvature: self.curvature.clone(),
+            carried: self.carried.clone(),
+        }
+    }
+}
+
+impl Attachments {
+    /// Attachment of an end of an element that was checked.
+    ///
+    /// # Errors
+    /// [`Problem::NoCarrier`] for an end that was never noted: only the end on the carrier is not.
+    pub fn of(&self, end: End) -> Result<&Attachment, Problem> {
+        self.of.get(&end).ok_or(Problem::NoCarrier)
+    }
+
+    /// Notes an attachment.
+    pub fn note(&mut self, end: End, attachment: Attachment) {
+        self.of.insert(end, attachment);
+    }
+
+    /// Whether an end is noted.
+    pub fn has(&self, end: End) -> bool {
+        self.of.contains_key(&end)
+    }
+}
+
+impl Assembly {
+    /// Attachment of an end while nothing moves.
+    ///
+    /// # Errors
+    /// [`Problem`] for an end that the body does not have.
+    pub(crate) fn at_rest(&self, end: End) -> Result<Attachment, Problem> {
+        Ok(match end {
+            End::Carrier if self.carrier.is_none() => return Err(Problem::NoCarrier),
+            End::Carrier => Attachment::at(Vector3::zeros(), true),
+            End::Point(index) => {
+                let point = self.points.get(index).ok_or(Problem::NoSuchPoint { index })?;
+                Attachment { name: point.name.clone(), ..Attachment::at(point.position.into(), false) }
+            }
+            End::Node(node) => {
+                self.has(node)?;
+                let part = &self.parts[node.part];
+                let name = format!("{:?} {}", part.name, part.node_name(node.node));
+                let node = part.nodes()[node.node];
+                Attachment { name, ..Attachment::at(node.place, node.rotations) }
+            }
+            End::Hinged(place) => Attachment::at(self.has_place(place)?.into(), true),
+        })
+    }
+}

@@ -1,0 +1,39 @@
+use nalgebra::Vector3;
+
+use crate::assembly::affine::Piece;
+use crate::assembly::coefficient;
+use crate::error::{ElementError, ElementId, Field, at};
+use crate::model::Inertia;
+use crate::visual::{Outline, cuboid_of};
+
+/// Carrier: the rigid body `G` that everything else is mounted on (paper, §1).
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[derive(Clone, Debug, PartialEq)]
+pub struct Carrier {
+    /// Mass (kg).
+    pub mass: f64,
+    /// Centre of mass (m), in the file's frame.
+    pub center_of_mass: [f64; 3],
+    /// Inertia tensor (kg·m²) about the carrier's own centre of mass, in the file's axes.
+    pub inertia: [[f64; 3]; 3],
+}
+
+impl Carrier {
+    pub(crate) fn piece(&self) -> Result<Piece, ElementError> {
+        coefficient::mass(self.mass).map_err(at(ElementId::CARRIER, Field::MASS))?;
+        coefficient::finite(&self.center_of_mass).map_err(at(ElementId::CARRIER, Field::CENTER_OF_MASS))?;
+        let inertia = Inertia::new(self.inertia)
+            .map_err(|error| at(ElementId::CARRIER, Field::INERTIA)(error.into()))?;
+        Ok(Piece::rigid(self.mass, Vector3::zeros(), &inertia))
+    }
+
+    /// Box with the mass, the centre and the inertia of the carrier.
+    pub(crate) fn outline(&self) -> Option<Outline> {
+        let piece = self.piece().ok()?;
+        Some(Outline::still(cuboid_of(self.mass, self.position(), piece.second)?))
+    }
+
+    pub(crate) fn position(&self) -> Vector3<f64> {
+        self.center_of_mass.into()
+    }
+}

@@ -1,0 +1,94 @@
+//! External forces as elements: checks of their laws.
+
+use crate::element::{Element, Grip, Role};
+use crate::error::{ElementError, ElementId, Field, Problem, at};
+use crate::model::force::{Force, ForceLaw, MagneticField, Orbit, Wave};
+use crate::{Assembly, Station, coefficient};
+
+impl Element for Force<Station> {
+    fn name(&self) -> &str {
+        &self.name
+    }
+
+    fn role(&self) -> Role {
+        Role::External
+    }
+
+    fn check(&self, id: ElementId, body: &Assembly) -> Vec<ElementError> {
+        check(id, self, body).err().into_iter().collect()
+    }
+
+    fn grips(&self) -> Vec<Grip> {
+        self.law.place().map(|station| Grip::force(Field::ON, station.on)).into_iter().collect()
+    }
+}
+
+/// Accepts a force on a body.
+pub(crate) fn check(place: ElementId, force: &Force<Station>, body: &Assembly) -> Result<(), ElementError> {
+    if let Some(station) = force.law.place() {
+        station.check(place, body)?;
+    }
+    lawful(place, &force.law)
+}
+
+fn lawful(place: ElementId, law: &ForceLaw<Station>) -> Result<(), ElementError> {
+    let finite = |field: Field, values: &[f64; 3]| coefficient::finite(values).map_err(at(place, field));
+    match law {
+        ForceLaw::UniformGravity { acceleration } => finite(Field::ACCELERATION, acceleration),
+        ForceLaw::CentralGravity { orbit } => on_orbit(place, orbit),
+        ForceLaw::Drag { coefficient, .. } | ForceLaw::SpinDrag { coefficient } => {
+            not_driving(*coefficient).map_err(at(place, Field::COEFFICIENT))
+        }
+        ForceLaw::Torque { torque, wave, .. } => {
+            finite(Field::TORQUE, torque)?;
+            varying(place, wave)
+        }
+        ForceLaw::Thrust { force, wave, .. } => {
+            finite(Field::FORCE, force)?;
+            varying(place, wave)
+        }
+        ForceLaw::MagneticDipole { moment, field } => {
+            finite(Field::MOMENT, moment)?;
+            match field {
+                MagneticField::Uniform(field) => finite(Field::MAGNETIC_FIELD, field),
+                MagneticField::Dipole { strength, orbit } => {
+                    finite(Field::DIPOLE, strength)?;
+                    on_orbit(place, orbit)
+                }
+            }
+        }
+        ForceLaw::Expression { .. }
+        | ForceLaw::TorqueExpression { .. }
+        | ForceLaw::TorqueTable { .. }
+        | ForceLaw::ForceTable { .. } => Ok(()),
+        ForceLaw::During { law, .. } => lawful(place, law),
+    }
+}
+
+fn on_orbit(place: ElementId, orbit: &Orbit) -> Result<(), ElementError> {
+    coefficient::positive(orbit.mu).map_err(at(place, Field::GRAVITATIONAL_PARAMETER))?;
+    coefficient::positive(orbit.semi_major_axis).map_err(at(place, Field::SEMI_MAJOR_AXIS))?;
+    elliptic(orbit.eccentricity).map_err(at(place, Field::ECCENTRICITY))?;
+    let angles = [
+        (Field::INCLINATION, orbit.inclination),
+        (Field::NODE, orbit.raan),
+        (Field::PERIAPSIS, orbit.argument_of_periapsis),
+        (Field::MEAN_ANOMALY, orbit.mean_anomaly),
+    ];
+    angles.into_iter().try_for_each(|(field, angle)| coefficient::finite(&[angle]).map_err(at(place, field)))
+}
+
+fn varying(place: ElementId, wave: &Wave) -> Result<(), ElementError> {
+    coefficient::finite(&[wave.frequency]).map_err(at(place, Field::FREQUENCY))?;
+    coefficient::finite(&[wave.phase]).map_err(at(place, Field::PHASE))
+}
+
+fn not_driving(value: f64) -> Result<(), Problem> {
+    coefficient::finite(&[value])?;
+    if value >= 0.0 { Ok(()) } else { Err(Problem::Driving { value }) }
+}
+
+fn elliptic(value: f64) -> Result<(), Problem> {
+    coefficient::finite(&[value])?;
+    if (0.0..1.0).contains(&value) { Ok(()) } else { Err(Problem::NotElliptic { value }) }
+}

@@ -1,0 +1,134 @@
+//! Solid part: tetrahedra, wedges and hexahedra in regions of one material each.
+//! Every solid cell belongs to exactly one region; the axes of an orthotropic material belong to the region, not to the cell.
+//! Solid elements: `finite::solid`.
+
+use std::sync::Arc;
+
+use nalgebra::{DMatrix, DVector, Matrix3, Matrix6, Vector3};
+
+use super::{ElasticMaterial, sound};
+use crate::error::{ElementError, ElementKind, Field, Problem, at};
+use crate::finite::{Element, LumpedMass, elasticity, solid};
+use crate::structure::Structure;
+use quasirigid_mesh::{Mesh, Shape};
+
+/// A solid of cells: tetrahedra, wedges and hexahedra.
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[derive(Clone, Debug, PartialEq)]
+pub struct Solid {
+    /// Nodes and cells; faces and lines among the cells bear nothing.
+    pub mesh: Arc<Mesh>,
+    /// Regions of one material; each solid cell is in one of them.
+    pub regions: Vec<Region>,
+}
+
+/// Cells of one material.
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[derive(Clone, Debug, PartialEq)]
+pub struct Region {
+    /// Indices of the cells; cells of other dimensions are skipped.
+    pub cells: Vec<usize>,
+    /// Name of the material, by which its share of the dissipation is told; it may be empty.
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub name: String,
+    /// Material of the cells.
+    pub material: ElasticMaterial,
+    /// Axes 1, 2, 3 of the material, a unit vector each, in the file's frame.
+    pub axes: [[f64; 3]; 3],
+}
+
+/// Solid cell with the data of its matrices.
+#[derive(Debug)]
+struct SolidCell {
+    shape: Shape,
+    nodes: Vec<usize>,
+    places: Vec<Vector3<f64>>,
+    material: usize,
+    density: f64,
+    elasticity: Arc<Matrix6<f64>>,
+}
+
+impl Solid {
+    /// Adds the elements of the solid to a structure that has its nodes.
+    pub(super) fn assemble_into(
+        &self,
+        index: usize,
+        first: usize,
+        rayleigh: [f64; 2],
+        structure: &mut Structure,
+    ) -> Result<(), ElementError> {
+        let place = ElementKind::Part.at(index);
+        sound(&self.mesh, 3).map_err(at(place, Field::FILE))?;
+        for region in &self.regions {
+            region.material.check(place)?;
+            let elasticity = Arc::new(region.elasticity().map_err(at(place, Field::MATERIAL))?);
+            let material = structure.named_material(&region.name, region.material.rheology(), rayleigh);
+            let count = self.mesh.cells.len();
+            if let Some(index) = region.cells.iter().copied().find(|cell| *cell >= count) {
+                return Err(at(place, Field::MATERIAL)(Problem::NoSuchCell { index, count }));
+            }
+            let cells = region.cells.iter().map(|cell| &self.mesh.cells[*cell]);
+            for cell in cells.filter(|cell| cell.shape.dimension() == 3) {
+                structure.elements.push(Box::new(SolidCell {
+                    shape: cell.shape,
+                    nodes: cell.nodes.iter().map(|node| first + node).collect(),
+                    places: cell.nodes.iter().map(|node| self.mesh.nodes[*node].into()).collect(),
+                    material,
+                    density: region.material.density(),
+                    elasticity: Arc::clone(&elasticity),
+                }));
+            }
+        }
+        Ok(())
+    }
+}
+
+impl Region {
+    fn elasticity(&self) -> Result<Matrix6<f64>, Problem> {
+        let elasticity = match &self.material {
+            ElasticMaterial::Isotropic(material) => elasticity::isotropic(material.young, material.poisson),
+            ElasticMaterial::Orthotropic(material) => {
+                let [young, poisson, shear] = [material.young, material.poisson, material.shear];
+                let columns = self.axes.map(Vector3::from);
+                let constants = elasticity::Orthotropic { young, poisson, shear };
+                elasticity::orthotropic(&constants, &Matrix3::from_columns(&columns))
+            }
+        };
+        Ok(elasticity?)
+    }
+}
+
+impl Element for SolidCell {
+    fn nodes(&self) -> &[usize] {
+        &self.nodes
+    }
+
+    fn dofs(&self) -> usize {
+        3
+    }
+
+    fn material(&self) -> usize {
+        self.material
+    }
+
+    fn stiffness(&self) -> DMatrix<f64> {
+        solid::stiffness(self.shape, &self.places, &self.elasticity)
+    }
+
+    fn mass(&self) -> DMatrix<f64> {
+        solid::mass(self.shape, &self.places, self.density).kronecker(&Matrix3::identity())
+    }
+
+    fn lumped_masses(&self) -> Vec<LumpedMass> {
+        solid::lumped_masses(self.shape, &self.places, self.density)
+    }
+
+    fn geometric(
+        &self,
+        displacement: &DVector<f64>,
+        _: &dyn Fn(Vector3<f64>) -> Vector3<f64>,
+    ) -> Option<DMatrix<f64>> {
+        let scalar = solid::geometric(self.shape, &self.places, &self.elasticity, displacement);
+        Some(scalar.kronecker(&Matrix3::identity()))
+    }
+}

@@ -8,7 +8,7 @@ use syn::{
     Field, ImplItem, Item, ItemImpl, ItemTrait, Path, Signature, TraitItem, Type, UseTree, Visibility,
 };
 
-use super::source::{Source, attributes, is_test};
+use super::source::{Source, attributes, is_hidden, is_test};
 use crate::finding::Finding;
 
 /// Libraries whose types stay inside.
@@ -93,7 +93,7 @@ impl Shown {
         fields.into_iter().for_each(|field| self.type_(&field.vis, &field.ty));
     }
 
-    fn is_hidden(&self, item: &ItemImpl) -> bool {
+    fn is_private(&self, item: &ItemImpl) -> bool {
         let Type::Path(of) = item.self_ty.as_ref() else { return false };
         of.path.segments.last().is_some_and(|name| self.hidden.contains(&name.ident.to_string()))
     }
@@ -101,7 +101,7 @@ impl Shown {
 
 impl<'ast> Visit<'ast> for Shown {
     fn visit_item(&mut self, item: &'ast Item) {
-        if is_test(attributes(item)) {
+        if is_test(attributes(item)) || is_hidden(attributes(item)) {
             return;
         }
         match item {
@@ -119,11 +119,12 @@ impl<'ast> Visit<'ast> for Shown {
     }
 
     fn visit_item_impl(&mut self, item: &'ast ItemImpl) {
-        if self.is_hidden(item) {
+        if self.is_private(item) {
             return;
         }
         for member in &item.items {
             match member {
+                ImplItem::Fn(member) if is_hidden(&member.attrs) => {}
                 ImplItem::Fn(member) => self.signature(&member.vis, &member.sig),
                 ImplItem::Const(member) => self.type_(&member.vis, &member.ty),
                 _ => {}

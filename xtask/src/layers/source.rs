@@ -16,8 +16,8 @@ pub struct Source {
     pub syntax: syn::File,
 }
 
-/// Source files of a crate, found as the compiler finds them: from the root along `mod` items, leaving out tests.
-/// The findings name files that could not be parsed or found.
+/// Source files of a crate, found as the compiler finds them: from the root along `mod` items, leaving out tests and what is hidden from
+/// the documentation. The findings name files that could not be parsed or found.
 pub fn of_crate(tree: &Tree, package: &str) -> (Vec<Source>, Vec<Finding>) {
     let (mut sources, mut findings) = (Vec::new(), Vec::new());
     for root in ["lib.rs", "main.rs"] {
@@ -46,7 +46,7 @@ fn follow(
     let folder = folder_of_children(&path);
     for item in &syntax.items {
         let Item::Mod(child) = item else { continue };
-        if child.content.is_some() || is_test(&child.attrs) {
+        if child.content.is_some() || is_test(&child.attrs) || is_hidden(&child.attrs) {
             continue;
         }
         let name = child.ident.to_string();
@@ -75,6 +75,14 @@ pub fn is_test(attributes: &[Attribute]) -> bool {
     attributes.iter().any(|attribute| {
         let of_tests = || attribute.parse_args::<syn::Ident>().is_ok_and(|condition| condition == "test");
         attribute.path().is_ident("test") || (attribute.path().is_ident("cfg") && of_tests())
+    })
+}
+
+/// Whether an item is for our own crates alone: `#[doc(hidden)]`.
+pub fn is_hidden(attributes: &[Attribute]) -> bool {
+    attributes.iter().any(|attribute| {
+        let hidden = || attribute.parse_args::<syn::Ident>().is_ok_and(|word| word == "hidden");
+        attribute.path().is_ident("doc") && hidden()
     })
 }
 

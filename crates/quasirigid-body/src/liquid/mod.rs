@@ -78,6 +78,7 @@ impl LiquidMemory {
 ///
 /// A ball has no direction but that of the spin; a spheroid and a cylinder spin about their axes, and the component across is left out.
 /// There is one response along the axis and one for each sense of circling the axis. NaN where the fields have no finite solution.
+#[doc(hidden)]
 pub fn impedance(memory: &LiquidMemory, s: Complex<f64>, spin: Vector3<f64>) -> Matrix3<Complex<f64>> {
     let LiquidMemory { inertia, time, flow, .. } = *memory;
     let unit = inertia / time;

@@ -1,4 +1,4 @@
-use quasirigid::model::Support;
+use quasirigid_body::Support;
 use quasirigid_math::polynomial::Homogeneous;
 use serde::Serialize;
 

@@ -10,7 +10,7 @@ pub use comparison::Mechanism;
 pub use forces::{DisplacedLoads, Forces, StartLoads};
 use std::ops::Range;
 
-use quasirigid::model::{FlexibleBody, ReducedBody};
+use quasirigid_body::{FlexibleBody, ReducedBody};
 use quasirigid_math::polynomial::{Homogeneous, Series};
 
 /// Derived body: the content of an export.

@@ -4,7 +4,7 @@
 
 use std::fmt::{self, Write};
 
-use quasirigid::model::{Principal, Support};
+use quasirigid_body::{Principal, Support};
 use quasirigid_math::polynomial::Homogeneous;
 
 use super::{Derived, MOST, comparison, forces, rows};

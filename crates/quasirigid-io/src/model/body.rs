@@ -3,8 +3,8 @@
 
 use std::path::Path;
 
-use quasirigid::elements::{Assembly, Carrier, ElementId, ElementKind};
-use quasirigid::model::Support;
+use quasirigid_body::Support;
+use quasirigid_elements::{Assembly, Carrier, ElementId, ElementKind};
 
 use super::diagnostic::Problems;
 use super::material::Materials;

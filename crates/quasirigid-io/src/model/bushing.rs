@@ -2,7 +2,7 @@
 //! One number stands for all three axes; what is left out is zero, so a bushing may resist displacement or rotation alone.
 //! Equation (I11), docs/theory/02-invariants.md.
 
-use quasirigid::elements::{Bushing, ElementKind, End};
+use quasirigid_elements::{Bushing, ElementKind, End};
 
 use super::names::{Fixed, Part};
 use super::reader::{Draft, Entry, Keyed, Naming, Reader};

@@ -4,7 +4,7 @@
 
 use std::path::Path;
 
-use quasirigid::elements::{Cavity, CavityShape, ElementKind, Regime};
+use quasirigid_elements::{Cavity, CavityShape, ElementKind, Regime};
 use quasirigid_math::rotation::{ALIGNED, angle, turned};
 use quasirigid_math::vec3::{cross, norm, scale};
 use quasirigid_mesh::meshing::inside;

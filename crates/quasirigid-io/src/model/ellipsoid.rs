@@ -1,4 +1,4 @@
-use quasirigid::elements::{ElementKind, Ellipsoid};
+use quasirigid_elements::{ElementKind, Ellipsoid};
 
 use super::material::Materials;
 use super::names::Part;

@@ -5,8 +5,8 @@
 use std::f64::consts::TAU;
 use std::path::Path;
 
-use quasirigid::elements::{ElementKind, Station};
-use quasirigid::model::force::{Axes, Force, ForceLaw, MagneticField, Orbit, Wave};
+use quasirigid_body::force::{Axes, Force, ForceLaw, MagneticField, Orbit, Wave};
+use quasirigid_elements::{ElementKind, Station};
 
 use super::formula::{PLACE, formulas};
 use super::kinds::{Kind, kind, of_table, opened};

@@ -2,7 +2,7 @@
 //! The names of its places are registered here, because springs and forces are read later and refer to them.
 //! Equations (I8) and (I9), docs/theory/02-invariants.md.
 
-use quasirigid::elements::{ElementKind, HingeCoefficient, Hinged};
+use quasirigid_elements::{ElementKind, HingeCoefficient, Hinged};
 
 use super::body::inertia;
 use super::names::Part;

@@ -2,8 +2,8 @@
 //! Displacements default to the slow manifold: a body started undeformed would first vibrate, which nobody asked for.
 //! Equation (Q8), docs/theory/16-methods.md, tells where the slow manifold can be used as a start.
 
-use quasirigid::elements::Problem;
-use quasirigid::model::Support;
+use quasirigid_body::Support;
+use quasirigid_elements::Problem;
 
 use super::body::Body;
 use super::names::Part;

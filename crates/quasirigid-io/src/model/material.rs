@@ -5,8 +5,8 @@
 use std::cell::Cell;
 use std::collections::BTreeMap;
 
-use quasirigid::elements::{ElasticMaterial, Material, Orthotropic};
-use quasirigid::model::Rheology;
+use quasirigid_body::Rheology;
+use quasirigid_elements::{ElasticMaterial, Material, Orthotropic};
 
 use super::names::suggestion;
 use super::rheology::{Extremes, Known, Scale, rheology};

@@ -48,7 +48,7 @@ mod wheel;
 use std::io::Read;
 use std::path::Path;
 
-use quasirigid::elements::{Assembly, ElementError};
+use quasirigid_elements::{Assembly, ElementError};
 
 pub use change::{ChangeError, Found, Path as KeyPath, Template, changed};
 pub use diagnostic::Diagnostic;

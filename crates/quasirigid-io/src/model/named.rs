@@ -1,6 +1,6 @@
 //! Settings that are one of a few: their names, once for the model file, the command line and the record.
 
-use quasirigid::dynamics::{Form, Method};
+use quasirigid_body::{Form, Method};
 
 use super::evolve::{EvolveMethod, Power};
 use super::manifold::ManifoldStyle;

@@ -4,7 +4,7 @@
 use std::collections::HashMap;
 use std::ops::Range;
 
-use quasirigid::elements::{ElementKind, End, NodeRef, PlaceRef};
+use quasirigid_elements::{ElementKind, End, NodeRef, PlaceRef};
 
 use super::Diagnostic;
 use super::diagnostic::Problems;

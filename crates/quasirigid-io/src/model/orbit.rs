@@ -1,4 +1,4 @@
-use quasirigid::model::force::Orbit;
+use quasirigid_body::force::Orbit;
 
 use super::table::{Keys, Table};
 use super::value::Value;

@@ -1,4 +1,4 @@
-use quasirigid::elements::{Assembly, ElementError, Problem};
+use quasirigid_elements::{Assembly, ElementError, Problem};
 
 use super::Diagnostic;
 use super::spans::Spans;

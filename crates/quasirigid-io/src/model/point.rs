@@ -1,4 +1,4 @@
-use quasirigid::elements::{ElementKind, Point, PointMotion};
+use quasirigid_elements::{ElementKind, Point, PointMotion};
 
 use super::names::Part;
 use super::reader::{Keyed, Naming, Reader};

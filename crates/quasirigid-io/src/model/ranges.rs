@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use quasirigid::elements::{Assembly, ElementId};
+use quasirigid_elements::{Assembly, ElementId};
 
 use super::rheology::Extremes;
 

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use quasirigid::elements::{Assembly, ElementKind};
+use quasirigid_elements::{Assembly, ElementKind};
 
 use super::material::Materials;
 use super::names::{Names, Part};

@@ -2,7 +2,7 @@
 //! A range gives the rheology at both ends, from which runs bound the times of the evolution; a measured table has none.
 //! Equation (G1), docs/theory/11-materials.md.
 
-use quasirigid::model::{Measured, Rheology, RheologyError};
+use quasirigid_body::{Measured, Rheology, RheologyError};
 
 use super::kinds::{Kind, kind, opened};
 use super::settings::optional;

@@ -3,7 +3,7 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use quasirigid::model::Mode;
+use quasirigid_body::Mode;
 
 use super::table::{Keys, Table};
 use super::value::Value;

@@ -1,4 +1,4 @@
-use quasirigid::elements::{ElementKind, Rotor, RotorKind};
+use quasirigid_elements::{ElementKind, Rotor, RotorKind};
 
 use super::names::Part;
 use super::reader::{Keyed, Naming, Reader};

@@ -3,7 +3,7 @@
 
 use std::collections::BTreeMap;
 
-use quasirigid::elements::SectionShape;
+use quasirigid_elements::SectionShape;
 
 use super::kinds::{Kind, kind, opened};
 use super::names::suggestion;

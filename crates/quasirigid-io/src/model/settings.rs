@@ -3,7 +3,7 @@
 
 use std::f64::consts::PI;
 
-use quasirigid::dynamics::{Form, Method};
+use quasirigid_body::{Form, Method};
 
 use super::evolve::{Evolve, evolve};
 use super::manifold::{Manifold, manifold};

@@ -1,7 +1,7 @@
 use std::collections::HashMap;
 use std::ops::Range;
 
-use quasirigid::elements::{ElementId, ElementKind, Field};
+use quasirigid_elements::{ElementId, ElementKind, Field};
 
 /// Places of the elements of a model in its file.
 #[derive(Clone, Debug, Default, PartialEq)]

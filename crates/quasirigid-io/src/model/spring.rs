@@ -2,7 +2,7 @@
 //! Keys of the axial kind are refused on a spatial spring rather than ignored, since a tension that does nothing would mislead.
 //! Equations (I9) and (I10), docs/theory/02-invariants.md.
 
-use quasirigid::elements::{Coefficient, ElementKind, End, Prestress, Spring, SpringLaw};
+use quasirigid_elements::{Coefficient, ElementKind, End, Prestress, Spring, SpringLaw};
 
 use super::names::{Fixed, Names, Part};
 use super::reader::{Keyed, Naming, Reader};

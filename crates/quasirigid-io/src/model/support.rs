@@ -1,4 +1,4 @@
-use quasirigid::model::Support;
+use quasirigid_body::Support;
 
 use super::formula::{TIME, formulas};
 use super::kinds::{Kind, kind, opened};

@@ -4,7 +4,7 @@
 
 use std::path::Path;
 
-use quasirigid::elements::{ElementKind, Surface};
+use quasirigid_elements::{ElementKind, Surface};
 use quasirigid_mesh::surface::ClosedSurface;
 
 use super::material::Materials;

@@ -3,7 +3,7 @@
 
 use std::path::Path;
 
-use quasirigid::model::force::{Interpolation, Timetable, Windows};
+use quasirigid_body::force::{Interpolation, Timetable, Windows};
 
 use super::table::Table;
 use super::value::Value;

@@ -1,4 +1,4 @@
-use quasirigid::elements::{ElementKind, Wheel, WheelSpeed};
+use quasirigid_elements::{ElementKind, Wheel, WheelSpeed};
 
 use super::formula::{TIME, formula};
 use super::names::Part;

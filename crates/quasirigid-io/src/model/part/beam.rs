@@ -1,7 +1,7 @@
 //! Beam reader: `[[beam]]`, a frame of named nodes and straight lines, all of one section and one material.
 //! Each line is divided into elements; memory is asked for before they exist, since a file can demand any number.
 
-use quasirigid::elements::{ElementKind, Frame, FrameNode, Member, Part, PartKind};
+use quasirigid_elements::{ElementKind, Frame, FrameNode, Member, Part, PartKind};
 
 use super::super::names;
 use super::super::reader::{Keyed, Naming, Reader, Sources};

@@ -2,7 +2,7 @@
 //! No axes means a weld: the joint is told by its axes alone, and stiffness and damping have one entry for each.
 //! Equations (K1) and (K2), docs/theory/12-structures.md.
 
-use quasirigid::elements::{Anchor, Connection, ElementKind};
+use quasirigid_elements::{Anchor, Connection, ElementKind};
 
 use super::super::names::{Names, Part};
 use super::super::reader::{Keyed, Naming, Reader};

@@ -1,4 +1,4 @@
-use quasirigid::elements::TipMass;
+use quasirigid_elements::TipMass;
 
 use super::super::body::inertia;
 use super::super::table::{Keys, Table};

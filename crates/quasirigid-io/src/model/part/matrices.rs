@@ -1,4 +1,4 @@
-use quasirigid::elements::{ElementKind, Matrices, NodalMass, Part, PartKind};
+use quasirigid_elements::{ElementKind, Matrices, NodalMass, Part, PartKind};
 
 use super::super::names;
 use super::super::reader::{Keyed, Naming, Reader, Sources};

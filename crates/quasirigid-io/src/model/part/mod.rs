@@ -13,7 +13,7 @@ mod placed;
 mod reduction;
 pub(super) mod solid;
 
-use quasirigid::elements::Part;
+use quasirigid_elements::Part;
 
 use super::rheology::Extremes;
 use super::table::{Keys, Table};

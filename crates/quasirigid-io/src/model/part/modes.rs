@@ -4,7 +4,7 @@
 
 use std::path::Path;
 
-use quasirigid::elements::{ElementKind, GivenModes, NodalMass, Part, PartKind, Spectrum};
+use quasirigid_elements::{ElementKind, GivenModes, NodalMass, Part, PartKind, Spectrum};
 
 use super::super::names;
 use super::super::reader::{Keyed, Naming, Reader, Sources};

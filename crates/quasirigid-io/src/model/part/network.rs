@@ -2,7 +2,7 @@
 //! A network becomes points and springs at once, so errors of those point back to this table; the expected number of points is
 //! limited before any is drawn.
 
-use quasirigid::elements::{ElementKind, Network};
+use quasirigid_elements::{ElementKind, Network};
 use quasirigid_math::memory;
 
 use super::super::body::FEWEST_POINTS;

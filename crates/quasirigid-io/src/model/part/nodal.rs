@@ -5,7 +5,7 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
-use quasirigid::elements::NodalMass;
+use quasirigid_elements::NodalMass;
 
 use super::super::surface::unit_of;
 use super::super::table::{Keys, Table};

@@ -3,7 +3,7 @@
 
 use std::sync::Arc;
 
-use quasirigid::elements::{ElementKind, Layer, Panel, Part, PartKind};
+use quasirigid_elements::{ElementKind, Layer, Panel, Part, PartKind};
 use quasirigid_math::vec3::{cross, norm};
 use quasirigid_mesh::{Cell, Mesh, Set, Shape};
 

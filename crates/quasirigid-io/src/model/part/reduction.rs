@@ -1,4 +1,4 @@
-use quasirigid::elements::PartReduction;
+use quasirigid_elements::PartReduction;
 
 use super::super::table::{Keys, Table};
 

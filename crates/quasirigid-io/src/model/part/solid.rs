@@ -3,7 +3,7 @@
 
 use std::sync::Arc;
 
-use quasirigid::elements::{ElementKind, Part, PartKind, Region, Solid};
+use quasirigid_elements::{ElementKind, Part, PartKind, Region, Solid};
 use quasirigid_math::vec3::{cross, dot, norm, scale};
 use quasirigid_mesh::Mesh;
 

@@ -1,4 +1,4 @@
-//! Automation of the workspace, all of it in Rust: `cargo xtask check`, `cargo xtask test`, `cargo xtask mutants`.
+//! Automation of the workspace, all of it in Rust: `cargo xtask check`, `cargo xtask test`.
 #![allow(clippy::print_stdout, clippy::print_stderr)]
 
 mod contents;
@@ -7,11 +7,9 @@ mod finding;
 mod labels;
 mod layers;
 mod markdown;
-mod mutants;
 mod paths;
 mod test;
 mod tree;
-mod unsafe_code;
 
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -22,32 +20,27 @@ use tree::Tree;
 
 type Check = fn(&Tree) -> Vec<Finding>;
 
-const CHECKS: [(&str, Check); 6] = [
+const CHECKS: [(&str, Check); 5] = [
     ("layers", layers::check),
     ("labels", labels::check),
     ("paths", paths::check),
     ("contents", contents::check),
     ("docs", docs::check),
-    ("unsafe", unsafe_code::check),
 ];
 
 const HELP: &str = "\
 usage: cargo xtask test [--require-python] [--wheel]
-       cargo xtask mutants [--count N] [--seed S] [--jobs J]
        cargo xtask <check>
 
   test     every test, of Rust and of Python; what Python lacks is told, and fails only with --require-python;
            --wheel tests the package as users install it, which takes four minutes more
 
-  mutants  the tests of the physics crate against N of its mutants, 300 unless told; needs cargo-mutants
-
   check    all of the following
-  layers   who imports whom, and no foreign type in a public signature
+  layers   who imports whom inside a crate, and no foreign type in a public signature
   labels   equation labels and reference keys of the code exist in docs/
-  paths    ARCHITECTURE.md names what exists, and every module folder
+  paths    ARCHITECTURE.md names what exists
   contents theory and guide list each of their chapters under its number
   docs     TOML and commands in README.md and docs/guide are sound
-  unsafe   docs/reliability.md lists every file with unsafe code
 
 exit code: 0 nothing found, 1 something found, 2 could not run";
 
@@ -62,12 +55,6 @@ fn main() -> ExitCode {
             }) {
                 Ok(wishes) => test(wishes),
                 Err(()) => refuse(HELP),
-            };
-        }
-        ["mutants", ref wishes @ ..] => {
-            return match mutants::Wishes::read(wishes) {
-                Some(wishes) => mutants(wishes),
-                None => refuse(HELP),
             };
         }
         [name] => name,
@@ -102,18 +89,6 @@ fn test(wishes: Wishes) -> ExitCode {
             eprintln!("\nxtask test: {message}");
             ExitCode::FAILURE
         }
-    }
-}
-
-/// Runs the tests against mutants.
-fn mutants(wishes: mutants::Wishes) -> ExitCode {
-    let done = workspace_root()
-        .map_err(|error| format!("cannot read the workspace: {error}"))
-        .and_then(|root| mutants::run(&root, wishes));
-    match done {
-        Ok(0) => ExitCode::SUCCESS,
-        Ok(_) => ExitCode::FAILURE,
-        Err(message) => refuse(&format!("xtask mutants: {message}")),
     }
 }
 

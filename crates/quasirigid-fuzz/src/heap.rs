@@ -1,4 +1,5 @@
 //! Allocator that counts the memory in use, so that an execution can be judged by its peak.
+#![allow(unsafe_code)]
 
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};

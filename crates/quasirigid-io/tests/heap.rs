@@ -1,4 +1,5 @@
 //! Allocator that knows the largest piece of memory that a thread asked for at once.
+#![allow(unsafe_code)]
 
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;

@@ -2,6 +2,7 @@
 //!
 //! A task is compiled for any processor, and on x86-64 for vectors of four and of eight numbers, each with and without fused multiply-add.
 //! Only the fused one rounds differently, in the last bit; the width of the vectors changes none. One machine always takes the same one.
+#![allow(unsafe_code)]
 
 use std::marker::PhantomData;
 

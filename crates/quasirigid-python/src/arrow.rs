@@ -2,6 +2,7 @@
 //! pandas, polars, DuckDB and pyarrow read them without a copy and without a library of Arrow here. Numbers are `float64`, counts `int64`,
 //! truth values `bool`, texts `large_utf8`; the unit of a column stands in the metadata of its field. One batch holds all rows.
 //! Apache Arrow, The Arrow C data interface and The Arrow PyCapsule interface.
+#![allow(unsafe_code)]
 
 use std::ffi::{CStr, CString, c_char, c_int, c_void};
 use std::ptr::{null, null_mut};

@@ -1,5 +1,6 @@
 //! Tables of named columns, each with its unit: NumPy arrays and Arrow streams on the memory of the study, without a copy.
 //! Arrays are read-only, since all of them share that memory.
+#![allow(unsafe_code)]
 
 use std::sync::Arc;
 

@@ -1,4 +1,5 @@
 //! Streams of tables as a consumer in C takes them: every buffer is read, every release called, once. Needs no Python, and runs under Miri.
+#![allow(unsafe_code)]
 
 #[path = "../src/arrow.rs"]
 mod arrow;

@@ -1,4 +1,5 @@
 //! Nested dissection by METIS (Karypis & Kumar 1998); the only file with a foreign function.
+#![allow(unsafe_code)]
 
 use std::ptr;
 use std::sync::{Mutex, PoisonError};

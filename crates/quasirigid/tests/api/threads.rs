@@ -285,6 +285,8 @@ fn public_types_are_send_sync_and_debug() {
     crosses::<verification::VerificationPlan>();
     crosses::<verification::Verification>();
     crosses::<verification::VerificationError>();
+    crosses::<model::Form>();
+    crosses::<model::Method>();
     crosses::<problems::AxialMass>();
     crosses::<problems::CommonProblem>();
     crosses::<problems::Explorer1>();

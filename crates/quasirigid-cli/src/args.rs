@@ -105,9 +105,6 @@ pub struct Propagation {
     /// Integrator of the full system [default: automatic]
     #[arg(long, value_parser = named::<Method>())]
     pub method: Option<Method>,
-    /// Integrate every revolution of the reduced equations, also where rows lie over a thousand of them apart
-    #[arg(long)]
-    pub every_revolution: bool,
 }
 
 #[derive(Args, Debug)]

@@ -292,7 +292,6 @@ pub struct Settings {
     tolerance: Option<f64>,
     form: Option<String>,
     method: Option<String>,
-    every_revolution: bool,
 }
 
 impl Settings {
@@ -303,7 +302,6 @@ impl Settings {
             samples: self.samples,
             form: named(self.form.as_deref(), "form")?,
             method: named(self.method.as_deref(), "method")?,
-            every_revolution: self.every_revolution,
         })
     }
 }

@@ -46,14 +46,6 @@ def test_a_history_is_that_of_the_program(told: Any, system: str, tmp_path: Path
     np.testing.assert_array_equal(history.angular_velocity[:, 2], written["wz"])
 
 
-def test_revolutions_are_leaped_over_as_in_the_program(told: Any) -> None:
-    options = ["--duration", "100000 s", "--samples", "2"]
-    for every, option in [(False, []), (True, ["--every-revolution"])]:
-        object = told("simulate", "axial-mass", *options, *option)
-        history = model("axial-mass").simulate(duration="100000 s", samples=2, every_revolution=every)
-        assert history.to_dict() == object and (object["leaped"] == 0) == every
-
-
 @pytest.mark.parametrize("example", ["boom-satellite", "duende", "three-masses", "explorer1"])
 def test_an_evolution_is_that_of_the_program(told: Any, example: str) -> None:
     evolution = model(example).evolve()

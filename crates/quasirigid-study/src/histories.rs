@@ -37,8 +37,6 @@ pub struct Propagation {
     pub form: Option<Form>,
     /// Integrator of the full system.
     pub method: Option<Method>,
-    /// Whether every revolution of the reduced equations is integrated, also where outputs lie thousands of them apart.
-    pub every_revolution: bool,
 }
 
 /// Revolutions of a propagation without a duration.
@@ -83,7 +81,6 @@ impl Propagation {
             method: self.method.or(run.method).unwrap_or(usual.method),
             tolerance: self.tolerance.or(run.tolerance).unwrap_or(usual.tolerance),
             form: self.form.or(run.form).unwrap_or(Form::AngularMomentum),
-            leaps: !self.every_revolution,
             ..usual
         })
     }
@@ -216,7 +213,6 @@ impl History {
             "steps": work.steps,
             "rejected": work.rejected,
             "implicit_steps": work.implicit_steps,
-            "leaped": work.leaped,
             "evaluations": work.evaluations,
             "factorizations": work.factorizations,
         });

@@ -164,7 +164,6 @@ pub fn unfinished(system: System, equations: &str, options: &Options, columns: V
         tolerance: options.tolerance,
         steps: 0,
         rejected: 0,
-        leaped: 0,
         revolutions: f64::NAN,
         energy: f64::NAN,
         dissipated: f64::NAN,
@@ -197,7 +196,6 @@ pub fn history(
         tolerance: options.tolerance,
         steps: run.work.steps,
         rejected: run.work.rejected,
-        leaped: run.work.leaped,
         revolutions: run.last.revolutions,
         energy: followed.energy,
         dissipated: run.last.dissipated,
@@ -216,9 +214,6 @@ pub fn history(
 fn method(system: System, work: Work) -> String {
     let explicit = work.steps - work.implicit_steps;
     match (system, work.implicit_steps, explicit) {
-        (System::Reduced, ..) if work.leaped > 0 => {
-            "multirevolution method on explicit Runge-Kutta of order 8 (DOP853)".into()
-        }
         (System::Reduced | System::Rigid | System::Manifold, ..) | (_, 0, _) => {
             "explicit Runge-Kutta of order 8 (DOP853)".into()
         }

@@ -73,14 +73,13 @@ fn note_left_out(study: &Study, omega: [f64; 3], common: &Common) -> bool {
 
 /// Settings of a propagation from the command line.
 fn propagation(arguments: &Propagation) -> Result<histories::Propagation, Failure> {
-    let Propagation { duration, tolerance, samples, form, method, every_revolution } = arguments;
+    let Propagation { duration, tolerance, samples, form, method } = arguments;
     Ok(histories::Propagation {
         duration: duration.as_deref().map(seconds).transpose()?,
         tolerance: *tolerance,
         samples: *samples,
         form: *form,
         method: *method,
-        every_revolution: *every_revolution,
     })
 }
 

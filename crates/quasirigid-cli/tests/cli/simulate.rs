@@ -142,22 +142,6 @@ fn looser_tolerance_takes_fewer_steps() {
     assert_eq!(steps(" --tolerance 1e-12"), steps(""), "the default is 1e-12");
 }
 
-/// Leaps over whole revolutions, and every revolution integrated: the same history, with a small part of the steps.
-#[test]
-fn revolutions_are_leaped_over_unless_every_one_is_asked_for() {
-    let [leaps, steps] = ["", " --every-revolution"]
-        .map(|option| ran(&format!("{AXIAL} --duration 1e5 --samples 2 --json{option}")).json());
-    let count = |json: &serde_json::Value, name: &str| json[name].as_u64().unwrap();
-    assert!(count(&leaps, "leaped") > 1000 && count(&steps, "leaped") == 0, "{leaps} {steps}");
-    assert!(count(&leaps, "steps") < count(&steps, "steps") / 10, "{leaps} {steps}");
-    for name in ["energy", "dissipated", "turns"] {
-        let [found, expected] = [&leaps, &steps].map(|json| json[name].as_f64().unwrap());
-        assert!((found / expected - 1.0).abs() < 1e-9, "{name}: {found} {expected}");
-    }
-    let [found, expected] = [leaps, steps].map(|json| <[f64; 3]>::try_from(numbers(&json["omega"])).unwrap());
-    assert!(difference(found, expected) < 1e-6, "{found:?} {expected:?}");
-}
-
 #[test]
 fn json_is_the_last_state_and_the_drift_without_a_table() {
     let line = "simulate examples/three-masses/model.toml --times 0,10";

@@ -9,7 +9,6 @@ mod full;
 mod initial_transient;
 mod invariant_monitor;
 mod layout;
-mod multirevolution;
 mod nutation;
 mod quadrature;
 mod reduced;

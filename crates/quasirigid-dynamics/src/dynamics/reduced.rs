@@ -4,19 +4,15 @@
 //! Equations (P1) to (P6), docs/theory/05-propagation.md; (D4), docs/theory/11-materials.md.
 
 use super::form::error_scale;
-use std::f64::consts::TAU;
-
 use super::conserved_momentum::{Conserved, inside, size};
 use super::form::{AngularMomentumForm, AngularVelocityForm, Equations};
 use super::invariant_monitor::{Invariant, InvariantMonitor, StateView, Trajectory};
-use super::multirevolution;
 use super::quadrature::Quadrature;
 use super::resting::stays_at_rest;
 use super::run::{Observer, Options, PropagateError, Run, Sample, Scan, Start, check};
 use super::seat::Seat;
 use super::spin::{ATTITUDE, Accounted, Accounts};
 use super::start::start;
-use super::steady::{IsolatedSpin, all_steady_spins};
 use crate::math::ode::{Checkpoint, Dop853, Solver, integrate};
 use crate::math::polynomial::{Kernel, Series};
 use crate::math::rotation;
@@ -58,34 +54,12 @@ pub fn propagate(
     let plan = Plan { shares, x, inside, initial, times, options, observer };
     match options.form {
         Form::AngularMomentum => {
-            let spins = if options.leaps { circled(body, x, inside, times) } else { Vec::new() };
-            let equations = &AngularMomentumForm::new(body);
-            if spins.is_empty() {
-                dispatch(options.rounding, StepByStep { equations, plan })
-            } else {
-                dispatch(options.rounding, InLeaps { equations, spins: &spins, plan })
-            }
+            dispatch(options.rounding, StepByStep { equations: &AngularMomentumForm::new(body), plan })
         }
         Form::AngularVelocity => {
             dispatch(options.rounding, StepByStep { equations: &AngularVelocityForm::new(body), plan })
         }
     }
-}
-
-/// Revolutions per output from which on they are passed in leaps.
-const SPARSE: f64 = 1000.0;
-
-/// Steady spins that a motion may circle, where so few outputs are asked for that its revolutions are passed in leaps.
-fn circled(body: &ReducedBody, K: [f64; 3], inside: [f64; 3], times: &[f64]) -> Vec<IsolatedSpin> {
-    let G = norm(K);
-    let revolutions = times.last().copied().unwrap_or_default() * norm(body.angular_velocity(K)) / TAU;
-    if revolutions < SPARSE * times.len() as f64 || size(K, inside) > G {
-        return Vec::new();
-    }
-    let spins = all_steady_spins(body, G).isolated;
-    let fastest = spins.iter().map(|spin| spin.spin.frequency).fold(0.0, f64::max);
-    let circuits = times.last().copied().unwrap_or_default() * fastest / TAU;
-    if circuits < SPARSE * times.len() as f64 { Vec::new() } else { spins }
 }
 
 /// Arguments of a propagation, for either form.
@@ -100,13 +74,13 @@ struct Plan<'a> {
 }
 
 /// Equations ready to be integrated: system, state, error allowed per step, monitor.
-pub(super) struct Prepared<'a, E> {
-    pub system: Accounted<'a, E>,
-    pub y: [f64; 12],
-    pub allowed: [f64; 12],
-    pub monitor: InvariantMonitor<'a, Reduced<'a, E>>,
-    pub times: &'a [f64],
-    pub options: &'a Options,
+struct Prepared<'a, E> {
+    system: Accounted<'a, E>,
+    y: [f64; 12],
+    allowed: [f64; 12],
+    monitor: InvariantMonitor<'a, Reduced<'a, E>>,
+    times: &'a [f64],
+    options: &'a Options,
 }
 
 impl<'a> Plan<'a> {
@@ -153,21 +127,6 @@ impl<E: Equations> Task for StepByStep<'_, E> {
             scan: Scan::default(),
             left_out: 0.0,
         })
-    }
-}
-
-struct InLeaps<'a> {
-    equations: &'a AngularMomentumForm,
-    spins: &'a [IsolatedSpin],
-    plan: Plan<'a>,
-}
-
-impl Task for InLeaps<'_> {
-    type Output = Result<Run, PropagateError>;
-
-    #[inline(always)]
-    fn run<A: Arithmetic>(self) -> Self::Output {
-        multirevolution::follow::<A>(self.plan.prepared(self.equations), self.spins)
     }
 }
 

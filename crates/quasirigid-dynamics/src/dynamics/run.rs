@@ -54,9 +54,6 @@ pub struct Options {
     pub most_steps: u64,
     /// Events that end the propagation.
     pub events: Vec<Event>,
-    /// Whether whole revolutions of a free reduced motion are passed in leaps where outputs lie thousands of them apart: the multirevolution
-    /// method of the angular-momentum form. (P11)
-    pub leaps: bool,
     /// Bits of a reduced motion, and of a full one whose stages are evaluated side by side: as fast as the processor allows, or the same on
     /// every processor.
     pub rounding: Rounding,
@@ -70,7 +67,6 @@ impl Default for Options {
             tolerance: 1e-12,
             most_steps: 1_000_000_000,
             events: Vec::new(),
-            leaps: true,
             rounding: Rounding::Fastest,
         }
     }

@@ -294,9 +294,6 @@ pub struct HistoryRecord {
     pub steps: u64,
     /// Steps rejected.
     pub rejected: u64,
-    /// Revolutions passed without a step for each; zero in records of versions before this field.
-    #[serde(default)]
-    pub leaped: u64,
     /// Revolutions made, `∫|ω| dt / 2π`.
     #[serde(with = "number")]
     #[serde(rename = "turns")]

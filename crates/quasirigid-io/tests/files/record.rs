@@ -101,12 +101,12 @@ fn columns() -> impl Strategy<Value = Vec<Column>> {
 
 prop_compose! {
     fn history(system: &'static str)(
-        form in ".*", method in ".*", status in ".*", message in ".*", steps: u64, rejected: u64, leaped: u64,
+        form in ".*", method in ".*", status in ".*", message in ".*", steps: u64, rejected: u64,
         numbers in [finite(), finite(), finite(), finite(), finite(), finite(), finite(), finite()], columns in columns(), dissipation in shares(),
     ) -> HistoryRecord {
         let [tolerance, revolutions, energy, dissipated, work, energy_drift, left_out, momentum_drift] = numbers;
         HistoryRecord {
-            system: system.into(), form, method, status, message, tolerance, steps, rejected, leaped, revolutions,
+            system: system.into(), form, method, status, message, tolerance, steps, rejected, revolutions,
             energy, dissipated, dissipation, work, energy_drift, left_out, momentum_drift, rows: 0, columns, log: None,
         }
     }
@@ -346,7 +346,6 @@ pub fn sample() -> RunRecord {
             tolerance: 1e-10,
             steps: 2,
             rejected: 0,
-            leaped: 7,
             revolutions: 0.1,
             energy: 1.0,
             dissipated: 0.0,

@@ -42,8 +42,8 @@ impl Checkpoint {
 
     /// Saves the work of a solver.
     pub fn save_work(&mut self, work: Work) {
-        let Work { steps, rejected, evaluations, factorizations, implicit_steps, leaped } = work;
-        self.words.extend([steps, rejected, evaluations, factorizations, implicit_steps, leaped]);
+        let Work { steps, rejected, evaluations, factorizations, implicit_steps } = work;
+        self.words.extend([steps, rejected, evaluations, factorizations, implicit_steps]);
     }
 
     /// Saves another checkpoint behind this one, whose [`rest`](Self::rest) it then is.
@@ -89,7 +89,6 @@ impl Checkpoint {
             evaluations: self.load_count()?,
             factorizations: self.load_count()?,
             implicit_steps: self.load_count()?,
-            leaped: self.load_count()?,
         })
     }
 

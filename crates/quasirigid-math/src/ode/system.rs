@@ -143,8 +143,6 @@ pub struct Work {
     pub factorizations: u64,
     /// Steps made by the implicit method.
     pub implicit_steps: u64,
-    /// Revolutions passed in leaps, without a step for each of them.
-    pub leaped: u64,
 }
 
 impl Add for Work {
@@ -157,7 +155,6 @@ impl Add for Work {
             evaluations: self.evaluations + other.evaluations,
             factorizations: self.factorizations + other.factorizations,
             implicit_steps: self.implicit_steps + other.implicit_steps,
-            leaped: self.leaped + other.leaped,
         }
     }
 }

@@ -247,7 +247,6 @@ class Model:
         tolerance: float | None = None,
         form: str | None = None,
         method: str | None = None,
-        every_revolution: bool = False,
         coordinates: bool = False,
         displacements: bool = False,
         degree: int | None = None,
@@ -267,7 +266,6 @@ class Model:
         tolerance: float | None = None,
         form: str | None = None,
         method: str | None = None,
-        every_revolution: bool = False,
         coordinates: bool = False,
         displacements: bool = False,
         order: int | None = None,
@@ -285,7 +283,6 @@ class Model:
         tolerance: float | None = None,
         form: str | None = None,
         method: str | None = None,
-        every_revolution: bool = False,
         coordinates: bool = False,
         displacements: bool = False,
         degree: int | None = None,
@@ -304,7 +301,6 @@ class Model:
             tolerance: Error allowed per step, relative, 1e-15 to 1e-2.
             form: Variable that is integrated: ``momentum`` or ``paper``.
             method: Integrator of the full system: ``automatic``, ``explicit`` or ``implicit``.
-            every_revolution: Integrates every revolution of the reduced equations, also where rows lie over a thousand of them apart.
             coordinates: Internal coordinates and their rates in the table, too.
             displacements: Displacements of points, appendages and nodes, too.
             degree: Degree of the reduced equations about the spin, 1 to 11.
@@ -324,7 +320,7 @@ class Model:
             raise InputError('degree belongs to the reduced equations about the spin; take system="manifold"')
         return self._simulate(
             system,
-            _settings(duration, samples, tolerance, form, method, every_revolution),
+            _settings(duration, samples, tolerance, form, method),
             coordinates=coordinates,
             displacements=displacements,
             times=times,
@@ -351,7 +347,7 @@ class Model:
             raise InputError("times stand in the place of duration and samples; give the one or the others")
         history = self._simulate(
             "manifold",
-            _settings(duration, samples, tolerance, None, None, every_revolution=False),
+            _settings(duration, samples, tolerance, None, None),
             coordinates=coordinates,
             displacements=displacements,
             times=times,
@@ -559,7 +555,6 @@ class Model:
         tolerance: float | None = None,
         form: str | None = None,
         method: str | None = None,
-        every_revolution: bool = False,
         order: int | None = None,
         tables: str | Sequence[str] | None = None,
         resume: bool = False,
@@ -585,7 +580,7 @@ class Model:
             raise InputError("tables and resume need the folder of the record")
         formats = tables.split(",") if isinstance(tables, str) else None if tables is None else list(tables)
         place = None if folder is None else {"folder": _arguments.path(folder, "folder"), "tables": formats, "resume": bool(resume)}
-        settings = _settings(duration, samples, tolerance, form, method, every_revolution)
+        settings = _settings(duration, samples, tolerance, form, method)
         with observer(progress) as watch:
             return Run(self._core.run(place, settings, _arguments.count(order, "order"), watch))
 
@@ -652,7 +647,6 @@ def _settings(
     tolerance: float | None,
     form: str | None,
     method: str | None,
-    every_revolution: bool,
 ) -> dict[str, Any]:
     return {
         "duration": _arguments.duration(duration),
@@ -660,7 +654,6 @@ def _settings(
         "tolerance": _arguments.number(tolerance, "tolerance"),
         "form": _arguments.word(form, "form"),
         "method": _arguments.word(method, "method"),
-        "every_revolution": bool(every_revolution),
     }
 
 

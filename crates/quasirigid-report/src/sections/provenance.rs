@@ -47,7 +47,6 @@ fn integration(history: &HistoryRecord) -> Markup {
 fn steps(history: &HistoryRecord) -> Markup {
     html! {
         (history.steps) " accepted, " (history.rejected) " rejected"
-        @if history.leaped > 0 { "; " (history.leaped) " revolutions of the nutation passed in leaps" }
     }
 }
 

@@ -138,7 +138,6 @@ pub fn history(system: &str, rows: usize, duration: f64, alpha: f64) -> HistoryR
         tolerance: 1e-10,
         steps: (rows * substeps) as u64,
         rejected: 12,
-        leaped: 0,
         revolutions,
         energy: first,
         dissipated,

@@ -194,22 +194,3 @@ fn checkpoint_of_another_propagation_is_refused() {
         assert_eq!(refused.unwrap_err(), PropagateError::Checkpoint);
     }
 }
-
-/// Through a separatrix in leaps, with two dissipators, to outputs alone and to an event.
-#[test]
-fn leaps_go_on_with_the_same_bits() {
-    let body = reduced(3);
-    assert!(body.power_shares.len() > 1);
-    let start = Start::new([0.5, 0.05, 0.34], ALIGNED);
-    let times = times_to(1.2e5, 3);
-    let free = Options::default();
-    let mut whole = Told::default();
-    let run = propagate(&body, start, &times, &free, &mut whole).unwrap();
-    assert!(run.work.leaped > 0, "{run:?}");
-    let level = 0.3 * whole.samples[0].energy + 0.7 * run.last.energy;
-    for events in [vec![], vec![Event::Energy(level)]] {
-        let options = Options { events, ..free.clone() };
-        let count = assert_resumes(&|told| propagate(&body, start, &times, &options, told));
-        assert!(count > 5, "{count} checkpoints");
-    }
-}

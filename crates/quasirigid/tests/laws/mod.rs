@@ -35,7 +35,6 @@ mod inertia;
 mod invariants;
 mod lagrangian;
 mod mechanisms;
-mod multirevolution;
 mod neutral_modes;
 mod nutation;
 mod orbits;

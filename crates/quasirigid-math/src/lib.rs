@@ -9,7 +9,6 @@
 #[doc = include_str!("../README.md")]
 struct ReadmeOfCrate;
 
-pub mod batched;
 pub mod bisection;
 pub mod chebyshev;
 pub mod connected_components;

@@ -1,15 +1,11 @@
-//! Time to find a steady spin and every small motion about it, for sprung points of three coordinates each; and the eigenvalues of many
-//! matrices and of many spins in lanes beside the same one by one.
+//! Time to find a steady spin and every small motion about it, for sprung points of three coordinates each; and the eigenvalues at
+//! many spins beside the modes there.
 #![allow(missing_docs)]
 
 use divan::Bencher;
 use quasirigid::model::Mode;
 use quasirigid::modes::{Given, RelativeEquilibrium, SpinModes, campbell};
 use quasirigid::problems::ring_of_points;
-use quasirigid_math::batched;
-use quasirigid_math::eigen::{Dense, eigenvalues, eigenvectors};
-use quasirigid_math::random::Random;
-use quasirigid_math::simd::Rounding;
 
 fn main() {
     divan::main();
@@ -24,47 +20,6 @@ fn points(bencher: Bencher, count: usize) {
             RelativeEquilibrium::near(&body, [0.0, 0.0, 1.0], Given::Rate(0.1)).expect("a steady spin");
         SpinModes::about(&body, spin).expect("its modes")
     });
-}
-
-/// Eigenvalues of 256 random matrices.
-mod matrices {
-    use super::*;
-
-    const SIZES: [usize; 5] = [5, 9, 15, 31, 63];
-
-    fn random(size: usize) -> Vec<Dense> {
-        let mut draws = Random::new(1);
-        let mut matrix = || {
-            let mut matrix = Dense::zero(size);
-            (0..size * size).for_each(|place| matrix.add(place / size, place % size, draws.unit() - 0.5));
-            matrix
-        };
-        (0..256).map(|_| matrix()).collect()
-    }
-
-    #[divan::bench(args = SIZES, sample_count = 20)]
-    fn lanes(bencher: Bencher, size: usize) {
-        let all = random(size);
-        bencher.bench(|| batched::eigenvalues(&all, Rounding::Fastest));
-    }
-
-    #[divan::bench(args = SIZES, sample_count = 20)]
-    fn lanes_reproducible(bencher: Bencher, size: usize) {
-        let all = random(size);
-        bencher.bench(|| batched::eigenvalues(&all, Rounding::Reproducible));
-    }
-
-    #[divan::bench(args = SIZES, sample_count = 20)]
-    fn one_by_one(bencher: Bencher, size: usize) {
-        let all = random(size);
-        bencher.bench(|| all.iter().map(eigenvalues).collect::<Vec<_>>());
-    }
-
-    #[divan::bench(args = [5, 9, 15], sample_count = 20)]
-    fn one_by_one_with_vectors(bencher: Bencher, size: usize) {
-        let all = random(size);
-        bencher.bench(|| all.iter().map(eigenvectors).collect::<Vec<_>>());
-    }
 }
 
 /// A ring of one, two or four points at 256 spins.

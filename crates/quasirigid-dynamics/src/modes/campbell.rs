@@ -8,9 +8,7 @@ use super::equilibrium::{EquilibriumError, Given, RelativeEquilibrium};
 use super::error::ModesError;
 use super::first_order::FirstOrder;
 use super::spectrum::ZERO;
-use crate::math::batched;
-use crate::math::eigen::Dense;
-use crate::math::simd::Rounding;
+use crate::math::eigen::eigenvalues;
 use crate::math::vec3::norm;
 use crate::model::{FlexibleBody, Mode};
 
@@ -38,7 +36,7 @@ pub enum CampbellError {
 /// Campbell diagram: eigenvalues at each of many spins (rad/s) about the axis that a mode circles. (M2)
 ///
 /// They are those of the equations of motion, as [`SpinMode::of_motion`](super::SpinMode::of_motion), where materials and liquids without
-/// equations of their own are left out or approximated. All are found side by side, without the motions and their energies: a decay that is
+/// equations of their own are left out or approximated. The motions and their energies are not found: a decay that is
 /// lost in the rounding of the largest eigenvalue is so here, while [`SpinModes`](super::SpinModes) has it from the balance of the energy.
 ///
 /// # Errors
@@ -66,33 +64,16 @@ pub fn campbell(
     mode: Mode,
     spins: &[f64],
 ) -> Vec<Result<SpinEigenvalues, CampbellError>> {
-    let mut matrices = Vec::with_capacity(spins.len());
-    let equations = |spin: &f64| {
-        let (equilibrium, matrix) = equations(body, mode, *spin)?;
-        matrices.push(matrix);
-        Ok(equilibrium)
-    };
-    let steady: Vec<Result<RelativeEquilibrium, CampbellError>> = spins.iter().map(equations).collect();
-    let mut found = batched::eigenvalues(&matrices, Rounding::Fastest).into_iter();
-    let column = |steady: Result<RelativeEquilibrium, CampbellError>| {
-        let equilibrium = steady?;
-        let values =
-            found.next().expect("every steady spin has brought its matrix").map_err(ModesError::from)?;
-        Ok(SpinEigenvalues { eigenvalues: upper(values, norm(equilibrium.omega)), equilibrium })
-    };
-    steady.into_iter().map(column).collect()
+    spins.iter().map(|spin| column(body, mode, *spin)).collect()
 }
 
-/// Steady spin and the matrix of the small motions about it.
-fn equations(
-    body: &FlexibleBody,
-    mode: Mode,
-    spin: f64,
-) -> Result<(RelativeEquilibrium, Dense), CampbellError> {
+/// Eigenvalues at one spin.
+fn column(body: &FlexibleBody, mode: Mode, spin: f64) -> Result<SpinEigenvalues, CampbellError> {
     let equilibrium = RelativeEquilibrium::extreme(body, mode, Given::Rate(spin))?;
     let coefficients = equilibrium.coefficients(body);
     let matrix = FirstOrder::of(body, &equilibrium, &coefficients, WHOLE)?.matrix;
-    Ok((equilibrium, matrix))
+    let values = eigenvalues(&matrix).map_err(ModesError::from)?;
+    Ok(SpinEigenvalues { eigenvalues: upper(values, norm(equilibrium.omega)), equilibrium })
 }
 
 /// Eigenvalues of the upper half plane without zero, in order.

@@ -201,14 +201,16 @@ const SHORT: f64 = 0.05;
 /// Distance of the pole's node from the small wobble, as `ξ`.
 const BEYOND: f64 = 1.0;
 
-/// Barycentric polynomial interpolation between nodes, and lines beyond them: the motion leaves a place while its power is measured, so
-/// that the last node lies short of it.
+/// Barycentric polynomial interpolation between nodes, and lines beyond them up to the places asked for: the motion leaves a
+/// place while its power is measured, so that the last node lies short of it.
 #[derive(Clone, Debug)]
 struct Curve {
     nodes: Vec<[f64; 2]>,
     weights: Vec<f64>,
     /// Slopes before the first node and beyond the last.
     slopes: [f64; 2],
+    /// Places beyond which the curve is constant.
+    ends: [f64; 2],
 }
 
 impl Curve {
@@ -223,13 +225,14 @@ impl Curve {
             others.map(|(_, other)| (scale * (nodes[i][0] - other[0])).recip()).product()
         };
         let weights = (0..nodes.len()).map(weight).collect();
-        let slopes = [chord(nodes.iter(), low), chord(nodes.iter().rev(), high)];
-        Self { nodes, weights, slopes }
+        let slopes = [chord(nodes.iter(), -1.0, low), chord(nodes.iter().rev(), 1.0, high)];
+        Self { nodes, weights, slopes, ends: [low, high] }
     }
 
     fn at(&self, x: f64) -> f64 {
         let (Some(first), Some(last)) = (self.nodes.first(), self.nodes.last()) else { return f64::NAN };
-        let [before, beyond] = self.slopes;
+        let ([before, beyond], [low, high]) = (self.slopes, self.ends);
+        let x = x.clamp(low.min(first[0]), high.max(last[0]));
         if x <= first[0] {
             return first[1] + before * (x - first[0]);
         }
@@ -249,10 +252,12 @@ impl Curve {
     }
 }
 
-/// Slope from the first of some nodes to the next as far from it as the place on its other side: no error of a node grows on the way there.
-fn chord<'a>(mut nodes: impl Iterator<Item = &'a [f64; 2]>, place: f64) -> f64 {
+/// Slope from the first of some nodes to the next as far from it as the place on its other side, so that no error of a node grows on the way
+/// there; zero if the nodes reach the place.
+fn chord<'a>(mut nodes: impl Iterator<Item = &'a [f64; 2]>, way: f64, place: f64) -> f64 {
     let Some([x, value]) = nodes.next() else { return 0.0 };
-    let far = nodes.find(|[other, _]| (other - x).abs() >= (place - x).abs());
+    let missing = way * (place - x);
+    let far = nodes.find(|[other, _]| missing > 0.0 && (other - x).abs() >= missing);
     far.map_or(0.0, |[other, there]| (there - value) / (other - x))
 }
 
@@ -271,6 +276,9 @@ mod tests {
         }
         let rough = Curve::through(vec![[0.4, 1.0], [0.5, 1.01], [1.0, 0.8]], [0.0, 1.0]);
         assert!((rough.at(0.0) - (1.0 + 0.4 * 0.2 / 0.6)).abs() < 1e-12, "{}", rough.at(0.0));
+        assert_eq!(rough.at(-1.0), rough.at(0.0));
+        let beyond_the_pole = Curve::through(vec![[0.4, 1.0], [1.4, 2.0]], [0.4, 1.0]).at(3.0);
+        assert_eq!(beyond_the_pole, 2.0);
         assert_eq!(Curve::through(vec![[0.4, 1.0]], [0.0, 1.0]).at(0.0), 1.0);
         assert_eq!(Curve::through(vec![[0.4, 1.0], [0.5, 2.0]], [0.0, 0.5]).at(0.0), 1.0);
     }

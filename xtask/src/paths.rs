@@ -35,6 +35,9 @@ mod tests {
         let map = "`crates/a/src/` and `x.md`\n`a::b`, `cargo run`, `y.md`, `crates/b`";
         let tree = sample(&[("crates/a/src/lib.rs", ""), ("x.md", ""), ("ARCHITECTURE.md", map)]);
         let found: Vec<String> = check(&tree).iter().map(ToString::to_string).collect();
-        assert_eq!(found, ["ARCHITECTURE.md:2: y.md does not exist", "ARCHITECTURE.md:2: crates/b does not exist"]);
+        assert_eq!(
+            found,
+            ["ARCHITECTURE.md:2: y.md does not exist", "ARCHITECTURE.md:2: crates/b does not exist"]
+        );
     }
 }

@@ -97,14 +97,6 @@ impl EventDetector {
         self.levels = self.events.iter().map(|event| event.level(start)).collect();
     }
 
-    /// Whether an event function has another sign than at the last sample.
-    pub fn differs(&self, sample: &Sample) -> bool {
-        let signs = self.events.iter().zip(&self.levels);
-        signs
-            .into_iter()
-            .any(|(event, before)| *before != 0.0 && (event.level(sample) > 0.0) != (*before > 0.0))
-    }
-
     /// Time of the first event in the step that ends with this sample. `at` is asked for samples within the step only if an event
     /// happened.
     pub fn check(&mut self, end: &Sample, mut at: impl FnMut(f64) -> Sample) -> Option<f64> {

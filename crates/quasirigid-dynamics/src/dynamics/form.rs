@@ -61,24 +61,11 @@ pub(super) struct AngularMomentumForm {
 
 impl AngularMomentumForm {
     pub fn new(body: &ReducedBody) -> Self {
-        Self::of(&body.energy_of_momentum, &body.c, &body.T)
-    }
-
-    /// The form with angular momentum and angular velocity by their components along other axes, a right-handed set.
-    pub fn in_axes(body: &ReducedBody, axes: [[f64; 3]; 3]) -> Self {
-        Self::of(
-            &body.energy_of_momentum.in_axes(axes),
-            &body.c.field_in_axes(axes),
-            &body.T.tensor_in_axes(axes),
-        )
-    }
-
-    fn of(energy: &Series, c: &Series, T: &Series) -> Self {
         Self {
-            gradient: Kernel::new(&energy.gradient()),
-            c: Kernel::new(c),
-            T: TensorKernel::new(T),
-            energy: Kernel::new(energy),
+            gradient: Kernel::new(&body.energy_of_momentum.gradient()),
+            c: Kernel::new(&body.c),
+            T: TensorKernel::new(&body.T),
+            energy: Kernel::new(&body.energy_of_momentum),
         }
     }
 

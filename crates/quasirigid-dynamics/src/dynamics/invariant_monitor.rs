@@ -214,32 +214,6 @@ impl<'o, T: Trajectory> InvariantMonitor<'o, T> {
         usize::try_from(self.outputs).ok().filter(|_| checkpoint.is_spent())
     }
 
-    /// Whether events are watched for.
-    pub fn watches(&self) -> bool {
-        !self.detector.idle()
-    }
-
-    /// Watches for events from a state on.
-    pub fn watch_from(&mut self, t: f64, y: &[f64]) {
-        let sample = self.sample(t, y);
-        self.detector.set(&sample);
-    }
-
-    /// Whether an event has happened between the last state watched and this one.
-    pub fn has_passed(&mut self, t: f64, y: &[f64]) -> bool {
-        let sample = self.sample(t, y);
-        self.detector.differs(&sample)
-    }
-
-    /// Watches for events from a state on as long as `work` does, and then from where it was.
-    pub fn probe<R>(&mut self, t: f64, y: &[f64], work: impl FnOnce(&mut Self) -> R) -> R {
-        let kept = self.detector.clone();
-        self.watch_from(t, y);
-        let result = work(self);
-        self.detector = kept;
-        result
-    }
-
     /// Tells the observer the progress after so many steps from moment to moment; none between.
     #[inline(always)]
     pub fn progress(&mut self, steps: u64, t: f64) -> Option<ControlFlow<()>> {

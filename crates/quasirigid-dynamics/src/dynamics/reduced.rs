@@ -3,8 +3,8 @@
 //! vector, whose fixed length keeps the inner loop in registers.
 //! Equations (P1) to (P6), docs/theory/05-propagation.md; (D4), docs/theory/11-materials.md.
 
+use super::conserved_momentum::{Conserved, inside};
 use super::form::error_scale;
-use super::conserved_momentum::{Conserved, inside, size};
 use super::form::{AngularMomentumForm, AngularVelocityForm, Equations};
 use super::invariant_monitor::{Invariant, InvariantMonitor, StateView, Trajectory};
 use super::quadrature::Quadrature;
@@ -131,17 +131,17 @@ impl<E: Equations> Task for StepByStep<'_, E> {
 }
 
 /// Motion of the reduced equations in a form, with the accounts of the dissipators.
-pub(super) struct Reduced<'a, E> {
+struct Reduced<'a, E> {
     equations: &'a E,
     form: Form,
     initial: Start,
-    pub shares: Shares<'a>,
-    /// Energies taken by the dissipators, if there are several, since the begin of a stretch.
-    pub taken: Option<Quadrature>,
+    shares: Shares<'a>,
+    /// Energies taken by the dissipators, if there are several, since the start.
+    taken: Option<Quadrature>,
 }
 
 /// Powers of the dissipators of a reduced body, if there are several.
-pub(super) struct Shares<'a> {
+struct Shares<'a> {
     body: &'a ReducedBody,
     /// Kernels of `ROWS` powers each.
     kernels: Vec<Kernel>,
@@ -158,17 +158,12 @@ impl<'a> Shares<'a> {
     }
 
     /// Number of dissipators among which the energy is to be shared; none if there is one.
-    pub fn count(&self) -> usize {
+    fn count(&self) -> usize {
         if self.kernels.is_empty() { 0 } else { self.body.power_shares.len() }
     }
 
-    /// The body.
-    pub fn body(&self) -> &'a ReducedBody {
-        self.body
-    }
-
     /// Power (W) of each dissipator at an angular velocity.
-    pub fn powers(&self, omega: [f64; 3]) -> Vec<f64> {
+    fn powers(&self, omega: [f64; 3]) -> Vec<f64> {
         let all = self.kernels.iter().flat_map(|kernel| kernel.at(omega));
         all.take(self.body.power_shares.len()).collect()
     }
@@ -176,7 +171,7 @@ impl<'a> Shares<'a> {
 
 impl<E: Equations> Reduced<'_, E> {
     /// Begins to sum up what the dissipators take, at a state.
-    pub fn begin(&mut self, t: f64, y: &[f64]) {
+    fn begin(&mut self, t: f64, y: &[f64]) {
         let powers = || self.shares.powers(self.equations.omega(Accounts::unpack(y).x));
         self.taken = (self.shares.count() > 0).then(|| Quadrature::new(t, powers()));
     }
@@ -190,7 +185,7 @@ impl<E: Equations> Reduced<'_, E> {
     }
 
     /// Energy taken by each dissipator: its share of these integrals, times the total that the solver has integrated. (D4)
-    pub fn budget(&self, sums: &[f64], last: &Sample) -> Vec<(String, f64)> {
+    fn budget(&self, sums: &[f64], last: &Sample) -> Vec<(String, f64)> {
         let names = self.shares.body.power_shares.iter().map(|(name, _)| name.clone());
         let sums = if sums.is_empty() { &[1.0] } else { sums };
         let whole: f64 = sums.iter().sum();

@@ -12,7 +12,7 @@ use quasirigid::problems::AxialMass;
 use quasirigid::reduction::reduce;
 use quasirigid_math::rotation::ALIGNED;
 
-use super::wobbler::{assembly, reduced, times_to};
+use super::wobbler::{assembly, times_to};
 use crate::support::{assemblies, cases};
 
 const AXIAL: AxialMass = AxialMass { carrier: 7.0, A: 1.0, C: 1.5, m: 0.1, rho: 0.5, c: 4e4, b: 3e2 };

@@ -27,7 +27,9 @@ except ImportError as error: sys.exit('the module %s of Python' % error.name)";
 type Step = Result<(), String>;
 
 /// Kinds of targets; naming them also builds the library of the Python package, with the features that the tests have.
-const TARGETS: [&str; 4] = ["--lib", "--bins", "--tests", "--examples"];
+const TARGETS: [&str; 3] = ["--lib", "--bins", "--tests"];
+/// Features that the first build of a user leaves out.
+const FEATURES: [&str; 2] = ["--features", "quasirigid-cli/png"];
 /// A program that prints the folder of an environment's packages.
 const PACKAGES: &str = "import sysconfig; print(sysconfig.get_path('purelib'))";
 
@@ -44,8 +46,10 @@ pub struct Wishes {
 pub fn run(root: &Path, wishes: Wishes) -> Step {
     let target = std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| root.join("target"), PathBuf::from);
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
-    step(root, &cargo, ["build", "--workspace"].into_iter().chain(TARGETS))?;
-    step(root, &cargo, ["test", "--workspace"])?;
+    let all = |verb| [verb, "--workspace"].into_iter().chain(FEATURES);
+    step(root, &cargo, all("build").chain(TARGETS))?;
+    step(root, &cargo, all("test").chain(TARGETS))?;
+    step(root, &cargo, all("test").chain(["--doc"]))?;
     match interpreter(root) {
         Ok(python) => of_python(root, &target, &python, wishes.wheel),
         Err(missing) if wishes.python => Err(missing),

@@ -25,7 +25,6 @@ mod motion;
 mod number;
 mod packed;
 mod page;
-#[cfg(feature = "png")]
 mod png;
 mod sections;
 mod sphere;
@@ -37,7 +36,6 @@ pub use comparison::{Compared, comparison_page};
 pub use figures::{figure_names, picture};
 pub use gltf::{GltfOptions, gltf, revolutions_per_frame};
 pub use page::page;
-#[cfg(feature = "png")]
 pub use png::{PngError, png};
 pub use sphere::sphere_picture;
 pub use study::study_page;

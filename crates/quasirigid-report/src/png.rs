@@ -1,15 +1,18 @@
 //! Pictures in pixels from SVG files of figures, by resvg with the fonts of the machine.
 
-use std::sync::Arc;
+#[cfg(feature = "png")]
+mod drawing;
 
-use resvg::tiny_skia::{Pixmap, Transform};
-use resvg::usvg::fontdb::Database;
-use resvg::usvg::{Options, Tree};
 use thiserror::Error;
 
 /// Failure to make a picture in pixels.
 #[derive(Clone, Debug, Error, PartialEq)]
 pub enum PngError {
+    /// The program was built without PNG pictures.
+    #[error(
+        "this program was built without PNG pictures; make an SVG picture, or build it with `--features png`"
+    )]
+    Absent,
     /// The machine has no font to draw text with.
     #[error("this machine has no fonts to draw the words of a PNG picture with; make an SVG picture")]
     NoFonts,
@@ -31,8 +34,6 @@ pub enum PngError {
 /// Widths of pictures.
 const LEAST: u32 = 64;
 const MOST: u32 = 16_384;
-/// Families tried for the words, the first that the machine has.
-const FAMILIES: [&str; 5] = ["Helvetica", "Arial", "Liberation Sans", "DejaVu Sans", "Noto Sans"];
 
 /// An SVG file of a figure as a PNG file of this width in pixels, on its own background.
 ///
@@ -42,26 +43,8 @@ pub fn png(svg: &str, pixels: u32) -> Result<Vec<u8>, PngError> {
     if !(LEAST..=MOST).contains(&pixels) {
         return Err(PngError::Size { pixels, least: LEAST, most: MOST });
     }
-    let drawing = |cause: &dyn std::fmt::Display| PngError::Drawing(cause.to_string());
-    let fonts = if svg.contains("<text") { fonts()? } else { Database::new() };
-    let options = Options { fontdb: Arc::new(fonts), ..Options::default() };
-    let tree = Tree::from_str(svg, &options).map_err(|cause| drawing(&cause))?;
-    let scale = pixels as f32 / tree.size().width();
-    let height = (tree.size().height() * scale).round().max(1.0) as u32;
-    let mut picture = Pixmap::new(pixels, height).ok_or_else(|| drawing(&"it has no size"))?;
-    resvg::render(&tree, Transform::from_scale(scale, scale), &mut picture.as_mut());
-    picture.encode_png().map_err(|cause| drawing(&cause))
-}
-
-/// The fonts of the machine, with one that is there for words without a family.
-fn fonts() -> Result<Database, PngError> {
-    let mut fonts = Database::new();
-    fonts.load_system_fonts();
-    let named =
-        |family: &&str| fonts.faces().any(|face| face.families.iter().any(|(name, _)| name == family));
-    let any = || fonts.faces().find_map(|face| face.families.first().map(|(name, _)| name.clone()));
-    let known = FAMILIES.iter().find(|family| named(family)).map(|family| (*family).to_owned());
-    let family = known.or_else(any).ok_or(PngError::NoFonts)?;
-    fonts.set_sans_serif_family(family);
-    Ok(fonts)
+    #[cfg(feature = "png")]
+    return drawing::drawn(svg, pixels);
+    #[cfg(not(feature = "png"))]
+    Err(PngError::Absent)
 }

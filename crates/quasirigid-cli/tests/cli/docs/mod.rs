@@ -1,6 +1,6 @@
 //! The README and the guide: their commands run and print what the pages show, their complete models are models.
 //!
-//! In a `console` block a line `$ quasirigid ...` or `$ cargo run --release -- ...` is run where the pages expect it,
+//! In a `console` block a line `$ quasirigid ...` or `$ cargo run -- ...` is run where the pages expect it,
 //! the root of the repository, or rather a copy that holds the examples, which the commands of one page share. What
 //! follows up to the next `$` is what it prints; a line `...` stands for any lines. A `toml` block whose first line
 //! is `# complete` is a model; `# complete: NAME.toml` is one that the commands after it know by this name. Files that

@@ -65,7 +65,7 @@ pub fn commands(block: &Block) -> Vec<Shown> {
         }
     }
     for each in &mut shown {
-        each.command = each.command.replace("cargo run --release -- ", "quasirigid ");
+        each.command = each.command.replace("cargo run -- ", "quasirigid ");
         while each.output.last().is_some_and(String::is_empty) {
             each.output.pop();
         }
@@ -95,7 +95,8 @@ fn blocks_keep_their_language_place_and_text() {
 
 #[test]
 fn commands_of_ours_are_found_with_what_they_print() {
-    let text = "$ cd x\nnot ours\n$ quasirigid check a \\\n    --json | head -1\nout\n\n$ cargo run --release -- derive b\n";
+    let text =
+        "$ cd x\nnot ours\n$ quasirigid check a \\\n    --json | head -1\nout\n\n$ cargo run -- derive b\n";
     let shown = |line, command: &str, output: &[&str]| Shown {
         line,
         command: command.into(),

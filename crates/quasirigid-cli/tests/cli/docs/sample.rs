@@ -40,7 +40,7 @@ fn console(lines: &str) -> Vec<String> {
 #[test]
 fn true_pages_have_no_problems() {
     let lines = "$ quasirigid check examples/boom/model.toml\nmodel: The reduced equations hold at this spin.\n...\n\
-                 $ cargo run --release -- run examples/boom/model.toml -o examples/boom/out --quiet\n\
+                 $ cargo run -- run examples/boom/model.toml -o examples/boom/out --quiet\n\
                  $ quasirigid simulate examples/boom/model.toml --duration \"1 s\" --samples 2 | head -1\n\
                  t,wx,wy,wz,qw,qx,qy,qz,energy,momentum,dissipated,work,energy_drift,momentum_drift,\
                  x,y,z,vx,vy,vz,R0x,R0y,R0z\n\

@@ -26,7 +26,7 @@ const WRITERS: [(&str, &str); 10] = [
     ("report record --out page.html -q --overwrite", "page.html"),
     ("report record --gltf body.glb -q --overwrite", "body.glb"),
     ("plot record --figure spin --out spin.svg -q --overwrite", "spin.svg"),
-    ("plot record --figure spin --out spin.png -q --overwrite", "spin.png"),
+    ("plot record --figure spin --out spin.svg -q --overwrite", "spin.svg"),
 ];
 
 /// A folder in which every result is there from an earlier time, made otherwise.

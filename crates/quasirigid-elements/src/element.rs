@@ -1,12 +1,9 @@
 //! Element of a body: the contributions of each kind to an assembly. A new kind is a file with this trait and a line in the list of
 //! kinds in [`elements`](super).
 
-use super::assembly::attachment::{Attachment, Attachments};
-use super::assembly::internal::Internal;
-use super::assembly::single_element::WholeBody;
-use super::assembly::{Asked, MovingBody, PartGraph};
+use super::contribution::{Asked, Attachment, Attachments, Floating, Internal, MovingBody, WholeBody};
 use super::error::{ElementError, ElementId, Field, Problem, at};
-use super::kinds::material::Material;
+use super::material::Material;
 use super::visual::Outline;
 use super::{Assembly, End, Incomplete, PartReduction};
 use crate::model::Rheology;
@@ -89,7 +86,7 @@ pub(crate) trait Element {
     }
 
     /// Adds the finite elements of the element to the structure of a body without a carrier.
-    fn afloat(&self, _id: ElementId, _graph: &mut PartGraph<'_>) -> Result<(), ElementError> {
+    fn afloat(&self, _id: ElementId, _body: &mut dyn Floating) -> Result<(), ElementError> {
         Ok(())
     }
 }

@@ -19,12 +19,18 @@ mod registry;
 mod assembly;
 mod builder;
 mod complete;
+mod contribution;
 mod element;
 mod error;
 mod finite;
 mod flow;
 mod kinds;
+mod lookup;
+mod material;
+mod names;
+mod number;
 pub mod problems;
+mod reference;
 mod structure;
 mod visual;
 
@@ -33,33 +39,32 @@ pub use crate::finite::elasticity::{ElasticityError, Modulus};
 pub use crate::finite::shell::{Constant, ShellError};
 pub use crate::flow::stokes::StokesError;
 pub use crate::structure::Condensation;
-pub use assembly::{Built, PartReduction};
+pub use assembly::Built;
 pub use builder::{AssemblyElement, CARRIER};
 pub use complete::Incomplete;
+pub use contribution::{PartReduction, SlowLiquid};
 pub use error::{ElementError, Field, Problem};
 pub use kinds::bushing::Bushing;
 pub use kinds::carrier::Carrier;
-pub use kinds::cavity::{
-    Cavity, CavityShape, MOST_OF_BALL, MOST_OF_CYLINDER, MOST_OF_SPHEROID, Regime, SlowLiquid,
-};
+pub use kinds::cavity::{Cavity, CavityShape, MOST_OF_BALL, MOST_OF_CYLINDER, MOST_OF_SPHEROID, Regime};
 pub use kinds::ellipsoid::Ellipsoid;
-pub use kinds::hinged::{HingeCoefficient, Hinged, PlaceRef};
-pub use kinds::material::Material;
+pub use kinds::hinged::{HingeCoefficient, Hinged};
 pub use kinds::network::Network;
 pub use kinds::part::{
     Anchor, Connection, ElasticMaterial, Frame, FrameNode, GivenModes, Layer, Matrices, Member, NodalMass,
-    NodeRef, Orthotropic, Panel, Part, PartKind, Region, Solid, Spectrum, TipMass,
+    Orthotropic, Panel, Part, PartKind, Region, Solid, Spectrum, TipMass,
 };
 pub use kinds::point::{Point, PointMotion};
 pub use kinds::rotor::{Rotor, RotorKind};
-pub use kinds::spring::{Coefficient, End, Prestress, Spring, SpringLaw};
+pub use kinds::spring::{Coefficient, Prestress, Spring, SpringLaw};
 pub use kinds::station::Station;
 pub use kinds::surface::{Approximation, Resolution, Surface};
 pub use kinds::wheel::{Wheel, WheelSpeed};
+pub use material::Material;
+pub use reference::{End, NodeRef, PlaceRef};
 pub use registry::ElementId;
 pub use visual::{Turning, Visual};
 
-use assembly::{coefficient, compliance};
 use kinds::force;
 
 use crate::model::Support;

@@ -3,6 +3,8 @@
 #[cfg(feature = "png")]
 mod drawing;
 
+#[cfg(feature = "png")]
+use drawing::drawn;
 use thiserror::Error;
 
 /// Failure to make a picture in pixels.
@@ -43,8 +45,10 @@ pub fn png(svg: &str, pixels: u32) -> Result<Vec<u8>, PngError> {
     if !(LEAST..=MOST).contains(&pixels) {
         return Err(PngError::Size { pixels, least: LEAST, most: MOST });
     }
-    #[cfg(feature = "png")]
-    return drawing::drawn(svg, pixels);
-    #[cfg(not(feature = "png"))]
+    drawn(svg, pixels)
+}
+
+#[cfg(not(feature = "png"))]
+fn drawn(_svg: &str, _pixels: u32) -> Result<Vec<u8>, PngError> {
     Err(PngError::Absent)
 }

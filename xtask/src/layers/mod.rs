@@ -11,6 +11,9 @@ use source::Source;
 /// Modules of a crate that may use only some of its other modules.
 type Table = [(&'static str, &'static [&'static str])];
 
+/// The crate of the elements.
+const ELEMENTS: &str = "quasirigid-elements";
+
 /// Crates with layers inside: the analyses form a star about the body, and what elements are computed with knows no element.
 const LAYERS: [(&str, &Table); 2] = [
     (
@@ -25,7 +28,17 @@ const LAYERS: [(&str, &Table); 2] = [
             ("verification", &["reduction", "dynamics", "averaging", "modes", "submanifold", "secular"]),
         ],
     ),
-    ("quasirigid-elements", &[("finite", &[]), ("flow", &["finite"]), ("structure", &["finite"])]),
+    (ELEMENTS, &[("finite", &[]), ("flow", &["finite"]), ("structure", &["finite"])]),
+];
+
+/// Modules of the elements that may not use another: what a user refers to, what an element gives, the kinds, and their assembly are read
+/// in this order.
+const NEVER: [(&str, &[&str]); 5] = [
+    ("contribution", &["kinds", "assembly"]),
+    ("element", &["kinds", "assembly"]),
+    ("visual", &["kinds", "assembly"]),
+    ("reference", &["contribution", "element", "kinds", "assembly"]),
+    ("kinds", &["assembly"]),
 ];
 
 /// Names by which every module of these crates calls the crates below.
@@ -47,21 +60,26 @@ pub fn check(tree: &Tree) -> Vec<Finding> {
 }
 
 fn imports_of(source: &Source, package: &str, layers: &Table) -> Vec<Finding> {
-    let Some((user, may_use)) =
-        layers.iter().find(|(name, _)| source.module.first().is_some_and(|own| own == name))
-    else {
-        return Vec::new();
-    };
+    let Some(user) = source.module.first() else { return Vec::new() };
     let own = package.replace('-', "_");
+    let may_use = layers.iter().find(|(name, _)| name == user).map(|(_, may_use)| *may_use);
+    let never = NEVER
+        .iter()
+        .find(|(name, _)| name == user && package == ELEMENTS)
+        .map_or(&[][..], |(_, never)| never);
     let breach = |path: &[String]| {
         let [first, used, ..] = path else { return None };
-        let allowed = used == user || BELOW.contains(&used.as_str()) || may_use.contains(&used.as_str());
-        (*first == own && !allowed).then(|| {
-            format!(
-                "`{user}` may not use `{used}`; it may use `{}`",
-                [&BELOW, *may_use].concat().join("`, `")
-            )
-        })
+        if *first != own || used == user || BELOW.contains(&used.as_str()) {
+            return None;
+        }
+        if never.contains(&used.as_str()) {
+            return Some(format!("`{user}` may not use `{used}`"));
+        }
+        let may_use = may_use.filter(|may_use| !may_use.contains(&used.as_str()))?;
+        Some(format!(
+            "`{user}` may not use `{used}`; it may use `{}`",
+            [&BELOW, may_use].concat().join("`, `")
+        ))
     };
     imports::of(source, &own)
         .into_iter()

@@ -6,15 +6,16 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use nalgebra::{DMatrix, Matrix3, Vector3};
 
-use super::part_graph::PartGraph;
-use super::{Assembly, Built, MovingBody};
-use crate::assembly::affine::{Field as Shape, Piece};
-use crate::assembly::attachment::{Attachment, Attachments};
-use crate::assembly::internal::Internal;
-use crate::assembly::system_matrices::Matrices;
+use super::{Assembly, Built};
+use crate::NodeRef;
+use crate::contribution::Internal;
+use crate::contribution::Matrices;
+use crate::contribution::MovingBody;
+use crate::contribution::{Attachment, Attachments};
+use crate::contribution::{Field as Shape, Piece};
 use crate::element::{Grip, Preload, Role, Site};
 use crate::error::{ElementError, ElementId, ElementKind, Field, Problem, at};
-use crate::kinds::part::NodeRef;
+use crate::kinds::part::PartGraph;
 use crate::math::memory;
 use crate::math::sparse::SparseRows;
 use crate::math::sym3::Sym;

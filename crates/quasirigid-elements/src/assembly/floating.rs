@@ -6,16 +6,17 @@ use std::collections::BTreeMap;
 
 use nalgebra::Vector3;
 
-use super::part_graph::PartGraph;
 use super::{Assembly, Built};
-use crate::assembly::attachment::{Attachment, Attachments};
-use crate::assembly::system_matrices::Matrices;
+use crate::NodeRef;
+use crate::contribution::Exact;
+use crate::contribution::Matrices;
+use crate::contribution::{Attachment, Attachments};
 use crate::error::{ElementError, ElementId, ElementKind, Field, Problem, at};
-use crate::kinds::part::{NodeRef, Part};
+use crate::kinds::part::Part;
+use crate::kinds::part::PartGraph;
 use crate::math::sparse::SparseRows;
-use crate::math::sym3::Sym;
 use crate::model::force::Force;
-use crate::model::{BodyParts, Coordinate, FlexibleBody, Invariants, Marker, Support, Watched, Wheels};
+use crate::model::{BodyParts, FlexibleBody, Invariants, Marker, Support, Watched, Wheels};
 use crate::structure::Component;
 use crate::visual::Vertex;
 use crate::{End, Station};
@@ -118,34 +119,6 @@ fn places(
             _ => return None,
         };
         drawn.get(&node).cloned()
-    }
-}
-
-/// Mass, centre and inertia of the solid inside a surface, known exactly where cells fill it only nearly.
-pub(crate) struct Exact<'a> {
-    pub name: &'a str,
-    pub mass: f64,
-    pub center: [f64; 3],
-    /// Inertia tensor about the centre of mass.
-    pub inertia: Sym,
-}
-
-impl Exact<'_> {
-    fn coordinates(&self, count: usize) -> Vec<Coordinate> {
-        let name = |number: usize| format!("\"{}\" shape {number}", self.name);
-        (1..=count).map(|number| Coordinate { name: name(number), unit: "m" }).collect()
-    }
-
-    /// The places farthest along each axis, both ways, under the names of the axes.
-    fn markers(&self, places: Vec<Marker>) -> Vec<Marker> {
-        let ends = (0..3).flat_map(|axis| [(axis, 1.0, '+'), (axis, -1.0, '-')]);
-        let named = ends.filter_map(|(axis, sign, word)| {
-            let along = |marker: &&Marker| sign * marker.position[axis];
-            let farthest = places.iter().max_by(|a, b| along(a).total_cmp(&along(b)))?;
-            let name = format!("{} along {word}{}", self.name, ['x', 'y', 'z'][axis]);
-            Some(Marker { name, ..farthest.clone() })
-        });
-        named.collect()
     }
 }
 

@@ -1,6 +1,6 @@
 use super::Assembly;
 use crate::element::Role;
-use crate::kinds::material::Material;
+use crate::material::Material;
 
 impl Assembly {
     /// Material of a body that is a single ellipsoid, closed surface or solid of one material; none of any other.

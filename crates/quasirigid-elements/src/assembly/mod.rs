@@ -1,49 +1,25 @@
 //! A body as the user describes it, and the flexible body made of it.
 
-pub(crate) mod affine;
-pub(crate) mod attachment;
 mod carried;
-pub(crate) mod coefficient;
-pub(crate) mod compliance;
-mod constraints;
 mod floating;
 mod homogeneous;
-pub(crate) mod internal;
-mod moving_body;
-mod names;
-mod part_graph;
 mod rheologies;
-pub(crate) mod ritz;
-pub(crate) mod single_element;
-pub(crate) mod system_matrices;
 #[cfg(test)]
 mod tests;
 
 use nalgebra::Vector3;
 
-pub(crate) use floating::Exact;
-pub(crate) use moving_body::MovingBody;
-pub(crate) use part_graph::PartGraph;
-
-use crate::assembly::attachment::Attachments;
-use crate::assembly::single_element::WholeBody;
-use crate::element::{Element, Grip, Role};
+use crate::contribution::Asked;
+use crate::contribution::Attachments;
+use crate::contribution::WholeBody;
+use crate::element::{Element, Role};
 use crate::error::{ElementError, ElementId, ElementKind, Field, Problem, at};
-use crate::kinds::part::NodeRef;
+use crate::kinds::part::PartGraph;
 use crate::model::force::Force;
 use crate::model::{FlexibleBody, Marker, Support};
+use crate::number;
 use crate::visual::Visual;
-use crate::{Assembly, Condensation, End, PlaceRef, Resolution, SlowLiquid, Station, force};
-
-/// Choice of the coordinates of parts of finite elements.
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct PartReduction {
-    /// Order to which the slow manifold of the parts is exact, 3 or more.
-    pub order: usize,
-    /// Number of lowest modes of vibration beside these coordinates.
-    pub modes: usize,
-}
+use crate::{Assembly, Condensation, End, Resolution, SlowLiquid, Station, force};
 
 /// A body with the forces that act on it.
 #[derive(Clone, Debug)]
@@ -62,21 +38,6 @@ pub struct Built {
     pub resolution: Option<Resolution>,
     /// Visual geometry of the elements, where it was asked for.
     pub visuals: Vec<Visual>,
-}
-
-/// What a build makes beside the body.
-#[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Asked {
-    /// Errors of given approximations.
-    pub errors: bool,
-    /// Visual geometry.
-    pub visuals: bool,
-}
-
-impl Default for PartReduction {
-    fn default() -> Self {
-        Self { order: 3, modes: 0 }
-    }
 }
 
 impl Assembly {
@@ -155,29 +116,6 @@ impl Assembly {
         })
     }
 
-    /// Accepts a node that is there.
-    pub(super) fn has(&self, node: NodeRef) -> Result<(), Problem> {
-        let part = self.parts.get(node.part).ok_or(Problem::NoSuchPart { index: node.part })?;
-        let count = part.count();
-        if node.node < count { Ok(()) } else { Err(Problem::NoSuchNode { index: node.node, count }) }
-    }
-
-    /// Equilibrium position of a place on an appendage (m), in the file's frame.
-    pub(super) fn has_place(&self, PlaceRef { hinged, place }: PlaceRef) -> Result<[f64; 3], Problem> {
-        let hinged = self.hinged.get(hinged).ok_or(Problem::NoSuchPart { index: hinged })?;
-        let count = hinged.places.len();
-        let (_, position) = hinged.places.get(place).ok_or(Problem::NoSuchNode { index: place, count })?;
-        Ok(*position)
-    }
-
-    /// Places at which elements act on others.
-    fn grips(&self) -> impl Iterator<Item = (ElementId, Role, Grip)> + '_ {
-        self.each().flat_map(|(id, element)| {
-            let role = element.role();
-            element.grips().into_iter().map(move |grip| (id, role, grip))
-        })
-    }
-
     /// The forces, with the markers of the places they act at.
     fn placed_forces(
         &self,
@@ -249,9 +187,8 @@ impl Assembly {
 
     /// The point that is fixed or driven; none of a free body.
     fn held_point(&self) -> Result<Option<Vector3<f64>>, ElementError> {
-        let finite = |field: Field, values: &[f64; 3]| {
-            coefficient::finite(values).map_err(at(ElementId::SUPPORT, field))
-        };
+        let finite =
+            |field: Field, values: &[f64; 3]| number::finite(values).map_err(at(ElementId::SUPPORT, field));
         let point = match &self.support {
             Support::Free => return Ok(None),
             Support::FixedPoint { point } => point,

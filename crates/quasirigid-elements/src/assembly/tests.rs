@@ -4,7 +4,7 @@
 
 use nalgebra::{Matrix3, Vector3};
 
-use crate::assembly::system_matrices::Matrices;
+use crate::contribution::Matrices;
 use crate::finite::{Link, Mass};
 use crate::math::sparse::SparseRows;
 use crate::model::{

@@ -4,15 +4,16 @@
 
 use nalgebra::{Matrix3, Matrix6, Vector3, Vector6};
 
-use crate::assembly::PartGraph;
-use crate::assembly::attachment::Attachment;
+use crate::contribution::{Attachment, Floating};
 use crate::element::{Element, Grip, Role, Site, joined};
 use crate::error::{ElementError, ElementId, Field, Problem, at};
 use crate::finite::Link;
+use crate::kinds::coefficient;
 use crate::model::Rheology;
+use crate::number;
 use crate::structure::Block;
 use crate::visual::Outline;
-use crate::{Assembly, Coefficient, End, Incomplete, coefficient};
+use crate::{Assembly, Coefficient, End, Incomplete};
 
 /// A bushing: springs and dashpots between two places, three along axes of its own and three about them, in an elastic centre. (I11)
 ///
@@ -74,8 +75,8 @@ impl Bushing {
     /// Axes of the bushing as columns, in the file's frame.
     fn rotation(&self) -> Result<Matrix3<f64>, Problem> {
         let [first, plane] = self.axes;
-        let (first, plane) = (coefficient::unit(first)?, coefficient::unit(plane)?);
-        let third = coefficient::unit(first.cross(&plane).into()).map_err(|_| Problem::DependentAxes)?;
+        let (first, plane) = (number::unit(first)?, number::unit(plane)?);
+        let third = number::unit(first.cross(&plane).into()).map_err(|_| Problem::DependentAxes)?;
         Ok(Matrix3::from_columns(&[first, third.cross(&first), third]))
     }
 
@@ -100,7 +101,7 @@ impl Bushing {
         rotations: bool,
         center: Vector3<f64>,
     ) -> Result<(), Problem> {
-        coefficient::finite(center.as_slice())?;
+        number::finite(center.as_slice())?;
         let distance = (center - place).norm();
         if rotations {
             return Ok(());
@@ -196,10 +197,10 @@ impl Element for Bushing {
         self.between(site.id, site.name, site.ends(self.from, self.to)?).map(Some)
     }
 
-    fn afloat(&self, id: ElementId, graph: &mut PartGraph<'_>) -> Result<(), ElementError> {
+    fn afloat(&self, id: ElementId, graph: &mut dyn Floating) -> Result<(), ElementError> {
         let [from, to] = joined(id, [self.from, self.to], |end| graph.node_at(end))?;
         let laws = self.laws(id)?;
-        let nodes = [from, to].map(|node| graph.structure.nodes[node]);
+        let nodes = [from, to].map(|node| graph.structure().nodes[node]);
         let center = self.center(nodes.map(|node| (node.place, node.rotations)));
         for (node, number, field) in [(nodes[0], from, Field::FROM), (nodes[1], to, Field::TO)] {
             self.accepts(&graph.node_name(number), node.place, node.rotations, center)
@@ -219,7 +220,7 @@ impl Element for Bushing {
             let laws = laws.map(|law| -> Matrix3<f64> { law.fixed_view::<3, 3>(0, 0).into_owned() });
             Link::new([from, to], material, [-Matrix3::identity(), Matrix3::identity()], laws)
         };
-        graph.structure.elements.push(Box::new(link));
+        graph.structure().elements.push(Box::new(link));
         Ok(())
     }
 }

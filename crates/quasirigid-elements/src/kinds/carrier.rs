@@ -1,9 +1,9 @@
 use nalgebra::Vector3;
 
-use crate::assembly::affine::Piece;
-use crate::assembly::coefficient;
+use crate::contribution::Piece;
 use crate::error::{ElementError, ElementId, Field, at};
 use crate::model::Inertia;
+use crate::number;
 use crate::visual::{Outline, cuboid_of};
 
 /// Carrier: the rigid body `G` that everything else is mounted on (paper, §1).
@@ -20,8 +20,8 @@ pub struct Carrier {
 
 impl Carrier {
     pub(crate) fn piece(&self) -> Result<Piece, ElementError> {
-        coefficient::mass(self.mass).map_err(at(ElementId::CARRIER, Field::MASS))?;
-        coefficient::finite(&self.center_of_mass).map_err(at(ElementId::CARRIER, Field::CENTER_OF_MASS))?;
+        number::mass(self.mass).map_err(at(ElementId::CARRIER, Field::MASS))?;
+        number::finite(&self.center_of_mass).map_err(at(ElementId::CARRIER, Field::CENTER_OF_MASS))?;
         let inertia = Inertia::new(self.inertia)
             .map_err(|error| at(ElementId::CARRIER, Field::INERTIA)(error.into()))?;
         Ok(Piece::rigid(self.mass, Vector3::zeros(), &inertia))

@@ -6,18 +6,19 @@ use std::f64::consts::PI;
 
 use nalgebra::{Matrix3, Vector3};
 
-use crate::assembly::Asked;
-use crate::assembly::single_element::{Whole, WholeBody};
+use crate::contribution::Asked;
+use crate::contribution::{Whole, WholeBody};
 use crate::element::{Element, Role};
 use crate::error::{ElementError, ElementId, Field, at};
-use crate::kinds::material::Material;
+use crate::material::Material;
 use crate::math::sparse::SparseRows;
 use crate::math::sym3::Sym;
 use crate::model::moment;
 use crate::model::{Coordinate, FlexibleBody, Invariants, Marker, Pair, Rheology};
+use crate::number;
 use crate::structure::Block;
 use crate::visual::ellipsoid;
-use crate::{Assembly, Incomplete, PartReduction, Visual, coefficient};
+use crate::{Assembly, Incomplete, PartReduction, Visual};
 
 /// A homogeneous triaxial ellipsoid, elastic throughout: a body without a carrier. (G2)–(G4)
 ///
@@ -76,9 +77,9 @@ impl Ellipsoid {
     fn check_values(&self, place: ElementId) -> Result<(), ElementError> {
         self.semi_axes
             .iter()
-            .try_for_each(|axis| coefficient::positive(*axis))
+            .try_for_each(|axis| number::positive(*axis))
             .map_err(at(place, Field::SEMI_AXES))?;
-        coefficient::finite(&self.center).map_err(at(place, Field::CENTER))?;
+        number::finite(&self.center).map_err(at(place, Field::CENTER))?;
         self.material.check(place)
     }
 

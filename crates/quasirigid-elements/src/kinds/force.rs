@@ -3,7 +3,8 @@
 use crate::element::{Element, Grip, Role};
 use crate::error::{ElementError, ElementId, Field, Problem, at};
 use crate::model::force::{Force, ForceLaw, MagneticField, Orbit, Wave};
-use crate::{Assembly, Station, coefficient};
+use crate::number;
+use crate::{Assembly, Station};
 
 impl Element for Force<Station> {
     fn name(&self) -> &str {
@@ -32,7 +33,7 @@ pub(crate) fn check(place: ElementId, force: &Force<Station>, body: &Assembly) -
 }
 
 fn lawful(place: ElementId, law: &ForceLaw<Station>) -> Result<(), ElementError> {
-    let finite = |field: Field, values: &[f64; 3]| coefficient::finite(values).map_err(at(place, field));
+    let finite = |field: Field, values: &[f64; 3]| number::finite(values).map_err(at(place, field));
     match law {
         ForceLaw::UniformGravity { acceleration } => finite(Field::ACCELERATION, acceleration),
         ForceLaw::CentralGravity { orbit } => on_orbit(place, orbit),
@@ -66,8 +67,8 @@ fn lawful(place: ElementId, law: &ForceLaw<Station>) -> Result<(), ElementError>
 }
 
 fn on_orbit(place: ElementId, orbit: &Orbit) -> Result<(), ElementError> {
-    coefficient::positive(orbit.mu).map_err(at(place, Field::GRAVITATIONAL_PARAMETER))?;
-    coefficient::positive(orbit.semi_major_axis).map_err(at(place, Field::SEMI_MAJOR_AXIS))?;
+    number::positive(orbit.mu).map_err(at(place, Field::GRAVITATIONAL_PARAMETER))?;
+    number::positive(orbit.semi_major_axis).map_err(at(place, Field::SEMI_MAJOR_AXIS))?;
     elliptic(orbit.eccentricity).map_err(at(place, Field::ECCENTRICITY))?;
     let angles = [
         (Field::INCLINATION, orbit.inclination),
@@ -75,20 +76,20 @@ fn on_orbit(place: ElementId, orbit: &Orbit) -> Result<(), ElementError> {
         (Field::PERIAPSIS, orbit.argument_of_periapsis),
         (Field::MEAN_ANOMALY, orbit.mean_anomaly),
     ];
-    angles.into_iter().try_for_each(|(field, angle)| coefficient::finite(&[angle]).map_err(at(place, field)))
+    angles.into_iter().try_for_each(|(field, angle)| number::finite(&[angle]).map_err(at(place, field)))
 }
 
 fn varying(place: ElementId, wave: &Wave) -> Result<(), ElementError> {
-    coefficient::finite(&[wave.frequency]).map_err(at(place, Field::FREQUENCY))?;
-    coefficient::finite(&[wave.phase]).map_err(at(place, Field::PHASE))
+    number::finite(&[wave.frequency]).map_err(at(place, Field::FREQUENCY))?;
+    number::finite(&[wave.phase]).map_err(at(place, Field::PHASE))
 }
 
 fn not_driving(value: f64) -> Result<(), Problem> {
-    coefficient::finite(&[value])?;
+    number::finite(&[value])?;
     if value >= 0.0 { Ok(()) } else { Err(Problem::Driving { value }) }
 }
 
 fn elliptic(value: f64) -> Result<(), Problem> {
-    coefficient::finite(&[value])?;
+    number::finite(&[value])?;
     if (0.0..1.0).contains(&value) { Ok(()) } else { Err(Problem::NotElliptic { value }) }
 }

@@ -5,14 +5,16 @@
 
 use nalgebra::{Matrix3, Vector3};
 
-use crate::assembly::MovingBody;
-use crate::assembly::affine::{Field as Shape, Piece};
+use crate::contribution::MovingBody;
+use crate::contribution::{Field as Shape, Piece};
 use crate::element::{Element, Role, Site};
 use crate::error::{ElementError, ElementId, ElementKind, Field, Problem, at};
+use crate::kinds::coefficient;
 use crate::model::{Coordinate, Hinge, Inertia, Rheology};
+use crate::number;
 use crate::structure::Block;
 use crate::visual::{Outline, Vertex, cuboid_of};
-use crate::{Assembly, Incomplete, coefficient};
+use crate::{Assembly, Incomplete};
 
 /// A rigid appendage on a hinge with one, two or three rotational axes: a boom, a whip antenna, a panel.
 ///
@@ -44,16 +46,6 @@ pub struct Hinged {
     pub places: Vec<(String, [f64; 3])>,
 }
 
-/// A place on a hinged appendage.
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct PlaceRef {
-    /// Index of the appendage.
-    pub hinged: usize,
-    /// Index of the place in its list.
-    pub place: usize,
-}
-
 /// A symmetric linear map from hinge angles to hinge torques.
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Debug, PartialEq)]
@@ -71,9 +63,9 @@ const MASSIVE: f64 = 1e-12;
 
 impl Hinged {
     fn moved(&self, place: ElementId) -> Result<MovingBody, ElementError> {
-        coefficient::mass(self.mass).map_err(at(place, Field::MASS))?;
-        coefficient::finite(&self.center_of_mass).map_err(at(place, Field::CENTER_OF_MASS))?;
-        coefficient::finite(&self.hinge).map_err(at(place, Field::HINGE))?;
+        number::mass(self.mass).map_err(at(place, Field::MASS))?;
+        number::finite(&self.center_of_mass).map_err(at(place, Field::CENTER_OF_MASS))?;
+        number::finite(&self.hinge).map_err(at(place, Field::HINGE))?;
         let inertia = Inertia::new(self.inertia).map_err(|error| at(place, Field::INERTIA)(error.into()))?;
         let axes = self.unit_axes().map_err(at(place, Field::AXES))?;
         let hinge = Vector3::from(self.hinge);
@@ -97,7 +89,7 @@ impl Hinged {
 
     fn placed(&self, hinge: Vector3<f64>) -> Result<Vec<(String, Vector3<f64>)>, Problem> {
         let placed = |(name, place): &(String, [f64; 3])| {
-            coefficient::finite(place)?;
+            number::finite(place)?;
             Ok((format!("{:?} {name}", self.name), Vector3::from(*place) - hinge))
         };
         self.places.iter().map(placed).collect()
@@ -133,7 +125,7 @@ impl Hinged {
     }
 
     fn unit_axes(&self) -> Result<Vec<Vector3<f64>>, Problem> {
-        let axes = self.axes.iter().map(|axis| coefficient::unit(*axis)).collect::<Result<Vec<_>, _>>()?;
+        let axes = self.axes.iter().map(|axis| number::unit(*axis)).collect::<Result<Vec<_>, _>>()?;
         let independence = match axes.as_slice() {
             [_] => 1.0,
             [a, b] => a.cross(b).norm(),

@@ -4,12 +4,12 @@
 use nalgebra::Vector3;
 
 use crate::Assembly;
-use crate::assembly::MovingBody;
-use crate::assembly::affine::{Field as Shape, Piece};
-use crate::assembly::coefficient;
+use crate::contribution::MovingBody;
+use crate::contribution::{Field as Shape, Piece};
 use crate::element::{Element, Role};
 use crate::error::{ElementError, ElementId, Field, Problem, at};
 use crate::model::Coordinate;
+use crate::number;
 use crate::visual::{Outline, Vertex};
 
 /// Material point with its equilibrium position and the directions that ideal constraints leave free (paper, §1).
@@ -47,7 +47,7 @@ impl Point {
     /// # Errors
     /// [`Problem::Barred`] if the constraints bar it, and errors of the free directions themselves.
     pub fn coordinates_of(&self, displacement: [f64; 3]) -> Result<Vec<f64>, Problem> {
-        coefficient::finite(&displacement)?;
+        number::finite(&displacement)?;
         let displacement = Vector3::from(displacement);
         let directions = self.directions()?;
         let coordinates: Vec<f64> = directions.iter().map(|(e, _)| e.dot(&displacement)).collect();
@@ -63,9 +63,9 @@ impl Point {
     pub(crate) fn directions(&self) -> Result<Vec<(Vector3<f64>, &'static str)>, Problem> {
         Ok(match self.motion {
             PointMotion::Free => vec![(Vector3::x(), "x"), (Vector3::y(), "y"), (Vector3::z(), "z")],
-            PointMotion::Line(direction) => vec![(coefficient::unit(direction)?, "along its line")],
+            PointMotion::Line(direction) => vec![(number::unit(direction)?, "along its line")],
             PointMotion::Plane(normal) => {
-                let normal = coefficient::unit(normal)?;
+                let normal = number::unit(normal)?;
                 let first = least_axis(normal).cross(&normal).normalize();
                 vec![(first, "in its plane, first"), (normal.cross(&first), "in its plane, second")]
             }
@@ -73,8 +73,8 @@ impl Point {
     }
 
     fn moved(&self, place: ElementId) -> Result<MovingBody, ElementError> {
-        coefficient::mass(self.mass).map_err(at(place, Field::MASS))?;
-        coefficient::finite(&self.position).map_err(at(place, Field::POSITION))?;
+        number::mass(self.mass).map_err(at(place, Field::MASS))?;
+        number::finite(&self.position).map_err(at(place, Field::POSITION))?;
         let directions = self.directions().map_err(at(place, Field::MOTION))?;
         let still = vec![Shape::constant(Vector3::zeros()); directions.len()];
         Ok(MovingBody {

@@ -5,11 +5,11 @@
 use nalgebra::Vector3;
 
 use crate::Assembly;
-use crate::assembly::coefficient;
-use crate::assembly::internal::Internal;
+use crate::contribution::Internal;
 use crate::element::{Element, Role};
 use crate::error::{ElementError, ElementId, Field, Problem, at};
 use crate::model::{Coordinate, Pair};
+use crate::number;
 use crate::visual::{Outline, disc};
 
 /// A rotor with friction relative to the carrier: a flywheel in its bearings, a ball in a viscous liquid. (C9)
@@ -46,11 +46,11 @@ pub enum RotorKind {
 
 impl Rotor {
     fn turning(&self, place: ElementId) -> Result<Internal, ElementError> {
-        coefficient::positive(self.inertia).map_err(at(place, Field::INERTIA))?;
-        coefficient::positive(self.friction).map_err(at(place, Field::FRICTION))?;
+        number::positive(self.inertia).map_err(at(place, Field::INERTIA))?;
+        number::positive(self.friction).map_err(at(place, Field::FRICTION))?;
         let axes = self.axes().map_err(at(place, Field::AXIS))?;
         if let Some(speed) = &self.speed {
-            coefficient::finite(speed).map_err(at(place, Field::SPEED))?;
+            number::finite(speed).map_err(at(place, Field::SPEED))?;
             if speed.len() != axes.len() {
                 let problem = Problem::ValuePerAxis { axes: axes.len(), values: speed.len() };
                 return Err(at(place, Field::SPEED)(problem));
@@ -85,7 +85,7 @@ impl Rotor {
 
     fn axes(&self) -> Result<Vec<Vector3<f64>>, Problem> {
         match self.kind {
-            RotorKind::Flywheel { axis } => Ok(vec![coefficient::unit(axis)?]),
+            RotorKind::Flywheel { axis } => Ok(vec![number::unit(axis)?]),
             RotorKind::Sphere => Ok(vec![Vector3::x(), Vector3::y(), Vector3::z()]),
         }
     }

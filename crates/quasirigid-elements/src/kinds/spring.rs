@@ -4,17 +4,17 @@
 
 use nalgebra::{Matrix3, Vector3};
 
-use crate::assembly::PartGraph;
-use crate::assembly::attachment::Attachment;
+use crate::End;
+use crate::contribution::{Attachment, Floating};
 use crate::element::{Element, Grip, Preload, Role, Site, joined};
 use crate::error::{ElementError, ElementId, Field, Problem, at};
 use crate::finite::Link;
-use crate::kinds::hinged::PlaceRef;
-use crate::kinds::part::NodeRef;
+use crate::kinds::coefficient;
 use crate::model::Rheology;
+use crate::number;
 use crate::structure::Block;
 use crate::visual::Outline;
-use crate::{Assembly, Incomplete, coefficient};
+use crate::{Assembly, Incomplete};
 
 /// A linear spring with a linear dashpot beside it, between two ends.
 ///
@@ -33,20 +33,6 @@ pub struct Spring {
     pub law: SpringLaw,
     /// Rheology of the spring itself: response to periodic strain, beside the dashpot.
     pub rheology: Rheology,
-}
-
-/// End of a spring: the element to which it is attached.
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum End {
-    /// The carrier.
-    Carrier,
-    /// The point with this index in [`Assembly::points`](crate::Assembly::points).
-    Point(usize),
-    /// A node of a part.
-    Node(NodeRef),
-    /// A place on a hinged appendage.
-    Hinged(PlaceRef),
 }
 
 /// Stiffness and damping of a spring.
@@ -112,7 +98,7 @@ impl Spring {
             Prestress::Tension(tension) => tension,
             Prestress::NaturalLength(natural) => stiffness * (length - natural),
         };
-        coefficient::finite(&[tension]).map_err(at(id, Field::TENSION))?;
+        number::finite(&[tension]).map_err(at(id, Field::TENSION))?;
         if matches!(self.from, End::Node(_)) || matches!(self.to, End::Node(_)) {
             return Err(at(id, Field::TENSION)(Problem::TensionOnPart));
         }
@@ -136,7 +122,7 @@ impl Spring {
             SpringLaw::Spatial { stiffness, damping } => (stiffness, damping, None),
             SpringLaw::Axial { stiffness, damping, .. } => {
                 let line =
-                    coefficient::unit((to - from).into()).map_err(|_| at(id, Field::TO)(Problem::NoLine))?;
+                    number::unit((to - from).into()).map_err(|_| at(id, Field::TO)(Problem::NoLine))?;
                 (Coefficient::Isotropic(stiffness), Coefficient::Isotropic(damping), Some(line))
             }
         };
@@ -153,7 +139,7 @@ impl Spring {
                 (End::Carrier, SpringLaw::Axial { anchor, .. }) => anchor.ok_or(Problem::NoAnchor)?.into(),
                 _ => attachment.position,
             };
-            coefficient::finite(place.as_slice()).map(|()| place)
+            number::finite(place.as_slice()).map(|()| place)
         };
         let from = place(self.from, from).map_err(at(id, Field::FROM))?;
         Ok([from, place(self.to, to).map_err(at(id, Field::TO))?])
@@ -245,17 +231,17 @@ impl Element for Spring {
         Ok(self.tension(site.id, ends)?.map(|tension| tension.preload(site.name, ends)))
     }
 
-    fn afloat(&self, id: ElementId, graph: &mut PartGraph<'_>) -> Result<(), ElementError> {
+    fn afloat(&self, id: ElementId, graph: &mut dyn Floating) -> Result<(), ElementError> {
         let nodes = joined(id, [self.from, self.to], |end| graph.node_at(end))?;
         if matches!(self.law, SpringLaw::Axial { prestress, .. } if prestress != Prestress::Relaxed) {
             return Err(at(id, Field::TENSION)(Problem::TensionAfloat));
         }
-        let places = nodes.map(|node| graph.structure.nodes[node].place);
+        let places = nodes.map(|node| graph.structure().nodes[node].place);
         let (stiffness, damping) = self.matrices(id, places)?;
         let material = graph.material(&self.rheology);
         let strain = [-Matrix3::identity(), Matrix3::identity()];
         let link = Link::new(nodes, material, strain, [stiffness, damping]);
-        graph.structure.elements.push(Box::new(link));
+        graph.structure().elements.push(Box::new(link));
         Ok(())
     }
 }

@@ -1,9 +1,10 @@
 use nalgebra::Vector3;
 
-use crate::assembly::attachment::{Attachment, Attachments};
+use crate::contribution::{Attachment, Attachments};
 use crate::error::{ElementError, ElementId, Field, Problem, at};
 use crate::model::Marker;
-use crate::{Assembly, End, coefficient};
+use crate::number;
+use crate::{Assembly, End};
 
 /// Station: the point of action of an external force.
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -19,7 +20,7 @@ impl Station {
     /// Accepts the station of a force on a body.
     pub(crate) fn check(&self, place: ElementId, body: &Assembly) -> Result<(), ElementError> {
         match (self.on, self.at) {
-            (End::Carrier, Some(position)) => coefficient::finite(&position).map_err(at(place, Field::AT)),
+            (End::Carrier, Some(position)) => number::finite(&position).map_err(at(place, Field::AT)),
             (End::Carrier, None) => Err(at(place, Field::AT)(Problem::NoStation)),
             (End::Point(index), _) if index >= body.points.len() => {
                 Err(at(place, Field::ON)(Problem::NoSuchPoint { index }))

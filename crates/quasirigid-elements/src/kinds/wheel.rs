@@ -1,10 +1,10 @@
 use crate::Assembly;
-use crate::assembly::coefficient;
-use crate::assembly::internal::Internal;
+use crate::contribution::Internal;
 use crate::element::{Element, Role};
 use crate::error::{ElementError, ElementId, Field, at};
 use crate::math::expression::Expression;
 use crate::model::{DrivenWheel, Wheels};
+use crate::number;
 use crate::visual::{Outline, disc};
 
 /// Momentum wheel: a motor sets its speed relative to the carrier. (C4)
@@ -42,14 +42,14 @@ pub enum WheelSpeed {
 impl Wheel {
     /// Internal motion of the wheel: a constant angular momentum at any spin, or a speed over time.
     fn turning(&self, place: ElementId) -> Result<Wheels, ElementError> {
-        let axis = coefficient::unit(self.axis).map_err(at(place, Field::AXIS))?;
+        let axis = number::unit(self.axis).map_err(at(place, Field::AXIS))?;
         match &self.speed {
             WheelSpeed::Constant { angular_momentum } => {
-                coefficient::finite(&[*angular_momentum]).map_err(at(place, Field::MOMENTUM))?;
+                number::finite(&[*angular_momentum]).map_err(at(place, Field::MOMENTUM))?;
                 Ok(Wheels { constant: (*angular_momentum * axis).into(), ..Wheels::default() })
             }
             WheelSpeed::Prescribed { inertia, speed } => {
-                coefficient::positive(*inertia).map_err(at(place, Field::INERTIA))?;
+                number::positive(*inertia).map_err(at(place, Field::INERTIA))?;
                 let inertia = (*inertia * axis).into();
                 Ok(Wheels {
                     driven: vec![DrivenWheel { inertia, speed: speed.clone() }],

@@ -4,7 +4,8 @@ use nalgebra::Vector3;
 
 use super::outline::Outline;
 use super::shapes::{revolved, rod};
-use crate::{Carrier, coefficient};
+use crate::Carrier;
+use crate::number;
 
 /// Radius and half the height of the disc over the radius of gyration of the carrier.
 const RADIUS: f64 = 0.7;
@@ -12,7 +13,7 @@ const HALF_HEIGHT: f64 = 0.06;
 
 /// Disc about an axis through the centre of the carrier.
 pub(crate) fn disc(carrier: &Carrier, axis: [f64; 3]) -> Option<Outline> {
-    let axis = coefficient::unit(axis).ok()?;
+    let axis = number::unit(axis).ok()?;
     let piece = carrier.piece().ok()?;
     let size = (piece.second.trace().max(0.0) / carrier.mass).sqrt();
     let (radius, height) = (RADIUS * size, HALF_HEIGHT * size);

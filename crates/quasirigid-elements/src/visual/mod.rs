@@ -18,7 +18,7 @@ use std::collections::{BTreeMap, HashSet};
 
 use nalgebra::Vector3;
 
-use crate::assembly::attachment::Attachment;
+use crate::contribution::Attachment;
 use crate::element::Element;
 use crate::{Assembly, ElementId, ElementKind, End};
 

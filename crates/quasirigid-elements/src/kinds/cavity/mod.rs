@@ -16,14 +16,16 @@ mod tests;
 
 use nalgebra::{Matrix3, Vector3};
 
-use crate::assembly::affine::Piece;
-use crate::assembly::internal::Internal;
+use crate::contribution::Internal;
+use crate::contribution::Piece;
+use crate::contribution::SlowLiquid;
 use crate::element::{Element, Role};
 use crate::error::{ElementError, ElementId, Field, Problem, at};
 use crate::math::rotation::to_inertial;
 use crate::model::{Advection, Coordinate, Inertia, LiquidFlow, LiquidMemory, Pair};
+use crate::number;
 use crate::visual::Outline;
-use crate::{Assembly, Incomplete, coefficient};
+use crate::{Assembly, Incomplete};
 use flowing::Flowing;
 use liquid::{Memory, Relaxations};
 pub use shape::CavityShape;
@@ -69,24 +71,6 @@ pub enum Regime {
     BoundaryLayer,
 }
 
-/// Effect of a liquid on a slow rotation.
-#[derive(Clone, Debug, PartialEq)]
-pub struct SlowLiquid {
-    /// Mass (kg).
-    pub mass: f64,
-    /// Radius of the ball of liquid that would follow as slowly, `√(35 P/I)` for the axis about which this is most (m).
-    pub radius: f64,
-    /// Tensor `P` (m⁷), in the file's axes. (L5)
-    pub tensor: [[f64; 3]; 3],
-    /// Estimate of the relative error of finite elements in `P` about each axis of the shape; none of exact flows.
-    pub errors: Option<[f64; 3]>,
-    /// Inertia tensor of the body that the liquid is equivalent to at high Reynolds numbers (kg m²), in the file's axes; none of a liquid
-    /// that is viscous throughout. (L12)
-    pub equivalent: Option<[[f64; 3]; 3]>,
-    /// Kinematic viscosity (m²/s).
-    pub viscosity: f64,
-}
-
 /// Reynolds numbers of a ball and of a spheroid up to which the ratio to the boundary layer is right to two per cent, and of a cylinder, as
 /// high as wide at most, up to which its fields are.
 pub const MOST_OF_BALL: f64 = 2e6;
@@ -111,9 +95,9 @@ impl Cavity {
     /// Accepts the values of a cavity.
     fn check_values(&self, place: ElementId) -> Result<(), ElementError> {
         self.shape.check().map_err(|(field, problem)| at(place, field)(problem))?;
-        coefficient::finite(&self.center).map_err(at(place, Field::CENTER))?;
-        coefficient::positive(self.density).map_err(at(place, Field::DENSITY))?;
-        coefficient::positive(self.viscosity).map_err(at(place, Field::VISCOSITY))?;
+        number::finite(&self.center).map_err(at(place, Field::CENTER))?;
+        number::positive(self.density).map_err(at(place, Field::DENSITY))?;
+        number::positive(self.viscosity).map_err(at(place, Field::VISCOSITY))?;
         let norm = self.attitude.iter().map(|part| part * part).sum::<f64>();
         if !((norm - 1.0).abs() < UNIT) {
             return Err(at(place, Field::ATTITUDE)(Problem::NotAttitude { norm: norm.sqrt() }));

@@ -8,11 +8,11 @@ use std::ops::RangeInclusive;
 
 use nalgebra::{Matrix3, Vector3};
 
-use crate::assembly::coefficient;
 use crate::error::{Field, Problem};
 use crate::flow::revolution::Outline;
 use crate::flow::stokes::Moments;
 use crate::model::LiquidFlow;
+use crate::number;
 use quasirigid_mesh::Mesh;
 use quasirigid_mesh::meshing::{self, MeshingError};
 
@@ -117,7 +117,7 @@ impl CavityShape {
         for (field, values) in lengths {
             values
                 .iter()
-                .try_for_each(|value| coefficient::positive(*value))
+                .try_for_each(|value| number::positive(*value))
                 .map_err(|problem| (field, problem))?;
         }
         let pairs = match *self {

@@ -2,16 +2,6 @@ use crate::Incomplete;
 use crate::element::{Element, Role};
 use crate::model::Rheology;
 
-/// A node of a part.
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub struct NodeRef {
-    /// Index of the part in [`Assembly::parts`](crate::Assembly::parts).
-    pub part: usize,
-    /// Index of the node in it.
-    pub node: usize,
-}
-
 /// A joint between parts, or between a part and the carrier.
 ///
 /// Both sides move as one rigid piece, but for rotations about the axes of the joint: none for a weld, one for a hinge, three for a ball.

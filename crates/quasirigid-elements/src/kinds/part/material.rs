@@ -1,6 +1,7 @@
+use crate::Material;
 use crate::error::{ElementError, ElementId, Field, at};
 use crate::model::Rheology;
-use crate::{Material, coefficient};
+use crate::number;
 
 /// Material of a part.
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -42,7 +43,7 @@ impl ElasticMaterial {
         match self {
             Self::Isotropic(material) => material.check(place),
             Self::Orthotropic(material) => {
-                coefficient::positive(material.density).map_err(at(place, Field::DENSITY))?;
+                number::positive(material.density).map_err(at(place, Field::DENSITY))?;
                 material.rheology.check().map_err(|error| at(place, Field::RHEOLOGY)(error.into()))
             }
         }

@@ -1,7 +1,9 @@
 //! Parts that are elastic throughout, as a user describes them; finite elements are made of them.
 
 mod connection;
+mod constraints;
 mod frame;
+mod graph;
 mod material;
 mod matrices;
 mod modes;
@@ -13,8 +15,9 @@ mod solid;
 
 use nalgebra::Vector3;
 
-pub use connection::{Anchor, Connection, NodeRef};
+pub use connection::{Anchor, Connection};
 pub use frame::{Frame, FrameNode, Member};
+pub(crate) use graph::PartGraph;
 pub use material::{ElasticMaterial, Orthotropic};
 pub use matrices::Matrices;
 pub use modes::{GivenModes, Spectrum};

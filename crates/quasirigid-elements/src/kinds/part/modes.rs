@@ -7,10 +7,10 @@ use std::sync::Arc;
 use nalgebra::{DMatrix, DVector, Matrix6};
 
 use super::nodal::{NodalMass, symmetric, times};
-use crate::assembly::coefficient;
 use crate::error::{ElementError, ElementId, ElementKind, Field, Problem, at};
 use crate::finite::Block;
 use crate::model::Rheology;
+use crate::number;
 use crate::structure::{Constraint, Node, Structure};
 
 /// Shapes of generalised coordinates over the nodes of another program's model: its modes of vibration, or those of Craig and
@@ -185,7 +185,7 @@ impl GivenModes {
             return Err(Problem::ShapeColumns { columns: size, interface: interface.len() });
         }
         for ((node, component), row) in self.mass.dofs.iter().zip(&self.shapes) {
-            coefficient::finite(row)?;
+            number::finite(row)?;
             if !self.interface.contains(node) {
                 continue;
             }
@@ -268,8 +268,8 @@ impl Spectrum {
                     }
                     values.iter().try_for_each(|value| check(*value)).map_err(at(place, field))
                 };
-                value(Field::FREQUENCIES, frequencies, coefficient::positive)?;
-                value(Field::DAMPING_RATIOS, damping_ratios, coefficient::non_negative)?;
+                value(Field::FREQUENCIES, frequencies, number::positive)?;
+                value(Field::DAMPING_RATIOS, damping_ratios, number::non_negative)?;
                 let masses = modal_masses(&couplings()).map_err(at(place, Field::SHAPES))?;
                 let diagonal = |of: &dyn Fn(usize) -> f64| {
                     DMatrix::from_diagonal(&DVector::from_fn(size, |j, _| masses[j] * of(j)))

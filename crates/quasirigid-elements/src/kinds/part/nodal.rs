@@ -6,10 +6,10 @@ use std::collections::BTreeMap;
 
 use nalgebra::{DMatrix, Matrix3, Matrix3xX, Matrix6, Vector3};
 
-use crate::assembly::coefficient;
 use crate::error::{ElementError, ElementId, Field, Problem, at};
 use crate::finite::{Block, Element, LumpedMass, Mass, Site, rigid_points};
 use crate::model::Inertia;
+use crate::number;
 use crate::structure::Node;
 
 /// Nodes of another program's model, and its mass matrix over their displacements and rotations. (K9)
@@ -142,7 +142,7 @@ impl NodalMass {
                 lumps[node].rotary += rotary;
             }
         }
-        coefficient::mass(lumps.iter().map(|lump| lump.mass).sum())?;
+        number::mass(lumps.iter().map(|lump| lump.mass).sum())?;
         Ok(lumps)
     }
 
@@ -234,7 +234,7 @@ pub(super) fn symmetric(
 ) -> Result<(), Problem> {
     let mut found: BTreeMap<(usize, usize), f64> = BTreeMap::new();
     for (row, column, value) in entries {
-        coefficient::finite(&[*value])?;
+        number::finite(&[*value])?;
         if *row.max(column) >= count {
             return Err(Problem::NoSuchRow { index: *row.max(column), count });
         }

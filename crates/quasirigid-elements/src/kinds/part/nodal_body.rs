@@ -1,9 +1,9 @@
 use nalgebra::Vector3;
 
-use crate::assembly::coefficient;
 use crate::error::{ElementError, ElementId, Field, Problem, at};
 use crate::finite::{Mass, rigid_points};
 use crate::model::{Inertia, Rheology};
+use crate::number;
 use crate::structure::Structure;
 
 /// A rigid body at a node.
@@ -28,7 +28,7 @@ impl TipMass {
         structure: &mut Structure,
     ) -> Result<(), ElementError> {
         let refuse = at(place, Field::MASSES);
-        coefficient::mass(self.mass).map_err(&refuse)?;
+        number::mass(self.mass).map_err(&refuse)?;
         let inertia = Inertia::new(self.inertia).map_err(|error| refuse(error.into()))?;
         if self.node >= count {
             return Err(refuse(Problem::NoSuchNode { index: self.node, count }));

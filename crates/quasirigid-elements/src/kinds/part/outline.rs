@@ -2,8 +2,9 @@
 
 use std::f64::consts::PI;
 
-use super::{Frame, Member, NodeRef, Part, PartKind};
+use super::{Frame, Member, Part, PartKind};
 use crate::End;
+use crate::NodeRef;
 use crate::visual::{Outline, Vertex, boundary, thinned};
 use quasirigid_mesh::Mesh;
 

@@ -7,10 +7,10 @@ use std::sync::Arc;
 use nalgebra::{DMatrix, DVector, Vector3};
 
 use super::{ElasticMaterial, sound};
-use crate::assembly::coefficient;
 use crate::error::{ElementError, ElementId, ElementKind, Field, Problem, at};
 use crate::finite::shell::{self, Ply, ShellError, ShellSection};
 use crate::finite::{Element, LumpedMass};
+use crate::number;
 use crate::structure::Structure;
 use quasirigid_mesh::{Cell, Mesh, Shape};
 
@@ -65,7 +65,7 @@ impl Panel {
     ) -> Result<(), ElementError> {
         let place = ElementKind::Part.at(index);
         sound(&self.mesh, 2).map_err(at(place, Field::FILE))?;
-        coefficient::unit(self.reference).map_err(at(place, Field::REFERENCE))?;
+        number::unit(self.reference).map_err(at(place, Field::REFERENCE))?;
         let sections = self.sections(place, rayleigh, structure)?;
         for cell in self.mesh.cells.iter().filter(|cell| cell.shape.dimension() == 2) {
             for (material, section) in &sections {

@@ -2,10 +2,11 @@
 
 use super::elements::Meshed;
 use super::error::{AGREED, CONVERGED, LEAST, TAIL, between_meshes, hidden};
-use super::{Approximation, Found, PartReduction, Resolution, Surface, compliance};
-use crate::assembly::Asked;
-use crate::assembly::ritz::Ritz;
+use super::{Approximation, Found, PartReduction, Resolution, Surface};
+use crate::contribution::Asked;
 use crate::error::{ElementError, ElementId, Field, Problem, at};
+use crate::kinds::compliance;
+use crate::kinds::ritz::Ritz;
 use crate::math::watch;
 use quasirigid_mesh::meshing::{Neck, graded, necks};
 

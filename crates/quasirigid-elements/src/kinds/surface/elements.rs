@@ -3,10 +3,10 @@
 use std::sync::Arc;
 
 use super::{Approximation, Found, PartReduction, Resolution, Surface};
-use crate::assembly::Exact;
+use crate::contribution::Exact;
 use crate::error::{ElementId, Problem};
-use crate::kinds::material::Material;
 use crate::kinds::part::{ElasticMaterial, Part, PartKind, Region, Solid};
+use crate::material::Material;
 use crate::math::sym3::Sym;
 use crate::model::FlexibleBody;
 use crate::structure::Condensation;

@@ -2,8 +2,8 @@
 
 use std::f64::consts::PI;
 
-use super::compliance;
 use super::elements::Meshed;
+use crate::kinds::compliance;
 use crate::math::vec3::{add, cross, dot, norm, scale};
 use quasirigid_mesh::meshing::{GradedMesh, Neck};
 use quasirigid_mesh::surface::ClosedSurface;

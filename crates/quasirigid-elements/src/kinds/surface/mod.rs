@@ -6,16 +6,16 @@ mod error;
 
 use nalgebra::Matrix3;
 
-use crate::assembly::Asked;
-use crate::assembly::ritz::{Ritz, Solid};
-use crate::assembly::single_element::{Whole, WholeBody};
+use crate::contribution::Asked;
+use crate::contribution::{Whole, WholeBody};
 use crate::element::{Element, Role};
 use crate::error::{ElementError, ElementId, Field, Problem, at};
-use crate::kinds::material::Material;
+use crate::kinds::ritz::{Ritz, Solid};
+use crate::material::Material;
 use crate::model::{Coordinate, FlexibleBody, Marker, Rheology};
 use crate::structure::Condensation;
 use crate::visual::thinned;
-use crate::{Assembly, Incomplete, PartReduction, Visual, compliance};
+use crate::{Assembly, Incomplete, PartReduction, Visual};
 use quasirigid_mesh::surface::ClosedSurface;
 
 /// A homogeneous solid inside a closed surface, elastic throughout: a body without a carrier, and without a mesh of the user's.

@@ -7,8 +7,8 @@ use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
 
 use super::Matrices;
 use crate::error::{Field, Problem};
-use crate::kinds::material::Material;
 use crate::kinds::part::{ElasticMaterial, NodalMass, Part, PartKind, Region, Solid};
+use crate::material::Material;
 use crate::model::Rheology;
 use crate::structure::Structure;
 use quasirigid_mesh::{Cell, Mesh, Shape};

@@ -7,14 +7,16 @@ use std::collections::BTreeMap;
 use nalgebra::Vector3;
 
 use super::constraints::constraints;
-use crate::assembly::attachment::Attachment;
+use crate::NodeRef;
+use crate::contribution::{Attachment, Floating};
 use crate::element::{Grip, Role};
 use crate::error::{ElementError, ElementId, ElementKind, Field, Problem, at};
 use crate::finite::Mass;
-use crate::kinds::part::{NodeRef, Part, PartKind, extremes};
+use crate::kinds::part::{Part, PartKind, extremes};
 use crate::model::{Reach, Rheology};
+use crate::number;
 use crate::structure::{Component, Constraint, Dofs, Fault, Joint, Load, Node, Purpose, Structure, Unknown};
-use crate::{Assembly, End, PointMotion, coefficient};
+use crate::{Assembly, End, PointMotion};
 
 /// The parts of a body as one structure; without a carrier also its points and springs.
 pub(crate) struct PartGraph<'a> {
@@ -54,8 +56,8 @@ impl<'a> PartGraph<'a> {
     pub fn of_everything(assembly: &'a Assembly) -> Result<Self, ElementError> {
         for (index, point) in assembly.points.iter().enumerate() {
             let place = ElementKind::Point.at(index);
-            coefficient::mass(point.mass).map_err(at(place, Field::MASS))?;
-            coefficient::finite(&point.position).map_err(at(place, Field::POSITION))?;
+            number::mass(point.mass).map_err(at(place, Field::MASS))?;
+            number::finite(&point.position).map_err(at(place, Field::POSITION))?;
             if point.motion != PointMotion::Free {
                 return Err(at(place, Field::MOTION)(Problem::NoGuide));
             }
@@ -175,19 +177,6 @@ impl<'a> PartGraph<'a> {
         self.assembly.parts.iter().enumerate().flat_map(of_part).collect()
     }
 
-    /// Name of a node of the structure.
-    pub fn node_name(&self, node: usize) -> String {
-        let (element, inner) = self.owner(node);
-        match element.kind {
-            ElementKind::Part => {
-                let owner = &self.assembly.parts[element.index];
-                format!("{:?} {}", owner.name, owner.node_name(inner))
-            }
-            ElementKind::Point => format!("{:?}", self.assembly.points[element.index].name),
-            _ => element.to_string(),
-        }
-    }
-
     /// Name of a generalised coordinate that a node of the structure keeps as a component.
     fn coordinate_name(&self, node: usize, component: usize) -> String {
         let (element, inner) = self.owner(node);
@@ -229,11 +218,6 @@ impl<'a> PartGraph<'a> {
         self.hinges.push(connection);
     }
 
-    /// Number of the material with this rheology and without damping of its own.
-    pub fn material(&mut self, rheology: &Rheology) -> usize {
-        self.structure.material(rheology, [0.0; 2])
-    }
-
     /// Error of the element to which a node belongs.
     pub fn attribute_to(&self, node: usize, problem: Problem) -> ElementError {
         let element = self.owner(node).0;
@@ -248,21 +232,6 @@ impl<'a> PartGraph<'a> {
         self.structure.constraints.push(Constraint::Free);
         let points = vec![(mass, Vector3::zeros())];
         self.structure.elements.push(Box::new(Mass { node, dofs: 3, material, points, place }));
-    }
-
-    /// Node at which an element acts.
-    ///
-    /// # Errors
-    /// [`Problem`] for an end that a body without a carrier does not have.
-    pub fn node_at(&self, end: End) -> Result<usize, Problem> {
-        match end {
-            End::Carrier | End::Hinged(_) => Err(Problem::NoCarrier),
-            End::Point(point) if point < self.assembly.points.len() => {
-                Ok(self.firsts[self.assembly.parts.len()] + point)
-            }
-            End::Point(index) => Err(Problem::NoSuchPoint { index }),
-            End::Node(node) => Ok(self.index(node)),
-        }
     }
 
     /// Notes the nodes that are watched, and those at which springs and forces act; of a body without a carrier also points, which count as
@@ -344,6 +313,39 @@ impl<'a> PartGraph<'a> {
     fn hinged_by(&self, node: usize) -> Option<usize> {
         let joint = self.structure.joints.iter().position(|joint| joint.node == node)?;
         self.hinges.get(joint).copied()
+    }
+}
+
+impl Floating for PartGraph<'_> {
+    fn node_at(&self, end: End) -> Result<usize, Problem> {
+        match end {
+            End::Carrier | End::Hinged(_) => Err(Problem::NoCarrier),
+            End::Point(point) if point < self.assembly.points.len() => {
+                Ok(self.firsts[self.assembly.parts.len()] + point)
+            }
+            End::Point(index) => Err(Problem::NoSuchPoint { index }),
+            End::Node(node) => Ok(self.index(node)),
+        }
+    }
+
+    fn node_name(&self, node: usize) -> String {
+        let (element, inner) = self.owner(node);
+        match element.kind {
+            ElementKind::Part => {
+                let owner = &self.assembly.parts[element.index];
+                format!("{:?} {}", owner.name, owner.node_name(inner))
+            }
+            ElementKind::Point => format!("{:?}", self.assembly.points[element.index].name),
+            _ => element.to_string(),
+        }
+    }
+
+    fn material(&mut self, rheology: &Rheology) -> usize {
+        self.structure.material(rheology, [0.0; 2])
+    }
+
+    fn structure(&mut self) -> &mut Structure {
+        &mut self.structure
     }
 }
 

@@ -7,10 +7,12 @@ use std::collections::BTreeSet;
 use nalgebra::Vector3;
 
 use super::Assembly;
-use super::part_graph::PartGraph;
-use crate::assembly::coefficient;
+use crate::NodeRef;
+use crate::contribution::Floating;
 use crate::error::{ElementError, ElementId, ElementKind, Field, Problem, at};
-use crate::kinds::part::{Anchor, Connection, NodeRef, Part};
+use crate::kinds::part::PartGraph;
+use crate::kinds::part::{Anchor, Connection, Part};
+use crate::number;
 use crate::structure::{Constraint, Joint};
 
 /// Distance, as a share of the size of the structure, below which nodes of two sides are at the same place.
@@ -119,7 +121,7 @@ impl Connection {
             }
             let material = graph.material(&self.rheology);
             let (stiffness, damping) = (self.stiffness.clone(), self.damping.clone());
-            let name = graph.connection_name(index);
+            let name = graph.assembly.connection_name(index);
             graph.hinge(Joint { name, node: joint, stiffness, damping, material }, index);
         }
         graph.constrain(joint, base, axes)?;
@@ -130,7 +132,7 @@ impl Connection {
         let axes: Vec<Vector3<f64>> = self
             .axes
             .iter()
-            .map(|axis| coefficient::unit(*axis))
+            .map(|axis| number::unit(*axis))
             .collect::<Result<_, _>>()
             .map_err(at(place, Field::HINGE))?;
         if axes.len() > 3 {
@@ -144,7 +146,7 @@ impl Connection {
                 }));
             }
             for value in values {
-                coefficient::finite(&[*value]).map_err(at(place, field))?;
+                number::finite(&[*value]).map_err(at(place, field))?;
                 if *value < 0.0 {
                     return Err(at(place, field)(Problem::Indefinite { eigenvalue: *value }));
                 }

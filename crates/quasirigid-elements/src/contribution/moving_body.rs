@@ -1,7 +1,7 @@
 use nalgebra::{Matrix3, Vector3};
 
-use crate::assembly::affine::{Field as Shape, Piece};
-use crate::assembly::attachment::Attachment;
+use crate::contribution::Attachment;
+use crate::contribution::{Field as Shape, Piece};
 use crate::math::sparse::SparseRows;
 use crate::model::{Carried, Coordinate, CurvedPaths, Follower, Gimbal, Pair};
 

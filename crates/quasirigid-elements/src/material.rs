@@ -1,6 +1,6 @@
-use crate::assembly::coefficient;
 use crate::error::{ElementError, ElementId, Field, Problem, at};
 use crate::model::Rheology;
+use crate::number;
 
 /// Material of a solid: homogeneous and isotropic.
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -31,8 +31,8 @@ impl Material {
 
     /// Accepts the material of an element.
     pub(crate) fn check(&self, place: ElementId) -> Result<(), ElementError> {
-        coefficient::positive(self.density).map_err(at(place, Field::DENSITY))?;
-        coefficient::positive(self.young).map_err(at(place, Field::YOUNG))?;
+        number::positive(self.density).map_err(at(place, Field::DENSITY))?;
+        number::positive(self.young).map_err(at(place, Field::YOUNG))?;
         if !(self.poisson > -1.0 && self.poisson < 0.5) {
             return Err(at(place, Field::POISSON)(Problem::Poisson { value: self.poisson }));
         }

@@ -4,9 +4,9 @@ use std::collections::HashMap;
 
 use nalgebra::Vector3;
 
+use crate::End;
 use crate::error::Problem;
 use crate::model::{Carried, Marker};
-use crate::{Assembly, End};
 
 /// Attachment: a place of a body at which a link or a force acts.
 #[derive(Clone, Debug, Default)]
@@ -65,30 +65,5 @@ impl Attachments {
     /// Whether an end is noted.
     pub fn has(&self, end: End) -> bool {
         self.of.contains_key(&end)
-    }
-}
-
-impl Assembly {
-    /// Attachment of an end while nothing moves.
-    ///
-    /// # Errors
-    /// [`Problem`] for an end that the body does not have.
-    pub(crate) fn at_rest(&self, end: End) -> Result<Attachment, Problem> {
-        Ok(match end {
-            End::Carrier if self.carrier.is_none() => return Err(Problem::NoCarrier),
-            End::Carrier => Attachment::at(Vector3::zeros(), true),
-            End::Point(index) => {
-                let point = self.points.get(index).ok_or(Problem::NoSuchPoint { index })?;
-                Attachment { name: point.name.clone(), ..Attachment::at(point.position.into(), false) }
-            }
-            End::Node(node) => {
-                self.has(node)?;
-                let part = &self.parts[node.part];
-                let name = format!("{:?} {}", part.name, part.node_name(node.node));
-                let node = part.nodes()[node.node];
-                Attachment { name, ..Attachment::at(node.place, node.rotations) }
-            }
-            End::Hinged(place) => Attachment::at(self.has_place(place)?.into(), true),
-        })
     }
 }

@@ -6,9 +6,9 @@ use std::ops::AddAssign;
 
 use nalgebra::{DMatrix, DVector, Matrix3, Matrix3xX, Vector3};
 
-use crate::assembly::compliance;
 use crate::error::Problem;
-use crate::kinds::material::Material;
+use crate::kinds::compliance;
+use crate::material::Material;
 use crate::math::polynomial::monomial;
 use crate::math::sparse::SparseRows;
 use crate::math::sym3::Sym;

@@ -3,9 +3,8 @@ use std::ops::Range;
 
 use nalgebra::Vector3;
 
-use crate::assembly::affine::Piece;
+use super::{Piece, SlowLiquid};
 use crate::error::{ElementError, ElementId};
-use crate::kinds::cavity::SlowLiquid;
 use crate::model::{Advection, Coordinate, LiquidMemory, Pair, Wheels};
 use crate::structure::Entries;
 

@@ -1,40 +1,12 @@
-//! Checks of numbers, directions and symmetric matrices that the elements share.
+//! Symmetric matrices of the coefficients of springs and hinges.
 
 use nalgebra::{DMatrix, Matrix3, Vector3};
 
+use crate::number::finite;
 use crate::{Coefficient, HingeCoefficient, Problem};
 
 /// Difference, relative to the largest entry, up to which entries agree: rounding of 13 digits.
 const ROUNDING: f64 = 1e-12;
-
-pub(crate) fn finite(values: &[f64]) -> Result<(), Problem> {
-    match values.iter().find(|value| !value.is_finite()) {
-        Some(&value) => Err(Problem::NotFinite { value }),
-        None => Ok(()),
-    }
-}
-
-pub(crate) fn positive(value: f64) -> Result<(), Problem> {
-    finite(&[value])?;
-    if value > 0.0 { Ok(()) } else { Err(Problem::NotPositive { value }) }
-}
-
-pub(crate) fn non_negative(value: f64) -> Result<(), Problem> {
-    finite(&[value])?;
-    if value >= 0.0 { Ok(()) } else { Err(Problem::Indefinite { eigenvalue: value }) }
-}
-
-pub(crate) fn mass(value: f64) -> Result<(), Problem> {
-    finite(&[value])?;
-    if value > 0.0 { Ok(()) } else { Err(Problem::NotAMass { value }) }
-}
-
-pub(crate) fn unit(direction: [f64; 3]) -> Result<Vector3<f64>, Problem> {
-    finite(&direction)?;
-    let vector = Vector3::from(direction);
-    let largest = vector.amax();
-    if largest > 0.0 { Ok((vector / largest).normalize()) } else { Err(Problem::ZeroDirection) }
-}
 
 /// Matrix of a spring's coefficient.
 pub(crate) fn matrix(coefficient: Coefficient) -> Result<Matrix3<f64>, Problem> {

@@ -3,11 +3,9 @@
 
 use std::collections::HashMap;
 
-use super::Assembly;
-use super::part_graph::PartGraph;
 use crate::element::{Element, Role};
 use crate::kinds::part::Anchor;
-use crate::{ElementId, End};
+use crate::{Assembly, ElementId, End};
 
 /// Name of the carrier.
 const CARRIER: &str = "carrier";
@@ -31,7 +29,7 @@ impl Assembly {
     }
 
     /// Names of the links as dissipators: their own, or after their ends, `spring tip-carrier`.
-    pub(super) fn link_names(&self) -> HashMap<ElementId, String> {
+    pub(crate) fn link_names(&self) -> HashMap<ElementId, String> {
         let mut numbers = Numbers::default();
         let links = self.each().filter(|(_, element)| element.role() == Role::Link);
         let name = |(id, element): (ElementId, &dyn Element)| {
@@ -60,24 +58,22 @@ impl Assembly {
         }
     }
 
+    /// Name of a connection as a dissipator, after what it joins: `connection boom-carrier`.
+    pub(crate) fn connection_name(&self, index: usize) -> String {
+        let mut numbers = Numbers::default();
+        let connections = self.connections.iter().take(index + 1);
+        let names = connections.map(|connection| {
+            let [from, to] = [&connection.from, &connection.to].map(|end| self.anchor_name(end));
+            numbers.of(format!("connection {from}-{to}"))
+        });
+        names.last().unwrap_or_default()
+    }
+
     fn anchor_name(&self, anchor: &Anchor) -> &str {
         match anchor {
             Anchor::Carrier => CARRIER,
             Anchor::Nodes { part, .. } => self.parts.get(*part).map_or("", |part| &part.name),
         }
-    }
-}
-
-impl PartGraph<'_> {
-    /// Name of a connection as a dissipator, after what it joins: `connection boom-carrier`.
-    pub(super) fn connection_name(&self, index: usize) -> String {
-        let mut numbers = Numbers::default();
-        let connections = self.assembly.connections.iter().take(index + 1);
-        let names = connections.map(|connection| {
-            let [from, to] = [&connection.from, &connection.to].map(|end| self.assembly.anchor_name(end));
-            numbers.of(format!("connection {from}-{to}"))
-        });
-        names.last().unwrap_or_default()
     }
 }
 

@@ -1,4 +1,4 @@
-use crate::assembly::system_matrices::Matrices;
+use crate::contribution::Matrices;
 use crate::error::{ElementError, ElementId, Field, Problem, at};
 use crate::model::{BodyParts, Coordinate, FlexibleBody, Invariants, Marker, Support, Wheels};
 use crate::structure::Block;

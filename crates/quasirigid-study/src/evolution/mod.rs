@@ -3,6 +3,8 @@
 mod approach;
 mod gyrostat;
 mod method;
+mod reason;
+mod refusals;
 mod secular;
 mod table;
 mod unanswered;
@@ -28,7 +30,8 @@ use crate::materials::flowing;
 use crate::start::slaved_order;
 use crate::study::Study;
 use crate::watch::Watch;
-use method::{History, Outlook, Refusal};
+use method::{History, Outlook};
+use reason::Reason;
 use secular::SecularEvolution;
 use table::EvolutionTable;
 
@@ -167,22 +170,22 @@ pub(crate) fn follow(
     }
     let flow = flowing(&secular.response, &secular.initial);
     if let (Some(message), true) = (&flow, asked.method != Some(EvolveMethod::Average)) {
-        let refusal = Refusal { message: message.clone(), rates: None };
-        return Ok(Evolved { record: secular.refused(refusal), notes: Vec::new() });
+        let record = secular.refused(&Reason::NoSolid(message.clone()));
+        return Ok(Evolved { record, notes: Vec::new() });
     }
     let outlook = Outlook::new(asked.method.is_some());
     let mut watch = |share: f64| outlook.observe(observer, share);
-    let run = if torque.is_zero() {
-        let chosen = method::choose(study, start, asked, &mut secular, &outlook, &mut watch);
-        let spent = outlook.over() && matches!(chosen, Err(StudyError::Interrupted));
-        match if spent { Err(secular.spent()) } else { chosen? } {
-            Ok(history) => history,
-            Err(refusal) => return Ok(Evolved { record: secular.refused(refusal), notes: Vec::new() }),
-        }
-    } else if let Some(refusal) = method::under_torque(study, start, asked, &mut secular)? {
-        return Ok(Evolved { record: secular.refused(refusal), notes: Vec::new() });
+    let chosen = if torque.is_zero() {
+        method::choose(study, start, asked, &mut secular, &outlook, &mut watch)
     } else {
-        History::None
+        method::under_torque(study, start, asked, &mut secular).map(|()| History::None)
+    };
+    let run = match outlook.judged(chosen) {
+        Ok(history) => history,
+        Err(stop) => {
+            let record = secular.refused(&stop.reason()?);
+            return Ok(Evolved { record, notes: Vec::new() });
+        }
     };
     secular.verdict.close(approximated(study));
     let evolution = secular.evolution();

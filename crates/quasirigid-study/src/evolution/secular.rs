@@ -19,10 +19,11 @@ use quasirigid_io::record::{Column, CrossingRecord, EvolutionRecord, HarmonicRec
 use quasirigid_math::vec3::norm;
 
 use super::approach::approach;
-use super::method::{Outlook, Refusal, Verdict};
+use super::method::Verdict;
+use super::reason::Reason;
 use super::table::EvolutionTable;
 use super::unanswered::unanswered;
-use super::{Asked, words};
+use super::{Asked, refusals, words};
 use crate::error::StudyError;
 use crate::words::shares;
 
@@ -126,21 +127,15 @@ impl SecularEvolution {
     }
 
     /// The record of an evolution that no method leads along: a message, and the rates of the modes.
-    pub fn refused(&self, Refusal { message, rates }: Refusal) -> EvolutionRecord {
-        let verdict = Verdict { road: "none", rates, ..Verdict::default() };
-        let folding = |mode| verdict.folding(mode).unwrap_or(f64::NAN);
+    pub fn refused(&self, reason: &Reason) -> EvolutionRecord {
+        let folding = |mode| self.verdict.folding(mode).unwrap_or(f64::NAN);
         let (damping_time, growth_time) = (folding(Mode::ShortAxis), folding(Mode::LongAxis));
         EvolutionRecord {
             damping_time,
             growth_time,
-            ..unanswered(&message, self.initial.angular_momentum(), mode(self.initial.mode()))
+            ..unanswered(&refusals::text(reason), self.initial.angular_momentum(), mode(self.initial.mode()))
         }
         .with_unknown_named()
-    }
-
-    /// Refusal of work that takes longer than is worked without being asked.
-    pub fn spent(&self) -> Refusal {
-        Refusal { message: Outlook::spent(), rates: self.verdict.rates }
     }
 
     /// Takes another power, along the equivalent polhodes of the deformed body from an energy (J) on.

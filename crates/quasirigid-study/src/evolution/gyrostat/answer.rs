@@ -8,6 +8,7 @@ use quasirigid_math::vec3::norm;
 use super::ground::Ground;
 use crate::evolution::Asked;
 use crate::evolution::method::{FOLLOWED, Verdict};
+use crate::evolution::reason::Reason;
 use crate::words::significant;
 
 /// Greatest wobble (rad) from which the modes alone are followed behind the full system.
@@ -109,8 +110,8 @@ impl Ground<'_> {
         goal: Option<f64>,
         duration: Option<f64>,
         samples: usize,
-    ) -> Result<Vec<Row>, String> {
-        let rate = self.rate().filter(|rate| *rate > 0.0).ok_or("the modes give a small wobble no rate")?;
+    ) -> Result<Vec<Row>, Reason> {
+        let rate = self.rate().filter(|rate| *rate > 0.0).ok_or(Reason::NoRateOfNutation)?;
         let spin = &self.pole.modes.equilibrium;
         let (above, turning) = (from.energy - self.steady(), norm(spin.omega) / TAU);
         let falls = goal.map_or(f64::INFINITY, |goal| (above / (goal - self.steady())).ln() / (2.0 * rate));

@@ -12,7 +12,7 @@ use super::roads::{Found, Watch};
 use crate::error::StudyError;
 use crate::evolution::Asked;
 use crate::evolution::method::{Outlook, options};
-use crate::words::time;
+use crate::evolution::reason::{Reason, Stop, Work};
 
 /// Share of the energy of the separatrix above the steady spin by which it is passed before the way behind it is told.
 const BELOW: f64 = 1e-3;
@@ -29,16 +29,11 @@ pub fn direct(
     watch: Watch<'_>,
 ) -> Found {
     let until = ground.until(goal);
-    if let Err(long) = announced(ground, full, until, asked, outlook, watch)? {
-        return Ok(Err(long));
-    }
+    announced(ground, full, until, asked, outlook, watch)?;
     let through = if ground.settled() { until } else { until.max(ground.beyond()) };
-    let first = match followed(ground, full, through, asked.duration, watch)? {
-        Ok(run) => run,
-        Err(why) => return Ok(Err(why)),
-    };
+    let first = followed(ground, full, through, asked.duration, watch)?;
     if through <= until || first.ending == DirectStopReason::Finished {
-        return Ok(Ok(ground.with_tail(first, goal, asked)));
+        return Ok(ground.with_tail(first, goal, asked));
     }
     behind(ground, first, asked, watch)
 }
@@ -46,23 +41,18 @@ pub fn direct(
 /// The full system behind a separatrix, where it circles the steady spin that it came to.
 fn behind(ground: &Ground, first: DirectRun, asked: &Asked, watch: Watch<'_>) -> Found {
     let end = first.rows[first.rows.len() - 1];
-    let below = match Ground::of(ground.study, &first.last)? {
-        Ok(below) => below,
-        Err(why) => return Ok(Err(why)),
-    };
+    let below = Ground::of(ground.study, &first.last)?;
     let goal = below.goal_from(ground.energy, asked);
     let left = asked.duration.map(|duration| duration - end.t);
-    let second = if goal.is_some_and(|goal| goal >= end.energy) {
-        Ok(first.clone())
+    let whole = if goal.is_some_and(|goal| goal >= end.energy) {
+        first
     } else {
         let second = followed(&below, &first.last, below.until(goal), left, watch)?;
-        second.map(|second| joined(first, second))
+        joined(first, second)
     };
-    Ok(second.map(|whole| {
-        let mut answer = below.with_tail(whole, goal, asked);
-        answer.verdict.error = answer.verdict.error.map(|error| error.max(PARTED));
-        Answer { crossed: Some(end.t), ..answer }
-    }))
+    let mut answer = below.with_tail(whole, goal, asked);
+    answer.verdict.error = answer.verdict.error.map(|error| error.max(PARTED));
+    Ok(Answer { crossed: Some(end.t), ..answer })
 }
 
 /// The full system to an energy.
@@ -72,17 +62,19 @@ fn followed(
     until: f64,
     duration: Option<f64>,
     watch: Watch<'_>,
-) -> Result<Result<DirectRun, String>, StudyError> {
+) -> Result<DirectRun, Stop> {
     let run = follow_directly(ground.body, full, &options(Some(until), duration), watch)?;
-    let end = run.rows[run.rows.len() - 1];
-    Ok(match &run.ending {
+    let t = run.rows[run.rows.len() - 1].t;
+    match run.ending {
         DirectStopReason::Reached | DirectStopReason::Finished => Ok(run),
-        DirectStopReason::Interrupted => return Err(StudyError::Interrupted),
+        DirectStopReason::Interrupted => Err(StudyError::Interrupted.into()),
         DirectStopReason::Failed { reason } => {
-            Err(format!("the full system was followed for {} and did not get there: {reason}", time(end.t)))
+            Err(Reason::UnfinishedWithWheels { t, failure: Some(reason) }.into())
         }
-        _ => Err(format!("the full system was followed for {} and did not get there", time(end.t))),
-    })
+        DirectStopReason::TurnLimit | DirectStopReason::StepLimit => {
+            Err(Reason::UnfinishedWithWheels { t, failure: None }.into())
+        }
+    }
 }
 
 /// Announces a history of the full system; the reason why it is not followed, if it takes too long.
@@ -93,9 +85,9 @@ fn announced(
     asked: &Asked,
     outlook: &Outlook,
     watch: Watch<'_>,
-) -> Result<Result<(), String>, StudyError> {
+) -> Result<(), Stop> {
     let Some(mode) = ground.nutation().filter(|mode| mode.decay_rate > 0.0 && mode.frequency > 0.0) else {
-        return Ok(Err("the modes give a small wobble no rate, so that nothing says how far the full system would have to be followed".into()));
+        return Err(Reason::UnknownDuration.into());
     };
     let share = (ground.energy - ground.steady()) / (until - ground.steady());
     let falls = share.ln() / (2.0 * mode.decay_rate);
@@ -104,10 +96,10 @@ fn announced(
     let before = Instant::now();
     let run = follow_directly(ground.body, full, &options(None, Some(period)), watch)?;
     if run.ending == DirectStopReason::Interrupted {
-        return Err(StudyError::Interrupted);
+        return Err(StudyError::Interrupted.into());
     }
     let seconds = before.elapsed().as_secs_f64() * length / period;
-    Ok(outlook.allows("following the full system from start to end", seconds, "direct"))
+    Ok(outlook.allows(Work::History, seconds)?)
 }
 
 /// Two runs one behind the other.

@@ -10,11 +10,11 @@ use quasirigid_math::vec3::norm;
 
 use crate::error::StudyError;
 use crate::evolution::Asked;
+use crate::evolution::reason::{Instability, Reason, Stop};
 use crate::evolution::secular::LEFT;
 use crate::left_out::{LEFT_OUT, of_nutation};
 use crate::liquids::unanswered;
 use crate::study::Study;
-use crate::words::growth;
 
 /// Energy of a wobble, relative to the whole, that is rounding.
 const ROUNDING: f64 = 1e-13;
@@ -33,49 +33,34 @@ pub struct Ground<'a> {
 }
 
 impl<'a> Ground<'a> {
-    /// The ground of a state, or why there is none.
-    pub fn of(study: &'a Study, state: &FullState) -> Result<Result<Self, String>, StudyError> {
+    /// The ground of a state.
+    pub fn of(study: &'a Study, state: &FullState) -> Result<Self, Stop> {
         let body = &study.body;
         let K = state.angular_momentum(body);
         let rigid = study.reduced(0)?;
-        let levels = LevelEvolution::new(&rigid, norm(K));
-        let spins = GyrostatSpins::compute(body, &rigid, norm(K));
-        let (levels, spins) = match (levels, spins) {
-            (Ok(levels), Ok(spins)) => (levels, spins),
-            (Err(error), _) | (_, Err(error)) => return Ok(Err(error.to_string())),
-        };
+        let levels = LevelEvolution::new(&rigid, norm(K)).map_err(Reason::Levels)?;
+        let spins = GyrostatSpins::compute(body, &rigid, norm(K)).map_err(Reason::Levels)?;
         let downhill = match levels.follow(K, Until::Duration(f64::MAX), 1) {
             Ok(passage) => passage.attractor,
-            Err(LevelError::Steady) => return Err(StudyError::Steady),
-            Err(error) => return Ok(Err(error.to_string())),
+            Err(LevelError::Steady) => return Err(StudyError::Steady.into()),
+            Err(error) => return Err(Reason::Levels(error).into()),
         };
-        let Some(spin) = spins.attracting(downhill).cloned() else {
-            return Ok(Err(
-                "no steady spin of least energy was found: a spring may be too soft for the centrifugal load"
-                    .into(),
-            ));
-        };
+        let spin = spins.attracting(downhill).cloned().ok_or(Reason::NoAttractor)?;
         let wobble = GyrostatWobble::about(body, &spin);
-        let pole = match SpinModes::about(body, spin) {
-            Ok(modes) => Pole { modes },
-            Err(error) => return Ok(Err(format!("the steady spin: {error}"))),
-        };
+        let pole = Pole { modes: SpinModes::about(body, spin).map_err(Reason::AttractorModes)? };
         let (angular_momentum, energy, barrier) = (K, state.energy(body), spins.barrier());
         let ground = Self { study, body, angular_momentum, energy, pole, wobble, barrier };
-        Ok(ground.judged())
+        Ok(ground.judged()?)
     }
 
-    fn judged(self) -> Result<Self, String> {
+    fn judged(self) -> Result<Self, Reason> {
         if let Some(mode) = self.pole.unstable() {
-            return Err(format!(
-                "the steady spin of least energy is unstable: {}",
-                growth(&mode.name, mode.decay_rate)
-            ));
+            return Err(Reason::Unstable(Instability::new(None, mode)));
         }
         let spin = &self.pole.modes.equilibrium;
         let frequency = self.pole.modes.nutation().map_or(0.0, |nutation| nutation.frequency);
         match unanswered(self.study, spin.omega, frequency) {
-            Some(silent) => Err(silent),
+            Some(silent) => Err(Reason::UnknownLiquids(silent)),
             None => Ok(self),
         }
     }

@@ -13,7 +13,8 @@ use quasirigid::dynamics::Start;
 use quasirigid_io::model::Target;
 use quasirigid_math::vec3::norm;
 
-use super::method::{Outlook, Refusal};
+use super::method::Outlook;
+use super::reason::Reason;
 use super::{Asked, Evolved, approximated};
 use crate::error::StudyError;
 use crate::materials::flowing_at;
@@ -32,32 +33,27 @@ pub fn follow(
     check(study, asked)?;
     let full = Motion::new(study, start).full()?;
     let G = norm(full.angular_momentum(&study.body));
-    let refused = |refusal: Refusal| Evolved { record: record::refused(refusal, G), notes: Vec::new() };
+    let refused =
+        |reason: &Reason, rate| Evolved { record: record::refused(reason, rate, G), notes: Vec::new() };
     let changing = study.body.wheels().driven.iter().any(|wheel| wheel.speed.uses(0));
-    let why = changing.then(|| CHANGING.to_owned()).or_else(|| flowing_at(study, start.omega));
-    if let Some(message) = why {
-        return Ok(refused(Refusal { message, rates: None }));
+    let no_solid = || flowing_at(study, start.omega).map(Reason::NoSolid);
+    if let Some(reason) = changing.then_some(Reason::ChangingWheel).or_else(no_solid) {
+        return Ok(refused(&reason, None));
     }
     let outlook = Outlook::new(asked.method.is_some());
     let mut watch = |share: f64| outlook.observe(observer, share);
-    let ground = match Ground::of(study, &full)? {
+    let ground = match Ground::of(study, &full) {
         Ok(ground) => ground,
-        Err(message) => return Ok(refused(Refusal { message, rates: None })),
+        Err(stop) => return Ok(refused(&stop.reason()?, None)),
     };
     let found = roads::choose(&ground, &full, asked, &outlook, &mut watch);
-    let refusal = |message| Refusal { message, rates: Some([None, ground.rate()]) };
-    let spent = outlook.over() && matches!(found, Err(StudyError::Interrupted));
-    let mut answer = match if spent { Err(Outlook::spent()) } else { found? } {
+    let mut answer = match outlook.judged(found) {
         Ok(answer) => answer,
-        Err(message) => return Ok(refused(refusal(message))),
+        Err(stop) => return Ok(refused(&stop.reason()?, ground.rate())),
     };
     answer.verdict.close(approximated(study));
     Ok(Evolved { record: record::answered(answer, asked), notes: Vec::new() })
 }
-
-/// Reason why wheels that change their speed have no evolution.
-const CHANGING: &str = "a momentum wheel changes its speed: its motor works on the body, whose energy then need not fall, and no steady spin is \
-                        reached by itself; `simulate` follows the history";
 
 /// Refuses what has no meaning for a body with momentum wheels.
 fn check(study: &Study, asked: &Asked) -> Result<(), StudyError> {

@@ -4,20 +4,20 @@ use quasirigid_io::record::{Column, EvolutionRecord, ObservedRecord};
 use quasirigid_math::vec3::{norm, scale};
 
 use super::answer::{Answer, Row};
-use crate::evolution::method::Refusal;
+use crate::evolution::reason::Reason;
+use crate::evolution::refusals;
 use crate::evolution::secular::COLUMNS;
 use crate::evolution::unanswered::unanswered;
 use crate::evolution::words::finished;
 use crate::evolution::{Asked, STEADY_SPIN};
 use crate::words::{count, shares, significant, time};
 
-/// Record of an evolution that no method leads along.
-pub fn refused(refusal: Refusal, G: f64) -> EvolutionRecord {
-    let rate = refusal.rates.and_then(|[_, rate]| rate);
+/// Record of an evolution that no method leads along, with the rate (1/s) at which a small wobble falls, if known.
+pub fn refused(reason: &Reason, rate: Option<f64>, G: f64) -> EvolutionRecord {
     EvolutionRecord {
         damping_time: rate.map_or(f64::NAN, folding),
         growth_time: f64::INFINITY,
-        ..unanswered(&refusal.message, G, STEADY_SPIN)
+        ..unanswered(&refusals::text(reason), G, STEADY_SPIN)
     }
     .with_unknown_named()
 }

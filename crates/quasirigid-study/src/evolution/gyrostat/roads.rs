@@ -19,7 +19,8 @@ use super::ground::Ground;
 use crate::error::StudyError;
 use crate::evolution::Asked;
 use crate::evolution::method::{FEW_COORDINATES, LEVEL_ORDER, Outlook, Verdict, options, passage};
-use crate::words::{significant, time};
+use crate::evolution::reason::{Reason, Stop};
+use crate::words::significant;
 
 /// Bound of the ratio of any spin at the energy of the start to the slowest elastic frequency up to which levels are followed.
 const STIFF: f64 = 0.1;
@@ -32,9 +33,9 @@ const SMALL: f64 = 1e-2;
 /// Greatest wobble (rad) up to which the modes alone are followed, where no equation of motion has all losses.
 const ALONE: f64 = 0.1;
 
-/// Observer of the work, which may end it, and the answer, or why there is none.
+/// Observer of the work, which may end it, and the answer.
 pub type Watch<'a> = &'a mut dyn FnMut(f64) -> ControlFlow<()>;
-pub type Found = Result<Result<Answer, String>, StudyError>;
+pub type Found = Result<Answer, Stop>;
 
 /// Chooses the method, and follows it.
 pub fn choose(
@@ -46,34 +47,33 @@ pub fn choose(
 ) -> Found {
     let goal = ground.goal(asked)?;
     match asked.method {
-        Some(EvolveMethod::MicroRuns) => {
-            return Ok(Err("short runs measure no power of a body with momentum wheels".into()));
-        }
-        Some(EvolveMethod::Modes) => return Ok(modes(ground, goal, asked)),
-        Some(EvolveMethod::Average) => return Ok(levels(ground, asked)?.1),
+        Some(EvolveMethod::MicroRuns) => return Err(Reason::ShortRunsWithWheels.into()),
+        Some(EvolveMethod::Modes) => return Ok(modes(ground, goal, asked)?),
+        Some(EvolveMethod::Average) => return levels(ground, asked),
         None | Some(EvolveMethod::Direct | EvolveMethod::Manifold) => {}
     }
     if !ground.complete() {
-        return Ok(modes(ground, goal, asked));
+        return Ok(modes(ground, goal, asked)?);
     }
     let unasked = asked.method.is_none();
     let mut why = None;
     if unasked && stiff(ground) {
-        let (holds, found) = levels(ground, asked)?;
-        match found {
-            Ok(answer) if holds => return Ok(Ok(answer)),
-            Ok(_) => {}
-            Err(message) => why = Some(message),
+        match levels(ground, asked) {
+            Ok(answer) if answer.verdict.fails => {}
+            Err(Stop::Refused(reason)) => why = Some(reason),
+            found => return found,
         }
     }
     if asked.method != Some(EvolveMethod::Direct) {
-        match on_manifold(ground, full, goal, asked, watch)? {
-            Err(_) if unasked => {}
-            found => return Ok(found),
+        match on_manifold(ground, full, goal, asked, watch) {
+            Err(Stop::Refused(_)) if unasked => {}
+            found => return found,
         }
     }
-    let found = direct(ground, full, goal, asked, outlook, watch)?;
-    Ok(found.map_err(|message| why.map_or(message.clone(), |why| format!("{why}; {message}"))))
+    match (direct(ground, full, goal, asked, outlook, watch), why) {
+        (Err(Stop::Refused(last)), Some(first)) => Err(Reason::Both(Box::new([first, last])).into()),
+        (found, _) => found,
+    }
 }
 
 /// Whether every spin at the energy of the start is slow beside the elastic parts, and nothing moves inside but these.
@@ -89,8 +89,8 @@ fn haste(ground: &Ground) -> f64 {
     (2.0 * ground.energy / least).sqrt() / slowest.unwrap_or(f64::INFINITY)
 }
 
-/// Level curves of the slow energy, and whether they hold.
-fn levels(ground: &Ground, asked: &Asked) -> Result<(bool, Result<Answer, String>), StudyError> {
+/// Level curves of the slow energy, whose verdict says whether they hold.
+fn levels(ground: &Ground, asked: &Asked) -> Found {
     let study = ground.study;
     let reduced = study.reduced(study.order.max(LEVEL_ORDER))?;
     let K = ground.angular_momentum;
@@ -100,15 +100,12 @@ fn levels(ground: &Ground, asked: &Asked) -> Result<(bool, Result<Answer, String
         let error = levels_error(ground, &levels, passage.attractor, passed);
         Ok((passage, error))
     });
-    let (passage, error) = match followed {
-        Ok(followed) => followed,
-        Err(error) => return Ok((false, Err(error.to_string()))),
-    };
+    let (passage, error) = followed.map_err(Reason::Levels)?;
     if passage.ending == LevelStopReason::Undecided {
-        return Ok((false, Err(undecided(&passage))));
+        return Err(undecided(&passage).into());
     }
     if passage.ending == LevelStopReason::Lossless {
-        return Ok((false, Err("the reduced equations dissipate nothing".into())));
+        return Err(Reason::LosslessWithWheels.into());
     }
     let holds = error <= ACCEPTED;
     let sentence = if holds {
@@ -124,8 +121,7 @@ fn levels(ground: &Ground, asked: &Asked) -> Result<(bool, Result<Answer, String
         Verdict { road: "levels", sentence, judge, error: Some(error), fails: !holds, ..Verdict::default() };
     let crossed = passage.separatrices.first().map(|separatrix| separatrix.time);
     let rows = passage.rows.iter().map(of_level).collect();
-    let answer = Answer { attractor: passage.attractor, crossed, ..ground.answer(verdict, rows) };
-    Ok((holds, Ok(answer)))
+    Ok(Answer { attractor: passage.attractor, crossed, ..ground.answer(verdict, rows) })
 }
 
 /// Bound of the error of levels over a time (s): their small wobble beside that of the modes, the square of spin over elastic frequency that the
@@ -143,23 +139,13 @@ fn levels_error(ground: &Ground, levels: &LevelEvolution, attractor: [f64; 3], p
     if error.is_nan() { f64::INFINITY } else { error }
 }
 
-/// Sentence on ways behind a separatrix of which a fraction of a revolution chooses.
-fn undecided(passage: &LevelPassage) -> String {
+/// Ways behind a separatrix of which a fraction of a revolution chooses.
+fn undecided(passage: &LevelPassage) -> Reason {
     let last = passage.separatrices.last();
-    let ways = last.map_or(&[][..], |separatrix| &separatrix.ways);
-    let ways: Vec<String> = ways
-        .iter()
-        .map(|way| {
-            let axis = scale(norm(way.angular_momentum).recip(), way.angular_momentum);
-            let axis = axis.map(|entry| significant(entry, 3));
-            format!("by [{}] with the probability {}", axis.join(", "), significant(way.share, 2))
-        })
-        .collect();
-    format!(
-        "the rotation reaches a separatrix after {}, and a fraction of a revolution decides how its angular momentum goes on: {}",
-        time(last.map_or(f64::NAN, |separatrix| separatrix.time)),
-        ways.join(", ")
-    )
+    Reason::Ways {
+        t: last.map_or(f64::NAN, |separatrix| separatrix.time),
+        ways: last.map_or_else(Vec::new, |separatrix| separatrix.ways.clone()),
+    }
 }
 
 fn of_level(row: &LevelRow) -> Row {
@@ -182,20 +168,15 @@ fn on_manifold(
     watch: Watch<'_>,
 ) -> Found {
     if !ground.settled() || (asked.method.is_none() && ground.body.coordinates().len() > FEW_COORDINATES) {
-        return Ok(Err("the reduced equations about a spin do not reach through a separatrix".into()));
+        return Err(Reason::ManifoldThroughSeparatrix.into());
     }
     let options = options(goal, asked.duration);
-    let history = match follow_about(ground.body, &ground.pole.modes.equilibrium, full, &options, watch) {
-        Ok(Some(history)) => history,
-        Ok(None) => {
-            return Ok(Err("the reduced equations about the steady spin do not hold at this wobble".into()));
-        }
-        Err(error) => return Ok(Err(error.to_string())),
-    };
+    let found = follow_about(ground.body, &ground.pole.modes.equilibrium, full, &options, watch);
+    let history = found.map_err(Reason::Submanifold)?.ok_or(Reason::BeyondManifoldWithWheels)?;
     match &history.run.ending {
-        DirectStopReason::Interrupted => return Err(StudyError::Interrupted),
+        DirectStopReason::Interrupted => return Err(StudyError::Interrupted.into()),
         DirectStopReason::Reached | DirectStopReason::Finished => {}
-        _ => return Ok(Err("the reduced equations about the steady spin do not lead to the end".into())),
+        _ => return Err(Reason::ManifoldWithoutEnd.into()),
     }
     let verdict = Verdict {
         road: "manifold",
@@ -207,17 +188,14 @@ fn on_manifold(
         error: Some(history.error),
         ..Verdict::default()
     };
-    Ok(Ok(ground.of_run(&history.run, verdict, asked.samples)))
+    Ok(ground.of_run(&history.run, verdict, asked.samples))
 }
 
 /// The rates of the modes from start to end.
-fn modes(ground: &Ground, goal: Option<f64>, asked: &Asked) -> Result<Answer, String> {
+fn modes(ground: &Ground, goal: Option<f64>, asked: &Asked) -> Result<Answer, Reason> {
     let [_, greatest] = ground.wobble.nutation(ground.energy);
     if !(greatest < ALONE) {
-        return Err(format!(
-            "the rates of the modes, which have every loss of this body, are those of wobbles below {} degrees",
-            significant(ALONE.to_degrees(), 2)
-        ));
+        return Err(Reason::TooWideForNutation { widest: ALONE });
     }
     let rows = ground.tail(ground.start(), goal, asked.duration, asked.samples)?;
     let verdict = Verdict {

@@ -13,6 +13,7 @@ use super::short_or_full::Choice;
 use super::steady_spins::Ground;
 use super::verdict::ChosenMethod;
 use crate::error::StudyError;
+use crate::evolution::reason::Reason;
 use crate::evolution::secular::SecularEvolution;
 use crate::words::{significant, time};
 
@@ -134,16 +135,14 @@ impl Choice<'_> {
     }
 
     /// The average at the rates of the modes, for small wobbles.
-    pub fn calibrated(&self, secular: &mut SecularEvolution) -> Result<ChosenMethod, String> {
+    pub fn calibrated(&self, secular: &mut SecularEvolution) -> Result<ChosenMethod, Reason> {
         if !secular.viscoelastic {
             secular.take_harmonics();
         }
         let Ground { range, poles, .. } = self.ground;
         let power = CalibratedPower::new(secular.shared(), range.angular_momentum(), |mode| poles.rate(mode));
         if self.way.ends.iter().any(|stage| poles.rate(stage.mode).is_none_or(|rate| rate <= 0.0)) {
-            return Err(
-                "the modes about the steady spins give no rate at which a small wobble changes".into()
-            );
+            return Err(Reason::NoRateOfModes);
         }
         let off = self.way.ends.map(|stage| (power.factor(stage.mode) - 1.0).abs());
         let off = off[0].max(off[1]);
@@ -151,21 +150,14 @@ impl Choice<'_> {
         let widest = wobble[0].max(wobble[1]);
         let error = off * (widest / WIDE).powi(2).min(1.0);
         if let Some(unstable) = self.ground.unstable() {
-            return Err(unstable);
+            return Err(Reason::Unstable(unstable));
         }
         if error > REFUSED {
-            return Err(format!(
-                "the average is off by {} % at the axis, where the modes are exact, and the wobble of {} degrees is too wide for them",
-                significant(100.0 * off, 2),
-                significant(widest.to_degrees(), 3)
-            ));
+            return Err(Reason::TooWideForModes { error: off, wobble: widest });
         }
         let liquids = self.ground.liquids(self.way.ends);
         if liquids > REFUSED {
-            return Err(format!(
-                "the answer of a liquid that spins is known for small wobbles, and one of {} degrees is too wide for it",
-                significant(widest.to_degrees(), 3)
-            ));
+            return Err(Reason::TooWideForLiquids { wobble: widest });
         }
         let least = if self.body.memories().is_empty() { LEAST } else { OF_LIQUIDS };
         Ok(ChosenMethod::Calibrated { power: Arc::new(power), error: error.max(least).max(liquids) })

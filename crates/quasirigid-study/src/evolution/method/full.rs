@@ -10,7 +10,7 @@ use super::short_or_full::{Choice, MANY};
 use super::steady_spins::Ground;
 use super::verdict::ChosenMethod;
 use crate::error::StudyError;
-use crate::words::{significant, time};
+use crate::evolution::reason::{Reason, Stop};
 
 /// Steps of a history.
 const STEPS: u64 = 30_000_000;
@@ -75,18 +75,12 @@ impl Choice<'_> {
     }
 
     /// The history of the full system, however long.
-    pub fn direct(
-        &self,
-        watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
-    ) -> Result<Result<ChosenMethod, String>, StudyError> {
+    pub fn direct(&self, watch: &mut dyn FnMut(f64) -> ControlFlow<()>) -> Result<ChosenMethod, Stop> {
         self.followed([f64::INFINITY, f64::INFINITY], watch)
     }
 
     /// The history of the full system, if it takes no more than minutes.
-    pub fn short_history(
-        &self,
-        watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
-    ) -> Result<Result<ChosenMethod, String>, StudyError> {
+    pub fn short_history(&self, watch: &mut dyn FnMut(f64) -> ControlFlow<()>) -> Result<ChosenMethod, Stop> {
         let power = if self.body.paths().is_some() { 3 } else { 2 };
         let per_step = (self.body.coordinates().len().max(1) as f64).powi(power);
         self.followed([MANY, WORK / per_step], watch)
@@ -96,7 +90,7 @@ impl Choice<'_> {
         &self,
         [most_revolutions, most_steps]: [f64; 2],
         watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
-    ) -> Result<Result<ChosenMethod, String>, StudyError> {
+    ) -> Result<ChosenMethod, Stop> {
         let options = DirectOptions {
             most_revolutions,
             most_steps: STEPS.min(most_steps as u64),
@@ -104,28 +98,16 @@ impl Choice<'_> {
         };
         let run = follow_directly(self.body, &self.way.start, &options, watch)?;
         let end = run.rows[run.rows.len() - 1];
-        let told = |why: &str| {
-            let unstable = self.ground.unstable().or_else(|| self.ground.whirl());
-            let unstable = unstable.map_or_else(String::new, |unstable| format!("; {unstable}"));
-            format!(
-                "the full system was followed for {} ({} revolutions) and did not get there: {why}{unstable}",
-                time(end.t),
-                significant(end.revolutions, 3)
-            )
-        };
-        Ok(match &run.ending {
-            DirectStopReason::Reached if end.revolutions < ONE_TURN => Err(format!(
-                "the energy of the full system falls to the target within {}, less than a turn: that is the start coming into \
-                 balance, not a wobble that dies out; its history in the full system shows it",
-                time(end.t)
-            )),
+        match run.ending {
+            DirectStopReason::Reached if end.revolutions < ONE_TURN => {
+                Err(Reason::WithinRevolution { t: end.t }.into())
+            }
             DirectStopReason::Reached | DirectStopReason::Finished => Ok(ChosenMethod::Direct(Box::new(run))),
-            DirectStopReason::Interrupted => return Err(StudyError::Interrupted),
-            DirectStopReason::TurnLimit => Err(told("that is more than may be followed turn by turn")),
-            DirectStopReason::StepLimit => Err(told(
-                "the steps allowed were used up; asked for, the direct integration has more of them",
-            )),
-            DirectStopReason::Failed { reason } => Err(told(reason)),
-        })
+            DirectStopReason::Interrupted => Err(StudyError::Interrupted.into()),
+            ending => {
+                let instability = self.ground.unstable().or_else(|| self.ground.whirl());
+                Err(Reason::Unfinished { t: end.t, revolutions: end.revolutions, ending, instability }.into())
+            }
+        }
     }
 }

@@ -9,9 +9,9 @@ use quasirigid_math::vec3::norm;
 use super::short_or_full::Choice;
 use super::verdict::ChosenMethod;
 use crate::evolution::Asked;
+use crate::evolution::reason::Reason;
 use crate::evolution::secular::LEFT;
 use crate::study::Study;
-use crate::words::time;
 
 /// Relative change of a difference of moments by elasticity from which levels are followed; largest ratio of spin to frequency; and
 /// least order of the power on levels.
@@ -21,7 +21,7 @@ pub const LEVEL_ORDER: usize = 5;
 
 impl Choice<'_> {
     /// Average along levels of the slow energy, where elasticity changes the differences of the moments of a stiff body; none elsewhere.
-    pub fn levels(&self, study: &Study, asked: &Asked) -> Option<Result<ChosenMethod, String>> {
+    pub fn levels(&self, study: &Study, asked: &Asked) -> Option<Result<ChosenMethod, Reason>> {
         let rigid = Principal::compute(self.body.invariants().J).moments;
         let bent = self.ground.range.moments();
         let changed = [(0, 1), (1, 2)].iter().any(|(a, b)| {
@@ -39,7 +39,7 @@ impl Choice<'_> {
         }
         let reduced = study.reduced(study.order.max(LEVEL_ORDER)).ok()?;
         if matches!(asked.until, Some(Target::Ratio(_))) {
-            return Some(Err("elasticity changes a difference of the moments of inertia by more than 1 %, so that D/I3 says little; say how far to go by an angle".into()));
+            return Some(Err(Reason::RatioOfLevels));
         }
         let angular_momentum = self.way.start.angular_momentum(self.body);
         let found = LevelEvolution::new(&reduced, norm(angular_momentum))
@@ -49,13 +49,12 @@ impl Choice<'_> {
                 LevelStopReason::Reached | LevelStopReason::Duration => {
                     Ok(ChosenMethod::Levels(Box::new(passage)))
                 }
-                LevelStopReason::Undecided => Err(format!(
-                    "the rotation reaches a separatrix after {}; what follows depends on the phase",
-                    time(passage.rows.last().map_or(f64::NAN, |row| row.time))
-                )),
-                LevelStopReason::Lossless => Err("nothing is dissipated".into()),
+                LevelStopReason::Undecided => {
+                    Err(Reason::Separatrix { t: passage.rows.last().map_or(f64::NAN, |row| row.time) })
+                }
+                LevelStopReason::Lossless => Err(Reason::Lossless),
             },
-            Err(error) => Err(error.to_string()),
+            Err(error) => Err(Reason::Levels(error)),
         })
     }
 }

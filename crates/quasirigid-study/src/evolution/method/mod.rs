@@ -16,16 +16,15 @@ use std::ops::ControlFlow;
 use quasirigid::averaging::{FreeRotation, LevelPassage, MeanPower};
 use quasirigid::dynamics::Start;
 use quasirigid::model::{FlexibleBody, Mode};
-use quasirigid::secular::{DirectRow, DirectRun, EnergyRange, MeasureError, apart};
+use quasirigid::secular::{DirectRow, DirectRun, EnergyRange, apart};
 use quasirigid_io::model::EvolveMethod;
 use quasirigid_math::vec3::norm;
 
 use super::Asked;
+use super::reason::{Reason, Stop};
 use super::secular::SecularEvolution;
-use crate::error::StudyError;
 use crate::motion::Motion;
 use crate::study::Study;
-use crate::words::significant;
 pub use full::options;
 pub use levels::{LEVEL_ORDER, passage};
 pub use on_manifold::FEW as FEW_COORDINATES;
@@ -33,8 +32,8 @@ pub use outlook::Outlook;
 use short_or_full::Choice;
 use start_and_end::Way;
 use steady_spins::Ground;
+use verdict::take;
 pub use verdict::{FOLLOWED, Verdict};
-use verdict::{take, unfounded};
 
 /// History that is followed beside a power.
 pub enum History {
@@ -46,12 +45,6 @@ pub enum History {
     Full(Box<DirectRun>, EnergyRange),
     /// Levels of the slow energy.
     Levels(Box<LevelPassage>),
-}
-
-/// Reason why no method leads to an answer, with the rates of the modes where these are known.
-pub struct Refusal {
-    pub message: String,
-    pub rates: Option<[Option<f64>; 2]>,
 }
 
 /// A spin below this share of the slowest elastic frequency needs no more than the average.
@@ -68,6 +61,9 @@ const FIRST_ORDER: f64 = 2.5e-3;
 const PLACES: [f64; 5] = [-6.0, -3.0, 0.0, 3.0, 12.0];
 
 /// Chooses the method for a body on which no torque acts: the power that is followed from then on, or the history.
+///
+/// # Errors
+/// [`Stop`]; the verdict then has the rates of the modes, where these are known.
 pub fn choose(
     study: &Study,
     start: Start,
@@ -75,117 +71,89 @@ pub fn choose(
     secular: &mut SecularEvolution,
     outlook: &Outlook,
     watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
-) -> Result<Result<History, Refusal>, StudyError> {
+) -> Result<History, Stop> {
     let body = &study.body;
     if asked.method.is_none() && needs_no_judgement(body, secular, norm(start.omega)) {
-        return Ok(Ok(History::None));
+        return Ok(History::None);
     }
     let full = Motion::new(study, start).full()?;
     let angular_momentum = norm(full.angular_momentum(body));
     if !(angular_momentum.is_finite() && angular_momentum > 0.0) {
-        return Ok(Ok(History::None));
+        return Ok(History::None);
     }
     secular.turn_with(full.angular_momentum(body))?;
-    let ground = match Ground::of(study, angular_momentum)? {
-        Ok(ground) => ground,
-        Err(message) => return Ok(Err(Refusal { message, rates: None })),
-    };
+    let ground = Ground::of(study, angular_momentum)?;
     secular.verdict.rates = Some(ground.rates());
     if let (None, Some(unstable)) = (asked.method, ground.unstable()) {
-        return Ok(Err(Refusal { message: unstable, rates: secular.verdict.rates }));
+        return Err(Reason::Unstable(unstable).into());
     }
     let way = Way::of(&ground, full, asked, secular)?;
     if let Some(silent) = way.ends.iter().find_map(|stage| ground.silent(stage.mode)) {
-        return Ok(Err(Refusal { message: silent.clone(), rates: secular.verdict.rates }));
+        return Err(Reason::UnknownLiquids(silent.clone()).into());
     }
     let choice = Choice::new(&ground, &way, asked.duration, outlook);
-    let refused = |message: String| Refusal { message, rates: Some(ground.rates()) };
-    let found = match asked.method {
-        Some(EvolveMethod::Average) => Ok(choice.forced_average(secular)),
-        Some(EvolveMethod::Modes) => choice.calibrated(secular),
+    let road = match asked.method {
+        Some(EvolveMethod::Average) => choice.forced_average(secular),
+        Some(EvolveMethod::Modes) => choice.calibrated(secular)?,
         Some(EvolveMethod::MicroRuns | EvolveMethod::Direct | EvolveMethod::Manifold)
             if !ground.complete(way.ends) =>
         {
-            Err(without_equations(ground.left_out(way.ends)))
+            return Err(Reason::LossesLeftOut { share: ground.left_out(way.ends) }.into());
         }
-        Some(EvolveMethod::MicroRuns) => match choice.measured(watch) {
-            Err(MeasureError::Interrupted) => return Err(StudyError::Interrupted),
-            found => found.map_err(|error| error.to_string()),
-        },
+        Some(EvolveMethod::MicroRuns) => choice.measured(watch)?,
         Some(EvolveMethod::Direct) => choice.direct(watch)?,
         Some(EvolveMethod::Manifold) => choice.along_manifold(watch)?,
         None => match choice.average(secular, watch)? {
-            Some(road) => Ok(road),
+            Some(road) => road,
             None => match choice.levels(study, asked) {
-                Some(found) => found,
+                Some(found) => found?,
                 None => choice.other(secular, watch)?,
             },
         },
     };
-    Ok(match found {
-        Ok(road) => Ok(take(road, &ground, &way, secular)),
-        Err(message) => Err(refused(message)),
-    })
+    Ok(take(road, &ground, &way, secular))
 }
 
-/// Reason why the full system gives no answer, in words.
-fn without_equations(left_out: f64) -> String {
-    let why = "the full system has no equations of motion for all that dissipates (materials and liquids whose response is known only \
-               in the frequency domain)";
-    if !left_out.is_finite() {
-        return format!("{why}, and the modes do not say how much that is");
-    }
-    format!(
-        "{why}: by those that it has a small wobble changes at a rate that is {} % off",
-        significant(100.0 * left_out, 2)
-    )
-}
-
-/// Judges the average of a body under a slow torque, which no other method follows; returns why the average does not hold, if so.
+/// Judges the average of a body under a slow torque, which no other method follows.
+///
+/// # Errors
+/// As [`choose`].
 pub fn under_torque(
     study: &Study,
     start: Start,
     asked: &Asked,
     secular: &mut SecularEvolution,
-) -> Result<Option<Refusal>, StudyError> {
+) -> Result<(), Stop> {
     let body = &study.body;
     if needs_no_judgement(body, secular, norm(start.omega)) {
-        return Ok(None);
+        return Ok(());
     }
     let full = Motion::new(study, start).full()?;
     let angular_momentum = norm(full.angular_momentum(body));
     if !(angular_momentum.is_finite() && angular_momentum > 0.0) {
-        return Ok(None);
+        return Ok(());
     }
     secular.turn_with(full.angular_momentum(body))?;
-    let ground = match Ground::of(study, angular_momentum)? {
-        Ok(ground) => ground,
-        Err(message) => return Ok(Some(Refusal { message, rates: None })),
-    };
-    let rates = Some(ground.rates());
-    let Some(stage) = ground.range.stage(full.energy(body)) else { return Ok(None) };
+    let ground = Ground::of(study, angular_momentum)?;
+    let Some(stage) = ground.range.stage(full.energy(body)) else { return Ok(()) };
+    secular.verdict.rates = Some(ground.rates());
     if let Some(silent) = ground.silent(stage.mode) {
-        return Ok(Some(Refusal { message: silent.clone(), rates }));
+        return Err(Reason::UnknownLiquids(silent.clone()).into());
     }
     let mut criteria = ground.criteria(secular.power(), [stage; 2]);
     if criteria.error() > UNDER_TORQUE && secular.by_polynomial && !secular.power_was_asked {
         secular.take_harmonics();
         criteria = ground.criteria(secular.power(), [stage; 2]);
     }
-    secular.verdict = Verdict { rates, ..Verdict::average(Some(criteria.error())) };
     if criteria.error() <= UNDER_TORQUE {
-        return Ok(None);
+        secular.verdict.error = Some(criteria.error());
+        return Ok(());
     }
     if asked.method == Some(EvolveMethod::Average) {
-        secular.verdict.sentence = format!("THE AVERAGE DOES NOT HOLD: {}.", unfounded(criteria));
-        secular.verdict.fails = true;
-        return Ok(None);
+        secular.verdict.does_not_hold(criteria);
+        return Ok(());
     }
-    let message = format!(
-        "under a torque the average alone is followed, and it does not hold: {}",
-        unfounded(criteria)
-    );
-    Ok(Some(Refusal { message, rates }))
+    Err(Reason::AverageUnderTorque(criteria).into())
 }
 
 /// Whether the average of a body needs no judgement: one of the harmonics, where losses are not of first order and no power was asked for.

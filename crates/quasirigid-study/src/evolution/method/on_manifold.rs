@@ -8,7 +8,7 @@ use super::full::options;
 use super::short_or_full::Choice;
 use super::verdict::ChosenMethod;
 use crate::error::StudyError;
-use crate::words::significant;
+use crate::evolution::reason::{Reason, Stop};
 
 /// Number of coordinates up to which the reduced equations about a spin are tried unasked.
 pub const FEW: usize = 150;
@@ -23,34 +23,30 @@ impl Choice<'_> {
         if from.mode != to.mode || self.body.coordinates().len() > FEW {
             return Ok(None);
         }
-        Ok(self.along_manifold(watch)?.ok())
+        match self.along_manifold(watch) {
+            Ok(road) => Ok(Some(road)),
+            Err(Stop::Refused(_)) => Ok(None),
+            Err(Stop::Failed(error)) => Err(error),
+        }
     }
 
     /// The history of the reduced equations about the spin, or why there is none.
     pub fn along_manifold(
         &self,
         watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
-    ) -> Result<Result<ChosenMethod, String>, StudyError> {
+    ) -> Result<ChosenMethod, Stop> {
         let [from, to] = self.way.ends;
         if from.mode != to.mode {
-            return Ok(Err(
-                "the reduced equations about a spin do not reach from one pole to the other".into()
-            ));
+            return Err(Reason::ManifoldBetweenAxes.into());
         }
         let options = options(Some(self.way.energies[1]), self.duration);
         let found = follow_on_manifold(self.body, from.mode, &self.way.start, &options, watch);
-        let nutation = self.ground.motion(from).nutation()[1].to_degrees();
-        Ok(match found {
-            Err(error) => Err(error.to_string()),
-            Ok(None) => Err(format!(
-                "the reduced equations about the spin do not hold at the nutation of the start, {} degrees, or the start is too far \
-                 off them",
-                significant(nutation, 3)
-            )),
-            Ok(Some(history)) if history.run.ending == DirectStopReason::Interrupted => {
-                return Err(StudyError::Interrupted);
+        match found.map_err(Reason::Submanifold)? {
+            None => Err(Reason::BeyondManifold { wobble: self.ground.motion(from).nutation()[1] }.into()),
+            Some(history) if history.run.ending == DirectStopReason::Interrupted => {
+                Err(StudyError::Interrupted.into())
             }
-            Ok(Some(history)) => Ok(ChosenMethod::Manifold(Box::new(history))),
-        })
+            Some(history) => Ok(ChosenMethod::Manifold(Box::new(history))),
+        }
     }
 }

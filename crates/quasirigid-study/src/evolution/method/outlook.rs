@@ -7,11 +7,15 @@ use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
 
 use quasirigid::averaging::RotationState;
-use quasirigid::secular::{MeasureError, follow_directly, micro_run_periods};
+use quasirigid::dynamics::PropagateError;
+use quasirigid::secular::{follow_directly, micro_run_periods};
 use quasirigid_math::vec3::norm;
 
 use super::full::options;
 use super::short_or_full::Choice;
+use crate::error::StudyError;
+use crate::evolution::reason::{Reason, Stop, Work};
+use crate::evolution::refusals;
 use crate::watch::Watch;
 use crate::words::time;
 
@@ -68,25 +72,26 @@ impl Outlook {
         !self.asked && self.start.elapsed() > Duration::from_secs_f64(LONGEST)
     }
 
+    /// Result of a choice; where it was interrupted because it is [over](Self::over), the refusal.
+    pub fn judged<T>(&self, chosen: Result<T, Stop>) -> Result<T, Stop> {
+        match chosen {
+            Err(Stop::Failed(StudyError::Interrupted)) if self.over() => Err(Self::spent().into()),
+            chosen => chosen,
+        }
+    }
+
     /// Reason why work that is [over](Self::over) has no answer.
-    pub fn spent() -> String {
-        format!(
-            "no method came to the end within {}, the longest that is worked without being asked; a method that is asked for takes its time",
-            time(LONGEST)
-        )
+    fn spent() -> Reason {
+        Reason::Spent { seconds: LONGEST }
     }
 
     /// Announces work that takes so many seconds; the reason why it is not done, if it takes too long.
-    pub fn allows(&self, what: &str, seconds: f64, method: &str) -> Result<(), String> {
+    pub fn allows(&self, work: Work, seconds: f64) -> Result<(), Reason> {
         if !self.asked && seconds + self.start.elapsed().as_secs_f64() > BEGUN {
-            return Err(format!(
-                "{what} would take about {}, and no more than {} is worked without being asked; the method {method}, asked for, does it",
-                time(seconds),
-                time(BEGUN)
-            ));
+            return Err(Reason::TooLong { work, seconds, most: BEGUN });
         }
         if seconds > PATIENCE {
-            let sentence = format!("{what}; this may take about {}.", time(seconds));
+            let sentence = format!("{}; this may take about {}.", refusals::work(work), time(seconds));
             self.sentence.replace(Some(sentence));
         }
         Ok(())
@@ -95,19 +100,12 @@ impl Outlook {
 
 impl Choice<'_> {
     /// Announces short runs; the reason why they are not done, if they take too long.
-    pub fn announce_short_runs(
-        &self,
-        watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
-    ) -> Result<Result<(), String>, MeasureError> {
-        let per_period = self.seconds_per_period(watch)?;
+    pub fn announce_short_runs(&self, watch: &mut dyn FnMut(f64) -> ControlFlow<()>) -> Result<(), Reason> {
+        let Ok(per_period) = self.seconds_per_period(watch) else { return Ok(()) };
         let ends = self.way.ends;
         let modes = if ends[0].mode == ends[1].mode { &ends[..1] } else { &ends[..] };
         let periods: f64 = modes.iter().map(|stage| self.periods_of_runs(*stage)).sum();
-        Ok(self.outlook.allows(
-            "measuring the mean power by short runs of the full system",
-            per_period * periods,
-            "micro-runs",
-        ))
+        self.outlook.allows(Work::ShortRuns, per_period * periods)
     }
 
     fn periods_of_runs(&self, stage: RotationState) -> f64 {
@@ -121,20 +119,22 @@ impl Choice<'_> {
         &self,
         revolutions: Option<f64>,
         watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
-    ) -> Result<Result<(), String>, MeasureError> {
-        let Some(revolutions) = revolutions else { return Ok(Ok(())) };
+    ) -> Result<(), Reason> {
+        let Some(revolutions) = revolutions else { return Ok(()) };
         let stage = self.way.ends[0];
-        let per_period = self.seconds_per_period(watch)?;
+        let Ok(per_period) = self.seconds_per_period(watch) else { return Ok(()) };
         let turns = self.ground.motion(stage).polhode_period() * norm(self.way.start.omega) / TAU;
-        Ok(self.outlook.allows(
-            "following the full system from start to end",
-            per_period * revolutions / turns,
-            "direct",
-        ))
+        self.outlook.allows(Work::History, per_period * revolutions / turns)
     }
 
     /// Seconds of work that a period of the polhode takes in the full system.
-    fn seconds_per_period(&self, watch: &mut dyn FnMut(f64) -> ControlFlow<()>) -> Result<f64, MeasureError> {
+    ///
+    /// # Errors
+    /// [`PropagateError`], which the work itself says again.
+    fn seconds_per_period(
+        &self,
+        watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
+    ) -> Result<f64, PropagateError> {
         if let Some(known) = self.outlook.per_period.get() {
             return Ok(known);
         }

@@ -2,13 +2,13 @@ use std::cell::OnceCell;
 use std::ops::ControlFlow;
 
 use quasirigid::model::FlexibleBody;
-use quasirigid::secular::{AverageCriteria, MeasureError, Probes};
+use quasirigid::secular::{AverageCriteria, Probes};
 
 use super::outlook::Outlook;
 use super::start_and_end::Way;
 use super::steady_spins::Ground;
 use super::verdict::ChosenMethod;
-use crate::error::StudyError;
+use crate::evolution::reason::{Reason, Stop};
 use crate::evolution::secular::SecularEvolution;
 
 /// Revolutions up to which a history of the full system is chosen at once, and up to which it is tried where nothing else holds.
@@ -30,10 +30,6 @@ pub struct Choice<'a> {
     pub probes: OnceCell<Option<Probes>>,
 }
 
-/// Reason why nothing is followed where the modes give no rate.
-const NO_RATE: &str = "the modes give a small wobble no rate beyond rounding at an end of the way, so that nothing says how far the full system \
-                       would have to be followed; the method direct, asked for, does it";
-
 impl<'a> Choice<'a> {
     pub fn new(ground: &'a Ground<'a>, way: &'a Way, duration: Option<f64>, outlook: &'a Outlook) -> Self {
         Self { body: ground.body, ground, way, duration, outlook, probes: OnceCell::new() }
@@ -54,12 +50,12 @@ impl<'a> Choice<'a> {
         &self,
         secular: &mut SecularEvolution,
         watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
-    ) -> Result<Result<ChosenMethod, String>, StudyError> {
+    ) -> Result<ChosenMethod, Stop> {
         if !self.ground.complete(self.way.ends) {
-            return Ok(self.calibrated(secular));
+            return Ok(self.calibrated(secular)?);
         }
         if let Some(road) = self.on_manifold(watch)? {
-            return Ok(Ok(road));
+            return Ok(road);
         }
         let revolutions = self.ground.revolutions(self.way.ends);
         let fast = self.ground.haste(self.way.ends) > DECAY;
@@ -67,22 +63,14 @@ impl<'a> Choice<'a> {
             return self.announced_history(revolutions, watch);
         }
         if revolutions.is_none() {
-            return Ok(Err(NO_RATE.into()));
+            return Err(Reason::UnknownRevolutions.into());
         }
-        let announced = match self.announce_short_runs(watch) {
-            Err(MeasureError::Interrupted) => return Err(StudyError::Interrupted),
-            announced => announced.unwrap_or(Ok(())), // a full system that cannot be followed says so in the runs themselves
-        };
-        if let Err(long) = announced {
-            return Ok(Err(long));
-        }
-        match self.measured(watch) {
-            Ok(road) => Ok(Ok(road)),
-            Err(MeasureError::Interrupted) => Err(StudyError::Interrupted),
-            Err(_) if revolutions.is_some_and(|revolutions| revolutions <= MANY) => {
+        self.announce_short_runs(watch)?;
+        match self.measured(watch).map_err(Stop::from) {
+            Err(Stop::Refused(_)) if revolutions.is_some_and(|revolutions| revolutions <= MANY) => {
                 self.announced_history(revolutions, watch)
             }
-            Err(error) => Ok(Err(error.to_string())),
+            found => found,
         }
     }
 
@@ -91,12 +79,9 @@ impl<'a> Choice<'a> {
         &self,
         revolutions: Option<f64>,
         watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
-    ) -> Result<Result<ChosenMethod, String>, StudyError> {
-        match self.announce_history(revolutions, watch) {
-            Err(MeasureError::Interrupted) => Err(StudyError::Interrupted),
-            Ok(Err(long)) => Ok(Err(long)),
-            _ => self.short_history(watch),
-        }
+    ) -> Result<ChosenMethod, Stop> {
+        self.announce_history(revolutions, watch)?;
+        self.short_history(watch)
     }
 
     /// Whether a motion beside the nutation grows at a pole of the way.

@@ -4,14 +4,12 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 
 use quasirigid::averaging::{FreeRotation, MeanPower, RotationState};
 use quasirigid::model::{FlexibleBody, LiquidMemory, Mode};
-use quasirigid::modes::SpinMode;
 use quasirigid::secular::{AverageCriteria, EnergyRange, Poles, average_criteria};
 
-use crate::error::StudyError;
+use crate::evolution::reason::{Instability, Reason};
 use crate::left_out::{LEFT_OUT, of_nutation};
 use crate::liquids::unanswered;
 use crate::study::Study;
-use crate::words::growth;
 
 /// Basis of every judgement of a method: the steady spins at the angular momentum of the start, and their modes.
 pub struct Ground<'a> {
@@ -24,23 +22,16 @@ pub struct Ground<'a> {
 
 impl<'a> Ground<'a> {
     /// The ground at an angular momentum (N·m·s).
-    pub fn of(study: &'a Study, angular_momentum: f64) -> Result<Result<Self, String>, StudyError> {
+    pub fn of(study: &'a Study, angular_momentum: f64) -> Result<Self, Reason> {
         let body = &study.body;
-        match EnergyRange::compute(body, angular_momentum) {
-            Ok(range) => {
-                let poles =
-                    Poles::compute(body, &range).map_err(|error| format!("the steady spins: {error}"));
-                Ok(poles.map(|poles| {
-                    let silent = [Mode::LongAxis, Mode::ShortAxis].map(|mode| {
-                        let modes = &poles.of_mode(mode)?.modes;
-                        let frequency = modes.nutation().map_or(0.0, |nutation| nutation.frequency);
-                        unanswered(study, modes.equilibrium.omega, frequency)
-                    });
-                    Self { body, range, poles, silent }
-                }))
-            }
-            Err(error) => Ok(Err(error.to_string())),
-        }
+        let range = EnergyRange::compute(body, angular_momentum).map_err(Reason::Equilibrium)?;
+        let poles = Poles::compute(body, &range).map_err(Reason::Modes)?;
+        let silent = [Mode::LongAxis, Mode::ShortAxis].map(|mode| {
+            let modes = &poles.of_mode(mode)?.modes;
+            let frequency = modes.nutation().map_or(0.0, |nutation| nutation.frequency);
+            unanswered(study, modes.equilibrium.omega, frequency)
+        });
+        Ok(Self { body, range, poles, silent })
     }
 
     /// Rates (1/s) of small wobbles about the axes of least and of greatest inertia, by the modes; not a number where the response of a
@@ -64,20 +55,21 @@ impl<'a> Ground<'a> {
         FreeRotation::at_logit(self.range.moments(), self.range.angular_momentum(), mode, xi)
     }
 
-    /// Growing mode at the axis of greatest inertia, in words; none if its spin is stable, or one of a plane of steady spins, whose wobble has
+    /// Growing mode at the axis of greatest inertia; none if its spin is stable, or one of a plane of steady spins, whose wobble has
     /// no mode of its own. (Q13)
-    pub fn unstable(&self) -> Option<String> {
+    pub fn unstable(&self) -> Option<Instability> {
         if !Mode::ShortAxis.exists(self.range.moments()) {
             return None;
         }
-        self.poles.short.as_ref()?.unstable().map(|mode| grows("greatest", mode))
+        let growing = self.poles.short.as_ref()?.unstable();
+        growing.map(|mode| Instability::new(Some(Mode::ShortAxis), mode))
     }
 
-    /// Growing mode beside the nutation at the axis of least inertia, in words; none if nothing grows.
-    pub fn whirl(&self) -> Option<String> {
+    /// Growing mode beside the nutation at the axis of least inertia; none if nothing grows.
+    pub fn whirl(&self) -> Option<Instability> {
         let pole = self.poles.long.as_ref()?;
         let growing = pole.modes.modes.iter().find(|mode| pole.grows(mode.decay_rate) && !mode.nutation);
-        growing.map(|mode| grows("least", mode))
+        growing.map(|mode| Instability::new(Some(Mode::LongAxis), mode))
     }
 
     /// Estimate of the relative error from the response of liquids about the mean spin on a way; the wobble is widest at an end or at the
@@ -154,10 +146,4 @@ impl<'a> Ground<'a> {
         };
         haste(ends[0]).max(haste(ends[1]))
     }
-}
-
-/// Sentence on a mode that grows about an axis of extreme inertia.
-fn grows(inertia: &str, mode: &SpinMode) -> String {
-    let motion = growth(&mode.name, mode.decay_rate);
-    format!("the steady spin about the axis of {inertia} inertia is unstable: {motion}")
 }

@@ -11,6 +11,7 @@ use quasirigid::secular::{AverageCriteria, DirectRow, DirectRun, HandOver, Manif
 use super::History;
 use super::start_and_end::{Levels, Way};
 use super::steady_spins::Ground;
+use crate::evolution::refusals::unfounded;
 use crate::evolution::secular::SecularEvolution;
 use crate::resolution::{NOTHING, known};
 use crate::words::significant;
@@ -46,6 +47,18 @@ impl Verdict {
     /// The average, with an estimate of its error.
     pub fn average(error: Option<f64>) -> Self {
         Self { road: "average", error, ..Self::default() }
+    }
+
+    /// Rates of the modes and the vibration that grows on the way, in a verdict otherwise blank.
+    fn kept(&mut self) -> Self {
+        Self { rates: self.rates, parametric: self.parametric.take(), ..Self::default() }
+    }
+
+    /// Marks an average that was asked for although its criteria fail.
+    pub fn does_not_hold(&mut self, criteria: AverageCriteria) {
+        self.sentence = format!("THE AVERAGE DOES NOT HOLD: {}.", unfounded(criteria));
+        self.error = Some(criteria.error());
+        self.fails = true;
     }
 
     /// Time (s) in which a small wobble about the axis of a mode changes by e, from the modes; none if the modes were not computed, not a
@@ -124,30 +137,22 @@ pub enum ChosenMethod {
 
 /// Takes a method: the power that is followed, or the history.
 pub fn take(road: ChosenMethod, ground: &Ground, way: &Way, secular: &mut SecularEvolution) -> History {
-    let names = |budget: &[f64], names: &[String]| {
-        names.iter().cloned().zip(budget.iter().copied()).collect::<Vec<_>>()
-    };
+    let named = |budget: &[f64]| Some(way.dissipators.iter().cloned().zip(budget.iter().copied()).collect());
     match road {
         ChosenMethod::Average { error } => {
             secular.begin(way.settled);
             secular.verdict = Verdict {
+                road: "average",
                 sentence: "Averaged along the polhode".into(),
                 judge: Some("the modes about the steady spins"),
-                rates: secular.verdict.rates,
-                parametric: secular.verdict.parametric.take(),
-                ..Verdict::average(Some(error))
+                error: Some(error),
+                ..secular.verdict.kept()
             };
             History::None
         }
         ChosenMethod::Unfounded { criteria } => {
             secular.begin(way.settled);
-            secular.verdict = Verdict {
-                sentence: format!("THE AVERAGE DOES NOT HOLD: {}.", unfounded(criteria)),
-                fails: true,
-                rates: secular.verdict.rates,
-                parametric: secular.verdict.parametric.take(),
-                ..Verdict::average(Some(criteria.error()))
-            };
+            secular.verdict.does_not_hold(criteria);
             History::None
         }
         ChosenMethod::Calibrated { power, error } => {
@@ -159,63 +164,41 @@ pub fn take(road: ChosenMethod, ground: &Ground, way: &Way, secular: &mut Secula
                     .into(),
                 judge: Some(""),
                 error: Some(error),
-                rates: secular.verdict.rates,
-                parametric: secular.verdict.parametric.take(),
-                ..Verdict::default()
+                ..secular.verdict.kept()
             };
             History::None
         }
         ChosenMethod::Measured(power, settled) => {
-            let first = power.measurements.first();
-            let error = power.time_error(ground.periods(way.ends).unwrap_or(f64::INFINITY));
             secular.verdict = Verdict {
                 road: "micro-runs",
                 sentence: measured(&power),
                 judge: Some(""),
-                error: Some(error),
-                budget: first.map(|first| names(&first.budget, &way.dissipators)),
-                rates: secular.verdict.rates,
-                parametric: secular.verdict.parametric.take(),
-                ..Verdict::default()
+                error: Some(power.time_error(ground.periods(way.ends).unwrap_or(f64::INFINITY))),
+                budget: power.measurements.first().and_then(|first| named(&first.budget)),
+                ..secular.verdict.kept()
             };
             secular.take(Arc::new(*power), &ground.range, way.energies[0]);
-            if let Some(row) = settled {
-                return History::Settled(row, ground.range.clone());
-            }
-            History::None
+            settled.map_or(History::None, |row| History::Settled(row, ground.range.clone()))
         }
         ChosenMethod::Manifold(history) => {
-            let ManifoldHistory { run, error, range, beside, .. } = *history;
-            let beside = if beside.is_empty() {
-                String::new()
-            } else {
-                format!(", with the motion of {}", beside.join(" and "))
-            };
             secular.verdict = Verdict {
                 road: "manifold",
-                sentence: format!(
-                    "The reduced equations about the spin were followed{beside}; they hold to a nutation of {} degrees",
-                    significant(range.to_degrees(), 3)
-                ),
+                sentence: reduced(&history),
                 judge: Some(""),
-                error: Some(error),
-                budget: Some(names(&run.budget, &way.dissipators)),
-                rates: secular.verdict.rates,
-                parametric: secular.verdict.parametric.take(),
-                ..Verdict::default()
+                error: Some(history.error),
+                budget: named(&history.run.budget),
+                ..secular.verdict.kept()
             };
             secular.take(Arc::new(Levels(ground.range.moments())), &ground.range, way.energies[0]);
-            History::Full(Box::new(run), ground.range.clone())
+            History::Full(Box::new(history.run), ground.range.clone())
         }
         ChosenMethod::Direct(run) => {
             secular.verdict = Verdict {
                 road: "direct",
                 sentence: FOLLOWED.into(),
                 error: Some(run.energy_drift.abs() / (way.energies[0] - way.energies[1]).abs()),
-                budget: Some(names(&run.budget, &way.dissipators)),
-                rates: secular.verdict.rates,
-                parametric: secular.verdict.parametric.take(),
-                ..Verdict::default()
+                budget: named(&run.budget),
+                ..secular.verdict.kept()
             };
             secular.take(Arc::new(Levels(ground.range.moments())), &ground.range, way.energies[0]);
             History::Full(run, ground.range.clone())
@@ -224,12 +207,25 @@ pub fn take(road: ChosenMethod, ground: &Ground, way: &Way, secular: &mut Secula
             secular.verdict = Verdict {
                 road: "levels",
                 sentence: "Elasticity changes a difference of the moments of inertia by more than 1 %: averaged along the level curves of the slow energy.".into(),
-                rates: secular.verdict.rates,
-                ..Verdict::default()
+                parametric: None,
+                ..secular.verdict.kept()
             };
             History::Levels(passage)
         }
     }
+}
+
+/// Reduced equations about a spin that were followed, and their range, in words.
+fn reduced(ManifoldHistory { beside, range, .. }: &ManifoldHistory) -> String {
+    let beside = if beside.is_empty() {
+        String::new()
+    } else {
+        format!(", with the motion of {}", beside.join(" and "))
+    };
+    format!(
+        "The reduced equations about the spin were followed{beside}; they hold to a nutation of {} degrees",
+        significant(range.to_degrees(), 3)
+    )
 }
 
 /// Sources of a measured power, in words.
@@ -269,30 +265,4 @@ fn handed(hand_over: &HandOver) -> String {
 fn capital(words: &str) -> String {
     let mut letters = words.chars();
     letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
-}
-
-/// Reason why an average does not hold, in words.
-pub fn unfounded(criteria: AverageCriteria) -> String {
-    let AverageCriteria { poles, settling, moments, probed, liquids } = criteria;
-    let percent = |share: f64| significant(100.0 * share, 2);
-    if liquids >= criteria.error() {
-        return "the wobble is too wide for the answer of a liquid that spins, which is known for small ones"
-            .into();
-    }
-    if probed > poles.max(settling).max(moments) {
-        return format!("its power is {} % off that of short runs of the full system", percent(probed));
-    }
-    if moments >= poles && moments >= settling {
-        return format!(
-            "the deformation changes the differences between the moments of inertia by {} %",
-            percent(moments)
-        );
-    }
-    if settling > poles {
-        return format!(
-            "the wobble changes at {} of the relaxation rate of the internal motion",
-            significant(settling, 2)
-        );
-    }
-    format!("a small wobble changes at a rate that is {} % off that of the linear modes", percent(poles))
 }

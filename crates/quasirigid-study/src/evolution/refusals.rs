@@ -1,0 +1,220 @@
+//! Reasons why an evolution has no answer, in words.
+
+use quasirigid::averaging::Way;
+use quasirigid::model::Mode;
+use quasirigid::secular::{AverageCriteria, DirectStopReason};
+use quasirigid_math::vec3::{norm, scale};
+
+use super::reason::{Instability, Reason, Work};
+use crate::words::{growth, significant, time};
+
+/// Reason in words, without a full stop.
+pub fn text(reason: &Reason) -> String {
+    match reason {
+        Reason::NoSolid(words) | Reason::UnknownLiquids(words) => words.clone(),
+        Reason::ChangingWheel => {
+            "a momentum wheel changes its speed: its motor works on the body, whose energy then need not fall, \
+             and no steady spin is reached by itself; `simulate` follows the history"
+                .into()
+        }
+        Reason::Equilibrium(error) => error.to_string(),
+        Reason::Modes(error) => format!("the steady spins: {error}"),
+        Reason::AttractorModes(error) => format!("the steady spin: {error}"),
+        Reason::NoAttractor => {
+            "no steady spin of least energy was found: a spring may be too soft for the centrifugal load"
+                .into()
+        }
+        Reason::Unstable(instability) => unstable(instability),
+        Reason::LossesLeftOut { share } => left_out(*share),
+        Reason::AverageUnderTorque(criteria) => format!(
+            "under a torque the average alone is followed, and it does not hold: {}",
+            unfounded(*criteria)
+        ),
+        Reason::NoRateOfModes => {
+            "the modes about the steady spins give no rate at which a small wobble changes".into()
+        }
+        Reason::TooWideForModes { error, wobble } => format!(
+            "the average is off by {} % at the axis, where the modes are exact, and the wobble of {} degrees \
+             is too wide for them",
+            significant(100.0 * error, 2),
+            degrees(*wobble)
+        ),
+        Reason::TooWideForLiquids { wobble } => format!(
+            "the answer of a liquid that spins is known for small wobbles, and one of {} degrees is too wide \
+             for it",
+            degrees(*wobble)
+        ),
+        Reason::TooWideForNutation { widest } => format!(
+            "the rates of the modes, which have every loss of this body, are those of wobbles below {} degrees",
+            significant(widest.to_degrees(), 2)
+        ),
+        Reason::NoRateOfNutation => "the modes give a small wobble no rate".into(),
+        Reason::RatioOfLevels => {
+            "elasticity changes a difference of the moments of inertia by more than 1 %, so that D/I3 says \
+             little; say how far to go by an angle"
+                .into()
+        }
+        Reason::Levels(error) => error.to_string(),
+        Reason::Separatrix { t } => {
+            format!("the rotation reaches a separatrix after {}; what follows depends on the phase", time(*t))
+        }
+        Reason::Ways { t, ways } => undecided(*t, ways),
+        Reason::Lossless => "nothing is dissipated".into(),
+        Reason::LosslessWithWheels => "the reduced equations dissipate nothing".into(),
+        Reason::Submanifold(error) => error.to_string(),
+        Reason::ManifoldBetweenAxes => {
+            "the reduced equations about a spin do not reach from one pole to the other".into()
+        }
+        Reason::ManifoldThroughSeparatrix => {
+            "the reduced equations about a spin do not reach through a separatrix".into()
+        }
+        Reason::BeyondManifold { wobble } => format!(
+            "the reduced equations about the spin do not hold at the nutation of the start, {} degrees, or the \
+             start is too far off them",
+            degrees(*wobble)
+        ),
+        Reason::BeyondManifoldWithWheels => {
+            "the reduced equations about the steady spin do not hold at this wobble".into()
+        }
+        Reason::ManifoldWithoutEnd => {
+            "the reduced equations about the steady spin do not lead to the end".into()
+        }
+        Reason::Measured(error) => error.to_string(),
+        Reason::ShortRunsWithWheels => "short runs measure no power of a body with momentum wheels".into(),
+        Reason::WithinRevolution { t } => format!(
+            "the energy of the full system falls to the target within {}, less than a turn: that is the start \
+             coming into balance, not a wobble that dies out; its history in the full system shows it",
+            time(*t)
+        ),
+        Reason::Unfinished { t, revolutions, ending, instability } => {
+            let instability = instability.as_ref().map(|found| format!("; {}", unstable(found)));
+            format!(
+                "the full system was followed for {} ({} revolutions) and did not get there: {}{}",
+                time(*t),
+                significant(*revolutions, 3),
+                ended(ending),
+                instability.unwrap_or_default()
+            )
+        }
+        Reason::UnfinishedWithWheels { t, failure } => {
+            let failure = failure.as_ref().map(|failure| format!(": {failure}")).unwrap_or_default();
+            format!("the full system was followed for {} and did not get there{failure}", time(*t))
+        }
+        Reason::UnknownRevolutions => {
+            "the modes give a small wobble no rate beyond rounding at an end of the way, so that nothing says \
+             how far the full system would have to be followed; the method direct, asked for, does it"
+                .into()
+        }
+        Reason::UnknownDuration => {
+            "the modes give a small wobble no rate, so that nothing says how far the full system would have to \
+             be followed"
+                .into()
+        }
+        Reason::TooLong { work: long, seconds, most } => format!(
+            "{} would take about {}, and no more than {} is worked without being asked; the method {}, asked \
+             for, does it",
+            work(*long),
+            time(*seconds),
+            time(*most),
+            method(*long)
+        ),
+        Reason::Spent { seconds } => format!(
+            "no method came to the end within {}, the longest that is worked without being asked; a method \
+             that is asked for takes its time",
+            time(*seconds)
+        ),
+        Reason::Both(reasons) => reasons.each_ref().map(text).join("; "),
+    }
+}
+
+/// Work in the full system, in words.
+pub fn work(work: Work) -> &'static str {
+    match work {
+        Work::ShortRuns => "measuring the mean power by short runs of the full system",
+        Work::History => "following the full system from start to end",
+    }
+}
+
+/// Method that does work in the full system when it is asked for.
+fn method(work: Work) -> &'static str {
+    match work {
+        Work::ShortRuns => "micro-runs",
+        Work::History => "direct",
+    }
+}
+
+fn degrees(angle: f64) -> String {
+    significant(angle.to_degrees(), 3)
+}
+
+/// Reason why an average does not hold, in words.
+pub fn unfounded(criteria: AverageCriteria) -> String {
+    let AverageCriteria { poles, settling, moments, probed, liquids } = criteria;
+    let percent = |share: f64| significant(100.0 * share, 2);
+    if liquids >= criteria.error() {
+        return "the wobble is too wide for the answer of a liquid that spins, which is known for small ones"
+            .into();
+    }
+    if probed > poles.max(settling).max(moments) {
+        return format!("its power is {} % off that of short runs of the full system", percent(probed));
+    }
+    if moments >= poles && moments >= settling {
+        return format!(
+            "the deformation changes the differences between the moments of inertia by {} %",
+            percent(moments)
+        );
+    }
+    if settling > poles {
+        return format!(
+            "the wobble changes at {} of the relaxation rate of the internal motion",
+            significant(settling, 2)
+        );
+    }
+    format!("a small wobble changes at a rate that is {} % off that of the linear modes", percent(poles))
+}
+
+fn unstable(Instability { about, name, decay_rate }: &Instability) -> String {
+    let spin = match about {
+        Some(Mode::ShortAxis) => "about the axis of greatest inertia",
+        Some(Mode::LongAxis) => "about the axis of least inertia",
+        None => "of least energy",
+    };
+    format!("the steady spin {spin} is unstable: {}", growth(name, *decay_rate))
+}
+
+/// Sentence on losses that the equations of motion leave out, as a share of the rate of a small wobble.
+fn left_out(share: f64) -> String {
+    let why = "the full system has no equations of motion for all that dissipates (materials and liquids whose \
+               response is known only in the frequency domain)";
+    if !share.is_finite() {
+        return format!("{why}, and the modes do not say how much that is");
+    }
+    format!(
+        "{why}: by those that it has a small wobble changes at a rate that is {} % off",
+        significant(100.0 * share, 2)
+    )
+}
+
+/// Sentence on a separatrix at a time (s) behind which a fraction of a revolution chooses the way.
+fn undecided(t: f64, ways: &[Way]) -> String {
+    let way = |way: &Way| {
+        let axis = scale(norm(way.angular_momentum).recip(), way.angular_momentum);
+        let axis = axis.map(|entry| significant(entry, 3));
+        format!("by [{}] with the probability {}", axis.join(", "), significant(way.share, 2))
+    };
+    format!(
+        "the rotation reaches a separatrix after {}, and a fraction of a revolution decides how its angular \
+         momentum goes on: {}",
+        time(t),
+        ways.iter().map(way).collect::<Vec<_>>().join(", ")
+    )
+}
+
+/// Reason why a history of the full system ended early.
+fn ended(ending: &DirectStopReason) -> &str {
+    match ending {
+        DirectStopReason::Failed { reason } => reason,
+        DirectStopReason::TurnLimit => "that is more than may be followed turn by turn",
+        _ => "the steps allowed were used up; asked for, the direct integration has more of them",
+    }
+}

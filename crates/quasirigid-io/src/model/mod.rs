@@ -1,7 +1,7 @@
 //! Model files: a body, its initial state and the settings of a run, as a TOML text.
 //!
 //! Reading checks what concerns the file: keys, types, units, names, finite numbers. The laws of mechanics are
-//! checked by [`quasirigid`]; [`Model::diagnose`] finds the place in the file that they speak of.
+//! checked by [`quasirigid_elements`]; [`Model::diagnose`] finds the place in the file that they speak of.
 
 mod body;
 mod bushing;

@@ -1,7 +1,7 @@
 //! Automation of the workspace, all of it in Rust: `cargo xtask check`, `cargo xtask test`.
 #![allow(clippy::print_stdout, clippy::print_stderr)]
 
-mod contents;
+mod book;
 mod docs;
 mod finding;
 mod labels;
@@ -24,8 +24,8 @@ const CHECKS: [(&str, Check); 5] = [
     ("layers", layers::check),
     ("labels", labels::check),
     ("paths", paths::check),
-    ("contents", contents::check),
     ("docs", docs::check),
+    ("book", book::check),
 ];
 
 const HELP: &str = "\
@@ -39,8 +39,8 @@ usage: cargo xtask test [--require-python] [--wheel]
   layers   who imports whom inside a crate, and no foreign type in a public signature
   labels   equation labels and reference keys of the code exist in docs/
   paths    ARCHITECTURE.md names what exists
-  contents theory and guide list each of their chapters under its number
   docs     TOML and commands in README.md and docs/guide are sound
+  book     docs/SUMMARY.md names every chapter, links lead somewhere; then mdBook, where it is installed, builds the site
 
 exit code: 0 nothing found, 1 something found, 2 could not run";
 
@@ -57,6 +57,9 @@ fn main() -> ExitCode {
                 Err(()) => refuse(HELP),
             };
         }
+        ["preprocess"] => return told("preprocess", book::preprocess().map_err(|error| error.to_string())),
+        // mdBook asks whether the preprocessor suits a form of output: it suits each.
+        ["preprocess", "supports", _] => return ExitCode::SUCCESS,
         [name] => name,
         _ => return refuse(HELP),
     };
@@ -72,21 +75,31 @@ fn main() -> ExitCode {
     if chosen.is_empty() {
         return refuse(&format!("xtask: there is no check \"{name}\"\n\n{HELP}"));
     }
-    match workspace_root().and_then(|root| Tree::load(&root)) {
-        Ok(tree) => report(name, chosen.iter().flat_map(|check| check(&tree)).collect()),
+    match workspace_root().and_then(|root| Ok((Tree::load(&root)?, root))) {
+        Ok((tree, root)) => {
+            let sound = report(name, chosen.iter().flat_map(|check| check(&tree)).collect());
+            match name {
+                _ if !sound => ExitCode::FAILURE,
+                "check" | "book" => told("book", book::build(&root)),
+                _ => ExitCode::SUCCESS,
+            }
+        }
         Err(error) => refuse(&format!("xtask: cannot read the workspace: {error}")),
     }
 }
 
 /// Runs every test.
 fn test(wishes: Wishes) -> ExitCode {
-    let done = workspace_root()
-        .map_err(|error| format!("cannot read the workspace: {error}"))
-        .and_then(|root| test::run(&root, wishes));
+    let root = workspace_root().map_err(|error| format!("cannot read the workspace: {error}"));
+    told("test", root.and_then(|root| test::run(&root, wishes)))
+}
+
+/// Says what failed.
+fn told(name: &str, done: Result<(), String>) -> ExitCode {
     match done {
         Ok(()) => ExitCode::SUCCESS,
         Err(message) => {
-            eprintln!("\nxtask test: {message}");
+            eprintln!("\nxtask {name}: {message}");
             ExitCode::FAILURE
         }
     }
@@ -97,7 +110,8 @@ fn refuse(message: &str) -> ExitCode {
     ExitCode::from(2)
 }
 
-fn report(name: &str, mut findings: Vec<Finding>) -> ExitCode {
+/// Prints what was found; whether nothing fails the check.
+fn report(name: &str, mut findings: Vec<Finding>) -> bool {
     findings.sort();
     findings.dedup();
     for finding in &findings {
@@ -106,7 +120,7 @@ fn report(name: &str, mut findings: Vec<Finding>) -> ExitCode {
     let warnings = findings.iter().filter(|finding| finding.weight == Weight::Warning).count();
     let errors = findings.len() - warnings;
     println!("xtask {name}: {errors} to mend, {warnings} to note");
-    if errors == 0 { ExitCode::SUCCESS } else { ExitCode::FAILURE }
+    errors == 0
 }
 
 /// The nearest folder above the current one whose `Cargo.toml` declares a workspace.

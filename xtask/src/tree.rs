@@ -74,9 +74,9 @@ impl Tree {
     }
 }
 
-/// Whether `path` lies in `folder` or below it.
+/// Whether `path` lies in `folder` or below it; the root is the empty folder.
 pub fn is_below(path: &str, folder: &str) -> bool {
-    path.strip_prefix(folder).is_some_and(|rest| rest.starts_with('/'))
+    folder.is_empty() || path.strip_prefix(folder).is_some_and(|rest| rest.starts_with('/'))
 }
 
 fn read_text(path: &Path) -> io::Result<String> {

@@ -202,6 +202,13 @@ mod tests {
     }
 
     #[test]
+    fn dollars_between_spaces_are_no_delimiters() {
+        let kinds: Vec<_> =
+            pieces("5 $ or 6 $ or $x$").iter().map(|piece| (piece.kind, piece.text)).collect();
+        assert_eq!(kinds, [(Kind::Prose, "5 $ or 6 $ or "), (Kind::Inline, "x")]);
+    }
+
+    #[test]
     fn targets_are_what_links_point_at() {
         let text = "[a](b.md#c), ![d](e.svg \"f\") and [g] (h)";
         let found: Vec<_> = targets(text).into_iter().map(|range| &text[range]).collect();

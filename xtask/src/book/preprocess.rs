@@ -81,7 +81,7 @@ mod tests {
 
     #[test]
     fn formulas_and_links_out_of_the_book_are_changed_in_every_chapter() {
-        let inner = json!({"source_path": "guide/b.md", "content": "[c](../../data/d.csv#e), [f](../a.md)"});
+        let inner = json!({"source_path": "guide/b.md", "content": "[c](../../data/d.csv#e), [f](../a.md), [s](../SUMMARY.md)"});
         let outer = json!({"source_path": "a.md", "content": "`$x$` $a_b$\n```math\n c \\\\\n\n d\n```\n", "sub_items": [{"Chapter": inner}]});
         let mut book = json!({"items": [{"Chapter": outer}, "Separator"]});
         change(&mut book, "https://forge");
@@ -89,7 +89,7 @@ mod tests {
         assert_eq!(outer["content"], "`$x$` \\\\\\(a\\_b\\\\\\)\n\\\\\\[c \\\\\\\\\nd\\\\\\]\n");
         assert_eq!(
             outer["sub_items"][0]["Chapter"]["content"],
-            "[c](https://forge/blob/HEAD/data/d.csv#e), [f](../a.md)"
+            "[c](https://forge/blob/HEAD/data/d.csv#e), [f](../a.md), [s](https://forge/blob/HEAD/docs/SUMMARY.md)"
         );
     }
 }

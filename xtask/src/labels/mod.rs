@@ -89,10 +89,10 @@ fn in_code(tree: &Tree) -> Vec<(&str, &str, usize)> {
         .collect()
 }
 
-/// Lines of the documentation, with their file and number.
+/// Lines of the documentation and of the paper, with their file and number.
 fn documents(tree: &Tree) -> impl Iterator<Item = (&str, usize, &str)> {
     let readme = tree.text("README.md").map(|text| ("README.md", text));
-    lines(tree.files("docs", ".md").chain(readme))
+    lines(tree.files("docs", ".md").chain(tree.files("paper", ".md")).chain(readme))
 }
 
 /// Sources and tests of the crates.

@@ -8,6 +8,7 @@ mod labels;
 mod layers;
 mod markdown;
 mod paths;
+mod release;
 mod test;
 mod tree;
 
@@ -20,27 +21,31 @@ use tree::Tree;
 
 type Check = fn(&Tree) -> Vec<Finding>;
 
-const CHECKS: [(&str, Check); 5] = [
+const CHECKS: [(&str, Check); 6] = [
     ("layers", layers::check),
     ("labels", labels::check),
     ("paths", paths::check),
     ("docs", docs::check),
     ("book", book::check),
+    ("versions", release::check),
 ];
 
 const HELP: &str = "\
 usage: cargo xtask test [--require-python] [--wheel]
+       cargo xtask release [--plan]
        cargo xtask <check>
 
   test     every test, of Rust and of Python; what Python lacks is told, and fails only with --require-python;
            --wheel tests the package as users install it, which takes four minutes more
+  release  archive of the program, wheel, lists of materials and checksums in dist/; --plan names the steps alone
 
   check    all of the following
   layers   who imports whom inside a crate, and no foreign type in a public signature
   labels   equation labels and reference keys of the code exist in docs/
-  paths    ARCHITECTURE.md names what exists
+  paths    ARCHITECTURE.md and CONTRIBUTING.md name what exists
   docs     TOML and commands in README.md and docs/guide are sound
   book     docs/SUMMARY.md names every chapter, links lead somewhere; then mdBook, where it is installed, builds the site
+  versions workspace, crates, Python package, citation, recipe and changelog agree on the version
 
 exit code: 0 nothing found, 1 something found, 2 could not run";
 
@@ -57,6 +62,8 @@ fn main() -> ExitCode {
                 Err(()) => refuse(HELP),
             };
         }
+        ["release"] => return release(false),
+        ["release", "--plan"] => return release(true),
         ["preprocess"] => return told("preprocess", book::preprocess().map_err(|error| error.to_string())),
         // mdBook asks whether the preprocessor suits a form of output: it suits each.
         ["preprocess", "supports", _] => return ExitCode::SUCCESS,
@@ -92,6 +99,13 @@ fn main() -> ExitCode {
 fn test(wishes: Wishes) -> ExitCode {
     let root = workspace_root().map_err(|error| format!("cannot read the workspace: {error}"));
     told("test", root.and_then(|root| test::run(&root, wishes)))
+}
+
+/// Builds a release.
+fn release(only_plan: bool) -> ExitCode {
+    let root = workspace_root().and_then(|root| Ok((Tree::load(&root)?, root)));
+    let root = root.map_err(|error| format!("cannot read the workspace: {error}"));
+    told("release", root.and_then(|(tree, root)| release::run(&root, &tree, only_plan)))
 }
 
 /// Says what failed.

@@ -44,20 +44,32 @@ pub struct Wishes {
 
 /// Runs the tests of Rust, then those of Python.
 pub fn run(root: &Path, wishes: Wishes) -> Step {
-    let target = std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| root.join("target"), PathBuf::from);
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
     let all = |verb| [verb, "--workspace"].into_iter().chain(FEATURES);
     step(root, &cargo, all("build").chain(TARGETS))?;
     step(root, &cargo, all("test").chain(TARGETS))?;
     step(root, &cargo, all("test").chain(["--doc"]))?;
     match interpreter(root) {
-        Ok(python) => of_python(root, &target, &python, wishes.wheel),
+        Ok(python) => of_python(root, &python, wishes.wheel),
         Err(missing) if wishes.python => Err(missing),
         Err(missing) => {
             println!("\nxtask test: the tests of Python were LEFT OUT: {missing}");
             Ok(())
         }
     }
+}
+
+/// Folder of cargo's output.
+pub fn target(root: &Path) -> PathBuf {
+    std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| root.join("target"), PathBuf::from)
+}
+
+/// The interpreter of an environment with what the tests need, maturin among it.
+///
+/// # Errors
+/// A sentence on what is missing.
+pub fn environment(root: &Path) -> Result<PathBuf, String> {
+    installed(root, &interpreter(root)?)
 }
 
 /// An interpreter with what the tests need, or a sentence on what is missing.
@@ -77,21 +89,19 @@ fn interpreter(root: &Path) -> Result<PathBuf, String> {
 }
 
 /// The package in an environment of its own, and its tests.
-fn of_python(root: &Path, target: &Path, python: &Path, wheel: bool) -> Step {
-    let environment = target.join("python-venv");
-    let own = environment.join(if cfg!(windows) { "Scripts/python.exe" } else { "bin/python" });
-    install_requirements(root, python, &environment, &own)?;
+fn of_python(root: &Path, python: &Path, wheel: bool) -> Step {
+    let (target, own) = (target(root), installed(root, python)?);
     let told = Command::new(&own).args(["-c", PACKAGES]).output();
     let packages = told.map_err(|error| format!("{} does not run ({error})", own.display()))?.stdout;
     let package = Path::new(String::from_utf8_lossy(&packages).trim()).join("quasirigid");
     let copied = match fs::remove_dir_all(&package) {
         Err(error) if error.kind() != ErrorKind::NotFound => Err(error),
         _ if wheel => Ok(()),
-        _ => copy_package(root, target, &package),
+        _ => copy_package(root, &target, &package),
     };
     copied.map_err(|error| format!("cannot make {}: {error}", package.display()))?;
     if wheel {
-        install_wheel(root, target, &own)?;
+        install_wheel(root, &target, &own)?;
     }
     let suite = ["-m", "pytest", "-q", "-n", WORKERS, "--dist", "loadfile", "crates/quasirigid-python/tests"];
     step(root, &own, suite)?;
@@ -129,18 +139,21 @@ fn install_wheel(root: &Path, target: &Path, own: &Path) -> Step {
 }
 
 /// Makes the environment, unless the one that is there has these requirements.
-fn install_requirements(root: &Path, python: &Path, environment: &Path, own: &Path) -> Step {
+fn installed(root: &Path, python: &Path) -> Result<PathBuf, String> {
+    let environment = target(root).join("python-venv");
+    let own = environment.join(if cfg!(windows) { "Scripts/python.exe" } else { "bin/python" });
     let file = root.join(REQUIREMENTS);
     let wanted =
         fs::read_to_string(&file).map_err(|error| format!("cannot read {}: {error}", file.display()))?;
     let stamp = environment.join(REQUIREMENTS);
     if own.exists() && fs::read_to_string(&stamp).is_ok_and(|installed| installed == wanted) {
-        return Ok(());
+        return Ok(own);
     }
     let made = ["-m", "venv", "--clear"].map(OsStr::new).into_iter().chain([environment.as_os_str()]);
     step(root, python, made)?;
-    step(root, own, ["-m", "pip", "install", "--quiet", "--disable-pip-version-check", "-r", REQUIREMENTS])?;
-    fs::write(&stamp, wanted).map_err(|error| format!("cannot write {}: {error}", stamp.display()))
+    step(root, &own, ["-m", "pip", "install", "--quiet", "--disable-pip-version-check", "-r", REQUIREMENTS])?;
+    fs::write(&stamp, wanted).map_err(|error| format!("cannot write {}: {error}", stamp.display()))?;
+    Ok(own)
 }
 
 /// Runs a program in the root of the workspace, and says which one failed.

@@ -6,10 +6,10 @@ use std::io;
 use std::path::Path;
 
 /// Folders that hold nothing the workspace ships.
-const SKIPPED: [&str; 2] = [".git", "target"];
+const SKIPPED: [&str; 3] = [".git", "dist", "target"];
 
 /// Endings of the paths of files whose text the checks read.
-const READ: [&str; 5] = [".rs", ".md", ".toml", ".bib", ".ci/run"];
+const READ: [&str; 7] = [".rs", ".md", ".toml", ".bib", ".cff", ".yaml", ".ci/run"];
 
 /// The workspace in memory: every path, and the text of the files that the checks read.
 ///
@@ -127,8 +127,9 @@ mod tests {
 
     #[test]
     fn build_output_is_no_part_of_the_tree() {
-        let tree = sample(&[("target/debug/lib.rs", ""), (".git/config", ""), (".ci/run", "x")]);
-        assert!(!tree.exists("target") && !tree.exists(".git"));
+        let tree =
+            sample(&[("target/debug/lib.rs", ""), ("dist/a.md", ""), (".git/config", ""), (".ci/run", "x")]);
+        assert!(!tree.exists("target") && !tree.exists("dist") && !tree.exists(".git"));
         assert_eq!(tree.text(".ci/run"), Some("x"));
     }
 }

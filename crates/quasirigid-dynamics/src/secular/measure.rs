@@ -70,8 +70,11 @@ pub enum MeasureError {
 pub(super) struct Plan {
     /// Time for the transient of the start to decay (s).
     pub settling: f64,
-    /// Periods of the polhode in a window.
+    /// Periods of the polhode in the first window, and in a window at least.
     pub periods: f64,
+    pub fewest_periods: f64,
+    /// Share of its energy that the wobble loses in a window, where that leaves enough periods.
+    pub loss: f64,
     /// Windows as long as the first before they double.
     pub equal: usize,
     /// Relative change allowed between windows.
@@ -84,8 +87,12 @@ pub(super) struct Plan {
     pub doublings: usize,
 }
 
-/// Relative change from window to window up to which a power may change along a line.
-const DRIFT: f64 = 0.1;
+/// Relative change from window to window up to which a power may change along a line or a parabola.
+const MOST_DRIFT: f64 = 0.1;
+/// Windows of the same length beyond those that double, for a power that changes along a line or a parabola.
+const DRIFTING_WINDOWS: usize = 3;
+/// Distance from a line, as a share of the change between windows, below which a power drifts.
+const DRIFT_GAP: f64 = 0.5;
 
 /// Samples in a period of the polhode.
 const SAMPLES: f64 = 16.0;
@@ -101,40 +108,48 @@ pub(super) fn measured(
     let mut state = start;
     let (mut revolutions, mut steps) = (0.0, 0);
     let mut shares: Vec<[f64; 2]> = Vec::new();
-    let (mut change, mut start_energy) = (f64::INFINITY, f64::NAN);
-    for doubling in 0..=plan.doublings {
+    let (mut periods, mut doublings, mut start_energy) = (plan.periods, 0, f64::NAN);
+    loop {
         let period = range.polhode(state.energy(body)).polhode_period();
-        let longer = 2.0_f64.powi(doubling.saturating_sub(plan.equal) as i32);
-        let settling = if doubling == 0 { plan.settling } else { 0.0 };
-        let window = longer * plan.periods * period;
+        let settling = if shares.is_empty() { plan.settling } else { 0.0 };
+        let window = periods * period;
         let left = Plan { steps: plan.steps.saturating_sub(steps), ..plan };
         let run = Window::follow(body, &state, [settling, window], SAMPLES / period, left, watch)?;
         (revolutions, steps) = (revolutions + run.revolutions, steps + run.steps);
         state = run.last;
-        let mean = run.mean;
-        let stage = range.stage(mean.energy).ok_or(MeasureError::LeftMode)?;
-        let share = mean.power / range.polhode(mean.energy).mean_square_acceleration();
+        let Mean { energy, power, budget } = run.mean;
+        let stage = range.stage(energy).ok_or(MeasureError::LeftMode)?;
+        let polhode = range.polhode(energy);
         if shares.is_empty() {
-            start_energy = mean.energy + mean.power * (settling + 0.5 * window);
+            start_energy = energy + power * (settling + 0.5 * window);
+            let slower = plan.loss * polhode.energy_from_axis() / (power * period);
+            periods = periods.min(slower.max(plan.fewest_periods));
         }
-        shares.push([mean.energy, share]);
-        let last = doubling == plan.doublings;
+        shares.push([energy, power / polhode.mean_square_acceleration()]);
+        let change = still(&shares);
+        let drifts = trend(&shares, 1).is_some_and(|line| line.gap < DRIFT_GAP * change);
+        let doubles = shares.len() > plan.equal && !drifts;
+        let last = shares.len() > plan.doublings + DRIFTING_WINDOWS || (doubles && doublings == plan.doublings);
         let enough = |change: f64| change <= plan.change || (last && change <= 4.0 * plan.change);
         let reduced = false;
-        change = still(&shares);
         if enough(change) {
-            let Mean { power, budget, .. } = mean;
             return Ok(Measurement { stage, power, error: change, budget, revolutions, steps, reduced });
         }
-        if let Some(Line { slope, gap }) = straight(&shares).filter(|line| enough(line.gap)) {
+        if let Some(Trend { points, gap }) =
+            [1, 2].into_iter().find_map(|degree| trend(&shares, degree).filter(|trend| enough(trend.gap)))
+        {
             let stage = range.stage(start_energy).ok_or(MeasureError::LeftMode)?;
-            let share = share + slope * (start_energy - mean.energy);
-            let power = share * range.polhode(start_energy).mean_square_acceleration();
-            let budget = mean.budget.iter().map(|part| part * power / mean.power).collect();
-            return Ok(Measurement { stage, power, error: gap, budget, revolutions, steps, reduced });
+            let there = through(points, start_energy) * range.polhode(start_energy).mean_square_acceleration();
+            let budget = budget.iter().map(|part| part * there / power).collect();
+            return Ok(Measurement { stage, power: there, error: gap, budget, revolutions, steps, reduced });
+        }
+        if last {
+            return Err(MeasureError::Unsettled { change });
+        }
+        if doubles {
+            (periods, doublings) = (2.0 * periods, doublings + 1);
         }
     }
-    Err(MeasureError::Unsettled { change })
 }
 
 /// Relative change of the last of the powers, each with its mean energy, from the one before.
@@ -145,21 +160,31 @@ fn still(shares: &[[f64; 2]]) -> f64 {
     }
 }
 
-/// Line that the powers follow over the energy.
-struct Line {
-    slope: f64,
-    /// Relative distance of the last power from the line through the two before.
+/// Line or parabola that the powers follow over the energy.
+struct Trend<'a> {
+    /// Powers that it goes through, the last one included.
+    points: &'a [[f64; 2]],
+    /// Relative distance of the last power from the line or parabola through the others.
     gap: f64,
 }
 
-/// Line of the last three powers, if they change slowly: in a body so soft that its power is not that of the equivalent polhode, the wobble
+/// Trend of the last powers, if they change slowly: in a body so soft that its power is not that of the equivalent polhode, the wobble
 /// itself changes it from window to window. (Q4)
-fn straight(shares: &[[f64; 2]]) -> Option<Line> {
-    let [.., [E1, first], [E2, second], [E3, third]] = shares else { return None };
-    let slow = (second / first - 1.0).abs().max((third / second - 1.0).abs()) <= DRIFT;
-    let expected = second + (second - first) / (E2 - E1) * (E3 - E2);
-    let gap = (third / expected - 1.0).abs();
-    (slow && gap.is_finite()).then_some(Line { slope: (third - first) / (E3 - E1), gap })
+fn trend(shares: &[[f64; 2]], degree: usize) -> Option<Trend<'_>> {
+    let points = &shares[shares.len().checked_sub(degree + 2)?..];
+    let slow = points.windows(2).all(|pair| still(pair) <= MOST_DRIFT);
+    let ([energy, power], before) = points.split_last()?;
+    let gap = (power / through(before, *energy) - 1.0).abs();
+    (slow && gap.is_finite()).then_some(Trend { points, gap })
+}
+
+/// Value at an energy of the polynomial through powers over their energies.
+fn through(points: &[[f64; 2]], at: f64) -> f64 {
+    let weight = |i: usize| -> f64 {
+        let others = points.iter().enumerate().filter(|(k, _)| *k != i);
+        others.map(|(_, [other, _])| (at - other) / (points[i][0] - other)).product()
+    };
+    points.iter().enumerate().map(|(i, [_, power])| weight(i) * power).sum()
 }
 
 /// Means over a window, with weights that fall to zero at its ends faster than any power.
@@ -279,17 +304,21 @@ impl Observer for Collector<'_> {
 mod tests {
     use super::*;
 
-    /// Powers along a line over the energy have no gap from it and its slope; a bend has one, and a jump is no slow change.
+    /// Powers along a line over the energy have no gap from it, and go on along it; a bend has one, a parabola none; a jump is no slow change.
     #[test]
-    fn slow_changes_follow_a_line() {
+    fn slow_changes_follow_a_trend() {
         let on_line = [[8.0, 3.0], [7.9, 2.95], [7.6, 2.8]];
-        let Line { slope, gap } = straight(&on_line).unwrap();
-        assert!((slope - 0.5).abs() < 1e-12 && gap < 1e-12, "{slope} {gap}");
+        let Trend { points, gap } = trend(&on_line, 1).unwrap();
+        assert!((through(points, 8.4) - 3.2).abs() < 1e-12 && gap < 1e-12, "{gap}");
         assert!((still(&on_line) - (1.0 - 2.8 / 2.95)).abs() < 1e-12);
-        let bent = straight(&[[8.0, 3.0], [7.9, 2.95], [7.6, 2.82]]).unwrap();
+        let bent = trend(&[[8.0, 3.0], [7.9, 2.95], [7.6, 2.82]], 1).unwrap();
         assert!((bent.gap - 0.02 / 2.8).abs() < 1e-12, "{}", bent.gap);
-        assert!(straight(&[[8.0, 3.0], [7.9, 2.95], [7.6, 2.2]]).is_none());
-        assert!(straight(&[[8.0, 3.0], [8.0, 2.95], [8.0, 2.9]]).is_none(), "a line over nothing");
-        assert!(straight(&on_line[..2]).is_none());
+        let parabola = [8.0, 7.9, 7.6, 7.4].map(|E| [E, 3.0 + 0.5 * (E - 8.0) + 0.2 * (E - 8.0) * (E - 8.0)]);
+        let Trend { points, gap } = trend(&parabola, 2).unwrap();
+        assert!(gap < 1e-12 && (through(points, 8.5) - 3.3).abs() < 1e-12, "{gap}");
+        assert!(trend(&parabola, 1).unwrap().gap > 1e-3);
+        assert!(trend(&[[8.0, 3.0], [7.9, 2.95], [7.6, 2.2]], 1).is_none());
+        assert!(trend(&[[8.0, 3.0], [8.0, 2.95], [8.0, 2.9]], 1).is_none(), "a line over nothing");
+        assert!(trend(&on_line[..2], 1).is_none());
     }
 }

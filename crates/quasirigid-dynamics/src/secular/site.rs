@@ -37,7 +37,7 @@ const SETTLING: [f64; 2] = [2.0, 400.0];
 /// Periods of the polhode in a window: few where the wobble changes fast; in general, and for a run from the slow manifold.
 const PERIODS: [f64; 2] = [8.0, 16.0];
 const PERIODS_FROM_MANIFOLD: [f64; 2] = [8.0, 24.0];
-/// Share of a decay time of the wobble in a window.
+/// Share of a decay time of the wobble in a window, by the modes at first and then by its power.
 const DECAYS: f64 = 0.05;
 /// Limits of doublings of a window until the mean settles: in general, and for a run from the slow manifold.
 const DOUBLINGS: usize = 6;
@@ -111,6 +111,8 @@ impl Site<'_> {
         let plan = Plan {
             settling,
             periods: (DECAYS / (rate * period)).clamp(fewest, most),
+            fewest_periods: fewest,
+            loss: DECAYS,
             equal,
             change: 0.5 * options.error,
             tolerance: options.tolerance,

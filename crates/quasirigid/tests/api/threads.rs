@@ -296,6 +296,7 @@ fn public_types_are_send_sync_and_debug() {
     crosses::<choice::ReferenceSpins<'static>>();
     crosses::<choice::Span>();
     crosses::<choice::Stop>();
+    crosses::<choice::Tried>();
     crosses::<choice::UnknownLiquid>();
     crosses::<choice::Work>();
     crosses::<verification::AverageError>();

@@ -21,7 +21,7 @@ pub use case::{Case, LEVEL_ORDER};
 pub use criteria::{Criteria, GrowingVibration};
 pub use decision::{Decision, Last, Method, choose};
 pub use follow::{
-    AverageBasis, ChoiceError, ChoiceObserver, Followed, Outcome, Stop, average_under_torque, follow,
+    AverageBasis, ChoiceError, ChoiceObserver, Followed, Outcome, Stop, Tried, average_under_torque, follow,
     history_options, level_passage, try_in_order,
 };
 pub use gyrostat::{GyrostatCriteria, choose_for_gyrostat};

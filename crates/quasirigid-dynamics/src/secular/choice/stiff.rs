@@ -29,7 +29,7 @@ pub fn stiff_average(
     spin: f64,
 ) -> Option<PowerSource> {
     let first = &*powers.of(powers.first);
-    if !(is_stiff(body, powers, initial, spin) && !(change_per_radian(first, initial) > CHANGE_PER_RADIAN)) {
+    if !is_stiff(body, powers, initial, spin) || change_per_radian(first, initial) > CHANGE_PER_RADIAN {
         return None;
     }
     if powers.first == PowerSource::Polynomial && !first_order(powers, initial) {

@@ -22,7 +22,7 @@ use crate::secular::{AverageCriteria, DirectRow, DirectRun, ManifoldHistory, Mea
 pub use average::average_under_torque;
 pub use full_system::history_options;
 pub use level_curves::level_passage;
-pub use stop::{ChoiceError, Stop};
+pub use stop::{ChoiceError, Stop, Tried};
 
 /// Observer of an evolution that is followed.
 pub trait ChoiceObserver {
@@ -46,7 +46,7 @@ pub struct Followed {
     /// Source of the average along the frozen polhode that was taken, or tried last.
     pub source: PowerSource,
     /// Methods that did not hold, each with the reason.
-    pub tried: Vec<(Method, Reason)>,
+    pub tried: Tried,
 }
 
 /// What a method found: a power that is followed, or a history.
@@ -143,7 +143,7 @@ pub fn follow(
 pub fn try_in_order<T, E>(
     Decision { trials, last, .. }: Decision,
     mut attempt: impl FnMut(Method) -> Result<T, Stop<E>>,
-) -> Result<(T, Vec<(Method, Reason)>), Stop<E>> {
+) -> Result<(T, Tried), Stop<E>> {
     let mut tried = Vec::new();
     for method in trials {
         match attempt(method) {

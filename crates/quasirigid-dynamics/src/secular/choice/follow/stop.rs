@@ -7,6 +7,9 @@ use crate::math::eigen::NoConvergence;
 use crate::reduction::ReductionError;
 use crate::secular::MeasureError;
 
+/// Methods that did not hold, each with the reason.
+pub type Tried = Vec<(Method, Reason)>;
+
 /// End of a choice without a method; `E` is the error of the work itself.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Stop<E = ChoiceError> {
@@ -15,7 +18,7 @@ pub enum Stop<E = ChoiceError> {
         /// Reason of the last method that was tried, or of the decision.
         reason: Reason,
         /// Methods that were tried before, each with its reason.
-        tried: Vec<(Method, Reason)>,
+        tried: Tried,
     },
     /// The work itself failed.
     Failed(E),
@@ -38,7 +41,7 @@ pub enum ChoiceError {
 
 impl<E> Stop<E> {
     /// The same end, after methods that were tried before.
-    pub(super) fn after(self, tried: Vec<(Method, Reason)>) -> Self {
+    pub(super) fn after(self, tried: Tried) -> Self {
         match self {
             Self::Refused { reason, .. } => Self::Refused { reason, tried },
             failed @ Self::Failed(_) => failed,

@@ -1,17 +1,14 @@
 //! Losses that the equations of motion leave out of a body, in words.
 
 use quasirigid::model::Principal;
-use quasirigid::modes::{Given, RelativeEquilibrium, SpinMode, SpinModes};
-use quasirigid::secular::apart;
+use quasirigid::modes::{Given, RelativeEquilibrium, SpinModes};
+use quasirigid::secular::choice::{Limits, loss_left_out};
 use quasirigid_math::vec3::norm;
 
 use crate::liquids::unanswered;
 use crate::materials::flowing_at;
 use crate::study::Study;
 use crate::words::significant;
-
-/// Largest share of a decay that losses without an equation of motion may have.
-pub const LEFT_OUT: f64 = 0.02;
 
 const LOSSLESS: &str = "Part of the body loses energy by a law of its material that is known only per frequency: `evolve` and `modes` \
                         include this loss, histories of the full and the reduced system take that part as elastic.";
@@ -59,12 +56,6 @@ impl LeftOut {
     }
 }
 
-/// Share of the decay of a nutation that the equations of motion leave out; infinite where that share is not known.
-pub fn of_nutation(nutation: &SpinMode) -> f64 {
-    let [decay, _] = nutation.of_motion;
-    apart(decay, nutation.decay_rate)
-}
-
 /// The modes about the axis of extreme inertia next to an angular velocity.
 fn about(study: &Study, omega: [f64; 3]) -> Option<SpinModes> {
     let [mode, _] = Principal::compute(study.body.invariants().J).nearest(omega);
@@ -87,8 +78,8 @@ fn liquids(study: &Study, omega: [f64; 3], modes: Option<SpinModes>) -> Option<S
         let slow = study.liquids.iter().all(|liquid| liquid.reynolds(norm(omega)) <= 1.0);
         return (!slow).then(|| format!("{why}, and there is no nutation to tell how much that is."));
     };
-    let share = of_nutation(nutation);
-    (share > LEFT_OUT).then(|| {
+    let share = loss_left_out(nutation);
+    (share > Limits::default().losses_left_out).then(|| {
         format!("{why}: by them a small wobble at this spin changes at a rate that is {} % off. The commands modes and evolve have the rate.", significant(100.0 * share, 2))
     })
 }

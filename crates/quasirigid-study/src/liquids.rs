@@ -1,6 +1,7 @@
 //! Liquids of a model at a spin, in words and numbers.
 
 use quasirigid::elements::{Assembly, MOST_OF_BALL, MOST_OF_CYLINDER, MOST_OF_SPHEROID, SlowLiquid};
+use quasirigid::secular::choice::UnknownLiquid;
 use quasirigid_io::record::LiquidRecord;
 use quasirigid_math::vec3::norm;
 
@@ -23,22 +24,34 @@ pub fn liquids(study: &Study, spin: f64) -> Vec<Liquid<'_>> {
         .collect()
 }
 
-/// Liquids of unknown response to a motion at a frequency (rad/s, body axes) about a steady spin (rad/s), in words; none if all are known.
-pub fn unanswered(study: &Study, spin: [f64; 3], frequency: f64) -> Option<String> {
+/// Liquids of unknown response to a motion at a frequency (rad/s, body axes) about a steady spin (rad/s).
+pub fn unknown_liquids(study: &Study, spin: [f64; 3], frequency: f64) -> Vec<UnknownLiquid> {
     let cavities = study.model.assembly.cavities.iter().zip(&study.liquids);
-    let silent = cavities.filter(|(cavity, slow)| !cavity.answers(slow, study.order, spin, frequency));
-    let names: Vec<String> = silent
-        .map(|(cavity, slow)| {
-            format!("{:?} (Reynolds number {})", cavity.name, significant(slow.reynolds(norm(spin)), 2))
+    let unknown = cavities.filter(|(cavity, slow)| !cavity.answers(slow, study.order, spin, frequency));
+    unknown
+        .map(|(cavity, slow)| UnknownLiquid {
+            cavity: cavity.name.clone(),
+            reynolds: slow.reynolds(norm(spin)),
         })
-        .collect();
-    (!names.is_empty()).then(|| {
-        format!(
-            "liquid that spins has waves at frequencies below twice the spin, and about this axis those of {} are not known: only slow flow is, a sphere up to a \
-             Reynolds number of {MOST_OF_BALL:e}, and where it spins about its axis a spheroid up to {MOST_OF_SPHEROID:e} or a cylinder up to {MOST_OF_CYLINDER:e}",
-            names.join(", ")
-        )
-    })
+        .collect()
+}
+
+/// The same in words; none if all are known.
+pub fn unanswered(study: &Study, spin: [f64; 3], frequency: f64) -> Option<String> {
+    let liquids = unknown_liquids(study, spin, frequency);
+    (!liquids.is_empty()).then(|| unknown(&liquids))
+}
+
+/// Liquids of unknown response about an axis, in words.
+pub fn unknown(liquids: &[UnknownLiquid]) -> String {
+    let name = |UnknownLiquid { cavity, reynolds }: &UnknownLiquid| {
+        format!("{cavity:?} (Reynolds number {})", significant(*reynolds, 2))
+    };
+    format!(
+        "liquid that spins has waves at frequencies below twice the spin, and about this axis those of {} are not known: only slow flow is, a sphere up to a \
+         Reynolds number of {MOST_OF_BALL:e}, and where it spins about its axis a spheroid up to {MOST_OF_SPHEROID:e} or a cylinder up to {MOST_OF_CYLINDER:e}",
+        liquids.iter().map(name).collect::<Vec<_>>().join(", ")
+    )
 }
 
 /// Relative error of a flow from which a note is given.

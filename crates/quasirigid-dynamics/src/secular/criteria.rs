@@ -23,8 +23,6 @@ pub struct AverageCriteria {
     pub liquids: f64,
 }
 
-/// Largest relative error of an average that is accepted.
-const ACCEPTED: f64 = 0.04;
 /// Error of an average per `γ/β`.
 const PER_SETTLING: f64 = 1.6;
 /// Bound of the error over the largest criterion: the largest ratio found in comparisons with full systems (3), rounded up.
@@ -42,12 +40,6 @@ impl AverageCriteria {
     #[must_use]
     pub fn time_error(&self, periods: f64) -> f64 {
         self.error() + uneven(periods)
-    }
-
-    /// True if the average may be used.
-    #[must_use]
-    pub fn hold(&self) -> bool {
-        self.error() <= ACCEPTED
     }
 }
 

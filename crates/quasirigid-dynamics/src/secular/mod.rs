@@ -2,7 +2,9 @@
 //!
 //! Where the internal motion settles much faster than the wobble changes, and is light, one may average along the polhode of the rigid
 //! body. Elsewhere the full system gives the mean power at a few places ([`MeasuredPower`]), or the whole history ([`follow_directly`]).
-//! Every method is checked against the steady spins and their modes, [`Poles`].
+//! Every method is checked against the steady spins and their modes, [`Poles`]; [`choice`] decides which of them an evolution takes.
+
+pub mod choice;
 
 mod calibrated;
 mod criteria;

@@ -1,7 +1,7 @@
 use quasirigid::averaging::{Evolution, Response, RotationState};
 use quasirigid_io::record::ApproachRecord;
 
-use super::secular::FAINT;
+use super::record::FAINT;
 
 /// Relative distance within which a harmonic is near a vibration.
 const NEAR: f64 = 0.1;

@@ -1,15 +1,21 @@
 //! Secular evolution: request, method, times and record.
 
+mod answer;
 mod approach;
+mod columns;
+mod ends;
 mod gyrostat;
+mod inputs;
 mod method;
+mod outlook;
 mod reason;
+mod record;
 mod refusals;
-mod secular;
 mod table;
-mod unanswered;
+mod verdict;
 mod words;
 
+use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use quasirigid::averaging::{
@@ -20,6 +26,7 @@ use quasirigid::dynamics::Start;
 use quasirigid::elements::Assembly;
 use quasirigid::model::{Mode, Rheology, Support};
 use quasirigid::reduction::reduce;
+use quasirigid::secular::choice::{ChoiceObserver, Method};
 use quasirigid_io::model::{EvolveMethod, Power, Target};
 use quasirigid_io::record::{EstimateRecord, EvolutionRecord, HomogeneousRecord};
 use serde_json::{Value, json};
@@ -30,10 +37,13 @@ use crate::materials::flowing;
 use crate::start::slaved_order;
 use crate::study::Study;
 use crate::watch::Watch;
-use method::{History, Outlook};
+use answer::{Answer, History};
+use inputs::Inputs;
+use method::NotFollowed;
+use outlook::Outlook;
 use reason::Reason;
-use secular::SecularEvolution;
 use table::EvolutionTable;
+use verdict::Verdict;
 
 pub use words::text;
 
@@ -163,86 +173,92 @@ pub(crate) fn follow(
     let reduced = study.reduced(*order)?;
     let slaved = slaved_order(study, *order, start.omega)?;
     let state = study.reduced(slaved)?;
-    let mut secular = SecularEvolution::new(body, [&reduced, &state], start, asked.power)?;
-    let moments = secular.principal.moments;
+    let inputs = Inputs::new(body, [&reduced, &state], start, asked.power)?;
+    let moments = inputs.principal.moments;
     if torque.is_zero() && [Mode::LongAxis, Mode::ShortAxis].iter().all(|mode| !mode.exists(moments)) {
         return Err(StudyError::EqualMoments { moment: moments[2] });
     }
-    let flow = flowing(&secular.response, &secular.initial);
+    let flow = flowing(&inputs.powers.response, &inputs.initial);
     if let (Some(message), true) = (&flow, asked.method != Some(EvolveMethod::Average)) {
-        let record = secular.refused(&Reason::NoSolid(message.clone()));
+        let record = record::refused_from(&inputs.initial, &Reason::NoSolid(message.clone()), None);
         return Ok(Evolved { record, notes: Vec::new() });
     }
-    let outlook = Outlook::new(asked.method.is_some());
-    let mut watch = |share: f64| outlook.observe(observer, share);
+    let mut outlook = Outlook::new(observer, asked.method.is_some());
     let chosen = if torque.is_zero() {
-        method::choose(study, start, asked, &mut secular, &outlook, &mut watch)
+        method::chosen(study, start, asked, &inputs, &mut outlook)
     } else {
-        method::under_torque(study, start, asked, &mut secular).map(|()| History::None)
+        method::chosen_under_torque(study, start, asked, &inputs)
     };
-    let run = match outlook.judged(chosen) {
-        Ok(history) => history,
-        Err(stop) => {
-            let record = secular.refused(&stop.reason()?);
+    let chosen = match chosen {
+        Ok(chosen) => chosen,
+        Err(not_followed) => {
+            let NotFollowed { stop, initial, rates } = *not_followed;
+            let record = record::refused_from(&initial, &outlook.reason(stop)?, rates);
             return Ok(Evolved { record, notes: Vec::new() });
         }
     };
-    secular.verdict.close(approximated(study));
-    let evolution = secular.evolution();
-    let from = match &run {
-        History::Levels(passage) => EvolutionTable::of_levels(passage, &secular.principal).first.stage,
-        _ => secular.start(&evolution, asked.from, torque.is_zero())?,
+    let verdict = Verdict::of(&chosen.followed).with_shape_error(approximated(study));
+    let answer = Answer::new(&inputs, body, chosen);
+    let mut watch = |share: f64| outlook.observe(share);
+    let evolution = answer.evolution();
+    let from = match &answer.history {
+        History::Levels(passage) => EvolutionTable::of_levels(passage, &answer.principal).first.stage,
+        _ => answer.start(&evolution, asked.from, torque.is_zero())?,
     };
-    let mut rows = match &run {
-        History::Full(run, range) => EvolutionTable::of_run(run, range, asked.samples),
-        History::Levels(passage) => EvolutionTable::of_levels(passage, &secular.principal),
-        History::Settled(row, range) => {
-            let stage = range.stage(row.energy).unwrap_or(from);
-            let to = secular.end(&evolution, stage, &asked.after(row.t))?;
-            let rows = EvolutionTable::of_evolution(&evolution, stage, to, asked.samples).behind(from, row);
-            rows.staying(asked.stays())
-        }
-        History::None if torque.is_zero() => EvolutionTable::of_evolution(
-            &evolution,
-            from,
-            secular.end(&evolution, from, asked)?,
-            asked.samples,
-        )
-        .staying(asked.stays()),
-        History::None => {
-            let limits = secular.limits(&evolution, asked)?;
-            EvolutionTable::of_drift(
-                &secular,
-                torque,
-                secular.drifting(from),
-                limits,
-                asked.samples,
-                &mut watch,
-            )
-        }
+    let mut rows = table_of(&answer, torque, from, asked, &mut watch)?;
+    let ended = evolution.motion(rows.last().stage);
+    let verdict = match flow.or_else(|| flowing(&inputs.powers.response, &ended)) {
+        Some(why) => verdict.of_no_solid(&why),
+        None => verdict,
     };
-    let ended = secular.evolution().motion(rows.last().stage);
-    if let Some(why) = flow.or_else(|| flowing(&secular.response, &ended)) {
-        secular.verdict.is_of_no_solid(&why);
-    }
-    let columns = secular.columns(&mut rows, &mut watch);
+    let columns = answer.columns(&mut rows, &mut watch);
+    let ends = [from, rows.last().stage];
+    let averaged = matches!(answer.method, Method::Average(_) | Method::SpinningFrame);
     let time_range = match &model.extremes {
-        Some(extremes) if rows.steady() && secular.verdict.road == "average" => {
-            Some(range(extremes, &secular, from, rows.last().stage)?)
-        }
+        Some(extremes) if rows.steady() && averaged => Some(range(extremes, &answer, ends)?),
         _ => None,
     };
     let unranged = time_range.is_none() && model.extremes.is_some();
     let drifted = rows.drift.as_ref().map(|drift| drift.end.angular_momentum);
-    let spin = |G: f64, stage: RotationState| G / secular.principal.moments[stage.mode.circled()];
-    let G = secular.initial.angular_momentum();
+    let spin = |G: f64, stage: RotationState| G / answer.principal.moments[stage.mode.circled()];
+    let G = answer.initial.angular_momentum();
     let spins = [spin(G, from), spin(drifted.unwrap_or(G), rows.last().stage)];
     let mut notes: Vec<String> = words::beyond_gravity(homogeneous(study), spins).into_iter().collect();
-    notes.extend(words::notes(&secular, [from, rows.last().stage], unranged));
+    notes.extend(words::notes(&answer, ends, unranged));
     notes.extend(words::uncertain(&rows));
-    let record = secular.record(&evolution, from, &rows, asked, time_range, columns);
-    let estimates = estimates(study, record.angular_momentum / secular.principal.moments[2]);
+    let record = answer.record(verdict, from, &rows, asked, time_range, columns);
+    let estimates = estimates(study, record.angular_momentum / answer.principal.moments[2]);
     Ok(Evolved { record: EvolutionRecord { estimates, homogeneous: homogeneous(study), ..record }, notes })
+}
+
+/// Table of an answer from a rotation state on.
+fn table_of(
+    answer: &Answer,
+    torque: SlowTorque,
+    from: RotationState,
+    asked: &Asked,
+    watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
+) -> Result<EvolutionTable, StudyError> {
+    let evolution = answer.evolution();
+    Ok(match &answer.history {
+        History::Full(run, range) => EvolutionTable::of_run(run, range, asked.samples),
+        History::Levels(passage) => EvolutionTable::of_levels(passage, &answer.principal),
+        History::Settled(row, range) => {
+            let stage = range.stage(row.energy).unwrap_or(from);
+            let to = answer.end(&evolution, stage, &asked.after(row.t))?;
+            let rows = EvolutionTable::of_evolution(&evolution, stage, to, asked.samples).behind(from, row);
+            rows.staying(asked.stays())
+        }
+        History::None if torque.is_zero() => {
+            let to = answer.end(&evolution, from, asked)?;
+            EvolutionTable::of_evolution(&evolution, from, to, asked.samples).staying(asked.stays())
+        }
+        History::None => {
+            let limits = answer.limits(&evolution, asked)?;
+            let start = answer.drifting(from);
+            EvolutionTable::of_drift(answer, torque, start, limits, asked.samples, watch)
+        }
+    })
 }
 
 /// Approximated shape or flow with a significant error: a solid, or the flow of liquids.
@@ -279,21 +295,20 @@ fn estimates(study: &Study, spin: f64) -> Vec<EstimateRecord> {
     DAMPING_ESTIMATES.map(estimate).into()
 }
 
-/// Times (s) of one way at both ends of the ranges of the materials.
+/// Times (s) of an average between two states, at both ends of the ranges of the materials.
 fn range(
     extremes: &[Assembly; 2],
-    secular: &SecularEvolution,
-    from: RotationState,
-    to: RotationState,
+    answer: &Answer,
+    [from, to]: [RotationState; 2],
 ) -> Result<[f64; 2], StudyError> {
     let time = |assembly: &Assembly| -> Result<f64, StudyError> {
         let body = assembly.body().map_err(|cause| StudyError::Extreme { cause: Box::new(cause) })?;
-        let power: Arc<dyn MeanPower> = if secular.by_polynomial {
-            Arc::new(PolynomialPower::from_reduced(&reduce(&body, secular.order)?))
+        let power: Arc<dyn MeanPower> = if answer.by_polynomial() {
+            Arc::new(PolynomialPower::from_reduced(&reduce(&body, answer.inputs.order)?))
         } else {
             Arc::new(Response::compute(&body)?)
         };
-        Ok(Evolution::new(power, secular.initial.angular_momentum()).time(from, to))
+        Ok(Evolution::new(power, answer.initial.angular_momentum()).time(from, to))
     };
     let [one, other] = [time(&extremes[0])?, time(&extremes[1])?];
     Ok([one.min(other), one.max(other)])

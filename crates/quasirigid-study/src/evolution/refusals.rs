@@ -2,35 +2,56 @@
 
 use quasirigid::averaging::Way;
 use quasirigid::model::Mode;
+use quasirigid::secular::choice::{self, Instability, Work};
 use quasirigid::secular::{AverageCriteria, DirectStopReason};
 use quasirigid_math::vec3::{norm, scale};
 
-use super::reason::{Instability, Reason, Work};
+use super::reason::Reason;
+use crate::liquids::unknown;
 use crate::words::{growth, significant, time};
 
-/// Reason in words, without a full stop.
-pub fn text(reason: &Reason) -> String {
+/// Reason in words, without a full stop, for a body with momentum wheels or without.
+pub fn text(reason: &Reason, wheels: bool) -> String {
     match reason {
-        Reason::NoSolid(words) | Reason::UnknownLiquids(words) => words.clone(),
+        Reason::NoSolid(words) => words.clone(),
         Reason::ChangingWheel => {
             "a momentum wheel changes its speed: its motor works on the body, whose energy then need not fall, \
              and no steady spin is reached by itself; `simulate` follows the history"
                 .into()
         }
+        Reason::Spent { seconds } => format!(
+            "no method came to the end within {}, the longest that is worked without being asked; a method \
+             that is asked for takes its time",
+            time(*seconds)
+        ),
+        Reason::Choice(reason) => of_choice(reason, wheels),
+        Reason::AfterLevels(reasons) => reasons.each_ref().map(|reason| of_choice(reason, wheels)).join("; "),
+    }
+}
+
+/// Reason of the choice in words.
+fn of_choice(reason: &choice::Reason, wheels: bool) -> String {
+    use choice::Reason;
+    match reason {
         Reason::Equilibrium(error) => error.to_string(),
-        Reason::Modes(error) => format!("the steady spins: {error}"),
-        Reason::AttractorModes(error) => format!("the steady spin: {error}"),
+        Reason::Modes(error) => {
+            format!("the steady {}: {error}", if wheels { "spin" } else { "spins" })
+        }
         Reason::NoAttractor => {
             "no steady spin of least energy was found: a spring may be too soft for the centrifugal load"
                 .into()
         }
         Reason::Unstable(instability) => unstable(instability),
+        Reason::UnknownLiquidResponse(liquids) => unknown(liquids),
         Reason::LossesLeftOut { share } => left_out(*share),
+        Reason::AverageFails(criteria) => unfounded(*criteria),
+        Reason::NotPrepared => "this method is not one that can be asked for".into(),
         Reason::AverageUnderTorque(criteria) => format!(
             "under a torque the average alone is followed, and it does not hold: {}",
             unfounded(*criteria)
         ),
-        Reason::NoRateOfModes => {
+        Reason::NoModalRate if wheels => "the modes give a small wobble no rate".into(),
+        Reason::NoModalRate => {
             "the modes about the steady spins give no rate at which a small wobble changes".into()
         }
         Reason::TooWideForModes { error, wobble } => format!(
@@ -48,34 +69,34 @@ pub fn text(reason: &Reason) -> String {
             "the rates of the modes, which have every loss of this body, are those of wobbles below {} degrees",
             significant(widest.to_degrees(), 2)
         ),
-        Reason::NoRateOfNutation => "the modes give a small wobble no rate".into(),
         Reason::RatioOfLevels => {
             "elasticity changes a difference of the moments of inertia by more than 1 %, so that D/I3 says \
              little; say how far to go by an angle"
                 .into()
         }
         Reason::Levels(error) => error.to_string(),
-        Reason::Separatrix { t } => {
+        Reason::LevelsFail { error } => levels_fail(*error),
+        Reason::Separatrix { t, ways } if ways.is_empty() => {
             format!("the rotation reaches a separatrix after {}; what follows depends on the phase", time(*t))
         }
-        Reason::Ways { t, ways } => undecided(*t, ways),
+        Reason::Separatrix { t, ways } => undecided(*t, ways),
+        Reason::Lossless if wheels => "the reduced equations dissipate nothing".into(),
         Reason::Lossless => "nothing is dissipated".into(),
-        Reason::LosslessWithWheels => "the reduced equations dissipate nothing".into(),
         Reason::Submanifold(error) => error.to_string(),
-        Reason::ManifoldBetweenAxes => {
-            "the reduced equations about a spin do not reach from one pole to the other".into()
+        Reason::ManifoldThroughSeparatrix if wheels => {
+            "the reduced equations about a spin do not reach through a separatrix".into()
         }
         Reason::ManifoldThroughSeparatrix => {
-            "the reduced equations about a spin do not reach through a separatrix".into()
+            "the reduced equations about a spin do not reach from one pole to the other".into()
+        }
+        Reason::BeyondManifold { .. } if wheels => {
+            "the reduced equations about the steady spin do not hold at this wobble".into()
         }
         Reason::BeyondManifold { wobble } => format!(
             "the reduced equations about the spin do not hold at the nutation of the start, {} degrees, or the \
              start is too far off them",
             degrees(*wobble)
         ),
-        Reason::BeyondManifoldWithWheels => {
-            "the reduced equations about the steady spin do not hold at this wobble".into()
-        }
         Reason::ManifoldWithoutEnd => {
             "the reduced equations about the steady spin do not lead to the end".into()
         }
@@ -86,6 +107,13 @@ pub fn text(reason: &Reason) -> String {
              coming into balance, not a wobble that dies out; its history in the full system shows it",
             time(*t)
         ),
+        Reason::Unfinished { t, ending, .. } if wheels => {
+            let failure = match ending {
+                DirectStopReason::Failed { reason } => format!(": {reason}"),
+                _ => String::new(),
+            };
+            format!("the full system was followed for {} and did not get there{failure}", time(*t))
+        }
         Reason::Unfinished { t, revolutions, ending, instability } => {
             let instability = instability.as_ref().map(|found| format!("; {}", unstable(found)));
             format!(
@@ -96,18 +124,14 @@ pub fn text(reason: &Reason) -> String {
                 instability.unwrap_or_default()
             )
         }
-        Reason::UnfinishedWithWheels { t, failure } => {
-            let failure = failure.as_ref().map(|failure| format!(": {failure}")).unwrap_or_default();
-            format!("the full system was followed for {} and did not get there{failure}", time(*t))
-        }
-        Reason::UnknownRevolutions => {
-            "the modes give a small wobble no rate beyond rounding at an end of the way, so that nothing says \
-             how far the full system would have to be followed; the method direct, asked for, does it"
-                .into()
-        }
-        Reason::UnknownDuration => {
+        Reason::UnknownLength if wheels => {
             "the modes give a small wobble no rate, so that nothing says how far the full system would have to \
              be followed"
+                .into()
+        }
+        Reason::UnknownLength => {
+            "the modes give a small wobble no rate beyond rounding at an end of the way, so that nothing says \
+             how far the full system would have to be followed; the method direct, asked for, does it"
                 .into()
         }
         Reason::TooLong { work: long, seconds, most } => format!(
@@ -118,13 +142,15 @@ pub fn text(reason: &Reason) -> String {
             time(*most),
             method(*long)
         ),
-        Reason::Spent { seconds } => format!(
-            "no method came to the end within {}, the longest that is worked without being asked; a method \
-             that is asked for takes its time",
-            time(*seconds)
-        ),
-        Reason::Both(reasons) => reasons.each_ref().map(text).join("; "),
     }
+}
+
+/// Error of level curves of a body with momentum wheels that is too large, in words.
+pub fn levels_fail(error: f64) -> String {
+    format!(
+        "by its rates, frequencies and settling beside the modes it may be {} % off",
+        significant(100.0 * error, 2)
+    )
 }
 
 /// Work in the full system, in words.

@@ -12,7 +12,7 @@ use quasirigid::model::{Mode, Principal};
 use quasirigid::secular::{DirectRow, DirectRun, EnergyRange};
 use quasirigid_math::vec3::norm;
 
-use super::secular::SecularEvolution;
+use super::answer::Answer;
 
 /// Place of a state at an axis, as `ξ`.
 const AT_AXIS: f64 = 36.0;
@@ -84,7 +84,7 @@ impl EvolutionTable {
 
     /// Rows at even times up to the end of a drift, which is located exactly; a drift that ends early is followed once more for them.
     pub fn of_drift(
-        secular: &SecularEvolution,
+        answer: &Answer,
         torque: SlowTorque,
         start: DriftState,
         limits: DriftLimits,
@@ -95,7 +95,7 @@ impl EvolutionTable {
         let times = |end: f64| -> Vec<f64> {
             (0..samples).map(|i| if i == last { end } else { end * i as f64 / last as f64 }).collect()
         };
-        let drift = Drift::new(secular.power(), &secular.principal, torque);
+        let drift = Drift::new(answer.power(), &answer.principal, torque);
         let mut history = drift.follow(start, &times(limits.end), &limits, &mut progress);
         if history.end.t < limits.end && history.ending != DriftStopReason::Interrupted {
             history = drift.follow(start, &times(history.end.t), &limits, &mut progress);

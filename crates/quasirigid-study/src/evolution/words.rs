@@ -3,11 +3,14 @@
 use std::f64::consts::TAU;
 use std::fmt::{self, Write};
 
-use quasirigid::averaging::{DriftHistory, DriftStopReason, MeanPower, RotationState, spin_barrier};
+use quasirigid::averaging::{
+    DriftHistory, DriftStopReason, MeanPower, PowerSource, RotationState, spin_barrier,
+};
+use quasirigid::secular::choice::{GrowingVibration, Method};
 use quasirigid_io::record::{Column, EstimateRecord, EvolutionRecord, HomogeneousRecord, ObservedRecord};
 use quasirigid_io::visible::one_line;
 
-use super::secular::SecularEvolution;
+use super::answer::Answer;
 use super::table::EvolutionTable;
 use super::{Asked, STEADY_SPIN};
 use crate::layout::paragraph;
@@ -136,22 +139,24 @@ fn odds(probability: f64) -> String {
 }
 
 /// Notes to read before the numbers.
-pub fn notes(secular: &SecularEvolution, ends: [RotationState; 2], unranged: bool) -> Vec<String> {
-    let mut notes: Vec<String> = secular.verdict.parametric.iter().cloned().collect();
-    let motions = ends.map(|stage| secular.evolution().motion(stage));
-    let ratio = secular.response.mean_power(&motions[0]) / secular.polynomial.mean_power(&motions[0]);
-    let judged = secular.verdict.rates.is_some();
-    if !judged && !secular.viscoelastic && ratio.is_finite() && (ratio - 1.0).abs() > APART {
+pub fn notes(answer: &Answer, ends: [RotationState; 2], unranged: bool) -> Vec<String> {
+    let inputs = answer.inputs;
+    let mut notes: Vec<String> = answer.parametric.iter().map(parametric).collect();
+    let motions = ends.map(|stage| answer.evolution().motion(stage));
+    let powers = &inputs.powers;
+    let ratio = powers.response.mean_power(&motions[0]) / powers.polynomial.mean_power(&motions[0]);
+    let judged = answer.rates.is_some();
+    if !judged && !inputs.viscoelastic && ratio.is_finite() && (ratio - 1.0).abs() > APART {
         notes.push(format!(
             "At the start the harmonics take {} of the power of the reduced equations: the frequencies are not low, or a \
              resonance is near, and the harmonics are right{}.",
             significant(ratio, 3),
-            if secular.by_polynomial { "; this answer takes the polynomial" } else { "" }
+            if answer.by_polynomial() { "; this answer takes the polynomial" } else { "" }
         ));
     }
     let first = |motion: &quasirigid::averaging::FreeRotation| motion.harmonics().next();
     let frequencies: Vec<f64> = motions.iter().filter_map(first).map(|harmonic| harmonic.frequency).collect();
-    for [low, high] in &secular.measured {
+    for [low, high] in &inputs.measured {
         if let Some(outside) = frequencies.iter().find(|frequency| !(low..=high).contains(frequency)) {
             notes.push(format!(
                 "The polhode frequency, {} rad/s, is outside the range in which a material was measured ({} to {} rad/s); its last value was taken.",
@@ -161,13 +166,71 @@ pub fn notes(secular: &SecularEvolution, ends: [RotationState; 2], unranged: boo
             ));
         }
     }
-    if secular.by_polynomial && secular.viscoelastic {
+    if answer.by_polynomial() && inputs.viscoelastic {
         notes.push("The reduced equations hold no loss of a material that is not Kelvin-Voigt: take it from the harmonics.".into());
     }
     if unranged {
         notes.push("The ranges of the materials are left out under a torque.".into());
     }
     notes
+}
+
+/// Vibration that grows from nothing, in a sentence.
+fn parametric(GrowingVibration { coordinate, frequency, rate, wobble }: &GrowingVibration) -> String {
+    format!(
+        "Parametric resonance: at a wobble of {} degrees a vibration of {coordinate} at {} rad/s grows from nothing, e-fold in {}.",
+        significant(wobble.to_degrees(), 3),
+        significant(*frequency, 4),
+        time(rate.recip())
+    )
+}
+
+/// Name of a method in records.
+pub fn road(method: Method) -> &'static str {
+    match method {
+        Method::Average(_) | Method::SpinningFrame => "average",
+        Method::ModalRates => "modes",
+        Method::LevelCurves => "levels",
+        Method::SpinManifold => "manifold",
+        Method::MicroRuns => "micro-runs",
+        Method::FullSystem => "direct",
+    }
+}
+
+/// Source of the power of a method that follows it from start to end, in words; none of an average.
+pub fn followed_power(method: Method) -> Option<&'static str> {
+    match method {
+        Method::MicroRuns => Some("measured by short runs of the full system along the way"),
+        Method::LevelCurves => {
+            Some("mean of the power of the reduced equations along level curves of the slow energy")
+        }
+        Method::SpinManifold => Some(
+            "the reduced equations about the spin from start to end; the wobble is the envelope, that of a rigid body with the same energy",
+        ),
+        Method::FullSystem => Some(
+            "the full system from start to end; the wobble is the envelope, that of a rigid body with the same energy",
+        ),
+        Method::Average(_) | Method::SpinningFrame | Method::ModalRates => None,
+    }
+}
+
+/// Source of the power in words; of averages that of the power averaged, from reduced equations of an order.
+pub fn source_of_power(method: Method, source: PowerSource, order: usize) -> String {
+    if let Some(words) = followed_power(method) {
+        return words.into();
+    }
+    match source {
+        _ if method == Method::SpinningFrame => {
+            "harmonics of the polhode in the spinning frame, coupled by its Coriolis and centrifugal forces"
+                .into()
+        }
+        PowerSource::Polynomial => {
+            format!("mean of the power of the reduced equations of order {order} along the polhode")
+        }
+        PowerSource::Harmonics => {
+            "sum over the harmonics of the polhode, with every elastic mode, dashpot and material".into()
+        }
+    }
 }
 
 /// Radius (m) of the ball of the same volume above which asteroids do not spin beyond the barrier.

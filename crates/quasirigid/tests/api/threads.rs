@@ -2,12 +2,13 @@
 
 use std::fmt::Debug;
 
+use quasirigid::secular::choice;
 use quasirigid::{
     averaging, dynamics, elements, model, modes, problems, reduction, secular, submanifold, verification,
 };
 
 /// Modules that a user meets, as their sources list them.
-const MODULES: [(&str, &str); 10] = [
+const MODULES: [(&str, &str); 11] = [
     ("elements", include_str!("../../../quasirigid-elements/src/lib.rs")),
     ("model", include_str!("../../../quasirigid-body/src/lib.rs")),
     ("reduction", include_str!("../../../quasirigid-dynamics/src/reduction/mod.rs")),
@@ -16,12 +17,13 @@ const MODULES: [(&str, &str); 10] = [
     ("modes", include_str!("../../../quasirigid-dynamics/src/modes/mod.rs")),
     ("submanifold", include_str!("../../../quasirigid-dynamics/src/submanifold/mod.rs")),
     ("secular", include_str!("../../../quasirigid-dynamics/src/secular/mod.rs")),
+    ("choice", include_str!("../../../quasirigid-dynamics/src/secular/choice/mod.rs")),
     ("verification", include_str!("../../../quasirigid-dynamics/src/verification/mod.rs")),
     ("problems", include_str!("../../../quasirigid-elements/src/problems/mod.rs")),
 ];
 
 /// Traits, which have no threads to cross.
-const TRAITS: [&str; 3] = ["AssemblyElement", "MeanPower", "Observer"];
+const TRAITS: [&str; 4] = ["AssemblyElement", "ChoiceObserver", "MeanPower", "Observer"];
 
 fn crosses<T: Send + Sync + Debug>() {}
 
@@ -275,6 +277,28 @@ fn public_types_are_send_sync_and_debug() {
     crosses::<secular::Pole>();
     crosses::<secular::Poles>();
     crosses::<secular::Probes>();
+    crosses::<choice::AverageBasis>();
+    crosses::<choice::AveragePowers>();
+    crosses::<choice::Case<'static>>();
+    crosses::<choice::ChoiceError>();
+    crosses::<choice::Criteria>();
+    crosses::<choice::Decision>();
+    crosses::<choice::Followed>();
+    crosses::<choice::GrowingVibration>();
+    crosses::<choice::GyrostatCriteria>();
+    crosses::<choice::Instability>();
+    crosses::<choice::Last>();
+    crosses::<choice::Limits>();
+    crosses::<choice::Method>();
+    crosses::<choice::MomentsOnly>();
+    crosses::<choice::Outcome>();
+    crosses::<choice::Reason>();
+    crosses::<choice::ReferenceSpins<'static>>();
+    crosses::<choice::Span>();
+    crosses::<choice::Stop>();
+    crosses::<choice::Tried>();
+    crosses::<choice::UnknownLiquid>();
+    crosses::<choice::Work>();
     crosses::<verification::AverageError>();
     crosses::<verification::AverageRow>();
     crosses::<verification::DegreeRow>();

@@ -2,13 +2,13 @@
 
 use std::f64::consts::TAU;
 
+use quasirigid::secular::choice::{Method, Reason};
 use quasirigid::secular::{DirectRow, DirectRun, DirectStopReason};
 use quasirigid_math::vec3::norm;
 
-use super::ground::Ground;
+use super::attracting_spin::AttractingSpin;
 use crate::evolution::Asked;
-use crate::evolution::method::{FOLLOWED, Verdict};
-use crate::evolution::reason::Reason;
+use crate::evolution::verdict::{FOLLOWED, Verdict};
 use crate::words::significant;
 
 /// Greatest wobble (rad) from which the modes alone are followed behind the full system.
@@ -29,7 +29,10 @@ pub struct Row {
 
 /// Evolution that was followed.
 pub struct Answer {
+    pub method: Method,
     pub verdict: Verdict,
+    /// Energy that each dissipator takes, where the method measures it.
+    pub budget: Option<Vec<(String, f64)>>,
     pub rows: Vec<Row>,
     /// Angular momentum (N·m·s, body axes) and energy (J) of the steady spin that attracts.
     pub attractor: [f64; 3],
@@ -39,7 +42,7 @@ pub struct Answer {
     pub crossed: Option<f64>,
 }
 
-impl Ground<'_> {
+impl AttractingSpin<'_> {
     pub fn start(&self) -> Row {
         self.row(DirectRow { t: 0.0, energy: self.energy, dissipated: 0.0, revolutions: 0.0 }, f64::NAN)
     }
@@ -49,13 +52,14 @@ impl Ground<'_> {
         Row { t, revolutions: revolutions.abs(), energy, nutation, periods: [f64::NAN; 2], power }
     }
 
-    pub fn answer(&self, verdict: Verdict, rows: Vec<Row>) -> Answer {
+    pub fn answer(&self, method: Method, verdict: Verdict, rows: Vec<Row>) -> Answer {
         let attractor = self.pole.modes.equilibrium.angular_momentum;
-        Answer { verdict, rows, attractor, steady: self.steady(), rate: self.rate(), crossed: None }
+        let (steady, rate) = (self.steady(), self.rate());
+        Answer { method, verdict, budget: None, rows, attractor, steady, rate, crossed: None }
     }
 
     /// Rows of a history, evenly in time.
-    pub fn of_run(&self, run: &DirectRun, verdict: Verdict, samples: usize) -> Answer {
+    pub fn of_run(&self, method: Method, run: &DirectRun, verdict: Verdict, samples: usize) -> Answer {
         let rows = &run.rows;
         let end = rows[rows.len() - 1];
         let last = samples.saturating_sub(1).max(1);
@@ -73,19 +77,18 @@ impl Ground<'_> {
         let rows = chosen.into_iter().map(|i| self.row(rows[i], power(i))).collect();
         let names = self.body.dissipators().iter().map(|each| each.name.clone());
         let budget = Some(names.zip(run.budget.iter().copied()).collect());
-        self.answer(Verdict { budget, ..verdict }, rows)
+        Answer { budget, ..self.answer(method, verdict, rows) }
     }
 
     /// A run of the full system, and the modes behind it.
     pub fn with_tail(&self, run: DirectRun, goal: Option<f64>, asked: &Asked) -> Answer {
         let (first, end) = (run.rows[0], run.rows[run.rows.len() - 1]);
         let verdict = Verdict {
-            road: "direct",
             sentence: FOLLOWED.into(),
             error: Some(run.energy_drift.abs() / (first.energy - end.energy).abs()),
             ..Verdict::default()
         };
-        let mut answer = self.of_run(&run, verdict, asked.samples);
+        let mut answer = self.of_run(Method::FullSystem, &run, verdict, asked.samples);
         let ended = goal.is_some_and(|goal| end.energy <= goal * (1.0 + f64::EPSILON));
         if ended || run.ending == DirectStopReason::Finished {
             return answer;
@@ -111,7 +114,7 @@ impl Ground<'_> {
         duration: Option<f64>,
         samples: usize,
     ) -> Result<Vec<Row>, Reason> {
-        let rate = self.rate().filter(|rate| *rate > 0.0).ok_or(Reason::NoRateOfNutation)?;
+        let rate = self.rate().filter(|rate| *rate > 0.0).ok_or(Reason::NoModalRate)?;
         let spin = &self.pole.modes.equilibrium;
         let (above, turning) = (from.energy - self.steady(), norm(spin.omega) / TAU);
         let falls = goal.map_or(f64::INFINITY, |goal| (above / (goal - self.steady())).ln() / (2.0 * rate));

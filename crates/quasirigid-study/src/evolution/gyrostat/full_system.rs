@@ -4,15 +4,14 @@ use std::f64::consts::TAU;
 use std::time::Instant;
 
 use quasirigid::dynamics::FullState;
+use quasirigid::secular::choice::{ChoiceObserver, Limits, Reason, Stop, Work, history_options};
 use quasirigid::secular::{DirectRow, DirectRun, DirectStopReason, follow_directly};
 
 use super::answer::{Answer, BEHIND};
-use super::ground::Ground;
-use super::roads::{Found, Watch};
+use super::attracting_spin::AttractingSpin;
+use super::methods::Found;
 use crate::error::StudyError;
 use crate::evolution::Asked;
-use crate::evolution::method::{Outlook, options};
-use crate::evolution::reason::{Reason, Stop, Work};
 
 /// Share of the energy of the separatrix above the steady spin by which it is passed before the way behind it is told.
 const BELOW: f64 = 1e-3;
@@ -21,33 +20,37 @@ const PARTED: f64 = 1e-2;
 
 /// The full system until its wobble is small, and the modes from there on.
 pub fn direct(
-    ground: &Ground,
+    spin: &AttractingSpin,
     full: &FullState,
     goal: Option<f64>,
     asked: &Asked,
-    outlook: &Outlook,
-    watch: Watch<'_>,
+    observer: &mut dyn ChoiceObserver,
 ) -> Found {
-    let until = ground.until(goal);
-    announced(ground, full, until, asked, outlook, watch)?;
-    let through = if ground.settled() { until } else { until.max(ground.beyond()) };
-    let first = followed(ground, full, through, asked.duration, watch)?;
+    let until = spin.until(goal);
+    announced(spin, full, until, asked, observer)?;
+    let through = if spin.settled() { until } else { until.max(spin.beyond()) };
+    let first = followed(spin, full, through, asked.duration, observer)?;
     if through <= until || first.ending == DirectStopReason::Finished {
-        return Ok(ground.with_tail(first, goal, asked));
+        return Ok(spin.with_tail(first, goal, asked));
     }
-    behind(ground, first, asked, watch)
+    behind(spin, first, asked, observer)
 }
 
 /// The full system behind a separatrix, where it circles the steady spin that it came to.
-fn behind(ground: &Ground, first: DirectRun, asked: &Asked, watch: Watch<'_>) -> Found {
+fn behind(
+    spin: &AttractingSpin,
+    first: DirectRun,
+    asked: &Asked,
+    observer: &mut dyn ChoiceObserver,
+) -> Found {
     let end = first.rows[first.rows.len() - 1];
-    let below = Ground::of(ground.study, &first.last)?;
-    let goal = below.goal_from(ground.energy, asked);
+    let below = AttractingSpin::of(spin.study, &first.last)?;
+    let goal = below.goal_from(spin.energy, asked);
     let left = asked.duration.map(|duration| duration - end.t);
     let whole = if goal.is_some_and(|goal| goal >= end.energy) {
         first
     } else {
-        let second = followed(&below, &first.last, below.until(goal), left, watch)?;
+        let second = followed(&below, &first.last, below.until(goal), left, observer)?;
         joined(first, second)
     };
     let mut answer = below.with_tail(whole, goal, asked);
@@ -57,49 +60,45 @@ fn behind(ground: &Ground, first: DirectRun, asked: &Asked, watch: Watch<'_>) ->
 
 /// The full system to an energy.
 fn followed(
-    ground: &Ground,
+    spin: &AttractingSpin,
     full: &FullState,
     until: f64,
     duration: Option<f64>,
-    watch: Watch<'_>,
-) -> Result<DirectRun, Stop> {
-    let run = follow_directly(ground.body, full, &options(Some(until), duration), watch)?;
-    let t = run.rows[run.rows.len() - 1].t;
+    observer: &mut dyn ChoiceObserver,
+) -> Result<DirectRun, Stop<StudyError>> {
+    let options = history_options(Some(until), duration, &Limits::default());
+    let run = follow_directly(spin.body, full, &options, &mut |share| observer.observe(share))?;
+    let DirectRow { t, revolutions, .. } = run.rows[run.rows.len() - 1];
     match run.ending {
         DirectStopReason::Reached | DirectStopReason::Finished => Ok(run),
         DirectStopReason::Interrupted => Err(StudyError::Interrupted.into()),
-        DirectStopReason::Failed { reason } => {
-            Err(Reason::UnfinishedWithWheels { t, failure: Some(reason) }.into())
-        }
-        DirectStopReason::TurnLimit | DirectStopReason::StepLimit => {
-            Err(Reason::UnfinishedWithWheels { t, failure: None }.into())
-        }
+        ending => Err(Reason::Unfinished { t, revolutions, ending, instability: None }.into()),
     }
 }
 
 /// Announces a history of the full system; the reason why it is not followed, if it takes too long.
 fn announced(
-    ground: &Ground,
+    spin: &AttractingSpin,
     full: &FullState,
     until: f64,
     asked: &Asked,
-    outlook: &Outlook,
-    watch: Watch<'_>,
-) -> Result<(), Stop> {
-    let Some(mode) = ground.nutation().filter(|mode| mode.decay_rate > 0.0 && mode.frequency > 0.0) else {
-        return Err(Reason::UnknownDuration.into());
+    observer: &mut dyn ChoiceObserver,
+) -> Result<(), Stop<StudyError>> {
+    let Some(mode) = spin.nutation().filter(|mode| mode.decay_rate > 0.0 && mode.frequency > 0.0) else {
+        return Err(Reason::UnknownLength.into());
     };
-    let share = (ground.energy - ground.steady()) / (until - ground.steady());
+    let share = (spin.energy - spin.steady()) / (until - spin.steady());
     let falls = share.ln() / (2.0 * mode.decay_rate);
     let length = asked.duration.map_or(falls, |duration| duration.min(falls));
     let period = (TAU / mode.frequency).min(length);
+    let options = history_options(None, Some(period), &Limits::default());
     let before = Instant::now();
-    let run = follow_directly(ground.body, full, &options(None, Some(period)), watch)?;
+    let run = follow_directly(spin.body, full, &options, &mut |share| observer.observe(share))?;
     if run.ending == DirectStopReason::Interrupted {
         return Err(StudyError::Interrupted.into());
     }
     let seconds = before.elapsed().as_secs_f64() * length / period;
-    Ok(outlook.allows(Work::History, seconds)?)
+    Ok(observer.announce(Work::History, seconds)?)
 }
 
 /// Two runs one behind the other.
@@ -121,7 +120,7 @@ fn joined(mut first: DirectRun, second: DirectRun) -> DirectRun {
     }
 }
 
-impl Ground<'_> {
+impl AttractingSpin<'_> {
     /// Energy (J) down to which the full system is followed to a goal: where the modes take over, or the goal.
     fn until(&self, goal: Option<f64>) -> f64 {
         let behind = self.wobble.energy_of(BEHIND);

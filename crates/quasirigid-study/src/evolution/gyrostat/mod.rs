@@ -3,17 +3,17 @@
 //! Equations (Q15) and (Q16), docs/theory/16-methods.md.
 
 mod answer;
+mod attracting_spin;
 mod full_system;
-mod ground;
+mod methods;
 mod record;
-mod roads;
 
 use quasirigid::averaging::SlowTorque;
 use quasirigid::dynamics::Start;
 use quasirigid_io::model::Target;
 use quasirigid_math::vec3::norm;
 
-use super::method::Outlook;
+use super::outlook::Outlook;
 use super::reason::Reason;
 use super::{Asked, Evolved, approximated};
 use crate::error::StudyError;
@@ -21,7 +21,8 @@ use crate::materials::flowing_at;
 use crate::motion::Motion;
 use crate::study::Study;
 use crate::watch::Watch;
-use ground::Ground;
+use answer::Answer;
+use attracting_spin::AttractingSpin;
 
 /// Follows a body with momentum wheels from a start.
 pub fn follow(
@@ -40,19 +41,17 @@ pub fn follow(
     if let Some(reason) = changing.then_some(Reason::ChangingWheel).or_else(no_solid) {
         return Ok(refused(&reason, None));
     }
-    let outlook = Outlook::new(asked.method.is_some());
-    let mut watch = |share: f64| outlook.observe(observer, share);
-    let ground = match Ground::of(study, &full) {
-        Ok(ground) => ground,
-        Err(stop) => return Ok(refused(&stop.reason()?, None)),
+    let mut outlook = Outlook::new(observer, asked.method.is_some());
+    let spin = match AttractingSpin::of(study, &full) {
+        Ok(spin) => spin,
+        Err(stop) => return Ok(refused(&Reason::of(stop)?, None)),
     };
-    let found = roads::choose(&ground, &full, asked, &outlook, &mut watch);
-    let mut answer = match outlook.judged(found) {
+    let answer = match methods::chosen(&spin, &full, asked, &mut outlook) {
         Ok(answer) => answer,
-        Err(stop) => return Ok(refused(&stop.reason()?, ground.rate())),
+        Err(stop) => return Ok(refused(&outlook.reason(stop)?, spin.rate())),
     };
-    answer.verdict.close(approximated(study));
-    Ok(Evolved { record: record::answered(answer, asked), notes: Vec::new() })
+    let verdict = answer.verdict.clone().with_shape_error(approximated(study));
+    Ok(Evolved { record: record::answered(Answer { verdict, ..answer }, asked), notes: Vec::new() })
 }
 
 /// Refuses what has no meaning for a body with momentum wheels.

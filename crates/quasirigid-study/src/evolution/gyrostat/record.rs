@@ -4,35 +4,26 @@ use quasirigid_io::record::{Column, EvolutionRecord, ObservedRecord};
 use quasirigid_math::vec3::{norm, scale};
 
 use super::answer::{Answer, Row};
+use crate::evolution::answer::folding;
+use crate::evolution::columns::{self, of_rows};
 use crate::evolution::reason::Reason;
-use crate::evolution::refusals;
-use crate::evolution::secular::COLUMNS;
-use crate::evolution::unanswered::unanswered;
-use crate::evolution::words::finished;
-use crate::evolution::{Asked, STEADY_SPIN};
+use crate::evolution::record::blank;
+use crate::evolution::words::{finished, followed_power, road};
+use crate::evolution::{Asked, STEADY_SPIN, record, refusals};
 use crate::words::{count, shares, significant, time};
 
 /// Record of an evolution that no method leads along, with the rate (1/s) at which a small wobble falls, if known.
 pub fn refused(reason: &Reason, rate: Option<f64>, G: f64) -> EvolutionRecord {
-    EvolutionRecord {
-        damping_time: rate.map_or(f64::NAN, folding),
-        growth_time: f64::INFINITY,
-        ..unanswered(&refusals::text(reason), G, STEADY_SPIN)
-    }
-    .with_unknown_named()
-}
-
-/// Time (s) in which a small wobble falls by e.
-fn folding(rate: f64) -> f64 {
-    if rate > 0.0 || rate.is_nan() { rate.recip() } else { f64::INFINITY }
+    let times = [rate.map_or(f64::NAN, folding), f64::INFINITY];
+    record::refused(&refusals::text(reason, true), times, blank(G, STEADY_SPIN))
 }
 
 /// Record of an evolution that was followed.
 pub fn answered(answer: Answer, asked: &Asked) -> EvolutionRecord {
-    let Answer { verdict, rows, attractor, steady, rate, crossed } = answer;
+    let Answer { method, verdict, budget, rows, attractor, steady, rate, crossed } = answer;
     let G = norm(attractor);
     let (first, last) = (rows[0], rows[rows.len() - 1]);
-    let method = verdict.method().unwrap_or_else(|| "the rate of the nutation about the steady spin".into());
+    let power = followed_power(method).unwrap_or("the rate of the nutation about the steady spin");
     let observed = |row: Row| {
         let [rotation_period, precession_period] = row.periods;
         let [nutation_least, nutation_greatest] = row.nutation;
@@ -47,23 +38,23 @@ pub fn answered(answer: Answer, asked: &Asked) -> EvolutionRecord {
     };
     EvolutionRecord {
         sentence: sentence(&rows, attractor, crossed),
-        road: verdict.road.into(),
+        road: road(method).into(),
         status: if verdict.fails { "does-not-hold" } else { "finished" }.into(),
         message: if verdict.fails { verdict.sentence.clone() } else { finished(last.t, asked) },
-        method,
+        method: power.into(),
         start: observed(first),
         end: observed(last),
         time: last.t,
         time_error: verdict.error,
         revolutions: last.revolutions,
         power: first.power,
-        dissipation: shares(verdict.budget.as_deref().unwrap_or(&[])),
+        dissipation: shares(budget.as_deref().unwrap_or(&[])),
         separatrix_time: crossed,
         damping_time: rate.map_or(f64::NAN, folding),
         growth_time: f64::INFINITY,
         columns: columns(&rows, G),
         verdict: verdict.sentence,
-        ..unanswered("", G, STEADY_SPIN)
+        ..blank(G, STEADY_SPIN)
     }
     .with_unknown_named()
 }
@@ -87,16 +78,10 @@ fn sentence(rows: &[Row], attractor: [f64; 3], crossed: Option<f64>) -> String {
 }
 
 fn columns(rows: &[Row], G: f64) -> Vec<Column> {
-    let values = |row: &Row| {
+    let values = |row: &Row| -> columns::Row {
         let Row { t, revolutions, energy, nutation: [least, greatest], periods: [period, precession], power } =
             *row;
         [t, f64::NAN, 0.0, least, greatest, energy, G, period, precession, power, f64::NAN, revolutions]
     };
-    let values: Vec<[f64; COLUMNS.len()]> = rows.iter().map(values).collect();
-    let column = |(i, (name, unit)): (usize, &(&str, &str))| Column {
-        name: (*name).into(),
-        unit: (*unit).into(),
-        values: values.iter().map(|row| row[i]).collect(),
-    };
-    COLUMNS.iter().enumerate().map(column).collect()
+    of_rows(&rows.iter().map(values).collect::<Vec<_>>())
 }

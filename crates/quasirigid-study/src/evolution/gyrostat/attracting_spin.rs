@@ -1,26 +1,26 @@
-//! Ground on which a method is judged: the steady spin that attracts from a state, with its modes, its separatrix and the goal.
+//! Steady spin that attracts from a state, with its modes, its separatrix and the goal: what methods are judged by.
 
 use quasirigid::averaging::{LevelError, LevelEvolution, Until};
 use quasirigid::dynamics::FullState;
-use quasirigid::model::FlexibleBody;
+use quasirigid::model::{FlexibleBody, Principal};
 use quasirigid::modes::{SpinMode, SpinModes};
+use quasirigid::reduction::frequencies;
+use quasirigid::secular::choice::{GyrostatCriteria, Instability, Reason, Stop, loss_left_out};
 use quasirigid::secular::{GyrostatSpins, GyrostatWobble, Pole};
 use quasirigid_io::model::Target;
 use quasirigid_math::vec3::norm;
 
 use crate::error::StudyError;
 use crate::evolution::Asked;
-use crate::evolution::reason::{Instability, Reason, Stop};
-use crate::evolution::secular::LEFT;
-use crate::left_out::{LEFT_OUT, of_nutation};
-use crate::liquids::unanswered;
+use crate::evolution::ends::LEFT;
+use crate::liquids::unknown_liquids;
 use crate::study::Study;
 
 /// Energy of a wobble, relative to the whole, that is rounding.
 const ROUNDING: f64 = 1e-13;
 
-/// Basis on which a method is judged: the steady spin that attracts from a state, with its modes and the wobble about it.
-pub struct Ground<'a> {
+/// Steady spin that attracts from a state, with its modes and the wobble about it.
+pub struct AttractingSpin<'a> {
     pub study: &'a Study,
     pub body: &'a FlexibleBody,
     /// Angular momentum `K` (N·m·s, body axes) and energy (J) of the state.
@@ -32,9 +32,9 @@ pub struct Ground<'a> {
     pub barrier: f64,
 }
 
-impl<'a> Ground<'a> {
-    /// The ground of a state.
-    pub fn of(study: &'a Study, state: &FullState) -> Result<Self, Stop> {
+impl<'a> AttractingSpin<'a> {
+    /// The steady spin that attracts from a state.
+    pub fn of(study: &'a Study, state: &FullState) -> Result<Self, Stop<StudyError>> {
         let body = &study.body;
         let K = state.angular_momentum(body);
         let rigid = study.reduced(0)?;
@@ -47,10 +47,10 @@ impl<'a> Ground<'a> {
         };
         let spin = spins.attracting(downhill).cloned().ok_or(Reason::NoAttractor)?;
         let wobble = GyrostatWobble::about(body, &spin);
-        let pole = Pole { modes: SpinModes::about(body, spin).map_err(Reason::AttractorModes)? };
+        let pole = Pole { modes: SpinModes::about(body, spin).map_err(Reason::Modes)? };
         let (angular_momentum, energy, barrier) = (K, state.energy(body), spins.barrier());
-        let ground = Self { study, body, angular_momentum, energy, pole, wobble, barrier };
-        Ok(ground.judged()?)
+        let spin = Self { study, body, angular_momentum, energy, pole, wobble, barrier };
+        Ok(spin.judged()?)
     }
 
     fn judged(self) -> Result<Self, Reason> {
@@ -59,10 +59,8 @@ impl<'a> Ground<'a> {
         }
         let spin = &self.pole.modes.equilibrium;
         let frequency = self.pole.modes.nutation().map_or(0.0, |nutation| nutation.frequency);
-        match unanswered(self.study, spin.omega, frequency) {
-            Some(silent) => Err(Reason::UnknownLiquids(silent)),
-            None => Ok(self),
-        }
+        let unknown = unknown_liquids(self.study, spin.omega, frequency);
+        if unknown.is_empty() { Ok(self) } else { Err(Reason::UnknownLiquidResponse(unknown)) }
     }
 
     /// Mode of the small wobble.
@@ -80,12 +78,27 @@ impl<'a> Ground<'a> {
         self.pole.modes.equilibrium.energy
     }
 
-    /// Whether the equations of motion have every loss of the small wobble.
-    pub fn complete(&self) -> bool {
-        if self.body.viscoelastic().is_empty() && self.body.memories().is_empty() {
-            return true;
+    /// Criteria of the methods.
+    pub fn criteria(&self) -> GyrostatCriteria {
+        let body = self.body;
+        // dashpots and Kelvin-Voigt materials are in the equations of motion
+        let complete = body.viscoelastic().is_empty() && body.memories().is_empty();
+        let left_out = || self.nutation().map_or(f64::INFINITY, loss_left_out);
+        GyrostatCriteria {
+            spin_ratio: self.spin_ratio(),
+            internal_rotation: !body.cyclic().is_empty(),
+            viscoelastic: !body.viscoelastic().is_empty(),
+            left_out: if complete { 0.0 } else { left_out() },
+            settled: self.settled(),
+            coordinates: body.coordinates().len(),
         }
-        self.nutation().is_some_and(|mode| of_nutation(mode) <= LEFT_OUT)
+    }
+
+    /// Bound of the ratio of any spin at the energy of the start to the slowest elastic frequency.
+    pub fn spin_ratio(&self) -> f64 {
+        let slowest = frequencies(self.body).ok().and_then(|all| all.first().copied());
+        let least = Principal::compute(self.body.invariants().J).moments[0];
+        (2.0 * self.energy / least).sqrt() / slowest.unwrap_or(f64::INFINITY)
     }
 
     /// Whether the state is below the separatrix, so that it stays about the steady spin.

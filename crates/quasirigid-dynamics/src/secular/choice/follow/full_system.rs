@@ -1,0 +1,86 @@
+//! History of the full system, and the time that it takes.
+
+use std::f64::consts::TAU;
+use std::time::Instant;
+
+use super::super::limits::Limits;
+use super::super::reason::{Reason, Work};
+use super::{ChoiceError, ChoiceObserver, Driver, Found, Outcome, Stop};
+use crate::dynamics::PropagateError;
+use crate::math::vec3::norm;
+use crate::secular::{DirectOptions, DirectStopReason, follow_directly};
+
+/// Error allowed per step of the full system, relative.
+const TOLERANCE: f64 = 1e-10;
+/// Revolutions in which no wobble dies out.
+const ONE_TURN: f64 = 1.0;
+
+/// Options of a history of the full system to an energy (J), or for a time (s) if that is before it.
+#[must_use]
+pub fn history_options(until: Option<f64>, duration: Option<f64>, limits: &Limits) -> DirectOptions {
+    DirectOptions {
+        until,
+        duration: duration.unwrap_or(f64::MAX),
+        most_revolutions: f64::INFINITY,
+        most_steps: limits.steps,
+        tolerance: TOLERANCE,
+    }
+}
+
+impl Driver<'_> {
+    /// The history of the full system; announced and of limited length where it was not asked for.
+    pub(super) fn full_system(&self, observer: &mut dyn ChoiceObserver) -> Result<Found, Stop> {
+        let (spins, span, limits) = (self.case.spins, self.case.span, self.limits);
+        let mut options = history_options(Some(span.energies[1]), span.duration, limits);
+        if !self.asked {
+            self.announce_history(observer)?;
+            options.most_revolutions = limits.many_revolutions;
+            options.most_steps =
+                limits.steps_unasked(self.case.criteria.coordinates, spins.body.paths().is_some());
+        }
+        let run = follow_directly(spins.body, &span.start, &options, &mut |share| observer.observe(share))?;
+        let end = run.rows[run.rows.len() - 1];
+        match run.ending {
+            DirectStopReason::Reached if end.revolutions < ONE_TURN => {
+                Err(Reason::WithinRevolution { t: end.t }.into())
+            }
+            DirectStopReason::Reached | DirectStopReason::Finished => {
+                let error = run.energy_drift.abs() / (span.energies[0] - span.energies[1]).abs();
+                Ok(Found { outcome: Outcome::FullSystem(Box::new(run)), error: Some(error), source: None })
+            }
+            DirectStopReason::Interrupted => Err(ChoiceError::Interrupted.into()),
+            ending => {
+                let instability = spins.unstable().or_else(|| spins.growing_internal_mode());
+                Err(Reason::Unfinished { t: end.t, revolutions: end.revolutions, ending, instability }.into())
+            }
+        }
+    }
+
+    fn announce_history(&self, observer: &mut dyn ChoiceObserver) -> Result<(), Stop> {
+        let Some(revolutions) = self.case.criteria.revolutions else { return Ok(()) };
+        let Ok(per_period) = self.seconds_per_period(observer) else { return Ok(()) };
+        let span = self.case.span;
+        let period = self.case.spins.motion(span.ends[0]).polhode_period();
+        let revolutions_in_period = period * norm(span.start.omega) / TAU;
+        Ok(observer.announce(Work::History, per_period * revolutions / revolutions_in_period)?)
+    }
+
+    /// Seconds of work that a period of the polhode takes in the full system.
+    ///
+    /// # Errors
+    /// [`PropagateError`], which the work itself meets again.
+    pub(super) fn seconds_per_period(
+        &self,
+        observer: &mut dyn ChoiceObserver,
+    ) -> Result<f64, PropagateError> {
+        if let Some(known) = self.seconds_per_period.get() {
+            return Ok(*known);
+        }
+        let (spins, span) = (self.case.spins, self.case.span);
+        let duration = spins.motion(span.ends[0]).polhode_period();
+        let options = history_options(None, Some(duration), self.limits);
+        let before = Instant::now();
+        follow_directly(spins.body, &span.start, &options, &mut |share| observer.observe(share))?;
+        Ok(*self.seconds_per_period.get_or_init(|| before.elapsed().as_secs_f64()))
+    }
+}

@@ -1,0 +1,64 @@
+use super::super::reason::Work;
+use super::full_system::history_options;
+use super::{ChoiceObserver, Driver, Found, Outcome, Stop};
+use crate::averaging::RotationState;
+use crate::secular::{
+    DirectRow, DirectStopReason, MeasureError, MeasureOptions, MeasuredPower, follow_directly,
+    micro_run_periods,
+};
+
+/// Relaxation times in which a start is forgotten, and periods of the polhode at most.
+const FORGOTTEN: f64 = 8.0;
+const LONGEST: f64 = 400.0;
+
+impl Driver<'_> {
+    /// The power measured by short runs of the full system, after it has forgotten its start; announced where it was not asked for.
+    pub(super) fn micro_runs(&self, observer: &mut dyn ChoiceObserver) -> Result<Found, Stop> {
+        if !self.asked {
+            self.announce_short_runs(observer)?;
+        }
+        let (spins, span) = (self.case.spins, self.case.span);
+        let settled = self.settled(observer)?;
+        let [from, to] = span.ends;
+        let from = settled.as_ref().and_then(|row| spins.range.stage(row.energy)).unwrap_or(from);
+        let (range, poles, options) = (&spins.range, &spins.poles, MeasureOptions::default());
+        let mut watch = |share: f64| observer.observe(share);
+        let power = MeasuredPower::along(spins.body, range, poles, [from, to], &options, &mut watch)?;
+        if power.error > self.limits.measured_error {
+            return Err(MeasureError::Unsettled { change: power.error }.into());
+        }
+        let error = Some(power.time_error(spins.periods(span.ends)));
+        Ok(Found { outcome: Outcome::MicroRuns { power: Box::new(power), settled }, error, source: None })
+    }
+
+    /// State at which the full system has forgotten the start; none where the start has settled.
+    fn settled(&self, observer: &mut dyn ChoiceObserver) -> Result<Option<DirectRow>, MeasureError> {
+        let (spins, span) = (self.case.spins, self.case.span);
+        let Some(pole) = spins.poles.of_mode(span.ends[0].mode).filter(|_| !span.placed) else {
+            return Ok(None);
+        };
+        let period = spins.motion(span.ends[0]).polhode_period();
+        let duration = (FORGOTTEN / pole.settling_rate()).clamp(period, LONGEST * period);
+        let options = history_options(Some(span.energies[1]), Some(duration), self.limits);
+        let run = follow_directly(spins.body, &span.start, &options, &mut |share| observer.observe(share))?;
+        match run.ending {
+            DirectStopReason::Finished => Ok(run.rows.last().copied()),
+            DirectStopReason::Interrupted => Err(MeasureError::Interrupted),
+            _ => Err(MeasureError::LeftMode),
+        }
+    }
+
+    fn announce_short_runs(&self, observer: &mut dyn ChoiceObserver) -> Result<(), Stop> {
+        let Ok(per_period) = self.seconds_per_period(observer) else { return Ok(()) };
+        let ends = &self.case.span.ends;
+        let modes = if ends[0].mode == ends[1].mode { &ends[..1] } else { &ends[..] };
+        let periods: f64 = modes.iter().map(|state| self.periods_of_runs(*state)).sum();
+        Ok(observer.announce(Work::ShortRuns, per_period * periods)?)
+    }
+
+    fn periods_of_runs(&self, state: RotationState) -> f64 {
+        let period = self.case.spins.motion(state).polhode_period();
+        let pole = self.case.spins.poles.of_mode(state.mode);
+        micro_run_periods(pole.map_or(0.0, |pole| pole.settling_rate()), period)
+    }
+}

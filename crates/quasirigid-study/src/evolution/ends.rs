@@ -1,0 +1,95 @@
+//! Start and end of an evolution: rotation states for the targets that a user gives.
+
+use quasirigid::averaging::{Evolution, MeanPower, RotationState, Until};
+use quasirigid::dynamics::FullState;
+use quasirigid::secular::choice::{ReferenceSpins, Span};
+use quasirigid_io::model::Target;
+
+use super::Asked;
+use crate::error::StudyError;
+
+/// Share of the wobble's energy that is left at the end of an evolution without a target.
+pub const LEFT: f64 = 0.01;
+
+/// Rotation state of a target, for a body whose moments of inertia (kg·m²) are given.
+pub fn state(
+    evolution: &Evolution<impl MeanPower>,
+    target: Target,
+    moments: [f64; 3],
+) -> Result<RotationState, StudyError> {
+    match target {
+        Target::Ratio(ratio) => {
+            let least = moments[0] / moments[2];
+            evolution.stage(ratio).ok_or(StudyError::NoRotationState { ratio, least })
+        }
+        Target::Wobble(angle) => evolution.wobbling(angle).ok_or(StudyError::NoShortAxis { moments }),
+    }
+}
+
+/// End of an evolution: the target or the time, whichever comes first; without either a hundredth of the wobble's energy.
+pub fn end(
+    evolution: &Evolution<impl MeanPower>,
+    from: RotationState,
+    asked: &Asked,
+    moments: [f64; 3],
+) -> Result<RotationState, StudyError> {
+    let target = match asked.until {
+        Some(target) => state(evolution, target, moments)?,
+        None if asked.duration.is_some() => evolution.settled(),
+        None => evolution.faded(from, LEFT).ok_or(StudyError::Steady)?,
+    };
+    let [start, end] = [from, target].map(|state| evolution.ratio(state));
+    if end < start {
+        return Err(match asked.until {
+            Some(Target::Wobble(to)) => StudyError::Calmer { from: evolution.motion(from).nutation()[1], to },
+            _ => StudyError::Backwards { from: start, to: end },
+        });
+    }
+    match asked.duration {
+        Some(duration) if evolution.time(from, target) > duration => {
+            Ok(evolution.after(from, duration).unwrap_or(from))
+        }
+        _ => Ok(target),
+    }
+}
+
+/// Span that is asked for, by the energies of the deformed body; `moments` are those of the frozen one (kg·m²).
+pub fn span(
+    spins: &ReferenceSpins,
+    full: FullState,
+    asked: &Asked,
+    moments: [f64; 3],
+) -> Result<Span, StudyError> {
+    let ReferenceSpins { body, range, .. } = spins;
+    let evolution = spins.evolution();
+    let (start, from) = match asked.from {
+        Some(target) => {
+            let from = state(&evolution, target, moments)?;
+            (range.state(body, from).ok_or(StudyError::Steady)?, from)
+        }
+        None => {
+            // What moves inside may hold more energy than the steady spins leave to a wobble; it is that of the wobble when it has died out.
+            let from = range.stage(full.energy(body));
+            let from = from.or_else(|| range.settled(body, full.angular_momentum(body)));
+            (full, from.ok_or(StudyError::Steady)?)
+        }
+    };
+    let to = end(&evolution, from, &Asked { duration: None, ..asked.clone() }, moments)?;
+    Ok(Span {
+        placed: asked.from.is_some(),
+        duration: asked.duration,
+        level_end: level_end(asked),
+        samples: asked.samples,
+        ..Span::new(spins, start, [from, to])
+    })
+}
+
+/// End on level curves: the wobble, or the time, or a hundredth of the energy of the wobble without either; none of a ratio `D/I₃`.
+pub fn level_end(asked: &Asked) -> Option<Until> {
+    match (asked.until, asked.duration) {
+        (Some(Target::Ratio(_)), _) => None,
+        (Some(Target::Wobble(angle)), _) => Some(Until::Wobble(angle)),
+        (None, Some(duration)) => Some(Until::Duration(duration)),
+        (None, None) => Some(Until::EnergyLeft(LEFT)),
+    }
+}

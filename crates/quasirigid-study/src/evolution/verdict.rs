@@ -1,0 +1,151 @@
+//! Verdict on the method of an evolution: its reason, and the error of the time, in one sentence.
+//! The sentence is closed only when all errors are known, so that it has one number: that of the method and of approximated shapes.
+//! Criteria: (Q3), (Q7) and (Q9), docs/theory/16-methods.md.
+
+use quasirigid::model::Mode;
+use quasirigid::secular::choice::{AverageBasis, Followed, Outcome};
+use quasirigid::secular::{HandOver, ManifoldHistory, MeasuredPower};
+
+use super::refusals::unfounded;
+use crate::resolution::{NOTHING, known};
+use crate::words::significant;
+
+/// Reason for a history of the full system.
+pub const FOLLOWED: &str = "The full system was followed from start to end; the wobble is its envelope.";
+
+/// Least relative error of a time that is stated.
+const LEAST: f64 = 1e-6;
+
+/// Verdict on a method.
+#[derive(Clone, Debug, Default)]
+pub struct Verdict {
+    /// Reason for the method and limits of its validity.
+    pub sentence: String,
+    /// Source of the error of the time, in words that may be empty, until all errors are known and the sentence is closed with them; none where
+    /// the sentence is complete without the error.
+    pub error_source: Option<&'static str>,
+    /// Estimate of the relative error of the time.
+    pub error: Option<f64>,
+    /// Whether the answer does not hold although it was asked for.
+    pub fails: bool,
+}
+
+impl Verdict {
+    /// Verdict on what was followed.
+    pub fn of(Followed { outcome, error, .. }: &Followed) -> Self {
+        let (sentence, error_source) = match outcome {
+            Outcome::Average { basis: AverageBasis::Stiff | AverageBasis::UnderTorque, .. } => {
+                (String::new(), None)
+            }
+            Outcome::Average { basis: AverageBasis::Fails(criteria), .. } => {
+                (format!("THE AVERAGE DOES NOT HOLD: {}.", unfounded(*criteria)), None)
+            }
+            Outcome::Average { basis: AverageBasis::Criteria, .. } | Outcome::SpinningFrame(_) => {
+                ("Averaged along the polhode".into(), Some("the modes about the steady spins"))
+            }
+            Outcome::ModalRates(_) => (
+                "Averaged at the rates that the modes about the steady spins have; the wobble is small enough for them"
+                    .into(),
+                Some(""),
+            ),
+            Outcome::LevelCurves(_) => (
+                "Elasticity changes a difference of the moments of inertia by more than 1 %: averaged along the level curves of the slow energy.".into(),
+                None,
+            ),
+            Outcome::SpinManifold(history) => (reduced(history), Some("")),
+            Outcome::MicroRuns { power, .. } => (measured(power), Some("")),
+            Outcome::FullSystem(_) => (FOLLOWED.into(), None),
+        };
+        let fails = matches!(outcome, Outcome::Average { basis: AverageBasis::Fails(_), .. });
+        Self { sentence, error_source, error: *error, fails }
+    }
+
+    /// Closes the sentence with the error of the time: one number for the method and for the approximated shape or flow, since a time is as
+    /// wrong as its power.
+    pub fn with_shape_error(mut self, approximated: Option<(&str, f64)>) -> Self {
+        let (what, shape) = (approximated.map(|(what, _)| what), approximated.map(|(_, error)| error));
+        self.error = shape.map_or(self.error, |shape| Some(self.error.unwrap_or(0.0) + shape));
+        let (source, error) = (self.error_source.take(), self.error.unwrap_or(0.0));
+        let words = match (source, shape) {
+            (None, None) => String::new(),
+            (_, Some(_)) if !error.is_finite() => {
+                format!("{} is approximated: {}.", what.unwrap_or_default(), known(error))
+            }
+            _ => {
+                let approximation = what.map(|what| format!("the approximation of {what}"));
+                let sources = approximation.into_iter().chain(source.map(str::to_owned));
+                let sources: Vec<String> = sources.filter(|words| !words.is_empty()).collect();
+                let by =
+                    if sources.is_empty() { String::new() } else { format!("by {} ", sources.join(" and ")) };
+                format!("{by}the time is good to {} %.", significant(100.0 * error.max(LEAST), 2))
+            }
+        };
+        self.sentence = match source {
+            Some(_) => format!("{}; {words}", self.sentence),
+            None => format!("{} {}", self.sentence, capital(&words)).trim().into(),
+        };
+        if shape.is_some_and(|shape| shape > NOTHING) {
+            self.fails = true;
+            self.sentence = format!("THE SHAPE IS NOT RESOLVED. {}", self.sentence);
+        }
+        self
+    }
+
+    /// Says first that a material is no solid, for which nothing here holds. (G16)
+    pub fn of_no_solid(self, why: &str) -> Self {
+        let sentence = format!("NO SOLID: {why}. {}", self.sentence).trim().into();
+        Self { sentence, fails: true, ..self }
+    }
+}
+
+/// Reduced equations about a spin that were followed, and their range, in words.
+fn reduced(ManifoldHistory { beside, range, .. }: &ManifoldHistory) -> String {
+    let beside = if beside.is_empty() {
+        String::new()
+    } else {
+        format!(", with the motion of {}", beside.join(" and "))
+    };
+    format!(
+        "The reduced equations about the spin were followed{beside}; they hold to a nutation of {} degrees",
+        significant(range.to_degrees(), 3)
+    )
+}
+
+/// Sources of a measured power, in words.
+fn measured(power: &MeasuredPower) -> String {
+    let runs = power.measurements.iter().filter(|each| !each.reduced).count();
+    let edges: Vec<String> = power.hand_overs.iter().map(handed).collect();
+    if runs == 0 {
+        return format!(
+            "The internal parts are too massive or too compliant for averaging: the mean power was taken from the reduced equations about the \
+             spin, which hold {}",
+            edges.join(", ")
+        );
+    }
+    let within = if edges.is_empty() {
+        String::new()
+    } else {
+        format!("taken from the reduced equations about the spin {}, and elsewhere ", edges.join(", "))
+    };
+    format!(
+        "The internal parts are too massive or too compliant for averaging: the mean power was {within}measured in {runs} short runs of the \
+         full system"
+    )
+}
+
+/// Range within which the power is that of reduced equations about a spin, in words.
+fn handed(hand_over: &HandOver) -> String {
+    let HandOver { mode, nutation, mismatch } = *hand_over;
+    let axis = if mode == Mode::ShortAxis { "greatest" } else { "least" };
+    let differs = if mismatch == 0.0 {
+        String::new()
+    } else {
+        format!(", where both differ by {} %", significant(100.0 * mismatch, 2))
+    };
+    format!("to {} degrees about the axis of {axis} inertia{differs}", significant(nutation.to_degrees(), 3))
+}
+
+fn capital(words: &str) -> String {
+    let mut letters = words.chars();
+    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
+}

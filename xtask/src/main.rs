@@ -4,6 +4,7 @@
 mod contents;
 mod docs;
 mod finding;
+mod json;
 mod labels;
 mod layers;
 mod markdown;
@@ -20,17 +21,19 @@ use tree::Tree;
 
 type Check = fn(&Tree) -> Vec<Finding>;
 
-const CHECKS: [(&str, Check); 5] = [
+const CHECKS: [(&str, Check); 6] = [
     ("layers", layers::check),
     ("labels", labels::check),
     ("paths", paths::check),
     ("contents", contents::check),
     ("docs", docs::check),
+    ("json", json::check),
 ];
 
 const HELP: &str = "\
 usage: cargo xtask test [--require-python] [--wheel]
        cargo xtask <check>
+       cargo xtask json --write
 
   test     every test, of Rust and of Python; what Python lacks is told, and fails only with --require-python;
            --wheel tests the package as users install it, which takes four minutes more
@@ -41,6 +44,7 @@ usage: cargo xtask test [--require-python] [--wheel]
   paths    ARCHITECTURE.md names what exists
   contents theory and guide list each of their chapters under its number
   docs     TOML and commands in README.md and docs/guide are sound
+  json     keys of the JSON output in the guide are those of the doc comments; --write writes them
 
 exit code: 0 nothing found, 1 something found, 2 could not run";
 
@@ -55,6 +59,15 @@ fn main() -> ExitCode {
             }) {
                 Ok(wishes) => test(wishes),
                 Err(()) => refuse(HELP),
+            };
+        }
+        ["json", "--write"] => {
+            return match workspace_root()
+                .map_err(|error| error.to_string())
+                .and_then(|root| json::write(&root))
+            {
+                Ok(()) => ExitCode::SUCCESS,
+                Err(message) => refuse(&format!("xtask json: {message}")),
             };
         }
         [name] => name,

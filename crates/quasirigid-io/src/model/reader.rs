@@ -17,7 +17,7 @@ use super::table::Table;
 use super::value::Value;
 
 /// Name of an element.
-pub(super) const NAME: Key = key("name", TEXT.or("its kind and number, or ends"), "unique, in one line");
+pub(super) const NAME: Key = key("name", TEXT.or("kind and number"), "unique");
 
 /// Kind of table that describes elements: its name, its keys and its reading, in one place.
 pub(super) struct Reader {

@@ -14,7 +14,7 @@ use crate::units::Dimension;
 const MODE: Key = key(
     "mode",
     words(&["short-axis", "long-axis", "SAM", "LAM"]),
-    "axis circled: of greatest inertia (`\"SAM\"`), or of least (`\"LAM\"`)",
+    "axis circled: of greatest inertia, of least",
 );
 
 pub(super) const PERIODS: Keys = Keys {

@@ -19,7 +19,7 @@ fn every_table_is_printed_where_none_is_named() {
     for table in ["[carrier]", "[material.NAME]", "[[spring]]", "[[cavity]]", "rheology", "study file"] {
         assert!(all.lines().any(|line| line.starts_with(&format!("{table}: "))), "{table}: {all}");
     }
-    let kind = "\"maxwell\"         time, range; iντ/(1 + iντ), a dashpot in series";
+    let kind = "\"maxwell\"          time, range; iντ/(1 + iντ), a dashpot in series";
     assert!(all.contains(kind), "{all}");
     let json = ran("keys --json").json();
     let names = json["tables"].as_array().unwrap().iter().map(|table| table["name"].as_str().unwrap());

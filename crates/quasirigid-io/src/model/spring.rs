@@ -46,7 +46,7 @@ const SPRING: Keys = Keys {
         key("damping", COEFFICIENT.in_unit("N s/m").or("0"), "of a parallel dashpot"),
         RHEOLOGY,
         key("axial", BOOLEAN.or("false"), "along the line of its ends, with a scalar `stiffness`"),
-        key("anchor", vector("m").or("the carrier's origin"), "end on the carrier, of an axial spring only"),
+        key("anchor", vector("m"), "end on the carrier, of an axial spring only"),
         key("tension", quantity("N").or("relaxed"), "of an axial spring; pressure is negative"),
         key("natural_length", quantity("m"), "instead of `tension`"),
     ],

@@ -25,22 +25,22 @@ pub use schema::schema;
 pub struct TableReference {
     /// Name, such as `spring`.
     pub name: &'static str,
-    /// Header in a file, such as `[[spring]]`; of a table in other tables its name.
+    /// Header, such as `[[spring]]`; of a table in others its name.
     pub title: &'static str,
     /// What the table describes.
     pub meaning: &'static str,
     /// Keys of the table, of all its kinds.
     pub keys: Vec<KeyReference>,
-    /// Kinds of the table; empty for a table of one kind.
+    /// Kinds, if there are several.
     pub kinds: Vec<KindReference>,
 }
 
 /// Reference of a key.
 #[derive(Clone, Debug, PartialEq, Eq, Hash, Serialize)]
 pub struct KeyReference {
-    /// Name; a key of a table in the table after a dot.
+    /// Name; of a key in an inner table after a dot.
     pub name: String,
-    /// Form of the value, with its unit, and its default in parentheses.
+    /// Form, unit, and default in parentheses.
     pub value: String,
     /// Meaning; empty where name and unit say it.
     pub meaning: &'static str,

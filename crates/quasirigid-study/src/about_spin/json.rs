@@ -271,8 +271,8 @@ fn state_terms<'a>(exponents: &'a [Vec<u8>], parts: [&[Truncated]; 4]) -> Vec<St
         let values =
             |part: &[Truncated]| part.iter().map(|each| each.coefficient(monomial)).collect::<Vec<_>>();
         let [omega, rates, coordinates, direction] = parts.map(values);
-        let all = [&omega, &rates, &coordinates, &direction].into_iter().flatten();
-        let any = all.fold(false, |any, value| any || *value != [0.0; 2]);
+        let parts = [&omega, &rates, &coordinates, &direction];
+        let any = parts.into_iter().flatten().any(|value| *value != [0.0; 2]);
         any.then_some(StateTerm { exponents, omega, rates, coordinates, direction })
     };
     exponents.iter().enumerate().filter_map(of).collect()

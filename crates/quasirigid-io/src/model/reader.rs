@@ -17,7 +17,7 @@ use super::table::Table;
 use super::value::Value;
 
 /// Name of an element.
-pub(super) const NAME: Key = key("name", TEXT.or("kind and number"), "unique");
+pub(super) const NAME: Key = key("name", TEXT.or("`point 1`, `spring tip-carrier`"), "unique");
 
 /// Kind of table that describes elements: its name, its keys and its reading, in one place.
 pub(super) struct Reader {

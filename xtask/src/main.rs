@@ -4,6 +4,7 @@
 mod book;
 mod docs;
 mod finding;
+mod json;
 mod labels;
 mod layers;
 mod markdown;
@@ -21,19 +22,21 @@ use tree::Tree;
 
 type Check = fn(&Tree) -> Vec<Finding>;
 
-const CHECKS: [(&str, Check); 6] = [
+const CHECKS: [(&str, Check); 7] = [
     ("layers", layers::check),
     ("labels", labels::check),
     ("paths", paths::check),
     ("docs", docs::check),
     ("book", book::check),
     ("versions", release::check),
+    ("json", json::check),
 ];
 
 const HELP: &str = "\
 usage: cargo xtask test [--require-python] [--wheel]
        cargo xtask release [--plan]
        cargo xtask <check>
+       cargo xtask json --write
 
   test     every test, of Rust and of Python; what Python lacks is told, and fails only with --require-python;
            --wheel tests the package as users install it, which takes four minutes more
@@ -46,6 +49,7 @@ usage: cargo xtask test [--require-python] [--wheel]
   docs     TOML and commands in README.md and docs/guide are sound
   book     docs/SUMMARY.md names every chapter, links lead somewhere; then mdBook, where it is installed, builds the site
   versions workspace, crates, Python package, citation, recipe and changelog agree on the version
+  json     keys of the JSON output in the guide are those of the doc comments; --write writes them
 
 exit code: 0 nothing found, 1 something found, 2 could not run";
 
@@ -67,6 +71,10 @@ fn main() -> ExitCode {
         ["preprocess"] => return told("preprocess", book::preprocess().map_err(|error| error.to_string())),
         // mdBook asks whether the preprocessor suits a form of output: it suits each.
         ["preprocess", "supports", _] => return ExitCode::SUCCESS,
+        ["json", "--write"] => {
+            let root = workspace_root().map_err(|error| error.to_string());
+            return told("json", root.and_then(|root| json::write(&root)));
+        }
         [name] => name,
         _ => return refuse(HELP),
     };

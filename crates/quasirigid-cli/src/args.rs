@@ -65,6 +65,9 @@ pub enum Command {
     /// Draw one figure of a record as a file for a paper or a slide; without a figure, list them
     #[command(after_help = "Example:\n  quasirigid plot spin --figure nutation --format png")]
     Plot(Plot),
+    /// List the keys of the model file, with their values and meanings
+    #[command(after_help = "Examples:\n  quasirigid keys spring\n  quasirigid keys --schema")]
+    Keys(KeysArgs),
     /// Print the references of what the model uses, as BibTeX
     #[command(after_help = "Example:\n  quasirigid cite examples/apophis/model.toml")]
     Cite(Cite),
@@ -205,6 +208,19 @@ impl PictureFormat {
             Self::Png => "png",
         }
     }
+}
+
+#[derive(Args, Debug)]
+pub struct KeysArgs {
+    /// Table, such as spring, run or rheology [default: every table]
+    #[arg(value_name = "TABLE")]
+    pub table: Option<String>,
+    /// Print the JSON Schema of the model file, by which editors complete and check it
+    #[arg(long, conflicts_with_all = ["table", "json"])]
+    pub schema: bool,
+    /// Print the list for machines, as one JSON object
+    #[arg(long)]
+    pub json: bool,
 }
 
 #[derive(Args, Debug)]

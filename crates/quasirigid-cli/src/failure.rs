@@ -20,6 +20,8 @@ pub enum Failure {
     Sweep(#[from] SweepError),
     #[error("--duration {text}: {cause}; {advice}", advice = cause.advice())]
     Duration { text: String, cause: Box<UnitError> },
+    #[error("the model file has no table {name:?}; {advice}")]
+    NoTable { name: String, advice: String },
     #[error("an angular velocity has three components, not {count}: --spin 0,0,1.5")]
     NotAVector { count: usize },
     #[error(

@@ -48,6 +48,7 @@ fn main() -> ExitCode {
         Command::Sweep(sweep) => commands::sweep::sweep(sweep),
         Command::Report(report) => commands::report::report(report),
         Command::Plot(plot) => commands::plot::plot(plot),
+        Command::Keys(keys) => commands::keys::keys(keys),
         Command::Cite(cite) => commands::cite::cite(cite),
     })
 }

@@ -3,14 +3,13 @@
 use std::f64::consts::TAU;
 use std::path::Path;
 
-use quasirigid::dynamics::{Event, Form, Method, Nutations, Options, Outcome, Run, Sample, Scan, Start};
+use quasirigid::dynamics::{Event, Form, Method, Nutations, Options, Outcome, Run, Sample, Start};
 use quasirigid::model::{Principal, ReducedBody};
 use quasirigid::reduction::{Assessment, Comparison, Criterion, Validity, Verdict, frequencies};
 use quasirigid_io::model::{Named, Stop, System};
 use quasirigid_io::record::{Column, RowTable};
 use quasirigid_math::memory;
 use quasirigid_math::vec3::norm;
-use serde_json::{Value, json};
 
 use crate::about_spin::{AskedManifold, OnManifold};
 use crate::error::{Setting, StudyError};
@@ -22,7 +21,7 @@ use crate::record::status;
 use crate::study::Study;
 use crate::table_sink::TableSink;
 use crate::watch::Watch;
-use crate::words::{Accounts, energy_note, followed, shares};
+use crate::words::{Accounts, energy_note, followed};
 
 /// Settings of a propagation by the user; absent ones are the file's, or the defaults.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -185,43 +184,6 @@ impl History {
     #[must_use]
     pub fn holds(&self) -> bool {
         self.reason().is_none()
-    }
-
-    /// The last state and the integration, for machines.
-    #[must_use]
-    pub fn json(&self) -> Value {
-        let Run { last, work, .. } = &self.run;
-        let mut object = json!({
-            "system": self.system.name(),
-            "status": self.status,
-            "message": self.message,
-            "t": last.t,
-            "omega": last.omega,
-            "attitude": last.attitude,
-            "momentum": last.angular_momentum,
-            "energy": last.energy,
-            "dissipated": last.dissipated,
-            "dissipation": shares(&self.budget),
-            "work": last.work,
-            "energy_drift": last.energy_drift,
-            "left_out": self.run.left_out,
-            "momentum_drift": last.momentum_drift,
-            "turns": last.revolutions,
-            "position": last.place,
-            "velocity": last.velocity,
-            "pole": last.pole,
-            "steps": work.steps,
-            "rejected": work.rejected,
-            "implicit_steps": work.implicit_steps,
-            "evaluations": work.evaluations,
-            "factorizations": work.factorizations,
-        });
-        let Scan { evaluations, breakpoints, stops } = self.run.scan;
-        object["scan"] = json!({ "evaluations": evaluations, "breakpoints": breakpoints, "stops": stops });
-        if let Some(manifold) = &self.manifold {
-            object["manifold"] = manifold.json();
-        }
-        object
     }
 }
 

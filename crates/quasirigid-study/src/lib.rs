@@ -64,6 +64,7 @@ pub mod evolution;
 mod hashed;
 pub mod histories;
 mod history_columns;
+mod history_json;
 mod history_sink;
 mod incomplete;
 mod judged;

@@ -5,10 +5,12 @@ use quasirigid::modes::{Given, acts};
 use quasirigid_io::model::{Named, Rotation};
 use quasirigid_io::record::SteadySpinRecord;
 use quasirigid_math::vec3::{dot, norm};
+use serde::Serialize;
 use serde_json::{Value, json};
 
 use crate::error::StudyError;
 use crate::motion::Motion;
+pub use crate::steady_state::SteadyStateObject;
 use crate::study::Study;
 use crate::{steady, steady_state};
 
@@ -48,9 +50,24 @@ pub struct Modes {
     /// One record for each.
     pub spins: Vec<SteadySpinRecord>,
     /// Further results of the steady state under forces.
-    pub state: Option<Value>,
+    pub state: Option<SteadyStateObject>,
     /// Whether the result is a steady state under forces.
     pub under_forces: bool,
+}
+
+/// Modes for machines; the first paragraph of a field is the reference of `--json` in the guide.
+#[derive(Serialize)]
+struct ModesObject<'a> {
+    /// The first steady spin.
+    #[serde(flatten)]
+    spin: Option<&'a SteadySpinRecord>,
+    /// Title of the model.
+    name: &'a str,
+    /// All of them.
+    steady_spins: &'a [SteadySpinRecord],
+    /// Under forces, or `null`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    steady_state: Option<Option<SteadyStateObject>>,
 }
 
 impl Modes {
@@ -63,13 +80,12 @@ impl Modes {
     /// For machines.
     #[must_use]
     pub fn json(&self, name: &str) -> Value {
-        let mut object = json!(self.spins.first());
-        object["name"] = json!(name);
-        object["steady_spins"] = json!(self.spins);
-        if self.under_forces {
-            object["steady_state"] = json!(self.state);
-        }
-        object
+        json!(ModesObject {
+            spin: self.spins.first(),
+            name,
+            steady_spins: &self.spins,
+            steady_state: self.under_forces.then_some(self.state),
+        })
     }
 
     /// Reason for which there is no steady spin next to the start; none if there is one.

@@ -6,7 +6,7 @@ use quasirigid::modes::{Near, SteadyModes, SteadyState, acts};
 use quasirigid_io::model::Rotation;
 use quasirigid_io::record::SteadySpinRecord;
 use quasirigid_math::vec3::norm;
-use serde_json::{Value, json};
+use serde::Serialize;
 
 use crate::error::StudyError;
 use crate::liquids::unanswered;
@@ -27,7 +27,7 @@ const AWAY: f64 = 0.1;
 pub struct Told {
     pub record: SteadySpinRecord,
     /// Results beside those of every steady spin.
-    pub state: Option<Value>,
+    pub state: Option<SteadyStateObject>,
 }
 
 /// Forces of a model but for those that act in time alone and not at the start: about the start they change nothing.
@@ -85,12 +85,33 @@ fn record(study: &Study, forces: &[Force<Marker>], modes: &SteadyModes, near: Ne
     }
 }
 
-fn described(modes: &SteadyModes) -> Value {
+/// Steady state under forces, for machines; the first paragraph of a field is the reference of `--json` in the guide.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct SteadyStateObject {
+    /// Of the rotation (rad/s).
+    pub rate: f64,
+    /// Inertial; `null` at rest.
+    pub axis: Option<[f64; 3]>,
+    /// Quaternion.
+    pub attitude: [f64; 4],
+    /// Of the pole (m/s), inertial axes.
+    pub velocity: [f64; 3],
+    /// Angle from the start (rad).
+    pub away: f64,
+    /// Unusual motions that stay or drift.
+    pub neutral: usize,
+}
+
+fn described(modes: &SteadyModes) -> SteadyStateObject {
     let state = &modes.state;
-    json!({
-        "rate": norm(state.omega), "axis": state.axis, "attitude": state.attitude,
-        "velocity": state.velocity, "away": state.away, "neutral": modes.neutral,
-    })
+    SteadyStateObject {
+        rate: norm(state.omega),
+        axis: state.axis,
+        attitude: state.attitude,
+        velocity: state.velocity,
+        away: state.away,
+        neutral: modes.neutral,
+    }
 }
 
 /// The steady state in words, without the forces that do not act at the start.

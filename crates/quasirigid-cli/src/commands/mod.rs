@@ -4,6 +4,7 @@ pub mod check;
 pub mod cite;
 pub mod derive;
 pub mod evolve;
+pub mod keys;
 pub mod modes;
 pub mod plot;
 pub mod report;

@@ -30,6 +30,7 @@ mod modes_told;
 mod odd_files;
 mod place;
 mod plot;
+mod reference;
 #[cfg(unix)]
 mod resume;
 mod run;

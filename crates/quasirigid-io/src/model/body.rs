@@ -7,6 +7,7 @@ use quasirigid_body::Support;
 use quasirigid_elements::{Assembly, Carrier, ElementId, ElementKind};
 
 use super::diagnostic::Problems;
+use super::key::{Key, Keys, Shape, any, key, quantity, vector};
 use super::material::Materials;
 use super::names::Names;
 use super::part::reduction;
@@ -14,12 +15,25 @@ use super::ranges::Ranges;
 use super::reader::{Draft, Entry, Opened, Sources};
 use super::section::Sections;
 use super::spans::Spans;
-use super::table::{Keys, Table};
+use super::table::Table;
 use super::value::Value;
 use super::{Diagnostic, READERS, support};
 use crate::units::Dimension;
 
-const CARRIER: Keys = Keys { known: &["mass", "center_of_mass", "inertia"] };
+/// Inertia tensor of a rigid body.
+pub(super) const INERTIA: Key = key(
+    "inertia",
+    any(&[Shape::Vector, Shape::Matrix]).in_unit("kg m²"),
+    "about its own centre of mass; moments along the file's axes, or a tensor",
+);
+
+pub(super) const CARRIER: Keys = Keys {
+    known: &[
+        key("mass", quantity("kg"), "none beside an `[[ellipsoid]]` and where parts float"),
+        key("center_of_mass", vector("m"), ""),
+        INERTIA,
+    ],
+};
 
 /// Points of a body without a carrier, at least: fewer have no inertia about some axis.
 pub(super) const FEWEST_POINTS: usize = 3;

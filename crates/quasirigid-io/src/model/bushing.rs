@@ -4,15 +4,17 @@
 
 use quasirigid_elements::{Bushing, ElementKind, End};
 
-use super::names::{Fixed, Part};
-use super::reader::{Draft, Entry, Keyed, Naming, Reader};
-use super::rheology::{Extremes, Scale, rheology};
-use super::table::{Keys, Table};
+use super::key::{Form, Keys, Shape, any, array, key, vector};
+use super::names::{END, Fixed, Part};
+use super::reader::{Draft, Entry, Keyed, NAME, Naming, Reader};
+use super::rheology::{Extremes, RHEOLOGY, Scale, rheology};
+use super::table::Table;
 use crate::units::Dimension;
 
 pub(super) const READER: Reader = Reader {
     key: "bushing",
     title: "[[bushing]]",
+    meaning: "elastic mount",
     keys: Keyed::All(&BUSHING),
     kind: Some(ElementKind::Bushing),
     naming: Naming::Optional,
@@ -27,18 +29,29 @@ pub(super) const READER: Reader = Reader {
     },
 };
 
+/// Coefficient for the three axes, or one each.
+const PER_AXIS: Form = any(&[Shape::Number, Shape::Vector]);
+
 const BUSHING: Keys = Keys {
     known: &[
-        "name",
-        "from",
-        "to",
-        "center",
-        "axes",
-        "stiffness",
-        "rotational_stiffness",
-        "damping",
-        "rotational_damping",
-        "rheology",
+        NAME,
+        key("from", END, "as of a spring"),
+        key("to", END, "as of a spring"),
+        key(
+            "center",
+            vector("m").or("an end without rotations, else the first that is not the carrier"),
+            "elastic centre",
+        ),
+        key(
+            "axes",
+            array(2, &Shape::Vector).or("file's"),
+            "first axis, and one in the plane of the first two",
+        ),
+        key("stiffness", PER_AXIS.in_unit("N/m").or("0"), "along each axis"),
+        key("rotational_stiffness", PER_AXIS.in_unit("N m/rad").or("0"), "about each axis"),
+        key("damping", PER_AXIS.in_unit("N s/m").or("0"), "along each axis"),
+        key("rotational_damping", PER_AXIS.in_unit("N m s/rad").or("0"), "about each axis"),
+        RHEOLOGY,
     ],
 };
 

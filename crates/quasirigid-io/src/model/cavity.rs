@@ -10,20 +10,23 @@ use quasirigid_math::vec3::{cross, norm, scale};
 use quasirigid_mesh::meshing::inside;
 
 use super::initial::unit_quaternion;
-use super::kinds::{Kind, kind, of_table, opened};
+use super::key::{
+    KIND, Keys, QUATERNION, Shape, TEXT, VECTOR, array, integer, key, pick, quantity, vector, words,
+};
+use super::kinds::{Kind, kind, of_table, opened, variants};
 use super::names::Part;
-use super::reader::{Keyed, Naming, Reader};
-use super::surface::{closed, unit};
-use super::table::{Keys, Table};
+use super::reader::{Keyed, NAME, Naming, Reader};
+use super::surface::{UNIT, closed, unit};
+use super::table::Table;
 use crate::mesh::read_mesh;
 use crate::units::Dimension;
 
 type Read = fn(&Table<'_>, &Source<'_>) -> Option<CavityShape>;
 
-/// Keys of every cavity.
-macro_rules! keys {
+/// Names of the keys of a shape: those of every cavity and its own.
+macro_rules! with {
     ($($own:literal),*) => {
-        &[
+        [
             "shape",
             "name",
             $($own,)*
@@ -40,31 +43,53 @@ macro_rules! keys {
 }
 
 static SHAPES: [Kind<Read>; 9] = [
-    kind!("[[cavity]]", "shape", "sphere", keys!("radius"), sphere),
-    kind!("[[cavity]]", "shape", "ellipsoid", keys!("semi_axes"), ellipsoid),
-    kind!("[[cavity]]", "shape", "cylinder", keys!("axis", "radius", "height"), cylinder),
-    kind!("[[cavity]]", "shape", "annulus", keys!("axis", "radii", "height"), annulus),
-    kind!("[[cavity]]", "shape", "ring", keys!("axis", "radius", "tube_radius"), ring),
-    kind!("[[cavity]]", "shape", "box", keys!("sides"), cuboid),
-    kind!("[[cavity]]", "shape", "shell", keys!("semi_axes", "inner_semi_axes"), shell),
-    kind!("[[cavity]]", "shape", "mesh", keys!("file", "unit"), mesh),
-    kind!("[[cavity]]", "shape", "surface", keys!("file", "unit"), surface),
+    kind!("[[cavity]]", "shape", "sphere", with!("radius"), "", sphere),
+    kind!("[[cavity]]", "shape", "ellipsoid", with!("semi_axes"), "", ellipsoid),
+    kind!("[[cavity]]", "shape", "cylinder", with!("axis", "radius", "height"), "", cylinder),
+    kind!("[[cavity]]", "shape", "annulus", with!("axis", "radii", "height"), "", annulus),
+    kind!("[[cavity]]", "shape", "ring", with!("axis", "radius", "tube_radius"), "", ring),
+    kind!("[[cavity]]", "shape", "box", with!("sides"), "", cuboid),
+    kind!("[[cavity]]", "shape", "shell", with!("semi_axes", "inner_semi_axes"), "", shell),
+    kind!("[[cavity]]", "shape", "mesh", with!("file", "unit"), "tetrahedra", mesh),
+    kind!("[[cavity]]", "shape", "surface", with!("file", "unit"), "closed", surface),
 ];
 
 /// Keys of a cavity without a shape: those of every shape.
 const ANY: Keys = Keys {
-    known: keys!(
-        "radius",
-        "semi_axes",
-        "axis",
-        "height",
-        "radii",
-        "tube_radius",
-        "sides",
-        "inner_semi_axes",
-        "file",
-        "unit"
-    ),
+    known: &[
+        key("shape", KIND, ""),
+        NAME,
+        key("radius", quantity("m"), ""),
+        key("semi_axes", vector("m"), ""),
+        key("axis", VECTOR.or("z"), "of revolution"),
+        key("height", quantity("m"), ""),
+        key("radii", array(2, &Shape::Number).in_unit("m"), "inner, outer"),
+        key("tube_radius", quantity("m"), ""),
+        key("sides", vector("m"), ""),
+        key("inner_semi_axes", vector("m"), ""),
+        key("file", TEXT, ""),
+        UNIT,
+        key("center", vector("m").or("0"), "middle of the shape, or origin of its file"),
+        key("attitude", QUATERNION.or("file's axes"), ""),
+        key("density", quantity("kg/m³"), "of the liquid"),
+        key("kinematic_viscosity", quantity("m²/s"), "of the liquid"),
+        key("dynamic_viscosity", quantity("Pa s"), "instead"),
+        key(
+            "flow",
+            words(&["viscous", "boundary-layer"]).or("`\"viscous\"`"),
+            "the second ideal but for a layer at the wall",
+        ),
+        key(
+            "resolution",
+            integer(1, MOST_CELLS as u64).or("8; 16"),
+            "degree of polynomials, 4 to 24; finite elements across the narrowest width, or the longest side of a surface",
+        ),
+        key(
+            "modes",
+            integer(0, 6).or("0"),
+            "fast modes; each extends the frequencies eightfold (L11), in a boundary layer sixteenfold (L14)",
+        ),
+    ],
 };
 /// Cells across a cavity unless the file gives a number.
 const RESOLUTION: usize = 8;
@@ -86,7 +111,12 @@ struct Source<'a> {
 pub(super) const READER: Reader = Reader {
     key: "cavity",
     title: "[[cavity]]",
-    keys: Keyed::ByKind(|value| Some(opened(value, "[[cavity]]", "shape", &ANY, &SHAPES)?.0)),
+    meaning: "liquid that fills a cavity",
+    keys: Keyed::ByKind {
+        any: &ANY,
+        kinds: || variants(&SHAPES),
+        open: |value| Some(opened(value, "[[cavity]]", "shape", &ANY, &SHAPES)?.0),
+    },
     kind: Some(ElementKind::Cavity),
     naming: Naming::Numbered("cavity"),
     names: |_| Part::Inside,

@@ -1,16 +1,18 @@
 use quasirigid_elements::{ElementKind, Ellipsoid};
 
+use super::key::{Keys, TEXT, VECTOR, key, quantity, vector};
 use super::material::Materials;
 use super::names::Part;
-use super::reader::{Keyed, Naming, Reader};
+use super::reader::{Keyed, NAME, Naming, Reader};
 use super::rheology::Extremes;
-use super::table::{Keys, Table};
+use super::table::Table;
 use super::value::Value;
 use crate::units::Dimension;
 
 pub(super) const READER: Reader = Reader {
     key: "ellipsoid",
     title: "[[ellipsoid]]",
+    meaning: "homogeneous elastic body",
     keys: Keyed::All(&ELLIPSOID),
     kind: Some(ElementKind::Ellipsoid),
     naming: Naming::Numbered("ellipsoid"),
@@ -25,8 +27,17 @@ pub(super) const READER: Reader = Reader {
     },
 };
 
-const ELLIPSOID: Keys =
-    Keys { known: &["name", "semi_axes", "diameter", "axis_ratios", "moment_ratios", "center", "material"] };
+const ELLIPSOID: Keys = Keys {
+    known: &[
+        NAME,
+        key("semi_axes", vector("m"), "along the file's axes"),
+        key("diameter", quantity("m"), "of the sphere of equal volume, instead, with one of the next two"),
+        key("axis_ratios", VECTOR, ""),
+        key("moment_ratios", VECTOR, "of the moments of inertia"),
+        key("center", vector("m").or("0"), ""),
+        key("material", TEXT, ""),
+    ],
+};
 
 /// Reads an `[[ellipsoid]]`, and the rheology at both ends of its range.
 pub(super) fn ellipsoid(

@@ -7,12 +7,28 @@ use std::str::FromStr;
 
 use thiserror::Error;
 
+use super::key::{self, Keys, Shape, any, integer, key, words};
 use super::settings::{MOST_SAMPLES, optional};
-use super::table::Keys;
 use super::value::Value;
 use crate::units::{Dimension, UnitError, quantity};
 
-const EVOLVE: Keys = Keys { known: &["until", "duration", "samples", "power", "method"] };
+pub(super) const EVOLVE: Keys = Keys {
+    known: &[
+        key(
+            "until",
+            any(&[Shape::Number, Shape::Text]).or("1 % of the energy of the wobble left"),
+            "D/I3, or the wobble about the axis of greatest inertia",
+        ),
+        key("duration", key::quantity("s").or("none"), "longest time"),
+        key("samples", integer(2, MOST_SAMPLES as u64).or("201"), "rows"),
+        key("power", words(&["polynomial", "harmonics"]).or("as materials need"), "source of the mean power"),
+        key(
+            "method",
+            words(&["average", "micro-runs", "direct", "modes", "manifold"]).or("the one that holds"),
+            "",
+        ),
+    ],
+};
 
 /// Settings of the secular evolution of the rotation.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

@@ -9,11 +9,12 @@ use quasirigid_body::force::{Axes, Force, ForceLaw, MagneticField, Orbit, Wave};
 use quasirigid_elements::{ElementKind, Station};
 
 use super::formula::{PLACE, formulas};
-use super::kinds::{Kind, kind, of_table, opened};
-use super::names::{Fixed, Names, Part};
+use super::key::{Form, KIND, Keys, Shape, TEXT, any, key, list, of, pick, quantity, shared, words};
+use super::kinds::{Kind, kind, of_table, opened, variants};
+use super::names::{END, Fixed, Names, Part};
 use super::orbit::{ORBIT, orbit};
-use super::reader::{Keyed, Naming, Reader};
-use super::table::{Keys, Table};
+use super::reader::{Keyed, NAME, Naming, Reader};
+use super::table::Table;
 use super::timing::{alone, tabled, twice, windows};
 use super::value::Value;
 use crate::units::Dimension;
@@ -21,14 +22,38 @@ use crate::units::Dimension;
 type Read = fn(&Table<'_>, &Names<'_>, &Path) -> Option<ForceLaw<Station>>;
 
 static KINDS: [Kind<Read>; 8] = [
-    kind!("[[force]]", "uniform-gravity", &["kind", "name", "acceleration", "during"], uniform_gravity),
-    kind!("[[force]]", "central-gravity", &["kind", "name", "orbit", "during"], central_gravity),
-    kind!("[[force]]", "drag", &["kind", "name", "on", "at", "coefficient", "during"], drag),
-    kind!("[[force]]", "spin-drag", &["kind", "name", "coefficient", "during"], spin_drag),
+    kind!(
+        "[[force]]",
+        "uniform-gravity",
+        ["kind", "name", "acceleration", "during"],
+        "(F3); moves a free body's centre of mass only",
+        uniform_gravity
+    ),
+    kind!(
+        "[[force]]",
+        "central-gravity",
+        ["kind", "name", "orbit", "during"],
+        "gravity gradient (F4)",
+        central_gravity
+    ),
+    kind!(
+        "[[force]]",
+        "drag",
+        ["kind", "name", "on", "at", "coefficient", "during"],
+        "−k v, v the inertial velocity of the place (F5)",
+        drag
+    ),
+    kind!(
+        "[[force]]",
+        "spin-drag",
+        ["kind", "name", "coefficient", "during"],
+        "torque −k ω on the carrier (F5)",
+        spin_drag
+    ),
     kind!(
         "[[force]]",
         "torque",
-        &[
+        [
             "kind",
             "name",
             "torque",
@@ -40,12 +65,13 @@ static KINDS: [Kind<Read>; 8] = [
             "interpolation",
             "during"
         ],
+        "on the carrier (F6)",
         torque
     ),
     kind!(
         "[[force]]",
         "thrust",
-        &[
+        [
             "kind",
             "name",
             "on",
@@ -59,51 +85,70 @@ static KINDS: [Kind<Read>; 8] = [
             "interpolation",
             "during"
         ],
+        "(F7)",
         thrust
     ),
     kind!(
         "[[force]]",
         "magnetic-dipole",
-        &["kind", "name", "moment", "field", "dipole", "orbit", "during"],
+        ["kind", "name", "moment", "field", "dipole", "orbit", "during"],
+        "torque on the carrier (F8)",
         magnetic_dipole
     ),
     kind!(
         "[[force]]",
         "expression",
-        &["kind", "name", "on", "at", "force", "torque", "axes", "timetable", "interpolation", "during"],
+        ["kind", "name", "on", "at", "force", "torque", "axes", "timetable", "interpolation", "during"],
+        "formulas (F9): a `force`, inertial axes, or a `torque` on the carrier",
         expression
     ),
 ];
 
+/// Components, or formulas of them.
+const COMPONENTS: Form = any(&[Shape::Vector, Shape::Array(3, &Shape::Formula)]);
+
 /// Keys of a force without a kind: those of every kind.
 const ANY: Keys = Keys {
     known: &[
-        "kind",
-        "name",
-        "on",
-        "at",
-        "coefficient",
-        "acceleration",
-        "orbit",
-        "torque",
-        "force",
-        "axes",
-        "frequency",
-        "period",
-        "phase",
-        "moment",
-        "field",
-        "dipole",
-        "timetable",
-        "interpolation",
-        "during",
+        key("kind", KIND, ""),
+        NAME,
+        key("on", END, "point, node or place, or `\"carrier\"`"),
+        key("at", of(Shape::Vector).in_unit("m"), "on the carrier"),
+        key("coefficient", quantity("N s/m, N m s"), "k"),
+        key("acceleration", of(Shape::Vector).in_unit("m/s²"), "inertial axes"),
+        key("orbit", shared("orbit"), ""),
+        key("torque", COMPONENTS.in_unit("N m"), ""),
+        key("force", COMPONENTS.in_unit("N"), ""),
+        key("axes", words(&["body", "inertial"]).or("`\"body\"`"), "of force or torque"),
+        key("frequency", quantity("rad/s").or("constant"), "Ω, the amplitude varies as cos(Ωt + φ)"),
+        key("period", quantity("s"), "instead"),
+        key("phase", quantity("rad").or("0"), "φ"),
+        key("moment", of(Shape::Vector).in_unit("A m²"), "body axes"),
+        key("field", of(Shape::Vector).in_unit("T"), "uniform; inertial axes"),
+        key(
+            "dipole",
+            of(Shape::Vector).in_unit("T m³"),
+            "instead, at the centre of the `orbit`: μ0/4π times its moment",
+        ),
+        key("timetable", TEXT, "CSV file instead of components (F14)"),
+        key("interpolation", words(&["held", "linear"]).or("`\"held\"`"), "of the timetable"),
+        key(
+            "during",
+            list(&Shape::Array(2, &Shape::Number)).in_unit("s").or("always"),
+            "windows `[begin, end]` (F13)",
+        ),
     ],
 };
 
 pub(super) const READER: Reader = Reader {
     key: "force",
     title: "[[force]]",
-    keys: Keyed::ByKind(|value| Some(opened(value, "[[force]]", "kind", &ANY, &KINDS)?.0)),
+    meaning: "force or torque",
+    keys: Keyed::ByKind {
+        any: &ANY,
+        kinds: || variants(&KINDS),
+        open: |value| Some(opened(value, "[[force]]", "kind", &ANY, &KINDS)?.0),
+    },
     kind: Some(ElementKind::Force),
     naming: Naming::Apart("force"),
     names: |_| Part::Throughout,

@@ -4,17 +4,19 @@
 
 use quasirigid_elements::{ElementKind, HingeCoefficient, Hinged};
 
-use super::body::inertia;
+use super::body::{INERTIA, inertia};
+use super::key::{Form, Keys, Shape, any, key, list, named, quantity, vector};
 use super::names::Part;
-use super::reader::{Keyed, Naming, Reader};
-use super::rheology::{Extremes, Scale, rheology};
-use super::table::{Keys, Table};
+use super::reader::{Keyed, NAME, Naming, Reader};
+use super::rheology::{Extremes, RHEOLOGY, Scale, rheology};
+use super::table::Table;
 use super::value::Value;
 use crate::units::Dimension;
 
 pub(super) const READER: Reader = Reader {
     key: "hinged",
     title: "[[hinged]]",
+    meaning: "rigid appendage on a hinge",
     keys: Keyed::All(&HINGED),
     kind: Some(ElementKind::Hinged),
     naming: Naming::Numbered("appendage"),
@@ -31,18 +33,22 @@ pub(super) const READER: Reader = Reader {
     },
 };
 
+/// Stiffness or damping about the axes.
+const COEFFICIENT: Form =
+    any(&[Shape::Number, Shape::List(&Shape::Number), Shape::List(&Shape::List(&Shape::Number))]);
+
 const HINGED: Keys = Keys {
     known: &[
-        "name",
-        "mass",
-        "center_of_mass",
-        "inertia",
-        "hinge",
-        "axes",
-        "stiffness",
-        "damping",
-        "rheology",
-        "places",
+        NAME,
+        key("mass", quantity("kg"), "of a rigid appendage"),
+        key("center_of_mass", vector("m"), ""),
+        INERTIA,
+        key("hinge", vector("m"), ""),
+        key("axes", list(&Shape::Vector), "1 to 3; the first is fixed in the carrier and carries the second"),
+        key("stiffness", COEFFICIENT.in_unit("N m/rad"), "one, one per axis, or a matrix"),
+        key("damping", COEFFICIENT.in_unit("N m s/rad").or("0"), "same"),
+        RHEOLOGY,
+        key("places", named(&Shape::Vector).in_unit("m").or("none"), "for springs and forces"),
     ],
 };
 

@@ -6,24 +6,42 @@ use quasirigid_body::Support;
 use quasirigid_elements::Problem;
 
 use super::body::Body;
+use super::key::{Keys, QUATERNION, Shape, any, key, named, table, vector};
 use super::names::Part;
-use super::rotation::{Rotation, rotation};
-use super::table::{Keys, Table};
+use super::rotation::{PERIODS, Rotation, WOBBLE, rotation};
+use super::table::Table;
 use super::value::Value;
 use crate::units::Dimension;
 
 pub(super) const INITIAL: Keys = Keys {
     known: &[
-        "angular_velocity",
-        "periods",
-        "wobble",
-        "attitude",
-        "displacements",
-        "displacement_rates",
-        "position",
-        "velocity",
+        key(
+            "angular_velocity",
+            vector("rad/s"),
+            "body axes; only `derive` needs neither it nor one of the next two",
+        ),
+        key("periods", table(&PERIODS), "observed, of a free body"),
+        key("wobble", table(&WOBBLE), "of a free body"),
+        key("attitude", QUATERNION.or("`[1, 0, 0, 0]`"), "from body to inertial axes"),
+        key(
+            "displacements",
+            any(&[Shape::Words(&["slow-manifold", "rest"]), Shape::Named(&MOVED)])
+                .in_unit("m, rad")
+                .or("`\"slow-manifold\"`"),
+            "the slow manifold is deformed by the spin, without vibration",
+        ),
+        key(
+            "displacement_rates",
+            named(&MOVED).in_unit("m/s, rad/s").or("0"),
+            "beside `\"rest\"` or a table",
+        ),
+        key("position", vector("m").or("0"), "of the centre of mass of a free body; inertial axes"),
+        key("velocity", vector("m/s").or("0"), "of the same"),
     ],
 };
+
+/// Displacement of a point, along axes of the file, or angles of an appendage, about its axes.
+const MOVED: Shape = Shape::List(&Shape::Number);
 
 /// Largest deviation of a quaternion's norm from one that counts as rounding: three digits, as people type them.
 const ROUNDED_NORM: f64 = 1e-3;

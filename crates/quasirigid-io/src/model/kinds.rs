@@ -1,4 +1,5 @@
-use super::table::{Keys, Table};
+use super::key::Keys;
+use super::table::Table;
 use super::value::{Value, alternatives};
 
 /// A kind of table, chosen by one of its keys, such as `kind`.
@@ -9,25 +10,40 @@ pub(super) struct Kind<R: 'static> {
     pub(super) title: &'static str,
     /// Keys of the table.
     pub(super) keys: Keys,
+    /// Meaning of the kind; empty where the word says it.
+    pub(super) meaning: &'static str,
     /// Function that reads the table.
     pub(super) read: R,
 }
 
-/// A kind, titled by the table, the key and its word.
+/// A kind, titled by the table, the key and its word; its keys are some of the `ANY` of its file.
 macro_rules! kind {
-    ($table:literal, $word:literal, $known:expr, $read:expr) => {
-        kind!($table, "kind", $word, $known, $read)
+    ($table:literal, $word:literal, $names:expr, $meaning:literal, $read:expr) => {
+        kind!($table, "kind", $word, $names, $meaning, $read)
     };
-    ($table:literal, $key:literal, $word:literal, $known:expr, $read:expr) => {
+    ($table:literal, $key:literal, $word:literal, $names:expr, $meaning:literal, $read:expr) => {
         Kind {
             word: $word,
             title: concat!($table, " of ", $key, " \"", $word, "\""),
-            keys: Keys { known: $known },
+            keys: Keys { known: &pick(ANY.known, $names) },
+            meaning: $meaning,
             read: $read,
         }
     };
 }
 pub(super) use kind;
+
+/// Documentation of a kind of table.
+pub(super) struct Variant {
+    pub(super) word: &'static str,
+    pub(super) keys: &'static Keys,
+    pub(super) meaning: &'static str,
+}
+
+/// Documentation of kinds.
+pub(super) fn variants<R>(kinds: &'static [Kind<R>]) -> Vec<Variant> {
+    kinds.iter().map(|kind| Variant { word: kind.word, keys: &kind.keys, meaning: kind.meaning }).collect()
+}
 
 /// Opens a table of the kind that one of its keys names; `title` and `any` are the name and the keys of a table without that key.
 pub(super) fn opened<'a, R>(
@@ -45,7 +61,7 @@ pub(super) fn opened<'a, R>(
     let choices: Vec<_> = kinds.iter().map(|kind| (kind.word, kind)).collect();
     let kind = word.choice(&choices)?;
     let others = |unknown: &str| {
-        let with = kinds.iter().filter(|kind| kind.keys.known.contains(&unknown));
+        let with = kinds.iter().filter(|kind| kind.keys.has(unknown));
         let words: Vec<String> = with.map(|kind| format!("{key} = {:?}", kind.word)).collect();
         (!words.is_empty()).then(|| alternatives(&words))
     };

@@ -6,12 +6,24 @@ use std::str::FromStr;
 
 use thiserror::Error;
 
+use super::key::{Keys, Shape, any, integer, key, words};
 use super::settings::optional;
-use super::table::Keys;
 use super::value::Value;
 use crate::units::Dimension;
 
-const MANIFOLD: Keys = Keys { known: &["degree", "masters", "style"] };
+pub(super) const MANIFOLD: Keys = Keys {
+    known: &[
+        key("degree", integer(1, HIGHEST_DEGREE as u64).or("5"), "in the amplitude"),
+        key(
+            "masters",
+            any(&[Shape::Words(&["automatic", "nutation"]), Shape::List(&Shape::Number)])
+                .in_unit("rad/s")
+                .or("`\"automatic\"`"),
+            "modes that they follow beside the nutation",
+        ),
+        key("style", words(&["normal-form", "graph"]).or("`\"normal-form\"`"), ""),
+    ],
+};
 
 /// Highest degree of the reduced equations about a spin.
 const HIGHEST_DEGREE: usize = 11;

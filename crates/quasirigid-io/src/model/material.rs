@@ -8,14 +8,31 @@ use std::collections::BTreeMap;
 use quasirigid_body::Rheology;
 use quasirigid_elements::{ElasticMaterial, Material, Orthotropic};
 
+use super::key::{Form, Keys, Shape, any, key, quantity};
 use super::names::suggestion;
-use super::rheology::{Extremes, Known, Scale, rheology};
+use super::rheology::{Extremes, Known, RHEOLOGY, Scale, rheology};
 use super::spans::ElementSpans;
-use super::table::{Keys, Table};
+use super::table::Table;
 use super::value::Value;
 use crate::units::Dimension;
 
-const MATERIAL: Keys = Keys { known: &["density", "young", "shear", "mu_Q", "poisson", "rheology"] };
+/// Constant of an isotropic material, or three of an orthotropic one.
+const MODULI: Form = any(&[Shape::Number, Shape::Vector]);
+
+pub(super) const MATERIAL: Keys = Keys {
+    known: &[
+        key("density", quantity("kg/m³"), ""),
+        key("young", MODULI.in_unit("Pa"), "three of an orthotropic material: E1, E2, E3"),
+        key("shear", MODULI.in_unit("Pa"), "instead of `young`, or G12, G13, G23"),
+        key(
+            "mu_Q",
+            quantity("Pa"),
+            "instead: shear modulus times `Q` of the `rheology` (without one 100, noted)",
+        ),
+        key("poisson", MODULI, "−1 to 0.5, or ν12, ν13, ν23"),
+        RHEOLOGY,
+    ],
+};
 
 /// Material of an element, and the rheology at both ends of its range.
 pub(super) type Made = (ElasticMaterial, Extremes);

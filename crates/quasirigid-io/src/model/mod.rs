@@ -16,6 +16,7 @@ mod formula;
 mod given;
 mod hinged;
 mod initial;
+pub(crate) mod key;
 mod kinds;
 mod literal;
 mod manifold;
@@ -28,6 +29,7 @@ mod physics;
 mod point;
 mod ranges;
 mod reader;
+pub mod reference;
 mod rheology;
 mod rotation;
 mod rotor;
@@ -62,12 +64,14 @@ pub use rotation::Rotation;
 pub use settings::{RunSettings, Stop, System, Verify};
 pub use source::Source;
 
-use crate::study_file::Varied;
+use crate::study_file::{VALUES, Varied};
 use body::Parts;
 use diagnostic::Problems;
+use key::{Key, Keys, Shape, key, of};
 use reader::Reader;
+use reference::{Documented, Listed, Place};
 use spans::Spans;
-use table::{Keys, Table};
+use table::Table;
 
 /// Readers of elements, in the order in which they read: those with nodes and places before those that refer to them.
 const READERS: &[&Reader] = &[
@@ -90,16 +94,58 @@ const READERS: &[&Reader] = &[
     &force::READER,
 ];
 
-/// Keys of a file that are no tables of elements.
-const OTHERS: [&str; 9] =
-    ["body", "carrier", "material", "section", "reduction", "support", "initial", "run", "uncertainty"];
+/// Tables of a file that describe no elements.
+const OTHERS: [Documented; 9] = [
+    other("body", "[body]", Place::Once, Listed::All(&settings::BODY), "the body as a whole"),
+    other(
+        "carrier",
+        "[carrier]",
+        Place::Once,
+        Listed::All(&body::CARRIER),
+        "rigid body that carries the others",
+    ),
+    other("material", "[material.NAME]", Place::Named, Listed::All(&material::MATERIAL), "elastic material"),
+    other(
+        "section",
+        "[section.NAME]",
+        Place::Named,
+        Listed::ByKind { any: &section::ANY, kinds: section::documented },
+        "cross-section of beams",
+    ),
+    other("reduction", "[reduction]", Place::Once, Listed::All(&part::REDUCTION), "coordinates of parts"),
+    other(
+        "support",
+        "[support]",
+        Place::Once,
+        Listed::ByKind { any: &support::ANY, kinds: support::documented },
+        "support of the body",
+    ),
+    other("initial", "[initial]", Place::Once, Listed::All(&initial::INITIAL), "state at time zero"),
+    other("run", "[run]", Place::Once, Listed::All(&settings::RUN), "settings of the computation"),
+    other("uncertainty", "[uncertainty]", Place::Named, Listed::All(&VALUES), "distributions of keys"),
+];
+
+const fn other(
+    name: &'static str,
+    title: &'static str,
+    place: Place,
+    listed: Listed,
+    meaning: &'static str,
+) -> Documented {
+    Documented { name, title, meaning, place, listed }
+}
 
 const FILE: Keys = Keys { known: &KEYS };
-const KEYS: [&str; OTHERS.len() + READERS.len()] = {
-    let mut keys = [""; OTHERS.len() + READERS.len()];
+const KEYS: [Key; OTHERS.len() + READERS.len()] = {
+    let mut keys = [key("", of(Shape::Value), ""); OTHERS.len() + READERS.len()];
     let mut i = 0;
     while i < keys.len() {
-        keys[i] = if i < OTHERS.len() { OTHERS[i] } else { READERS[i - OTHERS.len()].key };
+        let (name, meaning) = if i < OTHERS.len() {
+            (OTHERS[i].name, OTHERS[i].meaning)
+        } else {
+            (READERS[i - OTHERS.len()].key, READERS[i - OTHERS.len()].meaning)
+        };
+        keys[i] = key(name, of(Shape::Value), meaning);
         i += 1;
     }
     keys

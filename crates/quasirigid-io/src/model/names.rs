@@ -8,9 +8,9 @@ use quasirigid_elements::{ElementKind, End, NodeRef, PlaceRef};
 
 use super::Diagnostic;
 use super::diagnostic::Problems;
+use super::key::{COUNTED, Form, Keys, Shape, TEXT, any, key};
 use super::part::Nodes;
 use super::reader::{Naming, Opened};
-use super::table::Keys;
 use super::value::Value;
 use crate::nearest::nearest;
 
@@ -44,8 +44,19 @@ pub(super) enum Part {
     Inside,
 }
 
+/// End of a spring, or place of a force.
+pub(super) const END: Form = any(&[Shape::Text, Shape::Shared("node")]);
+/// A node, by name or number.
+pub(super) const NODE: &[Shape] = &[Shape::Text, COUNTED];
+
 /// Keys of a reference to one node of a part or to several.
-const NODES: Keys = Keys { known: &["part", "node", "set"] };
+pub(super) const NODES: Keys = Keys {
+    known: &[
+        key("part", TEXT, "name of a part or an appendage"),
+        key("node", any(NODE), "name, number in the mesh, corner of a rectangle, or place"),
+        key("set", any(&[Shape::Text, COUNTED, Shape::List(&Shape::Any(NODE))]), "several, instead"),
+    ],
+};
 
 /// Kind of element that refers to a place.
 #[derive(Clone, Copy)]

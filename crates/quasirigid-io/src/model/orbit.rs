@@ -1,19 +1,24 @@
 use quasirigid_body::force::Orbit;
 
-use super::table::{Keys, Table};
+use super::key::{Keys, NUMBER, key, quantity, words};
+use super::table::Table;
 use super::value::Value;
 use crate::units::Dimension;
 
 pub(super) const ORBIT: Keys = Keys {
     known: &[
-        "body",
-        "gravitational_parameter",
-        "semi_major_axis",
-        "eccentricity",
-        "inclination",
-        "node",
-        "periapsis",
-        "mean_anomaly",
+        key(
+            "body",
+            words(&["Earth", "Moon", "Mars", "Sun"]),
+            "3.986004418e14 (IAU 2009), or after DE440 4.902800118e12, 4.282837362e13, 1.32712440041e20 m³/s²",
+        ),
+        key("gravitational_parameter", quantity("m³/s²"), "instead of `body`"),
+        key("semi_major_axis", quantity("m"), ""),
+        key("eccentricity", NUMBER.or("0"), ""),
+        key("inclination", quantity("rad").or("0"), ""),
+        key("node", quantity("rad").or("0"), "right ascension of the ascending node"),
+        key("periapsis", quantity("rad").or("0"), "its argument"),
+        key("mean_anomaly", quantity("rad").or("0"), "at time zero"),
     ],
 };
 

@@ -1,14 +1,16 @@
 use quasirigid_elements::{ElementKind, Point, PointMotion};
 
+use super::key::{Keys, Shape, VECTOR, any, key, quantity, vector};
 use super::names::Part;
-use super::reader::{Keyed, Naming, Reader};
-use super::table::{Keys, Table};
+use super::reader::{Keyed, NAME, Naming, Reader};
+use super::table::Table;
 use super::value::Value;
 use crate::units::Dimension;
 
 pub(super) const READER: Reader = Reader {
     key: "point",
     title: "[[point]]",
+    meaning: "point mass",
     keys: Keyed::All(&POINT),
     kind: Some(ElementKind::Point),
     naming: Naming::Numbered("point"),
@@ -22,8 +24,20 @@ pub(super) const READER: Reader = Reader {
     },
 };
 
-const POINT: Keys = Keys { known: &["name", "mass", "position", "motion"] };
-const MOTION: Keys = Keys { known: &["line", "plane"] };
+const POINT: Keys = Keys {
+    known: &[
+        NAME,
+        key("mass", quantity("kg"), ""),
+        key("position", vector("m"), "at equilibrium"),
+        key(
+            "motion",
+            any(&[Shape::Words(&["free"]), Shape::Table(&MOTION)]).or("`\"free\"`"),
+            "or a constraint",
+        ),
+    ],
+};
+const MOTION: Keys =
+    Keys { known: &[key("line", VECTOR, "direction of a guide"), key("plane", VECTOR, "its normal")] };
 
 /// Reads a `[[point]]`.
 fn point(table: &Table<'_>, name: &str) -> Option<Point> {

@@ -4,6 +4,8 @@ use std::path::Path;
 
 use quasirigid_elements::{Assembly, ElementKind};
 
+use super::key::{Key, Keys, TEXT, key};
+use super::kinds::Variant;
 use super::material::Materials;
 use super::names::{Names, Part};
 use super::part::Read;
@@ -11,8 +13,11 @@ use super::ranges::Ranges;
 use super::rheology::Extremes;
 use super::section::Sections;
 use super::spans::{ElementSpans, NetworkSpans};
-use super::table::{Keys, Table};
+use super::table::Table;
 use super::value::Value;
+
+/// Name of an element.
+pub(super) const NAME: Key = key("name", TEXT.or("`point 1`, `spring tip-carrier`"), "unique");
 
 /// Kind of table that describes elements: its name, its keys and its reading, in one place.
 pub(super) struct Reader {
@@ -20,6 +25,8 @@ pub(super) struct Reader {
     pub(super) key: &'static str,
     /// The table as messages call it.
     pub(super) title: &'static str,
+    /// What the table describes.
+    pub(super) meaning: &'static str,
     /// Keys of the table.
     pub(super) keys: Keyed,
     /// Kind of the elements; none of a table that stands for many.
@@ -43,8 +50,15 @@ pub(super) struct Reader {
 pub(super) enum Keyed {
     /// Keys that every table has.
     All(&'static Keys),
-    /// Keys of the kind that the table names; the function opens the table.
-    ByKind(for<'a> fn(&Value<'a>) -> Option<Table<'a>>),
+    /// Keys of the kind that the table names.
+    ByKind {
+        /// Keys of a table without a kind.
+        any: &'static Keys,
+        /// Documentation of the kinds.
+        kinds: fn() -> Vec<Variant>,
+        /// Opens the table.
+        open: for<'a> fn(&Value<'a>) -> Option<Table<'a>>,
+    },
 }
 
 /// Names of the elements of a kind.
@@ -104,7 +118,7 @@ impl Reader {
     pub(super) fn open<'a>(&self, file: &Table<'a>) -> Vec<Table<'a>> {
         let open = |value: &Value<'a>| match self.keys {
             Keyed::All(keys) => value.table(self.title, keys),
-            Keyed::ByKind(open) => open(value),
+            Keyed::ByKind { open, .. } => open(value),
         };
         file.several(self.key, self.title).iter().filter_map(open).collect()
     }

@@ -4,9 +4,10 @@
 
 use quasirigid_body::{Measured, Rheology, RheologyError};
 
-use super::kinds::{Kind, kind, opened};
+use super::key::{KIND, Key, Keys, NUMBER, Shape, array, key, list, pick, quantity, shared};
+use super::kinds::{Kind, Variant, kind, opened, variants};
 use super::settings::optional;
-use super::table::{Keys, Table};
+use super::table::Table;
 use super::value::Value;
 use crate::units::Dimension;
 
@@ -34,18 +35,62 @@ impl Scale {
 
 type Read = fn(&Table<'_>, Scale) -> Option<Known>;
 
+/// Law of dissipation of an element or a material.
+pub(super) const RHEOLOGY: Key = key("rheology", shared("rheology").or("elastic"), "dissipation");
+
 static KINDS: [Kind<Read>; 6] = [
-    kind!("`rheology`", "kelvin-voigt", &["kind", "time", "range"], kelvin_voigt),
-    kind!("`rheology`", "quality-factor", &["kind", "Q", "range"], quality_factor),
-    kind!("`rheology`", "maxwell", &["kind", "time", "range"], maxwell),
-    kind!("`rheology`", "standard-linear", &["kind", "time", "strength", "range"], standard_linear),
-    kind!("`rheology`", "andrade", &["kind", "time", "creep_time", "exponent", "range"], andrade),
-    kind!("`rheology`", "table", &["kind", "rows"], measured),
+    kind!(
+        "`rheology`",
+        "kelvin-voigt",
+        ["kind", "time", "range"],
+        "1 + iντ, a parallel dashpot",
+        kelvin_voigt
+    ),
+    kind!("`rheology`", "quality-factor", ["kind", "Q", "range"], "1 + i/Q", quality_factor),
+    kind!("`rheology`", "maxwell", ["kind", "time", "range"], "iντ/(1 + iντ), a dashpot in series", maxwell),
+    kind!(
+        "`rheology`",
+        "standard-linear",
+        ["kind", "time", "strength", "range"],
+        "1 + Δ iντ/(1 + iντ)",
+        standard_linear
+    ),
+    kind!(
+        "`rheology`",
+        "andrade",
+        ["kind", "time", "creep_time", "exponent", "range"],
+        "1/[1 + Γ(1+α)(iντA)^−α − i/ντ]",
+        andrade
+    ),
+    kind!("`rheology`", "table", ["kind", "rows"], "as measured", measured),
 ];
 
 /// Keys of a rheology without a kind: those of every kind.
-const ANY: Keys =
-    Keys { known: &["kind", "time", "Q", "strength", "creep_time", "exponent", "range", "rows"] };
+pub(super) const ANY: Keys = Keys {
+    known: &[
+        key("kind", KIND, ""),
+        key("time", quantity("s"), "τ"),
+        key("Q", NUMBER, "at least 1"),
+        key("strength", NUMBER, "Δ"),
+        key("creep_time", quantity("s").or("τ"), "τA"),
+        key("exponent", NUMBER.or("1/3"), "α, between 0 and 1"),
+        key(
+            "range",
+            array(2, &Shape::Number).in_unit("its unit").or("none"),
+            "least and greatest value of the key after `kind`",
+        ),
+        key(
+            "rows",
+            list(&Shape::Array(3, &Shape::Number)).in_unit("rad/s, Pa"),
+            "frequency, modulus and loss of each: `[[\"1 Hz\", \"9.3 GPa\", 0.01], …]`",
+        ),
+    ],
+};
+
+/// Documentation of the kinds.
+pub(super) fn documented() -> Vec<Variant> {
+    variants(&KINDS)
+}
 
 /// Exponent of Andrade's law unless the file chooses another: Andrade's own, for metals.
 const ANDRADE: f64 = 1.0 / 3.0;

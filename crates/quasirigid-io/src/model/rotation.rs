@@ -5,12 +5,32 @@ use std::f64::consts::FRAC_PI_2;
 
 use quasirigid_body::Mode;
 
-use super::table::{Keys, Table};
+use super::key::{Key, Keys, key, quantity, words};
+use super::table::Table;
 use super::value::Value;
 use crate::units::Dimension;
 
-const PERIODS: Keys = Keys { known: &["rotation", "precession", "mode"] };
-const WOBBLE: Keys = Keys { known: &["angle", "rate", "mode"] };
+/// Axis that the angular momentum circles.
+const MODE: Key = key(
+    "mode",
+    words(&["short-axis", "long-axis", "SAM", "LAM"]),
+    "axis circled: of greatest inertia, of least",
+);
+
+pub(super) const PERIODS: Keys = Keys {
+    known: &[
+        key("rotation", quantity("s"), "about the long axis"),
+        key("precession", quantity("s"), "of the long axis about the angular momentum"),
+        MODE,
+    ],
+};
+pub(super) const WOBBLE: Keys = Keys {
+    known: &[
+        key("angle", quantity("rad"), "greatest, between angular momentum and axis"),
+        key("rate", quantity("rad/s"), "angular momentum over the moment of inertia"),
+        MODE,
+    ],
+};
 
 /// Rotation of the body at time zero.
 #[derive(Clone, Copy, Debug, PartialEq)]

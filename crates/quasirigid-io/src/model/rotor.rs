@@ -1,14 +1,16 @@
 use quasirigid_elements::{ElementKind, Rotor, RotorKind};
 
+use super::key::{Keys, Shape, VECTOR, any, key, quantity, words};
 use super::names::Part;
-use super::reader::{Keyed, Naming, Reader};
-use super::table::{Keys, Table};
+use super::reader::{Keyed, NAME, Naming, Reader};
+use super::table::Table;
 use super::value::Value;
 use crate::units::Dimension;
 
 pub(super) const READER: Reader = Reader {
     key: "rotor",
     title: "[[rotor]]",
+    meaning: "rotor with friction",
     keys: Keyed::All(&ROTOR),
     kind: Some(ElementKind::Rotor),
     naming: Naming::Numbered("rotor"),
@@ -22,7 +24,20 @@ pub(super) const READER: Reader = Reader {
     },
 };
 
-const ROTOR: Keys = Keys { known: &["name", "shape", "axis", "inertia", "friction", "speed"] };
+const ROTOR: Keys = Keys {
+    known: &[
+        NAME,
+        key("shape", words(&["flywheel", "sphere"]).or("`\"flywheel\"`"), "a sphere turns about any axis"),
+        key("axis", VECTOR, "of a flywheel"),
+        key("inertia", quantity("kg m²"), "about the axis"),
+        key("friction", quantity("N m s/rad"), "above zero"),
+        key(
+            "speed",
+            any(&[Shape::Number, Shape::List(&Shape::Number)]).in_unit("rad/s").or("slow motion"),
+            "relative to the carrier, at the start; of a sphere one per axis",
+        ),
+    ],
+};
 
 /// Reads a `[[rotor]]`.
 pub(super) fn rotor(table: &Table<'_>, name: &str) -> Option<Rotor> {

@@ -5,43 +5,50 @@ use std::collections::BTreeMap;
 
 use quasirigid_elements::SectionShape;
 
-use super::kinds::{Kind, kind, opened};
+use super::key::{KIND, Keys, Shape, array, key, pick, quantity};
+use super::kinds::{Kind, Variant, kind, opened, variants};
 use super::names::suggestion;
-use super::table::{Keys, Table};
+use super::table::Table;
 use super::value::Value;
 use crate::units::Dimension;
 
 /// Keys of a section without a shape: those of every shape.
-const ANY: Keys = Keys {
+pub(super) const ANY: Keys = Keys {
     known: &[
-        "shape",
-        "height",
-        "width",
-        "radius",
-        "thickness",
-        "web",
-        "flange",
-        "area",
-        "second_y",
-        "second_z",
-        "torsion",
-        "shear_areas",
+        key("shape", KIND, ""),
+        key("height", quantity("m"), "along z"),
+        key("width", quantity("m"), "along y"),
+        key("radius", quantity("m"), "outer"),
+        key("thickness", quantity("m"), ""),
+        key("web", quantity("m"), "its thickness"),
+        key("flange", quantity("m"), "its thickness"),
+        key("area", quantity("m²"), ""),
+        key("second_y", quantity("m⁴"), "∫z²dA"),
+        key("second_z", quantity("m⁴"), "∫y²dA"),
+        key("torsion", quantity("m⁴"), ""),
+        key("shear_areas", array(2, &Shape::Number).in_unit("m²").or("rigid in shear"), "along y and z"),
     ],
 };
+
+/// Documentation of the shapes.
+pub(super) fn documented() -> Vec<Variant> {
+    variants(&SHAPES)
+}
 
 type Read = fn(&Table<'_>) -> Option<SectionShape>;
 
 static SHAPES: [Kind<Read>; 6] = [
-    kind!("a section", "shape", "rectangle", &["shape", "height", "width"], rectangle),
-    kind!("a section", "shape", "circle", &["shape", "radius"], circle),
-    kind!("a section", "shape", "tube", &["shape", "radius", "thickness"], tube),
-    kind!("a section", "shape", "box", &["shape", "height", "width", "thickness"], hollow),
-    kind!("a section", "shape", "I", &["shape", "height", "width", "web", "flange"], i_beam),
+    kind!("a section", "shape", "rectangle", ["shape", "height", "width"], "", rectangle),
+    kind!("a section", "shape", "circle", ["shape", "radius"], "", circle),
+    kind!("a section", "shape", "tube", ["shape", "radius", "thickness"], "", tube),
+    kind!("a section", "shape", "box", ["shape", "height", "width", "thickness"], "outer lengths", hollow),
+    kind!("a section", "shape", "I", ["shape", "height", "width", "web", "flange"], "", i_beam),
     kind!(
         "a section",
         "shape",
         "general",
-        &["shape", "area", "second_y", "second_z", "torsion", "shear_areas"],
+        ["shape", "area", "second_y", "second_z", "torsion", "shear_areas"],
+        "",
         general
     ),
 ];

@@ -5,30 +5,63 @@ use std::f64::consts::PI;
 
 use quasirigid_body::{Form, Method};
 
-use super::evolve::{Evolve, evolve};
-use super::manifold::{Manifold, manifold};
-use super::table::{Keys, Table};
+use super::evolve::{EVOLVE, Evolve, evolve};
+use super::key::{BOOLEAN, Keys, NUMBER, Shape, TEXT, integer, key, list, quantity, table, words};
+use super::manifold::{MANIFOLD, Manifold, manifold};
+use super::table::Table;
 use super::value::Value;
 use crate::units::Dimension;
 
-pub(super) const BODY: Keys = Keys { known: &["name"] };
+pub(super) const BODY: Keys = Keys { known: &[key("name", TEXT.or("file's name"), "title of results")] };
 pub(super) const RUN: Keys = Keys {
     known: &[
-        "order",
-        "duration",
-        "tolerance",
-        "samples",
-        "form",
-        "systems",
-        "method",
-        "stop",
-        "verify",
-        "evolve",
-        "manifold",
+        key(
+            "order",
+            integer(0, 12).or("lowest from 3 that holds"),
+            "of the reduced equations, 0 for the rigid body",
+        ),
+        key("duration", quantity("s").or("100 revolutions"), "of the histories"),
+        key("tolerance", NUMBER.or("1e-12"), "relative error per step, 1e-15 to 1e-2"),
+        key(
+            "samples",
+            integer(2, MOST_SAMPLES as u64).or("`run`: 24 a revolution, 2001 to 50 001; `simulate`: 1001"),
+            "rows",
+        ),
+        key(
+            "form",
+            words(&["momentum", "paper"]).or("`\"momentum\"`"),
+            "variable: angular momentum, or angular velocity",
+        ),
+        key(
+            "systems",
+            list(&Shape::Words(&["full", "reduced", "rigid", "manifold"])).or("`[\"reduced\", \"rigid\"]`"),
+            "`\"manifold\"`: reduced about the spin",
+        ),
+        key(
+            "method",
+            words(&["automatic", "explicit", "implicit"]).or("`\"automatic\"`"),
+            "for the full system",
+        ),
+        key("stop", table(&STOP), "ends a run early"),
+        key("verify", table(&VERIFY), "compares with the full system"),
+        key("evolve", table(&EVOLVE), "secular evolution"),
+        key("manifold", table(&MANIFOLD), "reduced equations about the spin; `run` then keeps the backbone"),
     ],
 };
-const STOP: Keys = Keys { known: &["energy", "nutation", "validity"] };
-const VERIFY: Keys = Keys { known: &["rotations", "orders", "halvings"] };
+const STOP: Keys = Keys {
+    known: &[
+        key("energy", quantity("J"), "at this energy"),
+        key("nutation", quantity("rad"), "at this angle"),
+        key("validity", BOOLEAN.or("false"), "where the reduced equations cease to hold"),
+    ],
+};
+const VERIFY: Keys = Keys {
+    known: &[
+        key("rotations", NUMBER.or("5"), "revolutions of each run"),
+        key("orders", list(&Shape::Integer(1, 12)).or("1 to `order`"), ""),
+        key("halvings", integer(1, 10).or("4"), "how often ε is halved"),
+    ],
+};
 
 /// Order of the reduced equations unless the file chooses another.
 const ORDER: usize = 3;

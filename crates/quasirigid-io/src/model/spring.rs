@@ -4,16 +4,18 @@
 
 use quasirigid_elements::{Coefficient, ElementKind, End, Prestress, Spring, SpringLaw};
 
-use super::names::{Fixed, Names, Part};
-use super::reader::{Keyed, Naming, Reader};
-use super::rheology::{Extremes, Scale, rheology};
-use super::table::{Keys, Table};
+use super::key::{BOOLEAN, Form, Keys, Shape, any, key, quantity, vector};
+use super::names::{END, Fixed, Names, Part};
+use super::reader::{Keyed, NAME, Naming, Reader};
+use super::rheology::{Extremes, RHEOLOGY, Scale, rheology};
+use super::table::Table;
 use super::value::Value;
 use crate::units::Dimension;
 
 pub(super) const READER: Reader = Reader {
     key: "spring",
     title: "[[spring]]",
+    meaning: "spring and dashpot",
     keys: Keyed::All(&SPRING),
     kind: Some(ElementKind::Spring),
     naming: Naming::Optional,
@@ -28,18 +30,25 @@ pub(super) const READER: Reader = Reader {
     },
 };
 
+/// Stiffness or damping in space.
+const COEFFICIENT: Form = any(&[Shape::Number, Shape::Vector, Shape::Matrix]);
+
 const SPRING: Keys = Keys {
     known: &[
-        "name",
-        "from",
-        "to",
-        "stiffness",
-        "damping",
-        "rheology",
-        "axial",
-        "anchor",
-        "tension",
-        "natural_length",
+        NAME,
+        key("from", END, "point, node or place; one end may be `\"carrier\"`"),
+        key("to", END, ""),
+        key(
+            "stiffness",
+            COEFFICIENT.in_unit("N/m"),
+            "isotropic, along the file's axes, or a symmetric matrix",
+        ),
+        key("damping", COEFFICIENT.in_unit("N s/m").or("0"), "of a parallel dashpot"),
+        RHEOLOGY,
+        key("axial", BOOLEAN.or("false"), "along the line of its ends, with a scalar `stiffness`"),
+        key("anchor", vector("m"), "end on the carrier, of an axial spring only"),
+        key("tension", quantity("N").or("relaxed"), "of an axial spring; pressure is negative"),
+        key("natural_length", quantity("m"), "instead of `tension`"),
     ],
 };
 

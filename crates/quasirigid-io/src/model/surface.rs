@@ -7,12 +7,13 @@ use std::path::Path;
 use quasirigid_elements::{ElementKind, Surface};
 use quasirigid_mesh::surface::ClosedSurface;
 
+use super::key::{Key, Keys, Shape, TEXT, any, integer, key};
 use super::material::Materials;
 use super::names::Part;
-use super::reader::{Keyed, Naming, Reader, Sources};
+use super::reader::{Keyed, NAME, Naming, Reader, Sources};
 use super::rheology::Extremes;
 use super::settings::optional;
-use super::table::{Keys, Table};
+use super::table::Table;
 use super::value::Value;
 use crate::mesh::read_triangles;
 use crate::units::Dimension;
@@ -20,6 +21,7 @@ use crate::units::Dimension;
 pub(super) const READER: Reader = Reader {
     key: "surface",
     title: "[[surface]]",
+    meaning: "homogeneous elastic body inside a closed surface",
     keys: Keyed::All(&SURFACE),
     kind: Some(ElementKind::Surface),
     naming: Naming::Numbered("surface"),
@@ -38,7 +40,24 @@ pub(super) const READER: Reader = Reader {
     },
 };
 
-const SURFACE: Keys = Keys { known: &["name", "file", "unit", "material", "degree", "cells"] };
+/// Unit of the lengths in a file.
+pub(super) const UNIT: Key =
+    key("unit", any(&[Shape::Text, Shape::Number]).or("`\"m\"`"), "of the file, `\"2.5 cm\"`");
+
+const SURFACE: Keys = Keys {
+    known: &[
+        NAME,
+        key("file", TEXT, "OBJ, STL, PLY, or a plate table of the Planetary Data System"),
+        UNIT,
+        key("material", TEXT, ""),
+        key("degree", integer(1, Surface::MOST as u64).or("as needed"), "of polynomials, (G9)"),
+        key(
+            "cells",
+            integer(1, Surface::MOST_CELLS as u64).or("6000 or 16000"),
+            "finite elements, (G11), the default in bodies with necks",
+        ),
+    ],
+};
 
 /// Reads a `[[surface]]` with its file, which is looked for beside the model, and the rheology at both ends of its range.
 pub(super) fn surface(

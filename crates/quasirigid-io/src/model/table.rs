@@ -7,16 +7,11 @@ use toml::de::DeTable;
 
 use super::Diagnostic;
 use super::diagnostic::Problems;
+use super::key::Keys;
 use super::spans::ElementSpans;
 use super::value::Value;
 use crate::nearest::nearest;
 use crate::units::Dimension;
-
-/// The keys a table can have.
-pub(crate) struct Keys {
-    /// Names of the keys.
-    pub(crate) known: &'static [&'static str],
-}
 
 /// A table of the file whose keys have been checked.
 pub(crate) struct Table<'a> {
@@ -40,7 +35,7 @@ impl<'a> Table<'a> {
         problems: &'a Problems<'a>,
     ) -> Self {
         let mut misspelt = Vec::new();
-        for key in entries.keys().filter(|key| !keys.known.contains(&key.get_ref().as_ref())) {
+        for key in entries.keys().filter(|key| !keys.has(key.get_ref())) {
             if problems.full() {
                 break;
             }
@@ -48,8 +43,7 @@ impl<'a> Table<'a> {
                 problems.report(foreign_key(title, key.get_ref(), key.span(), keys, &kinds));
                 continue;
             }
-            let meant =
-                renamed(key.get_ref(), keys).or_else(|| nearest(key.get_ref(), keys.known.iter().copied()));
+            let meant = renamed(key.get_ref(), keys).or_else(|| nearest(key.get_ref(), keys.names()));
             problems.report(unknown_key(title, key.get_ref(), key.span(), keys, meant));
             misspelt.extend(meant);
         }
@@ -63,7 +57,7 @@ impl<'a> Table<'a> {
 
     /// Places of the values of the table.
     pub(crate) fn spans(&self) -> ElementSpans {
-        let values = self.keys.known.iter().filter_map(|key| Some((*key, self.get(key)?.span()))).collect();
+        let values = self.keys.names().filter_map(|key| Some((key, self.get(key)?.span()))).collect();
         ElementSpans { header: self.header(), values }
     }
 
@@ -148,22 +142,26 @@ const FORMER: &[(&str, &str)] = &[("freedoms", "dofs")];
 
 /// The present name of a former key, if the table has such a key.
 fn renamed(key: &str, keys: &Keys) -> Option<&'static str> {
-    let (_, now) = FORMER.iter().find(|(former, now)| *former == key && keys.known.contains(now))?;
+    let (_, now) = FORMER.iter().find(|(former, now)| *former == key && keys.has(now))?;
     Some(now)
 }
 
 fn foreign_key(title: &str, key: &str, span: Range<usize>, keys: &Keys, kinds: &str) -> Diagnostic {
     let message = format!("`{key}` is not a key of {title}");
-    let help = format!("it is for {kinds}; the keys here are {}", keys.known.join(", "));
+    let help = format!("it is for {kinds}; the keys here are {}", listed(keys));
     Diagnostic::new(span, message, "not for this kind").help(help)
 }
 
 fn unknown_key(title: &str, key: &str, span: Range<usize>, keys: &Keys, meant: Option<&str>) -> Diagnostic {
     let message = format!("unknown key {key:?} in {title}");
-    let list = format!("the keys are {}", keys.known.join(", "));
+    let list = format!("the keys are {}", listed(keys));
     let help = match meant {
         Some(known) => format!("did you mean `{known}`? {list}"),
         None => list,
     };
     Diagnostic::new(span, message, "unknown key").help(help)
+}
+
+fn listed(keys: &Keys) -> String {
+    keys.names().collect::<Vec<_>>().join(", ")
 }

@@ -10,10 +10,11 @@ use toml::de::{DeInteger, DeValue};
 use super::Diagnostic;
 use super::diagnostic::Problems;
 use super::given::Given;
+use super::key::Keys;
 use super::literal;
 use super::named::Named;
 use super::spans::ElementSpans;
-use super::table::{Keys, Table};
+use super::table::Table;
 use crate::nearest::nearest;
 use crate::units::{Dimension, quantity};
 
@@ -105,7 +106,7 @@ impl<'a> Value<'a> {
 
     /// Places of a table and of its values.
     pub(crate) fn spans(&self, keys: &Keys) -> ElementSpans {
-        let values = keys.known.iter().filter_map(|key| Some((*key, self.entry(key)?.span()))).collect();
+        let values = keys.names().filter_map(|key| Some((key, self.entry(key)?.span()))).collect();
         ElementSpans { header: self.span(), values }
     }
 

@@ -1,15 +1,17 @@
 use quasirigid_elements::{ElementKind, Wheel, WheelSpeed};
 
 use super::formula::{TIME, formula};
+use super::key::{Keys, Shape, VECTOR, any, key, of, quantity};
 use super::names::Part;
-use super::reader::{Keyed, Naming, Reader};
-use super::table::{Keys, Table};
+use super::reader::{Keyed, NAME, Naming, Reader};
+use super::table::Table;
 use super::value::Value;
 use crate::units::Dimension;
 
 pub(super) const READER: Reader = Reader {
     key: "wheel",
     title: "[[wheel]]",
+    meaning: "momentum wheel",
     keys: Keyed::All(&WHEEL),
     kind: Some(ElementKind::Wheel),
     naming: Naming::Numbered("wheel"),
@@ -23,8 +25,20 @@ pub(super) const READER: Reader = Reader {
     },
 };
 
-const WHEEL: Keys = Keys { known: &["name", "axis", "inertia", "speed", "momentum"] };
-const PRESCRIBED: Keys = Keys { known: &["formula"] };
+const WHEEL: Keys = Keys {
+    known: &[
+        NAME,
+        key("axis", VECTOR, ""),
+        key("inertia", quantity("kg m²"), ""),
+        key(
+            "speed",
+            any(&[Shape::Number, Shape::Table(&PRESCRIBED)]).in_unit("rad/s"),
+            "relative to the carrier, kept by a motor",
+        ),
+        key("momentum", quantity("N m s"), "instead of `inertia` and `speed`"),
+    ],
+};
+const PRESCRIBED: Keys = Keys { known: &[key("formula", of(Shape::Formula), "in `t`")] };
 
 /// Reads a `[[wheel]]`.
 pub(super) fn wheel(table: &Table<'_>, name: &str) -> Option<Wheel> {

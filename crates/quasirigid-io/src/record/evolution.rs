@@ -16,18 +16,22 @@ use super::{Column, number};
 /// circles a steady spin about no principal axis: its `circled_axis` is 0, and `D_over_I3` is not known.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 pub struct EvolutionRecord {
-    /// The answer, in one or two sentences.
+    /// Answer, in one or two sentences.
     pub sentence: String,
-    /// The method: `average` along the polhode, `levels` of the slow energy, `modes` at the poles, reduced equations
+    /// Method: `average`, `levels`, `modes`, `manifold`, `micro-runs`, `direct`, `none`.
+    ///
+    /// `average` along the polhode, `levels` of the slow energy, `modes` at the poles, reduced equations
     /// about the spin (`manifold`), `micro-runs` of the full system,
     /// `direct` integration of it, or `none` where no method holds.
     #[serde(default)]
     pub road: String,
-    /// Reason for the method and limits of its validity, in a sentence.
+    /// Reason for the method, and limits of its validity.
     #[serde(default)]
     pub verdict: String,
     /// Source of the power, in words.
     pub method: String,
+    /// Status: how it ended; `refused` or `does-not-hold` without result.
+    ///
     /// `finished` (the time or the target reached), `interrupted`, `refused` (no method holds), `does-not-hold` (the method asked for does
     /// not), or an early end by a torque: `held` (at the separatrix), `rest`, `spun-up`, `step-limit`, `failed`.
     pub status: String,
@@ -38,67 +42,95 @@ pub struct EvolutionRecord {
     #[serde(with = "number")]
     #[serde(rename = "momentum")]
     pub angular_momentum: f64,
-    /// Mode at the start: `short-axis` or `long-axis`; `steady-spin` of a body with momentum wheels, which circles no principal axis.
+    /// Mode at the start: `short-axis`, `long-axis`, or `steady-spin` with momentum wheels.
+    ///
+    /// A body with momentum wheels circles no principal axis.
     pub mode_start: String,
     /// Mode at the end.
     pub mode_end: String,
     /// `D/I₃ = |K|²/2EI₃` at the start.
     #[serde(with = "number")]
     pub ratio_start: f64,
-    /// `D/I₃ = |K|²/2EI₃` at the end.
+    /// `D/I₃` at the end.
     #[serde(with = "number")]
     pub ratio_end: f64,
-    /// The rotation at the start as observers describe it; none in records of versions before this field.
+    /// Rotation at the start as observers describe it, or `null`.
+    ///
+    /// None in records of versions before this field.
     #[serde(default)]
     pub start: Option<ObservedRecord>,
-    /// The rotation at the end as observers describe it.
+    /// Rotation at the end as observers describe it, or `null`.
     #[serde(default)]
     pub end: Option<ObservedRecord>,
-    /// Time from the start to the end (s), located whatever the rows; infinite where the end is never reached.
+    /// Time from start to end (s), `null` if never reached.
+    ///
+    /// Located whatever the rows; infinite where the end is never reached.
     #[serde(with = "number::unbounded")]
     pub time: f64,
-    /// Estimate of the relative error of `time`; none if not known.
+    /// Relative error of `time`, or `null`.
+    ///
+    /// An estimate; none if not known.
     #[serde(with = "number", default)]
     pub time_error: Option<f64>,
-    /// Least and greatest `time` (s) over the ranges of the materials; none where they have no ranges.
+    /// Least and greatest `time` over the ranges of the materials (s), or `null`.
+    ///
+    /// None where materials have no ranges.
     #[serde(with = "number::unbounded")]
     pub time_range: Option<[f64; 2]>,
     /// Revolutions about the angular momentum.
     #[serde(with = "number::unbounded")]
     #[serde(rename = "turns")]
     pub revolutions: f64,
-    /// Mean power dissipated at the start (W).
+    /// Mean power at the start (W).
     #[serde(with = "number")]
     pub power: f64,
-    /// Shares of the dissipators in `power`, by name; empty in records of versions before this field.
+    /// Shares in `power`.
+    ///
+    /// Empty in records of versions before this field.
     #[serde(with = "number", default)]
     pub dissipation: BTreeMap<String, f64>,
-    /// Time from the start to the separatrix (s); none when the separatrix is not passed.
+    /// Time to the separatrix (s), or `null`.
+    ///
+    /// From the start; none when the separatrix is not passed.
     #[serde(with = "number")]
     pub separatrix_time: Option<f64>,
-    /// Time spent within 1 % of the separatrix (s); none when the evolution does not come so near.
+    /// Time within 1 % of it (s), or `null`.
+    ///
+    /// None when the evolution does not come so near to the separatrix.
     #[serde(with = "number")]
     pub lingering: Option<f64>,
-    /// Time in which a small wobble about the axis of greatest inertia decays by e (s), or about the steady spin that attracts.
+    /// e-folding time (s) of a small wobble about the axis of greatest inertia.
+    ///
+    /// Or about the steady spin that attracts.
     #[serde(with = "number::unbounded")]
     pub damping_time: f64,
-    /// Time in which a small wobble about the axis of least inertia grows by e (s).
+    /// e-folding time (s) of growth about the axis of least inertia.
+    ///
+    /// Time in which a small wobble about the axis of least inertia grows by e.
     #[serde(with = "number::unbounded")]
     pub growth_time: f64,
-    /// Names of the unknown among `time`, `turns`, `damping_time` and `growth_time`: JSON has `null` for unknown and infinite alike.
+    /// Times and `turns` that are `null` though not infinite.
+    ///
+    /// Of `time`, `turns`, `damping_time` and `growth_time`: JSON has `null` for unknown and infinite alike.
     #[serde(default)]
     pub not_known: Vec<String>,
-    /// Published estimates of the first of these times, for a homogeneous body of one quality factor; empty otherwise.
+    /// Published estimates of `damping_time`, (A11).
+    ///
+    /// For a homogeneous body of one quality factor; empty otherwise.
     #[serde(default)]
     pub estimates: Vec<EstimateRecord>,
-    /// The body and its material, of a homogeneous one; none otherwise, and in records of versions before this field.
+    /// Homogeneous body, as read, or `null`.
+    ///
+    /// The body and its material; none of other bodies, and in records of versions before this field.
     #[serde(default)]
     pub homogeneous: Option<HomogeneousRecord>,
-    /// The strongest harmonics at the start, in the order of their numbers.
+    /// Strongest harmonics at the start, by number.
     pub harmonics: Vec<HarmonicRecord>,
-    /// Resonances on the way, the strongest first.
+    /// Resonances on the way, strongest first.
     pub resonances: Vec<CrossingRecord>,
-    /// The nearest that a harmonic comes to a vibration at either end, within a tenth of its frequency; none otherwise.
+    /// Harmonic within a tenth of a vibration at an end, or `null`.
+    ///
+    /// The nearest that a harmonic comes to a vibration at either end.
     #[serde(default)]
     pub approach: Option<ApproachRecord>,
     /// Rows of the evolution, one array per column. The values are kept in a CSV file of their own.
@@ -139,19 +171,29 @@ impl EvolutionRecord {
 /// A rotation as observers describe it.
 #[derive(Clone, Copy, Debug, Deserialize, PartialEq, Serialize)]
 pub struct ObservedRecord {
-    /// Period of the rotation about the long axis, in body axes (s); `P_ψ`. Infinite in a steady spin.
+    /// Period `P_ψ` about the long axis (s), `null` in a steady spin.
+    ///
+    /// Period of the rotation about the long axis, in body axes; infinite in a steady spin.
     #[serde(with = "number::unbounded")]
     pub rotation_period: f64,
-    /// Mean period in which the long axis goes round the angular momentum (s); `P_φ`.
+    /// Period `P_φ` of the precession (s).
+    ///
+    /// Mean period in which the long axis goes round the angular momentum.
     #[serde(with = "number::unbounded")]
     pub precession_period: f64,
-    /// Least angle between the angular momentum and the axis that the angular momentum circles (rad).
+    /// Least angle from the axis circled (rad).
+    ///
+    /// Least angle between the angular momentum and the axis that the angular momentum circles.
     #[serde(with = "number")]
     pub nutation_least: f64,
-    /// Greatest angle between the two (rad).
+    /// Greatest angle from it (rad).
+    ///
+    /// Greatest angle between the two.
     #[serde(with = "number")]
     pub nutation_greatest: f64,
-    /// Energy over the least that this angular momentum allows; `E/E₀ = I₃/D`.
+    /// Energy ratio, `E/E₀ = I₃/D`.
+    ///
+    /// Energy over the least that this angular momentum allows.
     #[serde(with = "number")]
     pub energy_ratio: f64,
 }
@@ -162,7 +204,7 @@ pub struct HomogeneousRecord {
     /// Mass (kg).
     #[serde(with = "number")]
     pub mass: f64,
-    /// Radius (m) of the ball of the same volume.
+    /// Radius of the ball of equal volume (m).
     #[serde(with = "number")]
     pub radius: f64,
     /// Density (kg/m³).
@@ -171,7 +213,9 @@ pub struct HomogeneousRecord {
     /// Shear modulus (Pa).
     #[serde(with = "number")]
     pub shear: f64,
-    /// Quality factor; none of another rheology.
+    /// Quality factor, or `null`.
+    ///
+    /// None of another rheology.
     #[serde(with = "number", default)]
     pub quality: Option<f64>,
 }
@@ -179,12 +223,12 @@ pub struct HomogeneousRecord {
 /// A published estimate of the time in which a wobble is damped.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 pub struct EstimateRecord {
-    /// Author and year of the publication.
+    /// Author and year.
     pub source: String,
-    /// Least time (s) of the estimate.
+    /// Least time of the estimate (s).
     #[serde(with = "number::unbounded")]
     pub least: f64,
-    /// Greatest time (s) of the estimate.
+    /// Greatest time of the estimate (s).
     #[serde(with = "number::unbounded")]
     pub greatest: f64,
 }
@@ -192,15 +236,17 @@ pub struct EstimateRecord {
 /// A harmonic of the polhode.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 pub struct HarmonicRecord {
-    /// Number of the harmonic, from 1.
+    /// Number, from 1.
     pub number: usize,
-    /// Frequency of the harmonic (rad/s).
+    /// Frequency (rad/s).
     #[serde(with = "number")]
     pub frequency: f64,
-    /// Share of the harmonic in the mean power.
+    /// Share of the mean power.
     #[serde(with = "number")]
     pub share: f64,
-    /// Parts of that share by dissipator; empty in records of versions before this field.
+    /// Parts of that share by dissipator.
+    ///
+    /// Empty in records of versions before this field.
     #[serde(with = "number", default)]
     pub dissipation: BTreeMap<String, f64>,
 }
@@ -210,17 +256,17 @@ pub struct HarmonicRecord {
 pub struct CrossingRecord {
     /// Number of the harmonic.
     pub harmonic: usize,
-    /// Frequency of the harmonic and of the vibration (rad/s).
+    /// Frequency of harmonic and vibration (rad/s).
     #[serde(with = "number")]
     pub frequency: f64,
-    /// Coordinate with the largest share in the vibration.
+    /// Coordinate that moves most.
     pub coordinate: String,
-    /// `D/I₃` at the crossing.
+    /// `D/I₃`.
     #[serde(with = "number")]
     pub ratio: f64,
-    /// Mode of the rotation at the crossing: `short-axis` or `long-axis`.
+    /// Mode: `short-axis` or `long-axis`.
     pub mode: String,
-    /// Share of the harmonic in the mean power at the crossing.
+    /// Share of the mean power.
     #[serde(with = "number")]
     pub share: f64,
 }
@@ -233,12 +279,12 @@ pub struct ApproachRecord {
     /// Frequency of the vibration (rad/s).
     #[serde(with = "number")]
     pub frequency: f64,
-    /// Coordinate with the largest share in the vibration.
+    /// Coordinate that moves most.
     pub coordinate: String,
-    /// Frequency of the harmonic over that of the vibration, less one.
+    /// Ratio of frequencies less one.
     #[serde(with = "number")]
     pub distance: f64,
-    /// `D/I₃` at the nearest place.
+    /// `D/I₃`.
     #[serde(with = "number")]
     pub ratio: f64,
 }

@@ -149,14 +149,16 @@ pub struct BodyRecord {
 /// Resolution of the shape of a solid inside a surface.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 pub struct ResolutionRecord {
+    /// Degree of polynomials, or `null`.
+    ///
     /// Degree of the polynomials of the displacement; none of finite elements.
     pub degree: Option<usize>,
-    /// Number of finite elements; none of polynomials.
+    /// Finite elements, or `null`.
     pub cells: Option<usize>,
-    /// Estimate of the relative error of the dissipation; none where nothing bounds that error.
+    /// Relative error of the dissipation; `null` where nothing bounds it.
     #[serde(with = "number")]
     pub error: Option<f64>,
-    /// The resolution in a sentence.
+    /// Resolution in a sentence.
     pub sentence: String,
 }
 
@@ -168,7 +170,7 @@ pub struct LiquidRecord {
     /// Mass (kg).
     #[serde(with = "number")]
     pub mass: f64,
-    /// Radius of a ball of liquid with the same time of response (m).
+    /// Radius (m) of a ball that follows as slowly.
     #[serde(with = "number")]
     pub radius: f64,
     /// Kinematic viscosity (m²/s).
@@ -177,14 +179,15 @@ pub struct LiquidRecord {
     /// Reynolds number of the spin.
     #[serde(with = "number")]
     pub reynolds: f64,
-    /// Tensor `P` of the slow flow (m⁷), in the file's axes.
+    /// Tensor of the slow flow (m⁷), in the file's axes.
     #[serde(with = "number")]
     pub P: [[f64; 3]; 3],
-    /// Estimate of the relative error in `P` about each axis of the cavity; none of exact flows.
+    /// Relative error of `P` about each axis of the cavity; `null` where exact.
     #[serde(with = "number")]
     pub errors: Option<[f64; 3]>,
-    /// Inertia tensor of the body that an ideal liquid is equivalent to (kg·m²), in the file's axes; none of a liquid that is viscous
-    /// throughout.
+    /// Inertia tensor (kg·m²) of an ideal liquid, in the file's axes, or `null`.
+    ///
+    /// That of the rigid body which is equivalent to the liquid; none where the liquid is viscous throughout.
     #[serde(with = "number")]
     pub equivalent_inertia: Option<[[f64; 3]; 3]>,
 }
@@ -225,19 +228,21 @@ pub struct ValidityRecord {
 /// One criterion of validity.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 pub struct CriterionRecord {
-    /// Quantity that is compared, in words.
+    /// Quantity, in words.
     pub name: String,
-    /// Quantity that is compared, in symbols.
+    /// Quantity, in symbols.
     pub symbol: String,
-    /// Value of the quantity.
+    /// Value.
     #[serde(with = "number::unbounded")]
     pub value: f64,
-    /// Value below which the criterion holds.
+    /// Limit below which it holds.
     #[serde(with = "number")]
     pub limit: f64,
-    /// `holds`, `marginal` or `fails`.
+    /// Verdict.
     pub verdict: String,
-    /// Meaning of the criterion, in one sentence.
+    /// Meaning.
+    ///
+    /// In one sentence.
     pub sentence: String,
 }
 
@@ -374,17 +379,23 @@ pub struct Column {
 pub struct VerificationRecord {
     /// Whether every order was reached.
     pub reached: bool,
-    /// Revolutions followed, at the initial spin.
+    /// Revolutions followed.
+    ///
+    /// At the initial spin.
     #[serde(with = "number")]
     pub rotations: f64,
-    /// Duration of these revolutions (s).
+    /// Duration of these (s).
     #[serde(with = "number")]
     pub duration: f64,
     /// One entry per order.
     pub orders: Vec<OrderRecord>,
+    /// Comparison of the mean power, or `null`.
+    ///
     /// Mean power of the average against that of the full system, where there is an average.
     #[serde(default)]
     pub average: Option<AverageRecord>,
+    /// Reason for its absence.
+    ///
     /// Reason for a missing comparison with the average, in words.
     #[serde(default)]
     pub average_left_out: Option<String>,
@@ -393,40 +404,48 @@ pub struct VerificationRecord {
 /// The average against the full system as the body is stiffened.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 pub struct AverageRecord {
-    /// Factors `ε` of the stiffness `C/ε²` and the damping `B/ε`, descending from 1, which is the model itself.
+    /// Factors `ε` of stiffness `C/ε²` and damping `B/ε`, from 1 down.
+    ///
+    /// The first, 1, is the model itself.
     #[serde(with = "number")]
     pub epsilons: Vec<f64>,
-    /// Relative difference of the mean power at each `ε`.
+    /// Relative difference at each `ε`.
     #[serde(with = "number")]
     pub errors: Vec<f64>,
-    /// Measured order in `ε`; none if the differences are within the error of the measurement.
+    /// Measured exponent of `ε`, or `null` within the error of measurement.
     #[serde(with = "number")]
     pub order: Option<f64>,
-    /// Expected order in `ε`.
+    /// Expected exponent.
     pub expected: usize,
-    /// Whether the measured order reaches the expected one.
+    /// Whether the order is reached.
     pub reached: bool,
 }
 
 /// Comparison of one order of the reduced equations with the full system.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 pub struct OrderRecord {
-    /// Order `p`.
+    /// Order.
     pub p: usize,
-    /// Form of the reduced equations: `momentum` or `paper`.
+    /// Form: `momentum` or `paper`.
+    ///
+    /// Form of the reduced equations.
     #[serde(default = "angular_momentum_form")]
     pub form: String,
-    /// Measured order in `ε` of the difference in spin; none if the differences are within rounding.
+    /// Measured exponent of `ε`, or `null` within rounding.
     #[serde(with = "number")]
     pub order: Option<f64>,
-    /// Expected order in `ε`, `p + 1`.
+    /// Expected exponent, `p + 1`.
+    ///
+    /// Expected exponent.
     pub expected: usize,
-    /// Whether the measured order reaches the expected one.
+    /// Whether the order is reached.
     pub reached: bool,
-    /// Factors `ε` of the stiffness `C/ε²` and the damping `B/ε`, descending from 1, which is the model itself.
+    /// Factors `ε` of stiffness `C/ε²` and damping `B/ε`, from 1 down.
+    ///
+    /// The first, 1, is the model itself.
     #[serde(with = "number")]
     pub epsilons: Vec<f64>,
-    /// Largest difference in spin at each `ε`, relative to the spin.
+    /// Largest difference in spin at each `ε`, relative.
     #[serde(with = "number")]
     pub errors: Vec<f64>,
     /// Largest difference in attitude at each `ε` (rad).
@@ -435,7 +454,7 @@ pub struct OrderRecord {
     /// Largest difference in the energy dissipated at each `ε` (J).
     #[serde(with = "number")]
     pub dissipated: Vec<f64>,
-    /// Energy dissipated (J), at the end of the full history.
+    /// Energy dissipated (J), in the full history.
     #[serde(with = "number")]
     pub dissipation: Vec<f64>,
 }

@@ -9,9 +9,11 @@ use super::number;
 pub struct SteadySpinRecord {
     /// Result, instability first, in one or two sentences.
     pub sentence: String,
-    /// Axis near which the spin was looked for: `least`, `middle` or `greatest` inertia, or `asked`.
+    /// Axis: `least`, `middle` or `greatest` inertia, `asked`, `under forces`, or `at rest`.
+    ///
+    /// Axis near which the spin was looked for.
     pub axis: String,
-    /// Angular velocity (rad/s), body axes; none if no steady spin was found.
+    /// Angular velocity (rad/s), body axes; `null` if there is no such spin.
     #[serde(with = "number")]
     pub spin: Option<[f64; 3]>,
     /// Angular momentum (N·m·s), body axes.
@@ -21,12 +23,12 @@ pub struct SteadySpinRecord {
     /// Energy (J).
     #[serde(with = "number")]
     pub energy: Option<f64>,
-    /// Displacements of the elastic coordinates, by name (m or rad).
+    /// Displacements of the elastic coordinates, by name (m, rad).
     #[serde(with = "number")]
     pub displacements: BTreeMap<String, f64>,
     /// Whether no small motion grows.
     pub stable: bool,
-    /// The modes: the nutation first, then by ascending frequency, overdamped ones last.
+    /// Modes: the nutation first, then by frequency, overdamped ones last.
     pub modes: Vec<ModeRecord>,
 }
 
@@ -86,14 +88,18 @@ pub struct CampbellRecord {
 /// A mode of a spinning body.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 pub struct ModeRecord {
-    /// `nutation`, or the coordinate that moves most; later ones of a name are counted: `"tip" x, second`.
+    /// `nutation`, or the coordinate that moves most.
+    ///
+    /// Later ones of a name are counted: `"tip" x, second`.
     pub name: String,
     /// Whether the mode is the nutation.
     pub nutation: bool,
-    /// Whether the mode neither oscillates nor decays nor grows as far as rounding can tell.
+    /// Whether the mode has no rate beyond rounding.
+    ///
+    /// It neither oscillates nor decays nor grows.
     #[serde(default)]
     pub neutral: bool,
-    /// Whether the mode is an internal motion that decays with no oscillation to speak of.
+    /// Whether the mode is an internal motion that hardly oscillates.
     #[serde(default)]
     pub overdamped: bool,
     /// Decay rate (1/s), negative for a mode that grows.
@@ -102,19 +108,21 @@ pub struct ModeRecord {
     /// Frequency in body axes (rad/s).
     #[serde(with = "number")]
     pub frequency: f64,
-    /// Time in which the mode falls by e (s), negative for a mode that grows; none for one that does neither.
+    /// e-folding time (s), negative where it grows; `null` where it does neither.
     #[serde(with = "number")]
     pub time_constant: Option<f64>,
     /// Damping ratio.
     #[serde(with = "number")]
     pub damping_ratio: f64,
-    /// Rates (rad/s) seen from outside: the frequency less and plus the spin.
+    /// Rates seen from outside, frequency less and plus the spin (rad/s).
     #[serde(with = "number")]
     pub seen_from_outside: [f64; 2],
     /// Shares of the kinetic energy, by part.
     #[serde(with = "number")]
     pub moves: BTreeMap<String, f64>,
-    /// Shares of the dissipated energy, by spring, hinge, part, material, rotor, cavity or force; below zero for a force that gives energy.
+    /// Shares of the dissipation, negative if a force gives energy.
+    ///
+    /// By spring, hinge, part, material, rotor, cavity or force.
     #[serde(with = "number")]
     pub dissipation: BTreeMap<String, f64>,
 }

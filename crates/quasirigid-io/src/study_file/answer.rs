@@ -1,12 +1,23 @@
 use std::ops::Range;
 
-use crate::model::table::Keys;
+use crate::model::key::{Keys, Shape, key, list, words};
 use crate::model::value::Value;
 use crate::model::{KeyPath, Named, System};
 use crate::nearest::nearest;
 use crate::units::Dimension;
 
-const ANSWER: Keys = Keys { known: &["quantities", "times", "system", "percentiles"] };
+pub(super) const ANSWER: Keys = Keys {
+    known: &[
+        key("quantities", list(&Shape::Text), "paths"),
+        key("times", list(&Shape::Number).in_unit("s").or("the end"), "of columns of `simulate`"),
+        key(
+            "system",
+            words(&["full", "reduced", "rigid", "manifold"]).or("`\"reduced\"`"),
+            "that `simulate` follows",
+        ),
+        key("percentiles", list(&Shape::Number).or("16, 50, 84"), ""),
+    ],
+};
 
 /// Percentiles of a summary unless the study names others.
 const PERCENTILES: [f64; 3] = [16.0, 50.0, 84.0];

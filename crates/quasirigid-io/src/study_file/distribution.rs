@@ -1,8 +1,10 @@
 //! Distributions from which keys are drawn, as they are written: uniform, log-uniform, normal and log-normal, the last two truncated on
 //! request. Their quantiles are computed where the draws are made.
 
+use super::grid::ENDS;
 use super::measure::{Measures, measures};
-use crate::model::table::{Keys, Table};
+use crate::model::key::{Key, Keys, NUMBER, key, quantity, table};
+use crate::model::table::Table;
 use crate::model::value::Value;
 use crate::units::Dimension;
 
@@ -42,13 +44,31 @@ pub struct Drawn {
     pub unit: Option<String>,
 }
 
-pub(super) const UNIFORM: Keys = Keys { known: &["uniform"] };
-pub(super) const LOG_UNIFORM: Keys = Keys { known: &["log-uniform"] };
-pub(super) const NORMAL: Keys = Keys { known: &["normal"] };
-pub(super) const LOG_NORMAL: Keys = Keys { known: &["log-normal"] };
+pub(super) const UNIFORM: Keys = Keys { known: &[key("uniform", ENDS, "equal probability between them")] };
+pub(super) const LOG_UNIFORM: Keys =
+    Keys { known: &[key("log-uniform", ENDS, "equal probability of the logarithm")] };
+pub(super) const NORMAL: Keys = Keys { known: &[key("normal", table(&NORMAL_KEYS), "")] };
+pub(super) const LOG_NORMAL: Keys = Keys { known: &[key("log-normal", table(&LOG_NORMAL_KEYS), "")] };
 
-const NORMAL_KEYS: Keys = Keys { known: &["mean", "deviation", "min", "max"] };
-const LOG_NORMAL_KEYS: Keys = Keys { known: &["median", "decades", "sigma", "min", "max"] };
+const MIN: Key = key("min", quantity("any unit").or("none"), "truncated below");
+const MAX: Key = key("max", quantity("any unit").or("none"), "truncated above");
+const NORMAL_KEYS: Keys = Keys {
+    known: &[
+        key("mean", quantity("any unit"), ""),
+        key("deviation", quantity("any unit"), "standard"),
+        MIN,
+        MAX,
+    ],
+};
+const LOG_NORMAL_KEYS: Keys = Keys {
+    known: &[
+        key("median", quantity("any unit"), ""),
+        key("decades", NUMBER, "powers of ten in one standard deviation"),
+        key("sigma", NUMBER, "instead, of the natural logarithm"),
+        MIN,
+        MAX,
+    ],
+};
 
 /// Reads `uniform = [least, greatest]`, or the same with `log-uniform`.
 pub(super) fn uniform(value: &Value<'_>, logarithmic: bool) -> Option<Drawn> {

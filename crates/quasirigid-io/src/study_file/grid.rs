@@ -3,12 +3,19 @@
 
 use super::measure::{Measures, measures};
 use crate::model::Given;
-use crate::model::table::{Keys, Table};
+use crate::model::key::{Form, Key, Keys, Shape, array, integer, key, of};
+use crate::model::table::Table;
 use crate::model::value::Value;
 
-pub(super) const LINEAR: Keys = Keys { known: &["linear", "count"] };
-pub(super) const GEOMETRIC: Keys = Keys { known: &["geometric", "count"] };
-pub(super) const LIST: Keys = Keys { known: &["list"] };
+/// First and last number, with units or without.
+pub(super) const ENDS: Form = array(2, &Shape::Number).in_unit("any unit");
+const COUNT_OF_GRID: Key = key("count", integer(2, MOST as u64), "numbers of the grid");
+
+pub(super) const LINEAR: Keys =
+    Keys { known: &[key("linear", ENDS, "ends of a grid, evenly spaced"), COUNT_OF_GRID] };
+pub(super) const GEOMETRIC: Keys =
+    Keys { known: &[key("geometric", ENDS, "ends of a grid with a constant ratio"), COUNT_OF_GRID] };
+pub(super) const LIST: Keys = Keys { known: &[key("list", of(Shape::List(&Shape::Value)), "any values")] };
 
 /// Most points of one grid.
 const MOST: usize = 10_000_000;

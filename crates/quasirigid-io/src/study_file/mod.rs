@@ -11,19 +11,40 @@ mod vary;
 
 use std::path::{Path, PathBuf};
 
+use answer::ANSWER;
 pub use answer::{Answer, Command, Quantity};
 pub use distribution::{Distribution, Drawn};
 pub use grid::Grid;
+use table::TABLE;
 pub use table::{TableColumn, TableSource};
-pub(crate) use vary::vary;
+pub(crate) use vary::{ANY as VALUES, vary};
 pub use vary::{Values, Varied};
 
 use crate::model::diagnostic::Problems;
-use crate::model::table::{Keys, Table};
+use crate::model::key::{COUNT, Keys, Shape, TEXT, integer, key, named, table, words};
+use crate::model::table::Table;
 use crate::model::{Diagnostic, ModelError, Named, Source, syntax};
 
-const STUDY: Keys =
-    Keys { known: &["model", "seed", "samples", "sampling", "part", "vary", "table", "answer"] };
+pub(crate) const STUDY: Keys = Keys {
+    known: &[
+        key("model", TEXT, "file, beside the study"),
+        key("seed", COUNT.or("0"), "of the draws"),
+        key(
+            "samples",
+            integer(1, MOST_SAMPLES as u64).or("1"),
+            "draws for every grid point and row of the table",
+        ),
+        key(
+            "sampling",
+            words(&["random", "latin-hypercube", "sobol"]).or("`\"random\"`"),
+            "spread of the draws; Sobol has at most 65536",
+        ),
+        key("part", integer(1, MOST_IN_PART as u64).or("4096"), "rows of a file of results"),
+        key("vary", named(&Shape::Shared("values")).or("none"), "keys of the model and their values"),
+        key("table", table(&TABLE).or("none"), "bodies, a row each"),
+        key("answer", table(&ANSWER), ""),
+    ],
+};
 
 /// Most draws for one point, and most rows of one part.
 const MOST_SAMPLES: usize = 10_000_000_000;

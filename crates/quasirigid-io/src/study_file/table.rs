@@ -2,12 +2,23 @@ use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 use crate::model::KeyPath;
-use crate::model::table::Keys;
+use crate::model::key::{Keys, Shape, TEXT, key, list, named};
 use crate::model::value::Value;
 use crate::units::Measure;
 
-const TABLE: Keys = Keys { known: &["file", "columns", "keep"] };
-const COLUMN: Keys = Keys { known: &["key", "unit"] };
+pub(super) const TABLE: Keys = Keys {
+    known: &[
+        key("file", TEXT, "CSV or Parquet"),
+        key(
+            "columns",
+            named(&Shape::Any(&[Shape::Text, Shape::Table(&COLUMN)])).or("named like keys"),
+            "key of each column",
+        ),
+        key("keep", list(&Shape::Text).or("none"), "columns carried through unread"),
+    ],
+};
+const COLUMN: Keys =
+    Keys { known: &[key("key", TEXT, "path"), key("unit", TEXT.or("SI"), "of plain numbers")] };
 
 /// Table of bodies, a row each.
 #[derive(Clone, Debug, PartialEq)]

@@ -3,7 +3,7 @@ use std::ops::Range;
 use super::distribution::{self, Drawn};
 use super::grid::{self, Grid};
 use crate::model::KeyPath;
-use crate::model::table::Keys;
+use crate::model::key::Keys;
 use crate::model::value::Value;
 
 /// Key of a model with the values that it takes.
@@ -39,8 +39,17 @@ impl Values {
 
 /// Keys of the tables that a varied key may have, in the order in which messages list them.
 const KINDS: [&str; 7] = ["linear", "geometric", "list", "uniform", "log-uniform", "normal", "log-normal"];
-const ANY: Keys = Keys {
-    known: &["linear", "geometric", "list", "uniform", "log-uniform", "normal", "log-normal", "count"],
+pub(crate) const ANY: Keys = Keys {
+    known: &[
+        grid::LINEAR.known[0],
+        grid::GEOMETRIC.known[0],
+        grid::LIST.known[0],
+        distribution::UNIFORM.known[0],
+        distribution::LOG_UNIFORM.known[0],
+        distribution::NORMAL.known[0],
+        distribution::LOG_NORMAL.known[0],
+        grid::LINEAR.known[1],
+    ],
 };
 
 /// Reads `[vary]` of a study, or `[uncertainty]` of a model, in the order of the file.

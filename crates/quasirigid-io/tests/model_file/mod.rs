@@ -24,6 +24,7 @@ mod panels;
 mod parts_refused;
 mod physics;
 mod reading;
+mod reference;
 mod rheology;
 mod robustness;
 mod rotation;

@@ -4,8 +4,9 @@ use std::ops::ControlFlow;
 
 use quasirigid::dynamics::{Observer, Options, Outcome, Run, Scan};
 use quasirigid::submanifold::{AmplitudeRange, Defect, ManifoldRun, propagate_on_manifold};
-use serde_json::{Value, json};
+use serde::Serialize;
 
+use super::json::RangeObject;
 use super::{AskedManifold, SHARE, derived};
 use crate::error::StudyError;
 use crate::motion::Motion;
@@ -126,19 +127,50 @@ impl OnManifold {
     }
 
     /// For machines.
-    #[must_use]
-    pub fn json(&self) -> Value {
-        let finite = |value: f64| value.is_finite().then_some(value);
+    pub(crate) fn for_machines(&self) -> HistoryVerdict {
+        let finite = |value: f64| Some(value).filter(|value| value.is_finite());
         let Self { degree, range, worst, worst_time, left_out, .. } = self;
-        json!({
-            "holds": self.holds(),
-            "sentence": self.sentence(),
-            "degree": degree,
-            "range": super::json::range(range),
-            "defect": { "motion": finite(worst.motion), "power": finite(worst.power), "time": worst_time },
-            "left_out": finite(*left_out),
-        })
+        HistoryVerdict {
+            holds: self.holds(),
+            sentence: self.sentence(),
+            degree: *degree,
+            range: RangeObject::new(range),
+            defect: WorstDefect {
+                motion: finite(worst.motion),
+                power: finite(worst.power),
+                time: *worst_time,
+            },
+            left_out: finite(*left_out),
+        }
     }
+}
+
+/// Verdict on a history for machines; the first paragraph of a field is the reference of `--json` in the guide.
+#[derive(Serialize)]
+pub(crate) struct HistoryVerdict {
+    /// To the end.
+    holds: bool,
+    /// In words.
+    sentence: String,
+    /// In the amplitude.
+    degree: usize,
+    /// As of `derive --about spin`.
+    range: RangeObject,
+    /// Largest met.
+    defect: WorstDefect,
+    /// Share of energy off the manifold.
+    left_out: Option<f64>,
+}
+
+/// Largest defect of a history.
+#[derive(Serialize)]
+struct WorstDefect {
+    /// Share, or `null`.
+    motion: Option<f64>,
+    /// Share, or `null`.
+    power: Option<f64>,
+    /// s.
+    time: f64,
 }
 
 impl OnManifold {

@@ -27,6 +27,7 @@ use crate::motion::Motion;
 use crate::study::Study;
 use crate::words::{displaced, growth, significant};
 
+pub(crate) use history::HistoryVerdict;
 pub use history::OnManifold;
 pub(crate) use history::follow;
 pub use verification::{AskedSpinVerification, verification_json, verification_text};

@@ -1,5 +1,6 @@
 //! Validity of the reduced equations at the start of a study.
 
+mod json;
 mod text;
 
 use std::collections::BTreeMap;
@@ -9,17 +10,16 @@ use quasirigid::model::ReducedBody;
 use quasirigid::modes::acts;
 use quasirigid::reduction::{Validity, Verdict};
 use quasirigid_io::record::SteadySpinRecord;
-use serde_json::{Value, json};
+use serde_json::Value;
 
 use crate::about_spin::TRIED;
 use crate::error::StudyError;
 use crate::judged::{self, Judged};
 use crate::left_out::LeftOut;
-use crate::liquids::{Liquid, liquids};
 use crate::motion::Motion;
 use crate::study::Study;
-use crate::words::{criterion, reasons, shares, verdict, word};
-use crate::{record, steady, steady_state};
+use crate::words::{shares, verdict};
+use crate::{steady, steady_state};
 
 /// Validity of the reduced equations of a study at its spin.
 #[derive(Debug)]
@@ -165,53 +165,5 @@ impl CheckReport<'_> {
     #[must_use]
     pub fn text(&self) -> String {
         text::text(self)
-    }
-
-    /// For machines.
-    #[must_use]
-    pub fn json(&self) -> Value {
-        let Self { study, validity, budget, spins, left_out, .. } = self;
-        let criteria: Vec<_> = validity
-            .criteria
-            .iter()
-            .map(|each| {
-                let words = criterion(each, validity);
-                json!({
-                    "name": words.name, "symbol": words.symbol, "value": each.value, "limit": each.limit(),
-                    "verdict": word(each.verdict()), "sentence": words.sentence,
-                })
-            })
-            .collect();
-        let finite = |value: f64| value.is_finite().then_some(value);
-        json!({
-            "name": study.model.name,
-            "order": self.order,
-            "valid": validity.verdict() != Verdict::Fails && left_out.flow.is_none(),
-            "verdict": word(validity.verdict()),
-            "dissipation_verdict": word(validity.dissipation()),
-            "averages": word(validity.averages()),
-            "reasons": reasons(validity),
-            "T1": validity.T1, "T2": finite(validity.T2), "T3": validity.T3,
-            "frequencies": validity.vibrations.frequencies,
-            "free_frequencies": validity.vibrations.free_frequencies,
-            "decay_rates": validity.vibrations.decay_rates,
-            "relaxation_times": validity.relaxation.times,
-            "criteria": criteria,
-            "degrees": validity.degrees.iter()
-                .map(|d| json!({ "degree": d.degree, "size": d.size })).collect::<Vec<_>>(),
-            "optimal_order": validity.optimal_order,
-            "reduction": self.reduction(),
-            "about_spin": self.about_spin.as_ref().map(|about| json!({
-                "holds": about.holds, "sentence": about.sentence, "equations": about.json,
-            })),
-            "dissipation": budget,
-            "steady_spins": spins,
-            "left_out": left_out.notes(),
-            "liquids": liquids(study, validity.T3.recip()).iter().map(Liquid::record).collect::<Vec<_>>(),
-            "resolution": record::resolution(study).next(),
-            "condensation": study.condensation.map(|known| json!({
-                "unknowns": known.unknowns, "coordinates": known.coordinates, "left_out": known.left_out,
-            })),
-        })
     }
 }

@@ -3,17 +3,19 @@
 
 use quasirigid_elements::{ElementKind, Frame, FrameNode, Member, Part, PartKind};
 
+use super::super::key::{Keys, Shape, TEXT, VECTOR, integer, key, list, named};
 use super::super::names;
-use super::super::reader::{Keyed, Naming, Reader, Sources};
+use super::super::reader::{Keyed, NAME, Naming, Reader, Sources};
 use super::super::settings::optional;
-use super::super::table::{Keys, Table};
+use super::super::table::Table;
 use super::super::value::Value;
-use super::{Nodes, Read, attached, masses, rayleigh};
+use super::{ATTACH, MASSES, Nodes, RAYLEIGH, Read, attached, masses, rayleigh};
 use crate::units::Dimension;
 
 pub(in crate::model) const READER: Reader = Reader {
     key: "beam",
     title: "[[beam]]",
+    meaning: "frame of straight beams",
     keys: Keyed::All(&BEAM),
     kind: Some(ElementKind::Part),
     naming: Naming::Numbered("beam"),
@@ -29,7 +31,16 @@ pub(in crate::model) const READER: Reader = Reader {
 
 const BEAM: Keys = Keys {
     known: &[
-        "name", "nodes", "lines", "section", "material", "up", "elements", "masses", "attach", "rayleigh",
+        NAME,
+        key("nodes", named(&Shape::Vector).in_unit("m"), ""),
+        key("lines", list(&Shape::Array(2, &Shape::Text)), "pairs of nodes"),
+        key("section", TEXT, ""),
+        key("material", TEXT, "isotropic"),
+        key("up", VECTOR.or("nearest axis across"), "direction of the section's y"),
+        key("elements", integer(1, MOST_ELEMENTS as u64).or("8"), "per line"),
+        MASSES,
+        ATTACH,
+        RAYLEIGH,
     ],
 };
 

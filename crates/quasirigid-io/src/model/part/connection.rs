@@ -4,16 +4,18 @@
 
 use quasirigid_elements::{Anchor, Connection, ElementKind};
 
-use super::super::names::{Names, Part};
+use super::super::key::{BOOLEAN, Form, Keys, Shape, any, key};
+use super::super::names::{END, Names, Part};
 use super::super::reader::{Keyed, Naming, Reader};
-use super::super::rheology::{Extremes, Scale, rheology};
-use super::super::table::{Keys, Table};
+use super::super::rheology::{Extremes, RHEOLOGY, Scale, rheology};
+use super::super::table::Table;
 use super::super::value::Value;
 use crate::units::Dimension;
 
 pub(in crate::model) const READER: Reader = Reader {
     key: "connection",
     title: "[[connection]]",
+    meaning: "joint of parts",
     keys: Keyed::All(&CONNECTION),
     kind: Some(ElementKind::Connection),
     naming: Naming::Nameless,
@@ -28,7 +30,24 @@ pub(in crate::model) const READER: Reader = Reader {
     },
 };
 
-const CONNECTION: Keys = Keys { known: &["from", "to", "hinge", "ball", "stiffness", "damping", "rheology"] };
+/// Coefficient for all axes, or one each.
+const PER_AXIS: Form = any(&[Shape::Number, Shape::List(&Shape::Number)]);
+
+const CONNECTION: Keys = Keys {
+    known: &[
+        key("from", END, "`\"carrier\"` or nodes"),
+        key("to", END, "same"),
+        key(
+            "hinge",
+            any(&[Shape::Vector, Shape::List(&Shape::Vector)]).or("none"),
+            "one axis, or a list of up to three",
+        ),
+        key("ball", BOOLEAN.or("false"), "about all three axes"),
+        key("stiffness", PER_AXIS.in_unit("N m/rad").or("0"), "or one per axis"),
+        key("damping", PER_AXIS.in_unit("N m s/rad").or("0"), "or one per axis"),
+        RHEOLOGY,
+    ],
+};
 
 /// Axes of a ball joint.
 const BALL: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];

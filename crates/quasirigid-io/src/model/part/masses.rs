@@ -1,12 +1,27 @@
 use quasirigid_elements::TipMass;
 
 use super::super::body::inertia;
-use super::super::table::{Keys, Table};
+use super::super::key::{Key, Keys, Shape, any, key, list, quantity};
+use super::super::names::NODE;
+use super::super::table::Table;
 use super::super::value::Value;
 use super::Nodes;
 use crate::units::Dimension;
 
-const MASS: Keys = Keys { known: &["node", "mass", "inertia"] };
+/// Rigid bodies at nodes of a part.
+pub(super) const MASSES: Key = key("masses", list(&Shape::Table(&MASS)).or("none"), "rigid bodies");
+
+const MASS: Keys = Keys {
+    known: &[
+        key("node", any(NODE), ""),
+        key("mass", quantity("kg"), ""),
+        key(
+            "inertia",
+            any(&[Shape::Vector, Shape::Matrix]).in_unit("kg m²").or("0"),
+            "about its centre of mass",
+        ),
+    ],
+};
 
 /// Reads the rigid bodies at nodes of a part, none if the table has none.
 pub(super) fn masses(table: &Table<'_>, nodes: &Nodes) -> Option<Vec<TipMass>> {

@@ -1,15 +1,17 @@
 use quasirigid_elements::{ElementKind, Matrices, NodalMass, Part, PartKind};
 
+use super::super::key::{Keys, key};
 use super::super::names;
-use super::super::reader::{Keyed, Naming, Reader, Sources};
-use super::super::rheology::{Scale, rheology};
-use super::super::table::{Keys, Table};
-use super::nodal::{Given, Rows, Units, dof_list, node_table};
-use super::{Nodes, Read, attached, masses, rayleigh};
+use super::super::reader::{Keyed, NAME, Naming, Reader, Sources};
+use super::super::rheology::{RHEOLOGY, Scale, rheology};
+use super::super::table::Table;
+use super::nodal::{DOFS, Given, LENGTH_UNIT, MASS_UNIT, MATRIX, NODES, Rows, Units, dof_list, node_table};
+use super::{ATTACH, MASSES, Nodes, RAYLEIGH, Read, attached, masses, rayleigh};
 
 pub(in crate::model) const READER: Reader = Reader {
     key: "matrices",
     title: "[[matrices]]",
+    meaning: "stiffness and mass matrices of another program",
     keys: Keyed::All(&MATRICES),
     kind: Some(ElementKind::Part),
     naming: Naming::Numbered("matrices"),
@@ -25,18 +27,18 @@ pub(in crate::model) const READER: Reader = Reader {
 
 const MATRICES: Keys = Keys {
     known: &[
-        "name",
-        "nodes",
-        "dofs",
-        "mass",
-        "stiffness",
-        "damping",
-        "length_unit",
-        "mass_unit",
-        "rheology",
-        "masses",
-        "attach",
-        "rayleigh",
+        NAME,
+        NODES,
+        DOFS,
+        key("mass", MATRIX, "file"),
+        key("stiffness", MATRIX, "file"),
+        key("damping", MATRIX.or("none"), "file"),
+        LENGTH_UNIT,
+        MASS_UNIT,
+        RHEOLOGY,
+        MASSES,
+        ATTACH,
+        RAYLEIGH,
     ],
 };
 

@@ -15,13 +15,17 @@ pub(super) mod solid;
 
 use quasirigid_elements::Part;
 
+use super::key::{COUNTED, Key, Keys, Shape, any, key, quantity, table};
+use super::names::NODE;
 use super::rheology::Extremes;
-use super::table::{Keys, Table};
+use super::table::Table;
 use super::value::Value;
 use crate::units::Dimension;
-use masses::masses;
+use masses::{MASSES, masses};
+pub(super) use modes::NUMBERS as NUMBERS_IN_FILE;
+pub(super) use nodal::FILE as MATRIX_IN_FILE;
 pub(super) use nodes::Nodes;
-pub(super) use reduction::reduction;
+pub(super) use reduction::{REDUCTION, reduction};
 
 /// A part, the names of its nodes, and the ranges of its rheologies in the order of its regions, members or layers.
 pub(super) struct Read {
@@ -33,7 +37,18 @@ pub(super) struct Read {
 /// Two directions are one if the sine of the angle between them is below this.
 const PARALLEL: f64 = 1e-6;
 
-const RAYLEIGH: Keys = Keys { known: &["mass", "stiffness"] };
+/// Nodes that are clamped.
+const ATTACH: Key = key(
+    "attach",
+    any(&[Shape::Text, COUNTED, Shape::List(&Shape::Any(NODE))]).or("none"),
+    "node, set, or list, clamped on the carrier",
+);
+/// Damping in proportion.
+const RAYLEIGH: Key =
+    key("rayleigh", table(&PROPORTIONS).or("0"), "damping in proportion to `mass`, `stiffness`");
+
+const PROPORTIONS: Keys =
+    Keys { known: &[key("mass", quantity("1/s").or("0"), ""), key("stiffness", quantity("s").or("0"), "")] };
 
 /// Reads damping in proportion to mass (1/s) and to stiffness (s), none if the table has none.
 fn rayleigh(table: &Table<'_>) -> Option<[f64; 2]> {
@@ -41,7 +56,7 @@ fn rayleigh(table: &Table<'_>) -> Option<[f64; 2]> {
     if !value.is_table() {
         return value.mismatch("a table", "write for example { mass = 0.01, stiffness = 1e-4 }");
     }
-    let damping = value.table("`rayleigh`", &RAYLEIGH)?;
+    let damping = value.table("`rayleigh`", &PROPORTIONS)?;
     let share = |key: &'static str, dimension: Dimension| {
         damping.get(key).map_or(Some(0.0), |value: Value<'_>| value.non_negative(dimension))
     };

@@ -6,20 +6,22 @@ use std::path::Path;
 
 use quasirigid_elements::{ElementKind, GivenModes, NodalMass, Part, PartKind, Spectrum};
 
-use super::super::names;
-use super::super::reader::{Keyed, Naming, Reader, Sources};
-use super::super::rheology::{Scale, rheology};
+use super::super::key::{Keys, Shape, TEXT, any, key, list};
+use super::super::names::{self, NODE};
+use super::super::reader::{Keyed, NAME, Naming, Reader, Sources};
+use super::super::rheology::{RHEOLOGY, Scale, rheology};
 use super::super::surface::unit_of;
-use super::super::table::{Keys, Table};
+use super::super::table::Table;
 use super::super::value::Value;
-use super::nodal::{Given, Rows, Units, dof_list, node_table};
-use super::{Nodes, Read, attached, masses, rayleigh};
+use super::nodal::{DOFS, Given, LENGTH_UNIT, MASS_UNIT, MATRIX, NODES, Rows, Units, dof_list, node_table};
+use super::{ATTACH, MASSES, Nodes, RAYLEIGH, Read, attached, masses, rayleigh};
 use crate::matrix::MatrixFile;
 use crate::units::Dimension;
 
 pub(in crate::model) const READER: Reader = Reader {
     key: "modes",
     title: "[[modes]]",
+    meaning: "shapes of another program",
     keys: Keyed::All(&MODES),
     kind: Some(ElementKind::Part),
     naming: Naming::Numbered("modes"),
@@ -35,26 +37,44 @@ pub(in crate::model) const READER: Reader = Reader {
 
 const MODES: Keys = Keys {
     known: &[
-        "name",
-        "nodes",
-        "dofs",
-        "mass",
-        "masses",
-        "shapes",
-        "interface",
-        "frequencies",
-        "damping_ratios",
-        "stiffness",
-        "damping",
-        "length_unit",
-        "mass_unit",
-        "rheology",
-        "attach",
-        "rayleigh",
+        NAME,
+        NODES,
+        DOFS,
+        key("mass", MATRIX, "file; matrix, or one number per node"),
+        MASSES,
+        key("shapes", MATRIX, "file; columns"),
+        key(
+            "interface",
+            list(&Shape::Any(NODE)).or("none"),
+            "nodes whose displacements are the first shapes",
+        ),
+        key(
+            "frequencies",
+            any(&[Shape::List(&Shape::Number), Shape::Shared("numbers")]).in_unit("rad/s"),
+            "",
+        ),
+        key(
+            "damping_ratios",
+            any(&[Shape::Number, Shape::List(&Shape::Number), Shape::Shared("numbers")]).or("0"),
+            "",
+        ),
+        key("stiffness", MATRIX, "file; between shapes, instead of `frequencies`"),
+        key("damping", MATRIX.or("none"), "file; beside `stiffness`"),
+        LENGTH_UNIT,
+        MASS_UNIT,
+        RHEOLOGY,
+        ATTACH,
+        RAYLEIGH,
     ],
 };
 
-const NUMBERS: Keys = Keys { known: &["file", "name", "unit"] };
+pub(in crate::model) const NUMBERS: Keys = Keys {
+    known: &[
+        key("file", TEXT, ""),
+        key("name", TEXT, "of the matrix in the file"),
+        key("unit", any(&[Shape::Text, Shape::Number]).or("SI"), ""),
+    ],
+};
 
 /// Reads `[[modes]]`: shapes over the nodes of a table, the mass at the nodes, and the frequencies or matrices of the shapes.
 pub(super) fn modes(table: &Table<'_>, name: &str, sources: Sources<'_, '_>) -> Option<Read> {

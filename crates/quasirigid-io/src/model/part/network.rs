@@ -6,16 +6,18 @@ use quasirigid_elements::{ElementKind, Network};
 use quasirigid_math::memory;
 
 use super::super::body::FEWEST_POINTS;
+use super::super::key::{COUNT, Keys, key, quantity, vector};
 use super::super::names::Part;
-use super::super::reader::{Draft, Entry, Keyed, Naming, Reader};
-use super::super::rheology::{Extremes, Scale, rheology};
+use super::super::reader::{Draft, Entry, Keyed, NAME, Naming, Reader};
+use super::super::rheology::{Extremes, RHEOLOGY, Scale, rheology};
 use super::super::spans::NetworkSpans;
-use super::super::table::{Keys, Table};
+use super::super::table::Table;
 use crate::units::Dimension;
 
 pub(in crate::model) const READER: Reader = Reader {
     key: "network",
     title: "[[network]]",
+    meaning: "random points and springs",
     keys: Keyed::All(&NETWORK),
     kind: None,
     naming: Naming::Numbered("network"),
@@ -30,7 +32,17 @@ pub(in crate::model) const READER: Reader = Reader {
 };
 
 const NETWORK: Keys = Keys {
-    known: &["name", "mass", "semi_axes", "center", "spacing", "reach", "stiffness", "rheology", "seed"],
+    known: &[
+        NAME,
+        key("mass", quantity("kg"), ""),
+        key("semi_axes", vector("m"), "of the ellipsoid"),
+        key("center", vector("m").or("0"), ""),
+        key("spacing", quantity("m"), "least distance of masses"),
+        key("reach", quantity("m").or("2.3 `spacing`"), "longest spring"),
+        key("stiffness", quantity("N/m"), "of each spring"),
+        RHEOLOGY,
+        key("seed", COUNT.or("1"), ""),
+    ],
 };
 
 /// Most points that a network may be expected to have.

@@ -7,13 +7,24 @@ use std::path::Path;
 
 use quasirigid_elements::NodalMass;
 
+use super::super::key::{Form, Key, Keys, Shape, TEXT, any, key};
 use super::super::surface::unit_of;
-use super::super::table::{Keys, Table};
+use super::super::table::Table;
 use super::super::value::Value;
 use crate::matrix::{Dof, MatrixFile, NodeTable, read_dofs, read_matrix, read_nodes};
 use crate::units::Dimension;
 
-const FILE: Keys = Keys { known: &["file", "name"] };
+pub(in crate::model) const FILE: Keys =
+    Keys { known: &[key("file", TEXT, ""), key("name", TEXT, "of the matrix in the file")] };
+
+/// A matrix: a file, or a table that names a matrix in a file.
+pub(super) const MATRIX: Form = any(&[Shape::Text, Shape::Shared("matrix")]);
+pub(super) const NODES: Key = key("nodes", TEXT, "file of their places");
+pub(super) const DOFS: Key = key("dofs", TEXT.or("all"), "file of the rows, `node.component`");
+pub(super) const LENGTH_UNIT: Key =
+    key("length_unit", UNIT_OF_FILES.or("`\"m\"`"), "of the files, with the second");
+pub(super) const MASS_UNIT: Key = key("mass_unit", UNIT_OF_FILES.or("`\"kg\"`"), "");
+const UNIT_OF_FILES: Form = any(&[Shape::Text, Shape::Number]);
 
 /// Units of the numbers in the files of another program; their unit of time is the second.
 pub(super) struct Units {

@@ -7,18 +7,21 @@ use quasirigid_elements::{ElementKind, Layer, Panel, Part, PartKind};
 use quasirigid_math::vec3::{cross, norm};
 use quasirigid_mesh::{Cell, Mesh, Set, Shape};
 
+use super::super::key::{self, Keys, TEXT, VECTOR, array, key, list, quantity, table};
 use super::super::names;
-use super::super::reader::{Keyed, Naming, Reader, Sources};
+use super::super::reader::{Keyed, NAME, Naming, Reader, Sources};
 use super::super::rheology::Extremes;
-use super::super::table::{Keys, Table};
+use super::super::surface::UNIT;
+use super::super::table::Table;
 use super::super::value::Value;
-use super::placed::{mesh, placed};
-use super::{Nodes, PARALLEL, Read, attached, masses, rayleigh};
+use super::placed::{ATTITUDE, FILE, POSITION, mesh, placed};
+use super::{ATTACH, MASSES, Nodes, PARALLEL, RAYLEIGH, Read, attached, masses, rayleigh};
 use crate::units::Dimension;
 
 pub(in crate::model) const READER: Reader = Reader {
     key: "panel",
     title: "[[panel]]",
+    meaning: "layered plate or shell",
     keys: Keyed::All(&PANEL),
     kind: Some(ElementKind::Part),
     naming: Naming::Numbered("panel"),
@@ -34,22 +37,33 @@ pub(in crate::model) const READER: Reader = Reader {
 
 const PANEL: Keys = Keys {
     known: &[
-        "name",
-        "file",
-        "unit",
-        "rectangle",
-        "position",
-        "attitude",
-        "layers",
-        "reference",
-        "offset",
-        "masses",
-        "attach",
-        "rayleigh",
+        NAME,
+        FILE,
+        UNIT,
+        key("rectangle", table(&RECTANGLE), "instead of `file`"),
+        POSITION,
+        ATTITUDE,
+        key("layers", list(&key::Shape::Table(&LAYER)), "lowest first"),
+        key("reference", VECTOR.or("first side"), "direction of angle zero"),
+        key("offset", quantity("m").or("0"), "height of the layers' middle above the nodes"),
+        MASSES,
+        ATTACH,
+        RAYLEIGH,
     ],
 };
-const RECTANGLE: Keys = Keys { known: &["sides", "cells"] };
-const LAYER: Keys = Keys { known: &["material", "thickness", "angle"] };
+const RECTANGLE: Keys = Keys {
+    known: &[
+        key("sides", array(2, &key::Shape::Vector).in_unit("m"), ""),
+        key("cells", array(2, &key::Shape::Integer(1, MOST_CELLS as u64)), "along each side"),
+    ],
+};
+const LAYER: Keys = Keys {
+    known: &[
+        key("material", TEXT, ""),
+        key("thickness", quantity("m"), ""),
+        key("angle", quantity("rad").or("0"), ""),
+    ],
+};
 
 const MOST_CELLS: usize = 1000;
 

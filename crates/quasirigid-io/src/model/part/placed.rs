@@ -4,11 +4,18 @@ use quasirigid_math::rotation::{ALIGNED, Attitude, to_inertial};
 use quasirigid_mesh::Mesh;
 
 use super::super::initial::unit_quaternion;
+use super::super::key::{Key, QUATERNION, TEXT, key, vector};
 use super::super::surface::unit;
 use super::super::table::Table;
 use super::super::value::Value;
 use crate::mesh::read_mesh;
 use crate::units::Dimension;
+
+/// Mesh of a part.
+pub(super) const FILE: Key = key("file", TEXT, "gmsh, VTK, Abaqus or CalculiX");
+pub(super) const POSITION: Key = key("position", vector("m").or("0"), "origin of the mesh");
+pub(super) const ATTITUDE: Key =
+    key("attitude", QUATERNION.or("`[1, 0, 0, 0]`"), "from the mesh's axes to the file's");
 
 /// Placement of a mesh in the file's frame.
 struct Placement {

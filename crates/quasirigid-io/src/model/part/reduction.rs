@@ -1,8 +1,15 @@
 use quasirigid_elements::PartReduction;
 
-use super::super::table::{Keys, Table};
+use super::super::key::{Keys, integer, key};
+use super::super::table::Table;
 
-const REDUCTION: Keys = Keys { known: &["modes"] };
+pub(in crate::model) const REDUCTION: Keys = Keys {
+    known: &[key(
+        "modes",
+        integer(0, MOST_MODES as u64).or("0"),
+        "vibrations retained beside the slow motion",
+    )],
+};
 
 const MOST_MODES: usize = 500;
 

@@ -7,18 +7,21 @@ use quasirigid_elements::{ElementKind, Part, PartKind, Region, Solid};
 use quasirigid_math::vec3::{cross, dot, norm, scale};
 use quasirigid_mesh::Mesh;
 
+use super::super::key::{Keys, Shape, TEXT, array, key, named};
 use super::super::names;
-use super::super::reader::{Keyed, Naming, Reader, Sources};
+use super::super::reader::{Keyed, NAME, Naming, Reader, Sources};
 use super::super::rheology::Extremes;
-use super::super::table::{Keys, Table};
+use super::super::surface::UNIT;
+use super::super::table::Table;
 use super::super::value::Value;
-use super::placed::mesh;
-use super::{Nodes, PARALLEL, Read, attached, masses, rayleigh};
+use super::placed::{ATTITUDE, FILE, POSITION, mesh};
+use super::{ATTACH, MASSES, Nodes, PARALLEL, RAYLEIGH, Read, attached, masses, rayleigh};
 use crate::units::Dimension;
 
 pub(in crate::model) const READER: Reader = Reader {
     key: "solid",
     title: "[[solid]]",
+    meaning: "body of finite elements",
     keys: Keyed::All(&SOLID),
     kind: Some(ElementKind::Part),
     naming: Naming::Numbered("solid"),
@@ -34,17 +37,17 @@ pub(in crate::model) const READER: Reader = Reader {
 
 const SOLID: Keys = Keys {
     known: &[
-        "name",
-        "file",
-        "unit",
-        "position",
-        "attitude",
-        "material",
-        "materials",
-        "axes",
-        "masses",
-        "attach",
-        "rayleigh",
+        NAME,
+        FILE,
+        UNIT,
+        POSITION,
+        ATTITUDE,
+        key("material", TEXT, ""),
+        key("materials", named(&Shape::Text), "instead, one for each set of cells"),
+        key("axes", array(2, &Shape::Vector).or("file's"), "of an orthotropic material"),
+        MASSES,
+        ATTACH,
+        RAYLEIGH,
     ],
 };
 

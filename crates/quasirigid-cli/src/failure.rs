@@ -14,9 +14,9 @@ use thiserror::Error;
 /// Failure: the reason why a command could not run.
 #[derive(Debug, Error)]
 pub enum Failure {
-    #[error("{}", .0.told(&flag))]
+    #[error("{}", .0.told(&Setting::flag))]
     Study(StudyError),
-    #[error("{}", .0.told(&flag))]
+    #[error("{}", .0.told(&Setting::flag))]
     Sweep(#[from] SweepError),
     #[error("--duration {text}: {cause}; {advice}", advice = cause.advice())]
     Duration { text: String, cause: Box<UnitError> },
@@ -113,24 +113,5 @@ impl Failure {
             Self::Sweep(error) => error.located(),
             _ => None,
         }
-    }
-}
-
-/// The flag of a setting.
-fn flag(setting: Setting) -> &'static str {
-    match setting {
-        Setting::Duration => "--duration",
-        Setting::Samples => "--samples",
-        Setting::System => "--system",
-        Setting::Coordinates => "--coordinates",
-        Setting::Displacements => "--displacements",
-        Setting::Axis => "--axis",
-        Setting::Spin => "--spin",
-        Setting::From => "--from",
-        Setting::Until => "--to",
-        Setting::Folder => "-o",
-        Setting::Resume => "--resume",
-        Setting::Threads => "--threads",
-        Setting::EvolutionDuration => "--duration or with evolve = { duration = \"10 yr\" } in [run]",
     }
 }

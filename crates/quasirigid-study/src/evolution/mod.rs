@@ -20,13 +20,14 @@ use quasirigid::dynamics::Start;
 use quasirigid::elements::Assembly;
 use quasirigid::model::{Mode, Rheology, Support};
 use quasirigid::reduction::reduce;
-use quasirigid_io::model::{EvolveMethod, Power, Target};
+use quasirigid_io::model::{EvolveMethod, PartialEvolve};
 use quasirigid_io::record::{EstimateRecord, EvolutionRecord, HomogeneousRecord};
 use serde_json::{Value, json};
 
 use crate::error::StudyError;
 use crate::liquids::{NOTABLE, unresolved};
 use crate::materials::flowing;
+use crate::settings::EvolveSettings;
 use crate::start::slaved_order;
 use crate::study::Study;
 use crate::watch::Watch;
@@ -36,38 +37,6 @@ use secular::SecularEvolution;
 use table::EvolutionTable;
 
 pub use words::text;
-
-/// Request for an evolution, from the file or the command line.
-#[derive(Clone, Debug)]
-pub struct Asked {
-    /// Start; none for the initial state of the model.
-    pub from: Option<Target>,
-    /// Target.
-    pub until: Option<Target>,
-    /// Longest time (s).
-    pub duration: Option<f64>,
-    /// Rows of the history.
-    pub samples: usize,
-    /// Source of the power; none takes the harmonics only where a material needs them.
-    pub power: Option<Power>,
-    /// Method; none leaves the choice to the criteria.
-    pub method: Option<EvolveMethod>,
-}
-
-impl Asked {
-    /// Time (s) up to which a steady spin that is reached stays: that asked for without a target.
-    fn stays(&self) -> Option<f64> {
-        self.duration.filter(|_| self.until.is_none())
-    }
-
-    /// Request for the rest of the evolution after a time (s).
-    fn after(&self, t: f64) -> Self {
-        Self { duration: self.duration.map(|duration| (duration - t).max(0.0)), ..self.clone() }
-    }
-}
-
-/// Rows of the history unless another number is given.
-const SAMPLES: usize = 201;
 
 /// Mode of a body with momentum wheels, which circles no principal axis.
 const STEADY_SPIN: &str = "steady-spin";
@@ -106,26 +75,12 @@ impl Evolved {
 }
 
 impl Study {
-    /// Request of the model file for an evolution.
-    #[must_use]
-    pub fn evolution_asked(&self) -> Asked {
-        let evolve = self.model.run.evolve.unwrap_or_default();
-        Asked {
-            from: None,
-            until: evolve.until,
-            duration: evolve.duration,
-            samples: evolve.samples.unwrap_or(SAMPLES),
-            power: evolve.power,
-            method: evolve.method,
-        }
-    }
-
     /// Follows the averaged rotation from the start of the model.
     ///
     /// # Errors
     /// [`StudyError`] for a start that is none, for targets that are not ahead, and for bodies that are not followed so.
-    pub fn evolve(&self, asked: &Asked, watch: &mut dyn Watch) -> Result<Evolved, StudyError> {
-        follow(self, self.initial()?, asked, watch)
+    pub fn evolve(&self, asked: PartialEvolve, watch: &mut dyn Watch) -> Result<Evolved, StudyError> {
+        self.evolve_from(self.initial()?, asked, watch)
     }
 
     /// Follows the averaged rotation from a rotation in the place of the model's own.
@@ -135,10 +90,10 @@ impl Study {
     pub fn evolve_from(
         &self,
         start: Start,
-        asked: &Asked,
+        asked: PartialEvolve,
         watch: &mut dyn Watch,
     ) -> Result<Evolved, StudyError> {
-        follow(self, start, asked, watch)
+        follow(self, start, &EvolveSettings::resolve(asked, self)?, watch)
     }
 }
 
@@ -146,13 +101,10 @@ impl Study {
 pub(crate) fn follow(
     study: &Study,
     start: Start,
-    asked: &Asked,
+    asked: &EvolveSettings,
     observer: &mut dyn Watch,
 ) -> Result<Evolved, StudyError> {
     let Study { model, body, forces, order, .. } = study;
-    if let Some(seconds) = asked.duration.filter(|seconds| !(*seconds > 0.0 && seconds.is_finite())) {
-        return Err(StudyError::NoEvolutionTime { seconds });
-    }
     if matches!(body.support(), Support::Prescribed { .. }) {
         return Err(StudyError::DrivenPole);
     }
@@ -191,7 +143,7 @@ pub(crate) fn follow(
     let evolution = secular.evolution();
     let from = match &run {
         History::Levels(passage) => EvolutionTable::of_levels(passage, &secular.principal).first.stage,
-        _ => secular.start(&evolution, asked.from, torque.is_zero())?,
+        _ => secular.start(&evolution, asked.start, torque.is_zero())?,
     };
     let mut rows = match &run {
         History::Full(run, range) => EvolutionTable::of_run(run, range, asked.samples),
@@ -323,10 +275,10 @@ mod tests {
     fn an_evolution_that_is_ended_at_any_report_says_so() {
         let study = Study::read_from(Path::new("boom"), BOOM.as_bytes(), None).unwrap();
         let start = Start::new([0.345, 0.822, 0.330], [1.0, 0.0, 0.0, 0.0]);
-        for method in [None, Some(EvolveMethod::Direct), Some(EvolveMethod::MicroRuns)] {
+        for method in [None, Some(EvolveMethod::Full), Some(EvolveMethod::MicroRuns)] {
             for reports in [1, 2, 7] {
-                let asked = Asked { method, ..study.evolution_asked() };
-                match study.evolve_from(start, &asked, &mut Stopped(reports)) {
+                let asked = PartialEvolve { method, ..PartialEvolve::default() };
+                match study.evolve_from(start, asked, &mut Stopped(reports)) {
                     Ok(evolved) => {
                         assert!(!evolved.holds(), "{method:?}, {reports}: {}", evolved.record.message)
                     }

@@ -45,6 +45,8 @@ pub enum Reason {
     NoRateOfNutation,
     /// Ratio `D/I₃` as the target of level curves.
     RatioOfLevels,
+    /// Level curves of the slow energy of a body that has none, or spins too fast for them.
+    NotOnLevels,
     /// Level curves of the slow energy that cannot be followed.
     Levels(LevelError),
     /// Separatrix of level curves, at a time (s).

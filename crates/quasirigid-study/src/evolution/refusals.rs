@@ -3,6 +3,7 @@
 use quasirigid::averaging::Way;
 use quasirigid::model::Mode;
 use quasirigid::secular::{AverageCriteria, DirectStopReason};
+use quasirigid_io::model::{EvolveMethod, Named};
 use quasirigid_math::vec3::{norm, scale};
 
 use super::reason::{Instability, Reason, Work};
@@ -54,6 +55,11 @@ pub fn text(reason: &Reason) -> String {
              little; say how far to go by an angle"
                 .into()
         }
+        Reason::NotOnLevels => {
+            "level curves of the slow energy are for an elastic body without rotors, liquids and materials that lose \
+             at each frequency by themselves, whose spin is at most 15 % of its slowest elastic frequency"
+                .into()
+        }
         Reason::Levels(error) => error.to_string(),
         Reason::Separatrix { t } => {
             format!("the rotation reaches a separatrix after {}; what follows depends on the phase", time(*t))
@@ -100,11 +106,11 @@ pub fn text(reason: &Reason) -> String {
             let failure = failure.as_ref().map(|failure| format!(": {failure}")).unwrap_or_default();
             format!("the full system was followed for {} and did not get there{failure}", time(*t))
         }
-        Reason::UnknownRevolutions => {
+        Reason::UnknownRevolutions => format!(
             "the modes give a small wobble no rate beyond rounding at an end of the way, so that nothing says \
-             how far the full system would have to be followed; the method direct, asked for, does it"
-                .into()
-        }
+             how far the full system would have to be followed; the method {}, asked for, does it",
+            method(Work::History)
+        ),
         Reason::UnknownDuration => {
             "the modes give a small wobble no rate, so that nothing says how far the full system would have to \
              be followed"
@@ -138,8 +144,8 @@ pub fn work(work: Work) -> &'static str {
 /// Method that does work in the full system when it is asked for.
 fn method(work: Work) -> &'static str {
     match work {
-        Work::ShortRuns => "micro-runs",
-        Work::History => "direct",
+        Work::ShortRuns => EvolveMethod::MicroRuns.name(),
+        Work::History => EvolveMethod::Full.name(),
     }
 }
 

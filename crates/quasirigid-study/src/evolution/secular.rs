@@ -23,8 +23,9 @@ use super::method::Verdict;
 use super::reason::Reason;
 use super::table::EvolutionTable;
 use super::unanswered::unanswered;
-use super::{Asked, refusals, words};
+use super::{refusals, words};
 use crate::error::StudyError;
+use crate::settings::EvolveSettings;
 use crate::words::shares;
 
 /// Share of the wobble's energy that is left at the end of an evolution without a target.
@@ -194,7 +195,7 @@ impl SecularEvolution {
         &self,
         evolution: &Evolution,
         from: RotationState,
-        asked: &Asked,
+        asked: &EvolveSettings,
     ) -> Result<RotationState, StudyError> {
         let target = match asked.until {
             Some(target) => self.stage(evolution, target)?,
@@ -219,7 +220,7 @@ impl SecularEvolution {
     }
 
     /// Limits of a drift: time, target, and the slowest elastic frequency.
-    pub fn limits(&self, evolution: &Evolution, asked: &Asked) -> Result<DriftLimits, StudyError> {
+    pub fn limits(&self, evolution: &Evolution, asked: &EvolveSettings) -> Result<DriftLimits, StudyError> {
         let duration = asked.duration.ok_or(StudyError::NoEvolutionDuration)?;
         let target = asked.until.map(|target| self.stage(evolution, target)).transpose()?;
         let fastest = self.response.frequencies().next().map_or(f64::INFINITY, |(frequency, _)| frequency);
@@ -302,7 +303,7 @@ impl SecularEvolution {
         evolution: &Evolution,
         from: RotationState,
         rows: &EvolutionTable,
-        asked: &Asked,
+        asked: &EvolveSettings,
         time_range: Option<[f64; 2]>,
         columns: Vec<Column>,
     ) -> EvolutionRecord {

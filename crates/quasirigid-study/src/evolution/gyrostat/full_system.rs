@@ -10,9 +10,9 @@ use super::answer::{Answer, BEHIND};
 use super::ground::Ground;
 use super::roads::{Found, Watch};
 use crate::error::StudyError;
-use crate::evolution::Asked;
 use crate::evolution::method::{Outlook, options};
 use crate::evolution::reason::{Reason, Stop, Work};
+use crate::settings::EvolveSettings;
 
 /// Share of the energy of the separatrix above the steady spin by which it is passed before the way behind it is told.
 const BELOW: f64 = 1e-3;
@@ -24,7 +24,7 @@ pub fn direct(
     ground: &Ground,
     full: &FullState,
     goal: Option<f64>,
-    asked: &Asked,
+    asked: &EvolveSettings,
     outlook: &Outlook,
     watch: Watch<'_>,
 ) -> Found {
@@ -39,7 +39,7 @@ pub fn direct(
 }
 
 /// The full system behind a separatrix, where it circles the steady spin that it came to.
-fn behind(ground: &Ground, first: DirectRun, asked: &Asked, watch: Watch<'_>) -> Found {
+fn behind(ground: &Ground, first: DirectRun, asked: &EvolveSettings, watch: Watch<'_>) -> Found {
     let end = first.rows[first.rows.len() - 1];
     let below = Ground::of(ground.study, &first.last)?;
     let goal = below.goal_from(ground.energy, asked);
@@ -82,7 +82,7 @@ fn announced(
     ground: &Ground,
     full: &FullState,
     until: f64,
-    asked: &Asked,
+    asked: &EvolveSettings,
     outlook: &Outlook,
     watch: Watch<'_>,
 ) -> Result<(), Stop> {

@@ -9,11 +9,11 @@ use quasirigid_io::model::Target;
 use quasirigid_math::vec3::norm;
 
 use crate::error::StudyError;
-use crate::evolution::Asked;
 use crate::evolution::reason::{Instability, Reason, Stop};
 use crate::evolution::secular::LEFT;
 use crate::left_out::{LEFT_OUT, of_nutation};
 use crate::liquids::unanswered;
+use crate::settings::EvolveSettings;
 use crate::study::Study;
 
 /// Energy of a wobble, relative to the whole, that is rounding.
@@ -94,7 +94,7 @@ impl<'a> Ground<'a> {
     }
 
     /// Energy (J) at which the evolution ends; none where only the time does.
-    pub fn goal(&self, asked: &Asked) -> Result<Option<f64>, StudyError> {
+    pub fn goal(&self, asked: &EvolveSettings) -> Result<Option<f64>, StudyError> {
         let (own, steady) = (self.energy, self.steady());
         if own - steady <= ROUNDING * own.abs() {
             return Err(StudyError::Steady);
@@ -108,7 +108,7 @@ impl<'a> Ground<'a> {
     }
 
     /// Energy (J) at which an evolution from an energy ends; none where only the time does.
-    pub fn goal_from(&self, energy: f64, asked: &Asked) -> Option<f64> {
+    pub fn goal_from(&self, energy: f64, asked: &EvolveSettings) -> Option<f64> {
         match asked.until {
             Some(Target::Wobble(to)) => Some(self.wobble.energy_of(to)),
             _ if asked.duration.is_some() => None,

@@ -4,12 +4,13 @@ use quasirigid_io::record::{Column, EvolutionRecord, ObservedRecord};
 use quasirigid_math::vec3::{norm, scale};
 
 use super::answer::{Answer, Row};
+use crate::evolution::STEADY_SPIN;
 use crate::evolution::reason::Reason;
 use crate::evolution::refusals;
 use crate::evolution::secular::COLUMNS;
 use crate::evolution::unanswered::unanswered;
 use crate::evolution::words::finished;
-use crate::evolution::{Asked, STEADY_SPIN};
+use crate::settings::EvolveSettings;
 use crate::words::{count, shares, significant, time};
 
 /// Record of an evolution that no method leads along, with the rate (1/s) at which a small wobble falls, if known.
@@ -28,7 +29,7 @@ fn folding(rate: f64) -> f64 {
 }
 
 /// Record of an evolution that was followed.
-pub fn answered(answer: Answer, asked: &Asked) -> EvolutionRecord {
+pub fn answered(answer: Answer, asked: &EvolveSettings) -> EvolutionRecord {
     let Answer { verdict, rows, attractor, steady, rate, crossed } = answer;
     let G = norm(attractor);
     let (first, last) = (rows[0], rows[rows.len() - 1]);

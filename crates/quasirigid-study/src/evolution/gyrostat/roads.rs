@@ -17,9 +17,9 @@ use super::answer::{Answer, Row};
 use super::full_system::direct;
 use super::ground::Ground;
 use crate::error::StudyError;
-use crate::evolution::Asked;
 use crate::evolution::method::{FEW_COORDINATES, LEVEL_ORDER, Outlook, Verdict, options, passage};
 use crate::evolution::reason::{Reason, Stop};
+use crate::settings::EvolveSettings;
 use crate::words::significant;
 
 /// Bound of the ratio of any spin at the energy of the start to the slowest elastic frequency up to which levels are followed.
@@ -41,16 +41,16 @@ pub type Found = Result<Answer, Stop>;
 pub fn choose(
     ground: &Ground,
     full: &FullState,
-    asked: &Asked,
+    asked: &EvolveSettings,
     outlook: &Outlook,
     watch: Watch<'_>,
 ) -> Found {
     let goal = ground.goal(asked)?;
     match asked.method {
         Some(EvolveMethod::MicroRuns) => return Err(Reason::ShortRunsWithWheels.into()),
-        Some(EvolveMethod::Modes) => return Ok(modes(ground, goal, asked)?),
-        Some(EvolveMethod::Average) => return levels(ground, asked),
-        None | Some(EvolveMethod::Direct | EvolveMethod::Manifold) => {}
+        Some(EvolveMethod::ModalRates) => return Ok(modes(ground, goal, asked)?),
+        Some(EvolveMethod::Average | EvolveMethod::Levels) => return levels(ground, asked),
+        None | Some(EvolveMethod::Full | EvolveMethod::SpinManifold) => {}
     }
     if !ground.complete() {
         return Ok(modes(ground, goal, asked)?);
@@ -64,7 +64,7 @@ pub fn choose(
             found => return found,
         }
     }
-    if asked.method != Some(EvolveMethod::Direct) {
+    if asked.method != Some(EvolveMethod::Full) {
         match on_manifold(ground, full, goal, asked, watch) {
             Err(Stop::Refused(_)) if unasked => {}
             found => return found,
@@ -90,7 +90,7 @@ fn haste(ground: &Ground) -> f64 {
 }
 
 /// Level curves of the slow energy, whose verdict says whether they hold.
-fn levels(ground: &Ground, asked: &Asked) -> Found {
+fn levels(ground: &Ground, asked: &EvolveSettings) -> Found {
     let study = ground.study;
     let reduced = study.reduced(study.order.max(LEVEL_ORDER))?;
     let K = ground.angular_momentum;
@@ -164,7 +164,7 @@ fn on_manifold(
     ground: &Ground,
     full: &FullState,
     goal: Option<f64>,
-    asked: &Asked,
+    asked: &EvolveSettings,
     watch: Watch<'_>,
 ) -> Found {
     if !ground.settled() || (asked.method.is_none() && ground.body.coordinates().len() > FEW_COORDINATES) {
@@ -192,7 +192,7 @@ fn on_manifold(
 }
 
 /// The rates of the modes from start to end.
-fn modes(ground: &Ground, goal: Option<f64>, asked: &Asked) -> Result<Answer, Reason> {
+fn modes(ground: &Ground, goal: Option<f64>, asked: &EvolveSettings) -> Result<Answer, Reason> {
     let [_, greatest] = ground.wobble.nutation(ground.energy);
     if !(greatest < ALONE) {
         return Err(Reason::TooWideForNutation { widest: ALONE });

@@ -8,9 +8,9 @@ use quasirigid_math::vec3::norm;
 
 use super::short_or_full::Choice;
 use super::verdict::ChosenMethod;
-use crate::evolution::Asked;
 use crate::evolution::reason::Reason;
 use crate::evolution::secular::LEFT;
+use crate::settings::EvolveSettings;
 use crate::study::Study;
 
 /// Relative change of a difference of moments by elasticity from which levels are followed; largest ratio of spin to frequency; and
@@ -21,7 +21,7 @@ pub const LEVEL_ORDER: usize = 5;
 
 impl Choice<'_> {
     /// Average along levels of the slow energy, where elasticity changes the differences of the moments of a stiff body; none elsewhere.
-    pub fn levels(&self, study: &Study, asked: &Asked) -> Option<Result<ChosenMethod, Reason>> {
+    pub fn levels(&self, study: &Study, asked: &EvolveSettings) -> Option<Result<ChosenMethod, Reason>> {
         let rigid = Principal::compute(self.body.invariants().J).moments;
         let bent = self.ground.range.moments();
         let changed = [(0, 1), (1, 2)].iter().any(|(a, b)| {
@@ -30,7 +30,7 @@ impl Choice<'_> {
         });
         let slowest = frequencies(self.body).ok()?.first().copied()?;
         let omega = self.way.start.omega;
-        if !changed
+        if !changed && asked.method.is_none()
             || norm(omega) > STIFF * slowest
             || !self.body.cyclic().is_empty()
             || !self.body.viscoelastic().is_empty()
@@ -64,7 +64,7 @@ impl Choice<'_> {
 pub fn passage(
     levels: &LevelEvolution,
     angular_momentum: [f64; 3],
-    asked: &Asked,
+    asked: &EvolveSettings,
 ) -> Result<LevelPassage, LevelError> {
     let until = match (asked.until, asked.duration) {
         (Some(Target::Wobble(angle)), _) => Until::Wobble(angle),

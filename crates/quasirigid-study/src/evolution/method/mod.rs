@@ -20,10 +20,10 @@ use quasirigid::secular::{DirectRow, DirectRun, EnergyRange, apart};
 use quasirigid_io::model::EvolveMethod;
 use quasirigid_math::vec3::norm;
 
-use super::Asked;
 use super::reason::{Reason, Stop};
 use super::secular::SecularEvolution;
 use crate::motion::Motion;
+use crate::settings::EvolveSettings;
 use crate::study::Study;
 pub use full::options;
 pub use levels::{LEVEL_ORDER, passage};
@@ -67,7 +67,7 @@ const PLACES: [f64; 5] = [-6.0, -3.0, 0.0, 3.0, 12.0];
 pub fn choose(
     study: &Study,
     start: Start,
-    asked: &Asked,
+    asked: &EvolveSettings,
     secular: &mut SecularEvolution,
     outlook: &Outlook,
     watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
@@ -94,15 +94,16 @@ pub fn choose(
     let choice = Choice::new(&ground, &way, asked.duration, outlook);
     let road = match asked.method {
         Some(EvolveMethod::Average) => choice.forced_average(secular),
-        Some(EvolveMethod::Modes) => choice.calibrated(secular)?,
-        Some(EvolveMethod::MicroRuns | EvolveMethod::Direct | EvolveMethod::Manifold)
+        Some(EvolveMethod::ModalRates) => choice.calibrated(secular)?,
+        Some(EvolveMethod::Levels) => choice.levels(study, asked).unwrap_or(Err(Reason::NotOnLevels))?,
+        Some(EvolveMethod::MicroRuns | EvolveMethod::Full | EvolveMethod::SpinManifold)
             if !ground.complete(way.ends) =>
         {
             return Err(Reason::LossesLeftOut { share: ground.left_out(way.ends) }.into());
         }
         Some(EvolveMethod::MicroRuns) => choice.measured(watch)?,
-        Some(EvolveMethod::Direct) => choice.direct(watch)?,
-        Some(EvolveMethod::Manifold) => choice.along_manifold(watch)?,
+        Some(EvolveMethod::Full) => choice.direct(watch)?,
+        Some(EvolveMethod::SpinManifold) => choice.along_manifold(watch)?,
         None => match choice.average(secular, watch)? {
             Some(road) => road,
             None => match choice.levels(study, asked) {
@@ -121,7 +122,7 @@ pub fn choose(
 pub fn under_torque(
     study: &Study,
     start: Start,
-    asked: &Asked,
+    asked: &EvolveSettings,
     secular: &mut SecularEvolution,
 ) -> Result<(), Stop> {
     let body = &study.body;

@@ -5,8 +5,8 @@ use quasirigid::dynamics::FullState;
 
 use super::steady_spins::Ground;
 use crate::error::StudyError;
-use crate::evolution::Asked;
 use crate::evolution::secular::SecularEvolution;
+use crate::settings::EvolveSettings;
 
 /// Effective moments without a power: enough to place a rotation state.
 #[derive(Debug)]
@@ -39,7 +39,7 @@ impl Way {
     pub fn of(
         ground: &Ground,
         full: FullState,
-        asked: &Asked,
+        asked: &EvolveSettings,
         secular: &SecularEvolution,
     ) -> Result<Self, StudyError> {
         let body = ground.body;
@@ -47,7 +47,7 @@ impl Way {
         let levels: Arc<dyn MeanPower> = Arc::new(Levels(range.moments()));
         let evolution = Evolution::new(levels, range.angular_momentum());
         let energy = full.energy(body);
-        let (start, from) = match asked.from {
+        let (start, from) = match asked.start {
             Some(target) => {
                 let stage = secular.stage(&evolution, target)?;
                 (range.state(body, stage).ok_or(StudyError::Steady)?, stage)
@@ -58,11 +58,11 @@ impl Way {
                 (full, stage.ok_or(StudyError::Steady)?)
             }
         };
-        let asked = Asked { duration: None, ..asked.clone() };
+        let asked = EvolveSettings { duration: None, ..asked.clone() };
         let to = secular.end(&evolution, from, &asked)?;
         let first = start.energy(body);
         Ok(Self {
-            placed: asked.from.is_some(),
+            placed: asked.start.is_some(),
             ends: [from, to],
             settled: range.settled(body, start.angular_momentum(body)),
             start,

@@ -120,7 +120,7 @@ pub struct RunOptions {
     pub samples: Option<usize>,
     #[arg(long, help = Setting::Form.help(), value_parser = named::<Form>())]
     pub form: Option<Form>,
-    #[arg(long, help = Setting::Integrator.help(), alias = flag(Setting::Integrator.former()))]
+    #[arg(long, help = Setting::Integrator.help(), alias = Setting::Integrator.former())]
     #[arg(value_parser = named::<Method>())]
     pub integrator: Option<Method>,
 }
@@ -378,7 +378,7 @@ pub struct Verify {
     pub amplitude: Option<f64>,
     #[arg(long, help = Setting::Orders.help(), value_name = "P,P,P", value_delimiter = ',', allow_hyphen_values = true)]
     pub orders: Option<Vec<usize>>,
-    #[arg(long, help = Setting::Revolutions.help(), alias = flag(Setting::Revolutions.former()))]
+    #[arg(long, help = Setting::Revolutions.help(), alias = Setting::Revolutions.former())]
     #[arg(value_name = "N", allow_hyphen_values = true)]
     pub revolutions: Option<f64>,
     #[arg(long, help = Setting::Halvings.help(), value_name = "N", allow_hyphen_values = true)]
@@ -389,10 +389,10 @@ pub struct Verify {
 pub struct Evolve {
     #[command(flatten)]
     pub common: Common,
-    #[arg(long, help = Setting::Start.help(), alias = flag(Setting::Start.former()))]
+    #[arg(long, help = Setting::Start.help(), alias = Setting::Start.former())]
     #[arg(value_name = "X", allow_hyphen_values = true)]
     pub start: Option<String>,
-    #[arg(long, help = Setting::Until.help(), alias = flag(Setting::Until.former()))]
+    #[arg(long, help = Setting::Until.help(), alias = Setting::Until.former())]
     #[arg(value_name = "Y", allow_hyphen_values = true)]
     pub until: Option<String>,
     #[arg(long, help = Setting::EvolutionDuration.help(), value_name = "T", allow_hyphen_values = true)]
@@ -403,7 +403,7 @@ pub struct Evolve {
     pub power: Option<Power>,
     #[arg(long, help = Setting::Method.help(), value_parser = named::<EvolveMethod>())]
     pub method: Option<EvolveMethod>,
-    #[arg(long, help = Setting::UncertaintySamples.help(), alias = flag(Setting::UncertaintySamples.former()))]
+    #[arg(long, help = Setting::UncertaintySamples.help(), alias = Setting::UncertaintySamples.former())]
     #[arg(value_name = "N", allow_hyphen_values = true)]
     #[arg(conflicts_with_all = ["start", "until", "duration", "samples", "power", "method", "order"])]
     pub uncertainty_samples: Option<usize>,
@@ -472,9 +472,4 @@ fn named<T: Named>() -> impl TypedValueParser<Value = T> {
     };
     PossibleValuesParser::new(T::VALUES.iter().map(value))
         .try_map(|name| T::of(&name).ok_or("no such setting"))
-}
-
-/// A flag without its dashes, of a name in Rust.
-fn flag(name: &'static str) -> String {
-    name.replace('_', "-")
 }

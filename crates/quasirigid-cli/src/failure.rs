@@ -14,9 +14,9 @@ use thiserror::Error;
 /// Failure: the reason why a command could not run.
 #[derive(Debug, Error)]
 pub enum Failure {
-    #[error("{}", .0.told(&Setting::flag))]
+    #[error("{}", .0.told(&flag))]
     Study(StudyError),
-    #[error("{}", .0.told(&Setting::flag))]
+    #[error("{}", .0.told(&flag))]
     Sweep(#[from] SweepError),
     #[error("--duration {text}: {cause}; {advice}", advice = cause.advice())]
     Duration { text: String, cause: Box<UnitError> },
@@ -114,4 +114,9 @@ impl Failure {
             _ => None,
         }
     }
+}
+
+/// The flag of a setting; that of the folder is told by its letter.
+fn flag(setting: Setting) -> &'static str {
+    if setting == Setting::Out { "-o" } else { setting.flag() }
 }

@@ -16,7 +16,9 @@ use quasirigid_study::layout::paragraph;
 use quasirigid_study::modes::{PrincipalAxis, SteadySpinSettings};
 use quasirigid_study::report::page;
 use quasirigid_study::run::RunOutcome;
-use quasirigid_study::settings::{PartialEvolve, PartialRun, PartialSpinManifold, PartialVerify};
+use quasirigid_study::settings::{
+    PartialEvolve, PartialRun, PartialSpinManifold, PartialVerify, uncertainty_samples,
+};
 use quasirigid_study::sweep::uncertainty_text;
 use quasirigid_study::{Keeping, LeftOut, Study, StudyError, beyond, summary, verification};
 use serde_json::json;
@@ -126,6 +128,7 @@ pub fn evolve(
     draws: Option<usize>,
     mut shared: &Shared,
 ) -> Result<Answer, Failure> {
+    let draws = uncertainty_samples(draws).map_err(StudyError::from)?;
     let evolved = study.evolve(asked, &mut shared)?;
     let (holds, answers, mut json) = (evolved.holds(), evolved.has_numbers(), evolved.json());
     let mut text = evolution::text(&study.model.name, &evolved.record);

@@ -49,9 +49,9 @@ pub fn deprecated(note: &str) -> PyResult<()> {
 
 /// Former name of an argument, by its name of today; empty where it is the same.
 #[pyfunction]
-pub fn former_argument(name: &str) -> &'static str {
+pub fn former_argument(name: &str) -> String {
     let setting = Setting::ALL.iter().find(|setting| setting.name() == name);
-    setting.map_or("", |setting| setting.former())
+    setting.map_or("", |setting| setting.former()).replace('-', "_")
 }
 
 /// A setting that is one of a few; `name` is the argument.

@@ -1,9 +1,9 @@
 use quasirigid_io::model::Target;
 use quasirigid_io::record::history_csv;
-use quasirigid_study::Setting;
 use quasirigid_study::evolution::{self, Evolved};
-use quasirigid_study::settings::PartialEvolve;
+use quasirigid_study::settings::{PartialEvolve, uncertainty_samples};
 use quasirigid_study::sweep::uncertainty_text;
+use quasirigid_study::{Setting, StudyError};
 use serde_json::json;
 
 use super::{notes, open};
@@ -35,11 +35,12 @@ pub fn evolve(arguments: &Evolve) -> Result<ExitStatus, Failure> {
         power: arguments.power,
         method: arguments.method,
     };
+    let draws = uncertainty_samples(arguments.uncertainty_samples).map_err(StudyError::from)?;
     let interrupt = Interrupt::listen()?;
     let watch = &mut Terminal::new(&interrupt, common.quiet);
     let evolved = study.evolve(asked, watch)?;
     let Evolved { record, notes: remarks } = &evolved;
-    let uncertainty = match arguments.uncertainty_samples {
+    let uncertainty = match draws {
         Some(samples) => Some(study.uncertainty(samples, watch)?.ok_or(Failure::Abandoned)?),
         None => None,
     };

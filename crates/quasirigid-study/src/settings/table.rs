@@ -60,7 +60,7 @@ macro_rules! settings {
                 match self { $(Self::$Setting => $key,)+ }
             }
 
-            /// The name in the version before, which this one still takes; empty where it is the same.
+            /// The name in the version before, which this one still takes, as in a flag; empty where it is the same.
             #[must_use]
             pub const fn former(self) -> &'static str {
                 match self { $(Self::$Setting => $former,)+ }
@@ -133,7 +133,7 @@ settings! {
     "Source of the mean power [default: the file's, or harmonics where a material needs them]";
     Method: "method", "--method", "evolve.method", "", "", Read,
     "Method of the evolution [default: the file's, or the one that holds]";
-    UncertaintySamples: "uncertainty_samples", "--uncertainty-samples", "uncertainty_samples", "samples_of_uncertainty", "", Count(2, MAX_ROWS),
+    UncertaintySamples: "uncertainty_samples", "--uncertainty-samples", "uncertainty_samples", "samples-of-uncertainty", "", Count(2, MAX_ROWS),
     "Draws of the keys in [uncertainty], for intervals of the time and the revolutions";
     Orders: "orders", "--orders", "verify.orders", "", "", Count(0, MAX_ORDER),
     "Orders to verify, separated by commas [default: 1 to the model's order; from 0 with rotors or liquids; about the \

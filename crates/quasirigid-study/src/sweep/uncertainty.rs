@@ -10,7 +10,7 @@ use quasirigid_io::table_file::CellColumn;
 
 use super::{Sweep, SweepError, folder, summary};
 use crate::layout::paragraph;
-use crate::settings::{self, Setting};
+use crate::settings::uncertainty_samples;
 use crate::study::Study;
 use crate::watch::Watch;
 use crate::words::{significant, time};
@@ -29,7 +29,7 @@ impl Study {
         samples: usize,
         watch: &mut dyn Watch,
     ) -> Result<Option<UncertaintyRecord>, SweepError> {
-        settings::count(Setting::UncertaintySamples, Some(samples))?;
+        uncertainty_samples(Some(samples))?;
         let model = &self.model;
         if model.uncertainty.is_empty() {
             return Err(SweepError::Certain { file: model.source.file.clone() });

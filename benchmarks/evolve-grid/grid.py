@@ -4,7 +4,7 @@
 
 Draws carriers with one sprung mass (on a line or free), a boom on a hinge or a flywheel on friction: tuning, damping ratio 0.003 to 1, share of
 the mass 1e-4 to 0.03, spin over frequency 0.01 to 10, wobbles of 2 to 25 degrees about either axis. Each answer of another road than the full
-system itself is compared with `--method direct`: the full system from start to end, by the same wobbles (energies would not do: a soft part
+system itself is compared with `--method full`: the full system from start to end, by the same wobbles (energies would not do: a soft part
 holds a part of them at rest in the spin). Prints a line a case and a table.
 """
 
@@ -81,7 +81,7 @@ def judge(program, folder, number, drawn):
         return "direct", None
     if found["turns"] > 1e5:
         return found["road"] + ", too long for the full system", None
-    direct = run(program, "evolve", str(file), "--json", "--quiet", "--method", "direct")
+    direct = run(program, "evolve", str(file), "--json", "--quiet", "--method", "full")
     if direct.returncode != 0:
         print(number, found["road"], "the full system gave no answer", direct.stderr.strip(), known, flush=True)
         return found["road"] + ", the full system gave no answer", None

@@ -146,7 +146,7 @@ def compare(count, arguments):
     with TemporaryDirectory() as name:
         folder = Path(name)
         write(folder, places, mass, frequencies, shapes)
-        _, reference = simulate(folder, arguments.duration, REFERENCE, 1, "--method", "explicit")
+        _, reference = simulate(folder, arguments.duration, REFERENCE, 1, "--integrator", "explicit")
         setup, _ = simulate(folder, SHORT, 1e-8, arguments.repeat)
         for tolerance in (1e-6, 1e-8, 1e-10):
             whole, omega = simulate(folder, arguments.duration, tolerance, arguments.repeat)

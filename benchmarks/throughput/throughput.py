@@ -76,7 +76,7 @@ def trajectories(count: int) -> None:
     end = 1000 * 2 * np.pi / spin
 
     def ours(tolerance: float) -> np.ndarray:
-        return model.simulate(initial=starts, duration=end, samples=2, tolerance=tolerance, form="paper").angular_velocity[:, -1]
+        return model.simulate(initial=starts, duration=end, samples=2, tolerance=tolerance, form="angular-velocity").angular_velocity[:, -1]
 
     def scipy(tolerance: float) -> np.ndarray:
         def rate(_: float, omega: np.ndarray) -> np.ndarray:
@@ -87,7 +87,7 @@ def trajectories(count: int) -> None:
 
     def lanes(tolerance: float) -> np.ndarray:
         many = np.resize(starts, (50 * count, 3))
-        return model.spins(many, [end], tolerance=1e-2 * tolerance, form="paper").angular_velocity[:, -1]
+        return model.spins(many, [end], tolerance=1e-2 * tolerance, form="angular-velocity").angular_velocity[:, -1]
 
     reference = ours(1e-13)
     methods: list[tuple[str, Callable[[float], np.ndarray], float]] = [

@@ -72,7 +72,7 @@ pub use paths::{CurvedPaths, Follower};
 pub use principal::{Mode, Polhode, Principal};
 pub use reduced::ReducedBody;
 pub use rheology::{Measured, Rheology, RheologyError};
-pub use settings::{Form, Method};
+pub use settings::{Form, MAX_DEGREE, MAX_ORDER, Method};
 pub use spinning::SpinCoefficients;
 pub use straight::StraightKinetics;
 pub use support::Support;

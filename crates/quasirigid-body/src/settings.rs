@@ -1,4 +1,10 @@
-//! Settings of an integration that a model file names: the variable and the method.
+//! Settings that a model file names: limits of the reduced equations, and variable and method of an integration.
+
+/// Highest order of the reduced equations about rest. The series is asymptotic: long before this its terms stop falling.
+pub const MAX_ORDER: usize = 12;
+
+/// Highest degree of the reduced equations about a steady spin, in the amplitude.
+pub const MAX_DEGREE: usize = 11;
 
 /// Form of the reduced equations: the variable of integration.
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]

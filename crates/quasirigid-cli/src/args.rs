@@ -1,17 +1,21 @@
 //! Command line: commands and options, as `clap` derives them from these types.
 //! Doc comments of commands and arguments are the text of `--help`, without a full stop at the end; tests compare some of them.
-//! Names of settings come from `Named`, so that flags and the model file accept the same words.
+//! Flags of settings and their help come from the table of the study, and words from `Named`, so that flags and the model file have the
+//! same names.
 
 use std::path::PathBuf;
 
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use quasirigid::dynamics::{Form, Method};
-use quasirigid::submanifold::MAX_DEGREE;
 use quasirigid_io::model::{EvolveMethod, ManifoldMasters, ManifoldStyle, Named, Power, System};
 use quasirigid_io::record::TableFormat;
+use quasirigid_io::units::{Dimension, quantity};
 use quasirigid_study::modes::PrincipalAxis;
+use quasirigid_study::settings::{PartialRun, PartialSpinManifold, Range, Setting};
 use quasirigid_study::sweep::Shard;
+
+use crate::failure::Failure;
 
 /// How does a body that is almost rigid, but bends and dissipates a little, change its spin?
 ///
@@ -47,7 +51,7 @@ pub enum Command {
     )]
     Simulate(Simulate),
     /// Follow the averaged rotation over any number of revolutions
-    #[command(after_help = "Example:\n  quasirigid evolve examples/apophis/model.toml --to 5deg")]
+    #[command(after_help = "Example:\n  quasirigid evolve examples/apophis/model.toml --until 5deg")]
     Evolve(Evolve),
     /// Compare the full system with the reduced equations and measure the order of convergence
     #[command(
@@ -73,14 +77,32 @@ pub enum Command {
     Cite(Cite),
 }
 
+impl Command {
+    /// Whether the command prints no notes.
+    pub fn is_quiet(&self) -> bool {
+        match self {
+            Self::Run(RunArgs { common, .. })
+            | Self::Check(Check { common })
+            | Self::Modes(ModesArgs { common, .. })
+            | Self::Derive(Derive { common, .. })
+            | Self::Simulate(Simulate { common, .. })
+            | Self::Evolve(Evolve { common, .. })
+            | Self::Verify(Verify { common, .. })
+            | Self::Cite(Cite { common }) => common.quiet,
+            Self::Sweep(SweepArgs { quiet, .. })
+            | Self::Report(Report { quiet, .. })
+            | Self::Plot(Plot { quiet, .. }) => *quiet,
+        }
+    }
+}
+
 /// Model file and options of every command.
 #[derive(Args, Debug)]
 pub struct Common {
     /// Model file, or - for standard input
     #[arg(value_name = "MODEL.toml")]
     pub model: PathBuf,
-    /// Order p of the reduced equations, 0 (rigid) to 12; the file's own, or 3 (the paper's)
-    #[arg(long, value_name = "P", allow_hyphen_values = true)]
+    #[arg(long, help = Setting::Order.help(), value_name = "P", allow_hyphen_values = true)]
     pub order: Option<usize>,
     /// Print results for machines, as one JSON object
     #[arg(long)]
@@ -90,24 +112,34 @@ pub struct Common {
     pub quiet: bool,
 }
 
-/// Options of a propagation.
+/// Options of histories.
 #[derive(Args, Debug)]
-pub struct Propagation {
-    /// Duration, in seconds or with a unit such as "2 h"; the file's own, or a hundred revolutions
-    #[arg(long, value_name = "T", allow_hyphen_values = true)]
+pub struct RunOptions {
+    #[arg(long, help = Setting::Duration.help(), value_name = "T", allow_hyphen_values = true)]
     pub duration: Option<String>,
-    /// Error allowed per step, relative, 1e-15 to 1e-2 [default: 1e-12]
-    #[arg(long, value_name = "X", allow_hyphen_values = true)]
+    #[arg(long, help = Setting::Tolerance.help(), value_name = "X", allow_hyphen_values = true)]
     pub tolerance: Option<f64>,
-    /// Number of output times, spread evenly from the start to the end
-    #[arg(long, value_name = "N", allow_hyphen_values = true)]
+    #[arg(long, help = Setting::Samples.help(), value_name = "N", allow_hyphen_values = true)]
     pub samples: Option<usize>,
-    /// Variable that is integrated: the angular momentum, which keeps |K| exactly, or the angular velocity, as in the paper
-    #[arg(long, value_parser = named::<Form>())]
+    #[arg(long, help = Setting::Form.help(), value_parser = named::<Form>())]
     pub form: Option<Form>,
-    /// Integrator of the full system [default: automatic]
-    #[arg(long, value_parser = named::<Method>())]
-    pub method: Option<Method>,
+    #[arg(long, help = Setting::Integrator.help(), alias = Setting::Integrator.former())]
+    #[arg(value_parser = named::<Method>())]
+    pub integrator: Option<Method>,
+}
+
+impl RunOptions {
+    /// The settings that are given.
+    pub fn partial(&self) -> Result<PartialRun, Failure> {
+        let Self { duration, tolerance, samples, form, integrator } = self;
+        Ok(PartialRun {
+            duration: duration.as_deref().map(seconds).transpose()?,
+            tolerance: *tolerance,
+            samples: *samples,
+            form: *form,
+            integrator: *integrator,
+        })
+    }
 }
 
 #[derive(Args, Debug)]
@@ -115,7 +147,7 @@ pub struct RunArgs {
     #[command(flatten)]
     pub common: Common,
     #[command(flatten)]
-    pub propagation: Propagation,
+    pub run: RunOptions,
     /// Folder for the record and report.html [default: the model's name with -run]
     #[arg(long, short, value_name = "DIR")]
     pub out: Option<PathBuf>,
@@ -233,12 +265,9 @@ pub struct Cite {
 pub struct ModesArgs {
     #[command(flatten)]
     pub common: Common,
-    /// Angular velocity (rad/s): the steady spin nearest to its direction, with its size [default: the angular momentum of the
-    /// start, about both axes of extreme inertia]
-    #[arg(long, value_name = "WX,WY,WZ", value_delimiter = ',', allow_hyphen_values = true)]
+    #[arg(long, help = Setting::Spin.help(), value_name = "WX,WY,WZ", value_delimiter = ',', allow_hyphen_values = true)]
     pub spin: Option<Vec<f64>>,
-    /// Principal axis to spin about
-    #[arg(long, value_parser = named::<PrincipalAxis>())]
+    #[arg(long, help = Setting::Axis.help(), value_parser = named::<PrincipalAxis>())]
     pub axis: Option<PrincipalAxis>,
     /// List every mode, overdamped ones too
     #[arg(long)]
@@ -247,30 +276,43 @@ pub struct ModesArgs {
 
 /// Options of the reduced equations about a spin.
 #[derive(Args, Debug)]
-pub struct Manifold {
-    /// Degree of the reduced equations about the spin in the amplitude, 1 to 11 [default: the file's, or 5]
-    #[arg(long, value_name = "N", value_parser = degree)]
+pub struct SpinManifoldOptions {
+    #[arg(long, help = Setting::Degree.help(), value_name = "N", value_parser = degree)]
     pub degree: Option<usize>,
-    /// Modes that they follow: automatic, nutation, or frequencies in rad/s beside the nutation [default: the file's, or automatic]
-    #[arg(long, value_name = "WHICH", value_parser = str::parse::<ManifoldMasters>)]
+    #[arg(long, help = Setting::Masters.help(), value_name = "WHICH")]
+    #[arg(value_parser = str::parse::<ManifoldMasters>)]
     pub masters: Option<ManifoldMasters>,
-    /// Style of the equations about the spin [default: the file's, or normal-form]
-    #[arg(long, value_parser = named::<ManifoldStyle>())]
+    #[arg(long, help = Setting::Style.help(), value_parser = named::<ManifoldStyle>())]
     pub style: Option<ManifoldStyle>,
 }
 
-impl Manifold {
+impl SpinManifoldOptions {
+    /// The settings that are given.
+    pub fn partial(&self) -> PartialSpinManifold {
+        let Self { degree, masters, style } = self;
+        PartialSpinManifold { degree: *degree, masters: masters.clone(), style: *style }
+    }
+
     /// Whether one of the options is given.
     pub fn is_given(&self) -> bool {
-        self.degree.is_some() || self.masters.is_some() || self.style.is_some()
+        self.partial() != PartialSpinManifold::default()
     }
 }
 
 /// Reads a degree of the reduced equations about a spin.
 fn degree(text: &str) -> Result<usize, String> {
+    match (text.parse(), Setting::Degree.range()) {
+        (Ok(degree), Range::Count(least, most)) if (least..=most).contains(&degree) => Ok(degree),
+        (_, range) => Err(format!("a degree of the reduced equations about a spin lies from {range}")),
+    }
+}
+
+/// A time (s) given on the command line.
+pub fn seconds(text: &str) -> Result<f64, Failure> {
     match text.parse() {
-        Ok(degree) if (1..=MAX_DEGREE).contains(&degree) => Ok(degree),
-        _ => Err(format!("a degree of the reduced equations about a spin lies from 1 to {MAX_DEGREE}")),
+        Ok(seconds) => Ok(seconds),
+        Err(_) => quantity(text, Dimension::TIME)
+            .map_err(|cause| Failure::Duration { text: text.to_owned(), cause: Box::new(cause) }),
     }
 }
 
@@ -291,7 +333,7 @@ pub struct Derive {
     #[arg(long, value_enum, default_value_t = About::Rest)]
     pub about: About,
     #[command(flatten)]
-    pub manifold: Manifold,
+    pub spin_manifold: SpinManifoldOptions,
     /// Principal axis of the steady spin [default: the one that the start circles]
     #[arg(long, value_parser = named::<PrincipalAxis>())]
     pub axis: Option<PrincipalAxis>,
@@ -315,17 +357,14 @@ pub struct Simulate {
     #[command(flatten)]
     pub common: Common,
     #[command(flatten)]
-    pub propagation: Propagation,
-    /// System of equations to integrate
-    #[arg(long, value_parser = named::<System>(), default_value = System::Reduced.name())]
+    pub run: RunOptions,
+    #[arg(long, help = Setting::System.help(), value_parser = named::<System>(), default_value = System::Reduced.name())]
     pub system: System,
     #[command(flatten)]
-    pub manifold: Manifold,
-    /// Add the internal coordinates and their rates to the table of the full system
-    #[arg(long)]
+    pub spin_manifold: SpinManifoldOptions,
+    #[arg(long, help = Setting::Coordinates.help())]
     pub coordinates: bool,
-    /// Add the displacements of points, appendages and nodes to the table of the full system
-    #[arg(long)]
+    #[arg(long, help = Setting::Displacements.help())]
     pub displacements: bool,
     /// Output times in seconds, separated by commas
     #[arg(long, value_name = "A,B,C", value_delimiter = ',', allow_hyphen_values = true)]
@@ -350,18 +389,15 @@ pub struct Verify {
     #[arg(long, value_enum, default_value_t = About::Rest)]
     pub about: About,
     #[command(flatten)]
-    pub manifold: Manifold,
-    /// Largest amplitude of the nutation about the spin, in degrees [default: 2.86, 0.05 rad]
-    #[arg(long, value_name = "DEGREES")]
+    pub spin_manifold: SpinManifoldOptions,
+    #[arg(long, help = Setting::Amplitude.help(), value_name = "DEGREES")]
     pub amplitude: Option<f64>,
-    /// Orders to verify, separated by commas [default: 1 to the model's order; from 0 with rotors or liquids; about the spin degrees 1 to 3]
-    #[arg(long, value_name = "P,P,P", value_delimiter = ',', allow_hyphen_values = true)]
+    #[arg(long, help = Setting::Orders.help(), value_name = "P,P,P", value_delimiter = ',', allow_hyphen_values = true)]
     pub orders: Option<Vec<usize>>,
-    /// Revolutions of each history [default: 5]; about the spin periods of the nutation [default: 1]
-    #[arg(long, value_name = "N", allow_hyphen_values = true)]
-    pub rotations: Option<f64>,
-    /// How often epsilon is halved [default: 4]; about the spin the amplitude [default: 3]
-    #[arg(long, value_name = "N", allow_hyphen_values = true)]
+    #[arg(long, help = Setting::Revolutions.help(), alias = Setting::Revolutions.former())]
+    #[arg(value_name = "N", allow_hyphen_values = true)]
+    pub revolutions: Option<f64>,
+    #[arg(long, help = Setting::Halvings.help(), value_name = "N", allow_hyphen_values = true)]
     pub halvings: Option<usize>,
 }
 
@@ -369,29 +405,24 @@ pub struct Verify {
 pub struct Evolve {
     #[command(flatten)]
     pub common: Common,
-    /// Where to start: D/I3 = |K|^2/2EI3 as 0.9 or "90% of I3", or the greatest wobble about the axis of greatest inertia as
-    /// "20 deg" [default: the initial state]
-    #[arg(long, value_name = "X", allow_hyphen_values = true, alias = "start")]
-    pub from: Option<String>,
-    /// Where to end, in the same form [default: the file's, or 1 % of the energy of the wobble left]
-    #[arg(long, value_name = "Y", allow_hyphen_values = true, alias = "until")]
-    pub to: Option<String>,
-    /// Longest time, in seconds or with a unit such as "10 Gyr" [default: the file's, or none]
-    #[arg(long, value_name = "T", allow_hyphen_values = true)]
+    #[arg(long, help = Setting::Start.help(), alias = Setting::Start.former())]
+    #[arg(value_name = "X", allow_hyphen_values = true)]
+    pub start: Option<String>,
+    #[arg(long, help = Setting::Until.help(), alias = Setting::Until.former())]
+    #[arg(value_name = "Y", allow_hyphen_values = true)]
+    pub until: Option<String>,
+    #[arg(long, help = Setting::EvolutionDuration.help(), value_name = "T", allow_hyphen_values = true)]
     pub duration: Option<String>,
-    /// Number of rows [default: the file's, or 201]
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(2..=1_000_000))]
-    pub samples: Option<u32>,
-    /// Source of the mean power [default: the file's, or harmonics where a material needs them]
-    #[arg(long, value_parser = named::<Power>())]
+    #[arg(long, help = Setting::EvolutionSamples.help(), value_name = "N", allow_hyphen_values = true)]
+    pub samples: Option<usize>,
+    #[arg(long, help = Setting::Power.help(), value_parser = named::<Power>())]
     pub power: Option<Power>,
-    /// Method of the evolution [default: the file's, or the one that holds]
-    #[arg(long, value_parser = named::<EvolveMethod>())]
+    #[arg(long, help = Setting::Method.help(), value_parser = named::<EvolveMethod>())]
     pub method: Option<EvolveMethod>,
-    /// Draws of the keys in [uncertainty], for intervals of the time and the revolutions
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(2..=10_000_000))]
-    #[arg(conflicts_with_all = ["from", "to", "duration", "samples", "power", "method", "order"])]
-    pub samples_of_uncertainty: Option<u32>,
+    #[arg(long, help = Setting::UncertaintySamples.help(), alias = Setting::UncertaintySamples.former())]
+    #[arg(value_name = "N", allow_hyphen_values = true)]
+    #[arg(conflicts_with_all = ["start", "until", "duration", "samples", "power", "method", "order"])]
+    pub uncertainty_samples: Option<usize>,
     /// Format of the result on standard output
     #[arg(long, value_enum, default_value_t = EvolveFormat::Text)]
     pub format: EvolveFormat,
@@ -425,10 +456,9 @@ pub struct SweepArgs {
     /// Share of the parts that this process answers, for job arrays; shards may share a folder
     #[arg(long, value_name = "K/N", value_parser = shard)]
     pub shard: Option<Shard>,
-    /// Number of threads, on which no result depends [default: as many as there are]
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    #[arg(long, help = Setting::Threads.help(), value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub threads: Option<u16>,
-    /// Print the model of one row and its answers, and write nothing
+    /// Print the model of one row, counted from 1, and its answers, and write nothing
     #[arg(long, value_name = "I", conflicts_with_all = ["out", "resume", "shard", "threads"])]
     pub row: Option<u64>,
     /// Print results for machines, as one JSON object
@@ -449,11 +479,12 @@ fn shard(text: &str) -> Result<Shard, String> {
     }
 }
 
-/// Reads a setting that is one of a few.
+/// Reads a setting that is one of a few, by its name or a former one.
 fn named<T: Named>() -> impl TypedValueParser<Value = T> {
-    let value = |(name, _, help): &(&'static str, T, &'static str)| match *help {
-        "" => PossibleValue::new(*name),
-        help => PossibleValue::new(*name).help(help),
+    let value = |(name, value, help): &(&'static str, T, &'static str)| {
+        let former = T::FORMER.iter().filter(|(_, renamed)| renamed == value).map(|(former, _)| *former);
+        let possible = PossibleValue::new(*name).aliases(former);
+        if help.is_empty() { possible } else { possible.help(*help) }
     };
     PossibleValuesParser::new(T::VALUES.iter().map(value))
         .try_map(|name| T::of(&name).ok_or("no such setting"))

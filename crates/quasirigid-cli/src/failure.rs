@@ -118,21 +118,7 @@ impl Failure {
     }
 }
 
-/// The flag of a setting.
+/// The flag of a setting; that of the folder is told by its letter.
 fn flag(setting: Setting) -> &'static str {
-    match setting {
-        Setting::Duration => "--duration",
-        Setting::Samples => "--samples",
-        Setting::System => "--system",
-        Setting::Coordinates => "--coordinates",
-        Setting::Displacements => "--displacements",
-        Setting::Axis => "--axis",
-        Setting::Spin => "--spin",
-        Setting::From => "--from",
-        Setting::Until => "--to",
-        Setting::Folder => "-o",
-        Setting::Resume => "--resume",
-        Setting::Threads => "--threads",
-        Setting::EvolutionDuration => "--duration or with evolve = { duration = \"10 yr\" } in [run]",
-    }
+    if setting == Setting::Out { "-o" } else { setting.flag() }
 }

@@ -4,6 +4,7 @@
 mod args;
 mod commands;
 mod failure;
+mod former;
 mod interrupt;
 mod message;
 mod output;
@@ -36,6 +37,9 @@ fn main() -> ExitCode {
             };
         }
     };
+    if !arguments.command.is_quiet() {
+        former::notes(std::env::args_os()).iter().for_each(|note| message::remark(&format!("note: {note}")));
+    }
     interrupt::survive_limits();
     ended(match &arguments.command {
         Command::Run(run) => commands::run::run(run),

@@ -9,15 +9,16 @@ use std::path::{Path, PathBuf};
 
 use pyo3::prelude::*;
 use quasirigid_io::disk::{parent, replace, settle_files, settle_folder};
-use quasirigid_io::model::Verify;
 use quasirigid_io::record::{HistoryRecord, TableFormat};
-use quasirigid_study::about_spin::AskedManifold;
-use quasirigid_study::evolution::{self, Asked};
-use quasirigid_study::histories::{Propagation, Table};
+use quasirigid_study::evolution;
+use quasirigid_study::histories::Table;
 use quasirigid_study::layout::paragraph;
-use quasirigid_study::modes::AskedSpin;
+use quasirigid_study::modes::{PrincipalAxis, SteadySpinSettings};
 use quasirigid_study::report::page;
 use quasirigid_study::run::RunOutcome;
+use quasirigid_study::settings::{
+    PartialEvolve, PartialRun, PartialSpinManifold, PartialVerify, uncertainty_samples,
+};
 use quasirigid_study::sweep::uncertainty_text;
 use quasirigid_study::{Keeping, LeftOut, Study, StudyError, beyond, summary, verification};
 use serde_json::json;
@@ -62,7 +63,7 @@ pub fn check(study: &Study) -> Result<Answer, Failure> {
 }
 
 /// Modes about steady spins.
-pub fn modes(study: &Study, asked: AskedSpin) -> Result<Answer, Failure> {
+pub fn modes(study: &Study, asked: SteadySpinSettings) -> Result<Answer, Failure> {
     let found = study.modes(asked)?;
     let name = &study.model.name;
     let sentences: Vec<&str> = found.spins.iter().map(|spin| spin.sentence.as_str()).collect();
@@ -78,8 +79,12 @@ pub fn modes(study: &Study, asked: AskedSpin) -> Result<Answer, Failure> {
 }
 
 /// Reduced equations about the spin; the table is the backbone.
-pub fn about_spin(study: &Study, asked: &AskedManifold) -> Result<Answer, Failure> {
-    let found = study.about_spin(asked)?;
+pub fn about_spin(
+    study: &Study,
+    asked: PartialSpinManifold,
+    axis: Option<PrincipalAxis>,
+) -> Result<Answer, Failure> {
+    let found = study.about_spin(asked, axis)?;
     Ok(Answer {
         json: Json(found.json()),
         text: found.text(),
@@ -94,11 +99,11 @@ pub fn about_spin(study: &Study, asked: &AskedManifold) -> Result<Answer, Failur
 /// A history of the spin.
 pub fn simulate(
     study: &Study,
-    propagation: &Propagation,
+    asked: &PartialRun,
     table: &Table,
     mut shared: &Shared,
 ) -> Result<Answer, Failure> {
-    let history = study.simulate(propagation, table, &mut shared)?;
+    let history = study.simulate(asked, table, &mut shared)?;
     let json = history.json();
     let (holds, sentence) = match history.reason() {
         Some(reason) => (false, reason.to_owned()),
@@ -119,10 +124,11 @@ pub fn simulate(
 /// The secular evolution.
 pub fn evolve(
     study: &Study,
-    asked: &Asked,
+    asked: PartialEvolve,
     draws: Option<usize>,
     mut shared: &Shared,
 ) -> Result<Answer, Failure> {
+    let draws = uncertainty_samples(draws).map_err(StudyError::from)?;
     let evolved = study.evolve(asked, &mut shared)?;
     let (holds, answers, mut json) = (evolved.holds(), evolved.has_numbers(), evolved.json());
     let mut text = evolution::text(&study.model.name, &evolved.record);
@@ -156,7 +162,7 @@ pub fn evolve(
 }
 
 /// The reduced equations against the full system.
-pub fn verify(study: &Study, asked: Verify, mut shared: &Shared) -> Result<Answer, Failure> {
+pub fn verify(study: &Study, asked: PartialVerify, mut shared: &Shared) -> Result<Answer, Failure> {
     let plan = study.verification_plan(asked);
     let highest = plan.orders.iter().copied().max().unwrap_or_default();
     let left_out = LeftOut::at(study, study.initial()?.omega, None);
@@ -204,13 +210,13 @@ pub struct RunPlace {
 /// The main job; the record goes into a new folder, if one is named, beside which the run is kept while it is in work.
 pub fn run(
     study: &Study,
-    propagation: &Propagation,
+    asked: &PartialRun,
     place: Option<&RunPlace>,
     mut shared: &Shared,
 ) -> Result<RunAnswer, Failure> {
     place.map_or(Ok(()), |place| vacant(&place.folder))?;
     let keeping = place.map(|place| Keeping::beside(&place.folder, place.resume));
-    let outcome = study.run_kept(propagation, keeping.as_ref(), &mut shared)?;
+    let outcome = study.run_kept(asked, keeping.as_ref(), &mut shared)?;
     let mut answer = RunAnswer { outcome, folder: None };
     if shared.stopped() {
         answer.outcome.release();

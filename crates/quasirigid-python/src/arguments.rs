@@ -2,8 +2,9 @@
 //! A time is a number of seconds or a text with its unit, a target a ratio or a text, as on the command line and in the model file.
 
 use pyo3::prelude::*;
-use quasirigid_io::model::{Named, Target};
+use quasirigid_io::model::{Named, Target, former_name};
 use quasirigid_io::units::{Dimension, quantity};
+use quasirigid_study::Setting;
 
 use crate::failure::Failure;
 
@@ -38,9 +39,27 @@ impl Quantity {
     }
 }
 
+/// Warns of a former name, at the line of the user.
+pub fn deprecated(note: &str) -> PyResult<()> {
+    Python::attach(|py| {
+        py.import("quasirigid._arguments")?.getattr("deprecated")?.call1((note,))?;
+        Ok(())
+    })
+}
+
+/// Former name of an argument, by its name of today; empty where it is the same.
+#[pyfunction]
+pub fn former_argument(name: &str) -> String {
+    let setting = Setting::ALL.iter().find(|setting| setting.name() == name);
+    setting.map_or("", |setting| setting.former()).replace('-', "_")
+}
+
 /// A setting that is one of a few; `name` is the argument.
 pub fn named<T: Named>(text: Option<&str>, name: &str) -> Result<Option<T>, Failure> {
     let Some(text) = text else { return Ok(None) };
+    if let Some(today) = T::renamed(text) {
+        deprecated(&former_name(&format!("{name} = {text:?}"), &format!("{today:?}")))?;
+    }
     T::of(text).map(Some).ok_or_else(|| {
         let known: Vec<String> = T::VALUES.iter().map(|(known, ..)| format!("{known:?}")).collect();
         Failure::Input(format!("{name} = {text:?} is not one of {}", known.join(", ")))

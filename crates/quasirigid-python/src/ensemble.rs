@@ -14,8 +14,8 @@ use numpy::{PyArray1, PyArray3, PyArrayMethods, PyReadonlyArray2};
 use pyo3::prelude::*;
 use quasirigid::dynamics::Start;
 use quasirigid_io::record::Column;
-use quasirigid_study::evolution::Asked;
-use quasirigid_study::histories::{Propagation, Table, room};
+use quasirigid_study::histories::{Table, room};
+use quasirigid_study::settings::{PartialEvolve, PartialRun};
 use quasirigid_study::{Study, StudyError, Watch};
 use rayon::prelude::*;
 
@@ -136,13 +136,13 @@ struct EvolutionRow {
 pub fn evolve(
     study: &Arc<Study>,
     starts: &[[f64; 3]],
-    asked: Asked,
+    asked: PartialEvolve,
     shared: &Arc<Shared>,
 ) -> Result<Columns, Failure> {
     // an ensemble has no tables, whose rows are most of the work
-    let asked = Asked { samples: 2, ..asked };
+    let asked = PartialEvolve { samples: Some(2), ..asked };
     let found = each(study, starts, shared, move |study, start, watch| {
-        let evolved = study.evolve_from(start, &asked, watch)?;
+        let evolved = study.evolve_from(start, asked.clone(), watch)?;
         let answers = evolved.has_numbers();
         let record = evolved.record;
         let number = |value: f64| if answers { value } else { f64::NAN };
@@ -214,17 +214,17 @@ struct HistoryRow {
 pub fn simulate(
     study: &Arc<Study>,
     starts: &[[f64; 3]],
-    propagation: &Propagation,
+    asked: &PartialRun,
     table: Table,
     shared: &Arc<Shared>,
 ) -> Result<Histories, Failure> {
-    let samples = table.times.as_ref().map_or_else(|| propagation.samples(study, SAMPLES), Vec::len);
-    let propagation = Propagation { samples: Some(samples), ..*propagation };
+    let samples = study.table_rows(asked, &table);
+    let asked = PartialRun { samples: Some(samples), ..asked.clone() };
     // Rows and the array made of them stand in memory together.
     let kept = if table.coordinates || table.displacements { study.body.coordinates().len() } else { 0 };
     room(samples, 2 * starts.len(), kept)?;
     let found = each(study, starts, shared, move |study, start, watch| {
-        let history = study.simulate_from(start, &propagation, &table, watch)?;
+        let history = study.simulate_from(start, &asked, &table, watch)?;
         Ok(HistoryRow {
             holds: history.holds(),
             message: history.reason().unwrap_or(&history.message).to_owned(),
@@ -235,9 +235,6 @@ pub fn simulate(
     })?;
     Ok(Histories::of(found, samples))
 }
-
-/// Rows of a history unless another number is given: those of a single one.
-const SAMPLES: usize = 1001;
 
 impl Histories {
     fn of(found: Vec<Result<HistoryRow, Failure>>, samples: usize) -> Self {

@@ -75,18 +75,8 @@ const OURS: &str = "quasirigid broke off by an error of its own; please report i
 /// The name of a setting among the arguments.
 fn argument(setting: Setting) -> &'static str {
     match setting {
-        Setting::Duration | Setting::EvolutionDuration => "duration",
-        Setting::Samples => "samples",
-        Setting::System => "system",
-        Setting::Coordinates => "coordinates",
-        Setting::Displacements => "displacements",
-        Setting::Axis => "axis",
-        Setting::Spin => "spin",
-        Setting::From => "start",
-        Setting::Until => "until",
-        Setting::Folder => "folder",
         Setting::Resume => "resume=True",
-        Setting::Threads => "threads",
+        other => other.name(),
     }
 }
 

@@ -28,6 +28,8 @@ mod _core {
     #[pymodule_export]
     use crate::answers::RunAnswer;
     #[pymodule_export]
+    use crate::arguments::former_argument;
+    #[pymodule_export]
     use crate::columns::Columns;
     #[pymodule_export]
     use crate::dictionary::{to_toml, with_changes};

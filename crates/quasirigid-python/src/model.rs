@@ -10,17 +10,16 @@ use numpy::PyReadonlyArray2;
 use pyo3::prelude::*;
 use quasirigid::dynamics::Rounding;
 use quasirigid_io::model::{
-    self as file, EvolveMethod, Manifold, ManifoldMasters, ManifoldStyle, MastersError, Power, System, Verify,
+    self as file, EvolveMethod, ManifoldMasters, ManifoldStyle, MastersError, Power, System,
 };
 use quasirigid_io::record::TableFormat;
-use quasirigid_study::about_spin::AskedManifold;
-use quasirigid_study::evolution::Asked;
-use quasirigid_study::histories::{Propagation, Table};
-use quasirigid_study::modes::{AskedSpin, PrincipalAxis};
+use quasirigid_study::histories::Table;
+use quasirigid_study::modes::{PrincipalAxis, SteadySpinSettings};
+use quasirigid_study::settings::{PartialEvolve, PartialRun, PartialSpinManifold, PartialVerify};
 use quasirigid_study::{Study, StudyError};
 
 use crate::answers::{self, Answer, RunAnswer, RunPlace};
-use crate::arguments::{Quantity, named};
+use crate::arguments::{Quantity, deprecated, named};
 use crate::columns::Columns;
 use crate::ensemble::{self, Histories};
 use crate::failure::Failure;
@@ -49,6 +48,12 @@ impl Model {
         Ok(Self { parsed, studies: Mutex::default() })
     }
 
+    /// The model, with a warning for each former name in its file.
+    fn warned(self) -> PyResult<Self> {
+        self.parsed.former_names.iter().try_for_each(|note| deprecated(note))?;
+        Ok(self)
+    }
+
     /// The study at an order, or at the model's own.
     pub fn study(&self, order: Option<usize>) -> Result<Arc<Study>, Failure> {
         let kept = || self.studies.lock().unwrap_or_else(PoisonError::into_inner);
@@ -65,13 +70,13 @@ impl Model {
     /// Reads the text of a model file; `file` stands in messages, and paths in the text are relative to its folder.
     #[new]
     fn new(py: Python<'_>, text: String, file: PathBuf) -> PyResult<Self> {
-        Ok(interruptible(py, None, |_| Self::of(file::Model::parse(&file, &text)))?)
+        interruptible(py, None, |_| Self::of(file::Model::parse(&file, &text)))?.warned()
     }
 
     /// Reads a model file.
     #[staticmethod]
     fn read(py: Python<'_>, file: PathBuf) -> PyResult<Self> {
-        Ok(interruptible(py, None, |_| Self::of(file::Model::read(&file)))?)
+        interruptible(py, None, |_| Self::of(file::Model::read(&file)))?.warned()
     }
 
     #[getter]
@@ -115,7 +120,7 @@ impl Model {
         order: Option<usize>,
         observer: Observer,
     ) -> PyResult<Answer> {
-        let asked = AskedSpin { omega: spin, axis: named::<PrincipalAxis>(axis, "axis")? };
+        let asked = SteadySpinSettings { omega: spin, axis: named::<PrincipalAxis>(axis, "axis")? };
         Ok(interruptible(py, observer.as_ref(), |_| answers::modes(&*self.study(order)?, asked))?)
     }
 
@@ -124,13 +129,13 @@ impl Model {
     fn about_spin(
         &self,
         py: Python<'_>,
-        asked: AboutSpin,
+        asked: SpinManifoldArgs,
         axis: Option<&str>,
         observer: Observer,
     ) -> PyResult<Answer> {
         let axis = named::<PrincipalAxis>(axis, "axis")?;
-        let asked = AskedManifold { settings: asked.settings()?, axis };
-        Ok(interruptible(py, observer.as_ref(), |_| answers::about_spin(&*self.study(None)?, &asked))?)
+        let asked = asked.partial()?;
+        Ok(interruptible(py, observer.as_ref(), |_| answers::about_spin(&*self.study(None)?, asked, axis))?)
     }
 
     /// The reduced equations.
@@ -144,14 +149,14 @@ impl Model {
     fn simulate(
         &self,
         py: Python<'_>,
-        settings: Settings,
-        table: Contents,
+        settings: RunArgs,
+        table: TableArgs,
         order: Option<usize>,
         observer: Observer,
     ) -> PyResult<Answer> {
-        let (propagation, table) = (settings.propagation()?, table.table()?);
+        let (asked, table) = (settings.partial()?, table.table()?);
         Ok(interruptible(py, observer.as_ref(), |shared| {
-            answers::simulate(&*self.study(order)?, &propagation, &table, shared)
+            answers::simulate(&*self.study(order)?, &asked, &table, shared)
         })?)
     }
 
@@ -161,15 +166,15 @@ impl Model {
         &self,
         py: Python<'_>,
         initial: PyReadonlyArray2<'_, f64>,
-        settings: Settings,
-        table: Contents,
+        settings: RunArgs,
+        table: TableArgs,
         order: Option<usize>,
         observer: Observer,
     ) -> PyResult<Histories> {
         let starts = ensemble::starts(&initial)?;
-        let (propagation, table) = (settings.propagation()?, table.table()?);
+        let (asked, table) = (settings.partial()?, table.table()?);
         Ok(interruptible(py, observer.as_ref(), |shared| {
-            ensemble::simulate(&self.study(order)?, &starts, &propagation, table, shared)
+            ensemble::simulate(&self.study(order)?, &starts, &asked, table, shared)
         })?)
     }
 
@@ -179,64 +184,62 @@ impl Model {
         &self,
         py: Python<'_>,
         initial: PyReadonlyArray2<'_, f64>,
-        asked: AskedSpins,
+        asked: SpinsArgs,
         order: Option<usize>,
         observer: Observer,
     ) -> PyResult<SpinPaths> {
         let starts = ensemble::starts(&initial)?;
         let form = named(asked.form.as_deref(), "form")?;
-        let propagation = Propagation { tolerance: asked.tolerance, form, ..Propagation::default() };
+        let settings = PartialRun { tolerance: asked.tolerance, form, ..PartialRun::default() };
         let rounding = if asked.reproducible { Rounding::Reproducible } else { Rounding::Fastest };
         Ok(interruptible(py, observer.as_ref(), |shared| {
-            spin_paths::spins(&self.study(order)?, &starts, &asked.times, &propagation, rounding, shared)
+            spin_paths::spins(&self.study(order)?, &starts, &asked.times, &settings, rounding, shared)
         })?)
     }
 
     /// The secular evolution.
-    #[pyo3(signature = (wish, order, observer))]
+    #[pyo3(signature = (asked, order, observer))]
     fn evolve(
         &self,
         py: Python<'_>,
-        wish: Wish,
+        asked: EvolveArgs,
         order: Option<usize>,
         observer: Observer,
     ) -> PyResult<Answer> {
-        let (asked, draws) = (wish.read()?, wish.samples_of_uncertainty);
+        let (draws, asked) = (asked.uncertainty_samples, asked.partial()?);
         Ok(interruptible(py, observer.as_ref(), |shared| {
-            let study = self.study(order)?;
-            answers::evolve(&study, &asked(&study), draws, shared)
+            answers::evolve(&*self.study(order)?, asked, draws, shared)
         })?)
     }
 
     /// The secular evolution from many angular velocities.
-    #[pyo3(signature = (initial, wish, order, observer))]
+    #[pyo3(signature = (initial, asked, order, observer))]
     fn evolve_all(
         &self,
         py: Python<'_>,
         initial: PyReadonlyArray2<'_, f64>,
-        wish: Wish,
+        asked: EvolveArgs,
         order: Option<usize>,
         observer: Observer,
     ) -> PyResult<Columns> {
-        let (starts, asked) = (ensemble::starts(&initial)?, wish.read()?);
+        let (starts, asked) = (ensemble::starts(&initial)?, asked.partial()?);
         Ok(interruptible(py, observer.as_ref(), |shared| {
-            let study = self.study(order)?;
-            ensemble::evolve(&study, &starts, asked(&study), shared)
+            ensemble::evolve(&self.study(order)?, &starts, asked, shared)
         })?)
     }
 
     /// The reduced equations against the full system.
-    #[pyo3(signature = (orders, rotations, halvings, order, observer))]
+    #[pyo3(signature = (orders, revolutions, halvings, order, observer))]
     fn verify(
         &self,
         py: Python<'_>,
         orders: Option<Vec<usize>>,
-        rotations: Option<f64>,
+        revolutions: Option<f64>,
         halvings: Option<usize>,
         order: Option<usize>,
         observer: Observer,
     ) -> PyResult<Answer> {
-        let asked = Verify { orders, rotations, halvings };
+        let asked = PartialVerify { revolutions, orders, halvings };
         Ok(interruptible(py, observer.as_ref(), |shared| {
             answers::verify(&*self.study(order)?, asked, shared)
         })?)
@@ -248,14 +251,14 @@ impl Model {
         &self,
         py: Python<'_>,
         place: Option<Place>,
-        settings: Settings,
+        settings: RunArgs,
         order: Option<usize>,
         observer: Observer,
     ) -> PyResult<RunAnswer> {
-        let propagation = settings.propagation()?;
+        let asked = settings.partial()?;
         let place = place.map(Place::read).transpose()?;
         Ok(interruptible(py, observer.as_ref(), |shared| {
-            answers::run(&*self.study(order)?, &propagation, place.as_ref(), shared)
+            answers::run(&*self.study(order)?, &asked, place.as_ref(), shared)
         })?)
     }
 
@@ -283,25 +286,25 @@ impl Place {
     }
 }
 
-/// Settings of a propagation, as a dictionary.
+/// Settings of histories, as a dictionary; what is absent is the model's own.
 #[derive(FromPyObject)]
 #[pyo3(from_item_all)]
-pub struct Settings {
+pub struct RunArgs {
     duration: Option<Quantity>,
     samples: Option<usize>,
     tolerance: Option<f64>,
     form: Option<String>,
-    method: Option<String>,
+    integrator: Option<String>,
 }
 
-impl Settings {
-    fn propagation(&self) -> Result<Propagation, Failure> {
-        Ok(Propagation {
+impl RunArgs {
+    fn partial(&self) -> Result<PartialRun, Failure> {
+        Ok(PartialRun {
             duration: self.duration.as_ref().map(|time| time.seconds("duration")).transpose()?,
             tolerance: self.tolerance,
             samples: self.samples,
             form: named(self.form.as_deref(), "form")?,
-            method: named(self.method.as_deref(), "method")?,
+            integrator: named(self.integrator.as_deref(), "integrator")?,
         })
     }
 }
@@ -309,7 +312,7 @@ impl Settings {
 /// Settings of spins, as a dictionary.
 #[derive(FromPyObject)]
 #[pyo3(from_item_all)]
-pub struct AskedSpins {
+pub struct SpinsArgs {
     times: Vec<f64>,
     tolerance: Option<f64>,
     form: Option<String>,
@@ -319,18 +322,18 @@ pub struct AskedSpins {
 /// Contents of a table, as a dictionary.
 #[derive(FromPyObject)]
 #[pyo3(from_item_all)]
-pub struct Contents {
+pub struct TableArgs {
     system: String,
     coordinates: bool,
     displacements: bool,
     times: Option<Vec<f64>>,
-    manifold: Option<AboutSpin>,
+    spin_manifold: SpinManifoldArgs,
 }
 
 /// Settings of the reduced equations about the spin, as a dictionary; what is absent is the model's own.
 #[derive(FromPyObject)]
 #[pyo3(from_item_all)]
-pub struct AboutSpin {
+pub struct SpinManifoldArgs {
     degree: Option<usize>,
     masters: Option<MasterModes>,
     style: Option<String>,
@@ -343,8 +346,8 @@ enum MasterModes {
     Frequencies(Vec<f64>),
 }
 
-impl AboutSpin {
-    fn settings(&self) -> Result<Manifold, Failure> {
+impl SpinManifoldArgs {
+    fn partial(&self) -> Result<PartialSpinManifold, Failure> {
         let refuse = |error: MastersError| Failure::Input(format!("masters: {error}"));
         let masters = match &self.masters {
             None => None,
@@ -352,52 +355,41 @@ impl AboutSpin {
             Some(MasterModes::Frequencies(list)) => Some(ManifoldMasters::of(list.clone()).map_err(refuse)?),
         };
         let style = named::<ManifoldStyle>(self.style.as_deref(), "style")?;
-        Ok(Manifold { degree: self.degree, masters, style })
+        Ok(PartialSpinManifold { degree: self.degree, masters, style })
     }
 }
 
-impl Contents {
+impl TableArgs {
     fn table(self) -> Result<Table, Failure> {
         let system = named::<System>(Some(&self.system), "system")?.unwrap_or(System::Reduced);
-        let settings = self.manifold.as_ref().map(AboutSpin::settings).transpose()?.unwrap_or_default();
+        let manifold = self.spin_manifold.partial()?;
         let Self { coordinates, displacements, times, .. } = self;
-        let manifold = AskedManifold { settings, axis: None };
         Ok(Table { system, coordinates, displacements, times, manifold })
     }
 }
 
-/// Request for an evolution, as a dictionary; what is absent is the model's own.
+/// Settings of an evolution, as a dictionary; what is absent is the model's own.
 #[derive(FromPyObject)]
 #[pyo3(from_item_all)]
-pub struct Wish {
+pub struct EvolveArgs {
     start: Option<Quantity>,
     until: Option<Quantity>,
     duration: Option<Quantity>,
     samples: Option<usize>,
     power: Option<String>,
     method: Option<String>,
-    samples_of_uncertainty: Option<usize>,
+    uncertainty_samples: Option<usize>,
 }
 
-impl Wish {
-    /// The request, once the study has the model's own.
-    fn read(&self) -> Result<impl Fn(&Study) -> Asked + Send + use<>, Failure> {
-        let from = self.start.as_ref().map(|at| at.target("start")).transpose()?;
-        let until = self.until.as_ref().map(|at| at.target("until")).transpose()?;
-        let duration = self.duration.as_ref().map(|time| time.seconds("duration")).transpose()?;
-        let power = named::<Power>(self.power.as_deref(), "power")?;
-        let method = named::<EvolveMethod>(self.method.as_deref(), "method")?;
-        let samples = self.samples;
-        Ok(move |study: &Study| {
-            let file = study.evolution_asked();
-            Asked {
-                from,
-                until: until.or(file.until),
-                duration: duration.or(file.duration),
-                samples: samples.unwrap_or(file.samples),
-                power: power.or(file.power),
-                method: method.or(file.method),
-            }
+impl EvolveArgs {
+    fn partial(&self) -> Result<PartialEvolve, Failure> {
+        Ok(PartialEvolve {
+            start: self.start.as_ref().map(|at| at.target("start")).transpose()?,
+            until: self.until.as_ref().map(|at| at.target("until")).transpose()?,
+            duration: self.duration.as_ref().map(|time| time.seconds("duration")).transpose()?,
+            samples: self.samples,
+            power: named::<Power>(self.power.as_deref(), "power")?,
+            method: named::<EvolveMethod>(self.method.as_deref(), "method")?,
         })
     }
 }

@@ -7,7 +7,8 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use numpy::{PyArray1, PyArray3, PyArrayMethods};
 use pyo3::prelude::*;
 use quasirigid::dynamics::Rounding;
-use quasirigid_study::histories::{Propagation, room};
+use quasirigid_study::histories::room;
+use quasirigid_study::settings::PartialRun;
 use quasirigid_study::spins::Spins;
 use quasirigid_study::{Study, StudyError};
 use rayon::prelude::*;
@@ -35,17 +36,17 @@ pub fn spins(
     study: &Arc<Study>,
     starts: &[[f64; 3]],
     times: &[f64],
-    propagation: &Propagation,
+    asked: &PartialRun,
     rounding: Rounding,
     shared: &Arc<Shared>,
 ) -> Result<SpinPaths, Failure> {
     // Rows and the array made of them stand in memory together.
     room(times.len(), 2 * starts.len(), 0)?;
-    let (propagation, samples) = (*propagation, times.len());
+    let (settings, samples) = (asked.clone(), times.len());
     let (study, own, times, starts) =
         (Arc::clone(study), Arc::clone(shared), times.to_vec(), starts.to_vec());
     let found = on_pool(shared, move || {
-        let asked = study.spins(&times, &propagation, rounding)?;
+        let asked = study.spins(&times, &settings, rounding)?;
         let (done, count) = (AtomicUsize::new(0), starts.len());
         let blocks = starts.par_chunks(BLOCK).map(|block| {
             let mut watch = RowWatch { shared: &own, remarks: Vec::new() };

@@ -7,6 +7,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 use quasirigid_study::sweep::{self as study, Finished, RunOptions, SweepError};
 
+use crate::arguments::deprecated;
 use crate::columns::Columns;
 use crate::failure::Failure;
 use crate::values::Json;
@@ -42,7 +43,9 @@ impl Sweep {
             };
             Ok(sweep?)
         });
-        Ok(Self(Arc::new(sweep?)))
+        let sweep = sweep?;
+        sweep.study.former_names.iter().try_for_each(|note| deprecated(note))?;
+        Ok(Self(Arc::new(sweep)))
     }
 
     #[getter]
@@ -61,12 +64,10 @@ impl Sweep {
         self.0.row_time
     }
 
-    /// Text of the model of a row.
+    /// Text of the model of a row, by its number from 1.
     fn model_text(&self, row: u64) -> PyResult<String> {
-        if row >= self.0.rows() {
-            return Err(Failure::from(SweepError::NoRow { row, rows: self.0.rows() }).into());
-        }
-        Ok(self.0.model_text(row).map_err(Failure::Input)?)
+        let index = self.0.index(row).map_err(Failure::from)?;
+        Ok(self.0.model_text(index).map_err(Failure::Input)?)
     }
 
     /// Answers the rows into a folder.

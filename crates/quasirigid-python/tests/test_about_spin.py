@@ -60,9 +60,9 @@ def test_coefficients_give_the_backbone() -> None:
 def test_a_history_is_that_of_the_program_and_of_the_full_system(told: Any) -> None:
     about = model("explorer1").about_spin(degree=9)
     history = about.simulate(times=[0, 2, 5], displacements=True)
-    object = told("simulate", "explorer1", "--system", "manifold", "--degree", "9", "--times", "0,2,5")
+    object = told("simulate", "explorer1", "--system", "spin-manifold", "--degree", "9", "--times", "0,2,5")
     assert history.to_dict() == object and history.holds and history.system == "manifold"
-    direct = model("explorer1").simulate("manifold", degree=9, times=[0, 2, 5])
+    direct = model("explorer1").simulate("spin-manifold", degree=9, times=[0, 2, 5])
     np.testing.assert_array_equal(direct.energy, history.energy)
     full = model("explorer1").simulate("full", times=[0, 2, 5])
     # 0.6 % of the energy beyond the steady spin are vibrations at the start
@@ -100,7 +100,7 @@ def test_what_has_no_equations_is_refused_by_kind() -> None:
     for settings, message in cases:
         with pytest.raises(quasirigid.InputError, match=message):
             explorer.about_spin(**settings)
-    with pytest.raises(quasirigid.InputError, match="manifold"):
+    with pytest.raises(quasirigid.InputError, match="spin-manifold"):
         explorer.simulate("full", degree=5, duration=1)
     with pytest.raises(quasirigid.InputError, match="does not circle"):
         explorer.about_spin(axis="greatest").simulate(duration=1)

@@ -57,8 +57,8 @@ def test_an_evolution_is_that_of_the_program(told: Any, example: str) -> None:
 
 
 def test_a_verification_is_that_of_the_program(told: Any) -> None:
-    verification = model("three-masses").verify(orders=[2, 3], rotations=1, halvings=2)
-    options = ["--orders", "2,3", "--rotations", "1", "--halvings", "2"]
+    verification = model("three-masses").verify(orders=[2, 3], revolutions=1, halvings=2)
+    options = ["--orders", "2,3", "--revolutions", "1", "--halvings", "2"]
     assert verification.to_dict() == told("verify", "three-masses", *options)
     assert verification.sentence == "Every order is reached."
 
@@ -215,11 +215,19 @@ evolve = { until = "5 deg" }
 def test_the_uncertainty_of_an_evolution_is_in_its_answer() -> None:
     """The time is proportional to Q: its interval is that of Q, to one of 64 intervals of equal probability."""
     uncertain = Model(ROCK + '[uncertainty]\n"material.rock.rheology.Q" = { log-normal = { median = 100, decades = 0.5 } }\n')
-    plain, drawn = uncertain.evolve(), uncertain.evolve(samples_of_uncertainty=64)
+    plain, drawn = uncertain.evolve(), uncertain.evolve(uncertainty_samples=64)
     assert plain.uncertainty is None and drawn.time == plain.time
     found = drawn.uncertainty
     assert found is not None and found["answered"] == 64 and found["intervals"][0]["name"] == "time"
     for end, sign in zip(found["intervals"][0]["interval_68"], (-1, 1), strict=True):
         assert math.log10(end / drawn.time) == pytest.approx(sign * 0.5 * 0.994458, abs=0.032)
     with pytest.raises(quasirigid.Error, match=r"has no \[uncertainty\]"):
-        Model(ROCK).evolve(samples_of_uncertainty=9)
+        Model(ROCK).evolve(uncertainty_samples=9)
+
+
+def test_one_name_of_two_modes_is_a_question() -> None:
+    named = [("nutation", 0.5), ("tip", 6.0), ("tip", 7.0)]
+    modes = quasirigid.Modes({"json": {"modes": [{"name": n, "frequency": f, "decay_rate": 0.25} for n, f in named]}})
+    assert modes["nutation"]["frequency"] == 0.5
+    with pytest.raises(KeyError, match=r"2 modes have the name 'tip'.*modes\[1\] \(frequency 6 rad/s, decay rate 0.25 1/s\)"):
+        modes["tip"]

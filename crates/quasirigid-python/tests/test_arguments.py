@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from typing import Any
 
@@ -12,6 +13,7 @@ import quasirigid
 from quasirigid import InputError, Model
 
 BOOM = Model(quasirigid.EXAMPLE)
+CARRIER = {"carrier": {"mass": 40.0, "center_of_mass": [0, 0.1, 0], "inertia": [9, 13, 16]}}
 
 
 @pytest.mark.parametrize(
@@ -37,15 +39,15 @@ BOOM = Model(quasirigid.EXAMPLE)
         (lambda: BOOM.simulate(times=[0, 1], samples=3), "times stand in the place"),
         (lambda: BOOM.simulate("rigid", coordinates=True), "no internal coordinates"),
         (lambda: BOOM.simulate(form="x"), "form"),
-        (lambda: BOOM.simulate(method="x"), "method"),
+        (lambda: BOOM.simulate(integrator="x"), "integrator"),
         (lambda: BOOM.simulate(tolerance="x"), "tolerance"),
         (lambda: BOOM.evolve(until=2.0), "between 0 and 1"),
         (lambda: BOOM.evolve(until="3 km"), "until"),
         (lambda: BOOM.evolve(until=0.1), "D/I3 = 0.1"),
         (lambda: BOOM.evolve(start=float("nan")), "start"),
         (lambda: BOOM.evolve(duration=-1), "duration"),
-        (lambda: BOOM.evolve(samples=1), "samples = 1"),
-        (lambda: BOOM.evolve(samples=10**7), "samples = "),
+        (lambda: BOOM.evolve(samples=1), "samples 1 is out of range"),
+        (lambda: BOOM.evolve(samples=10**7 + 1), "give 2 to 10000000"),
         (lambda: BOOM.evolve(power="x"), "power"),
         (lambda: BOOM.modes([1, 2]), "spin has the shape"),
         (lambda: BOOM.modes(np.ma.array([1.0, 2, 3], mask=[0, 1, 0])), "spin has masked values"),
@@ -53,8 +55,8 @@ BOOM = Model(quasirigid.EXAMPLE)
         (lambda: BOOM.evolve(initial=np.ma.masked_less([[1.0, 2, 3]], 2)), "initial has masked values"),
         (lambda: BOOM.simulate(duration=np.ma.masked), "duration is masked"),
         (lambda: BOOM.with_({"carrier.mass": np.ma.masked}), "carrier.mass"),
-        (lambda: BOOM.evolve(samples_of_uncertainty=1), "samples_of_uncertainty = 1"),
-        (lambda: BOOM.evolve(initial=[[1.0, 2, 3]], samples_of_uncertainty=3), "leave initial out"),
+        (lambda: BOOM.evolve(uncertainty_samples=1), "uncertainty_samples 1 is out of range"),
+        (lambda: BOOM.evolve(initial=[[1.0, 2, 3]], uncertainty_samples=3), "leave initial out"),
         (lambda: Model("\ud800"), "surrogate"),
         (lambda: Model(quasirigid.EXAMPLE, file="\ud800"), "is not a path"),
         (lambda: Model.from_file("\ud800"), "is not a path"),
@@ -97,7 +99,7 @@ def test_bad_arguments(call: Callable[[], Any], message: str) -> None:
         (lambda: BOOM.simulate(tolerance=float("nan")), quasirigid.PropagationError),
         (lambda: BOOM.simulate(times=[2.0, 1.0]), quasirigid.PropagationError),
         (lambda: BOOM.simulate(times=[float("nan")]), quasirigid.PropagationError),
-        (lambda: BOOM.verify(rotations=-1), quasirigid.VerificationError),
+        (lambda: BOOM.verify(revolutions=-1), quasirigid.VerificationError),
         (lambda: BOOM.verify(orders=[]), quasirigid.VerificationError),
         (lambda: BOOM.simulate(initial=np.ones((10**6, 3)), samples=10**6), quasirigid.TooLargeError),
     ],
@@ -106,3 +108,22 @@ def test_refusals_of_the_study_have_their_own_kind(call: Callable[[], Any], kind
     with pytest.raises(kind) as caught:
         call()
     assert isinstance(caught.value, quasirigid.Error) and str(caught.value)
+
+
+def test_former_names_are_taken_with_a_warning_that_says_those_of_today() -> None:
+    former: list[tuple[Callable[[], object], str]] = [
+        (lambda: BOOM.simulate("rigid", times=[0, 1], **_any(method="explicit")), "method is now called integrator"),
+        (lambda: BOOM.simulate(times=[0, 1], form="paper"), 'form = "paper" is now called "angular-velocity"'),
+        (lambda: BOOM.verify(orders=[1], halvings=1, **_any(rotations=0.1)), "rotations is now called revolutions"),
+        (lambda: Model.from_dict({**CARRIER, "run": {"verify": {"rotations": 2}}}), "`rotations` in `verify` is now called `revolutions`"),
+    ]
+    for call, note in former:
+        with pytest.warns(DeprecationWarning, match=re.escape(note)) as told:
+            call()
+        assert len(told) == 1 and told[0].filename == __file__
+    with pytest.raises(InputError, match="the former name of revolutions"):
+        BOOM.verify(revolutions=1, **_any(rotations=1))
+
+
+def _any(**arguments: Any) -> dict[str, Any]:
+    return arguments

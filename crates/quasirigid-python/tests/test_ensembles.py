@@ -92,7 +92,7 @@ def test_the_lock_of_the_interpreter_is_released() -> None:
 
     watching = threading.Thread(target=tick)
     watching.start()
-    BOOM.verify(orders=[3], rotations=5, halvings=5)
+    BOOM.verify(orders=[3], revolutions=5, halvings=5)
     done.set()
     watching.join()
     assert len(ticks) >= 3
@@ -120,7 +120,7 @@ def test_the_number_of_threads_changes_no_bit() -> None:
 
 def test_progress_is_told_and_may_end_the_work() -> None:
     told: list[tuple[str, float]] = []
-    BOOM.verify(orders=[3], rotations=5, halvings=5, progress=lambda *stage: told.append(stage))
+    BOOM.verify(orders=[3], revolutions=5, halvings=5, progress=lambda *stage: told.append(stage))
     assert all(0 <= share <= 1 and stage for stage, share in told)
 
     def stop(stage: str, share: float) -> bool:
@@ -143,7 +143,7 @@ def test_a_bar_is_shown_where_tqdm_is_installed(capsys: pytest.CaptureFixture[st
 WORKS = {
     "a history": "model.simulate('full', duration='100000 h', samples=2)",
     "histories": "model.simulate('full', initial=[[0.1, 1.2, 0.0]] * 8, duration='100000 h', samples=2)",
-    "a verification": "model.verify(rotations=1e6)",
+    "a verification": "model.verify(revolutions=1e6)",
 }
 
 

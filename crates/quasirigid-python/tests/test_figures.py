@@ -22,7 +22,7 @@ def test_every_answer_with_a_figure_draws_it() -> None:
         boom.simulate(duration=60, samples=7),
         boom.evolve(),
         boom.modes(),
-        boom.verify(orders=[3], rotations=1, halvings=2),
+        boom.verify(orders=[3], revolutions=1, halvings=2),
         boom.run(duration=60, samples=7),
         boom.simulate(initial=starts, duration=60, samples=7),
         boom.evolve(initial=starts),

@@ -16,61 +16,9 @@ use quasirigid_io::record::RecordError;
 use quasirigid_math::eigen::NoConvergence;
 use quasirigid_math::memory::TooMuchMemory;
 
+use crate::settings::{Setting, SettingError};
 use crate::start::NoWobble;
 use crate::words::significant;
-
-/// A setting that a user may change; each interface to the study has its own name for the setting.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Setting {
-    /// Length of a history.
-    Duration,
-    /// Number of rows of a history.
-    Samples,
-    /// System of equations.
-    System,
-    /// Internal coordinates in the table.
-    Coordinates,
-    /// Displacements in the table.
-    Displacements,
-    /// Principal axis of a steady spin.
-    Axis,
-    /// Angular velocity of a steady spin.
-    Spin,
-    /// Start of an evolution.
-    From,
-    /// End of an evolution.
-    Until,
-    /// Longest time of an evolution.
-    EvolutionDuration,
-    /// Folder of the results of a study.
-    Folder,
-    /// Going on in a folder with results.
-    Resume,
-    /// Number of threads.
-    Threads,
-}
-
-impl Setting {
-    /// The key of the model file, or of the library where the file has none.
-    #[must_use]
-    pub fn key(self) -> &'static str {
-        match self {
-            Self::Duration => "[run] duration",
-            Self::Samples => "[run] samples",
-            Self::System => "[run] systems",
-            Self::Coordinates => "coordinates",
-            Self::Displacements => "displacements",
-            Self::Axis => "axis",
-            Self::Spin => "spin",
-            Self::From => "from",
-            Self::Until => "evolve.until",
-            Self::EvolutionDuration => "evolve = { duration = \"10 yr\" } in [run]",
-            Self::Folder => "folder",
-            Self::Resume => "resume",
-            Self::Threads => "threads",
-        }
-    }
-}
 
 /// Modes listed where one asked for is not there.
 const LISTED_MODES: usize = 6;
@@ -95,29 +43,16 @@ pub enum StudyError {
     Record(RecordError),
     /// A torque over which no average is taken.
     Unaveraged(Unaveraged),
-    /// A duration (s) that is not positive and finite.
-    NoDuration {
-        /// The duration.
-        seconds: f64,
-    },
+    /// A setting out of its range.
+    Setting(SettingError),
     /// A body at rest without a duration: it has no revolutions to count by.
     RestWithoutDuration,
-    /// A duration (s) of an evolution that is not positive and finite.
-    NoEvolutionTime {
-        /// The duration.
-        seconds: f64,
-    },
     /// No start is found.
     NoStart(EquilibriumError),
     /// Reduced equations of a body whose rotors or liquids the spin does not slave. (Q8)
     NoSlowSeries {
         /// The angular velocity of the start (rad/s).
         spin: f64,
-    },
-    /// A number of rows that no table has.
-    Samples {
-        /// The number.
-        samples: usize,
     },
     /// A history that has no room.
     History {
@@ -312,9 +247,8 @@ impl StudyError {
                 format!("{}: {}", folder.display(), problem.replace("{resume}", name(Setting::Resume)))
             }
             Self::Interrupted => "interrupted; the table breaks off here".into(),
-            Self::NoDuration { .. }
-            | Self::RestWithoutDuration
-            | Self::Samples { .. }
+            Self::Setting(cause) => cause.told(name),
+            Self::RestWithoutDuration
             | Self::History { .. }
             | Self::NoCoordinates { .. }
             | Self::SpinsAlone { .. } => self.of_histories(name),
@@ -372,15 +306,9 @@ impl StudyError {
     fn of_histories(&self, name: &dyn Fn(Setting) -> &'static str) -> String {
         let (duration, samples) = (name(Setting::Duration), name(Setting::Samples));
         match self {
-            Self::NoDuration { seconds } => {
-                format!("{duration} {seconds} s is not a duration; give one above zero, such as \"2 h\"")
-            }
             Self::RestWithoutDuration => format!(
                 "the body starts from rest, so there are no revolutions to count the time by; give {duration}, such as \"2 h\""
             ),
-            Self::Samples { samples: rows } => {
-                format!("{samples} {rows} is out of range; give 2 to 10000000")
-            }
             Self::History { samples: rows, cause } => {
                 format!("{rows} rows: {cause}; ask for fewer with {samples}")
             }
@@ -401,7 +329,7 @@ impl StudyError {
     }
 
     fn of_evolutions(&self, name: &dyn Fn(Setting) -> &'static str) -> String {
-        let (from, until) = (name(Setting::From), name(Setting::Until));
+        let (from, until) = (name(Setting::Start), name(Setting::Until));
         match self {
             Self::NoRotationState { ratio, least } => format!(
                 "no rotation of this body has D/I3 = {ratio}: it lies between {least:.6}, a spin about the axis of least inertia, and 1, one about that of greatest, and both limits are steady spins"
@@ -432,13 +360,9 @@ impl StudyError {
                 significant(start.to_degrees(), 3),
                 significant(to.to_degrees(), 3)
             ),
-            Self::NoEvolutionTime { seconds } => format!(
-                "an evolution cannot be followed for {seconds} s; give a time above zero with {}",
-                name(Setting::EvolutionDuration)
-            ),
             Self::NoEvolutionDuration => format!(
                 "under a torque the rotation need not reach any target; say how long to follow it, with {}",
-                name(Setting::EvolutionDuration)
+                Setting::EvolutionDuration.or_in_file(name)
             ),
             Self::DrivenPole => {
                 "the pole of this body is driven, so its rotation is not free; evolve follows free bodies and fixed points".into()
@@ -476,6 +400,7 @@ causes! {
     Verification: VerificationError,
     Record: RecordError,
     Unaveraged: Unaveraged,
+    Setting: SettingError,
 }
 
 impl From<SubmanifoldError> for StudyError {

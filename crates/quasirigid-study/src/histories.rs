@@ -1,102 +1,29 @@
-//! Histories of the spin: duration, rows, tolerance, and systems of equations.
+//! Histories of the spin by one of the systems of equations.
 
-use std::f64::consts::TAU;
 use std::path::Path;
 
-use quasirigid::dynamics::{Event, Form, Method, Nutations, Options, Outcome, Run, Sample, Start};
+use quasirigid::dynamics::{Event, Nutations, Outcome, Run, Sample, Start};
 use quasirigid::model::{Principal, ReducedBody};
-use quasirigid::reduction::{Assessment, Comparison, Criterion, Validity, Verdict, frequencies};
-use quasirigid_io::model::{Named, Stop, System};
+use quasirigid::reduction::{Assessment, Validity, Verdict};
+use quasirigid_io::model::{Named, PartialRun, PartialSpinManifold, System};
 use quasirigid_io::record::{Column, RowTable};
 use quasirigid_math::memory;
-use quasirigid_math::vec3::norm;
 
-use crate::about_spin::{AskedManifold, OnManifold};
-use crate::error::{Setting, StudyError};
+use crate::about_spin::OnManifold;
+use crate::error::StudyError;
 use crate::history_columns::{HistoryTable, Internal};
 use crate::judged::{self, Judged};
 use crate::left_out::LeftOut;
 use crate::motion::{LOOSE, Motion};
 use crate::record::status;
+use crate::settings::{RunSettings, Setting, SpinManifoldSettings};
 use crate::study::Study;
 use crate::table_sink::TableSink;
 use crate::watch::Watch;
 use crate::words::{Accounts, energy_note, followed};
 
-/// Settings of a propagation by the user; absent ones are the file's, or the defaults.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Propagation {
-    /// Duration (s); a hundred revolutions by default.
-    pub duration: Option<f64>,
-    /// Error allowed per step, relative.
-    pub tolerance: Option<f64>,
-    /// Number of rows.
-    pub samples: Option<usize>,
-    /// Variable that is integrated.
-    pub form: Option<Form>,
-    /// Integrator of the full system.
-    pub method: Option<Method>,
-}
-
-/// Revolutions of a propagation without a duration.
-const TURNS: f64 = 100.0;
 /// Numbers of a row, in the history and in its table.
 const ROW: usize = 40;
-/// Rows that a table has.
-const ROWS: std::ops::RangeInclusive<usize> = 2..=10_000_000;
-
-impl Propagation {
-    /// Duration (s) of a motion that starts with an angular velocity (rad/s).
-    ///
-    /// # Errors
-    /// [`StudyError::NoDuration`], [`StudyError::RestWithoutDuration`].
-    pub fn duration(&self, study: &Study, omega: [f64; 3]) -> Result<f64, StudyError> {
-        let Some(seconds) = self.duration else {
-            let usual = Some(TURNS * TAU / norm(omega)).filter(|seconds| seconds.is_finite());
-            return study.model.run.duration.or(usual).ok_or(StudyError::RestWithoutDuration);
-        };
-        if seconds > 0.0 && seconds.is_finite() {
-            Ok(seconds)
-        } else {
-            Err(StudyError::NoDuration { seconds })
-        }
-    }
-
-    /// Number of rows, or `usual`.
-    #[must_use]
-    pub fn samples(&self, study: &Study, usual: usize) -> usize {
-        self.samples.or(study.model.run.samples).unwrap_or(usual)
-    }
-
-    /// Options of the integrator. Nutation is counted from the `axis`.
-    ///
-    /// # Errors
-    /// [`StudyError::Vibration`].
-    pub fn options(&self, study: &Study, axis: [f64; 3]) -> Result<Options, StudyError> {
-        let run = &study.model.run;
-        let usual = Options::default();
-        Ok(Options {
-            events: events(study, axis)?,
-            method: self.method.or(run.method).unwrap_or(usual.method),
-            tolerance: self.tolerance.or(run.tolerance).unwrap_or(usual.tolerance),
-            form: self.form.or(run.form).unwrap_or(Form::AngularMomentum),
-            ..usual
-        })
-    }
-}
-
-/// Events that end a propagation, as the file asks.
-fn events(study: &Study, axis: [f64; 3]) -> Result<Vec<Event>, StudyError> {
-    let Stop { energy, nutation, validity } = study.model.run.stop;
-    let mut events: Vec<Event> = energy.map(Event::Energy).into_iter().collect();
-    events.extend(nutation.map(|angle| Event::Nutation { axis, angle }));
-    if validity && let Some(slowest) = frequencies(&study.body)?.first() {
-        let limit = Criterion { comparison: Comparison::Spin, value: 0.0 }.failure();
-        events.push(Event::Validity { slowest: *slowest, limit });
-    }
-    Ok(events)
-}
-
 /// Axis from which nutation is counted at an angular velocity; that of greatest inertia where the angular momentum circles none. (P8)
 pub(crate) fn circled_axis(body: &ReducedBody, omega: [f64; 3]) -> [f64; 3] {
     let nutation = Nutations::new(body).at(body.angular_momentum(omega));
@@ -112,13 +39,10 @@ pub fn room(samples: usize, histories: usize, coordinates: usize) -> Result<(), 
     memory::ask(numbers * size_of::<f64>() as f64).map_err(|cause| StudyError::History { samples, cause })
 }
 
-/// Output times from zero to `duration`.
-pub(crate) fn even_times(samples: usize, duration: f64) -> Result<Vec<f64>, StudyError> {
-    if !ROWS.contains(&samples) {
-        return Err(StudyError::Samples { samples });
-    }
+/// Output times from zero to `duration`, two or more.
+pub(crate) fn even_times(samples: usize, duration: f64) -> Vec<f64> {
     let last = samples - 1;
-    Ok((0..samples).map(|i| if i == last { duration } else { duration * i as f64 / last as f64 }).collect())
+    (0..samples).map(|i| if i == last { duration } else { duration * i as f64 / last as f64 }).collect()
 }
 
 /// Contents of the table of a history.
@@ -133,7 +57,7 @@ pub struct Table {
     /// Output times (s), in the place of even ones.
     pub times: Option<Vec<f64>>,
     /// Settings of the reduced equations about the spin.
-    pub manifold: AskedManifold,
+    pub manifold: PartialSpinManifold,
 }
 
 /// A history of the spin.
@@ -197,17 +121,18 @@ impl Study {
     /// [`StudyError`] for a start that is none, for settings out of range, and for histories that have no room.
     pub fn simulate(
         &self,
-        propagation: &Propagation,
+        asked: &PartialRun,
         table: &Table,
         watch: &mut dyn Watch,
     ) -> Result<History, StudyError> {
-        self.simulate_from(self.initial()?, propagation, table, watch)
+        self.simulate_from(self.initial()?, asked, table, watch)
     }
 
     /// Number of rows of a table.
     #[must_use]
-    pub fn table_rows(&self, propagation: &Propagation, table: &Table) -> usize {
-        table.times.as_ref().map_or_else(|| propagation.samples(self, TABLE_ROWS), Vec::len)
+    pub fn table_rows(&self, asked: &PartialRun, table: &Table) -> usize {
+        let rows = || asked.samples.or(self.model.run.histories.samples).unwrap_or(TABLE_ROWS);
+        table.times.as_ref().map_or_else(rows, Vec::len)
     }
 
     /// Follows one system of equations, and logs the rows in a file as they come, so that a table of any length needs little memory.
@@ -216,12 +141,12 @@ impl Study {
     /// As [`simulate`](Self::simulate), and [`StudyError::Write`].
     pub fn simulate_logged(
         &self,
-        propagation: &Propagation,
+        asked: &PartialRun,
         table: &Table,
         log: &Path,
         watch: &mut dyn Watch,
     ) -> Result<History, StudyError> {
-        self.follow_table(self.initial()?, propagation, table, Some(log), watch)
+        self.follow_table(self.initial()?, asked, table, Some(log), watch)
     }
 
     /// Follows one system of equations from a rotation in the place of the model's own.
@@ -231,38 +156,37 @@ impl Study {
     pub fn simulate_from(
         &self,
         spin: Start,
-        propagation: &Propagation,
+        asked: &PartialRun,
         table: &Table,
         watch: &mut dyn Watch,
     ) -> Result<History, StudyError> {
-        self.follow_table(spin, propagation, table, None, watch)
+        self.follow_table(spin, asked, table, None, watch)
     }
 
     fn follow_table(
         &self,
         spin: Start,
-        propagation: &Propagation,
+        asked: &PartialRun,
         table: &Table,
         log: Option<&Path>,
         watch: &mut dyn Watch,
     ) -> Result<History, StudyError> {
         let body = &self.body;
-        let options = propagation.options(self, stop_axis(self, spin.omega)?)?;
+        let settings = RunSettings::resolve(asked, self)?;
+        let about_spin = SpinManifoldSettings::resolve(table.manifold.clone(), None, self)?;
+        let options = settings.options(self, stop_axis(self, spin.omega)?)?;
         let times = match &table.times {
             Some(times) => times.clone(),
-            None => {
-                let rows = self.table_rows(propagation, table);
-                even_times(rows, propagation.duration(self, spin.omega)?)?
-            }
+            None => even_times(settings.samples.unwrap_or(TABLE_ROWS), settings.duration(spin.omega)?),
         };
         if log.is_none() {
             let kept = table.coordinates || table.displacements;
             room(times.len(), 1, if kept { body.coordinates().len() } else { 0 })?;
         }
-        for (asked, setting) in
+        for (wanted, setting) in
             [(table.coordinates, Setting::Coordinates), (table.displacements, Setting::Displacements)]
         {
-            if asked && table.system == System::Rigid {
+            if wanted && table.system == System::Rigid {
                 return Err(StudyError::NoCoordinates { setting });
             }
         }
@@ -277,7 +201,7 @@ impl Study {
         };
         let history = HistoryTable::new(body.support(), None);
         let mut sink = TableSink::new(history, internal, &times, log, watch)?;
-        let (run, manifold) = motion.follow(table.system, &table.manifold, &times, &options, &mut sink)?;
+        let (run, manifold) = motion.follow(table.system, &about_spin, &times, &options, &mut sink)?;
         let budget = std::mem::take(&mut sink.budget);
         let (columns, log) = sink.finish()?;
         let (forced, last) = (motion.system().acts(), run.last);
@@ -286,7 +210,7 @@ impl Study {
         // the defect judges the equations about a spin: their energy is truncated, whatever the integrator does
         let note = match &manifold {
             Some(verdict) => verdict.note(),
-            None => energy_note(table.system.name(), forced, accounts),
+            None => energy_note(table.system.recorded(), forced, accounts),
         };
         let notes = note.into_iter().collect();
         let left = manifold.as_ref().and_then(|verdict| verdict.status(run.outcome));

@@ -14,8 +14,8 @@ use quasirigid_io::record::{ROWS, RowLog, RowTable, RunRecord, history_file};
 
 use crate::error::StudyError;
 use crate::hashed::Hashed;
-use crate::histories::Propagation;
 use crate::study::Study;
+use quasirigid_io::model::PartialRun;
 
 /// Time between two checkpoints.
 const PAUSE: Duration = Duration::from_secs(1);
@@ -64,9 +64,9 @@ impl KeptRun {
     ///
     /// # Errors
     /// [`StudyError::KeptRun`] where a folder is there that this run does not go on from, or none is that it should.
-    pub fn open(keeping: &Keeping, study: &Study, propagation: &Propagation) -> Result<Self, StudyError> {
+    pub fn open(keeping: &Keeping, study: &Study, asked: &PartialRun) -> Result<Self, StudyError> {
         let Keeping { folder, resume } = keeping;
-        let identity = identity(study, propagation).map_err(wrong(folder))?;
+        let identity = identity(study, asked).map_err(wrong(folder))?;
         let mut run = Self { folder: folder.clone(), identity, resumes: *resume, record: None, lock: None };
         let problem = |problem: &'static str| StudyError::KeptRun { folder: folder.clone(), problem };
         match (folder.exists(), resume) {
@@ -336,13 +336,13 @@ fn read(bytes: &[u8]) -> Option<Checkpoint> {
 }
 
 /// Checksum of everything that the bits of a run depend on.
-fn identity(study: &Study, propagation: &Propagation) -> io::Result<String> {
+fn identity(study: &Study, asked: &PartialRun) -> io::Result<String> {
     let source = &study.model.source;
     let folder = source.file.parent().unwrap_or(Path::new(""));
     let mut hash = Hashed::default();
     hash.text(env!("CARGO_PKG_VERSION"));
     hash.text(&source.sha256);
-    hash.text(&format!("{propagation:?} {}", study.order));
+    hash.text(&format!("{asked:?} {}", study.order));
     for name in source.files_in(folder) {
         hash.text(&name);
         hash.file(&folder.join(name))?;

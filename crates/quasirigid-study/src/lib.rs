@@ -8,13 +8,13 @@
 //!
 //! ```
 //! use quasirigid_study::Study;
-//! use quasirigid_study::histories::Propagation;
+//! use quasirigid_study::settings::PartialRun;
 //!
 //! # fn main() -> Result<(), Box<dyn std::error::Error>> {
 //! # let folder = tempfile::tempdir()?;
 //! # let (model, folder) = (concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/three-masses/model.toml"), folder.path());
 //! let study = Study::open(model, None)?;
-//! let found = study.run(&Propagation::default(), &mut ())?;
+//! let found = study.run(&PartialRun::default(), &mut ())?;
 //! for note in &found.record.notes {
 //!     println!("note: {note}");
 //! }
@@ -28,16 +28,17 @@
 //!
 //! ```
 //! use quasirigid_study::Study;
-//! use quasirigid_study::modes::AskedSpin;
+//! use quasirigid_study::modes::SteadySpinSettings;
+//! use quasirigid_study::settings::PartialEvolve;
 //!
 //! # fn main() -> Result<(), Box<dyn std::error::Error>> {
 //! # let model = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/boom-satellite/model.toml");
 //! let study = Study::open(model, None)?;
 //! assert!(study.check()?.holds());
-//! for spin in study.modes(AskedSpin::default())?.spins {
+//! for spin in study.modes(SteadySpinSettings::default())?.spins {
 //!     println!("about the axis of {} inertia: {}", spin.axis, spin.sentence);
 //! }
-//! let evolved = study.evolve(&study.evolution_asked(), &mut ())?;
+//! let evolved = study.evolve(PartialEvolve::default(), &mut ())?;
 //! println!("{} after {} s", evolved.record.message, evolved.record.time);
 //! # Ok(())
 //! # }
@@ -80,6 +81,7 @@ pub mod report;
 mod resolution;
 pub mod run;
 mod scene;
+pub mod settings;
 mod spark;
 pub mod spins;
 mod start;
@@ -93,10 +95,11 @@ pub mod verification;
 mod watch;
 mod words;
 
-pub use error::{Setting, StudyError};
+pub use error::StudyError;
 pub use incomplete::beyond;
 pub use kept_run::Keeping;
 pub use left_out::LeftOut;
+pub use settings::{Setting, SettingError};
 pub use start::NoWobble;
 pub use study::Study;
 pub use watch::{STACK, Watch, panic_message, watched};

@@ -35,9 +35,9 @@ impl Named for PrincipalAxis {
         &[("least", Self::Least, ""), ("middle", Self::Middle, ""), ("greatest", Self::Greatest, "")];
 }
 
-/// Request for steady spins; both poles with the angular momentum of the start by default.
+/// Settings of steady spins; both poles with the angular momentum of the start by default.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct AskedSpin {
+pub struct SteadySpinSettings {
     /// An angular velocity (rad/s): the steady spin nearest to its direction, with its size.
     pub omega: Option<[f64; 3]>,
     /// The principal axis to spin about.
@@ -106,7 +106,7 @@ impl Study {
     ///
     /// # Errors
     /// [`StudyError::AxisUnderForces`], and those of a start that is none.
-    pub fn modes(&self, asked: AskedSpin) -> Result<Modes, StudyError> {
+    pub fn modes(&self, asked: SteadySpinSettings) -> Result<Modes, StudyError> {
         let body = &self.body;
         let acting = steady_state::acting_at_start(self);
         let under_forces = acts(body, &acting);

@@ -14,8 +14,9 @@ use quasirigid::verification::VerificationError;
 use quasirigid_io::model::Displacements;
 use quasirigid_math::vec3::{add, norm, scale};
 
-use crate::about_spin::{self, AskedManifold, OnManifold};
+use crate::about_spin::{self, OnManifold};
 use crate::error::StudyError;
+use crate::settings::SpinManifoldSettings;
 use crate::start::{follows_its_spin, slaved_order, slaves};
 use crate::study::Study;
 use quasirigid_io::model::System;
@@ -94,13 +95,13 @@ impl<'a> Motion<'a> {
     pub fn follow(
         &self,
         system: System,
-        manifold: &AskedManifold,
+        about_spin: &SpinManifoldSettings,
         times: &[f64],
         options: &Options,
         observer: &mut dyn Observer,
     ) -> Result<(Run, Option<OnManifold>), StudyError> {
-        if system == System::Manifold {
-            let (run, verdict) = about_spin::follow(self, manifold, times, options, observer)?;
+        if system == System::SpinManifold {
+            let (run, verdict) = about_spin::follow(self, about_spin, times, options, observer)?;
             return Ok((run, Some(verdict)));
         }
         Ok((self.follow_body(system, times, options, observer)?, None))
@@ -116,7 +117,7 @@ impl<'a> Motion<'a> {
         let order = if system == System::Rigid { 0 } else { self.order };
         match system {
             System::Full => Ok(propagate_full(self.system(), &self.full()?, times, options, observer)?),
-            System::Reduced | System::Rigid | System::Manifold if self.system().acts() => {
+            System::Reduced | System::Rigid | System::SpinManifold if self.system().acts() => {
                 let above = SlowEquations::torque_free_order(self.system(), options.form, order);
                 let reduced = above.map(|above| self.study.reduced(above)).transpose()?;
                 let equations = SlowEquations::energy_form(self.system(), order, reduced.as_deref());
@@ -124,7 +125,7 @@ impl<'a> Motion<'a> {
                 let options = if order > 1 { &self.bounded(options)? } else { options };
                 Ok(propagate_forced(equations, &slow, times, options, observer)?)
             }
-            System::Reduced | System::Rigid | System::Manifold => {
+            System::Reduced | System::Rigid | System::SpinManifold => {
                 let reduced = self.study.reduced(order)?;
                 let Start { omega, attitude, place, velocity } = self.start;
                 let (omega, attitude) = if system == System::Reduced && self.starts_displaced() {
@@ -294,7 +295,7 @@ impl<'a> Motion<'a> {
     pub fn equations(&self, system: System, form: Form) -> &'static str {
         let forces = self.system();
         match (system, forces.acts(), form) {
-            (System::Manifold, ..) => "about the steady spin, z' = R(z) on a spectral submanifold",
+            (System::SpinManifold, ..) => "about the steady spin, z' = R(z) on a spectral submanifold",
             (System::Full, ..) => "full: momenta of the body and of every internal coordinate",
             (_, false, Form::AngularMomentum) => {
                 "angular momentum in body axes, energy form: K' = (a v + K x Tv)/(a^2 + K.adj(T)K), v = K x grad E"

@@ -126,7 +126,7 @@ pub fn verification(plan: &VerificationPlan, Proof { verification, average }: &P
         let of = |value: fn(&Difference) -> f64| row.differences.iter().map(value).collect();
         OrderRecord {
             p: row.p,
-            form: row.form.name().into(),
+            form: row.form.recorded().into(),
             order: row.order,
             expected: row.p + 1,
             reached: row.reached(),
@@ -156,7 +156,7 @@ pub fn verification(plan: &VerificationPlan, Proof { verification, average }: &P
 /// A history of some `equations`, in words, that is in work.
 pub fn unfinished(system: System, equations: &str, options: &Options, columns: Vec<Column>) -> HistoryRecord {
     HistoryRecord {
-        system: system.name().into(),
+        system: system.recorded().into(),
         form: equations.into(),
         method: method(system, Work::default()),
         status: UNFINISHED.into(),
@@ -188,7 +188,7 @@ pub fn history(
 ) -> HistoryRecord {
     let (status, message) = status(body, run.outcome, run.last.t);
     HistoryRecord {
-        system: system.name().into(),
+        system: system.recorded().into(),
         form: equations.into(),
         method: method(system, run.work),
         status: status.into(),
@@ -214,7 +214,7 @@ pub fn history(
 fn method(system: System, work: Work) -> String {
     let explicit = work.steps - work.implicit_steps;
     match (system, work.implicit_steps, explicit) {
-        (System::Reduced | System::Rigid | System::Manifold, ..) | (_, 0, _) => {
+        (System::Reduced | System::Rigid | System::SpinManifold, ..) | (_, 0, _) => {
             "explicit Runge-Kutta of order 8 (DOP853)".into()
         }
         (_, _, 0) => "implicit Runge-Kutta of order 13 (Radau IIA)".into(),

@@ -7,19 +7,19 @@ use std::sync::Arc;
 use quasirigid::dynamics::{Options, Outcome, Scan, Start, spin_from_rest};
 use quasirigid::model::ReducedBody;
 use quasirigid::reduction::Verdict;
-use quasirigid_io::model::{Named, System, Verify};
+use quasirigid_io::model::{Named, PartialEvolve, PartialRun, PartialSpinManifold, PartialVerify, System};
 use quasirigid_io::record::{
     AboutSpinRecord, EvolutionRecord, HistoryRecord, RECORD_FORMAT, RunRecord, TableFormat,
     VerificationRecord,
 };
 use quasirigid_math::vec3::norm;
 
-use crate::about_spin::{self, AskedManifold, OnManifold};
+use crate::about_spin::{self, OnManifold};
 use crate::campbell::campbell;
 use crate::derive;
 use crate::error::StudyError;
 use crate::evolution::Evolved;
-use crate::histories::{Propagation, circled_axis, even_times, room};
+use crate::histories::{circled_axis, even_times, room};
 use crate::history_columns::HistoryTable;
 use crate::history_sink::{FrameList, HistorySink};
 use crate::judged::{self, Judged};
@@ -28,6 +28,7 @@ use crate::left_out::LeftOut;
 use crate::liquids::{Liquid, liquids};
 use crate::motion::{DISPLACED, LOOSE, Motion};
 use crate::scene::{self, Frames};
+use crate::settings::{EvolveSettings, RunSettings, SpinManifoldSettings};
 use crate::study::Study;
 use crate::watch::Watch;
 use crate::words::{Accounts, energy_note, significant};
@@ -121,8 +122,8 @@ impl Study {
     ///
     /// # Errors
     /// [`StudyError`] for a start that is none, and for settings out of range; what is interrupted is left out with a note.
-    pub fn run(&self, propagation: &Propagation, watch: &mut dyn Watch) -> Result<RunOutcome, StudyError> {
-        self.run_kept(propagation, None, watch)
+    pub fn run(&self, asked: &PartialRun, watch: &mut dyn Watch) -> Result<RunOutcome, StudyError> {
+        self.run_kept(asked, None, watch)
     }
 
     /// Does everything that the model asks for in `[run]`, and keeps the histories in work in a folder, from which a run that was cut off
@@ -133,16 +134,17 @@ impl Study {
     /// Those of [`run`](Self::run), and [`StudyError::KeptRun`].
     pub fn run_kept(
         &self,
-        propagation: &Propagation,
+        asked: &PartialRun,
         keeping: Option<&Keeping>,
         watch: &mut dyn Watch,
     ) -> Result<RunOutcome, StudyError> {
-        let mut kept = keeping.map(|keeping| KeptRun::open(keeping, self, propagation)).transpose()?;
+        let mut kept = keeping.map(|keeping| KeptRun::open(keeping, self, asked)).transpose()?;
+        let settings = RunSettings::resolve(asked, self)?;
         let Study { model, body, .. } = self;
         let start = self.initial()?;
         let motion = Motion::new(self, start);
         let from_rest = if start.omega == [0.0; 3] {
-            let duration = propagation.duration(self, start.omega)?;
+            let duration = settings.duration(start.omega)?;
             Some(spin_from_rest(motion.system(), motion.start, duration))
         } else {
             None
@@ -168,7 +170,7 @@ impl Study {
         let scene_modes = poles.nearest.clone();
         let left_out = LeftOut::at(self, start.omega, poles.nearest);
         notes.extend(left_out.notes());
-        let plan = Plan::new(self, propagation, &motion, nutating, kept.is_some())?;
+        let plan = Plan::new(self, &settings, &motion, nutating, kept.is_some())?;
         let evolution = plan.evolution(start, &mut notes, watch)?;
         let mut record = RunRecord {
             format: RECORD_FORMAT,
@@ -238,27 +240,27 @@ impl Nutating<'_> {
 impl<'a> Plan<'a> {
     fn new(
         study: &'a Study,
-        propagation: &Propagation,
+        settings: &RunSettings,
         motion: &'a Motion<'a>,
         nutating: Nutating<'a>,
         kept: bool,
     ) -> Result<Self, StudyError> {
         let omega = motion.start.omega;
-        let duration = propagation.duration(study, omega)?;
+        let duration = settings.duration(omega)?;
         let revolutions = duration * norm(omega) / std::f64::consts::TAU;
         let rows = (ROWS_PER_TURN * revolutions).ceil().clamp(ROWS[0], ROWS[1]) as usize;
-        let rows = propagation.samples(study, rows);
+        let rows = settings.samples.unwrap_or(rows);
         let systems = study.model.run.systems.clone().unwrap_or_else(|| vec![System::Reduced, System::Rigid]);
         if !kept {
             room(rows, systems.len() + 1, 0)?;
         }
-        let options = propagation.options(study, circled_axis(nutating.nearly_rigid, omega))?;
-        Ok(Self { study, motion, systems, times: even_times(rows, duration)?, options, nutating })
+        let options = settings.options(study, circled_axis(nutating.nearly_rigid, omega))?;
+        Ok(Self { study, motion, systems, times: even_times(rows, duration), options, nutating })
     }
 
     /// Whether the file asks for the reduced equations about the spin.
     fn asks_about_spin(&self) -> bool {
-        self.study.model.run.manifold.is_some() || self.systems.contains(&System::Manifold)
+        self.study.model.run.spin_manifold.is_some() || self.systems.contains(&System::SpinManifold)
     }
 
     /// The reduced equations about the spin: where the file asks for them, and where those about rest are not enough and these hold.
@@ -292,8 +294,8 @@ impl<'a> Plan<'a> {
         watch: &mut dyn Watch,
     ) -> Result<(), StudyError> {
         for system in &self.systems {
-            if watch.at(system.name(), 0.0).is_break() {
-                record.notes.push(INTERRUPTED.replace("{system}", system.name()));
+            if watch.at(system.recorded(), 0.0).is_break() {
+                record.notes.push(INTERRUPTED.replace("{system}", system.recorded()));
                 continue;
             }
             match self.history(*system, record, frames, kept, watch) {
@@ -312,7 +314,7 @@ impl<'a> Plan<'a> {
             record.notes.push(format!("{DISPLACED}: {SETTLES}."));
         }
         let forced = self.motion.system().acts();
-        let note = |each: &&HistoryRecord| each.system != System::Manifold.name();
+        let note = |each: &&HistoryRecord| each.system != System::SpinManifold.recorded();
         let drift = |each: &HistoryRecord| {
             let &HistoryRecord { energy, energy_drift: drift, dissipated, left_out, .. } = each;
             energy_note(&each.system, forced, Accounts { energy, drift, dissipated, left_out })
@@ -330,7 +332,7 @@ impl<'a> Plan<'a> {
         if self.study.model.run.verify.is_none() {
             return Ok(None);
         }
-        let plan = self.study.verification_plan(Verify::default());
+        let plan = self.study.verification_plan(PartialVerify::default());
         let found = verification::follow(self.motion, &plan, watch)?;
         if found.is_none() {
             notes.push(UNPROVED.into());
@@ -348,8 +350,8 @@ impl<'a> Plan<'a> {
         if self.study.model.run.evolve.is_none() {
             return Ok(None);
         }
-        let Evolved { record, notes: remarks } =
-            evolution::follow(self.study, start, &self.study.evolution_asked(), watch)?;
+        let settings = EvolveSettings::resolve(PartialEvolve::default(), self.study)?;
+        let Evolved { record, notes: remarks } = evolution::follow(self.study, start, &settings, watch)?;
         notes.extend(remarks);
         if record.status != "finished" {
             notes.push(format!("Over many revolutions: {}", record.message));
@@ -366,7 +368,7 @@ impl<'a> Plan<'a> {
         kept: &mut Option<KeptRun>,
         watch: &mut dyn Watch,
     ) -> Result<(HistoryRecord, Option<String>), StudyError> {
-        let name = system.name();
+        let name = system.recorded();
         let body = self.motion.system().body;
         let equations = self.motion.equations(system, self.options.form);
         let table = HistoryTable::new(body.support(), Some(self.nutating.of(system)));
@@ -392,8 +394,9 @@ impl<'a> Plan<'a> {
             sink.resume(resumed)?;
         }
         sink.log_if_long()?;
+        let about_spin = SpinManifoldSettings::resolve(PartialSpinManifold::default(), None, self.study)?;
         let (run, verdict) =
-            self.motion.follow(system, &AskedManifold::default(), &self.times, &self.options, &mut sink)?;
+            self.motion.follow(system, &about_spin, &self.times, &self.options, &mut sink)?;
         let mut followed = sink.finish()?;
         if frames.is_none() {
             let list = std::mem::take(&mut followed.frames);

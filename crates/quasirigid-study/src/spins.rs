@@ -6,9 +6,10 @@ use quasirigid::reduction::Assessment;
 use quasirigid_math::vec3::norm;
 
 use crate::error::StudyError;
-use crate::histories::{Doubts, Propagation};
+use crate::histories::Doubts;
 use crate::motion::Motion;
 use crate::record::status;
+use crate::settings::{PartialRun, RunSettings};
 use crate::study::Study;
 use crate::watch::Watch;
 
@@ -61,10 +62,11 @@ impl Study {
     pub fn spins<'a>(
         &'a self,
         times: &'a [f64],
-        propagation: &Propagation,
+        asked: &PartialRun,
         rounding: Rounding,
     ) -> Result<SpinsAsked<'a>, StudyError> {
-        let options = Options { rounding, ..propagation.options(self, [0.0, 0.0, 1.0])? };
+        let options =
+            Options { rounding, ..RunSettings::resolve(asked, self)?.options(self, [0.0, 0.0, 1.0])? };
         let free = !Motion::new(self, Start::new([0.0; 3], self.model.initial.attitude)).system().acts();
         if !free || !options.events.is_empty() {
             return Err(StudyError::SpinsAlone { forces: !free });

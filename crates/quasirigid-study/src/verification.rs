@@ -6,7 +6,6 @@ use quasirigid::secular::MeasureError;
 use quasirigid::verification::{
     self, AverageError, AverageRow, Verification, VerificationError, VerificationPlan, verify_average,
 };
-use quasirigid_io::model::Verify;
 use quasirigid_io::record::{AverageRecord, OrderRecord, VerificationRecord};
 use quasirigid_io::visible::one_line;
 
@@ -17,23 +16,6 @@ use crate::record;
 use crate::study::Study;
 use crate::watch::Watch;
 use crate::words::{significant, time};
-
-impl Study {
-    /// Plan of a verification: as asked for, or as the file asks; by default every order up to the model's from the highest
-    /// one that is the rigid body: 0 with rotors and liquids, 1 with springs alone.
-    #[must_use]
-    pub fn verification_plan(&self, asked: Verify) -> VerificationPlan {
-        let lowest = usize::from(self.body.cyclic().is_empty());
-        let file = self.model.run.verify.clone().unwrap_or_default();
-        let usual = VerificationPlan::default();
-        VerificationPlan {
-            orders: asked.orders.or(file.orders).unwrap_or_else(|| (lowest..=self.order).collect()),
-            rotations: asked.rotations.or(file.rotations).unwrap_or(usual.rotations),
-            halvings: asked.halvings.or(file.halvings).unwrap_or(usual.halvings),
-            ..usual
-        }
-    }
-}
 
 impl Study {
     /// Verifies the reduced equations of a study; none if the watch ended it.

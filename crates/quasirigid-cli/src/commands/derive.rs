@@ -1,4 +1,4 @@
-use super::{manifold, notes, open, whole};
+use super::{notes, open, whole};
 use crate::args::{About, Derive, DeriveFormat};
 use crate::failure::Failure;
 use crate::{ExitStatus, output};
@@ -7,7 +7,7 @@ use crate::{ExitStatus, output};
 pub fn derive(arguments: &Derive) -> Result<ExitStatus, Failure> {
     let format = if arguments.common.json { DeriveFormat::Json } else { arguments.format };
     match arguments.about {
-        About::Rest if arguments.manifold.is_given() || arguments.axis.is_some() => {
+        About::Rest if arguments.spin_manifold.is_given() || arguments.axis.is_some() => {
             Err(Failure::NotAboutSpin { with: "--about spin" })
         }
         About::Rest => about_rest(arguments, format),
@@ -37,8 +37,8 @@ fn about_spin(arguments: &Derive, format: DeriveFormat) -> Result<ExitStatus, Fa
     }
     let study = open(&arguments.common)?;
     notes(&study, &arguments.common);
-    let asked = manifold(&arguments.manifold, arguments.axis);
-    let equations = whole(&arguments.common, || study.about_spin(&asked))?;
+    let asked = arguments.spin_manifold.partial();
+    let equations = whole(&arguments.common, || study.about_spin(asked, arguments.axis))?;
     output::print(&match format {
         DeriveFormat::Json => format!("{:#}\n", equations.json()),
         _ => equations.text(),

@@ -1,11 +1,13 @@
 use quasirigid_io::model::Target;
 use quasirigid_io::record::history_csv;
-use quasirigid_study::evolution::{self, Asked, Evolved};
+use quasirigid_study::evolution::{self, Evolved};
+use quasirigid_study::settings::{PartialEvolve, uncertainty_samples};
 use quasirigid_study::sweep::uncertainty_text;
+use quasirigid_study::{Setting, StudyError};
 use serde_json::json;
 
-use super::{notes, open, seconds};
-use crate::args::{Evolve, EvolveFormat};
+use super::{notes, open};
+use crate::args::{Evolve, EvolveFormat, seconds};
 use crate::failure::Failure;
 use crate::interrupt::Interrupt;
 use crate::message::remark;
@@ -25,21 +27,21 @@ pub fn evolve(arguments: &Evolve) -> Result<ExitStatus, Failure> {
     if let Some(path) = out {
         output::check_file(path, *overwrite)?;
     }
-    let file = study.evolution_asked();
-    let asked = Asked {
-        from: target("--from", arguments.from.as_deref())?,
-        until: target("--to", arguments.to.as_deref())?.or(file.until),
-        duration: arguments.duration.as_deref().map(seconds).transpose()?.or(file.duration),
-        samples: arguments.samples.map_or(file.samples, |samples| samples as usize),
-        power: arguments.power.or(file.power),
-        method: arguments.method.or(file.method),
+    let asked = PartialEvolve {
+        start: target(Setting::Start, arguments.start.as_deref())?,
+        until: target(Setting::Until, arguments.until.as_deref())?,
+        duration: arguments.duration.as_deref().map(seconds).transpose()?,
+        samples: arguments.samples,
+        power: arguments.power,
+        method: arguments.method,
     };
+    let draws = uncertainty_samples(arguments.uncertainty_samples).map_err(StudyError::from)?;
     let interrupt = Interrupt::listen()?;
     let watch = &mut Terminal::new(&interrupt, common.quiet);
-    let evolved = study.evolve(&asked, watch)?;
+    let evolved = study.evolve(asked, watch)?;
     let Evolved { record, notes: remarks } = &evolved;
-    let uncertainty = match arguments.samples_of_uncertainty {
-        Some(samples) => Some(study.uncertainty(samples as usize, watch)?.ok_or(Failure::Abandoned)?),
+    let uncertainty = match draws {
+        Some(samples) => Some(study.uncertainty(samples, watch)?.ok_or(Failure::Abandoned)?),
         None => None,
     };
     interrupt.forget();
@@ -76,7 +78,8 @@ pub fn evolve(arguments: &Evolve) -> Result<ExitStatus, Failure> {
     Ok(ExitStatus::CheckFailed)
 }
 
-fn target(option: &'static str, text: Option<&str>) -> Result<Option<Target>, Failure> {
+fn target(setting: Setting, text: Option<&str>) -> Result<Option<Target>, Failure> {
+    let option = setting.flag();
     let parsed = text.map(str::parse::<Target>).transpose();
     parsed.map_err(|cause| Failure::Target { option, cause: Box::new(cause) })
 }

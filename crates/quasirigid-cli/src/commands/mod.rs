@@ -15,13 +15,10 @@ pub mod verify;
 
 use std::path::Path;
 
-use quasirigid_io::model::{self, Model};
-use quasirigid_io::units::{Dimension, quantity};
-use quasirigid_study::about_spin::AskedManifold;
-use quasirigid_study::modes::PrincipalAxis;
-use quasirigid_study::{LeftOut, Study, StudyError, histories, watched};
+use quasirigid_io::model::Model;
+use quasirigid_study::{LeftOut, Study, StudyError, watched};
 
-use crate::args::{Common, Manifold, Propagation};
+use crate::args::Common;
 use crate::failure::Failure;
 use crate::message::remark;
 use crate::progress::Terminal;
@@ -54,8 +51,9 @@ fn whole<T: Send>(
     Ok(watched(&mut Terminal::of_whole(common.quiet), work)?)
 }
 
-/// Prints the notes on suspect values of the model, on standard error.
+/// Prints the notes on suspect values and former names of the model, on standard error.
 fn notes(study: &Study, common: &Common) {
+    former_names(&study.model.former_names, common.quiet);
     if !common.quiet {
         study.model.notes.iter().for_each(|note| remark(&format!("note: {note}")));
     }
@@ -72,30 +70,7 @@ fn note_left_out(study: &Study, omega: [f64; 3], common: &Common) -> bool {
     left_out.wrong().is_some()
 }
 
-/// Settings of a propagation from the command line.
-fn propagation(arguments: &Propagation) -> Result<histories::Propagation, Failure> {
-    let Propagation { duration, tolerance, samples, form, method } = arguments;
-    Ok(histories::Propagation {
-        duration: duration.as_deref().map(seconds).transpose()?,
-        tolerance: *tolerance,
-        samples: *samples,
-        form: *form,
-        method: *method,
-    })
-}
-
-/// Settings of the reduced equations about a spin from the command line.
-fn manifold(arguments: &Manifold, axis: Option<PrincipalAxis>) -> AskedManifold {
-    let Manifold { degree, masters, style } = arguments;
-    let settings = model::Manifold { degree: *degree, masters: masters.clone(), style: *style };
-    AskedManifold { settings, axis }
-}
-
-/// A time (s) given on the command line.
-fn seconds(text: &str) -> Result<f64, Failure> {
-    match text.parse() {
-        Ok(seconds) => Ok(seconds),
-        Err(_) => quantity(text, Dimension::TIME)
-            .map_err(|cause| Failure::Duration { text: text.to_owned(), cause: Box::new(cause) }),
-    }
+/// Prints the notes on former names in a file, on standard error.
+fn former_names(notes: &[String], quiet: bool) {
+    notes.iter().filter(|_| !quiet).for_each(|note| remark(&format!("note: {note}")));
 }

@@ -1,4 +1,4 @@
-use quasirigid_study::modes::AskedSpin;
+use quasirigid_study::modes::SteadySpinSettings;
 
 use super::{notes, open, whole};
 use crate::args::ModesArgs;
@@ -10,7 +10,7 @@ pub fn modes(arguments: &ModesArgs) -> Result<ExitStatus, Failure> {
     let study = open(&arguments.common)?;
     notes(&study, &arguments.common);
     let omega = arguments.spin.as_ref().map(|spin| vector(spin)).transpose()?;
-    let found = whole(&arguments.common, || study.modes(AskedSpin { omega, axis: arguments.axis }))?;
+    let found = whole(&arguments.common, || study.modes(SteadySpinSettings { omega, axis: arguments.axis }))?;
     let name = &study.model.name;
     if arguments.common.json {
         output::print(&format!("{:#}\n", found.json(name)))?;

@@ -5,7 +5,7 @@ use quasirigid_io::record::{RunRecord, TableFormat};
 use quasirigid_study::run::RunOutcome;
 use quasirigid_study::{Keeping, Study, summary};
 
-use super::{is_standard_input, model, propagation, whole};
+use super::{former_names, is_standard_input, model, whole};
 use crate::args::RunArgs;
 use crate::failure::Failure;
 use crate::interrupt::Interrupt;
@@ -27,11 +27,12 @@ pub fn run(arguments: &RunArgs) -> Result<ExitStatus, Failure> {
         return Err(Failure::FolderOnStdout { option: "-o" });
     }
     let study = whole(common, || Study::with_visuals(model(common)?, common.order))?;
+    former_names(&study.model.former_names, common.quiet);
     study.initial()?;
     let path = arguments.out.clone().unwrap_or_else(|| default_folder(&study.model));
     let overwrite = *overwrite || *resume && is_partial(&path, &study.model);
     Folder::check(&path, overwrite)?;
-    let asked = propagation(&arguments.propagation)?;
+    let asked = arguments.run.partial()?;
     let interrupt = Interrupt::listen()?;
     let keeping = Keeping::beside(&path, *resume);
     let ours = *resume || !keeping.folder.exists();

@@ -6,7 +6,7 @@ use quasirigid_io::record::{MOST_ROWS, RecordError, TableFormat, history_csv, lo
 use quasirigid_study::StudyError;
 use quasirigid_study::histories::{History, Table};
 
-use super::{manifold, notes, open, propagation};
+use super::{notes, open};
 use crate::args::Simulate;
 use crate::failure::Failure;
 use crate::interrupt::Interrupt;
@@ -17,13 +17,13 @@ use crate::{ExitStatus, output};
 /// Propagates the spin and prints a table.
 pub fn simulate(arguments: &Simulate) -> Result<ExitStatus, Failure> {
     let Simulate { common, out, overwrite, .. } = arguments;
-    if arguments.manifold.is_given() && arguments.system != System::Manifold {
-        return Err(Failure::NotAboutSpin { with: "--system manifold" });
+    if arguments.spin_manifold.is_given() && arguments.system != System::SpinManifold {
+        return Err(Failure::NotAboutSpin { with: "--system spin-manifold" });
     }
     let study = open(common)?;
     notes(&study, common);
     study.initial()?;
-    let asked = propagation(&arguments.propagation)?;
+    let asked = arguments.run.partial()?;
     match out {
         Some(path) if output::is_stdout(path) && common.json => {
             return Err(Failure::TwiceOnStdout { option: "--json" });
@@ -39,7 +39,7 @@ pub fn simulate(arguments: &Simulate) -> Result<ExitStatus, Failure> {
         coordinates: arguments.coordinates,
         displacements: arguments.displacements,
         times: arguments.times.clone(),
-        manifold: manifold(&arguments.manifold, None),
+        manifold: arguments.spin_manifold.partial(),
     };
     let interrupt = Interrupt::listen()?;
     let mut terminal = Terminal::new(&interrupt, common.quiet);

@@ -3,6 +3,7 @@ use std::path::{Path, PathBuf};
 use quasirigid_study::sweep::{Cell, Finished, RowAnswer, RunOptions, Status, Sweep, text};
 use serde_json::{Value, json};
 
+use super::former_names;
 use crate::args::SweepArgs;
 use crate::failure::Failure;
 use crate::interrupt::Interrupt;
@@ -18,6 +19,7 @@ pub fn sweep(arguments: &SweepArgs) -> Result<ExitStatus, Failure> {
     let interrupt = Interrupt::listen()?;
     let mut terminal = Terminal::new(&interrupt, arguments.quiet);
     let sweep = Sweep::open(&arguments.study, &mut terminal)?;
+    former_names(&sweep.study.former_names, arguments.quiet);
     if let Some(row) = arguments.row {
         drop(terminal);
         return one_row(&sweep, row, arguments.json);
@@ -72,8 +74,9 @@ fn told(arguments: &SweepArgs, folder: &Path, finished: &Finished) -> Result<Exi
 
 /// Prints the model of a row and its answers.
 fn one_row(sweep: &Sweep, row: u64, for_machines: bool) -> Result<ExitStatus, Failure> {
-    let answer = sweep.answer(row)?;
-    let model = sweep.model_text(row).unwrap_or_default();
+    let index = sweep.index(row)?;
+    let answer = sweep.answer(index)?;
+    let model = sweep.model_text(index).unwrap_or_default();
     let RowAnswer { outputs, status, reason, note, .. } = &answer;
     if for_machines {
         let cells: serde_json::Map<String, Value> = sweep

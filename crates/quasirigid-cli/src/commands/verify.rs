@@ -1,11 +1,11 @@
-use quasirigid_io::model::Verify as Asked;
-use quasirigid_study::about_spin::{AskedSpinVerification, verification_json, verification_text};
+use quasirigid_study::about_spin::{verification_json, verification_text};
 use quasirigid_study::beyond;
 use quasirigid_study::layout::paragraph;
+use quasirigid_study::settings::{PartialSpinVerify, PartialVerify};
 use quasirigid_study::verification::text;
 use serde_json::json;
 
-use super::{manifold, note_left_out, notes, open};
+use super::{note_left_out, notes, open};
 use crate::args::{About, Verify};
 use crate::failure::Failure;
 use crate::interrupt::Interrupt;
@@ -16,7 +16,7 @@ use crate::{ExitStatus, output};
 /// Sets the full system against the reduced equations, and prints the differences with their order.
 pub fn verify(arguments: &Verify) -> Result<ExitStatus, Failure> {
     match arguments.about {
-        About::Rest if arguments.manifold.is_given() || arguments.amplitude.is_some() => {
+        About::Rest if arguments.spin_manifold.is_given() || arguments.amplitude.is_some() => {
             Err(Failure::NotAboutSpin { with: "--about spin" })
         }
         About::Rest => about_rest(arguments),
@@ -27,12 +27,10 @@ pub fn verify(arguments: &Verify) -> Result<ExitStatus, Failure> {
 fn about_spin(arguments: &Verify) -> Result<ExitStatus, Failure> {
     let study = open(&arguments.common)?;
     notes(&study, &arguments.common);
-    let asked = AskedSpinVerification {
-        about: manifold(&arguments.manifold, None),
-        degrees: arguments.orders.clone(),
+    let asked = PartialSpinVerify {
+        spin_manifold: arguments.spin_manifold.partial(),
+        verify: partial(arguments),
         amplitude: arguments.amplitude.map(f64::to_radians),
-        periods: arguments.rotations,
-        halvings: arguments.halvings,
     };
     let interrupt = Interrupt::listen()?;
     let found = study.verify_about_spin(&asked, &mut Terminal::new(&interrupt, arguments.common.quiet))?;
@@ -52,12 +50,7 @@ fn about_rest(arguments: &Verify) -> Result<ExitStatus, Failure> {
     let study = open(&arguments.common)?;
     notes(&study, &arguments.common);
     note_left_out(&study, study.initial()?.omega, &arguments.common);
-    let asked = Asked {
-        orders: arguments.orders.clone(),
-        rotations: arguments.rotations,
-        halvings: arguments.halvings,
-    };
-    let plan = study.verification_plan(asked);
+    let plan = study.verification_plan(partial(arguments));
     let highest = plan.orders.iter().copied().max().unwrap_or_default();
     let beyond = beyond(&study.model.assembly, highest);
     if let Some(note) = beyond.as_ref().filter(|_| highest > study.order && !quiet) {
@@ -77,4 +70,9 @@ fn about_rest(arguments: &Verify) -> Result<ExitStatus, Failure> {
         }
     }
     Ok(if record.reached { ExitStatus::Done } else { ExitStatus::CheckFailed })
+}
+
+fn partial(arguments: &Verify) -> PartialVerify {
+    let Verify { revolutions, orders, halvings, .. } = arguments;
+    PartialVerify { revolutions: *revolutions, orders: orders.clone(), halvings: *halvings }
 }

@@ -93,7 +93,7 @@ fn a_history_on_the_manifold_is_that_of_the_full_system() {
         assert_eq!(found.code, Some(0), "{}", found.stderr);
         numbers(&found.json()["omega"])
     };
-    let (full, reduced) = (last("full"), last("manifold"));
+    let (full, reduced) = (last("full"), last("spin-manifold"));
     for (full, reduced) in full.iter().zip(&reduced) {
         assert!((full - reduced).abs() < 1e-4, "{full} {reduced}");
     }
@@ -116,12 +116,12 @@ fn verify_measures_the_order_in_the_amplitude() {
 #[test]
 fn evolve_on_the_manifold_agrees_with_the_full_system_or_refuses() {
     let evolved = |method: &str| ran(&format!("evolve {DAMPER} --method {method} --json")).json();
-    let (reduced, full) = (evolved("manifold"), evolved("direct"));
+    let (reduced, full) = (evolved("spin-manifold"), evolved("full"));
     assert_eq!((&reduced["road"], &full["road"]), (&"manifold".into(), &"direct".into()));
     let [own, truth] = [&reduced, &full].map(|answer| answer["time"].as_f64().unwrap());
     let error = reduced["time_error"].as_f64().unwrap();
     assert!((own / truth - 1.0).abs() <= error && error < 0.01, "{own} {truth} {error}");
-    let refused = ran_with(BUCKLED, "evolve model.toml --method manifold --to 0.9990 --json");
+    let refused = ran_with(BUCKLED, "evolve model.toml --method spin-manifold --until 0.9990 --json");
     assert_eq!((refused.code, &refused.json()["status"]), (Some(1), &"refused".into()));
     let told = one_line(&ran_with(BUCKLED, "derive model.toml --about spin").stdout);
     assert!(told.contains("DO NOT HOLD: the steady spin is unstable"), "{told}");
@@ -211,7 +211,7 @@ fn json_has_the_manifold() {
     let length = direction.iter().map(|x| x * x).sum::<f64>().sqrt();
     assert!((length - 1.0).abs() < 1e-5, "{direction:?}"); // truncated beyond degree 9 at 0.4
     let table =
-        Table::of(&ran(&format!("simulate {EXPLORER} --system manifold --degree 9 --times 0")).stdout);
+        Table::of(&ran(&format!("simulate {EXPLORER} --system spin-manifold --degree 9 --times 0")).stdout);
     let start = table.vector(["wx", "wy", "wz"], 0);
     for axis in 0..3 {
         assert!((omega[axis] - start[axis]).abs() < 1e-9 * start[2], "{omega:?} {start:?}");
@@ -226,7 +226,7 @@ fn a_history_follows_the_full_system() {
         (ran.code, Table::of(&ran.stdout).column("energy"), ran.stderr.clone())
     };
     let (code, full, _) = columns("full");
-    let (followed, manifold, told) = columns("manifold --degree 9");
+    let (followed, manifold, told) = columns("spin-manifold --degree 9");
     assert_eq!((code, followed), (Some(0), Some(0)));
     assert!(
         one_line(&told).contains("0.63 % is in vibrations off the manifold, which are left out"),
@@ -238,12 +238,12 @@ fn a_history_follows_the_full_system() {
 
 #[test]
 fn a_history_that_leaves_the_range_says_so_first() {
-    let ran = ran(&format!("simulate {EXPLORER} --system manifold --times 0,5,30"));
+    let ran = ran(&format!("simulate {EXPLORER} --system spin-manifold --times 0,5,30"));
     assert_eq!(ran.code, Some(1));
     assert!(ran.stderr.starts_with("quasirigid: The history LEFT THE RANGE"), "{}", ran.stderr);
     assert_eq!(Table::of(&ran.stdout).rows.len(), 3);
     let json =
-        crate::support::ran(&format!("simulate {EXPLORER} --system manifold --times 0,5,30 --json -q"));
+        crate::support::ran(&format!("simulate {EXPLORER} --system spin-manifold --times 0,5,30 --json -q"));
     assert_eq!((json.code, &json.json()["status"]), (Some(1), &Value::from("left-validity")));
     let manifold = &json.json()["manifold"];
     assert_eq!((&manifold["holds"], &manifold["defect"]["time"]), (&Value::from(false), &Value::from(30.0)));
@@ -253,7 +253,7 @@ fn a_history_that_leaves_the_range_says_so_first() {
 #[test]
 fn a_history_that_the_motion_leaves_by_itself_says_so_first() {
     let heavy = example("nutation-damper").replace("mass = 0.1\n", "mass = 4.17431\n");
-    let told = ran_with(&heavy, "simulate model.toml --system manifold --times 0,25");
+    let told = ran_with(&heavy, "simulate model.toml --system spin-manifold --times 0,25");
     assert_eq!(told.code, Some(1));
     let first = "quasirigid: The history DOES NOT HOLD: a motion of \"damper\" along its line grows e-fold in 0.5459 s";
     assert!(one_line(&told.stderr).starts_with(first), "{}", told.stderr);
@@ -264,7 +264,7 @@ fn a_history_that_the_motion_leaves_by_itself_says_so_first() {
 fn a_history_of_vibrations_says_so_first() {
     let start = "angular_velocity = [0.002, 0.002, \"750 rpm\"]\ndisplacements = { \"whip +x\" = [0, \"5 deg\"], \"whip -x\" = [0, \"5 deg\"] }";
     let model = example("explorer1").replace("angular_velocity = [0.75, 0.75, \"750 rpm\"]", start);
-    let told = ran_with(&model, "simulate model.toml --system manifold --times 0,1");
+    let told = ran_with(&model, "simulate model.toml --system spin-manifold --times 0,1");
     assert_eq!(told.code, Some(1));
     let told = one_line(&told.stderr);
     assert!(told.starts_with("quasirigid: The history DOES NOT HOLD: the vibrations of the start"), "{told}");
@@ -286,7 +286,7 @@ fn what_has_no_equations_about_its_spin_is_refused_in_words() {
     let cases: [(&str, &str, &str); 11] = [
         (&example("apophis"), "derive model.toml --about spin", "has no equations of motion of its own"),
         (&forced, "derive model.toml --about spin", "without external forces (push)"),
-        (&forced, "simulate model.toml --system manifold", "follow it with --system full"),
+        (&forced, "simulate model.toml --system spin-manifold", "follow it with --system full"),
         (&driven, "derive model.toml --about spin", "without external forces"),
         (&sphere, "derive model.toml --about spin", "no mode about this spin is a nutation"),
         (MODEL, "derive model.toml --about spin --degree 12", "lies from 1 to 11"),
@@ -297,7 +297,7 @@ fn what_has_no_equations_about_its_spin_is_refused_in_words() {
         ),
         (MODEL, "derive model.toml --about spin --masters 1,2,3,4", "names no masters"),
         (MODEL, "derive model.toml --about spin --axis middle", "take --axis least or greatest"),
-        (&stop, "simulate model.toml --system manifold", "know no events"),
+        (&stop, "simulate model.toml --system spin-manifold", "know no events"),
         (MODEL, "derive model.toml --degree 3", "add --about spin"),
     ];
     for (model, line, message) in cases {

@@ -49,10 +49,10 @@ fn orders_beyond_the_kinematics_are_said() {
 
 #[test]
 fn a_verification_beyond_the_kinematics_does_not_end_with_every_order_reached() {
-    let ran = ran_with(ELLIPSOID, "verify model.toml --orders 3,4 --rotations 0.1 --halvings 1");
+    let ran = ran_with(ELLIPSOID, "verify model.toml --orders 3,4 --revolutions 0.1 --halvings 1");
     let last = ran.stdout.trim_end().replace('\n', " ");
     assert!(last.contains("complete to order 3") && last.ends_with("in the full system, too."), "{last}");
-    let ran = ran_with(ELLIPSOID, "verify model.toml --orders 3 --rotations 0.1 --halvings 1");
+    let ran = ran_with(ELLIPSOID, "verify model.toml --orders 3 --revolutions 0.1 --halvings 1");
     assert!(!ran.stdout.contains("complete to order"), "{}", ran.stdout);
     assert!(ran.stdout.contains("in the paper's form"), "{}", ran.stdout);
 }

@@ -91,9 +91,13 @@ fn assert_spin(formula: &str, duration: f64, expected: f64, error: f64) {
     let spinning = AXIAL.replace("angular_velocity = [0, 0, 0]", "angular_velocity = [0, 0, 0.5]");
     let force = format!("[[force]]\nkind = \"expression\"\ntorque = [\"0\", \"0\", \"{formula}\"]\n");
     let folder = folder_with(&format!("{spinning}{force}"));
-    for system in
-        ["full --method explicit", "full --method implicit", "reduced", "rigid", "rigid --tolerance 1e-9"]
-    {
+    for system in [
+        "full --integrator explicit",
+        "full --integrator implicit",
+        "reduced",
+        "rigid",
+        "rigid --tolerance 1e-9",
+    ] {
         let line = format!("simulate model.toml --system {system} --duration {duration} --samples 2 --json");
         let rate = vector(&finished(&ran_in(folder.path(), &line)), "omega")[2];
         assert!((rate - expected).abs() < error, "{system}: {rate} for {expected}, {formula}");
@@ -206,8 +210,9 @@ fn a_short_thrust_moves_the_centre_of_mass() {
 fn a_pulse_on_a_spinning_body_is_seen_by_both_integrators() {
     let model =
         with_torque("15*(step(t-1000)-step(t-1000.1))").replace("[0, 0, 0]\ndisp", "[0, 0, 7.292e-5]\ndisp");
-    let end = |method: &str| {
-        let line = format!("simulate model.toml --system full --method {method} --duration 1100 --json");
+    let end = |integrator: &str| {
+        let line =
+            format!("simulate model.toml --system full --integrator {integrator} --duration 1100 --json");
         vector(&finished(&ran_with(&model, &line)), "momentum")
     };
     let [explicit, implicit] = ["explicit", "implicit"].map(end);
@@ -309,7 +314,7 @@ fn a_run_starts_from_rest() {
 #[test]
 fn equations_about_a_spin_take_no_pulses() {
     let model = with_torque("step(t-5)").replace("[0, 0, 0]\ndisp", "[0, 0, 0.2]\ndisp");
-    let ran = ran_with(&model, "simulate model.toml --system manifold --duration 10");
+    let ran = ran_with(&model, "simulate model.toml --system spin-manifold --duration 10");
     assert!(ran.refusal().contains("force 1"), "{ran:?}");
     let evolve = ran_with(&model, "evolve model.toml --method average");
     assert_ne!(evolve.code, Some(0), "{evolve:?}");

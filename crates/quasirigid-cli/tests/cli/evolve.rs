@@ -40,7 +40,7 @@ fn close(found: f64, expected: f64, tolerance: f64) {
 fn powers_and_times_are_the_published_ones() {
     let folder = folder_with(ASTEROID);
     let json = |from: f64, to: f64| {
-        ran_in(folder.path(), &format!("evolve model.toml --from {from:.17} --to {to:.17} --json")).json()
+        ran_in(folder.path(), &format!("evolve model.toml --start {from:.17} --until {to:.17} --json")).json()
     };
     for row in published("kelvin_voigt.csv") {
         let found = json(row[0], 0.999);
@@ -59,8 +59,8 @@ fn powers_and_times_are_the_published_ones() {
 #[test]
 fn table_and_words_agree_with_the_object() {
     let folder = folder_with(ASTEROID);
-    let object = ran_in(folder.path(), "evolve model.toml --to 5deg --json").json();
-    let csv = ran_in(folder.path(), "evolve model.toml --to 5deg --format csv --samples 33");
+    let object = ran_in(folder.path(), "evolve model.toml --until 5deg --json").json();
+    let csv = ran_in(folder.path(), "evolve model.toml --until 5deg --format csv --samples 33");
     let table = Table::of(&csv.stdout);
     assert_eq!((csv.code, table.rows.len()), (Some(0), 33));
     for (name, key) in [("t", "time"), ("turns", "turns"), ("D_over_I3", "ratio_end")] {
@@ -70,12 +70,12 @@ fn table_and_words_agree_with_the_object() {
     close(wobble[0].to_degrees(), 20.0, 1e-10);
     close(wobble[32].to_degrees(), 5.0, 1e-12);
     assert!(table.column("power").is_sorted_by(|a, b| a > b));
-    let text = ran_in(folder.path(), "evolve model.toml --to 5deg").stdout;
+    let text = ran_in(folder.path(), "evolve model.toml --until 5deg").stdout;
     assert!(
         text.starts_with("asteroid: The wobble about the axis of greatest inertia falls from 20.0 to 5.00"),
         "{text}"
     );
-    let file = ran_in(folder.path(), "evolve model.toml --to 5deg --samples 33 --out table.csv --json");
+    let file = ran_in(folder.path(), "evolve model.toml --until 5deg --samples 33 --out table.csv --json");
     assert_eq!(file.code, Some(0));
     assert_eq!(fs::read_to_string(folder.path().join("table.csv")).unwrap(), csv.stdout);
     let again = ran_in(folder.path(), "evolve model.toml --out table.csv");
@@ -106,7 +106,7 @@ fn duration_ends_the_evolution() {
     let half = ran_in(folder.path(), "evolve model.toml --json --duration 1e14").json();
     close(number(&half, "time"), 1e14, 1e-9);
     let to = number(&half, "ratio_end");
-    let back = ran_in(folder.path(), &format!("evolve model.toml --json --to {to:.17}")).json();
+    let back = ran_in(folder.path(), &format!("evolve model.toml --json --until {to:.17}")).json();
     close(number(&back, "time"), 1e14, 1e-6);
 }
 
@@ -148,27 +148,55 @@ fn slow_torques_are_averaged_and_others_refused() {
 #[test]
 fn ends_of_the_way_have_the_names_of_the_file_too() {
     let rows = |line: &str| ran_with(ASTEROID, &format!("evolve model.toml --format csv {line}")).stdout;
-    let known = rows("--from 0.95 --to 0.99");
+    let known = rows("--start 0.95 --until 0.99");
     assert!(known.lines().count() > 2);
     assert_eq!(rows("--start 0.95 --until 0.99"), known);
+}
+
+/// A former name does what the name of today does, and says that name once.
+#[test]
+fn former_names_are_taken_with_a_note() {
+    let folder = folder_with(ASTEROID);
+    let [former, today] = ["--from 0.95 --to 0.99", "--start 0.95 --until 0.99"]
+        .map(|line| ran_in(folder.path(), &format!("evolve model.toml {line}")));
+    assert_eq!(former.stdout, today.stdout);
+    assert!(!today.stderr.contains("is now called"), "{}", today.stderr);
+    for name in ["--from is now called --start", "--to is now called --until"] {
+        assert_eq!(crate::support::one_line(&former.stderr).matches(name).count(), 1, "{}", former.stderr);
+    }
+    let quiet = ran_in(folder.path(), "evolve model.toml --from 0.95 --to 0.99 --quiet");
+    assert!(!quiet.stderr.contains("is now called"), "{}", quiet.stderr);
+}
+
+/// A start that the file gives is that of the flag.
+#[test]
+fn start_of_the_file_is_that_of_the_command() {
+    let model = format!("{ASTEROID}\n[run]\nevolve = {{ start = 0.95, until = 0.99 }}\n");
+    let told = |model: &str, line: &str| {
+        let ran = ran_with(model, &format!("evolve model.toml --json {line}"));
+        (ran.json()["start"].clone(), ran.json()["time"].clone())
+    };
+    assert_eq!(told(&model, ""), told(ASTEROID, "--start 0.95 --until 0.99"));
 }
 
 #[test]
 fn what_cannot_be_is_refused() {
     let refusal = |line: &str| ran_with(ASTEROID, &format!("evolve model.toml {line}")).refusal().to_owned();
-    assert_snapshot!(refusal("--to 0.2"), @r#"
+    assert_snapshot!(refusal("--until 0.2"), @r#"
     quasirigid: no rotation of this body has D/I3 = 0.2: it lies between 0.348068,
     a spin about the axis of least inertia, and 1, one about that of greatest, and
     both limits are steady spins
     "#);
-    assert_snapshot!(refusal("--from 0.99 --to 0.95"), @r#"
+    assert_snapshot!(refusal("--start 0.99 --until 0.95"), @r#"
     quasirigid: dissipation only raises D/I3, and the target 0.95 lies below the
-    start, 0.99; choose a higher one with --to, or an earlier start with --from
+    start, 0.99; choose a higher one with --until, or an earlier start with --start
     "#);
-    assert_snapshot!(refusal("--to 5%"), @r#"
-    quasirigid: --to: "5%" is neither a part of I3 nor an angle; write for example
+    assert_snapshot!(refusal("--until 5%"), @r#"
+    quasirigid: --until: "5%" is neither a part of I3 nor an angle; write for example
     "98% of I3", 0.98 or "5 deg"
     "#);
+    let too_many = refusal("--samples 10000001");
+    assert_eq!(too_many.trim_end(), "quasirigid: --samples 10000001 is out of range; give 2 to 10000000");
     let steady = MODEL.replace("[0.12, 0.035, 0.02]", "[0.0, 0.0, 0.0]");
     assert_eq!(ran_with(&steady, "evolve model.toml").code, Some(2));
     let periods = ASTEROID.replace(
@@ -253,7 +281,7 @@ fn run_and_evolve_tell_the_same_wobble() {
 /// A target wobble that is lost in rounding is called too small, not a separatrix.
 #[test]
 fn a_wobble_lost_in_rounding_is_called_too_small() {
-    let ran = ran("evolve examples/boom-satellite/model.toml --to 1e-6deg");
+    let ran = ran("evolve examples/boom-satellite/model.toml --until 1e-6deg");
     assert!(ran.stderr.replace('\n', " ").contains("is too small to be followed"), "{}", ran.stderr);
     assert!(!ran.stderr.contains("separatrix"), "{}", ran.stderr);
 }

@@ -50,7 +50,7 @@ fn verify_prints_orders_and_fails_where_one_is_not_reached() {
         assert_eq!(json["orders"][row]["errors"].as_array().unwrap().len(), 5);
     }
     let soft = MODEL.replace("angular_velocity = [0.12, 0.035, 0.02]", "angular_velocity = [9, 4, 3]");
-    let ran = ran_with(&soft, "verify model.toml --orders 1 --halvings 1 --rotations 60");
+    let ran = ran_with(&soft, "verify model.toml --orders 1 --halvings 1 --revolutions 60");
     assert_eq!(ran.code, Some(1), "{}", ran.stderr);
     assert!(ran.stdout.contains("NOT REACHED"), "{}", ran.stdout);
 }
@@ -101,12 +101,12 @@ fn panels_thrown_far_end_the_full_system_in_words() {
 /// Free vibrations alone in the stiff part allow implicit steps of a third of a millisecond on curved paths: 15 000 of these.
 #[test]
 fn implicit_steps_on_a_beam_are_as_long_as_its_motion_allows() {
-    let line = |method: &str| {
+    let line = |integrator: &str| {
         format!(
-            "simulate model.toml --system full --duration 0.5s --samples 2 --tolerance 1e-10 --json --method {method}"
+            "simulate model.toml --system full --duration 0.5s --samples 2 --tolerance 1e-10 --json --integrator {integrator}"
         )
     };
-    let [implicit, explicit] = ["implicit", "explicit"].map(|method| ran_with(BOOM, &line(method)).json());
+    let [implicit, explicit] = ["implicit", "explicit"].map(|name| ran_with(BOOM, &line(name)).json());
     assert!(implicit["steps"].as_u64().unwrap() < 400, "{}", implicit["steps"]);
     let [a, b] = [&implicit, &explicit].map(|object| numbers(&object["omega"]));
     assert!(a.iter().zip(&b).all(|(a, b)| (a - b).abs() < 1e-9), "{a:?} {b:?}");
@@ -168,7 +168,7 @@ fn verify_proves_the_average() {
     let order = average["order"].as_f64().unwrap();
     assert!((order - 2.0).abs() < 5e-3 && average["reached"] == true, "{average}");
     assert_eq!(average["errors"].as_array().unwrap().len(), 4);
-    let held = ran("verify examples/heavy-top/model.toml --orders 1 --halvings 1 --rotations 1");
+    let held = ran("verify examples/heavy-top/model.toml --orders 1 --halvings 1 --revolutions 1");
     assert!(
         held.stdout.contains("The average is left out: the average is of a free body"),
         "{}",
@@ -180,7 +180,7 @@ fn verify_proves_the_average() {
 fn verify_refuses_what_means_nothing() {
     for (options, message) in [
         ("--orders 11", "choose orders from 0 to 10"),
-        ("--rotations 0", "more than 0 rotations"),
+        ("--revolutions 0", "more than 0 rotations"),
         ("--halvings 0", "1 to 12 halvings"),
     ] {
         let ran = ran(&format!("verify examples/three-masses/model.toml {options}"));
@@ -281,7 +281,7 @@ fn displacements_of_the_full_system_are_columns_of_the_table() {
 
 #[test]
 fn a_run_proves_itself_where_the_model_asks() {
-    let folder = folder_with(&model("", "", "verify = { rotations = 2, orders = [1, 3] }\n"));
+    let folder = folder_with(&model("", "", "verify = { revolutions = 2, orders = [1, 3] }\n"));
     let ran = ran_in(folder.path(), "run model.toml -o spin");
     assert_eq!(ran.code, Some(0), "{}", ran.stderr);
     assert!(ran.stdout.contains("Every order is reached."), "{}", ran.stdout);
@@ -296,7 +296,7 @@ fn a_run_proves_itself_where_the_model_asks() {
 
 #[test]
 fn a_run_that_is_not_proved_fails_and_says_so() {
-    let fast = model("", "", "verify = { rotations = 60, orders = [1], halvings = 1 }\n")
+    let fast = model("", "", "verify = { revolutions = 60, orders = [1], halvings = 1 }\n")
         .replace("angular_velocity = [0.12, 0.035, 0.02]", "angular_velocity = [9, 4, 3]");
     let ran = ran_with(&fast, "run model.toml -o spin --duration 1");
     assert_eq!(ran.code, Some(1), "{}", ran.stderr);

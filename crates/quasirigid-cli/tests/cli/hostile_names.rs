@@ -96,7 +96,7 @@ fn name_of_a_file_stays_in_its_line() {
     let name = "one\r\\input{x}\ntwo\u{1b}[2J";
     let folder = folder_with(MODEL);
     fs::copy(folder.path().join("model.toml"), folder.path().join(format!("{name}.toml"))).unwrap();
-    for line in ["check", "modes", "evolve", "derive", "verify --halvings 1 --rotations 1"] {
+    for line in ["check", "modes", "evolve", "derive", "verify --halvings 1 --revolutions 1"] {
         let mut arguments = line.split_whitespace();
         let mut command = program(folder.path());
         command.args(arguments.next()).arg(format!("{name}.toml")).args(arguments);

@@ -167,7 +167,7 @@ fn full_system_ends_on_ctrl_c_with_its_table_valid_up_to_there() {
 #[test]
 fn verification_ends_on_ctrl_c() {
     let folder = folder_of("three-masses");
-    let ran = interrupted(&folder, "verify model.toml --rotations 1e7");
+    let ran = interrupted(&folder, "verify model.toml --revolutions 1e7");
     assert_eq!((ran.code, &*ran.stdout), (Some(1), ""));
     assert_eq!(ran.stderr, "quasirigid: the verification was interrupted; nothing was measured\n");
 }
@@ -178,7 +178,7 @@ fn interrupted_proof_is_left_out_of_the_record() {
     let folder = folder_of("three-masses");
     let file = folder.path().join("model.toml");
     let text = fs::read_to_string(&file).unwrap();
-    fs::write(&file, text + "verify = { rotations = 1e7 }\n").unwrap();
+    fs::write(&file, text + "verify = { revolutions = 1e7 }\n").unwrap();
     let after_histories = |child: &Child| {
         wait_until_it_listens(child);
         std::thread::sleep(Duration::from_secs(2));

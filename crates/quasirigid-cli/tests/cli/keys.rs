@@ -105,7 +105,9 @@ fn keys_of_equations_about_a_spin_are_those_of_the_guide() {
 fn keys_of_histories_are_those_of_the_guide() {
     let simulate = printed(&["simulate examples/three-masses/model.toml --samples 2 --duration 1"]);
     let mut simulate = simulate;
-    simulate.extend(printed(&["simulate examples/nutation-damper/model.toml --system manifold --times 0,1"]));
+    simulate.extend(printed(&[
+        "simulate examples/nutation-damper/model.toml --system spin-manifold --times 0,1",
+    ]));
     assert_same(&simulate, &listed(PAGE, "`simulate`"));
     let verify = "verify examples/boom-satellite/model.toml --orders 1 --halvings 2";
     assert_same(&printed(&[verify]), &listed(PAGE, "`verify`"));
@@ -116,9 +118,9 @@ fn keys_of_evolve_are_those_of_the_guide() {
     let mut evolve = printed(&[
         "evolve examples/apophis/model.toml",
         "evolve examples/nutation-damper/model.toml",
-        "evolve examples/nutation-damper/model.toml --from 80deg --to 5deg --method average",
+        "evolve examples/nutation-damper/model.toml --start 80deg --until 5deg --method average",
     ]);
-    evolve.insert("uncertainty".to_owned()); // with --samples-of-uncertainty alone
+    evolve.insert("uncertainty".to_owned()); // with --uncertainty-samples alone
     assert_same(&evolve, &listed(PAGE, "`evolve`"));
 }
 
@@ -158,11 +160,11 @@ fn keys_of_derive_are_those_of_the_guide() {
 /// A refused evolution has unknown numbers, and lists them; events that never happen have infinite times.
 #[test]
 fn null_is_what_is_infinite_or_not_known() {
-    let refused = ran("evolve examples/spherical-tank/model.toml --method direct --json --quiet").json();
+    let refused = ran("evolve examples/spherical-tank/model.toml --method full --json --quiet").json();
     assert!(refused["time"].is_null() && refused["power"].is_null(), "{refused}");
     assert_eq!(refused["not_known"], serde_json::json!(["time", "turns"]));
     let lossless = MODEL.replace("damping = 30.0", "damping = 0.0");
-    let forever = ran_with(&lossless, "evolve model.toml --to 0.99 --json --quiet").json();
+    let forever = ran_with(&lossless, "evolve model.toml --until 0.99 --json --quiet").json();
     assert!(forever["time"].is_null() && forever["damping_time"].is_null(), "{forever}");
     assert_eq!(forever["not_known"], serde_json::json!([]));
 }

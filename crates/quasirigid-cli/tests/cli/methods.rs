@@ -247,7 +247,7 @@ fn a_gyrostat_comes_to_its_steady_spin_as_in_the_full_system() {
     let wide = as_the_full_system(&format!("{wide}[run]\nevolve = {{ until = \"60 deg\" }}\n"), "direct");
     assert!(number(&wide, "separatrix_time") > 0.0, "{wide}");
     let small = stiff.replace("[0.3, 0.4, 0.4]", "[0.14, 0.17, 0.63]");
-    let [modes, followed] = ["--method modes", ""].map(|method| evolved(&small, method).1);
+    let [modes, followed] = ["--method modal-rates", ""].map(|method| evolved(&small, method).1);
     assert_eq!((&modes["road"], &followed["road"]), (&"modes".into(), &"manifold".into()));
     close(number(&modes, "time"), number(&followed, "time"), 5e-3);
 }
@@ -267,11 +267,11 @@ fn an_evolution_with_wheels_that_has_no_answer_says_why() {
     let steady = "axis = [0, 0, 1]\nmomentum = 5.0";
     let driven = "axis = [0, 0, 1]\ninertia = 0.1\nspeed = { formula = \"10*t\" }";
     let told = [
-        (of(steady, "[0.1, 0.2, 0.5]"), "--to 0.98", 2, "D/I3 says nothing"),
-        (of(steady, "[0.1, 0.2, 0.5]"), "--from 20deg", 2, "starts from the initial state"),
+        (of(steady, "[0.1, 0.2, 0.5]"), "--until 0.98", 2, "D/I3 says nothing"),
+        (of(steady, "[0.1, 0.2, 0.5]"), "--start 20deg", 2, "starts from the initial state"),
         (of(driven, "[0.1, 0.2, 0.5]"), "", 1, "a momentum wheel changes its speed"),
         (of(steady, "[0.1, 0.2, 0.5]"), "--method micro-runs", 1, "measure no power"),
-        (of(steady, "[0.1, 0.2, 0.5]"), "--to 80deg", 2, "is smaller than the target"),
+        (of(steady, "[0.1, 0.2, 0.5]"), "--until 80deg", 2, "is smaller than the target"),
     ];
     for (model, options, code, words) in told {
         let ran = ran_with(&model, &format!("evolve model.toml {options}"));
@@ -314,7 +314,7 @@ wobble = { angle = \"71.03826657558635 deg\", rate = \"0.013338342122349451 rad/
 [run]
 evolve = { until = \"6.97 deg\" }
 ";
-    for (model, from) in [(first, ""), (second, " --from 88.65deg")] {
+    for (model, from) in [(first, ""), (second, " --start 88.65deg")] {
         let time = |more: &str| number(&evolved(model, &format!("{more}{from}")).1, "time");
         let (found, harmonics) = (time(""), time("--power harmonics"));
         close(found, harmonics, 1e-3);
@@ -514,7 +514,7 @@ evolve = { until = \"1 deg\" }
 /// Losses without equations of motion make the full system refuse an answer, even where it is asked for by name.
 #[test]
 fn the_full_system_gives_no_answer_for_what_it_leaves_out() {
-    for method in ["direct", "micro-runs"] {
+    for method in ["full", "micro-runs"] {
         let ran = ran_with(WATER, &format!("evolve model.toml --method {method} --json"));
         let found = ran.json();
         assert_eq!((&found["status"], ran.code), (&"refused".into(), Some(1)), "{found}");

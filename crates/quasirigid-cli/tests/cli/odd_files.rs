@@ -156,7 +156,7 @@ fn long_run_needs_little_memory() {
 fn answers_without_room_are_refused_before_the_first() {
     let uncertain = "[uncertainty]\n\"carrier.mass\" = { normal = { mean = 40, deviation = 1 } }\n";
     let folder = folder_with(&format!("{MODEL}{uncertain}"));
-    let line = "evolve model.toml --samples-of-uncertainty 10000000 -q";
+    let line = "evolve model.toml --uncertainty-samples 10000000 -q";
     let refused = on_a_small_machine(folder.path(), 1_000_000, line);
     let said = one_line(refused.refusal());
     assert!(said.contains("10000000 rows are too many here: it would take about"), "{said}");

@@ -23,7 +23,7 @@ fn table(model: &str, options: &str) -> Table {
 fn a_free_body_falls_as_galileo_says() {
     let gravity = "[[force]]\nkind = \"uniform-gravity\"\nacceleration = [0.3, 0, -9.81]\n";
     for (more, g) in [("", [0.0; 3]), (gravity, [0.3, 0.0, -9.81])] {
-        let systems = ["full", "reduced", "rigid", "reduced --form paper"];
+        let systems = ["full", "reduced", "rigid", "reduced --form angular-velocity"];
         let tables = systems.map(|system| table(&model(more), &format!("--system {system}")));
         for (system, table) in systems.iter().zip(&tables) {
             for (row, t) in [0.0, 2.0, 5.0].into_iter().enumerate() {

@@ -168,7 +168,7 @@ fn same_input_writes_the_same_bytes() {
 #[test]
 fn command_options_reach_the_record() {
     let folder = folder_of("axial-mass");
-    ran_in(folder.path(), &format!("{SHORT} -o spin --form paper --order 4"));
+    ran_in(folder.path(), &format!("{SHORT} -o spin --form angular-velocity --order 4"));
     let record = RunRecord::read(&folder.path().join("spin")).unwrap();
     assert_eq!(record.reduction.order, 4);
     assert!(record.histories[0].form.starts_with("spin"), "{}", record.histories[0].form);

@@ -69,7 +69,7 @@ fn first_row_is_the_spin_and_the_attitude_of_the_file() {
         ("three-masses", [0.7237041502325885, 1.1638151419359888, 0.5617384730017062]),
     ];
     for (example, spin) in spins {
-        for option in ["", " --form paper", " --system rigid"] {
+        for option in ["", " --form angular-velocity", " --system rigid"] {
             let first = table(&format!("simulate examples/{example}/model.toml --times 0,0.01{option}"));
             assert!(difference(first.vector(SPIN, 0), spin) < 1e-15, "{example}{option}");
             assert_eq!(first.rows[0][4..8], [1.0, 0.0, 0.0, 0.0]);
@@ -121,12 +121,12 @@ fn rigid_body_of_revolution_precesses_as_euler_says() {
 /// The truncations of the two forms differ by the first degree left out, 1e-7 of the spin here.
 #[test]
 fn form_of_the_paper_is_another_integration_of_the_same_motion() {
-    let [angular_momentum, paper] = ["momentum", "paper"]
+    let [angular_momentum, paper] = ["angular-momentum", "angular-velocity"]
         .map(|form| table(&format!("{AXIAL} --form {form} --times 0,20")).vector(SPIN, 1));
     let gap = difference(paper, angular_momentum);
     assert!(gap > 1e-14 && gap < 1e-4, "{gap:e}");
-    let model = crate::support::MODEL.replace("[run]", "[run]\nform = \"paper\"");
-    let [file, command] = ["", " --form paper"]
+    let model = crate::support::MODEL.replace("[run]", "[run]\nform = \"angular-velocity\"");
+    let [file, command] = ["", " --form angular-velocity"]
         .map(|option| ran_with(&model, &format!("simulate model.toml --samples 3{option}")).stdout);
     assert_eq!(file, command);
 }
@@ -168,7 +168,7 @@ fn json_is_the_last_state_and_the_drift_without_a_table() {
 
 #[test]
 fn same_input_prints_the_same_bytes() {
-    for option in ["", " --form paper", " --system rigid", " --json"] {
+    for option in ["", " --form angular-velocity", " --system rigid", " --json"] {
         let line = format!("simulate examples/three-masses/model.toml --duration 60 --samples 50{option}");
         assert_eq!(ran(&line).stdout, ran(&line).stdout, "{line}");
     }

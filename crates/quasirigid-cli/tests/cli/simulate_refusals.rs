@@ -78,8 +78,8 @@ fn options_that_exclude_each_other_are_refused() {
 #[test]
 fn unknown_choices_are_refused_with_the_known_ones() {
     for (options, known) in [
-        ("--system ful", "[possible values: full, reduced, rigid, manifold]"),
-        ("--form spin", "[possible values: momentum, paper]"),
+        ("--system ful", "[possible values: full, reduced, rigid, spin-manifold]"),
+        ("--form spin", "[possible values: angular-momentum, angular-velocity]"),
         ("--format xml", "[possible values: csv, parquet, npz]"),
     ] {
         assert!(refusal(options).contains(known), "{}", refusal(options));

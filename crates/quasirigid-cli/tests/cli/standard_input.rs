@@ -33,7 +33,7 @@ fn a_model_is_read_from_the_standard_input() {
         "derive --format latex",
         "simulate --samples 3",
         "evolve",
-        "verify --orders 1 --halvings 2 --rotations 1 --quiet",
+        "verify --orders 1 --halvings 2 --revolutions 1 --quiet",
     ] {
         let (verb, options) = command.split_once(' ').unwrap_or((command, ""));
         let [file, stream] = ["model.toml", "-"].map(|model| format!("{verb} {model} {options}"));

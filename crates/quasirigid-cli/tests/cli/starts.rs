@@ -76,7 +76,7 @@ fn order_zero_is_an_order_of_the_file_too() {
 #[test]
 fn target_that_the_start_has_passed_is_told_in_its_own_unit() {
     let calm = MODEL.replace("[0.12, 0.035, 0.02]", "[0.0, 1e-4, 0.2]");
-    let said = one_line(ran_with(&calm, "evolve model.toml --to 20deg --method average").refusal());
+    let said = one_line(ran_with(&calm, "evolve model.toml --until 20deg --method average").refusal());
     assert!(
         said.contains("dissipation only lowers the wobble") && said.contains("target, 20.0 degrees"),
         "{said}"

@@ -56,10 +56,11 @@ fn threads_and_shards_give_the_same_bytes() {
 fn row_alone_is_the_row_of_the_run_and_of_its_own_model() {
     let folder = folder_of_study(STUDY);
     assert_eq!(ran_in(folder.path(), "sweep study.toml -o out --quiet").code, Some(0));
-    for row in [0u64, 17, 47] {
+    for row in [1u64, 18, 48] {
         let alone = ran_in(folder.path(), &format!("sweep study.toml --row {row} --json")).json();
-        let part = read_parquet(&folder.path().join(format!("out/parts/part-{:05}.parquet", row / 16)), None)
-            .unwrap();
+        let part =
+            read_parquet(&folder.path().join(format!("out/parts/part-{:05}.parquet", (row - 1) / 16)), None)
+                .unwrap();
         fs::write(folder.path().join("row.toml"), alone["model"].as_str().unwrap()).unwrap();
         let check = ran_in(folder.path(), "check row.toml --json --quiet").json();
         for column in ["check.T1", "modes.nutation.time_constant", "simulate.wz"] {
@@ -68,14 +69,16 @@ fn row_alone_is_the_row_of_the_run_and_of_its_own_model() {
             };
             assert_eq!(
                 alone["answers"][column].as_f64(),
-                values[(row % 16) as usize],
+                values[((row - 1) % 16) as usize],
                 "{column} of row {row}"
             );
         }
         assert_eq!(alone["answers"]["check.T1"], check["T1"], "the command on the model of row {row}");
     }
-    let none = ran_in(folder.path(), "sweep study.toml --row 48");
-    assert!(none.refusal().contains("there is no row 48: the study has 48, from 0 to 47"), "{none:?}");
+    let none = ran_in(folder.path(), "sweep study.toml --row 49");
+    assert!(none.refusal().contains("there is no row 49: the study has 48, from 1 to 48"), "{none:?}");
+    let zero = ran_in(folder.path(), "sweep study.toml --row 0");
+    assert!(one_line(zero.refusal()).contains("row 0 is now row 1"), "{zero:?}");
 }
 
 #[test]
@@ -142,7 +145,7 @@ fn bad_rows_of_a_table_are_told_and_the_rest_answered() {
     assert_eq!(first("\"nan\" is not a finite number"), 13);
     let csv = fs::read_to_string(folder.path().join("out/rows.csv")).unwrap();
     assert!(
-        csv.starts_with("row,mass_g,carrier.mass,who,check.T1,status,reason,note\n0,500.0,40.0,b0,"),
+        csv.starts_with("row,mass_g,carrier.mass,who,check.T1,status,reason,note\n1,500.0,40.0,b0,"),
         "{csv}"
     );
 }
@@ -285,7 +288,7 @@ fn states_at_times_and_refused_evolutions() {
         "model = \"model.toml\"\n[vary]\n\"run.order\" = { list = [1, 3] }\n[answer]\nquantities = [\"simulate.wx\", \"evolve.time\", \"evolve.status\"]\ntimes = [\"10 s\", \"1 min\"]\n",
     );
     let summary = ran_in(folder.path(), "sweep study.toml -o out --json").json();
-    let row = ran_in(folder.path(), "sweep study.toml --row 1 --json").json();
+    let row = ran_in(folder.path(), "sweep study.toml --row 2 --json").json();
     let table = ran_in(folder.path(), "simulate model.toml --times 10,60 --quiet").stdout;
     let table = crate::support::Table::of(&table);
     let found =
@@ -305,7 +308,7 @@ fn coarse_times_are_noted() {
     let folder = folder_of("axial-mass");
     let study = "model = \"model.toml\"\n[vary]\n\"run.order\" = { list = [3] }\n[answer]\nquantities = [\"evolve.time\"]\n";
     fs::write(folder.path().join("study.toml"), study).unwrap();
-    let row = ran_in(folder.path(), "sweep study.toml --row 0 --json").json();
+    let row = ran_in(folder.path(), "sweep study.toml --row 1 --json").json();
     assert_eq!(row["status"], "answered");
     assert!(row["note"].as_str().unwrap().contains("the time of evolve is good to 3.69 %"), "{row:#}");
 }
@@ -316,7 +319,7 @@ fn states_of_equations_that_do_not_hold_are_refused() {
     let folder = folder_of_study(
         "model = \"model.toml\"\n[vary]\n\"spring.1.stiffness\" = { list = [600.0, 0.05] }\n[answer]\nquantities = [\"simulate.wx\"]\n",
     );
-    let [stiff, soft] = [0, 1].map(|row| {
+    let [stiff, soft] = [1, 2].map(|row| {
         let ran = ran_in(folder.path(), &format!("sweep study.toml --row {row} --json"));
         let row = ran.json();
         fs::write(folder.path().join("row.toml"), row["model"].as_str().unwrap()).unwrap();
@@ -413,7 +416,7 @@ fn intervals_of_the_time_are_those_of_the_quality_factor() {
         "[uncertainty]\n\"material.rock.rheology.Q\" = { log-normal = { median = 100, decades = 0.5 } }\n";
     let folder = folder_with(&format!("{ROCK}{uncertain}"));
     let ran = |line: &str| ran_in(folder.path(), line);
-    let object = ran("evolve model.toml --samples-of-uncertainty 64 --json --quiet").json();
+    let object = ran("evolve model.toml --uncertainty-samples 64 --json --quiet").json();
     let time = object["time"].as_f64().unwrap();
     let interval = &object["uncertainty"]["intervals"][0];
     assert_eq!((&interval["name"], &object["uncertainty"]["answered"]), (&"time".into(), &64.into()));
@@ -427,7 +430,7 @@ fn intervals_of_the_time_are_those_of_the_quality_factor() {
     let found = object["uncertainty"]["correlations"][0]["rho"].as_f64().unwrap();
     assert!((found - 1.0).abs() < 1e-12, "{found}");
     fs::write(folder.path().join("certain.toml"), ROCK).unwrap();
-    assert!(ran("evolve certain.toml --samples-of-uncertainty 9").refusal().contains("has no [uncertainty]"));
+    assert!(ran("evolve certain.toml --uncertainty-samples 9").refusal().contains("has no [uncertainty]"));
     for (line, said) in [
         (
             "\"material.rock.rheology.q\" = { uniform = [1, 2] }\n\"materal.rock.density\" = { uniform = [1, 2] }",

@@ -87,9 +87,9 @@ fn a_torque_along_the_spin_ends_at_the_slowest_elastic_frequency() {
     assert!(object["message"].as_str().unwrap().contains("slowest elastic frequency"), "{object}");
     located(&model, "--duration 1Gyr", "time");
     told(&model, "--duration 1Myr", "finished");
-    let target = told(&model, "--duration 1Myr --to 5deg", "finished");
+    let target = told(&model, "--duration 1Myr --until 5deg", "finished");
     assert!(target["message"].as_str().unwrap().starts_with("The target was reached after"), "{target}");
-    located(&model, "--duration 1Myr --to 5deg", "time");
+    located(&model, "--duration 1Myr --until 5deg", "time");
 }
 
 /// A steady spin evolves under a torque; without one it stays, and a body at rest has no axis.
@@ -101,7 +101,7 @@ fn steady_spins_and_rest_are_told_apart() {
     let fast = MODEL.replace("[0.12, 0.035, 0.02]", "[1e200, 2e200, 0]");
     let refusal = ran_with(&fast, "evolve model.toml").refusal().to_owned();
     assert!(!one_line(&refusal).contains("principal axis"), "{refusal}");
-    let tiny = ran_with(MODEL, "evolve model.toml --to 1e-6deg");
+    let tiny = ran_with(MODEL, "evolve model.toml --until 1e-6deg");
     assert_eq!(tiny.code, Some(0), "{tiny:?}");
     assert!(one_line(&tiny.stdout).contains("wobble of 1.00e-6 degrees"), "{}", tiny.stdout);
 }
@@ -116,9 +116,9 @@ fn a_wobble_needs_its_axis() {
     let refusal = ran_with(model, "evolve model.toml").refusal().to_owned();
     assert!(one_line(&refusal).contains("no axis of greatest inertia to wobble about"), "{refusal}");
     assert!(one_line(&refusal).contains("mode = \"long-axis\""), "{refusal}");
-    let long = ran_with(&model.replace("short-axis", "long-axis"), "evolve model.toml --to 0.9");
+    let long = ran_with(&model.replace("short-axis", "long-axis"), "evolve model.toml --until 0.9");
     assert_eq!(long.code, Some(0), "{long:?}");
-    let to = ran_with(&model.replace("short-axis", "long-axis"), "evolve model.toml --to 5deg");
+    let to = ran_with(&model.replace("short-axis", "long-axis"), "evolve model.toml --until 5deg");
     assert!(one_line(to.refusal()).contains("two greatest moments are equal"), "{to:?}");
     let loss = ran_with(MODEL, "evolve model.toml --order 2 --power polynomial --method average");
     assert!(one_line(&loss.stdout).contains("though the body loses energy"), "{loss:?}");

@@ -82,7 +82,7 @@ fn answers_fit(examples: impl Iterator<Item = &'static str>) {
             assert_narrow(&line, &(answer.stdout + &answer.stderr));
         }
         let folder = folder_of(example);
-        let commands = ["run model.toml", "run model.toml --overwrite --order 1 --form paper"];
+        let commands = ["run model.toml", "run model.toml --overwrite --order 1 --form angular-velocity"];
         for command in &commands[..1 + usize::from(with_settings)] {
             let answer = ran_in(folder.path(), &format!("{command} --duration 20 --samples 50"));
             assert!(answer.stdout.lines().count() > 6, "{command}: {answer:?}");

@@ -17,10 +17,11 @@ mod resonance;
 mod validity;
 mod vibration;
 
+pub use crate::model::MAX_ORDER;
 pub use criterion::{Comparison, Criterion, Verdict};
 pub use degrees::{DegreeSize, degree_sizes, optimal_order};
 pub use meaning::{manifold_has_meaning, state_has_meaning};
-pub use reduce::{MAX_ORDER, ReductionError, reduce};
+pub use reduce::{ReductionError, reduce};
 pub use relaxation::Relaxation;
 pub use residual::{Residual, residual};
 pub use resonance::{Resonance, resonances};

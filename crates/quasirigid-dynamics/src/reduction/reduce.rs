@@ -8,7 +8,7 @@ use super::energy_form::EnergyForm;
 use super::manifold::Manifold;
 use super::{angular_momentum_form, energetics};
 use crate::math::polynomial::Series;
-use crate::model::{FlexibleBody, ReducedBody};
+use crate::model::{FlexibleBody, MAX_ORDER, ReducedBody};
 
 /// Error of a reduction that cannot be made.
 #[non_exhaustive]
@@ -37,9 +37,6 @@ pub enum ReductionError {
         coordinates: String,
     },
 }
-
-/// Highest order offered. The series is asymptotic: long before this its terms stop falling.
-pub const MAX_ORDER: usize = 12;
 
 /// Derives the reduced equations of a body to order `p`. (R1)–(R11)
 ///

@@ -9,13 +9,14 @@ use super::angular_momentum_form::reverted;
 use super::criterion::{Comparison, Criterion, Verdict};
 use super::degrees::{Circles, DegreeSize, PowerChange, Sizes, levels_ratio, momentum_ratio, optimal_order};
 use super::energetics;
-use super::reduce::{MAX_ORDER, ReductionError, manifold, reduce};
+use super::reduce::{ReductionError, manifold, reduce};
 use super::relaxation::Relaxation;
 use super::residual::residual;
 use super::resonance::{Resonance, resonances};
 use super::vibration::Vibrations;
 use crate::math::eigen::NoConvergence;
 use crate::math::vec3::{add, norm, scale};
+use crate::model::MAX_ORDER;
 use crate::model::{FlexibleBody, Principal, ReducedBody};
 
 /// Validity of the reduced equations at an angular velocity. (V1)–(V11)

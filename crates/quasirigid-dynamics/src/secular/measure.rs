@@ -129,7 +129,8 @@ pub(super) fn measured(
         let change = still(&shares);
         let drifts = trend(&shares, 1).is_some_and(|line| line.gap < DRIFT_GAP * change);
         let doubles = shares.len() > plan.equal && !drifts;
-        let last = shares.len() > plan.doublings + DRIFTING_WINDOWS || (doubles && doublings == plan.doublings);
+        let last =
+            shares.len() > plan.doublings + DRIFTING_WINDOWS || (doubles && doublings == plan.doublings);
         let enough = |change: f64| change <= plan.change || (last && change <= 4.0 * plan.change);
         let reduced = false;
         if enough(change) {
@@ -139,7 +140,8 @@ pub(super) fn measured(
             [1, 2].into_iter().find_map(|degree| trend(&shares, degree).filter(|trend| enough(trend.gap)))
         {
             let stage = range.stage(start_energy).ok_or(MeasureError::LeftMode)?;
-            let there = through(points, start_energy) * range.polhode(start_energy).mean_square_acceleration();
+            let there =
+                through(points, start_energy) * range.polhode(start_energy).mean_square_acceleration();
             let budget = budget.iter().map(|part| part * there / power).collect();
             return Ok(Measurement { stage, power: there, error: gap, budget, revolutions, steps, reduced });
         }

@@ -22,7 +22,9 @@ pub use met::MetResonance;
 pub use power::ManifoldPower;
 pub use propagate::propagate_on_manifold;
 pub use range::{AmplitudeRange, Defect, WIDEST};
-pub use spin_manifold::{MAX_DEGREE, SpinManifold, SpinManifoldPlan};
+pub use spin_manifold::{SpinManifold, SpinManifoldPlan};
 pub use steady::SteadySpin;
+
+pub use crate::model::MAX_DEGREE;
 
 pub use crate::math::submanifold::{ExpansionError, NearResonance, Ring, Style, Truncated};

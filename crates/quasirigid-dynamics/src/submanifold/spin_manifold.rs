@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 
 use crate::math::submanifold::{InvariantManifold, NearResonance, Plan, Style, Truncated, expand};
 use crate::math::vec3::{dot, norm, scale};
-use crate::model::{ExpandedMotion, FlexibleBody, Mode, Support};
+use crate::model::{ExpandedMotion, FlexibleBody, MAX_DEGREE, Mode, Support};
 use crate::modes::{Given, RelativeEquilibrium};
 
 use super::error::SubmanifoldError;
@@ -48,8 +48,6 @@ pub struct SpinManifold<'a> {
     pub(super) observables: Observables,
 }
 
-/// Highest degree of the expansion.
-pub const MAX_DEGREE: usize = 11;
 /// Largest number of internal coordinates.
 const MOST: usize = 600;
 /// Growth of a mode relative to its size that is rounding.

@@ -135,14 +135,17 @@ fn run(d: &mut Draft<'_, '_>) {
     d.line("duration", &duration);
     if d.chance(60) {
         let (key, value) =
-            (d.pick(&["samples", "tolerance", "method", "form", "systems"]), d.numbers.near(1e-9));
+            (d.pick(&["samples", "tolerance", "integrator", "form", "systems"]), d.numbers.near(1e-9));
         let word = d.pick(&["\"full\"", "[\"full\", \"reduced\"]", "\"automatic\"", "100", "[]"]).to_owned();
         let value = if d.chance(128) { value } else { word };
         d.line(key, &value);
     }
     if d.chance(60) {
-        let (rotations, halvings) = (d.numbers.near(2.0), d.numbers.count(4));
-        d.line("verify", &format!("{{ rotations = {rotations}, orders = [1, 2], halvings = {halvings} }}"));
+        let (revolutions, halvings) = (d.numbers.near(2.0), d.numbers.count(4));
+        d.line(
+            "verify",
+            &format!("{{ revolutions = {revolutions}, orders = [1, 2], halvings = {halvings} }}"),
+        );
     }
     if d.chance(60) {
         let until = d.pick(&["\"98% of I3\"", "\"5 deg\"", "0.9", "\"-3 deg\"", "2", "\"90 deg\""]);
@@ -150,6 +153,6 @@ fn run(d: &mut Draft<'_, '_>) {
     }
     if d.chance(40) {
         let degree = d.numbers.count(5);
-        d.line("manifold", &format!("{{ degree = {degree}, masters = \"automatic\" }}"));
+        d.line("spin_manifold", &format!("{{ degree = {degree}, masters = \"automatic\" }}"));
     }
 }

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use quasirigid_io::model::{Model, ModelError};
-use quasirigid_study::modes::AskedSpin;
+use quasirigid_study::modes::SteadySpinSettings;
 use quasirigid_study::{Study, StudyError};
 
 use super::{dissipation, exports, momentum, size};
@@ -54,7 +54,7 @@ pub fn check(text: &str) {
         Ok(report) => assert!(!report.sentence().is_empty() && report.json().is_object()),
         Err(error) => assert!(!error.to_string().is_empty()),
     }
-    match study.modes(AskedSpin::default()) {
+    match study.modes(SteadySpinSettings::default()) {
         Ok(modes) => assert!(modes.json("body").is_object()),
         Err(error) => assert!(!error.to_string().is_empty()),
     }

@@ -52,7 +52,7 @@ each moment, with all rates along the motion of the frozen body (E3),
   phi = F1* - (d/dt + w x)^2 s             s = S_j q_j,  a = R0'' of a free body
   M1* = sum r x F* + rho x F1,   F1 = dF/dR r + dF/dR' r',   F1* = sum F1
   q   = C^-1 (Q* - B C^-1 Q*'),  Q*_j = Q_j + 1/2 w J_j w - h_j w' - S_j a
-`simulate --form paper` integrates them, `simulate` their momentum form (E2).
+`simulate --form angular-velocity` integrates them, `simulate` their momentum form (E2).
 ";
 
 const OTHERWISE: &str = "

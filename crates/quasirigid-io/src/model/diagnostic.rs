@@ -4,6 +4,7 @@
 use std::cell::RefCell;
 use std::ops::Range;
 
+use super::named::former_name;
 use crate::visible::shortened;
 
 /// Most diagnostics kept for one file: a file with more has one mistake made many times.
@@ -57,11 +58,12 @@ fn cut(text: impl Into<String>) -> String {
 pub(crate) struct Problems<'a> {
     text: &'a str,
     found: RefCell<Vec<Diagnostic>>,
+    former: RefCell<Vec<String>>,
 }
 
 impl<'a> Problems<'a> {
     pub(crate) fn new(text: &'a str) -> Self {
-        Self { text, found: RefCell::default() }
+        Self { text, found: RefCell::default(), former: RefCell::default() }
     }
 
     pub(crate) fn report(&self, diagnostic: Diagnostic) {
@@ -74,6 +76,20 @@ impl<'a> Problems<'a> {
     /// Whether the list is full, so that no more are kept.
     pub(crate) fn full(&self) -> bool {
         self.found.borrow().len() > MOST
+    }
+
+    /// Notes that a former name stands at a span, with the name of today.
+    pub(crate) fn renamed(&self, span: Range<usize>, former: &str, today: &str) {
+        let note = format!("line {}: {}", self.line(span), former_name(former, today));
+        let mut notes = self.former.borrow_mut();
+        if !notes.contains(&note) {
+            notes.push(note);
+        }
+    }
+
+    /// Notes on the former names in the file.
+    pub(crate) fn former_names(&self) -> Vec<String> {
+        self.former.borrow().clone()
     }
 
     /// Text of the file at a span.

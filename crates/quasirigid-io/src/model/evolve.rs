@@ -1,4 +1,4 @@
-//! Settings of the secular evolution: target state, duration, power and method, from `[run] evolve` and from the command line.
+//! Settings of the secular evolution: start, target, duration, power and method, from `[run] evolve` and from the command line.
 //! A target is written as a share of `I₃` or as an angle; both are parsed here, so that file and command line accept the same texts.
 //! Methods and their criteria: (Q1) to (Q9), docs/theory/16-methods.md.
 
@@ -8,41 +8,51 @@ use std::str::FromStr;
 use thiserror::Error;
 
 use super::key::{self, Keys, Shape, any, integer, key, words};
-use super::settings::{MOST_SAMPLES, optional};
+use super::partial::partial;
+use super::settings::{MAX_ROWS, optional};
 use super::value::Value;
 use crate::units::{Dimension, UnitError, quantity};
 
 pub(super) const EVOLVE: Keys = Keys {
     known: &[
         key(
-            "until",
-            any(&[Shape::Number, Shape::Text]).or("1 % of the energy of the wobble left"),
+            "start",
+            any(&[Shape::Number, Shape::Text]).or("that of the model"),
             "D/I3, or the wobble about the axis of greatest inertia",
         ),
+        key(
+            "until",
+            any(&[Shape::Number, Shape::Text]).or("1 % of the energy of the wobble left"),
+            "as `start`",
+        ),
         key("duration", key::quantity("s").or("none"), "longest time"),
-        key("samples", integer(2, MOST_SAMPLES as u64).or("201"), "rows"),
+        key("samples", integer(2, MAX_ROWS as u64).or("201"), "rows"),
         key("power", words(&["polynomial", "harmonics"]).or("as materials need"), "source of the mean power"),
         key(
             "method",
-            words(&["average", "micro-runs", "direct", "modes", "manifold"]).or("the one that holds"),
+            words(&["average", "levels", "micro-runs", "full", "modal-rates", "spin-manifold"])
+                .or("the one that holds"),
             "",
         ),
     ],
 };
 
-/// Settings of the secular evolution of the rotation.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Evolve {
-    /// Rotation state at which the evolution ends.
-    pub until: Option<Target>,
-    /// Longest time that is followed (s).
-    pub duration: Option<f64>,
-    /// Number of rows of the history.
-    pub samples: Option<usize>,
-    /// Source of the power of an average.
-    pub power: Option<Power>,
-    /// Method; none leaves the choice to the criteria.
-    pub method: Option<EvolveMethod>,
+partial! {
+    /// Settings of the secular evolution, as far as a source gives them.
+    PartialEvolve {
+        /// Rotation state at which the evolution starts.
+        start: Target,
+        /// Rotation state at which the evolution ends.
+        until: Target,
+        /// Longest time that is followed (s).
+        duration: f64,
+        /// Number of rows of the history.
+        samples: usize,
+        /// Source of the power of an average.
+        power: Power,
+        /// Method; none leaves the choice to the criteria.
+        method: EvolveMethod,
+    }
 }
 
 /// Method of the secular evolution.
@@ -53,11 +63,13 @@ pub enum EvolveMethod {
     /// The mean power measured by short runs of the full system.
     MicroRuns,
     /// The full system from start to end.
-    Direct,
+    Full,
+    /// Averaged along level curves of the slow energy.
+    Levels,
     /// The average at the rates that the modes at the poles have.
-    Modes,
+    ModalRates,
     /// The reduced equations about the spin from start to end.
-    Manifold,
+    SpinManifold,
 }
 
 /// Source of the mean power.
@@ -163,14 +175,22 @@ impl FromStr for Target {
 }
 
 /// Reads `evolve`.
-pub(super) fn evolve(value: &Value<'_>) -> Option<Evolve> {
+pub(super) fn evolve(value: &Value<'_>) -> Option<PartialEvolve> {
     let table = value.table("`evolve`", &EVOLVE)?;
+    let start = optional(table.get("start"), |value| target(&value));
     let until = optional(table.get("until"), |value| target(&value));
     let duration = optional(table.get("duration"), |value| value.positive(Dimension::TIME));
-    let samples = optional(table.get("samples"), |value| value.integer(2..=MOST_SAMPLES));
+    let samples = optional(table.get("samples"), |value| value.integer(2..=MAX_ROWS));
     let power = optional(table.get("power"), |value| value.named());
     let method = optional(table.get("method"), |value| value.named());
-    Some(Evolve { until: until?, duration: duration?, samples: samples?, power: power?, method: method? })
+    Some(PartialEvolve {
+        start: start?,
+        until: until?,
+        duration: duration?,
+        samples: samples?,
+        power: power?,
+        method: method?,
+    })
 }
 
 fn target(value: &Value<'_>) -> Option<Target> {

@@ -1,19 +1,21 @@
-//! Settings of the reduced equations about a steady spin, from `[run] manifold` and from the command line.
+//! Settings of the reduced equations about a steady spin, from `[run] spin_manifold` and from the command line.
 //! Masters are written as a word or as frequencies; both are parsed here, so that file and command line accept the same.
 //! Masters and styles: (W5), (W9), docs/theory/18-submanifolds.md.
 
 use std::str::FromStr;
 
+use quasirigid_body::MAX_DEGREE;
 use thiserror::Error;
 
 use super::key::{Keys, Shape, any, integer, key, words};
+use super::partial::partial;
 use super::settings::optional;
 use super::value::Value;
 use crate::units::Dimension;
 
-pub(super) const MANIFOLD: Keys = Keys {
+pub(super) const SPIN_MANIFOLD: Keys = Keys {
     known: &[
-        key("degree", integer(1, HIGHEST_DEGREE as u64).or("5"), "in the amplitude"),
+        key("degree", integer(1, MAX_DEGREE as u64).or("5"), "in the amplitude"),
         key(
             "masters",
             any(&[Shape::Words(&["automatic", "nutation"]), Shape::List(&Shape::Number)])
@@ -25,20 +27,19 @@ pub(super) const MANIFOLD: Keys = Keys {
     ],
 };
 
-/// Highest degree of the reduced equations about a spin.
-const HIGHEST_DEGREE: usize = 11;
 /// Most frequencies of masters beside the nutation.
 const MOST_MASTERS: usize = 3;
 
-/// Settings of the reduced equations about a steady spin; absent ones are the defaults.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Manifold {
-    /// Highest degree in the amplitude.
-    pub degree: Option<usize>,
-    /// Modes that the equations follow.
-    pub masters: Option<ManifoldMasters>,
-    /// Style of the parametrisation.
-    pub style: Option<ManifoldStyle>,
+partial! {
+    /// Settings of the reduced equations about a steady spin, as far as a source gives them.
+    PartialSpinManifold {
+        /// Highest degree in the amplitude.
+        degree: usize,
+        /// Modes that the equations follow.
+        masters: ManifoldMasters,
+        /// Style of the parametrisation.
+        style: ManifoldStyle,
+    }
 }
 
 /// Modes that the reduced equations about a spin follow.
@@ -108,13 +109,13 @@ impl ManifoldMasters {
     }
 }
 
-/// Reads `manifold`.
-pub(super) fn manifold(value: &Value<'_>) -> Option<Manifold> {
-    let table = value.table("`manifold`", &MANIFOLD)?;
-    let degree = optional(table.get("degree"), |value| value.integer(1..=HIGHEST_DEGREE));
+/// Reads `spin_manifold`.
+pub(super) fn spin_manifold(value: &Value<'_>) -> Option<PartialSpinManifold> {
+    let table = value.table("`spin_manifold`", &SPIN_MANIFOLD)?;
+    let degree = optional(table.get("degree"), |value| value.integer(1..=MAX_DEGREE));
     let masters = optional(table.get("masters"), |value| masters(&value));
     let style = optional(table.get("style"), |value| value.named());
-    Some(Manifold { degree: degree?, masters: masters?, style: style? })
+    Some(PartialSpinManifold { degree: degree?, masters: masters?, style: style? })
 }
 
 fn masters(value: &Value<'_>) -> Option<ManifoldMasters> {

@@ -25,6 +25,7 @@ mod named;
 mod names;
 mod orbit;
 mod part;
+mod partial;
 mod physics;
 mod point;
 mod ranges;
@@ -55,13 +56,13 @@ use quasirigid_elements::{Assembly, ElementError};
 pub use change::{ChangeError, Found, Path as KeyPath, Template, changed};
 pub use diagnostic::Diagnostic;
 pub use error::{FileProblem, ModelError};
-pub use evolve::{Evolve, EvolveMethod, Power, Target, TargetError};
+pub use evolve::{EvolveMethod, PartialEvolve, Power, Target, TargetError};
 pub use given::Given;
 pub use initial::{Displacements, Initial};
-pub use manifold::{Manifold, ManifoldMasters, ManifoldStyle, MastersError};
-pub use named::Named;
+pub use manifold::{ManifoldMasters, ManifoldStyle, MastersError, PartialSpinManifold};
+pub use named::{Named, former_name};
 pub use rotation::Rotation;
-pub use settings::{RunSettings, Stop, System, Verify};
+pub use settings::{MAX_ROWS, PartialRun, PartialVerify, RunTable, Stop, System};
 pub use source::Source;
 
 use crate::study_file::{VALUES, Varied};
@@ -163,11 +164,13 @@ pub struct Model {
     /// State of the body at time zero.
     pub initial: Initial,
     /// Settings of the computation.
-    pub run: RunSettings,
+    pub run: RunTable,
     /// Keys of the model that are known by a distribution alone.
     pub uncertainty: Vec<Varied>,
     /// Notes on suspect but valid values.
     pub notes: Vec<String>,
+    /// Notes on former names of keys and words, with those of today.
+    pub former_names: Vec<String>,
     /// The text of the model.
     pub source: Source,
     spans: Spans,
@@ -218,12 +221,24 @@ impl Model {
         let problems = Problems::new(&source.text);
         let folder = source.file.parent().unwrap_or(Path::new(""));
         let content = content(&source.text, folder, &problems);
+        let former_names = problems.former_names();
         let diagnostics = problems.into_diagnostics();
         match content {
             Some(Content { name, parts, initial, run, uncertainty, notes }) if diagnostics.is_empty() => {
                 let name = name.unwrap_or_else(|| stem(&source.file));
                 let Parts { assembly, extremes, spans } = parts;
-                Ok(Self { name, assembly, extremes, initial, run, uncertainty, notes, source, spans })
+                Ok(Self {
+                    name,
+                    assembly,
+                    extremes,
+                    initial,
+                    run,
+                    uncertainty,
+                    notes,
+                    former_names,
+                    source,
+                    spans,
+                })
             }
             _ => Err(ModelError::Invalid { model: source, diagnostics }),
         }
@@ -235,7 +250,7 @@ struct Content {
     name: Option<String>,
     parts: Parts,
     initial: Initial,
-    run: RunSettings,
+    run: RunTable,
     uncertainty: Vec<Varied>,
     notes: Vec<String>,
 }
@@ -261,7 +276,7 @@ fn content(text: &str, folder: &Path, problems: &Problems<'_>) -> Option<Content
     };
     let run = match file.table("run", "[run]", &settings::RUN) {
         Some(table) => settings::run(&table),
-        None => Some(RunSettings::default()),
+        None => Some(RunTable::default()),
     };
     let uncertainty = match file.get("uncertainty") {
         Some(table) => uncertainty::uncertainty(&table, text),

@@ -3,11 +3,12 @@
 
 use std::f64::consts::PI;
 
-use quasirigid_body::{Form, Method};
+use quasirigid_body::{Form, MAX_ORDER, Method};
 
-use super::evolve::{EVOLVE, Evolve, evolve};
+use super::evolve::{EVOLVE, PartialEvolve, evolve};
 use super::key::{BOOLEAN, Keys, NUMBER, Shape, TEXT, integer, key, list, quantity, table, words};
-use super::manifold::{MANIFOLD, Manifold, manifold};
+use super::manifold::{PartialSpinManifold, SPIN_MANIFOLD, spin_manifold};
+use super::partial::partial;
 use super::table::Table;
 use super::value::Value;
 use crate::units::Dimension;
@@ -17,35 +18,40 @@ pub(super) const RUN: Keys = Keys {
     known: &[
         key(
             "order",
-            integer(0, 12).or("lowest from 3 that holds"),
+            integer(0, MAX_ORDER as u64).or("lowest from 3 that holds"),
             "of the reduced equations, 0 for the rigid body",
         ),
         key("duration", quantity("s").or("100 revolutions"), "of the histories"),
         key("tolerance", NUMBER.or("1e-12"), "relative error per step, 1e-15 to 1e-2"),
         key(
             "samples",
-            integer(2, MOST_SAMPLES as u64).or("`run`: 24 a revolution, 2001 to 50 001; `simulate`: 1001"),
+            integer(2, MAX_ROWS as u64).or("`run`: 24 a revolution, 2001 to 50 001; `simulate`: 1001"),
             "rows",
         ),
         key(
             "form",
-            words(&["momentum", "paper"]).or("`\"momentum\"`"),
-            "variable: angular momentum, or angular velocity",
+            words(&["angular-momentum", "angular-velocity"]).or("`\"angular-momentum\"`"),
+            "variable that is integrated",
         ),
         key(
             "systems",
-            list(&Shape::Words(&["full", "reduced", "rigid", "manifold"])).or("`[\"reduced\", \"rigid\"]`"),
-            "`\"manifold\"`: reduced about the spin",
+            list(&Shape::Words(&["full", "reduced", "rigid", "spin-manifold"]))
+                .or("`[\"reduced\", \"rigid\"]`"),
+            "`\"spin-manifold\"`: reduced about the spin",
         ),
         key(
-            "method",
+            "integrator",
             words(&["automatic", "explicit", "implicit"]).or("`\"automatic\"`"),
             "for the full system",
         ),
         key("stop", table(&STOP), "ends a run early"),
         key("verify", table(&VERIFY), "compares with the full system"),
         key("evolve", table(&EVOLVE), "secular evolution"),
-        key("manifold", table(&MANIFOLD), "reduced equations about the spin; `run` then keeps the backbone"),
+        key(
+            "spin_manifold",
+            table(&SPIN_MANIFOLD),
+            "reduced equations about the spin; `run` then keeps the backbone",
+        ),
     ],
 };
 const STOP: Keys = Keys {
@@ -57,63 +63,67 @@ const STOP: Keys = Keys {
 };
 const VERIFY: Keys = Keys {
     known: &[
-        key("rotations", NUMBER.or("5"), "revolutions of each run"),
-        key("orders", list(&Shape::Integer(1, 12)).or("1 to `order`"), ""),
+        key("revolutions", NUMBER.or("5"), "revolutions of each run"),
+        key("orders", list(&Shape::Integer(0, 12)).or("1 to `order`"), ""),
         key("halvings", integer(1, 10).or("4"), "how often ε is halved"),
     ],
 };
 
 /// Order of the reduced equations unless the file chooses another.
 const ORDER: usize = 3;
-const HIGHEST_ORDER: usize = 12;
-pub(super) const MOST_SAMPLES: usize = 10_000_000;
+/// Most rows of a history, of an evolution, and draws of uncertain keys.
+pub const MAX_ROWS: usize = 10_000_000;
 /// Most halvings of the spin: the last is a thousandth of the first, and its run a thousand times as long.
 const MOST_HALVINGS: usize = 10;
 
-/// Settings of the computation.
+partial! {
+    /// Settings of histories, as far as a source gives them.
+    PartialRun {
+        /// Length of the history (s).
+        duration: f64,
+        /// Relative tolerance of the integrator.
+        tolerance: f64,
+        /// Number of rows.
+        samples: usize,
+        /// Variable that is integrated.
+        form: Form,
+        /// Integrator of the full system.
+        integrator: Method,
+    }
+}
+
+/// Table `[run]`.
 #[derive(Clone, Debug, PartialEq)]
-pub struct RunSettings {
+pub struct RunTable {
     /// Order of the reduced equations, from 0 to 12.
     pub order: usize,
     /// Whether the file gives the order.
     pub order_given: bool,
-    /// Length of the spin history (s).
-    pub duration: Option<f64>,
-    /// Relative tolerance of the integrator.
-    pub tolerance: Option<f64>,
-    /// Number of rows of the spin history.
-    pub samples: Option<usize>,
-    /// Form of the reduced equations.
-    pub form: Option<Form>,
+    /// Settings of the histories.
+    pub histories: PartialRun,
     /// Systems of equations to integrate.
     pub systems: Option<Vec<System>>,
-    /// Method for the full system.
-    pub method: Option<Method>,
     /// Events that end a run before its time.
     pub stop: Stop,
     /// Comparison of the reduced equations with the full ones; none if the file does not ask for it.
-    pub verify: Option<Verify>,
+    pub verify: Option<PartialVerify>,
     /// Secular evolution of the rotation; none if the file does not ask for it.
-    pub evolve: Option<Evolve>,
+    pub evolve: Option<PartialEvolve>,
     /// Reduced equations about the steady spin; none if the file does not ask for them.
-    pub manifold: Option<Manifold>,
+    pub spin_manifold: Option<PartialSpinManifold>,
 }
 
-impl Default for RunSettings {
+impl Default for RunTable {
     fn default() -> Self {
         Self {
             order: ORDER,
             order_given: false,
-            duration: None,
-            tolerance: None,
-            samples: None,
-            form: None,
+            histories: PartialRun::default(),
             systems: None,
-            method: None,
             stop: Stop::default(),
             verify: None,
             evolve: None,
-            manifold: None,
+            spin_manifold: None,
         }
     }
 }
@@ -128,7 +138,7 @@ pub enum System {
     /// The body with all its coordinates, which is stiff.
     Full,
     /// The reduced equations about the steady spin.
-    Manifold,
+    SpinManifold,
 }
 
 /// Events that end a run before its time.
@@ -142,43 +152,46 @@ pub struct Stop {
     pub validity: bool,
 }
 
-/// Comparison of the reduced equations with the full ones.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Verify {
-    /// Length of each run in rotations.
-    pub rotations: Option<f64>,
-    /// Orders of the reduced equations.
-    pub orders: Option<Vec<usize>>,
-    /// Number of halvings of `ε`.
-    pub halvings: Option<usize>,
+partial! {
+    /// Comparison of the reduced equations with the full ones, as far as a source gives its settings.
+    PartialVerify {
+        /// Length of each run in revolutions.
+        revolutions: f64,
+        /// Orders of the reduced equations.
+        orders: Vec<usize>,
+        /// Number of halvings of `ε`.
+        halvings: usize,
+    }
 }
 
 /// Reads `[run]`.
-pub(super) fn run(table: &Table<'_>) -> Option<RunSettings> {
-    let order = optional(table.get("order"), |value| value.integer(0..=HIGHEST_ORDER));
+pub(super) fn run(table: &Table<'_>) -> Option<RunTable> {
+    let order = optional(table.get("order"), |value| value.integer(0..=MAX_ORDER));
     let duration = optional(table.get("duration"), |value| value.positive(Dimension::TIME));
     let tolerance = optional(table.get("tolerance"), |value| tolerance(&value));
-    let samples = optional(table.get("samples"), |value| value.integer(2..=MOST_SAMPLES));
+    let samples = optional(table.get("samples"), |value| value.integer(2..=MAX_ROWS));
     let form = optional(table.get("form"), |value| value.named());
     let systems = optional(table.get("systems"), |value| systems(&value));
-    let method = optional(table.get("method"), |value| value.named());
+    let integrator = optional(table.get("integrator"), |value| value.named());
     let stop = table.get("stop").map_or(Some(Stop::default()), |value| stop(&value));
     let verify = optional(table.get("verify"), |value| verify(&value));
     let evolve = optional(table.get("evolve"), |value| evolve(&value));
-    let manifold = optional(table.get("manifold"), |value| manifold(&value));
-    Some(RunSettings {
+    let spin_manifold = optional(table.get("spin_manifold"), |value| spin_manifold(&value));
+    Some(RunTable {
         order: order?.unwrap_or(ORDER),
         order_given: table.get("order").is_some(),
-        duration: duration?,
-        tolerance: tolerance?,
-        samples: samples?,
-        form: form?,
+        histories: PartialRun {
+            duration: duration?,
+            tolerance: tolerance?,
+            samples: samples?,
+            form: form?,
+            integrator: integrator?,
+        },
         systems: systems?,
-        method: method?,
         stop: stop?,
         verify: verify?,
         evolve: evolve?,
-        manifold: manifold?,
+        spin_manifold: spin_manifold?,
     })
 }
 
@@ -224,15 +237,15 @@ fn nutation(value: &Value<'_>) -> Option<f64> {
     value.refuse(message, "out of range", Some("write for example nutation = \"45 deg\"".to_owned()))
 }
 
-fn verify(value: &Value<'_>) -> Option<Verify> {
+fn verify(value: &Value<'_>) -> Option<PartialVerify> {
     let table = value.table("`verify`", &VERIFY)?;
-    let rotations = optional(table.get("rotations"), |value| value.positive(Dimension::NUMBER));
+    let revolutions = optional(table.get("revolutions"), |value| value.positive(Dimension::NUMBER));
     let orders = optional(table.get("orders"), |value| {
         let help = "write for example [1, 2, 3]";
-        distinct(&value, "a list of orders", help, |item| item.integer(1..=HIGHEST_ORDER))
+        distinct(&value, "a list of orders", help, |item| item.integer(0..=MAX_ORDER))
     });
     let halvings = optional(table.get("halvings"), |value| value.integer(1..=MOST_HALVINGS));
-    Some(Verify { rotations: rotations?, orders: orders?, halvings: halvings? })
+    Some(PartialVerify { revolutions: revolutions?, orders: orders?, halvings: halvings? })
 }
 
 /// Reads a list of one or more values, each of them once.

@@ -39,11 +39,23 @@ impl<'a> Table<'a> {
             if problems.full() {
                 break;
             }
+            if let Some(today) = renamed(key.get_ref(), keys, TAKEN) {
+                if entries.contains_key(today) {
+                    problems.report(given_twice(key.get_ref(), key.span(), today));
+                } else {
+                    problems.renamed(
+                        key.span(),
+                        &format!("`{}` in {title}", key.get_ref()),
+                        &format!("`{today}`"),
+                    );
+                }
+                continue;
+            }
             if let Some(kinds) = others(key.get_ref()) {
                 problems.report(foreign_key(title, key.get_ref(), key.span(), keys, &kinds));
                 continue;
             }
-            let meant = renamed(key.get_ref(), keys).or_else(|| nearest(key.get_ref(), keys.names()));
+            let meant = renamed(key.get_ref(), keys, FORMER).or_else(|| nearest(key.get_ref(), keys.names()));
             problems.report(unknown_key(title, key.get_ref(), key.span(), keys, meant));
             misspelt.extend(meant);
         }
@@ -63,7 +75,11 @@ impl<'a> Table<'a> {
 
     /// The value of a key, if the table has it.
     pub(crate) fn get(&self, key: &'static str) -> Option<Value<'a>> {
-        let value = self.entries.get(key)?;
+        let (key, value) = match (self.entries.get(key), TAKEN.iter().find(|(_, today)| *today == key)) {
+            (Some(value), _) => (key, value),
+            (None, Some((former, _))) => (*former, self.entries.get(*former)?),
+            (None, None) => return None,
+        };
         Some(Value::new(key, value, self.problems))
     }
 
@@ -140,10 +156,19 @@ impl<'a> Table<'a> {
 /// Keys of earlier versions, with those of today.
 const FORMER: &[(&str, &str)] = &[("freedoms", "dofs")];
 
+/// Keys of the version before, which this one still takes, with those of today.
+const TAKEN: &[(&str, &str)] =
+    &[("manifold", "spin_manifold"), ("method", "integrator"), ("rotations", "revolutions")];
+
 /// The present name of a former key, if the table has such a key.
-fn renamed(key: &str, keys: &Keys) -> Option<&'static str> {
-    let (_, now) = FORMER.iter().find(|(former, now)| *former == key && keys.has(now))?;
+fn renamed(key: &str, keys: &Keys, names: &'static [(&str, &str)]) -> Option<&'static str> {
+    let (_, now) = names.iter().find(|(former, now)| *former == key && keys.has(now))?;
     Some(now)
+}
+
+fn given_twice(former: &str, span: Range<usize>, today: &str) -> Diagnostic {
+    let message = format!("`{former}` is the former name of `{today}`, which is there too");
+    Diagnostic::new(span, message, "given twice").help(format!("leave `{former}` out"))
 }
 
 fn foreign_key(title: &str, key: &str, span: Range<usize>, keys: &Keys, kinds: &str) -> Diagnostic {

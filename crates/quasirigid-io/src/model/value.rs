@@ -182,6 +182,11 @@ impl<'a> Value<'a> {
 
     /// A setting that is one of a few.
     pub(crate) fn named<T: Named>(&self) -> Option<T> {
+        let former = self.words().and_then(|word| Some((word, T::renamed(word)?)));
+        if let Some((word, today)) = former {
+            self.problems.renamed(self.span(), &format!("{} = {word:?}", self.key), &format!("{today:?}"));
+            return T::of(word);
+        }
         self.choice(&T::VALUES.iter().map(|(word, value, _)| (*word, *value)).collect::<Vec<_>>())
     }
 

@@ -94,6 +94,8 @@ pub struct StudyFile {
     pub table: Option<TableSource>,
     /// Quantities of every row.
     pub answer: Answer,
+    /// Notes on former names of keys and words, with those of today.
+    pub former_names: Vec<String>,
 }
 
 impl StudyFile {
@@ -189,5 +191,6 @@ fn content(source: &Source, problems: &Problems<'_>) -> Option<StudyFile> {
         vary,
         table,
         answer: answer?,
+        former_names: problems.former_names(),
     })
 }

@@ -3,11 +3,11 @@
 use insta::assert_snapshot;
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
-use quasirigid_io::model::{Evolve, EvolveMethod, Power, Target};
+use quasirigid_io::model::{EvolveMethod, PartialEvolve, Power, Target};
 
 use super::{CARRIER, read, refusal_of};
 
-fn evolve(text: &str) -> Option<Evolve> {
+fn evolve(text: &str) -> Option<PartialEvolve> {
     read(&format!("{CARRIER}[run]\nevolve = {text}\n")).run.evolve
 }
 
@@ -25,11 +25,12 @@ fn refused_alone(text: &str) -> String {
 #[test]
 fn an_evolution_is_read() {
     assert_eq!(read(CARRIER).run.evolve, None);
-    assert_eq!(evolve("{}"), Some(Evolve::default()));
+    assert_eq!(evolve("{}"), Some(PartialEvolve::default()));
     let all = evolve(
-        "{ until = \"98% of I3\", duration = \"10 Gyr\", samples = 201, power = \"harmonics\", method = \"micro-runs\" }",
+        "{ start = \"20 deg\", until = \"98% of I3\", duration = \"10 Gyr\", samples = 201, power = \"harmonics\", method = \"micro-runs\" }",
     );
-    let expected = Evolve {
+    let expected = PartialEvolve {
+        start: Some(Target::Wobble(20f64.to_radians())),
         until: Some(Target::Ratio(0.98)),
         duration: Some(31_557_600e10),
         samples: Some(201),

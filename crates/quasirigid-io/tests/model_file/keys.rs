@@ -17,7 +17,7 @@ model.toml:9:3: unknown key "points" in the file
 "#);
     assert_snapshot!(refusal_of("[run]\ntemperature = 300\n"), @r#"
     model.toml:10:1: unknown key "temperature" in [run]
-      the keys are order, duration, tolerance, samples, form, systems, method, stop, verify, evolve, manifold
+      the keys are order, duration, tolerance, samples, form, systems, integrator, stop, verify, evolve, spin_manifold
     "#);
 }
 

@@ -7,7 +7,7 @@ use insta::assert_snapshot;
 use quasirigid::dynamics::Form;
 use quasirigid::elements::{Coefficient, End, HingeCoefficient, PointMotion, SpringLaw};
 use quasirigid::model::Support;
-use quasirigid_io::model::Rotation;
+use quasirigid_io::model::{PartialRun, Rotation};
 
 use super::{CARRIER, carrier, read};
 
@@ -66,7 +66,7 @@ order = 5
 duration = "2 h"
 tolerance = 1e-10
 samples = 1000
-form = "momentum"
+form = "angular-momentum"
 "#,
     );
     assert_eq!(model.name, "boom satellite");
@@ -104,8 +104,9 @@ form = "momentum"
     assert_eq!(body.support, Support::FixedPoint { point: [0.0, 0.0, -1.0] });
     assert!(matches!(model.initial.rotation, Some(Rotation::Spin([_, 0.35, _]))));
     assert_eq!(model.initial.attitude, [0.6, 0.0, 0.8, 0.0]);
-    assert_eq!((model.run.order, model.run.duration, model.run.samples), (5, Some(7200.0), Some(1000)));
-    assert_eq!((model.run.tolerance, model.run.form), (Some(1e-10), Some(Form::AngularMomentum)));
+    let histories = &model.run.histories;
+    assert_eq!((model.run.order, histories.duration, histories.samples), (5, Some(7200.0), Some(1000)));
+    assert_eq!((histories.tolerance, histories.form), (Some(1e-10), Some(Form::AngularMomentum)));
     assert_eq!(model.notes, [""; 0]);
     assert_eq!(model.extremes, None);
 }
@@ -117,7 +118,7 @@ fn what_the_file_leaves_out_has_its_default() {
     assert_eq!(model.assembly.support, Support::Free);
     assert_eq!(model.initial.rotation, None);
     assert_eq!(model.initial.attitude, [1.0, 0.0, 0.0, 0.0]);
-    assert_eq!((model.run.order, model.run.duration, model.run.tolerance), (3, None, None));
+    assert_eq!((model.run.order, model.run.histories), (3, PartialRun::default()));
     // of CARRIER, by sha256sum
     assert_eq!(model.source.sha256, "0f1303cac9ec4982d910513c3b13aaebed50ec6616aa0ade1315747430b9b288");
 }

@@ -3,7 +3,7 @@
 
 use insta::assert_snapshot;
 use quasirigid::dynamics::{Form, Method};
-use quasirigid_io::model::{Stop, System, Verify};
+use quasirigid_io::model::{EvolveMethod, PartialVerify, Stop, System};
 
 use super::{CARRIER, read, refusal_of};
 
@@ -35,7 +35,7 @@ fn settings_out_of_range_are_refused() {
     model.toml:13:11: `samples` is 1, but must be an integer from 2 to 10000000
       write an integer from 2 to 10000000
     model.toml:14:8: `form` cannot be "quick"
-      write "momentum" or "paper"
+      write "angular-momentum" or "angular-velocity"
     "#);
     assert_snapshot!(refusal_of("[run]\norder = 3.0\ntolerance = 0.9e-15\nsamples = 10_000_001\n"), @"
     model.toml:10:9: `order`: found a decimal number, expected an integer from 0 to 12
@@ -46,15 +46,20 @@ fn settings_out_of_range_are_refused() {
       write an integer from 2 to 10000000
     ");
     let run = read(&format!(
-        "{CARRIER}[run]\norder = 12\ntolerance = 1.1e-15\nsamples = 10_000_000\nform = \"paper\"\n"
+        "{CARRIER}[run]\norder = 12\ntolerance = 1.1e-15\nsamples = 10_000_000\nform = \"angular-velocity\"\n"
     ))
     .run;
-    assert_eq!((run.order, run.samples, run.form), (12, Some(10_000_000), Some(Form::AngularVelocity)));
+    let histories = run.histories;
+    assert_eq!(
+        (run.order, histories.samples, histories.form),
+        (12, Some(10_000_000), Some(Form::AngularVelocity))
+    );
 }
 
 #[test]
 fn the_tolerance_is_that_of_the_command_line() {
-    let tolerance = |text: &str| read(&format!("{CARRIER}[run]\ntolerance = {text}\n")).run.tolerance;
+    let tolerance =
+        |text: &str| read(&format!("{CARRIER}[run]\ntolerance = {text}\n")).run.histories.tolerance;
     assert_eq!([tolerance("1e-15"), tolerance("1e-2")], [Some(1e-15), Some(1e-2)]);
     assert_snapshot!(refusal_of("[run]\ntolerance = 0.9999e-15\n"), @"
     model.toml:10:13: `tolerance` is 9.999e-16, but must lie from 1e-15 to 1e-2
@@ -70,19 +75,21 @@ fn the_tolerance_is_that_of_the_command_line() {
 fn systems_and_methods_are_read() {
     let run = |lines: &str| read(&format!("{CARRIER}[run]\n{lines}\n")).run;
     let plain = run("");
-    assert_eq!((plain.systems, plain.method, plain.stop, plain.verify), (None, None, Stop::default(), None));
+    let integrator = plain.histories.integrator;
+    assert_eq!((plain.systems, integrator, plain.stop, plain.verify), (None, None, Stop::default(), None));
     let all = run("systems = [\"full\", \"reduced\", \"rigid\"]").systems;
     assert_eq!(all, Some(vec![System::Full, System::Reduced, System::Rigid]));
-    let methods = ["automatic", "explicit", "implicit"].map(|word| run(&format!("method = {word:?}")).method);
-    assert_eq!(methods, [Some(Method::Automatic), Some(Method::Explicit), Some(Method::Implicit)]);
-    assert_snapshot!(refusal_of("[run]\nsystems = [\"full\", \"ful\", \"full\", 3]\nmethod = \"implict\"\n"), @r#"
+    let integrators = ["automatic", "explicit", "implicit"]
+        .map(|word| run(&format!("integrator = {word:?}")).histories.integrator);
+    assert_eq!(integrators, [Some(Method::Automatic), Some(Method::Explicit), Some(Method::Implicit)]);
+    assert_snapshot!(refusal_of("[run]\nsystems = [\"full\", \"ful\", \"full\", 3]\nintegrator = \"implict\"\n"), @r#"
     model.toml:10:20: `systems` cannot be "ful"
-      did you mean "full"? write "full", "reduced", "rigid" or "manifold"
+      did you mean "full"? write "full", "reduced", "rigid" or "spin-manifold"
     model.toml:10:27: `systems` has a duplicate entry
       leave it out
     model.toml:10:35: `systems`: found an integer, expected a text
       write the systems in quotes
-    model.toml:11:10: `method` cannot be "implict"
+    model.toml:11:14: `integrator` cannot be "implict"
       did you mean "implicit"? write "automatic", "explicit" or "implicit"
     "#);
     assert_snapshot!(refusal_of("[run]\nsystems = []\n"), @r#"
@@ -127,28 +134,62 @@ fn conditions_to_stop_are_read() {
 #[test]
 fn a_verification_is_read() {
     let verify = |text: &str| read(&format!("{CARRIER}[run]\nverify = {text}\n")).run.verify;
-    assert_eq!(verify("{}"), Some(Verify { rotations: None, orders: None, halvings: None }));
-    let all = verify("{ rotations = 2.5, orders = [1, 12, 3], halvings = 10 }");
-    assert_eq!(all, Some(Verify { rotations: Some(2.5), orders: Some(vec![1, 12, 3]), halvings: Some(10) }));
-    let text = "[run]\nverify = { rotations = 0, orders = [1, 0, 13, 1], halvings = 11, order = 2 }\n";
+    assert_eq!(verify("{}"), Some(PartialVerify::default()));
+    let all = verify("{ revolutions = 2.5, orders = [0, 12, 3], halvings = 10 }");
+    let orders = Some(vec![0, 12, 3]);
+    assert_eq!(all, Some(PartialVerify { revolutions: Some(2.5), orders, halvings: Some(10) }));
+    let text = "[run]\nverify = { revolutions = 0, orders = [1, -1, 13, 1], halvings = 11, order = 2 }\n";
     assert_snapshot!(refusal_of(text), @r#"
-    model.toml:10:24: `rotations` is 0, but must be positive
+    model.toml:10:26: `revolutions` is 0, but must be positive
       write a number
-    model.toml:10:40: `orders` is 0, but must be an integer from 1 to 12
-      write an integer from 1 to 12
-    model.toml:10:43: `orders` is 13, but must be an integer from 1 to 12
-      write an integer from 1 to 12
-    model.toml:10:47: `orders` has a duplicate entry
+    model.toml:10:42: `orders` is -1, but must be an integer from 0 to 12
+      write an integer from 0 to 12
+    model.toml:10:46: `orders` is 13, but must be an integer from 0 to 12
+      write an integer from 0 to 12
+    model.toml:10:50: `orders` has a duplicate entry
       leave it out
-    model.toml:10:62: `halvings` is 11, but must be an integer from 1 to 10
+    model.toml:10:65: `halvings` is 11, but must be an integer from 1 to 10
       write an integer from 1 to 10
-    model.toml:10:66: unknown key "order" in `verify`
-      did you mean `orders`? the keys are rotations, orders, halvings
+    model.toml:10:69: unknown key "order" in `verify`
+      did you mean `orders`? the keys are revolutions, orders, halvings
     "#);
     assert_snapshot!(refusal_of("[run]\nverify = { orders = [], halvings = 0 }\n"), @"
     model.toml:10:21: `orders`: found an array of 0 values, expected a list of orders
       write for example [1, 2, 3]
     model.toml:10:36: `halvings` is 0, but must be an integer from 1 to 10
       write an integer from 1 to 10
+    ");
+}
+
+#[test]
+fn former_names_are_taken_and_noted_with_those_of_today() {
+    let former = "[run]\nform = \"paper\"\nmethod = \"implicit\"\nsystems = [\"full\", \"manifold\"]\n\
+                  verify = { revolutions = 2 }\nevolve = { method = \"direct\" }\nmanifold = { degree = 3 }\n";
+    let today = "[run]\nform = \"angular-velocity\"\nintegrator = \"implicit\"\n\
+                 systems = [\"full\", \"spin-manifold\"]\nverify = { revolutions = 2 }\n\
+                 evolve = { method = \"full\" }\nspin_manifold = { degree = 3 }\n";
+    let [former, today] = [former, today].map(|text| read(&format!("{CARRIER}{text}")));
+    assert_eq!(former.run, today.run);
+    assert_eq!(today.former_names, [""; 0]);
+    assert_eq!(today.run.evolve.and_then(|evolve| evolve.method), Some(EvolveMethod::Full));
+    let noted = |note: &str| {
+        let last = "this version takes the former name for the last time";
+        let note = format!("{note}; {last}");
+        assert!(former.former_names.contains(&note), "{note}: {:#?}", former.former_names);
+    };
+    noted("line 10: form = \"paper\" is now called \"angular-velocity\"");
+    noted("line 11: `method` in [run] is now called `integrator`");
+    noted("line 12: systems = \"manifold\" is now called \"spin-manifold\"");
+    noted("line 13: `rotations` in `verify` is now called `revolutions`");
+    noted("line 14: method = \"direct\" is now called \"full\"");
+    noted("line 15: `manifold` in [run] is now called `spin_manifold`");
+    assert_eq!(former.former_names.len(), 6);
+}
+
+#[test]
+fn former_name_beside_that_of_today_is_refused() {
+    assert_snapshot!(refusal_of("[run]\nverify = { revolutions = 2, revolutions = 3 }\n"), @"
+    model.toml:10:12: `rotations` is the former name of `revolutions`, which is there too
+      leave `rotations` out
     ");
 }

@@ -253,18 +253,24 @@ class Modes(Answer):
         return self
 
     def __getitem__(self, name: str) -> dict[str, Any]:
-        """The first mode of this name about the first steady spin.
+        """The mode of this name about the first steady spin.
 
         Raises:
-            KeyError: with the names there are, if there is none.
+            KeyError: with the names there are, if there is none, and with the modes, if several have it.
 
         >>> import quasirigid
         >>> quasirigid.Model(quasirigid.EXAMPLE).modes(axis="greatest")["nutation"]["time_constant"] > 0
         True
         """
-        for mode in self.modes:
-            if mode["name"] == name:
-                return mode
+        found = [(place, mode) for place, mode in enumerate(self.modes) if mode["name"] == name]
+        if len(found) == 1:
+            return found[0][1]
+        if found:
+            several = ", ".join(
+                f"modes[{place}] (frequency {mode['frequency']:.4g} rad/s, decay rate {mode['decay_rate']:.4g} 1/s)"
+                for place, mode in found
+            )
+            raise KeyError(f"{len(found)} modes have the name {name!r}; take one by its place: {several}")
         names = ", ".join(dict.fromkeys(str(mode["name"]) for mode in self.modes))
         raise KeyError(f"{name!r} is no mode; the modes are {names}")
 
@@ -653,7 +659,7 @@ class Verification(Answer):
     """The reduced equations against the full system, with the measured order of convergence.
 
     >>> import quasirigid
-    >>> verification = quasirigid.Model(quasirigid.EXAMPLE).verify(orders=[3], rotations=1, halvings=2)
+    >>> verification = quasirigid.Model(quasirigid.EXAMPLE).verify(orders=[3], revolutions=1, halvings=2)
     >>> verification.reached, verification.orders[0]["p"]
     (True, 3)
     """

@@ -2,17 +2,24 @@
 
 from __future__ import annotations
 
+import functools
 import operator
 import os
-from collections.abc import Iterable
-from typing import Any
+import sys
+import warnings
+from collections.abc import Callable, Iterable
+from typing import Any, ParamSpec, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from quasirigid import _core
 from quasirigid._errors import InputError
 
 __all__: list[str] = []
+
+_P = ParamSpec("_P")
+_T = TypeVar("_T")
 
 # Largest count that the compiled part takes.
 _MOST = 2**62
@@ -83,22 +90,6 @@ def count(value: Any, name: str) -> int | None:
     return whole
 
 
-def rows(value: Any, name: str) -> int | None:
-    """A number of rows of an evolution."""
-    found = count(value, name)
-    if found is not None and not 2 <= found <= 1_000_000:
-        raise InputError(f"{name} = {found} is out of range; give 2 to 1000000")
-    return found
-
-
-def draws(value: Any, name: str) -> int | None:
-    """A number of draws."""
-    found = count(value, name)
-    if found is not None and not 2 <= found <= 10_000_000:
-        raise InputError(f"{name} = {found} is out of range; give 2 to 10000000")
-    return found
-
-
 def word(value: Any, name: str) -> str | None:
     """A name among a few."""
     if value is not None and not isinstance(value, str):
@@ -167,11 +158,36 @@ def counts(value: Iterable[Any] | None, name: str) -> list[int] | None:
     return [each for each in found if each is not None]
 
 
-
-
 def duration(value: Any) -> float | str | None:
     """A time above zero (s), or a text with a unit."""
     found = quantity(value, "duration")
     if isinstance(found, float) and not 0.0 < found < float("inf"):
         raise InputError(f"duration = {found} s is not a duration; give one above zero, such as '2 h'")
     return found
+
+
+def renamed(*names: str) -> Callable[[Callable[_P, _T]], Callable[_P, _T]]:
+    """Takes arguments by their former names too, for one version, with a warning that says the names of today."""
+    former = {_core.former_argument(name): name for name in names}
+
+    def decorated(function: Callable[_P, _T]) -> Callable[_P, _T]:
+        @functools.wraps(function)
+        def taken(*args: _P.args, **kwargs: _P.kwargs) -> _T:
+            for old in former.keys() & kwargs.keys():
+                if former[old] in kwargs:
+                    raise InputError(f"{old} is the former name of {former[old]}; give the one or the other")
+                deprecated(f"{old} is now called {former[old]}; this version takes the former name for the last time")
+                kwargs[former[old]] = kwargs.pop(old)
+            return function(*args, **kwargs)
+
+        return taken
+
+    return decorated
+
+
+def deprecated(note: str) -> None:
+    """Warns at the line outside the package that used a former name."""
+    level, frame = 2, sys._getframe(1)
+    while frame.f_back is not None and frame.f_globals.get("__name__", "").partition(".")[0] == "quasirigid":
+        level, frame = level + 1, frame.f_back
+    warnings.warn(note, DeprecationWarning, stacklevel=level)

@@ -17,6 +17,7 @@ __all__ = [
     "RunAnswer",
     "Sweep",
     "evolve_ellipsoids",
+    "former_argument",
     "read_sweep",
     "to_toml",
     "with_changes",
@@ -30,6 +31,7 @@ _Floats: TypeAlias = NDArray[np.float64]
 _Answer: TypeAlias = dict[str, Any]
 
 def evolve_ellipsoids(columns: dict[str, Any], reproducible: bool, observer: _Observer) -> _Answer: ...
+def former_argument(name: str) -> str: ...
 def to_toml(model: dict[str, Any]) -> str: ...
 def with_changes(text: str, changes: dict[str, Any]) -> str: ...
 def read_sweep(folder: str) -> tuple[Columns, dict[str, Any], str]: ...
@@ -87,14 +89,14 @@ class Model:
         observer: _Observer,
     ) -> _Answer: ...
     def spins(self, initial: _Floats, asked: dict[str, Any], order: int | None, observer: _Observer) -> _Answer: ...
-    def evolve(self, wish: dict[str, Any], order: int | None, observer: _Observer) -> _Answer: ...
+    def evolve(self, asked: dict[str, Any], order: int | None, observer: _Observer) -> _Answer: ...
     def evolve_all(
-        self, initial: _Floats, wish: dict[str, Any], order: int | None, observer: _Observer
+        self, initial: _Floats, asked: dict[str, Any], order: int | None, observer: _Observer
     ) -> Columns: ...
     def verify(
         self,
         orders: list[int] | None,
-        rotations: float | None,
+        revolutions: float | None,
         halvings: int | None,
         order: int | None,
         observer: _Observer,

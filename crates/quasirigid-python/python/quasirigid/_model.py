@@ -216,7 +216,7 @@ class Model:
         >>> about.holds, about.masters[0]["name"]
         (True, 'nutation')
         """
-        settings = _manifold(degree, masters, style)
+        settings = _spin_manifold(degree, masters, style)
         word = _arguments.word(axis, "axis")
         with observer(progress) as watch:
             return AboutSpin({**self._core.about_spin(settings, word, watch), "model": self, "settings": settings})
@@ -246,10 +246,12 @@ class Model:
         times: ArrayLike | None = None,
         tolerance: float | None = None,
         form: str | None = None,
-        method: str | None = None,
+        integrator: str | None = None,
         coordinates: bool = False,
         displacements: bool = False,
         degree: int | None = None,
+        masters: str | Sequence[float] | None = None,
+        style: str | None = None,
         order: int | None = None,
         progress: Progress = False,
     ) -> History: ...
@@ -265,13 +267,14 @@ class Model:
         times: ArrayLike | None = None,
         tolerance: float | None = None,
         form: str | None = None,
-        method: str | None = None,
+        integrator: str | None = None,
         coordinates: bool = False,
         displacements: bool = False,
         order: int | None = None,
         progress: Progress = False,
     ) -> Histories: ...
 
+    @_arguments.renamed("integrator")
     def simulate(
         self,
         system: str = "reduced",
@@ -282,28 +285,30 @@ class Model:
         times: ArrayLike | None = None,
         tolerance: float | None = None,
         form: str | None = None,
-        method: str | None = None,
+        integrator: str | None = None,
         coordinates: bool = False,
         displacements: bool = False,
         degree: int | None = None,
+        masters: str | Sequence[float] | None = None,
+        style: str | None = None,
         order: int | None = None,
         progress: Progress = False,
     ) -> History | Histories:
         """Follows the spin in time.
 
         Args:
-            system: ``reduced``, ``full``, ``rigid``, or ``manifold`` for the reduced equations about the spin.
+            system: ``reduced``, ``full``, ``rigid``, or ``spin-manifold`` for the reduced equations about the spin.
             initial: Angular velocities at the start (rad/s), body axes, ``(n, 3)``: one history each, on every core, in the place
                 of the model's own start. A row that fails has its reason.
             duration: Duration (s); the model's own, or a hundred revolutions.
             samples: Number of rows, spread evenly; the model's own, or 1001.
             times: Output times (s), ascending, in the place of ``duration`` and ``samples``.
             tolerance: Error allowed per step, relative, 1e-15 to 1e-2.
-            form: Variable that is integrated: ``momentum`` or ``paper``.
-            method: Integrator of the full system: ``automatic``, ``explicit`` or ``implicit``.
+            form: Variable that is integrated: ``angular-momentum``, or ``angular-velocity`` as in the paper.
+            integrator: Integrator of the full system: ``automatic``, ``explicit`` or ``implicit``.
             coordinates: Internal coordinates and their rates in the table, too.
             displacements: Displacements of points, appendages and nodes, too.
-            degree: Degree of the reduced equations about the spin, 1 to 11.
+            degree, masters, style: Settings of the reduced equations about the spin, as in ``about_spin``.
 
         Raises:
             StartError, PropagationError: for a start that is none, unless it is a row of ``initial``.
@@ -316,15 +321,17 @@ class Model:
         """
         if times is not None and (duration is not None or samples is not None):
             raise InputError("times stand in the place of duration and samples; give the one or the others")
-        if degree is not None and system != "manifold":
-            raise InputError('degree belongs to the reduced equations about the spin; take system="manifold"')
+        about_spin = {"degree": degree, "masters": masters, "style": style}
+        given = [name for name, value in about_spin.items() if value is not None]
+        if given and system not in ("spin-manifold", "manifold"):
+            raise InputError(f'{given[0]} belongs to the reduced equations about the spin; take system="spin-manifold"')
         return self._simulate(
             system,
-            _settings(duration, samples, tolerance, form, method),
+            _settings(duration, samples, tolerance, form, integrator),
             coordinates=coordinates,
             displacements=displacements,
             times=times,
-            manifold=_manifold(degree, None, None),
+            spin_manifold=_spin_manifold(degree, masters, style),
             initial=initial,
             order=order,
             progress=progress,
@@ -332,7 +339,7 @@ class Model:
 
     def _about_spin_history(
         self,
-        manifold: dict[str, Any],
+        spin_manifold: dict[str, Any],
         *,
         duration: float | str | None,
         samples: int | None,
@@ -346,12 +353,12 @@ class Model:
         if times is not None and (duration is not None or samples is not None):
             raise InputError("times stand in the place of duration and samples; give the one or the others")
         history = self._simulate(
-            "manifold",
+            "spin-manifold",
             _settings(duration, samples, tolerance, None, None),
             coordinates=coordinates,
             displacements=displacements,
             times=times,
-            manifold=manifold,
+            spin_manifold=spin_manifold,
             initial=None,
             order=None,
             progress=progress,
@@ -367,14 +374,14 @@ class Model:
         coordinates: bool,
         displacements: bool,
         times: ArrayLike | None,
-        manifold: dict[str, Any],
+        spin_manifold: dict[str, Any],
         initial: ArrayLike | None,
         order: int | None,
         progress: Progress,
     ) -> History | Histories:
         table = {
             "system": _arguments.word(system, "system") or "",
-            "manifold": manifold,
+            "spin_manifold": spin_manifold,
             "coordinates": bool(coordinates),
             "displacements": bool(displacements),
             "times": _arguments.times(times),
@@ -403,7 +410,7 @@ class Model:
             initial: Angular velocities at the start (rad/s), body axes, ``(n, 3)``. A row that fails has its reason.
             times: Output times (s), ascending.
             tolerance: Error allowed per step, relative, 1e-15 to 1e-2.
-            form: Variable that is integrated: ``momentum`` or ``paper``.
+            form: Variable that is integrated: ``angular-momentum``, or ``angular-velocity`` as in the paper.
             reproducible: The same bits on every processor, without fused multiply-add.
 
         Raises:
@@ -439,7 +446,7 @@ class Model:
         samples: int | None = None,
         power: str | None = None,
         method: str | None = None,
-        samples_of_uncertainty: int | None = None,
+        uncertainty_samples: int | None = None,
         order: int | None = None,
         progress: Progress = False,
     ) -> Evolution: ...
@@ -459,6 +466,7 @@ class Model:
         progress: Progress = False,
     ) -> Evolutions: ...
 
+    @_arguments.renamed("uncertainty_samples")
     def evolve(
         self,
         *,
@@ -469,7 +477,7 @@ class Model:
         samples: int | None = None,
         power: str | None = None,
         method: str | None = None,
-        samples_of_uncertainty: int | None = None,
+        uncertainty_samples: int | None = None,
         order: int | None = None,
         progress: Progress = False,
     ) -> Evolution | Evolutions:
@@ -482,10 +490,11 @@ class Model:
                 greatest inertia as ``"20 deg"``. By default the model's start.
             until: Where to end, in the same form. By default the model's own, or 1 % of the energy of the wobble left.
             duration: Longest time (s).
-            samples: Number of rows, 2 to 1000000; 201 by default.
+            samples: Number of rows, 2 to 10000000; the model's own, or 201.
             power: Source of the mean power: ``polynomial`` or ``harmonics``.
-            method: ``average``, ``micro-runs``, ``direct``, ``modes`` or ``manifold``; by default the one that holds.
-            samples_of_uncertainty: Draws of the keys in the model's ``[uncertainty]``, 2 to 10000000; their intervals are in
+            method: ``average``, ``levels``, ``micro-runs``, ``full``, ``modal-rates`` or ``spin-manifold``; by default the one that
+                holds.
+            uncertainty_samples: Draws of the keys in the model's ``[uncertainty]``, 2 to 10000000; their intervals are in
                 ``uncertainty``.
 
         Raises:
@@ -498,28 +507,29 @@ class Model:
         >>> evolution.holds, evolution.time > 0
         (True, True)
         """
-        wish = {
+        settings = {
             "start": _arguments.quantity(start, "start"),
             "until": _arguments.quantity(until, "until"),
             "duration": _arguments.duration(duration),
-            "samples": _arguments.rows(samples, "samples"),
+            "samples": _arguments.count(samples, "samples"),
             "power": _arguments.word(power, "power"),
             "method": _arguments.word(method, "method"),
-            "samples_of_uncertainty": _arguments.draws(samples_of_uncertainty, "samples_of_uncertainty"),
+            "uncertainty_samples": _arguments.count(uncertainty_samples, "uncertainty_samples"),
         }
-        if initial is not None and samples_of_uncertainty is not None:
-            raise InputError("samples_of_uncertainty draws the model's own keys; leave initial out, or vary both in a study")
+        if initial is not None and uncertainty_samples is not None:
+            raise InputError("uncertainty_samples draws the model's own keys; leave initial out, or vary both in a study")
         whole = _arguments.count(order, "order")
         with observer(progress) as watch:
             if initial is None:
-                return Evolution(self._core.evolve(wish, whole, watch))
-            return Evolutions(self._core.evolve_all(_starts(initial), wish, whole, watch))
+                return Evolution(self._core.evolve(settings, whole, watch))
+            return Evolutions(self._core.evolve_all(_starts(initial), settings, whole, watch))
 
+    @_arguments.renamed("revolutions")
     def verify(
         self,
         *,
         orders: Iterable[int] | None = None,
-        rotations: float | None = None,
+        revolutions: float | None = None,
         halvings: int | None = None,
         order: int | None = None,
         progress: Progress = False,
@@ -528,7 +538,7 @@ class Model:
 
         Args:
             orders: Orders to verify; every one up to the model's by default.
-            rotations: Revolutions of each history; 5 by default.
+            revolutions: Revolutions of each history; 5 by default.
             halvings: How often ε is halved; 4 by default.
 
         Raises:
@@ -539,22 +549,23 @@ class Model:
             return Verification(
                 self._core.verify(
                     _arguments.counts(orders, "orders"),
-                    _arguments.number(rotations, "rotations"),
+                    _arguments.number(revolutions, "revolutions"),
                     _arguments.count(halvings, "halvings"),
                     _arguments.count(order, "order"),
                     watch,
                 )
             )
 
+    @_arguments.renamed("out", "integrator")
     def run(
         self,
-        folder: str | os.PathLike[str] | None = None,
+        out: str | os.PathLike[str] | None = None,
         *,
         duration: float | str | None = None,
         samples: int | None = None,
         tolerance: float | None = None,
         form: str | None = None,
-        method: str | None = None,
+        integrator: str | None = None,
         order: int | None = None,
         tables: str | Sequence[str] | None = None,
         resume: bool = False,
@@ -563,12 +574,12 @@ class Model:
         """Does everything that the model asks for in ``[run]``: check, reduce, propagate, follow, verify.
 
         Args:
-            folder: New folder for the record and its report; it appears only when the record is complete. Without one nothing
-                is written. From the first second of work on the run is kept beside it, in ``<folder>-unfinished``, and histories
+            out: New folder for the record and its report; it appears only when the record is complete. Without one nothing
+                is written. From the first second of work on the run is kept beside it, in ``<out>-unfinished``, and histories
                 of any number of rows take little memory.
             tables: Formats of the tables: ``csv``, ``parquet``, ``npz``, or several of them; CSV by default, Parquet where a history
                 has more than 100 000 rows.
-            resume: Whether to go on from ``<folder>-unfinished``, where a run was cut off, with the bits of a run that nothing
+            resume: Whether to go on from ``<out>-unfinished``, where a run was cut off, with the bits of a run that nothing
                 stopped.
 
         Raises:
@@ -576,11 +587,11 @@ class Model:
             InputError: for ``tables`` or ``resume`` without a folder, and for a run that is not there to go on with, or is another.
             StartError: for a start that is none.
         """
-        if folder is None and (tables is not None or resume):
+        if out is None and (tables is not None or resume):
             raise InputError("tables and resume need the folder of the record")
         formats = tables.split(",") if isinstance(tables, str) else None if tables is None else list(tables)
-        place = None if folder is None else {"folder": _arguments.path(folder, "folder"), "tables": formats, "resume": bool(resume)}
-        settings = _settings(duration, samples, tolerance, form, method)
+        place = None if out is None else {"folder": _arguments.path(out, "out"), "tables": formats, "resume": bool(resume)}
+        settings = _settings(duration, samples, tolerance, form, integrator)
         with observer(progress) as watch:
             return Run(self._core.run(place, settings, _arguments.count(order, "order"), watch))
 
@@ -632,7 +643,7 @@ def _model(kind: type[Model], text: str, file: str) -> Model:
     return kind(text, file=file)
 
 
-def _manifold(degree: int | None, masters: str | Sequence[float] | None, style: str | None) -> dict[str, Any]:
+def _spin_manifold(degree: int | None, masters: str | Sequence[float] | None, style: str | None) -> dict[str, Any]:
     listed = masters if masters is None or isinstance(masters, str) else [float(each) for each in masters]
     return {
         "degree": _arguments.count(degree, "degree"),
@@ -646,14 +657,14 @@ def _settings(
     samples: int | None,
     tolerance: float | None,
     form: str | None,
-    method: str | None,
+    integrator: str | None,
 ) -> dict[str, Any]:
     return {
         "duration": _arguments.duration(duration),
         "samples": _arguments.count(samples, "samples"),
         "tolerance": _arguments.number(tolerance, "tolerance"),
         "form": _arguments.word(form, "form"),
-        "method": _arguments.word(method, "method"),
+        "integrator": _arguments.word(integrator, "integrator"),
     }
 
 

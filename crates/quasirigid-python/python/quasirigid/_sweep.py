@@ -149,9 +149,10 @@ class Sweep:
         return _plot.sweep(self, x, y)
 
 
+@_arguments.renamed("out")
 def sweep(
     study: str | os.PathLike[str] | Mapping[str, Any],
-    folder: str | os.PathLike[str] | None = None,
+    out: str | os.PathLike[str] | None = None,
     *,
     resume: bool = False,
     threads: int | None = None,
@@ -162,7 +163,7 @@ def sweep(
 
     Args:
         study: file of a study; or the study as a dictionary with the keys of the file, whose ``model`` may be a ``Model``.
-        folder: folder of the results, with the report page; by default they are not kept.
+        out: folder of the results, with the report page; by default they are not kept.
         resume: go on in a folder with results of this study.
         threads: number of threads; all cores by default. No bit depends on it.
         client: cluster that answers the rows: a ``distributed.Client`` of Dask, the module ``ray``, or an executor of
@@ -196,7 +197,7 @@ def sweep(
     with contextlib.ExitStack() as stack:
         scratch = stack.enter_context(_scratch())
         parts = _parts(study)
-        place = Path(_arguments.path(folder, "folder")) if folder is not None else scratch / "results"
+        place = Path(_arguments.path(out, "out")) if out is not None else scratch / "results"
         show = stack.enter_context(observer(progress))
         core = _core.Sweep.open(*parts, show)
         try:
@@ -205,8 +206,8 @@ def sweep(
             else:
                 ended = _on_cluster(core, parts, place, resume, _cluster.cluster(client), show)
         except Interrupted as error:
-            raise Interrupted(f"{error}; go on in {place} with resume=True") if folder is not None else error from None
-        return _results(place, ended, kept=folder is not None)
+            raise Interrupted(f"{error}; go on in {place} with resume=True") if out is not None else error from None
+        return _results(place, ended, kept=out is not None)
 
 
 def read_sweep(folder: str | os.PathLike[str]) -> Sweep:

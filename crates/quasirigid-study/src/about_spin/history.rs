@@ -7,9 +7,10 @@ use quasirigid::submanifold::{AmplitudeRange, Defect, ManifoldRun, propagate_on_
 use serde::Serialize;
 
 use super::json::RangeObject;
-use super::{AskedManifold, SHARE, derived};
+use super::{SHARE, derived};
 use crate::error::StudyError;
 use crate::motion::Motion;
+use crate::settings::SpinManifoldSettings;
 use crate::words::{growth, significant};
 
 /// Verdict on a history by the reduced equations about a spin.
@@ -38,7 +39,7 @@ const MANY: f64 = 1000.0;
 /// Follows the reduced equations about the steady spin of a motion.
 pub(crate) fn follow(
     motion: &Motion,
-    asked: &AskedManifold,
+    settings: &SpinManifoldSettings,
     times: &[f64],
     options: &Options,
     observer: &mut dyn Observer,
@@ -50,7 +51,7 @@ pub(crate) fn follow(
     if !options.events.is_empty() {
         return Err(StudyError::EventsAboutSpin);
     }
-    let found = derived(motion, asked, &mut |_| observer.progress(0.0));
+    let found = derived(motion, settings, &mut |_| observer.progress(0.0));
     let found = match found {
         Err(StudyError::Interrupted) if observer.progress(0.0) == ControlFlow::Continue(()) => {
             return Err(StudyError::Interrupted);

@@ -13,9 +13,8 @@ use quasirigid::model::{Mode, Principal};
 use quasirigid::modes::{WhirlOnset, acts, whirl_onset};
 use quasirigid::submanifold::{
     AmplitudeRange, Backbone, Defect, ManifoldStart, Masters, MetResonance, SpinManifold, SpinManifoldPlan,
-    Style,
 };
-use quasirigid_io::model::{Manifold, ManifoldMasters, ManifoldStyle};
+use quasirigid_io::model::PartialSpinManifold;
 use quasirigid_math::rotation::angle;
 use quasirigid_math::vec3::norm;
 use quasirigid_math::watch;
@@ -24,18 +23,17 @@ use crate::error::StudyError;
 use crate::left_out::LeftOut;
 use crate::modes::PrincipalAxis;
 use crate::motion::Motion;
+use crate::settings::{DEGREE, SpinManifoldSettings};
 use crate::study::Study;
 use crate::words::{displaced, growth, significant};
 
 pub(crate) use history::HistoryVerdict;
 pub use history::OnManifold;
 pub(crate) use history::follow;
-pub use verification::{AskedSpinVerification, verification_json, verification_text};
+pub use verification::{verification_json, verification_text};
 
 /// Share of motion and dissipation that reduced equations about a spin may leave: the border of their range. (W11)
 pub const SHARE: f64 = 0.01;
-/// Degree without a given one.
-pub const DEGREE: usize = 5;
 /// Number of masters up to which an expansion to the usual degree takes a moment, and the degree of those with more.
 const QUICK: usize = 4;
 const LOWER: usize = 3;
@@ -57,15 +55,6 @@ const STILL: f64 = 1e-4;
 const SAME: f64 = 0.05;
 /// Angle up to which resonances met are told, in ranges.
 const MET: f64 = 2.0;
-
-/// Request for reduced equations about a spin; absent settings are those of the file, or the defaults.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct AskedManifold {
-    /// Degree, masters and style.
-    pub settings: Manifold,
-    /// Principal axis to spin about; none for the one that the start circles.
-    pub axis: Option<PrincipalAxis>,
-}
 
 /// Start of a study among the reduced equations about its spin.
 #[derive(Clone, Debug)]
@@ -105,17 +94,23 @@ pub struct AboutSpin<'a> {
 }
 
 impl Study {
-    /// Derives the reduced equations about the steady spin with the angular momentum of the start.
+    /// Derives the reduced equations about the steady spin with the angular momentum of the start, about the principal axis that the start
+    /// circles or another.
     ///
     /// # Errors
     /// [`StudyError`] for a start that is none, and where there are no such equations.
-    pub fn about_spin(&self, asked: &AskedManifold) -> Result<AboutSpin<'_>, StudyError> {
+    pub fn about_spin(
+        &self,
+        asked: PartialSpinManifold,
+        axis: Option<PrincipalAxis>,
+    ) -> Result<AboutSpin<'_>, StudyError> {
+        let settings = SpinManifoldSettings::resolve(asked, axis, self)?;
         watch::stage("expanding about the spin");
         let mut ask = |share: f64| {
             watch::progress(share);
             ControlFlow::Continue(())
         };
-        about(&Motion::new(self, self.initial()?), asked, &mut ask)
+        about(&Motion::new(self, self.initial()?), &settings, &mut ask)
     }
 
     /// Derives the reduced equations about the steady spin of the lowest degree among a few at which they hold at the start, unless the
@@ -139,23 +134,23 @@ pub(crate) fn that_holds<'a>(
     motion: &Motion<'a>,
     watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
 ) -> Result<AboutSpin<'a>, StudyError> {
-    let file = motion.study().model.run.manifold.as_ref().and_then(|manifold| manifold.degree);
-    let mut asked = AskedManifold::default();
-    if file.is_some() {
-        return about(motion, &asked, watch);
+    let study = motion.study();
+    let mut settings = SpinManifoldSettings::resolve(PartialSpinManifold::default(), None, study)?;
+    if study.model.run.spin_manifold.as_ref().is_some_and(|file| file.degree.is_some()) {
+        return about(motion, &settings, watch);
     }
-    asked.settings.degree = Some(1);
-    let masters = derived(motion, &asked, watch)?.manifold.expansion().masters.len();
+    settings.degree = 1;
+    let masters = derived(motion, &settings, watch)?.manifold.expansion().masters.len();
     let quick = masters <= QUICK;
-    asked.settings.degree = Some(if quick { DEGREE } else { LOWER });
-    let mut found = about(motion, &asked, watch)?;
+    settings.degree = if quick { DEGREE } else { LOWER };
+    let mut found = about(motion, &settings, watch)?;
     for degree in HIGHER.into_iter().filter(|_| quick) {
         let outside = found.start.as_ref().is_some_and(|start| !start.within);
         if !outside || found.range.amplitude <= 0.0 {
             break;
         }
-        asked.settings.degree = Some(degree);
-        found = about(motion, &asked, watch)?;
+        settings.degree = degree;
+        found = about(motion, &settings, watch)?;
     }
     Ok(found)
 }
@@ -163,10 +158,10 @@ pub(crate) fn that_holds<'a>(
 /// The reduced equations about the steady spin of a motion, with their range and backbone.
 pub(crate) fn about<'a>(
     motion: &Motion<'a>,
-    asked: &AskedManifold,
+    settings: &SpinManifoldSettings,
     watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
 ) -> Result<AboutSpin<'a>, StudyError> {
-    let Derived { manifold, axis, state } = derived(motion, asked, watch)?;
+    let Derived { manifold, axis, state } = derived(motion, settings, watch)?;
     let range = manifold.range(SHARE);
     let inside = if range.amplitude > 0.0 { range.amplitude } else { NARROW };
     let count = WITHIN + BEYOND;
@@ -201,11 +196,11 @@ struct Derived<'a> {
 
 fn derived<'a>(
     motion: &Motion<'a>,
-    asked: &AskedManifold,
+    settings: &SpinManifoldSettings,
     watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
 ) -> Result<Derived<'a>, StudyError> {
     let body = motion.body;
-    let Planned { plan, axis, circled, state } = planned(motion, asked)?;
+    let Planned { plan, axis, circled, state } = planned(motion, settings)?;
     let manifold = SpinManifold::derive(body, &plan, watch)?;
     if let Some(left) = body.left_range(&manifold.spin.q) {
         return Err(StudyError::SteadySpinBeyond { what: displaced(body, left) });
@@ -224,7 +219,7 @@ struct Planned {
     state: FullState,
 }
 
-fn planned(motion: &Motion<'_>, asked: &AskedManifold) -> Result<Planned, StudyError> {
+fn planned(motion: &Motion<'_>, settings: &SpinManifoldSettings) -> Result<Planned, StudyError> {
     let (study, body) = (motion.study(), motion.body);
     if acts(body, motion.forces) {
         return Err(StudyError::ForcesAboutSpin {
@@ -237,13 +232,15 @@ fn planned(motion: &Motion<'_>, asked: &AskedManifold) -> Result<Planned, StudyE
         return Err(StudyError::AtRest);
     }
     let circled = circled(study, K)?;
-    let axis = asked.axis.unwrap_or(circled);
+    let axis = settings.axis.unwrap_or(circled);
     let mode = match axis {
         PrincipalAxis::Least => Mode::LongAxis,
         PrincipalAxis::Greatest => Mode::ShortAxis,
         PrincipalAxis::Middle => return Err(StudyError::MiddleAxis),
     };
-    Ok(Planned { plan: plan(study, &asked.settings, mode, K), axis, circled, state })
+    let SpinManifoldSettings { degree, masters, style, .. } = settings.clone();
+    let plan = SpinManifoldPlan { mode, angular_momentum: K, masters, degree, style };
+    Ok(Planned { plan, axis, circled, state })
 }
 
 /// The principal axis of the frozen body that an angular momentum circles; the nearer of the outer two on a separatrix.
@@ -256,26 +253,6 @@ fn circled(study: &Study, K: [f64; 3]) -> Result<PrincipalAxis, StudyError> {
         Mode::ShortAxis => PrincipalAxis::Greatest,
         Mode::LongAxis => PrincipalAxis::Least,
     })
-}
-
-fn plan(study: &Study, asked: &Manifold, mode: Mode, angular_momentum: [f64; 3]) -> SpinManifoldPlan {
-    let file = study.model.run.manifold.clone().unwrap_or_default();
-    let masters = asked.masters.clone().or(file.masters);
-    let style = asked.style.or(file.style);
-    SpinManifoldPlan {
-        mode,
-        angular_momentum,
-        masters: match masters {
-            None | Some(ManifoldMasters::Automatic) => Masters::Automatic,
-            Some(ManifoldMasters::Nutation) => Masters::Nutation,
-            Some(ManifoldMasters::With(frequencies)) => Masters::With(frequencies),
-        },
-        degree: asked.degree.or(file.degree).unwrap_or(DEGREE),
-        style: match style {
-            None | Some(ManifoldStyle::NormalForm) => Style::NormalForm,
-            Some(ManifoldStyle::Graph) => Style::Graph,
-        },
-    }
 }
 
 /// Refuses frequencies asked for that no mode about the spin has.

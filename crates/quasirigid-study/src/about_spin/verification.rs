@@ -2,38 +2,19 @@
 
 use std::fmt::{self, Write};
 
-use quasirigid::verification::{
-    SpinVerification, SpinVerificationPlan, VerificationError, verify_about_spin,
-};
+use quasirigid::verification::{SpinVerification, VerificationError, verify_about_spin};
 use quasirigid_io::visible::one_line;
 use serde_json::{Value, json};
 
-use super::{AskedManifold, Planned, planned};
+use super::{Planned, planned};
 use crate::error::StudyError;
 use crate::layout::paragraph;
 use crate::motion::Motion;
+use crate::settings::{PartialSpinVerify, SpinManifoldSettings};
 use crate::study::Study;
 use crate::watch::Watch;
 use crate::words::{significant, time};
 
-/// Request for a verification about the spin; absent settings are the defaults.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct AskedSpinVerification {
-    /// Masters, style and axis; the degree is not read.
-    pub about: AskedManifold,
-    /// Degrees, 1 to 3 by default.
-    pub degrees: Option<Vec<usize>>,
-    /// Largest amplitude of the nutation (rad), 0.05 by default.
-    pub amplitude: Option<f64>,
-    /// Periods of the nutation, 1 by default.
-    pub periods: Option<f64>,
-    /// Halvings of the amplitude, 3 by default.
-    pub halvings: Option<usize>,
-}
-
-/// Amplitude (rad) and number of times without given ones.
-const AMPLITUDE: f64 = 0.05;
-const SAMPLES: usize = 50;
 const STAGE: &str = "verifying";
 
 impl Study {
@@ -43,18 +24,12 @@ impl Study {
     /// [`StudyError`] for a start that is none, and where there are no such equations.
     pub fn verify_about_spin(
         &self,
-        asked: &AskedSpinVerification,
+        asked: &PartialSpinVerify,
         watch: &mut dyn Watch,
     ) -> Result<Option<SpinVerification>, StudyError> {
-        let Planned { plan: about, .. } = planned(&Motion::new(self, self.initial()?), &asked.about)?;
-        let plan = SpinVerificationPlan {
-            about,
-            degrees: asked.degrees.clone().unwrap_or_else(|| vec![1, 2, 3]),
-            amplitude: asked.amplitude.unwrap_or(AMPLITUDE),
-            halvings: asked.halvings.unwrap_or(3),
-            periods: asked.periods.unwrap_or(1.0),
-            samples: SAMPLES,
-        };
+        let settings = SpinManifoldSettings::resolve(asked.spin_manifold.clone(), None, self)?;
+        let Planned { plan: about, .. } = planned(&Motion::new(self, self.initial()?), &settings)?;
+        let plan = asked.resolve(about);
         match verify_about_spin(&self.body, &plan, &mut |share| watch.at(STAGE, share)) {
             Err(VerificationError::Interrupted) => Ok(None),
             found => Ok(Some(found?)),

@@ -13,10 +13,11 @@ use quasirigid::secular::choice::{Followed, GrowingVibration, Method, MomentsOnl
 use quasirigid::secular::{DirectRow, DirectRun, EnergyRange};
 use quasirigid_io::model::Target;
 
+use super::ends;
 use super::inputs::Inputs;
 use super::method::{Chosen, Rates};
-use super::{Asked, ends};
 use crate::error::StudyError;
+use crate::settings::EvolveSettings;
 
 /// Answer of an evolution, before its rows are computed.
 pub struct Answer<'a> {
@@ -165,13 +166,13 @@ impl<'a> Answer<'a> {
         &self,
         evolution: &Evolution,
         from: RotationState,
-        asked: &Asked,
+        asked: &EvolveSettings,
     ) -> Result<RotationState, StudyError> {
         ends::end(evolution, from, asked, self.principal.moments)
     }
 
     /// Limits of a drift: time, target, and the slowest elastic frequency.
-    pub fn limits(&self, evolution: &Evolution, asked: &Asked) -> Result<DriftLimits, StudyError> {
+    pub fn limits(&self, evolution: &Evolution, asked: &EvolveSettings) -> Result<DriftLimits, StudyError> {
         let duration = asked.duration.ok_or(StudyError::NoEvolutionDuration)?;
         let state = |target| ends::state(evolution, target, self.principal.moments);
         let target = asked.until.map(state).transpose()?;

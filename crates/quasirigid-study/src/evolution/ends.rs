@@ -5,8 +5,8 @@ use quasirigid::dynamics::FullState;
 use quasirigid::secular::choice::{ReferenceSpins, Span};
 use quasirigid_io::model::Target;
 
-use super::Asked;
 use crate::error::StudyError;
+use crate::settings::EvolveSettings;
 
 /// Share of the wobble's energy that is left at the end of an evolution without a target.
 pub const LEFT: f64 = 0.01;
@@ -30,7 +30,7 @@ pub fn state(
 pub fn end(
     evolution: &Evolution<impl MeanPower>,
     from: RotationState,
-    asked: &Asked,
+    asked: &EvolveSettings,
     moments: [f64; 3],
 ) -> Result<RotationState, StudyError> {
     let target = match asked.until {
@@ -57,12 +57,12 @@ pub fn end(
 pub fn span(
     spins: &ReferenceSpins,
     full: FullState,
-    asked: &Asked,
+    asked: &EvolveSettings,
     moments: [f64; 3],
 ) -> Result<Span, StudyError> {
     let ReferenceSpins { body, range, .. } = spins;
     let evolution = spins.evolution();
-    let (start, from) = match asked.from {
+    let (start, from) = match asked.start {
         Some(target) => {
             let from = state(&evolution, target, moments)?;
             (range.state(body, from).ok_or(StudyError::Steady)?, from)
@@ -74,9 +74,9 @@ pub fn span(
             (full, from.ok_or(StudyError::Steady)?)
         }
     };
-    let to = end(&evolution, from, &Asked { duration: None, ..asked.clone() }, moments)?;
+    let to = end(&evolution, from, &EvolveSettings { duration: None, ..asked.clone() }, moments)?;
     Ok(Span {
-        placed: asked.from.is_some(),
+        placed: asked.start.is_some(),
         duration: asked.duration,
         level_end: level_end(asked),
         samples: asked.samples,
@@ -85,7 +85,7 @@ pub fn span(
 }
 
 /// End on level curves: the wobble, or the time, or a hundredth of the energy of the wobble without either; none of a ratio `D/I₃`.
-pub fn level_end(asked: &Asked) -> Option<Until> {
+pub fn level_end(asked: &EvolveSettings) -> Option<Until> {
     match (asked.until, asked.duration) {
         (Some(Target::Ratio(_)), _) => None,
         (Some(Target::Wobble(angle)), _) => Some(Until::Wobble(angle)),

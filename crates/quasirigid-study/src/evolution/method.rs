@@ -10,11 +10,12 @@ use quasirigid::secular::choice::{
 use quasirigid_io::model::EvolveMethod;
 use quasirigid_math::vec3::norm;
 
+use super::ends;
 use super::inputs::Inputs;
-use super::{Asked, ends};
 use crate::error::StudyError;
 use crate::liquids::unknown_liquids;
 use crate::motion::Motion;
+use crate::settings::EvolveSettings;
 use crate::study::Study;
 
 /// Rates (1/s) of small wobbles about the axes of least and of greatest inertia; not a number where they are not known.
@@ -46,10 +47,11 @@ pub struct NotFollowed {
 pub fn asked_method(method: EvolveMethod, power: PowerSource) -> Method {
     match method {
         EvolveMethod::Average => Method::Average(power),
-        EvolveMethod::Modes => Method::ModalRates,
+        EvolveMethod::Levels => Method::LevelCurves,
+        EvolveMethod::ModalRates => Method::ModalRates,
         EvolveMethod::MicroRuns => Method::MicroRuns,
-        EvolveMethod::Direct => Method::FullSystem,
-        EvolveMethod::Manifold => Method::SpinManifold,
+        EvolveMethod::Full => Method::FullSystem,
+        EvolveMethod::SpinManifold => Method::SpinManifold,
     }
 }
 
@@ -65,7 +67,7 @@ struct Basis<'a> {
 pub fn chosen(
     study: &Study,
     start: Start,
-    asked: &Asked,
+    asked: &EvolveSettings,
     inputs: &Inputs,
     observer: &mut dyn ChoiceObserver,
 ) -> Result<Chosen, Box<NotFollowed>> {
@@ -86,7 +88,7 @@ pub fn chosen(
 fn followed(
     study: &Study,
     full: FullState,
-    asked: &Asked,
+    asked: &EvolveSettings,
     inputs: &Inputs,
     spins: &ReferenceSpins,
     observer: &mut dyn ChoiceObserver,
@@ -98,6 +100,9 @@ fn followed(
     let limits = Limits::default();
     let method = asked.method.map(|method| asked_method(method, inputs.powers.first));
     let case = match method {
+        Some(Method::LevelCurves) => {
+            Case::asked(spins, &span, &inputs.powers)?.with_level_equations(study.order)
+        }
         Some(_) => Case::asked(spins, &span, &inputs.powers)?,
         None => Case::unasked(spins, &span, &inputs.powers, study.order, &limits)?,
     };
@@ -112,7 +117,7 @@ fn followed(
 pub fn chosen_under_torque(
     study: &Study,
     start: Start,
-    asked: &Asked,
+    asked: &EvolveSettings,
     inputs: &Inputs,
 ) -> Result<Chosen, Box<NotFollowed>> {
     if let Some(source) = inputs.stiff_average(study, start) {

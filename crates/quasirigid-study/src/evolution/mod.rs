@@ -27,13 +27,14 @@ use quasirigid::elements::Assembly;
 use quasirigid::model::{Mode, Rheology, Support};
 use quasirigid::reduction::reduce;
 use quasirigid::secular::choice::{ChoiceObserver, Method};
-use quasirigid_io::model::{EvolveMethod, Power, Target};
+use quasirigid_io::model::{EvolveMethod, PartialEvolve};
 use quasirigid_io::record::{EstimateRecord, EvolutionRecord, HomogeneousRecord};
 use serde_json::{Value, json};
 
 use crate::error::StudyError;
 use crate::liquids::{NOTABLE, unresolved};
 use crate::materials::flowing;
+use crate::settings::EvolveSettings;
 use crate::start::slaved_order;
 use crate::study::Study;
 use crate::watch::Watch;
@@ -46,38 +47,6 @@ use table::EvolutionTable;
 use verdict::Verdict;
 
 pub use words::text;
-
-/// Request for an evolution, from the file or the command line.
-#[derive(Clone, Debug)]
-pub struct Asked {
-    /// Start; none for the initial state of the model.
-    pub from: Option<Target>,
-    /// Target.
-    pub until: Option<Target>,
-    /// Longest time (s).
-    pub duration: Option<f64>,
-    /// Rows of the history.
-    pub samples: usize,
-    /// Source of the power; none takes the harmonics only where a material needs them.
-    pub power: Option<Power>,
-    /// Method; none leaves the choice to the criteria.
-    pub method: Option<EvolveMethod>,
-}
-
-impl Asked {
-    /// Time (s) up to which a steady spin that is reached stays: that asked for without a target.
-    fn stays(&self) -> Option<f64> {
-        self.duration.filter(|_| self.until.is_none())
-    }
-
-    /// Request for the rest of the evolution after a time (s).
-    fn after(&self, t: f64) -> Self {
-        Self { duration: self.duration.map(|duration| (duration - t).max(0.0)), ..self.clone() }
-    }
-}
-
-/// Rows of the history unless another number is given.
-const SAMPLES: usize = 201;
 
 /// Mode of a body with momentum wheels, which circles no principal axis.
 const STEADY_SPIN: &str = "steady-spin";
@@ -116,26 +85,12 @@ impl Evolved {
 }
 
 impl Study {
-    /// Request of the model file for an evolution.
-    #[must_use]
-    pub fn evolution_asked(&self) -> Asked {
-        let evolve = self.model.run.evolve.unwrap_or_default();
-        Asked {
-            from: None,
-            until: evolve.until,
-            duration: evolve.duration,
-            samples: evolve.samples.unwrap_or(SAMPLES),
-            power: evolve.power,
-            method: evolve.method,
-        }
-    }
-
     /// Follows the averaged rotation from the start of the model.
     ///
     /// # Errors
     /// [`StudyError`] for a start that is none, for targets that are not ahead, and for bodies that are not followed so.
-    pub fn evolve(&self, asked: &Asked, watch: &mut dyn Watch) -> Result<Evolved, StudyError> {
-        follow(self, self.initial()?, asked, watch)
+    pub fn evolve(&self, asked: PartialEvolve, watch: &mut dyn Watch) -> Result<Evolved, StudyError> {
+        self.evolve_from(self.initial()?, asked, watch)
     }
 
     /// Follows the averaged rotation from a rotation in the place of the model's own.
@@ -145,10 +100,10 @@ impl Study {
     pub fn evolve_from(
         &self,
         start: Start,
-        asked: &Asked,
+        asked: PartialEvolve,
         watch: &mut dyn Watch,
     ) -> Result<Evolved, StudyError> {
-        follow(self, start, asked, watch)
+        follow(self, start, &EvolveSettings::resolve(asked, self)?, watch)
     }
 }
 
@@ -156,13 +111,10 @@ impl Study {
 pub(crate) fn follow(
     study: &Study,
     start: Start,
-    asked: &Asked,
+    asked: &EvolveSettings,
     observer: &mut dyn Watch,
 ) -> Result<Evolved, StudyError> {
     let Study { model, body, forces, order, .. } = study;
-    if let Some(seconds) = asked.duration.filter(|seconds| !(*seconds > 0.0 && seconds.is_finite())) {
-        return Err(StudyError::NoEvolutionTime { seconds });
-    }
     if matches!(body.support(), Support::Prescribed { .. }) {
         return Err(StudyError::DrivenPole);
     }
@@ -203,7 +155,7 @@ pub(crate) fn follow(
     let evolution = answer.evolution();
     let from = match &answer.history {
         History::Levels(passage) => EvolutionTable::of_levels(passage, &answer.principal).first.stage,
-        _ => answer.start(&evolution, asked.from, torque.is_zero())?,
+        _ => answer.start(&evolution, asked.start, torque.is_zero())?,
     };
     let mut rows = table_of(&answer, torque, from, asked, &mut watch)?;
     let ended = evolution.motion(rows.last().stage);
@@ -236,7 +188,7 @@ fn table_of(
     answer: &Answer,
     torque: SlowTorque,
     from: RotationState,
-    asked: &Asked,
+    asked: &EvolveSettings,
     watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
 ) -> Result<EvolutionTable, StudyError> {
     let evolution = answer.evolution();
@@ -338,10 +290,10 @@ mod tests {
     fn an_evolution_that_is_ended_at_any_report_says_so() {
         let study = Study::read_from(Path::new("boom"), BOOM.as_bytes(), None).unwrap();
         let start = Start::new([0.345, 0.822, 0.330], [1.0, 0.0, 0.0, 0.0]);
-        for method in [None, Some(EvolveMethod::Direct), Some(EvolveMethod::MicroRuns)] {
+        for method in [None, Some(EvolveMethod::Full), Some(EvolveMethod::MicroRuns)] {
             for reports in [1, 2, 7] {
-                let asked = Asked { method, ..study.evolution_asked() };
-                match study.evolve_from(start, &asked, &mut Stopped(reports)) {
+                let asked = PartialEvolve { method, ..PartialEvolve::default() };
+                match study.evolve_from(start, asked, &mut Stopped(reports)) {
                     Ok(evolved) => {
                         assert!(!evolved.holds(), "{method:?}, {reports}: {}", evolved.record.message)
                     }

@@ -13,7 +13,8 @@ use super::method::Rates;
 use super::reason::Reason;
 use super::table::EvolutionTable;
 use super::verdict::Verdict;
-use super::{Asked, refusals, words};
+use super::{refusals, words};
+use crate::settings::EvolveSettings;
 use crate::words::shares;
 
 /// Shares of harmonics below this are negligible and not listed, nor are more than so many harmonics.
@@ -91,7 +92,7 @@ impl Answer<'_> {
         verdict: Verdict,
         from: RotationState,
         rows: &EvolutionTable,
-        asked: &Asked,
+        asked: &EvolveSettings,
         time_range: Option<[f64; 2]>,
         columns: Vec<Column>,
     ) -> EvolutionRecord {

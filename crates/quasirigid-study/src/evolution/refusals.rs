@@ -4,6 +4,7 @@ use quasirigid::averaging::Way;
 use quasirigid::model::Mode;
 use quasirigid::secular::choice::{self, Instability, Work};
 use quasirigid::secular::{AverageCriteria, DirectStopReason};
+use quasirigid_io::model::{EvolveMethod, Named};
 use quasirigid_math::vec3::{norm, scale};
 
 use super::reason::Reason;
@@ -74,6 +75,11 @@ fn of_choice(reason: &choice::Reason, wheels: bool) -> String {
              little; say how far to go by an angle"
                 .into()
         }
+        Reason::NotOnLevels => {
+            "level curves of the slow energy are for an elastic body without rotors, liquids and materials that lose \
+             at each frequency by themselves, whose spin is at most 15 % of its slowest elastic frequency"
+                .into()
+        }
         Reason::Levels(error) => error.to_string(),
         Reason::LevelsFail { error } => levels_fail(*error),
         Reason::Separatrix { t, ways } if ways.is_empty() => {
@@ -129,11 +135,11 @@ fn of_choice(reason: &choice::Reason, wheels: bool) -> String {
              be followed"
                 .into()
         }
-        Reason::UnknownLength => {
+        Reason::UnknownLength => format!(
             "the modes give a small wobble no rate beyond rounding at an end of the way, so that nothing says \
-             how far the full system would have to be followed; the method direct, asked for, does it"
-                .into()
-        }
+             how far the full system would have to be followed; the method {}, asked for, does it",
+            method(Work::History)
+        ),
         Reason::TooLong { work: long, seconds, most } => format!(
             "{} would take about {}, and no more than {} is worked without being asked; the method {}, asked \
              for, does it",
@@ -164,8 +170,8 @@ pub fn work(work: Work) -> &'static str {
 /// Method that does work in the full system when it is asked for.
 fn method(work: Work) -> &'static str {
     match work {
-        Work::ShortRuns => "micro-runs",
-        Work::History => "direct",
+        Work::ShortRuns => EvolveMethod::MicroRuns.name(),
+        Work::History => EvolveMethod::Full.name(),
     }
 }
 

@@ -12,8 +12,8 @@ use quasirigid_io::visible::one_line;
 
 use super::answer::Answer;
 use super::table::EvolutionTable;
-use super::{Asked, STEADY_SPIN};
 use crate::layout::paragraph;
+use crate::settings::EvolveSettings;
 use crate::words::{count, dissipation, significant, time};
 
 /// Rows of the table for people.
@@ -28,7 +28,7 @@ const STEADY: f64 = 1e-8;
 const ROUNDING: f64 = 1e-9;
 
 /// End of an evolution, in a sentence.
-pub fn message(rows: &EvolutionTable, asked: &Asked, ages: bool) -> String {
+pub fn message(rows: &EvolutionTable, asked: &EvolveSettings, ages: bool) -> String {
     let reached = time(rows.last().t);
     let ending = rows.drift.as_ref().map(|drift| drift.ending);
     match (rows.status, ending) {
@@ -44,7 +44,7 @@ pub fn message(rows: &EvolutionTable, asked: &Asked, ages: bool) -> String {
 }
 
 /// End at a time (s) of an evolution that dissipates, in a sentence.
-pub fn finished(t: f64, asked: &Asked) -> String {
+pub fn finished(t: f64, asked: &EvolveSettings) -> String {
     let reached = time(t);
     if asked.duration == Some(t) {
         format!("The rotation was followed for {reached}, as asked.")

@@ -3,11 +3,11 @@
 use std::path::Path;
 
 use quasirigid::dynamics::{Options, Sample};
-use quasirigid_io::model::System;
+use quasirigid_io::model::{PartialSpinManifold, System};
 use quasirigid_math::vec3::cross;
 
 use super::*;
-use crate::modes::AskedSpin;
+use crate::modes::SteadySpinSettings;
 
 type V = [f64; 3];
 
@@ -163,7 +163,7 @@ fn every_system_starts_with_the_angular_momentum_of_the_full_start_or_refuses() 
         let whole = motion.angular_momentum().unwrap();
         let told = format!("{number} {speed:?} {initial:?} {force:?}");
         let mut samples: Vec<Sample> = Vec::new();
-        let asked = AskedManifold::default();
+        let asked = SpinManifoldSettings::resolve(PartialSpinManifold::default(), None, &study).unwrap();
         match motion.follow(System::Reduced, &asked, &[0.0], &Options::default(), &mut samples) {
             Ok(_) => {
                 followed += 1;
@@ -176,7 +176,7 @@ fn every_system_starts_with_the_angular_momentum_of_the_full_start_or_refuses() 
             }
         }
         if force.is_empty() {
-            let spins = study.modes(AskedSpin::default()).unwrap().spins;
+            let spins = study.modes(SteadySpinSettings::default()).unwrap().spins;
             let K = spins[0].angular_momentum.map(norm);
             assert!(K.is_none_or(|K| (K / whole - 1.0).abs() < 1e-6), "{told}: {K:?} {whole}");
         }

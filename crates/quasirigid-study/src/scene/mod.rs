@@ -73,7 +73,7 @@ mod tests {
     use quasirigid_io::record::{RunRecord, SceneRecord, TermRecord};
 
     use crate::Study;
-    use crate::histories::Propagation;
+    use crate::settings::PartialRun;
 
     fn text(example: &str) -> String {
         let examples = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples");
@@ -82,7 +82,7 @@ mod tests {
 
     fn run(text: &str) -> RunRecord {
         let study = Study::read_from(Path::new("model.toml"), text.as_bytes(), None).unwrap();
-        study.run(&Propagation::default(), &mut ()).unwrap().record
+        study.run(&PartialRun::default(), &mut ()).unwrap().record
     }
 
     fn scene(text: &str) -> SceneRecord {

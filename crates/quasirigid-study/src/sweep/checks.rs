@@ -21,8 +21,9 @@ const BODIES: usize = 20;
 
 /// Refuses keys to whose values the model says no by their nature, such as a length for a mass: each alone in the model.
 ///
-/// A model that is no model without the table or the study is not judged here; its rows say what is wrong with each.
-pub(super) fn keys(sweep: &Sweep) -> Result<(), SweepError> {
+/// A model that is no model without the table or the study is not judged here; its rows say what is wrong with each. Returns notes on the
+/// former names in the model.
+pub(super) fn keys(sweep: &Sweep) -> Result<Vec<String>, SweepError> {
     let drawn = sweep.study.vary.iter().filter(|varied| is_drawn(&varied.values));
     if let (quasirigid_io::study_file::Sampling::Sobol, Some(over)) =
         (sweep.study.sampling, drawn.into_iter().nth(MOST_SOBOL_KEYS))
@@ -36,16 +37,14 @@ pub(super) fn keys(sweep: &Sweep) -> Result<(), SweepError> {
         );
         return Err(SweepError::File(refused));
     }
-    if let Err(error) = parsed(sweep, &[]) {
-        let all: Vec<_> =
-            sweep.study.vary.iter().map(|varied| (varied.key.clone(), typical(varied))).collect();
-        return if sweep.bodies.is_none() && parsed(sweep, &all).is_err() {
-            Err(SweepError::Model(error))
-        } else {
-            Ok(())
-        };
-    }
     let all: Vec<_> = sweep.study.vary.iter().map(|varied| (varied.key.clone(), typical(varied))).collect();
+    let former_names = match parsed(sweep, &[]) {
+        Ok(former_names) => former_names,
+        Err(error) if sweep.bodies.is_none() && parsed(sweep, &all).is_err() => {
+            return Err(SweepError::Model(error));
+        }
+        Err(_) => return Ok(Vec::new()),
+    };
     if parsed(sweep, &all).is_err() {
         for (varied, change) in sweep.study.vary.iter().zip(&all) {
             if let Err(error) = parsed(sweep, std::slice::from_ref(change)) {
@@ -53,7 +52,8 @@ pub(super) fn keys(sweep: &Sweep) -> Result<(), SweepError> {
             }
         }
     }
-    columns(sweep)
+    columns(sweep)?;
+    Ok(former_names)
 }
 
 /// Refuses columns of which the model takes no value.
@@ -87,10 +87,10 @@ fn typical(varied: &Varied) -> Given {
     }
 }
 
-/// Whether the text of the model with these changes is a model.
-fn parsed(sweep: &Sweep, changes: &[(KeyPath, Given)]) -> Result<(), ModelError> {
+/// Notes on former names in the text of the model with these changes, if that is a model.
+fn parsed(sweep: &Sweep, changes: &[(KeyPath, Given)]) -> Result<Vec<String>, ModelError> {
     let text = sweep.template.changed(changes).unwrap_or_default();
-    Model::parse(&sweep.model.file, &text).map(drop)
+    Model::parse(&sweep.model.file, &text).map(|model| model.former_names)
 }
 
 fn refused(
@@ -142,6 +142,10 @@ pub(super) fn outputs(sweep: &Sweep, watch: &mut dyn crate::Watch) -> Result<(Ve
                 Found::Infinite | Found::Unknown => there[index] = true,
                 Found::Absent(reason) => {
                     absent[index].get_or_insert(reason);
+                }
+                Found::Unclear(reason) => {
+                    let refused = sweep.study.refuse(quantity.span.clone(), reason, "which one?", None);
+                    return Err(SweepError::File(refused));
                 }
             }
         }
@@ -209,7 +213,9 @@ fn kind_of(value: &Value) -> Option<CellKind> {
 
 fn compound(sweep: &Sweep, quantity: &Quantity, value: &Value) -> SweepError {
     let (what, names): (&str, Vec<String>) = match value {
-        Value::Array(items) => ("a list", (0..items.len().min(9)).map(|index| index.to_string()).collect()),
+        Value::Array(items) => {
+            ("a list", (1..=items.len().min(9)).map(|number| number.to_string()).collect())
+        }
         Value::Object(entries) => ("a table", entries.keys().take(30).cloned().collect()),
         _ => ("no single value", Vec::new()),
     };

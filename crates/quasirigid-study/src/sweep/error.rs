@@ -6,7 +6,7 @@ use quasirigid_io::model::ModelError;
 use quasirigid_io::table_file::TableError;
 use quasirigid_math::memory::TooMuchMemory;
 
-use crate::error::Setting;
+use crate::settings::{Setting, SettingError};
 
 /// Study of many bodies that cannot run. The text names settings by their keys; [`told`](Self::told) has other names for them.
 #[derive(Debug)]
@@ -32,7 +32,7 @@ pub enum SweepError {
     },
     /// A row that the study does not have.
     NoRow {
-        /// Row that was asked for.
+        /// Number of the row that was asked for, from 1.
         row: u64,
         /// Number of rows.
         rows: u64,
@@ -107,6 +107,8 @@ pub enum SweepError {
         /// The file.
         file: PathBuf,
     },
+    /// A setting out of its range.
+    Setting(SettingError),
     /// Lines that are no answers of this study: another version of the program answered.
     Answer,
     /// Work that was told to end before the first row.
@@ -126,7 +128,7 @@ impl SweepError {
     /// The text with the names that an interface has for settings.
     #[must_use]
     pub fn told(&self, name: &dyn Fn(Setting) -> &'static str) -> String {
-        let folder_setting = name(Setting::Folder);
+        let folder_setting = name(Setting::Out);
         match self {
             Self::File(error) => error.to_string(),
             Self::Model(error) => format!("the model of the study: {error}"),
@@ -137,8 +139,11 @@ impl SweepError {
             Self::Memory { rows, cause } => {
                 format!("{rows} rows are too many here: {cause}; take fewer samples")
             }
+            Self::NoRow { row: 0, .. } => {
+                "rows are counted from 1, as in the tables of the results: row 0 is now row 1".to_owned()
+            }
             Self::NoRow { row, rows } => {
-                format!("there is no row {row}: the study has {rows}, from 0 to {}", rows.saturating_sub(1))
+                format!("there is no row {row}: the study has {rows}, from 1 to {rows}")
             }
             Self::OtherStudy { folder } => format!(
                 "{} holds another study, or this one before a change of its model, its files or the program; choose another folder with {folder_setting}",
@@ -187,6 +192,7 @@ impl SweepError {
                 "{}: the model has no [uncertainty]; add a table such as\n\n    [uncertainty]\n    \"material.rock.density\" = {{ normal = {{ mean = 2000, deviation = 300 }} }}\n",
                 file.display()
             ),
+            Self::Setting(cause) => cause.told(name),
             Self::Answer => {
                 "a worker sent what is no answer of this study; does it run the same version?".to_owned()
             }
@@ -211,5 +217,11 @@ impl Error for SweepError {}
 impl From<TableError> for SweepError {
     fn from(error: TableError) -> Self {
         Self::Table(error)
+    }
+}
+
+impl From<SettingError> for SweepError {
+    fn from(error: SettingError) -> Self {
+        Self::Setting(error)
     }
 }

@@ -192,7 +192,8 @@ pub(super) fn columns(sweep: &Sweep, rows: &[RowAnswer]) -> Vec<CellColumn> {
                 .collect(),
         )
     };
-    let mut columns = vec![column("row", "", Cells::Counts(rows.iter().map(|row| row.row as i64).collect()))];
+    let mut columns =
+        vec![column("row", "", Cells::Counts(rows.iter().map(|row| row.row as i64 + 1).collect()))];
     columns.extend(sweep.inputs.iter().enumerate().map(|(i, input)| {
         column(&input.name, &input.unit, cells(input.kind, inputs.iter().map(|row| &row[i])))
     }));

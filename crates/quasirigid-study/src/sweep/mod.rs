@@ -175,7 +175,8 @@ impl Sweep {
             design,
             rows,
         };
-        checks::keys(&sweep)?;
+        let former_names = checks::keys(&sweep)?;
+        sweep.study.former_names.extend(former_names);
         checks::names(&sweep)?;
         (sweep.outputs, sweep.row_time) = checks::outputs(&sweep, watch)?;
         checks::names(&sweep)?;
@@ -188,7 +189,16 @@ impl Sweep {
         self.rows
     }
 
-    /// Keys with their values in a row; the number of a row is below that of the rows.
+    /// Index of a row whose number, from 1, a user gives.
+    ///
+    /// # Errors
+    /// [`SweepError::NoRow`], of zero with the number that the row has now.
+    pub fn index(&self, row: u64) -> Result<u64, SweepError> {
+        let index = row.checked_sub(1).filter(|index| *index < self.rows);
+        index.ok_or(SweepError::NoRow { row, rows: self.rows })
+    }
+
+    /// Keys with their values in a row, by its index.
     ///
     /// # Errors
     /// The reason for which the row has no values, in words.
@@ -196,7 +206,7 @@ impl Sweep {
         plan::changes(self, row)
     }
 
-    /// Text of the model of a row.
+    /// Text of the model of a row, by its index.
     ///
     /// # Errors
     /// The reason for which the row has no model, in words.
@@ -205,13 +215,13 @@ impl Sweep {
         self.template.changed(&changes).map_err(|error| error.to_string())
     }
 
-    /// Answers one row, alone.
+    /// Answers one row, alone, by its index.
     ///
     /// # Errors
     /// [`SweepError::NoRow`].
     pub fn answer(&self, row: u64) -> Result<RowAnswer, SweepError> {
         if row >= self.rows {
-            return Err(SweepError::NoRow { row, rows: self.rows });
+            return Err(SweepError::NoRow { row: row.saturating_add(1), rows: self.rows });
         }
         self.answer_until(row, &Arc::default()).ok_or(SweepError::Interrupted)
     }
@@ -259,7 +269,7 @@ impl Output {
             Found::Value(value) => cell_of(value),
             Found::Infinite => Cell::Number(f64::INFINITY),
             Found::Unknown => Cell::Missing,
-            Found::Absent(reason) => {
+            Found::Absent(reason) | Found::Unclear(reason) => {
                 notes.push(reason);
                 return Cell::Missing;
             }

@@ -1,9 +1,12 @@
 //! Quantities as paths into the JSON objects of the commands, and their units.
-//! A list of objects is entered by the name of an entry or its number from 0, another list by number; below `modes` the names of the modes
-//! may follow directly.
+//! A list of objects is entered by the name of an entry or its number from 1, another list by number; below `modes` the names of the modes
+//! may follow directly. A name that two entries have is a question to the user, never the first of them.
 
+use quasirigid_io::model::Named;
 use quasirigid_io::study_file::{Command, Quantity};
 use serde_json::Value;
+
+use crate::words::significant;
 
 /// Value that a path leads to, or why it leads to none.
 #[derive(Clone, Debug, PartialEq)]
@@ -16,6 +19,8 @@ pub(super) enum Found<'a> {
     Unknown,
     /// Nothing: the reason, in words.
     Absent(String),
+    /// Several entries, or a number that no entry has any more: how to name one, in words.
+    Unclear(String),
 }
 
 /// Times of an evolution that JSON writes as `null` where they are infinite; those that are unknown are listed.
@@ -26,7 +31,7 @@ pub(super) fn find<'a>(quantity: &Quantity, object: &'a Value) -> Found<'a> {
     let mut value = object;
     for (at, segment) in quantity.path.iter().enumerate() {
         let inside = match value {
-            Value::Object(entries) => entries.get(segment),
+            Value::Object(entries) => entries.get(segment).map(Entry::One),
             Value::Array(items) => entry(items, segment),
             _ => None,
         };
@@ -35,7 +40,15 @@ pub(super) fn find<'a>(quantity: &Quantity, object: &'a Value) -> Found<'a> {
                 .then(|| entry(object["modes"].as_array()?, segment))?
         };
         match inside.or_else(named) {
-            Some(next) => value = next,
+            Some(Entry::One(next)) => value = next,
+            Some(Entry::Several(named)) => return Found::Unclear(which(quantity, at, &named)),
+            Some(Entry::Zero) => {
+                let first = numbered(quantity, at, 1);
+                return Found::Unclear(format!(
+                    "`{}`: entries are counted from 1, so that 0 is now 1; write `{first}`",
+                    quantity.name
+                ));
+            }
             None if value.is_null() => return Found::Unknown,
             None => return Found::Absent(absent(quantity, at, value)),
         }
@@ -53,11 +66,54 @@ pub(super) fn find<'a>(quantity: &Quantity, object: &'a Value) -> Found<'a> {
     }
 }
 
-fn entry<'a>(items: &'a [Value], segment: &str) -> Option<&'a Value> {
-    items
-        .iter()
-        .find(|item| item.get("name").is_some_and(|name| name == segment))
-        .or_else(|| items.get(segment.parse::<usize>().ok()?.checked_sub(1)?))
+/// Entry of a list that a segment names.
+enum Entry<'a> {
+    One(&'a Value),
+    /// Entries of one name, each with its number.
+    Several(Vec<(usize, &'a Value)>),
+    /// The number 0.
+    Zero,
+}
+
+fn entry<'a>(items: &'a [Value], segment: &str) -> Option<Entry<'a>> {
+    let is_named = |item: &Value| item.get("name").is_some_and(|name| name == segment);
+    let named: Vec<_> = (1..).zip(items).filter(|(_, item)| is_named(item)).collect();
+    match (named.as_slice(), segment.parse::<usize>()) {
+        ([(_, one)], _) => Some(Entry::One(one)),
+        ([], Ok(0)) => Some(Entry::Zero),
+        ([], Ok(number)) => items.get(number - 1).map(Entry::One),
+        ([], Err(_)) => None,
+        _ => Some(Entry::Several(named)),
+    }
+}
+
+/// The path of a quantity with a number in the place of a segment.
+fn numbered(quantity: &Quantity, at: usize, number: usize) -> String {
+    let mut path = quantity.path.clone();
+    path[at] = number.to_string();
+    let plain = |segment: &String| {
+        let bare = |byte: u8| byte.is_ascii_alphanumeric() || matches!(byte, b'-' | b'_');
+        if segment.bytes().all(bare) { segment.clone() } else { format!("{segment:?}") }
+    };
+    let path: Vec<String> = path.iter().map(plain).collect();
+    format!("{}.{}", quantity.command.name(), path.join("."))
+}
+
+/// Question which of several entries of one name is meant.
+fn which(quantity: &Quantity, at: usize, named: &[(usize, &Value)]) -> String {
+    let number = |entry: &Value, key: &str| entry[key].as_f64().map(|value| significant(value, 4));
+    let list = named.iter().take(LISTED).map(|(place, entry)| {
+        let path = numbered(quantity, at, *place);
+        match (number(entry, "frequency"), number(entry, "decay_rate")) {
+            (Some(frequency), Some(decay_rate)) => {
+                format!("`{path}` (frequency {frequency} rad/s, decay rate {decay_rate} 1/s)")
+            }
+            _ => format!("`{path}`"),
+        }
+    });
+    let (name, count) = (&quantity.path[at], named.len());
+    let list = list.collect::<Vec<_>>().join(", ");
+    format!("`{}`: {count} entries have the name `{name}`; write the number of one: {list}", quantity.name)
 }
 
 /// Most names that a message lists.
@@ -137,11 +193,35 @@ mod tests {
             at(&["tip", "time_constant"])
                 .contains("there is no `tip`; there is modes, spin; the modes are nutation")
         );
-        for number in ["0", "4"] {
-            let said = format!("there is no `{number}`; there is 1, 2, 3");
-            assert!(at(&["spin", number]).contains(&said));
-        }
+        assert!(at(&["spin", "4"]).contains("there is no `4`; there is 1, 2, 3"));
+        let zero = at(&["spin", "0"]);
+        assert!(
+            zero.contains("`spin.0`: entries are counted from 1") && zero.contains("write `modes.spin.1`"),
+            "{zero}"
+        );
         assert!(at(&["spin", "1", "x"]).starts_with("Absent"));
+    }
+
+    #[test]
+    fn one_name_of_two_modes_is_a_question() {
+        let mode =
+            |name: &str, frequency: f64| json!({ "name": name, "frequency": frequency, "decay_rate": 0.25 });
+        let object = json!({ "modes": [mode("nutation", 0.5), mode("tip", 6.0), mode("tip", 7.0)] });
+        for (path, numbered) in [
+            (&["tip", "frequency"][..], "modes.2.frequency"),
+            (&["modes", "tip", "frequency"], "modes.modes.2.frequency"),
+        ] {
+            let Found::Unclear(said) = find(&quantity(Command::Modes, path), &object) else {
+                panic!("one of two modes was taken")
+            };
+            assert!(said.contains("2 entries have the name `tip`"), "{said}");
+            assert!(
+                said.contains(&format!("`{numbered}` (frequency 6 rad/s, decay rate 0.25 1/s)")),
+                "{said}"
+            );
+        }
+        let second = find(&quantity(Command::Modes, &["3", "frequency"]), &object);
+        assert_eq!(second, Found::Value(&json!(7.0)));
     }
 
     #[test]

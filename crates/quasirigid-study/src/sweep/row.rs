@@ -8,18 +8,16 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use quasirigid::dynamics::PropagateError;
-use quasirigid_io::model::{Model, Source, Verify};
+use quasirigid_io::model::{Model, PartialEvolve, PartialRun, PartialSpinManifold, PartialVerify, Source};
 use quasirigid_io::study_file::{Answer, Command};
 use quasirigid_math::watch::cancellable;
 use serde_json::{Value, json};
 
 use super::Output;
 use super::cell::Cell;
-use crate::about_spin::AskedManifold;
 use crate::error::StudyError;
-use crate::evolution::Asked;
-use crate::histories::{Propagation, Table};
-use crate::modes::AskedSpin;
+use crate::histories::Table;
+use crate::modes::SteadySpinSettings;
 use crate::study::Study;
 use crate::watch::{Watch, panic_message, watched};
 
@@ -59,7 +57,7 @@ impl Status {
 /// Row with its answers.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RowAnswer {
-    /// Number of the row, from 0.
+    /// Index of the row, from 0; users count from 1.
     pub row: u64,
     /// Answers, one for each column of the outputs.
     pub outputs: Vec<Cell>,
@@ -154,7 +152,7 @@ fn of_commands(model: &Source, text: &str, asked: &Answer, cancelled: &AtomicBoo
 fn command_of(command: Command, study: &Study, asked: &Answer, watch: &mut Remarks<'_>) -> Answered {
     let answered = match command {
         Command::Check => study.check().map(|report| whole(report.json())),
-        Command::Modes => study.modes(AskedSpin::default()).map(|modes| {
+        Command::Modes => study.modes(SteadySpinSettings::default()).map(|modes| {
             let object = modes.json(&study.model.name);
             match modes.unfound() {
                 Some(reason) => Answered::Objects(vec![object], Status::Refused, reason.to_owned()),
@@ -162,19 +160,20 @@ fn command_of(command: Command, study: &Study, asked: &Answer, watch: &mut Remar
             }
         }),
         // no quantity is read from the table, and its rows are most of the work
-        Command::Evolve => {
-            study.evolve(&Asked { samples: 2, ..study.evolution_asked() }, watch).map(|evolved| {
+        Command::Evolve => study
+            .evolve(PartialEvolve { samples: Some(2), ..PartialEvolve::default() }, watch)
+            .map(|evolved| {
                 let status = if evolved.holds() { Status::Answered } else { Status::Refused };
                 let error = evolved.record.time_error.filter(|error| *error > COARSE);
                 watch.notes.extend(
                     error.map(|error| format!("the time of evolve is good to {:.2} %", 100.0 * error)),
                 );
                 Answered::Objects(vec![evolved.json()], status, evolved.record.message.clone())
-            })
-        }
+            }),
         Command::Simulate => simulated(study, asked, watch),
         Command::Verify => {
-            study.verify(&study.verification_plan(Verify::default()), watch).map(|record| match record {
+            study.verify(&study.verification_plan(PartialVerify::default()), watch).map(|record| match record
+            {
                 Some(record) => whole(json!(record)),
                 None => Answered::Nothing(Status::Failed, "the verification was interrupted".to_owned()),
             })
@@ -196,9 +195,9 @@ fn simulated(study: &Study, asked: &Answer, watch: &mut Remarks<'_>) -> Result<A
         coordinates: false,
         displacements: false,
         times: (!times.is_empty()).then_some(times),
-        manifold: AskedManifold::default(),
+        manifold: PartialSpinManifold::default(),
     };
-    let settings = Propagation { samples: Some(2), ..Propagation::default() };
+    let settings = PartialRun { samples: Some(2), ..PartialRun::default() };
     let history = study.simulate(&settings, &table, watch)?;
     watch.notes.extend(history.notes.iter().cloned());
     let rows = history.columns.first().map_or(0, |column| column.values.len());

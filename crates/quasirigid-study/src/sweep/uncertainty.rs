@@ -10,6 +10,7 @@ use quasirigid_io::table_file::CellColumn;
 
 use super::{Sweep, SweepError, folder, summary};
 use crate::layout::paragraph;
+use crate::settings::uncertainty_samples;
 use crate::study::Study;
 use crate::watch::Watch;
 use crate::words::{significant, time};
@@ -22,12 +23,13 @@ impl Study {
     /// Follows the evolution of the model for draws of its uncertain keys; none if the watch ended the work.
     ///
     /// # Errors
-    /// [`SweepError::Certain`] for a model without `[uncertainty]`, and those of opening a study.
+    /// [`SweepError::Setting`] for a number of draws out of range, [`SweepError::Certain`] for a model without `[uncertainty]`, and those of opening a study.
     pub fn uncertainty(
         &self,
         samples: usize,
         watch: &mut dyn Watch,
     ) -> Result<Option<UncertaintyRecord>, SweepError> {
+        uncertainty_samples(Some(samples))?;
         let model = &self.model;
         if model.uncertainty.is_empty() {
             return Err(SweepError::Certain { file: model.source.file.clone() });
@@ -54,6 +56,7 @@ impl Study {
             vary: model.uncertainty.clone(),
             table: None,
             answer,
+            former_names: Vec::new(),
         };
         let sweep = Sweep::new(study, model.source.clone(), watch)?;
         let Some(rows) = sweep.in_memory(watch)? else { return Ok(None) };

@@ -83,19 +83,19 @@ impl<'a> Case<'a> {
         let few = case.criteria.coordinates <= limits.coordinates_of_spinning_frame;
         let spinning_frame = if few { HillResponse::compute(spins.body).ok() } else { None };
         let parametric = spinning_frame.as_ref().and_then(|hill| case.parametric(hill));
+        let criteria = Criteria { parametric, spinning_frame: spinning_frame.is_some(), ..case.criteria };
+        let case = Self { criteria, spinning_frame, ..case };
         // elasticity that bends the moments so much lets no average hold, so that these equations are needed
-        let level_equations = if case.criteria.suits_level_curves(limits) {
-            reduce(spins.body, order.max(LEVEL_ORDER)).ok()
-        } else {
-            None
-        };
-        let criteria = Criteria {
-            parametric,
-            spinning_frame: spinning_frame.is_some(),
-            level_equations: level_equations.is_some(),
-            ..case.criteria
-        };
-        Ok(Self { criteria, spinning_frame, level_equations, ..case })
+        let levels = case.criteria.suits_level_curves(limits);
+        Ok(if levels { case.with_level_equations(order) } else { case })
+    }
+
+    /// The case with reduced equations of at least an order on level curves, where these are found.
+    #[must_use]
+    pub fn with_level_equations(mut self, order: usize) -> Self {
+        self.level_equations = reduce(self.spins.body, order.max(LEVEL_ORDER)).ok();
+        self.criteria.level_equations = self.level_equations.is_some();
+        self
     }
 
     /// Vibration that grows from nothing at a state of the span; none if none does.

@@ -54,10 +54,14 @@ pub struct GrowingVibration {
 
 impl Criteria {
     /// Whether level curves of the slow energy suit the body better than averages along the frozen polhode: elasticity changes the moments of
-    /// inertia of a stiff body, all of whose losses the reduced equations have.
+    /// inertia.
     pub(super) fn suits_level_curves(&self, limits: &Limits) -> bool {
-        self.moments_change > limits.moments_change
-            && self.spin_ratio.is_some_and(|ratio| ratio <= limits.spin_ratio_of_levels)
+        self.moments_change > limits.moments_change && self.has_level_curves(limits)
+    }
+
+    /// Whether level curves of the slow energy hold: of a stiff body, all of whose losses the reduced equations have.
+    pub(super) fn has_level_curves(&self, limits: &Limits) -> bool {
+        self.spin_ratio.is_some_and(|ratio| ratio <= limits.spin_ratio_of_levels)
             && !self.internal_rotation
             && !self.viscoelastic
     }

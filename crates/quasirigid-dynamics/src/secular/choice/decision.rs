@@ -75,6 +75,9 @@ pub fn choose(criteria: &Criteria, asked: Option<Method>, limits: &Limits) -> De
         Some(Method::SpinManifold | Method::MicroRuns | Method::FullSystem) if !complete => {
             Decision::refused(Reason::LossesLeftOut { share: criteria.left_out })
         }
+        Some(Method::LevelCurves) if !criteria.has_level_curves(limits) => {
+            Decision::refused(Reason::NotOnLevels)
+        }
         Some(method) => Decision::asked(method),
         None => {
             let mut trials = averages(criteria);

@@ -51,6 +51,8 @@ pub enum Reason {
     },
     /// Level curves whose end is given by a ratio `D/I₃`.
     RatioOfLevels,
+    /// Level curves of a body that has none, or spins too fast for them.
+    NotOnLevels,
     /// Level curves that cannot be followed.
     Levels(LevelError),
     /// Level curves whose error is too large.

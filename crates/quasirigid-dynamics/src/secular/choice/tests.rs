@@ -138,6 +138,13 @@ fn a_method_that_is_asked_for_is_the_only_one() {
             assert_eq!(choose(&criteria, Some(method), &limits), Decision::asked(method));
         }
     }
+    assert_eq!(choose(&body(), Some(LevelCurves), &limits), Decision::asked(LevelCurves));
+    let fast = Criteria { spin_ratio: Some(0.16), ..bent() };
+    for criteria in
+        [fast, Criteria { internal_rotation: true, ..bent() }, Criteria { viscoelastic: true, ..bent() }]
+    {
+        assert_eq!(choose(&criteria, Some(LevelCurves), &limits), Decision::refused(Reason::NotOnLevels));
+    }
     let incomplete = Criteria { left_out: 0.3, ..body() };
     for method in [SpinManifold, MicroRuns, FullSystem] {
         let refusal = Decision::refused(Reason::LossesLeftOut { share: 0.3 });

@@ -7,8 +7,8 @@ use quasirigid::secular::{DirectRow, DirectRun, DirectStopReason};
 use quasirigid_math::vec3::norm;
 
 use super::attracting_spin::AttractingSpin;
-use crate::evolution::Asked;
 use crate::evolution::verdict::{FOLLOWED, Verdict};
+use crate::settings::EvolveSettings;
 use crate::words::significant;
 
 /// Greatest wobble (rad) from which the modes alone are followed behind the full system.
@@ -81,7 +81,7 @@ impl AttractingSpin<'_> {
     }
 
     /// A run of the full system, and the modes behind it.
-    pub fn with_tail(&self, run: DirectRun, goal: Option<f64>, asked: &Asked) -> Answer {
+    pub fn with_tail(&self, run: DirectRun, goal: Option<f64>, asked: &EvolveSettings) -> Answer {
         let (first, end) = (run.rows[0], run.rows[run.rows.len() - 1]);
         let verdict = Verdict {
             sentence: FOLLOWED.into(),

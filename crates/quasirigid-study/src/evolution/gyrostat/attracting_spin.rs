@@ -11,9 +11,9 @@ use quasirigid_io::model::Target;
 use quasirigid_math::vec3::norm;
 
 use crate::error::StudyError;
-use crate::evolution::Asked;
 use crate::evolution::ends::LEFT;
 use crate::liquids::unknown_liquids;
+use crate::settings::EvolveSettings;
 use crate::study::Study;
 
 /// Energy of a wobble, relative to the whole, that is rounding.
@@ -107,7 +107,7 @@ impl<'a> AttractingSpin<'a> {
     }
 
     /// Energy (J) at which the evolution ends; none where only the time does.
-    pub fn goal(&self, asked: &Asked) -> Result<Option<f64>, StudyError> {
+    pub fn goal(&self, asked: &EvolveSettings) -> Result<Option<f64>, StudyError> {
         let (own, steady) = (self.energy, self.steady());
         if own - steady <= ROUNDING * own.abs() {
             return Err(StudyError::Steady);
@@ -121,7 +121,7 @@ impl<'a> AttractingSpin<'a> {
     }
 
     /// Energy (J) at which an evolution from an energy ends; none where only the time does.
-    pub fn goal_from(&self, energy: f64, asked: &Asked) -> Option<f64> {
+    pub fn goal_from(&self, energy: f64, asked: &EvolveSettings) -> Option<f64> {
         match asked.until {
             Some(Target::Wobble(to)) => Some(self.wobble.energy_of(to)),
             _ if asked.duration.is_some() => None,

@@ -11,7 +11,7 @@ use super::answer::{Answer, BEHIND};
 use super::attracting_spin::AttractingSpin;
 use super::methods::Found;
 use crate::error::StudyError;
-use crate::evolution::Asked;
+use crate::settings::EvolveSettings;
 
 /// Share of the energy of the separatrix above the steady spin by which it is passed before the way behind it is told.
 const BELOW: f64 = 1e-3;
@@ -23,7 +23,7 @@ pub fn direct(
     spin: &AttractingSpin,
     full: &FullState,
     goal: Option<f64>,
-    asked: &Asked,
+    asked: &EvolveSettings,
     observer: &mut dyn ChoiceObserver,
 ) -> Found {
     let until = spin.until(goal);
@@ -40,7 +40,7 @@ pub fn direct(
 fn behind(
     spin: &AttractingSpin,
     first: DirectRun,
-    asked: &Asked,
+    asked: &EvolveSettings,
     observer: &mut dyn ChoiceObserver,
 ) -> Found {
     let end = first.rows[first.rows.len() - 1];
@@ -81,7 +81,7 @@ fn announced(
     spin: &AttractingSpin,
     full: &FullState,
     until: f64,
-    asked: &Asked,
+    asked: &EvolveSettings,
     observer: &mut dyn ChoiceObserver,
 ) -> Result<(), Stop<StudyError>> {
     let Some(mode) = spin.nutation().filter(|mode| mode.decay_rate > 0.0 && mode.frequency > 0.0) else {

@@ -17,11 +17,11 @@ use super::answer::{Answer, Row};
 use super::attracting_spin::AttractingSpin;
 use super::full_system::direct;
 use crate::error::StudyError;
-use crate::evolution::Asked;
 use crate::evolution::ends::level_end;
 use crate::evolution::method::asked_method;
 use crate::evolution::refusals::levels_fail;
 use crate::evolution::verdict::Verdict;
+use crate::settings::EvolveSettings;
 use crate::words::significant;
 
 /// Bound of the error of level curves over their largest criterion, and error per `γ/β`, as of averages. (Q7)
@@ -39,7 +39,7 @@ pub type Found = Result<Answer, Stop<StudyError>>;
 pub fn chosen(
     spin: &AttractingSpin,
     full: &FullState,
-    asked: &Asked,
+    asked: &EvolveSettings,
     observer: &mut dyn ChoiceObserver,
 ) -> Found {
     let goal = spin.goal(asked)?;
@@ -55,7 +55,7 @@ pub fn chosen(
 }
 
 /// Level curves of the slow energy; unasked only where they hold.
-fn levels(spin: &AttractingSpin, asked: &Asked) -> Found {
+fn levels(spin: &AttractingSpin, asked: &EvolveSettings) -> Found {
     let study = spin.study;
     let reduced = study.reduced(study.order.max(LEVEL_ORDER))?;
     let K = spin.angular_momentum;
@@ -129,7 +129,7 @@ fn on_manifold(
     spin: &AttractingSpin,
     full: &FullState,
     goal: Option<f64>,
-    asked: &Asked,
+    asked: &EvolveSettings,
     observer: &mut dyn ChoiceObserver,
 ) -> Found {
     let options = history_options(goal, asked.duration, &Limits::default());
@@ -155,7 +155,7 @@ fn on_manifold(
 }
 
 /// The rates of the modes from start to end.
-fn modal_rates(spin: &AttractingSpin, goal: Option<f64>, asked: &Asked) -> Result<Answer, Reason> {
+fn modal_rates(spin: &AttractingSpin, goal: Option<f64>, asked: &EvolveSettings) -> Result<Answer, Reason> {
     let [_, greatest] = spin.wobble.nutation(spin.energy);
     if !(greatest < ALONE) {
         return Err(Reason::TooWideForNutation { widest: ALONE });

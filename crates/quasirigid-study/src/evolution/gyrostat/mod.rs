@@ -15,10 +15,11 @@ use quasirigid_math::vec3::norm;
 
 use super::outlook::Outlook;
 use super::reason::Reason;
-use super::{Asked, Evolved, approximated};
+use super::{Evolved, approximated};
 use crate::error::StudyError;
 use crate::materials::flowing_at;
 use crate::motion::Motion;
+use crate::settings::EvolveSettings;
 use crate::study::Study;
 use crate::watch::Watch;
 use answer::Answer;
@@ -28,7 +29,7 @@ use attracting_spin::AttractingSpin;
 pub fn follow(
     study: &Study,
     start: Start,
-    asked: &Asked,
+    asked: &EvolveSettings,
     observer: &mut dyn Watch,
 ) -> Result<Evolved, StudyError> {
     check(study, asked)?;
@@ -55,10 +56,10 @@ pub fn follow(
 }
 
 /// Refuses what has no meaning for a body with momentum wheels.
-fn check(study: &Study, asked: &Asked) -> Result<(), StudyError> {
+fn check(study: &Study, asked: &EvolveSettings) -> Result<(), StudyError> {
     let what = if !SlowTorque::from_forces(&study.forces)?.is_zero() {
         "it is followed without a torque"
-    } else if asked.from.is_some() {
+    } else if asked.start.is_some() {
         "it starts from the initial state of the model"
     } else if matches!(asked.until, Some(Target::Ratio(_))) {
         "it goes to a wobble, as \"5 deg\", about the steady spin that attracts: D/I3 says nothing of a body with stored angular momentum"

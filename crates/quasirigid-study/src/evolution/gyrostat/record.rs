@@ -9,7 +9,8 @@ use crate::evolution::columns::{self, of_rows};
 use crate::evolution::reason::Reason;
 use crate::evolution::record::blank;
 use crate::evolution::words::{finished, followed_power, road};
-use crate::evolution::{Asked, STEADY_SPIN, record, refusals};
+use crate::evolution::{STEADY_SPIN, record, refusals};
+use crate::settings::EvolveSettings;
 use crate::words::{count, shares, significant, time};
 
 /// Record of an evolution that no method leads along, with the rate (1/s) at which a small wobble falls, if known.
@@ -19,7 +20,7 @@ pub fn refused(reason: &Reason, rate: Option<f64>, G: f64) -> EvolutionRecord {
 }
 
 /// Record of an evolution that was followed.
-pub fn answered(answer: Answer, asked: &Asked) -> EvolutionRecord {
+pub fn answered(answer: Answer, asked: &EvolveSettings) -> EvolutionRecord {
     let Answer { method, verdict, budget, rows, attractor, steady, rate, crossed } = answer;
     let G = norm(attractor);
     let (first, last) = (rows[0], rows[rows.len() - 1]);

@@ -10,6 +10,7 @@ use quasirigid::secular::choice::{GrowingVibration, Method};
 use quasirigid_io::record::{Column, EstimateRecord, EvolutionRecord, HomogeneousRecord, ObservedRecord};
 use quasirigid_io::visible::one_line;
 
+use super::STEADY_SPIN;
 use super::answer::Answer;
 use super::table::EvolutionTable;
 use crate::layout::paragraph;

@@ -20,6 +20,7 @@ __all__ = ["Model", "cite"]
 
 # Name of a model without a file, in messages.
 _NAMELESS = "model"
+_TIMES = "times stand in the place of duration and samples; give the one or the others"
 
 
 class Model:
@@ -315,20 +316,16 @@ class Model:
         (3,)
         """
         if times is not None and (duration is not None or samples is not None):
-            raise InputError("times stand in the place of duration and samples; give the one or the others")
+            raise InputError(_TIMES)
         if degree is not None and system != "manifold":
             raise InputError('degree belongs to the reduced equations about the spin; take system="manifold"')
-        return self._simulate(
-            system,
-            _settings(duration, samples, tolerance, form, method),
-            coordinates=coordinates,
-            displacements=displacements,
-            times=times,
-            manifold=_manifold(degree, None, None),
-            initial=initial,
-            order=order,
-            progress=progress,
-        )
+        settings = _settings(duration, samples, tolerance, form, method)
+        table = _contents(system, _manifold(degree, None, None), coordinates, displacements, times)
+        whole = _arguments.count(order, "order")
+        with observer(progress) as watch:
+            if initial is None:
+                return History(self._core.simulate(settings, table, whole, watch))
+            return Histories(self._core.simulate_all(_starts(initial), settings, table, whole, watch))
 
     def _about_spin_history(
         self,
@@ -344,46 +341,11 @@ class Model:
     ) -> History:
         """History by reduced equations about the spin with these settings."""
         if times is not None and (duration is not None or samples is not None):
-            raise InputError("times stand in the place of duration and samples; give the one or the others")
-        history = self._simulate(
-            "manifold",
-            _settings(duration, samples, tolerance, None, None),
-            coordinates=coordinates,
-            displacements=displacements,
-            times=times,
-            manifold=manifold,
-            initial=None,
-            order=None,
-            progress=progress,
-        )
-        assert isinstance(history, History)
-        return history
-
-    def _simulate(
-        self,
-        system: str,
-        settings: dict[str, Any],
-        *,
-        coordinates: bool,
-        displacements: bool,
-        times: ArrayLike | None,
-        manifold: dict[str, Any],
-        initial: ArrayLike | None,
-        order: int | None,
-        progress: Progress,
-    ) -> History | Histories:
-        table = {
-            "system": _arguments.word(system, "system") or "",
-            "manifold": manifold,
-            "coordinates": bool(coordinates),
-            "displacements": bool(displacements),
-            "times": _arguments.times(times),
-        }
-        whole = _arguments.count(order, "order")
+            raise InputError(_TIMES)
+        settings = _settings(duration, samples, tolerance, None, None)
+        table = _contents("manifold", manifold, coordinates, displacements, times)
         with observer(progress) as watch:
-            if initial is None:
-                return History(self._core.simulate(settings, table, whole, watch))
-            return Histories(self._core.simulate_all(_starts(initial), settings, table, whole, watch))
+            return History(self._core.simulate(settings, table, None, watch))
 
     def spins(
         self,
@@ -654,6 +616,18 @@ def _settings(
         "tolerance": _arguments.number(tolerance, "tolerance"),
         "form": _arguments.word(form, "form"),
         "method": _arguments.word(method, "method"),
+    }
+
+
+def _contents(
+    system: str, manifold: dict[str, Any], coordinates: bool, displacements: bool, times: ArrayLike | None
+) -> dict[str, Any]:
+    return {
+        "system": _arguments.word(system, "system") or "",
+        "manifold": manifold,
+        "coordinates": bool(coordinates),
+        "displacements": bool(displacements),
+        "times": _arguments.times(times),
     }
 
 

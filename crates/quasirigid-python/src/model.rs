@@ -25,7 +25,7 @@ use crate::columns::Columns;
 use crate::ensemble::{self, Histories};
 use crate::failure::Failure;
 use crate::reduced::Reduced;
-use crate::spin_paths::{self, SpinPaths};
+use crate::spin_paths;
 use crate::watching::interruptible;
 
 /// A model file that was read.
@@ -182,7 +182,7 @@ impl Model {
         asked: AskedSpins,
         order: Option<usize>,
         observer: Observer,
-    ) -> PyResult<SpinPaths> {
+    ) -> PyResult<Histories> {
         let starts = ensemble::starts(&initial)?;
         let form = named(asked.form.as_deref(), "form")?;
         let propagation = Propagation { tolerance: asked.tolerance, form, ..Propagation::default() };

@@ -129,7 +129,7 @@ pub(super) fn run(table: &Table<'_>) -> Option<RunSettings> {
     let form = optional(table.get("form"), |value| value.named());
     let systems = optional(table.get("systems"), |value| systems(&value));
     let method = optional(table.get("method"), |value| value.named());
-    let stop = table.get("stop").map_or(Some(Stop::default()), |value| stop(&value));
+    let stop = table.read_or("stop", Stop::default(), |value| stop(&value));
     let verify = optional(table.get("verify"), |value| verify(&value));
     let evolve = optional(table.get("evolve"), |value| evolve(&value));
     let manifold = optional(table.get("manifold"), |value| manifold(&value));
@@ -166,7 +166,7 @@ fn tolerance(value: &Value<'_>) -> Option<f64> {
         return Some(tolerance);
     }
     let message = format!("`tolerance` is {tolerance:e}, but must lie from 1e-15 to 1e-2");
-    value.refuse(message, "out of range", Some("write for example tolerance = 1e-9".to_owned()))
+    value.refuse(message, "out of range", "write for example tolerance = 1e-9")
 }
 
 fn systems(value: &Value<'_>) -> Option<Vec<System>> {
@@ -178,7 +178,7 @@ fn stop(value: &Value<'_>) -> Option<Stop> {
     let table = value.table("`stop`", &STOP)?;
     let energy = optional(table.get("energy"), |value| value.positive(Dimension::ENERGY));
     let nutation = optional(table.get("nutation"), |value| nutation(&value));
-    let validity = table.get("validity").map_or(Some(false), |value| value.boolean());
+    let validity = table.read_or("validity", false, |value| value.boolean());
     Some(Stop { energy: energy?, nutation: nutation?, validity: validity? })
 }
 
@@ -188,7 +188,7 @@ fn nutation(value: &Value<'_>) -> Option<f64> {
         return Some(angle);
     }
     let message = format!("`nutation` is {angle} rad, but must be at most half a turn");
-    value.refuse(message, "out of range", Some("write for example nutation = \"45 deg\"".to_owned()))
+    value.refuse(message, "out of range", "write for example nutation = \"45 deg\"")
 }
 
 fn verify(value: &Value<'_>) -> Option<Verify> {
@@ -218,7 +218,7 @@ fn distinct<T: PartialEq + Copy>(
         match read(item) {
             Some(value) if values.contains(&value) => {
                 let message = format!("`{}` has a duplicate entry", item.key());
-                item.refuse::<T>(message, "given before", Some("leave it out".to_owned()));
+                item.refuse::<T>(message, "given before", "leave it out");
                 wrong = true;
             }
             Some(value) => values.push(value),

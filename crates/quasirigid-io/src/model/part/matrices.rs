@@ -1,27 +1,15 @@
-use quasirigid_elements::{ElementKind, Matrices, NodalMass, Part, PartKind};
+use quasirigid_elements::{Matrices, NodalMass, Part, PartKind};
 
-use super::super::names;
-use super::super::reader::{Keyed, Naming, Reader, Sources};
+use super::super::reader::{Reader, Sources};
 use super::super::rheology::{Scale, rheology};
 use super::super::table::{Keys, Table};
 use super::nodal::{Given, Rows, Units, dof_list, node_table};
 use super::{Nodes, Read, attached, masses, rayleigh};
 
-pub(in crate::model) const READER: Reader = Reader {
-    key: "matrices",
-    title: "[[matrices]]",
-    keys: Keyed::All(&MATRICES),
-    kind: Some(ElementKind::Part),
-    naming: Naming::Numbered("matrices"),
-    names: |index| names::Part::Flexible(index),
-    aliases: &[],
-    nested: &[],
-    is_body: true,
-    read: |entry, draft| {
-        let part = matrices(entry.table, entry.name, draft.sources);
-        draft.part(entry, part)
-    },
-};
+pub(in crate::model) const READER: Reader =
+    Reader::of_parts("matrices", "[[matrices]]", &MATRICES, |entry, draft| {
+        draft.part(entry, matrices(entry.table, entry.name, draft.sources))
+    });
 
 const MATRICES: Keys = Keys {
     known: &[

@@ -12,7 +12,7 @@ pub mod simulate;
 pub mod sweep;
 pub mod verify;
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use quasirigid_io::model::{self, Model};
 use quasirigid_io::units::{Dimension, quantity};
@@ -43,6 +43,14 @@ fn model(common: &Common) -> Result<Model, StudyError> {
     } else {
         Model::read(&common.model)?
     })
+}
+
+/// Folder for the results of a file: its name with an ending; a file of the usual name has that of its folder.
+fn default_folder(file: &Path, usual: &str, ending: &str) -> PathBuf {
+    let folder = file.parent().and_then(Path::file_name).filter(|_| file.file_stem() == Some(usual.as_ref()));
+    let mut name = folder.or(file.file_stem()).unwrap_or_default().to_owned();
+    name.push(ending); // of whatever bytes the name is
+    PathBuf::from(name)
 }
 
 /// Does work that has no partial result.

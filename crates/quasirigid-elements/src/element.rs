@@ -21,9 +21,6 @@ pub(crate) trait Element {
         None
     }
 
-    /// Place of the element among the others.
-    fn role(&self) -> Role;
-
     /// Errors of the element's own values, and of its references to others: by default those of its mass and of its motion. Parts and
     /// connections constrain each other, and are checked together.
     fn check(&self, id: ElementId, _body: &Assembly) -> Vec<ElementError> {

@@ -31,7 +31,7 @@ impl Assembly {
     /// Names of the links as dissipators: their own, or after their ends, `spring tip-carrier`.
     pub(crate) fn link_names(&self) -> HashMap<ElementId, String> {
         let mut numbers = Numbers::default();
-        let links = self.each().filter(|(_, element)| element.role() == Role::Link);
+        let links = self.each().filter(|(id, _)| id.kind.role() == Role::Link);
         let name = |(id, element): (ElementId, &dyn Element)| {
             if !element.name().is_empty() {
                 return (id, element.name().to_owned());

@@ -1,8 +1,8 @@
 //! Kinds of elements: one list of an assembly each, walked as one.
 
-/// Defines the lists of an [`Assembly`](super::Assembly) and the kinds of their elements: `list: Kind(Type) = "words for one";`.
+/// Defines the lists of an [`Assembly`](super::Assembly) and the kinds of their elements: `list: Kind(Type) = "words for one", role;`.
 macro_rules! kinds {
-    ($($(#[$doc:meta])* $list:ident: $kind:ident($type:ty) = $words:literal;)+) => {
+    ($($(#[$doc:meta])* $list:ident: $kind:ident($type:ty) = $words:literal, $role:expr;)+) => {
         /// Kind of an element.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
         pub enum ElementKind {
@@ -21,6 +21,15 @@ macro_rules! kinds {
                     Self::Carrier => "carrier",
                     $(Self::$kind => $words,)+
                     Self::Support => "support",
+                }
+            }
+
+            /// Place of an element of the kind among the others.
+            pub(crate) fn role(self) -> Role {
+                match self {
+                    Self::Carrier => Role::Mass,
+                    $(Self::$kind => $role,)+
+                    Self::Support => Role::External,
                 }
             }
         }

@@ -65,7 +65,7 @@ impl<'a> PartGraph<'a> {
         let mut graph = Self::new(assembly, true)?;
         graph.structure.own("");
         let names = assembly.link_names();
-        for (id, link) in assembly.each().filter(|(_, element)| element.role() == Role::Link) {
+        for (id, link) in assembly.each().filter(|(id, _)| id.kind.role() == Role::Link) {
             link.afloat(id, &mut graph)?;
             graph.structure.own(&names[&id]);
         }

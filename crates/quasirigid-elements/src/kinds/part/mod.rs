@@ -26,7 +26,7 @@ pub use nodal_body::TipMass;
 pub use panel::{Layer, Panel};
 pub use solid::{Region, Solid};
 
-use crate::element::{Element, Role};
+use crate::element::Element;
 use crate::error::{ElementError, ElementId, ElementKind, Problem};
 use crate::finite::Connectivity;
 use crate::model::Rheology;
@@ -254,10 +254,6 @@ impl Element for Part {
 
     fn words(&self) -> Option<&'static str> {
         Some(self.kind.words())
-    }
-
-    fn role(&self) -> Role {
-        Role::Mass
     }
 
     fn outline(&self, id: ElementId, _: &Assembly) -> Option<Outline> {

@@ -12,15 +12,14 @@ from typing import TYPE_CHECKING, Any, NoReturn, Self
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from quasirigid import _arguments, _core
+from quasirigid import _arguments, _core, _settings
 from quasirigid._errors import InputError, Refused
+from quasirigid._progress import Progress, observer
 from quasirigid._property import Named, column, entry, part
 from quasirigid._table import Table, Tabled
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
-
-    from quasirigid._progress import Progress
 
 __all__ = ["AboutSpin", "Answer", "Check", "Evolution", "History", "Modes", "Run", "Verification"]
 
@@ -321,18 +320,10 @@ class AboutSpin(Answer):
         """
         if self.start is None:
             raise InputError("the start does not circle this axis; leave out axis")
-        model = self._parts["model"]
-        history: History = model._about_spin_history(
-            self._parts["settings"],
-            duration=duration,
-            samples=samples,
-            times=times,
-            tolerance=tolerance,
-            coordinates=coordinates,
-            displacements=displacements,
-            progress=progress,
-        )
-        return history
+        settings = _settings.propagation(duration, samples, tolerance, times=times)
+        table = _settings.contents("manifold", self._parts["settings"], coordinates, displacements, times)
+        with observer(progress) as watch:
+            return History(self._parts["model"]._core.simulate(settings, table, None, watch))
 
 
 class _Tabled(Answer, Tabled):

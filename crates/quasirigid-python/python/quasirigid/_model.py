@@ -9,7 +9,7 @@ from typing import Any, NoReturn, overload
 
 from numpy.typing import ArrayLike
 
-from quasirigid import _arguments, _core
+from quasirigid import _arguments, _core, _settings
 from quasirigid._answers import AboutSpin, Check, Evolution, History, Modes, Run, Verification
 from quasirigid._ensemble import Evolutions, Histories, SpinPaths
 from quasirigid._errors import InputError, ModelError
@@ -20,7 +20,6 @@ __all__ = ["Model", "cite"]
 
 # Name of a model without a file, in messages.
 _NAMELESS = "model"
-_TIMES = "times stand in the place of duration and samples; give the one or the others"
 
 
 class Model:
@@ -217,7 +216,7 @@ class Model:
         >>> about.holds, about.masters[0]["name"]
         (True, 'nutation')
         """
-        settings = _manifold(degree, masters, style)
+        settings = _settings.manifold(degree, masters, style)
         word = _arguments.word(axis, "axis")
         with observer(progress) as watch:
             return AboutSpin({**self._core.about_spin(settings, word, watch), "model": self, "settings": settings})
@@ -315,37 +314,15 @@ class Model:
         >>> quasirigid.Model(quasirigid.EXAMPLE).simulate("rigid", times=[0, 10, 20]).energy.shape
         (3,)
         """
-        if times is not None and (duration is not None or samples is not None):
-            raise InputError(_TIMES)
+        settings = _settings.propagation(duration, samples, tolerance, form, method, times)
         if degree is not None and system != "manifold":
             raise InputError('degree belongs to the reduced equations about the spin; take system="manifold"')
-        settings = _settings(duration, samples, tolerance, form, method)
-        table = _contents(system, _manifold(degree, None, None), coordinates, displacements, times)
+        table = _settings.contents(system, _settings.manifold(degree, None, None), coordinates, displacements, times)
         whole = _arguments.count(order, "order")
         with observer(progress) as watch:
             if initial is None:
                 return History(self._core.simulate(settings, table, whole, watch))
             return Histories(self._core.simulate_all(_starts(initial), settings, table, whole, watch))
-
-    def _about_spin_history(
-        self,
-        manifold: dict[str, Any],
-        *,
-        duration: float | str | None,
-        samples: int | None,
-        times: ArrayLike | None,
-        tolerance: float | None,
-        coordinates: bool,
-        displacements: bool,
-        progress: Progress,
-    ) -> History:
-        """History by reduced equations about the spin with these settings."""
-        if times is not None and (duration is not None or samples is not None):
-            raise InputError(_TIMES)
-        settings = _settings(duration, samples, tolerance, None, None)
-        table = _contents("manifold", manifold, coordinates, displacements, times)
-        with observer(progress) as watch:
-            return History(self._core.simulate(settings, table, None, watch))
 
     def spins(
         self,
@@ -542,7 +519,7 @@ class Model:
             raise InputError("tables and resume need the folder of the record")
         formats = tables.split(",") if isinstance(tables, str) else None if tables is None else list(tables)
         place = None if folder is None else {"folder": _arguments.path(folder, "folder"), "tables": formats, "resume": bool(resume)}
-        settings = _settings(duration, samples, tolerance, form, method)
+        settings = _settings.propagation(duration, samples, tolerance, form, method)
         with observer(progress) as watch:
             return Run(self._core.run(place, settings, _arguments.count(order, "order"), watch))
 
@@ -592,43 +569,6 @@ def _set(model: Model, core: _core.Model) -> None:
 
 def _model(kind: type[Model], text: str, file: str) -> Model:
     return kind(text, file=file)
-
-
-def _manifold(degree: int | None, masters: str | Sequence[float] | None, style: str | None) -> dict[str, Any]:
-    listed = masters if masters is None or isinstance(masters, str) else [float(each) for each in masters]
-    return {
-        "degree": _arguments.count(degree, "degree"),
-        "masters": listed,
-        "style": _arguments.word(style, "style"),
-    }
-
-
-def _settings(
-    duration: float | str | None,
-    samples: int | None,
-    tolerance: float | None,
-    form: str | None,
-    method: str | None,
-) -> dict[str, Any]:
-    return {
-        "duration": _arguments.duration(duration),
-        "samples": _arguments.count(samples, "samples"),
-        "tolerance": _arguments.number(tolerance, "tolerance"),
-        "form": _arguments.word(form, "form"),
-        "method": _arguments.word(method, "method"),
-    }
-
-
-def _contents(
-    system: str, manifold: dict[str, Any], coordinates: bool, displacements: bool, times: ArrayLike | None
-) -> dict[str, Any]:
-    return {
-        "system": _arguments.word(system, "system") or "",
-        "manifold": manifold,
-        "coordinates": bool(coordinates),
-        "displacements": bool(displacements),
-        "times": _arguments.times(times),
-    }
 
 
 def _starts(initial: ArrayLike) -> Any:

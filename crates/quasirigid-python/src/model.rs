@@ -26,7 +26,7 @@ use crate::ensemble::{self, Histories};
 use crate::failure::Failure;
 use crate::reduced::Reduced;
 use crate::spin_paths;
-use crate::watching::interruptible;
+use crate::watching::{Shared, interruptible};
 
 /// A model file that was read.
 #[pyclass(frozen, module = "quasirigid._core")]
@@ -57,6 +57,16 @@ impl Model {
         }
         let study = Arc::new(Study::new(self.parsed.clone(), order)?);
         Ok(Arc::clone(kept().entry(order).or_insert(study)))
+    }
+
+    /// Asks the study at an order, without the interpreter lock.
+    fn ask<T: Send>(
+        &self,
+        py: Python<'_>,
+        (order, observer): (Option<usize>, Observer),
+        question: impl FnOnce(&Arc<Study>, &Arc<Shared>) -> Result<T, Failure> + Send,
+    ) -> PyResult<T> {
+        Ok(interruptible(py, observer.as_ref(), |shared| question(&self.study(order)?, shared))?)
     }
 }
 
@@ -100,13 +110,11 @@ impl Model {
     }
 
     /// Validity of the reduced equations.
-    #[pyo3(signature = (order, observer))]
     fn check(&self, py: Python<'_>, order: Option<usize>, observer: Observer) -> PyResult<Answer> {
-        Ok(interruptible(py, observer.as_ref(), |_| answers::check(&*self.study(order)?))?)
+        self.ask(py, (order, observer), |study, _| answers::check(study))
     }
 
     /// Modes about steady spins.
-    #[pyo3(signature = (spin, axis, order, observer))]
     fn modes(
         &self,
         py: Python<'_>,
@@ -116,11 +124,10 @@ impl Model {
         observer: Observer,
     ) -> PyResult<Answer> {
         let asked = AskedSpin { omega: spin, axis: named::<PrincipalAxis>(axis, "axis")? };
-        Ok(interruptible(py, observer.as_ref(), |_| answers::modes(&*self.study(order)?, asked))?)
+        self.ask(py, (order, observer), |study, _| answers::modes(study, asked))
     }
 
     /// Reduced equations about the spin.
-    #[pyo3(signature = (asked, axis, observer))]
     fn about_spin(
         &self,
         py: Python<'_>,
@@ -130,17 +137,15 @@ impl Model {
     ) -> PyResult<Answer> {
         let axis = named::<PrincipalAxis>(axis, "axis")?;
         let asked = AskedManifold { settings: asked.settings()?, axis };
-        Ok(interruptible(py, observer.as_ref(), |_| answers::about_spin(&*self.study(None)?, &asked))?)
+        self.ask(py, (None, observer), |study, _| answers::about_spin(study, &asked))
     }
 
     /// The reduced equations.
-    #[pyo3(signature = (order, observer))]
     fn reduce(&self, py: Python<'_>, order: Option<usize>, observer: Observer) -> PyResult<Reduced> {
-        Ok(interruptible(py, observer.as_ref(), |_| Reduced::of(self.study(order)?))?)
+        self.ask(py, (order, observer), |study, _| Reduced::of(Arc::clone(study)))
     }
 
     /// A history of the spin.
-    #[pyo3(signature = (settings, table, order, observer))]
     fn simulate(
         &self,
         py: Python<'_>,
@@ -150,13 +155,12 @@ impl Model {
         observer: Observer,
     ) -> PyResult<Answer> {
         let (propagation, table) = (settings.propagation()?, table.table()?);
-        Ok(interruptible(py, observer.as_ref(), |shared| {
-            answers::simulate(&*self.study(order)?, &propagation, &table, shared)
-        })?)
+        self.ask(py, (order, observer), |study, shared| {
+            answers::simulate(study, &propagation, &table, shared)
+        })
     }
 
     /// Histories from many angular velocities.
-    #[pyo3(signature = (initial, settings, table, order, observer))]
     fn simulate_all(
         &self,
         py: Python<'_>,
@@ -168,13 +172,12 @@ impl Model {
     ) -> PyResult<Histories> {
         let starts = ensemble::starts(&initial)?;
         let (propagation, table) = (settings.propagation()?, table.table()?);
-        Ok(interruptible(py, observer.as_ref(), |shared| {
-            ensemble::simulate(&self.study(order)?, &starts, &propagation, table, shared)
-        })?)
+        self.ask(py, (order, observer), |study, shared| {
+            ensemble::simulate(study, &starts, &propagation, table, shared)
+        })
     }
 
     /// Angular velocities from many angular velocities.
-    #[pyo3(signature = (initial, asked, order, observer))]
     fn spins(
         &self,
         py: Python<'_>,
@@ -187,13 +190,12 @@ impl Model {
         let form = named(asked.form.as_deref(), "form")?;
         let propagation = Propagation { tolerance: asked.tolerance, form, ..Propagation::default() };
         let rounding = if asked.reproducible { Rounding::Reproducible } else { Rounding::Fastest };
-        Ok(interruptible(py, observer.as_ref(), |shared| {
-            spin_paths::spins(&self.study(order)?, &starts, &asked.times, &propagation, rounding, shared)
-        })?)
+        self.ask(py, (order, observer), |study, shared| {
+            spin_paths::spins(study, &starts, &asked.times, &propagation, rounding, shared)
+        })
     }
 
     /// The secular evolution.
-    #[pyo3(signature = (wish, order, observer))]
     fn evolve(
         &self,
         py: Python<'_>,
@@ -202,14 +204,10 @@ impl Model {
         observer: Observer,
     ) -> PyResult<Answer> {
         let (asked, draws) = (wish.read()?, wish.samples_of_uncertainty);
-        Ok(interruptible(py, observer.as_ref(), |shared| {
-            let study = self.study(order)?;
-            answers::evolve(&study, &asked(&study), draws, shared)
-        })?)
+        self.ask(py, (order, observer), |study, shared| answers::evolve(study, &asked(study), draws, shared))
     }
 
     /// The secular evolution from many angular velocities.
-    #[pyo3(signature = (initial, wish, order, observer))]
     fn evolve_all(
         &self,
         py: Python<'_>,
@@ -219,14 +217,12 @@ impl Model {
         observer: Observer,
     ) -> PyResult<Columns> {
         let (starts, asked) = (ensemble::starts(&initial)?, wish.read()?);
-        Ok(interruptible(py, observer.as_ref(), |shared| {
-            let study = self.study(order)?;
-            ensemble::evolve(&study, &starts, asked(&study), shared)
-        })?)
+        self.ask(py, (order, observer), |study, shared| {
+            ensemble::evolve(study, &starts, asked(study), shared)
+        })
     }
 
     /// The reduced equations against the full system.
-    #[pyo3(signature = (orders, rotations, halvings, order, observer))]
     fn verify(
         &self,
         py: Python<'_>,
@@ -237,13 +233,10 @@ impl Model {
         observer: Observer,
     ) -> PyResult<Answer> {
         let asked = Verify { orders, rotations, halvings };
-        Ok(interruptible(py, observer.as_ref(), |shared| {
-            answers::verify(&*self.study(order)?, asked, shared)
-        })?)
+        self.ask(py, (order, observer), |study, shared| answers::verify(study, asked, shared))
     }
 
     /// The main job, and its record.
-    #[pyo3(signature = (place, settings, order, observer))]
     fn run(
         &self,
         py: Python<'_>,
@@ -254,9 +247,9 @@ impl Model {
     ) -> PyResult<RunAnswer> {
         let propagation = settings.propagation()?;
         let place = place.map(Place::read).transpose()?;
-        Ok(interruptible(py, observer.as_ref(), |shared| {
-            answers::run(&*self.study(order)?, &propagation, place.as_ref(), shared)
-        })?)
+        self.ask(py, (order, observer), |study, shared| {
+            answers::run(study, &propagation, place.as_ref(), shared)
+        })
     }
 
     /// BibTeX entries of what the model uses.

@@ -32,7 +32,7 @@ pub enum Command {
     Run(RunArgs),
     /// Say how far the reduced equations hold, in words and numbers
     #[command(after_help = "Example:\n  quasirigid check examples/explorer1/model.toml")]
-    Check(Check),
+    Check(Common),
     /// Find the steady spin and the modes about it: time constants, stability, shares of the dissipation
     #[command(after_help = "Example:\n  quasirigid modes examples/nutation-damper/model.toml")]
     Modes(ModesArgs),
@@ -67,7 +67,7 @@ pub enum Command {
     Plot(Plot),
     /// Print the references of what the model uses, as BibTeX
     #[command(after_help = "Example:\n  quasirigid cite examples/apophis/model.toml")]
-    Cite(Cite),
+    Cite(Common),
 }
 
 /// Model file and options of every command.
@@ -128,12 +128,6 @@ pub struct RunArgs {
     /// Open the report in the browser
     #[arg(long)]
     pub open: bool,
-}
-
-#[derive(Args, Debug)]
-pub struct Check {
-    #[command(flatten)]
-    pub common: Common,
 }
 
 #[derive(Args, Debug)]
@@ -205,12 +199,6 @@ impl PictureFormat {
             Self::Png => "png",
         }
     }
-}
-
-#[derive(Args, Debug)]
-pub struct Cite {
-    #[command(flatten)]
-    pub common: Common,
 }
 
 #[derive(Args, Debug)]

@@ -4,7 +4,7 @@ use quasirigid_study::evolution::{self, Asked, Evolved};
 use quasirigid_study::sweep::uncertainty_text;
 use serde_json::json;
 
-use super::{notes, open, seconds};
+use super::{open, seconds};
 use crate::args::{Evolve, EvolveFormat};
 use crate::failure::Failure;
 use crate::interrupt::Interrupt;
@@ -16,7 +16,6 @@ use crate::{ExitStatus, output};
 pub fn evolve(arguments: &Evolve) -> Result<ExitStatus, Failure> {
     let Evolve { common, out, overwrite, .. } = arguments;
     let study = open(common)?;
-    notes(&study, common);
     study.initial()?;
     let printed = out.as_deref().is_some_and(output::is_stdout);
     if printed && common.json {

@@ -33,8 +33,13 @@ fn is_standard_input(common: &Common) -> bool {
     common.model == Path::new("-")
 }
 
+/// Opens the study of a model, and prints the notes on suspect values on standard error.
 fn open(common: &Common) -> Result<Study, Failure> {
-    whole(common, || Study::new(model(common)?, common.order))
+    let study = whole(common, || Study::new(model(common)?, common.order))?;
+    if !common.quiet {
+        study.model.notes.iter().for_each(|note| remark(&format!("note: {note}")));
+    }
+    Ok(study)
 }
 
 fn model(common: &Common) -> Result<Model, StudyError> {
@@ -59,13 +64,6 @@ fn whole<T: Send>(
     work: impl FnOnce() -> Result<T, StudyError> + Send,
 ) -> Result<T, Failure> {
     Ok(watched(&mut Terminal::of_whole(common.quiet), work)?)
-}
-
-/// Prints the notes on suspect values of the model, on standard error.
-fn notes(study: &Study, common: &Common) {
-    if !common.quiet {
-        study.model.notes.iter().for_each(|note| remark(&format!("note: {note}")));
-    }
 }
 
 /// Prints on standard error the losses that the equations of motion leave out; returns whether their results may be false.

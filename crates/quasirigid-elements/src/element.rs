@@ -9,13 +9,16 @@ use super::{Assembly, End, Incomplete, PartReduction};
 use crate::model::Rheology;
 use crate::structure::Block;
 
-/// Element of a body; each kind implements the methods that concern it.
-pub(crate) trait Element {
+/// Element that may have a name.
+pub(crate) trait Named {
     /// Name; empty without one.
     fn name(&self) -> &str {
         ""
     }
+}
 
+/// Element of a body; each kind implements the methods that concern it.
+pub(crate) trait Element: Named {
     /// More specific words for the element than those of its kind.
     fn words(&self) -> Option<&'static str> {
         None

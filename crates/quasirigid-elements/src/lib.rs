@@ -73,27 +73,27 @@ use crate::model::force::Force;
 
 kinds! {
     /// Material points.
-    points: Point(Point) = "point", Role::Mass;
+    points: Point(Point) = "point", Role::Mass, name;
     /// Springs and dashpots.
-    springs: Spring(Spring) = "spring", Role::Link;
+    springs: Spring(Spring) = "spring", Role::Link, name;
     /// Bushings: springs along and about axes of their own.
-    bushings: Bushing(Bushing) = "bushing", Role::Link;
+    bushings: Bushing(Bushing) = "bushing", Role::Link, name;
     /// Rigid appendages on hinges.
-    hinged: Hinged(Hinged) = "appendage", Role::OnCarrier(Field::HINGE);
+    hinged: Hinged(Hinged) = "appendage", Role::OnCarrier(Field::HINGE), name;
     /// Ellipsoids, each of them a whole body.
-    ellipsoids: Ellipsoid(Ellipsoid) = "ellipsoid", Role::Whole;
+    ellipsoids: Ellipsoid(Ellipsoid) = "ellipsoid", Role::Whole, name;
     /// Solids inside closed surfaces, each of them a whole body.
-    surfaces: Surface(Surface) = "surface", Role::Whole;
+    surfaces: Surface(Surface) = "surface", Role::Whole, name;
     /// Parts of finite elements.
-    parts: Part(Part) = "part", Role::Mass;
+    parts: Part(Part) = "part", Role::Mass, name;
     /// Joints between parts, and between them and the carrier.
     connections: Connection(Connection) = "connection", Role::Mass;
     /// Rotors with friction.
-    rotors: Rotor(Rotor) = "rotor", Role::Inside(Field::AXIS);
+    rotors: Rotor(Rotor) = "rotor", Role::Inside(Field::AXIS), name;
     /// Momentum wheels.
-    wheels: Wheel(Wheel) = "wheel", Role::Inside(Field::AXIS);
+    wheels: Wheel(Wheel) = "wheel", Role::Inside(Field::AXIS), name;
     /// Cavities full of liquid.
-    cavities: Cavity(Cavity) = "cavity", Role::Inside(Field::SHAPE);
+    cavities: Cavity(Cavity) = "cavity", Role::Inside(Field::SHAPE), name;
     /// External forces.
-    forces: Force(Force<Station>) = "force", Role::External;
+    forces: Force(Force<Station>) = "force", Role::External, name;
 }

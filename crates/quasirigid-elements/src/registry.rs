@@ -1,8 +1,8 @@
 //! Kinds of elements: one list of an assembly each, walked as one.
 
-/// Defines the lists of an [`Assembly`](super::Assembly) and the kinds of their elements: `list: Kind(Type) = "words for one", role;`.
+/// Defines the lists of an [`Assembly`](super::Assembly) and the kinds of their elements: `list: Kind(Type) = "words for one", role, field of the name;`.
 macro_rules! kinds {
-    ($($(#[$doc:meta])* $list:ident: $kind:ident($type:ty) = $words:literal, $role:expr;)+) => {
+    ($($(#[$doc:meta])* $list:ident: $kind:ident($type:ty) = $words:literal, $role:expr $(, $name:ident)?;)+) => {
         /// Kind of an element.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
         pub enum ElementKind {
@@ -47,6 +47,12 @@ macro_rules! kinds {
             /// Support of the body.
             pub support: Support,
         }
+
+        $(impl element::Named for $type {
+            $(fn name(&self) -> &str {
+                &self.$name
+            })?
+        })+
 
         $(impl AssemblyElement for $type {
             fn add_to(self, assembly: &mut Assembly) -> ElementId {

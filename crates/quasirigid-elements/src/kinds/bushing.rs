@@ -159,10 +159,6 @@ fn transport(arm: Vector3<f64>) -> Matrix6<f64> {
 }
 
 impl Element for Bushing {
-    fn name(&self) -> &str {
-        &self.name
-    }
-
     fn check(&self, id: ElementId, body: &Assembly) -> Vec<ElementError> {
         let check = || {
             let [from, to] = joined(id, [self.from, self.to], |end| body.at_rest(end))?;

@@ -306,10 +306,6 @@ fn monomial(exponents: [usize; 3]) -> String {
 }
 
 impl Element for Ellipsoid {
-    fn name(&self) -> &str {
-        &self.name
-    }
-
     fn check(&self, id: ElementId, _: &Assembly) -> Vec<ElementError> {
         self.check_values(id).err().into_iter().collect()
     }

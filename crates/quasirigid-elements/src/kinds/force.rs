@@ -7,10 +7,6 @@ use crate::number;
 use crate::{Assembly, Station};
 
 impl Element for Force<Station> {
-    fn name(&self) -> &str {
-        &self.name
-    }
-
     fn check(&self, id: ElementId, body: &Assembly) -> Vec<ElementError> {
         check(id, self, body).err().into_iter().collect()
     }

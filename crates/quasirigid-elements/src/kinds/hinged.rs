@@ -137,10 +137,6 @@ impl Hinged {
 }
 
 impl Element for Hinged {
-    fn name(&self) -> &str {
-        &self.name
-    }
-
     fn check(&self, id: ElementId, _: &Assembly) -> Vec<ElementError> {
         self.moved(id).err().into_iter().chain(self.about_axes(id, 0).err()).collect()
     }

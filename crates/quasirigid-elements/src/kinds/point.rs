@@ -94,10 +94,6 @@ impl Point {
 }
 
 impl Element for Point {
-    fn name(&self) -> &str {
-        &self.name
-    }
-
     fn outline(&self, _: ElementId, _: &Assembly) -> Option<Outline> {
         Some(Outline { vertices: vec![Vertex::Own(self.position)], ..Outline::default() })
     }

@@ -92,10 +92,6 @@ impl Rotor {
 }
 
 impl Element for Rotor {
-    fn name(&self) -> &str {
-        &self.name
-    }
-
     /// Disc about the axis of a flywheel, at the centre of the carrier: the model gives it no place.
     fn outline(&self, _: ElementId, body: &Assembly) -> Option<Outline> {
         let RotorKind::Flywheel { axis } = self.kind else { return None };

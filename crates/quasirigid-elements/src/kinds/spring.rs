@@ -186,10 +186,6 @@ fn moved([from, to]: [&Attachment; 2]) -> Vec<(usize, Vector3<f64>)> {
 }
 
 impl Element for Spring {
-    fn name(&self) -> &str {
-        &self.name
-    }
-
     fn check(&self, id: ElementId, body: &Assembly) -> Vec<ElementError> {
         let check = || {
             let [from, to] = joined(id, [self.from, self.to], |end| body.at_rest(end))?;

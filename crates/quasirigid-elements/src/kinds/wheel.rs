@@ -61,10 +61,6 @@ impl Wheel {
 }
 
 impl Element for Wheel {
-    fn name(&self) -> &str {
-        &self.name
-    }
-
     /// Disc about the axis of the wheel, at the centre of the carrier: the model gives it no place.
     fn outline(&self, _: ElementId, body: &Assembly) -> Option<Outline> {
         disc(body.carrier.as_ref()?, self.axis)

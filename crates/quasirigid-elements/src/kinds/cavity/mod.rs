@@ -235,10 +235,6 @@ impl Cavity {
 }
 
 impl Element for Cavity {
-    fn name(&self) -> &str {
-        &self.name
-    }
-
     fn check(&self, id: ElementId, _: &Assembly) -> Vec<ElementError> {
         self.check_values(id).err().into_iter().collect()
     }

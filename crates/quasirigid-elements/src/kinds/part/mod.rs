@@ -248,10 +248,6 @@ pub(crate) fn extremes(nodes: &[[f64; 3]]) -> Vec<usize> {
 }
 
 impl Element for Part {
-    fn name(&self) -> &str {
-        &self.name
-    }
-
     fn words(&self) -> Option<&'static str> {
         Some(self.kind.words())
     }

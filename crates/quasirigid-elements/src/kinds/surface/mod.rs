@@ -194,10 +194,6 @@ impl Surface {
 }
 
 impl Element for Surface {
-    fn name(&self) -> &str {
-        &self.name
-    }
-
     fn check(&self, id: ElementId, _: &Assembly) -> Vec<ElementError> {
         self.check_values(id).err().into_iter().collect()
     }

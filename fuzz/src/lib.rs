@@ -17,7 +17,7 @@ macro_rules! fuzz {
         libfuzzer_sys::fuzz_target!(|bytes: &[u8]| {
             static TARGET: std::sync::OnceLock<&quasirigid_fuzz::targets::Target> =
                 std::sync::OnceLock::new();
-            (TARGET.get_or_init(|| $crate::target($name)).run)(bytes);
+            TARGET.get_or_init(|| $crate::target($name)).run(bytes);
         });
     };
 }

@@ -3,6 +3,7 @@
 
 use super::{FlexibleBody, Invariants};
 use crate::math::eigen::Dense;
+use crate::math::sym3::Sym;
 use crate::math::{sym3, vec3};
 
 impl FlexibleBody {
@@ -62,30 +63,25 @@ impl FlexibleBody {
     /// Mass matrix of the cyclic coordinates with the body free to recoil in rotation. (V2)
     #[must_use]
     pub fn recoiling_cyclic_mass(&self) -> Dense {
-        let h = &self.invariants().h[self.cyclic()];
-        let inverse = sym3::inverse(self.invariants().J);
-        let mut A = self.cyclic_mass();
-        for (row, h_row) in h.iter().enumerate() {
-            let turn = sym3::times(inverse, *h_row);
-            for (column, h_column) in h.iter().enumerate() {
-                A.add(row, column, -vec3::dot(turn, *h_column));
-            }
-        }
-        A
+        recoiling(self.cyclic_mass(), &self.invariants().h[self.cyclic()], self.invariants().J)
     }
 
     /// Mass matrix with the body free to recoil in rotation, `A − h J⁻¹ hᵀ`. (V2)
     #[must_use]
     pub fn recoiling_mass_matrix(&self) -> Dense {
         let Invariants { J, h, .. } = self.invariants();
-        let inverse = sym3::inverse(*J);
-        let mut A = self.mass_matrix();
-        for (row, h_row) in h.iter().enumerate() {
-            let turn = sym3::times(inverse, *h_row);
-            for (column, h_column) in h.iter().enumerate() {
-                A.add(row, column, -vec3::dot(turn, *h_column));
-            }
-        }
-        A
+        recoiling(self.mass_matrix(), h, *J)
     }
+}
+
+/// `A − h J⁻¹ hᵀ`. (V2)
+fn recoiling(mut A: Dense, h: &[[f64; 3]], J: Sym) -> Dense {
+    let inverse = sym3::inverse(J);
+    for (row, h_row) in h.iter().enumerate() {
+        let turn = sym3::times(inverse, *h_row);
+        for (column, h_column) in h.iter().enumerate() {
+            A.add(row, column, -vec3::dot(turn, *h_column));
+        }
+    }
+    A
 }

@@ -7,7 +7,7 @@ use nalgebra::Matrix3;
 
 use crate::math::elliptic;
 use crate::math::sym3::{self, Sym};
-use crate::math::vec3::{self, dot};
+use crate::math::vec3::{self, dot, scale};
 
 /// Principal moments and axes of an inertia tensor.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -73,6 +73,15 @@ impl Mode {
 const DISTINCT: f64 = 1e-9;
 
 impl Principal {
+    /// Axis next to a vector, on its side; the vector itself where none is.
+    #[must_use]
+    pub fn axis_beside(&self, vector: [f64; 3]) -> [f64; 3] {
+        let along = |axis: &[f64; 3]| dot(*axis, vector);
+        let nearest = self.axes.into_iter().max_by(|a, b| along(a).abs().total_cmp(&along(b).abs()));
+        let axis = nearest.unwrap_or(vector);
+        scale(along(&axis).signum(), axis)
+    }
+
     /// Principal axes of a tensor.
     #[must_use]
     pub fn compute(J: Sym) -> Self {

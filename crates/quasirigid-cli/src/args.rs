@@ -36,7 +36,7 @@ pub enum Command {
     Run(RunArgs),
     /// Say how far the reduced equations hold, in words and numbers
     #[command(after_help = "Example:\n  quasirigid check examples/explorer1/model.toml")]
-    Check(Check),
+    Check(Common),
     /// Find the steady spin and the modes about it: time constants, stability, shares of the dissipation
     #[command(after_help = "Example:\n  quasirigid modes examples/nutation-damper/model.toml")]
     Modes(ModesArgs),
@@ -74,7 +74,7 @@ pub enum Command {
     Keys(KeysArgs),
     /// Print the references of what the model uses, as BibTeX
     #[command(after_help = "Example:\n  quasirigid cite examples/apophis/model.toml")]
-    Cite(Cite),
+    Cite(Common),
 }
 
 impl Command {
@@ -87,8 +87,8 @@ impl Command {
             | Self::Derive(Derive { common, .. })
             | Self::Simulate(Simulate { common, .. })
             | Self::Evolve(Evolve { common, .. })
-            | Self::Verify(Verify { common, .. })
-            | Self::Cite(Cite { common }) => common.quiet,
+            | Self::Verify(Verify { common, .. }) => common.quiet,
+            Self::Cite(common) => common.quiet,
             Self::Sweep(SweepArgs { quiet, .. })
             | Self::Report(Report { quiet, .. })
             | Self::Plot(Plot { quiet, .. }) => *quiet,
@@ -163,12 +163,6 @@ pub struct RunArgs {
     /// Open the report in the browser
     #[arg(long)]
     pub open: bool,
-}
-
-#[derive(Args, Debug)]
-pub struct Check {
-    #[command(flatten)]
-    pub common: Common,
 }
 
 #[derive(Args, Debug)]
@@ -253,12 +247,6 @@ pub struct KeysArgs {
     /// Print the list for machines, as one JSON object
     #[arg(long)]
     pub json: bool,
-}
-
-#[derive(Args, Debug)]
-pub struct Cite {
-    #[command(flatten)]
-    pub common: Common,
 }
 
 #[derive(Args, Debug)]

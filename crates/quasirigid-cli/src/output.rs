@@ -45,6 +45,15 @@ pub fn print(text: &str) -> Result<(), Failure> {
     out.write_all(visible(text).as_bytes()).and_then(|()| out.flush()).map_err(|cause| printed(cause.kind()))
 }
 
+/// Prints an answer on standard output: as a JSON object for machines, or as text.
+pub fn print_answer(
+    for_machines: bool,
+    object: impl FnOnce() -> serde_json::Value,
+    text: impl FnOnce() -> String,
+) -> Result<(), Failure> {
+    print(&if for_machines { format!("{:#}\n", object()) } else { text() })
+}
+
 /// Prints a text on standard output whose first line is a verdict: `holds`, `marginal` or `fails`. On a terminal that line is coloured.
 pub fn print_verdict(text: &str, verdict: &str) -> Result<(), Failure> {
     let colour = match verdict {

@@ -9,20 +9,20 @@ use super::{Assembly, End, Incomplete, PartReduction};
 use crate::model::Rheology;
 use crate::structure::Block;
 
-/// Element of a body; each kind implements the methods that concern it.
-pub(crate) trait Element {
+/// Element that may have a name.
+pub(crate) trait Named {
     /// Name; empty without one.
     fn name(&self) -> &str {
         ""
     }
+}
 
+/// Element of a body; each kind implements the methods that concern it.
+pub(crate) trait Element: Named {
     /// More specific words for the element than those of its kind.
     fn words(&self) -> Option<&'static str> {
         None
     }
-
-    /// Place of the element among the others.
-    fn role(&self) -> Role;
 
     /// Errors of the element's own values, and of its references to others: by default those of its mass and of its motion. Parts and
     /// connections constrain each other, and are checked together.

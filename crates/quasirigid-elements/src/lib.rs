@@ -67,32 +67,33 @@ pub use visual::{Turning, Visual};
 
 use kinds::force;
 
+use crate::element::Role;
 use crate::model::Support;
 use crate::model::force::Force;
 
 kinds! {
     /// Material points.
-    points: Point(Point) = "point";
+    points: Point(Point) = "point", Role::Mass, name;
     /// Springs and dashpots.
-    springs: Spring(Spring) = "spring";
+    springs: Spring(Spring) = "spring", Role::Link, name;
     /// Bushings: springs along and about axes of their own.
-    bushings: Bushing(Bushing) = "bushing";
+    bushings: Bushing(Bushing) = "bushing", Role::Link, name;
     /// Rigid appendages on hinges.
-    hinged: Hinged(Hinged) = "appendage";
+    hinged: Hinged(Hinged) = "appendage", Role::OnCarrier(Field::HINGE), name;
     /// Ellipsoids, each of them a whole body.
-    ellipsoids: Ellipsoid(Ellipsoid) = "ellipsoid";
+    ellipsoids: Ellipsoid(Ellipsoid) = "ellipsoid", Role::Whole, name;
     /// Solids inside closed surfaces, each of them a whole body.
-    surfaces: Surface(Surface) = "surface";
+    surfaces: Surface(Surface) = "surface", Role::Whole, name;
     /// Parts of finite elements.
-    parts: Part(Part) = "part";
+    parts: Part(Part) = "part", Role::Mass, name;
     /// Joints between parts, and between them and the carrier.
-    connections: Connection(Connection) = "connection";
+    connections: Connection(Connection) = "connection", Role::Mass;
     /// Rotors with friction.
-    rotors: Rotor(Rotor) = "rotor";
+    rotors: Rotor(Rotor) = "rotor", Role::Inside(Field::AXIS), name;
     /// Momentum wheels.
-    wheels: Wheel(Wheel) = "wheel";
+    wheels: Wheel(Wheel) = "wheel", Role::Inside(Field::AXIS), name;
     /// Cavities full of liquid.
-    cavities: Cavity(Cavity) = "cavity";
+    cavities: Cavity(Cavity) = "cavity", Role::Inside(Field::SHAPE), name;
     /// External forces.
-    forces: Force(Force<Station>) = "force";
+    forces: Force(Force<Station>) = "force", Role::External, name;
 }

@@ -49,7 +49,7 @@ impl Assembly {
     /// Places at which elements act on others.
     pub(crate) fn grips(&self) -> impl Iterator<Item = (ElementId, Role, Grip)> + '_ {
         self.each().flat_map(|(id, element)| {
-            let role = element.role();
+            let role = id.kind.role();
             element.grips().into_iter().map(move |grip| (id, role, grip))
         })
     }

@@ -3,7 +3,7 @@
 
 use std::collections::HashMap;
 
-use crate::element::{Element, Role};
+use crate::element::{Element, Named, Role};
 use crate::kinds::part::Anchor;
 use crate::{Assembly, ElementId, End};
 
@@ -14,7 +14,7 @@ impl Assembly {
     /// Name given to an element; none of an element without a name, and of one that is not there.
     #[must_use]
     pub fn name(&self, element: ElementId) -> Option<&str> {
-        self.element(element).map(Element::name).filter(|name| !name.is_empty())
+        self.element(element).map(Named::name).filter(|name| !name.is_empty())
     }
 
     /// Description of an element for its user: `beam "boom"`, with a number in place of a missing name, `the carrier` for a single one.
@@ -31,7 +31,7 @@ impl Assembly {
     /// Names of the links as dissipators: their own, or after their ends, `spring tip-carrier`.
     pub(crate) fn link_names(&self) -> HashMap<ElementId, String> {
         let mut numbers = Numbers::default();
-        let links = self.each().filter(|(_, element)| element.role() == Role::Link);
+        let links = self.each().filter(|(id, _)| id.kind.role() == Role::Link);
         let name = |(id, element): (ElementId, &dyn Element)| {
             if !element.name().is_empty() {
                 return (id, element.name().to_owned());

@@ -1,8 +1,8 @@
 //! Kinds of elements: one list of an assembly each, walked as one.
 
-/// Defines the lists of an [`Assembly`](super::Assembly) and the kinds of their elements: `list: Kind(Type) = "words for one";`.
+/// Defines the lists of an [`Assembly`](super::Assembly) and the kinds of their elements: `list: Kind(Type) = "words for one", role, field of the name;`.
 macro_rules! kinds {
-    ($($(#[$doc:meta])* $list:ident: $kind:ident($type:ty) = $words:literal;)+) => {
+    ($($(#[$doc:meta])* $list:ident: $kind:ident($type:ty) = $words:literal, $role:expr $(, $name:ident)?;)+) => {
         /// Kind of an element.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
         pub enum ElementKind {
@@ -23,6 +23,15 @@ macro_rules! kinds {
                     Self::Support => "support",
                 }
             }
+
+            /// Place of an element of the kind among the others.
+            pub(crate) fn role(self) -> Role {
+                match self {
+                    Self::Carrier => Role::Mass,
+                    $(Self::$kind => $role,)+
+                    Self::Support => Role::External,
+                }
+            }
         }
 
         /// A body as the user describes it: a carrier with points, springs, hinged appendages and parts of finite elements on it,
@@ -38,6 +47,12 @@ macro_rules! kinds {
             /// Support of the body.
             pub support: Support,
         }
+
+        $(impl element::Named for $type {
+            $(fn name(&self) -> &str {
+                &self.$name
+            })?
+        })+
 
         $(impl AssemblyElement for $type {
             fn add_to(self, assembly: &mut Assembly) -> ElementId {

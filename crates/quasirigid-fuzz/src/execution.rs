@@ -38,7 +38,7 @@ pub fn catch_panics() {
 /// [`Failure`] for a panic, and for more memory than the target may use.
 pub fn execute(target: &Target, input: &[u8]) -> Result<(), Failure> {
     let before = heap::begin();
-    if panic::catch_unwind(AssertUnwindSafe(|| (target.run)(input))).is_err() {
+    if panic::catch_unwind(AssertUnwindSafe(|| target.run(input))).is_err() {
         let last = LAST.lock().ok().and_then(|mut last| last.take());
         return Err(last.unwrap_or(Failure { place: "?".to_owned(), message: "a panic".to_owned() }));
     }

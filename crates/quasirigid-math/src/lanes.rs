@@ -71,24 +71,6 @@ impl Not for Mask {
     }
 }
 
-impl BitAnd for Mask {
-    type Output = Self;
-
-    #[inline(always)]
-    fn bitand(self, other: Self) -> Self {
-        self.each(other, |a, b| a & b)
-    }
-}
-
-impl BitOr for Mask {
-    type Output = Self;
-
-    #[inline(always)]
-    fn bitor(self, other: Self) -> Self {
-        self.each(other, |a, b| a | b)
-    }
-}
-
 impl Lanes {
     /// The same number in every lane.
     #[inline(always)]
@@ -191,40 +173,27 @@ impl From<f64> for Lanes {
     }
 }
 
-impl Add for Lanes {
-    type Output = Self;
+/// Operators lane by lane.
+macro_rules! lane_by_lane {
+    ($($type:ty: $trait:ident $name:ident $operator:tt;)+) => {
+        $(impl $trait for $type {
+            type Output = Self;
 
-    #[inline(always)]
-    fn add(self, other: Self) -> Self {
-        self.each(other, |a, b| a + b)
-    }
+            #[inline(always)]
+            fn $name(self, other: Self) -> Self {
+                self.each(other, |a, b| a $operator b)
+            }
+        })+
+    };
 }
 
-impl Sub for Lanes {
-    type Output = Self;
-
-    #[inline(always)]
-    fn sub(self, other: Self) -> Self {
-        self.each(other, |a, b| a - b)
-    }
-}
-
-impl Mul for Lanes {
-    type Output = Self;
-
-    #[inline(always)]
-    fn mul(self, other: Self) -> Self {
-        self.each(other, |a, b| a * b)
-    }
-}
-
-impl Div for Lanes {
-    type Output = Self;
-
-    #[inline(always)]
-    fn div(self, other: Self) -> Self {
-        self.each(other, |a, b| a / b)
-    }
+lane_by_lane! {
+    Mask: BitAnd bitand &;
+    Mask: BitOr bitor |;
+    Lanes: Add add +;
+    Lanes: Sub sub -;
+    Lanes: Mul mul *;
+    Lanes: Div div /;
 }
 
 impl Scalar for Lanes {}

@@ -57,47 +57,26 @@ pub trait Smooth: Scalar + Div<Output = Self> + Neg<Output = Self> {
 
 impl Scalar for f64 {}
 
+/// Functions that a plain number has under the same names.
+macro_rules! own {
+    ($($function:ident)+) => {
+        $(fn $function(self) -> f64 {
+            self.$function()
+        })+
+    };
+}
+
 impl Smooth for f64 {
     const TERMS: usize = 1;
+
+    own! { sqrt exp ln log10 tan asin acos atan tanh }
 
     fn value(self) -> f64 {
         self
     }
 
-    fn sqrt(self) -> f64 {
-        self.sqrt()
-    }
-
-    fn exp(self) -> f64 {
-        self.exp()
-    }
-
-    fn ln(self) -> f64 {
-        self.ln()
-    }
-
-    fn log10(self) -> f64 {
-        self.log10()
-    }
-
     fn sin_cos(self) -> (f64, f64) {
         self.sin_cos()
-    }
-
-    fn tan(self) -> f64 {
-        self.tan()
-    }
-
-    fn asin(self) -> f64 {
-        self.asin()
-    }
-
-    fn acos(self) -> f64 {
-        self.acos()
-    }
-
-    fn atan(self) -> f64 {
-        self.atan()
     }
 
     fn atan2(self, x: f64) -> f64 {
@@ -106,10 +85,6 @@ impl Smooth for f64 {
 
     fn sinh_cosh(self) -> (f64, f64) {
         (self.sinh(), self.cosh())
-    }
-
-    fn tanh(self) -> f64 {
-        self.tanh()
     }
 
     fn powf(self, exponent: f64) -> f64 {

@@ -188,12 +188,12 @@ pub fn evolve(
     Ok(Columns::new(numbers.chain(texts).collect()))
 }
 
-/// Histories from many starts.
+/// Histories from many starts, or paths of the angular velocity alone, whose columns have no names.
 pub struct Histories {
     names: Vec<String>,
     units: Vec<String>,
     /// Values: for each start, for each column, one for each sample; NaN behind the end of a history.
-    values: Vec<f64>,
+    pub values: Vec<f64>,
     shape: [usize; 3],
     holds: Vec<bool>,
     status: Vec<String>,
@@ -242,18 +242,8 @@ impl Histories {
         let columns = first.map_or(&[][..], |row| &row.columns);
         let names: Vec<String> = columns.iter().map(|column| column.name.clone()).collect();
         let units = columns.iter().map(|column| column.unit.clone()).collect();
-        let shape = [found.len(), names.len(), samples];
-        let mut histories = Self {
-            names,
-            units,
-            values: vec![f64::NAN; shape.iter().product()],
-            shape,
-            holds: Vec::new(),
-            status: Vec::new(),
-            message: Vec::new(),
-            notes: Vec::new(),
-        };
-        let width = shape[1] * samples;
+        let width = names.len() * samples;
+        let mut histories = Self::new(names, units, [found.len(), columns.len(), samples]);
         for (i, row) in found.into_iter().enumerate() {
             match row {
                 Ok(row) => {
@@ -270,7 +260,15 @@ impl Histories {
         histories
     }
 
-    fn tell(&mut self, holds: bool, status: &str, message: String, notes: Vec<String>) {
+    /// Rows of which nothing is told yet.
+    pub fn new(names: Vec<String>, units: Vec<String>, shape: [usize; 3]) -> Self {
+        let values = vec![f64::NAN; shape.iter().product()];
+        let (holds, status, message, notes) = Default::default();
+        Self { names, units, values, shape, holds, status, message, notes }
+    }
+
+    /// Tells the next row.
+    pub fn tell(&mut self, holds: bool, status: &str, message: String, notes: Vec<String>) {
         self.holds.push(holds);
         self.status.push(status.to_owned());
         self.message.push(message);

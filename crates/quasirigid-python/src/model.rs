@@ -24,8 +24,8 @@ use crate::columns::Columns;
 use crate::ensemble::{self, Histories};
 use crate::failure::Failure;
 use crate::reduced::Reduced;
-use crate::spin_paths::{self, SpinPaths};
-use crate::watching::interruptible;
+use crate::spin_paths;
+use crate::watching::{Shared, interruptible};
 
 /// A model file that was read.
 #[pyclass(frozen, module = "quasirigid._core")]
@@ -62,6 +62,16 @@ impl Model {
         }
         let study = Arc::new(Study::new(self.parsed.clone(), order)?);
         Ok(Arc::clone(kept().entry(order).or_insert(study)))
+    }
+
+    /// Asks the study at an order, without the interpreter lock.
+    fn ask<T: Send>(
+        &self,
+        py: Python<'_>,
+        (order, observer): (Option<usize>, Observer),
+        question: impl FnOnce(&Arc<Study>, &Arc<Shared>) -> Result<T, Failure> + Send,
+    ) -> PyResult<T> {
+        Ok(interruptible(py, observer.as_ref(), |shared| question(&self.study(order)?, shared))?)
     }
 }
 
@@ -105,13 +115,11 @@ impl Model {
     }
 
     /// Validity of the reduced equations.
-    #[pyo3(signature = (order, observer))]
     fn check(&self, py: Python<'_>, order: Option<usize>, observer: Observer) -> PyResult<Answer> {
-        Ok(interruptible(py, observer.as_ref(), |_| answers::check(&*self.study(order)?))?)
+        self.ask(py, (order, observer), |study, _| answers::check(study))
     }
 
     /// Modes about steady spins.
-    #[pyo3(signature = (spin, axis, order, observer))]
     fn modes(
         &self,
         py: Python<'_>,
@@ -121,11 +129,10 @@ impl Model {
         observer: Observer,
     ) -> PyResult<Answer> {
         let asked = SteadySpinSettings { omega: spin, axis: named::<PrincipalAxis>(axis, "axis")? };
-        Ok(interruptible(py, observer.as_ref(), |_| answers::modes(&*self.study(order)?, asked))?)
+        self.ask(py, (order, observer), |study, _| answers::modes(study, asked))
     }
 
     /// Reduced equations about the spin.
-    #[pyo3(signature = (asked, axis, observer))]
     fn about_spin(
         &self,
         py: Python<'_>,
@@ -135,17 +142,15 @@ impl Model {
     ) -> PyResult<Answer> {
         let axis = named::<PrincipalAxis>(axis, "axis")?;
         let asked = asked.partial()?;
-        Ok(interruptible(py, observer.as_ref(), |_| answers::about_spin(&*self.study(None)?, asked, axis))?)
+        self.ask(py, (None, observer), |study, _| answers::about_spin(study, asked, axis))
     }
 
     /// The reduced equations.
-    #[pyo3(signature = (order, observer))]
     fn reduce(&self, py: Python<'_>, order: Option<usize>, observer: Observer) -> PyResult<Reduced> {
-        Ok(interruptible(py, observer.as_ref(), |_| Reduced::of(self.study(order)?))?)
+        self.ask(py, (order, observer), |study, _| Reduced::of(Arc::clone(study)))
     }
 
     /// A history of the spin.
-    #[pyo3(signature = (settings, table, order, observer))]
     fn simulate(
         &self,
         py: Python<'_>,
@@ -155,13 +160,10 @@ impl Model {
         observer: Observer,
     ) -> PyResult<Answer> {
         let (asked, table) = (settings.partial()?, table.table()?);
-        Ok(interruptible(py, observer.as_ref(), |shared| {
-            answers::simulate(&*self.study(order)?, &asked, &table, shared)
-        })?)
+        self.ask(py, (order, observer), |study, shared| answers::simulate(study, &asked, &table, shared))
     }
 
     /// Histories from many angular velocities.
-    #[pyo3(signature = (initial, settings, table, order, observer))]
     fn simulate_all(
         &self,
         py: Python<'_>,
@@ -173,13 +175,12 @@ impl Model {
     ) -> PyResult<Histories> {
         let starts = ensemble::starts(&initial)?;
         let (asked, table) = (settings.partial()?, table.table()?);
-        Ok(interruptible(py, observer.as_ref(), |shared| {
-            ensemble::simulate(&self.study(order)?, &starts, &asked, table, shared)
-        })?)
+        self.ask(py, (order, observer), |study, shared| {
+            ensemble::simulate(study, &starts, &asked, table, shared)
+        })
     }
 
     /// Angular velocities from many angular velocities.
-    #[pyo3(signature = (initial, asked, order, observer))]
     fn spins(
         &self,
         py: Python<'_>,
@@ -187,18 +188,17 @@ impl Model {
         asked: SpinsArgs,
         order: Option<usize>,
         observer: Observer,
-    ) -> PyResult<SpinPaths> {
+    ) -> PyResult<Histories> {
         let starts = ensemble::starts(&initial)?;
         let form = named(asked.form.as_deref(), "form")?;
         let settings = PartialRun { tolerance: asked.tolerance, form, ..PartialRun::default() };
         let rounding = if asked.reproducible { Rounding::Reproducible } else { Rounding::Fastest };
-        Ok(interruptible(py, observer.as_ref(), |shared| {
-            spin_paths::spins(&self.study(order)?, &starts, &asked.times, &settings, rounding, shared)
-        })?)
+        self.ask(py, (order, observer), |study, shared| {
+            spin_paths::spins(study, &starts, &asked.times, &settings, rounding, shared)
+        })
     }
 
     /// The secular evolution.
-    #[pyo3(signature = (asked, order, observer))]
     fn evolve(
         &self,
         py: Python<'_>,
@@ -207,13 +207,10 @@ impl Model {
         observer: Observer,
     ) -> PyResult<Answer> {
         let (draws, asked) = (asked.uncertainty_samples, asked.partial()?);
-        Ok(interruptible(py, observer.as_ref(), |shared| {
-            answers::evolve(&*self.study(order)?, asked, draws, shared)
-        })?)
+        self.ask(py, (order, observer), |study, shared| answers::evolve(study, asked, draws, shared))
     }
 
     /// The secular evolution from many angular velocities.
-    #[pyo3(signature = (initial, asked, order, observer))]
     fn evolve_all(
         &self,
         py: Python<'_>,
@@ -223,13 +220,10 @@ impl Model {
         observer: Observer,
     ) -> PyResult<Columns> {
         let (starts, asked) = (ensemble::starts(&initial)?, asked.partial()?);
-        Ok(interruptible(py, observer.as_ref(), |shared| {
-            ensemble::evolve(&self.study(order)?, &starts, asked, shared)
-        })?)
+        self.ask(py, (order, observer), |study, shared| ensemble::evolve(study, &starts, asked, shared))
     }
 
     /// The reduced equations against the full system.
-    #[pyo3(signature = (orders, revolutions, halvings, order, observer))]
     fn verify(
         &self,
         py: Python<'_>,
@@ -240,13 +234,10 @@ impl Model {
         observer: Observer,
     ) -> PyResult<Answer> {
         let asked = PartialVerify { revolutions, orders, halvings };
-        Ok(interruptible(py, observer.as_ref(), |shared| {
-            answers::verify(&*self.study(order)?, asked, shared)
-        })?)
+        self.ask(py, (order, observer), |study, shared| answers::verify(study, asked, shared))
     }
 
     /// The main job, and its record.
-    #[pyo3(signature = (place, settings, order, observer))]
     fn run(
         &self,
         py: Python<'_>,
@@ -257,9 +248,7 @@ impl Model {
     ) -> PyResult<RunAnswer> {
         let asked = settings.partial()?;
         let place = place.map(Place::read).transpose()?;
-        Ok(interruptible(py, observer.as_ref(), |shared| {
-            answers::run(&*self.study(order)?, &asked, place.as_ref(), shared)
-        })?)
+        self.ask(py, (order, observer), |study, shared| answers::run(study, &asked, place.as_ref(), shared))
     }
 
     /// BibTeX entries of what the model uses.

@@ -19,6 +19,11 @@ pub struct Reduced {
     text: String,
 }
 
+/// Angular velocities or momenta `(n, 3)`, vectors `(n, 3)` and numbers `(n,)` at each.
+type Rows<'py> = PyReadonlyArray2<'py, f64>;
+type Vectors<'py> = PyResult<Bound<'py, PyArray2<f64>>>;
+type Numbers<'py> = PyResult<Bound<'py, PyArray1<f64>>>;
+
 /// One degree of a polynomial: the degree, exponents of its monomials `(m, 3)`, coefficients `(m, rows)`.
 type Part<'py> = (usize, Bound<'py, PyArray2<i64>>, Bound<'py, PyArray2<f64>>);
 
@@ -34,9 +39,9 @@ impl Reduced {
     fn vectors<'py>(
         &self,
         py: Python<'py>,
-        omega: &PyReadonlyArray2<'py, f64>,
+        omega: &Rows<'py>,
         value: impl Fn(&ReducedBody, [f64; 3]) -> [f64; 3] + Sync,
-    ) -> PyResult<Bound<'py, PyArray2<f64>>> {
+    ) -> Vectors<'py> {
         let omega = rows(omega)?;
         let values = py.detach(|| omega.iter().flat_map(|omega| value(&self.body, *omega)).collect());
         PyArray1::from_vec(py, values).reshape([omega.len(), 3])
@@ -46,9 +51,9 @@ impl Reduced {
     fn numbers<'py>(
         &self,
         py: Python<'py>,
-        omega: &PyReadonlyArray2<'py, f64>,
+        omega: &Rows<'py>,
         value: impl Fn(&ReducedBody, [f64; 3]) -> f64 + Sync,
-    ) -> PyResult<Bound<'py, PyArray1<f64>>> {
+    ) -> Numbers<'py> {
         let omega = rows(omega)?;
         let values = py.detach(|| omega.iter().map(|omega| value(&self.body, *omega)).collect());
         Ok(PyArray1::from_vec(py, values))
@@ -93,65 +98,37 @@ impl Reduced {
     }
 
     /// The deviation torque.
-    fn torque<'py>(
-        &self,
-        py: Python<'py>,
-        omega: PyReadonlyArray2<'py, f64>,
-    ) -> PyResult<Bound<'py, PyArray2<f64>>> {
+    fn torque<'py>(&self, py: Python<'py>, omega: Rows<'py>) -> Vectors<'py> {
         self.vectors(py, &omega, ReducedBody::torque)
     }
 
     /// The angular momentum.
-    fn angular_momentum<'py>(
-        &self,
-        py: Python<'py>,
-        omega: PyReadonlyArray2<'py, f64>,
-    ) -> PyResult<Bound<'py, PyArray2<f64>>> {
+    fn angular_momentum<'py>(&self, py: Python<'py>, omega: Rows<'py>) -> Vectors<'py> {
         self.vectors(py, &omega, ReducedBody::angular_momentum)
     }
 
     /// The angular velocity of an angular momentum by the energy form.
-    fn angular_velocity<'py>(
-        &self,
-        py: Python<'py>,
-        K: PyReadonlyArray2<'py, f64>,
-    ) -> PyResult<Bound<'py, PyArray2<f64>>> {
+    fn angular_velocity<'py>(&self, py: Python<'py>, K: Rows<'py>) -> Vectors<'py> {
         self.vectors(py, &K, ReducedBody::angular_velocity)
     }
 
     /// The rate of the angular momentum by the energy form.
-    fn momentum_rate<'py>(
-        &self,
-        py: Python<'py>,
-        K: PyReadonlyArray2<'py, f64>,
-    ) -> PyResult<Bound<'py, PyArray2<f64>>> {
+    fn momentum_rate<'py>(&self, py: Python<'py>, K: Rows<'py>) -> Vectors<'py> {
         self.vectors(py, &K, |body, K| body.motion(K).rate)
     }
 
     /// The rate of the angular velocity without forces.
-    fn rate<'py>(
-        &self,
-        py: Python<'py>,
-        omega: PyReadonlyArray2<'py, f64>,
-    ) -> PyResult<Bound<'py, PyArray2<f64>>> {
+    fn rate<'py>(&self, py: Python<'py>, omega: Rows<'py>) -> Vectors<'py> {
         self.vectors(py, &omega, |body, omega| body.f.vector(omega))
     }
 
     /// The power dissipated.
-    fn power<'py>(
-        &self,
-        py: Python<'py>,
-        omega: PyReadonlyArray2<'py, f64>,
-    ) -> PyResult<Bound<'py, PyArray1<f64>>> {
+    fn power<'py>(&self, py: Python<'py>, omega: Rows<'py>) -> Numbers<'py> {
         self.numbers(py, &omega, ReducedBody::dissipated_power)
     }
 
     /// The energy.
-    fn energy<'py>(
-        &self,
-        py: Python<'py>,
-        omega: PyReadonlyArray2<'py, f64>,
-    ) -> PyResult<Bound<'py, PyArray1<f64>>> {
+    fn energy<'py>(&self, py: Python<'py>, omega: Rows<'py>) -> Numbers<'py> {
         self.numbers(py, &omega, ReducedBody::energy)
     }
 

@@ -4,8 +4,6 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use numpy::{PyArray1, PyArray3, PyArrayMethods};
-use pyo3::prelude::*;
 use quasirigid::dynamics::Rounding;
 use quasirigid_study::histories::room;
 use quasirigid_study::settings::PartialRun;
@@ -13,20 +11,9 @@ use quasirigid_study::spins::Spins;
 use quasirigid_study::{Study, StudyError};
 use rayon::prelude::*;
 
-use crate::ensemble::{RowWatch, on_pool};
+use crate::ensemble::{Histories, RowWatch, on_pool};
 use crate::failure::Failure;
 use crate::watching::Shared;
-
-/// Angular velocities from many starts.
-pub struct SpinPaths {
-    /// Angular velocities: for each start, for each time, three components; NaN behind the end.
-    values: Vec<f64>,
-    shape: [usize; 3],
-    holds: Vec<bool>,
-    status: Vec<String>,
-    message: Vec<String>,
-    notes: Vec<Vec<String>>,
-}
 
 /// Starts that one thread takes at a time: a few for each lane.
 const BLOCK: usize = 64;
@@ -39,7 +26,7 @@ pub fn spins(
     asked: &PartialRun,
     rounding: Rounding,
     shared: &Arc<Shared>,
-) -> Result<SpinPaths, Failure> {
+) -> Result<Histories, Failure> {
     // Rows and the array made of them stand in memory together.
     room(times.len(), 2 * starts.len(), 0)?;
     let (settings, samples) = (asked.clone(), times.len());
@@ -60,61 +47,25 @@ pub fn spins(
         });
         blocks.collect::<Result<Vec<_>, Failure>>()
     })??;
-    Ok(SpinPaths::of(found.into_iter().flatten().collect(), samples))
+    Ok(rows(found.into_iter().flatten().collect(), samples))
 }
 
-impl SpinPaths {
-    fn of(found: Vec<Result<Spins, StudyError>>, samples: usize) -> Self {
-        let shape = [found.len(), samples, 3];
-        let mut paths = Self {
-            values: vec![f64::NAN; shape.iter().product()],
-            shape,
-            holds: Vec::with_capacity(shape[0]),
-            status: Vec::with_capacity(shape[0]),
-            message: Vec::with_capacity(shape[0]),
-            notes: Vec::with_capacity(shape[0]),
-        };
-        let width = 3 * samples;
-        for (i, row) in found.into_iter().enumerate() {
-            let (holds, status, message, notes) = match row {
-                Ok(spins) => {
-                    let place = &mut paths.values[i * width..(i + 1) * width];
-                    for (place, omega) in place.chunks_mut(3).zip(&spins.omega) {
-                        place.copy_from_slice(omega);
-                    }
-                    let message = spins.reason().unwrap_or(&spins.message).to_owned();
-                    (spins.holds(), spins.status, message, spins.notes)
+/// Paths as rows: for each start, for each time, three components; NaN behind the end.
+fn rows(found: Vec<Result<Spins, StudyError>>, samples: usize) -> Histories {
+    let mut paths = Histories::new(Vec::new(), Vec::new(), [found.len(), samples, 3]);
+    let width = 3 * samples;
+    for (i, row) in found.into_iter().enumerate() {
+        match row {
+            Ok(spins) => {
+                let place = &mut paths.values[i * width..(i + 1) * width];
+                for (place, omega) in place.chunks_mut(3).zip(&spins.omega) {
+                    place.copy_from_slice(omega);
                 }
-                Err(error) => (false, "error", Failure::from(error).text(), Vec::new()),
-            };
-            paths.holds.push(holds);
-            paths.status.push(status.to_owned());
-            paths.message.push(message);
-            paths.notes.push(notes);
+                let message = spins.reason().unwrap_or(&spins.message).to_owned();
+                paths.tell(spins.holds(), spins.status, message, spins.notes);
+            }
+            Err(error) => paths.tell(false, "error", Failure::from(error).text(), Vec::new()),
         }
-        paths
     }
-}
-
-/// Parts of [`SpinPaths`] in Python.
-#[derive(IntoPyObject)]
-pub struct SpinParts<'py> {
-    values: Bound<'py, PyArray3<f64>>,
-    holds: Bound<'py, PyArray1<bool>>,
-    status: Vec<String>,
-    message: Vec<String>,
-    notes: Vec<Vec<String>>,
-}
-
-impl<'py> IntoPyObject<'py> for SpinPaths {
-    type Target = PyAny;
-    type Output = Bound<'py, PyAny>;
-    type Error = PyErr;
-
-    fn into_pyobject(self, py: Python<'py>) -> PyResult<Self::Output> {
-        let Self { values, shape, holds, status, message, notes } = self;
-        let values = PyArray1::from_vec(py, values).reshape(shape)?;
-        let holds = PyArray1::from_vec(py, holds);
-        Ok(SpinParts { values, holds, status, message, notes }.into_pyobject(py)?.into_any())
-    }
+    paths
 }

@@ -27,7 +27,6 @@ pub struct Sweep(Arc<study::Sweep>);
 impl Sweep {
     /// Reads a study: the file, or a text for which `file` stands; and its model, where that stands in no file.
     #[staticmethod]
-    #[pyo3(signature = (file, text, model, observer))]
     fn open(
         py: Python<'_>,
         file: PathBuf,
@@ -71,7 +70,6 @@ impl Sweep {
     }
 
     /// Answers the rows into a folder.
-    #[pyo3(signature = (folder, resume, threads, observer))]
     fn run(
         &self,
         py: Python<'_>,

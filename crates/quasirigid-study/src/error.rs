@@ -1,7 +1,5 @@
 //! Errors of a study.
 
-use std::error::Error;
-use std::fmt::{self, Display, Formatter};
 use std::path::PathBuf;
 
 use quasirigid::averaging::{FreeRotationError, ObservedError, Unaveraged};
@@ -15,6 +13,7 @@ use quasirigid_io::model::ModelError;
 use quasirigid_io::record::RecordError;
 use quasirigid_math::eigen::NoConvergence;
 use quasirigid_math::memory::TooMuchMemory;
+use thiserror::Error;
 
 use crate::settings::{Setting, SettingError};
 use crate::start::NoWobble;
@@ -24,7 +23,8 @@ use crate::words::significant;
 const LISTED_MODES: usize = 6;
 
 /// A study that gives no answer. The text names settings by their keys; [`told`](Self::told) has other names for them.
-#[derive(Debug)]
+#[derive(Debug, Error)]
+#[error("{}", self.told(&Setting::key))]
 #[non_exhaustive]
 pub enum StudyError {
     /// The model file.
@@ -248,22 +248,15 @@ impl StudyError {
             }
             Self::Interrupted => "interrupted; the table breaks off here".into(),
             Self::Setting(cause) => cause.told(name),
-            Self::RestWithoutDuration
-            | Self::History { .. }
-            | Self::NoCoordinates { .. }
-            | Self::SpinsAlone { .. } => self.of_histories(name),
-            Self::Submanifold(_)
-            | Self::ForcesAboutSpin { .. }
-            | Self::MiddleAxis
-            | Self::EventsAboutSpin
-            | Self::SteadySpinBeyond { .. }
-            | Self::NoMaster { .. } => self.about_spin(name),
-            _ => self.of_evolutions(name),
+            _ => {
+                let others = self.of_histories(name).or_else(|| self.about_spin(name));
+                others.unwrap_or_else(|| self.of_evolutions(name))
+            }
         }
     }
 
-    fn about_spin(&self, name: &dyn Fn(Setting) -> &'static str) -> String {
-        match self {
+    fn about_spin(&self, name: &dyn Fn(Setting) -> &'static str) -> Option<String> {
+        Some(match self {
             Self::Submanifold(cause) => cause.to_string(),
             Self::ForcesAboutSpin { names } => {
                 let which =
@@ -299,13 +292,13 @@ impl StudyError {
                     significant(*frequency, 5)
                 )
             }
-            _ => String::new(),
-        }
+            _ => return None,
+        })
     }
 
-    fn of_histories(&self, name: &dyn Fn(Setting) -> &'static str) -> String {
+    fn of_histories(&self, name: &dyn Fn(Setting) -> &'static str) -> Option<String> {
         let (duration, samples) = (name(Setting::Duration), name(Setting::Samples));
-        match self {
+        Some(match self {
             Self::RestWithoutDuration => format!(
                 "the body starts from rest, so there are no revolutions to count the time by; give {duration}, such as \"2 h\""
             ),
@@ -324,8 +317,8 @@ impl StudyError {
             Self::SpinsAlone { forces: false } => {
                 "the file ends its histories at an event (stop in [run]); follow them by simulate, or take the key out".into()
             }
-            _ => String::new(),
-        }
+            _ => return None,
+        })
     }
 
     fn of_evolutions(&self, name: &dyn Fn(Setting) -> &'static str) -> String {
@@ -372,14 +365,6 @@ impl StudyError {
         }
     }
 }
-
-impl Display for StudyError {
-    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.told(&Setting::key))
-    }
-}
-
-impl Error for StudyError {}
 
 macro_rules! causes {
     ($($variant:ident: $cause:ty),+ $(,)?) => {

@@ -1,10 +1,10 @@
 //! Steady spins that a user asks for, with the modes about them.
 
-use quasirigid::model::{FlexibleBody, Principal};
+use quasirigid::model::Principal;
 use quasirigid::modes::{Given, acts};
 use quasirigid_io::model::{Named, Rotation};
 use quasirigid_io::record::SteadySpinRecord;
-use quasirigid_math::vec3::{dot, norm};
+use quasirigid_math::vec3::norm;
 use serde::Serialize;
 use serde_json::{Value, json};
 
@@ -124,12 +124,12 @@ impl Study {
             Some(omega) => (omega, Given::Rate(norm(omega))),
             None => of_start(self)?,
         };
+        let principal = Principal::compute(body.invariants().J);
         let spins = match (asked.axis, asked.omega) {
             (Some(axis), _) => {
-                let direction = Principal::compute(body.invariants().J).axes[axis as usize];
-                vec![steady::spin(self, axis.name(), direction, given)]
+                vec![steady::spin(self, axis.name(), principal.axes[axis as usize], given)]
             }
-            (None, Some(_)) => vec![steady::spin(self, "asked", nearest(body, omega), given)],
+            (None, Some(_)) => vec![steady::spin(self, "asked", principal.axis_beside(omega), given)],
             (None, None) => steady::poles(self, omega, given).records,
         };
         Ok(Modes { spins, state: None, under_forces: false })
@@ -151,12 +151,4 @@ fn of_start(study: &Study) -> Result<([f64; 3], Given), StudyError> {
         Given::Rate(norm(spin.omega))
     };
     Ok((spin.omega, given))
-}
-
-/// The principal axis next to an angular velocity, on its side.
-fn nearest(body: &FlexibleBody, omega: [f64; 3]) -> [f64; 3] {
-    let along = |axis: &[f64; 3]| dot(*axis, omega);
-    let Principal { axes, .. } = Principal::compute(body.invariants().J);
-    let axis = axes.into_iter().max_by(|a, b| along(a).abs().total_cmp(&along(b).abs())).unwrap_or(omega);
-    axis.map(|entry| entry * along(&axis).signum())
 }

@@ -1,4 +1,4 @@
-use super::{notes, open, whole};
+use super::{open, whole};
 use crate::args::{About, Derive, DeriveFormat};
 use crate::failure::Failure;
 use crate::{ExitStatus, output};
@@ -17,7 +17,6 @@ pub fn derive(arguments: &Derive) -> Result<ExitStatus, Failure> {
 
 fn about_rest(arguments: &Derive, format: DeriveFormat) -> Result<ExitStatus, Failure> {
     let study = open(&arguments.common)?;
-    notes(&study, &arguments.common);
     let equations = whole(&arguments.common, || study.derive())?;
     let mut text = match format {
         DeriveFormat::Text => equations.text(),
@@ -36,12 +35,8 @@ fn about_spin(arguments: &Derive, format: DeriveFormat) -> Result<ExitStatus, Fa
         return Err(Failure::NoLatexAboutSpin);
     }
     let study = open(&arguments.common)?;
-    notes(&study, &arguments.common);
     let asked = arguments.spin_manifold.partial();
     let equations = whole(&arguments.common, || study.about_spin(asked, arguments.axis))?;
-    output::print(&match format {
-        DeriveFormat::Json => format!("{:#}\n", equations.json()),
-        _ => equations.text(),
-    })?;
+    output::print_answer(format == DeriveFormat::Json, || equations.json(), || equations.text())?;
     Ok(if equations.holds() { ExitStatus::Done } else { ExitStatus::CheckFailed })
 }

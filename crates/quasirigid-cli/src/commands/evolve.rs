@@ -6,7 +6,7 @@ use quasirigid_study::sweep::uncertainty_text;
 use quasirigid_study::{Setting, StudyError};
 use serde_json::json;
 
-use super::{notes, open};
+use super::open;
 use crate::args::{Evolve, EvolveFormat, seconds};
 use crate::failure::Failure;
 use crate::interrupt::Interrupt;
@@ -18,7 +18,6 @@ use crate::{ExitStatus, output};
 pub fn evolve(arguments: &Evolve) -> Result<ExitStatus, Failure> {
     let Evolve { common, out, overwrite, .. } = arguments;
     let study = open(common)?;
-    notes(&study, common);
     study.initial()?;
     let printed = out.as_deref().is_some_and(output::is_stdout);
     if printed && common.json {

@@ -13,7 +13,7 @@ pub mod simulate;
 pub mod sweep;
 pub mod verify;
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use quasirigid_io::model::Model;
 use quasirigid_study::{LeftOut, Study, StudyError, watched};
@@ -31,8 +31,14 @@ fn is_standard_input(common: &Common) -> bool {
     common.model == Path::new("-")
 }
 
+/// Opens the study of a model, and prints the notes on suspect values and former names on standard error.
 fn open(common: &Common) -> Result<Study, Failure> {
-    whole(common, || Study::new(model(common)?, common.order))
+    let study = whole(common, || Study::new(model(common)?, common.order))?;
+    former_names(&study.model.former_names, common.quiet);
+    if !common.quiet {
+        study.model.notes.iter().for_each(|note| remark(&format!("note: {note}")));
+    }
+    Ok(study)
 }
 
 fn model(common: &Common) -> Result<Model, StudyError> {
@@ -43,20 +49,20 @@ fn model(common: &Common) -> Result<Model, StudyError> {
     })
 }
 
+/// Folder for the results of a file: its name with an ending; a file of the usual name has that of its folder.
+fn default_folder(file: &Path, usual: &str, ending: &str) -> PathBuf {
+    let folder = file.parent().and_then(Path::file_name).filter(|_| file.file_stem() == Some(usual.as_ref()));
+    let mut name = folder.or(file.file_stem()).unwrap_or_default().to_owned();
+    name.push(ending); // of whatever bytes the name is
+    PathBuf::from(name)
+}
+
 /// Does work that has no partial result.
 fn whole<T: Send>(
     common: &Common,
     work: impl FnOnce() -> Result<T, StudyError> + Send,
 ) -> Result<T, Failure> {
     Ok(watched(&mut Terminal::of_whole(common.quiet), work)?)
-}
-
-/// Prints the notes on suspect values and former names of the model, on standard error.
-fn notes(study: &Study, common: &Common) {
-    former_names(&study.model.former_names, common.quiet);
-    if !common.quiet {
-        study.model.notes.iter().for_each(|note| remark(&format!("note: {note}")));
-    }
 }
 
 /// Prints on standard error the losses that the equations of motion leave out; returns whether their results may be false.

@@ -1,6 +1,6 @@
 use quasirigid_study::modes::SteadySpinSettings;
 
-use super::{notes, open, whole};
+use super::{open, whole};
 use crate::args::ModesArgs;
 use crate::failure::Failure;
 use crate::{ExitStatus, output};
@@ -8,15 +8,10 @@ use crate::{ExitStatus, output};
 /// Finds the steady spin and the small motions about it.
 pub fn modes(arguments: &ModesArgs) -> Result<ExitStatus, Failure> {
     let study = open(&arguments.common)?;
-    notes(&study, &arguments.common);
     let omega = arguments.spin.as_ref().map(|spin| vector(spin)).transpose()?;
     let found = whole(&arguments.common, || study.modes(SteadySpinSettings { omega, axis: arguments.axis }))?;
     let name = &study.model.name;
-    if arguments.common.json {
-        output::print(&format!("{:#}\n", found.json(name)))?;
-    } else {
-        output::print(&found.text(name, arguments.all))?;
-    }
+    output::print_answer(arguments.common.json, || found.json(name), || found.text(name, arguments.all))?;
     Ok(if found.found() { ExitStatus::Done } else { ExitStatus::CheckFailed })
 }
 

@@ -1,11 +1,11 @@
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use quasirigid_io::model::Model;
 use quasirigid_io::record::{RunRecord, TableFormat};
 use quasirigid_study::run::RunOutcome;
 use quasirigid_study::{Keeping, Study, summary};
 
-use super::{former_names, is_standard_input, model, whole};
+use super::{default_folder, former_names, is_standard_input, model, whole};
 use crate::args::RunArgs;
 use crate::failure::Failure;
 use crate::interrupt::Interrupt;
@@ -29,7 +29,8 @@ pub fn run(arguments: &RunArgs) -> Result<ExitStatus, Failure> {
     let study = whole(common, || Study::with_visuals(model(common)?, common.order))?;
     former_names(&study.model.former_names, common.quiet);
     study.initial()?;
-    let path = arguments.out.clone().unwrap_or_else(|| default_folder(&study.model));
+    let path =
+        arguments.out.clone().unwrap_or_else(|| default_folder(&study.model.source.file, "model", "-run"));
     let overwrite = *overwrite || *resume && is_partial(&path, &study.model);
     Folder::check(&path, overwrite)?;
     let asked = arguments.run.partial()?;
@@ -87,14 +88,4 @@ fn is_partial(path: &Path, model: &Model) -> bool {
         let interrupted = record.histories.iter().any(|history| history.status == "interrupted");
         interrupted && record.model.sha256 == model.source.sha256
     })
-}
-
-/// The file's name with `-run`; a file called `model.toml` has the name of its folder.
-fn default_folder(model: &Model) -> PathBuf {
-    let file = &model.source.file;
-    let folder =
-        file.parent().and_then(Path::file_name).filter(|_| file.file_stem() == Some("model".as_ref()));
-    let mut name = folder.or(file.file_stem()).unwrap_or_default().to_owned();
-    name.push("-run"); // of whatever bytes the name is
-    PathBuf::from(name)
 }

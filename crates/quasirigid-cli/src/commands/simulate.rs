@@ -6,7 +6,7 @@ use quasirigid_io::record::{MOST_ROWS, RecordError, TableFormat, history_csv, lo
 use quasirigid_study::StudyError;
 use quasirigid_study::histories::{History, Table};
 
-use super::{notes, open};
+use super::open;
 use crate::args::Simulate;
 use crate::failure::Failure;
 use crate::interrupt::Interrupt;
@@ -21,7 +21,6 @@ pub fn simulate(arguments: &Simulate) -> Result<ExitStatus, Failure> {
         return Err(Failure::NotAboutSpin { with: "--system spin-manifold" });
     }
     let study = open(common)?;
-    notes(&study, common);
     study.initial()?;
     let asked = arguments.run.partial()?;
     match out {

@@ -1,9 +1,9 @@
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use quasirigid_study::sweep::{Cell, Finished, RowAnswer, RunOptions, Status, Sweep, text};
 use serde_json::{Value, json};
 
-use super::former_names;
+use super::{default_folder, former_names};
 use crate::args::SweepArgs;
 use crate::failure::Failure;
 use crate::interrupt::Interrupt;
@@ -24,7 +24,7 @@ pub fn sweep(arguments: &SweepArgs) -> Result<ExitStatus, Failure> {
         drop(terminal);
         return one_row(&sweep, row, arguments.json);
     }
-    let folder = arguments.out.clone().unwrap_or_else(|| default_folder(&arguments.study));
+    let folder = arguments.out.clone().unwrap_or_else(|| default_folder(&arguments.study, "study", "-sweep"));
     let options = RunOptions {
         resume: arguments.resume,
         shard: arguments.shard,
@@ -118,13 +118,4 @@ fn value(cell: &Cell) -> Value {
         Cell::Boolean(truth) => json!(truth),
         Cell::Text(text) => json!(text),
     }
-}
-
-/// The file's name with `-sweep`; a file called `study.toml` has the name of its folder.
-fn default_folder(study: &Path) -> PathBuf {
-    let folder =
-        study.parent().and_then(Path::file_name).filter(|_| study.file_stem() == Some("study".as_ref()));
-    let mut name = folder.or(study.file_stem()).unwrap_or_default().to_owned();
-    name.push("-sweep"); // of whatever bytes the name is
-    PathBuf::from(name)
 }

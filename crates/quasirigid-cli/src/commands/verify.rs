@@ -5,7 +5,7 @@ use quasirigid_study::settings::{PartialSpinVerify, PartialVerify};
 use quasirigid_study::verification::text;
 use serde_json::json;
 
-use super::{note_left_out, notes, open};
+use super::{note_left_out, open};
 use crate::args::{About, Verify};
 use crate::failure::Failure;
 use crate::interrupt::Interrupt;
@@ -26,7 +26,6 @@ pub fn verify(arguments: &Verify) -> Result<ExitStatus, Failure> {
 
 fn about_spin(arguments: &Verify) -> Result<ExitStatus, Failure> {
     let study = open(&arguments.common)?;
-    notes(&study, &arguments.common);
     let asked = PartialSpinVerify {
         spin_manifold: arguments.spin_manifold.partial(),
         verify: partial(arguments),
@@ -38,17 +37,14 @@ fn about_spin(arguments: &Verify) -> Result<ExitStatus, Failure> {
         remark("the verification was interrupted; nothing was measured");
         return Ok(ExitStatus::CheckFailed);
     };
-    output::print(&match arguments.common.json {
-        true => format!("{:#}\n", verification_json(&found)),
-        false => verification_text(&study.model.name, &found),
-    })?;
+    let text = || verification_text(&study.model.name, &found);
+    output::print_answer(arguments.common.json, || verification_json(&found), text)?;
     Ok(if found.reached() { ExitStatus::Done } else { ExitStatus::CheckFailed })
 }
 
 fn about_rest(arguments: &Verify) -> Result<ExitStatus, Failure> {
     let quiet = arguments.common.quiet;
     let study = open(&arguments.common)?;
-    notes(&study, &arguments.common);
     note_left_out(&study, study.initial()?.omega, &arguments.common);
     let plan = study.verification_plan(partial(arguments));
     let highest = plan.orders.iter().copied().max().unwrap_or_default();

@@ -35,6 +35,7 @@ pub use full::{FullState, propagate_full};
 pub use initial_transient::{BoundaryLayer, FastPart, composite_spin, matched_start};
 pub use nutation::{Nutation, Nutations};
 pub use reduced::propagate;
+pub(crate) use run::check_times;
 pub use run::{Observer, Options, Outcome, PropagateError, Run, Sample, Scan, Start};
 pub use scale::spin_from_rest;
 pub use slow::{

@@ -372,10 +372,14 @@ pub(super) fn check(
     if let Some(event) = options.events.iter().find(|event| !event.possible()) {
         return Err(PropagateError::Event { event: *event });
     }
-    let tolerance = options.tolerance;
     if !(spin.is_finite() && spin >= 0.0) {
         return Err(PropagateError::NoSpin { spin });
     }
+    check_times(times, options.tolerance)
+}
+
+/// Refuses times and tolerances that no propagation takes.
+pub(crate) fn check_times(times: &[f64], tolerance: f64) -> Result<(), PropagateError> {
     if !(1e-15..=1e-2).contains(&tolerance) {
         return Err(PropagateError::Tolerance { tolerance });
     }

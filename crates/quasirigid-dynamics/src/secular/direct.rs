@@ -93,16 +93,7 @@ pub fn follow_directly(
     options: &DirectOptions,
     watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
 ) -> Result<DirectRun, PropagateError> {
-    let energy = start.energy(body);
-    let first = DirectRow { t: 0.0, energy, dissipated: 0.0, revolutions: 0.0 };
-    let mut run = DirectRun {
-        rows: vec![first],
-        ending: DirectStopReason::Finished,
-        last: start.clone(),
-        budget: vec![0.0; body.dissipators().len()],
-        energy_drift: 0.0,
-        steps: 0,
-    };
+    let mut run = DirectRun::starting(body, start);
     let mut length = FIRST * std::f64::consts::TAU / norm(start.omega);
     loop {
         let done = run.rows[run.rows.len() - 1];
@@ -120,6 +111,19 @@ pub fn follow_directly(
 }
 
 impl DirectRun {
+    /// Run of one row.
+    pub(super) fn starting(body: &FlexibleBody, start: &FullState) -> Self {
+        let first = DirectRow { t: 0.0, energy: start.energy(body), dissipated: 0.0, revolutions: 0.0 };
+        Self {
+            rows: vec![first],
+            ending: DirectStopReason::Finished,
+            last: start.clone(),
+            budget: vec![0.0; body.dissipators().len()],
+            energy_drift: 0.0,
+            steps: 0,
+        }
+    }
+
     /// Integrates one piece; returns the reason if the run ended.
     fn piece(
         &mut self,

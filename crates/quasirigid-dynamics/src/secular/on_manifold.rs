@@ -122,17 +122,7 @@ struct History<'a, 'b> {
 
 impl<'a, 'b> History<'a, 'b> {
     fn new(manifold: &'a SpinManifold<'b>, start: &FullState, from: ManifoldStart) -> Self {
-        let body = manifold.body;
-        let energy = start.energy(body);
-        let first = DirectRow { t: 0.0, energy, dissipated: 0.0, revolutions: 0.0 };
-        let run = DirectRun {
-            rows: vec![first],
-            ending: DirectStopReason::Finished,
-            last: start.clone(),
-            budget: vec![0.0; body.dissipators().len()],
-            energy_drift: 0.0,
-            steps: 0,
-        };
+        let run = DirectRun::starting(manifold.body, start);
         Self { manifold, from, run, motion: 0.0, drift: 0.0, steady: manifold.steady_energy() }
     }
 

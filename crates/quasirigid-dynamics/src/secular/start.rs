@@ -1,5 +1,5 @@
 use crate::math::sym3::{self, times};
-use crate::math::vec3::{add, dot, norm, scale};
+use crate::math::vec3::{add, norm, scale};
 use crate::model::{FlexibleBody, Principal};
 use crate::modes::{EquilibriumError, Given, RelativeEquilibrium};
 
@@ -19,7 +19,12 @@ pub fn spun_displacements(body: &FlexibleBody, omega: [f64; 3]) -> Result<Vec<f6
         let balanced = body.balanced(omega).ok_or(EquilibriumError::NotFound { axis, reached: 0.0 })?;
         return Ok(balanced.q);
     }
-    Ok(RelativeEquilibrium::near(body, nearest(body, omega), Given::Rate(norm(omega)))?.q)
+    Ok(RelativeEquilibrium::near(
+        body,
+        Principal::compute(body.invariants().J).axis_beside(omega),
+        Given::Rate(norm(omega)),
+    )?
+    .q)
 }
 
 /// Angular velocity (rad/s) and displacements with this angular momentum (N·m·s, body axes, without that of wheels), the body deformed as
@@ -43,12 +48,4 @@ pub fn spun_state(
         }
     }
     Ok((omega, q))
-}
-
-/// Principal axis next to an angular velocity, on the same side.
-fn nearest(body: &FlexibleBody, omega: [f64; 3]) -> [f64; 3] {
-    let along = |axis: &[f64; 3]| dot(*axis, omega);
-    let axes = Principal::compute(body.invariants().J).axes;
-    let axis = axes.into_iter().max_by(|a, b| along(a).abs().total_cmp(&along(b).abs())).unwrap_or(omega);
-    scale(along(&axis).signum(), axis)
 }

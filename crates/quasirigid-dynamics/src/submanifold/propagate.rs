@@ -4,7 +4,7 @@
 
 use std::f64::consts::TAU;
 
-use crate::dynamics::{Observer, Options, Outcome, PropagateError, Sample};
+use crate::dynamics::{Observer, Options, Outcome, PropagateError, Sample, check_times};
 use crate::math::ode::{Dop853, Solver, StepObserver, StopReason, System, integrate};
 use crate::math::rotation::{aligned, to_inertial};
 use crate::math::simd::{Arithmetic, Plain};
@@ -28,7 +28,7 @@ pub fn propagate_on_manifold(
     options: &Options,
     observer: &mut dyn Observer,
 ) -> Result<ManifoldRun, PropagateError> {
-    check(times, options)?;
+    check_times(times, options.tolerance)?;
     let phases = Phases::of(manifold, start);
     let accrued = manifold.accrued();
     let mut y: Vec<f64> = start.z.as_flattened().to_vec();
@@ -52,19 +52,6 @@ pub fn propagate_on_manifold(
     let budget = monitor.budget(solver.t(), solver.y());
     monitor.observer.budget(&budget);
     Ok(ManifoldRun { outcome, last, z, worst: monitor.worst, work: solver.work() })
-}
-
-/// Refuses times and tolerances that no propagation takes.
-fn check(times: &[f64], options: &Options) -> Result<(), PropagateError> {
-    let tolerance = options.tolerance;
-    if !(1e-15..=1e-2).contains(&tolerance) {
-        return Err(PropagateError::Tolerance { tolerance });
-    }
-    let befores = std::iter::once(&0.0).chain(times);
-    match befores.zip(times).find(|(before, t)| !(*t >= *before && t.is_finite())) {
-        Some((&before, &t)) => Err(PropagateError::Times { t, before }),
-        None => Ok(()),
-    }
 }
 
 impl SpinManifold<'_> {

@@ -6,8 +6,9 @@ use std::f64::consts::TAU;
 use std::ops::ControlFlow;
 
 use super::compare::Difference;
+use super::runs::finished;
 use super::verify::{VerificationError, falls, slope};
-use crate::dynamics::{Forced, Observer, Options, Outcome, Sample, propagate_full};
+use crate::dynamics::{Forced, Observer, Options, Sample, propagate_full};
 use crate::model::FlexibleBody;
 use crate::submanifold::{ManifoldStart, SpinManifold, SpinManifoldPlan, WIDEST, propagate_on_manifold};
 
@@ -146,23 +147,15 @@ fn compared(
     let options = Options { tolerance: TOLERANCE, ..Options::default() };
     let mut full = Collector { samples: Vec::new(), watch };
     let run = propagate_full(Forced::not(manifold.body), &state, &times, &options, &mut full)?;
-    ended(run.outcome)?;
+    finished(run.outcome)?;
     let Collector { samples: full, watch } = full;
     let mut reduced = Collector { samples: Vec::new(), watch };
-    ended(propagate_on_manifold(manifold, &start, &times, &options, &mut reduced)?.outcome)?;
+    finished(propagate_on_manifold(manifold, &start, &times, &options, &mut reduced)?.outcome)?;
     Ok((Difference::between(&full, &reduced.samples), run.work.steps))
 }
 
 /// Phase (rad) of the start: off the axes of every symmetry.
 const PHASE: f64 = 0.4;
-
-fn ended(outcome: Outcome) -> Result<(), VerificationError> {
-    match outcome {
-        Outcome::Finished => Ok(()),
-        Outcome::Interrupted => Err(VerificationError::Interrupted),
-        outcome => Err(VerificationError::Unfinished { outcome }),
-    }
-}
 
 struct Collector<'a> {
     samples: Vec<Sample>,

@@ -94,7 +94,8 @@ pub(super) fn reduced(
     Ok(collector.samples)
 }
 
-fn finished(outcome: Outcome) -> Result<(), VerificationError> {
+/// Refuses a run that did not come to its end.
+pub(super) fn finished(outcome: Outcome) -> Result<(), VerificationError> {
     match outcome {
         Outcome::Finished => Ok(()),
         Outcome::Interrupted => Err(VerificationError::Interrupted),

@@ -146,7 +146,7 @@ impl Assembly {
     fn alone(&self) -> Result<Option<(ElementId, &dyn Element)>, ElementError> {
         let Some(alone) = self.whole() else { return Ok(None) };
         let beside = |role: Role| !matches!(role, Role::External | Role::Inside(_));
-        let others = self.each().filter(|(id, element)| *id != alone.0 && beside(element.role()));
+        let others = self.each().filter(|(id, _)| *id != alone.0 && beside(id.kind.role()));
         let carrier = self.carrier.iter().map(|_| ElementId::CARRIER);
         if let Some(other) = carrier.chain(others.map(|(id, _)| id)).next() {
             return Err(at(other, Field::NAME)(Problem::BesideWhole));
@@ -157,7 +157,7 @@ impl Assembly {
 
     /// The first element that is a whole body.
     fn whole(&self) -> Option<(ElementId, &dyn Element)> {
-        self.each().find(|(_, element)| element.role() == Role::Whole)
+        self.each().find(|(id, _)| id.kind.role() == Role::Whole)
     }
 
     /// Accepts elements that need a carrier where there is one; elements on a whole body are refused by [`alone`](Self::alone).
@@ -167,8 +167,8 @@ impl Assembly {
         }
         let whole = self.whole().is_some();
         let counts = |role: Role| !(whole && matches!(role, Role::OnCarrier(_)));
-        let needs = |(id, element): (ElementId, &dyn Element)| {
-            let role = Some(element.role()).filter(|role| counts(*role))?;
+        let needs = |(id, _): (ElementId, &dyn Element)| {
+            let role = Some(id.kind.role()).filter(|role| counts(*role))?;
             Some((id, role.needs_carrier()?))
         };
         match self.each().find_map(needs) {
@@ -206,7 +206,7 @@ impl Assembly {
     fn same_names(&self) -> Vec<ElementError> {
         let mut seen = std::collections::HashSet::new();
         let named =
-            self.each().filter(|(_, element)| element.role().is_unique() && !element.name().is_empty());
+            self.each().filter(|(id, element)| id.kind.role().is_unique() && !element.name().is_empty());
         let repeated = named.filter(|(_, element)| !seen.insert(element.name()));
         let error = |(id, element): (ElementId, &dyn Element)| {
             at(id, Field::NAME)(Problem::DuplicateName { name: element.name().to_owned() })

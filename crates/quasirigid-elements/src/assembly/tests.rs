@@ -5,7 +5,7 @@
 use nalgebra::{Matrix3, Vector3};
 
 use crate::contribution::Matrices;
-use crate::finite::{Link, Mass};
+use crate::finite::{Connectivity, Link, Mass};
 use crate::math::sparse::SparseRows;
 use crate::model::{
     BodyParts, Coordinate, FlexibleBody, Invariants, Marker, Pair, Rheology, Support, Wheels,
@@ -24,7 +24,8 @@ fn structure(assembly: &Assembly) -> Structure {
         structure.nodes.push(Node { place, rotations: false });
         structure.constraints.push(Constraint::Free);
         let points = vec![(point.mass, Vector3::zeros())];
-        structure.elements.push(Box::new(Mass { node, dofs: 3, material, points, place }));
+        let connectivity = Connectivity { nodes: vec![node], dofs: 3, material };
+        structure.elements.push(Box::new(Mass { connectivity, points, place }));
     }
     let carrier = structure.nodes.len();
     structure.nodes.push(Node { place: Vector3::zeros(), rotations: false });

@@ -1,14 +1,11 @@
 use nalgebra::{DMatrix, Matrix6};
 
-use super::element::{Element, LumpedMass};
+use super::element::{Connectivity, Element, LumpedMass};
 
 /// Block of matrices that another program gives between nodes.
 #[derive(Clone, Debug)]
 pub(crate) struct Block {
-    pub nodes: Vec<usize>,
-    /// Degrees of freedom of each node.
-    pub dofs: usize,
-    pub material: usize,
+    pub connectivity: Connectivity,
     pub stiffness: DMatrix<f64>,
     pub damping: DMatrix<f64>,
     pub mass: DMatrix<f64>,
@@ -31,16 +28,8 @@ impl Block {
 }
 
 impl Element for Block {
-    fn nodes(&self) -> &[usize] {
-        &self.nodes
-    }
-
-    fn dofs(&self) -> usize {
-        self.dofs
-    }
-
-    fn material(&self) -> usize {
-        self.material
+    fn connectivity(&self) -> &Connectivity {
+        &self.connectivity
     }
 
     fn stiffness(&self) -> DMatrix<f64> {

@@ -4,18 +4,38 @@
 
 use nalgebra::{DMatrix, DVector, Matrix3xX, Vector3};
 
+/// Connectivity of an element: nodes, their degrees of freedom, and material.
+#[derive(Clone, Debug)]
+pub(crate) struct Connectivity {
+    /// Nodes that the element joins.
+    pub nodes: Vec<usize>,
+    /// Degrees of freedom of each of them: 3, or 6 if nodes have rotations.
+    pub dofs: usize,
+    /// Number of the element's material, which determines the dissipation.
+    pub material: usize,
+}
+
 /// Element of elastic material between nodes, in the axes of the file's frame.
 ///
 /// Degrees of freedom are numbered node by node: the three displacements (m), and where a node also has rotations these three (rad).
 pub(crate) trait Element: Sync {
+    /// Nodes, their degrees of freedom and the material of the element.
+    fn connectivity(&self) -> &Connectivity;
+
     /// Nodes that the element joins.
-    fn nodes(&self) -> &[usize];
+    fn nodes(&self) -> &[usize] {
+        &self.connectivity().nodes
+    }
 
-    /// Degrees of freedom of each of them: 3, or 6 if nodes have rotations.
-    fn dofs(&self) -> usize;
+    /// Degrees of freedom of each of them.
+    fn dofs(&self) -> usize {
+        self.connectivity().dofs
+    }
 
-    /// Number of the element's material, which determines the dissipation.
-    fn material(&self) -> usize;
+    /// Number of the element's material.
+    fn material(&self) -> usize {
+        self.connectivity().material
+    }
 
     /// Stiffness over the element's degrees of freedom.
     fn stiffness(&self) -> DMatrix<f64>;

@@ -4,16 +4,14 @@
 
 use nalgebra::{DMatrix, Matrix3, Matrix3xX, SMatrix, Vector3};
 
-use super::element::{Element, LumpedMass, Site, Turn};
+use super::element::{Connectivity, Element, LumpedMass, Site, Turn};
 use crate::model::Inertia;
 
 /// Mass without stiffness at a node, a point or a small rigid body.
 #[derive(Clone, Debug)]
 pub(crate) struct Mass {
-    pub node: usize,
-    /// Degrees of freedom of the node.
-    pub dofs: usize,
-    pub material: usize,
+    /// The node alone.
+    pub connectivity: Connectivity,
     /// Material points with the mass and moments of the body: the mass of each, and its position from the node.
     pub points: Vec<(f64, Vector3<f64>)>,
     /// Place of the node.
@@ -23,9 +21,7 @@ pub(crate) struct Mass {
 /// Link: springs and dashpots between two nodes.
 #[derive(Clone, Debug)]
 pub(crate) struct Link {
-    nodes: [usize; 2],
-    dofs: usize,
-    material: usize,
+    connectivity: Connectivity,
     stiffness: DMatrix<f64>,
     damping: DMatrix<f64>,
 }
@@ -47,32 +43,25 @@ impl Link {
             }
             matrix
         };
-        Self { nodes, dofs: N, material, stiffness: law(stiffness), damping: law(damping) }
+        let connectivity = Connectivity { nodes: nodes.to_vec(), dofs: N, material };
+        Self { connectivity, stiffness: law(stiffness), damping: law(damping) }
     }
 }
 
 impl Element for Mass {
-    fn nodes(&self) -> &[usize] {
-        std::slice::from_ref(&self.node)
-    }
-
-    fn dofs(&self) -> usize {
-        self.dofs
-    }
-
-    fn material(&self) -> usize {
-        self.material
+    fn connectivity(&self) -> &Connectivity {
+        &self.connectivity
     }
 
     fn stiffness(&self) -> DMatrix<f64> {
-        DMatrix::zeros(self.dofs, self.dofs)
+        DMatrix::zeros(self.dofs(), self.dofs())
     }
 
     fn lumped_masses(&self) -> Vec<LumpedMass> {
         let lumped_mass = |(mass, arm): &(f64, Vector3<f64>)| {
-            let mut shapes = Matrix3xX::zeros(self.dofs);
+            let mut shapes = Matrix3xX::zeros(self.dofs());
             shapes.columns_mut(0, 3).copy_from(&Matrix3::identity());
-            let turn = (self.dofs == 6).then(|| {
+            let turn = (self.dofs() == 6).then(|| {
                 shapes.columns_mut(3, 3).copy_from(&-arm.cross_matrix());
                 let mut rotations = Matrix3xX::zeros(6);
                 rotations.columns_mut(3, 3).copy_from(&Matrix3::identity());
@@ -85,16 +74,8 @@ impl Element for Mass {
 }
 
 impl Element for Link {
-    fn nodes(&self) -> &[usize] {
-        &self.nodes
-    }
-
-    fn dofs(&self) -> usize {
-        self.dofs
-    }
-
-    fn material(&self) -> usize {
-        self.material
+    fn connectivity(&self) -> &Connectivity {
+        &self.connectivity
     }
 
     fn stiffness(&self) -> DMatrix<f64> {

@@ -5,7 +5,7 @@
 use nalgebra::{Matrix3, Matrix6, Vector3, Vector6};
 
 use crate::contribution::{Attachment, Floating};
-use crate::element::{Element, Grip, Role, Site, joined};
+use crate::element::{Element, Grip, Site, joined};
 use crate::error::{ElementError, ElementId, Field, Problem, at};
 use crate::finite::Link;
 use crate::kinds::coefficient;
@@ -159,14 +159,6 @@ fn transport(arm: Vector3<f64>) -> Matrix6<f64> {
 }
 
 impl Element for Bushing {
-    fn name(&self) -> &str {
-        &self.name
-    }
-
-    fn role(&self) -> Role {
-        Role::Link
-    }
-
     fn check(&self, id: ElementId, body: &Assembly) -> Vec<ElementError> {
         let check = || {
             let [from, to] = joined(id, [self.from, self.to], |end| body.at_rest(end))?;

@@ -8,7 +8,7 @@ use nalgebra::{Matrix3, Vector3};
 
 use crate::contribution::Asked;
 use crate::contribution::{Whole, WholeBody};
-use crate::element::{Element, Role};
+use crate::element::Element;
 use crate::error::{ElementError, ElementId, Field, at};
 use crate::material::Material;
 use crate::math::sparse::SparseRows;
@@ -306,14 +306,6 @@ fn monomial(exponents: [usize; 3]) -> String {
 }
 
 impl Element for Ellipsoid {
-    fn name(&self) -> &str {
-        &self.name
-    }
-
-    fn role(&self) -> Role {
-        Role::Whole
-    }
-
     fn check(&self, id: ElementId, _: &Assembly) -> Vec<ElementError> {
         self.check_values(id).err().into_iter().collect()
     }

@@ -1,20 +1,12 @@
 //! External forces as elements: checks of their laws.
 
-use crate::element::{Element, Grip, Role};
+use crate::element::{Element, Grip};
 use crate::error::{ElementError, ElementId, Field, Problem, at};
 use crate::model::force::{Force, ForceLaw, MagneticField, Orbit, Wave};
 use crate::number;
 use crate::{Assembly, Station};
 
 impl Element for Force<Station> {
-    fn name(&self) -> &str {
-        &self.name
-    }
-
-    fn role(&self) -> Role {
-        Role::External
-    }
-
     fn check(&self, id: ElementId, body: &Assembly) -> Vec<ElementError> {
         check(id, self, body).err().into_iter().collect()
     }

@@ -7,7 +7,7 @@ use nalgebra::{Matrix3, Vector3};
 
 use crate::contribution::MovingBody;
 use crate::contribution::{Field as Shape, Piece};
-use crate::element::{Element, Role, Site};
+use crate::element::{Element, Site};
 use crate::error::{ElementError, ElementId, ElementKind, Field, Problem, at};
 use crate::kinds::coefficient;
 use crate::model::{Coordinate, Hinge, Inertia, Rheology};
@@ -137,14 +137,6 @@ impl Hinged {
 }
 
 impl Element for Hinged {
-    fn name(&self) -> &str {
-        &self.name
-    }
-
-    fn role(&self) -> Role {
-        Role::OnCarrier(Field::HINGE)
-    }
-
     fn check(&self, id: ElementId, _: &Assembly) -> Vec<ElementError> {
         self.moved(id).err().into_iter().chain(self.about_axes(id, 0).err()).collect()
     }

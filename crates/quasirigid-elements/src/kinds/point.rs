@@ -6,7 +6,7 @@ use nalgebra::Vector3;
 use crate::Assembly;
 use crate::contribution::MovingBody;
 use crate::contribution::{Field as Shape, Piece};
-use crate::element::{Element, Role};
+use crate::element::Element;
 use crate::error::{ElementError, ElementId, Field, Problem, at};
 use crate::model::Coordinate;
 use crate::number;
@@ -94,14 +94,6 @@ impl Point {
 }
 
 impl Element for Point {
-    fn name(&self) -> &str {
-        &self.name
-    }
-
-    fn role(&self) -> Role {
-        Role::Mass
-    }
-
     fn outline(&self, _: ElementId, _: &Assembly) -> Option<Outline> {
         Some(Outline { vertices: vec![Vertex::Own(self.position)], ..Outline::default() })
     }

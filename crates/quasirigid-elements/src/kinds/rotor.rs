@@ -6,7 +6,7 @@ use nalgebra::Vector3;
 
 use crate::Assembly;
 use crate::contribution::Internal;
-use crate::element::{Element, Role};
+use crate::element::Element;
 use crate::error::{ElementError, ElementId, Field, Problem, at};
 use crate::model::{Coordinate, Pair};
 use crate::number;
@@ -92,14 +92,6 @@ impl Rotor {
 }
 
 impl Element for Rotor {
-    fn name(&self) -> &str {
-        &self.name
-    }
-
-    fn role(&self) -> Role {
-        Role::Inside(Field::AXIS)
-    }
-
     /// Disc about the axis of a flywheel, at the centre of the carrier: the model gives it no place.
     fn outline(&self, _: ElementId, body: &Assembly) -> Option<Outline> {
         let RotorKind::Flywheel { axis } = self.kind else { return None };

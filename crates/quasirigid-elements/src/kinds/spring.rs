@@ -6,7 +6,7 @@ use nalgebra::{Matrix3, Vector3};
 
 use crate::End;
 use crate::contribution::{Attachment, Floating};
-use crate::element::{Element, Grip, Preload, Role, Site, joined};
+use crate::element::{Element, Grip, Preload, Site, joined};
 use crate::error::{ElementError, ElementId, Field, Problem, at};
 use crate::finite::Link;
 use crate::kinds::coefficient;
@@ -186,14 +186,6 @@ fn moved([from, to]: [&Attachment; 2]) -> Vec<(usize, Vector3<f64>)> {
 }
 
 impl Element for Spring {
-    fn name(&self) -> &str {
-        &self.name
-    }
-
-    fn role(&self) -> Role {
-        Role::Link
-    }
-
     fn check(&self, id: ElementId, body: &Assembly) -> Vec<ElementError> {
         let check = || {
             let [from, to] = joined(id, [self.from, self.to], |end| body.at_rest(end))?;

@@ -1,6 +1,6 @@
 use crate::Assembly;
 use crate::contribution::Internal;
-use crate::element::{Element, Role};
+use crate::element::Element;
 use crate::error::{ElementError, ElementId, Field, at};
 use crate::math::expression::Expression;
 use crate::model::{DrivenWheel, Wheels};
@@ -61,14 +61,6 @@ impl Wheel {
 }
 
 impl Element for Wheel {
-    fn name(&self) -> &str {
-        &self.name
-    }
-
-    fn role(&self) -> Role {
-        Role::Inside(Field::AXIS)
-    }
-
     /// Disc about the axis of the wheel, at the centre of the carrier: the model gives it no place.
     fn outline(&self, _: ElementId, body: &Assembly) -> Option<Outline> {
         disc(body.carrier.as_ref()?, self.axis)

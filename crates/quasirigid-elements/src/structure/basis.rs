@@ -6,6 +6,7 @@ use nalgebra::DMatrix;
 
 use super::discrete::{Discrete, times};
 use super::solver::Solver;
+use crate::math::krylov::dot;
 use crate::math::watch;
 
 /// Basis: displacements of a structure that span its slow manifold to an order, a row each. (K8)
@@ -105,8 +106,4 @@ impl Basis {
 
 fn stacked(rows: &[Vec<f64>], size: usize) -> DMatrix<f64> {
     DMatrix::from_fn(rows.len(), size, |row, column| rows[row][column])
-}
-
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
 }

@@ -166,7 +166,7 @@ mod tests {
     use super::super::discrete::{Discrete, MaterialDamping};
     use super::super::dofs::{Constraint, Node};
     use super::*;
-    use crate::finite::{Link, Mass};
+    use crate::finite::{Connectivity, Link, Mass};
     use crate::math::symmetric::Symmetric;
     use crate::model::Rheology;
 
@@ -231,7 +231,8 @@ mod tests {
             structure.elements.push(Box::new(Link::new(nodes, material, strain, law)));
             let points = vec![(1.5 + odd(index), Vector3::zeros())];
             let place = structure.nodes[nodes[1]].place;
-            structure.elements.push(Box::new(Mass { node: nodes[1], dofs: 3, material, points, place }));
+            let connectivity = Connectivity { nodes: vec![nodes[1]], dofs: 3, material };
+            structure.elements.push(Box::new(Mass { connectivity, points, place }));
         }
         structure
     }

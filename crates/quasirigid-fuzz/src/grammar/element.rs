@@ -5,10 +5,8 @@ use super::model::Draft;
 
 pub fn carrier(d: &mut Draft<'_, '_>) {
     d.head("[carrier]");
-    let mass = d.numbers.near(40.0);
-    d.line("mass", &mass);
-    let center = d.numbers.vector(0.1);
-    d.line("center_of_mass", &center);
+    d.draw("mass", |n| n.near(40.0));
+    d.draw("center_of_mass", |n| n.vector(0.1));
     let inertia = d.numbers.moments(12.0);
     let inertia = if d.chance(30) { "[[9, 0.5, 0], [0.5, 12, -1], [0, -1, 14]]".to_owned() } else { inertia };
     d.line("inertia", &inertia);
@@ -27,9 +25,8 @@ pub fn alone(d: &mut Draft<'_, '_>) {
 pub fn point(d: &mut Draft<'_, '_>) {
     d.head("[[point]]");
     let name = d.name("point");
-    let (mass, position) = (d.numbers.near(1.0), d.numbers.vector(0.6));
-    d.line("mass", &mass);
-    d.line("position", &position);
+    d.draw("mass", |n| n.near(1.0));
+    d.draw("position", |n| n.vector(0.6));
     match below(d.numbers.u, 6) {
         0 => {
             let direction = d.numbers.direction();
@@ -67,16 +64,13 @@ fn law(d: &mut Draft<'_, '_>) {
         d.line("axial", "true");
         match below(d.numbers.u, 4) {
             0 => {
-                let anchor = d.numbers.vector(0.3);
-                d.line("anchor", &anchor);
+                d.draw("anchor", |n| n.vector(0.3));
             }
             1 => {
-                let tension = d.numbers.signed(1.0);
-                d.line("tension", &tension);
+                d.draw("tension", |n| n.signed(1.0));
             }
             2 => {
-                let length = d.numbers.near(0.3);
-                d.line("natural_length", &length);
+                d.draw("natural_length", |n| n.near(0.3));
             }
             _ => {}
         }
@@ -101,13 +95,11 @@ fn law(d: &mut Draft<'_, '_>) {
 pub fn hinged(d: &mut Draft<'_, '_>) {
     d.head("[[hinged]]");
     let name = d.name("whip");
-    let mass = d.numbers.near(0.5);
-    d.line("mass", &mass);
+    d.draw("mass", |n| n.near(0.5));
     d.line("center_of_mass", "[1.5, 0.0, 0.1]");
     let inertia = d.pick(&["[0.0, 0.3, 0.3]", "[0.1, 0.3, 0.35]", "[0, 0, 0]", "[1, 3, 1]"]);
     d.line("inertia", inertia);
-    let hinge = d.numbers.vector(0.4);
-    d.line("hinge", &hinge);
+    d.draw("hinge", |n| n.vector(0.4));
     let axes = match below(d.numbers.u, 4) {
         0 => "[[0, 0, 1]]".to_owned(),
         1 => "[[0, 1, 0], [0, 0, 1]]".to_owned(),
@@ -115,9 +107,8 @@ pub fn hinged(d: &mut Draft<'_, '_>) {
         _ => format!("[{}, {}]", d.numbers.direction(), d.numbers.direction()),
     };
     d.line("axes", &axes);
-    let (stiffness, damping) = (d.numbers.near(60.0), d.numbers.near(1.0));
-    d.line("stiffness", &stiffness);
-    d.line("damping", &damping);
+    d.draw("stiffness", |n| n.near(60.0));
+    d.draw("damping", |n| n.near(1.0));
     if d.chance(20) {
         d.rheology();
     }
@@ -130,26 +121,21 @@ pub fn rotor(d: &mut Draft<'_, '_>) {
     if d.chance(60) {
         d.line("shape", "\"sphere\"");
     } else {
-        let axis = d.numbers.direction();
-        d.line("axis", &axis);
+        d.draw("axis", |n| n.direction());
     }
-    let (inertia, friction) = (d.numbers.near(0.2), d.numbers.near(0.5));
-    d.line("inertia", &inertia);
-    d.line("friction", &friction);
+    d.draw("inertia", |n| n.near(0.2));
+    d.draw("friction", |n| n.near(0.5));
     if d.chance(40) {
-        let speed = d.numbers.signed(3.0);
-        d.line("speed", &speed);
+        d.draw("speed", |n| n.signed(3.0));
     }
 }
 
 pub fn wheel(d: &mut Draft<'_, '_>) {
     d.head("[[wheel]]");
     d.name("wheel");
-    let axis = d.numbers.direction();
-    d.line("axis", &axis);
+    d.draw("axis", |n| n.direction());
     if d.chance(128) {
-        let momentum = d.numbers.signed(2.0);
-        d.line("momentum", &momentum);
+        d.draw("momentum", |n| n.signed(2.0));
         return;
     }
     let (inertia, speed) = (d.numbers.near(0.02), d.numbers.signed(100.0));
@@ -174,17 +160,14 @@ pub fn cavity(d: &mut Draft<'_, '_>) {
         _ => &[],
     };
     for (key, typical) in keys {
-        let value = d.numbers.near(*typical);
-        d.line(key, &value);
+        d.draw(key, |n| n.near(*typical));
     }
     match shape {
         "ellipsoid" | "shell" => {
-            let axes = d.numbers.triple(0.2);
-            d.line("semi_axes", &axes);
+            d.draw("semi_axes", |n| n.triple(0.2));
         }
         "box" => {
-            let sides = d.numbers.triple(0.2);
-            d.line("sides", &sides);
+            d.draw("sides", |n| n.triple(0.2));
         }
         "annulus" => {
             let radii = format!("[{}, {}]", d.numbers.near(0.05), d.numbers.near(0.3));
@@ -195,12 +178,10 @@ pub fn cavity(d: &mut Draft<'_, '_>) {
         _ => {}
     }
     if shape == "shell" {
-        let inner = d.numbers.triple(0.05);
-        d.line("inner_semi_axes", &inner);
+        d.draw("inner_semi_axes", |n| n.triple(0.05));
     }
     if matches!(shape, "cylinder" | "annulus" | "ring") && d.chance(128) {
-        let axis = d.numbers.direction();
-        d.line("axis", &axis);
+        d.draw("axis", |n| n.direction());
     }
     let (density, viscosity) = (d.numbers.near(1000.0), d.numbers.near(1e-4));
     d.line("density", &density);
@@ -210,11 +191,9 @@ pub fn cavity(d: &mut Draft<'_, '_>) {
         d.line("flow", "\"boundary-layer\"");
     }
     if d.chance(40) {
-        let modes = d.numbers.count(6);
-        d.line("modes", &modes);
+        d.draw("modes", |n| n.count(6));
     }
-    let resolution = d.numbers.count(4);
-    d.line("resolution", &resolution);
+    d.draw("resolution", |n| n.count(4));
 }
 
 pub fn bushing(d: &mut Draft<'_, '_>) {
@@ -223,12 +202,10 @@ pub fn bushing(d: &mut Draft<'_, '_>) {
     let (from, to) = (d.end(), d.end());
     d.line("from", &from);
     d.line("to", &to);
-    let (stiffness, turning) = (d.numbers.triple(900.0), d.numbers.triple(60.0));
-    d.line("stiffness", &stiffness);
-    d.line("rotational_stiffness", &turning);
+    d.draw("stiffness", |n| n.triple(900.0));
+    d.draw("rotational_stiffness", |n| n.triple(60.0));
     if d.chance(128) {
-        let damping = d.numbers.triple(9.0);
-        d.line("damping", &damping);
+        d.draw("damping", |n| n.triple(9.0));
     }
     if d.chance(20) {
         d.rheology();
@@ -238,15 +215,12 @@ pub fn bushing(d: &mut Draft<'_, '_>) {
 pub fn network(d: &mut Draft<'_, '_>) {
     d.head("[[network]]");
     d.name("rubble");
-    let (mass, axes, spacing) = (d.numbers.near(3.0), d.numbers.triple(1.0), d.numbers.near(0.7));
-    d.line("mass", &mass);
-    d.line("semi_axes", &axes);
-    d.line("spacing", &spacing);
-    let stiffness = d.numbers.near(0.1);
-    d.line("stiffness", &stiffness);
+    d.draw("mass", |n| n.near(3.0));
+    d.draw("semi_axes", |n| n.triple(1.0));
+    d.draw("spacing", |n| n.near(0.7));
+    d.draw("stiffness", |n| n.near(0.1));
     if d.chance(80) {
-        let reach = d.numbers.near(1.5);
-        d.line("reach", &reach);
+        d.draw("reach", |n| n.near(1.5));
     }
     d.rheology();
 }
@@ -254,8 +228,7 @@ pub fn network(d: &mut Draft<'_, '_>) {
 pub fn ellipsoid(d: &mut Draft<'_, '_>) {
     d.head("[[ellipsoid]]");
     if d.chance(200) {
-        let axes = d.numbers.triple(300.0);
-        d.line("semi_axes", &axes);
+        d.draw("semi_axes", |n| n.triple(300.0));
     } else {
         let (diameter, ratios) = (d.numbers.near(340.0), d.numbers.triple(1.0));
         d.line("diameter", &diameter);
@@ -269,9 +242,7 @@ pub fn surface(d: &mut Draft<'_, '_>) {
     d.head("[[surface]]");
     d.line("file", "\"cube.obj\"");
     d.line("material", "\"rock\"");
-    let unit = d.pick(&["m", "km", "in", "kg"]);
-    d.line("unit", &format!("\"{unit}\""));
+    d.word("unit", &["m", "km", "in", "kg"]);
     let key = d.pick(&["degree", "cells"]);
-    let count = d.numbers.count(5);
-    d.line(key, &count);
+    d.draw(key, |n| n.count(5));
 }

@@ -75,6 +75,18 @@ impl Draft<'_, '_> {
         self.text.push('\n');
     }
 
+    /// Writes a line with a number that is drawn.
+    pub fn draw(&mut self, key: &str, number: impl FnOnce(&mut Numbers<'_, '_>) -> String) {
+        let value = number(&mut self.numbers);
+        self.line(key, &value);
+    }
+
+    /// Writes a line with one of several words.
+    pub fn word(&mut self, key: &str, words: &[&'static str]) {
+        let word = self.pick(words);
+        self.line(key, &format!("\"{word}\""));
+    }
+
     /// Writes the head of a table.
     pub fn head(&mut self, head: &str) {
         self.text += head;

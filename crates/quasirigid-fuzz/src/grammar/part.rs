@@ -15,14 +15,11 @@ pub fn beam(d: &mut Draft<'_, '_>) {
         "[[\"root\", \"nowhere\"]]",
     ]);
     d.line("lines", lines);
-    let section = d.pick(&["tube", "bar", "general", "I", "none"]);
-    d.line("section", &format!("\"{section}\""));
+    d.word("section", &["tube", "bar", "general", "I", "none"]);
     d.line("material", "\"aluminium\"");
-    let elements = d.numbers.count(4);
-    d.line("elements", &elements);
+    d.draw("elements", |n| n.count(4));
     if d.chance(40) {
-        let up = d.numbers.direction();
-        d.line("up", &up);
+        d.draw("up", |n| n.direction());
     }
     if d.chance(60) {
         let (mass, inertia) = (d.numbers.near(0.5), d.numbers.moments(0.01));
@@ -51,8 +48,7 @@ pub fn panel(d: &mut Draft<'_, '_>) {
         "rectangle",
         &format!("{{ sides = [[{first}, 0, 0], [0, {second}, 0]], cells = [{}, {}] }}", cells[0], cells[1]),
     );
-    let position = d.numbers.vector(0.4);
-    d.line("position", &position);
+    d.draw("position", |n| n.vector(0.4));
     let (thickness, angle) = (d.numbers.near(2e-3), d.numbers.signed(0.5));
     let layer = format!("{{ material = \"aluminium\", thickness = {thickness} }}");
     let core = format!("{{ material = \"carbon\", thickness = {thickness}, angle = {angle} }}");
@@ -68,10 +64,8 @@ pub fn solid(d: &mut Draft<'_, '_>) {
     let file = d.pick(&["spur.msh", "brick.inp", "hook.inp", "nothing.msh"]);
     d.line("file", &format!("\"../../../quasirigid-io/tests/data/bodies/{file}\""));
     d.line("material", "\"aluminium\"");
-    let unit = d.pick(&["m", "mm", "km"]);
-    d.line("unit", &format!("\"{unit}\""));
-    let position = d.numbers.vector(0.4);
-    d.line("position", &position);
+    d.word("unit", &["m", "mm", "km"]);
+    d.draw("position", |n| n.vector(0.4));
     let node = d.pick(&["ROOT", "root", "clamp", "1"]);
     attached(d, node);
     d.parts.push((name, "1"));
@@ -88,8 +82,7 @@ pub fn matrices(d: &mut Draft<'_, '_>) {
     d.line("mass", &format!("\"{BODIES}/{body}.mas\""));
     d.line("stiffness", &format!("\"{BODIES}/{body}.sti\""));
     if d.chance(60) {
-        let unit = d.pick(&["mm", "m", "in"]);
-        d.line("length_unit", &format!("\"{unit}\""));
+        d.word("length_unit", &["mm", "m", "in"]);
         d.line("mass_unit", "\"t\"");
     }
     let node = d.pick(&["1", "2", "[1, 2, 3]"]);
@@ -107,10 +100,8 @@ pub fn modes(d: &mut Draft<'_, '_>) {
     d.line("mass", &format!("\"{BODIES}/brick.mas\""));
     let shapes = d.pick(&["brick.mas", "brick.sti"]);
     d.line("shapes", &format!("\"{BODIES}/{shapes}\""));
-    let frequencies = d.numbers.triple(10.0);
-    d.line("frequencies", &frequencies);
-    let ratio = d.numbers.near(0.01);
-    d.line("damping_ratios", &ratio);
+    d.draw("frequencies", |n| n.triple(10.0));
+    d.draw("damping_ratios", |n| n.near(0.01));
     d.line("attach", "1");
     d.parts.push((name, "4"));
 }
@@ -122,15 +113,13 @@ pub fn connection(d: &mut Draft<'_, '_>) {
     d.line("to", &to);
     match below(d.numbers.u, 3) {
         0 => {
-            let axis = d.numbers.direction();
-            d.line("hinge", &axis);
+            d.draw("hinge", |n| n.direction());
         }
         1 => d.line("ball", "true"),
         _ => return,
     }
-    let (stiffness, damping) = (d.numbers.near(20.0), d.numbers.near(0.3));
-    d.line("stiffness", &stiffness);
-    d.line("damping", &damping);
+    d.draw("stiffness", |n| n.near(20.0));
+    d.draw("damping", |n| n.near(0.3));
 }
 
 /// Materials, sections and the reduction, which elements share.
@@ -143,9 +132,8 @@ pub fn shared(d: &mut Draft<'_, '_>) {
     d.line("poisson", &poisson);
     d.rheology();
     d.head("[material.aluminium]");
-    let (density, young) = (d.numbers.near(2700.0), d.numbers.near(7e10));
-    d.line("density", &density);
-    d.line("young", &young);
+    d.draw("density", |n| n.near(2700.0));
+    d.draw("young", |n| n.near(7e10));
     d.line("poisson", "0.33");
     if d.chance(128) {
         d.rheology();
@@ -155,13 +143,11 @@ pub fn shared(d: &mut Draft<'_, '_>) {
     d.line("density", "1580");
     d.line("young", &moduli);
     d.line("poisson", "[0.05, 0.2, 0.2]");
-    let shear = d.numbers.triple(4e9);
-    d.line("shear", &shear);
+    d.draw("shear", |n| n.triple(4e9));
     d.head("[section.tube]");
     d.line("shape", "\"tube\"");
-    let (radius, thickness) = (d.numbers.near(0.03), d.numbers.near(0.001));
-    d.line("radius", &radius);
-    d.line("thickness", &thickness);
+    d.draw("radius", |n| n.near(0.03));
+    d.draw("thickness", |n| n.near(0.001));
     d.head("[section.bar]");
     let (height, width) = (d.numbers.near(0.03), d.numbers.near(0.02));
     d.text += &format!("shape = \"rectangle\"\nheight = {height}\nwidth = {width}\n");
@@ -174,7 +160,6 @@ pub fn shared(d: &mut Draft<'_, '_>) {
     );
     if d.chance(40) {
         d.head("[reduction]");
-        let modes = d.numbers.count(4);
-        d.line("modes", &modes);
+        d.draw("modes", |n| n.count(4));
     }
 }

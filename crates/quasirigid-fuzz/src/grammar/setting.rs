@@ -21,36 +21,30 @@ pub fn force(d: &mut Draft<'_, '_>) {
         let on = d.end();
         d.line("on", &on);
         if d.chance(100) {
-            let at = d.numbers.vector(0.5);
-            d.line("at", &at);
+            d.draw("at", |n| n.vector(0.5));
         }
     }
     match kind {
         "uniform-gravity" => {
-            let acceleration = d.numbers.vector(9.81);
-            d.line("acceleration", &acceleration);
+            d.draw("acceleration", |n| n.vector(9.81));
         }
         "central-gravity" => orbit(d),
         "drag" | "spin-drag" => {
-            let coefficient = d.numbers.near(1e-3);
-            d.line("coefficient", &coefficient);
+            d.draw("coefficient", |n| n.near(1e-3));
         }
         "torque" | "thrust" => {
             let vector = d.numbers.vector(0.05);
             d.line(if kind == "torque" { "torque" } else { "force" }, &vector);
-            let axes = d.pick(&["body", "inertial"]);
-            d.line("axes", &format!("\"{axes}\""));
+            d.word("axes", &["body", "inertial"]);
             if d.chance(80) {
                 let (key, value) = (d.pick(&["frequency", "period"]), d.numbers.near(2.0));
                 d.line(key, &value);
             }
         }
         "magnetic-dipole" => {
-            let moment = d.numbers.vector(0.2);
-            d.line("moment", &moment);
+            d.draw("moment", |n| n.vector(0.2));
             if d.chance(128) {
-                let field = d.numbers.vector(3e-5);
-                d.line("field", &field);
+                d.draw("field", |n| n.vector(3e-5));
             } else {
                 d.line("dipole", "[0, 0, 7.8e15]");
                 orbit(d);
@@ -100,8 +94,7 @@ fn initial(d: &mut Draft<'_, '_>) {
     d.head("[initial]");
     match below(d.numbers.u, 4) {
         0 | 1 => {
-            let spin = d.numbers.vector(0.5);
-            d.line("angular_velocity", &spin);
+            d.draw("angular_velocity", |n| n.vector(0.5));
         }
         2 => {
             let (angle, rate, mode) =
@@ -129,10 +122,8 @@ fn initial(d: &mut Draft<'_, '_>) {
 
 fn run(d: &mut Draft<'_, '_>) {
     d.head("[run]");
-    let order = d.numbers.count(4);
-    d.line("order", &order);
-    let duration = d.numbers.near(60.0);
-    d.line("duration", &duration);
+    d.draw("order", |n| n.count(4));
+    d.draw("duration", |n| n.near(60.0));
     if d.chance(60) {
         let (key, value) =
             (d.pick(&["samples", "tolerance", "integrator", "form", "systems"]), d.numbers.near(1e-9));

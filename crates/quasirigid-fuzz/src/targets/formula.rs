@@ -1,10 +1,7 @@
 //! Formulas: what is read has values and derivatives, with or without end.
 
-use arbitrary::Unstructured;
 use quasirigid_math::expression::Expression;
 use quasirigid_math::taylor::Taylor;
-
-use crate::grammar;
 
 /// Words of formulas.
 pub const WORDS: &[&str] = &[
@@ -38,13 +35,4 @@ pub fn text(bytes: &[u8]) {
         let after: f64 = formula.value(&point);
         assert_eq!(before.to_bits(), after.to_bits(), "{text:?} does not use variable {index}");
     }
-}
-
-/// Formulas of the grammar.
-pub fn tree(bytes: &[u8]) {
-    text(drawn(bytes).as_bytes());
-}
-
-pub fn drawn(bytes: &[u8]) -> String {
-    grammar::formula::formula(&mut Unstructured::new(bytes))
 }

@@ -52,30 +52,15 @@ pub const DMIG: &[&str] = &[
 /// Words of node tables.
 pub const NODES: &[&str] = &["GRID,", "GRID*   ", "GRDSET", "*NODE\n", "# ", ";", "\t", "CORD2R,"];
 
-pub fn market(bytes: &[u8]) {
-    read("a.mtx", bytes, None);
+/// Reads a file that has one matrix, and the matrix of a name where one is given.
+pub fn read(file: &str, bytes: &[u8], name: Option<&str>) {
+    read_matrix(file, bytes, None);
+    if name.is_some() {
+        read_matrix(file, bytes, name);
+    }
 }
 
-pub fn numpy(bytes: &[u8]) {
-    read("a.npz", bytes, None);
-    read("a.npz", bytes, Some("K"));
-}
-
-pub fn calculix(bytes: &[u8]) {
-    read("a.sti", bytes, None);
-}
-
-pub fn dmig(bytes: &[u8]) {
-    read("a.bdf", bytes, None);
-    read("a.bdf", bytes, Some("kaax"));
-}
-
-pub fn op4(bytes: &[u8]) {
-    read("a.op4", bytes, None);
-    read("a.op4", bytes, Some("kaa"));
-}
-
-fn read(file: &str, bytes: &[u8], name: Option<&str>) {
+fn read_matrix(file: &str, bytes: &[u8], name: Option<&str>) {
     let matrix = match matrix_of(Path::new(file), bytes, name) {
         Ok(matrix) => matrix,
         Err(error) => return assert!(error.to_string().starts_with(file), "{error}"),

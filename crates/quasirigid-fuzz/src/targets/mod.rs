@@ -3,7 +3,6 @@
 mod change;
 mod disk;
 mod formula;
-mod laws;
 mod matrix;
 mod model;
 mod quantity;
@@ -13,13 +12,17 @@ mod surface;
 mod table;
 mod volume;
 
+use arbitrary::Unstructured;
+
+use crate::{grammar, laws};
+
 /// A target.
 #[derive(Clone, Copy, Debug)]
 pub struct Target {
     /// Name, also that of its folders of inputs.
     pub name: &'static str,
-    /// Execution; panics where a promise is broken.
-    pub run: fn(&[u8]),
+    /// Reader of an input, or of the text that it stands for; panics where a promise is broken.
+    read: fn(&[u8]),
     /// Words of the format.
     pub words: &'static [&'static str],
     /// Folders of the repository with files of the format, each with their ending.
@@ -34,24 +37,28 @@ pub struct Target {
 #[derive(Clone, Copy, Debug)]
 struct Drawn {
     target: &'static str,
-    text: fn(&[u8]) -> String,
+    text: fn(&mut Unstructured<'_>) -> String,
 }
 
 /// Memory for files: a small multiple of their size, a thousand times as much where they are compressed.
 const FILE: usize = 256 * 1024 * 1024;
 /// Memory for bodies; `quasirigid_math::memory` refuses larger ones in words.
 const BODY: usize = 1024 * 1024 * 1024;
+/// Folders of seeds.
+const VOLUMES: &str = "crates/quasirigid-io/tests/data/volume";
+const BODIES: &str = "crates/quasirigid-io/tests/data/bodies";
+const MATRICES: &str = "crates/quasirigid-io/tests/data/matrix";
 
 impl Target {
-    const fn of_file(name: &'static str, run: fn(&[u8]), words: &'static [&'static str]) -> Self {
-        Self { name, run, words, seeds: &[], memory: FILE, text: None }
+    const fn of_file(name: &'static str, read: fn(&[u8]), words: &'static [&'static str]) -> Self {
+        Self { name, read, words, seeds: &[], memory: FILE, text: None }
     }
 
-    const fn of_body(name: &'static str, run: fn(&[u8]), words: &'static [&'static str]) -> Self {
-        Self { name, run, words, seeds: &[], memory: BODY, text: None }
+    const fn of_body(name: &'static str, read: fn(&[u8]), words: &'static [&'static str]) -> Self {
+        Self { name, read, words, seeds: &[], memory: BODY, text: None }
     }
 
-    const fn drawn(self, target: &'static str, text: fn(&[u8]) -> String) -> Self {
+    const fn drawn(self, target: &'static str, text: fn(&mut Unstructured<'_>) -> String) -> Self {
         Self { text: Some(Drawn { target, text }), ..self }
     }
 
@@ -59,11 +66,19 @@ impl Target {
         Self { seeds, ..self }
     }
 
+    /// Executes the target; panics where a promise is broken.
+    pub fn run(&self, input: &[u8]) {
+        match self.text {
+            Some(Drawn { text, .. }) => (self.read)(text(&mut Unstructured::new(input)).as_bytes()),
+            None => (self.read)(input),
+        }
+    }
+
     /// The target and the input under which a failing input is kept.
     #[must_use]
     pub fn shown(&self, input: &[u8]) -> (&'static str, Vec<u8>) {
         match self.text {
-            Some(Drawn { target, text }) => (target, text(input).into_bytes()),
+            Some(Drawn { target, text }) => (target, text(&mut Unstructured::new(input)).into_bytes()),
             None => (self.name, input.to_vec()),
         }
     }
@@ -73,62 +88,61 @@ impl Target {
 pub const TARGETS: [Target; 34] = [
     Target::of_body("model_text", model::text, model::WORDS)
         .seeded(&[("examples", "toml"), ("data/published", "toml")]),
-    Target::of_body("model_tables", model::tables, &[]).drawn("model_text", model::drawn),
-    Target::of_body("body_laws", laws::laws, &[]),
+    Target::of_body("model_tables", model::text, &[]).drawn("model_text", grammar::model::model),
+    Target::of_body("body_laws", |bytes| laws::transform::check(&mut Unstructured::new(bytes)), &[]),
     Target::of_file("model_change", change::change, model::WORDS),
     Target::of_file("study_text", study::text, study::WORDS).seeded(&[("examples/damper-study", "toml")]),
-    Target::of_file("study_tables", study::tables, &[]).drawn("study_text", study::drawn),
+    Target::of_file("study_tables", study::text, &[]).drawn("study_text", grammar::study::study),
     Target::of_file("formula_text", formula::text, formula::WORDS),
-    Target::of_file("formula_tree", formula::tree, &[]).drawn("formula_text", formula::drawn),
+    Target::of_file("formula_tree", formula::text, &[]).drawn("formula_text", grammar::formula::formula),
     Target::of_file("quantity_text", quantity::text, quantity::WORDS),
-    Target::of_file("quantity_unit", quantity::unit, &[]).drawn("quantity_text", quantity::drawn),
-    Target::of_file("surface_obj", surface::obj, &["v ", "f ", "//", "vn ", "\\\n"]),
+    Target::of_file("quantity_unit", quantity::text, &[]).drawn("quantity_text", grammar::unit::quantity),
+    Target::of_file("surface_obj", |bytes| surface::read("a.obj", bytes), &["v ", "f ", "//", "vn ", "\\\n"]),
     Target::of_file(
         "surface_stl",
-        surface::stl,
+        |bytes| surface::read("a.stl", bytes),
         &["solid ", "facet normal ", "outer loop", "vertex ", "endfacet", "endsolid"],
     ),
-    Target::of_file("surface_ply", surface::ply, surface::PLY),
-    Target::of_file("surface_plates", surface::plates, &[]),
-    Target::of_file("volume_gmsh", volume::gmsh, volume::GMSH).seeded(&[
-        ("crates/quasirigid-io/tests/data/volume", "msh"),
-        ("crates/quasirigid-io/tests/data/bodies", "msh"),
-    ]),
-    Target::of_file("volume_vtk", volume::vtk, volume::VTK).seeded(&[
-        ("crates/quasirigid-io/tests/data/volume", "vtk"),
-        ("crates/quasirigid-io/tests/data/volume", "vtu"),
-    ]),
-    Target::of_file("volume_abaqus", volume::abaqus, volume::ABAQUS).seeded(&[
-        ("crates/quasirigid-io/tests/data/volume", "inp"),
-        ("crates/quasirigid-io/tests/data/bodies", "inp"),
-    ]),
-    Target::of_file("matrix_market", matrix::market, matrix::MARKET)
-        .seeded(&[("crates/quasirigid-io/tests/data/matrix", "mtx")]),
-    Target::of_file("matrix_numpy", matrix::numpy, matrix::NUMPY).seeded(&[
-        ("crates/quasirigid-io/tests/data/matrix", "npy"),
-        ("crates/quasirigid-io/tests/data/matrix", "npz"),
-    ]),
-    Target::of_file("matrix_calculix", matrix::calculix, &[]).seeded(&[
-        ("crates/quasirigid-io/tests/data/matrix", "sti"),
-        ("crates/quasirigid-io/tests/data/bodies", "mas"),
-    ]),
-    Target::of_file("matrix_dmig", matrix::dmig, matrix::DMIG)
-        .seeded(&[("crates/quasirigid-io/tests/data/matrix", "bdf")]),
-    Target::of_file("matrix_op4", matrix::op4, &["1P,3E23.16", "1P,5E16.9", "KAA     ", "BIGMAT"])
-        .seeded(&[("crates/quasirigid-io/tests/data/matrix", "op4")]),
+    Target::of_file("surface_ply", |bytes| surface::read("a.ply", bytes), surface::PLY),
+    Target::of_file("surface_plates", |bytes| surface::read("a.tab", bytes), &[]),
+    Target::of_file("volume_gmsh", |bytes| volume::read("a.msh", bytes), volume::GMSH)
+        .seeded(&[(VOLUMES, "msh"), (BODIES, "msh")]),
+    Target::of_file("volume_vtk", |bytes| volume::read("a.vtu", bytes), volume::VTK)
+        .seeded(&[(VOLUMES, "vtk"), (VOLUMES, "vtu")]),
+    Target::of_file("volume_abaqus", |bytes| volume::read("nowhere/a.inp", bytes), volume::ABAQUS)
+        .seeded(&[(VOLUMES, "inp"), (BODIES, "inp")]),
+    Target::of_file("matrix_market", |bytes| matrix::read("a.mtx", bytes, None), matrix::MARKET)
+        .seeded(&[(MATRICES, "mtx")]),
+    Target::of_file("matrix_numpy", |bytes| matrix::read("a.npz", bytes, Some("K")), matrix::NUMPY)
+        .seeded(&[(MATRICES, "npy"), (MATRICES, "npz")]),
+    Target::of_file("matrix_calculix", |bytes| matrix::read("a.sti", bytes, None), &[])
+        .seeded(&[(MATRICES, "sti"), (BODIES, "mas")]),
+    Target::of_file("matrix_dmig", |bytes| matrix::read("a.bdf", bytes, Some("kaax")), matrix::DMIG)
+        .seeded(&[(MATRICES, "bdf")]),
+    Target::of_file(
+        "matrix_op4",
+        |bytes| matrix::read("a.op4", bytes, Some("kaa")),
+        &["1P,3E23.16", "1P,5E16.9", "KAA     ", "BIGMAT"],
+    )
+    .seeded(&[(MATRICES, "op4")]),
     Target::of_file("nodes", matrix::nodes, matrix::NODES),
-    Target::of_file("dofs", matrix::dofs, &[".1", ".6", "#"]).seeded(&[
-        ("crates/quasirigid-io/tests/data/matrix", "dof"),
-        ("crates/quasirigid-io/tests/data/bodies", "dof"),
-    ]),
-    Target::of_file("record_json", record::json, record::JSON),
-    Target::of_file("record_scene", record::scene, record::JSON),
-    Target::of_file("record_csv", record::csv, &["t,", "NaN", "inf", "\"", "\r\n"]),
-    Target::of_file("record_npz", record::npz, matrix::NUMPY),
-    Target::of_file("record_parquet", record::parquet, &["PAR1", "quasirigid.units"]),
-    Target::of_file("record_rows", record::rows, &[]),
-    Target::of_file("bodies_csv", table::bodies_csv, &["\"", "\r\n", ",", "NaN"]),
-    Target::of_file("bodies_parquet", table::bodies_parquet, &["PAR1"]),
+    Target::of_file("dofs", matrix::dofs, &[".1", ".6", "#"]).seeded(&[(MATRICES, "dof"), (BODIES, "dof")]),
+    Target::of_file("record_json", |bytes| record::read("record.json", bytes), record::JSON),
+    Target::of_file("record_scene", |bytes| record::read("scene.json", bytes), record::JSON),
+    Target::of_file(
+        "record_csv",
+        |bytes| record::read("history-reduced.csv", bytes),
+        &["t,", "NaN", "inf", "\"", "\r\n"],
+    ),
+    Target::of_file("record_npz", |bytes| record::read("history-reduced.npz", bytes), matrix::NUMPY),
+    Target::of_file(
+        "record_parquet",
+        |bytes| record::read("history-reduced.parquet", bytes),
+        &["PAR1", "quasirigid.units"],
+    ),
+    Target::of_file("record_rows", |bytes| record::read("history-reduced.rows", bytes), &[]),
+    Target::of_file("bodies_csv", |bytes| table::bodies("bodies.csv", bytes), &["\"", "\r\n", ",", "NaN"]),
+    Target::of_file("bodies_parquet", |bytes| table::bodies("bodies.parquet", bytes), &["PAR1"]),
     Target::of_file("cells_parquet", table::cells_parquet, &["PAR1", "quasirigid.units"]),
     Target::of_file("sweep_results", table::sweep_results, record::JSON),
 ];

@@ -1,8 +1,6 @@
 //! Model files: read, built, and held to the laws of every body.
 
-use arbitrary::Unstructured;
-
-use crate::{grammar, laws};
+use crate::laws;
 
 /// Words of model files.
 pub const WORDS: &[&str] = &[
@@ -67,13 +65,4 @@ pub fn text(bytes: &[u8]) {
     if let Ok(text) = std::str::from_utf8(bytes) {
         laws::model::check(text);
     }
-}
-
-/// Model files of the grammar.
-pub fn tables(bytes: &[u8]) {
-    laws::model::check(&drawn(bytes));
-}
-
-pub fn drawn(bytes: &[u8]) -> String {
-    grammar::model::model(&mut Unstructured::new(bytes))
 }

@@ -1,10 +1,7 @@
 //! Numbers with units, and the short texts of settings.
 
-use arbitrary::Unstructured;
 use quasirigid_io::model::{KeyPath, ManifoldMasters, Target};
 use quasirigid_io::units::{Dimension, quantity};
-
-use crate::grammar::unit;
 
 /// Words of quantities.
 pub const WORDS: &[&str] = &[
@@ -64,13 +61,4 @@ pub fn text(bytes: &[u8]) {
         assert!(!error.to_string().is_empty() && !error.advice().is_empty());
     }
     let _ = text.parse::<ManifoldMasters>();
-}
-
-/// Quantities of the grammar.
-pub fn unit(bytes: &[u8]) {
-    text(drawn(bytes).as_bytes());
-}
-
-pub fn drawn(bytes: &[u8]) -> String {
-    unit::quantity(&mut Unstructured::new(bytes))
 }

@@ -33,33 +33,8 @@ const GOOD: [(&str, &[u8]); 5] = [
     ("backbone.csv", include_bytes!("../../fixtures/record/backbone.csv")),
 ];
 
-pub fn json(bytes: &[u8]) {
-    read("record.json", bytes);
-}
-
-pub fn scene(bytes: &[u8]) {
-    read("scene.json", bytes);
-}
-
-pub fn csv(bytes: &[u8]) {
-    read("history-reduced.csv", bytes);
-}
-
-pub fn npz(bytes: &[u8]) {
-    read("history-reduced.npz", bytes);
-}
-
-pub fn parquet(bytes: &[u8]) {
-    read("history-reduced.parquet", bytes);
-}
-
-/// The log of a run in work.
-pub fn rows(bytes: &[u8]) {
-    read("history-reduced.rows", bytes);
-}
-
-/// Reads the good record with one of its files replaced, in any format.
-fn read(name: &str, bytes: &[u8]) {
+/// Reads the good record with one of its files replaced, in any format; `.rows` is the log of a run in work.
+pub fn read(name: &str, bytes: &[u8]) {
     let stem = |name: &str| Path::new(name).file_stem().map(ToOwned::to_owned);
     let files = GOOD.map(|good| if stem(good.0) == stem(name) { (name, bytes) } else { good });
     with_files(&files, |folder| match RunRecord::read(folder) {

@@ -2,11 +2,8 @@
 
 use std::path::Path;
 
-use arbitrary::Unstructured;
 use quasirigid_io::model::{Given, ModelError};
 use quasirigid_io::study_file::{StudyFile, Values};
-
-use crate::grammar;
 
 /// Words of study files.
 pub const WORDS: &[&str] = &[
@@ -76,13 +73,4 @@ pub fn text(bytes: &[u8]) {
         }
         Err(error) => assert!(!error.to_string().is_empty()),
     }
-}
-
-/// Studies of the grammar.
-pub fn tables(bytes: &[u8]) {
-    text(drawn(bytes).as_bytes());
-}
-
-pub fn drawn(bytes: &[u8]) -> String {
-    grammar::study::study(&mut Unstructured::new(bytes))
 }

@@ -23,23 +23,7 @@ pub const PLY: &[&str] = &[
 /// Most triangles of a surface that is taken further than its file.
 const MOST: usize = 2000;
 
-pub fn obj(bytes: &[u8]) {
-    read("a.obj", bytes);
-}
-
-pub fn stl(bytes: &[u8]) {
-    read("a.stl", bytes);
-}
-
-pub fn ply(bytes: &[u8]) {
-    read("a.ply", bytes);
-}
-
-pub fn plates(bytes: &[u8]) {
-    read("a.tab", bytes);
-}
-
-fn read(name: &str, bytes: &[u8]) {
+pub fn read(name: &str, bytes: &[u8]) {
     let mesh = match triangles_of(Path::new(name), bytes) {
         Ok(mesh) => mesh,
         Err(error) => return assert!(error.to_string().starts_with(name), "{error}"),

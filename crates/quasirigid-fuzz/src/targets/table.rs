@@ -8,15 +8,7 @@ use super::disk::{with_file, with_files};
 /// A part of the results of a study.
 const PART: &[u8] = include_bytes!("../../fixtures/study/part-00000.parquet");
 
-pub fn bodies_csv(bytes: &[u8]) {
-    bodies("bodies.csv", bytes);
-}
-
-pub fn bodies_parquet(bytes: &[u8]) {
-    bodies("bodies.parquet", bytes);
-}
-
-fn bodies(name: &str, bytes: &[u8]) {
+pub fn bodies(name: &str, bytes: &[u8]) {
     with_file(name, bytes, |path| match read_bodies(path) {
         Ok(table) => {
             assert!(table.rows() > 0, "a table has rows");

@@ -79,19 +79,7 @@ pub const ABAQUS: &[&str] = &[
     ",",
 ];
 
-pub fn gmsh(bytes: &[u8]) {
-    read("a.msh", bytes);
-}
-
-pub fn vtk(bytes: &[u8]) {
-    read("a.vtu", bytes);
-}
-
-pub fn abaqus(bytes: &[u8]) {
-    read("nowhere/a.inp", bytes);
-}
-
-fn read(name: &str, bytes: &[u8]) {
+pub fn read(name: &str, bytes: &[u8]) {
     let mesh = match mesh_of(Path::new(name), bytes) {
         Ok(mesh) => mesh,
         Err(error) => return assert!(!error.to_string().is_empty()),

@@ -172,11 +172,10 @@ pub(super) fn inertia(value: &Value<'_>) -> Option<[[f64; 3]; 3]> {
 }
 
 fn carrier(table: &Table<'_>) -> Option<Carrier> {
-    let mass = table.required("mass", "mass = 40.0").and_then(|value| value.positive(Dimension::MASS));
+    let mass = table.read("mass", "mass = 40.0", |value| value.positive(Dimension::MASS));
     let center_of_mass = table
-        .required("center_of_mass", "center_of_mass = [0.0, 0.0, 0.0]")
-        .and_then(|value| value.vector(Dimension::LENGTH));
-    let inertia = table.required("inertia", "inertia = [9.0, 13.0, 16.0]").and_then(|value| inertia(&value));
+        .read("center_of_mass", "center_of_mass = [0.0, 0.0, 0.0]", |value| value.vector(Dimension::LENGTH));
+    let inertia = table.read("inertia", "inertia = [9.0, 13.0, 16.0]", |value| inertia(&value));
     Some(Carrier { mass: mass?, center_of_mass: center_of_mass?, inertia: inertia? })
 }
 

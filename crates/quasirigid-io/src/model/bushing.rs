@@ -62,14 +62,14 @@ const ALIGNED: [[f64; 3]; 2] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
 fn bushing(entry: &Entry<'_, '_>, draft: &Draft<'_, '_>) -> Option<(Bushing, Extremes)> {
     let table = entry.table;
     let end = |key: &'static str, example: &str| -> Option<End> {
-        table.required(key, example).and_then(|value| draft.names.end(&value, Fixed::Link("bushing")))
+        table.read(key, example, |value| draft.names.end(&value, Fixed::Link("bushing")))
     };
     let (from, to) =
         (end("from", "from = \"carrier\""), end("to", "to = { part = \"boom\", node = \"root\" }"));
-    let center = table.get("center").map_or(Some(None), |value| value.vector(Dimension::LENGTH).map(Some));
-    let axes = table
-        .get("axes")
-        .map_or(Some(ALIGNED), |value| value.array("two directions", |axis| axis.vector(Dimension::NUMBER)));
+    let center = table.read_or("center", None, |value| value.vector(Dimension::LENGTH).map(Some));
+    let axes = table.read_or("axes", ALIGNED, |value| {
+        value.array("two directions", |axis| axis.vector(Dimension::NUMBER))
+    });
     let stiffness = per_axis(table, "stiffness", Dimension::STIFFNESS);
     let rotational_stiffness = per_axis(table, "rotational_stiffness", Dimension::ROTATIONAL_STIFFNESS);
     let damping = per_axis(table, "damping", Dimension::DAMPING);

@@ -138,15 +138,14 @@ pub(super) const READER: Reader = Reader {
 fn cavity(table: &Table<'_>, name: &str, folder: &Path) -> Option<Cavity> {
     let shape = of_table(table, "shape", &SHAPES)?;
     let usual = if shape.word == "surface" { RESOLUTION_INSIDE } else { RESOLUTION };
-    let resolution = table.get("resolution").map_or(Some(usual), |value| value.integer(1..=MOST_CELLS))?;
+    let resolution = table.read_or("resolution", usual, |value| value.integer(1..=MOST_CELLS))?;
     let shape = (shape.read)(table, &Source { folder, resolution });
     let center = table.vector_or_zero("center", Dimension::LENGTH);
     let attitude = attitude(table);
-    let density =
-        table.required("density", "density = 1000.0").and_then(|value| value.positive(Dimension::DENSITY));
+    let density = table.read("density", "density = 1000.0", |value| value.positive(Dimension::DENSITY));
     let viscosity = viscosity(table, density);
-    let regime = table.get("flow").map_or(Some(Regime::Viscous), |value| value.choice(&REGIMES));
-    let modes = table.get("modes").map_or(Some(0), |value| value.integer(0..=usize::MAX));
+    let regime = table.read_or("flow", Regime::Viscous, |value| value.choice(&REGIMES));
+    let modes = table.read_or("modes", 0, |value| value.integer(0..=usize::MAX));
     Some(Cavity {
         name: name.to_owned(),
         shape: shape?,
@@ -164,8 +163,8 @@ fn cavity(table: &Table<'_>, name: &str, folder: &Path) -> Option<Cavity> {
 fn viscosity(table: &Table<'_>, density: Option<f64>) -> Option<f64> {
     match (table.get("kinematic_viscosity"), table.get("dynamic_viscosity")) {
         (Some(_), Some(dynamic)) => {
-            let message = "`dynamic_viscosity` beside `kinematic_viscosity`: one gives the other".to_owned();
-            dynamic.refuse(message, "one of the two", Some("leave one of them out".to_owned()))
+            let message = "`dynamic_viscosity` beside `kinematic_viscosity`: one gives the other";
+            dynamic.refuse(message, "one of the two", "leave one of them out")
         }
         (None, Some(dynamic)) => Some(dynamic.positive(Dimension::DYNAMIC_VISCOSITY)? / density?),
         _ => table
@@ -178,15 +177,15 @@ fn viscosity(table: &Table<'_>, density: Option<f64>) -> Option<f64> {
 fn attitude(table: &Table<'_>) -> Option<[f64; 4]> {
     match (table.get("attitude"), table.get("axis")) {
         (Some(_), Some(axis)) => {
-            let message = "`axis` beside `attitude`: the attitude says it already".to_owned();
-            axis.refuse(message, "one of the two", Some("leave one of them out".to_owned()))
+            let message = "`axis` beside `attitude`: the attitude says it already";
+            axis.refuse(message, "one of the two", "leave one of them out")
         }
         (Some(attitude), None) => unit_quaternion(&attitude, &mut Vec::new()),
         (None, Some(value)) => {
             let axis = value.vector(Dimension::NUMBER)?;
             if axis == [0.0; 3] {
-                let help = "write a direction such as [0, 0, 1]; its length does not matter".to_owned();
-                return value.refuse("`axis` has no direction".to_owned(), "no direction", Some(help));
+                let help = "write a direction such as [0, 0, 1]; its length does not matter";
+                return value.refuse("`axis` has no direction", "no direction", help);
             }
             Some(upright(axis))
         }
@@ -239,11 +238,11 @@ fn shell(table: &Table<'_>, _: &Source<'_>) -> Option<CavityShape> {
 }
 
 fn mesh(table: &Table<'_>, source: &Source<'_>) -> Option<CavityShape> {
-    let length = table.get("unit").map_or(Some(1.0), |value| unit(&value));
+    let length = table.read_or("unit", 1.0, |value| unit(&value));
     let value = table.required("file", "file = \"tank.msh\"")?;
     let mut mesh = match read_mesh(&source.folder.join(value.text()?)) {
         Ok(mesh) => mesh,
-        Err(error) => return value.refuse(format!("`file`: {error}"), "this file", None),
+        Err(error) => return value.refuse(format!("`file`: {error}"), "this file", ""),
     };
     let length = length?;
     mesh.nodes.iter_mut().flatten().for_each(|entry| *entry *= length);
@@ -251,17 +250,17 @@ fn mesh(table: &Table<'_>, source: &Source<'_>) -> Option<CavityShape> {
 }
 
 fn surface(table: &Table<'_>, source: &Source<'_>) -> Option<CavityShape> {
-    let scale = table.get("unit").map_or(Some(1.0), |value| unit(&value));
+    let scale = table.read_or("unit", 1.0, |value| unit(&value));
     let value = table.required("file", "file = \"tank.stl\"")?;
     let surface = closed(&value, source.folder, scale?)?;
     match inside(&surface, source.resolution) {
         Ok(mesh) => Some(CavityShape::Mesh(Box::new(mesh))),
-        Err(error) => value.refuse(format!("`file`: {error}"), "cannot be meshed", None),
+        Err(error) => value.refuse(format!("`file`: {error}"), "cannot be meshed", ""),
     }
 }
 
 fn length(table: &Table<'_>, key: &'static str, example: &str) -> Option<f64> {
-    table.required(key, example).and_then(|value| value.positive(Dimension::LENGTH))
+    table.read(key, example, |value| value.positive(Dimension::LENGTH))
 }
 
 fn lengths<const N: usize>(table: &Table<'_>, key: &'static str, example: &str) -> Option<[f64; N]> {

@@ -60,7 +60,7 @@ fn semi_axes(table: &Table<'_>) -> Option<[f64; 3]> {
         return again.refuse(
             format!("`{key}` follow from `{known}`"),
             "given twice",
-            Some("leave out one of the two".to_owned()),
+            "leave out one of the two",
         );
     }
     let diameter = table.get("diameter");
@@ -73,12 +73,9 @@ fn semi_axes(table: &Table<'_>) -> Option<[f64; 3]> {
         }
         (Some(diameter), Some(("semi_axes", _))) => {
             return diameter.refuse(
-                "`diameter` follows from `semi_axes`".to_owned(),
+                "`diameter` follows from `semi_axes`",
                 "given twice",
-                Some(
-                    "leave out one of the two; `axis_ratios` and `moment_ratios` go with `diameter`"
-                        .to_owned(),
-                ),
+                "leave out one of the two; `axis_ratios` and `moment_ratios` go with `diameter`",
             );
         }
         (None, Some(_)) => return table.required("diameter", "diameter = \"340 m\"").and(None),
@@ -102,8 +99,8 @@ fn axes_of_moments(value: &Value<'_>, moments: [f64; 3]) -> Option<[f64; 3]> {
         return Some(squares.map(f64::sqrt));
     }
     value.refuse(
-        "no body has these moments of inertia: the greatest is not below the sum of the others".to_owned(),
+        "no body has these moments of inertia: the greatest is not below the sum of the others",
         "these ratios",
-        None,
+        "",
     )
 }

@@ -201,8 +201,6 @@ fn target(value: &Value<'_>) -> Option<Target> {
     };
     match target {
         Ok(target) => Some(target),
-        Err(error) => {
-            value.refuse(format!("`{}`: {error}", value.key()), "no such state", Some(error.advice()))
-        }
+        Err(error) => value.refuse(format!("`{}`: {error}", value.key()), "no such state", error.advice()),
     }
 }

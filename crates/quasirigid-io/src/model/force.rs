@@ -221,9 +221,9 @@ fn magnetic_dipole(table: &Table<'_>, _: &Names<'_>, _: &Path) -> Option<ForceLa
             strength.zip(orbit).map(|(strength, orbit)| MagneticField::Dipole { strength, orbit })
         }
         (Some(_), Some(dipole)) => dipole.refuse(
-            "the magnetic field is given by `field` already".to_owned(),
+            "the magnetic field is given by `field` already",
             "given twice",
-            Some("leave out one of the two".to_owned()),
+            "leave out one of the two",
         ),
         (_, None) => uniform_field(table),
     };
@@ -234,8 +234,8 @@ fn uniform_field(table: &Table<'_>) -> Option<MagneticField> {
     let help = "field = [0, 0, \"30 uT\"], or dipole = [0, 0, 7.8e15] and an orbit";
     let field = table.required("field", help)?.vector(Dimension::MAGNETIC_FIELD);
     if let Some(orbit) = table.get("orbit") {
-        let message = "`orbit` goes with `dipole`, and this `field` is the same everywhere".to_owned();
-        return orbit.refuse(message, "not for this field", Some("leave out one of the two".to_owned()));
+        let message = "`orbit` goes with `dipole`, and this `field` is the same everywhere";
+        return orbit.refuse(message, "not for this field", "leave out one of the two");
     }
     Some(MagneticField::Uniform(field?))
 }
@@ -251,15 +251,14 @@ fn expression(table: &Table<'_>, names: &Names<'_>, folder: &Path) -> Option<For
         return torque_expression(table, &torque);
     }
     if let Some(axes) = table.get("axes") {
-        let message =
-            "`axes` are those of a `torque`; the formulas of a force are in inertial axes".to_owned();
-        let help = "turn the force with qw qx qy qz, or give a torque".to_owned();
-        return axes.refuse(message, "not for a force", Some(help));
+        let message = "`axes` are those of a `torque`; the formulas of a force are in inertial axes";
+        let help = "turn the force with qw qx qy qz, or give a torque";
+        return axes.refuse(message, "not for a force", help);
     }
     let at = station(table, names);
-    let force = table
-        .required("force", "force = [\"-0.1*vx\", \"0\", \"sin(2*t)\"]")
-        .and_then(|value| formulas(&value, &PLACE, Dimension::FORCE));
+    let force = table.read("force", "force = [\"-0.1*vx\", \"0\", \"sin(2*t)\"]", |value| {
+        formulas(&value, &PLACE, Dimension::FORCE)
+    });
     Some(ForceLaw::Expression { at: at?, force: force? })
 }
 
@@ -281,8 +280,8 @@ fn torque_expression(table: &Table<'_>, torque: &Value<'_>) -> Option<ForceLaw<S
     for key in ["force", "on", "at"] {
         if let Some(value) = table.get(key) {
             let message = format!("`{key}` goes with a `force`, and this is a `torque` on the carrier");
-            let help = "leave it out, or write one [[force]] for each".to_owned();
-            return value.refuse(message, "not for a torque", Some(help));
+            let help = "leave it out, or write one [[force]] for each";
+            return value.refuse(message, "not for a torque", help);
         }
     }
     let axes = axes(table);
@@ -291,11 +290,8 @@ fn torque_expression(table: &Table<'_>, torque: &Value<'_>) -> Option<ForceLaw<S
 
 /// Station of a force: a point, or a place of the carrier. The library checks which of them needs a place.
 fn station(table: &Table<'_>, names: &Names<'_>) -> Option<Station> {
-    let on = table.required("on", "on = \"carrier\"").and_then(|value| names.end(&value, Fixed::Force));
-    let at = match table.get("at") {
-        Some(value) => value.vector(Dimension::LENGTH).map(Some),
-        None => Some(None),
-    };
+    let on = table.read("on", "on = \"carrier\"", |value| names.end(&value, Fixed::Force));
+    let at = table.read_or("at", None, |value| value.vector(Dimension::LENGTH).map(Some));
     Some(Station { on: on?, at: at? })
 }
 
@@ -305,25 +301,25 @@ fn axes(table: &Table<'_>) -> Option<Axes> {
 
 fn axes_or(table: &Table<'_>, usual: Axes) -> Option<Axes> {
     let choices = [("body", Axes::Body), ("inertial", Axes::Inertial)];
-    table.get("axes").map_or(Some(usual), |value| value.choice(&choices))
+    table.read_or("axes", usual, |value| value.choice(&choices))
 }
 
 /// Reads the wave of an amplitude: frequency or period, and phase.
 fn wave(table: &Table<'_>) -> Option<Wave> {
-    let phase = table.get("phase").map_or(Some(0.0), |value| value.quantity(Dimension::ANGLE));
+    let phase = table.read_or("phase", 0.0, |value| value.quantity(Dimension::ANGLE));
     let frequency = match (table.get("frequency"), table.get("period")) {
         (Some(frequency), None) => frequency.quantity(Dimension::FREQUENCY),
         (None, Some(period)) => period.positive(Dimension::TIME).map(|period| TAU / period),
         (Some(_), Some(period)) => period.refuse(
-            "the `period` follows from the `frequency`".to_owned(),
+            "the `period` follows from the `frequency`",
             "given twice",
-            Some("leave out one of the two".to_owned()),
+            "leave out one of the two",
         ),
         (None, None) => match table.get("phase") {
             Some(phase) => phase.refuse(
-                "a `phase` without a `frequency` or a `period`".to_owned(),
+                "a `phase` without a `frequency` or a `period`",
                 "of what?",
-                Some("add for example frequency = \"2 Hz\", or leave it out".to_owned()),
+                "add for example frequency = \"2 Hz\", or leave it out",
             ),
             None => Some(0.0),
         },

@@ -39,7 +39,7 @@ pub(super) fn formula(value: &Value<'_>, variables: &Variables, dimension: Dimen
         Ok(formula) => Some(formula),
         Err(error) => {
             let message = format!("`{}`: {}", value.key(), error.message);
-            value.refuse_at(value.span_of(error.span), message, "in this formula", Some(help))
+            value.refuse_at(value.span_of(error.span), message, "in this formula", help)
         }
     }
 }

@@ -54,23 +54,22 @@ const HINGED: Keys = Keys {
 
 /// Reads a `[[hinged]]` appendage, and the rheology at both ends of its range.
 pub(super) fn hinged(table: &Table<'_>, name: &str) -> Option<(Hinged, Extremes)> {
-    let mass = table.required("mass", "mass = 1.0").and_then(|value| value.positive(Dimension::MASS));
+    let mass = table.read("mass", "mass = 1.0", |value| value.positive(Dimension::MASS));
     let center_of_mass = table
-        .required("center_of_mass", "center_of_mass = [1.5, 0.0, 0.0]")
-        .and_then(|value| value.vector(Dimension::LENGTH));
-    let inertia = table.required("inertia", "inertia = [0.0, 0.3, 0.3]").and_then(|value| inertia(&value));
-    let hinge =
-        table.required("hinge", "hinge = [1.0, 0.0, 0.0]").and_then(|value| value.vector(Dimension::LENGTH));
-    let axes = table.required("axes", "axes = [[0, 0, 1]]").and_then(|value| axes(&value));
+        .read("center_of_mass", "center_of_mass = [1.5, 0.0, 0.0]", |value| value.vector(Dimension::LENGTH));
+    let inertia = table.read("inertia", "inertia = [0.0, 0.3, 0.3]", |value| inertia(&value));
+    let hinge = table.read("hinge", "hinge = [1.0, 0.0, 0.0]", |value| value.vector(Dimension::LENGTH));
+    let axes = table.read("axes", "axes = [[0, 0, 1]]", |value| axes(&value));
     let count = axes.as_ref().map_or(1, Vec::len);
-    let stiffness = table
-        .required("stiffness", "stiffness = \"0.565 N m/rad\"")
-        .and_then(|value| coefficient(&value, Dimension::ROTATIONAL_STIFFNESS, count));
-    let damping = match table.get("damping") {
-        Some(value) => coefficient(&value, Dimension::ROTATIONAL_DAMPING, count),
-        None => Some(HingeCoefficient::PerAxis(vec![0.0; count])),
-    };
-    let places = table.get("places").map_or_else(|| Some(Vec::new()), |value| places(&value));
+    let stiffness = table.read("stiffness", "stiffness = \"0.565 N m/rad\"", |value| {
+        coefficient(&value, Dimension::ROTATIONAL_STIFFNESS, count)
+    });
+    let damping = table.read_or("damping", HingeCoefficient::PerAxis(vec![0.0; count]), |value| {
+        coefficient(&value, Dimension::ROTATIONAL_DAMPING, count)
+    });
+    let places = table.read_or("places", Vec::new(), |value| {
+        value.places("a table of places", "write { tip = [2, 0, 0] }")
+    });
     let known = rheology(table, Scale::OF_SPRING)?;
     let hinged = Hinged {
         name: name.to_owned(),
@@ -85,21 +84,6 @@ pub(super) fn hinged(table: &Table<'_>, name: &str) -> Option<(Hinged, Extremes)
         places: places?,
     };
     Some((hinged, known.extremes))
-}
-
-/// Reads named places on the appendage, in the order of the file.
-fn places(value: &Value<'_>) -> Option<Vec<(String, [f64; 3])>> {
-    let Some(entries) = value.entries() else {
-        return value.mismatch("a table of places", "write { tip = [2, 0, 0] }");
-    };
-    let mut entries: Vec<_> = entries.collect();
-    entries.sort_by_key(|(span, _)| span.start);
-    let place = |(_, place): (_, Value<'_>)| {
-        let position = place.vector(Dimension::LENGTH)?;
-        Some((place.key().to_owned(), position))
-    };
-    let all: Vec<Option<_>> = entries.into_iter().map(place).collect();
-    all.into_iter().collect()
 }
 
 fn axes(value: &Value<'_>) -> Option<Vec<[f64; 3]>> {

@@ -93,10 +93,8 @@ impl Default for Initial {
 /// Reads `[initial]`; suspect but usable values go into `notes`.
 pub(super) fn initial(table: &Table<'_>, body: &Body<'_>, notes: &mut Vec<String>) -> Option<Initial> {
     let rotation = rotation(table);
-    let attitude = match table.get("attitude") {
-        Some(value) => unit_quaternion(&value, notes),
-        None => Some(Initial::default().attitude),
-    };
+    let attitude =
+        table.read_or("attitude", Initial::default().attitude, |value| unit_quaternion(&value, notes));
     let displacements = displacements(table, body);
     let position = of_free_body(table, "position", Dimension::LENGTH, body);
     let velocity = of_free_body(table, "velocity", Dimension::VELOCITY, body);
@@ -116,8 +114,8 @@ pub(super) fn unit_quaternion(value: &Value<'_>, notes: &mut Vec<String>) -> Opt
     let deviation = (norm - 1.0).abs();
     if deviation > ROUNDED_NORM {
         let message = format!("`attitude` has the norm {norm}, but an attitude is a unit quaternion");
-        let help = "write four numbers, scalar first, whose squares add up to 1".to_owned();
-        return value.refuse(message, "not a unit quaternion", Some(help));
+        let help = "write four numbers, scalar first, whose squares add up to 1";
+        return value.refuse(message, "not a unit quaternion", help);
     }
     if deviation > PRINTED_NORM {
         notes.push(format!("the initial attitude has the norm {norm}; it was divided by it"));
@@ -142,7 +140,7 @@ fn of_free_body(
     };
     let Some(value) = table.get(key) else { return vector };
     let message = format!("`{key}` is that of the centre of mass of a free body, and this body is held");
-    value.refuse(message, "not for this body", Some(help))
+    value.refuse(message, "not for this body", help)
 }
 
 /// Displacements as a file gives them.
@@ -176,8 +174,8 @@ fn displacements(table: &Table<'_>, body: &Body<'_>) -> Option<Displacements> {
             let Some(rates) = rates else { return Some(Displacements::SlowManifold) };
             let message =
                 "`displacement_rates` without given `displacements`: the slow manifold has its own rates";
-            let help = "write displacements = \"rest\" or a table of them, too".to_owned();
-            return rates.refuse(message.to_owned(), "not on the slow manifold", Some(help));
+            let help = "write displacements = \"rest\" or a table of them, too";
+            return rates.refuse(message, "not on the slow manifold", help);
         }
         Said::Rest => Some(at_rest(body).concat()),
         Said::Table(table) => amounts(&table, body, Dimension::LENGTH, Dimension::ANGLE),
@@ -210,7 +208,7 @@ fn amounts(value: &Value<'_>, body: &Body<'_>, along: Dimension, about: Dimensio
                 key,
                 format!("{:?} moves with the shapes of a body without a carrier", value.key()),
                 "no coordinate of its own",
-                Some("write displacements = \"slow-manifold\" or \"rest\"".to_owned()),
+                "write displacements = \"slow-manifold\" or \"rest\"",
             ),
             Some(Part::Point(index)) => of_point(&value, body, index, along).map(|q| (index, q)),
             Some(Part::Hinged(index)) => {
@@ -221,19 +219,19 @@ fn amounts(value: &Value<'_>, body: &Body<'_>, along: Dimension, about: Dimensio
                 key,
                 format!("{:?} is elastic throughout, and its displacements have no names", value.key()),
                 "elastic throughout",
-                Some("write displacements = \"slow-manifold\" or \"rest\"".to_owned()),
+                "write displacements = \"slow-manifold\" or \"rest\"",
             ),
             Some(Part::Link(word)) => value.refuse_at(
                 key,
                 format!("{:?} is a {word}, and has no coordinates of its own", value.key()),
                 "not a point",
-                Some("displace what its ends are fixed to".to_owned()),
+                "displace what its ends are fixed to",
             ),
             Some(Part::Inside) => value.refuse_at(
                 key,
                 format!("{:?} turns inside the carrier; only its speed counts", value.key()),
                 "turns inside",
-                Some("write `speed` in its [[rotor]]".to_owned()),
+                "write `speed` in its [[rotor]]",
             ),
             None => None,
         };
@@ -254,7 +252,7 @@ fn of_point(value: &Value<'_>, body: &Body<'_>, index: usize, along: Dimension) 
             let left = left.map(|entry| format!("{entry:.3e}").parse().unwrap_or(entry) + 0.0);
             let message = format!("`{}`: its `motion` does not leave the point this way", value.key());
             let help = format!("of this vector it leaves {left:?}");
-            value.refuse(message, "barred", Some(help))
+            value.refuse(message, "barred", help)
         }
         other => Some(other.unwrap_or_default()),
     }
@@ -272,11 +270,7 @@ fn of_hinge(value: &Value<'_>, body: &Body<'_>, index: usize, about: Dimension) 
         counted(angles.len(), "value", "values"),
         counted(axes, "axis", "axes")
     );
-    value.refuse(
-        message,
-        "one value per axis",
-        Some("write one value for each axis, in their order".to_owned()),
-    )
+    value.refuse(message, "one value per axis", "write one value for each axis, in their order")
 }
 
 fn counted(count: usize, one: &str, several: &str) -> String {

@@ -125,7 +125,7 @@ fn masters(value: &Value<'_>) -> Option<ManifoldMasters> {
             Ok(masters) => Some(masters),
             Err(error) => {
                 let message = format!("`masters`: {error}");
-                value.refuse(message, "no such masters", Some(help.to_owned()))
+                value.refuse(message, "no such masters", help)
             }
         };
     }
@@ -141,6 +141,6 @@ fn masters(value: &Value<'_>) -> Option<ManifoldMasters> {
         let message = format!(
             "`masters` has 1 to {MOST_MASTERS} frequencies of modes beside the nutation, none negative"
         );
-        value.refuse(message, "not these", Some(help.to_owned()))
+        value.refuse(message, "not these", help)
     })
 }

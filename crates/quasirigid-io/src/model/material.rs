@@ -71,7 +71,7 @@ impl<'a> Materials<'a> {
 
     /// Material of an element that takes isotropic materials alone.
     pub(super) fn of(&self, element: &Table<'_>) -> Option<(Material, Extremes)> {
-        element.required("material", "material = \"rock\"").and_then(|value| self.isotropic(&value))
+        element.read("material", "material = \"rock\"", |value| self.isotropic(&value))
     }
 
     /// The isotropic material with the name that a value gives.
@@ -79,9 +79,9 @@ impl<'a> Materials<'a> {
         match self.named(value)? {
             (ElasticMaterial::Isotropic(material), extremes) => Some((material, extremes)),
             (ElasticMaterial::Orthotropic(_), _) => value.refuse(
-                "this needs a material that is the same in every direction".to_owned(),
+                "this needs a material that is the same in every direction",
                 "orthotropic",
-                Some("solids and the layers of panels may be orthotropic".to_owned()),
+                "solids and the layers of panels may be orthotropic",
             ),
         }
     }
@@ -97,7 +97,7 @@ impl<'a> Materials<'a> {
             0 => format!("the file has no materials; add [material.{name}] with density, young and poisson"),
             count => suggestion(name, || self.entries.keys().copied(), count),
         };
-        value.refuse(format!("there is no material {name:?}"), "unknown material", Some(help))
+        value.refuse(format!("there is no material {name:?}"), "unknown material", help)
     }
 
     /// Places of the values of an element, also those of its material.
@@ -126,15 +126,14 @@ impl<'a> Materials<'a> {
 }
 
 fn material(table: &Table<'_>) -> Option<Made> {
-    let density = table
-        .required("density", "density = \"2.5 g/cm^3\"")
-        .and_then(|value| value.positive(Dimension::DENSITY));
+    let density =
+        table.read("density", "density = \"2.5 g/cm^3\"", |value| value.positive(Dimension::DENSITY));
     if table.get("young").is_some_and(|value| value.is_array()) {
         return orthotropic(table, density);
     }
-    let poisson = table
-        .required("poisson", "poisson = 0.25")
-        .and_then(|value| value.between(Dimension::NUMBER, [-1.0, 0.5], "between -1 and 0.5"));
+    let poisson = table.read("poisson", "poisson = 0.25", |value| {
+        value.between(Dimension::NUMBER, [-1.0, 0.5], "between -1 and 0.5")
+    });
     let (young, known) = match table.get("mu_Q") {
         Some(product) => of_product(table, &product, poisson)?,
         None => {
@@ -160,7 +159,7 @@ fn of_product(
         return modulus.refuse(
             format!("`{}` follows from `mu_Q` and `Q`", modulus.key()),
             "given twice",
-            Some("leave out one of the two".to_owned()),
+            "leave out one of the two",
         );
     }
     let known = match table.get("rheology") {
@@ -169,13 +168,9 @@ fn of_product(
     };
     let Rheology::QualityFactor { factor } = known.rheology else {
         return product.refuse(
-            "`mu_Q` is the product of the rigidity and the quality factor, and this rheology has none"
-                .to_owned(),
+            "`mu_Q` is the product of the rigidity and the quality factor, and this rheology has none",
             "no Q",
-            Some(
-                "write rheology = { kind = \"quality-factor\", Q = 100 }, or `shear` in the place of `mu_Q`"
-                    .to_owned(),
-            ),
+            "write rheology = { kind = \"quality-factor\", Q = 100 }, or `shear` in the place of `mu_Q`",
         );
     };
     let shear = product.positive(Dimension::PRESSURE)? / factor;
@@ -186,9 +181,9 @@ fn of_product(
 fn orthotropic(table: &Table<'_>, density: Option<f64>) -> Option<Made> {
     if let Some(product) = table.get("mu_Q") {
         return product.refuse(
-            "`mu_Q` is for a material with one rigidity".to_owned(),
+            "`mu_Q` is for a material with one rigidity",
             "three moduli",
-            Some("leave it out, and give `shear` and `rheology`".to_owned()),
+            "leave it out, and give `shear` and `rheology`",
         );
     }
     let moduli = |key: &'static str, example: &str| {
@@ -198,9 +193,9 @@ fn orthotropic(table: &Table<'_>, density: Option<f64>) -> Option<Made> {
     let young: Option<[f64; 3]> = moduli("young", "young = [\"140 GPa\", \"9 GPa\", \"9 GPa\"]");
     let shear: Option<[f64; 3]> =
         moduli("shear", "shear = [\"5 GPa\", \"5 GPa\", \"3 GPa\"], for 12, 13, 23");
-    let poisson = table
-        .required("poisson", "poisson = [0.3, 0.3, 0.45], for 12, 13, 23")
-        .and_then(|value| value.vector(Dimension::NUMBER));
+    let poisson = table.read("poisson", "poisson = [0.3, 0.3, 0.45], for 12, 13, 23", |value| {
+        value.vector(Dimension::NUMBER)
+    });
     let known = relative_to(table, young.map(|young| young[0]));
     let (density, young, poisson, shear) = (density?, young?, poisson?, shear?);
     let Known { rheology, extremes } = known?;
@@ -221,9 +216,9 @@ fn young(table: &Table<'_>, poisson: Option<f64>) -> Option<f64> {
             Some(2.0 * shear * (1.0 + poisson?))
         }
         (Some(_), Some(shear)) => shear.refuse(
-            "`shear` follows from `young` and `poisson`".to_owned(),
+            "`shear` follows from `young` and `poisson`",
             "given twice",
-            Some("leave out one of the two moduli".to_owned()),
+            "leave out one of the two moduli",
         ),
         (_, None) => table
             .required("young", "young = \"70 GPa\", or shear = \"26 GPa\"")?

@@ -127,7 +127,7 @@ impl<'a> Names<'a> {
                 several => value.refuse(
                     format!("{} nodes are named here, but one is needed", several.len()),
                     "several nodes",
-                    Some("name one node".to_owned()),
+                    "name one node",
                 ),
             };
         }
@@ -140,42 +140,40 @@ impl<'a> Names<'a> {
             Some(Part::Link(word)) => value.refuse(
                 format!("{name:?} is a {word}, but {}", what.rule()),
                 "not a point",
-                Some("name what one of its ends is fixed to".to_owned()),
+                "name what one of its ends is fixed to",
             ),
             Some(Part::Hinged(_)) => value.refuse(
                 format!("{name:?} is a hinged appendage, but {}", what.rule()),
                 "which place?",
-                Some(format!(
-                    "give it places = {{ tip = [...] }} and write {{ part = {name:?}, node = \"tip\" }}"
-                )),
+                format!("give it places = {{ tip = [...] }} and write {{ part = {name:?}, node = \"tip\" }}"),
             ),
             Some(Part::Flexible(_)) => value.refuse(
                 format!("{name:?} has many nodes; {}", what.rule()),
                 "which node?",
-                Some(format!("write {{ part = {name:?}, node = ... }}")),
+                format!("write {{ part = {name:?}, node = ... }}"),
             ),
             Some(Part::Throughout) => value.refuse(
                 format!("{name:?} is elastic throughout, but {}", what.rule()),
                 "not a point",
-                Some("it is a whole body; nothing is fixed to it".to_owned()),
+                "it is a whole body; nothing is fixed to it",
             ),
             Some(Part::Inside) => value.refuse(
                 format!("{name:?} turns inside the carrier, but {}", what.rule()),
                 "not a point",
-                Some(format!("write {CARRIER:?}")),
+                format!("write {CARRIER:?}"),
             ),
             None if self.parts.problems.full() => None,
             None if self.all(ElementKind::Point).is_empty() => value.refuse(
                 format!("there is no point {name:?}"),
                 "unknown point",
-                Some(format!("the file has no [[point]]; {}", what.rule())),
+                format!("the file has no [[point]]; {}", what.rule()),
             ),
             None => {
                 let names =
                     || [CARRIER].into_iter().chain(self.all(ElementKind::Point).iter().map(String::as_str));
                 let count = self.all(ElementKind::Point).len() + 1;
                 let help = suggestion(name, names, count);
-                value.refuse(format!("there is no point {name:?}"), "unknown point", Some(help))
+                value.refuse(format!("there is no point {name:?}"), "unknown point", help)
             }
         }
     }
@@ -199,7 +197,7 @@ impl<'a> Names<'a> {
             };
             let message =
                 format!("there is no place {name:?} on {:?}", self.all(ElementKind::Hinged)[hinged]);
-            node.refuse(message, "unknown place", Some(help))
+            node.refuse(message, "unknown place", help)
         };
         Some(read())
     }
@@ -217,7 +215,7 @@ impl<'a> Names<'a> {
                     count => suggestion(name.text()?, names, count),
                 };
                 let message = format!("there is no part {:?} with nodes", name.text()?);
-                return name.refuse(message, "unknown part", Some(help));
+                return name.refuse(message, "unknown part", help);
             }
         };
         let nodes = self.nodes.get(&part)?;
@@ -225,9 +223,9 @@ impl<'a> Names<'a> {
             (Some(node), None) => nodes.single(&node).map(|node| (part, vec![node])),
             (None, Some(set)) => nodes.named(&set).map(|nodes| (part, nodes)),
             _ => value.refuse(
-                "a place on a part needs either a node or a set of them".to_owned(),
+                "a place on a part needs either a node or a set of them",
                 "a node or a set",
-                Some("write { part = \"boom\", node = \"tip\" }".to_owned()),
+                "write { part = \"boom\", node = \"tip\" }",
             ),
         }
     }
@@ -248,7 +246,7 @@ impl<'a> Names<'a> {
             _ if name == CARRIER => "the rest of the body is displaced from the carrier".to_owned(),
             count => suggestion(name, names, count),
         };
-        value.refuse_at(key, format!("there is no point or appendage {name:?}"), "unknown name", Some(help))
+        value.refuse_at(key, format!("there is no point or appendage {name:?}"), "unknown name", help)
     }
 }
 

@@ -36,10 +36,8 @@ pub(super) fn orbit(value: &Value<'_>) -> Option<Orbit> {
     let table = value.table("`orbit`", &ORBIT)?;
     let mu = gravitational_parameter(&table);
     let semi_major_axis = table
-        .required("semi_major_axis", "semi_major_axis = \"6778 km\"")
-        .and_then(|value| value.positive(Dimension::LENGTH));
-    let number =
-        |key, dimension| table.get(key).map_or(Some(0.0), |value: Value<'_>| value.quantity(dimension));
+        .read("semi_major_axis", "semi_major_axis = \"6778 km\"", |value| value.positive(Dimension::LENGTH));
+    let number = |key, dimension| table.read_or(key, 0.0, |value| value.quantity(dimension));
     let eccentricity = number("eccentricity", Dimension::NUMBER);
     let inclination = number("inclination", Dimension::ANGLE);
     let raan = number("node", Dimension::ANGLE);
@@ -61,9 +59,9 @@ fn gravitational_parameter(table: &Table<'_>) -> Option<f64> {
     match (table.get("body"), table.get("gravitational_parameter")) {
         (Some(body), None) => body.choice(&BODIES),
         (Some(_), Some(parameter)) => parameter.refuse(
-            "`gravitational_parameter` is that of the `body` already".to_owned(),
+            "`gravitational_parameter` is that of the `body` already",
             "given twice",
-            Some("leave out one of the two".to_owned()),
+            "leave out one of the two",
         ),
         (None, _) => table
             .required("gravitational_parameter", "body = \"Earth\", or gravitational_parameter = 3.986e14")?

@@ -41,11 +41,10 @@ const MOTION: Keys =
 
 /// Reads a `[[point]]`.
 fn point(table: &Table<'_>, name: &str) -> Option<Point> {
-    let mass = table.required("mass", "mass = 1.0").and_then(|value| value.positive(Dimension::MASS));
-    let position = table
-        .required("position", "position = [0.8, 0.3, 0.5]")
-        .and_then(|value| value.vector(Dimension::LENGTH));
-    let motion = table.get("motion").map_or(Some(PointMotion::Free), |value| motion(&value));
+    let mass = table.read("mass", "mass = 1.0", |value| value.positive(Dimension::MASS));
+    let position =
+        table.read("position", "position = [0.8, 0.3, 0.5]", |value| value.vector(Dimension::LENGTH));
+    let motion = table.read_or("motion", PointMotion::Free, |value| motion(&value));
     Some(Point { name: name.to_owned(), mass: mass?, position: position?, motion: motion? })
 }
 
@@ -63,8 +62,8 @@ fn motion(value: &Value<'_>) -> Option<PointMotion> {
         (Some(line), None) => direction(line).map(PointMotion::Line),
         (None, Some(plane)) => direction(plane).map(PointMotion::Plane),
         _ => {
-            let message = "`motion` needs either a line or a plane".to_owned();
-            value.refuse(message, "a line or a plane", Some(help.to_owned()))
+            let message = "`motion` needs either a line or a plane";
+            value.refuse(message, "a line or a plane", help)
         }
     }
 }

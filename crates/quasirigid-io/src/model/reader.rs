@@ -42,7 +42,7 @@ pub(super) struct Reader {
     /// Whether the table makes a body without a carrier.
     pub(super) is_body: bool,
     /// Reads one table into the draft of a body; none if something in it is wrong, which is reported.
-    pub(super) read: for<'a> fn(&Entry<'_, 'a>, &mut Draft<'_, 'a>) -> Option<()>,
+    pub(super) read: Reading,
 }
 
 /// Keys of a table.
@@ -113,7 +113,33 @@ pub(super) struct Draft<'s, 'a> {
     pub(super) notes: Vec<String>,
 }
 
+/// Function that reads a table into the draft of a body.
+type Reading = for<'a> fn(&Entry<'_, 'a>, &mut Draft<'_, 'a>) -> Option<()>;
+
 impl Reader {
+    /// Reader of parts of finite elements: their names stand for nodes, and they make a body without a carrier.
+    pub(super) const fn of_parts(
+        key: &'static str,
+        title: &'static str,
+        meaning: &'static str,
+        keys: &'static Keys,
+        read: Reading,
+    ) -> Self {
+        Self {
+            key,
+            title,
+            meaning,
+            keys: Keyed::All(keys),
+            kind: Some(ElementKind::Part),
+            naming: Naming::Numbered(key),
+            names: Part::Flexible,
+            aliases: &[],
+            nested: &[],
+            is_body: true,
+            read,
+        }
+    }
+
     /// Opens the tables of this reader in a file; values that are no such tables are reported.
     pub(super) fn open<'a>(&self, file: &Table<'a>) -> Vec<Table<'a>> {
         let open = |value: &Value<'a>| match self.keys {

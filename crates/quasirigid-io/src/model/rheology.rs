@@ -127,9 +127,9 @@ fn standard_linear(table: &Table<'_>, _: Scale) -> Option<Known> {
 fn andrade(table: &Table<'_>, _: Scale) -> Option<Known> {
     let time = time(table);
     let creep_time = optional(table.get("creep_time"), |value| value.positive(Dimension::TIME));
-    let exponent = table
-        .get("exponent")
-        .map_or(Some(ANDRADE), |value| value.between(Dimension::NUMBER, [0.0, 1.0], "between 0 and 1"));
+    let exponent = table.read_or("exponent", ANDRADE, |value| {
+        value.between(Dimension::NUMBER, [0.0, 1.0], "between 0 and 1")
+    });
     let (creep_time, exponent) = (creep_time?, exponent?);
     let law = |time| Rheology::Andrade { time, creep_time: creep_time.unwrap_or(time), exponent };
     Some(time?.of(law))
@@ -142,9 +142,9 @@ fn measured(table: &Table<'_>, scale: Scale) -> Option<Known> {
         Ok(measured) => Some(Known { rheology: Rheology::Table(measured), extremes: None }),
         Err(error) => {
             let span = descent(&rows, error).and_then(|row| Some(value.items()?.get(row)?.span()));
-            let help = "write a row for each frequency, the lowest first".to_owned();
+            let help = "write a row for each frequency, the lowest first";
             let message = format!("`rows`: {error}");
-            value.refuse_at(span.unwrap_or_else(|| value.span()), message, "not a table", Some(help))
+            value.refuse_at(span.unwrap_or_else(|| value.span()), message, "not a table", help)
         }
     }
 }
@@ -184,7 +184,7 @@ impl Parameter {
         dimension: Dimension,
         allowed: impl Fn(&Value<'_>) -> Option<f64>,
     ) -> Option<Self> {
-        let value = table.required(key, example).and_then(|value| allowed(&value));
+        let value = table.read(key, example, |value| allowed(&value));
         let range = optional(table.get("range"), |range| {
             let ends = range.array("numbers", |item| allowed(&item))?;
             around(&range, key, ends, value?, dimension)
@@ -213,5 +213,5 @@ fn around(
     let message =
         format!("`range` goes from {least} to {greatest}{space}{unit}, but `{key}` is {value}{space}{unit}");
     let help = format!("write the least and the greatest value that `{key}` may have");
-    range.refuse(message, &format!("`{key}` is not in it"), Some(help))
+    range.refuse(message, &format!("`{key}` is not in it"), help)
 }

@@ -70,8 +70,8 @@ pub(super) fn rotation(table: &Table<'_>) -> Option<Option<Rotation>> {
     let mut rotations: Vec<_> = given.iter().map(|(value, read)| read(value)).collect();
     if let [(first, _), .., (last, _)] = given.as_slice() {
         let message = format!("`{}` and `{}` both say how the body turns", first.key(), last.key());
-        let help = "leave out all but one".to_owned();
-        return last.refuse(message, "given twice", Some(help));
+        let help = "leave out all but one";
+        return last.refuse(message, "given twice", help);
     }
     rotations.pop().map_or(Some(None), |rotation| rotation.map(Some))
 }
@@ -91,10 +91,8 @@ fn periods(value: &Value<'_>) -> Option<Rotation> {
 
 fn wobble(value: &Value<'_>) -> Option<Rotation> {
     let table = value.table("`wobble`", &WOBBLE)?;
-    let angle = table.required("angle", "angle = \"5 deg\"").and_then(|value| acute(&value));
-    let rate = table
-        .required("rate", "rate = \"60 rpm\"")
-        .and_then(|value| value.positive(Dimension::ANGULAR_VELOCITY));
+    let angle = table.read("angle", "angle = \"5 deg\"", |value| acute(&value));
+    let rate = table.read("rate", "rate = \"60 rpm\"", |value| value.positive(Dimension::ANGULAR_VELOCITY));
     let mode = mode(&table);
     Some(Rotation::Wobble { angle: angle?, rate: rate?, mode: mode? })
 }

@@ -42,15 +42,10 @@ const ROTOR: Keys = Keys {
 /// Reads a `[[rotor]]`.
 pub(super) fn rotor(table: &Table<'_>, name: &str) -> Option<Rotor> {
     let kind = kind(table);
-    let inertia =
-        table.required("inertia", "inertia = 0.2").and_then(|value| value.positive(Dimension::INERTIA));
-    let friction = table
-        .required("friction", "friction = 0.05")
-        .and_then(|value| value.positive(Dimension::ROTATIONAL_DAMPING));
-    let speed = match table.get("speed") {
-        Some(value) => speed(&value).map(Some),
-        None => Some(None),
-    };
+    let inertia = table.read("inertia", "inertia = 0.2", |value| value.positive(Dimension::INERTIA));
+    let friction =
+        table.read("friction", "friction = 0.05", |value| value.positive(Dimension::ROTATIONAL_DAMPING));
+    let speed = table.read_or("speed", None, |value| speed(&value).map(Some));
     Some(Rotor { name: name.to_owned(), kind: kind?, inertia: inertia?, friction: friction?, speed: speed? })
 }
 
@@ -66,8 +61,8 @@ fn kind(table: &Table<'_>) -> Option<RotorKind> {
         }
         (true, None) => Some(RotorKind::Sphere),
         (true, Some(axis)) => {
-            let message = "a sphere turns about any axis, so it has no `axis`".to_owned();
-            axis.refuse(message, "not for a sphere", Some("leave it out".to_owned()))
+            let message = "a sphere turns about any axis, so it has no `axis`";
+            axis.refuse(message, "not for a sphere", "leave it out")
         }
     }
 }

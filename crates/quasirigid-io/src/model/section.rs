@@ -78,7 +78,7 @@ impl<'a> Sections<'a> {
             ),
             count => suggestion(name, || self.entries.keys().copied(), count),
         };
-        value.refuse(format!("there is no section {name:?}"), "unknown section", Some(help))
+        value.refuse(format!("there is no section {name:?}"), "unknown section", help)
     }
 }
 
@@ -119,16 +119,15 @@ fn i_beam(table: &Table<'_>) -> Option<SectionShape> {
 
 fn general(table: &Table<'_>) -> Option<SectionShape> {
     let constant = |key: &'static str, dimension: Dimension, example: &str| {
-        table.required(key, example).and_then(|value| value.positive(dimension))
+        table.read(key, example, |value| value.positive(dimension))
     };
     let area = constant("area", Dimension::AREA, "area = \"4 cm^2\"");
     let second_y = constant("second_y", Dimension::SECOND_MOMENT, "second_y = \"12 cm^4\"");
     let second_z = constant("second_z", Dimension::SECOND_MOMENT, "second_z = \"12 cm^4\"");
     let torsion = constant("torsion", Dimension::SECOND_MOMENT, "torsion = \"3 cm^4\"");
-    let shear = match table.get("shear_areas") {
-        Some(value) => value.array("areas", |area| area.positive(Dimension::AREA)).map(Some),
-        None => Some(None),
-    };
+    let shear = table.read_or("shear_areas", None, |value| {
+        value.array("areas", |area| area.positive(Dimension::AREA)).map(Some)
+    });
     Some(SectionShape::General {
         area: area?,
         second_y: second_y?,

@@ -173,7 +173,7 @@ pub(super) fn run(table: &Table<'_>) -> Option<RunTable> {
     let form = optional(table.get("form"), |value| value.named());
     let systems = optional(table.get("systems"), |value| systems(&value));
     let integrator = optional(table.get("integrator"), |value| value.named());
-    let stop = table.get("stop").map_or(Some(Stop::default()), |value| stop(&value));
+    let stop = table.read_or("stop", Stop::default(), |value| stop(&value));
     let verify = optional(table.get("verify"), |value| verify(&value));
     let evolve = optional(table.get("evolve"), |value| evolve(&value));
     let spin_manifold = optional(table.get("spin_manifold"), |value| spin_manifold(&value));
@@ -212,7 +212,7 @@ fn tolerance(value: &Value<'_>) -> Option<f64> {
         return Some(tolerance);
     }
     let message = format!("`tolerance` is {tolerance:e}, but must lie from 1e-15 to 1e-2");
-    value.refuse(message, "out of range", Some("write for example tolerance = 1e-9".to_owned()))
+    value.refuse(message, "out of range", "write for example tolerance = 1e-9")
 }
 
 fn systems(value: &Value<'_>) -> Option<Vec<System>> {
@@ -224,7 +224,7 @@ fn stop(value: &Value<'_>) -> Option<Stop> {
     let table = value.table("`stop`", &STOP)?;
     let energy = optional(table.get("energy"), |value| value.positive(Dimension::ENERGY));
     let nutation = optional(table.get("nutation"), |value| nutation(&value));
-    let validity = table.get("validity").map_or(Some(false), |value| value.boolean());
+    let validity = table.read_or("validity", false, |value| value.boolean());
     Some(Stop { energy: energy?, nutation: nutation?, validity: validity? })
 }
 
@@ -234,7 +234,7 @@ fn nutation(value: &Value<'_>) -> Option<f64> {
         return Some(angle);
     }
     let message = format!("`nutation` is {angle} rad, but must be at most half a turn");
-    value.refuse(message, "out of range", Some("write for example nutation = \"45 deg\"".to_owned()))
+    value.refuse(message, "out of range", "write for example nutation = \"45 deg\"")
 }
 
 fn verify(value: &Value<'_>) -> Option<PartialVerify> {
@@ -264,7 +264,7 @@ fn distinct<T: PartialEq + Copy>(
         match read(item) {
             Some(value) if values.contains(&value) => {
                 let message = format!("`{}` has a duplicate entry", item.key());
-                item.refuse::<T>(message, "given before", Some("leave it out".to_owned()));
+                item.refuse::<T>(message, "given before", "leave it out");
                 wrong = true;
             }
             Some(value) => values.push(value),

@@ -54,18 +54,16 @@ const SPRING: Keys = Keys {
 
 /// Reads a `[[spring]]`, and the rheology at both ends of its range.
 pub(super) fn spring(table: &Table<'_>, name: &str, names: &Names<'_>) -> Option<(Spring, Extremes)> {
-    let from =
-        table.required("from", "from = \"tip\"").and_then(|value| names.end(&value, Fixed::Link("spring")));
-    let to =
-        table.required("to", "to = \"carrier\"").and_then(|value| names.end(&value, Fixed::Link("spring")));
-    let axial = table.get("axial").map_or(Some(false), |value| value.boolean());
+    let from = table.read("from", "from = \"tip\"", |value| names.end(&value, Fixed::Link("spring")));
+    let to = table.read("to", "to = \"carrier\"", |value| names.end(&value, Fixed::Link("spring")));
+    let axial = table.read_or("axial", false, |value| value.boolean());
     let law = axial.and_then(|axial| if axial { along_the_line(table) } else { in_space(table) });
     let known = rheology(table, Scale::OF_SPRING);
     let (from, to) = (from?, to?);
     if from == to {
-        let message = "both ends of the spring are the same".to_owned();
-        let help = "a spring joins two points, or a point and the carrier".to_owned();
-        return table.get("to")?.refuse(message, "the same as `from`", Some(help));
+        let message = "both ends of the spring are the same";
+        let help = "a spring joins two points, or a point and the carrier";
+        return table.get("to")?.refuse(message, "the same as `from`", help);
     }
     let between_points = from != End::Carrier && to != End::Carrier;
     if let Some(anchor) = table.get("anchor").filter(|_| axial == Some(true) && between_points) {
@@ -74,7 +72,7 @@ pub(super) fn spring(table: &Table<'_>, name: &str, names: &Names<'_>) -> Option
         return anchor.refuse(
             message.to_owned(),
             "not for this spring",
-            Some("leave it out, or write \"carrier\" for one end".to_owned()),
+            "leave it out, or write \"carrier\" for one end",
         );
     }
     let known = known?;
@@ -83,10 +81,8 @@ pub(super) fn spring(table: &Table<'_>, name: &str, names: &Names<'_>) -> Option
 
 fn in_space(table: &Table<'_>) -> Option<SpringLaw> {
     let stiffness = stiffness(table).and_then(|value| coefficient(&value, Dimension::STIFFNESS));
-    let damping = match table.get("damping") {
-        Some(value) => coefficient(&value, Dimension::DAMPING),
-        None => Some(Coefficient::Isotropic(0.0)),
-    };
+    let damping = table
+        .read_or("damping", Coefficient::Isotropic(0.0), |value| coefficient(&value, Dimension::DAMPING));
     let axial = [
         ("anchor", "the carrier's end"),
         ("tension", "the pull at rest"),
@@ -95,8 +91,8 @@ fn in_space(table: &Table<'_>) -> Option<SpringLaw> {
     for (key, what) in axial {
         if let Some(value) = table.get(key) {
             let message = format!("`{key}` is {what} of an axial spring, and this spring is not axial");
-            let help = "add axial = true, or leave it out".to_owned();
-            return value.refuse(message, "not for this spring", Some(help));
+            let help = "add axial = true, or leave it out";
+            return value.refuse(message, "not for this spring", help);
         }
     }
     Some(SpringLaw::Spatial { stiffness: stiffness?, damping: damping? })
@@ -104,11 +100,8 @@ fn in_space(table: &Table<'_>) -> Option<SpringLaw> {
 
 fn along_the_line(table: &Table<'_>) -> Option<SpringLaw> {
     let stiffness = stiffness(table).and_then(|value| scalar(&value, Dimension::STIFFNESS));
-    let damping = table.get("damping").map_or(Some(0.0), |value| scalar(&value, Dimension::DAMPING));
-    let anchor = match table.get("anchor") {
-        Some(value) => value.vector(Dimension::LENGTH).map(Some),
-        None => Some(None),
-    };
+    let damping = table.read_or("damping", 0.0, |value| scalar(&value, Dimension::DAMPING));
+    let anchor = table.read_or("anchor", None, |value| value.vector(Dimension::LENGTH).map(Some));
     let prestress = prestress(table);
     Some(SpringLaw::Axial {
         stiffness: stiffness?,
@@ -125,9 +118,9 @@ fn prestress(table: &Table<'_>) -> Option<Prestress> {
         (Some(tension), None) => tension.quantity(Dimension::FORCE).map(Prestress::Tension),
         (None, Some(length)) => length.positive(Dimension::LENGTH).map(Prestress::NaturalLength),
         (Some(_), Some(length)) => length.refuse(
-            "the `natural_length` follows from the `tension`".to_owned(),
+            "the `natural_length` follows from the `tension`",
             "given twice",
-            Some("leave out one of the two".to_owned()),
+            "leave out one of the two",
         ),
     }
 }

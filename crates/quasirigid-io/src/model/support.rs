@@ -48,9 +48,10 @@ pub(super) fn table<'a>(file: &Table<'a>) -> Option<(Table<'a>, &'static Kind<Re
 
 fn prescribed(table: &Table<'_>) -> Option<Support> {
     let point = point(table);
-    let acceleration = table
-        .required("acceleration", "acceleration = [\"0\", \"0\", \"0.3*cos(2*t)\"]")
-        .and_then(|value| formulas(&value, &TIME, Dimension::ACCELERATION));
+    let acceleration =
+        table.read("acceleration", "acceleration = [\"0\", \"0\", \"0.3*cos(2*t)\"]", |value| {
+            formulas(&value, &TIME, Dimension::ACCELERATION)
+        });
     let velocity = table.vector_or_zero("velocity", Dimension::VELOCITY);
     let position = table.vector_or_zero("position", Dimension::LENGTH);
     Some(Support::Prescribed {

@@ -66,7 +66,7 @@ pub(super) fn surface(
     materials: &Materials<'_>,
     folder: &Path,
 ) -> Option<(Surface, Extremes)> {
-    let unit = table.get("unit").map_or(Some(1.0), |value| unit(&value));
+    let unit = table.read_or("unit", 1.0, |value| unit(&value));
     let degree = optional(table.get("degree"), |value| value.integer(1..=Surface::MOST));
     let cells = optional(table.get("cells"), |value| value.integer(1..=Surface::MOST_CELLS));
     let file = table.required("file", "file = \"shape.obj\"");
@@ -100,9 +100,8 @@ pub(super) fn unit_of(value: &Value<'_>, dimension: Dimension) -> Option<f64> {
 /// Reads a closed surface; errors of its file are reported at its name.
 pub(super) fn closed(value: &Value<'_>, folder: &Path, unit: f64) -> Option<ClosedSurface> {
     let path = folder.join(value.text()?);
-    let refuse = |message: String, label: &str, help: &str| {
-        value.refuse(format!("`file`: {message}"), label, Some(help.to_owned()))
-    };
+    let refuse =
+        |message: String, label: &str, help: &str| value.refuse(format!("`file`: {message}"), label, help);
     let mesh = match read_triangles(&path) {
         Ok(mesh) => mesh,
         Err(error) => {

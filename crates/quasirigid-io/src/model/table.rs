@@ -95,9 +95,29 @@ impl<'a> Table<'a> {
         value
     }
 
+    /// The value of a key that must be there, read.
+    pub(crate) fn read<T>(
+        &self,
+        key: &'static str,
+        example: &str,
+        read: impl FnOnce(Value<'a>) -> Option<T>,
+    ) -> Option<T> {
+        self.required(key, example).and_then(read)
+    }
+
+    /// The value of a key, read, or a usual one if the key is absent.
+    pub(crate) fn read_or<T>(
+        &self,
+        key: &'static str,
+        usual: T,
+        read: impl FnOnce(Value<'a>) -> Option<T>,
+    ) -> Option<T> {
+        self.get(key).map_or(Some(usual), read)
+    }
+
     /// Three quantities, zero if the key is absent.
     pub(crate) fn vector_or_zero(&self, key: &'static str, dimension: Dimension) -> Option<[f64; 3]> {
-        self.get(key).map_or(Some([0.0; 3]), |value| value.vector(dimension))
+        self.read_or(key, [0.0; 3], |value| value.vector(dimension))
     }
 
     /// The table under a key that stands once, as in `[carrier]`.

@@ -21,7 +21,7 @@ pub(super) fn windows(table: &Table<'_>) -> Option<Option<Windows>> {
         Err(problem) => {
             let at = problem.index().and_then(|index| items.get(index - 1)).map_or(value.span(), Value::span);
             let help = format!("windows have a begin and a later end, in order and apart: {example}");
-            value.refuse_at(at, format!("`during`: {problem}"), "in this window", Some(help))
+            value.refuse_at(at, format!("`during`: {problem}"), "in this window", help)
         }
     }
 }
@@ -42,19 +42,18 @@ pub(super) fn tabled(table: &Table<'_>, key: &'static str, folder: &Path) -> Opt
 /// Refuses what a timetable says already.
 pub(super) fn twice<T>(value: &Value<'_>) -> Option<T> {
     let message = format!("`{}` beside a `timetable`, which has the components at each time", value.key());
-    value.refuse(message, "given twice", Some("leave out one of the two".to_owned()))
+    value.refuse(message, "given twice", "leave out one of the two")
 }
 
 /// Refuses an interpolation of nothing.
 pub(super) fn alone<T>(value: &Value<'_>) -> Option<T> {
-    let message = "`interpolation` is that of a `timetable`, and there is none".to_owned();
-    value.refuse(message, "of what?", Some("add timetable = \"burns.csv\", or leave it out".to_owned()))
+    let message = "`interpolation` is that of a `timetable`, and there is none";
+    value.refuse(message, "of what?", "add timetable = \"burns.csv\", or leave it out")
 }
 
 fn timetable(value: &Value<'_>, table: &Table<'_>, folder: &Path) -> Option<Timetable> {
     let choices = [("held", Interpolation::Held), ("linear", Interpolation::Linear)];
-    let interpolation =
-        table.get("interpolation").map_or(Some(Interpolation::Held), |value| value.choice(&choices));
+    let interpolation = table.read_or("interpolation", Interpolation::Held, |value| value.choice(&choices));
     let found = rows(&folder.join(value.text()?));
     let interpolation = interpolation?;
     let found =
@@ -64,7 +63,7 @@ fn timetable(value: &Value<'_>, table: &Table<'_>, folder: &Path) -> Option<Time
         Err(message) => {
             let help = "the table is looked for beside the model: CSV with the columns t, x, y, z in this order, t in seconds and \
                         ascending, components in N or N m";
-            value.refuse(format!("`timetable`: {message}"), "cannot be used", Some(help.to_owned()))
+            value.refuse(format!("`timetable`: {message}"), "cannot be used", help)
         }
     }
 }

@@ -9,7 +9,7 @@ pub(super) fn uncertainty(value: &Value<'_>, text: &str) -> Option<Vec<Varied>> 
         Ok(template) => template,
         Err(error) => {
             let help = "studies change the text of the model, so all of it must be plain TOML; write a number beyond 9.2e18 as 1e19";
-            return value.refuse(error.to_string(), "cannot be drawn", Some(help.to_owned()));
+            return value.refuse(error.to_string(), "cannot be drawn", help);
         }
     };
     let known = keys.iter().map(|varied| match (&varied.values, template.find(&varied.key)) {
@@ -18,14 +18,11 @@ pub(super) fn uncertainty(value: &Value<'_>, text: &str) -> Option<Vec<Varied>> 
             varied.span.clone(),
             format!("`{}` is uncertain, so it needs a distribution, not a grid", varied.key),
             "no distribution",
-            Some(
-                "write such as { uniform = [1.0, 2.0] } or { log-normal = { median = 100, decades = 1 } }"
-                    .to_owned(),
-            ),
+            "write such as { uniform = [1.0, 2.0] } or { log-normal = { median = 100, decades = 1 } }",
         ),
         (_, Err(error)) => {
-            let help = "name a key of this file by its path, such as \"material.rock.density\"".to_owned();
-            value.refuse_at(varied.span.clone(), error.to_string(), "no such key", Some(help))
+            let help = "name a key of this file by its path, such as \"material.rock.density\"";
+            value.refuse_at(varied.span.clone(), error.to_string(), "no such key", help)
         }
     });
     known.collect::<Vec<_>>().into_iter().collect::<Option<Vec<()>>>()?;

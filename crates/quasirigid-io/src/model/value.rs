@@ -126,7 +126,7 @@ impl<'a> Value<'a> {
             DeValue::Boolean(boolean) => Some(Given::Bool(*boolean)),
             DeValue::Integer(integer) => match i64::from_str_radix(integer.as_str(), integer.radix()) {
                 Ok(integer) => Some(Given::Integer(integer)),
-                Err(_) => self.refuse("an integer beyond 64 bits".to_owned(), "too large", None),
+                Err(_) => self.refuse("an integer beyond 64 bits", "too large", ""),
             },
             DeValue::Float(_) => self.quantity(Dimension::NUMBER).map(Given::Number),
             DeValue::Array(_) => self.list("a list of values", |item| item.given()).map(Given::List),
@@ -145,7 +145,7 @@ impl<'a> Value<'a> {
     pub(crate) fn text(&self) -> Option<&'a str> {
         let help = format!("write the {} in quotes", self.key);
         match self.inner.get_ref().as_str() {
-            Some("") => self.refuse(format!("`{}` is empty", self.key), "an empty text", Some(help)),
+            Some("") => self.refuse(format!("`{}` is empty", self.key), "an empty text", help),
             Some(text) => Some(text),
             None => self.mismatch("a text", &help),
         }
@@ -155,11 +155,11 @@ impl<'a> Value<'a> {
     pub(crate) fn name(&self) -> Option<&'a str> {
         let text = self.text()?;
         if text.contains(['\t', '\n', '\u{b}', '\u{c}', '\r', '\u{85}', '\u{2028}', '\u{2029}']) {
-            let help = "write it without line breaks and tabs".to_owned();
+            let help = "write it without line breaks and tabs";
             return self.refuse(
                 format!("{text:?} is not in one line, as a name is"),
                 "more than a line",
-                Some(help),
+                help,
             );
         }
         Some(text)
@@ -177,7 +177,7 @@ impl<'a> Value<'a> {
             Some(meant) => format!("did you mean {meant:?}? write {list}"),
             None => format!("write {list}"),
         };
-        self.refuse(format!("`{}` cannot be {text:?}", self.key), "unknown word", Some(help))
+        self.refuse(format!("`{}` cannot be {text:?}", self.key), "unknown word", help)
     }
 
     /// A setting that is one of a few.
@@ -205,7 +205,7 @@ impl<'a> Value<'a> {
             Err(cause) => self.refuse(
                 format!("`{}` makes {elements} elements: {cause}", self.key),
                 "too many",
-                Some("write fewer: a body that spins slowly bends in long waves".to_owned()),
+                "write fewer: a body that spins slowly bends in long waves",
             ),
         }
     }
@@ -221,7 +221,7 @@ impl<'a> Value<'a> {
             _ => self.refuse(
                 format!("`{}` is {integer}, but must be {expected}", self.key),
                 "out of range",
-                Some(format!("write {expected}")),
+                format!("write {expected}"),
             ),
         }
     }
@@ -238,7 +238,7 @@ impl<'a> Value<'a> {
             Some(number)
         } else {
             let message = format!("`{}` is {written}, which is not a finite number", self.key);
-            self.refuse(message, "not a finite number", Some(advice(dimension)))
+            self.refuse(message, "not a finite number", advice(dimension))
         }
     }
 
@@ -299,6 +299,15 @@ impl<'a> Value<'a> {
         self.array("numbers", |item| item.quantity(dimension))
     }
 
+    /// Named places, a vector each, in the order of the file; `what` and `help` are for another kind of value.
+    pub(crate) fn places(&self, what: &str, help: &str) -> Option<Vec<(String, [f64; 3])>> {
+        let Some(entries) = self.entries() else { return self.mismatch(what, help) };
+        let mut entries: Vec<_> = entries.collect();
+        entries.sort_by_key(|(span, _)| span.start);
+        let place = |(_, place): (_, Self)| Some((place.key().to_owned(), place.vector(Dimension::LENGTH)?));
+        all(entries.into_iter().map(place).collect())
+    }
+
     /// Three rows of three quantities.
     pub(crate) fn matrix(&self, dimension: Dimension) -> Option<[[f64; 3]; 3]> {
         self.array("rows", |row| row.vector(dimension))
@@ -331,26 +340,28 @@ impl<'a> Value<'a> {
     /// Reports that the value is of another kind than expected.
     pub(crate) fn mismatch<T>(&self, expected: &str, help: &str) -> Option<T> {
         let found = self.found();
-        self.refuse(
-            format!("`{}`: found {found}, expected {expected}", self.key),
-            &found,
-            Some(help.to_owned()),
-        )
+        self.refuse(format!("`{}`: found {found}, expected {expected}", self.key), &found, help)
     }
 
-    /// Reports a problem of the value.
-    pub(crate) fn refuse<T>(&self, message: String, label: &str, help: Option<String>) -> Option<T> {
+    /// Reports a problem of the value; an empty help is none.
+    pub(crate) fn refuse<T>(
+        &self,
+        message: impl Into<String>,
+        label: &str,
+        help: impl Into<String>,
+    ) -> Option<T> {
         self.refuse_at(self.span(), message, label, help)
     }
 
-    /// Reports a problem at a place that belongs to the value.
+    /// Reports a problem at a place that belongs to the value; an empty help is none.
     pub(crate) fn refuse_at<T>(
         &self,
         span: Range<usize>,
-        message: String,
+        message: impl Into<String>,
         label: &str,
-        help: Option<String>,
+        help: impl Into<String>,
     ) -> Option<T> {
+        let help = Some(help.into()).filter(|help| !help.is_empty());
         self.problems.report(Diagnostic { help, ..Diagnostic::new(span, message, label) });
         None
     }
@@ -374,7 +385,7 @@ impl<'a> Value<'a> {
             Ok(number) => Some(number),
             Err(error) => {
                 let message = format!("`{}`: {error}", self.key);
-                self.refuse(message, &format!("{} is needed", dimension.name()), Some(error.advice()))
+                self.refuse(message, &format!("{} is needed", dimension.name()), error.advice())
             }
         }
     }
@@ -383,7 +394,7 @@ impl<'a> Value<'a> {
         let unit = dimension.unit();
         let space = if unit.is_empty() { "" } else { " " };
         let message = format!("`{}` is {number}{space}{unit}, but must be {allowed}", self.key);
-        self.refuse(message, &format!("must be {allowed}"), Some(help))
+        self.refuse(message, &format!("must be {allowed}"), help)
     }
 }
 

@@ -42,7 +42,7 @@ const PRESCRIBED: Keys = Keys { known: &[key("formula", of(Shape::Formula), "in 
 
 /// Reads a `[[wheel]]`.
 pub(super) fn wheel(table: &Table<'_>, name: &str) -> Option<Wheel> {
-    let axis = table.required("axis", "axis = [0, 0, 1]").and_then(|value| value.vector(Dimension::NUMBER));
+    let axis = table.read("axis", "axis = [0, 0, 1]", |value| value.vector(Dimension::NUMBER));
     let speed = match table.get("momentum") {
         Some(momentum) => given_momentum(table, &momentum),
         None => given_speed(table),
@@ -54,8 +54,8 @@ fn given_momentum(table: &Table<'_>, momentum: &Value<'_>) -> Option<WheelSpeed>
     for key in ["inertia", "speed"] {
         if let Some(other) = table.get(key) {
             let message = format!("`{key}` beside `momentum`: the momentum says it already");
-            let help = "give either `momentum`, or `inertia` and `speed`".to_owned();
-            return other.refuse(message, "one of the two", Some(help));
+            let help = "give either `momentum`, or `inertia` and `speed`";
+            return other.refuse(message, "one of the two", help);
         }
     }
     let momentum = momentum.quantity(Dimension::ANGULAR_MOMENTUM)?;
@@ -63,8 +63,7 @@ fn given_momentum(table: &Table<'_>, momentum: &Value<'_>) -> Option<WheelSpeed>
 }
 
 fn given_speed(table: &Table<'_>) -> Option<WheelSpeed> {
-    let inertia =
-        table.required("inertia", "inertia = 0.02").and_then(|value| value.positive(Dimension::INERTIA));
+    let inertia = table.read("inertia", "inertia = 0.02", |value| value.positive(Dimension::INERTIA));
     let speed = table.required("speed", "speed = \"3000 rpm\"")?;
     if !speed.is_table() {
         let speed = speed.quantity(Dimension::ANGULAR_VELOCITY)?;

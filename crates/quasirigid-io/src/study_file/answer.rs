@@ -80,17 +80,13 @@ pub(super) fn answer(value: &Value<'_>) -> Option<Answer> {
     let quantities = list.and_then(|list| {
         let read = list.list("a list of paths", quantity)?;
         if read.is_empty() {
-            return list.refuse(
-                "there are no quantities".to_owned(),
-                "empty",
-                Some("name at least one".to_owned()),
-            );
+            return list.refuse("there are no quantities", "empty", "name at least one");
         }
         Some(read)
     });
-    let times = table.get("times").map_or(Some(Vec::new()), |value| times(&value));
-    let system = table.get("system").map_or(Some(System::Reduced), |value| value.named());
-    let percentiles = table.get("percentiles").map_or(Some(PERCENTILES.to_vec()), |value| {
+    let times = table.read_or("times", Vec::new(), |value| times(&value));
+    let system = table.read_or("system", System::Reduced, |value| value.named());
+    let percentiles = table.read_or("percentiles", PERCENTILES.to_vec(), |value| {
         value.list("a list of percentiles", |item| {
             item.between(Dimension::NUMBER, [0.0, 100.0], "between 0 and 100")
         })
@@ -99,7 +95,7 @@ pub(super) fn answer(value: &Value<'_>) -> Option<Answer> {
     for (index, one) in quantities.iter().enumerate() {
         if quantities[..index].iter().any(|other| other.name == one.name) {
             let message = format!("the quantity `{}` is asked for twice", one.name);
-            return value.refuse_at(one.span.clone(), message, "again", Some("name each once".to_owned()));
+            return value.refuse_at(one.span.clone(), message, "again", "name each once");
         }
     }
     Some(Answer { quantities, times: times?, system: system?, percentiles: percentiles? })
@@ -109,7 +105,7 @@ fn quantity(value: Value<'_>) -> Option<Quantity> {
     let name = value.text()?.to_owned();
     let path = match name.parse::<KeyPath>() {
         Ok(path) => path,
-        Err(error) => return value.refuse(error.to_string(), "not a path", None),
+        Err(error) => return value.refuse(error.to_string(), "not a path", ""),
     };
     let mut names = path.names();
     let first = names.next().unwrap_or_default();
@@ -121,7 +117,7 @@ fn quantity(value: Value<'_>) -> Option<Quantity> {
         return value.refuse(
             format!("a quantity begins with a command, and `{first}` is none"),
             "no command",
-            Some(format!("{meant}the commands are {list}")),
+            format!("{meant}the commands are {list}"),
         );
     };
     let path: Vec<String> = names.map(str::to_owned).collect();
@@ -131,7 +127,7 @@ fn quantity(value: Value<'_>) -> Option<Quantity> {
         return value.refuse(
             format!("`{first}` is a command; name a quantity of its answer"),
             "a command",
-            Some(help),
+            help,
         );
     }
     Some(Quantity { name, command, path, span: value.span() })
@@ -144,11 +140,7 @@ fn times(value: &Value<'_>) -> Option<Vec<(String, f64)>> {
         Some((item.words().map_or_else(|| format!("{seconds} s"), str::to_owned), seconds))
     })?;
     if read.windows(2).any(|pair| !(pair[0].1 < pair[1].1)) {
-        return value.refuse(
-            "the times do not ascend".to_owned(),
-            "in this order",
-            Some("write the earliest first".to_owned()),
-        );
+        return value.refuse("the times do not ascend", "in this order", "write the earliest first");
     }
     Some(read)
 }

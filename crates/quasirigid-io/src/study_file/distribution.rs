@@ -171,5 +171,5 @@ fn possible(value: &Value<'_>, [least, greatest]: [f64; 2], [middle, deviation]:
 }
 
 fn impossible<T>(value: &Value<'_>, reason: &str, help: &str) -> Option<T> {
-    value.refuse(format!("no such distribution: {reason}"), "impossible", Some(help.to_owned()))
+    value.refuse(format!("no such distribution: {reason}"), "impossible", help)
 }

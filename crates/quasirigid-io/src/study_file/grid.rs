@@ -84,16 +84,16 @@ impl Grid {
 /// Reads `{ linear = [first, last], count = n }` or the same with `geometric`.
 pub(super) fn numbers(table: &Table<'_>, key: &'static str) -> Option<Grid> {
     let value = table.get(key)?;
-    let count = table.required("count", "count = 11").and_then(|value| value.integer(2..=MOST));
+    let count = table.read("count", "count = 11", |value| value.integer(2..=MOST));
     let [first, last] = value.array("numbers", Some)?;
     let Measures { numbers, unit } = measures(&[first, last])?;
     let ends = [numbers[0], numbers[1]];
     let geometric = key == "geometric";
     if geometric && !(ends[0] * ends[1].signum() > 0.0 && ends[1] != 0.0) {
         return value.refuse(
-            "a geometric progression needs two numbers of one sign, neither of them zero".to_owned(),
+            "a geometric progression needs two numbers of one sign, neither of them zero",
             "no ratio between these",
-            Some("write both above zero, or take `linear`".to_owned()),
+            "write both above zero, or take `linear`",
         );
     }
     if ends[0] == ends[1]
@@ -101,9 +101,9 @@ pub(super) fn numbers(table: &Table<'_>, key: &'static str) -> Option<Grid> {
         || (geometric && !(ends[1] / ends[0]).is_finite())
     {
         return value.refuse(
-            "a grid needs two different ends".to_owned(),
+            "a grid needs two different ends",
             "no range",
-            Some("write the first and the last value of the grid".to_owned()),
+            "write the first and the last value of the grid",
         );
     }
     Some(Grid::Numbers { ends, count: count?, unit, geometric })
@@ -113,11 +113,7 @@ pub(super) fn numbers(table: &Table<'_>, key: &'static str) -> Option<Grid> {
 pub(super) fn list(value: &Value<'_>) -> Option<Grid> {
     let values = value.list("a list of values", |item| item.given())?;
     if values.is_empty() {
-        return value.refuse(
-            "the list is empty".to_owned(),
-            "no values",
-            Some("write at least one value".to_owned()),
-        );
+        return value.refuse("the list is empty", "no values", "write at least one value");
     }
     Some(Grid::List(values))
 }

@@ -23,7 +23,7 @@ pub(super) fn measures(values: &[Value<'_>]) -> Option<Measures> {
             return value.refuse(
                 format!("`{}`: a number without a unit beside {text:?}", value.key()),
                 "no unit",
-                Some(format!("write it in quotes with its unit, such as \"1 {}\"", unit.unit)),
+                format!("write it in quotes with its unit, such as \"1 {}\"", unit.unit),
             );
         };
         let other = measure(value, text)?;
@@ -35,7 +35,7 @@ pub(super) fn measures(values: &[Value<'_>]) -> Option<Measures> {
                     unit.unit
                 ),
                 "another dimension",
-                Some(format!("write all in units such as {}", unit.unit)),
+                format!("write all in units such as {}", unit.unit),
             )
         })
     });
@@ -48,7 +48,7 @@ fn plain(value: &Value<'_>) -> Option<f64> {
         return value.refuse(
             format!("`{}`: a number with a unit beside one without", value.key()),
             "a unit",
-            Some("write all with units, or all as plain numbers in SI units".to_owned()),
+            "write all with units, or all as plain numbers in SI units",
         );
     }
     value.quantity(Dimension::NUMBER)
@@ -60,7 +60,7 @@ fn measure<'a>(value: &Value<'_>, text: &'a str) -> Option<Measure<'a>> {
         Err(error) => value.refuse(
             format!("`{}`: {error}", value.key()),
             "a number with its unit is needed",
-            Some(error.advice()),
+            error.advice(),
         ),
     }
 }

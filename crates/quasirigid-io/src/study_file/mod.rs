@@ -143,12 +143,12 @@ fn content(source: &Source, problems: &Problems<'_>) -> Option<StudyFile> {
     let tree = syntax::tree(&source.text, problems)?;
     let file = Table::new("the study", 0..0, &tree, &STUDY, &|_| None, problems);
     let folder = source.file.parent().unwrap_or(Path::new(""));
-    let model = file.required("model", "model = \"model.toml\"").and_then(|value| value.text());
-    let seed = file.get("seed").map_or(Some(0), |value| value.integer(0..=i64::MAX as usize));
+    let model = file.read("model", "model = \"model.toml\"", |value| value.text());
+    let seed = file.read_or("seed", 0, |value| value.integer(0..=i64::MAX as usize));
     let samples = file.get("samples").map(|value| value.integer(1..=MOST_SAMPLES));
-    let sampling = file.get("sampling").map_or(Some(Sampling::Random), |value| value.named());
-    let part = file.get("part").map_or(Some(PART), |value| value.integer(1..=MOST_IN_PART));
-    let vary = file.get("vary").map_or(Some(Vec::new()), |value| vary::vary(&value));
+    let sampling = file.read_or("sampling", Sampling::Random, |value| value.named());
+    let part = file.read_or("part", PART, |value| value.integer(1..=MOST_IN_PART));
+    let vary = file.read_or("vary", Vec::new(), |value| vary::vary(&value));
     let table = file.get("table").map(|value| table::table(&value, folder));
     let answer = match file.required("answer", "[answer] with quantities = [\"evolve.time\"]") {
         Some(value) => answer::answer(&value),
@@ -172,7 +172,7 @@ fn content(source: &Source, problems: &Problems<'_>) -> Option<StudyFile> {
         return file.get("samples")?.refuse(
             format!("`samples` is {samples}, but a Sobol sequence here has at most {MOST_SOBOL}"),
             "too many for this sampling",
-            Some("write sampling = \"random\" or \"latin-hypercube\", or fewer samples".to_owned()),
+            "write sampling = \"random\" or \"latin-hypercube\", or fewer samples",
         );
     }
     if vary.is_empty() && table.is_none() && samples == 1 {

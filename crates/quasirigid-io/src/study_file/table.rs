@@ -81,14 +81,14 @@ fn column(value: &Value<'_>) -> Option<TableColumn> {
     };
     let path = match key.text()?.parse::<KeyPath>() {
         Ok(path) => path,
-        Err(error) => return key.refuse(error.to_string(), "not a path", None),
+        Err(error) => return key.refuse(error.to_string(), "not a path", ""),
     };
     let unit = match unit {
         None => None,
         Some(unit) => {
             let text = unit.text()?;
             if let Err(error) = Measure::parse(&format!("1 {text}")) {
-                return unit.refuse(format!("`unit`: {error}"), "no unit", Some(error.advice()));
+                return unit.refuse(format!("`unit`: {error}"), "no unit", error.advice());
             }
             Some(text.to_owned())
         }

@@ -63,12 +63,12 @@ pub(crate) fn vary(value: &Value<'_>) -> Option<Vec<Varied>> {
     let read: Vec<Varied> = read.into_iter().collect::<Option<_>>()?;
     for (index, one) in read.iter().enumerate() {
         if read[..index].iter().any(|other| other.key.names().eq(one.key.names())) {
-            let help = "vary each key once".to_owned();
+            let help = "vary each key once";
             return value.refuse_at(
                 one.span.clone(),
                 format!("`{}` is varied twice", one.key),
                 "again",
-                Some(help),
+                help,
             );
         }
     }
@@ -84,8 +84,8 @@ fn varied(span: Range<usize>, value: &Value<'_>) -> Option<Varied> {
     let key = match value.key().parse::<KeyPath>() {
         Ok(key) => key,
         Err(error) => {
-            let help = "write the path of a key in quotes, such as \"spring.boom.stiffness\"".to_owned();
-            return value.refuse_at(span, error.to_string(), "not a path", Some(help));
+            let help = "write the path of a key in quotes, such as \"spring.boom.stiffness\"";
+            return value.refuse_at(span, error.to_string(), "not a path", help);
         }
     };
     let kind = KINDS.into_iter().find(|kind| value.entry(kind).is_some());
@@ -114,11 +114,7 @@ fn varied(span: Range<usize>, value: &Value<'_>) -> Option<Varied> {
         None => {
             value.table("the values of a key", &ANY)?;
             let message = format!("`{key}` has no values");
-            return value.refuse(
-                message,
-                "no values",
-                Some(format!("write one of {}: {help}", KINDS.join(", "))),
-            );
+            return value.refuse(message, "no values", format!("write one of {}: {help}", KINDS.join(", ")));
         }
     };
     Some(Varied { key, span: value.span(), values })

@@ -6,21 +6,46 @@ import copy
 import html
 import math
 import os
+from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, NoReturn, Self
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from quasirigid import _arguments, _core
+from quasirigid import _arguments, _core, _settings
 from quasirigid._errors import InputError, Refused
-from quasirigid._table import Table
+from quasirigid._progress import Progress, observer
+from quasirigid._property import Named, column, entry, part
+from quasirigid._table import Table, Tabled
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-    from quasirigid._progress import Progress
-
 __all__ = ["AboutSpin", "Answer", "Check", "Evolution", "History", "Modes", "Run", "Verification"]
+
+
+def _array(values: list[float | None]) -> NDArray[np.float64]:
+    return np.array([math.nan if value is None else value for value in values], dtype=np.float64)
+
+
+def _of_each(key: str) -> Callable[[list[dict[str, Any]]], NDArray[np.float64]]:
+    return lambda modes: _array([mode[key] for mode in modes])
+
+
+def _copy(table: dict[str, Any]) -> dict[str, Any]:
+    return copy.deepcopy(table)
+
+
+def _copies(tables: list[dict[str, Any]]) -> list[dict[str, Any]]:
+    return copy.deepcopy(tables)
+
+
+def _time(doc: str) -> Named[float]:
+    return Named(lambda answer, name: float(answer._parts["numbers"][name]), doc)
+
+
+def _number(doc: str) -> Named[float | None]:
+    return Named(lambda answer, name: None if math.isnan(value := float(answer._parts["numbers"][name])) else value, doc)
 
 
 class Answer:
@@ -42,20 +67,9 @@ class Answer:
         columns = parts.get("columns")
         self._table = None if columns is None else Table(columns)
 
-    @property
-    def holds(self) -> bool:
-        """Whether the answer holds; the program's exit code is 0 then."""
-        return bool(self._parts["holds"])
-
-    @property
-    def sentence(self) -> str:
-        """The answer in one or two sentences."""
-        return str(self._parts["sentence"])
-
-    @property
-    def notes(self) -> list[str]:
-        """Notes to read before the numbers."""
-        return list(self._parts["notes"])
+    holds = part(bool, "Whether the answer holds; the program's exit code is 0 then.")
+    sentence = part(str, "The answer in one or two sentences.")
+    notes = part(list[str], "Notes to read before the numbers.")
 
     def to_dict(self) -> dict[str, Any]:
         """The object that the program prints with ``--json``, SI units throughout; a copy.
@@ -104,19 +118,11 @@ class Answer:
         columns = None if self._table is None else self._table
         return _answer, (type(self), {**self._parts, "columns": None}, columns)
 
-    def _number(self, name: str) -> float | None:
-        value = float(self._parts["numbers"][name])
-        return None if math.isnan(value) else value
-
 
 def _answer(kind: type[Answer], parts: dict[str, Any], table: Table | None) -> Answer:
     answer = kind(parts)
     answer._table = table
     return answer
-
-
-def _array(values: list[float | None]) -> NDArray[np.float64]:
-    return np.array([math.nan if value is None else value for value in values], dtype=np.float64)
 
 
 class Check(Answer):
@@ -130,85 +136,22 @@ class Check(Answer):
 
     __slots__ = ()
 
-    @property
-    def valid(self) -> bool:
-        """Whether no criterion of the motion fails."""
-        return bool(self._parts["json"]["valid"])
-
-    @property
-    def verdict(self) -> str:
-        """``holds``, ``marginal`` or ``fails``, of the motion."""
-        return str(self._parts["json"]["verdict"])
-
-    @property
-    def dissipation_verdict(self) -> str:
-        """The same of the power that is dissipated."""
-        return str(self._parts["json"]["dissipation_verdict"])
-
-    @property
-    def averages(self) -> str:
-        """The same of averages along rigid polhodes."""
-        return str(self._parts["json"]["averages"])
-
-    @property
-    def reasons(self) -> list[str]:
-        """Sentences of the criteria that do not hold, the worst first."""
-        return list(self._parts["json"]["reasons"])
-
-    @property
-    def T1(self) -> float:
-        """Longest period of free vibration (s)."""
-        return float(self._parts["numbers"]["T1"])
-
-    @property
-    def T2(self) -> float:
-        """Time in which the slowest free vibration decays by e (s); infinite without damping."""
-        return float(self._parts["numbers"]["T2"])
-
-    @property
-    def T3(self) -> float:
-        """Time of the spin, 1/|ω| (s)."""
-        return float(self._parts["numbers"]["T3"])
-
-    @property
-    def frequencies(self) -> NDArray[np.float64]:
-        """Elastic frequencies (rad/s), ascending, ``(n,)``."""
-        return _array(self._parts["json"]["frequencies"])
-
-    @property
-    def free_frequencies(self) -> NDArray[np.float64]:
-        """The same of the body that is free to turn (rad/s), ``(n,)``."""
-        return _array(self._parts["json"]["free_frequencies"])
-
-    @property
-    def decay_rates(self) -> NDArray[np.float64]:
-        """Decay rates of the free vibrations (1/s), ``(n,)``."""
-        return _array(self._parts["json"]["decay_rates"])
-
-    @property
-    def relaxation_times(self) -> NDArray[np.float64]:
-        """Times in which rotors and liquids come to rest (s), descending, ``(n,)``."""
-        return _array(self._parts["json"]["relaxation_times"])
-
-    @property
-    def criteria(self) -> list[dict[str, Any]]:
-        """Every criterion: ``name``, ``symbol``, ``value``, ``limit``, ``verdict``, ``sentence``."""
-        return copy.deepcopy(self._parts["json"]["criteria"])
-
-    @property
-    def dissipation(self) -> dict[str, float]:
-        """Shares of the dissipators in the power, by name."""
-        return dict(self._parts["json"]["dissipation"])
-
-    @property
-    def optimal_order(self) -> int:
-        """Order at which the terms of the series are smallest at this spin."""
-        return int(self._parts["json"]["optimal_order"])
-
-    @property
-    def steady_spins(self) -> list[dict[str, Any]]:
-        """Steady spins with the modes about them."""
-        return copy.deepcopy(self._parts["json"]["steady_spins"])
+    valid = entry(bool, "Whether no criterion of the motion fails.")
+    verdict = entry(str, "``holds``, ``marginal`` or ``fails``, of the motion.")
+    dissipation_verdict = entry(str, "The same of the power that is dissipated.")
+    averages = entry(str, "The same of averages along rigid polhodes.")
+    reasons = entry(list[str], "Sentences of the criteria that do not hold, the worst first.")
+    T1 = _time("Longest period of free vibration (s).")
+    T2 = _time("Time in which the slowest free vibration decays by e (s); infinite without damping.")
+    T3 = _time("Time of the spin, 1/|ω| (s).")
+    frequencies = entry(_array, "Elastic frequencies (rad/s), ascending, ``(n,)``.")
+    free_frequencies = entry(_array, "The same of the body that is free to turn (rad/s), ``(n,)``.")
+    decay_rates = entry(_array, "Decay rates of the free vibrations (1/s), ``(n,)``.")
+    relaxation_times = entry(_array, "Times in which rotors and liquids come to rest (s), descending, ``(n,)``.")
+    criteria = entry(_copies, "Every criterion: ``name``, ``symbol``, ``value``, ``limit``, ``verdict``, ``sentence``.")
+    dissipation = entry(dict[str, float], "Shares of the dissipators in the power, by name.")
+    optimal_order = entry(int, "Order at which the terms of the series are smallest at this spin.")
+    steady_spins = entry(_copies, "Steady spins with the modes about them.")
 
 
 class Modes(Answer):
@@ -222,10 +165,10 @@ class Modes(Answer):
 
     __slots__ = ()
 
-    @property
-    def steady_spins(self) -> list[dict[str, Any]]:
-        """Every steady spin, with ``sentence``, ``axis``, ``spin``, ``momentum``, ``energy``, ``stable`` and ``modes``."""
-        return copy.deepcopy(self._parts["json"]["steady_spins"])
+    steady_spins = entry(
+        _copies,
+        "Every steady spin, with ``sentence``, ``axis``, ``spin``, ``momentum``, ``energy``, ``stable`` and ``modes``.",
+    )
 
     @property
     def spin(self) -> NDArray[np.float64] | None:
@@ -233,10 +176,7 @@ class Modes(Answer):
         spin = self._parts["json"]["spin"]
         return None if spin is None else _array(spin)
 
-    @property
-    def stable(self) -> bool:
-        """Whether no small motion about the first steady spin grows."""
-        return bool(self._parts["json"]["stable"])
+    stable = entry(bool, "Whether no small motion about the first steady spin grows.")
 
     def require_stable(self) -> Self:
         """The answer itself, if no small motion about the first steady spin grows: a spin that is unstable has modes all the same.
@@ -274,27 +214,19 @@ class Modes(Answer):
         names = ", ".join(dict.fromkeys(str(mode["name"]) for mode in self.modes))
         raise KeyError(f"{name!r} is no mode; the modes are {names}")
 
-    @property
-    def modes(self) -> list[dict[str, Any]]:
+    modes = entry(
+        _copies,
         """Modes about the first steady spin, the nutation first, overdamped ones last: ``name``, ``neutral``, ``overdamped``,
         ``decay_rate`` (1/s), ``frequency`` (rad/s),
-        ``time_constant`` (s), ``damping_ratio``, ``seen_from_outside`` (rad/s), shares ``moves`` and ``dissipation``."""
-        return copy.deepcopy(self._parts["json"]["modes"])
-
-    @property
-    def decay_rates(self) -> NDArray[np.float64]:
-        """Decay rates of the modes (1/s), negative for one that grows, ``(n,)``."""
-        return _array([mode["decay_rate"] for mode in self._parts["json"]["modes"]])
-
-    @property
-    def frequencies(self) -> NDArray[np.float64]:
-        """Frequencies of the modes in body axes (rad/s), ``(n,)``."""
-        return _array([mode["frequency"] for mode in self._parts["json"]["modes"]])
-
-    @property
-    def time_constants(self) -> NDArray[np.float64]:
-        """Times in which the modes fall by e (s), negative for one that grows, NaN for a neutral one, ``(n,)``."""
-        return _array([mode["time_constant"] for mode in self._parts["json"]["modes"]])
+        ``time_constant`` (s), ``damping_ratio``, ``seen_from_outside`` (rad/s), shares ``moves`` and ``dissipation``.""",
+    )
+    decay_rates = entry(_of_each("decay_rate"), "Decay rates of the modes (1/s), negative for one that grows, ``(n,)``.", "modes")
+    frequencies = entry(_of_each("frequency"), "Frequencies of the modes in body axes (rad/s), ``(n,)``.", "modes")
+    time_constants = entry(
+        _of_each("time_constant"),
+        "Times in which the modes fall by e (s), negative for one that grows, NaN for a neutral one, ``(n,)``.",
+        "modes",
+    )
 
     def plot(self) -> Figure:
         """Decay rates against frequencies of the modes of every steady spin (needs matplotlib)."""
@@ -318,41 +250,21 @@ class AboutSpin(Answer):
 
     __slots__ = ()
 
-    @property
-    def spin(self) -> NDArray[np.float64]:
-        """Angular velocity of the steady spin (rad/s), body axes, ``(3,)``."""
-        return _array(self._parts["json"]["spin"])
-
-    @property
-    def angular_momentum(self) -> NDArray[np.float64]:
-        """Angular momentum of the steady spin (N·m·s), body axes, ``(3,)``."""
-        return _array(self._parts["json"]["angular_momentum"])
-
-    @property
-    def axis(self) -> str:
-        """``least`` or ``greatest``: the principal axis of the steady spin."""
-        return str(self._parts["json"]["axis"])
-
-    @property
-    def degree(self) -> int:
-        """Degree in the amplitude."""
-        return int(self._parts["json"]["degree"])
-
-    @property
-    def style(self) -> str:
-        """``normal-form`` or ``graph``."""
-        return str(self._parts["json"]["style"])
-
-    @property
-    def masters(self) -> list[dict[str, Any]]:
-        """Modes that the equations follow, the nutation first: ``name``, ``decay_rate`` (1/s), ``time_constant`` (s), ``frequency`` (rad/s)."""
-        return copy.deepcopy(self._parts["json"]["masters"])
-
-    @property
-    def range(self) -> dict[str, Any]:
+    spin = entry(_array, "Angular velocity of the steady spin (rad/s), body axes, ``(3,)``.")
+    angular_momentum = entry(_array, "Angular momentum of the steady spin (N·m·s), body axes, ``(3,)``.")
+    axis = entry(str, "``least`` or ``greatest``: the principal axis of the steady spin.")
+    degree = entry(int, "Degree in the amplitude.")
+    style = entry(str, "``normal-form`` or ``graph``.")
+    masters = entry(
+        _copies,
+        "Modes that the equations follow, the nutation first: ``name``, ``decay_rate`` (1/s), ``time_constant`` (s), "
+        "``frequency`` (rad/s).",
+    )
+    range = entry(
+        _copy,
         """Range: ``nutation`` and ``amplitude`` (rad) to which the equations leave less than ``share`` of motion and dissipation;
-        ``beyond`` if it reaches as far as was looked."""
-        return copy.deepcopy(self._parts["json"]["range"])
+        ``beyond`` if it reaches as far as was looked.""",
+    )
 
     @property
     def start(self) -> dict[str, Any] | None:
@@ -368,20 +280,15 @@ class AboutSpin(Answer):
         assert self._table is not None
         return self._table
 
-    @property
-    def outer(self) -> list[dict[str, Any]]:
-        """Modes left out: ``name``, ``decay_rate`` (1/s), ``frequency`` (rad/s)."""
-        return copy.deepcopy(self._parts["json"]["outer"])
-
-    @property
-    def resonances(self) -> list[dict[str, Any]]:
-        """Near resonances of monomials with modes left out, nearest first: ``exponents``, ``name``, ``frequency``, ``distance``."""
-        return copy.deepcopy(self._parts["json"]["resonances"])
-
-    @property
-    def variables(self) -> list[str]:
-        """Names of the coordinates, to which the exponents belong: ``z1``, its conjugate ``z1*``, and those of the next master."""
-        return list(self._parts["json"]["variables"])
+    outer = entry(_copies, "Modes left out: ``name``, ``decay_rate`` (1/s), ``frequency`` (rad/s).")
+    resonances = entry(
+        _copies,
+        "Near resonances of monomials with modes left out, nearest first: ``exponents``, ``name``, ``frequency``, ``distance``.",
+    )
+    variables = entry(
+        list[str],
+        "Names of the coordinates, to which the exponents belong: ``z1``, its conjugate ``z1*``, and those of the next master.",
+    )
 
     def coefficients(self, master: int = 0) -> tuple[NDArray[np.int64], NDArray[np.complex128]]:
         """Coefficients of the rate of a master: exponents ``(n, variables)`` and complex values ``(n,)``, with
@@ -419,49 +326,19 @@ class AboutSpin(Answer):
         """
         if self.start is None:
             raise InputError("the start does not circle this axis; leave out axis")
-        model = self._parts["model"]
-        history: History = model._about_spin_history(
-            self._parts["settings"],
-            duration=duration,
-            samples=samples,
-            times=times,
-            tolerance=tolerance,
-            coordinates=coordinates,
-            displacements=displacements,
-            progress=progress,
-        )
-        return history
+        settings = _settings.run(duration, samples, tolerance, times=times)
+        table = _settings.table("spin-manifold", self._parts["settings"], coordinates, displacements, times)
+        with observer(progress) as watch:
+            return History(self._parts["model"]._core.simulate(settings, table, None, watch))
 
 
-class _Tabled(Answer):
+class _Tabled(Answer, Tabled):
     """Answer with a table."""
 
     __slots__ = ()
 
-    @property
-    def table(self) -> Table:
-        """The table, with every column."""
-        assert self._table is not None
-        return self._table
-
-    @property
-    def units(self) -> dict[str, str]:
-        """SI units of the columns."""
-        return self.table.units
-
-    @property
-    def t(self) -> NDArray[np.float64]:
-        """Times of the rows (s), ``(rows,)``."""
-        return self._column("t")
-
-    @property
-    def energy(self) -> NDArray[np.float64]:
-        """Energy (J), ``(rows,)``."""
-        return self._column("energy")
-
-    def _column(self, name: str) -> NDArray[np.float64]:
-        column: NDArray[np.float64] = self.table[name]
-        return column
+    t = column("Times of the rows (s), ``(rows,)``.")
+    energy = column("Energy (J), ``(rows,)``.")
 
     def __getitem__(self, name: str) -> Any:
         """A column of the table by its name."""
@@ -470,14 +347,6 @@ class _Tabled(Answer):
     def __iter__(self) -> NoReturn:
         """Refuses: an answer is no list of its rows."""
         raise TypeError(f"a {type(self).__name__} is not iterable; take columns by name, or its table")
-
-    def __arrow_c_schema__(self) -> object:
-        """The types of the columns of the table, for libraries that speak Arrow."""
-        return self.table.__arrow_c_schema__()
-
-    def __arrow_c_stream__(self, requested_schema: object | None = None) -> object:
-        """The rows of the table, for libraries that speak Arrow."""
-        return self.table.__arrow_c_stream__(requested_schema)
 
 
 class History(_Tabled):
@@ -494,50 +363,18 @@ class History(_Tabled):
 
     __slots__ = ()
 
-    @property
-    def system(self) -> str:
-        """``full``, ``reduced``, ``rigid`` or ``manifold``."""
-        return str(self._parts["json"]["system"])
-
-    @property
-    def status(self) -> str:
-        """``finished``, ``event``, or why the history ended early."""
-        return str(self._parts["json"]["status"])
-
-    @property
-    def angular_velocity(self) -> NDArray[np.float64]:
-        """Angular velocity (rad/s), body axes, ``(rows, 3)``."""
-        return self.table.stack("wx", "wy", "wz")
-
-    @property
-    def attitude(self) -> NDArray[np.float64]:
-        """Attitude: unit quaternion, scalar first, that turns body components into inertial ones, ``(rows, 4)``."""
-        return self.table.stack("qw", "qx", "qy", "qz")
-
-    @property
-    def momentum(self) -> NDArray[np.float64]:
-        """Size of the angular momentum (N·m·s), ``(rows,)``."""
-        return self._column("momentum")
-
-    @property
-    def dissipated(self) -> NDArray[np.float64]:
-        """Energy dissipated since the start (J), ``(rows,)``."""
-        return self._column("dissipated")
-
-    @property
-    def energy_drift(self) -> NDArray[np.float64]:
-        """Change of energy made by the integrator alone since the start (J), ``(rows,)``."""
-        return self._column("energy_drift")
-
-    @property
-    def dissipation(self) -> dict[str, float]:
-        """Shares of the dissipators in the energy dissipated, by name."""
-        return dict(self._parts["json"]["dissipation"])
-
-    @property
-    def turns(self) -> float:
-        """Revolutions made, ∫|ω|dt / 2π."""
-        return float(self._parts["json"]["turns"])
+    system = entry(str, "``full``, ``reduced``, ``rigid`` or ``manifold``.")
+    status = entry(str, "``finished``, ``event``, or why the history ended early.")
+    angular_velocity = column("Angular velocity (rad/s), body axes, ``(rows, 3)``.", "wx", "wy", "wz")
+    attitude = column(
+        "Attitude: unit quaternion, scalar first, that turns body components into inertial ones, ``(rows, 4)``.",
+        "qw", "qx", "qy", "qz",
+    )
+    momentum = column("Size of the angular momentum (N·m·s), ``(rows,)``.")
+    dissipated = column("Energy dissipated since the start (J), ``(rows,)``.")
+    energy_drift = column("Change of energy made by the integrator alone since the start (J), ``(rows,)``.")
+    dissipation = entry(dict[str, float], "Shares of the dissipators in the energy dissipated, by name.")
+    turns = entry(float, "Revolutions made, ∫|ω|dt / 2π.")
 
     def plot(self) -> Figure:
         """Angular velocity and energy against time (needs matplotlib)."""
@@ -562,40 +399,13 @@ class Evolution(_Tabled):
 
     __slots__ = ()
 
-    @property
-    def status(self) -> str:
-        """``finished``, ``refused``, ``does-not-hold``, or how the evolution ended before its target."""
-        return str(self._parts["json"]["status"])
-
-    @property
-    def message(self) -> str:
-        """End of the evolution, in a sentence."""
-        return str(self._parts["json"]["message"])
-
-    @property
-    def time(self) -> float | None:
-        """Time from the start to the end (s); infinite where the end is never reached, ``None`` where no method holds."""
-        return self._number("time")
-
-    @property
-    def turns(self) -> float | None:
-        """Revolutions about the angular momentum; infinite or ``None`` as ``time``."""
-        return self._number("turns")
-
-    @property
-    def power(self) -> float | None:
-        """Mean power dissipated at the start (W); ``None`` where no method holds."""
-        return self._number("power")
-
-    @property
-    def damping_time(self) -> float | None:
-        """Time in which a small wobble about the axis of greatest inertia decays by e (s); ``None`` if not known."""
-        return self._number("damping_time")
-
-    @property
-    def growth_time(self) -> float | None:
-        """Time in which a small wobble about the axis of least inertia grows by e (s); ``None`` if not known."""
-        return self._number("growth_time")
+    status = entry(str, "``finished``, ``refused``, ``does-not-hold``, or how the evolution ended before its target.")
+    message = entry(str, "End of the evolution, in a sentence.")
+    time = _number("Time from the start to the end (s); infinite where the end is never reached, ``None`` where no method holds.")
+    turns = _number("Revolutions about the angular momentum; infinite or ``None`` as ``time``.")
+    power = _number("Mean power dissipated at the start (W); ``None`` where no method holds.")
+    damping_time = _number("Time in which a small wobble about the axis of greatest inertia decays by e (s); ``None`` if not known.")
+    growth_time = _number("Time in which a small wobble about the axis of least inertia grows by e (s); ``None`` if not known.")
 
     @property
     def time_error(self) -> float | None:
@@ -634,15 +444,8 @@ class Evolution(_Tabled):
         """The same at the end."""
         return str(self._parts["json"]["mode"]["end"])
 
-    @property
-    def method(self) -> str:
-        """Method by which the evolution was followed, in words."""
-        return str(self._parts["json"]["method"])
-
-    @property
-    def dissipation(self) -> dict[str, float]:
-        """Shares of the dissipators in ``power``, by name."""
-        return dict(self._parts["json"]["dissipation"])
+    method = entry(str, "Method by which the evolution was followed, in words.")
+    dissipation = entry(dict[str, float], "Shares of the dissipators in ``power``, by name.")
 
     def plot(self) -> Figure:
         """Wobble and energy against time (needs matplotlib).
@@ -666,15 +469,8 @@ class Verification(Answer):
 
     __slots__ = ()
 
-    @property
-    def reached(self) -> bool:
-        """Whether every order was reached."""
-        return bool(self._parts["json"]["reached"])
-
-    @property
-    def orders(self) -> list[dict[str, Any]]:
-        """One entry for each order: ``p``, ``order`` (measured), ``expected``, ``reached``, ``epsilons``, ``errors``."""
-        return copy.deepcopy(self._parts["json"]["orders"])
+    reached = entry(bool, "Whether every order was reached.")
+    orders = entry(_copies, "One entry for each order: ``p``, ``order`` (measured), ``expected``, ``reached``, ``epsilons``, ``errors``.")
 
     def plot(self) -> Figure:
         """Differences against ε, with their orders (needs matplotlib)."""

@@ -11,6 +11,7 @@ from quasirigid import _arguments, _core
 from quasirigid._ensemble import _Rows
 from quasirigid._errors import InputError
 from quasirigid._progress import Progress, observer
+from quasirigid._property import column
 
 __all__ = ["EllipsoidEvolutions", "evolve_ellipsoids"]
 
@@ -34,25 +35,10 @@ class EllipsoidEvolutions(_Rows):
         self.holds: NDArray[np.bool_] = parts["holds"]
         """Whether each row holds, ``(n,)``."""
 
-    @property
-    def time(self) -> NDArray[np.float64]:
-        """Times from the start to the end (s)."""
-        return self._column("time")
-
-    @property
-    def turns(self) -> NDArray[np.float64]:
-        """Revolutions about the angular momentum."""
-        return self._column("turns")
-
-    @property
-    def power(self) -> NDArray[np.float64]:
-        """Mean powers dissipated at the start (W)."""
-        return self._column("power")
-
-    @property
-    def error(self) -> NDArray[np.float64]:
-        """Bounds of the relative errors of the times, of the average and of its quadrature."""
-        return self._column("error")
+    time = column("Times from the start to the end (s).")
+    turns = column("Revolutions about the angular momentum.")
+    power = column("Mean powers dissipated at the start (W).")
+    error = column("Bounds of the relative errors of the times, of the average and of its quadrature.")
 
     @property
     def status(self) -> list[str]:

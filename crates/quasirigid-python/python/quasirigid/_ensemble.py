@@ -9,7 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from quasirigid import _core
-from quasirigid._table import Table
+from quasirigid._property import column, part, texts
+from quasirigid._table import Table, Tabled
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -64,7 +65,25 @@ class _Rows:
         return f"{self.sentence}\n(quasirigid.{type(self).__name__})"
 
 
-class Evolutions(_Rows):
+class _Noted(_Rows):
+    """Rows whose status, message and notes are parts of the answer."""
+
+    __slots__ = ("_parts", "holds")
+
+    def __init__(self, parts: dict[str, Any]) -> None:
+        self._parts = parts
+        self.holds: NDArray[np.bool_] = parts["holds"]
+        """Whether each row holds, ``(n,)``."""
+
+    message = part(list[str], "Status of each row in a sentence.")
+
+    @property
+    def notes(self) -> list[list[str]]:
+        """Notes to read before the numbers, for each row."""
+        return [list(notes) for notes in self._parts["notes"]]
+
+
+class Evolutions(_Rows, Tabled):
     """Secular evolutions from many starts; attributes are arrays ``(n,)`` in the order of the starts.
 
     ``time``, ``turns``, ``power``, ``ratio_start``, ``ratio_end`` and ``separatrix_time`` are NaN in rows where no method holds.
@@ -77,85 +96,24 @@ class Evolutions(_Rows):
     ([True, True, False], 'error', [False, False, True])
     """
 
-    __slots__ = ("holds", "table")
+    __slots__ = ("_table", "holds")
 
     def __init__(self, columns: _core.Columns) -> None:
-        self.table = Table(columns)
-        """All columns, with units; Arrow libraries read it."""
+        self._table = Table(columns)
         self.holds = np.array([status == "finished" for status in self.table["status"]], dtype=np.bool_)
         """Whether each row holds, ``(n,)``."""
 
-    @property
-    def status(self) -> list[str]:
-        """``finished``, ``refused``, ``does-not-hold``, ``error``, or how the evolution ended before its target."""
-        return list(self.table["status"])
-
-    @property
-    def message(self) -> list[str]:
-        """Status of each row in a sentence."""
-        return list(self.table["message"])
-
-    @property
-    def initial(self) -> NDArray[np.float64]:
-        """Angular velocities at the start (rad/s), body axes, ``(n, 3)``."""
-        return self.table.stack("wx", "wy", "wz")
-
-    @property
-    def time(self) -> NDArray[np.float64]:
-        """Times from the start to the end (s); infinite where the end is never reached."""
-        return self._column("time")
-
-    @property
-    def turns(self) -> NDArray[np.float64]:
-        """Revolutions about the angular momentum."""
-        return self._column("turns")
-
-    @property
-    def power(self) -> NDArray[np.float64]:
-        """Mean powers dissipated at the start (W)."""
-        return self._column("power")
-
-    @property
-    def ratio_start(self) -> NDArray[np.float64]:
-        """``D/I₃`` at the start."""
-        return self._column("ratio_start")
-
-    @property
-    def ratio_end(self) -> NDArray[np.float64]:
-        """``D/I₃`` at the end."""
-        return self._column("ratio_end")
-
-    @property
-    def separatrix_time(self) -> NDArray[np.float64]:
-        """Times from the start to the separatrix (s); NaN where it is not passed."""
-        return self._column("separatrix_time")
-
-    @property
-    def damping_time(self) -> NDArray[np.float64]:
-        """Times in which a small wobble about the axis of greatest inertia decays by e (s)."""
-        return self._column("damping_time")
-
-    @property
-    def growth_time(self) -> NDArray[np.float64]:
-        """Times in which a small wobble about the axis of least inertia grows by e (s)."""
-        return self._column("growth_time")
-
-    @property
-    def units(self) -> dict[str, str]:
-        """SI units of the columns of the table."""
-        return self.table.units
-
-    def _column(self, name: str) -> NDArray[np.float64]:
-        column: NDArray[np.float64] = self.table[name]
-        return column
-
-    def __arrow_c_schema__(self) -> object:
-        """The types of the columns of the table, for libraries that speak Arrow."""
-        return self.table.__arrow_c_schema__()
-
-    def __arrow_c_stream__(self, requested_schema: object | None = None) -> object:
-        """The rows of the table, for libraries that speak Arrow."""
-        return self.table.__arrow_c_stream__(requested_schema)
+    status = texts("``finished``, ``refused``, ``does-not-hold``, ``error``, or how the evolution ended before its target.")
+    message = texts("Status of each row in a sentence.")
+    initial = column("Angular velocities at the start (rad/s), body axes, ``(n, 3)``.", "wx", "wy", "wz")
+    time = column("Times from the start to the end (s); infinite where the end is never reached.")
+    turns = column("Revolutions about the angular momentum.")
+    power = column("Mean powers dissipated at the start (W).")
+    ratio_start = column("``D/I₃`` at the start.")
+    ratio_end = column("``D/I₃`` at the end.")
+    separatrix_time = column("Times from the start to the separatrix (s); NaN where it is not passed.")
+    damping_time = column("Times in which a small wobble about the axis of greatest inertia decays by e (s).")
+    growth_time = column("Times in which a small wobble about the axis of least inertia grows by e (s).")
 
     def plot(self) -> Figure:
         """Histogram of the times (needs matplotlib)."""
@@ -164,7 +122,7 @@ class Evolutions(_Rows):
         return _plot.evolutions(self)
 
 
-class Histories(_Rows):
+class Histories(_Noted):
     """Histories of the spin from many starts.
 
     Arrays have a first axis for the starts, in their order, and a second for the samples; behind the end of a history, and
@@ -177,34 +135,16 @@ class Histories(_Rows):
     ((2, 7, 3), (2, 7))
     """
 
-    __slots__ = ("_parts", "_values", "holds")
+    __slots__ = ("_values",)
 
     def __init__(self, parts: dict[str, Any]) -> None:
-        self._parts = parts
+        super().__init__(parts)
         self._values: NDArray[np.float64] = parts["values"]
         self._values.flags.writeable = False
-        self.holds: NDArray[np.bool_] = parts["holds"]
-        """Whether each row holds, ``(n,)``."""
 
-    @property
-    def status(self) -> list[str]:
-        """``finished``, ``event``, ``error``, or why the history ended early."""
-        return list(self._parts["status"])
+    status = part(list[str], "``finished``, ``event``, ``error``, or why the history ended early.")
 
-    @property
-    def message(self) -> list[str]:
-        """Status of each row in a sentence."""
-        return list(self._parts["message"])
-
-    @property
-    def notes(self) -> list[list[str]]:
-        """Notes to read before the numbers, for each row."""
-        return [list(notes) for notes in self._parts["notes"]]
-
-    @property
-    def columns(self) -> list[str]:
-        """Names of the columns, as in the table of a single history."""
-        return list(self._parts["names"])
+    columns = part(list[str], "Names of the columns, as in the table of a single history.", "names")
 
     @property
     def units(self) -> dict[str, str]:
@@ -219,25 +159,10 @@ class Histories(_Rows):
             raise KeyError(name) from None
         return self._values[:, place, :]
 
-    @property
-    def t(self) -> NDArray[np.float64]:
-        """Times (s), ``(n, samples)``."""
-        return self._column("t")
-
-    @property
-    def energy(self) -> NDArray[np.float64]:
-        """Energies (J), ``(n, samples)``."""
-        return self._column("energy")
-
-    @property
-    def angular_velocity(self) -> NDArray[np.float64]:
-        """Angular velocities (rad/s), body axes, ``(n, samples, 3)``."""
-        return self._stack("wx", "wy", "wz")
-
-    @property
-    def attitude(self) -> NDArray[np.float64]:
-        """Attitudes: unit quaternions, scalar first, ``(n, samples, 4)``."""
-        return self._stack("qw", "qx", "qy", "qz")
+    t = column("Times (s), ``(n, samples)``.")
+    energy = column("Energies (J), ``(n, samples)``.")
+    angular_velocity = column("Angular velocities (rad/s), body axes, ``(n, samples, 3)``.", "wx", "wy", "wz")
+    attitude = column("Attitudes: unit quaternions, scalar first, ``(n, samples, 4)``.", "qw", "qx", "qy", "qz")
 
     def _column(self, name: str) -> NDArray[np.float64]:
         if not self._parts["names"]:
@@ -254,7 +179,7 @@ class Histories(_Rows):
         return _plot.histories(self)
 
 
-class SpinPaths(_Rows):
+class SpinPaths(_Noted):
     """Angular velocities along the reduced motion from many starts, without attitude and energy accounts.
 
     Arrays have a first axis for the starts, in their order, and a second for the times; behind the end of a path, and in rows that
@@ -267,29 +192,14 @@ class SpinPaths(_Rows):
     ((2, 3, 3), [True, True])
     """
 
-    __slots__ = ("_parts", "angular_velocity", "holds", "t")
+    __slots__ = ("angular_velocity", "t")
 
     def __init__(self, parts: dict[str, Any], times: list[float]) -> None:
-        self._parts = parts
+        super().__init__(parts)
         self.t: NDArray[np.float64] = np.array(times)
         """Output times (s), ``(m,)``."""
         self.angular_velocity: NDArray[np.float64] = parts["values"]
         """Angular velocities (rad/s), body axes, ``(n, m, 3)``; read-only."""
         self.angular_velocity.flags.writeable = False
-        self.holds: NDArray[np.bool_] = parts["holds"]
-        """Whether each row holds, ``(n,)``."""
 
-    @property
-    def status(self) -> list[str]:
-        """``finished``, ``error``, or why the path ended early."""
-        return list(self._parts["status"])
-
-    @property
-    def message(self) -> list[str]:
-        """Status of each row in a sentence."""
-        return list(self._parts["message"])
-
-    @property
-    def notes(self) -> list[list[str]]:
-        """Notes to read before the numbers, for each row."""
-        return [list(notes) for notes in self._parts["notes"]]
+    status = part(list[str], "``finished``, ``error``, or why the path ended early.")

@@ -9,7 +9,7 @@ from typing import Any, NoReturn, overload
 
 from numpy.typing import ArrayLike
 
-from quasirigid import _arguments, _core
+from quasirigid import _arguments, _core, _settings
 from quasirigid._answers import AboutSpin, Check, Evolution, History, Modes, Run, Verification
 from quasirigid._ensemble import Evolutions, Histories, SpinPaths
 from quasirigid._errors import InputError, ModelError
@@ -216,7 +216,7 @@ class Model:
         >>> about.holds, about.masters[0]["name"]
         (True, 'nutation')
         """
-        settings = _spin_manifold(degree, masters, style)
+        settings = _settings.spin_manifold(degree, masters, style)
         word = _arguments.word(axis, "axis")
         with observer(progress) as watch:
             return AboutSpin({**self._core.about_spin(settings, word, watch), "model": self, "settings": settings})
@@ -319,73 +319,13 @@ class Model:
         >>> quasirigid.Model(quasirigid.EXAMPLE).simulate("rigid", times=[0, 10, 20]).energy.shape
         (3,)
         """
-        if times is not None and (duration is not None or samples is not None):
-            raise InputError("times stand in the place of duration and samples; give the one or the others")
+        settings = _settings.run(duration, samples, tolerance, form, integrator, times)
         about_spin = {"degree": degree, "masters": masters, "style": style}
         given = [name for name, value in about_spin.items() if value is not None]
         if given and system not in ("spin-manifold", "manifold"):
             raise InputError(f'{given[0]} belongs to the reduced equations about the spin; take system="spin-manifold"')
-        return self._simulate(
-            system,
-            _settings(duration, samples, tolerance, form, integrator),
-            coordinates=coordinates,
-            displacements=displacements,
-            times=times,
-            spin_manifold=_spin_manifold(degree, masters, style),
-            initial=initial,
-            order=order,
-            progress=progress,
-        )
-
-    def _about_spin_history(
-        self,
-        spin_manifold: dict[str, Any],
-        *,
-        duration: float | str | None,
-        samples: int | None,
-        times: ArrayLike | None,
-        tolerance: float | None,
-        coordinates: bool,
-        displacements: bool,
-        progress: Progress,
-    ) -> History:
-        """History by reduced equations about the spin with these settings."""
-        if times is not None and (duration is not None or samples is not None):
-            raise InputError("times stand in the place of duration and samples; give the one or the others")
-        history = self._simulate(
-            "spin-manifold",
-            _settings(duration, samples, tolerance, None, None),
-            coordinates=coordinates,
-            displacements=displacements,
-            times=times,
-            spin_manifold=spin_manifold,
-            initial=None,
-            order=None,
-            progress=progress,
-        )
-        assert isinstance(history, History)
-        return history
-
-    def _simulate(
-        self,
-        system: str,
-        settings: dict[str, Any],
-        *,
-        coordinates: bool,
-        displacements: bool,
-        times: ArrayLike | None,
-        spin_manifold: dict[str, Any],
-        initial: ArrayLike | None,
-        order: int | None,
-        progress: Progress,
-    ) -> History | Histories:
-        table = {
-            "system": _arguments.word(system, "system") or "",
-            "spin_manifold": spin_manifold,
-            "coordinates": bool(coordinates),
-            "displacements": bool(displacements),
-            "times": _arguments.times(times),
-        }
+        about = _settings.spin_manifold(degree, masters, style)
+        table = _settings.table(system, about, coordinates, displacements, times)
         whole = _arguments.count(order, "order")
         with observer(progress) as watch:
             if initial is None:
@@ -591,7 +531,7 @@ class Model:
             raise InputError("tables and resume need the folder of the record")
         formats = tables.split(",") if isinstance(tables, str) else None if tables is None else list(tables)
         place = None if out is None else {"folder": _arguments.path(out, "out"), "tables": formats, "resume": bool(resume)}
-        settings = _settings(duration, samples, tolerance, form, integrator)
+        settings = _settings.run(duration, samples, tolerance, form, integrator)
         with observer(progress) as watch:
             return Run(self._core.run(place, settings, _arguments.count(order, "order"), watch))
 
@@ -641,31 +581,6 @@ def _set(model: Model, core: _core.Model) -> None:
 
 def _model(kind: type[Model], text: str, file: str) -> Model:
     return kind(text, file=file)
-
-
-def _spin_manifold(degree: int | None, masters: str | Sequence[float] | None, style: str | None) -> dict[str, Any]:
-    listed = masters if masters is None or isinstance(masters, str) else [float(each) for each in masters]
-    return {
-        "degree": _arguments.count(degree, "degree"),
-        "masters": listed,
-        "style": _arguments.word(style, "style"),
-    }
-
-
-def _settings(
-    duration: float | str | None,
-    samples: int | None,
-    tolerance: float | None,
-    form: str | None,
-    integrator: str | None,
-) -> dict[str, Any]:
-    return {
-        "duration": _arguments.duration(duration),
-        "samples": _arguments.count(samples, "samples"),
-        "tolerance": _arguments.number(tolerance, "tolerance"),
-        "form": _arguments.word(form, "form"),
-        "integrator": _arguments.word(integrator, "integrator"),
-    }
 
 
 def _starts(initial: ArrayLike) -> Any:

@@ -17,7 +17,8 @@ from quasirigid import _arguments, _cluster, _core
 from quasirigid._errors import FileError, InputError, Interrupted
 from quasirigid._model import Model
 from quasirigid._progress import Progress, observer
-from quasirigid._table import Table
+from quasirigid._property import texts
+from quasirigid._table import Table, Tabled
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -34,7 +35,7 @@ _WAITING = 2
 _STUDIES: dict[str, _core.Sweep] = {}
 
 
-class Sweep:
+class Sweep(Tabled):
     """Answers of a study: a row for each body, in the order of the study.
 
     ``study[name]`` is a column: an input, a quantity asked for, ``status``, ``reason`` or ``note``. Numbers that are missing are NaN,
@@ -51,11 +52,10 @@ class Sweep:
     (2, ['answered', 'answered'], (2,))
     """
 
-    __slots__ = ("_folder", "_summary", "_text", "table")
+    __slots__ = ("_folder", "_summary", "_table", "_text")
 
     def __init__(self, table: Table, summary: dict[str, Any], text: str, folder: Path | None) -> None:
-        self.table = table
-        """All columns, with units."""
+        self._table = table
         self._summary, self._text, self._folder = summary, text, folder
 
     def __getitem__(self, name: str) -> Any:
@@ -83,15 +83,7 @@ class Sweep:
         """Names of the columns."""
         return list(self.table)
 
-    @property
-    def units(self) -> dict[str, str]:
-        """SI units by column."""
-        return self.table.units
-
-    @property
-    def status(self) -> list[str]:
-        """Status of each row: ``answered``, ``refused``, ``invalid`` or ``failed``."""
-        return list(self.table["status"])
+    status = texts("Status of each row: ``answered``, ``refused``, ``invalid`` or ``failed``.")
 
     @property
     def reason(self) -> list[str | None]:
@@ -116,14 +108,6 @@ class Sweep:
     def __array__(self, *_: object, **__: object) -> NDArray[Any]:
         """Refuses: numbers and texts make no array."""
         return self.table.__array__()
-
-    def __arrow_c_schema__(self) -> object:
-        """The types of the columns, for libraries that speak Arrow."""
-        return self.table.__arrow_c_schema__()
-
-    def __arrow_c_stream__(self, requested_schema: object | None = None) -> object:
-        """The rows, for libraries that speak Arrow."""
-        return self.table.__arrow_c_stream__(requested_schema)
 
     def __str__(self) -> str:
         return self._text

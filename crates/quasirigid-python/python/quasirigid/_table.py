@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from quasirigid import _core
 
-__all__ = ["Table"]
+__all__ = ["Table", "Tabled"]
 
 
 class Table(Mapping[str, Any]):
@@ -94,6 +94,39 @@ class Table(Mapping[str, Any]):
     def __repr__(self) -> str:
         columns = ", ".join(f"{name} ({unit})" if unit else name for name, unit in self.units.items())
         return f"quasirigid.Table of {self.rows} rows: {columns}"
+
+
+class Tabled:
+    """Answer with a table."""
+
+    __slots__ = ()
+    _table: Table | None
+
+    @property
+    def table(self) -> Table:
+        """The table, with every column; Arrow libraries read it."""
+        assert self._table is not None
+        return self._table
+
+    @property
+    def units(self) -> dict[str, str]:
+        """SI units of the columns."""
+        return self.table.units
+
+    def _column(self, name: str) -> NDArray[np.float64]:
+        column: NDArray[np.float64] = self.table[name]
+        return column
+
+    def _stack(self, *names: str) -> NDArray[np.float64]:
+        return self.table.stack(*names)
+
+    def __arrow_c_schema__(self) -> object:
+        """The types of the columns of the table, for libraries that speak Arrow."""
+        return self.table.__arrow_c_schema__()
+
+    def __arrow_c_stream__(self, requested_schema: object | None = None) -> object:
+        """The rows of the table, for libraries that speak Arrow."""
+        return self.table.__arrow_c_stream__(requested_schema)
 
 
 def _table(names: list[str], units: list[str], values: list[Any]) -> Table:

@@ -4,12 +4,11 @@ mod dissipators;
 mod figures;
 mod rows;
 
-use maud::{DOCTYPE, Markup, PreEscaped, html};
+use maud::{Markup, html};
 use quasirigid_io::record::RunRecord;
-use quasirigid_io::visible::visible;
 
 use crate::charts;
-use crate::page::{PALETTE, POLICY, STYLE};
+use crate::page::document;
 use crate::sections::{overview, table::table};
 use crate::verdict::Verdict;
 use rows::Row;
@@ -47,45 +46,37 @@ impl Compared<'_> {
 /// The verdict on each run comes first; a number of equations that do not hold is not given.
 pub fn comparison_page(runs: &[Compared<'_>]) -> String {
     let (differing, same): (Vec<Row>, Vec<Row>) = rows::of(runs).into_iter().partition(Row::differs);
-    let document: Markup = html! {
-        (DOCTYPE)
-        html lang="en" {
-            head {
-                meta charset="utf-8";
-                meta name="viewport" content="width=device-width, initial-scale=1";
-                meta name="generator" content={ "quasirigid " (env!("CARGO_PKG_VERSION")) };
-                meta http-equiv="Content-Security-Policy" content=(POLICY);
-                title { (title(runs)) " · quasirigid comparison" }
-                style { (PreEscaped(PALETTE)) (PreEscaped(STYLE)) (PreEscaped(charts::STYLE)) (PreEscaped(TABLES)) }
+    let body = html! {
+        main {
+            header {
+                p.kind { (runs.len()) " runs side by side" }
+                h1 { (title(runs)) }
+                @for run in runs { (verdict(run)) }
             }
-            body {
-                main {
-                    header {
-                        p.kind { (runs.len()) " runs side by side" }
-                        h1 { (title(runs)) }
-                        @for run in runs { (verdict(run)) }
-                    }
-                    section.comparison aria-label="Comparison" {
-                        h2 { "What differs" }
-                        @if differing.is_empty() { p.absent { "Nothing in the table below." } }
-                        @else { (side_by_side("By run", runs, &differing)) }
-                    }
-                    section.figures aria-label="Figures" {
-                        h2 { "How they went" }
-                        @for figure in figures::of(runs) { (figure.draw()) }
-                    }
-                    (dissipators::section(runs))
-                    section.comparison aria-label="The same" {
-                        h2 { "What is the same" }
-                        @if same.is_empty() { p.absent { "Nothing in the table above." } }
-                        @else { (alike(&same)) }
-                    }
-                }
-                (charts::script())
+            section.comparison aria-label="Comparison" {
+                h2 { "What differs" }
+                @if differing.is_empty() { p.absent { "Nothing in the table below." } }
+                @else { (side_by_side("By run", runs, &differing)) }
+            }
+            section.figures aria-label="Figures" {
+                h2 { "How they went" }
+                @for figure in figures::of(runs) { (figure.draw()) }
+            }
+            (dissipators::section(runs))
+            section.comparison aria-label="The same" {
+                h2 { "What is the same" }
+                @if same.is_empty() { p.absent { "Nothing in the table above." } }
+                @else { (alike(&same)) }
             }
         }
+        (charts::script())
     };
-    visible(&document.into_string())
+    document(
+        &format!("{} · quasirigid comparison", title(runs)),
+        env!("CARGO_PKG_VERSION"),
+        &[charts::STYLE, TABLES],
+        &body,
+    )
 }
 
 fn title(runs: &[Compared<'_>]) -> String {

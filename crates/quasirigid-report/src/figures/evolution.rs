@@ -22,18 +22,11 @@ const EARLIEST: f64 = 1e-6;
 
 /// Nutation against time, on a logarithmic axis where the rows span many decades.
 pub fn nutation(evolution: &EvolutionRecord) -> Figure {
-    let columns = with_gaps(&evolution.columns);
-    let time = TimeUnit::of(&columns, usize::MAX);
     let curves = [
         Curve { name: "nutation_max", label: "max", class: "s1" },
         Curve { name: "nutation_min", label: "min", class: "s2" },
     ];
-    let mut series: Vec<Series> =
-        curves.iter().filter_map(|curve| curve.series(&columns, &time, f64::to_degrees)).collect();
-    let log = spans_decades(&columns);
-    if log {
-        series.iter_mut().for_each(without_the_start);
-    }
+    let y = Quantity { name: "nutation", unit: "°".into(), log: false };
     Figure {
         id: "evolution-nutation",
         title: "Nutation over many revolutions",
@@ -42,24 +35,14 @@ pub fn nutation(evolution: &EvolutionRecord) -> Figure {
              nutation.{}",
             if evolution.separatrix_time.is_some() { " At the separatrix that axis changes." } else { "" }
         ),
-        series,
-        marks: separatrix_mark(evolution, &time),
-        link: Some(Link { group: "evolution", factor: time.length }),
-        x: Quantity { name: "t", unit: time.name, log },
-        y: Quantity { name: "nutation", unit: "°".into(), log: false },
+        ..over_time(evolution, &curves, f64::to_degrees, y)
     }
 }
 
 /// Mean power against time.
 pub fn power(evolution: &EvolutionRecord) -> Figure {
-    let columns = with_gaps(&evolution.columns);
-    let time = TimeUnit::of(&columns, usize::MAX);
     let curve = Curve { name: "power", label: "power", class: "s1" };
-    let mut series: Vec<Series> = curve.series(&columns, &time, |power| power).into_iter().collect();
-    let log = spans_decades(&columns);
-    if log {
-        series.iter_mut().for_each(without_the_start);
-    }
+    let y = Quantity { name: "power", unit: unit(&evolution.columns, "power"), log: true };
     Figure {
         id: "evolution-power",
         title: "Mean power dissipated over many revolutions",
@@ -76,11 +59,34 @@ pub fn power(evolution: &EvolutionRecord) -> Figure {
                 ""
             }
         ),
+        ..over_time(evolution, &[curve], |power| power, y)
+    }
+}
+
+/// Curves against time, without names and caption.
+fn over_time(
+    evolution: &EvolutionRecord,
+    curves: &[Curve<'_>],
+    value: fn(f64) -> f64,
+    y: Quantity,
+) -> Figure {
+    let columns = with_gaps(&evolution.columns);
+    let time = TimeUnit::of(&columns, usize::MAX);
+    let mut series: Vec<Series> =
+        curves.iter().filter_map(|curve| curve.series(&columns, &time, value)).collect();
+    let log = spans_decades(&columns);
+    if log {
+        series.iter_mut().for_each(without_the_start);
+    }
+    Figure {
+        id: "",
+        title: "",
+        caption: String::new(),
         series,
         marks: separatrix_mark(evolution, &time),
         link: Some(Link { group: "evolution", factor: time.length }),
         x: Quantity { name: "t", unit: time.name, log },
-        y: Quantity { name: "power", unit: unit(&columns, "power"), log: true },
+        y,
     }
 }
 

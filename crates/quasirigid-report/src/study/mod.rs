@@ -5,11 +5,10 @@ mod figures;
 mod scatter;
 mod tables;
 
-use maud::{DOCTYPE, Markup, PreEscaped, html};
+use maud::{PreEscaped, html};
 use quasirigid_io::record::{SweepColumn, SweepRecord};
-use quasirigid_io::visible::visible;
 
-use crate::page::{PALETTE, POLICY, STYLE};
+use crate::page::document;
 
 const CHARTS: &str = include_str!("../assets/study.css");
 const SCRIPT: &str = include_str!("../assets/scatter.js");
@@ -21,34 +20,21 @@ const SCRIPT: &str = include_str!("../assets/scatter.js");
 ///
 /// All columns have the same rows; a column of the record that is not among them has no figure.
 pub fn study_page(record: &SweepRecord, columns: &[SweepColumn]) -> String {
-    let document: Markup = html! {
-        (DOCTYPE)
-        html lang="en" {
-            head {
-                meta charset="utf-8";
-                meta name="viewport" content="width=device-width, initial-scale=1";
-                meta name="generator" content={ "quasirigid " (record.version) };
-                meta http-equiv="Content-Security-Policy" content=(POLICY);
-                title { (record.name) " · quasirigid study" }
-                style { (PreEscaped(PALETTE)) (PreEscaped(STYLE)) (PreEscaped(CHARTS)) }
-            }
-            body {
-                main {
-                    (tables::head(record))
-                    (tables::percentiles(record))
-                    (tables::influences(record))
-                    (figures::section(record, columns))
-                    (scatter::section(record, columns))
-                    (tables::reasons(record))
-                    section aria-label="Study" {
-                        h2 { "Study" }
-                        pre { code { (record.study) } }
-                        p.absent { "quasirigid " (record.version) }
-                    }
-                }
-                script { (PreEscaped(SCRIPT)) }
+    let body = html! {
+        main {
+            (tables::head(record))
+            (tables::percentiles(record))
+            (tables::influences(record))
+            (figures::section(record, columns))
+            (scatter::section(record, columns))
+            (tables::reasons(record))
+            section aria-label="Study" {
+                h2 { "Study" }
+                pre { code { (record.study) } }
+                p.absent { "quasirigid " (record.version) }
             }
         }
+        script { (PreEscaped(SCRIPT)) }
     };
-    visible(&document.into_string())
+    document(&format!("{} · quasirigid study", record.name), &record.version, &[CHARTS], &body)
 }

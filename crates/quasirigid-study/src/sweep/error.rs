@@ -1,15 +1,16 @@
-use std::error::Error;
+use std::io;
 use std::path::PathBuf;
-use std::{fmt, io};
 
 use quasirigid_io::model::ModelError;
 use quasirigid_io::table_file::TableError;
 use quasirigid_math::memory::TooMuchMemory;
+use thiserror::Error;
 
 use crate::settings::{Setting, SettingError};
 
 /// Study of many bodies that cannot run. The text names settings by their keys; [`told`](Self::told) has other names for them.
-#[derive(Debug)]
+#[derive(Debug, Error)]
+#[error("{}", self.told(&Setting::key))]
 #[non_exhaustive]
 pub enum SweepError {
     /// The study file.
@@ -205,14 +206,6 @@ impl SweepError {
         move |cause| Self::Io { path, cause }
     }
 }
-
-impl fmt::Display for SweepError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.told(&Setting::key))
-    }
-}
-
-impl Error for SweepError {}
 
 impl From<TableError> for SweepError {
     fn from(error: TableError) -> Self {

@@ -19,7 +19,7 @@ use nalgebra::{Matrix3, Vector3};
 use crate::contribution::Internal;
 use crate::contribution::Piece;
 use crate::contribution::SlowLiquid;
-use crate::element::{Element, Role};
+use crate::element::Element;
 use crate::error::{ElementError, ElementId, Field, Problem, at};
 use crate::math::rotation::to_inertial;
 use crate::model::{Advection, Coordinate, Inertia, LiquidFlow, LiquidMemory, Pair};
@@ -235,14 +235,6 @@ impl Cavity {
 }
 
 impl Element for Cavity {
-    fn name(&self) -> &str {
-        &self.name
-    }
-
-    fn role(&self) -> Role {
-        Role::Inside(Field::SHAPE)
-    }
-
     fn check(&self, id: ElementId, _: &Assembly) -> Vec<ElementError> {
         self.check_values(id).err().into_iter().collect()
     }

@@ -1,5 +1,5 @@
 use crate::Incomplete;
-use crate::element::{Element, Role};
+use crate::element::Element;
 use crate::model::Rheology;
 
 /// A joint between parts, or between a part and the carrier.
@@ -38,10 +38,6 @@ pub enum Anchor {
 }
 
 impl Element for Connection {
-    fn role(&self) -> Role {
-        Role::Mass
-    }
-
     fn incomplete(&self) -> Vec<Incomplete> {
         if self.axes.is_empty() { Vec::new() } else { vec![Incomplete::Hinges] }
     }

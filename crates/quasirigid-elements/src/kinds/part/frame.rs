@@ -4,10 +4,11 @@
 
 use nalgebra::{DMatrix, DVector, SVector, Vector3};
 
+use super::Seat;
 use crate::Material;
-use crate::error::{ElementError, ElementId, ElementKind, Field, Problem, at};
+use crate::error::{ElementError, ElementId, Field, Problem, at};
 use crate::finite::beam::{self, Beam, BeamError, SectionShape};
-use crate::finite::{Element, LumpedMass};
+use crate::finite::{Connectivity, Element, LumpedMass};
 use crate::structure::Structure;
 
 /// Straight beams between nodes.
@@ -53,8 +54,7 @@ pub struct Member {
 /// A beam element of a member.
 #[derive(Debug)]
 struct BeamElement {
-    nodes: [usize; 2],
-    material: usize,
+    connectivity: Connectivity,
     beam: Beam,
 }
 
@@ -90,14 +90,8 @@ impl Frame {
     }
 
     /// Adds the elements of the frame to a structure that has its nodes.
-    pub(super) fn assemble_into(
-        &self,
-        index: usize,
-        first: usize,
-        rayleigh: [f64; 2],
-        structure: &mut Structure,
-    ) -> Result<(), ElementError> {
-        let place = ElementKind::Part.at(index);
+    pub(super) fn assemble_into(&self, seat: Seat, structure: &mut Structure) -> Result<(), ElementError> {
+        let Seat { place, first, rayleigh } = seat;
         let places = self.places();
         let mut inner = first + self.nodes.len();
         for member in &self.members {
@@ -111,7 +105,10 @@ impl Frame {
             for pair in chain.windows(2) {
                 let nodes = [pair[0], pair[1]];
                 let beam = member.beam(place, nodes.map(|node| places[node - first]))?;
-                structure.elements.push(Box::new(BeamElement { nodes, material, beam }));
+                structure.elements.push(Box::new(BeamElement {
+                    connectivity: Connectivity { nodes: nodes.to_vec(), dofs: 6, material },
+                    beam,
+                }));
             }
         }
         Ok(())
@@ -148,16 +145,8 @@ impl Member {
 }
 
 impl Element for BeamElement {
-    fn nodes(&self) -> &[usize] {
-        &self.nodes
-    }
-
-    fn dofs(&self) -> usize {
-        6
-    }
-
-    fn material(&self) -> usize {
-        self.material
+    fn connectivity(&self) -> &Connectivity {
+        &self.connectivity
     }
 
     fn stiffness(&self) -> DMatrix<f64> {

@@ -11,7 +11,7 @@ use crate::NodeRef;
 use crate::contribution::{Attachment, Floating};
 use crate::element::{Grip, Role};
 use crate::error::{ElementError, ElementId, ElementKind, Field, Problem, at};
-use crate::finite::Mass;
+use crate::finite::{Connectivity, Mass};
 use crate::kinds::part::{Part, PartKind, extremes};
 use crate::model::{Reach, Rheology};
 use crate::number;
@@ -65,7 +65,7 @@ impl<'a> PartGraph<'a> {
         let mut graph = Self::new(assembly, true)?;
         graph.structure.own("");
         let names = assembly.link_names();
-        for (id, link) in assembly.each().filter(|(_, element)| element.role() == Role::Link) {
+        for (id, link) in assembly.each().filter(|(id, _)| id.kind.role() == Role::Link) {
             link.afloat(id, &mut graph)?;
             graph.structure.own(&names[&id]);
         }
@@ -231,7 +231,8 @@ impl<'a> PartGraph<'a> {
         self.structure.nodes.push(Node { place, rotations: false });
         self.structure.constraints.push(Constraint::Free);
         let points = vec![(mass, Vector3::zeros())];
-        self.structure.elements.push(Box::new(Mass { node, dofs: 3, material, points, place }));
+        let connectivity = Connectivity { nodes: vec![node], dofs: 3, material };
+        self.structure.elements.push(Box::new(Mass { connectivity, points, place }));
     }
 
     /// Notes the nodes that are watched, and those at which springs and forces act; of a body without a carrier also points, which count as

@@ -1,5 +1,6 @@
+use super::Seat;
 use super::nodal::{NodalMass, times};
-use crate::error::{ElementError, ElementKind, Field, at};
+use crate::error::{ElementError, Field, at};
 use crate::model::Rheology;
 use crate::structure::{Constraint, Structure};
 
@@ -24,14 +25,8 @@ const ROUNDING: f64 = 1e-12;
 
 impl Matrices {
     /// Adds the blocks of the matrices to a structure that has their nodes.
-    pub(super) fn assemble_into(
-        &self,
-        index: usize,
-        first: usize,
-        rayleigh: [f64; 2],
-        structure: &mut Structure,
-    ) -> Result<(), ElementError> {
-        let place = ElementKind::Part.at(index);
+    pub(super) fn assemble_into(&self, seat: Seat, structure: &mut Structure) -> Result<(), ElementError> {
+        let Seat { place, first, rayleigh } = seat;
         self.rheology.check().map_err(|error| at(place, Field::RHEOLOGY)(error.into()))?;
         let matrices = [
             (Field::MASS, self.mass.entries.as_slice()),

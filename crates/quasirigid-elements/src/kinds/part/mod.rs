@@ -26,8 +26,9 @@ pub use nodal_body::TipMass;
 pub use panel::{Layer, Panel};
 pub use solid::{Region, Solid};
 
-use crate::element::{Element, Role};
+use crate::element::Element;
 use crate::error::{ElementError, ElementId, ElementKind, Problem};
+use crate::finite::Connectivity;
 use crate::model::Rheology;
 use crate::structure::{Constraint, Node, Structure};
 use crate::visual::Outline;
@@ -65,6 +66,22 @@ pub enum PartKind {
     Matrices(Matrices),
     /// Modes from another program.
     Modes(GivenModes),
+}
+
+/// Seat of a part in a structure: its identity, its first node, and its damping.
+#[derive(Clone, Copy)]
+struct Seat {
+    place: ElementId,
+    first: usize,
+    rayleigh: [f64; 2],
+}
+
+impl Seat {
+    /// Connectivity of a cell between nodes of the part.
+    fn connectivity(&self, nodes: &[usize], dofs: usize, material: usize) -> Connectivity {
+        let nodes = nodes.iter().map(|node| self.first + node).collect();
+        Connectivity { nodes, dofs, material }
+    }
 }
 
 impl PartKind {
@@ -170,18 +187,17 @@ impl Part {
         first: usize,
         structure: &mut Structure,
     ) -> Result<(), ElementError> {
+        let seat = Seat { place: ElementKind::Part.at(index), first, rayleigh: self.rayleigh };
         match &self.kind {
-            PartKind::Solid(solid) => solid.assemble_into(index, first, self.rayleigh, structure),
-            PartKind::Frame(frame) => frame.assemble_into(index, first, self.rayleigh, structure),
-            PartKind::Panel(panel) => panel.assemble_into(index, first, self.rayleigh, structure),
-            PartKind::Matrices(given) => given.assemble_into(index, first, self.rayleigh, structure),
-            PartKind::Modes(modes) => modes.assemble_into(index, first, self.rayleigh, structure),
+            PartKind::Solid(solid) => solid.assemble_into(seat, structure),
+            PartKind::Frame(frame) => frame.assemble_into(seat, structure),
+            PartKind::Panel(panel) => panel.assemble_into(seat, structure),
+            PartKind::Matrices(given) => given.assemble_into(seat, structure),
+            PartKind::Modes(modes) => modes.assemble_into(seat, structure),
         }?;
-        let nodes = (first, self.count());
         let name = |node| move || format!("{:?} {}", self.name, self.node_name(node));
-        self.masses.iter().try_for_each(|mass| {
-            mass.assemble_into(ElementKind::Part.at(index), nodes, name(mass.node), structure)
-        })
+        let add = |mass: &TipMass| mass.assemble_into(seat, self.count(), name(mass.node), structure);
+        self.masses.iter().try_for_each(add)
     }
 
     /// Constraints of the part's nodes before anything is attached or connected; the first of them is `first` in the structure.
@@ -232,16 +248,8 @@ pub(crate) fn extremes(nodes: &[[f64; 3]]) -> Vec<usize> {
 }
 
 impl Element for Part {
-    fn name(&self) -> &str {
-        &self.name
-    }
-
     fn words(&self) -> Option<&'static str> {
         Some(self.kind.words())
-    }
-
-    fn role(&self) -> Role {
-        Role::Mass
     }
 
     fn outline(&self, id: ElementId, _: &Assembly) -> Option<Outline> {

@@ -6,9 +6,10 @@ use std::sync::Arc;
 
 use nalgebra::{DMatrix, DVector, Matrix6};
 
+use super::Seat;
 use super::nodal::{NodalMass, symmetric, times};
 use crate::error::{ElementError, ElementId, ElementKind, Field, Problem, at};
-use crate::finite::Block;
+use crate::finite::{Block, Connectivity};
 use crate::model::Rheology;
 use crate::number;
 use crate::structure::{Constraint, Node, Structure};
@@ -127,14 +128,8 @@ impl GivenModes {
     }
 
     /// Adds the elements of the modes to a structure that has their nodes.
-    pub(super) fn assemble_into(
-        &self,
-        index: usize,
-        first: usize,
-        rayleigh: [f64; 2],
-        structure: &mut Structure,
-    ) -> Result<(), ElementError> {
-        let place = ElementKind::Part.at(index);
+    pub(super) fn assemble_into(&self, seat: Seat, structure: &mut Structure) -> Result<(), ElementError> {
+        let Seat { place, first, rayleigh } = seat;
         self.rheology.check().map_err(|error| at(place, Field::RHEOLOGY)(error.into()))?;
         self.check_shapes().map_err(at(place, Field::SHAPES))?;
         let blocks = self.mass.blocks(place, [(Field::MASS, self.mass.entries.as_slice())])?;
@@ -227,14 +222,13 @@ impl GivenModes {
             }
             spread
         };
+        let nodes = nodes.into_iter().map(|node| first + node).collect();
         Block {
-            dofs,
-            material,
+            connectivity: Connectivity { nodes, dofs, material },
             stiffness: spread(stiffness),
             damping: spread(damping),
             mass: DMatrix::zeros(size, size),
             lumped_masses: Vec::new(),
-            nodes: nodes.into_iter().map(|node| first + node).collect(),
         }
     }
 }

@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 use nalgebra::{DMatrix, Matrix3, Matrix3xX, Matrix6, Vector3};
 
 use crate::error::{ElementError, ElementId, Field, Problem, at};
-use crate::finite::{Block, Element, LumpedMass, Mass, Site, rigid_points};
+use crate::finite::{Block, Connectivity, Element, LumpedMass, Mass, Site, rigid_points};
 use crate::model::Inertia;
 use crate::number;
 use crate::structure::Node;
@@ -161,10 +161,9 @@ impl NodalMass {
         } else {
             self.between([i, j], scalar(mass, [&lumps[i], &lumps[j]]))
         };
+        let nodes = if own { vec![first + i] } else { vec![first + i, first + j] };
         Block {
-            nodes: if own { vec![first + i] } else { vec![first + i, first + j] },
-            dofs,
-            material,
+            connectivity: Connectivity { nodes, dofs, material },
             stiffness: Block::spread(stiffness, dofs, own),
             damping: Block::spread(damping, dofs, own),
             mass: Block::spread(mass, dofs, own),
@@ -181,7 +180,8 @@ impl NodalMass {
             _ => vec![(*mass, Vector3::zeros())],
         };
         let place = Vector3::from(self.nodes[node]);
-        Mass { node, dofs, material: 0, points, place }.lumped_masses()
+        let connectivity = Connectivity { nodes: vec![node], dofs, material: 0 };
+        Mass { connectivity, points, place }.lumped_masses()
     }
 
     /// The mass between two nodes: `M_ij (u_i v_j + u_j v_i)` is the lumped mass less `M_ij (u_i − u_j)(v_i − v_j)`.

@@ -1,7 +1,8 @@
 use nalgebra::Vector3;
 
-use crate::error::{ElementError, ElementId, Field, Problem, at};
-use crate::finite::{Mass, rigid_points};
+use super::Seat;
+use crate::error::{ElementError, Field, Problem, at};
+use crate::finite::{Connectivity, Mass, rigid_points};
 use crate::model::{Inertia, Rheology};
 use crate::number;
 use crate::structure::Structure;
@@ -19,11 +20,11 @@ pub struct TipMass {
 }
 
 impl TipMass {
-    /// Adds the rigid body to a structure that has the nodes of its part, so many from `first` on; `name` is that of its node.
+    /// Adds the rigid body to a structure that has the nodes of its part, so many from the first on; `name` is that of its node.
     pub(super) fn assemble_into(
         &self,
-        place: ElementId,
-        (first, count): (usize, usize),
+        Seat { place, first, .. }: Seat,
+        count: usize,
         name: impl Fn() -> String,
         structure: &mut Structure,
     ) -> Result<(), ElementError> {
@@ -42,13 +43,9 @@ impl TipMass {
             return Err(refuse(Problem::NoTurnForInertia { node: name() }));
         };
         let material = structure.material(&Rheology::Elastic, [0.0; 2]);
-        structure.elements.push(Box::new(Mass {
-            node: first + self.node,
-            dofs: if node.rotations { 6 } else { 3 },
-            material,
-            points,
-            place: node.place,
-        }));
+        let dofs = if node.rotations { 6 } else { 3 };
+        let connectivity = Connectivity { nodes: vec![first + self.node], dofs, material };
+        structure.elements.push(Box::new(Mass { connectivity, points, place: node.place }));
         Ok(())
     }
 }

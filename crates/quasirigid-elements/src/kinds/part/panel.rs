@@ -6,10 +6,10 @@ use std::sync::Arc;
 
 use nalgebra::{DMatrix, DVector, Vector3};
 
-use super::{ElasticMaterial, sound};
-use crate::error::{ElementError, ElementId, ElementKind, Field, Problem, at};
+use super::{ElasticMaterial, Seat, sound};
+use crate::error::{ElementError, ElementId, Field, Problem, at};
 use crate::finite::shell::{self, Ply, ShellError, ShellSection};
-use crate::finite::{Element, LumpedMass};
+use crate::finite::{Connectivity, Element, LumpedMass};
 use crate::number;
 use crate::structure::Structure;
 use quasirigid_mesh::{Cell, Mesh, Shape};
@@ -47,29 +47,22 @@ pub struct Layer {
 #[derive(Debug)]
 struct ShellCell {
     shape: Shape,
-    nodes: Vec<usize>,
+    connectivity: Connectivity,
     places: Vec<Vector3<f64>>,
-    material: usize,
     reference: Vector3<f64>,
     section: ShellSection,
 }
 
 impl Panel {
     /// Adds the elements of the panel to a structure that has its nodes: for each cell one of every material in its layers.
-    pub(super) fn assemble_into(
-        &self,
-        index: usize,
-        first: usize,
-        rayleigh: [f64; 2],
-        structure: &mut Structure,
-    ) -> Result<(), ElementError> {
-        let place = ElementKind::Part.at(index);
+    pub(super) fn assemble_into(&self, seat: Seat, structure: &mut Structure) -> Result<(), ElementError> {
+        let Seat { place, rayleigh, .. } = seat;
         sound(&self.mesh, 2).map_err(at(place, Field::FILE))?;
         number::unit(self.reference).map_err(at(place, Field::REFERENCE))?;
         let sections = self.sections(place, rayleigh, structure)?;
         for cell in self.mesh.cells.iter().filter(|cell| cell.shape.dimension() == 2) {
             for (material, section) in &sections {
-                let element = self.cell(cell, first, *material, *section);
+                let element = self.cell(cell, seat.connectivity(&cell.nodes, 6, *material), *section);
                 element.matrix().map_err(|cause| {
                     let field = match cause {
                         ShellError::Reference { .. } => Field::REFERENCE,
@@ -106,12 +99,11 @@ impl Panel {
         if sections.is_empty() { Err(refuse(Problem::NoMass)) } else { Ok(sections) }
     }
 
-    fn cell(&self, cell: &Cell, first: usize, material: usize, section: ShellSection) -> ShellCell {
+    fn cell(&self, cell: &Cell, connectivity: Connectivity, section: ShellSection) -> ShellCell {
         ShellCell {
             shape: cell.shape,
-            nodes: cell.nodes.iter().map(|node| first + node).collect(),
+            connectivity,
             places: cell.nodes.iter().map(|node| self.mesh.nodes[*node].into()).collect(),
-            material,
             reference: self.reference.into(),
             section,
         }
@@ -149,16 +141,8 @@ impl ShellCell {
 }
 
 impl Element for ShellCell {
-    fn nodes(&self) -> &[usize] {
-        &self.nodes
-    }
-
-    fn dofs(&self) -> usize {
-        6
-    }
-
-    fn material(&self) -> usize {
-        self.material
+    fn connectivity(&self) -> &Connectivity {
+        &self.connectivity
     }
 
     fn stiffness(&self) -> DMatrix<f64> {

@@ -6,9 +6,9 @@ use std::sync::Arc;
 
 use nalgebra::{DMatrix, DVector, Matrix3, Matrix6, Vector3};
 
-use super::{ElasticMaterial, sound};
-use crate::error::{ElementError, ElementKind, Field, Problem, at};
-use crate::finite::{Element, LumpedMass, elasticity, solid};
+use super::{ElasticMaterial, Seat, sound};
+use crate::error::{ElementError, Field, Problem, at};
+use crate::finite::{Connectivity, Element, LumpedMass, elasticity, solid};
 use crate::structure::Structure;
 use quasirigid_mesh::{Mesh, Shape};
 
@@ -41,23 +41,16 @@ pub struct Region {
 #[derive(Debug)]
 struct SolidCell {
     shape: Shape,
-    nodes: Vec<usize>,
+    connectivity: Connectivity,
     places: Vec<Vector3<f64>>,
-    material: usize,
     density: f64,
     elasticity: Arc<Matrix6<f64>>,
 }
 
 impl Solid {
     /// Adds the elements of the solid to a structure that has its nodes.
-    pub(super) fn assemble_into(
-        &self,
-        index: usize,
-        first: usize,
-        rayleigh: [f64; 2],
-        structure: &mut Structure,
-    ) -> Result<(), ElementError> {
-        let place = ElementKind::Part.at(index);
+    pub(super) fn assemble_into(&self, seat: Seat, structure: &mut Structure) -> Result<(), ElementError> {
+        let Seat { place, rayleigh, .. } = seat;
         sound(&self.mesh, 3).map_err(at(place, Field::FILE))?;
         for region in &self.regions {
             region.material.check(place)?;
@@ -71,9 +64,8 @@ impl Solid {
             for cell in cells.filter(|cell| cell.shape.dimension() == 3) {
                 structure.elements.push(Box::new(SolidCell {
                     shape: cell.shape,
-                    nodes: cell.nodes.iter().map(|node| first + node).collect(),
+                    connectivity: seat.connectivity(&cell.nodes, 3, material),
                     places: cell.nodes.iter().map(|node| self.mesh.nodes[*node].into()).collect(),
-                    material,
                     density: region.material.density(),
                     elasticity: Arc::clone(&elasticity),
                 }));
@@ -99,16 +91,8 @@ impl Region {
 }
 
 impl Element for SolidCell {
-    fn nodes(&self) -> &[usize] {
-        &self.nodes
-    }
-
-    fn dofs(&self) -> usize {
-        3
-    }
-
-    fn material(&self) -> usize {
-        self.material
+    fn connectivity(&self) -> &Connectivity {
+        &self.connectivity
     }
 
     fn stiffness(&self) -> DMatrix<f64> {

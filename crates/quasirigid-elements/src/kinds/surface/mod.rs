@@ -8,7 +8,7 @@ use nalgebra::Matrix3;
 
 use crate::contribution::Asked;
 use crate::contribution::{Whole, WholeBody};
-use crate::element::{Element, Role};
+use crate::element::Element;
 use crate::error::{ElementError, ElementId, Field, Problem, at};
 use crate::kinds::ritz::{Ritz, Solid};
 use crate::material::Material;
@@ -194,14 +194,6 @@ impl Surface {
 }
 
 impl Element for Surface {
-    fn name(&self) -> &str {
-        &self.name
-    }
-
-    fn role(&self) -> Role {
-        Role::Whole
-    }
-
     fn check(&self, id: ElementId, _: &Assembly) -> Vec<ElementError> {
         self.check_values(id).err().into_iter().collect()
     }

@@ -1,33 +1,20 @@
 //! Beam reader: `[[beam]]`, a frame of named nodes and straight lines, all of one section and one material.
 //! Each line is divided into elements; memory is asked for before they exist, since a file can demand any number.
 
-use quasirigid_elements::{ElementKind, Frame, FrameNode, Member, Part, PartKind};
+use quasirigid_elements::{Frame, FrameNode, Member, Part, PartKind};
 
 use super::super::key::{Keys, Shape, TEXT, VECTOR, integer, key, list, named};
-use super::super::names;
-use super::super::reader::{Keyed, NAME, Naming, Reader, Sources};
+use super::super::reader::{NAME, Reader, Sources};
 use super::super::settings::optional;
 use super::super::table::Table;
 use super::super::value::Value;
 use super::{ATTACH, MASSES, Nodes, RAYLEIGH, Read, attached, masses, rayleigh};
 use crate::units::Dimension;
 
-pub(in crate::model) const READER: Reader = Reader {
-    key: "beam",
-    title: "[[beam]]",
-    meaning: "frame of straight beams",
-    keys: Keyed::All(&BEAM),
-    kind: Some(ElementKind::Part),
-    naming: Naming::Numbered("beam"),
-    names: |index| names::Part::Flexible(index),
-    aliases: &[],
-    nested: &[],
-    is_body: true,
-    read: |entry, draft| {
-        let part = beam(entry.table, entry.name, draft.sources);
-        draft.part(entry, part)
-    },
-};
+pub(in crate::model) const READER: Reader =
+    Reader::of_parts("beam", "[[beam]]", "frame of straight beams", &BEAM, |entry, draft| {
+        draft.part(entry, beam(entry.table, entry.name, draft.sources))
+    });
 
 const BEAM: Keys = Keys {
     known: &[
@@ -53,20 +40,17 @@ const ELEMENT: f64 = 8_000.0;
 /// Reads a `[[beam]]`.
 pub(super) fn beam(table: &Table<'_>, name: &str, sources: Sources<'_, '_>) -> Option<Read> {
     let help = "nodes = { root = [0, 0, 0], tip = [2, 0, 0] }";
-    let frame_nodes = table.required("nodes", help).and_then(|value| nodes(&value));
+    let frame_nodes = table.read("nodes", help, |value| nodes(&value));
     let section = table
-        .required("section", "section = \"tube\", with [section.tube]")
-        .and_then(|value| sources.sections.named(&value));
-    let material = table
-        .required("material", "material = \"aluminium\"")
-        .and_then(|value| sources.materials.isotropic(&value));
+        .read("section", "section = \"tube\", with [section.tube]", |value| sources.sections.named(&value));
+    let material =
+        table.read("material", "material = \"aluminium\"", |value| sources.materials.isotropic(&value));
     let up = optional(table.get("up"), |value| value.vector(Dimension::NUMBER));
-    let elements = table.get("elements").map_or(Some(ELEMENTS), |value| value.integer(1..=MOST_ELEMENTS));
+    let elements = table.read_or("elements", ELEMENTS, |value| value.integer(1..=MOST_ELEMENTS));
     let damping = rayleigh(table);
     let frame_nodes = frame_nodes?;
     let nodes = Nodes::of_names(frame_nodes.iter().map(|node| node.name.clone()));
-    let lines =
-        table.required("lines", "lines = [[\"root\", \"tip\"]]").and_then(|value| lines(&value, &nodes));
+    let lines = table.read("lines", "lines = [[\"root\", \"tip\"]]", |value| lines(&value, &nodes));
     let masses = masses(table, &nodes);
     let attached = attached(table, &nodes);
     let (section, (material, extremes)) = (section?, material?);
@@ -92,23 +76,14 @@ pub(super) fn beam(table: &Table<'_>, name: &str, sources: Sources<'_, '_>) -> O
 
 /// Reads the nodes of a frame, by name, in the order of the file.
 fn nodes(value: &Value<'_>) -> Option<Vec<FrameNode>> {
-    let Some(entries) = value.entries() else {
-        return value.mismatch("a table of nodes", "write { root = [0, 0, 0], tip = [2, 0, 0] }");
-    };
-    let mut entries: Vec<_> = entries.collect();
-    entries.sort_by_key(|(span, _)| span.start);
-    let node = |(_, place): (_, Value<'_>)| {
-        let position = place.vector(Dimension::LENGTH)?;
-        Some(FrameNode { name: place.key().to_owned(), position })
-    };
-    let all: Vec<Option<FrameNode>> = entries.into_iter().map(node).collect();
-    all.into_iter().collect()
+    let places = value.places("a table of nodes", "write { root = [0, 0, 0], tip = [2, 0, 0] }")?;
+    Some(places.into_iter().map(|(name, position)| FrameNode { name, position }).collect())
 }
 
 fn lines(value: &Value<'_>, nodes: &Nodes) -> Option<Vec<[usize; 2]>> {
     if value.is_empty() {
-        let help = Some("write lines = [[\"root\", \"tip\"]]".to_owned());
-        return value.refuse("a beam has one line or more".to_owned(), "no lines", help);
+        let help = "write lines = [[\"root\", \"tip\"]]";
+        return value.refuse("a beam has one line or more", "no lines", help);
     }
     value.list("an array of pairs of nodes", |line| ends(&line, nodes))
 }
@@ -116,12 +91,8 @@ fn lines(value: &Value<'_>, nodes: &Nodes) -> Option<Vec<[usize; 2]>> {
 fn ends(value: &Value<'_>, nodes: &Nodes) -> Option<[usize; 2]> {
     let ends: [usize; 2] = value.array("nodes", |end| nodes.single(&end))?;
     if ends[0] == ends[1] {
-        let help = "a line joins two different nodes".to_owned();
-        return value.refuse(
-            "both ends of the line are the same".to_owned(),
-            "a line of no length",
-            Some(help),
-        );
+        let help = "a line joins two different nodes";
+        return value.refuse("both ends of the line are the same", "a line of no length", help);
     }
     Some(ends)
 }

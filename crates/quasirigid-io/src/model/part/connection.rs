@@ -54,9 +54,7 @@ const BALL: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 
 /// Reads a `[[connection]]`: a weld, a hinge about one or two axes, or a ball.
 pub(in crate::model) fn connection(table: &Table<'_>, names: &Names<'_>) -> Option<(Connection, Extremes)> {
-    let side = |key: &'static str, example: &str| {
-        table.required(key, example).and_then(|value| names.anchor(&value))
-    };
+    let side = |key: &'static str, example: &str| table.read(key, example, |value| names.anchor(&value));
     let from = side("from", "from = \"carrier\"");
     let to = side("to", "to = { part = \"boom\", node = \"root\" }");
     let axes = axes(table)?;
@@ -76,12 +74,12 @@ pub(in crate::model) fn connection(table: &Table<'_>, names: &Names<'_>) -> Opti
 }
 
 fn axes(table: &Table<'_>) -> Option<Vec<[f64; 3]>> {
-    let ball = table.get("ball").map_or(Some(false), |value| value.boolean())?;
+    let ball = table.read_or("ball", false, |value| value.boolean())?;
     match table.get("hinge") {
         Some(value) if ball => value.refuse(
-            "a ball joint turns about every axis".to_owned(),
+            "a ball joint turns about every axis",
             "beside `ball`",
-            Some("leave out one of `hinge` and `ball`".to_owned()),
+            "leave out one of `hinge` and `ball`",
         ),
         Some(value) => match value.items() {
             Some(items) if items.iter().any(Value::is_array) => {

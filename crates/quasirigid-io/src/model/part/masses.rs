@@ -34,8 +34,8 @@ fn mass(value: &Value<'_>, nodes: &Nodes) -> Option<TipMass> {
         return value.mismatch("a table", "write { node = \"tip\", mass = 1.2 }");
     }
     let table = value.table("the mass", &MASS)?;
-    let node = table.required("node", "node = \"tip\"").and_then(|value| nodes.single(&value));
-    let mass = table.required("mass", "mass = 1.2").and_then(|value| value.positive(Dimension::MASS));
-    let inertia = table.get("inertia").map_or(Some([[0.0; 3]; 3]), |value| inertia(&value));
+    let node = table.read("node", "node = \"tip\"", |value| nodes.single(&value));
+    let mass = table.read("mass", "mass = 1.2", |value| value.positive(Dimension::MASS));
+    let inertia = table.read_or("inertia", [[0.0; 3]; 3], |value| inertia(&value));
     Some(TipMass { node: node?, mass: mass?, inertia: inertia? })
 }

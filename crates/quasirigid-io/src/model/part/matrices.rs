@@ -1,29 +1,19 @@
-use quasirigid_elements::{ElementKind, Matrices, NodalMass, Part, PartKind};
+use quasirigid_elements::{Matrices, NodalMass, Part, PartKind};
 
 use super::super::key::{Keys, key};
-use super::super::names;
-use super::super::reader::{Keyed, NAME, Naming, Reader, Sources};
+use super::super::reader::{NAME, Reader, Sources};
 use super::super::rheology::{RHEOLOGY, Scale, rheology};
 use super::super::table::Table;
 use super::nodal::{DOFS, Given, LENGTH_UNIT, MASS_UNIT, MATRIX, NODES, Rows, Units, dof_list, node_table};
 use super::{ATTACH, MASSES, Nodes, RAYLEIGH, Read, attached, masses, rayleigh};
 
-pub(in crate::model) const READER: Reader = Reader {
-    key: "matrices",
-    title: "[[matrices]]",
-    meaning: "stiffness and mass matrices of another program",
-    keys: Keyed::All(&MATRICES),
-    kind: Some(ElementKind::Part),
-    naming: Naming::Numbered("matrices"),
-    names: |index| names::Part::Flexible(index),
-    aliases: &[],
-    nested: &[],
-    is_body: true,
-    read: |entry, draft| {
-        let part = matrices(entry.table, entry.name, draft.sources);
-        draft.part(entry, part)
-    },
-};
+pub(in crate::model) const READER: Reader = Reader::of_parts(
+    "matrices",
+    "[[matrices]]",
+    "stiffness and mass matrices of another program",
+    &MATRICES,
+    |entry, draft| draft.part(entry, matrices(entry.table, entry.name, draft.sources)),
+);
 
 const MATRICES: Keys = Keys {
     known: &[

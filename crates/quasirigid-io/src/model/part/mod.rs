@@ -19,7 +19,6 @@ use super::key::{COUNTED, Key, Keys, Shape, any, key, quantity, table};
 use super::names::NODE;
 use super::rheology::Extremes;
 use super::table::Table;
-use super::value::Value;
 use crate::units::Dimension;
 use masses::{MASSES, masses};
 pub(super) use modes::NUMBERS as NUMBERS_IN_FILE;
@@ -58,7 +57,7 @@ fn rayleigh(table: &Table<'_>) -> Option<[f64; 2]> {
     }
     let damping = value.table("`rayleigh`", &PROPORTIONS)?;
     let share = |key: &'static str, dimension: Dimension| {
-        damping.get(key).map_or(Some(0.0), |value: Value<'_>| value.non_negative(dimension))
+        damping.read_or(key, 0.0, |value| value.non_negative(dimension))
     };
     let (mass, stiffness) = (share("mass", Dimension::RATE), share("stiffness", Dimension::TIME));
     Some([mass?, stiffness?])
@@ -66,5 +65,5 @@ fn rayleigh(table: &Table<'_>) -> Option<[f64; 2]> {
 
 /// Reads the nodes that are clamped on the carrier, none if the table has none.
 fn attached(table: &Table<'_>, nodes: &Nodes) -> Option<Vec<usize>> {
-    table.get("attach").map_or(Some(Vec::new()), |value| nodes.named(&value))
+    table.read_or("attach", Vec::new(), |value| nodes.named(&value))
 }

@@ -4,11 +4,11 @@
 
 use std::path::Path;
 
-use quasirigid_elements::{ElementKind, GivenModes, NodalMass, Part, PartKind, Spectrum};
+use quasirigid_elements::{GivenModes, NodalMass, Part, PartKind, Spectrum};
 
 use super::super::key::{Keys, Shape, TEXT, any, key, list};
-use super::super::names::{self, NODE};
-use super::super::reader::{Keyed, NAME, Naming, Reader, Sources};
+use super::super::names::NODE;
+use super::super::reader::{NAME, Reader, Sources};
 use super::super::rheology::{RHEOLOGY, Scale, rheology};
 use super::super::surface::unit_of;
 use super::super::table::Table;
@@ -18,22 +18,10 @@ use super::{ATTACH, MASSES, Nodes, RAYLEIGH, Read, attached, masses, rayleigh};
 use crate::matrix::MatrixFile;
 use crate::units::Dimension;
 
-pub(in crate::model) const READER: Reader = Reader {
-    key: "modes",
-    title: "[[modes]]",
-    meaning: "shapes of another program",
-    keys: Keyed::All(&MODES),
-    kind: Some(ElementKind::Part),
-    naming: Naming::Numbered("modes"),
-    names: |index| names::Part::Flexible(index),
-    aliases: &[],
-    nested: &[],
-    is_body: true,
-    read: |entry, draft| {
-        let part = modes(entry.table, entry.name, draft.sources);
-        draft.part(entry, part)
-    },
-};
+pub(in crate::model) const READER: Reader =
+    Reader::of_parts("modes", "[[modes]]", "shapes of another program", &MODES, |entry, draft| {
+        draft.part(entry, modes(entry.table, entry.name, draft.sources))
+    });
 
 const MODES: Keys = Keys {
     known: &[
@@ -131,7 +119,7 @@ fn one_of(table: &Table<'_>, keys: [&'static str; 2], example: &str) -> Option<(
         [None, None] => table.required(keys[0], example).map(drop),
         [Some(_), Some(second)] => {
             let message = format!("`{}` and `{}` say the same", keys[0], keys[1]);
-            second.refuse(message, "one too many", Some("leave one of them out".to_owned()))
+            second.refuse(message, "one too many", "leave one of them out")
         }
         _ => Some(()),
     }
@@ -158,11 +146,7 @@ fn column(given: &Given<'_>, count: usize, of: &str) -> Option<Vec<f64>> {
     if (rows, columns) != (count, 1) && (rows, columns) != (1, count) {
         let key = given.value.key();
         let message = format!("`{key}` has {rows} rows and {columns} columns, and there are {count} {of}s");
-        return given.value.refuse(
-            message,
-            "of another size",
-            Some(format!("give one number for each {of}")),
-        );
+        return given.value.refuse(message, "of another size", format!("give one number for each {of}"));
     }
     let mut numbers = vec![0.0; count];
     given.matrix.entries.iter().for_each(|(row, column, entry)| numbers[*row.max(column)] = *entry);
@@ -173,11 +157,7 @@ fn column(given: &Given<'_>, count: usize, of: &str) -> Option<Vec<f64>> {
 fn spectrum(table: &Table<'_>, modes: usize, folder: &Path) -> Option<Spectrum> {
     if let Some(value) = table.get("damping") {
         let help = "write damping_ratios = 0.01, or `stiffness` in the place of `frequencies`";
-        return value.refuse(
-            "`damping` is a matrix beside `stiffness`".to_owned(),
-            "beside frequencies",
-            Some(help.to_owned()),
-        );
+        return value.refuse("`damping` is a matrix beside `stiffness`", "beside frequencies", help);
     }
     let value = table.required("frequencies", "frequencies = [\"0.4 Hz\", \"1.1 Hz\"]")?;
     let frequencies = numbers(&value, Dimension::FREQUENCY, modes, folder);
@@ -225,7 +205,7 @@ impl<'u> Coordinates<'u> {
             let key = given.value.key();
             let message = format!("`{key}` has {size} rows, and there are {count} shapes");
             let help = "it is between the shapes: a row and a column for each, in their order";
-            return given.value.refuse(message, "of another size", Some(help.to_owned()));
+            return given.value.refuse(message, "of another size", help);
         }
         let energy = self.units.mass * self.units.length.powi(2);
         let entry = |(row, column, entry): &(usize, usize, f64)| {

@@ -58,18 +58,16 @@ const LONGEST: f64 = 10.0;
 
 /// Reads a `[[network]]` of random points and springs.
 pub(in crate::model) fn network(table: &Table<'_>, name: &str) -> Option<(Network, Extremes)> {
-    let mass = table.required("mass", "mass = 1.0").and_then(|value| value.positive(Dimension::MASS));
-    let semi_axes: Option<[f64; 3]> = table
-        .required("semi_axes", "semi_axes = [\"230 m\", \"120 m\", \"95 m\"]")
-        .and_then(|value| value.array("numbers", |axis| axis.positive(Dimension::LENGTH)));
+    let mass = table.read("mass", "mass = 1.0", |value| value.positive(Dimension::MASS));
+    let semi_axes: Option<[f64; 3]> =
+        table.read("semi_axes", "semi_axes = [\"230 m\", \"120 m\", \"95 m\"]", |value| {
+            value.array("numbers", |axis| axis.positive(Dimension::LENGTH))
+        });
     let center = table.vector_or_zero("center", Dimension::LENGTH);
-    let spacing =
-        table.required("spacing", "spacing = \"20 m\"").and_then(|value| value.positive(Dimension::LENGTH));
+    let spacing = table.read("spacing", "spacing = \"20 m\"", |value| value.positive(Dimension::LENGTH));
     let reach = table.get("reach").map(|value| (value, value.positive(Dimension::LENGTH)));
-    let stiffness = table
-        .required("stiffness", "stiffness = 0.08")
-        .and_then(|value| value.positive(Dimension::STIFFNESS));
-    let seed = table.get("seed").map_or(Some(1), |value| value.integer(0..=usize::MAX >> 12));
+    let stiffness = table.read("stiffness", "stiffness = 0.08", |value| value.positive(Dimension::STIFFNESS));
+    let seed = table.read_or("seed", 1, |value| value.integer(0..=usize::MAX >> 12));
     let known = rheology(table, Scale::OF_SPRING);
     let spacing = spacing?;
     let reach = match reach {
@@ -81,7 +79,7 @@ pub(in crate::model) fn network(table: &Table<'_>, name: &str) -> Option<(Networ
                     format!("springs of {reach} m do not fit points that are {spacing} m apart or more");
                 let help =
                     format!("write a reach of 1 to {LONGEST} times the spacing; {REACH} times is usual");
-                return value.refuse(message, "too short or too long", Some(help));
+                return value.refuse(message, "too short or too long", help);
             }
             reach
         }
@@ -101,7 +99,7 @@ pub(in crate::model) fn network(table: &Table<'_>, name: &str) -> Option<(Networ
     if network.expected() > MOST_POINTS {
         let message = format!("about {:.1e} points fit into this ellipsoid", network.expected());
         let help = format!("widen the spacing: a network has {MOST_POINTS:e} points or fewer");
-        return table.get("spacing")?.refuse(message, "too many points", Some(help));
+        return table.get("spacing")?.refuse(message, "too many points", help);
     }
     let springs = network.expected_springs();
     let problem = match memory::ask(SPRING * springs) {
@@ -112,7 +110,7 @@ pub(in crate::model) fn network(table: &Table<'_>, name: &str) -> Option<(Networ
     if let Some(problem) = problem {
         let message = format!("about {springs:.1e} springs join these points: {problem}");
         let help = format!("widen the spacing or shorten the reach: {REACH} times the spacing is usual");
-        return table.get("spacing")?.refuse(message, "too many springs", Some(help));
+        return table.get("spacing")?.refuse(message, "too many springs", help);
     }
     Some((network, known.extremes))
 }
@@ -143,5 +141,5 @@ impl<'a> Draft<'_, 'a> {
 fn too_few(table: &Table<'_>, count: usize) -> Option<()> {
     let message = format!("{count} points fit into this ellipsoid, and {FEWEST_POINTS} are needed");
     let help = "narrow the spacing: a network stands for a body by many points";
-    table.get("spacing")?.refuse(message, "too few points", Some(help.to_owned()))
+    table.get("spacing")?.refuse(message, "too few points", help)
 }

@@ -34,9 +34,8 @@ pub(super) struct Units {
 
 impl Units {
     pub(super) fn new(table: &Table<'_>) -> Option<Self> {
-        let unit = |key: &'static str, dimension: Dimension| match table.get(key) {
-            Some(value) => unit_of(&value, dimension),
-            None => Some(1.0),
+        let unit = |key: &'static str, dimension: Dimension| {
+            table.read_or(key, 1.0, |value| unit_of(&value, dimension))
         };
         let (length, mass) = (unit("length_unit", Dimension::LENGTH), unit("mass_unit", Dimension::MASS));
         Some(Self { length: length?, mass: mass? })
@@ -80,12 +79,12 @@ impl<'a> Given<'a> {
         example: &str,
         folder: &Path,
     ) -> Option<Self> {
-        table.required(key, example).and_then(|value| Self::read(value, folder))
+        table.read(key, example, |value| Self::read(value, folder))
     }
 
     /// Reads a matrix that may be left out.
     pub(super) fn optional(table: &Table<'a>, key: &'static str, folder: &Path) -> Option<Option<Self>> {
-        table.get(key).map_or(Some(None), |value| Self::read(value, folder).map(Some))
+        table.read_or(key, None, |value| Self::read(value, folder).map(Some))
     }
 
     /// Refuses a matrix that is not square.
@@ -96,7 +95,7 @@ impl<'a> Given<'a> {
         }
         let message = format!("the matrix has {rows} rows and {columns} columns");
         let help = "mass, damping and stiffness are square";
-        self.value.refuse(message, "not square", Some(help.to_owned()))
+        self.value.refuse(message, "not square", help)
     }
 }
 
@@ -108,7 +107,7 @@ pub(super) fn node_table(table: &Table<'_>, folder: &Path) -> Option<NodeTable> 
 
 /// Reads the list `dofs`, the degrees of freedom of the rows, if there is one.
 pub(super) fn dof_list(table: &Table<'_>, folder: &Path) -> Option<Option<Vec<Dof>>> {
-    table.get("dofs").map_or(Some(None), |value| opened(&value, folder, read_dofs).map(Some))
+    table.read_or("dofs", None, |value| opened(&value, folder, read_dofs).map(Some))
 }
 
 /// Reads a file that a value names, looked for beside the model.
@@ -120,9 +119,7 @@ fn opened<T, E: std::fmt::Display>(
     let path = folder.join(value.text()?);
     let help = "it is looked for beside the model; Matrix Market, NumPy, CalculiX, DMIG and OUTPUT4 files are read, and \
                 node tables as CSV, GRID cards or *NODE";
-    let refuse = |error: E| {
-        value.refuse(format!("`{}`: {error}", value.key()), "cannot be used", Some(help.to_owned()))
-    };
+    let refuse = |error: E| value.refuse(format!("`{}`: {error}", value.key()), "cannot be used", help);
     read(&path).map_or_else(refuse, Some)
 }
 
@@ -152,7 +149,7 @@ impl<'f> Rows<'f> {
                     let help = "every row is about a displacement (1 to 3) or rotation (4 to 6) of a node in the table";
                     let message =
                         format!("there is no degree of freedom {dof} of a node in the table `nodes`");
-                    return file.value.refuse(message, "a row without a node", Some(help.to_owned()));
+                    return file.value.refuse(message, "a row without a node", help);
                 };
                 found.insert(dof, place);
             }
@@ -216,6 +213,6 @@ impl<'f> Rows<'f> {
         let message = format!("the matrix has {rows} rows, but {} degrees of freedom are known", dofs.len());
         let help = "say what each row is about: dofs = \"bracket.dof\", with lines node.component; without it the rows \
                     are the three or six components of each node in the order of the table";
-        given.value.refuse(message, "rows without `dofs`", Some(help.to_owned()))
+        given.value.refuse(message, "rows without `dofs`", help)
     }
 }

@@ -61,7 +61,7 @@ impl Nodes {
             several => value.refuse(
                 format!("`{}` names {} nodes, but one is needed", value.key(), several.len()),
                 "several nodes",
-                Some("name one node, by its name or its number".to_owned()),
+                "name one node, by its name or its number",
             ),
         }
     }
@@ -74,7 +74,7 @@ impl Nodes {
                 None => value.refuse(
                     format!("there is no node {label} in this part"),
                     "unknown node",
-                    Some(self.known()),
+                    self.known(),
                 ),
             };
         }
@@ -90,7 +90,7 @@ impl Nodes {
         } else {
             suggestion(name, || self.sorted().into_iter(), self.sorted().len())
         };
-        value.refuse(format!("this part has no node or set {name:?}"), "unknown", Some(help))
+        value.refuse(format!("this part has no node or set {name:?}"), "unknown", help)
     }
 
     fn sorted(&self) -> Vec<&str> {

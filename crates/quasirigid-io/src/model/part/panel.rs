@@ -3,13 +3,12 @@
 
 use std::sync::Arc;
 
-use quasirigid_elements::{ElementKind, Layer, Panel, Part, PartKind};
+use quasirigid_elements::{Layer, Panel, Part, PartKind};
 use quasirigid_math::vec3::{cross, norm};
 use quasirigid_mesh::{Cell, Mesh, Set, Shape};
 
 use super::super::key::{self, Keys, TEXT, VECTOR, array, key, list, quantity, table};
-use super::super::names;
-use super::super::reader::{Keyed, NAME, Naming, Reader, Sources};
+use super::super::reader::{NAME, Reader, Sources};
 use super::super::rheology::Extremes;
 use super::super::surface::UNIT;
 use super::super::table::Table;
@@ -18,22 +17,10 @@ use super::placed::{ATTITUDE, FILE, POSITION, mesh, placed};
 use super::{ATTACH, MASSES, Nodes, PARALLEL, RAYLEIGH, Read, attached, masses, rayleigh};
 use crate::units::Dimension;
 
-pub(in crate::model) const READER: Reader = Reader {
-    key: "panel",
-    title: "[[panel]]",
-    meaning: "layered plate or shell",
-    keys: Keyed::All(&PANEL),
-    kind: Some(ElementKind::Part),
-    naming: Naming::Numbered("panel"),
-    names: |index| names::Part::Flexible(index),
-    aliases: &[],
-    nested: &[],
-    is_body: true,
-    read: |entry, draft| {
-        let part = panel(entry.table, entry.name, draft.sources);
-        draft.part(entry, part)
-    },
-};
+pub(in crate::model) const READER: Reader =
+    Reader::of_parts("panel", "[[panel]]", "layered plate or shell", &PANEL, |entry, draft| {
+        draft.part(entry, panel(entry.table, entry.name, draft.sources))
+    });
 
 const PANEL: Keys = Keys {
     known: &[
@@ -77,11 +64,12 @@ pub(super) fn panel(table: &Table<'_>, name: &str, sources: Sources<'_, '_>) -> 
             mesh(table, sources.folder, example)
         }
     };
-    let layers = table
-        .required("layers", "layers = [{ material = \"aluminium\", thickness = \"2 mm\" }]")
-        .and_then(|value| value.list("an array of layers", |item| layer(&item, sources)));
+    let layers =
+        table.read("layers", "layers = [{ material = \"aluminium\", thickness = \"2 mm\" }]", |value| {
+            value.list("an array of layers", |item| layer(&item, sources))
+        });
     let reference = table.get("reference").map(|value| value.vector(Dimension::NUMBER));
-    let offset = table.get("offset").map_or(Some(0.0), |value| value.quantity(Dimension::LENGTH));
+    let offset = table.read_or("offset", 0.0, |value| value.quantity(Dimension::LENGTH));
     let damping = rayleigh(table);
     let mesh = mesh?;
     let nodes = Nodes::of_mesh(&mesh);
@@ -100,10 +88,9 @@ fn layer(value: &Value<'_>, sources: Sources<'_, '_>) -> Option<(Layer, Extremes
     let table = value.table("the layer", &LAYER)?;
     let named = table.required("material", "material = \"aluminium\"");
     let material = named.as_ref().and_then(|value| sources.materials.named(value));
-    let thickness = table
-        .required("thickness", "thickness = \"2 mm\"")
-        .and_then(|value| value.positive(Dimension::LENGTH));
-    let angle = table.get("angle").map_or(Some(0.0), |value| value.quantity(Dimension::ANGLE));
+    let thickness =
+        table.read("thickness", "thickness = \"2 mm\"", |value| value.positive(Dimension::LENGTH));
+    let angle = table.read_or("angle", 0.0, |value| value.quantity(Dimension::ANGLE));
     let (material, extremes) = material?;
     let name = named.and_then(|value| value.words().map(str::to_owned)).unwrap_or_default();
     Some((Layer { name, material, thickness: thickness?, angle: angle? }, extremes))
@@ -124,9 +111,9 @@ fn span_a_plane(rectangle: &Table<'_>, sides: [[f64; 3]; 2]) -> Option<[[f64; 3]
     if norm(cross(first, second)) > PARALLEL * norm(first) * norm(second) {
         return Some(sides);
     }
-    let help = "write two sides at an angle, such as sides = [[2, 0, 0], [0, 1, 0]]".to_owned();
-    let message = "the sides are parallel, or one has no length".to_owned();
-    rectangle.get("sides")?.refuse(message, "no area", Some(help))
+    let help = "write two sides at an angle, such as sides = [[2, 0, 0], [0, 1, 0]]";
+    let message = "the sides are parallel, or one has no length";
+    rectangle.get("sides")?.refuse(message, "no area", help)
 }
 
 /// Bytes that a cell takes at least: an element for each of two materials, and six rows of some ten matrices.
@@ -139,10 +126,10 @@ fn rectangle(value: &Value<'_>) -> Option<Mesh> {
         return value.mismatch("a table", "write { sides = [[2, 0, 0], [0, 1, 0]], cells = [8, 4] }");
     }
     let table = value.table("`rectangle`", &RECTANGLE)?;
-    let sides: Option<[[f64; 3]; 2]> = table
-        .required("sides", "sides = [[2, 0, 0], [0, 1, 0]]")
-        .and_then(|value| value.array("sides", |side| side.vector(Dimension::LENGTH)));
-    let cells: Option<[usize; 2]> = table.required("cells", "cells = [8, 4]").and_then(|value| {
+    let sides: Option<[[f64; 3]; 2]> = table.read("sides", "sides = [[2, 0, 0], [0, 1, 0]]", |value| {
+        value.array("sides", |side| side.vector(Dimension::LENGTH))
+    });
+    let cells: Option<[usize; 2]> = table.read("cells", "cells = [8, 4]", |value| {
         let cells: [usize; 2] = value.array("numbers", |count| count.integer(1..=MOST_CELLS))?;
         value.room(cells[0] as f64 * cells[1] as f64, CELL).map(|()| cells)
     });

@@ -26,9 +26,9 @@ struct Placement {
 
 /// Reads the mesh of a part, in the file's frame; a part without one is told to add a line such as `example`.
 pub(super) fn mesh(table: &Table<'_>, folder: &Path, example: &str) -> Option<Mesh> {
-    let length = table.get("unit").map_or(Some(1.0), |value| unit(&value));
+    let length = table.read_or("unit", 1.0, |value| unit(&value));
     let placement = placement(table);
-    let mesh = table.required("file", example).and_then(|value| file(&value, folder));
+    let mesh = table.read("file", example, |value| file(&value, folder));
     let (length, placement, mut mesh) = (length?, placement?, mesh?);
     for node in &mut mesh.nodes {
         *node = placement.of(node.map(|entry| length * entry));
@@ -45,10 +45,7 @@ pub(super) fn placed(table: &Table<'_>, mut mesh: Mesh) -> Option<Mesh> {
 
 fn placement(table: &Table<'_>) -> Option<Placement> {
     let position = table.vector_or_zero("position", Dimension::LENGTH);
-    let attitude = match table.get("attitude") {
-        Some(value) => unit_quaternion(&value, &mut Vec::new()),
-        None => Some(ALIGNED),
-    };
+    let attitude = table.read_or("attitude", ALIGNED, |value| unit_quaternion(&value, &mut Vec::new()));
     Some(Placement { position: position?, attitude: attitude? })
 }
 
@@ -66,10 +63,7 @@ fn file(value: &Value<'_>, folder: &Path) -> Option<Mesh> {
         Err(error) => value.refuse(
             format!("`file`: {error}"),
             "cannot be used",
-            Some(
-                "it is looked for beside the model; gmsh, VTK and Abaqus or CalculiX meshes are read"
-                    .to_owned(),
-            ),
+            "it is looked for beside the model; gmsh, VTK and Abaqus or CalculiX meshes are read",
         ),
     }
 }

@@ -19,6 +19,6 @@ pub(in crate::model) fn reduction(file: &Table<'_>) -> Option<PartReduction> {
     let Some(table) = file.table("reduction", "[reduction]", &REDUCTION) else {
         return file.get("reduction").is_none().then_some(default);
     };
-    let modes = table.get("modes").map_or(Some(default.modes), |value| value.integer(0..=MOST_MODES));
+    let modes = table.read_or("modes", default.modes, |value| value.integer(0..=MOST_MODES));
     Some(PartReduction { modes: modes?, ..default })
 }

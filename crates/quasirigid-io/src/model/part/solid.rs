@@ -3,13 +3,12 @@
 
 use std::sync::Arc;
 
-use quasirigid_elements::{ElementKind, Part, PartKind, Region, Solid};
+use quasirigid_elements::{Part, PartKind, Region, Solid};
 use quasirigid_math::vec3::{cross, dot, norm, scale};
 use quasirigid_mesh::Mesh;
 
 use super::super::key::{Keys, Shape, TEXT, array, key, named};
-use super::super::names;
-use super::super::reader::{Keyed, NAME, Naming, Reader, Sources};
+use super::super::reader::{NAME, Reader, Sources};
 use super::super::rheology::Extremes;
 use super::super::surface::UNIT;
 use super::super::table::Table;
@@ -19,20 +18,10 @@ use super::{ATTACH, MASSES, Nodes, PARALLEL, RAYLEIGH, Read, attached, masses, r
 use crate::units::Dimension;
 
 pub(in crate::model) const READER: Reader = Reader {
-    key: "solid",
-    title: "[[solid]]",
-    meaning: "body of finite elements",
-    keys: Keyed::All(&SOLID),
-    kind: Some(ElementKind::Part),
-    naming: Naming::Numbered("solid"),
-    names: |index| names::Part::Flexible(index),
     aliases: &[("materials", "material")],
-    nested: &[],
-    is_body: true,
-    read: |entry, draft| {
-        let part = solid(entry.table, entry.name, draft.sources);
-        draft.part(entry, part)
-    },
+    ..Reader::of_parts("solid", "[[solid]]", "body of finite elements", &SOLID, |entry, draft| {
+        draft.part(entry, solid(entry.table, entry.name, draft.sources))
+    })
 };
 
 const SOLID: Keys = Keys {
@@ -54,10 +43,8 @@ const SOLID: Keys = Keys {
 /// Reads a `[[solid]]` of one material, or of several by sets of its cells.
 pub(super) fn solid(table: &Table<'_>, name: &str, sources: Sources<'_, '_>) -> Option<Read> {
     let mesh = mesh(table, sources.folder, "file = \"bracket.msh\"");
-    let axes = match table.get("axes") {
-        Some(value) => axes(&value),
-        None => Some([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]),
-    };
+    let axes =
+        table.read_or("axes", [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]], |value| axes(&value));
     let damping = rayleigh(table);
     let mesh = mesh?;
     let nodes = Nodes::of_mesh(&mesh);
@@ -94,8 +81,8 @@ fn several(
     axes: [[f64; 3]; 3],
 ) -> Option<Vec<(Region, Extremes)>> {
     if let Some(both) = table.get("material") {
-        let help = Some("leave out one of `material` and `materials`".to_owned());
-        return both.refuse("the material is given twice".to_owned(), "given twice", help);
+        let help = "leave out one of `material` and `materials`";
+        return both.refuse("the material is given twice", "given twice", help);
     }
     let Some(entries) = value.entries() else {
         return value.mismatch("a table", "write { SET = \"aluminium\" }, for each set of cells in the mesh");
@@ -116,7 +103,7 @@ fn several(
     if wrong.len() > 1 {
         message += &format!(", the first of {} cells that are not in one", wrong.len());
     }
-    value.refuse(message, "each cell in one set", Some("every solid cell needs one material".to_owned()))
+    value.refuse(message, "each cell in one set", "every solid cell needs one material")
 }
 
 fn cells_of(entry: &Value<'_>, mesh: &Mesh) -> Option<Vec<usize>> {
@@ -134,7 +121,7 @@ fn cells_of(entry: &Value<'_>, mesh: &Mesh) -> Option<Vec<usize>> {
             entry.refuse(
                 format!("the mesh has no solid cells in a set {:?}", entry.key()),
                 "unknown set",
-                Some(help),
+                help,
             )
         }
     }
@@ -150,8 +137,8 @@ fn axes(value: &Value<'_>) -> Option<[[f64; 3]; 3]> {
     let third = cross(first, second);
     let sine = norm(third) / (norm(first) * norm(second));
     if !(sine > PARALLEL) {
-        let help = Some("write two directions, those of axes 1 and 2 of the material".to_owned());
-        return value.refuse("`axes` are parallel, or one has no length".to_owned(), "no axes", help);
+        let help = "write two directions, those of axes 1 and 2 of the material";
+        return value.refuse("`axes` are parallel, or one has no length", "no axes", help);
     }
     let unit = |vector: [f64; 3]| scale(dot(vector, vector).sqrt().recip(), vector);
     let (first, third) = (unit(first), unit(third));

@@ -82,13 +82,12 @@ impl Command {
     pub fn is_quiet(&self) -> bool {
         match self {
             Self::Run(RunArgs { common, .. })
-            | Self::Check(Check { common })
             | Self::Modes(ModesArgs { common, .. })
             | Self::Derive(Derive { common, .. })
             | Self::Simulate(Simulate { common, .. })
             | Self::Evolve(Evolve { common, .. })
             | Self::Verify(Verify { common, .. }) => common.quiet,
-            Self::Cite(common) => common.quiet,
+            Self::Check(common) | Self::Cite(common) => common.quiet,
             Self::Sweep(SweepArgs { quiet, .. })
             | Self::Report(Report { quiet, .. })
             | Self::Plot(Plot { quiet, .. }) => *quiet,

@@ -8,7 +8,8 @@ use crate::evolution::answer::folding;
 use crate::evolution::columns::{self, of_rows};
 use crate::evolution::reason::Reason;
 use crate::evolution::record::blank;
-use crate::evolution::words::{finished, followed_power, road};
+use crate::evolution::verdict::{followed_power, road};
+use crate::evolution::words::finished;
 use crate::evolution::{Asked, STEADY_SPIN, record, refusals};
 use crate::words::{count, shares, significant, time};
 

@@ -88,6 +88,7 @@ impl Command {
             | Self::Evolve(Evolve { common, .. })
             | Self::Verify(Verify { common, .. }) => common.quiet,
             Self::Check(common) | Self::Cite(common) => common.quiet,
+            Self::Keys(_) => false,
             Self::Sweep(SweepArgs { quiet, .. })
             | Self::Report(Report { quiet, .. })
             | Self::Plot(Plot { quiet, .. }) => *quiet,

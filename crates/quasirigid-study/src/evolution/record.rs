@@ -12,7 +12,7 @@ use super::columns::observed;
 use super::method::Rates;
 use super::reason::Reason;
 use super::table::EvolutionTable;
-use super::verdict::Verdict;
+use super::verdict::{Verdict, road, source_of_power};
 use super::{refusals, words};
 use crate::settings::EvolveSettings;
 use crate::words::shares;
@@ -109,8 +109,8 @@ impl Answer<'_> {
         };
         let [ratio_start, ratio_end] = [of_levels(&start, from), of_levels(&end, to)];
         let mut record = EvolutionRecord {
-            road: words::road(self.method).into(),
-            method: words::source_of_power(self.method, self.source, self.inputs.order),
+            road: road(self.method).into(),
+            method: source_of_power(self.method, self.source, self.inputs.order),
             status: if verdict.fails { "does-not-hold" } else { rows.status }.into(),
             message: if verdict.fails { verdict.sentence.clone() } else { words::message(rows, asked, ages) },
             verdict: verdict.sentence,

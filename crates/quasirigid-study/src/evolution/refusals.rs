@@ -250,3 +250,66 @@ fn ended(ending: &DirectStopReason) -> &str {
         _ => "the steps allowed were used up; asked for, the direct integration has more of them",
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::choice::Reason;
+    use super::*;
+
+    /// Reasons that a body with momentum wheels shares have a sentence of their own for it.
+    #[test]
+    fn momentum_wheels_change_the_words() {
+        let ending = DirectStopReason::StepLimit;
+        let unfinished = Reason::Unfinished { t: 60.0, revolutions: 12.0, ending, instability: None };
+        let rows = [
+            (Reason::Lossless, "nothing is dissipated", "the reduced equations dissipate nothing"),
+            (
+                Reason::NoModalRate,
+                "the modes about the steady spins give no rate at which a small wobble changes",
+                "the modes give a small wobble no rate",
+            ),
+            (
+                Reason::ManifoldThroughSeparatrix,
+                "the reduced equations about a spin do not reach from one pole to the other",
+                "the reduced equations about a spin do not reach through a separatrix",
+            ),
+            (
+                Reason::BeyondManifold { wobble: 0.25 },
+                "the reduced equations about the spin do not hold at the nutation of the start, 14.3 degrees, or \
+                 the start is too far off them",
+                "the reduced equations about the steady spin do not hold at this wobble",
+            ),
+            (
+                Reason::UnknownLength,
+                "the modes give a small wobble no rate beyond rounding at an end of the way, so that nothing says \
+                 how far the full system would have to be followed; the method direct, asked for, does it",
+                "the modes give a small wobble no rate, so that nothing says how far the full system would have \
+                 to be followed",
+            ),
+            (
+                unfinished,
+                "the full system was followed for 60.00 s (12.0 revolutions) and did not get there: the steps \
+                 allowed were used up; asked for, the direct integration has more of them",
+                "the full system was followed for 60.00 s and did not get there",
+            ),
+        ];
+        for (reason, without, with) in rows {
+            assert_eq!([false, true].map(|wheels| of_choice(&reason, wheels)), [without, with]);
+        }
+    }
+
+    /// Level curves that were refused before the last method are named first; those that did not hold are not.
+    #[test]
+    fn level_curves_that_were_refused_are_told_first() {
+        use quasirigid::secular::choice::{Method, Stop};
+        let after = |levels: Reason| {
+            let tried =
+                vec![(Method::LevelCurves, levels), (Method::SpinManifold, Reason::ManifoldWithoutEnd)];
+            let stop = Stop::Refused { reason: Reason::UnknownLength, tried };
+            text(&super::Reason::of(stop).unwrap(), true)
+        };
+        let last = of_choice(&Reason::UnknownLength, true);
+        assert_eq!(after(Reason::LevelsFail { error: 0.2 }), last);
+        assert_eq!(after(Reason::Lossless), format!("the reduced equations dissipate nothing; {last}"));
+    }
+}

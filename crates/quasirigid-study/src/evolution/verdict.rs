@@ -1,9 +1,10 @@
-//! Verdict on the method of an evolution: its reason, and the error of the time, in one sentence.
+//! Verdict on the method of an evolution: its name, the source of its power, its reason and the error of the time in one sentence.
 //! The sentence is closed only when all errors are known, so that it has one number: that of the method and of approximated shapes.
 //! Criteria: (Q3), (Q7) and (Q9), docs/theory/16-methods.md.
 
+use quasirigid::averaging::PowerSource;
 use quasirigid::model::Mode;
-use quasirigid::secular::choice::{AverageBasis, Followed, Outcome};
+use quasirigid::secular::choice::{AverageBasis, Followed, Method, Outcome};
 use quasirigid::secular::{HandOver, ManifoldHistory, MeasuredPower};
 
 use super::refusals::unfounded;
@@ -95,6 +96,54 @@ impl Verdict {
     pub fn of_no_solid(self, why: &str) -> Self {
         let sentence = format!("NO SOLID: {why}. {}", self.sentence).trim().into();
         Self { sentence, fails: true, ..self }
+    }
+}
+
+/// Name of a method in records.
+pub fn road(method: Method) -> &'static str {
+    match method {
+        Method::Average(_) | Method::SpinningFrame => "average",
+        Method::ModalRates => "modes",
+        Method::LevelCurves => "levels",
+        Method::SpinManifold => "manifold",
+        Method::MicroRuns => "micro-runs",
+        Method::FullSystem => "direct",
+    }
+}
+
+/// Source of the power of a method that follows it from start to end, in words; none of an average.
+pub fn followed_power(method: Method) -> Option<&'static str> {
+    match method {
+        Method::MicroRuns => Some("measured by short runs of the full system along the way"),
+        Method::LevelCurves => {
+            Some("mean of the power of the reduced equations along level curves of the slow energy")
+        }
+        Method::SpinManifold => Some(
+            "the reduced equations about the spin from start to end; the wobble is the envelope, that of a rigid body with the same energy",
+        ),
+        Method::FullSystem => Some(
+            "the full system from start to end; the wobble is the envelope, that of a rigid body with the same energy",
+        ),
+        Method::Average(_) | Method::SpinningFrame | Method::ModalRates => None,
+    }
+}
+
+/// Source of the power in words; of averages that of the power averaged, from reduced equations of an order.
+pub fn source_of_power(method: Method, source: PowerSource, order: usize) -> String {
+    if let Some(words) = followed_power(method) {
+        return words.into();
+    }
+    match source {
+        _ if method == Method::SpinningFrame => {
+            "harmonics of the polhode in the spinning frame, coupled by its Coriolis and centrifugal forces"
+                .into()
+        }
+        PowerSource::Polynomial => {
+            format!("mean of the power of the reduced equations of order {order} along the polhode")
+        }
+        PowerSource::Harmonics => {
+            "sum over the harmonics of the polhode, with every elastic mode, dashpot and material".into()
+        }
     }
 }
 

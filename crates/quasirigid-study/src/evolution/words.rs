@@ -3,10 +3,8 @@
 use std::f64::consts::TAU;
 use std::fmt::{self, Write};
 
-use quasirigid::averaging::{
-    DriftHistory, DriftStopReason, MeanPower, PowerSource, RotationState, spin_barrier,
-};
-use quasirigid::secular::choice::{GrowingVibration, Method};
+use quasirigid::averaging::{DriftHistory, DriftStopReason, MeanPower, RotationState, spin_barrier};
+use quasirigid::secular::choice::GrowingVibration;
 use quasirigid_io::record::{Column, EstimateRecord, EvolutionRecord, HomogeneousRecord, ObservedRecord};
 use quasirigid_io::visible::one_line;
 
@@ -184,54 +182,6 @@ fn parametric(GrowingVibration { coordinate, frequency, rate, wobble }: &Growing
         significant(*frequency, 4),
         time(rate.recip())
     )
-}
-
-/// Name of a method in records.
-pub fn road(method: Method) -> &'static str {
-    match method {
-        Method::Average(_) | Method::SpinningFrame => "average",
-        Method::ModalRates => "modes",
-        Method::LevelCurves => "levels",
-        Method::SpinManifold => "manifold",
-        Method::MicroRuns => "micro-runs",
-        Method::FullSystem => "direct",
-    }
-}
-
-/// Source of the power of a method that follows it from start to end, in words; none of an average.
-pub fn followed_power(method: Method) -> Option<&'static str> {
-    match method {
-        Method::MicroRuns => Some("measured by short runs of the full system along the way"),
-        Method::LevelCurves => {
-            Some("mean of the power of the reduced equations along level curves of the slow energy")
-        }
-        Method::SpinManifold => Some(
-            "the reduced equations about the spin from start to end; the wobble is the envelope, that of a rigid body with the same energy",
-        ),
-        Method::FullSystem => Some(
-            "the full system from start to end; the wobble is the envelope, that of a rigid body with the same energy",
-        ),
-        Method::Average(_) | Method::SpinningFrame | Method::ModalRates => None,
-    }
-}
-
-/// Source of the power in words; of averages that of the power averaged, from reduced equations of an order.
-pub fn source_of_power(method: Method, source: PowerSource, order: usize) -> String {
-    if let Some(words) = followed_power(method) {
-        return words.into();
-    }
-    match source {
-        _ if method == Method::SpinningFrame => {
-            "harmonics of the polhode in the spinning frame, coupled by its Coriolis and centrifugal forces"
-                .into()
-        }
-        PowerSource::Polynomial => {
-            format!("mean of the power of the reduced equations of order {order} along the polhode")
-        }
-        PowerSource::Harmonics => {
-            "sum over the harmonics of the polhode, with every elastic mode, dashpot and material".into()
-        }
-    }
 }
 
 /// Radius (m) of the ball of the same volume above which asteroids do not spin beyond the barrier.

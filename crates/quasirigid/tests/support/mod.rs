@@ -4,6 +4,7 @@
 //! damping ratios from 0.1 to 1, so that damping and stiffness both appear in every degree. [`bodies`] then changes the
 //! units, because no law depends on them.
 
+pub mod linearised;
 pub mod matrices;
 pub mod parts;
 pub mod rotors;

@@ -169,6 +169,7 @@ fn counted(mut faults: impl Iterator<Item = MeshFault>) -> Option<MeshFault> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::functions::tests::SHAPES;
 
     /// Two hexahedra side by side, rotated and off the origin, numbered unlike their indices.
     fn pair(unit: f64) -> Mesh {
@@ -206,23 +207,6 @@ mod tests {
         faults.remove(0)
     }
 
-    const ALL: [Shape; 14] = [
-        Shape::Line2,
-        Shape::Line3,
-        Shape::Triangle3,
-        Shape::Triangle6,
-        Shape::Quad4,
-        Shape::Quad8,
-        Shape::Quad9,
-        Shape::Tet4,
-        Shape::Tet10,
-        Shape::Wedge6,
-        Shape::Wedge15,
-        Shape::Hex8,
-        Shape::Hex20,
-        Shape::Hex27,
-    ];
-
     #[test]
     fn a_good_mesh_of_any_unit_passes() {
         for unit in [1e-9, 1.0, 1e9] {
@@ -230,14 +214,14 @@ mod tests {
             assert_eq!(mesh.check(), Ok(()));
             assert!((mesh.volume(&[0, 1]) / unit.powi(3) - 1.0).abs() < 1e-12);
         }
-        for shape in ALL {
+        for shape in SHAPES {
             assert_eq!(single(shape, |_, place| place).check(), Ok(()), "{shape}");
         }
     }
 
     #[test]
     fn a_mirrored_solid_is_inside_out_wholly() {
-        for shape in ALL.into_iter().filter(|shape| shape.dimension() == 3) {
+        for shape in SHAPES.into_iter().filter(|shape| shape.dimension() == 3) {
             let fault = only(&single(shape, |_, [x, y, z]| [x + 3.0, 7.0 - y, z]));
             assert!(matches!(fault, MeshFault::InsideOut { cell: 5, wholly: true, .. }), "{fault}");
         }

@@ -200,7 +200,7 @@ fn product<T: Scalar>(factors: impl Iterator<Item = T>) -> T {
 }
 
 #[cfg(test)]
-mod tests {
+pub(crate) mod tests {
     use proptest::prelude::*;
 
     use super::*;

@@ -1,10 +1,8 @@
-//! `check`: verdict, times, criteria, steady spins and dissipators, as text and as JSON, with exit codes.
-//! Text is fixed by snapshots and numbers by hand calculations, so that a change of layout and one of physics fail apart.
-//! Criteria: (V1) to (V11), docs/theory/04-validity.md.
+//! `check`: the text by snapshots, options, refusals and exit codes.
 
 use insta::assert_snapshot;
 
-use crate::support::{EXAMPLES, MODEL, numbers, one_line, ran, ran_with};
+use crate::support::{MODEL, ran, ran_with};
 
 #[test]
 fn explorer_1_fails_and_says_why_in_order_of_the_theory() {
@@ -27,19 +25,6 @@ fn explorer_1_fails_and_says_why_in_order_of_the_theory() {
         within 1 % at degree 7.
     "#);
     assert!(!checked.stdout.contains("grows e-fold"), "what does not hold is not predicted");
-}
-
-#[test]
-fn every_other_example_holds_and_exits_with_0() {
-    for example in EXAMPLES
-        .iter()
-        .filter(|name| !["explorer1", "mercury-ring", "nutation-damper", "spherical-tank"].contains(name))
-    {
-        let checked = ran(&format!("check examples/{example}/model.toml"));
-        assert_eq!((checked.code, &*checked.stderr), (Some(0), ""), "{example}");
-        assert!(checked.stdout.lines().next().unwrap().ends_with("The reduced equations hold at this spin."));
-        assert!(!checked.stdout.contains("FAILS"), "{}", checked.stdout);
-    }
 }
 
 #[test]
@@ -88,56 +73,6 @@ fn text_names_times_criteria_frequencies_terms_and_steady_spins() {
       About the axis of least inertia the nutation is neutral to rounding and has
         no time constant, since the spins beside this one are steady too.
     ");
-}
-
-/// By hand: m = 0.1 kg on k = 40 N/m and c = 0.4 N s/m, carrier of 7 kg. Along the axis the reduced mass is
-/// 0.1·7/7.1 kg; with the attitude fixed it is the same in every direction.
-#[test]
-fn json_has_the_times_of_the_theory() {
-    let checked = ran("check examples/axial-mass/model.toml --json");
-    let json = checked.json();
-    let reduced_mass: f64 = 0.1 * 7.0 / 7.1;
-    let held = (40.0 / reduced_mass).sqrt();
-    for frequency in numbers(&json["frequencies"]) {
-        assert!((frequency / held - 1.0).abs() < 1e-12, "{frequency} against {held}"); // rounding only
-    }
-    assert_eq!(numbers(&json["frequencies"]).len(), 3);
-    let close = |name: &str, expected: f64| {
-        let found = json[name].as_f64().unwrap();
-        assert!((found / expected - 1.0).abs() < 1e-9, "{name} = {found}, by hand {expected}");
-    };
-    close("T3", 1.0 / 1.16_f64.sqrt());
-    close("T2", 2.0 * reduced_mass / 0.4);
-    let damped = (held * held - (0.2 / reduced_mass).powi(2)).sqrt();
-    let period = json["T1"].as_f64().unwrap();
-    assert!(period >= std::f64::consts::TAU / held * (1.0 - 1e-12), "{period}");
-    assert!(period <= std::f64::consts::TAU / damped * (1.0 + 1e-12), "{period}");
-    assert_eq!((json["valid"].as_bool(), json["reasons"].as_array().unwrap().len()), (Some(true), 0));
-    assert_eq!(checked.code, Some(0));
-}
-
-#[test]
-fn json_and_text_give_the_same_verdict_and_reasons() {
-    let json = ran("check examples/explorer1/model.toml --json");
-    assert_eq!(json.code, Some(1));
-    let object = json.json();
-    assert_eq!(object["valid"], false);
-    let text = one_line(&ran("check examples/explorer1/model.toml").stdout);
-    let reasons = object["reasons"].as_array().unwrap();
-    assert_eq!(reasons.len(), 5);
-    for reason in reasons {
-        assert!(text.contains(reason.as_str().unwrap()), "{reason}");
-    }
-}
-
-#[test]
-fn undamped_body_has_no_decay_time() {
-    let model = MODEL.replace("damping = 30.0\n", "");
-    let json = ran_with(&model, "check model.toml --json").json();
-    assert!(json["T2"].is_null(), "{json}");
-    assert!(json["T1"].as_f64().unwrap() > 0.0);
-    let text = ran_with(&model, "check model.toml").stdout;
-    assert!(text.contains("  T2  for ever "), "{text}");
 }
 
 #[test]
@@ -231,20 +166,4 @@ fn shares_of_dissipators_stand_where_the_equations_hold() {
      70.4 %, spring p1-p2 9.72 %, spring p0-p2 8.38 %, spring p0-carrier 6.83 %,
      spring p0-p1 3.23 %, spring p1-carrier 1.46 %.
     ");
-    let object = ran("check examples/three-masses/model.toml --json").json();
-    let shares = object["dissipation"].as_object().unwrap();
-    let sum: f64 = shares.values().map(|share| share.as_f64().unwrap()).sum();
-    assert!(shares.len() == 6 && (sum - 1.0).abs() < 1e-12, "{shares:?}");
-    for name in ["explorer1", "apophis"] {
-        let object = ran(&format!("check examples/{name}/model.toml --json")).json();
-        assert_eq!(object["dissipation"], serde_json::json!({}), "{name}");
-    }
-}
-
-#[test]
-fn steady_spins_without_the_losses_of_materials_say_so() {
-    let said = one_line(&ran("check examples/apophis/model.toml").stdout);
-    let (_, rest) = said.split_once("after the reduced equations").unwrap();
-    assert!(rest.starts_with(" WITHOUT the losses of materials about "), "{said}");
-    assert!(rest.contains("GROWS e-fold in 3.513 Gyr"), "{said}");
 }

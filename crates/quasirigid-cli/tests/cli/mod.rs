@@ -8,8 +8,6 @@ mod colour;
 mod complete;
 mod derive;
 mod docs;
-mod eigenvalues;
-mod events;
 mod evolve;
 #[cfg(unix)]
 mod faults;
@@ -22,13 +20,10 @@ mod interrupt;
 mod keys;
 mod left_out;
 mod materials;
-mod methods;
 mod model_errors;
 mod modes;
-mod modes_told;
 #[cfg(unix)]
 mod odd_files;
-mod place;
 mod plot;
 mod reference;
 #[cfg(unix)]
@@ -37,11 +32,7 @@ mod run;
 mod run_folder;
 mod simulate;
 mod simulate_refusals;
-mod slaved;
 mod standard_input;
-mod starts;
 mod structures;
-mod surfaces;
 mod sweep;
-mod torques;
 mod width;

@@ -7,7 +7,9 @@ use std::time::Duration;
 
 use quasirigid_io::table_file::{Cells, read_parquet};
 
-use crate::support::{files, folder_of, folder_of_study, folder_with, names, one_line, program, ran_in};
+use crate::support::{
+    MODEL, files, folder_of_study, folder_with, names, one_line, program, ran_in, ran_with,
+};
 
 const STUDY: &str = "\
 model = \"model.toml\"
@@ -281,58 +283,6 @@ fn names_that_would_stand_twice_are_refused() {
     );
 }
 
-/// The spin, by `simulate`, and the wobble, by `evolve`, of one row beside the commands themselves.
-#[test]
-fn states_at_times_and_refused_evolutions() {
-    let folder = folder_of_study(
-        "model = \"model.toml\"\n[vary]\n\"run.order\" = { list = [1, 3] }\n[answer]\nquantities = [\"simulate.wx\", \"evolve.time\", \"evolve.status\"]\ntimes = [\"10 s\", \"1 min\"]\n",
-    );
-    let summary = ran_in(folder.path(), "sweep study.toml -o out --json").json();
-    let row = ran_in(folder.path(), "sweep study.toml --row 2 --json").json();
-    let table = ran_in(folder.path(), "simulate model.toml --times 10,60 --quiet").stdout;
-    let table = crate::support::Table::of(&table);
-    let found =
-        ["simulate.wx at 10 s", "simulate.wx at 1 min"].map(|name| row["answers"][name].as_f64().unwrap());
-    assert_eq!(found.to_vec(), table.column("wx"));
-    let evolved = ran_in(folder.path(), "evolve model.toml --json --quiet").json();
-    let finished = evolved["status"] == "finished";
-    assert_eq!(row["status"] == "answered", finished, "{row:#}");
-    assert_eq!(row["answers"]["evolve.time"].is_null(), !finished || evolved["time"].is_null());
-    assert_eq!(row["answers"]["evolve.status"], evolved["status"]);
-    assert_eq!(summary["rows"], 2);
-}
-
-/// A time that is known to a few per cent says so in its row.
-#[test]
-fn coarse_times_are_noted() {
-    let folder = folder_of("axial-mass");
-    let study = "model = \"model.toml\"\n[vary]\n\"run.order\" = { list = [3] }\n[answer]\nquantities = [\"evolve.time\"]\n";
-    fs::write(folder.path().join("study.toml"), study).unwrap();
-    let row = ran_in(folder.path(), "sweep study.toml --row 1 --json").json();
-    assert_eq!(row["status"], "answered");
-    assert!(row["note"].as_str().unwrap().contains("the time of evolve is good to 3.69 %"), "{row:#}");
-}
-
-/// A spring too soft for the reduced equations gives no states, in a row as on the command line.
-#[test]
-fn states_of_equations_that_do_not_hold_are_refused() {
-    let folder = folder_of_study(
-        "model = \"model.toml\"\n[vary]\n\"spring.1.stiffness\" = { list = [600.0, 0.05] }\n[answer]\nquantities = [\"simulate.wx\"]\n",
-    );
-    let [stiff, soft] = [1, 2].map(|row| {
-        let ran = ran_in(folder.path(), &format!("sweep study.toml --row {row} --json"));
-        let row = ran.json();
-        fs::write(folder.path().join("row.toml"), row["model"].as_str().unwrap()).unwrap();
-        let alone = ran_in(folder.path(), "simulate row.toml --json");
-        (row["status"].clone(), row["answers"]["simulate.wx"].is_number(), row["reason"].clone(), alone)
-    });
-    assert_eq!((stiff.0, stiff.1, stiff.3.code), ("answered".into(), true, Some(0)));
-    assert_eq!((soft.0, soft.1, soft.3.code), ("refused".into(), false, Some(1)), "{:?}", soft.3);
-    let reason = soft.2.as_str().unwrap();
-    assert!(reason.starts_with("The reduced equations DO NOT HOLD"), "{reason}");
-    assert!(one_line(&soft.3.stderr).contains(reason), "{:?}", soft.3);
-}
-
 const BRICK: &str = "\
 [material.rock]
 density = \"2 g/cm^3\"
@@ -394,43 +344,23 @@ fn record_names_the_files_of_its_model() {
     assert_ne!(one[0]["sha256"], other[0]["sha256"]);
 }
 
-const ROCK: &str = "\
-[material.rock]
-density = \"2 g/cm^3\"
-shear = \"0.5 GPa\"
-poisson = 0.25
-rheology = { kind = \"quality-factor\", Q = 100 }
-[[ellipsoid]]
-semi_axes = [219.0, 151.0, 143.0]
-material = \"rock\"
-[initial]
-wobble = { angle = \"20 deg\", rate = \"1 rpm\", mode = \"short-axis\" }
-[run]
-evolve = { until = \"5 deg\" }
-";
+/// A rock whose quality factor is uncertain by these lines.
+fn uncertain(line: &str) -> String {
+    format!(
+        "[material.rock]\ndensity = 2000\nshear = \"0.5 GPa\"\npoisson = 0.25\nrheology = {{ kind = \"quality-factor\", Q = 100 }}\n\
+         [[ellipsoid]]\nsemi_axes = [219.0, 151.0, 143.0]\nmaterial = \"rock\"\n\
+         [initial]\nwobble = {{ angle = \"20 deg\", rate = \"1 rpm\", mode = \"short-axis\" }}\n[uncertainty]\n{line}\n"
+    )
+}
 
-/// The time of an evolution is proportional to Q, so that its quantiles are those of Q, to one of 64 intervals of equal probability.
 #[test]
-fn intervals_of_the_time_are_those_of_the_quality_factor() {
-    let uncertain =
-        "[uncertainty]\n\"material.rock.rheology.Q\" = { log-normal = { median = 100, decades = 0.5 } }\n";
-    let folder = folder_with(&format!("{ROCK}{uncertain}"));
-    let ran = |line: &str| ran_in(folder.path(), line);
-    let object = ran("evolve model.toml --uncertainty-samples 64 --json --quiet").json();
-    let time = object["time"].as_f64().unwrap();
-    let interval = &object["uncertainty"]["intervals"][0];
-    assert_eq!((&interval["name"], &object["uncertainty"]["answered"]), (&"time".into(), &64.into()));
-    let median = interval["median"].as_f64().unwrap();
-    // at the median an interval of 1/64 is 0.0156/0.399 standard deviations wide, at 16 % 0.0156/0.242, each 0.5 decades
-    assert!((median / time).log10().abs() < 0.020, "{median} {time}");
-    for (end, sign) in [(0, -1.0), (1, 1.0)] {
-        let decades = (interval["interval_68"][end].as_f64().unwrap() / time).log10();
-        assert!((decades - sign * 0.5 * 0.994_458).abs() < 0.032, "{decades}"); // z of 84 %
-    }
-    let found = object["uncertainty"]["correlations"][0]["rho"].as_f64().unwrap();
-    assert!((found - 1.0).abs() < 1e-12, "{found}");
-    fs::write(folder.path().join("certain.toml"), ROCK).unwrap();
-    assert!(ran("evolve certain.toml --uncertainty-samples 9").refusal().contains("has no [uncertainty]"));
+fn uncertain_models_are_answered_on_request_and_refused_at_their_place() {
+    let model = uncertain("\"material.rock.rheology.Q\" = { log-normal = { median = 100, decades = 0.5 } }");
+    let found =
+        ran_with(&model, "evolve model.toml --until 5deg --uncertainty-samples 8 --json --quiet").json();
+    assert_eq!(found["uncertainty"]["answered"], 8);
+    let certain = ran_with(MODEL, "evolve model.toml --uncertainty-samples 9");
+    assert!(one_line(certain.refusal()).contains("has no [uncertainty]"));
     for (line, said) in [
         (
             "\"material.rock.rheology.q\" = { uniform = [1, 2] }\n\"materal.rock.density\" = { uniform = [1, 2] }",
@@ -438,8 +368,7 @@ fn intervals_of_the_time_are_those_of_the_quality_factor() {
         ),
         ("\"material.rock.density\" = { linear = [1, 2], count = 3 }", "it needs a distribution, not a grid"),
     ] {
-        fs::write(folder.path().join("bad.toml"), format!("{ROCK}[uncertainty]\n{line}\n")).unwrap();
-        let ran = ran("check bad.toml");
+        let ran = ran_with(&uncertain(line), "check model.toml");
         assert!(one_line(ran.refusal()).contains(said), "{ran:?}");
     }
 }

@@ -4,27 +4,15 @@ use quasirigid_mesh::{Cell, Mesh, Shape};
 
 use super::{mesh, parsed, path, set};
 
-/// Shapes in the order in which the cells stand in space.
-const SHAPES: [Shape; 14] = [
-    Shape::Line2,
-    Shape::Line3,
-    Shape::Triangle3,
-    Shape::Triangle6,
-    Shape::Quad4,
-    Shape::Quad8,
-    Shape::Quad9,
-    Shape::Tet4,
-    Shape::Wedge6,
-    Shape::Hex8,
-    Shape::Tet10,
-    Shape::Wedge15,
-    Shape::Hex20,
-    Shape::Hex27,
-];
 const LINES: [Shape; 2] = [Shape::Line2, Shape::Line3];
 const FACES: [Shape; 5] = [Shape::Triangle3, Shape::Triangle6, Shape::Quad4, Shape::Quad8, Shape::Quad9];
 const LEFT: [Shape; 3] = [Shape::Tet4, Shape::Wedge6, Shape::Hex8];
 const RIGHT: [Shape; 4] = [Shape::Tet10, Shape::Wedge15, Shape::Hex20, Shape::Hex27];
+
+/// Shapes in the order in which the cells stand in space.
+fn in_space() -> Vec<Shape> {
+    [&LINES[..], &FACES, &LEFT, &RIGHT].concat()
+}
 
 const MAP: [[f64; 3]; 3] = [[0.9, -0.2, 0.1], [0.3, 0.8, -0.15], [-0.05, 0.25, 1.1]];
 const ORIGIN: [f64; 3] = [-3.0, 0.7, 11.0];
@@ -34,9 +22,9 @@ const STEP: [f64; 3] = [2.5, 0.5, -0.25];
 const VOLUME: f64 =
     0.9 * (0.8 * 1.1 + 0.15 * 0.25) + 0.2 * (0.3 * 1.1 - 0.15 * 0.05) + 0.1 * (0.3 * 0.25 + 0.8 * 0.05);
 
-const GMSH: [&str; 5] =
+pub const GMSH: [&str; 5] =
     ["zoo-2.2-text.msh", "zoo-2.2-binary.msh", "zoo-4.0-text.msh", "zoo-4.1-text.msh", "zoo-4.1-binary.msh"];
-const VTK: [&str; 11] = [
+pub const VTK: [&str; 11] = [
     "zoo-4.2-text.vtk",
     "zoo-4.2-binary.vtk",
     "zoo-5.1-text.vtk",
@@ -106,7 +94,7 @@ fn same(a: [f64; 3], b: [f64; 3]) -> bool {
 
 fn assert_cell_is_in_place(mesh: &Mesh, cell: &Cell) {
     let (corners, edges) = reference(cell.shape);
-    let number = SHAPES.iter().position(|shape| *shape == cell.shape).unwrap() as f64;
+    let number = in_space().iter().position(|shape| *shape == cell.shape).unwrap() as f64;
     let nodes: Vec<[f64; 3]> = cell.nodes.iter().map(|node| mesh.nodes[*node]).collect();
     let mut expected: Vec<[f64; 3]> = corners
         .iter()
@@ -132,19 +120,19 @@ fn assert_cell_is_in_place(mesh: &Mesh, cell: &Cell) {
     }
 }
 
-/// Shapes of the cells of a set, in the order of [`SHAPES`].
+/// Shapes of the cells of a set, in the order of [`in_space`].
 fn shapes(mesh: &Mesh, name: &str) -> Vec<Shape> {
-    let place = |shape: &Shape| SHAPES.iter().position(|other| other == shape);
+    let place = |shape: &Shape| in_space().iter().position(|other| other == shape);
     let mut shapes: Vec<Shape> = set(mesh, name).cells.iter().map(|cell| mesh.cells[*cell].shape).collect();
     shapes.sort_by_key(place);
     shapes
 }
 
 fn assert_is_zoo(name: &str, mesh: &Mesh) {
-    assert_eq!(mesh.nodes.len(), SHAPES.iter().map(|shape| shape.nodes()).sum::<usize>(), "{name}");
+    assert_eq!(mesh.nodes.len(), in_space().iter().map(|shape| shape.nodes()).sum::<usize>(), "{name}");
     let mut found: Vec<Shape> = mesh.cells.iter().map(|cell| cell.shape).collect();
     found.sort();
-    let mut expected = SHAPES;
+    let mut expected = in_space();
     expected.sort();
     assert_eq!(found, expected, "{name}");
     mesh.cells.iter().for_each(|cell| assert_cell_is_in_place(mesh, cell));

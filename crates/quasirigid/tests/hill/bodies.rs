@@ -2,13 +2,13 @@
 
 use quasirigid::averaging::{FreeRotation, HillResponse};
 use quasirigid::dynamics::FullState;
-use quasirigid::elements::{
-    Assembly, Carrier, Coefficient, End, Point, PointMotion as Line, Spring, SpringLaw,
-};
-use quasirigid::model::{FlexibleBody, Mode, MotionState, Principal, Rheology};
+use quasirigid::elements::{Assembly, End, Point, PointMotion as Line};
+use quasirigid::model::{FlexibleBody, Mode, MotionState, Principal};
 use quasirigid_math::rotation::ALIGNED;
 use quasirigid_math::sym3;
 use quasirigid_math::vec3;
+
+use crate::support::parts;
 
 /// A motion with a mean spin of about `spin` (rad/s).
 pub fn motion(body: &FlexibleBody, spin: f64, mode: Mode, xi: f64) -> FreeRotation {
@@ -30,22 +30,19 @@ pub fn lines(line: [[f64; 3]; 2], masses: [f64; 2], stiffness: [f64; 2], ratio: 
         position: place[i],
         motion: Line::Line(line[i]),
     };
-    let spring = |i: usize| Spring {
-        name: String::new(),
-        from: End::Point(i),
-        to: End::Carrier,
-        law: SpringLaw::Spatial {
-            stiffness: Coefficient::Isotropic(stiffness[i]),
-            damping: Coefficient::Isotropic(2.0 * ratio * (masses[i] * stiffness[i]).sqrt()),
-        },
-        rheology: Rheology::Elastic,
+    let spring = |i: usize| {
+        parts::spring(
+            End::Point(i),
+            End::Carrier,
+            parts::isotropic(stiffness[i], 2.0 * ratio * (masses[i] * stiffness[i]).sqrt()),
+        )
     };
     Assembly {
-        carrier: Some(Carrier {
-            mass: 30.0,
-            center_of_mass: [0.1, -0.2, 0.05],
-            inertia: [[9.0, 0.3, -0.2], [0.3, 12.0, 0.5], [-0.2, 0.5, 16.0]],
-        }),
+        carrier: Some(parts::carrier(
+            30.0,
+            [0.1, -0.2, 0.05],
+            [[9.0, 0.3, -0.2], [0.3, 12.0, 0.5], [-0.2, 0.5, 16.0]],
+        )),
         points: (0..2).map(point).collect(),
         springs: (0..2).map(spring).collect(),
         ..Assembly::default()

@@ -4,41 +4,30 @@ use std::ops::ControlFlow;
 
 use quasirigid::dynamics::{Forced, Form, Start};
 use quasirigid::elements::{
-    Assembly, Carrier, Cavity, CavityShape, Coefficient, End, Point, PointMotion, Regime, Spring, SpringLaw,
-    Wheel, WheelSpeed,
+    Assembly, Cavity, CavityShape, Coefficient, End, Point, Regime, Spring, SpringLaw, Wheel, WheelSpeed,
 };
-use quasirigid::model::Rheology;
 use quasirigid::verification::{VerificationPlan, verify};
 
+use crate::support::parts;
 use crate::support::rotors::{ball, flywheel};
 
 /// A carrier alone.
 pub fn bare() -> Assembly {
     Assembly {
-        carrier: Some(Carrier {
-            mass: 40.0,
-            center_of_mass: [0.02, 0.1, 0.4],
-            inertia: [[9.0, 0.2, 0.0], [0.2, 13.0, -0.4], [0.0, -0.4, 16.0]],
-        }),
+        carrier: Some(parts::carrier(
+            40.0,
+            [0.02, 0.1, 0.4],
+            [[9.0, 0.2, 0.0], [0.2, 13.0, -0.4], [0.0, -0.4, 16.0]],
+        )),
         ..Assembly::default()
     }
 }
 
 /// A sprung mass.
 pub fn sprung() -> (Point, Spring) {
-    let point =
-        Point { name: "mass".into(), mass: 1.2, position: [0.8, 0.3, 0.9], motion: PointMotion::Free };
-    let law = SpringLaw::Spatial {
-        stiffness: Coefficient::Diagonal([900.0, 1000.0, 800.0]),
-        damping: Coefficient::Diagonal([48.0, 36.0, 40.0]),
-    };
-    let spring = Spring {
-        name: String::new(),
-        from: End::Point(0),
-        to: End::Carrier,
-        law,
-        rheology: Rheology::Elastic,
-    };
+    let point = parts::free_point("mass", 1.2, [0.8, 0.3, 0.9]);
+    let law = parts::diagonal([900.0, 1000.0, 800.0], [48.0, 36.0, 40.0]);
+    let spring = parts::spring(End::Point(0), End::Carrier, law);
     (point, spring)
 }
 
@@ -48,7 +37,7 @@ pub fn wheel(axis: [f64; 3], speed: WheelSpeed) -> Wheel {
 
 pub fn start(omega: [f64; 3]) -> Start {
     let attitude = quasirigid_math::rotation::turned([1.0, 0.0, 0.0, 0.0], [0.3, -0.2, 0.4]);
-    Start { omega, attitude, place: [0.0; 3], velocity: [0.0; 3] }
+    Start::new(omega, attitude)
 }
 
 pub fn cavity(semi_axes: [f64; 3], density: f64, viscosity: f64) -> Cavity {

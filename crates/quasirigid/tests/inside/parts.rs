@@ -2,7 +2,7 @@
 
 use nalgebra::{Matrix3, Vector3};
 use quasirigid::elements::{
-    Assembly, Carrier, CavityShape, Coefficient, End, RotorKind, Spring, SpringLaw, WheelSpeed,
+    Assembly, CavityShape, Coefficient, End, RotorKind, Spring, SpringLaw, WheelSpeed,
 };
 use quasirigid::model::ReducedBody;
 use quasirigid::reduction::reduce;
@@ -10,6 +10,7 @@ use quasirigid_math::rotation::to_inertial;
 
 use super::bodies::{everything, wheel};
 use super::description::SAME;
+use crate::support::parts;
 
 const ORDER: usize = 3;
 /// Rounding of some hundred operations, grown by the condition of the chains of liquids.
@@ -153,7 +154,7 @@ fn frozen() -> Assembly {
         })
         .sum();
     let inertia = (0.5 * (inertia + inertia.transpose())).into();
-    assembly.carrier = Some(Carrier { mass, center_of_mass: center.into(), inertia });
+    assembly.carrier = Some(parts::carrier(mass, center.into(), inertia));
     assembly
 }
 

@@ -3,13 +3,12 @@
 use std::f64::consts::PI;
 
 use quasirigid::averaging::{Evolution, MeanPower, PolynomialPower, Response, RotationState};
-use quasirigid::elements::{
-    Assembly, Carrier, Cavity, CavityShape, Coefficient, End, Point, PointMotion, Regime, Spring, SpringLaw,
-};
-use quasirigid::model::{FlexibleBody, Mode, Rheology};
+use quasirigid::elements::{Assembly, Carrier, Cavity, CavityShape, End, Point, Regime};
+use quasirigid::model::{FlexibleBody, Mode};
 use quasirigid::reduction::reduce;
 use quasirigid_math::rotation::ALIGNED;
 
+use crate::support::parts;
 use crate::support::rotors::{ball, flywheel};
 
 const DENSITY: f64 = 1261.0;
@@ -50,8 +49,8 @@ fn stage(evolution: &Evolution<impl MeanPower>, angle: f64) -> RotationState {
 /// `tan θ = tan θ₀ e^{−Γt}`, `Γ = (ρP/ν)(C − A)K²/(A³C)`, over ten e-foldings.
 #[test]
 fn the_tangent_of_the_angle_falls_exponentially() {
-    let inertia = [[3.0, 0.0, 0.0], [0.0, 3.0, 0.0], [0.0, 0.0, 4.2]];
-    let assembly = tank(Carrier { mass: 30.0, center_of_mass: [0.1, -0.2, 0.4], inertia }, 0.11);
+    let inertia = parts::diag([3.0, 3.0, 4.2]);
+    let assembly = tank(parts::carrier(30.0, [0.1, -0.2, 0.4], inertia), 0.11);
     let body = assembly.body().unwrap();
     let [A, C] = moments(&body);
     let K = 2.7;
@@ -77,40 +76,28 @@ const AXIAL: f64 = 0.7;
 
 /// Body with a ring of six sprung masses, one on the axis, a ball of liquid, and a ball and three flywheels with friction.
 fn everything() -> Assembly {
-    let point =
-        |position: [f64; 3], name: String| Point { name, mass: SPRUNG, position, motion: PointMotion::Free };
+    let point = |position: [f64; 3], name: String| parts::free_point(name, SPRUNG, position);
     let ring = (0..6).map(|i| {
         let (sin, cos) = (f64::from(i) * PI / 3.0 + 0.2).sin_cos();
         point([RING * cos, RING * sin, 0.0], format!("ring {i}"))
     });
     let points: Vec<Point> = ring.chain([point([0.0, 0.0, AXIAL], "axis".into())]).collect();
-    let law = SpringLaw::Spatial {
-        stiffness: Coefficient::Isotropic(STIFF),
-        damping: Coefficient::Isotropic(TIME * STIFF),
-    };
-    let spring = |i: usize| Spring {
-        name: String::new(),
-        from: End::Point(i),
-        to: End::Carrier,
-        law,
-        rheology: Rheology::Elastic,
-    };
+    let law = parts::isotropic(STIFF, TIME * STIFF);
+    let spring = |i: usize| parts::spring(End::Point(i), End::Carrier, law);
     let springs = (0..points.len()).map(spring).collect();
     let mass = 30.0;
-    let inertia = [[30.0, 0.0, 0.0], [0.0, 30.0, 0.0], [0.0, 0.0, 44.0]];
+    let inertia = parts::diag([30.0, 30.0, 44.0]);
     let liquid = DENSITY * 4.0 / 3.0 * PI * DROP.powi(3);
     let low = -SPRUNG * AXIAL / (mass + liquid);
     let rotors = vec![ball(1.1e-4, 120.0)]
         .into_iter()
-        .chain([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].into_iter().enumerate().map(
-            |(i, axis)| {
-                let mut rotor = flywheel(axis, 0.9e-4, 150.0);
-                rotor.name = format!("flywheel {i}");
-                rotor
-            },
-        ))
+        .chain(parts::diag([1.0, 1.0, 1.0]).into_iter().enumerate().map(|(i, axis)| {
+            let mut rotor = flywheel(axis, 0.9e-4, 150.0);
+            rotor.name = format!("flywheel {i}");
+            rotor
+        }))
         .collect();
-    let tank = tank(Carrier { mass, center_of_mass: [0.0, 0.0, low], inertia }, DROP);
+    let tank = tank(parts::carrier(mass, [0.0, 0.0, low], inertia), DROP);
     Assembly { points, springs, rotors, ..tank }
 }
 

@@ -1,12 +1,13 @@
 //! Nutation of bodies with liquids that spin with them, off the centre of mass and in any axes.
 
 use nalgebra::{Complex, Matrix3, Vector3};
-use quasirigid::elements::{Assembly, Carrier, Cavity, CavityShape};
+use quasirigid::elements::{Assembly, Cavity, CavityShape};
 use quasirigid::model::Mode;
 use quasirigid::modes::{Given, Near, RelativeEquilibrium, SpinMode, SpinModes, SteadyModes, SteadyState};
 use quasirigid_math::rotation::turned;
 
 use super::bodies::tank;
+use crate::support::parts;
 
 const ALIGNED: [f64; 4] = [1.0, 0.0, 0.0, 0.0];
 const SPIN: f64 = 0.8;
@@ -46,7 +47,7 @@ fn stage(
     let resolution = if matches!(shape, CavityShape::Cuboid { .. }) { 4 } else { 12 };
     let liquid = tank(place(-0.4), 1.0, DENSITY / unit.powi(3), viscosity * unit.powi(2));
     Assembly {
-        carrier: Some(Carrier { mass: 260.0, center_of_mass: place(0.1), inertia }),
+        carrier: Some(parts::carrier(260.0, place(0.1), inertia)),
         cavities: vec![Cavity { shape, attitude, resolution, ..liquid }],
         ..Assembly::default()
     }
@@ -172,11 +173,7 @@ const SPHEROIDS: [([f64; 2], f64, [f64; 2]); 20] = [
 fn balls_and_spheroids_nutate_as_fields_of_another_kind_say() {
     let spin = 0.1;
     for ([a, c], reynolds, [decay, frequency]) in SPHEROIDS {
-        let carrier = Carrier {
-            mass: 260.0,
-            center_of_mass: [0.0; 3],
-            inertia: [[4.0, 0.0, 0.0], [0.0, 4.0, 0.0], [0.0, 0.0, 6.0]],
-        };
+        let carrier = parts::carrier(260.0, [0.0; 3], parts::diag([4.0, 4.0, 6.0]));
         let shape = CavityShape::Ellipsoid { semi_axes: [a, a, c] };
         let liquid = tank([0.0; 3], 1.0, 1000.0, spin * a * a / reynolds);
         let cavities = vec![Cavity { shape, attitude: ALIGNED, ..liquid }];

@@ -8,7 +8,7 @@ use quasirigid::dynamics::{
     Forced, Form, FullState, Method, Options, Outcome, Run, Sample, SlowEquations, SlowState, Start,
     matched_start, propagate, propagate_forced, propagate_full, spin_path,
 };
-use quasirigid::elements::{Assembly, Carrier, Cavity, WheelSpeed};
+use quasirigid::elements::{Assembly, Cavity, WheelSpeed};
 use quasirigid::model::{FlexibleBody, Principal};
 use quasirigid::reduction::{Validity, Verdict, reduce, residual};
 use quasirigid::verification::{VerificationPlan, verify};
@@ -18,6 +18,7 @@ use quasirigid_math::vec3::{add, norm, scale};
 
 use super::bodies::{bare, cavity, start, wheel};
 use super::oracle::Gyrostat;
+use crate::support::parts;
 use crate::support::rotors::{ball, flywheel};
 
 /// Body with rotors and a liquid, and a wheel that takes up the angular momentum of this spin.
@@ -34,11 +35,7 @@ fn taken_up(bare: Assembly, omega: [f64; 3], cavities: Vec<Cavity>) -> Assembly 
 /// Bodies without angular momentum: to the last bit, and but for rounding.
 fn without_momentum() -> [(FlexibleBody, [f64; 3]); 2] {
     let aligned = Assembly {
-        carrier: Some(Carrier {
-            mass: 40.0,
-            center_of_mass: [0.0; 3],
-            inertia: [[9.0, 0.0, 0.0], [0.0, 13.0, 0.0], [0.0, 0.0, 16.0]],
-        }),
+        carrier: Some(parts::carrier(40.0, [0.0; 3], parts::diag([9.0, 13.0, 16.0]))),
         ..Assembly::default()
     };
     let (along, skew) = ([0.0, 0.0, 0.75], [0.3, -0.5, 0.4]);
@@ -219,11 +216,7 @@ fn rotors_come_to_rest_in_a_body_without_momentum() {
 /// Without a wheel too a rotor can take up the angular momentum of the body: the body comes to rest. To the last bit, `Jω + I Q̇ a = 0`.
 #[test]
 fn a_flywheel_takes_up_the_momentum_of_the_body() {
-    let carrier = Carrier {
-        mass: 40.0,
-        center_of_mass: [0.0; 3],
-        inertia: [[9.0, 0.0, 0.0], [0.0, 13.0, 0.0], [0.0, 0.0, 16.0]],
-    };
+    let carrier = parts::carrier(40.0, [0.0; 3], parts::diag([9.0, 13.0, 16.0]));
     let rotors = vec![flywheel([0.0, 0.0, 1.0], 2.0, 0.7)];
     let body = Assembly { carrier: Some(carrier), rotors, ..Assembly::default() }.body().unwrap();
     let mut state = FullState::at_rest(&body, [0.0, 0.0, 0.75], ALIGNED);

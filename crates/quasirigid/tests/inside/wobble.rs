@@ -8,6 +8,7 @@ use quasirigid::modes::{Given, RelativeEquilibrium, SpinModes};
 use quasirigid_math::rotation::turned;
 
 use super::bodies::tank;
+use crate::support::parts;
 use crate::support::rotors::ball;
 
 type C = Complex<f64>;
@@ -18,11 +19,7 @@ const SPIN: f64 = 0.8;
 
 fn carrier(moments: [f64; 3]) -> Carrier {
     let [x, y, z] = moments;
-    Carrier {
-        mass: 30.0,
-        center_of_mass: [0.1, -0.2, 0.4],
-        inertia: [[x, 0.0, 0.0], [0.0, y, 0.0], [0.0, 0.0, z]],
-    }
+    parts::carrier(30.0, [0.1, -0.2, 0.4], parts::diag([x, y, z]))
 }
 
 fn rate(assembly: &Assembly) -> f64 {

@@ -7,7 +7,7 @@ use quasirigid::averaging::{FreeRotation, MeanPower, PolynomialPower, Response};
 use quasirigid::dynamics::{
     Forced, Method, Observer, Options, Run, Sample, Start, propagate, propagate_full,
 };
-use quasirigid::elements::{Assembly, Carrier, Coefficient, End, Spring, SpringLaw};
+use quasirigid::elements::{Assembly, Carrier, End, Spring, SpringLaw};
 use quasirigid::model::{FlexibleBody, Mode, Principal, Rheology, Support};
 use quasirigid::problems::AxialMass;
 use quasirigid::reduction::reduce;
@@ -15,6 +15,7 @@ use quasirigid::secular::{DirectOptions, follow_directly};
 use quasirigid_math::rotation::ALIGNED;
 
 use super::evolution::tumbler;
+use crate::support::parts;
 use crate::support::transform::{hinge_times, rotated, strengthened};
 use crate::support::{assemblies, bodies, cases, rotation};
 
@@ -140,7 +141,7 @@ fn two_masses_on_the_axis_share_as_their_closed_forms_have_it() {
     let mut point = assembly.points[0].clone();
     (point.name, point.mass, point.position) = ("counterweight".to_owned(), m, [0.0, 0.0, z]);
     assembly.points.push(point);
-    let law = SpringLaw::Spatial { stiffness: Coefficient::Isotropic(c), damping: Coefficient::Isotropic(b) };
+    let law = parts::isotropic(c, b);
     let spring = Spring { name: "tail".to_owned(), from: End::Point(1), law, ..assembly.springs[0].clone() };
     assembly.springs.push(spring);
     let body = assembly.body().unwrap();
@@ -228,7 +229,7 @@ fn histories(method: Method, epsilon: f64, duration: f64, rows: usize) -> (Flexi
     let omega = [0.5, 0.7, 0.6];
     let times: Vec<f64> = (0..=rows).map(|i| duration * i as f64 / rows as f64).collect();
     let mut seen = [Seen::default(), Seen::default()];
-    let start = Start { omega, attitude: ALIGNED, place: [0.0; 3], velocity: [0.0; 3] };
+    let start = Start::new(omega, ALIGNED);
     let settled = start.settled(Forced::not(&body), 5).unwrap();
     let ended = |run: Run| assert!((run.last.t / duration - 1.0).abs() < 1e-12);
     // Explicit steps are stable up to a limit: rates, a thousandth of the spin, flutter by the tolerance of a step.
@@ -312,7 +313,7 @@ fn dissipators_have_names() {
 fn a_direct_run_has_the_budget_of_the_full_system() {
     let duration = 60.0;
     let (body, full, _) = histories(Method::Automatic, 0.3, duration, 10);
-    let start = Start { omega: [0.5, 0.7, 0.6], attitude: ALIGNED, place: [0.0; 3], velocity: [0.0; 3] };
+    let start = Start::new([0.5, 0.7, 0.6], ALIGNED);
     let settled = start.settled(Forced::not(&body), 5).unwrap();
     let options = DirectOptions {
         until: None,

@@ -14,6 +14,7 @@ use quasirigid_math::rotation::ALIGNED;
 use quasirigid_math::vec3::norm;
 
 use super::evolution::tumbler;
+use crate::support::parts;
 
 /// Drift to the last of some times, without an interruption.
 fn followed(drift: &Drift<impl MeanPower>, start: DriftState, times: &[f64]) -> DriftHistory {
@@ -70,7 +71,7 @@ impl MeanPower for Rigid {
 #[test]
 fn steady_spins_follow_their_closed_laws() {
     let moments = [2.0, 3.0, 4.0];
-    let principal = Principal { moments, axes: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]] };
+    let principal = Principal { moments, axes: parts::diag([1.0, 1.0, 1.0]) };
     let rigid = Rigid(moments);
     let times = [1e5, 3e5];
     for (mode, axis) in [(Mode::ShortAxis, 2), (Mode::LongAxis, 0)] {

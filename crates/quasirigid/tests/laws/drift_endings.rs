@@ -9,6 +9,8 @@ use quasirigid::averaging::{
 use quasirigid::model::{Mode, Principal};
 use quasirigid_math::vec3::norm;
 
+use crate::support::parts;
+
 const MOMENTS: [f64; 3] = [2.0, 3.0, 4.0];
 
 /// Zero power.
@@ -26,7 +28,7 @@ impl MeanPower for Rigid {
 }
 
 fn drift(torque: SlowTorque) -> Drift<Rigid> {
-    let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+    let axes = parts::diag([1.0, 1.0, 1.0]);
     Drift::new(Rigid, &Principal { moments: MOMENTS, axes }, torque)
 }
 

@@ -2,11 +2,12 @@
 
 use proptest::prelude::*;
 use quasirigid::averaging::{FreeRotation, MeanPower, Response};
-use quasirigid::elements::{Assembly, Carrier, ElementId, ElementKind, Ellipsoid, Field, Material, Problem};
+use quasirigid::elements::{Assembly, ElementId, ElementKind, Ellipsoid, Field, Material, Problem};
 use quasirigid::model::{FlexibleBody, Mode, Rheology, Support};
 use quasirigid::reduction::{Validity, Verdict, reduce};
 
 use crate::support::cases;
+use crate::support::parts;
 
 fn rock() -> Ellipsoid {
     Ellipsoid {
@@ -133,11 +134,7 @@ fn what_no_ellipsoid_has_is_refused() {
 
 #[test]
 fn an_ellipsoid_is_a_whole_body() {
-    let carrier = Carrier {
-        mass: 1.0,
-        center_of_mass: [0.0; 3],
-        inertia: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
-    };
+    let carrier = parts::carrier(1.0, [0.0; 3], parts::diag([1.0, 1.0, 1.0]));
     let both = Assembly { carrier: Some(carrier), ..alone(rock()) };
     let two = Assembly {
         ellipsoids: vec![rock(), Ellipsoid { name: "other".into(), ..rock() }],

@@ -6,18 +6,14 @@ use quasirigid::model::Mode;
 use quasirigid::prelude::CARRIER;
 use quasirigid::secular::{EnergyRange, Poles};
 
-use crate::support::{Sprung, sprung_body};
+use crate::support::parts;
+use crate::support::sprung_body;
 
 /// The state of the full system near a rotation state has that rotation state once its vibrations have died out.
 #[test]
 fn a_state_without_vibrations_settles_where_it_is() {
     let carrier = Carrier::principal(40.0, [9.0, 13.0, 16.0]);
-    let mass = Sprung {
-        mass: 1.5,
-        position: [0.8, 0.3, 0.5],
-        stiffness: [60.0, 90.0, 70.0],
-        damping: [3.0, 2.0, 4.0],
-    };
+    let mass = parts::sprung(1.5, [0.8, 0.3, 0.5], [60.0, 90.0, 70.0], [3.0, 2.0, 4.0]);
     let body = sprung_body(carrier, &[mass]).body().unwrap();
     let range = EnergyRange::compute(&body, 8.0).unwrap();
     for (mode, xi) in [(Mode::ShortAxis, 3.0), (Mode::ShortAxis, 1.0), (Mode::LongAxis, 2.0)] {

@@ -2,15 +2,17 @@
 
 use quasirigid::averaging::FreeRotation;
 use quasirigid::dynamics::{Nutations, Observer, Options, Sample, Start, propagate, steady_spins};
-use quasirigid::elements::{Assembly, Carrier, Wheel, WheelSpeed};
+use quasirigid::elements::{Assembly, Wheel, WheelSpeed};
 use quasirigid::model::{Mode, Principal, ReducedBody};
 use quasirigid::problems::ring_of_points;
 use quasirigid::reduction::reduce;
 use quasirigid_math::rotation::angle;
 use quasirigid_math::vec3::{dot, norm};
 
+use crate::support::parts;
+
 fn rigid(inertia: [[f64; 3]; 3], wheels: Vec<Wheel>) -> ReducedBody {
-    let carrier = Carrier { mass: 3.0, center_of_mass: [0.4, -0.2, 0.1], inertia };
+    let carrier = parts::carrier(3.0, [0.4, -0.2, 0.1], inertia);
     let body = Assembly { carrier: Some(carrier), wheels, ..Assembly::default() }.body().unwrap();
     reduce(&body, 0).unwrap()
 }
@@ -38,7 +40,7 @@ fn a_rigid_body_nutates_as_in_closed_form() {
 #[test]
 fn a_body_of_revolution_keeps_its_angle() {
     for axial in [3.0, 9.0] {
-        let body = rigid([[5.0, 0.0, 0.0], [0.0, axial, 0.0], [0.0, 0.0, 5.0]], Vec::new());
+        let body = rigid(parts::diag([5.0, axial, 5.0]), Vec::new());
         for degrees in [0.01_f64, 20.0, 70.0, 90.0] {
             let (sine, cosine) = degrees.to_radians().sin_cos();
             let found = Nutations::new(&body).at([0.6 * sine, cosine, 0.8 * sine]).unwrap();

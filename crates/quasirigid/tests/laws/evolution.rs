@@ -2,14 +2,15 @@
 
 use quasirigid::averaging::{Evolution, FreeRotation, MeanPower, PolynomialPower, RotationState};
 use quasirigid::dynamics::{Forced, Options, Sample, Start, propagate, propagate_full};
-use quasirigid::elements::{Assembly, Carrier};
+use quasirigid::elements::Assembly;
 use quasirigid::model::{Mode, Principal, ReducedBody};
 use quasirigid::problems::AxialMass;
 use quasirigid::reduction::reduce;
 use quasirigid_math::rotation::ALIGNED;
 use quasirigid_math::vec3::norm;
 
-use crate::support::{Sprung, sprung_body};
+use crate::support::parts;
+use crate::support::sprung_body;
 
 const AXIAL: AxialMass = AxialMass { carrier: 2.0, A: 1.0, C: 1.5, m: 0.1, rho: 0.5, c: 40.0, b: 0.4 };
 
@@ -45,16 +46,9 @@ fn without_power_no_stage_is_ever_reached() {
 
 /// A triaxial body with two masses off every axis, the stiffer the smaller `ε`.
 pub fn tumbler(epsilon: f64) -> Assembly {
-    let carrier = Carrier {
-        mass: 40.0,
-        center_of_mass: [0.0; 3],
-        inertia: [[9.0, 0.0, 0.0], [0.0, 13.0, 0.0], [0.0, 0.0, 16.0]],
-    };
-    let sprung = |mass, position, stiffness: f64| Sprung {
-        mass,
-        position,
-        stiffness: [stiffness / epsilon.powi(2); 3],
-        damping: [30.0 / epsilon; 3],
+    let carrier = parts::carrier(40.0, [0.0; 3], parts::diag([9.0, 13.0, 16.0]));
+    let sprung = |mass, position, stiffness: f64| {
+        parts::sprung(mass, position, [stiffness / epsilon.powi(2); 3], [30.0 / epsilon; 3])
     };
     sprung_body(carrier, &[sprung(1.0, [0.4, 1.0, 0.5], 120.0), sprung(1.3, [-0.6, 0.5, -0.7], 150.0)])
 }
@@ -87,7 +81,7 @@ fn gaps_in_time(epsilon: f64, omega: [f64; 3], mode: Mode, orders: &[usize], ful
     }
     if full {
         let mut samples = Vec::new();
-        let start = Start { omega, attitude: ALIGNED, place: [0.0; 3], velocity: [0.0; 3] };
+        let start = Start::new(omega, ALIGNED);
         let settled = start.settled(Forced::not(&body), 5).unwrap();
         propagate_full(Forced::not(&body), &settled, &grid, &options, &mut samples).unwrap();
         histories.push(samples);

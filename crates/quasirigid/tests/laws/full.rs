@@ -5,39 +5,26 @@ use quasirigid::dynamics::{
     SlowState, Start, composite_spin, matched_start, propagate, propagate_forced, propagate_full,
     slow_state_point, steady_spins,
 };
-use quasirigid::elements::{Carrier, Coefficient, End, Spring, SpringLaw};
+use quasirigid::elements::{Carrier, End};
+use quasirigid::model::FlexibleBody;
 use quasirigid::model::force::{Axes, Force, ForceLaw, Wave};
-use quasirigid::model::{FlexibleBody, Rheology};
 use quasirigid::problems::CommonProblem;
 use quasirigid::reduction::reduce;
 use quasirigid_math::rotation::{ALIGNED, angle_between};
 use quasirigid_math::vec3::{add, norm, scale};
 
+use crate::support::parts;
 use crate::support::{Sprung, sprung_body};
 
 fn carrier() -> Carrier {
-    Carrier {
-        mass: 30.0,
-        center_of_mass: [0.1, -0.2, 0.05],
-        inertia: [[9.0, 0.3, -0.2], [0.3, 12.0, 0.5], [-0.2, 0.5, 14.0]],
-    }
+    parts::carrier(30.0, [0.1, -0.2, 0.05], [[9.0, 0.3, -0.2], [0.3, 12.0, 0.5], [-0.2, 0.5, 14.0]])
 }
 
 /// Two masses off every axis, on different springs.
 fn body() -> FlexibleBody {
     let masses = [
-        Sprung {
-            mass: 1.1,
-            position: [0.9, 0.3, 0.4],
-            stiffness: [700.0, 900.0, 1100.0],
-            damping: [9.0, 7.0, 8.0],
-        },
-        Sprung {
-            mass: 0.7,
-            position: [-0.5, 0.8, -0.6],
-            stiffness: [500.0, 800.0, 600.0],
-            damping: [6.0, 5.0, 8.0],
-        },
+        parts::sprung(1.1, [0.9, 0.3, 0.4], [700.0, 900.0, 1100.0], [9.0, 7.0, 8.0]),
+        parts::sprung(0.7, [-0.5, 0.8, -0.6], [500.0, 800.0, 600.0], [6.0, 5.0, 8.0]),
     ];
     sprung_body(carrier(), &masses).body().unwrap()
 }
@@ -126,24 +113,21 @@ fn chain() -> FlexibleBody {
         .map(|i| {
             let (number, angle) = (f64::from(i), 0.55 * f64::from(i));
             let stiffness = [90.0 + 5.0 * number, 120.0, 150.0];
-            Sprung {
-                mass: 0.2 + 0.01 * number,
-                position: [0.8 * angle.cos(), 0.9 * angle.sin(), 0.05 * number - 0.4],
+            parts::sprung(
+                0.2 + 0.01 * number,
+                [0.8 * angle.cos(), 0.9 * angle.sin(), 0.05 * number - 0.4],
                 stiffness,
-                damping: scale(0.01, stiffness),
-            }
+                scale(0.01, stiffness),
+            )
         })
         .collect();
     let mut assembly = sprung_body(carrier(), &masses);
-    assembly.springs.extend((1..20).map(|next| Spring {
-        name: String::new(),
-        from: End::Point(next - 1),
-        to: End::Point(next),
-        law: SpringLaw::Spatial {
-            stiffness: Coefficient::Diagonal([60.0, 50.0, 40.0]),
-            damping: Coefficient::Diagonal([0.6, 0.5, 0.4]),
-        },
-        rheology: Rheology::Elastic,
+    assembly.springs.extend((1..20).map(|next| {
+        parts::spring(
+            End::Point(next - 1),
+            End::Point(next),
+            parts::diagonal([60.0, 50.0, 40.0], [0.6, 0.5, 0.4]),
+        )
     }));
     assembly.body().unwrap()
 }

@@ -1,12 +1,13 @@
 //! Steady spins of bodies with momentum wheels, their nutation and the wobble about them, against closed forms of the rigid gyrostat.
 
-use quasirigid::elements::{Assembly, Carrier, Wheel, WheelSpeed};
+use quasirigid::elements::{Assembly, Wheel, WheelSpeed};
 use quasirigid::model::FlexibleBody;
 use quasirigid::modes::SpinModes;
 use quasirigid::reduction::reduce;
 use quasirigid::secular::{GyrostatSpins, GyrostatWobble};
 use quasirigid_math::vec3::{cross, norm, scale};
 
+use crate::support::parts;
 use crate::support::rotors::flywheel;
 use crate::support::sprung_body;
 
@@ -15,8 +16,8 @@ const MOMENTS: [f64; 3] = [10.0, 14.0, 18.0];
 /// Carrier of these moments with a wheel of an axis and an angular momentum (N·m·s), and a damper wheel that is next to nothing.
 fn gyrostat(axis: [f64; 3], angular_momentum: f64) -> FlexibleBody {
     let [a, b, c] = MOMENTS;
-    let inertia = [[a, 0.0, 0.0], [0.0, b, 0.0], [0.0, 0.0, c]];
-    let carrier = Carrier { mass: 100.0, center_of_mass: [0.0; 3], inertia };
+    let inertia = parts::diag([a, b, c]);
+    let carrier = parts::carrier(100.0, [0.0; 3], inertia);
     let speed = WheelSpeed::Constant { angular_momentum };
     let wheels = vec![Wheel { name: "wheel".into(), axis, speed }];
     let rotors = vec![flywheel([1.0, 1.0, 1.0], 1e-6, 1e-6)];

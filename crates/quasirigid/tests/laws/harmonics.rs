@@ -5,13 +5,14 @@ use std::f64::consts::TAU;
 use proptest::prelude::*;
 use quasirigid::averaging::{Evolution, FreeRotation, MeanPower, PolynomialPower, Response, RotationState};
 use quasirigid::dynamics::{Forced, FullState, Options, Sample, propagate_full};
-use quasirigid::elements::{Assembly, Carrier, Coefficient, End, Point, PointMotion, Spring, SpringLaw};
+use quasirigid::elements::{Assembly, Coefficient, End, SpringLaw};
 use quasirigid::model::{Measured, Mode, Rheology};
 use quasirigid::reduction::reduce;
 use quasirigid_math::rotation::ALIGNED;
 use quasirigid_math::vec3::dot;
 
 use super::evolution::tumbler;
+use crate::support::parts;
 use crate::support::transform::{rotated, stiffened};
 use crate::support::{bodies, cases, rotation};
 
@@ -126,27 +127,9 @@ fn laws_may_differ_from_spring_to_spring() {
 /// A body with a light damper mass at the rim that moves along the axis of spin.
 fn with_damper(stiffness: f64, damping: f64, mass: f64) -> Assembly {
     Assembly {
-        carrier: Some(Carrier {
-            mass: 100.0,
-            center_of_mass: [0.0; 3],
-            inertia: [[10.0, 0.0, 0.0], [0.0, 12.0, 0.0], [0.0, 0.0, 16.0]],
-        }),
-        points: vec![Point {
-            name: "damper".into(),
-            mass,
-            position: [1.5, 0.4, 0.0],
-            motion: PointMotion::Line([0.0, 0.0, 1.0]),
-        }],
-        springs: vec![Spring {
-            name: String::new(),
-            from: End::Point(0),
-            to: End::Carrier,
-            law: SpringLaw::Spatial {
-                stiffness: Coefficient::Isotropic(stiffness),
-                damping: Coefficient::Isotropic(damping),
-            },
-            rheology: Rheology::Elastic,
-        }],
+        carrier: Some(parts::carrier(100.0, [0.0; 3], parts::diag([10.0, 12.0, 16.0]))),
+        points: vec![parts::line_point("damper", mass, [1.5, 0.4, 0.0], [0.0, 0.0, 1.0])],
+        springs: vec![parts::spring(End::Point(0), End::Carrier, parts::isotropic(stiffness, damping))],
         ..Assembly::default()
     }
 }

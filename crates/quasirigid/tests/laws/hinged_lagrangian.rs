@@ -6,7 +6,7 @@
 
 use nalgebra::{Complex, DMatrix, DVector, Matrix3, Vector3};
 use quasirigid::dynamics::{Forced, FullState, Observer, Options, Outcome, Sample, propagate_full};
-use quasirigid::elements::{Assembly, Carrier, End, HingeCoefficient, Hinged, PlaceRef, Station};
+use quasirigid::elements::{Assembly, End, HingeCoefficient, Hinged, PlaceRef, Station};
 use quasirigid::model::force::{Axes, Force, ForceLaw, Wave};
 use quasirigid::model::{FlexibleBody, Rheology, Support};
 use quasirigid::modes::{EquilibriumError, Given, RelativeEquilibrium, SpinModes};
@@ -15,6 +15,7 @@ use quasirigid_math::rotation::{ALIGNED, to_inertial};
 use quasirigid_math::vec3::norm;
 
 use super::spin_modes::Last;
+use crate::support::parts;
 
 /// `a + b ε₁ + c ε₂ + d ε₁ε₂`: exact second derivatives.
 #[derive(Clone, Copy, Debug)]
@@ -338,11 +339,7 @@ fn satellite(axes: &[&[[f64; 3]]], stiffness: f64, [metre, kilogram]: [f64; 2]) 
             places: Vec::new(),
         }
     };
-    let carrier = Carrier {
-        mass: 60.0 * kilogram,
-        center_of_mass: place([0.02, -0.03, 0.05]),
-        inertia: tensor([20.0, 25.0, 40.0]),
-    };
+    let carrier = parts::carrier(60.0 * kilogram, place([0.02, -0.03, 0.05]), tensor([20.0, 25.0, 40.0]));
     Assembly {
         carrier: Some(carrier),
         hinged: axes.iter().enumerate().map(appendage).collect(),
@@ -407,11 +404,7 @@ fn steady_angles_and_modes_on_hinges_are_exact() {
 /// would give way on straight paths there is a balance near the axis too, which no body reaches from rest.
 #[test]
 fn a_balance_on_a_hinge_is_that_which_the_body_reaches_from_rest() {
-    let carrier = Carrier {
-        mass: 60.0,
-        center_of_mass: [0.0; 3],
-        inertia: [[20.0, 0.0, 0.0], [0.0, 25.0, 0.0], [0.0, 0.0, 40.0]],
-    };
+    let carrier = parts::carrier(60.0, [0.0; 3], [[20.0, 0.0, 0.0], [0.0, 25.0, 0.0], [0.0, 0.0, 40.0]]);
     let arm = Hinged {
         name: "arm".into(),
         mass: 0.5,
@@ -557,11 +550,7 @@ fn slosh_pendulum_beside_the_spin_axis_decays_as_its_lagrangian_says() {
 }
 
 fn decays_as_its_lagrangian_says(stiffness: f64) {
-    let carrier = Carrier {
-        mass: 600.0,
-        center_of_mass: [0.0; 3],
-        inertia: [[300.0, 0.0, 0.0], [0.0, 320.0, 0.0], [0.0, 0.0, 420.0]],
-    };
+    let carrier = parts::carrier(600.0, [0.0; 3], [[300.0, 0.0, 0.0], [0.0, 320.0, 0.0], [0.0, 0.0, 420.0]]);
     let pendulum = Hinged {
         name: "slosh".into(),
         mass: 5.0,
@@ -588,11 +577,7 @@ fn decays_as_its_lagrangian_says(stiffness: f64) {
 
 /// A bob without a spring on a hub so heavy that it does not feel it, in a unit of time (s).
 fn hung(hinge: [f64; 3], center_of_mass: [f64; 3], second: f64) -> FlexibleBody {
-    let carrier = Carrier {
-        mass: 1e8,
-        center_of_mass: [0.0; 3],
-        inertia: [[2e8, 0.0, 0.0], [0.0, 2.2e8, 0.0], [0.0, 0.0, 3e8]],
-    };
+    let carrier = parts::carrier(1e8, [0.0; 3], [[2e8, 0.0, 0.0], [0.0, 2.2e8, 0.0], [0.0, 0.0, 3e8]]);
     let bob = Hinged {
         name: "bob".into(),
         mass: 2.0,

@@ -2,12 +2,12 @@
 
 use proptest::prelude::*;
 use quasirigid::elements::{
-    Assembly, Carrier, Coefficient, ElementError, ElementId, ElementKind, End, HingeCoefficient, Point,
-    PointMotion, Prestress, Problem, Spring, SpringLaw,
+    Assembly, ElementError, ElementId, ElementKind, End, HingeCoefficient, Point, PointMotion, Problem,
+    Spring,
 };
-use quasirigid::model::Rheology;
 
 use super::wobbler;
+use crate::support::parts;
 use crate::support::{bodies, cases};
 
 fn point(name: &str, position: [f64; 3], motion: PointMotion) -> Point {
@@ -15,26 +15,17 @@ fn point(name: &str, position: [f64; 3], motion: PointMotion) -> Point {
 }
 
 fn isotropic(from: End, to: End, stiffness: f64) -> Spring {
-    let law = SpringLaw::Spatial {
-        stiffness: Coefficient::Isotropic(stiffness),
-        damping: Coefficient::Isotropic(0.01 * stiffness),
-    };
-    Spring { name: String::new(), from, to, law, rheology: Rheology::Elastic }
+    let law = parts::isotropic(stiffness, 0.01 * stiffness);
+    parts::spring(from, to, law)
 }
 
 fn axial(from: End, to: End, anchor: Option<[f64; 3]>) -> Spring {
-    Spring {
-        name: String::new(),
-        from,
-        to,
-        law: SpringLaw::Axial { stiffness: 5.0, damping: 0.1, anchor, prestress: Prestress::Relaxed },
-        rheology: Rheology::Elastic,
-    }
+    parts::spring(from, to, parts::axial(5.0, 0.1, anchor))
 }
 
 fn body(points: Vec<Point>, springs: Vec<Spring>) -> Assembly {
     let inertia = [[1.0, 0.1, 0.0], [0.1, 1.4, 0.0], [0.0, 0.0, 1.2]];
-    let carrier = Carrier { mass: 2.0, center_of_mass: [0.1, 0.0, -0.1], inertia };
+    let carrier = parts::carrier(2.0, [0.1, 0.0, -0.1], inertia);
     Assembly { carrier: Some(carrier), points, springs, ..Assembly::default() }
 }
 
@@ -117,15 +108,8 @@ fn a_hinge_without_stiffness_about_a_skew_axis_is_a_mechanism() {
 /// Dashpots resist no displacement.
 #[test]
 fn a_dashpot_alone_is_a_mechanism() {
-    let law =
-        SpringLaw::Spatial { stiffness: Coefficient::Isotropic(0.0), damping: Coefficient::Isotropic(3.0) };
-    let spring = Spring {
-        name: String::new(),
-        from: End::Point(0),
-        to: End::Carrier,
-        law,
-        rheology: Rheology::Elastic,
-    };
+    let law = parts::isotropic(0.0, 3.0);
+    let spring = parts::spring(End::Point(0), End::Carrier, law);
     let assembly =
         body(vec![point("slow", [0.5, 0.0, 0.2], PointMotion::Plane([0.0, 0.3, 1.0]))], vec![spring]);
     let (_, coordinates) = named(&assembly);
@@ -163,7 +147,7 @@ proptest! {
         let mut loose = assembly;
         let position = loose.points[0].position;
         let mass = loose.points[0].mass;
-        loose.points.push(Point { name: "loose".into(), mass, position, motion: PointMotion::Free });
+        loose.points.push(parts::free_point("loose", mass, position));
         let (place, coordinates) = named(&loose);
         prop_assert_eq!(place, ElementKind::Point.at(loose.points.len() - 1));
         prop_assert!(coordinates.starts_with("\"loose\""), "{coordinates}");

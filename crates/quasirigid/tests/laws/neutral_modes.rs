@@ -6,6 +6,7 @@ use quasirigid::model::{FlexibleBody, Mode};
 use quasirigid::modes::{Given, RelativeEquilibrium, SpinMode, SpinModes};
 use quasirigid_math::random::Random;
 
+use crate::support::parts;
 use crate::support::rotors::{ball, flywheel};
 use crate::support::transform::{Units, rescaled, rotated};
 use crate::support::{Sprung, sprung_body};
@@ -49,12 +50,12 @@ fn drawn(random: &mut Random) -> Drawn {
             let angle = std::f64::consts::TAU * f64::from(k) / f64::from(count);
             let radius = if count == 1 { 0.0 } else { radius };
             let share = if ring == 0 && k == 0 { 1.0 + apart } else { 1.0 };
-            masses.push(Sprung {
-                mass: mass * share,
-                position: [radius * angle.cos(), radius * angle.sin(), height],
-                stiffness: [stiffness; 3],
-                damping: [damping; 3],
-            });
+            masses.push(parts::sprung(
+                mass * share,
+                [radius * angle.cos(), radius * angle.sin(), height],
+                [stiffness; 3],
+                [damping; 3],
+            ));
         }
     }
     let carrier = Carrier::principal(40.0, [across, across * (1.0 + apart), along]);
@@ -200,12 +201,7 @@ fn a_wobble_beside_two_equal_moments_decays_by_the_lag_of_the_shape() {
     for along in [2.0, 9.0] {
         let ring: Vec<Sprung> = (0..4)
             .map(|at| std::f64::consts::FRAC_PI_2 * f64::from(at))
-            .map(|angle| Sprung {
-                mass: m,
-                position: [0.0, r * angle.cos(), r * angle.sin()],
-                stiffness: [k; 3],
-                damping: [c; 3],
-            })
+            .map(|angle| parts::sprung(m, [0.0, r * angle.cos(), r * angle.sin()], [k; 3], [c; 3]))
             .collect();
         let (A, C) = (along + 4.0 * m * r * r, 5.0 + 2.0 * m * r * r);
         let body = sprung_body(Carrier::principal(40.0, [along, 5.0, 5.0]), &ring).body().unwrap();

@@ -3,8 +3,8 @@
 use nalgebra::{Matrix3, Rotation3, Vector3};
 use quasirigid::dynamics::{Forced, Start};
 use quasirigid::elements::{
-    Assembly, Coefficient, ElementError, End, Field, HingeCoefficient, Incomplete, PlaceRef, Point,
-    PointMotion, Prestress, Problem, Spring, SpringLaw, Station,
+    Assembly, Coefficient, ElementError, End, Field, HingeCoefficient, Incomplete, PlaceRef, Prestress,
+    Problem, Spring, SpringLaw, Station,
 };
 use quasirigid::model::force::{Axes, Force, ForceLaw, KinematicState, MagneticField, Wave};
 use quasirigid::model::{MotionState as Moving, Rheology};
@@ -14,6 +14,7 @@ use quasirigid_math::rotation::Turn;
 
 use super::forced::formula;
 use super::wobbler::{assembly, attitude};
+use crate::support::parts;
 
 type V = Vector3<f64>;
 
@@ -82,13 +83,7 @@ fn a_spring_at_a_place_stiffens_the_hinge() {
     let k = [[70.0, 5.0, -3.0], [5.0, 40.0, 2.0], [-3.0, 2.0, 55.0]];
     let mut sprung = placed();
     let law = SpringLaw::Spatial { stiffness: Coefficient::Full(k), damping: Coefficient::Isotropic(0.7) };
-    sprung.springs.push(Spring {
-        name: String::new(),
-        from: End::Carrier,
-        to: ON_TIP,
-        law,
-        rheology: Rheology::Elastic,
-    });
+    sprung.springs.push(parts::spring(End::Carrier, ON_TIP, law));
     let mut stiff = assembly();
     let boom = &mut stiff.hinged[0];
     let s = V::from(TIP) - V::from(boom.hinge);
@@ -115,19 +110,8 @@ fn a_spring_at_a_place_stiffens_the_hinge() {
 #[test]
 fn orders_are_reached_with_places_and_formulas() {
     let mut assembly = placed();
-    let law = SpringLaw::Axial {
-        stiffness: 30.0,
-        damping: 0.4,
-        anchor: Some([-0.5, 0.9, 0.2]),
-        prestress: Prestress::Relaxed,
-    };
-    assembly.springs.push(Spring {
-        name: String::new(),
-        from: ON_TIP,
-        to: End::Carrier,
-        law,
-        rheology: Rheology::Elastic,
-    });
+    let law = parts::axial(30.0, 0.4, Some([-0.5, 0.9, 0.2]));
+    assembly.springs.push(parts::spring(ON_TIP, End::Carrier, law));
     let at = Station { on: ON_TIP, at: None };
     let laws = [
         ForceLaw::Drag { at, coefficient: 0.05 },
@@ -198,12 +182,11 @@ fn string(prestress: Prestress) -> Assembly {
     let mut assembly = assembly();
     let carrier = assembly.carrier.as_mut().unwrap();
     carrier.mass = 1e9;
-    carrier.inertia = [[1e9, 0.0, 0.0], [0.0, 1e9, 0.0], [0.0, 0.0, 1e9]];
+    carrier.inertia = parts::diag([1e9, 1e9, 1e9]);
     assembly.hinged.clear();
     let middle = V::new(0.4, -0.2, 0.3);
     let along = 0.5 * V::new(2.0, -1.0, 0.5).normalize();
-    assembly.points =
-        vec![Point { name: "bead".into(), mass: 0.2, position: middle.into(), motion: PointMotion::Free }];
+    assembly.points = vec![parts::free_point("bead", 0.2, middle.into())];
     let half = |end: V| Spring {
         name: String::new(),
         from: End::Point(0),
@@ -250,13 +233,7 @@ fn tension_stiffens_along_curved_paths() {
             anchor: Some(anchor.into()),
             prestress: Prestress::Tension(tension),
         };
-        assembly.springs.push(Spring {
-            name: String::new(),
-            from: ON_TIP,
-            to: End::Carrier,
-            law,
-            rheology: Rheology::Elastic,
-        });
+        assembly.springs.push(parts::spring(ON_TIP, End::Carrier, law));
     }
     let boom = assembly.hinged[0].clone();
     let axes: Vec<V> = boom.axes.iter().map(|axis| V::from(*axis).normalize()).collect();
@@ -305,15 +282,8 @@ fn what_is_incomplete_is_known() {
     let mut assembly = placed();
     assert_eq!(assembly.incomplete_at(5), []);
     assert_eq!(assembly.incomplete_at(6), [Incomplete::Hinges]);
-    let law =
-        SpringLaw::Spatial { stiffness: Coefficient::Isotropic(1.0), damping: Coefficient::Isotropic(0.0) };
-    assembly.springs.push(Spring {
-        name: String::new(),
-        from: ON_TIP,
-        to: End::Carrier,
-        law,
-        rheology: Rheology::Elastic,
-    });
+    let law = parts::isotropic(1.0, 0.0);
+    assembly.springs.push(parts::spring(ON_TIP, End::Carrier, law));
     assert_eq!(assembly.incomplete_at(3), []);
     assert_eq!(assembly.incomplete_at(4), [Incomplete::SpringsOnAppendages]);
     assert_eq!(string(Prestress::Tension(1.0)).incomplete_at(4), [Incomplete::AxialSprings]);

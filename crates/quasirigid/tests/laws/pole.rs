@@ -7,13 +7,14 @@ use quasirigid::dynamics::{
     Forced, Form, FullState, Observer, Options, Sample, SlowEquations, SlowState, Start, propagate,
     propagate_forced, propagate_full,
 };
-use quasirigid::elements::{Assembly, Carrier, End, Station};
+use quasirigid::elements::{Assembly, End, Station};
 use quasirigid::model::force::{Force, ForceLaw};
 use quasirigid::reduction::reduce;
 use quasirigid_math::vec3::{add, norm, scale};
 
 use super::wobbler::{assembly, attitude, inertial, times_to};
-use crate::support::{Sprung, sprung_body};
+use crate::support::parts;
+use crate::support::sprung_body;
 
 type V = Vector3<f64>;
 
@@ -23,13 +24,10 @@ const VELOCITY: [f64; 3] = [0.4, 0.1, -0.3];
 
 /// Two masses off every axis of a carrier off its origin.
 fn body(forces: bool) -> Assembly {
-    let carrier = Carrier {
-        mass: 3.0,
-        center_of_mass: [0.1, -0.2, 0.05],
-        inertia: [[1.9, 0.3, -0.2], [0.3, 2.2, 0.5], [-0.2, 0.5, 2.4]],
-    };
+    let carrier =
+        parts::carrier(3.0, [0.1, -0.2, 0.05], [[1.9, 0.3, -0.2], [0.3, 2.2, 0.5], [-0.2, 0.5, 2.4]]);
     let sprung =
-        |mass, position, stiffness| Sprung { mass, position, stiffness, damping: scale(0.012, stiffness) };
+        |mass, position, stiffness| parts::sprung(mass, position, stiffness, scale(0.012, stiffness));
     let masses = [
         sprung(0.5, [0.9, 0.3, 0.4], [200.0, 300.0, 250.0]),
         sprung(0.3, [-0.5, 0.8, -0.6], [150.0, 180.0, 130.0]),
@@ -148,7 +146,7 @@ fn the_pole_is_right_to_the_order() {
     for p in 2..=4 {
         let errors = [0.25, 0.125].map(|epsilon| {
             let body = body(false).body().unwrap().stiffened(epsilon).unwrap();
-            let start = Start { omega: OMEGA, attitude: attitude(), place: [0.0; 3], velocity: [0.0; 3] };
+            let start = Start::new(OMEGA, attitude());
             let full = start.settled(Forced::not(&body), p).unwrap();
             let reduced = reduce(&body, p).unwrap();
             let spin = Start::new(reduced.Omega.vector(full.angular_momentum(&body)), full.attitude);

@@ -2,12 +2,13 @@
 
 use quasirigid::elements::{
     Assembly, Carrier, Coefficient, ElementError, ElementId, ElementKind, End, Field, HingeCoefficient,
-    Point, PointMotion, Prestress, Problem, Spring, SpringLaw,
+    Point, PointMotion, Problem, SpringLaw,
 };
-use quasirigid::model::{InertiaError, Rheology, Support};
+use quasirigid::model::{InertiaError, Support};
 use quasirigid::reduction::{MAX_ORDER, ReductionError, Validity, ValidityError, reduce};
 
 use super::wobbler;
+use crate::support::parts;
 
 /// Error of the body with one change; [`Assembly::check`] finds the same one.
 fn error(change: impl Fn(&mut Assembly)) -> Option<ElementError> {
@@ -48,12 +49,12 @@ fn spatial(assembly: &mut Assembly, coefficient: Coefficient) {
 }
 
 fn axial(anchor: Option<[f64; 3]>) -> SpringLaw {
-    SpringLaw::Axial { stiffness: 1.0, damping: 0.0, anchor, prestress: Prestress::Relaxed }
+    parts::axial(1.0, 0.0, anchor)
 }
 
 /// A second spring beside the good one.
 fn second(assembly: &mut Assembly, from: End, to: End, law: SpringLaw) {
-    assembly.springs.push(Spring { name: String::new(), from, to, law, rheology: Rheology::Elastic });
+    assembly.springs.push(parts::spring(from, to, law));
 }
 
 #[test]
@@ -215,7 +216,7 @@ trait WithStiffness {
 impl WithStiffness for SpringLaw {
     fn with_stiffness(self, value: f64) -> Self {
         let SpringLaw::Axial { damping, anchor, .. } = self else { return self };
-        SpringLaw::Axial { stiffness: value, damping, anchor, prestress: Prestress::Relaxed }
+        parts::axial(value, damping, anchor)
     }
 }
 
@@ -226,8 +227,7 @@ fn springs_need_two_ends_and_axial_ones_a_line() {
     let with = |from: End, to: End, law: SpringLaw| move |a: &mut Assembly| second(a, from, to, law);
     refused!(with(point, point, axial(None)), ElementKind::Spring.at(1), Field::TO, Problem::SameEnds);
     refused!(with(carrier, carrier, axial(None)), ElementKind::Spring.at(1), Field::TO, Problem::SameEnds);
-    let isotropic =
-        SpringLaw::Spatial { stiffness: Coefficient::Isotropic(1.0), damping: Coefficient::Isotropic(0.0) };
+    let isotropic = parts::isotropic(1.0, 0.0);
     refused!(
         with(carrier, End::Point(7), isotropic),
         ElementKind::Spring.at(1),
@@ -351,17 +351,8 @@ fn a_floating_line_of_points_is_refused() {
             position: [0.3 + x, 0.1 + y, -0.7],
             motion: PointMotion::Free,
         };
-        let law = SpringLaw::Spatial {
-            stiffness: Coefficient::Isotropic(50.0),
-            damping: Coefficient::Isotropic(0.0),
-        };
-        let spring = |from: usize, to: usize| Spring {
-            name: String::new(),
-            from: End::Point(from),
-            to: End::Point(to),
-            law,
-            rheology: Rheology::Elastic,
-        };
+        let law = parts::isotropic(50.0, 0.0);
+        let spring = |from: usize, to: usize| parts::spring(End::Point(from), End::Point(to), law);
         let points = vec![point(0.0, 0.0), point(1.0, bend), point(2.5, 0.0)];
         let springs = vec![spring(0, 1), spring(1, 2), spring(0, 2)];
         Assembly { points, springs, ..Assembly::default() }.body()

@@ -9,8 +9,9 @@ use quasirigid_math::eigen::{Dense, modes};
 use quasirigid_math::sym3::times;
 use quasirigid_math::vec3::{cross, norm};
 
+use crate::support::parts;
 use crate::support::transform::{rescaled, rotated};
-use crate::support::{Sprung, assemblies, cases, rotation, sprung_body, units, vector};
+use crate::support::{assemblies, cases, rotation, sprung_body, units, vector};
 
 /// Size of the motion beside the steady spin, whose square is left out.
 const SMALL: f64 = 1e-5;
@@ -186,7 +187,7 @@ proptest! {
 /// in the other sense it is the spin that is left: `Ω − Ω(C − A)/A`.
 #[test]
 fn a_nutation_is_seen_from_outside_at_the_angular_momentum_over_the_transverse_moment() {
-    let mass = Sprung { mass: 1.0, position: [0.0; 3], stiffness: [90.0; 3], damping: [1.0; 3] };
+    let mass = parts::sprung(1.0, [0.0; 3], [90.0; 3], [1.0; 3]);
     let (A, C, spin) = (9.0, 16.0, 0.7);
     let body = sprung_body(Carrier::principal(40.0, [A, A, C]), &[mass]).body().unwrap();
     let steady = RelativeEquilibrium::near(&body, [0.0, 0.0, 1.0], Given::Rate(spin)).unwrap();

@@ -9,8 +9,9 @@ use quasirigid::modes::{Near, SteadyError, SteadyModes, SteadyState};
 use quasirigid_math::expression::Expression;
 
 use super::forced::formula;
+use crate::support::parts;
 use crate::support::transform::rescaled;
-use crate::support::{Sprung, cases, rotation, sprung_body, units};
+use crate::support::{cases, rotation, sprung_body, units};
 
 type V = Vector3<f64>;
 type C = Complex<f64>;
@@ -27,11 +28,7 @@ struct Rigid {
 impl Rigid {
     fn carrier(&self) -> Carrier {
         let J = self.axes * Matrix3::from_diagonal(&V::from(self.moments)) * self.axes.transpose();
-        Carrier {
-            mass: self.mass,
-            center_of_mass: self.center.into(),
-            inertia: (0.5 * (J + J.transpose())).into(),
-        }
+        parts::carrier(self.mass, self.center.into(), (0.5 * (J + J.transpose())).into())
     }
 
     fn free(&self) -> Assembly {
@@ -561,7 +558,7 @@ fn a_centrifuge_in_air_lags_as_its_closed_form() {
 #[test]
 fn a_damping_that_changes_with_time_is_refused() {
     let told = |law: &str| {
-        let mass = Sprung { mass: 1.0, position: [0.0, 0.0, 0.6], stiffness: [90.0; 3], damping: [1.0; 3] };
+        let mass = parts::sprung(1.0, [0.0, 0.0, 0.6], [90.0; 3], [1.0; 3]);
         let mut assembly = sprung_body(Carrier::principal(40.0, [9.0, 13.0, 16.0]), &[mass]);
         assembly.support = Support::FixedPoint { point: [0.0; 3] };
         let at = Station { on: quasirigid::elements::End::Point(0), at: None };

@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 use quasirigid::dynamics::{
     Forced, Form, Options, Sample, SlowEquations, SlowState, Start, propagate_forced,
 };
-use quasirigid::elements::{Assembly, Carrier, End, Station};
+use quasirigid::elements::{Assembly, End, Station};
 use quasirigid::model::Support;
 use quasirigid::model::force::{Axes, Force, ForceLaw, MagneticField, Orbit, Wave};
 use quasirigid::secular::MeasureError;
@@ -14,40 +14,23 @@ use quasirigid_math::expression::Expression;
 use quasirigid_math::rotation::turned;
 use quasirigid_math::vec3::{add, norm, scale};
 
-use crate::support::{Sprung, sprung_body};
+use crate::support::parts;
+use crate::support::sprung_body;
 
 /// Two sprung masses on a carrier, with a given support and given forces.
 fn assembly(support: Support, laws: Vec<ForceLaw<Station>>) -> Assembly {
-    let carrier = Carrier {
-        mass: 40.0,
-        center_of_mass: [0.02, 0.1, 0.4],
-        inertia: [[9.0, 0.2, 0.0], [0.2, 13.0, -0.4], [0.0, -0.4, 16.0]],
-    };
+    let carrier =
+        parts::carrier(40.0, [0.02, 0.1, 0.4], [[9.0, 0.2, 0.0], [0.2, 13.0, -0.4], [0.0, -0.4, 16.0]]);
     let masses = [
-        Sprung {
-            mass: 1.2,
-            position: [0.8, 0.3, 0.9],
-            stiffness: [900.0, 1000.0, 800.0],
-            damping: [48.0, 36.0, 40.0],
-        },
-        Sprung {
-            mass: 0.9,
-            position: [-0.5, -0.6, 0.7],
-            stiffness: [700.0, 800.0, 1100.0],
-            damping: [36.0, 40.0, 48.0],
-        },
+        parts::sprung(1.2, [0.8, 0.3, 0.9], [900.0, 1000.0, 800.0], [48.0, 36.0, 40.0]),
+        parts::sprung(0.9, [-0.5, -0.6, 0.7], [700.0, 800.0, 1100.0], [36.0, 40.0, 48.0]),
     ];
     let forces = laws.into_iter().map(|law| Force { name: "force".into(), law }).collect();
     Assembly { support, forces, ..sprung_body(carrier, &masses) }
 }
 
 fn start(omega: [f64; 3]) -> Start {
-    Start {
-        omega,
-        attitude: turned([1.0, 0.0, 0.0, 0.0], [0.3, -0.2, 0.4]),
-        place: [0.0; 3],
-        velocity: [0.0; 3],
-    }
+    Start::new(omega, turned([1.0, 0.0, 0.0, 0.0], [0.3, -0.2, 0.4]))
 }
 
 /// Orders of `p = 1, 2, …`, measured in the angular-momentum form; those of the angular-velocity form are reached too.

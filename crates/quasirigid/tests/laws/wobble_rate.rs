@@ -2,43 +2,13 @@
 
 use quasirigid::averaging::{Evolution, MeanPower, PolynomialPower, Response};
 use quasirigid::dynamics::steady_spins;
-use quasirigid::model::{FlexibleBody, Kinetics, Mode, Principal};
+use quasirigid::model::{FlexibleBody, Mode, Principal};
 use quasirigid::reduction::reduce;
-use quasirigid_math::eigen::{Dense, eigenvalues};
-use quasirigid_math::vec3::{add, cross, norm, scale};
+use quasirigid_math::eigen::eigenvalues;
+use quasirigid_math::vec3::{add, norm, scale};
 
 use super::evolution::tumbler;
-
-/// Rates of the full state: angular momentum, momenta of the coordinates, coordinates.
-fn rates(body: &FlexibleBody, state: &[f64]) -> Vec<f64> {
-    let n = body.coordinates().len();
-    let (K, p, q) = ([state[0], state[1], state[2]], &state[3..3 + n], &state[3 + n..]);
-    let mut kinetics = Kinetics::new(body).unwrap();
-    let (mut load, mut rate) = (vec![0.0; n], vec![0.0; n]);
-    let velocities = kinetics.velocities(K, p, q, &mut rate);
-    velocities.add_loads(q, &rate, &mut load);
-    [&cross(K, velocities.omega)[..], &load, &rate].concat()
-}
-
-/// Derivative of the rates by central differences of sixth order, whose truncation and rounding are alike, 1e-14, at this step.
-fn linearised(body: &FlexibleBody, state: &[f64], sizes: &[f64]) -> Dense {
-    let mut matrix = Dense::zero(state.len());
-    for column in 0..state.len() {
-        let h = 5e-3 * sizes[column];
-        let at = |steps: f64| {
-            let mut moved = state.to_vec();
-            moved[column] += steps * h;
-            rates(body, &moved)
-        };
-        let sides = [(1.0, 0.75), (2.0, -0.15), (3.0, 1.0 / 60.0)]
-            .map(|(steps, weight)| (at(steps), at(-steps), weight));
-        for row in 0..state.len() {
-            let slope: f64 = sides.iter().map(|(up, down, weight)| weight * (up[row] - down[row])).sum();
-            matrix.add(row, column, slope / h * sizes[column] / sizes[row]);
-        }
-    }
-    matrix
-}
+use crate::support::linearised::{linearised, rates};
 
 /// Growth rate of the pair of eigenvalues next to the nutation of the frozen body; sizes make the matrix well scaled.
 fn eigenvalue_rate(body: &FlexibleBody, mode: Mode, G: f64) -> f64 {
@@ -59,7 +29,8 @@ fn eigenvalue_rate(body: &FlexibleBody, mode: Mode, G: f64) -> f64 {
     let state: Vec<f64> = [&K[..], &p, &q].concat();
     let slow = G / I3;
     let sizes: Vec<f64> = [vec![G; 3], vec![slow; n], vec![1.0; n]].concat();
-    let values = eigenvalues(&linearised(body, &state, &sizes)).unwrap();
+    // truncation and rounding of the differences are alike, 1e-14, at this share
+    let values = eigenvalues(&linearised(body, &state, &sizes, 5e-3)).unwrap();
     let spin = norm(omega);
     let square = match mode {
         Mode::ShortAxis => (I3 - I1) * (I3 - I2) / (I1 * I2),

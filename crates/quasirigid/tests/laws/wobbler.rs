@@ -1,35 +1,28 @@
 //! One damped body with a point and an appendage, off its axes, for runs that need no other.
 
-use quasirigid::elements::{
-    Assembly, Carrier, Coefficient, End, HingeCoefficient, Hinged, Point, PointMotion, Spring, SpringLaw,
-};
+use quasirigid::elements::{Assembly, Coefficient, End, HingeCoefficient, Hinged, SpringLaw};
 use quasirigid::model::{ReducedBody, Rheology};
 use quasirigid::reduction::reduce;
+
+use crate::support::parts;
 
 /// The body; its lowest frequency is about 13 rad/s, its damping ratios are about 0.2.
 pub fn assembly() -> Assembly {
     Assembly {
-        carrier: Some(Carrier {
-            mass: 4.0,
-            center_of_mass: [0.1, -0.2, 0.05],
-            inertia: [[1.1, 0.1, -0.05], [0.1, 1.7, 0.2], [-0.05, 0.2, 2.3]],
-        }),
-        points: vec![Point {
-            name: "mass".into(),
-            mass: 0.3,
-            position: [0.7, 0.4, -0.5],
-            motion: PointMotion::Free,
-        }],
-        springs: vec![Spring {
-            name: String::new(),
-            from: End::Point(0),
-            to: End::Carrier,
-            law: SpringLaw::Spatial {
+        carrier: Some(parts::carrier(
+            4.0,
+            [0.1, -0.2, 0.05],
+            [[1.1, 0.1, -0.05], [0.1, 1.7, 0.2], [-0.05, 0.2, 2.3]],
+        )),
+        points: vec![parts::free_point("mass", 0.3, [0.7, 0.4, -0.5])],
+        springs: vec![parts::spring(
+            End::Point(0),
+            End::Carrier,
+            SpringLaw::Spatial {
                 stiffness: Coefficient::Diagonal([60.0, 90.0, 75.0]),
                 damping: Coefficient::Isotropic(1.5),
             },
-            rheology: Rheology::Elastic,
-        }],
+        )],
         hinged: vec![Hinged {
             name: "boom".into(),
             mass: 0.2,

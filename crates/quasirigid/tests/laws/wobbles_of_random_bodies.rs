@@ -3,7 +3,7 @@
 
 use quasirigid::dynamics::{Forced, Options, Sample, Start, propagate, propagate_full, steady_spin_near};
 use quasirigid::elements::{
-    Assembly, Carrier, Cavity, CavityShape, HingeCoefficient, Hinged, Regime, Rotor, RotorKind,
+    Assembly, Cavity, CavityShape, HingeCoefficient, Hinged, Regime, Rotor, RotorKind,
 };
 use quasirigid::model::{FlexibleBody, Principal, ReducedBody, Rheology};
 use quasirigid::modes::{Given, RelativeEquilibrium, SpinModes};
@@ -12,6 +12,7 @@ use quasirigid::verification::wobble_difference;
 use quasirigid_math::rotation::ALIGNED;
 use quasirigid_math::vec3::{add, cross, dot, norm, scale};
 
+use crate::support::parts;
 use crate::support::transform::rotated;
 use crate::support::{Sprung, sprung_body};
 
@@ -67,14 +68,14 @@ fn drawn(random: &mut Random) -> (Assembly, [f64; 3]) {
         second[1] = second[0] * (1.0 + random.decades(-3.0, -1.0));
     }
     let [a, b, c] = second.map(|share| 0.3 * share * M * L * L);
-    let inertia = [[b + c, 0.0, 0.0], [0.0, c + a, 0.0], [0.0, 0.0, a + b]];
-    let carrier = Carrier { mass: M, center_of_mass: random.vector(0.2 * L), inertia };
+    let inertia = parts::diag([b + c, c + a, a + b]);
+    let carrier = parts::carrier(M, random.vector(0.2 * L), inertia);
     let masses: Vec<Sprung> = (0..usize::from(random.chance(0.8)) + usize::from(random.chance(0.4)))
         .map(|_| {
             let (mass, frequency) = (M * random.decades(-3.0, -0.7), spin * random.decades(0.8, 2.2));
             let stiffness = mass * frequency * frequency * random.between(0.5, 2.0);
             let damping = 2.0 * random.decades(-3.0, 0.0) * mass * frequency;
-            Sprung { mass, position: random.vector(L), stiffness: [stiffness; 3], damping: [damping; 3] }
+            parts::sprung(mass, random.vector(L), [stiffness; 3], [damping; 3])
         })
         .collect();
     let mut assembly = sprung_body(carrier, &masses);

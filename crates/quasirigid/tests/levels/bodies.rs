@@ -1,9 +1,10 @@
 //! Bodies with a mass off every axis and chosen moments.
 
 use nalgebra::{Matrix3, Rotation3, Vector3};
-use quasirigid::elements::{Assembly, Carrier};
+use quasirigid::elements::Assembly;
 
-use crate::support::{Sprung, sprung_body};
+use crate::support::parts;
+use crate::support::sprung_body;
 
 /// Mass, place, stiffness and damping of the sprung mass, and the mass of the carrier (kg, m, N/m, N s/m).
 const MASS: f64 = 0.5;
@@ -17,8 +18,8 @@ pub fn with_tensor(J: Matrix3<f64>) -> Assembly {
     let rho = Vector3::from(PLACE);
     let reduced_mass = MASS * CARRIER / (MASS + CARRIER);
     let of_mass = reduced_mass * (rho.norm_squared() * Matrix3::identity() - rho * rho.transpose());
-    let carrier = Carrier { mass: CARRIER, center_of_mass: [0.0; 3], inertia: (J - of_mass).into() };
-    let mass = Sprung { mass: MASS, position: PLACE, stiffness: [STIFFNESS; 3], damping: [DAMPING; 3] };
+    let carrier = parts::carrier(CARRIER, [0.0; 3], (J - of_mass).into());
+    let mass = parts::sprung(MASS, PLACE, [STIFFNESS; 3], [DAMPING; 3]);
     sprung_body(carrier, &[mass])
 }
 

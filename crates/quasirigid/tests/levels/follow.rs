@@ -3,13 +3,14 @@
 use nalgebra::Matrix3;
 use quasirigid::averaging::{LevelError, LevelEvolution, LevelStopReason, Until};
 use quasirigid::dynamics::{Forced, Options, Sample, Start, propagate, propagate_full};
-use quasirigid::elements::{Assembly, Carrier, Wheel, WheelSpeed};
+use quasirigid::elements::{Assembly, Wheel, WheelSpeed};
 use quasirigid::model::{FlexibleBody, ReducedBody};
 use quasirigid::reduction::reduce;
 use quasirigid_math::rotation::ALIGNED;
 use quasirigid_math::vec3::norm;
 
 use super::bodies::{SPIN, near_sphere, nearly_equal, with_tensor};
+use crate::support::parts;
 use crate::support::sprung_body;
 use crate::support::transform::{Units, rescaled, rotated};
 
@@ -25,7 +26,7 @@ fn dissipated(reduced: &ReducedBody, omega: [f64; 3], time: f64) -> f64 {
 /// Energy (J) that the full system dissipates in a time (s), from the slow manifold.
 fn dissipated_in_full(body: &FlexibleBody, omega: [f64; 3], time: f64) -> f64 {
     let mut samples: Vec<Sample> = Vec::new();
-    let start = Start { omega, attitude: ALIGNED, place: [0.0; 3], velocity: [0.0; 3] };
+    let start = Start::new(omega, ALIGNED);
     let settled = start.settled(Forced::not(body), 5).unwrap();
     let options = Options { tolerance: 1e-12, ..Options::default() };
     propagate_full(Forced::not(body), &settled, &[time], &options, &mut samples).unwrap();
@@ -105,8 +106,7 @@ fn a_sphere_with_one_mass_ages_about_it() {
     let passage = levels.follow(K, Until::EnergyLeft(0.1), 5).unwrap();
     assert_eq!((passage.ending, passage.rows.len()), (LevelStopReason::Reached, 5));
     assert!(passage.rows.array_windows().all(|[a, b]| a.time < b.time && a.energy > b.energy));
-    let ball =
-        Carrier { mass: 5.0, center_of_mass: [0.0; 3], inertia: (2.0 * Matrix3::<f64>::identity()).into() };
+    let ball = parts::carrier(5.0, [0.0; 3], (2.0 * Matrix3::<f64>::identity()).into());
     let flat = reduce(&sprung_body(ball, &[]).body().unwrap(), 3).unwrap();
     assert_eq!(LevelEvolution::new(&flat, 1.0).err(), Some(LevelError::Flat));
 }

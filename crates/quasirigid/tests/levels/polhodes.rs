@@ -100,7 +100,7 @@ fn precession_on_a_level_is_that_of_a_history() {
         let axis = Principal::compute(reduced.J).axes[0];
         let revolutions = 20_u32;
         let times: Vec<f64> = (0..=revolutions * 400).map(|i| level.period * f64::from(i) / 400.0).collect();
-        let start = Start { omega, attitude: ALIGNED, place: [0.0; 3], velocity: [0.0; 3] };
+        let start = Start::new(omega, ALIGNED);
         let mut samples: Vec<Sample> = Vec::new();
         propagate(&reduced, start, &times, &Options { tolerance: 1e-11, ..Options::default() }, &mut samples)
             .unwrap();

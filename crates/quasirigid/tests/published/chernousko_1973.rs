@@ -1,13 +1,15 @@
 //! One sprung mass: closed forms, and exact rationals for a triaxial body [@chernousko1973].
 
 use quasirigid::dynamics::{Forced, Form, Options, Sample, Start, propagate_full, spin_path};
-use quasirigid::elements::{Assembly, Carrier, Coefficient, End, Point, PointMotion, Spring, SpringLaw};
-use quasirigid::model::{FlexibleBody, Rheology, Support};
+use quasirigid::elements::{Assembly, End};
+use quasirigid::model::{FlexibleBody, Support};
 use quasirigid::problems::AxialMass;
 use quasirigid::reduction::reduce;
 use quasirigid_math::polynomial::Homogeneous;
 use quasirigid_math::rotation::ALIGNED;
 use quasirigid_math::vec3::dot;
+
+use crate::support::parts;
 
 const AXIAL: AxialMass = AxialMass { carrier: 7.0, A: 1.0, C: 1.5, m: 0.1, rho: 0.5, c: 40.0, b: 0.3 };
 
@@ -21,18 +23,9 @@ fn body(J: [f64; 3], mass: f64, rho: [f64; 3], stiffness: f64, damping: f64) -> 
         })
     });
     Assembly {
-        carrier: Some(Carrier { mass: 5.0, center_of_mass: [0.0; 3], inertia }),
-        points: vec![Point { name: "mass".into(), mass, position: rho, motion: PointMotion::Free }],
-        springs: vec![Spring {
-            name: String::new(),
-            from: End::Point(0),
-            to: End::Carrier,
-            law: SpringLaw::Spatial {
-                stiffness: Coefficient::Isotropic(stiffness),
-                damping: Coefficient::Isotropic(damping),
-            },
-            rheology: Rheology::Elastic,
-        }],
+        carrier: Some(parts::carrier(5.0, [0.0; 3], inertia)),
+        points: vec![parts::free_point("mass", mass, rho)],
+        springs: vec![parts::spring(End::Point(0), End::Carrier, parts::isotropic(stiffness, damping))],
         hinged: vec![],
         support: Support::FixedPoint { point: [0.0; 3] },
         ..Assembly::default()
@@ -143,7 +136,7 @@ fn axial_mass_keeps_its_law_in_time() {
 /// Dissipation in a full run over the power of an order at the same spins, and the shift of the precession likewise.
 fn full_over_reduced(case: &AxialMass, order: usize) -> [f64; 2] {
     let body = case.assembly().body().unwrap();
-    let start = Start { omega: [0.4, 0.0, 1.0], attitude: ALIGNED, place: [0.0; 3], velocity: [0.0; 3] };
+    let start = Start::new([0.4, 0.0, 1.0], ALIGNED);
     let full = start.settled(Forced::not(&body), 9).unwrap();
     let times: Vec<f64> = (0..=100).map(|i| f64::from(i) * 0.01).collect();
     let options = Options { tolerance: 1e-14, ..Options::default() };

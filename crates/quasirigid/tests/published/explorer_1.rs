@@ -122,7 +122,7 @@ fn over_closed_form(ratio: f64, zeta: f64) -> [f64; 2] {
     let satellite = Explorer1::stiffened(ratio, zeta);
     let body = satellite.assembly().body().unwrap();
     let omega = [1e-4 * Explorer1::SPIN, 0.0, Explorer1::SPIN];
-    let start = Start { omega, attitude: ALIGNED, place: [0.0; 3], velocity: [0.0; 3] };
+    let start = Start::new(omega, ALIGNED);
     let full = start.settled(Forced::not(&body), 9).unwrap();
     let times: Vec<f64> = (0..=400).map(|i| f64::from(i) * 0.01).collect();
     let options = Options { tolerance: 1e-14, ..Options::default() };

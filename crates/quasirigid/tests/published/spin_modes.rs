@@ -1,10 +1,12 @@
 //! Modes of a spinning body with two sprung masses, from an independent code: `data/published/spin_modes`.
 #![allow(clippy::print_stdout, clippy::unwrap_used)]
 
-use quasirigid::elements::{Assembly, Carrier, Coefficient, End, Point, PointMotion, Spring, SpringLaw};
+use quasirigid::elements::{Assembly, End, Point, PointMotion, Spring};
 use quasirigid::model::Rheology;
 use quasirigid::modes::{Given, RelativeEquilibrium, SpinModes};
 use quasirigid_math::vec3::norm;
+
+use crate::support::parts;
 
 const MODES: &str = include_str!("../../../../data/published/spin_modes/modes.csv");
 const EQUILIBRIA: &str = include_str!("../../../../data/published/spin_modes/equilibria.csv");
@@ -29,18 +31,11 @@ fn body() -> Assembly {
         name: ["first", "second"][i].into(),
         from: End::Point(i),
         to: End::Carrier,
-        law: SpringLaw::Spatial {
-            stiffness: Coefficient::Diagonal(*stiffness),
-            damping: Coefficient::Diagonal(*damping),
-        },
+        law: parts::diagonal(*stiffness, *damping),
         rheology: Rheology::Elastic,
     };
     Assembly {
-        carrier: Some(Carrier {
-            mass: 40.0,
-            center_of_mass: [0.0; 3],
-            inertia: [[9.0, 0.0, 0.0], [0.0, 13.0, 0.0], [0.0, 0.0, 16.0]],
-        }),
+        carrier: Some(parts::carrier(40.0, [0.0; 3], parts::diag([9.0, 13.0, 16.0]))),
         points: masses.iter().enumerate().map(point).collect(),
         springs: springs.iter().enumerate().map(spring).collect(),
         ..Assembly::default()

@@ -2,14 +2,14 @@
 
 use nalgebra::{Matrix3, Vector3};
 use quasirigid::elements::{
-    Assembly, Carrier, Frame, FrameNode, Material, Member, Part, PartKind, PartReduction, SectionShape,
-    Station,
+    Assembly, Frame, FrameNode, Material, Member, Part, PartKind, PartReduction, SectionShape, Station,
 };
 use quasirigid::model::force::Force;
 use quasirigid::model::{BodyParts, FlexibleBody, Invariants, Pair};
 use quasirigid_math::sparse::SparseRows;
 
 use super::common::turned_axes;
+use crate::support::parts;
 
 /// A beam from the centre of a hub outwards, along the first of the rotated axes.
 #[derive(Clone)]
@@ -47,11 +47,11 @@ impl Cantilever {
         let kind = PartKind::Frame(Frame { nodes: nodes.collect(), members });
         let part =
             Part { name: "beam".to_owned(), kind, masses: Vec::new(), attached: vec![0], rayleigh: [0.0; 2] };
-        let carrier = Carrier {
-            mass: self.hub / (self.length * self.length),
-            center_of_mass: ROOT,
-            inertia: (self.hub * Matrix3::identity()).into(),
-        };
+        let carrier = parts::carrier(
+            self.hub / (self.length * self.length),
+            ROOT,
+            (self.hub * Matrix3::identity()).into(),
+        );
         let reduction = self.reduction;
         Assembly { carrier: Some(carrier), parts: vec![part], forces, reduction, ..Assembly::default() }
     }

@@ -4,15 +4,16 @@ use std::sync::Arc;
 
 use nalgebra::{Matrix3, Rotation3, Vector3};
 use quasirigid::elements::{
-    Assembly, Bushing, Carrier, Coefficient, Connection, ElasticMaterial, ElementError, End, Field, Frame,
-    FrameNode, HingeCoefficient, Hinged, Material, Member, NodeRef, Part, PartKind, PartReduction, PlaceRef,
-    Point, PointMotion, Problem, Region, SectionShape, Solid, Spring, SpringLaw, TipMass,
+    Assembly, Bushing, Carrier, Coefficient, ElasticMaterial, ElementError, End, Field, Frame, FrameNode,
+    HingeCoefficient, Hinged, NodeRef, Part, PartKind, PartReduction, PlaceRef, Problem, Region,
+    SectionShape, Solid, Spring, SpringLaw, TipMass,
 };
 use quasirigid::mesh::{Cell, Mesh, Shape};
 use quasirigid::model::Rheology;
 use quasirigid::reduction::{frequencies, reduce};
 
 use super::common::turned_axes;
+use crate::support::parts;
 
 type V = Vector3<f64>;
 
@@ -22,8 +23,8 @@ const ON_BOOM: End = End::Hinged(PlaceRef { hinged: 0, place: 1 });
 
 /// A carrier that hardly moves.
 fn ground() -> Carrier {
-    let inertia = [[1e12, 0.0, 0.0], [0.0, 1e12, 0.0], [0.0, 0.0, 1e12]];
-    Carrier { mass: 1e12, center_of_mass: [0.0; 3], inertia }
+    let inertia = parts::diag([1e12, 1e12, 1e12]);
+    parts::carrier(1e12, [0.0; 3], inertia)
 }
 
 fn column(axis: usize) -> [f64; 3] {
@@ -69,11 +70,8 @@ fn boom(axes: Vec<[f64; 3]>, stiffness: Vec<f64>, damping: Vec<f64>) -> Hinged {
 }
 
 fn satellite(hinged: Hinged, bushings: Vec<Bushing>) -> Assembly {
-    let carrier = Carrier {
-        mass: 30.0,
-        center_of_mass: [0.1, 0.0, -0.2],
-        inertia: [[9.0, 0.3, 0.1], [0.3, 8.0, 0.2], [0.1, 0.2, 11.0]],
-    };
+    let carrier =
+        parts::carrier(30.0, [0.1, 0.0, -0.2], [[9.0, 0.3, 0.1], [0.3, 8.0, 0.2], [0.1, 0.2, 11.0]]);
     Assembly { carrier: Some(carrier), hinged: vec![hinged], bushings, ..Assembly::default() }
 }
 
@@ -101,8 +99,7 @@ fn springs_about_the_axes_of_a_hinge_are_a_bushing_in_it() {
 
 #[test]
 fn a_bushing_at_a_point_is_a_full_spring() {
-    let point =
-        Point { name: "mass".into(), mass: 1.3, position: [0.7, 1.1, -0.6], motion: PointMotion::Free };
+    let point = parts::free_point("mass", 1.3, [0.7, 1.1, -0.6]);
     let (k, b) = ([500.0, 800.0, 300.0], [4.0, 9.0, 2.0]);
     let law = SpringLaw::Spatial { stiffness: turned(k), damping: turned(b) };
     let spring =
@@ -154,7 +151,7 @@ fn bushings_add_up() {
     assert!(difference(&satellite(hinged, vec![scaled(0.5), back]), &whole) < 1e-12);
 }
 
-const UPRIGHT: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+const UPRIGHT: [[f64; 3]; 3] = parts::diag([1.0, 1.0, 1.0]);
 
 const SECTION: SectionShape =
     SectionShape::General { area: 1e-4, second_y: 2e-9, second_z: 2e-9, torsion: 4e-9, shear: None };
@@ -162,19 +159,8 @@ const SECTION: SectionShape =
 /// Straight beam in the rotated axes, with a mass at its end.
 fn beam(name: &str, turn: Rotation3<f64>, [from, to]: [V; 2], mass: Option<f64>, density: f64) -> Part {
     let node = |name: &str, place: V| FrameNode { name: name.into(), position: (turn * place).into() };
-    let member = Member {
-        name: String::new(),
-        ends: [0, 1],
-        section: SECTION,
-        up: None,
-        material: Material { density, young: 70e9, poisson: 0.3, rheology: Rheology::Elastic },
-        elements: 8,
-    };
-    let tip = mass.map(|mass| TipMass {
-        node: 1,
-        mass,
-        inertia: [[1e-9, 0.0, 0.0], [0.0, 1e-9, 0.0], [0.0, 0.0, 1e-9]],
-    });
+    let member = parts::member([0, 1], SECTION, parts::elastic(density, 70e9, 0.3), 8);
+    let tip = mass.map(|mass| TipMass { node: 1, mass, inertia: parts::diag([1e-9, 1e-9, 1e-9]) });
     Part {
         name: name.into(),
         kind: PartKind::Frame(Frame {
@@ -237,14 +223,7 @@ fn corner(turn: Rotation3<f64>, stiffness: Option<f64>) -> Assembly {
         }),
         None => {
             let anchor = |part: usize| quasirigid::elements::Anchor::Nodes { part, nodes: vec![0] };
-            assembly.connections.push(Connection {
-                from: anchor(0),
-                to: anchor(1),
-                axes: Vec::new(),
-                stiffness: Vec::new(),
-                damping: Vec::new(),
-                rheology: Rheology::Elastic,
-            });
+            assembly.connections.push(parts::weld(anchor(0), anchor(1)));
         }
     }
     assembly
@@ -263,8 +242,7 @@ fn a_stiff_bushing_afloat_is_a_weld_and_a_soft_one_turns_with_the_body() {
 
 #[test]
 fn bushings_that_cannot_be_are_refused() {
-    let point =
-        Point { name: "mass".into(), mass: 1.3, position: [0.7, 1.1, -0.6], motion: PointMotion::Free };
+    let point = parts::free_point("mass", 1.3, [0.7, 1.1, -0.6]);
     let refusal = |bushing: Bushing| -> ElementError {
         let base = satellite(boom(vec![column(0)], vec![200.0], vec![1.0]), vec![bushing]);
         Assembly { points: vec![point.clone()], ..base }.check().remove(0)
@@ -318,7 +296,7 @@ fn a_bushing_at_a_node_of_a_solid_is_a_full_spring() {
         corners.iter().chain(&corners.map(|[x, y, _]| [x, y, 0.3])).map(|p| place(*p)).collect();
     let cell = Cell { label: 1, shape: Shape::Hex8, nodes: (0..8).collect() };
     let mesh = Mesh { nodes, node_labels: (1..=8).collect(), cells: vec![cell], sets: Vec::new() };
-    let rubber = Material { density: 1100.0, young: 2e6, poisson: 0.3, rheology: Rheology::Elastic };
+    let rubber = parts::elastic(1100.0, 2e6, 0.3);
     let region = Region {
         cells: vec![0],
         name: String::new(),
@@ -400,12 +378,7 @@ fn a_bushing_between_two_booms_strains_by_the_difference() {
 /// Two points at one place: a bushing between them is a full spring, and pulls them in opposite senses.
 #[test]
 fn a_bushing_between_two_points_is_a_full_spring() {
-    let point = |name: &str, mass: f64| Point {
-        name: name.into(),
-        mass,
-        position: [0.7, 1.1, -0.6],
-        motion: PointMotion::Free,
-    };
+    let point = |name: &str, mass: f64| parts::free_point(name, mass, [0.7, 1.1, -0.6]);
     let spatial = |from: End, to: End, k: [f64; 3], b: [f64; 3]| Spring {
         name: "s".into(),
         from,

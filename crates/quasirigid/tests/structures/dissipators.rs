@@ -2,12 +2,13 @@
 
 use nalgebra::DMatrix;
 use quasirigid::elements::{
-    Anchor, Assembly, Carrier, Connection, End, Frame, FrameNode, Material, Member, Network, NodeRef, Part,
-    PartKind, PartReduction, SectionShape, Spring, SpringLaw,
+    Anchor, Assembly, Connection, End, Frame, FrameNode, Material, Member, Network, NodeRef, Part, PartKind,
+    PartReduction, SectionShape, Spring, SpringLaw,
 };
 use quasirigid::model::{FlexibleBody, Rheology};
 
 use crate::support::matrices::dense;
+use crate::support::parts;
 
 /// Rounding relative to the largest entry of the whole.
 const ROUNDING: f64 = 1e-12;
@@ -56,23 +57,18 @@ fn satellite() -> Assembly {
     parts[3].attached = vec![0];
     parts[1].attached = vec![0];
     parts[2].attached = vec![0];
-    let strut = Spring {
-        name: String::new(),
-        from: End::Node(NodeRef { part: 0, node: 2 }),
-        to: End::Node(NodeRef { part: 1, node: 1 }),
-        law: SpringLaw::Axial {
+    let strut = parts::spring(
+        End::Node(NodeRef { part: 0, node: 2 }),
+        End::Node(NodeRef { part: 1, node: 1 }),
+        SpringLaw::Axial {
             stiffness: 900.0,
             damping: 12.0,
             anchor: None,
             prestress: quasirigid::elements::Prestress::Relaxed,
         },
-        rheology: Rheology::Elastic,
-    };
-    let carrier = Carrier {
-        mass: 40.0,
-        center_of_mass: [0.1, -0.05, 0.02],
-        inertia: [[9.0, 0.4, -0.2], [0.4, 13.0, 0.3], [-0.2, 0.3, 16.0]],
-    };
+    );
+    let carrier =
+        parts::carrier(40.0, [0.1, -0.05, 0.02], [[9.0, 0.4, -0.2], [0.4, 13.0, 0.3], [-0.2, 0.3, 16.0]]);
     Assembly {
         carrier: Some(carrier),
         parts,

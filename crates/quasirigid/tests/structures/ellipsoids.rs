@@ -4,11 +4,12 @@ use std::f64::consts::PI;
 
 use nalgebra::{Matrix3, Matrix6, Vector3};
 use quasirigid::elements::{Assembly, Ellipsoid, Material};
-use quasirigid::model::{FlexibleBody, Rheology};
+use quasirigid::model::FlexibleBody;
 use quasirigid_mesh::Shape;
 
 use super::common::{compliance, error, inertia, turned_axes};
 use super::meshes::{Hexahedra, solid, throughout};
+use crate::support::parts;
 
 const COMPLIANCE: &str = include_str!("../../../../data/published/ellipsoid/compliance.csv");
 
@@ -20,7 +21,7 @@ const CENTER: [f64; 3] = [0.31, -0.17, 0.23];
 
 fn rock(poisson: f64) -> Material {
     let young = 2.0 * (1.0 + poisson) * SHEAR;
-    Material { density: DENSITY, young, poisson, rheology: Rheology::Elastic }
+    parts::elastic(DENSITY, young, poisson)
 }
 
 /// Ellipsoid of cells, its axes rotated, its centre off the origin.
@@ -140,7 +141,7 @@ fn quadratic_cells_do_not_lock() {
 #[test]
 fn the_central_pressure_is_that_of_the_sphere_of_equal_volume() {
     let semi_axes = [310.0, 270.0, 160.0];
-    let material = Material { density: 2100.0, young: 1e9, poisson: 0.25, rheology: Rheology::Elastic };
+    let material = parts::elastic(2100.0, 1e9, 0.25);
     let ellipsoid = Ellipsoid { name: "rock".into(), semi_axes, center: [1.0, 2.0, 3.0], material };
     let volume = 4.0 / 3.0 * PI * 310.0 * 270.0 * 160.0;
     let (mass, radius) = (2100.0 * volume, (3.0 * volume / (4.0 * PI)).cbrt());

@@ -2,14 +2,15 @@
 
 use nalgebra::{Matrix3, Vector3};
 use quasirigid::elements::{
-    Assembly, Carrier, Frame, FrameNode, Material, Member, Part, PartKind, PartReduction, SectionShape,
-    TipMass,
+    Assembly, Frame, FrameNode, Member, Part, PartKind, PartReduction, SectionShape, TipMass,
 };
-use quasirigid::model::{FlexibleBody, Rheology};
+use quasirigid::model::FlexibleBody;
 use quasirigid_math::eigen::eigenvectors;
 
 use super::common::turned_axes;
-use super::spinning::{linearised, steady};
+use super::spinning::{SHARE, steady};
+use crate::support::linearised::linearised;
+use crate::support::parts;
 
 const MASS: f64 = 30.0;
 const MIDDLE: [f64; 3] = [0.4, -0.7, 0.2];
@@ -27,7 +28,7 @@ fn inertia() -> [[f64; 3]; 3] {
 fn booms(masses: Vec<TipMass>, attached: Vec<usize>) -> Part {
     let place = |x: f64, y: f64| (Vector3::from(MIDDLE) + turned_axes() * Vector3::new(x, y, 0.0)).into();
     let node = |name: &str, position| FrameNode { name: name.to_owned(), position };
-    let material = Material { density: 2700.0, young: 70e9, poisson: 0.3, rheology: Rheology::Elastic };
+    let material = parts::elastic(2700.0, 70e9, 0.3);
     let member = |end: usize| Member {
         name: String::new(),
         ends: [0, end],
@@ -53,7 +54,7 @@ fn body(floats: bool) -> FlexibleBody {
         let middle = TipMass { node: 0, mass: MASS, inertia: inertia() };
         (None, booms(vec![middle], Vec::new()))
     } else {
-        let carrier = Carrier { mass: MASS, center_of_mass: MIDDLE, inertia: inertia() };
+        let carrier = parts::carrier(MASS, MIDDLE, inertia());
         (Some(carrier), booms(Vec::new(), vec![0]))
     };
     let reduction = PartReduction { order: 5, modes: 12 };
@@ -68,7 +69,7 @@ fn frequencies(body: &FlexibleBody, spin: f64) -> Vec<f64> {
     let A = body.mass_matrix();
     let momenta = (0..n).map(|j| 1e-3 * A.at(j, j));
     let sizes: Vec<f64> = [10.0; 3].into_iter().chain(momenta).chain(vec![1e-3; n]).collect();
-    let (values, _) = eigenvectors(&linearised(body, &state, &sizes)).unwrap();
+    let (values, _) = eigenvectors(&linearised(body, &state, &sizes, SHARE)).unwrap();
     let mut found: Vec<f64> = values.iter().map(|[_, im]| *im).filter(|im| *im > 1e-6).collect();
     found.sort_by(f64::total_cmp);
     found

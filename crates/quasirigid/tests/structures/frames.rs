@@ -1,11 +1,13 @@
 //! Frames of beams on a carrier.
 
 use quasirigid::elements::{
-    Anchor, Assembly, Carrier, Connection, Field, Frame, FrameNode, HingeCoefficient, Hinged, Material,
-    Member, Part, PartKind, PartReduction, Problem, SectionShape,
+    Anchor, Assembly, Carrier, Connection, Field, Frame, FrameNode, HingeCoefficient, Hinged, Part, PartKind,
+    PartReduction, Problem, SectionShape,
 };
 use quasirigid::model::{FlexibleBody, Rheology};
 use quasirigid::reduction::reduce;
+
+use crate::support::parts;
 
 const ROOT: [f64; 3] = [0.6, -0.2, 0.4];
 const TIP: [f64; 3] = [1.9, 0.9, 1.1];
@@ -13,20 +15,16 @@ const TIP: [f64; 3] = [1.9, 0.9, 1.1];
 const RADIUS: f64 = 0.12;
 
 fn carrier() -> Carrier {
-    Carrier {
-        mass: 40.0,
-        center_of_mass: [0.1, -0.05, 0.02],
-        inertia: [[9.0, 0.4, -0.2], [0.4, 13.0, 0.3], [-0.2, 0.3, 16.0]],
-    }
+    parts::carrier(40.0, [0.1, -0.05, 0.02], [[9.0, 0.4, -0.2], [0.4, 13.0, 0.3], [-0.2, 0.3, 16.0]])
 }
 
 fn boom(young: f64, elements: usize) -> Part {
     let node = |name: &str, position| FrameNode { name: name.to_owned(), position };
-    let material = Material { density: 2700.0, young, poisson: 0.3, rheology: Rheology::Elastic };
+    let material = parts::elastic(2700.0, young, 0.3);
     let section = SectionShape::Circle { radius: RADIUS };
     let kind = PartKind::Frame(Frame {
         nodes: vec![node("root", ROOT), node("tip", TIP)],
-        members: vec![Member { name: String::new(), ends: [0, 1], section, up: None, material, elements }],
+        members: vec![parts::member([0, 1], section, material, elements)],
     });
     Part { name: "boom".to_owned(), kind, masses: Vec::new(), attached: Vec::new(), rayleigh: [0.0; 2] }
 }

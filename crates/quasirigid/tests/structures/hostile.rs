@@ -5,10 +5,11 @@ use std::f64::consts::{PI, TAU};
 
 use nalgebra::{Rotation3, Vector3};
 use quasirigid::elements::{Approximation, Problem};
+use quasirigid_mesh::Mesh;
 use quasirigid_mesh::surface::ClosedSurface;
-use quasirigid_mesh::{Cell, Mesh, Shape};
 
 use super::meshes::outer;
+use super::necked::{disc, straight};
 use super::necks::{apart, element, of, truth};
 
 type Place = Vector3<f64>;
@@ -27,22 +28,15 @@ fn swept(
     let size = 1 + layers * around;
     let at =
         |layer: usize, step: usize| if layer == 0 { 0 } else { 1 + (layer - 1) * around + step % around };
-    let disc = |node: usize| {
+    let place_on_disc = |node: usize| {
         let (layer, step) = if node == 0 { (0, 0) } else { ((node - 1) / around + 1, (node - 1) % around) };
         let (r, angle) = (layer as f64 / layers as f64, TAU * step as f64 / around as f64);
         [r * angle.cos(), r * angle.sin()]
     };
-    let mut triangles = Vec::new();
-    for step in 0..around {
-        triangles.push([at(0, 0), at(1, step), at(1, step + 1)]);
-        for layer in 1..layers {
-            triangles.push([at(layer, step), at(layer + 1, step), at(layer + 1, step + 1)]);
-            triangles.push([at(layer, step), at(layer + 1, step + 1), at(layer, step + 1)]);
-        }
-    }
+    let triangles = disc([around, layers], at);
     let sections = if closed { steps } else { steps + 1 };
     let nodes: Vec<Place> = (0..sections * size)
-        .map(|node| place((node / size) as f64 / steps as f64, disc(node % size)))
+        .map(|node| place((node / size) as f64 / steps as f64, place_on_disc(node % size)))
         .collect();
     let mut cells = Vec::new();
     for section in 0..steps {
@@ -54,24 +48,7 @@ fn swept(
             cells.extend([[p, q, r, w], [p, q, v, w], [p, u, v, w]]);
         }
     }
-    let upright = |mut cell: [usize; 4]| {
-        let [a, b, c, d] = cell.map(|node| nodes[node]);
-        if (b - a).cross(&(c - a)).dot(&(d - a)) < 0.0 {
-            cell.swap(0, 1);
-        }
-        cell
-    };
-    let cell = |(index, cell): (usize, [usize; 4])| Cell {
-        label: index as u64 + 1,
-        shape: Shape::Tet4,
-        nodes: Box::new(upright(cell)),
-    };
-    Mesh {
-        node_labels: (1..=nodes.len() as u64).collect(),
-        cells: cells.into_iter().enumerate().map(cell).collect(),
-        nodes: nodes.iter().map(|node| (*node).into()).collect(),
-        sets: Vec::new(),
-    }
+    straight(&nodes, cells)
 }
 
 /// A tube around z through an angle, by its radius at each angle.

@@ -3,16 +3,16 @@
 use nalgebra::{DMatrix, Vector3};
 use quasirigid::dynamics::{Forced, FullState, Observer, Options, Outcome, Run, Sample, propagate_full};
 use quasirigid::elements::{
-    Assembly, Carrier, Frame, FrameNode, Material, Member, Part, PartKind, Point, SectionShape, Spring,
-    TipMass,
+    Assembly, Carrier, Frame, FrameNode, Part, PartKind, Point, SectionShape, Spring, TipMass,
 };
 use quasirigid::model::force::{Axes, Force, ForceLaw, Wave};
-use quasirigid::model::{Displaced, FlexibleBody, Kinetics, MotionState, RANGE, Rheology, Support};
+use quasirigid::model::{Displaced, FlexibleBody, Kinetics, MotionState, RANGE, Support};
 use quasirigid::prelude::CARRIER;
 use quasirigid_math::rotation::ALIGNED;
 use quasirigid_math::vec3;
 
 use super::common::turned_axes;
+use crate::support::parts;
 
 /// A 6 m boom of a tube of 15 mm on an upper stage: a torsional inertia of 2e-4 kg·m² beside a tip mass of 3 kg.
 struct Boom {
@@ -31,9 +31,8 @@ impl Boom {
     fn assembly(&self) -> Assembly {
         let node = |name: &str, z: f64| FrameNode { name: name.to_owned(), position: [self.aside, 0.0, z] };
         let section = SectionShape::Tube { radius: 0.015, thickness: 0.001 };
-        let material =
-            Material { density: 1600.0, young: self.young, poisson: 0.3, rheology: Rheology::Elastic };
-        let member = Member { name: String::new(), ends: [0, 1], section, up: None, material, elements: 4 };
+        let material = parts::elastic(1600.0, self.young, 0.3);
+        let member = parts::member([0, 1], section, material, 4);
         let part = Part {
             name: "boom".to_owned(),
             kind: PartKind::Frame(Frame {
@@ -44,8 +43,8 @@ impl Boom {
             attached: vec![0],
             rayleigh: [0.0, self.damping],
         };
-        let inertia = [[1100.0, 0.0, 0.0], [0.0, 1150.0, 0.0], [0.0, 0.0, 300.0]];
-        let carrier = Carrier { mass: 900.0, center_of_mass: [0.0; 3], inertia };
+        let inertia = parts::diag([1100.0, 1150.0, 300.0]);
+        let carrier = parts::carrier(900.0, [0.0; 3], inertia);
         Assembly { carrier: Some(carrier), parts: vec![part], ..Assembly::default() }
     }
 }
@@ -224,11 +223,7 @@ const CHAIN: [(f64, [f64; 3]); 4] = [
 fn the_tip_follows_a_chain_of_rigid_links() {
     for (acceleration, chain) in CHAIN {
         let boom = TUBE.assembly();
-        let carrier = Carrier {
-            mass: 1e6,
-            inertia: [[1e9, 0.0, 0.0], [0.0, 1e9, 0.0], [0.0, 0.0, 1e9]],
-            ..boom.carrier.unwrap()
-        };
+        let carrier = Carrier { mass: 1e6, inertia: parts::diag([1e9, 1e9, 1e9]), ..boom.carrier.unwrap() };
         let force = Force {
             name: "motor".to_owned(),
             law: ForceLaw::Torque {

@@ -9,6 +9,8 @@ use quasirigid::elements::{ElasticMaterial, Material, Part, PartKind, Region, So
 use quasirigid_mesh::surface::ClosedSurface;
 use quasirigid_mesh::{Cell, Mesh, Shape};
 
+use crate::support::parts;
+
 /// Hexahedra between nodes, each with its 27 in the order of [`Shape::Hex27`].
 #[derive(Default)]
 pub struct Hexahedra {
@@ -183,7 +185,7 @@ pub fn surface(mesh: &Mesh) -> Vec<[usize; 3]> {
 
 /// A solid of one isotropic material, or of several by cells.
 pub fn solid(mesh: Mesh, regions: &[(Vec<usize>, Material)], attached: Vec<usize>) -> Part {
-    let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+    let axes = parts::diag([1.0, 1.0, 1.0]);
     let region = |(cells, material): &(Vec<usize>, Material)| Region {
         cells: cells.clone(),
         name: String::new(),

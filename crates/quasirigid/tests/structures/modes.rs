@@ -10,17 +10,14 @@ use quasirigid::reduction::reduce;
 
 use super::common::vector_error;
 use super::exported::{Body, Found, NODES, RATIO, entries};
+use crate::support::parts;
 
 fn rows(matrix: &DMatrix<f64>) -> Vec<Vec<f64>> {
     matrix.row_iter().map(|row| row.iter().copied().collect()).collect()
 }
 
 fn carrier() -> Carrier {
-    Carrier {
-        mass: 40.0,
-        center_of_mass: [0.1, -0.05, 0.02],
-        inertia: [[9.0, 0.4, -0.2], [0.4, 13.0, 0.3], [-0.2, 0.3, 16.0]],
-    }
+    parts::carrier(40.0, [0.1, -0.05, 0.02], [[9.0, 0.4, -0.2], [0.4, 13.0, 0.3], [-0.2, 0.3, 16.0]])
 }
 
 fn build(

@@ -42,18 +42,8 @@ impl Necked {
         }
         let tips = [places.len(), places.len() + 1];
         places.extend([0, self.stations.len() - 1].map(|end| Vector3::new(self.stations[end][0], 0.0, 0.0)));
-        let section = |station: usize| {
-            let mut triangles = Vec::new();
-            for step in 0..self.around {
-                let at = |layer: usize, step: usize| number(station, layer, step);
-                triangles.push([at(0, 0), at(1, step), at(1, step + 1)]);
-                for layer in 1..layers {
-                    triangles.push([at(layer, step), at(layer + 1, step), at(layer + 1, step + 1)]);
-                    triangles.push([at(layer, step), at(layer + 1, step + 1), at(layer, step + 1)]);
-                }
-            }
-            triangles
-        };
+        let section =
+            |station: usize| disc([self.around, layers], |layer, step| number(station, layer, step));
         let mut cells: Vec<[usize; 4]> = Vec::new();
         for station in 0..inner.len() - 1 {
             for mut triangle in section(station) {
@@ -67,24 +57,42 @@ impl Necked {
             cells.extend(section(station).into_iter().map(|[a, b, c]| [a, b, c, tip]));
         }
         let nodes: Vec<Vector3<f64>> = places.into_iter().map(self.place).collect();
-        let upright = |mut cell: [usize; 4]| {
-            let [a, b, c, d] = cell.map(|node| nodes[node]);
-            if (b - a).cross(&(c - a)).dot(&(d - a)) < 0.0 {
-                cell.swap(0, 1);
-            }
-            cell
-        };
-        let cell = |(index, cell): (usize, [usize; 4])| Cell {
-            label: index as u64 + 1,
-            shape: Shape::Tet4,
-            nodes: Box::new(upright(cell)),
-        };
-        Mesh {
-            node_labels: (1..=nodes.len() as u64).collect(),
-            cells: cells.into_iter().enumerate().map(cell).collect(),
-            nodes: nodes.iter().map(|node| (*node).into()).collect(),
-            sets: Vec::new(),
+        straight(&nodes, cells)
+    }
+}
+
+/// Triangles of a disc of so many steps around and layers from its middle.
+pub fn disc([around, layers]: [usize; 2], at: impl Fn(usize, usize) -> usize) -> Vec<[usize; 3]> {
+    let mut triangles = Vec::new();
+    for step in 0..around {
+        triangles.push([at(0, 0), at(1, step), at(1, step + 1)]);
+        for layer in 1..layers {
+            triangles.push([at(layer, step), at(layer + 1, step), at(layer + 1, step + 1)]);
+            triangles.push([at(layer, step), at(layer + 1, step + 1), at(layer, step + 1)]);
         }
+    }
+    triangles
+}
+
+/// Straight tetrahedra, turned so that their volumes are positive.
+pub fn straight(nodes: &[Vector3<f64>], cells: Vec<[usize; 4]>) -> Mesh {
+    let upright = |mut cell: [usize; 4]| {
+        let [a, b, c, d] = cell.map(|node| nodes[node]);
+        if (b - a).cross(&(c - a)).dot(&(d - a)) < 0.0 {
+            cell.swap(0, 1);
+        }
+        cell
+    };
+    let cell = |(index, cell): (usize, [usize; 4])| Cell {
+        label: index as u64 + 1,
+        shape: Shape::Tet4,
+        nodes: Box::new(upright(cell)),
+    };
+    Mesh {
+        node_labels: (1..=nodes.len() as u64).collect(),
+        cells: cells.into_iter().enumerate().map(cell).collect(),
+        nodes: nodes.iter().map(|node| (*node).into()).collect(),
+        sets: Vec::new(),
     }
 }
 

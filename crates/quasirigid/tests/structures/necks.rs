@@ -2,16 +2,17 @@
 
 use nalgebra::Matrix6;
 use quasirigid::elements::{Approximation, Assembly, Material, Problem, Surface};
-use quasirigid::model::{FlexibleBody, Rheology};
+use quasirigid::model::FlexibleBody;
 use quasirigid_mesh::Mesh;
 use quasirigid_mesh::surface::ClosedSurface;
 
 use super::common::compliance;
 use super::meshes::{outer, refined, solid, throughout, with_middles};
 use super::necked::{Necked, family};
+use crate::support::parts;
 
 fn rock() -> Material {
-    Material { density: 2600.0, young: 4e6, poisson: 0.27, rheology: Rheology::Elastic }
+    parts::elastic(2600.0, 4e6, 0.27)
 }
 
 fn by_cells(mesh: Mesh) -> Matrix6<f64> {

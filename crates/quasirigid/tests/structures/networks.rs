@@ -1,11 +1,12 @@
 //! Bodies of points and springs alone, as those of N-body simulations `[@quillen2019]`: a random network that floats.
 
 use nalgebra::{DMatrix, Matrix3, Matrix6, MatrixXx6, Rotation3, Vector3, Vector6};
-use quasirigid::elements::{Assembly, End, Point, PointMotion, Prestress, Spring, SpringLaw};
+use quasirigid::elements::{Assembly, End, Point, PointMotion, Spring};
 use quasirigid::model::{FlexibleBody, Rheology};
 use quasirigid::reduction::reduce;
 
 use super::common::{Numbers, compliance, error, loads, turned_axes};
+use crate::support::parts;
 
 const SEMI_AXES: [f64; 3] = [1300.0, 1050.0, 800.0];
 const CENTER: [f64; 3] = [4100.0, -900.0, 2300.0];
@@ -55,7 +56,7 @@ fn network(masses: &[f64], damping: f64, rheology: &Rheology) -> FlexibleBody {
         name: String::new(),
         from: End::Point(i),
         to: End::Point(j),
-        law: SpringLaw::Axial { stiffness: STIFFNESS, damping, anchor: None, prestress: Prestress::Relaxed },
+        law: parts::axial(STIFFNESS, damping, None),
         rheology: rheology.clone(),
     };
     let springs = pairs(&places).into_iter().map(spring).collect();

@@ -3,14 +3,15 @@
 
 use nalgebra::{DMatrix, Matrix3, SymmetricEigen, Vector3};
 use quasirigid::elements::{
-    Anchor, Assembly, Coefficient, Connection, End, Frame, FrameNode, Material, Member, NodeRef, Part,
-    PartKind, PartReduction, Point, PointMotion, Prestress, SectionShape, Spring, SpringLaw,
+    Anchor, Assembly, Coefficient, Connection, End, Frame, FrameNode, Member, NodeRef, Part, PartKind,
+    PartReduction, Point, PointMotion, SectionShape, SpringLaw,
 };
 use quasirigid::model::{FlexibleBody, Rheology};
 use quasirigid::reduction::reduce;
 use quasirigid_math::eigen::{Dense, modes};
 
 use super::common::{Numbers, turned_axes};
+use crate::support::parts;
 
 const POINTS: usize = 12;
 /// Number of coordinates of a floating body of these points.
@@ -47,23 +48,18 @@ fn network(unit: f64, order: usize, kept: usize) -> FlexibleBody {
         motion: PointMotion::Free,
     });
     let rows = |matrix: Matrix3<f64>| std::array::from_fn(|i| std::array::from_fn(|j| matrix[(i, j)]));
-    let springs = pairs().map(|(pair, i, j)| Spring {
-        name: String::new(),
-        from: End::Point(i),
-        to: End::Point(j),
-        law: match laws(pair) {
-            Some(law) => SpringLaw::Spatial {
-                stiffness: Coefficient::Full(rows(law)),
-                damping: Coefficient::Full(rows(TIME * law)),
+    let springs = pairs().map(|(pair, i, j)| {
+        parts::spring(
+            End::Point(i),
+            End::Point(j),
+            match laws(pair) {
+                Some(law) => SpringLaw::Spatial {
+                    stiffness: Coefficient::Full(rows(law)),
+                    damping: Coefficient::Full(rows(TIME * law)),
+                },
+                None => parts::axial(ALONG, TIME * ALONG, None),
             },
-            None => SpringLaw::Axial {
-                stiffness: ALONG,
-                damping: TIME * ALONG,
-                anchor: None,
-                prestress: Prestress::Relaxed,
-            },
-        },
-        rheology: Rheology::Elastic,
+        )
     });
     let reduction = PartReduction { order, modes: kept };
     Assembly { points: points.collect(), springs: springs.collect(), reduction, ..Assembly::default() }
@@ -135,16 +131,8 @@ fn a_triangle_of_isotropic_springs_has_one_frequency_thrice() {
         position: (turned_axes() * Vector3::from(place)).into(),
         motion: PointMotion::Free,
     });
-    let springs = [(0, 1), (1, 2), (2, 0)].map(|(i, j)| Spring {
-        name: String::new(),
-        from: End::Point(i),
-        to: End::Point(j),
-        law: SpringLaw::Spatial {
-            stiffness: Coefficient::Isotropic(45.0),
-            damping: Coefficient::Isotropic(0.0),
-        },
-        rheology: Rheology::Elastic,
-    });
+    let springs = [(0, 1), (1, 2), (2, 0)]
+        .map(|(i, j)| parts::spring(End::Point(i), End::Point(j), parts::isotropic(45.0, 0.0)));
     let reduction = PartReduction { order: 3, modes: 3 };
     let body =
         Assembly { points: points.to_vec(), springs: springs.to_vec(), reduction, ..Assembly::default() }
@@ -180,7 +168,7 @@ fn beams(kept: usize) -> FlexibleBody {
             ends: *ends,
             section,
             up: Some([0.0, 0.0, 1.0]),
-            material: Material { density: 2700.0, young: 70e9, poisson: 0.33, rheology: Rheology::Elastic },
+            material: parts::elastic(2700.0, 70e9, 0.33),
             elements: 3,
         };
         let kind = PartKind::Frame(Frame { nodes, members: ends.iter().map(member).collect() });
@@ -201,16 +189,7 @@ fn beams(kept: usize) -> FlexibleBody {
         damping: vec![1.0],
         rheology: Rheology::Elastic,
     };
-    let spring = Spring {
-        name: String::new(),
-        from: End::Node(at(0, 1)),
-        to: End::Node(at(1, 1)),
-        law: SpringLaw::Spatial {
-            stiffness: Coefficient::Isotropic(15.0),
-            damping: Coefficient::Isotropic(0.0),
-        },
-        rheology: Rheology::Elastic,
-    };
+    let spring = parts::spring(End::Node(at(0, 1)), End::Node(at(1, 1)), parts::isotropic(15.0, 0.0));
     let reduction = PartReduction { order: 3, modes: kept };
     Assembly { parts, connections: vec![hinge], springs: vec![spring], reduction, ..Assembly::default() }
         .body()

@@ -11,6 +11,7 @@ use quasirigid_mesh::{Mesh, Shape};
 
 use super::common::{compliance, error, turned_axes, vector_error};
 use super::meshes::{Hexahedra, outer, refined, solid, throughout, with_middles};
+use crate::support::parts;
 
 fn rock(rheology: Rheology) -> Material {
     Material { density: 2600.0, young: 4e6, poisson: 0.27, rheology }
@@ -71,11 +72,7 @@ const ROOT: [f64; 3] = [0.5, -0.3, 0.2];
 const OMEGA: [f64; 3] = [0.7, -0.5, 0.9];
 
 fn carrier() -> Carrier {
-    Carrier {
-        mass: 300.0,
-        center_of_mass: [0.1, -0.05, 0.02],
-        inertia: [[90.0, 4.0, -2.0], [4.0, 130.0, 3.0], [-2.0, 3.0, 160.0]],
-    }
+    parts::carrier(300.0, [0.1, -0.05, 0.02], [[90.0, 4.0, -2.0], [4.0, 130.0, 3.0], [-2.0, 3.0, 160.0]])
 }
 
 fn on_carrier(part: Part, reduction: PartReduction) -> FlexibleBody {

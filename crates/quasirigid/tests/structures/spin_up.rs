@@ -4,13 +4,14 @@
 use std::f64::consts::TAU;
 
 use quasirigid::dynamics::{Forced, FullState, Observer, Options, Outcome, Sample, propagate_full};
-use quasirigid::elements::{Material, PartReduction, SectionShape, Station};
+use quasirigid::elements::{PartReduction, SectionShape, Station};
+use quasirigid::model::FlexibleBody;
 use quasirigid::model::force::{Axes, Force, ForceLaw, Wave};
-use quasirigid::model::{FlexibleBody, Rheology};
 use quasirigid_math::rotation::ALIGNED;
 
 use super::beams::Cantilever;
 use super::common::turned_axes;
+use crate::support::parts;
 
 const REFERENCE: &str = include_str!("../../../../data/published/simo_vuquoc_1988/spin_up.csv");
 
@@ -31,7 +32,7 @@ fn beam() -> Cantilever {
     let section =
         SectionShape::General { area, second_y: second, second_z: second, torsion: 2.0 * second, shear };
     let density = LINE_DENSITY / area;
-    let material = Material { density, young, poisson, rheology: Rheology::Elastic };
+    let material = parts::elastic(density, young, poisson);
     let reduction = PartReduction { order: 3, modes: 6 };
     Cantilever { length: LENGTH, elements: 20, section, material, hub: 1e7, reduction }
 }

@@ -1,14 +1,15 @@
 //! Vibrations of a beam that rotates with its hub: eigenvalues of the whole system about the steady spin.
 
 use nalgebra::{DMatrix, DVector, Vector3};
-use quasirigid::elements::{Material, PartReduction, SectionShape};
-use quasirigid::model::{FlexibleBody, Kinetics, MotionState, Rheology};
-use quasirigid_math::eigen::{Dense, eigenvectors};
-use quasirigid_math::vec3::cross;
+use quasirigid::elements::{PartReduction, SectionShape};
+use quasirigid::model::{FlexibleBody, MotionState};
+use quasirigid_math::eigen::eigenvectors;
 
 use super::beams::Cantilever;
 use super::common::turned_axes;
+use crate::support::linearised::linearised;
 use crate::support::matrices::dense;
+use crate::support::parts;
 
 const LENGTH: f64 = 1.7;
 /// Radius of gyration of the section over the length: rotary inertia and stretch by the spin are its square.
@@ -31,7 +32,7 @@ fn blade() -> Cantilever {
     // Slightly stiffer in one plane, so that the two are not mixed when nothing rotates.
     let (second_y, second_z, torsion) = (second, second * (1.0 + 1e-5), second);
     let section = SectionShape::General { area, second_y, second_z, torsion, shear: None };
-    let material = Material { density: 2700.0, young: 70e9, poisson: 0.3, rheology: Rheology::Elastic };
+    let material = parts::elastic(2700.0, 70e9, 0.3);
     let reduction = PartReduction { order: 5, modes: 8 };
     Cantilever { length: LENGTH, elements: 20, section, material, hub: 4e6, reduction }
 }
@@ -41,16 +42,8 @@ fn unit() -> f64 {
     (70e9_f64 / 2700.0).sqrt() * THIN / LENGTH
 }
 
-/// Rates of the full state: angular momentum, momenta of the coordinates, coordinates.
-fn rates(body: &FlexibleBody, state: &[f64]) -> Vec<f64> {
-    let n = body.coordinates().len();
-    let (K, p, q) = ([state[0], state[1], state[2]], &state[3..3 + n], &state[3 + n..]);
-    let mut kinetics = Kinetics::new(body).unwrap();
-    let (mut load, mut rate) = (vec![0.0; n], vec![0.0; n]);
-    let velocities = kinetics.velocities(K, p, q, &mut rate);
-    velocities.add_loads(q, &rate, &mut load);
-    [&cross(K, velocities.omega)[..], &load, &rate].concat()
-}
+/// Share of the sizes within which the rates hardly curve, so that differences are exact to rounding.
+pub const SHARE: f64 = 1e-3;
 
 /// Steady state at a spin: the load is linear in the coordinates, and the springs balance it.
 pub fn steady(body: &FlexibleBody, omega: [f64; 3]) -> Vec<f64> {
@@ -69,27 +62,6 @@ pub fn steady(body: &FlexibleBody, omega: [f64; 3]) -> Vec<f64> {
     [&body.angular_momentum(motion)[..], &body.generalized_momentum(motion), q.as_slice()].concat()
 }
 
-/// Derivative of the rates by central differences, which are exact to rounding: the rates hardly curve within a
-/// thousandth of the sizes.
-pub fn linearised(body: &FlexibleBody, state: &[f64], sizes: &[f64]) -> Dense {
-    let mut matrix = Dense::zero(state.len());
-    for column in 0..state.len() {
-        let h = 1e-3 * sizes[column];
-        let at = |steps: f64| {
-            let mut moved = state.to_vec();
-            moved[column] += steps * h;
-            rates(body, &moved)
-        };
-        let sides = [(1.0, 0.75), (2.0, -0.15), (3.0, 1.0 / 60.0)]
-            .map(|(steps, weight)| (at(steps), at(-steps), weight));
-        for row in 0..state.len() {
-            let slope: f64 = sides.iter().map(|(up, down, weight)| weight * (up[row] - down[row])).sum();
-            matrix.add(row, column, slope / h * sizes[column] / sizes[row]);
-        }
-    }
-    matrix
-}
-
 /// Squares of the frequencies over the unit, of vibrations whose tip moves along the spin, and across beam and spin.
 fn squares(blade: &Cantilever, body: &FlexibleBody, spin: f64) -> [Vec<f64>; 2] {
     let n = body.coordinates().len();
@@ -99,7 +71,7 @@ fn squares(blade: &Cantilever, body: &FlexibleBody, spin: f64) -> [Vec<f64>; 2] 
     let A = body.mass_matrix();
     let momenta = (0..n).map(|j| 1e-2 * LENGTH * unit() * A.at(j, j));
     let sizes = [blade.hub * unit(); 3].into_iter().chain(momenta).chain(vec![1e-2 * LENGTH; n]);
-    let matrix = linearised(body, &state, &sizes.collect::<Vec<f64>>());
+    let matrix = linearised(body, &state, &sizes.collect::<Vec<f64>>(), SHARE);
     let (values, vectors) = eigenvectors(&matrix).unwrap();
     let mut found = [Vec::new(), Vec::new()];
     for ([re, im], vector) in values.iter().zip(&vectors) {

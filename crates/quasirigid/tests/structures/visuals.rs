@@ -4,18 +4,19 @@ use std::f64::consts::PI;
 
 use nalgebra::Matrix3;
 use quasirigid::elements::{
-    Assembly, Carrier, Cavity, CavityShape, Coefficient, Ellipsoid, End, Frame, FrameNode, HingeCoefficient,
-    Hinged, Material, Member, Part, PartKind, PlaceRef, Point, PointMotion, Prestress, Regime, Rotor,
-    RotorKind, SectionShape, Spring, SpringLaw, Visual,
+    Assembly, Carrier, Cavity, CavityShape, Ellipsoid, End, Frame, FrameNode, HingeCoefficient, Hinged, Part,
+    PartKind, PlaceRef, Regime, Rotor, RotorKind, SectionShape, Spring, Visual,
 };
 use quasirigid::model::Rheology;
 use quasirigid_mesh::surface::ClosedSurface;
+
+use crate::support::parts;
 
 const CENTER: [f64; 3] = [0.3, -0.2, 0.1];
 
 fn carrier() -> Carrier {
     let inertia = [[9.0, 0.4, -0.3], [0.4, 12.0, 0.2], [-0.3, 0.2, 15.0]];
-    Carrier { mass: 40.0, center_of_mass: CENTER, inertia }
+    parts::carrier(40.0, CENTER, inertia)
 }
 
 fn visuals(assembly: &Assembly) -> Vec<Visual> {
@@ -79,7 +80,7 @@ fn walls_of_cavities_enclose_their_liquid() {
 /// Vertices of an ellipsoid at the ends of its axes move as its markers do; a shear of the whole keeps its volume.
 #[test]
 fn the_surface_of_an_ellipsoid_moves_as_its_markers() {
-    let material = Material { density: 2000.0, young: 1e9, poisson: 0.25, rheology: Rheology::Elastic };
+    let material = parts::elastic(2000.0, 1e9, 0.25);
     let ellipsoid =
         Ellipsoid { name: "rock".into(), semi_axes: [230.0, 120.0, 95.0], center: CENTER, material };
     let assembly = Assembly { ellipsoids: vec![ellipsoid], ..Assembly::default() };
@@ -104,7 +105,7 @@ fn appendages_and_rotors_turn() {
         name: "boom".into(),
         mass: 2.0,
         center_of_mass: [2.0, 0.2, -0.3],
-        inertia: [[0.01, 0.0, 0.0], [0.0, 0.6, 0.0], [0.0, 0.0, 0.6]],
+        inertia: parts::diag([0.01, 0.6, 0.6]),
         hinge,
         axes: vec![[0.0, 1.0, 0.0], [0.0, 0.0, 3.0]],
         stiffness: HingeCoefficient::PerAxis(vec![50.0, 60.0]),
@@ -136,8 +137,7 @@ fn appendages_and_rotors_turn() {
 /// A spring runs between its ends: one on the carrier is at its anchor, else at the centre of the carrier; one on a point moves with it.
 #[test]
 fn springs_run_between_their_ends() {
-    let point =
-        Point { name: "mass".into(), mass: 2.0, position: [1.0, 0.5, -0.5], motion: PointMotion::Free };
+    let point = parts::free_point("mass", 2.0, [1.0, 0.5, -0.5]);
     let spring = |name: &str, law| Spring {
         name: name.into(),
         from: End::Carrier,
@@ -145,15 +145,9 @@ fn springs_run_between_their_ends() {
         law,
         rheology: Rheology::Elastic,
     };
-    let all =
-        SpringLaw::Spatial { stiffness: Coefficient::Isotropic(40.0), damping: Coefficient::Isotropic(1.0) };
+    let all = parts::isotropic(40.0, 1.0);
     let anchor = [0.5, 0.5, 0.5];
-    let line = SpringLaw::Axial {
-        stiffness: 5.0,
-        damping: 0.0,
-        anchor: Some(anchor),
-        prestress: Prestress::Relaxed,
-    };
+    let line = parts::axial(5.0, 0.0, Some(anchor));
     let springs = vec![spring("all", all), spring("line", line)];
     let assembly = Assembly { carrier: Some(carrier()), points: vec![point], springs, ..Assembly::default() };
     let built = assembly.build_with_visuals().unwrap();
@@ -176,7 +170,7 @@ fn springs_end_at_places_of_appendages() {
         name: "boom".into(),
         mass: 2.0,
         center_of_mass: [2.0, 0.2, -0.3],
-        inertia: [[0.01, 0.0, 0.0], [0.0, 0.6, 0.0], [0.0, 0.0, 0.6]],
+        inertia: parts::diag([0.01, 0.6, 0.6]),
         hinge: [1.0, 0.2, -0.3],
         axes: vec![[0.0, 0.0, 1.0]],
         stiffness: HingeCoefficient::PerAxis(vec![50.0]),
@@ -184,12 +178,7 @@ fn springs_end_at_places_of_appendages() {
         rheology: Rheology::Elastic,
         places: places.map(|(name, place)| (name.into(), place)).into(),
     };
-    let law = SpringLaw::Axial {
-        stiffness: 5.0,
-        damping: 0.0,
-        anchor: Some([0.5, 0.5, 0.5]),
-        prestress: Prestress::Relaxed,
-    };
+    let law = parts::axial(5.0, 0.0, Some([0.5, 0.5, 0.5]));
     let spring = |(place, (name, _)): (usize, (&str, [f64; 3]))| Spring {
         name: name.into(),
         from: End::Carrier,
@@ -215,15 +204,8 @@ fn springs_end_at_places_of_appendages() {
 fn beams_move_as_their_markers() {
     let ends = [[0.5, 0.0, 0.0], [3.5, 0.4, 0.0]];
     let node = |(name, position): (&str, [f64; 3])| FrameNode { name: name.into(), position };
-    let material = Material { density: 2700.0, young: 7e10, poisson: 0.3, rheology: Rheology::Elastic };
-    let member = Member {
-        name: String::new(),
-        ends: [0, 1],
-        section: SectionShape::Tube { radius: 0.02, thickness: 0.002 },
-        up: None,
-        material,
-        elements: 4,
-    };
+    let material = parts::elastic(2700.0, 7e10, 0.3);
+    let member = parts::member([0, 1], SectionShape::Tube { radius: 0.02, thickness: 0.002 }, material, 4);
     let frame =
         Frame { nodes: ["root", "tip"].into_iter().zip(ends).map(node).collect(), members: vec![member] };
     let part = Part {

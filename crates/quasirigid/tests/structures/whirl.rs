@@ -3,8 +3,8 @@
 use std::ops::ControlFlow;
 
 use quasirigid::elements::{
-    Assembly, Carrier, Frame, FrameNode, HingeCoefficient, Hinged, Material, Member, Part, PartKind,
-    PartReduction, SectionShape,
+    Assembly, Frame, FrameNode, HingeCoefficient, Hinged, Material, Part, PartKind, PartReduction,
+    SectionShape,
 };
 use quasirigid::model::{FlexibleBody, Mode, Rheology};
 use quasirigid::modes::{Given, RelativeEquilibrium, SpinModes, whirl_onset};
@@ -12,6 +12,7 @@ use quasirigid::problems::AxialMass;
 use quasirigid::secular::{EnergyRange, Pole, Poles};
 
 use super::common::turned_axes;
+use crate::support::parts;
 
 /// A hub with two unlike booms whose material alone dissipates, and, if wanted, a dashpot between mass and speed of one.
 pub fn booms(braked: f64) -> FlexibleBody {
@@ -22,23 +23,14 @@ pub fn booms(braked: f64) -> FlexibleBody {
     let boom = |name: &str, to: [f64; 3], per_mass: f64| {
         let rheology = Rheology::QualityFactor { factor: 40.0 };
         let material = Material { density: 1600.0, young: 9e9, poisson: 0.3, rheology };
-        let member = Member {
-            name: String::new(),
-            ends: [0, 1],
-            section: SectionShape::Rectangle { height: 0.02, width: 0.014 },
-            up: None,
-            material,
-            elements: 5,
-        };
+        let member =
+            parts::member([0, 1], SectionShape::Rectangle { height: 0.02, width: 0.014 }, material, 5);
         let nodes = vec![node("root", [0.1, -0.2, 0.3]), node("tip", to)];
         let kind = PartKind::Frame(Frame { nodes, members: vec![member] });
         Part { name: name.to_owned(), kind, masses: Vec::new(), attached: vec![0], rayleigh: [per_mass, 0.0] }
     };
-    let carrier = Carrier {
-        mass: 40.0,
-        center_of_mass: [0.1, -0.05, 0.02],
-        inertia: [[9.0, 0.4, -0.2], [0.4, 13.0, 0.3], [-0.2, 0.3, 16.0]],
-    };
+    let carrier =
+        parts::carrier(40.0, [0.1, -0.05, 0.02], [[9.0, 0.4, -0.2], [0.4, 13.0, 0.3], [-0.2, 0.3, 16.0]]);
     let parts = vec![boom("long", [2.9, 0.8, 0.4], 0.0), boom("short", [-1.8, 1.1, 0.2], braked)];
     let reduction = PartReduction { order: 3, modes: 12 };
     Assembly { carrier: Some(carrier), parts, reduction, ..Assembly::default() }.body().unwrap()
@@ -163,7 +155,7 @@ fn stage() -> FlexibleBody {
         name: "boom".to_owned(),
         mass: 3.5,
         center_of_mass: [0.0, 0.0, 7.5],
-        inertia: [[0.5, 0.0, 0.0], [0.0, 0.5, 0.0], [0.0, 0.0, 0.01]],
+        inertia: parts::diag([0.5, 0.5, 0.01]),
         hinge: [0.0, 0.0, 1.5],
         axes: vec![[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]],
         stiffness: HingeCoefficient::PerAxis(vec![472.748_094; 2]),
@@ -171,10 +163,6 @@ fn stage() -> FlexibleBody {
         rheology: Rheology::Elastic,
         places: Vec::new(),
     };
-    let carrier = Carrier {
-        mass: 900.0,
-        center_of_mass: [0.0; 3],
-        inertia: [[1100.0, 0.0, 0.0], [0.0, 1150.0, 0.0], [0.0, 0.0, 300.0]],
-    };
+    let carrier = parts::carrier(900.0, [0.0; 3], parts::diag([1100.0, 1150.0, 300.0]));
     Assembly { carrier: Some(carrier), hinged: vec![boom], ..Assembly::default() }.body().unwrap()
 }

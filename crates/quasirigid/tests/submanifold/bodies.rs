@@ -1,13 +1,14 @@
 //! Bodies whose parts are soft beside their spin.
 
 use quasirigid::elements::{
-    Assembly, Carrier, Frame, FrameNode, HingeCoefficient, Hinged, Material, Member, Part, PartKind,
-    PartReduction, Point, SectionShape, Spring, WheelSpeed,
+    Assembly, Carrier, Frame, FrameNode, HingeCoefficient, Hinged, Material, Part, PartKind, PartReduction,
+    Point, SectionShape, Spring, WheelSpeed,
 };
 use quasirigid::model::Rheology;
 use quasirigid::prelude::CARRIER;
 
 use crate::inside::bodies::{tank, wheel};
+use crate::support::parts;
 use crate::support::rotors::{ball, flywheel};
 
 /// Two sprung masses, lowest frequencies 4.4 to 5.8 rad/s: the body of `manifold_at_spin.py` of the theory's prototype.
@@ -69,14 +70,7 @@ pub fn beam() -> Assembly {
     let node = |name: &str, position: [f64; 3]| FrameNode { name: name.to_owned(), position };
     let rheology = Rheology::KelvinVoigt { time: 0.02 };
     let material = Material { density: 1600.0, young: 9e9, poisson: 0.3, rheology };
-    let member = Member {
-        name: String::new(),
-        ends: [0, 1],
-        section: SectionShape::Rectangle { height: 0.03, width: 0.02 },
-        up: None,
-        material,
-        elements: 5,
-    };
+    let member = parts::member([0, 1], SectionShape::Rectangle { height: 0.03, width: 0.02 }, material, 5);
     let nodes = vec![node("root", [0.3, -0.03, 0.04]), node("tip", [2.3, 0.07, -0.02])];
     let kind = PartKind::Frame(Frame { nodes, members: vec![member] });
     let part =

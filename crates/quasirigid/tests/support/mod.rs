@@ -4,7 +4,9 @@
 //! damping ratios from 0.1 to 1, so that damping and stiffness both appear in every degree. [`bodies`] then changes the
 //! units, because no law depends on them.
 
+pub mod linearised;
 pub mod matrices;
+pub mod parts;
 pub mod rotors;
 pub mod transform;
 
@@ -14,8 +16,7 @@ use proptest::collection::vec;
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 use quasirigid::elements::{
-    Assembly, Carrier, Coefficient, End, HingeCoefficient, Hinged, Point, PointMotion, Prestress, Spring,
-    SpringLaw,
+    Assembly, Carrier, Coefficient, End, HingeCoefficient, Hinged, Point, PointMotion, SpringLaw,
 };
 use quasirigid::model::{Rheology, Support};
 
@@ -37,15 +38,8 @@ pub fn sprung_body(carrier: Carrier, masses: &[Sprung]) -> Assembly {
         position: sprung.position,
         motion: PointMotion::Free,
     };
-    let spring = |(number, sprung): (usize, &Sprung)| Spring {
-        name: String::new(),
-        from: End::Point(number),
-        to: End::Carrier,
-        law: SpringLaw::Spatial {
-            stiffness: Coefficient::Diagonal(sprung.stiffness),
-            damping: Coefficient::Diagonal(sprung.damping),
-        },
-        rheology: Rheology::Elastic,
+    let spring = |(number, sprung): (usize, &Sprung)| {
+        parts::spring(End::Point(number), End::Carrier, parts::diagonal(sprung.stiffness, sprung.damping))
     };
     Assembly {
         carrier: Some(carrier),
@@ -157,26 +151,18 @@ fn join(
 ) -> Massive {
     let (mass, center, inertia) = moments(&carrier);
     let count = sprung.len();
-    let to_carrier = sprung.iter().enumerate().map(|(i, (_, law))| Spring {
-        name: String::new(),
-        from: End::Point(i),
-        to: End::Carrier,
-        law: *law,
-        rheology: Rheology::Elastic,
-    });
+    let to_carrier =
+        sprung.iter().enumerate().map(|(i, (_, law))| parts::spring(End::Point(i), End::Carrier, *law));
     let between = extra.iter().map(|(i, j, law, place)| {
         let (i, j) = (i % count, j % (count + 1));
         let to = if j == count || j == i { End::Carrier } else { End::Point(j) };
         let law = match *law {
-            SpringLaw::Axial { stiffness, damping, .. } => SpringLaw::Axial {
-                stiffness,
-                damping,
-                anchor: (to == End::Carrier).then_some(place.map(|x| 2.0 * x)),
-                prestress: Prestress::Relaxed,
-            },
+            SpringLaw::Axial { stiffness, damping, .. } => {
+                parts::axial(stiffness, damping, (to == End::Carrier).then_some(place.map(|x| 2.0 * x)))
+            }
             spatial @ SpringLaw::Spatial { .. } => spatial,
         };
-        Spring { name: String::new(), from: End::Point(i), to, law, rheology: Rheology::Elastic }
+        parts::spring(End::Point(i), to, law)
     });
     let springs = to_carrier.chain(between).collect();
     let named = |(i, (mut point, _)): (usize, (Point, SpringLaw))| {
@@ -188,7 +174,7 @@ fn join(
     for (i, hinge) in hinges.iter_mut().enumerate() {
         hinge.name = format!("hinge {i}");
     }
-    let carrier_piece = Carrier { mass, center_of_mass: center.into(), inertia: inertia.into() };
+    let carrier_piece = parts::carrier(mass, center.into(), inertia.into());
     let support = if free { Support::Free } else { Support::FixedPoint { point: fixed } };
     Massive {
         assembly: Assembly {
@@ -233,12 +219,7 @@ fn extra_spring() -> impl Strategy<Value = (usize, usize, SpringLaw, [f64; 3])> 
     (0..9usize, 0..9usize, any::<bool>(), coefficient(), coefficient(), 20.0..60.0, direction()).prop_map(
         |(i, j, axial, stiffness, damping, strength, place)| {
             let law = if axial {
-                SpringLaw::Axial {
-                    stiffness: strength,
-                    damping: 0.03 * strength,
-                    anchor: None,
-                    prestress: Prestress::Relaxed,
-                }
+                parts::axial(strength, 0.03 * strength, None)
             } else {
                 SpringLaw::Spatial {
                     stiffness: times(stiffness, strength),

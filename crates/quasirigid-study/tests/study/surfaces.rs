@@ -1,12 +1,13 @@
-//! A solid with a neck: every command prints the error of its shape.
+//! A solid with a neck: every answer tells the error of its shape.
 
 use std::fmt::Write;
 use std::fs;
 
-use quasirigid_io::record::RunRecord;
-use tempfile::{TempDir, tempdir};
+use quasirigid_study::Study;
+use quasirigid_study::evolution;
+use quasirigid_study::histories::Propagation;
 
-use crate::support::{one_line, ran_in};
+use crate::support::{evolved, one_line};
 
 const MODEL: &str = r#"
 [body]
@@ -65,50 +66,49 @@ fn shape() -> String {
     text
 }
 
-fn folder(line: &str) -> TempDir {
-    let folder = tempdir().unwrap();
+fn necked(line: &str) -> Study {
+    let folder = tempfile::tempdir().unwrap();
     fs::write(folder.path().join("shape.obj"), shape()).unwrap();
-    fs::write(folder.path().join("model.toml"), MODEL.replace("DEGREE", line)).unwrap();
-    folder
+    let file = folder.path().join("model.toml");
+    fs::write(&file, MODEL.replace("DEGREE", line)).unwrap();
+    Study::open(file, None).unwrap()
 }
 
 #[test]
-fn every_command_says_how_well_the_shape_is_resolved() {
-    let folder = folder("cells = 1200");
-    let checked = ran_in(folder.path(), "check model.toml");
+fn every_answer_says_how_well_the_shape_is_resolved() {
+    let study = necked("cells = 1200");
     let expected = "finite elements in";
-    assert!(one_line(&checked.stdout).contains(expected), "{}", checked.stdout);
-    let object = ran_in(folder.path(), "check model.toml --json").json();
-    let error = object["resolution"]["error"].as_f64().unwrap();
-    assert!(error > 0.0 && error < 0.5 && object["resolution"]["cells"].is_u64(), "{object:#}");
-    let evolved = one_line(&ran_in(folder.path(), "evolve model.toml").stdout);
-    let object = ran_in(folder.path(), "evolve model.toml --json").json();
-    let time_error = object["time_error"].as_f64().unwrap();
-    assert!(time_error >= error, "{object:#}");
+    let resolution = study.resolution.as_ref().unwrap();
+    let error = resolution.error;
+    assert!(error > 0.0 && error < 0.5, "{resolution:?}");
+    let checked = study.check().unwrap();
+    assert!(one_line(&checked.text()).contains(expected), "{}", checked.text());
+    assert!(checked.json()["resolution"]["cells"].is_u64());
+    let record = evolved(&study, |_| {}).record;
+    let time_error = record.time_error.unwrap();
+    assert!(time_error >= error, "{time_error} {error}");
     // One number stands for the time, and includes the error of the shape.
-    let words: Vec<&str> = evolved.split("the time is good to ").collect();
-    assert!(words.len() == 2 && !evolved.contains("known to"), "{evolved}");
+    let text = one_line(&evolution::text("contact binary", &record));
+    let words: Vec<&str> = text.split("the time is good to ").collect();
+    assert!(words.len() == 2 && !text.contains("known to"), "{text}");
     let told = words[1].split(' ').next().unwrap();
     assert!((told.parse::<f64>().unwrap() / (100.0 * time_error) - 1.0).abs() < 0.06, "{told} {time_error}");
-    assert_eq!(ran_in(folder.path(), "run model.toml -o out -q").code, Some(0));
-    let record = RunRecord::read(&folder.path().join("out")).unwrap();
-    assert_eq!(record.body.resolution.as_ref().unwrap().error, Some(error));
-    assert_eq!(record.notes.iter().any(|note| note.contains("hard to resolve")), error > 0.05);
-    let page = fs::read_to_string(folder.path().join("out/report.html")).unwrap();
+    let run = study.run(&Propagation::default(), &mut ()).unwrap();
+    assert!(run.holds);
+    assert_eq!(run.record.body.resolution.as_ref().unwrap().error, Some(error));
+    assert_eq!(run.record.notes.iter().any(|note| note.contains("hard to resolve")), error > 0.05);
+    let files = run.files();
+    let (_, page) = files.iter().find(|(name, _)| *name == "report.html").unwrap();
     assert!(page.contains(expected) && page.contains(&format!("the time is good to {told} %.")));
 }
 
 /// Polynomials of low degree are off by more than half: their answer does not hold, and begins with that.
 #[test]
 fn polynomials_that_do_not_follow_the_shape_do_not_hold() {
-    let folder = folder("degree = 2");
-    let evolved = ran_in(folder.path(), "evolve model.toml");
-    assert_eq!(evolved.code, Some(1), "{}", evolved.stdout);
-    let text = one_line(&evolved.stdout);
-    assert!(text.starts_with("contact binary: THE SHAPE IS NOT RESOLVED."), "{text}");
-    assert!(
-        one_line(&evolved.stderr).contains("note: The shape of \"nucleus\" is hard to resolve"),
-        "{}",
-        evolved.stderr
-    );
+    let study = necked("degree = 2");
+    let found = evolved(&study, |_| {});
+    let text = one_line(&evolution::text(&study.model.name, &found.record));
+    assert!(!found.holds() && text.starts_with("contact binary: THE SHAPE IS NOT RESOLVED."), "{text}");
+    let notes = study.model.notes.join(" ");
+    assert!(notes.contains("The shape of \"nucleus\" is hard to resolve"), "{notes}");
 }

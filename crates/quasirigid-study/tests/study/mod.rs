@@ -1,0 +1,16 @@
+//! Answers of studies: models are texts, answers are typed.
+
+mod about_spin;
+mod checks;
+mod derive;
+mod evolution;
+mod forces;
+mod full_system;
+mod histories;
+mod methods;
+mod modes;
+mod notes;
+mod published;
+mod slaved;
+mod surfaces;
+mod sweep;

@@ -4,9 +4,10 @@ use std::sync::LazyLock;
 
 use quasirigid_io::model::{EvolveMethod, Manifold, System};
 use quasirigid_study::Study;
-use quasirigid_study::about_spin::{AboutSpin, AskedManifold, AskedSpinVerification, verification_text};
-use quasirigid_study::histories::{Propagation, Table};
+use quasirigid_study::about_spin::{AboutSpin, verification_text};
+use quasirigid_study::histories::Table;
 use quasirigid_study::modes::PrincipalAxis;
+use quasirigid_study::settings::{PartialRun, PartialSpinManifold, PartialSpinVerify};
 use serde_json::Value;
 
 use crate::support::{
@@ -20,8 +21,8 @@ const DAMPER: &str = "nutation-damper";
 static EXPLORER: LazyLock<Study> = LazyLock::new(|| study_of("explorer1"));
 static NINTH: LazyLock<AboutSpin<'static>> = LazyLock::new(|| about(&EXPLORER, 9));
 
-fn of_degree(degree: usize) -> AskedManifold {
-    AskedManifold { settings: Manifold { degree: Some(degree), ..Manifold::default() }, axis: None }
+fn of_degree(degree: usize) -> PartialSpinManifold {
+    PartialSpinManifold { settings: Manifold { degree: Some(degree), ..Manifold::default() }, axis: None }
 }
 
 fn about(study: &Study, degree: usize) -> AboutSpin<'_> {
@@ -67,8 +68,8 @@ fn check_says_which_reduction_holds() {
 #[test]
 fn a_history_on_the_manifold_is_that_of_the_full_system() {
     let study = study_of(DAMPER);
-    let [full, reduced] =
-        [System::Full, System::Manifold].map(|system| finished(&study, system, &[0.0, 40.0]).run.last.omega);
+    let [full, reduced] = [System::Full, System::SpinManifold]
+        .map(|system| finished(&study, system, &[0.0, 40.0]).run.last.omega);
     for (full, reduced) in full.iter().zip(&reduced) {
         assert!((full - reduced).abs() < 1e-4, "{full} {reduced}");
     }
@@ -76,7 +77,7 @@ fn a_history_on_the_manifold_is_that_of_the_full_system() {
 
 #[test]
 fn verify_measures_the_order_in_the_amplitude() {
-    let asked = AskedSpinVerification::default();
+    let asked = PartialSpinVerify::default();
     let found = study_of(DAMPER).verify_about_spin(&asked, &mut ()).unwrap().unwrap();
     assert!(found.reached() && found.rows.iter().map(|row| row.degree).eq([1, 2, 3]));
     for row in &found.rows {
@@ -101,17 +102,17 @@ fn buckled() -> Study {
 #[test]
 fn evolve_on_the_manifold_agrees_with_the_full_system_or_refuses() {
     let study = study_of(DAMPER);
-    let [reduced, full] = [EvolveMethod::Manifold, EvolveMethod::Direct]
+    let [reduced, full] = [EvolveMethod::SpinManifold, EvolveMethod::Full]
         .map(|method| evolved(&study, |asked| asked.method = Some(method)).record);
     assert_eq!((&*reduced.road, &*full.road), ("manifold", "direct"));
     let error = reduced.time_error.unwrap();
     assert!((reduced.time / full.time - 1.0).abs() <= error && error < 0.01, "{reduced:?}");
     let buckled = buckled();
     let refused = evolved(&buckled, |asked| {
-        (asked.method, asked.until) = (Some(EvolveMethod::Manifold), target("0.9990"));
+        (asked.method, asked.until) = (Some(EvolveMethod::SpinManifold), target("0.9990"));
     });
     assert_eq!(refused.record.status, "refused");
-    let told = one_line(&buckled.about_spin(&AskedManifold::default()).unwrap().text());
+    let told = one_line(&buckled.about_spin(&PartialSpinManifold::default()).unwrap().text());
     assert!(told.contains("DO NOT HOLD: the steady spin is unstable"), "{told}");
 }
 
@@ -178,8 +179,8 @@ fn json_has_the_manifold() {
     }
     let length = direction.iter().map(|x| x * x).sum::<f64>().sqrt();
     assert!((length - 1.0).abs() < 1e-5, "{direction:?}"); // truncated beyond degree 9 at 0.4
-    let asked = Table { manifold: of_degree(9), ..table(System::Manifold, &[0.0]) };
-    let history = EXPLORER.simulate(&Propagation::default(), &asked, &mut ()).unwrap();
+    let asked = Table { manifold: of_degree(9), ..table(System::SpinManifold, &[0.0]) };
+    let history = EXPLORER.simulate(&PartialRun::default(), &asked, &mut ()).unwrap();
     let start = vector(&history.columns, SPIN, 0);
     for axis in 0..3 {
         assert!((omega[axis] - start[axis]).abs() < 1e-9 * start[2], "{omega:?} {start:?}");
@@ -190,8 +191,8 @@ fn json_has_the_manifold() {
 #[test]
 fn a_history_follows_the_full_system() {
     let full = finished(&EXPLORER, System::Full, &[0.0, 5.0]).run.last.energy;
-    let asked = Table { manifold: of_degree(9), ..table(System::Manifold, &[0.0, 5.0]) };
-    let (found, told) = told_history(&EXPLORER, &asked, Propagation::default());
+    let asked = Table { manifold: of_degree(9), ..table(System::SpinManifold, &[0.0, 5.0]) };
+    let (found, told) = told_history(&EXPLORER, &asked, PartialRun::default());
     assert!(found.holds(), "{}", found.message);
     assert!(told.contains("0.63 % is in vibrations off the manifold, which are left out"), "{told}");
     let manifold = column(&found.columns, "energy");
@@ -201,7 +202,7 @@ fn a_history_follows_the_full_system() {
 
 #[test]
 fn a_history_that_leaves_the_range_says_so() {
-    let found = follow(&EXPLORER, System::Manifold, &[0.0, 5.0, 30.0]);
+    let found = follow(&EXPLORER, System::SpinManifold, &[0.0, 5.0, 30.0]);
     assert!(!found.holds() && found.status == "left-validity", "{}", found.message);
     assert_eq!(found.columns[0].values.len(), 3);
     let verdict = found.manifold.unwrap();
@@ -212,7 +213,7 @@ fn a_history_that_leaves_the_range_says_so() {
 
 /// The verdict on a history that does not hold.
 fn does_not_hold(model: &str, times: [f64; 2]) -> String {
-    let found = follow(&study(model), System::Manifold, &times);
+    let found = follow(&study(model), System::SpinManifold, &times);
     assert!(!found.holds());
     found.manifold.unwrap().sentence()
 }

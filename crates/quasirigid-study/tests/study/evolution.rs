@@ -5,8 +5,8 @@ use std::time::{Duration, Instant};
 use quasirigid_io::model::{EvolveMethod, Power, System, Target};
 use quasirigid_io::record::EvolutionRecord;
 use quasirigid_study::Study;
-use quasirigid_study::evolution::{self, Asked};
-use quasirigid_study::histories::Propagation;
+use quasirigid_study::evolution;
+use quasirigid_study::settings::{PartialEvolve, PartialRun};
 
 use crate::support::{
     MODEL, carrier, close, column, ellipsoid, evolve, evolved, example, finished, gravity, one_line, point,
@@ -27,7 +27,7 @@ fn powers_and_times_are_the_published_ones() {
     let study = study(&asteroid(KELVIN_VOIGT));
     let between = |from: f64, to: f64| {
         let [from, until] = [from, to].map(|ratio| Some(Target::Ratio(ratio)));
-        evolved(&study, |asked| (asked.from, asked.until) = (from, until)).record
+        evolved(&study, |asked| (asked.start, asked.until) = (from, until)).record
     };
     for [ratio, power] in published("ellipsoid/kelvin_voigt.csv", ["D_over_I3", "power"]) {
         let found = between(ratio, 0.999);
@@ -113,7 +113,7 @@ fn run_and_evolve_tell_the_same_wobble() {
     for (name, tolerance) in [("boom-satellite", 5e-3), ("three-masses", 2e-3)] {
         let study = study_of(name);
         let told = evolved(&study, |asked| asked.duration = Some(600.0)).record;
-        let lasting = Propagation { duration: Some(600.0), ..Propagation::default() };
+        let lasting = PartialRun { duration: Some(600.0), ..PartialRun::default() };
         let run = study.run(&lasting, &mut ()).unwrap().record;
         let reduced = run.histories.iter().find(|history| history.system == "reduced").unwrap();
         let [least, greatest] = ["nutation_min", "nutation_max"].map(|name| column(&reduced.columns, name));
@@ -179,7 +179,7 @@ fn driven(torque: f64) -> Study {
 }
 
 /// The record, after a look at its words for people and at its last row.
-fn told(study: &Study, set: impl Fn(&mut Asked), status: &str) -> EvolutionRecord {
+fn told(study: &Study, set: impl Fn(&mut PartialEvolve), status: &str) -> EvolutionRecord {
     let start = Instant::now();
     let record = evolved(study, set).record;
     assert!(start.elapsed() < Duration::from_secs(60), "{:?}", start.elapsed());
@@ -196,7 +196,7 @@ fn told(study: &Study, set: impl Fn(&mut Asked), status: &str) -> EvolutionRecor
 }
 
 /// Value of a record; the end is located exactly, whatever the rows.
-fn located(study: &Study, set: impl Fn(&mut Asked), value: fn(&EvolutionRecord) -> f64) -> f64 {
+fn located(study: &Study, set: impl Fn(&mut PartialEvolve), value: fn(&EvolutionRecord) -> f64) -> f64 {
     let [few, many] = [21, 2001].map(|samples| {
         value(
             &evolved(study, |asked| {
@@ -215,7 +215,7 @@ fn located(study: &Study, set: impl Fn(&mut Asked), value: fn(&EvolutionRecord) 
 fn drag_ends_at_rest() {
     let drag = "\n[[force]]\nkind = \"spin-drag\"\ncoefficient = 1e-4\n";
     let study = study(&(example("boom-satellite") + drag));
-    let long = |asked: &mut Asked| asked.duration = Some(0.01 * KYR);
+    let long = |asked: &mut PartialEvolve| asked.duration = Some(0.01 * KYR);
     let record = told(&study, long, "rest");
     assert!(record.message.contains("has fallen to 1e-9 of its start"), "{}", record.message);
     located(&study, long, |record| record.time);
@@ -224,7 +224,7 @@ fn drag_ends_at_rest() {
 /// Planetary B2: "held", an undocumented word, at the time of some row.
 #[test]
 fn a_torque_against_the_spin_turns_the_body_over_and_spins_it_up() {
-    let (study, long) = (driven(-1e-3), |asked: &mut Asked| asked.duration = Some(1e4 * KYR));
+    let (study, long) = (driven(-1e-3), |asked: &mut PartialEvolve| asked.duration = Some(1e4 * KYR));
     let sentence = told(&study, long, "finished").sentence;
     assert!(sentence.contains("turns over") && sentence.contains("passes the separatrix"), "{sentence}");
     let crossed = located(&study, long, |record| record.separatrix_time.unwrap()) / KYR;
@@ -234,12 +234,12 @@ fn a_torque_against_the_spin_turns_the_body_over_and_spins_it_up() {
 #[test]
 fn a_torque_along_the_spin_ends_at_the_slowest_elastic_frequency() {
     let study = driven(1.0);
-    let long = |asked: &mut Asked| asked.duration = Some(1e6 * KYR);
+    let long = |asked: &mut PartialEvolve| asked.duration = Some(1e6 * KYR);
     let record = told(&study, long, "spun-up");
     assert!(record.message.contains("slowest elastic frequency"), "{}", record.message);
     located(&study, long, |record| record.time);
     told(&study, |asked| asked.duration = Some(1e3 * KYR), "finished");
-    let to = |asked: &mut Asked| (asked.duration, asked.until) = (Some(1e3 * KYR), target("5 deg"));
+    let to = |asked: &mut PartialEvolve| (asked.duration, asked.until) = (Some(1e3 * KYR), target("5 deg"));
     let record = told(&study, to, "finished");
     assert!(record.message.starts_with("The target was reached after"), "{}", record.message);
     located(&study, to, |record| record.time);

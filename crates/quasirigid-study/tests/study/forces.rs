@@ -9,7 +9,8 @@ use std::fs;
 use quasirigid::dynamics::Method;
 use quasirigid_io::model::System;
 use quasirigid_study::Study;
-use quasirigid_study::histories::{History, Propagation};
+use quasirigid_study::histories::History;
+use quasirigid_study::settings::PartialRun;
 
 use crate::support::{
     carrier, close, expression, finished, follow, history, modes, one_line, point, spinning, study, table,
@@ -88,13 +89,13 @@ fn pulses_of_formulas_are_not_stepped_over() {
 #[track_caller]
 fn assert_spin(formula: &str, duration: f64, expected: f64, error: f64) {
     let study = study(&turning(0.5, &expression(&format!("torque = [\"0\", \"0\", \"{formula}\"]"))));
-    let usual = Propagation::default();
+    let usual = PartialRun::default();
     for (system, settings) in [
-        (System::Full, Propagation { method: Some(Method::Explicit), ..usual }),
-        (System::Full, Propagation { method: Some(Method::Implicit), ..usual }),
+        (System::Full, PartialRun { integrator: Some(Method::Explicit), ..usual }),
+        (System::Full, PartialRun { integrator: Some(Method::Implicit), ..usual }),
         (System::Reduced, usual),
         (System::Rigid, usual),
-        (System::Rigid, Propagation { tolerance: Some(1e-9), ..usual }),
+        (System::Rigid, PartialRun { tolerance: Some(1e-9), ..usual }),
     ] {
         let found = history(&study, &table(system, &[0.0, duration]), settings);
         assert!(found.holds() && found.status == "finished", "{}", found.message);
@@ -207,7 +208,7 @@ fn a_short_thrust_moves_the_centre_of_mass() {
 fn a_pulse_on_a_spinning_body_is_seen_by_both_integrators() {
     let study = study(&turning(7.292e-5, &torque("15*(step(t-1000)-step(t-1000.1))")));
     let [explicit, implicit] = [Method::Explicit, Method::Implicit].map(|method| {
-        let settings = Propagation { method: Some(method), ..Propagation::default() };
+        let settings = PartialRun { integrator: Some(method), ..PartialRun::default() };
         let found = history(&study, &table(System::Full, &[0.0, 1100.0]), settings);
         assert!(found.holds(), "{}", found.message);
         momentum(&found)
@@ -272,7 +273,7 @@ fn rest_has_modes() {
 
 #[test]
 fn a_run_starts_from_rest() {
-    let lasting = |seconds: f64| Propagation { duration: Some(seconds), ..Propagation::default() };
+    let lasting = |seconds: f64| PartialRun { duration: Some(seconds), ..PartialRun::default() };
     let found =
         study(&with_torque("15*(step(t-1000)-step(t-1000.1))")).run(&lasting(2000.0), &mut ()).unwrap();
     assert!(found.holds);
@@ -290,8 +291,8 @@ fn a_run_starts_from_rest() {
 #[test]
 fn equations_about_a_spin_take_no_pulses() {
     let study = study(&turning(0.2, &torque("step(t-5)")));
-    let asked = table(System::Manifold, &[0.0, 10.0]);
-    let refused = study.simulate(&Propagation::default(), &asked, &mut ()).unwrap_err().to_string();
+    let asked = table(System::SpinManifold, &[0.0, 10.0]);
+    let refused = study.simulate(&PartialRun::default(), &asked, &mut ()).unwrap_err().to_string();
     assert!(refused.contains("force 1"), "{refused}");
     let average = quasirigid_io::model::EvolveMethod::Average;
     let evolved = try_evolve(&study, |asked| asked.method = Some(average));
@@ -332,7 +333,7 @@ fn assert_told(body: &str, force: &str, is_fast: bool) {
     let study = study(&(body.to_owned() + &expression(force)));
     let [(full, _), (reduced, notes)] = [System::Full, System::Reduced].map(|system| {
         let table = table(system, &[0.0, 30.0, 60.0]);
-        let (found, said) = told_history(&study, &table, Propagation::default());
+        let (found, said) = told_history(&study, &table, PartialRun::default());
         assert!(found.holds() && found.status == "finished", "{}", found.message);
         (found.run, said)
     });

@@ -4,7 +4,7 @@ use quasirigid::dynamics::Method;
 use quasirigid_io::model::{System, Verify};
 use quasirigid_io::record::VerificationRecord;
 use quasirigid_study::Study;
-use quasirigid_study::histories::Propagation;
+use quasirigid_study::settings::PartialRun;
 
 use crate::support::{
     MODEL, carrier, column, example, expression, finished, fixed, follow, gravity, history, model, point,
@@ -15,7 +15,7 @@ use crate::support::{
 fn full_and_reduced_histories_of_a_soft_start_agree_once_the_vibrations_are_gone() {
     let rest = study(&model("", "displacements = \"rest\"", ""));
     let [full, reduced] = [System::Full, System::Reduced].map(|system| {
-        let (found, said) = told_history(&rest, &table(system, &[0.0, 60.0]), Propagation::default());
+        let (found, said) = told_history(&rest, &table(system, &[0.0, 60.0]), PartialRun::default());
         assert!(found.holds() && said.is_empty(), "{said}");
         found.run.last.omega
     });
@@ -29,7 +29,7 @@ fn record_says_which_methods_took_turns() {
     let stiff =
         MODEL.replace("stiffness = 600.0", "stiffness = 6e6").replace("damping = 30.0", "damping = 6e3");
     let study = study(&(stiff + "systems = [\"full\", \"reduced\", \"rigid\"]\n"));
-    let found = study.run(&Propagation::default(), &mut ()).unwrap();
+    let found = study.run(&PartialRun::default(), &mut ()).unwrap();
     let histories = &found.record.histories;
     assert!(found.holds);
     assert!(histories.iter().map(|history| &*history.system).eq(["full", "reduced", "rigid"]));
@@ -104,7 +104,8 @@ displacements = \"rest\"
 fn implicit_steps_on_a_beam_are_as_long_as_its_motion_allows() {
     let study = study(&(carrier(900.0, [1100.0, 1150.0, 300.0]) + BOOM));
     let [implicit, explicit] = [Method::Implicit, Method::Explicit].map(|method| {
-        let settings = Propagation { tolerance: Some(1e-10), method: Some(method), ..Propagation::default() };
+        let settings =
+            PartialRun { tolerance: Some(1e-10), integrator: Some(method), ..PartialRun::default() };
         history(&study, &table(System::Full, &[0.0, 0.5]), settings).run
     });
     assert!(implicit.work.steps < 400, "{}", implicit.work.steps);
@@ -223,7 +224,7 @@ fn forces_move_a_body_that_does_not_turn() {
 fn coordinates_and_displacements_of_the_full_system_are_columns_of_the_table() {
     let study = study(&model("", "displacements = { tip = [0.01, 0, 0] }", ""));
     let table = whole_table(System::Full, &[0.0, 1.0, 30.0]);
-    let columns = history(&study, &table, Propagation::default()).columns;
+    let columns = history(&study, &table, PartialRun::default()).columns;
     let displacement = column(&columns, "tip x");
     assert_eq!(displacement[0], 0.01);
     assert!(displacement[1].abs() > 1e-6 && displacement[2].abs() < 1e-4, "{displacement:?}");
@@ -238,13 +239,13 @@ fn coordinates_and_displacements_of_the_full_system_are_columns_of_the_table() {
 #[test]
 fn an_integrator_that_imitates_the_dashpots_is_called_out() {
     let table = table(System::Full, &[0.0, 600.0]);
-    let loose = Propagation { tolerance: Some(1e-4), ..Propagation::default() };
+    let loose = PartialRun { tolerance: Some(1e-4), ..PartialRun::default() };
     let (_, note) = told_history(&study(&MODEL.replace("damping = 30.0", "damping = 1e-6")), &table, loose);
     assert!(
         note.contains("The integrator changed the energy") && note.contains("smaller tolerance"),
         "{note}"
     );
-    let (tight, said) = told_history(&study(MODEL), &table, Propagation::default());
+    let (tight, said) = told_history(&study(MODEL), &table, PartialRun::default());
     assert!(tight.holds() && said.is_empty(), "{said}");
 }
 
@@ -302,7 +303,7 @@ fn soft_mast(stiffness: f64) -> String {
 fn order_is_the_one_whose_dissipation_holds() {
     let dissipated = |stiffness: f64, system: System, order: Option<usize>| {
         let study = crate::support::of_order(&soft_mast(stiffness), order);
-        let (found, said) = told_history(&study, &table(system, &[0.0, 500.0]), Propagation::default());
+        let (found, said) = told_history(&study, &table(system, &[0.0, 500.0]), PartialRun::default());
         (found.run.last.dissipated, said, found.holds())
     };
     let (full, ..) = dissipated(80.0, System::Full, None);
@@ -315,7 +316,7 @@ fn order_is_the_one_whose_dissipation_holds() {
     let (_, said, holds) = dissipated(50.0, System::Reduced, None);
     assert!(!holds && said.contains("Their dissipation DOES NOT at this order."), "{said}");
 
-    let long = Propagation { duration: Some(500.0), ..Propagation::default() };
+    let long = PartialRun { duration: Some(500.0), ..PartialRun::default() };
     let run = study(&soft_mast(80.0)).run(&long, &mut ()).unwrap();
     assert!(run.holds && run.record.reduction.order == 6);
     assert!(run.record.notes.iter().any(|note| note.contains("The reduced equations are of order 6")));

@@ -5,8 +5,9 @@
 use quasirigid::dynamics::Form;
 use quasirigid_io::model::{EvolveMethod, System};
 use quasirigid_study::Study;
-use quasirigid_study::histories::{History, Propagation};
+use quasirigid_study::histories::History;
 use quasirigid_study::modes::PrincipalAxis;
+use quasirigid_study::settings::PartialRun;
 
 use crate::support::{
     MODEL, ROOT, SPIN, carrier, column, difference, examples, expression, finished, follow, gravity, hinged,
@@ -19,7 +20,7 @@ const RATE: [&str; 3] = ["vx", "vy", "vz"];
 const POLE: [&str; 3] = ["R0x", "R0y", "R0z"];
 
 fn of_form(study: &Study, form: Form, times: &[f64]) -> History {
-    let settings = Propagation { form: Some(form), ..Propagation::default() };
+    let settings = PartialRun { form: Some(form), ..PartialRun::default() };
     history(study, &table(System::Reduced, times), settings)
 }
 
@@ -103,7 +104,7 @@ fn form_of_the_paper_is_another_integration_of_the_same_motion() {
 fn looser_tolerance_takes_fewer_steps() {
     let study = study_of("axial-mass");
     let steps = |tolerance: Option<f64>| {
-        let settings = Propagation { tolerance, ..Propagation::default() };
+        let settings = PartialRun { tolerance, ..PartialRun::default() };
         history(&study, &table(System::Reduced, &[0.0, 200.0]), settings).run.work.steps
     };
     assert!(steps(Some(1e-6)) < steps(Some(1e-9)));
@@ -176,7 +177,7 @@ fn last_states_and_records_have_the_place_too() {
     for (names, value) in [(PLACE, last.place), (RATE, last.velocity), (POLE, last.pole)] {
         assert!(difference(value, vector(&found.columns, names, 0)) < 1e-12, "{names:?}: {value:?}");
     }
-    let settings = Propagation { duration: Some(7.0), samples: Some(3), ..Propagation::default() };
+    let settings = PartialRun { duration: Some(7.0), samples: Some(3), ..PartialRun::default() };
     let run = study.run(&settings, &mut ()).unwrap();
     let reduced = &run.record.histories[0];
     assert!(run.holds && reduced.system == "reduced");
@@ -217,7 +218,7 @@ fn check_fails_where_the_start_holds_and_what_follows_does_not() {
 
 /// Refusal of a history.
 fn refused(study: &Study, system: System) -> String {
-    study.simulate(&Propagation::default(), &table(system, &[0.0, 1.0]), &mut ()).unwrap_err().to_string()
+    study.simulate(&PartialRun::default(), &table(system, &[0.0, 1.0]), &mut ()).unwrap_err().to_string()
 }
 
 fn verification_refused(study: &Study) -> String {
@@ -313,7 +314,7 @@ fn a_rotor_too_free_for_the_spin_starts_turning_with_the_body() {
     for start in ["", "displacements = \"rest\"", "displacements = { tip = [0.001, 0, 0] }"] {
         let study = study(&model(&wheel, start, "").replace("[0.12, 0.035, 0.02]", "[0.2, 0.2, 0.4]"));
         let asked = whole_table(System::Full, &[0.0]);
-        let (full, said) = told_history(&study, &asked, Propagation::default());
+        let (full, said) = told_history(&study, &asked, PartialRun::default());
         let is_rate = |name: &str| name.contains("wheel") && name.ends_with("rate");
         let rate = full.columns.iter().find(|column| is_rate(&column.name)).unwrap();
         assert!(full.holds() && rate.values[0].abs() < 1e-12, "{start}: {rate:?}"); // rounding of momenta

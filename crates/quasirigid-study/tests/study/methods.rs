@@ -5,9 +5,9 @@ use std::f64::consts::TAU;
 
 use quasirigid_io::model::{EvolveMethod, Power, System};
 use quasirigid_io::record::EvolutionRecord;
-use quasirigid_study::evolution::{self, Asked};
-use quasirigid_study::histories::Propagation;
-use quasirigid_study::modes::{AskedSpin, PrincipalAxis};
+use quasirigid_study::evolution;
+use quasirigid_study::modes::{PrincipalAxis, SteadySpinSettings};
+use quasirigid_study::settings::{PartialEvolve, PartialRun};
 
 use crate::support::{
     carrier, close, column, ellipsoid, evolve, evolved, example, follow, hinged, history, mode, modes,
@@ -68,7 +68,7 @@ fn time_constants_are_the_eigenvalues() {
     ] {
         close(nutation(&modes_about(&study(&model), PrincipalAxis::Greatest)), time, tolerance);
     }
-    let asked = AskedSpin { omega: Some([0.0, 0.0, 78.54]), axis: Some(PrincipalAxis::Least) };
+    let asked = SteadySpinSettings { omega: Some([0.0, 0.0, 78.54]), axis: Some(PrincipalAxis::Least) };
     let least = study_of("explorer1").modes(asked).unwrap();
     close(mode(&least.spins[0].modes, "nutation").decay_rate, -0.074_415_60, 1e-5); // of 78.54 rad/s too
 }
@@ -124,7 +124,7 @@ fn as_the_full_system(model: &str, road: &str) -> EvolutionRecord {
     let energy = column(&found.columns, "energy").last().unwrap();
     let run = format!("[run]\nstop = {{ energy = {energy:e} }}\n");
     let stopped = model.split("[run]").next().unwrap().to_owned() + &run;
-    let tight = Propagation { tolerance: Some(1e-11), ..Propagation::default() };
+    let tight = PartialRun { tolerance: Some(1e-11), ..PartialRun::default() };
     let full = history(&study(&stopped), &table(System::Full, &[0.0, 1.2 * found.time]), tight);
     assert_eq!(full.status, "event", "{}", full.message);
     let crosses = found.separatrix_time.is_some();
@@ -162,8 +162,8 @@ fn a_gyrostat_comes_to_its_steady_spin_as_in_the_full_system() {
     let wide = as_the_full_system(&(wide + &until("60 deg")), "direct");
     assert!(wide.separatrix_time.unwrap() > 0.0, "{wide:?}");
     let small = study(&stiff([0.14, 0.17, 0.63]));
-    let [modes, followed] =
-        [Some(EvolveMethod::Modes), None].map(|method| evolved(&small, |asked| asked.method = method).record);
+    let [modes, followed] = [Some(EvolveMethod::ModalRates), None]
+        .map(|method| evolved(&small, |asked| asked.method = method).record);
     assert_eq!((&*modes.road, &*followed.road), ("modes", "manifold"));
     close(modes.time, followed.time, 5e-3);
 }
@@ -177,12 +177,12 @@ fn an_evolution_with_wheels_that_has_no_answer_says_why() {
     };
     let steady = of("axis = [0, 0, 1]\nmomentum = 5.0");
     let driven = of("axis = [0, 0, 1]\ninertia = 0.1\nspeed = { formula = \"10*t\" }");
-    let refused = |set: &dyn Fn(&mut Asked), words: &str| {
+    let refused = |set: &dyn Fn(&mut PartialEvolve), words: &str| {
         let told = try_evolve(&steady, set).unwrap_err();
         assert!(told.contains(words), "{told}");
     };
     refused(&|asked| asked.until = target("0.98"), "D/I3 says nothing");
-    refused(&|asked| asked.from = target("20 deg"), "starts from the initial state");
+    refused(&|asked| asked.start = target("20 deg"), "starts from the initial state");
     refused(&|asked| asked.until = target("80 deg"), "is smaller than the target");
     let micro = Some(EvolveMethod::MicroRuns);
     for (study, method, words) in
@@ -214,7 +214,8 @@ fn losses_beyond_first_order_take_the_harmonics() {
     for (model, from) in [(first, None), (second, target("88.65 deg"))] {
         let study = study(&model);
         let time = |power, method| {
-            let set = |asked: &mut Asked| (asked.from, asked.power, asked.method) = (from, power, method);
+            let set =
+                |asked: &mut PartialEvolve| (asked.start, asked.power, asked.method) = (from, power, method);
             evolved(&study, set).record.time
         };
         let (found, harmonics) = (time(None, None), time(Some(Power::Harmonics), None));
@@ -332,7 +333,7 @@ fn water(angle: &str, mode: &str, end: &str) -> String {
 #[test]
 fn the_full_system_gives_no_answer_for_what_it_leaves_out() {
     let study = study(&water("5 deg", "short-axis", "1 deg"));
-    for method in [EvolveMethod::Direct, EvolveMethod::MicroRuns] {
+    for method in [EvolveMethod::Full, EvolveMethod::MicroRuns] {
         let EvolutionRecord { status, message, .. } =
             evolved(&study, |asked| asked.method = Some(method)).record;
         assert_eq!(status, "refused", "{message}");

@@ -2,6 +2,7 @@
 
 use quasirigid_io::model::System;
 use quasirigid_study::evolution;
+use quasirigid_study::settings::PartialRun;
 
 use crate::support::{
     MODEL, carrier, column, ellipsoid, evolve, evolved, follow, of_order, one_line, study, wobbling,
@@ -197,7 +198,7 @@ fn liquids_that_the_equations_of_motion_do_not_hold_are_told() {
     for (viscosity, holds) in [("1e-6 m^2/s", false), ("1 m^2/s", true)] {
         let study = study(&ball(viscosity));
         let (checked, history) = (study.check().unwrap(), follow(&study, System::Full, &[0.0, 20.0]));
-        let run = study.run(&quasirigid_study::histories::Propagation::default(), &mut ()).unwrap();
+        let run = study.run(&PartialRun::default(), &mut ()).unwrap();
         assert_eq!([checked.holds(), history.holds(), run.holds], [holds; 3], "{viscosity}");
         for said in [checked.left_out.notes(), history.wrong.into_iter().collect(), run.record.notes] {
             assert_eq!(said.join(" ").contains(off), !holds, "{viscosity}: {said:?}");

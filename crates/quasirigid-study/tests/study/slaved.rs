@@ -3,7 +3,8 @@
 use quasirigid_io::model::System;
 use quasirigid_math::vec3::cross;
 use quasirigid_study::Study;
-use quasirigid_study::histories::{History, Propagation};
+use quasirigid_study::histories::History;
+use quasirigid_study::settings::PartialRun;
 use serde_json::Value;
 
 use crate::support::{
@@ -54,7 +55,7 @@ fn coordinates(study: &Study, history: &History, ending: &str, row: usize) -> Ve
 fn displacements_of_derive_are_those_of_the_full_system() {
     let study = of_order(&(BODY.to_owned() + &spinning(OMEGA)), 5);
     let equations = study.derive().unwrap();
-    let tight = Propagation { tolerance: Some(1e-13), ..Propagation::default() };
+    let tight = PartialRun { tolerance: Some(1e-13), ..PartialRun::default() };
     let [full, reduced] = [System::Full, System::Reduced]
         .map(|system| history(&study, &whole_table(system, &[0.0, 3.0, 9.0]), tight));
     assert!(full.holds() && reduced.holds(), "{} {}", full.message, reduced.message);
@@ -88,7 +89,7 @@ fn coordinates_under_forces_and_of_rotors() {
     let model = format!("{BODY}{drag}{rotor}{}velocity = [1, 0, 2]\n", spinning(OMEGA));
     let study = of_order(&model, 4);
     let [full, reduced] = [System::Full, System::Reduced].map(|system| {
-        let found = history(&study, &whole_table(system, &[0.0, 4.0]), Propagation::default());
+        let found = history(&study, &whole_table(system, &[0.0, 4.0]), PartialRun::default());
         assert!(found.holds(), "{}", found.message);
         found.columns
     });
@@ -126,7 +127,7 @@ fn forces_stand_in_derive_as_the_full_system_feels_them() {
         assert!(acting["names"].as_array().unwrap().iter().any(|name| name == "tether"));
         let h = 0.01;
         let times: Vec<f64> = (0..7).map(|i| f64::from(i) * h).collect();
-        let tight = Propagation { tolerance: Some(1e-13), ..Propagation::default() };
+        let tight = PartialRun { tolerance: Some(1e-13), ..PartialRun::default() };
         let full = history(&study, &table(System::Full, &times), tight);
         assert!(full.holds(), "{}", full.message);
         // forward difference of sixth order
@@ -214,7 +215,7 @@ fn a_coordinate_may_move_many_points() {
     let lag = solved([0, 1].map(|j| (after[j] - before[j]) / (2.0 * h)));
     let lag = solved([6.0 * lag[0] + lag[1], lag[0] + 8.0 * lag[1]]);
     let q = solved(load(omega));
-    let columns = history(&study, &whole_table(System::Reduced, &[0.0]), Propagation::default()).columns;
+    let columns = history(&study, &whole_table(System::Reduced, &[0.0]), PartialRun::default()).columns;
     for node in 0..2 {
         let of = |q: [f64; 2]| shapes[0][node] * q[0] + shapes[1][node] * q[1];
         let found = column(&columns, &format!("see-saw node {} along z", node + 1))[0];

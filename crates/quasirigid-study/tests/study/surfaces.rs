@@ -5,7 +5,7 @@ use std::fs;
 
 use quasirigid_study::Study;
 use quasirigid_study::evolution;
-use quasirigid_study::histories::Propagation;
+use quasirigid_study::settings::PartialRun;
 
 use crate::support::{evolved, one_line};
 
@@ -93,7 +93,7 @@ fn every_answer_says_how_well_the_shape_is_resolved() {
     assert!(words.len() == 2 && !text.contains("known to"), "{text}");
     let told = words[1].split(' ').next().unwrap();
     assert!((told.parse::<f64>().unwrap() / (100.0 * time_error) - 1.0).abs() < 0.06, "{told} {time_error}");
-    let run = study.run(&Propagation::default(), &mut ()).unwrap();
+    let run = study.run(&PartialRun::default(), &mut ()).unwrap();
     assert!(run.holds);
     assert_eq!(run.record.body.resolution.as_ref().unwrap().error, Some(error));
     assert_eq!(run.record.notes.iter().any(|note| note.contains("hard to resolve")), error > 0.05);

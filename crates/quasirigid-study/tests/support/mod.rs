@@ -7,10 +7,10 @@ use std::path::{Path, PathBuf};
 
 use quasirigid_io::model::{System, Target};
 use quasirigid_io::record::{Column, EvolutionRecord, ModeRecord};
-use quasirigid_study::about_spin::AskedManifold;
-use quasirigid_study::evolution::{Asked, Evolved};
-use quasirigid_study::histories::{History, Propagation, Table};
-use quasirigid_study::modes::{AskedSpin, Modes, PrincipalAxis};
+use quasirigid_study::evolution::Evolved;
+use quasirigid_study::histories::{History, Table};
+use quasirigid_study::modes::{Modes, PrincipalAxis, SteadySpinSettings};
+use quasirigid_study::settings::{PartialEvolve, PartialRun, PartialSpinManifold};
 use quasirigid_study::{Study, Watch};
 use serde_json::Value;
 
@@ -57,7 +57,7 @@ pub fn of_order(model: &str, order: impl Into<Option<usize>>) -> Study {
 
 /// Table of a system of equations at times (s).
 pub fn table(system: System, times: &[f64]) -> Table {
-    let manifold = AskedManifold::default();
+    let manifold = PartialSpinManifold::default();
     Table { system, coordinates: false, displacements: false, times: Some(times.to_vec()), manifold }
 }
 
@@ -69,7 +69,7 @@ pub fn whole_table(system: System, times: &[f64]) -> Table {
 /// History of a system of equations at times (s), with the usual settings.
 #[track_caller]
 pub fn follow(study: &Study, system: System, times: &[f64]) -> History {
-    history(study, &table(system, times), Propagation::default())
+    history(study, &table(system, times), PartialRun::default())
 }
 
 /// History of a system that is followed to its end.
@@ -82,7 +82,7 @@ pub fn finished(study: &Study, system: System, times: &[f64]) -> History {
 
 /// History with settings of its own.
 #[track_caller]
-pub fn history(study: &Study, table: &Table, propagation: Propagation) -> History {
+pub fn history(study: &Study, table: &Table, propagation: PartialRun) -> History {
     study.simulate(&propagation, table, &mut ()).unwrap_or_else(|error| panic!("{error}"))
 }
 
@@ -102,7 +102,7 @@ impl Watch for Remarks {
 
 /// History with what is remarked before the work and noted after it, in one text.
 #[track_caller]
-pub fn told_history(study: &Study, table: &Table, propagation: Propagation) -> (History, String) {
+pub fn told_history(study: &Study, table: &Table, propagation: PartialRun) -> (History, String) {
     let mut remarks = Remarks::default();
     let found = study.simulate(&propagation, table, &mut remarks).unwrap_or_else(|error| panic!("{error}"));
     let said = [remarks.0.as_slice(), &found.notes].concat().join(" ");
@@ -111,7 +111,7 @@ pub fn told_history(study: &Study, table: &Table, propagation: Propagation) -> (
 
 /// Evolution with settings beside those of the file.
 #[track_caller]
-pub fn evolved(study: &Study, set: impl FnOnce(&mut Asked)) -> Evolved {
+pub fn evolved(study: &Study, set: impl FnOnce(&mut PartialEvolve)) -> Evolved {
     try_evolve(study, set).unwrap_or_else(|error| panic!("{error}"))
 }
 
@@ -122,10 +122,10 @@ pub fn evolve(model: &str) -> EvolutionRecord {
 }
 
 /// Evolution, or the words in which it is refused.
-pub fn try_evolve(study: &Study, set: impl FnOnce(&mut Asked)) -> Result<Evolved, String> {
-    let mut asked = study.evolution_asked();
+pub fn try_evolve(study: &Study, set: impl FnOnce(&mut PartialEvolve)) -> Result<Evolved, String> {
+    let mut asked = PartialEvolve::default();
     set(&mut asked);
-    study.evolve(&asked, &mut ()).map_err(|error| error.to_string())
+    study.evolve(asked, &mut ()).map_err(|error| error.to_string())
 }
 
 /// Target or start of an evolution, as a file has it.
@@ -136,13 +136,13 @@ pub fn target(text: &str) -> Option<Target> {
 /// Modes about the steady spin next to a principal axis.
 #[track_caller]
 pub fn modes_about(study: &Study, axis: PrincipalAxis) -> Modes {
-    study.modes(AskedSpin { axis: Some(axis), ..AskedSpin::default() }).unwrap()
+    study.modes(SteadySpinSettings { axis: Some(axis), ..SteadySpinSettings::default() }).unwrap()
 }
 
 /// Modes about the steady spins of the start, or about the steady state.
 #[track_caller]
 pub fn modes(study: &Study) -> Modes {
-    study.modes(AskedSpin::default()).unwrap_or_else(|error| panic!("{error}"))
+    study.modes(SteadySpinSettings::default()).unwrap_or_else(|error| panic!("{error}"))
 }
 
 /// The mode with this name.

@@ -139,7 +139,7 @@ fn a_wobble_lost_in_rounding_is_called_too_small() {
 #[test]
 fn rows_do_not_move_the_separatrix() {
     let study = study_of("boom-satellite");
-    let [few, many] = [2, 40].map(|samples| evolved(&study, |asked| asked.samples = samples).record);
+    let [few, many] = [2, 40].map(|samples| evolved(&study, |asked| asked.samples = Some(samples)).record);
     assert_eq!(few.separatrix_time, many.separatrix_time);
     let crossed = few.separatrix_time.unwrap() / few.time;
     assert!(0.3 < crossed && crossed < 0.32, "{crossed}");
@@ -201,7 +201,7 @@ fn located(study: &Study, set: impl Fn(&mut PartialEvolve), value: fn(&Evolution
         value(
             &evolved(study, |asked| {
                 set(asked);
-                asked.samples = samples;
+                asked.samples = Some(samples);
             })
             .record,
         )

@@ -91,10 +91,10 @@ fn assert_spin(formula: &str, duration: f64, expected: f64, error: f64) {
     let study = study(&turning(0.5, &expression(&format!("torque = [\"0\", \"0\", \"{formula}\"]"))));
     let usual = PartialRun::default();
     for (system, settings) in [
-        (System::Full, PartialRun { integrator: Some(Method::Explicit), ..usual }),
-        (System::Full, PartialRun { integrator: Some(Method::Implicit), ..usual }),
-        (System::Reduced, usual),
-        (System::Rigid, usual),
+        (System::Full, PartialRun { integrator: Some(Method::Explicit), ..usual.clone() }),
+        (System::Full, PartialRun { integrator: Some(Method::Implicit), ..usual.clone() }),
+        (System::Reduced, usual.clone()),
+        (System::Rigid, usual.clone()),
         (System::Rigid, PartialRun { tolerance: Some(1e-9), ..usual }),
     ] {
         let found = history(&study, &table(system, &[0.0, duration]), settings);
@@ -256,7 +256,7 @@ fn rest_has_modes() {
         let found = modes(&study(&model));
         let spin = &found.spins[0];
         assert!(found.found() && spin.stable && spin.spin == Some([0.0; 3]), "{spin:#?}");
-        assert_eq!(found.state.unwrap()["neutral"], 6);
+        assert_eq!(found.state.unwrap().neutral, 6);
         let mut expected =
             [0.0, 0.25 / 320.0, 0.25 / 300.0].map(|turned| 400.0 * (1.0 + 1.0 / 600.0 + turned));
         expected.sort_by(f64::total_cmp);

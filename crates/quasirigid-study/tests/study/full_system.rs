@@ -1,10 +1,10 @@
 //! Histories of the full system beside the reduced ones, events, and the verification of one by the other.
 
 use quasirigid::dynamics::Method;
-use quasirigid_io::model::{System, Verify};
+use quasirigid_io::model::System;
 use quasirigid_io::record::VerificationRecord;
 use quasirigid_study::Study;
-use quasirigid_study::settings::PartialRun;
+use quasirigid_study::settings::{PartialRun, PartialVerify};
 
 use crate::support::{
     MODEL, carrier, column, example, expression, finished, fixed, follow, gravity, history, model, point,
@@ -42,9 +42,10 @@ fn verified(
     study: &Study,
     orders: &[usize],
     halvings: Option<usize>,
-    rotations: Option<f64>,
+    revolutions: Option<f64>,
 ) -> VerificationRecord {
-    let plan = study.verification_plan(Verify { orders: Some(orders.to_vec()), halvings, rotations });
+    let plan =
+        study.verification_plan(PartialVerify { orders: Some(orders.to_vec()), halvings, revolutions });
     study.verify(&plan, &mut ()).unwrap().unwrap()
 }
 

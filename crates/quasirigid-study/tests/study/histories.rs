@@ -222,7 +222,7 @@ fn refused(study: &Study, system: System) -> String {
 }
 
 fn verification_refused(study: &Study) -> String {
-    let plan = study.verification_plan(quasirigid_io::model::Verify::default());
+    let plan = study.verification_plan(quasirigid_io::model::PartialVerify::default());
     study.verify(&plan, &mut ()).unwrap_err().to_string()
 }
 

@@ -57,7 +57,7 @@ fn displacements_of_derive_are_those_of_the_full_system() {
     let equations = study.derive().unwrap();
     let tight = PartialRun { tolerance: Some(1e-13), ..PartialRun::default() };
     let [full, reduced] = [System::Full, System::Reduced]
-        .map(|system| history(&study, &whole_table(system, &[0.0, 3.0, 9.0]), tight));
+        .map(|system| history(&study, &whole_table(system, &[0.0, 3.0, 9.0]), tight.clone()));
     assert!(full.holds() && reduced.holds(), "{} {}", full.message, reduced.message);
     let names = |history: &History| history.columns.iter().map(|each| each.name.clone()).collect::<Vec<_>>();
     assert_eq!(names(&full), names(&reduced));

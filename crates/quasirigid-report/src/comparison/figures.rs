@@ -4,7 +4,7 @@ use quasirigid_io::record::{Column, HistoryRecord};
 
 use super::Compared;
 use crate::columns::{TimeUnit, column, main_history, norm, vectors};
-use crate::figure::{Figure, Link, Quantity, Series};
+use crate::figure::{Figure, Quantity, Series};
 use crate::figures::history::distances;
 use crate::sections::overview::answered;
 
@@ -87,10 +87,7 @@ fn figure(
         title,
         caption: caption.into(),
         series: runs.iter().take(STYLES.len()).enumerate().filter_map(curve).collect(),
-        link: Some(Link { group: "t", factor: time.length }),
-        x: Quantity { name: "t", unit: time.name, log: false },
-        y: Quantity { name, unit: unit.into(), log },
-        marks: Vec::new(),
+        ..Figure::over_time("t", &time, Quantity { name, unit: unit.into(), log })
     }
 }
 
@@ -115,9 +112,6 @@ fn evolution(runs: &[Compared<'_>]) -> Figure {
                   with an answer."
             .into(),
         series: curves.collect(),
-        link: Some(Link { group: "evolution", factor: time.length }),
-        x: Quantity { name: "t", unit: time.name, log: false },
-        y: Quantity { name: "nutation", unit: "°".into(), log: false },
-        marks: Vec::new(),
+        ..Figure::over_time("evolution", &time, Quantity { name: "nutation", unit: "°".into(), log: false })
     }
 }

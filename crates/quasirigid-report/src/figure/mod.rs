@@ -12,6 +12,7 @@ mod trace;
 
 use maud::{Markup, html};
 
+use crate::columns::TimeUnit;
 use crate::number::unit_with_power;
 use axis::{Axis, Tick};
 use trace::{HEIGHT, PAGE, Trace, WIDTH};
@@ -92,6 +93,18 @@ pub struct Figure {
 }
 
 impl Figure {
+    /// A chart of two quantities, without curves, names and caption.
+    pub fn new(x: Quantity, y: Quantity) -> Self {
+        let (series, marks) = (Vec::new(), Vec::new());
+        Self { id: "", title: "", caption: String::new(), x, y, link: None, series, marks }
+    }
+
+    /// A chart over the time, which figures of a group show in the same range, without curves, names and caption.
+    pub fn over_time(group: &'static str, time: &TimeUnit, y: Quantity) -> Self {
+        let t = Quantity { name: "t", unit: time.name.clone(), log: false };
+        Self { link: Some(Link { group, factor: time.length }), ..Self::new(t, y) }
+    }
+
     /// The chart, or a sentence when it has nothing to draw.
     pub fn draw(&self) -> Markup {
         let axes = self.axes();

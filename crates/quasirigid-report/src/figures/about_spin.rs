@@ -30,10 +30,7 @@ pub fn time_constant(about: &AboutSpinRecord) -> Figure {
             border(about)
         ),
         series: series.map(|(label, class, y)| Series::line(label, class, angles(about), y)).collect(),
-        marks: marks(about),
-        link: None,
-        x: nutation(),
-        y: Quantity { name: "time constant", unit: "s".into(), log: high > SPREAD * low },
+        ..over_nutation(about, Quantity { name: "time constant", unit: "s".into(), log: high > SPREAD * low })
     }
 }
 
@@ -47,10 +44,7 @@ pub fn frequency(about: &AboutSpinRecord) -> Figure {
             border(about)
         ),
         series: vec![Series::line("", "s1", angles(about), values(about, "frequency").to_vec())],
-        marks: marks(about),
-        link: None,
-        x: nutation(),
-        y: Quantity { name: "frequency", unit: "rad/s".into(), log: false },
+        ..over_nutation(about, Quantity { name: "frequency", unit: "rad/s".into(), log: false })
     }
 }
 
@@ -77,10 +71,7 @@ pub fn dissipation(about: &AboutSpinRecord) -> Figure {
             border(about)
         ),
         series: series.map(|((name, y), class)| Series::line(name, class, angles(about), y)).collect(),
-        marks: marks(about),
-        link: None,
-        x: nutation(),
-        y: Quantity { name: "share of the power", unit: "%".into(), log: false },
+        ..over_nutation(about, Quantity { name: "share of the power", unit: "%".into(), log: false })
     }
 }
 
@@ -92,8 +83,10 @@ fn angles(about: &AboutSpinRecord) -> Vec<f64> {
     values(about, "nutation").iter().map(|angle| angle.to_degrees()).collect()
 }
 
-fn nutation() -> Quantity {
-    Quantity { name: "nutation", unit: "°".into(), log: false }
+/// A figure over the nutation, without curves, names and caption.
+fn over_nutation(about: &AboutSpinRecord, y: Quantity) -> Figure {
+    let nutation = Quantity { name: "nutation", unit: "°".into(), log: false };
+    Figure { marks: marks(about), ..Figure::new(nutation, y) }
 }
 
 fn border(about: &AboutSpinRecord) -> String {

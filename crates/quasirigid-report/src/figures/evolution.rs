@@ -6,7 +6,7 @@ use quasirigid_io::record::{Column, CrossingRecord, EvolutionRecord, HarmonicRec
 
 use super::curve::{Curve, unit};
 use crate::columns::{TimeUnit, column, ends};
-use crate::figure::{Figure, Link, Mark, Quantity, Series};
+use crate::figure::{Figure, Mark, Quantity, Series};
 use crate::number::digits;
 
 /// Harmonics drawn, width of a group of bars, and classes of the bars.
@@ -78,16 +78,10 @@ fn over_time(
     if log {
         series.iter_mut().for_each(without_the_start);
     }
-    Figure {
-        id: "",
-        title: "",
-        caption: String::new(),
-        series,
-        marks: separatrix_mark(evolution, &time),
-        link: Some(Link { group: "evolution", factor: time.length }),
-        x: Quantity { name: "t", unit: time.name, log },
-        y,
-    }
+    let marks = separatrix_mark(evolution, &time);
+    let mut figure = Figure { series, marks, ..Figure::over_time("evolution", &time, y) };
+    figure.x.log = log;
+    figure
 }
 
 /// Factor between the power that was followed and that of the reduced equations up to which the latter is drawn.
@@ -141,10 +135,10 @@ pub fn harmonics(evolution: &EvolutionRecord) -> Figure {
                   the body, and of each dissipator in it."
             .into(),
         series: parts.into_iter().enumerate().map(bars).collect(),
-        marks: Vec::new(),
-        link: None,
-        x: Quantity { name: "harmonic", unit: "1".into(), log: false },
-        y: Quantity { name: "share of the power", unit: "%".into(), log: false },
+        ..Figure::new(
+            Quantity { name: "harmonic", unit: "1".into(), log: false },
+            Quantity { name: "share of the power", unit: "%".into(), log: false },
+        )
     }
 }
 

@@ -4,7 +4,7 @@ use quasirigid_io::record::{Column, HistoryRecord, RunRecord};
 
 use super::curve::{Curve, unit};
 use crate::columns::{TimeUnit, column, norm, vectors};
-use crate::figure::{Figure, Link, Quantity, Series};
+use crate::figure::{Figure, Quantity, Series};
 
 /// Revolutions after which the spin is drawn once more, with the beginning enlarged.
 const MANY_REVOLUTIONS: f64 = 60.0;
@@ -37,10 +37,7 @@ fn first_rows(history: &HistoryRecord, rows: usize) -> Figure {
                   a band spans their extremes."
             .into(),
         series: curves.collect(),
-        link: link(&time),
-        x: Quantity { name: "t", unit: time.name, log: false },
-        y: Quantity { name: "ω", unit: unit(&history.columns, "wx"), log: false },
-        marks: Vec::new(),
+        ..Figure::over_time("t", &time, Quantity { name: "ω", unit: unit(&history.columns, "wx"), log: false })
     }
 }
 
@@ -80,10 +77,7 @@ pub fn energy(history: &HistoryRecord) -> Figure {
             .iter()
             .filter_map(|curve| Some(curve.series(&history.columns, &time, f64::abs)?.of_rows(history.rows())))
             .collect(),
-        link: link(&time),
-        x: Quantity { name: "t", unit: time.name, log: false },
-        y: Quantity { name: "energy", unit: unit(&history.columns, "dissipated"), log: true },
-        marks: Vec::new(),
+        ..Figure::over_time("t", &time, Quantity { name: "energy", unit: unit(&history.columns, "dissipated"), log: true })
     }
 }
 
@@ -101,10 +95,7 @@ pub fn nutation(record: &RunRecord, main: &HistoryRecord) -> Figure {
                   nutation. Dashed: the least angle of the first system; the two differ for a body of three different moments."
             .into(),
         series: greatest.chain(least).collect(),
-        link: link(&time),
-        x: Quantity { name: "t", unit: time.name, log: false },
-        y: Quantity { name: "nutation", unit: "°".into(), log: false },
-        marks: Vec::new(),
+        ..Figure::over_time("t", &time, Quantity { name: "nutation", unit: "°".into(), log: false })
     }
 }
 
@@ -131,10 +122,7 @@ pub fn difference(record: &RunRecord) -> Option<Figure> {
             main.system
         ),
         series,
-        link: link(&time),
-        x: Quantity { name: "t", unit: time.name, log: false },
-        y: Quantity { name: "difference", unit: "1".into(), log: true },
-        marks: Vec::new(),
+        ..Figure::over_time("t", &time, Quantity { name: "difference", unit: "1".into(), log: true })
     })
 }
 
@@ -148,9 +136,4 @@ pub fn distances(one: &[Column], other: &[Column]) -> Option<(Vec<f64>, Vec<f64>
     let [one, other] = [one, other].map(|columns| vectors(columns, ["wx", "wy", "wz"]));
     let distance = |(a, b): (&[f64; 3], &[f64; 3])| norm([0, 1, 2].map(|i| a[i] - b[i])) / norm(*a);
     Some((t[..rows].to_vec(), one?.iter().zip(&other?).take(rows).map(distance).collect()))
-}
-
-/// Link to the other figures over the time of the run; none where the time has no unit that is known.
-fn link(time: &TimeUnit) -> Option<Link> {
-    Some(Link { group: "t", factor: time.length })
 }

@@ -3,7 +3,7 @@
     python3 grid.py PROGRAM [--seed 1] [--cases 300]
 
 Draws carriers with one sprung mass (on a line or free), a boom on a hinge or a flywheel on friction: tuning, damping ratio 0.003 to 1, share of
-the mass 1e-4 to 0.03, spin over frequency 0.01 to 10, wobbles of 2 to 25 degrees about either axis. Each answer of another road than the full
+the mass 1e-4 to 0.03, spin over frequency 0.01 to 10, wobbles of 2 to 25 degrees about either axis. Each answer of a method other than the full
 system itself is compared with `--method full`: the full system from start to end, by the same wobbles (energies would not do: a soft part
 holds a part of them at rest in the spin). Prints a line a case and a table.
 """

@@ -3,7 +3,7 @@
 Needs playwright, a Chromium on the path and, for ``--large``, the program: ``quasirigid`` on the path, or the one that QUASIRIGID names.
 Each page is loaded three times from the disk, drawn in software; the shortest time is given in which it is loaded, its charts are live and
 its body is drawn, and the number of messages in the console. ``--large REPORT.html`` copies the record of a report, puts a membrane of
-10 000 vertices with six modes in 2000 frames in the place of its body, and takes the report that the program makes of it, ``large.html``
+10 000 vertices with six modes in 2000 frames in place of its body, and takes the report that the program makes of it, ``large.html``
 beside the first.
 """
 

@@ -24,17 +24,17 @@ pub struct BalancedSpin {
 
 /// Limit of Newton steps for displacements on curved paths, and the change relative to the displacements that is rounding; one accepted
 /// where rounding ends the progress.
-const STEPS: usize = 30;
-const SETTLED: f64 = 1e-14;
-const ACCEPTED: f64 = 1e-9;
+const NEWTON_STEPS: usize = 30;
+const NEWTON_ROUNDING: f64 = 1e-14;
+const ACCEPTED_NEWTON_STEP: f64 = 1e-9;
 
 /// Angle (rad) below which the balance of a hinge is known as a share of this angle.
-const SMALL: f64 = 1e-3;
+const SMALL_HINGE_ANGLE: f64 = 1e-3;
 /// Angle (rad) from a guess beyond which the balance of a hinge may be another one.
-const FAR: f64 = 0.1;
+const OTHER_BALANCE_ANGLE: f64 = 0.1;
 /// Shortest step of the square of the spin, as a share of it, and longest one over which the balance may cease to be firm: a longer one may
 /// lead to another branch.
-const SHORTEST: f64 = 1e-12;
+const SHORTEST_SPIN_STEP: f64 = 1e-12;
 const FINE: f64 = 1e-3;
 
 impl FlexibleBody {
@@ -114,10 +114,11 @@ impl<'a> Balance<'a> {
         let elastic = self.body.elastic();
         let mut q = guess.to_vec();
         let diagonal = self.measure.diagonal();
-        let small: f64 = self.angles.iter().map(|j| SMALL * SMALL * diagonal[*j]).sum();
+        let small: f64 =
+            self.angles.iter().map(|j| SMALL_HINGE_ANGLE * SMALL_HINGE_ANGLE * diagonal[*j]).sum();
         let mut best = f64::INFINITY;
-        for _ in 0..STEPS {
-            if self.angles.iter().any(|j| !((q[*j] - guess[*j]).abs() <= FAR)) {
+        for _ in 0..NEWTON_STEPS {
+            if self.angles.iter().any(|j| !((q[*j] - guess[*j]).abs() <= OTHER_BALANCE_ANGLE)) {
                 return None;
             }
             let coefficients = self.body.about_spin_on_paths(omega, &q);
@@ -128,7 +129,7 @@ impl<'a> Balance<'a> {
             let step = factor.solve(&excess.collect::<Vec<f64>>(), 1)?;
             let size = self.size(&q[..elastic]) + small.sqrt();
             let change = self.size(&step) / size.max(f64::MIN_POSITIVE);
-            if change <= SETTLED || (change >= 0.5 * best && best <= ACCEPTED) {
+            if change <= NEWTON_ROUNDING || (change >= 0.5 * best && best <= ACCEPTED_NEWTON_STEP) {
                 return Some((q, coefficients, factor));
             }
             best = best.min(change);
@@ -155,7 +156,7 @@ impl<'a> Balance<'a> {
         let n = self.body.coordinates().len();
         let (mut last, mut now) = ((0.0, vec![0.0; n]), (0.0, vec![0.0; n]));
         let (mut step, mut firm) = (1.0, true);
-        while step > SHORTEST {
+        while step > SHORTEST_SPIN_STEP {
             let share = f64::min(now.0 + step, 1.0);
             let ahead = if now.0 > 0.0 { (share - now.0) / (now.0 - last.0) } else { 0.0 };
             let guess: Vec<f64> = now.1.iter().zip(&last.1).map(|(q, last)| q + ahead * (q - last)).collect();

@@ -115,7 +115,7 @@ impl FlexibleBody {
         self.hung.as_ref()
     }
 
-    /// Stiffness matrix of the elastic coordinates, with that of springs in the place of the spin where it alone restores: a measure of
+    /// Stiffness matrix of the elastic coordinates, with that of springs in place of the spin where it alone restores: a measure of
     /// displacements, no force. (I13)
     #[must_use]
     pub fn grounded_stiffness(&self) -> SparseRows<f64> {

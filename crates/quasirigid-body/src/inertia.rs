@@ -41,7 +41,7 @@ pub enum InertiaError {
 
 /// Difference of equal entries, relative to the largest entry, that counts as rounding: the last digit of a table with 13 significant
 /// digits.
-const ROUNDING: f64 = 1e-12;
+const EQUAL_ENTRIES: f64 = 1e-12;
 
 impl Inertia {
     /// Accepts `J` if a mass distribution with this tensor can exist; takes its symmetric part.
@@ -52,7 +52,7 @@ impl Inertia {
     /// [`InertiaError`] names the law that `J` breaks.
     pub fn new(J: [[f64; 3]; 3]) -> Result<Self, InertiaError> {
         let J = Matrix3::from(J);
-        let tolerance = ROUNDING * J.amax();
+        let tolerance = EQUAL_ENTRIES * J.amax();
         if let Some(value) = J.iter().copied().find(|entry| !entry.is_finite()) {
             return Err(InertiaError::NotFinite { value });
         }

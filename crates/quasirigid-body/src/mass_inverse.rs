@@ -28,7 +28,7 @@ enum SparseInverse {
 /// Largest block that is inverted as a whole.
 const BLOCK: usize = 6;
 /// Number of coordinates up to which the inverse is one block, recoil included.
-const SMALL: usize = 12;
+const SINGLE_BLOCK_COORDINATES: usize = 12;
 /// Share of the whole mass below which a recoiling mass is rounding.
 const LOST: f64 = 1e-13;
 
@@ -56,7 +56,7 @@ impl MassInverse {
             let middle = middle.try_inverse().filter(|_| least > LOST * mass)?;
             inverse.recoil = Some((solved, middle));
         }
-        Some(if S.len() <= SMALL { inverse.joined() } else { inverse })
+        Some(if S.len() <= SINGLE_BLOCK_COORDINATES { inverse.joined() } else { inverse })
     }
 
     /// Inverse as one block, recoil included.

@@ -33,7 +33,7 @@ pub struct StraightKinetics {
 }
 
 /// Number of coordinates up to which the rates of eight states side by side cost less than one after the other.
-const MOST: usize = 12;
+const MAX_LANE_COORDINATES: usize = 12;
 
 /// Any number of coordinates: others are known to the compiler.
 const ANY: usize = 0;
@@ -44,7 +44,7 @@ impl StraightKinetics {
     #[must_use]
     pub fn new(body: &FlexibleBody) -> Option<Self> {
         let n = body.coordinates().len();
-        if n > MOST || body.paths().is_some() || !body.advections().is_empty() {
+        if n > MAX_LANE_COORDINATES || body.paths().is_some() || !body.advections().is_empty() {
             return None;
         }
         let inverse = inverse(body)?;

@@ -176,7 +176,7 @@ pub struct Report {
     /// Open the report in the browser
     #[arg(long, conflicts_with = "gltf")]
     pub open: bool,
-    /// Write body and motion as a binary glTF file in the place of the report
+    /// Write body and motion as a binary glTF file in place of the report
     #[arg(long, value_name = "FILE.glb")]
     pub gltf: Option<PathBuf>,
     /// Seconds that the animation takes, for the whole run [default: 30]

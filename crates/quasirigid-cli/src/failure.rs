@@ -28,13 +28,13 @@ pub enum Failure {
         "a record is named after the file of its model, and standard input has no name; name its folder with -o DIR"
     )]
     NamelessRun,
-    #[error("{path} is there already; choose another with {option}, or add --overwrite", path = path.display())]
+    #[error("{path} already exists; choose another with {option}, or add --overwrite", path = path.display())]
     Exists { path: PathBuf, option: &'static str },
-    #[error("{path} is there already and is more or other than a record of quasirigid, so it is never replaced; choose another folder with -o", path = path.display())]
+    #[error("{path} already exists and is not only a record of quasirigid, so it is never replaced; choose another folder with -o", path = path.display())]
     Foreign { path: PathBuf },
     #[error("{path} is a folder; name a file in it with --out", path = path.display())]
     IsFolder { path: PathBuf },
-    #[error("cannot write {path}: there is no folder {folder}; make it first", path = path.display(), folder = folder.display())]
+    #[error("cannot write {path}: there is no folder {folder}; create it first", path = path.display(), folder = folder.display())]
     NoFolder { path: PathBuf, folder: PathBuf },
     #[error("cannot write {path}: {cause}", path = path.display())]
     Write { path: PathBuf, cause: std::io::Error },
@@ -46,7 +46,7 @@ pub enum Failure {
     NoScene { folder: PathBuf },
     #[error("{}: the record has no figure {name:?}; it has {}", folder.display(), known.join(", "))]
     NoFigure { folder: PathBuf, name: String, known: Vec<&'static str> },
-    #[error("{}: the record has nothing that a figure could show", folder.display())]
+    #[error("{}: the record has no data for a figure", folder.display())]
     NoFigures { folder: PathBuf },
     #[error("{}: pictures are svg or png files; name the format with --format", path.display())]
     PictureEnding { path: PathBuf },
@@ -60,7 +60,7 @@ pub enum Failure {
         "{option} - asks for standard output, but a folder is written; name one, or ./- for a folder of that name"
     )]
     FolderOnStdout { option: &'static str },
-    #[error("standard output is no page that a browser could open; name a file with --out")]
+    #[error("a browser cannot open standard output; name a file with --out")]
     OpenedStdout,
     #[error("{format} is a binary format, not text for a terminal; name a file with --out")]
     BinaryOnTerminal { format: &'static str },
@@ -76,9 +76,9 @@ pub enum Failure {
     NotPositive { option: &'static str, value: f64 },
     #[error("cannot listen for Ctrl-C: {0}")]
     Signals(std::io::Error),
-    #[error("interrupted; the table breaks off here")]
+    #[error("interrupted; the table is incomplete")]
     Interrupted,
-    #[error("interrupted; the rows answered so far are kept, go on with --resume")]
+    #[error("interrupted; the rows answered so far are kept; continue with --resume")]
     Left,
     #[error("interrupted; no file was written or changed")]
     Abandoned,

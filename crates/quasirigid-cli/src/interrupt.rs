@@ -26,7 +26,7 @@ struct State {
 /// presses it again.
 const GRACE: Duration = Duration::from_millis(900);
 /// Time between two checks of that.
-const LOOK: Duration = Duration::from_millis(20);
+const CHECK_INTERVAL: Duration = Duration::from_millis(20);
 
 impl Interrupt {
     /// Starts to listen for Ctrl-C, and for signals to end. Work that sees one ends with its partial result; work that does not see it
@@ -109,7 +109,7 @@ impl State {
             if self.heard.load(Ordering::SeqCst) || !self.pressed.load(Ordering::SeqCst) {
                 return;
             }
-            thread::sleep(LOOK);
+            thread::sleep(CHECK_INTERVAL);
         }
         self.end();
     }

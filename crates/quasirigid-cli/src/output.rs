@@ -30,7 +30,7 @@ impl Placed {
     pub fn told(&self, asked: &Path) -> bool {
         if self.beside {
             remark(&format!(
-                "{} appeared while the work went on, and is left as it is; the result is in {}",
+                "{} was created in the meantime, and is left as it is; the result is in {}",
                 asked.display(),
                 self.path.display()
             ));

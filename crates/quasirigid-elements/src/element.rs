@@ -1,7 +1,7 @@
 //! Element of a body: the contributions of each kind to an assembly. A new kind is a file with this trait and a line in the list of
 //! kinds in [`elements`](super).
 
-use super::contribution::{Asked, Attachment, Attachments, Floating, Internal, MovingBody, WholeBody};
+use super::contribution::{Attachment, Attachments, BuildOptions, Floating, Internal, MovingBody, WholeBody};
 use super::error::{ElementError, ElementId, Field, Problem, at};
 use super::material::Material;
 use super::visual::Outline;
@@ -40,7 +40,7 @@ pub(crate) trait Element: Named {
         &self,
         _id: ElementId,
         _reduction: PartReduction,
-        _asked: Asked,
+        _asked: BuildOptions,
     ) -> Result<Option<WholeBody>, ElementError> {
         Ok(None)
     }
@@ -55,8 +55,8 @@ pub(crate) trait Element: Named {
         Vec::new()
     }
 
-    /// Grips: places of other elements at which the element acts.
-    fn grips(&self) -> Vec<Grip> {
+    /// Attachment points: places of other elements at which the element acts.
+    fn attachment_points(&self) -> Vec<AttachmentPoint> {
         Vec::new()
     }
 
@@ -76,12 +76,12 @@ pub(crate) trait Element: Named {
     }
 
     /// Stiffness and damping over the coordinates of the body. (I9)
-    fn block(&self, _site: &Site<'_>) -> Result<Option<Block>, ElementError> {
+    fn block(&self, _site: &ElementSite<'_>) -> Result<Option<Block>, ElementError> {
         Ok(None)
     }
 
     /// Action of the element's load at rest. (I10)
-    fn preload(&self, _site: &Site<'_>) -> Result<Option<Preload>, ElementError> {
+    fn preload(&self, _site: &ElementSite<'_>) -> Result<Option<Preload>, ElementError> {
         Ok(None)
     }
 
@@ -110,7 +110,7 @@ pub(super) enum Role {
 
 /// Place at which an element acts on another.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Grip {
+pub(super) struct AttachmentPoint {
     /// Key of the model file that names the place.
     pub field: Field,
     /// The place.
@@ -120,7 +120,7 @@ pub(super) struct Grip {
 }
 
 /// Element on a body with a carrier: its identity, its coordinates and the places of the others.
-pub(super) struct Site<'a> {
+pub(super) struct ElementSite<'a> {
     pub id: ElementId,
     /// Name of the element as a dissipator.
     pub name: &'a str,
@@ -138,7 +138,7 @@ pub(super) struct Preload {
     pub forces: Vec<(usize, f64)>,
 }
 
-impl Site<'_> {
+impl ElementSite<'_> {
     /// Attachments of the ends of a link.
     pub fn ends(&self, from: End, to: End) -> Result<[&Attachment; 2], ElementError> {
         joined(self.id, [from, to], |end| self.attachments.of(end))
@@ -158,7 +158,7 @@ pub(super) fn joined<T>(
     if from == to { Err(at(id, Field::TO)(Problem::SameEnds)) } else { Ok(ends) }
 }
 
-impl Grip {
+impl AttachmentPoint {
     /// Place at which a force acts.
     pub fn force(field: Field, end: End) -> Self {
         Self { field, end, moment: false }

@@ -44,9 +44,12 @@ pub use builder::{AssemblyElement, CARRIER};
 pub use complete::Incomplete;
 pub use contribution::{PartReduction, SlowLiquid};
 pub use error::{ElementError, Field, Problem};
+pub use kinds::application_point::ApplicationPoint;
 pub use kinds::bushing::Bushing;
 pub use kinds::carrier::Carrier;
-pub use kinds::cavity::{Cavity, CavityShape, MOST_OF_BALL, MOST_OF_CYLINDER, MOST_OF_SPHEROID, Regime};
+pub use kinds::cavity::{
+    Cavity, CavityShape, MAX_REYNOLDS_OF_BALL, MAX_REYNOLDS_OF_CYLINDER, MAX_REYNOLDS_OF_SPHEROID, Regime,
+};
 pub use kinds::ellipsoid::Ellipsoid;
 pub use kinds::hinged::{HingeCoefficient, Hinged};
 pub use kinds::network::Network;
@@ -57,13 +60,12 @@ pub use kinds::part::{
 pub use kinds::point::{Point, PointMotion};
 pub use kinds::rotor::{Rotor, RotorKind};
 pub use kinds::spring::{Coefficient, Prestress, Spring, SpringLaw};
-pub use kinds::station::Station;
 pub use kinds::surface::{Approximation, Resolution, Surface};
 pub use kinds::wheel::{Wheel, WheelSpeed};
 pub use material::Material;
 pub use reference::{End, NodeRef, PlaceRef};
 pub use registry::ElementId;
-pub use visual::{Turning, Visual};
+pub use visual::{RotorAxis, Visual};
 
 use kinds::force;
 
@@ -95,5 +97,5 @@ kinds! {
     /// Cavities full of liquid.
     cavities: Cavity(Cavity) = "cavity", Role::Inside(Field::SHAPE), name;
     /// External forces.
-    forces: Force(Force<Station>) = "force", Role::External, name;
+    forces: Force(Force<ApplicationPoint>) = "force", Role::External, name;
 }

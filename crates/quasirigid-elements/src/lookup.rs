@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 
 use crate::contribution::Attachment;
-use crate::element::{Grip, Role};
+use crate::element::{AttachmentPoint, Role};
 use crate::error::{ElementId, Problem};
 use crate::{Assembly, End, NodeRef, PlaceRef};
 
@@ -47,10 +47,10 @@ impl Assembly {
     }
 
     /// Places at which elements act on others.
-    pub(crate) fn grips(&self) -> impl Iterator<Item = (ElementId, Role, Grip)> + '_ {
+    pub(crate) fn attachment_points(&self) -> impl Iterator<Item = (ElementId, Role, AttachmentPoint)> + '_ {
         self.each().flat_map(|(id, element)| {
             let role = id.kind.role();
-            element.grips().into_iter().map(move |grip| (id, role, grip))
+            element.attachment_points().into_iter().map(move |attachment_point| (id, role, attachment_point))
         })
     }
 }

@@ -36,7 +36,11 @@ impl Assembly {
             if !element.name().is_empty() {
                 return (id, element.name().to_owned());
             }
-            let ends: Vec<String> = element.grips().iter().map(|grip| self.end_name(grip.end)).collect();
+            let ends: Vec<String> = element
+                .attachment_points()
+                .iter()
+                .map(|attachment_point| self.end_name(attachment_point.end))
+                .collect();
             (id, numbers.of(format!("{} {}", id.kind.words(), ends.join("-"))))
         };
         links.map(name).collect()

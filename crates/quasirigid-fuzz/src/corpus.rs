@@ -4,7 +4,7 @@ use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
-use crate::mutation::LONGEST;
+use crate::mutation::MAX_INPUT;
 use crate::targets::Target;
 
 /// Folder of the crate.
@@ -32,7 +32,7 @@ fn below(folder: &Path, ending: &str, files: &mut Vec<PathBuf>) {
         if path.is_dir() {
             below(&path, ending, files);
         } else if ending.is_empty() || path.extension().is_some_and(|found| found == ending) {
-            let short = entry.metadata().is_ok_and(|metadata| metadata.len() <= LONGEST as u64);
+            let short = entry.metadata().is_ok_and(|metadata| metadata.len() <= MAX_INPUT as u64);
             files.extend(short.then_some(path));
         }
     }

@@ -18,7 +18,7 @@ pub struct Failure {
 /// The last panic of the process.
 static LAST: Mutex<Option<Failure>> = Mutex::new(None);
 
-/// Notes panics in the place of printing them.
+/// Notes panics in place of printing them.
 pub fn catch_panics() {
     panic::set_hook(Box::new(|info| {
         let place = info.location().map_or_else(|| "?".to_owned(), ToString::to_string);

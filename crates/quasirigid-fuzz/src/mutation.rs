@@ -3,7 +3,7 @@
 use crate::random::Random;
 
 /// Most bytes of an input.
-pub const LONGEST: usize = 64 * 1024;
+pub const MAX_INPUT: usize = 64 * 1024;
 /// Most bytes of an input of random bytes alone.
 const LONGEST_RANDOM: usize = 2048;
 /// Share of the inputs that are random bytes alone, one in so many.
@@ -82,7 +82,7 @@ impl<'c> Mutator<'c> {
         for _ in 0..1usize << self.random.below(POWER + 1) {
             self.mutate(&mut input);
         }
-        input.truncate(LONGEST);
+        input.truncate(MAX_INPUT);
         input
     }
 
@@ -129,7 +129,7 @@ impl<'c> Mutator<'c> {
     }
 
     fn insert(&mut self, input: &mut Vec<u8>, bytes: &[u8]) {
-        if input.len() + bytes.len() <= LONGEST {
+        if input.len() + bytes.len() <= MAX_INPUT {
             let place = self.random.below(input.len() + 1);
             input.splice(place..place, bytes.iter().copied());
         }

@@ -22,13 +22,13 @@ use crate::scratch::Scratch;
 use crate::targets::Target;
 
 /// Longest execution, in processor time.
-pub const LONGEST: Duration = Duration::from_secs(10);
+pub const LONGEST_EXECUTION: Duration = Duration::from_secs(10);
 /// Exit code of a process that an input held for longer than that.
 pub const HANG: i32 = 70;
 /// Address space of a process above the memory that its target may use (bytes): code, stacks, caches of the allocator.
 const ADDRESS_SPACE: u64 = 640 * 1024 * 1024;
 /// Time between two looks at the clock.
-const LOOK: Duration = Duration::from_millis(200);
+const CLOCK_INTERVAL: Duration = Duration::from_millis(200);
 
 /// Work of a process.
 #[derive(Clone, Debug)]
@@ -102,9 +102,9 @@ fn limit_memory(memory: u64) {
 #[allow(clippy::exit)] // nothing else ends a thread that does not come back
 fn watch() {
     loop {
-        thread::sleep(LOOK);
+        thread::sleep(CLOCK_INTERVAL);
         let started = STARTED.load(Relaxed);
-        if started > 0 && processor_time().saturating_sub(started) > LONGEST.as_millis() as u64 {
+        if started > 0 && processor_time().saturating_sub(started) > LONGEST_EXECUTION.as_millis() as u64 {
             process::exit(HANG);
         }
     }

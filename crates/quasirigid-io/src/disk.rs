@@ -49,9 +49,9 @@ pub fn settle_files(folder: &Path) -> io::Result<()> {
     settle_folder(folder)
 }
 
-/// What is read in the place of a file: a folder, or a pipe or a device, which may never end.
+/// What is read in place of a file: a folder, or a pipe or a device, which may never end.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("this is no file on a disk but a folder, a pipe or a device")]
+#[error("this is not a regular file but a folder, a pipe or a device")]
 struct NoFile;
 
 /// Opens a file on a disk. Records, tables and logs, which are read to their end, are opened here: a pipe would be waited for, and a device
@@ -67,7 +67,7 @@ pub fn open_regular(path: &Path) -> io::Result<File> {
     }
 }
 
-/// Whether an error says that a folder, a pipe or a device stands in the place of a file.
+/// Whether an error says that a folder, a pipe or a device stands in place of a file.
 #[must_use]
 pub fn is_no_file(error: &io::Error) -> bool {
     error.get_ref().is_some_and(|cause| cause.is::<NoFile>())

@@ -69,7 +69,7 @@ pub(crate) fn kind_of(bytes: &[u8]) -> &'static str {
     if begins(b"<!doctype html") || begins(b"<html") {
         "a web page"
     } else if begins(b"version https://git-lfs") {
-        "a pointer of Git LFS in the place of the file"
+        "a pointer of Git LFS in place of the file"
     } else if begins(b"PK\x03\x04") {
         "a ZIP archive"
     } else if begins(b"\x1f\x8b") {

@@ -75,17 +75,17 @@ impl fmt::Debug for Excerpt {
 }
 
 /// Most characters of a message that has something of a file in it.
-const LONGEST: usize = 700;
+const MAX_MESSAGE: usize = 700;
 
 /// A message, of whose middle a part is left out where it is long: what a file has is quoted in it, at any length, and the advice stands at
 /// its end.
 #[must_use]
 pub fn shortened(message: &str) -> Cow<'_, str> {
-    if message.len() <= LONGEST {
+    if message.len() <= MAX_MESSAGE {
         return Cow::Borrowed(message);
     }
-    let head = message.floor_char_boundary(LONGEST / 2);
-    let tail = message.ceil_char_boundary(message.len() - LONGEST / 2);
+    let head = message.floor_char_boundary(MAX_MESSAGE / 2);
+    let tail = message.ceil_char_boundary(message.len() - MAX_MESSAGE / 2);
     Cow::Owned(format!("{} … {}", &message[..head], &message[tail..]))
 }
 
@@ -119,7 +119,7 @@ mod tests {
         assert_eq!(shortened("short é"), "short é");
         let long = format!("{:?} is no number; write 1.5", "é".repeat(1_000_000));
         let short = shortened(&long);
-        assert!(short.len() < LONGEST + 10 && short.starts_with("\"éé"), "{short}");
+        assert!(short.len() < MAX_MESSAGE + 10 && short.starts_with("\"éé"), "{short}");
         assert!(short.contains(" … ") && short.ends_with("éé\" is no number; write 1.5"), "{short}");
     }
 

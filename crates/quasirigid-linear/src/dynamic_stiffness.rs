@@ -10,7 +10,7 @@ use super::sparse::SparseRows;
 
 /// The matrices of `M ẍ + B ẋ + C x`, with `M = A − U D Uᵀ` of a sparse matrix and a few columns.
 #[derive(Clone, Debug)]
-pub struct Vibrator {
+pub struct Oscillator {
     A: SparseRows<f64>,
     /// Rows of `U`.
     U: Vec<[f64; COLUMNS]>,
@@ -54,7 +54,7 @@ struct SparseInverse {
 /// solution.
 const DENSE: usize = 48;
 
-impl Vibrator {
+impl Oscillator {
     /// Joins the matrices.
     #[must_use]
     pub fn new(
@@ -216,7 +216,7 @@ mod tests {
     use super::*;
 
     /// A chain of masses with six columns taken off its mass matrix, and a right-hand side.
-    fn chain(n: usize) -> (Vibrator, Vec<[f64; 2]>) {
+    fn chain(n: usize) -> (Oscillator, Vec<[f64; 2]>) {
         let wave = |i: usize, scale: f64| scale * (1.3 * i as f64 + 0.4).sin();
         let band = |diagonal: f64, side: f64| {
             let entries = (0..n).flat_map(|i| {
@@ -230,26 +230,26 @@ mod tests {
         let mut D = [[0.02; COLUMNS]; COLUMNS];
         (0..COLUMNS).for_each(|i| D[i][i] = 0.3);
         let right = (0..2 * n).map(|i| [wave(i, 1.0), wave(i + 3, 2.0)]).collect();
-        (Vibrator::new(band(2.0, 0.3), U, D, band(0.7, -0.2), band(50.0, -20.0)), right)
+        (Oscillator::new(band(2.0, 0.3), U, D, band(0.7, -0.2), band(50.0, -20.0)), right)
     }
 
     /// Both forms of the inverse satisfy the equations.
     #[test]
     fn solution_satisfies_both_equations() {
         for n in [7, DENSE, DENSE + 1, 90] {
-            let (vibrator, given) = chain(n);
+            let (oscillator, given) = chain(n);
             let s = Complex::new(1.7, 4.1);
-            let mut stiffness = vibrator.at([s.re, s.im]);
+            let mut stiffness = oscillator.at([s.re, s.im]);
             assert_eq!(matches!(stiffness.inverse, Inverse::Dense(_)), n <= DENSE);
             let mut solution = given.clone();
-            vibrator.solve(&mut stiffness, &mut solution);
+            oscillator.solve(&mut stiffness, &mut solution);
             let complex =
                 |list: &[[f64; 2]]| list.iter().map(|[re, im]| Complex::new(*re, *im)).collect::<Vec<_>>();
             let (given, solution) = (complex(&given), complex(&solution));
             let (x, momentum) = solution.split_at(n);
             let y: Vec<_> = x.iter().zip(&given).map(|(x, g)| s * x - g).collect();
             let (expected, damped, elastic) =
-                (vibrator.mass_times(&y), times(&vibrator.B, &y), times(&vibrator.C, x));
+                (oscillator.mass_times(&y), times(&oscillator.B, &y), times(&oscillator.C, x));
             for i in 0..n {
                 let rest = s * momentum[i] + damped[i] + elastic[i] - given[n + i];
                 assert!(rest.norm() < 1e-12, "row {i} of {n}: {rest}");

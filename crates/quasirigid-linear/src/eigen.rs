@@ -230,12 +230,12 @@ const STRAY: f64 = 1e3;
 
 /// Relative distance within which the library loses the vectors of complex eigenvalues in the arithmetic of real numbers, though not in
 /// that of complex ones.
-const NEAR: f64 = 1e-8;
+const NEARLY_EQUAL: f64 = 1e-8;
 
 /// Whether another complex eigenvalue is as good as equal.
 fn crowded(values: &[[f64; 2]], k: usize) -> bool {
     let [re, im] = values[k];
-    let near = |other: &[f64; 2]| (other[0] - re).hypot(other[1] - im) <= NEAR * re.hypot(im);
+    let near = |other: &[f64; 2]| (other[0] - re).hypot(other[1] - im) <= NEARLY_EQUAL * re.hypot(im);
     im != 0.0 && values.iter().filter(|other| near(other)).count() > 1
 }
 

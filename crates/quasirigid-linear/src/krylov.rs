@@ -22,8 +22,8 @@ const DEPTH: usize = 4;
 /// Restarts after which the spaces are made twice as deep.
 const PATIENCE: usize = 8;
 /// Most vectors of a space deeper than that, and entries in them.
-const MOST: usize = 600;
-const LARGEST: usize = 100_000_000;
+const MAX_VECTORS: usize = 600;
+const MAX_ENTRIES: usize = 100_000_000;
 /// Krylov spaces tried.
 const RESTARTS: usize = 60;
 /// Residual relative to the largest eigenvalue: the error of an isolated eigenvalue is then its square, that of one in a cluster
@@ -71,7 +71,7 @@ impl Pencil<'_> {
 
     /// Powers in the space of a restart: more of them where a crowd of eigenvalues keeps the residuals from falling.
     fn depth(&self, restart: usize, width: usize) -> usize {
-        let most = (LARGEST / self.size.max(1)).min(MOST) / width.max(1);
+        let most = (MAX_ENTRIES / self.size.max(1)).min(MAX_VECTORS) / width.max(1);
         (DEPTH << (restart / PATIENCE).min(usize::BITS as usize / 4)).min(most).max(DEPTH)
     }
 

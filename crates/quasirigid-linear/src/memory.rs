@@ -15,11 +15,11 @@ pub struct TooMuchMemory {
 }
 
 /// Share of the free memory that may be used.
-const SHARE: f64 = 0.9;
+const FREE_MEMORY_SHARE: f64 = 0.9;
 /// Memory that may be used where the system does not say how much there is (bytes).
-const UNKNOWN: f64 = 8.0 * GIBI;
+const UNKNOWN_MEMORY: f64 = 8.0 * GIBI;
 /// Pieces below this size are not checked (bytes).
-const SMALL: f64 = 64.0 * 1024.0 * 1024.0;
+const UNCHECKED_SIZE: f64 = 64.0 * 1024.0 * 1024.0;
 const GIBI: f64 = 1024.0 * 1024.0 * 1024.0;
 
 /// Compares an estimate (bytes) with the memory that may be used: nine tenths of what the machine, the group of processes and the
@@ -28,10 +28,10 @@ const GIBI: f64 = 1024.0 * 1024.0 * 1024.0;
 /// # Errors
 /// [`TooMuchMemory`].
 pub fn ask(needed: f64) -> Result<(), TooMuchMemory> {
-    if needed < SMALL {
+    if needed < UNCHECKED_SIZE {
         return Ok(());
     }
-    within(needed, SHARE * free().unwrap_or(UNKNOWN))
+    within(needed, FREE_MEMORY_SHARE * free().unwrap_or(UNKNOWN_MEMORY))
 }
 
 /// Bytes of `count` square matrices of a size.

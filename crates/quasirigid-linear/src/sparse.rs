@@ -18,7 +18,7 @@ pub struct SparseRows<T> {
 }
 
 /// Rows for each one with entries, from which only these are stored.
-const FEW: usize = 4;
+const ROWS_PER_FILLED_ROW: usize = 4;
 
 impl<T: Clone + AddAssign> SparseRows<T> {
     /// The `size × size` matrix that is the sum of these entries `(row, column, entry)`, added in the order given.
@@ -27,7 +27,7 @@ impl<T: Clone + AddAssign> SparseRows<T> {
         parts.sort_by_key(|(row, column, _)| (*row, *column));
         let mut filled: Vec<usize> = parts.iter().map(|(row, ..)| *row).collect();
         filled.dedup();
-        let rows = (filled.len() * FEW < size).then_some(filled);
+        let rows = (filled.len() * ROWS_PER_FILLED_ROW < size).then_some(filled);
         let count = rows.as_ref().map_or(size, Vec::len);
         let mut matrix =
             Self { size, rows, starts: vec![0; count + 1], columns: Vec::new(), entries: Vec::new() };

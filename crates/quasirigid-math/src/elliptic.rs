@@ -20,9 +20,9 @@ pub fn nome(m: f64) -> f64 {
 }
 
 /// Parameter below which [`nome_over_parameter`] is the nome over the parameter to rounding.
-pub const SMALL: f64 = 1e-5;
+pub const SMALL_PARAMETER: f64 = 1e-5;
 
-/// Nome over the parameter `m` by its power series, for `m` below [`SMALL`]: finite where both vanish.
+/// Nome over the parameter `m` by its power series, for `m` below [`SMALL_PARAMETER`]: finite where both vanish.
 #[inline(always)]
 #[must_use]
 pub fn nome_over_parameter<T: Scalar>(m: T) -> T {

@@ -201,7 +201,7 @@ impl Scalar for Lanes {}
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::simd::Plain;
+    use crate::simd::Unfused;
 
     const A: Lanes = Lanes([1.0, -2.0, 0.0, -0.0, 4.0, f64::INFINITY, f64::NAN, 1e-300]);
     const B: Lanes = Lanes([3.0, -2.0, 0.5, 0.0, -1.0, 2.0, 5.0, f64::NAN]);
@@ -216,7 +216,7 @@ mod tests {
         let c = Lanes::from(0.25);
         for lane in 0..LANES {
             let (a, b) = (A.0[lane], B.0[lane]);
-            let found = [A + B, A - B, A * B, A / B, A.sqrt(), A.abs(), A.mul_add::<Plain>(B, c)];
+            let found = [A + B, A - B, A * B, A / B, A.sqrt(), A.abs(), A.mul_add::<Unfused>(B, c)];
             let found = found.map(|lanes| lanes.0[lane]);
             let known = [a + b, a - b, a * b, a / b, a.sqrt(), a.abs(), a * b + 0.25];
             assert!(

@@ -20,7 +20,7 @@ const IDLE: usize = 12;
 /// Share of the error below which a halving gains something.
 const GAIN: f64 = 0.99;
 /// Relative change of a sum in a halving that counts as none.
-const STILL: f64 = 1e-5;
+const UNCHANGED_SUM: f64 = 1e-5;
 
 /// Value of an integral, with an estimate of its error.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -63,7 +63,8 @@ pub fn integral<const N: usize>(
         let middle = 0.5 * (from + to);
         let halves = [Piece::over(f, from, middle), Piece::over(f, middle, to)];
         let both = total(&halves);
-        let still = (0..N).all(|i| (both.value[i] - sum.value[i]).abs() <= STILL * both.value[i].abs());
+        let still =
+            (0..N).all(|i| (both.value[i] - sum.value[i]).abs() <= UNCHANGED_SUM * both.value[i].abs());
         if still && share(&both.error) >= GAIN * share(&sum.error) {
             idle += 1;
         }

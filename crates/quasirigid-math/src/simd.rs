@@ -19,7 +19,7 @@ pub trait Arithmetic: Copy + Default {
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Rounding {
-    /// Fused multiply-add where the processor has it: one rounding in the place of two.
+    /// Fused multiply-add where the processor has it: one rounding in place of two.
     #[default]
     Fastest,
     /// Two roundings, with the same bits on every processor.
@@ -28,7 +28,7 @@ pub enum Rounding {
 
 /// Two roundings, in the registers that every processor has.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct Plain;
+pub struct Unfused;
 
 /// How often `a·b + c` is rounded.
 trait MulAdd: Copy + Default {
@@ -37,16 +37,16 @@ trait MulAdd: Copy + Default {
 
 /// One rounding, in one instruction.
 #[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Once;
+pub(crate) struct SingleRounding;
 
-impl MulAdd for Once {
+impl MulAdd for SingleRounding {
     #[inline(always)]
     fn mul_add(a: f64, b: f64, c: f64) -> f64 {
         a.mul_add(b, c)
     }
 }
 
-impl MulAdd for Plain {
+impl MulAdd for Unfused {
     #[inline(always)]
     fn mul_add(a: f64, b: f64, c: f64) -> f64 {
         a * b + c
@@ -59,9 +59,9 @@ pub(crate) struct Vector<M, const NUMBERS: usize>(PhantomData<M>);
 
 /// One rounding, in registers of four numbers.
 #[cfg(all(test, target_arch = "x86_64"))]
-pub(crate) type Fused = Vector<Once, 4>;
+pub(crate) type Fused = Vector<SingleRounding, 4>;
 
-impl Arithmetic for Plain {
+impl Arithmetic for Unfused {
     #[inline(always)]
     fn mul_add(a: f64, b: f64, c: f64) -> f64 {
         <Self as MulAdd>::mul_add(a, b, c)
@@ -112,7 +112,7 @@ pub fn dispatch<T: Task>(rounding: Rounding, task: T) -> T::Output {
     #[cfg(target_arch = "x86_64")]
     if rounding == Rounding::Fastest && has_four() {
         // SAFETY: the processor has the features that the function is compiled for.
-        return unsafe { four::<Once, T>(task) };
+        return unsafe { four::<SingleRounding, T>(task) };
     }
     plain(task)
 }
@@ -124,11 +124,13 @@ pub fn dispatch_lanes<T: Task>(rounding: Rounding, task: T) -> T::Output {
         let fused = rounding == Rounding::Fastest;
         if has_four() && std::arch::is_x86_feature_detected!("avx512f") {
             // SAFETY: the processor has the features that the functions are compiled for.
-            return unsafe { if fused { eight::<Once, T>(task) } else { eight::<Plain, T>(task) } };
+            return unsafe {
+                if fused { eight::<SingleRounding, T>(task) } else { eight::<Unfused, T>(task) }
+            };
         }
         if has_four() {
             // SAFETY: the processor has the features that the functions are compiled for.
-            return unsafe { if fused { four::<Once, T>(task) } else { four::<Plain, T>(task) } };
+            return unsafe { if fused { four::<SingleRounding, T>(task) } else { four::<Unfused, T>(task) } };
         }
     }
     plain(task)
@@ -141,7 +143,7 @@ fn has_four() -> bool {
 
 #[inline(never)]
 fn plain<T: Task>(task: T) -> T::Output {
-    task.run::<Plain>()
+    task.run::<Unfused>()
 }
 
 #[cfg(target_arch = "x86_64")]
@@ -212,6 +214,6 @@ mod tests {
         {
             assert_eq!(exact, [0.0; 2]);
         }
-        assert_eq!(Plain::call(Remainder), 0.0);
+        assert_eq!(Unfused::call(Remainder), 0.0);
     }
 }

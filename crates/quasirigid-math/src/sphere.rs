@@ -50,7 +50,7 @@ const NEWTON_STEPS: usize = 60;
 const STRIDE: f64 = 0.3;
 const ARRIVED: f64 = 1e-9;
 /// Angle (rad) below which points are one.
-const SAME: f64 = 1e-6;
+const SAME_POINT: f64 = 1e-6;
 /// Share of the square of the field below which a determinant belongs to a family.
 const FLAT: f64 = 1e-9;
 
@@ -70,7 +70,7 @@ pub fn stationary(map: &Series, given: &[[f64; 3]], rounding: f64) -> Stationary
         for start in given.iter().copied().filter(|_| refinement == 0).chain(grid) {
             match search(map, start, size) {
                 Some((point, determinant)) if determinant.abs() > FLAT * size * size => {
-                    let apart = |known: &StationaryPoint| distance(known.place, point.place) > SAME;
+                    let apart = |known: &StationaryPoint| distance(known.place, point.place) > SAME_POINT;
                     if found.points.iter().all(apart) {
                         found.points.push(point);
                     }

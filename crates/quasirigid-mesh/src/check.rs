@@ -5,14 +5,14 @@
 use std::collections::HashMap;
 
 use super::geometry::{normal, tangents, thickness};
-use super::{Cell, MOST, Mesh, MeshFault, Rule, Shape};
+use super::{Cell, MAX_NODES, Mesh, MeshFault, Rule, Shape};
 use quasirigid_math::vec3::{add, scale};
 
 /// Thickness of a cell over its length below which the cell is flat; coordinates in files often have no more digits.
 const FLAT: f64 = 1e-9;
 
 /// Shape functions at a place, and their derivatives.
-type Probe = ([f64; MOST], [[f64; 3]; MOST]);
+type Probe = ([f64; MAX_NODES], [[f64; 3]; MAX_NODES]);
 
 /// Least thickness of a cell over its length, its place, and the greatest.
 struct Worst {

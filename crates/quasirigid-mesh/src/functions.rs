@@ -4,10 +4,10 @@ use super::Shape;
 use quasirigid_math::scalar::{Jet, Scalar};
 
 /// Greatest number of nodes of a cell.
-pub const MOST: usize = 27;
+pub const MAX_NODES: usize = 27;
 
 /// Places of the nodes of a hexahedron, as multiples of the axes; lines and quadrilaterals take theirs from it.
-const HEXAHEDRON: [[i8; 3]; MOST] = [
+const HEXAHEDRON: [[i8; 3]; MAX_NODES] = [
     [-1, -1, -1],
     [1, -1, -1],
     [1, 1, -1],
@@ -74,14 +74,14 @@ impl Shape {
 
     /// Values of the shape functions at a place of the reference cell, in the order of the nodes; zero beyond them.
     #[must_use]
-    pub fn functions(self, at: [f64; 3]) -> [f64; MOST] {
+    pub fn functions(self, at: [f64; 3]) -> [f64; MAX_NODES] {
         self.evaluated(at)
     }
 
     /// Derivatives of the shape functions along the axes of the reference cell, in the order of the nodes; zero
     /// beyond them.
     #[must_use]
-    pub fn gradients(self, at: [f64; 3]) -> [[f64; 3]; MOST] {
+    pub fn gradients(self, at: [f64; 3]) -> [[f64; 3]; MAX_NODES] {
         let slopes = [0, 1, 2].map(|along| {
             let first = |axis| if axis == along { 1.0 } else { 0.0 };
             self.evaluated(std::array::from_fn(|axis| Jet {
@@ -103,8 +103,8 @@ impl Shape {
         }
     }
 
-    fn evaluated<T: Scalar>(self, at: [T; 3]) -> [T; MOST] {
-        let mut values = [T::from(0.0); MOST];
+    fn evaluated<T: Scalar>(self, at: [T; 3]) -> [T; MAX_NODES] {
+        let mut values = [T::from(0.0); MAX_NODES];
         let lattice = self.lattice();
         let axes = self.dimension();
         match self {
@@ -283,7 +283,7 @@ pub(crate) mod tests {
                     // Central differences of quadratic and cubic functions with a step of 1e-5 are right to 1e-10.
                     let step = |side: f64| std::array::from_fn(|i| at[i] + if i == axis { 1e-5 * side } else { 0.0 });
                     let [above, below] = [1.0, -1.0].map(|side| shape.functions(step(side)));
-                    for node in 0..MOST {
+                    for node in 0..MAX_NODES {
                         let difference = (above[node] - below[node]) / 2e-5;
                         prop_assert!((slopes[node][axis] - difference).abs() < 1e-8, "{}: function {}", shape, node);
                     }

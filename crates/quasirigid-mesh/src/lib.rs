@@ -25,7 +25,7 @@ pub mod surface;
 
 pub use fault::MeshFault;
 pub(crate) use functions::EDGES;
-pub use functions::MOST;
+pub use functions::MAX_NODES;
 pub use note::MeshNote;
 pub use samples::{CellSample, Rule};
 pub use shape::Shape;

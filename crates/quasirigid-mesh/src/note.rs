@@ -41,7 +41,7 @@ pub enum MeshNote {
 }
 
 /// Distance of nodes, relative to the size of the mesh, below which they are at the same place.
-const SAME: f64 = 1e-9;
+const SAME_PLACE: f64 = 1e-9;
 /// Most nodes that a note lists.
 const LISTED: usize = 5;
 
@@ -71,7 +71,7 @@ impl Mesh {
                 .fold(first, |bound, node| std::array::from_fn(|axis| pick(bound[axis], node[axis])))
         };
         let (low, high) = (bound(f64::min), bound(f64::max));
-        let reach = SAME * norm(add(high, scale(-1.0, low)));
+        let reach = SAME_PLACE * norm(add(high, scale(-1.0, low)));
         let mut boxes: HashMap<[i64; 3], Vec<usize>> = HashMap::with_capacity(self.nodes.len());
         let mut pairs = Vec::new();
         for (node, place) in self.nodes.iter().enumerate() {

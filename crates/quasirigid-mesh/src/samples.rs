@@ -4,7 +4,7 @@
 use std::sync::OnceLock;
 
 use super::Shape;
-use super::functions::MOST;
+use super::functions::MAX_NODES;
 
 /// Purpose of a quadrature over a cell. A Jacobian of higher degree than that of a cell with straight edges is not counted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -25,9 +25,9 @@ pub struct CellSample {
     /// Weight on the reference cell.
     pub weight: f64,
     /// Shape functions, in the order of the nodes.
-    pub functions: [f64; MOST],
+    pub functions: [f64; MAX_NODES],
     /// Their derivatives along the axes of the reference cell.
-    pub gradients: [[f64; 3]; MOST],
+    pub gradients: [[f64; 3]; MAX_NODES],
 }
 
 /// Shapes times rules.

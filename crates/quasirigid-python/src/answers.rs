@@ -235,7 +235,7 @@ fn vacant(folder: &Path) -> Result<(), Failure> {
     if folder.symlink_metadata().is_ok() {
         let shown = folder.display();
         return Err(Failure::File(format!(
-            "{shown} is there already; choose another folder, or remove it first"
+            "{shown} already exists; choose another folder, or remove it first"
         )));
     }
     Ok(())
@@ -246,12 +246,12 @@ impl RunAnswer {
     fn place(&self, folder: &Path, tables: Option<&[TableFormat]>) -> Result<(), Failure> {
         vacant(folder)?;
         let Some(name) = folder.file_name() else {
-            return Err(Failure::File(format!("{} is no name for a folder", folder.display())));
+            return Err(Failure::File(format!("{} is not a folder name", folder.display())));
         };
         let building = folder.with_file_name(format!(".{}.{}", name.to_string_lossy(), std::process::id()));
         let failed = |cause: std::io::Error| {
             let advice =
-                if cause.kind() == ErrorKind::NotFound { "; make the folder above it first" } else { "" };
+                if cause.kind() == ErrorKind::NotFound { "; create the folder above it first" } else { "" };
             Failure::File(format!("cannot write {}: {cause}{advice}", folder.display()))
         };
         fs::create_dir(&building).map_err(failed)?;

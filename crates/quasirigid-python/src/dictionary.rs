@@ -4,7 +4,7 @@
 
 use pyo3::prelude::*;
 use pyo3::types::{PyBool, PyDict, PyFloat, PyInt, PyList, PyString, PyTuple};
-use quasirigid_io::model::{Given, changed};
+use quasirigid_io::model::{KeyValue, changed};
 use toml::{Table, Value};
 
 use crate::failure::Failure;
@@ -31,22 +31,22 @@ pub fn with_changes(text: &str, changes: &Bound<'_, PyDict>) -> PyResult<String>
         let item = value(&item, &path, 0)?;
         given.push((path, self::given(item)));
     }
-    let given: Vec<(&str, Given)> =
+    let given: Vec<(&str, KeyValue)> =
         given.iter().map(|(path, given)| (path.as_str(), given.clone())).collect();
     Ok(changed(text, &given).map_err(|error| Failure::Input(error.to_string()))?)
 }
 
 /// A value of TOML for a key of a model.
-fn given(value: Value) -> Given {
+fn given(value: Value) -> KeyValue {
     match value {
-        Value::Float(number) => Given::Number(number),
-        Value::Integer(number) => Given::Integer(number),
-        Value::Boolean(truth) => Given::Bool(truth),
-        Value::String(text) => Given::Text(text),
-        Value::Datetime(time) => Given::Text(time.to_string()),
-        Value::Array(items) => Given::List(items.into_iter().map(given).collect()),
+        Value::Float(number) => KeyValue::Number(number),
+        Value::Integer(number) => KeyValue::Integer(number),
+        Value::Boolean(truth) => KeyValue::Bool(truth),
+        Value::String(text) => KeyValue::Text(text),
+        Value::Datetime(time) => KeyValue::Text(time.to_string()),
+        Value::Array(items) => KeyValue::List(items.into_iter().map(given).collect()),
         Value::Table(entries) => {
-            Given::Table(entries.into_iter().map(|(key, item)| (key, given(item))).collect())
+            KeyValue::Table(entries.into_iter().map(|(key, item)| (key, given(item))).collect())
         }
     }
 }
@@ -101,13 +101,14 @@ fn value(item: &Bound<'_, PyAny>, place: &str, depth: usize) -> Result<Value, Fa
     }
     let kind = item.get_type().name()?;
     refuse(format!(
-        "{place}: a {kind} has no place in a model; give a number, a text, a list or a dictionary"
+        "{place}: a {kind} is not allowed in a model; give a number, a text, a list or a dictionary"
     ))
 }
 
 /// The text of a string, which in Python may hold halves of characters.
 fn text_of(text: &Bound<'_, PyString>) -> Result<String, Failure> {
-    let told = |_| Failure::Input(format!("{} is no text: UTF-8 cannot write its surrogates", shown(text)));
+    let told =
+        |_| Failure::Input(format!("{} is not valid text: UTF-8 cannot write its surrogates", shown(text)));
     text.to_cow().map(|text| text.into_owned()).map_err(told)
 }
 

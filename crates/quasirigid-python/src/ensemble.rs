@@ -78,7 +78,7 @@ pub fn on_pool<T: Send + 'static>(
         let _ = answer.send(work());
     });
     loop {
-        match answers.recv_timeout(LOOK) {
+        match answers.recv_timeout(INTERRUPT_INTERVAL) {
             Ok(found) => return Ok(found),
             Err(RecvTimeoutError::Timeout) if !shared.stopped() => {}
             Err(RecvTimeoutError::Timeout) => return Err(StudyError::Interrupted.into()),
@@ -88,7 +88,7 @@ pub fn on_pool<T: Send + 'static>(
 }
 
 /// Time between two looks whether the rows are to end.
-const LOOK: Duration = Duration::from_millis(50);
+const INTERRUPT_INTERVAL: Duration = Duration::from_millis(50);
 
 /// Computes one row.
 fn one<T>(

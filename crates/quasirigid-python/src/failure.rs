@@ -17,7 +17,7 @@ pub enum Failure {
     Study(StudyError),
     /// An error of a study of many bodies.
     Sweep(SweepError),
-    /// An argument that means nothing.
+    /// An invalid argument.
     Input(String),
     /// A file that is in the way, or cannot be made.
     File(String),
@@ -60,7 +60,7 @@ impl Failure {
     /// The text for a row of many.
     pub fn text(&self) -> String {
         visible(&match self {
-            Self::Study(StudyError::Interrupted) => "the work was told to end".to_owned(),
+            Self::Study(StudyError::Interrupted) => "the work was stopped on request".to_owned(),
             Self::Study(error) => error.told(&argument),
             Self::Sweep(error) => error.told(&argument),
             Self::Input(text) | Self::File(text) => text.clone(),
@@ -70,7 +70,7 @@ impl Failure {
     }
 }
 
-const OURS: &str = "quasirigid broke off by an error of its own; please report it with the model";
+const OURS: &str = "quasirigid failed by an internal error; please report it with the model";
 
 /// The name of a setting among the arguments.
 fn argument(setting: Setting) -> &'static str {

@@ -1,4 +1,4 @@
-"""The reduced equations: two roads to each value."""
+"""The reduced equations: two derivations of each value."""
 
 from __future__ import annotations
 

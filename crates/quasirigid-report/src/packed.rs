@@ -28,7 +28,7 @@ const ARRAYS: [&str; 11] = [
     "values",
 ];
 /// Bytes below which no coding is tried.
-const FEW: usize = 256;
+const UNCODED_BYTES: usize = 256;
 /// Effort of the trials, and of the result, from 0 to 10.
 const TRIAL: u8 = 1;
 const RESULT: u8 = 9;
@@ -83,7 +83,7 @@ impl Coding {
 
     /// The coding that deflates best, and the array in it.
     fn smallest(bytes: &[u8]) -> (Self, Vec<u8>) {
-        if bytes.len() < FEW {
+        if bytes.len() < UNCODED_BYTES {
             return (Self::PLAIN, bytes.to_vec());
         }
         let widths = [2, 4, 8].into_iter().filter(|width| bytes.len().is_multiple_of(*width));

@@ -34,16 +34,16 @@ pub enum PngError {
 }
 
 /// Widths of pictures.
-const LEAST: u32 = 64;
-const MOST: u32 = 16_384;
+const MIN_WIDTH: u32 = 64;
+const MAX_WIDTH: u32 = 16_384;
 
 /// An SVG file of a figure as a PNG file of this width in pixels, on its own background.
 ///
 /// # Errors
 /// [`PngError`].
 pub fn png(svg: &str, pixels: u32) -> Result<Vec<u8>, PngError> {
-    if !(LEAST..=MOST).contains(&pixels) {
-        return Err(PngError::Size { pixels, least: LEAST, most: MOST });
+    if !(MIN_WIDTH..=MAX_WIDTH).contains(&pixels) {
+        return Err(PngError::Size { pixels, least: MIN_WIDTH, most: MAX_WIDTH });
     }
     drawn(svg, pixels)
 }

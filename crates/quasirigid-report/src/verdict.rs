@@ -117,7 +117,7 @@ mod tests {
         }
     }
 
-    /// Vibrations that last for ever make one criterion marginal, and leave the verdict on the equations.
+    /// Undamped vibrations make one criterion marginal, and leave the verdict on the equations.
     #[test]
     fn verdict_is_that_of_the_record() {
         let told = ValidityRecord { overall: "holds".into(), ..validity(true, &["holds", "marginal"]) };

@@ -1,14 +1,14 @@
 //! Campbell diagram: frequencies of the modes of the spinning body over its spin, from nearly none to twice that of the run.
 
 use quasirigid::model::{Mode, Principal};
-use quasirigid::modes::{Given, RelativeEquilibrium, SpinModes};
+use quasirigid::modes::{RelativeEquilibrium, SpinMagnitude, SpinModes};
 use quasirigid_io::record::CampbellRecord;
 use quasirigid_math::vec3::norm;
 
 use crate::study::Study;
 
 /// Coordinates of a body whose modes at many spins take longer than a moment.
-const MANY: usize = 60;
+const MAX_COORDINATES: usize = 60;
 /// Spins of the diagram.
 const SPINS: usize = 48;
 /// Greatest spin over that of the run.
@@ -20,7 +20,7 @@ pub(crate) fn campbell(study: &Study, of_run: &SpinModes) -> Option<CampbellReco
     let body = &study.body;
     let omega = of_run.equilibrium.omega;
     let spin = norm(omega);
-    if body.coordinates().len() > MANY || !study.liquids.is_empty() || !(spin > 0.0) {
+    if body.coordinates().len() > MAX_COORDINATES || !study.liquids.is_empty() || !(spin > 0.0) {
         return None;
     }
     let [mode, _] = Principal::compute(body.invariants().J).nearest(omega);
@@ -35,7 +35,9 @@ pub(crate) fn campbell(study: &Study, of_run: &SpinModes) -> Option<CampbellReco
     let mut found = 0;
     for step in 1..=SPINS {
         let rate = REACH * spin * step as f64 / SPINS as f64;
-        let Ok(equilibrium) = RelativeEquilibrium::extreme(body, mode, Given::Rate(rate)) else { continue };
+        let Ok(equilibrium) = RelativeEquilibrium::extreme(body, mode, SpinMagnitude::Rate(rate)) else {
+            continue;
+        };
         if body.left_range(&equilibrium.q).is_some() {
             continue;
         }

@@ -225,10 +225,10 @@ impl StudyError {
             Self::Observed { file, cause } => format!("{}: [initial] periods: {cause}", file.display()),
             Self::NoWobble { file, cause } => format!("{}: [initial] wobble: {cause}", file.display()),
             Self::NoStart(cause) => format!(
-                "the start: {cause}; the slow manifold has no meaning at this spin; give [initial] displacements = \"rest\", or numbers"
+                "the start: {cause}; there is no slow manifold at this spin; give [initial] displacements = \"rest\", or numbers"
             ),
             Self::NoSlowSeries { spin } => format!(
-                "rotors and liquids do not follow the spin, {} rad/s: friction or stiffness is too small, the slow series has no meaning, and the reduced equations do not hold; follow the body with {} full, where they start at rest in it, or a rotor at the `speed` given in [[rotor]]",
+                "rotors and liquids do not follow the spin, {} rad/s: friction or stiffness is too small, the slow series does not hold, and the reduced equations do not hold; follow the body with {} full, where they start at rest in it, or a rotor at the `speed` given in [[rotor]]",
                 significant(*spin, 3),
                 name(Setting::System)
             ),
@@ -246,7 +246,7 @@ impl StudyError {
             Self::KeptRun { folder, problem } => {
                 format!("{}: {}", folder.display(), problem.replace("{resume}", name(Setting::Resume)))
             }
-            Self::Interrupted => "interrupted; the table breaks off here".into(),
+            Self::Interrupted => "interrupted; the table is incomplete".into(),
             Self::Setting(cause) => cause.told(name),
             _ => {
                 let others = self.of_histories(name).or_else(|| self.about_spin(name));
@@ -271,7 +271,7 @@ impl StudyError {
                 name(Setting::Axis)
             ),
             Self::EventsAboutSpin => format!(
-                "the reduced equations about a spin know no events; leave out [run] stop, or take {} full",
+                "the reduced equations about a spin support no events; leave out [run] stop, or take {} full",
                 name(Setting::System)
             ),
             Self::SteadySpinBeyond { what } => format!(
@@ -341,7 +341,7 @@ impl StudyError {
                 "the energy of the rotation is beyond the range of numbers; give [initial] a slower spin".into()
             }
             Self::NoShortAxis { moments: [_, middle, greatest] } => format!(
-                "this body has no axis of greatest inertia that a wobble could be counted from: its two greatest moments are equal, {} and {} kg m^2; say how far to go by D/I3, such as {until} 0.9",
+                "this body has no axis of greatest inertia from which a wobble could be measured: its two greatest moments are equal, {} and {} kg m^2; say how far to go by D/I3, such as {until} 0.9",
                 significant(*middle, 6),
                 significant(*greatest, 6)
             ),

@@ -23,7 +23,7 @@ use crate::watch::Watch;
 use crate::words::{Accounts, energy_note, followed};
 
 /// Numbers of a row, in the history and in its table.
-const ROW: usize = 40;
+const NUMBERS_PER_ROW: usize = 40;
 /// Axis from which nutation is counted at an angular velocity; that of greatest inertia where the angular momentum circles none. (P8)
 pub(crate) fn circled_axis(body: &ReducedBody, omega: [f64; 3]) -> [f64; 3] {
     let nutation = Nutations::new(body).at(body.angular_momentum(omega));
@@ -35,7 +35,7 @@ pub(crate) fn circled_axis(body: &ReducedBody, omega: [f64; 3]) -> [f64; 3] {
 /// # Errors
 /// [`StudyError::History`].
 pub fn room(samples: usize, histories: usize, coordinates: usize) -> Result<(), StudyError> {
-    let numbers = (ROW + 4 * coordinates) as f64 * samples as f64 * histories as f64;
+    let numbers = (NUMBERS_PER_ROW + 4 * coordinates) as f64 * samples as f64 * histories as f64;
     memory::ask(numbers * size_of::<f64>() as f64).map_err(|cause| StudyError::History { samples, cause })
 }
 
@@ -54,7 +54,7 @@ pub struct Table {
     pub coordinates: bool,
     /// Displacements of points, appendages and nodes, too.
     pub displacements: bool,
-    /// Output times (s), in the place of even ones.
+    /// Output times (s), in place of even ones.
     pub times: Option<Vec<f64>>,
     /// Settings of the reduced equations about the spin.
     pub manifold: PartialSpinManifold,
@@ -118,7 +118,7 @@ impl Study {
     /// Follows one system of equations. Doubts before the work are remarks to the watch.
     ///
     /// # Errors
-    /// [`StudyError`] for a start that is none, for settings out of range, and for histories that have no room.
+    /// [`StudyError`] for an invalid start, for settings out of range, and for histories too large for memory.
     pub fn simulate(
         &self,
         asked: &PartialRun,
@@ -149,7 +149,7 @@ impl Study {
         self.follow_table(self.initial()?, asked, table, Some(log), watch)
     }
 
-    /// Follows one system of equations from a rotation in the place of the model's own.
+    /// Follows one system of equations from a rotation in place of the model's own.
     ///
     /// # Errors
     /// As [`simulate`](Self::simulate).

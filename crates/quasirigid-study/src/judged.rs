@@ -24,9 +24,9 @@ pub(crate) struct Judged {
 }
 
 /// Highest order that is tried where nobody asked for one.
-const HIGHEST: usize = 7;
+const HIGHEST_ORDER: usize = 7;
 /// Coordinates of a body whose modes are found before every history.
-const FEW: usize = 100;
+const QUICK_COORDINATES: usize = 100;
 
 /// The order of the study; where nobody asked for it, the motion holds and its dissipation or rates do not, the lowest order at which all
 /// hold and nothing of the body is left out, if there is one.
@@ -38,7 +38,7 @@ pub(crate) fn at_an_order_that_holds(motion: &Motion, poles: &Poles) -> Result<J
         return Ok(own);
     }
     let complete = |order: &usize| beyond(&study.model.assembly, *order).is_none();
-    for order in (study.order + 1..=HIGHEST).take_while(complete) {
+    for order in (study.order + 1..=HIGHEST_ORDER).take_while(complete) {
         let next = judged(study, motion, &modes, order)?;
         if next.validity.verdict() <= own.validity.verdict() && next.holds() {
             return Ok(next);
@@ -58,7 +58,7 @@ pub(crate) fn for_motion(motion: &Motion, poles: &Poles) -> Result<Judged, Study
 /// The steady spins next to a start, of a body whose modes take a moment.
 pub(crate) fn poles_in_a_moment(motion: &Motion) -> Result<Poles, StudyError> {
     let study = motion.study();
-    let few = study.body.coordinates().len() <= FEW;
+    let few = study.body.coordinates().len() <= QUICK_COORDINATES;
     if few { steady::at_start(motion, study) } else { Ok(Poles::default()) }
 }
 

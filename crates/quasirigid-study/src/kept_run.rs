@@ -10,7 +10,7 @@ use quasirigid::dynamics::Checkpoint;
 use quasirigid_io::disk::{
     is_temporary, open_regular, parent, read_regular, replace, settle_folder, stands, tidy,
 };
-use quasirigid_io::record::{ROWS, RowLog, RowTable, RunRecord, history_file};
+use quasirigid_io::record::{ROW_LOG, RowLog, RowTable, RunRecord, history_file};
 
 use crate::error::StudyError;
 use crate::hashed::Hashed;
@@ -71,16 +71,16 @@ impl KeptRun {
         let problem = |problem: &'static str| StudyError::KeptRun { folder: folder.clone(), problem };
         match (folder.exists(), resume) {
             (false, false) => {}
-            (false, true) => return Err(problem("there is no run here to go on with")),
+            (false, true) => return Err(problem("there is no run here to continue")),
             (true, false) if is_in_work(folder) => {} // by another process, beside whose folder this run makes its own
             (true, false) => {
                 return Err(problem(
-                    "a run that was cut off is here; go on with it by {resume}, or remove the folder",
+                    "an interrupted run is here; continue it with {resume}, or remove the folder",
                 ));
             }
             (true, true) => {
                 let Ok(known) = read_regular(&folder.join(IDENTITY)) else {
-                    return Err(problem("there is no run here to go on with"));
+                    return Err(problem("there is no run here to continue"));
                 };
                 if known != run.identity.as_bytes() {
                     return Err(problem(
@@ -133,7 +133,7 @@ impl KeptRun {
         let path = self.folder.join(IDENTITY);
         let file = open_regular(&path).map_err(wrong(&path))?;
         if matches!(file.try_lock(), Err(TryLockError::WouldBlock)) {
-            let problem = "another process has this run in work";
+            let problem = "another process is working on this run";
             return Err(StudyError::KeptRun { folder: self.folder.clone(), problem });
         }
         self.lock = Some(file);
@@ -227,7 +227,7 @@ impl<'r> HistoryLog<'r> {
         let mut logged = || Some((checkpoint.load_count()?, u32::try_from(checkpoint.load_count()?).ok()?));
         let (Some(rows), Some(frames)) = (logged(), logged()) else { return Err(broken()) };
         log.open_logs([Some(rows), Some(frames)])?;
-        let [rows, frames] = [ROWS, FRAMES].map(|ending| log.run.path(system, ending));
+        let [rows, frames] = [ROW_LOG, FRAMES].map(|ending| log.run.path(system, ending));
         let tables = [RowTable::open(&rows, widths[0])?, RowTable::open(&frames, widths[1])?];
         Ok((log, Some(Resumed { tables, checkpoint })))
     }
@@ -243,7 +243,7 @@ impl<'r> HistoryLog<'r> {
             log.map_err(wrong(&path))
         };
         let [row, frame] = self.widths;
-        self.logs = Some([open(ROWS, row, rows)?, open(FRAMES, frame, frames)?]);
+        self.logs = Some([open(ROW_LOG, row, rows)?, open(FRAMES, frame, frames)?]);
         Ok(())
     }
 
@@ -318,7 +318,7 @@ fn is_of_run(name: &str) -> bool {
     let named = ["record.json", "evolution.csv", "backbone.csv", "report.html", IDENTITY].contains(&name);
     named
         || is_temporary(name)
-        || history.is_some_and(|(_, ending)| [ROWS, FRAMES, CHECKPOINT].contains(&ending))
+        || history.is_some_and(|(_, ending)| [ROW_LOG, FRAMES, CHECKPOINT].contains(&ending))
 }
 
 fn write(out: &mut dyn Write, words: &[u64]) -> io::Result<()> {

@@ -1,7 +1,7 @@
 //! Losses that the equations of motion leave out of a body, in words.
 
 use quasirigid::model::Principal;
-use quasirigid::modes::{Given, RelativeEquilibrium, SpinModes};
+use quasirigid::modes::{RelativeEquilibrium, SpinMagnitude, SpinModes};
 use quasirigid::secular::choice::{Limits, loss_left_out};
 use quasirigid_math::vec3::norm;
 
@@ -59,14 +59,14 @@ impl LeftOut {
 /// The modes about the axis of extreme inertia next to an angular velocity.
 fn about(study: &Study, omega: [f64; 3]) -> Option<SpinModes> {
     let [mode, _] = Principal::compute(study.body.invariants().J).nearest(omega);
-    let steady = RelativeEquilibrium::extreme(&study.body, mode, Given::Rate(norm(omega))).ok()?;
+    let steady = RelativeEquilibrium::extreme(&study.body, mode, SpinMagnitude::Rate(norm(omega))).ok()?;
     SpinModes::about(&study.body, steady).ok()
 }
 
 /// Error of the liquids about the axis of extreme inertia next to an angular velocity, in words; none if they are right.
 fn liquids(study: &Study, omega: [f64; 3], modes: Option<SpinModes>) -> Option<String> {
     let nutation = modes.as_ref().and_then(SpinModes::nutation);
-    let why = "The equations of motion hold liquids by their slow flow and a few relaxations, without the Coriolis force";
+    let why = "The equations of motion describe liquids by slow flow and a few relaxations, without the Coriolis force";
     let (spin, frequency) = match (&modes, nutation) {
         (Some(modes), Some(nutation)) => (modes.equilibrium.omega, nutation.frequency),
         _ => (omega, 0.0),
@@ -76,10 +76,10 @@ fn liquids(study: &Study, omega: [f64; 3], modes: Option<SpinModes>) -> Option<S
     }
     let Some(nutation) = nutation else {
         let slow = study.liquids.iter().all(|liquid| liquid.reynolds(norm(omega)) <= 1.0);
-        return (!slow).then(|| format!("{why}, and there is no nutation to tell how much that is."));
+        return (!slow).then(|| format!("{why}; there is no nutation by which to judge the error."));
     };
     let share = loss_left_out(nutation);
     (share > Limits::default().losses_left_out).then(|| {
-        format!("{why}: by them a small wobble at this spin changes at a rate that is {} % off. The commands modes and evolve have the rate.", significant(100.0 * share, 2))
+        format!("{why}: with them the rate of a small wobble at this spin is off by {} %. The commands modes and evolve give the rate.", significant(100.0 * share, 2))
     })
 }

@@ -1,6 +1,8 @@
 //! Liquids of a model at a spin, in words and numbers.
 
-use quasirigid::elements::{Assembly, MOST_OF_BALL, MOST_OF_CYLINDER, MOST_OF_SPHEROID, SlowLiquid};
+use quasirigid::elements::{
+    Assembly, MAX_REYNOLDS_OF_BALL, MAX_REYNOLDS_OF_CYLINDER, MAX_REYNOLDS_OF_SPHEROID, SlowLiquid,
+};
 use quasirigid::secular::choice::UnknownLiquid;
 use quasirigid_io::record::LiquidRecord;
 use quasirigid_math::vec3::norm;
@@ -49,7 +51,7 @@ pub fn unknown(liquids: &[UnknownLiquid]) -> String {
     };
     format!(
         "liquid that spins has waves at frequencies below twice the spin, and about this axis those of {} are not known: only slow flow is, a sphere up to a \
-         Reynolds number of {MOST_OF_BALL:e}, and where it spins about its axis a spheroid up to {MOST_OF_SPHEROID:e} or a cylinder up to {MOST_OF_CYLINDER:e}",
+         Reynolds number of {MAX_REYNOLDS_OF_BALL:e}, and where it spins about its axis a spheroid up to {MAX_REYNOLDS_OF_SPHEROID:e} or a cylinder up to {MAX_REYNOLDS_OF_CYLINDER:e}",
         liquids.iter().map(name).collect::<Vec<_>>().join(", ")
     )
 }

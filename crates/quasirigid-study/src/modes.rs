@@ -1,7 +1,7 @@
 //! Steady spins that a user asks for, with the modes about them.
 
 use quasirigid::model::Principal;
-use quasirigid::modes::{Given, acts};
+use quasirigid::modes::{SpinMagnitude, acts};
 use quasirigid_io::model::{Named, Rotation};
 use quasirigid_io::record::SteadySpinRecord;
 use quasirigid_math::vec3::norm;
@@ -121,7 +121,7 @@ impl Study {
             return Ok(Modes { spins: vec![record], state, under_forces: true });
         }
         let (omega, given) = match asked.omega {
-            Some(omega) => (omega, Given::Rate(norm(omega))),
+            Some(omega) => (omega, SpinMagnitude::Rate(norm(omega))),
             None => of_start(self)?,
         };
         let principal = Principal::compute(body.invariants().J);
@@ -142,13 +142,13 @@ fn starts_from_rest(study: &Study) -> bool {
 }
 
 /// The angular velocity (rad/s) of the start, and its angular momentum, or its rate if internal rotors and liquids take that up.
-fn of_start(study: &Study) -> Result<([f64; 3], Given), StudyError> {
+fn of_start(study: &Study) -> Result<([f64; 3], SpinMagnitude), StudyError> {
     let spin = study.initial()?;
     let angular_momentum = Motion::new(study, spin).angular_momentum()?;
     let given = if angular_momentum > 0.0 {
-        Given::AngularMomentum(angular_momentum)
+        SpinMagnitude::AngularMomentum(angular_momentum)
     } else {
-        Given::Rate(norm(spin.omega))
+        SpinMagnitude::Rate(norm(spin.omega))
     };
     Ok((spin.omega, given))
 }

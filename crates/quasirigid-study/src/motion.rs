@@ -22,14 +22,14 @@ use crate::study::Study;
 use quasirigid_io::model::System;
 
 /// Relative difference between an angular momentum and that of the spin which the series finds for it, from which the
-/// series means nothing there.
+/// series does not hold there.
 const CLOSED: f64 = 0.01;
 
 /// Beginning of the notes on a model whose motion [starts displaced](Motion::starts_displaced).
-pub const DISPLACED: &str = "What moves inside does not start on the slow manifold";
+pub const DISPLACED: &str = "The internal coordinates do not start on the slow manifold";
 
 /// Note on a start of which the file asks for a slow manifold that there is not. (Q8)
-pub const LOOSE: &str = "Rotors and liquids do not follow this spin by a slow series, and start turning with the body; `speed` in \
+pub const LOOSE: &str = "No slow series holds for the rotors and liquids at this spin: they start at rest in the body; `speed` in \
                                 [[rotor]] starts a rotor otherwise.";
 
 /// A body with its forces and its initial state.
@@ -141,7 +141,7 @@ impl<'a> Motion<'a> {
     }
 
     /// The options with an end where the spin passes the slowest elastic frequency: forces can drive a truncated series
-    /// there, and beyond that frequency the series means nothing.
+    /// there, and beyond that frequency the series does not hold.
     fn bounded(&self, options: &Options) -> Result<Options, StudyError> {
         let mut options = options.clone();
         let bounded = options.events.iter().any(|event| matches!(event, Event::Validity { .. }));
@@ -172,7 +172,7 @@ impl<'a> Motion<'a> {
         Ok(state)
     }
 
-    /// The state on the slow manifold; none where the series means nothing at the start. (Q8)
+    /// The state on the slow manifold; none where the series does not hold at the start. (Q8)
     fn on_slow_manifold(&self) -> Result<Option<&FullState>, StudyError> {
         if let Some(known) = self.slow.get() {
             return Ok(known.as_ref());

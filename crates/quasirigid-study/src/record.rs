@@ -160,7 +160,7 @@ pub fn unfinished(system: System, equations: &str, options: &Options, columns: V
         form: equations.into(),
         method: method(system, Work::default()),
         status: UNFINISHED.into(),
-        message: "the run was cut off; quasirigid run with --resume goes on with it".into(),
+        message: "the run was interrupted; quasirigid run with --resume continues it".into(),
         tolerance: options.tolerance,
         steps: 0,
         rejected: 0,
@@ -230,7 +230,7 @@ pub fn status(body: &FlexibleBody, outcome: Outcome, t: f64) -> (&'static str, S
         Outcome::Finished => ("finished", "the run reached its end".into()),
         Outcome::Interrupted => ("interrupted", format!("the run was interrupted at t = {t} s")),
         Outcome::StepLimit => {
-            ("step-limit", format!("the run used up its steps at t = {t} s; loosen the tolerance"))
+            ("step-limit", format!("the run reached its step limit at t = {t} s; loosen the tolerance"))
         }
         Outcome::LeftRange(left) => {
             ("left-validity", format!("{} at t = {t} s", words::displaced(body, left)))

@@ -36,14 +36,14 @@ use crate::{evolution, record, steady, verification};
 
 /// Rows of a history without a given number: enough for smooth curves, within limits.
 const ROWS_PER_TURN: f64 = 24.0;
-const ROWS: [f64; 2] = [2_001.0, 50_001.0];
+const ROW_RANGE: [f64; 2] = [2_001.0, 50_001.0];
 
 /// Note on a spin outside the range of the series.
 const NO_SERIES: &str = "The truncated series has no angular momentum for this angular velocity, so the full system was followed in \
-                         the place of the reduced equations.";
+                         place of the reduced equations.";
 /// Note on a start from rest.
-const FROM_REST: &str = "The body starts from rest. The reduced equations are judged at {spin} rad/s, which is what acts on it can give it, \
-                         or a radian in the whole time.";
+const FROM_REST: &str = "The body starts from rest. The reduced equations are judged at {spin} rad/s, which the loads can give \
+                         it, or a radian in the whole time.";
 /// Note on a run that was told to end.
 const INTERRUPTED: &str = "The run was interrupted, so the history of the {system} body was left out.";
 const UNEXPANDED: &str = "The run was interrupted, so the reduced equations about the spin were left out.";
@@ -51,8 +51,8 @@ const UNEXPANDED: &str = "The run was interrupted, so the reduced equations abou
 const STAGE: &str = "expanding about the spin";
 const UNPROVED: &str = "The run was interrupted, so the verification against the full system was left out.";
 /// Note on the histories of a start off the slow manifold.
-const SETTLES: &str = "the full system moves until its friction has stilled it, and the reduced body starts from the state that it \
-                       settles on";
+const SETTLES: &str = "the full system moves until friction has damped it, and the reduced body starts from \
+                       the state to which it settles";
 
 /// Result of a run.
 #[derive(Debug)]
@@ -121,7 +121,7 @@ impl Study {
     /// Does everything that the model asks for in `[run]`.
     ///
     /// # Errors
-    /// [`StudyError`] for a start that is none, and for settings out of range; what is interrupted is left out with a note.
+    /// [`StudyError`] for an invalid start, and for settings out of range; what is interrupted is left out with a note.
     pub fn run(&self, asked: &PartialRun, watch: &mut dyn Watch) -> Result<RunOutcome, StudyError> {
         self.run_kept(asked, None, watch)
     }
@@ -248,7 +248,7 @@ impl<'a> Plan<'a> {
         let omega = motion.start.omega;
         let duration = settings.duration(omega)?;
         let revolutions = duration * norm(omega) / std::f64::consts::TAU;
-        let rows = (ROWS_PER_TURN * revolutions).ceil().clamp(ROWS[0], ROWS[1]) as usize;
+        let rows = (ROWS_PER_TURN * revolutions).ceil().clamp(ROW_RANGE[0], ROW_RANGE[1]) as usize;
         let rows = settings.samples.unwrap_or(rows);
         let systems = study.model.run.systems.clone().unwrap_or_else(|| vec![System::Reduced, System::Rigid]);
         if !kept {
@@ -271,7 +271,7 @@ impl<'a> Plan<'a> {
         watch: &mut dyn Watch,
     ) -> Result<Option<AboutSpinRecord>, StudyError> {
         let asked = self.asks_about_spin();
-        if !asked && (enough || self.motion.body.coordinates().len() > about_spin::TRIED) {
+        if !asked && (enough || self.motion.body.coordinates().len() > about_spin::MAX_TRIED_COORDINATES) {
             return Ok(None);
         }
         let found = about_spin::that_holds(self.motion, &mut |share| watch.at(STAGE, share));

@@ -46,7 +46,7 @@ impl Spins {
 
 /// What the spins of many starts share.
 #[derive(Debug)]
-pub struct SpinsAsked<'a> {
+pub struct SpinPathPlan<'a> {
     study: &'a Study,
     assessment: Assessment<'a>,
     times: &'a [f64],
@@ -64,7 +64,7 @@ impl Study {
         times: &'a [f64],
         asked: &PartialRun,
         rounding: Rounding,
-    ) -> Result<SpinsAsked<'a>, StudyError> {
+    ) -> Result<SpinPathPlan<'a>, StudyError> {
         let options =
             Options { rounding, ..RunSettings::resolve(asked, self)?.options(self, [0.0, 0.0, 1.0])? };
         let free = !Motion::new(self, Start::new([0.0; 3], self.model.initial.attitude)).system().acts();
@@ -72,15 +72,15 @@ impl Study {
             return Err(StudyError::SpinsAlone { forces: !free });
         }
         let assessment = Assessment::new(&self.body, &*self.reduced(self.order)?)?;
-        Ok(SpinsAsked { study: self, assessment, times, options })
+        Ok(SpinPathPlan { study: self, assessment, times, options })
     }
 }
 
-impl SpinsAsked<'_> {
+impl SpinPathPlan<'_> {
     /// Spins from each angular velocity (rad/s, body axes), in their order. They depend on their own start alone, whatever starts beside them.
     ///
     /// # Errors
-    /// [`StudyError`] in the place of the spins of a start that is none; [`StudyError::Interrupted`] for all when the watch ends the work.
+    /// [`StudyError`] in place of the spins of a start that is none; [`StudyError::Interrupted`] for all when the watch ends the work.
     pub fn from(
         &self,
         starts: &[[f64; 3]],

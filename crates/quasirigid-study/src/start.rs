@@ -5,7 +5,7 @@ use std::fmt::{self, Display, Formatter};
 use quasirigid::averaging::{FreeRotation, ObservedPeriods};
 use quasirigid::dynamics::Start;
 use quasirigid::model::{FlexibleBody, Mode, Principal, ReducedBody};
-use quasirigid::modes::{Given, RelativeEquilibrium};
+use quasirigid::modes::{RelativeEquilibrium, SpinMagnitude};
 use quasirigid::reduction::{Comparison, Criterion, Relaxation, Verdict, manifold_has_meaning, residual};
 use quasirigid::secular::spun_state;
 use quasirigid_io::model::{Displacements, Rotation};
@@ -52,7 +52,7 @@ pub fn initial(study: &Study) -> Result<Start, StudyError> {
     if body.hung().is_none() {
         let reduced = study.reduced(slaved_order(study, *order, rigid)?)?;
         let omega = reduced.angular_velocity(K);
-        if follows_its_spin(body, &reduced, omega) && norm(omega) < FAR * norm(rigid) {
+        if follows_its_spin(body, &reduced, omega) && norm(omega) < MAX_SPIN_RATIO * norm(rigid) {
             return Ok(Start::new(omega, attitude));
         }
     }
@@ -65,7 +65,7 @@ pub fn initial(study: &Study) -> Result<Start, StudyError> {
 }
 
 /// An angular velocity this many times that of the frozen body is no solution for its angular momentum.
-const FAR: f64 = 3.0;
+const MAX_SPIN_RATIO: f64 = 3.0;
 
 /// Angular momentum (N·m·s) and angular velocity (rad/s) of a motion of the frozen body, body axes.
 fn angular_momentum(principal: &Principal, motion: &FreeRotation) -> ([f64; 3], [f64; 3]) {
@@ -77,7 +77,8 @@ fn angular_momentum(principal: &Principal, motion: &FreeRotation) -> ([f64; 3], 
 /// Angular momentum (N·m·s) of a wobble of the body as its steady spin at this rate (rad/s) deforms it. (Q8)
 fn deformed(body: &FlexibleBody, angle: f64, rate: f64, mode: Mode) -> Result<[f64; 3], StudyError> {
     let axis = Principal::compute(body.invariants().J).axes[mode.circled()];
-    let steady = RelativeEquilibrium::near(body, axis, Given::Rate(rate)).map_err(StudyError::NoStart)?;
+    let steady =
+        RelativeEquilibrium::near(body, axis, SpinMagnitude::Rate(rate)).map_err(StudyError::NoStart)?;
     let principal = Principal::compute(body.full_inertia_at(&steady.q));
     let motion = FreeRotation::at_nutation(principal.moments, norm(steady.angular_momentum), mode, angle)?;
     Ok(angular_momentum(&principal, &motion).0)
@@ -114,13 +115,13 @@ impl Display for NoWobble {
         )?;
         match self.mode.other() {
             other if !other.exists(self.moments) => {
-                f.write_str(", and so is the third: a body like a sphere does not wobble")
+                f.write_str(", and so is the third: such a body does not wobble")
             }
             Mode::LongAxis => {
-                f.write_str("; count the angle from the axis of least inertia, mode = \"long-axis\"")
+                f.write_str("; measure the angle from the axis of least inertia, mode = \"long-axis\"")
             }
             Mode::ShortAxis => {
-                f.write_str("; count the angle from the axis of greatest inertia, mode = \"short-axis\"")
+                f.write_str("; measure the angle from the axis of greatest inertia, mode = \"short-axis\"")
             }
         }
     }
@@ -134,7 +135,7 @@ pub fn slaves(body: &FlexibleBody, spin: [f64; 3]) -> Result<bool, StudyError> {
 }
 
 /// The order to which the state of the body follows its spin (rad/s): that asked for, or 0 where internal rotors or liquids are so free
-/// that the slow series means nothing. They then turn with the body at the start. (C7), (Q8)
+/// that the slow series does not hold. They then turn with the body at the start. (C7), (Q8)
 pub fn slaved_order(study: &Study, order: usize, spin: [f64; 3]) -> Result<usize, StudyError> {
     let body = &study.body;
     let follows = order == 0

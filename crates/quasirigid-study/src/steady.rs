@@ -3,7 +3,7 @@
 use std::fmt::{self, Write};
 
 use quasirigid::model::{Mode, Principal};
-use quasirigid::modes::{EquilibriumError, Given, RelativeEquilibrium, SpinMode, SpinModes, acts};
+use quasirigid::modes::{EquilibriumError, RelativeEquilibrium, SpinMagnitude, SpinMode, SpinModes, acts};
 use quasirigid_io::record::{ModeList, ModeRecord, SteadySpinRecord};
 use quasirigid_io::visible::one_line;
 use quasirigid_math::vec3::norm;
@@ -16,7 +16,7 @@ use crate::study::Study;
 use crate::words::{significant, tidied, time};
 
 /// Coordinates of a body whose modes take longer than a moment.
-const MANY: usize = 700;
+const MAX_COORDINATES: usize = 700;
 /// Modes listed for people.
 const LISTED: usize = 12;
 /// Longest name in the row of its mode; a longer one has a line of its own.
@@ -36,7 +36,7 @@ pub struct Poles {
 }
 
 /// The steady spins about the axes of greatest and of least inertia, the one next to an angular velocity first.
-pub fn poles(study: &Study, omega: [f64; 3], given: Given) -> Poles {
+pub fn poles(study: &Study, omega: [f64; 3], given: SpinMagnitude) -> Poles {
     let body = &study.body;
     let modes = Principal::compute(body.invariants().J).nearest(omega);
     let [(first, nearest), (second, other)] = modes.map(|mode| {
@@ -50,12 +50,14 @@ pub fn poles(study: &Study, omega: [f64; 3], given: Given) -> Poles {
 /// of more coordinates than are analysed unasked.
 pub fn at_start(motion: &Motion, study: &Study) -> Result<Poles, StudyError> {
     let Study { body, forces, .. } = study;
-    if acts(body, forces) || norm(motion.start.omega) == 0.0 || body.coordinates().len() > MANY {
+    if acts(body, forces) || norm(motion.start.omega) == 0.0 || body.coordinates().len() > MAX_COORDINATES {
         return Ok(Poles::default());
     }
     Ok(match motion.angular_momentum()? {
         0.0 => Poles::default(),
-        angular_momentum => poles(study, motion.start.omega, Given::AngularMomentum(angular_momentum)),
+        angular_momentum => {
+            poles(study, motion.start.omega, SpinMagnitude::AngularMomentum(angular_momentum))
+        }
     })
 }
 
@@ -72,7 +74,7 @@ pub fn lines(spins: &[SteadySpinRecord]) -> String {
 }
 
 /// The steady spin near an axis, on its side, with its modes.
-pub fn spin(study: &Study, name: &str, axis: [f64; 3], given: Given) -> SteadySpinRecord {
+pub fn spin(study: &Study, name: &str, axis: [f64; 3], given: SpinMagnitude) -> SteadySpinRecord {
     told(study, name, RelativeEquilibrium::near(&study.body, axis, given)).0
 }
 

@@ -2,7 +2,7 @@
 
 use quasirigid::model::Marker;
 use quasirigid::model::force::Force;
-use quasirigid::modes::{Near, SteadyModes, SteadyState, acts};
+use quasirigid::modes::{SteadyModes, SteadyState, SteadyStateGuess, acts};
 use quasirigid_io::model::Rotation;
 use quasirigid_io::record::SteadySpinRecord;
 use quasirigid_math::vec3::norm;
@@ -36,7 +36,7 @@ pub fn acting_at_start(study: &Study) -> Vec<Force<Marker>> {
 }
 
 /// Place of the search: the angular velocity asked for, or the start of the file, at rest if the file has no rotation.
-pub fn near(study: &Study, asked: Option<[f64; 3]>) -> Result<Near, StudyError> {
+pub fn near(study: &Study, asked: Option<[f64; 3]>) -> Result<SteadyStateGuess, StudyError> {
     let Study { model, .. } = study;
     let omega = match (asked, model.initial.rotation) {
         (Some(omega), _) | (None, Some(Rotation::Spin(omega))) => omega,
@@ -44,11 +44,11 @@ pub fn near(study: &Study, asked: Option<[f64; 3]>) -> Result<Near, StudyError> 
         (None, None) => [0.0; 3],
     };
     let (place, velocity) = placed(study);
-    Ok(Near { omega, attitude: model.initial.attitude, place, velocity, asked: asked.is_some() })
+    Ok(SteadyStateGuess { omega, attitude: model.initial.attitude, place, velocity, asked: asked.is_some() })
 }
 
 /// The steady state next to a start with the modes about it, or the reason for its absence.
-pub fn told(study: &Study, forces: &[Force<Marker>], near: Near) -> Told {
+pub fn told(study: &Study, forces: &[Force<Marker>], near: SteadyStateGuess) -> Told {
     let found = SteadyState::near(&study.body, forces, near)
         .and_then(|state| SteadyModes::about(&study.body, forces, state));
     let refused = |why: String| Told {
@@ -70,7 +70,12 @@ fn silent(study: &Study, modes: &SteadyModes) -> Option<String> {
     unanswered(study, modes.state.omega, swinging.fold(f64::INFINITY, f64::min))
 }
 
-fn record(study: &Study, forces: &[Force<Marker>], modes: &SteadyModes, near: Near) -> SteadySpinRecord {
+fn record(
+    study: &Study,
+    forces: &[Force<Marker>],
+    modes: &SteadyModes,
+    near: SteadyStateGuess,
+) -> SteadySpinRecord {
     let state = &modes.state;
     let coordinates = study.body.coordinates().iter().zip(&state.q).take(study.body.elastic());
     SteadySpinRecord {
@@ -133,7 +138,7 @@ fn subject(study: &Study, forces: &[Force<Marker>]) -> String {
 }
 
 /// Result of the steady state in words, instability first.
-fn sentence(modes: &SteadyModes, near: Near, subject: &str) -> String {
+fn sentence(modes: &SteadyModes, near: SteadyStateGuess, subject: &str) -> String {
     let fastest = modes.modes.iter().min_by(|a, b| a.decay_rate.total_cmp(&b.decay_rate));
     let mut sentence = match fastest {
         Some(mode) if mode.grows() => {
@@ -151,7 +156,7 @@ fn sentence(modes: &SteadyModes, near: Near, subject: &str) -> String {
     if modes.neutral > 0 {
         let (motions, stay) = if modes.neutral == 1 { ("motion", "stays") } else { ("motions", "stay") };
         sentence.push_str(&format!(
-            " Beside these {} {motions} {stay} or drift{}: such states lie side by side.",
+            " Beside these {} {motions} {stay} or drift{}: such states form a family.",
             modes.neutral,
             if modes.neutral == 1 { "s" } else { "" },
         ));

@@ -21,7 +21,7 @@ impl Study {
     /// Verifies the reduced equations of a study; none if the watch ended it.
     ///
     /// # Errors
-    /// [`StudyError`] for a start that is none, and for a plan that means nothing.
+    /// [`StudyError`] for an invalid start, and for an invalid plan.
     pub fn verify(
         &self,
         plan: &VerificationPlan,
@@ -39,8 +39,8 @@ pub(crate) struct Proof {
 }
 
 /// Halvings at most at which the average is compared with the full system, and the steps of these runs, in those of the verification.
-const HALVINGS: usize = 3;
-const STEPS: u64 = 40;
+const MAX_HALVINGS: usize = 3;
+const STEPS_RATIO: u64 = 40;
 
 const STAGE: &str = "verifying";
 
@@ -56,7 +56,7 @@ pub(crate) fn follow(
         other => other?,
     };
     let highest = plan.orders.iter().copied().max().unwrap_or_default();
-    let (halvings, steps) = (plan.halvings.min(HALVINGS), STEPS * verification.steps);
+    let (halvings, steps) = (plan.halvings.min(MAX_HALVINGS), STEPS_RATIO * verification.steps);
     let average = verify_average(system, start, highest, halvings, steps, &mut || watch.at(STAGE, 1.0));
     match average {
         Err(AverageError::Measure(MeasureError::Interrupted)) => Ok(None),

@@ -8,7 +8,7 @@ use quasirigid::reduction::{Comparison, Criterion, Validity, Verdict};
 use quasirigid_math::vec3::norm;
 
 /// Share of the length of a vector below which a component is rounding.
-const ROUNDING: f64 = 1e-9;
+const COMPONENT_ROUNDING: f64 = 1e-9;
 
 /// A criterion in words.
 pub struct Words {
@@ -48,7 +48,7 @@ fn sentence(criterion: &Criterion, validity: &Validity) -> String {
     let spin = significant(validity.T3.recip(), 4);
     match criterion.comparison {
         Comparison::Spin => match validity.vibrations.frequencies.first() {
-            None => "Nothing on this body vibrates.".into(),
+            None => "The body has no elastic vibrations.".into(),
             Some(slowest) => {
                 let softest = validity.vibrations.softest.as_deref().unwrap_or("the softest coordinate");
                 let slowest = significant(*slowest, 4);
@@ -64,9 +64,9 @@ fn sentence(criterion: &Criterion, validity: &Validity) -> String {
             )
         }
         Comparison::Relaxation => match &validity.relaxation.slowest {
-            None => "No rotor or liquid moves in this body.".into(),
+            None => "No internal rotor or liquid moves in this body.".into(),
             Some(slowest) => format!(
-                "The slowest motion inside ({slowest}) comes to rest in {} s, which is {ratio} of the time 1/|w| of the spin.",
+                "The slowest internal relaxation ({slowest}) takes {} s, which is {ratio} of the time 1/|w| of the spin.",
                 significant(validity.relaxation.longest(), 3)
             ),
         },
@@ -75,7 +75,7 @@ fn sentence(criterion: &Criterion, validity: &Validity) -> String {
         }
         Comparison::Resonance => resonance(validity),
         Comparison::Linearity => match &validity.displacement {
-            None => "Nothing on this body is displaced.".into(),
+            None => "No part of the body is displaced.".into(),
             Some((place, r)) => format!(
                 "The largest displacement, of {place}, is {} m: {ratio} of the size of the body.",
                 significant(*r, 3)
@@ -201,7 +201,7 @@ pub fn energy_note(system: &str, forced: bool, accounts: Accounts) -> Option<Str
     if notable(left_out) {
         let [doubt, taken] = [left_out, dissipated].map(|energy| significant(energy, 2));
         return Some(format!(
-            "THE DISSIPATED ENERGY MAY NOT HOLD: forces that change as fast as the body vibrates leave up to about {doubt} J in vibrations that the reduced equations do not have, beside {taken} J that the dashpots took; the full system has them."
+            "THE DISSIPATED ENERGY MAY BE WRONG: forces that change as fast as the body vibrates leave up to about {doubt} J in vibrations that the reduced equations do not have, beside {taken} J that the dashpots took; the full system has them."
         ));
     }
     if !notable(drift.abs()) || drift.abs() <= rounding {
@@ -249,7 +249,7 @@ pub fn dissipation(shares: &BTreeMap<String, f64>) -> Option<String> {
         let rest: f64 = parts[named..].iter().map(|(_, share)| share).sum();
         list.push(format!("{} more {}", parts.len() - named, percent(rest)));
     }
-    Some(format!("what dissipates: {}", list.join(", ")))
+    Some(format!("dissipation shares: {}", list.join(", ")))
 }
 
 /// A verdict in one word.
@@ -277,7 +277,7 @@ pub fn significant(value: f64, digits: i32) -> String {
 
 /// Components of a vector, zero where one is rounding beside the length.
 pub fn tidied(vector: [f64; 3]) -> [f64; 3] {
-    let least = ROUNDING * norm(vector);
+    let least = COMPONENT_ROUNDING * norm(vector);
     vector.map(|component| if component.abs() < least { 0.0 } else { component })
 }
 
@@ -299,7 +299,7 @@ pub fn time(seconds: f64) -> String {
         (1.0, "s"),
     ];
     if seconds.is_infinite() {
-        return "for ever".into();
+        return "infinite".into();
     }
     let (size, unit) = UNITS.into_iter().find(|(size, _)| seconds.abs() >= 2.0 * size).unwrap_or((1.0, "s"));
     format!("{} {unit}", significant(seconds / size, 4))

@@ -87,9 +87,11 @@ fn by_itself(body: &WobblingEllipsoid) -> f64 {
         Assembly { ellipsoids: vec![ellipsoid], ..Assembly::default() }.body().expect("an ellipsoid");
     let response = Response::compute(&flexible).expect("modes");
     let evolution = Evolution::new(&response, body.spin * response.principal().moments[2]);
-    let stage = |wobble| match wobble {
-        Wobble::Ratio(ratio) => evolution.stage(ratio),
+    let rotation_state = |wobble| match wobble {
+        Wobble::Ratio(ratio) => evolution.rotation_state(ratio),
         Wobble::Nutation(angle) => evolution.wobbling(angle),
     };
-    stage(body.from).zip(stage(body.until)).map_or(f64::NAN, |(from, until)| evolution.time(from, until))
+    rotation_state(body.from)
+        .zip(rotation_state(body.until))
+        .map_or(f64::NAN, |(from, until)| evolution.time(from, until))
 }

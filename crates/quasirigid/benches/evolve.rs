@@ -45,7 +45,7 @@ fn start(moments: [f64; 3]) -> (f64, f64) {
 
 fn ten_billion_years(power: &dyn MeanPower, (G, ratio): (f64, f64)) -> Option<RotationState> {
     let evolution = Evolution::new(power, G);
-    evolution.after(evolution.stage(ratio)?, TEN_BILLION_YEARS)
+    evolution.after(evolution.rotation_state(ratio)?, TEN_BILLION_YEARS)
 }
 
 #[divan::bench]

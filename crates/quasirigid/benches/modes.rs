@@ -4,7 +4,7 @@
 
 use divan::Bencher;
 use quasirigid::model::Mode;
-use quasirigid::modes::{Given, RelativeEquilibrium, SpinModes, campbell};
+use quasirigid::modes::{RelativeEquilibrium, SpinMagnitude, SpinModes, campbell};
 use quasirigid::problems::ring_of_points;
 
 fn main() {
@@ -16,8 +16,8 @@ fn main() {
 fn points(bencher: Bencher, count: usize) {
     let body = ring_of_points(count).body().expect("the ring has an equilibrium");
     bencher.bench(|| {
-        let spin =
-            RelativeEquilibrium::near(&body, [0.0, 0.0, 1.0], Given::Rate(0.1)).expect("a steady spin");
+        let spin = RelativeEquilibrium::near(&body, [0.0, 0.0, 1.0], SpinMagnitude::Rate(0.1))
+            .expect("a steady spin");
         SpinModes::about(&body, spin).expect("its modes")
     });
 }
@@ -41,7 +41,8 @@ mod spins {
     #[divan::bench(args = POINTS, sample_count = 20)]
     fn steady_spins(bencher: Bencher, count: usize) {
         let (body, spins) = (ring_of_points(count).body().expect("a body"), spins());
-        let steady = |spin: &f64| RelativeEquilibrium::extreme(&body, Mode::ShortAxis, Given::Rate(*spin));
+        let steady =
+            |spin: &f64| RelativeEquilibrium::extreme(&body, Mode::ShortAxis, SpinMagnitude::Rate(*spin));
         bencher.bench(|| spins.iter().map(steady).collect::<Vec<_>>());
     }
 
@@ -49,7 +50,8 @@ mod spins {
     fn modes_one_by_one(bencher: Bencher, count: usize) {
         let (body, spins) = (ring_of_points(count).body().expect("a body"), spins());
         let modes = |spin: &f64| {
-            let steady = RelativeEquilibrium::extreme(&body, Mode::ShortAxis, Given::Rate(*spin)).ok()?;
+            let steady =
+                RelativeEquilibrium::extreme(&body, Mode::ShortAxis, SpinMagnitude::Rate(*spin)).ok()?;
             SpinModes::about(&body, steady).ok()
         };
         bencher.bench(|| spins.iter().map(modes).collect::<Vec<_>>());

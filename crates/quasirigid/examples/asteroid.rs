@@ -15,9 +15,9 @@ pub fn program() -> Result<String, quasirigid::Error> {
     let evolution = Evolution::compute(&body, &reduced, angular_momentum)?;
     let start = RotationState::from_motion(&motion);
     let row = |t: f64| {
-        let stage = evolution.after(start?, t * 1e9 * YEAR)?;
-        let wobble = evolution.motion(stage).nutation()[1].to_degrees();
-        Some(format!("{t:2} Gyr: {:?}, wobble {wobble:.2} deg\n", stage.mode))
+        let rotation_state = evolution.after(start?, t * 1e9 * YEAR)?;
+        let wobble = evolution.motion(rotation_state).nutation()[1].to_degrees();
+        Some(format!("{t:2} Gyr: {:?}, wobble {wobble:.2} deg\n", rotation_state.mode))
     };
     Ok([0.0, 1.0, 2.0, 5.0, 10.0].into_iter().filter_map(row).collect())
 }

@@ -12,6 +12,6 @@ pub use crate::elements::{
 pub use crate::math::rotation::{ALIGNED, angle};
 pub use crate::math::vec3::norm;
 pub use crate::model::{FlexibleBody, Mode, Principal, ReducedBody, Rheology};
-pub use crate::modes::{Given, RelativeEquilibrium, SpinModes};
+pub use crate::modes::{RelativeEquilibrium, SpinMagnitude, SpinModes};
 pub use crate::reduction::{Validity, Verdict, reduce};
 pub use crate::verification::{Difference, Verification, VerificationPlan, verify};

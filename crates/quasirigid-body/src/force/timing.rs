@@ -23,7 +23,7 @@ pub enum TimingProblem {
         index: usize,
     },
     /// A window ends before it begins.
-    #[error("window {index} ends at {to} s, which is not after its begin at {from} s")]
+    #[error("window {index} ends at {to} s, which is not after its start at {from} s")]
     Reversed {
         /// Number of the window, from 1.
         index: usize,

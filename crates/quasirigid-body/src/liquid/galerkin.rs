@@ -34,7 +34,7 @@ pub(super) struct Products {
 pub(super) const WEIGHTS: [f64; 3] = [0.5, 0.5, 1.0];
 pub(super) const TURNED: [f64; 3] = [1.0, -1.0, 0.0];
 /// Share of the largest product below which others are rounding.
-const ROUNDING: f64 = 1e-14;
+const PRODUCT_ROUNDING: f64 = 1e-14;
 
 impl Fields {
     /// `bᵀ(σM + K + 2iτG)⁻¹b` with the load `b`, the groups eliminated from the last on. (L16)
@@ -57,7 +57,10 @@ impl Products {
     pub fn cleaned(mut self) -> Self {
         for matrix in [&mut self.mass, &mut self.friction, &mut self.turning] {
             let largest = matrix.amax();
-            matrix.iter_mut().filter(|entry| entry.abs() < ROUNDING * largest).for_each(|entry| *entry = 0.0);
+            matrix
+                .iter_mut()
+                .filter(|entry| entry.abs() < PRODUCT_ROUNDING * largest)
+                .for_each(|entry| *entry = 0.0);
         }
         self
     }

@@ -114,12 +114,12 @@ fn drag(flow: LiquidFlow, m: i32, sigma: Complex<f64>, tau: f64) -> Complex<f64>
     match flow {
         LiquidFlow::Tube => bessel::drag(bessel::RING, sigma),
         LiquidFlow::Ball if tau == 0.0 => bessel::drag(bessel::BALL, sigma),
-        LiquidFlow::Ball => ball::Spinning { stretch: 1.0, tau }.drag(m, sigma),
+        LiquidFlow::Ball => ball::SpinningSpheroid { stretch: 1.0, tau }.drag(m, sigma),
         LiquidFlow::Spheroid { stretch, .. } => {
-            ball::Spinning { stretch, tau }.drag(m, sigma) / across(stretch)
+            ball::SpinningSpheroid { stretch, tau }.drag(m, sigma) / across(stretch)
         }
         LiquidFlow::Cylinder { half, .. } => {
-            cylinder::Spinning { half, tau }.drag(m, sigma) / across(0.5 + 2.0 * half * half / 3.0)
+            cylinder::SpinningCylinder { half, tau }.drag(m, sigma) / across(0.5 + 2.0 * half * half / 3.0)
         }
     }
 }

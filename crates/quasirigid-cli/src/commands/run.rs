@@ -47,7 +47,7 @@ pub fn run(arguments: &RunArgs) -> Result<ExitStatus, Failure> {
         if failure.is_of_writing() && ours && keeping.folder.is_dir() {
             let kept = keeping.folder.display();
             remark(&format!(
-                "{kept} is kept; once files can be written, the same command with --resume goes on"
+                "{kept} is kept; once files can be written, the same command with --resume continues"
             ));
         }
     })?;
@@ -64,7 +64,7 @@ pub fn run(arguments: &RunArgs) -> Result<ExitStatus, Failure> {
     if let Some(kept) = kept {
         let (folder, asked) = (kept.display(), keeping.folder.display());
         let rename = if kept == keeping.folder { String::new() } else { format!("rename it {asked}, and ") };
-        remark(&format!("{folder} is kept; {rename}the same command with --resume goes on with the run"));
+        remark(&format!("{folder} is kept; {rename}the same command with --resume continues the run"));
     }
     Ok(if found.holds && in_place { ExitStatus::Done } else { ExitStatus::CheckFailed })
 }

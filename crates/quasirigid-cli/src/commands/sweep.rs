@@ -44,7 +44,7 @@ fn told(arguments: &SweepArgs, folder: &Path, finished: &Finished) -> Result<Exi
         let place = folder.display();
         if *interrupted {
             remark(&format!(
-                "interrupted; {parts_there} of {parts} parts are in {place}, go on with --resume"
+                "interrupted; {parts_there} of {parts} parts are in {place}; continue with --resume"
             ));
             return Ok(ExitStatus::CheckFailed);
         }
@@ -52,7 +52,7 @@ fn told(arguments: &SweepArgs, folder: &Path, finished: &Finished) -> Result<Exi
             output::print(&format!("{:#}\n", json!({ "parts": parts, "parts_there": parts_there })))?;
         } else if !arguments.quiet {
             let others = if *elsewhere > 0 {
-                format!("; another process works on {elsewhere} more")
+                format!("; another process is working on {elsewhere} more")
             } else {
                 String::new()
             };

@@ -62,7 +62,7 @@ fn what_has_no_equations_about_its_spin_is_refused_in_words() {
         ),
         (MODEL, "derive model.toml --about spin --masters 1,2,3,4", "names no masters"),
         (MODEL, "derive model.toml --about spin --axis middle", "take --axis least or greatest"),
-        (&stop, "simulate model.toml --system spin-manifold", "know no events"),
+        (&stop, "simulate model.toml --system spin-manifold", "support no events"),
         (MODEL, "derive model.toml --degree 3", "add --about spin"),
     ];
     for (model, line, message) in cases {

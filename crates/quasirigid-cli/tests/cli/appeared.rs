@@ -1,4 +1,4 @@
-//! Files that appear in the place of a result while the work for it goes on, and leftovers of killed runs.
+//! Files that appear in place of a result while the work for it goes on, and leftovers of killed runs.
 
 use std::fs::{self, File};
 use std::io::Read;
@@ -42,7 +42,7 @@ fn folder_that_appears_during_the_run_stays_and_the_record_goes_beside_it() {
     assert_eq!(names(folder.path().join("out")), ["thesis.txt"]);
     RunRecord::read(&folder.path().join("out-2")).unwrap();
     assert_eq!(names(&folder), ["model.toml", "out", "out-2", "out-unfinished"]);
-    let words = "out appeared while the work went on, and is left as it is; the result is in out-2";
+    let words = "out was created in the meantime, and is left as it is; the result is in out-2";
     assert!(ran.stderr.contains(words), "{}", ran.stderr);
 }
 
@@ -104,11 +104,7 @@ fn files_that_only_look_like_ours_are_never_replaced() {
         }
         fs::write(&file, "precious").unwrap();
         let refused = ran_in(folder.path(), &format!("{SHORT} --overwrite"));
-        assert!(
-            refused.refusal().contains("is more or other than a record"),
-            "{foreign}: {}",
-            refused.stderr
-        );
+        assert!(refused.refusal().contains("is not only a record"), "{foreign}: {}", refused.stderr);
         assert_eq!(fs::read_to_string(&file).unwrap(), "precious");
         fs::remove_dir_all(&out).unwrap();
     }
@@ -151,7 +147,7 @@ fn record_of_a_run_killed_between_two_places_goes_back() {
     let aside = folder.path().join(".quasirigid-killed/new-aside");
     fs::rename(folder.path().join("out"), &aside).unwrap();
     let refused = ran_in(folder.path(), SHORT);
-    assert!(refused.refusal().contains("out is there already"), "{}", refused.stderr);
+    assert!(refused.refusal().contains("out already exists"), "{}", refused.stderr);
     RunRecord::read(&folder.path().join("out")).unwrap();
     assert_eq!(names(&folder), ["model.toml", "out"]);
 }

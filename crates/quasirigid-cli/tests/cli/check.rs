@@ -162,7 +162,7 @@ fn shares_of_dissipators_stand_where_the_equations_hold() {
     let checked = ran("check examples/three-masses/model.toml");
     let (_, rest) = checked.stdout.split_once("At this spin").unwrap();
     assert_snapshot!(rest, @"
-    1.16e-4 W are dissipated; what dissipates: spring p2-carrier
+    1.16e-4 W are dissipated; dissipation shares: spring p2-carrier
      70.4 %, spring p1-p2 9.72 %, spring p0-p2 8.38 %, spring p0-carrier 6.83 %,
      spring p0-p1 3.23 %, spring p1-carrier 1.46 %.
     ");

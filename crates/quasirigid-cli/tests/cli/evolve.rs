@@ -155,8 +155,8 @@ fn run_keeps_the_evolution_and_its_report_shows_it() {
 #[test]
 fn shares_of_dissipators_stand_in_a_line() {
     let text = ran("evolve examples/friction-wheel/model.toml").stdout;
-    let line = text.lines().find(|line| line.contains("what dissipates")).unwrap();
-    assert_snapshot!(line, @"  what dissipates: damper wheel 100.0 %, spring instrument-carrier 0.00370 %");
+    let line = text.lines().find(|line| line.contains("dissipation shares")).unwrap();
+    assert_snapshot!(line, @"  dissipation shares: damper wheel 100.0 %, spring instrument-carrier 0.00370 %");
 }
 
 /// An end that was not asked for is told on standard error, after the object, with exit code 1.

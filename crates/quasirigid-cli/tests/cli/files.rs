@@ -32,7 +32,7 @@ fn file_is_replaced_only_on_request() {
     let file = folder.path().join("table.csv");
     fs::write(&file, "precious").unwrap();
     assert_snapshot!(ran_in(folder.path(), &format!("{SHORT} --out table.csv")).refusal(), @r"
-    quasirigid: table.csv is there already; choose another with --out, or add
+    quasirigid: table.csv already exists; choose another with --out, or add
     --overwrite
     ");
     assert_eq!(fs::read_to_string(&file).unwrap(), "precious");
@@ -51,10 +51,10 @@ fn place_that_takes_no_file_is_refused_before_the_work() {
         let line = format!("simulate model.toml --duration 20h --samples 5 --out {path}");
         ran_in(folder.path(), &line)
     };
-    assert_snapshot!(refused("none/table.csv").refusal(), @"quasirigid: cannot write none/table.csv: there is no folder none; make it first");
+    assert_snapshot!(refused("none/table.csv").refusal(), @"quasirigid: cannot write none/table.csv: there is no folder none; create it first");
     assert_snapshot!(refused("model.toml/table.csv").refusal(), @r"
     quasirigid: cannot write model.toml/table.csv: there is no folder model.toml;
-    make it first
+    create it first
     ");
     fs::create_dir(folder.path().join("made")).unwrap();
     assert_snapshot!(refused("made").refusal(), @"quasirigid: made is a folder; name a file in it with --out");

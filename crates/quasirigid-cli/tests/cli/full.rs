@@ -68,7 +68,7 @@ fn a_run_proves_itself_where_the_model_asks() {
     let rows = [("momentum", 1, true), ("momentum", 3, true), ("paper", 1, true), ("paper", 3, true)];
     assert_eq!((verification.reached, &found[..]), (true, &rows[..]));
     let page = std::fs::read_to_string(folder.path().join("spin/report.html")).unwrap();
-    assert!(page.contains("Proof against the full system"));
+    assert!(page.contains("Verification against the full system"));
 }
 
 #[test]

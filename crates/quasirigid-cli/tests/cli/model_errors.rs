@@ -193,7 +193,7 @@ fn bytes_that_are_no_text_are_located() {
     let bytes = [before.as_bytes(), b"\"40 \xff\"", after.as_bytes()].concat();
     fs::write(folder.path().join("model.toml"), bytes).unwrap();
     assert_snapshot!(ran_in(folder.path(), "check model.toml").refusal(), @r#"
-    Error: the file is not UTF-8 text: the byte 0xFF cannot stand here
+    Error: the file is not UTF-8 text: the byte 0xFF is not allowed here
        ╭─[ model.toml:2:12 ]
        │
      2 │ mass = "40 �"

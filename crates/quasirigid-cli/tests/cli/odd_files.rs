@@ -69,7 +69,7 @@ fn pipe_in_the_place_of_a_mesh_is_refused() {
     assert!(Command::new("mkfifo").arg(folder.path().join("pipe")).status().unwrap().success());
     let refused = ran_in(folder.path(), "check model.toml");
     assert!(
-        refused.refusal().contains("this is no file on a disk but a pipe or a device"),
+        refused.refusal().contains("this is not a regular file but a pipe or a device"),
         "{}",
         refused.stderr
     );

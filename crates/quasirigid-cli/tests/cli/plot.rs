@@ -43,7 +43,7 @@ fn figures_are_listed_and_drawn() {
         assert!(String::from_utf8(read(&format!("{figure}.svg"))).unwrap().contains("</svg>"));
     }
     let again = ran("plot spin --figure spin");
-    assert_snapshot!(one_line(again.refusal()), @"quasirigid: spin.svg is there already; choose another with --out, or add --overwrite");
+    assert_snapshot!(one_line(again.refusal()), @"quasirigid: spin.svg already exists; choose another with --out, or add --overwrite");
 }
 
 #[test]

@@ -69,9 +69,7 @@ fn killed_run_reads_as_a_record_and_goes_on_with_the_same_bits() {
         let report = ran_in(folder.path(), "report spin-unfinished --out cut.html --overwrite");
         assert_eq!(report.code, Some(0), "{report:?}");
         let page = fs::read_to_string(folder.path().join("cut.html")).unwrap();
-        assert!(
-            page.contains("Ended early") && page.contains("quasirigid run with --resume goes on with it")
-        );
+        assert!(page.contains("Ended early") && page.contains("quasirigid run with --resume continues it"));
     }
     fs::remove_file(folder.path().join("cut.html")).unwrap();
     for ending in ["rows", "frames"] {
@@ -88,12 +86,12 @@ fn killed_run_reads_as_a_record_and_goes_on_with_the_same_bits() {
 fn run_that_was_cut_off_is_never_lost_by_another() {
     let folder = folder_of("boom-satellite");
     let nothing = ran_in(folder.path(), &format!("{RUN} -o spin --resume"));
-    assert_snapshot!(one_line(nothing.refusal()), @"quasirigid: spin-unfinished: there is no run here to go on with");
+    assert_snapshot!(one_line(nothing.refusal()), @"quasirigid: spin-unfinished: there is no run here to continue");
     cut(&folder, "", 0);
     let before = names(folder.path().join("spin-unfinished"));
     let refusal =
         |options: &str| one_line(ran_in(folder.path(), &format!("{RUN} -o spin {options}")).refusal());
-    assert_snapshot!(refusal(""), @"quasirigid: spin-unfinished: a run that was cut off is here; go on with it by --resume, or remove the folder");
+    assert_snapshot!(refusal(""), @"quasirigid: spin-unfinished: an interrupted run is here; continue it with --resume, or remove the folder");
     assert_snapshot!(refusal("--resume --tolerance 1e-10"), @"quasirigid: spin-unfinished: the run here has another model, other settings, or another version of the program");
     let path = folder.path().join("spin-unfinished/history-reduced.checkpoint");
     let mut damaged = fs::read(&path).unwrap();
@@ -122,7 +120,7 @@ fn interrupted_run_leaves_its_record_and_goes_on() {
     assert_eq!(output.status.code(), Some(1));
     let said = one_line(&String::from_utf8_lossy(&output.stderr));
     assert!(
-        said.contains("spin-unfinished is kept; the same command with --resume goes on with the run"),
+        said.contains("spin-unfinished is kept; the same command with --resume continues the run"),
         "{said}"
     );
     let record = RunRecord::read(&folder.path().join("spin")).unwrap();

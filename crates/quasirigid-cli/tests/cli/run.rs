@@ -55,9 +55,9 @@ fn summary_gives_spin_nutation_dissipation_and_drift_of_both_bodies() {
       spin at the end         1.07911     0.772891     0.643289 rad/s
       nutation, greatest       62.174 to 62.124 degrees
       energy dissipated     0.0025340 J of 21.1636 J
-      what dissipates: spring p2-carrier 62.4 %, spring p1-p2 13.7 %, spring p0-p2
-          8.81 %, spring p0-carrier 6.65 %, spring p0-p1 5.02 %, spring p1-carrier
-          3.46 %
+      dissipation shares: spring p2-carrier 62.4 %, spring p1-p2 13.7 %, spring
+          p0-p2 8.81 %, spring p0-carrier 6.65 %, spring p0-p1 5.02 %, spring
+          p1-carrier 3.46 %
       numerical drift [rounding]
 
     rigid body, 30.00 s (7.07615 revolutions; the run reached its end)
@@ -128,7 +128,7 @@ fn theory_that_fails_exits_with_1_and_still_writes() {
     let record = RunRecord::read(&folder.path().join("spin")).unwrap();
     assert!(!record.validity.valid);
     let systems: Vec<&str> = record.histories.iter().map(|history| &*history.system).collect();
-    assert_eq!(systems, ["full", "rigid"], "the full system in the place of the reduced body");
+    assert_eq!(systems, ["full", "rigid"], "the full system in place of the reduced body");
     assert!(record.histories[0].dissipated > 1.0);
     assert!(
         record.notes[0].starts_with("The truncated series has no angular momentum for this angular velocity")

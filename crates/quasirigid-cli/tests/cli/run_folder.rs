@@ -17,7 +17,7 @@ fn existing_record_is_kept_unless_overwriting_is_asked_for() {
     let spin = folder.path().join("spin");
     assert_eq!(ran_in(folder.path(), SHORT).code, Some(0));
     let before = fs::read(spin.join("record.json")).unwrap();
-    assert_snapshot!(ran_in(folder.path(), SHORT).refusal(), @"quasirigid: spin is there already; choose another with -o, or add --overwrite");
+    assert_snapshot!(ran_in(folder.path(), SHORT).refusal(), @"quasirigid: spin already exists; choose another with -o, or add --overwrite");
     assert_eq!(fs::read(spin.join("record.json")).unwrap(), before);
     let again = ran_in(folder.path(), &format!("{SHORT} --overwrite --order 5"));
     assert_eq!((again.code, &*again.stderr), (Some(0), ""));
@@ -58,11 +58,7 @@ fn folder_that_is_not_only_a_record_is_never_replaced() {
         let before = names(&spin);
         for option in ["", " --overwrite"] {
             let refused = ran_in(folder.path(), &format!("{SHORT}{option}"));
-            assert!(
-                refused.refusal().contains("is more or other than a record of"),
-                "{what}: {}",
-                refused.stderr
-            );
+            assert!(refused.refusal().contains("is not only a record of"), "{what}: {}", refused.stderr);
             assert_eq!(names(&spin), before, "{what}");
         }
     };
@@ -87,8 +83,8 @@ fn file_in_the_place_of_the_folder_is_never_replaced() {
     fs::write(folder.path().join("spin"), "precious").unwrap();
     let refused = ran_in(folder.path(), &format!("{SHORT} --overwrite"));
     assert_snapshot!(refused.refusal(), @r"
-    quasirigid: spin is there already and is more or other than a record of
-    quasirigid, so it is never replaced; choose another folder with -o
+    quasirigid: spin already exists and is not only a record of quasirigid, so it
+    is never replaced; choose another folder with -o
     ");
     assert_eq!(fs::read_to_string(folder.path().join("spin")).unwrap(), "precious");
 }
@@ -97,9 +93,9 @@ fn file_in_the_place_of_the_folder_is_never_replaced() {
 fn place_that_takes_no_folder_is_refused_before_the_work() {
     let folder = folder_of("explorer1-stiff");
     let refused = |path: &str| ran_in(folder.path(), &format!("{LONG} -o {path}"));
-    assert_snapshot!(refused("none/spin").refusal(), @"quasirigid: cannot write none/spin: there is no folder none; make it first");
+    assert_snapshot!(refused("none/spin").refusal(), @"quasirigid: cannot write none/spin: there is no folder none; create it first");
     assert_snapshot!(refused("model.toml/spin").refusal(), @r"
-    quasirigid: cannot write model.toml/spin: there is no folder model.toml; make
+    quasirigid: cannot write model.toml/spin: there is no folder model.toml; create
     it first
     ");
     #[cfg(target_os = "linux")]

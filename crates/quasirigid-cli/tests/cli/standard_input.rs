@@ -1,4 +1,4 @@
-//! `-` in the place of the model file.
+//! `-` in place of the model file.
 
 use std::fs;
 use std::io::Write;

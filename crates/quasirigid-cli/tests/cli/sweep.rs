@@ -242,7 +242,7 @@ fn folder_of_something_else_is_left_alone() {
     let ran = |line: &str| ran_in(folder.path(), line);
     assert_eq!(ran("sweep study.toml -o out --quiet").code, Some(0));
     let before = files(&folder.path().join("out"));
-    assert!(one_line(ran("sweep study.toml -o out").refusal()).contains("go on with --resume"));
+    assert!(one_line(ran("sweep study.toml -o out").refusal()).contains("continue with --resume"));
     assert_eq!(
         ran("sweep study.toml -o out --resume --quiet").code,
         Some(0),

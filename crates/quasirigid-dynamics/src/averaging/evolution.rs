@@ -76,21 +76,21 @@ const SEPARATRIX: f64 = -40.0;
 const AXIS: f64 = 36.0;
 /// Place, as `ξ`, where the angle of a wobble is below the rounding of a direction: `e^{−32}`.
 const SETTLED_AT: f64 = 64.0;
-/// Places `ξ` that count as next to the separatrix, `ln(0.01/0.99)`, and as the last that [`Evolution::stages`] lists before it.
-const NEAR: f64 = -4.595_119_850_134_59;
+/// Places `ξ` that count as next to the separatrix, `ln(0.01/0.99)`, and as the last that [`Evolution::rotation_states`] lists before it.
+const NEAR_SEPARATRIX: f64 = -4.595_119_850_134_59;
 const SEEN: f64 = -6.0;
 /// Places `ξ` next to a plane of steady spins, and the relative difference of rates there up to which they are one.
 const IN_PLANE: [f64; 2] = [-12.0, -16.0];
 const SAME_RATE: f64 = 1e-3;
 /// Relative error of a time.
-const TOLERANCE: f64 = 1e-10;
+const TIME_TOLERANCE: f64 = 1e-10;
 /// Length in `ξ` of the pieces in which a time is looked for, and the limit of their number.
 const PIECE: f64 = 2.0;
 const PIECES: usize = 400;
 /// Change of a place, relative to a piece, after which Newton's next step is rounding.
-const SETTLED: f64 = 1e-9;
+const NEWTON_ROUNDING: f64 = 1e-9;
 /// Limit of Newton's steps towards a time within a piece.
-const STEPS: usize = 60;
+const NEWTON_STEPS: usize = 60;
 
 impl<P: MeanPower> Evolution<P> {
     /// The evolution of a free body with the angular momentum `G` (N·m·s).
@@ -107,19 +107,19 @@ impl<P: MeanPower> Evolution<P> {
 
     /// Mean power dissipated (W). (A5)
     #[must_use]
-    pub fn power(&self, stage: RotationState) -> f64 {
-        self.power.mean_power(&self.motion(stage))
+    pub fn power(&self, rotation_state: RotationState) -> f64 {
+        self.power.mean_power(&self.motion(rotation_state))
     }
 
     /// Mean power (W) that each dissipator takes, by name. (D2)
     #[must_use]
-    pub fn budget(&self, stage: RotationState) -> Vec<(String, f64)> {
-        self.power.budget(&self.motion(stage))
+    pub fn budget(&self, rotation_state: RotationState) -> Vec<(String, f64)> {
+        self.power.budget(&self.motion(rotation_state))
     }
 
     /// Rotation state with this `D/I₃`; none outside of `I₁/I₃` to 1, or at an axis, where nothing evolves.
     #[must_use]
-    pub fn stage(&self, ratio: f64) -> Option<RotationState> {
+    pub fn rotation_state(&self, ratio: f64) -> Option<RotationState> {
         let [I1, I2, I3] = self.moments;
         let D = ratio * I3;
         let (mode, from_separatrix, from_axis) =
@@ -141,7 +141,7 @@ impl<P: MeanPower> Evolution<P> {
     #[must_use]
     pub fn faded(&self, from: RotationState, left: f64) -> Option<RotationState> {
         let over = 1.0 / self.motion(from).ratio() - 1.0;
-        self.stage(1.0 / (1.0 + left * over))
+        self.rotation_state(1.0 / (1.0 + left * over))
     }
 
     /// Rotation state that every dissipation ends in, as far as numbers tell it from a steady spin: next to the axis of greatest inertia, or
@@ -179,7 +179,7 @@ impl<P: MeanPower> Evolution<P> {
 
     /// Rotation states from one to another, both among them, evenly in `ξ`. The way between the last state before a separatrix and the
     /// first behind it, `ξ < −6`, is skipped: nothing visible changes there.
-    pub fn stages(
+    pub fn rotation_states(
         &self,
         from: RotationState,
         to: RotationState,
@@ -187,7 +187,9 @@ impl<P: MeanPower> Evolution<P> {
     ) -> impl Iterator<Item = RotationState> {
         let passes = along(from) < 0.0 && along(to) > 0.0;
         let margin = if passes { SEEN - SEPARATRIX } else { 0.0 };
-        let shifted = |stage: RotationState| (along(stage).abs() - margin).max(0.0).copysign(along(stage));
+        let shifted = |rotation_state: RotationState| {
+            (along(rotation_state).abs() - margin).max(0.0).copysign(along(rotation_state))
+        };
         let (start, way) = (shifted(from), shifted(to) - shifted(from));
         let last = count.saturating_sub(1).max(1);
         (0..count).map(move |i| match i {
@@ -210,7 +212,7 @@ impl<P: MeanPower> Evolution<P> {
     /// if the evolution passes no such place.
     #[must_use]
     pub fn lingering(&self, from: RotationState, to: RotationState) -> Option<f64> {
-        let near = |mode| along(RotationState { mode, xi: NEAR });
+        let near = |mode| along(RotationState { mode, xi: NEAR_SEPARATRIX });
         let (low, high) = (near(Mode::LongAxis).max(along(from)), near(Mode::ShortAxis).min(along(to)));
         (low < high).then(|| self.between(low, high).time)
     }
@@ -238,7 +240,7 @@ impl<P: MeanPower> Evolution<P> {
     fn within(&self, start: f64, time: f64, share: f64) -> f64 {
         let (mut low, mut high) = (start, start + PIECE);
         let mut x = start + share * PIECE;
-        for _ in 0..STEPS {
+        for _ in 0..NEWTON_STEPS {
             let over = self.between(start, x).time - time;
             if over > 0.0 {
                 high = x
@@ -247,7 +249,7 @@ impl<P: MeanPower> Evolution<P> {
             }
             let [slowness, _] = self.slowness(x);
             let next = x - over / slowness;
-            if (next - x).abs() <= SETTLED * PIECE {
+            if (next - x).abs() <= NEWTON_ROUNDING * PIECE {
                 return next;
             }
             x = if next > low && next < high { next } else { 0.5 * (low + high) };
@@ -259,8 +261,8 @@ impl<P: MeanPower> Evolution<P> {
     /// of greatest inertia, and grows as `e^{rate·t}` about that of least. (A7)
     #[must_use]
     pub fn wobble_rate(&self, mode: Mode) -> f64 {
-        let stage = RotationState { mode, xi: AXIS };
-        let motion = self.motion(stage);
+        let rotation_state = RotationState { mode, xi: AXIS };
+        let motion = self.motion(rotation_state);
         0.5 * self.power.mean_power(&motion) / motion.energy_from_axis()
     }
 
@@ -283,7 +285,8 @@ impl<P: MeanPower> Evolution<P> {
         let mut passage = Elapsed { time: 0.0, revolutions: 0.0, error: 0.0 };
         let ends = if from < 0.0 && to > 0.0 { vec![from, 0.0, to] } else { vec![from, to] };
         for [a, b] in ends.array_windows() {
-            let Integral { value: [time, revolutions], error } = integral(&mut slowness, *a, *b, TOLERANCE);
+            let Integral { value: [time, revolutions], error } =
+                integral(&mut slowness, *a, *b, TIME_TOLERANCE);
             passage.time += time;
             passage.revolutions += revolutions;
             passage.error += error[0];

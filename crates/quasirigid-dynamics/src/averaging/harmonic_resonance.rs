@@ -8,7 +8,7 @@ use crate::model::Mode;
 #[derive(Clone, Debug, PartialEq)]
 pub struct HarmonicResonance {
     /// Rotation state at resonance.
-    pub stage: RotationState,
+    pub rotation_state: RotationState,
     /// Number of the harmonic.
     pub harmonic: usize,
     /// Frequency of both (rad/s), the body free to recoil.
@@ -42,11 +42,18 @@ impl Response {
                     if !(slow.min(fast)..slow.max(fast)).contains(&wanted) {
                         continue;
                     }
-                    let stage = RotationState { mode, xi: bisected(ENDS, step, wanted, fast > slow) };
-                    let share = self.share(evolution, stage, harmonic);
+                    let rotation_state =
+                        RotationState { mode, xi: bisected(ENDS, step, wanted, fast > slow) };
+                    let share = self.share(evolution, rotation_state, harmonic);
                     if share > FAINT {
                         let coordinate = coordinate.to_owned();
-                        found.push(HarmonicResonance { stage, harmonic, frequency, coordinate, share });
+                        found.push(HarmonicResonance {
+                            rotation_state,
+                            harmonic,
+                            frequency,
+                            coordinate,
+                            share,
+                        });
                     }
                 }
             }
@@ -55,9 +62,14 @@ impl Response {
         found
     }
 
-    fn share(&self, evolution: &Evolution<impl MeanPower>, stage: RotationState, harmonic: usize) -> f64 {
+    fn share(
+        &self,
+        evolution: &Evolution<impl MeanPower>,
+        rotation_state: RotationState,
+        harmonic: usize,
+    ) -> f64 {
         let powers: Vec<f64> =
-            self.harmonic_powers(&evolution.motion(stage)).map(|(_, power)| power).collect();
+            self.harmonic_powers(&evolution.motion(rotation_state)).map(|(_, power)| power).collect();
         powers.get(harmonic - 1).copied().unwrap_or(0.0) / powers.iter().sum::<f64>()
     }
 }

@@ -7,7 +7,7 @@ use std::f64::consts::{PI, TAU};
 use nalgebra::Complex;
 
 use super::poinsot::FreeRotation;
-use crate::math::elliptic::{SMALL, first_of_complement, nome_over_parameter};
+use crate::math::elliptic::{SMALL_PARAMETER, first_of_complement, nome_over_parameter};
 use crate::model::Mode;
 
 /// Harmonic of the six products of the angular velocity along the polhode. (G5)
@@ -54,7 +54,7 @@ impl Series {
     pub(super) fn of(motion: &FreeRotation) -> Self {
         let (m, complement) = (motion.parameter(), motion.complement());
         let quarter = first_of_complement(complement);
-        let (nome, over_square) = if m < SMALL {
+        let (nome, over_square) = if m < SMALL_PARAMETER {
             let ratio = nome_over_parameter(m);
             (m * ratio, ratio)
         } else {

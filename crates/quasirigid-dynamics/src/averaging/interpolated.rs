@@ -40,7 +40,7 @@ const DEEPEST: u32 = 6;
 /// Share of the last polynomials below which a piece fits.
 const FITS: f64 = 1e-5;
 /// Place next to the separatrix, as `ξ`, beyond which the ratio is taken as constant: a share `e^ξ` of the energies lies there.
-const NEAREST: f64 = -8.0;
+const NEAREST_SEPARATRIX: f64 = -8.0;
 
 impl InterpolatedPower {
     /// Interpolates a power at an angular momentum (N·m·s).
@@ -88,7 +88,8 @@ impl MeanPower for InterpolatedPower {
     fn mean_power(&self, motion: &FreeRotation) -> f64 {
         let here = (motion.angular_momentum() / self.angular_momentum - 1.0).abs() < 1e-12;
         let xi = motion.logit();
-        let ratio = if here && xi.is_finite() { self.ratio(motion.mode(), xi.max(NEAREST)) } else { None };
+        let ratio =
+            if here && xi.is_finite() { self.ratio(motion.mode(), xi.max(NEAREST_SEPARATRIX)) } else { None };
         match ratio {
             Some(ratio) => ratio.exp() * motion.mean_square_acceleration(),
             None => self.source.mean_power(motion),
@@ -134,15 +135,15 @@ mod tests {
         let interpolated = InterpolatedPower::new(source, angular_momentum);
         let [slow, fast] =
             [&response as &dyn MeanPower, &interpolated].map(|power| Evolution::new(power, angular_momentum));
-        let stages = [3.0, -6.0].map(|xi| RotationState { mode: Mode::LongAxis, xi });
+        let rotation_states = [3.0, -6.0].map(|xi| RotationState { mode: Mode::LongAxis, xi });
         let end = RotationState { mode: Mode::ShortAxis, xi: 5.0 };
-        for from in stages {
+        for from in rotation_states {
             let [expected, found] = [&slow, &fast].map(|evolution| evolution.time(from, end));
             assert!((found / expected - 1.0).abs() < 1e-5, "{found:e} {expected:e}");
         }
         let once = asked.load(Ordering::Relaxed);
-        let rows =
-            (0..200).map(|i| fast.time(stages[0], RotationState { xi: -4.0 + 0.045 * f64::from(i), ..end }));
+        let rows = (0..200)
+            .map(|i| fast.time(rotation_states[0], RotationState { xi: -4.0 + 0.045 * f64::from(i), ..end }));
         assert!(rows.sum::<f64>() > 0.0);
         assert!(asked.load(Ordering::Relaxed) - once < 30, "{asked:?} {once}");
         let other = FreeRotation::at_logit(response.moments(), 1.1 * angular_momentum, Mode::ShortAxis, 0.3);
@@ -175,13 +176,14 @@ mod tests {
     /// Times over a resonance, wide or narrow, high or low, at several places, against sums over cells.
     #[test]
     fn times_over_a_resonance() {
-        let stage = |xi: f64| RotationState { mode: Mode::ShortAxis, xi };
+        let rotation_state = |xi: f64| RotationState { mode: Mode::ShortAxis, xi };
         let (cells, ends) = (10_000, [-2.0, 3.0]);
         let at = |i: f64| ends[0] + (ends[1] - ends[0]) * i / f64::from(cells);
         let smooth = Peaked { width: 1.0, height: 0.0, place: 0.0 };
         let smooth = Evolution::new(&smooth, 2.0);
-        let plain: Vec<f64> =
-            (0..cells).map(|i| smooth.time(stage(at(f64::from(i))), stage(at(f64::from(i + 1))))).collect();
+        let plain: Vec<f64> = (0..cells)
+            .map(|i| smooth.time(rotation_state(at(f64::from(i))), rotation_state(at(f64::from(i + 1)))))
+            .collect();
         for width in [2e-3, 0.01, 0.03, 0.1, 0.3] {
             for height in [1.0, 10.0, 100.0, 1e4] {
                 for place in [-1.31, 0.217, 0.5, 1.04, 1.993] {
@@ -191,7 +193,8 @@ mod tests {
                     };
                     let expected: f64 = plain.iter().enumerate().map(|(i, time)| time * slower(i)).sum();
                     let power = InterpolatedPower::new(Peaked { width, height, place }, 2.0);
-                    let found = Evolution::new(&power, 2.0).time(stage(ends[0]), stage(ends[1]));
+                    let found =
+                        Evolution::new(&power, 2.0).time(rotation_state(ends[0]), rotation_state(ends[1]));
                     let allowed = if width < 0.01 { width } else { 1e-5 };
                     assert!((found / expected - 1.0).abs() < allowed, "{width} {height} {place}");
                 }

@@ -27,7 +27,7 @@ pub struct ObservedPeriods {
 #[derive(Clone, Copy, Debug, Error, PartialEq)]
 pub enum ObservedError {
     /// Period that is not positive, or not finite.
-    #[error("periods of {rotation} s and {precession} s mean nothing; give two that are positive")]
+    #[error("periods of {rotation} s and {precession} s are out of range; give two that are positive")]
     Period {
         /// Period of rotation (s).
         rotation: f64,
@@ -49,7 +49,7 @@ pub enum ObservedError {
 }
 
 /// Nearest approach to the axis and to the separatrix in the search, relative to their distance.
-const NEAR: f64 = 1e-12;
+const NEAREST_END: f64 = 1e-12;
 
 impl ObservedPeriods {
     /// The periods of a motion.
@@ -79,7 +79,7 @@ impl ObservedPeriods {
             rotation / precession
         };
         let ratio = rotation / precession;
-        let shares = [NEAR, 1.0 - NEAR];
+        let shares = [NEAREST_END, 1.0 - NEAREST_END];
         let ends = shares.map(ratio_at);
         let rising = ends[1] > ends[0];
         let [least, greatest] = if rising { ends } else { [ends[1], ends[0]] };

@@ -47,7 +47,7 @@ pub struct FreeRotation {
 pub enum FreeRotationError {
     /// The moments are not those of a body in ascending order.
     #[error(
-        "{moments:?} kg·m² are no principal moments of inertia; give three positive ones in ascending order"
+        "{moments:?} kg·m² are not principal moments of inertia; give three positive ones in ascending order"
     )]
     Moments {
         /// Moments asked for (kg·m²).
@@ -69,7 +69,7 @@ pub enum FreeRotationError {
     },
     /// The angle is out of the range of a mode.
     #[error(
-        "{nutation} rad is no nutation; give an angle above 0 and below pi/2, and name the other mode for a wider one"
+        "{nutation} rad is not a nutation angle; give an angle above 0 and below pi/2, and name the other mode for a wider one"
     )]
     Nutation {
         /// Angle asked for (rad).

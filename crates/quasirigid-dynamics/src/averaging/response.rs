@@ -52,7 +52,7 @@ pub(super) enum Law {
 /// Number of elastic coordinates up to which every mode is kept; a larger body keeps only those that the loads excite at low frequency.
 pub(super) const WHOLE: usize = 64;
 /// Share of the diagonal below which off-diagonal entries are rounding.
-const ROUNDING: f64 = 1e-11;
+const COUPLING_ROUNDING: f64 = 1e-11;
 
 impl Response {
     /// The response of a body.
@@ -243,7 +243,8 @@ impl Response {
         }
         let energy = |row: &LoadedMode| row.load.iter().map(|load| load * load / row.square).sum::<f64>();
         let largest = self.elastic().map(energy).fold(0.0, f64::max);
-        let significant = |row: &LoadedMode| row.square == 0.0 || energy(row) > ROUNDING.powi(2) * largest;
+        let significant =
+            |row: &LoadedMode| row.square == 0.0 || energy(row) > COUPLING_ROUNDING.powi(2) * largest;
         let kept: Vec<usize> = (0..self.rows.len()).filter(|i| significant(&self.rows[*i])).collect();
         let part = |matrix: &DMatrix<f64>| matrix.select_rows(&kept).select_columns(&kept);
         self.rows = kept.iter().map(|i| self.rows[*i].clone()).collect();
@@ -295,7 +296,9 @@ fn is_diagonal(matrix: &DMatrix<f64>) -> bool {
     let size = matrix.nrows();
     (0..size).all(|i| {
         (0..size).all(|j| {
-            i == j || matrix[(i, j)].powi(2) <= ROUNDING.powi(2) * matrix[(i, i)].abs() * matrix[(j, j)].abs()
+            i == j
+                || matrix[(i, j)].powi(2)
+                    <= COUPLING_ROUNDING.powi(2) * matrix[(i, i)].abs() * matrix[(j, j)].abs()
         })
     })
 }

@@ -8,8 +8,8 @@ use std::ops::ControlFlow;
 
 use super::conserved_momentum::Conserved;
 use super::event::EventDetector;
+use super::position::Position;
 use super::run::{Observer, Options, Outcome, Pace, PropagateError, Sample, Scan};
-use super::seat::Seat;
 use super::timing::{FeltLaws, Timing};
 use crate::math::expression::Lobatto;
 use crate::math::ode::{Checkpoint, Solver, State, StepObserver, StopReason, Stretch};
@@ -33,7 +33,7 @@ pub(super) trait Trajectory {
     fn angular_momentum(&mut self, t: f64, y: &[f64]) -> [f64; 3];
 
     /// Place of a state with this aligned attitude.
-    fn seat(&self, t: f64, y: &[f64], view: &StateView, attitude: [f64; 4]) -> Seat;
+    fn position(&self, t: f64, y: &[f64], view: &StateView, attitude: [f64; 4]) -> Position;
 
     /// Change of the angular momentum and the attitude, as a state that is zero elsewhere.
     fn change(&self, y: &Self::State, angular_momentum: [f64; 3], attitude: [f64; 4]) -> Self::State {
@@ -290,7 +290,7 @@ impl<'o, T: Trajectory> InvariantMonitor<'o, T> {
 
     fn read(&self, t: f64, y: &[f64], view: &StateView) -> Sample {
         let attitude = self.aligned(y, view.angular_momentum);
-        let Seat { place, velocity, pole } = self.trajectory.seat(t, y, view, attitude);
+        let Position { place, velocity, pole } = self.trajectory.position(t, y, view, attitude);
         Sample {
             t,
             omega: view.omega,

@@ -28,7 +28,7 @@ pub(super) const PLACE: usize = 13;
 /// Velocity of that point (m/s).
 pub(super) const VELOCITY: usize = 16;
 /// Length of the slow parts, before the energies of the dissipators.
-pub(super) const SLOW: usize = 19;
+pub(super) const SLOW_LENGTH: usize = 19;
 
 impl Layout {
     /// Layout for a body; a single dissipator needs no account beside the total.
@@ -39,12 +39,12 @@ impl Layout {
 
     /// Length before the coordinates.
     pub fn slow(self) -> usize {
-        SLOW + self.accounts
+        SLOW_LENGTH + self.accounts
     }
 
     /// Energy taken by each dissipator (J), if there are several.
     pub fn accounts(self) -> Range<usize> {
-        SLOW..self.slow()
+        SLOW_LENGTH..self.slow()
     }
 
     pub fn len(self) -> usize {

@@ -7,7 +7,7 @@ use super::steady::{all_steady_spins, steady_angular_momentum};
 use crate::math::ode::{Checkpoint, Dop853, Solver, System};
 use crate::math::polynomial::{Kernel, Series};
 use crate::math::rotation::angle;
-use crate::math::simd::{Arithmetic, Plain};
+use crate::math::simd::{Arithmetic, Unfused};
 use crate::math::sphere::{StationaryKind, deviator};
 use crate::math::vec3::{add, cross, dot, norm, scale};
 use crate::model::ReducedBody;
@@ -38,12 +38,12 @@ pub struct Nutations<'b> {
 }
 
 /// Error allowed per step in the direction of the angular momentum: relative to the angle from the next steady spin, and at least.
-const TOLERANCE: f64 = 1e-11;
-const ROUNDING: f64 = 1e-15;
+const STEP_TOLERANCE: f64 = 1e-11;
+const DIRECTION_ROUNDING: f64 = 1e-15;
 /// Limit of steps per circuit.
-const STEPS: usize = 2_000;
+const MAX_STEPS: usize = 2_000;
 /// Places checked within a step.
-const LOOKS: usize = 6;
+const CHECKS_PER_STEP: usize = 6;
 /// Halvings that locate an extreme angle.
 const HALVINGS: usize = 40;
 /// Distance from the start, as a share of the size of the circuit, at which the circuit counts as closed.
@@ -51,7 +51,7 @@ const CLOSED: f64 = 1e-4;
 /// Rate of change of the direction, relative to the angular velocity, below which a spin is steady.
 const AT_REST: f64 = 1e-12;
 /// Relative difference of energies and of angular momenta below which levels are the same.
-const SAME: f64 = 1e-15;
+const SAME_LEVEL: f64 = 1e-15;
 
 /// Motion of the direction of the angular momentum along its level.
 struct Along<'a> {
@@ -113,8 +113,8 @@ impl<'b> Nutations<'b> {
             return None;
         }
         if let Some((known, angular_momentum, nutation)) = self.last
-            && (energy - known).abs() <= SAME * known.abs()
-            && (G - angular_momentum).abs() <= SAME * G
+            && (energy - known).abs() <= SAME_LEVEL * known.abs()
+            && (G - angular_momentum).abs() <= SAME_LEVEL * G
         {
             return Some(nutation);
         }
@@ -132,7 +132,7 @@ impl<'b> Nutations<'b> {
                 .filter(|spin| spin.kind != StationaryKind::Saddle)
                 .map(|spin| spin.angular_momentum)
                 .collect();
-        } else if self.steady.iter().any(|K| (norm(*K) - G).abs() > SAME * G) {
+        } else if self.steady.iter().any(|K| (norm(*K) - G).abs() > SAME_LEVEL * G) {
             let gradient = self.body.energy_of_momentum.gradient();
             let moved = self.steady.iter().filter_map(|K| {
                 steady_angular_momentum(&gradient, scale(norm(*K).recip(), *K), G).map(Into::into)
@@ -151,7 +151,7 @@ impl<'b> Nutations<'b> {
             return Some(Nutation { axis, least: angle, greatest: angle });
         }
         let size = angle(self.circled(start)?, start).min(1.0);
-        let places = once_round(&along, start, velocity, (TOLERANCE * size).max(ROUNDING))?;
+        let places = once_round(&along, start, velocity, (STEP_TOLERANCE * size).max(DIRECTION_ROUNDING))?;
         let mean = places.windows(2).fold([0.0; 3], |sum, pair| {
             let ((before, from), (after, to)) = (pair[0], pair[1]);
             add(sum, scale(after - before, add(from, to)))
@@ -177,16 +177,16 @@ type Passed = (f64, [f64; 3]);
 /// Places on the level through a unit vector, once round, close together; none where the level does not close.
 fn once_round(along: &Along<'_>, start: [f64; 3], velocity: [f64; 3], allowed: f64) -> Option<Vec<Passed>> {
     let system = Along { slope: along.slope, angular_momentum: along.angular_momentum };
-    let mut solver = Dop853::<_, _, Plain>::new(system, 0.0, start, [allowed; 3]);
+    let mut solver = Dop853::<_, _, Unfused>::new(system, 0.0, start, [allowed; 3]);
     let from_start = |u: [f64; 3]| add(u, scale(-1.0, start));
     let behind = |u: [f64; 3]| dot(from_start(u), velocity) < 0.0;
     let (mut places, mut extent) = (vec![(0.0, start)], 0.0_f64);
-    for _ in 0..STEPS {
+    for _ in 0..MAX_STEPS {
         let (t, before) = (solver.t(), *solver.y());
         solver.step(f64::INFINITY).ok()?;
         let (dense, h) = (solver.dense(), solver.t() - t);
-        for look in 1..=LOOKS {
-            let time = t + h * look as f64 / LOOKS as f64;
+        for look in 1..=CHECKS_PER_STEP {
+            let time = t + h * look as f64 / CHECKS_PER_STEP as f64;
             let u = dense.at(time);
             extent = extent.max(norm(from_start(u)));
             places.push((time, u));

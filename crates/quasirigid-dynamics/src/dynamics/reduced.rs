@@ -7,10 +7,10 @@ use super::conserved_momentum::{Conserved, inside};
 use super::form::error_scale;
 use super::form::{AngularMomentumForm, AngularVelocityForm, Equations};
 use super::invariant_monitor::{Invariant, InvariantMonitor, StateView, Trajectory};
+use super::position::Position;
 use super::quadrature::Quadrature;
 use super::resting::stays_at_rest;
 use super::run::{Observer, Options, PropagateError, Run, Sample, Scan, Start, check};
-use super::seat::Seat;
 use super::spin::{ATTITUDE, Accounted, Accounts};
 use super::start::start;
 use crate::math::ode::{Checkpoint, Dop853, Solver, integrate};
@@ -143,17 +143,17 @@ struct Reduced<'a, E> {
 /// Powers of the dissipators of a reduced body, if there are several.
 struct Shares<'a> {
     body: &'a ReducedBody,
-    /// Kernels of `ROWS` powers each.
+    /// Kernels of `KERNEL_ROWS` powers each.
     kernels: Vec<Kernel>,
 }
 
 /// Rows of a kernel.
-const ROWS: usize = 4;
+const KERNEL_ROWS: usize = 4;
 
 impl<'a> Shares<'a> {
     fn of(body: &'a ReducedBody) -> Self {
         let powers: Vec<&Series> = body.power_shares.iter().map(|(_, power)| power).collect();
-        let groups = if powers.len() > 1 { powers.chunks(ROWS) } else { [].chunks(ROWS) };
+        let groups = if powers.len() > 1 { powers.chunks(KERNEL_ROWS) } else { [].chunks(KERNEL_ROWS) };
         Self { body, kernels: groups.map(|group| Kernel::new(&Series::stacked(group))).collect() }
     }
 
@@ -221,11 +221,11 @@ impl<E: Equations> Trajectory for Reduced<'_, E> {
         self.equations.angular_momentum(Accounts::unpack(y).x)
     }
 
-    fn seat(&self, t: f64, _: &[f64], view: &StateView, attitude: [f64; 4]) -> Seat {
+    fn position(&self, t: f64, _: &[f64], view: &StateView, attitude: [f64; 4]) -> Position {
         let Start { place, velocity, .. } = self.initial;
         let place = add(place, scale(t, velocity));
         let offset = rotation::to_inertial(attitude, self.shares.body.pole.vector(view.omega));
-        Seat { place, velocity, pole: add(place, offset) }
+        Position { place, velocity, pole: add(place, offset) }
     }
 
     #[inline(always)]

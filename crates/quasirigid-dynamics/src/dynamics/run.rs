@@ -129,7 +129,7 @@ pub trait Observer {
         let _ = energies;
     }
 
-    /// State to go on from in the place of the start, of a propagation of the same system from the same start.
+    /// State to go on from in place of the start, of a propagation of the same system from the same start.
     fn resumes(&mut self) -> Option<Checkpoint> {
         None
     }
@@ -212,7 +212,7 @@ impl fmt::Display for Outcome {
             Self::Finished => f.write_str("the last time was reached"),
             Self::Interrupted => f.write_str("interrupted"),
             Self::Event(_) => f.write_str("an event that was to end it happened"),
-            Self::StepLimit => f.write_str("the steps allowed were used up; loosen the tolerance"),
+            Self::StepLimit => f.write_str("the step limit was reached; loosen the tolerance"),
             Self::LeftRange(_) => f.write_str("a part was displaced beyond the range of the equations"),
             Self::Missed(missed) => missed.fmt(f),
             Self::Failed(error) => error.fmt(f),

@@ -25,7 +25,7 @@ pub(super) struct Scales {
 }
 
 /// Number of times at which moments are evaluated, and the least in an interval in which forces change.
-const LOOKS: usize = 17;
+const MOMENT_SAMPLES: usize = 17;
 const LEAST_LOOKS: usize = 3;
 /// Most intervals in which moments are evaluated.
 const MOST_INTERVALS: usize = 4096;
@@ -117,7 +117,7 @@ pub fn spin_from_rest(system: Forced, start: Start, end: f64) -> [f64; 3] {
     let intervals = timing.as_ref().map_or_else(Vec::new, Timing::intervals);
     let J = system.body.invariants().J;
     let still = vec![0.0; system.body.coordinates().len()];
-    let looks = (0..LOOKS).map(|look| end * look as f64 / (LOOKS - 1) as f64);
+    let looks = (0..MOMENT_SAMPLES).map(|look| end * look as f64 / (MOMENT_SAMPLES - 1) as f64);
     let moments = looks
         .chain(intervals.iter().map(|[t, _]| *t))
         .map(|t| moment(system, &Pose { t, ..pose }, [0.0; 3], &still));
@@ -143,11 +143,13 @@ fn spin_caused(
     let of = |[most, impulse]: [f64; 2]| (most / inertia).sqrt().min(impulse / inertia);
     let add = |[most, sum]: [f64; 2], now: f64, length: f64| [most.max(now), sum + now * length];
     if intervals.is_empty() {
-        let step = (to - from) / (LOOKS - 1) as f64;
-        return of((0..LOOKS).fold([0.0; 2], |sum, look| add(sum, moment(from + step * look as f64), step)));
+        let step = (to - from) / (MOMENT_SAMPLES - 1) as f64;
+        return of(
+            (0..MOMENT_SAMPLES).fold([0.0; 2], |sum, look| add(sum, moment(from + step * look as f64), step))
+        );
     }
     let stride = intervals.len().div_ceil(MOST_INTERVALS);
-    let looks = LOOKS.div_ceil(intervals.len()).max(LEAST_LOOKS);
+    let looks = MOMENT_SAMPLES.div_ceil(intervals.len()).max(LEAST_LOOKS);
     let share = |look: usize| (look as f64 + 0.5) / looks as f64 - 0.5;
     of(intervals.iter().step_by(stride).fold([0.0; 2], |sum, [middle, length]| {
         let each = length * stride as f64 / looks as f64;

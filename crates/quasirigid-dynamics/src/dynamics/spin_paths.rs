@@ -31,7 +31,7 @@ use crate::model::{Form, ReducedBody};
 /// ```
 ///
 /// # Errors
-/// [`PropagateError`] in the place of a path, as for [`propagate`](super::propagate).
+/// [`PropagateError`] in place of a path, as for [`propagate`](super::propagate).
 pub fn spin_paths(
     body: &ReducedBody,
     omega: &[[f64; 3]],

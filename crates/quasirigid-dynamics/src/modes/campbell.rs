@@ -4,7 +4,7 @@
 use thiserror::Error;
 
 use super::displacements::WHOLE;
-use super::equilibrium::{EquilibriumError, Given, RelativeEquilibrium};
+use super::equilibrium::{EquilibriumError, RelativeEquilibrium, SpinMagnitude};
 use super::error::ModesError;
 use super::first_order::FirstOrder;
 use super::spectrum::ZERO;
@@ -69,7 +69,7 @@ pub fn campbell(
 
 /// Eigenvalues at one spin.
 fn column(body: &FlexibleBody, mode: Mode, spin: f64) -> Result<SpinEigenvalues, CampbellError> {
-    let equilibrium = RelativeEquilibrium::extreme(body, mode, Given::Rate(spin))?;
+    let equilibrium = RelativeEquilibrium::extreme(body, mode, SpinMagnitude::Rate(spin))?;
     let coefficients = equilibrium.coefficients(body);
     let matrix = FirstOrder::of(body, &equilibrium, &coefficients, WHOLE)?.matrix;
     let values = eigenvalues(&matrix).map_err(ModesError::from)?;

@@ -27,7 +27,7 @@ const ROUNDED: f64 = 1e-15;
 const LOST: f64 = 1e-9;
 const UNKNOWN: f64 = 1e-4;
 /// Ratio of a motion of the direction to the internal motions and to the spin up to which it counts as slow.
-pub(super) const SLOW: f64 = 1e-3;
+pub(super) const SLOW_DIRECTION_RATIO: f64 = 1e-3;
 
 /// Motions about a steady spin (rad/s) but for the zeros.
 pub(super) fn candidates(
@@ -70,7 +70,7 @@ fn replacement(
     };
     let size = motions.iter().fold(0.0_f64, |size, motion| size.max(motion.lambda.norm()));
     let internal = sizes(true).fold(f64::INFINITY, f64::min);
-    if size >= SLOW * spin.min(internal) {
+    if size >= SLOW_DIRECTION_RATIO * spin.min(internal) {
         return None;
     }
     let direction = |motion| (Source::Direction, motion);

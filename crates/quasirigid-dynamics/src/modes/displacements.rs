@@ -19,7 +19,7 @@ pub(super) struct Displacements {
 /// Number of elastic coordinates up to which all displacements are taken.
 pub(super) const WHOLE: usize = 150;
 /// Number of vibrations that are taken of a larger body.
-const SLOW: usize = 40;
+const MAX_VIBRATIONS: usize = 40;
 
 impl Displacements {
     pub fn of(
@@ -63,8 +63,8 @@ impl Displacements {
         let gyroscopic = |x: &Vec<f64>| softened(cut(coefficients.gyroscopic.times(&padded(x))));
         let after = |x: &Vec<f64>| [softened(mass(x)), damped(x), centrifugal(x), gyroscopic(x)];
         let second: Vec<Vec<f64>> = first.iter().flat_map(after).collect();
-        let slow =
-            Pencil { size: elastic, stiffness: &stiffness, solve: &solve, mass: &mass }.largest(SLOW)?;
+        let slow = Pencil { size: elastic, stiffness: &stiffness, solve: &solve, mass: &mass }
+            .largest(MAX_VIBRATIONS)?;
         let span = Span::orthonormal([first, second, slow].concat(), stiffness).into_vectors();
         let matrix = DMatrix::from_fn(elastic, span.len(), |row, column| span[column][row]);
         Ok(Self { units: vec![1.0; span.len()], columns: Some(matrix) })

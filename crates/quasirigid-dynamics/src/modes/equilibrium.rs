@@ -26,7 +26,7 @@ pub struct RelativeEquilibrium {
 
 /// Quantity that a relative equilibrium is given by.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Given {
+pub enum SpinMagnitude {
     /// Angular velocity `|ω|` (rad/s).
     Rate(f64),
     /// Angular momentum `|K|` (N·m·s).
@@ -55,7 +55,7 @@ pub enum EquilibriumError {
     },
     /// No steady spin in which the spin restores the coordinates that no spring restores. (I13)
     #[error(
-        "no spring restores {coordinates}, and no steady spin about the axis [{:.4}, {:.4}, {:.4}] was found that does; draw the appendage where the spin holds it, away from the axis, or give its hinge a `stiffness`", axis[0], axis[1], axis[2]
+        "no spring restores {coordinates}, and no steady spin about the axis [{:.4}, {:.4}, {:.4}] was found that does; place the appendage where the spin holds it, away from the axis, or give its hinge a `stiffness`", axis[0], axis[1], axis[2]
     )]
     Unrestored {
         /// Names of the coordinates.
@@ -72,11 +72,11 @@ const DIAGONALS: [[f64; 2]; 3] = [[1.0, 1.0], [1.0, -1.0], [0.0, 1.0]];
 /// Limit of Newton steps from one spin to the next.
 const NEWTON_STEPS: usize = 40;
 /// Shortest step of the continuation, as a share of the spin asked for.
-const SHORTEST: f64 = 1e-3;
+const SHORTEST_SPIN_STEP: f64 = 1e-3;
 /// Residual at which an equilibrium is found, relative to the angular momentum.
 const CONVERGED: f64 = 1e-13;
 /// Residual accepted where rounding ends the progress.
-const ACCEPTED: f64 = 1e-9;
+const ACCEPTED_RESIDUAL: f64 = 1e-9;
 /// Least stiffness of a coordinate without a spring, in units of that of a centrifugal force on its own inertia, that is not rounding.
 const RESTORED: f64 = 1e-10;
 /// Sine of the angle from the starting axis beyond which the axis belongs to another equilibrium.
@@ -87,8 +87,8 @@ impl RelativeEquilibrium {
     ///
     /// # Errors
     /// [`EquilibriumError`] if there is none, or the continuation loses it.
-    pub fn near(body: &FlexibleBody, axis: [f64; 3], given: Given) -> Result<Self, EquilibriumError> {
-        let (Given::Rate(value) | Given::AngularMomentum(value)) = given;
+    pub fn near(body: &FlexibleBody, axis: [f64; 3], given: SpinMagnitude) -> Result<Self, EquilibriumError> {
+        let (SpinMagnitude::Rate(value) | SpinMagnitude::AngularMomentum(value)) = given;
         let length = norm(axis);
         if !(value > 0.0 && value.is_finite() && length > 0.0 && length.is_finite()) {
             return Err(EquilibriumError::NoSpin { value });
@@ -98,8 +98,8 @@ impl RelativeEquilibrium {
         if let Some((found, balanced)) = start.newton(body, given, axis) {
             return found.finish(body, balanced).restored(body);
         }
-        let mut guess = Guess::rigid(body, axis, given.times(SHORTEST));
-        let (mut reached, mut step) = (SHORTEST, 0.25);
+        let mut guess = Guess::rigid(body, axis, given.times(SHORTEST_SPIN_STEP));
+        let (mut reached, mut step) = (SHORTEST_SPIN_STEP, 0.25);
         loop {
             let next = (reached + step).min(1.0);
             match guess.scaled(next / reached).newton(body, given.times(next), axis) {
@@ -108,7 +108,7 @@ impl RelativeEquilibrium {
                     (guess, reached) = (found, next);
                     step *= 2.0;
                 }
-                None if step > SHORTEST => step *= 0.25,
+                None if step > SHORTEST_SPIN_STEP => step *= 0.25,
                 None => return Err(unfound(body, axis, reached)),
             }
         }
@@ -118,8 +118,12 @@ impl RelativeEquilibrium {
     ///
     /// # Errors
     /// [`EquilibriumError`] if Newton's method does not lead to one.
-    pub fn next_to(body: &FlexibleBody, omega: [f64; 3], given: Given) -> Result<Self, EquilibriumError> {
-        let (Given::Rate(value) | Given::AngularMomentum(value)) = given;
+    pub fn next_to(
+        body: &FlexibleBody,
+        omega: [f64; 3],
+        given: SpinMagnitude,
+    ) -> Result<Self, EquilibriumError> {
+        let (SpinMagnitude::Rate(value) | SpinMagnitude::AngularMomentum(value)) = given;
         let rate = norm(omega);
         if !(value > 0.0 && value.is_finite() && rate > 0.0 && rate.is_finite()) {
             return Err(EquilibriumError::NoSpin { value });
@@ -132,7 +136,7 @@ impl RelativeEquilibrium {
     }
 
     /// Relative equilibria next to the principal axes of the frozen body, in the order of ascending moments. (M1)
-    pub fn all(body: &FlexibleBody, given: Given) -> [Result<Self, EquilibriumError>; 3] {
+    pub fn all(body: &FlexibleBody, given: SpinMagnitude) -> [Result<Self, EquilibriumError>; 3] {
         Principal::compute(body.invariants().J).axes.map(|axis| Self::near(body, axis, given))
     }
 
@@ -141,7 +145,7 @@ impl RelativeEquilibrium {
     ///
     /// # Errors
     /// As [`near`](Self::near).
-    pub fn extreme(body: &FlexibleBody, mode: Mode, given: Given) -> Result<Self, EquilibriumError> {
+    pub fn extreme(body: &FlexibleBody, mode: Mode, given: SpinMagnitude) -> Result<Self, EquilibriumError> {
         let Principal { moments, axes } = Principal::compute(body.invariants().J);
         let (own, other, sign) = match mode {
             Mode::ShortAxis => (2, 1, 1.0),
@@ -211,7 +215,7 @@ fn unfound(body: &FlexibleBody, axis: [f64; 3], reached: f64) -> EquilibriumErro
     }
 }
 
-impl Given {
+impl SpinMagnitude {
     fn times(self, share: f64) -> Self {
         match self {
             Self::Rate(rate) => Self::Rate(share * rate),
@@ -243,13 +247,13 @@ fn shortest(system: Matrix4<f64>, right: Vector4<f64>, spin: f64, ratio: f64) ->
 
 impl Guess {
     /// Guess from the spin of the frozen body about an axis.
-    fn rigid(body: &FlexibleBody, axis: [f64; 3], given: Given) -> Self {
+    fn rigid(body: &FlexibleBody, axis: [f64; 3], given: SpinMagnitude) -> Self {
         let J = body.inertia().map(|row| dot(row, axis));
         let along = dot(J, axis);
         let wheels = dot(body.wheels().angular_momentum(0.0), axis);
         let rate = match given {
-            Given::Rate(rate) => rate,
-            Given::AngularMomentum(angular_momentum) => (angular_momentum - wheels) / along,
+            SpinMagnitude::Rate(rate) => rate,
+            SpinMagnitude::AngularMomentum(angular_momentum) => (angular_momentum - wheels) / along,
         };
         Self { omega: rate * Vector3::from(axis), ratio: along + wheels / rate }
     }
@@ -259,7 +263,12 @@ impl Guess {
     }
 
     /// Solves `K(ω) = ratio · ω` with the given quantity by Newton's method; with the displacements in balance.
-    fn newton(self, body: &FlexibleBody, given: Given, axis: [f64; 3]) -> Option<(Self, BalancedSpin)> {
+    fn newton(
+        self,
+        body: &FlexibleBody,
+        given: SpinMagnitude,
+        axis: [f64; 3],
+    ) -> Option<(Self, BalancedSpin)> {
         let wheels = Vector3::from(body.wheels().angular_momentum(0.0));
         let Self { mut omega, mut ratio } = self;
         let mut best = f64::INFINITY;
@@ -269,15 +278,15 @@ impl Guess {
             let slope = Matrix3::from(balanced.slope).transpose();
             let gap = K - ratio * omega;
             let (excess, gradient) = match given {
-                Given::Rate(rate) => {
+                SpinMagnitude::Rate(rate) => {
                     (0.5 * (omega.norm_squared() / (rate * rate) - 1.0), omega / (rate * rate))
                 }
-                Given::AngularMomentum(G) => {
+                SpinMagnitude::AngularMomentum(G) => {
                     (0.5 * (K.norm_squared() / (G * G) - 1.0), slope.transpose() * K / (G * G))
                 }
             };
             let residual = gap.norm() / K.norm() + excess.abs();
-            if residual <= CONVERGED || (residual >= 0.5 * best && best <= ACCEPTED) {
+            if residual <= CONVERGED || (residual >= 0.5 * best && best <= ACCEPTED_RESIDUAL) {
                 return Some((Self { omega, ratio }, balanced));
             }
             best = best.min(residual);

@@ -18,21 +18,21 @@ pub(super) trait Nonlinear {
 pub(super) type Pair = (Complex<f64>, Vec<Complex<f64>>);
 
 /// Limit of steps of inverse iteration.
-const STEPS: usize = 30;
+const INVERSE_ITERATIONS: usize = 30;
 /// Relative change of an eigenvalue that is rounding.
-const SETTLED: f64 = 1e-14;
+const EIGENVALUE_ROUNDING: f64 = 1e-14;
 /// Relative change accepted where rounding ends the progress.
-const ACCEPTED: f64 = 1e-8;
+const ACCEPTED_CHANGE: f64 = 1e-8;
 /// Step of the difference quotient by `λ`, relative to `λ`: exact for polynomials of the second degree.
 const STEP: f64 = 1e-4;
 
 /// Share of an eigenvalue below which an imaginary part is rounding.
-const ROUNDING: f64 = 1e-12;
+const IMAGINARY_ROUNDING: f64 = 1e-12;
 
 /// Eigenpair that inverse iteration leads to; none without convergence. (M3)
 pub(super) fn inverse_iteration(problem: &impl Nonlinear, (mut lambda, mut x): Pair) -> Option<Pair> {
     let mut best = f64::INFINITY;
-    for step in 0..STEPS {
+    for step in 0..INVERSE_ITERATIONS {
         watch::ask();
         if !lambda.is_finite() {
             return None;
@@ -60,7 +60,7 @@ pub(super) fn inverse_iteration(problem: &impl Nonlinear, (mut lambda, mut x): P
         x = solved.iter().map(|entry| entry / length).collect();
         let moved = change.norm() / lambda.norm();
         if step > 0 {
-            if moved <= SETTLED || (moved >= 0.5 * best && best <= ACCEPTED) {
+            if moved <= EIGENVALUE_ROUNDING || (moved >= 0.5 * best && best <= ACCEPTED_CHANGE) {
                 return Some((lambda, x));
             }
             best = best.min(moved);
@@ -71,7 +71,7 @@ pub(super) fn inverse_iteration(problem: &impl Nonlinear, (mut lambda, mut x): P
 
 /// True if a refined eigenvalue belongs to the mode that the iteration starts from.
 pub(super) fn belongs(refined: Complex<f64>, start: Complex<f64>) -> bool {
-    (refined - start).norm() < 0.5 * start.norm() && refined.im >= -ROUNDING * refined.norm()
+    (refined - start).norm() < 0.5 * start.norm() && refined.im >= -IMAGINARY_ROUNDING * refined.norm()
 }
 
 fn times(P: &ComplexDense, x: &[Complex<f64>]) -> Vec<Complex<f64>> {

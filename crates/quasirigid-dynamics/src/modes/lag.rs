@@ -37,14 +37,14 @@ pub(super) struct Lagging {
 }
 
 /// Number of coordinates up to which the response is found.
-const MOST: usize = 150;
+const MAX_COORDINATES: usize = 150;
 
 impl<'a> Lag<'a> {
     /// None of a body with liquids of an impedance, and of large ones.
     pub fn of(body: &'a FlexibleBody, coefficients: &SpinCoefficients) -> Option<Self> {
         let SpinCoefficients { mass, h, slopes, gyroscopic, centrifugal, .. } = coefficients;
         let (n, elastic) = (h.len(), body.elastic());
-        if !body.memories().is_empty() || n > MOST {
+        if !body.memories().is_empty() || n > MAX_COORDINATES {
             return None;
         }
         let block = |list: &[[f64; 3]]| DMatrix::from_fn(list.len(), 3, |j, axis| C::from(list[j][axis]));

@@ -19,8 +19,8 @@ mod slow;
 mod spectrum;
 
 pub use campbell::{CampbellError, SpinEigenvalues, campbell};
-pub use equilibrium::{EquilibriumError, Given, RelativeEquilibrium};
+pub use equilibrium::{EquilibriumError, RelativeEquilibrium, SpinMagnitude};
 pub use error::ModesError;
-pub use forced::{Near, SteadyError, SteadyModes, SteadyState, acts};
+pub use forced::{SteadyError, SteadyModes, SteadyState, SteadyStateGuess, acts};
 pub use mode::{SpinMode, SpinModes};
 pub use onset::{WhirlOnset, whirl_onset};

@@ -63,13 +63,13 @@ pub struct SpinModes {
 const REFINED: usize = 40;
 const SLOWEST: usize = 24;
 /// Number of coordinates above which the nutation is refined only for materials or liquids.
-const MANY: usize = 300;
+const UNREFINED_COORDINATES: usize = 300;
 /// Share of the decay rate below which a frequency is negligible.
 pub(super) const OVERDAMPED: f64 = 0.1;
 /// Relative difference below which eigenvalues of a liquid are the same.
-const SAME: f64 = 1e-6;
+const SAME_EIGENVALUE: f64 = 1e-6;
 /// Share of the eigenvalue below which a decay rate is rounding, unless the energy balance gives it.
-const ROUNDING: f64 = 1e-12;
+const DECAY_ROUNDING: f64 = 1e-12;
 /// Share of the eigenvalue below which a decay rate follows from the energy balance in a body with materials.
 const LIGHT: f64 = 1e-5;
 
@@ -124,7 +124,7 @@ impl SpinModes {
         let mut slowest: Vec<usize> = (0..found.len()).collect();
         slowest.sort_by(|a, b| found[*a].lambda.norm().total_cmp(&found[*b].lambda.norm()));
         let small = body.coordinates().len() <= REFINED;
-        let many = body.coordinates().len() > MANY && !pencil.is_nonlinear();
+        let many = body.coordinates().len() > UNREFINED_COORDINATES && !pencil.is_nonlinear();
         let again = |i: usize| {
             sources[i] == Source::Spectrum
                 && (small
@@ -146,7 +146,7 @@ impl SpinModes {
             let known = |lambda: Complex<f64>| {
                 let gap =
                     |mode: &SpinMode| (lambda + mode.decay_rate - Complex::new(0.0, mode.frequency)).norm();
-                modes.iter().any(|mode| gap(mode) < SAME * lambda.norm())
+                modes.iter().any(|mode| gap(mode) < SAME_EIGENVALUE * lambda.norm())
             };
             // Relaxations of a liquid whose impedance is known are kept only where they lead to a new mode of the liquid; the nutation
             // always where it converges.
@@ -279,7 +279,7 @@ impl Frame<'_> {
         let told = tellable(lambda, liquids.len(), lost.len());
         SpinMode {
             decay_rate: self.decay(pencil, lambda, (delta, &rate, &q), total),
-            frequency: if lambda.im.abs() > ROUNDING * lambda.norm() { lambda.im.abs() } else { 0.0 },
+            frequency: if lambda.im.abs() > DECAY_ROUNDING * lambda.norm() { lambda.im.abs() } else { 0.0 },
             of_motion,
             nutation,
             neutral: false,
@@ -299,7 +299,7 @@ impl Frame<'_> {
         (delta, rate, q): (Complex3, &[Complex<f64>], &[Complex<f64>]),
         lost: f64,
     ) -> f64 {
-        let found = if lambda.re.abs() > ROUNDING * lambda.norm() { -lambda.re } else { 0.0 };
+        let found = if lambda.re.abs() > DECAY_ROUNDING * lambda.norm() { -lambda.re } else { 0.0 };
         let light = found.abs() < LIGHT * lambda.norm();
         let oscillates = lambda.im.abs() > lambda.re.abs();
         let balanced =
@@ -321,7 +321,7 @@ impl Frame<'_> {
         let (decay, rounding) = if balanced {
             (form(self.body.damping(), rate) / (2.0 * second), f64::EPSILON)
         } else {
-            (-lambda.re, ROUNDING)
+            (-lambda.re, DECAY_ROUNDING)
         };
         if decay.abs() > rounding * lambda.norm() { decay } else { 0.0 }
     }

@@ -2,7 +2,7 @@
 
 use nalgebra::Complex;
 
-use super::candidates::{SLOW, Source};
+use super::candidates::{SLOW_DIRECTION_RATIO, Source};
 use super::mode::{Frame, OVERDAMPED, kinetic};
 use super::shares::moving;
 use super::slow::SlowDirection;
@@ -15,7 +15,7 @@ use crate::math::vec3::{self, norm, scale};
 const CLEAR: f64 = 0.1;
 /// Logarithm of the ratio to the rigid-body frequency beyond which an oscillating mode gives way to other candidates for the nutation, unless
 /// the angular momentum leaves the axis most in it: with nearly equal moments elasticity decides the frequency.
-const FAR: f64 = 1.5;
+const FAR_FREQUENCY: f64 = 1.5;
 
 impl Frame<'_> {
     /// Indices of the motions of the direction of spin, the nutation first: none for a body like a sphere, two where one grows and one
@@ -46,7 +46,7 @@ impl Frame<'_> {
         let mut order: Vec<usize> = (0..found.len()).collect();
         order.sort_by(|a, b| size(a).total_cmp(&size(b)));
         let others = order.get(1).map_or(f64::INFINITY, size).min(norm(self.equilibrium.omega));
-        order.first().copied().filter(|slowest| size(slowest) < SLOW * others)
+        order.first().copied().filter(|slowest| size(slowest) < SLOW_DIRECTION_RATIO * others)
     }
 
     /// Indices of the nutation: of the modes in which the angular momentum leaves the axis most, the one nearest in frequency to that of
@@ -71,7 +71,10 @@ impl Frame<'_> {
                 of(&|lambda| lambda.im == 0.0 && lambda.re > 0.0),
                 of(&|lambda| lambda.im == 0.0 && lambda.re < 0.0),
             ];
-            let pair = [nearest(&away).filter(|i| near(i) < FAR), nearest(&back).filter(|i| near(i) < FAR)];
+            let pair = [
+                nearest(&away).filter(|i| near(i) < FAR_FREQUENCY),
+                nearest(&back).filter(|i| near(i) < FAR_FREQUENCY),
+            ];
             if let [Some(away), Some(back)] = pair {
                 return vec![away, back];
             }
@@ -79,7 +82,7 @@ impl Frame<'_> {
         let swinging = of(&|lambda| lambda.im.abs() > OVERDAMPED * lambda.re.abs());
         let foremost = |i: &usize| tilts[*i] >= most(&all);
         nearest(&swinging)
-            .filter(|i| near(i) < FAR || foremost(i))
+            .filter(|i| near(i) < FAR_FREQUENCY || foremost(i))
             .or_else(|| nearest(&all))
             .into_iter()
             .collect()

@@ -6,7 +6,7 @@
 use std::ops::ControlFlow;
 
 use super::campbell::{SpinEigenvalues, campbell};
-use super::equilibrium::{Given, RelativeEquilibrium};
+use super::equilibrium::{RelativeEquilibrium, SpinMagnitude};
 use super::mode::{SpinMode, SpinModes};
 use crate::model::{FlexibleBody, Mode};
 
@@ -25,12 +25,12 @@ pub struct WhirlOnset {
 const EXAMINED: usize = 48;
 const LOCATED: f64 = 1e-10;
 /// Decay of an internal motion, relative to its frequency, that is rounding.
-const ROUNDING: f64 = 1e-12;
+const DECAY_ROUNDING: f64 = 1e-12;
 /// Decay, relative to the largest eigenvalue, that no rounding hides: an eigenvalue that is double is known to the square root of a rounding.
 const CLEAR: f64 = 1e-7;
 /// Number of spins whose eigenvalues are found side by side, and number of coordinates up to which they cost little beside the motions.
 const TOGETHER: usize = 8;
-const SMALL: usize = 40;
+const CHEAP_COORDINATES: usize = 40;
 
 /// Onset of whirl between two spins (rad/s) about the axis that a mode circles; none if no motion beside the nutation grows in between, or
 /// the caller ended the search. (M9)
@@ -67,7 +67,7 @@ pub fn whirl_onset(
 /// grows, nor where materials and liquids have other eigenvalues than the equations of motion, nor for large bodies.
 fn all_decay(body: &FlexibleBody, mode: Mode, spins: &[f64]) -> Vec<bool> {
     let exact = body.viscoelastic().is_empty() && body.memories().is_empty();
-    if mode == Mode::LongAxis || !exact || body.coordinates().len() > SMALL {
+    if mode == Mode::LongAxis || !exact || body.coordinates().len() > CHEAP_COORDINATES {
         return vec![false; spins.len()];
     }
     let clear = |values: &[[f64; 2]]| {
@@ -104,8 +104,8 @@ fn onset(spin: f64, SpinMode { name, frequency, .. }: SpinMode) -> WhirlOnset {
 /// The motion beside the nutation that grows at a spin (rad/s); none without modes there.
 #[expect(clippy::option_option, reason = "a spin without modes is neither stable nor unstable")]
 fn growing(body: &FlexibleBody, mode: Mode, spin: f64) -> Option<Option<SpinMode>> {
-    let equilibrium = RelativeEquilibrium::extreme(body, mode, Given::Rate(spin)).ok()?;
+    let equilibrium = RelativeEquilibrium::extreme(body, mode, SpinMagnitude::Rate(spin)).ok()?;
     let modes = SpinModes::about(body, equilibrium).ok()?.modes;
-    let grows = |mode: &SpinMode| !mode.nutation && mode.decay_rate < -ROUNDING * mode.frequency;
+    let grows = |mode: &SpinMode| !mode.nutation && mode.decay_rate < -DECAY_ROUNDING * mode.frequency;
     Some(modes.into_iter().find(grows))
 }

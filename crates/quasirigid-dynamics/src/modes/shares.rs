@@ -8,7 +8,7 @@ use crate::model::impedance;
 use crate::model::{FlexibleBody, LiquidMemory, SpinCoefficients};
 
 /// Liquid whose impedance is known, with the eigenvalue and the angles about its axes.
-pub(super) type Turning<'a> = (&'a LiquidMemory, Complex<f64>, &'a [Complex<f64>]);
+pub(super) type LiquidMotion<'a> = (&'a LiquidMemory, Complex<f64>, &'a [Complex<f64>]);
 
 /// Twice the mean kinetic energy of the carrying body and of each part, by name; negative where a part moves against the momentum of its
 /// coordinates.
@@ -17,7 +17,7 @@ pub(super) fn moving(
     coefficients: &SpinCoefficients,
     delta: [Complex<f64>; 3],
     rate: &[Complex<f64>],
-    liquids: &[Turning<'_>],
+    liquids: &[LiquidMotion<'_>],
 ) -> Vec<(String, f64)> {
     let SpinCoefficients { inertia, h, .. } = coefficients;
     let [re, im] = [0, 1]
@@ -85,7 +85,7 @@ pub(super) fn leading(
     body: &FlexibleBody,
     moved: &[(String, f64)],
     largest: Option<usize>,
-    liquids: &[Turning<'_>],
+    liquids: &[LiquidMotion<'_>],
 ) -> Option<String> {
     let energy =
         |part: &str| moved.iter().find(|(name, _)| name == part).map_or(0.0, |(_, energy)| energy.abs());
@@ -104,7 +104,7 @@ pub(super) fn leading(
 }
 
 /// Decay rate, as a share of the eigenvalue, up to which the power of a liquid is a loss alone.
-const SLOW: f64 = 1e-3;
+const SLOW_DECAY_RATIO: f64 = 1e-3;
 
 /// Share below which an entry is not listed.
 const SHOWN: f64 = 1e-3;
@@ -125,7 +125,7 @@ pub(super) fn balance(list: Vec<(String, f64)>) -> Vec<(String, f64)> {
 
 /// True if shares of the dissipation are defined: the impedance of a liquid contains stored energy too, which a fast decay gives back.
 pub(super) fn tellable(lambda: Complex<f64>, liquids: usize, dissipators: usize) -> bool {
-    liquids == 0 || dissipators == 1 || lambda.re.abs() <= SLOW * lambda.norm()
+    liquids == 0 || dissipators == 1 || lambda.re.abs() <= SLOW_DECAY_RATIO * lambda.norm()
 }
 
 /// `xᴴBx` of a symmetric matrix, positive semi-definite; zero where the sum is rounding of its terms, whose sign is arbitrary.
@@ -145,7 +145,7 @@ pub(super) fn dissipation(
     omega: [f64; 3],
     lambda: Complex<f64>,
     q: &[Complex<f64>],
-    liquids: &[Turning<'_>],
+    liquids: &[LiquidMotion<'_>],
 ) -> Vec<(String, f64)> {
     let square = lambda.norm_sqr();
     let form = |matrix: &SparseRows<f64>| form(matrix, q);

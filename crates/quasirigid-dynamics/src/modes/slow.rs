@@ -41,9 +41,9 @@ const LOST: f64 = 1e-11;
 /// First eigenvalue of the iteration, over the spin: slow enough for the static lag.
 const FIRST: f64 = 1e-9;
 /// Limit of steps of the iteration, the relative change that is rounding, and the one accepted where rounding ends the progress.
-const STEPS: usize = 40;
-const SETTLED: f64 = 1e-15;
-const ACCEPTED: f64 = 1e-10;
+const MAX_ITERATIONS: usize = 40;
+const ITERATION_ROUNDING: f64 = 1e-15;
+const ACCEPTED_CHANGE: f64 = 1e-10;
 
 impl SlowDirection {
     /// Second variation about a steady spin; none where the displacements in balance are not found again.
@@ -107,7 +107,7 @@ impl SlowDirection {
     /// Motion with the eigenvalue that the iteration leads to.
     fn settled(&self, lag: &Lag<'_>, mut lambda: C) -> Option<Eigenmotion> {
         let mut best = f64::INFINITY;
-        for _ in 0..STEPS {
+        for _ in 0..MAX_ITERATIONS {
             if lambda.norm() == 0.0 {
                 return self.motion(&lag.at(C::from(-FIRST * self.spin))?.standing());
             }
@@ -115,7 +115,7 @@ impl SlowDirection {
             let gap = |other: &C| (other - lambda).norm();
             let next = self.eigenvalues(&lagging).into_iter().min_by(|a, b| gap(a).total_cmp(&gap(b)))?;
             let moved = gap(&next) / next.norm();
-            if moved <= SETTLED || (moved >= 0.5 * best && best <= ACCEPTED) {
+            if moved <= ITERATION_ROUNDING || (moved >= 0.5 * best && best <= ACCEPTED_CHANGE) {
                 let motion = self.motion(&lagging)?;
                 return Some(self.balanced(lag, &lagging, motion));
             }

@@ -89,7 +89,7 @@ fn null_vectors(matrix: &DMatrix<f64>, inverse: &DMatrix<f64>, steady: &[[f64; 3
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::modes::Given;
+    use crate::modes::SpinMagnitude;
     use crate::problems::ring_of_points;
 
     /// Slow motions of the reduced basis agree with those of the full one: the nutation, and the slowest vibrations.
@@ -97,7 +97,7 @@ mod tests {
     fn few_displacements_hold_the_slow_motions() {
         let body = ring_of_points(20).body().unwrap();
         let axis = crate::model::Principal::compute(body.invariants().J).axes[2];
-        let steady = RelativeEquilibrium::near(&body, axis, Given::Rate(0.3)).unwrap();
+        let steady = RelativeEquilibrium::near(&body, axis, SpinMagnitude::Rate(0.3)).unwrap();
         let coefficients = steady.coefficients(&body);
         let slow = |whole: usize| {
             let mut found = within(&body, &steady, &coefficients, (&[], whole)).unwrap();

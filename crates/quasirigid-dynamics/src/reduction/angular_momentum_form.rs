@@ -2,7 +2,7 @@
 //! In this form `|K|` is exact at every truncation; the fixed-point iteration gains one degree, or more where low degrees vanish, per pass.
 //! Equation (R11), docs/theory/03-reduction.md.
 
-use super::manifold::mapped;
+use super::slow_manifold::mapped;
 use crate::math::polynomial::monomial::{exponents, index};
 use crate::math::polynomial::{Homogeneous, Series};
 use crate::math::sym3::{self, Sym};

@@ -139,7 +139,7 @@ pub(super) fn levels_ratio(f: &Sizes, circles: &Circles, spin: f64) -> f64 {
     if f.map.degree() < 4 {
         return 0.0;
     }
-    let nothing = ROUNDING * spin * spin;
+    let nothing = RATE_ROUNDING * spin * spin;
     let ratio =
         |[rigid, elastic]: [f64; 2]| if elastic > nothing { elastic / rigid.max(nothing) } else { 0.0 };
     let on_circles = (0..circles.across.len()).map(|circle| ratio(circles.of(&f.map, circle, spin)));
@@ -149,7 +149,7 @@ pub(super) fn levels_ratio(f: &Sizes, circles: &Circles, spin: f64) -> f64 {
 /// Relative difference below which two moments are equal.
 const EQUAL: f64 = 1e-9;
 /// Share of `|ω|²` below which a rate of the spin is rounding.
-const ROUNDING: f64 = 1e-13;
+const RATE_ROUNDING: f64 = 1e-13;
 /// Number of places on a circle.
 const PLACES: usize = 48;
 

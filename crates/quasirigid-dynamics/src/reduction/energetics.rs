@@ -1,6 +1,6 @@
 //! Energy, dissipated power and force on the pole as polynomials along the slow manifold. (R8) to (R10)
 
-use super::manifold::Manifold;
+use super::slow_manifold::SlowManifold;
 use crate::math::polynomial::{Homogeneous, Series};
 use crate::math::sparse::SparseRows;
 use crate::math::vec3;
@@ -9,7 +9,7 @@ use crate::model::{Dissipator, FlexibleBody};
 /// Energy on the slow manifold, degrees 2 to `p + 2`. (R10)
 ///
 /// Twice the kinetic energy is `ω·K + p·q̇`, with the momenta of `ω` and `q̇`.
-pub(super) fn energy(body: &FlexibleBody, manifold: &Manifold, order: usize) -> Series {
+pub(super) fn energy(body: &FlexibleBody, manifold: &SlowManifold, order: usize) -> Series {
     let mut energy = Series::zero(order + 2, 1);
     let forces = manifold.q.times(body.stiffness());
     for degree in 2..=order + 2 {
@@ -22,13 +22,13 @@ pub(super) fn energy(body: &FlexibleBody, manifold: &Manifold, order: usize) -> 
 }
 
 /// One degree of the angular momentum without that of the wheels.
-fn own(body: &FlexibleBody, manifold: &Manifold, degree: usize) -> Homogeneous {
+fn own(body: &FlexibleBody, manifold: &SlowManifold, degree: usize) -> Homogeneous {
     if degree == 1 { Homogeneous::linear(&body.inertia()) } else { manifold.K.part(degree).clone() }
 }
 
 /// `[q̇·(A q̇ + h(q)·ω) + q·C q]_d`, from the momenta `p` and the forces `C q`.
-fn internal(body: &FlexibleBody, manifold: &Manifold, forces: &Series, degree: usize) -> Homogeneous {
-    let Manifold { q, rate, u, p, .. } = manifold;
+fn internal(body: &FlexibleBody, manifold: &SlowManifold, forces: &Series, degree: usize) -> Homogeneous {
+    let SlowManifold { q, rate, u, p, .. } = manifold;
     let mut sum = rate.dot(p, degree);
     sum.add_scaled(1.0, &q.dot(forces, degree));
     if let Some(per_mass) = body.translation() {
@@ -42,11 +42,11 @@ fn internal(body: &FlexibleBody, manifold: &Manifold, forces: &Series, degree: u
 }
 
 /// Power `q̇ᵀB q̇`: a sum of squares, with the rates of elastic coordinates to degree `p`, degrees 6 to `2p`, and of cyclic ones to
-/// degree `p + 1`, degrees 4 to `2p + 2`; and the power of each dissipator with damping, by name. The manifold may be of a higher order.
+/// degree `p + 1`, degrees 4 to `2p + 2`; and the power of each dissipator with damping, by name. The slow manifold may be of a higher order.
 /// (R9), (C6), (D3)
 pub(super) fn power(
     body: &FlexibleBody,
-    manifold: &Manifold,
+    manifold: &SlowManifold,
     order: usize,
 ) -> (Series, Vec<(String, Series)>) {
     let mut rate = manifold.rate.truncated(order);

@@ -4,7 +4,7 @@
 //! Equations (R16) to (R21), docs/theory/03-reduction.md.
 
 use super::angular_momentum_form::composed;
-use super::manifold::Manifold;
+use super::slow_manifold::SlowManifold;
 use crate::math::polynomial::{Homogeneous, Series};
 use crate::math::sym3::COMPONENTS;
 use crate::model::{Advection, FlexibleBody};
@@ -23,7 +23,7 @@ const AXIAL: [(usize, usize); 3] = [(1, 2), (2, 0), (0, 1)];
 
 impl EnergyForm {
     /// From the slow manifold of order `p` and the reverted series `Ω(K)`.
-    pub fn compute(body: &FlexibleBody, manifold: &Manifold, Omega: &Series, order: usize) -> Self {
+    pub fn compute(body: &FlexibleBody, manifold: &SlowManifold, Omega: &Series, order: usize) -> Self {
         let Some(highest) = order.checked_sub(1) else {
             return Self { c: Series::zero(0, 3), T: Series::zero(0, 6) };
         };
@@ -49,7 +49,7 @@ impl EnergyForm {
 /// Internal motion as functions of the angular momentum.
 struct Slaved<'a> {
     body: &'a FlexibleBody,
-    manifold: &'a Manifold,
+    manifold: &'a SlowManifold,
     Omega: &'a Series,
     /// Highest degree of `c`, `p − 1`.
     highest: usize,

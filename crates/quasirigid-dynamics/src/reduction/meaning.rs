@@ -11,7 +11,7 @@ use crate::model::{FlexibleBody, MotionState, ReducedBody};
 const MEANINGFUL: f64 = 1e-2;
 /// Largest angular momentum of the rates of cyclic coordinates relative to `|Jω|` for the series to be small: that at which spin against
 /// friction fails, `τ|ω| = ½`, where the whole body turned inside. (Q8)
-const SMALL: f64 = 0.5;
+const SMALL_INTERNAL_MOMENTUM: f64 = 0.5;
 
 /// True if the slow manifold of a reduced body has a meaning at an angular velocity (rad/s): the state from its series has the angular
 /// momentum of its series, the rates of rotors and liquids are small in it, and `ω(K(ω)) = ω`. (Q8)
@@ -44,5 +44,5 @@ fn gap(body: &FlexibleBody, motion: MotionState<f64>, said: [f64; 3]) -> f64 {
 fn is_slow(body: &FlexibleBody, omega: [f64; 3], rate: &[f64]) -> bool {
     let h = &body.invariants().h;
     let carried = body.cyclic().fold([0.0; 3], |sum, j| add(sum, scale(rate[j], h[j])));
-    norm(carried) <= SMALL * norm(times(body.invariants().J, omega))
+    norm(carried) <= SMALL_INTERNAL_MOMENTUM * norm(times(body.invariants().J, omega))
 }

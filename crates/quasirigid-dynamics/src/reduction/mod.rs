@@ -7,13 +7,13 @@ mod decay;
 mod degrees;
 mod energetics;
 mod energy_form;
-mod manifold;
 mod meaning;
 mod projection;
 mod reduce;
 mod relaxation;
 mod residual;
 mod resonance;
+mod slow_manifold;
 mod validity;
 mod vibration;
 

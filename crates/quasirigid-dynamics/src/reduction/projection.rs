@@ -26,12 +26,12 @@ pub(super) struct Projection {
 /// Number of coordinates up to which the whole matrices are used.
 const WHOLE: usize = 600;
 /// Number of vibrations found for a body of more coordinates.
-const SLOW: usize = 12;
+const MAX_VIBRATIONS: usize = 12;
 
 impl Projection {
     pub fn compute(body: &FlexibleBody) -> Result<Self, NoConvergence> {
         let size = body.elastic();
-        if size <= WHOLE { Ok(Self::whole(body)) } else { Self::slow(body, SLOW) }
+        if size <= WHOLE { Ok(Self::whole(body)) } else { Self::slow(body, MAX_VIBRATIONS) }
     }
 
     fn whole(body: &FlexibleBody) -> Self {

@@ -5,7 +5,7 @@
 use thiserror::Error;
 
 use super::energy_form::EnergyForm;
-use super::manifold::Manifold;
+use super::slow_manifold::SlowManifold;
 use super::{angular_momentum_form, energetics};
 use crate::math::polynomial::Series;
 use crate::model::{FlexibleBody, MAX_ORDER, ReducedBody};
@@ -85,7 +85,7 @@ pub fn reduce(body: &FlexibleBody, order: usize) -> Result<ReducedBody, Reductio
     Ok(reduced)
 }
 
-/// Checks what is derived from the manifold: products of numbers near the largest overflow where the numbers do not.
+/// Checks what is derived from the slow manifold: products of numbers near the largest overflow where the numbers do not.
 fn finite(reduced: &ReducedBody) -> Result<(), ReductionError> {
     let ReducedBody { K, Omega, c, T, energy, energy_of_momentum, power, phi, pole, q, rate, .. } = reduced;
     let derived = [K, Omega, c, T, energy, energy_of_momentum, power, phi, pole, q, rate];
@@ -97,14 +97,14 @@ fn finite(reduced: &ReducedBody) -> Result<(), ReductionError> {
 }
 
 /// Slow manifold to order `p`, checked for its order and for overflow.
-pub(super) fn manifold(body: &FlexibleBody, order: usize) -> Result<Manifold, ReductionError> {
+pub(super) fn manifold(body: &FlexibleBody, order: usize) -> Result<SlowManifold, ReductionError> {
     if order > MAX_ORDER {
         return Err(ReductionError::Order { order });
     }
     if let Some(hung) = body.hung().filter(|_| order > 0) {
         return Err(ReductionError::Hung { coordinates: hung.names().into() });
     }
-    let manifold = Manifold::compute(body, order);
+    let manifold = SlowManifold::compute(body, order);
     match (2..=order + 2).find(|degree| !manifold.f.part(*degree).is_finite()) {
         Some(degree) => Err(ReductionError::NotFinite { degree }),
         None => Ok(manifold),

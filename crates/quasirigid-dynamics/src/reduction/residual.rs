@@ -23,11 +23,11 @@ pub struct Residual {
 }
 
 /// Share of the load that the spin could cause about any axis, below which a load is rounding.
-const ROUNDING: f64 = 1e-12;
+const LOAD_ROUNDING: f64 = 1e-12;
 
 /// Residual of the full equations (S3), (S4) on the slow manifold at an angular velocity (rad/s).
 ///
-/// The recursion that made the manifold is not used: the polynomials are followed along the motion as truncated Taylor series in time,
+/// The recursion that made the slow manifold is not used: the polynomials are followed along the motion as truncated Taylor series in time,
 /// and enter the equations as numbers.
 #[must_use]
 pub fn residual(body: &FlexibleBody, reduced: &ReducedBody, omega: [f64; 3]) -> Residual {
@@ -54,7 +54,7 @@ pub fn residual(body: &FlexibleBody, reduced: &ReducedBody, omega: [f64; 3]) -> 
     let possible = possible(body, omega);
     let share = |size: fn(&FlexibleBody, &[f64]) -> f64| {
         let whole = size(body, &inertial);
-        if whole > ROUNDING * size(body, &possible) { size(body, &left) / whole } else { 0.0 }
+        if whole > LOAD_ROUNDING * size(body, &possible) { size(body, &left) / whole } else { 0.0 }
     };
     Residual { elastic: share(stored), cyclic: share(dissipated), torque }
 }

@@ -14,7 +14,7 @@ pub struct Resonance {
 }
 
 /// Relative distance within which a harmonic is near a frequency.
-const NEAR: f64 = 0.1;
+const NEAR_RESONANCE: f64 = 0.1;
 /// Strength below which harmonics are negligible.
 const ALIVE: f64 = 1e-9;
 /// Highest harmonic looked at; next to the separatrix none is weak.
@@ -31,8 +31,9 @@ pub fn resonances(principal: &Principal, free_frequencies: &[f64], omega: [f64; 
         .take_while(|n| strength(*n) > ALIVE)
         .flat_map(|n| {
             let forcing = n as f64 * step;
-            let near =
-                free_frequencies.iter().filter(move |frequency| (forcing / **frequency - 1.0).abs() < NEAR);
+            let near = free_frequencies
+                .iter()
+                .filter(move |frequency| (forcing / **frequency - 1.0).abs() < NEAR_RESONANCE);
             near.map(move |&frequency| Resonance { harmonic: n, forcing, frequency, strength: strength(n) })
         })
         .collect();

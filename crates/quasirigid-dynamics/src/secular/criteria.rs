@@ -26,14 +26,14 @@ pub struct AverageCriteria {
 /// Error of an average per `γ/β`.
 const PER_SETTLING: f64 = 1.6;
 /// Bound of the error over the largest criterion: the largest ratio found in comparisons with full systems (3), rounded up.
-const CAUTION: f64 = 4.0;
+const ERROR_PER_CRITERION: f64 = 4.0;
 
 impl AverageCriteria {
     /// Bound of the relative error of the averaged power. (Q7)
     #[must_use]
     pub fn error(&self) -> f64 {
         let compared = self.poles.max(PER_SETTLING * self.settling).max(self.moments).max(self.probed);
-        (CAUTION * compared).max(self.liquids)
+        (ERROR_PER_CRITERION * compared).max(self.liquids)
     }
 
     /// Bound of the relative error of an averaged time of so many periods of the wobble. (Q7)
@@ -60,7 +60,7 @@ pub fn average_criteria(
     let average = Evolution::new(power, range.angular_momentum());
     let mut criteria = AverageCriteria::default();
     for mode in [Mode::LongAxis, Mode::ShortAxis] {
-        if !ends.iter().any(|stage| stage.mode == mode) {
+        if !ends.iter().any(|rotation_state| rotation_state.mode == mode) {
             continue;
         }
         let rate = average.wobble_rate(mode);
@@ -71,10 +71,10 @@ pub fn average_criteria(
         criteria.poles = criteria.poles.max(apart(rate, exact));
         criteria.settling = criteria.settling.max(rate.max(exact.abs()) / pole.following_rate());
     }
-    for stage in ends {
-        let motion = average.motion(stage);
-        let rate = average.power(stage) / (2.0 * motion.energy_from_axis());
-        let follows = poles.of_mode(stage.mode).map_or(0.0, super::Pole::following_rate);
+    for rotation_state in ends {
+        let motion = average.motion(rotation_state);
+        let rate = average.power(rotation_state) / (2.0 * motion.energy_from_axis());
+        let follows = poles.of_mode(rotation_state.mode).map_or(0.0, super::Pole::following_rate);
         criteria.settling = criteria.settling.max(rate / follows);
     }
     let (rigid, deformed) = (power.moments(), range.moments());

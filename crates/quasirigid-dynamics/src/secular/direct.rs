@@ -80,7 +80,7 @@ pub enum DirectStopReason {
 const FIRST: f64 = 20.0;
 const LONGER: f64 = 1.5;
 /// Rows in a piece, and the number above which rows are dropped.
-const ROWS: usize = 240;
+const ROWS_PER_PIECE: usize = 240;
 const MOST_ROWS: usize = 8000;
 
 /// Integrates the full system of a free body to an energy or a time. (Q6)
@@ -133,7 +133,8 @@ impl DirectRun {
         watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
     ) -> Result<Option<DirectStopReason>, PropagateError> {
         let before = self.rows[self.rows.len() - 1];
-        let times: Vec<f64> = (1..=ROWS).map(|i| piece * i as f64 / ROWS as f64).collect();
+        let times: Vec<f64> =
+            (1..=ROWS_PER_PIECE).map(|i| piece * i as f64 / ROWS_PER_PIECE as f64).collect();
         let events = options.until.map(Event::Energy).into_iter().collect();
         let most_steps = options.most_steps.saturating_sub(self.steps).max(1);
         let settings = Options { tolerance: options.tolerance, most_steps, events, ..Options::default() };

@@ -8,7 +8,7 @@ use crate::math::bisection::bisected;
 use crate::math::sym3::{self, times};
 use crate::math::vec3::{add, cross, dot, norm, scale};
 use crate::model::{FlexibleBody, Mode, Principal};
-use crate::modes::{EquilibriumError, Given, RelativeEquilibrium};
+use crate::modes::{EquilibriumError, RelativeEquilibrium, SpinMagnitude};
 
 /// Range of the energy at a given angular momentum, from the steady spins of the deformed body. (Q1)
 ///
@@ -29,7 +29,7 @@ impl EnergyRange {
     /// [`EquilibriumError`] if there is no steady spin about the axis of greatest inertia, where every dissipation leads to.
     pub fn compute(body: &FlexibleBody, angular_momentum: f64) -> Result<Self, EquilibriumError> {
         let frozen = Principal::compute(body.invariants().J).moments;
-        let given = Given::AngularMomentum(angular_momentum);
+        let given = SpinMagnitude::AngularMomentum(angular_momentum);
         let least = RelativeEquilibrium::extreme(body, Mode::LongAxis, given);
         let greatest = RelativeEquilibrium::extreme(body, Mode::ShortAxis, given);
         let [_, middle, _] = RelativeEquilibrium::all(body, given);
@@ -76,7 +76,7 @@ impl EnergyRange {
 
     /// Rotation state at an energy (J); none at a steady spin or beyond those of the body.
     #[must_use]
-    pub fn stage(&self, energy: f64) -> Option<RotationState> {
+    pub fn rotation_state(&self, energy: f64) -> Option<RotationState> {
         let ([least, greatest], ratio) = (self.ratios(), self.ratio(energy));
         let within = least < ratio && ratio < greatest;
         RotationState::from_motion(&self.polhode(energy)).filter(|_| within)
@@ -102,7 +102,7 @@ impl EnergyRange {
         let spin = poles.max_by(|a, b| along(a).total_cmp(&along(b)))?;
         let inverse = sym3::inverse(body.full_inertia_at(&spin.q));
         let turning = |K: [f64; 3]| 0.5 * dot(K, times(inverse, K));
-        self.stage(spin.energy + turning(K) - turning(spin.angular_momentum))
+        self.rotation_state(spin.energy + turning(K) - turning(spin.angular_momentum))
     }
 
     /// State of the full system near a rotation state: the body as deformed by the steady spin that the mode circles, in free rotation.
@@ -110,14 +110,19 @@ impl EnergyRange {
     ///
     /// None if the steady spin was not found.
     #[must_use]
-    pub fn state(&self, body: &FlexibleBody, stage: RotationState) -> Option<FullState> {
-        let spin = self.equilibrium(stage.mode)?;
-        let wanted =
-            FreeRotation::at_logit(self.moments, self.angular_momentum, stage.mode, stage.xi).energy();
+    pub fn state(&self, body: &FlexibleBody, rotation_state: RotationState) -> Option<FullState> {
+        let spin = self.equilibrium(rotation_state.mode)?;
+        let wanted = FreeRotation::at_logit(
+            self.moments,
+            self.angular_momentum,
+            rotation_state.mode,
+            rotation_state.xi,
+        )
+        .energy();
         let J = body.full_inertia_at(&spin.q);
         let inverse = sym3::inverse(J);
         let along = scale(norm(spin.angular_momentum).recip(), spin.angular_momentum);
-        let across = self.across(stage.mode, along);
+        let across = self.across(rotation_state.mode, along);
         let K = |angle: f64| {
             let (sine, cosine) = angle.sin_cos();
             scale(self.angular_momentum, add(scale(cosine, along), scale(sine, across)))

@@ -11,7 +11,7 @@ use crate::math::sphere::{StationaryKind, tangents};
 use crate::math::sym3::{self, Sym, times};
 use crate::math::vec3::{add, dot, norm, scale};
 use crate::model::{FlexibleBody, ReducedBody};
-use crate::modes::{Given, RelativeEquilibrium};
+use crate::modes::{RelativeEquilibrium, SpinMagnitude};
 
 /// Steady spins of a body with momentum wheels at an angular momentum, by the kind of stationary point of the energy without that of wheels.
 /// (Q15)
@@ -38,7 +38,8 @@ impl GyrostatSpins {
         let mut spins = Self { minima: Vec::new(), saddles: Vec::new(), maxima: Vec::new() };
         for (K, kind) in levels.steady() {
             let omega = times(inverse, add(K, scale(-1.0, rigid.wheels())));
-            let Ok(spin) = RelativeEquilibrium::next_to(body, omega, Given::AngularMomentum(G)) else {
+            let Ok(spin) = RelativeEquilibrium::next_to(body, omega, SpinMagnitude::AngularMomentum(G))
+            else {
                 continue;
             };
             match kind {

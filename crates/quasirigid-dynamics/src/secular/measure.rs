@@ -18,7 +18,7 @@ use crate::model::FlexibleBody;
 #[derive(Clone, Debug, PartialEq)]
 pub struct Measurement {
     /// Rotation state of the measurement, at the mean energy.
-    pub stage: RotationState,
+    pub rotation_state: RotationState,
     /// Mean power dissipated (W).
     pub power: f64,
     /// Estimate of the relative error: the change between two windows, one behind the other, relative to that of the equivalent polhode.
@@ -58,7 +58,7 @@ pub enum MeasureError {
         change: f64,
     },
     /// The steps allowed were used up.
-    #[error("a short run of the full system used up the steps allowed")]
+    #[error("a short run of the full system reached its step limit")]
     StepLimit,
     /// The caller asked for an end.
     #[error("interrupted")]
@@ -118,7 +118,7 @@ pub(super) fn measured(
         (revolutions, steps) = (revolutions + run.revolutions, steps + run.steps);
         state = run.last;
         let Mean { energy, power, budget } = run.mean;
-        let stage = range.stage(energy).ok_or(MeasureError::LeftMode)?;
+        let rotation_state = range.rotation_state(energy).ok_or(MeasureError::LeftMode)?;
         let polhode = range.polhode(energy);
         if shares.is_empty() {
             start_energy = energy + power * (settling + 0.5 * window);
@@ -134,16 +134,32 @@ pub(super) fn measured(
         let enough = |change: f64| change <= plan.change || (last && change <= 4.0 * plan.change);
         let reduced = false;
         if enough(change) {
-            return Ok(Measurement { stage, power, error: change, budget, revolutions, steps, reduced });
+            return Ok(Measurement {
+                rotation_state,
+                power,
+                error: change,
+                budget,
+                revolutions,
+                steps,
+                reduced,
+            });
         }
         if let Some(Trend { points, gap }) =
             [1, 2].into_iter().find_map(|degree| trend(&shares, degree).filter(|trend| enough(trend.gap)))
         {
-            let stage = range.stage(start_energy).ok_or(MeasureError::LeftMode)?;
+            let rotation_state = range.rotation_state(start_energy).ok_or(MeasureError::LeftMode)?;
             let there =
                 through(points, start_energy) * range.polhode(start_energy).mean_square_acceleration();
             let budget = budget.iter().map(|part| part * there / power).collect();
-            return Ok(Measurement { stage, power: there, error: gap, budget, revolutions, steps, reduced });
+            return Ok(Measurement {
+                rotation_state,
+                power: there,
+                error: gap,
+                budget,
+                revolutions,
+                steps,
+                reduced,
+            });
         }
         if last {
             return Err(MeasureError::Unsettled { change });

@@ -7,10 +7,10 @@ use std::ops::ControlFlow;
 
 use super::criteria::uneven;
 use super::energy_range::EnergyRange;
-use super::hand_over::{Chart, HandOver};
+use super::manifold_boundary::{LocalManifold, ManifoldBoundary};
 use super::measure::{MeasureError, Measurement};
+use super::measurement_point::{MeasureOptions, MeasurementPoint, NEAREST_SEPARATRIX, small, span};
 use super::poles::Poles;
-use super::site::{MeasureOptions, NEAREST, Site, small, span};
 use crate::averaging::{FreeRotation, MeanPower, RotationState};
 use crate::model::{FlexibleBody, Mode};
 
@@ -26,13 +26,13 @@ pub struct MeasuredPower {
     /// Measurements, in the order in which they were made; some from reduced equations about a spin.
     pub measurements: Vec<Measurement>,
     /// Ranges within which the power is that of reduced equations about a spin, with the difference from short runs at their edges. (Q11)
-    pub hand_overs: Vec<HandOver>,
+    pub boundaries: Vec<ManifoldBoundary>,
     /// Estimate of the relative error of the power: of the interpolation and of the measurements.
     pub error: f64,
 }
 
 /// Bound of the error over its estimate.
-const CAUTION: f64 = 2.0;
+const ERROR_PER_ESTIMATE: f64 = 2.0;
 /// Intervals between places, at first and at last.
 const INTERVALS: [usize; 2] = [4, 32];
 
@@ -53,15 +53,15 @@ impl MeasuredPower {
             moments: range.moments(),
             curves: [None, None],
             measurements: Vec::new(),
-            hand_overs: Vec::new(),
+            boundaries: Vec::new(),
             error: 0.0,
         };
         for mode in [Mode::LongAxis, Mode::ShortAxis] {
-            let Some(ends) = span(range, mode, [from, to], NEAREST) else { continue };
-            let chart = Chart::about(body, range, mode);
+            let Some(ends) = span(range, mode, [from, to], NEAREST_SEPARATRIX) else { continue };
+            let local = LocalManifold::about(body, range, mode);
             let mut worker =
-                Worker { body, range, poles, mode, options: *options, chart, power: &mut power, watch };
-            worker.hand_over(ends)?;
+                Worker { body, range, poles, mode, options: *options, local, power: &mut power, watch };
+            worker.boundary(ends)?;
             let curve = worker.curve(ends)?;
             power.curves[usize::from(mode == Mode::ShortAxis)] = Some(curve);
         }
@@ -71,7 +71,7 @@ impl MeasuredPower {
     /// Bound of the relative error of a time of so many periods of the wobble from this power. (Q4)
     #[must_use]
     pub fn time_error(&self, periods: f64) -> f64 {
-        CAUTION * self.error + uneven(periods)
+        ERROR_PER_ESTIMATE * self.error + uneven(periods)
     }
 
     /// First measurement, with the mean power of each dissipator (W).
@@ -100,7 +100,7 @@ struct Worker<'w, 'b> {
     mode: Mode,
     options: MeasureOptions,
     /// Reduced equations about the pole, where they are of use.
-    chart: Option<Chart<'b>>,
+    local: Option<LocalManifold<'b>>,
     power: &'w mut MeasuredPower,
     watch: &'w mut dyn FnMut(f64) -> ControlFlow<()>,
 }
@@ -120,7 +120,7 @@ impl Worker<'_, '_> {
                 if new {
                     nodes.push(self.node(place)?);
                 }
-                if high - low < SHORT {
+                if high - low < SINGLE_PLACE_LENGTH {
                     break;
                 }
             }
@@ -131,7 +131,7 @@ impl Worker<'_, '_> {
             };
             let change = nodes.iter().map(|[xi, value]| (before.at(*xi) - value).abs()).fold(0.0, f64::max);
             let noise = self.power.measurements.iter().map(|each| each.error).fold(0.0, f64::max);
-            if change <= self.options.error || intervals >= last || high - low < SHORT {
+            if change <= self.options.error || intervals >= last || high - low < SINGLE_PLACE_LENGTH {
                 self.power.error = self.power.error.max(change).max(noise);
                 return Ok(curve.unwrap_or(before));
             }
@@ -149,12 +149,12 @@ impl Worker<'_, '_> {
     }
 
     /// Compares the reduced equations about the pole with a short run at the edge of their range, and drops them where both differ. (Q11)
-    fn hand_over(&mut self, [low, _]: [f64; 2]) -> Result<(), MeasureError> {
-        let Some(chart) = self.chart.take() else { return Ok(()) };
-        let Some(edge) = chart.edge(self.range, self.mode) else { return Ok(()) };
+    fn boundary(&mut self, [low, _]: [f64; 2]) -> Result<(), MeasureError> {
+        let Some(local) = self.local.take() else { return Ok(()) };
+        let Some(edge) = local.edge(self.range, self.mode) else { return Ok(()) };
         if low >= edge.xi {
-            self.power.hand_overs.push(chart.inside(self.mode));
-            self.chart = Some(chart);
+            self.power.boundaries.push(local.inside(self.mode));
+            self.local = Some(local);
             return Ok(());
         }
         let run = match self.short_run(edge.xi) {
@@ -162,12 +162,12 @@ impl Worker<'_, '_> {
             Err(MeasureError::Interrupted) => return Err(MeasureError::Interrupted),
             Err(_) => return Ok(()),
         };
-        let Ok(hand_over) = chart.hand_over(self.range, &run) else { return Ok(()) };
+        let Ok(boundary) = local.boundary(self.range, &run) else { return Ok(()) };
         self.power.measurements.push(run);
-        if hand_over.mismatch <= self.options.error {
-            self.power.error = self.power.error.max(hand_over.mismatch);
-            self.power.hand_overs.push(hand_over);
-            self.chart = Some(chart);
+        if boundary.mismatch <= self.options.error {
+            self.power.error = self.power.error.max(boundary.mismatch);
+            self.power.boundaries.push(boundary);
+            self.local = Some(local);
         }
         Ok(())
     }
@@ -175,9 +175,9 @@ impl Worker<'_, '_> {
     /// Measures the logarithm of the ratio near a place.
     fn node(&mut self, xi: f64) -> Result<[f64; 2], MeasureError> {
         let state = RotationState { mode: self.mode, xi };
-        let reduced = self.chart.as_ref().and_then(|chart| chart.measurement(self.range, state));
+        let reduced = self.local.as_ref().and_then(|local| local.measurement(self.range, state));
         let found = reduced.map_or_else(|| self.short_run(xi), Ok)?;
-        let RotationState { mode, xi } = found.stage;
+        let RotationState { mode, xi } = found.rotation_state;
         let there = FreeRotation::at_logit(self.power.moments, self.range.angular_momentum(), mode, xi);
         let value = (found.power / there.mean_square_acceleration()).ln();
         self.power.measurements.push(found);
@@ -190,14 +190,14 @@ impl Worker<'_, '_> {
         let share = done as f64 / self.options.most_steps as f64;
         let options =
             MeasureOptions { most_steps: self.options.most_steps.saturating_sub(done), ..self.options };
-        let site = Site { body: self.body, range: self.range, poles: self.poles, options };
+        let point = MeasurementPoint { body: self.body, range: self.range, poles: self.poles, options };
         let watch = &mut *self.watch;
-        site.measure(RotationState { mode: self.mode, xi }, &mut || watch(share))
+        point.measure(RotationState { mode: self.mode, xi }, &mut || watch(share))
     }
 }
 
 /// Length in `ξ` below which one place is measured.
-const SHORT: f64 = 0.05;
+const SINGLE_PLACE_LENGTH: f64 = 0.05;
 /// Distance of the pole's node from the small wobble, as `ξ`.
 const BEYOND: f64 = 1.0;
 

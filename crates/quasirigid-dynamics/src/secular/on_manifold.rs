@@ -18,7 +18,7 @@ use crate::submanifold::{
 pub struct ManifoldHistory {
     /// History, in the form of one of the full system.
     pub run: DirectRun,
-    /// Bound of the relative error of the times: defects of the equations and energy of the start that is off the manifold.
+    /// Bound of the relative error of the times: defects of the equations and energy of the start that is off the spin manifold.
     pub error: f64,
     /// Degree of the equations.
     pub degree: usize,
@@ -30,20 +30,20 @@ pub struct ManifoldHistory {
 
 /// Degrees that are tried, and the largest error of a time that is accepted.
 const DEGREES: [usize; 2] = [5, 9];
-const ACCEPTED: f64 = 0.02;
+const ACCEPTED_TIME_ERROR: f64 = 0.02;
 /// Share of the defects that defines the range. (W11)
-const SHARE: f64 = 0.01;
+const RANGE_DEFECT: f64 = 0.01;
 /// Decay times of the nutation in the first piece; each piece is longer by half.
 const FIRST: f64 = 0.05;
 const LONGER: f64 = 1.5;
 /// Longest piece, in decay times of the nutation.
-const LONGEST: f64 = 1.0;
+const LONGEST_PIECE: f64 = 1.0;
 /// Phase of the nutation (rad) by which the energy, which falls unevenly, comes to a value sooner or later than between rows.
 const LAGS: f64 = 0.3;
 /// Rows over which the power at the end is taken.
 const SLOPE: usize = 12;
 /// Rows in a piece, and limit of pieces.
-const ROWS: usize = 120;
+const ROWS_PER_PIECE: usize = 120;
 const PIECES: usize = 400;
 
 /// Follows a body along the slow manifold about the spin that a mode circles, to an energy or a time; none where the equations do not hold
@@ -96,14 +96,15 @@ fn follow(
             return Ok(None);
         }
         let from = manifold.start(start);
-        let outside = !(from.left_out <= ACCEPTED) || !from.z.as_flattened().iter().all(|z| z.is_finite());
+        let outside =
+            !(from.left_out <= ACCEPTED_TIME_ERROR) || !from.z.as_flattened().iter().all(|z| z.is_finite());
         if outside {
             continue;
         }
         let mut history = History::new(&manifold, start, from);
         let ending = history.follow(options, watch);
         let ended = matches!(ending, DirectStopReason::Reached | DirectStopReason::Finished);
-        if (ended && history.error() <= ACCEPTED) || ending == DirectStopReason::Interrupted {
+        if (ended && history.error() <= ACCEPTED_TIME_ERROR) || ending == DirectStopReason::Interrupted {
             return Ok(Some(history.finished(ending)));
         }
     }
@@ -154,12 +155,12 @@ impl<'a, 'b> History<'a, 'b> {
             if let Some(ending) = self.piece(piece, options, watch) {
                 return ending;
             }
-            if !(self.motion <= ACCEPTED) {
+            if !(self.motion <= ACCEPTED_TIME_ERROR) {
                 return DirectStopReason::Failed {
                     reason: "the equations about the spin do not hold".into(),
                 };
             }
-            length = (LONGER * length).min((LONGEST * decay).max(length));
+            length = (LONGER * length).min((LONGEST_PIECE * decay).max(length));
         }
         DirectStopReason::TurnLimit
     }
@@ -173,11 +174,15 @@ impl<'a, 'b> History<'a, 'b> {
     ) -> Option<DirectStopReason> {
         let before = self.run.rows[self.run.rows.len() - 1];
         let share = self.share_done(before, options);
-        let times: Vec<f64> = (1..=ROWS).map(|i| piece * i as f64 / ROWS as f64).collect();
+        let times: Vec<f64> =
+            (1..=ROWS_PER_PIECE).map(|i| piece * i as f64 / ROWS_PER_PIECE as f64).collect();
         let most_steps = options.most_steps.saturating_sub(self.run.steps).max(1);
         let settings = Options { tolerance: options.tolerance, most_steps, ..Options::default() };
-        let mut collector =
-            Collector { samples: Vec::with_capacity(ROWS), budget: Vec::new(), watch: &mut || watch(share) };
+        let mut collector = Collector {
+            samples: Vec::with_capacity(ROWS_PER_PIECE),
+            budget: Vec::new(),
+            watch: &mut || watch(share),
+        };
         let found = propagate_on_manifold(self.manifold, &self.from, &times, &settings, &mut collector);
         let Collector { samples, budget, .. } = collector;
         let found = match found {
@@ -200,7 +205,8 @@ impl<'a, 'b> History<'a, 'b> {
         let mut taken = 1.0;
         if let (Some(crossed), Some(until)) = (crossed, options.until) {
             let end = self.crossing(rows[crossed], until);
-            taken = (end.dissipated - before.dissipated) / (rows[ROWS - 1].dissipated - before.dissipated);
+            taken = (end.dissipated - before.dissipated)
+                / (rows[ROWS_PER_PIECE - 1].dissipated - before.dissipated);
             self.run.rows.push(end);
         }
         self.run.budget.iter_mut().zip(&budget).for_each(|(sum, (_, energy))| *sum += taken * energy);
@@ -243,7 +249,7 @@ impl<'a, 'b> History<'a, 'b> {
             error,
             degree: self.manifold.degree(),
             beside: self.manifold.masters[1..].iter().map(|master| master.name.clone()).collect(),
-            range: self.manifold.range(SHARE).nutation,
+            range: self.manifold.range(RANGE_DEFECT).nutation,
             run: self.run,
         }
     }

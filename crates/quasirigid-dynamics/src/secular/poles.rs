@@ -20,7 +20,7 @@ pub struct Poles {
 
 /// Growth, as a share of the fastest rate of the body, below which it is rounding: the eigenvalues have errors of some `ε` times the norm of
 /// their matrix.
-const ROUNDING: f64 = 1e-12;
+const GROWTH_ROUNDING: f64 = 1e-12;
 
 impl Poles {
     /// Poles of an energy range.
@@ -78,7 +78,7 @@ impl Pole {
     /// Whether a motion of this decay rate (1/s) grows by more than the rounding of an eigenvalue. (Q13)
     #[must_use]
     pub fn grows(&self, decay_rate: f64) -> bool {
-        decay_rate < -ROUNDING * self.fastest()
+        decay_rate < -GROWTH_ROUNDING * self.fastest()
     }
 
     /// First mode that grows; none if no mode grows. About the axis of greatest inertia such a mode contradicts the evolution towards

@@ -1,12 +1,12 @@
 use crate::math::sym3::{self, times};
 use crate::math::vec3::{add, norm, scale};
 use crate::model::{FlexibleBody, Principal};
-use crate::modes::{EquilibriumError, Given, RelativeEquilibrium};
+use crate::modes::{EquilibriumError, RelativeEquilibrium, SpinMagnitude};
 
 /// Limit of iterations for the angular velocity of an angular momentum.
-const STEPS: usize = 60;
+const MAX_ITERATIONS: usize = 60;
 /// Relative change of an angular velocity that is rounding.
-const SETTLED: f64 = 1e-14;
+const ITERATION_ROUNDING: f64 = 1e-14;
 
 /// Displacements of the steady spin of the same size about the principal axis next to an angular velocity (rad/s); with momentum wheels,
 /// whose steady spins have other axes, those in balance with the angular velocity itself. (Q8)
@@ -22,7 +22,7 @@ pub fn spun_displacements(body: &FlexibleBody, omega: [f64; 3]) -> Result<Vec<f6
     Ok(RelativeEquilibrium::near(
         body,
         Principal::compute(body.invariants().J).axis_beside(omega),
-        Given::Rate(norm(omega)),
+        SpinMagnitude::Rate(norm(omega)),
     )?
     .q)
 }
@@ -38,12 +38,12 @@ pub fn spun_state(
 ) -> Result<([f64; 3], Vec<f64>), EquilibriumError> {
     let mut omega = times(sym3::inverse(body.invariants().J), angular_momentum);
     let mut q = spun_displacements(body, omega)?;
-    for _ in 0..STEPS {
+    for _ in 0..MAX_ITERATIONS {
         let next = times(sym3::inverse(body.full_inertia_at(&q)), angular_momentum);
         let change = norm(add(next, scale(-1.0, omega)));
         omega = next;
         q = spun_displacements(body, omega)?;
-        if change <= SETTLED * norm(omega) {
+        if change <= ITERATION_ROUNDING * norm(omega) {
             break;
         }
     }

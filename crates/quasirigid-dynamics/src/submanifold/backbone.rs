@@ -5,14 +5,14 @@ use std::f64::consts::TAU;
 use super::range::Defect;
 use super::spin_manifold::SpinManifold;
 
-/// Backbone: the motion along the manifold at a row of amplitudes. (W12)
+/// Backbone: the motion along the spin manifold at a row of amplitudes. (W12)
 #[derive(Clone, Debug, PartialEq)]
 pub struct Backbone {
     /// Points by ascending amplitude.
     pub points: Vec<BackbonePoint>,
 }
 
-/// Motion along the manifold at an amplitude of the nutation. (W12)
+/// Motion along the spin manifold at an amplitude of the nutation. (W12)
 #[derive(Clone, Debug, PartialEq)]
 pub struct BackbonePoint {
     /// Amplitude (rad).

@@ -34,7 +34,7 @@ pub enum SubmanifoldError {
     NoNutation,
     /// A part has no equations of motion.
     #[error(
-        "{what} has no equations of motion of its own, only an answer at each frequency; reduced equations about a spin need dashpots in its place"
+        "{what} has no equations of motion of its own, only a response at each frequency; reduced equations about a spin need dashpots in its place"
     )]
     NoEquations {
         /// Part, or its material.

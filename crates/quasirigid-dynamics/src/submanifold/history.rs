@@ -21,7 +21,7 @@ pub struct ManifoldStart {
     pub place: [f64; 3],
     /// Velocity of that point (m/s).
     pub velocity: [f64; 3],
-    /// Share of the internal energy of the start that is off the manifold and is left out: its vibrations.
+    /// Share of the internal energy of the start that is off the spin manifold and is left out: its vibrations.
     pub left_out: f64,
 }
 
@@ -42,20 +42,20 @@ pub struct ManifoldRun {
 }
 
 /// Limit of iterations for the coordinates of a state, and the change at which they end.
-const STEPS: usize = 60;
-const SETTLED: f64 = 1e-14;
+const MAX_ITERATIONS: usize = 60;
+const ITERATION_ROUNDING: f64 = 1e-14;
 /// Difference of energies, relative to the whole, that is rounding.
-const ROUNDING: f64 = 1e-14;
+const ENERGY_ROUNDING: f64 = 1e-14;
 
 impl SpinManifold<'_> {
-    /// Start on the manifold of a state of the full system: its slow coordinates, with the angular momentum kept in inertial axes. (W10)
+    /// Start on the spin manifold of a state of the full system: its slow coordinates, with the angular momentum kept in inertial axes. (W10)
     ///
     /// Fast vibrations of the state are projected out along their directions at the steady spin.
     #[must_use]
     pub fn start(&self, state: &FullState) -> ManifoldStart {
         let momenta = self.momenta(&self.packed(state));
         let mut z = vec![[0.0; 2]; self.manifold.free()];
-        for _ in 0..STEPS {
+        for _ in 0..MAX_ITERATIONS {
             let there = self.momenta(&self.manifold.state_at(&z));
             let leads = self.manifold.masters.iter().enumerate().filter(|(k, master)| master.partner >= *k);
             let mut moved = 0.0_f64;
@@ -70,7 +70,7 @@ impl SpinManifold<'_> {
                 (0..2).for_each(|part| z[part] += step[part]);
                 moved = moved.max(step[0].hypot(step[1]));
             }
-            if !(moved > SETTLED) {
+            if !(moved > ITERATION_ROUNDING) {
                 break;
             }
         }
@@ -79,8 +79,11 @@ impl SpinManifold<'_> {
         let attitude = aligned(state.attitude, there.angular_momentum(self.body), fixed);
         let (energy, own) = (state.energy(self.body), there.energy(self.body));
         let internal = own - self.steady_energy();
-        let left_out =
-            if (energy - own).abs() <= ROUNDING * energy { 0.0 } else { ((energy - own) / internal).abs() };
+        let left_out = if (energy - own).abs() <= ENERGY_ROUNDING * energy {
+            0.0
+        } else {
+            ((energy - own) / internal).abs()
+        };
         ManifoldStart { z, attitude, place: state.place, velocity: state.velocity, left_out }
     }
 

@@ -43,11 +43,11 @@ pub struct OuterMode {
 }
 
 /// Largest number of modes followed beside the nutation.
-pub const MOST: usize = 2;
+pub const MAX_MASTERS: usize = 2;
 /// Distance of a mode from a harmonic of the nutation, over the frequency of the nutation, below which the mode is followed too.
-const NEAR: f64 = 0.3;
+const NEAR_HARMONIC: f64 = 0.3;
 /// Size of the eigenvalue of a slow mode, in decay rates of the nutation, below which the mode is followed too.
-const SLOW: f64 = 10.0;
+const SLOW_MODE_RATIO: f64 = 10.0;
 /// Highest harmonic of the nutation that drives a mode noticeably.
 const HARMONICS: usize = 3;
 /// Share of the spin below which an eigenvalue is zero.
@@ -157,12 +157,12 @@ fn followed(nutation: [f64; 2], others: &[LinearMode], masters: &Masters) -> Vec
             };
             let slow = |i: &usize| {
                 let [re, im] = others[*i].0;
-                re.hypot(im) < SLOW * nutation[0].abs()
+                re.hypot(im) < SLOW_MODE_RATIO * nutation[0].abs()
             };
             let mut near: Vec<usize> =
-                (0..others.len()).filter(|i| gap(i) < NEAR * size || slow(i)).collect();
+                (0..others.len()).filter(|i| gap(i) < NEAR_HARMONIC * size || slow(i)).collect();
             near.sort_by(|a, b| gap(a).total_cmp(&gap(b)));
-            near.truncate(MOST);
+            near.truncate(MAX_MASTERS);
             near
         }
     }

@@ -3,10 +3,10 @@
 //! Equations (W1) to (W12), docs/theory/18-submanifolds.md.
 
 mod backbone;
+mod crossed_resonances;
 mod error;
 mod history;
 mod masters;
-mod met;
 mod observables;
 mod power;
 mod propagate;
@@ -15,13 +15,13 @@ mod spin_manifold;
 mod steady;
 
 pub use backbone::{Backbone, BackbonePoint};
+pub use crossed_resonances::CrossedResonance;
 pub use error::SubmanifoldError;
 pub use history::{ManifoldRun, ManifoldStart};
 pub use masters::{MasterMode, Masters, OuterMode};
-pub use met::MetResonance;
 pub use power::ManifoldPower;
 pub use propagate::propagate_on_manifold;
-pub use range::{AmplitudeRange, Defect, WIDEST};
+pub use range::{AmplitudeRange, Defect, MAX_AMPLITUDE};
 pub use spin_manifold::{SpinManifold, SpinManifoldPlan};
 pub use steady::SteadySpin;
 

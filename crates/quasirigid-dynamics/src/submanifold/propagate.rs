@@ -7,7 +7,7 @@ use std::f64::consts::TAU;
 use crate::dynamics::{Observer, Options, Outcome, PropagateError, Sample, check_times};
 use crate::math::ode::{Dop853, Solver, StepObserver, StopReason, System, integrate};
 use crate::math::rotation::{aligned, to_inertial};
-use crate::math::simd::{Arithmetic, Plain};
+use crate::math::simd::{Arithmetic, Unfused};
 use crate::math::submanifold::{InvariantManifold, Style};
 use crate::math::vec3::{add, norm, scale};
 use crate::model::MotionState;
@@ -38,7 +38,7 @@ pub fn propagate_on_manifold(
     allowed.push(options.tolerance);
     allowed.resize(y.len(), f64::INFINITY);
     let system = Slow { manifold: &manifold.manifold, accrued: &accrued, phases: &phases };
-    let mut solver = Dop853::<_, _, Plain>::new(system, 0.0, y, allowed);
+    let mut solver = Dop853::<_, _, Unfused>::new(system, 0.0, y, allowed);
     let mut monitor = Monitor::new(manifold, start, &phases, times, observer);
     let reason = integrate(&mut solver, times, 0, options.most_steps, &mut monitor);
     let (last, z) = monitor.sample(solver.t(), solver.y());

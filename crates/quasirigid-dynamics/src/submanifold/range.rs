@@ -1,6 +1,6 @@
 //! Range of validity of reduced equations about a spin: the amplitude up to which what they leave of the full equations stays below a
 //! share of the motion and of the dissipation.
-//! The full equations are evaluated without truncation at points of the manifold, so that the range needs no integration. (W7), (W11)
+//! The full equations are evaluated without truncation at points of the spin manifold, so that the range needs no integration. (W7), (W11)
 
 use std::f64::consts::TAU;
 
@@ -28,16 +28,16 @@ pub struct AmplitudeRange {
     pub nutation: f64,
     /// Share asked for.
     pub share: f64,
-    /// True if the range was not reached within [`WIDEST`].
+    /// True if the range was not reached within [`MAX_AMPLITUDE`].
     pub beyond: bool,
 }
 
 /// Phases at which a defect is evaluated.
 const PHASES: usize = 24;
 /// Largest amplitude examined (rad).
-pub const WIDEST: f64 = 1.6;
+pub const MAX_AMPLITUDE: f64 = 1.6;
 /// Smallest amplitude examined, and the ratio of one to the next.
-const LEAST: f64 = 1e-4;
+const SMALLEST_AMPLITUDE: f64 = 1e-4;
 const STEP: f64 = 1.25;
 /// Smallest motion, relative to the steady spin, in whose terms a defect is told: a smaller one is rounding.
 const LEAST_MOTION: f64 = 1e-9;
@@ -108,12 +108,12 @@ impl SpinManifold<'_> {
     #[must_use]
     pub fn range(&self, share: f64) -> AmplitudeRange {
         let holds = |amplitude: f64| self.defect(amplitude).largest() <= share;
-        let (mut inside, mut outside) = (0.0, LEAST);
-        while outside <= WIDEST && holds(outside) {
+        let (mut inside, mut outside) = (0.0, SMALLEST_AMPLITUDE);
+        while outside <= MAX_AMPLITUDE && holds(outside) {
             inside = outside;
             outside *= STEP;
         }
-        let beyond = outside > WIDEST;
+        let beyond = outside > MAX_AMPLITUDE;
         if !beyond {
             for _ in 0..HALVINGS {
                 let middle = 0.5 * (inside + outside);
@@ -145,7 +145,7 @@ impl SpinManifold<'_> {
     }
 }
 
-/// Power that the motion on the manifold gains beyond the loss in the dissipators (W): `ω·δ_K + q̇·δ_p + (∂H/∂q)·δ_q`.
+/// Power that the motion on the spin manifold gains beyond the loss in the dissipators (W): `ω·δ_K + q̇·δ_p + (∂H/∂q)·δ_q`.
 fn excess_power(body: &FlexibleBody, residual: &Residual) -> f64 {
     let Residual { state, defect, forces, .. } = residual;
     let n = body.coordinates().len();

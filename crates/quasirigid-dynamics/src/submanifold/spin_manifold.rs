@@ -1,11 +1,11 @@
-//! Slow manifold about a steady spin: expansion of the full equations and of what is observed along it.
+//! Spin manifold: expansion of the full equations about a steady spin, and of what is observed along it.
 
 use std::ops::ControlFlow;
 
 use crate::math::submanifold::{InvariantManifold, NearResonance, Plan, Style, Truncated, expand};
 use crate::math::vec3::{dot, norm, scale};
 use crate::model::{ExpandedMotion, FlexibleBody, MAX_DEGREE, Mode, Support};
-use crate::modes::{Given, RelativeEquilibrium};
+use crate::modes::{RelativeEquilibrium, SpinMagnitude};
 
 use super::error::SubmanifoldError;
 use super::masters::{Chosen, MasterMode, Masters, OuterMode, choose};
@@ -49,9 +49,9 @@ pub struct SpinManifold<'a> {
 }
 
 /// Largest number of internal coordinates.
-const MOST: usize = 600;
+const MAX_COORDINATES: usize = 600;
 /// Growth of a mode relative to its size that is rounding.
-const ROUNDING: f64 = 1e-10;
+const GROWTH_ROUNDING: f64 = 1e-10;
 /// Relative distance below which a resonance with a mode left out is told.
 const RESONANT: f64 = 0.1;
 
@@ -69,7 +69,7 @@ impl<'a> SpinManifold<'a> {
     ) -> Result<Self, SubmanifoldError> {
         check(body, plan)?;
         let angular_momentum = norm(plan.angular_momentum);
-        let given = Given::AngularMomentum(angular_momentum);
+        let given = SpinMagnitude::AngularMomentum(angular_momentum);
         let mut near = RelativeEquilibrium::extreme(body, plan.mode, given)?;
         if dot(near.angular_momentum, plan.angular_momentum) < 0.0 {
             near = RelativeEquilibrium::near(body, scale(-1.0, near.omega), given)?;
@@ -125,7 +125,7 @@ impl<'a> SpinManifold<'a> {
         scale(norm(self.spin.angular_momentum).recip(), self.spin.angular_momentum)
     }
 
-    /// Manifold and the motion on it, with their coefficients.
+    /// Spin manifold and the motion on it, with their coefficients.
     #[must_use]
     pub fn expansion(&self) -> &InvariantManifold {
         &self.manifold
@@ -145,7 +145,7 @@ impl<'a> SpinManifold<'a> {
         followed.map(|mode| (mode.name.as_str(), mode.decay_rate)).or_else(|| self.growing_outside())
     }
 
-    /// Name and decay rate (1/s, negative) of a mode left out that grows; none if none does. No history on the manifold then lasts.
+    /// Name and decay rate (1/s, negative) of a mode left out that grows; none if none does. No history on the spin manifold then lasts.
     #[must_use]
     pub fn growing_outside(&self) -> Option<(&str, f64)> {
         let outer = self.outer.iter().find(|mode| grows(mode.decay_rate, mode.frequency));
@@ -167,8 +167,11 @@ fn check(body: &FlexibleBody, plan: &SpinManifoldPlan) -> Result<(), Submanifold
     if !(1..=MAX_DEGREE).contains(&plan.degree) {
         return Err(SubmanifoldError::Degree { degree: plan.degree, highest: MAX_DEGREE });
     }
-    if body.coordinates().len() > MOST {
-        return Err(SubmanifoldError::TooLarge { coordinates: body.coordinates().len(), most: MOST });
+    if body.coordinates().len() > MAX_COORDINATES {
+        return Err(SubmanifoldError::TooLarge {
+            coordinates: body.coordinates().len(),
+            most: MAX_COORDINATES,
+        });
     }
     if !body.wheels().driven.is_empty() {
         return Err(SubmanifoldError::External { what: "a momentum wheel has a prescribed speed" });
@@ -184,5 +187,5 @@ fn check(body: &FlexibleBody, plan: &SpinManifoldPlan) -> Result<(), Submanifold
 
 /// True if a mode grows, beyond rounding.
 fn grows(decay_rate: f64, frequency: f64) -> bool {
-    decay_rate < -ROUNDING * decay_rate.hypot(frequency)
+    decay_rate < -GROWTH_ROUNDING * decay_rate.hypot(frequency)
 }

@@ -5,7 +5,7 @@ use crate::math::lu::Lu;
 use crate::math::submanifold::LinearPart;
 use crate::math::vec3::{norm, scale};
 use crate::model::{ExpandedMotion, FlexibleBody};
-use crate::modes::{Given, RelativeEquilibrium};
+use crate::modes::{RelativeEquilibrium, SpinMagnitude};
 
 use super::error::SubmanifoldError;
 
@@ -23,9 +23,9 @@ pub struct SteadySpin {
 }
 
 /// Limit of Newton steps, and the residual relative to `|K||ω|` at which they end; one accepted where rounding ends the progress.
-const STEPS: usize = 30;
-const CONVERGED: f64 = 1e-15;
-const ACCEPTED: f64 = 1e-11;
+const NEWTON_STEPS: usize = 30;
+const CONVERGED_RESIDUAL: f64 = 1e-15;
+const ACCEPTED_RESIDUAL: f64 = 1e-11;
 
 impl SteadySpin {
     /// Steady spin that continues one about an axis of the frozen body, at an angular momentum (N·m·s).
@@ -37,7 +37,7 @@ impl SteadySpin {
         axis: [f64; 3],
         angular_momentum: f64,
     ) -> Result<Self, SubmanifoldError> {
-        let near = RelativeEquilibrium::near(body, axis, Given::AngularMomentum(angular_momentum))?;
+        let near = RelativeEquilibrium::near(body, axis, SpinMagnitude::AngularMomentum(angular_momentum))?;
         Self::polished(body, &near, angular_momentum)
     }
 
@@ -55,7 +55,7 @@ impl SteadySpin {
         let rate = norm(near.omega);
         let lost = || SubmanifoldError::NoBalance { axis: scale(rate.recip(), near.omega) };
         let mut best = f64::INFINITY;
-        for _ in 0..STEPS {
+        for _ in 0..NEWTON_STEPS {
             let linear = LinearPart::at(&system, &state);
             let newton = Newton { linear: &linear, n, elastic, angular_momentum, rate };
             let residual = newton.residual();
@@ -63,7 +63,7 @@ impl SteadySpin {
             if !size.is_finite() {
                 return Err(lost());
             }
-            if size <= CONVERGED || (size >= 0.5 * best && best <= ACCEPTED) {
+            if size <= CONVERGED_RESIDUAL || (size >= 0.5 * best && best <= ACCEPTED_RESIDUAL) {
                 return Ok(Self::of(linear, n, elastic));
             }
             best = best.min(size);
@@ -148,7 +148,8 @@ mod tests {
         let G = 20.0;
         let exact = SteadySpin::near(&body, axis, G).unwrap();
         for share in [0.9, 1.2] {
-            let off = RelativeEquilibrium::near(&body, axis, Given::AngularMomentum(share * G)).unwrap();
+            let off =
+                RelativeEquilibrium::near(&body, axis, SpinMagnitude::AngularMomentum(share * G)).unwrap();
             let found = SteadySpin::polished(&body, &off, G).unwrap();
             assert!((norm(found.angular_momentum) / G - 1.0).abs() < 1e-13, "{:?}", found.angular_momentum);
             let gap = (0..3).map(|i| (found.omega[i] - exact.omega[i]).abs()).fold(0.0, f64::max);

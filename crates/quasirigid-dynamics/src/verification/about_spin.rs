@@ -1,5 +1,5 @@
 //! Verification of the reduced equations about a spin: differences from full histories at ever smaller nutations, and their slope.
-//! The full history starts on the manifold of the degree that is verified, so that the difference is that of the equations alone.
+//! The full history starts on the spin manifold of the degree that is verified, so that the difference is that of the equations alone.
 //! Equations (W3), (W14), docs/theory/18-submanifolds.md.
 
 use std::f64::consts::TAU;
@@ -10,7 +10,9 @@ use super::runs::finished;
 use super::verify::{VerificationError, falls, slope};
 use crate::dynamics::{Forced, Observer, Options, Sample, propagate_full};
 use crate::model::FlexibleBody;
-use crate::submanifold::{ManifoldStart, SpinManifold, SpinManifoldPlan, WIDEST, propagate_on_manifold};
+use crate::submanifold::{
+    MAX_AMPLITUDE, ManifoldStart, SpinManifold, SpinManifoldPlan, propagate_on_manifold,
+};
 
 /// Plan of a verification about a spin.
 #[derive(Clone, Debug, PartialEq)]
@@ -71,10 +73,10 @@ impl SpinVerification {
 }
 
 /// Tolerance of the histories, and the difference in angular velocity per period that may be rounding.
-const TOLERANCE: f64 = 1e-13;
-const ROUNDING: f64 = 3e-12;
+const HISTORY_TOLERANCE: f64 = 1e-13;
+const ROUNDING_PER_PERIOD: f64 = 3e-12;
 
-/// Verifies reduced equations about a spin: runs the full system and the reduced equations from the same points of the manifold at an
+/// Verifies reduced equations about a spin: runs the full system and the reduced equations from the same points of the spin manifold at an
 /// amplitude and its halves. (W14)
 ///
 /// `watch` is called with the share of the work done; `Break` ends the verification.
@@ -103,7 +105,7 @@ pub fn verify_about_spin(
             let (difference, steps) =
                 compared(&manifold, amplitude, plan, found.duration, &mut || watch(share))?;
             found.steps += steps;
-            floors.push(ROUNDING * plan.periods.max(1.0) + TOLERANCE * steps as f64);
+            floors.push(ROUNDING_PER_PERIOD * plan.periods.max(1.0) + HISTORY_TOLERANCE * steps as f64);
             differences.push(difference);
         }
         let order = slope(&amplitudes, &differences, &floors);
@@ -117,10 +119,10 @@ fn check(plan: &SpinVerificationPlan) -> Result<(), VerificationError> {
     if plan.degrees.is_empty() {
         return Err(VerificationError::NoOrder { highest: crate::submanifold::MAX_DEGREE });
     }
-    if !(amplitude > 0.0 && amplitude <= WIDEST) {
+    if !(amplitude > 0.0 && amplitude <= MAX_AMPLITUDE) {
         return Err(VerificationError::Amplitude {
             degrees: amplitude.to_degrees(),
-            most: WIDEST.to_degrees().floor(),
+            most: MAX_AMPLITUDE.to_degrees().floor(),
         });
     }
     let sound = periods > 0.0 && periods.is_finite();
@@ -130,7 +132,7 @@ fn check(plan: &SpinVerificationPlan) -> Result<(), VerificationError> {
     Ok(())
 }
 
-/// Difference of a full and a reduced history from the same point of the manifold, and the steps of the full one.
+/// Difference of a full and a reduced history from the same point of the spin manifold, and the steps of the full one.
 fn compared(
     manifold: &SpinManifold,
     amplitude: f64,
@@ -144,7 +146,7 @@ fn compared(
     let attitude = crate::math::rotation::ALIGNED;
     let state = manifold.full_state(&z, attitude);
     let start = ManifoldStart { z, attitude, place: [0.0; 3], velocity: [0.0; 3], left_out: 0.0 };
-    let options = Options { tolerance: TOLERANCE, ..Options::default() };
+    let options = Options { tolerance: HISTORY_TOLERANCE, ..Options::default() };
     let mut full = Collector { samples: Vec::new(), watch };
     let run = propagate_full(Forced::not(manifold.body), &state, &times, &options, &mut full)?;
     finished(run.outcome)?;

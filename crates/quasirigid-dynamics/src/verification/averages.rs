@@ -13,7 +13,7 @@ use crate::math::vec3::norm;
 use crate::model::{FlexibleBody, Support};
 use crate::modes::{EquilibriumError, ModesError};
 use crate::reduction::reduce;
-use crate::secular::{EnergyRange, MeasureError, MeasureOptions, Poles, Probes};
+use crate::secular::{EnergyRange, MeasureError, MeasureOptions, Poles, SpotChecks};
 
 /// Row of a verification: mean power of the polynomial average against that of the full system, near the polhode of a start, at ever
 /// stiffer springs.
@@ -58,7 +58,7 @@ pub enum AverageError {
 
 /// Relative change of the power from one window of a run to the next: that of the wobble, at whose mean it is compared.
 const CHANGE: f64 = 4e-3;
-const TOLERANCE: f64 = 1e-12;
+const RUN_TOLERANCE: f64 = 1e-12;
 /// Difference below which an error may be that of the window.
 const RESOLVED: f64 = 1e-6;
 /// Order in `ε` of the difference: the polhode of the deformed body, and terms of the power two degrees up.
@@ -118,11 +118,11 @@ fn error(
     let full = start.settled(Forced::not(body), order)?;
     let range = EnergyRange::compute(body, norm(full.angular_momentum(body)))?;
     let poles = Poles::compute(body, &range)?;
-    if range.stage(full.energy(body)).is_none() {
+    if range.rotation_state(full.energy(body)).is_none() {
         return Err(AverageError::Steady);
     }
-    let options = MeasureOptions { error: CHANGE, tolerance: TOLERANCE, most_steps };
-    let probes = Probes::from(body, &range, &poles, full, &options, watch)?;
+    let options = MeasureOptions { error: CHANGE, tolerance: RUN_TOLERANCE, most_steps };
+    let probes = SpotChecks::from(body, &range, &poles, full, &options, watch)?;
     let power = PolynomialPower::from_reduced(&reduce(body, order).map_err(VerificationError::from)?);
     Ok((probes.error(&power), probes.steps()))
 }

@@ -18,7 +18,7 @@ impl Start {
     /// Full state on the slow manifold with this angular velocity, two orders above `order` where the reduction goes so far.
     ///
     /// # Errors
-    /// [`VerificationError::NoSlowManifold`] where the series means nothing, and [`VerificationError`] if there is no such state. (Q8)
+    /// [`VerificationError::NoSlowManifold`] where the series does not hold, and [`VerificationError`] if there is no such state. (Q8)
     pub fn settled(&self, system: Forced, order: usize) -> Result<FullState, VerificationError> {
         let Start { omega, attitude, place, velocity } = *self;
         if system.acts() {

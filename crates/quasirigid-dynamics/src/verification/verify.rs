@@ -117,7 +117,7 @@ pub enum VerificationError {
     /// There are no reduced equations about the spin.
     #[error(transparent)]
     Submanifold(#[from] SubmanifoldError),
-    /// The slow series means nothing at the angular velocity of the start. (Q8)
+    /// The slow series does not hold at the angular velocity of the start. (Q8)
     #[error(
         "there is no slow manifold to start on at {spin:.4e} rad/s: the truncated series is not small there; lower the spin, or raise the stiffness of springs and the friction of rotors and liquids"
     )]
@@ -140,11 +140,11 @@ pub enum VerificationError {
 }
 
 /// Tolerances of the full and the reduced histories.
-const FULL: f64 = 1e-13;
-const REDUCED: f64 = 1e-14;
+const FULL_TOLERANCE: f64 = 1e-13;
+const REDUCED_TOLERANCE: f64 = 1e-14;
 /// Relative difference in angular velocity per revolution that may be rounding; the errors allowed in the steps of the full history add
 /// up to it.
-const ROUNDING: f64 = 1e-12;
+const ROUNDING_PER_REVOLUTION: f64 = 1e-12;
 
 /// Verifies orders: runs the full system and the reduced ones from the slow manifold, at `ε = 1, ½, ¼, …`. (E4)
 ///
@@ -189,14 +189,14 @@ pub fn verify(
         let part = |done: f64| move |t: f64| (done + t / duration) / runs;
         let mut share = part(done);
         let options = |form, tolerance: f64| Options { form, tolerance, ..Options::default() };
-        let exact = options(Form::AngularMomentum, FULL);
+        let exact = options(Form::AngularMomentum, FULL_TOLERANCE);
         let truth = full(scaled, start, highest, &times, &exact, &mut |t| watch(share(t)))?;
-        floors.push(ROUNDING * plan.rotations.max(1.0) + FULL * truth.steps as f64);
+        floors.push(ROUNDING_PER_REVOLUTION * plan.rotations.max(1.0) + FULL_TOLERANCE * truth.steps as f64);
         steps += truth.steps;
         done += 1.0;
         for row in &mut rows {
             share = part(done);
-            let options = options(row.form, REDUCED);
+            let options = options(row.form, REDUCED_TOLERANCE);
             let history = reduced(scaled, &truth.start, row.p, &times, &options, &mut |t| watch(share(t)))?;
             row.differences.push(Difference::between(&truth.samples, &history));
             done += 1.0;
@@ -234,7 +234,7 @@ pub(super) fn slope(epsilons: &[f64], differences: &[Difference], floors: &[f64]
 }
 
 /// Shortfall of the measured order up to which an order counts as reached.
-const SHORT: f64 = 0.3;
+const ORDER_SHORTFALL: f64 = 0.3;
 
 /// Factors `ε = 1, ½, ¼, …` for a number of halvings.
 pub(super) fn halved(halvings: usize) -> Vec<f64> {
@@ -243,7 +243,7 @@ pub(super) fn halved(halvings: usize) -> Vec<f64> {
 
 /// True if differences fall with the expected order; without a measured order they are small enough.
 pub(super) fn falls(order: Option<f64>, expected: usize, mut differences: impl Iterator<Item = f64>) -> bool {
-    order.is_none_or(|order| order > expected as f64 - SHORT) && differences.all(f64::is_finite)
+    order.is_none_or(|order| order > expected as f64 - ORDER_SHORTFALL) && differences.all(f64::is_finite)
 }
 
 impl OrderRow {

@@ -7,7 +7,7 @@ use crate::model::{Principal, ReducedBody};
 use crate::modes::SpinModes;
 
 /// Share of the eigenvalue below which a rate is rounding, in both systems.
-const ROUNDING: f64 = 1e-14;
+const RATE_ROUNDING: f64 = 1e-14;
 
 /// Relative difference between a small wobble of the reduced equations and the mode of the full system about the same steady spin that is
 /// nearest to it, the larger one of rate and frequency; infinite if the reduced equations have no such spin. None next to an axis that
@@ -29,8 +29,8 @@ pub fn wobble_difference(reduced: &ReducedBody, modes: &SpinModes) -> Option<f64
 fn difference(spin: &SteadySpin, [decay, frequency]: [f64; 2]) -> f64 {
     let size = decay.hypot(frequency);
     let turning = (spin.frequency - frequency).abs() / size;
-    if spin.growth.abs().max(decay.abs()) <= ROUNDING * size {
+    if spin.growth.abs().max(decay.abs()) <= RATE_ROUNDING * size {
         return turning;
     }
-    turning.max((spin.growth + decay).abs() / decay.abs().max(ROUNDING * size))
+    turning.max((spin.growth + decay).abs() / decay.abs().max(RATE_ROUNDING * size))
 }

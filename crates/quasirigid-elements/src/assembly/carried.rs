@@ -13,7 +13,7 @@ use crate::contribution::Matrices;
 use crate::contribution::MovingBody;
 use crate::contribution::{Attachment, Attachments};
 use crate::contribution::{Field as Shape, Piece};
-use crate::element::{Grip, Preload, Role, Site};
+use crate::element::{AttachmentPoint, ElementSite, Preload, Role};
 use crate::error::{ElementError, ElementId, ElementKind, Field, Problem, at};
 use crate::kinds::part::PartGraph;
 use crate::math::memory;
@@ -27,7 +27,7 @@ use crate::model::{
 use crate::structure::Block;
 use crate::structure::Component;
 use crate::visual::Vertex;
-use crate::{End, Station};
+use crate::{ApplicationPoint, End};
 
 /// A carrier with everything on it and in it: rigid pieces that move, then the coordinates of the parts, then those of internal
 /// rotors and liquids.
@@ -56,7 +56,11 @@ const BALANCED: f64 = 1e-6;
 
 impl Assembly {
     /// A body with a carrier.
-    pub(super) fn carried(&self, forces: &[Force<Station>], visuals: bool) -> Result<Built, ElementError> {
+    pub(super) fn carried(
+        &self,
+        forces: &[Force<ApplicationPoint>],
+        visuals: bool,
+    ) -> Result<Built, ElementError> {
         let carrier =
             self.carrier.as_ref().ok_or_else(|| at(ElementId::CARRIER, Field::MASS)(Problem::NoBody))?;
         let mut graph = if self.parts.is_empty() { None } else { Some(PartGraph::of_parts(self)?) };
@@ -140,9 +144,13 @@ impl Assembly {
     /// Hinges of appendages on which springs act: these take the displacements of their places to first order. (I9), (K14)
     fn watched(&self, whole: &Carried) -> Result<Vec<Hinge>, ElementError> {
         let sprung: BTreeSet<usize> = self
-            .grips()
+            .attachment_points()
             .filter(|(_, role, _)| *role != Role::External)
-            .filter_map(|(_, _, grip)| if let End::Hinged(on) = grip.end { Some(on.hinged) } else { None })
+            .filter_map(
+                |(_, _, attachment_point)| {
+                    if let End::Hinged(on) = attachment_point.end { Some(on.hinged) } else { None }
+                },
+            )
             .collect();
         let hinge =
             |index: usize| self.hinged[index].hinge(index, whole.start_of(ElementKind::Hinged.at(index)));
@@ -156,7 +164,7 @@ impl Assembly {
         nodes: &BTreeMap<NodeRef, Attachment>,
     ) -> Result<Attachments, ElementError> {
         let mut attachments = Attachments::default();
-        for (id, role, Grip { field, end, .. }) in self.grips() {
+        for (id, role, AttachmentPoint { field, end, .. }) in self.attachment_points() {
             if attachments.has(end) {
                 continue;
             }
@@ -221,7 +229,7 @@ impl Assembly {
         let names = self.link_names();
         let site = |id: ElementId| {
             let name = names.get(&id).map_or("", String::as_str);
-            Site { id, name, start: whole.start_of(id), attachments }
+            ElementSite { id, name, start: whole.start_of(id), attachments }
         };
         let blocks = self.each().filter_map(|(id, element)| element.block(&site(id)).transpose());
         let preloads = self.preloads(whole, site)?;
@@ -234,7 +242,7 @@ impl Assembly {
     fn preloads<'a>(
         &self,
         whole: &Carried,
-        site: impl Fn(ElementId) -> Site<'a>,
+        site: impl Fn(ElementId) -> ElementSite<'a>,
     ) -> Result<Vec<Block>, ElementError> {
         let mut sums = vec![(0.0, 0.0_f64, ElementId::CARRIER); whole.elastic()];
         let mut blocks = Vec::new();

@@ -19,13 +19,13 @@ use crate::model::force::Force;
 use crate::model::{BodyParts, FlexibleBody, Invariants, Marker, Support, Watched, Wheels};
 use crate::structure::Component;
 use crate::visual::Vertex;
-use crate::{End, Station};
+use crate::{ApplicationPoint, End};
 
 impl Assembly {
     /// A body without a carrier: parts, points and springs, in their Tisserand frame, or in that of modes.
     pub(crate) fn floating(
         &self,
-        forces: &[Force<Station>],
+        forces: &[Force<ApplicationPoint>],
         exact: Option<Exact<'_>>,
         visuals: bool,
     ) -> Result<Built, ElementError> {

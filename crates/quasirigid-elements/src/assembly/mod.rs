@@ -9,8 +9,8 @@ mod tests;
 
 use nalgebra::Vector3;
 
-use crate::contribution::Asked;
 use crate::contribution::Attachments;
+use crate::contribution::BuildOptions;
 use crate::contribution::WholeBody;
 use crate::element::{Element, Role};
 use crate::error::{ElementError, ElementId, ElementKind, Field, Problem, at};
@@ -19,7 +19,7 @@ use crate::model::force::Force;
 use crate::model::{FlexibleBody, Marker, Support};
 use crate::number;
 use crate::visual::Visual;
-use crate::{Assembly, Condensation, End, Resolution, SlowLiquid, Station, force};
+use crate::{ApplicationPoint, Assembly, Condensation, End, Resolution, SlowLiquid, force};
 
 /// A body with the forces that act on it.
 #[derive(Clone, Debug)]
@@ -60,7 +60,7 @@ impl Assembly {
     /// # Errors
     /// As [`build`](Self::build).
     pub fn body(&self) -> Result<FlexibleBody, ElementError> {
-        Ok(self.under(&[], Asked::default())?.body)
+        Ok(self.under(&[], BuildOptions::default())?.body)
     }
 
     /// External forces with their points of action, as seen from the pole of [`Self::body`].
@@ -76,7 +76,7 @@ impl Assembly {
     /// # Errors
     /// [`ElementError`] for the first element that no body can have, for a force that cannot act, and for a mechanism.
     pub fn build(&self) -> Result<Built, ElementError> {
-        self.under(&self.forces, Asked { errors: true, visuals: false })
+        self.under(&self.forces, BuildOptions { errors: true, visuals: false })
     }
 
     /// As [`build`](Self::build), with the visual geometry of the elements.
@@ -84,11 +84,11 @@ impl Assembly {
     /// # Errors
     /// As [`build`](Self::build).
     pub fn build_with_visuals(&self) -> Result<Built, ElementError> {
-        self.under(&self.forces, Asked { errors: true, visuals: true })
+        self.under(&self.forces, BuildOptions { errors: true, visuals: true })
     }
 
     /// The body under some of its forces.
-    fn under(&self, forces: &[Force<Station>], asked: Asked) -> Result<Built, ElementError> {
+    fn under(&self, forces: &[Force<ApplicationPoint>], asked: BuildOptions) -> Result<Built, ElementError> {
         if let Some(error) = self.same_names().into_iter().next() {
             return Err(error);
         }
@@ -119,17 +119,19 @@ impl Assembly {
     /// The forces, with the markers of the places they act at.
     fn placed_forces(
         &self,
-        forces: &[Force<Station>],
+        forces: &[Force<ApplicationPoint>],
         pole: Vector3<f64>,
         attachments: &Attachments,
     ) -> Result<Vec<Force<Marker>>, ElementError> {
-        let placed = |(i, force): (usize, &Force<Station>)| {
+        let placed = |(i, force): (usize, &Force<ApplicationPoint>)| {
             let id = ElementKind::Force.at(i);
             force::check(id, force, self)?;
-            if self.carrier.is_none() && force.law.place().is_some_and(|station| station.on == End::Carrier) {
+            if self.carrier.is_none()
+                && force.law.place().is_some_and(|application_point| application_point.on == End::Carrier)
+            {
                 return Err(at(id, Field::ON)(Problem::NoCarrier));
             }
-            force.try_map(|station| Ok(station.marker(&force.name, pole, attachments)))
+            force.try_map(|application_point| Ok(application_point.marker(&force.name, pole, attachments)))
         };
         forces.iter().enumerate().map(placed).collect()
     }

@@ -11,7 +11,7 @@ use crate::model::{
     BodyParts, Coordinate, FlexibleBody, Invariants, Marker, Pair, Rheology, Support, Wheels,
 };
 use crate::problems::ring_of_points;
-use crate::structure::{Component, Constraint, Dofs, Load, Node, Purpose, Structure};
+use crate::structure::{Component, CondensationOptions, Constraint, Dofs, Load, Node, Structure};
 use crate::{Assembly, Coefficient, End, SpringLaw};
 use quasirigid_dynamics::reduction::reduce;
 
@@ -98,9 +98,14 @@ fn few_coordinates_have_the_slow_motion_of_the_many() {
     for order in [3, 4, 5] {
         let structure = structure(&assembly);
         let dofs = Dofs::new(&structure.nodes, &structure.constraints).unwrap();
-        let purpose =
-            Purpose { order, modes: 0, floating: false, stations: &[3, 17], loads: &[Load::default(); 2] };
-        let component = structure.component(dofs, &purpose).unwrap();
+        let options = CondensationOptions {
+            order,
+            modes: 0,
+            floating: false,
+            kept_nodes: &[3, 17],
+            loads: &[Load::default(); 2],
+        };
+        let component = structure.component(dofs, &options).unwrap();
         assert!(component.size() < points.coordinates().len(), "{} coordinates", component.size());
         let few = body(&assembly, &component);
         let (all, few) = (reduce(&points, order).unwrap(), reduce(&few, order).unwrap());

@@ -16,7 +16,7 @@ pub(crate) use exact::Exact;
 pub(crate) use floating::Floating;
 pub(crate) use internal::Internal;
 pub(crate) use moving_body::MovingBody;
-pub(crate) use single_element::{Whole, WholeBody};
+pub(crate) use single_element::{SingleElementBody, WholeBody};
 pub use slow_liquid::SlowLiquid;
 pub(crate) use system_matrices::Matrices;
 
@@ -38,7 +38,7 @@ impl Default for PartReduction {
 
 /// What a build makes beside the body.
 #[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Asked {
+pub(crate) struct BuildOptions {
     /// Errors of given approximations.
     pub errors: bool,
     /// Visual geometry.

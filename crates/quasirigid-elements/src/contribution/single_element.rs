@@ -6,7 +6,7 @@ use crate::visual::Visual;
 use crate::{Condensation, Resolution};
 
 /// Free body of a single element, elastic throughout, in its Tisserand frame.
-pub(crate) struct Whole {
+pub(crate) struct SingleElementBody {
     pub place: ElementId,
     /// Centre of mass (m), in the file's frame.
     pub center: [f64; 3],
@@ -24,7 +24,7 @@ pub(crate) struct WholeBody {
     pub visuals: Vec<Visual>,
 }
 
-impl Whole {
+impl SingleElementBody {
     /// The body.
     pub fn body(self) -> Result<FlexibleBody, ElementError> {
         let Self { place, center, invariants, block, coordinates, markers } = self;

@@ -57,10 +57,10 @@ impl Problem {
             Self::NoAnchor => {
                 ("needs an `anchor`", "add anchor = [x, y, z], the place of the spring's end on the carrier")
             }
-            Self::NoStation => {
+            Self::NoApplicationPoint => {
                 ("needs an `at`", "add at = [x, y, z], the place on the carrier, in the file's frame")
             }
-            Self::StationOnPoint => ("not for a point", "leave it out, or write on = \"carrier\""),
+            Self::ApplicationPointOnPoint => ("not for a point", "leave it out, or write on = \"carrier\""),
             Self::Driving { .. } => {
                 ("gives energy", "write a positive coefficient; the force is opposite to the velocity")
             }
@@ -116,7 +116,7 @@ impl Problem {
             Self::Unmeshed { .. } | Self::Unsettled { .. } => (
                 "here",
                 "describe the body by a [[solid]] with a mesh that is fine at its neck; or write `cells = 60000`, or `degree = 10` for \
-             polynomials all the same, to see what they say",
+             polynomials all the same, to see their result",
             ),
             Self::AxisCount { .. } if connection => {
                 ("here", "write one to three axes, for example hinge = [[0, 1, 0], [0, 0, 1]]")

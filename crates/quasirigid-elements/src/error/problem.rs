@@ -93,7 +93,7 @@ pub enum Problem {
     #[error("the body has no carrier and no part that is elastic throughout")]
     NoBody,
     /// An element that only goes with a carrier, on a body without.
-    #[error("an ellipsoid or a surface is the whole body; this cannot stand beside it")]
+    #[error("an ellipsoid or a surface is the whole body; this is not allowed beside it")]
     BesideWhole,
     /// A rotor, a wheel or a liquid in a body that has no carrier to hold it.
     #[error("this needs a carrier that holds it; the body has none")]
@@ -123,15 +123,15 @@ pub enum Problem {
         most: usize,
     },
     /// More rates of change than are offered.
-    #[error("the answers to {modes} rates of change are not offered; choose 0 to {most}")]
+    #[error("the responses to {modes} rates of change are not offered; choose 0 to {most}")]
     TooManyModes {
         /// Number asked for.
         modes: usize,
         /// Most that are offered.
         most: usize,
     },
-    /// A quaternion that is no attitude.
-    #[error("a quaternion of norm {norm} is no attitude; it must be 1")]
+    /// A quaternion that is not of norm 1.
+    #[error("the quaternion has the norm {norm}, and an attitude has the norm 1")]
     NotAttitude {
         /// Norm of the quaternion.
         norm: f64,
@@ -443,10 +443,10 @@ pub enum Problem {
     },
     /// A force on the carrier lacks its place there.
     #[error("a force on the carrier needs the place where it acts")]
-    NoStation,
+    NoApplicationPoint,
     /// A force on a point has a place on the carrier.
     #[error("a force on a point acts at the point itself")]
-    StationOnPoint,
+    ApplicationPointOnPoint,
     /// A drag releases energy instead of absorbing it.
     #[error("the coefficient {value} is negative; a drag must not give energy")]
     Driving {
@@ -506,7 +506,7 @@ fn no_inertia(moments: [f64; 3]) -> String {
     let [least, _, greatest] = moments;
     if least > 1e-13 * greatest {
         return format!(
-            "the moment of inertia about one axis, {least:.3e} kg m^2, is {:.1e} of the greatest, {greatest:.3e}: from 1.5e-8 on it can be told how the body turns about that axis",
+            "the moment of inertia about one axis, {least:.3e} kg m^2, is {:.1e} of the greatest, {greatest:.3e}: from 1.5e-8 on the rotation about that axis is resolved",
             least / greatest
         );
     }

@@ -74,7 +74,7 @@ pub(crate) struct LumpedMass {
     /// Mass (kg).
     pub mass: f64,
     /// Place of the mass.
-    pub site: Site,
+    pub location: MassLocation,
     /// Displacement for a unit of each degree of freedom.
     pub shapes: Matrix3xX<f64>,
     /// Rotation that moves the mass on an arm; none if there is no arm.
@@ -83,7 +83,7 @@ pub(crate) struct LumpedMass {
 
 /// Place of a lumped mass.
 #[derive(Clone, Copy, Debug)]
-pub(crate) enum Site {
+pub(crate) enum MassLocation {
     /// At an equilibrium position (m), in the file's frame.
     At(Vector3<f64>),
     /// Between two places, with their distance (m): mass that is moved by the difference of two displacements alone, and may
@@ -94,17 +94,17 @@ pub(crate) enum Site {
 impl LumpedMass {
     /// Value at the mass of a field that is one everywhere.
     pub fn one(&self) -> f64 {
-        match self.site {
-            Site::At(_) => 1.0,
-            Site::Between(_) => 0.0,
+        match self.location {
+            MassLocation::At(_) => 1.0,
+            MassLocation::Between(_) => 0.0,
         }
     }
 
     /// Value at the mass of the position from a point (m).
     pub fn place_from(&self, reference: Vector3<f64>) -> Vector3<f64> {
-        match self.site {
-            Site::At(place) => place - reference,
-            Site::Between(distance) => distance,
+        match self.location {
+            MassLocation::At(place) => place - reference,
+            MassLocation::Between(distance) => distance,
         }
     }
 }

@@ -4,7 +4,7 @@
 
 use nalgebra::{DMatrix, Matrix3, Matrix3xX, SMatrix, Vector3};
 
-use super::element::{Connectivity, Element, LumpedMass, Site, Turn};
+use super::element::{Connectivity, Element, LumpedMass, MassLocation, Turn};
 use crate::model::Inertia;
 
 /// Mass without stiffness at a node, a point or a small rigid body.
@@ -67,7 +67,7 @@ impl Element for Mass {
                 rotations.columns_mut(3, 3).copy_from(&Matrix3::identity());
                 Turn { arm: *arm, shapes: rotations }
             });
-            LumpedMass { mass: *mass, site: Site::At(self.place + arm), shapes, turn }
+            LumpedMass { mass: *mass, location: MassLocation::At(self.place + arm), shapes, turn }
         };
         self.points.iter().map(lumped_mass).collect()
     }

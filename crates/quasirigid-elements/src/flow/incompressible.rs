@@ -25,11 +25,11 @@ pub(super) trait Incompressible {
 /// Divergence that counts as zero, relative to the gradient of the flow without pressure, in the mean square.
 const SOLENOIDAL: f64 = 1e-13;
 /// Divergence that is accepted where rounding keeps the divergence from falling further.
-const ACCEPTED: f64 = 1e-10;
+const ACCEPTED_DIVERGENCE: f64 = 1e-10;
 /// Iterations without a new least divergence after which the divergence has stopped falling.
 const PATIENCE: usize = 20;
 /// Most iterations.
-const MOST: usize = 2000;
+const MAX_ITERATIONS: usize = 2000;
 
 /// Flows under forces, in place.
 ///
@@ -57,7 +57,7 @@ pub(super) fn solve(
         if !active.contains(&true) {
             break;
         }
-        if iterations == MOST || progress.is_lost() {
+        if iterations == MAX_ITERATIONS || progress.is_lost() {
             return Err(StokesError::NoConvergence { iterations, divergence: progress.worst() });
         }
         let corrected = equations.pressure(&residual, &weighted, width);
@@ -117,7 +117,7 @@ impl Progress {
     /// Whether the divergence of a flow still falls.
     fn is_active(&self, column: usize) -> bool {
         let below = |share: f64| self.now[column] <= share.powi(2) * self.gradient[column];
-        !(below(SOLENOIDAL) || below(ACCEPTED) && self.since[column] >= PATIENCE)
+        !(below(SOLENOIDAL) || below(ACCEPTED_DIVERGENCE) && self.since[column] >= PATIENCE)
     }
 
     /// Whether numbers are no longer finite.

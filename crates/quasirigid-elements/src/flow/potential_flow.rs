@@ -6,7 +6,7 @@ use nalgebra::{Matrix3, Vector3};
 ///
 /// The flow has a potential, `∂φ_l/∂n = n·(e_l × r)` on the wall. Relative to the body it is `w_l = ∇φ_l − e_l × r`.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(crate) struct Slip {
+pub(crate) struct PotentialFlowMoments {
     /// `∫ w_k·w_l dV` (m⁵): the inertia of the frozen liquid less that of the equivalent body.
     pub volume: Matrix3<f64>,
     /// `∮ w_k·w_l dS` (m⁴).
@@ -15,7 +15,7 @@ pub(crate) struct Slip {
     pub turning: [Matrix3<f64>; 3],
 }
 
-impl Slip {
+impl PotentialFlowMoments {
     /// Adds a place with its share of the volume (m³).
     pub fn add_volume(&mut self, share: f64, w: &[Vector3<f64>; 3]) {
         for k in 0..3 {

@@ -5,7 +5,7 @@
 use nalgebra::{Matrix3, Matrix6, Vector3, Vector6};
 
 use crate::contribution::{Attachment, Floating};
-use crate::element::{Element, Grip, Site, joined};
+use crate::element::{AttachmentPoint, Element, ElementSite, joined};
 use crate::error::{ElementError, ElementId, Field, Problem, at};
 use crate::finite::Link;
 use crate::kinds::coefficient;
@@ -176,16 +176,16 @@ impl Element for Bushing {
         vec![&mut self.rheology]
     }
 
-    fn grips(&self) -> Vec<Grip> {
+    fn attachment_points(&self) -> Vec<AttachmentPoint> {
         let ends = [(Field::FROM, self.from), (Field::TO, self.to)];
-        ends.map(|(field, end)| Grip { field, end, moment: true }).to_vec()
+        ends.map(|(field, end)| AttachmentPoint { field, end, moment: true }).to_vec()
     }
 
     fn outline(&self, _: ElementId, body: &Assembly) -> Option<Outline> {
         Outline::link(body, [self.from, self.to], self.center)
     }
 
-    fn block(&self, site: &Site<'_>) -> Result<Option<Block>, ElementError> {
+    fn block(&self, site: &ElementSite<'_>) -> Result<Option<Block>, ElementError> {
         self.between(site.id, site.name, site.ends(self.from, self.to)?).map(Some)
     }
 

@@ -6,7 +6,7 @@ use crate::number::finite;
 use crate::{Coefficient, HingeCoefficient, Problem};
 
 /// Difference, relative to the largest entry, up to which entries agree: rounding of 13 digits.
-const ROUNDING: f64 = 1e-12;
+const SYMMETRY_ROUNDING: f64 = 1e-12;
 
 /// Matrix of a spring's coefficient.
 pub(crate) fn matrix(coefficient: Coefficient) -> Result<Matrix3<f64>, Problem> {
@@ -41,7 +41,7 @@ pub(crate) fn hinge_matrix(coefficient: &HingeCoefficient, axes: usize) -> Resul
 /// Accepts a symmetric positive semi-definite matrix and returns its symmetric part.
 fn semi_definite(entries: &DMatrix<f64>) -> Result<DMatrix<f64>, Problem> {
     finite(entries.as_slice())?;
-    let tolerance = ROUNDING * entries.amax();
+    let tolerance = SYMMETRY_ROUNDING * entries.amax();
     for row in 0..entries.nrows() {
         for column in row + 1..entries.ncols() {
             let (upper, lower) = (entries[(row, column)], entries[(column, row)]);

@@ -6,8 +6,8 @@ use std::f64::consts::PI;
 
 use nalgebra::{Matrix3, Vector3};
 
-use crate::contribution::Asked;
-use crate::contribution::{Whole, WholeBody};
+use crate::contribution::BuildOptions;
+use crate::contribution::{SingleElementBody, WholeBody};
 use crate::element::Element;
 use crate::error::{ElementError, ElementId, Field, at};
 use crate::material::Material;
@@ -62,7 +62,7 @@ impl Ellipsoid {
         let shapes = self.shapes();
         let coordinate =
             |shape: &Shape| Coordinate { name: format!("\"{}\" {}", self.name, shape.name), unit: "m" };
-        let whole = Whole {
+        let whole = SingleElementBody {
             place,
             center: self.center,
             invariants: self.invariants(&shapes),
@@ -326,7 +326,7 @@ impl Element for Ellipsoid {
         &self,
         id: ElementId,
         _: PartReduction,
-        asked: Asked,
+        asked: BuildOptions,
     ) -> Result<Option<WholeBody>, ElementError> {
         let body = self.body(id)?;
         let visuals = if asked.visuals { vec![self.visual(id)] } else { Vec::new() };

@@ -1,30 +1,38 @@
 //! External forces as elements: checks of their laws.
 
-use crate::element::{Element, Grip};
+use crate::element::{AttachmentPoint, Element};
 use crate::error::{ElementError, ElementId, Field, Problem, at};
 use crate::model::force::{Force, ForceLaw, MagneticField, Orbit, Wave};
 use crate::number;
-use crate::{Assembly, Station};
+use crate::{ApplicationPoint, Assembly};
 
-impl Element for Force<Station> {
+impl Element for Force<ApplicationPoint> {
     fn check(&self, id: ElementId, body: &Assembly) -> Vec<ElementError> {
         check(id, self, body).err().into_iter().collect()
     }
 
-    fn grips(&self) -> Vec<Grip> {
-        self.law.place().map(|station| Grip::force(Field::ON, station.on)).into_iter().collect()
+    fn attachment_points(&self) -> Vec<AttachmentPoint> {
+        self.law
+            .place()
+            .map(|application_point| AttachmentPoint::force(Field::ON, application_point.on))
+            .into_iter()
+            .collect()
     }
 }
 
 /// Accepts a force on a body.
-pub(crate) fn check(place: ElementId, force: &Force<Station>, body: &Assembly) -> Result<(), ElementError> {
-    if let Some(station) = force.law.place() {
-        station.check(place, body)?;
+pub(crate) fn check(
+    place: ElementId,
+    force: &Force<ApplicationPoint>,
+    body: &Assembly,
+) -> Result<(), ElementError> {
+    if let Some(application_point) = force.law.place() {
+        application_point.check(place, body)?;
     }
     lawful(place, &force.law)
 }
 
-fn lawful(place: ElementId, law: &ForceLaw<Station>) -> Result<(), ElementError> {
+fn lawful(place: ElementId, law: &ForceLaw<ApplicationPoint>) -> Result<(), ElementError> {
     let finite = |field: Field, values: &[f64; 3]| number::finite(values).map_err(at(place, field));
     match law {
         ForceLaw::UniformGravity { acceleration } => finite(Field::ACCELERATION, acceleration),

@@ -7,7 +7,7 @@ use nalgebra::{Matrix3, Vector3};
 
 use crate::contribution::MovingBody;
 use crate::contribution::{Field as Shape, Piece};
-use crate::element::{Element, Site};
+use crate::element::{Element, ElementSite};
 use crate::error::{ElementError, ElementId, ElementKind, Field, Problem, at};
 use crate::kinds::coefficient;
 use crate::model::{Coordinate, Hinge, Inertia, Rheology};
@@ -165,7 +165,7 @@ impl Element for Hinged {
         self.moved(id).map(Some)
     }
 
-    fn block(&self, site: &Site<'_>) -> Result<Option<Block>, ElementError> {
+    fn block(&self, site: &ElementSite<'_>) -> Result<Option<Block>, ElementError> {
         self.about_axes(site.id, site.start).map(Some)
     }
 }

@@ -1,6 +1,7 @@
 //! Kinds of elements that a user describes, a file or a folder each. What they give to a body is in
 //! [`contribution`](super::contribution); their list, which makes ids, words and the lists of an assembly, is in [`elements`](super).
 
+pub(crate) mod application_point;
 pub(crate) mod bushing;
 pub(crate) mod carrier;
 pub(crate) mod cavity;
@@ -15,6 +16,5 @@ pub(crate) mod point;
 pub(crate) mod ritz;
 pub(crate) mod rotor;
 pub(crate) mod spring;
-pub(crate) mod station;
 pub(crate) mod surface;
 pub(crate) mod wheel;

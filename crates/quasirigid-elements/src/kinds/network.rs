@@ -59,7 +59,7 @@ impl Network {
     #[must_use]
     pub fn layout(&self) -> (Vec<[f64; 3]>, Vec<[usize; 2]>) {
         let mut random = Random::new(self.seed);
-        let mut near = Near { side: self.spacing, cells: HashMap::new() };
+        let mut near = CellList { side: self.spacing, cells: HashMap::new() };
         let mut places: Vec<[f64; 3]> = Vec::new();
         for _ in 0..(THROWS * self.volume() / self.spacing.powi(3)) as usize {
             let unit = in_ball(&mut random);
@@ -114,12 +114,12 @@ impl Network {
 }
 
 /// Indices of places by the cube they are in.
-struct Near {
+struct CellList {
     side: f64,
     cells: HashMap<[i64; 3], Vec<usize>>,
 }
 
-impl Near {
+impl CellList {
     fn cell(&self, place: [f64; 3]) -> [i64; 3] {
         place.map(|entry| (entry / self.side).floor() as i64)
     }

@@ -6,7 +6,7 @@ use nalgebra::{Matrix3, Vector3};
 
 use crate::End;
 use crate::contribution::{Attachment, Floating};
-use crate::element::{Element, Grip, Preload, Site, joined};
+use crate::element::{AttachmentPoint, Element, ElementSite, Preload, joined};
 use crate::error::{ElementError, ElementId, Field, Problem, at};
 use crate::finite::Link;
 use crate::kinds::coefficient;
@@ -205,8 +205,8 @@ impl Element for Spring {
         vec![&mut self.rheology]
     }
 
-    fn grips(&self) -> Vec<Grip> {
-        vec![Grip::force(Field::FROM, self.from), Grip::force(Field::TO, self.to)]
+    fn attachment_points(&self) -> Vec<AttachmentPoint> {
+        vec![AttachmentPoint::force(Field::FROM, self.from), AttachmentPoint::force(Field::TO, self.to)]
     }
 
     fn outline(&self, _: ElementId, body: &Assembly) -> Option<Outline> {
@@ -214,11 +214,11 @@ impl Element for Spring {
         Outline::link(body, [self.from, self.to], anchor)
     }
 
-    fn block(&self, site: &Site<'_>) -> Result<Option<Block>, ElementError> {
+    fn block(&self, site: &ElementSite<'_>) -> Result<Option<Block>, ElementError> {
         self.elastic(site.id, site.name, site.ends(self.from, self.to)?).map(Some)
     }
 
-    fn preload(&self, site: &Site<'_>) -> Result<Option<Preload>, ElementError> {
+    fn preload(&self, site: &ElementSite<'_>) -> Result<Option<Preload>, ElementError> {
         let ends = site.ends(self.from, self.to)?;
         Ok(self.tension(site.id, ends)?.map(|tension| tension.preload(site.name, ends)))
     }

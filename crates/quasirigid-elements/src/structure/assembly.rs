@@ -28,13 +28,13 @@ struct Made {
 
 /// Entries of the matrices that exist at once, and the elements from which on several threads pay.
 const BATCH: usize = 1 << 20;
-const MANY: usize = 512;
+const THREADED_ELEMENTS: usize = 512;
 
 impl Sums {
     /// Adds the elements. (K1)–(K3)
     pub fn add(&mut self, structure: &Structure, patches: &[Patch]) {
         let elements = structure.elements.len();
-        let team = if elements < MANY { Team::alone() } else { Team::new() };
+        let team = if elements < THREADED_ELEMENTS { Team::alone() } else { Team::new() };
         for batch in batches(patches) {
             watch::progress(batch[0].elements.start as f64 / elements as f64);
             let made = team.map(batch.iter().collect(), |patch| Made::new(structure, patch));

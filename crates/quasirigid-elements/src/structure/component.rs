@@ -10,8 +10,8 @@ use super::discrete::{Discrete, Structure};
 use super::dofs::{Dofs, Unknown};
 use super::loads::{Acceleration, LOADS, balanced, moments, stretching};
 use super::losses::blocks;
-use super::lumped_masses::Whole;
-use super::masses::Scaled;
+use super::lumped_masses::MassProperties;
+use super::masses::MassNormalized;
 use super::owned;
 use super::paths::Paths;
 use super::solver::{Solver, Unsolved};
@@ -28,7 +28,7 @@ use crate::structure::Condensation;
 #[derive(Clone, Debug)]
 pub(crate) struct Component {
     /// Mass and second moments.
-    whole: Whole,
+    whole: MassProperties,
     /// `∫ u_j dm`.
     sums: Vec<Vector3<f64>>,
     /// `∫ s u_jᵀ dm`, with `s` from the centre of mass.
@@ -45,9 +45,9 @@ pub(crate) struct Component {
     paths: Option<Paths>,
     /// Stiffness, damping and rheology of each dissipator.
     blocks: Vec<Block>,
-    /// Displacement of each station per unit of each coordinate.
-    stations: Vec<Vec<[f64; 3]>>,
-    /// Rotation of each station, where it has one.
+    /// Displacement of each kept node per unit of each coordinate.
+    kept_nodes: Vec<Vec<[f64; 3]>>,
+    /// Rotation of each kept node, where it has one.
     rotations: Vec<Option<Vec<[f64; 3]>>>,
     /// Number of unknowns of the structure.
     unknowns: usize,
@@ -66,9 +66,9 @@ pub(crate) enum Fault {
     Memory(usize, TooMuchMemory),
 }
 
-/// Purpose of a condensation.
+/// Options of a condensation.
 #[derive(Clone, Debug)]
-pub(crate) struct Purpose<'a> {
+pub(crate) struct CondensationOptions<'a> {
     /// Order to which the slow manifold is exact.
     pub order: usize,
     /// Number of lowest modes of vibration beside it.
@@ -76,7 +76,7 @@ pub(crate) struct Purpose<'a> {
     /// Whether the structure floats; else it is on its carrier.
     pub floating: bool,
     /// Nodes whose displacements are kept.
-    pub stations: &'a [usize],
+    pub kept_nodes: &'a [usize],
     /// Loads of other elements at each of them.
     pub loads: &'a [Load],
 }
@@ -100,36 +100,36 @@ impl Structure {
     ///
     /// # Errors
     /// [`Fault`] if some motion meets no stiffness, or modes are not found.
-    pub fn component(&self, dofs: Dofs, purpose: &Purpose<'_>) -> Result<Component, Fault> {
+    pub fn component(&self, dofs: Dofs, options: &CondensationOptions<'_>) -> Result<Component, Fault> {
         let unknowns = dofs.unknowns().len();
         let room = |cause| Fault::Memory(unknowns, cause);
         let discrete = Discrete::new(self, dofs).map_err(room)?;
-        let solver = Solver::new(&discrete, purpose.floating).map_err(|fault| match fault {
+        let solver = Solver::new(&discrete, options.floating).map_err(|fault| match fault {
             Unsolved::Singular(singular) => loose(&discrete.dofs, &singular.direction),
             Unsolved::Memory(cause) => room(cause),
         })?;
-        let fields = LOADS + purpose.loaded().count();
+        let fields = LOADS + options.loaded().count();
         memory::ask((unknowns * fields * size_of::<f64>()) as f64 * COPIES).map_err(room)?;
         let whole = discrete.whole();
         let reference = whole.center;
         let forces = discrete.loads(reference);
-        let (loads, statics) = if purpose.floating {
+        let (loads, statics) = if options.floating {
             (balanced(&whole), solver.answers(stretching(&forces)))
         } else {
             ((0..LOADS).map(Acceleration::of_load).collect(), solver.answers(forces.clone()))
         };
-        let pulls = solver.answers(pulls(&discrete, purpose));
+        let pulls = solver.answers(pulls(&discrete, options));
         let wanted = stacked(&statics, &pulls);
-        let mut basis = Basis::new(&discrete, &solver, &wanted, purpose.order);
-        basis.append(&discrete, &solver.modes(&discrete, purpose.modes).map_err(Fault::NoConvergence)?);
-        let Scaled { fields, masses } =
-            Scaled::new(&discrete, basis.displacements(forces.ncols()), whole.mass);
+        let mut basis = Basis::new(&discrete, &solver, &wanted, options.order);
+        basis.append(&discrete, &solver.modes(&discrete, options.modes).map_err(Fault::NoConvergence)?);
+        let MassNormalized { fields, masses } =
+            MassNormalized::new(&discrete, basis.displacements(forces.ncols()), whole.mass);
         let works = &fields * forces.transpose();
         let energies: Vec<f64> =
             fields.row_iter().map(|field| energy(&discrete, &field.into_owned())).collect();
         let first = works.row_iter().map(|works| moments(&works.iter().copied().collect::<Vec<f64>>()));
         let (sums, moments) = first.unzip();
-        let paths = discrete.paths(&solver, &whole, purpose.floating, &fields, &energies);
+        let paths = discrete.paths(&solver, &whole, options.floating, &fields, &energies);
         Ok(Component {
             whole,
             paths,
@@ -140,9 +140,9 @@ impl Structure {
             curvatures: discrete.curvatures(reference, &loads, &statics, &fields),
             owned: owned::masses(&discrete, &fields),
             blocks: blocks(&discrete, &fields),
-            stations: purpose.stations.iter().map(|node| motion(&discrete, &fields, *node, 0)).collect(),
-            rotations: purpose
-                .stations
+            kept_nodes: options.kept_nodes.iter().map(|node| motion(&discrete, &fields, *node, 0)).collect(),
+            rotations: options
+                .kept_nodes
                 .iter()
                 .map(|node| self.nodes[*node].rotations.then(|| motion(&discrete, &fields, *node, 3)))
                 .collect(),
@@ -175,7 +175,7 @@ impl Component {
 
     /// Inertia tensor about a pole.
     pub fn inertia(&self, pole: Vector3<f64>) -> Sym {
-        let Whole { mass, center, second } = &self.whole;
+        let MassProperties { mass, center, second } = &self.whole;
         let arm = center - pole;
         moment::inertia(&(second + *mass * arm * arm.transpose())).map(|entry| 0.5 * entry)
     }
@@ -280,21 +280,21 @@ impl Component {
         self.owned.iter().map(part).collect()
     }
 
-    /// Displacement of a station per unit of each coordinate, numbered from `start`.
-    pub fn shapes(&self, station: usize, start: usize) -> Vec<(usize, [f64; 3])> {
-        numbered(&self.stations[station], start)
+    /// Displacement of a kept node per unit of each coordinate, numbered from `start`.
+    pub fn shapes(&self, node: usize, start: usize) -> Vec<(usize, [f64; 3])> {
+        numbered(&self.kept_nodes[node], start)
     }
 
-    /// Rotation of a station per unit of each coordinate, numbered from `start`; none of a node without rotations.
-    pub fn rotations(&self, station: usize, start: usize) -> Option<Vec<(usize, [f64; 3])>> {
-        self.rotations[station].as_ref().map(|rotations| numbered(rotations, start))
+    /// Rotation of a kept node per unit of each coordinate, numbered from `start`; none of a node without rotations.
+    pub fn rotations(&self, node: usize, start: usize) -> Option<Vec<(usize, [f64; 3])>> {
+        self.rotations[node].as_ref().map(|rotations| numbered(rotations, start))
     }
 }
 
-impl Purpose<'_> {
+impl CondensationOptions<'_> {
     /// Nodes and components, 0 to 5, at which other elements load the structure.
     fn loaded(&self) -> impl Iterator<Item = (usize, usize)> + '_ {
-        self.stations.iter().zip(self.loads).flat_map(|(node, load)| {
+        self.kept_nodes.iter().zip(self.loads).flat_map(|(node, load)| {
             let forces = (0..3).filter(|_| load.force);
             let moments = (3..6).filter(|_| load.moment);
             forces.chain(moments).map(|component| (*node, component))
@@ -303,9 +303,9 @@ impl Purpose<'_> {
 }
 
 /// Unit forces and moments along each axis at the nodes that other elements load.
-fn pulls(discrete: &Discrete<'_>, purpose: &Purpose<'_>) -> DMatrix<f64> {
-    let mut pulls = DMatrix::zeros(purpose.loaded().count(), discrete.dofs.unknowns().len());
-    for (number, (node, component)) in purpose.loaded().enumerate() {
+fn pulls(discrete: &Discrete<'_>, options: &CondensationOptions<'_>) -> DMatrix<f64> {
+    let mut pulls = DMatrix::zeros(options.loaded().count(), discrete.dofs.unknowns().len());
+    for (number, (node, component)) in options.loaded().enumerate() {
         for (unknown, share) in discrete.dofs.row(node, component) {
             pulls[(number, *unknown)] += share;
         }

@@ -1,6 +1,6 @@
 use nalgebra::{DMatrix, Matrix3, Vector3};
 
-use super::lumped_masses::Whole;
+use super::lumped_masses::MassProperties;
 use crate::model::moment;
 
 /// Number of the loads of an acceleration that is linear in the place: `e_a` for each axis, then `ρ_b e_a`, `b` outermost. (K4)
@@ -44,7 +44,7 @@ pub(super) fn stretching(forces: &DMatrix<f64>) -> DMatrix<f64> {
 }
 
 /// Straining accelerations with the inertia of the rotation that they cause, about the centre of mass. (K7)
-pub(super) fn balanced(whole: &Whole) -> Vec<Acceleration> {
+pub(super) fn balanced(whole: &MassProperties) -> Vec<Acceleration> {
     let inertia = whole.second.trace() * Matrix3::identity() - whole.second;
     let turning = inertia.try_inverse().unwrap_or_else(Matrix3::zeros);
     let acceleration = |(b, a): (usize, usize)| {

@@ -13,7 +13,7 @@ const BATCH: usize = 512;
 
 /// Mass of a structure with its centre and second moments.
 #[derive(Clone, Debug)]
-pub(super) struct Whole {
+pub(super) struct MassProperties {
     /// Mass (kg).
     pub mass: f64,
     /// Centre of mass (m), in the file's frame.
@@ -24,7 +24,7 @@ pub(super) struct Whole {
 
 impl Discrete<'_> {
     /// Mass, centre of mass and second moments.
-    pub(super) fn whole(&self) -> Whole {
+    pub(super) fn whole(&self) -> MassProperties {
         let middle = self.structure.middle();
         let (mut mass, mut first, mut second) = (0.0, Vector3::zeros(), Matrix3::zeros());
         for lumped_mass in self.structure.elements.iter().flat_map(|element| element.lumped_masses()) {
@@ -33,7 +33,11 @@ impl Discrete<'_> {
             first += lumped_mass.mass * lumped_mass.one() * s;
             second += lumped_mass.mass * s * s.transpose();
         }
-        Whole { mass, center: middle + first / mass, second: second - first * first.transpose() / mass }
+        MassProperties {
+            mass,
+            center: middle + first / mass,
+            second: second - first * first.transpose() / mass,
+        }
     }
 
     /// Forces of the accelerations `e_a` and `s_b e_a`, with `s` from a point: a row each. (K4)

@@ -3,16 +3,16 @@ use nalgebra::{DMatrix, SymmetricEigen};
 use super::discrete::{Discrete, times};
 
 /// Share of the trace of the mass, at equal elastic energy, below which a mass is rounding.
-const ROUNDING: f64 = 1e-13;
+const MASS_ROUNDING: f64 = 1e-13;
 
 /// Displacements of a structure as coordinates: each with an rms of one over its mass, and the mass matrix between them. (K16)
-pub(super) struct Scaled {
+pub(super) struct MassNormalized {
     /// Displacements, a row each.
     pub fields: DMatrix<f64>,
     pub masses: DMatrix<f64>,
 }
 
-impl Scaled {
+impl MassNormalized {
     /// `fields` are orthonormal in the stiffness; `mass` is that of the structure (kg).
     pub fn new(discrete: &Discrete<'_>, mut fields: DMatrix<f64>, mass: f64) -> Self {
         let forces = times(&discrete.mass, &fields);
@@ -36,7 +36,7 @@ impl Scaled {
 /// Matrix that raises the mass of motions without mass to rounding: `Σ (θ₀ − θ) y yᵀ` over the `y` with `θ < θ₀`; none if all have more.
 fn raised(masses: &DMatrix<f64>) -> Option<DMatrix<f64>> {
     let size = masses.nrows();
-    let floor = ROUNDING * masses.trace();
+    let floor = MASS_ROUNDING * masses.trace();
     let above = masses - floor * DMatrix::identity(size, size);
     if size == 0 || above.cholesky().is_some() {
         return None;

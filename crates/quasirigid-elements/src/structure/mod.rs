@@ -20,7 +20,7 @@ mod rows;
 mod solver;
 
 pub(crate) use block::{Block, Entries};
-pub(crate) use component::{Component, Fault, Load, Purpose};
+pub(crate) use component::{Component, CondensationOptions, Fault, Load};
 pub use condensation::Condensation;
 pub(crate) use discrete::{Joint, Structure};
 pub(crate) use dofs::{Constraint, Dofs, Node, Unknown};

@@ -6,9 +6,9 @@ use nalgebra::{DMatrix, DVector, Matrix3, Matrix3xX, Matrix4, SMatrix, Vector3, 
 
 use super::discrete::Discrete;
 use super::loads::{Acceleration, LOADS};
-use super::lumped_masses::Whole;
+use super::lumped_masses::MassProperties;
 use super::solver::Solver;
-use crate::finite::{Element, LumpedMass, Site, Turn};
+use crate::finite::{Element, LumpedMass, MassLocation, Turn};
 
 /// Second order of the paths of all points, `½ G_jk q_j q_k = Σ_e Ψ_e ½ qᵀΓ^e q`, as few fields `Ψ_e` with a unit mass each. (K12)
 #[derive(Clone, Debug)]
@@ -35,7 +35,7 @@ impl Discrete<'_> {
     pub(super) fn paths(
         &self,
         solver: &Solver,
-        whole: &Whole,
+        whole: &MassProperties,
         floating: bool,
         fields: &DMatrix<f64>,
         energies: &[f64],
@@ -79,7 +79,10 @@ impl Discrete<'_> {
 /// Whether an element is a line or a point of known masses.
 fn slender(element: &dyn Element) -> bool {
     element.nodes().len() <= 2
-        && element.lumped_masses().iter().all(|lumped_mass| matches!(lumped_mass.site, Site::At(_)))
+        && element
+            .lumped_masses()
+            .iter()
+            .all(|lumped_mass| matches!(lumped_mass.location, MassLocation::At(_)))
 }
 
 /// Pairs `j ≤ k` of coordinates, numbered.

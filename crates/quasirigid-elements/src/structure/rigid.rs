@@ -54,7 +54,7 @@ fn motions(s: Vector3<f64>) -> SMatrix<f64, 6, 6> {
 }
 
 /// Energy of a rigid motion, relative to the energies of its displacements one by one, that is rounding.
-const ROUNDING: f64 = 1e-13;
+const RIGID_ENERGY_ROUNDING: f64 = 1e-13;
 /// Share of its stiffness below which a motion of the floating structure meets none.
 const LOOSE: f64 = 1e-13;
 
@@ -62,7 +62,7 @@ type Matrix12 = SMatrix<f64, 12, 12>;
 
 /// Difference of the stiffness where the structure floats although something resists a rigid motion, as a spring between nodes apart does
 /// that acts across the line between them: `Pᵀ C P − C = Bᵀ Q B`, with twelve rows `B`. (K15)
-pub(super) struct Resistance {
+pub(super) struct RigidMotionStiffness {
     /// `B`.
     rows: DMatrix<f64>,
     /// `B Cₚ⁻¹`.
@@ -71,7 +71,7 @@ pub(super) struct Resistance {
     between: Matrix12,
 }
 
-impl Resistance {
+impl RigidMotionStiffness {
     /// Resistance to rigid motions; none if nothing resists them.
     ///
     /// # Errors
@@ -82,7 +82,7 @@ impl Resistance {
         let diagonal = discrete.total.diagonal();
         let resisted = rigid.fields.row_iter().enumerate().any(|(motion, field)| {
             let alone: f64 = field.iter().zip(&diagonal).map(|(x, entry)| entry * x * x).sum();
-            energies[(motion, motion)] > ROUNDING * alone
+            energies[(motion, motion)] > RIGID_ENERGY_ROUNDING * alone
         });
         if !resisted {
             return Ok(None);

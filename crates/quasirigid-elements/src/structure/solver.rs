@@ -5,7 +5,7 @@
 use nalgebra::{DMatrix, Matrix3, Vector3};
 
 use super::discrete::{Discrete, times};
-use super::rigid::{Resistance, Rigid};
+use super::rigid::{Rigid, RigidMotionStiffness};
 use crate::math::eigen::NoConvergence;
 use crate::math::factor::{Analysis, Factor, Method, NotPositive};
 use crate::math::krylov::Pencil;
@@ -19,7 +19,7 @@ pub(super) struct Solver {
     /// Rigid motions, of a structure that floats.
     rigid: Option<Rigid>,
     /// Resistance to rigid motions.
-    resistance: Option<Resistance>,
+    resistance: Option<RigidMotionStiffness>,
 }
 
 /// Cause for which a structure has no solver.
@@ -58,7 +58,7 @@ impl Solver {
         }
         let rigid = Rigid::new(discrete);
         let factor = factor(&pinned(discrete))?;
-        let resistance = Resistance::new(discrete, &rigid, &factor)?;
+        let resistance = RigidMotionStiffness::new(discrete, &rigid, &factor)?;
         Ok(Self { factor, rigid: Some(rigid), resistance })
     }
 

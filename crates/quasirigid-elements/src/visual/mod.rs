@@ -45,12 +45,12 @@ pub struct Visual {
     /// Radius of points and lines (m), where the model gives one.
     pub radius: Option<f64>,
     /// Axis of a rotor, which its rotation turns the vertices about.
-    pub turning: Option<Turning>,
+    pub turning: Option<RotorAxis>,
 }
 
 /// Axis about which an element turns in its carrier.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Turning {
+pub struct RotorAxis {
     /// Direction, a unit vector.
     pub axis: [f64; 3],
     /// Point of the axis (m), from the pole.
@@ -101,26 +101,25 @@ impl Assembly {
         place: &dyn Fn(ElementId, Vertex) -> Option<Attachment>,
         rotor: &dyn Fn(ElementId) -> Option<usize>,
     ) -> Vec<Visual> {
-        let visual = |(element, kind, outline): (ElementId, &'static str, Outline)| {
-            let places: Vec<Attachment> =
-                outline.vertices.iter().map(|vertex| place(element, *vertex)).collect::<Option<_>>()?;
-            let turning = outline.axis.zip(rotor(element)).map(|((axis, center), coordinate)| Turning {
-                axis,
-                center: (Vector3::from(center) - pole).into(),
-                coordinate,
-            });
-            Some(Visual {
-                element,
-                name: self.element(element).map_or_else(String::new, |element| element.name().to_owned()),
-                kind,
-                vertices: places.iter().map(|place| (place.position - pole).into()).collect(),
-                shapes: by_coordinate(&places.into_iter().map(|place| place.shapes).collect::<Vec<_>>()),
-                lines: outline.lines,
-                triangles: outline.triangles,
-                radius: outline.radius,
-                turning,
-            })
-        };
+        let visual =
+            |(element, kind, outline): (ElementId, &'static str, Outline)| {
+                let places: Vec<Attachment> =
+                    outline.vertices.iter().map(|vertex| place(element, *vertex)).collect::<Option<_>>()?;
+                let turning = outline.axis.zip(rotor(element)).map(|((axis, center), coordinate)| {
+                    RotorAxis { axis, center: (Vector3::from(center) - pole).into(), coordinate }
+                });
+                Some(Visual {
+                    element,
+                    name: self.element(element).map_or_else(String::new, |element| element.name().to_owned()),
+                    kind,
+                    vertices: places.iter().map(|place| (place.position - pole).into()).collect(),
+                    shapes: by_coordinate(&places.into_iter().map(|place| place.shapes).collect::<Vec<_>>()),
+                    lines: outline.lines,
+                    triangles: outline.triangles,
+                    radius: outline.radius,
+                    turning,
+                })
+            };
         self.outlines().filter_map(visual).collect()
     }
 

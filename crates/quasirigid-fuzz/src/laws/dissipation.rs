@@ -6,7 +6,7 @@ use super::DIRECTIONS;
 use crate::random::Random;
 
 /// Rounding of the sums, relative to the sum of their sizes.
-const ROUNDING: f64 = 1e-10;
+const SUM_ROUNDING: f64 = 1e-10;
 /// Rates that are tried.
 const TRIES: usize = 8;
 
@@ -27,7 +27,7 @@ pub fn of_body(body: &FlexibleBody) {
             sizes += term.abs();
         }
         assert!(
-            power >= -ROUNDING * sizes || !sizes.is_finite(),
+            power >= -SUM_ROUNDING * sizes || !sizes.is_finite(),
             "the damping matrix gives {power} of {sizes} W"
         );
     }
@@ -41,6 +41,6 @@ pub fn of_reduced(body: &ReducedBody) {
         let sizes: f64 = parts.iter().map(|part| part.abs()).sum();
         let power = body.dissipated_power(omega);
         assert!(power.is_finite(), "the power at {omega:?} rad/s is {power} W");
-        assert!(power >= -ROUNDING * sizes, "the power at {omega:?} rad/s is {power} W of {sizes} W");
+        assert!(power >= -SUM_ROUNDING * sizes, "the power at {omega:?} rad/s is {power} W of {sizes} W");
     }
 }

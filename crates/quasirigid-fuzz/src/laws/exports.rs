@@ -7,7 +7,7 @@ use serde_json::Value;
 use super::DIRECTIONS;
 
 /// Rounding of some hundred terms, relative to the sum of their sizes.
-const ROUNDING: f64 = 1e-12;
+const SUM_ROUNDING: f64 = 1e-12;
 
 /// Holds the exports of a body to the library.
 pub fn agree(body: &FlexibleBody, reduced: &ReducedBody, equations: &Equations<'_>) {
@@ -75,7 +75,7 @@ fn same(name: &str, terms: &Value, omega: [f64; 3], expected: &[f64]) {
     for row in 0..expected.len() {
         let gap = (value[row] - expected[row]).abs();
         assert!(
-            gap <= ROUNDING * sizes[row] || !sizes[row].is_finite(),
+            gap <= SUM_ROUNDING * sizes[row] || !sizes[row].is_finite(),
             "{name}[{row}] at {omega:?}: {} exported, {} in the library",
             value[row],
             expected[row]

@@ -8,18 +8,18 @@ use quasirigid_math::sym3;
 use quasirigid_study::Study;
 
 /// Rounding of a product of polynomials, relative to the largest term.
-const ROUNDING: f64 = 1e-12;
+const PRODUCT_ROUNDING: f64 = 1e-12;
 /// Largest condition of the inertia tensor with which the balance is judged.
-const CONDITION: f64 = 1e6;
+const MAX_CONDITION: f64 = 1e6;
 /// Tolerance of the integrator, the drift that so many of its steps may make, and their number.
-const TOLERANCE: f64 = 1e-9;
+const STEP_TOLERANCE: f64 = 1e-9;
 const DRIFT: f64 = 1e-6;
-const STEPS: u64 = 60;
+const MAX_STEPS: u64 = 60;
 
 /// `∇K f + ω × K = 0`. (R2), (R5)
 pub fn of_reduced(body: &ReducedBody) {
     let condition = condition(body);
-    if body.has_wheels() || !(condition < CONDITION) {
+    if body.has_wheels() || !(condition < MAX_CONDITION) {
         return;
     }
     let mut omega = Series::zero(1, 3);
@@ -32,7 +32,7 @@ pub fn of_reduced(body: &ReducedBody) {
         let scale = largest.fold(turning.amax(), f64::max);
         sum.add_scaled(1.0, &turning);
         assert!(
-            sum.amax() <= ROUNDING * condition * scale || !scale.is_finite(),
+            sum.amax() <= PRODUCT_ROUNDING * condition * scale || !scale.is_finite(),
             "the rate of the angular momentum at degree {degree} is {:e} of {scale:e}, condition {condition:e}",
             sum.amax()
         );
@@ -51,7 +51,7 @@ pub fn of_full(study: &Study, reduced: &ReducedBody) {
     let Ok(Start { omega, .. }) = study.initial() else { return };
     let spin = omega.iter().fold(0.0, |size: f64, w| size.hypot(*w));
     let Ok(settled) = Start::new(omega, ALIGNED).settled(system, reduced.order) else { return };
-    let options = Options { tolerance: TOLERANCE, most_steps: STEPS, ..Options::default() };
+    let options = Options { tolerance: STEP_TOLERANCE, most_steps: MAX_STEPS, ..Options::default() };
     let mut samples: Vec<Sample> = Vec::new();
     let end = 0.01 / spin;
     let Ok(run) = propagate_full(system, &settled, &[0.0, end], &options, &mut samples) else { return };

@@ -18,7 +18,7 @@ use super::sketch::{Sketch, View};
 /// Order of the reduction.
 const ORDER: usize = 4;
 /// Rounding of some thousand operations, grown by the conditions of the inertia tensor and the stiffness of a drawn body.
-const ROUNDING: f64 = 1e-8;
+const PART_ROUNDING: f64 = 1e-8;
 /// Rounding where a coefficient vanishes by symmetry, relative to the size that it may have.
 const FLOOR: f64 = 1e-13;
 
@@ -88,7 +88,7 @@ fn compare(
                 scale = scale.max(factor * expected.abs());
             }
         }
-        let allowed = ROUNDING * scale.max(new.part(degree).amax()) + FLOOR * factor * size;
+        let allowed = PART_ROUNDING * scale.max(new.part(degree).amax()) + FLOOR * factor * size;
         assert!(gap <= allowed, "{name} of degree {degree} differs by {gap:e} of {scale:e} in {view:?}");
     }
 }

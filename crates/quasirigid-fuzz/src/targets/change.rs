@@ -1,13 +1,13 @@
 //! Changed copies of a model: the first line is a path, the second a value, the rest the text of the model.
 
-use quasirigid_io::model::{Given, KeyPath, Template, changed};
+use quasirigid_io::model::{KeyPath, KeyValue, Template, changed};
 
 pub fn change(bytes: &[u8]) {
     let Ok(text) = std::str::from_utf8(bytes) else { return };
     let mut parts = text.splitn(3, '\n');
     let (Some(path), Some(value), Some(model)) = (parts.next(), parts.next(), parts.next()) else { return };
-    let given = value.parse().map_or_else(|_| Given::from(value), Given::Number);
-    let given = if value.starts_with('[') { Given::List(vec![given]) } else { given };
+    let given = value.parse().map_or_else(|_| KeyValue::from(value), KeyValue::Number);
+    let given = if value.starts_with('[') { KeyValue::List(vec![given]) } else { given };
     match changed(model, &[(path, given.clone())]) {
         Ok(copy) => {
             let again = Template::new(&copy).expect("a changed copy is TOML");

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use quasirigid_io::model::{Given, ModelError};
+use quasirigid_io::model::{KeyValue, ModelError};
 use quasirigid_io::study_file::{StudyFile, Values};
 
 /// Words of study files.
@@ -45,7 +45,7 @@ pub const WORDS: &[&str] = &[
 ];
 
 /// Points of a grid that are looked at.
-const LOOKS: usize = 5;
+const GRID_POINTS: usize = 5;
 
 pub fn text(bytes: &[u8]) {
     let Ok(text) = std::str::from_utf8(bytes) else { return };
@@ -54,10 +54,10 @@ pub fn text(bytes: &[u8]) {
             for varied in &study.vary {
                 let Values::Grid(grid) = &varied.values else { continue };
                 assert!(!grid.is_empty(), "a grid has points");
-                for look in 0..LOOKS {
-                    let point = grid.point((grid.len() - 1) / (LOOKS - 1) * look);
+                for look in 0..GRID_POINTS {
+                    let point = grid.point((grid.len() - 1) / (GRID_POINTS - 1) * look);
                     assert!(
-                        !matches!(point, Given::Number(number) if !number.is_finite()),
+                        !matches!(point, KeyValue::Number(number) if !number.is_finite()),
                         "{}: {point}",
                         varied.key
                     );

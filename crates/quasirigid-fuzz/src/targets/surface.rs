@@ -21,7 +21,7 @@ pub const PLY: &[&str] = &[
 ];
 
 /// Most triangles of a surface that is taken further than its file.
-const MOST: usize = 2000;
+const MAX_TRIANGLES: usize = 2000;
 
 pub fn read(name: &str, bytes: &[u8]) {
     let mesh = match triangles_of(Path::new(name), bytes) {
@@ -30,7 +30,7 @@ pub fn read(name: &str, bytes: &[u8]) {
     };
     assert!(mesh.vertices.iter().flatten().all(|x| x.is_finite()), "vertices are finite");
     assert!(mesh.triangles.iter().flatten().all(|corner| *corner < mesh.vertices.len()), "corners exist");
-    if mesh.triangles.len() > MOST {
+    if mesh.triangles.len() > MAX_TRIANGLES {
         return;
     }
     match ClosedSurface::new(mesh.vertices, mesh.triangles) {

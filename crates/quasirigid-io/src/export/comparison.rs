@@ -14,7 +14,7 @@ const DEGREES: [(usize, &str); 3] = [(3, "cubic"), (4, "quartic"), (5, "quintic"
 
 /// Writes the torques of liquids and rotors beside those of springs and dashpots: the comparison of the paper's section 6.
 pub(super) fn write(out: &mut String, mechanisms: &[Mechanism]) -> fmt::Result {
-    writeln!(out, "\nlargest mu/J by degree at 1 rad/s, what else moves locked, rad/s^2")?;
+    writeln!(out, "\nlargest mu/J by degree at 1 rad/s, rotors and liquids locked, rad/s^2")?;
     let heads = DEGREES.map(|(_, word)| format!("{word:>12}"));
     writeln!(out, "  {:<22}{}", "", heads.concat())?;
     mechanisms.iter().try_for_each(|mechanism| {

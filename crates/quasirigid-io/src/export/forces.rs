@@ -65,7 +65,7 @@ K' = K x w + M with w, M at the displacements and rates of (E2).
 pub(super) fn write(out: &mut String, forces: &Forces, elastic_only: bool) -> fmt::Result {
     out.push_str(if elastic_only { EQUATIONS } else { OTHERWISE });
     match &forces.start {
-        None => writeln!(out, "What they are depends on the state, and the model has no initial one.")?,
+        None => writeln!(out, "They depend on the state, and the model has no initial state.")?,
         Some(start) => {
             writeln!(out, "\nat the start, body axes")?;
             let mut line = |name: &str, entries: [f64; 3], unit: &str| {

@@ -6,7 +6,7 @@ use std::fmt::{self, Write};
 
 use quasirigid_math::polynomial::Homogeneous;
 
-use super::{Derived, MOST};
+use super::{Derived, MAX_PRINTED};
 use crate::visible::one_line;
 
 /// Terms smaller than this share of the largest of their degree are rounding and left out.
@@ -58,13 +58,13 @@ impl Derived<'_> {
         self.write_latex_displacements(out)
     }
 
-    /// Displacements on the slow manifold, the paper's (2.14); above [`MOST`] coordinates a comment names the JSON export. (R4)
+    /// Displacements on the slow manifold, the paper's (2.14); above [`MAX_PRINTED`] coordinates a comment names the JSON export. (R4)
     fn write_latex_displacements(&self, out: &mut String) -> fmt::Result {
         let (elastic, degrees) = (self.body.elastic(), self.displacements());
         if elastic == 0 || degrees.is_empty() {
             return Ok(());
         }
-        if elastic > MOST {
+        if elastic > MAX_PRINTED {
             return writeln!(out, "% q(omega) of {elastic} internal coordinates: with --format json");
         }
         for (number, coordinate) in self.body.coordinates()[..elastic].iter().enumerate() {

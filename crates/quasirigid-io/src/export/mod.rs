@@ -31,7 +31,7 @@ pub struct Derived<'a> {
 }
 
 /// Internal coordinates whose displacements are printed for people, at most.
-const MOST: usize = 12;
+const MAX_PRINTED: usize = 12;
 
 impl Derived<'_> {
     /// Whether the body has internal rotors or liquids.

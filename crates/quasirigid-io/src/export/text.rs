@@ -7,7 +7,7 @@ use std::fmt::{self, Write};
 use quasirigid_body::{Principal, Support};
 use quasirigid_math::polynomial::Homogeneous;
 
-use super::{Derived, MOST, comparison, forces, rows};
+use super::{Derived, MAX_PRINTED, comparison, forces, rows};
 use crate::visible::one_line;
 
 /// Terms smaller than this share of the largest of their degree are rounding and not shown.
@@ -92,13 +92,13 @@ impl Derived<'_> {
 }
 
 impl Derived<'_> {
-    /// Displacements on the slow manifold, three at a time; above [`MOST`] coordinates a line names the JSON export. (R4)
+    /// Displacements on the slow manifold, three at a time; above [`MAX_PRINTED`] coordinates a line names the JSON export. (R4)
     fn write_displacements(&self, out: &mut String) -> fmt::Result {
         let (elastic, degrees) = (self.body.elastic(), self.displacements());
         if elastic == 0 || degrees.is_empty() {
             return Ok(());
         }
-        if elastic > MOST {
+        if elastic > MAX_PRINTED {
             return writeln!(
                 out,
                 "\ndisplacements q(w)  of {elastic} internal coordinates: with --format json"

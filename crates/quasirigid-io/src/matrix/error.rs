@@ -24,16 +24,16 @@ pub(super) type Fault = text_file::Fault<MatrixProblem>;
 #[derive(Clone, Debug, Error, PartialEq, Eq)]
 pub enum MatrixProblem {
     /// A file that cannot be read at all.
-    #[error("{kind}; is the name right, and may the file be read?")]
+    #[error("{kind}; is the name right, and is the file readable?")]
     Unreadable {
         /// Error kind that the operating system reports.
         kind: ErrorKind,
     },
-    /// A folder in the place of a file.
+    /// A folder in place of a file.
     #[error("this is a folder; give the file inside it")]
     Folder,
-    /// A pipe, a device or the like in the place of a file.
-    #[error("this is no file on a disk but a pipe or a device, which may never end; give a file")]
+    /// A pipe, a device or the like in place of a file.
+    #[error("this is not a regular file but a pipe or a device, which may never end; give a file")]
     NoFile,
     /// Contents that take more memory than there is.
     #[error("{0}; reduce what the file holds")]
@@ -51,11 +51,11 @@ pub enum MatrixProblem {
         limit: u64,
     },
     /// A file without contents.
-    #[error("the file is empty; was its writing or its copy cut off?")]
+    #[error("the file is empty; was it cut off in writing or copying?")]
     Empty,
     /// A file whose beginning and name are those of no known format.
     #[error(
-        "the file is {kind}, and begins as no matrix known here does; give a Matrix Market, .npy or .npz file, \
+        "the file is {kind}, which is not a known matrix format; give a Matrix Market, .npy or .npz file, \
          .sti or .mas of CalculiX, or DMIG cards or OUTPUT4 of NASTRAN"
     )]
     NotAMatrix {
@@ -69,7 +69,7 @@ pub enum MatrixProblem {
         byte: u8,
     },
     /// A word that should be a number.
-    #[error("{found:?} is not a number that can stand here; {row}")]
+    #[error("{found:?} is not a number that is allowed here; {row}")]
     NotANumber {
         /// The word.
         found: Excerpt,
@@ -91,7 +91,7 @@ pub enum MatrixProblem {
         row: Row,
     },
     /// Something that has no place here.
-    #[error("{found:?} cannot stand here; {row}")]
+    #[error("{found:?} is not allowed here; {row}")]
     Unexpected {
         /// Text found there.
         found: Excerpt,
@@ -99,7 +99,7 @@ pub enum MatrixProblem {
         row: Row,
     },
     /// A row or column 0 where they count from 1.
-    #[error("a row or column 0; they count from 1 here")]
+    #[error("a row or column 0; they are numbered from 1 here")]
     Zero,
     /// A complex matrix.
     #[error("the matrix is complex; write the real matrix of mass, damping or stiffness")]
@@ -201,7 +201,7 @@ pub enum MatrixProblem {
         /// Names of the matrices in the file.
         names: Vec<String>,
     },
-    /// A name that stands twice.
+    /// A name that appears twice.
     #[error("a second matrix {name:?}; give each matrix a name of its own")]
     SameName {
         /// The name.
@@ -214,7 +214,9 @@ pub enum MatrixProblem {
         major: u8,
     },
     /// A NumPy header that cannot be understood.
-    #[error("{found:?} is no .npy header; it has descr, fortran_order and shape, as numpy.save writes them")]
+    #[error(
+        "{found:?} is not an .npy header; it has descr, fortran_order and shape, as numpy.save writes them"
+    )]
     NumpyHeader {
         /// The header, or its beginning.
         found: Excerpt,
@@ -347,14 +349,14 @@ pub enum MatrixProblem {
         /// The component.
         found: Excerpt,
     },
-    /// A degree of freedom that stands twice.
-    #[error("{dof} stands twice; a matrix has one row for each degree of freedom")]
+    /// A degree of freedom that appears twice.
+    #[error("{dof} appears twice; a matrix has one row for each degree of freedom")]
     DofTwice {
         /// The degree of freedom.
         dof: Dof,
     },
-    /// A node that stands twice.
-    #[error("node {node} stands twice; give each node one place")]
+    /// A node that appears twice.
+    #[error("node {node} appears twice; give each node one place")]
     NodeTwice {
         /// Label of the node.
         node: u64,

@@ -35,7 +35,7 @@ struct Entry {
 }
 
 /// A line or byte, and the problem there.
-pub(super) type At = (usize, MatrixProblem);
+pub(super) type LocatedProblem = (usize, MatrixProblem);
 
 impl Listed {
     /// No entries yet.
@@ -51,7 +51,7 @@ impl Listed {
     }
 
     /// Adds an entry that stands on a line or byte; rows and columns count from 0.
-    pub fn add(&mut self, row: usize, column: usize, value: f64, at: usize) -> Result<(), At> {
+    pub fn add(&mut self, row: usize, column: usize, value: f64, at: usize) -> Result<(), LocatedProblem> {
         if row >= self.rows || column >= self.columns {
             let (rows, columns) = (self.rows, self.columns);
             let (row, column) = (row.saturating_add(1), column.saturating_add(1));
@@ -67,7 +67,7 @@ impl Listed {
     }
 
     /// Adds the half that the file leaves out.
-    fn mirror(&mut self, symmetry: Symmetry) -> Result<(), At> {
+    fn mirror(&mut self, symmetry: Symmetry) -> Result<(), LocatedProblem> {
         let sign = match symmetry {
             Symmetry::General => return Ok(()),
             Symmetry::Symmetric => 1.0,
@@ -89,7 +89,7 @@ impl Listed {
     }
 
     /// The matrix, in which no place may be given twice; a file that leaves out one triangle has a square one.
-    pub fn unique(mut self, symmetry: Symmetry) -> Result<MatrixFile, At> {
+    pub fn unique(mut self, symmetry: Symmetry) -> Result<MatrixFile, LocatedProblem> {
         self.mirror(symmetry)?;
         self.sort();
         let twice = |pair: &&[Entry]| (pair[0].row, pair[0].column) == (pair[1].row, pair[1].column);

@@ -26,7 +26,7 @@ pub use nodes::{Node, NodeTable};
 pub use row::Row;
 
 /// Largest file that is read (bytes): a stiffness of a hundred million entries as text.
-const LARGEST: u64 = 4 * 1024 * 1024 * 1024;
+const MAX_FILE: u64 = 4 * 1024 * 1024 * 1024;
 
 /// A matrix as a file has it.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -62,7 +62,7 @@ pub struct MatrixFile {
 /// # Errors
 /// [`MatrixError`] says what is wrong and where: by line in a text, by byte in a binary file.
 pub fn read_matrix(file: &Path, name: Option<&str>) -> Result<MatrixFile, MatrixError> {
-    matrix_of(file, &bytes_of(file, LARGEST)?, name)
+    matrix_of(file, &bytes_of(file, MAX_FILE)?, name)
 }
 
 /// The matrix in the bytes of a file, whose name tells the format where the bytes do not.
@@ -95,7 +95,7 @@ pub fn matrix_of(file: &Path, bytes: &[u8], name: Option<&str>) -> Result<Matrix
 /// # Errors
 /// [`MatrixError`] says what is wrong and on which line.
 pub fn read_nodes(file: &Path) -> Result<NodeTable, MatrixError> {
-    nodes_of(file, &bytes_of(file, LARGEST)?)
+    nodes_of(file, &bytes_of(file, MAX_FILE)?)
 }
 
 /// The nodes in the bytes of a file, whose name tells the format where the bytes do not.
@@ -117,7 +117,7 @@ pub fn nodes_of(file: &Path, bytes: &[u8]) -> Result<NodeTable, MatrixError> {
 /// # Errors
 /// [`MatrixError`] says what is wrong and on which line.
 pub fn read_dofs(file: &Path) -> Result<Vec<Dof>, MatrixError> {
-    dofs_of(file, &bytes_of(file, LARGEST)?)
+    dofs_of(file, &bytes_of(file, MAX_FILE)?)
 }
 
 /// The degrees of freedom in the bytes of a file.

@@ -61,16 +61,16 @@ impl fmt::Display for Part {
 #[derive(Clone, Debug, Error, PartialEq, Eq)]
 pub enum MeshProblem {
     /// A file that cannot be read at all.
-    #[error("{kind}; is the name right, and may the file be read?")]
+    #[error("{kind}; is the name right, and is the file readable?")]
     Unreadable {
         /// Error kind that the operating system reports.
         kind: ErrorKind,
     },
-    /// A folder in the place of a file.
+    /// A folder in place of a file.
     #[error("this is a folder; give the file of the mesh inside it")]
     Folder,
-    /// A pipe, a device or the like in the place of a file.
-    #[error("this is no file on a disk but a pipe or a device, which may never end; give a file")]
+    /// A pipe, a device or the like in place of a file.
+    #[error("this is not a regular file but a pipe or a device, which may never end; give a file")]
     NoFile,
     /// Contents that take more memory than there is.
     #[error("{0}; reduce what the file holds")]
@@ -86,7 +86,7 @@ pub enum MeshProblem {
     Empty,
     /// A file whose beginning and name are those of no known format.
     #[error(
-        "the file is {kind}, and begins as no surface known here does; give an OBJ, STL or PLY file, or a plate table"
+        "the file is {kind}, which is not a known surface format; give an OBJ, STL or PLY file, or a plate table"
     )]
     NotAMesh {
         /// What the file is; nothing of it is quoted.
@@ -115,7 +115,7 @@ pub enum MeshProblem {
         row: Row,
     },
     /// A line that has no place here.
-    #[error("{found:?} cannot stand here; {row}")]
+    #[error("{found:?} is not allowed here; {row}")]
     Unexpected {
         /// The line.
         found: Excerpt,
@@ -129,7 +129,7 @@ pub enum MeshProblem {
         found: Excerpt,
     },
     /// A corner that is no vertex.
-    #[error("there is no vertex {found}; {vertices} vertices count from {first} here")]
+    #[error("there is no vertex {found}; {vertices} vertices are numbered from {first} here")]
     NoSuchVertex {
         /// The corner as the file names it.
         found: Excerpt,
@@ -172,7 +172,7 @@ pub enum MeshProblem {
     #[error("the file ends without endsolid; was it cut off?")]
     NoEnd,
     /// A row whose number is not the next one.
-    #[error("number {found} stands where {expected} should; rows count from 1 without a gap")]
+    #[error("number {found} appears where {expected} should; rows are numbered from 1 without a gap")]
     Numbering {
         /// The number of the row.
         found: Excerpt,
@@ -181,7 +181,7 @@ pub enum MeshProblem {
     },
     /// A line of a PLY header that cannot be understood.
     #[error(
-        "{found:?} cannot stand here in a PLY header; after ply come format (ascii, binary_little_endian or \
+        "{found:?} is not allowed here in a PLY header; after ply come format (ascii, binary_little_endian or \
          binary_big_endian) 1.0, element NAME COUNT, property TYPE NAME or property list TYPE TYPE NAME, end_header"
     )]
     Header {

@@ -20,7 +20,7 @@ use std::path::Path;
 
 use crate::text_file::{FileError, bytes_of};
 pub use error::{MeshError, MeshProblem, Part, Place};
-use file::LARGEST;
+use file::MAX_FILE;
 use format::Format;
 pub use row::Row;
 pub use volume::{VolumeProblem, mesh_of, read_mesh};
@@ -48,7 +48,7 @@ pub struct TriangleMesh {
 /// # Errors
 /// [`MeshError`] says what is wrong and where: by line in a text, by byte in a binary file.
 pub fn read_triangles(file: &Path) -> Result<TriangleMesh, MeshError> {
-    triangles_of(file, &bytes_of(file, LARGEST)?)
+    triangles_of(file, &bytes_of(file, MAX_FILE)?)
 }
 
 /// The triangles in the bytes of a file, whose name tells the format where the bytes do not.

@@ -75,7 +75,7 @@ impl fmt::Display for Row {
             Self::GmshBlock => "a block begins with dimension and number of its entity, what is in it, and how many",
             Self::GmshNode => "a node is written number x y z",
             Self::GmshCell => "a cell is written number nodes, with type and tags before the nodes in version 2.2",
-            Self::VtkKeyword => "here stands a keyword, perhaps with name, type and number of the values after it",
+            Self::VtkKeyword => "a keyword is expected here, perhaps with name, type and number of the values after it",
             Self::VtkValue => "an array has as many numbers as its line announces, of the type it announces",
             Self::InpNode => "a node is written number, x, y, z",
             Self::InpCell => "a cell is written number, nodes, with a comma at the end of a line that continues",

@@ -163,7 +163,7 @@ fn cavity(table: &Table<'_>, name: &str, folder: &Path) -> Option<Cavity> {
 fn viscosity(table: &Table<'_>, density: Option<f64>) -> Option<f64> {
     match (table.get("kinematic_viscosity"), table.get("dynamic_viscosity")) {
         (Some(_), Some(dynamic)) => {
-            let message = "`dynamic_viscosity` beside `kinematic_viscosity`: one gives the other";
+            let message = "`dynamic_viscosity` beside `kinematic_viscosity`: each follows from the other";
             dynamic.refuse(message, "one of the two", "leave one of them out")
         }
         (None, Some(dynamic)) => Some(dynamic.positive(Dimension::DYNAMIC_VISCOSITY)? / density?),
@@ -177,7 +177,7 @@ fn viscosity(table: &Table<'_>, density: Option<f64>) -> Option<f64> {
 fn attitude(table: &Table<'_>) -> Option<[f64; 4]> {
     match (table.get("attitude"), table.get("axis")) {
         (Some(_), Some(axis)) => {
-            let message = "`axis` beside `attitude`: the attitude says it already";
+            let message = "`axis` beside `attitude`: the attitude determines it";
             axis.refuse(message, "one of the two", "leave one of them out")
         }
         (Some(attitude), None) => unit_quaternion(&attitude, &mut Vec::new()),

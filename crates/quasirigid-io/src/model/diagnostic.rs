@@ -8,7 +8,7 @@ use super::named::former_name;
 use crate::visible::shortened;
 
 /// Most diagnostics kept for one file: a file with more has one mistake made many times.
-const MOST: usize = 100;
+const MAX_DIAGNOSTICS: usize = 100;
 
 /// Something wrong in a model file, and where.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -68,14 +68,14 @@ impl<'a> Problems<'a> {
 
     pub(crate) fn report(&self, diagnostic: Diagnostic) {
         let mut found = self.found.borrow_mut();
-        if found.len() <= MOST {
+        if found.len() <= MAX_DIAGNOSTICS {
             found.push(diagnostic);
         }
     }
 
     /// Whether the list is full, so that no more are kept.
     pub(crate) fn full(&self) -> bool {
-        self.found.borrow().len() > MOST
+        self.found.borrow().len() > MAX_DIAGNOSTICS
     }
 
     /// Notes that a former name stands at a span, with the name of today.
@@ -106,10 +106,10 @@ impl<'a> Problems<'a> {
     pub(crate) fn into_diagnostics(self) -> Vec<Diagnostic> {
         let mut found = self.found.into_inner();
         found.sort_by_key(|diagnostic| diagnostic.span.start);
-        let full = found.len() > MOST;
+        let full = found.len() > MAX_DIAGNOSTICS;
         found.dedup();
         if full {
-            found.truncate(MOST);
+            found.truncate(MAX_DIAGNOSTICS);
             if let Some(last) = found.last().map(|diagnostic| diagnostic.span.clone()) {
                 found.push(Diagnostic::new(last, "there are more problems like these", "and more"));
             }

@@ -35,7 +35,7 @@ pub enum FileProblem {
     /// There is no such file.
     #[error("there is no such file")]
     Missing,
-    /// A folder in the place of a file.
+    /// A folder in place of a file.
     #[error("this is a folder; give the model file inside it")]
     Folder,
     /// A file above the largest size that is read.

@@ -6,7 +6,7 @@ use std::f64::consts::TAU;
 use std::path::Path;
 
 use quasirigid_body::force::{Axes, Force, ForceLaw, MagneticField, Orbit, Wave};
-use quasirigid_elements::{ElementKind, Station};
+use quasirigid_elements::{ApplicationPoint, ElementKind};
 
 use super::formula::{PLACE, formulas};
 use super::key::{Form, KIND, Keys, Shape, TEXT, any, key, list, of, pick, quantity, shared, words};
@@ -19,7 +19,7 @@ use super::timing::{alone, tabled, twice, windows};
 use super::value::Value;
 use crate::units::Dimension;
 
-type Read = fn(&Table<'_>, &Names<'_>, &Path) -> Option<ForceLaw<Station>>;
+type Read = fn(&Table<'_>, &Names<'_>, &Path) -> Option<ForceLaw<ApplicationPoint>>;
 
 static KINDS: [Kind<Read>; 8] = [
     kind!(
@@ -169,28 +169,28 @@ pub(super) const READER: Reader = Reader {
     },
 };
 
-fn uniform_gravity(table: &Table<'_>, _: &Names<'_>, _: &Path) -> Option<ForceLaw<Station>> {
+fn uniform_gravity(table: &Table<'_>, _: &Names<'_>, _: &Path) -> Option<ForceLaw<ApplicationPoint>> {
     let acceleration =
         vector(table, "acceleration", Dimension::ACCELERATION, "acceleration = [0, 0, -9.81]")?;
     Some(ForceLaw::UniformGravity { acceleration })
 }
 
-fn central_gravity(table: &Table<'_>, _: &Names<'_>, _: &Path) -> Option<ForceLaw<Station>> {
+fn central_gravity(table: &Table<'_>, _: &Names<'_>, _: &Path) -> Option<ForceLaw<ApplicationPoint>> {
     Some(ForceLaw::CentralGravity { orbit: required_orbit(table)? })
 }
 
-fn drag(table: &Table<'_>, names: &Names<'_>, _: &Path) -> Option<ForceLaw<Station>> {
-    let at = station(table, names);
+fn drag(table: &Table<'_>, names: &Names<'_>, _: &Path) -> Option<ForceLaw<ApplicationPoint>> {
+    let at = application_point(table, names);
     let coefficient = coefficient(table, Dimension::DAMPING, "coefficient = \"0.2 N s/m\"");
     Some(ForceLaw::Drag { at: at?, coefficient: coefficient? })
 }
 
-fn spin_drag(table: &Table<'_>, _: &Names<'_>, _: &Path) -> Option<ForceLaw<Station>> {
+fn spin_drag(table: &Table<'_>, _: &Names<'_>, _: &Path) -> Option<ForceLaw<ApplicationPoint>> {
     let coefficient = coefficient(table, Dimension::ROTATIONAL_DAMPING, "coefficient = \"1e-4 N m s\"")?;
     Some(ForceLaw::SpinDrag { coefficient })
 }
 
-fn torque(table: &Table<'_>, _: &Names<'_>, folder: &Path) -> Option<ForceLaw<Station>> {
+fn torque(table: &Table<'_>, _: &Names<'_>, folder: &Path) -> Option<ForceLaw<ApplicationPoint>> {
     if let Some(given) = tabled(table, "torque", folder) {
         return given.and_then(|given| Some(ForceLaw::TorqueTable { table: given, axes: axes(table)? }));
     }
@@ -200,8 +200,8 @@ fn torque(table: &Table<'_>, _: &Names<'_>, folder: &Path) -> Option<ForceLaw<St
     Some(ForceLaw::Torque { torque: torque?, axes: axes?, wave: wave? })
 }
 
-fn thrust(table: &Table<'_>, names: &Names<'_>, folder: &Path) -> Option<ForceLaw<Station>> {
-    let at = station(table, names);
+fn thrust(table: &Table<'_>, names: &Names<'_>, folder: &Path) -> Option<ForceLaw<ApplicationPoint>> {
+    let at = application_point(table, names);
     if let Some(given) = tabled(table, "force", folder) {
         let axes = axes(table);
         return Some(ForceLaw::ForceTable { at: at?, table: given?, axes: axes? });
@@ -212,7 +212,7 @@ fn thrust(table: &Table<'_>, names: &Names<'_>, folder: &Path) -> Option<ForceLa
     Some(ForceLaw::Thrust { at: at?, force: force?, axes: axes?, wave: wave? })
 }
 
-fn magnetic_dipole(table: &Table<'_>, _: &Names<'_>, _: &Path) -> Option<ForceLaw<Station>> {
+fn magnetic_dipole(table: &Table<'_>, _: &Names<'_>, _: &Path) -> Option<ForceLaw<ApplicationPoint>> {
     let moment = vector(table, "moment", Dimension::MAGNETIC_MOMENT, "moment = [0, 0, \"0.2 A m^2\"]");
     let field = match (table.get("field"), table.get("dipole")) {
         (None, Some(dipole)) => {
@@ -240,7 +240,7 @@ fn uniform_field(table: &Table<'_>) -> Option<MagneticField> {
     Some(MagneticField::Uniform(field?))
 }
 
-fn expression(table: &Table<'_>, names: &Names<'_>, folder: &Path) -> Option<ForceLaw<Station>> {
+fn expression(table: &Table<'_>, names: &Names<'_>, folder: &Path) -> Option<ForceLaw<ApplicationPoint>> {
     if table.get("timetable").is_some() {
         return timetable_or_formula(table, names, folder);
     }
@@ -255,28 +255,32 @@ fn expression(table: &Table<'_>, names: &Names<'_>, folder: &Path) -> Option<For
         let help = "turn the force with qw qx qy qz, or give a torque";
         return axes.refuse(message, "not for a force", help);
     }
-    let at = station(table, names);
+    let at = application_point(table, names);
     let force = table.read("force", "force = [\"-0.1*vx\", \"0\", \"sin(2*t)\"]", |value| {
         formulas(&value, &PLACE, Dimension::FORCE)
     });
     Some(ForceLaw::Expression { at: at?, force: force? })
 }
 
-/// A table in the place of formulas: of a force where the entry has a place, of a torque on the carrier elsewhere.
-fn timetable_or_formula(table: &Table<'_>, names: &Names<'_>, folder: &Path) -> Option<ForceLaw<Station>> {
+/// A table in place of formulas: of a force where the entry has a place, of a torque on the carrier elsewhere.
+fn timetable_or_formula(
+    table: &Table<'_>,
+    names: &Names<'_>,
+    folder: &Path,
+) -> Option<ForceLaw<ApplicationPoint>> {
     let given = tabled(table, "torque", folder)?;
     if let Some(force) = table.get("force") {
         return twice(&force);
     }
     if table.get("on").is_some() {
-        let (at, axes) = (station(table, names), axes_or(table, Axes::Inertial));
+        let (at, axes) = (application_point(table, names), axes_or(table, Axes::Inertial));
         return Some(ForceLaw::ForceTable { at: at?, table: given?, axes: axes? });
     }
     let axes = axes(table);
     Some(ForceLaw::TorqueTable { table: given?, axes: axes? })
 }
 
-fn torque_expression(table: &Table<'_>, torque: &Value<'_>) -> Option<ForceLaw<Station>> {
+fn torque_expression(table: &Table<'_>, torque: &Value<'_>) -> Option<ForceLaw<ApplicationPoint>> {
     for key in ["force", "on", "at"] {
         if let Some(value) = table.get(key) {
             let message = format!("`{key}` goes with a `force`, and this is a `torque` on the carrier");
@@ -288,11 +292,11 @@ fn torque_expression(table: &Table<'_>, torque: &Value<'_>) -> Option<ForceLaw<S
     Some(ForceLaw::TorqueExpression { torque: formulas(torque, &PLACE, Dimension::TORQUE)?, axes: axes? })
 }
 
-/// Station of a force: a point, or a place of the carrier. The library checks which of them needs a place.
-fn station(table: &Table<'_>, names: &Names<'_>) -> Option<Station> {
+/// Point of application of a force: a point, or a place of the carrier. The library checks which of them needs a place.
+fn application_point(table: &Table<'_>, names: &Names<'_>) -> Option<ApplicationPoint> {
     let on = table.read("on", "on = \"carrier\"", |value| names.end(&value, Fixed::Force));
     let at = table.read_or("at", None, |value| value.vector(Dimension::LENGTH).map(Some));
-    Some(Station { on: on?, at: at? })
+    Some(ApplicationPoint { on: on?, at: at? })
 }
 
 fn axes(table: &Table<'_>) -> Option<Axes> {

@@ -229,7 +229,7 @@ fn amounts(value: &Value<'_>, body: &Body<'_>, along: Dimension, about: Dimensio
             ),
             Some(Part::Inside) => value.refuse_at(
                 key,
-                format!("{:?} turns inside the carrier; only its speed counts", value.key()),
+                format!("{:?} turns inside the carrier; only its speed matters", value.key()),
                 "turns inside",
                 "write `speed` in its [[rotor]]",
             ),

@@ -10,7 +10,7 @@ use quasirigid_elements::{ElasticMaterial, Material, Orthotropic};
 
 use super::key::{Form, Keys, Shape, any, key, quantity};
 use super::names::suggestion;
-use super::rheology::{Extremes, Known, RHEOLOGY, Scale, rheology};
+use super::rheology::{Extremes, RHEOLOGY, RheologyRange, Scale, rheology};
 use super::spans::ElementSpans;
 use super::table::Table;
 use super::value::Value;
@@ -142,7 +142,7 @@ fn material(table: &Table<'_>) -> Option<Made> {
         }
     };
     let (density, young, poisson) = (density?, young?, poisson?);
-    let Known { rheology, extremes } = known?;
+    let RheologyRange { rheology, extremes } = known?;
     Some((ElasticMaterial::Isotropic(Material { density, young, poisson, rheology }), extremes))
 }
 
@@ -154,7 +154,7 @@ fn of_product(
     table: &Table<'_>,
     product: &Value<'_>,
     poisson: Option<f64>,
-) -> Option<(Option<f64>, Option<Known>)> {
+) -> Option<(Option<f64>, Option<RheologyRange>)> {
     if let Some(modulus) = table.get("young").or_else(|| table.get("shear")) {
         return modulus.refuse(
             format!("`{}` follows from `mu_Q` and `Q`", modulus.key()),
@@ -163,14 +163,14 @@ fn of_product(
         );
     }
     let known = match table.get("rheology") {
-        None => Known { rheology: Rheology::QualityFactor { factor: QUALITY }, extremes: None },
+        None => RheologyRange { rheology: Rheology::QualityFactor { factor: QUALITY }, extremes: None },
         Some(_) => relative_to(table, None)?,
     };
     let Rheology::QualityFactor { factor } = known.rheology else {
         return product.refuse(
             "`mu_Q` is the product of the rigidity and the quality factor, and this rheology has none",
             "no Q",
-            "write rheology = { kind = \"quality-factor\", Q = 100 }, or `shear` in the place of `mu_Q`",
+            "write rheology = { kind = \"quality-factor\", Q = 100 }, or `shear` in place of `mu_Q`",
         );
     };
     let shear = product.positive(Dimension::PRESSURE)? / factor;
@@ -198,12 +198,12 @@ fn orthotropic(table: &Table<'_>, density: Option<f64>) -> Option<Made> {
     });
     let known = relative_to(table, young.map(|young| young[0]));
     let (density, young, poisson, shear) = (density?, young?, poisson?, shear?);
-    let Known { rheology, extremes } = known?;
+    let RheologyRange { rheology, extremes } = known?;
     Some((ElasticMaterial::Orthotropic(Orthotropic { density, young, poisson, shear, rheology }), extremes))
 }
 
 /// Reads the rheology of a material with this modulus.
-fn relative_to(table: &Table<'_>, modulus: Option<f64>) -> Option<Known> {
+fn relative_to(table: &Table<'_>, modulus: Option<f64>) -> Option<RheologyRange> {
     // any number does for a missing modulus: the material is refused for it anyway
     rheology(table, Scale { dimension: Dimension::PRESSURE, modulus: modulus.unwrap_or(1.0) })
 }

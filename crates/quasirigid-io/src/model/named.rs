@@ -3,8 +3,8 @@
 use quasirigid_body::{Form, Method};
 
 use super::evolve::{EvolveMethod, Power};
-use super::manifold::ManifoldStyle;
 use super::settings::System;
+use super::spin_manifold::ManifoldStyle;
 
 /// A setting that is one of a few.
 ///

@@ -14,7 +14,7 @@ use super::reader::{Naming, Opened};
 use super::value::Value;
 use crate::nearest::nearest;
 
-/// Name of the carrier in the ends of springs and the stations of forces.
+/// Name of the carrier in the ends of springs and the points of application of forces.
 const CARRIER: &str = "carrier";
 /// Most names listed in a message.
 const MOST_LISTED: usize = 10;
@@ -115,7 +115,7 @@ impl<'a> Names<'a> {
         self.of.get(&kind).map_or(&[], Vec::as_slice)
     }
 
-    /// End of a spring, or station of a force.
+    /// End of a spring, or point of application of a force.
     pub(super) fn end(&self, value: &Value<'_>, what: Fixed) -> Option<End> {
         if value.is_table() {
             if let Some(place) = self.place(value) {

@@ -13,7 +13,7 @@ use crate::units::Dimension;
 
 /// A rheology as a file gives it.
 #[derive(Clone, Default)]
-pub(super) struct Known {
+pub(super) struct RheologyRange {
     pub(super) rheology: Rheology,
     pub(super) extremes: Extremes,
 }
@@ -33,7 +33,7 @@ impl Scale {
     pub(super) const OF_SPRING: Self = Self { dimension: Dimension::NUMBER, modulus: 1.0 };
 }
 
-type Read = fn(&Table<'_>, Scale) -> Option<Known>;
+type Read = fn(&Table<'_>, Scale) -> Option<RheologyRange>;
 
 /// Law of dissipation of an element or a material.
 pub(super) const RHEOLOGY: Key = key("rheology", shared("rheology").or("elastic"), "dissipation");
@@ -96,8 +96,8 @@ pub(super) fn documented() -> Vec<Variant> {
 const ANDRADE: f64 = 1.0 / 3.0;
 
 /// Reads the `rheology` of an element, elastic if there is none.
-pub(super) fn rheology(table: &Table<'_>, scale: Scale) -> Option<Known> {
-    let Some(value) = table.get("rheology") else { return Some(Known::default()) };
+pub(super) fn rheology(table: &Table<'_>, scale: Scale) -> Option<RheologyRange> {
+    let Some(value) = table.get("rheology") else { return Some(RheologyRange::default()) };
     if !value.is_table() {
         return value.mismatch("a table", "write for example { kind = \"quality-factor\", Q = 100 }");
     }
@@ -105,26 +105,26 @@ pub(super) fn rheology(table: &Table<'_>, scale: Scale) -> Option<Known> {
     (kind.read)(&table, scale)
 }
 
-fn kelvin_voigt(table: &Table<'_>, _: Scale) -> Option<Known> {
+fn kelvin_voigt(table: &Table<'_>, _: Scale) -> Option<RheologyRange> {
     Some(time(table)?.of(|time| Rheology::KelvinVoigt { time }))
 }
 
-fn quality_factor(table: &Table<'_>, _: Scale) -> Option<Known> {
+fn quality_factor(table: &Table<'_>, _: Scale) -> Option<RheologyRange> {
     let factor = Parameter::read(table, "Q", "Q = 100", Dimension::NUMBER, |value| value.quality())?;
     Some(factor.of(|factor| Rheology::QualityFactor { factor }))
 }
 
-fn maxwell(table: &Table<'_>, _: Scale) -> Option<Known> {
+fn maxwell(table: &Table<'_>, _: Scale) -> Option<RheologyRange> {
     Some(time(table)?.of(|time| Rheology::Maxwell { time }))
 }
 
-fn standard_linear(table: &Table<'_>, _: Scale) -> Option<Known> {
+fn standard_linear(table: &Table<'_>, _: Scale) -> Option<RheologyRange> {
     let time = time(table);
     let strength = table.required("strength", "strength = 0.1")?.positive(Dimension::NUMBER)?;
     Some(time?.of(|time| Rheology::StandardLinear { time, strength }))
 }
 
-fn andrade(table: &Table<'_>, _: Scale) -> Option<Known> {
+fn andrade(table: &Table<'_>, _: Scale) -> Option<RheologyRange> {
     let time = time(table);
     let creep_time = optional(table.get("creep_time"), |value| value.positive(Dimension::TIME));
     let exponent = table.read_or("exponent", ANDRADE, |value| {
@@ -135,11 +135,11 @@ fn andrade(table: &Table<'_>, _: Scale) -> Option<Known> {
     Some(time?.of(law))
 }
 
-fn measured(table: &Table<'_>, scale: Scale) -> Option<Known> {
+fn measured(table: &Table<'_>, scale: Scale) -> Option<RheologyRange> {
     let value = table.required("rows", "rows = [[\"1 Hz\", \"70 GPa\", 0.01]]")?;
     let rows = value.list("rows of frequency, modulus and loss", |row| measurement(&row, scale))?;
     match Measured::new(rows.clone()) {
-        Ok(measured) => Some(Known { rheology: Rheology::Table(measured), extremes: None }),
+        Ok(measured) => Some(RheologyRange { rheology: Rheology::Table(measured), extremes: None }),
         Err(error) => {
             let span = descent(&rows, error).and_then(|row| Some(value.items()?.get(row)?.span()));
             let help = "write a row for each frequency, the lowest first";
@@ -192,8 +192,8 @@ impl Parameter {
         Some(Self { value: value?, range: range? })
     }
 
-    fn of(&self, law: impl Fn(f64) -> Rheology) -> Known {
-        Known { rheology: law(self.value), extremes: self.range.map(|ends| ends.map(law)) }
+    fn of(&self, law: impl Fn(f64) -> Rheology) -> RheologyRange {
+        RheologyRange { rheology: law(self.value), extremes: self.range.map(|ends| ends.map(law)) }
     }
 }
 

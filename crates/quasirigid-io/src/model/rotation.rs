@@ -69,7 +69,7 @@ pub(super) fn rotation(table: &Table<'_>) -> Option<Option<Rotation>> {
     given.sort_by_key(|(value, _)| value.span().start);
     let mut rotations: Vec<_> = given.iter().map(|(value, read)| read(value)).collect();
     if let [(first, _), .., (last, _)] = given.as_slice() {
-        let message = format!("`{}` and `{}` both say how the body turns", first.key(), last.key());
+        let message = format!("`{}` and `{}` both give the rotation", first.key(), last.key());
         let help = "leave out all but one";
         return last.refuse(message, "given twice", help);
     }

@@ -7,8 +7,8 @@ use quasirigid_body::{Form, MAX_ORDER, Method};
 
 use super::evolve::{EVOLVE, PartialEvolve, evolve};
 use super::key::{BOOLEAN, Keys, NUMBER, Shape, TEXT, integer, key, list, quantity, table, words};
-use super::manifold::{PartialSpinManifold, SPIN_MANIFOLD, spin_manifold};
 use super::partial::partial;
+use super::spin_manifold::{PartialSpinManifold, SPIN_MANIFOLD, spin_manifold};
 use super::table::Table;
 use super::value::Value;
 use crate::units::Dimension;

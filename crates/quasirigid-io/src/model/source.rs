@@ -8,7 +8,7 @@ use super::{Diagnostic, FileProblem, ModelError};
 use crate::text_file::{Unread, all_of, stream_of};
 
 /// Largest model file that is read (bytes): ten times the size of one with 10⁵ points.
-const LARGEST: u64 = 64 * 1024 * 1024;
+const MAX_FILE: u64 = 64 * 1024 * 1024;
 
 /// Source: the text of a model, with its file and its checksum.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -31,12 +31,12 @@ impl Source {
 
     /// Reads a file, up to the size that a model file may have.
     pub(crate) fn read(file: &Path) -> Result<Self, ModelError> {
-        Self::of(file, stream_of(file, LARGEST))
+        Self::of(file, stream_of(file, MAX_FILE))
     }
 
     /// Reads a stream, up to the size that a model file may have.
     pub(super) fn read_from(file: &Path, input: impl Read) -> Result<Self, ModelError> {
-        Self::of(file, all_of(input, LARGEST))
+        Self::of(file, all_of(input, MAX_FILE))
     }
 
     /// Names in the values of the text, of this model or of a study of it, under which a file stands in a folder: meshes and matrices.
@@ -55,7 +55,7 @@ impl Source {
             Unread::Unreadable(ErrorKind::NotFound) => FileProblem::Missing,
             Unread::Unreadable(kind) => FileProblem::Refused { kind },
             Unread::Folder | Unread::NoFile => FileProblem::Folder,
-            Unread::TooLarge => FileProblem::TooLarge { limit: LARGEST },
+            Unread::TooLarge => FileProblem::TooLarge { limit: MAX_FILE },
         };
         let bytes = bytes
             .map_err(|unread| ModelError::Unreadable { file: file.to_owned(), problem: problem(unread) })?;
@@ -67,7 +67,7 @@ impl Source {
     fn not_text(file: &Path, error: &std::string::FromUtf8Error) -> ModelError {
         let start = error.utf8_error().valid_up_to();
         let byte = error.as_bytes().get(start).copied().unwrap_or_default();
-        let message = format!("the file is not UTF-8 text: the byte 0x{byte:02X} cannot stand here");
+        let message = format!("the file is not UTF-8 text: the byte 0x{byte:02X} is not allowed here");
         let help = "a model file is a TOML text; save it with the encoding UTF-8";
         let text = String::from_utf8_lossy(error.as_bytes()).into_owned();
         let end = start + char::REPLACEMENT_CHARACTER.len_utf8();

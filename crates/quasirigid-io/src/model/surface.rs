@@ -50,10 +50,10 @@ const SURFACE: Keys = Keys {
         key("file", TEXT, "OBJ, STL, PLY, or a plate table of the Planetary Data System"),
         UNIT,
         key("material", TEXT, ""),
-        key("degree", integer(1, Surface::MOST as u64).or("as needed"), "of polynomials, (G9)"),
+        key("degree", integer(1, Surface::MAX_DEGREE as u64).or("as needed"), "of polynomials, (G9)"),
         key(
             "cells",
-            integer(1, Surface::MOST_CELLS as u64).or("6000 or 16000"),
+            integer(1, Surface::MAX_CELLS as u64).or("6000 or 16000"),
             "finite elements, (G11), the default in bodies with necks",
         ),
     ],
@@ -67,8 +67,8 @@ pub(super) fn surface(
     folder: &Path,
 ) -> Option<(Surface, Extremes)> {
     let unit = table.read_or("unit", 1.0, |value| unit(&value));
-    let degree = optional(table.get("degree"), |value| value.integer(1..=Surface::MOST));
-    let cells = optional(table.get("cells"), |value| value.integer(1..=Surface::MOST_CELLS));
+    let degree = optional(table.get("degree"), |value| value.integer(1..=Surface::MAX_DEGREE));
+    let cells = optional(table.get("cells"), |value| value.integer(1..=Surface::MAX_CELLS));
     let file = table.required("file", "file = \"shape.obj\"");
     let surface = file.and_then(|value| closed(&value, folder, unit?));
     let (material, extremes) = materials.of(table)?;

@@ -20,7 +20,7 @@ pub(super) fn windows(table: &Table<'_>) -> Option<Option<Windows>> {
         Ok(windows) => Some(Some(windows)),
         Err(problem) => {
             let at = problem.index().and_then(|index| items.get(index - 1)).map_or(value.span(), Value::span);
-            let help = format!("windows have a begin and a later end, in order and apart: {example}");
+            let help = format!("windows have a start and a later end, in order and apart: {example}");
             value.refuse_at(at, format!("`during`: {problem}"), "in this window", help)
         }
     }

@@ -9,8 +9,8 @@ use toml::de::{DeInteger, DeValue};
 
 use super::Diagnostic;
 use super::diagnostic::Problems;
-use super::given::Given;
 use super::key::Keys;
+use super::key_value::KeyValue;
 use super::literal;
 use super::named::Named;
 use super::spans::ElementSpans;
@@ -120,20 +120,20 @@ impl<'a> Value<'a> {
     }
 
     /// The value as a program would give it; dates are refused.
-    pub(crate) fn given(&self) -> Option<Given> {
+    pub(crate) fn given(&self) -> Option<KeyValue> {
         match self.inner.get_ref() {
-            DeValue::String(text) => Some(Given::Text(text.to_string())),
-            DeValue::Boolean(boolean) => Some(Given::Bool(*boolean)),
+            DeValue::String(text) => Some(KeyValue::Text(text.to_string())),
+            DeValue::Boolean(boolean) => Some(KeyValue::Bool(*boolean)),
             DeValue::Integer(integer) => match i64::from_str_radix(integer.as_str(), integer.radix()) {
-                Ok(integer) => Some(Given::Integer(integer)),
+                Ok(integer) => Some(KeyValue::Integer(integer)),
                 Err(_) => self.refuse("an integer beyond 64 bits", "too large", ""),
             },
-            DeValue::Float(_) => self.quantity(Dimension::NUMBER).map(Given::Number),
-            DeValue::Array(_) => self.list("a list of values", |item| item.given()).map(Given::List),
+            DeValue::Float(_) => self.quantity(Dimension::NUMBER).map(KeyValue::Number),
+            DeValue::Array(_) => self.list("a list of values", |item| item.given()).map(KeyValue::List),
             DeValue::Table(_) => {
                 let entries =
                     self.entries()?.map(|(_, value)| Some((value.key().to_owned(), value.given()?)));
-                all(entries.collect()).map(Given::Table)
+                all(entries.collect()).map(KeyValue::Table)
             }
             DeValue::Datetime(_) => {
                 self.mismatch("a number, a text, true or false, a list or a table", "write one of these")

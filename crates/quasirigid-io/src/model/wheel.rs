@@ -53,7 +53,7 @@ pub(super) fn wheel(table: &Table<'_>, name: &str) -> Option<Wheel> {
 fn given_momentum(table: &Table<'_>, momentum: &Value<'_>) -> Option<WheelSpeed> {
     for key in ["inertia", "speed"] {
         if let Some(other) = table.get(key) {
-            let message = format!("`{key}` beside `momentum`: the momentum says it already");
+            let message = format!("`{key}` beside `momentum`: the momentum determines it");
             let help = "give either `momentum`, or `inertia` and `speed`";
             return other.refuse(message, "one of the two", help);
         }

@@ -15,7 +15,7 @@ use crate::visible::{Excerpt, shortened};
 #[non_exhaustive]
 pub enum RecordError {
     /// The folder to write into does not exist, or is a file.
-    #[error("{}: no such folder; make it first", folder.display())]
+    #[error("{}: no such folder; create it first", folder.display())]
     NoFolder {
         /// The folder.
         folder: PathBuf,
@@ -53,15 +53,15 @@ pub enum RecordError {
         expected: usize,
     },
     /// A file that cannot be opened, read or written.
-    #[error("{}: {kind}; is this the folder of a run, may it be read and written, is the disk full?", file.display())]
+    #[error("{}: {kind}; is this the folder of a run, is it readable and writable, is the disk full?", file.display())]
     File {
         /// The file.
         file: PathBuf,
         /// Error kind that the operating system reports.
         kind: ErrorKind,
     },
-    /// A folder, a pipe or a device in the place of a file, perhaps behind a link.
-    #[error("{}: this is no file on a disk but a folder, a pipe or a device, which no run writes", file.display())]
+    /// A folder, a pipe or a device in place of a file, perhaps behind a link.
+    #[error("{}: this is not a regular file but a folder, a pipe or a device, which no run writes", file.display())]
     NoFile {
         /// The path.
         file: PathBuf,
@@ -157,7 +157,7 @@ pub enum RecordError {
     },
     /// A history of which only the extremes are at hand.
     #[error(
-        "history {system:?}: of its rows this record has only the extremes, as it was read; copy the folder in the place of writing it again"
+        "history {system:?}: of its rows this record has only the extremes, as it was read; copy the folder in place of writing it again"
     )]
     Thinned {
         /// Name of the history.

@@ -20,9 +20,9 @@ const EVOLUTION: &str = "evolution";
 /// File of the backbone of the reduced equations about the spin, without the ending.
 const BACKBONE: &str = "backbone";
 /// Most rows of a table whose rows the record does not count; `evolve` writes up to a million.
-const MOST_UNCOUNTED: u64 = 2_000_000;
+const MAX_UNCOUNTED_ROWS: u64 = 2_000_000;
 /// Ending of the log of rows of a run in work.
-pub const ROWS: &str = "rows";
+pub const ROW_LOG: &str = "rows";
 /// Status of a history in work.
 pub const UNFINISHED: &str = "unfinished";
 /// File of everything but rows.
@@ -107,8 +107,8 @@ impl RunRecord {
             let (file, format) = found(dir, stem)?;
             let mut rows = Extremes::new(columns, 0);
             format.read(&file, columns, &mut |row| {
-                if rows.rows() == MOST_UNCOUNTED {
-                    return Err(RecordError::TooLong { file: file.clone(), most: MOST_UNCOUNTED });
+                if rows.rows() == MAX_UNCOUNTED_ROWS {
+                    return Err(RecordError::TooLong { file: file.clone(), most: MAX_UNCOUNTED_ROWS });
                 }
                 rows.push(row);
                 Ok(())
@@ -176,7 +176,7 @@ impl<'a> Table<'a> {
 
 /// The rows of a history, from its table, or from the log of a run in work.
 fn read_history(dir: &Path, history: &mut HistoryRecord) -> Result<(), RecordError> {
-    let log = dir.join(history_file(&history.system, ROWS));
+    let log = dir.join(history_file(&history.system, ROW_LOG));
     if log.exists() {
         let table = RowTable::open(&log, history.columns.len())?;
         let mut rows = Extremes::new(&history.columns, table.rows());
@@ -217,8 +217,8 @@ impl<'a> Count<'a> {
     fn take(&mut self) -> Result<(), RecordError> {
         self.found += 1;
         match self.expected {
-            0 if self.found > MOST_UNCOUNTED => {
-                Err(RecordError::TooLong { file: self.file.into(), most: MOST_UNCOUNTED })
+            0 if self.found > MAX_UNCOUNTED_ROWS => {
+                Err(RecordError::TooLong { file: self.file.into(), most: MAX_UNCOUNTED_ROWS })
             }
             0 => Ok(()),
             expected if self.found > expected => Err(self.wrong()),

@@ -27,11 +27,11 @@ pub use evolution::{
     ApproachRecord, CrossingRecord, EstimateRecord, EvolutionRecord, HarmonicRecord, HomogeneousRecord,
     ObservedRecord,
 };
-pub use folder::{ROWS, UNFINISHED, history_file};
+pub use folder::{ROW_LOG, UNFINISHED, history_file};
 pub use modes::{CampbellRecord, ModeList, ModeRecord, SteadySpinRecord};
 pub use scene::{
     CoordinateRecord, EquationsRecord, FieldRecord, LimitRecord, Packed, PieceRecord, PrincipalRecord,
-    SCENE_VERSION, SceneRecord, ShapeRecord, StartRecord, TermRecord, TrackRecord, TurningRecord,
+    RotorAxisRecord, SCENE_VERSION, SceneRecord, ShapeRecord, StartRecord, TermRecord, TrackRecord,
     VectorsRecord,
 };
 pub use sweep::{

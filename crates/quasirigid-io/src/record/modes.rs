@@ -33,7 +33,7 @@ pub struct SteadySpinRecord {
 }
 
 /// Overdamped modes up to which each is listed.
-const FEW: usize = 2;
+const LISTED_OVERDAMPED: usize = 2;
 
 /// Modes of a spin for people: those listed, and many overdamped ones folded.
 #[derive(Clone, Debug)]
@@ -49,7 +49,7 @@ impl SteadySpinRecord {
     #[must_use]
     pub fn mode_list(&self) -> ModeList<'_> {
         let (overdamped, mut listed): (Vec<_>, Vec<_>) = self.modes.iter().partition(|mode| mode.overdamped);
-        if overdamped.len() > FEW {
+        if overdamped.len() > LISTED_OVERDAMPED {
             return ModeList { listed, folded: overdamped };
         }
         listed.extend(overdamped);

@@ -11,7 +11,7 @@ use serde::{Deserialize, Serialize, Serializer};
 
 /// A number, or numbers, that a field of a record holds.
 pub trait Numbers: Sized {
-    /// Type with [`Written`] in the place of `f64`.
+    /// Type with [`Written`] in place of `f64`.
     type Wire: Serialize + DeserializeOwned;
     /// Converts to the written type.
     fn to_wire(&self) -> Self::Wire;

@@ -63,7 +63,7 @@ pub struct PieceRecord {
     /// Displacements, coordinate by coordinate.
     pub fields: Vec<FieldRecord>,
     /// Axis of a rotor.
-    pub turning: Option<TurningRecord>,
+    pub turning: Option<RotorAxisRecord>,
 }
 
 /// Displacement of vertices by a coordinate.
@@ -77,7 +77,7 @@ pub struct FieldRecord {
 
 /// Axis about which a piece turns.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
-pub struct TurningRecord {
+pub struct RotorAxisRecord {
     /// Unit vector.
     pub axis: [f64; 3],
     /// Point of the axis (m).

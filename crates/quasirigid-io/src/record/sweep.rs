@@ -112,7 +112,7 @@ pub struct CorrelationRecord {
 pub struct ReasonRecord {
     /// Status of the rows.
     pub status: String,
-    /// Reason, with `#` in the place of numbers.
+    /// Reason, with `#` in place of numbers.
     pub reason: String,
     /// Number of rows.
     pub count: u64,

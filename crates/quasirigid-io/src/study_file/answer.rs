@@ -115,7 +115,7 @@ fn quantity(value: Value<'_>) -> Option<Quantity> {
             nearest(first, words.clone()).map(|word| format!("did you mean `{word}`? ")).unwrap_or_default();
         let list = words.collect::<Vec<_>>().join(", ");
         return value.refuse(
-            format!("a quantity begins with a command, and `{first}` is none"),
+            format!("a quantity begins with a command, and `{first}` is not one"),
             "no command",
             format!("{meant}the commands are {list}"),
         );

@@ -153,14 +153,14 @@ fn truncated(table: &Table<'_>, given: &[Value<'_>]) -> Option<(Vec<f64>, [f64; 
 }
 
 /// Standard deviations from the middle beyond which no draw is to be expected from a truncated distribution.
-const FAR: f64 = 30.0;
+const FAR_DEVIATIONS: f64 = 30.0;
 
 /// Refuses a range that is empty, or so far from the middle that a normal distribution has nothing there.
 fn possible(value: &Value<'_>, [least, greatest]: [f64; 2], [middle, deviation]: [f64; 2]) -> Option<()> {
     if !(least < greatest) {
         return impossible(value, "`min` must be below `max`", "write the least and the greatest value");
     }
-    if least > middle + FAR * deviation || greatest < middle - FAR * deviation {
+    if least > middle + FAR_DEVIATIONS * deviation || greatest < middle - FAR_DEVIATIONS * deviation {
         return impossible(
             value,
             "the range from `min` to `max` lies more than 30 standard deviations from the middle",

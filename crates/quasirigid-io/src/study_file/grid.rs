@@ -2,14 +2,14 @@
 //! The ends of a grid are met to the bit, whatever the rounding between them.
 
 use super::measure::{Measures, measures};
-use crate::model::Given;
+use crate::model::KeyValue;
 use crate::model::key::{Form, Key, Keys, Shape, array, integer, key, of};
 use crate::model::table::Table;
 use crate::model::value::Value;
 
 /// First and last number, with units or without.
 pub(super) const ENDS: Form = array(2, &Shape::Number).in_unit("any unit");
-const COUNT_OF_GRID: Key = key("count", integer(2, MOST as u64), "numbers of the grid");
+const COUNT_OF_GRID: Key = key("count", integer(2, MAX_POINTS as u64), "numbers of the grid");
 
 pub(super) const LINEAR: Keys =
     Keys { known: &[key("linear", ENDS, "ends of a grid, evenly spaced"), COUNT_OF_GRID] };
@@ -18,7 +18,7 @@ pub(super) const GEOMETRIC: Keys =
 pub(super) const LIST: Keys = Keys { known: &[key("list", of(Shape::List(&Shape::Value)), "any values")] };
 
 /// Most points of one grid.
-const MOST: usize = 10_000_000;
+const MAX_POINTS: usize = 10_000_000;
 
 /// Values that a key takes one after the other.
 #[derive(Clone, Debug, PartialEq)]
@@ -35,7 +35,7 @@ pub enum Grid {
         geometric: bool,
     },
     /// Values as written.
-    List(Vec<Given>),
+    List(Vec<KeyValue>),
 }
 
 impl Grid {
@@ -65,12 +65,12 @@ impl Grid {
 
     /// The point with an index below the number of points: a number in the unit of the grid, or a value as written.
     #[must_use]
-    pub fn point(&self, index: usize) -> Given {
+    pub fn point(&self, index: usize) -> KeyValue {
         match self {
             Self::List(values) => values[index].clone(),
             Self::Numbers { ends: [first, last], count, geometric, .. } => {
                 let share = index as f64 / (count - 1) as f64;
-                Given::Number(match index {
+                KeyValue::Number(match index {
                     0 => *first,
                     index if index == count - 1 => *last,
                     _ if *geometric => first * (last / first).powf(share),
@@ -84,7 +84,7 @@ impl Grid {
 /// Reads `{ linear = [first, last], count = n }` or the same with `geometric`.
 pub(super) fn numbers(table: &Table<'_>, key: &'static str) -> Option<Grid> {
     let value = table.get(key)?;
-    let count = table.read("count", "count = 11", |value| value.integer(2..=MOST));
+    let count = table.read("count", "count = 11", |value| value.integer(2..=MAX_POINTS));
     let [first, last] = value.array("numbers", Some)?;
     let Measures { numbers, unit } = measures(&[first, last])?;
     let ends = [numbers[0], numbers[1]];

@@ -15,8 +15,8 @@ pub enum TableError {
         /// Error kind that the operating system reports.
         kind: ErrorKind,
     },
-    /// A folder, a pipe or a device in the place of a file.
-    #[error("{}: this is no file on a disk but a folder, a pipe or a device", file.display())]
+    /// A folder, a pipe or a device in place of a file.
+    #[error("{}: this is not a regular file but a folder, a pipe or a device", file.display())]
     NoFile {
         /// The path.
         file: PathBuf,

@@ -140,5 +140,5 @@ fn example(dimension: Dimension) -> String {
 }
 
 fn obstacle(found: Option<char>) -> String {
-    found.map_or_else(|| "it ends too early".to_owned(), |found| format!("{found:?} cannot stand there"))
+    found.map_or_else(|| "it ends too early".to_owned(), |found| format!("{found:?} is not allowed there"))
 }

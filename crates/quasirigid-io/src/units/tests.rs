@@ -150,7 +150,7 @@ fn what_is_not_a_unit_is_refused() {
     insta::assert_snapshot!(refusal("3 N/m s", Dimension::DAMPING), @r#"in the unit "N/m s" it is not clear what is divided by what; write the quotient last or use parentheses: "N s/m" or "N/(m s)""#);
     insta::assert_snapshot!(refusal("3 N/", Dimension::STIFFNESS), @r#"the unit "N/" cannot be read: it ends too early; write for example "N m/rad", "kg*m^2" or "N/(m s)""#);
     insta::assert_snapshot!(refusal("3 N/(m s", Dimension::STIFFNESS), @r#"the unit "N/(m s" cannot be read: it ends too early; write for example "N m/rad", "kg*m^2" or "N/(m s)""#);
-    insta::assert_snapshot!(refusal("3 000 kg", Dimension::MASS), @r#"the unit "000 kg" cannot be read: '0' cannot stand there; write for example "N m/rad", "kg*m^2" or "N/(m s)""#);
+    insta::assert_snapshot!(refusal("3 000 kg", Dimension::MASS), @r#"the unit "000 kg" cannot be read: '0' is not allowed there; write for example "N m/rad", "kg*m^2" or "N/(m s)""#);
     insta::assert_snapshot!(refusal("3 kg m^", Dimension::INERTIA), @r#"the unit "kg m^" cannot be read: it ends too early; write for example "N m/rad", "kg*m^2" or "N/(m s)""#);
     insta::assert_snapshot!(refusal("3 kg m^2.5", Dimension::INERTIA), @r#"the power 2.5 in a unit is not an integer from -9 to 9; write for example "N m/rad", "kg*m^2" or "N/(m s)""#);
 }

@@ -187,14 +187,14 @@ fn files_that_are_no_surface_are_refused() {
         let error = read_triangles(&folder.path().join(name)).unwrap_err().to_string();
         error.replace(&folder.path().display().to_string(), "[folder]")
     };
-    assert_snapshot!(without_folder("none.obj"), @"[folder]/none.obj: entity not found; is the name right, and may the file be read?");
+    assert_snapshot!(without_folder("none.obj"), @"[folder]/none.obj: entity not found; is the name right, and is the file readable?");
     assert_snapshot!(without_folder(""), @"[folder]/: this is a folder; give the file of the mesh inside it");
     assert_snapshot!(says("a.obj", ""), @"a.obj: the file is empty; was its download cut off?");
     assert_snapshot!(says("a.ply", "\n \n"), @"a.ply: the file is empty; was its download cut off?");
-    assert_snapshot!(says("a.html", "<!doctype html><html lang=en>"), @"a.html: the file is a web page, and begins as no surface known here does; give an OBJ, STL or PLY file, or a plate table");
-    assert_snapshot!(says("a.stl", "dear reader, this is no surface"), @"a.stl: the file is text, and begins as no surface known here does; give an OBJ, STL or PLY file, or a plate table");
+    assert_snapshot!(says("a.html", "<!doctype html><html lang=en>"), @"a.html: the file is a web page, which is not a known surface format; give an OBJ, STL or PLY file, or a plate table");
+    assert_snapshot!(says("a.stl", "dear reader, this is no surface"), @"a.stl: the file is text, which is not a known surface format; give an OBJ, STL or PLY file, or a plate table");
     assert_snapshot!(says("a.obj", b"v 0 0 0\n# caf\xE9\n"), @"a.obj:2: the byte 0xE9 is not UTF-8 text; save the text as UTF-8, or is the file damaged?");
-    assert_snapshot!(says("a.obj", b"v 0\0 0 0\n"), @"a.obj: the file is binary, and begins as no surface known here does; give an OBJ, STL or PLY file, or a plate table");
+    assert_snapshot!(says("a.obj", b"v 0\0 0 0\n"), @"a.obj: the file is binary, which is not a known surface format; give an OBJ, STL or PLY file, or a plate table");
     assert_snapshot!(says("a.obj", "v 0 0 0\nv 1 0 0\n"), @"a.obj: the file has no faces; export the surface as triangles");
     assert_snapshot!(says("a.txt", "3 0\n1 0 0 0\n2 1 0 0\n3 0 1 0\n"), @"a.txt: the file has no faces; export the surface as triangles");
 }
@@ -206,10 +206,10 @@ fn errors_in_obj_have_their_line() {
     assert_snapshot!(with("v 1 2 z"), @r#"a.obj:4: "z" is not a number; a vertex is written v x y z"#);
     assert_snapshot!(with("v 1 2 1e999"), @"a.obj:4: the coordinate 1e999 is not finite; leave out this vertex and its faces, and close the gap");
     assert_snapshot!(with("v nan 2 1"), @"a.obj:4: the coordinate nan is not finite; leave out this vertex and its faces, and close the gap");
-    assert_snapshot!(with("f 1 2 \\\n4 3"), @"a.obj:4: there is no vertex 4; 3 vertices count from 1 here");
-    assert_snapshot!(with("f 1 2 0"), @"a.obj:4: there is no vertex 0; 3 vertices count from 1 here");
-    assert_snapshot!(with("f 1 2 -4"), @"a.obj:4: there is no vertex -4; 3 vertices count from 1 here");
-    assert_snapshot!(with("f 1 2 99999999999999999999"), @"a.obj:4: there is no vertex 99999999999999999999; 3 vertices count from 1 here");
+    assert_snapshot!(with("f 1 2 \\\n4 3"), @"a.obj:4: there is no vertex 4; 3 vertices are numbered from 1 here");
+    assert_snapshot!(with("f 1 2 0"), @"a.obj:4: there is no vertex 0; 3 vertices are numbered from 1 here");
+    assert_snapshot!(with("f 1 2 -4"), @"a.obj:4: there is no vertex -4; 3 vertices are numbered from 1 here");
+    assert_snapshot!(with("f 1 2 99999999999999999999"), @"a.obj:4: there is no vertex 99999999999999999999; 3 vertices are numbered from 1 here");
     assert_snapshot!(with("f 1 2 x/1"), @r#"a.obj:4: "x/1" is not a number; a face is written f a b c, or f a/t/n b/t/n c/t/n"#);
     assert_snapshot!(with("f 1 2"), @"a.obj:4: a face of 2 corners; give it three or more, or leave it out");
 }
@@ -220,9 +220,9 @@ fn errors_in_stl_have_their_line_or_byte() {
     let corners = "vertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n";
     assert_snapshot!(with("vertex 1 2\n"), @"a.stl:4: 2 values; a corner is written vertex x y z");
     assert_snapshot!(with("vertex 1 2 inf\n"), @"a.stl:4: the coordinate inf is not finite; leave out this vertex and its faces, and close the gap");
-    assert_snapshot!(with("corner 1 2 3\n"), @r#"a.stl:4: "corner 1 2 3" cannot stand here; a facet is written facet normal x y z, outer loop, three times vertex x y z, endloop, endfacet"#);
+    assert_snapshot!(with("corner 1 2 3\n"), @r#"a.stl:4: "corner 1 2 3" is not allowed here; a facet is written facet normal x y z, outer loop, three times vertex x y z, endloop, endfacet"#);
     assert_snapshot!(with("vertex 0 0 0\nendloop\nendfacet\n"), @"a.stl:6: a facet of 1 corners; STL has triangles only");
-    assert_snapshot!(with(&format!("{corners}facet normal 0 0 1\n")), @r#"a.stl:7: "facet normal 0 0 1" cannot stand here; a facet is written facet normal x y z, outer loop, three times vertex x y z, endloop, endfacet"#);
+    assert_snapshot!(with(&format!("{corners}facet normal 0 0 1\n")), @r#"a.stl:7: "facet normal 0 0 1" is not allowed here; a facet is written facet normal x y z, outer loop, three times vertex x y z, endloop, endfacet"#);
     assert_snapshot!(with(&format!("{corners}endloop\nendfacet\n")), @"a.stl:8: the file ends without endsolid; was it cut off?");
     let changed = |change: &dyn Fn(&mut Vec<u8>)| {
         let mut bytes = stl_binary();
@@ -238,9 +238,9 @@ fn errors_in_stl_have_their_line_or_byte() {
 #[test]
 fn errors_in_ply_have_their_line_or_byte() {
     let with = |from: &str, to: &str| says("a.ply", ply_text().replacen(from, to, 1));
-    assert_snapshot!(with("ascii", "text"), @r#"a.ply:2: "format text 1.0" cannot stand here in a PLY header; after ply come format (ascii, binary_little_endian or binary_big_endian) 1.0, element NAME COUNT, property TYPE NAME or property list TYPE TYPE NAME, end_header"#);
-    assert_snapshot!(with("vertex 8", "vertex -8"), @r#"a.ply:4: "element vertex -8" cannot stand here in a PLY header; after ply come format (ascii, binary_little_endian or binary_big_endian) 1.0, element NAME COUNT, property TYPE NAME or property list TYPE TYPE NAME, end_header"#);
-    assert_snapshot!(with("end_header", "comment"), @r#"a.ply:13: "0.25 -0.5 255 -3" cannot stand here in a PLY header; after ply come format (ascii, binary_little_endian or binary_big_endian) 1.0, element NAME COUNT, property TYPE NAME or property list TYPE TYPE NAME, end_header"#);
+    assert_snapshot!(with("ascii", "text"), @r#"a.ply:2: "format text 1.0" is not allowed here in a PLY header; after ply come format (ascii, binary_little_endian or binary_big_endian) 1.0, element NAME COUNT, property TYPE NAME or property list TYPE TYPE NAME, end_header"#);
+    assert_snapshot!(with("vertex 8", "vertex -8"), @r#"a.ply:4: "element vertex -8" is not allowed here in a PLY header; after ply come format (ascii, binary_little_endian or binary_big_endian) 1.0, element NAME COUNT, property TYPE NAME or property list TYPE TYPE NAME, end_header"#);
+    assert_snapshot!(with("end_header", "comment"), @r#"a.ply:13: "0.25 -0.5 255 -3" is not allowed here in a PLY header; after ply come format (ascii, binary_little_endian or binary_big_endian) 1.0, element NAME COUNT, property TYPE NAME or property list TYPE TYPE NAME, end_header"#);
     assert_snapshot!(says("a.ply", "ply\nformat ascii 1.0\nelement ver"), @"a.ply:3: the header has no end_header; was the file cut off?");
     assert_snapshot!(with("float z", "float w"), @"a.ply:12: the vertices lack x, y or z; add it when you export the surface");
     assert_snapshot!(with("vertex_indices", "corners"), @"a.ply:12: the faces lack the list vertex_indices; add it when you export the surface");
@@ -248,8 +248,8 @@ fn errors_in_ply_have_their_line_or_byte() {
     assert_snapshot!(with("0.25 -0.5 255 -3", "0.25 -0.5 255"), @"a.ply:13: 3 values; the line of an element has one value for each of its properties, and lists begin with their length");
     assert_snapshot!(with("0.25 -0.5 255 -3", "0.25 -0.5 255 -3 0"), @"a.ply:13: 5 values; the line of an element has one value for each of its properties, and lists begin with their length");
     assert_snapshot!(with("0.25 -0.5 255 -3", "0.25 -inf 255 -3"), @"a.ply:13: the coordinate -inf is not finite; leave out this vertex and its faces, and close the gap");
-    assert_snapshot!(with("9 4 0 1 2 3", "9 4 0 8 2 3"), @"a.ply:21: there is no vertex 8; 8 vertices count from 0 here");
-    assert_snapshot!(with("9 4 0 1 2 3", "9 4 0 -1 2 3"), @"a.ply:21: there is no vertex -1; 8 vertices count from 0 here");
+    assert_snapshot!(with("9 4 0 1 2 3", "9 4 0 8 2 3"), @"a.ply:21: there is no vertex 8; 8 vertices are numbered from 0 here");
+    assert_snapshot!(with("9 4 0 1 2 3", "9 4 0 -1 2 3"), @"a.ply:21: there is no vertex -1; 8 vertices are numbered from 0 here");
     assert_snapshot!(with("9 4 0 1 2 3", "9 -4 0 1 2 3"), @"a.ply:21: a list cannot have -4 entries; is the header right about the types?");
     assert_snapshot!(with("9 4 0 1 2 3", "9 4000000 0 1 2 3"), @"a.ply:21: 6 values; the line of an element has one value for each of its properties, and lists begin with their length");
     assert_snapshot!(with("9 4 0 1 2 3", "9 2 0 1"), @"a.ply:21: a face of 2 corners; give it three or more, or leave it out");
@@ -266,7 +266,7 @@ fn errors_in_ply_have_their_line_or_byte() {
     assert_snapshot!(changed(&|bytes| bytes.truncate(body + 177)), @r#"a.ply: byte 472: the file ends after 0 of 2 elements "edge"; was it cut off, or is the number wrong?"#);
     assert_snapshot!(changed(&|bytes| bytes.push(0)), @"a.ply: byte 707: more follows the 12 faces announced; is that number right?");
     assert_snapshot!(changed(&|bytes| bytes[body + 2..body + 10].fill(0xFF)), @"a.ply: byte 297: the coordinate NaN is not finite; leave out this vertex and its faces, and close the gap");
-    assert_snapshot!(changed(&|bytes| bytes[body + 188] = 0x20), @"a.ply: byte 483: there is no vertex 8192; 8 vertices count from 0 here");
+    assert_snapshot!(changed(&|bytes| bytes[body + 188] = 0x20), @"a.ply: byte 483: there is no vertex 8192; 8 vertices are numbered from 0 here");
 }
 
 #[test]
@@ -275,13 +275,13 @@ fn errors_in_plate_tables_have_their_line() {
     assert_snapshot!(with(" 8\r\n", "8 12 4\n"), @"a.tab:1: 3 values; the first line has the number of vertices, then perhaps the number of faces");
     assert_snapshot!(with(" 8\r\n", "eight\n"), @r#"a.tab:1: "eight" is not a number; the first line has the number of vertices, then perhaps the number of faces"#);
     assert_snapshot!(with(" 8\r\n", "9\n"), @"a.tab:10: 1 values; a vertex is written number x y z, as often as the first line says");
-    assert_snapshot!(with("  3 ", "  4 "), @"a.tab:4: number 4 stands where 3 should; rows count from 1 without a gap");
+    assert_snapshot!(with("  3 ", "  4 "), @"a.tab:4: number 4 appears where 3 should; rows are numbered from 1 without a gap");
     assert_snapshot!(with("1.250000", "NaN"), @"a.tab:6: the coordinate NaN is not finite; leave out this vertex and its faces, and close the gap");
     assert_snapshot!(with("  3 -0.5", "  3 0 -0.5"), @"a.tab:4: 5 values; a vertex is written number x y z, as often as the first line says");
     assert_snapshot!(with("\n12\n", "\n13\n"), @"a.tab:22: the file ends after 12 of 13 faces; was it cut off, or is the number wrong?");
     assert_snapshot!(with("\n12\n", "\n11\n"), @"a.tab:22: more follows the 11 faces announced; is that number right?");
-    assert_snapshot!(with("1, 1, 2, 3", "1, 0, 2, 3"), @"a.tab:11: there is no vertex 0; 8 vertices count from 1 here");
-    assert_snapshot!(with("1, 1, 2, 3", "1, 1, 2, 9"), @"a.tab:11: there is no vertex 9; 8 vertices count from 1 here");
+    assert_snapshot!(with("1, 1, 2, 3", "1, 0, 2, 3"), @"a.tab:11: there is no vertex 0; 8 vertices are numbered from 1 here");
+    assert_snapshot!(with("1, 1, 2, 3", "1, 1, 2, 9"), @"a.tab:11: there is no vertex 9; 8 vertices are numbered from 1 here");
     assert_snapshot!(with("1, 1, 2, 3", "1, 1, 2.5, 3"), @r#"a.tab:11: "2.5" is not a number; a face is written number a b c"#);
 }
 

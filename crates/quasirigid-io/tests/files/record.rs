@@ -237,7 +237,7 @@ prop_compose! {
             lines: None,
             size,
             fields: vec![FieldRecord { coordinate: 0, vectors: VectorsRecord { unit: -radius, values: Packed(multiples) } }],
-            turning: Some(TurningRecord { axis: moments, center: moments, rotor }),
+            turning: Some(RotorAxisRecord { axis: moments, center: moments, rotor }),
         };
         let equations = EquationsRecord {
             order: 3, scalable: true, note, energy_gradient: vec![term.clone()], c: vec![term.clone()], T: vec![term.clone()], momentum: vec![term], energy: vec![],
@@ -737,7 +737,7 @@ fn packed_vectors_come_back() {
     assert!(VectorsRecord::pack(&[]).unpack().is_empty());
 }
 
-/// A folder, a pipe nobody writes into, and a link to a device, in the place of each file of a record and of a table of bodies: nothing is
+/// A folder, a pipe nobody writes into, and a link to a device, in place of each file of a record and of a table of bodies: nothing is
 /// waited for or read for ever.
 #[cfg(unix)]
 #[test]

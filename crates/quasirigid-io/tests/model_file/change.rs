@@ -1,6 +1,6 @@
 //! Changed copies of a model: values by path, and paths that lead nowhere.
 
-use quasirigid_io::model::{ChangeError, Given, changed};
+use quasirigid_io::model::{ChangeError, KeyValue, changed};
 
 const MODEL: &str = "\
 # a satellite
@@ -29,18 +29,18 @@ angular_velocity = [
 ]
 ";
 
-fn made(path: &str, given: impl Into<Given>) -> String {
+fn made(path: &str, given: impl Into<KeyValue>) -> String {
     changed(MODEL, &[(path, given.into())]).unwrap()
 }
 
-fn refused(path: &str, given: impl Into<Given>) -> String {
+fn refused(path: &str, given: impl Into<KeyValue>) -> String {
     changed(MODEL, &[(path, given.into())]).unwrap_err().to_string()
 }
 
 #[test]
 fn one_value_changes_and_the_rest_of_the_text_stays() {
     for (path, given, [old, new]) in [
-        ("spring.boom.stiffness", Given::from("6 kN/m"), ["600.0 ", "\"6 kN/m\" "]),
+        ("spring.boom.stiffness", KeyValue::from("6 kN/m"), ["600.0 ", "\"6 kN/m\" "]),
         ("spring.2.stiffness", 2.5.into(), ["stiffness = 1.0", "stiffness = 2.5"]),
         ("material.rock.rheology.Q", 5.0.into(), ["Q = 100", "Q = 5.0"]),
         ("material.\"dry sand\".density", "2 g/cm^3".into(), ["1500.0", "\"2 g/cm^3\""]),

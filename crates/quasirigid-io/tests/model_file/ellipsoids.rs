@@ -105,19 +105,19 @@ fn nothing_is_fixed_to_an_ellipsoid() {
 #[test]
 fn what_stands_beside_an_ellipsoid_is_refused() {
     assert_snapshot!(verdict(CARRIER), @"
-    model.toml:8:1: the carrier: an ellipsoid or a surface is the whole body; this cannot stand beside it
+    model.toml:8:1: the carrier: an ellipsoid or a surface is the whole body; this is not allowed beside it
       leave it out, or make the body of a [carrier] and what hangs on it
     ");
     assert_snapshot!(verdict(POINT), @r#"
-    model.toml:9:8: point "tip": an ellipsoid or a surface is the whole body; this cannot stand beside it
+    model.toml:9:8: point "tip": an ellipsoid or a surface is the whole body; this is not allowed beside it
       leave it out, or make the body of a [carrier] and what hangs on it
     "#);
     assert_snapshot!(verdict(&format!("{HINGED}axes = [[0, 0, 1]]\nstiffness = 3\n")), @r#"
-    model.toml:9:8: appendage "boom": an ellipsoid or a surface is the whole body; this cannot stand beside it
+    model.toml:9:8: appendage "boom": an ellipsoid or a surface is the whole body; this is not allowed beside it
       leave it out, or make the body of a [carrier] and what hangs on it
     "#);
     assert_snapshot!(verdict("[[ellipsoid]]\nsemi_axes = [1, 2, 3]\nmaterial = \"rock\"\n"), @r#"
-    model.toml:8:1: ellipsoid "ellipsoid 2": an ellipsoid or a surface is the whole body; this cannot stand beside it
+    model.toml:8:1: ellipsoid "ellipsoid 2": an ellipsoid or a surface is the whole body; this is not allowed beside it
       leave it out, or make the body of a [carrier] and what hangs on it
     "#);
     assert_snapshot!(verdict("[support]\nkind = \"fixed-point\"\npoint = [0, 0, 0]\n"), @"

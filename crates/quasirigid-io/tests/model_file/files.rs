@@ -55,7 +55,7 @@ fn a_file_is_read_from_disk_and_a_byte_that_is_no_text_is_located() {
     std::fs::remove_file(&path).expect("the temporary file");
     assert_eq!(model.map(|model| carrier(&model.assembly).mass), Ok(40.0));
     assert_snapshot!(error.replace(&*path.to_string_lossy(), "model.toml"), @r#"
-    model.toml:2:12: the file is not UTF-8 text: the byte 0xFF cannot stand here
+    model.toml:2:12: the file is not UTF-8 text: the byte 0xFF is not allowed here
       a model file is a TOML text; save it with the encoding UTF-8
     "#);
 }

@@ -3,7 +3,7 @@
 use std::f64::consts::{PI, TAU};
 
 use insta::assert_snapshot;
-use quasirigid::elements::{End, PlaceRef, Prestress, Station};
+use quasirigid::elements::{ApplicationPoint, End, PlaceRef, Prestress};
 use quasirigid::model::Support;
 use quasirigid::model::force::{Axes, Force, ForceLaw, MagneticField, Orbit, Wave};
 use quasirigid_math::expression::Expression;
@@ -13,12 +13,12 @@ use super::{CARRIER, HINGED, POINT, read, refusal, refusal_of};
 const ORBIT: &str = "orbit = { body = \"Earth\", semi_major_axis = \"6778 km\" }\n";
 
 /// The forces of a body with a point and these further lines, which start in line 9.
-fn forces(lines: &str) -> Vec<Force<Station>> {
+fn forces(lines: &str) -> Vec<Force<ApplicationPoint>> {
     read(&format!("{CARRIER}{POINT}{lines}")).assembly.forces
 }
 
 /// The only force, of this kind and with these further lines.
-fn law(kind: &str, lines: &str) -> ForceLaw<Station> {
+fn law(kind: &str, lines: &str) -> ForceLaw<ApplicationPoint> {
     let [force] = forces(&text(kind, lines)).try_into().expect("one force");
     force.law
 }
@@ -60,8 +60,8 @@ fn forces_without_places_are_read() {
 
 #[test]
 fn forces_act_at_points_and_at_places_of_the_carrier() {
-    let tip = Station { on: End::Point(0), at: None };
-    let place = Station { on: End::Carrier, at: Some([0.1, 0.25, 0.0]) };
+    let tip = ApplicationPoint { on: End::Point(0), at: None };
+    let place = ApplicationPoint { on: End::Carrier, at: Some([0.1, 0.25, 0.0]) };
     assert_eq!(
         law("drag", "on = \"tip\"\ncoefficient = 0.3\n"),
         ForceLaw::Drag { at: tip, coefficient: 0.3 }
@@ -437,7 +437,7 @@ fn a_mistake_in_a_formula_is_shown_where_it_stands() {
     assert_snapshot!(formulas("[\"0\", \"\", \"t +\"]"), @"
     model.toml:12:16: `force`: the formula is empty; write `0` for nothing
       write a formula in x y z (m), vx vy vz (m/s), t (s), wx wy wz (rad/s) and qw qx qy qz that gives N, or a number
-    model.toml:12:23: `force`: the formula breaks off; a number, a name or `(` is missing after `+`
+    model.toml:12:23: `force`: the formula is incomplete; a number, a name or `(` is missing after `+`
       write a formula in x y z (m), vx vy vz (m/s), t (s), wx wy wz (rad/s) and qw qx qy qz that gives N, or a number
     ");
     assert_snapshot!(formulas("[\"2\\u002a\\u0066oo\", \"\"\"\nx +\n  ω\"\"\", \"3 N\"]"), @"

@@ -97,7 +97,7 @@ fn what_is_no_rotor_wheel_or_liquid_is_refused() {
       leave it out
     ");
     assert_snapshot!(verdict(&model("[[wheel]]\naxis = [0, 0, 1]\nmomentum = 3\nspeed = 2\n")), @r"
-    model.toml:8:9: `speed` beside `momentum`: the momentum says it already
+    model.toml:8:9: `speed` beside `momentum`: the momentum determines it
       give either `momentum`, or `inertia` and `speed`
     ");
     assert_snapshot!(verdict(&model(&format!("[[cavity]]\nshape = \"sphere\"\nheight = 2\nradius = 1\n{LIQUID}"))), @r#"
@@ -106,11 +106,11 @@ fn what_is_no_rotor_wheel_or_liquid_is_refused() {
     "#);
     assert_snapshot!(verdict(&model(&format!("[[cavity]]\nshape = \"annulus\"\nradii = [0.2, 0.1]\nheight = 0.1\n{LIQUID}"))), @r#"model.toml:6:9: `shape` of cavity "cavity 1": the inner length 2e-1 is not less than the outer 1e-1"#);
     assert_snapshot!(verdict(&model(&format!("[[cavity]]\nshape = \"sphere\"\nradius = 1\nkinematic_viscosity = 1\n{LIQUID}"))), @r"
-    model.toml:10:21: `dynamic_viscosity` beside `kinematic_viscosity`: one gives the other
+    model.toml:10:21: `dynamic_viscosity` beside `kinematic_viscosity`: each follows from the other
       leave one of them out
     ");
     assert_snapshot!(verdict(&model(&format!("[[cavity]]\nshape = \"sphere\"\nradius = 1\nmodes = 7\n{LIQUID}"))), @r#"
-    model.toml:8:9: `modes` of cavity "cavity 1": the answers to 7 rates of change are not offered; choose 0 to 6
+    model.toml:8:9: `modes` of cavity "cavity 1": the responses to 7 rates of change are not offered; choose 0 to 6
       the slow motion needs none of them
     "#);
     assert_snapshot!(verdict(&model(&format!("[[cavity]]\nshape = \"cylinder\"\nradius = 1\nheight = 2\nresolution = 30\n{LIQUID}"))), @r#"

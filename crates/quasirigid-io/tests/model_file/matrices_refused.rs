@@ -53,7 +53,7 @@ fn a_table_that_lacks_a_file_is_refused() {
       add a line such as: mass = "bracket.mas"
     "#);
     assert_snapshot!(refused(&KEYS.replace("K.mtx", "K.sti")), @"
-    model.toml:7:13: `stiffness`: K.sti: entity not found; is the name right, and may the file be read?
+    model.toml:7:13: `stiffness`: K.sti: entity not found; is the name right, and is the file readable?
       it is looked for beside the model; Matrix Market, NumPy, CalculiX, DMIG and OUTPUT4 files are read, and node tables as CSV, GRID cards or *NODE
     ");
     assert_snapshot!(refused(&format!("{KEYS}dofs = \"M.mtx\"\n")), @"
@@ -83,7 +83,7 @@ fn a_table_that_lacks_a_file_is_refused() {
       the keys are name, nodes, dofs, mass, stiffness, damping, length_unit, mass_unit, rheology, masses, attach, rayleigh
     "#);
     assert_snapshot!(with(("nodes.txt", "3 0 0 0\n7 1 0 0.5\n3 1 1 1\n"), KEYS), @"
-    model.toml:6:9: `nodes`: nodes.txt:3: node 3 stands twice; give each node one place
+    model.toml:6:9: `nodes`: nodes.txt:3: node 3 appears twice; give each node one place
       it is looked for beside the model; Matrix Market, NumPy, CalculiX, DMIG and OUTPUT4 files are read, and node tables as CSV, GRID cards or *NODE
     ");
     assert_snapshot!(refused(&format!("{KEYS}attach = [3, 4]\n")), @"
@@ -113,7 +113,7 @@ fn rows_that_are_about_nothing_are_refused() {
       every row is about a displacement (1 to 3) or rotation (4 to 6) of a node in the table
     ");
     assert_snapshot!(with(("rows.dof", "3.1\n3.2\n3.3\n7.1\n7.2\n7.2\n"), &listed), @"
-    model.toml:9:8: `dofs`: rows.dof:6: 7.2 stands twice; a matrix has one row for each degree of freedom
+    model.toml:9:8: `dofs`: rows.dof:6: 7.2 appears twice; a matrix has one row for each degree of freedom
       it is looked for beside the model; Matrix Market, NumPy, CalculiX, DMIG and OUTPUT4 files are read, and node tables as CSV, GRID cards or *NODE
     ");
     let point = "DMIG,M,0,6,2,0\nDMIG,M,3,1,,3,1,2.\nDMIG,M,9,0,,9,0,2.\n";

@@ -197,12 +197,12 @@ fn modes_of_another_size_or_form_are_refused() {
     "#);
     insta::assert_snapshot!(refusal(&all, &format!("{LINES}frequencies = [1, 2]\n")), @r#"model.toml:9:15: `frequencies` of modes "modes 1": there are 12 shapes and 2 values; give one for each"#);
     insta::assert_snapshot!(refusal(&all, &format!("{LINES}{frequencies}stiffness = \"m.mtx\"\n")), @r#"
-    model.toml:10:13: `frequencies` and `stiffness` say the same
+    model.toml:10:13: `frequencies` and `stiffness` are the same quantity
       leave one of them out
     "#);
     insta::assert_snapshot!(refusal(&all, &format!("{LINES}{frequencies}damping = \"m.mtx\"\n")), @r#"
     model.toml:10:11: `damping` is a matrix beside `stiffness`
-      write damping_ratios = 0.01, or `stiffness` in the place of `frequencies`
+      write damping_ratios = 0.01, or `stiffness` in place of `frequencies`
     "#);
     insta::assert_snapshot!(refusal(&all, &format!("{LINES}{frequencies}interface = [99]\n")), @r#"model.toml:8:10: `shapes` of modes "modes 1": shape 1 moves component 1 of node 99 by 0.4446; the first shapes are unit displacements of the interface, node by node, and the others leave it at rest"#);
     insta::assert_snapshot!(refusal(&all, &format!("{LINES}{frequencies}attach = 99\n")), @r#"model.toml:10:10: `attach` of modes "modes 1": the shapes of its modes say how "modes 1" node 99 moves; only nodes of the `interface` can be held or carried"#);
@@ -228,7 +228,7 @@ fn modes_of_another_size_or_form_are_refused() {
     wrong[1] = ("m.mtx", array(&[vec![1.0, 2.0, 30.0, 4.0]]));
     insta::assert_snapshot!(refusal(&wrong, &format!("{LINES}{frequencies}")), @r#"model.toml:8:10: `shapes` of modes "modes 1": the mass couples modes 1 and 4 by 0.17 of their own, so they are not modes of this mass; is the mass at the nodes complete, and are the rows in their order?"#);
     insta::assert_snapshot!(refusal(&all[..2], &format!("{LINES}{frequencies}")), @r#"
-    model.toml:8:10: `shapes`: phi.mtx: entity not found; is the name right, and may the file be read?
+    model.toml:8:10: `shapes`: phi.mtx: entity not found; is the name right, and is the file readable?
       it is looked for beside the model; Matrix Market, NumPy, CalculiX, DMIG and OUTPUT4 files are read, and node tables as CSV, GRID cards or *NODE
     "#);
 }

@@ -33,9 +33,9 @@ fn a_part_without_a_carrier_is_attached_to_nothing() {
 
 #[test]
 fn a_beam_that_cannot_be_is_refused() {
-    assert_snapshot!(boom("attach = \"root\"\nup = [1, 0, 0]\n"), @r#"model.toml:20:6: `up` of beam "boom": the direction (1, 0, 0) of a beam's section is no direction across the beam, which runs along (1, 0, 0); give one that is"#);
+    assert_snapshot!(boom("attach = \"root\"\nup = [1, 0, 0]\n"), @r#"model.toml:20:6: `up` of beam "boom": the direction (1, 0, 0) of a beam's section is not across the beam, which runs along (1, 0, 0); give one that is"#);
     let short = BOOM.replace("[3, 0, 0]", "[1, 0, 0]");
-    assert_snapshot!(verdict(&format!("{CARRIER}{ALUMINIUM}{TUBE}{short}attach = \"root\"\n")), @r#"model.toml:16:9: `lines` of beam "boom": the ends (1, 0, 0) and (1, 0, 0) of a beam are no finite distance apart"#);
+    assert_snapshot!(verdict(&format!("{CARRIER}{ALUMINIUM}{TUBE}{short}attach = \"root\"\n")), @r#"model.toml:16:9: `lines` of beam "boom": the ends (1, 0, 0) and (1, 0, 0) of a beam are not a finite distance apart"#);
     assert_snapshot!(boom("attach = \"root\"\nmasses = [{ node = \"tip\", mass = 1, inertia = [1, 1, 3] }]\n"), @r#"
     model.toml:20:10: `masses` of beam "boom": no body has the principal moments of inertia [1.0, 1.0, 3.0] kg m^2: none may be negative, or exceed the sum of the other two
       check the units and the signs of the products of inertia; the tensor is about the element's own centre of mass

@@ -31,17 +31,17 @@ fn a_rotation_is_given_once() {
     let periods = "periods = { rotation = 2, precession = 1, mode = \"short-axis\" }";
     let wobble = "wobble = { angle = 0.1, rate = 1, mode = \"short-axis\" }";
     assert_snapshot!(refused(&format!("{periods}\nangular_velocity = [0, 0, 1]")), @"
-    model.toml:11:20: `periods` and `angular_velocity` both say how the body turns
+    model.toml:11:20: `periods` and `angular_velocity` both give the rotation
       leave out all but one
     ");
     assert_snapshot!(refused(&format!("angular_velocity = [0, 0]\n{wobble}")), @"
     model.toml:10:20: `angular_velocity`: found an array of 2 values, expected an array of 3 numbers
       write 3 numbers in brackets, with commas between them
-    model.toml:11:10: `angular_velocity` and `wobble` both say how the body turns
+    model.toml:11:10: `angular_velocity` and `wobble` both give the rotation
       leave out all but one
     ");
     assert_snapshot!(refused(&format!("{periods}\n{wobble}\nangular_velocity = [0, 0, 1]")), @"
-    model.toml:12:20: `periods` and `angular_velocity` both say how the body turns
+    model.toml:12:20: `periods` and `angular_velocity` both give the rotation
       leave out all but one
     ");
 }

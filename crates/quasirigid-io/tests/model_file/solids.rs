@@ -206,7 +206,7 @@ fn a_mesh_that_cannot_be_read_is_refused_at_its_file() {
     ");
     let other = model("file = \"none.msh\"\nmaterial = \"foam\"\n");
     assert_snapshot!(located(&Model::parse(Path::new(BLOCK), &other).expect_err("a refusal")), @"
-    model.toml:14:8: `file`: none.msh: entity not found; is the name right, and may the file be read?
+    model.toml:14:8: `file`: none.msh: entity not found; is the name right, and is the file readable?
       it is looked for beside the model; gmsh, VTK and Abaqus or CalculiX meshes are read
     ");
 }

@@ -54,7 +54,7 @@ fn a_surface_is_read_in_its_unit() {
 #[test]
 fn what_is_no_surface_is_refused_at_its_file() {
     assert_snapshot!(refused(TETRAHEDRON, "file = \"none.obj\"\n"), @r#"
-    model.toml:7:8: `file`: none.obj: entity not found; is the name right, and may the file be read?
+    model.toml:7:8: `file`: none.obj: entity not found; is the name right, and is the file readable?
     it is looked for beside the model; OBJ, STL, PLY and plate tables are read
     "#);
     let open = TETRAHEDRON.replace("f 2 3 4\n", "f 2 3 4\nf 2 3 1\n").replace("f 1 4 3\n", "");

@@ -1,6 +1,6 @@
 //! Windows and timetables of forces: values that are read, and refusals of mistakes. (F13), (F14)
 
-use quasirigid::elements::{End, Station};
+use quasirigid::elements::{ApplicationPoint, End};
 use quasirigid::model::force::{Axes, ForceLaw, Interpolation, Timetable, Windows};
 use quasirigid_io::model::Model;
 use tempfile::TempDir;
@@ -12,7 +12,7 @@ fn text(kind: &str, lines: &str) -> String {
 }
 
 /// The law of a force beside a table `burns.csv`, or the refusal.
-fn tabled(csv: &str, kind: &str, lines: &str) -> Result<ForceLaw<Station>, String> {
+fn tabled(csv: &str, kind: &str, lines: &str) -> Result<ForceLaw<ApplicationPoint>, String> {
     let folder = TempDir::new().unwrap();
     std::fs::write(folder.path().join("burns.csv"), csv).unwrap();
     let model = format!("{CARRIER}{POINT}{}", text(kind, &format!("timetable = \"burns.csv\"\n{lines}")));
@@ -52,7 +52,7 @@ fn windows_that_mean_nothing_are_refused_in_their_place() {
     let refused =
         |windows: &str| refusal_of(&text("torque", &format!("torque = [0, 0, 1]\nduring = {windows}\n")));
     for (windows, message) in [
-        ("[[1, 2], [5, 4]]", "window 2 ends at 4 s, which is not after its begin at 5 s"),
+        ("[[1, 2], [5, 4]]", "window 2 ends at 4 s, which is not after its start at 5 s"),
         ("[[1, 3], [2, 4]]", "window 2 begins at 2 s, before window 1 ends at 3 s"),
         ("[]", "it is empty: the force would never act"),
         ("[1, 2]", ""),
@@ -73,7 +73,7 @@ fn timetables_are_read() {
     assert_eq!(found("expression", "interpolation = \"held\"\n"), body);
     let inertial = ForceLaw::TorqueTable { table: linear.clone(), axes: Axes::Inertial };
     assert_eq!(found("torque", "interpolation = \"linear\"\naxes = \"inertial\"\n"), inertial);
-    let at = Station { on: End::Point(0), at: None };
+    let at = ApplicationPoint { on: End::Point(0), at: None };
     let thrust = ForceLaw::ForceTable { at, table: held.clone(), axes: Axes::Body };
     assert_eq!(found("thrust", "on = \"tip\"\n"), thrust);
     let force = ForceLaw::ForceTable { at, table: held, axes: Axes::Inertial };

@@ -91,13 +91,13 @@ fn types_with_the_geometry_of_a_shape_are_read() {
 fn lines_are_refused() {
     assert_snapshot!(with(FILE, "10, 0., 0, 0", "10"), @"a:6: 1 values; a node is written number, x, y, z");
     assert_snapshot!(with(FILE, "10, 0., 0, 0", "10, 0 0 0"), @r#"a:6: "0 0 0" is not a number; a node is written number, x, y, z"#);
-    assert_snapshot!(with(FILE, "10, 0., 0, 0", "20, 0, 0, 0"), @"a:7: the number 20 comes twice among the nodes; renumber them");
+    assert_snapshot!(with(FILE, "10, 0., 0, 0", "20, 0, 0, 0"), @"a:7: the number 20 appears twice among the nodes; renumber them");
     assert_snapshot!(with(FILE, "10, 0., 0, 0", "10, 0, 0, -inf"), @"a:6: the coordinate -inf of node 10 is not finite; correct it, or leave out the node and its cells");
     assert_snapshot!(with(FILE, "10, 0., 0, 0", "ten, 0, 0, 0"), @r#"a:6: "ten" is not a number; a node is written number, x, y, z"#);
     assert_snapshot!(with(FILE, "7,50,20,30,40,", "7,50,20,30,45"), @"a:18: cell 7 names node 45, which is not among the nodes before it; was the node left out?");
     assert_snapshot!(with(FILE, "7,50,20,30,40,", "7,50,20,30"), @"a:18: 3 nodes for a tetrahedron of 4 nodes; is the type of the cell right?");
     assert_snapshot!(with(FILE, "7,50,20,30,40,", "7,50,20,30,"), @"a:19: 3 nodes for a tetrahedron of 4 nodes; is the type of the cell right?");
-    assert_snapshot!(with(FILE, "7,50,20,30,40,", "1,50,20,30,40"), @"a:18: the number 1 comes twice among the cells; renumber them");
+    assert_snapshot!(with(FILE, "7,50,20,30,40,", "1,50,20,30,40"), @"a:18: the number 1 appears twice among the cells; renumber them");
     assert_snapshot!(with(FILE, "TIP, 30", "TOP, 30"), @r#"a:23: the set "more" names TOP, which is not among the nodes before it; was it left out?"#);
     assert_snapshot!(with(FILE, "TIP, 30", "TIP, 31"), @r#"a:23: the set "more" names 31, which is not among the nodes before it; was it left out?"#);
     assert_snapshot!(with(FILE, "1, 9, 2", "1, 9, 0"), @r#"a:33: "step 0" is not a number; a range is written first, last, step"#);
@@ -143,7 +143,7 @@ fn files_are_included() {
     fs::write(place("cells.txt"), "*INCLUDE, INPUT=1.txt\n").unwrap();
     assert_snapshot!(says(), @"[folder]/3.txt:1: [folder]/4.txt is included within itself, or more than 5 files deep");
     fs::write(place("cells.txt"), "*INCLUDE, INPUT=none.txt\n").unwrap();
-    assert_snapshot!(says(), @"[folder]/none.txt: entity not found; is the name right, and may the file be read?");
+    assert_snapshot!(says(), @"[folder]/none.txt: entity not found; is the name right, and is the file readable?");
     fs::write(place("cells.txt"), "*INCLUDE\n").unwrap();
     assert_snapshot!(says(), @"[folder]/cells.txt:1: *INCLUDE lacks INPUT=; add it");
 }

@@ -113,12 +113,12 @@ fn a_cell_in_two_groups_is_one() {
 fn sections_are_refused_by_line() {
     assert_snapshot!(with(V2, "2.2 0 8", "2.2 0 4"), @r#"a:2: "2.2 0 4" is not read; save gmsh meshes as version 2.2 or 4.1, VTK grids as version 2 to 5"#);
     assert_snapshot!(with(V2, "2.2 0 8", "3 0 8"), @r#"a:2: "3 0 8" is not read; save gmsh meshes as version 2.2 or 4.1, VTK grids as version 2 to 5"#);
-    assert_snapshot!(with(V2, "$Comments", "Comments"), @r#"a:4: "Comments" cannot stand here; a gmsh file begins with $MeshFormat and has sections $Name to $EndName"#);
+    assert_snapshot!(with(V2, "$Comments", "Comments"), @r#"a:4: "Comments" is not allowed here; a gmsh file begins with $MeshFormat and has sections $Name to $EndName"#);
     assert_snapshot!(with(V2, "$EndComments", "$EndRemarks"), @"a:4: the section $Comments does not end; was the file cut off?");
     assert_snapshot!(with(V2, "$MeshFormat", "$NOD"), @r#"a:1: "version 1" is not read; save gmsh meshes as version 2.2 or 4.1, VTK grids as version 2 to 5"#);
     assert_snapshot!(with(V2, "$Comments", "$PartitionedEntities"), @"a:4: the mesh is partitioned; save it without partitions");
-    assert_snapshot!(with(V2, "3 5 \"body\"", "3 5 body"), @r#"a:9: "body" cannot stand here; the name of a group is written dimension number "name""#);
-    assert_snapshot!(says("a", "$Nodes\n1\n1 0 0 0\n$EndNodes\n"), @r#"a:1: "$Nodes" cannot stand here; a gmsh file begins with $MeshFormat and has sections $Name to $EndName"#);
+    assert_snapshot!(with(V2, "3 5 \"body\"", "3 5 body"), @r#"a:9: "body" is not allowed here; the name of a group is written dimension number "name""#);
+    assert_snapshot!(says("a", "$Nodes\n1\n1 0 0 0\n$EndNodes\n"), @r#"a:1: "$Nodes" is not allowed here; a gmsh file begins with $MeshFormat and has sections $Name to $EndName"#);
 }
 
 #[test]
@@ -127,7 +127,7 @@ fn nodes_are_refused_by_line() {
     assert_snapshot!(with(V2, "9 1 1 1", "9 1 1 1 1"), @"a:17: 5 values; a node is written number x y z");
     assert_snapshot!(with(V2, "9 1 1 1", "9 1 one 1"), @r#"a:17: "one" is not a number; a node is written number x y z"#);
     assert_snapshot!(with(V2, "9 1 1 1", "9 1 nan 1"), @"a:17: the coordinate NaN of node 9 is not finite; correct it, or leave out the node and its cells");
-    assert_snapshot!(with(V2, "9 1 1 1", "3 1 1 1"), @"a:17: the number 3 comes twice among the nodes; renumber them");
+    assert_snapshot!(with(V2, "9 1 1 1", "3 1 1 1"), @"a:17: the number 3 appears twice among the nodes; renumber them");
     assert_snapshot!(with(V2, "$Nodes\n5", "$Nodes\n6"), @"a:18: the section ends after 5 of 6 nodes; is the number wrong?");
     assert_snapshot!(with(V2, "$Nodes\n5", "$Nodes\n4"), @"a:17: more follows the 4 nodes announced; is that number right?");
     assert_snapshot!(says("a", "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n1000000000\n1 0 0 0\n"), @"a:6: the file ends after 1 of 1000000000 nodes; was it cut off, or is the number wrong?");
@@ -139,7 +139,7 @@ fn nodes_are_refused_by_line() {
 fn cells_are_refused_by_line() {
     assert_snapshot!(with(V2, "8 4 2 5 1 9 2 3 4", "8 4 2 5 1 9 2 3 5"), @"a:22: cell 8 names node 5, which is not among the nodes before it; was the node left out?");
     assert_snapshot!(with(V2, "8 4 2 5 1 9 2 3 4", "8 4 2 5 1 9 2 3"), @"a:22: 8 values; a cell is written number nodes, with type and tags before the nodes in version 2.2");
-    assert_snapshot!(with(V2, "8 4 2 5 1 9 2 3 4", "7 4 2 5 1 9 2 3 4"), @"a:22: the number 7 comes twice among the cells; renumber them");
+    assert_snapshot!(with(V2, "8 4 2 5 1 9 2 3 4", "7 4 2 5 1 9 2 3 4"), @"a:22: the number 7 appears twice among the cells; renumber them");
     assert_snapshot!(with(V2, "8 4 2 5 1 9 2 3 4", "8 7 2 5 1 9 2 3 4 1"), @"a:22: cells of type 7 (pyramid of 5 nodes) are not read; lines, triangles, quadrilaterals, tetrahedra, wedges and hexahedra of first or second order are, but no wedges of 18 nodes");
     assert_snapshot!(with(V2, "8 4 2 5 1 9 2 3 4", "8 13 2 5 1 9 2 3 4"), @"a:22: cells of type 13 (wedge of 18 nodes) are not read; lines, triangles, quadrilaterals, tetrahedra, wedges and hexahedra of first or second order are, but no wedges of 18 nodes");
     assert_snapshot!(with(V2, "8 4 2 5 1 9 2 3 4", "8 29 2 5 1 9 2 3 4"), @"a:22: cells of type 29 are not read; lines, triangles, quadrilaterals, tetrahedra, wedges and hexahedra of first or second order are, but no wedges of 18 nodes");
@@ -159,7 +159,7 @@ fn binary_files_are_refused_by_byte() {
         bytes[at..at + with.len()].copy_from_slice(with);
         says("a.msh", bytes)
     };
-    assert_snapshot!(changed(at, &[0xFF; 4]), @"a.msh: byte 49: -1 is no number of nodes or cells; is the file damaged?");
+    assert_snapshot!(changed(at, &[0xFF; 4]), @"a.msh: byte 49: -1 is not a number of nodes or cells; is the file damaged?");
     assert_snapshot!(changed(at + 4, &[0xFF; 8]), @"a.msh: byte 69: the coordinate NaN of node 1 is not finite; correct it, or leave out the node and its cells");
-    assert_snapshot!(changed(20, &[9; 4]), @"a.msh: byte 20: 151587081 is no number of nodes or cells; is the file damaged?");
+    assert_snapshot!(changed(20, &[9; 4]), @"a.msh: byte 20: 151587081 is not a number of nodes or cells; is the file damaged?");
 }

@@ -50,10 +50,10 @@ fn set<'a>(mesh: &'a Mesh, name: &str) -> &'a Set {
 #[test]
 fn what_is_no_mesh_is_refused() {
     insta::assert_snapshot!(says("a.msh", ""), @"a.msh: the file is empty; was its download cut off?");
-    insta::assert_snapshot!(says("a.msh", "solid block\n"), @"a.msh: the file is text, and begins as no mesh of cells known here does; give a .msh file of gmsh, .vtk or .vtu of VTK, or .inp of Abaqus or CalculiX");
+    insta::assert_snapshot!(says("a.msh", "solid block\n"), @"a.msh: the file is text, which is not a known mesh format; give a .msh file of gmsh, .vtk or .vtu of VTK, or .inp of Abaqus or CalculiX");
     insta::assert_snapshot!(says("a.inp", "*HEADING\n*NODE\n1, 0, 0, 0\n"), @"a.inp: the file has no cells; were they left out when it was written, perhaps for lack of physical groups?");
     let folder = tempfile::tempdir().unwrap();
     let problem = |file: &Path| read_mesh(file).unwrap_err().problem.to_string();
     insta::assert_snapshot!(problem(folder.path()), @"this is a folder; give the file of the mesh inside it");
-    insta::assert_snapshot!(problem(&folder.path().join("none.msh")), @"entity not found; is the name right, and may the file be read?");
+    insta::assert_snapshot!(problem(&folder.path().join("none.msh")), @"entity not found; is the name right, and is the file readable?");
 }

@@ -65,23 +65,23 @@ fn arrays_of_many_values_make_no_sets() {
 #[test]
 fn legacy_files_are_refused_by_line() {
     assert_snapshot!(with(LEGACY, "Version 3.0", "Version 6.0"), @r##"a:1: "# vtk DataFile Version 6.0" is not read; save gmsh meshes as version 2.2 or 4.1, VTK grids as version 2 to 5"##);
-    assert_snapshot!(with(LEGACY, "ASCII", "TEXT"), @r#"a:3: "TEXT" cannot stand here; a VTK file of cells has ASCII or BINARY, DATASET UNSTRUCTURED_GRID, POINTS, CELLS and CELL_TYPES, then CELL_DATA and POINT_DATA"#);
-    assert_snapshot!(with(LEGACY, "UNSTRUCTURED_GRID", "POLYDATA"), @r#"a:4: "DATASET POLYDATA" cannot stand here; a VTK file of cells has ASCII or BINARY, DATASET UNSTRUCTURED_GRID, POINTS, CELLS and CELL_TYPES, then CELL_DATA and POINT_DATA"#);
+    assert_snapshot!(with(LEGACY, "ASCII", "TEXT"), @r#"a:3: "TEXT" is not allowed here; a VTK file of cells has ASCII or BINARY, DATASET UNSTRUCTURED_GRID, POINTS, CELLS and CELL_TYPES, then CELL_DATA and POINT_DATA"#);
+    assert_snapshot!(with(LEGACY, "UNSTRUCTURED_GRID", "POLYDATA"), @r#"a:4: "DATASET POLYDATA" is not allowed here; a VTK file of cells has ASCII or BINARY, DATASET UNSTRUCTURED_GRID, POINTS, CELLS and CELL_TYPES, then CELL_DATA and POINT_DATA"#);
     assert_snapshot!(with(LEGACY, "POINTS 5", "POINTS 6"), @r#"a:12: the array "POINTS" has 15 values instead of 18; is the file damaged?"#);
     assert_snapshot!(with(LEGACY, "POINTS 5", "POINTS 1000000000"), @r#"a:12: the array "POINTS" has 15 values instead of 3000000000; is the file damaged?"#);
-    assert_snapshot!(with(LEGACY, "POINTS 5", "POINTS five"), @r#"a:8: "five" is not a number; here stands a keyword, perhaps with name, type and number of the values after it"#);
-    assert_snapshot!(with(LEGACY, "CELLS 3 12", "\u{b}\nCELLS 3 12"), @r#"a:12: "\u{b}" cannot stand here; a VTK file of cells has ASCII or BINARY, DATASET UNSTRUCTURED_GRID, POINTS, CELLS and CELL_TYPES, then CELL_DATA and POINT_DATA"#);
+    assert_snapshot!(with(LEGACY, "POINTS 5", "POINTS five"), @r#"a:8: "five" is not a number; a keyword is expected here, perhaps with name, type and number of the values after it"#);
+    assert_snapshot!(with(LEGACY, "CELLS 3 12", "\u{b}\nCELLS 3 12"), @r#"a:12: "\u{b}" is not allowed here; a VTK file of cells has ASCII or BINARY, DATASET UNSTRUCTURED_GRID, POINTS, CELLS and CELL_TYPES, then CELL_DATA and POINT_DATA"#);
     assert_snapshot!(with(LEGACY, "5 float", "5 complex"), @r#"a:8: values of type "complex" are not read; save them as numbers"#);
     assert_snapshot!(with(LEGACY, "0 0 1\n1 1 1", "0 0 1\n1 inf 1"), @"a:11: the coordinate inf of node 4 is not finite; correct it, or leave out the node and its cells");
     assert_snapshot!(with(LEGACY, "4 4 1 2 3", "4 5 1 2 3"), @"a:15: cell 2 names node 5, which is not among the nodes before it; was the node left out?");
-    assert_snapshot!(with(LEGACY, "4 4 1 2 3", "4 -1 1 2 3"), @"a:15: -1 is no number of nodes or cells; is the file damaged?");
+    assert_snapshot!(with(LEGACY, "4 4 1 2 3", "4 -1 1 2 3"), @"a:15: -1 is not a number of nodes or cells; is the file damaged?");
     assert_snapshot!(with(LEGACY, "4 4 1 2 3", "3 4 1 2 3"), @"a:15: 3 nodes for a tetrahedron of 4 nodes; is the type of the cell right?");
     assert_snapshot!(with(LEGACY, "4 4 1 2 3", "5 4 1 2 3"), @"a:15: the nodes of cell 2 end at 13, of 12 and after 8; offsets must rise up to the last");
     assert_snapshot!(with(LEGACY, "10\n1\n10", "10\n1\n14"), @"a:19: cells of type 14 (pyramid) are not read; lines, triangles, quadrilaterals, tetrahedra, wedges and hexahedra of first or second order are, but no wedges of 18 nodes");
     assert_snapshot!(with(LEGACY, "10\n1\n10", "10\n1\n1.5"), @r#"a:19: "1.5" is not a number; an array has as many numbers as its line announces, of the type it announces"#);
     assert_snapshot!(with(LEGACY, "CELL_TYPES 3\n10", "CELL_TYPES 2"), @r#"a:17: the array "CELL_TYPES" has 2 values instead of 3; is the file damaged?"#);
     assert_snapshot!(says("a.vtk", &LEGACY[..LEGACY.find("CELL_TYPES").unwrap()]), @"a.vtk:15: the file ends without CELL_TYPES; was it cut off?");
-    assert_snapshot!(with(LEGACY, "material", "a b"), @r#"a:27: "int" is not a number; here stands a keyword, perhaps with name, type and number of the values after it"#);
+    assert_snapshot!(with(LEGACY, "material", "a b"), @r#"a:27: "int" is not a number; a keyword is expected here, perhaps with name, type and number of the values after it"#);
 }
 
 #[test]

@@ -30,7 +30,7 @@ const GAIN: f64 = 1e-7;
 const STALLED: f64 = 0.5;
 /// Residuals below this share of the solution, for a unit diagonal, are rounding: that of the product `A x` comes to
 /// about one epsilon, that of a solution by a factor in double precision to two or three.
-const ROUNDING: f64 = 8.0 * f64::EPSILON;
+const RESIDUAL_ROUNDING: f64 = 8.0 * f64::EPSILON;
 
 impl System<'_> {
     /// Solves from zero: `right` becomes the solution, to rounding or until so many iterations are spent.
@@ -58,7 +58,7 @@ impl System<'_> {
             let stalled = left > STALLED * best.residual;
             best.residual = left;
             right.copy_from_slice(&step);
-            let rounding = ROUNDING * largest_ratio(&self.lengths(right), &goal);
+            let rounding = RESIDUAL_ROUNDING * largest_ratio(&self.lengths(right), &goal);
             let enough = target.max(rounding);
             if stalled || left <= enough || spent >= most {
                 return Refinement { iterations: spent, ..best };

@@ -16,7 +16,7 @@ use crate::watch;
 /// Columns of a separator that are eliminated or solved at once.
 pub(super) const COLUMNS: usize = 128;
 /// Rows of a task.
-pub(super) const ROWS: usize = 576;
+pub(super) const ROWS_PER_TASK: usize = 576;
 /// Rows of a product that the sparse library forms at once. Larger ones run at half the speed, as they leave the cache.
 const TILE: usize = 144;
 /// Terms of a product that the sparse library sums at once.
@@ -71,12 +71,12 @@ pub(super) fn add_product<T: Real>(mut sum: MatMut<'_, T>, a: T, L: MatRef<'_, T
 
 /// Rows of a matrix in tiles, each with its first row.
 pub(super) fn tiles<T>(matrix: MatMut<'_, T>) -> Vec<(usize, MatMut<'_, T>)> {
-    let mut tiles = Vec::with_capacity(matrix.nrows().div_ceil(ROWS));
+    let mut tiles = Vec::with_capacity(matrix.nrows().div_ceil(ROWS_PER_TASK));
     let (mut row, mut rest) = (0, matrix);
-    while rest.nrows() > ROWS {
-        let (tile, others) = rest.split_at_row_mut(ROWS);
+    while rest.nrows() > ROWS_PER_TASK {
+        let (tile, others) = rest.split_at_row_mut(ROWS_PER_TASK);
         tiles.push((row, tile));
-        row += ROWS;
+        row += ROWS_PER_TASK;
         rest = others;
     }
     tiles.push((row, rest));

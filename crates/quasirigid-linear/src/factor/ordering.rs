@@ -22,7 +22,7 @@ pub enum Ordering {
 }
 
 /// Nested dissection pays above so many unknowns.
-const SMALL: usize = 2000;
+const DISSECTED_SIZE: usize = 2000;
 /// Neighbours of a vertex, on average, up to which a graph is almost a tree, which fills little in any order.
 const FEW_NEIGHBOURS: usize = 4;
 
@@ -48,7 +48,7 @@ pub(super) fn dissection(
 ) -> (Option<Dissection>, Ordering) {
     let size = starts.len() - 1;
     let automatic = ordering == Ordering::Automatic;
-    if ordering == Ordering::MinimumDegree || automatic && size < SMALL {
+    if ordering == Ordering::MinimumDegree || automatic && size < DISSECTED_SIZE {
         return (None, Ordering::MinimumDegree);
     }
     let graph = Graph::of(starts, rows);

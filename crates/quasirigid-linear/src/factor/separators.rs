@@ -6,7 +6,7 @@ use std::ops::Range;
 use faer::{MatMut, MatRef};
 
 use super::branch::fill;
-use super::dense::{ROWS, add_product, eliminate_together};
+use super::dense::{ROWS_PER_TASK, add_product, eliminate_together};
 use super::permuted::Permuted;
 use super::places::Places;
 use super::supernodes::Supernode;
@@ -174,11 +174,11 @@ impl<T: Real> Strip<'_, T> {
     fn subtract(self, low: MatRef<'_, T>) {
         let width = self.columns.len();
         let across = low.subrows(self.columns.start, width).to_owned();
-        let mut room = vec![T::rounded(0.0); ROWS * width];
+        let mut room = vec![T::rounded(0.0); ROWS_PER_TASK * width];
         let places = &self.part.places;
         let first = self.columns.start - self.part.columns.start;
-        for start in (first..places.len()).step_by(ROWS) {
-            let rows = ROWS.min(places.len() - start);
+        for start in (first..places.len()).step_by(ROWS_PER_TASK) {
+            let rows = ROWS_PER_TASK.min(places.len() - start);
             let product = &mut room[..rows * width];
             product.fill(T::rounded(0.0));
             let tile = MatMut::from_column_major_slice_mut(product, rows, width);

@@ -28,7 +28,7 @@ pub(super) struct Tree {
 }
 
 /// Multiplications below which a tree is one branch, as threads would cost more than they save.
-const SMALL: f64 = 1e8;
+const SINGLE_BRANCH_WORK: f64 = 1e8;
 /// A branch has no more than this share of all multiplications; the updates of a small one take little memory.
 const SHARE: f64 = 1.0 / 256.0;
 
@@ -50,7 +50,7 @@ impl Tree {
                 work[parent] += work[index];
             }
         }
-        let most = if all < SMALL { f64::INFINITY } else { SHARE * all };
+        let most = if all < SINGLE_BRANCH_WORK { f64::INFINITY } else { SHARE * all };
         let above = |index: usize| work[index] > most;
         let separators: Vec<usize> = (0..count).filter(|index| above(*index)).collect();
         let roots = (0..count).filter(|index| !above(*index) && parents[*index].is_none_or(above));

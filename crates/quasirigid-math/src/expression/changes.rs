@@ -24,9 +24,9 @@ pub struct Changes {
 /// Distance from a polynomial, relative to the largest value of a part, that counts as none: far less than a quadrature may overlook.
 pub const FLAT: f64 = 1e-8;
 /// Rounding of the variable, in units of its own, that values over a short interval show.
-const ROUNDING: f64 = 8.0 * f64::EPSILON;
+const VARIABLE_ROUNDING: f64 = 8.0 * f64::EPSILON;
 /// Length of the shortest interval, relative to the whole: what changes within is a jump.
-const SHORTEST: f64 = 1e-13;
+const SHORTEST_INTERVAL: f64 = 1e-13;
 /// First intervals: no simple fraction of the whole, so that no period fits them.
 const FIRST: [f64; 4] = [0.0, 0.236_067_977, 0.618_033_989, 1.0];
 /// Passes in which neighbours are joined.
@@ -147,7 +147,7 @@ impl<'p, 'v> Scan<'p, 'v> {
             variables: Vec::new(),
             lobatto: Lobatto::new(),
             edges,
-            shortest: SHORTEST * (to - from).max(from.abs()).max(to.abs()),
+            shortest: SHORTEST_INTERVAL * (to - from).max(from.abs()).max(to.abs()),
             values: Vec::new(),
             evaluations: 0,
             budget,
@@ -401,7 +401,7 @@ fn rounding(values: &[f64; FINE], from: f64, to: f64) -> f64 {
     let [least, most] = values.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[least, most], value| {
         [least.min(*value), most.max(*value)]
     });
-    ROUNDING * from.abs().max(to.abs()) / (to - from) * (most - least)
+    VARIABLE_ROUNDING * from.abs().max(to.abs()) / (to - from) * (most - least)
 }
 
 #[cfg(test)]

@@ -29,7 +29,7 @@ pub fn character(found: char, start: usize) -> ExpressionError {
         .find(|(characters, _)| characters.contains(found))
         .map_or("a formula has numbers, names, `+ - * / ^`, parentheses and commas", |(_, advice)| advice);
     let shown = found.escape_debug();
-    error(start..start + found.len_utf8(), format!("`{shown}` means nothing in a formula; {advice}"))
+    error(start..start + found.len_utf8(), format!("`{shown}` is not allowed in a formula; {advice}"))
 }
 
 /// Digits and points that are no number; `rest` begins with them.

@@ -271,7 +271,7 @@ mod tests {
             ("(t)x", "x", "no sign between `)` and `x`; write `)*x` for a product"),
             ("x 3", "3", "no sign between `x` and `3`; write `x*3` for a product"),
             ("2e*t + 1", "e", "no sign between `2` and `e`; write `2*e` for a product"),
-            ("t +", "", "the formula breaks off; a number, a name or `(` is missing after `+`"),
+            ("t +", "", "the formula is incomplete; a number, a name or `(` is missing after `+`"),
             ("* t", "*", "a number, a name or `(` is missing before `*`"),
             ("t + )", ")", "a number, a name or `(` is missing between `+` and `)`"),
             ("sin()", ")", "a number, a name or `(` is missing between `(` and `)`"),
@@ -297,8 +297,8 @@ mod tests {
                 "sqrt(-2)",
                 "`sqrt(-2)` is NaN; a part without variables must be a finite number",
             ),
-            ("x²", "²", "`²` means nothing in a formula; write `^2`"),
-            ("2×t", "×", "`×` means nothing in a formula; write `*`"),
+            ("x²", "²", "`²` is not allowed in a formula; write `^2`"),
+            ("2×t", "×", "`×` is not allowed in a formula; write `*`"),
         ];
         for (text, place, message) in table {
             assert_eq!(refused(text), (place, message.to_owned()), "{text}");

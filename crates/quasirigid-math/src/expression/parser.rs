@@ -9,7 +9,7 @@ use super::message;
 use super::program::Program;
 
 /// Most bytes of a formula.
-const LONGEST: usize = 16_384;
+const MAX_FORMULA: usize = 16_384;
 /// Most parentheses, signs and powers inside one another.
 const DEEPEST: usize = 200;
 
@@ -18,11 +18,11 @@ const SIGN: u8 = 3;
 
 /// Reads a formula.
 pub fn parse(text: &str, variables: &[&str]) -> Result<Program, ExpressionError> {
-    if text.len() > LONGEST {
+    if text.len() > MAX_FORMULA {
         let length = text.len();
         return Err(message::error(
             0..length,
-            format!("the formula has {length} bytes, more than {LONGEST}; split it or tabulate it"),
+            format!("the formula has {length} bytes, more than {MAX_FORMULA}; split it or tabulate it"),
         ));
     }
     let mut lexer = Lexer::new(text);
@@ -205,7 +205,7 @@ impl<'a> Parser<'a> {
     fn missing(&self) -> ExpressionError {
         let wanted = "a number, a name or `(` is missing";
         let message = match self.token {
-            Token::End => format!("the formula breaks off; {wanted} after `{}`", self.before()),
+            Token::End => format!("the formula is incomplete; {wanted} after `{}`", self.before()),
             _ if self.before.is_empty() => format!("{wanted} before `{}`", self.found()),
             _ => format!("{wanted} between `{}` and `{}`", self.before(), self.found()),
         };

@@ -6,7 +6,7 @@ use super::lobatto::{FINE, Lobatto};
 use super::program::{Program, Role};
 
 /// Change between neighbours, relative to the largest value, that is rounding.
-const ROUNDING: f64 = 1e-13;
+const CHANGE_ROUNDING: f64 = 1e-13;
 
 /// Whether every part of a formula is nearly a polynomial along a path, by its values at the points of Lobatto, and no part that acts in a
 /// short part of the range of its argument has an argument with a zero or an extreme there. (Z2)
@@ -38,7 +38,7 @@ fn is_monotone(values: &[f64; FINE]) -> bool {
     let largest = values.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
     let steps = values.windows(2).map(|pair| pair[1] - pair[0]);
     let (mut rises, mut falls) = (false, false);
-    for step in steps.filter(|step| step.abs() > ROUNDING * largest) {
+    for step in steps.filter(|step| step.abs() > CHANGE_ROUNDING * largest) {
         rises |= step > 0.0;
         falls |= step < 0.0;
     }

@@ -36,7 +36,7 @@ pub struct Dop853<S, Y, R> {
 }
 
 /// Step factors: safety, and the limits of one change.
-pub(super) const CAUTION: f64 = 0.9;
+pub(super) const SAFETY_FACTOR: f64 = 0.9;
 pub(super) const SHRINK: f64 = 0.333;
 pub(super) const GROW: f64 = 6.0;
 
@@ -218,7 +218,7 @@ impl<S: System<Y>, Y: State, R: Arithmetic> Solver for Dop853<S, Y, R> {
                 rejected = true;
                 continue;
             }
-            let factor = (CAUTION / eighth_root(error)).clamp(SHRINK, GROW);
+            let factor = (SAFETY_FACTOR / eighth_root(error)).clamp(SHRINK, GROW);
             if error <= 1.0 {
                 let growth = if rejected { factor.min(1.0) } else { factor };
                 self.h = if reaches { self.h.max(h * growth) } else { h * growth };
@@ -316,9 +316,9 @@ pub(super) fn interpolant<Y: State, R: Arithmetic>(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::simd::Plain;
+    use crate::simd::Unfused;
 
-    type Method<S, const N: usize> = Dop853<S, [f64; N], Plain>;
+    type Method<S, const N: usize> = Dop853<S, [f64; N], Unfused>;
 
     /// Arenstorf's orbit of the restricted three-body problem: closes after its period `[@hairer1993]`.
     struct Arenstorf;

@@ -5,7 +5,7 @@
 
 use std::marker::PhantomData;
 
-use super::dop853::{CAUTION, GROW, SHRINK, eighth_root, interpolant};
+use super::dop853::{GROW, SAFETY_FACTOR, SHRINK, eighth_root, interpolant};
 use super::dop853_tableau::{A, B, E3, E5, EXTRA, STAGES};
 use super::system::{DenseOutput, REACH};
 use crate::lanes::{Lanes, Mask};
@@ -202,7 +202,7 @@ impl<'a, S: LaneSystem<D>, R: Arithmetic, const D: usize> Dop853Lanes<'a, S, R, 
     #[inline(always)]
     fn adapt(&mut self, h: Lanes, error: Lanes, [reaches, accepted, stuck]: [Mask; 3]) {
         let defined = error.at_most(Lanes::splat(f64::MAX));
-        let factor = Lanes::splat(CAUTION) / error.map(eighth_root);
+        let factor = Lanes::splat(SAFETY_FACTOR) / error.map(eighth_root);
         let factor =
             factor.min(Lanes::splat(GROW)).max(Lanes::splat(SHRINK)).select(defined, Lanes::splat(SHRINK));
         let longer = h * factor.min(Lanes::splat(1.0)).select(self.rejected, factor);

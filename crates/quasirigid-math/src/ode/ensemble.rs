@@ -34,37 +34,38 @@ pub fn integrate_lanes<S: LaneSystem<D>, R: Arithmetic, const D: usize>(
     let mut ensemble = Ensemble { starts, times, most_steps, at_once, begun: 0, ended: 0, runs: Vec::new() };
     ensemble.runs = starts.iter().map(|start| ensemble.not_begun(start)).collect();
     let mut solver = Dop853Lanes::<S, R, D>::new(system);
-    let mut seats: [Option<Seat>; LANES] = std::array::from_fn(|lane| ensemble.next(&mut solver, lane));
+    let mut slots: [Option<LaneSlot>; LANES] = std::array::from_fn(|lane| ensemble.next(&mut solver, lane));
     for sweep in 1_u64.. {
-        if seats.iter().all(Option::is_none) || (sweep % LOOK == 0 && !goes_on(ensemble.ended)) {
+        if slots.iter().all(Option::is_none) || (sweep % SWEEPS_PER_QUESTION == 0 && !goes_on(ensemble.ended))
+        {
             break;
         }
         let trial = solver.step();
-        if ensemble.count(&mut seats, &trial, solver.t()) {
+        if ensemble.count(&mut slots, &trial, solver.t()) {
             solver.prepare_dense();
         }
-        for (lane, place) in seats.iter_mut().enumerate() {
-            let Some(seat) = place else { continue };
+        for (lane, place) in slots.iter_mut().enumerate() {
+            let Some(slot) = place else { continue };
             if trial.accepted.get(lane) {
-                ensemble.output(seat, &solver, lane);
+                ensemble.output(slot, &solver, lane);
             }
-            if let Some(reason) = ensemble.reason(seat, &trial, &solver, lane) {
-                ensemble.end(seat, reason);
+            if let Some(reason) = ensemble.reason(slot, &trial, &solver, lane) {
+                ensemble.end(slot, reason);
                 *place = ensemble.next(&mut solver, lane);
             }
         }
     }
-    for seat in seats.iter().flatten() {
-        ensemble.end(seat, StopReason::Interrupted);
+    for slot in slots.iter().flatten() {
+        ensemble.end(slot, StopReason::Interrupted);
     }
     ensemble.runs
 }
 
 /// Sweeps between two questions whether to go on.
-const LOOK: u64 = 4096;
+const SWEEPS_PER_QUESTION: u64 = 4096;
 
 /// A trajectory in its lane.
-struct Seat {
+struct LaneSlot {
     index: usize,
     /// Number of its next output.
     next: usize,
@@ -105,7 +106,7 @@ impl<const D: usize> Ensemble<'_, D> {
         &mut self,
         solver: &mut Dop853Lanes<S, R, D>,
         lane: usize,
-    ) -> Option<Seat> {
+    ) -> Option<LaneSlot> {
         let end = self.times.last().copied().unwrap_or(0.0);
         if self.begun == self.starts.len() || self.at_once == self.times.len() || self.most_steps == 0 {
             solver.unload(lane);
@@ -114,19 +115,19 @@ impl<const D: usize> Ensemble<'_, D> {
         let index = self.begun;
         self.begun += 1;
         solver.load(lane, &self.starts[index], end);
-        Some(Seat { index, next: self.at_once, steps: 0, rejected: 0, dense: 0 })
+        Some(LaneSlot { index, next: self.at_once, steps: 0, rejected: 0, dense: 0 })
     }
 
     /// Counts a trial in each lane, and tells whether a lane has passed its next output.
     #[inline(always)]
-    fn count(&self, seats: &mut [Option<Seat>; LANES], trial: &Trial, t: Lanes) -> bool {
+    fn count(&self, slots: &mut [Option<LaneSlot>; LANES], trial: &Trial, t: Lanes) -> bool {
         let mut passed = false;
-        for (lane, seat) in seats.iter_mut().enumerate() {
-            if let Some(seat) = seat {
+        for (lane, slot) in slots.iter_mut().enumerate() {
+            if let Some(slot) = slot {
                 let accepted = trial.accepted.get(lane);
-                seat.steps += u64::from(accepted);
-                seat.rejected += u64::from(!accepted && !trial.stuck.get(lane));
-                passed |= accepted && self.times[seat.next] <= t.0[lane];
+                slot.steps += u64::from(accepted);
+                slot.rejected += u64::from(!accepted && !trial.stuck.get(lane));
+                passed |= accepted && self.times[slot.next] <= t.0[lane];
             }
         }
         passed
@@ -136,19 +137,19 @@ impl<const D: usize> Ensemble<'_, D> {
     #[inline(always)]
     fn output<S: LaneSystem<D>, R: Arithmetic>(
         &mut self,
-        seat: &mut Seat,
+        slot: &mut LaneSlot,
         solver: &Dop853Lanes<S, R, D>,
         lane: usize,
     ) {
         let reached = solver.t().0[lane];
-        if self.times[seat.next] > reached {
+        if self.times[slot.next] > reached {
             return;
         }
         let dense = solver.dense(lane);
-        seat.dense += 1;
-        while seat.next < self.times.len() && self.times[seat.next] <= reached {
-            self.runs[seat.index].outputs.push(dense.at(self.times[seat.next]));
-            seat.next += 1;
+        slot.dense += 1;
+        while slot.next < self.times.len() && self.times[slot.next] <= reached {
+            self.runs[slot.index].outputs.push(dense.at(self.times[slot.next]));
+            slot.next += 1;
         }
     }
 
@@ -156,7 +157,7 @@ impl<const D: usize> Ensemble<'_, D> {
     #[inline(always)]
     fn reason<S: LaneSystem<D>, R: Arithmetic>(
         &self,
-        seat: &Seat,
+        slot: &LaneSlot,
         trial: &Trial,
         solver: &Dop853Lanes<S, R, D>,
         lane: usize,
@@ -165,15 +166,15 @@ impl<const D: usize> Ensemble<'_, D> {
             let error = StepError::at(solver.t().0[lane], solver.undefined(lane));
             return Some(StopReason::Failed(error));
         }
-        let finished = (seat.next == self.times.len()).then_some(StopReason::Finished);
-        finished.or((seat.steps >= self.most_steps).then_some(StopReason::StepLimit))
+        let finished = (slot.next == self.times.len()).then_some(StopReason::Finished);
+        finished.or((slot.steps >= self.most_steps).then_some(StopReason::StepLimit))
     }
 
-    fn end(&mut self, seat: &Seat, reason: StopReason) {
-        let run = &mut self.runs[seat.index];
-        let trials = seat.steps + seat.rejected;
-        let evaluations = (STAGES as u64 - 1) * trials + seat.steps + EXTRA as u64 * seat.dense;
-        run.work = Work { steps: seat.steps, rejected: seat.rejected, evaluations, ..Work::default() };
+    fn end(&mut self, slot: &LaneSlot, reason: StopReason) {
+        let run = &mut self.runs[slot.index];
+        let trials = slot.steps + slot.rejected;
+        let evaluations = (STAGES as u64 - 1) * trials + slot.steps + EXTRA as u64 * slot.dense;
+        run.work = Work { steps: slot.steps, rejected: slot.rejected, evaluations, ..Work::default() };
         run.reason = reason;
         self.ended += 1;
     }
@@ -273,7 +274,7 @@ mod tests {
 
     /// By the registers that every processor has.
     fn dispatch_plain() -> Vec<LaneRun<3>> {
-        let [together, _] = Both.run::<crate::simd::Plain>();
+        let [together, _] = Both.run::<crate::simd::Unfused>();
         together
     }
 }

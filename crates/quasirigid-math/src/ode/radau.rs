@@ -55,12 +55,12 @@ pub struct Radau<S, R> {
 }
 
 /// Safety factor, and the limit of one cut of the step.
-const CAUTION: f64 = 0.82;
+const SAFETY_FACTOR: f64 = 0.82;
 const SHRINK: f64 = 0.2;
 /// Order of the error estimate plus one.
 const ORDER: f64 = 8.0;
 /// Multiple of the ratio of corrections up to which longer steps pay beyond which shorter ones pay, and the factor of the step then.
-const FAR: f64 = 2.0;
+const FAR_RATIO: f64 = 2.0;
 const SHORTER: f64 = 0.7;
 /// Stage in the middle of a step.
 const MIDDLE: usize = 3;
@@ -183,7 +183,7 @@ impl<S: Stiff, R: Arithmetic> Radau<S, R> {
     /// evaluated again first.
     fn affordable(&mut self, ratio: f64, h: f64, wanted: f64) -> f64 {
         let Pace { contraction, .. } = self.stages.pace();
-        let growth = if ratio > FAR * contraction { SHORTER } else { (contraction / ratio).max(1.0) };
+        let growth = if ratio > FAR_RATIO * contraction { SHORTER } else { (contraction / ratio).max(1.0) };
         let aged = self.system.changes() && self.age.shows(ratio / h, growth < wanted);
         if aged { growth.max(1.0) } else { growth }
     }
@@ -216,7 +216,7 @@ impl<S: Stiff, R: Arithmetic> Solver for Radau<S, R> {
             let factor = match search {
                 Search::Found(ratio) => {
                     let error = self.estimate(h).max(f64::MIN_POSITIVE);
-                    let factor = (CAUTION * error.powf(-1.0 / ORDER)).clamp(SHRINK, pace.grow);
+                    let factor = (SAFETY_FACTOR * error.powf(-1.0 / ORDER)).clamp(SHRINK, pace.grow);
                     if error <= 1.0 {
                         let growth = factor.min(self.affordable(ratio, h, factor));
                         let limit = if rejected || self.calm < pace.rest { 1.0 } else { pace.grow };

@@ -50,13 +50,13 @@ pub(super) struct Convergence {
 }
 
 /// Rounding error of the iteration, in roundings of the state, and the ratio of corrections that shows it.
-const ROUNDING: f64 = 32.0;
+const ITERATION_ROUNDING: f64 = 32.0;
 const STALLED: f64 = 0.3;
 
 impl Convergence {
     /// Before the first sweep.
     pub fn new(attempt: Attempt, limits: Limits) -> Self {
-        let rounding = ROUNDING * f64::EPSILON * attempt.size();
+        let rounding = ITERATION_ROUNDING * f64::EPSILON * attempt.size();
         Self { limits, rounding, made: 0, before: f64::INFINITY, ratios: [0.0; 2] }
     }
 

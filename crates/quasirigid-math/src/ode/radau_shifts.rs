@@ -96,7 +96,7 @@ pub(super) fn sum(Lanes([a, b, c, d, e, f, g, h]): Lanes) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::simd::Plain;
+    use crate::simd::Unfused;
 
     const ENTRIES: Lanes = Lanes([0.3, -1.2, 0.7, 2.1, -0.4, 0.9, 1.6, 0.0]);
 
@@ -104,8 +104,8 @@ mod tests {
     #[test]
     fn parts_at_the_shifts_are_the_stages_transformed() {
         let zero = Lanes::splat(0.0);
-        let parts = product::<Plain>(&TO_SHIFTS, ENTRIES, zero);
-        let found = product::<Plain>(&FROM_SHIFTS, parts, zero);
+        let parts = product::<Unfused>(&TO_SHIFTS, ENTRIES, zero);
+        let found = product::<Unfused>(&FROM_SHIFTS, parts, zero);
         for lane in 0..LANES {
             // the transformation magnifies rounding by its size, some hundreds
             assert!((found.0[lane] - ENTRIES.0[lane]).abs() < 1e-12, "{lane}: {found:?}");
@@ -116,11 +116,11 @@ mod tests {
     #[test]
     fn weights_are_diagonal_at_the_shifts() {
         let zero = Lanes::splat(0.0);
-        let weighted = product::<Plain>(&WEIGHTS, ENTRIES, zero);
-        let parts = product::<Plain>(&TO_SHIFTS, weighted, zero);
+        let weighted = product::<Unfused>(&WEIGHTS, ENTRIES, zero);
+        let parts = product::<Unfused>(&TO_SHIFTS, weighted, zero);
         let [straight, crossed] = factors(super::super::radau_tableau::GAMMA);
         let found = straight * parts + crossed * exchanged(parts);
-        let known = product::<Plain>(&TO_SHIFTS, ENTRIES, zero);
+        let known = product::<Unfused>(&TO_SHIFTS, ENTRIES, zero);
         for lane in 0..LANES {
             let size = known.0[lane].abs().max(1.0);
             assert!((found.0[lane] - known.0[lane]).abs() < 1e-11 * size, "{lane}: {found:?} {known:?}");

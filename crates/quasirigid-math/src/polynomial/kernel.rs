@@ -7,7 +7,7 @@ use super::Series;
 use super::monomial::count;
 use crate::lanes::Lanes;
 use crate::scalar::Scalar;
-use crate::simd::{Arithmetic, Plain, scaled_sum};
+use crate::simd::{Arithmetic, Unfused, scaled_sum};
 
 /// A number that kernels are evaluated at: one, or one for each of several problems.
 pub trait Number: Scalar + Div<Output = Self> {
@@ -132,7 +132,7 @@ impl Kernel {
     #[inline(never)]
     #[must_use]
     pub fn at(&self, x: [f64; 3]) -> [f64; 4] {
-        self.value::<Plain>(x)
+        self.value::<Unfused>(x)
     }
 
     /// Value at a point.

@@ -25,7 +25,7 @@ const ITERATIONS: usize = 6;
 /// Relative change of the eigenvalue at which the iteration ends.
 const CONVERGED: f64 = 4.0 * f64::EPSILON;
 /// Size of an eigenvalue that is zero, over the fastest rate of the system.
-const LEAST: f64 = 1e-6;
+const ZERO_EIGENVALUE: f64 = 1e-6;
 /// Distance of the shift from the eigenvalue, relative to the size of the eigenvalue, so that the pencil can be factored.
 const OFFSET: f64 = 1e-13;
 
@@ -63,7 +63,7 @@ pub(super) fn two_sided(linear: &LinearPart, [re, im]: [f64; 2], right: &[[f64; 
         .collect();
     let fastest = fastest(linear);
     for _ in 0..ITERATIONS {
-        let size = lambda.norm().max(LEAST * fastest);
+        let size = lambda.norm().max(ZERO_EIGENVALUE * fastest);
         let shift = lambda
             + if real { Complex::from(OFFSET * size) } else { Complex::new(OFFSET * size, OFFSET * size) };
         let pencil = linear.pencil(shift);

@@ -4,7 +4,7 @@
 
 use quasirigid_math::lanes::Lanes;
 use quasirigid_math::ode::{Checkpoint, Dop853, Radau, Solver, Stiff, System, Work};
-use quasirigid_math::simd::{Arithmetic, Plain};
+use quasirigid_math::simd::{Arithmetic, Unfused};
 
 /// Damped spring that hardens, `x'' = −k (x + β x³ − p) − c x'`, pulled by a slow oscillator `p'' = −p`: the state is `(p, p', x, x')`.
 #[derive(Clone, Debug, Default)]
@@ -67,7 +67,7 @@ const START: [f64; 4] = [0.9, 0.0, 0.5, 0.0];
 const ALLOWED: [f64; 4] = [1e-9; 4];
 const END: f64 = 12.0;
 
-fn implicit(steps: f64) -> Radau<Hardening, Plain> {
+fn implicit(steps: f64) -> Radau<Hardening, Unfused> {
     Radau::new(Hardening::default(), 0.0, START.to_vec(), &ALLOWED, steps)
 }
 
@@ -175,7 +175,7 @@ fn stages_side_by_side_go_on_with_the_same_bits_and_agree_with_stages_in_turn() 
     let [p, speed, x, v] = START;
     let new = |beside| {
         let system = Working { spring: Hardening::default(), beside };
-        Radau::<_, Plain>::new(system, 0.0, vec![p, speed, 0.0, x, v], &[1e-9; 5], 1e-4)
+        Radau::<_, Unfused>::new(system, 0.0, vec![p, speed, 0.0, x, v], &[1e-9; 5], 1e-4)
     };
     assert!(assert_goes_on(|| new(true)) > 100);
     let [one, other] = [true, false].map(|beside| {
@@ -191,7 +191,7 @@ fn stages_side_by_side_go_on_with_the_same_bits_and_agree_with_stages_in_turn() 
 
 #[test]
 fn explicit_steps_go_on_with_the_same_bits() {
-    let soft = || Dop853::<Pull, Vec<f64>, Plain>::new(Pull, 0.0, vec![0.9, 0.3], vec![1e-9; 2]);
+    let soft = || Dop853::<Pull, Vec<f64>, Unfused>::new(Pull, 0.0, vec![0.9, 0.3], vec![1e-9; 2]);
     assert!(assert_goes_on(soft) > 10);
 }
 

@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use super::lattice::{LONG, Lattice};
+use super::lattice::{LONG_EDGE, Lattice};
 use crate::surface::Proximity;
 use quasirigid_math::vec3::{add, norm, scale};
 use quasirigid_math::watch;
@@ -12,7 +12,7 @@ const ON: f64 = 1e-9;
 /// Distance to the surface below which cuts are on it.
 const CUT: f64 = 1e-13;
 /// Most steps towards a cut: many times the number that a polyhedron needs.
-const STEPS: usize = 100;
+const MAX_STEPS: usize = 100;
 /// Shares of a long and of a short edge within which a cut draws the end of the edge to it `[@labelle2007]`.
 const DRAWN: [f64; 2] = [0.249_99, 0.411_89];
 
@@ -78,7 +78,7 @@ impl Fit {
         let near = edges().filter_map(|(other, length)| {
             let cut = *self.cuts.get(&ends(index, other))?;
             let away = norm(add(cut, from));
-            let share = if length == LONG { DRAWN[0] } else { DRAWN[1] };
+            let share = if length == LONG_EDGE { DRAWN[0] } else { DRAWN[1] };
             (away < share * length).then_some((away, cut))
         });
         if let Some((_, cut)) = near.min_by(|a, b| a.0.total_cmp(&b.0)) {
@@ -112,7 +112,7 @@ fn cut(surface: &Proximity, [inner, outer]: [[f64; 3]; 2], [mut low, mut high]: 
     let [mut from, mut to] = [0.0, 1.0];
     let mut place = inner;
     let mut last = Side::On;
-    for _ in 0..STEPS {
+    for _ in 0..MAX_STEPS {
         let share = (from * high - to * low) / (high - low);
         let nearest = surface.nearest(add(inner, scale(share, along)));
         place = nearest.at;
@@ -162,7 +162,7 @@ mod tests {
                 let Some(cut) = cut else { continue };
                 cuts += 1;
                 let [a, b] = [index, other].map(|end| norm(add(fit.places[end], scale(-1.0, *cut))));
-                let share = if length == LONG { 0.249_99 } else { 0.411_89 };
+                let share = if length == LONG_EDGE { 0.249_99 } else { 0.411_89 };
                 assert!((a + b - length).abs() < 1e-12 && a.min(b) >= share * length, "{a} {b} {length}");
                 assert!(surface.nearest(*cut).distance.abs() < 1e-12);
             }

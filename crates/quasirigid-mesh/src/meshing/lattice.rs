@@ -7,9 +7,9 @@ pub(super) struct Lattice {
 }
 
 /// Length of the edges between neighbouring corners, or neighbouring middles.
-pub(super) const LONG: f64 = 1.0;
+pub(super) const LONG_EDGE: f64 = 1.0;
 /// Length of the edges between a middle and the corners of its cube, √¾.
-pub(super) const SHORT: f64 = 0.866_025_403_784_438_6;
+pub(super) const SHORT_EDGE: f64 = 0.866_025_403_784_438_6;
 
 impl Lattice {
     pub fn new(cubes: [usize; 3]) -> Self {
@@ -48,12 +48,12 @@ impl Lattice {
         let step = move |k: usize| {
             let ahead = k.is_multiple_of(2);
             let moved = |axis: usize| if ahead { point[axis] + 2 } else { point[axis].wrapping_sub(2) };
-            (std::array::from_fn(|axis| if axis == k / 2 { moved(axis) } else { point[axis] }), LONG)
+            (std::array::from_fn(|axis| if axis == k / 2 { moved(axis) } else { point[axis] }), LONG_EDGE)
         };
         let slant = move |k: usize| {
             let ahead = |axis: usize| k >> axis & 1 == 0;
             let moved = |axis| if ahead(axis) { point[axis] + 1 } else { point[axis].wrapping_sub(1) };
-            (std::array::from_fn(moved), SHORT)
+            (std::array::from_fn(moved), SHORT_EDGE)
         };
         let all = (0..6).map(step).chain((0..8).map(slant));
         all.filter(|(point, _)| self.has(*point)).map(|(point, length)| (self.index(point), length))
@@ -115,7 +115,7 @@ mod tests {
             assert!(neighbours.len() == 14 || !inner);
             for (other, expected) in neighbours {
                 assert!((length(index, other) - expected).abs() < 1e-15);
-                assert!(expected == SHORT || LATTICE.is_even(index) != LATTICE.is_even(other));
+                assert!(expected == SHORT_EDGE || LATTICE.is_even(index) != LATTICE.is_even(other));
             }
         }
     }
@@ -125,9 +125,9 @@ mod tests {
         let cells: Vec<_> = LATTICE.tetrahedra().collect();
         assert_eq!(cells.len(), 4 * (2 * 4 * 2 + 3 * 3 * 2 + 3 * 4));
         for [a, b, c, d] in cells {
-            assert_eq!([length(a, b), length(c, d)], [LONG; 2]);
+            assert_eq!([length(a, b), length(c, d)], [LONG_EDGE; 2]);
             for [p, q] in [[a, c], [a, d], [b, c], [b, d]] {
-                assert!((length(p, q) - SHORT).abs() < 1e-15);
+                assert!((length(p, q) - SHORT_EDGE).abs() < 1e-15);
             }
         }
     }

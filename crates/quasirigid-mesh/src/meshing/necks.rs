@@ -16,7 +16,7 @@ pub struct Neck {
 /// Cells of the grid along the longest side of the box around a body, and of that around a neck.
 const CELLS: [usize; 2] = [32, 24];
 /// Least ratio of the smaller of the largest balls on both sides to the ball of the neck.
-const NARROW: f64 = 1.15;
+const NECK_RATIO: f64 = 1.15;
 /// Least ratio of that ball to the largest one in the body: a smaller part beyond a neck does not count.
 const LOBE: f64 = 0.2;
 
@@ -103,7 +103,7 @@ impl Grid {
                 // The root of a part is its deepest point.
                 let [upper, lower] = if self.depths[a] >= self.depths[b] { [a, b] } else { [b, a] };
                 let (lobe, saddle) = (self.depths[lower], self.depths[*index]);
-                if lobe >= least && lobe >= NARROW * saddle && lower != *index {
+                if lobe >= least && lobe >= NECK_RATIO * saddle && lower != *index {
                     found.push(Neck { center: self.place(*index), radius: saddle });
                 }
                 parent[lower] = upper;

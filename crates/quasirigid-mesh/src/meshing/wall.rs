@@ -6,9 +6,9 @@ use crate::surface::Proximity;
 use quasirigid_math::vec3::{add, norm, scale};
 
 /// Largest shift of a middle, as a share of its edge: beyond, another part of the surface is near.
-const FARTHEST: f64 = 0.25;
+const LARGEST_SHIFT: f64 = 0.25;
 /// Least Jacobian of a curved cell relative to that of the straight one.
-const LEAST: f64 = 0.3;
+const LEAST_JACOBIAN: f64 = 0.3;
 /// Corners of the faces of a tetrahedron, and the nodes in the middles of their edges.
 const FACES: [([usize; 3], [usize; 3]); 4] =
     [([0, 1, 2], [4, 5, 6]), ([0, 1, 3], [4, 7, 8]), ([1, 2, 3], [5, 8, 9]), ([0, 2, 3], [6, 7, 9])];
@@ -23,12 +23,12 @@ pub(super) fn curved(corners: Vec<[f64; 3]>, mesh: &Quadratic, surface: &Proximi
     for node in on_wall(mesh) {
         let [a, b] = mesh.edges[node - first].map(|end| nodes[end]);
         let at = surface.nearest(nodes[node]).at;
-        if norm(add(at, scale(-1.0, nodes[node]))) <= FARTHEST * norm(add(b, scale(-1.0, a))) {
+        if norm(add(at, scale(-1.0, nodes[node]))) <= LARGEST_SHIFT * norm(add(b, scale(-1.0, a))) {
             nodes[node] = at;
         }
     }
     loop {
-        let bent = |cell: &&[usize; 10]| !(least_jacobian(&cell.map(|node| nodes[node])) >= LEAST);
+        let bent = |cell: &&[usize; 10]| !(least_jacobian(&cell.map(|node| nodes[node])) >= LEAST_JACOBIAN);
         let bent: Vec<&[usize; 10]> = mesh.cells.iter().filter(bent).collect();
         let mut moved = false;
         for node in bent.into_iter().flat_map(|cell| &cell[4..]) {

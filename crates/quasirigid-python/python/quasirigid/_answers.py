@@ -509,7 +509,7 @@ class Run(Answer):
         """Writes the record, the reduced equations and the report into a new folder, which appears only when complete.
 
         Raises:
-            FileError: if the folder is there already, or cannot be written.
+            FileError: if the folder already exists, or cannot be written.
         """
         self._run.write(_arguments.path(folder, "folder"))
 

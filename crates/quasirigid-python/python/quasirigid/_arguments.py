@@ -31,7 +31,7 @@ def text(value: str, name: str) -> str:
         value.encode()
     except UnicodeEncodeError as error:
         place = error.start
-        message = f"{name} is no text: its character {place} is the surrogate {value[place]!a}, which UTF-8 cannot write"
+        message = f"{name} is not valid text: its character {place} is the surrogate {value[place]!a}, which UTF-8 cannot write"
         raise InputError(message) from None
     return value
 

@@ -100,7 +100,7 @@ class ModelError(Error, ValueError):
 
 
 class InputError(Error, ValueError):
-    """An argument that means nothing: a wrong shape, a negative duration, an unknown name.
+    """An invalid argument: a wrong shape, a negative duration, an unknown name.
 
     >>> import quasirigid
     >>> issubclass(quasirigid.InputError, ValueError)
@@ -109,7 +109,7 @@ class InputError(Error, ValueError):
 
 
 class StartError(Error):
-    """A start that is none: no initial rotation, or one that the body cannot have, or one that does not evolve."""
+    """An invalid start: no initial rotation, or one that the body cannot have, or one that does not evolve."""
 
 
 class ReductionError(Error):
@@ -121,7 +121,7 @@ class PropagationError(Error):
 
 
 class VerificationError(Error):
-    """A verification whose plan means nothing."""
+    """A verification with an invalid plan."""
 
 
 class UnsupportedError(Error):
@@ -129,7 +129,7 @@ class UnsupportedError(Error):
 
 
 class FileError(Error, OSError):
-    """A file or folder that cannot be read or written, or that is there already."""
+    """A file or folder that cannot be read or written, or that already exists."""
 
 
 class MissingFileError(FileError, FileNotFoundError):

@@ -78,7 +78,7 @@ class Model:
         """Model of a dictionary in the vocabulary of the model file.
 
         Raises:
-            InputError: for what a model file has no word for.
+            InputError: for a value that a model file cannot hold.
             ModelError: as for a text.
 
         >>> import quasirigid
@@ -102,7 +102,7 @@ class Model:
 
         Raises:
             InputError: for a path that leads nowhere.
-            ModelError: for a model that cannot be.
+            ModelError: for an invalid model.
 
         >>> import quasirigid
         >>> model = quasirigid.Model(quasirigid.EXAMPLE)
@@ -147,7 +147,7 @@ class Model:
         """Judges the reduced equations at the spin of the start.
 
         Raises:
-            StartError: for a start that is none.
+            StartError: for an invalid start.
             ReductionError: where the reduction fails.
 
         >>> import quasirigid
@@ -174,7 +174,7 @@ class Model:
             axis: Principal axis to spin about: ``least``, ``middle`` or ``greatest``.
 
         Raises:
-            StartError: for a start that is none.
+            StartError: for an invalid start.
             InputError: for an axis of a body that moments act on.
 
         >>> import quasirigid
@@ -207,7 +207,7 @@ class Model:
             style: ``normal-form`` or ``graph``.
 
         Raises:
-            StartError: for a start that is none.
+            StartError: for an invalid start.
             UnsupportedError: for forces, driven supports, materials without an equation of motion, and spins without a nutation.
             InputError: for settings out of range and masters that are not there.
 
@@ -298,11 +298,11 @@ class Model:
 
         Args:
             system: ``reduced``, ``full``, ``rigid``, or ``spin-manifold`` for the reduced equations about the spin.
-            initial: Angular velocities at the start (rad/s), body axes, ``(n, 3)``: one history each, on every core, in the place
-                of the model's own start. A row that fails has its reason.
+            initial: Angular velocities at the start (rad/s), body axes, ``(n, 3)``: one history each, on every core, in
+                place of the model's own start. A row that fails has its reason.
             duration: Duration (s); the model's own, or a hundred revolutions.
             samples: Number of rows, spread evenly; the model's own, or 1001.
-            times: Output times (s), ascending, in the place of ``duration`` and ``samples``.
+            times: Output times (s), ascending, in place of ``duration`` and ``samples``.
             tolerance: Error allowed per step, relative, 1e-15 to 1e-2.
             form: Variable that is integrated: ``angular-momentum``, or ``angular-velocity`` as in the paper.
             integrator: Integrator of the full system: ``automatic``, ``explicit`` or ``implicit``.
@@ -311,9 +311,9 @@ class Model:
             degree, masters, style: Settings of the reduced equations about the spin, as in ``about_spin``.
 
         Raises:
-            StartError, PropagationError: for a start that is none, unless it is a row of ``initial``.
+            StartError, PropagationError: for an invalid start, unless it is a row of ``initial``.
             InputError: for settings out of range.
-            TooLargeError: for histories that have no room in memory.
+            TooLargeError: for histories too large for memory.
 
         >>> import quasirigid
         >>> quasirigid.Model(quasirigid.EXAMPLE).simulate("rigid", times=[0, 10, 20]).energy.shape
@@ -356,7 +356,7 @@ class Model:
         Raises:
             UnsupportedError: for a body under forces, and a model whose histories end at an event.
             InputError: for settings out of range.
-            TooLargeError: for paths that have no room in memory.
+            TooLargeError: for paths too large for memory.
 
         >>> import quasirigid
         >>> quasirigid.Model(quasirigid.EXAMPLE).spins([[0.1, 1.2, 0.0]], [600]).angular_velocity.shape
@@ -424,8 +424,8 @@ class Model:
         """Follows the averaged rotation over any number of revolutions.
 
         Args:
-            initial: Angular velocities at the start (rad/s), body axes, ``(n, 3)``: one evolution each, on every core, in the place
-                of the model's own start. A row that fails has its reason.
+            initial: Angular velocities at the start (rad/s), body axes, ``(n, 3)``: one evolution each, on every core, in
+                place of the model's own start. A row that fails has its reason.
             start: Where to start: the ratio ``D/I₃`` as ``0.9`` or ``"90% of I3"``, or the greatest wobble about the axis of
                 greatest inertia as ``"20 deg"``. By default the model's start.
             until: Where to end, in the same form. By default the model's own, or 1 % of the energy of the wobble left.
@@ -438,7 +438,7 @@ class Model:
                 ``uncertainty``.
 
         Raises:
-            StartError: for a start that is none or does not evolve, unless it is a row of ``initial``.
+            StartError: for a start that is invalid or does not evolve, unless it is a row of ``initial``.
             InputError: for a target that is not ahead.
             UnsupportedError: for momentum wheels, a driven pole, and torques without an average.
 
@@ -474,7 +474,7 @@ class Model:
         order: int | None = None,
         progress: Progress = False,
     ) -> Verification:
-        """Sets the full system against the reduced equations, with the measured order of convergence.
+        """Compares the full system with the reduced equations, with the measured order of convergence.
 
         Args:
             orders: Orders to verify; every one up to the model's by default.
@@ -482,8 +482,8 @@ class Model:
             halvings: How often ε is halved; 4 by default.
 
         Raises:
-            StartError: for a start that is none.
-            VerificationError: for a plan that means nothing.
+            StartError: for an invalid start.
+            VerificationError: for an invalid plan.
         """
         with observer(progress) as watch:
             return Verification(
@@ -523,9 +523,9 @@ class Model:
                 stopped.
 
         Raises:
-            FileError: for a folder that is there already, before any work.
-            InputError: for ``tables`` or ``resume`` without a folder, and for a run that is not there to go on with, or is another.
-            StartError: for a start that is none.
+            FileError: for a folder that already exists, before any work.
+            InputError: for ``tables`` or ``resume`` without a folder, and for a run that is not there to continue, or is another.
+            StartError: for an invalid start.
         """
         if out is None and (tables is not None or resume):
             raise InputError("tables and resume need the folder of the record")

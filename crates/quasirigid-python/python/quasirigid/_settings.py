@@ -23,7 +23,7 @@ def run(
 ) -> dict[str, Any]:
     """Settings of histories."""
     if times is not None and (duration is not None or samples is not None):
-        raise InputError("times stand in the place of duration and samples; give the one or the others")
+        raise InputError("times replace duration and samples; give one or the others")
     return {
         "duration": _arguments.duration(duration),
         "samples": _arguments.count(samples, "samples"),

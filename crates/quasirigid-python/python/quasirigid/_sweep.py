@@ -214,7 +214,7 @@ def read_sweep(folder: str | os.PathLike[str]) -> Sweep:
 def _results(place: Path, ended: tuple[int, int, int, bool], kept: bool) -> Sweep:
     there, parts, elsewhere, _ = ended
     if there < parts:
-        raise FileError(f"{there} of {parts} parts are in {place}; another process works on {elsewhere} more")
+        raise FileError(f"{there} of {parts} parts are in {place}; another process is working on {elsewhere} more")
     found = read_sweep(place)
     return found if kept else Sweep(found.table, found.summary, str(found), None)
 
@@ -265,7 +265,7 @@ def _on_cluster(
                 waiting -= 1
                 collector.keep(lines)
             if show is not None and show("answering", collector.done / core.rows) is False:
-                raise Interrupted("the work was told to end")
+                raise Interrupted("the work was stopped on request")
     finally:
         workers.cancel()
 

@@ -9,7 +9,7 @@ use crate::sections::overview::shares;
 use crate::sections::table::{first, table};
 
 /// Dissipators listed.
-const MOST: usize = 24;
+const MAX_LISTED: usize = 24;
 
 /// Share of each dissipator in each run.
 pub fn section(runs: &[Compared<'_>]) -> Markup {
@@ -17,12 +17,12 @@ pub fn section(runs: &[Compared<'_>]) -> Markup {
     let names: BTreeSet<&str> =
         found.iter().flatten().flat_map(|(_, shares)| shares.keys().map(String::as_str)).collect();
     let names: Vec<&str> = names.into_iter().collect();
-    let (shown, more) = first(&names, MOST);
+    let (shown, more) = first(&names, MAX_LISTED);
     let headings: Vec<&str> = std::iter::once("").chain(runs.iter().map(|run| run.label)).collect();
     html! {
         @if names.len() > 1 {
             section.comparison.by-share aria-label="Dissipation" {
-                h2 { "What dissipates" }
+                h2 { "Dissipation shares" }
                 (table("Share of each dissipator", &headings, html! {
                     @for name in shown {
                         tr {

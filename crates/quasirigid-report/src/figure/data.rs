@@ -11,7 +11,7 @@ use crate::number::over_power;
 use crate::packed;
 
 /// Most points of a curve in the page.
-const MOST: usize = 4_000;
+const MAX_POINTS: usize = 4_000;
 
 /// The data, packed.
 pub fn script(figure: &Figure, x: &Axis, y: &Axis) -> Markup {
@@ -63,12 +63,12 @@ fn scaled(axis: &Axis, value: f64) -> f64 {
 /// The points of a curve, or the lowest and the highest of each interval of its rows in the order of the rows.
 fn points(series: &Series, x: &Axis, y: &Axis) -> (Vec<f32>, Vec<f32>) {
     let rows: Vec<usize> = (0..series.x.len().min(series.y.len())).collect();
-    let kept = if series.points || rows.len() <= MOST { rows } else { extremes(&rows, &series.y) };
+    let kept = if series.points || rows.len() <= MAX_POINTS { rows } else { extremes(&rows, &series.y) };
     kept.into_iter().map(|row| (scaled(x, series.x[row]) as f32, scaled(y, series.y[row]) as f32)).unzip()
 }
 
 fn extremes(rows: &[usize], values: &[f64]) -> Vec<usize> {
-    let interval = rows.len().div_ceil(MOST / 2);
+    let interval = rows.len().div_ceil(MAX_POINTS / 2);
     let two = |rows: &[usize]| {
         let finite = || rows.iter().copied().filter(|row| values[*row].is_finite());
         let order = |a: &usize, b: &usize| values[*a].total_cmp(&values[*b]);
@@ -96,14 +96,14 @@ mod tests {
 
     #[test]
     fn short_curves_are_whole_and_long_ones_keep_every_spike() {
-        let short = series(MOST, |t| t.sin());
+        let short = series(MAX_POINTS, |t| t.sin());
         let [x, y] = axes(&short);
-        assert_eq!(points(&short, &x, &y).1.len(), MOST);
+        assert_eq!(points(&short, &x, &y).1.len(), MAX_POINTS);
         let spike = 77_777.0;
         let long = series(100_000, |t| if t == spike { 3.0 } else { (0.1 * t).sin() });
         let [x, y] = axes(&long);
         let (grid, values) = points(&long, &x, &y);
-        assert!(grid.len() <= MOST && grid.is_sorted(), "{}", grid.len());
+        assert!(grid.len() <= MAX_POINTS && grid.is_sorted(), "{}", grid.len());
         let highest = (0..values.len()).max_by(|a, b| values[*a].total_cmp(&values[*b])).unwrap();
         assert_eq!((grid[highest], values[highest]), (spike as f32 / 10f32.powi(x.power), 3.0));
     }

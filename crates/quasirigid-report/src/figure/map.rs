@@ -12,7 +12,7 @@ use super::trace::{HEIGHT, WIDTH};
 use crate::number::tidy;
 
 /// Steps of colour.
-const STEPS: usize = 8;
+const COLOUR_STEPS: usize = 8;
 
 /// Values over a grid: `values[row][column]` belongs to `y[row]` and `x[column]`, both ascending.
 pub struct Grid {
@@ -36,7 +36,7 @@ pub fn map(id: &str, x: [&str; 2], y: [&str; 2], [name, unit]: [&str; 2], grid: 
     let along: Vec<f64> = grid.y.iter().map(|value| HEIGHT * (1.0 - y_axis.place(*value))).collect();
     let heights: Vec<Vec<f64>> =
         grid.values.iter().map(|row| row.iter().map(|value| scale.place(*value)).collect()).collect();
-    let level = |step: usize| step as f64 / STEPS as f64;
+    let level = |step: usize| step as f64 / COLOUR_STEPS as f64;
     let lines = |step: usize| {
         contour(&across, &along, &heights, level(step)).iter().fold(String::new(), |mut path, [a, b]| {
             let _ = write!(path, "M{:.1} {:.1}L{:.1} {:.1}", a[0], a[1], b[0], b[1]);
@@ -47,7 +47,7 @@ pub fn map(id: &str, x: [&str; 2], y: [&str; 2], [name, unit]: [&str; 2], grid: 
         @for (step, d) in cells(&across, &along, &heights).iter().enumerate() {
             @if !d.is_empty() { path class={ "cell m" (step) } d=(d) {} }
         }
-        @for step in 1..STEPS { path.contour d=(lines(step)) {} }
+        @for step in 1..COLOUR_STEPS { path.contour d=(lines(step)) {} }
     };
     let bound = |step: usize| tidy(scale.value(level(step)), 3);
     let title = format!("{name} over {} and {}", x[0], y[0]);
@@ -57,8 +57,8 @@ pub fn map(id: &str, x: [&str; 2], y: [&str; 2], [name, unit]: [&str; 2], grid: 
         (frame.draw(&drawing, &html! {}))
         p.levels aria-label={ "Colours of " (name) } {
             span { (name) @if !unit.is_empty() && unit != "1" { " [" (unit) "]" } }
-            @for step in 0..STEPS {
-                span.level { span class={ "swatch m" (step) } {} (bound(step)) @if step + 1 == STEPS { " to " (bound(STEPS)) } }
+            @for step in 0..COLOUR_STEPS {
+                span.level { span class={ "swatch m" (step) } {} (bound(step)) @if step + 1 == COLOUR_STEPS { " to " (bound(COLOUR_STEPS)) } }
             }
         }
     })
@@ -66,11 +66,11 @@ pub fn map(id: &str, x: [&str; 2], y: [&str; 2], [name, unit]: [&str; 2], grid: 
 
 /// Path data of the cells of each colour: a cell reaches halfway to its neighbours.
 fn cells(across: &[f64], along: &[f64], heights: &[Vec<f64>]) -> Vec<String> {
-    let mut paths = vec![String::new(); STEPS];
+    let mut paths = vec![String::new(); COLOUR_STEPS];
     let (columns, rows) = (edges(across), edges(along));
     for (row, heights) in heights.iter().enumerate() {
         for (column, height) in heights.iter().enumerate().filter(|(_, height)| height.is_finite()) {
-            let step = (height * STEPS as f64).clamp(0.0, STEPS as f64 - 1.0) as usize;
+            let step = (height * COLOUR_STEPS as f64).clamp(0.0, COLOUR_STEPS as f64 - 1.0) as usize;
             let ([left, right], [top, bottom]) =
                 ([columns[column], columns[column + 1]], [rows[row], rows[row + 1]]);
             let _ = write!(paths[step], "M{left:.1} {top:.1}H{right:.1}V{bottom:.1}H{left:.1}Z");

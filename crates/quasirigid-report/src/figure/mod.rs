@@ -117,7 +117,7 @@ impl Figure {
                     figcaption { (self.caption) }
                     (data::script(self, &x, &y))
                 } @else {
-                    p.absent { "The record holds nothing that this figure could show." }
+                    p.absent { "The record has no data for this figure." }
                 }
             }
         }

@@ -16,7 +16,7 @@ const BARS: [&str; 4] = ["s1 bars", "s2 bars", "s3 bars", "s4 bars"];
 /// Resonances marked in the map.
 const MARKED: usize = 4;
 /// Ratio of the time at the end to that of the first row after the start from which the axis is logarithmic.
-const LONG: f64 = 300.0;
+const LOGARITHMIC_RATIO: f64 = 300.0;
 /// Least time of a logarithmic axis over the time at the end.
 const EARLIEST: f64 = 1e-6;
 
@@ -173,7 +173,7 @@ fn parts(harmonics: &[HarmonicRecord]) -> Vec<(String, Vec<f64>)> {
 fn spans_decades(columns: &[Column]) -> bool {
     let Some(t) = column(columns, "t") else { return false };
     let after = t.values.iter().copied().filter(|t| *t > 0.0);
-    ends(after).is_some_and(|(first, last)| last > LONG * first)
+    ends(after).is_some_and(|(first, last)| last > LOGARITHMIC_RATIO * first)
 }
 
 /// Leaves out the rows that a logarithmic axis cannot show, or that would fill it with the first moments.

@@ -23,7 +23,7 @@ pub fn convergence(orders: &[OrderRecord]) -> Figure {
         id: "convergence",
         title: "Difference in spin as the body is stiffened",
         caption: "Largest difference between the full and the reduced system, relative to the spin, with the measured slope of each \
-                  order. Dashed: each halving of ε divides it by 2ᵖ⁺¹, as the theory says, until rounding levels it."
+                  order. Dashed: each halving of ε divides it by 2ᵖ⁺¹, as the theory predicts, until rounding levels it."
             .into(),
         series: curves.filter(|series| !series.x.is_empty()).collect(),
         x: Quantity { name: "halvings of ε", unit: "1".into(), log: false },

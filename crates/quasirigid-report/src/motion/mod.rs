@@ -43,10 +43,10 @@ const STRETCH: f64 = 2.4;
 /// Elevation of the observer above the plane across the angular momentum.
 const ELEVATION: f64 = 0.35;
 /// Bytes that the motion of the body may take, and those of a point in a frame.
-const MOST: usize = 150_000;
-const POINT: usize = 8;
+const MAX_BYTES: usize = 150_000;
+const BYTES_PER_POINT: usize = 8;
 /// Pieces in which the path of a stretch appears.
-const STEPS: usize = 8;
+const PATH_PIECES: usize = 8;
 /// Shades of the path, from early to late.
 const SHADES: usize = 6;
 
@@ -57,7 +57,7 @@ pub fn motion_picture(record: &RunRecord) -> Option<String> {
     let sphere = sphere::Scene::new(&record.body, history)?;
     let solids = solids(scene);
     let points: usize = solids.iter().flat_map(|solid| &solid.shapes).map(Shape::points).sum();
-    let stretches = stretches(history, MOST / (POINT * points.max(1)))?;
+    let stretches = stretches(history, MAX_BYTES / (BYTES_PER_POINT * points.max(1)))?;
     let movie = Movie { record, history, sphere, solids, stretches, scale: UNITS * BODY / scene.radius };
     movie.file()
 }
@@ -191,7 +191,7 @@ impl Movie<'_> {
                 let halves = self.sphere.view().curve(path[from..=to].iter().copied());
                 pieces.push((shade, halves, seen));
             };
-            let steps = STEPS.min(last - first);
+            let steps = PATH_PIECES.min(last - first);
             for step in 0..steps {
                 let [from, to] = [step, step + 1].map(|step| first + step * (last - first) / steps);
                 piece(from, to, before + (step + 1) * (count - 1) / steps);

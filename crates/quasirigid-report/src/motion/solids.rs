@@ -14,7 +14,7 @@ const PLANE: f64 = 0.9995;
 /// Thickness over length up to which a piece is a line.
 const SLENDER: f64 = 0.06;
 /// Lines, and dots, of a piece of very many.
-const MOST: usize = 96;
+const MAX_LINES: usize = 96;
 /// Meridians that show how a round body turns, arcs of each, and points of an arc.
 const ARCS: usize = 6;
 const POINTS: usize = 3;
@@ -98,16 +98,18 @@ fn solid(piece: &PieceRecord, scene: &SceneRecord) -> Option<Solid> {
     } else if let Some(lines) = lines.filter(|lines| !lines.is_empty()) {
         let of = |pair: &[u16; 2]| pair.map(|end| vertices.get(usize::from(end)).copied());
         // a few of thousands of lines would hang in the air
-        let shown = if lines.len() > MOST && scene.pieces.len() > 1 { &[] } else { lines };
+        let shown = if lines.len() > MAX_LINES && scene.pieces.len() > 1 { &[] } else { lines };
         let ends =
-            shown.iter().step_by(shown.len().div_ceil(MOST).max(1)).filter_map(|pair| match of(pair) {
+            shown.iter().step_by(shown.len().div_ceil(MAX_LINES).max(1)).filter_map(|pair| match of(pair) {
                 [Some(a), Some(b)] => Some(Shape::Line { points: vec![a, b], normal: None }),
                 _ => None,
             });
         shapes.extend(ends);
     } else {
         let size = piece.size.unwrap_or(0.02 * scene.radius);
-        shapes.extend(vertices.iter().step_by(vertices.len().div_ceil(MOST)).map(|v| Shape::Dot(*v, size)));
+        shapes.extend(
+            vertices.iter().step_by(vertices.len().div_ceil(MAX_LINES)).map(|v| Shape::Dot(*v, size)),
+        );
     }
     (!shapes.is_empty()).then(|| Solid {
         kind: piece.kind.clone(),

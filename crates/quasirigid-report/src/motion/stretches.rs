@@ -9,7 +9,7 @@ use super::attitude::{Pose, Quaternion, between};
 use crate::columns::{column, norm, vectors};
 
 /// Revolutions up to which a history is shown as a whole.
-const FEW: f64 = 12.0;
+const WHOLE_REVOLUTIONS: f64 = 12.0;
 /// Stretches of a longer one, revolutions of the first stretch, and those over which its path is drawn.
 const STRETCHES: usize = 7;
 const REVOLUTIONS: f64 = 2.5;
@@ -40,7 +40,7 @@ pub fn stretches(history: &HistoryRecord, most: usize) -> Option<Vec<Stretch>> {
     if !(history.is_whole() && whole > 0.0 && usual > 0.0) {
         return None;
     }
-    let (count, [length, drawn]) = if whole <= FEW * TAU {
+    let (count, [length, drawn]) = if whole <= WHOLE_REVOLUTIONS * TAU {
         (1, [poses.len() - 1; 2])
     } else {
         let rows =

@@ -14,7 +14,7 @@ pub fn section(about: &AboutSpinRecord) -> Markup {
             p { (about.sentence) }
             (table(
                 &format!("Modes that they follow, degree {}, {}", about.degree, about.style.replace('-', " ")),
-                &["Mode", "Frequency in the body [rad/s]", "Falls by e in"],
+                &["Mode", "Frequency in the body [rad/s]", "Time constant"],
                 html! { @for master in &about.masters { (row(master)) } },
             ))
             (time_constant(about).draw())

@@ -54,7 +54,7 @@ fn spin(history: &HistoryRecord) -> Markup {
             @if let Some((start, end)) = nutation {
                 "nutation " (digits(start.to_degrees(), 3)) "° → " (digits(end.to_degrees(), 3)) "°"
             } @else {
-                "rate of turning |ω|"
+                "angular rate |ω|"
             }
         },
     )
@@ -65,7 +65,7 @@ fn dissipation(record: &RunRecord, history: &HistoryRecord) -> Markup {
         return tile(
             "Energy dissipated",
             html! { "not in this history" },
-            html! { "what dissipates has no equation of motion; over many revolutions it takes " (short(power)) " W at the start" },
+            html! { "the dissipation has no equation of motion; over many revolutions it is " (short(power)) " W at the start" },
         );
     }
     let (share, of) = match free_energy(record, history) {

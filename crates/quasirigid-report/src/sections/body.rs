@@ -5,11 +5,11 @@ use super::table::{facts, first, table};
 use crate::number::{aligned, tidy, unit_with_power};
 
 /// Names of internal coordinates shown.
-const MOST: usize = 24;
+const MAX_NAMES: usize = 24;
 
 /// Mass, centre of mass, inertia and principal axes of the frozen body.
 pub fn section(body: &BodyRecord) -> Markup {
-    let (names, more) = first(&body.coordinates, MOST);
+    let (names, more) = first(&body.coordinates, MAX_NAMES);
     html! {
         section aria-label="Body" {
             h2 { "The body" }

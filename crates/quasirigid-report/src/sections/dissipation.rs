@@ -6,7 +6,7 @@ use super::table::{first, table};
 use crate::number::percent;
 
 /// Dissipators shown.
-const MOST: usize = 12;
+const MAX_DISSIPATORS: usize = 12;
 
 /// Shares of the dissipators: a bar for each, the largest first; nothing where there are none.
 pub fn bars(caption: &str, shares: &BTreeMap<String, f64>) -> Markup {
@@ -15,7 +15,7 @@ pub fn bars(caption: &str, shares: &BTreeMap<String, f64>) -> Markup {
     if parts.len() < 2 {
         return html! {};
     }
-    let (shown, more) = first(&parts, MOST);
+    let (shown, more) = first(&parts, MAX_DISSIPATORS);
     html! {
         div.shares {
             (table(caption, &["Dissipator", "Share", ""], html! {

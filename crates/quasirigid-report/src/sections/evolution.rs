@@ -17,7 +17,7 @@ use crate::number::{digits, duration, percent, short, tidy};
 use crate::verdict::Verdict;
 
 /// Harmonics and resonances shown.
-const MOST: usize = 12;
+const MAX_LISTED: usize = 12;
 /// Relative error of a time below which the error is not mentioned.
 const EXACT: f64 = 1e-6;
 
@@ -42,7 +42,7 @@ pub fn section(evolution: &EvolutionRecord) -> Markup {
             (nutation(evolution).draw())
             (power_figure(evolution).draw())
             @if of_axes(evolution) { (map(evolution).draw()) }
-            (bars("What dissipates at the start", &evolution.dissipation))
+            (bars("Dissipation shares at the start", &evolution.dissipation))
             @if !evolution.harmonics.is_empty() { (harmonics_figure(evolution).draw()) }
             @if of_axes(evolution) {
                 (harmonics(&evolution.harmonics))
@@ -154,7 +154,7 @@ fn harmonics(harmonics: &[HarmonicRecord]) -> Markup {
     if harmonics.is_empty() {
         return html! { p.absent { "The record holds no harmonics." } };
     }
-    let (shown, more) = first(harmonics, MOST);
+    let (shown, more) = first(harmonics, MAX_LISTED);
     table(
         "Harmonics of the wobble at the start",
         &["Number", "Frequency [rad/s]", "Period", "Share in the power"],
@@ -192,7 +192,7 @@ fn resonances(crossings: &[CrossingRecord], approach: Option<&ApproachRecord>) -
 }
 
 fn crossing_table(crossings: &[CrossingRecord]) -> Markup {
-    let (shown, more) = first(crossings, MOST);
+    let (shown, more) = first(crossings, MAX_LISTED);
     let rows = html! {
         @for crossing in shown {
             tr {
@@ -213,7 +213,7 @@ fn crossing_table(crossings: &[CrossingRecord]) -> Markup {
 fn details(evolution: &EvolutionRecord) -> Markup {
     let lingering = match evolution.lingering {
         None => "none: it does not come so near".into(),
-        Some(f64::INFINITY) => "for ever".into(),
+        Some(f64::INFINITY) => "infinite".into(),
         Some(seconds) => duration(seconds),
     };
     let mut rows = vec![

@@ -13,7 +13,7 @@ pub fn section(record: &RunRecord) -> Markup {
         section aria-label="Figures" {
             h2 { "How it went" }
             @match main_history(record) {
-                None => p.absent { "No history, nothing to draw." },
+                None => p.absent { "No history to draw." },
                 Some(history) => {
                     (spin(history).draw())
                     @if let Some(beginning) = first_revolutions(history) { (beginning.draw()) }

@@ -50,7 +50,7 @@ fn flow(liquid: &LiquidRecord) -> String {
 
 fn tensor(caption: &str, unit: &str, entries: &[[f64; 3]; 3]) -> Markup {
     let largest = entries.as_flattened().iter().fold(0.0_f64, |largest, entry| largest.max(entry.abs()));
-    let clean = |entry: &f64| if entry.abs() > ROUNDING * largest { *entry } else { 0.0 };
+    let clean = |entry: &f64| if entry.abs() > ENTRY_ROUNDING * largest { *entry } else { 0.0 };
     let values: Vec<f64> = entries.as_flattened().iter().map(clean).collect();
     let (power, texts) = aligned(&values, 6);
     table(
@@ -65,4 +65,4 @@ fn tensor(caption: &str, unit: &str, entries: &[[f64; 3]; 3]) -> Markup {
 }
 
 /// Entries below this share of the largest are rounding.
-const ROUNDING: f64 = 1e-12;
+const ENTRY_ROUNDING: f64 = 1e-12;

@@ -8,7 +8,7 @@ use crate::figures::campbell::campbell;
 use crate::number::{digits, duration, percent};
 
 /// Modes shown of each steady spin, and dissipators of each mode.
-const MOST: usize = 12;
+const MAX_LISTED: usize = 12;
 const SHARES: usize = 3;
 
 /// Steady spins with the angular momentum of the start, instability first, with the small motions about them.
@@ -24,13 +24,13 @@ pub fn section(spins: &[SteadySpinRecord], diagram: Option<&CampbellRecord>) -> 
 
 fn one(spin: &SteadySpinRecord) -> Markup {
     let modes = spin.mode_list();
-    let (shown, more) = first(&modes.listed, MOST);
+    let (shown, more) = first(&modes.listed, MAX_LISTED);
     html! {
         p { (spin.sentence) }
         @if !shown.is_empty() {
             (table(
                 &format!("Modes about the axis of {} inertia", spin.axis),
-                &["Mode", "Frequency in the body [rad/s]", "Damping ratio", "Falls by e in", "Dissipated by"],
+                &["Mode", "Frequency in the body [rad/s]", "Damping ratio", "Time constant", "Dissipated by"],
                 html! { @for mode in shown { (row(mode)) } },
             ))
             @if let Some(more) = more { p.absent { (more) } }
@@ -42,7 +42,7 @@ fn one(spin: &SteadySpinRecord) -> Markup {
 /// Overdamped modes in a line.
 fn folded(modes: &ModeList) -> String {
     let [least, most] = modes.folded_times().map(duration);
-    format!("{} overdamped motions fall by e in {least} to {most}", modes.folded.len())
+    format!("{} overdamped motions, with time constants of {least} to {most}", modes.folded.len())
 }
 
 fn row(mode: &ModeRecord) -> Markup {

@@ -12,9 +12,9 @@ use crate::number::{digits, duration, percent, short};
 use crate::verdict::Verdict;
 
 /// Modes and dissipators listed.
-const MOST: usize = 4;
+const MAX_LISTED: usize = 4;
 /// Share of the dissipation below which a dissipator is not listed.
-const LEAST: f64 = 0.005;
+const LISTED_SHARE: f64 = 0.005;
 
 /// The answer in a sentence, where the record has one; a history of equations that do not hold gives none.
 pub fn answer(record: &RunRecord, shown: Verdict) -> Markup {
@@ -160,7 +160,7 @@ fn fate(record: &RunRecord) -> Option<(String, String)> {
 }
 
 fn time_constants(spin: &SteadySpinRecord) -> Markup {
-    let listed = spin.modes.iter().filter(|mode| !mode.overdamped).take(MOST);
+    let listed = spin.modes.iter().filter(|mode| !mode.overdamped).take(MAX_LISTED);
     html! {
         div {
             h2 { "Time constants" }
@@ -196,13 +196,13 @@ pub fn shares(record: &RunRecord, shown: Verdict) -> Option<(&'static str, &BTre
 }
 
 fn dissipators(when: &str, shares: &BTreeMap<String, f64>) -> Markup {
-    let mut parts: Vec<_> = shares.iter().filter(|(_, share)| **share >= LEAST).collect();
+    let mut parts: Vec<_> = shares.iter().filter(|(_, share)| **share >= LISTED_SHARE).collect();
     parts.sort_by(|a, b| b.1.total_cmp(a.1));
     html! {
         div {
-            h2 { "What dissipates" }
+            h2 { "Dissipation shares" }
             table.compact.shares-short {
-                @for (name, share) in parts.iter().take(MOST) {
+                @for (name, share) in parts.iter().take(MAX_LISTED) {
                     tr { th scope="row" { (name) } td { (percent(**share)) } td { (bar(**share)) } }
                 }
             }

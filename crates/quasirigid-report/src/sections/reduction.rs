@@ -16,7 +16,7 @@ pub fn section(reduction: &ReductionRecord) -> Markup {
                 ("Residual of the invariance equation, relative to the load", html! { (short(reduction.residual)) }),
                 ("Mean power dissipated by these equations", html! { (short(reduction.power)) " W" }),
             ]))
-            (bars("What dissipates at the initial spin", &reduction.dissipation))
+            (bars("Dissipation shares at the initial spin", &reduction.dissipation))
             @if reduction.degrees.is_empty() {
                 p.absent { "The record holds no degrees." }
             } @else {

@@ -12,13 +12,13 @@ use crate::number::{digits, duration, short, tidy};
 use crate::verdict::Verdict;
 
 /// Frequencies and decay rates shown.
-const MOST: usize = 12;
+const MAX_RATES: usize = 12;
 
 /// Criteria, the three times, and the free vibrations behind them.
 pub fn section(validity: &ValidityRecord) -> Markup {
     html! {
         section aria-label="Validity" {
-            h2 { "How far the reduced equations hold" }
+            h2 { "Validity of the reduced equations" }
             @if validity.criteria.is_empty() {
                 p.absent { "The record holds no criteria." }
             } @else {
@@ -91,7 +91,7 @@ fn vibrations(caption: &str, headings: [&str; 3], rates: &[f64], numerator: f64)
     if rates.is_empty() {
         return html! { p.absent { (caption) ": none." } };
     }
-    let (shown, more) = first(rates, MOST);
+    let (shown, more) = first(rates, MAX_RATES);
     table(
         caption,
         &headings,
@@ -104,7 +104,7 @@ fn vibrations(caption: &str, headings: [&str; 3], rates: &[f64], numerator: f64)
     )
 }
 
-/// The time `numerator / rate`, or "for ever" at a rate of zero.
+/// The time `numerator / rate`, or "infinite" at a rate of zero.
 fn lasting(rate: f64, numerator: f64) -> String {
-    if rate == 0.0 { "for ever".into() } else { digits(numerator / rate, 4) }
+    if rate == 0.0 { "infinite".into() } else { digits(numerator / rate, 4) }
 }

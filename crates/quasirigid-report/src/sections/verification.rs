@@ -16,11 +16,11 @@ pub fn section(verification: &VerificationRecord) -> Markup {
         verification;
     html! {
         section aria-label="Verification" {
-            h2 { "Proof against the full system" }
+            h2 { "Verification against the full system" }
             p {
                 "Both were followed from the slow manifold over " (tidy(*rotations, 4)) " revolutions (" (duration(*seconds))
                 "), of the body as it is and of bodies ever stiffer: stiffness " i { "C" } "/ε², damping " i { "B" } "/ε. "
-                @if *reached { "The difference in spin falls with every order as the theory says." }
+                @if *reached { "The difference in spin falls with every order as the theory predicts." }
                 @else { strong.warning { "Not every order is reached." } }
             }
             (convergence(orders).draw())

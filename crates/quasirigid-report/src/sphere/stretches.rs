@@ -13,7 +13,7 @@ const SAMPLE: usize = 4000;
 /// Stretches that these rows make up.
 const STRETCHES: usize = 20;
 /// Most characters of path data that the whole path may take.
-const LONGEST: usize = 150_000;
+const MAX_PATH_DATA: usize = 150_000;
 
 /// Consecutive points drawn in one shade.
 struct Stretch<'a> {
@@ -41,7 +41,7 @@ pub fn pieces(view: &View, path: &[Option<Vector>]) -> (Vec<(usize, Halves)>, bo
     let all = curves(whole(path));
     let length: usize = all.iter().map(|(_, Halves { near, far })| near.len() + far.len()).sum();
     match sample(path) {
-        Some(stretches) if length > LONGEST => (curves(stretches), true),
+        Some(stretches) if length > MAX_PATH_DATA => (curves(stretches), true),
         _ => (all, false),
     }
 }

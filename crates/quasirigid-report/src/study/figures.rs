@@ -7,7 +7,7 @@ use quasirigid_io::record::{Ordered, QuantityRecord, SweepColumn, SweepRecord};
 use crate::figure::{Grid, Stop, band, histogram, map};
 
 /// Most quantities that have figures of their own.
-const MOST: usize = 12;
+const MAX_FIGURES: usize = 12;
 
 /// Column with its unit.
 #[derive(Clone, Copy)]
@@ -38,12 +38,12 @@ pub fn section(record: &SweepRecord, columns: &[SweepColumn]) -> Markup {
         @if !numeric.is_empty() {
             section aria-label="Figures" {
                 h2 { "Figures" }
-                @for (number, quantity) in numeric.iter().take(MOST).enumerate() {
+                @for (number, quantity) in numeric.iter().take(MAX_FIGURES).enumerate() {
                     @if let Some(values) = values(&quantity.name) {
                         (of_quantity(&grids, random, quantity, values, number))
                     }
                 }
-                @if numeric.len() > MOST { p.absent { "The first " (MOST) " quantities are drawn; the others are in the scatter." } }
+                @if numeric.len() > MAX_FIGURES { p.absent { "The first " (MAX_FIGURES) " quantities are drawn; the others are in the scatter." } }
             }
         }
     }

@@ -5,7 +5,7 @@ use maud::{Markup, PreEscaped, html};
 use quasirigid_io::record::{SweepColumn, SweepRecord};
 
 /// Most rows in the page.
-const MOST: usize = 4000;
+const MAX_ROWS: usize = 4000;
 
 /// The scatter with its two choices.
 pub fn section(record: &SweepRecord, columns: &[SweepColumn]) -> Markup {
@@ -15,7 +15,7 @@ pub fn section(record: &SweepRecord, columns: &[SweepColumn]) -> Markup {
         return html! {};
     }
     let rows = columns[0].values.len();
-    let kept: Vec<usize> = (0..rows.min(MOST)).map(|i| i * rows / rows.min(MOST)).collect();
+    let kept: Vec<usize> = (0..rows.min(MAX_ROWS)).map(|i| i * rows / rows.min(MAX_ROWS)).collect();
     html! {
         section aria-label="Scatter" {
             h2 { "Any two columns" }

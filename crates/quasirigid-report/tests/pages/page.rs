@@ -89,7 +89,7 @@ fn page_answers_from_the_top() {
             "D/I₃ [1]</text>",
             ">reduced</text>",
             "7 Ωₚ = ",
-            "What dissipates at the start</caption>",
+            "Dissipation shares at the start</caption>",
             "Harmonics of the wobble at the start",
             "Resonances on the way, strongest first",
             "slosh.x",
@@ -104,7 +104,7 @@ fn page_answers_from_the_top() {
             "Natural frequencies",
             "Relaxations of internal rotors and liquids, attitude fixed",
             "24.53",
-            "What dissipates at the initial spin</caption>",
+            "Dissipation shares at the initial spin</caption>",
             "Degrees of dω/dt",
             "Inertia about the pole",
             "Principal moments, ascending, and axes",
@@ -133,9 +133,9 @@ fn dissipators_are_listed_once_and_tabled_where_they_are_several() {
     record.histories.iter_mut().for_each(|history| history.dissipation.clear());
     let one = page(&record);
     assert_eq!((one.matches("class=\"bar\"").count(), one.contains("Dissipator")), (1, false));
-    assert_in_order(&one, &["What dissipates", "tank", "100\u{a0}%", "At the initial spin."]);
+    assert_in_order(&one, &["Dissipation shares", "tank", "100\u{a0}%", "At the initial spin."]);
     record.reduction.dissipation.clear();
-    assert!(!page(&record).contains("What dissipates"));
+    assert!(!page(&record).contains("Dissipation shares"));
     record.reduction.dissipation = (0..20).map(|i| (format!("spring {i:02}"), 0.05)).collect();
     let page = page(&record);
     assert_eq!(page.matches("class=\"bar\"").count(), 4 + 12);
@@ -150,7 +150,7 @@ fn proof_tells_each_order_and_what_was_not_reached() {
     assert_in_order(
         &page,
         &[
-            "Proof against the full system",
+            "Verification against the full system",
             "5 revolutions",
             "Not every order is reached",
             "2.010",
@@ -353,7 +353,7 @@ fn overdamped_motions_are_folded() {
     let page = page(&record);
     assert_in_order(
         &page,
-        &["neutral to rounding", "3 overdamped motions fall by e in 2\u{a0}s to 4\u{a0}s"],
+        &["neutral to rounding", "3 overdamped motions, with time constants of 2\u{a0}s to 4\u{a0}s"],
     );
     assert!(!page.contains("vane z"));
 }
@@ -369,7 +369,7 @@ fn what_is_missing_is_said() {
     column(&mut empty, "t").clear();
     for columns in [empty.histories[0].columns.clone(), vec![]] {
         empty.histories[0].columns = columns;
-        assert!(page(&empty).contains("The record holds nothing that this figure could show."));
+        assert!(page(&empty).contains("The record has no data for this figure."));
     }
     [text, page(&empty)].iter().for_each(|page| assert_balanced(page));
 }

@@ -30,11 +30,11 @@ pub struct OnManifold {
     pub growing: Option<String>,
 }
 
-/// Share of the internal energy of a start from which the vibrations left out are told, and above which the start is not near the manifold.
+/// Share of the internal energy of a start from which the vibrations left out are told, and above which the start is not near the spin manifold.
 const TOLD: f64 = 1e-3;
-const FAR: f64 = 1.0;
+const FAR_FROM_MANIFOLD: f64 = 1.0;
 /// Ratio of energies above which it is not told.
-const MANY: f64 = 1000.0;
+const MAX_RATIO_TOLD: f64 = 1000.0;
 
 /// Follows the reduced equations about the steady spin of a motion.
 pub(crate) fn follow(
@@ -75,10 +75,12 @@ pub(crate) fn follow(
 }
 
 impl OnManifold {
-    /// Whether the start was near the manifold, nothing grows away from it, and the history stayed within the range.
+    /// Whether the start was near the spin manifold, nothing grows away from it, and the history stayed within the range.
     #[must_use]
     pub fn holds(&self) -> bool {
-        self.growing.is_none() && self.left_out <= FAR && self.worst.largest() <= self.range.share
+        self.growing.is_none()
+            && self.left_out <= FAR_FROM_MANIFOLD
+            && self.worst.largest() <= self.range.share
     }
 
     /// The verdict in a sentence.
@@ -90,8 +92,12 @@ impl OnManifold {
                 "The history DOES NOT HOLD: {growing}, which the reduced equations about the spin leave out."
             );
         }
-        if !(*left_out <= FAR) {
-            let times = if *left_out < MANY { significant(*left_out, 2) } else { format!("over {MANY}") };
+        if !(*left_out <= FAR_FROM_MANIFOLD) {
+            let times = if *left_out < MAX_RATIO_TOLD {
+                significant(*left_out, 2)
+            } else {
+                format!("over {MAX_RATIO_TOLD}")
+            };
             return format!(
                 "The history DOES NOT HOLD: the vibrations of the start, which the reduced equations about the spin leave out, have {times} \
                  times the energy of the motion that they follow."
@@ -121,7 +127,7 @@ impl OnManifold {
     pub fn note(&self) -> Option<String> {
         (self.left_out > TOLD).then(|| {
             format!(
-                "Of the energy that the start has beyond its steady spin, {} % is in vibrations off the manifold, which are left out.",
+                "Of the energy that the start has beyond its steady spin, {} % is in vibrations off the spin manifold, which are left out.",
                 significant(100.0 * self.left_out, 2)
             )
         })
@@ -159,7 +165,7 @@ pub(crate) struct HistoryVerdict {
     range: RangeObject,
     /// Largest met.
     defect: WorstDefect,
-    /// Share of energy off the manifold.
+    /// Share of energy off the spin manifold.
     left_out: Option<f64>,
 }
 

@@ -58,7 +58,7 @@ struct EquationsObject<'a> {
     /// Of monomials with those modes, (W6).
     resonances: Vec<ResonanceObject<'a>>,
     /// Resonances that the nutation meets up to twice its range.
-    met: Vec<MetObject<'a>>,
+    crossed: Vec<MetObject<'a>>,
     /// Spin from which a motion grows, up to tenfold, or `null`.
     whirl_onset: Option<WhirlObject<'a>>,
     /// `z1`, conjugate `z1*`, ….
@@ -99,7 +99,7 @@ pub(super) struct RangeObject {
     beyond: bool,
 }
 
-/// Start on the manifold.
+/// Start on the spin manifold.
 #[derive(Serialize)]
 struct StartObject<'a> {
     /// |z1|.
@@ -110,7 +110,7 @@ struct StartObject<'a> {
     within: bool,
     /// Shares.
     defect: DefectObject,
-    /// Share of the energy beyond the steady spin, off the manifold.
+    /// Share of the energy beyond the steady spin, off the spin manifold.
     left_out: Option<f64>,
     /// z, one of each conjugate pair.
     coordinates: &'a [[f64; 2]],
@@ -194,7 +194,7 @@ struct WhirlObject<'a> {
     frequency: f64,
 }
 
-/// Term of the motion on the manifold.
+/// Term of the motion on the spin manifold.
 #[derive(Serialize)]
 struct RateTerm<'a> {
     /// From 0.
@@ -205,7 +205,7 @@ struct RateTerm<'a> {
     value: [f64; 2],
 }
 
-/// Term of the manifold.
+/// Term of the spin manifold.
 #[derive(Serialize)]
 struct StateTerm<'a> {
     /// Of the monomial.
@@ -265,7 +265,7 @@ fn start(start: &StartWithin) -> StartObject<'_> {
     }
 }
 
-/// Terms of the manifold that are not zero: angular velocity, rates, coordinates, direction.
+/// Terms of the spin manifold that are not zero: angular velocity, rates, coordinates, direction.
 fn state_terms<'a>(exponents: &'a [Vec<u8>], parts: [&[Truncated]; 4]) -> Vec<StateTerm<'a>> {
     let of = |(monomial, exponents): (usize, &'a Vec<u8>)| {
         let values =
@@ -353,14 +353,14 @@ impl AboutSpin<'_> {
                     distance: near.distance,
                 })
                 .collect(),
-            met: self
-                .met
+            crossed: self
+                .crossed
                 .iter()
-                .map(|met| MetObject {
-                    name: &met.name,
-                    harmonic: met.harmonic,
-                    nutation: met.nutation,
-                    frequency: met.frequency,
+                .map(|crossed| MetObject {
+                    name: &crossed.name,
+                    harmonic: crossed.harmonic,
+                    nutation: crossed.nutation,
+                    frequency: crossed.frequency,
                 })
                 .collect(),
             whirl_onset: self.onset.as_ref().map(|onset| WhirlObject {

@@ -12,7 +12,8 @@ use quasirigid::dynamics::{FullState, Nutations};
 use quasirigid::model::{Mode, Principal};
 use quasirigid::modes::{WhirlOnset, acts, whirl_onset};
 use quasirigid::submanifold::{
-    AmplitudeRange, Backbone, Defect, ManifoldStart, Masters, MetResonance, SpinManifold, SpinManifoldPlan,
+    AmplitudeRange, Backbone, CrossedResonance, Defect, ManifoldStart, Masters, SpinManifold,
+    SpinManifoldPlan,
 };
 use quasirigid_io::model::PartialSpinManifold;
 use quasirigid_math::rotation::angle;
@@ -36,25 +37,25 @@ pub use verification::{verification_json, verification_text};
 pub const SHARE: f64 = 0.01;
 /// Number of masters up to which an expansion to the usual degree takes a moment, and the degree of those with more.
 const QUICK: usize = 4;
-const LOWER: usize = 3;
+const LOWER_DEGREE: usize = 3;
 /// Degrees tried where the start lies outside the range of the usual one.
-const HIGHER: [usize; 2] = [7, 9];
+const HIGHER_DEGREES: [usize; 2] = [7, 9];
 /// Coordinates of a body up to which the equations take a moment, and are tried unasked.
-pub(crate) const TRIED: usize = 60;
+pub(crate) const MAX_TRIED_COORDINATES: usize = 60;
 /// Number of coordinates up to which the onset of whirl is looked for, and how much faster than the spin.
-const FEW: usize = 24;
-const FASTER: f64 = 10.0;
+const ONSET_COORDINATES: usize = 24;
+const ONSET_SPIN_RATIO: f64 = 10.0;
 /// Amplitudes of the backbone within the range, and beyond: a point lies on the border.
 const WITHIN: usize = 32;
 const BEYOND: usize = 8;
 /// Widest amplitude of a backbone where no amplitude is within the range (rad).
-const NARROW: f64 = 0.1;
+const DEFAULT_AMPLITUDE: f64 = 0.1;
 /// Amplitude (rad) below which the defect of a start is rounding.
-const STILL: f64 = 1e-4;
+const STEADY_AMPLITUDE: f64 = 1e-4;
 /// Relative difference of the frequency asked for from that of a mode, within which they are the same.
-const SAME: f64 = 0.05;
+const SAME_FREQUENCY: f64 = 0.05;
 /// Angle up to which resonances met are told, in ranges.
-const MET: f64 = 2.0;
+const CROSSED_RANGES: f64 = 2.0;
 
 /// Start of a study among the reduced equations about its spin.
 #[derive(Clone, Debug)]
@@ -81,14 +82,14 @@ pub struct AboutSpin<'a> {
     pub axis: PrincipalAxis,
     /// Range of amplitudes.
     pub range: AmplitudeRange,
-    /// Motion along the manifold, to a quarter beyond the range.
+    /// Motion along the spin manifold, to a quarter beyond the range.
     pub backbone: Backbone,
     /// Start of the model; none about an axis that the start does not circle.
     pub start: Option<StartWithin>,
     /// Losses that the equations of motion leave out.
     pub left_out: LeftOut,
     /// Resonances of modes left out that the nutation meets within its range.
-    pub met: Vec<MetResonance>,
+    pub crossed: Vec<CrossedResonance>,
     /// Onset of whirl above the spin, up to ten times as fast; none where it was not looked for or not found.
     pub onset: Option<WhirlOnset>,
 }
@@ -98,7 +99,7 @@ impl Study {
     /// circles or another.
     ///
     /// # Errors
-    /// [`StudyError`] for a start that is none, and where there are no such equations.
+    /// [`StudyError`] for an invalid start, and where there are no such equations.
     pub fn about_spin(
         &self,
         asked: PartialSpinManifold,
@@ -142,9 +143,9 @@ pub(crate) fn that_holds<'a>(
     settings.degree = 1;
     let masters = derived(motion, &settings, watch)?.manifold.expansion().masters.len();
     let quick = masters <= QUICK;
-    settings.degree = if quick { DEGREE } else { LOWER };
+    settings.degree = if quick { DEGREE } else { LOWER_DEGREE };
     let mut found = about(motion, &settings, watch)?;
-    for degree in HIGHER.into_iter().filter(|_| quick) {
+    for degree in HIGHER_DEGREES.into_iter().filter(|_| quick) {
         let outside = found.start.as_ref().is_some_and(|start| !start.within);
         if !outside || found.range.amplitude <= 0.0 {
             break;
@@ -163,14 +164,14 @@ pub(crate) fn about<'a>(
 ) -> Result<AboutSpin<'a>, StudyError> {
     let Derived { manifold, axis, state } = derived(motion, settings, watch)?;
     let range = manifold.range(SHARE);
-    let inside = if range.amplitude > 0.0 { range.amplitude } else { NARROW };
+    let inside = if range.amplitude > 0.0 { range.amplitude } else { DEFAULT_AMPLITUDE };
     let count = WITHIN + BEYOND;
     let backbone = manifold.backbone(inside * count as f64 / WITHIN as f64, count);
     let start = state.map(|state| within(&manifold, &range, &state));
     let left_out = LeftOut::at(motion.study(), manifold.spin.omega, None);
-    let met = manifold.resonances_met(MET * range.nutation);
+    let crossed = manifold.crossed_resonances(CROSSED_RANGES * range.nutation);
     let onset = onset(&manifold, axis, watch);
-    Ok(AboutSpin { study: motion.study(), manifold, axis, range, backbone, start, left_out, met, onset })
+    Ok(AboutSpin { study: motion.study(), manifold, axis, range, backbone, start, left_out, crossed, onset })
 }
 
 /// Onset of whirl above the steady spin of a body of few coordinates.
@@ -179,12 +180,12 @@ fn onset(
     axis: PrincipalAxis,
     watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
 ) -> Option<WhirlOnset> {
-    if manifold.body.coordinates().len() > FEW || manifold.unstable().is_some() {
+    if manifold.body.coordinates().len() > ONSET_COORDINATES || manifold.unstable().is_some() {
         return None;
     }
     let mode = if axis == PrincipalAxis::Least { Mode::LongAxis } else { Mode::ShortAxis };
     let spin = manifold.rate();
-    whirl_onset(manifold.body, mode, [spin, FASTER * spin], watch)
+    whirl_onset(manifold.body, mode, [spin, ONSET_SPIN_RATIO * spin], watch)
 }
 
 /// Reduced equations about a spin, with the state of the start where it circles that spin.
@@ -259,7 +260,7 @@ fn circled(study: &Study, K: [f64; 3]) -> Result<PrincipalAxis, StudyError> {
 fn there(manifold: &SpinManifold, frequencies: &[f64]) -> Result<(), StudyError> {
     let found = &manifold.masters[1..];
     let missing = frequencies.iter().enumerate().find(|(at, frequency)| {
-        let near = |master: f64| (master - **frequency).abs() <= SAME * frequency.max(master);
+        let near = |master: f64| (master - **frequency).abs() <= SAME_FREQUENCY * frequency.max(master);
         !found.get(*at).is_some_and(|master| near(master.frequency))
     });
     let Some((_, frequency)) = missing else { return Ok(()) };
@@ -277,13 +278,14 @@ fn within(manifold: &SpinManifold, range: &AmplitudeRange, state: &FullState) ->
     let sizes: Vec<f64> = start.z.iter().map(|[re, im]| re.hypot(*im)).collect();
     let widest = sizes.iter().copied().fold(0.0, f64::max);
     let amplitude = sizes[0];
-    let lost = sizes.iter().any(|size| !size.is_finite()) || amplitude > quasirigid::submanifold::WIDEST;
+    let lost =
+        sizes.iter().any(|size| !size.is_finite()) || amplitude > quasirigid::submanifold::MAX_AMPLITUDE;
     let nutation = if lost {
         angle(state.angular_momentum(manifold.body), manifold.axis())
     } else {
         manifold.nutation(amplitude)
     };
-    let defect = match (lost, widest > STILL) {
+    let defect = match (lost, widest > STEADY_AMPLITUDE) {
         (true, _) => Defect { motion: f64::INFINITY, power: f64::INFINITY },
         (_, true) => manifold.defect_around(&start.z),
         (_, false) => Defect::default(),

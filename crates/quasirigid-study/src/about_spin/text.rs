@@ -12,12 +12,12 @@ use crate::layout::paragraph;
 use crate::words::{dissipation, shares, significant, time};
 
 /// Rows of the backbone.
-const ROWS: usize = 8;
+const BACKBONE_ROWS: usize = 8;
 /// Modes left out that are listed, and coefficients of each rate.
 const LISTED: usize = 8;
 const COEFFICIENTS: usize = 40;
 /// Share of the largest coefficient of a degree below which a coefficient is rounding.
-const ROUNDING: f64 = 1e-13;
+const COEFFICIENT_ROUNDING: f64 = 1e-13;
 
 impl AboutSpin<'_> {
     /// For a terminal of 80 columns.
@@ -116,7 +116,7 @@ impl AboutSpin<'_> {
                 percent(point.defect.largest())
             )
         };
-        inner.iter().step_by(WITHIN / ROWS).try_for_each(|point| row(out, point))?;
+        inner.iter().step_by(WITHIN / BACKBONE_ROWS).try_for_each(|point| row(out, point))?;
         for (place, point) in [("small", &inner[1]), ("the widest", &inner[WITHIN])] {
             if let Some(words) = dissipation(&shares(&point.power)) {
                 writeln!(out, "{}", paragraph(&format!("at {place} nutation {words}"), "  ", "    "))?;
@@ -161,13 +161,13 @@ impl AboutSpin<'_> {
         if near.len() > LISTED {
             words.push(format!("and {} more near resonances (all in JSON)", near.len() - LISTED));
         }
-        words.extend(self.met.iter().take(LISTED).map(|met| {
+        words.extend(self.crossed.iter().take(LISTED).map(|crossed| {
             format!(
                 "at a nutation of {} degrees harmonic {} meets {}, {} rad/s, which may be captured: follow its mode too",
-                significant(met.nutation.to_degrees(), 3),
-                met.harmonic,
-                met.name,
-                significant(met.frequency, 4)
+                significant(crossed.nutation.to_degrees(), 3),
+                crossed.harmonic,
+                crossed.name,
+                significant(crossed.frequency, 4)
             )
         }));
         words.extend(self.onset.as_ref().map(|onset| {
@@ -206,8 +206,9 @@ impl AboutSpin<'_> {
             let degree = |at: usize| exponents[at].iter().map(|power| usize::from(*power)).sum::<usize>();
             let largest =
                 |of: usize| (0..exponents.len()).filter(|at| degree(*at) == of).map(size).fold(0.0, f64::max);
-            let kept: Vec<usize> =
-                (0..exponents.len()).filter(|at| size(*at) > ROUNDING * largest(degree(*at))).collect();
+            let kept: Vec<usize> = (0..exponents.len())
+                .filter(|at| size(*at) > COEFFICIENT_ROUNDING * largest(degree(*at)))
+                .collect();
             for at in kept.iter().take(COEFFICIENTS) {
                 let [re, im] = rates.coefficient(*at);
                 let monomial = monomial(&variables, &exponents[*at]);

@@ -21,7 +21,7 @@ impl Study {
     /// Verifies the reduced equations about the spin of a study; none if the watch ended it. (W14)
     ///
     /// # Errors
-    /// [`StudyError`] for a start that is none, and where there are no such equations.
+    /// [`StudyError`] for an invalid start, and where there are no such equations.
     pub fn verify_about_spin(
         &self,
         asked: &PartialSpinVerify,
@@ -71,7 +71,7 @@ const COLUMNS: usize = 5;
 
 fn write(out: &mut String, name: &str, found: &SpinVerification) -> fmt::Result {
     let title = format!(
-        "{name}: the full system against the reduced equations about the spin over {}, from points of their manifold at \
+        "{name}: the full system against the reduced equations about the spin over {}, from points of the spin manifold at \
          nutations of {} degrees and its halves.",
         time(found.duration),
         significant(found.amplitudes[0].to_degrees(), 3)

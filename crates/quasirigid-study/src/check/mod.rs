@@ -12,7 +12,7 @@ use quasirigid::reduction::{Validity, Verdict};
 use quasirigid_io::record::SteadySpinRecord;
 use serde_json::Value;
 
-use crate::about_spin::TRIED;
+use crate::about_spin::MAX_TRIED_COORDINATES;
 use crate::error::StudyError;
 use crate::judged::{self, Judged};
 use crate::left_out::LeftOut;
@@ -59,13 +59,13 @@ pub struct InsteadOfRest {
 }
 
 /// Coordinates of a body whose modes under forces take a moment.
-const FEW: usize = 60;
+const QUICK_COORDINATES: usize = 60;
 
 impl Study {
     /// Judges the reduced equations at the spin of the start.
     ///
     /// # Errors
-    /// [`StudyError`] for a start that is none, and where the reduction fails.
+    /// [`StudyError`] for an invalid start, and where the reduction fails.
     pub fn check(&self) -> Result<CheckReport<'_>, StudyError> {
         let Study { body, .. } = self;
         let start = self.initial()?;
@@ -103,7 +103,7 @@ fn about_spin(study: &Study, left_out: &LeftOut) -> InsteadOfRest {
         return none(format!("Reduced equations about the spin have the same {what}, and were not tried."));
     }
     let coordinates = study.body.coordinates().len();
-    if coordinates > TRIED {
+    if coordinates > MAX_TRIED_COORDINATES {
         return none(format!(
             "Reduced equations about the spin were not tried for a body of {coordinates} coordinates; `derive --about spin` does."
         ));
@@ -122,8 +122,8 @@ fn under_forces(study: &Study) -> Result<Option<String>, StudyError> {
     if !acts(body, forces) {
         return Ok(None);
     }
-    Ok(Some(if body.coordinates().len() > FEW {
-        "The modes of its steady state are left out here; asked for, they are found.".to_owned()
+    Ok(Some(if body.coordinates().len() > QUICK_COORDINATES {
+        "The modes of its steady state are left out here; the command modes finds them.".to_owned()
     } else {
         steady_state::told(study, forces, steady_state::near(study, None)?).record.sentence
     }))

@@ -70,7 +70,7 @@ fn without(study: &Study) -> &'static str {
 /// Note on the spin that was judged, where internal coordinates do not start on the slow manifold.
 fn settled(start: [f64; 3], omega: [f64; 3]) -> String {
     let words = format!(
-        "{DISPLACED}. Judged is the spin on which it settles, {} rad/s; that at the start is {} rad/s.",
+        "{DISPLACED}. The verdict is for the spin to which it settles, {} rad/s; that at the start is {} rad/s.",
         significant(norm(omega), 4),
         significant(norm(start), 4)
     );
@@ -105,7 +105,7 @@ fn write(
     if validity.verdict() == Verdict::Fails {
         return writeln!(
             out,
-            "\nWhat the reduced equations say of steady spins is left out: they do not hold."
+            "\nSteady spins of the reduced equations are left out: the equations do not hold."
         );
     }
     spin(out, reduced, omega, validity.dissipation() != Verdict::Fails, without)
@@ -168,7 +168,7 @@ fn series(out: &mut String, order: usize, validity: &Validity) -> fmt::Result {
 fn spin(out: &mut String, reduced: &ReducedBody, omega: [f64; 3], rates: bool, without: &str) -> fmt::Result {
     let principal = Principal::compute(reduced.J);
     let K = reduced.angular_momentum(omega);
-    if norm(K) <= ROUNDING * norm(sym3::times(reduced.J, omega)) {
+    if norm(K) <= MOMENTUM_ROUNDING * norm(sym3::times(reduced.J, omega)) {
         return writeln!(out, "\nThe angular momentum is zero: internal rotors and liquids take it up.");
     }
     let heading = format!("Steady spins at this angular momentum, after the reduced equations{without}");
@@ -226,7 +226,7 @@ fn isolated(out: &mut String, all: &SteadySpins, rates: bool) -> fmt::Result {
 }
 
 /// An angular momentum below this share of that of the frozen body is zero.
-const ROUNDING: f64 = 1e-12;
+const MOMENTUM_ROUNDING: f64 = 1e-12;
 
 /// Gravity of an ellipsoid compared with its stiffness: self-gravity is not in the model.
 fn self_gravity(ellipsoid: &Ellipsoid) -> String {
@@ -244,7 +244,7 @@ fn self_gravity(ellipsoid: &Ellipsoid) -> String {
 fn condensed(known: &Condensation) -> String {
     let Condensation { unknowns, coordinates, left_out } = known;
     let text = format!(
-        "Of the parts' {unknowns} unknowns {coordinates} coordinates are left. They hold the answers to the spin but for {} of their energy.",
+        "Of the parts' {unknowns} unknowns {coordinates} coordinates are left. They hold the responses to the spin but for {} of their energy.",
         significant(left_out.max(f64::EPSILON), 1)
     );
     format!("\n{}\n", paragraph(&text, "", "  "))
@@ -255,7 +255,7 @@ fn truncation(part: &Part, pole: [f64; 3]) -> String {
     let PartKind::Modes(modes) = &part.kind else { return String::new() };
     let Some(missing) = modes.missing(pole) else { return String::new() };
     let text = format!(
-        "{:?}: modes beyond the last could add {} % to the energy of its answer to the spin, or less.",
+        "{:?}: modes beyond the last could add {} % to the energy of its response to the spin, or less.",
         part.name,
         significant(100.0 * missing, 2)
     );

@@ -181,12 +181,12 @@ impl<'a> Answer<'a> {
         Ok(DriftLimits { target, fastest, ..DriftLimits::until(duration) })
     }
 
-    pub fn drifting(&self, stage: RotationState) -> DriftState {
-        let circled = self.initial.omega(0.0)[stage.mode.circled()];
+    pub fn drifting(&self, rotation_state: RotationState) -> DriftState {
+        let circled = self.initial.omega(0.0)[rotation_state.mode.circled()];
         let side = if circled < 0.0 { -1.0 } else { 1.0 };
         DriftState {
             t: 0.0,
-            stage,
+            rotation_state,
             angular_momentum: self.initial.angular_momentum(),
             side,
             revolutions: 0.0,

@@ -4,7 +4,7 @@ use quasirigid_io::record::ApproachRecord;
 use super::record::FAINT;
 
 /// Relative distance within which a harmonic is near a vibration.
-const NEAR: f64 = 0.1;
+const NEAR_RESONANCE: f64 = 0.1;
 
 /// The harmonic of the polhode that comes nearest to a vibration at an end of the way; none if none comes near.
 ///
@@ -15,8 +15,8 @@ pub fn approach(
     ends: [RotationState; 2],
 ) -> Option<ApproachRecord> {
     response.frequencies().next()?; // harmonics may cost much, and meet nothing in a body that does not vibrate
-    let near = ends.into_iter().flat_map(|stage| {
-        let motion = evolution.motion(stage);
+    let near = ends.into_iter().flat_map(|rotation_state| {
+        let motion = evolution.motion(rotation_state);
         let powers: Vec<(f64, f64)> = response.harmonic_powers(&motion).collect();
         let sum: f64 = powers.iter().map(|(_, power)| power).sum();
         let ratio = motion.ratio();
@@ -32,5 +32,5 @@ pub fn approach(
         })
     });
     let nearest = near.min_by(|a, b| a.distance.abs().total_cmp(&b.distance.abs()))?;
-    (nearest.distance.abs() < NEAR).then_some(nearest)
+    (nearest.distance.abs() < NEAR_RESONANCE).then_some(nearest)
 }

@@ -97,7 +97,7 @@ impl Answer<'_> {
     }
 
     fn row_of_state(&self, state: DriftState) -> Row {
-        let motion = Evolution::new(self.power(), state.angular_momentum).motion(state.stage);
+        let motion = Evolution::new(self.power(), state.angular_momentum).motion(state.rotation_state);
         let [least, greatest] = motion.nutation();
         [
             state.t,

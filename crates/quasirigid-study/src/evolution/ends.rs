@@ -20,7 +20,7 @@ pub fn state(
     match target {
         Target::Ratio(ratio) => {
             let least = moments[0] / moments[2];
-            evolution.stage(ratio).ok_or(StudyError::NoRotationState { ratio, least })
+            evolution.rotation_state(ratio).ok_or(StudyError::NoRotationState { ratio, least })
         }
         Target::Wobble(angle) => evolution.wobbling(angle).ok_or(StudyError::NoShortAxis { moments }),
     }
@@ -69,7 +69,7 @@ pub fn span(
         }
         None => {
             // What moves inside may hold more energy than the steady spins leave to a wobble; it is that of the wobble when it has died out.
-            let from = range.stage(full.energy(body));
+            let from = range.rotation_state(full.energy(body));
             let from = from.or_else(|| range.settled(body, full.angular_momentum(body)));
             (full, from.ok_or(StudyError::Steady)?)
         }

@@ -126,7 +126,7 @@ pub fn chosen_under_torque(
     let Some(Basis { full, spins, initial }) = inputs.basis(study, start)? else {
         return Ok(inputs.unjudged(inputs.powers.first, inputs.initial));
     };
-    let Some(state) = spins.range.stage(full.energy(&study.body)) else {
+    let Some(state) = spins.range.rotation_state(full.energy(&study.body)) else {
         return Ok(inputs.unjudged(inputs.powers.first, initial));
     };
     let rates = Some(spins.rates());

@@ -88,12 +88,12 @@ impl Study {
     /// Follows the averaged rotation from the start of the model.
     ///
     /// # Errors
-    /// [`StudyError`] for a start that is none, for targets that are not ahead, and for bodies that are not followed so.
+    /// [`StudyError`] for an invalid start, for targets that are not ahead, and for bodies that are not followed so.
     pub fn evolve(&self, asked: PartialEvolve, watch: &mut dyn Watch) -> Result<Evolved, StudyError> {
         self.evolve_from(self.initial()?, asked, watch)
     }
 
-    /// Follows the averaged rotation from a rotation in the place of the model's own.
+    /// Follows the averaged rotation from a rotation in place of the model's own.
     ///
     /// # Errors
     /// As [`evolve`](Self::evolve).
@@ -154,17 +154,19 @@ pub(crate) fn follow(
     let mut watch = |share: f64| outlook.observe(share);
     let evolution = answer.evolution();
     let from = match &answer.history {
-        History::Levels(passage) => EvolutionTable::of_levels(passage, &answer.principal).first.stage,
+        History::Levels(passage) => {
+            EvolutionTable::of_levels(passage, &answer.principal).first.rotation_state
+        }
         _ => answer.start(&evolution, asked.start, torque.is_zero())?,
     };
     let mut rows = table_of(&answer, torque, from, asked, &mut watch)?;
-    let ended = evolution.motion(rows.last().stage);
+    let ended = evolution.motion(rows.last().rotation_state);
     let verdict = match flow.or_else(|| flowing(&inputs.powers.response, &ended)) {
         Some(why) => verdict.of_no_solid(&why),
         None => verdict,
     };
     let columns = answer.columns(&mut rows, &mut watch);
-    let ends = [from, rows.last().stage];
+    let ends = [from, rows.last().rotation_state];
     let averaged = matches!(answer.method, Method::Average(_) | Method::SpinningFrame);
     let time_range = match &model.extremes {
         Some(extremes) if rows.steady() && averaged => Some(range(extremes, &answer, ends)?),
@@ -172,9 +174,10 @@ pub(crate) fn follow(
     };
     let unranged = time_range.is_none() && model.extremes.is_some();
     let drifted = rows.drift.as_ref().map(|drift| drift.end.angular_momentum);
-    let spin = |G: f64, stage: RotationState| G / answer.principal.moments[stage.mode.circled()];
+    let spin =
+        |G: f64, rotation_state: RotationState| G / answer.principal.moments[rotation_state.mode.circled()];
     let G = answer.initial.angular_momentum();
-    let spins = [spin(G, from), spin(drifted.unwrap_or(G), rows.last().stage)];
+    let spins = [spin(G, from), spin(drifted.unwrap_or(G), rows.last().rotation_state)];
     let mut notes: Vec<String> = words::beyond_gravity(homogeneous(study), spins).into_iter().collect();
     notes.extend(words::notes(&answer, ends, unranged));
     notes.extend(words::uncertain(&rows));
@@ -196,9 +199,10 @@ fn table_of(
         History::Full(run, range) => EvolutionTable::of_run(run, range, asked.samples),
         History::Levels(passage) => EvolutionTable::of_levels(passage, &answer.principal),
         History::Settled(row, range) => {
-            let stage = range.stage(row.energy).unwrap_or(from);
-            let to = answer.end(&evolution, stage, &asked.after(row.t))?;
-            let rows = EvolutionTable::of_evolution(&evolution, stage, to, asked.samples).behind(from, row);
+            let rotation_state = range.rotation_state(row.energy).unwrap_or(from);
+            let to = answer.end(&evolution, rotation_state, &asked.after(row.t))?;
+            let rows =
+                EvolutionTable::of_evolution(&evolution, rotation_state, to, asked.samples).behind(from, row);
             rows.staying(asked.stays())
         }
         History::None if torque.is_zero() => {

@@ -98,14 +98,14 @@ impl Answer<'_> {
     ) -> EvolutionRecord {
         let evolution = &self.evolution();
         let last = rows.last();
-        let to = last.stage;
+        let to = last.rotation_state;
         let power = rows.powers.as_ref().map_or_else(|| evolution.power(from), |powers| powers[0]);
         let ages = power > 0.0 || !rows.steady() || rows.powers.is_some();
         let [start, end] = [0, rows.states.len().saturating_sub(1)].map(|row| observed(&columns, row));
-        // Levels of the slow energy have ratios of their own, which the stages of a rigid body do not tell.
-        let of_levels = |observed: &Option<ObservedRecord>, stage| {
+        // Levels of the slow energy have ratios of their own, which the rotation states of a rigid body do not tell.
+        let of_levels = |observed: &Option<ObservedRecord>, rotation_state| {
             let level = rows.levels.as_ref().and(observed.as_ref());
-            level.map_or_else(|| evolution.ratio(stage), |level| level.energy_ratio.recip())
+            level.map_or_else(|| evolution.ratio(rotation_state), |level| level.energy_ratio.recip())
         };
         let [ratio_start, ratio_end] = [of_levels(&start, from), of_levels(&end, to)];
         let mut record = EvolutionRecord {
@@ -193,13 +193,13 @@ impl Answer<'_> {
         let way = evolution.ratio(from)..=evolution.ratio(to);
         let crossings = self.inputs.powers.response.resonances(evolution).into_iter();
         crossings
-            .filter(|crossing| way.contains(&evolution.ratio(crossing.stage)))
+            .filter(|crossing| way.contains(&evolution.ratio(crossing.rotation_state)))
             .take(MOST_CROSSINGS)
             .map(|crossing| CrossingRecord {
                 harmonic: crossing.harmonic,
                 frequency: crossing.frequency,
-                ratio: evolution.ratio(crossing.stage),
-                mode: mode(crossing.stage.mode).into(),
+                ratio: evolution.ratio(crossing.rotation_state),
+                mode: mode(crossing.rotation_state.mode).into(),
                 coordinate: crossing.coordinate,
                 share: crossing.share,
             })

@@ -16,13 +16,13 @@ pub fn text(reason: &Reason, wheels: bool) -> String {
     match reason {
         Reason::NoSolid(words) => words.clone(),
         Reason::ChangingWheel => {
-            "a momentum wheel changes its speed: its motor works on the body, whose energy then need not fall, \
-             and no steady spin is reached by itself; `simulate` follows the history"
+            "a momentum wheel changes its speed: its motor does work on the body, whose energy then need \
+             not fall, and no steady spin need be reached; `simulate` follows the history"
                 .into()
         }
         Reason::Spent { seconds } => format!(
-            "no method came to the end within {}, the longest that is worked without being asked; a method \
-             that is asked for takes its time",
+            "no method reached the end within {}, the limit of an automatic choice; a \
+             method that is asked for has no limit",
             time(*seconds)
         ),
         Reason::Choice(reason) => of_choice(reason, wheels),
@@ -51,23 +51,23 @@ fn of_choice(reason: &choice::Reason, wheels: bool) -> String {
             "under a torque the average alone is followed, and it does not hold: {}",
             unfounded(*criteria)
         ),
-        Reason::NoModalRate if wheels => "the modes give a small wobble no rate".into(),
+        Reason::NoModalRate if wheels => "the modes give no rate of a small wobble".into(),
         Reason::NoModalRate => {
             "the modes about the steady spins give no rate at which a small wobble changes".into()
         }
         Reason::TooWideForModes { error, wobble } => format!(
-            "the average is off by {} % at the axis, where the modes are exact, and the wobble of {} degrees \
+            "the average is off by {} % at the axis, where the linear modes hold, and the wobble of {} degrees \
              is too wide for them",
             significant(100.0 * error, 2),
             degrees(*wobble)
         ),
         Reason::TooWideForLiquids { wobble } => format!(
-            "the answer of a liquid that spins is known for small wobbles, and one of {} degrees is too wide \
+            "the response of a spinning liquid is known for small wobbles, and one of {} degrees is too wide \
              for it",
             degrees(*wobble)
         ),
         Reason::TooWideForNutation { widest } => format!(
-            "the rates of the modes, which have every loss of this body, are those of wobbles below {} degrees",
+            "the rates of the modes, which include every loss of this body, hold for wobbles below {} degrees",
             significant(widest.to_degrees(), 2)
         ),
         Reason::RatioOfLevels => {
@@ -107,10 +107,10 @@ fn of_choice(reason: &choice::Reason, wheels: bool) -> String {
             "the reduced equations about the steady spin do not lead to the end".into()
         }
         Reason::Measured(error) => error.to_string(),
-        Reason::ShortRunsWithWheels => "short runs measure no power of a body with momentum wheels".into(),
+        Reason::ShortRunsWithWheels => "short runs cannot measure the power of a body with momentum wheels".into(),
         Reason::WithinRevolution { t } => format!(
-            "the energy of the full system falls to the target within {}, less than a turn: that is the start \
-             coming into balance, not a wobble that dies out; its history in the full system shows it",
+            "the energy of the full system falls to the target within {}, less than a revolution: that is the \
+             transient of the start, not the decay of a wobble; its history in the full system shows it",
             time(*t)
         ),
         Reason::Unfinished { t, ending, .. } if wheels => {
@@ -118,12 +118,12 @@ fn of_choice(reason: &choice::Reason, wheels: bool) -> String {
                 DirectStopReason::Failed { reason } => format!(": {reason}"),
                 _ => String::new(),
             };
-            format!("the full system was followed for {} and did not get there{failure}", time(*t))
+            format!("the full system was followed for {} and did not reach the target{failure}", time(*t))
         }
         Reason::Unfinished { t, revolutions, ending, instability } => {
             let instability = instability.as_ref().map(|found| format!("; {}", unstable(found)));
             format!(
-                "the full system was followed for {} ({} revolutions) and did not get there: {}{}",
+                "the full system was followed for {} ({} revolutions) and did not reach the target: {}{}",
                 time(*t),
                 significant(*revolutions, 3),
                 ended(ending),
@@ -131,18 +131,18 @@ fn of_choice(reason: &choice::Reason, wheels: bool) -> String {
             )
         }
         Reason::UnknownLength if wheels => {
-            "the modes give a small wobble no rate, so that nothing says how far the full system would have to \
-             be followed"
+            "the modes give no rate of a small wobble, so the length of a run of the full system \
+             cannot be estimated"
                 .into()
         }
         Reason::UnknownLength => format!(
-            "the modes give a small wobble no rate beyond rounding at an end of the way, so that nothing says \
+            "the modes give no rate of a small wobble beyond rounding at an end of the way, so that nothing says \
              how far the full system would have to be followed; the method {}, asked for, does it",
             method(Work::History)
         ),
         Reason::TooLong { work: long, seconds, most } => format!(
-            "{} would take about {}, and no more than {} is worked without being asked; the method {}, asked \
-             for, does it",
+            "{} would take about {}, and an automatic choice may take {}; ask for the method \
+             {} to do it all the same",
             work(*long),
             time(*seconds),
             time(*most),
@@ -184,7 +184,7 @@ pub fn unfounded(criteria: AverageCriteria) -> String {
     let AverageCriteria { poles, settling, moments, probed, liquids } = criteria;
     let percent = |share: f64| significant(100.0 * share, 2);
     if liquids >= criteria.error() {
-        return "the wobble is too wide for the answer of a liquid that spins, which is known for small ones"
+        return "the wobble is too wide for the response of a spinning liquid, which is known for small ones"
             .into();
     }
     if probed > poles.max(settling).max(moments) {
@@ -219,10 +219,10 @@ fn left_out(share: f64) -> String {
     let why = "the full system has no equations of motion for all that dissipates (materials and liquids whose \
                response is known only in the frequency domain)";
     if !share.is_finite() {
-        return format!("{why}, and the modes do not say how much that is");
+        return format!("{why}, and the modes do not tell their share");
     }
     format!(
-        "{why}: by those that it has a small wobble changes at a rate that is {} % off",
+        "{why}: with the losses that it has, the rate of a small wobble is off by {} %",
         significant(100.0 * share, 2)
     )
 }
@@ -235,8 +235,8 @@ fn undecided(t: f64, ways: &[Way]) -> String {
         format!("by [{}] with the probability {}", axis.join(", "), significant(way.share, 2))
     };
     format!(
-        "the rotation reaches a separatrix after {}, and a fraction of a revolution decides how its angular \
-         momentum goes on: {}",
+        "the rotation reaches a separatrix after {}, and a fraction of a revolution decides which branch \
+         its angular momentum follows: {}",
         time(t),
         ways.iter().map(way).collect::<Vec<_>>().join(", ")
     )
@@ -246,8 +246,8 @@ fn undecided(t: f64, ways: &[Way]) -> String {
 fn ended(ending: &DirectStopReason) -> &str {
     match ending {
         DirectStopReason::Failed { reason } => reason,
-        DirectStopReason::TurnLimit => "that is more than may be followed turn by turn",
-        _ => "the steps allowed were used up; asked for, the direct integration has more of them",
+        DirectStopReason::TurnLimit => "that is more revolutions than can be followed one by one",
+        _ => "the step limit was reached; the method direct, asked for, has a higher one",
     }
 }
 
@@ -266,7 +266,7 @@ mod tests {
             (
                 Reason::NoModalRate,
                 "the modes about the steady spins give no rate at which a small wobble changes",
-                "the modes give a small wobble no rate",
+                "the modes give no rate of a small wobble",
             ),
             (
                 Reason::ManifoldThroughSeparatrix,
@@ -281,16 +281,16 @@ mod tests {
             ),
             (
                 Reason::UnknownLength,
-                "the modes give a small wobble no rate beyond rounding at an end of the way, so that nothing says \
-                 how far the full system would have to be followed; the method direct, asked for, does it",
-                "the modes give a small wobble no rate, so that nothing says how far the full system would have \
-                 to be followed",
+                "at one end the modes give no rate of a small wobble beyond rounding, so the length of \
+                 a run of the full system cannot be estimated; the method direct, asked for, needs no estimate",
+                "the modes give no rate of a small wobble, so the length of a run of the full \
+                 system cannot be estimated",
             ),
             (
                 unfinished,
-                "the full system was followed for 60.00 s (12.0 revolutions) and did not get there: the steps \
-                 allowed were used up; asked for, the direct integration has more of them",
-                "the full system was followed for 60.00 s and did not get there",
+                "the full system was followed for 60.00 s (12.0 revolutions) and did not reach the target: the step \
+                 limit was reached; the method direct, asked for, has a higher one",
+                "the full system was followed for 60.00 s and did not reach the target",
             ),
         ];
         for (reason, without, with) in rows {

@@ -49,9 +49,15 @@ impl EvolutionTable {
         samples: usize,
     ) -> Self {
         let angular_momentum = evolution.motion(from).angular_momentum();
-        let state = |stage| DriftState { t: 0.0, stage, angular_momentum, side: 1.0, revolutions: 0.0 };
+        let state = |rotation_state| DriftState {
+            t: 0.0,
+            rotation_state,
+            angular_momentum,
+            side: 1.0,
+            revolutions: 0.0,
+        };
         let samples = if evolution.power(from) > 0.0 { samples } else { 1 };
-        let states: Vec<_> = evolution.stages(from, to, samples).map(state).collect();
+        let states: Vec<_> = evolution.rotation_states(from, to, samples).map(state).collect();
         let evolution = Some(evolution.clone());
         Self {
             first: state(from),
@@ -76,7 +82,7 @@ impl EvolutionTable {
     /// Rows behind the start of the full system, which reaches the first of them at the time of `row`.
     pub fn behind(mut self, start: RotationState, row: &DirectRow) -> Self {
         self.states[0] = DriftState { t: row.t, revolutions: row.revolutions, ..self.states[0] };
-        self.first = DriftState { stage: start, t: 0.0, revolutions: 0.0, ..self.first };
+        self.first = DriftState { rotation_state: start, t: 0.0, revolutions: 0.0, ..self.first };
         self.states.insert(0, self.first);
         self.known = 2;
         self
@@ -135,10 +141,10 @@ impl EvolutionTable {
         let settled = |mode| RotationState { mode, xi: AT_AXIS };
         let state = |row: &DirectRow| {
             let mode = range.polhode(row.energy).mode();
-            let stage = range.stage(row.energy).unwrap_or(settled(mode));
+            let rotation_state = range.rotation_state(row.energy).unwrap_or(settled(mode));
             DriftState {
                 t: row.t,
-                stage,
+                rotation_state,
                 angular_momentum: range.angular_momentum(),
                 side: 1.0,
                 revolutions: row.revolutions,
@@ -182,7 +188,7 @@ impl EvolutionTable {
             let angular_momentum = norm(row.angular_momentum);
             DriftState {
                 t: row.time,
-                stage: RotationState { mode, xi: 0.0 },
+                rotation_state: RotationState { mode, xi: 0.0 },
                 angular_momentum,
                 side: 1.0,
                 revolutions: row.revolutions,
@@ -190,7 +196,7 @@ impl EvolutionTable {
         };
         let states: Vec<DriftState> = passage.rows.iter().map(state).collect();
         let other = |separatrix: &&Separatrix| {
-            separatrix.circled.is_some_and(|axis| mode(axis) != states[0].stage.mode)
+            separatrix.circled.is_some_and(|axis| mode(axis) != states[0].rotation_state.mode)
         };
         let crossed = passage.separatrices.iter().find(other).map(|separatrix| separatrix.time);
         Self {
@@ -229,7 +235,8 @@ impl EvolutionTable {
             (&self.evolution, i.checked_sub(1).filter(|_| i >= self.known))
         {
             let before = self.states[before];
-            let Elapsed { time, revolutions, error } = evolution.passage(before.stage, self.states[i].stage);
+            let Elapsed { time, revolutions, error } =
+                evolution.passage(before.rotation_state, self.states[i].rotation_state);
             self.states[i].t = before.t + time;
             self.states[i].revolutions = before.revolutions + revolutions;
             self.error += error.abs();
@@ -238,7 +245,7 @@ impl EvolutionTable {
             (&self.evolution, self.stays.filter(|_| i >= self.known && i + 1 == self.states.len()))
         {
             let state = &mut self.states[i];
-            let (left, motion) = (end - state.t, evolution.motion(state.stage));
+            let (left, motion) = (end - state.t, evolution.motion(state.rotation_state));
             if left > 0.0 {
                 let turning = 2.0 * motion.energy() / motion.angular_momentum();
                 (state.t, state.revolutions) =

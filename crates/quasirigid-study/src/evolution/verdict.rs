@@ -5,7 +5,7 @@
 use quasirigid::averaging::PowerSource;
 use quasirigid::model::Mode;
 use quasirigid::secular::choice::{AverageBasis, Followed, Method, Outcome};
-use quasirigid::secular::{HandOver, ManifoldHistory, MeasuredPower};
+use quasirigid::secular::{ManifoldBoundary, ManifoldHistory, MeasuredPower};
 
 use super::refusals::unfounded;
 use crate::resolution::{NOTHING, known};
@@ -163,7 +163,7 @@ fn reduced(ManifoldHistory { beside, range, .. }: &ManifoldHistory) -> String {
 /// Sources of a measured power, in words.
 fn measured(power: &MeasuredPower) -> String {
     let runs = power.measurements.iter().filter(|each| !each.reduced).count();
-    let edges: Vec<String> = power.hand_overs.iter().map(handed).collect();
+    let edges: Vec<String> = power.boundaries.iter().map(handed).collect();
     if runs == 0 {
         return format!(
             "The internal parts are too massive or too compliant for averaging: the mean power was taken from the reduced equations about the \
@@ -183,8 +183,8 @@ fn measured(power: &MeasuredPower) -> String {
 }
 
 /// Range within which the power is that of reduced equations about a spin, in words.
-fn handed(hand_over: &HandOver) -> String {
-    let HandOver { mode, nutation, mismatch } = *hand_over;
+fn handed(boundary: &ManifoldBoundary) -> String {
+    let ManifoldBoundary { mode, nutation, mismatch } = *boundary;
     let axis = if mode == Mode::ShortAxis { "greatest" } else { "least" };
     let differs = if mismatch == 0.0 {
         String::new()

@@ -16,7 +16,7 @@ use crate::settings::EvolveSettings;
 use crate::words::{count, dissipation, significant, time};
 
 /// Rows of the table for people.
-const ROWS: usize = 11;
+const TABLE_ROWS: usize = 11;
 /// Relative difference of the two powers above which the paper's theory ends.
 const APART: f64 = 0.1;
 /// Relative error of a time from which the error is mentioned.
@@ -24,7 +24,7 @@ const UNCERTAIN: f64 = 1e-6;
 /// Angle (rad) from an axis below which a rotation is called a steady spin.
 const STEADY: f64 = 1e-8;
 /// Probabilities as near as this are equal.
-const ROUNDING: f64 = 1e-9;
+const EQUAL_PROBABILITIES: f64 = 1e-9;
 
 /// End of an evolution, in a sentence.
 pub fn message(rows: &EvolutionTable, asked: &EvolveSettings, ages: bool) -> String {
@@ -128,9 +128,9 @@ pub fn sentence(record: &EvolutionRecord, drift: Option<&DriftHistory>) -> Strin
 
 /// Probability of the side that is entered at the separatrix, in words.
 fn odds(probability: f64) -> String {
-    if probability > 1.0 - ROUNDING {
+    if probability > 1.0 - EQUAL_PROBABILITIES {
         String::new()
-    } else if (probability - 0.5).abs() < ROUNDING {
+    } else if (probability - 0.5).abs() < EQUAL_PROBABILITIES {
         "; both senses of the final spin are equally likely".into()
     } else {
         format!("; the sense followed has the probability {}", significant(probability, 2))
@@ -141,7 +141,7 @@ fn odds(probability: f64) -> String {
 pub fn notes(answer: &Answer, ends: [RotationState; 2], unranged: bool) -> Vec<String> {
     let inputs = answer.inputs;
     let mut notes: Vec<String> = answer.parametric.iter().map(parametric).collect();
-    let motions = ends.map(|stage| answer.evolution().motion(stage));
+    let motions = ends.map(|rotation_state| answer.evolution().motion(rotation_state));
     let powers = &inputs.powers;
     let ratio = powers.response.mean_power(&motions[0]) / powers.polynomial.mean_power(&motions[0]);
     let judged = answer.rates.is_some();
@@ -328,7 +328,7 @@ fn table(out: &mut String, columns: &[Column]) -> fmt::Result {
     let places = if of_axes { "    D/I3  mode   " } else { "" };
     writeln!(out, "\n            time revolutions {places}wobble, degrees       power, W")?;
     let rows = t.len();
-    let shown = ROWS.min(rows);
+    let shown = TABLE_ROWS.min(rows);
     for i in 0..shown {
         let row = if shown < 2 { 0 } else { i * (rows - 1) / (shown - 1) };
         let mode = if axis[row] == 3.0 { "short" } else { "long" };

@@ -37,7 +37,7 @@ impl Kept {
         };
         let mut motions: Vec<Vec<f64>> = Vec::new();
         motions.extend(frames.map(|frames| moved(&|j| frames.largest(j))));
-        let shapes = modes.into_iter().flat_map(|modes| modes.modes.iter().take(super::modes::MOST));
+        let shapes = modes.into_iter().flat_map(|modes| modes.modes.iter().take(super::modes::MAX_MODES));
         motions.extend(shapes.map(|mode| moved(&|j| mode.shape[j][0].hypot(mode.shape[j][1]))));
         let weight = |j: usize| motions.iter().map(|sizes| sizes[j]).fold(0.0, f64::max);
         let mut order: Vec<usize> = (0..reach.len()).collect();

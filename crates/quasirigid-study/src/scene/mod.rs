@@ -69,7 +69,7 @@ fn radius(visuals: &[Visual], body: &FlexibleBody) -> f64 {
 mod tests {
     use std::path::Path;
 
-    use quasirigid_io::model::{Given, changed};
+    use quasirigid_io::model::{KeyValue, changed};
     use quasirigid_io::record::{RunRecord, SceneRecord, TermRecord};
 
     use crate::Study;
@@ -94,8 +94,8 @@ mod tests {
     fn terms_scale_by_their_powers() {
         let (s, d): (f64, f64) = (1.7, 0.6);
         let short = text("boom-satellite").replace("duration = \"8 h\"", "duration = \"20 min\"");
-        let scale = |key: &str, value: f64| (key.to_owned(), Given::Number(value));
-        let changes: Vec<(String, Given)> = (1..=2)
+        let scale = |key: &str, value: f64| (key.to_owned(), KeyValue::Number(value));
+        let changes: Vec<(String, KeyValue)> = (1..=2)
             .flat_map(|spring| {
                 [
                     scale(&format!("spring.{spring}.stiffness"), 500.0 * s),
@@ -103,7 +103,7 @@ mod tests {
                 ]
             })
             .collect();
-        let changes: Vec<(&str, Given)> =
+        let changes: Vec<(&str, KeyValue)> =
             changes.iter().map(|(key, given)| (&**key, given.clone())).collect();
         let [soft, stiff] =
             [short.clone(), changed(&short, &changes).unwrap()].map(|text| scene(&text).equations.unwrap());

@@ -5,7 +5,7 @@ use quasirigid_io::record::ShapeRecord;
 use quasirigid_io::visible::one_line;
 
 /// Most modes of a scene.
-pub(super) const MOST: usize = 12;
+pub(super) const MAX_MODES: usize = 12;
 
 /// Shapes of the first modes that oscillate or grow, over the coordinates kept.
 pub(super) fn shapes(modes: &SpinModes, kept: &[usize]) -> Vec<ShapeRecord> {
@@ -18,5 +18,5 @@ pub(super) fn shapes(modes: &SpinModes, kept: &[usize]) -> Vec<ShapeRecord> {
             q: kept.iter().map(|j| mode.shape[*j]).collect(),
         })
     };
-    modes.modes.iter().filter(|mode| !mode.overdamped()).take(MOST).filter_map(shape).collect()
+    modes.modes.iter().filter(|mode| !mode.overdamped()).take(MAX_MODES).filter_map(shape).collect()
 }

@@ -1,7 +1,7 @@
 //! Visual geometry of the elements, packed.
 
 use quasirigid::elements::Visual;
-use quasirigid_io::record::{FieldRecord, Packed, PieceRecord, TurningRecord, VectorsRecord};
+use quasirigid_io::record::{FieldRecord, Packed, PieceRecord, RotorAxisRecord, VectorsRecord};
 use quasirigid_io::visible::one_line;
 
 use super::kept::Kept;
@@ -18,7 +18,7 @@ pub(super) fn piece(visual: &Visual, kept: &Kept, rotors: &[usize]) -> PieceReco
     };
     let turning = visual.turning.and_then(|turning| {
         let rotor = rotors.iter().position(|rotor| *rotor == turning.coordinate)?;
-        Some(TurningRecord { axis: turning.axis, center: turning.center, rotor })
+        Some(RotorAxisRecord { axis: turning.axis, center: turning.center, rotor })
     });
     PieceRecord {
         name: one_line(&visual.name),

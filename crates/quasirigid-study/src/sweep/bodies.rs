@@ -1,7 +1,7 @@
 //! Table of a study: which column gives which key of the model, and the value that a row gives.
 //! A cell that cannot be read spoils its row and no other.
 
-use quasirigid_io::model::{ChangeError, Given, KeyPath, ModelError, Template};
+use quasirigid_io::model::{ChangeError, KeyPath, KeyValue, ModelError, Template};
 use quasirigid_io::study_file::{StudyFile, TableColumn, TableSource};
 use quasirigid_io::table_file::{BodyTable, CellKind, TableError, read_bodies};
 use quasirigid_io::visible::Excerpt;
@@ -106,7 +106,7 @@ impl Bodies {
     }
 
     /// The values of a body, or why it has none.
-    pub(super) fn changes(&self, body: usize) -> Result<Vec<(KeyPath, Given)>, String> {
+    pub(super) fn changes(&self, body: usize) -> Result<Vec<(KeyPath, KeyValue)>, String> {
         if let Some(reason) = self.table.unread.get(&body) {
             return Err(reason.clone());
         }
@@ -114,7 +114,7 @@ impl Bodies {
     }
 
     /// The value that a body gives to a key.
-    pub(super) fn given(&self, key: &KeyColumn, body: usize) -> Result<Given, String> {
+    pub(super) fn given(&self, key: &KeyColumn, body: usize) -> Result<KeyValue, String> {
         let text = self.table.columns[key.column][body].as_str();
         let name = &key.name;
         if text.is_empty() {
@@ -122,7 +122,7 @@ impl Bodies {
         }
         if let Some(unit) = &key.unit {
             return match text.parse::<f64>() {
-                Ok(number) if number.is_finite() => Ok(Given::Text(format!("{text} {unit}"))),
+                Ok(number) if number.is_finite() => Ok(KeyValue::Text(format!("{text} {unit}"))),
                 _ => Err(format!(
                     "row {} of the table, column {name:?}: {:?} is not a finite number",
                     body + 1,

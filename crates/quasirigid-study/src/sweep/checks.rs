@@ -2,7 +2,7 @@
 
 use std::time::Instant;
 
-use quasirigid_io::model::{Given, KeyPath, Model, ModelError};
+use quasirigid_io::model::{KeyPath, KeyValue, Model, ModelError};
 use quasirigid_io::study_file::{Command, Quantity, Values, Varied};
 use quasirigid_io::table_file::CellKind;
 use serde_json::Value;
@@ -10,7 +10,7 @@ use serde_json::Value;
 use super::design::MOST_SOBOL_KEYS;
 use super::distribution::quantile;
 use super::plan::in_unit;
-use super::quantity::{self, Found};
+use super::quantity::{self, QuantityValue};
 use super::row::{Answered, answers_watched};
 use super::{Output, Sweep, SweepError, is_drawn};
 
@@ -78,17 +78,17 @@ fn columns(sweep: &Sweep) -> Result<(), SweepError> {
 }
 
 /// A value of a varied key: the first of a grid, the median of a distribution.
-fn typical(varied: &Varied) -> Given {
+fn typical(varied: &Varied) -> KeyValue {
     match &varied.values {
         Values::Grid(grid) => in_unit(grid.point(0), grid.unit()),
         Values::Drawn(drawn) => {
-            in_unit(Given::Number(quantile(&drawn.distribution, 0.5)), drawn.unit.as_deref())
+            in_unit(KeyValue::Number(quantile(&drawn.distribution, 0.5)), drawn.unit.as_deref())
         }
     }
 }
 
 /// Notes on former names in the text of the model with these changes, if that is a model.
-fn parsed(sweep: &Sweep, changes: &[(KeyPath, Given)]) -> Result<Vec<String>, ModelError> {
+fn parsed(sweep: &Sweep, changes: &[(KeyPath, KeyValue)]) -> Result<Vec<String>, ModelError> {
     let text = sweep.template.changed(changes).unwrap_or_default();
     Model::parse(&sweep.model.file, &text).map(|model| model.former_names)
 }
@@ -97,7 +97,7 @@ fn refused(
     sweep: &Sweep,
     span: std::ops::Range<usize>,
     name: &str,
-    given: &Given,
+    given: &KeyValue,
     error: &ModelError,
 ) -> SweepError {
     let (message, help) = match error {
@@ -106,7 +106,7 @@ fn refused(
             .map_or_else(Default::default, |first| (first.message.clone(), first.help.clone())),
         other => (other.to_string(), None),
     };
-    let message = format!("{name} = {given} makes no model: {message}");
+    let message = format!("{name} = {given} is not a valid model: {message}");
     SweepError::File(sweep.study.refuse(span, message, "not for this key", help))
 }
 
@@ -134,16 +134,16 @@ pub(super) fn outputs(sweep: &Sweep, watch: &mut dyn crate::Watch) -> Result<(Ve
             };
             let Some(object) = objects.first() else { continue };
             match quantity::find(quantity, object) {
-                Found::Value(value) => {
+                QuantityValue::Value(value) => {
                     there[index] = true;
                     let kind = kind_of(value).ok_or_else(|| compound(sweep, quantity, value))?;
                     kinds[index].get_or_insert(kind);
                 }
-                Found::Infinite | Found::Unknown => there[index] = true,
-                Found::Absent(reason) => {
+                QuantityValue::Infinite | QuantityValue::Unknown => there[index] = true,
+                QuantityValue::Absent(reason) => {
                     absent[index].get_or_insert(reason);
                 }
-                Found::Unclear(reason) => {
+                QuantityValue::Unclear(reason) => {
                     let refused = sweep.study.refuse(quantity.span.clone(), reason, "which one?", None);
                     return Err(SweepError::File(refused));
                 }

@@ -114,7 +114,7 @@ impl Collector {
     /// Keeps the answers of rows, and writes the parts that are whole.
     ///
     /// # Errors
-    /// [`SweepError::Answer`] for what is no answer of this study, and for files that cannot be written.
+    /// [`SweepError::Answer`] for a result of another study, and for files that cannot be written.
     pub fn keep(&mut self, lines: &[u8]) -> Result<(), SweepError> {
         let sweep = Arc::clone(&self.sweep);
         let folder = Folder::at(&self.path, &sweep);

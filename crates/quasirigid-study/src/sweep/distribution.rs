@@ -57,7 +57,7 @@ fn standard(probability: f64) -> f64 {
 mod tests {
     use super::*;
 
-    const WIDE: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];
+    const WHOLE_RANGE: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];
 
     /// Quantiles of the normal distribution to 15 digits: Wichura's tables for AS 241 (1988), and 5 sigma from its definition.
     #[test]
@@ -68,10 +68,13 @@ mod tests {
             (0.001, -3.090_232_306_167_814),
             (1e-20, -9.262_340_089_798_408),
         ] {
-            assert!((quantile(&normal(WIDE), u) - (10.0 + 2.0 * z)).abs() < 1e-14 * 10.0, "{u}");
+            assert!((quantile(&normal(WHOLE_RANGE), u) - (10.0 + 2.0 * z)).abs() < 1e-14 * 10.0, "{u}");
         }
-        assert!((quantile(&normal(WIDE), 0.75) - (10.0 + 2.0 * 0.674_489_750_196_081_7)).abs() < 1e-13);
-        let log = Distribution::LogNormal { median: 100.0, sigma: std::f64::consts::LN_10, range: WIDE };
+        assert!(
+            (quantile(&normal(WHOLE_RANGE), 0.75) - (10.0 + 2.0 * 0.674_489_750_196_081_7)).abs() < 1e-13
+        );
+        let log =
+            Distribution::LogNormal { median: 100.0, sigma: std::f64::consts::LN_10, range: WHOLE_RANGE };
         assert!(
             (quantile(&log, 0.841_344_746_068_542_9) / 1000.0 - 1.0).abs() < 1e-13,
             "one decade above the median"

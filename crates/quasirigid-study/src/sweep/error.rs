@@ -151,21 +151,21 @@ impl SweepError {
                 folder.display()
             ),
             Self::Exists { folder } => format!(
-                "{} is there already, with results of this study; go on with {}, or choose another folder with {folder_setting}",
+                "{} already exists, with results of this study; continue with {}, or choose another folder with {folder_setting}",
                 folder.display(),
                 name(Setting::Resume)
             ),
             Self::Unfinished { folder } => format!(
-                "{} has no summary of a study: its rows are not all answered, or it is another folder; go on with {}",
+                "{} has no summary of a study: its rows are not all answered, or it is another folder; continue with {}",
                 folder.display(),
                 name(Setting::Resume)
             ),
             Self::Foreign { folder } => format!(
-                "{} is there already and is no folder of a study, so nothing is written into it; choose another with {folder_setting}",
+                "{} already exists and is not the folder of a study, so nothing is written into it; choose another with {folder_setting}",
                 folder.display()
             ),
             Self::NoFolder { folder, above } => format!(
-                "cannot write {}: there is no folder {}; make it first",
+                "cannot write {}: there is no folder {}; create it first",
                 folder.display(),
                 above.display()
             ),
@@ -182,7 +182,7 @@ impl SweepError {
                 format!("no {threads} threads: {cause}; ask for fewer with {}", name(Setting::Threads))
             }
             Self::Io { path, cause } => {
-                format!("{}: {cause}; may the folder be written, is the disk full?", path.display())
+                format!("{}: {cause}; is the folder writable, is the disk full?", path.display())
             }
             Self::Part { path, problem } => format!(
                 "{}: {problem}; this is no longer the part that the study wrote: remove the file, and its rows are answered again with {}",
@@ -195,7 +195,7 @@ impl SweepError {
             ),
             Self::Setting(cause) => cause.told(name),
             Self::Answer => {
-                "a worker sent what is no answer of this study; does it run the same version?".to_owned()
+                "a worker sent a result of another study; does it run the same version?".to_owned()
             }
             Self::Interrupted => "interrupted before the first row was answered".to_owned(),
         }

@@ -14,12 +14,12 @@ use super::row::RowAnswer;
 use super::{Sweep, SweepError, plan};
 
 /// Files of the folder.
-const HEAD: &str = "sweep.json";
-const STUDY: &str = "study.toml";
-const MODEL: &str = "model.toml";
-const PARTS: &str = "parts";
-pub(super) const REPORT: &str = "report.html";
-pub(super) const ROWS: &str = "rows.csv";
+const HEAD_FILE: &str = "sweep.json";
+const STUDY_FILE: &str = "study.toml";
+const MODEL_FILE: &str = "model.toml";
+const PARTS_FOLDER: &str = "parts";
+pub(super) const REPORT_FILE: &str = "report.html";
+pub(super) const ROWS_FILE: &str = "rows.csv";
 pub(super) const SUMMARY: &str = "summary.json";
 
 /// Folder of the results of a study.
@@ -38,7 +38,7 @@ impl<'s> Folder<'s> {
     /// Opens the folder of a study, or makes it; one with results is opened only to go on.
     pub(super) fn open(path: &Path, sweep: &'s Sweep, go_on: bool) -> Result<Self, SweepError> {
         let folder = Self::at(path, sweep);
-        let head = path.join(HEAD);
+        let head = path.join(HEAD_FILE);
         if head.is_file() {
             let text = read_regular(&head).map_err(SweepError::io(&head))?;
             let known: Option<Value> = serde_json::from_slice(&text).ok();
@@ -60,17 +60,17 @@ impl<'s> Folder<'s> {
         if path.is_symlink() && !path.exists() {
             return Err(SweepError::Foreign { folder: path.to_owned() }); // it would be made where the link leads to
         }
-        let parts = path.join(PARTS);
+        let parts = path.join(PARTS_FOLDER);
         fs::create_dir_all(&parts).map_err(SweepError::io(&parts))?;
         settle_folder(above).map_err(SweepError::io(path))?;
-        folder.put(STUDY, |out| out.write_all(sweep.study.source.text.as_bytes()))?;
-        folder.put(MODEL, |out| out.write_all(sweep.model.text.as_bytes()))?;
+        folder.put(STUDY_FILE, |out| out.write_all(sweep.study.source.text.as_bytes()))?;
+        folder.put(MODEL_FILE, |out| out.write_all(sweep.model.text.as_bytes()))?;
         let head = json!({
             "sha256": sweep.sha256, "version": env!("CARGO_PKG_VERSION"), "rows": sweep.rows,
             "part": sweep.study.part, "study_sha256": sweep.study.source.sha256, "model_sha256": sweep.model.sha256,
             "study_file": file_name(&sweep.study.source.file), "model_file": file_name(&sweep.model.file),
         });
-        folder.put(HEAD, |out| writeln!(out, "{head:#}"))?;
+        folder.put(HEAD_FILE, |out| writeln!(out, "{head:#}"))?;
         Ok(folder)
     }
 
@@ -97,7 +97,7 @@ impl<'s> Folder<'s> {
 
     /// Journal of a part.
     pub(super) fn journal(&self, part: u64) -> PathBuf {
-        self.path.join(PARTS).join(format!("part-{part:05}.journal"))
+        self.path.join(PARTS_FOLDER).join(format!("part-{part:05}.journal"))
     }
 
     /// Removes the journal of a part that is there, which a run left that was killed between the two.
@@ -152,7 +152,7 @@ impl<'s> Folder<'s> {
 }
 
 fn part_file(folder: &Path, part: u64) -> PathBuf {
-    folder.join(PARTS).join(format!("part-{part:05}.parquet"))
+    folder.join(PARTS_FOLDER).join(format!("part-{part:05}.parquet"))
 }
 
 /// Columns of these names, or all, over the parts of a folder in which every part is there, in the order of the file.
@@ -228,10 +228,10 @@ fn append(cells: &mut Cells, more: Cells) {
 /// Whether a folder holds nothing, or nothing but what the start of a study writes before its head.
 fn is_begun(path: &Path) -> bool {
     let Ok(entries) = fs::read_dir(path) else { return false };
-    let ours = |name: &str| [STUDY, MODEL, PARTS].contains(&name) || is_temporary(name);
+    let ours = |name: &str| [STUDY_FILE, MODEL_FILE, PARTS_FOLDER].contains(&name) || is_temporary(name);
     let mut names = entries.map(|entry| entry.map(|entry| entry.file_name()));
     let begun = names.all(|name| name.is_ok_and(|name| name.to_str().is_some_and(ours)));
-    begun && fs::read_dir(path.join(PARTS)).map_or(true, |mut parts| parts.next().is_none())
+    begun && fs::read_dir(path.join(PARTS_FOLDER)).map_or(true, |mut parts| parts.next().is_none())
 }
 
 fn file_name(path: &Path) -> String {
@@ -241,5 +241,5 @@ fn file_name(path: &Path) -> String {
 /// Removes the temporary files that killed runs left in a folder of parts.
 pub(super) fn tidy(folder: &Path) {
     disk::tidy(folder);
-    disk::tidy(&folder.join(PARTS));
+    disk::tidy(&folder.join(PARTS_FOLDER));
 }

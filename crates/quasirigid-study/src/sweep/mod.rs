@@ -29,7 +29,7 @@ use std::path::Path;
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
-use quasirigid_io::model::{Given, KeyPath, ModelError, Source, Template};
+use quasirigid_io::model::{KeyPath, KeyValue, ModelError, Source, Template};
 use quasirigid_io::study_file::{StudyFile, Values};
 use quasirigid_io::table_file::CellKind;
 
@@ -45,7 +45,7 @@ pub use uncertainty::text as uncertainty_text;
 use bodies::Bodies;
 use design::Design;
 use identity::identity;
-use quantity::Found;
+use quantity::QuantityValue;
 use row::Answered;
 
 /// Most rows of a study.
@@ -202,7 +202,7 @@ impl Sweep {
     ///
     /// # Errors
     /// The reason for which the row has no values, in words.
-    pub fn changes(&self, row: u64) -> Result<Vec<(KeyPath, Given)>, String> {
+    pub fn changes(&self, row: u64) -> Result<Vec<(KeyPath, KeyValue)>, String> {
         plan::changes(self, row)
     }
 
@@ -264,12 +264,12 @@ impl Sweep {
 
 impl Output {
     /// The cell of a value; a number of a command that refuses is no answer.
-    fn cell(&self, found: Found<'_>, status: Status, notes: &mut Vec<String>) -> Cell {
+    fn cell(&self, found: QuantityValue<'_>, status: Status, notes: &mut Vec<String>) -> Cell {
         let cell = match found {
-            Found::Value(value) => cell_of(value),
-            Found::Infinite => Cell::Number(f64::INFINITY),
-            Found::Unknown => Cell::Missing,
-            Found::Absent(reason) | Found::Unclear(reason) => {
+            QuantityValue::Value(value) => cell_of(value),
+            QuantityValue::Infinite => Cell::Number(f64::INFINITY),
+            QuantityValue::Unknown => Cell::Missing,
+            QuantityValue::Absent(reason) | QuantityValue::Unclear(reason) => {
                 notes.push(reason);
                 return Cell::Missing;
             }
@@ -283,7 +283,7 @@ impl Output {
             }
             cell if cell.fits(self.kind) => cell,
             _ => {
-                notes.push(format!("`{}` is of another kind here than in the first rows", self.name));
+                notes.push(format!("`{}` has another type here than in the first rows", self.name));
                 Cell::Missing
             }
         }

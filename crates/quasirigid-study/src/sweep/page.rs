@@ -7,7 +7,7 @@ use super::SweepError;
 use super::folder::Folder;
 
 /// Most rows that the figures of a page are made of.
-const MOST: usize = 200_000;
+const MAX_ROWS: usize = 200_000;
 
 /// Report of a study with its summary, as one page.
 pub(super) fn page(folder: &Folder<'_>, summary: &SweepRecord) -> Result<String, SweepError> {
@@ -43,7 +43,7 @@ fn step(rows: usize) -> usize {
         }
         a <= 1 || *step == 1
     };
-    (rows.div_ceil(MOST).max(1)..).find(coprime).unwrap_or(1)
+    (rows.div_ceil(MAX_ROWS).max(1)..).find(coprime).unwrap_or(1)
 }
 
 #[cfg(test)]
@@ -52,13 +52,13 @@ mod tests {
 
     #[test]
     fn thinned_rows_meet_every_value_of_a_grid() {
-        assert_eq!((step(0), step(MOST)), (1, 1));
+        assert_eq!((step(0), step(MAX_ROWS)), (1, 1));
         for (outer, inner) in [(1000, 1000), (12_345, 77), (2, 600_000)] {
             let kept = step(outer * inner);
             let seen: std::collections::HashSet<usize> =
                 (0..outer * inner).step_by(kept).map(|row| row % inner).collect();
             assert!(
-                outer * inner / kept <= MOST && seen.len() >= inner.min(MOST) / 4,
+                outer * inner / kept <= MAX_ROWS && seen.len() >= inner.min(MAX_ROWS) / 4,
                 "{outer} {inner}: {kept}"
             );
         }

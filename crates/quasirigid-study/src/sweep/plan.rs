@@ -1,6 +1,6 @@
 //! Plan of the rows: the table of bodies times the grids, the first key slowest, times the draws.
 
-use quasirigid_io::model::{Given, KeyPath};
+use quasirigid_io::model::{KeyPath, KeyValue};
 use quasirigid_io::study_file::{Grid, StudyFile, Values};
 use quasirigid_io::table_file::CellKind;
 
@@ -46,9 +46,9 @@ pub(super) fn inputs(study: &StudyFile, bodies: Option<&Bodies>) -> Vec<Column> 
 }
 
 fn kind(values: &Values) -> CellKind {
-    let number = |value: &Given| matches!(value, Given::Number(_) | Given::Integer(_));
+    let number = |value: &KeyValue| matches!(value, KeyValue::Number(_) | KeyValue::Integer(_));
     match values {
-        Values::Grid(Grid::List(list)) if list.iter().all(|value| matches!(value, Given::Bool(_))) => {
+        Values::Grid(Grid::List(list)) if list.iter().all(|value| matches!(value, KeyValue::Bool(_))) => {
             CellKind::Boolean
         }
         Values::Grid(Grid::List(list)) if !list.iter().all(number) => CellKind::Text,
@@ -57,7 +57,7 @@ fn kind(values: &Values) -> CellKind {
 }
 
 /// Keys with their values in a row.
-pub(super) fn changes(sweep: &Sweep, row: u64) -> Result<Vec<(KeyPath, Given)>, String> {
+pub(super) fn changes(sweep: &Sweep, row: u64) -> Result<Vec<(KeyPath, KeyValue)>, String> {
     let mut changes = match &sweep.bodies {
         Some(bodies) => bodies.changes(body(sweep, row))?,
         None => Vec::new(),
@@ -78,19 +78,21 @@ pub(super) fn changes(sweep: &Sweep, row: u64) -> Result<Vec<(KeyPath, Given)>, 
 pub(super) fn cells(sweep: &Sweep, row: u64) -> Vec<Cell> {
     let of_table = sweep.bodies.as_ref().map_or_else(Vec::new, |bodies| bodies.cells(body(sweep, row)));
     let varied = sweep.study.vary.iter().zip(values(sweep, row)).map(|(varied, value)| match value {
-        Given::Number(number) => Cell::Number(number),
-        Given::Integer(integer) if kind(&varied.values) == CellKind::Number => Cell::Number(integer as f64),
-        Given::Bool(truth) if kind(&varied.values) == CellKind::Boolean => Cell::Boolean(truth),
-        Given::Text(text) => Cell::Text(text),
+        KeyValue::Number(number) => Cell::Number(number),
+        KeyValue::Integer(integer) if kind(&varied.values) == CellKind::Number => {
+            Cell::Number(integer as f64)
+        }
+        KeyValue::Bool(truth) if kind(&varied.values) == CellKind::Boolean => Cell::Boolean(truth),
+        KeyValue::Text(text) => Cell::Text(text),
         other => Cell::Text(other.to_string()),
     });
     of_table.into_iter().chain(varied).collect()
 }
 
 /// A number as it is handed to the model, with its unit.
-pub(super) fn in_unit(value: Given, unit: Option<&str>) -> Given {
+pub(super) fn in_unit(value: KeyValue, unit: Option<&str>) -> KeyValue {
     match (value, unit) {
-        (Given::Number(number), Some(unit)) => Given::Text(format!("{number:?} {unit}")),
+        (KeyValue::Number(number), Some(unit)) => KeyValue::Text(format!("{number:?} {unit}")),
         (value, _) => value,
     }
 }
@@ -102,11 +104,11 @@ fn body(sweep: &Sweep, row: u64) -> usize {
 }
 
 /// Values of the varied keys in a row, numbers without their units.
-fn values(sweep: &Sweep, row: u64) -> Vec<Given> {
+fn values(sweep: &Sweep, row: u64) -> Vec<KeyValue> {
     let mut rest = row / sweep.design.samples;
     let drawn = sweep.study.vary.iter().filter(|varied| is_drawn(&varied.values)).count() as u32;
     let mut key = drawn;
-    let mut values: Vec<Given> = Vec::with_capacity(sweep.study.vary.len());
+    let mut values: Vec<KeyValue> = Vec::with_capacity(sweep.study.vary.len());
     for varied in sweep.study.vary.iter().rev() {
         values.push(match &varied.values {
             Values::Grid(grid) => {
@@ -117,7 +119,7 @@ fn values(sweep: &Sweep, row: u64) -> Vec<Given> {
             }
             Values::Drawn(law) => {
                 key -= 1;
-                Given::Number(quantile(&law.distribution, sweep.design.at(row, key)))
+                KeyValue::Number(quantile(&law.distribution, sweep.design.at(row, key)))
             }
         });
     }

@@ -10,7 +10,7 @@ use crate::words::significant;
 
 /// Value that a path leads to, or why it leads to none.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) enum Found<'a> {
+pub(super) enum QuantityValue<'a> {
     /// A value.
     Value(&'a Value),
     /// A number that is infinite: JSON writes it as `null`.
@@ -27,7 +27,7 @@ pub(super) enum Found<'a> {
 const UNBOUNDED: [&str; 4] = ["time", "turns", "damping_time", "growth_time"];
 
 /// Looks up a quantity in the object that its command prints.
-pub(super) fn find<'a>(quantity: &Quantity, object: &'a Value) -> Found<'a> {
+pub(super) fn find<'a>(quantity: &Quantity, object: &'a Value) -> QuantityValue<'a> {
     let mut value = object;
     for (at, segment) in quantity.path.iter().enumerate() {
         let inside = match value {
@@ -41,28 +41,28 @@ pub(super) fn find<'a>(quantity: &Quantity, object: &'a Value) -> Found<'a> {
         };
         match inside.or_else(named) {
             Some(Entry::One(next)) => value = next,
-            Some(Entry::Several(named)) => return Found::Unclear(which(quantity, at, &named)),
+            Some(Entry::Several(named)) => return QuantityValue::Unclear(which(quantity, at, &named)),
             Some(Entry::Zero) => {
                 let first = numbered(quantity, at, 1);
-                return Found::Unclear(format!(
+                return QuantityValue::Unclear(format!(
                     "`{}`: entries are counted from 1, so that 0 is now 1; write `{first}`",
                     quantity.name
                 ));
             }
-            None if value.is_null() => return Found::Unknown,
-            None => return Found::Absent(absent(quantity, at, value)),
+            None if value.is_null() => return QuantityValue::Unknown,
+            None => return QuantityValue::Absent(absent(quantity, at, value)),
         }
     }
     if !value.is_null() {
-        return Found::Value(value);
+        return QuantityValue::Value(value);
     }
     let name = quantity.path.last().map_or("", String::as_str);
     let listed = object["not_known"].as_array();
     let unbounded =
         quantity.command == Command::Evolve && quantity.path.len() == 1 && UNBOUNDED.contains(&name);
     match listed {
-        Some(unknown) if unbounded && !unknown.iter().any(|each| each == name) => Found::Infinite,
-        _ => Found::Unknown,
+        Some(unknown) if unbounded && !unknown.iter().any(|each| each == name) => QuantityValue::Infinite,
+        _ => QuantityValue::Unknown,
     }
 }
 
@@ -87,7 +87,7 @@ fn entry<'a>(items: &'a [Value], segment: &str) -> Option<Entry<'a>> {
     }
 }
 
-/// The path of a quantity with a number in the place of a segment.
+/// The path of a quantity with a number in place of a segment.
 fn numbered(quantity: &Quantity, at: usize, number: usize) -> String {
     let mut path = quantity.path.clone();
     path[at] = number.to_string();
@@ -211,7 +211,7 @@ mod tests {
             (&["tip", "frequency"][..], "modes.2.frequency"),
             (&["modes", "tip", "frequency"], "modes.modes.2.frequency"),
         ] {
-            let Found::Unclear(said) = find(&quantity(Command::Modes, path), &object) else {
+            let QuantityValue::Unclear(said) = find(&quantity(Command::Modes, path), &object) else {
                 panic!("one of two modes was taken")
             };
             assert!(said.contains("2 entries have the name `tip`"), "{said}");
@@ -221,13 +221,13 @@ mod tests {
             );
         }
         let second = find(&quantity(Command::Modes, &["3", "frequency"]), &object);
-        assert_eq!(second, Found::Value(&json!(7.0)));
+        assert_eq!(second, QuantityValue::Value(&json!(7.0)));
     }
 
     #[test]
     fn time_that_never_ends_is_infinite_and_not_unknown() {
         let time = quantity(Command::Evolve, &["time"]);
-        assert_eq!(find(&time, &json!({ "time": null, "not_known": [] })), Found::Infinite);
-        assert_eq!(find(&time, &json!({ "time": null, "not_known": ["time"] })), Found::Unknown);
+        assert_eq!(find(&time, &json!({ "time": null, "not_known": [] })), QuantityValue::Infinite);
+        assert_eq!(find(&time, &json!({ "time": null, "not_known": ["time"] })), QuantityValue::Unknown);
     }
 }

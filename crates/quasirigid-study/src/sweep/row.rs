@@ -112,7 +112,7 @@ pub(super) fn answers(
     match found {
         _ if cancelled.load(Ordering::Relaxed) => None,
         Ok(answers) => answers.ok(),
-        Err(panic) => Some(failed(format!("a mistake of the program: {}", panic_message(&*panic)))),
+        Err(panic) => Some(failed(format!("internal error: {}", panic_message(&*panic)))),
     }
 }
 

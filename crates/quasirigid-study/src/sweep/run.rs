@@ -1,5 +1,5 @@
 //! Run of a study: parts one after the other, the rows of a part on a pool of threads of its own, each journalled as it finishes.
-//! What is there already is not computed again, so that a killed run goes on and shards share a folder.
+//! Rows that exist are not computed again, so that a killed run goes on and shards share a folder.
 
 use std::path::Path;
 use std::sync::Arc;
@@ -13,7 +13,7 @@ use quasirigid_math::memory;
 use rayon::ThreadPool;
 
 use super::cell::Cell;
-use super::folder::{Folder, REPORT, ROWS, SUMMARY, read_part, tidy};
+use super::folder::{Folder, REPORT_FILE, ROWS_FILE, SUMMARY, read_part, tidy};
 use super::part::Opened;
 use super::row::RowAnswer;
 use super::{Sweep, SweepError, page, summary};
@@ -258,7 +258,7 @@ fn together(
 fn summarized(sweep: &Sweep, folder: &Folder<'_>) -> Result<SweepRecord, SweepError> {
     if sweep.rows <= MOST_IN_CSV {
         let mut problem = None;
-        let written = folder.put(ROWS, |out| {
+        let written = folder.put(ROWS_FILE, |out| {
             for part in 0..folder.parts() {
                 match read_part(&folder.part(part), None) {
                     Ok(columns) => {
@@ -282,7 +282,7 @@ fn summarized(sweep: &Sweep, folder: &Folder<'_>) -> Result<SweepRecord, SweepEr
     }
     let record = summary::of_folder(sweep, folder)?;
     let page = page::page(folder, &record)?;
-    folder.put(REPORT, |out| out.write_all(page.as_bytes()))?;
+    folder.put(REPORT_FILE, |out| out.write_all(page.as_bytes()))?;
     folder.put(SUMMARY, |out| writeln!(out, "{:#}", serde_json::json!(record)))?;
     Ok(record)
 }

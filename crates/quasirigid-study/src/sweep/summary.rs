@@ -13,7 +13,7 @@ use quasirigid_io::table_file::{CellColumn, CellKind, Cells};
 use super::folder::{Folder, kind_word};
 use super::rank::spearman;
 use super::{Column, Output, Sweep, SweepError};
-use quasirigid_io::model::Given;
+use quasirigid_io::model::KeyValue;
 
 /// Texts whose frequencies are listed.
 const LISTED: usize = 50;
@@ -83,9 +83,9 @@ fn of_input(sweep: &Sweep, input: &Column) -> InputRecord {
         Some(Values::Grid(grid @ Grid::List(_))) => ("list", Some(grid)),
         Some(Values::Grid(grid)) => ("grid", Some(grid)),
     };
-    let number = |given: Given| match given {
-        Given::Number(number) => Some(number),
-        Given::Integer(integer) => Some(integer as f64),
+    let number = |given: KeyValue| match given {
+        KeyValue::Number(number) => Some(number),
+        KeyValue::Integer(integer) => Some(integer as f64),
         _ => None,
     };
     let points =
@@ -199,7 +199,7 @@ fn reasons(read: Read<'_>) -> Result<(BTreeMap<String, u64>, Vec<ReasonRecord>),
     Ok((status, reasons))
 }
 
-/// A text with `#` in the place of numbers.
+/// A text with `#` in place of numbers.
 fn masked(text: &str) -> String {
     let mut masked = String::with_capacity(text.len());
     let mut rest = text;

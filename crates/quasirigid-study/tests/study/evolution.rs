@@ -103,7 +103,7 @@ fn shares_of_dissipators_sum_to_one() {
     }
     let one = evolve(&asteroid(KELVIN_VOIGT));
     assert!(one.dissipation.iter().eq([(&"rock".to_owned(), &1.0)]), "{:?}", one.dissipation);
-    assert!(!evolution::text("asteroid", &one).contains("what dissipates"));
+    assert!(!evolution::text("asteroid", &one).contains("dissipation shares"));
 }
 
 /// The wobble at the start and at the end is the same by every method: a long-axis and a short-axis mode. The remaining differences are

@@ -195,9 +195,9 @@ fn check_judges_the_spin_that_the_reduced_body_starts_from() {
     let T3 = checked.validity.T3;
     assert!(difference([T3.recip()], [settled]) < 1e-9, "{} {settled}", T3.recip());
     let text = one_line(&checked.text());
-    assert!(text.contains("Judged is the spin on which it settles"), "{text}");
+    assert!(text.contains("The verdict is for the spin to which it settles"), "{text}");
     let still = one_line(&study(MODEL).check().unwrap().text());
-    assert!(!still.contains("Judged is"), "{still}");
+    assert!(!still.contains("The verdict is for"), "{still}");
 }
 
 /// A spin far above that at the start, on which a fast rotor settles.
@@ -319,7 +319,7 @@ fn a_rotor_too_free_for_the_spin_starts_turning_with_the_body() {
         let rate = full.columns.iter().find(|column| is_rate(&column.name)).unwrap();
         assert!(full.holds() && rate.values[0].abs() < 1e-12, "{start}: {rate:?}"); // rounding of momenta
         assert!((7.0..9.0).contains(&column(&full.columns, "momentum")[0]), "{start}");
-        assert_eq!(said.contains("start turning with the body"), start.is_empty(), "{said}");
+        assert_eq!(said.contains("they start at rest in the body"), start.is_empty(), "{said}");
         let reduced = refused(&study, System::Reduced);
         assert!(reduced.contains("rotors and liquids do not follow the spin"), "{start}: {reduced}");
         let verified = verification_refused(&study);

@@ -186,7 +186,7 @@ fn an_evolution_with_wheels_that_has_no_answer_says_why() {
     refused(&|asked| asked.until = target("80 deg"), "is smaller than the target");
     let micro = Some(EvolveMethod::MicroRuns);
     for (study, method, words) in
-        [(&driven, None, "a momentum wheel changes its speed"), (&steady, micro, "measure no power")]
+        [(&driven, None, "a momentum wheel changes its speed"), (&steady, micro, "cannot measure the power")]
     {
         let found = evolved(study, |asked| asked.method = method);
         assert!(!found.holds() && found.record.message.contains(words), "{}", found.record.message);

@@ -2,7 +2,7 @@
 
 use std::fmt::Debug;
 
-use quasirigid::elements::{Assembly, Bushing, PlaceRef, Station};
+use quasirigid::elements::{ApplicationPoint, Assembly, Bushing, PlaceRef};
 use quasirigid::model::force::{Axes, Force, ForceLaw};
 use quasirigid::model::{Measured, Rheology};
 use quasirigid::prelude::*;
@@ -40,7 +40,7 @@ fn assemblies_come_back() {
     let force = ["t", "2*x", "1/3"].map(|text| Expression::parse(text, &["t", "x"]).unwrap());
     let law = ForceLaw::TorqueExpression { torque: force, axes: Axes::Body };
     assembly.forces.push(Force { name: "coil".into(), law });
-    let _: &Vec<Force<Station>> = &assembly.forces;
+    let _: &Vec<Force<ApplicationPoint>> = &assembly.forces;
     same(&assembly);
 }
 

@@ -57,8 +57,8 @@ types! {
         ElementKind Ellipsoid End Field Frame FrameNode GivenModes HingeCoefficient Hinged Incomplete
         Layer Material Matrices Member Modulus Network NodalMass NodeRef Orthotropic Panel Part PartKind
         PartReduction PlaceRef Point PointMotion Prestress Problem Quantity Regime Region Resolution Rotor
-        RotorKind Section SectionShape ShellError SlowLiquid Solid Spectrum Spring SpringLaw Station
-        StokesError Surface TipMass Turning Visual Wheel WheelSpeed
+        RotorKind Section SectionShape ShellError SlowLiquid Solid Spectrum Spring SpringLaw ApplicationPoint
+        StokesError Surface TipMass RotorAxis Visual Wheel WheelSpeed
     }
     model {
         Advection BalancedSpin BodyParts Carried Coordinate CurvedPaths Displaced Dissipator DrivenWheel
@@ -77,18 +77,18 @@ types! {
         Run Sample Scan SlowEquations SlowPoint SlowState SpinPath Start SteadySpin SteadySpins
     }
     modes {
-        CampbellError EquilibriumError Given ModesError Near RelativeEquilibrium SpinEigenvalues SpinMode
+        CampbellError EquilibriumError SpinMagnitude ModesError SteadyStateGuess RelativeEquilibrium SpinEigenvalues SpinMode
         SpinModes SteadyError SteadyModes SteadyState WhirlOnset
     }
     submanifold {
         AmplitudeRange Backbone BackbonePoint Defect ExpansionError ManifoldPower ManifoldRun
-        ManifoldStart MasterMode Masters MetResonance NearResonance OuterMode Ring SpinManifold
+        ManifoldStart MasterMode Masters CrossedResonance NearResonance OuterMode Ring SpinManifold
         SpinManifoldPlan SteadySpin Style SubmanifoldError Truncated
     }
     secular {
         AverageCriteria CalibratedPower DirectOptions DirectRow DirectRun DirectStopReason EnergyRange
-        GyrostatSpins GyrostatWobble HandOver ManifoldHistory MeasureError MeasureOptions MeasuredPower
-        Measurement Pole Poles Probes
+        GyrostatSpins GyrostatWobble ManifoldBoundary ManifoldHistory MeasureError MeasureOptions MeasuredPower
+        Measurement Pole Poles SpotChecks
     }
     choice {
         AverageBasis AveragePowers Case['static] ChoiceError Criteria Decision Followed GrowingVibration

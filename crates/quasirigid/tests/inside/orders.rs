@@ -2,7 +2,7 @@
 //! docs/theory/09-forced-reduction.md
 
 use quasirigid::dynamics::{Form, Options, spin_path, steady_spins};
-use quasirigid::elements::{Assembly, Cavity, Station, WheelSpeed};
+use quasirigid::elements::{ApplicationPoint, Assembly, Cavity, WheelSpeed};
 use quasirigid::model::force::{Axes, Force, ForceLaw, Wave};
 use quasirigid::reduction::reduce;
 use quasirigid_math::expression::Expression;
@@ -50,7 +50,7 @@ fn a_momentum_wheel_beside_rotor_and_sprung_mass() {
 #[test]
 fn rotors_under_a_torque_and_a_driven_wheel() {
     let (point, spring) = sprung();
-    let law = ForceLaw::<Station>::Torque {
+    let law = ForceLaw::<ApplicationPoint>::Torque {
         torque: [0.8, -0.5, 0.3],
         axes: Axes::Inertial,
         wave: Wave { frequency: 1.3, phase: 0.4 },

@@ -40,10 +40,10 @@ fn liquid(radius: f64) -> f64 {
     DENSITY / VISCOSITY * 8.0 * PI * radius.powi(7) / 525.0
 }
 
-fn stage(evolution: &Evolution<impl MeanPower>, angle: f64) -> RotationState {
-    let stage = evolution.wobbling(angle).unwrap();
-    assert_eq!(stage.mode, Mode::ShortAxis);
-    stage
+fn rotation_state(evolution: &Evolution<impl MeanPower>, angle: f64) -> RotationState {
+    let rotation_state = evolution.wobbling(angle).unwrap();
+    assert_eq!(rotation_state.mode, Mode::ShortAxis);
+    rotation_state
 }
 
 /// `tan θ = tan θ₀ e^{−Γt}`, `Γ = (ρP/ν)(C − A)K²/(A³C)`, over ten e-foldings.
@@ -60,10 +60,10 @@ fn the_tangent_of_the_angle_falls_exponentially() {
     let (first, last) = (80.0_f64.to_radians(), (80.0_f64.to_radians().tan() * (-10.0_f64).exp()).atan());
     for folds in [0.5, 3.0, 10.0] {
         let angle = (first.tan() * f64::exp(-folds)).atan();
-        let time = evolution.time(stage(&evolution, first), stage(&evolution, angle));
+        let time = evolution.time(rotation_state(&evolution, first), rotation_state(&evolution, angle));
         assert!((time * rate / folds - 1.0).abs() < 1e-8, "{folds}: {}", time * rate / folds - 1.0);
     }
-    let whole = evolution.time(stage(&evolution, first), stage(&evolution, last));
+    let whole = evolution.time(rotation_state(&evolution, first), rotation_state(&evolution, last));
     assert!((whole * rate / 10.0 - 1.0).abs() < 1e-8);
 }
 
@@ -140,7 +140,7 @@ fn every_mechanism_adds_to_the_law_of_bodies_of_revolution() {
     let response = Response::compute(&body).unwrap();
     for power in [&polynomial as &dyn MeanPower, &response] {
         let evolution = Evolution::new(power, K);
-        let time = evolution.time(stage(&evolution, from), stage(&evolution, to));
+        let time = evolution.time(rotation_state(&evolution, from), rotation_state(&evolution, to));
         assert!((time / expected - 1.0).abs() < 1e-8, "{:e}", time / expected - 1.0);
     }
 }

@@ -3,7 +3,9 @@
 use nalgebra::{Complex, Matrix3, Vector3};
 use quasirigid::elements::{Assembly, Cavity, CavityShape};
 use quasirigid::model::Mode;
-use quasirigid::modes::{Given, Near, RelativeEquilibrium, SpinMode, SpinModes, SteadyModes, SteadyState};
+use quasirigid::modes::{
+    RelativeEquilibrium, SpinMagnitude, SpinMode, SpinModes, SteadyModes, SteadyState, SteadyStateGuess,
+};
 use quasirigid_math::rotation::turned;
 
 use super::bodies::tank;
@@ -55,7 +57,7 @@ fn stage(
 
 fn nutation(assembly: &Assembly, mode: Mode) -> SpinMode {
     let body = assembly.body().unwrap();
-    let spin = RelativeEquilibrium::extreme(&body, mode, Given::Rate(SPIN)).unwrap();
+    let spin = RelativeEquilibrium::extreme(&body, mode, SpinMagnitude::Rate(SPIN)).unwrap();
     SpinModes::about(&body, spin).unwrap().nutation().unwrap().clone()
 }
 
@@ -105,10 +107,15 @@ fn a_body_under_no_force_nutates_as_a_free_one() {
         }
         let body = assembly.body().unwrap();
         assert_eq!(body.memories().is_empty(), !liquid);
-        let spin = RelativeEquilibrium::extreme(&body, Mode::ShortAxis, Given::Rate(SPIN)).unwrap();
+        let spin = RelativeEquilibrium::extreme(&body, Mode::ShortAxis, SpinMagnitude::Rate(SPIN)).unwrap();
         let expected = SpinModes::about(&body, spin.clone()).unwrap().nutation().unwrap().clone();
-        let near =
-            Near { omega: spin.omega, attitude: ALIGNED, place: [0.0; 3], velocity: [0.0; 3], asked: true };
+        let near = SteadyStateGuess {
+            omega: spin.omega,
+            attitude: ALIGNED,
+            place: [0.0; 3],
+            velocity: [0.0; 3],
+            asked: true,
+        };
         let state = SteadyState::near(&body, &[], near).unwrap();
         let found = SteadyModes::about(&body, &[], state).unwrap();
         assert_eq!(found.refined, liquid);
@@ -178,7 +185,7 @@ fn balls_and_spheroids_nutate_as_fields_of_another_kind_say() {
         let liquid = tank([0.0; 3], 1.0, 1000.0, spin * a * a / reynolds);
         let cavities = vec![Cavity { shape, attitude: ALIGNED, ..liquid }];
         let body = Assembly { carrier: Some(carrier), cavities, ..Assembly::default() }.body().unwrap();
-        let steady = RelativeEquilibrium::near(&body, [0.0, 0.0, 1.0], Given::Rate(spin)).unwrap();
+        let steady = RelativeEquilibrium::near(&body, [0.0, 0.0, 1.0], SpinMagnitude::Rate(spin)).unwrap();
         let modes = SpinModes::about(&body, steady).unwrap();
         let found = modes.nutation().unwrap();
         let converged = if reynolds > 100.0 { 4e-4 } else { 5e-6 };

@@ -4,7 +4,7 @@ use nalgebra::{Complex, Matrix2};
 use quasirigid::averaging::{Evolution, Response};
 use quasirigid::elements::{Assembly, Carrier, Cavity, CavityShape, Regime};
 use quasirigid::model::Mode;
-use quasirigid::modes::{Given, RelativeEquilibrium, SpinModes};
+use quasirigid::modes::{RelativeEquilibrium, SpinMagnitude, SpinModes};
 use quasirigid_math::rotation::turned;
 
 use super::bodies::tank;
@@ -138,7 +138,7 @@ fn a_liquid_ball_at_high_reynolds_numbers() {
         let assembly = with_liquid(0.0631, density, time);
         let (average, layer) = (rate(&assembly), decay_with_layer(frozen(0.0631, density), time));
         let body = assembly.body().unwrap();
-        let spin = RelativeEquilibrium::extreme(&body, Mode::ShortAxis, Given::Rate(SPIN)).unwrap();
+        let spin = RelativeEquilibrium::extreme(&body, Mode::ShortAxis, SpinMagnitude::Rate(SPIN)).unwrap();
         let modes = SpinModes::about(&body, spin).unwrap();
         let decay = modes.nutation().unwrap().decay_rate;
         assert!((decay / average - 1.0).abs() < 1e-3, "{time}: {decay:e} {average:e}");

@@ -72,13 +72,13 @@ proptest! {
         let motion = tumbling(&body, 0.05 * slowest);
         let polynomial = PolynomialPower::from_reduced(&reduced);
         let omega = motion.omega(0.3 * motion.polhode_period());
-        let roads = [
+        let sources = [
             (MeanPower::budget(&polynomial, &motion), polynomial.mean_power(&motion)),
             (response.budget(&motion), response.mean_power(&motion)),
             (reduced.power_budget(omega), reduced.dissipated_power(omega)),
         ];
-        let whole_power = roads[1].1;
-        for (budget, whole) in roads {
+        let whole_power = sources[1].1;
+        for (budget, whole) in sources {
             let found: Vec<_> = budget.iter().map(|(name, _)| name.clone()).collect();
             prop_assert_eq!(&found, &names);
             prop_assert!((sum(&budget) / whole - 1.0).abs() < 1e-11, "{:?} {}", budget, whole);
@@ -122,8 +122,8 @@ proptest! {
                 MeanPower::budget(&PolynomialPower::from_reduced(&reduce(&body, 4).unwrap()), &motion),
             ]
         });
-        for road in 0..2 {
-            let [here, there] = [&budgets[0][road], &budgets[1][road]];
+        for method in 0..2 {
+            let [here, there] = [&budgets[0][method], &budgets[1][method]];
             for ((name, a), (other, b)) in here.iter().zip(there) {
                 let [a, b] = [a / sum(here), b / sum(there)];
                 prop_assert!(name == other && (a - b).abs() < 1e-9, "{}: {} {}", name, a, b);

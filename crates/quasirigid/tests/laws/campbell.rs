@@ -3,7 +3,9 @@
 use proptest::prelude::*;
 use quasirigid::elements::{Assembly, Wheel, WheelSpeed};
 use quasirigid::model::{FlexibleBody, Mode};
-use quasirigid::modes::{CampbellError, EquilibriumError, Given, RelativeEquilibrium, SpinModes, campbell};
+use quasirigid::modes::{
+    CampbellError, EquilibriumError, RelativeEquilibrium, SpinMagnitude, SpinModes, campbell,
+};
 use quasirigid::problems::{AxialMass, CommonProblem, Explorer1, ring_of_points};
 
 use crate::support::rotors::{ball, flywheel};
@@ -11,7 +13,7 @@ use crate::support::{assemblies, cases};
 
 /// Difference of the eigenvalues at a spin from those of the modes there, relative to the largest; none without modes.
 fn difference(body: &FlexibleBody, mode: Mode, spin: f64, found: &[[f64; 2]]) -> Option<f64> {
-    let steady = RelativeEquilibrium::extreme(body, mode, Given::Rate(spin)).ok()?;
+    let steady = RelativeEquilibrium::extreme(body, mode, SpinMagnitude::Rate(spin)).ok()?;
     let modes = SpinModes::about(body, steady).ok()?;
     let mut left: Vec<[f64; 2]> =
         modes.modes.iter().filter(|mode| !mode.neutral).map(|mode| mode.of_motion).collect();

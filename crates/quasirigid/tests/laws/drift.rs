@@ -21,8 +21,8 @@ fn followed(drift: &Drift<impl MeanPower>, start: DriftState, times: &[f64]) -> 
     drift.follow(start, times, &DriftLimits::until(times[times.len() - 1]), |_| ControlFlow::Continue(()))
 }
 
-fn start(stage: RotationState, angular_momentum: f64) -> DriftState {
-    DriftState { t: 0.0, stage, angular_momentum, side: 1.0, revolutions: 0.0 }
+fn start(rotation_state: RotationState, angular_momentum: f64) -> DriftState {
+    DriftState { t: 0.0, rotation_state, angular_momentum, side: 1.0, revolutions: 0.0 }
 }
 
 /// Drift without a torque is the evolution at one angular momentum, through the separatrix too.
@@ -46,8 +46,8 @@ fn drift_without_torque_is_the_evolution() {
             assert!((crossed / expected - 1.0).abs() < 1e-8, "{crossed} {expected}");
             assert_eq!(found.passages[0].probability, 0.5);
         }
-        assert_eq!(last.stage.mode, to.mode);
-        assert!((last.stage.xi - to.xi).abs() < 1e-6, "{last:?} {to:?}");
+        assert_eq!(last.rotation_state.mode, to.mode);
+        assert!((last.rotation_state.xi - to.xi).abs() < 1e-6, "{last:?} {to:?}");
         assert!((last.revolutions / passage.revolutions - 1.0).abs() < 1e-7, "{last:?} {passage:?}");
         assert!((last.angular_momentum / 15.0 - 1.0).abs() < 1e-14);
     }
@@ -75,16 +75,18 @@ fn steady_spins_follow_their_closed_laws() {
     let rigid = Rigid(moments);
     let times = [1e5, 3e5];
     for (mode, axis) in [(Mode::ShortAxis, 2), (Mode::LongAxis, 0)] {
-        let stage = RotationState { mode, xi: 25.0 };
+        let rotation_state = RotationState { mode, xi: 25.0 };
         let mut constant = [0.0; 3];
         constant[axis] = 3e-6;
         let torque = SlowTorque { constant, drag: 0.0 };
-        let states = followed(&Drift::new(&rigid, &principal, torque), start(stage, 5.0), &times).states;
+        let states =
+            followed(&Drift::new(&rigid, &principal, torque), start(rotation_state, 5.0), &times).states;
         for (state, t) in states.iter().zip(times) {
             assert!((state.angular_momentum / (5.0 + 3e-6 * t) - 1.0).abs() < 1e-9, "{state:?}");
         }
         let torque = SlowTorque { constant: [0.0; 3], drag: 1e-5 };
-        let states = followed(&Drift::new(&rigid, &principal, torque), start(stage, 5.0), &times).states;
+        let states =
+            followed(&Drift::new(&rigid, &principal, torque), start(rotation_state, 5.0), &times).states;
         let slowed = (-1e-5 * times[0] / moments[axis]).exp();
         assert!((states[0].angular_momentum / (5.0 * slowed) - 1.0).abs() < 1e-8, "{states:?}");
     }
@@ -118,10 +120,10 @@ fn drift_is_that_of_the_reduced_equations() {
         let evolution = Evolution::new(&power, G);
         let ratio = G * G / (2.0 * samples[0].energy * principal.moments[2]);
         let drift = Drift::new(&power, &principal, torque);
-        let found = followed(&drift, start(evolution.stage(ratio).unwrap(), G), &[duration]);
+        let found = followed(&drift, start(evolution.rotation_state(ratio).unwrap(), G), &[duration]);
         assert_eq!(found.ending, DriftStopReason::Finished);
         let (last, state) = (&samples[1], found.end);
-        let reached = Evolution::new(&power, state.angular_momentum).motion(state.stage);
+        let reached = Evolution::new(&power, state.angular_momentum).motion(state.rotation_state);
         println!(
             "weaker by {weakness}: |K| {:.6} {:.6}, E {:.6} {:.6} of {:.6}",
             norm(last.angular_momentum),

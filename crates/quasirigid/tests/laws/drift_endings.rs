@@ -33,7 +33,13 @@ fn drift(torque: SlowTorque) -> Drift<Rigid> {
 }
 
 fn start(mode: Mode, xi: f64, angular_momentum: f64) -> DriftState {
-    DriftState { t: 0.0, stage: RotationState { mode, xi }, angular_momentum, side: 1.0, revolutions: 0.0 }
+    DriftState {
+        t: 0.0,
+        rotation_state: RotationState { mode, xi },
+        angular_momentum,
+        side: 1.0,
+        revolutions: 0.0,
+    }
 }
 
 fn onward(_: f64) -> ControlFlow<()> {
@@ -99,7 +105,7 @@ fn drift_is_that_of_eulers_equations() {
                 }
                 t < duration + window
             });
-            let ratio = Evolution::new(&Rigid, 5.0).ratio(found.end.stage);
+            let ratio = Evolution::new(&Rigid, 5.0).ratio(found.end.rotation_state);
             println!(
                 "{mode:?} {sign}: {:?} {:?}",
                 sum.map(|sum| sum / rows),
@@ -137,7 +143,8 @@ fn a_torque_against_the_spin_turns_the_body_over() {
             t < duration
         });
         assert!(last[2] < 0.0);
-        let ([G, ratio], expected) = (slow(last), Evolution::new(&Rigid, 5.0).ratio(found.end.stage));
+        let ([G, ratio], expected) =
+            (slow(last), Evolution::new(&Rigid, 5.0).ratio(found.end.rotation_state));
         println!("{turned} {passage:?}, {G} {ratio} {expected} {:?}", found.end);
         [turned / passage.t, G / found.end.angular_momentum, ratio / expected]
             .map(|share| (share - 1.0).abs())
@@ -176,7 +183,7 @@ fn sides_are_entered_with_their_probabilities() {
 #[test]
 fn ends_do_not_depend_on_the_rows() {
     let torque = SlowTorque { constant: [0.0, 0.0, -1e-3], drag: 1e-4 };
-    let target = Evolution::new(&Rigid, 5.0).stage(0.8);
+    let target = Evolution::new(&Rigid, 5.0).rotation_state(0.8);
     let ends = |limits: DriftLimits| {
         let found = [21, 2001].map(|rows: usize| {
             let times: Vec<f64> = (0..rows).map(|i| limits.end * i as f64 / (rows - 1) as f64).collect();
@@ -189,7 +196,7 @@ fn ends_do_not_depend_on_the_rows() {
     };
     let all = DriftLimits::until(1e6);
     let reached = ends(DriftLimits { target, ..all });
-    let ratio = Evolution::new(&Rigid, 5.0).ratio(reached.end.stage);
+    let ratio = Evolution::new(&Rigid, 5.0).ratio(reached.end.rotation_state);
     assert!(reached.ending == DriftStopReason::Target && (ratio / 0.8 - 1.0).abs() < 1e-13, "{reached:?}");
     assert_eq!(ends(all).ending, DriftStopReason::Finished);
     assert!(reached.ending.done() && ends(all).ending.done());
@@ -206,12 +213,12 @@ fn steady_spins_end_at_rest_or_spun_up() {
     let ended = |mode: Mode, torque, fastest| -> DriftHistory {
         let limits = DriftLimits { fastest, ..DriftLimits::until(1e12) };
         let found = drift(torque).follow(
-            DriftState { stage: RotationState::steady(mode), ..start(mode, 0.0, 5.0) },
+            DriftState { rotation_state: RotationState::steady(mode), ..start(mode, 0.0, 5.0) },
             &[],
             &limits,
             onward,
         );
-        assert!(found.end.stage == RotationState::steady(mode) && found.steps < 2000, "{found:?}");
+        assert!(found.end.rotation_state == RotationState::steady(mode) && found.steps < 2000, "{found:?}");
         found
     };
     for mode in [Mode::ShortAxis, Mode::LongAxis] {
@@ -240,7 +247,7 @@ fn a_wobble_that_dies_out_leaves_a_steady_spin() {
     let limits = DriftLimits::until(1e7);
     let found = drift(torque).follow(start(Mode::ShortAxis, 1.0, 5.0), &[1e7], &limits, onward);
     assert_eq!(
-        (found.ending, found.states[0].stage),
+        (found.ending, found.states[0].rotation_state),
         (DriftStopReason::Finished, RotationState::steady(Mode::ShortAxis))
     );
     assert!(found.died_out.is_some_and(|t| t > 0.0 && t < 1e6) && found.steps < 5000, "{found:?}");

@@ -57,12 +57,12 @@ fn alone(body: &WobblingEllipsoid) -> [f64; 3] {
     let flexible = Assembly { ellipsoids: vec![ellipsoid], ..Assembly::default() }.body().unwrap();
     let response = Response::compute(&flexible).unwrap();
     let evolution = Evolution::new(&response, body.spin * response.principal().moments[2]);
-    let stage = |wobble| match wobble {
-        Wobble::Ratio(ratio) => evolution.stage(ratio).unwrap(),
+    let rotation_state = |wobble| match wobble {
+        Wobble::Ratio(ratio) => evolution.rotation_state(ratio).unwrap(),
         Wobble::Nutation(angle) => evolution.wobbling(angle).unwrap(),
     };
-    let passage = evolution.passage(stage(body.from), stage(body.until));
-    [passage.time, passage.revolutions, evolution.power(stage(body.from))]
+    let passage = evolution.passage(rotation_state(body.from), rotation_state(body.until));
+    [passage.time, passage.revolutions, evolution.power(rotation_state(body.from))]
 }
 
 fn one(body: WobblingEllipsoid) -> Result<EllipsoidPassage, EllipsoidRefusal> {

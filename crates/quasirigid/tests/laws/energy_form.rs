@@ -51,7 +51,7 @@ proptest! {
         }
     }
 
-    /// `K·K̇ = 0`, `∇E·K̇ = −P ≤ 0` and `K̇ = K × ω` at every angular momentum, also where the series means nothing. (R16)
+    /// `K·K̇ = 0`, `∇E·K̇ = −P ≤ 0` and `K̇ = K × ω` at every angular momentum, also where the series does not hold. (R16)
     #[test]
     fn both_laws_hold_everywhere(assembly in bodies(), p in 0..7usize, u in vector(), decades in -3.0..1.0) {
         let body = assembly.body().unwrap();

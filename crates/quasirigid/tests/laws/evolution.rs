@@ -24,9 +24,9 @@ fn mass_on_the_axis_ages_by_its_closed_law() {
     let evolution = Evolution::new(&power, G);
     // u = cos² of the nutation; 1/D = u/C + (1 − u)/A.
     let ratio = |u: f64| 1.0 / (AXIAL.C * (u / AXIAL.C + (1.0 - u) / AXIAL.A));
-    let stage = |u: f64| evolution.stage(ratio(u)).unwrap();
+    let rotation_state = |u: f64| evolution.rotation_state(ratio(u)).unwrap();
     for (from, to) in [(0.1, 0.9), (0.5, 0.999), (0.05, 0.06), (0.9, 0.2)] {
-        let found = evolution.time(stage(from), stage(to));
+        let found = evolution.time(rotation_state(from), rotation_state(to));
         let expected = AXIAL.time(G, from, to);
         assert!((found / expected - 1.0).abs() < 1e-10, "{from} to {to}: {found} {expected}");
     }
@@ -39,7 +39,7 @@ fn without_power_no_stage_is_ever_reached() {
     let reduced = reduce(&undamped.assembly().body().unwrap(), 3).unwrap();
     let power = PolynomialPower::from_reduced(&reduced);
     let evolution = Evolution::new(&power, 1.4);
-    let [from, to] = [0.3, 0.7].map(|share| evolution.stage(1.0 / 1.5 + share / 3.0).unwrap());
+    let [from, to] = [0.3, 0.7].map(|share| evolution.rotation_state(1.0 / 1.5 + share / 3.0).unwrap());
     assert!(evolution.power(from) == 0.0 && evolution.power(from).is_sign_positive());
     assert_eq!(evolution.time(from, to), f64::INFINITY);
 }
@@ -64,11 +64,14 @@ fn gaps_in_time(epsilon: f64, omega: [f64; 3], mode: Mode, orders: &[usize], ful
     let evolution = Evolution::new(&power, G);
     let ratio = |sample: &Sample| norm(sample.angular_momentum).powi(2) / (2.0 * sample.energy * moments[2]);
     let averaged = |start: &Sample| {
-        let (from, to) = (evolution.stage(ratio(start)).unwrap(), evolution.stage(0.97).unwrap());
+        let (from, to) =
+            (evolution.rotation_state(ratio(start)).unwrap(), evolution.rotation_state(0.97).unwrap());
         assert_eq!((from.mode, to.mode), (mode, Mode::ShortAxis));
         evolution.time(from, to)
     };
-    let longest = 1.2 * evolution.time(stage_of(&evolution, &reduced, omega), evolution.stage(0.97).unwrap());
+    let longest = 1.2
+        * evolution
+            .time(rotation_state_of(&evolution, &reduced, omega), evolution.rotation_state(0.97).unwrap());
     let grid: Vec<f64> = (0..=4000).map(|i| longest * f64::from(i) / 4000.0).collect();
     let options = Options { tolerance: 1e-11, ..Options::default() };
     let mut histories = Vec::new();
@@ -97,9 +100,15 @@ fn gaps_in_time(epsilon: f64, omega: [f64; 3], mode: Mode, orders: &[usize], ful
     gaps
 }
 
-fn stage_of(evolution: &Evolution<impl MeanPower>, reduced: &ReducedBody, omega: [f64; 3]) -> RotationState {
+fn rotation_state_of(
+    evolution: &Evolution<impl MeanPower>,
+    reduced: &ReducedBody,
+    omega: [f64; 3],
+) -> RotationState {
     let G = norm(reduced.angular_momentum(omega));
-    evolution.stage(G * G / (2.0 * reduced.energy(omega) * Principal::compute(reduced.J).moments[2])).unwrap()
+    evolution
+        .rotation_state(G * G / (2.0 * reduced.energy(omega) * Principal::compute(reduced.J).moments[2]))
+        .unwrap()
 }
 
 /// The error of averaging over rigid polhodes, the elastic part of energy and angular momentum, falls as `ε²`.
@@ -170,8 +179,8 @@ fn the_time_next_to_the_separatrix_is_that_between_its_hundredths() {
     let [I1, I2, I3] = Principal::compute(reduced.J).moments;
     let power = PolynomialPower::from_reduced(&reduced);
     let evolution = Evolution::new(&power, 20.0);
-    let long = |share: f64| evolution.stage((I2 + share * (I1 - I2)) / I3).unwrap();
-    let short = |share: f64| evolution.stage((I2 + share * (I3 - I2)) / I3).unwrap();
+    let long = |share: f64| evolution.rotation_state((I2 + share * (I1 - I2)) / I3).unwrap();
+    let short = |share: f64| evolution.rotation_state((I2 + share * (I3 - I2)) / I3).unwrap();
     assert_eq!((long(0.01).mode, short(0.01).mode), (Mode::LongAxis, Mode::ShortAxis));
     for ([from, to], [low, high]) in [
         ([long(0.8), short(0.9)], [long(0.01), short(0.01)]),

@@ -4,7 +4,7 @@ use nalgebra::{Matrix3, Rotation3, UnitQuaternion, Vector3};
 use proptest::array::{uniform2, uniform3, uniform4, uniform7};
 use proptest::collection::vec;
 use proptest::prelude::*;
-use quasirigid::elements::{Assembly, End, Station};
+use quasirigid::elements::{ApplicationPoint, Assembly, End};
 use quasirigid::model::force::{Axes, Force, ForceLaw, KinematicState, MagneticField, Orbit, Wave};
 use quasirigid::model::{FlexibleBody, Marker, MotionState};
 use quasirigid_math::expression::Expression;
@@ -159,15 +159,15 @@ pub fn orbit() -> impl Strategy<Value = Orbit> {
 
 impl Numbers {
     /// Forces in other units and seen from inertial axes in which every vector `v` is `R v`.
-    pub fn forces(&self, units: Units, R: &Matrix3<f64>) -> Vec<Force<Station>> {
+    pub fn forces(&self, units: Units, R: &Matrix3<f64>) -> Vec<Force<ApplicationPoint>> {
         let [g, on_carrier, torque, thrust, moment, field, dipole] = self.vectors;
         let [k, spin, drag, pull] = self.coefficients;
         let times = |v: [f64; 3], factor: f64| v.map(|x| factor * x);
         let turned = |v: [f64; 3]| -> [f64; 3] { (R * V::from(v)).into() };
         let fixed =
             |v: [f64; 3], body: bool| if body { (v, Axes::Body) } else { (turned(v), Axes::Inertial) };
-        let carrier = Station { on: End::Carrier, at: Some(times(on_carrier, units.length)) };
-        let point = Station { on: End::Point(0), at: None };
+        let carrier = ApplicationPoint { on: End::Carrier, at: Some(times(on_carrier, units.length)) };
+        let point = ApplicationPoint { on: End::Point(0), at: None };
         let (torque, torque_axes) = fixed(torque, self.axes[0]);
         let (thrust, thrust_axes) = fixed(thrust, self.axes[1]);
         let orbit = seen_from(self.orbit, R, units);
@@ -206,7 +206,7 @@ pub fn formula(text: &str) -> Expression {
 }
 
 /// The body with these forces.
-pub fn forced(assembly: &Assembly, forces: Vec<Force<Station>>) -> Assembly {
+pub fn forced(assembly: &Assembly, forces: Vec<Force<ApplicationPoint>>) -> Assembly {
     Assembly { forces, ..assembly.clone() }
 }
 

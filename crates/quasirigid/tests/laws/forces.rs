@@ -3,7 +3,7 @@
 use nalgebra::{Matrix3, Vector3};
 use proptest::collection::vec;
 use proptest::prelude::*;
-use quasirigid::elements::{Assembly, End, Station};
+use quasirigid::elements::{ApplicationPoint, Assembly, End};
 use quasirigid::model::force::{Axes, Force, ForceLaw, KinematicState, Loads, MagneticField};
 use quasirigid::model::{FlexibleBody, Marker, MotionState};
 use quasirigid_math::scalar::Smooth;
@@ -106,7 +106,7 @@ proptest! {
     ) {
         let force = ["1.5*x*vy - z*t", "vx^2 - 0.7*y + cos(t)", "vz*(x + 2) + 0.3*y*z"].map(formula);
         let (on, at) = if on_point { (End::Point(0), None) } else { (End::Carrier, Some(on_carrier)) };
-        let law = ForceLaw::Expression { at: Station { on, at }, force };
+        let law = ForceLaw::Expression { at: ApplicationPoint { on, at }, force };
         let (body, forces) = resolved(&forced(&assembly, vec![Force { name: "own".into(), law }]));
         let state = State::of(&body, &loose, 0.5);
         let at = forces[0].law.place().unwrap();

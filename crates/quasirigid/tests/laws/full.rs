@@ -95,7 +95,7 @@ fn stages_side_by_side_are_those_found_in_turn() {
         let mut beside: Vec<Sample> = Vec::new();
         let options = Options { rounding, ..options.clone() };
         let quick = propagate_full(Forced::not(&body), &start, &times, &options, &mut beside).unwrap();
-        assert_ne!(quick.work, slow.work, "the same road");
+        assert_ne!(quick.work, slow.work, "the same steps");
         for (truth, found) in in_turn.iter().zip(&beside) {
             assert!(norm(add(truth.omega, scale(-1.0, found.omega))) < 1e-10);
             assert!(angle_between(truth.attitude, found.attitude) < 1e-10);

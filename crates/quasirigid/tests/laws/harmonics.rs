@@ -185,13 +185,14 @@ fn crossings_are_where_harmonics_meet_elastic_frequencies() {
     let crossings = response.resonances(&evolution);
     assert!(crossings.len() >= 4, "{crossings:?}");
     for crossing in &crossings {
-        let polhode = TAU / evolution.motion(crossing.stage).polhode_period();
+        let polhode = TAU / evolution.motion(crossing.rotation_state).polhode_period();
         assert!((polhode * crossing.harmonic as f64 / crossing.frequency - 1.0).abs() < 1e-12);
         assert_eq!(crossing.coordinate, "\"damper\" along its line");
     }
     let strongest = &crossings[0];
     assert_eq!(strongest.harmonic, 1);
-    let power =
-        |shift: f64| evolution.power(RotationState { xi: strongest.stage.xi + shift, ..strongest.stage });
+    let power = |shift: f64| {
+        evolution.power(RotationState { xi: strongest.rotation_state.xi + shift, ..strongest.rotation_state })
+    };
     assert!(power(0.0) > 2.0 * power(0.5) && power(0.0) > 2.0 * power(-0.5));
 }

@@ -6,10 +6,10 @@
 
 use nalgebra::{Complex, DMatrix, DVector, Matrix3, Vector3};
 use quasirigid::dynamics::{Forced, FullState, Observer, Options, Outcome, Sample, propagate_full};
-use quasirigid::elements::{Assembly, End, HingeCoefficient, Hinged, PlaceRef, Station};
+use quasirigid::elements::{ApplicationPoint, Assembly, End, HingeCoefficient, Hinged, PlaceRef};
 use quasirigid::model::force::{Axes, Force, ForceLaw, Wave};
 use quasirigid::model::{FlexibleBody, Rheology, Support};
-use quasirigid::modes::{EquilibriumError, Given, RelativeEquilibrium, SpinModes};
+use quasirigid::modes::{EquilibriumError, RelativeEquilibrium, SpinMagnitude, SpinModes};
 use quasirigid::reduction::{ReductionError, reduce};
 use quasirigid_math::rotation::{ALIGNED, to_inertial};
 use quasirigid_math::vec3::norm;
@@ -356,7 +356,7 @@ fn compared(assembly: &Assembly, rate: f64) -> (f64, f64, f64) {
     let body = assembly.body().unwrap();
     let lagrangian = Lagrangian::of(assembly);
     let axis = quasirigid::model::Principal::compute(body.invariants().J).axes[2];
-    let steady = RelativeEquilibrium::near(&body, axis, Given::Rate(rate)).unwrap();
+    let steady = RelativeEquilibrium::near(&body, axis, SpinMagnitude::Rate(rate)).unwrap();
     let x = lagrangian.steady(rate, steady.omega, &steady.q);
     let angle = steady.q.iter().fold(0.0, |most: f64, q| most.max(q.abs()));
     let n = steady.q.len();
@@ -428,16 +428,19 @@ fn a_balance_on_a_hinge_is_that_which_the_body_reaches_from_rest() {
         assert!((next[4] - x[4]).abs() < 0.1, "the oracle leaves its branch at {rate}: {} {}", x[4], next[4]);
         x = next;
         if step % 60 == 0 {
-            let steady = RelativeEquilibrium::near(&body, [0.0, 0.0, 1.0], Given::Rate(rate)).unwrap();
+            let steady =
+                RelativeEquilibrium::near(&body, [0.0, 0.0, 1.0], SpinMagnitude::Rate(rate)).unwrap();
             assert!((steady.q[0] - x[4]).abs() < 1e-9, "{rate} rad/s: {} {}", steady.q[0], x[4]);
             angles.push(x[4]);
         }
     }
     println!("{angles:?}");
     assert!(angles[0].abs() < 0.1 && angles[9].abs() > 2.0, "{angles:?}");
-    let wanted =
-        SpinModes::about(&body, RelativeEquilibrium::near(&body, [0.0, 0.0, 1.0], Given::Rate(1.5)).unwrap())
-            .unwrap();
+    let wanted = SpinModes::about(
+        &body,
+        RelativeEquilibrium::near(&body, [0.0, 0.0, 1.0], SpinMagnitude::Rate(1.5)).unwrap(),
+    )
+    .unwrap();
     assert!(wanted.modes.iter().all(|mode| mode.decay_rate > -1e-12), "the body would leave it");
 }
 
@@ -507,7 +510,7 @@ fn work_of_forces_on_appendages_is_force_times_displacement() {
     assembly.support = Support::FixedPoint { point: [0.0; 3] };
     let tip = [1.5, 0.4, 0.9];
     assembly.hinged[0].places = vec![("tip".into(), tip)];
-    let at = Station { on: End::Hinged(PlaceRef { hinged: 0, place: 0 }), at: None };
+    let at = ApplicationPoint { on: End::Hinged(PlaceRef { hinged: 0, place: 0 }), at: None };
     let thrust = ForceLaw::Thrust { at, force: pull, axes: Axes::Inertial, wave: Wave::default() };
     let fall = ForceLaw::UniformGravity { acceleration: gravity };
     assembly.forces = [thrust, fall].map(|law| Force { name: String::new(), law }).to_vec();
@@ -569,7 +572,7 @@ fn decays_as_its_lagrangian_says(stiffness: f64) {
     println!("{angle} rad, {off:e}, {worst:e}");
     assert!((angle - 0.1974).abs() < 5e-5 && off < 1e-9 && worst < 1e-9, "{angle} {off:e} {worst:e}");
     let body = assembly.body().unwrap();
-    let steady = RelativeEquilibrium::near(&body, [0.0, 0.0, 1.0], Given::Rate(rate)).unwrap();
+    let steady = RelativeEquilibrium::near(&body, [0.0, 0.0, 1.0], SpinMagnitude::Rate(rate)).unwrap();
     let modes = SpinModes::about(&body, steady).unwrap();
     let decay = modes.nutation().unwrap().decay_rate;
     assert!((decay / 3.7052e-5 - 1.0).abs() < 2e-5, "{decay:e}"); // five digits in chk.py
@@ -601,7 +604,7 @@ fn a_pendulum_without_a_spring_hangs_on_the_spin() {
     for second in [1.0, 1e6] {
         let rate = 2.0 / second;
         let steady =
-            |body: &FlexibleBody| RelativeEquilibrium::near(body, [0.0, 0.0, 1.0], Given::Rate(rate));
+            |body: &FlexibleBody| RelativeEquilibrium::near(body, [0.0, 0.0, 1.0], SpinMagnitude::Rate(rate));
         let body = hung([R, 0.0, 0.0], [R + l, 0.0, 0.0], second);
         assert_eq!(body.hung().unwrap().names(), "\"bob\" about axis 1, \"bob\" about axis 2");
         let modes = SpinModes::about(&body, steady(&body).unwrap()).unwrap();

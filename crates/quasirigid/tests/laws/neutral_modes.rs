@@ -3,7 +3,7 @@
 use nalgebra::{Complex, Matrix3, Rotation3, Vector3};
 use quasirigid::elements::{Assembly, Carrier, End, RotorKind};
 use quasirigid::model::{FlexibleBody, Mode};
-use quasirigid::modes::{Given, RelativeEquilibrium, SpinMode, SpinModes};
+use quasirigid::modes::{RelativeEquilibrium, SpinMagnitude, SpinMode, SpinModes};
 use quasirigid_math::random::Random;
 
 use crate::support::parts;
@@ -102,7 +102,7 @@ fn rotated_with_rotors(assembly: &Assembly, R: &Matrix3<f64>) -> Assembly {
 }
 
 fn modes(body: &FlexibleBody, mode: Mode, rate: f64) -> Option<SpinModes> {
-    let steady = RelativeEquilibrium::extreme(body, mode, Given::Rate(rate)).ok()?;
+    let steady = RelativeEquilibrium::extreme(body, mode, SpinMagnitude::Rate(rate)).ok()?;
     Some(SpinModes::about(body, steady).unwrap())
 }
 
@@ -207,7 +207,7 @@ fn a_wobble_beside_two_equal_moments_decays_by_the_lag_of_the_shape() {
         let body = sprung_body(Carrier::principal(40.0, [along, 5.0, 5.0]), &ring).body().unwrap();
         let expected = c * (m / k).powi(2) * 4.0 * r * r * rate.powi(4) * (1.0 / A - 1.0 / C);
         for direction in [[0.0, 0.0, 1.0], [0.0, 0.6, 0.8]] {
-            let steady = RelativeEquilibrium::near(&body, direction, Given::Rate(rate)).unwrap();
+            let steady = RelativeEquilibrium::near(&body, direction, SpinMagnitude::Rate(rate)).unwrap();
             let modes = SpinModes::about(&body, steady).unwrap();
             let nutation = modes.nutation().unwrap();
             assert!(

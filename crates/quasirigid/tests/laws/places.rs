@@ -3,8 +3,8 @@
 use nalgebra::{Matrix3, Rotation3, Vector3};
 use quasirigid::dynamics::{Forced, Start};
 use quasirigid::elements::{
-    Assembly, Coefficient, ElementError, End, Field, HingeCoefficient, Incomplete, PlaceRef, Prestress,
-    Problem, Spring, SpringLaw, Station,
+    ApplicationPoint, Assembly, Coefficient, ElementError, End, Field, HingeCoefficient, Incomplete,
+    PlaceRef, Prestress, Problem, Spring, SpringLaw,
 };
 use quasirigid::model::force::{Axes, Force, ForceLaw, KinematicState, MagneticField, Wave};
 use quasirigid::model::{MotionState as Moving, Rheology};
@@ -35,7 +35,7 @@ const ON_TIP: End = End::Hinged(PlaceRef { hinged: 0, place: 1 });
 fn a_place_on_an_appendage_turns_with_it() {
     let mut assembly = placed();
     let drag = ForceLaw::Expression {
-        at: Station { on: ON_TIP, at: None },
+        at: ApplicationPoint { on: ON_TIP, at: None },
         force: ["2*x + y*vz", "0.3*vx - y", "z*x"].map(formula),
     };
     assembly.forces = vec![Force { name: "own".into(), law: drag }];
@@ -112,7 +112,7 @@ fn orders_are_reached_with_places_and_formulas() {
     let mut assembly = placed();
     let law = parts::axial(30.0, 0.4, Some([-0.5, 0.9, 0.2]));
     assembly.springs.push(parts::spring(ON_TIP, End::Carrier, law));
-    let at = Station { on: ON_TIP, at: None };
+    let at = ApplicationPoint { on: ON_TIP, at: None };
     let laws = [
         ForceLaw::Drag { at, coefficient: 0.05 },
         ForceLaw::Expression { at, force: ["0.1*qx*wz", "0.05*wy*qw", "-0.1*qz"].map(formula) },

@@ -7,7 +7,7 @@ use quasirigid::dynamics::{
     Forced, Form, FullState, Observer, Options, Sample, SlowEquations, SlowState, Start, propagate,
     propagate_forced, propagate_full,
 };
-use quasirigid::elements::{Assembly, End, Station};
+use quasirigid::elements::{ApplicationPoint, Assembly, End};
 use quasirigid::model::force::{Force, ForceLaw};
 use quasirigid::reduction::reduce;
 use quasirigid_math::vec3::{add, norm, scale};
@@ -33,7 +33,7 @@ fn body(forces: bool) -> Assembly {
         sprung(0.3, [-0.5, 0.8, -0.6], [150.0, 180.0, 130.0]),
     ];
     let drag = |on| ForceLaw::Drag {
-        at: Station { on, at: matches!(on, End::Carrier).then_some([0.4, 0.3, -0.2]) },
+        at: ApplicationPoint { on, at: matches!(on, End::Carrier).then_some([0.4, 0.3, -0.2]) },
         coefficient: 0.2,
     };
     let laws = if forces { vec![drag(End::Carrier), drag(End::Point(1))] } else { Vec::new() };

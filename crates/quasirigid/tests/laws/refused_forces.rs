@@ -1,7 +1,9 @@
 //! Impossible forces are refused, with the place and the value; possible ones act at their places. Thresholds on both sides.
 
 use nalgebra::Vector3;
-use quasirigid::elements::{Assembly, ElementError, ElementId, ElementKind, End, Field, Problem, Station};
+use quasirigid::elements::{
+    ApplicationPoint, Assembly, ElementError, ElementId, ElementKind, End, Field, Problem,
+};
 use quasirigid::model::Support;
 use quasirigid::model::force::{Axes, Force, ForceLaw, MagneticField, Orbit, Wave};
 use quasirigid_math::expression::Expression;
@@ -12,8 +14,8 @@ const NAN: f64 = f64::NAN;
 const GOOD: [f64; 3] = [0.1, -0.2, 0.3];
 const BAD: [f64; 3] = [0.1, f64::INFINITY, 0.3];
 const STEADY: Wave = Wave { frequency: 0.0, phase: 0.0 };
-const CARRIER: Station = Station { on: End::Carrier, at: Some(GOOD) };
-const POINT: Station = Station { on: End::Point(0), at: None };
+const CARRIER: ApplicationPoint = ApplicationPoint { on: End::Carrier, at: Some(GOOD) };
+const POINT: ApplicationPoint = ApplicationPoint { on: End::Point(0), at: None };
 const ORBIT: Orbit = Orbit {
     mu: 3.986e14,
     semi_major_axis: 7e6,
@@ -24,7 +26,7 @@ const ORBIT: Orbit = Orbit {
     mean_anomaly: 0.5,
 };
 
-fn body(law: ForceLaw<Station>) -> Assembly {
+fn body(law: ForceLaw<ApplicationPoint>) -> Assembly {
     let force = |law| Force { name: "wind".into(), law };
     // The second force is the one tried.
     Assembly {
@@ -34,7 +36,7 @@ fn body(law: ForceLaw<Station>) -> Assembly {
 }
 
 /// Error of a force; [`Assembly::check`] finds the same one and no other, and the body without the force is accepted.
-fn error(law: ForceLaw<Station>) -> Option<ElementError> {
+fn error(law: ForceLaw<ApplicationPoint>) -> Option<ElementError> {
     let assembly = body(law);
     assert!(assembly.body().is_ok());
     let error = assembly.forces().err();
@@ -121,10 +123,10 @@ fn an_orbit_is_an_ellipse_about_something() {
 
 #[test]
 fn a_force_acts_somewhere() {
-    let drag = |on, at| ForceLaw::Drag { at: Station { on, at }, coefficient: 1.0 };
-    refused!(drag(End::Carrier, None), Field::AT, Problem::NoStation);
+    let drag = |on, at| ForceLaw::Drag { at: ApplicationPoint { on, at }, coefficient: 1.0 };
+    refused!(drag(End::Carrier, None), Field::AT, Problem::NoApplicationPoint);
     refused!(drag(End::Carrier, Some(BAD)), Field::AT, Problem::NotFinite { .. });
-    refused!(drag(End::Point(0), Some(GOOD)), Field::AT, Problem::StationOnPoint);
+    refused!(drag(End::Point(0), Some(GOOD)), Field::AT, Problem::ApplicationPointOnPoint);
     let points = wobbler::assembly().points.len();
     refused!(drag(End::Point(points), None), Field::ON, Problem::NoSuchPoint { .. });
     assert_eq!(error(drag(End::Point(points - 1), None)), None);

@@ -4,7 +4,7 @@ use proptest::prelude::*;
 use quasirigid::dynamics::{Forced, FullState, Observer, Options, Sample, propagate_full};
 use quasirigid::elements::{Carrier, Rotor, RotorKind, Wheel, WheelSpeed};
 use quasirigid::model::{FlexibleBody, MotionState, Principal, Watched};
-use quasirigid::modes::{Given, RelativeEquilibrium, SpinMode, SpinModes};
+use quasirigid::modes::{RelativeEquilibrium, SpinMagnitude, SpinMode, SpinModes};
 use quasirigid_math::eigen::{Dense, modes};
 use quasirigid_math::sym3::times;
 use quasirigid_math::vec3::{cross, norm};
@@ -145,7 +145,7 @@ proptest! {
         let Ok(body) = assembly.body().map(|body| body.watching(Watched::default())) else { return Ok(()) };
         let lowest = quasirigid::reduction::frequencies(&body).unwrap()[0];
         let axis = Principal::compute(body.invariants().J).axes[axis];
-        let Ok(steady) = RelativeEquilibrium::near(&body, axis, Given::Rate(share * lowest)) else { return Ok(()) };
+        let Ok(steady) = RelativeEquilibrium::near(&body, axis, SpinMagnitude::Rate(share * lowest)) else { return Ok(()) };
         let modes = SpinModes::about(&body, steady).unwrap();
         for mode in &modes.modes {
             let turned = rotation_residual(&modes, mode);
@@ -163,7 +163,7 @@ proptest! {
         let body = assembly.body().unwrap();
         let lowest = quasirigid::reduction::frequencies(&body).unwrap()[0];
         let near = |body: &FlexibleBody, axis: [f64; 3], rate: f64| {
-            RelativeEquilibrium::near(body, axis, Given::Rate(rate)).map(|steady| SpinModes::about(body, steady).unwrap())
+            RelativeEquilibrium::near(body, axis, SpinMagnitude::Rate(rate)).map(|steady| SpinModes::about(body, steady).unwrap())
         };
         let principal = Principal::compute(body.invariants().J);
         let axis = principal.axes[if direction[0] > 0.0 { 2 } else { 0 }];
@@ -190,7 +190,7 @@ fn a_nutation_is_seen_from_outside_at_the_angular_momentum_over_the_transverse_m
     let mass = parts::sprung(1.0, [0.0; 3], [90.0; 3], [1.0; 3]);
     let (A, C, spin) = (9.0, 16.0, 0.7);
     let body = sprung_body(Carrier::principal(40.0, [A, A, C]), &[mass]).body().unwrap();
-    let steady = RelativeEquilibrium::near(&body, [0.0, 0.0, 1.0], Given::Rate(spin)).unwrap();
+    let steady = RelativeEquilibrium::near(&body, [0.0, 0.0, 1.0], SpinMagnitude::Rate(spin)).unwrap();
     let modes = SpinModes::about(&body, steady).unwrap();
     let nutation = modes.nutation().unwrap();
     assert!((nutation.frequency / (spin * (C - A) / A) - 1.0).abs() < 1e-9, "{nutation:?}");

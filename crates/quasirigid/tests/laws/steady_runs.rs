@@ -3,10 +3,10 @@
 use nalgebra::{Complex, Matrix3, Vector3};
 use proptest::prelude::*;
 use quasirigid::dynamics::{Forced, FullState, Options, propagate_full};
-use quasirigid::elements::{Assembly, End, Rotor, RotorKind, Station, Wheel, WheelSpeed};
+use quasirigid::elements::{ApplicationPoint, Assembly, End, Rotor, RotorKind, Wheel, WheelSpeed};
 use quasirigid::model::force::{Axes, Force, ForceLaw, Wave};
 use quasirigid::model::{FlexibleBody, Marker, Support};
-use quasirigid::modes::{Near, SpinMode, SteadyModes, SteadyState};
+use quasirigid::modes::{SpinMode, SteadyModes, SteadyState, SteadyStateGuess};
 use quasirigid_math::expression::Expression;
 use quasirigid_math::rotation::{to_inertial, turned};
 use quasirigid_math::sym3::times;
@@ -94,22 +94,22 @@ fn world(
     rate: f64,
 ) -> (Assembly, V) {
     let up = S.column(2).into_owned();
-    let named = |name: &str, law: ForceLaw<Station>| Force { name: name.into(), law };
+    let named = |name: &str, law: ForceLaw<ApplicationPoint>| Force { name: name.into(), law };
     let weight = named("weight", ForceLaw::UniformGravity { acceleration: (-9.81 * up).into() });
-    let at = Station { on: End::Carrier, at: Some(direction) };
-    let tip = Station { on: End::Point(0), at: None };
+    let at = ApplicationPoint { on: End::Carrier, at: Some(direction) };
+    let tip = ApplicationPoint { on: End::Point(0), at: None };
     let body_torque = |size: f64| {
         named(
             "motor",
             ForceLaw::Torque { torque: direction.map(|x| size * x), axes: Axes::Body, wave: Wave::default() },
         )
     };
-    let thrust = |size: f64, at: Station| {
+    let thrust = |size: f64, at: ApplicationPoint| {
         let force = [0.3 * size, -0.5 * size, 0.8 * size];
         named("jet", ForceLaw::Thrust { at, force, axes: Axes::Body, wave: Wave::default() })
     };
     let spin_drag = |coefficient: f64| named("air", ForceLaw::SpinDrag { coefficient });
-    let drag = |at: Station| named("oil", ForceLaw::Drag { at, coefficient: 0.3 });
+    let drag = |at: ApplicationPoint| named("oil", ForceLaw::Drag { at, coefficient: 0.3 });
     let held = Support::FixedPoint { point: [0.3, -0.4, 0.2] };
     let orbit = named("Earth", ForceLaw::CentralGravity { orbit: turned_orbit(S, rate, 0.7) });
     let text = |i: usize| {
@@ -170,7 +170,7 @@ proptest! {
             Support::Prescribed { velocity, position, .. } => (*position, *velocity),
             _ => ([0.0; 3], [0.0; 3]),
         };
-        let near = Near { omega: (R.transpose() * omega_N).into(), attitude: quaternion(&R), place, velocity, asked: false };
+        let near = SteadyStateGuess { omega: (R.transpose() * omega_N).into(), attitude: quaternion(&R), place, velocity, asked: false };
         let state = SteadyState::near(&body, &forces, near);
         if std::env::var("STEADY").is_ok() {
             println!("{kind} {:?}", state.as_ref().map(|s| (s.omega, s.away)).map_err(ToString::to_string));

@@ -2,10 +2,10 @@
 
 use nalgebra::{Complex, Matrix3, Rotation3, UnitQuaternion, Vector3};
 use proptest::prelude::*;
-use quasirigid::elements::{Assembly, Carrier, Station, Wheel, WheelSpeed};
+use quasirigid::elements::{ApplicationPoint, Assembly, Carrier, Wheel, WheelSpeed};
 use quasirigid::model::Support;
 use quasirigid::model::force::{Axes, Force, ForceLaw, MagneticField, Orbit, Wave};
-use quasirigid::modes::{Near, SteadyError, SteadyModes, SteadyState};
+use quasirigid::modes::{SteadyError, SteadyModes, SteadyState, SteadyStateGuess};
 use quasirigid_math::expression::Expression;
 
 use super::forced::formula;
@@ -47,18 +47,18 @@ pub fn quaternion(R: &Matrix3<f64>) -> [f64; 4] {
     [q.w, q.i, q.j, q.k]
 }
 
-fn gravity(g: V) -> Force<Station> {
+fn gravity(g: V) -> Force<ApplicationPoint> {
     Force { name: "weight".into(), law: ForceLaw::UniformGravity { acceleration: g.into() } }
 }
 
-fn found(assembly: &Assembly, near: Near) -> Result<SteadyModes, SteadyError> {
+fn found(assembly: &Assembly, near: SteadyStateGuess) -> Result<SteadyModes, SteadyError> {
     let (body, forces) = (assembly.body().unwrap(), assembly.forces().unwrap());
     let state = SteadyState::near(&body, &forces, near)?;
     SteadyModes::about(&body, &forces, state)
 }
 
-fn near(omega: V, attitude: &Matrix3<f64>) -> Near {
-    Near {
+fn near(omega: V, attitude: &Matrix3<f64>) -> SteadyStateGuess {
+    SteadyStateGuess {
         omega: omega.into(),
         attitude: quaternion(attitude),
         place: [0.0; 3],
@@ -339,7 +339,7 @@ fn a_body_under_a_parachute_swings_as_its_closed_form() {
     let body = Rigid { mass: m, moments: [A, A, 0.3], axes: R, center: V::new(0.4, -0.3, 0.8) };
     let mut assembly = body.free();
     let place = (body.center + d * R.column(2)).into();
-    let at = Station { on: quasirigid::elements::End::Carrier, at: Some(place) };
+    let at = ApplicationPoint { on: quasirigid::elements::End::Carrier, at: Some(place) };
     let up = S.column(2).into_owned();
     assembly.forces =
         vec![gravity(-g * up), Force { name: "canopy".into(), law: ForceLaw::Drag { at, coefficient: k } }];
@@ -361,7 +361,7 @@ fn a_body_under_a_parachute_swings_as_its_closed_form() {
 fn drag_of_a_place_leaves_a_free_body_at_rest() {
     let R = *Rotation3::new(V::new(0.3, -0.2, 0.5)).matrix();
     let body = Rigid { mass: 2.0, moments: [0.5, 0.8, 1.0], axes: R, center: V::new(0.4, -0.3, 0.8) };
-    let at = Station { on: quasirigid::elements::End::Carrier, at: Some([0.5, 0.1, -0.3]) };
+    let at = ApplicationPoint { on: quasirigid::elements::End::Carrier, at: Some([0.5, 0.1, -0.3]) };
     let mut assembly = body.free();
     assembly.forces = vec![
         Force { name: "canopy".into(), law: ForceLaw::Drag { at, coefficient: 0.3 } },
@@ -403,12 +403,14 @@ pub fn turned_orbit(S: &Matrix3<f64>, n: f64, phase: f64) -> Orbit {
 }
 
 /// Reason for which there is no steady state, of a fixed and of a free body with forces of these laws.
-fn refused(law: &[ForceLaw<Station>], free: bool, omega: V) -> String {
+fn refused(law: &[ForceLaw<ApplicationPoint>], free: bool, omega: V) -> String {
     let R = *Rotation3::new(V::new(0.3, -0.2, 0.5)).matrix();
     let body = Rigid { mass: 2.0, moments: [0.5, 0.8, 1.0], axes: R, center: V::new(0.4, -0.3, 0.8) };
     let mut assembly = if free { body.free() } else { body.held(0.4) };
-    let named =
-        |(i, law): (usize, &ForceLaw<Station>)| Force { name: format!("force {i}"), law: law.clone() };
+    let named = |(i, law): (usize, &ForceLaw<ApplicationPoint>)| Force {
+        name: format!("force {i}"),
+        law: law.clone(),
+    };
     assembly.forces = law.iter().enumerate().map(named).collect();
     found(&assembly, near(omega, &Matrix3::identity())).unwrap_err().to_string()
 }
@@ -454,7 +456,7 @@ fn formulas_of_the_time_that_turn_at_a_constant_rate_have_a_steady_state() {
 
 #[test]
 fn what_has_no_steady_state_is_refused_in_words() {
-    let carrier = Station { on: quasirigid::elements::End::Carrier, at: Some([0.5, 0.1, -0.3]) };
+    let carrier = ApplicationPoint { on: quasirigid::elements::End::Carrier, at: Some([0.5, 0.1, -0.3]) };
     let spin = V::new(0.1, 0.2, 1.0);
     let orbit = turned_orbit(&Matrix3::identity(), 0.1, 0.4);
     let weight = ForceLaw::UniformGravity { acceleration: [0.0, 0.0, -9.81] };
@@ -538,14 +540,17 @@ fn a_centrifuge_in_air_lags_as_its_closed_form() {
     let mut assembly = body.held(l);
     let Support::FixedPoint { point } = assembly.support else { unreachable!() };
     assembly.support = driven_round(point, radius, rate);
-    let at = Station { on: quasirigid::elements::End::Carrier, at: Some(body.center.into()) };
+    let at = ApplicationPoint { on: quasirigid::elements::End::Carrier, at: Some(body.center.into()) };
     assembly.forces.push(Force { name: "air".into(), law: ForceLaw::Drag { at, coefficient: k } });
     // The third axis outwards, the second up.
     let axes = Matrix3::from_columns(&[V::y(), V::z(), V::x()]);
     let attitude = axes * R.transpose();
     let omega = attitude.transpose() * V::z() * rate;
-    let driven =
-        Near { place: [radius, 0.0, 0.0], velocity: [0.0, radius * rate, 0.0], ..near(omega, &attitude) };
+    let driven = SteadyStateGuess {
+        place: [radius, 0.0, 0.0],
+        velocity: [0.0, radius * rate, 0.0],
+        ..near(omega, &attitude)
+    };
     let modes = found(&assembly, driven).unwrap();
     let lag = (k * l / (m * rate * radius).hypot(k * radius)).asin() + k.atan2(m * rate);
     let out = attitude_of(&modes) * R.column(2);
@@ -561,7 +566,7 @@ fn a_damping_that_changes_with_time_is_refused() {
         let mass = parts::sprung(1.0, [0.0, 0.0, 0.6], [90.0; 3], [1.0; 3]);
         let mut assembly = sprung_body(Carrier::principal(40.0, [9.0, 13.0, 16.0]), &[mass]);
         assembly.support = Support::FixedPoint { point: [0.0; 3] };
-        let at = Station { on: quasirigid::elements::End::Point(0), at: None };
+        let at = ApplicationPoint { on: quasirigid::elements::End::Point(0), at: None };
         let force = ["0", "0", law].map(formula);
         assembly.forces.push(Force { name: "air".into(), law: ForceLaw::Expression { at, force } });
         found(&assembly, near(1.5 * V::z(), &Matrix3::identity()))

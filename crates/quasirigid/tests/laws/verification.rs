@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 use quasirigid::dynamics::{
     Forced, Form, Options, Sample, SlowEquations, SlowState, Start, propagate_forced,
 };
-use quasirigid::elements::{Assembly, End, Station};
+use quasirigid::elements::{ApplicationPoint, Assembly, End};
 use quasirigid::model::Support;
 use quasirigid::model::force::{Axes, Force, ForceLaw, MagneticField, Orbit, Wave};
 use quasirigid::secular::MeasureError;
@@ -18,7 +18,7 @@ use crate::support::parts;
 use crate::support::sprung_body;
 
 /// Two sprung masses on a carrier, with a given support and given forces.
-fn assembly(support: Support, laws: Vec<ForceLaw<Station>>) -> Assembly {
+fn assembly(support: Support, laws: Vec<ForceLaw<ApplicationPoint>>) -> Assembly {
     let carrier =
         parts::carrier(40.0, [0.02, 0.1, 0.4], [[9.0, 0.2, 0.0], [0.2, 13.0, -0.4], [0.0, -0.4, 16.0]]);
     let masses = [
@@ -92,8 +92,8 @@ fn a_body_on_an_eccentric_orbit_reaches_its_orders() {
 /// Drag, thrusters on a mass and on the carrier, torques, a dipole and a formula at once, on a body in flight.
 #[test]
 fn every_other_force_reaches_its_orders() {
-    let tip = Station { on: End::Point(0), at: None };
-    let nose = Station { on: End::Carrier, at: Some([0.3, -0.2, 0.5]) };
+    let tip = ApplicationPoint { on: End::Point(0), at: None };
+    let nose = ApplicationPoint { on: End::Carrier, at: Some([0.3, -0.2, 0.5]) };
     let slow = Wave { frequency: 0.7, phase: 0.4 };
     let formula = ["-0.3*vx + 0.2*sin(0.5*t)", "0.1*x*vz - 0.2*y", "exp(-0.1*t)*cos(0.2*z)"];
     let laws = vec![

@@ -55,10 +55,10 @@ fn wobble_rates_are_the_eigenvalues_of_the_full_system() {
             ];
             powers.map(|power| sign * Evolution::new(&*power, G).wobble_rate(mode) / exact - 1.0)
         });
-        for road in 0..2 {
-            let order = (gaps[1][road] / gaps[2][road]).log2();
-            println!("{mode:?}, road {road}: {gaps:?}, order {order}");
-            assert!((order - 2.0).abs() < 0.1, "{mode:?} {road}: {gaps:?} {order}");
+        for method in 0..2 {
+            let order = (gaps[1][method] / gaps[2][method]).log2();
+            println!("{mode:?}, method {method}: {gaps:?}, order {order}");
+            assert!((order - 2.0).abs() < 0.1, "{mode:?} {method}: {gaps:?} {order}");
         }
     }
 }

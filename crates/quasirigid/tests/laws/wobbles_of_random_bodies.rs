@@ -6,7 +6,7 @@ use quasirigid::elements::{
     Assembly, Cavity, CavityShape, HingeCoefficient, Hinged, Regime, Rotor, RotorKind,
 };
 use quasirigid::model::{FlexibleBody, Principal, ReducedBody, Rheology};
-use quasirigid::modes::{Given, RelativeEquilibrium, SpinModes};
+use quasirigid::modes::{RelativeEquilibrium, SpinMagnitude, SpinModes};
 use quasirigid::reduction::{Validity, Verdict, reduce};
 use quasirigid::verification::wobble_difference;
 use quasirigid_math::rotation::ALIGNED;
@@ -143,7 +143,7 @@ fn rates(body: &FlexibleBody, reduced: &ReducedBody, G: f64) -> Option<(f64, boo
     let determined = Principal::compute(reduced.J).determined();
     let (mut worst, mut wrong) = (0.0_f64, false);
     for (axis, equilibrium) in
-        RelativeEquilibrium::all(body, Given::AngularMomentum(G)).into_iter().enumerate()
+        RelativeEquilibrium::all(body, SpinMagnitude::AngularMomentum(G)).into_iter().enumerate()
     {
         if !determined[axis] {
             continue;
@@ -196,7 +196,7 @@ fn bodies_that_count_as_valid_have_the_rates_of_the_modes() {
         before += usize::from(gap > 0.1);
         let extremes = [0, 2].map(|axis| {
             let equilibrium =
-                RelativeEquilibrium::all(&body, Given::AngularMomentum(G))[axis].clone().ok()?;
+                RelativeEquilibrium::all(&body, SpinMagnitude::AngularMomentum(G))[axis].clone().ok()?;
             wobble_difference(&reduced, &SpinModes::about(&body, equilibrium).ok()?)
         });
         if extremes.iter().flatten().any(|difference| *difference >= 0.1) {

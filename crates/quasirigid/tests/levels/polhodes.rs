@@ -30,11 +30,11 @@ fn ageing_along_levels_tends_to_that_along_polhodes() {
         let levels = LevelEvolution::new(&reduced, norm(K)).unwrap();
         let passage = levels.follow(K, Until::Wobble(0.1), 3).unwrap();
         let [first, .., last] = &passage.rows[..] else { panic!("{passage:?}") };
-        let stage = |wobble: f64| {
+        let rotation_state = |wobble: f64| {
             let motion = FreeRotation::at_nutation(moments, norm(K), Mode::ShortAxis, wobble).unwrap();
             RotationState::from_motion(&motion).unwrap()
         };
-        let along = evolution.passage(stage(first.nutation[1]), stage(0.1));
+        let along = evolution.passage(rotation_state(first.nutation[1]), rotation_state(0.1));
         assert!((last.nutation[1] - 0.1).abs() < 1e-9, "{last:?}");
         [last.time / along.time - 1.0, last.revolutions / along.revolutions - 1.0].map(f64::abs)
     };
@@ -57,7 +57,7 @@ fn the_way_leads_through_the_separatrix() {
     let evolution = Evolution::new(&power, norm(K));
     let levels = LevelEvolution::new(&reduced, norm(K)).unwrap();
     let passage = levels.follow(K, Until::EnergyLeft(0.01), 12).unwrap();
-    let start = evolution.stage(norm(K).powi(2) / (2.0 * reduced.energy(omega) * 2.5)).unwrap();
+    let start = evolution.rotation_state(norm(K).powi(2) / (2.0 * reduced.energy(omega) * 2.5)).unwrap();
     let end = evolution.faded(start, 0.01).unwrap();
     let along = evolution.passage(start, end);
     let last = passage.rows.last().unwrap();

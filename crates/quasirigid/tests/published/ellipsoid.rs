@@ -128,12 +128,13 @@ fn asteroid_ages_as_tabulated() {
     both_roads(|power| {
         let evolution = Evolution::new(power, MOMENTUM);
         for row in rows(POINTS) {
-            let stage = evolution.stage(row[0]).unwrap();
-            close("power", evolution.power(stage), row[1], 1e-9);
-            close("period", evolution.motion(stage).polhode_period(), row[2], 1e-12);
+            let rotation_state = evolution.rotation_state(row[0]).unwrap();
+            close("power", evolution.power(rotation_state), row[1], 1e-9);
+            close("period", evolution.motion(rotation_state).polhode_period(), row[2], 1e-12);
         }
         for row in rows(TIMES) {
-            let [from, to] = [row[0], row[1]].map(|D| evolution.stage(D / power.moments()[2]).unwrap());
+            let [from, to] =
+                [row[0], row[1]].map(|D| evolution.rotation_state(D / power.moments()[2]).unwrap());
             close("time", evolution.time(from, to), row[2], 1e-6);
             close("time back", evolution.time(to, from), -row[2], 1e-6);
             let reached = evolution.after(from, row[2]).unwrap();
@@ -148,11 +149,11 @@ fn asteroid_ages_as_tabulated() {
 fn fall(power: &dyn MeanPower, from: f64, to: f64) -> f64 {
     let [A, _, C] = power.moments();
     let evolution = Evolution::new(power, C);
-    let stage = |degrees: f64| {
+    let rotation_state = |degrees: f64| {
         let u = degrees.to_radians().cos().powi(2);
-        evolution.stage(1.0 / (C * (u / C + (1.0 - u) / A))).unwrap()
+        evolution.rotation_state(1.0 / (C * (u / C + (1.0 - u) / A))).unwrap()
     };
-    evolution.time(stage(from), stage(to))
+    evolution.time(rotation_state(from), rotation_state(to))
 }
 
 /// Half of the last digit of a printed number, relative.
@@ -283,8 +284,13 @@ fn spheroid_follows_the_closed_time_law() {
         u.ln() / beta - (1.0 - u).ln() / alpha + (beta - alpha) / (alpha * beta) * f.ln()
     };
     let evolution = Evolution::new(&response, G);
-    let stage = |u: f64| evolution.stage(1.0 / (C * (u / C + (1.0 - u) / A))).unwrap();
+    let rotation_state = |u: f64| evolution.rotation_state(1.0 / (C * (u / C + (1.0 - u) / A))).unwrap();
     for (from, to) in [(0.01, 0.99), (0.3, 0.31), (0.5, 0.9999)] {
-        close("time", evolution.time(stage(from), stage(to)) * rate, primitive(to) - primitive(from), 1e-9);
+        close(
+            "time",
+            evolution.time(rotation_state(from), rotation_state(to)) * rate,
+            primitive(to) - primitive(from),
+            1e-9,
+        );
     }
 }

@@ -3,7 +3,7 @@
 
 use quasirigid::elements::{Assembly, End, Point, PointMotion, Spring};
 use quasirigid::model::Rheology;
-use quasirigid::modes::{Given, RelativeEquilibrium, SpinModes};
+use quasirigid::modes::{RelativeEquilibrium, SpinMagnitude, SpinModes};
 use quasirigid_math::vec3::norm;
 
 use crate::support::parts;
@@ -49,7 +49,7 @@ fn modes_of_a_spinning_body_are_those_of_an_independent_code() {
         let row = numbers(line);
         let published: [f64; 3] = [row[1], row[2], row[3]];
         let spin = norm(published);
-        let found = RelativeEquilibrium::near(&body, published, Given::Rate(spin)).unwrap();
+        let found = RelativeEquilibrium::near(&body, published, SpinMagnitude::Rate(spin)).unwrap();
         for axis in 0..3 {
             assert!((found.omega[axis] - published[axis]).abs() < TOLERANCE * spin, "{:?}", found.omega);
         }

@@ -2,7 +2,8 @@
 
 use nalgebra::{Matrix3, Vector3};
 use quasirigid::elements::{
-    Assembly, Frame, FrameNode, Material, Member, Part, PartKind, PartReduction, SectionShape, Station,
+    ApplicationPoint, Assembly, Frame, FrameNode, Material, Member, Part, PartKind, PartReduction,
+    SectionShape,
 };
 use quasirigid::model::force::Force;
 use quasirigid::model::{BodyParts, FlexibleBody, Invariants, Pair};
@@ -29,7 +30,7 @@ const ROOT: [f64; 3] = [0.4, -1.1, 0.7];
 
 impl Cantilever {
     /// The hub with the beam, and forces on it.
-    pub fn assembly(&self, forces: Vec<Force<Station>>) -> Assembly {
+    pub fn assembly(&self, forces: Vec<Force<ApplicationPoint>>) -> Assembly {
         let along = turned_axes() * Vector3::x();
         let places = (0..=self.elements).map(|node| self.length * node as f64 / self.elements as f64);
         let places = places.map(|x| Vector3::from(ROOT) + x * along);

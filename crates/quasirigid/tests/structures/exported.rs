@@ -77,7 +77,7 @@ impl Body {
     }
 
     /// Modes in which the first nodes stay at rest, of modal mass one, the lowest first.
-    pub fn modes(&self, still: usize) -> Found {
+    pub fn modes(&self, still: usize) -> ExportedModes {
         let (first, rest) = (6 * still, self.size() - 6 * still);
         let part = |matrix: &DMatrix<f64>| matrix.view((first, first), (rest, rest)).into_owned();
         let inverse = part(&self.M).cholesky().unwrap().l().try_inverse().unwrap();
@@ -88,7 +88,7 @@ impl Body {
         let vectors = inverse.tr_mul(&eigen.eigenvectors).select_columns(&ascending);
         shapes.rows_mut(first, rest).copy_from(&vectors);
         let frequencies = ascending.iter().map(|mode| eigen.eigenvalues[*mode].max(0.0).sqrt());
-        Found { shapes, frequencies: DVector::from_iterator(rest, frequencies) }
+        ExportedModes { shapes, frequencies: DVector::from_iterator(rest, frequencies) }
     }
 
     /// Responses of the nodes beyond the first to displacements of these: constraint modes.
@@ -106,7 +106,7 @@ impl Body {
 }
 
 /// Modes of a body.
-pub struct Found {
+pub struct ExportedModes {
     pub shapes: DMatrix<f64>,
     /// Natural frequencies (rad/s).
     pub frequencies: DVector<f64>,

@@ -9,7 +9,7 @@ use quasirigid::model::{FlexibleBody, Rheology};
 use quasirigid::reduction::reduce;
 
 use super::common::vector_error;
-use super::exported::{Body, Found, NODES, RATIO, entries};
+use super::exported::{Body, ExportedModes, NODES, RATIO, entries};
 use crate::support::parts;
 
 fn rows(matrix: &DMatrix<f64>) -> Vec<Vec<f64>> {
@@ -58,7 +58,7 @@ fn assert_same(found: &FlexibleBody, expected: &FlexibleBody, order: usize) {
 }
 
 /// Part of modes; the scale of each shape is arbitrary.
-fn of_modes(body: &Body, found: &Found, kept: impl Fn(usize) -> bool) -> PartKind {
+fn of_modes(body: &Body, found: &ExportedModes, kept: impl Fn(usize) -> bool) -> PartKind {
     let kept: Vec<usize> = (0..found.frequencies.len()).filter(|mode| kept(*mode)).collect();
     let shapes = found.shapes.select_columns(&kept);
     let scaled = DMatrix::from_fn(shapes.nrows(), shapes.ncols(), |row, mode| {

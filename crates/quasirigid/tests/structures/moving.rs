@@ -1,6 +1,6 @@
 //! Parts of a structure that move in a mode, whose coordinates are displacements of all of it. (M5)
 
-use quasirigid::modes::{Given, RelativeEquilibrium, SpinModes};
+use quasirigid::modes::{RelativeEquilibrium, SpinMagnitude, SpinModes};
 use quasirigid_math::vec3::dot;
 
 use super::whirl::booms;
@@ -10,7 +10,7 @@ use super::whirl::booms;
 fn modes_name_the_boom_that_bends() {
     let body = booms(1e-3);
     let axis = quasirigid::model::Principal::compute(body.invariants().J).axes[2];
-    let steady = RelativeEquilibrium::near(&body, axis, Given::Rate(0.05)).unwrap();
+    let steady = RelativeEquilibrium::near(&body, axis, SpinMagnitude::Rate(0.05)).unwrap();
     let modes = SpinModes::about(&body, steady).unwrap().modes;
     let share = |mode: &quasirigid::modes::SpinMode, part: &str| {
         mode.moves.iter().find(|(name, _)| name == part).map_or(0.0, |(_, share)| *share)

@@ -4,7 +4,7 @@
 use std::f64::consts::TAU;
 
 use quasirigid::dynamics::{Forced, FullState, Observer, Options, Outcome, Sample, propagate_full};
-use quasirigid::elements::{PartReduction, SectionShape, Station};
+use quasirigid::elements::{ApplicationPoint, PartReduction, SectionShape};
 use quasirigid::model::FlexibleBody;
 use quasirigid::model::force::{Axes, Force, ForceLaw, Wave};
 use quasirigid_math::rotation::ALIGNED;
@@ -38,7 +38,7 @@ fn beam() -> Cantilever {
 }
 
 /// Torques `J ψ̈ = J (6/15) (1 − cos(2πt/15))` about the third of the rotated axes: a constant torque and a wave.
-fn torques(inertia: f64) -> Vec<Force<Station>> {
+fn torques(inertia: f64) -> Vec<Force<ApplicationPoint>> {
     let amplitude = inertia * SPIN / DURATION;
     let waves = [(amplitude, 0.0), (-amplitude, TAU / DURATION)];
     let force = |(amplitude, frequency): (f64, f64)| Force {

@@ -7,7 +7,7 @@ use quasirigid::elements::{
     SectionShape,
 };
 use quasirigid::model::{FlexibleBody, Mode, Rheology};
-use quasirigid::modes::{Given, RelativeEquilibrium, SpinModes, whirl_onset};
+use quasirigid::modes::{RelativeEquilibrium, SpinMagnitude, SpinModes, whirl_onset};
 use quasirigid::problems::AxialMass;
 use quasirigid::secular::{EnergyRange, Pole, Poles};
 
@@ -90,7 +90,7 @@ fn the_onset_of_whirl_parts_spins_that_whirl_from_those_that_do_not() {
     let body = stage();
     let onset = whirl_onset(&body, Mode::LongAxis, [0.5, 20.0], &mut |_| ControlFlow::Continue(())).unwrap();
     let decay = |spin: f64| {
-        let steady = RelativeEquilibrium::extreme(&body, Mode::LongAxis, Given::Rate(spin)).unwrap();
+        let steady = RelativeEquilibrium::extreme(&body, Mode::LongAxis, SpinMagnitude::Rate(spin)).unwrap();
         let modes = SpinModes::about(&body, steady).unwrap();
         modes.internal.iter().map(|[decay, _]| *decay).fold(f64::INFINITY, f64::min)
     };
@@ -102,7 +102,7 @@ fn the_onset_of_whirl_parts_spins_that_whirl_from_those_that_do_not() {
 /// Onset of whirl by the modes of every spin alone.
 fn onset_by_modes(body: &FlexibleBody, mode: Mode, [from, to]: [f64; 2]) -> Option<f64> {
     let grows = |spin: f64| {
-        let steady = RelativeEquilibrium::extreme(body, mode, Given::Rate(spin)).ok()?;
+        let steady = RelativeEquilibrium::extreme(body, mode, SpinMagnitude::Rate(spin)).ok()?;
         let modes = SpinModes::about(body, steady).ok()?.modes;
         Some(modes.iter().any(|mode| !mode.nutation && mode.decay_rate < -1e-12 * mode.frequency))
     };

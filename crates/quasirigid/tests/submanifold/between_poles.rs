@@ -29,9 +29,9 @@ fn a_body_followed_through_the_separatrix_hands_over_from_manifolds_to_short_run
     let go_on = &mut |_: f64| ControlFlow::Continue(());
     let power = MeasuredPower::along(&body, &range, &poles, ends, &MeasureOptions::default(), go_on).unwrap();
     let reduced = power.measurements.iter().filter(|each| each.reduced).count();
-    println!("{:?}, {reduced} of {} without a run", power.hand_overs, power.measurements.len());
-    assert_eq!(power.hand_overs.len(), 2);
-    assert!(power.hand_overs.iter().all(|edge| edge.nutation > 0.4 && edge.mismatch < 1e-3));
+    println!("{:?}, {reduced} of {} without a run", power.boundaries, power.measurements.len());
+    assert_eq!(power.boundaries.len(), 2);
+    assert!(power.boundaries.iter().all(|edge| edge.nutation > 0.4 && edge.mismatch < 1e-3));
     assert!(reduced > 2 && reduced < power.measurements.len());
     let evolution = Evolution::new(&power, range.angular_momentum());
     for (from, to) in [(long(2.0), long(1.4)), (long(-2.0), short(-2.0))] {

@@ -4,7 +4,7 @@ use nalgebra::{Rotation3, Vector3};
 use quasirigid::dynamics::{Observer, Options, Sample};
 use quasirigid::elements::Assembly;
 use quasirigid::model::FlexibleBody;
-use quasirigid::modes::{Given, RelativeEquilibrium, SpinModes};
+use quasirigid::modes::{RelativeEquilibrium, SpinMagnitude, SpinModes};
 use quasirigid::prelude::{CARRIER, Carrier, Point, Spring};
 use quasirigid::submanifold::{SpinManifold, SpinManifoldPlan, Style, propagate_on_manifold};
 use quasirigid_math::rotation::ALIGNED;
@@ -25,7 +25,7 @@ fn close(a: [f64; 4], b: [f64; 4], unit: f64) {
     }
 }
 
-/// `|K|` of the manifold departs with the first power that is left out, since it is a condition on every coefficient.
+/// `|K|` of the spin manifold departs with the first power that is left out, since it is a condition on every coefficient.
 #[test]
 fn the_angular_momentum_keeps_its_size() {
     let body = body_of(&bodies::everything(5.0));
@@ -108,7 +108,7 @@ fn the_linear_part_has_the_nutation_of_the_modes() {
         let body = body_of(assembly);
         let plan = plan(&body, spin, 1);
         let manifold = derived(&body, &plan);
-        let given = Given::AngularMomentum(norm(plan.angular_momentum));
+        let given = SpinMagnitude::AngularMomentum(norm(plan.angular_momentum));
         let near = RelativeEquilibrium::near(&body, manifold.spin.omega, given).unwrap();
         let displaced = near.q.iter().zip(&manifold.spin.q).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
         assert!(displaced < 1e-9, "{spin}: {displaced}");

@@ -17,7 +17,7 @@ type C = Complex<f64>;
 
 /// Spinning liquid, in units of the radius of its equator and its viscosity.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Spinning {
+pub(super) struct SpinningSpheroid {
     /// Square of the ratio of the semi-axes along the spin and across it.
     pub stretch: f64,
     /// Spin, `τ = Ω a²/ν`: the Reynolds number.
@@ -29,18 +29,18 @@ const PER_LAYER: f64 = 1.4;
 /// Degrees per fourth root of `τ`, in addition to the least number.
 const PER_SPIN: f64 = 1.1;
 /// Least number of functions and of degrees.
-const LEAST: f64 = 4.0;
+const MIN_FUNCTIONS: f64 = 4.0;
 /// Step of the numbers of functions and of degrees, so that fields are reused.
 const STEP: usize = 4;
 
-impl Spinning {
+impl SpinningSpheroid {
     /// `|σ| + 2τ` up to which fields are computed, in some tenths of a second; beyond, the ratio to the boundary layer is that of the
     /// same motion at this value.
     fn resolved(&self) -> f64 {
         if self.stretch == 1.0 { 4e6 } else { 4e5 }
     }
 
-    /// Force per rate, per `I ν/a²` with the load of the flow squared in the place of `I`, of a motion `e^{imφ}` about the spin at the
+    /// Force per rate, per `I ν/a²` with the load of the flow squared in place of `I`, of a motion `e^{imφ}` about the spin at the
     /// frequency `σ = s a²/ν` in the body. NaN where the fields have no finite solution. (L16)
     ///
     /// `m` is 0 about the spin and 1 for `(1, i, 0)`.
@@ -59,8 +59,8 @@ impl Spinning {
     fn exact(self, m: usize, sigma: C) -> C {
         let size = sigma.norm() + 2.0 * self.tau;
         let counted = |number: f64| (number.ceil() as usize).next_multiple_of(STEP);
-        let count = counted(LEAST + PER_LAYER * size.sqrt().sqrt());
-        let degrees = counted(LEAST + PER_SPIN * self.tau.sqrt().sqrt());
+        let count = counted(MIN_FUNCTIONS + PER_LAYER * size.sqrt().sqrt());
+        let degrees = counted(MIN_FUNCTIONS + PER_SPIN * self.tau.sqrt().sqrt());
         let key = Key { m, numbers: [degrees, count], shape: (false, self.stretch.to_bits()) };
         known::drag(key, || fields(m, degrees, count, self.stretch), sigma, self.tau)
     }

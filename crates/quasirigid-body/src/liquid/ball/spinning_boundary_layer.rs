@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use nalgebra::{Complex, Vector3};
 
-use super::Spinning;
+use super::SpinningSpheroid;
 use crate::math::quadrature::gauss_legendre;
 
 type C = Complex<f64>;
@@ -14,17 +14,17 @@ const POINTS: usize = 32;
 const ROUND: usize = 8;
 
 /// Force per rate of an ideal core of uniform vorticity and of its thin boundary layer with the Coriolis force in both, in the units of
-/// [`Spinning::drag`]. (L17)
-pub(super) fn drag(liquid: Spinning, m: usize, sigma: C) -> [C; 2] {
-    let Spinning { stretch, tau } = liquid;
+/// [`SpinningSpheroid::drag`]. (L17)
+pub(super) fn drag(liquid: SpinningSpheroid, m: usize, sigma: C) -> [C; 2] {
+    let SpinningSpheroid { stretch, tau } = liquid;
     // Inertia and Coriolis coupling of the slip per its load squared, with `∫|e × r|² dV = 1` in the ball.
-    let shape = Slip::new(m, stretch);
+    let shape = WallSlip::new(m, stretch);
     let core = shape.mass * sigma - C::new(0.0, m as f64 * 2.0 * tau * shape.turning);
     [core, over_wall(sigma, tau, |x| shape.at(x))]
 }
 
 /// Slip past the wall of an ideal core, per its load squared.
-struct Slip {
+struct WallSlip {
     m: usize,
     stretch: f64,
     mass: f64,
@@ -32,7 +32,7 @@ struct Slip {
     scale: f64,
 }
 
-impl Slip {
+impl WallSlip {
     /// Slip in a spheroid with the semi-axes 1 and `c`: across the axis the load is `4c²/(1 + c²)·V/5` and equals `∫w² dV`, per `c²
     /// V·2/5` of the load of (L16); about the axis the core rotates as a whole.
     fn new(m: usize, stretch: f64) -> Self {

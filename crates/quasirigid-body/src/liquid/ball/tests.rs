@@ -48,7 +48,7 @@ fn a_slow_ball_begins_as_its_series() {
 }
 
 fn layer_of(stretch: f64, sigma: C, tau: f64) -> C {
-    spinning_boundary_layer::drag(Spinning { stretch, tau }, 1, sigma).iter().sum()
+    spinning_boundary_layer::drag(SpinningSpheroid { stretch, tau }, 1, sigma).iter().sum()
 }
 
 /// Converged drag: more functions and degrees change nothing.
@@ -101,7 +101,7 @@ fn spin_over_of_a_spheroid_is_that_of_poincare() {
     for stretch in [0.25, 0.64, 2.56] {
         let frequency = 2.0 / (1.0 + stretch);
         let both = |tau: f64| {
-            let exact = spin_over(&|sigma| Spinning { stretch, tau }.drag(1, sigma), tau, frequency);
+            let exact = spin_over(&|sigma| SpinningSpheroid { stretch, tau }.drag(1, sigma), tau, frequency);
             let layer = spin_over(&|sigma| layer_of(stretch, sigma, tau), tau, frequency);
             (exact - layer).norm() / layer.norm()
         };
@@ -122,7 +122,7 @@ fn a_slow_spheroid_is_that_of_polynomials() {
             16.0 * PI * a.powi(3) * b.powi(5) * c.powi(5) / (105.0 * sum)
         };
         let unit = 8.0 * PI / 15.0 * c;
-        let liquid = Spinning { stretch, tau: 0.0 };
+        let liquid = SpinningSpheroid { stretch, tau: 0.0 };
         for (m, load, P) in [(0, unit, about_x([c, 1.0, 1.0])), (1, unit * stretch, about_x([1.0, 1.0, c]))] {
             let found = load / liquid.drag(m, C::from(0.0));
             assert!((found / P - 1.0).norm() < 1e-9, "{stretch} {m}: {found} {P}");
@@ -135,7 +135,7 @@ fn a_slow_spheroid_is_that_of_polynomials() {
 fn a_spheroid_becomes_a_ball() {
     for m in [0_usize, 1] {
         let sigma = C::new(30.0, 700.0);
-        let near = Spinning { stretch: 1.0 + 1e-7, tau: 1e3 }.drag(m, sigma);
+        let near = SpinningSpheroid { stretch: 1.0 + 1e-7, tau: 1e3 }.drag(m, sigma);
         assert!((near / drag(m as i32, sigma, 1e3) - 1.0).norm() < 1e-6);
     }
 }
@@ -160,11 +160,13 @@ fn the_ratio_joins_the_fields() {
         let at = |size: f64| {
             let tau = size / (2.0 + f64::abs(frequency));
             let sigma = C::new(0.0, frequency * tau);
-            let [core, layer] = spinning_boundary_layer::drag(Spinning { stretch: 1.0, tau }, 1, sigma);
+            let [core, layer] =
+                spinning_boundary_layer::drag(SpinningSpheroid { stretch: 1.0, tau }, 1, sigma);
             (drag(1, sigma, tau) - core) / layer
         };
-        let [below, above] =
-            [0.999, 1.001].map(|share| share * Spinning { stretch: 1.0, tau: 1.0 }.resolved()).map(at);
+        let [below, above] = [0.999, 1.001]
+            .map(|share| share * SpinningSpheroid { stretch: 1.0, tau: 1.0 }.resolved())
+            .map(at);
         assert!((above / below - 1.0).norm() < 2e-3, "{below} {above}");
     }
 }

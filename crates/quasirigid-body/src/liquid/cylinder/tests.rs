@@ -13,7 +13,7 @@ use super::*;
 fn a_slow_cylinder_is_that_of_the_meridian() {
     let half = 2.0_f64;
     let mass = 2.0 * PI * half;
-    let liquid = Spinning { half, tau: 0.0 };
+    let liquid = SpinningCylinder { half, tau: 0.0 };
     for (m, inertia, P) in [(1, mass * (0.25 + half * half / 3.0), 0.354_646), (0, 0.5 * mass, 0.229_563)] {
         let found = inertia / liquid.drag(m, C::from(0.0));
         assert!((found / P - 1.0).norm() < 2e-5, "{m}: {found}");
@@ -44,7 +44,7 @@ fn a_cylinder_at_rest_lags_as_its_series() {
         };
         // Response to the velocity r in each slice: ∫u_θ r dV per unit of inertia.
         let found = (0..4000).map(term).sum::<C>() / (PI * half);
-        let answer = Spinning { half, tau: 0.0 }.drag(0, sigma).inv();
+        let answer = SpinningCylinder { half, tau: 0.0 }.drag(0, sigma).inv();
         assert!((answer / found - 1.0).norm() < 2e-3, "{frequency}: {answer} {found}");
     }
 }
@@ -65,7 +65,7 @@ fn what_is_resolved_is_settled() {
         for frequency in [-1.0, -0.4, 0.2, 0.5, 0.9, 1.4] {
             let sigma = C::new(0.0, frequency * tau);
             for m in [0, 1] {
-                let found = Spinning { half, tau }.drag(m, sigma);
+                let found = SpinningCylinder { half, tau }.drag(m, sigma);
                 let size = (sigma.norm() + 2.0 * tau).sqrt().sqrt();
                 let count = |long: f64| 8 + (1.5 * size * long) as usize;
                 let numbers = [count(1.0), count(half.sqrt().max(0.5))];
@@ -107,7 +107,7 @@ fn free_modes_come_to_inertial_waves() {
         }
         let expected = rate(low);
         let found = [2.5e3, 1e4].map(|tau: f64| {
-            let liquid = Spinning { half, tau };
+            let liquid = SpinningCylinder { half, tau };
             let mut sigma = C::new(-3.0 * tau.sqrt(), expected * tau);
             for _ in 0..12 {
                 let step = C::from(1e-5 * tau);

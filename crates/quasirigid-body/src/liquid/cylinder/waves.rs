@@ -5,7 +5,7 @@ use std::f64::consts::{PI, TAU};
 
 use nalgebra::{Matrix3, Vector3};
 
-use super::{C, Spinning};
+use super::{C, SpinningCylinder};
 
 /// `J_0` and `J_1` by their series.
 fn bessel(n: i32, x: f64) -> f64 {
@@ -83,7 +83,7 @@ impl Wave {
 /// Free mode of the liquid nearest to a starting value, over the spin: zero of `D` by quotients `(s − s₀)/(α + βs)` through three points,
 /// since a wave that a rotation hardly drives has a pole next to its zero.
 fn pole(half: f64, tau: f64, near: C) -> C {
-    let at = |s: C| (s, Spinning { half, tau }.drag(1, s * tau));
+    let at = |s: C| (s, SpinningCylinder { half, tau }.drag(1, s * tau));
     let mut points = [C::from(1.0), C::new(1.0, 3e-3), C::new(1.003, 0.0)].map(|factor| at(near * factor));
     for _ in 0..8 {
         let rows = Matrix3::from_fn(|row, column| {

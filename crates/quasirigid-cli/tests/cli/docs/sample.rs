@@ -68,7 +68,7 @@ fn commands_of_a_page_share_a_folder() {
     let again = "$ quasirigid run examples/boom/model.toml -o spin --quiet\n";
     let found = console(&format!("{again}{again}"));
     assert_eq!(found.len(), 1, "{found:?}");
-    assert!(found[0].starts_with("README.md:5:") && found[0].contains("spin is there already"), "{found:?}");
+    assert!(found[0].starts_with("README.md:5:") && found[0].contains("spin already exists"), "{found:?}");
 }
 
 #[test]

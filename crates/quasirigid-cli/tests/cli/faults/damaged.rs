@@ -73,7 +73,7 @@ fn run_without_identity_is_refused() {
     }
     fs::remove_file(&path).unwrap();
     let refused = ran_in(folder.path(), &format!("{LONG} --resume"));
-    assert!(refused.refusal().contains("there is no run here to go on with"), "{}", refused.stderr);
+    assert!(refused.refusal().contains("there is no run here to continue"), "{}", refused.stderr);
     assert!(names(folder.path().join("out-unfinished")).contains(&"history-reduced.rows".to_owned()));
 }
 

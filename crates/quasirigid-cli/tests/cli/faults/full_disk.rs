@@ -224,7 +224,7 @@ fn run_in_work_on_a_full_disk_can_go_on() {
     let ran: crate::support::Ran = child.wait_with_output().unwrap().into();
     let said = crate::support::one_line(&ran.stderr);
     assert_eq!(ran.code, Some(2), "{said}");
-    let kept = "out-unfinished is kept; once files can be written, the same command with --resume goes on";
+    let kept = "out-unfinished is kept; once files can be written, the same command with --resume continues";
     assert!(said.contains(kept) && said.contains("cannot write out-unfinished"), "{said}");
     assert!(disk.0.path().join("out-unfinished/history-reduced.checkpoint").exists());
     assert_eq!(names(disk.0.path()), ["model.toml", "out-unfinished"]);

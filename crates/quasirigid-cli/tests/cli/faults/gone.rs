@@ -125,7 +125,7 @@ fn link_that_leads_nowhere_is_no_place_for_results() {
         "evolve model.toml -q --out out",
     ] {
         let refused = ran_in(folder.path(), line);
-        assert!(one_line(refused.refusal()).contains("out is there already"), "{line}: {}", refused.stderr);
+        assert!(one_line(refused.refusal()).contains("out already exists"), "{line}: {}", refused.stderr);
         assert_eq!(names(&folder), ["model.toml", "out", "study.toml"]);
         assert_eq!(fs::read_link(folder.path().join("out")).unwrap().to_str(), Some("nowhere"));
     }

@@ -55,7 +55,7 @@ fn study_goes_on_where_a_killed_process_held_the_lock() {
     journal.lock().unwrap();
     let beside = ran_in(folder.path(), "sweep study.toml -o out --resume");
     assert_eq!(beside.code, Some(0));
-    assert_eq!(beside.stdout, "2 of 3 parts are in out; another process works on 1 more.\n");
+    assert_eq!(beside.stdout, "2 of 3 parts are in out; another process is working on 1 more.\n");
     drop(journal);
     assert_eq!(ran_in(folder.path(), "sweep study.toml -o out -q --resume").code, Some(0));
     assert!(files(&folder.path().join("out")) == files(&folder.path().join("whole")));
@@ -67,7 +67,7 @@ fn run_in_work_has_one_process() {
     let mut child = in_work(folder.path());
     let refused = ran_in(folder.path(), &format!("{LONG} --resume"));
     let said = one_line(refused.refusal());
-    assert_eq!(said, "quasirigid: out-unfinished: another process has this run in work");
+    assert_eq!(said, "quasirigid: out-unfinished: another process is working on this run");
     child.kill().unwrap();
     child.wait().unwrap();
     let mut child = in_work(folder.path()); // the lock died with its process

@@ -13,11 +13,11 @@ use crate::averaging::evolution::RotationState;
 use crate::averaging::power::MeanPower;
 use crate::math::bisection::bisected;
 use crate::math::ode::{Dop853, Solver};
-use crate::math::simd::Plain;
+use crate::math::simd::Unfused;
 use crate::model::Mode;
 
 /// Error allowed per step, in `ξ` and in the logarithm of `G`.
-const TOLERANCE: f64 = 1e-10;
+const STEP_TOLERANCE: f64 = 1e-10;
 /// Places, as `ξ`, where a wobble counts as died out, and where a wobble grows again should the steady spin become unstable: a
 /// disturbance of `e^{−40}` rad always exists.
 const DIED_OUT: f64 = 81.0;
@@ -79,21 +79,22 @@ impl<P: MeanPower> Drift<P> {
 impl<'f, P: MeanPower> Way<'f, P> {
     fn set_out(&mut self) {
         let y = self.y();
-        self.below = self.limits.target.is_some_and(|target| along(self.start.stage) < along(target));
-        self.steady = self.start.stage.xi >= SEED && self.rates().of(&y)[0] >= 0.0;
+        self.below =
+            self.limits.target.is_some_and(|target| along(self.start.rotation_state) < along(target));
+        self.steady = self.start.rotation_state.xi >= SEED && self.rates().of(&y)[0] >= 0.0;
     }
 
     /// Integrated variables at the state reached: `ξ`, `ln G` from its start, revolutions.
     fn y(&self) -> [f64; 3] {
-        let DriftState { stage, angular_momentum, revolutions, .. } = self.history.end;
-        [stage.xi.min(SEED), (angular_momentum / self.start.angular_momentum).ln(), revolutions]
+        let DriftState { rotation_state, angular_momentum, revolutions, .. } = self.history.end;
+        [rotation_state.xi.min(SEED), (angular_momentum / self.start.angular_momentum).ln(), revolutions]
     }
 
     fn rates(&self) -> Rates<'f, P> {
-        let DriftState { stage, side, .. } = self.history.end;
+        let DriftState { rotation_state, side, .. } = self.history.end;
         Rates {
             drift: self.drift,
-            mode: stage.mode,
+            mode: rotation_state.mode,
             side,
             angular_momentum: self.start.angular_momentum,
             steady: self.steady,
@@ -101,10 +102,16 @@ impl<'f, P: MeanPower> Way<'f, P> {
     }
 
     fn state(&self, t: f64, y: &[f64; 3]) -> DriftState {
-        let DriftState { stage: RotationState { mode, .. }, side, .. } = self.history.end;
+        let DriftState { rotation_state: RotationState { mode, .. }, side, .. } = self.history.end;
         let xi = if self.steady { f64::INFINITY } else { y[0] };
         let angular_momentum = self.start.angular_momentum * y[1].exp();
-        DriftState { t, stage: RotationState { mode, xi }, angular_momentum, side, revolutions: y[2] }
+        DriftState {
+            t,
+            rotation_state: RotationState { mode, xi },
+            angular_momentum,
+            side,
+            revolutions: y[2],
+        }
     }
 
     /// Integrates one part: in one region of the sphere of angular momentum, with a wobble or without.
@@ -117,8 +124,8 @@ impl<'f, P: MeanPower> Way<'f, P> {
         if let Some(mark) = at_once {
             return self.met(mark);
         }
-        let allowed = [TOLERANCE, TOLERANCE, f64::INFINITY];
-        let mut solver = Dop853::<_, _, Plain>::new(self.rates(), self.history.end.t, y, allowed);
+        let allowed = [STEP_TOLERANCE, STEP_TOLERANCE, f64::INFINITY];
+        let mut solver = Dop853::<_, _, Unfused>::new(self.rates(), self.history.end.t, y, allowed);
         loop {
             if solver.t() >= self.limits.end {
                 return self.ended(DriftStopReason::Finished);
@@ -160,7 +167,7 @@ impl<'f, P: MeanPower> Way<'f, P> {
 
     /// Event function of a mark: negative before the mark, positive past it.
     fn past(&self, mark: Mark, y: &[f64; 3]) -> f64 {
-        let mode = self.history.end.stage.mode;
+        let mode = self.history.end.rotation_state.mode;
         match mark {
             Mark::Target => match self.limits.target {
                 Some(target) if target.mode == mode => {
@@ -187,13 +194,13 @@ impl<'f, P: MeanPower> Way<'f, P> {
             Mark::Target => return self.ended(DriftStopReason::Target),
             Mark::Rest => return self.ended(DriftStopReason::Rest { share: self.limits.rest }),
             Mark::SpunUp => {
-                let DriftState { stage, angular_momentum, .. } = self.history.end;
-                let motion = self.rates().motion(stage.xi, angular_momentum);
+                let DriftState { rotation_state, angular_momentum, .. } = self.history.end;
+                let motion = self.rates().motion(rotation_state.xi, angular_momentum);
                 return self
                     .ended(DriftStopReason::SpunUp { rate: 2.0 * motion.energy() / angular_momentum });
             }
             Mark::Separatrix => {
-                self.history.end.stage.xi = SEPARATRIX;
+                self.history.end.rotation_state.xi = SEPARATRIX;
                 let Some((state, passage)) = self.drift.onward(&self.history.end) else {
                     return self.ended(DriftStopReason::Held);
                 };
@@ -203,11 +210,11 @@ impl<'f, P: MeanPower> Way<'f, P> {
             Mark::DiedOut => {
                 self.history.died_out.get_or_insert(self.history.end.t);
                 self.steady = true;
-                self.history.end.stage.xi = f64::INFINITY;
+                self.history.end.rotation_state.xi = f64::INFINITY;
             }
             Mark::Unstable => {
                 self.steady = false;
-                self.history.end.stage.xi = SEED;
+                self.history.end.rotation_state.xi = SEED;
             }
         }
         ControlFlow::Continue(())

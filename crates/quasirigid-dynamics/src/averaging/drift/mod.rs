@@ -31,7 +31,7 @@ pub struct DriftState {
     /// Time (s).
     pub t: f64,
     /// Rotation state at the angular momentum reached; `ξ = ∞` where the wobble has died out.
-    pub stage: RotationState,
+    pub rotation_state: RotationState,
     /// Angular momentum `G` (N·m·s).
     pub angular_momentum: f64,
     /// Side of the circled axis that the angular momentum is on, ±1.
@@ -58,13 +58,13 @@ pub struct DriftLimits {
 /// Default share of the angular momentum that counts as rest: drag never takes all of it.
 const REST: f64 = 1e-9;
 /// Default limit of steps: a passage takes some hundreds.
-const STEPS: u64 = 100_000;
+const MAX_STEPS: u64 = 100_000;
 
 impl DriftLimits {
     /// Limits with a last time (s) and no target; a billionth of the angular momentum counts as rest.
     #[must_use]
     pub fn until(end: f64) -> Self {
-        Self { end, target: None, rest: REST, fastest: f64::INFINITY, steps: STEPS }
+        Self { end, target: None, rest: REST, fastest: f64::INFINITY, steps: MAX_STEPS }
     }
 }
 

@@ -31,8 +31,8 @@ impl<P: MeanPower> Drift<P> {
         let first = *open.first()?;
         let ((mode, side), flow) =
             open[1..].iter().fold(first, |best, way| if way.1 > best.1 { *way } else { best });
-        let state = DriftState { stage: RotationState { mode, xi: SEPARATRIX }, side, ..*at };
-        let from = (at.stage.mode, at.side);
+        let state = DriftState { rotation_state: RotationState { mode, xi: SEPARATRIX }, side, ..*at };
+        let from = (at.rotation_state.mode, at.side);
         Some((state, SeparatrixPassage { t: at.t, from, to: (mode, side), probability: flow / sum }))
     }
 

@@ -96,7 +96,7 @@ impl fmt::Display for DriftStopReason {
             ),
             Self::StepLimit { steps } => write!(
                 f,
-                "{steps} steps of the integration were used up: the drift changes too often for an average over so long a time"
+                "the limit of {steps} integration steps was reached: the drift changes too often for an average over so long a time"
             ),
             Self::Interrupted => f.write_str("interrupted"),
             Self::Failed(StepError::TooSmall { .. }) => f.write_str(
@@ -104,7 +104,7 @@ impl fmt::Display for DriftStopReason {
                  one turn? `simulate` follows that",
             ),
             Self::Failed(StepError::NotFinite { .. }) => f.write_str(
-                "no step could be made: the mean power or the torque is no finite number there; look for values in the model \
+                "no step could be made: the mean power or the torque is not finite there; look for values in the model \
                  that are many orders of magnitude from the others",
             ),
         }

@@ -196,14 +196,14 @@ fn substituted<R: Arithmetic>(
 mod tests {
     use super::*;
     use crate::math::lanes::LANES;
-    use crate::math::simd::Plain;
+    use crate::math::simd::Unfused;
 
     const TABLE: &str = include_str!("../../../../../data/published/ellipsoid/compliance.csv");
 
     fn of(axes: [f64; 3], poisson: f64) -> Compliance {
         let one = Lanes::splat(1.0);
         let (semi_axes, poisson) = (axes.map(Lanes::splat), Lanes::splat(poisson));
-        Solids { semi_axes, density: one, shear: one, poisson }.compliance::<Plain>()
+        Solids { semi_axes, density: one, shear: one, poisson }.compliance::<Unfused>()
     }
 
     /// Independent values of ellipsoids of unit density and shear modulus, from a solution for their exact displacements.

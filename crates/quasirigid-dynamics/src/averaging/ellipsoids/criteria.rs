@@ -1,12 +1,12 @@
 //! Criteria of averages of ellipsoids: how stiff, how slow and how rigid they have to be.
 //! Equations (Q7) and (Q12), docs/theory/16-methods.md.
 
-use super::power::At;
+use super::power::WobbleState;
 use super::{EllipsoidLoss, EllipsoidRefusal, WobblingEllipsoid};
 
 /// Largest relative error that is accepted, and its bound over the largest criterion. (Q7)
-const ACCEPTED: f64 = 0.04;
-const CAUTION: f64 = 4.0;
+const ACCEPTED_ERROR: f64 = 0.04;
+const ERROR_PER_CRITERION: f64 = 4.0;
 /// Lowest frequency of an ellipsoid over `v_s c/a²`, with the speed `v_s` of shear waves and its greatest and least semi-axes `a`, `c`: a
 /// lower bound of both the spheroidal and toroidal vibrations of a ball (2.5) and the bending of a needle. (Q12)
 const LOWEST: f64 = 2.0;
@@ -45,7 +45,7 @@ impl EllipsoidCriteria {
     }
 
     /// Takes a state of the passage into account, in its lane.
-    pub fn add(&mut self, at: &At, lane: usize, loss: EllipsoidLoss) {
+    pub fn add(&mut self, at: &WobbleState, lane: usize, loss: EllipsoidLoss) {
         let rate = at.power.0[lane] / (2.0 * at.from_axis.0[lane]);
         let memory = match loss {
             EllipsoidLoss::QualityFactor(_) => 0.0,
@@ -56,13 +56,13 @@ impl EllipsoidCriteria {
 
     /// Bound of the relative error. (Q12)
     pub fn error(&self) -> f64 {
-        CAUTION * self.inertia.max(self.settling).max(self.moments)
+        ERROR_PER_CRITERION * self.inertia.max(self.settling).max(self.moments)
     }
 
     /// Refuses an average that does not hold.
     pub fn judge(&self) -> Result<(), EllipsoidRefusal> {
         let error = self.error();
-        if error <= ACCEPTED {
+        if error <= ACCEPTED_ERROR {
             return Ok(());
         }
         let cause = if !(self.inertia.max(self.settling) >= self.moments) {

@@ -78,7 +78,7 @@ pub enum EllipsoidRefusal {
     },
     /// No rotation has this state.
     #[error(
-        "{wobble:?} is no state of rotation of this body, whose D/I3 runs from {least} to 1; nutation runs from 0 to pi/2"
+        "{wobble:?} is not a rotation state of this body, whose D/I3 runs from {least} to 1; nutation runs from 0 to pi/2"
     )]
     NoState {
         /// State asked for.

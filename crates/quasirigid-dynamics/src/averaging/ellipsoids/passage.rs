@@ -6,7 +6,7 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 
 use super::compliance::Solids;
 use super::criteria::EllipsoidCriteria;
-use super::power::{At, Losses, Wobbles};
+use super::power::{Losses, WobbleState, Wobbles};
 use super::{EllipsoidLoss, EllipsoidRefusal, Wobble, WobblingEllipsoid};
 use crate::math::lanes::{LANES, Lanes};
 use crate::math::quadrature::KRONROD;
@@ -32,7 +32,7 @@ pub struct EllipsoidPassage {
 /// Place `ξ` below which a wobble is next to the separatrix, where no time is spent: `e^{−24}`.
 const SEPARATRIX: f64 = -24.0;
 /// Place below which little time is spent, `e^{−10}`, so that one piece is enough.
-const NEAR: f64 = -10.0;
+const NEAR_SEPARATRIX: f64 = -10.0;
 /// Longest piece of a way in `ξ` elsewhere.
 const PIECE: f64 = 6.0;
 
@@ -60,7 +60,7 @@ const PIECE: f64 = 6.0;
 /// ```
 ///
 /// # Errors
-/// [`EllipsoidRefusal`] in the place of a passage: for values and states that no ellipsoid has, and where the average does not hold.
+/// [`EllipsoidRefusal`] in place of a passage: for values and states that no ellipsoid has, and where the average does not hold.
 #[must_use]
 pub fn ellipsoid_passages(
     bodies: &[WobblingEllipsoid],
@@ -260,10 +260,10 @@ impl Way {
     fn pieces(&self, way: usize, pieces: &mut Vec<Piece>) {
         let first = pieces.len();
         let mut within = |mode, from: f64, until: f64| {
-            let passes = (from - NEAR) * (until - NEAR) < 0.0;
-            let cuts = if passes { vec![from, NEAR, until] } else { vec![from, until] };
+            let passes = (from - NEAR_SEPARATRIX) * (until - NEAR_SEPARATRIX) < 0.0;
+            let cuts = if passes { vec![from, NEAR_SEPARATRIX, until] } else { vec![from, until] };
             for [from, until] in cuts.array_windows() {
-                let near = from.max(*until) <= NEAR;
+                let near = from.max(*until) <= NEAR_SEPARATRIX;
                 let count = if near { 1.0 } else { ((until - from).abs() / PIECE).ceil().max(1.0) };
                 for i in 0..count as usize {
                     let end = |i: usize| from + (until - from) * i as f64 / count;
@@ -333,7 +333,7 @@ fn follow(bodies: &[WobblingEllipsoid], block: &[Piece], ways: &mut [Result<Way,
 
 impl Way {
     /// Takes the ends of the way into account.
-    fn see(&mut self, ends: &[At; 2], lane: usize, piece: &Piece, loss: EllipsoidLoss) {
+    fn see(&mut self, ends: &[WobbleState; 2], lane: usize, piece: &Piece, loss: EllipsoidLoss) {
         for (at, outer) in ends.iter().zip(piece.outer) {
             if outer {
                 self.criteria.add(at, lane, loss);

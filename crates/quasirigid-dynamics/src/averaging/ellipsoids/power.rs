@@ -4,7 +4,7 @@
 
 use std::f64::consts::PI;
 
-use crate::math::elliptic::{SMALL, nome_over_parameter};
+use crate::math::elliptic::{SMALL_PARAMETER, nome_over_parameter};
 use crate::math::lanes::{Lanes, Mask};
 
 /// Loss of a material, by the numbers of its law in each lane: `tan δ = ν · time + 1/Q` of a unit modulus.
@@ -32,7 +32,7 @@ pub(super) struct Wobbles {
 
 /// State of the wobble at a place `ξ`.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct At {
+pub(super) struct WobbleState {
     /// Mean power (W).
     pub power: Lanes,
     /// `|dE/dξ|` (J).
@@ -55,7 +55,7 @@ const HARMONICS: usize = 2000;
 impl Wobbles {
     /// The wobble at a place, with its mean power. (G7), (G15)
     #[inline(always)]
-    pub fn at(&self, xi: Lanes) -> At {
+    pub fn at(&self, xi: Lanes) -> WobbleState {
         let one = Lanes::splat(1.0);
         let [circled, middle, other] = self.moments;
         let exponential = xi.map(libm::exp);
@@ -77,7 +77,7 @@ impl Wobbles {
         let amplitudes = [from_other / (circled * wide), near / (middle * away), near / (other * wide)];
         let energy = Lanes::splat(0.5) * twice_energy;
         let square = self.angular_momentum * self.angular_momentum;
-        At {
+        WobbleState {
             power: self.power(&series, amplitudes, polhode),
             energy_slope: energy * near / square * to_separatrix,
             revolution: twice_energy / self.angular_momentum,
@@ -161,8 +161,9 @@ impl Nome {
     fn of(parameter: Lanes, complement: Lanes) -> Self {
         let quarter = first_of_complement(complement);
         let ratio = nome_over_parameter(parameter);
-        let small = parameter.at_most(Lanes::splat(SMALL));
-        let exponent = Lanes::splat(-PI) * first_of_complement(parameter.max(Lanes::splat(SMALL))) / quarter;
+        let small = parameter.at_most(Lanes::splat(SMALL_PARAMETER));
+        let exponent =
+            Lanes::splat(-PI) * first_of_complement(parameter.max(Lanes::splat(SMALL_PARAMETER))) / quarter;
         let whole = exponent.map(libm::exp);
         let scale = Lanes::splat(PI) / quarter;
         Self {

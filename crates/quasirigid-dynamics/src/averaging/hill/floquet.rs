@@ -43,10 +43,10 @@ pub struct ParametricResonance {
 /// Relative amplitude below which a harmonic of the angular velocity couples no vibrations.
 const WEAK: f64 = 1e-8;
 /// Steps per period to begin with, per significant harmonic, and at most.
-const STEPS: usize = 8;
-const MOST_STEPS: usize = 8192;
+const STEPS_PER_HARMONIC: usize = 8;
+const MAX_STEPS: usize = 8192;
 /// Change of the multipliers at which the steps are short enough, and significant distance from the unit circle.
-const SETTLED: f64 = 1e-9;
+const SETTLED_MULTIPLIERS: f64 = 1e-9;
 const OUTSIDE: f64 = 1e-8;
 
 /// First-order system of the free motions of some rows.
@@ -80,7 +80,7 @@ pub(super) fn floquet(
     let reach = 2 * (1 + spectrum.spin.iter().rposition(strong).unwrap_or(0));
     let fastest = reach as f64 * frequency.max(mean);
     let system = FirstOrder::new(coefficients, motion, fastest);
-    let mut steps = STEPS * reach;
+    let mut steps = STEPS_PER_HARMONIC * reach;
     let mut coarse = system.monodromy(period, steps);
     loop {
         steps *= 2;
@@ -89,7 +89,10 @@ pub(super) fn floquet(
         let [before, now] = [&fine, &better].map(multipliers);
         let (before, now) = (before?, now?);
         let error = (size(before.0.first()) - size(now.0.first())).abs();
-        if error <= SETTLED * size(now.0.first()).max(1.0) || steps >= MOST_STEPS || !error.is_finite() {
+        if error <= SETTLED_MULTIPLIERS * size(now.0.first()).max(1.0)
+            || steps >= MAX_STEPS
+            || !error.is_finite()
+        {
             let resonance = system.resonance(&now, frequency);
             let left_out = coefficients.size() - system.kept.len();
             return Ok(Floquet { multipliers: now.0, resonance, error, left_out });

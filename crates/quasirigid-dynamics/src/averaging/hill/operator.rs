@@ -25,9 +25,9 @@ pub(super) struct Operator<'a> {
 }
 
 /// Residual at which the harmonics count as solved.
-const TOLERANCE: f64 = 1e-14;
+const SOLVED_RESIDUAL: f64 = 1e-14;
 /// Largest Krylov space.
-const MOST: usize = 600;
+const MAX_KRYLOV_VECTORS: usize = 600;
 
 impl<'a> Operator<'a> {
     pub fn new(coefficients: &'a Coefficients, spectrum: &'a Spectrum, last: usize) -> Self {
@@ -49,7 +49,7 @@ impl<'a> Operator<'a> {
             (x + self.divided(coupled)).as_slice().to_vec()
         };
         let start = self.divided(from).as_slice().to_vec();
-        let solved = gmres(times, &right, start, TOLERANCE, MOST.min(right.len()));
+        let solved = gmres(times, &right, start, SOLVED_RESIDUAL, MAX_KRYLOV_VECTORS.min(right.len()));
         let x = Amplitudes::from_column_slice(size.0, size.1, &solved.x);
         (x.component_mul(&self.units), solved.residual)
     }

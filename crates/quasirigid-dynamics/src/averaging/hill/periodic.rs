@@ -27,24 +27,25 @@ pub struct PeriodicResponse<'a> {
 }
 
 /// Relative change of the power below which more harmonics are not needed.
-const SETTLED: f64 = 1e-10;
+const SETTLED_POWER: f64 = 1e-10;
 /// Harmonics to begin with, and at most.
-const FEWEST: usize = 4;
-const MOST: usize = 512;
+const MIN_HARMONICS: usize = 4;
+const MAX_HARMONICS: usize = 512;
 /// Share of the largest harmonic of the angular momentum below which a harmonic is too weak to be a measure.
 const MEASURE: f64 = 0.1;
 
 impl<'a> PeriodicResponse<'a> {
     /// The response along a polhode, harmonics doubled until the power settles.
     pub(super) fn along(coefficients: &'a Coefficients, spectrum: Spectrum) -> Self {
-        let mut last = if spectrum.count == 0 { 0 } else { (spectrum.count / 2).clamp(FEWEST, MOST) };
+        let mut last =
+            if spectrum.count == 0 { 0 } else { (spectrum.count / 2).clamp(MIN_HARMONICS, MAX_HARMONICS) };
         let mut found = Self::with(coefficients, spectrum, last, &Amplitudes::zeros(coefficients.size(), 2));
-        while last > 0 && last < MOST {
+        while last > 0 && last < MAX_HARMONICS {
             let enough = last >= found.spectrum.count;
-            if enough && found.truncation <= SETTLED {
+            if enough && found.truncation <= SETTLED_POWER {
                 break;
             }
-            last = (2 * last).min(MOST);
+            last = (2 * last).min(MAX_HARMONICS);
             let next = Self::with(coefficients, found.spectrum, last, &found.x);
             let (power, before) = (next.power(), harmonic_power(coefficients, &found.v, &next.spectrum));
             found = Self { truncation: ((power - before) / power).abs(), ..next };

@@ -19,12 +19,12 @@ pub(super) struct Descent {
 
 /// Longest step (rad), and the limit of the number of steps.
 const STRIDE: f64 = 0.02;
-const STEPS: usize = 100_000;
+const MAX_STEPS: usize = 100_000;
 /// Slope, as a share of the largest, that counts as zero.
 const AT_REST: f64 = 1e-8;
-/// Angle (rad) from a minimum within which the straight path is tried, checked at `LOOKS` places.
-const NEAR: f64 = 0.1;
-const LOOKS: usize = 24;
+/// Angle (rad) from a minimum within which the straight path is tried, checked at `STRAIGHT_PATH_CHECKS` places.
+const STRAIGHT_PATH_ANGLE: f64 = 0.1;
+const STRAIGHT_PATH_CHECKS: usize = 24;
 const HALVINGS: usize = 200;
 
 impl Descent {
@@ -40,9 +40,9 @@ impl Descent {
         let mut way = Self { places: vec![start], energies: vec![energy.energy(start)] };
         let mut u = start;
         let mut stride = STRIDE;
-        for _ in 0..STEPS {
+        for _ in 0..MAX_STEPS {
             for (i, point) in points.iter().enumerate().filter(|(_, point)| point.kind == wanted) {
-                if angle(u, point.place) < NEAR && falls(energy, u, point.place, downhill) {
+                if angle(u, point.place) < STRAIGHT_PATH_ANGLE && falls(energy, u, point.place, downhill) {
                     way.push(energy, point.place);
                     return Some((way, Some(i)));
                 }
@@ -50,7 +50,7 @@ impl Descent {
             let slope = energy.slope(u);
             let steepness = norm(slope);
             if steepness <= AT_REST * energy.fastest {
-                let saddle = |point: &StationaryPoint| angle(u, point.place) < NEAR;
+                let saddle = |point: &StationaryPoint| angle(u, point.place) < STRAIGHT_PATH_ANGLE;
                 return (!points.iter().any(saddle)).then_some((way, None));
             }
             let next = unit(add(u, scale(-downhill * stride / steepness, slope)));
@@ -103,10 +103,10 @@ impl Descent {
 /// Tells whether the energy falls (or rises) all along the straight path to a place.
 fn falls(energy: &SlowEnergy, from: [f64; 3], to: [f64; 3], downhill: f64) -> bool {
     let place = |i: usize| {
-        let share = i as f64 / LOOKS as f64;
+        let share = i as f64 / STRAIGHT_PATH_CHECKS as f64;
         unit(add(from, scale(share, add(to, scale(-1.0, from)))))
     };
-    let heights: Vec<f64> = (0..=LOOKS).map(|i| downhill * energy.energy(place(i))).collect();
+    let heights: Vec<f64> = (0..=STRAIGHT_PATH_CHECKS).map(|i| downhill * energy.energy(place(i))).collect();
     heights.array_windows().all(|[before, after]| after < before)
 }
 

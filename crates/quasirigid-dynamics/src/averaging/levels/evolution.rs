@@ -35,7 +35,7 @@ pub struct LevelEvolution {
 pub enum LevelError {
     /// The angular momentum is zero or no number.
     #[error(
-        "an angular momentum of {angular_momentum} N m s means nothing here; give one that is finite and positive"
+        "an angular momentum of {angular_momentum} N m s is out of range; give one that is finite and positive"
     )]
     NoAngularMomentum {
         /// Angular momentum (N·m·s).
@@ -68,11 +68,11 @@ pub enum LevelError {
 }
 
 /// Share of the angular velocity below which its tangential part is rounding.
-const ROUNDING: f64 = 1e-14;
+const TANGENTIAL_ROUNDING: f64 = 1e-14;
 /// Speed along a level, relative to the fastest, below which a spin is steady.
 const AT_REST: f64 = 1e-9;
 /// Directions in which the range of the energy is looked for.
-const LOOKS: usize = 400;
+const ENERGY_DIRECTIONS: usize = 400;
 
 impl LevelEvolution {
     /// The levels of a reduced body with the angular momentum `G` (N·m·s).
@@ -87,11 +87,11 @@ impl LevelEvolution {
         let axes = Principal::compute(body.J).axes;
         let given = [axes, axes.map(|axis| scale(-1.0, axis))].concat();
         let slowness = sym3::inverse(body.J).iter().fold(0.0_f64, |largest, entry| largest.max(entry.abs()));
-        let found = stationary(&energy.gradient, &given, ROUNDING * slowness * G);
-        if found.size <= ROUNDING * slowness * G {
+        let found = stationary(&energy.gradient, &given, TANGENTIAL_ROUNDING * slowness * G);
+        if found.size <= TANGENTIAL_ROUNDING * slowness * G {
             return Err(LevelError::Flat);
         }
-        let places = found.points.iter().map(|point| point.place).chain(directions(LOOKS));
+        let places = found.points.iter().map(|point| point.place).chain(directions(ENERGY_DIRECTIONS));
         let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
         for h in places.map(|u| energy.energy(u)) {
             (low, high) = (low.min(h), high.max(h));

@@ -41,7 +41,7 @@ pub(super) struct Piece {
 /// Place beyond which a wobble about a minimum is so small that the rate is that of the smallest: `e^{−8}` of the leg's widest.
 const AXIS: f64 = 16.0;
 /// Relative error of a piece, and the limit of halvings to reach it.
-const TOLERANCE: f64 = 1e-8;
+const PIECE_TOLERANCE: f64 = 1e-8;
 const HALVINGS: u32 = 6;
 
 impl Leg {
@@ -102,7 +102,7 @@ impl Leg {
         pieces: &mut Vec<Piece>,
     ) -> Option<()> {
         let fit = Chebyshev::fit(ends, |xi| self.slowness(energy, xi))?;
-        if halvings == 0 || fit.tail() < TOLERANCE {
+        if halvings == 0 || fit.tail() < PIECE_TOLERANCE {
             pieces.push(Piece { ends, fit });
             return Some(());
         }

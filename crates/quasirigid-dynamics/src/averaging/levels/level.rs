@@ -8,7 +8,7 @@ use std::f64::consts::TAU;
 use super::energy::SlowEnergy;
 use crate::math::ode::{Dop853, Solver, System};
 use crate::math::rotation::angle;
-use crate::math::simd::{Arithmetic, Plain};
+use crate::math::simd::{Arithmetic, Unfused};
 use crate::math::vec3::{add, cross, dot, norm, scale};
 
 /// One circuit of the angular momentum along a level curve of the slow energy. (N4)
@@ -29,15 +29,15 @@ pub struct Level {
 }
 
 /// Error allowed per step, relative to the size of the level.
-const TOLERANCE: f64 = 1e-13;
+const STEP_TOLERANCE: f64 = 1e-13;
 /// Error allowed per step in a unit vector at least: some roundings.
-const ROUNDING: f64 = 1e-15;
+const DIRECTION_ROUNDING: f64 = 1e-15;
 /// Limit of steps per circuit; next to a saddle a circuit takes some hundred.
-const STEPS: usize = 20_000;
+const MAX_STEPS: usize = 20_000;
 /// A return nearer to the start than this share of the size of the level closes it.
 const CLOSED: f64 = 1e-4;
 /// Places checked within a step.
-const LOOKS: usize = 6;
+const CHECKS_PER_STEP: usize = 6;
 /// Halvings of a step that find a crossing.
 const HALVINGS: usize = 60;
 
@@ -125,16 +125,16 @@ pub(super) fn traced(
     let allowed = allowed(energy, (speed / energy.fastest).min(1.0));
     let axis = scale(dot(energy.long_axis, start).signum(), energy.long_axis);
     let y = [start[0], start[1], start[2], 0.0, 0.0, 0.0, 0.0];
-    let mut solver = Dop853::<_, _, Plain>::new(Along { energy, axis }, 0.0, y, allowed);
+    let mut solver = Dop853::<_, _, Unfused>::new(Along { energy, axis }, 0.0, y, allowed);
     let behind = |y: &State| dot([y[0] - start[0], y[1] - start[1], y[2] - start[2]], velocity);
     let mut turn = Turn { nutation: [angle(pole, start); 2], extent: 0.0, last: start, azimuth: 0.0 };
-    for _ in 0..STEPS {
+    for _ in 0..MAX_STEPS {
         let (t, before) = (solver.t(), *solver.y());
         solver.step(f64::INFINITY).ok()?;
         let dense = solver.dense();
         let h = solver.t() - t;
-        for i in 1..=LOOKS {
-            let y = dense.at(t + h * i as f64 / LOOKS as f64);
+        for i in 1..=CHECKS_PER_STEP {
+            let y = dense.at(t + h * i as f64 / CHECKS_PER_STEP as f64);
             let u = [y[0], y[1], y[2]];
             turn.extent = turn.extent.max(norm(add(u, scale(-1.0, start))));
             turn.go(u, axis);
@@ -196,8 +196,8 @@ impl Turn {
 /// share of their values over a circuit.
 fn allowed(energy: &SlowEnergy, size: f64) -> State {
     let SlowEnergy { fastest, largest_power, fastest_turning, .. } = *energy;
-    let place = (TOLERANCE * size).max(ROUNDING);
-    let time = 10.0 * TOLERANCE / fastest;
+    let place = (STEP_TOLERANCE * size).max(DIRECTION_ROUNDING);
+    let time = 10.0 * STEP_TOLERANCE / fastest;
     let loss = if largest_power > 0.0 { largest_power * size * size * time } else { f64::INFINITY };
     [place, place, place, time, loss, fastest_turning * time, place]
 }

@@ -1,5 +1,5 @@
 //! Evolution along levels from a start to a target: legs, passages of saddles, and the rows of the result.
-//! Time next to a saddle has a logarithm, added in closed form from the last level followed; where the ways behind a saddle differ the
+//! Time next to a saddle has a logarithm, added in closed form from the last level followed; where the branches beyond a saddle differ the
 //! evolution ends there, since a fraction of a revolution decides.
 //! Equations (N5) and (N6), docs/theory/17-levels.md.
 
@@ -31,7 +31,7 @@ pub struct LevelPassage {
     pub separatrices: Vec<Separatrix>,
     /// Reason of the end.
     pub ending: LevelStopReason,
-    /// Angular momentum (N·m·s, body axes) of the attracting steady spin; behind a separatrix with equal ways, one of them.
+    /// Angular momentum (N·m·s, body axes) of the attracting steady spin; beyond a separatrix with equal branches, one of them.
     pub attractor: [f64; 3],
 }
 
@@ -65,7 +65,7 @@ pub enum LevelStopReason {
     Reached,
     /// The duration has passed.
     Duration,
-    /// At a separatrix behind which the ways differ: the last of [`LevelPassage::separatrices`] lists them.
+    /// At a separatrix beyond which the branches differ: the last of [`LevelPassage::separatrices`] lists them.
     Undecided,
     /// Nothing is dissipated.
     Lossless,
@@ -110,7 +110,7 @@ impl LevelEvolution {
     pub fn follow(&self, K: [f64; 3], until: Until, rows: usize) -> Result<LevelPassage, LevelError> {
         let u = self.moving(K)?;
         match until {
-            Until::Wobble(angle) if angle < SMALLEST => return Err(LevelError::TooSmall { angle }),
+            Until::Wobble(angle) if angle < SMALLEST_WOBBLE => return Err(LevelError::TooSmall { angle }),
             _ => {}
         }
         let leg = self.leg(u, None)?;
@@ -131,7 +131,7 @@ impl LevelEvolution {
 }
 
 /// Smallest wobble (rad) whose energy stands out of rounding.
-const SMALLEST: f64 = 1e-6;
+const SMALLEST_WOBBLE: f64 = 1e-6;
 
 impl Making<'_> {
     fn run(&mut self, start: f64, until: Until) -> Result<LevelStopReason, LevelError> {

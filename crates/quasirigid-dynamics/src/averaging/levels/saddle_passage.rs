@@ -15,7 +15,7 @@ pub struct Separatrix {
     pub energy: f64,
     /// Ways behind the separatrix. A fraction of a revolution decides which is taken.
     pub ways: Vec<Way>,
-    /// True if the ways differ in nothing but their sense, so that the evolution goes on.
+    /// True if the branches differ in nothing but their sense, so that the evolution goes on.
     pub alike: bool,
     /// Angular momentum of the steady spin circled behind it (N·m·s, body axes), where the evolution goes on.
     pub circled: Option<[f64; 3]>,

@@ -7,12 +7,12 @@ use super::system::FullSystem;
 use crate::math::ode::{
     Checkpoint, DenseOutput, Dop853, Radau, Solver, StepError, StepRule, Stiff, Stretch, Work,
 };
-use crate::math::simd::{Plain, Rounding};
+use crate::math::simd::{Rounding, Unfused};
 use crate::model::Method;
 
 type State = Vec<f64>;
-type Explicit<'a> = Dop853<FullSystem<'a>, State, Plain>;
-type Implicit<'a> = Radau<FullSystem<'a>, Plain>;
+type Explicit<'a> = Dop853<FullSystem<'a>, State, Unfused>;
+type Implicit<'a> = Radau<FullSystem<'a>, Unfused>;
 
 /// Solver of the full system with two methods, one of them active.
 pub(super) struct FullSolver<'a> {

@@ -1,4 +1,4 @@
-use crate::math::dynamic_stiffness::{DynamicStiffness, Vibrator};
+use crate::math::dynamic_stiffness::{DynamicStiffness, Oscillator};
 use crate::math::eigen::Dense;
 use crate::math::lu::{ComplexDense, ComplexLu};
 use crate::math::sparse::SparseRows;
@@ -9,7 +9,7 @@ use crate::model::FlexibleBody;
 #[derive(Clone, Debug)]
 pub(super) enum StiffPart {
     /// Free vibrations of the recoiling body: constant, and sparse in a large body.
-    Vibrations(Box<Vibrator>, Vec<DynamicStiffness>),
+    Vibrations(Box<Oscillator>, Vec<DynamicStiffness>),
     /// Jacobian of the rates at a state, for curved paths, where `L` changes with the displacements.
     Jacobian(Dense, Vec<Option<ComplexLu>>),
 }
@@ -28,7 +28,7 @@ impl StiffPart {
             weights[3 + i][3..].copy_from_slice(&inverse[i]);
         }
         let vibrator =
-            Vibrator::new(A, rows.collect(), weights, body.damping().clone(), body.stiffness().clone());
+            Oscillator::new(A, rows.collect(), weights, body.damping().clone(), body.stiffness().clone());
         Self::Vibrations(Box::new(vibrator), Vec::new())
     }
 

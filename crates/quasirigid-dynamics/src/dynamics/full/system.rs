@@ -9,12 +9,12 @@ use crate::dynamics::invariant_monitor::{Invariant, StateView, Trajectory};
 use crate::dynamics::layout::{
     ANGLE, ATTITUDE, DISSIPATED, IMPULSE, Layout, MOMENTUM, PLACE, VELOCITY, WORK, attitude, triple,
 };
-use crate::dynamics::seat::Seat;
+use crate::dynamics::position::Position;
 use crate::math::eigen::Dense;
 use crate::math::lanes::Lanes;
 use crate::math::ode::{Stiff, Stretch, System};
 use crate::math::rotation::{self, Turn};
-use crate::math::simd::{Arithmetic, Plain};
+use crate::math::simd::{Arithmetic, Unfused};
 use crate::math::sparse::SparseRows;
 use crate::math::vec3::{add, cross, dot, norm, scale};
 use crate::model::{Displaced, Kinetics, MotionState, StraightKinetics};
@@ -65,12 +65,12 @@ impl<'a> FullSystem<'a> {
     fn jacobian(&mut self, t: f64, y: &[f64]) -> Dense {
         let (slow, n) = (self.layout.slow(), self.layout.n);
         let (mut place, mut rate, mut moved) = (y.to_vec(), y.to_vec(), y.to_vec());
-        self.rate::<Plain>(t, &place, &mut rate);
+        self.rate::<Unfused>(t, &place, &mut rate);
         let mut jacobian = Dense::zero(2 * n);
         for column in 0..2 * n {
             place[slow + column] += self.differences[column];
             let step = place[slow + column] - y[slow + column];
-            self.rate::<Plain>(t, &place, &mut moved);
+            self.rate::<Unfused>(t, &place, &mut moved);
             place[slow + column] = y[slow + column];
             for row in 0..2 * n {
                 jacobian.add(row, column, (moved[slow + row] - rate[slow + row]) / step);
@@ -198,9 +198,9 @@ impl Trajectory for FullSystem<'_> {
         triple(y, MOMENTUM)
     }
 
-    fn seat(&self, _: f64, y: &[f64], view: &StateView, _: [f64; 4]) -> Seat {
+    fn position(&self, _: f64, y: &[f64], view: &StateView, _: [f64; 4]) -> Position {
         let motion = MotionState { omega: view.omega, q: &view.q, rate: &view.rate };
-        Seat::of_center(self.system.body, motion, y)
+        Position::of_center(self.system.body, motion, y)
     }
 
     fn left(&self, y: &[f64]) -> Option<Displaced> {
@@ -321,7 +321,7 @@ mod tests {
         for lane in 0..LANES {
             let state: Vec<f64> = states.iter().map(|lanes| lanes.0[lane]).collect();
             let mut known = vec![0.0; layout.len()];
-            system.rate::<Plain>(0.0, &state, &mut known);
+            system.rate::<Unfused>(0.0, &state, &mut known);
             let kinds = [0..3, 3..7, DISSIPATED..WORK, ANGLE..IMPULSE, PLACE..VELOCITY];
             for kind in kinds.into_iter().chain([layout.accounts(), layout.q(), layout.p()]) {
                 let size = known[kind.clone()].iter().fold(0.0_f64, |size, rate| size.max(rate.abs()));

@@ -6,8 +6,8 @@ use super::state::SlowState;
 use super::system::SlowSystem;
 use crate::dynamics::external::Pose;
 use crate::dynamics::invariant_monitor::{Invariant, StateView, Trajectory};
-use crate::dynamics::layout::{ATTITUDE, MOMENTUM, SLOW, triple};
-use crate::dynamics::seat::Seat;
+use crate::dynamics::layout::{ATTITUDE, MOMENTUM, SLOW_LENGTH, triple};
+use crate::dynamics::position::Position;
 use crate::math::ode::{Checkpoint, Stretch};
 use crate::model::{Form, MotionState};
 
@@ -18,7 +18,7 @@ const BOTH_ENDS: f64 = 4.0;
 pub(super) struct SlowMotion<'a> {
     system: SlowSystem<'a>,
     /// Last state that a step has reached, its time (s), and the error of the power (W) there.
-    y: [f64; SLOW],
+    y: [f64; SLOW_LENGTH],
     t: f64,
     error_of_power: f64,
     /// Last correction, what corrections have changed by within a vibration, and the largest energy (J) of that.
@@ -31,7 +31,7 @@ pub(super) struct SlowMotion<'a> {
 
 impl<'a> SlowMotion<'a> {
     /// From the first state.
-    pub fn new(system: SlowSystem<'a>, y: &[f64; SLOW]) -> Self {
+    pub fn new(system: SlowSystem<'a>, y: &[f64; SLOW_LENGTH]) -> Self {
         let last = correction(&system, 0.0, y);
         let error_of_power = last.error_of_power(system.equations.system);
         let quick = Correction::none(system.equations.system.body.coordinates().len());
@@ -72,7 +72,7 @@ fn correction(system: &SlowSystem, t: f64, y: &[f64]) -> Correction {
 }
 
 impl Trajectory for SlowMotion<'_> {
-    type State = [f64; SLOW];
+    type State = [f64; SLOW_LENGTH];
 
     const ATTITUDE: usize = ATTITUDE;
 
@@ -87,11 +87,11 @@ impl Trajectory for SlowMotion<'_> {
         }
     }
 
-    fn seat(&self, _: f64, y: &[f64], view: &StateView, _: [f64; 4]) -> Seat {
+    fn position(&self, _: f64, y: &[f64], view: &StateView, _: [f64; 4]) -> Position {
         let motion = MotionState { omega: view.omega, q: &view.q, rate: &view.rate };
         match self.system.form {
-            Form::AngularMomentum => Seat::of_center(self.system.equations.system.body, motion, y),
-            Form::AngularVelocity => Seat::of_pole(self.system.equations.system.body, motion, y),
+            Form::AngularMomentum => Position::of_center(self.system.equations.system.body, motion, y),
+            Form::AngularVelocity => Position::of_pole(self.system.equations.system.body, motion, y),
         }
     }
 

@@ -11,12 +11,12 @@ use super::system::SlowSystem;
 use crate::dynamics::conserved_momentum::Conserved;
 use crate::dynamics::external::Forced;
 use crate::dynamics::invariant_monitor::{InvariantMonitor, StateView};
-use crate::dynamics::layout::{ATTITUDE, MOMENTUM, PLACE, SLOW, VELOCITY};
+use crate::dynamics::layout::{ATTITUDE, MOMENTUM, PLACE, SLOW_LENGTH, VELOCITY};
+use crate::dynamics::position;
 use crate::dynamics::run::{Observer, Options, PropagateError, Run, check};
 use crate::dynamics::scale::Scales;
-use crate::dynamics::seat;
 use crate::math::ode::{Dop853, Solver, Stretch, integrate};
-use crate::math::simd::Plain;
+use crate::math::simd::Unfused;
 use crate::model::{Form, MotionState};
 
 /// Highest order of a form under forces.
@@ -37,10 +37,14 @@ pub fn takes(system: Forced, form: Form, order: usize) -> bool {
 
 /// Start of the angular-velocity form: the angular velocity, and the pole displaced from the centre of mass by the displacements of (E3).
 /// (P7)
-fn paper_start(equations: SlowEquations, start: &SlowPoint, center: [f64; SLOW]) -> [f64; SLOW] {
+fn paper_start(
+    equations: SlowEquations,
+    start: &SlowPoint,
+    center: [f64; SLOW_LENGTH],
+) -> [f64; SLOW_LENGTH] {
     let slow = SlowSystem { equations, form: Form::AngularVelocity, stretch: Stretch::default() };
     let put = |motion: MotionState<f64>| {
-        let [pole, pole_velocity] = seat::pole(equations.system.body, motion, &center);
+        let [pole, pole_velocity] = position::pole(equations.system.body, motion, &center);
         let mut y = center;
         y[MOMENTUM..MOMENTUM + 3].copy_from_slice(&start.omega);
         y[PLACE..PLACE + 3].copy_from_slice(&pole);
@@ -94,7 +98,7 @@ pub fn propagate_forced(
         y = paper_start(equations, point, y);
         first = scales.spin;
     }
-    let mut allowed = [f64::INFINITY; SLOW];
+    let mut allowed = [f64::INFINITY; SLOW_LENGTH];
     allowed[MOMENTUM..MOMENTUM + 3].fill(options.tolerance * first);
     allowed[ATTITUDE..ATTITUDE + 4].fill(options.tolerance);
     allowed[PLACE..PLACE + 3].fill(options.tolerance * scales.place);
@@ -108,7 +112,7 @@ pub fn propagate_forced(
         timing.allow(system, scales.allowed(options.tolerance));
     }
     monitor.timing = timing;
-    let mut solver = Dop853::<_, _, Plain>::new(slow, 0.0, y, allowed);
+    let mut solver = Dop853::<_, _, Unfused>::new(slow, 0.0, y, allowed);
     let first = monitor.resume(&mut solver)?;
     let reason = integrate(&mut solver, times, first, options.most_steps, &mut monitor);
     let last = monitor.sample(solver.t(), solver.y());

@@ -4,7 +4,7 @@
 use super::equations::SlowEquations;
 use super::flow::{SlowPoint, slow_point};
 use crate::dynamics::external::{Forced, Pose};
-use crate::dynamics::layout::{ATTITUDE, MOMENTUM, PLACE, SLOW, VELOCITY, attitude, triple};
+use crate::dynamics::layout::{ATTITUDE, MOMENTUM, PLACE, SLOW_LENGTH, VELOCITY, attitude, triple};
 use crate::dynamics::run::PropagateError;
 
 /// State of the slow motion: the angular momentum determines the internal coordinates.
@@ -34,8 +34,8 @@ impl SlowState {
         Pose { t, attitude: self.attitude, place: self.place, velocity: self.velocity }
     }
 
-    pub(super) fn pack(&self) -> [f64; SLOW] {
-        let mut y = [0.0; SLOW];
+    pub(super) fn pack(&self) -> [f64; SLOW_LENGTH] {
+        let mut y = [0.0; SLOW_LENGTH];
         y[MOMENTUM..MOMENTUM + 3].copy_from_slice(&self.angular_momentum);
         y[ATTITUDE..ATTITUDE + 4].copy_from_slice(&self.attitude);
         y[PLACE..PLACE + 3].copy_from_slice(&self.place);

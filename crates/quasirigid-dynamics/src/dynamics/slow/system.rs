@@ -9,7 +9,7 @@ use super::state::SlowState;
 use super::torque::{ForcedTorque, RigidState, forced_torque};
 use crate::dynamics::invariant_monitor::StateView;
 use crate::dynamics::layout::{
-    ANGLE, ATTITUDE, DISSIPATED, IMPULSE, MOMENTUM, PLACE, SLOW, VELOCITY, WORK, triple,
+    ANGLE, ATTITUDE, DISSIPATED, IMPULSE, MOMENTUM, PLACE, SLOW_LENGTH, VELOCITY, WORK, triple,
 };
 use crate::math::ode::{Stretch, System};
 use crate::math::rotation::{self, Turn};
@@ -112,8 +112,8 @@ impl SlowSystem<'_> {
     }
 }
 
-impl System<[f64; SLOW]> for SlowSystem<'_> {
-    fn rate<A: Arithmetic>(&mut self, t: f64, y: &[f64; SLOW], rate: &mut [f64; SLOW]) {
+impl System<[f64; SLOW_LENGTH]> for SlowSystem<'_> {
+    fn rate<A: Arithmetic>(&mut self, t: f64, y: &[f64; SLOW_LENGTH], rate: &mut [f64; SLOW_LENGTH]) {
         let t = self.stretch.within(t);
         let now = self.rates(t, y);
         let SlowState { attitude, velocity, .. } = SlowState::unpack(y);

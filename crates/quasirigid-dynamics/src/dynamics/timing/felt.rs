@@ -13,7 +13,7 @@ use crate::model::{FlexibleBody, Marker};
 /// Evaluations of a formula along a step.
 const IN_STEP: u64 = 50_000;
 /// Shortest step that is taken back, relative to the time.
-const SHORTEST: f64 = 1e-13;
+const SHORTEST_STEP: f64 = 1e-13;
 
 /// Variables of a formula along a step, at the points of Lobatto.
 pub(in crate::dynamics) type Along = [Felt; Lobatto::POINTS];
@@ -99,7 +99,7 @@ impl FeltForce<'_> {
             ends.extend(formula.changes_on_path(&mut path, [from, to], IN_STEP).ends);
         }
         ends.sort_by(f64::total_cmp);
-        ends.dedup_by(|later, kept| *later - *kept <= SHORTEST * later.abs());
+        ends.dedup_by(|later, kept| *later - *kept <= SHORTEST_STEP * later.abs());
         let (mut exact, mut whole) = ([0.0; 3], 0.0);
         for cell in ends.array_windows() {
             let (sum, size) = impulse(&|t| self.value(&at(t)), &lobatto.points, *cell);
@@ -110,7 +110,7 @@ impl FeltForce<'_> {
             self.whole += whole;
             return Sight::Seen;
         }
-        if rule.h <= SHORTEST * to.abs() {
+        if rule.h <= SHORTEST_STEP * to.abs() {
             let whole = self.whole + whole;
             return Sight::Missed(Missed::Impulse {
                 force: self.force,
@@ -119,7 +119,7 @@ impl FeltForce<'_> {
                 whole,
             });
         }
-        let inside = |t: &f64| *t > from + SHORTEST * to.abs() && *t < to - SHORTEST * to.abs();
+        let inside = |t: &f64| *t > from + SHORTEST_STEP * to.abs() && *t < to - SHORTEST_STEP * to.abs();
         let mut stops: Vec<f64> = ends.into_iter().filter(inside).collect();
         if stops.is_empty() {
             stops.push(0.5 * (from + to));

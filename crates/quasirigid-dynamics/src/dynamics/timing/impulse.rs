@@ -13,7 +13,7 @@ pub(super) const SEEN: f64 = 1e-6;
 const ERROR: f64 = 1e-10;
 const ROUGH: f64 = 1e-2;
 /// Points at which the largest value in an interval is looked for.
-const LOOKS: usize = 17;
+const INTERVAL_SAMPLES: usize = 17;
 
 /// Impulses of a prescribed force.
 #[derive(Clone, Debug)]
@@ -36,7 +36,7 @@ pub(super) struct Account<'a> {
 
 impl<'a> Account<'a> {
     pub fn of(part: Prescribed<'a>) -> Self {
-        let looks = gauss_lobatto(LOOKS).into_iter().map(|[x, _]| 0.5 * (x + 1.0)).collect();
+        let looks = gauss_lobatto(INTERVAL_SAMPLES).into_iter().map(|[x, _]| 0.5 * (x + 1.0)).collect();
         Self { part, seen: [0.0; 3], gap: [0.0; 3], whole: 0.0, expected: 0.0, steps: 0, allowed: 0.0, looks }
     }
 

@@ -49,9 +49,9 @@ struct Formula<'a> {
 const IN_PART: u64 = 1_000_000;
 const IN_ALL: u64 = 1_000_000_000;
 /// Share of a part that is tried after one in which the evaluations did not suffice.
-const SHORTER: f64 = 0.25;
+const RETRIED_SHARE: f64 = 0.25;
 /// Shortest part, as a share of the run.
-const SHORTEST: f64 = 1e-9;
+const SHORTEST_PART: f64 = 1e-9;
 /// Distance of two stops, relative to the time, below which they are one: no step is shorter.
 const APART: f64 = 64.0 * f64::EPSILON;
 /// Stops in an orbit, at equal steps of the eccentric anomaly.
@@ -137,14 +137,15 @@ impl Stops<'_> {
     pub fn follow(&mut self, t: f64) {
         while self.followed <= t && self.followed < self.end {
             let from = self.followed;
-            let to = if from + self.part < self.end * (1.0 - SHORTEST) { from + self.part } else { self.end };
-            if self.evaluations > IN_ALL || to - from < SHORTEST * self.end {
+            let to =
+                if from + self.part < self.end * (1.0 - SHORTEST_PART) { from + self.part } else { self.end };
+            if self.evaluations > IN_ALL || to - from < SHORTEST_PART * self.end {
                 (self.lost, self.followed) = (Some(from), self.end);
             } else if self.follow_part(from, to) {
                 self.followed = to;
                 self.settle();
             } else {
-                self.part = SHORTER * (to - from);
+                self.part = RETRIED_SHARE * (to - from);
             }
         }
     }

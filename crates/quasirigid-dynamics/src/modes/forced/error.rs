@@ -75,7 +75,7 @@ pub enum SteadyError {
     NotFound,
     /// No steady state in which the loads restore the coordinates that no spring restores. (I13)
     #[error(
-        "no spring restores {coordinates}, and no steady state was found near the start in which the spin or a force does; draw the appendage where it hangs, or give its hinge a `stiffness`"
+        "no spring restores {coordinates}, and no steady state was found near the start in which the spin or a force does; place the appendage where it hangs, or give its hinge a `stiffness`"
     )]
     Unrestored {
         /// Names of the coordinates.

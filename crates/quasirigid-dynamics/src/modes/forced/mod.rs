@@ -1,6 +1,7 @@
 //! Bodies under moments and on fixed or driven supports: steady states, and the modes about them. (M6)–(M8)
 
 mod error;
+mod frame_rotation;
 mod mode;
 mod newton;
 mod pencil;
@@ -11,9 +12,8 @@ mod state;
 mod steadiness;
 mod system;
 mod timed;
-mod turning;
 mod whole_body_names;
 
 pub use error::SteadyError;
 pub use mode::SteadyModes;
-pub use state::{Near, SteadyState, acts};
+pub use state::{SteadyState, SteadyStateGuess, acts};

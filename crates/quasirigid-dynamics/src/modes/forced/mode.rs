@@ -6,12 +6,12 @@
 use nalgebra::{Complex, DMatrix, Vector3};
 
 use super::error::SteadyError;
+use super::frame_rotation::{FrameRotation, effective};
 use super::pencil::{Pencil, form};
 use super::slopes::{DISPLACED, OMEGA, Slopes, THETA};
 use super::spectrum::{Eigenmotion, spectrum};
 use super::state::SteadyState;
 use super::system::System;
-use super::turning::{Turning, effective};
 use super::whole_body_names::{NamedMotion, named};
 use crate::model::force::{Force, ForceLaw};
 use crate::model::{FlexibleBody, Marker};
@@ -36,7 +36,7 @@ pub struct SteadyModes {
 }
 
 /// Relative difference below which eigenvalues of a liquid are the same.
-const SAME: f64 = 1e-6;
+const SAME_EIGENVALUE: f64 = 1e-6;
 /// Share of the eigenvalue below which a decay rate follows from the energy balance, where one exists.
 const LIGHT: f64 = 1e-5;
 /// Share of its terms below which the denominator of the balance is rounding.
@@ -55,7 +55,7 @@ impl SteadyModes {
         let (forces, followed) = effective(body, forces);
         let instant = state.at(0.0);
         let system = System::about(body, Slopes::of(body, &forces, &instant), &instant, followed);
-        let attitude = state.turning != Turning::Own;
+        let attitude = state.turning != FrameRotation::Own;
         let (found, zeros) = spectrum(body, &system, attitude)?;
         let pencil = Pencil::new(body, &system, attitude, followed);
         let exchange = |force: &Force<Marker>| {
@@ -76,8 +76,8 @@ impl SteadyModes {
         let mut modes = named(modes, &state, axis);
         in_order(&mut modes);
         let usual = match state.turning {
-            Turning::About(_) => 2,
-            Turning::Own => 1,
+            FrameRotation::About(_) => 2,
+            FrameRotation::Own => 1,
             _ => 0,
         };
         Ok(Self { state, modes, neutral: zeros.saturating_sub(usual), refined: pencil.is_nonlinear() })
@@ -162,11 +162,13 @@ impl About<'_> {
             let start = (motion.lambda, self.pencil.unknowns(motion.turn, &motion.q, &motion.velocity));
             let refined = inverse_iteration(self.pencil, start.clone())
                 .filter(|(lambda, _)| belongs(*lambda, motion.lambda));
-            let known = |lambda: C| kept.iter().any(|other| (other - lambda).norm() < SAME * lambda.norm());
+            let known = |lambda: C| {
+                kept.iter().any(|other| (other - lambda).norm() < SAME_EIGENVALUE * lambda.norm())
+            };
             let apart = |lambda: C| {
-                let before = found[..i]
-                    .iter()
-                    .all(|other| (other.lambda - motion.lambda).norm() > 10.0 * SAME * lambda.norm());
+                let before = found[..i].iter().all(|other| {
+                    (other.lambda - motion.lambda).norm() > 10.0 * SAME_EIGENVALUE * lambda.norm()
+                });
                 known(lambda) && before
             };
             if self.pencil.has_liquids() && refined.as_ref().is_none_or(|(lambda, _)| known(*lambda)) {

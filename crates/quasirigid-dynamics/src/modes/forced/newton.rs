@@ -5,7 +5,7 @@ use nalgebra::{DMatrix, DVector, Matrix3x2, Vector3};
 use super::error::SteadyError;
 use super::reduced::{Reduced, least_squares};
 use super::slopes::{Instant, Slopes};
-use super::state::Near;
+use super::state::SteadyStateGuess;
 use super::system::{System, length};
 use crate::math::rotation::{self, Attitude, Turn};
 use crate::math::vec3::norm;
@@ -15,13 +15,13 @@ use crate::model::{FlexibleBody, Marker};
 type V = Vector3<f64>;
 
 /// Limit of Newton steps.
-const STEPS: usize = 60;
+const NEWTON_STEPS: usize = 60;
 /// Longest step (rad).
-const LONGEST: f64 = 0.3;
+const LONGEST_STEP: f64 = 0.3;
 /// Relative step that is rounding.
-const SETTLED: f64 = 1e-13;
+const NEWTON_ROUNDING: f64 = 1e-13;
 /// Relative step accepted where rounding ends the progress.
-const ACCEPTED: f64 = 1e-9;
+const ACCEPTED_NEWTON_STEP: f64 = 1e-9;
 /// Share of their terms below which the sum of loads counts as balanced.
 const BALANCED: f64 = 1e-9;
 /// Share of `|ω||K|`, and of all moments about the axis, that rounding may leave.
@@ -33,7 +33,7 @@ const FLOOR: f64 = 1e-3;
 /// Share of the strain energy of loads as large as the moments below which a strain energy is negligible.
 const SLIGHT: f64 = 1e-6;
 /// Share of the rate of the start below which a state of rest is tried.
-const SLOW: f64 = 1e-4;
+const REST_RATIO: f64 = 1e-4;
 
 /// Unknowns of Newton's method beside the displacements.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -62,7 +62,7 @@ pub(super) struct Problem<'a> {
     pub body: &'a FlexibleBody,
     pub forces: &'a [Force<Marker>],
     pub followed: bool,
-    pub near: Near,
+    pub near: SteadyStateGuess,
 }
 
 /// Guess of a state, with the axis (inertial axes) and the rate at which the axes of the forces rotate.
@@ -91,7 +91,7 @@ impl Problem<'_> {
     /// Steady state about an axis (inertial axes), at the rate of the start; where a moment would change that rate, at a rate without
     /// such a moment.
     pub fn about(&self, axis: V, omega_N: V) -> Result<Instant, SteadyError> {
-        let Near { attitude, omega, asked, .. } = self.near;
+        let SteadyStateGuess { attitude, omega, asked, .. } = self.near;
         let along = omega_N.dot(&axis);
         let (rate, attitude) = if asked && omega_N.norm() > 0.0 {
             let side = if along < 0.0 { -1.0 } else { 1.0 };
@@ -122,9 +122,9 @@ impl Problem<'_> {
         let mut rest = start.clone();
         let (found, _) = self.newton(start, Unknowns::Spin).map_err(|_| SteadyError::Unbalanced)?;
         // Newton's method approaches rest without end where the moments grow with the square of the rate.
-        if norm(found.at.omega) <= SLOW * rate {
+        if norm(found.at.omega) <= REST_RATIO * rate {
             (rest.at.omega, rest.at.velocity) = ([0.0; 3], found.at.velocity);
-            if norm(found.at.velocity) <= SLOW * (length(self.body) * rate + norm(self.near.velocity)) {
+            if norm(found.at.velocity) <= REST_RATIO * (length(self.body) * rate + norm(self.near.velocity)) {
                 rest.at.velocity = [0.0; 3];
             }
             if let Ok((rest, _)) = self.newton(rest, Unknowns::Spin)
@@ -138,7 +138,7 @@ impl Problem<'_> {
 
     fn start(&self, attitude: Attitude, axis: V, rate: f64) -> Guess {
         let turn = Turn::of(attitude);
-        let Near { place, velocity, .. } = self.near;
+        let SteadyStateGuess { place, velocity, .. } = self.near;
         let velocity = match (self.body.translation(), self.followed) {
             (Some(_), true) => turn.to_body(velocity),
             (Some(_), false) => [0.0; 3],
@@ -172,19 +172,19 @@ impl Problem<'_> {
     fn newton(&self, mut guess: Guess, unknowns: Unknowns) -> Result<(Guess, System), SteadyError> {
         let mut best = f64::INFINITY;
         let mut floor = 0.0;
-        for _ in 0..STEPS {
+        for _ in 0..NEWTON_STEPS {
             let mut system = self.system(&guess.at)?;
             // At rest every term vanishes: the residual is measured by the terms of the start.
             floor = if floor > 0.0 { floor } else { FLOOR * (system.terms - system.turned) };
             system.terms = system.terms.max(floor + system.turned);
             let step = self.step(&guess, &system, unknowns).ok_or_else(|| self.unfound())?;
-            let short = (LONGEST / step.turn.norm()).min(1.0);
+            let short = (LONGEST_STEP / step.turn.norm()).min(1.0);
             guess.moved(&step, short, unknowns);
             let moved = self.size(&guess, &step, system.terms);
             if !moved.is_finite() {
                 return Err(self.unfound());
             }
-            if moved <= SETTLED || (moved <= ACCEPTED && moved >= 0.5 * best) {
+            if moved <= NEWTON_ROUNDING || (moved <= ACCEPTED_NEWTON_STEP && moved >= 0.5 * best) {
                 let mut system = self.system(&guess.at)?;
                 system.terms = system.terms.max(floor + system.turned);
                 let balanced = self.balanced(&guess, &system, unknowns);

@@ -5,10 +5,10 @@
 use nalgebra::Vector3;
 
 use super::error::SteadyError;
+use super::frame_rotation::{FrameRotation, effective, rests};
 use super::newton::Problem;
 use super::slopes::Instant;
 use super::steadiness;
-use super::turning::{Turning, effective, rests};
 use crate::math::rotation;
 use crate::math::vec3::norm;
 use crate::model::force::Force;
@@ -18,7 +18,7 @@ type V = Vector3<f64>;
 
 /// Start of the search for a steady state.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Near {
+pub struct SteadyStateGuess {
     /// Angular velocity (rad/s), body axes.
     pub omega: [f64; 3],
     /// Attitude, unit quaternion, scalar first, from body to inertial axes.
@@ -53,12 +53,12 @@ pub struct SteadyState {
     /// force depends on the attitude.
     pub away: f64,
     pub(super) place: [f64; 3],
-    pub(super) turning: Turning,
+    pub(super) turning: FrameRotation,
     pub(super) followed: bool,
 }
 
 /// Limit of the number of coordinates.
-pub(super) const MOST: usize = 250;
+pub(super) const MAX_COORDINATES: usize = 250;
 /// True if an external action moves a body, or a motor changes the speed of a wheel: if not, its steady states are those of (M1).
 #[must_use]
 pub fn acts(body: &FlexibleBody, forces: &[Force<Marker>]) -> bool {
@@ -71,29 +71,36 @@ impl SteadyState {
     ///
     /// # Errors
     /// [`SteadyError`] says why there is none, or that none was found.
-    pub fn near(body: &FlexibleBody, forces: &[Force<Marker>], near: Near) -> Result<Self, SteadyError> {
+    pub fn near(
+        body: &FlexibleBody,
+        forces: &[Force<Marker>],
+        near: SteadyStateGuess,
+    ) -> Result<Self, SteadyError> {
         let coordinates = body.coordinates().len();
-        if coordinates > MOST {
-            return Err(SteadyError::TooMany { coordinates, most: MOST });
+        if coordinates > MAX_COORDINATES {
+            return Err(SteadyError::TooMany { coordinates, most: MAX_COORDINATES });
         }
         let (forces, followed) = effective(body, forces);
-        let mut turning = Turning::of(body, &forces, &near)?;
+        let mut turning = FrameRotation::of(body, &forces, &near)?;
         let attitude = rotation::normalized(near.attitude);
         let omega_N = V::from(rotation::to_inertial(attitude, near.omega));
         let rests = omega_N == V::zeros();
         match turning {
-            Turning::Unknown if !rests => turning = Turning::About(omega_N.normalize()),
-            Turning::Unknown => turning = Turning::Still,
-            Turning::Own if rests && forces.is_empty() => turning = Turning::Still,
+            FrameRotation::Unknown if !rests => turning = FrameRotation::About(omega_N.normalize()),
+            FrameRotation::Unknown => turning = FrameRotation::Still,
+            FrameRotation::Own if rests && forces.is_empty() => turning = FrameRotation::Still,
             _ => {}
         }
-        let problem = Problem { body, forces: &forces, followed, near: Near { attitude, ..near } };
+        let problem =
+            Problem { body, forces: &forces, followed, near: SteadyStateGuess { attitude, ..near } };
         let found = match &turning {
-            Turning::Set { what, .. } if near.asked => return Err(SteadyError::Set { what: what.clone() }),
-            Turning::Set { rate, .. } => problem.turned(rate.normalize(), rate.norm())?,
-            Turning::About(axis) => problem.about(*axis, omega_N)?,
-            Turning::Still | Turning::Unknown => problem.turned(V::zeros(), 0.0)?,
-            Turning::Own => problem.own()?,
+            FrameRotation::Set { what, .. } if near.asked => {
+                return Err(SteadyError::Set { what: what.clone() });
+            }
+            FrameRotation::Set { rate, .. } => problem.turned(rate.normalize(), rate.norm())?,
+            FrameRotation::About(axis) => problem.about(*axis, omega_N)?,
+            FrameRotation::Still | FrameRotation::Unknown => problem.turned(V::zeros(), 0.0)?,
+            FrameRotation::Own => problem.own()?,
         };
         let state = Self::of(&problem, &found, turning);
         steadiness::check(body, &forces, &state)?;
@@ -114,14 +121,14 @@ impl SteadyState {
         }
     }
 
-    fn of(problem: &Problem, at: &Instant, turning: Turning) -> Self {
+    fn of(problem: &Problem, at: &Instant, turning: FrameRotation) -> Self {
         let Problem { body, followed, near, .. } = *problem;
         let still = vec![0.0; at.q.len()];
         let motion = MotionState { omega: at.omega, q: &at.q, rate: &still };
         let angular_momentum =
             V::from(body.full_momenta(motion).0) + V::from(body.wheels().angular_momentum(0.0));
         let spin = norm(at.omega);
-        let spins = near.asked || turning == Turning::Own;
+        let spins = near.asked || turning == FrameRotation::Own;
         let away = if spins {
             rotation::angle(near.omega, at.omega)
         } else {

@@ -16,7 +16,7 @@ type V = Vector3<f64>;
 /// Later times of the test, in revolutions.
 const TURNS: [f64; 6] = [0.0917, 0.25, 0.3819, 0.5, 0.7181, 3.1237];
 /// Change below which a load or slope counts as constant, relative to the largest one.
-const SAME: f64 = 1e-8;
+const CONSTANT_LOAD: f64 = 1e-8;
 
 /// Tests each force and the support at some later times.
 pub(super) fn check(
@@ -109,7 +109,7 @@ fn varies(now: &DMatrix<f64>, then: &DMatrix<f64>) -> &'static str {
 /// True if loads or their slopes differ from those at `t = 0`.
 pub(super) fn changed(now: &DMatrix<f64>, then: &DMatrix<f64>) -> bool {
     let gap = (then - now).amax();
-    !(gap <= SAME * now.amax().max(then.amax()))
+    !(gap <= CONSTANT_LOAD * now.amax().max(then.amax()))
 }
 
 /// Value and slopes in units of a moment: lengths in units of the body's, coordinates of its inertia, times of the period.

@@ -4,7 +4,7 @@
 use nalgebra::{DVector, Vector3};
 
 use super::slopes::{Instant, Slopes, THETA};
-use super::state::Near;
+use super::state::SteadyStateGuess;
 use super::steadiness::{changed, weighted};
 use crate::math::rotation::{self, Turn};
 use crate::model::force::{Force, TIME};
@@ -12,12 +12,12 @@ use crate::model::{FlexibleBody, Marker};
 
 type V = Vector3<f64>;
 
-/// Turning of the axes in which a law may be constant.
+/// Rotation of the axes in which a law may be constant.
 pub(super) enum Pace {
     /// The time changes nothing.
     Constant,
     /// Angular velocity (rad/s, inertial axes).
-    Turning(V),
+    FrameRotation(V),
 }
 
 /// Times at which a law is compared, for each rate in it, and the part of a revolution between them.
@@ -25,7 +25,7 @@ const TIMES: u32 = 24;
 const GOLDEN: f64 = 0.618_033_988_749_894_8;
 /// Relative change of a law along the rotation of the start from which another rotation is looked for; share of the largest slope by the
 /// attitude below which a slope is none.
-const SAME: f64 = 1e-9;
+const CONSTANT_LAW: f64 = 1e-9;
 
 /// Rates (rad/s) of the sines and cosines of the time in the formulas of a force; none where the time occurs otherwise.
 pub(super) fn rates(force: &Force<Marker>) -> Option<Vec<f64>> {
@@ -43,11 +43,11 @@ pub(super) fn times(rates: &[f64]) -> impl Iterator<Item = f64> {
     periods.into_iter().flat_map(|period| (1..=TIMES).map(move |k| GOLDEN * f64::from(k) * period))
 }
 
-/// Turning of the axes in which a force may be constant near a state; none if it is constant in no axes there.
-pub(super) fn pace(body: &FlexibleBody, force: &Force<Marker>, near: &Near) -> Option<Pace> {
+/// Rotation of the axes in which a force may be constant near a state; none if it is constant in no axes there.
+pub(super) fn pace(body: &FlexibleBody, force: &Force<Marker>, near: &SteadyStateGuess) -> Option<Pace> {
     let rates = rates(force)?;
     let forces = std::slice::from_ref(force);
-    let Near { attitude, omega, place, velocity, .. } = *near;
+    let SteadyStateGuess { attitude, omega, place, velocity, .. } = *near;
     let velocity = if body.translation().is_some() { Turn::of(attitude).to_body(velocity) } else { velocity };
     let start = Instant { t: 0.0, attitude, omega, q: vec![0.0; body.coordinates().len()], place, velocity };
     let slopes = Slopes::of(body, forces, &start);
@@ -62,15 +62,15 @@ pub(super) fn pace(body: &FlexibleBody, force: &Force<Marker>, near: &Near) -> O
     let by_time = Slopes::by_time(body, forces, &start);
     let by_attitude = slopes.by.columns(THETA, 3).into_owned();
     let left = |rate: &V| (&by_time + &by_attitude * DVector::from_column_slice(rate.as_slice())).norm();
-    let fits = |rate: &V| left(rate) <= SAME * (by_time.norm() + by_attitude.norm() * rate.norm());
+    let fits = |rate: &V| left(rate) <= CONSTANT_LAW * (by_time.norm() + by_attitude.norm() * rate.norm());
     let own = V::from(omega);
     let rate = if fits(&own) {
         own
     } else {
         let factors = by_attitude.clone().svd(true, true);
-        let found = factors.solve(&-&by_time, SAME * factors.singular_values.max()).ok()?;
+        let found = factors.solve(&-&by_time, CONSTANT_LAW * factors.singular_values.max()).ok()?;
         V::new(found[0], found[1], found[2])
     };
     (rate.norm() > 0.0 && fits(&rate))
-        .then(|| Pace::Turning(rotation::to_inertial(attitude, rate.into()).into()))
+        .then(|| Pace::FrameRotation(rotation::to_inertial(attitude, rate.into()).into()))
 }

@@ -2,8 +2,8 @@
 
 use nalgebra::{Complex, Vector3};
 
+use super::frame_rotation::FrameRotation;
 use super::state::SteadyState;
-use super::turning::Turning;
 use crate::math::vec3::norm;
 use crate::modes::mode::SpinMode;
 
@@ -27,7 +27,7 @@ pub(super) fn named(
     state: &SteadyState,
     axis: Option<[f64; 3]>,
 ) -> Vec<SpinMode> {
-    if let (Some(axis), Turning::Set { orbit: true, .. }) = (axis, &state.turning) {
+    if let (Some(axis), FrameRotation::Set { orbit: true, .. }) = (axis, &state.turning) {
         for motion in motions.iter_mut().filter(|motion| motion.carried) {
             let Some(share) = motion.turn.map(|turn| about(turn, axis)) else { continue };
             if share >= CLEAR {
@@ -37,10 +37,10 @@ pub(super) fn named(
             }
         }
     }
-    if let (Some(axis), Turning::About(_)) = (axis, &state.turning) {
+    if let (Some(axis), FrameRotation::About(_)) = (axis, &state.turning) {
         top(&mut motions, axis, norm(state.omega));
     }
-    if state.turning == Turning::Own && norm(state.omega) > 0.0 {
+    if state.turning == FrameRotation::Own && norm(state.omega) > 0.0 {
         nutation(&mut motions, state);
     }
     motions.into_iter().map(|motion| motion.mode).collect()

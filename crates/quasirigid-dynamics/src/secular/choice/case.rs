@@ -102,7 +102,7 @@ impl<'a> Case<'a> {
     fn parametric(&self, hill: &HillResponse) -> Option<GrowingVibration> {
         let evolution = Evolution::new(hill, self.spins.range.angular_momentum());
         let [from, to] = self.span.ends;
-        evolution.stages(from, to, PARAMETRIC_SAMPLES).find_map(|state| {
+        evolution.rotation_states(from, to, PARAMETRIC_SAMPLES).find_map(|state| {
             let motion = evolution.motion(state);
             let found = hill.floquet(&motion).ok()?.resonance?;
             Some(GrowingVibration {

@@ -43,14 +43,14 @@ pub enum BeamError {
         value: f64,
     },
     /// Ends that are the same place, or none.
-    #[error("the ends {} and {} of a beam are no finite distance apart", place(&ends[0]), place(&ends[1]))]
+    #[error("the ends {} and {} of a beam are not a finite distance apart", place(&ends[0]), place(&ends[1]))]
     NoLength {
         /// The ends (m).
         ends: [[f64; 3]; 2],
     },
     /// A direction that does not fix the rotation of the section about the beam.
     #[error(
-        "the direction {} of a beam's section is no direction across the beam, which runs along {}; give one that is",
+        "the direction {} of a beam's section is not across the beam, which runs along {}; give one that is",
         place(direction),
         place(axis)
     )]

@@ -3,7 +3,7 @@ use nalgebra::{Matrix3xX, Vector3};
 use super::element::Beam;
 use super::forces::Load;
 use super::mass::Slice;
-use crate::finite::{LumpedMass, Site, Turn};
+use crate::finite::{LumpedMass, MassLocation, Turn};
 
 impl Beam {
     /// Mass per length (kg/m).
@@ -47,7 +47,7 @@ impl Beam {
         let rotations = Matrix3xX::from_column_slice(fields.turn.as_slice());
         LumpedMass {
             mass,
-            site: Site::At(center + arm),
+            location: MassLocation::At(center + arm),
             shapes: Matrix3xX::from_column_slice(shapes.as_slice()),
             turn: Some(Turn { arm, shapes: rotations }),
         }

@@ -2,7 +2,7 @@ use nalgebra::{Matrix3, Matrix3xX, Vector3};
 
 use super::mass::{Point, points};
 use super::section::ShellSection;
-use crate::finite::{LumpedMass, Site, Turn};
+use crate::finite::{LumpedMass, MassLocation, Turn};
 use quasirigid_mesh::Shape;
 
 /// Lumped masses of a shell: two over each point of its surface, at heights that have the first and second moments of the section, which
@@ -29,5 +29,5 @@ fn lumped_mass(point: &Point, nodes: &[Vector3<f64>], density: f64, height: f64)
         rotations.columns_mut(6 * node + 3, 3).copy_from(&whole);
     }
     let turn = Some(Turn { arm, shapes: rotations });
-    LumpedMass { mass: 0.5 * density * point.area, site: Site::At(foot + arm), shapes, turn }
+    LumpedMass { mass: 0.5 * density * point.area, location: MassLocation::At(foot + arm), shapes, turn }
 }

@@ -3,7 +3,7 @@
 use nalgebra::{DMatrix, DVector, Matrix3, SMatrix, Vector3};
 
 use super::slopes::{inverse, jacobian};
-use quasirigid_mesh::{CellSample, MOST, Shape};
+use quasirigid_mesh::{CellSample, MAX_NODES, Shape};
 
 /// Displacements `1 − ξ²`, `1 − η²`, `1 − ζ²`, in three directions each.
 pub(super) const OWN: usize = 3;
@@ -17,7 +17,8 @@ pub(super) struct Middle {
 impl Middle {
     pub fn new(shape: Shape, nodes: &[Vector3<f64>]) -> Self {
         let at = [0.0; 3];
-        let sample = CellSample { at, weight: 0.0, functions: [0.0; MOST], gradients: shape.gradients(at) };
+        let sample =
+            CellSample { at, weight: 0.0, functions: [0.0; MAX_NODES], gradients: shape.gradients(at) };
         let jacobian = jacobian(nodes, &sample);
         Self { determinant: jacobian.determinant(), inverse: inverse(&jacobian) }
     }

@@ -1,7 +1,7 @@
 use nalgebra::{Matrix3, Matrix3xX, Vector3};
 
 use super::slopes::jacobian;
-use crate::finite::{LumpedMass, Site};
+use crate::finite::{LumpedMass, MassLocation};
 use quasirigid_mesh::{Rule, Shape};
 
 /// Lumped masses of a solid cell: points of the rule that is exact for products of two displacements where edges are straight and faces
@@ -17,7 +17,7 @@ pub(crate) fn lumped_masses(shape: Shape, nodes: &[Vector3<f64>], density: f64) 
                 place += *share * node;
             }
             let mass = density * sample.weight * jacobian(nodes, sample).determinant();
-            LumpedMass { mass, site: Site::At(place), shapes, turn: None }
+            LumpedMass { mass, location: MassLocation::At(place), shapes, turn: None }
         })
         .collect()
 }

@@ -3,14 +3,14 @@ use nalgebra::Vector3;
 use super::grid::{Grid, Point};
 use super::matrices::{Dense, Scalar};
 use super::outline::Outline;
-use crate::flow::potential_flow::Slip;
+use crate::flow::potential_flow::PotentialFlowMoments;
 use crate::math::factor::{Factor, Method};
 
 /// Slip of an ideal liquid in a cavity of revolution about z, with polynomials of a degree: about the axis nothing moves the liquid, about
 /// x its potential is `φ(r, z) sin θ`, about y the same a quarter of a revolution on. (L12)
 ///
 /// None if floating point does not resolve the places of the cavity.
-pub(crate) fn slip(outline: &Outline, degree: usize) -> Option<Slip> {
+pub(crate) fn slip(outline: &Outline, degree: usize) -> Option<PotentialFlowMoments> {
     let grid = Grid::new(outline, degree, 1);
     let blocks = grid.patches.iter().map(Dense::new).collect::<Option<Vec<Dense>>>()?;
     let scalar = Scalar::new(&grid, &blocks, |node| !grid.axis[node]);
@@ -28,7 +28,7 @@ pub(crate) fn slip(outline: &Outline, degree: usize) -> Option<Slip> {
     }
     factor.solve(&mut potential, 1);
     let at_node = |node: &usize| scalar.unknowns[*node].map_or(0.0, |unknown| potential[unknown as usize]);
-    let mut slip = Slip::default();
+    let mut slip = PotentialFlowMoments::default();
     for patch in &grid.patches {
         let own: Vec<f64> = patch.nodes.iter().map(at_node).collect();
         for point in &patch.points {

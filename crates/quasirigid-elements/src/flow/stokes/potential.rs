@@ -9,7 +9,7 @@ use super::assembly::{Numbering, add, anchor};
 use super::cell::{Matrices, NODES, Point, points, points_at};
 use super::grid::{FACES, Grid};
 use super::moments::Moments;
-use crate::flow::potential_flow::Slip;
+use crate::flow::potential_flow::PotentialFlowMoments;
 use crate::math::factor::{Factor, Method};
 use crate::math::symmetric::Symmetric;
 use crate::math::vec3::{add as sum, cross, dot, norm, scale};
@@ -25,7 +25,7 @@ const ANCHOR: f64 = 1e-9;
 ///
 /// # Errors
 /// [`StokesError`] if the tetrahedra are no single cavity.
-pub(crate) fn slip(mesh: &Mesh) -> Result<(Moments, Slip), StokesError> {
+pub(crate) fn slip(mesh: &Mesh) -> Result<(Moments, PotentialFlowMoments), StokesError> {
     let grid = Grid::new(mesh)?;
     let moments = Moments::of(&grid);
     if !moments.in_range() {
@@ -42,7 +42,7 @@ pub(crate) fn slip(mesh: &Mesh) -> Result<(Moments, Slip), StokesError> {
             Vector3::from(slope) - Vector3::from(cross(AXES[axis], from_center))
         })
     };
-    let mut slip = Slip::default();
+    let mut slip = PotentialFlowMoments::default();
     for cell in &grid.cells {
         for point in points(&cell.map(|node| grid.places[node])) {
             slip.add_volume(point.volume, &past(&point, cell));

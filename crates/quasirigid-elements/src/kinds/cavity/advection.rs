@@ -3,7 +3,7 @@ use crate::flow::Velocity;
 use crate::math::vec3::dot;
 
 /// Share of the largest term below which terms are rounding.
-const ROUNDING: f64 = 1e-10;
+const TERM_ROUNDING: f64 = 1e-10;
 
 /// Advection `∫u_a·(u_b·∇)u_c dV` of three among a few flows, the mean of both orders of the last two, without zeros. Solenoidal flows
 /// between walls take no power from each other: before that mean the integral is antisymmetric in the first and the last. (L21)
@@ -25,6 +25,6 @@ pub(super) fn advection(liquid: &impl Liquid, flows: &[Vec<f64>]) -> Vec<([usize
     let powerless = |a: usize, b: usize, c: usize| 0.5 * (sums[place(a, b, c)] - sums[place(c, b, a)]);
     let all = (0..count).flat_map(|a| (0..count).flat_map(move |b| (0..count).map(move |c| [a, b, c])));
     all.map(|[a, b, c]| ([a, b, c], 0.5 * (powerless(a, b, c) + powerless(a, c, b))))
-        .filter(|(_, term)| term.abs() > ROUNDING * sizes)
+        .filter(|(_, term)| term.abs() > TERM_ROUNDING * sizes)
         .collect()
 }

@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use nalgebra::{SymmetricEigen, Vector3};
 
 use super::liquid::Relaxations;
-use crate::flow::potential_flow::Slip;
+use crate::flow::potential_flow::PotentialFlowMoments;
 use crate::math::quadrature::gauss_legendre;
 
 /// Gauss points in each panel of the rates.
@@ -17,7 +17,7 @@ const PANEL: f64 = 4.0;
 ///
 /// Along each axis in which wall and volume slip alike, rates from the one at which the liquid follows as a whole to `16^panels` times
 /// as much. None if the liquid slips nowhere.
-pub(super) fn relaxations(slip: &Slip, panels: usize, mass: f64) -> Option<Relaxations> {
+pub(super) fn relaxations(slip: &PotentialFlowMoments, panels: usize, mass: f64) -> Option<Relaxations> {
     let axes = axes(slip)?;
     let nodes = nodes(panels);
     let mut own = Relaxations { mass, ..Relaxations::default() };
@@ -49,7 +49,7 @@ struct Axis {
 }
 
 /// The axes with `Δ x = λ D x`, volume `Δ` and surface `D`.
-fn axes(slip: &Slip) -> Option<[Axis; 3]> {
+fn axes(slip: &PotentialFlowMoments) -> Option<[Axis; 3]> {
     let root = slip.surface.cholesky()?.l();
     let inverse = root.try_inverse()?;
     let alike = SymmetricEigen::new(inverse * slip.volume * inverse.transpose());

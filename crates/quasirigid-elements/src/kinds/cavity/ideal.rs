@@ -2,14 +2,14 @@ use std::f64::consts::PI;
 
 use nalgebra::{Matrix3, Vector3};
 
-use crate::flow::potential_flow::Slip;
+use crate::flow::potential_flow::PotentialFlowMoments;
 use crate::math::quadrature::gauss_legendre;
 
 /// Quadrature points from the middle of an ellipsoid to a pole, and round a quarter.
 const POINTS: usize = 48;
 
 /// An ideal liquid in an ellipsoid, whose flow is linear: `w_3 = 2/(a² + b²) (a² y, −b² x, 0)` and so on in the cycle. (L13)
-pub(super) fn in_ellipsoid(semi_axes: [f64; 3]) -> Slip {
+pub(super) fn in_ellipsoid(semi_axes: [f64; 3]) -> PotentialFlowMoments {
     let fields = [0, 1, 2].map(|axis| {
         let (first, second) = ((axis + 1) % 3, (axis + 2) % 3);
         let [a, b] = [first, second].map(|axis| semi_axes[axis].powi(2));
@@ -18,7 +18,7 @@ pub(super) fn in_ellipsoid(semi_axes: [f64; 3]) -> Slip {
         field[(second, first)] = -2.0 * b / (a + b);
         field
     });
-    let mut slip = Slip::default();
+    let mut slip = PotentialFlowMoments::default();
     let volume = 4.0 / 3.0 * PI * semi_axes.iter().product::<f64>();
     // Second moments are those of points on the axes.
     for axis in 0..3 {

@@ -75,7 +75,7 @@ const FIRST: f64 = 5.0;
 const STEP: f64 = 8.0;
 
 /// Share of the largest entry of the coupling below which entries are rounding.
-const ROUNDING: f64 = 1e-12;
+const COUPLING_ROUNDING: f64 = 1e-12;
 
 impl Relaxations {
     /// Relaxations of a liquid, scaled to a value of `∫u² dV`; none if flows or eigenvalues are not found.
@@ -162,6 +162,6 @@ fn turning(liquid: &impl Liquid, fields: &[Vec<f64>]) -> Vec<(usize, usize, Vect
     (0..size)
         .flat_map(|j| (0..size).map(move |k| (j, k)))
         .map(|(j, k)| (j, k, entry(j, k)))
-        .filter(|(_, _, entry)| entry.amax() > ROUNDING * largest)
+        .filter(|(_, _, entry)| entry.amax() > COUPLING_ROUNDING * largest)
         .collect()
 }

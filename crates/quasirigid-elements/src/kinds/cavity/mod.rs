@@ -29,7 +29,7 @@ use crate::{Assembly, Incomplete};
 use flowing::Flowing;
 use liquid::{Memory, Relaxations};
 pub use shape::CavityShape;
-use shape::Turning;
+use shape::SpinningLiquid;
 
 /// A cavity of the carrier, full of a viscous liquid. (L1)–(L6)
 ///
@@ -73,11 +73,11 @@ pub enum Regime {
 
 /// Reynolds numbers of a ball and of a spheroid up to which the ratio to the boundary layer is right to two per cent, and of a cylinder, as
 /// high as wide at most, up to which its fields are.
-pub const MOST_OF_BALL: f64 = 2e6;
-/// As [`MOST_OF_BALL`].
-pub const MOST_OF_SPHEROID: f64 = 5e5;
-/// As [`MOST_OF_BALL`].
-pub const MOST_OF_CYLINDER: f64 = 3e4;
+pub const MAX_REYNOLDS_OF_BALL: f64 = 2e6;
+/// As [`MAX_REYNOLDS_OF_BALL`].
+pub const MAX_REYNOLDS_OF_SPHEROID: f64 = 5e5;
+/// As [`MAX_REYNOLDS_OF_BALL`].
+pub const MAX_REYNOLDS_OF_CYLINDER: f64 = 3e4;
 /// Sine of the angle between a spin and the axis of a spheroid or a cylinder that changes its response by a per cent at most, and Reynolds
 /// number of the spin across the axis that does so. (L18)
 const ALIGNED: f64 = 0.05;
@@ -85,7 +85,7 @@ const WEAK: f64 = 2.0;
 /// Margin over twice the spin, above which no wave has its frequency; the layer shifts them a little.
 const BEYOND_WAVES: f64 = 2.2;
 /// Reynolds number, per step of (L6), up to which slow flows hold the Coriolis force.
-const SLOW: f64 = 5.0;
+const SLOW_REYNOLDS: f64 = 5.0;
 /// Most rates of change whose responses are kept.
 const MOST_MODES: usize = 6;
 /// Deviation from one up to which the square of the norm of an attitude is one.
@@ -125,14 +125,14 @@ impl Cavity {
         let known = self.memory(0);
         match known.map(|memory| (memory.flow, memory.time)) {
             Some((LiquidFlow::Tube, _)) => true,
-            Some((LiquidFlow::Ball, time)) => rate * time <= MOST_OF_BALL,
-            Some((LiquidFlow::Spheroid { axis, .. }, time)) => along(axis, time, MOST_OF_SPHEROID),
+            Some((LiquidFlow::Ball, time)) => rate * time <= MAX_REYNOLDS_OF_BALL,
+            Some((LiquidFlow::Spheroid { axis, .. }, time)) => along(axis, time, MAX_REYNOLDS_OF_SPHEROID),
             Some((LiquidFlow::Cylinder { axis, half }, time)) => {
-                along(axis, time, MOST_OF_CYLINDER / half.max(1.0).powi(2))
+                along(axis, time, MAX_REYNOLDS_OF_CYLINDER / half.max(1.0).powi(2))
             }
             None if frequency > BEYOND_WAVES * rate => true,
             None if self.regime == Regime::BoundaryLayer => false,
-            None => slow.reynolds(rate) <= SLOW * order.div_ceil(2).max(1) as f64,
+            None => slow.reynolds(rate) <= SLOW_REYNOLDS * order.div_ceil(2).max(1) as f64,
         }
     }
 
@@ -203,7 +203,7 @@ impl Cavity {
 
     /// Linear response of the liquid where it is known at every frequency; `count` is the number of its coordinates. (L15)
     fn memory(&self, count: usize) -> Option<LiquidMemory> {
-        let Turning { flow, radius, inertia, axes } = self.shape.turning()?;
+        let SpinningLiquid { flow, radius, inertia, axes } = self.shape.turning()?;
         if self.regime == Regime::BoundaryLayer && flow == LiquidFlow::Tube {
             return None;
         }

@@ -63,7 +63,7 @@ pub enum CavityShape {
 }
 
 /// Liquid whose response about some of the axes is known at every frequency.
-pub(super) struct Turning {
+pub(super) struct SpinningLiquid {
     /// Kind of flow, in axes of the shape.
     pub flow: LiquidFlow,
     /// Distance from the wall to the middle of the flow, in a spheroid on its equator (m).
@@ -161,18 +161,18 @@ impl CavityShape {
     }
 
     /// Response of the liquid in this shape, where it is known at every frequency. (L15)
-    pub(super) fn turning(&self) -> Option<Turning> {
+    pub(super) fn turning(&self) -> Option<SpinningLiquid> {
         match self {
             Self::Ellipsoid { semi_axes: [a, b, c] } if a == b && b == c => {
                 let inertia = 8.0 / 15.0 * PI * a.powi(5);
-                Some(Turning { flow: LiquidFlow::Ball, radius: *a, inertia, axes: vec![0, 1, 2] })
+                Some(SpinningLiquid { flow: LiquidFlow::Ball, radius: *a, inertia, axes: vec![0, 1, 2] })
             }
             Self::Ellipsoid { semi_axes } => {
                 let [axis, across] = round_about(&[*semi_axes])?;
                 let (along, across) = (semi_axes[axis], semi_axes[across]);
                 let stretch = (along / across).powi(2);
                 let unit = [0, 1, 2].map(|place| if place == axis { 1.0 } else { 0.0 });
-                STRETCHES.contains(&stretch).then(|| Turning {
+                STRETCHES.contains(&stretch).then(|| SpinningLiquid {
                     flow: LiquidFlow::Spheroid { axis: unit, stretch },
                     radius: across,
                     inertia: 8.0 / 15.0 * PI * across.powi(4) * along,
@@ -181,7 +181,7 @@ impl CavityShape {
             }
             Self::Cylinder { radius, height } => {
                 let half = 0.5 * height / radius;
-                HALVES.contains(&half).then(|| Turning {
+                HALVES.contains(&half).then(|| SpinningLiquid {
                     flow: LiquidFlow::Cylinder { axis: [0.0, 0.0, 1.0], half },
                     radius: *radius,
                     inertia: 0.5 * PI * radius.powi(4) * height,
@@ -190,7 +190,7 @@ impl CavityShape {
             }
             Self::Ring { radius, tube_radius } if *tube_radius <= SLENDER * radius => {
                 let inertia = 2.0 * PI * PI * radius.powi(3) * tube_radius * tube_radius;
-                Some(Turning { flow: LiquidFlow::Tube, radius: *tube_radius, inertia, axes: vec![2] })
+                Some(SpinningLiquid { flow: LiquidFlow::Tube, radius: *tube_radius, inertia, axes: vec![2] })
             }
             _ => None,
         }

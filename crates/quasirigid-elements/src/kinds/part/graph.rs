@@ -9,13 +9,15 @@ use nalgebra::Vector3;
 use super::constraints::constraints;
 use crate::NodeRef;
 use crate::contribution::{Attachment, Floating};
-use crate::element::{Grip, Role};
+use crate::element::{AttachmentPoint, Role};
 use crate::error::{ElementError, ElementId, ElementKind, Field, Problem, at};
 use crate::finite::{Connectivity, Mass};
 use crate::kinds::part::{Part, PartKind, extremes};
 use crate::model::{Reach, Rheology};
 use crate::number;
-use crate::structure::{Component, Constraint, Dofs, Fault, Joint, Load, Node, Purpose, Structure, Unknown};
+use crate::structure::{
+    Component, CondensationOptions, Constraint, Dofs, Fault, Joint, Load, Node, Structure, Unknown,
+};
 use crate::{Assembly, End, PointMotion};
 
 /// The parts of a body as one structure; without a carrier also its points and springs.
@@ -29,7 +31,7 @@ pub(crate) struct PartGraph<'a> {
     /// Connection of each spring about the axes of a joint.
     hinges: Vec<usize>,
     /// Nodes whose displacements the component keeps: those that are watched or loaded, then those that are only drawn.
-    stations: Vec<NodeRef>,
+    kept_nodes: Vec<NodeRef>,
     drawn: Vec<NodeRef>,
     /// Loads of links and forces at each of these nodes.
     loads: Vec<Load>,
@@ -84,8 +86,8 @@ impl<'a> PartGraph<'a> {
         }
         firsts.push(structure.nodes.len());
         let (joints, hinges) = (Vec::new(), Vec::new());
-        let (stations, drawn, loads) = (Vec::new(), Vec::new(), Vec::new());
-        let mut graph = Self { assembly, structure, firsts, joints, hinges, stations, drawn, loads };
+        let (kept_nodes, drawn, loads) = (Vec::new(), Vec::new(), Vec::new());
+        let mut graph = Self { assembly, structure, firsts, joints, hinges, kept_nodes, drawn, loads };
         for point in assembly.points.iter().filter(|_| floating) {
             graph.point(point.mass, point.position.into());
         }
@@ -103,16 +105,16 @@ impl<'a> PartGraph<'a> {
         let dofs = Dofs::new(&self.structure.nodes, &self.structure.constraints).map_err(|circle| {
             self.attribute_to(circle.node, Problem::Circle { node: self.node_name(circle.node) })
         })?;
-        let kept = self.stations.iter().chain(&self.drawn);
-        let stations: Vec<usize> = kept.map(|station| self.index(*station)).collect();
-        let purpose = Purpose {
+        let kept = self.kept_nodes.iter().chain(&self.drawn);
+        let kept_nodes: Vec<usize> = kept.map(|node| self.index(*node)).collect();
+        let options = CondensationOptions {
             order: self.assembly.reduction.order.min(HIGHEST),
             modes: self.assembly.reduction.modes,
             floating,
-            stations: &stations,
+            kept_nodes: &kept_nodes,
             loads: &self.loads,
         };
-        self.structure.component(dofs, &purpose).map_err(|fault| self.refusal(fault))
+        self.structure.component(dofs, &options).map_err(|fault| self.refusal(fault))
     }
 
     /// Number of a node in the structure.
@@ -128,12 +130,12 @@ impl<'a> PartGraph<'a> {
 
     /// Attachments: nodes that are watched or loaded, in terms of the coordinates of the component, numbered from `start`.
     pub fn attachments(&self, component: &Component, start: usize) -> BTreeMap<NodeRef, Attachment> {
-        self.kept(&self.stations, 0, component, start)
+        self.kept(&self.kept_nodes, 0, component, start)
     }
 
     /// Nodes that are drawn, as [`attachments`](Self::attachments).
     pub fn drawn(&self, component: &Component, start: usize) -> BTreeMap<NodeRef, Attachment> {
-        self.kept(&self.drawn, self.stations.len(), component, start)
+        self.kept(&self.drawn, self.kept_nodes.len(), component, start)
     }
 
     /// Nodes, the first of them with a number among those that the component keeps.
@@ -239,36 +241,36 @@ impl<'a> PartGraph<'a> {
     /// one more part.
     fn station_all(&mut self, floating: bool) -> Result<(), ElementError> {
         let points = self.assembly.parts.len();
-        let mut stations = BTreeMap::new();
+        let mut kept_nodes = BTreeMap::new();
         for (part, description) in self.assembly.parts.iter().enumerate() {
-            stations.extend(
+            kept_nodes.extend(
                 description.watched().into_iter().map(|node| (NodeRef { part, node }, Load::default())),
             );
         }
         if floating {
             let places: Vec<[f64; 3]> = self.assembly.points.iter().map(|point| point.position).collect();
-            stations.extend(
+            kept_nodes.extend(
                 extremes(&places).into_iter().map(|node| (NodeRef { part: points, node }, Load::default())),
             );
         }
-        for (id, role, Grip { field, end, moment }) in self.assembly.grips() {
+        for (id, role, AttachmentPoint { field, end, moment }) in self.assembly.attachment_points() {
             let between_nodes = floating && role == Role::Link;
             match end {
                 End::Node(node) => {
                     self.assembly.has(node).map_err(at(id, field))?;
                     let rotations = self.structure.nodes[self.index(node)].rotations;
-                    let load: &mut Load = stations.entry(node).or_default();
+                    let load: &mut Load = kept_nodes.entry(node).or_default();
                     load.force |= !between_nodes;
                     load.moment |= !between_nodes && moment && rotations;
                 }
                 End::Point(node) if floating && role != Role::Link => {
-                    stations.insert(NodeRef { part: points, node }, Load { force: true, moment: false });
+                    kept_nodes.insert(NodeRef { part: points, node }, Load { force: true, moment: false });
                 }
                 End::Point(_) | End::Carrier | End::Hinged(_) => {}
             }
         }
-        self.loads = stations.values().copied().collect();
-        self.stations = stations.into_keys().collect();
+        self.loads = kept_nodes.values().copied().collect();
+        self.kept_nodes = kept_nodes.into_keys().collect();
         Ok(())
     }
 

@@ -21,7 +21,7 @@ pub struct Matrices {
 }
 
 /// Energy of a rigid motion, as a share of the terms that cancel in it, below which it is rounding of the numbers in a file.
-const ROUNDING: f64 = 1e-12;
+const RIGID_ENERGY_ROUNDING: f64 = 1e-12;
 
 impl Matrices {
     /// Adds the blocks of the matrices to a structure that has their nodes.
@@ -55,7 +55,7 @@ impl Matrices {
         let size = |row: usize| rigid.row(row).norm();
         let scale: f64 = self.stiffness.iter().map(|(i, j, entry)| entry.abs() * size(*i) * size(*j)).sum();
         let energies = rigid.tr_mul(&times(&self.stiffness, &rigid)).symmetric_eigenvalues();
-        !energies.is_empty() && energies.min() > ROUNDING * scale
+        !energies.is_empty() && energies.min() > RIGID_ENERGY_ROUNDING * scale
     }
 
     /// Constraints of the nodes whose components have no row.

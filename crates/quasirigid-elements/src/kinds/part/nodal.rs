@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 use nalgebra::{DMatrix, Matrix3, Matrix3xX, Matrix6, Vector3};
 
 use crate::error::{ElementError, ElementId, Field, Problem, at};
-use crate::finite::{Block, Connectivity, Element, LumpedMass, Mass, Site, rigid_points};
+use crate::finite::{Block, Connectivity, Element, LumpedMass, Mass, MassLocation, rigid_points};
 use crate::model::Inertia;
 use crate::number;
 use crate::structure::Node;
@@ -35,9 +35,9 @@ pub(super) type Entries<'e> = &'e [(usize, usize, f64)];
 /// Difference, relative to the larger diagonal, up to which entries that should be equal agree.
 const SYMMETRIC: f64 = 1e-9;
 /// Share of the largest motion below which a motion moves nothing.
-const STILL: f64 = 1e-9;
+const NO_MOTION: f64 = 1e-9;
 /// Share of the largest entry below which entries are rounding: the residue of a stiffness that resists nothing.
-const ROUNDING: f64 = 1e-13;
+const ENTRY_ROUNDING: f64 = 1e-13;
 
 impl NodalMass {
     /// Degrees of freedom of each node: 3, or 6 if some node has rotations.
@@ -67,7 +67,7 @@ impl NodalMass {
         };
         let motions = DMatrix::from_fn(self.dofs.len(), 6, motion);
         let moved = motions.svd(true, false);
-        let least = STILL * moved.singular_values.max();
+        let least = NO_MOTION * moved.singular_values.max();
         let columns: Vec<usize> = (0..moved.singular_values.len())
             .filter(|motion| moved.singular_values[*motion] > least)
             .collect();
@@ -191,7 +191,7 @@ impl NodalMass {
         shapes.columns_mut(0, 3).copy_from(&Matrix3::identity());
         shapes.columns_mut(dofs, 3).copy_from(&-Matrix3::identity());
         let distance = Vector3::from(self.nodes[i]) - Vector3::from(self.nodes[j]);
-        vec![LumpedMass { mass: -mass, site: Site::Between(distance), shapes, turn: None }]
+        vec![LumpedMass { mass: -mass, location: MassLocation::Between(distance), shapes, turn: None }]
     }
 }
 
@@ -240,7 +240,7 @@ pub(super) fn symmetric(
         }
         *found.entry((*row, *column)).or_default() += value;
     }
-    let rounding = ROUNDING * found.values().fold(0.0, |largest: f64, value| largest.max(value.abs()));
+    let rounding = ENTRY_ROUNDING * found.values().fold(0.0, |largest: f64, value| largest.max(value.abs()));
     let diagonal = |i: usize| found.get(&(i, i)).copied().unwrap_or_default();
     if let Some(row) = (0..count).find(|row| diagonal(*row) < -rounding) {
         return Err(Problem::NegativeDiagonal { dof: name(row), value: diagonal(row) });

@@ -1,9 +1,9 @@
 //! Choice of the approximation of a solid: polynomials or finite elements, and of which size.
 
 use super::elements::Meshed;
-use super::error::{AGREED, CONVERGED, LEAST, TAIL, between_meshes, hidden};
-use super::{Approximation, Found, PartReduction, Resolution, Surface};
-use crate::contribution::Asked;
+use super::error::{AGREED, CONVERGED, LEAST_ERROR, TAIL, between_meshes, hidden};
+use super::{Approximation, PartReduction, Resolution, Surface, SurfaceBody};
+use crate::contribution::BuildOptions;
 use crate::error::{ElementError, ElementId, Field, Problem, at};
 use crate::kinds::compliance;
 use crate::kinds::ritz::Ritz;
@@ -30,21 +30,21 @@ impl Surface {
         &self,
         place: ElementId,
         reduction: PartReduction,
-        asked: Asked,
-    ) -> Result<Found, ElementError> {
+        asked: BuildOptions,
+    ) -> Result<SurfaceBody, ElementError> {
         self.check_values(place)?;
-        let road = Road { surface: self, place, reduction, visuals: asked.visuals };
+        let choice = ApproximationChoice { surface: self, place, reduction, visuals: asked.visuals };
         let told = asked.errors;
         match (self.degree, self.cells) {
-            (Some(degree), _) => road.of_degree(degree, told),
-            (None, Some(cells)) => road.of_cells(cells, told),
-            (None, None) => road.chosen(),
+            (Some(degree), _) => choice.of_degree(degree, told),
+            (None, Some(cells)) => choice.of_cells(cells, told),
+            (None, None) => choice.chosen(),
         }
     }
 }
 
 /// Methods of approximation of a solid.
-struct Road<'a> {
+struct ApproximationChoice<'a> {
     surface: &'a Surface,
     place: ElementId,
     reduction: PartReduction,
@@ -52,22 +52,22 @@ struct Road<'a> {
     visuals: bool,
 }
 
-impl Road<'_> {
+impl ApproximationChoice<'_> {
     fn polynomials(&self, degree: usize) -> Result<Ritz, ElementError> {
         self.surface.ritz(degree).map_err(at(self.place, Field::DEGREE))
     }
 
-    fn of(&self, degree: usize, ritz: Ritz, error: f64) -> Result<Found, ElementError> {
+    fn of(&self, degree: usize, ritz: Ritz, error: f64) -> Result<SurfaceBody, ElementError> {
         let visuals = if self.visuals { vec![self.surface.visual(self.place, &ritz)] } else { Vec::new() };
         let body = self.surface.of_polynomials(self.place, ritz)?;
         let resolution = Resolution { approximation: Approximation::Polynomials { degree }, error };
-        Ok(Found { body, condensation: None, resolution, visuals })
+        Ok(SurfaceBody { body, condensation: None, resolution, visuals })
     }
 
     /// Polynomials of a given degree, judged by finite elements unless the body is convex.
-    fn of_degree(&self, degree: usize, told: bool) -> Result<Found, ElementError> {
+    fn of_degree(&self, degree: usize, told: bool) -> Result<SurfaceBody, ElementError> {
         let ritz = self.polynomials(degree)?;
-        let own = (TAIL * ritz.growth).max(LEAST);
+        let own = (TAIL * ritz.growth).max(LEAST_ERROR);
         let mut found = self.of(degree, ritz, own)?;
         if told && !self.surface.surface.is_convex() {
             found.resolution.error = match self.judged(CELLS[0], &self.necks().unwrap_or_default()) {
@@ -82,20 +82,20 @@ impl Road<'_> {
         Ok(found)
     }
 
-    fn of_cells(&self, cells: usize, told: bool) -> Result<Found, ElementError> {
+    fn of_cells(&self, cells: usize, told: bool) -> Result<SurfaceBody, ElementError> {
         let necks = self.necks().unwrap_or_default();
         if told { self.judged(cells, &necks) } else { Ok(self.mesh(cells, &necks)?.found(f64::INFINITY)) }
     }
 
     /// Polynomials of a convex body, and of others without necks where they converge and cells agree; else cells.
-    fn chosen(&self) -> Result<Found, ElementError> {
+    fn chosen(&self) -> Result<SurfaceBody, ElementError> {
         let convex = self.surface.surface.is_convex();
         let necks = if convex { Vec::new() } else { self.necks()? };
         if necks.is_empty() {
             let (degree, ritz) = self.converged(convex)?;
             let growth = ritz.growth;
             if convex {
-                return self.of(degree, ritz, (TAIL * growth).max(LEAST));
+                return self.of(degree, ritz, (TAIL * growth).max(LEAST_ERROR));
             }
             if growth < CONVERGED {
                 let cells = self.mesh((COARSER[0] * CELLS[0] as f64) as usize, &necks);
@@ -104,7 +104,7 @@ impl Road<'_> {
                     compliance::gap(&compliance::of(&found.body), &compliance::of(&cells.body))
                 });
                 if apart < AGREED {
-                    found.resolution.error = apart.max(TAIL * growth) + LEAST;
+                    found.resolution.error = apart.max(TAIL * growth) + LEAST_ERROR;
                     return Ok(found);
                 }
             }
@@ -113,7 +113,7 @@ impl Road<'_> {
     }
 
     /// Cells in one mesh or the other. The error that necks hide is known before anything is solved.
-    fn by_cells(&self, necks: &[Neck]) -> Result<Found, ElementError> {
+    fn by_cells(&self, necks: &[Neck]) -> Result<SurfaceBody, ElementError> {
         let hidden = CELLS.map(|cells| {
             let mesh = graded(&self.surface.surface, necks.first(), cells);
             mesh.map_or(0.0, |mesh| hidden(&self.surface.surface, &mesh, necks))
@@ -168,7 +168,7 @@ impl Road<'_> {
     }
 
     /// Body of a mesh of about so many cells, with its error estimated from a coarser mesh. (G12)
-    fn judged(&self, cells: usize, necks: &[Neck]) -> Result<Found, ElementError> {
+    fn judged(&self, cells: usize, necks: &[Neck]) -> Result<SurfaceBody, ElementError> {
         let fine = self.mesh(cells, necks)?;
         let coarser = COARSER.into_iter().find_map(|part| {
             let cells = (part * cells as f64) as usize;

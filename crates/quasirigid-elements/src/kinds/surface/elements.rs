@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::{Approximation, Found, PartReduction, Resolution, Surface};
+use super::{Approximation, PartReduction, Resolution, Surface, SurfaceBody};
 use crate::contribution::Exact;
 use crate::error::{ElementId, Problem};
 use crate::kinds::part::{ElasticMaterial, Part, PartKind, Region, Solid};
@@ -62,10 +62,10 @@ impl Meshed {
     }
 
     /// The body with its error.
-    pub fn found(self, error: f64) -> Found {
+    pub fn found(self, error: f64) -> SurfaceBody {
         let approximation = Approximation::Elements { cells: self.cells, asked: self.asked };
         let resolution = Resolution { approximation, error };
-        Found { body: self.body, condensation: self.condensation, resolution, visuals: self.visuals }
+        SurfaceBody { body: self.body, condensation: self.condensation, resolution, visuals: self.visuals }
     }
 }
 

@@ -15,7 +15,7 @@ pub(super) const TAIL: f64 = 3.0;
 /// Difference between polynomials and cells at which they agree.
 pub(super) const AGREED: f64 = 0.03;
 /// Least error that is claimed: that of rounding and of the facets.
-pub(super) const LEAST: f64 = 2e-3;
+pub(super) const LEAST_ERROR: f64 = 2e-3;
 
 /// Margin for meshes of which neither is a refinement of the other. (G12)
 const UNEVEN: f64 = 1.5;
@@ -29,7 +29,7 @@ const MOST_TRIANGLES: usize = 1_000;
 pub(super) fn between_meshes(surface: &ClosedSurface, fine: &Meshed, coarse: &Meshed, necks: &[Neck]) -> f64 {
     let apart = compliance::gap(&compliance::of(&fine.body), &compliance::of(&coarse.body));
     let ratio = (fine.cells as f64 / coarse.cells as f64).cbrt();
-    (UNEVEN * apart / (ratio - 1.0)).max(hidden(surface, &fine.mesh, necks)).max(LEAST)
+    (UNEVEN * apart / (ratio - 1.0)).max(hidden(surface, &fine.mesh, necks)).max(LEAST_ERROR)
 }
 
 /// Error of the cells in necks, whatever the solution. (G12)

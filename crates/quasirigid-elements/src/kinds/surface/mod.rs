@@ -6,8 +6,8 @@ mod error;
 
 use nalgebra::Matrix3;
 
-use crate::contribution::Asked;
-use crate::contribution::{Whole, WholeBody};
+use crate::contribution::BuildOptions;
+use crate::contribution::{SingleElementBody, WholeBody};
 use crate::element::Element;
 use crate::error::{ElementError, ElementId, Field, Problem, at};
 use crate::kinds::ritz::{Ritz, Solid};
@@ -66,7 +66,7 @@ pub enum Approximation {
 }
 
 /// Body with its condensation and the approximation used.
-pub(crate) struct Found {
+pub(crate) struct SurfaceBody {
     pub body: FlexibleBody,
     pub condensation: Option<Condensation>,
     pub resolution: Resolution,
@@ -75,9 +75,9 @@ pub(crate) struct Found {
 
 impl Surface {
     /// Highest degree offered.
-    pub const MOST: usize = 12;
+    pub const MAX_DEGREE: usize = 12;
     /// Most tetrahedra offered.
-    pub const MOST_CELLS: usize = 200_000;
+    pub const MAX_CELLS: usize = 200_000;
 
     /// The element with the approximation that was found for it, which is not judged again.
     #[must_use]
@@ -97,12 +97,12 @@ impl Surface {
             return Err(at(place, Field::FILE)(Problem::SeveralBodies { bodies }));
         }
         match (self.degree, self.cells) {
-            (Some(degree), _) if !(1..=Self::MOST).contains(&degree) => {
-                Err(at(place, Field::DEGREE)(Problem::Degree { degree, most: Self::MOST }))
+            (Some(degree), _) if !(1..=Self::MAX_DEGREE).contains(&degree) => {
+                Err(at(place, Field::DEGREE)(Problem::Degree { degree, most: Self::MAX_DEGREE }))
             }
             (Some(_), Some(_)) => Err(at(place, Field::CELLS)(Problem::TwoRoads)),
-            (_, Some(cells)) if !(1..=Self::MOST_CELLS).contains(&cells) => {
-                Err(at(place, Field::CELLS)(Problem::Cells { cells, most: Self::MOST_CELLS }))
+            (_, Some(cells)) if !(1..=Self::MAX_CELLS).contains(&cells) => {
+                Err(at(place, Field::CELLS)(Problem::Cells { cells, most: Self::MAX_CELLS }))
             }
             _ => Ok(()),
         }
@@ -143,7 +143,7 @@ impl Surface {
     fn of_polynomials(&self, place: ElementId, ritz: Ritz) -> Result<FlexibleBody, ElementError> {
         let center = self.surface.centroid();
         let block = ritz.block(&self.name, &self.material.rheology);
-        let whole = Whole {
+        let whole = SingleElementBody {
             place,
             center,
             markers: self.tips(&ritz, center),
@@ -214,9 +214,9 @@ impl Element for Surface {
         &self,
         id: ElementId,
         reduction: PartReduction,
-        asked: Asked,
+        asked: BuildOptions,
     ) -> Result<Option<WholeBody>, ElementError> {
-        let Found { body, condensation, resolution, visuals } = self.built(id, reduction, asked)?;
+        let SurfaceBody { body, condensation, resolution, visuals } = self.built(id, reduction, asked)?;
         Ok(Some(WholeBody { body, condensation, resolution: Some(resolution), visuals }))
     }
 }

@@ -5,7 +5,7 @@
 use std::iter::Peekable;
 
 use crate::matrix::error::{MatrixProblem, Row};
-use crate::matrix::listed::At;
+use crate::matrix::listed::LocatedProblem;
 use crate::matrix::text::number;
 use crate::text_file::whole;
 
@@ -41,7 +41,7 @@ impl<'a> Card<'a> {
 pub(in crate::matrix) fn cards<'a>(
     text: &'a str,
     name: &'static str,
-) -> impl Iterator<Item = Result<Card<'a>, At>> {
+) -> impl Iterator<Item = Result<Card<'a>, LocatedProblem>> {
     let mut lines = bulk_lines(text).peekable();
     std::iter::from_fn(move || {
         let (line, content) = lines.find(|(_, content)| is_named(content, name))?;
@@ -54,7 +54,7 @@ fn card<'a>(
     line: usize,
     first: &'a str,
     lines: &mut Peekable<impl Iterator<Item = (usize, &'a str)>>,
-) -> Result<Card<'a>, At> {
+) -> Result<Card<'a>, LocatedProblem> {
     let mut fields = Vec::new();
     add_fields(line, first, &mut fields)?;
     while let Some((line, content)) = lines.next_if(|(_, content)| continues(content)) {
@@ -88,7 +88,7 @@ fn continues(content: &str) -> bool {
 
 /// Adds the fields of a line: eight of 8 columns or four of 16, which a star in the first field tells, or between
 /// commas.
-fn add_fields<'a>(line: usize, content: &'a str, fields: &mut Vec<Field<'a>>) -> Result<(), At> {
+fn add_fields<'a>(line: usize, content: &'a str, fields: &mut Vec<Field<'a>>) -> Result<(), LocatedProblem> {
     if content.contains('\t') {
         return Err((line, MatrixProblem::Tab));
     }
@@ -112,12 +112,12 @@ fn add_fields<'a>(line: usize, content: &'a str, fields: &mut Vec<Field<'a>>) ->
 }
 
 /// A number that labels or counts something.
-pub(in crate::matrix) fn integer(field: Field, row: Row) -> Result<u64, At> {
+pub(in crate::matrix) fn integer(field: Field, row: Row) -> Result<u64, LocatedProblem> {
     whole(field.text, row).map_err(|problem| (field.line, problem))
 }
 
 /// A real number, which has a decimal point: a number without one was meant for another field.
-pub(in crate::matrix) fn real(field: Field) -> Result<f64, At> {
+pub(in crate::matrix) fn real(field: Field) -> Result<f64, LocatedProblem> {
     let value = if field.text.contains('.') {
         number(field.text, Row::NastranReal)
     } else {

@@ -6,7 +6,7 @@ use std::collections::BTreeSet;
 
 use super::bulk::{Card, Field, cards, integer, real};
 use crate::matrix::error::{MatrixProblem, Row};
-use crate::matrix::listed::{At, Listed, Symmetry};
+use crate::matrix::listed::{Listed, LocatedProblem, Symmetry};
 use crate::matrix::{Dof, MatrixFile};
 use crate::text_file::last_line;
 
@@ -35,7 +35,7 @@ struct Term {
 }
 
 /// The matrix of this name, or the only one.
-pub(super) fn read(text: &str, name: Option<&str>) -> Result<MatrixFile, At> {
+pub(super) fn read(text: &str, name: Option<&str>) -> Result<MatrixFile, LocatedProblem> {
     let header = header(text, name)?;
     let mut terms = Vec::new();
     for card in cards(text, "DMIG") {
@@ -52,7 +52,7 @@ fn is_header(card: &Card) -> bool {
 }
 
 /// The header of the matrix of this name, or of the only one.
-fn header(text: &str, name: Option<&str>) -> Result<Header, At> {
+fn header(text: &str, name: Option<&str>) -> Result<Header, LocatedProblem> {
     let (mut names, mut chosen): (BTreeSet<String>, Option<Card>) = Default::default();
     for card in cards(text, "DMIG") {
         let card = card?;
@@ -89,7 +89,7 @@ fn owned(names: BTreeSet<String>) -> Vec<String> {
 }
 
 impl Header {
-    fn of(card: &Card) -> Result<Self, At> {
+    fn of(card: &Card) -> Result<Self, LocatedProblem> {
         let refused = |field: Field, problem| Err((field.line, problem));
         let (form, kind, count) = (card.field(4), card.field(5), card.field(9));
         let form = match form.text {
@@ -111,7 +111,7 @@ impl Header {
     }
 
     /// The matrix between the degrees of freedom that occur.
-    fn matrix(&self, terms: &[Term]) -> Result<MatrixFile, At> {
+    fn matrix(&self, terms: &[Term]) -> Result<MatrixFile, LocatedProblem> {
         let mut rows: BTreeSet<Dof> = terms.iter().map(|term| term.row).collect();
         let mut columns: BTreeSet<Dof> = terms.iter().map(|term| term.column).collect();
         if self.form != Form::Rectangular {
@@ -141,7 +141,7 @@ impl Header {
 }
 
 /// Adds the terms of a column.
-fn column(card: &Card, terms: &mut Vec<Term>) -> Result<(), At> {
+fn column(card: &Card, terms: &mut Vec<Term>) -> Result<(), LocatedProblem> {
     let column = dof(card.field(3), card.field(4))?;
     if !card.field(5).text.is_empty() {
         let found = card.field(5).text.into();
@@ -162,7 +162,7 @@ fn column(card: &Card, terms: &mut Vec<Term>) -> Result<(), At> {
 }
 
 /// A point and its component; scalar points have none.
-fn dof(point: Field, component: Field) -> Result<Dof, At> {
+fn dof(point: Field, component: Field) -> Result<Dof, LocatedProblem> {
     let node = integer(point, Row::DmigColumn)?;
     match component.text {
         "" => Ok(Dof { node, component: 0 }),

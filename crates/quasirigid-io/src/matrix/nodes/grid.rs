@@ -1,6 +1,6 @@
-use super::{Found, NodeTable};
+use super::{NodeList, NodeTable};
 use crate::matrix::error::{Fault, MatrixProblem, Place, Row};
-use crate::matrix::listed::At;
+use crate::matrix::listed::LocatedProblem;
 use crate::matrix::nastran::{Card, cards, integer, real};
 use crate::text_file::text;
 
@@ -9,8 +9,8 @@ pub(in crate::matrix) fn read(bytes: &[u8]) -> Result<NodeTable, Fault> {
     nodes(text::<MatrixProblem>(bytes)?).map_err(|(line, problem)| (Place::Line(line), problem))?.sorted()
 }
 
-fn nodes(text: &str) -> Result<Found, At> {
-    let mut found = Found::default();
+fn nodes(text: &str) -> Result<NodeList, LocatedProblem> {
+    let mut found = NodeList::default();
     for card in cards(text, "GRDSET") {
         in_basic_system(&card?, "GRDSET")?;
     }
@@ -24,7 +24,7 @@ fn nodes(text: &str) -> Result<Found, At> {
 }
 
 /// Refuses a card that gives places (CP, field 3) or displacements (CD, field 7) in another coordinate system.
-fn in_basic_system(card: &Card, name: &str) -> Result<(), At> {
+fn in_basic_system(card: &Card, name: &str) -> Result<(), LocatedProblem> {
     for (number, what) in [(3, "CP"), (7, "CD")] {
         let field = card.field(number);
         if !matches!(field.text, "" | "0") {

@@ -1,6 +1,6 @@
-use super::{Found, NodeTable};
+use super::{NodeList, NodeTable};
 use crate::matrix::error::{Fault, MatrixProblem, Place, Row};
-use crate::matrix::listed::At;
+use crate::matrix::listed::LocatedProblem;
 use crate::matrix::text::number;
 use crate::text_file::{lines, text, whole};
 
@@ -9,8 +9,8 @@ pub(in crate::matrix) fn read(bytes: &[u8]) -> Result<NodeTable, Fault> {
     nodes(text::<MatrixProblem>(bytes)?).map_err(|(line, problem)| (Place::Line(line), problem))?.sorted()
 }
 
-fn nodes(text: &str) -> Result<Found, At> {
-    let (mut found, mut inside) = (Found::default(), false);
+fn nodes(text: &str) -> Result<NodeList, LocatedProblem> {
+    let (mut found, mut inside) = (NodeList::default(), false);
     for (line, content) in lines(text).filter(|(_, content)| !content.starts_with("**")) {
         let refused = |problem| (line, problem);
         if content.starts_with('*') {

@@ -11,7 +11,7 @@ pub(super) use input::read as read_input;
 pub(super) use table::read as read_table;
 
 use super::error::{Fault, MatrixProblem, Place};
-use super::listed::At;
+use super::listed::LocatedProblem;
 
 /// A node of a finite-element model.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -37,14 +37,14 @@ impl NodeTable {
 
 /// Nodes as they come up in a file.
 #[derive(Default)]
-struct Found {
+struct NodeList {
     nodes: Vec<Node>,
     labels: HashSet<u64>,
 }
 
-impl Found {
+impl NodeList {
     /// Adds a node that stands on a line.
-    fn add(&mut self, label: u64, place: [f64; 3], line: usize) -> Result<(), At> {
+    fn add(&mut self, label: u64, place: [f64; 3], line: usize) -> Result<(), LocatedProblem> {
         if !self.labels.insert(label) {
             return Err((line, MatrixProblem::NodeTwice { node: label }));
         }

@@ -1,11 +1,11 @@
-use super::{Found, NodeTable};
+use super::{NodeList, NodeTable};
 use crate::matrix::error::{Fault, MatrixProblem, Place, Row};
 use crate::matrix::text::number;
 use crate::text_file::{lines, text, whole};
 
 /// Lines `label x y z`, perhaps below one line of titles.
 pub(in crate::matrix) fn read(bytes: &[u8]) -> Result<NodeTable, Fault> {
-    let mut found = Found::default();
+    let mut found = NodeList::default();
     let rows = lines(text::<MatrixProblem>(bytes)?).filter(|(_, line)| !line.starts_with('#'));
     for (index, (line, row)) in rows.enumerate() {
         if index == 0 && row.starts_with(|c: char| c.is_alphabetic() || c == '"') {

@@ -8,8 +8,8 @@ use zip::ZipArchive;
 use super::dense;
 use super::sparse::{self, Parts};
 use crate::matrix::error::{Fault, MatrixProblem, Place};
-use crate::matrix::listed::At;
-use crate::matrix::{LARGEST, MatrixFile};
+use crate::matrix::listed::LocatedProblem;
+use crate::matrix::{MAX_FILE, MatrixFile};
 use crate::text_file::{Member, unpacked_limit};
 
 /// The matrix of a `.npz` archive: a sparse one in its parts, or a dense one by its name.
@@ -52,7 +52,7 @@ struct Archive<'a> {
 impl<'a> Archive<'a> {
     fn new(bytes: &'a [u8]) -> Result<Self, Fault> {
         let refused = |error: zip::result::ZipError| (Place::File, archive(&error));
-        let left = unpacked_limit(bytes.len() as u64).min(LARGEST);
+        let left = unpacked_limit(bytes.len() as u64).min(MAX_FILE);
         Ok(Self { zip: ZipArchive::new(Cursor::new(bytes)).map_err(refused)?, left, limit: left })
     }
 
@@ -66,7 +66,11 @@ impl<'a> Archive<'a> {
     }
 
     /// Something read from an array.
-    fn array<T>(&mut self, name: &str, read: impl FnOnce(&[u8]) -> Result<T, At>) -> Result<T, Fault> {
+    fn array<T>(
+        &mut self,
+        name: &str,
+        read: impl FnOnce(&[u8]) -> Result<T, LocatedProblem>,
+    ) -> Result<T, Fault> {
         let refused = |problem| (member(name, 0), problem);
         let file = self.zip.by_name(&format!("{name}.npy")).map_err(|error| refused(archive(&error)))?;
         let mut bytes = Vec::new();

@@ -5,7 +5,7 @@
 use super::header::Header;
 use crate::matrix::MatrixFile;
 use crate::matrix::error::MatrixProblem;
-use crate::matrix::listed::{At, Listed};
+use crate::matrix::listed::{Listed, LocatedProblem};
 
 /// The numbers of an array in the bytes of a `.npy` file.
 pub(super) struct Array<'a> {
@@ -33,7 +33,7 @@ enum Scalar {
 }
 
 impl<'a> Array<'a> {
-    pub fn new(bytes: &'a [u8]) -> Result<Self, At> {
+    pub fn new(bytes: &'a [u8]) -> Result<Self, LocatedProblem> {
         let Header { descr, fortran_order, shape, size: start } = Header::of(bytes)?;
         let (scalar, big_endian) = Scalar::of(&descr).ok_or_else(|| {
             let problem = match descr.trim_start_matches(['<', '>', '=', '|']).starts_with('c') {
@@ -62,7 +62,7 @@ impl<'a> Array<'a> {
     }
 
     /// A number in the order of the file, which must be finite.
-    pub fn real(&self, index: usize) -> Result<f64, At> {
+    pub fn real(&self, index: usize) -> Result<f64, LocatedProblem> {
         let value = match self.scalar {
             Scalar::Float32 => f32::from_le_bytes(self.bytes(index)?).into(),
             Scalar::Float64 => f64::from_le_bytes(self.bytes(index)?),
@@ -75,7 +75,7 @@ impl<'a> Array<'a> {
     }
 
     /// An integer in the order of the file.
-    pub fn integer(&self, index: usize) -> Result<i64, At> {
+    pub fn integer(&self, index: usize) -> Result<i64, LocatedProblem> {
         match self.scalar {
             Scalar::Int32 => Ok(i32::from_le_bytes(self.bytes(index)?).into()),
             Scalar::Int64 => Ok(i64::from_le_bytes(self.bytes(index)?)),
@@ -84,7 +84,7 @@ impl<'a> Array<'a> {
     }
 
     /// The bytes of a number, the lowest first.
-    fn bytes<const N: usize>(&self, index: usize) -> Result<[u8; N], At> {
+    fn bytes<const N: usize>(&self, index: usize) -> Result<[u8; N], LocatedProblem> {
         let bytes = self.numbers.get(index * N..).and_then(|rest| rest.first_chunk::<N>());
         let (announced, found) = ((index as u64 + 1) * N as u64, self.numbers.len() as u64);
         let mut bytes = *bytes.ok_or((self.start, MatrixProblem::NumpyLength { announced, found }))?;
@@ -105,7 +105,7 @@ impl<'a> Array<'a> {
     }
 
     /// The array as a matrix; one dimension is a column.
-    pub fn matrix(&self) -> Result<MatrixFile, At> {
+    pub fn matrix(&self) -> Result<MatrixFile, LocatedProblem> {
         let (rows, columns) = match self.shape[..] {
             [rows] => (rows, 1),
             [rows, columns] => (rows, columns),
@@ -126,7 +126,7 @@ impl<'a> Array<'a> {
     }
 
     /// Problem of an array that has not the wanted shape.
-    pub fn misshapen(&self, wanted: &str) -> At {
+    pub fn misshapen(&self, wanted: &str) -> LocatedProblem {
         (self.start, MatrixProblem::NumpyShape { found: self.shape.clone(), wanted: wanted.to_owned() })
     }
 

@@ -3,7 +3,7 @@
 //! Format: NumPy Enhancement Proposal 1.
 
 use crate::matrix::error::MatrixProblem;
-use crate::matrix::listed::At;
+use crate::matrix::listed::LocatedProblem;
 
 /// Header: everything before the numbers of an array.
 pub(super) struct Header {
@@ -20,7 +20,7 @@ pub(super) struct Header {
 const MAGIC: usize = 8;
 
 impl Header {
-    pub fn of(bytes: &[u8]) -> Result<Self, At> {
+    pub fn of(bytes: &[u8]) -> Result<Self, LocatedProblem> {
         let not_numpy = || MatrixProblem::NumpyHeader {
             found: String::from_utf8_lossy(&bytes[..bytes.len().min(MAGIC)]).into(),
         };

@@ -10,7 +10,7 @@ use array::Array;
 
 use super::MatrixFile;
 use super::error::{Fault, Place};
-use super::listed::At;
+use super::listed::LocatedProblem;
 
 /// The matrix in a `.npy` file.
 pub(super) fn read(bytes: &[u8]) -> Result<MatrixFile, Fault> {
@@ -18,6 +18,6 @@ pub(super) fn read(bytes: &[u8]) -> Result<MatrixFile, Fault> {
 }
 
 /// The matrix in an array of one dimension, a column, or of two.
-fn dense(bytes: &[u8]) -> Result<MatrixFile, At> {
+fn dense(bytes: &[u8]) -> Result<MatrixFile, LocatedProblem> {
     Array::new(bytes)?.matrix()
 }

@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use super::Array;
 use crate::matrix::MatrixFile;
 use crate::matrix::error::MatrixProblem;
-use crate::matrix::listed::{At, Listed};
+use crate::matrix::listed::{Listed, LocatedProblem};
 
 /// The bytes of each array by its name.
 #[derive(Default)]
@@ -15,7 +15,7 @@ pub(super) struct Parts(HashMap<&'static str, Vec<u8>>);
 const NAMES: [&str; 7] = ["format", "shape", "data", "indices", "indptr", "row", "col"];
 
 /// A problem, with the name of its array.
-type In = (&'static str, At);
+type In = (&'static str, LocatedProblem);
 
 impl Parts {
     /// Keeps an array that belongs to a sparse matrix.
@@ -70,7 +70,7 @@ fn compressed(
     parts: &Parts,
     lines: usize,
     [height, width]: [usize; 2],
-    mut add: impl FnMut(usize, usize, f64, usize) -> Result<(), At>,
+    mut add: impl FnMut(usize, usize, f64, usize) -> Result<(), LocatedProblem>,
 ) -> Result<(), In> {
     let (pointers, indices, data) = (parts.list("indptr")?, parts.list("indices")?, parts.array("data")?);
     if pointers.len() != lines.saturating_add(1) {
@@ -104,7 +104,7 @@ fn compressed(
 /// Adds entries, each with its row and column.
 fn coordinates(
     parts: &Parts,
-    mut add: impl FnMut(usize, usize, f64, usize) -> Result<(), At>,
+    mut add: impl FnMut(usize, usize, f64, usize) -> Result<(), LocatedProblem>,
 ) -> Result<(), In> {
     let (rows, columns, data) = (parts.list("row")?, parts.list("col")?, parts.list("data")?);
     for (name, list) in [("row", &rows), ("col", &columns)] {

@@ -4,7 +4,7 @@
 
 use super::{Header, Records};
 use crate::matrix::error::MatrixProblem;
-use crate::matrix::listed::At;
+use crate::matrix::listed::LocatedProblem;
 
 /// Fortran records: the length in bytes, so many bytes, and the length again.
 pub(super) struct Binary<'a> {
@@ -39,7 +39,7 @@ impl<'a> Binary<'a> {
     }
 
     /// The next bytes before an end, the lowest first.
-    fn take<const N: usize>(&mut self, end: usize) -> Result<[u8; N], At> {
+    fn take<const N: usize>(&mut self, end: usize) -> Result<[u8; N], LocatedProblem> {
         let rest = self.bytes.get(self.next..end).and_then(|rest| rest.first_chunk::<N>());
         let found = end.saturating_sub(self.next) as u64;
         let mut bytes = *rest.ok_or((self.next, MatrixProblem::Record { announced: N as u64, found }))?;
@@ -50,12 +50,12 @@ impl<'a> Binary<'a> {
         Ok(bytes)
     }
 
-    fn integer(&mut self) -> Result<i64, At> {
+    fn integer(&mut self) -> Result<i64, LocatedProblem> {
         self.take(self.record.1).map(|bytes| i32::from_le_bytes(bytes).into())
     }
 
     /// Begins a record.
-    fn open(&mut self) -> Result<(), At> {
+    fn open(&mut self) -> Result<(), LocatedProblem> {
         let length = u32::from_le_bytes(self.take(self.bytes.len())?) as usize;
         let found = (self.bytes.len() - self.next).saturating_sub(4);
         if length > found {
@@ -66,7 +66,7 @@ impl<'a> Binary<'a> {
     }
 
     /// Ends a record at its second length.
-    fn close(&mut self) -> Result<(), At> {
+    fn close(&mut self) -> Result<(), LocatedProblem> {
         let (start, end) = self.record;
         let (announced, found) = ((end - start) as u64, (self.next - start) as u64);
         if found != announced {
@@ -83,7 +83,7 @@ impl<'a> Binary<'a> {
 impl Records for Binary<'_> {
     const COUNTS_NUMBERS: bool = false;
 
-    fn header(&mut self) -> Result<Option<Header>, At> {
+    fn header(&mut self) -> Result<Option<Header>, LocatedProblem> {
         if self.next == self.bytes.len() {
             return Ok(None);
         }
@@ -108,12 +108,12 @@ impl Records for Binary<'_> {
         Header::new(sizes, &name, start).map(Some)
     }
 
-    fn column(&mut self) -> Result<[i64; 3], At> {
+    fn column(&mut self) -> Result<[i64; 3], LocatedProblem> {
         self.open()?;
         self.integers()
     }
 
-    fn integers<const N: usize>(&mut self) -> Result<[i64; N], At> {
+    fn integers<const N: usize>(&mut self) -> Result<[i64; N], LocatedProblem> {
         let mut integers = [0; N];
         for integer in &mut integers {
             *integer = self.integer()?;
@@ -123,7 +123,7 @@ impl Records for Binary<'_> {
 
     fn run(&mut self) {}
 
-    fn value(&mut self) -> Result<f64, At> {
+    fn value(&mut self) -> Result<f64, LocatedProblem> {
         let value = if self.double {
             f64::from_le_bytes(self.take(self.record.1)?)
         } else {
@@ -135,11 +135,11 @@ impl Records for Binary<'_> {
         Err((self.at, MatrixProblem::NotFinite { found: value.to_string().into() }))
     }
 
-    fn end(&mut self) -> Result<(), At> {
+    fn end(&mut self) -> Result<(), LocatedProblem> {
         self.close()
     }
 
-    fn skip(&mut self) -> Result<(), At> {
+    fn skip(&mut self) -> Result<(), LocatedProblem> {
         self.next = self.record.1;
         self.close()
     }

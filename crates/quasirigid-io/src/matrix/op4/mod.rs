@@ -11,7 +11,7 @@ pub(super) use binary::byte_order;
 
 use super::MatrixFile;
 use super::error::{Fault, MatrixProblem, Place, Row};
-use super::listed::{At, Listed, Symmetry};
+use super::listed::{Listed, LocatedProblem, Symmetry};
 
 /// The matrix of this name, or the only one, in a text.
 pub(super) fn read_text(bytes: &[u8], name: Option<&str>) -> Result<MatrixFile, Fault> {
@@ -38,19 +38,19 @@ trait Records {
     const COUNTS_NUMBERS: bool;
 
     /// The next header, unless the file ends.
-    fn header(&mut self) -> Result<Option<Header>, At>;
+    fn header(&mut self) -> Result<Option<Header>, LocatedProblem>;
     /// The number of the next column, its first row or 0, and its number of words.
-    fn column(&mut self) -> Result<[i64; 3], At>;
+    fn column(&mut self) -> Result<[i64; 3], LocatedProblem>;
     /// The next integers, as many as stand before a string.
-    fn integers<const N: usize>(&mut self) -> Result<[i64; N], At>;
+    fn integers<const N: usize>(&mut self) -> Result<[i64; N], LocatedProblem>;
     /// Starts a run: values that follow each other.
     fn run(&mut self);
     /// The next value.
-    fn value(&mut self) -> Result<f64, At>;
+    fn value(&mut self) -> Result<f64, LocatedProblem>;
     /// Ends the column.
-    fn end(&mut self) -> Result<(), At>;
+    fn end(&mut self) -> Result<(), LocatedProblem>;
     /// Ends the column, whatever it has.
-    fn skip(&mut self) -> Result<(), At>;
+    fn skip(&mut self) -> Result<(), LocatedProblem>;
     /// The line or byte of the value read last.
     fn at(&self) -> usize;
 }
@@ -73,7 +73,7 @@ const BIG: usize = 65535;
 
 impl Header {
     /// The four integers of a header.
-    fn new([columns, rows, form, kind]: [i64; 4], name: &str, at: usize) -> Result<Self, At> {
+    fn new([columns, rows, form, kind]: [i64; 4], name: &str, at: usize) -> Result<Self, LocatedProblem> {
         if !(1..=4).contains(&kind) {
             return Err((at, MatrixProblem::Type { found: kind.to_string().into() }));
         }
@@ -100,7 +100,7 @@ impl Header {
     }
 
     /// An empty matrix of the announced size, if form and kind are supported.
-    fn listed(&self) -> Result<Listed, At> {
+    fn listed(&self) -> Result<Listed, LocatedProblem> {
         if self.complex() {
             return Err((self.at, MatrixProblem::Complex));
         }
@@ -112,7 +112,7 @@ impl Header {
 }
 
 /// The matrix of this name, or the only one.
-fn read(records: &mut impl Records, name: Option<&str>) -> Result<MatrixFile, At> {
+fn read(records: &mut impl Records, name: Option<&str>) -> Result<MatrixFile, LocatedProblem> {
     let (mut names, mut found) = (Vec::new(), None);
     while let Some(header) = records.header()? {
         names.push(header.name.clone());
@@ -145,8 +145,8 @@ fn read(records: &mut impl Records, name: Option<&str>) -> Result<MatrixFile, At
 fn columns<R: Records>(
     records: &mut R,
     header: &Header,
-    mut add: impl FnMut(usize, usize, f64, usize) -> Result<(), At>,
-) -> Result<(), At> {
+    mut add: impl FnMut(usize, usize, f64, usize) -> Result<(), LocatedProblem>,
+) -> Result<(), LocatedProblem> {
     let mut next = 1;
     loop {
         let [number, row, words] = records.column()?;
@@ -174,8 +174,8 @@ fn strings(
     records: &mut impl Records,
     header: &Header,
     words: i64,
-    put: &mut impl FnMut(usize, f64, usize) -> Result<(), At>,
-) -> Result<(), At> {
+    put: &mut impl FnMut(usize, f64, usize) -> Result<(), LocatedProblem>,
+) -> Result<(), LocatedProblem> {
     let mut left = words;
     while left > 0 {
         let (before, length, row) = if header.big {
@@ -195,7 +195,7 @@ fn strings(
 }
 
 /// Numbers in so many words.
-fn numbers(records: &impl Records, header: &Header, words: i64) -> Result<usize, At> {
+fn numbers(records: &impl Records, header: &Header, words: i64) -> Result<usize, LocatedProblem> {
     let numbers = usize::try_from(words / header.words()).ok().filter(|_| words % header.words() == 0);
     numbers.ok_or_else(|| unexpected(records, words, Row::Op4Values))
 }
@@ -206,8 +206,8 @@ fn run(
     header: &Header,
     row: i64,
     numbers: usize,
-    put: &mut impl FnMut(usize, f64, usize) -> Result<(), At>,
-) -> Result<(), At> {
+    put: &mut impl FnMut(usize, f64, usize) -> Result<(), LocatedProblem>,
+) -> Result<(), LocatedProblem> {
     let first = usize::try_from(row).ok().and_then(|row| row.checked_sub(1));
     let first = first.ok_or_else(|| unexpected(records, row, Row::Op4Column))?;
     // A complex number is two in one row.
@@ -222,6 +222,6 @@ fn run(
     Ok(())
 }
 
-fn unexpected(records: &impl Records, found: i64, row: Row) -> At {
+fn unexpected(records: &impl Records, found: i64, row: Row) -> LocatedProblem {
     (records.at(), MatrixProblem::Unexpected { found: found.to_string().into(), row })
 }

@@ -4,7 +4,7 @@
 
 use super::{Header, Records};
 use crate::matrix::error::{MatrixProblem, Row};
-use crate::matrix::listed::At;
+use crate::matrix::listed::LocatedProblem;
 use crate::matrix::text::number;
 
 /// Lines of numbers in columns of fixed width.
@@ -47,11 +47,11 @@ impl<'a> Text<'a> {
     }
 
     /// The next line, which must be there.
-    fn line(&mut self) -> Result<&'a str, At> {
+    fn line(&mut self) -> Result<&'a str, LocatedProblem> {
         self.next_line().ok_or((self.line, MatrixProblem::CutMatrix))
     }
 
-    fn unexpected(&self, line: &str, row: Row) -> At {
+    fn unexpected(&self, line: &str, row: Row) -> LocatedProblem {
         (self.line, MatrixProblem::Unexpected { found: line.into(), row })
     }
 }
@@ -59,7 +59,7 @@ impl<'a> Text<'a> {
 impl Records for Text<'_> {
     const COUNTS_NUMBERS: bool = true;
 
-    fn header(&mut self) -> Result<Option<Header>, At> {
+    fn header(&mut self) -> Result<Option<Header>, LocatedProblem> {
         let Some(line) = std::iter::from_fn(|| self.next_line()).find(|line| !line.is_empty()) else {
             return Ok(None);
         };
@@ -70,12 +70,12 @@ impl Records for Text<'_> {
         Header::new(sizes, name, self.line).map(Some)
     }
 
-    fn column(&mut self) -> Result<[i64; 3], At> {
+    fn column(&mut self) -> Result<[i64; 3], LocatedProblem> {
         let line = self.line()?;
         integers(line).ok_or_else(|| self.unexpected(line, Row::Op4Column))
     }
 
-    fn integers<const N: usize>(&mut self) -> Result<[i64; N], At> {
+    fn integers<const N: usize>(&mut self) -> Result<[i64; N], LocatedProblem> {
         let line = self.line()?;
         // A word with both length and row may be wider than eight columns.
         let wide = || line.trim().parse().ok().filter(|_| N == 1).map(|word| [word; N]);
@@ -86,7 +86,7 @@ impl Records for Text<'_> {
         (self.values, self.taken) = ("", self.layout.values);
     }
 
-    fn value(&mut self) -> Result<f64, At> {
+    fn value(&mut self) -> Result<f64, LocatedProblem> {
         if self.taken == self.layout.values {
             (self.values, self.taken) = (self.line()?, 0);
             if self.values.len() > self.layout.values * self.layout.width {
@@ -100,11 +100,11 @@ impl Records for Text<'_> {
         number(word, Row::Op4Values).map_err(|problem| (self.line, problem))
     }
 
-    fn end(&mut self) -> Result<(), At> {
+    fn end(&mut self) -> Result<(), LocatedProblem> {
         Ok(())
     }
 
-    fn skip(&mut self) -> Result<(), At> {
+    fn skip(&mut self) -> Result<(), LocatedProblem> {
         self.line().map(|_| ())
     }
 

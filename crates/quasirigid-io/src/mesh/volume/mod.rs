@@ -12,7 +12,7 @@ use std::path::Path;
 use quasirigid_mesh::Mesh;
 
 use super::error::{Fault, MeshError, MeshProblem, Part, Place};
-use super::file::LARGEST;
+use super::file::MAX_FILE;
 use crate::text_file::{FileError, bytes_of, kind_of};
 pub use problem::VolumeProblem;
 
@@ -35,7 +35,7 @@ pub use problem::VolumeProblem;
 /// # Errors
 /// [`MeshError`] says what is wrong and where: by line in a text, by byte in a binary file.
 pub fn read_mesh(file: &Path) -> Result<Mesh, MeshError> {
-    mesh_of(file, &bytes_of(file, LARGEST)?)
+    mesh_of(file, &bytes_of(file, MAX_FILE)?)
 }
 
 /// The mesh in the bytes of a file, whose name gives the folder of included files.

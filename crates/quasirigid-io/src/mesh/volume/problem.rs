@@ -14,7 +14,7 @@ use crate::visible::Excerpt;
 pub enum VolumeProblem {
     /// A file whose beginning is that of no known format.
     #[error(
-        "the file is {kind}, and begins as no mesh of cells known here does; give a .msh file of gmsh, .vtk or \
+        "the file is {kind}, which is not a known mesh format; give a .msh file of gmsh, .vtk or \
          .vtu of VTK, or .inp of Abaqus or CalculiX"
     )]
     NotAMesh {
@@ -52,7 +52,7 @@ pub enum VolumeProblem {
         found: Excerpt,
     },
     /// Two nodes or cells with one number.
-    #[error("the number {label} comes twice among the {part}; renumber them")]
+    #[error("the number {label} appears twice among the {part}; renumber them")]
     Twice {
         /// Nodes or cells.
         part: Part,
@@ -84,7 +84,7 @@ pub enum VolumeProblem {
         limit: usize,
     },
     /// A number that is none of a node, a cell or a count.
-    #[error("{found} is no number of nodes or cells; is the file damaged?")]
+    #[error("{found} is not a number of nodes or cells; is the file damaged?")]
     Label {
         /// The number.
         found: i64,
@@ -99,7 +99,7 @@ pub enum VolumeProblem {
     },
     /// A line that is no beginning of a gmsh section.
     #[error(
-        "{found:?} cannot stand here; a gmsh file begins with $MeshFormat and has sections $Name to $EndName"
+        "{found:?} is not allowed here; a gmsh file begins with $MeshFormat and has sections $Name to $EndName"
     )]
     Section {
         /// The line.
@@ -134,7 +134,7 @@ pub enum VolumeProblem {
     },
     /// A line that is not known in a VTK file.
     #[error(
-        "{found:?} cannot stand here; a VTK file of cells has ASCII or BINARY, DATASET UNSTRUCTURED_GRID, POINTS, \
+        "{found:?} is not allowed here; a VTK file of cells has ASCII or BINARY, DATASET UNSTRUCTURED_GRID, POINTS, \
          CELLS and CELL_TYPES, then CELL_DATA and POINT_DATA"
     )]
     Keyword {

@@ -11,7 +11,7 @@ use toml_edit::{DocumentMut, Item, Table};
 pub use error::ChangeError;
 pub use path::Path;
 
-use super::given::Given;
+use super::key_value::KeyValue;
 use node::Node;
 
 /// Tables that stand once and that a path may begin although the file leaves them out.
@@ -33,7 +33,7 @@ const OPTIONAL: [&str; 3] = ["body", "initial", "run"];
 ///
 /// # Errors
 /// [`ChangeError`] for a text that is not TOML, and for a path that leads nowhere.
-pub fn changed(text: &str, changes: &[(&str, Given)]) -> Result<String, ChangeError> {
+pub fn changed(text: &str, changes: &[(&str, KeyValue)]) -> Result<String, ChangeError> {
     let template = Template::new(text)?;
     let changes = changes.iter().map(|(path, given)| Ok((path.parse::<Path>()?, given.clone())));
     template.changed(&changes.collect::<Result<Vec<_>, ChangeError>>()?)
@@ -61,7 +61,7 @@ impl Template {
     ///
     /// # Errors
     /// [`ChangeError`] for a path that leads nowhere.
-    pub fn changed(&self, changes: &[(Path, Given)]) -> Result<String, ChangeError> {
+    pub fn changed(&self, changes: &[(Path, KeyValue)]) -> Result<String, ChangeError> {
         let mut document = self.document.clone();
         for (path, given) in changes {
             place(&mut document, path, given)?;
@@ -73,19 +73,19 @@ impl Template {
     ///
     /// # Errors
     /// [`ChangeError`] for a path that leads nowhere.
-    pub fn find(&self, path: &Path) -> Result<Found, ChangeError> {
+    pub fn find(&self, path: &Path) -> Result<KeyContent, ChangeError> {
         let mut document = self.document.clone();
-        let probe = Given::Bool(false);
+        let probe = KeyValue::Bool(false);
         let before = with(&mut document, path, |node, last| Ok(node.get(last).map(Node::found)))?;
         // an entry that is there may still not be replaced by a plain value
         place(&mut document, path, &probe)?;
-        Ok(before.unwrap_or(Found::New))
+        Ok(before.unwrap_or(KeyContent::New))
     }
 }
 
 /// Content of the place that a path leads to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Found {
+pub enum KeyContent {
     /// A value that is no list and no table.
     Plain,
     /// A list or a table.
@@ -95,9 +95,9 @@ pub enum Found {
 }
 
 /// Puts a value at the place of a path.
-fn place(document: &mut DocumentMut, path: &Path, given: &Given) -> Result<(), ChangeError> {
+fn place(document: &mut DocumentMut, path: &Path, given: &KeyValue) -> Result<(), ChangeError> {
     with(document, path, |mut node, last| {
-        node.put(last, given.written(), matches!(given, Given::Table(_) | Given::List(_)))
+        node.put(last, given.written(), matches!(given, KeyValue::Table(_) | KeyValue::List(_)))
     })
 }
 

@@ -4,7 +4,7 @@
 
 use toml_edit::{Array, ArrayOfTables, Item, TableLike, Value};
 
-use super::Found;
+use super::KeyContent;
 use super::path::Segment;
 use crate::nearest::nearest;
 
@@ -38,8 +38,8 @@ impl<'a> Node<'a> {
     }
 
     /// Kind of content.
-    pub(super) fn found(self) -> Found {
-        if matches!(self, Self::Plain(_)) { Found::Plain } else { Found::Compound }
+    pub(super) fn found(self) -> KeyContent {
+        if matches!(self, Self::Plain(_)) { KeyContent::Plain } else { KeyContent::Compound }
     }
 
     /// The entry that a segment names, if there is one.

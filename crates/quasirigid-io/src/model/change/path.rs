@@ -6,7 +6,7 @@ use toml_edit::Key;
 use super::ChangeError;
 
 /// Most bytes and segments of a path.
-const LONGEST: usize = 1000;
+const MAX_BYTES: usize = 1000;
 const DEEPEST: usize = 16;
 
 /// Path of a key of a model, such as `spring.boom.stiffness`.
@@ -52,7 +52,7 @@ impl FromStr for Path {
 
     fn from_str(text: &str) -> Result<Self, ChangeError> {
         let refuse = |cause: String| ChangeError::NotAPath { path: shortened(text), cause };
-        if text.len() > LONGEST {
+        if text.len() > MAX_BYTES {
             return Err(refuse(format!("it has {} bytes", text.len())));
         }
         let keys = Key::parse(text).map_err(|cause| {

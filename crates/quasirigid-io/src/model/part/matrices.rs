@@ -4,7 +4,9 @@ use super::super::key::{Keys, key};
 use super::super::reader::{NAME, Reader, Sources};
 use super::super::rheology::{RHEOLOGY, Scale, rheology};
 use super::super::table::Table;
-use super::nodal::{DOFS, Given, LENGTH_UNIT, MASS_UNIT, MATRIX, NODES, Rows, Units, dof_list, node_table};
+use super::nodal::{
+    DOFS, LENGTH_UNIT, MASS_UNIT, MATRIX, NODES, NamedMatrix, Rows, Units, dof_list, node_table,
+};
 use super::{ATTACH, MASSES, Nodes, RAYLEIGH, Read, attached, masses, rayleigh};
 
 pub(in crate::model) const READER: Reader = Reader::of_parts(
@@ -36,14 +38,14 @@ const MATRICES: Keys = Keys {
 pub(super) fn matrices(table: &Table<'_>, name: &str, sources: Sources<'_, '_>) -> Option<Read> {
     let folder = sources.folder;
     let (units, nodes, listed) = (Units::new(table), node_table(table, folder), dof_list(table, folder));
-    let stiffness = Given::required(table, "stiffness", "stiffness = \"bracket.sti\"", folder);
-    let mass = Given::required(table, "mass", "mass = \"bracket.mas\"", folder);
-    let damping = Given::optional(table, "damping", folder);
+    let stiffness = NamedMatrix::required(table, "stiffness", "stiffness = \"bracket.sti\"", folder);
+    let mass = NamedMatrix::required(table, "mass", "mass = \"bracket.mas\"", folder);
+    let damping = NamedMatrix::optional(table, "damping", folder);
     let rayleigh = rayleigh(table);
     let known = rheology(table, Scale::OF_SPRING);
     let (units, nodes, listed) = (units?, nodes?, listed?);
     let (stiffness, mass, damping) = (stiffness?, mass?, damping?);
-    let files: Vec<&Given<'_>> = [&stiffness, &mass].into_iter().chain(&damping).collect();
+    let files: Vec<&NamedMatrix<'_>> = [&stiffness, &mass].into_iter().chain(&damping).collect();
     files.iter().try_for_each(|file| file.square())?;
     let rows = Rows::new(&files, listed.as_deref(), &nodes)?;
     let mass = NodalMass { entries: rows.entries(&mass, &units)?, ..rows.nodal(&units) };

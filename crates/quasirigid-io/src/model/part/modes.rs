@@ -13,7 +13,9 @@ use super::super::rheology::{RHEOLOGY, Scale, rheology};
 use super::super::surface::unit_of;
 use super::super::table::Table;
 use super::super::value::Value;
-use super::nodal::{DOFS, Given, LENGTH_UNIT, MASS_UNIT, MATRIX, NODES, Rows, Units, dof_list, node_table};
+use super::nodal::{
+    DOFS, LENGTH_UNIT, MASS_UNIT, MATRIX, NODES, NamedMatrix, Rows, Units, dof_list, node_table,
+};
 use super::{ATTACH, MASSES, Nodes, RAYLEIGH, Read, attached, masses, rayleigh};
 use crate::matrix::MatrixFile;
 use crate::units::Dimension;
@@ -68,10 +70,10 @@ pub(in crate::model) const NUMBERS: Keys = Keys {
 pub(super) fn modes(table: &Table<'_>, name: &str, sources: Sources<'_, '_>) -> Option<Read> {
     let folder = sources.folder;
     let (units, nodes, listed) = (Units::new(table), node_table(table, folder), dof_list(table, folder));
-    let shapes = Given::required(table, "shapes", "shapes = \"wing-shapes.npy\"", folder);
-    let given_mass = Given::required(table, "mass", "mass = \"wing-mass.mtx\"", folder);
-    let stiffness = Given::optional(table, "stiffness", folder);
-    let damping = Given::optional(table, "damping", folder);
+    let shapes = NamedMatrix::required(table, "shapes", "shapes = \"wing-shapes.npy\"", folder);
+    let given_mass = NamedMatrix::required(table, "mass", "mass = \"wing-mass.mtx\"", folder);
+    let stiffness = NamedMatrix::optional(table, "stiffness", folder);
+    let damping = NamedMatrix::optional(table, "damping", folder);
     let rayleigh = rayleigh(table);
     let known = rheology(table, Scale::OF_SPRING);
     let (units, nodes, listed, shapes) = (units?, nodes?, listed?, shapes?);
@@ -82,7 +84,7 @@ pub(super) fn modes(table: &Table<'_>, name: &str, sources: Sources<'_, '_>) -> 
         given_mass.square()?;
     }
     let matrix = Some(&given_mass).filter(|_| !lumped);
-    let files: Vec<&Given<'_>> = [&shapes].into_iter().chain(matrix).collect();
+    let files: Vec<&NamedMatrix<'_>> = [&shapes].into_iter().chain(matrix).collect();
     let rows = Rows::new(&files, listed.as_deref(), &nodes)?;
     let empty = rows.nodal(&units);
     let labels = Nodes::of_labels(&empty.node_labels);
@@ -118,7 +120,7 @@ fn one_of(table: &Table<'_>, keys: [&'static str; 2], example: &str) -> Option<(
     match keys.map(|key| table.get(key)) {
         [None, None] => table.required(keys[0], example).map(drop),
         [Some(_), Some(second)] => {
-            let message = format!("`{}` and `{}` say the same", keys[0], keys[1]);
+            let message = format!("`{}` and `{}` are the same quantity", keys[0], keys[1]);
             second.refuse(message, "one too many", "leave one of them out")
         }
         _ => Some(()),
@@ -132,7 +134,7 @@ fn interface(table: &Table<'_>, labels: &Nodes) -> Option<Vec<usize>> {
 }
 
 /// Reads a lumped mass for each node, and gives it to the displacements of the node that have a row.
-fn lumps(given: &Given<'_>, nodal: &NodalMass, units: &Units) -> Option<Vec<(usize, usize, f64)>> {
+fn lumps(given: &NamedMatrix<'_>, nodal: &NodalMass, units: &Units) -> Option<Vec<(usize, usize, f64)>> {
     let masses = column(given, nodal.nodes.len(), "node")?;
     let of_row = |(row, (node, component)): (usize, &(usize, usize))| {
         (*component < 3).then_some((row, row, units.mass * masses[*node]))
@@ -141,7 +143,7 @@ fn lumps(given: &Given<'_>, nodal: &NodalMass, units: &Units) -> Option<Vec<(usi
 }
 
 /// Reads the numbers of a file with one number for each node or mode.
-fn column(given: &Given<'_>, count: usize, of: &str) -> Option<Vec<f64>> {
+fn column(given: &NamedMatrix<'_>, count: usize, of: &str) -> Option<Vec<f64>> {
     let MatrixFile { rows, columns, .. } = given.matrix;
     if (rows, columns) != (count, 1) && (rows, columns) != (1, count) {
         let key = given.value.key();
@@ -156,7 +158,7 @@ fn column(given: &Given<'_>, count: usize, of: &str) -> Option<Vec<f64>> {
 /// Reads the frequencies and damping ratios of modes.
 fn spectrum(table: &Table<'_>, modes: usize, folder: &Path) -> Option<Spectrum> {
     if let Some(value) = table.get("damping") {
-        let help = "write damping_ratios = 0.01, or `stiffness` in the place of `frequencies`";
+        let help = "write damping_ratios = 0.01, or `stiffness` in place of `frequencies`";
         return value.refuse("`damping` is a matrix beside `stiffness`", "beside frequencies", help);
     }
     let value = table.required("frequencies", "frequencies = [\"0.4 Hz\", \"1.1 Hz\"]")?;
@@ -178,7 +180,7 @@ fn numbers(value: &Value<'_>, dimension: Dimension, modes: usize, folder: &Path)
     }
     let table = value.table("the numbers", &NUMBERS)?;
     let unit = table.get("unit").map_or(Some(1.0), |unit| unit_of(&unit, dimension))?;
-    let given = Given::in_table(*value, &table, folder)?;
+    let given = NamedMatrix::in_table(*value, &table, folder)?;
     Some(column(&given, modes, "mode")?.into_iter().map(|number| unit * number).collect())
 }
 
@@ -198,7 +200,7 @@ impl<'u> Coordinates<'u> {
     }
 
     /// Entries of a square matrix between the coordinates, in SI units.
-    fn entries(&self, given: &Given<'_>) -> Option<Vec<(usize, usize, f64)>> {
+    fn entries(&self, given: &NamedMatrix<'_>) -> Option<Vec<(usize, usize, f64)>> {
         given.square()?;
         let (size, count) = (given.matrix.rows, self.scales.len());
         if size != count {
@@ -215,7 +217,7 @@ impl<'u> Coordinates<'u> {
     }
 
     /// The shapes in SI units, a row for each of so many degrees of freedom.
-    fn shapes(&self, given: &Given<'_>, rows: &Rows<'_>, dofs: usize) -> Option<Vec<Vec<f64>>> {
+    fn shapes(&self, given: &NamedMatrix<'_>, rows: &Rows<'_>, dofs: usize) -> Option<Vec<Vec<f64>>> {
         let numbers = rows.numbers_of(given)?;
         let mut shapes = vec![vec![0.0; self.scales.len()]; dofs];
         for (row, column, share) in &given.matrix.entries {

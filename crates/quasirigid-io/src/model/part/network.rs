@@ -48,13 +48,13 @@ const NETWORK: Keys = Keys {
 /// Most points that a network may be expected to have.
 const MOST_POINTS: f64 = 1e5;
 /// Most springs that a network may be expected to have.
-const MOST_SPRINGS: f64 = 1e7;
+const MAX_SPRINGS: f64 = 1e7;
 /// Memory of a spring while the file is read (bytes), as measured, with the growth of lists.
-const SPRING: f64 = 400.0;
+const BYTES_PER_SPRING: f64 = 400.0;
 /// Reach of the springs over the least distance of points, unless the file gives the reach.
-const REACH: f64 = 2.3;
+const USUAL_REACH: f64 = 2.3;
 /// Longest springs over the least distance of points.
-const LONGEST: f64 = 10.0;
+const MAX_REACH: f64 = 10.0;
 
 /// Reads a `[[network]]` of random points and springs.
 pub(in crate::model) fn network(table: &Table<'_>, name: &str) -> Option<(Network, Extremes)> {
@@ -71,14 +71,15 @@ pub(in crate::model) fn network(table: &Table<'_>, name: &str) -> Option<(Networ
     let known = rheology(table, Scale::OF_SPRING);
     let spacing = spacing?;
     let reach = match reach {
-        None => REACH * spacing,
+        None => USUAL_REACH * spacing,
         Some((value, reach)) => {
             let reach = reach?;
-            if !(spacing..=LONGEST * spacing).contains(&reach) {
+            if !(spacing..=MAX_REACH * spacing).contains(&reach) {
                 let message =
                     format!("springs of {reach} m do not fit points that are {spacing} m apart or more");
-                let help =
-                    format!("write a reach of 1 to {LONGEST} times the spacing; {REACH} times is usual");
+                let help = format!(
+                    "write a reach of 1 to {MAX_REACH} times the spacing; {USUAL_REACH} times is usual"
+                );
                 return value.refuse(message, "too short or too long", help);
             }
             reach
@@ -102,14 +103,15 @@ pub(in crate::model) fn network(table: &Table<'_>, name: &str) -> Option<(Networ
         return table.get("spacing")?.refuse(message, "too many points", help);
     }
     let springs = network.expected_springs();
-    let problem = match memory::ask(SPRING * springs) {
-        _ if springs > MOST_SPRINGS => Some(format!("a network has {MOST_SPRINGS:e} springs or fewer")),
+    let problem = match memory::ask(BYTES_PER_SPRING * springs) {
+        _ if springs > MAX_SPRINGS => Some(format!("a network has {MAX_SPRINGS:e} springs or fewer")),
         Err(cause) => Some(cause.to_string()),
         Ok(()) => None,
     };
     if let Some(problem) = problem {
         let message = format!("about {springs:.1e} springs join these points: {problem}");
-        let help = format!("widen the spacing or shorten the reach: {REACH} times the spacing is usual");
+        let help =
+            format!("widen the spacing or shorten the reach: {USUAL_REACH} times the spacing is usual");
         return table.get("spacing")?.refuse(message, "too many springs", help);
     }
     Some((network, known.extremes))

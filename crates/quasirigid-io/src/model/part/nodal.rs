@@ -43,12 +43,12 @@ impl Units {
 }
 
 /// A matrix of a file, and the value that names it.
-pub(super) struct Given<'a> {
+pub(super) struct NamedMatrix<'a> {
     pub value: Value<'a>,
     pub matrix: MatrixFile,
 }
 
-impl<'a> Given<'a> {
+impl<'a> NamedMatrix<'a> {
     /// Reads the matrix in a file that a value names, looked for beside the model: `"file"` or `{ file, name }`.
     pub(super) fn read(value: Value<'a>, folder: &Path) -> Option<Self> {
         if value.is_table() {
@@ -136,7 +136,11 @@ pub(super) struct Rows<'f> {
 
 impl<'f> Rows<'f> {
     /// The rows of all these matrices.
-    pub(super) fn new(files: &[&Given<'_>], listed: Option<&'f [Dof]>, nodes: &'f NodeTable) -> Option<Self> {
+    pub(super) fn new(
+        files: &[&NamedMatrix<'_>],
+        listed: Option<&'f [Dof]>,
+        nodes: &'f NodeTable,
+    ) -> Option<Self> {
         let mut rows = Self { nodes, listed, numbers: BTreeMap::new(), places: Vec::new() };
         let indices: BTreeMap<u64, usize> =
             nodes.nodes().iter().enumerate().map(|(index, node)| (node.label, index)).collect();
@@ -171,7 +175,7 @@ impl<'f> Rows<'f> {
     }
 
     /// Entries of a square matrix in SI units, by the numbers of their degrees of freedom.
-    pub(super) fn entries(&self, given: &Given<'_>, units: &Units) -> Option<Vec<(usize, usize, f64)>> {
+    pub(super) fn entries(&self, given: &NamedMatrix<'_>, units: &Units) -> Option<Vec<(usize, usize, f64)>> {
         let numbers = self.numbers_of(given)?;
         let entry = |(row, column, entry): &(usize, usize, f64)| {
             let (row, column) = (numbers[*row], numbers[*column]);
@@ -182,7 +186,7 @@ impl<'f> Rows<'f> {
     }
 
     /// Number of the degree of freedom of each row of a matrix.
-    pub(super) fn numbers_of(&self, given: &Given<'_>) -> Option<Vec<usize>> {
+    pub(super) fn numbers_of(&self, given: &NamedMatrix<'_>) -> Option<Vec<usize>> {
         Some(self.of(given)?.iter().map(|dof| self.numbers[dof]).collect())
     }
 
@@ -192,7 +196,7 @@ impl<'f> Rows<'f> {
     }
 
     /// Degrees of freedom of the rows of a matrix: its own labels, a list, or all components of every node.
-    fn of(&self, given: &Given<'_>) -> Option<Vec<Dof>> {
+    fn of(&self, given: &NamedMatrix<'_>) -> Option<Vec<Dof>> {
         let MatrixFile { rows, labels, .. } = &given.matrix;
         if let Some(labels) = labels {
             return Some(labels.clone());

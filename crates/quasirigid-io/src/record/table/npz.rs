@@ -35,7 +35,7 @@ pub fn write(
         .compression_method(CompressionMethod::Stored)
         .large_file(count > u64::from(u32::MAX) / 16)
         .last_modified_time(zip::DateTime::default());
-    let mut archive = ZipWriter::new(Once { out, position: 0, end: 0, failed: false });
+    let mut archive = ZipWriter::new(FailsOnce { out, position: 0, end: 0, failed: false });
     for (place, column) in columns.iter().enumerate() {
         archive.start_file(member(&column.name), options).map_err(|error| failed(&error.into()))?;
         archive.write_all(&header(count)).map_err(|error| failed(&error))?;
@@ -46,21 +46,21 @@ pub fn write(
 
 /// Output that fails once and from then on takes everything: the writer of archives prints on standard error what fails while it is
 /// dropped, after a failure that is told.
-struct Once<W> {
+struct FailsOnce<W> {
     out: W,
     position: u64,
     end: u64,
     failed: bool,
 }
 
-impl<W> Once<W> {
+impl<W> FailsOnce<W> {
     fn noted<T>(&mut self, result: io::Result<T>) -> io::Result<T> {
         self.failed |= result.as_ref().is_err_and(|error| error.kind() != io::ErrorKind::Interrupted);
         result
     }
 }
 
-impl<W: Write> Write for Once<W> {
+impl<W: Write> Write for FailsOnce<W> {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
         let written = if self.failed { Ok(bytes.len()) } else { self.out.write(bytes) };
         let written = self.noted(written)?;
@@ -75,7 +75,7 @@ impl<W: Write> Write for Once<W> {
     }
 }
 
-impl<W: Seek> Seek for Once<W> {
+impl<W: Seek> Seek for FailsOnce<W> {
     fn seek(&mut self, to: SeekFrom) -> io::Result<u64> {
         let sought = match to {
             _ if !self.failed => self.out.seek(to),
@@ -118,7 +118,7 @@ pub fn read(file: &Path, columns: &[Column], take: Take<'_>) -> Result<(), Recor
         left = left
             .checked_sub(bytes.len() as u64)
             .ok_or_else(|| damaged(format!("the archive unpacks to more than {} MiB", limit >> 20)))?;
-        numbers(&bytes).ok_or_else(|| damaged(format!("column {:?} is no array of doubles", column.name)))
+        numbers(&bytes).ok_or_else(|| damaged(format!("column {:?} is not an array of doubles", column.name)))
     };
     let values = columns.iter().map(&mut read).collect::<Result<Vec<_>, _>>()?;
     let rows = values.first().map_or(0, Vec::len);

@@ -139,7 +139,7 @@ impl Group {
         let group = reader.get_row_group(number)?;
         let column = |index: usize| match group.get_column_reader(index)? {
             ColumnReader::DoubleColumnReader(reader) => Ok(reader),
-            _ => Err(ParquetError::General("a column that is no number".to_owned())),
+            _ => Err(ParquetError::General("a column that is not numeric".to_owned())),
         };
         Ok(Self {
             columns: (0..columns).map(column).collect::<Result<_, _>>()?,

@@ -27,7 +27,7 @@ pub struct RowLog {
 }
 
 impl RowLog {
-    /// Starts a log of rows of so many numbers, in the place of an older one.
+    /// Starts a log of rows of so many numbers, in place of an older one.
     ///
     /// # Errors
     /// Those of the system.

@@ -9,7 +9,7 @@ use quasirigid::secular::{DirectRow, DirectRun, DirectStopReason, follow_directl
 
 use super::answer::{Answer, BEHIND};
 use super::attracting_spin::AttractingSpin;
-use super::methods::Found;
+use super::methods::MethodResult;
 use crate::error::StudyError;
 use crate::settings::EvolveSettings;
 
@@ -25,7 +25,7 @@ pub fn direct(
     goal: Option<f64>,
     asked: &EvolveSettings,
     observer: &mut dyn ChoiceObserver,
-) -> Found {
+) -> MethodResult {
     let until = spin.until(goal);
     announced(spin, full, until, asked, observer)?;
     let through = if spin.settled() { until } else { until.max(spin.beyond()) };
@@ -42,7 +42,7 @@ fn behind(
     first: DirectRun,
     asked: &EvolveSettings,
     observer: &mut dyn ChoiceObserver,
-) -> Found {
+) -> MethodResult {
     let end = first.rows[first.rows.len() - 1];
     let below = AttractingSpin::of(spin.study, &first.last)?;
     let goal = below.goal_from(spin.energy, asked);

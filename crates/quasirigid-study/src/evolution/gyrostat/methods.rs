@@ -25,15 +25,15 @@ use crate::settings::EvolveSettings;
 use crate::words::significant;
 
 /// Bound of the error of level curves over their largest criterion, and error per `γ/β`, as of averages. (Q7)
-const CAUTION: f64 = 4.0;
+const ERROR_PER_CRITERION: f64 = 4.0;
 const PER_SETTLING: f64 = 1.6;
 /// Tilt (rad) of the small wobble whose rate on levels is compared with that of the modes.
-const SMALL: f64 = 1e-2;
+const SMALL_TILT: f64 = 1e-2;
 /// Greatest wobble (rad) up to which the modes alone are followed, where no equation of motion has all losses.
-const ALONE: f64 = 0.1;
+const MODES_ALONE_WOBBLE: f64 = 0.1;
 
 /// Answer, or the end without one.
-pub type Found = Result<Answer, Stop<StudyError>>;
+pub type MethodResult = Result<Answer, Stop<StudyError>>;
 
 /// Chooses the method, and follows it.
 pub fn chosen(
@@ -41,7 +41,7 @@ pub fn chosen(
     full: &FullState,
     asked: &EvolveSettings,
     observer: &mut dyn ChoiceObserver,
-) -> Found {
+) -> MethodResult {
     let goal = spin.goal(asked)?;
     let method = asked.method.map(|method| asked_method(method, PowerSource::Polynomial));
     let decision = choose_for_gyrostat(&spin.criteria(), method, &Limits::default());
@@ -55,7 +55,7 @@ pub fn chosen(
 }
 
 /// Level curves of the slow energy; unasked only where they hold.
-fn levels(spin: &AttractingSpin, asked: &EvolveSettings) -> Found {
+fn levels(spin: &AttractingSpin, asked: &EvolveSettings) -> MethodResult {
     let study = spin.study;
     let reduced = study.reduced(study.order.max(LEVEL_ORDER))?;
     let K = spin.angular_momentum;
@@ -94,13 +94,13 @@ fn levels(spin: &AttractingSpin, asked: &EvolveSettings) -> Found {
 fn levels_error(spin: &AttractingSpin, levels: &LevelEvolution, attractor: [f64; 3], passed: f64) -> f64 {
     let Some(mode) = spin.nutation() else { return f64::INFINITY };
     let [across, _] = tangents(scale(norm(attractor).recip(), attractor));
-    let tilted = add(attractor, scale(SMALL * norm(attractor), across));
+    let tilted = add(attractor, scale(SMALL_TILT * norm(attractor), across));
     let Ok(level) = levels.level(tilted) else { return f64::INFINITY };
     let rate = level.power / (2.0 * (level.energy - levels.slow_energy(attractor)));
     let apart = |found: f64, known: f64| (found / known - 1.0).abs();
     let settling = PER_SETTLING * mode.decay_rate / spin.pole.following_rate();
     let worst = apart(rate, mode.decay_rate).max(apart(TAU / level.period, mode.frequency)).max(settling);
-    let error = CAUTION * worst + spin.spin_ratio().powi(2) + 0.5 * level.period / passed;
+    let error = ERROR_PER_CRITERION * worst + spin.spin_ratio().powi(2) + 0.5 * level.period / passed;
     if error.is_nan() { f64::INFINITY } else { error }
 }
 
@@ -131,7 +131,7 @@ fn on_manifold(
     goal: Option<f64>,
     asked: &EvolveSettings,
     observer: &mut dyn ChoiceObserver,
-) -> Found {
+) -> MethodResult {
     let options = history_options(goal, asked.duration, &Limits::default());
     let mut watch = |share: f64| observer.observe(share);
     let found = follow_about(spin.body, &spin.pole.modes.equilibrium, full, &options, &mut watch);
@@ -157,8 +157,8 @@ fn on_manifold(
 /// The rates of the modes from start to end.
 fn modal_rates(spin: &AttractingSpin, goal: Option<f64>, asked: &EvolveSettings) -> Result<Answer, Reason> {
     let [_, greatest] = spin.wobble.nutation(spin.energy);
-    if !(greatest < ALONE) {
-        return Err(Reason::TooWideForNutation { widest: ALONE });
+    if !(greatest < MODES_ALONE_WOBBLE) {
+        return Err(Reason::TooWideForNutation { widest: MODES_ALONE_WOBBLE });
     }
     let rows = spin.tail(spin.start(), goal, asked.duration, asked.samples)?;
     let verdict = Verdict {

@@ -6,7 +6,7 @@ use super::super::reason::Reason;
 use super::super::reference_spins::ReferenceSpins;
 use super::{AverageBasis, ChoiceError, ChoiceObserver, Driver, Followed, Found, Outcome, Stop};
 use crate::averaging::{Evolution, MeanPower, PowerSource, RotationState};
-use crate::secular::{AverageCriteria, MeasureError, MeasureOptions, Probes};
+use crate::secular::{AverageCriteria, MeasureError, MeasureOptions, SpotChecks};
 
 /// Steps of each short run beside an average at most.
 const PROBE_STEPS: u64 = 3_000_000;
@@ -68,7 +68,7 @@ impl Driver<'_> {
     }
 
     /// Short runs of the full system on the span; none where they are not wanted, or do not lead to a power.
-    fn probes(&self, observer: &mut dyn ChoiceObserver) -> Result<Option<&Probes>, ChoiceError> {
+    fn probes(&self, observer: &mut dyn ChoiceObserver) -> Result<Option<&SpotChecks>, ChoiceError> {
         if let Some(probes) = self.probes.get() {
             return Ok(probes.as_ref());
         }
@@ -77,7 +77,7 @@ impl Driver<'_> {
             let ReferenceSpins { body, range, poles, .. } = self.case.spins;
             let options = MeasureOptions { most_steps: PROBE_STEPS, ..MeasureOptions::default() };
             let mut watch = || observer.observe(0.0);
-            match Probes::between(body, range, poles, self.case.span.ends, &options, &mut watch) {
+            match SpotChecks::between(body, range, poles, self.case.span.ends, &options, &mut watch) {
                 Ok(probes) => found = Some(probes),
                 Err(MeasureError::Interrupted) => return Err(ChoiceError::Interrupted),
                 Err(_) => {}

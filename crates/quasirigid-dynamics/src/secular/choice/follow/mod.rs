@@ -17,7 +17,7 @@ use super::decision::{Decision, Last, Method};
 use super::limits::Limits;
 use super::reason::{Reason, Work};
 use crate::averaging::{HillResponse, LevelPassage, MeanPower, PowerSource};
-use crate::secular::{AverageCriteria, DirectRow, DirectRun, ManifoldHistory, MeasuredPower, Probes};
+use crate::secular::{AverageCriteria, DirectRow, DirectRun, ManifoldHistory, MeasuredPower, SpotChecks};
 
 pub use average::average_under_torque;
 pub use full_system::history_options;
@@ -178,7 +178,7 @@ struct Driver<'a> {
     /// Whether the method was asked for.
     asked: bool,
     /// Short runs beside the averages; none where they are not wanted.
-    probes: OnceCell<Option<Probes>>,
+    probes: OnceCell<Option<SpotChecks>>,
     /// Seconds of work that a period of the polhode takes in the full system.
     seconds_per_period: OnceCell<f64>,
 }

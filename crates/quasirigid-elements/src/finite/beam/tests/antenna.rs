@@ -118,7 +118,7 @@ fn modes_share_mass_inertia_and_energy_as_published() {
                 "{kind} {mode}: {} {value}",
                 shares[mode][kind]
             );
-            assert!((exact(mode)[kind] - value).abs() < 6e-7, "the two roads to the reference");
+            assert!((exact(mode)[kind] - value).abs() < 6e-7, "the two derivations of the reference");
         }
     }
 }

@@ -12,7 +12,7 @@ use quasirigid_mesh::Mesh;
 use super::draft::Draft;
 use super::problem::VolumeProblem;
 use crate::mesh::error::{MeshError, MeshProblem, Part, Place, Row};
-use crate::mesh::file::LARGEST;
+use crate::mesh::file::MAX_FILE;
 use crate::text_file::bytes_of;
 use block::{Block, Cells};
 use keyword::Keyword;
@@ -71,10 +71,10 @@ impl Reader {
                 if within.len() >= DEEPEST || within.contains(&included) {
                     return Err(located(VolumeProblem::Include { file: included, limit: DEEPEST }.into()));
                 }
-                let bytes = bytes_of::<MeshProblem>(&included, LARGEST)?;
+                let bytes = bytes_of::<MeshProblem>(&included, MAX_FILE)?;
                 self.read += bytes.len() as u64;
-                if self.read > LARGEST {
-                    return Err(located(MeshProblem::TooLarge { limit: LARGEST }));
+                if self.read > MAX_FILE {
+                    return Err(located(MeshProblem::TooLarge { limit: MAX_FILE }));
                 }
                 self.read_file(&included, &bytes, within)?;
                 within.pop();

@@ -22,7 +22,7 @@ impl Kind {
 /// Permutation: the index in the order of gmsh of each node in the order of [`Shape`]; empty where the two agree.
 type Order = &'static [u8];
 
-const SAME: Order = &[];
+const SAME_ORDER: Order = &[];
 const TET10: Order = &[0, 1, 2, 3, 4, 5, 6, 7, 9, 8];
 const WEDGE15: Order = &[0, 1, 2, 3, 4, 5, 6, 9, 7, 12, 14, 13, 8, 10, 11];
 const HEX20: Order = &[0, 1, 2, 3, 4, 5, 6, 7, 8, 11, 13, 9, 16, 18, 19, 17, 10, 12, 14, 15];
@@ -32,18 +32,18 @@ const HEX27: Order =
 /// Kind of cell of a type of gmsh.
 pub(super) fn kind(code: u64) -> Result<Kind, MeshProblem> {
     let (shape, order) = match code {
-        1 => (Shape::Line2, SAME),
-        2 => (Shape::Triangle3, SAME),
-        3 => (Shape::Quad4, SAME),
-        4 => (Shape::Tet4, SAME),
-        5 => (Shape::Hex8, SAME),
-        6 => (Shape::Wedge6, SAME),
-        8 => (Shape::Line3, SAME),
-        9 => (Shape::Triangle6, SAME),
-        10 => (Shape::Quad9, SAME),
+        1 => (Shape::Line2, SAME_ORDER),
+        2 => (Shape::Triangle3, SAME_ORDER),
+        3 => (Shape::Quad4, SAME_ORDER),
+        4 => (Shape::Tet4, SAME_ORDER),
+        5 => (Shape::Hex8, SAME_ORDER),
+        6 => (Shape::Wedge6, SAME_ORDER),
+        8 => (Shape::Line3, SAME_ORDER),
+        9 => (Shape::Triangle6, SAME_ORDER),
+        10 => (Shape::Quad9, SAME_ORDER),
         11 => (Shape::Tet10, TET10),
         12 => (Shape::Hex27, HEX27),
-        16 => (Shape::Quad8, SAME),
+        16 => (Shape::Quad8, SAME_ORDER),
         17 => (Shape::Hex20, HEX20),
         18 => (Shape::Wedge15, WEDGE15),
         _ => return Err(VolumeProblem::Kind { found: name(code).into() }.into()),

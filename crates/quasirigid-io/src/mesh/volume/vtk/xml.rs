@@ -11,16 +11,16 @@ use super::array::{Array, Origin, Scalar, Values, Words};
 use super::data::{Encoded, Layout};
 use super::grid::Grid;
 use super::{Fault, MeshProblem, Place, Sets, VolumeProblem};
-use crate::mesh::file::LARGEST;
+use crate::mesh::file::MAX_FILE;
 use crate::text_file::text;
 
 const APPENDED: &[u8] = b"<AppendedData";
 const CLOSING: &[u8] = b"</VTKFile>";
 /// Corners that a cell has at most.
-const MOST_CORNERS: u64 = 27;
+const MAX_CORNERS: u64 = 27;
 /// Bytes that an array may decompress to for each byte of the file, and always.
 const INFLATION: u64 = 100;
-const SMALL: u64 = 16 * 1024 * 1024;
+const ALWAYS_UNPACKED: u64 = 16 * 1024 * 1024;
 
 /// An unstructured grid as XML, `.vtu`.
 pub(in crate::mesh::volume) fn read(bytes: &[u8]) -> Result<Mesh, Fault> {
@@ -73,7 +73,7 @@ impl<'a, 'input> File<'a, 'input> {
         let encoding = root.children().find(|child| child.has_tag_name("AppendedData"));
         let size = (document.input_text().len() + appended.len()) as u64;
         let mut file = Self {
-            unpacked: size.saturating_mul(INFLATION).clamp(SMALL, LARGEST),
+            unpacked: size.saturating_mul(INFLATION).clamp(ALWAYS_UNPACKED, MAX_FILE),
             document,
             layout: Layout { big_endian: false, wide: false, compressed: false },
             appended,
@@ -135,7 +135,7 @@ impl<'a, 'input> File<'a, 'input> {
         };
         Ok(Grid {
             points: self.array(place, points.saturating_mul(3))?.has(points.saturating_mul(3))?,
-            corners: self.array(named("connectivity")?, cells.saturating_mul(MOST_CORNERS))?,
+            corners: self.array(named("connectivity")?, cells.saturating_mul(MAX_CORNERS))?,
             ends: self.array(named("offsets")?, cells)?.has(cells)?,
             counted: false,
             types: self.array(named("types")?, cells)?.has(cells)?,

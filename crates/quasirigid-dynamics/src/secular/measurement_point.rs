@@ -31,7 +31,7 @@ impl Default for MeasureOptions {
 }
 
 /// Relaxation times for the transient of a short run: a residue of `e^{−8}`.
-const SETTLED: f64 = 8.0;
+const SETTLING_TIMES: f64 = 8.0;
 /// Least and largest time of settling, in periods of the polhode.
 const SETTLING: [f64; 2] = [2.0, 400.0];
 /// Periods of the polhode in a window: few where the wobble changes fast; in general, and for a run from the slow manifold.
@@ -43,13 +43,13 @@ const DECAYS: f64 = 0.05;
 const DOUBLINGS: usize = 6;
 const DOUBLINGS_FROM_MANIFOLD: usize = 2;
 /// Wobble (rad) below which the modes give the power.
-const SMALL: f64 = 0.02;
+const SMALL_WOBBLE: f64 = 0.02;
 /// Distance from the separatrix, as `ξ`, to which the power is measured.
-pub(super) const NEAREST: f64 = -4.0;
+pub(super) const NEAREST_SEPARATRIX: f64 = -4.0;
 
-/// Measuring site of the mean power of a full system. (Q4)
+/// Point of measurement of the mean power of a full system. (Q4)
 #[derive(Clone, Copy)]
-pub(super) struct Site<'a> {
+pub(super) struct MeasurementPoint<'a> {
     pub body: &'a FlexibleBody,
     pub range: &'a EnergyRange,
     pub poles: &'a Poles,
@@ -63,7 +63,7 @@ struct Windows {
     doublings: usize,
 }
 
-impl Site<'_> {
+impl MeasurementPoint<'_> {
     /// Measures the mean power near a rotation state.
     pub fn measure(
         self,
@@ -75,7 +75,7 @@ impl Site<'_> {
         let period =
             FreeRotation::at_logit(range.moments(), range.angular_momentum(), mode, xi).polhode_period();
         let pole = poles.of_mode(mode);
-        let settling = pole.map_or(0.0, |pole| SETTLED / pole.settling_rate().max(f64::MIN_POSITIVE));
+        let settling = pole.map_or(0.0, |pole| SETTLING_TIMES / pole.settling_rate().max(f64::MIN_POSITIVE));
         let settling = settling.clamp(SETTLING[0] * period, SETTLING[1] * period);
         self.follow(
             (start, settling),
@@ -92,7 +92,7 @@ impl Site<'_> {
         watch: &mut dyn FnMut() -> ControlFlow<()>,
     ) -> Result<Measurement, MeasureError> {
         let energy = start.energy(self.body);
-        let RotationState { mode, .. } = self.range.stage(energy).ok_or(MeasureError::LeftMode)?;
+        let RotationState { mode, .. } = self.range.rotation_state(energy).ok_or(MeasureError::LeftMode)?;
         let period = self.range.polhode(energy).polhode_period();
         let windows =
             Windows { periods: PERIODS_FROM_MANIFOLD, equal: 0, doublings: DOUBLINGS_FROM_MANIFOLD };
@@ -120,7 +120,7 @@ impl Site<'_> {
             doublings,
         };
         let found = measured(body, range, start, plan, watch)?;
-        if found.stage.mode == mode { Ok(found) } else { Err(MeasureError::LeftMode) }
+        if found.rotation_state.mode == mode { Ok(found) } else { Err(MeasureError::LeftMode) }
     }
 }
 
@@ -128,7 +128,7 @@ impl Site<'_> {
 /// the places has, each with its settling at a decay rate (1/s) of what moves inside and two windows. (Q4)
 #[must_use]
 pub fn micro_run_periods(settling_rate: f64, period: f64) -> f64 {
-    let settling = SETTLED / (settling_rate.max(f64::MIN_POSITIVE) * period);
+    let settling = SETTLING_TIMES / (settling_rate.max(f64::MIN_POSITIVE) * period);
     RUNS * (settling.clamp(SETTLING[0], SETTLING[1]) + 2.0 * PERIODS[1])
 }
 
@@ -138,7 +138,7 @@ const RUNS: f64 = 9.0;
 /// Place `ξ` where the wobble is so small that the modes give the power.
 pub(super) fn small(range: &EnergyRange, mode: Mode) -> f64 {
     let angle = |xi: f64| wobble(range.moments(), range.angular_momentum(), RotationState { mode, xi });
-    crate::math::bisection::bisected([NEAREST, 40.0], angle, SMALL, false)
+    crate::math::bisection::bisected([NEAREST_SEPARATRIX, 40.0], angle, SMALL_WOBBLE, false)
 }
 
 /// Places in a mode between which the power is needed, ascending, not nearer to the separatrix than `nearest`; none if the evolution does
@@ -149,7 +149,7 @@ pub(super) fn span(
     [from, to]: [RotationState; 2],
     nearest: f64,
 ) -> Option<[f64; 2]> {
-    let at = |stage: RotationState| (stage.mode == mode).then_some(stage.xi);
+    let at = |rotation_state: RotationState| (rotation_state.mode == mode).then_some(rotation_state.xi);
     let (one, other) = match (at(from), at(to)) {
         (Some(one), Some(other)) => (one, other),
         (Some(one), None) | (None, Some(one)) => (one, nearest),

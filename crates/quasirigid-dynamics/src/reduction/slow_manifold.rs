@@ -14,7 +14,7 @@ use crate::model::{Advection, FlexibleBody};
 /// Coordinates and rates are kept apart: the value of an elastic coordinate is slaved to the angular velocity and the rate follows, the
 /// rate of a cyclic one (R13) is slaved, and the same steps serve both.
 #[derive(Clone, Debug)]
-pub(super) struct Manifold {
+pub(super) struct SlowManifold {
     /// Internal coordinates `q`, to degree `p`.
     pub q: Series,
     /// Rates `q̇` of the coordinates, to degree `p + 1`.
@@ -35,11 +35,11 @@ struct Recursion<'a> {
     body: &'a FlexibleBody,
     order: usize,
     inverse_inertia: Sym,
-    manifold: Manifold,
+    manifold: SlowManifold,
     couplings: Couplings,
 }
 
-impl Manifold {
+impl SlowManifold {
     /// Follows the recursion to order `p`.
     pub fn compute(body: &FlexibleBody, order: usize) -> Self {
         let n = body.coordinates().len();
@@ -84,7 +84,7 @@ impl Manifold {
 impl Recursion<'_> {
     /// `J f_d = −[ω × K]_d − [d/dt (K − Jω)]_d`. (R2)
     fn spin_rate(&mut self, degree: usize) {
-        let Manifold { f, K, .. } = &self.manifold;
+        let SlowManifold { f, K, .. } = &self.manifold;
         let mut torque = Homogeneous::identity().cross(K.part(degree - 1));
         let mut deviation = K.clone();
         deviation.set(Homogeneous::zero(1, 3));
@@ -95,7 +95,7 @@ impl Recursion<'_> {
     /// `[q̇]_d = Σ ∇q_a f_b`, `a + b = d + 1`, of elastic coordinates, with those of the cyclic ones, and the inertial rate of the first
     /// moment. (R3)
     fn rates(&mut self, degree: usize) {
-        let Manifold { q, f, s, .. } = &self.manifold;
+        let SlowManifold { q, f, s, .. } = &self.manifold;
         let mut rate = q.rate(f, degree);
         if !self.body.cyclic().is_empty() {
             self.add_cyclic_rates(&mut rate);
@@ -142,7 +142,7 @@ impl Recursion<'_> {
 
     /// `[½ ωᵀJ_jω + ωᵀJ_jkω q_k + ω·Z_jk q̇_k]_d`, `S_j·(u̇ + ω×u)/m*` for a free body, and the advection of liquids. (R4), (S6), (L21)
     fn load(&self, degree: usize) -> Homogeneous {
-        let Manifold { rate, f, u, .. } = &self.manifold;
+        let SlowManifold { rate, f, u, .. } = &self.manifold;
         let invariants = self.body.invariants();
         if degree == 2 {
             return Homogeneous::half_quadratic(&invariants.J1);
@@ -199,7 +199,7 @@ impl Recursion<'_> {
 
     /// `K_d = [q_jJ_jω + q_jq_kJ_jkω + h_j(q) q̇_j]_d`, less `s × u/m*` for a free body. (R5), (S6)
     fn angular_momentum(&mut self, degree: usize) {
-        let Manifold { q, rate, s, u, .. } = &self.manifold;
+        let SlowManifold { q, rate, s, u, .. } = &self.manifold;
         let invariants = self.body.invariants();
         let mut K = rate.part(degree).contracted(&invariants.h);
         add_turned(&q.part(degree - 1).contracted(&invariants.J1), &mut K);

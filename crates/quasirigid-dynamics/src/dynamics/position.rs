@@ -7,7 +7,7 @@ use crate::model::{FlexibleBody, MotionState};
 
 /// Position of a body, inertial axes.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Seat {
+pub(super) struct Position {
     /// Place (m) and velocity (m/s): of the centre of mass of a free body, of the pole of a constrained one.
     pub place: [f64; 3],
     pub velocity: [f64; 3],
@@ -15,7 +15,7 @@ pub(super) struct Seat {
     pub pole: [f64; 3],
 }
 
-impl Seat {
+impl Position {
     /// From a state with the place of the centre of mass of a free body, of the pole of a constrained one. (P7)
     pub fn of_center(body: &FlexibleBody, motion: MotionState<f64>, y: &[f64]) -> Self {
         let [pole, _] = pole(body, motion, y);
@@ -30,7 +30,7 @@ impl Seat {
     }
 }
 
-/// Place (m) and velocity (m/s) of the pole, from a state as in [`Seat::of_center`]. (P7)
+/// Place (m) and velocity (m/s) of the pole, from a state as in [`Position::of_center`]. (P7)
 pub(super) fn pole(body: &FlexibleBody, motion: MotionState<f64>, y: &[f64]) -> [[f64; 3]; 2] {
     let [offset, rate] = pole_from_center(body, motion, y);
     [add(triple(y, PLACE), offset), add(triple(y, VELOCITY), rate)]

@@ -6,29 +6,29 @@ use crate::model::Marker;
 use crate::number;
 use crate::{Assembly, End};
 
-/// Station: the point of action of an external force.
+/// Point of application of an external force.
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Station {
+pub struct ApplicationPoint {
     /// Element on which the force acts.
     pub on: End,
     /// Place on the carrier (m), in the file's frame; none on a point or node, where the force acts at its place.
     pub at: Option<[f64; 3]>,
 }
 
-impl Station {
-    /// Accepts the station of a force on a body.
+impl ApplicationPoint {
+    /// Accepts the point of application of a force on a body.
     pub(crate) fn check(&self, place: ElementId, body: &Assembly) -> Result<(), ElementError> {
         match (self.on, self.at) {
             (End::Carrier, Some(position)) => number::finite(&position).map_err(at(place, Field::AT)),
-            (End::Carrier, None) => Err(at(place, Field::AT)(Problem::NoStation)),
+            (End::Carrier, None) => Err(at(place, Field::AT)(Problem::NoApplicationPoint)),
             (End::Point(index), _) if index >= body.points.len() => {
                 Err(at(place, Field::ON)(Problem::NoSuchPoint { index }))
             }
             (End::Node(node), None) => body.has(node).map_err(at(place, Field::ON)),
             (End::Hinged(on), None) => body.has_place(on).map(drop).map_err(at(place, Field::ON)),
             (End::Point(_) | End::Node(_) | End::Hinged(_), Some(_)) => {
-                Err(at(place, Field::AT)(Problem::StationOnPoint))
+                Err(at(place, Field::AT)(Problem::ApplicationPointOnPoint))
             }
             (End::Point(_), None) => Ok(()),
         }

@@ -28,7 +28,7 @@ pub(super) const SPIN_MANIFOLD: Keys = Keys {
 };
 
 /// Most frequencies of masters beside the nutation.
-const MOST_MASTERS: usize = 3;
+const MAX_MASTERS: usize = 3;
 
 partial! {
     /// Settings of the reduced equations about a steady spin, as far as a source gives them.
@@ -72,7 +72,7 @@ pub enum ManifoldStyle {
 /// A text that names no [`ManifoldMasters`].
 #[derive(Clone, Debug, Error, PartialEq)]
 #[error(
-    "{text:?} names no masters; give automatic, nutation, or up to {MOST_MASTERS} frequencies (rad/s) such as 6.3,12"
+    "{text:?} names no masters; give automatic, nutation, or up to {MAX_MASTERS} frequencies (rad/s) such as 6.3,12"
 )]
 pub struct MastersError {
     /// The text.
@@ -103,7 +103,7 @@ impl ManifoldMasters {
     /// # Errors
     /// [`MastersError`] where they cannot be frequencies, or are none or too many.
     pub fn of(frequencies: Vec<f64>) -> Result<Self, MastersError> {
-        let fit = (1..=MOST_MASTERS).contains(&frequencies.len())
+        let fit = (1..=MAX_MASTERS).contains(&frequencies.len())
             && frequencies.iter().all(|frequency| *frequency >= 0.0 && frequency.is_finite());
         if fit { Ok(Self::With(frequencies)) } else { Err(MastersError { text: format!("{frequencies:?}") }) }
     }
@@ -139,7 +139,7 @@ fn masters(value: &Value<'_>) -> Option<ManifoldMasters> {
     let found = ManifoldMasters::of(frequencies);
     found.ok().or_else(|| {
         let message = format!(
-            "`masters` has 1 to {MOST_MASTERS} frequencies of modes beside the nutation, none negative"
+            "`masters` has 1 to {MAX_MASTERS} frequencies of modes beside the nutation, none negative"
         );
         value.refuse(message, "not these", help)
     })

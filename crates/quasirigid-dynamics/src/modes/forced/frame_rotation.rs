@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 
 use super::error::SteadyError;
-use super::state::Near;
+use super::state::SteadyStateGuess;
 use super::timed::{Pace, pace};
 use crate::math::taylor::Taylor;
 use crate::model::force::{Axes, Force, ForceLaw, MagneticField, Orbit, PLACE, TIME};
@@ -13,7 +13,7 @@ type V = Vector3<f64>;
 
 /// Rotation of the axes in which the forces can be constant.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) enum Turning {
+pub(super) enum FrameRotation {
     /// Rotation at this angular velocity (rad/s, inertial axes), set by a force or the support.
     Set { rate: V, what: String, orbit: bool },
     /// Rotation about this unit vector (inertial axes) at any rate.
@@ -56,7 +56,7 @@ pub(super) fn rests(body: &FlexibleBody) -> bool {
 
 /// Rotations and directions found in the forces examined so far.
 #[derive(Default)]
-struct Found {
+struct ForceDirections {
     set: Option<(V, String, bool)>,
     /// Directions fixed in space, each with its force or support in words.
     directions: Vec<(V, String)>,
@@ -64,15 +64,19 @@ struct Found {
 }
 
 /// Relative difference of rates and directions that is rounding.
-const SAME: f64 = 1e-9;
+const SAME_ROTATION: f64 = 1e-9;
 
-impl Turning {
+impl FrameRotation {
     /// From the laws of the acting forces and the support.
-    pub fn of(body: &FlexibleBody, forces: &[Force<Marker>], near: &Near) -> Result<Self, SteadyError> {
+    pub fn of(
+        body: &FlexibleBody,
+        forces: &[Force<Marker>],
+        near: &SteadyStateGuess,
+    ) -> Result<Self, SteadyError> {
         if body.wheels().driven.iter().any(|wheel| wheel.speed.uses(0)) {
             return Err(SteadyError::Wheel);
         }
-        let mut found = Found::default();
+        let mut found = ForceDirections::default();
         let mut acceleration = V::zeros();
         let driven = matches!(body.support(), Support::Prescribed { .. });
         let placed = forces.iter().any(|force| force.law.feels_path());
@@ -99,7 +103,7 @@ impl Turning {
     }
 }
 
-impl Found {
+impl ForceDirections {
     /// Acceleration of the support (m/s²) where constant; otherwise zero, with its rotation noted.
     fn support(&mut self, body: &FlexibleBody) -> Result<V, SteadyError> {
         let Support::Prescribed { acceleration, .. } = body.support() else { return Ok(V::zeros()) };
@@ -113,7 +117,7 @@ impl Found {
         let rate = a(1).cross(&a(2)) / a(1).norm_squared();
         let follows = |k: usize| {
             let expected = rate.cross(&a(k));
-            (a(k + 1) - expected).norm() <= SAME * (rate.norm() * a(k).norm() + a(k + 1).norm())
+            (a(k + 1) - expected).norm() <= SAME_ROTATION * (rate.norm() * a(k).norm() + a(k + 1).norm())
         };
         if !(rate.norm() > 0.0 && rate.norm().is_finite() && (0..7).all(follows)) {
             return Err(SteadyError::Changes { what: "the acceleration of the support".into(), part: None });
@@ -126,7 +130,7 @@ impl Found {
         &mut self,
         body: &FlexibleBody,
         force: &Force<Marker>,
-        near: &Near,
+        near: &SteadyStateGuess,
         acceleration: &mut V,
     ) -> Result<(), SteadyError> {
         let named = format!("the force {:?}", force.name);
@@ -159,7 +163,7 @@ impl Found {
                 if law.uses(TIME..TIME + 1) {
                     match pace(body, force, near) {
                         Some(Pace::Constant) => {}
-                        Some(Pace::Turning(rate)) => self.set(rate, named, false)?,
+                        Some(Pace::FrameRotation(rate)) => self.set(rate, named, false)?,
                         None => return changes(),
                     }
                 }
@@ -183,7 +187,7 @@ impl Found {
 
     fn set(&mut self, rate: V, what: String, orbit: bool) -> Result<(), SteadyError> {
         if let Some((other, one, _)) = &self.set {
-            if (other - rate).norm() > SAME * rate.norm() {
+            if (other - rate).norm() > SAME_ROTATION * rate.norm() {
                 return Err(SteadyError::Apart { one: one.clone(), other: what });
             }
             return Ok(());
@@ -192,19 +196,20 @@ impl Found {
         Ok(())
     }
 
-    fn turning(self) -> Result<Turning, SteadyError> {
-        let across =
-            |axis: V| move |(other, _): &&(V, String)| other.cross(&axis).norm() > SAME * other.norm();
+    fn turning(self) -> Result<FrameRotation, SteadyError> {
+        let across = |axis: V| {
+            move |(other, _): &&(V, String)| other.cross(&axis).norm() > SAME_ROTATION * other.norm()
+        };
         if let Some((rate, what, orbit)) = self.set {
             return match self.directions.iter().find(across(rate.normalize())) {
                 Some((_, what)) => Err(SteadyError::Changes { what: what.clone(), part: None }),
-                None => Ok(Turning::Set { rate, what, orbit }),
+                None => Ok(FrameRotation::Set { rate, what, orbit }),
             };
         }
         let Some(first) = self.directions.first().map(|(direction, _)| direction.normalize()) else {
-            return Ok(if self.unknown { Turning::Unknown } else { Turning::Own });
+            return Ok(if self.unknown { FrameRotation::Unknown } else { FrameRotation::Own });
         };
         let apart = self.directions.iter().any(|pair| across(first)(&pair));
-        Ok(if apart { Turning::Still } else { Turning::About(first) })
+        Ok(if apart { FrameRotation::Still } else { FrameRotation::About(first) })
     }
 }

@@ -1,4 +1,4 @@
-//! Probes: mean power of the full system at a few rotation states, to check an average before its use.
+//! Spot checks: mean power of the full system at a few rotation states, to check an average before its use.
 //! The poles say nothing of a resonance at a large wobble; a mean that does not settle, or a run that ends early, counts as an error of the
 //! average.
 //! Equation (Q9), docs/theory/16-methods.md.
@@ -7,29 +7,29 @@ use std::ops::ControlFlow;
 
 use super::energy_range::EnergyRange;
 use super::measure::{MeasureError, Measurement};
+use super::measurement_point::{MeasureOptions, MeasurementPoint, span};
 use super::poles::Poles;
-use super::site::{MeasureOptions, Site, span};
 use crate::averaging::{FreeRotation, MeanPower, RotationState};
 use crate::dynamics::FullState;
 use crate::model::{FlexibleBody, Mode};
 
 /// Nearest place to the separatrix that is probed, as `ξ`.
-const NEAREST: f64 = -2.0;
+const NEAREST_SEPARATRIX: f64 = -2.0;
 /// Length in `ξ` below which one place is probed, and the number of places otherwise.
-const SHORT: f64 = 0.3;
+const SINGLE_PLACE_LENGTH: f64 = 0.3;
 const PLACES: usize = 3;
 
 /// Mean power of the full system at a few rotation states of an evolution, from the widest wobble on, for comparison with an average.
 /// (Q9)
 #[derive(Clone, Debug)]
-pub struct Probes {
+pub struct SpotChecks {
     angular_momentum: f64,
     measurements: Vec<Measurement>,
     /// Relative change of a mean that did not settle, infinite where a run ended early; zero if all settled.
     unsettled: f64,
 }
 
-impl Probes {
+impl SpotChecks {
     /// Measures between two rotation states; no measurement where the wobble is so small that the modes give the power.
     ///
     /// # Errors
@@ -42,24 +42,24 @@ impl Probes {
         options: &MeasureOptions,
         watch: &mut dyn FnMut() -> ControlFlow<()>,
     ) -> Result<Self, MeasureError> {
-        let site = Site { body, range, poles, options: *options };
-        let mut probes =
+        let point = MeasurementPoint { body, range, poles, options: *options };
+        let mut spot_checks =
             Self { angular_momentum: range.angular_momentum(), measurements: Vec::new(), unsettled: 0.0 };
-        for stage in places(range, ends) {
-            match site.measure(stage, watch) {
-                Ok(found) => probes.measurements.push(found),
+        for rotation_state in places(range, ends) {
+            match point.measure(rotation_state, watch) {
+                Ok(found) => spot_checks.measurements.push(found),
                 Err(MeasureError::Unsettled { change }) => {
-                    probes.unsettled = change;
+                    spot_checks.unsettled = change;
                     break;
                 }
                 Err(MeasureError::Ended { .. } | MeasureError::LeftMode) => {
-                    probes.unsettled = f64::INFINITY;
+                    spot_checks.unsettled = f64::INFINITY;
                     break;
                 }
                 Err(failed) => return Err(failed),
             }
         }
-        Ok(probes)
+        Ok(spot_checks)
     }
 
     /// Measures from a state on the slow manifold.
@@ -74,7 +74,7 @@ impl Probes {
         options: &MeasureOptions,
         watch: &mut dyn FnMut() -> ControlFlow<()>,
     ) -> Result<Self, MeasureError> {
-        let found = Site { body, range, poles, options: *options }.measure_from(start, watch)?;
+        let found = MeasurementPoint { body, range, poles, options: *options }.measure_from(start, watch)?;
         Ok(Self { angular_momentum: range.angular_momentum(), measurements: vec![found], unsettled: 0.0 })
     }
 
@@ -88,7 +88,7 @@ impl Probes {
     #[must_use]
     pub fn error(&self, power: &dyn MeanPower) -> f64 {
         let off = self.measurements.iter().map(|found| {
-            let RotationState { mode, xi } = found.stage;
+            let RotationState { mode, xi } = found.rotation_state;
             let motion = FreeRotation::at_logit(power.moments(), self.angular_momentum, mode, xi);
             (power.mean_power(&motion) / found.power - 1.0).abs()
         });
@@ -99,10 +99,10 @@ impl Probes {
 /// Rotation states of an evolution with a wide wobble.
 fn places(range: &EnergyRange, ends: [RotationState; 2]) -> Vec<RotationState> {
     let in_mode = |mode: Mode| {
-        let [low, high] = span(range, mode, ends, NEAREST).unwrap_or([0.0; 2]);
+        let [low, high] = span(range, mode, ends, NEAREST_SEPARATRIX).unwrap_or([0.0; 2]);
         let count = match high - low {
             way if way <= 0.0 => 0,
-            way if way < SHORT => 1,
+            way if way < SINGLE_PLACE_LENGTH => 1,
             _ => PLACES,
         };
         (0..count).map(move |i| RotationState { mode, xi: low + (high - low) * i as f64 / PLACES as f64 })

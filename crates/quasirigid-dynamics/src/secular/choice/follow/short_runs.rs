@@ -20,7 +20,7 @@ impl Driver<'_> {
         let (spins, span) = (self.case.spins, self.case.span);
         let settled = self.settled(observer)?;
         let [from, to] = span.ends;
-        let from = settled.as_ref().and_then(|row| spins.range.stage(row.energy)).unwrap_or(from);
+        let from = settled.as_ref().and_then(|row| spins.range.rotation_state(row.energy)).unwrap_or(from);
         let (range, poles, options) = (&spins.range, &spins.poles, MeasureOptions::default());
         let mut watch = |share: f64| observer.observe(share);
         let power = MeasuredPower::along(spins.body, range, poles, [from, to], &options, &mut watch)?;

@@ -216,7 +216,7 @@ mod tests {
             };
             assert!(said.contains("2 entries have the name `tip`"), "{said}");
             assert!(
-                said.contains(&format!("`{numbered}` (frequency 6 rad/s, decay rate 0.25 1/s)")),
+                said.contains(&format!("`{numbered}` (frequency 6.000 rad/s, decay rate 0.2500 1/s)")),
                 "{said}"
             );
         }

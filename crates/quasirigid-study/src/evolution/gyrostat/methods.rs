@@ -136,7 +136,7 @@ fn on_manifold(
     let mut watch = |share: f64| observer.observe(share);
     let found = follow_about(spin.body, &spin.pole.modes.equilibrium, full, &options, &mut watch);
     let wobble = spin.wobble.nutation(spin.energy)[1];
-    let history = found.map_err(Reason::Submanifold)?.ok_or(Reason::BeyondManifold { wobble })?;
+    let history = found.map_err(Stop::<StudyError>::from)?.ok_or(Reason::BeyondManifold { wobble })?;
     match &history.run.ending {
         DirectStopReason::Interrupted => return Err(StudyError::Interrupted.into()),
         DirectStopReason::Reached | DirectStopReason::Finished => {}

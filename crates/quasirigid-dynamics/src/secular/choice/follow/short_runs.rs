@@ -50,15 +50,18 @@ impl Driver<'_> {
 
     fn announce_short_runs(&self, observer: &mut dyn ChoiceObserver) -> Result<(), Stop> {
         let Ok(per_period) = self.seconds_per_period(observer) else { return Ok(()) };
-        let ends = &self.case.span.ends;
-        let modes = if ends[0].mode == ends[1].mode { &ends[..1] } else { &ends[..] };
-        let periods: f64 = modes.iter().map(|state| self.periods_of_runs(*state)).sum();
-        Ok(observer.announce(Work::ShortRuns, per_period * periods)?)
+        let ends = self.case.span.ends;
+        let period = self.case.spins.motion(ends[0]).polhode_period();
+        let times = ends.map(|state| self.time_of_runs(state));
+        let modes = if ends[0].mode == ends[1].mode { 1.0 } else { 2.0 };
+        let time = 0.5 * modes * (times[0] + times[1]);
+        Ok(observer.announce(Work::ShortRuns, per_period / period * time)?)
     }
 
-    fn periods_of_runs(&self, state: RotationState) -> f64 {
+    /// Time (s) that the short runs between two states of a mode take in all, if their periods are that of a state.
+    fn time_of_runs(&self, state: RotationState) -> f64 {
         let period = self.case.spins.motion(state).polhode_period();
         let pole = self.case.spins.poles.of_mode(state.mode);
-        micro_run_periods(pole.map_or(0.0, |pole| pole.settling_rate()), period)
+        period * micro_run_periods(pole.map_or(0.0, |pole| pole.settling_rate()), period)
     }
 }

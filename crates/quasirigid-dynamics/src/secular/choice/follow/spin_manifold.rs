@@ -14,7 +14,7 @@ impl Driver<'_> {
         let options = history_options(Some(span.energies[1]), span.duration, self.limits);
         let mut watch = |share: f64| observer.observe(share);
         let found = follow_on_manifold(spins.body, from.mode, &span.start, &options, &mut watch);
-        match found.map_err(Reason::Submanifold)? {
+        match found? {
             None => Err(Reason::BeyondManifold { wobble: spins.motion(from).nutation()[1] }.into()),
             Some(history) if history.run.ending == DirectStopReason::Interrupted => {
                 Err(ChoiceError::Interrupted.into())

@@ -6,6 +6,7 @@ use crate::dynamics::PropagateError;
 use crate::math::eigen::NoConvergence;
 use crate::reduction::ReductionError;
 use crate::secular::MeasureError;
+use crate::submanifold::{ExpansionError, SubmanifoldError};
 
 /// Methods that did not hold, each with the reason.
 pub type Tried = Vec<(Method, Reason)>;
@@ -82,6 +83,15 @@ impl<E: From<ChoiceError>> From<MeasureError> for Stop<E> {
         match error {
             MeasureError::Interrupted => ChoiceError::Interrupted.into(),
             error => Reason::Measured(error).into(),
+        }
+    }
+}
+
+impl<E: From<ChoiceError>> From<SubmanifoldError> for Stop<E> {
+    fn from(error: SubmanifoldError) -> Self {
+        match error {
+            SubmanifoldError::Expansion(ExpansionError::Interrupted) => ChoiceError::Interrupted.into(),
+            error => Reason::Submanifold(error).into(),
         }
     }
 }

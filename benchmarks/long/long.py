@@ -21,7 +21,7 @@ import numpy as np
 import rebound
 
 ROOT = Path(__file__).resolve().parents[2]
-PROGRAM = ROOT / "target" / "release" / "quasirigid"
+PROGRAM = ROOT / "target" / "dist" / "quasirigid"
 MODEL = ROOT / "examples" / "three-masses" / "model.toml"
 ROWS = 101
 

@@ -3,7 +3,7 @@
 python modal.py 32 96 600
 python modal.py 600 --duration 0.1 --steps 10,20
 
-Takes the numbers of modes; needs `target/release/quasirigid`. The bar floats freely, is made of rectangular hexahedra, and takes
+Takes the numbers of modes; needs `target/dist/quasirigid`. The bar floats freely, is made of rectangular hexahedra, and takes
 energy in proportion to its stiffness. Without Exudyn the table has quasirigid alone. A row has one thread: seconds from the files
 or arrays to the spin at the end, of quasirigid the shortest of some runs, and the part of them before the first step.
 """
@@ -22,7 +22,7 @@ import scipy.io
 import scipy.linalg
 import scipy.sparse
 
-PROGRAM = Path(__file__).resolve().parents[2] / "target" / "release" / "quasirigid"
+PROGRAM = Path(__file__).resolve().parents[2] / "target" / "dist" / "quasirigid"
 SIDES, CELLS = (1.0, 0.3, 0.2), (10, 4, 3)
 YOUNG, POISSON, DENSITY = 2e6, 0.3, 1000.0
 SPIN = (0.3, 1.5, 0.2)

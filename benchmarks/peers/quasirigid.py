@@ -14,7 +14,7 @@ from records import Failed, Record, call, finished, unfinished
 TITLE = "quasirigid"
 MANIFEST = Path(__file__).parents[2] / "Cargo.toml"
 DEFAULT = (
-    "cargo run --quiet --release --example common_problem "
+    "cargo run --quiet --profile dist --example common_problem "
     f"--manifest-path {shlex.quote(str(MANIFEST))} --"
 )
 TOLERANCES = (1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11)

@@ -3,7 +3,7 @@
 Each row of `data/published/quillen_2019/runs.csv` becomes a homogeneous Kelvin-Voigt ellipsoid; the power at the start of its evolution is
 compared with the rate at which the simulated body lost energy. No parameter is adjusted.
 
-    cargo build --release -p quasirigid-cli
+    cargo build --profile dist -p quasirigid-cli
     python3 benchmarks/quillen/quillen.py [PROGRAM]
 """
 
@@ -18,7 +18,7 @@ import time
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-PROGRAM = sys.argv[1] if len(sys.argv) > 1 else str(ROOT / "target/release/quasirigid")
+PROGRAM = sys.argv[1] if len(sys.argv) > 1 else str(ROOT / "target/dist/quasirigid")
 MODEL = """\
 [material.network]
 density = {density!r}

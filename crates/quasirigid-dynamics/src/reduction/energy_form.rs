@@ -32,7 +32,7 @@ impl EnergyForm {
         let elastic = columns(&slaved.coordinates(), highest);
         let cyclic = slaved.cyclic_columns(&momenta, &elastic);
         let c = slaved.axial(&momenta, &elastic, &cyclic);
-        let shorter = body.cyclic().is_empty() && order >= 2;
+        let shorter = body.cyclic().is_empty() && (2..=3).contains(&order);
         let kept = highest - usize::from(shorter);
         let rates = [0, 1, 2].map(|axis| sum(&elastic[axis].truncated(kept), &cyclic[axis].truncated(kept)));
         let forces = rates.each_ref().map(|column| column.times(body.damping()));

@@ -74,7 +74,7 @@ pub fn text(name: &str, verification: &VerificationRecord) -> String {
 fn write(out: &mut String, name: &str, verification: &VerificationRecord) -> fmt::Result {
     let VerificationRecord { reached, rotations, duration, orders, average, .. } = verification;
     let title = format!(
-        "{name}: the full system against the reduced equations over {} rotations ({}), from the slow manifold, with \
+        "{name}: the full system against the reduced equations over {} revolutions ({}), from the slow manifold, with \
          stiffness C/e^2 and damping B/e.",
         significant(*rotations, 4),
         time(*duration)

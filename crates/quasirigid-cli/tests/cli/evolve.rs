@@ -118,8 +118,8 @@ fn what_cannot_be_is_refused() {
     start, 0.99; choose a higher one with --until, or an earlier start with --start
     "#);
     assert_snapshot!(refusal("--until 5%"), @r#"
-    quasirigid: --until: "5%" is neither a part of I3 nor an angle; write for example
-    "98% of I3", 0.98 or "5 deg"
+    quasirigid: --until: "5%" is neither a part of I3 nor an angle; write for
+    example "98% of I3", 0.98 or "5 deg"
     "#);
     let too_many = refusal("--samples 10000001");
     assert_eq!(too_many.trim_end(), "quasirigid: --samples 10000001 is out of range; give 2 to 10000000");

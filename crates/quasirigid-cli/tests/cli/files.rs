@@ -51,7 +51,10 @@ fn place_that_takes_no_file_is_refused_before_the_work() {
         let line = format!("simulate model.toml --duration 20h --samples 5 --out {path}");
         ran_in(folder.path(), &line)
     };
-    assert_snapshot!(refused("none/table.csv").refusal(), @"quasirigid: cannot write none/table.csv: there is no folder none; create it first");
+    assert_snapshot!(refused("none/table.csv").refusal(), @r"
+    quasirigid: cannot write none/table.csv: there is no folder none; create it
+    first
+    ");
     assert_snapshot!(refused("model.toml/table.csv").refusal(), @r"
     quasirigid: cannot write model.toml/table.csv: there is no folder model.toml;
     create it first

@@ -28,7 +28,7 @@ fn ends_of_histories_are_told() {
     assert!(said.contains("not finite numbers beyond t = ") && said.contains("valid up to there"), "{said}");
     assert!(ran.stdout.lines().count() == 4 && !ran.stdout.contains("NaN"), "{}", ran.stdout);
     let still = ran_with(MODEL, "simulate model.toml --times 0 --json --quiet").json()["energy"].clone();
-    let mark = 0.999 * still.as_f64().unwrap();
+    let mark = (1.0 - 1e-7) * still.as_f64().unwrap();
     let stop = format!("{MODEL}stop = {{ energy = \"{mark} J\" }}\n");
     let ran = ran_with(&stop, "simulate model.toml --times 10000 --json");
     assert_eq!((ran.code, &ran.json()["status"]), (Some(0), &"event".into()), "{}", ran.stderr);

@@ -141,10 +141,10 @@ fn bad_rows_of_a_table_are_told_and_the_rest_answered() {
         let found = reasons.iter().find(|reason| reason["example"].as_str().unwrap().contains(what));
         found.unwrap_or_else(|| panic!("{what}: {reasons:#?}"))["first_row"].clone()
     };
-    assert_eq!(first("line 5 of the table has 2 values, but the header has 3"), 3);
-    assert_eq!(first("row 2 of the table has no value in the column \"mass_g\""), 1);
-    assert_eq!(first("\"abc\" is not a finite number"), 9);
-    assert_eq!(first("\"nan\" is not a finite number"), 13);
+    assert_eq!(first("line 5 of the table has 2 values, but the header has 3"), 4);
+    assert_eq!(first("row 2 of the table has no value in the column \"mass_g\""), 2);
+    assert_eq!(first("\"abc\" is not a finite number"), 10);
+    assert_eq!(first("\"nan\" is not a finite number"), 14);
     let csv = fs::read_to_string(folder.path().join("out/rows.csv")).unwrap();
     assert!(
         csv.starts_with("row,mass_g,carrier.mass,who,check.T1,status,reason,note\n1,500.0,40.0,b0,"),
@@ -253,7 +253,9 @@ fn folder_of_something_else_is_left_alone() {
     assert!(one_line(ran("sweep study.toml -o out --resume").refusal()).contains("holds another study"));
     fs::create_dir(folder.path().join("mine")).unwrap();
     fs::write(folder.path().join("mine/notes.txt"), "precious").unwrap();
-    assert!(one_line(ran("sweep study.toml -o mine --resume").refusal()).contains("no folder of a study"));
+    assert!(
+        one_line(ran("sweep study.toml -o mine --resume").refusal()).contains("is not the folder of a study")
+    );
     assert_eq!(names(folder.path().join("mine")), ["notes.txt"]);
     assert_eq!(files(&folder.path().join("out")), before);
 }
@@ -356,8 +358,7 @@ fn uncertain(line: &str) -> String {
 #[test]
 fn uncertain_models_are_answered_on_request_and_refused_at_their_place() {
     let model = uncertain("\"material.rock.rheology.Q\" = { log-normal = { median = 100, decades = 0.5 } }");
-    let found =
-        ran_with(&model, "evolve model.toml --until 5deg --uncertainty-samples 8 --json --quiet").json();
+    let found = ran_with(&model, "evolve model.toml --uncertainty-samples 8 --json --quiet").json();
     assert_eq!(found["uncertainty"]["answered"], 8);
     let certain = ran_with(MODEL, "evolve model.toml --uncertainty-samples 9");
     assert!(one_line(certain.refusal()).contains("has no [uncertainty]"));

@@ -58,7 +58,7 @@ struct EquationsObject<'a> {
     /// Of monomials with those modes, (W6).
     resonances: Vec<ResonanceObject<'a>>,
     /// Resonances that the nutation meets up to twice its range.
-    crossed: Vec<MetObject<'a>>,
+    met: Vec<MetObject<'a>>,
     /// Spin from which a motion grows, up to tenfold, or `null`.
     whirl_onset: Option<WhirlObject<'a>>,
     /// `z1`, conjugate `z1*`, ….
@@ -353,7 +353,7 @@ impl AboutSpin<'_> {
                     distance: near.distance,
                 })
                 .collect(),
-            crossed: self
+            met: self
                 .crossed
                 .iter()
                 .map(|crossed| MetObject {

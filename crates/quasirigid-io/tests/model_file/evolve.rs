@@ -106,7 +106,7 @@ fn what_is_not_a_target_is_refused() {
 fn an_evolution_of_another_form_is_refused() {
     assert_snapshot!(refused("{ til = 0.9, duration = -1, samples = 1 }"), @r#"
     model.toml:10:12: unknown key "til" in `evolve`
-      did you mean `until`? the keys are until, duration, samples, power, method
+      did you mean `until`? the keys are start, until, duration, samples, power, method
     model.toml:10:34: `duration` is -1 s, but must be positive
       write a number in s, or a text with its unit such as "2 h"
     model.toml:10:48: `samples` is 1, but must be an integer from 2 to 10000000
@@ -114,7 +114,7 @@ fn an_evolution_of_another_form_is_refused() {
     "#);
     assert_snapshot!(refused("{ untl = 0.9, duration = nan, samples = \"many\" }"), @r#"
     model.toml:10:12: unknown key "untl" in `evolve`
-      did you mean `until`? the keys are until, duration, samples, power, method
+      did you mean `until`? the keys are start, until, duration, samples, power, method
     model.toml:10:35: `duration` is nan, which is not a finite number
       write a number in s, or a text with its unit such as "2 h"
     model.toml:10:50: `samples`: found a text, expected an integer from 2 to 10000000

@@ -164,7 +164,7 @@ fn a_verification_is_read() {
 #[test]
 fn former_names_are_taken_and_noted_with_those_of_today() {
     let former = "[run]\nform = \"paper\"\nmethod = \"implicit\"\nsystems = [\"full\", \"manifold\"]\n\
-                  verify = { revolutions = 2 }\nevolve = { method = \"direct\" }\nmanifold = { degree = 3 }\n";
+                  verify = { rotations = 2 }\nevolve = { method = \"direct\" }\nmanifold = { degree = 3 }\n";
     let today = "[run]\nform = \"angular-velocity\"\nintegrator = \"implicit\"\n\
                  systems = [\"full\", \"spin-manifold\"]\nverify = { revolutions = 2 }\n\
                  evolve = { method = \"full\" }\nspin_manifold = { degree = 3 }\n";
@@ -177,18 +177,18 @@ fn former_names_are_taken_and_noted_with_those_of_today() {
         let note = format!("{note}; {last}");
         assert!(former.former_names.contains(&note), "{note}: {:#?}", former.former_names);
     };
-    noted("line 10: form = \"paper\" is now called \"angular-velocity\"");
-    noted("line 11: `method` in [run] is now called `integrator`");
-    noted("line 12: systems = \"manifold\" is now called \"spin-manifold\"");
-    noted("line 13: `rotations` in `verify` is now called `revolutions`");
-    noted("line 14: method = \"direct\" is now called \"full\"");
-    noted("line 15: `manifold` in [run] is now called `spin_manifold`");
+    noted("line 6: form = \"paper\" is now called \"angular-velocity\"");
+    noted("line 7: `method` in [run] is now called `integrator`");
+    noted("line 8: systems = \"manifold\" is now called \"spin-manifold\"");
+    noted("line 9: `rotations` in `verify` is now called `revolutions`");
+    noted("line 10: method = \"direct\" is now called \"full\"");
+    noted("line 11: `manifold` in [run] is now called `spin_manifold`");
     assert_eq!(former.former_names.len(), 6);
 }
 
 #[test]
 fn former_name_beside_that_of_today_is_refused() {
-    assert_snapshot!(refusal_of("[run]\nverify = { revolutions = 2, revolutions = 3 }\n"), @"
+    assert_snapshot!(refusal_of("[run]\nverify = { rotations = 2, revolutions = 3 }\n"), @"
     model.toml:10:12: `rotations` is the former name of `revolutions`, which is there too
       leave `rotations` out
     ");

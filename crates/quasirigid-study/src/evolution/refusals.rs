@@ -136,8 +136,8 @@ fn of_choice(reason: &choice::Reason, wheels: bool) -> String {
                 .into()
         }
         Reason::UnknownLength => format!(
-            "the modes give no rate of a small wobble beyond rounding at an end of the way, so that nothing says \
-             how far the full system would have to be followed; the method {}, asked for, does it",
+            "at one end the modes give no rate of a small wobble beyond rounding, so the length of a run of the \
+             full system cannot be estimated; the method {}, asked for, needs no estimate",
             method(Work::History)
         ),
         Reason::TooLong { work: long, seconds, most } => format!(
@@ -247,7 +247,7 @@ fn ended(ending: &DirectStopReason) -> &str {
     match ending {
         DirectStopReason::Failed { reason } => reason,
         DirectStopReason::TurnLimit => "that is more revolutions than can be followed one by one",
-        _ => "the step limit was reached; the method direct, asked for, has a higher one",
+        _ => "the step limit was reached; the method full, asked for, has a higher one",
     }
 }
 
@@ -282,14 +282,14 @@ mod tests {
             (
                 Reason::UnknownLength,
                 "at one end the modes give no rate of a small wobble beyond rounding, so the length of \
-                 a run of the full system cannot be estimated; the method direct, asked for, needs no estimate",
+                 a run of the full system cannot be estimated; the method full, asked for, needs no estimate",
                 "the modes give no rate of a small wobble, so the length of a run of the full \
                  system cannot be estimated",
             ),
             (
                 unfinished,
                 "the full system was followed for 60.00 s (12.0 revolutions) and did not reach the target: the step \
-                 limit was reached; the method direct, asked for, has a higher one",
+                 limit was reached; the method full, asked for, has a higher one",
                 "the full system was followed for 60.00 s and did not reach the target",
             ),
         ];

@@ -194,7 +194,7 @@ fn a_history_follows_the_full_system() {
     let asked = Table { manifold: of_degree(9), ..table(System::SpinManifold, &[0.0, 5.0]) };
     let (found, told) = told_history(&EXPLORER, &asked, PartialRun::default());
     assert!(found.holds(), "{}", found.message);
-    assert!(told.contains("0.63 % is in vibrations off the manifold, which are left out"), "{told}");
+    assert!(told.contains("0.63 % is in vibrations off the spin manifold, which are left out"), "{told}");
     let manifold = column(&found.columns, "energy");
     assert!((manifold[1] / full - 1.0).abs() < 2e-3, "{manifold:?} {full}"); // 0.6 % of the start's 100 J is left out
     assert!((manifold[1] - manifold[0]).abs() > 80.0);

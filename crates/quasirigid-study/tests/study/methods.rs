@@ -337,7 +337,7 @@ fn the_full_system_gives_no_answer_for_what_it_leaves_out() {
         let EvolutionRecord { status, message, .. } =
             evolved(&study, |asked| asked.method = Some(method)).record;
         assert_eq!(status, "refused", "{message}");
-        assert!(message.contains("no equations of motion") && message.contains("% off"), "{message}");
+        assert!(message.contains("no equations of motion") && message.contains("is off by"), "{message}");
     }
 }
 

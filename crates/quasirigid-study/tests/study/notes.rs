@@ -5,7 +5,8 @@ use quasirigid_study::evolution;
 use quasirigid_study::settings::PartialRun;
 
 use crate::support::{
-    MODEL, carrier, column, ellipsoid, evolve, evolved, follow, of_order, one_line, study, wobbling,
+    MODEL, carrier, column, ellipsoid, evolve, evolved, follow, of_order, one_line, study, table,
+    told_history, wobbling,
 };
 
 /// Notes on a model at an order.
@@ -66,10 +67,11 @@ fn rock(rheology: &str) -> String {
 #[test]
 fn a_dashpot_is_no_solid_at_its_own_harmonics() {
     let study = study(&rock("kind = \"kelvin-voigt\", time = \"1 d\""));
-    let (evolved, history) = (evolved(&study, |_| {}), follow(&study, System::Reduced, &[0.0, 1.0]));
+    let evolved = evolved(&study, |_| {});
+    let (history, said) = told_history(&study, &table(System::Reduced, &[0.0, 1.0]), PartialRun::default());
     let checked = study.check().unwrap();
     assert!(!evolved.holds() && !history.holds() && !checked.holds());
-    for told in [evolved.record.message, history.reason().unwrap_or_default().to_owned(), checked.text()] {
+    for told in [evolved.record.message, said, checked.text()] {
         let told = one_line(&told);
         assert!(
             told.contains(

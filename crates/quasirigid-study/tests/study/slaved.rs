@@ -159,7 +159,7 @@ fn what_derive_leaves_out_under_forces_is_said() {
     let start = spinning(OMEGA);
     let object = |study: &Study| -> Value { serde_json::from_str(&study.derive().unwrap().json()).unwrap() };
     let text = study(&format!("{BODY}{drag}")).derive().unwrap().text();
-    assert!(text.contains("the model has no initial one"), "{text}");
+    assert!(text.contains("the model has no initial state"), "{text}");
     let loaded = study(&format!("{BODY}{drag}{rotor}{start}"));
     let equations = loaded.derive().unwrap();
     let text = equations.text();

@@ -113,7 +113,7 @@ def test_a_run_is_written_once(tmp_path: Path, told: Any) -> None:
         model("three-masses").run(folder)
     run.report(tmp_path / "page.html")
     assert (tmp_path / "page.html").read_bytes() == (folder / "report.html").read_bytes()
-    with pytest.raises(quasirigid.FileError, match="make the folder above"):
+    with pytest.raises(quasirigid.FileError, match="create the folder above"):
         run.write(tmp_path / "no" / "such")
     assert sorted(path.name for path in tmp_path.iterdir()) == ["page.html", "program", "run"]
 

@@ -36,7 +36,7 @@ CARRIER = {"carrier": {"mass": 40.0, "center_of_mass": [0, 0.1, 0], "inertia": [
         (lambda: BOOM.simulate(times=[]), "times"),
         (lambda: BOOM.simulate(times=[[1, 2]]), "times"),
         (lambda: BOOM.simulate(times=3), "times"),
-        (lambda: BOOM.simulate(times=[0, 1], samples=3), "times stand in the place"),
+        (lambda: BOOM.simulate(times=[0, 1], samples=3), "times replace duration"),
         (lambda: BOOM.simulate("rigid", coordinates=True), "no internal coordinates"),
         (lambda: BOOM.simulate(form="x"), "form"),
         (lambda: BOOM.simulate(integrator="x"), "integrator"),

@@ -68,7 +68,7 @@ def test_rows_that_do_not_hold_have_their_reason() -> None:
     )
     assert rows.holds.tolist() == [True, False, False, False, False] and np.isnan(rows.time[1:]).all() and not rows
     assert "does not hold" in rows.message[1] and "greatest inertia" in rows.message[2] and "NaN" in rows.message[3]
-    assert "no state of rotation" in rows.message[4] and rows.status == ["finished"] + 4 * ["refused"]
+    assert "is not a rotation state" in rows.message[4] and rows.status == ["finished"] + 4 * ["refused"]
     assert "1 of 5 rows hold; DO NOT HOLD" in repr(rows)
 
 

@@ -110,9 +110,9 @@ looped.append(looped)
     ("change", "message"),
     [
         ({"mass": None}, "carrier.mass is None; leave it out"),
-        ({"mass": Odd()}, "carrier.mass: a Odd has no place in a model"),
+        ({"mass": Odd()}, "carrier.mass: a Odd is not allowed in a model"),
         ({"mass": 2**70}, "carrier.mass: .* is too large"),
-        ({"mass": 1 + 2j}, "carrier.mass: a complex has no place"),
+        ({"mass": 1 + 2j}, "carrier.mass: a complex is not allowed"),
         ({"inertia": looped}, "nested more than 32 times"),
         ({3: 4}, "carrier: the key 3 is not a text"),
         ({"inertia": [1, {"a": None}]}, r"carrier.inertia\[1\].a is None"),

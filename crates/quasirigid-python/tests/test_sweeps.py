@@ -126,7 +126,7 @@ def test_arguments_that_mean_nothing(tmp_path: Path) -> None:
     sweep(small(), tmp_path / "own")
     with pytest.raises(quasirigid.FileError, match="resume=True"):
         sweep(small(), tmp_path / "own")
-    with pytest.raises(quasirigid.FileError, match="choose another folder with folder"):
+    with pytest.raises(quasirigid.FileError, match="choose another folder with out"):
         sweep(small(samples=2, vary={}), tmp_path / "own", resume=True)
 
 

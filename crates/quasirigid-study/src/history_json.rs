@@ -85,8 +85,8 @@ impl History {
         let Run { last, work, .. } = &self.run;
         let Scan { evaluations, breakpoints, stops } = self.run.scan;
         json!(HistoryObject {
-            system: self.system.name(),
-            status: &self.status,
+            system: self.system.recorded(),
+            status: self.status,
             message: &self.message,
             t: last.t,
             omega: last.omega,

@@ -70,8 +70,9 @@ pub enum MeasureError {
 pub(super) struct Plan {
     /// Time for the transient of the start to decay (s).
     pub settling: f64,
-    /// Periods of the polhode in the first window, and in a window at least.
+    /// Periods of the polhode in the first window.
     pub periods: f64,
+    /// Periods of the polhode in a window at least.
     pub fewest_periods: f64,
     /// Share of its energy that the wobble loses in a window, where that leaves enough periods.
     pub loss: f64,
@@ -132,33 +133,29 @@ pub(super) fn measured(
         let last =
             shares.len() > plan.doublings + DRIFTING_WINDOWS || (doubles && doublings == plan.doublings);
         let enough = |change: f64| change <= plan.change || (last && change <= 4.0 * plan.change);
-        let reduced = false;
-        if enough(change) {
+        let trends =
+            || [1, 2].into_iter().find_map(|degree| trend(&shares, degree).filter(|trend| enough(trend.gap)));
+        let settled = if enough(change) {
+            Some((rotation_state, power, change))
+        } else if let Some(Trend { points, gap }) = trends() {
+            let first = if points.len() == shares.len() { start_energy } else { points[0][0] };
+            let rotation_state = range.rotation_state(first).ok_or(MeasureError::LeftMode)?;
+            let there = through(points, first) * range.polhode(first).mean_square_acceleration();
+            Some((rotation_state, there, gap))
+        } else {
+            None
+        };
+        if let Some((rotation_state, there, error)) = settled {
+            let budget = budget.iter().map(|part| part * there / power).collect();
+            let power = there;
             return Ok(Measurement {
                 rotation_state,
                 power,
-                error: change,
+                error,
                 budget,
                 revolutions,
                 steps,
-                reduced,
-            });
-        }
-        if let Some(Trend { points, gap }) =
-            [1, 2].into_iter().find_map(|degree| trend(&shares, degree).filter(|trend| enough(trend.gap)))
-        {
-            let rotation_state = range.rotation_state(start_energy).ok_or(MeasureError::LeftMode)?;
-            let there =
-                through(points, start_energy) * range.polhode(start_energy).mean_square_acceleration();
-            let budget = budget.iter().map(|part| part * there / power).collect();
-            return Ok(Measurement {
-                rotation_state,
-                power: there,
-                error: gap,
-                budget,
-                revolutions,
-                steps,
-                reduced,
+                reduced: false,
             });
         }
         if last {

@@ -1,4 +1,4 @@
-//! The sections of the page, in their order.
+//! The sections of the page; `page.rs` orders them.
 
 pub mod about_spin;
 pub mod answer;

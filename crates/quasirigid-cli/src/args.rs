@@ -70,8 +70,16 @@ pub enum Command {
     #[command(after_help = "Example:\n  quasirigid plot spin --figure nutation --format png")]
     Plot(Plot),
     /// List the keys of the model file, with their values and meanings
-    #[command(after_help = "Examples:\n  quasirigid keys spring\n  quasirigid keys --schema")]
+    #[command(after_help = "Example:\n  quasirigid keys spring")]
     Keys(KeysArgs),
+    /// Print the JSON Schema of the model file, by which editors complete and check it
+    #[command(after_help = "Example:\n  quasirigid schema > schema.json")]
+    Schema,
+    /// Write a commented model to start from; without a kind, list them
+    #[command(
+        after_help = "Examples:\n  quasirigid new boom-satellite\n  quasirigid new shape --file asteroid.obj -o asteroid"
+    )]
+    New(NewArgs),
     /// Print the references of what the model uses, as BibTeX
     #[command(after_help = "Example:\n  quasirigid cite examples/apophis/model.toml")]
     Cite(Common),
@@ -88,7 +96,8 @@ impl Command {
             | Self::Evolve(Evolve { common, .. })
             | Self::Verify(Verify { common, .. }) => common.quiet,
             Self::Check(common) | Self::Cite(common) => common.quiet,
-            Self::Keys(_) => false,
+            Self::Keys(_) | Self::Schema => false,
+            Self::New(NewArgs { quiet, .. }) => *quiet,
             Self::Sweep(SweepArgs { quiet, .. })
             | Self::Report(Report { quiet, .. })
             | Self::Plot(Plot { quiet, .. }) => *quiet,
@@ -241,12 +250,50 @@ pub struct KeysArgs {
     /// Table, such as spring, run or rheology [default: every table]
     #[arg(value_name = "TABLE")]
     pub table: Option<String>,
-    /// Print the JSON Schema of the model file, by which editors complete and check it
-    #[arg(long, conflicts_with_all = ["table", "json"])]
-    pub schema: bool,
     /// Print the list for machines, as one JSON object
     #[arg(long)]
     pub json: bool,
+}
+
+#[derive(Args, Debug)]
+pub struct NewArgs {
+    /// Kind of body
+    #[arg(value_name = "KIND", value_enum)]
+    pub kind: Option<Start>,
+    /// Folder for the model [default: named like the kind]
+    #[arg(long, short, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+    /// Your file, of a kind that reads one
+    #[arg(long, value_name = "FILE")]
+    pub file: Option<PathBuf>,
+    /// Print nothing but errors
+    #[arg(long, short)]
+    pub quiet: bool,
+}
+
+/// Kind of body that a model can start from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Start {
+    /// A satellite with sprung tip masses
+    BoomSatellite,
+    /// A satellite with wings of layered panels
+    Panels,
+    /// A satellite with a momentum wheel and a nutation damper
+    Wheel,
+    /// A stage with a tank full of liquid
+    Tank,
+    /// A satellite with an elastic part from a mesh
+    Mesh,
+    /// A satellite with stiffness and mass matrices of NASTRAN
+    Nastran,
+    /// An asteroid by its shape
+    Shape,
+    /// An asteroid as an ellipsoid
+    Ellipsoid,
+    /// A tumbler with the two periods of its light curve
+    LightCurve,
+    /// Tumblers in a table
+    Tumblers,
 }
 
 #[derive(Args, Debug)]

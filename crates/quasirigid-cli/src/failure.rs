@@ -22,6 +22,12 @@ pub enum Failure {
     Duration { text: String, cause: Box<UnitError> },
     #[error("the model file has no table {name:?}; {advice}")]
     NoTable { name: String, advice: String },
+    #[error("--file {path}: there is no such file", path = path.display())]
+    NoFile { path: PathBuf },
+    #[error("a model of the kind {kind} reads no file; leave --file out, or take mesh, nastran or shape")]
+    ReadsNoFile { kind: String },
+    #[error("a model file is UTF-8 text, and cannot name {path}; rename it", path = path.display())]
+    OddName { path: PathBuf },
     #[error("an angular velocity has three components, not {count}: --spin 0,0,1.5")]
     NotAVector { count: usize },
     #[error(

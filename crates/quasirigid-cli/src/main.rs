@@ -53,6 +53,8 @@ fn main() -> ExitCode {
         Command::Report(report) => commands::report::report(report),
         Command::Plot(plot) => commands::plot::plot(plot),
         Command::Keys(keys) => commands::keys::keys(keys),
+        Command::Schema => commands::schema::schema(),
+        Command::New(new) => commands::new::new(new),
         Command::Cite(cite) => commands::cite::cite(cite),
     })
 }

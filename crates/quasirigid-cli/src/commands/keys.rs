@@ -8,20 +8,11 @@ use crate::{ExitStatus, output};
 /// Columns of a page.
 const WIDTH: usize = 80;
 
-/// Prints the keys of the model file: of one table or of all, or as a schema.
+/// Prints the keys of the model file: of one table or of all.
 pub fn keys(arguments: &KeysArgs) -> Result<ExitStatus, Failure> {
-    let KeysArgs { table, schema, json } = arguments;
-    let text = if *schema {
-        format!("{:#}\n", reference::schema())
-    } else {
-        let tables = chosen(table.as_deref())?;
-        if *json {
-            format!("{:#}\n", serde_json::json!({ "tables": tables }))
-        } else {
-            tables.iter().map(page).collect::<Vec<_>>().join("\n")
-        }
-    };
-    output::print(&text)?;
+    let tables = chosen(arguments.table.as_deref())?;
+    let text = || tables.iter().map(page).collect::<Vec<_>>().join("\n");
+    output::print_answer(arguments.json, || serde_json::json!({ "tables": tables }), text)?;
     Ok(ExitStatus::Done)
 }
 

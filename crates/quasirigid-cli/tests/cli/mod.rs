@@ -22,6 +22,7 @@ mod left_out;
 mod materials;
 mod model_errors;
 mod modes;
+mod new;
 #[cfg(unix)]
 mod odd_files;
 mod plot;

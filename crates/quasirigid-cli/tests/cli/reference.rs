@@ -1,6 +1,10 @@
-//! `keys`: one table, all of them, and the schema.
+//! `keys`: one table, all of them; `schema`.
 
-use crate::support::ran;
+use std::fs;
+
+use serde_json::Value;
+
+use crate::support::{ROOT, ran};
 
 #[test]
 fn a_table_is_printed_with_values_and_meanings() {
@@ -37,9 +41,15 @@ fn an_unknown_table_is_refused_with_the_nearest() {
 
 #[test]
 fn the_schema_is_that_of_the_model_file() {
-    let schema = ran("keys --schema").json();
+    let schema = ran("schema").json();
     assert_eq!(schema["$schema"], "https://json-schema.org/draft/2020-12/schema");
     let stiffness = &schema["properties"]["spring"]["items"]["properties"]["stiffness"];
     let meaning = "1, 3 or 3×3, N/m; isotropic, along the file's axes, or a symmetric matrix";
     assert_eq!(stiffness["description"], meaning);
+    let examples = fs::read_to_string(format!("{ROOT}/examples/schema.json")).unwrap();
+    assert_eq!(
+        serde_json::from_str::<Value>(&examples).unwrap(),
+        schema,
+        "quasirigid schema > examples/schema.json"
+    );
 }

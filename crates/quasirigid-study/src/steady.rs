@@ -4,9 +4,10 @@ use std::fmt::{self, Write};
 
 use quasirigid::model::{Mode, Principal};
 use quasirigid::modes::{EquilibriumError, RelativeEquilibrium, SpinMagnitude, SpinMode, SpinModes, acts};
+use quasirigid::secular::GyrostatSpins;
 use quasirigid_io::record::{ModeList, ModeRecord, SteadySpinRecord};
 use quasirigid_io::visible::one_line;
-use quasirigid_math::vec3::norm;
+use quasirigid_math::vec3::{add, norm, scale};
 
 use crate::error::StudyError;
 use crate::layout::paragraph;
@@ -23,8 +24,12 @@ const LISTED: usize = 12;
 const NAME: usize = 24;
 /// Shares of parts and dissipators listed for people.
 const SHARES: usize = 4;
+/// Names of the steady spins of a body with momentum wheels: the first attracts.
+const LEAST_ENERGY: &str = "least energy";
+const GREATEST_ENERGY: &str = "greatest energy";
 
-/// The steady spins about the axes of greatest and of least inertia.
+/// The steady spins about the axes of greatest and of least inertia; those of least and of greatest energy where momentum wheels turn the
+/// spin away from these axes.
 #[derive(Default)]
 pub struct Poles {
     /// Records, the one next to the start first.
@@ -35,7 +40,8 @@ pub struct Poles {
     pub other: Option<SpinModes>,
 }
 
-/// The steady spins about the axes of greatest and of least inertia, the one next to an angular velocity first.
+/// The steady spins about the axes of greatest and of least inertia, or those that momentum wheels leave, the one next to an angular velocity
+/// first.
 pub fn poles(study: &Study, omega: [f64; 3], given: SpinMagnitude) -> Poles {
     let body = &study.body;
     let modes = Principal::compute(body.invariants().J).nearest(omega);
@@ -43,7 +49,31 @@ pub fn poles(study: &Study, omega: [f64; 3], given: SpinMagnitude) -> Poles {
         let name = if mode == Mode::ShortAxis { "greatest" } else { "least" };
         told(study, name, RelativeEquilibrium::extreme(body, mode, given))
     });
-    Poles { records: vec![first, second], nearest, other }
+    let lost = first.spin.is_none() || second.spin.is_none();
+    let turned = if lost { poles_of_gyrostat(study, omega, given) } else { None };
+    turned.unwrap_or_else(|| Poles { records: vec![first, second], nearest, other })
+}
+
+/// The steady spins of least and of greatest energy of a body with momentum wheels, the one next to an angular velocity first; none of a
+/// body without them. (Q15)
+fn poles_of_gyrostat(study: &Study, omega: [f64; 3], given: SpinMagnitude) -> Option<Poles> {
+    let SpinMagnitude::AngularMomentum(G) = given else { return None };
+    let body = &study.body;
+    if norm(body.wheels().angular_momentum(0.0)) == 0.0 {
+        return None;
+    }
+    let rigid = study.reduced(0).ok()?;
+    let GyrostatSpins { minima, maxima, .. } = GyrostatSpins::compute(body, &rigid, G).ok()?;
+    let named =
+        |name: &'static str, spins: Vec<RelativeEquilibrium>| spins.into_iter().map(move |spin| (name, spin));
+    let mut spins: Vec<_> = named(LEAST_ENERGY, minima).chain(named(GREATEST_ENERGY, maxima)).collect();
+    let away = |spin: &RelativeEquilibrium| norm(add(spin.omega, scale(-1.0, omega)));
+    spins.sort_by(|(_, a), (_, b)| away(a).total_cmp(&away(b)));
+    let told = spins.into_iter().map(|(name, spin)| told(study, name, Ok(spin)));
+    let (records, modes): (Vec<_>, Vec<_>) = told.unzip();
+    let mut modes = modes.into_iter();
+    let (nearest, other) = (modes.next()?, modes.next().flatten());
+    Some(Poles { records, nearest, other })
 }
 
 /// The steady spins with the angular momentum of the start; none where moments act, of a body without angular momentum, and of bodies
@@ -149,6 +179,7 @@ pub fn missing(name: &str, sentence: String) -> SteadySpinRecord {
 fn axis(name: &str) -> String {
     match name {
         "asked" => "the axis asked for".into(),
+        LEAST_ENERGY | GREATEST_ENERGY => format!("the steady spin of {name}"),
         _ => format!("the axis of {name} inertia"),
     }
 }

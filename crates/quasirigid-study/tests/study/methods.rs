@@ -4,15 +4,15 @@
 use std::f64::consts::TAU;
 
 use quasirigid_io::model::{EvolveMethod, Power, System};
-use quasirigid_io::record::EvolutionRecord;
+use quasirigid_io::record::{EvolutionRecord, SteadySpinRecord};
 use quasirigid_study::evolution;
 use quasirigid_study::modes::{PrincipalAxis, SteadySpinSettings};
 use quasirigid_study::settings::{PartialEvolve, PartialRun};
 
 use crate::support::{
-    carrier, close, column, ellipsoid, evolve, evolved, example, follow, hinged, history, mode, modes,
-    modes_about, nutation, one_line, point, published, rotor, spinning, study, study_of, table, target,
-    try_evolve, until, wobbling,
+    carrier, close, column, ellipsoid, evolve, evolve_in_any_time, evolved, example, follow, hinged, history,
+    mode, modes, modes_about, nutation, one_line, point, published, rotor, spinning, study, study_of, table,
+    target, try_evolve, until, wobbling,
 };
 
 /// Two pendulums that centrifugal force holds out, nearly without springs.
@@ -119,7 +119,7 @@ fn times_are_those_of_the_full_system() {
 
 /// Checks the method of an answer, and its time against the full system to the same energy; returns the answer.
 fn as_the_full_system(model: &str, road: &str) -> EvolutionRecord {
-    let found = evolve(model);
+    let found = evolve_in_any_time(model);
     assert_eq!((&*found.road, &*found.status), (road, "finished"), "{}", found.message);
     let energy = column(&found.columns, "energy").last().unwrap();
     let run = format!("[run]\nstop = {{ energy = {energy:e} }}\n");
@@ -166,6 +166,35 @@ fn a_gyrostat_comes_to_its_steady_spin_as_in_the_full_system() {
         .map(|method| evolved(&small, |asked| asked.method = method).record);
     assert_eq!((&*modes.road, &*followed.road), ("modes", "manifold"));
     close(modes.time, followed.time, 5e-3);
+}
+
+/// However much momentum a wheel has, the steady spins at that of the start are found: each is also the one that is found beside its own
+/// angular velocity, and the spin of least energy is the one that `evolve` comes to.
+#[test]
+fn the_steady_spins_of_a_gyrostat_are_found_at_any_momentum_of_its_wheel() {
+    let tip = point("tip", 1.0, [0.5, 0.3, 0.4], [100.0, 1.0]);
+    let of = |momentum: f64, start| {
+        let wheel = format!("axis = [1.0, 0.3, 0.5]\nmomentum = {momentum}");
+        study(&gyrostat([10.0, 14.0, 18.0], &tip, &wheel, start))
+    };
+    let starts = [3.0, 12.0, 20.0, 40.0].map(|momentum| (momentum, [0.1, 0.05, 1.0]));
+    for (momentum, start) in starts.into_iter().chain([(20.0, [0.001, 0.002, 0.001])]) {
+        let study = of(momentum, start);
+        let found = modes(&study);
+        assert!(found.found() && found.spins.len() >= 2, "{momentum}: {}", found.text("model", false));
+        for spin in &found.spins {
+            let beside = SteadySpinSettings { omega: spin.spin, axis: None };
+            let again = &study.modes(beside).unwrap().spins[0];
+            let [own, other] = [spin, again].map(|spin| mode(&spin.modes, "nutation").decay_rate);
+            close(own, other, 1e-6);
+            close(spin.energy.unwrap(), again.energy.unwrap(), 1e-9);
+        }
+        let told = evolved(&study, |_| {}).record;
+        let attracts = found.spins.iter().find(|spin| spin.axis == "least energy");
+        let rate = |spin: &SteadySpinRecord| mode(&spin.modes, "nutation").time_constant.unwrap();
+        let damped = attracts.map_or(found.spins.iter().map(rate).fold(0.0, f64::max), rate);
+        close(told.damping_time, damped, 1e-6);
+    }
 }
 
 /// What has no meaning, or no answer, for a body with momentum wheels says so.
@@ -281,7 +310,7 @@ fn the_power_of_a_fast_soft_spheroid_is_that_of_the_full_system() {
     let columns = follow(&study(&model), System::Full, &[0.0, 100.0, 200.0]).columns;
     let [start, middle, end] = column(&columns, "dissipated") else { panic!("three rows") };
     let at_start = (1.5 * (middle - start) - 0.5 * (end - middle)) / 100.0;
-    let found = evolve(&model);
+    let found = evolve_in_any_time(&model);
     assert_eq!(found.road, "micro-runs");
     close(found.power, at_start, 0.02);
 }

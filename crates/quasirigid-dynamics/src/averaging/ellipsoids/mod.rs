@@ -6,6 +6,8 @@ mod criteria;
 mod passage;
 mod power;
 
+use std::fmt;
+
 use thiserror::Error;
 
 pub use passage::{EllipsoidPassage, ellipsoid_passages};
@@ -52,6 +54,15 @@ pub enum Wobble {
     Ratio(f64),
 }
 
+impl fmt::Display for Wobble {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Nutation(angle) => write!(f, "a nutation of {angle} rad"),
+            Self::Ratio(ratio) => write!(f, "D/I3 = {ratio}"),
+        }
+    }
+}
+
 /// An ellipsoid that is not followed.
 #[non_exhaustive]
 #[derive(Clone, Copy, Debug, Error, PartialEq)]
@@ -78,7 +89,7 @@ pub enum EllipsoidRefusal {
     },
     /// No rotation has this state.
     #[error(
-        "{wobble:?} is not a rotation state of this body, whose D/I3 runs from {least} to 1; nutation runs from 0 to pi/2"
+        "{wobble} is not a rotation state of this body, whose D/I3 runs from {least} to 1; nutation runs from 0 to pi/2"
     )]
     NoState {
         /// State asked for.

@@ -87,9 +87,7 @@ impl<'a> Answer<'a> {
                 let power = InterpolatedPower::new(*hill, self.initial.angular_momentum());
                 self.along_frozen(Arc::new(power), span)
             }
-            Outcome::LevelCurves(passage) => {
-                Self { history: History::Levels(passage), parametric: None, ..self }
-            }
+            Outcome::LevelCurves(passage) => Self { history: History::Levels(passage), ..self },
             Outcome::MicroRuns { power, settled } => {
                 let budget = power.measurements.first().and_then(|first| named(&first.budget));
                 let answer = self.along_deformed(Arc::new(*power), span, &range);

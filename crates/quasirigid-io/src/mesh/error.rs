@@ -86,7 +86,7 @@ pub enum MeshProblem {
     Empty,
     /// A file whose beginning and name are those of no known format.
     #[error(
-        "the file is {kind}, which is not a known surface format; give an OBJ, STL or PLY file, or a plate table"
+        "the file is {kind}, which is not a known surface format; give an OBJ, STL, PLY, OFF, VRML, glTF or VTK file, or a plate table"
     )]
     NotAMesh {
         /// What the file is; nothing of it is quoted.
@@ -172,7 +172,7 @@ pub enum MeshProblem {
     #[error("the file ends without endsolid; was it cut off?")]
     NoEnd,
     /// A row whose number is not the next one.
-    #[error("number {found} appears where {expected} should; rows are numbered from 1 without a gap")]
+    #[error("number {found} appears where {expected} should; rows are numbered from 0 or 1 without a gap")]
     Numbering {
         /// The number of the row.
         found: Excerpt,
@@ -208,6 +208,35 @@ pub enum MeshProblem {
     Nothing {
         /// Part that is missing.
         part: Part,
+    },
+    /// A file that ends within braces.
+    #[error("the file ends within {braces} pairs of braces; was it cut off?")]
+    Unclosed {
+        /// Pairs that are open.
+        braces: usize,
+    },
+    /// A node of a scene that moves or resizes its children.
+    #[error("{:?} moves or resizes a part of the scene; export the shape in its own axes", field.as_str())]
+    Moved {
+        /// Field of the node.
+        field: String,
+    },
+    /// A glTF file that cannot be used.
+    #[error("this glTF cannot be used: {cause}; export the shape again without extensions")]
+    Gltf {
+        /// Cause.
+        cause: Excerpt,
+    },
+    /// A mesh of solids in place of a surface.
+    #[error("the mesh has solid cells; give it to a [[solid]], or export its surface alone")]
+    Solids,
+    /// A label with several units of length.
+    #[error("the label {label:?} has lengths in {} and in {}; write `unit` in the model", units[0], units[1])]
+    Units {
+        /// Name of the label.
+        label: String,
+        /// Two of the units.
+        units: [String; 2],
     },
     /// A problem that only meshes of cells have.
     #[error(transparent)]

@@ -24,6 +24,14 @@ pub enum Row {
     PlateVertex,
     /// A face of a plate table.
     PlateFace,
+    /// The beginning of an OFF file.
+    OffHeader,
+    /// A vertex of an OFF file.
+    OffVertex,
+    /// A face of an OFF file.
+    OffFace,
+    /// Values of a VRML file.
+    Vrml,
     /// An element of a PLY file.
     PlyElement,
     /// The first line of a gmsh file.
@@ -61,10 +69,18 @@ impl fmt::Display for Row {
             Self::ObjFace => "a face is written f a b c, or f a/t/n b/t/n c/t/n",
             Self::StlVertex => "a corner is written vertex x y z",
             Self::Stl => "a facet is written facet normal x y z, outer loop, three times vertex x y z, endloop, endfacet",
-            Self::PlateCounts => "the first line has the number of vertices, then perhaps the number of faces",
+            Self::PlateCounts => {
+                "the first line has the number of vertices, then perhaps the number of faces"
+            },
             Self::PlateCount => "the line after the vertices has the number of faces",
-            Self::PlateVertex => "a vertex is written number x y z, as often as the first line says",
-            Self::PlateFace => "a face is written number a b c",
+            Self::PlateVertex => {
+                "a vertex is written number x y z, or x y z, alike in all rows, as often as the first line says"
+            },
+            Self::PlateFace => "a face is written number a b c, or a b c, alike in all rows",
+            Self::OffHeader => "OFF is followed by the numbers of vertices, faces and edges; OFF in four or more dimensions and binary OFF are not read",
+            Self::OffVertex => "a vertex is written x y z, then colours or normals",
+            Self::OffFace => "a face is written n and its n corners, then colours",
+            Self::Vrml => "point has three numbers for each vertex, coordIndex the corners of each face and -1, and braces are closed",
             Self::PlyElement => "the line of an element has one value for each of its properties, and lists begin with their length",
             Self::GmshFormat => "$MeshFormat is followed by version, 0 for text or 1 for binary, 8",
             Self::GmshName => "the name of a group is written dimension number \"name\"",

@@ -5,8 +5,8 @@ use std::collections::HashMap;
 
 use super::TriangleMesh;
 use super::error::{Fault, MeshProblem, Part, Place, Row};
-use super::text::point;
-use crate::text_file::{lines, text};
+use super::text::{point, readable};
+use crate::text_file::lines;
 
 /// Bytes before the number of facets in a binary file.
 const TITLE: usize = 80;
@@ -56,7 +56,7 @@ pub(super) fn read_text(bytes: &[u8]) -> Result<TriangleMesh, Fault> {
     let mut welding = Welding::default();
     let mut corners = Vec::new();
     let (mut last, mut open) = (1, true);
-    for (number, line) in lines(text::<MeshProblem>(bytes)?) {
+    for (number, line) in lines(&readable(bytes)) {
         last = number;
         let fault = |problem| (Place::Line(number), problem);
         let mut words = line.split_whitespace();

@@ -30,27 +30,14 @@ impl ClosedSurface {
     /// # Errors
     /// [`SurfaceError`] with the kind of fault, its first place and the count.
     pub fn new(vertices: Vec<[f64; 3]>, triangles: Vec<[usize; 3]>) -> Result<Self, SurfaceError> {
-        if triangles.len() < 4 {
-            return Err(SurfaceError::TooFew { triangles: triangles.len() });
-        }
-        let missing = |corners: &[usize; 3]| corners.iter().any(|corner| *corner >= vertices.len());
-        if let Some((triangle, count)) = found(&triangles, missing) {
-            let index = triangles[triangle].into_iter().fold(0, usize::max);
-            return Err(SurfaceError::NoSuchVertex { triangle, index, vertices: vertices.len(), count });
-        }
-        let not_finite = |vertex: &[f64; 3]| vertex.iter().any(|x| !x.is_finite());
-        if let Some((vertex, count)) = found(&vertices, not_finite) {
-            return Err(SurfaceError::NotFinite { vertex, count });
-        }
-        let corners = normalised(&vertices, &triangles);
-        if let Some((triangle, count)) = found(&corners, is_flat) {
-            return Err(SurfaceError::Degenerate { triangle, count });
-        }
-        let neighbours = topology::neighbours(&triangles)?;
-        crossing::check(&corners, &triangles)?;
-        shells::check(&corners, &neighbours)?;
+        check(&vertices, &triangles)?;
+        Ok(Self::accepted(vertices, triangles))
+    }
+
+    /// A surface of triangles that [`check`] has accepted.
+    pub(super) fn accepted(vertices: Vec<[f64; 3]>, triangles: Vec<[usize; 3]>) -> Self {
         let bounds = bounds(triangles.iter().flatten().map(|vertex| vertices[*vertex]));
-        Ok(Self { vertices, triangles, bounds })
+        Self { vertices, triangles, bounds }
     }
 
     /// The surface seen from a place along unit axes at right angles.
@@ -129,6 +116,29 @@ impl ClosedSurface {
         let [middle, unit] = [half(1.0), half(-1.0)];
         ([middle, unit], self.moments(1, middle, unit))
     }
+}
+
+/// Accepts triangles that bound a body.
+pub(super) fn check(vertices: &[[f64; 3]], triangles: &[[usize; 3]]) -> Result<(), SurfaceError> {
+    if triangles.len() < 4 {
+        return Err(SurfaceError::TooFew { triangles: triangles.len() });
+    }
+    let missing = |corners: &[usize; 3]| corners.iter().any(|corner| *corner >= vertices.len());
+    if let Some((triangle, count)) = found(triangles, missing) {
+        let index = triangles[triangle].into_iter().fold(0, usize::max);
+        return Err(SurfaceError::NoSuchVertex { triangle, index, vertices: vertices.len(), count });
+    }
+    let not_finite = |vertex: &[f64; 3]| vertex.iter().any(|x| !x.is_finite());
+    if let Some((vertex, count)) = found(vertices, not_finite) {
+        return Err(SurfaceError::NotFinite { vertex, count });
+    }
+    let corners = normalised(vertices, triangles);
+    if let Some((triangle, count)) = found(&corners, is_flat) {
+        return Err(SurfaceError::Degenerate { triangle, count });
+    }
+    let neighbours = topology::neighbours(triangles)?;
+    crossing::check(&corners, triangles)?;
+    shells::check(&corners, &neighbours)
 }
 
 /// Index of the first element that has a fault, and how many have it.

@@ -4,8 +4,11 @@ mod closed;
 mod crossing;
 mod error;
 mod geometry;
+mod holes;
 mod moments;
+mod parts;
 mod proximity;
+mod repair;
 mod shells;
 #[cfg(test)]
 pub(crate) mod testing;
@@ -16,5 +19,7 @@ mod written;
 
 pub use closed::ClosedSurface;
 pub use error::SurfaceError;
+pub use holes::Hole;
 pub use moments::Moments;
 pub(crate) use proximity::Proximity;
+pub use repair::{Repairs, Unrepaired, repaired};

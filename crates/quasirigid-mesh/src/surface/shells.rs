@@ -8,14 +8,14 @@ use quasirigid_math::connected_components::connected_components;
 use quasirigid_math::vec3::{dot, norm, scale};
 
 /// Shell: a part of the surface whose triangles are connected by their edges.
-struct Shell {
-    triangles: Vec<usize>,
+pub(super) struct Shell {
+    pub triangles: Vec<usize>,
     bounds: [[f64; 3]; 2],
-    volume: f64,
+    pub volume: f64,
 }
 
 impl Shell {
-    fn new(corners: &[Corners], triangles: Vec<usize>) -> Self {
+    pub fn new(corners: &[Corners], triangles: Vec<usize>) -> Self {
         let about = corners[triangles[0]][0];
         let six = |triangle: &usize| {
             let [a, b, c] = corners[*triangle];
@@ -24,6 +24,17 @@ impl Shell {
         let volume = triangles.iter().map(six).sum::<f64>() / 6.0;
         let bounds = bounds(triangles.iter().flat_map(|triangle| corners[*triangle]));
         Self { triangles, bounds, volume }
+    }
+
+    /// Whether the shell, whichever way it looks, is around another that it does not meet.
+    pub fn surrounds(&self, other: &Self, corners: &[Corners]) -> bool {
+        self.winding(corners, other.point(corners)) != 0.0
+    }
+
+    /// A point of the shell that is on no other, even where shells share a vertex: the middle of a triangle.
+    fn point(&self, corners: &[Corners]) -> [f64; 3] {
+        let [a, b, c] = corners[self.triangles[0]];
+        scale(1.0 / 3.0, std::array::from_fn(|axis| a[axis] + b[axis] + c[axis]))
     }
 
     /// Winding number of the shell around a point off it: 1 inside, −1 inside a cavity, 0 outside.
@@ -43,7 +54,7 @@ pub(super) fn solid_angle([a, b, c]: Corners) -> f64 {
     2.0 * triple(a, b, c).atan2(p * q * r + dot(a, b) * r + dot(b, c) * p + dot(c, a) * q)
 }
 
-fn shells(corners: &[Corners], neighbours: &[[usize; 2]]) -> Vec<Shell> {
+pub(super) fn shells(corners: &[Corners], neighbours: &[[usize; 2]]) -> Vec<Shell> {
     let parts = connected_components(corners.len(), neighbours.iter().copied());
     parts.into_iter().map(|part| Shell::new(corners, part)).collect()
 }
@@ -63,9 +74,7 @@ pub(super) fn check(corners: &[Corners], neighbours: &[[usize; 2]]) -> Result<()
     let (mut loose, mut buried) = (Vec::new(), Vec::new());
     for (number, shell) in shells.iter().enumerate() {
         let triangle = shell.triangles[0];
-        let [a, b, c] = corners[triangle];
-        // The middle of a triangle is on no other shell, even where shells share a vertex.
-        let point = scale(1.0 / 3.0, std::array::from_fn(|axis| a[axis] + b[axis] + c[axis]));
+        let point = shell.point(corners);
         let others = shells.iter().enumerate().filter(|(other, _)| *other != number);
         let around: f64 = others.map(|(_, other)| other.winding(corners, point)).sum();
         if shell.volume > 0.0 && around != 0.0 {

@@ -4,12 +4,12 @@ use super::SurfaceError;
 
 /// Edge with the direction in which one of its triangles passes it.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-struct Side {
+pub(super) struct Side {
     /// Ends of the edge, the lower one first.
-    edge: [usize; 2],
-    triangle: usize,
+    pub edge: [usize; 2],
+    pub triangle: usize,
     /// Whether the triangle passes the edge from the lower to the higher end.
-    ascending: bool,
+    pub ascending: bool,
 }
 
 impl Side {
@@ -25,9 +25,8 @@ pub(super) fn edges([a, b, c]: [usize; 3]) -> [[usize; 2]; 3] {
     [[a, b], [b, c], [c, a]]
 }
 
-/// Pairs of triangles that share an edge, in the order of their edges, if every edge has two triangles that pass it in
-/// opposite directions.
-pub(super) fn neighbours(triangles: &[[usize; 3]]) -> Result<Vec<[usize; 2]>, SurfaceError> {
+/// Sides of all triangles, those of an edge one after the other.
+pub(super) fn sides(triangles: &[[usize; 3]]) -> Vec<Side> {
     let mut sides = Vec::with_capacity(3 * triangles.len());
     for (triangle, corners) in triangles.iter().enumerate() {
         for [from, to] in edges(*corners) {
@@ -35,6 +34,13 @@ pub(super) fn neighbours(triangles: &[[usize; 3]]) -> Result<Vec<[usize; 2]>, Su
         }
     }
     sides.sort_unstable();
+    sides
+}
+
+/// Pairs of triangles that share an edge, in the order of their edges, if every edge has two triangles that pass it in
+/// opposite directions.
+pub(super) fn neighbours(triangles: &[[usize; 3]]) -> Result<Vec<[usize; 2]>, SurfaceError> {
+    let sides = sides(triangles);
     let mut pairs = Vec::with_capacity(sides.len() / 2);
     let (mut open, mut crowded, mut same) = (Vec::new(), Vec::new(), Vec::new());
     for group in sides.chunk_by(|a, b| a.edge == b.edge) {

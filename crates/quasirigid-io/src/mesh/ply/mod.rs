@@ -5,6 +5,7 @@ mod header;
 mod values;
 
 use super::TriangleMesh;
+use super::draft::Draft;
 use super::error::{Fault, MeshProblem, Part};
 use crate::mesh::file::Encoding;
 use header::{Element, Header, Kind};
@@ -21,7 +22,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<TriangleMesh, Fault> {
 }
 
 fn elements(header: &Header, mut values: impl Values) -> Result<TriangleMesh, Fault> {
-    let mut mesh = TriangleMesh::default();
+    let mut mesh = Draft::new();
     let vertices = header.vertices();
     for element in &header.elements {
         if element.properties.is_empty() {
@@ -42,10 +43,10 @@ fn elements(header: &Header, mut values: impl Values) -> Result<TriangleMesh, Fa
     if let (Some(place), Some(last)) = (values.surplus(), last) {
         return Err((place, MeshProblem::Surplus { part: last.part.clone(), announced: last.count }));
     }
-    Ok(mesh)
+    mesh.finish(0)
 }
 
-fn read_vertices(element: &Element, values: &mut impl Values, mesh: &mut TriangleMesh) -> Result<(), Fault> {
+fn read_vertices(element: &Element, values: &mut impl Values, mesh: &mut Draft) -> Result<(), Fault> {
     let axis_of = element.axes();
     for _ in 0..element.count {
         let mut vertex = [0.0; 3];
@@ -67,7 +68,7 @@ fn read_faces(
     element: &Element,
     vertices: usize,
     values: &mut impl Values,
-    mesh: &mut TriangleMesh,
+    mesh: &mut Draft,
 ) -> Result<(), Fault> {
     let list = element.corners();
     let mut corners = Vec::new();
@@ -80,11 +81,11 @@ fn read_faces(
                         MeshProblem::NoSuchVertex { found: value.to_string().into(), first: 0, vertices };
                     return Err((values.place(), problem));
                 }
-                corners.push(value as usize);
+                corners.push(value as u32);
             }
             Ok(())
         })?;
-        mesh.fan(&corners).map_err(|problem| (values.place(), problem))?;
+        mesh.polygon(&corners, 0);
     }
     Ok(())
 }

@@ -5,7 +5,7 @@ mod draft;
 mod gmsh;
 mod problem;
 mod sets;
-mod vtk;
+pub(super) mod vtk;
 
 use std::path::Path;
 

@@ -1,6 +1,8 @@
 //! Legacy VTK files, text or binary, versions 1 to 5: a line that announces values, then the values.
 //! Values that make no sets are read too: in a binary file only their size tells where the next line starts.
 
+pub(in crate::mesh) mod poly;
+
 use quasirigid_mesh::Mesh;
 
 use super::array::{Array, Origin, Scalar, Values, Words, cut};

@@ -1,6 +1,8 @@
 //! XML files of VTK (`.vtu`): arrays as text, as base64, or as bytes appended after the XML.
 //! Appended raw bytes are no XML, so the file is split before it is parsed; decompression is limited by the counts of the grid.
 
+pub(in crate::mesh) mod poly;
+
 use std::borrow::Cow;
 
 use quasirigid_math::memory;
@@ -25,12 +27,8 @@ const ALWAYS_UNPACKED: u64 = 16 * 1024 * 1024;
 /// An unstructured grid as XML, `.vtu`.
 pub(in crate::mesh::volume) fn read(bytes: &[u8]) -> Result<Mesh, Fault> {
     let (header, appended) = split(bytes);
-    let header_text = text(&header)?;
-    let document = Document::parse(header_text).map_err(|error| {
-        let place = error.pos();
-        (Place::Line(place.row as usize), VolumeProblem::Xml { column: place.col }.into())
-    })?;
-    let file = File::new(&document, appended)?;
+    let document = parsed(text(&header)?)?;
+    let file = File::new(&document, appended, "UnstructuredGrid")?;
     let grid = file.child(document.root_element(), "UnstructuredGrid")?;
     let (mut mesh, mut sets, mut cells) = (Mesh::default(), Sets::default(), 0);
     for piece in grid.children().filter(|child| child.has_tag_name("Piece")) {
@@ -38,6 +36,13 @@ pub(in crate::mesh::volume) fn read(bytes: &[u8]) -> Result<Mesh, Fault> {
     }
     mesh.sets = sets.sorted();
     Ok(mesh)
+}
+
+fn parsed(text: &str) -> Result<Document<'_>, Fault> {
+    Document::parse(text).map_err(|error| {
+        let place = error.pos();
+        (Place::Line(place.row as usize), VolumeProblem::Xml { column: place.col }.into())
+    })
 }
 
 /// The part of a file that is XML, and its appended bytes, which may be none.
@@ -68,7 +73,7 @@ struct File<'a, 'input> {
 }
 
 impl<'a, 'input> File<'a, 'input> {
-    fn new(document: &'a Document<'input>, appended: &'a [u8]) -> Result<Self, Fault> {
+    fn new(document: &'a Document<'input>, appended: &'a [u8], kind: &str) -> Result<Self, Fault> {
         let root = document.root_element();
         let encoding = root.children().find(|child| child.has_tag_name("AppendedData"));
         let size = (document.input_text().len() + appended.len()) as u64;
@@ -79,8 +84,8 @@ impl<'a, 'input> File<'a, 'input> {
             appended,
             appended_base64: encoding.and_then(|data| data.attribute("encoding")) == Some("base64"),
         };
-        if !root.has_tag_name("VTKFile") || root.attribute("type") != Some("UnstructuredGrid") {
-            return Err(file.lacks(root, "type=\"UnstructuredGrid\""));
+        if !root.has_tag_name("VTKFile") || root.attribute("type") != Some(kind) {
+            return Err(file.lacks(root, &format!("type={kind:?}")));
         }
         file.layout.big_endian = match root.attribute("byte_order") {
             None | Some("LittleEndian") => false,

@@ -4,7 +4,7 @@
 use std::path::Path;
 
 use super::error::{Fault, MatrixProblem, Place};
-use super::op4;
+use super::{coordinates, op4};
 use crate::text_file::kind_of;
 
 /// Format of a matrix file.
@@ -14,6 +14,7 @@ pub(super) enum Format {
     Npy,
     Npz,
     CalculiX,
+    Coordinates,
     Dmig,
     Op4Text,
     Op4Binary { big_endian: bool },
@@ -30,6 +31,7 @@ impl Format {
         }
         match ending(file).as_deref() {
             Some("sti" | "mas") => Ok(Self::CalculiX),
+            _ if coordinates::is_text(bytes) => Ok(Self::Coordinates),
             Some("bdf" | "dat" | "nas" | "pch" | "dmig") => Ok(Self::Dmig),
             Some("op4") => Ok(Self::Op4Text),
             _ => Err((Place::File, MatrixProblem::NotAMatrix { kind: kind_of(bytes) })),
@@ -71,7 +73,9 @@ impl NodeFormat {
             Some("inp") => Self::Input,
             Some("bdf" | "nas" | "pch" | "dat") => Self::Bulk,
             _ if first.starts_with(b"*") => Self::Input,
-            _ if [&b"$"[..], b"GRID", b"GRDSET"].iter().any(|word| has_prefix(first, word)) => Self::Bulk,
+            _ if [&b"$"[..], b"GRID", b"GRDSET", b"CORD"].iter().any(|word| has_prefix(first, word)) => {
+                Self::Bulk
+            }
             _ => Self::Table,
         })
     }

@@ -273,7 +273,6 @@ fn errors_have_their_line_or_byte() {
         dmig("DMIG,K,1,1,,1,7,3."),
         dmig("DMIG,K,1,1,,1,2,3.,4."),
         dmig("DMIG,K,1,1,,1,2,3.,,,5"),
-        dmig("DMIG\tK\t1"),
         dmig("DMIG,K,0,6,2"),
         dmig("DMIG,M,0,6,2"),
         says("a", b"DMIG,K,0,6,3", None),

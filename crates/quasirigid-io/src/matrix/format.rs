@@ -4,7 +4,7 @@
 use std::path::Path;
 
 use super::error::{Fault, MatrixProblem, Place};
-use super::{coordinates, op4};
+use super::{coordinates, harwell, op4};
 use crate::text_file::kind_of;
 
 /// Format of a matrix file.
@@ -15,6 +15,7 @@ pub(super) enum Format {
     Npz,
     CalculiX,
     Coordinates,
+    Harwell,
     Dmig,
     Op4Text,
     Op4Binary { big_endian: bool },
@@ -47,6 +48,8 @@ impl Format {
             Some(Self::Npy)
         } else if begins(b"PK\x03\x04") || begins(b"PK\x05\x06") {
             Some(Self::Npz)
+        } else if harwell::is_text(bytes) {
+            Some(Self::Harwell)
         } else if let Some(big_endian) = op4::byte_order(bytes) {
             Some(Self::Op4Binary { big_endian })
         } else if first_line(bytes, b"$").is_some_and(|line| has_prefix(line, b"DMIG")) {

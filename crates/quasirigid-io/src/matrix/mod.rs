@@ -8,6 +8,7 @@ mod coordinates;
 mod dof;
 pub(crate) mod error;
 mod format;
+mod harwell;
 pub(crate) mod listed;
 mod market;
 mod nastran;
@@ -51,6 +52,7 @@ pub struct MatrixFile {
 ///   `csr`, `csc`, `coo` or `bsr`, whose repeated entries are added up.
 /// - CalculiX `SOLVER=MATRIXSTORAGE`, by its ending `.sti` or `.mas`: one triangle; the degrees of freedom are in the `.dof`
 ///   file beside it, see [`read_dofs`].
+/// - Harwell–Boeing: real and assembled, general, symmetric or skew-symmetric.
 /// - Abaqus `*MATRIX OUTPUT`: lines `row column value`, or `node component node component value`, with blanks or commas; a
 ///   triangle alone stands for both.
 /// - NASTRAN bulk data with `DMIG` cards, by its beginning or an ending `.bdf`, `.dat`, `.nas`, `.pch` or `.dmig`:
@@ -74,12 +76,14 @@ pub fn read_matrix(file: &Path, name: Option<&str>) -> Result<MatrixFile, Matrix
 /// Those of [`read_matrix`], except that the file cannot be read.
 pub fn matrix_of(file: &Path, bytes: &[u8], name: Option<&str>) -> Result<MatrixFile, MatrixError> {
     let read = || match (Format::of(file, bytes)?, name) {
-        (Format::Market | Format::Npy | Format::CalculiX | Format::Coordinates, Some(name)) => {
-            Err((Place::File, MatrixProblem::Nameless { name: name.to_owned() }))
-        }
+        (
+            Format::Market | Format::Npy | Format::CalculiX | Format::Coordinates | Format::Harwell,
+            Some(name),
+        ) => Err((Place::File, MatrixProblem::Nameless { name: name.to_owned() })),
         (Format::Market, None) => market::read(bytes),
         (Format::Npy, None) => numpy::read(bytes),
         (Format::CalculiX, None) => calculix::read(bytes),
+        (Format::Harwell, None) => harwell::read(bytes),
         (Format::Coordinates, None) => coordinates::read(bytes),
         (Format::Npz, name) => numpy::read_archive(bytes, name),
         (Format::Dmig, name) => nastran::read_dmig(bytes, name),

@@ -22,6 +22,12 @@ pub enum Row {
     MarketInteger,
     /// An entry of a CalculiX matrix.
     CalculiX,
+    /// The header of a Harwell–Boeing file.
+    HarwellHeader,
+    /// A pointer or a row of a Harwell–Boeing file.
+    HarwellIndex,
+    /// A value of a Harwell–Boeing file.
+    HarwellValue,
     /// An entry of a matrix of Abaqus by numbers.
     Coordinates,
     /// An entry of a matrix of Abaqus by nodes.
@@ -68,6 +74,12 @@ impl fmt::Display for Row {
             Self::MarketEntry | Self::CalculiX | Self::Coordinates => "an entry is written row column value",
             Self::MarketValue => "an array has one value on a line, column by column",
             Self::MarketInteger => "the first line says that the values are integers",
+            Self::HarwellHeader => {
+                "a Harwell-Boeing header has its numbers of lines, then RUA, RSA or RZA with rows, columns and entries, \
+                 then its Fortran formats"
+            }
+            Self::HarwellIndex => "pointers ascend from 1 to one more than the entries, and rows count from 1",
+            Self::HarwellValue => "values fill the columns of the format in the header",
             Self::Labels => "an entry is written node component node component value",
             Self::Dof => "a degree of freedom is written node.component or node component",
             Self::Node => "a node is written label x y z",

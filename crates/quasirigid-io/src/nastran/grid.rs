@@ -89,6 +89,9 @@ impl Grids {
         for (label, systems) in &self.listed {
             let Some(grid) = self.grids.get(label) else { continue };
             let place = self.systems.place(grid, &self.grids)?;
+            if let Some(x) = place.iter().find(|x| !x.is_finite()) {
+                return Err((grid.line, MatrixProblem::NotFinite { found: x.to_string().into() }));
+            }
             let axes = match systems[1].unwrap_or(displacements) {
                 0 => None,
                 system => Some(self.systems.system(system, &self.grids, grid.line)?.axes_at(place)),

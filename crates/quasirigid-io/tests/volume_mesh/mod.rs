@@ -1,6 +1,7 @@
 //! Cells written in every format read as one mesh, and a damaged file is refused by line or byte.
 
 mod abaqus;
+mod corpus;
 mod gmsh;
 mod nastran;
 mod robustness;

@@ -284,6 +284,10 @@ impl Made {
             let material_label = material;
             let material = self.isotropic(material, if area > 0.0 { extra / area } else { 0.0 })?;
             let ends = [self.of(a, line)?, self.of(b, line)?];
+            if self.nodes[ends[0]] == self.nodes[ends[1]] || !(area > 0.0) {
+                self.deck.leave_out("rods without length or area");
+                continue;
+            }
             let area = area * self.given.units.length.powi(2);
             let name = format!("MAT1 {material_label}");
             self.mixed.bars.push(Bar { ends, kind: BarKind::Rod { area }, name, material });

@@ -143,7 +143,7 @@ impl Cells {
             return *known;
         }
         let [a, b] = edge.map(|node| self.mesh.nodes[node]);
-        let node = self.put([0, 1, 2].map(|axis| 0.5 * (a[axis] + b[axis])));
+        let node = self.put([0, 1, 2].map(|axis| 0.5 * a[axis] + 0.5 * b[axis]));
         self.middles.insert(edge, node);
         node
     }

@@ -54,8 +54,9 @@ pub use kinds::ellipsoid::Ellipsoid;
 pub use kinds::hinged::{HingeCoefficient, Hinged};
 pub use kinds::network::Network;
 pub use kinds::part::{
-    Anchor, Connection, ElasticMaterial, Frame, FrameNode, GivenModes, Layer, Matrices, Member, NodalMass,
-    Orthotropic, Panel, Part, PartKind, Region, Solid, Spectrum, TipMass,
+    Anchor, Bar, BarKind, Connection, Coupling, ElasticMaterial, Frame, FrameNode, GivenModes, Layer,
+    Matrices, Member, Mixed, NodalMass, NodeBody, NodeLink, Orthotropic, Panel, Part, PartKind, Region, Skin,
+    Solid, Spectrum, Strain, TipMass, Weighted,
 };
 pub use kinds::point::{Point, PointMotion};
 pub use kinds::rotor::{Rotor, RotorKind};

@@ -32,6 +32,12 @@ impl Material {
     /// Accepts the material of an element.
     pub(crate) fn check(&self, place: ElementId) -> Result<(), ElementError> {
         number::positive(self.density).map_err(at(place, Field::DENSITY))?;
+        self.check_constants(place)
+    }
+
+    /// Accepts the material of an element that may have no mass.
+    pub(crate) fn check_constants(&self, place: ElementId) -> Result<(), ElementError> {
+        number::non_negative(self.density).map_err(at(place, Field::DENSITY))?;
         number::positive(self.young).map_err(at(place, Field::YOUNG))?;
         if !(self.poisson > -1.0 && self.poisson < 0.5) {
             return Err(at(place, Field::POISSON)(Problem::Poisson { value: self.poisson }));

@@ -11,6 +11,7 @@ pub mod export;
 pub mod matrix;
 pub mod mesh;
 pub mod model;
+mod nastran;
 mod nearest;
 pub mod record;
 pub mod study_file;

@@ -18,6 +18,7 @@ mod functions;
 mod geometry;
 pub mod meshing;
 mod note;
+mod repair;
 mod rules;
 mod samples;
 mod shape;

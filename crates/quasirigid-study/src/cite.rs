@@ -92,9 +92,9 @@ fn capabilities(model: &Model) -> Vec<(bool, &'static [&'static str])> {
     let network = source.text.lines().any(|line| line.trim_start().starts_with("[[network]]"));
     vec![
         (true, REDUCTION),
-        (part(|kind| matches!(kind, PartKind::Frame(_))), BEAMS),
-        (part(|kind| matches!(kind, PartKind::Panel(_))), SHELLS),
-        (part(|kind| matches!(kind, PartKind::Solid(_))), SOLIDS),
+        (part(|kind| matches!(kind, PartKind::Frame(_) | PartKind::Mixed(_))), BEAMS),
+        (part(|kind| matches!(kind, PartKind::Panel(_) | PartKind::Mixed(_))), SHELLS),
+        (part(|kind| matches!(kind, PartKind::Solid(_) | PartKind::Mixed(_))), SOLIDS),
         (part(|kind| matches!(kind, PartKind::Matrices(_))), MATRICES),
         (part(|kind| matches!(kind, PartKind::Modes(_))), MODES),
         (network, NETWORKS),

@@ -35,10 +35,20 @@ fn is_standard_input(common: &Common) -> bool {
 
 /// Opens the study of a model, and prints the notes on suspect values and former names on standard error.
 fn open(common: &Common) -> Result<Study, Failure> {
+    open_with(common, |_, _| true)
+}
+
+/// The same with those notes alone that are wanted.
+fn open_with(common: &Common, wanted: impl Fn(&Study, &String) -> bool) -> Result<Study, Failure> {
     let study = whole(common, || Study::new(model(common)?, common.order))?;
     former_names(&study.model.former_names, common.quiet);
     if !common.quiet {
-        study.model.notes.iter().for_each(|note| remark(&format!("note: {note}")));
+        study
+            .model
+            .notes
+            .iter()
+            .filter(|note| wanted(&study, note))
+            .for_each(|note| remark(&format!("note: {note}")));
     }
     Ok(study)
 }

@@ -131,24 +131,32 @@ fn pinned(discrete: &Discrete<'_>) -> Symmetric {
     pinned
 }
 
-/// Pinned nodes, and the components of their motion: three nodes, or one with rotations where there are no three.
+/// Distance of the third pin from the line of the others, relative to their distance, below which all nodes are in a line.
+const IN_LINE: f64 = 1e-6;
+
+/// Pinned nodes, and the components of their motion: three nodes, or one with rotations where there are no three off one line.
 fn pins(discrete: &Discrete<'_>) -> Vec<(usize, DMatrix<f64>)> {
     let nodes = &discrete.structure.nodes;
     let free: Vec<usize> =
         (0..nodes.len()).filter(|node| discrete.structure.constraints[*node].is_free()).collect();
-    if let (true, Some(node)) = (free.len() < 3, free.iter().find(|node| nodes[**node].rotations)) {
-        return vec![(*node, DMatrix::identity(6, 6))];
-    }
     let farthest = |measure: &dyn Fn(Vector3<f64>) -> f64| {
         let far = |a: &&usize, b: &&usize| measure(nodes[**a].place).total_cmp(&measure(nodes[**b].place));
         free.iter().max_by(far).copied().unwrap_or_default()
     };
+    if free.is_empty() {
+        return Vec::new();
+    }
     let center = discrete.structure.middle();
     let a = farthest(&|place| (place - center).norm());
     let start = nodes[a].place;
     let b = farthest(&|place| (place - start).norm());
     let line = (nodes[b].place - start).try_normalize(0.0).unwrap_or_else(Vector3::x);
     let c = farthest(&|place| (place - start).cross(&line).norm());
+    let height = (nodes[c].place - start).cross(&line).norm();
+    let in_line = free.len() < 3 || height <= IN_LINE * (nodes[b].place - start).norm();
+    if let (true, Some(node)) = (in_line, free.iter().find(|node| nodes[**node].rotations)) {
+        return vec![(*node, DMatrix::identity(6, 6))];
+    }
     let normal = line.cross(&(nodes[c].place - start)).try_normalize(0.0).unwrap_or_else(Vector3::y);
     let whole = Matrix3::identity();
     let pins = [(a, whole), (b, whole - line * line.transpose()), (c, normal * normal.transpose())];

@@ -58,6 +58,7 @@ fn is_small_cavity(shape: &CavityShape, resolution: usize) -> bool {
 fn is_small_part(kind: &PartKind) -> bool {
     match kind {
         PartKind::Solid(solid) => solid.mesh.nodes.len() <= NODES,
+        PartKind::Mixed(mixed) => mixed.mesh.nodes.len() <= NODES,
         PartKind::Panel(panel) => panel.mesh.nodes.len() <= NODES,
         PartKind::Frame(frame) => frame.members.iter().all(|member| member.elements <= MEMBER),
         _ => true,

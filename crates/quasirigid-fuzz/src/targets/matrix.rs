@@ -4,6 +4,16 @@ use std::path::Path;
 
 use quasirigid_io::matrix::{dofs_of, matrix_of, nodes_of};
 
+/// Words of Harwell–Boeing files.
+pub const HARWELL: &[&str] = &[
+    "title\n             4             1             1             2             0\n",
+    "RUA                        2             3             4             0\n",
+    "RSA",
+    "(4I3)           (4I3)           (2E12.4)\n",
+    "  1  2  4  5\n",
+    " -1.5000E+00",
+];
+
 /// Words of Matrix Market files.
 pub const MARKET: &[&str] = &[
     "%%MatrixMarket matrix coordinate real general\n",

@@ -111,6 +111,15 @@ pub const TARGETS: [Target; 34] = [
         .seeded(&[(VOLUMES, "vtk"), (VOLUMES, "vtu")]),
     Target::of_file("volume_abaqus", |bytes| volume::read("nowhere/a.inp", bytes), volume::ABAQUS)
         .seeded(&[(VOLUMES, "inp"), (BODIES, "inp")]),
+    Target::of_file("volume_nastran", |bytes| volume::read("nowhere/a.bdf", bytes), volume::NASTRAN)
+        .seeded(&[(VOLUMES, "bdf"), (MATRICES, "bdf")]),
+    Target::of_file("matrix_harwell", |bytes| matrix::read("a.hb", bytes, None), matrix::HARWELL),
+    Target::of_file(
+        "matrix_coordinates",
+        |bytes| matrix::read("a.mtx", bytes, None),
+        &["1 1 ", ", 2, ", "1.0D+3\n", "**\n"],
+    )
+    .seeded(&[(BODIES, "sti")]),
     Target::of_file("matrix_market", |bytes| matrix::read("a.mtx", bytes, None), matrix::MARKET)
         .seeded(&[(MATRICES, "mtx")]),
     Target::of_file("matrix_numpy", |bytes| matrix::read("a.npz", bytes, Some("K")), matrix::NUMPY)

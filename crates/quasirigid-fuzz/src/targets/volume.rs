@@ -79,6 +79,39 @@ pub const ABAQUS: &[&str] = &[
     ",",
 ];
 
+/// Words of bulk data of NASTRAN.
+pub const NASTRAN: &[&str] = &[
+    "BEGIN BULK\n",
+    "ENDDATA\n",
+    "INCLUDE 'a.bdf'\n",
+    "GRID,1,,0.,0.,1.\n",
+    "GRID*   ",
+    "GRDSET,,5\n",
+    "CORD2R,5,,0.,0.,0.,0.,0.,1.,+\n+,1.,0.,0.\n",
+    "CORD2C,6,5,",
+    "CORD1S,7,1,2,3\n",
+    "CTETRA,1,1,1,2,3,4\n",
+    "CHEXA,2,1,1,2,3,4,5,6,+\n+,7,8\n",
+    "CPENTA,",
+    "CPYRAM,",
+    "CQUAD4,3,2,1,2,3,4\n",
+    "CTRIA6,",
+    "CBAR,4,3,1,2,1.,0.,0.\n",
+    "CONM2,5,1,,3.\n",
+    "CBUSH,6,4,1,2,,,,0\n",
+    "RBE2,7,1,123456,2,3\n",
+    "RBE3,8,,1,123456,1.,123,2,3\n",
+    "PBEAM,",
+    "PBARL,3,1,,L\n",
+    "PCOMP,2\n",
+    "PSHELL,2,1,.1\n",
+    "MAT1,1,7.+10,,.3,2700.\n",
+    "\t",
+    ",",
+    "+",
+    "*",
+];
+
 pub fn read(name: &str, bytes: &[u8]) {
     let mesh = match mesh_of(Path::new(name), bytes) {
         Ok(mesh) => mesh,

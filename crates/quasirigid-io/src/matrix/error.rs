@@ -7,7 +7,7 @@ use quasirigid_math::memory::TooMuchMemory;
 use thiserror::Error;
 
 use super::Dof;
-pub(super) use super::row::Row;
+pub(crate) use super::row::Row;
 
 pub use crate::text_file::Place;
 use crate::text_file::{self, FileError, ReadProblem, Unread};
@@ -17,7 +17,7 @@ use crate::visible::Excerpt;
 pub type MatrixError = FileError<MatrixProblem>;
 
 /// A problem at a place of a file that is yet to be named.
-pub(super) type Fault = text_file::Fault<MatrixProblem>;
+pub(crate) type Fault = text_file::Fault<MatrixProblem>;
 
 /// Problem of a file of a matrix, of nodes or of degrees of freedom.
 #[non_exhaustive]
@@ -55,7 +55,7 @@ pub enum MatrixProblem {
     Empty,
     /// A file whose beginning and name are those of no known format.
     #[error(
-        "the file is {kind}, which is not a known matrix format; give a Matrix Market, .npy or .npz file, \
+        "the file is {kind}, which is not a known matrix format; give a Matrix Market, .npy or .npz file, lines of *MATRIX OUTPUT, \
          .sti or .mas of CalculiX, or DMIG cards or OUTPUT4 of NASTRAN"
     )]
     NotAMatrix {
@@ -279,9 +279,122 @@ pub enum MatrixProblem {
         /// The index.
         found: i64,
     },
-    /// Tabs between the fields of a card.
-    #[error("a tab between the fields of a card; write columns of 8 or 16, or commas")]
-    Tab,
+    /// A property or a material that no card has.
+    #[error(
+        "no card that is read has the {kind} {label}; is an included file missing, or is it of another kind?"
+    )]
+    NoCardOf {
+        /// What is missing.
+        kind: &'static str,
+        /// Its number.
+        label: u64,
+    },
+    /// A deck without elements that are read.
+    #[error(
+        "the deck has no solid, plate, beam, rod or body that is read; are its elements in another file?"
+    )]
+    NoElements,
+    /// A deck without mass.
+    #[error(
+        "nothing of the deck has mass: neither RHO of its materials, nor NSM of its properties, nor a CONM2; give the densities"
+    )]
+    NoMass,
+    /// An element without one of its corners.
+    #[error("element {element} lacks a corner; was a continuation left out?")]
+    NoCorner {
+        /// The element.
+        element: u64,
+    },
+    /// A grid point that no card has.
+    #[error("no GRID card has the number {node}; is an included file missing?")]
+    NoGrid {
+        /// The grid point.
+        node: u64,
+    },
+    /// A material without moduli.
+    #[error("the material {material} has neither E nor G; give one of them")]
+    NoModulus {
+        /// The material.
+        material: u64,
+    },
+    /// A property without a material.
+    #[error("the property {property} names no material; give it one")]
+    NoMaterialOf {
+        /// The property.
+        property: u64,
+    },
+    /// A mean of grid points without weights.
+    #[error(
+        "the RBE3 of grid point {node} has grid points without a weight before them; it is written weight, components, points"
+    )]
+    NoWeighted {
+        /// The grid point that follows.
+        node: u64,
+    },
+    /// Two definitions of one coordinate system.
+    #[error("a second coordinate system {system}; give each a number of its own")]
+    SystemTwice {
+        /// The system.
+        system: u64,
+    },
+    /// A coordinate system that no card defines.
+    #[error("no card defines the coordinate system {system}; is a CORD card or an included file missing?")]
+    NoSuchSystem {
+        /// The system.
+        system: u64,
+    },
+    /// Coordinate systems that define each other.
+    #[error(
+        "the coordinate system {system} hangs on itself, or on more than {limit} others; correct the CORD cards"
+    )]
+    SystemCircle {
+        /// The system.
+        system: u64,
+        /// Longest chain.
+        limit: usize,
+    },
+    /// A grid point of a coordinate system that does not exist.
+    #[error(
+        "the coordinate system {system} needs the grid point {node}, which no card has; was it left out?"
+    )]
+    SystemGrid {
+        /// The system.
+        system: u64,
+        /// The grid point.
+        node: u64,
+    },
+    /// A coordinate system whose three points are in a line.
+    #[error(
+        "the three points of the coordinate system {system} are in a line; its plane needs a third direction"
+    )]
+    SystemFlat {
+        /// The system.
+        system: u64,
+    },
+    /// An included file outside the folder of the deck.
+    #[error(
+        "INCLUDE {file:?} is not in the folder of this file or below it; copy it there and name it from there"
+    )]
+    IncludeElsewhere {
+        /// The file.
+        file: Excerpt,
+    },
+    /// Files that include each other.
+    #[error("{file:?} is included within itself, or more than {limit} files deep")]
+    IncludeDeep {
+        /// The file.
+        file: Excerpt,
+        /// The greatest depth.
+        limit: usize,
+    },
+    /// Rows along the axes of a local system that are not all there.
+    #[error(
+        "node {node} counts its displacements in a local system, but not all three of them have rows; give all three, or none"
+    )]
+    PartOfSystem {
+        /// The node.
+        node: u64,
+    },
     /// A matrix of an unknown form.
     #[error(
         "form {found} is not read; write the matrix as square (1), rectangular (2 or 9) or symmetric (6)"
@@ -338,11 +451,6 @@ pub enum MatrixProblem {
         /// Length that is possible there (bytes).
         found: u64,
     },
-    /// Records of the 64-bit versions of NASTRAN.
-    #[error(
-        "records in words of 64 bits; write the file as text, or from NASTRAN with 32-bit words (mode=i4)"
-    )]
-    LongWords,
     /// A component that does not exist.
     #[error("component {found}; 1 to 3 are displacements and 4 to 6 rotations")]
     Component {

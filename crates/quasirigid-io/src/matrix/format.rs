@@ -4,7 +4,7 @@
 use std::path::Path;
 
 use super::error::{Fault, MatrixProblem, Place};
-use super::op4;
+use super::{coordinates, harwell, op4};
 use crate::text_file::kind_of;
 
 /// Format of a matrix file.
@@ -14,6 +14,8 @@ pub(super) enum Format {
     Npy,
     Npz,
     CalculiX,
+    Coordinates,
+    Harwell,
     Dmig,
     Op4Text,
     Op4Binary { big_endian: bool },
@@ -30,6 +32,7 @@ impl Format {
         }
         match ending(file).as_deref() {
             Some("sti" | "mas") => Ok(Self::CalculiX),
+            _ if coordinates::is_text(bytes) => Ok(Self::Coordinates),
             Some("bdf" | "dat" | "nas" | "pch" | "dmig") => Ok(Self::Dmig),
             Some("op4") => Ok(Self::Op4Text),
             _ => Err((Place::File, MatrixProblem::NotAMatrix { kind: kind_of(bytes) })),
@@ -45,6 +48,8 @@ impl Format {
             Some(Self::Npy)
         } else if begins(b"PK\x03\x04") || begins(b"PK\x05\x06") {
             Some(Self::Npz)
+        } else if harwell::is_text(bytes) {
+            Some(Self::Harwell)
         } else if let Some(big_endian) = op4::byte_order(bytes) {
             Some(Self::Op4Binary { big_endian })
         } else if first_line(bytes, b"$").is_some_and(|line| has_prefix(line, b"DMIG")) {
@@ -71,7 +76,9 @@ impl NodeFormat {
             Some("inp") => Self::Input,
             Some("bdf" | "nas" | "pch" | "dat") => Self::Bulk,
             _ if first.starts_with(b"*") => Self::Input,
-            _ if [&b"$"[..], b"GRID", b"GRDSET"].iter().any(|word| has_prefix(first, word)) => Self::Bulk,
+            _ if [&b"$"[..], b"GRID", b"GRDSET", b"CORD"].iter().any(|word| has_prefix(first, word)) => {
+                Self::Bulk
+            }
             _ => Self::Table,
         })
     }

@@ -35,7 +35,7 @@ struct Entry {
 }
 
 /// A line or byte, and the problem there.
-pub(super) type LocatedProblem = (usize, MatrixProblem);
+pub(crate) type LocatedProblem = (usize, MatrixProblem);
 
 impl Listed {
     /// No entries yet.

@@ -4,17 +4,19 @@
 //! reader to say. No more memory is taken than a small multiple of the size of the file, whatever the file announces.
 
 mod calculix;
+mod coordinates;
 mod dof;
-mod error;
+pub(crate) mod error;
 mod format;
-mod listed;
+mod harwell;
+pub(crate) mod listed;
 mod market;
 mod nastran;
 mod nodes;
 mod numpy;
 mod op4;
 mod row;
-mod text;
+pub(crate) mod text;
 
 use std::path::Path;
 
@@ -50,10 +52,13 @@ pub struct MatrixFile {
 ///   `csr`, `csc`, `coo` or `bsr`, whose repeated entries are added up.
 /// - CalculiX `SOLVER=MATRIXSTORAGE`, by its ending `.sti` or `.mas`: one triangle; the degrees of freedom are in the `.dof`
 ///   file beside it, see [`read_dofs`].
+/// - Harwell–Boeing: real and assembled, general, symmetric or skew-symmetric.
+/// - Abaqus `*MATRIX OUTPUT`: lines `row column value`, or `node component node component value`, with blanks or commas; a
+///   triangle alone stands for both.
 /// - NASTRAN bulk data with `DMIG` cards, by its beginning or an ending `.bdf`, `.dat`, `.nas`, `.pch` or `.dmig`:
 ///   real, of form 1, 2, 6 or 9, in fields of 8 or 16 columns or between commas; continuations follow their card. The
 ///   labels are the points and components that occur, and those of the rows alone where the form is 2 or 9.
-/// - NASTRAN `OUTPUT4`, as text or binary of either byte order in words of 32 bits: real, dense or sparse, with or
+/// - NASTRAN `OUTPUT4`, as text or binary of either byte order in words of 32 or 64 bits: real, dense or sparse, with or
 ///   without `BIGMAT`.
 ///
 /// `name` says which of several matrices; it must be given where a `.npz`, `DMIG` or `OUTPUT4` file has more than
@@ -71,12 +76,15 @@ pub fn read_matrix(file: &Path, name: Option<&str>) -> Result<MatrixFile, Matrix
 /// Those of [`read_matrix`], except that the file cannot be read.
 pub fn matrix_of(file: &Path, bytes: &[u8], name: Option<&str>) -> Result<MatrixFile, MatrixError> {
     let read = || match (Format::of(file, bytes)?, name) {
-        (Format::Market | Format::Npy | Format::CalculiX, Some(name)) => {
-            Err((Place::File, MatrixProblem::Nameless { name: name.to_owned() }))
-        }
+        (
+            Format::Market | Format::Npy | Format::CalculiX | Format::Coordinates | Format::Harwell,
+            Some(name),
+        ) => Err((Place::File, MatrixProblem::Nameless { name: name.to_owned() })),
         (Format::Market, None) => market::read(bytes),
         (Format::Npy, None) => numpy::read(bytes),
         (Format::CalculiX, None) => calculix::read(bytes),
+        (Format::Harwell, None) => harwell::read(bytes),
+        (Format::Coordinates, None) => coordinates::read(bytes),
         (Format::Npz, name) => numpy::read_archive(bytes, name),
         (Format::Dmig, name) => nastran::read_dmig(bytes, name),
         (Format::Op4Text, name) => op4::read_text(bytes, name),
@@ -89,7 +97,7 @@ pub fn matrix_of(file: &Path, bytes: &[u8], name: Option<&str>) -> Result<Matrix
 ///
 /// - A table of lines `label x y z`, with commas, semicolons or blanks between them, perhaps below one line of
 ///   titles; lines that begin with `#` are passed over.
-/// - `GRID` cards of NASTRAN bulk data, in the basic coordinate system.
+/// - `GRID` cards of NASTRAN bulk data, with their coordinate systems.
 /// - `*NODE` blocks of an Abaqus or CalculiX input (`.inp`), in the global system.
 ///
 /// # Errors

@@ -22,6 +22,16 @@ pub enum Row {
     MarketInteger,
     /// An entry of a CalculiX matrix.
     CalculiX,
+    /// The header of a Harwell–Boeing file.
+    HarwellHeader,
+    /// A pointer or a row of a Harwell–Boeing file.
+    HarwellIndex,
+    /// A value of a Harwell–Boeing file.
+    HarwellValue,
+    /// An entry of a matrix of Abaqus by numbers.
+    Coordinates,
+    /// An entry of a matrix of Abaqus by nodes.
+    Labels,
     /// A line of a list of degrees of freedom.
     Dof,
     /// A line of a table of nodes.
@@ -30,6 +40,10 @@ pub enum Row {
     InputNode,
     /// A `GRID` card.
     Grid,
+    /// An element of NASTRAN.
+    Element,
+    /// A property or material of NASTRAN.
+    Property,
     /// A card of NASTRAN.
     Card,
     /// The header card of a `DMIG` matrix.
@@ -57,13 +71,22 @@ impl fmt::Display for Row {
             }
             Self::MarketSizes => "the line after the comments has the numbers of rows, columns and entries",
             Self::MarketArraySizes => "the line after the comments has the numbers of rows and columns",
-            Self::MarketEntry | Self::CalculiX => "an entry is written row column value",
+            Self::MarketEntry | Self::CalculiX | Self::Coordinates => "an entry is written row column value",
             Self::MarketValue => "an array has one value on a line, column by column",
             Self::MarketInteger => "the first line says that the values are integers",
+            Self::HarwellHeader => {
+                "a Harwell-Boeing header has its numbers of lines, then RUA, RSA or RZA with rows, columns and entries, \
+                 then its Fortran formats"
+            }
+            Self::HarwellIndex => "pointers ascend from 1 to one more than the entries, and rows count from 1",
+            Self::HarwellValue => "values fill the columns of the format in the header",
+            Self::Labels => "an entry is written node component node component value",
             Self::Dof => "a degree of freedom is written node.component or node component",
             Self::Node => "a node is written label x y z",
             Self::InputNode => "a node is written label, x, y, z below *NODE",
             Self::Grid => "a GRID card has its label, system, x, y and z in fields 2 to 6",
+            Self::Element => "an element has whole numbers for itself, its property and its grid points",
+            Self::Property => "a property or material has whole numbers for itself and what it names",
             Self::Card => {
                 "the fields of a card are ASCII: eight of 8 columns on a line, or four of 16 if a star follows its \
                  name, or as many between commas"

@@ -4,7 +4,7 @@ use super::error::{MatrixProblem, Row};
 use crate::text_file::{finite, size};
 
 /// A finite number; also as Fortran writes it, `1.5D-3` or `1.5-103`.
-pub(super) fn number(word: &str, row: Row) -> Result<f64, MatrixProblem> {
+pub(crate) fn number(word: &str, row: Row) -> Result<f64, MatrixProblem> {
     let value = word.parse().or_else(|_| fortran(word).parse::<f64>());
     finite(value.map_err(|_| MatrixProblem::NotANumber { found: word.into(), row })?, word, row)
 }

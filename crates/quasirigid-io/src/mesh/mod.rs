@@ -30,7 +30,7 @@ use file::MAX_FILE;
 use format::Format;
 pub use row::Row;
 use volume::vtk;
-pub use volume::{VolumeProblem, mesh_of, read_mesh};
+pub use volume::{VolumeFile, VolumeProblem, mesh_of, read_mesh, read_volume, volume_of};
 
 /// Triangles as a file has them.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -56,6 +56,8 @@ pub enum Row {
     InpNode,
     /// A cell of an Abaqus file.
     InpCell,
+    /// The place of an instance in an Abaqus file.
+    InpPlace,
     /// A list of members in an Abaqus file.
     InpSet,
     /// A range of members in an Abaqus file.
@@ -95,6 +97,9 @@ impl fmt::Display for Row {
             Self::VtkValue => "an array has as many numbers as its line announces, of the type it announces",
             Self::InpNode => "a node is written number, x, y, z",
             Self::InpCell => "a cell is written number, nodes, with a comma at the end of a line that continues",
+            Self::InpPlace => {
+                "an instance is placed by a line x, y, z and perhaps one with two points of an axis and an angle in degrees"
+            }
             Self::InpSet => "a set lists numbers or names of other sets, with commas between",
             Self::InpRange => "a range is written first, last, step",
         })

@@ -44,6 +44,8 @@ pub(super) struct Body<'a> {
     pub(super) names: Names<'a>,
     /// Assembly of the body, if nothing is wrong with its parts.
     pub(super) parts: Option<Parts>,
+    /// What was left out of files or repaired.
+    pub(super) file_notes: Vec<String>,
 }
 
 /// Assembly of a body, with its ranges and its places in the file.
@@ -88,16 +90,17 @@ pub(super) fn body<'a>(
         ranges: Ranges::default(),
         networks: Vec::new(),
         notes: Vec::new(),
+        file_notes: Vec::new(),
     };
     let good = single_tables(file, &mut draft.assembly, &mut spans);
     let good = every(&opened, &mut draft) && good;
     notes.extend(materials.unused());
     notes.extend(materials.chosen());
-    let Draft { names, assembly, ranges, networks, notes: of_parts, .. } = draft;
+    let Draft { names, assembly, ranges, networks, notes: of_parts, file_notes, .. } = draft;
     notes.extend(of_parts);
     spans.networks = networks;
     let parts = good.then(|| Parts { extremes: ranges.ends(&assembly), assembly, spans });
-    Body { names, parts }
+    Body { names, parts, file_notes }
 }
 
 /// Whether a file has a carrier, or a table that is a body without one.

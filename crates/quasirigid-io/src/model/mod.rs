@@ -81,6 +81,7 @@ const READERS: &[&Reader] = &[
     &part::beam::READER,
     &part::panel::READER,
     &part::solid::READER,
+    &part::deck::READER,
     &part::matrices::READER,
     &part::modes::READER,
     &part::connection::READER,
@@ -167,8 +168,10 @@ pub struct Model {
     pub run: RunTable,
     /// Keys of the model that are known by a distribution alone.
     pub uncertainty: Vec<Varied>,
-    /// Notes on suspect but valid values.
+    /// Notes on suspect but valid values, those on files first.
     pub notes: Vec<String>,
+    /// What was left out of files or repaired, with counts; it stands among the notes too.
+    pub file_notes: Vec<String>,
     /// Notes on former names of keys and words, with those of today.
     pub former_names: Vec<String>,
     /// The text of the model.
@@ -224,7 +227,9 @@ impl Model {
         let former_names = problems.former_names();
         let diagnostics = problems.into_diagnostics();
         match content {
-            Some(Content { name, parts, initial, run, uncertainty, notes }) if diagnostics.is_empty() => {
+            Some(Content { name, parts, initial, run, uncertainty, notes, file_notes })
+                if diagnostics.is_empty() =>
+            {
                 let name = name.unwrap_or_else(|| stem(&source.file));
                 let Parts { assembly, extremes, spans } = parts;
                 Ok(Self {
@@ -235,6 +240,7 @@ impl Model {
                     run,
                     uncertainty,
                     notes,
+                    file_notes,
                     former_names,
                     source,
                     spans,
@@ -253,6 +259,7 @@ struct Content {
     run: RunTable,
     uncertainty: Vec<Varied>,
     notes: Vec<String>,
+    file_notes: Vec<String>,
 }
 
 fn content(text: &str, folder: &Path, problems: &Problems<'_>) -> Option<Content> {
@@ -270,6 +277,8 @@ fn content(text: &str, folder: &Path, problems: &Problems<'_>) -> Option<Content
     let name = file.table("body", "[body]", &settings::BODY).and_then(|table| table.get("name"));
     let name = name.and_then(|value| value.name()).map(str::to_owned);
     let body = body::body(&file, folder, problems, &mut notes);
+    let file_notes = body.file_notes.clone();
+    notes.splice(..0, file_notes.iter().cloned());
     let initial = match file.table("initial", "[initial]", &initial::INITIAL) {
         Some(table) => initial::initial(&table, &body, &mut notes),
         None => Some(Initial::default()),
@@ -282,7 +291,15 @@ fn content(text: &str, folder: &Path, problems: &Problems<'_>) -> Option<Content
         Some(table) => uncertainty::uncertainty(&table, text),
         None => Some(Vec::new()),
     };
-    Some(Content { name, parts: body.parts?, initial: initial?, run: run?, uncertainty: uncertainty?, notes })
+    Some(Content {
+        name,
+        parts: body.parts?,
+        initial: initial?,
+        run: run?,
+        uncertainty: uncertainty?,
+        notes,
+        file_notes,
+    })
 }
 
 fn stem(file: &Path) -> String {

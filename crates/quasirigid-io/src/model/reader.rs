@@ -111,6 +111,8 @@ pub(super) struct Draft<'s, 'a> {
     pub(super) networks: Vec<NetworkSpans>,
     /// Suspect but not wrong things.
     pub(super) notes: Vec<String>,
+    /// What was left out of files or repaired.
+    pub(super) file_notes: Vec<String>,
 }
 
 /// Function that reads a table into the draft of a body.
@@ -165,7 +167,8 @@ impl Reader {
 impl<'a> Draft<'_, 'a> {
     /// Adds a part of finite elements with the names of its nodes.
     pub(super) fn part(&mut self, entry: &Entry<'_, 'a>, read: Option<Read>) -> Option<()> {
-        let Read { part, nodes, extremes } = read?;
+        let Read { part, nodes, extremes, notes } = read?;
+        self.file_notes.extend(notes);
         self.names.nodes.insert(entry.index, nodes);
         self.assembly.parts.push(part);
         self.ranges.set(ElementKind::Part.at(entry.index), extremes);

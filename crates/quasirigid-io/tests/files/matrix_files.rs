@@ -273,7 +273,6 @@ fn errors_have_their_line_or_byte() {
         dmig("DMIG,K,1,1,,1,7,3."),
         dmig("DMIG,K,1,1,,1,2,3.,4."),
         dmig("DMIG,K,1,1,,1,2,3.,,,5"),
-        dmig("DMIG\tK\t1"),
         dmig("DMIG,K,0,6,2"),
         dmig("DMIG,M,0,6,2"),
         says("a", b"DMIG,K,0,6,3", None),
@@ -415,4 +414,73 @@ fn archives_that_inflate_are_refused() {
     let said = read(80).unwrap_err().to_string();
     assert!(said.contains("unpacks to more than 64 MiB"), "{said}");
     assert_eq!(read(8).unwrap().rows, 1 << 20);
+}
+
+/// Values of a symmetric and of a general matrix as `scipy.io.hb_write` and ANSYS lay them out, without blanks between numbers.
+#[test]
+fn harwell_boeing_files_are_read_by_their_formats() {
+    let general = "Title                                                                   KEY\n\
+                   \x20            4             1             1             2             0\n\
+                   RUA                        2             3             4             0\n\
+                   (4I3)           (4I3)           (2E12.4)\n  1  2  4  5\n  2  1  2  1\n -1.5000E+00  2.0000E+00\n-3.2500E+00-4.0000E+00\n";
+    let read = |text: &str| matrix_of(Path::new("a.hb"), text.as_bytes(), None);
+    let matrix = read(general).unwrap();
+    assert_eq!((matrix.rows, matrix.columns), (2, 3));
+    assert_eq!(matrix.entries, [(0, 1, 2.0), (0, 2, -4.0), (1, 0, -1.5), (1, 1, -3.25)]);
+    let symmetric = general
+        .replace("RUA                        2             3", "RSA                        3             3")
+        .replace("\n  2  1  2  1\n", "\n  3  2  3  3\n");
+    let entries = read(&symmetric).unwrap().entries;
+    let expected = [(0, 2, -1.5), (1, 1, 2.0), (1, 2, -3.25), (2, 0, -1.5), (2, 1, -3.25), (2, 2, -4.0)];
+    assert_eq!(entries, expected);
+    let says = |from: &str, to: &str| read(&general.replacen(from, to, 1)).unwrap_err().to_string();
+    insta::assert_snapshot!(says("  1  2  4  5", "  1  4  2  5"), @r#"a.hb:5: "column pointers" is not allowed here; pointers ascend from 1 to one more than the entries, and rows count from 1"#);
+    insta::assert_snapshot!(says("-3.2500E+00-4.0000E+00\n", ""), @"a.hb:7: the file ends after 2 of 4 entries; was it cut off, or is the number wrong?");
+    insta::assert_snapshot!(says("RUA", "PUA"), @"a.hb:3: the file has the pattern of a matrix only; write it with its values, as real");
+    insta::assert_snapshot!(says("  2  1  2  1", "  2  1  9  1"), @"a.hb:8: row 9, column 2 lies outside a matrix of 2 rows and 3 columns; are its sizes right?");
+}
+
+/// The binary files again in words of 64 bits, of either byte order: lengths in bytes, integers and numbers of eight, two words a number
+/// become one.
+#[test]
+fn output4_in_words_of_64_bits_is_the_same_matrix() {
+    let short = bytes("binary_dense.op4");
+    let expected = matrix_of(Path::new("k.op4"), &short, Some("KAAX")).unwrap();
+    for big_endian in [false, true] {
+        let mut long = Vec::new();
+        let word = |out: &mut Vec<u8>, value: i64| {
+            out.extend(if big_endian { value.to_be_bytes() } else { value.to_le_bytes() });
+        };
+        let mut at = 0;
+        let (mut header, mut last) = (true, 0);
+        while at < short.len() {
+            let integer = |at: usize| i32::from_le_bytes(short[at..at + 4].try_into().unwrap());
+            let length = integer(at) as usize;
+            let record = at + 4;
+            let mut content = Vec::new();
+            if header {
+                (0..4).for_each(|k| word(&mut content, integer(record + 4 * k).into()));
+                content.extend(&short[record + 16..record + 24]);
+                content.extend([b' '; 8]);
+                (header, last) = (false, integer(record));
+            } else {
+                let column = integer(record);
+                word(&mut content, column.into());
+                word(&mut content, integer(record + 4).into());
+                word(&mut content, (integer(record + 8) / 2).into());
+                for value in short[record + 12..record + length].chunks(8) {
+                    let value = f64::from_le_bytes(value.try_into().unwrap());
+                    content.extend(if big_endian { value.to_be_bytes() } else { value.to_le_bytes() });
+                }
+                header = column > last;
+            }
+            let length = content.len() as u32;
+            let mark = if big_endian { length.to_be_bytes() } else { length.to_le_bytes() };
+            long.extend(mark);
+            long.extend(&content);
+            long.extend(mark);
+            at = record + integer(at) as usize + 4;
+        }
+        assert_eq!(matrix_of(Path::new("k.op4"), &long, Some("KAAX")).unwrap(), expected, "{big_endian}");
+    }
 }

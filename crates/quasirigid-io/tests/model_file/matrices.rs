@@ -282,3 +282,78 @@ fn every_format_has_the_same_stiffness() {
         }
     }
 }
+
+/// Rows of a node along axes of its own: `CD` of node 3 is a cylinder about z, of node 7 a rectangular system; the coordinates of node 3
+/// are cylindrical too, those of node 11 partly blank.
+#[test]
+fn rows_in_local_systems_of_grid_points_are_turned() {
+    let place = [1.4_f64, -0.6, 0.8];
+    let (radius, angle) = (place[0].hypot(place[1]), place[1].atan2(place[0]));
+    let nodes = format!(
+        "CORD2C,4,,0.,0.,0.,0.,0.,1.,+\n+,1.,0.,0.\nCORD2R,5,,0.,0.,0.,1.,0.,0.,+\n+,0.,1.,0.\n\
+         GRID*,3,4,{radius:?},{:?}\n*,0.8,4\nGRID,7,,0.5,0.2,-0.3,5\nGRID,11,,0.3,-0.1,0.2\n",
+        angle.to_degrees()
+    );
+    let (sin, cos) = angle.sin_cos();
+    // axes of each node as rows
+    let axes = [
+        [[cos, sin, 0.0], [-sin, cos, 0.0], [0.0, 0.0, 1.0]],
+        [[0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [1.0, 0.0, 0.0]],
+        [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
+    ];
+    let turned = |matrix: &dyn Fn(usize, usize) -> f64| {
+        let global = in_units(matrix, 1.0, 1.0);
+        square(ALL, |i, j| {
+            let share = |row: usize, k: usize| axes[row / 6][row % 3][k];
+            (0..9)
+                .map(|k| share(i, k / 3) * share(j, k % 3) * global[i / 3 * 3 + k / 3][j / 3 * 3 + k % 3])
+                .sum()
+        })
+    };
+    let files = |dofs: &str| {
+        [
+            ("nodes.bdf", nodes.clone()),
+            ("rows.dof", dofs.to_owned()),
+            ("K.mtx", market(&turned(&stiffness))),
+            ("M.mtx", market(&turned(&mass))),
+        ]
+    };
+    let keys = KEYS.replace("nodes.txt", "nodes.bdf");
+    let local = beside(&files(""), &format!("{keys}attach = 11\n"));
+    assert_same(&local.unwrap_or_else(|error| panic!("{error}")), &plain(""), 1e-11);
+    let some: String = (0..ALL).map(|row| format!("{} {}\n", [3, 7, 11][row / 6], row % 6 + 1)).collect();
+    let mut without = files(&some.replace("3 2\n", "12 1\n"));
+    without[0].1 += "GRID,12,,1.\n";
+    let refusal = beside(&without, &format!("{keys}dofs = \"rows.dof\"\nattach = 11\n"));
+    let message = refusal.expect_err("a node without one of its rows").to_string();
+    assert!(message.contains("node 3 counts its displacements in a local system"), "{message}");
+}
+
+/// Lines of `*MATRIX OUTPUT`: by numbers in both triangles or in one, and by nodes.
+#[test]
+fn bare_lines_are_the_matrices_of_their_rows() {
+    let (K, M) = (in_units(stiffness, 1.0, 1.0), in_units(mass, 1.0, 1.0));
+    let lines = |matrix: &Square, keep: &dyn Fn(usize, usize) -> bool, labels: bool| {
+        let name = |row: usize| {
+            if labels { format!("{} {}", [3, 7, 11][row / 6], row % 6 + 1) } else { (row + 1).to_string() }
+        };
+        let mut text = String::new();
+        for (i, row) in matrix.iter().enumerate() {
+            for (j, value) in row.iter().enumerate().filter(|(j, value)| keep(i, *j) && **value != 0.0) {
+                writeln!(text, "{} {} {value:.16E}", name(i), name(j)).expect("memory");
+            }
+        }
+        text
+    };
+    let forms: [(&dyn Fn(usize, usize) -> bool, bool); 4] =
+        [(&|_, _| true, false), (&|i, j| i <= j, false), (&|i, j| i >= j, true), (&|_, _| true, true)];
+    for (keep, labels) in forms {
+        let files = [
+            ("nodes.txt", nodes(1.0)),
+            ("K.mtx", lines(&K, keep, labels)),
+            ("M.mtx", lines(&M, keep, labels).replace(' ', ", ")),
+        ];
+        let lines = format!("{KEYS}attach = 11\n");
+        assert_same(&read(&files, &lines), &plain(""), 1e-12);
+    }
+}

@@ -5,6 +5,7 @@ mod bodies;
 mod change;
 mod connections;
 mod connections_refused;
+mod decks;
 mod elements;
 mod ellipsoids;
 mod evolve;

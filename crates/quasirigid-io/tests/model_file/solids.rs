@@ -192,22 +192,22 @@ fn a_mesh_that_cannot_be_read_is_refused_at_its_file() {
     let refused = |mesh: &str| located(&pair(mesh, "material = \"foam\"\n").expect_err("a refusal"));
     assert_snapshot!(refused(&PAIR.replace("C3D4, ELSET=LOWER", "C3D7")), @"
     model.toml:14:8: `file`: pair.inp:9: cells of type C3D7 are not read; lines, triangles, quadrilaterals, tetrahedra, wedges and hexahedra of first or second order are, but no wedges of 18 nodes
-      it is looked for beside the model; gmsh, VTK and Abaqus or CalculiX meshes are read
+      it is looked for beside the model; gmsh, VTK, Abaqus, CalculiX and NASTRAN meshes are read
     ");
     assert_snapshot!(refused(&PAIR.replace("2, 1, 3, 2, 5", "2, 1, 3, 2, 6")), @"
     model.toml:14:8: `file`: pair.inp:10: cell 2 names node 6, which is not among the nodes before it; was the node left out?
-      it is looked for beside the model; gmsh, VTK and Abaqus or CalculiX meshes are read
+      it is looked for beside the model; gmsh, VTK, Abaqus, CalculiX and NASTRAN meshes are read
     ");
     let whole = include_str!("../data/volume/block-text.msh");
     let half: Vec<&str> = whole.lines().take(100).collect();
     assert_snapshot!(refused(&half.join("\n")), @"
     model.toml:14:8: `file`: pair.inp:100: the file ends after 89 of 113 nodes; was it cut off, or is the number wrong?
-      it is looked for beside the model; gmsh, VTK and Abaqus or CalculiX meshes are read
+      it is looked for beside the model; gmsh, VTK, Abaqus, CalculiX and NASTRAN meshes are read
     ");
     let other = model("file = \"none.msh\"\nmaterial = \"foam\"\n");
     assert_snapshot!(located(&Model::parse(Path::new(BLOCK), &other).expect_err("a refusal")), @"
     model.toml:14:8: `file`: none.msh: entity not found; is the name right, and is the file readable?
-      it is looked for beside the model; gmsh, VTK and Abaqus or CalculiX meshes are read
+      it is looked for beside the model; gmsh, VTK, Abaqus, CalculiX and NASTRAN meshes are read
     ");
 }
 
@@ -218,12 +218,7 @@ fn what_mechanics_says_of_a_solid_is_located() {
             pair(mesh, "material = \"foam\"\nattach = \"FACE\"\n").unwrap_or_else(|error| panic!("{error}"));
         located(&model.diagnose_all(&model.assembly.check()))
     };
-    assert_snapshot!(verdict(&PAIR.replace("2, 1, 3, 2, 5", "2, 1, 2, 3, 5")), @r#"model.toml:14:8: `file` of solid "solid 1": cell 2 (tetrahedron of 4 nodes) is inside out near (0.0000e0, 0.0000e0, 0.0000e0): -1.00 times as thick as it is long; list its nodes in the order of its shape"#);
     assert_snapshot!(verdict(&PAIR.replace("4, 0, 0, 1\n", "4, 1, 1, 0\n")), @r#"model.toml:14:8: `file` of solid "solid 1": cell 1 (tetrahedron of 4 nodes) is flat near (0.0000e0, 0.0000e0, 0.0000e0): 0.0e0 times as thick as it is long; move its nodes apart or leave it out"#);
-    assert_snapshot!(verdict(&PAIR.replace("5, 0, 0, -1\n", "5, 0, 0, -1\n6, 2, 2, 2\n")), @r#"
-    model.toml:14:8: `file` of solid "solid 1": 1 node belongs to no cell: 6
-      nothing resists their motion: delete them; the cells of a solid have a volume, those of a panel an area
-    "#);
     let apart =
         PAIR.replace("5, 0, 0, -1\n", "5, 0, 0, -1\n6, 0, 0, 0\n").replace("2, 1, 3, 2, 5", "2, 6, 3, 2, 5");
     assert_snapshot!(verdict(&apart), @r#"
@@ -239,17 +234,26 @@ fn what_mechanics_says_of_a_solid_is_located() {
     "#);
 }
 
-/// A node of a face alone is none of the solid: nothing resists its motion.
+/// Nodes of no solid leave with the faces that name them, cells inside out are turned, and both are told; a name of such a node says so.
 #[test]
-fn a_face_does_not_hold_a_node_of_a_solid() {
-    let mesh = PAIR.replace("5, 0, 0, -1\n", "5, 0, 0, -1\n6, 1, 1, 3\n")
-        + "*ELEMENT, TYPE=S3, ELSET=SKIN\n9, 2, 3, 6\n";
-    let model =
-        pair(&mesh, "material = \"foam\"\nattach = \"FACE\"\n").unwrap_or_else(|error| panic!("{error}"));
-    assert_snapshot!(located(&model.diagnose_all(&model.assembly.check())), @r#"
-    model.toml:14:8: `file` of solid "solid 1": 1 node belongs to no cell: 6
-      nothing resists their motion: delete them; the cells of a solid have a volume, those of a panel an area
-    "#);
+fn loose_nodes_are_kept_aside_and_cells_turned() {
+    let mesh =
+        PAIR.replace("5, 0, 0, -1\n", "5, 0, 0, -1\n6, 1, 1, 3\n").replace("2, 1, 3, 2, 5", "2, 1, 2, 3, 5")
+            + "*ELEMENT, TYPE=S3, ELSET=SKIN\n9, 2, 3, 6\n*NSET, NSET=LOOSE\n6\n";
+    let read = |attach: &str| pair(&mesh, &format!("material = \"foam\"\nattach = {attach}\n"));
+    let model = read("\"FACE\"").unwrap_or_else(|error| panic!("{error}"));
+    assert_eq!(model.assembly.check(), []);
+    let expected = [
+        "pair.inp: cells inside out are turned, their nodes in the order of their shape (1)",
+        "pair.inp: nodes that belong to no cell of the part are kept aside (1): 6",
+    ];
+    assert_eq!(model.file_notes, expected);
+    assert_eq!(&model.notes[..2], expected);
+    // two tetrahedra of 1/6 m³ each
+    let mass = model.assembly.body().expect("a body").invariants().mass;
+    assert!((mass / (40.0 + 50.0 / 3.0) - 1.0).abs() < 1e-12, "{mass}");
+    assert_snapshot!(located(&read("6").expect_err("a loose node")), @"");
+    assert_snapshot!(located(&read("\"LOOSE\"").expect_err("an empty set")), @"");
 }
 
 /// One attached node fixes a point, two fix an axis: a solid needs three.

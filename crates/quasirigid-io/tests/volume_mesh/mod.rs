@@ -1,7 +1,9 @@
 //! Cells written in every format read as one mesh, and a damaged file is refused by line or byte.
 
 mod abaqus;
+mod corpus;
 mod gmsh;
+mod nastran;
 mod robustness;
 mod vtk;
 mod zoo;
@@ -50,7 +52,7 @@ fn set<'a>(mesh: &'a Mesh, name: &str) -> &'a Set {
 #[test]
 fn what_is_no_mesh_is_refused() {
     insta::assert_snapshot!(says("a.msh", ""), @"a.msh: the file is empty; was its download cut off?");
-    insta::assert_snapshot!(says("a.msh", "solid block\n"), @"a.msh: the file is text, which is not a known mesh format; give a .msh file of gmsh, .vtk or .vtu of VTK, or .inp of Abaqus or CalculiX");
+    insta::assert_snapshot!(says("a.msh", "solid block\n"), @"a.msh: the file is text, which is not a known mesh format; give a .msh file of gmsh, .vtk or .vtu of VTK, .inp of Abaqus or CalculiX, or .bdf of NASTRAN");
     insta::assert_snapshot!(says("a.inp", "*HEADING\n*NODE\n1, 0, 0, 0\n"), @"a.inp: the file has no cells; were they left out when it was written, perhaps for lack of physical groups?");
     let folder = tempfile::tempdir().unwrap();
     let problem = |file: &Path| read_mesh(file).unwrap_err().problem.to_string();

@@ -33,7 +33,7 @@ fn read(bytes: &[u8]) -> Result<(), TestCaseError> {
 }
 
 fn file() -> impl Strategy<Value = Vec<u8>> {
-    let files = [&GMSH[..], &VTK, &["zoo.inp", "block.vtk"]].concat();
+    let files = [&GMSH[..], &VTK, &["zoo.inp", "block.vtk", "mixed.bdf"]].concat();
     prop::sample::select(files).prop_map(bytes)
 }
 

@@ -60,6 +60,8 @@ struct CheckObject<'a> {
     steady_spins: &'a [SteadySpinRecord],
     /// Effects left out of the equations of motion.
     left_out: Vec<String>,
+    /// Left out of files or repaired in them, with counts.
+    files: &'a [String],
     /// In cavities.
     liquids: Vec<LiquidRecord>,
     /// Of a solid inside a surface, or `null`.
@@ -133,6 +135,7 @@ impl CheckReport<'_> {
             dissipation: budget,
             steady_spins: spins,
             left_out: left_out.notes(),
+            files: &study.model.file_notes,
             liquids: liquids(study, validity.T3.recip()).iter().map(Liquid::record).collect(),
             resolution: record::resolution(study).next(),
             condensation: study.condensation.map(|known| CondensationObject {

@@ -30,6 +30,10 @@ pub(super) fn text(report: &CheckReport) -> String {
     let Study { model, body, condensation, .. } = study;
     let omega = report.omega;
     let mut text = String::new();
+    model.file_notes.iter().for_each(|note| text.push_str(&format!("{}\n", paragraph(note, "", "  "))));
+    if !model.file_notes.is_empty() {
+        text.push('\n');
+    }
     let about = report.about_spin.as_ref().map(|about| about.sentence.as_str());
     let head = format!("{}: {}", one_line(&model.name), report.sentence());
     write(&mut text, (&head, about), reduced, (omega, without(study)), validity)

@@ -25,7 +25,7 @@ pub(crate) struct Beam {
     pub(super) young: f64,
     /// Shear modulus (Pa).
     pub(super) shear: f64,
-    /// Density (kg/m³).
+    /// Density (kg/m³), which may be zero.
     pub(super) density: f64,
 }
 
@@ -59,7 +59,9 @@ impl Beam {
     ) -> Result<Self, BeamError> {
         positive(Quantity::Young, young)?;
         positive(Quantity::ShearModulus, shear)?;
-        positive(Quantity::Density, density)?;
+        if density != 0.0 {
+            positive(Quantity::Density, density)?;
+        }
         let places = ends.map(Vector3::from);
         let along = places[1] - places[0];
         let length = along.norm();

@@ -124,7 +124,8 @@ impl Ply {
             (Constant::Thickness, self.thickness),
         ];
         for (name, value) in constants {
-            if !(value > 0.0 && value.is_finite()) {
+            let massless = matches!(name, Constant::Density) && value == 0.0;
+            if !(massless || value > 0.0 && value.is_finite()) {
                 return Err(ShellError::Positive { ply, name, value });
             }
         }

@@ -129,19 +129,41 @@ impl Member {
     }
 
     fn beam(&self, place: ElementId, ends: [[f64; 3]; 2]) -> Result<Beam, ElementError> {
-        let section = self.section.section(self.material.poisson);
-        let section = section.map_err(|error| at(place, Field::SECTION)(error.into()))?;
-        let Material { young, density, .. } = self.material;
-        let material = beam::BeamMaterial { young, shear: self.material.shear(), density };
-        Beam::new(ends, self.up, section, material).map_err(|error| {
-            let field = match error {
-                BeamError::NoDirection { .. } => Field::UP,
-                BeamError::NoLength { .. } => Field::LINES,
-                _ => Field::MATERIAL,
-            };
-            at(place, field)(error.into())
-        })
+        beam_between(place, ends, (self.section, self.up), &self.material)
     }
+}
+
+/// A beam between two places, with its section and the direction of the section's `y`.
+fn beam_between(
+    place: ElementId,
+    ends: [[f64; 3]; 2],
+    (section, up): (SectionShape, Option<[f64; 3]>),
+    material: &Material,
+) -> Result<Beam, ElementError> {
+    let section = section.section(material.poisson);
+    let section = section.map_err(|error| at(place, Field::SECTION)(error.into()))?;
+    let Material { young, density, .. } = *material;
+    let constants = beam::BeamMaterial { young, shear: material.shear(), density };
+    Beam::new(ends, up, section, constants).map_err(|error| {
+        let field = match error {
+            BeamError::NoDirection { .. } => Field::UP,
+            BeamError::NoLength { .. } => Field::LINES,
+            _ => Field::MATERIAL,
+        };
+        at(place, field)(error.into())
+    })
+}
+
+/// The element of a beam between two places.
+pub(super) fn bar_element(
+    place: ElementId,
+    connectivity: Connectivity,
+    ends: [[f64; 3]; 2],
+    section: (SectionShape, Option<[f64; 3]>),
+    material: &Material,
+) -> Result<Box<dyn Element>, ElementError> {
+    let beam = beam_between(place, ends, section, material)?;
+    Ok(Box::new(BeamElement { connectivity, beam }))
 }
 
 impl Element for BeamElement {

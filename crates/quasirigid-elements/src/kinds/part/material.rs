@@ -38,6 +38,17 @@ impl ElasticMaterial {
         }
     }
 
+    /// Accepts the material of a part that may have no mass.
+    pub(super) fn check_constants(&self, place: ElementId) -> Result<(), ElementError> {
+        match self {
+            Self::Isotropic(material) => material.check_constants(place),
+            Self::Orthotropic(material) => {
+                number::non_negative(material.density).map_err(at(place, Field::DENSITY))?;
+                material.rheology.check().map_err(|error| at(place, Field::RHEOLOGY)(error.into()))
+            }
+        }
+    }
+
     /// Accepts the material of a part; its moduli are for the part to judge.
     pub(super) fn check(&self, place: ElementId) -> Result<(), ElementError> {
         match self {

@@ -6,6 +6,7 @@ mod frame;
 mod graph;
 mod material;
 mod matrices;
+mod mixed;
 mod modes;
 mod nodal;
 mod nodal_body;
@@ -20,6 +21,7 @@ pub use frame::{Frame, FrameNode, Member};
 pub(crate) use graph::PartGraph;
 pub use material::{ElasticMaterial, Orthotropic};
 pub use matrices::Matrices;
+pub use mixed::{Bar, BarKind, Coupling, Mixed, NodeBody, NodeLink, Skin, Strain, Weighted};
 pub use modes::{GivenModes, Spectrum};
 pub use nodal::NodalMass;
 pub use nodal_body::TipMass;
@@ -62,6 +64,8 @@ pub enum PartKind {
     Frame(Frame),
     /// A thin plate or shell.
     Panel(Panel),
+    /// Solids, shells, bars, bodies, links and couplings between common nodes.
+    Mixed(Mixed),
     /// Matrices from another program.
     Matrices(Matrices),
     /// Modes from another program.
@@ -92,6 +96,7 @@ impl PartKind {
             Self::Solid(_) => "solid",
             Self::Frame(_) => "beam",
             Self::Panel(_) => "panel",
+            Self::Mixed(_) => "deck",
             Self::Matrices(_) => "matrices",
             Self::Modes(_) => "modes",
         }
@@ -109,6 +114,7 @@ impl PartKind {
             Self::Solid(solid) => {
                 solid.regions.iter_mut().map(|region| region.material.rheology_mut()).collect()
             }
+            Self::Mixed(mixed) => mixed.rheologies_mut(),
             Self::Matrices(given) => vec![&mut given.rheology],
             Self::Modes(modes) => vec![&mut modes.rheology],
         }
@@ -122,6 +128,7 @@ impl Part {
             PartKind::Solid(solid) => solid.mesh.nodes.iter().map(|place| node(*place, false)).collect(),
             PartKind::Panel(panel) => panel.mesh.nodes.iter().map(|place| node(*place, true)).collect(),
             PartKind::Frame(frame) => frame.places().into_iter().map(|place| node(place, true)).collect(),
+            PartKind::Mixed(mixed) => mixed.structure_nodes(),
             PartKind::Matrices(given) => given.mass.structure_nodes().collect(),
             PartKind::Modes(modes) => modes.structure_nodes(),
         }
@@ -130,7 +137,9 @@ impl Part {
     /// Number of the part's nodes that are places.
     pub(crate) fn count(&self) -> usize {
         match &self.kind {
-            PartKind::Solid(Solid { mesh, .. }) | PartKind::Panel(Panel { mesh, .. }) => mesh.nodes.len(),
+            PartKind::Solid(Solid { mesh, .. })
+            | PartKind::Panel(Panel { mesh, .. })
+            | PartKind::Mixed(Mixed { mesh, .. }) => mesh.nodes.len(),
             PartKind::Frame(frame) => frame.places().len(),
             PartKind::Matrices(Matrices { mass, .. }) | PartKind::Modes(GivenModes { mass, .. }) => {
                 mass.nodes.len()
@@ -141,7 +150,9 @@ impl Part {
     /// Name of a node within the part.
     pub(crate) fn node_name(&self, node: usize) -> String {
         match &self.kind {
-            PartKind::Solid(Solid { mesh, .. }) | PartKind::Panel(Panel { mesh, .. }) => {
+            PartKind::Solid(Solid { mesh, .. })
+            | PartKind::Panel(Panel { mesh, .. })
+            | PartKind::Mixed(Mixed { mesh, .. }) => {
                 format!("node {}", mesh.node_labels[node])
             }
             PartKind::Frame(frame) => frame.node_name(node),
@@ -158,9 +169,9 @@ impl Part {
             PartKind::Matrices(Matrices { mass, .. }) | PartKind::Modes(GivenModes { mass, .. }) => {
                 extremes(&mass.nodes)
             }
-            PartKind::Solid(Solid { mesh, .. }) | PartKind::Panel(Panel { mesh, .. }) => {
-                extremes(&mesh.nodes)
-            }
+            PartKind::Solid(Solid { mesh, .. })
+            | PartKind::Panel(Panel { mesh, .. })
+            | PartKind::Mixed(Mixed { mesh, .. }) => extremes(&mesh.nodes),
         }
     }
 
@@ -192,6 +203,7 @@ impl Part {
             PartKind::Solid(solid) => solid.assemble_into(seat, structure),
             PartKind::Frame(frame) => frame.assemble_into(seat, structure),
             PartKind::Panel(panel) => panel.assemble_into(seat, structure),
+            PartKind::Mixed(mixed) => mixed.assemble_into(seat, structure),
             PartKind::Matrices(given) => given.assemble_into(seat, structure),
             PartKind::Modes(modes) => modes.assemble_into(seat, structure),
         }?;
@@ -203,6 +215,7 @@ impl Part {
     /// Constraints of the part's nodes before anything is attached or connected; the first of them is `first` in the structure.
     pub(crate) fn constraints(&self, first: usize) -> Vec<Constraint> {
         match &self.kind {
+            PartKind::Mixed(mixed) => mixed.constraints(first),
             PartKind::Matrices(given) => given.constraints(),
             PartKind::Modes(modes) => modes.constraints(first),
             _ => vec![Constraint::Free; self.count()],
@@ -222,14 +235,14 @@ fn node(place: [f64; 3], rotations: bool) -> Node {
     Node { place: Vector3::from(place), rotations }
 }
 
-/// Accepts a mesh whose cells of a dimension describe a part and hold every node of it.
+/// Accepts a mesh whose cells of a dimension describe a part and hold every node of it; the other cells bear nothing.
 fn sound(mesh: &Mesh, dimension: usize) -> Result<(), Problem> {
-    mesh.check().map_err(Problem::Mesh)?;
     let bearing = mesh.cells.iter().filter(|cell| cell.shape.dimension() == dimension);
     let bearing = Mesh { cells: bearing.cloned().collect(), sets: Vec::new(), ..mesh.clone() };
     if bearing.cells.is_empty() {
         return Err(Problem::NoCells { dimension });
     }
+    bearing.check().map_err(Problem::Mesh)?;
     let loose = |note: &MeshNote| matches!(note, MeshNote::Unused { .. } | MeshNote::Coincident { .. });
     bearing.notes().into_iter().find(loose).map_or(Ok(()), |note| Err(note.into()))
 }
@@ -268,7 +281,9 @@ impl Element for Part {
     fn incomplete(&self) -> Vec<Incomplete> {
         match &self.kind {
             PartKind::Matrices(_) | PartKind::Modes(_) => vec![Incomplete::Shapes],
-            PartKind::Solid(_) | PartKind::Frame(_) | PartKind::Panel(_) => vec![Incomplete::Structures],
+            PartKind::Solid(_) | PartKind::Frame(_) | PartKind::Panel(_) | PartKind::Mixed(_) => {
+                vec![Incomplete::Structures]
+            }
         }
     }
 

@@ -24,6 +24,7 @@ impl Part {
             },
             PartKind::Solid(solid) => surface(&solid.mesh, 3, at),
             PartKind::Panel(panel) => surface(&panel.mesh, 2, at),
+            PartKind::Mixed(mixed) => drawn(&mixed.mesh, at),
             PartKind::Matrices(_) | PartKind::Modes(_) => {
                 let count = self.count();
                 let step = count.div_ceil(MOST_NODES).max(1);
@@ -38,6 +39,19 @@ fn surface(mesh: &Mesh, dimension: usize, at: impl Fn(usize) -> Vertex) -> Outli
     let cells = (0..mesh.cells.len()).filter(|cell| mesh.cells[*cell].shape.dimension() == dimension);
     let (kept, triangles) = thinned(&mesh.nodes, &boundary(mesh, cells));
     Outline { vertices: kept.into_iter().map(at).collect(), triangles, ..Outline::default() }
+}
+
+/// Boundary of the solids of a mesh, or its faces where it has no solids; else its lines.
+fn drawn(mesh: &Mesh, at: impl Fn(usize) -> Vertex) -> Outline {
+    let highest = mesh.cells.iter().map(|cell| cell.shape.dimension()).max().unwrap_or(0);
+    if highest > 1 {
+        return surface(mesh, highest, at);
+    }
+    Outline {
+        vertices: (0..mesh.nodes.len()).map(at).collect(),
+        lines: mesh.cells.iter().map(|cell| [cell.nodes[0], cell.nodes[1]]).collect(),
+        ..Outline::default()
+    }
 }
 
 impl Frame {

@@ -56,13 +56,41 @@ struct ShellCell {
 impl Panel {
     /// Adds the elements of the panel to a structure that has its nodes: for each cell one of every material in its layers.
     pub(super) fn assemble_into(&self, seat: Seat, structure: &mut Structure) -> Result<(), ElementError> {
-        let Seat { place, rayleigh, .. } = seat;
+        let Seat { place, .. } = seat;
         sound(&self.mesh, 2).map_err(at(place, Field::FILE))?;
         number::unit(self.reference).map_err(at(place, Field::REFERENCE))?;
+        self.layers.iter().try_for_each(|layer| layer.material.check(place))?;
+        let plating = Plating { layers: &self.layers, reference: Some(self.reference), offset: self.offset };
+        let cells = self.mesh.cells.iter().filter(|cell| cell.shape.dimension() == 2);
+        plating.assemble_into(&self.mesh, cells, seat, structure)
+    }
+}
+
+/// Layers of shell cells, and the direction from which their angles count.
+pub(super) struct Plating<'p> {
+    /// Layers from the lowest to the highest.
+    pub(super) layers: &'p [Layer],
+    /// Direction of the angle zero; none for the first side of each cell.
+    pub(super) reference: Option<[f64; 3]>,
+    /// Height of the middle of the layers above the nodes (m).
+    pub(super) offset: f64,
+}
+
+impl Plating<'_> {
+    /// Adds cells to a structure that has the nodes of the mesh: for each cell an element of every material in its layers.
+    pub(super) fn assemble_into<'c>(
+        &self,
+        mesh: &Mesh,
+        cells: impl Iterator<Item = &'c Cell>,
+        seat: Seat,
+        structure: &mut Structure,
+    ) -> Result<(), ElementError> {
+        let Seat { place, rayleigh, .. } = seat;
+        self.layers.iter().try_for_each(|layer| layer.material.check_constants(place))?;
         let sections = self.sections(place, rayleigh, structure)?;
-        for cell in self.mesh.cells.iter().filter(|cell| cell.shape.dimension() == 2) {
+        for cell in cells {
             for (material, section) in &sections {
-                let element = self.cell(cell, seat.connectivity(&cell.nodes, 6, *material), *section);
+                let element = self.cell(mesh, cell, seat.connectivity(&cell.nodes, 6, *material), *section);
                 element.matrix().map_err(|cause| {
                     let field = match cause {
                         ShellError::Reference { .. } => Field::REFERENCE,
@@ -84,7 +112,6 @@ impl Panel {
         structure: &mut Structure,
     ) -> Result<Vec<(usize, ShellSection)>, ElementError> {
         let refuse = at(place, Field::LAYERS);
-        self.layers.iter().try_for_each(|layer| layer.material.check(place))?;
         let plies: Vec<Ply> = self.layers.iter().map(Layer::ply).collect();
         let layers = ShellSection::layers(&plies, self.offset)
             .map_err(|cause| refuse(Problem::Shell { cell: None, cause }))?;
@@ -99,14 +126,10 @@ impl Panel {
         if sections.is_empty() { Err(refuse(Problem::NoMass)) } else { Ok(sections) }
     }
 
-    fn cell(&self, cell: &Cell, connectivity: Connectivity, section: ShellSection) -> ShellCell {
-        ShellCell {
-            shape: cell.shape,
-            connectivity,
-            places: cell.nodes.iter().map(|node| self.mesh.nodes[*node].into()).collect(),
-            reference: self.reference.into(),
-            section,
-        }
+    fn cell(&self, mesh: &Mesh, cell: &Cell, connectivity: Connectivity, section: ShellSection) -> ShellCell {
+        let places: Vec<Vector3<f64>> = cell.nodes.iter().map(|node| mesh.nodes[*node].into()).collect();
+        let reference = self.reference.map_or_else(|| places[1] - places[0], Vector3::from);
+        ShellCell { shape: cell.shape, connectivity, places, reference, section }
     }
 }
 

@@ -50,32 +50,43 @@ struct SolidCell {
 impl Solid {
     /// Adds the elements of the solid to a structure that has its nodes.
     pub(super) fn assemble_into(&self, seat: Seat, structure: &mut Structure) -> Result<(), ElementError> {
-        let Seat { place, rayleigh, .. } = seat;
+        let Seat { place, .. } = seat;
         sound(&self.mesh, 3).map_err(at(place, Field::FILE))?;
         for region in &self.regions {
             region.material.check(place)?;
-            let elasticity = Arc::new(region.elasticity().map_err(at(place, Field::MATERIAL))?);
-            let material = structure.named_material(&region.name, region.material.rheology(), rayleigh);
             let count = self.mesh.cells.len();
             if let Some(index) = region.cells.iter().copied().find(|cell| *cell >= count) {
                 return Err(at(place, Field::MATERIAL)(Problem::NoSuchCell { index, count }));
             }
-            let cells = region.cells.iter().map(|cell| &self.mesh.cells[*cell]);
-            for cell in cells.filter(|cell| cell.shape.dimension() == 3) {
-                structure.elements.push(Box::new(SolidCell {
-                    shape: cell.shape,
-                    connectivity: seat.connectivity(&cell.nodes, 3, material),
-                    places: cell.nodes.iter().map(|node| self.mesh.nodes[*node].into()).collect(),
-                    density: region.material.density(),
-                    elasticity: Arc::clone(&elasticity),
-                }));
-            }
+            region.assemble_into(&self.mesh, seat, structure)?;
         }
         Ok(())
     }
 }
 
 impl Region {
+    /// Adds the cells of the region, which exist, to a structure that has the nodes of the mesh.
+    pub(super) fn assemble_into(
+        &self,
+        mesh: &Mesh,
+        seat: Seat,
+        structure: &mut Structure,
+    ) -> Result<(), ElementError> {
+        let elasticity = Arc::new(self.elasticity().map_err(at(seat.place, Field::MATERIAL))?);
+        let material = structure.named_material(&self.name, self.material.rheology(), seat.rayleigh);
+        let cells = self.cells.iter().map(|cell| &mesh.cells[*cell]);
+        for cell in cells.filter(|cell| cell.shape.dimension() == 3) {
+            structure.elements.push(Box::new(SolidCell {
+                shape: cell.shape,
+                connectivity: seat.connectivity(&cell.nodes, 3, material),
+                places: cell.nodes.iter().map(|node| mesh.nodes[*node].into()).collect(),
+                density: self.material.density(),
+                elasticity: Arc::clone(&elasticity),
+            }));
+        }
+        Ok(())
+    }
+
     fn elasticity(&self) -> Result<Matrix6<f64>, Problem> {
         let elasticity = match &self.material {
             ElasticMaterial::Isotropic(material) => elasticity::isotropic(material.young, material.poisson),

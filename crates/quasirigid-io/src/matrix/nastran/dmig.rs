@@ -4,10 +4,10 @@
 
 use std::collections::BTreeSet;
 
-use super::bulk::{Card, Field, cards, integer, real};
 use crate::matrix::error::{MatrixProblem, Row};
 use crate::matrix::listed::{Listed, LocatedProblem, Symmetry};
 use crate::matrix::{Dof, MatrixFile};
+use crate::nastran::bulk::{Card, Field, cards, integer, real};
 use crate::text_file::last_line;
 
 /// Header card of a matrix.

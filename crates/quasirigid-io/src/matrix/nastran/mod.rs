@@ -1,10 +1,7 @@
 //! Bulk data of NASTRAN: cards of fields, and the matrices among them. (MSC Nastran Quick Reference Guide, *Bulk Data
 //! Entries*, DMIG and GRID)
 
-mod bulk;
 mod dmig;
-
-pub(super) use bulk::{Card, cards, integer, real};
 
 use super::MatrixFile;
 use super::error::{Fault, MatrixProblem, Place};

@@ -1,36 +1,30 @@
-use super::{NodeList, NodeTable};
-use crate::matrix::error::{Fault, MatrixProblem, Place, Row};
+use super::{Node, NodeTable};
+use crate::matrix::error::{Fault, MatrixProblem, Place};
 use crate::matrix::listed::LocatedProblem;
-use crate::matrix::nastran::{Card, cards, integer, real};
+use crate::nastran::bulk::{bulk_lines, cards_of};
+use crate::nastran::grid::{Grids, Point};
+use crate::nastran::systems;
 use crate::text_file::text;
 
-/// `GRID` cards in the basic coordinate system.
+/// `GRID` cards, in whatever coordinate systems the file has.
 pub(in crate::matrix) fn read(bytes: &[u8]) -> Result<NodeTable, Fault> {
-    nodes(text::<MatrixProblem>(bytes)?).map_err(|(line, problem)| (Place::Line(line), problem))?.sorted()
+    let points = points(text::<MatrixProblem>(bytes)?);
+    let points = points.map_err(|(line, problem)| (Place::Line(line), problem))?;
+    if points.is_empty() {
+        return Err((Place::File, MatrixProblem::NoNodes));
+    }
+    let node = |Point { label, place, axes, .. }: Point| Node { label, place, axes };
+    Ok(NodeTable { nodes: points.into_iter().map(node).collect() })
 }
 
-fn nodes(text: &str) -> Result<NodeList, LocatedProblem> {
-    let mut found = NodeList::default();
-    for card in cards(text, "GRDSET") {
-        in_basic_system(&card?, "GRDSET")?;
+fn points(text: &str) -> Result<Vec<Point>, LocatedProblem> {
+    let wanted = |name: &str| {
+        let is = |known: &&str| name.eq_ignore_ascii_case(known);
+        ["GRID", "GRDSET"].iter().chain(&systems::CARDS).any(is)
+    };
+    let mut grids = Grids::default();
+    for card in cards_of(bulk_lines((1..).zip(text.lines())), wanted) {
+        grids.take(&card?)?;
     }
-    for card in cards(text, "GRID") {
-        let card = card?;
-        in_basic_system(&card, "GRID")?;
-        let place = [real(card.field(4))?, real(card.field(5))?, real(card.field(6))?];
-        found.add(integer(card.field(2), Row::Grid)?, place, card.line)?;
-    }
-    Ok(found)
-}
-
-/// Refuses a card that gives places (CP, field 3) or displacements (CD, field 7) in another coordinate system.
-fn in_basic_system(card: &Card, name: &str) -> Result<(), LocatedProblem> {
-    for (number, what) in [(3, "CP"), (7, "CD")] {
-        let field = card.field(number);
-        if !matches!(field.text, "" | "0") {
-            let found = format!("{what} {} of {name}", field.text);
-            return Err((field.line, MatrixProblem::OwnSystem { found: found.into() }));
-        }
-    }
-    Ok(())
+    grids.points()
 }

@@ -20,6 +20,8 @@ pub struct Node {
     pub label: u64,
     /// Place of the node in the global system, in the unit of the file; finite.
     pub place: [f64; 3],
+    /// Unit vectors along which the rows of the node count, in the global system; none for its axes.
+    pub axes: Option<[[f64; 3]; 3]>,
 }
 
 /// Nodes, each label once: in the order of a table, of cards and blocks in ascending order of their labels.
@@ -48,7 +50,7 @@ impl NodeList {
         if !self.labels.insert(label) {
             return Err((line, MatrixProblem::NodeTwice { node: label }));
         }
-        self.nodes.push(Node { label, place });
+        self.nodes.push(Node { label, place, axes: None });
         Ok(())
     }
 

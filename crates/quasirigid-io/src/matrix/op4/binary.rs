@@ -1,4 +1,4 @@
-//! Binary `OUTPUT4`: Fortran records of 32-bit words in either byte order.
+//! Binary `OUTPUT4`: Fortran records of words of 32 or 64 bits in either byte order.
 //! Both lengths of each record are compared, so that a file changed by a text transfer is refused where the damage is.
 //! Format: NX Nastran DMAP Programmer's Guide, OUTPUT4.
 
@@ -17,6 +17,8 @@ pub(super) struct Binary<'a> {
     /// First byte and end of the record, without its lengths.
     record: (usize, usize),
     double: bool,
+    /// Whether words have 64 bits; then each number is one word.
+    long: bool,
 }
 
 /// Bytes of a header in words of 32 bits, and of 64.
@@ -33,9 +35,22 @@ pub(in crate::matrix) fn byte_order(bytes: &[u8]) -> Option<bool> {
     })
 }
 
+/// Name of a matrix: eight letters, which words of 64 bits have together or four to a word.
+fn name(bytes: &[u8]) -> String {
+    let blank = |part: &[u8]| part.iter().all(|byte| matches!(byte, b' ' | 0));
+    let letters = match bytes.split_at_checked(8) {
+        Some((first, second)) if !blank(second) && blank(&first[4..]) => {
+            [&first[..4], &second[..4.min(second.len())]].concat()
+        }
+        Some((first, _)) => first.to_vec(),
+        None => bytes.to_vec(),
+    };
+    String::from_utf8_lossy(&letters).trim_matches(['\0', ' ']).to_owned()
+}
+
 impl<'a> Binary<'a> {
     pub fn new(bytes: &'a [u8], big_endian: bool) -> Self {
-        Self { bytes, big_endian, next: 0, at: 0, record: (0, 0), double: false }
+        Self { bytes, big_endian, next: 0, at: 0, record: (0, 0), double: false, long: false }
     }
 
     /// The next bytes before an end, the lowest first.
@@ -51,6 +66,9 @@ impl<'a> Binary<'a> {
     }
 
     fn integer(&mut self) -> Result<i64, LocatedProblem> {
+        if self.long {
+            return self.take(self.record.1).map(i64::from_le_bytes);
+        }
         self.take(self.record.1).map(|bytes| i32::from_le_bytes(bytes).into())
     }
 
@@ -90,8 +108,8 @@ impl Records for Binary<'_> {
         self.open()?;
         let (start, end) = self.record;
         match (end - start) as u32 {
-            HEADER => {}
-            LONG_HEADER => return Err((start, MatrixProblem::LongWords)),
+            HEADER => self.long = false,
+            LONG_HEADER => self.long = true,
             found => {
                 let (announced, found) = (HEADER.into(), found.into());
                 return Err((start, MatrixProblem::Record { announced, found }));
@@ -101,11 +119,11 @@ impl Records for Binary<'_> {
         for size in &mut sizes {
             *size = self.integer()?;
         }
-        let name = String::from_utf8_lossy(&self.bytes[self.next..end]).into_owned();
+        let name = name(&self.bytes[self.next..end]);
         self.next = end;
         self.close()?;
-        self.double = sizes[3] % 2 == 0;
-        Header::new(sizes, &name, start).map(Some)
+        self.double = self.long || sizes[3] % 2 == 0;
+        Ok(Some(Header { long: self.long, ..Header::new(sizes, &name, start)? }))
     }
 
     fn column(&mut self) -> Result<[i64; 3], LocatedProblem> {

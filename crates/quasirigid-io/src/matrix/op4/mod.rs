@@ -65,6 +65,8 @@ struct Header {
     form: i64,
     /// 1 and 2 are real numbers of single and double precision, 3 and 4 are complex.
     kind: i64,
+    /// Whether words have 64 bits.
+    long: bool,
     at: usize,
 }
 
@@ -87,16 +89,25 @@ impl Header {
             return Err((at, MatrixProblem::Unexpected { found, row: Row::Op4Header }));
         }
         let (columns, big, rows) = (size(columns)?, rows < 0, size(rows)?);
-        Ok(Self { name: name.trim().to_owned(), columns, rows, big: big || rows > BIG, form, kind, at })
+        Ok(Self {
+            name: name.trim().to_owned(),
+            columns,
+            rows,
+            big: big || rows > BIG,
+            form,
+            kind,
+            long: false,
+            at,
+        })
     }
 
     fn complex(&self) -> bool {
         self.kind > 2
     }
 
-    /// Words of 32 bits in a number.
+    /// Words in a number.
     fn words(&self) -> i64 {
-        if self.kind % 2 == 0 { 2 } else { 1 }
+        if self.kind % 2 == 0 && !self.long { 2 } else { 1 }
     }
 
     /// An empty matrix of the announced size, if form and kind are supported.

@@ -4,6 +4,7 @@
 use std::collections::HashMap;
 use std::collections::hash_map::Entry;
 
+use quasirigid_math::memory;
 use quasirigid_mesh::{Cell, Mesh, Shape};
 
 use super::problem::VolumeProblem;
@@ -51,6 +52,11 @@ impl Draft {
         self.cell_of.get(&label).copied()
     }
 
+    /// Whether there is no node and no set.
+    pub(super) fn is_empty(&self) -> bool {
+        self.nodes.is_empty() && self.sets.all().is_empty()
+    }
+
     /// Numbers of the nodes, in their order.
     pub(super) fn node_labels(&self) -> &[u64] {
         &self.node_labels
@@ -59,6 +65,46 @@ impl Draft {
     /// The cells so far.
     pub(super) fn cells(&self) -> &[Cell] {
         &self.cells
+    }
+
+    /// Adds the nodes, moved, the cells and the sets of another draft, whose numbers are shifted beyond those that are there; sets get a
+    /// prefix. Returns the shifts of nodes and cells.
+    pub(super) fn append(
+        &mut self,
+        other: &Self,
+        place: impl Fn([f64; 3]) -> [f64; 3],
+        prefix: &str,
+    ) -> Result<[u64; 2], MeshProblem> {
+        let clash = other.node_labels.iter().any(|label| self.node_of.contains_key(label))
+            || other.cells.iter().any(|cell| self.cell_of.contains_key(&cell.label));
+        let last = |labels: &mut dyn Iterator<Item = u64>| labels.max().unwrap_or(0);
+        let shifts = if clash {
+            [last(&mut self.node_labels.iter().copied()), last(&mut self.cells.iter().map(|cell| cell.label))]
+        } else {
+            [0; 2]
+        };
+        let (first_node, first_cell) = (self.nodes.len(), self.cells.len());
+        memory::ask((other.nodes.len() * 100 + other.cells.len() * 200) as f64)
+            .map_err(MeshProblem::Memory)?;
+        for (node, label) in other.nodes.iter().zip(&other.node_labels) {
+            self.add_node(label.saturating_add(shifts[0]), place(*node))?;
+        }
+        for cell in &other.cells {
+            let label = cell.label.saturating_add(shifts[1]);
+            insert(&mut self.cell_of, Part::Cells, label, self.cells.len())?;
+            let nodes = cell.nodes.iter().map(|node| first_node + node).collect();
+            self.cells.push(Cell { label, shape: cell.shape, nodes });
+        }
+        for set in other.sets.all() {
+            let name = format!("{prefix}{}", set.name);
+            let at = self.sets.place(&name.to_ascii_uppercase(), &name);
+            let shifted = |members: &[usize], first: usize| -> Vec<usize> {
+                members.iter().map(|member| first + member).collect()
+            };
+            self.sets.add_nodes(at, &shifted(&set.nodes, first_node))?;
+            self.sets.add_cells(at, &shifted(&set.cells, first_cell))?;
+        }
+        Ok(shifts)
     }
 
     /// The mesh.

@@ -1,8 +1,9 @@
-//! Meshes of cells from files: gmsh, VTK and Abaqus.
+//! Meshes of cells from files: gmsh, VTK, Abaqus and NASTRAN.
 
 mod abaqus;
 mod draft;
 mod gmsh;
+mod nastran;
 mod problem;
 mod sets;
 pub(super) mod vtk;
@@ -28,6 +29,9 @@ pub use problem::VolumeProblem;
 ///   one. Sets keep the spelling they first have; capitals do not matter. Nodes stand before the cells that name
 ///   them, and both before the sets. Of a range, a set has what exists.
 ///
+/// - NASTRAN bulk data: solids, plates and lines between grid points in whatever coordinate systems, with `INCLUDE` of files in the
+///   folder of the first one or below it. The cells of each property are a set, by its number.
+///
 /// Cells are segments, triangles, quadrilaterals, tetrahedra, wedges and hexahedra, of first or second order, and
 /// come out in the node order of [`Shape`](quasirigid_mesh::Shape); cells of one node are left out. Numbers
 /// are taken as they are, in the unit of the file. No geometry is checked here.
@@ -35,7 +39,24 @@ pub use problem::VolumeProblem;
 /// # Errors
 /// [`MeshError`] says what is wrong and where: by line in a text, by byte in a binary file.
 pub fn read_mesh(file: &Path) -> Result<Mesh, MeshError> {
-    mesh_of(file, &bytes_of(file, MAX_FILE)?)
+    read_volume(file).map(|read| read.mesh)
+}
+
+/// A mesh, and what its file has beyond it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct VolumeFile {
+    /// The mesh.
+    pub mesh: Mesh,
+    /// What was left out or changed in reading, in words with counts.
+    pub notes: Vec<String>,
+}
+
+/// Reads a mesh as [`read_mesh`], with what was left out.
+///
+/// # Errors
+/// Those of [`read_mesh`].
+pub fn read_volume(file: &Path) -> Result<VolumeFile, MeshError> {
+    volume_of(file, &bytes_of(file, MAX_FILE)?)
 }
 
 /// The mesh in the bytes of a file, whose name gives the folder of included files.
@@ -43,17 +64,26 @@ pub fn read_mesh(file: &Path) -> Result<Mesh, MeshError> {
 /// # Errors
 /// Those of [`read_mesh`].
 pub fn mesh_of(file: &Path, bytes: &[u8]) -> Result<Mesh, MeshError> {
+    volume_of(file, bytes).map(|read| read.mesh)
+}
+
+/// The mesh in the bytes of a file, with what was left out.
+///
+/// # Errors
+/// Those of [`read_mesh`].
+pub fn volume_of(file: &Path, bytes: &[u8]) -> Result<VolumeFile, MeshError> {
     let named = FileError::new(file);
-    let mesh = match Format::of(bytes).map_err(named)? {
-        Format::Gmsh => gmsh::read(bytes).map_err(named)?,
-        Format::VtkLegacy => vtk::read_legacy(bytes).map_err(named)?,
-        Format::VtkXml => vtk::read_xml(bytes).map_err(named)?,
+    let (mesh, notes) = match Format::of(file, bytes).map_err(named)? {
+        Format::Gmsh => (gmsh::read(bytes).map_err(named)?, Vec::new()),
+        Format::VtkLegacy => (vtk::read_legacy(bytes).map_err(named)?, Vec::new()),
+        Format::VtkXml => (vtk::read_xml(bytes).map_err(named)?, Vec::new()),
         Format::Abaqus => abaqus::read(file, bytes)?,
+        Format::Nastran => nastran::read(file, bytes)?,
     };
     if mesh.cells.is_empty() {
         return Err(named((Place::File, VolumeProblem::NoCells.into())));
     }
-    Ok(mesh)
+    Ok(VolumeFile { mesh, notes })
 }
 
 /// Format of a mesh file.
@@ -63,13 +93,15 @@ enum Format {
     VtkLegacy,
     VtkXml,
     Abaqus,
+    Nastran,
 }
 
 impl Format {
-    fn of(bytes: &[u8]) -> Result<Self, Fault> {
+    fn of(file: &Path, bytes: &[u8]) -> Result<Self, Fault> {
         let beginning = bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes).trim_ascii_start();
         match beginning {
             [] => Err((Place::File, MeshProblem::Empty)),
+            _ if is_deck(file, beginning) => Ok(Self::Nastran),
             [b'$', ..] => Ok(Self::Gmsh),
             [b'*', ..] => Ok(Self::Abaqus),
             [b'<', ..] => Ok(Self::VtkXml),
@@ -77,4 +109,25 @@ impl Format {
             _ => Err((Place::File, VolumeProblem::NotAMesh { kind: kind_of(bytes) }.into())),
         }
     }
+}
+
+/// Whether a file is bulk data of NASTRAN: no section of gmsh comes first, but a word of a deck or an ending of one.
+fn is_deck(file: &Path, beginning: &[u8]) -> bool {
+    if [&b"$MeshFormat"[..], b"$Comments", b"$NOD"].iter().any(|word| beginning.starts_with(word)) {
+        return false;
+    }
+    let ending = file.extension().and_then(|ending| ending.to_str()).unwrap_or_default();
+    let lines = beginning.split(|byte| *byte == b'\n').map(<[u8]>::trim_ascii);
+    let mut lines = lines.filter(|line| !line.is_empty() && !line.starts_with(b"$"));
+    let Some(first) = lines.next() else { return false };
+    if matches!(first, [b'*' | b'<' | b'#', ..]) {
+        return false;
+    }
+    const WORDS: [&[u8]; 14] = [
+        b"SOL", b"CEND", b"BEGIN", b"GRID", b"GRDSET", b"CORD", b"INCLUDE", b"NASTRAN", b"ID", b"ASSIGN",
+        b"INIT", b"TITLE", b"PARAM", b"MAT1",
+    ];
+    let begins = |word: &&[u8]| first.get(..word.len()).is_some_and(|start| start.eq_ignore_ascii_case(word));
+    ["bdf", "nas", "dat", "blk", "pch"].iter().any(|known| ending.eq_ignore_ascii_case(known))
+        || WORDS.iter().any(begins)
 }

@@ -6,6 +6,7 @@ use std::path::PathBuf;
 use thiserror::Error;
 
 use super::Part;
+use crate::matrix::MatrixProblem;
 use crate::visible::Excerpt;
 
 /// Problem of a file of nodes and cells.
@@ -15,12 +16,15 @@ pub enum VolumeProblem {
     /// A file whose beginning is that of no known format.
     #[error(
         "the file is {kind}, which is not a known mesh format; give a .msh file of gmsh, .vtk or \
-         .vtu of VTK, or .inp of Abaqus or CalculiX"
+         .vtu of VTK, .inp of Abaqus or CalculiX, or .bdf of NASTRAN"
     )]
     NotAMesh {
         /// What the file is; nothing of it is quoted.
         kind: &'static str,
     },
+    /// A card of NASTRAN that cannot be read.
+    #[error(transparent)]
+    Card(#[from] MatrixProblem),
     /// A file without cells.
     #[error(
         "the file has no cells; were they left out when it was written, perhaps for lack of physical groups?"
@@ -229,12 +233,6 @@ pub enum VolumeProblem {
     )]
     Generated {
         /// The keyword, with the parameter that matters.
-        found: Excerpt,
-    },
-    /// More than one body in an Abaqus file, or a body that is moved.
-    #[error("{found}; save a flattened file: one part, where it is, without instances")]
-    Assembly {
-        /// Obstacle: a second part, a second instance, an instance that is moved.
         found: Excerpt,
     },
     /// A keyword of an Abaqus file without a parameter that it needs.

@@ -27,6 +27,22 @@ impl Sets {
         self.sets.len() - 1
     }
 
+    /// The sets so far.
+    pub(super) fn all(&self) -> &[Set] {
+        &self.sets
+    }
+
+    /// Takes a prefix off the names of sets where the rest is no name of another.
+    pub(super) fn without_prefix(&mut self, prefix: &str) {
+        for place in 0..self.sets.len() {
+            let Some(rest) = self.sets[place].name.strip_prefix(prefix) else { continue };
+            if !self.by_key.contains_key(&rest.to_ascii_uppercase()) {
+                self.by_key.insert(rest.to_ascii_uppercase(), place);
+                self.sets[place].name = rest.to_owned();
+            }
+        }
+    }
+
     /// The set of this key, if there is one.
     pub(super) fn of_key(&self, key: &str) -> Option<&Set> {
         self.by_key.get(key).map(|place| &self.sets[*place])

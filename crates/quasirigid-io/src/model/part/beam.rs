@@ -71,7 +71,7 @@ pub(super) fn beam(table: &Table<'_>, name: &str, sources: Sources<'_, '_>) -> O
     let extremes = vec![extremes; members.len()];
     let kind = PartKind::Frame(Frame { nodes: frame_nodes, members });
     let part = Part { name: name.to_owned(), kind, masses: masses?, attached: attached?, rayleigh: damping? };
-    Some(Read { part, nodes, extremes })
+    Some(Read { part, nodes, extremes, notes: Vec::new() })
 }
 
 /// Reads the nodes of a frame, by name, in the order of the file.

@@ -64,5 +64,5 @@ pub(super) fn matrices(table: &Table<'_>, name: &str, sources: Sources<'_, '_>) 
         attached: attached?,
         rayleigh: rayleigh?,
     };
-    Some(Read { part, nodes: labels, extremes: vec![known?.extremes] })
+    Some(Read { part, nodes: labels, extremes: vec![known?.extremes], notes: Vec::new() })
 }

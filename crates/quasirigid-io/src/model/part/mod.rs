@@ -1,7 +1,8 @@
-//! Parts of finite elements: beams, panels, solids, matrices and modes, their attachments, and the names of their nodes.
+//! Parts of finite elements: beams, panels, solids, decks, matrices and modes, their attachments, and the names of their nodes.
 
 pub(super) mod beam;
 pub(super) mod connection;
+pub(super) mod deck;
 mod masses;
 pub(super) mod matrices;
 pub(super) mod modes;
@@ -31,6 +32,8 @@ pub(super) struct Read {
     pub(super) part: Part,
     pub(super) nodes: Nodes,
     pub(super) extremes: Vec<Extremes>,
+    /// What was left out of files or repaired, in words.
+    pub(super) notes: Vec<String>,
 }
 
 /// Two directions are one if the sine of the angle between them is below this.

@@ -112,7 +112,7 @@ pub(super) fn modes(table: &Table<'_>, name: &str, sources: Sources<'_, '_>) -> 
         attached: attached?,
         rayleigh: rayleigh?,
     };
-    Some(Read { part, nodes: labels, extremes: vec![known?.extremes] })
+    Some(Read { part, nodes: labels, extremes: vec![known?.extremes], notes: Vec::new() })
 }
 
 /// Accepts a table that has one of two keys.
@@ -218,12 +218,13 @@ impl<'u> Coordinates<'u> {
 
     /// The shapes in SI units, a row for each of so many degrees of freedom.
     fn shapes(&self, given: &NamedMatrix<'_>, rows: &Rows<'_>, dofs: usize) -> Option<Vec<Vec<f64>>> {
-        let numbers = rows.numbers_of(given)?;
+        let given_rows = rows.rows_of(given)?;
         let mut shapes = vec![vec![0.0; self.scales.len()]; dofs];
         for (row, column, share) in &given.matrix.entries {
-            let row = numbers[*row];
-            let unit = self.units.length.powi(1 - rows.turns(row)) / self.scales[*column];
-            shapes[row][*column] = unit * share;
+            for (row, along) in given_rows[*row] {
+                let unit = self.units.length.powi(1 - rows.turns(*row)) / self.scales[*column];
+                shapes[*row][*column] += unit * along * share;
+            }
         }
         Some(shapes)
     }

@@ -11,7 +11,7 @@ use super::super::key::{Form, Key, Keys, Shape, TEXT, any, key};
 use super::super::surface::unit_of;
 use super::super::table::Table;
 use super::super::value::Value;
-use crate::matrix::{Dof, MatrixFile, NodeTable, read_dofs, read_matrix, read_nodes};
+use crate::matrix::{Dof, MatrixFile, MatrixProblem, Node, NodeTable, read_dofs, read_matrix, read_nodes};
 use crate::units::Dimension;
 
 pub(in crate::model) const FILE: Keys =
@@ -132,6 +132,9 @@ pub(super) struct Rows<'f> {
     numbers: BTreeMap<Dof, usize>,
     /// Index of the node of each degree of freedom, and its component from 0.
     places: Vec<(usize, usize)>,
+    /// Numbers of the degrees of freedom along the axes of the file's frame that make up each of those along the axes of its node,
+    /// with their shares.
+    along: Vec<Vec<(usize, f64)>>,
 }
 
 impl<'f> Rows<'f> {
@@ -141,7 +144,8 @@ impl<'f> Rows<'f> {
         listed: Option<&'f [Dof]>,
         nodes: &'f NodeTable,
     ) -> Option<Self> {
-        let mut rows = Self { nodes, listed, numbers: BTreeMap::new(), places: Vec::new() };
+        let (numbers, places, along) = (BTreeMap::new(), Vec::new(), Vec::new());
+        let mut rows = Self { nodes, listed, numbers, places, along };
         let indices: BTreeMap<u64, usize> =
             nodes.nodes().iter().enumerate().map(|(index, node)| (node.label, index)).collect();
         let mut found = BTreeMap::new();
@@ -160,7 +164,36 @@ impl<'f> Rows<'f> {
         }
         rows.places = found.values().copied().collect();
         rows.numbers = found.into_keys().enumerate().map(|(number, dof)| (dof, number)).collect();
+        rows.along = match rows.turned() {
+            Ok(along) => along,
+            Err(node) => {
+                let message = MatrixProblem::PartOfSystem { node }.to_string();
+                return files.first()?.value.refuse(
+                    message,
+                    "rows in a local system",
+                    "see CD of its GRID card",
+                );
+            }
+        };
         Some(rows)
+    }
+
+    /// Shares of displacements along the axes of the file's frame in those along the axes of each node.
+    ///
+    /// # Errors
+    /// The label of a node of which not all three components are there.
+    fn turned(&self) -> Result<Vec<Vec<(usize, f64)>>, u64> {
+        let numbers: BTreeMap<(usize, usize), usize> =
+            self.places.iter().enumerate().map(|(number, place)| (*place, number)).collect();
+        let shares = |(number, (node, component)): (usize, &(usize, usize))| {
+            let Node { label, axes, .. } = self.nodes.nodes()[*node];
+            let Some(axes) = axes else { return Ok(vec![(number, 1.0)]) };
+            let (first, axis) = (component / 3 * 3, component % 3);
+            let share =
+                |along: usize| numbers.get(&(*node, first + along)).map(|row| (*row, axes[axis][along]));
+            (0..3).map(share).collect::<Option<Vec<_>>>().ok_or(label)
+        };
+        self.places.iter().enumerate().map(shares).collect()
     }
 
     /// The nodes in SI units, with the degree of freedom of each row and no mass.
@@ -176,18 +209,22 @@ impl<'f> Rows<'f> {
 
     /// Entries of a square matrix in SI units, by the numbers of their degrees of freedom.
     pub(super) fn entries(&self, given: &NamedMatrix<'_>, units: &Units) -> Option<Vec<(usize, usize, f64)>> {
-        let numbers = self.numbers_of(given)?;
-        let entry = |(row, column, entry): &(usize, usize, f64)| {
-            let (row, column) = (numbers[*row], numbers[*column]);
-            let unit = units.mass * units.length.powi(self.turns(row) + self.turns(column));
-            (row, column, unit * entry)
-        };
-        Some(given.matrix.entries.iter().map(entry).collect())
+        let rows = self.rows_of(given)?;
+        let mut entries = Vec::with_capacity(given.matrix.entries.len());
+        for (row, column, entry) in &given.matrix.entries {
+            for (row, left) in rows[*row] {
+                for (column, right) in rows[*column] {
+                    let unit = units.mass * units.length.powi(self.turns(*row) + self.turns(*column));
+                    entries.push((*row, *column, left * right * unit * entry));
+                }
+            }
+        }
+        Some(entries)
     }
 
-    /// Number of the degree of freedom of each row of a matrix.
-    pub(super) fn numbers_of(&self, given: &NamedMatrix<'_>) -> Option<Vec<usize>> {
-        Some(self.of(given)?.iter().map(|dof| self.numbers[dof]).collect())
+    /// Degrees of freedom that make up each row of a matrix, by their numbers, with their shares.
+    pub(super) fn rows_of(&self, given: &NamedMatrix<'_>) -> Option<Vec<&[(usize, f64)]>> {
+        Some(self.of(given)?.iter().map(|dof| self.along[self.numbers[dof]].as_slice()).collect())
     }
 
     /// 1 for the row of a rotation, 0 for that of a displacement.

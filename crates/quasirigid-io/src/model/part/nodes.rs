@@ -1,7 +1,7 @@
 //! Names of the nodes of a part: by name, by number, or in sets.
 //! One lookup serves beams (names), matrices (labels) and meshes (labels and sets), so that references are written alike for all.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 use quasirigid_mesh::Mesh;
 
@@ -14,6 +14,8 @@ pub(in crate::model) struct Nodes {
     names: HashMap<String, usize>,
     labels: HashMap<u64, usize>,
     sets: HashMap<String, Vec<usize>>,
+    /// Nodes of the file that belong to no cell.
+    aside: HashSet<u64>,
 }
 
 impl Nodes {
@@ -41,7 +43,12 @@ impl Nodes {
             nodes
         };
         let sets = mesh.sets.iter().map(|set| (set.name.clone(), members(set))).collect();
-        Self { names: HashMap::new(), labels, sets }
+        Self { labels, sets, ..Self::default() }
+    }
+
+    /// The same with the numbers of nodes that belong to no cell.
+    pub(super) fn with_aside(self, aside: Vec<u64>) -> Self {
+        Self { aside: aside.into_iter().collect(), ..self }
     }
 
     /// The nodes that a value names: a name, a number, a set, or a list of them.
@@ -71,6 +78,11 @@ impl Nodes {
             let label = value.integer(0..=usize::MAX)? as u64;
             return match self.labels.get(&label) {
                 Some(node) => Some(vec![*node]),
+                None if self.aside.contains(&label) => value.refuse(
+                    format!("node {label} belongs to no cell of this part, so that nothing holds it"),
+                    "a loose node",
+                    "name a node of a cell; a [[connection]] of the nodes around it makes them one rigid piece",
+                ),
                 None => value.refuse(
                     format!("there is no node {label} in this part"),
                     "unknown node",
@@ -83,6 +95,14 @@ impl Nodes {
             return Some(vec![*node]);
         }
         if let Some(nodes) = self.sets.get(name) {
+            if nodes.is_empty() && !self.aside.is_empty() {
+                let help = "name nodes of cells";
+                return value.refuse(
+                    format!("the set {name:?} has no node of a cell of this part"),
+                    "nothing",
+                    help,
+                );
+            }
             return Some(nodes.clone());
         }
         let help = if self.sorted().is_empty() {

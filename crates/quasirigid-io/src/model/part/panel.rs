@@ -13,7 +13,7 @@ use super::super::rheology::Extremes;
 use super::super::surface::UNIT;
 use super::super::table::Table;
 use super::super::value::Value;
-use super::placed::{ATTITUDE, FILE, POSITION, mesh, placed};
+use super::placed::{ATTITUDE, FILE, POSITION, Placed, mesh, placed};
 use super::{ATTACH, MASSES, Nodes, PARALLEL, RAYLEIGH, Read, attached, masses, rayleigh};
 use crate::units::Dimension;
 
@@ -57,11 +57,15 @@ const MOST_CELLS: usize = 1000;
 /// Reads a `[[panel]]`: from a file, or a rectangle of a given number of cells.
 pub(super) fn panel(table: &Table<'_>, name: &str, sources: Sources<'_, '_>) -> Option<Read> {
     let mesh = match table.get("rectangle") {
-        Some(value) => rectangle(&value).and_then(|mesh| placed(table, mesh)),
+        Some(value) => rectangle(&value).and_then(|mesh| placed(table, mesh)).map(|mesh| Placed {
+            mesh,
+            notes: Vec::new(),
+            aside: Vec::new(),
+        }),
         None => {
             let example =
                 "rectangle = { sides = [[2, 0, 0], [0, 1, 0]], cells = [8, 4] }, or file = \"wing.msh\"";
-            mesh(table, sources.folder, example)
+            mesh(table, sources.folder, example, 2)
         }
     };
     let layers =
@@ -71,14 +75,14 @@ pub(super) fn panel(table: &Table<'_>, name: &str, sources: Sources<'_, '_>) -> 
     let reference = table.get("reference").map(|value| value.vector(Dimension::NUMBER));
     let offset = table.read_or("offset", 0.0, |value| value.quantity(Dimension::LENGTH));
     let damping = rayleigh(table);
-    let mesh = mesh?;
-    let nodes = Nodes::of_mesh(&mesh);
+    let Placed { mesh, notes, aside } = mesh?;
+    let nodes = Nodes::of_mesh(&mesh).with_aside(aside);
     let (masses, attached) = (masses(table, &nodes), attached(table, &nodes));
     let reference = reference.unwrap_or_else(|| Some(first_side(&mesh)))?;
     let (layers, extremes): (Vec<Layer>, Vec<Extremes>) = layers?.into_iter().unzip();
     let kind = PartKind::Panel(Panel { mesh: Arc::new(mesh), layers, reference, offset: offset? });
     let part = Part { name: name.to_owned(), kind, masses: masses?, attached: attached?, rayleigh: damping? };
-    Some(Read { part, nodes, extremes })
+    Some(Read { part, nodes, extremes, notes })
 }
 
 fn layer(value: &Value<'_>, sources: Sources<'_, '_>) -> Option<(Layer, Extremes)> {

@@ -8,32 +8,59 @@ use super::super::key::{Key, QUATERNION, TEXT, key, vector};
 use super::super::surface::unit;
 use super::super::table::Table;
 use super::super::value::Value;
-use crate::mesh::read_mesh;
+use crate::mesh::{VolumeFile, read_volume};
 use crate::units::Dimension;
 
 /// Mesh of a part.
-pub(super) const FILE: Key = key("file", TEXT, "gmsh, VTK, Abaqus or CalculiX");
+pub(super) const FILE: Key = key("file", TEXT, "gmsh, VTK, Abaqus, CalculiX or NASTRAN");
 pub(super) const POSITION: Key = key("position", vector("m").or("0"), "origin of the mesh");
 pub(super) const ATTITUDE: Key =
     key("attitude", QUATERNION.or("`[1, 0, 0, 0]`"), "from the mesh's axes to the file's");
 
 /// Placement of a mesh in the file's frame.
-struct Placement {
+pub(super) struct Placement {
     position: [f64; 3],
     /// Rotation from components along the axes of the mesh to those along the file's.
     attitude: Attitude,
 }
 
-/// Reads the mesh of a part, in the file's frame; a part without one is told to add a line such as `example`.
-pub(super) fn mesh(table: &Table<'_>, folder: &Path, example: &str) -> Option<Mesh> {
+/// A mesh in the file's frame, and what was left out or repaired, in words.
+pub(super) struct Placed {
+    pub mesh: Mesh,
+    pub notes: Vec<String>,
+    /// Numbers of the nodes that no cell of the part names.
+    pub aside: Vec<u64>,
+}
+
+/// Most nodes that a note lists.
+const LISTED: usize = 5;
+
+/// Reads the mesh of a part of cells of a dimension, in the file's frame; a part without one is told to add a line such as `example`.
+pub(super) fn mesh(table: &Table<'_>, folder: &Path, example: &str, dimension: usize) -> Option<Placed> {
     let length = table.read_or("unit", 1.0, |value| unit(&value));
     let placement = placement(table);
     let mesh = table.read("file", example, |value| file(&value, folder));
-    let (length, placement, mut mesh) = (length?, placement?, mesh?);
+    let (length, placement, VolumeFile { mut mesh, mut notes }) = (length?, placement?, mesh?);
     for node in &mut mesh.nodes {
         *node = placement.of(node.map(|entry| length * entry));
     }
-    Some(mesh)
+    let turned = mesh.turn_right_side_out();
+    if turned > 0 {
+        notes
+            .push(format!("cells inside out are turned, their nodes in the order of their shape ({turned})"));
+    }
+    let aside = mesh.set_aside_unused(dimension);
+    if !aside.is_empty() && !mesh.cells.is_empty() {
+        let first: Vec<String> = aside.iter().take(LISTED).map(u64::to_string).collect();
+        let more = if aside.len() > LISTED { ", …" } else { "" };
+        let (count, first) = (aside.len(), first.join(", "));
+        notes.push(format!(
+            "nodes that belong to no cell of the part are kept aside ({count}): {first}{more}"
+        ));
+    }
+    let file = table.get("file").and_then(|value| value.words()).unwrap_or_default();
+    let notes = notes.into_iter().map(|note| format!("{file}: {note}")).collect();
+    Some(Placed { mesh, notes, aside })
 }
 
 /// Places a mesh that is made here in the file's frame.
@@ -43,27 +70,33 @@ pub(super) fn placed(table: &Table<'_>, mut mesh: Mesh) -> Option<Mesh> {
     Some(mesh)
 }
 
-fn placement(table: &Table<'_>) -> Option<Placement> {
+pub(super) fn placement(table: &Table<'_>) -> Option<Placement> {
     let position = table.vector_or_zero("position", Dimension::LENGTH);
     let attitude = table.read_or("attitude", ALIGNED, |value| unit_quaternion(&value, &mut Vec::new()));
     Some(Placement { position: position?, attitude: attitude? })
 }
 
 impl Placement {
-    fn of(&self, node: [f64; 3]) -> [f64; 3] {
+    /// A direction along the file's axes of one along those of the mesh.
+    pub(super) fn turned(&self, vector: [f64; 3]) -> [f64; 3] {
+        to_inertial(self.attitude, vector)
+    }
+
+    /// A place in the file's frame of one in that of the mesh.
+    pub(super) fn of(&self, node: [f64; 3]) -> [f64; 3] {
         let turned = to_inertial(self.attitude, node);
         [0, 1, 2].map(|axis| self.position[axis] + turned[axis])
     }
 }
 
-fn file(value: &Value<'_>, folder: &Path) -> Option<Mesh> {
+fn file(value: &Value<'_>, folder: &Path) -> Option<VolumeFile> {
     let path = folder.join(value.text()?);
-    match read_mesh(&path) {
+    match read_volume(&path) {
         Ok(mesh) => Some(mesh),
         Err(error) => value.refuse(
             format!("`file`: {error}"),
             "cannot be used",
-            "it is looked for beside the model; gmsh, VTK and Abaqus or CalculiX meshes are read",
+            "it is looked for beside the model; gmsh, VTK, Abaqus, CalculiX and NASTRAN meshes are read",
         ),
     }
 }

@@ -13,7 +13,7 @@ use super::super::rheology::Extremes;
 use super::super::surface::UNIT;
 use super::super::table::Table;
 use super::super::value::Value;
-use super::placed::{ATTITUDE, FILE, POSITION, mesh};
+use super::placed::{ATTITUDE, FILE, POSITION, Placed, mesh};
 use super::{ATTACH, MASSES, Nodes, PARALLEL, RAYLEIGH, Read, attached, masses, rayleigh};
 use crate::units::Dimension;
 
@@ -42,12 +42,12 @@ const SOLID: Keys = Keys {
 
 /// Reads a `[[solid]]` of one material, or of several by sets of its cells.
 pub(super) fn solid(table: &Table<'_>, name: &str, sources: Sources<'_, '_>) -> Option<Read> {
-    let mesh = mesh(table, sources.folder, "file = \"bracket.msh\"");
+    let placed = mesh(table, sources.folder, "file = \"bracket.msh\"", 3);
     let axes =
         table.read_or("axes", [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]], |value| axes(&value));
     let damping = rayleigh(table);
-    let mesh = mesh?;
-    let nodes = Nodes::of_mesh(&mesh);
+    let Placed { mesh, notes, aside } = placed?;
+    let nodes = Nodes::of_mesh(&mesh).with_aside(aside);
     let (masses, attached) = (masses(table, &nodes), attached(table, &nodes));
     let regions = match table.get("materials") {
         Some(value) => several(&value, table, &mesh, sources, axes?),
@@ -56,7 +56,7 @@ pub(super) fn solid(table: &Table<'_>, name: &str, sources: Sources<'_, '_>) -> 
     let (regions, extremes): (Vec<Region>, Vec<Extremes>) = regions?.into_iter().unzip();
     let kind = PartKind::Solid(Solid { mesh: Arc::new(mesh), regions });
     let part = Part { name: name.to_owned(), kind, masses: masses?, attached: attached?, rayleigh: damping? };
-    Some(Read { part, nodes, extremes })
+    Some(Read { part, nodes, extremes, notes })
 }
 
 fn one(

@@ -5,6 +5,7 @@ use super::kinds::Kind;
 use super::sets::Filling;
 use super::{Draft, MeshProblem, Row, VolumeProblem};
 use crate::text_file::{number, whole};
+use quasirigid_math::vec3::{add, cross, dot, norm, scale};
 
 /// Meaning of data lines.
 pub(super) enum Block {
@@ -15,8 +16,58 @@ pub(super) enum Block {
     },
     Cells(Cells),
     Set(Filling),
-    /// The place of a part, which must be its own.
-    Instance,
+    /// The place of an instance: a translation, then a rotation about the line between two points.
+    Instance(Placing),
+    /// Cells that are counted and left out, one on a line.
+    Counted(String),
+}
+
+/// Translation of an instance, and its rotation afterwards: two points of the axis and an angle (degrees).
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Placing {
+    translation: [f64; 3],
+    rotation: Option<[f64; 7]>,
+    lines: usize,
+}
+
+impl Placing {
+    fn read(&mut self, line: &str) -> Result<(), MeshProblem> {
+        let words = line.trim_end_matches([',', ' ']).split(',').map(str::trim);
+        let numbers: Vec<f64> = words
+            .map(|word| if word.is_empty() { Ok(0.0) } else { number(word, Row::InpPlace) })
+            .collect::<Result<_, _>>()?;
+        self.lines += 1;
+        match (self.lines, numbers[..].as_ref()) {
+            (1, [x, y, z]) => self.translation = [*x, *y, *z],
+            (1, [x, y]) => self.translation = [*x, *y, 0.0],
+            (1, [x]) => self.translation = [*x, 0.0, 0.0],
+            (2, [ax, ay, az, bx, by, bz, angle]) => {
+                self.rotation = Some([*ax, *ay, *az, *bx, *by, *bz, *angle]);
+            }
+            (_, found) => return Err(MeshProblem::Values { found: found.len(), row: Row::InpPlace }),
+        }
+        Ok(())
+    }
+
+    /// Whether the instance is where its part is.
+    pub(super) fn is_still(&self) -> bool {
+        self.translation == [0.0; 3] && self.rotation.is_none()
+    }
+
+    /// The place of a node of the part.
+    pub(super) fn place(&self, node: [f64; 3]) -> [f64; 3] {
+        let moved = add(node, self.translation);
+        let Some([ax, ay, az, bx, by, bz, angle]) = self.rotation else { return moved };
+        let (start, along) = ([ax, ay, az], [bx - ax, by - ay, bz - az]);
+        let length = norm(along);
+        if length == 0.0 {
+            return moved;
+        }
+        let (axis, from) = (scale(length.recip(), along), add(moved, scale(-1.0, start)));
+        let (sin, cos) = angle.to_radians().sin_cos();
+        let across = scale((1.0 - cos) * dot(axis, from), axis);
+        add(start, add(add(scale(cos, from), scale(sin, cross(axis, from))), across))
+    }
 }
 
 /// Cells of a kind, with the label and nodes read so far of the next.
@@ -39,9 +90,8 @@ impl Block {
             }
             Self::Cells(cells) => cells.read(line, draft),
             Self::Set(set) => set.read(draft, line),
-            Self::Instance => {
-                Err(VolumeProblem::Assembly { found: "an *INSTANCE that is moved".into() }.into())
-            }
+            Self::Instance(placing) => placing.read(line),
+            Self::Counted(_) => Ok(()),
         }
     }
 

@@ -1,7 +1,7 @@
 //! Node and element sets of an Abaqus file: lists, ranges, and sets within sets.
 //! A range has the members that exist, as in Abaqus; its labels are not counted out where they outnumber the nodes or cells.
 
-use super::{Draft, MeshProblem, Part, Row, VolumeProblem};
+use super::{Draft, Kinds as Part, MeshProblem, Row, VolumeProblem};
 use crate::text_file::whole;
 
 /// A set that is being filled.
@@ -13,11 +13,31 @@ pub(super) struct Filling {
     of_cells: bool,
     /// Whether lines are ranges.
     ranges: bool,
+    /// Whether members that do not exist are passed over: they may have been left out.
+    some: bool,
+    /// Added to the numbers in the lines, which are those of an instance.
+    shift: u64,
 }
 
 impl Filling {
     pub(super) fn new(draft: &mut Draft, name: &str, of_cells: bool, ranges: bool) -> Self {
-        Self { place: draft.sets.place(&name.to_ascii_uppercase(), name), of_cells, ranges }
+        Self {
+            place: draft.sets.place(&name.to_ascii_uppercase(), name),
+            of_cells,
+            ranges,
+            some: false,
+            shift: 0,
+        }
+    }
+
+    /// The same where members may have been left out.
+    pub(super) fn of_some(self) -> Self {
+        Self { some: true, ..self }
+    }
+
+    /// The same for numbers of an instance.
+    pub(super) fn shifted(self, shift: u64) -> Self {
+        Self { shift, ..self }
     }
 
     fn part(self) -> Part {
@@ -25,6 +45,7 @@ impl Filling {
     }
 
     fn index(self, draft: &Draft, label: u64) -> Option<usize> {
+        let label = label.saturating_add(self.shift);
         if self.of_cells { draft.cell(label) } else { draft.node(label) }
     }
 
@@ -45,8 +66,11 @@ impl Filling {
         for field in fields {
             match field.parse() {
                 Ok(label) => {
-                    let index = self.index(draft, label).ok_or_else(|| self.no_such(draft, field))?;
-                    self.add(draft, &[index])?;
+                    let index = self.index(draft, label);
+                    if index.is_none() && self.some {
+                        continue;
+                    }
+                    self.add(draft, &[index.ok_or_else(|| self.no_such(draft, field))?])?;
                 }
                 Err(_) => self.add_set(draft, field)?,
             }
@@ -96,7 +120,10 @@ impl Filling {
         if step == 0 {
             return Err(MeshProblem::NotANumber { found: "step 0".into(), row: Row::InpRange });
         }
-        let inside = |label: &u64| (from..=to).contains(label) && (label - from).is_multiple_of(step);
+        let inside = |label: &u64| {
+            let label = label.wrapping_sub(self.shift);
+            (from..=to).contains(&label) && (label - from).is_multiple_of(step)
+        };
         let all = if self.of_cells { draft.cells().len() } else { draft.node_labels().len() };
         let members: Vec<usize> = if to.saturating_sub(from) / step < all as u64 {
             (from..=to).step_by(step as usize).filter_map(|label| self.index(draft, label)).collect()
@@ -105,7 +132,7 @@ impl Filling {
         } else {
             (0..all).filter(|node| inside(&draft.node_labels()[*node])).collect()
         };
-        if members.is_empty() {
+        if members.is_empty() && !self.some {
             return Err(self.no_such(draft, &format!("{first} to {last}")).into());
         }
         self.add(draft, &members)

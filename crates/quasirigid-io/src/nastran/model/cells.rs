@@ -1,0 +1,229 @@
+//! Cells of a deck: grid points and elements as a mesh, in the order of its shapes.
+//! A pyramid is two tetrahedra; a quadratic plate is linear ones between all its nodes; the middle of an edge that some cells give and a
+//! cell leaves out is put there, once for all cells that need it.
+
+use std::collections::HashMap;
+
+use quasirigid_mesh::{Cell, Mesh, Set, Shape};
+
+use super::{DeckModel, Plate, Solid};
+use crate::matrix::error::MatrixProblem;
+use crate::matrix::listed::LocatedProblem;
+
+/// Cells of a deck.
+#[derive(Default)]
+pub(crate) struct Cells {
+    /// Nodes and cells; sets of the cells of each property, by its number.
+    pub mesh: Mesh,
+    /// Index of each grid point.
+    pub index: HashMap<u64, usize>,
+    /// Number of the plate among those of the deck, for each cell of a plate.
+    pub plates: Vec<(usize, usize)>,
+    /// Index of the first cell and property of each solid.
+    pub solids: Vec<(usize, u64)>,
+    /// Middles of edges that were put there.
+    middles: HashMap<[usize; 2], usize>,
+    put: usize,
+    /// Number after the last grid point.
+    points_end: u64,
+    pyramids: usize,
+    divided: usize,
+}
+
+/// Edges of a solid: corners of each, in the order of NASTRAN's middles.
+const TET: &[[usize; 2]] = &[[0, 1], [1, 2], [2, 0], [0, 3], [1, 3], [2, 3]];
+const WEDGE: &[[usize; 2]] = &[[0, 1], [1, 2], [2, 0], [0, 3], [1, 4], [2, 5], [3, 4], [4, 5], [5, 3]];
+const HEX: &[[usize; 2]] =
+    &[[0, 1], [1, 2], [2, 3], [3, 0], [0, 4], [1, 5], [2, 6], [3, 7], [4, 5], [5, 6], [6, 7], [7, 4]];
+const PYRAMID: &[[usize; 2]] = &[[0, 1], [1, 2], [2, 3], [3, 0], [0, 4], [1, 4], [2, 4], [3, 4]];
+
+impl DeckModel {
+    /// The grid points, solids, plates and lines of the deck.
+    ///
+    /// # Errors
+    /// A grid point that no card has.
+    pub fn cells(&self) -> Result<Cells, LocatedProblem> {
+        let mut cells = Cells::default();
+        for point in &self.points {
+            cells.index.insert(point.label, cells.mesh.nodes.len());
+            cells.mesh.nodes.push(point.place);
+            cells.mesh.node_labels.push(point.label);
+        }
+        cells.points_end = self.points.last().map_or(1, |point| point.label.saturating_add(1));
+        let mut of_property: HashMap<u64, Vec<usize>> = HashMap::new();
+        for solid in &self.solids {
+            let first = cells.mesh.cells.len();
+            cells.solid(solid)?;
+            cells.solids.push((first, solid.property));
+            of_property.entry(solid.property).or_default().extend(first..cells.mesh.cells.len());
+        }
+        for (number, plate) in self.plates.iter().enumerate() {
+            let first = cells.mesh.cells.len();
+            cells.plate(plate)?;
+            cells.plates.extend((first..cells.mesh.cells.len()).map(|cell| (number, cell)));
+            of_property.entry(plate.property).or_default().extend(first..cells.mesh.cells.len());
+        }
+        for line in self.beams.iter().chain(&self.rods) {
+            let nodes = [cells.of(line.ends[0], line.line)?, cells.of(line.ends[1], line.line)?];
+            of_property.entry(line.property).or_default().push(cells.mesh.cells.len());
+            cells.add(line.label, Shape::Line2, &nodes);
+        }
+        let mut properties: Vec<(u64, Vec<usize>)> = of_property.into_iter().collect();
+        properties.sort_unstable_by_key(|(property, _)| *property);
+        let set = |(property, cells): (u64, Vec<usize>)| Set {
+            name: property.to_string(),
+            nodes: Vec::new(),
+            cells,
+        };
+        cells.mesh.sets = properties.into_iter().map(set).collect();
+        Ok(cells)
+    }
+}
+
+impl Cells {
+    /// Index of a grid point that a line of the deck names.
+    pub fn of(&self, label: u64, line: usize) -> Result<usize, LocatedProblem> {
+        self.index.get(&label).copied().ok_or((line, MatrixProblem::NoGrid { node: label }))
+    }
+
+    fn add(&mut self, label: u64, shape: Shape, nodes: &[usize]) {
+        self.mesh.cells.push(Cell { label, shape, nodes: nodes.into() });
+    }
+
+    /// What was changed, in words.
+    pub fn notes(&self) -> Vec<String> {
+        let counted = [
+            (self.pyramids, "pyramids are two tetrahedra each"),
+            (self.divided, "quadratic plates are divided into linear ones between all their nodes"),
+            (self.put, "middles of edges that cells leave out are put there"),
+        ];
+        counted
+            .iter()
+            .filter(|(count, _)| *count > 0)
+            .map(|(count, what)| format!("{what} ({count})"))
+            .collect()
+    }
+
+    /// A new node, numbered on from the last.
+    fn put(&mut self, place: [f64; 3]) -> usize {
+        let last = self.points_end.saturating_add(self.put as u64);
+        self.mesh.node_labels.push(last);
+        self.mesh.nodes.push(place);
+        self.put += 1;
+        self.mesh.nodes.len() - 1
+    }
+
+    /// Corners, then middles of edges, those that are missing put there; none of a linear cell.
+    fn all(
+        &mut self,
+        nodes: &[u64],
+        corners: usize,
+        edges: &[[usize; 2]],
+        line: usize,
+    ) -> Result<(Vec<usize>, Vec<usize>), LocatedProblem> {
+        let known = |node: &u64| self.of(*node, line);
+        let at: Vec<usize> = nodes[..corners].iter().map(known).collect::<Result<_, _>>()?;
+        if nodes[corners..].iter().all(|node| *node == 0) {
+            return Ok((at, Vec::new()));
+        }
+        let mut middles = Vec::with_capacity(edges.len());
+        for (node, [a, b]) in nodes[corners..].iter().zip(edges) {
+            let middle = match node {
+                0 => self.middle([at[*a], at[*b]]),
+                node => self.of(*node, line)?,
+            };
+            middles.push(middle);
+        }
+        Ok((at, middles))
+    }
+
+    fn middle(&mut self, mut edge: [usize; 2]) -> usize {
+        edge.sort_unstable();
+        if let Some(known) = self.middles.get(&edge) {
+            return *known;
+        }
+        let [a, b] = edge.map(|node| self.mesh.nodes[node]);
+        let node = self.put([0, 1, 2].map(|axis| 0.5 * a[axis] + 0.5 * b[axis]));
+        self.middles.insert(edge, node);
+        node
+    }
+
+    fn solid(&mut self, solid: &Solid) -> Result<(), LocatedProblem> {
+        let edges = match solid.corners {
+            4 => TET,
+            5 => PYRAMID,
+            6 => WEDGE,
+            _ => HEX,
+        };
+        let (corners, middles) = self.all(&solid.nodes, solid.corners, edges, solid.line)?;
+        if solid.corners == 5 {
+            self.pyramid(solid, &corners, &middles);
+            return Ok(());
+        }
+        let (shape, order): (Shape, &[usize]) = match (solid.corners, middles.is_empty()) {
+            (4, true) => (Shape::Tet4, &[]),
+            (4, false) => (Shape::Tet10, &[0, 1, 2, 3, 4, 5]),
+            (6, true) => (Shape::Wedge6, &[]),
+            (6, false) => (Shape::Wedge15, &[0, 1, 2, 6, 7, 8, 3, 4, 5]),
+            (_, true) => (Shape::Hex8, &[]),
+            (_, false) => (Shape::Hex20, &[0, 1, 2, 3, 8, 9, 10, 11, 4, 5, 6, 7]),
+        };
+        let nodes: Vec<usize> =
+            corners.into_iter().chain(order.iter().map(|middle| middles[*middle])).collect();
+        self.add(solid.label, shape, &nodes);
+        Ok(())
+    }
+
+    /// Two tetrahedra on the diagonal of the base from its least label, so that two cells on one face agree.
+    fn pyramid(&mut self, solid: &Solid, corners: &[usize], middles: &[usize]) {
+        self.pyramids += 1;
+        let least = (0..4).min_by_key(|corner| solid.nodes[*corner]).unwrap_or(0);
+        let turned = |corner: usize| (least + corner) % 4;
+        let [a, b, c, d] = [0, 1, 2, 3].map(|corner| corners[turned(corner)]);
+        let top = corners[4];
+        if middles.is_empty() {
+            self.add(solid.label, Shape::Tet4, &[a, b, c, top]);
+            self.add(solid.label, Shape::Tet4, &[a, c, d, top]);
+            return;
+        }
+        let of_nodes = |nodes: &[usize], axis: usize| -> f64 {
+            nodes.iter().map(|node| self.mesh.nodes[*node][axis]).sum()
+        };
+        // the middle of a face with middles on its edges
+        let place =
+            [0, 1, 2].map(|axis| 0.5 * of_nodes(&middles[..4], axis) - 0.25 * of_nodes(&corners[..4], axis));
+        let mut edge = [a, c];
+        edge.sort_unstable();
+        let middle = match self.middles.get(&edge) {
+            Some(known) => *known,
+            None => {
+                let node = self.put(place);
+                self.middles.insert(edge, node);
+                node
+            }
+        };
+        let base = |side: usize| middles[turned(side)];
+        let up = |corner: usize| middles[4 + turned(corner)];
+        self.add(solid.label, Shape::Tet10, &[a, b, c, top, base(0), base(1), middle, up(0), up(1), up(2)]);
+        self.add(solid.label, Shape::Tet10, &[a, c, d, top, middle, base(2), base(3), up(0), up(2), up(3)]);
+    }
+
+    fn plate(&mut self, plate: &Plate) -> Result<(), LocatedProblem> {
+        let edges: &[[usize; 2]] =
+            if plate.corners == 3 { &[[0, 1], [1, 2], [2, 0]] } else { &[[0, 1], [1, 2], [2, 3], [3, 0]] };
+        let (corners, middles) = self.all(&plate.nodes, plate.corners, edges, plate.line)?;
+        let shape = if plate.corners == 3 { Shape::Triangle3 } else { Shape::Quad4 };
+        if middles.is_empty() {
+            self.add(plate.label, shape, &corners);
+            return Ok(());
+        }
+        self.divided += 1;
+        let count = plate.corners;
+        self.add(plate.label, shape, &middles);
+        for corner in 0..count {
+            let before = middles[(corner + count - 1) % count];
+            self.add(plate.label, Shape::Triangle3, &[corners[corner], middles[corner], before]);
+        }
+        Ok(())
+    }
+}

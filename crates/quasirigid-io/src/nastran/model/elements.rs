@@ -1,0 +1,364 @@
+//! Elements of a deck: solids, plates, beams, rods, bodies at grid points, springs and bushings.
+
+use super::DeckModel;
+use crate::matrix::error::{MatrixProblem, Row};
+use crate::matrix::listed::LocatedProblem;
+use crate::nastran::bulk::{Card, Field, integer, integer_or, real_or, real_or_zero};
+use crate::nastran::grid::Point;
+
+/// A solid cell; a grid point of an edge may be missing.
+pub(crate) struct Solid {
+    pub label: u64,
+    pub property: u64,
+    /// Corners of its shape: 4, 5, 6 or 8.
+    pub corners: usize,
+    /// Grid points in the order of NASTRAN; zero where one is missing.
+    pub nodes: Vec<u64>,
+    pub line: usize,
+}
+
+/// A plate cell.
+pub(crate) struct Plate {
+    pub label: u64,
+    pub property: u64,
+    /// Corners: 3 or 4.
+    pub corners: usize,
+    /// Grid points; zero where one of an edge is missing.
+    pub nodes: Vec<u64>,
+    /// Angle (degrees) of the material from the first side, or the direction of its axis in the basic system.
+    pub angle: f64,
+    /// Coordinate system whose first axis is that of the material.
+    pub system: Option<u64>,
+    pub reference: Option<[f64; 3]>,
+    pub offset: f64,
+    /// Mean of the thicknesses at its corners, where the card has them.
+    pub thickness: Option<f64>,
+    pub line: usize,
+}
+
+/// Direction of the first plane of a beam.
+#[derive(Clone, Copy)]
+pub(crate) enum Up {
+    /// Along the axes of the displacements of the first end.
+    Vector([f64; 3]),
+    /// Towards a grid point.
+    Point(u64),
+}
+
+/// A beam or a rod.
+pub(crate) struct Line {
+    pub label: u64,
+    pub property: u64,
+    pub ends: [u64; 2],
+    pub up: Option<Up>,
+    /// Offsets of the ends, along the axes of their displacements.
+    pub offsets: [[f64; 3]; 2],
+    /// Components that each end does not bear, 1 to 6 along the beam's axes.
+    pub released: [u64; 2],
+    pub line: usize,
+}
+
+/// A rigid body at a grid point.
+pub(crate) struct Tip {
+    pub node: u64,
+    pub system: Option<u64>,
+    pub mass: f64,
+    /// From the grid point, along the axes of the system; absolute for system −1.
+    pub offset: [f64; 3],
+    pub absolute: bool,
+    pub inertia: [[f64; 3]; 3],
+    pub line: usize,
+}
+
+/// End of a scalar spring: a grid point and a component from 1.
+#[derive(Clone, Copy)]
+pub(crate) struct SpringEnd {
+    pub node: u64,
+    pub component: u64,
+}
+
+/// A scalar spring or dashpot.
+pub(crate) struct Scalar {
+    pub ends: [Option<SpringEnd>; 2],
+    /// Stiffness and damping, or the property that has them.
+    pub law: Result<[f64; 2], u64>,
+    pub line: usize,
+}
+
+/// A bushing.
+pub(crate) struct Bush {
+    pub property: u64,
+    pub ends: [u64; 2],
+    pub up: Option<Up>,
+    pub system: Option<u64>,
+    /// Place of the elastic centre between the ends, as a share of their distance.
+    pub share: f64,
+    pub line: usize,
+}
+
+/// Grid points of a card from a field on, as many as the shape may have; zeros where they are blank.
+fn nodes(card: &Card, first: usize, most: usize) -> Result<Vec<u64>, LocatedProblem> {
+    (first..first + most).map(|number| integer_or(card.field(number), 0, Row::Element)).collect()
+}
+
+fn vector(card: &Card, first: usize) -> Result<[f64; 3], LocatedProblem> {
+    Ok([
+        real_or_zero(card.field(first))?,
+        real_or_zero(card.field(first + 1))?,
+        real_or_zero(card.field(first + 2))?,
+    ])
+}
+
+/// Direction in three fields, the first of which may name a grid point instead.
+fn up(card: &Card, first: usize) -> Result<Option<Up>, LocatedProblem> {
+    let field = card.field(first);
+    let blank = (first..first + 3).all(|number| card.field(number).text.is_empty());
+    if blank {
+        return Ok(None);
+    }
+    if !field.text.is_empty() && !field.text.contains('.') && card.field(first + 1).text.is_empty() {
+        return Ok(Some(Up::Point(integer(field, Row::Element)?)));
+    }
+    Ok(Some(Up::Vector(vector(card, first)?)))
+}
+
+/// A field that may be the real angle of a material or the number of a system.
+fn angle(field: Field) -> Result<(f64, Option<u64>), LocatedProblem> {
+    if field.text.is_empty() || field.text.contains('.') {
+        return Ok((real_or_zero(field)?, None));
+    }
+    Ok((0.0, Some(integer(field, Row::Element)?)))
+}
+
+impl DeckModel {
+    /// Takes the card of an element; false for another card.
+    pub(super) fn element(&mut self, card: &Card, name: &str) -> Result<bool, LocatedProblem> {
+        match name {
+            "CTETRA" => self.solid(card, 4, 10)?,
+            "CPYRAM" | "CPYRA" => self.solid(card, 5, 13)?,
+            "CPENTA" => self.solid(card, 6, 15)?,
+            "CHEXA" => self.solid(card, 8, 20)?,
+            "CTRIA3" | "CTRIAR" => self.plate(card, 3, 3, 7)?,
+            "CQUAD4" | "CQUADR" => self.plate(card, 4, 4, 8)?,
+            "CTRIA6" => self.plate(card, 3, 6, 10)?,
+            "CQUAD8" => self.plate(card, 4, 8, 16)?,
+            "CQUAD" => self.plate(card, 4, 8, 13)?,
+            "CBAR" | "CBEAM" => self.beam(card)?,
+            "BAROR" | "BEAMOR" => self.default_up = up(card, 6)?,
+            "CROD" | "CTUBE" => self.rod(card)?,
+            "CONROD" => self.own_rod(card)?,
+            "CONM2" => self.tip(card)?,
+            "CELAS1" | "CDAMP1" => {
+                let law = Err(integer(card.field(3), Row::Element)?);
+                self.scalar(card, law, 4)?;
+            }
+            "CELAS2" => {
+                let stiffness = real_or_zero(card.field(3))?;
+                self.scalar(card, Ok([stiffness, 0.0]), 4)?;
+            }
+            "CDAMP2" => {
+                let damping = real_or_zero(card.field(3))?;
+                self.scalar(card, Ok([0.0, damping]), 4)?;
+            }
+            "CBUSH" => self.bush(card)?,
+            _ => return Ok(false),
+        }
+        Ok(true)
+    }
+
+    fn solid(&mut self, card: &Card, corners: usize, most: usize) -> Result<(), LocatedProblem> {
+        let label = integer(card.field(2), Row::Element)?;
+        let property = integer_or(card.field(3), label, Row::Element)?;
+        let nodes = nodes(card, 4, most)?;
+        if nodes[..corners].contains(&0) {
+            return Err((card.line, MatrixProblem::NoCorner { element: label }));
+        }
+        self.solids.push(Solid { label, property, corners, nodes, line: card.line });
+        Ok(())
+    }
+
+    /// A plate whose angle stands in a field, with the offset behind it.
+    fn plate(&mut self, card: &Card, corners: usize, most: usize, at: usize) -> Result<(), LocatedProblem> {
+        let label = integer(card.field(2), Row::Element)?;
+        let property = integer_or(card.field(3), label, Row::Element)?;
+        let nodes = nodes(card, 4, most)?;
+        if nodes[..corners].contains(&0) {
+            return Err((card.line, MatrixProblem::NoCorner { element: label }));
+        }
+        let (angle, system) = angle(card.field(at))?;
+        let offset = real_or_zero(card.field(at + 1))?;
+        let thicknesses = match at {
+            7 => 12..15,
+            8 => 12..16,
+            10 => 12..15,
+            _ => 12..16,
+        };
+        let given = thicknesses.filter(|number| !card.field(*number).text.is_empty());
+        let given = given.map(|number| real_or_zero(card.field(number))).collect::<Result<Vec<f64>, _>>()?;
+        // Thicknesses relative to that of the property are one where they are alike.
+        let relative = at != 10 && at != 16 && card.field(11).text == "1";
+        let thickness = if given.is_empty() || relative {
+            None
+        } else {
+            if given.len() < corners || given.iter().any(|other| *other != given[0]) {
+                self.simplify("plates with thicknesses at their corners have the mean of those");
+            }
+            Some(given.iter().sum::<f64>() / given.len() as f64)
+        };
+        if relative && given.iter().any(|share| *share != 1.0) {
+            self.simplify("relative thicknesses at the corners of plates (TFLAG) are left out");
+        }
+        let (reference, line) = (None, card.line);
+        let plate =
+            Plate { label, property, corners, nodes, angle, system, reference, offset, thickness, line };
+        self.plates.push(plate);
+        Ok(())
+    }
+
+    fn beam(&mut self, card: &Card) -> Result<(), LocatedProblem> {
+        let label = integer(card.field(2), Row::Element)?;
+        let property = integer_or(card.field(3), label, Row::Element)?;
+        let ends = [integer(card.field(4), Row::Element)?, integer(card.field(5), Row::Element)?];
+        let released =
+            [integer_or(card.field(10), 0, Row::Element)?, integer_or(card.field(11), 0, Row::Element)?];
+        let offsets = [vector(card, 12)?, vector(card, 15)?];
+        let coordinates = card.field(9).text;
+        let own = |text: &str| !text.is_empty() && !text.contains('.') && !text.eq_ignore_ascii_case("GGG");
+        if own(coordinates) && offsets != [[0.0; 3]; 2] {
+            self.simplify(
+                "offsets of beams along their own axes (OFFT) are taken along those of the grid points",
+            );
+        }
+        if [18, 19].iter().any(|number| !matches!(card.field(*number).text, "" | "0")) {
+            self.simplify("warping of beams is left out");
+        }
+        let up = up(card, 6)?;
+        self.beams.push(Line { label, property, ends, up, offsets, released, line: card.line });
+        Ok(())
+    }
+
+    fn rod(&mut self, card: &Card) -> Result<(), LocatedProblem> {
+        let label = integer(card.field(2), Row::Element)?;
+        let property = integer_or(card.field(3), label, Row::Element)?;
+        let ends = [integer(card.field(4), Row::Element)?, integer(card.field(5), Row::Element)?];
+        self.push_rod(label, property, ends, card.line);
+        Ok(())
+    }
+
+    fn push_rod(&mut self, label: u64, property: u64, ends: [u64; 2], line: usize) {
+        let (offsets, released) = ([[0.0; 3]; 2], [0; 2]);
+        self.rods.push(Line { label, property, ends, up: None, offsets, released, line });
+    }
+
+    /// A rod with its own section, which gets a property of a number that no card can have.
+    fn own_rod(&mut self, card: &Card) -> Result<(), LocatedProblem> {
+        let label = integer(card.field(2), Row::Element)?;
+        let ends = [integer(card.field(3), Row::Element)?, integer(card.field(4), Row::Element)?];
+        let property = u64::MAX - self.rods.len() as u64;
+        self.rod_section(card, property, 5, 6, 7)?;
+        self.push_rod(label, property, ends, card.line);
+        Ok(())
+    }
+
+    fn tip(&mut self, card: &Card) -> Result<(), LocatedProblem> {
+        let node = integer(card.field(3), Row::Element)?;
+        let absolute = card.field(4).text == "-1";
+        let system = if absolute { 0 } else { integer_or(card.field(4), 0, Row::Element)? };
+        let mass = real_or_zero(card.field(5))?;
+        let offset = vector(card, 6)?;
+        let moment = |number: usize| real_or_zero(card.field(number));
+        let [xx, xy, yy, xz, yz, zz] =
+            [moment(10)?, moment(11)?, moment(12)?, moment(13)?, moment(14)?, moment(15)?];
+        // NASTRAN gives the products of inertia, which the tensor has with the other sign.
+        let inertia = [[xx, -xy, -xz], [-xy, yy, -yz], [-xz, -yz, zz]];
+        let system = Some(system).filter(|system| *system != 0);
+        self.tips.push(Tip { node, system, mass, offset, absolute, inertia, line: card.line });
+        Ok(())
+    }
+
+    /// A spring or dashpot whose ends stand in four fields.
+    fn scalar(
+        &mut self,
+        card: &Card,
+        law: Result<[f64; 2], u64>,
+        first: usize,
+    ) -> Result<(), LocatedProblem> {
+        let end = |number: usize| -> Result<Option<SpringEnd>, LocatedProblem> {
+            let node = integer_or(card.field(number), 0, Row::Element)?;
+            let component = integer_or(card.field(number + 1), 0, Row::Element)?;
+            Ok((node != 0).then_some(SpringEnd { node, component }))
+        };
+        let ends = [end(first)?, end(first + 2)?];
+        self.springs.push(Scalar { ends, law, line: card.line });
+        Ok(())
+    }
+
+    fn bush(&mut self, card: &Card) -> Result<(), LocatedProblem> {
+        let label = integer(card.field(2), Row::Element)?;
+        let property = integer_or(card.field(3), label, Row::Element)?;
+        let ends = [integer(card.field(4), Row::Element)?, integer_or(card.field(5), 0, Row::Element)?];
+        let system = match card.field(9).text {
+            "" | "-1" => None,
+            _ => Some(integer(card.field(9), Row::Element)?),
+        };
+        if !matches!(card.field(11).text, "" | "-1") {
+            self.simplify("places of bushings by OCID are left out, they are taken between their ends");
+        }
+        let share = real_or(card.field(10), 0.5)?;
+        let up = up(card, 6)?;
+        self.bushes.push(Bush { property, ends, up, system, share, line: card.line });
+        Ok(())
+    }
+
+    /// Resolves the directions that cards give in coordinate systems.
+    pub(super) fn resolve_directions(&mut self) -> Result<(), LocatedProblem> {
+        for index in 0..self.plates.len() {
+            let Plate { system, nodes, line, .. } = &self.plates[index];
+            let Some(system) = *system else { continue };
+            let (line, first) = (*line, nodes[0]);
+            let system = self.grids.system(system, line)?;
+            let place = self.point(first, line)?.place;
+            self.plates[index].reference = Some(system.axes_at(place)[0]);
+        }
+        for beam in &mut self.beams {
+            beam.up = beam.up.or(self.default_up);
+        }
+        for index in 0..self.tips.len() {
+            let Tip { node, system, offset, absolute, inertia, line, .. } = self.tips[index];
+            let place = self.point(node, line)?.place;
+            let tip = if absolute {
+                [0, 1, 2].map(|axis| offset[axis] - place[axis])
+            } else {
+                let Some(label) = system else { continue };
+                let system = self.grids.system(label, line)?;
+                let axes = system.axes_at(place);
+                let turned: [[f64; 3]; 3] = std::array::from_fn(|i| {
+                    std::array::from_fn(|j| {
+                        (0..9).map(|k| axes[k / 3][i] * inertia[k / 3][k % 3] * axes[k % 3][j]).sum()
+                    })
+                });
+                self.tips[index].inertia = turned;
+                [0, 1, 2].map(|axis| (0..3).map(|k| axes[k][axis] * offset[k]).sum())
+            };
+            self.tips[index].offset = tip;
+        }
+        Ok(())
+    }
+
+    /// A grid point by its number.
+    pub fn point(&self, label: u64, line: usize) -> Result<Point, LocatedProblem> {
+        let at = self.points.partition_point(|point| point.label < label);
+        let point = self.points.get(at).filter(|point| point.label == label).copied();
+        point.ok_or((line, MatrixProblem::NoGrid { node: label }))
+    }
+
+    /// Axes of a coordinate system at a place; those of the basic one for 0.
+    pub fn axes_of(
+        &mut self,
+        system: u64,
+        place: [f64; 3],
+        line: usize,
+    ) -> Result<[[f64; 3]; 3], LocatedProblem> {
+        Ok(self.grids.system(system, line)?.axes_at(place))
+    }
+}

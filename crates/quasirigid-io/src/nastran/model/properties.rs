@@ -1,0 +1,509 @@
+//! Properties and materials of a deck: PSOLID, PSHELL, PCOMP, PBAR to PBEAML, PROD, PELAS, PBUSH, MAT1 and MAT8.
+//! Moments of a section are turned to principal axes, so that a product of inertia loses nothing; walls of library sections are
+//! thin rectangles.
+
+use super::DeckModel;
+use crate::matrix::error::{MatrixProblem, Row};
+use crate::matrix::listed::LocatedProblem;
+use crate::nastran::bulk::{Card, integer, integer_or, real_or, real_or_zero};
+
+/// A material.
+#[derive(Clone, Copy)]
+pub(crate) enum Stuff {
+    Isotropic {
+        young: f64,
+        poisson: f64,
+        density: f64,
+        loss: f64,
+    },
+    /// Of a ply: moduli along and across, ν₁₂, G₁₂, G₁₃, G₂₃.
+    Lamina {
+        young: [f64; 2],
+        poisson: f64,
+        shear: [f64; 3],
+        density: f64,
+        loss: f64,
+    },
+}
+
+/// A layer of a plate.
+#[derive(Clone, Copy)]
+pub(crate) struct Ply {
+    pub material: u64,
+    pub thickness: f64,
+    /// Angle (degrees).
+    pub angle: f64,
+}
+
+/// Layers of plates, lowest first.
+pub(crate) struct Plating {
+    pub layers: Vec<Ply>,
+    /// Height of the lowest face; none for a middle on the grid points.
+    pub bottom: Option<f64>,
+    /// Mass per area beside that of the layers.
+    pub extra: f64,
+}
+
+/// Section of beams in the axes of NASTRAN: plane 1 has the first direction.
+#[derive(Clone, Copy)]
+pub(crate) struct Bending {
+    pub material: u64,
+    pub area: f64,
+    /// Moments of bending in plane 1 and 2, and the product.
+    pub moments: [f64; 3],
+    pub torsion: f64,
+    /// Factors of the shear areas; none where shear is neglected.
+    pub shear: Option<[f64; 2]>,
+    /// Mass per length beside that of the material.
+    pub extra: f64,
+}
+
+/// Section of rods.
+#[derive(Clone, Copy)]
+pub(crate) struct RodSection {
+    pub material: u64,
+    pub area: f64,
+    pub extra: f64,
+}
+
+impl DeckModel {
+    /// Takes the card of a property or a material; false for another card.
+    pub(super) fn property(&mut self, card: &Card, name: &str) -> Result<bool, LocatedProblem> {
+        let label = || integer(card.field(2), Row::Property);
+        match name {
+            "PSOLID" => {
+                let (label, material) = (label()?, integer(card.field(3), Row::Property)?);
+                self.of_solids.insert(label, material);
+            }
+            "PSHELL" => self.shell(card, label()?)?,
+            "PCOMP" => self.composite(card, label()?, [10, 4])?,
+            "PCOMPG" => self.composite(card, label()?, [11, 8])?,
+            "PBAR" => self.bar(card, label()?)?,
+            "PBEAM" => self.beam_section(card, label()?)?,
+            "PBARL" | "PBEAML" => return self.library(card, label()?, name),
+            "PROD" => self.rod_section(card, label()?, 3, 4, 5)?,
+            "PTUBE" => self.tube(card, label()?)?,
+            "PELAS" => self.springs_of(card)?,
+            "PDAMP" => {
+                for first in [2, 4, 6, 8].into_iter().filter(|first| !card.field(*first).text.is_empty()) {
+                    let label = integer(card.field(first), Row::Property)?;
+                    let damping = real_or_zero(card.field(first + 1))?;
+                    self.of_springs.insert(label, [0.0, damping]);
+                }
+            }
+            "PBUSH" => self.bushing(card, label()?)?,
+            "MAT1" => self.isotropic(card, label()?)?,
+            "MAT8" => {
+                let label = label()?;
+                let [e1, e2, nu, g12, g13, g23, density] =
+                    [3, 4, 5, 6, 7, 8, 9].map(|number| real_or_zero(card.field(number)));
+                let loss = real_or_zero(card.field(17))?;
+                let (g12, g13, g23) = (g12?, g13?, g23?);
+                if g13 == 0.0 || g23 == 0.0 {
+                    self.simplify("MAT8 without G1Z or G2Z has G12 across the layers");
+                }
+                let or = |g: f64| if g > 0.0 { g } else { g12 };
+                let (young, shear) = ([e1?, e2?], [g12, or(g13), or(g23)]);
+                let ply = Stuff::Lamina { young, poisson: nu?, shear, density: density?, loss };
+                self.materials.insert(label, ply);
+            }
+            _ => return Ok(false),
+        }
+        Ok(true)
+    }
+
+    fn isotropic(&mut self, card: &Card, label: u64) -> Result<(), LocatedProblem> {
+        let given = |number: usize| -> Result<Option<f64>, LocatedProblem> {
+            let field = card.field(number);
+            if field.text.is_empty() { Ok(None) } else { real_or_zero(field).map(Some) }
+        };
+        let positive = |value: Option<f64>| value.filter(|value| *value > 0.0);
+        let (young, shear, poisson) = (positive(given(3)?), positive(given(4)?), given(5)?);
+        let (young, poisson) = match (young, shear, poisson) {
+            (Some(young), Some(shear), Some(poisson)) => {
+                if (young / (2.0 * (1.0 + poisson)) / shear - 1.0).abs() > 0.01 {
+                    self.simplify("MAT1 with G other than E/2(1 + NU) has G from E and NU");
+                }
+                (young, poisson)
+            }
+            (Some(young), _, Some(poisson)) => (young, poisson),
+            (Some(young), Some(shear), None) => {
+                let poisson = 0.5 * young / shear - 1.0;
+                if !(poisson > -1.0 && poisson < 0.5) {
+                    self.simplify("MAT1 with E and G of no Poisson's ratio has NU = 0");
+                    (young, 0.0)
+                } else {
+                    (young, poisson)
+                }
+            }
+            (Some(young), None, None) => (young, 0.0),
+            (None, Some(shear), poisson) => {
+                let poisson = poisson.unwrap_or(0.0);
+                (2.0 * (1.0 + poisson) * shear, poisson)
+            }
+            (None, None, _) => return Err((card.line, MatrixProblem::NoModulus { material: label })),
+        };
+        let (density, loss) = (real_or_zero(card.field(6))?, real_or_zero(card.field(9))?);
+        self.materials.insert(label, Stuff::Isotropic { young, poisson, density, loss });
+        Ok(())
+    }
+
+    fn shell(&mut self, card: &Card, label: u64) -> Result<(), LocatedProblem> {
+        let membrane = integer_or(card.field(3), 0, Row::Property)?;
+        let bending = card.field(5).text;
+        let material = match (membrane, bending) {
+            (0, "" | "-1") => return Err((card.line, MatrixProblem::NoMaterialOf { property: label })),
+            (0, _) => {
+                self.simplify("PSHELL without MID1 has the material of bending in its plane too");
+                integer(card.field(5), Row::Property)?
+            }
+            (membrane, _) => membrane,
+        };
+        if membrane != 0 && bending.is_empty() {
+            self.simplify("PSHELL without MID2 bends by its material too");
+        }
+        if membrane != 0
+            && !matches!(bending, "" | "-1")
+            && integer(card.field(5), Row::Property)? != membrane
+        {
+            self.simplify("PSHELL with another material MID2 has MID1 in bending too");
+        }
+        let ratio = real_or(card.field(6), 1.0)?;
+        if (ratio - 1.0).abs() > 1e-6 {
+            self.simplify("PSHELL with 12I/T**3 other than 1 has 1");
+        }
+        let (thickness, extra) = (real_or_zero(card.field(4))?, real_or_zero(card.field(9))?);
+        let layers = vec![Ply { material, thickness, angle: 0.0 }];
+        self.of_plates.insert(label, Plating { layers, bottom: None, extra });
+        Ok(())
+    }
+
+    /// Layers from a field on, so many fields each: material, thickness, angle.
+    fn composite(
+        &mut self,
+        card: &Card,
+        label: u64,
+        [first, step]: [usize; 2],
+    ) -> Result<(), LocatedProblem> {
+        let bottom = match card.field(3).text {
+            "" => None,
+            _ => Some(real_or_zero(card.field(3))?),
+        };
+        let extra = real_or_zero(card.field(4))?;
+        let (mut layers, mut number) = (Vec::new(), first);
+        let mut last = (0, 0.0);
+        while !card.fields_from(number).is_empty() {
+            let blank = (number..number + 3).all(|number| card.field(number).text.is_empty());
+            if !blank {
+                last.0 = integer_or(card.field(number), last.0, Row::Property)?;
+                last.1 = real_or(card.field(number + 1), last.1)?;
+                let angle = real_or_zero(card.field(number + 2))?;
+                layers.push(Ply { material: last.0, thickness: last.1, angle });
+            }
+            number += step;
+        }
+        let lamina = card.field(9).text.to_ascii_uppercase();
+        match lamina.as_str() {
+            "" => {}
+            "SYM" => {
+                let mirrored: Vec<Ply> = layers.iter().rev().copied().collect();
+                layers.extend(mirrored);
+            }
+            _ => self.simplify("PCOMP with LAM other than SYM is taken as its layers"),
+        }
+        if layers.is_empty() {
+            return Err((card.line, MatrixProblem::NoMaterialOf { property: label }));
+        }
+        self.of_plates.insert(label, Plating { layers, bottom, extra });
+        Ok(())
+    }
+
+    fn bar(&mut self, card: &Card, label: u64) -> Result<(), LocatedProblem> {
+        let material = integer(card.field(3), Row::Property)?;
+        let [area, first, second, torsion, extra] =
+            [4, 5, 6, 7, 8].map(|number| real_or_zero(card.field(number)));
+        let [k1, k2, product] = [18, 19, 20].map(|number| real_or_zero(card.field(number)));
+        let (k1, k2) = (k1?, k2?);
+        let shear = (k1 > 0.0 && k2 > 0.0).then_some([k1, k2]);
+        let moments = [first?, second?, product?];
+        let bending = Bending { material, area: area?, moments, torsion: torsion?, shear, extra: extra? };
+        self.of_beams.insert(label, bending);
+        Ok(())
+    }
+
+    /// A tapered beam has the mean of its ends.
+    fn beam_section(&mut self, card: &Card, label: u64) -> Result<(), LocatedProblem> {
+        let material = integer(card.field(3), Row::Property)?;
+        let at = |first: usize| -> Result<[f64; 6], LocatedProblem> {
+            let mut constants = [0.0; 6];
+            for (index, constant) in constants.iter_mut().enumerate() {
+                *constant = real_or_zero(card.field(first + index))?;
+            }
+            Ok(constants)
+        };
+        let start = at(4)?;
+        let (mut constants, mut number) = (start, 18);
+        loop {
+            let word = card.field(number).text.to_ascii_uppercase();
+            let wide = match word.as_str() {
+                "YES" => 16,
+                "NO" | "YESA" => 8,
+                _ => break,
+            };
+            let station = at(number + 2)?;
+            let end = (real_or(card.field(number + 1), 1.0)? - 1.0).abs() < 1e-9;
+            if end {
+                for index in 0..6 {
+                    let there = if station[index] == 0.0 { start[index] } else { station[index] };
+                    constants[index] = 0.5 * (start[index] + there);
+                }
+                if constants.iter().zip(&start).any(|(mean, start)| (mean - start).abs() > 1e-9 * start.abs())
+                {
+                    self.simplify("tapered beams have the mean section of their ends");
+                }
+            }
+            number += wide;
+        }
+        let [k1, k2] = [number, number + 1].map(|number| real_or(card.field(number), 1.0));
+        let (k1, k2) = (k1?, k2?);
+        let neutral = (number + 8..number + 16).map(|number| real_or_zero(card.field(number)));
+        if neutral.collect::<Result<Vec<_>, _>>()?.iter().any(|offset| *offset != 0.0) {
+            self.simplify("shear centres and centres of extra mass of beams off their axis are taken on it");
+        }
+        let shear = (k1 > 0.0 && k2 > 0.0).then_some([k1, k2]);
+        let [area, first, second, product, torsion, extra] = constants;
+        let moments = [first, second, product];
+        self.of_beams.insert(label, Bending { material, area, moments, torsion, shear, extra });
+        Ok(())
+    }
+
+    /// A section of the library by its sizes; false for one that is not known.
+    fn library(&mut self, card: &Card, label: u64, name: &str) -> Result<bool, LocatedProblem> {
+        let material = integer(card.field(3), Row::Property)?;
+        let kind = card.field(5).text.to_ascii_uppercase();
+        let count = match kind.as_str() {
+            "ROD" => 1,
+            "TUBE" | "TUBE2" | "BAR" => 2,
+            "BOX" | "T" | "L" | "CHAN" | "CHAN1" | "CHAN2" | "I1" | "T1" | "T2" | "Z" | "CROSS" | "H"
+            | "HAT" => 4,
+            "I" | "BOX1" => 6,
+            _ => return Ok(false),
+        };
+        let mut sizes = Vec::with_capacity(count);
+        for index in 0..count {
+            sizes.push(real_or_zero(card.field(10 + index))?);
+        }
+        let extra = real_or_zero(card.field(10 + count))?;
+        let tapered = name == "PBEAML"
+            && (0..count).any(|index| {
+                let other = card.field(13 + count + index).text;
+                !other.is_empty()
+                    && real_or_zero(card.field(13 + count + index)).is_ok_and(|size| size != sizes[index])
+            });
+        if tapered {
+            self.simplify("tapered beams of PBEAML have the section of their first end");
+        }
+        let Some((area, moments, torsion)) = library_section(&kind, &sizes) else { return Ok(false) };
+        self.of_beams.insert(label, Bending { material, area, moments, torsion, shear: None, extra });
+        Ok(true)
+    }
+
+    /// Notes the section of a rod: fields of the material, the area and the torsion, and the extra mass two fields on.
+    pub(super) fn rod_section(
+        &mut self,
+        card: &Card,
+        label: u64,
+        material: usize,
+        area: usize,
+        torsion: usize,
+    ) -> Result<(), LocatedProblem> {
+        let material = integer(card.field(material), Row::Property)?;
+        let area = real_or_zero(card.field(area))?;
+        if real_or_zero(card.field(torsion))? != 0.0 {
+            self.simplify("the twist of rods is left out");
+        }
+        let extra = real_or_zero(card.field(torsion + 2))?;
+        self.of_rods.insert(label, RodSection { material, area, extra });
+        Ok(())
+    }
+
+    fn tube(&mut self, card: &Card, label: u64) -> Result<(), LocatedProblem> {
+        let material = integer(card.field(3), Row::Property)?;
+        let (outer, wall) = (real_or_zero(card.field(4))?, real_or_zero(card.field(5))?);
+        let inner = if wall > 0.0 { outer - 2.0 * wall } else { 0.0 };
+        let area = 0.25 * std::f64::consts::PI * (outer.powi(2) - inner.powi(2));
+        self.simplify("the twist of rods is left out");
+        self.of_rods.insert(label, RodSection { material, area, extra: real_or_zero(card.field(6))? });
+        Ok(())
+    }
+
+    fn springs_of(&mut self, card: &Card) -> Result<(), LocatedProblem> {
+        for first in [2, 6].into_iter().filter(|first| !card.field(*first).text.is_empty()) {
+            let label = integer(card.field(first), Row::Property)?;
+            let stiffness = real_or_zero(card.field(first + 1))?;
+            self.of_springs.insert(label, [stiffness, 0.0]);
+        }
+        Ok(())
+    }
+
+    fn bushing(&mut self, card: &Card, label: u64) -> Result<(), LocatedProblem> {
+        let mut laws = [[0.0; 6]; 2];
+        let mut number = 3;
+        while !card.fields_from(number).is_empty() {
+            let law = match card.field(number).text.to_ascii_uppercase().as_str() {
+                "K" => Some(0),
+                "B" => Some(1),
+                "" => None,
+                _ => {
+                    self.simplify("of PBUSH only K and B are taken");
+                    None
+                }
+            };
+            for component in 0..6 {
+                if let Some(law) = law {
+                    laws[law][component] = real_or_zero(card.field(number + 1 + component))?;
+                }
+            }
+            number += 8;
+        }
+        self.of_bushes.insert(label, laws);
+        Ok(())
+    }
+}
+
+/// A rectangle of a section: centre and size along z and y; plane 1 bends along y.
+type Piece = [f64; 4];
+
+/// Area, moments in plane 1 and 2 with the product, and torsion constant of a section of the library.
+///
+/// MSC Nastran Quick Reference Guide, PBARL: y is up, z to the left; here the pieces stand as `[z, y, width along z, height along y]`.
+fn library_section(kind: &str, d: &[f64]) -> Option<(f64, [f64; 3], f64)> {
+    use std::f64::consts::PI;
+    let round = |outer: f64, inner: f64| {
+        let moment = 0.25 * PI * (outer.powi(4) - inner.powi(4));
+        (PI * (outer.powi(2) - inner.powi(2)), [moment, moment, 0.0], 2.0 * moment)
+    };
+    let pieces: Vec<Piece> = match (kind, d) {
+        ("ROD", [r]) => return Some(round(*r, 0.0)),
+        ("TUBE", [outer, inner]) => return Some(round(*outer, *inner)),
+        ("TUBE2", [outer, wall]) => return Some(round(*outer, outer - wall)),
+        ("BAR", [width, height]) => vec![[0.0, 0.0, *width, *height]],
+        ("BOX", [w, h, flange, wall]) => return Some(boxed([*w, *h], [*flange, *flange, *wall, *wall])),
+        ("BOX1", [w, h, top, bottom, left, right]) => {
+            return Some(boxed([*w, *h], [*top, *bottom, *left, *right]));
+        }
+        ("I", [h, lower, upper, web, t_lower, t_upper]) => vec![
+            [0.0, 0.5 * t_lower, *lower, *t_lower],
+            [0.0, 0.5 * (t_lower + h - t_upper), *web, h - t_lower - t_upper],
+            [0.0, h - 0.5 * t_upper, *upper, *t_upper],
+        ],
+        ("I1", [flanges, web, inner, h]) => {
+            let flange = 0.5 * (h - inner);
+            let width = flanges + web;
+            vec![
+                [0.0, 0.5 * flange, width, flange],
+                [0.0, 0.5 * h, *web, *inner],
+                [0.0, h - 0.5 * flange, width, flange],
+            ]
+        }
+        ("H", [inner, walls, h, bridge]) => {
+            let wall = 0.5 * walls;
+            let arm = 0.5 * (inner + wall);
+            vec![[-arm, 0.0, wall, *h], [arm, 0.0, wall, *h], [0.0, 0.0, *inner, *bridge]]
+        }
+        ("T" | "T2", [width, h, flange, web]) => {
+            let side = if kind == "T" { 1.0 } else { -1.0 };
+            let stem = h - flange;
+            vec![[0.0, 0.0, *width, *flange], [0.0, -side * 0.5 * (flange + stem), *web, stem]]
+        }
+        ("T1", [h, web_length, flange, web]) => {
+            vec![[0.0, 0.0, *flange, *h], [0.5 * (flange + web_length), 0.0, *web_length, *web]]
+        }
+        ("L", [width, h, foot, wall]) => {
+            vec![[0.5 * (width - wall), 0.0, *width, *foot], [0.0, 0.5 * h, *wall, h - foot]]
+        }
+        ("CHAN", [width, h, web, flange]) => vec![
+            [0.0, 0.5 * (h - flange), *width, *flange],
+            [0.0, -0.5 * (h - flange), *width, *flange],
+            [-0.5 * (width - web), 0.0, *web, h - 2.0 * flange],
+        ],
+        ("CHAN1", [flange_length, web, inner, h]) => {
+            let flange = 0.5 * (h - inner);
+            vec![
+                [0.0, 0.0, *web, *h],
+                [0.5 * (web + flange_length), 0.5 * (h - flange), *flange_length, flange],
+                [0.5 * (web + flange_length), -0.5 * (h - flange), *flange_length, flange],
+            ]
+        }
+        ("CHAN2", [wall, foot, h, width]) => vec![
+            [0.0, 0.5 * foot, *width, *foot],
+            [0.5 * (width - wall), 0.5 * (h + foot), *wall, h - foot],
+            [-0.5 * (width - wall), 0.5 * (h + foot), *wall, h - foot],
+        ],
+        ("Z", [flange_length, web, inner, h]) => {
+            let flange = 0.5 * (h - inner);
+            let arm = 0.5 * (web + flange_length);
+            vec![
+                [0.0, 0.0, *web, *h],
+                [arm, 0.5 * (h - flange), *flange_length, flange],
+                [-arm, -0.5 * (h - flange), *flange_length, flange],
+            ]
+        }
+        ("HAT", [h, wall, top, brim]) => {
+            let (web, out) = (0.5 * (top - wall), 0.5 * (top + brim));
+            let side = h - wall;
+            vec![
+                [0.0, h - 0.5 * wall, *top, *wall],
+                [web, 0.5 * side, *wall, side],
+                [-web, 0.5 * side, *wall, side],
+                [out, 0.5 * wall, *brim, *wall],
+                [-out, 0.5 * wall, *brim, *wall],
+            ]
+        }
+        ("CROSS", [arms, web, h, thickness]) => vec![
+            [0.0, 0.0, *web, *h],
+            [0.5 * web + 0.25 * arms, 0.0, 0.5 * arms, *thickness],
+            [-0.5 * web - 0.25 * arms, 0.0, 0.5 * arms, *thickness],
+        ],
+        _ => return None,
+    };
+    if pieces.iter().any(|[_, _, width, height]| !(*width > 0.0 && *height > 0.0)) {
+        return None;
+    }
+    Some(summed(&pieces))
+}
+
+/// A box: outer width and height, thicknesses of top, bottom, left and right walls; torsion by Bredt's formula.
+fn boxed([width, height]: [f64; 2], [top, bottom, left, right]: [f64; 4]) -> (f64, [f64; 3], f64) {
+    let inner = height - top - bottom;
+    let pieces = [
+        [0.0, 0.5 * (height - top), width, top],
+        [0.0, -0.5 * (height - bottom), width, bottom],
+        [0.5 * (width - left), 0.5 * (bottom - top), left, inner],
+        [-0.5 * (width - right), 0.5 * (bottom - top), right, inner],
+    ];
+    let (area, moments, open) = summed(&pieces);
+    let (w, h) = (width - 0.5 * (left + right), height - 0.5 * (top + bottom));
+    let torsion = 4.0 * (w * h).powi(2) / (w / top + w / bottom + h / left + h / right);
+    (area, moments, torsion + open)
+}
+
+/// Area, moments about the centroid and torsion constant `⅓ Σ b t³` of rectangles.
+fn summed(pieces: &[Piece]) -> (f64, [f64; 3], f64) {
+    let area: f64 = pieces.iter().map(|[_, _, width, height]| width * height).sum();
+    let centre =
+        |axis: usize| pieces.iter().map(|piece| piece[axis] * piece[2] * piece[3]).sum::<f64>() / area;
+    let (z, y) = (centre(0), centre(1));
+    let mut moments = [0.0; 3];
+    let mut torsion = 0.0;
+    for [pz, py, width, height] in pieces {
+        let part = width * height;
+        moments[0] += part * (height.powi(2) / 12.0 + (py - y).powi(2));
+        moments[1] += part * (width.powi(2) / 12.0 + (pz - z).powi(2));
+        moments[2] += part * (py - y) * (pz - z);
+        let (long, short) = (width.max(*height), width.min(*height));
+        torsion +=
+            long * short.powi(3) * (1.0 / 3.0 - 0.21 * short / long * (1.0 - (short / long).powi(4) / 12.0));
+    }
+    (area, moments, torsion)
+}

@@ -1,0 +1,169 @@
+//! Text of a deck: its lines and those of the files that it includes, numbered on, so that a problem is told by file and line.
+//! Included files lie in the deck's own folder or below it, and not too deep within each other: a deck from elsewhere reads nothing else.
+
+use std::borrow::Cow;
+use std::path::{Component, Path, PathBuf};
+
+use super::bulk::bulk_lines;
+use crate::matrix::error::{MatrixError, MatrixProblem};
+use crate::matrix::listed::LocatedProblem;
+use crate::text_file::{FileError, Place, bytes_of};
+
+/// Deepest that files may include each other.
+const DEEPEST: usize = 20;
+/// Bytes of all files together.
+const MOST: u64 = 4 * 1024 * 1024 * 1024;
+
+/// A deck with the files that it includes.
+pub(crate) struct Deck {
+    sources: Vec<(PathBuf, String)>,
+    /// Runs of lines in the order in which they are read.
+    runs: Vec<Run>,
+}
+
+/// Lines of a file that follow each other.
+#[derive(Clone, Copy)]
+struct Run {
+    source: usize,
+    /// Bytes in the file.
+    bytes: [usize; 2],
+    /// Number of the first line in its file, and among all.
+    lines: [usize; 2],
+}
+
+impl Deck {
+    /// Reads a deck from its bytes, and the files that it includes.
+    ///
+    /// # Errors
+    /// [`MatrixError`] for a file that cannot be read, lies elsewhere or is included too deep.
+    pub fn read(file: &Path, bytes: &[u8]) -> Result<Self, MatrixError> {
+        let folder = file.parent().unwrap_or(Path::new("")).to_owned();
+        let mut reader = Reader {
+            folder,
+            deck: Self { sources: Vec::new(), runs: Vec::new() },
+            next: 1,
+            size: bytes.len() as u64,
+        };
+        reader.include(file.to_owned(), text_of(bytes), 0)?;
+        Ok(reader.deck)
+    }
+
+    /// Lines of the bulk data with their numbers among all, without comments.
+    pub fn bulk(&self) -> impl Iterator<Item = (usize, &str)> {
+        let first = self.lines().find(|(_, line)| is_begin(line)).map_or(0, |(number, _)| number);
+        bulk_lines(self.lines().filter(move |(number, _)| *number > first))
+            .filter(|(_, line)| included(line).is_none())
+            .take_while(|(_, line)| !begins_superelement(line))
+    }
+
+    /// Whether superelements follow the bulk data.
+    pub fn superelements(&self) -> usize {
+        self.lines().filter(|(_, line)| begins_superelement(line)).count()
+    }
+
+    fn lines(&self) -> impl Iterator<Item = (usize, &str)> {
+        self.runs.iter().flat_map(|run| {
+            let [from, to] = run.bytes;
+            let text = self.sources[run.source].1.get(from..to).unwrap_or_default();
+            (run.lines[1]..).zip(text.lines())
+        })
+    }
+
+    /// The error of a problem on a line.
+    pub fn located(&self, (line, problem): LocatedProblem) -> MatrixError {
+        let run = self.runs.partition_point(|run| run.lines[1] <= line).saturating_sub(1);
+        let Some(run) = self.runs.get(run) else {
+            return MatrixError { file: PathBuf::new(), place: Place::File, problem };
+        };
+        let place = Place::Line(run.lines[0] + line.saturating_sub(run.lines[1]));
+        MatrixError { file: self.sources[run.source].0.clone(), place, problem }
+    }
+}
+
+struct Reader {
+    folder: PathBuf,
+    deck: Deck,
+    /// Number of the next line among all.
+    next: usize,
+    size: u64,
+}
+
+impl Reader {
+    fn include(&mut self, file: PathBuf, text: String, depth: usize) -> Result<(), MatrixError> {
+        let source = self.deck.sources.len();
+        self.deck.sources.push((file.clone(), String::new()));
+        let (mut from, mut first, mut at, mut number) = (0, 1, 0, 0);
+        let mut lines = text.split_inclusive('\n');
+        while let Some(line) = lines.next() {
+            (at, number) = (at + line.len(), number + 1);
+            let Some(mut name) = included(line).map(str::to_owned) else { continue };
+            // A name in quotes may go on over several lines.
+            while name.starts_with('\'') && !name[1..].contains('\'') {
+                let Some(more) = lines.next() else { break };
+                (at, number) = (at + more.len(), number + 1);
+                name.push_str(more.trim());
+            }
+            self.run(source, [from, at], [first, number]);
+            (from, first) = (at, number + 1);
+            let name = name.trim_matches(['\'', '"']).to_owned();
+            let located = FileError::new(&file);
+            let refuse = |problem| located((Place::Line(number), problem));
+            let path = Path::new(&name);
+            let below =
+                path.components().all(|part| matches!(part, Component::Normal(_) | Component::CurDir));
+            if !below {
+                return Err(refuse(MatrixProblem::IncludeElsewhere { file: name.as_str().into() }));
+            }
+            if depth >= DEEPEST {
+                return Err(refuse(MatrixProblem::IncludeDeep {
+                    file: name.as_str().into(),
+                    limit: DEEPEST,
+                }));
+            }
+            let path = self.folder.join(path);
+            let bytes = bytes_of::<MatrixProblem>(&path, MOST)?;
+            self.size += bytes.len() as u64;
+            if self.size > MOST {
+                return Err(refuse(MatrixProblem::TooLarge { limit: MOST }));
+            }
+            self.include(path, text_of(&bytes), depth + 1)?;
+        }
+        self.run(source, [from, at], [first, number + 1]);
+        self.deck.sources[source].1 = text;
+        Ok(())
+    }
+
+    /// Notes lines of a file from one number on, up to another.
+    fn run(&mut self, source: usize, bytes: [usize; 2], [first, last]: [usize; 2]) {
+        self.deck.runs.push(Run { source, bytes, lines: [first, self.next] });
+        self.next += (last + 1).saturating_sub(first);
+    }
+}
+
+/// The bytes of a deck as text: comments are in any encoding, and each byte that is no UTF-8 is a letter of Latin-1.
+fn text_of(bytes: &[u8]) -> String {
+    let text = match std::str::from_utf8(bytes) {
+        Ok(text) => Cow::Borrowed(text),
+        Err(_) => Cow::Owned(bytes.iter().map(|byte| char::from(*byte)).collect()),
+    };
+    text.strip_prefix('\u{feff}').unwrap_or(&text).to_owned()
+}
+
+/// The file that a line includes, with its quotes.
+fn included(line: &str) -> Option<&str> {
+    let line = line.trim();
+    let rest = line.get(..7).filter(|word| word.eq_ignore_ascii_case("INCLUDE")).map(|_| line[7..].trim());
+    rest.filter(|rest| !rest.is_empty() && !rest.starts_with(['=', ',']))
+}
+
+/// Whether the bulk data begin after a line.
+fn is_begin(line: &str) -> bool {
+    let mut words = line.split(|c: char| c.is_whitespace() || c == ',').filter(|word| !word.is_empty());
+    let mut is = |word: &str| words.next().is_some_and(|found| found.eq_ignore_ascii_case(word));
+    is("BEGIN") && is("BULK")
+}
+
+fn begins_superelement(line: &str) -> bool {
+    let upper = line.trim().to_ascii_uppercase();
+    upper.starts_with("BEGIN") && (upper.contains("SUPER") || upper.contains("AUXMODEL"))
+}

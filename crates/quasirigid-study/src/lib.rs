@@ -68,6 +68,7 @@ mod history_columns;
 mod history_json;
 mod history_sink;
 mod incomplete;
+mod inputs;
 mod judged;
 mod kept_run;
 pub mod layout;

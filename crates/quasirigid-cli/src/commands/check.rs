@@ -1,4 +1,4 @@
-use super::{open, whole};
+use super::{open, whole, with_inputs};
 use crate::args::Common;
 use crate::failure::Failure;
 use crate::{ExitStatus, output};
@@ -7,6 +7,6 @@ use crate::{ExitStatus, output};
 pub fn check(common: &Common) -> Result<ExitStatus, Failure> {
     let study = open(common)?;
     let report = whole(common, || study.check())?;
-    output::print_answer(common.json, || report.json(), || report.text())?;
+    output::print_answer(common.json, || with_inputs(&study, report.json()), || report.text())?;
     Ok(if report.holds() { ExitStatus::Done } else { ExitStatus::CheckFailed })
 }

@@ -53,6 +53,7 @@ fn main() -> ExitCode {
         Command::Report(report) => commands::report::report(report),
         Command::Plot(plot) => commands::plot::plot(plot),
         Command::Keys(keys) => commands::keys::keys(keys),
+        Command::Diff(diff) => commands::diff::diff(diff),
         Command::Cite(cite) => commands::cite::cite(cite),
     })
 }

@@ -60,6 +60,7 @@ mod campbell;
 pub mod check;
 pub mod cite;
 pub mod derive;
+pub mod difference;
 mod error;
 pub mod evolution;
 mod hashed;

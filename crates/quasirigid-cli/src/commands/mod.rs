@@ -3,6 +3,7 @@
 pub mod check;
 pub mod cite;
 pub mod derive;
+pub mod diff;
 pub mod evolve;
 pub mod keys;
 pub mod modes;

@@ -69,6 +69,11 @@ pub enum Command {
     /// Draw one figure of a record as a file for a paper or a slide; without a figure, list them
     #[command(after_help = "Example:\n  quasirigid plot spin --figure nutation --format png")]
     Plot(Plot),
+    /// Say in words which inputs and which answers of two results differ
+    #[command(
+        after_help = "Examples:\n  quasirigid diff light-damper heavy-damper\n  quasirigid diff before.json after.json\n\nExit codes: 0 the same, 1 different, 2 could not run."
+    )]
+    Diff(DiffArgs),
     /// List the keys of the model file, with their values and meanings
     #[command(after_help = "Example:\n  quasirigid keys spring")]
     Keys(KeysArgs),
@@ -96,7 +101,7 @@ impl Command {
             | Self::Evolve(Evolve { common, .. })
             | Self::Verify(Verify { common, .. }) => common.quiet,
             Self::Check(common) | Self::Cite(common) => common.quiet,
-            Self::Keys(_) | Self::Schema => false,
+            Self::Keys(_) | Self::Schema | Self::Diff(_) => false,
             Self::New(NewArgs { quiet, .. }) => *quiet,
             Self::Sweep(SweepArgs { quiet, .. })
             | Self::Report(Report { quiet, .. })
@@ -243,6 +248,19 @@ impl PictureFormat {
             Self::Png => "png",
         }
     }
+}
+
+#[derive(Args, Debug)]
+pub struct DiffArgs {
+    /// First result: the folder of a run or of a study, or a file of an answer with --json
+    #[arg(value_name = "A")]
+    pub first: PathBuf,
+    /// Second result
+    #[arg(value_name = "B")]
+    pub second: PathBuf,
+    /// Print the differences for machines, as one JSON object
+    #[arg(long)]
+    pub json: bool,
 }
 
 #[derive(Args, Debug)]

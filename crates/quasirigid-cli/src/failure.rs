@@ -6,6 +6,7 @@ use std::path::PathBuf;
 use quasirigid_io::model::{ModelError, TargetError};
 use quasirigid_io::record::RecordError;
 use quasirigid_io::units::UnitError;
+use quasirigid_study::difference::DifferenceError;
 use quasirigid_study::report::PngError;
 use quasirigid_study::sweep::SweepError;
 use quasirigid_study::{Setting, StudyError};
@@ -18,6 +19,8 @@ pub enum Failure {
     Study(StudyError),
     #[error("{}", .0.told(&flag))]
     Sweep(#[from] SweepError),
+    #[error(transparent)]
+    Difference(#[from] DifferenceError),
     #[error("--duration {text}: {cause}; {advice}", advice = cause.advice())]
     Duration { text: String, cause: Box<UnitError> },
     #[error("the model file has no table {name:?}; {advice}")]

@@ -55,6 +55,7 @@ fn main() -> ExitCode {
         Command::Keys(keys) => commands::keys::keys(keys),
         Command::Schema => commands::schema::schema(),
         Command::New(new) => commands::new::new(new),
+        Command::Diff(diff) => commands::diff::diff(diff),
         Command::Cite(cite) => commands::cite::cite(cite),
     })
 }

@@ -8,6 +8,7 @@ struct ReadmeOfCrate;
 
 pub mod disk;
 pub mod export;
+pub mod files_read;
 pub mod matrix;
 pub mod mesh;
 pub mod model;

@@ -8,6 +8,7 @@ use std::fs::File;
 use std::io::{Error, ErrorKind, Read};
 use std::path::{Path, PathBuf};
 
+use crate::files_read;
 use crate::visible::shortened;
 
 /// A file that cannot be used, with the place and the problem.
@@ -125,7 +126,9 @@ pub(crate) fn bytes_of<P: ReadProblem>(file: &Path, limit: u64) -> Result<Vec<u8
         }
         stream_of(file, limit)
     };
-    read().map_err(|unread| FileError::new(file)((Place::File, P::unread(unread, limit))))
+    let bytes = read().map_err(|unread| FileError::new(file)((Place::File, P::unread(unread, limit))))?;
+    files_read::note(file, &bytes);
+    Ok(bytes)
 }
 
 /// The bytes of a file or a pipe, which are at most `limit`.

@@ -7,8 +7,8 @@ use crate::sphere;
 use crate::viewer;
 
 use crate::sections::{
-    about_spin, answer, body, evolution, figures, head, liquids, modes, overview, provenance, reduction,
-    validity, verification,
+    about_spin, answer, body, evolution, figures, head, inputs, liquids, modes, overview, provenance,
+    reduction, validity, verification,
 };
 
 const STYLE: &str = include_str!("assets/page.css");
@@ -41,6 +41,7 @@ pub fn page(record: &RunRecord) -> String {
             (reduction::section(&record.reduction))
             (body::section(&record.body))
             @if !record.liquids.is_empty() { (liquids::section(&record.liquids)) }
+            @if let Some(inputs) = &record.inputs { (inputs::section(inputs)) }
             (provenance::section(record))
         }
         (charts::script())

@@ -1,21 +1,18 @@
 //! Results of the library as parts of a run record.
 
-use std::path::Path;
-
 use quasirigid::dynamics::{Event, Options, Outcome, Run};
 use quasirigid::model::{FlexibleBody, Principal, ReducedBody, Support};
 use quasirigid::reduction::{Validity, Verdict, residual};
 use quasirigid::verification::{AverageRow, Difference, OrderRow, VerificationPlan};
 use quasirigid_io::model::{Model, Named, System};
 use quasirigid_io::record::{
-    AverageRecord, BodyRecord, Column, CriterionRecord, DegreeRecord, HistoryRecord, InputFileRecord,
-    ModelRecord, OrderRecord, ReductionRecord, ResolutionRecord, UNFINISHED, ValidityRecord,
-    VerificationRecord,
+    AverageRecord, BodyRecord, Column, CriterionRecord, DegreeRecord, HistoryRecord, ModelRecord,
+    OrderRecord, ReductionRecord, ResolutionRecord, UNFINISHED, ValidityRecord, VerificationRecord,
 };
 use quasirigid_math::ode::Work;
 
-use crate::hashed::Hashed;
 use crate::history_sink::Followed;
+use crate::inputs::named_files;
 use crate::study::Study;
 use crate::verification::Proof;
 use crate::{resolution, words};
@@ -27,19 +24,8 @@ pub fn model(model: &Model) -> ModelRecord {
         name: model.name.clone(),
         file: file.to_string_lossy().into_owned(),
         sha256: model.source.sha256.clone(),
-        files: input_files(model),
+        files: named_files(model).collect(),
     }
-}
-
-/// The files that the text of a model names. One that is gone by now is left out: what was read of it, nobody can say.
-fn input_files(model: &Model) -> Vec<InputFileRecord> {
-    let folder = model.source.file.parent().unwrap_or(Path::new(""));
-    let record = |name: String| {
-        let mut hash = Hashed::default();
-        let bytes = hash.file(&folder.join(&name)).ok()?;
-        Some(InputFileRecord { name, bytes, sha256: hash.finish() })
-    };
-    model.source.files_in(folder).into_iter().filter_map(record).collect()
 }
 
 /// The frozen body.

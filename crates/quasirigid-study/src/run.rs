@@ -176,6 +176,7 @@ impl Study {
             format: RECORD_FORMAT,
             version: env!("CARGO_PKG_VERSION").into(),
             model: record::model(model),
+            inputs: Some(self.inputs()),
             notes,
             body: record::body(self),
             liquids: liquids(self, norm(start.omega)).iter().map(Liquid::record).collect(),

@@ -1,7 +1,7 @@
 use quasirigid_study::cite::{bibtex, keys};
 use serde_json::json;
 
-use super::open;
+use super::{open, with_inputs};
 use crate::args::Common;
 use crate::failure::Failure;
 use crate::{ExitStatus, output};
@@ -10,7 +10,12 @@ use crate::{ExitStatus, output};
 pub fn cite(common: &Common) -> Result<ExitStatus, Failure> {
     let study = open(common)?;
     let entries = bibtex(&study.model);
-    let object = || json!({ "name": study.model.name, "keys": keys(&study.model), "bibtex": entries });
+    let object = || {
+        with_inputs(
+            &study,
+            json!({ "name": study.model.name, "keys": keys(&study.model), "bibtex": entries }),
+        )
+    };
     output::print_answer(common.json, object, || entries.clone())?;
     Ok(ExitStatus::Done)
 }

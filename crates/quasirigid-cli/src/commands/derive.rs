@@ -1,4 +1,7 @@
-use super::{open, whole};
+use quasirigid_study::Study;
+use serde_json::json;
+
+use super::{open, whole, with_inputs};
 use crate::args::{About, Derive, DeriveFormat};
 use crate::failure::Failure;
 use crate::{ExitStatus, output};
@@ -20,7 +23,7 @@ fn about_rest(arguments: &Derive, format: DeriveFormat) -> Result<ExitStatus, Fa
     let equations = whole(&arguments.common, || study.derive())?;
     let mut text = match format {
         DeriveFormat::Text => equations.text(),
-        DeriveFormat::Json => equations.json(),
+        DeriveFormat::Json => ending_with_inputs(&equations.json(), &study),
         DeriveFormat::Latex => equations.latex(),
     };
     if !text.ends_with('\n') {
@@ -30,6 +33,13 @@ fn about_rest(arguments: &Derive, format: DeriveFormat) -> Result<ExitStatus, Fa
     Ok(ExitStatus::Done)
 }
 
+/// The text of a JSON object, whose keys keep their order, with what went into it as the last.
+fn ending_with_inputs(object: &str, study: &Study) -> String {
+    let text = object.trim_end();
+    let open = text.strip_suffix('}').unwrap_or(text).trim_end();
+    format!("{open},\n\"inputs\": {}\n}}", json!(study.inputs()))
+}
+
 fn about_spin(arguments: &Derive, format: DeriveFormat) -> Result<ExitStatus, Failure> {
     if format == DeriveFormat::Latex {
         return Err(Failure::NoLatexAboutSpin);
@@ -37,6 +47,10 @@ fn about_spin(arguments: &Derive, format: DeriveFormat) -> Result<ExitStatus, Fa
     let study = open(&arguments.common)?;
     let asked = arguments.spin_manifold.partial();
     let equations = whole(&arguments.common, || study.about_spin(asked, arguments.axis))?;
-    output::print_answer(format == DeriveFormat::Json, || equations.json(), || equations.text())?;
+    output::print_answer(
+        format == DeriveFormat::Json,
+        || with_inputs(&study, equations.json()),
+        || equations.text(),
+    )?;
     Ok(if equations.holds() { ExitStatus::Done } else { ExitStatus::CheckFailed })
 }

@@ -6,7 +6,7 @@ use quasirigid_study::sweep::uncertainty_text;
 use quasirigid_study::{Setting, StudyError};
 use serde_json::json;
 
-use super::open;
+use super::{inputs_beside, open, with_inputs};
 use crate::args::{Evolve, EvolveFormat, seconds};
 use crate::failure::Failure;
 use crate::interrupt::Interrupt;
@@ -48,11 +48,14 @@ pub fn evolve(arguments: &Evolve) -> Result<ExitStatus, Failure> {
         remarks.iter().for_each(|note| remark(&format!("note: {note}")));
     }
     let in_place = match out {
-        Some(path) => output::to_file(path, *overwrite, |out| history_csv(&record.columns, out))?.told(path),
+        Some(path) => {
+            let placed = output::to_file(path, *overwrite, |out| history_csv(&record.columns, out))?;
+            inputs_beside(&study, &placed.path, *overwrite)? & placed.told(path)
+        }
         None => true,
     };
     if common.json {
-        let mut object = evolved.json();
+        let mut object = with_inputs(&study, evolved.json());
         if let Some(uncertainty) = &uncertainty {
             object["uncertainty"] = json!(uncertainty);
         }

@@ -3,6 +3,7 @@
 pub mod check;
 pub mod cite;
 pub mod derive;
+pub mod diff;
 pub mod evolve;
 pub mod keys;
 pub mod modes;
@@ -19,10 +20,12 @@ use std::path::{Path, PathBuf};
 
 use quasirigid_io::model::Model;
 use quasirigid_study::{LeftOut, Study, StudyError, watched};
+use serde_json::{Value, json};
 
 use crate::args::Common;
 use crate::failure::Failure;
 use crate::message::remark;
+use crate::output;
 use crate::progress::Terminal;
 
 /// Name in messages of a model that is read from standard input; paths in it are relative to the current folder.
@@ -67,6 +70,24 @@ fn default_folder(file: &Path, usual: &str, ending: &str) -> PathBuf {
     let mut name = folder.or(file.file_stem()).unwrap_or_default().to_owned();
     name.push(ending); // of whatever bytes the name is
     PathBuf::from(name)
+}
+
+/// A JSON object with what went into it.
+fn with_inputs(study: &Study, mut object: Value) -> Value {
+    object["inputs"] = json!(study.inputs());
+    object
+}
+
+/// Writes what went into a table in CSV, which has no place for it, beside the table: `table.csv.inputs.json`. Returns whether it stands there.
+fn inputs_beside(study: &Study, table: &Path, overwrite: bool) -> Result<bool, Failure> {
+    if output::is_stdout(table) || !table.is_file() {
+        return Ok(true);
+    }
+    let mut name = table.as_os_str().to_owned();
+    name.push(".inputs.json");
+    let path = PathBuf::from(name);
+    let placed = output::to_file(&path, overwrite, |out| writeln!(out, "{:#}", json!(study.inputs())))?;
+    Ok(placed.told(&path))
 }
 
 /// Does work that has no partial result.

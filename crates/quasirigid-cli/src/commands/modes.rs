@@ -1,6 +1,6 @@
 use quasirigid_study::modes::SteadySpinSettings;
 
-use super::{open, whole};
+use super::{open, whole, with_inputs};
 use crate::args::ModesArgs;
 use crate::failure::Failure;
 use crate::{ExitStatus, output};
@@ -11,7 +11,11 @@ pub fn modes(arguments: &ModesArgs) -> Result<ExitStatus, Failure> {
     let omega = arguments.spin.as_ref().map(|spin| vector(spin)).transpose()?;
     let found = whole(&arguments.common, || study.modes(SteadySpinSettings { omega, axis: arguments.axis }))?;
     let name = &study.model.name;
-    output::print_answer(arguments.common.json, || found.json(name), || found.text(name, arguments.all))?;
+    output::print_answer(
+        arguments.common.json,
+        || with_inputs(&study, found.json(name)),
+        || found.text(name, arguments.all),
+    )?;
     Ok(if found.found() { ExitStatus::Done } else { ExitStatus::CheckFailed })
 }
 

@@ -3,10 +3,11 @@ use std::io::{self, BufWriter, IsTerminal, Seek, Write};
 use quasirigid::dynamics::Outcome;
 use quasirigid_io::model::System;
 use quasirigid_io::record::{MOST_ROWS, RecordError, TableFormat, history_csv, log_csv};
-use quasirigid_study::StudyError;
 use quasirigid_study::histories::{History, Table};
+use quasirigid_study::{Study, StudyError};
+use serde_json::json;
 
-use super::open;
+use super::{inputs_beside, open, with_inputs};
 use crate::args::Simulate;
 use crate::failure::Failure;
 use crate::interrupt::Interrupt;
@@ -65,9 +66,9 @@ pub fn simulate(arguments: &Simulate) -> Result<ExitStatus, Failure> {
     // what is wrong is told to quiet callers too; others have read it before the work
     history.wrong.iter().filter(|_| common.quiet).for_each(|reason| remark(reason));
     history.notes.iter().for_each(|note| remark(note));
-    let in_place = print_table(arguments, &history, &interrupt)?;
+    let in_place = print_table(arguments, (&study, &history), &interrupt)?;
     if common.json {
-        output::print(&format!("{:#}\n", history.json()))?;
+        output::print(&format!("{:#}\n", with_inputs(&study, history.json())))?;
     }
     tell_end(&history);
     Ok(if history.holds() && in_place { ExitStatus::Done } else { ExitStatus::CheckFailed })
@@ -96,16 +97,21 @@ fn tell_end(history: &History) {
 type Writing<'a> = Box<dyn FnOnce(&mut dyn Write) -> io::Result<()> + 'a>;
 
 /// Writes the table; returns whether it stands at the place asked for.
-fn print_table(arguments: &Simulate, history: &History, interrupt: &Interrupt) -> Result<bool, Failure> {
+fn print_table(
+    arguments: &Simulate,
+    (study, history): (&Study, &History),
+    interrupt: &Interrupt,
+) -> Result<bool, Failure> {
     let (format, columns) = (arguments.format, &history.columns);
     if arguments.out.is_none() && arguments.common.json {
         return Ok(true);
     }
+    let inputs = || json!(study.inputs()).to_string();
     let write: Writing<'_> = match (&history.log, format) {
         (None, TableFormat::Csv) => Box::new(|out| history_csv(columns, out)),
         (Some(log), TableFormat::Csv) => Box::new(|out| log_csv(columns, log, out)),
         (None, format) => {
-            let bytes = format.bytes(columns)?;
+            let bytes = format.bytes(columns, Some(&inputs()))?;
             Box::new(move |out| out.write_all(&bytes))
         }
         (Some(log), format) => {
@@ -113,7 +119,7 @@ fn print_table(arguments: &Simulate, history: &History, interrupt: &Interrupt) -
             let mut buffered = BufWriter::new(table.as_file_mut());
             let path = arguments.out.clone().unwrap_or_else(|| "standard output".into());
             let unwritten = |cause| Failure::Write { path: path.clone(), cause };
-            format.copy_log(&mut buffered, columns, log).map_err(|error| match error {
+            format.copy_log(&mut buffered, (columns, Some(&inputs())), log).map_err(|error| match error {
                 RecordError::File { kind, .. } => unwritten(kind.into()),
                 other => other.into(),
             })?;
@@ -124,7 +130,14 @@ fn print_table(arguments: &Simulate, history: &History, interrupt: &Interrupt) -
         }
     };
     match &arguments.out {
-        Some(path) => Ok(output::to_file(path, arguments.overwrite, write)?.told(path)),
+        Some(path) => {
+            let placed = output::to_file(path, arguments.overwrite, write)?;
+            let beside = match format {
+                TableFormat::Csv => inputs_beside(study, &placed.path, arguments.overwrite)?,
+                _ => true,
+            };
+            Ok(placed.told(path) & beside)
+        }
         None => output::to_stdout(interrupt, write).map(|()| true),
     }
 }

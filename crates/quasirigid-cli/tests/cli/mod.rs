@@ -15,6 +15,7 @@ mod files;
 mod full;
 mod help;
 mod hostile_names;
+mod inputs;
 #[cfg(unix)]
 mod interrupt;
 mod keys;

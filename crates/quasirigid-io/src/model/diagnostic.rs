@@ -4,7 +4,9 @@
 use std::cell::RefCell;
 use std::ops::Range;
 
+use super::key::Keys;
 use super::named::former_name;
+use super::values_read::ValuesRead;
 use crate::visible::shortened;
 
 /// Most diagnostics kept for one file: a file with more has one mistake made many times.
@@ -59,11 +61,12 @@ pub(crate) struct Problems<'a> {
     text: &'a str,
     found: RefCell<Vec<Diagnostic>>,
     former: RefCell<Vec<String>>,
+    values: RefCell<ValuesRead>,
 }
 
 impl<'a> Problems<'a> {
     pub(crate) fn new(text: &'a str) -> Self {
-        Self { text, found: RefCell::default(), former: RefCell::default() }
+        Self { text, found: RefCell::default(), former: RefCell::default(), values: RefCell::default() }
     }
 
     pub(crate) fn report(&self, diagnostic: Diagnostic) {
@@ -90,6 +93,21 @@ impl<'a> Problems<'a> {
     /// Notes on the former names in the file.
     pub(crate) fn former_names(&self) -> Vec<String> {
         self.former.borrow().clone()
+    }
+
+    /// Notes the number in SI units for which a value at a span stands.
+    pub(crate) fn measured(&self, span: Range<usize>, number: f64, unit: &'static str) {
+        self.values.borrow_mut().measured(span, number, unit);
+    }
+
+    /// Notes the keys that a table at a span may have.
+    pub(crate) fn opened(&self, span: Range<usize>, keys: &'static Keys) {
+        self.values.borrow_mut().opened(span, keys);
+    }
+
+    /// Values that were read up to here.
+    pub(crate) fn values(&self) -> ValuesRead {
+        self.values.borrow().clone()
     }
 
     /// Text of the file at a span.

@@ -46,6 +46,7 @@ pub(crate) mod table;
 mod timing;
 mod uncertainty;
 pub(crate) mod value;
+mod values_read;
 mod wheel;
 
 use std::io::Read;
@@ -65,6 +66,8 @@ pub use settings::{MAX_ROWS, PartialRun, PartialVerify, RunTable, Stop, System};
 pub use source::Source;
 pub use spin_manifold::{ManifoldMasters, ManifoldStyle, MastersError, PartialSpinManifold};
 
+use crate::files_read::{FileRead, listed};
+use crate::record::ValueRecord;
 use crate::study_file::{VALUES, Varied};
 use body::Parts;
 use diagnostic::Problems;
@@ -73,6 +76,7 @@ use reader::Reader;
 use reference::{Documented, Listed, Place};
 use spans::Spans;
 use table::Table;
+use values_read::ValuesRead;
 
 /// Readers of elements, in the order in which they read: those with nodes and places before those that refer to them.
 const READERS: &[&Reader] = &[
@@ -176,7 +180,10 @@ pub struct Model {
     pub former_names: Vec<String>,
     /// The text of the model.
     pub source: Source,
+    /// Files that the model names, as they were read.
+    pub files: Vec<FileRead>,
     spans: Spans,
+    values_read: ValuesRead,
 }
 
 impl Model {
@@ -220,11 +227,17 @@ impl Model {
         ModelError::Invalid { model: self.source.clone(), diagnostics }
     }
 
+    /// Values of the file after units and defaults, in SI units, and the number of those that are too many to be listed.
+    #[must_use]
+    pub fn values(&self) -> (Vec<ValueRecord>, usize) {
+        self.values_read.listed(&self.source.text)
+    }
+
     fn new(source: Source) -> Result<Self, ModelError> {
         let problems = Problems::new(&source.text);
         let folder = source.file.parent().unwrap_or(Path::new(""));
-        let content = content(&source.text, folder, &problems);
-        let former_names = problems.former_names();
+        let (content, files) = listed(|| content(&source.text, folder, &problems));
+        let (former_names, values_read) = (problems.former_names(), problems.values());
         let diagnostics = problems.into_diagnostics();
         match content {
             Some(Content { name, parts, initial, run, uncertainty, notes, file_notes })
@@ -243,7 +256,9 @@ impl Model {
                     file_notes,
                     former_names,
                     source,
+                    files,
                     spans,
+                    values_read,
                 })
             }
             _ => Err(ModelError::Invalid { model: source, diagnostics }),

@@ -2,9 +2,8 @@ use std::collections::BTreeSet;
 use std::io::{ErrorKind, Read};
 use std::path::{Path, PathBuf};
 
-use sha2::{Digest, Sha256};
-
 use super::{Diagnostic, FileProblem, ModelError};
+use crate::files_read::sha256;
 use crate::text_file::{Unread, all_of, stream_of};
 
 /// Largest model file that is read (bytes): ten times the size of one with 10⁵ points.
@@ -25,7 +24,7 @@ impl Source {
     /// The text of a model, for which `file` stands in messages.
     #[must_use]
     pub fn new(file: &Path, text: String) -> Self {
-        let sha256 = Sha256::digest(text.as_bytes()).iter().map(|byte| format!("{byte:02x}")).collect();
+        let sha256 = sha256(text.as_bytes());
         Self { file: file.to_owned(), text, sha256 }
     }
 

@@ -34,6 +34,7 @@ impl<'a> Table<'a> {
         others: &dyn Fn(&str) -> Option<String>,
         problems: &'a Problems<'a>,
     ) -> Self {
+        problems.opened(header.clone(), keys);
         let mut misspelt = Vec::new();
         for key in entries.keys().filter(|key| !keys.has(key.get_ref())) {
             if problems.full() {
@@ -184,6 +185,11 @@ const TAKEN: &[(&str, &str)] =
 fn renamed(key: &str, keys: &Keys, names: &'static [(&str, &str)]) -> Option<&'static str> {
     let (_, now) = names.iter().find(|(former, now)| *former == key && keys.has(now))?;
     Some(now)
+}
+
+/// The name that a key had in the version before, or its own.
+pub(super) fn former(key: &'static str) -> &'static str {
+    TAKEN.iter().find(|(_, today)| *today == key).map_or(key, |(former, _)| former)
 }
 
 fn given_twice(former: &str, span: Range<usize>, today: &str) -> Diagnostic {

@@ -228,6 +228,12 @@ impl<'a> Value<'a> {
 
     /// A finite number: plain in SI units, or a text with its unit.
     pub(crate) fn quantity(&self, dimension: Dimension) -> Option<f64> {
+        let number = self.number(dimension)?;
+        self.problems.measured(self.span(), number, dimension.unit());
+        Some(number)
+    }
+
+    fn number(&self, dimension: Dimension) -> Option<f64> {
         let (number, written) = match self.inner.get_ref() {
             DeValue::Float(float) => (float.as_str().parse().unwrap_or(f64::NAN), float.to_string()),
             DeValue::Integer(integer) => (nearest_number(integer), integer.to_string()),

@@ -45,10 +45,11 @@ impl RunRecord {
         {
             return Err(RecordError::Thinned { system: thinned.system.clone() });
         }
+        let inputs = self.inputs.as_ref().map(serde_json::to_string).transpose().unwrap_or_default();
         for table in self.tables() {
             for format in formats {
                 let file = dir.join(format!("{}.{}", table.stem, format.ending()));
-                format.write(&file, table.columns, table.rows())?;
+                format.write(&file, (table.columns, inputs.as_deref()), table.rows())?;
             }
         }
         if let Some(scene) = &self.scene {

@@ -10,6 +10,7 @@ mod about_spin;
 mod error;
 mod evolution;
 mod folder;
+mod inputs;
 mod modes;
 mod number;
 mod scene;
@@ -28,6 +29,7 @@ pub use evolution::{
     ObservedRecord,
 };
 pub use folder::{ROW_LOG, UNFINISHED, history_file};
+pub use inputs::{DerivedBodyRecord, InputsRecord, SolidRecord, ValueRecord};
 pub use modes::{CampbellRecord, ModeList, ModeRecord, SteadySpinRecord};
 pub use scene::{
     CoordinateRecord, EquationsRecord, FieldRecord, LimitRecord, Packed, PieceRecord, PrincipalRecord,
@@ -54,6 +56,9 @@ pub struct RunRecord {
     pub version: String,
     /// The model of the record.
     pub model: ModelRecord,
+    /// Inputs: files, values after units and defaults, and the body that they give; none in records of versions before this field.
+    #[serde(default)]
+    pub inputs: Option<InputsRecord>,
     /// Remarks the user should read before the numbers.
     pub notes: Vec<String>,
     /// The frozen body `S*` and its coordinates.

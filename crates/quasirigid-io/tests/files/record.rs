@@ -277,7 +277,7 @@ prop_compose! {
     ) -> RunRecord {
         RunRecord {
             scene,
-            format: RECORD_FORMAT, version, model: ModelRecord { name, file, sha256, files }, notes, body, liquids, validity, steady_spins, campbell: None, about_spin,
+            format: RECORD_FORMAT, version, model: ModelRecord { name, file, sha256, files }, inputs: None, notes, body, liquids, validity, steady_spins, campbell: None, about_spin,
             reduction,
             histories: reduced.into_iter().chain(rigid).collect(), verification, evolution,
         }
@@ -301,6 +301,7 @@ pub fn sample() -> RunRecord {
             sha256: "ab".into(),
             files: Vec::new(),
         },
+        inputs: None,
         notes: vec![],
         body: BodyRecord {
             mass: 1.0,

@@ -7,6 +7,7 @@ pub mod dissipation;
 pub mod evolution;
 pub mod figures;
 pub mod head;
+pub mod inputs;
 pub mod liquids;
 pub mod modes;
 pub mod overview;

@@ -331,6 +331,7 @@ pub fn record(rows: usize, duration: f64, alpha: f64) -> RunRecord {
             sha256: "9f86d081884c7d659a2feaa0c55ad015a3bf4f1b2b0b822cd15d6c15b0f00a08".into(),
             files: Vec::new(),
         },
+        inputs: None,
         notes: vec!["The spring “tip to carrier” has no damping along y; its vibration decays only through the others.".into()],
         body: BodyRecord {
             mass: 41.0,

@@ -40,15 +40,15 @@ impl TableFormat {
         self.name()
     }
 
-    /// The table of columns of equal length as the bytes of a file.
+    /// The table of columns of equal length as the bytes of a file; what went into it, a text in JSON, is told in files of Parquet and NPZ.
     ///
     /// # Errors
     /// [`RecordError::Ragged`], and [`RecordError::Table`] for columns that the format cannot hold.
-    pub fn bytes(self, columns: &Vec<Column>) -> Result<Vec<u8>, RecordError> {
+    pub fn bytes(self, columns: &Vec<Column>, inputs: Option<&str>) -> Result<Vec<u8>, RecordError> {
         let name = format!("table.{}", self.ending());
         check_lengths(&name, columns)?;
         let mut out = Cursor::new(Vec::new());
-        self.fill(Path::new(&name), &mut out, columns, columns)?;
+        self.fill(Path::new(&name), &mut out, (columns, inputs), columns)?;
         Ok(out.into_inner())
     }
 
@@ -59,17 +59,22 @@ impl TableFormat {
     pub fn copy_log(
         self,
         out: &mut (impl Write + Seek + Send),
-        columns: &[Column],
+        (columns, inputs): (&[Column], Option<&str>),
         log: &RowTable,
     ) -> Result<(), RecordError> {
-        self.fill(Path::new(&format!("table.{}", self.ending())), out, columns, log)
+        self.fill(Path::new(&format!("table.{}", self.ending())), out, (columns, inputs), log)
     }
 
     /// Writes a table into a new file.
-    pub(super) fn write(self, file: &Path, columns: &[Column], rows: &dyn Rows) -> Result<(), RecordError> {
+    pub(super) fn write(
+        self,
+        file: &Path,
+        (columns, inputs): (&[Column], Option<&str>),
+        rows: &dyn Rows,
+    ) -> Result<(), RecordError> {
         let new = File::create_new(file).map_err(|error| unusable(file, &error))?;
         let mut out = BufWriter::new(new);
-        self.fill(file, &mut out, columns, rows)?;
+        self.fill(file, &mut out, (columns, inputs), rows)?;
         out.flush().map_err(|error| unusable(file, &error))
     }
 
@@ -77,14 +82,14 @@ impl TableFormat {
         self,
         file: &Path,
         out: &mut (impl Write + Seek + Send),
-        columns: &[Column],
+        (columns, inputs): (&[Column], Option<&str>),
         rows: &dyn Rows,
     ) -> Result<(), RecordError> {
         match self {
             _ if columns.is_empty() => Ok(()),
-            Self::Parquet => parquet::write(file, out, columns, rows),
+            Self::Parquet => parquet::write(file, out, (columns, inputs), rows),
             Self::Csv => csv::write(file, out, columns, rows),
-            Self::Npz => npz::write(file, out, columns, rows),
+            Self::Npz => npz::write(file, out, (columns, inputs), rows),
         }
     }
 

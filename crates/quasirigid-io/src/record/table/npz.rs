@@ -17,12 +17,14 @@ use crate::text_file::unpacked_limit;
 const ALIGNED: usize = 64;
 /// Beginning of an array file of version 1.
 const MAGIC: &[u8] = b"\x93NUMPY\x01\x00";
+/// Array that says in JSON what went into the table.
+const INPUTS: &str = "inputs";
 
 /// Writes rows into a file, one pass over them for each column.
 pub fn write(
     file: &Path,
     out: &mut (impl Write + Seek),
-    columns: &[Column],
+    (columns, inputs): (&[Column], Option<&str>),
     rows: &dyn Rows,
 ) -> Result<(), RecordError> {
     let failed = |error: &io::Error| unusable(file, error);
@@ -38,8 +40,12 @@ pub fn write(
     let mut archive = ZipWriter::new(FailsOnce { out, position: 0, end: 0, failed: false });
     for (place, column) in columns.iter().enumerate() {
         archive.start_file(member(&column.name), options).map_err(|error| failed(&error.into()))?;
-        archive.write_all(&header(count)).map_err(|error| failed(&error))?;
+        archive.write_all(&header("<f8", &format!("({count},)"))).map_err(|error| failed(&error))?;
         rows.each(&mut |row| archive.write_all(&row[place].to_le_bytes()).map_err(|error| failed(&error)))?;
+    }
+    if let Some(inputs) = inputs {
+        archive.start_file(member(INPUTS), options).map_err(|error| failed(&error.into()))?;
+        archive.write_all(&text(inputs)).map_err(|error| failed(&error))?;
     }
     archive.finish().map(drop).map_err(|error| failed(&error.into()))
 }
@@ -93,8 +99,17 @@ fn member(name: &str) -> String {
     format!("{}.npy", name.replace(['/', '\\', '\0'], "_"))
 }
 
-fn header(rows: u64) -> Vec<u8> {
-    let text = format!("{{'descr': '<f8', 'fortran_order': False, 'shape': ({rows},), }}");
+/// A text as an array without dimensions, in UTF-32.
+fn text(text: &str) -> Vec<u8> {
+    let letters: Vec<u32> = text.chars().map(u32::from).collect();
+    let mut bytes = header(&format!("<U{}", letters.len()), "()");
+    bytes.extend(letters.into_iter().flat_map(u32::to_le_bytes));
+    bytes
+}
+
+/// Header of an array of this type and shape.
+fn header(kind: &str, shape: &str) -> Vec<u8> {
+    let text = format!("{{'descr': '{kind}', 'fortran_order': False, 'shape': {shape}, }}");
     let before = MAGIC.len() + 2;
     let whole = (before + text.len() + 1).next_multiple_of(ALIGNED);
     let length = whole - before;

@@ -27,16 +27,18 @@ use crate::disk::open_regular;
 const GROUP: usize = 65_536;
 /// Key of the metadata under which the units stand, a JSON object by name of the column.
 const UNITS: &str = "quasirigid.units";
+/// Key of the metadata under which stands what went into the table, in JSON.
+const INPUTS: &str = "quasirigid.inputs";
 
 /// Writes rows into a file.
 pub fn write(
     file: &Path,
     out: &mut (impl Write + Send),
-    columns: &[Column],
+    (columns, inputs): (&[Column], Option<&str>),
     rows: &dyn Rows,
 ) -> Result<(), RecordError> {
     let failed = |error: ParquetError| unwritten(file, &error);
-    let mut writer = writer(out, columns).map_err(failed)?;
+    let mut writer = writer(out, columns, inputs).map_err(failed)?;
     let mut group: Vec<Vec<f64>> = columns.iter().map(|_| Vec::new()).collect();
     rows.each(&mut |row| {
         group.iter_mut().zip(row).for_each(|(column, number)| column.push(*number));
@@ -49,14 +51,20 @@ pub fn write(
     writer.close().map(drop).map_err(failed)
 }
 
-fn writer<W: Write + Send>(out: W, columns: &[Column]) -> Result<SerializedFileWriter<W>, ParquetError> {
+fn writer<W: Write + Send>(
+    out: W,
+    columns: &[Column],
+    inputs: Option<&str>,
+) -> Result<SerializedFileWriter<W>, ParquetError> {
     let units: BTreeMap<&str, &str> =
         columns.iter().map(|column| (column.name.as_str(), column.unit.as_str())).collect();
     let units = serde_json::to_string(&units).map_err(|cause| ParquetError::General(cause.to_string()))?;
+    let inputs = inputs.map(|inputs| KeyValue::new(INPUTS.to_owned(), inputs.to_owned()));
+    let pairs = std::iter::once(KeyValue::new(UNITS.to_owned(), units)).chain(inputs).collect();
     let properties = WriterProperties::builder()
         .set_compression(Compression::SNAPPY)
         .set_dictionary_enabled(false)
-        .set_key_value_metadata(Some(vec![KeyValue::new(UNITS.to_owned(), units)]))
+        .set_key_value_metadata(Some(pairs))
         .build();
     let field = |column: &Column| {
         let builder = Type::primitive_type_builder(&column.name, Physical::DOUBLE);

@@ -302,7 +302,7 @@ pub enum Start {
     Tank,
     /// A satellite with an elastic part from a mesh
     Mesh,
-    /// A satellite with stiffness and mass matrices of NASTRAN
+    /// A satellite as a finite-element model of NASTRAN
     Nastran,
     /// An asteroid by its shape
     Shape,

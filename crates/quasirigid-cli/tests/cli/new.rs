@@ -25,11 +25,12 @@ const CUBE: &str = "\
 v 0 0 0\nv 1 0 0\nv 1 2 0\nv 0 2 0\nv 0 0 3\nv 1 0 3\nv 1 2 3\nv 0 2 3\n\
 f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
 
-/// A mass on a node, sprung along its axes.
+/// A bus of 40 kg with a boom of steel and a mass on its end.
 const DECK: &str = "\
-GRID,7,,0.5,0.2,0.1\n\
-DMIG,KAAX,0,6,1,0\nDMIG,KAAX,7,1,,7,1,5.+4\nDMIG,KAAX,7,2,,7,2,6.+4\nDMIG,KAAX,7,3,,7,3,7.+4\n\
-DMIG,MAAX,0,6,1,0\nDMIG,MAAX,7,1,,7,1,2.\nDMIG,MAAX,7,2,,7,2,2.\nDMIG,MAAX,7,3,,7,3,2.\n";
+GRID,1,,0.,0.,0.\nGRID,2,,1.,0.,0.\nGRID,3,,2.,0.,0.\n\
+CBAR,1,1,1,2,0.,1.,0.\nCBAR,2,1,2,3,0.,1.,0.\n\
+PBAR,1,1,1.-4,2.-9,2.-9,4.-9\nMAT1,1,2.+11,,.3,7850.\n\
+CONM2,11,1,,40.,0.,0.,0.,,+\n+,9.,0.,13.,0.,0.,16.\nCONM2,12,3,,0.5\n";
 
 #[test]
 fn the_kinds_are_listed() {

@@ -82,6 +82,7 @@ mod resolution;
 pub mod run;
 mod scene;
 pub mod settings;
+mod shapes;
 mod spark;
 pub mod spins;
 mod start;

@@ -65,6 +65,7 @@ pub use settings::{MAX_ROWS, PartialRun, PartialVerify, RunTable, Stop, System};
 pub use source::Source;
 pub use spin_manifold::{ManifoldMasters, ManifoldStyle, MastersError, PartialSpinManifold};
 
+use crate::record::ShapeFileRecord;
 use crate::study_file::{VALUES, Varied};
 use body::Parts;
 use diagnostic::Problems;
@@ -169,6 +170,8 @@ pub struct Model {
     pub uncertainty: Vec<Varied>,
     /// Notes on suspect but valid values.
     pub notes: Vec<String>,
+    /// Files of shapes, as they were read.
+    pub shapes: Vec<ShapeFileRecord>,
     /// Notes on former names of keys and words, with those of today.
     pub former_names: Vec<String>,
     /// The text of the model.
@@ -226,7 +229,7 @@ impl Model {
         match content {
             Some(Content { name, parts, initial, run, uncertainty, notes }) if diagnostics.is_empty() => {
                 let name = name.unwrap_or_else(|| stem(&source.file));
-                let Parts { assembly, extremes, spans } = parts;
+                let Parts { assembly, extremes, spans, shapes } = parts;
                 Ok(Self {
                     name,
                     assembly,
@@ -235,6 +238,7 @@ impl Model {
                     run,
                     uncertainty,
                     notes,
+                    shapes,
                     former_names,
                     source,
                     spans,

@@ -2,7 +2,9 @@
 
 use std::collections::BTreeMap;
 
-use quasirigid_io::record::{CriterionRecord, LiquidRecord, ResolutionRecord, SteadySpinRecord};
+use quasirigid_io::record::{
+    CriterionRecord, LiquidRecord, ResolutionRecord, ShapeFileRecord, SteadySpinRecord,
+};
 use serde::Serialize;
 use serde_json::{Value, json};
 
@@ -11,6 +13,7 @@ use quasirigid::reduction::Verdict;
 use super::CheckReport;
 use crate::liquids::{Liquid, liquids};
 use crate::record;
+use crate::shapes;
 use crate::words::{reasons, word};
 
 /// Validity of the reduced equations.
@@ -62,6 +65,8 @@ struct CheckObject<'a> {
     left_out: Vec<String>,
     /// In cavities.
     liquids: Vec<LiquidRecord>,
+    /// Files of shapes, as they were read.
+    shapes: Vec<ShapeFileRecord>,
     /// Of a solid inside a surface, or `null`.
     resolution: Option<ResolutionRecord>,
     /// Of finite elements, or `null`.
@@ -134,6 +139,7 @@ impl CheckReport<'_> {
             steady_spins: spins,
             left_out: left_out.notes(),
             liquids: liquids(study, validity.T3.recip()).iter().map(Liquid::record).collect(),
+            shapes: shapes::records(study),
             resolution: record::resolution(study).next(),
             condensation: study.condensation.map(|known| CondensationObject {
                 unknowns: known.unknowns,

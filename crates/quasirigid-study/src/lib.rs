@@ -84,6 +84,7 @@ mod resolution;
 pub mod run;
 mod scene;
 pub mod settings;
+mod shapes;
 mod spark;
 pub mod spins;
 mod start;

@@ -18,6 +18,7 @@ use super::spans::Spans;
 use super::table::Table;
 use super::value::Value;
 use super::{Diagnostic, READERS, support};
+use crate::record::ShapeFileRecord;
 use crate::units::Dimension;
 
 /// Inertia tensor of a rigid body.
@@ -55,6 +56,8 @@ pub(super) struct Parts {
     pub(super) extremes: Option<Box<[Assembly; 2]>>,
     /// Places of the elements in the file.
     pub(super) spans: Spans,
+    /// Files of shapes.
+    pub(super) shapes: Vec<ShapeFileRecord>,
 }
 
 impl Body<'_> {
@@ -91,15 +94,16 @@ pub(super) fn body<'a>(
         networks: Vec::new(),
         notes: Vec::new(),
         file_notes: Vec::new(),
+        shapes: Vec::new(),
     };
     let good = single_tables(file, &mut draft.assembly, &mut spans);
     let good = every(&opened, &mut draft) && good;
     notes.extend(materials.unused());
     notes.extend(materials.chosen());
-    let Draft { names, assembly, ranges, networks, notes: of_parts, file_notes, .. } = draft;
+    let Draft { names, assembly, ranges, networks, notes: of_parts, file_notes, shapes, .. } = draft;
     notes.extend(of_parts);
     spans.networks = networks;
-    let parts = good.then(|| Parts { extremes: ranges.ends(&assembly), assembly, spans });
+    let parts = good.then(|| Parts { extremes: ranges.ends(&assembly), assembly, spans, shapes });
     Body { names, parts, file_notes }
 }
 

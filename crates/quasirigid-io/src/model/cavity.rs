@@ -2,6 +2,7 @@
 //! A surface is filled with a mesh here, since the library takes cells alone; either viscosity is stored as the kinematic one.
 //! Theory of the flows: docs/theory/13-inside.md, from (L1) on.
 
+use std::cell::RefCell;
 use std::path::Path;
 
 use quasirigid_elements::{Cavity, CavityShape, ElementKind, Regime};
@@ -16,9 +17,10 @@ use super::key::{
 use super::kinds::{Kind, kind, of_table, opened, variants};
 use super::names::Part;
 use super::reader::{Keyed, NAME, Naming, Reader};
-use super::surface::{UNIT, closed, unit};
+use super::surface::{STRICT, UNIT, closed, told, unit};
 use super::table::Table;
 use crate::mesh::read_mesh;
+use crate::record::ShapeFileRecord;
 use crate::units::Dimension;
 
 type Read = fn(&Table<'_>, &Source<'_>) -> Option<CavityShape>;
@@ -51,7 +53,7 @@ static SHAPES: [Kind<Read>; 9] = [
     kind!("[[cavity]]", "shape", "box", with!("sides"), "", cuboid),
     kind!("[[cavity]]", "shape", "shell", with!("semi_axes", "inner_semi_axes"), "", shell),
     kind!("[[cavity]]", "shape", "mesh", with!("file", "unit"), "tetrahedra", mesh),
-    kind!("[[cavity]]", "shape", "surface", with!("file", "unit"), "closed", surface),
+    kind!("[[cavity]]", "shape", "surface", with!("file", "unit", "strict"), "closed", surface),
 ];
 
 /// Keys of a cavity without a shape: those of every shape.
@@ -69,6 +71,7 @@ const ANY: Keys = Keys {
         key("inner_semi_axes", vector("m"), ""),
         key("file", TEXT, ""),
         UNIT,
+        STRICT,
         key("center", vector("m").or("0"), "middle of the shape, or origin of its file"),
         key("attitude", QUATERNION.or("file's axes"), ""),
         key("density", quantity("kg/m³"), "of the liquid"),
@@ -106,6 +109,10 @@ const MOST_CELLS: usize = 1000;
 struct Source<'a> {
     folder: &'a Path,
     resolution: usize,
+    /// Name of the cavity.
+    name: &'a str,
+    /// File of its shape, once it is read.
+    file: RefCell<Option<ShapeFileRecord>>,
 }
 
 pub(super) const READER: Reader = Reader {
@@ -129,24 +136,28 @@ pub(super) const READER: Reader = Reader {
     nested: &[],
     is_body: false,
     read: |entry, draft| {
-        draft.assembly.cavities.push(cavity(entry.table, entry.name, draft.sources.folder)?);
+        let (cavity, file) = cavity(entry.table, entry.name, draft.sources.folder)?;
+        draft.notes.extend(file.iter().flat_map(told));
+        draft.shapes.extend(file);
+        draft.assembly.cavities.push(cavity);
         Some(())
     },
 };
 
-/// Reads a `[[cavity]]`; files stand in the `folder`.
-fn cavity(table: &Table<'_>, name: &str, folder: &Path) -> Option<Cavity> {
+/// Reads a `[[cavity]]`, and the file of its shape if it has one; files stand in the `folder`.
+fn cavity(table: &Table<'_>, name: &str, folder: &Path) -> Option<(Cavity, Option<ShapeFileRecord>)> {
     let shape = of_table(table, "shape", &SHAPES)?;
     let usual = if shape.word == "surface" { RESOLUTION_INSIDE } else { RESOLUTION };
     let resolution = table.read_or("resolution", usual, |value| value.integer(1..=MOST_CELLS))?;
-    let shape = (shape.read)(table, &Source { folder, resolution });
+    let source = Source { folder, resolution, name, file: RefCell::default() };
+    let shape = (shape.read)(table, &source);
     let center = table.vector_or_zero("center", Dimension::LENGTH);
     let attitude = attitude(table);
     let density = table.read("density", "density = 1000.0", |value| value.positive(Dimension::DENSITY));
     let viscosity = viscosity(table, density);
     let regime = table.read_or("flow", Regime::Viscous, |value| value.choice(&REGIMES));
     let modes = table.read_or("modes", 0, |value| value.integer(0..=usize::MAX));
-    Some(Cavity {
+    let cavity = Cavity {
         name: name.to_owned(),
         shape: shape?,
         center: center?,
@@ -156,7 +167,8 @@ fn cavity(table: &Table<'_>, name: &str, folder: &Path) -> Option<Cavity> {
         resolution,
         regime: regime?,
         modes: modes?,
-    })
+    };
+    Some((cavity, source.file.take()))
 }
 
 /// Kinematic viscosity (m²/s), from the kinematic or the dynamic one.
@@ -250,9 +262,9 @@ fn mesh(table: &Table<'_>, source: &Source<'_>) -> Option<CavityShape> {
 }
 
 fn surface(table: &Table<'_>, source: &Source<'_>) -> Option<CavityShape> {
-    let scale = table.read_or("unit", 1.0, |value| unit(&value));
-    let value = table.required("file", "file = \"tank.stl\"")?;
-    let surface = closed(&value, source.folder, scale?)?;
+    let (surface, file) = closed(table, source.name, source.folder, "file = \"tank.stl\"")?;
+    source.file.replace(Some(file));
+    let value = table.get("file")?;
     match inside(&surface, source.resolution) {
         Ok(mesh) => Some(CavityShape::Mesh(Box::new(mesh))),
         Err(error) => value.refuse(format!("`file`: {error}"), "cannot be meshed", ""),

@@ -67,7 +67,7 @@ pub use source::Source;
 pub use spin_manifold::{ManifoldMasters, ManifoldStyle, MastersError, PartialSpinManifold};
 
 use crate::files_read::{FileRead, listed};
-use crate::record::ValueRecord;
+use crate::record::{ShapeFileRecord, ValueRecord};
 use crate::study_file::{VALUES, Varied};
 use body::Parts;
 use diagnostic::Problems;
@@ -176,6 +176,8 @@ pub struct Model {
     pub notes: Vec<String>,
     /// What was left out of files or repaired, with counts; it stands among the notes too.
     pub file_notes: Vec<String>,
+    /// Files of shapes, as they were read.
+    pub shapes: Vec<ShapeFileRecord>,
     /// Notes on former names of keys and words, with those of today.
     pub former_names: Vec<String>,
     /// The text of the model.
@@ -244,7 +246,7 @@ impl Model {
                 if diagnostics.is_empty() =>
             {
                 let name = name.unwrap_or_else(|| stem(&source.file));
-                let Parts { assembly, extremes, spans } = parts;
+                let Parts { assembly, extremes, spans, shapes } = parts;
                 Ok(Self {
                     name,
                     assembly,
@@ -254,6 +256,7 @@ impl Model {
                     uncertainty,
                     notes,
                     file_notes,
+                    shapes,
                     former_names,
                     source,
                     files,

@@ -15,6 +15,7 @@ use super::section::Sections;
 use super::spans::{ElementSpans, NetworkSpans};
 use super::table::Table;
 use super::value::Value;
+use crate::record::ShapeFileRecord;
 
 /// Name of an element.
 pub(super) const NAME: Key = key("name", TEXT.or("`point 1`, `spring tip-carrier`"), "unique");
@@ -113,6 +114,8 @@ pub(super) struct Draft<'s, 'a> {
     pub(super) notes: Vec<String>,
     /// What was left out of files or repaired.
     pub(super) file_notes: Vec<String>,
+    /// Files of shapes.
+    pub(super) shapes: Vec<ShapeFileRecord>,
 }
 
 /// Function that reads a table into the draft of a body.

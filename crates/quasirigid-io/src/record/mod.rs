@@ -167,6 +167,50 @@ pub struct ResolutionRecord {
     pub sentence: String,
 }
 
+/// File of a shape, as it was read.
+#[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
+pub struct ShapeFileRecord {
+    /// Name of the body or cavity.
+    pub name: String,
+    /// Its file.
+    pub file: String,
+    /// Length of a unit of the file (m).
+    pub unit: f64,
+    /// Who says so; empty where metres were assumed.
+    pub unit_from: String,
+    /// Vertices of the file.
+    pub vertices: usize,
+    /// Triangles of the file.
+    pub triangles: usize,
+    /// Sides of the box around it (m).
+    pub size: [f64; 3],
+    /// Volume (m³).
+    pub volume: f64,
+    /// Mass (kg), or `null`.
+    pub mass: Option<f64>,
+    /// Density (kg/m³), or `null`.
+    pub density: Option<f64>,
+    /// Repairs in words; empty without any.
+    pub repaired: String,
+    /// Repairs.
+    pub repairs: Vec<RepairRecord>,
+    /// Distance (m) within which corners were merged.
+    pub merged_within: f64,
+    /// Choices that the file left open, and parts of it left out.
+    pub remarks: Vec<String>,
+    /// Doubts about its size.
+    pub warnings: Vec<String>,
+}
+
+/// Repair of a surface.
+#[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
+pub struct RepairRecord {
+    /// In words.
+    pub repair: String,
+    /// Number.
+    pub count: usize,
+}
+
 /// A liquid in a cavity, at the initial spin.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 pub struct LiquidRecord {

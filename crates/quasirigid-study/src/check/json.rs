@@ -2,7 +2,9 @@
 
 use std::collections::BTreeMap;
 
-use quasirigid_io::record::{CriterionRecord, LiquidRecord, ResolutionRecord, SteadySpinRecord};
+use quasirigid_io::record::{
+    CriterionRecord, LiquidRecord, ResolutionRecord, ShapeFileRecord, SteadySpinRecord,
+};
 use serde::Serialize;
 use serde_json::{Value, json};
 
@@ -11,6 +13,7 @@ use quasirigid::reduction::Verdict;
 use super::CheckReport;
 use crate::liquids::{Liquid, liquids};
 use crate::record;
+use crate::shapes;
 use crate::words::{reasons, word};
 
 /// Validity of the reduced equations.
@@ -64,6 +67,8 @@ struct CheckObject<'a> {
     files: &'a [String],
     /// In cavities.
     liquids: Vec<LiquidRecord>,
+    /// Files of shapes, as they were read.
+    shapes: Vec<ShapeFileRecord>,
     /// Of a solid inside a surface, or `null`.
     resolution: Option<ResolutionRecord>,
     /// Of finite elements, or `null`.
@@ -137,6 +142,7 @@ impl CheckReport<'_> {
             left_out: left_out.notes(),
             files: &study.model.file_notes,
             liquids: liquids(study, validity.T3.recip()).iter().map(Liquid::record).collect(),
+            shapes: shapes::records(study),
             resolution: record::resolution(study).next(),
             condensation: study.condensation.map(|known| CondensationObject {
                 unknowns: known.unknowns,

@@ -19,7 +19,7 @@ use crate::liquids::liquids;
 use crate::motion::DISPLACED;
 use crate::study::Study;
 use crate::words::{criterion, dissipation, range, reasons, significant, time, word};
-use crate::{record, steady};
+use crate::{record, shapes, steady};
 
 /// Frequencies printed one by one.
 const LISTED: usize = 9;
@@ -53,6 +53,7 @@ pub(super) fn text(report: &CheckReport) -> String {
     liquids(study, validity.T3.recip()).iter().for_each(|liquid| text.push_str(&liquid.text()));
     model.assembly.ellipsoids.iter().for_each(|ellipsoid| text.push_str(&self_gravity(ellipsoid)));
     let mut told = |words: &str| text.push_str(&format!("\n{}\n", paragraph(words, "", "  ")));
+    shapes::sentences(study).iter().for_each(|words| told(words));
     record::resolution(study).for_each(|found| told(&found.sentence));
     condensation.iter().for_each(|known| text.push_str(&condensed(known)));
     let mut told = |words: &str| text.push_str(&format!("\n{}\n", paragraph(words, "", "  ")));

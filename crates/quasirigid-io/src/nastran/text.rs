@@ -15,6 +15,7 @@ const DEEPEST: usize = 20;
 const MOST: u64 = 4 * 1024 * 1024 * 1024;
 
 /// A deck with the files that it includes.
+#[derive(Default)]
 pub(crate) struct Deck {
     sources: Vec<(PathBuf, String)>,
     /// Runs of lines in the order in which they are read.
@@ -69,8 +70,17 @@ impl Deck {
         })
     }
 
-    /// The error of a problem on a line.
+    /// The deck without its text: its files and lines, by which problems are located.
+    pub fn places(mut self) -> Self {
+        self.sources.iter_mut().for_each(|(_, text)| *text = String::new());
+        self
+    }
+
+    /// The error of a problem on a line, or of the whole deck for line 0.
     pub fn located(&self, (line, problem): LocatedProblem) -> MatrixError {
+        if let (0, Some((file, _))) = (line, self.sources.first()) {
+            return MatrixError { file: file.clone(), place: Place::File, problem };
+        }
         let run = self.runs.partition_point(|run| run.lines[1] <= line).saturating_sub(1);
         let Some(run) = self.runs.get(run) else {
             return MatrixError { file: PathBuf::new(), place: Place::File, problem };

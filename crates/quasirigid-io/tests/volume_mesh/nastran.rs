@@ -20,7 +20,8 @@ fn sum(mesh: &Mesh) -> f64 {
 #[test]
 fn small_large_free_and_tabbed_fields_are_one_mesh() {
     let expected = parsed("a.bdf", FREE);
-    assert_eq!((expected.nodes.len(), expected.cells.len(), sum(&expected)), (8, 1, 2.0));
+    assert_eq!((expected.nodes.len(), expected.cells.len()), (8, 1));
+    assert!((sum(&expected) - 2.0).abs() < 1e-14);
     assert_eq!(set(&expected, "10").cells, [0]);
     let places: Vec<String> = expected
         .node_labels
@@ -137,7 +138,7 @@ fn files_below_the_deck_are_included_and_no_others() {
         FREE.split_once("CHEXA").map(|(head, tail)| [head.to_owned(), format!("CHEXA{tail}")]).unwrap();
     fs::write(place("main.bdf"), format!("{head}INCLUDE 'parts/\n  cells.inc'\nCONM2,9,1,,3.\nENDDATA\n"))
         .unwrap();
-    fs::write(place("parts/cells.inc"), tail.replace("ENDDATA", "$")).unwrap();
+    fs::write(place("parts/cells.inc"), tail.replace("ENDDATA\nGRID,9\n", "$")).unwrap();
     let read = read_volume(&place("main.bdf")).unwrap();
     assert_eq!(read.mesh, parsed("a.bdf", FREE));
     assert_eq!(read.notes, ["read as a mesh alone, without its 1 CONM2, 1 materials; a [[deck]] takes them"]);

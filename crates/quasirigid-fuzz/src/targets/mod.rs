@@ -85,7 +85,7 @@ impl Target {
 }
 
 /// Every target.
-pub const TARGETS: [Target; 34] = [
+pub const TARGETS: [Target; 37] = [
     Target::of_body("model_text", model::text, model::WORDS)
         .seeded(&[("examples", "toml"), ("data/published", "toml")]),
     Target::of_body("model_tables", model::text, &[]).drawn("model_text", grammar::model::model),

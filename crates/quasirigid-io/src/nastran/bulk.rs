@@ -165,9 +165,9 @@ pub(crate) fn real_or(field: Field, other: f64) -> Result<f64, LocatedProblem> {
     if field.text.is_empty() { Ok(other) } else { real(field) }
 }
 
-/// A real number, which has a decimal point: a number without one was meant for another field.
+/// A real number, which has a decimal point or an exponent: a number without one was meant for another field.
 pub(crate) fn real(field: Field) -> Result<f64, LocatedProblem> {
-    let value = if field.text.contains('.') {
+    let value = if field.text.contains(['.', 'e', 'E', 'd', 'D']) {
         number(field.text, Row::NastranReal)
     } else {
         Err(MatrixProblem::NotANumber { found: field.text.into(), row: Row::NastranReal })

@@ -15,6 +15,7 @@ const DEEPEST: usize = 20;
 const MOST: u64 = 4 * 1024 * 1024 * 1024;
 
 /// A deck with the files that it includes.
+#[derive(Default)]
 pub(crate) struct Deck {
     sources: Vec<(PathBuf, String)>,
     /// Runs of lines in the order in which they are read.
@@ -52,7 +53,6 @@ impl Deck {
     pub fn bulk(&self) -> impl Iterator<Item = (usize, &str)> {
         let first = self.lines().find(|(_, line)| is_begin(line)).map_or(0, |(number, _)| number);
         bulk_lines(self.lines().filter(move |(number, _)| *number > first))
-            .filter(|(_, line)| included(line).is_none())
             .take_while(|(_, line)| !begins_superelement(line))
     }
 
@@ -69,8 +69,17 @@ impl Deck {
         })
     }
 
-    /// The error of a problem on a line.
+    /// The deck without its text: its files and lines, by which problems are located.
+    pub fn places(mut self) -> Self {
+        self.sources.iter_mut().for_each(|(_, text)| *text = String::new());
+        self
+    }
+
+    /// The error of a problem on a line, or of the whole deck for line 0.
     pub fn located(&self, (line, problem): LocatedProblem) -> MatrixError {
+        if let (0, Some((file, _))) = (line, self.sources.first()) {
+            return MatrixError { file: file.clone(), place: Place::File, problem };
+        }
         let run = self.runs.partition_point(|run| run.lines[1] <= line).saturating_sub(1);
         let Some(run) = self.runs.get(run) else {
             return MatrixError { file: PathBuf::new(), place: Place::File, problem };
@@ -95,15 +104,16 @@ impl Reader {
         let (mut from, mut first, mut at, mut number) = (0, 1, 0, 0);
         let mut lines = text.split_inclusive('\n');
         while let Some(line) = lines.next() {
+            let before = at;
             (at, number) = (at + line.len(), number + 1);
             let Some(mut name) = included(line).map(str::to_owned) else { continue };
+            self.run(source, [from, before], [first, number]);
             // A name in quotes may go on over several lines.
             while name.starts_with('\'') && !name[1..].contains('\'') {
                 let Some(more) = lines.next() else { break };
                 (at, number) = (at + more.len(), number + 1);
                 name.push_str(more.trim());
             }
-            self.run(source, [from, at], [first, number]);
             (from, first) = (at, number + 1);
             let name = name.trim_matches(['\'', '"']).to_owned();
             let located = FileError::new(&file);
@@ -133,10 +143,10 @@ impl Reader {
         Ok(())
     }
 
-    /// Notes lines of a file from one number on, up to another.
-    fn run(&mut self, source: usize, bytes: [usize; 2], [first, last]: [usize; 2]) {
+    /// Notes lines of a file from one number on, up to another that is none of them.
+    fn run(&mut self, source: usize, bytes: [usize; 2], [first, end]: [usize; 2]) {
         self.deck.runs.push(Run { source, bytes, lines: [first, self.next] });
-        self.next += (last + 1).saturating_sub(first);
+        self.next += end.saturating_sub(first);
     }
 }
 

@@ -422,7 +422,7 @@ fn harwell_boeing_files_are_read_by_their_formats() {
     let general = "Title                                                                   KEY\n\
                    \x20            4             1             1             2             0\n\
                    RUA                        2             3             4             0\n\
-                   (4I3)           (4I3)           (2E12.4)\n  1  2  4  5\n  2  1  2  1\n -1.5000E+00  2.0000E+00\n-3.2500E+00-4.0000E+00\n";
+                   (4I3)           (4I3)           (2E11.4)\n  1  2  4  5\n  2  1  2  1\n-1.5000E+00 2.0000E+00\n-3.2500E+00-4.0000E+00\n";
     let read = |text: &str| matrix_of(Path::new("a.hb"), text.as_bytes(), None);
     let matrix = read(general).unwrap();
     assert_eq!((matrix.rows, matrix.columns), (2, 3));
@@ -454,7 +454,7 @@ fn output4_in_words_of_64_bits_is_the_same_matrix() {
         let mut at = 0;
         let (mut header, mut last) = (true, 0);
         while at < short.len() {
-            let integer = |at: usize| i32::from_le_bytes(short[at..at + 4].try_into().unwrap());
+            let integer = |at: usize| i32::from_be_bytes(short[at..at + 4].try_into().unwrap());
             let length = integer(at) as usize;
             let record = at + 4;
             let mut content = Vec::new();
@@ -469,7 +469,7 @@ fn output4_in_words_of_64_bits_is_the_same_matrix() {
                 word(&mut content, integer(record + 4).into());
                 word(&mut content, (integer(record + 8) / 2).into());
                 for value in short[record + 12..record + length].chunks(8) {
-                    let value = f64::from_le_bytes(value.try_into().unwrap());
+                    let value = f64::from_be_bytes(value.try_into().unwrap());
                     content.extend(if big_endian { value.to_be_bytes() } else { value.to_le_bytes() });
                 }
                 header = column > last;

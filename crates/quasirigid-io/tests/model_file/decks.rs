@@ -206,5 +206,8 @@ fn decks_without_a_property_are_refused() {
     let text = "BEGIN BULK\nGRID,1\nGRID,2,,1.\nGRID,3,,,1.\nGRID,4,,,,1.\nCTETRA,1,7,1,2,3,4\nENDDATA\n";
     let table = "[[deck]]\nname = \"sat\"\nfile = \"sat.bdf\"\n";
     let error = written(&[("sat.bdf", text.to_owned())], table).expect_err("no property");
-    insta::assert_snapshot!(super::located(&error), @"");
+    insta::assert_snapshot!(super::located(&error), @"
+    model.toml:3:8: `file`: sat.bdf: no card that is read has the property 7; is an included file missing, or is it of another kind?
+      it is looked for beside the model
+    ");
 }

@@ -252,8 +252,14 @@ fn loose_nodes_are_kept_aside_and_cells_turned() {
     // two tetrahedra of 1/6 m³ each
     let mass = model.assembly.body().expect("a body").invariants().mass;
     assert!((mass / (40.0 + 50.0 / 3.0) - 1.0).abs() < 1e-12, "{mass}");
-    assert_snapshot!(located(&read("6").expect_err("a loose node")), @"");
-    assert_snapshot!(located(&read("\"LOOSE\"").expect_err("an empty set")), @"");
+    assert_snapshot!(located(&read("6").expect_err("a loose node")), @"
+    model.toml:16:10: node 6 belongs to no cell of this part, so that nothing holds it
+      name a node of a cell; a [[connection]] of the nodes around it makes them one rigid piece
+    ");
+    assert_snapshot!(located(&read("\"LOOSE\"").expect_err("an empty set")), @r#"
+    model.toml:16:10: the set "LOOSE" has no node of a cell of this part
+      name nodes of cells
+    "#);
 }
 
 /// One attached node fixes a point, two fix an axis: a solid needs three.

@@ -123,11 +123,13 @@ fn is_deck(file: &Path, beginning: &[u8]) -> bool {
     if matches!(first, [b'*' | b'<' | b'#', ..]) {
         return false;
     }
-    const WORDS: [&[u8]; 14] = [
-        b"SOL", b"CEND", b"BEGIN", b"GRID", b"GRDSET", b"CORD", b"INCLUDE", b"NASTRAN", b"ID", b"ASSIGN",
-        b"INIT", b"TITLE", b"PARAM", b"MAT1",
+    const WORDS: [&[u8]; 13] = [
+        b"SOL", b"CEND", b"BEGIN", b"GRID", b"GRDSET", b"INCLUDE", b"NASTRAN", b"ID", b"ASSIGN", b"INIT",
+        b"TITLE", b"PARAM", b"MAT1",
     ];
-    let begins = |word: &&[u8]| first.get(..word.len()).is_some_and(|start| start.eq_ignore_ascii_case(word));
+    let word = first.split(|byte| !byte.is_ascii_alphanumeric()).next().unwrap_or_default();
+    let system = word.get(..4).is_some_and(|start| start.eq_ignore_ascii_case(b"CORD"));
     ["bdf", "nas", "dat", "blk", "pch"].iter().any(|known| ending.eq_ignore_ascii_case(known))
-        || WORDS.iter().any(begins)
+        || system
+        || WORDS.iter().any(|known| word.eq_ignore_ascii_case(known))
 }

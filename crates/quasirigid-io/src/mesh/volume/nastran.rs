@@ -5,7 +5,7 @@ use quasirigid_mesh::Mesh;
 use super::VolumeProblem;
 use crate::mesh::error::MeshError;
 use crate::nastran::model::DeckModel;
-use crate::text_file::{FileError, Place};
+use crate::text_file::FileError;
 
 /// The solids, plates and lines of a deck, with what else it has.
 pub(super) fn read(file: &Path, bytes: &[u8]) -> Result<(Mesh, Vec<String>), MeshError> {
@@ -15,12 +15,7 @@ pub(super) fn read(file: &Path, bytes: &[u8]) -> Result<(Mesh, Vec<String>), Mes
         problem: VolumeProblem::Card(error.problem).into(),
     };
     let model = DeckModel::read(file, bytes).map_err(refused)?;
-    let located = |(_, problem)| MeshError {
-        file: file.to_owned(),
-        place: Place::File,
-        problem: VolumeProblem::Card(problem).into(),
-    };
-    let cells = model.cells().map_err(located)?;
+    let cells = model.cells().map_err(|fault| refused(model.located(fault)))?;
     let mut notes = model.notes();
     notes.extend(cells.notes());
     let beside = [

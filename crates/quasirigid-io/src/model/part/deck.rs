@@ -64,31 +64,13 @@ pub(super) fn deck(table: &Table<'_>, name: &str, sources: Sources<'_, '_>) -> O
     };
     let cells = match model.cells() {
         Ok(cells) => cells,
-        Err((_, problem)) => {
-            return refuse(FileError { file: path, place: crate::text_file::Place::File, problem });
-        }
+        Err(fault) => return refuse(model.located(fault)),
     };
-    let mut made = Made::new(
-        model,
-        cells,
-        Given { units, placement, rheology: known.as_ref().map(|known| known.rheology.clone()) },
-    );
-    if let Err((_, problem)) = made.build() {
-        return refuse(FileError { file: path, place: crate::text_file::Place::File, problem });
-    }
-    if made.mixed.mesh.cells.is_empty() && made.mixed.bodies.is_empty() {
-        return refuse(FileError {
-            file: path,
-            place: crate::text_file::Place::File,
-            problem: MatrixProblem::NoElements,
-        });
-    }
-    if !made.has_mass() {
-        return refuse(FileError {
-            file: path,
-            place: crate::text_file::Place::File,
-            problem: MatrixProblem::NoMass,
-        });
+    let rheology = known.as_ref().map(|known| known.rheology.clone());
+    let mut made = Made::new(model, cells, Given { units, placement, rheology });
+    let built = made.build().and_then(|()| made.is_body());
+    if let Err(fault) = built {
+        return refuse(made.deck.located(fault));
     }
     let file = value.words().unwrap_or_default();
     let notes: Vec<String> = made.notes(table).into_iter().map(|note| format!("{file}: {note}")).collect();
@@ -581,15 +563,19 @@ impl Made {
         })
     }
 
-    /// Whether something has mass.
-    fn has_mass(&self) -> bool {
-        let Mixed { regions, skins, bars, bodies, .. } = &self.mixed;
+    /// Refuses a deck without elements or without mass.
+    fn is_body(&self) -> Result<(), LocatedProblem> {
+        let Mixed { mesh, regions, skins, bars, bodies, .. } = &self.mixed;
+        if mesh.cells.is_empty() && bodies.is_empty() {
+            return Err((0, MatrixProblem::NoElements));
+        }
         let layers = skins.iter().flat_map(|skin| &skin.layers);
-        let densities =
+        let materials =
             regions.iter().map(|region| &region.material).chain(layers.map(|layer| &layer.material));
-        densities.map(ElasticMaterial::density).any(|density| density > 0.0)
+        let heavy = materials.map(ElasticMaterial::density).any(|density| density > 0.0)
             || bars.iter().any(|bar| bar.material.density > 0.0)
-            || !bodies.is_empty()
+            || !bodies.is_empty();
+        if heavy { Ok(()) } else { Err((0, MatrixProblem::NoMass)) }
     }
 
     /// Takes the bodies that something holds, and leaves out the nodes that belong to nothing.

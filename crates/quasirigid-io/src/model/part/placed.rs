@@ -49,8 +49,9 @@ pub(super) fn mesh(table: &Table<'_>, folder: &Path, example: &str, dimension: u
         notes
             .push(format!("cells inside out are turned, their nodes in the order of their shape ({turned})"));
     }
-    let aside = mesh.set_aside_unused(dimension);
-    if !aside.is_empty() && !mesh.cells.is_empty() {
+    let bears = mesh.cells.iter().any(|cell| cell.shape.dimension() == dimension);
+    let aside = if bears { mesh.set_aside_unused(dimension) } else { Vec::new() };
+    if !aside.is_empty() {
         let first: Vec<String> = aside.iter().take(LISTED).map(u64::to_string).collect();
         let more = if aside.len() > LISTED { ", …" } else { "" };
         let (count, first) = (aside.len(), first.join(", "));

@@ -188,9 +188,8 @@ impl DeckModel {
         let (angle, system) = angle(card.field(at))?;
         let offset = real_or_zero(card.field(at + 1))?;
         let thicknesses = match at {
-            7 => 12..15,
-            8 => 12..16,
-            10 => 12..15,
+            7 | 10 => 12..15,
+            13 => 12..12, // its field 12 is a point in the middle
             _ => 12..16,
         };
         let given = thicknesses.filter(|number| !card.field(*number).text.is_empty());

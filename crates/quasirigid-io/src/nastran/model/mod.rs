@@ -24,6 +24,7 @@ pub(crate) use rigid::{Mean, Stiff};
 #[derive(Default)]
 pub(crate) struct DeckModel {
     pub points: Vec<Point>,
+    deck: Deck,
     grids: Grids,
     pub solids: Vec<Solid>,
     pub plates: Vec<Plate>,
@@ -70,7 +71,13 @@ impl DeckModel {
         if deck.superelements() > 0 {
             model.left_out.insert("BEGIN SUPER".into(), deck.superelements());
         }
+        model.deck = deck.places();
         Ok(model)
+    }
+
+    /// The error of a problem on a line of the deck.
+    pub fn located(&self, fault: LocatedProblem) -> MatrixError {
+        self.deck.located(fault)
     }
 
     fn take(&mut self, card: &Card) -> Result<(), LocatedProblem> {

@@ -85,7 +85,7 @@ impl Target {
 }
 
 /// Every target.
-pub const TARGETS: [Target; 34] = [
+pub const TARGETS: [Target; 37] = [
     Target::of_body("model_text", model::text, model::WORDS)
         .seeded(&[("examples", "toml"), ("data/published", "toml")]),
     Target::of_body("model_tables", model::text, &[]).drawn("model_text", grammar::model::model),
@@ -142,6 +142,17 @@ pub const TARGETS: [Target; 34] = [
     ),
     Target::of_file("record_rows", |bytes| record::read("history-reduced.rows", bytes), &[]),
     Target::of_file("bodies_csv", |bytes| table::bodies("bodies.csv", bytes), &["\"", "\r\n", ",", "NaN"]),
+    Target::of_file(
+        "bodies_text",
+        |bytes| table::bodies("bodies.txt", bytes),
+        &["\t", ";", "|", "-----", "[h]", "#", "  ", "8,5"],
+    ),
+    Target::of_file(
+        "bodies_votable",
+        |bytes| table::bodies("bodies.vot", bytes),
+        &["<TR>", "<TD/>", "<FIELD name=\"a\" unit=\"h\"/>", "<TABLEDATA>", "</TABLE>"],
+    ),
+    Target::of_file("bodies_workbook", |bytes| table::bodies("bodies.xlsx", bytes), &["PK", "<c r=\"B2\">"]),
     Target::of_file("bodies_parquet", |bytes| table::bodies("bodies.parquet", bytes), &["PAR1"]),
     Target::of_file("cells_parquet", table::cells_parquet, &["PAR1", "quasirigid.units"]),
     Target::of_file("sweep_results", table::sweep_results, record::JSON),

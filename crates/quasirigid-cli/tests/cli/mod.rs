@@ -3,6 +3,7 @@
 mod about_spin;
 #[cfg(unix)]
 mod appeared;
+mod catalogues;
 mod check;
 mod colour;
 mod complete;

@@ -147,7 +147,7 @@ fn bad_rows_of_a_table_are_told_and_the_rest_answered() {
     assert_eq!(first("\"nan\" is not a finite number"), 14);
     let csv = fs::read_to_string(folder.path().join("out/rows.csv")).unwrap();
     assert!(
-        csv.starts_with("row,mass_g,carrier.mass,who,check.T1,status,reason,note\n1,500.0,40.0,b0,"),
+        csv.starts_with("row,mass_g [g],carrier.mass,who,check.T1 [s],status,reason,note\n1,500.0,40.0,b0,"),
         "{csv}"
     );
 }

@@ -151,6 +151,17 @@ pub const TARGETS: [Target; 37] = [
     ),
     Target::of_file("record_rows", |bytes| record::read("history-reduced.rows", bytes), &[]),
     Target::of_file("bodies_csv", |bytes| table::bodies("bodies.csv", bytes), &["\"", "\r\n", ",", "NaN"]),
+    Target::of_file(
+        "bodies_text",
+        |bytes| table::bodies("bodies.txt", bytes),
+        &["\t", ";", "|", "-----", "[h]", "#", "  ", "8,5"],
+    ),
+    Target::of_file(
+        "bodies_votable",
+        |bytes| table::bodies("bodies.vot", bytes),
+        &["<TR>", "<TD/>", "<FIELD name=\"a\" unit=\"h\"/>", "<TABLEDATA>", "</TABLE>"],
+    ),
+    Target::of_file("bodies_workbook", |bytes| table::bodies("bodies.xlsx", bytes), &["PK", "<c r=\"B2\">"]),
     Target::of_file("bodies_parquet", |bytes| table::bodies("bodies.parquet", bytes), &["PAR1"]),
     Target::of_file("cells_parquet", table::cells_parquet, &["PAR1", "quasirigid.units"]),
     Target::of_file("sweep_results", table::sweep_results, record::JSON),

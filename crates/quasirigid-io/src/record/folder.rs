@@ -21,6 +21,8 @@ const EVOLUTION: &str = "evolution";
 const BACKBONE: &str = "backbone";
 /// Most rows of a table whose rows the record does not count; `evolve` writes up to a million.
 const MAX_UNCOUNTED_ROWS: u64 = 2_000_000;
+/// Bytes in memory for each byte of JSON: its text, and numbers of two digits as eight bytes in vectors that grow.
+const IN_MEMORY: f64 = 8.0;
 /// Ending of the log of rows of a run in work.
 pub const ROW_LOG: &str = "rows";
 /// Status of a history in work.
@@ -278,7 +280,7 @@ fn read_record(file: PathBuf) -> Result<RunRecord, RecordError> {
     struct Layout {
         format: Option<u32>,
     }
-    let text = read_regular(&file).map_err(|error| unusable(&file, &error))?;
+    let text = read_text(&file)?;
     let Layout { format } = parse(&file, &text)?;
     match format {
         Some(format) if !(1..=RECORD_FORMAT).contains(&format) => {
@@ -293,7 +295,7 @@ fn read_scene(file: PathBuf) -> Result<SceneRecord, RecordError> {
     struct Layout {
         version: u32,
     }
-    let text = read_regular(&file).map_err(|error| unusable(&file, &error))?;
+    let text = read_text(&file)?;
     let Layout { version } = parse(&file, &text)?;
     if version != SCENE_VERSION {
         return Err(RecordError::SceneVersion { file, version });
@@ -305,6 +307,14 @@ fn read_scene(file: PathBuf) -> Result<SceneRecord, RecordError> {
             Err(RecordError::Table { file, problem: format!("{part} do not fit the rest of the scene") })
         }
     }
+}
+
+/// The text of a file, if memory has room for it and for what stands in it.
+fn read_text(file: &Path) -> Result<Vec<u8>, RecordError> {
+    let unread = |error: io::Error| unusable(file, &error);
+    let size = file.metadata().map_err(unread)?.len();
+    memory::ask(IN_MEMORY * size as f64).map_err(|cause| RecordError::Memory { file: file.into(), cause })?;
+    read_regular(file).map_err(unread)
 }
 
 fn parse<T: DeserializeOwned>(file: &Path, text: &[u8]) -> Result<T, RecordError> {

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
-use super::number;
+use super::{InputFileRecord, number};
 
 /// Summary of a study of many bodies: `summary.json` of its folder.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
@@ -16,6 +16,12 @@ pub struct SweepRecord {
     pub name: String,
     /// SHA-256 of everything that the results depend on: study, model, table, version.
     pub sha256: String,
+    /// Files that the results depend on; empty in summaries of versions before this field.
+    #[serde(default)]
+    pub files: Vec<InputFileRecord>,
+    /// What was made of the table of bodies, where that is not plain.
+    #[serde(default)]
+    pub notes: Vec<String>,
     /// Text of the study.
     pub study: String,
     /// Text of the model that is varied.
@@ -39,6 +45,9 @@ pub struct SweepRecord {
 pub struct InputRecord {
     /// Name of the column.
     pub name: String,
+    /// Key of the model that it gives; empty of columns that no model reads, and in summaries of versions before this field.
+    #[serde(default)]
+    pub key: String,
     /// Unit of the numbers; empty for plain ones, in SI units.
     pub unit: String,
     /// Origin of the values: `grid`, `list`, `distribution`, `table` or `carried` (a column that no model reads).

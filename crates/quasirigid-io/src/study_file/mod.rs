@@ -3,6 +3,7 @@
 //! Keys of the model and quantities are paths; the contract is section "Studies" of the guide.
 
 mod answer;
+mod columns;
 mod distribution;
 mod grid;
 mod measure;
@@ -13,6 +14,8 @@ use std::path::{Path, PathBuf};
 
 use answer::ANSWER;
 pub use answer::{Answer, Command, Quantity};
+use columns::COLUMN;
+pub use columns::{ColumnSource, KeySource};
 pub use distribution::{Distribution, Drawn};
 pub use grid::Grid;
 use table::TABLE;
@@ -42,6 +45,11 @@ pub(crate) const STUDY: Keys = Keys {
         key("part", integer(1, MOST_IN_PART as u64).or("4096"), "rows of a file of results"),
         key("vary", named(&Shape::Shared("values")).or("none"), "keys of the model and their values"),
         key("table", table(&TABLE).or("none"), "bodies, a row each"),
+        key(
+            "columns",
+            named(&Shape::Any(&[Shape::Text, Shape::Table(&COLUMN)])).or("none"),
+            "keys of the model and the columns that give them; the others are left out",
+        ),
         key("answer", table(&ANSWER), ""),
     ],
 };
@@ -92,6 +100,8 @@ pub struct StudyFile {
     pub vary: Vec<Varied>,
     /// Table of bodies.
     pub table: Option<TableSource>,
+    /// Keys that columns of the table give by `[columns]`, in the order of the file; none where the study has no such table.
+    pub columns: Option<Vec<KeySource>>,
     /// Quantities of every row.
     pub answer: Answer,
     /// Notes on former names of keys and words, with those of today.
@@ -154,7 +164,27 @@ fn content(source: &Source, problems: &Problems<'_>) -> Option<StudyFile> {
         Some(value) => answer::answer(&value),
         None => None,
     };
+    let columns = file.get("columns").map(|value| columns::columns(&value));
     let (vary, table) = (vary?, table.map_or(Some(None), |table| table.map(Some))?);
+    let columns = columns.map_or(Some(None), |columns| columns.map(Some))?;
+    if let (Some(_), Some(TableSource { columns: named, .. }), Some(value)) =
+        (&columns, &table, file.get("columns"))
+        && !named.is_empty()
+    {
+        let help = "move what stands in `columns` of [table] into [columns]";
+        return value.refuse("columns are named in [columns] and in [table]", "named twice", help);
+    }
+    if let (Some(_), None, Some(value)) = (&columns, &table, file.get("columns")) {
+        let help = "add [table] with file = \"bodies.csv\"";
+        return value.refuse("[columns] without a table that has them", "no [table]", help);
+    }
+    let spread = columns.iter().flatten().find(|source| !source.sigma.is_empty());
+    if let (None, Some(source)) = (&samples, spread) {
+        let message = format!("`{}` has an uncertainty, but the study has no `samples`", source.key);
+        let help = "add a line such as: samples = 100, above [columns]";
+        problems.report(Diagnostic::new(source.span.clone(), message, "how many draws?").help(help));
+        return None;
+    }
     let drawn = vary.iter().find(|varied| matches!(varied.values, Values::Drawn(_)));
     let samples = match (samples, drawn) {
         (Some(samples), _) => samples?,
@@ -190,6 +220,7 @@ fn content(source: &Source, problems: &Problems<'_>) -> Option<StudyFile> {
         part: part?,
         vary,
         table,
+        columns,
         answer: answer?,
         former_names: problems.former_names(),
     })

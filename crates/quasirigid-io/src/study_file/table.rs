@@ -8,13 +8,14 @@ use crate::units::Measure;
 
 pub(super) const TABLE: Keys = Keys {
     known: &[
-        key("file", TEXT, "CSV or Parquet"),
+        key("file", TEXT, "text, VOTable, Parquet or XLSX"),
         key(
             "columns",
             named(&Shape::Any(&[Shape::Text, Shape::Table(&COLUMN)])).or("named like keys"),
             "key of each column",
         ),
         key("keep", list(&Shape::Text).or("none"), "columns carried through unread"),
+        key("missing", list(&Shape::Text).or("none"), "texts for no value, beside `-`, `NaN` and `null`"),
     ],
 };
 const COLUMN: Keys =
@@ -31,6 +32,8 @@ pub struct TableSource {
     pub columns: Vec<TableColumn>,
     /// Columns that are carried through unread, each with its place in the study.
     pub keep: Vec<(String, Range<usize>)>,
+    /// Texts that stand for no value.
+    pub missing: Vec<String>,
 }
 
 /// Column of a table that gives a key of the model.
@@ -68,8 +71,20 @@ pub(super) fn table(value: &Value<'_>, folder: &Path) -> Option<TableSource> {
             keep.list("a list of names of columns", |name| Some((name.text()?.to_owned(), name.span())))
         }
     };
+    let missing = table.read_or("missing", Vec::new(), |value| {
+        value.list("a list of texts", |item| match item.words() {
+            Some(text) => Some(text.trim().to_owned()),
+            None => item.mismatch("a text", "write it in quotes as it stands in the table"),
+        })
+    });
     let file = file?;
-    Some(TableSource { file: folder.join(file.text()?), span: file.span(), columns: columns?, keep: keep? })
+    Some(TableSource {
+        file: folder.join(file.text()?),
+        span: file.span(),
+        columns: columns?,
+        keep: keep?,
+        missing: missing?,
+    })
 }
 
 fn column(value: &Value<'_>) -> Option<TableColumn> {
@@ -85,13 +100,16 @@ fn column(value: &Value<'_>) -> Option<TableColumn> {
     };
     let unit = match unit {
         None => None,
-        Some(unit) => {
-            let text = unit.text()?;
-            if let Err(error) = Measure::parse(&format!("1 {text}")) {
-                return unit.refuse(format!("`unit`: {error}"), "no unit", error.advice());
-            }
-            Some(text.to_owned())
-        }
+        Some(unit) => Some(self::unit(&unit)?),
     };
     Some(TableColumn { name: value.key().to_owned(), key: path, unit, span: value.span() })
+}
+
+/// Reads a unit.
+pub(super) fn unit(value: &Value<'_>) -> Option<String> {
+    let text = value.text()?;
+    match Measure::parse(&format!("1 {text}")) {
+        Ok(_) => Some(text.to_owned()),
+        Err(error) => value.refuse(format!("`unit`: {error}"), "no unit", error.advice()),
+    }
 }

@@ -1,9 +1,9 @@
-//! Tables of bodies: one row each, all values as texts, from CSV or Parquet.
+//! Tables of bodies: one row each, all values as texts, from text, VOTable, a workbook or Parquet.
 //! A row that cannot be read is kept with its reason, so that one bad line in a million loses one answer and not the run.
 
 use std::collections::BTreeMap;
 use std::fs::File;
-use std::io::{self, BufRead, BufReader};
+use std::io::Read;
 use std::path::Path;
 
 use parquet::errors::ParquetError;
@@ -12,10 +12,14 @@ use parquet::record::Field;
 
 use super::TableError;
 use super::formula::unguarded;
-use super::line::fields;
+use super::names::bracketed;
 use super::parquet::undamaged;
+use super::{text_table, votable, workbook};
 use crate::disk::{is_no_file, open_regular};
 use crate::text_file::unpacked_limit;
+
+/// Bytes by which the format of a file is told.
+const BEGINNING: u64 = 1024;
 
 /// Table of bodies.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -24,8 +28,12 @@ pub struct BodyTable {
     pub names: Vec<String>,
     /// Texts of each column, one for each row; empty where there is no value.
     pub columns: Vec<Vec<String>>,
+    /// Unit of each column, where the file gives one; empty of pure numbers.
+    pub units: Vec<Option<String>>,
     /// Rows that could not be read, by index from 0, each with the reason.
     pub unread: BTreeMap<usize, String>,
+    /// What the reader made of the file, where that is not plain.
+    pub notes: Vec<String>,
 }
 
 impl BodyTable {
@@ -35,22 +43,45 @@ impl BodyTable {
         self.columns.first().map_or(0, Vec::len)
     }
 
-    fn of(names: impl Iterator<Item = String>) -> Self {
-        let names: Vec<String> = names.collect();
-        Self { columns: vec![Vec::new(); names.len()], names, unread: BTreeMap::new() }
+    /// Number of a column, by its whole name or by that without the unit in brackets, if that is the name of one.
+    #[must_use]
+    pub fn column(&self, name: &str) -> Option<usize> {
+        let whole = self.names.iter().position(|title| title == name);
+        let plain = || {
+            let is_meant = |title: &String| bracketed(title).is_some_and(|(plain, _)| plain == name);
+            let mut meant = (0..self.names.len()).filter(|column| is_meant(&self.names[*column]));
+            meant.next().filter(|_| meant.next().is_none())
+        };
+        whole.or_else(plain)
     }
 
-    /// Leaves out the columns without name and values, which a comma at the end of every line makes.
-    fn without_unnamed(self) -> Self {
-        let named = |(name, values): &(String, Vec<String>)| {
-            !(name.is_empty() && values.iter().all(String::is_empty))
-        };
-        let (names, columns) = self.names.into_iter().zip(self.columns).filter(named).unzip();
-        Self { names, columns, unread: self.unread }
+    /// A table without rows, with the units that its names tell.
+    pub(super) fn of(names: impl Iterator<Item = String>) -> Self {
+        let names: Vec<String> = names.collect();
+        let units = names.iter().map(|name| Some(bracketed(name)?.1)).collect();
+        let columns = vec![Vec::new(); names.len()];
+        Self { columns, names, units, unread: BTreeMap::new(), notes: Vec::new() }
+    }
+
+    /// Leaves out the columns without a name, which a comma at the end of every line makes, or the number of the row.
+    fn without_unnamed(mut self) -> Self {
+        let nameless: Vec<bool> = self.names.iter().map(String::is_empty).collect();
+        for (column, values) in self.columns.iter().enumerate().filter(|(column, _)| nameless[*column]) {
+            if values.iter().any(|value| !value.is_empty()) {
+                self.notes.push(format!("column {} has values but no name, and is left out", column + 1));
+            }
+        }
+        let mut keep = nameless.iter().map(|nameless| !nameless);
+        self.names.retain(|_| keep.next().unwrap_or(true));
+        let mut keep = nameless.iter().map(|nameless| !nameless);
+        self.columns.retain(|_| keep.next().unwrap_or(true));
+        let mut keep = nameless.iter().map(|nameless| !nameless);
+        self.units.retain(|_| keep.next().unwrap_or(true));
+        self
     }
 
     /// Adds the row of a line.
-    fn add(&mut self, line: usize, fields: Option<Vec<Vec<u8>>>) {
+    pub(super) fn add(&mut self, line: usize, fields: Option<Vec<Vec<u8>>>) {
         let Some(mut fields) = fields else {
             return self
                 .unread(format!("a quotation mark in line {line} of the table is not closed on that line"));
@@ -79,17 +110,30 @@ impl BodyTable {
     }
 }
 
-/// Reads a table, as Parquet if its name ends so, and as CSV with a header otherwise.
+/// Reads a table: Parquet, a workbook of Excel (XLSX), a VOTable, or text with a header, by what the file begins with.
 ///
 /// # Errors
 /// [`TableError`] for a file that cannot be read, and for one without rows.
 pub fn read_bodies(file: &Path) -> Result<BodyTable, TableError> {
-    let parquet = file.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("parquet"));
-    let table = if parquet { of_parquet(file)? } else { of_csv(file)? };
+    let mut begins = Vec::new();
+    let unread = |cause: std::io::Error| TableError::File { file: file.to_owned(), kind: cause.kind() };
+    open(file)?.take(BEGINNING).read_to_end(&mut begins).map_err(unread)?;
+    let named = |ending: &str| file.extension().is_some_and(|found| found.eq_ignore_ascii_case(ending));
+    let table = if named("parquet") || begins.starts_with(b"PAR1") {
+        of_parquet(file)?
+    } else if begins.starts_with(b"PK\x03\x04") {
+        workbook::read(file)?
+    } else if votable::begins(&begins) {
+        votable::read(file)?
+    } else {
+        text_table::read(file)?
+    };
     let nameless = |(name, values): (&String, &Vec<String>)| {
         name.is_empty() && values.iter().any(|value| !value.is_empty())
     };
-    if let Some(index) = table.names.iter().zip(&table.columns).position(nameless) {
+    if let (true, Some(index)) =
+        (table.names.iter().all(String::is_empty), table.names.iter().zip(&table.columns).position(nameless))
+    {
         return Err(TableError::Unnamed { file: file.to_owned(), column: index + 1 });
     }
     let table = table.without_unnamed();
@@ -109,30 +153,6 @@ pub(super) fn open(file: &Path) -> Result<File, TableError> {
         true => TableError::NoFile { file: file.to_owned() },
         false => TableError::File { file: file.to_owned(), kind: cause.kind() },
     })
-}
-
-fn of_csv(file: &Path) -> Result<BodyTable, TableError> {
-    let refuse = |cause: io::Error| TableError::File { file: file.to_owned(), kind: cause.kind() };
-    let mut input = BufReader::new(open(file)?);
-    let (mut text, mut number) = (Vec::new(), 0);
-    let mut table: Option<BodyTable> = None;
-    while input.read_until(b'\n', &mut text).map_err(refuse)? > 0 {
-        number += 1;
-        let marked = if number == 1 { text.strip_prefix(b"\xef\xbb\xbf") } else { None };
-        let lines = marked.unwrap_or(&text).split(|byte| matches!(byte, b'\r' | b'\n'));
-        for line in lines.filter(|line| !line.is_empty() && !line.starts_with(b"#")) {
-            match &mut table {
-                Some(table) => table.add(number, fields(line)),
-                None => {
-                    let names = fields(line).ok_or_else(|| TableError::Names { file: file.to_owned() })?;
-                    let name = |name: &Vec<u8>| unguarded(&String::from_utf8_lossy(name)).into_owned();
-                    table = Some(BodyTable::of(names.iter().map(name)));
-                }
-            }
-        }
-        text.clear();
-    }
-    Ok(table.unwrap_or_default())
 }
 
 fn of_parquet(file: &Path) -> Result<BodyTable, TableError> {

@@ -93,10 +93,15 @@ impl CellColumn {
     }
 }
 
-/// Line of the names of columns, as CSV; a spreadsheet takes no name and no text for a formula.
+/// Line of the names of columns, as CSV, each with its unit in brackets, as `evolve.time [s]`; a spreadsheet takes no name and no text for a
+/// formula.
 #[must_use]
 pub fn csv_header(columns: &[CellColumn]) -> Vec<u8> {
-    lines(std::iter::once(columns.iter().map(|column| guarded(&column.name).into_owned()).collect()))
+    let title = |column: &CellColumn| match column.unit.as_str() {
+        "" => guarded(&column.name).into_owned(),
+        unit => guarded(&format!("{} [{unit}]", column.name)).into_owned(),
+    };
+    lines(std::iter::once(columns.iter().map(title).collect()))
 }
 
 /// Lines of the rows of columns, as CSV; the columns are equally long.

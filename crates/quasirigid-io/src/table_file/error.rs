@@ -27,6 +27,14 @@ pub enum TableError {
         /// The file.
         file: PathBuf,
     },
+    /// A VOTable or a workbook that cannot be read.
+    #[error("{}: {problem}", file.display())]
+    Form {
+        /// The file.
+        file: PathBuf,
+        /// Problem, with advice.
+        problem: String,
+    },
     /// A Parquet file that cannot be read or written.
     #[error("{}: {cause}; files without compression or with Snappy are read", file.display())]
     Parquet {

@@ -66,6 +66,14 @@ pub(crate) struct Measure<'a> {
     expression: Expression,
 }
 
+/// The number of a text with a unit, in another unit of the same dimension.
+#[must_use]
+pub fn number_in(text: &str, unit: &str) -> Option<f64> {
+    let one = format!("1 {unit}");
+    let (measure, unit) = (Measure::parse(text).ok()?, Measure::parse(&one).ok()?);
+    measure.in_unit_of(&unit)
+}
+
 impl<'a> Measure<'a> {
     /// Reads a number with a unit that exists.
     pub(crate) fn parse(text: &'a str) -> Result<Self, UnitError> {

@@ -1,6 +1,7 @@
 //! Files beside a model, and the folder of a record.
 
 mod bounds;
+mod catalogues;
 mod history_tables;
 mod matrix_files;
 mod mesh;

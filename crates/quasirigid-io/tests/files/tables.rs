@@ -45,7 +45,7 @@ fn parquet_is_read_back_to_the_bit() {
 fn csv_quotes_what_needs_quotes() {
     let text = [csv_header(&columns()), csv_rows(&columns())].concat();
     let text = String::from_utf8(text).unwrap();
-    assert_eq!(text.lines().next(), Some("row,spring.1.stiffness,valid,\"name, \"\"x\"\"\",empty"));
+    assert_eq!(text.lines().next(), Some("row,spring.1.stiffness [N/m],valid,\"name, \"\"x\"\"\",empty [s]"));
     assert_eq!(text.lines().nth(1), Some("0,0.1,true,a,"));
 }
 

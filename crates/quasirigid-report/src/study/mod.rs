@@ -2,6 +2,7 @@
 //! Like the report of a run it is one file that asks the network for nothing; a study of any size makes a page of bounded size.
 
 mod figures;
+mod population;
 mod scatter;
 mod tables;
 
@@ -25,6 +26,7 @@ pub fn study_page(record: &SweepRecord, columns: &[SweepColumn]) -> String {
             (tables::head(record))
             (tables::percentiles(record))
             (tables::influences(record))
+            (population::section(record, columns))
             (figures::section(record, columns))
             (scatter::section(record, columns))
             (tables::reasons(record))

@@ -34,6 +34,7 @@ fn record(columns: Vec<(&str, &str, &str, Vec<f64>)>) -> (SweepRecord, Vec<Sweep
     };
     let input = |(name, unit, kind, _): &&(&str, &str, &str, Vec<f64>)| InputRecord {
         name: (*name).into(),
+        key: String::new(),
         unit: (*unit).into(),
         kind: (*kind).into(),
         points: Vec::new(),
@@ -43,6 +44,8 @@ fn record(columns: Vec<(&str, &str, &str, Vec<f64>)>) -> (SweepRecord, Vec<Sweep
         version: "0.1.0".into(),
         name: "dampers".into(),
         sha256: "0".into(),
+        files: Vec::new(),
+        notes: Vec::new(),
         study: "model = \"model.toml\"\n".into(),
         model: String::new(),
         rows,

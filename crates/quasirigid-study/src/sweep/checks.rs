@@ -3,7 +3,7 @@
 use std::time::Instant;
 
 use quasirigid_io::model::{KeyPath, KeyValue, Model, ModelError};
-use quasirigid_io::study_file::{Command, Quantity, Values, Varied};
+use quasirigid_io::study_file::{Command, Quantity, Sampling, Values, Varied};
 use quasirigid_io::table_file::CellKind;
 use serde_json::Value;
 
@@ -25,9 +25,7 @@ const BODIES: usize = 20;
 /// former names in the model.
 pub(super) fn keys(sweep: &Sweep) -> Result<Vec<String>, SweepError> {
     let drawn = sweep.study.vary.iter().filter(|varied| is_drawn(&varied.values));
-    if let (quasirigid_io::study_file::Sampling::Sobol, Some(over)) =
-        (sweep.study.sampling, drawn.into_iter().nth(MOST_SOBOL_KEYS))
-    {
+    if let (Sampling::Sobol, Some(over)) = (sweep.study.sampling, drawn.into_iter().nth(MOST_SOBOL_KEYS)) {
         let message = format!("a Sobol sequence draws at most {MOST_SOBOL_KEYS} keys");
         let refused = sweep.study.refuse(
             over.span.clone(),
@@ -36,6 +34,14 @@ pub(super) fn keys(sweep: &Sweep) -> Result<Vec<String>, SweepError> {
             Some("take latin-hypercube".to_owned()),
         );
         return Err(SweepError::File(refused));
+    }
+    let uncertain = sweep.bodies.as_ref().map_or(0, |bodies| bodies.uncertain() as usize);
+    let drawn = sweep.study.vary.iter().filter(|varied| is_drawn(&varied.values)).count();
+    if sweep.study.sampling == Sampling::Sobol && drawn + uncertain > MOST_SOBOL_KEYS {
+        let message =
+            format!("a Sobol sequence draws at most {MOST_SOBOL_KEYS} keys, with those of the table");
+        let help = Some("take latin-hypercube".to_owned());
+        return Err(SweepError::File(sweep.study.refuse(0..0, message, "too many", help)));
     }
     let all: Vec<_> = sweep.study.vary.iter().map(|varied| (varied.key.clone(), typical(varied))).collect();
     let former_names = match parsed(sweep, &[]) {
@@ -60,17 +66,17 @@ pub(super) fn keys(sweep: &Sweep) -> Result<Vec<String>, SweepError> {
 fn columns(sweep: &Sweep) -> Result<(), SweepError> {
     let (Some(bodies), Some(table)) = (&sweep.bodies, &sweep.study.table) else { return Ok(()) };
     for key in &bodies.keys {
-        let given = (0..(bodies.rows() as usize).min(BODIES)).filter_map(|body| bodies.given(key, body).ok());
+        let given =
+            (0..(bodies.rows() as usize).min(BODIES)).filter_map(|body| bodies.given(key, body, None).ok());
         let tried: Vec<_> =
             given.map(|given| (parsed(sweep, &[(key.key.clone(), given.clone())]), given)).collect();
         if let (Some((Err(error), given)), true) =
             (tried.first(), tried.iter().all(|(found, _)| found.is_err()))
         {
-            let span = table
-                .columns
-                .iter()
-                .find(|column| column.name == key.name)
-                .map_or(table.span.clone(), |c| c.span.clone());
+            let mapped = sweep.study.columns.iter().flatten().find(|column| column.key == key.key);
+            let named = table.columns.iter().find(|column| column.name == key.name);
+            let span = mapped.map(|column| column.span.clone()).or(named.map(|column| column.span.clone()));
+            let span = span.unwrap_or_else(|| table.span.clone());
             return Err(refused(sweep, span, &format!("column {:?}, {}", key.name, key.key), given, error));
         }
     }

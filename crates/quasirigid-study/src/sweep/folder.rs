@@ -20,6 +20,7 @@ const MODEL_FILE: &str = "model.toml";
 const PARTS_FOLDER: &str = "parts";
 pub(super) const REPORT_FILE: &str = "report.html";
 pub(super) const ROWS_FILE: &str = "rows.csv";
+pub(super) const BODIES_FILE: &str = "bodies.csv";
 pub(super) const SUMMARY: &str = "summary.json";
 
 /// Folder of the results of a study.
@@ -118,6 +119,7 @@ impl<'s> Folder<'s> {
             ("quasirigid.study", self.sweep.sha256.clone()),
             ("quasirigid.version", env!("CARGO_PKG_VERSION").to_owned()),
             ("quasirigid.part", part.to_string()),
+            ("quasirigid.inputs", json!({ "files": self.sweep.files }).to_string()),
         ];
         let mut bytes = Vec::new();
         write_parquet(&self.part(part), &mut bytes, columns, &metadata)?;

@@ -3,6 +3,7 @@
 //! The study file is read by `quasirigid_io::study_file`; this folder is the only place that knows how rows become models.
 
 mod bodies;
+mod by_body;
 mod cell;
 mod checks;
 mod collect;
@@ -30,6 +31,7 @@ use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
 use quasirigid_io::model::{KeyPath, KeyValue, ModelError, Source, Template};
+use quasirigid_io::record::InputFileRecord;
 use quasirigid_io::study_file::{StudyFile, Values};
 use quasirigid_io::table_file::CellKind;
 
@@ -79,6 +81,8 @@ pub struct Sweep {
     pub outputs: Vec<Output>,
     /// SHA-256 of everything that the results depend on, in hexadecimal.
     pub sha256: String,
+    /// Files that the results depend on: study, model, table, and those that they name.
+    pub files: Vec<InputFileRecord>,
     /// Time that a row took (s), by the first rows on this machine.
     pub row_time: f64,
     template: Template,
@@ -162,13 +166,14 @@ impl Sweep {
         let rows = plan::rows(&study, bodies.as_ref()).ok_or(SweepError::TooLarge { most: MOST_ROWS })?;
         let design = Design { sampling: study.sampling, seed: study.seed, samples: study.samples as u64 };
         let inputs = plan::inputs(&study, bodies.as_ref());
-        let sha256 = identity(&study, &model, bodies.as_ref())?;
+        let (sha256, files) = identity(&study, &model, bodies.as_ref())?;
         let mut sweep = Self {
             study,
             model,
             inputs,
             outputs: Vec::new(),
             sha256,
+            files,
             row_time: 0.0,
             template,
             bodies,
@@ -187,6 +192,12 @@ impl Sweep {
     #[must_use]
     pub fn rows(&self) -> u64 {
         self.rows
+    }
+
+    /// What was made of the table, where that is not plain: its layout, units, columns left out, values that are missing.
+    #[must_use]
+    pub fn notes(&self) -> &[String] {
+        self.bodies.as_ref().map_or(&[], |bodies| &bodies.notes)
     }
 
     /// Index of a row whose number, from 1, a user gives.

@@ -59,7 +59,7 @@ fn kind(values: &Values) -> CellKind {
 /// Keys with their values in a row.
 pub(super) fn changes(sweep: &Sweep, row: u64) -> Result<Vec<(KeyPath, KeyValue)>, String> {
     let mut changes = match &sweep.bodies {
-        Some(bodies) => bodies.changes(body(sweep, row))?,
+        Some(bodies) => bodies.changes(body(sweep, row), &|number| drawn(sweep, row, number))?,
         None => Vec::new(),
     };
     let values = values(sweep, row);
@@ -76,7 +76,9 @@ pub(super) fn changes(sweep: &Sweep, row: u64) -> Result<Vec<(KeyPath, KeyValue)
 
 /// Cells of the inputs of a row.
 pub(super) fn cells(sweep: &Sweep, row: u64) -> Vec<Cell> {
-    let of_table = sweep.bodies.as_ref().map_or_else(Vec::new, |bodies| bodies.cells(body(sweep, row)));
+    let draw = |number| drawn(sweep, row, number);
+    let of_table =
+        sweep.bodies.as_ref().map_or_else(Vec::new, |bodies| bodies.cells(body(sweep, row), &draw));
     let varied = sweep.study.vary.iter().zip(values(sweep, row)).map(|(varied, value)| match value {
         KeyValue::Number(number) => Cell::Number(number),
         KeyValue::Integer(integer) if kind(&varied.values) == CellKind::Number => {
@@ -101,6 +103,12 @@ pub(super) fn in_unit(value: KeyValue, unit: Option<&str>) -> KeyValue {
 fn body(sweep: &Sweep, row: u64) -> usize {
     let rows = sweep.bodies.as_ref().map_or(1, Bodies::rows);
     usize::try_from(row / (sweep.rows / rows)).unwrap_or(usize::MAX)
+}
+
+/// Number between 0 and 1 from which a row draws an uncertain key of the table, behind those that the study draws.
+fn drawn(sweep: &Sweep, row: u64, number: u32) -> f64 {
+    let varied = sweep.study.vary.iter().filter(|varied| is_drawn(&varied.values)).count() as u32;
+    sweep.design.at(row, varied + number)
 }
 
 /// Values of the varied keys in a row, numbers without their units.

@@ -16,7 +16,7 @@ use super::cell::Cell;
 use super::folder::{Folder, REPORT_FILE, ROWS_FILE, SUMMARY, read_part, tidy};
 use super::part::Opened;
 use super::row::RowAnswer;
-use super::{Sweep, SweepError, page, summary};
+use super::{Sweep, SweepError, by_body, page, summary};
 use crate::{STACK, Watch};
 
 /// Most rows that are also written as one CSV file.
@@ -280,6 +280,7 @@ fn summarized(sweep: &Sweep, folder: &Folder<'_>) -> Result<SweepRecord, SweepEr
         }
         written?;
     }
+    by_body::write(sweep, folder)?;
     let record = summary::of_folder(sweep, folder)?;
     let page = page::page(folder, &record)?;
     folder.put(REPORT_FILE, |out| out.write_all(page.as_bytes()))?;

@@ -49,6 +49,8 @@ pub(super) fn summary(sweep: &Sweep, read: Read<'_>) -> Result<SweepRecord, Swee
         version: env!("CARGO_PKG_VERSION").into(),
         name: name(sweep),
         sha256: sweep.sha256.clone(),
+        files: sweep.files.clone(),
+        notes: sweep.notes().to_vec(),
         study: sweep.study.source.text.clone(),
         model: sweep.model.text.clone(),
         rows: sweep.rows,
@@ -91,7 +93,17 @@ fn of_input(sweep: &Sweep, input: &Column) -> InputRecord {
     let points =
         grid.map_or_else(Vec::new, |grid| (0..grid.len()).filter_map(|i| number(grid.point(i))).collect());
     let geometric = matches!(grid, Some(Grid::Numbers { geometric: true, .. }));
-    InputRecord { name: input.name.clone(), unit: input.unit.clone(), kind: kind.into(), points, geometric }
+    let of_table = sweep.bodies.iter().flat_map(|bodies| &bodies.keys);
+    let key = of_table.filter(|key| key.name == input.name).map(|key| key.key.to_string()).next();
+    let key = key.or(varied.map(|varied| varied.key.to_string())).unwrap_or_default();
+    InputRecord {
+        name: input.name.clone(),
+        key,
+        unit: input.unit.clone(),
+        kind: kind.into(),
+        points,
+        geometric,
+    }
 }
 
 fn statistics(output: &Output, cells: &Cells, percents: &[f64]) -> QuantityRecord {

@@ -38,6 +38,9 @@ fn write(out: &mut String, record: &SweepRecord) -> fmt::Result {
         title.push('.');
     }
     writeln!(out, "{}", paragraph(&title, "", "  "))?;
+    for note in &record.notes {
+        writeln!(out, "{}", paragraph(&format!("note: {}", one_line(note)), "  ", "    "))?;
+    }
     for reason in record.reasons.iter().take(LISTED) {
         let times =
             if reason.count == 1 { "row".to_owned() } else { format!("{} rows, the first", reason.count) };

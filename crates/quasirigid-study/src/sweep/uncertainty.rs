@@ -55,6 +55,7 @@ impl Study {
             part: samples,
             vary: model.uncertainty.clone(),
             table: None,
+            columns: None,
             answer,
             former_names: Vec::new(),
         };

@@ -1,0 +1,91 @@
+//! VOTable, the XML of the Virtual Observatory (IVOA Recommendation 1.4): fields with units and null values, rows in `TABLEDATA`.
+//! Rows in binary form are refused in words; every service also gives the other form.
+
+use std::io::Read;
+use std::path::Path;
+
+use quasirigid_math::memory;
+use roxmltree::{Document, Node, ParsingOptions};
+
+use super::TableError;
+use super::bodies::{BodyTable, open};
+use super::names::unit;
+
+/// Bytes in memory for each byte of the file: a node of the tree takes 96 bytes, and the shortest element seven.
+pub(super) const IN_MEMORY: f64 = 24.0;
+
+/// Whether a file begins as a VOTable does.
+pub(super) fn begins(bytes: &[u8]) -> bool {
+    let text = String::from_utf8_lossy(bytes);
+    text.trim_start_matches('\u{feff}').trim_start().starts_with('<') && text.contains("VOTABLE")
+}
+
+/// Reads the first table of a file that has rows.
+pub(super) fn read(file: &Path) -> Result<BodyTable, TableError> {
+    let refuse = |problem: String| TableError::Form { file: file.to_owned(), problem };
+    let unread = |cause: std::io::Error| TableError::File { file: file.to_owned(), kind: cause.kind() };
+    let mut input = open(file)?;
+    let size = input.metadata().map_err(unread)?.len();
+    memory::ask(IN_MEMORY * size as f64).map_err(|cause| refuse(cause.to_string()))?;
+    let mut text = String::new();
+    input.read_to_string(&mut text).map_err(unread)?;
+    // files of version 1.0 name a DTD; one that defines entities could grow without bound
+    if text.contains("<!ENTITY") {
+        return Err(refuse("it defines entities of its own; save the VOTable anew, or as CSV".to_owned()));
+    }
+    let options = ParsingOptions { allow_dtd: true, ..ParsingOptions::default() };
+    let document = Document::parse_with_options(&text, options)
+        .map_err(|cause| refuse(format!("this is not valid XML: {cause}")))?;
+    let tables: Vec<Node<'_, '_>> = all(document.root(), "TABLE").collect();
+    let Some(table) = tables.iter().find(|table| all(**table, "TABLEDATA").next().is_some()) else {
+        let binary = ["BINARY", "BINARY2", "FITS"];
+        let is_binary = binary.into_iter().any(|kind| all(document.root(), kind).next().is_some());
+        let what = if is_binary { "its rows are in binary form" } else { "it has no rows" };
+        return Err(refuse(format!("{what}; save the VOTable as TABLEDATA, or as CSV")));
+    };
+    let mut read = of_table(*table, &text);
+    if tables.len() > 1 {
+        read.notes.push(format!("the file has {} tables; the first with rows is taken", tables.len()));
+    }
+    Ok(read)
+}
+
+fn of_table(table: Node<'_, '_>, text: &str) -> BodyTable {
+    let fields: Vec<Node<'_, '_>> = table.children().filter(|node| is(node, "FIELD")).collect();
+    let name = |field: &Node<'_, '_>| {
+        field.attribute("name").or(field.attribute("ID")).unwrap_or_default().trim().to_owned()
+    };
+    let mut read = BodyTable::of(fields.iter().map(name));
+    for (unit, field) in read.units.iter_mut().zip(&fields) {
+        if let Some(given) = field.attribute("unit").and_then(self::unit) {
+            *unit = Some(given);
+        }
+    }
+    let nulls: Vec<Option<&str>> = fields
+        .iter()
+        .map(|field| field.children().find(|node| is(node, "VALUES")).and_then(|node| node.attribute("null")))
+        .collect();
+    let (mut line, mut counted) = (1, 0);
+    for row in all(table, "TR") {
+        let mut values: Vec<Vec<u8>> = Vec::new();
+        for cell in row.children().filter(|node| is(node, "TD")) {
+            let value = cell.text().unwrap_or_default().trim();
+            let null = nulls.get(values.len()).copied().flatten();
+            values.push(if null == Some(value) { Vec::new() } else { value.as_bytes().to_vec() });
+        }
+        let start = row.range().start;
+        line += text[counted..start].bytes().filter(|byte| *byte == b'\n').count();
+        counted = start;
+        read.add(line, Some(values));
+    }
+    read
+}
+
+fn all<'a, 'i>(node: Node<'a, 'i>, name: &'static str) -> impl Iterator<Item = Node<'a, 'i>> {
+    node.descendants().filter(move |node| is(node, name))
+}
+
+/// Whether a node is an element of this name, in whatever namespace.
+fn is(node: &Node<'_, '_>, name: &str) -> bool {
+    node.is_element() && node.tag_name().name() == name
+}

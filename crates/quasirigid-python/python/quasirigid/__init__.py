@@ -35,6 +35,7 @@ from quasirigid._errors import (
     VerificationError,
 )
 from quasirigid._model import Model, cite
+from quasirigid._population import Population, evolve_population
 from quasirigid._reduced import Part, Reduced, SympyEquations
 from quasirigid._sweep import Sweep, read_sweep, sweep
 from quasirigid._table import Table
@@ -60,6 +61,7 @@ __all__ = [
     "ModelError",
     "Modes",
     "Part",
+    "Population",
     "PropagationError",
     "Reduced",
     "ReductionError",
@@ -77,6 +79,7 @@ __all__ = [
     "__version__",
     "cite",
     "evolve_ellipsoids",
+    "evolve_population",
     "read_sweep",
     "sweep",
 ]
@@ -85,5 +88,5 @@ __all__ = [
 for _name in __all__:
     if isinstance(globals()[_name], type):
         globals()[_name].__module__ = "quasirigid"
-cite.__module__ = evolve_ellipsoids.__module__ = read_sweep.__module__ = sweep.__module__ = "quasirigid"
+cite.__module__ = evolve_ellipsoids.__module__ = evolve_population.__module__ = read_sweep.__module__ = sweep.__module__ = "quasirigid"
 del _name

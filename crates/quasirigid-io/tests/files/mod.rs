@@ -5,4 +5,5 @@ mod history_tables;
 mod matrix_files;
 mod mesh;
 mod record;
+mod shapes;
 mod tables;

@@ -85,7 +85,11 @@ impl Target {
 }
 
 /// Every target.
-pub const TARGETS: [Target; 37] = [
+<<<<<<< HEAD
+pub const TARGETS: [Target; 44] = [
+=======
+pub const TARGETS: [Target; 44] = [
+>>>>>>> shapes
     Target::of_body("model_text", model::text, model::WORDS)
         .seeded(&[("examples", "toml"), ("data/published", "toml")]),
     Target::of_body("model_tables", model::text, &[]).drawn("model_text", grammar::model::model),
@@ -105,6 +109,14 @@ pub const TARGETS: [Target; 37] = [
     ),
     Target::of_file("surface_ply", |bytes| surface::read("a.ply", bytes), surface::PLY),
     Target::of_file("surface_plates", |bytes| surface::read("a.tab", bytes), &[]),
+    Target::of_file(
+        "surface_off",
+        |bytes| surface::read("a.off", bytes),
+        &["OFF\n", "COFF ", "NOFF\n", "3 "],
+    ),
+    Target::of_file("surface_vrml", |bytes| surface::read("a.wrl", bytes), surface::VRML),
+    Target::of_file("surface_gltf", |bytes| surface::read("a.gltf", bytes), surface::GLTF),
+    Target::of_file("surface_vtk", |bytes| surface::read("a.vtp", bytes), surface::VTP),
     Target::of_file("volume_gmsh", |bytes| volume::read("a.msh", bytes), volume::GMSH)
         .seeded(&[(VOLUMES, "msh"), (BODIES, "msh")]),
     Target::of_file("volume_vtk", |bytes| volume::read("a.vtu", bytes), volume::VTK)

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use quasirigid_io::mesh::triangles_of;
-use quasirigid_mesh::surface::ClosedSurface;
+use quasirigid_mesh::surface::repaired;
 
 /// Words of PLY files.
 pub const PLY: &[&str] = &[
@@ -20,6 +20,51 @@ pub const PLY: &[&str] = &[
     "comment ",
 ];
 
+/// Words of VRML files.
+pub const VRML: &[&str] = &[
+    "#VRML V2.0 utf8\n",
+    "#VRML V1.0 ascii\n",
+    "Separator {",
+    "Transform {",
+    "translation 0 0 0 ",
+    "IndexedFaceSet {",
+    "coord Coordinate { point [",
+    "Coordinate3 { point [",
+    "coordIndex [",
+    "DEF A ",
+    "USE A ",
+    "ccw FALSE",
+    "-1 ",
+    "] }",
+];
+
+/// Words of glTF files.
+pub const GLTF: &[&str] = &[
+    "{\"asset\":{\"version\":\"2.0\"},",
+    "\"scenes\":[{\"nodes\":[0]}],",
+    "\"nodes\":[{\"mesh\":0}],",
+    "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0},\"indices\":1}]}],",
+    "\"buffers\":[{\"byteLength\":36,\"uri\":\"data:;base64,",
+    "\"bufferViews\":[{\"buffer\":0,\"byteOffset\":0,\"byteLength\":36}],",
+    "\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\"}]",
+    "\"children\":[0]",
+    "\"byteStride\":",
+];
+
+/// Words of surfaces of VTK.
+pub const VTP: &[&str] = &[
+    "<VTKFile type=\"PolyData\">",
+    "<PolyData><Piece NumberOfPoints=\"3\" NumberOfPolys=\"1\">",
+    "<Points><DataArray type=\"Float64\" format=\"ascii\">",
+    "<Polys><DataArray type=\"Int32\" Name=\"connectivity\">",
+    "<DataArray type=\"Int32\" Name=\"offsets\">",
+    "</DataArray>",
+    "# vtk DataFile Version 3.0\n\nASCII\nDATASET POLYDATA\n",
+    "POINTS 3 double\n",
+    "POLYGONS 1 4\n",
+    "TRIANGLE_STRIPS 1 4\n",
+];
+
 /// Most triangles of a surface that is taken further than its file.
 const MAX_TRIANGLES: usize = 2000;
 
@@ -33,8 +78,8 @@ pub fn read(name: &str, bytes: &[u8]) {
     if mesh.triangles.len() > MAX_TRIANGLES {
         return;
     }
-    match ClosedSurface::new(mesh.vertices, mesh.triangles) {
-        Ok(surface) => {
+    match repaired(mesh.vertices, mesh.triangles) {
+        Ok((surface, _)) => {
             assert!(
                 surface.volume() > 0.0 || surface.volume() == f64::INFINITY || surface.volume() == 0.0,
                 "{}",

@@ -138,12 +138,6 @@ pub enum MeshProblem {
         /// Number of vertices, up to here where corners count back.
         vertices: usize,
     },
-    /// A face without area.
-    #[error("a face of {found} corners; give it three or more, or leave it out")]
-    Corners {
-        /// Number found.
-        found: usize,
-    },
     /// A facet that is no triangle, where nothing else is allowed.
     #[error("a facet of {found} corners; STL has triangles only")]
     Facet {

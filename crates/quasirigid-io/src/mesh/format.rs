@@ -40,7 +40,7 @@ impl Format {
             return Ok(Self::StlBinary);
         }
         let ending = file.extension().and_then(|ending| ending.to_str()).map(str::to_ascii_lowercase);
-        let is_text = stl::is_text(bytes);
+        let is_text = stl::is_text(bytes) && !bytes.starts_with(b"version https://git-lfs");
         match (ending.as_deref(), Self::by_first_word(bytes)) {
             (Some("stl"), _) if !is_text => Ok(Self::StlBinary),
             (Some("stl"), Some(Self::StlText)) => Ok(Self::StlText),

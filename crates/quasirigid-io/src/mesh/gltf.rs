@@ -21,10 +21,8 @@ use crate::text_file::bytes_of;
 
 /// Whether bytes begin as a glTF file does.
 pub(super) fn is_gltf(bytes: &[u8]) -> bool {
-    let json = || {
-        bytes.trim_ascii_start().starts_with(b"{")
-            && bytes.windows(7).take(4096).any(|part| part == b"\"asset\"")
-    };
+    let json =
+        || bytes.trim_ascii_start().starts_with(b"{") && bytes.windows(7).any(|part| part == b"\"asset\"");
     bytes.starts_with(b"glTF") || json()
 }
 

@@ -6,4 +6,5 @@ mod history_tables;
 mod matrix_files;
 mod mesh;
 mod record;
+mod shapes;
 mod tables;

@@ -55,16 +55,16 @@ fn a_surface_is_read_in_its_unit() {
 fn what_is_no_surface_is_refused_at_its_file() {
     assert_snapshot!(refused(TETRAHEDRON, "file = \"none.obj\"\n"), @r#"
     model.toml:7:8: `file`: none.obj: entity not found; is the name right, and is the file readable?
-    it is looked for beside the model; OBJ, STL, PLY and plate tables are read
+    it is looked for beside the model; OBJ, STL, PLY, OFF, VRML, glTF, VTK and plate tables are read
     "#);
-    let open = TETRAHEDRON.replace("f 2 3 4\n", "f 2 3 4\nf 2 3 1\n").replace("f 1 4 3\n", "");
+    let open = TETRAHEDRON.replace("f 1 4 3\n", "");
     assert_snapshot!(refused(&open, "file = \"shape.obj\"\n"), @r#"
-    model.toml:7:8: `file`: the edge between vertices 4 and 1 of triangle 2 is open, the first of 2 such edges; fill the hole, and let triangles that meet share their vertices
-    the surface must close, with every triangle counter-clockwise from outside
+    model.toml:7:8: `file`: the surface has 1 hole: 3 edges, 6.8284e0 m around, near (0.0000e0, 6.6667e-1, 6.6667e-1) m; fill what is open
+    the surface must close around one body; corners closer than 1e-5 of its size are merged, facets turned and copies left out already
     "#);
     assert_snapshot!(refused("v 0 0 x\n", "file = \"shape.obj\"\n"), @r#"
     model.toml:7:8: `file`: shape.obj:1: "x" is not a number; a vertex is written v x y z
-    it is looked for beside the model; OBJ, STL, PLY and plate tables are read
+    it is looked for beside the model; OBJ, STL, PLY, OFF, VRML, glTF, VTK and plate tables are read
     "#);
     assert_snapshot!(refused(TETRAHEDRON, "file = \"shape.obj\"\nunit = \"kg\"\ndegree = 13\n"), @r#"
     model.toml:8:8: `unit`: "kg" is not a decimal number with a unit
@@ -76,4 +76,34 @@ fn what_is_no_surface_is_refused_at_its_file() {
     model.toml:7:8: `file`: found an integer, expected a text
     write the file in quotes
     "#);
+}
+
+#[test]
+fn repairs_are_told_and_strict_refuses_them() {
+    let reversed = TETRAHEDRON.replace("f 2 3 4", "f 4 3 2");
+    let model = read(&reversed, "file = \"shape.obj\"\nunit = \"m\"\n").expect("a model");
+    assert_eq!(model.notes, ["\"surface 1\": \"shape.obj\" was repaired: 1 facets turned around"]);
+    assert_eq!(model.shapes[0].repairs[0].count, 1);
+    assert_snapshot!(refused(&reversed, "file = \"shape.obj\"\nstrict = true\n"), @r#"
+    model.toml:7:8: `file`: it needs repair: 1 facets turned around
+    leave `strict` out to have this done, or mend the file
+    "#);
+}
+
+#[test]
+fn separate_bodies_are_a_question_with_their_sizes() {
+    let second = "v 8 0 0\nv 9 0 0\nv 8 1 0\nv 8 0 1\nf 5 7 6\nf 5 6 8\nf 5 8 7\nf 6 7 8\n";
+    let both = format!("{TETRAHEDRON}{second}");
+    let question = refused(&both, "file = \"shape.obj\"\n");
+    assert!(
+        question.contains("2 bodies that nothing joins: 2.0000 by 2.0000 by 2.0000 m near"),
+        "{question}"
+    );
+    let model = read(&both, "file = \"shape.obj\"\nparts = \"largest\"\n").expect("a model");
+    assert!((model.assembly.surfaces[0].surface.volume() * 6.0 / 8.0 - 1.0).abs() < 1e-12);
+    assert!(
+        model.notes[1].contains("largest of 2 bodies; the others have 12.50 % of its volume"),
+        "{:?}",
+        model.notes
+    );
 }

@@ -85,11 +85,7 @@ impl Target {
 }
 
 /// Every target.
-<<<<<<< HEAD
 pub const TARGETS: [Target; 44] = [
-=======
-pub const TARGETS: [Target; 44] = [
->>>>>>> shapes
     Target::of_body("model_text", model::text, model::WORDS)
         .seeded(&[("examples", "toml"), ("data/published", "toml")]),
     Target::of_body("model_tables", model::text, &[]).drawn("model_text", grammar::model::model),

@@ -28,6 +28,7 @@ pub(super) fn is_gltf(bytes: &[u8]) -> bool {
 
 /// Triangles of a scene; buffers in other files are looked for beside the file.
 pub(super) fn read(file: &Path, bytes: &[u8]) -> Result<TriangleMesh, Fault> {
+    attributes_exist(bytes)?;
     let scene = Gltf::from_slice(bytes);
     let Gltf { document, blob } = scene.map_err(|error| refused(&error.to_string()))?;
     let buffers = document.buffers().map(|buffer| match buffer.source() {
@@ -55,6 +56,17 @@ pub(super) fn read(file: &Path, bytes: &[u8]) -> Result<TriangleMesh, Fault> {
     }
     draft.unit = Some((1.0, "glTF is in metres".into()));
     draft.finish(0)
+}
+
+/// Refuses attributes of accessors that do not exist, which the checks of the crate presume.
+fn attributes_exist(bytes: &[u8]) -> Result<(), Fault> {
+    let scene = Gltf::from_slice_without_validation(bytes).map_err(|error| refused(&error.to_string()))?;
+    let root = scene.document.as_json();
+    let mut primitives = root.meshes.iter().flat_map(|mesh| &mesh.primitives);
+    let missing = primitives.any(|primitive| {
+        primitive.attributes.values().any(|accessor| accessor.value() >= root.accessors.len())
+    });
+    if missing { Err(refused("an accessor does not exist")) } else { Ok(()) }
 }
 
 fn refused(cause: &str) -> Fault {

@@ -254,7 +254,9 @@ fn a_polygon_that_is_not_convex_is_cut_within_itself() {
     let outline = [[0, 0], [2, 0], [2, 1], [1, 1], [1, 2], [0, 2]];
     let ring: Vec<[i32; 2]> = outline[3..].iter().chain(&outline[..3]).copied().collect();
     let mut text = String::new();
-    [0, 1].map(|z| ring.iter().for_each(|[x, y]| writeln!(text, "v {x} {y} {z}").unwrap()));
+    for z in [0, 1] {
+        ring.iter().for_each(|[x, y]| writeln!(text, "v {x} {y} {z}").unwrap());
+    }
     text.push_str("f 6 5 4 3 2 1\nf 7 8 9 10 11 12\n");
     (0..6).for_each(|k| {
         writeln!(text, "f {} {} {} {}", k + 1, (k + 1) % 6 + 1, (k + 1) % 6 + 7, k + 7).unwrap()

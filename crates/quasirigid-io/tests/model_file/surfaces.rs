@@ -59,7 +59,7 @@ fn what_is_no_surface_is_refused_at_its_file() {
     "#);
     let open = TETRAHEDRON.replace("f 1 4 3\n", "");
     assert_snapshot!(refused(&open, "file = \"shape.obj\"\n"), @r#"
-    model.toml:7:8: `file`: the surface has 1 hole: 3 edges, 6.8284e0 m around, near (0.0000e0, 6.6667e-1, 6.6667e-1) m; fill what is open
+    model.toml:7:8: `file`: 3 triangles enclose nothing; a closed surface has at least 4
     the surface must close around one body; corners closer than 1e-5 of its size are merged, facets turned and copies left out already
     "#);
     assert_snapshot!(refused("v 0 0 x\n", "file = \"shape.obj\"\n"), @r#"

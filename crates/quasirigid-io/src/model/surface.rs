@@ -46,6 +46,9 @@ pub(super) const UNIT: Key = key(
     any(&[Shape::Text, Shape::Number]).or("its label's, else `\"m\"`"),
     "of the file, `\"2.5 cm\"`",
 );
+/// Unit of the lengths in a mesh of cells, which has no label.
+pub(super) const UNIT_OF_CELLS: Key =
+    key("unit", any(&[Shape::Text, Shape::Number]).or("`\"m\"`"), "of the file, `\"2.5 cm\"`");
 /// Whether a file must need no repair.
 pub(super) const STRICT: Key = key("strict", BOOLEAN.or("`false`"), "refuses what would be repaired");
 

@@ -10,7 +10,7 @@ use quasirigid_mesh::{Cell, Mesh, Set, Shape};
 use super::super::key::{self, Keys, TEXT, VECTOR, array, key, list, quantity, table};
 use super::super::reader::{NAME, Reader, Sources};
 use super::super::rheology::Extremes;
-use super::super::surface::UNIT;
+use super::super::surface::UNIT_OF_CELLS;
 use super::super::table::Table;
 use super::super::value::Value;
 use super::placed::{ATTITUDE, FILE, POSITION, Placed, mesh, placed};
@@ -26,7 +26,7 @@ const PANEL: Keys = Keys {
     known: &[
         NAME,
         FILE,
-        UNIT,
+        UNIT_OF_CELLS,
         key("rectangle", table(&RECTANGLE), "instead of `file`"),
         POSITION,
         ATTITUDE,

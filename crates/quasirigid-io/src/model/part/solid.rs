@@ -10,7 +10,7 @@ use quasirigid_mesh::Mesh;
 use super::super::key::{Keys, Shape, TEXT, array, key, named};
 use super::super::reader::{NAME, Reader, Sources};
 use super::super::rheology::Extremes;
-use super::super::surface::UNIT;
+use super::super::surface::UNIT_OF_CELLS;
 use super::super::table::Table;
 use super::super::value::Value;
 use super::placed::{ATTITUDE, FILE, POSITION, Placed, mesh};
@@ -28,7 +28,7 @@ const SOLID: Keys = Keys {
     known: &[
         NAME,
         FILE,
-        UNIT,
+        UNIT_OF_CELLS,
         POSITION,
         ATTITUDE,
         key("material", TEXT, ""),

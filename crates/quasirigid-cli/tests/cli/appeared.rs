@@ -87,7 +87,7 @@ fn file_that_appears_in_the_place_of_a_table_stays() {
     assert_eq!(ran.code, Some(1));
     assert_eq!(fs::read_to_string(folder.path().join("o.csv")).unwrap(), "precious");
     assert!(fs::read_to_string(folder.path().join("o-2.csv")).unwrap().starts_with("t,wx"));
-    assert_eq!(names(&folder), ["model.toml", "o-2.csv", "o.csv"]);
+    assert_eq!(names(&folder), ["model.toml", "o-2.csv", "o-2.csv.inputs.json", "o.csv"]);
 }
 
 /// Names alone make no record: a history belongs to a record if the record lists it, and if it is a file.

@@ -15,7 +15,7 @@ fn out_holds_the_bytes_that_would_be_printed() {
     let written = ran_in(folder.path(), &format!("{SHORT} --out table.csv"));
     assert_eq!((written.code, &*written.stdout, &*written.stderr), (Some(0), "", ""));
     assert_eq!(fs::read_to_string(folder.path().join("table.csv")).unwrap(), printed);
-    assert_eq!(names(&folder), ["model.toml", "table.csv"]);
+    assert_eq!(names(&folder), ["model.toml", "table.csv", "table.csv.inputs.json"]);
 }
 
 #[test]
@@ -40,7 +40,7 @@ fn file_is_replaced_only_on_request() {
     assert_eq!((refused.code, fs::read_to_string(&file).unwrap().as_str()), (Some(2), "precious"));
     assert_eq!(ran_in(folder.path(), &format!("{SHORT} --out table.csv --overwrite")).code, Some(0));
     assert!(fs::read_to_string(&file).unwrap().starts_with("t,wx,"));
-    assert_eq!(names(&folder), ["model.toml", "table.csv"]);
+    assert_eq!(names(&folder), ["model.toml", "table.csv", "table.csv.inputs.json"]);
 }
 
 /// The propagation would take many seconds; a place that takes no file is found before it, and said in other words.

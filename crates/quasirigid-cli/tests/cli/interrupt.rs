@@ -204,7 +204,7 @@ fn interrupted_table_in_a_file_is_whole_rows() {
     assert_eq!(ran.json()["status"], "interrupted");
     let text = fs::read_to_string(folder.path().join("table.csv")).unwrap();
     assert!(text.ends_with('\n') && !Table::of(&text).rows.is_empty());
-    assert_eq!(names(&folder), ["model.toml", "table.csv"]);
+    assert_eq!(names(&folder), ["model.toml", "table.csv", "table.csv.inputs.json"]);
 }
 
 #[test]

@@ -6,7 +6,7 @@ use std::path::Path;
 
 use serde_json::Value;
 
-use crate::support::{MODEL, ROOT, ran, ran_with};
+use crate::support::{MODEL, ROOT, ran, ran_in, ran_with};
 
 type Keys = BTreeSet<String>;
 
@@ -37,7 +37,40 @@ fn printed(lines: &[&str]) -> Keys {
     for line in lines {
         keys(&ran(&format!("{line} --json --quiet")).json(), "", &mut found);
     }
+    found.retain(|key| key != "inputs" && !key.starts_with("inputs."));
     found
+}
+
+/// Keys that `check` prints of a tetrahedron whose facets share no corners.
+fn of_a_shape() -> Keys {
+    let corners = ["0 0 0", "1 0 0", "0 1 0", "0 0 1"];
+    let facets = [[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]];
+    let vertices: String =
+        facets.iter().flatten().map(|corner: &usize| format!("v {}\n", corners[*corner])).collect();
+    let model = "[material.rock]\ndensity = 2000\nshear = 1e9\npoisson = 0.25\n\
+        [[surface]]\nfile = \"shape.obj\"\nunit = \"km\"\nmaterial = \"rock\"\n[initial]\nangular_velocity = [0, 0, 1e-4]\n";
+    let folder = tempfile::TempDir::new().unwrap();
+    fs::write(folder.path().join("shape.obj"), vertices + "f 1 2 3\nf 4 5 6\nf 7 8 9\nf 10 11 12\n").unwrap();
+    fs::write(folder.path().join("model.toml"), model).unwrap();
+    let mut found = Keys::new();
+    keys(&ran_in(folder.path(), "check model.toml --json --quiet").json(), "", &mut found);
+    found.retain(|key| key.starts_with("shapes"));
+    found
+}
+
+/// Every object has its inputs, which the guide describes once.
+#[test]
+fn keys_of_inputs_are_in_the_guide() {
+    let page = fs::read_to_string(Path::new(ROOT).join("docs/guide").join(PAGE)).unwrap();
+    for command in ["check", "modes", "derive", "evolve"] {
+        let mut found = Keys::new();
+        let answer = ran(&format!("{command} examples/nutation-damper/model.toml --json --quiet")).json();
+        keys(&answer["inputs"], "", &mut found);
+        assert!(found.contains("files.sha256") && found.contains("body.mass"), "{command}: {found:?}");
+        let told = |key: &&String| page.contains(&format!("`{}`", key.rsplit('.').next().unwrap()));
+        let missing: Vec<_> = found.iter().filter(|key| !told(key)).collect();
+        assert!(missing.is_empty(), "{command}: {missing:?}");
+    }
 }
 
 /// Keys in the first column of the tables under a heading of a page.
@@ -76,6 +109,7 @@ fn keys_of_check_and_modes_are_those_of_the_guide() {
             .map(|key| format!("resolution.{key}")),
     );
     check.extend(printed(&["check examples/nutation-damper/model.toml"]));
+    check.extend(of_a_shape());
     let equations = under("about_spin.equations", &about_spin());
     check.retain(|key| !equations.contains(key));
     assert_same(&check, &(&listed(PAGE, "`check`") | &spins));

@@ -71,7 +71,7 @@ fn a_table_of_several_kinds_says_which_there_are() {
 model.toml:9:1: [[cavity]] has no `shape`
   add a line such as: shape = "sphere", "ellipsoid", "cylinder", "annulus", "ring", "box", "shell", "mesh" or "surface"
 model.toml:10:1: unknown key "length" in [[cavity]]
-  the keys are shape, name, radius, semi_axes, axis, height, radii, tube_radius, sides, inner_semi_axes, file, unit, center, attitude, density, kinematic_viscosity, dynamic_viscosity, flow, resolution, modes
+  the keys are shape, name, radius, semi_axes, axis, height, radii, tube_radius, sides, inner_semi_axes, file, unit, strict, center, attitude, density, kinematic_viscosity, dynamic_viscosity, flow, resolution, modes
 model.toml:11:1: [[rotor]] has no `inertia`
   add a line such as: inertia = 0.2
 model.toml:11:1: [[rotor]] has no `friction`

@@ -89,7 +89,9 @@ fn result_beyond_a_limit_of_size_leaves_the_older_one() {
                 assert!(ran.code.is_some_and(|code| code < 2) && bytes(&path) != older, "{line}: {ran:?}");
                 fs::write(&path, "older").unwrap();
             }
-            assert_eq!(names(&folder), before, "{line}");
+            let mut left = names(&folder);
+            left.retain(|name| !name.ends_with(".inputs.json"));
+            assert_eq!(left, before, "{line}");
         }
     }
 }

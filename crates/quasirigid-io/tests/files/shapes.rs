@@ -34,9 +34,12 @@ fn sums((vertices, triangles): &Soup) -> [f64; 7] {
     sums
 }
 
+/// Count that a repair tells.
+type Count = fn(&Repairs) -> usize;
+
 /// Every defect, with the count that tells of it.
-fn defects() -> Vec<(&'static str, Soup, fn(&Repairs) -> usize, usize)> {
-    let none: fn(&Repairs) -> usize = |repairs| repairs.counts().len();
+fn defects() -> Vec<(&'static str, Soup, Count, usize)> {
+    let none: Count = |repairs| repairs.counts().len();
     let (vertices, triangles) = body();
     let changed = |change: &dyn Fn(&mut Soup)| {
         let mut soup = body();

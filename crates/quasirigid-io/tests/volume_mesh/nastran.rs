@@ -97,7 +97,7 @@ fn quadratic_cells_stand_in_the_order_of_their_shapes() {
         let [x, y, z] = place;
         text += &format!("GRID,{label},,{x:?},{y:?},{z:?}\n");
     };
-    let corner = |node: usize| corners[node].map(|x| f64::from(x));
+    let corner = |node: usize| corners[node].map(f64::from);
     (0..8).for_each(|node| grid(node + 1, corner(node)));
     for (number, [a, b]) in edges.iter().enumerate() {
         grid(number + 9, [0, 1, 2].map(|k| 0.5 * (corner(*a)[k] + corner(*b)[k])));

@@ -1,4 +1,5 @@
 use std::collections::HashMap;
+use std::collections::hash_map::Entry;
 
 use quasirigid_mesh::Set;
 
@@ -36,8 +37,8 @@ impl Sets {
     pub(super) fn without_prefix(&mut self, prefix: &str) {
         for place in 0..self.sets.len() {
             let Some(rest) = self.sets[place].name.strip_prefix(prefix) else { continue };
-            if !self.by_key.contains_key(&rest.to_ascii_uppercase()) {
-                self.by_key.insert(rest.to_ascii_uppercase(), place);
+            if let Entry::Vacant(free) = self.by_key.entry(rest.to_ascii_uppercase()) {
+                free.insert(place);
                 self.sets[place].name = rest.to_owned();
             }
         }

@@ -223,7 +223,8 @@ impl Made {
     }
 
     fn skins(&mut self) -> Result<(), LocatedProblem> {
-        let mut groups: BTreeMap<(u64, [u64; 3], Option<[u64; 3]>), (usize, Vec<usize>)> = BTreeMap::new();
+        // Plates of one property whose own numbers are equal to the bit are one skin: the first of them, and their cells.
+        let mut groups: BTreeMap<_, (usize, Vec<usize>)> = BTreeMap::new();
         for (cell, plate) in &self.plates {
             let Plate { property, angle, offset, reference, thickness, .. } = &self.deck.plates[*plate];
             let own = [*angle, *offset, thickness.unwrap_or(0.0)].map(f64::to_bits);

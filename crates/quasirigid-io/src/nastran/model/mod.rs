@@ -6,6 +6,7 @@ mod cells;
 mod elements;
 mod properties;
 mod rigid;
+mod sections;
 
 use std::collections::{BTreeMap, HashMap};
 use std::path::Path;

@@ -2,10 +2,15 @@
 //! A node has rotations where something turns it; a rotation that only its partner in a link has is held, for nothing acts on it.
 //! Equations (K1), (K2) and (I11), docs/theory.
 
-use std::collections::BTreeMap;
+mod mean;
+mod rod;
+
 use std::sync::Arc;
 
-use nalgebra::{DMatrix, Matrix3, Matrix3xX, Matrix6, SVector, Vector3, Vector6};
+use nalgebra::{DMatrix, Vector3};
+
+use mean::mean;
+use rod::Rod;
 
 use super::frame::bar_element;
 use super::panel::Plating;
@@ -13,7 +18,7 @@ use super::{Layer, Region, Seat};
 use crate::Material;
 use crate::error::{ElementError, Field, Problem, at};
 use crate::finite::beam::SectionShape;
-use crate::finite::{Block, Connectivity, Element, LumpedMass, Mass, MassLocation, rigid_points};
+use crate::finite::{Block, Connectivity, Mass, rigid_points};
 use crate::model::{Inertia, Rheology};
 use crate::number;
 use crate::structure::{Constraint, Node, Structure};
@@ -155,61 +160,6 @@ pub struct Weighted {
     pub displacements: Vec<[f64; 3]>,
     /// Axes of the rotations that count, unit vectors.
     pub rotations: Vec<[f64; 3]>,
-}
-
-/// Share of the largest eigenvalue below which the other nodes do not determine a motion of their mean, which is then zero.
-const UNDETERMINED: f64 = 1e-10;
-
-/// Constraint of a node on the rigid motion nearest to the weighted motions of other nodes:
-/// `u = (Σ w s sᵀ)⁺ Σ w s (d·uᵢ)`, `s = (d, r × d)`.
-fn mean(node: usize, others: &[Weighted], places: &[[f64; 3]], first: usize) -> Constraint {
-    let arm = |other: &Weighted| Vector3::from(places[other.node]) - Vector3::from(places[node]);
-    let distances = others.iter().map(|other| arm(other).norm());
-    let length = distances.sum::<f64>() / others.len().max(1) as f64;
-    let length = if length > 0.0 { length } else { 1.0 };
-    let mut turns: BTreeMap<usize, bool> = BTreeMap::new();
-    for other in others {
-        *turns.entry(other.node).or_default() |= !other.rotations.is_empty();
-    }
-    let (mut columns, mut starts) = (Vec::new(), BTreeMap::new());
-    for (node, turns) in turns {
-        starts.insert(node, columns.len());
-        columns.extend((0..if turns { 6 } else { 3 }).map(|component| (node, component)));
-    }
-    let mut normal = Matrix6::zeros();
-    let mut right = DMatrix::zeros(6, columns.len());
-    for other in others {
-        let mut add = |row: Vector6<f64>, weight: f64, direction: [f64; 3], from: usize| {
-            normal += weight * row * row.transpose();
-            for (axis, share) in direction.iter().enumerate() {
-                let mut sum = right.column_mut(starts[&other.node] + from + axis);
-                sum += weight * share * row;
-            }
-        };
-        for direction in &other.displacements {
-            let d = Vector3::from(*direction);
-            let moment = arm(other).cross(&d) / length;
-            add(Vector6::new(d.x, d.y, d.z, moment.x, moment.y, moment.z), other.weight, *direction, 0);
-        }
-        for axis in &other.rotations {
-            let [x, y, z] = *axis;
-            let turned = [length * x, length * y, length * z];
-            add(Vector6::new(0.0, 0.0, 0.0, x, y, z), other.weight, turned, 3);
-        }
-    }
-    let eigen = normal.symmetric_eigen();
-    let least = UNDETERMINED * eigen.eigenvalues.amax();
-    let inverse = (0..6).filter(|k| eigen.eigenvalues[*k] > least).fold(Matrix6::zeros(), |sum, k| {
-        let v = eigen.eigenvectors.column(k);
-        sum + v * v.transpose() / eigen.eigenvalues[k]
-    });
-    let mut shares = DMatrix::from_fn(6, columns.len(), |i, j| {
-        (0..6).map(|k| inverse[(i, k)] * right[(k, j)]).sum::<f64>()
-    });
-    shares.rows_mut(3, 3).scale_mut(length.recip());
-    let columns =
-        columns.into_iter().map(|(node, component): (usize, usize)| (first + node, component)).collect();
-    Constraint::Shaped { columns, shares }
 }
 
 impl Coupling {
@@ -464,72 +414,5 @@ impl NodeLink {
             block.damping += strain.damping * square;
         }
         structure.elements.push(Box::new(block));
-    }
-}
-
-/// Rod: stretch alone.
-#[derive(Debug)]
-struct Rod {
-    connectivity: Connectivity,
-    places: [Vector3<f64>; 2],
-    young: f64,
-    area: f64,
-    density: f64,
-}
-
-impl Rod {
-    /// Direction along the rod, and its length (m).
-    fn direction(&self) -> (Vector3<f64>, f64) {
-        let along = self.places[1] - self.places[0];
-        (along.normalize(), along.norm())
-    }
-
-    /// `A ⊗ (1, −1; −1, 1)`.
-    fn between(block: Matrix3<f64>) -> DMatrix<f64> {
-        DMatrix::from_fn(6, 6, |i, j| {
-            let sign = if i / 3 == j / 3 { 1.0 } else { -1.0 };
-            sign * block[(i % 3, j % 3)]
-        })
-    }
-}
-
-impl Element for Rod {
-    fn connectivity(&self) -> &Connectivity {
-        &self.connectivity
-    }
-
-    fn stiffness(&self) -> DMatrix<f64> {
-        let (n, length) = self.direction();
-        Self::between(self.young * self.area / length * n * n.transpose())
-    }
-
-    fn lumped_masses(&self) -> Vec<LumpedMass> {
-        let (_, length) = self.direction();
-        let mass = 0.5 * self.density * self.area * length;
-        if mass == 0.0 {
-            return Vec::new();
-        }
-        // Gauss's two points integrate the products of linear shapes.
-        let shares = [0.5 - 0.5 / 3.0_f64.sqrt(), 0.5 + 0.5 / 3.0_f64.sqrt()];
-        let point = |share: f64| {
-            let mut shapes = Matrix3xX::zeros(6);
-            shapes.columns_mut(0, 3).copy_from(&((1.0 - share) * Matrix3::identity()));
-            shapes.columns_mut(3, 3).copy_from(&(share * Matrix3::identity()));
-            let place = (1.0 - share) * self.places[0] + share * self.places[1];
-            LumpedMass { mass, location: MassLocation::At(place), shapes, turn: None }
-        };
-        shares.map(point).to_vec()
-    }
-
-    fn geometric(
-        &self,
-        displacement: &nalgebra::DVector<f64>,
-        _: &dyn Fn(Vector3<f64>) -> Vector3<f64>,
-    ) -> Option<DMatrix<f64>> {
-        let (n, length) = self.direction();
-        let u = SVector::<f64, 6>::from_column_slice(displacement.as_slice());
-        let stretch = n.dot(&(u.fixed_rows::<3>(3) - u.fixed_rows::<3>(0)));
-        let tension = self.young * self.area / length * stretch;
-        Some(Self::between(tension / length * (Matrix3::identity() - n * n.transpose())))
     }
 }

@@ -1,0 +1,178 @@
+//! Solids, shells, beams and rods of a deck.
+
+use std::collections::BTreeMap;
+
+use quasirigid_elements::{Bar, BarKind, Coupling, ElasticMaterial, Layer, Region, SectionShape, Skin};
+use quasirigid_math::vec3::{add, cross, norm, scale};
+
+use super::{Made, UNIT, across, along};
+use crate::matrix::error::MatrixProblem;
+use crate::matrix::listed::LocatedProblem;
+use crate::nastran::model::{Bending, Line, Plate, Plating, Ply, RodSection, Up};
+
+/// Share of the greatest moment that a section has where its card gives none.
+const NO_MOMENT: f64 = 1e-6;
+
+impl Made {
+    pub(super) fn regions(&mut self) -> Result<(), LocatedProblem> {
+        let mut cells: BTreeMap<u64, Vec<usize>> = BTreeMap::new();
+        for (cell, property) in &self.solids {
+            let no = (0, MatrixProblem::NoCardOf { kind: "property", label: *property });
+            let material = self.deck.of_solids.get(property).ok_or(no)?;
+            cells.entry(*material).or_default().push(*cell);
+        }
+        for (label, cells) in cells {
+            let material = ElasticMaterial::Isotropic(self.isotropic(label, 0.0)?);
+            self.mixed.regions.push(Region { cells, name: format!("MAT1 {label}"), material, axes: UNIT });
+        }
+        Ok(())
+    }
+
+    pub(super) fn skins(&mut self) -> Result<(), LocatedProblem> {
+        // Plates of one property whose own numbers are equal to the bit are one skin: the first of them, and their cells.
+        let mut groups: BTreeMap<_, (usize, Vec<usize>)> = BTreeMap::new();
+        for (cell, plate) in &self.plates {
+            let Plate { property, angle, offset, reference, thickness, .. } = &self.deck.plates[*plate];
+            let own = [*angle, *offset, thickness.unwrap_or(0.0)].map(f64::to_bits);
+            let bits = (*property, own, reference.map(|axis| axis.map(f64::to_bits)));
+            groups.entry(bits).or_insert_with(|| (*plate, Vec::new())).1.push(*cell);
+        }
+        for (plate, cells) in groups.into_values() {
+            let Plate { property, angle, offset, reference, thickness: own, .. } = &self.deck.plates[plate];
+            let no = (0, MatrixProblem::NoCardOf { kind: "property", label: *property });
+            let Plating { layers, bottom, extra } = self.deck.of_plates.get(property).ok_or(no)?;
+            let sum: f64 = layers.iter().map(|layer| layer.thickness).sum();
+            let single = own.filter(|_| layers.len() == 1);
+            let thickness = single.unwrap_or(sum);
+            let length = self.given.units.length;
+            let spread = if thickness > 0.0 { extra / thickness } else { 0.0 };
+            let middle = bottom.map_or(*offset, |bottom| offset + bottom + 0.5 * thickness);
+            let reference = reference.map(|axis| self.given.placement.turned(axis));
+            let layer = |layer: &Ply| -> Result<Layer, LocatedProblem> {
+                Ok(Layer {
+                    name: format!("MAT {}", layer.material),
+                    material: self.material(layer.material, spread)?,
+                    thickness: length * single.unwrap_or(layer.thickness),
+                    angle: (layer.angle + angle).to_radians(),
+                })
+            };
+            let layers = layers.iter().map(layer).collect::<Result<Vec<_>, _>>()?;
+            self.mixed.skins.push(Skin { cells, layers, reference, offset: length * middle });
+        }
+        Ok(())
+    }
+
+    pub(super) fn bars(&mut self) -> Result<(), LocatedProblem> {
+        for index in 0..self.deck.beams.len() {
+            self.beam(index)?;
+        }
+        for index in 0..self.deck.rods.len() {
+            let Line { property, ends: [a, b], line, .. } = self.deck.rods[index];
+            let no = (line, MatrixProblem::NoCardOf { kind: "property", label: property });
+            let RodSection { material, area, extra } = *self.deck.of_rods.get(&property).ok_or(no)?;
+            let material_label = material;
+            let material = self.isotropic(material, if area > 0.0 { extra / area } else { 0.0 })?;
+            let ends = [self.of(a, line)?, self.of(b, line)?];
+            if self.nodes[ends[0]] == self.nodes[ends[1]] || !(area > 0.0) {
+                self.deck.leave_out("rods without length or area");
+                continue;
+            }
+            let area = area * self.given.units.length.powi(2);
+            let name = format!("MAT1 {material_label}");
+            self.mixed.bars.push(Bar { ends, kind: BarKind::Rod { area }, name, material });
+        }
+        Ok(())
+    }
+
+    fn beam(&mut self, index: usize) -> Result<(), LocatedProblem> {
+        let Line { property, ends: labels, up, offsets, released, line, .. } = self.deck.beams[index];
+        let no = (line, MatrixProblem::NoCardOf { kind: "property", label: property });
+        let bending = *self.deck.of_beams.get(&property).ok_or(no)?;
+        let Bending { material, area, extra, .. } = bending;
+        let name = format!("MAT1 {material}");
+        let material = self.isotropic(material, if area > 0.0 { extra / area } else { 0.0 })?;
+        let mut ends = [self.of(labels[0], line)?, self.of(labels[1], line)?];
+        let length = self.given.units.length;
+        let first_axes = self.axes(labels[0], line)?;
+        let start = self.nodes[ends[0]];
+        let direction = match up {
+            Some(Up::Vector(vector)) => Some(along(&first_axes, vector)),
+            Some(Up::Point(label)) => {
+                let point = self.of(label, line)?;
+                Some(add(self.nodes[point], scale(-1.0, start)))
+            }
+            None => None,
+        };
+        let mut places = ends.map(|end| self.nodes[end]);
+        for (end, offset) in offsets.iter().enumerate() {
+            let axes = self.axes(labels[end], line)?;
+            places[end] = add(places[end], scale(length, along(&axes, *offset)));
+        }
+        let axis = add(places[1], scale(-1.0, places[0]));
+        if !(norm(axis) > 0.0) {
+            self.deck.leave_out("beams of no length");
+            return Ok(());
+        }
+        let x = scale(norm(axis).recip(), axis);
+        let up = direction.filter(|up| norm(cross(x, *up)) > 1e-9 * norm(*up));
+        if up.is_none() && direction.is_some() {
+            self.deck.simplify("beams along their own orientation have the nearest axis across");
+        }
+        let up = up.unwrap_or_else(|| across(x));
+        let z = cross(x, up);
+        let z = scale(norm(z).recip(), z);
+        let y = cross(z, x);
+        for end in 0..2 {
+            let free = released_axes(released[end], [x, y, z]);
+            if released[end].to_string().bytes().any(|digit| (b'1'..=b'3').contains(&digit)) {
+                self.deck.simplify("beams whose ends slide (pin flags 1 to 3) do not slide");
+            }
+            if offsets[end] != [0.0; 3] || !free.is_empty() {
+                let node = self.new_node(places[end]);
+                self.mixed.couplings.push(Coupling::Rigid { node, base: ends[end], free });
+                ends[end] = node;
+            }
+        }
+        let kind = self.section(&bending, y, z);
+        self.mixed.bars.push(Bar { ends, kind, name, material });
+        Ok(())
+    }
+
+    /// Section in principal axes.
+    fn section(&mut self, bending: &Bending, y: [f64; 3], z: [f64; 3]) -> BarKind {
+        let Bending { area, moments: [first, second, product], torsion, shear, .. } = *bending;
+        let length = self.given.units.length;
+        let area_si = area * length.powi(2);
+        if first.max(second).max(torsion) <= 0.0 {
+            self.deck.simplify("beams without moments are rods");
+            return BarKind::Rod { area: area_si };
+        }
+        let angle = 0.5 * (2.0 * product).atan2(first - second);
+        let (mean, half) = (0.5 * (first + second), (0.5 * (first - second)).hypot(product));
+        let (sin, cos) = if product == 0.0 { (0.0, 1.0) } else { angle.sin_cos() };
+        let [first, second] = if product == 0.0 { [first, second] } else { [mean + half, mean - half] };
+        let least = NO_MOMENT * first.max(second).max(torsion);
+        if first.min(second).min(torsion) < least {
+            self.deck.simplify("beams without a moment of bending or twist have a millionth of the greatest");
+        }
+        let [second_z, second_y, torsion] =
+            [first, second, torsion].map(|moment| moment.max(least) * length.powi(4));
+        let shear = shear.map(|[one, two]| [one * area_si, two * area_si]);
+        let section = SectionShape::General { area: area_si, second_y, second_z, torsion, shear };
+        BarKind::Beam { section, up: Some(add(scale(cos, y), scale(sin, z))) }
+    }
+
+    fn new_node(&mut self, place: [f64; 3]) -> usize {
+        self.labels.push(self.next_label);
+        self.next_label = self.next_label.saturating_add(1);
+        self.nodes.push(place);
+        self.following.insert(self.nodes.len() - 1);
+        self.nodes.len() - 1
+    }
+}
+
+/// Axes about which the end of a beam turns freely, from the digits of its pin flags.
+fn released_axes(flags: u64, axes: [[f64; 3]; 3]) -> Vec<[f64; 3]> {
+    let digits = flags.to_string();
+    (0..3).filter(|axis| digits.as_bytes().contains(&(b'4' + *axis as u8))).map(|axis| axes[axis]).collect()
+}

@@ -1,0 +1,236 @@
+//! Deck reader: `[[deck]]`, a finite-element model of NASTRAN with its own materials, sections, bodies, links and rigid elements.
+//! Units are those of the deck, whose cards have none; what is left out is counted and told first.
+//! Equations (K1), (K2) and (I11), docs/theory.
+
+mod elements;
+mod links;
+mod nodes;
+
+use std::collections::{HashMap, HashSet};
+use std::path::Path;
+
+use quasirigid_body::Rheology;
+use quasirigid_elements::{ElasticMaterial, Material, Mixed, Orthotropic, Part, PartKind};
+use quasirigid_math::vec3::{add, dot, scale};
+use quasirigid_mesh::Cell;
+
+use super::super::key::{Key, Keys, TEXT, key};
+use super::super::reader::{NAME, Reader, Sources};
+use super::super::rheology::{Extremes, RHEOLOGY, Scale, rheology};
+use super::super::table::Table;
+use super::nodal::{LENGTH_UNIT, MASS_UNIT, Units};
+use super::placed::{ATTITUDE, POSITION, Placement, placement};
+use super::{ATTACH, MASSES, Nodes, RAYLEIGH, Read, attached, masses, rayleigh};
+use crate::matrix::error::MatrixProblem;
+use crate::matrix::listed::LocatedProblem;
+use crate::nastran::model::{Cells, DeckModel, Stuff};
+use crate::text_file::{FileError, bytes_of};
+
+pub(in crate::model) const READER: Reader =
+    Reader::of_parts("deck", "[[deck]]", "finite-element model of NASTRAN", &DECK, |entry, draft| {
+        draft.part(entry, deck(entry.table, entry.name, draft.sources))
+    });
+
+const FILE: Key = key("file", TEXT, "bulk data of NASTRAN, with its materials and sections");
+const DECK: Keys = Keys {
+    known: &[NAME, FILE, LENGTH_UNIT, MASS_UNIT, POSITION, ATTITUDE, RHEOLOGY, MASSES, ATTACH, RAYLEIGH],
+};
+
+/// Largest deck (bytes).
+const MAX_FILE: u64 = 4 * 1024 * 1024 * 1024;
+
+/// Reads a `[[deck]]`.
+pub(super) fn deck(table: &Table<'_>, name: &str, sources: Sources<'_, '_>) -> Option<Read> {
+    let (units, placement, damping) = (Units::new(table), placement(table), rayleigh(table));
+    let known = table.get("rheology").map(|_| rheology(table, Scale::OF_SPRING));
+    let value = table.required("file", "file = \"satellite.bdf\"")?;
+    let path = sources.folder.join(value.text()?);
+    let refuse = |error: FileError<MatrixProblem>| {
+        value.refuse(format!("`file`: {error}"), "cannot be used", "it is looked for beside the model")
+    };
+    let model = match read(&path) {
+        Ok(model) => model,
+        Err(error) => return refuse(error),
+    };
+    let (units, placement) = (units?, placement?);
+    let known = match known {
+        Some(known) => Some(known?),
+        None => None,
+    };
+    let cells = match model.cells() {
+        Ok(cells) => cells,
+        Err(fault) => return refuse(model.located(fault)),
+    };
+    let rheology = known.as_ref().map(|known| known.rheology.clone());
+    let mut made = Made::new(model, cells, Given { units, placement, rheology });
+    let built = made.build().and_then(|()| made.is_body());
+    if let Err(fault) = built {
+        return refuse(made.deck.located(fault));
+    }
+    let file = value.words().unwrap_or_default();
+    let notes: Vec<String> = made.notes(table).into_iter().map(|note| format!("{file}: {note}")).collect();
+    let mixed = made.mixed;
+    let nodes = Nodes::of_mesh(&mixed.mesh);
+    let (masses, attached) = (masses(table, &nodes), attached(table, &nodes));
+    let extremes: Extremes = known.and_then(|known| known.extremes);
+    let count = mixed.regions.len()
+        + mixed.skins.iter().map(|skin| skin.layers.len()).sum::<usize>()
+        + mixed.bars.len();
+    let kind = PartKind::Mixed(mixed);
+    let part = Part { name: name.to_owned(), kind, masses: masses?, attached: attached?, rayleigh: damping? };
+    Some(Read { part, nodes, extremes: vec![extremes; count], notes })
+}
+
+fn read(path: &Path) -> Result<DeckModel, FileError<MatrixProblem>> {
+    DeckModel::read(path, &bytes_of::<MatrixProblem>(path, MAX_FILE)?)
+}
+
+/// Units and place of a deck, and the rheology of its materials where the model gives it.
+struct Given {
+    units: Units,
+    placement: Placement,
+    rheology: Option<Rheology>,
+}
+
+/// A part while it is made of a deck.
+struct Made {
+    deck: DeckModel,
+    index: HashMap<u64, usize>,
+    /// Cell and property of each solid, and cell and number of each plate.
+    solids: Vec<(usize, u64)>,
+    plates: Vec<(usize, usize)>,
+    given: Given,
+    mixed: Mixed,
+    nodes: Vec<[f64; 3]>,
+    labels: Vec<u64>,
+    cells: Vec<Cell>,
+    /// Nodes that follow others.
+    following: HashSet<usize>,
+    /// Number of the next node that is put.
+    next_label: u64,
+    notes: Vec<String>,
+}
+
+impl Made {
+    fn new(deck: DeckModel, cells: Cells, given: Given) -> Self {
+        let notes = cells.notes();
+        let Cells { mesh, index, plates, solids, .. } = cells;
+        let solids = ends(&solids, plates.iter().map(|(_, cell)| *cell).min().unwrap_or(mesh.cells.len()));
+        let solids =
+            solids.into_iter().filter(|(cell, _)| mesh.cells[*cell].shape.dimension() == 3).collect();
+        let place = |node: &[f64; 3]| given.placement.of(scale(given.units.length, *node));
+        let nodes = mesh.nodes.iter().map(place).collect();
+        let next_label = mesh.node_labels.iter().max().copied().unwrap_or(0).saturating_add(1);
+        let plates = plates.into_iter().map(|(plate, cell)| (cell, plate)).collect();
+        Self {
+            deck,
+            index,
+            solids,
+            plates,
+            given,
+            mixed: Mixed::default(),
+            nodes,
+            labels: mesh.node_labels,
+            cells: mesh.cells,
+            following: HashSet::new(),
+            next_label,
+            notes,
+        }
+    }
+
+    fn build(&mut self) -> Result<(), LocatedProblem> {
+        self.regions()?;
+        self.skins()?;
+        self.bars()?;
+        self.couplings()?;
+        self.links()?;
+        let bodies = self.bodies()?;
+        self.finish(bodies);
+        Ok(())
+    }
+
+    fn of(&self, label: u64, line: usize) -> Result<usize, LocatedProblem> {
+        self.index.get(&label).copied().ok_or((line, MatrixProblem::NoGrid { node: label }))
+    }
+
+    /// Axes of the displacements of a grid point, in the file's frame.
+    fn axes(&self, label: u64, line: usize) -> Result<[[f64; 3]; 3], LocatedProblem> {
+        let axes = self.deck.point(label, line)?.axes.unwrap_or(UNIT);
+        Ok(axes.map(|axis| self.given.placement.turned(axis)))
+    }
+
+    /// Density (kg/m³) of one in the deck.
+    fn density(&self, density: f64) -> f64 {
+        density * self.deck.mass_factor * self.given.units.mass / self.given.units.length.powi(3)
+    }
+
+    /// Material of a property, with mass per volume beside its own.
+    fn material(&self, label: u64, extra: f64) -> Result<ElasticMaterial, LocatedProblem> {
+        let stuff = self
+            .deck
+            .materials
+            .get(&label)
+            .ok_or((0, MatrixProblem::NoCardOf { kind: "material", label }))?;
+        let modulus = self.given.units.mass / self.given.units.length;
+        let law = |loss: f64| match &self.given.rheology {
+            Some(rheology) => rheology.clone(),
+            None if loss > 0.0 && loss <= 1.0 => Rheology::QualityFactor { factor: loss.recip() },
+            None => Rheology::Elastic,
+        };
+        Ok(match *stuff {
+            Stuff::Isotropic { young, poisson, density, loss } => ElasticMaterial::Isotropic(Material {
+                density: self.density(density + extra),
+                young: modulus * young,
+                poisson,
+                rheology: law(loss),
+            }),
+            Stuff::Lamina { young: [e1, e2], poisson, shear: [g12, g13, g23], density, loss } => {
+                ElasticMaterial::Orthotropic(Orthotropic {
+                    density: self.density(density + extra),
+                    young: [e1, e2, e2].map(|young| modulus * young),
+                    poisson: [poisson, poisson, 0.0],
+                    shear: [g12, g13, g23].map(|shear| modulus * shear),
+                    rheology: law(loss),
+                })
+            }
+        })
+    }
+
+    fn isotropic(&self, label: u64, extra: f64) -> Result<Material, LocatedProblem> {
+        match self.material(label, extra)? {
+            ElasticMaterial::Isotropic(material) => Ok(material),
+            ElasticMaterial::Orthotropic(_) => Err((0, MatrixProblem::NoCardOf { kind: "MAT1", label })),
+        }
+    }
+}
+
+const UNIT: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+
+/// The vector of components along axes.
+fn along(axes: &[[f64; 3]; 3], components: [f64; 3]) -> [f64; 3] {
+    (0..3).fold([0.0; 3], |sum, axis| add(sum, scale(components[axis], axes[axis])))
+}
+
+/// Axis that is the least parallel to a unit vector.
+fn across(unit: [f64; 3]) -> [f64; 3] {
+    let least = (0..3).min_by(|a, b| dot(UNIT[*a], unit).abs().total_cmp(&dot(UNIT[*b], unit).abs()));
+    UNIT[least.unwrap_or(0)]
+}
+
+/// Cell and property of each cell of solids, which have one cell or two.
+fn ends(solids: &[(usize, u64)], end: usize) -> Vec<(usize, u64)> {
+    let last = solids.iter().map(|(first, _)| *first).skip(1).chain([end]);
+    solids
+        .iter()
+        .zip(last)
+        .flat_map(|((first, property), last)| (*first..last).map(move |cell| (cell, *property)))
+        .collect()
+}
+
+/// Sides (m) of the box around places.
+fn box_around(places: &[[f64; 3]]) -> [f64; 3] {
+    let bound = |pick: fn(f64, f64) -> f64, from: f64| {
+        places.iter().fold([from; 3], |bound, place| [0, 1, 2].map(|axis| pick(bound[axis], place[axis])))
+    };
+    add(bound(f64::max, f64::NEG_INFINITY), scale(-1.0, bound(f64::min, f64::INFINITY)))
+}

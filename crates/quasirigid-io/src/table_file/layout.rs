@@ -45,7 +45,8 @@ impl Layout {
         }
     }
 
-    /// Columns by the places that are blank in every line; none where a column would have a name alone.
+    /// Columns by the places that are blank in every line: a run without a name is the second word of the values before it. None where a
+    /// column would have a name alone.
     fn fixed(header: &[u8], rows: &[&Vec<u8>]) -> Option<Self> {
         let lines = std::iter::once(header).chain(rows.iter().map(|row| row.as_slice()));
         let mut filled: Vec<bool> = Vec::new();
@@ -57,10 +58,16 @@ impl Layout {
                 filled[place] |= !letter.is_whitespace();
             }
         }
-        let columns = runs_where(&filled);
-        let has_values = |column: &Range<usize>| rows.iter().any(|row| !cut(row, column, false).is_empty());
-        let whole = columns.iter().all(|column| has_values(column) && !cut(header, column, false).is_empty());
-        (columns.len() > 1 && whole).then_some(Self::Fixed(columns))
+        let mut columns: Vec<Range<usize>> = Vec::new();
+        for run in runs_where(&filled) {
+            match columns.last_mut() {
+                Some(before) if cut(header, &run, false).is_empty() => before.end = run.end,
+                _ => columns.push(run),
+            }
+        }
+        let whole = |column: &Range<usize>| rows.iter().any(|row| !cut(row, column, false).is_empty());
+        let named = columns.first().is_some_and(|column| !cut(header, column, false).is_empty());
+        (columns.len() > 1 && named && columns.iter().all(whole)).then_some(Self::Fixed(columns))
     }
 
     /// The values of a line, without the blanks around them; none where a quotation mark is not closed.

@@ -59,6 +59,7 @@ types! {
         PartReduction PlaceRef Point PointMotion Prestress Problem Quantity Regime Region Resolution Rotor
         RotorKind Section SectionShape ShellError SlowLiquid Solid Spectrum Spring SpringLaw ApplicationPoint
         StokesError Surface TipMass RotorAxis Visual Wheel WheelSpeed
+        Bar BarKind Coupling Mixed NodeBody NodeLink Skin Strain Weighted
     }
     model {
         Advection BalancedSpin BodyParts Carried Coordinate CurvedPaths Displaced Dissipator DrivenWheel

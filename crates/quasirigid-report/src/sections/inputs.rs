@@ -1,7 +1,7 @@
 //! What went in: the body that the inputs give, the files, and the values after units and defaults.
 
 use maud::{Markup, html};
-use quasirigid_io::record::{DerivedBodyRecord, InputsRecord, ValueRecord};
+use quasirigid_io::record::{DerivedBodyRecord, InputsRecord};
 use serde_json::Value;
 
 use super::table::{facts, first, table};
@@ -18,7 +18,7 @@ pub fn section(inputs: &InputsRecord) -> Markup {
         }
     };
     html! {
-        section aria-label="Inputs" {
+        section.inputs aria-label="Inputs" {
             h2 { "What went in" }
             @if let Some(body) = &inputs.body { (derived(body)) }
             (table("Files that were read", &["File", "Bytes", "SHA-256"], files))
@@ -51,8 +51,8 @@ fn values(inputs: &InputsRecord) -> Markup {
         @for value in shown {
             tr {
                 th scope="row" { (value.key) }
-                td { (text(value)) @if !value.unit.is_empty() { " " (value.unit) } }
-                td.word { @if value.default { "default" } @else { "given" } }
+                td { (text(&value.value)) @if !value.unit.is_empty() { " " (value.unit) } }
+                td { @if value.default { "default" } @else { "given" } }
             }
         }
     };
@@ -65,10 +65,11 @@ fn values(inputs: &InputsRecord) -> Markup {
     }
 }
 
-fn text(value: &ValueRecord) -> String {
-    match &value.value {
+fn text(value: &Value) -> String {
+    match value {
         Value::String(text) => text.clone(),
         Value::Number(number) => number.as_f64().map_or_else(|| number.to_string(), short),
+        Value::Array(values) => values.iter().map(text).collect::<Vec<_>>().join(", "),
         other => other.to_string(),
     }
 }

@@ -52,7 +52,7 @@ pub fn check(study: &Study) -> Result<Answer, Failure> {
     let report = study.check()?;
     let validity = &report.validity;
     Ok(Answer {
-        json: Json(report.json()),
+        json: Json(study.with_inputs(report.json())),
         text: report.text(),
         sentence: report.sentence(),
         holds: report.holds(),
@@ -68,7 +68,7 @@ pub fn modes(study: &Study, asked: SteadySpinSettings) -> Result<Answer, Failure
     let name = &study.model.name;
     let sentences: Vec<&str> = found.spins.iter().map(|spin| spin.sentence.as_str()).collect();
     Ok(Answer {
-        json: Json(found.json(name)),
+        json: Json(study.with_inputs(found.json(name))),
         text: found.text(name, true),
         sentence: sentences.join(" "),
         holds: found.found(),
@@ -86,7 +86,7 @@ pub fn about_spin(
 ) -> Result<Answer, Failure> {
     let found = study.about_spin(asked, axis)?;
     Ok(Answer {
-        json: Json(found.json()),
+        json: Json(study.with_inputs(found.json())),
         text: found.text(),
         sentence: found.sentence(),
         holds: found.holds(),
@@ -104,7 +104,7 @@ pub fn simulate(
     mut shared: &Shared,
 ) -> Result<Answer, Failure> {
     let history = study.simulate(asked, table, &mut shared)?;
-    let json = history.json();
+    let json = study.with_inputs(history.json());
     let (holds, sentence) = match history.reason() {
         Some(reason) => (false, reason.to_owned()),
         None => (true, history.message),
@@ -130,7 +130,8 @@ pub fn evolve(
 ) -> Result<Answer, Failure> {
     let draws = uncertainty_samples(draws).map_err(StudyError::from)?;
     let evolved = study.evolve(asked, &mut shared)?;
-    let (holds, answers, mut json) = (evolved.holds(), evolved.has_numbers(), evolved.json());
+    let (holds, answers, mut json) =
+        (evolved.holds(), evolved.has_numbers(), study.with_inputs(evolved.json()));
     let mut text = evolution::text(&study.model.name, &evolved.record);
     if let Some(draws) = draws {
         let uncertainty = study.uncertainty(draws, &mut shared)?.ok_or(StudyError::Interrupted)?;
@@ -179,7 +180,7 @@ pub fn verify(study: &Study, asked: PartialVerify, mut shared: &Shared) -> Resul
     notes.extend(beyond.filter(|note| !study.model.notes.contains(note)));
     Ok(Answer {
         sentence: sentence.unwrap_or_default().trim().to_owned(),
-        json: Json(json!(record)),
+        json: Json(study.with_inputs(json!(record))),
         holds: record.reached,
         text,
         notes,

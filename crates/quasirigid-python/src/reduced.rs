@@ -156,7 +156,7 @@ impl Reduced {
 
     /// The object that `derive --json` prints.
     fn json(&self, py: Python<'_>) -> PyResult<String> {
-        Ok(interruptible(py, None, |_| Ok(self.study.derive()?.json()))?)
+        Ok(interruptible(py, None, |_| Ok(self.study.ending_with_inputs(&self.study.derive()?.json())))?)
     }
 
     /// Displays for a document that loads amsmath.

@@ -29,7 +29,8 @@ def test_every_reader_finds_the_same_numbers(record: Path) -> None:
     binary = pandas.read_parquet(record / "history-reduced.parquet")
     other = polars.read_parquet(record / "history-reduced.parquet")
     with np.load(record / "history-reduced.npz") as arrays:
-        assert sorted(arrays.files) == sorted(head["name"] for head in heads)
+        assert sorted(arrays.files) == sorted(["inputs", *(head["name"] for head in heads)])
+        assert json.loads(str(arrays["inputs"])) == json.loads((record / "record.json").read_text())["inputs"]
         for head in heads:
             name = head["name"]
             assert table[name].to_numpy().tobytes() == arrays[name].tobytes() == binary[name].to_numpy().tobytes(), name

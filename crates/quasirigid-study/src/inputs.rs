@@ -6,11 +6,26 @@ use quasirigid::elements::{Assembly, ElasticMaterial, Material, PartKind};
 use quasirigid::model::{Principal, Rheology};
 use quasirigid_io::model::Model;
 use quasirigid_io::record::{DerivedBodyRecord, InputFileRecord, InputsRecord, SolidRecord};
-use serde_json::json;
+use serde_json::{Value, json};
 
 use crate::study::Study;
 
 impl Study {
+    /// A JSON object with what went into it.
+    #[must_use]
+    pub fn with_inputs(&self, mut object: Value) -> Value {
+        object["inputs"] = json!(self.inputs());
+        object
+    }
+
+    /// The text of a JSON object, whose keys keep their order, with what went into it as the last.
+    #[must_use]
+    pub fn ending_with_inputs(&self, object: &str) -> String {
+        let text = object.trim_end();
+        let open = text.strip_suffix('}').unwrap_or(text).trim_end();
+        format!("{open},\n\"inputs\": {}\n}}", json!(self.inputs()))
+    }
+
     /// Inputs of every answer of the study.
     #[must_use]
     pub fn inputs(&self) -> InputsRecord {

@@ -1,4 +1,4 @@
-use super::{open_with, whole, with_inputs};
+use super::{open_with, whole};
 use crate::args::Common;
 use crate::failure::Failure;
 use crate::{ExitStatus, output};
@@ -8,6 +8,6 @@ pub fn check(common: &Common) -> Result<ExitStatus, Failure> {
     // The text begins with what was left out of files.
     let study = open_with(common, |study, note| common.json || !study.model.file_notes.contains(note))?;
     let report = whole(common, || study.check())?;
-    output::print_answer(common.json, || with_inputs(&study, report.json()), || report.text())?;
+    output::print_answer(common.json, || study.with_inputs(report.json()), || report.text())?;
     Ok(if report.holds() { ExitStatus::Done } else { ExitStatus::CheckFailed })
 }

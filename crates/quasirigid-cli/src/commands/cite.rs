@@ -1,7 +1,7 @@
 use quasirigid_study::cite::{bibtex, keys};
 use serde_json::json;
 
-use super::{open, with_inputs};
+use super::open;
 use crate::args::Common;
 use crate::failure::Failure;
 use crate::{ExitStatus, output};
@@ -11,10 +11,7 @@ pub fn cite(common: &Common) -> Result<ExitStatus, Failure> {
     let study = open(common)?;
     let entries = bibtex(&study.model);
     let object = || {
-        with_inputs(
-            &study,
-            json!({ "name": study.model.name, "keys": keys(&study.model), "bibtex": entries }),
-        )
+        study.with_inputs(json!({ "name": study.model.name, "keys": keys(&study.model), "bibtex": entries }))
     };
     output::print_answer(common.json, object, || entries.clone())?;
     Ok(ExitStatus::Done)

@@ -1,7 +1,4 @@
-use quasirigid_study::Study;
-use serde_json::json;
-
-use super::{open, whole, with_inputs};
+use super::{open, whole};
 use crate::args::{About, Derive, DeriveFormat};
 use crate::failure::Failure;
 use crate::{ExitStatus, output};
@@ -23,7 +20,7 @@ fn about_rest(arguments: &Derive, format: DeriveFormat) -> Result<ExitStatus, Fa
     let equations = whole(&arguments.common, || study.derive())?;
     let mut text = match format {
         DeriveFormat::Text => equations.text(),
-        DeriveFormat::Json => ending_with_inputs(&equations.json(), &study),
+        DeriveFormat::Json => study.ending_with_inputs(&equations.json()),
         DeriveFormat::Latex => equations.latex(),
     };
     if !text.ends_with('\n') {
@@ -31,13 +28,6 @@ fn about_rest(arguments: &Derive, format: DeriveFormat) -> Result<ExitStatus, Fa
     }
     output::print(&text)?;
     Ok(ExitStatus::Done)
-}
-
-/// The text of a JSON object, whose keys keep their order, with what went into it as the last.
-fn ending_with_inputs(object: &str, study: &Study) -> String {
-    let text = object.trim_end();
-    let open = text.strip_suffix('}').unwrap_or(text).trim_end();
-    format!("{open},\n\"inputs\": {}\n}}", json!(study.inputs()))
 }
 
 fn about_spin(arguments: &Derive, format: DeriveFormat) -> Result<ExitStatus, Failure> {
@@ -49,7 +39,7 @@ fn about_spin(arguments: &Derive, format: DeriveFormat) -> Result<ExitStatus, Fa
     let equations = whole(&arguments.common, || study.about_spin(asked, arguments.axis))?;
     output::print_answer(
         format == DeriveFormat::Json,
-        || with_inputs(&study, equations.json()),
+        || study.with_inputs(equations.json()),
         || equations.text(),
     )?;
     Ok(if equations.holds() { ExitStatus::Done } else { ExitStatus::CheckFailed })

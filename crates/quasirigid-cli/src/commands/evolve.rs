@@ -6,7 +6,7 @@ use quasirigid_study::sweep::uncertainty_text;
 use quasirigid_study::{Setting, StudyError};
 use serde_json::json;
 
-use super::{inputs_beside, open, with_inputs};
+use super::{inputs_beside, open};
 use crate::args::{Evolve, EvolveFormat, seconds};
 use crate::failure::Failure;
 use crate::interrupt::Interrupt;
@@ -55,7 +55,7 @@ pub fn evolve(arguments: &Evolve) -> Result<ExitStatus, Failure> {
         None => true,
     };
     if common.json {
-        let mut object = with_inputs(&study, evolved.json());
+        let mut object = study.with_inputs(evolved.json());
         if let Some(uncertainty) = &uncertainty {
             object["uncertainty"] = json!(uncertainty);
         }

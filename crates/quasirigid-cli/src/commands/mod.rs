@@ -20,7 +20,7 @@ use std::path::{Path, PathBuf};
 
 use quasirigid_io::model::Model;
 use quasirigid_study::{LeftOut, Study, StudyError, watched};
-use serde_json::{Value, json};
+use serde_json::json;
 
 use crate::args::Common;
 use crate::failure::Failure;
@@ -70,12 +70,6 @@ fn default_folder(file: &Path, usual: &str, ending: &str) -> PathBuf {
     let mut name = folder.or(file.file_stem()).unwrap_or_default().to_owned();
     name.push(ending); // of whatever bytes the name is
     PathBuf::from(name)
-}
-
-/// A JSON object with what went into it.
-fn with_inputs(study: &Study, mut object: Value) -> Value {
-    object["inputs"] = json!(study.inputs());
-    object
 }
 
 /// Writes what went into a table in CSV, which has no place for it, beside the table: `table.csv.inputs.json`. Returns whether it stands there.

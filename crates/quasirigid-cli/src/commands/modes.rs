@@ -1,6 +1,6 @@
 use quasirigid_study::modes::SteadySpinSettings;
 
-use super::{open, whole, with_inputs};
+use super::{open, whole};
 use crate::args::ModesArgs;
 use crate::failure::Failure;
 use crate::{ExitStatus, output};
@@ -13,7 +13,7 @@ pub fn modes(arguments: &ModesArgs) -> Result<ExitStatus, Failure> {
     let name = &study.model.name;
     output::print_answer(
         arguments.common.json,
-        || with_inputs(&study, found.json(name)),
+        || study.with_inputs(found.json(name)),
         || found.text(name, arguments.all),
     )?;
     Ok(if found.found() { ExitStatus::Done } else { ExitStatus::CheckFailed })

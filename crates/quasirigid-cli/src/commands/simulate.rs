@@ -7,7 +7,7 @@ use quasirigid_study::histories::{History, Table};
 use quasirigid_study::{Study, StudyError};
 use serde_json::json;
 
-use super::{inputs_beside, open, with_inputs};
+use super::{inputs_beside, open};
 use crate::args::Simulate;
 use crate::failure::Failure;
 use crate::interrupt::Interrupt;
@@ -68,7 +68,7 @@ pub fn simulate(arguments: &Simulate) -> Result<ExitStatus, Failure> {
     history.notes.iter().for_each(|note| remark(note));
     let in_place = print_table(arguments, (&study, &history), &interrupt)?;
     if common.json {
-        output::print(&format!("{:#}\n", with_inputs(&study, history.json())))?;
+        output::print(&format!("{:#}\n", study.with_inputs(history.json())))?;
     }
     tell_end(&history);
     Ok(if history.holds() && in_place { ExitStatus::Done } else { ExitStatus::CheckFailed })

@@ -5,7 +5,7 @@ use quasirigid_study::settings::{PartialSpinVerify, PartialVerify};
 use quasirigid_study::verification::text;
 use serde_json::json;
 
-use super::{note_left_out, open, with_inputs};
+use super::{note_left_out, open};
 use crate::args::{About, Verify};
 use crate::failure::Failure;
 use crate::interrupt::Interrupt;
@@ -38,7 +38,7 @@ fn about_spin(arguments: &Verify) -> Result<ExitStatus, Failure> {
         return Ok(ExitStatus::CheckFailed);
     };
     let text = || verification_text(&study.model.name, &found);
-    output::print_answer(arguments.common.json, || with_inputs(&study, verification_json(&found)), text)?;
+    output::print_answer(arguments.common.json, || study.with_inputs(verification_json(&found)), text)?;
     Ok(if found.reached() { ExitStatus::Done } else { ExitStatus::CheckFailed })
 }
 
@@ -58,7 +58,7 @@ fn about_rest(arguments: &Verify) -> Result<ExitStatus, Failure> {
         return Ok(ExitStatus::CheckFailed);
     };
     if arguments.common.json {
-        output::print(&format!("{:#}\n", with_inputs(&study, json!(record))))?;
+        output::print(&format!("{:#}\n", study.with_inputs(json!(record))))?;
     } else {
         output::print(&text(&study.model.name, &record))?;
         if let Some(note) = beyond {

@@ -26,6 +26,12 @@ class Population:
     """Answers of a population: arrays ``(n,)``, or ``(n, samples)`` of values that are drawn.
 
     ``population[name]`` is a quantity, or a value by its key; NaN where a row has none, infinite where a time never ends.
+
+    >>> import quasirigid
+    >>> model = quasirigid.Model.from_file("examples/apophis/model.toml")
+    >>> slow, quick = quasirigid.evolve_population(model, {"material.rock.rheology.Q": [1000.0, 100.0]}).time
+    >>> round(slow / quick)
+    10
     """
 
     __slots__ = ("_columns", "_rows", "_samples", "_sizes", "quantities")

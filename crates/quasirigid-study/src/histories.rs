@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use quasirigid::dynamics::{Event, Nutations, Outcome, Run, Sample, Start};
+use quasirigid::dynamics::{Event, Form, Nutations, Outcome, Run, Sample, Start};
 use quasirigid::model::{Principal, ReducedBody};
 use quasirigid::reduction::{Assessment, Validity, Verdict};
 use quasirigid_io::model::{Named, PartialRun, PartialSpinManifold, System};
@@ -191,7 +191,7 @@ impl Study {
             }
         }
         let motion = Motion::new(self, spin);
-        let (order, Doubts { remarks, wrong }) = Doubts::before(&motion, table.system)?;
+        let (order, Doubts { remarks, wrong }) = Doubts::before(&motion, table.system, settings.form)?;
         let motion = motion.of_order(order);
         remarks.iter().for_each(|note| watch.remark(note));
         let valued = if table.system == System::Full { body.coordinates().len() } else { body.elastic() };
@@ -241,7 +241,7 @@ pub(crate) struct Doubts {
 
 impl Doubts {
     /// Order of the reduced equations, with the losses that a system of equations leaves out and the verdict on the reduced ones at the start.
-    pub fn before(motion: &Motion, system: System) -> Result<(usize, Self), StudyError> {
+    pub fn before(motion: &Motion, system: System, form: Form) -> Result<(usize, Self), StudyError> {
         let study = motion.study();
         if system != System::Reduced || motion.start.omega == [0.0; 3] {
             let mut doubts = Self::left_out(motion, system);
@@ -251,7 +251,7 @@ impl Doubts {
             return Ok((study.order, doubts));
         }
         let poles = judged::poles_in_a_moment(motion)?;
-        let Judged { order, validity, .. } = judged::for_motion(motion, &poles)?;
+        let Judged { order, validity, .. } = judged::for_motion(motion, &poles, form)?;
         let losses = LeftOut::at(study, motion.start.omega, poles.nearest);
         let mut doubts = Self::of_validity(&losses, &validity);
         doubts.remarks.extend(judged::raised(study, order));

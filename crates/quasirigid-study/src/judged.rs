@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use quasirigid::dynamics::{Form, SlowEquations};
 use quasirigid::model::ReducedBody;
 use quasirigid::modes::SpinModes;
 use quasirigid::reduction::{Comparison, Criterion, Validity, Verdict};
@@ -31,28 +32,43 @@ const QUICK_COORDINATES: usize = 100;
 /// The order of the study; where nobody asked for it, the motion holds and its dissipation or rates do not, the lowest order at which all
 /// hold and nothing of the body is left out, if there is one.
 pub(crate) fn at_an_order_that_holds(motion: &Motion, poles: &Poles) -> Result<Judged, StudyError> {
+    from_an_order(motion, poles, motion.study().order)
+}
+
+/// The order for a motion that is followed in a form. Under forces the order of the torque-free part is the one that is raised, where the
+/// form has one: the cost of the series along the flow grows steeply with its order. (E6)
+pub(crate) fn for_motion(motion: &Motion, poles: &Poles, form: Form) -> Result<Judged, StudyError> {
+    let (study, system) = (motion.study(), motion.system());
+    if !system.acts() {
+        return at_an_order_that_holds(motion, poles);
+    }
+    let Some(above) = SlowEquations::torque_free_order(system, form, study.order) else {
+        return judged(study, motion, &[], study.order);
+    };
+    let quick = study.body.coordinates().len() <= QUICK_COORDINATES;
+    let free = if quick { steady::without_forces(motion, study)? } else { Poles::default() };
+    let found = from_an_order(motion, &free, above)?;
+    if found.order > above {
+        return Ok(found);
+    }
+    Ok(Judged { order: study.order, reduced: study.reduced(study.order)?, ..found })
+}
+
+fn from_an_order(motion: &Motion, poles: &Poles, lowest: usize) -> Result<Judged, StudyError> {
     let study = motion.study();
     let modes: Vec<_> = poles.nearest.iter().chain(&poles.other).collect();
-    let own = judged(study, motion, &modes, study.order)?;
+    let own = judged(study, motion, &modes, lowest)?;
     if study.order_given || own.validity.verdict() == Verdict::Fails || own.holds() {
         return Ok(own);
     }
     let complete = |order: &usize| beyond(&study.model.assembly, *order).is_none();
-    for order in (study.order + 1..=HIGHEST_ORDER).take_while(complete) {
+    for order in (lowest + 1..=HIGHEST_ORDER).take_while(complete) {
         let next = judged(study, motion, &modes, order)?;
         if next.validity.verdict() <= own.validity.verdict() && next.holds() {
             return Ok(next);
         }
     }
     Ok(own)
-}
-
-/// The order for a motion that is followed. Under forces, whose cost grows steeply with the order, it is that of the study.
-pub(crate) fn for_motion(motion: &Motion, poles: &Poles) -> Result<Judged, StudyError> {
-    if motion.system().acts() {
-        return judged(motion.study(), motion, &[], motion.study().order);
-    }
-    at_an_order_that_holds(motion, poles)
 }
 
 /// The steady spins next to a start, of a body whose modes take a moment.
@@ -72,8 +88,13 @@ pub(crate) fn at(study: &Study, omega: [f64; 3]) -> Result<Judged, StudyError> {
 /// The note on an order above that of the study, which nobody asked for.
 pub(crate) fn raised(study: &Study, order: usize) -> Option<String> {
     let default = study.order;
+    let equations = if study.forces.is_empty() {
+        "The reduced equations are"
+    } else {
+        "The torque-free part of the reduced equations is"
+    };
     (order > default).then(|| {
-        format!("The reduced equations are of order {order}: at order {default}, the default, dissipation or rates do not hold.")
+        format!("{equations} of order {order}: at order {default}, the default, dissipation or rates do not hold.")
     })
 }
 

@@ -38,6 +38,8 @@ pub struct Motion<'a> {
     pub body: &'a FlexibleBody,
     pub forces: &'a [Force<Marker>],
     pub order: usize,
+    /// Order of the torque-free part of the equations under forces. (E6)
+    torque_free: usize,
     pub start: Start,
     /// Internal coordinates and rates, where the file gives them.
     displaced: Option<(Vec<f64>, Vec<f64>)>,
@@ -70,11 +72,16 @@ impl<'a> Motion<'a> {
             }
         };
         let start = Start { omega: spin.omega, attitude: spin.attitude, place, velocity };
-        Self { study, body, forces, order: *order, start, displaced, speeds, slow: OnceCell::new() }
+        let (order, torque_free, slow) = (*order, *order, OnceCell::new());
+        Self { study, body, forces, order, torque_free, start, displaced, speeds, slow }
     }
 
-    /// The motion with the reduced equations of another order.
+    /// The motion with the reduced equations of another order; under forces with their torque-free part of that order, as the cost of the
+    /// series along the flow grows steeply with its own.
     pub fn of_order(self, order: usize) -> Self {
+        if self.system().acts() {
+            return Self { torque_free: order, ..self };
+        }
         Self { order, slow: OnceCell::new(), ..self }
     }
 
@@ -119,7 +126,7 @@ impl<'a> Motion<'a> {
             System::Full => Ok(propagate_full(self.system(), &self.full()?, times, options, observer)?),
             System::Reduced | System::Rigid | System::SpinManifold if self.system().acts() => {
                 let above = SlowEquations::torque_free_order(self.system(), options.form, order);
-                let reduced = above.map(|above| self.study.reduced(above)).transpose()?;
+                let reduced = above.map(|above| self.study.reduced(above.max(self.torque_free))).transpose()?;
                 let equations = SlowEquations::energy_form(self.system(), order, reduced.as_deref());
                 let slow = self.slow(equations, order)?;
                 let options = if order > 1 { &self.bounded(options)? } else { options };

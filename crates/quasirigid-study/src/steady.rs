@@ -79,8 +79,13 @@ fn poles_of_gyrostat(study: &Study, omega: [f64; 3], given: SpinMagnitude) -> Op
 /// The steady spins with the angular momentum of the start; none where moments act, of a body without angular momentum, and of bodies
 /// of more coordinates than are analysed unasked.
 pub fn at_start(motion: &Motion, study: &Study) -> Result<Poles, StudyError> {
-    let Study { body, forces, .. } = study;
-    if acts(body, forces) || norm(motion.start.omega) == 0.0 || body.coordinates().len() > MAX_COORDINATES {
+    if acts(&study.body, &study.forces) { Ok(Poles::default()) } else { without_forces(motion, study) }
+}
+
+/// The steady spins with the angular momentum of the start, were no force to act; none of a body without angular momentum, and of bodies of
+/// more coordinates than are analysed unasked.
+pub fn without_forces(motion: &Motion, study: &Study) -> Result<Poles, StudyError> {
+    if norm(motion.start.omega) == 0.0 || study.body.coordinates().len() > MAX_COORDINATES {
         return Ok(Poles::default());
     }
     Ok(match motion.angular_momentum()? {

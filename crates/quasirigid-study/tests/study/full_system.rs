@@ -1,6 +1,6 @@
 //! Histories of the full system beside the reduced ones, events, and the verification of one by the other.
 
-use quasirigid::dynamics::Method;
+use quasirigid::dynamics::{Form, Method};
 use quasirigid_io::model::System;
 use quasirigid_io::record::VerificationRecord;
 use quasirigid_study::Study;
@@ -316,6 +316,20 @@ fn order_is_the_one_whose_dissipation_holds() {
     assert!(said.contains("Their dissipation is at the edge of its range at this order."), "{said}");
     let (_, said, holds) = dissipated(50.0, System::Reduced, None);
     assert!(!holds && said.contains("Their dissipation DOES NOT at this order."), "{said}");
+
+    let weak = "[[force]]\nkind = \"torque\"\ntorque = [1e-5, 0.0, 2e-5]\nperiod = 3.0\n";
+    let forced = |system: System, form: Option<Form>| {
+        let asked = PartialRun { form, ..PartialRun::default() };
+        let (found, said) =
+            told_history(&study(&(soft_mast(80.0) + weak)), &table(system, &[0.0, 500.0]), asked);
+        (found.run.last.dissipated, said)
+    };
+    let (driven, _) = forced(System::Full, None);
+    let (own, said) = forced(System::Reduced, None);
+    assert!((own / driven - 1.0).abs() < 2e-3, "{own} {driven}");
+    assert!(said.contains("The torque-free part of the reduced equations is of order 6"), "{said}");
+    let (_, said) = forced(System::Reduced, Some(Form::AngularVelocity));
+    assert!(!said.contains("torque-free part"), "{said}");
 
     let long = PartialRun { duration: Some(500.0), ..PartialRun::default() };
     let run = study(&soft_mast(80.0)).run(&long, &mut ()).unwrap();

@@ -50,7 +50,7 @@ impl<'a> SlowEquations<'a> {
     }
 
     /// Energy form of the torque-free body with what forces change by the series of order `p` along the flow. `reduced` is of
-    /// [`torque_free_order`](Self::torque_free_order); without it the series stands alone. (E6)
+    /// [`torque_free_order`](Self::torque_free_order) or higher; without it the series stands alone. (E6)
     #[must_use]
     pub fn energy_form(system: Forced<'a>, order: usize, reduced: Option<&'a ReducedBody>) -> Self {
         Self { system, order, free: reduced }

@@ -1,11 +1,12 @@
 //! Nutation angle: least and greatest angle between the angular momentum and the axis of the steady spin circled.
 //! The angle varies over a period without any dissipation, so both are taken over one circuit of the level of the slow energy through the
-//! state, not at the instant.
+//! state, not at the instant. From one level to the next the extreme angles are followed by Newton's method, which costs a thirtieth of a
+//! circuit.
 //! Equation (P8), docs/theory/05-propagation.md; (N1), docs/theory/17-levels.md.
 
 use super::steady::{all_steady_spins, steady_angular_momentum};
 use crate::math::ode::{Checkpoint, Dop853, Solver, System};
-use crate::math::polynomial::{Kernel, Series};
+use crate::math::polynomial::Kernel;
 use crate::math::rotation::angle;
 use crate::math::simd::{Arithmetic, Unfused};
 use crate::math::sphere::{StationaryKind, deviator};
@@ -30,11 +31,24 @@ pub struct Nutations<'b> {
     body: &'b ReducedBody,
     /// `∇H` without its isotropic part.
     slope: Kernel,
-    slow_energy: Series,
+    slow_energy: Kernel,
     /// Angular momenta (N·m·s) of the steady spins that others circle.
     steady: Vec<[f64; 3]>,
-    /// Slow energy (J) and `|K|` of the last level, with its nutation.
-    last: Option<(f64, f64, Nutation)>,
+    last: Option<Level>,
+}
+
+/// A level of the slow energy at an angular momentum.
+#[derive(Clone, Debug)]
+struct Level {
+    /// Slow energy (J).
+    energy: f64,
+    /// `|K|` (N·m·s).
+    angular_momentum: f64,
+    nutation: Nutation,
+    /// Directions of `K` where the angle from the axis is stationary.
+    extremes: Vec<[f64; 3]>,
+    /// Greatest angle (rad) of the last level that was gone round.
+    circuit: f64,
 }
 
 /// Error allowed per step in the direction of the angular momentum: relative to the angle from the next steady spin, and at least.
@@ -52,6 +66,17 @@ const CLOSED: f64 = 1e-4;
 const AT_REST: f64 = 1e-12;
 /// Relative difference of energies and of angular momenta below which levels are the same.
 const SAME_LEVEL: f64 = 1e-15;
+/// Least angle (rad) that is followed; the energy resolves smaller ones to less than ten digits.
+const FOLLOWED: f64 = 1e-3;
+/// Relative change of the greatest angle after which a level is gone round anew.
+const FAR: f64 = 0.02;
+/// Limit of Newton's steps to an extreme angle, and the last of them (rad).
+const NEWTON_STEPS: usize = 6;
+const NEWTON_CLOSED: f64 = 1e-13;
+/// Step of the differences in Newton's method (rad).
+const DIFFERENCE: f64 = 1e-6;
+/// Angle (rad) by which the state may lie outside the extremes that are followed.
+const OUTSIDE: f64 = 1e-10;
 
 /// Motion of the direction of the angular momentum along its level.
 struct Along<'a> {
@@ -77,18 +102,15 @@ impl<'b> Nutations<'b> {
     /// Nutations of a reduced body.
     #[must_use]
     pub fn new(body: &'b ReducedBody) -> Self {
-        let slow_energy = body.energy_of_momentum.even();
-        let slope = Kernel::new(&deviator(&slow_energy.gradient(), 1.0));
-        Self { body, slope, slow_energy, steady: Vec::new(), last: None }
+        let energy = body.energy_of_momentum.even();
+        let slope = Kernel::new(&deviator(&energy.gradient(), 1.0));
+        Self { body, slope, slow_energy: Kernel::new(&energy), steady: Vec::new(), last: None }
     }
 
     /// Saves what the next nutations start from.
     pub fn save(&self, checkpoint: &mut Checkpoint) {
         checkpoint.save_list(self.steady.as_flattened());
-        let last = self.last.map(|(energy, G, Nutation { axis: [x, y, z], least, greatest })| {
-            vec![energy, G, x, y, z, least, greatest]
-        });
-        checkpoint.save_list(&last.unwrap_or_default());
+        checkpoint.save_list(&self.last.as_ref().map(Level::numbers).unwrap_or_default());
     }
 
     /// Goes on from a checkpoint; none if it is of something else.
@@ -96,31 +118,30 @@ impl<'b> Nutations<'b> {
         let steady = checkpoint.load_list()?;
         let (steady, rest) = steady.as_chunks();
         self.steady = steady.to_vec();
-        self.last = match checkpoint.load_list()?[..] {
+        self.last = match &checkpoint.load_list()?[..] {
             [] => None,
-            [energy, G, x, y, z, least, greatest] => {
-                Some((energy, G, Nutation { axis: [x, y, z], least, greatest }))
-            }
-            _ => return None,
+            numbers => Some(Level::of_numbers(numbers)?),
         };
         rest.is_empty().then_some(())
     }
 
     /// Nutation at an angular momentum `K` (N·m·s, body axes); none at `K = 0`, where every spin is steady, and on a separatrix.
     pub fn at(&mut self, K: [f64; 3]) -> Option<Nutation> {
-        let (G, energy) = (norm(K), self.slow_energy.scalar(K));
+        let (G, energy) = (norm(K), self.slow_energy.at(K)[0]);
         if !(G > 0.0 && G.is_finite()) {
             return None;
         }
-        if let Some((known, angular_momentum, nutation)) = self.last
-            && (energy - known).abs() <= SAME_LEVEL * known.abs()
-            && (G - angular_momentum).abs() <= SAME_LEVEL * G
+        if let Some(last) = &self.last
+            && (energy - last.energy).abs() <= SAME_LEVEL * last.energy.abs()
+            && (G - last.angular_momentum).abs() <= SAME_LEVEL * G
         {
-            return Some(nutation);
+            return Some(last.nutation);
         }
         self.move_steady(G);
-        let nutation = self.turn(scale(G.recip(), K), G)?;
-        self.last = Some((energy, G, nutation));
+        let u = scale(G.recip(), K);
+        let level = self.followed(u, G, energy).or_else(|| self.gone_round(u, G, energy))?;
+        let nutation = level.nutation;
+        self.last = Some(level);
         Some(nutation)
     }
 
@@ -141,14 +162,16 @@ impl<'b> Nutations<'b> {
         }
     }
 
-    fn turn(&self, start: [f64; 3], angular_momentum: f64) -> Option<Nutation> {
+    /// The level through a direction, by a circuit.
+    fn gone_round(&self, start: [f64; 3], angular_momentum: f64, energy: f64) -> Option<Level> {
         let along = Along { slope: &self.slope, angular_momentum };
         let velocity = along.velocity(start);
         let spin = norm(self.body.angular_velocity(scale(angular_momentum, start)));
         if norm(velocity) <= AT_REST * spin {
             let axis = self.circled(start)?;
             let angle = angle(axis, start);
-            return Some(Nutation { axis, least: angle, greatest: angle });
+            let nutation = Nutation { axis, least: angle, greatest: angle };
+            return Some(Level { energy, angular_momentum, nutation, extremes: Vec::new(), circuit: angle });
         }
         let size = angle(self.circled(start)?, start).min(1.0);
         let places = once_round(&along, start, velocity, (STEP_TOLERANCE * size).max(DIRECTION_ROUNDING))?;
@@ -157,17 +180,93 @@ impl<'b> Nutations<'b> {
             add(sum, scale(after - before, add(from, to)))
         });
         let axis = self.circled(mean)?;
-        let angles = places.windows(2).flat_map(|pair| [Some(pair[0].1), extreme(&along, axis, pair)]);
-        let angles = angles.flatten().map(|u| angle(axis, u));
-        let (least, greatest) =
-            angles.fold((f64::INFINITY, 0.0_f64), |(low, high), angle| (low.min(angle), high.max(angle)));
-        Some(Nutation { axis, least, greatest })
+        let exact = |u: [f64; 3]| {
+            let found = self.stationary(&along, axis, energy, u).filter(|_| angle(axis, u) >= FOLLOWED);
+            found.unwrap_or(u)
+        };
+        let extremes = places.windows(2).filter_map(|pair| extreme(&along, axis, pair).map(exact));
+        let extremes: Vec<_> = extremes.collect();
+        let passed = places.iter().map(|(_, u)| u);
+        let nutation = Nutation::between(axis, passed.chain(&extremes));
+        Some(Level { energy, angular_momentum, nutation, extremes, circuit: nutation.greatest })
+    }
+
+    /// The level through a direction, its extreme angles followed from the last level; none where they cannot be.
+    fn followed(&self, start: [f64; 3], angular_momentum: f64, energy: f64) -> Option<Level> {
+        let last = self.last.as_ref().filter(|last| !last.extremes.is_empty())?;
+        let axis = self.circled(last.nutation.axis)?;
+        let along = Along { slope: &self.slope, angular_momentum };
+        let extremes = last.extremes.iter().map(|u| self.stationary(&along, axis, energy, *u));
+        let extremes = extremes.collect::<Option<Vec<_>>>()?;
+        let nutation = Nutation::between(axis, extremes.iter());
+        let Nutation { least, greatest, .. } = nutation;
+        let here = angle(axis, start);
+        let near = least >= FOLLOWED && (greatest / last.circuit - 1.0).abs() <= FAR;
+        let on_it = here >= least - OUTSIDE && here <= greatest + OUTSIDE;
+        (near && on_it).then_some(Level { energy, angular_momentum, nutation, extremes, circuit: last.circuit })
+    }
+
+    /// Direction on a level, next to another one, at which the angle from an axis is stationary, by Newton's method with differences; none
+    /// where it does not close.
+    fn stationary(&self, along: &Along<'_>, axis: [f64; 3], energy: f64, near: [f64; 3]) -> Option<[f64; 3]> {
+        let defect = |u: [f64; 3]| {
+            let above = self.slow_energy.at(scale(along.angular_momentum, u))[0] - energy;
+            [above, dot(along.velocity(u), axis)]
+        };
+        let unit = |v: [f64; 3]| scale(norm(v).recip(), v);
+        let mut u = near;
+        for _ in 0..NEWTON_STEPS {
+            let across = unit(cross(axis, u));
+            let tangents = [across, cross(u, across)];
+            let [f, g] = defect(u);
+            let [[f_a, g_a], [f_b, g_b]] = tangents.map(|tangent| {
+                let [there, turned] = defect(unit(add(u, scale(DIFFERENCE, tangent))));
+                [(there - f) / DIFFERENCE, (turned - g) / DIFFERENCE]
+            });
+            let determinant = f_a * g_b - f_b * g_a;
+            let [a, b] = [(f_b * g - f * g_b) / determinant, (f * g_a - f_a * g) / determinant];
+            u = unit(add(u, add(scale(a, tangents[0]), scale(b, tangents[1]))));
+            if a.hypot(b) <= NEWTON_CLOSED {
+                return Some(u).filter(|u| angle(*u, near) <= FAR * angle(axis, near));
+            }
+        }
+        None
     }
 
     /// Direction of the steady spin nearest to a direction.
     fn circled(&self, direction: [f64; 3]) -> Option<[f64; 3]> {
         let axes = self.steady.iter().map(|K| scale(norm(*K).recip(), *K));
         axes.max_by(|a, b| dot(*a, direction).total_cmp(&dot(*b, direction)))
+    }
+}
+
+impl Nutation {
+    /// Least and greatest angle of directions from an axis.
+    fn between<'a>(axis: [f64; 3], directions: impl Iterator<Item = &'a [f64; 3]>) -> Self {
+        let (least, greatest) = directions
+            .map(|u| angle(axis, *u))
+            .fold((f64::INFINITY, 0.0_f64), |(low, high), angle| (low.min(angle), high.max(angle)));
+        Self { axis, least, greatest }
+    }
+}
+
+impl Level {
+    /// Numbers from which it is made again.
+    fn numbers(&self) -> Vec<f64> {
+        let Nutation { axis: [x, y, z], least, greatest } = self.nutation;
+        let mut numbers = vec![self.energy, self.angular_momentum, self.circuit, x, y, z, least, greatest];
+        numbers.extend(self.extremes.as_flattened());
+        numbers
+    }
+
+    fn of_numbers(numbers: &[f64]) -> Option<Self> {
+        let ([energy, angular_momentum, circuit, x, y, z, least, greatest], rest) =
+            numbers.split_first_chunk()?;
+        let (extremes, left) = rest.as_chunks();
+        let nutation = Nutation { axis: [*x, *y, *z], least: *least, greatest: *greatest };
+        let [energy, angular_momentum, circuit] = [*energy, *angular_momentum, *circuit];
+        let extremes = extremes.to_vec();
+        left.is_empty().then_some(Self { energy, angular_momentum, nutation, extremes, circuit })
     }
 }
 

@@ -101,6 +101,27 @@ fn momentum_wheels_turn_the_axis_that_is_circled() {
     assert_seen(&body, omega, 60.0);
 }
 
+/// Row after row of a motion that decays, with a separatrix on the way, the angles are those that each row has by itself.
+#[test]
+fn rows_have_the_angles_that_each_has_alone() {
+    let body = reduce(&ring_of_points(7).body().unwrap(), 3).unwrap();
+    let omega = [0.9, 0.05, 0.1];
+    let times: Vec<f64> = (0..=300).map(|i| 40.0 * f64::from(i)).collect();
+    let mut seen = Seen::default();
+    propagate(&body, Start::new(omega, [1.0, 0.0, 0.0, 0.0]), &times, &Options::default(), &mut seen).unwrap();
+    let mut rows = Nutations::new(&body);
+    let mut followed = 0;
+    for K in &seen.0 {
+        let (row, alone) = (rows.at(*K), Nutations::new(&body).at(*K));
+        let (Some(row), Some(alone)) = (row, alone) else { continue };
+        assert!(angle(row.axis, alone.axis) < 1e-9, "{row:?} {alone:?}");
+        assert!((row.least - alone.least).abs() < 1e-9 * alone.least, "{row:?} {alone:?}");
+        assert!((row.greatest - alone.greatest).abs() < 1e-9 * alone.greatest, "{row:?} {alone:?}");
+        followed += 1;
+    }
+    assert!(followed > 290, "{followed}");
+}
+
 /// An elastic body: the axis is that of the deformed body.
 #[test]
 fn the_axis_is_that_of_the_deformed_body() {

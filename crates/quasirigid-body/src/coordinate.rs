@@ -63,6 +63,16 @@ impl Marker {
         self.displaced(q).0
     }
 
+    /// Slopes of the displacement by each of the coordinates, body axes. (S1), (I12)
+    #[must_use]
+    pub fn displacement_slopes(&self, q: &[f64]) -> Vec<[f64; 3]> {
+        let mut slopes = vec![[0.0; 3]; q.len()];
+        for (j, slope) in self.displaced(q).1 {
+            slopes[j] = add(slopes[j], slope);
+        }
+        slopes
+    }
+
     /// Displacement of the place (m), and its slopes by coordinate, some of them in several parts: exact on an appendage, else of second
     /// order. (S1), (I12)
     pub(crate) fn displaced<T: Smooth>(&self, q: &[T]) -> ([T; 3], Vec<(usize, [T; 3])>) {

@@ -40,6 +40,11 @@ pub enum Command {
     /// Find the steady spin and the modes about it: time constants, stability, shares of the dissipation
     #[command(after_help = "Example:\n  quasirigid modes examples/nutation-damper/model.toml")]
     Modes(ModesArgs),
+    /// Give the linear model about rest or a steady spin: A, B, C and D between named inputs and outputs
+    #[command(
+        after_help = "Example:\n  quasirigid linear examples/boom-satellite/model.toml --outputs rate.z,attitude.z --json"
+    )]
+    Linear(LinearArgs),
     /// Print the reduced equations
     #[command(
         after_help = "Example:\n  quasirigid derive examples/three-masses/model.toml --order 5 --format json"
@@ -96,6 +101,7 @@ impl Command {
         match self {
             Self::Run(RunArgs { common, .. })
             | Self::Modes(ModesArgs { common, .. })
+            | Self::Linear(LinearArgs { common, .. })
             | Self::Derive(Derive { common, .. })
             | Self::Simulate(Simulate { common, .. })
             | Self::Evolve(Evolve { common, .. })
@@ -325,6 +331,22 @@ pub struct ModesArgs {
     /// List every mode, overdamped ones too
     #[arg(long)]
     pub all: bool,
+}
+
+#[derive(Args, Debug)]
+pub struct LinearArgs {
+    #[command(flatten)]
+    pub common: Common,
+    /// State that the model is about: rest, spin (next to the start), or an angular velocity WX,WY,WZ (rad/s) [default: spin, if there is one]
+    #[arg(long, value_name = "STATE", allow_hyphen_values = true)]
+    pub at: Option<String>,
+    /// Inputs: torque.x, force.x, force.NODE.x, wheel.NAME.torque [default: the torques]
+    #[arg(long, value_name = "LIST", value_delimiter = ',')]
+    pub inputs: Vec<String>,
+    /// Outputs: rate.x, attitude.x, momentum.x, acceleration.NODE.x, displacement.NODE.x, wheel.NAME.speed, coordinate.NAME [default: the
+    /// rates]
+    #[arg(long, value_name = "LIST", value_delimiter = ',')]
+    pub outputs: Vec<String>,
 }
 
 /// Options of the reduced equations about a spin.

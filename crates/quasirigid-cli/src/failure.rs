@@ -34,6 +34,10 @@ pub enum Failure {
     #[error("an angular velocity has three components, not {count}: --spin 0,0,1.5")]
     NotAVector { count: usize },
     #[error(
+        "{word:?} is no steady state; give --at rest, --at spin, or an angular velocity such as --at 0,0,1.5"
+    )]
+    NoSteadyState { word: String },
+    #[error(
         "a record is named after the file of its model, and standard input has no name; name its folder with -o DIR"
     )]
     NamelessRun,

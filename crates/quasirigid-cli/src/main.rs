@@ -45,6 +45,7 @@ fn main() -> ExitCode {
         Command::Run(run) => commands::run::run(run),
         Command::Check(check) => commands::check::check(check),
         Command::Modes(modes) => commands::modes::modes(modes),
+        Command::Linear(linear) => commands::linear::linear(linear),
         Command::Derive(derive) => commands::derive::derive(derive),
         Command::Simulate(simulate) => commands::simulate::simulate(simulate),
         Command::Evolve(evolve) => commands::evolve::evolve(evolve),

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use quasirigid::averaging::{FreeRotationError, ObservedError, Unaveraged};
 use quasirigid::dynamics::PropagateError;
 use quasirigid::elements::ElementError;
-use quasirigid::modes::EquilibriumError;
+use quasirigid::modes::{EquilibriumError, LinearError};
 use quasirigid::reduction::{ReductionError, ValidityError};
 use quasirigid::submanifold::{ExpansionError, SubmanifoldError};
 use quasirigid::verification::VerificationError;
@@ -49,6 +49,15 @@ pub enum StudyError {
     RestWithoutDuration,
     /// No start is found.
     NoStart(EquilibriumError),
+    /// A body or a state without a linear model.
+    Linear(LinearError),
+    /// An input or output of a linear model that does not exist.
+    NoChannel {
+        /// Name asked for.
+        name: String,
+        /// What there is, in words.
+        expected: String,
+    },
     /// Reduced equations of a body whose rotors or liquids the spin does not slave. (Q8)
     NoSlowSeries {
         /// The angular velocity of the start (rad/s).
@@ -227,6 +236,10 @@ impl StudyError {
             Self::NoStart(cause) => format!(
                 "the start: {cause}; there is no slow manifold at this spin; give [initial] displacements = \"rest\", or numbers"
             ),
+            Self::Linear(cause) => cause.to_string(),
+            Self::NoChannel { name, expected } => {
+                format!("{name:?} is no input or output here; give {expected}")
+            }
             Self::NoSlowSeries { spin } => format!(
                 "rotors and liquids do not follow the spin, {} rad/s: friction or stiffness is too small, the slow series does not hold, and the reduced equations do not hold; follow the body with {} full, where they start at rest in it, or a rotor at the `speed` given in [[rotor]]",
                 significant(*spin, 3),

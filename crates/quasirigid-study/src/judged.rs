@@ -94,7 +94,9 @@ pub(crate) fn raised(study: &Study, order: usize) -> Option<String> {
         "The torque-free part of the reduced equations is"
     };
     (order > default).then(|| {
-        format!("{equations} of order {order}: at order {default}, the default, dissipation or rates do not hold.")
+        format!(
+            "{equations} of order {order}: at order {default}, the default, dissipation or rates do not hold."
+        )
     })
 }
 

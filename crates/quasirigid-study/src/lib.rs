@@ -74,6 +74,7 @@ mod judged;
 mod kept_run;
 pub mod layout;
 mod left_out;
+pub mod linear;
 mod liquids;
 mod materials;
 pub mod modes;

@@ -142,7 +142,7 @@ fn starts_from_rest(study: &Study) -> bool {
 }
 
 /// The angular velocity (rad/s) of the start, and its angular momentum, or its rate if internal rotors and liquids take that up.
-fn of_start(study: &Study) -> Result<([f64; 3], SpinMagnitude), StudyError> {
+pub(crate) fn of_start(study: &Study) -> Result<([f64; 3], SpinMagnitude), StudyError> {
     let spin = study.initial()?;
     let angular_momentum = Motion::new(study, spin).angular_momentum()?;
     let given = if angular_momentum > 0.0 {

@@ -126,7 +126,8 @@ impl<'a> Motion<'a> {
             System::Full => Ok(propagate_full(self.system(), &self.full()?, times, options, observer)?),
             System::Reduced | System::Rigid | System::SpinManifold if self.system().acts() => {
                 let above = SlowEquations::torque_free_order(self.system(), options.form, order);
-                let reduced = above.map(|above| self.study.reduced(above.max(self.torque_free))).transpose()?;
+                let reduced =
+                    above.map(|above| self.study.reduced(above.max(self.torque_free))).transpose()?;
                 let equations = SlowEquations::energy_form(self.system(), order, reduced.as_deref());
                 let slow = self.slow(equations, order)?;
                 let options = if order > 1 { &self.bounded(options)? } else { options };

@@ -150,8 +150,10 @@ impl Study {
             None
         };
         let poles = steady::at_start(&motion, self)?;
-        let judged =
-            from_rest.map_or_else(|| judged::for_motion(&motion, &poles, settings.form), |spin| judged::at(self, spin));
+        let judged = from_rest.map_or_else(
+            || judged::for_motion(&motion, &poles, settings.form),
+            |spin| judged::at(self, spin),
+        );
         let Judged { order, reduced, validity, .. } = match judged {
             Err(error) if error.is_of_the_series() => judged::at(self, start.omega)?,
             found => found?,

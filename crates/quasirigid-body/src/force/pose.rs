@@ -32,6 +32,21 @@ impl FlexibleBody {
         (scale(back, s), scale(back, stretched))
     }
 
+    /// Position of a place (m, body axes) from the centre of mass of a free body, from the pole of any other, with its slopes by the
+    /// coordinates. (F1), (P7)
+    #[must_use]
+    pub fn position_of(&self, at: &Marker, q: &[f64]) -> ([f64; 3], Vec<[f64; 3]>) {
+        let position = add(at.position, at.displacement(q));
+        let slopes = at.displacement_slopes(q);
+        let Some(per_mass) = self.translation() else { return (position, slopes) };
+        let FirstMoment { s, slopes: center } = FirstMoment::of(self, q);
+        let from_center = |slope: &[f64; 3], center: [f64; 3]| add(*slope, scale(-per_mass, center));
+        (
+            from_center(&position, s),
+            slopes.iter().zip(center).map(|(slope, center)| from_center(slope, center)).collect(),
+        )
+    }
+
     /// Loads about the centre of mass of a free body, about the pole of a constrained one. (F1), (F11)
     #[must_use]
     pub fn loads_at<T: Smooth>(

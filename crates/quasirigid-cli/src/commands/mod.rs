@@ -6,6 +6,7 @@ pub mod derive;
 pub mod diff;
 pub mod evolve;
 pub mod keys;
+pub mod linear;
 pub mod modes;
 pub mod new;
 pub mod plot;

@@ -1,7 +1,7 @@
 use crate::support::{EXAMPLES, STUDIES, ran};
 
-const COMMANDS: [&str; 9] =
-    ["run", "check", "modes", "derive", "simulate", "evolve", "verify", "cite", "sweep"];
+const COMMANDS: [&str; 10] =
+    ["run", "check", "modes", "linear", "derive", "simulate", "evolve", "verify", "cite", "sweep"];
 
 #[test]
 fn help_lists_every_command_and_the_exit_codes() {
@@ -38,7 +38,7 @@ fn every_command_shows_an_example_of_itself_that_names_a_model_we_ship() {
 
 #[test]
 fn examples_of_commands_that_write_nothing_run() {
-    for command in ["check", "derive", "simulate", "evolve"] {
+    for command in ["check", "linear", "derive", "simulate", "evolve"] {
         let help = ran(&format!("{command} --help")).stdout;
         let (_, example) = help.split_once("Example:\n  quasirigid ").unwrap();
         let code = ran(example).code;

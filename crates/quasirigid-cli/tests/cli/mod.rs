@@ -21,6 +21,7 @@ mod inputs;
 mod interrupt;
 mod keys;
 mod left_out;
+mod linear;
 mod materials;
 mod model_errors;
 mod modes;

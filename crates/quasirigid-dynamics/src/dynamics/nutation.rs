@@ -203,7 +203,13 @@ impl<'b> Nutations<'b> {
         let here = angle(axis, start);
         let near = least >= FOLLOWED && (greatest / last.circuit - 1.0).abs() <= FAR;
         let on_it = here >= least - OUTSIDE && here <= greatest + OUTSIDE;
-        (near && on_it).then_some(Level { energy, angular_momentum, nutation, extremes, circuit: last.circuit })
+        (near && on_it).then_some(Level {
+            energy,
+            angular_momentum,
+            nutation,
+            extremes,
+            circuit: last.circuit,
+        })
     }
 
     /// Direction on a level, next to another one, at which the angle from an axis is stationary, by Newton's method with differences; none

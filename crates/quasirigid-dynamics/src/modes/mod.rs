@@ -21,6 +21,9 @@ mod spectrum;
 pub use campbell::{CampbellError, SpinEigenvalues, campbell};
 pub use equilibrium::{EquilibriumError, RelativeEquilibrium, SpinMagnitude};
 pub use error::ModesError;
-pub use forced::{SteadyError, SteadyModes, SteadyState, SteadyStateGuess, acts};
+pub use forced::{
+    LinearError, LinearInput, LinearModel, LinearOutput, LinearState, SteadyError, SteadyModes, SteadyState,
+    SteadyStateGuess, acts,
+};
 pub use mode::{SpinMode, SpinModes};
 pub use onset::{WhirlOnset, whirl_onset};

@@ -79,7 +79,7 @@ types! {
     }
     modes {
         CampbellError EquilibriumError SpinMagnitude ModesError SteadyStateGuess RelativeEquilibrium SpinEigenvalues SpinMode
-        SpinModes SteadyError SteadyModes SteadyState WhirlOnset
+        LinearError LinearInput LinearModel LinearOutput LinearState SpinModes SteadyError SteadyModes SteadyState WhirlOnset
     }
     submanifold {
         AmplitudeRange Backbone BackbonePoint Defect ExpansionError ManifoldPower ManifoldRun

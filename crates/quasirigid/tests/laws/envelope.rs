@@ -108,7 +108,8 @@ fn rows_have_the_angles_that_each_has_alone() {
     let omega = [0.9, 0.05, 0.1];
     let times: Vec<f64> = (0..=300).map(|i| 40.0 * f64::from(i)).collect();
     let mut seen = Seen::default();
-    propagate(&body, Start::new(omega, [1.0, 0.0, 0.0, 0.0]), &times, &Options::default(), &mut seen).unwrap();
+    propagate(&body, Start::new(omega, [1.0, 0.0, 0.0, 0.0]), &times, &Options::default(), &mut seen)
+        .unwrap();
     let mut rows = Nutations::new(&body);
     let mut followed = 0;
     for K in &seen.0 {

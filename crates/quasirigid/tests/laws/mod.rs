@@ -34,6 +34,7 @@ mod hinged_lagrangian;
 mod inertia;
 mod invariants;
 mod lagrangian;
+mod linear;
 mod mechanisms;
 mod neutral_modes;
 mod nutation;

@@ -2,6 +2,7 @@
 
 mod error;
 mod frame_rotation;
+mod linear;
 mod mode;
 mod newton;
 mod pencil;
@@ -15,5 +16,6 @@ mod timed;
 mod whole_body_names;
 
 pub use error::SteadyError;
+pub use linear::{LinearError, LinearInput, LinearModel, LinearOutput, LinearState};
 pub use mode::SteadyModes;
 pub use state::{SteadyState, SteadyStateGuess, acts};

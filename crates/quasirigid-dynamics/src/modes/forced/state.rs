@@ -13,6 +13,7 @@ use crate::math::rotation;
 use crate::math::vec3::norm;
 use crate::model::force::Force;
 use crate::model::{FlexibleBody, Marker, MotionState};
+use crate::modes::equilibrium::RelativeEquilibrium;
 
 type V = Vector3<f64>;
 
@@ -105,6 +106,37 @@ impl SteadyState {
         let state = Self::of(&problem, &found, turning);
         steadiness::check(body, &forces, &state)?;
         Ok(state)
+    }
+
+    /// Steady spin without moments, from body axes along the inertial ones. (M1)
+    #[must_use]
+    pub fn of_spin(spin: &RelativeEquilibrium) -> Self {
+        let rate = norm(spin.omega);
+        Self {
+            omega: spin.omega,
+            attitude: rotation::ALIGNED,
+            axis: (rate > 0.0).then_some(spin.omega.map(|entry| entry / rate)),
+            q: spin.q.clone(),
+            angular_momentum: spin.angular_momentum,
+            energy: spin.energy,
+            velocity: [0.0; 3],
+            away: 0.0,
+            place: [0.0; 3],
+            turning: FrameRotation::Own,
+            followed: false,
+        }
+    }
+
+    /// Rest without moments, momentum wheels turning.
+    #[must_use]
+    pub fn at_rest(body: &FlexibleBody) -> Self {
+        Self::of_spin(&RelativeEquilibrium {
+            omega: [0.0; 3],
+            q: vec![0.0; body.coordinates().len()],
+            angular_momentum: body.wheels().angular_momentum(0.0),
+            ratio: 0.0,
+            energy: 0.0,
+        })
     }
 
     /// State at a time, for the evaluation of forces; a constrained pole at its place at `t = 0`.

@@ -1,0 +1,105 @@
+//! Linear models from the command line: names, states, refusals.
+
+use serde_json::Value;
+
+use crate::support::{MODEL, ran_with};
+
+fn numbers(object: &Value, key: &str) -> Vec<Vec<f64>> {
+    serde_json::from_value(object[key].clone()).unwrap()
+}
+
+fn names(object: &Value, key: &str) -> Vec<String> {
+    object[key]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|channel| channel["name"].as_str().unwrap().to_owned())
+        .collect()
+}
+
+fn linear(model: &str, options: &str) -> Value {
+    let ran = ran_with(model, &format!("linear model.toml --json {options}"));
+    assert_eq!(ran.code, Some(0), "{}", ran.stderr);
+    serde_json::from_str(&ran.stdout).unwrap()
+}
+
+#[test]
+fn matrices_have_the_names_of_their_rows_and_columns() {
+    let found =
+        linear(MODEL, "--inputs torque.z,force.tip.x,force.y --outputs rate.z,acceleration.tip.x,attitude.y");
+    assert_eq!(names(&found, "inputs"), ["torque.z", "force.tip.x", "force.y"]);
+    assert_eq!(names(&found, "outputs"), ["rate.z", "acceleration.tip.x", "attitude.y"]);
+    let states = names(&found, "states");
+    assert_eq!(states.len(), 12);
+    assert_eq!(&states[..4], ["attitude.x", "attitude.y", "attitude.z", "coordinate.tip x"]);
+    let [A, B, C, D] = ["A", "B", "C", "D"].map(|key| numbers(&found, key));
+    assert_eq!([A.len(), A[0].len(), B.len(), B[0].len()], [12, 12, 12, 3]);
+    assert_eq!([C.len(), C[0].len(), D.len(), D[0].len()], [3, 12, 3, 3]);
+    // a force at the mass of 1 kg accelerates it before anything else moves; the carrier of 40 kg does not
+    assert!((D[1][1] - 1.0).abs() < 1e-12, "{D:?}");
+    assert_eq!(D[0], [0.0; 3]);
+    let spin = found["equilibrium"]["spin"].as_array().unwrap();
+    assert!(spin.iter().any(|entry| entry.as_f64().unwrap() != 0.0));
+    assert!(
+        found["inputs"].is_array()
+            && found["sentence"].as_str().unwrap().starts_with("About the steady spin of")
+    );
+}
+
+#[test]
+fn states_are_those_asked_for() {
+    for (at, rate) in [("rest", [0.0; 3]), ("0,0,0", [0.0; 3])] {
+        let found = linear(MODEL, &format!("--at {at}"));
+        assert_eq!(found["equilibrium"]["spin"], serde_json::json!(rate));
+        assert_eq!(found["sentence"], "About rest.");
+    }
+    let found = linear(MODEL, "--at 0,0,-0.4");
+    let spin: [f64; 3] = serde_json::from_value(found["equilibrium"]["spin"].clone()).unwrap();
+    assert!(
+        (spin.iter().map(|entry| entry * entry).sum::<f64>().sqrt() - 0.4).abs() < 1e-12 && spin[2] < -0.39
+    );
+    let A = numbers(&found, "A");
+    assert!((A[0][1] - spin[2]).abs() < 1e-15 && (A[1][0] + spin[2]).abs() < 1e-15, "{:?}", A[0]);
+}
+
+#[test]
+fn wrong_names_are_refused_in_words() {
+    for (options, said) in [
+        (
+            "--inputs torque.w",
+            "\"torque.w\" is no input or output here; give torque.x, force.x, force.NODE.x",
+        ),
+        ("--outputs acceleration.tipp.x", "give one of the nodes, such as tip"),
+        ("--outputs wheel.w.speed", "give the name of a [[rotor]] about one axis"),
+        ("--at fast", "\"fast\" is no steady state; give --at rest, --at spin"),
+        ("--at 1,2", "is no steady state"),
+    ] {
+        let refused = ran_with(MODEL, &format!("linear model.toml {options}"));
+        let said_now = crate::support::one_line(refused.refusal());
+        assert!(said_now.contains(said), "{said_now}");
+    }
+}
+
+#[test]
+fn a_rotor_is_a_wheel_with_a_torque_and_a_speed() {
+    let rotor = "[[rotor]]\nname = \"momentum\"\naxis = [0, 0, 1]\ninertia = 0.2\nfriction = 0.001\n";
+    let options = "--at rest --inputs wheel.momentum.torque --outputs rate.z,wheel.momentum.speed,momentum.z";
+    let found = linear(&format!("{MODEL}{rotor}"), options);
+    let (B, C) = (numbers(&found, "B"), numbers(&found, "C"));
+    let rate = |output: usize| -> f64 { (0..B.len()).map(|state| C[output][state] * B[state][0]).sum() };
+    // equal and opposite on the wheel and the body, whose angular momentum no motor changes
+    assert!(rate(0) < 0.0 && rate(1) > 1.0 / 0.2, "{} {}", rate(0), rate(1));
+    assert!(rate(2).abs() < 1e-12, "{}", rate(2));
+}
+
+#[test]
+fn forces_that_hold_the_body_hold_its_model() {
+    let force = "[[force]]\nkind = \"expression\"\ntorque = [\"-2*qx\", \"-2*qy\", \"-2*qz\"]\n";
+    let rest = MODEL.replace("angular_velocity = [0.12, 0.035, 0.02]", "angular_velocity = [0, 0, 0]");
+    let found = linear(&format!("{rest}{force}"), "--at rest");
+    let A = numbers(&found, "A");
+    let states = names(&found, "states");
+    let row = states.iter().position(|name| name == "rate.z").unwrap();
+    // a small turn about z is twice qz
+    assert!(A[row][2] < -1.0 / 20.0, "{:?}", A[row]);
+}

@@ -1,0 +1,345 @@
+//! Linear models that a user asks for: the steady state, inputs and outputs by name, and the matrices between them.
+//! Equations (M16) and (M17), docs/theory/15-modes.md.
+
+use std::collections::BTreeMap;
+
+use quasirigid::model::{Marker, Principal};
+use quasirigid::modes::{
+    LinearInput, LinearModel, LinearOutput, LinearState, RelativeEquilibrium, SpinMagnitude, SteadyState,
+    acts,
+};
+use quasirigid_math::vec3::{add, norm, scale};
+use serde::Serialize;
+use serde_json::{Value, json};
+
+use crate::error::StudyError;
+use crate::modes::of_start;
+use crate::steady_state;
+use crate::study::Study;
+use crate::words::significant;
+
+/// Steady state that a linear model is about.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum LinearAt {
+    /// Rest, or the state of rest under the forces.
+    Rest,
+    /// The steady spin next to the start, or the steady state under the forces.
+    Spin,
+    /// The steady spin next to an angular velocity (rad/s, body axes), with its size.
+    Rate([f64; 3]),
+}
+
+/// Settings of a linear model.
+#[derive(Clone, Debug, Default)]
+pub struct LinearSettings {
+    /// Steady state; that next to the start by default, rest where the start has no spin.
+    pub at: Option<LinearAt>,
+    /// Names of the inputs; torques on the carrier if empty.
+    pub inputs: Vec<String>,
+    /// Names of the outputs; angular velocities of the carrier if empty.
+    pub outputs: Vec<String>,
+}
+
+/// Linear model with the names of its rows and columns; the first paragraph of a field is the reference of `--json` in the guide.
+#[derive(Clone, Debug, Serialize)]
+pub struct LinearObject {
+    /// Title of the model.
+    pub name: String,
+    /// What the model is about, in words.
+    pub sentence: String,
+    /// The steady state.
+    pub equilibrium: EquilibriumObject,
+    /// States, in the order of the rows of `A`.
+    pub states: Vec<Channel>,
+    /// Inputs, in the order of the columns of `B`.
+    pub inputs: Vec<Channel>,
+    /// Outputs, in the order of the rows of `C`.
+    pub outputs: Vec<Channel>,
+    /// Rows of the matrix of the states.
+    pub A: Vec<Vec<f64>>,
+    /// Rows of the matrix of the inputs.
+    pub B: Vec<Vec<f64>>,
+    /// Rows of the matrix of the outputs.
+    pub C: Vec<Vec<f64>>,
+    /// Rows of the matrix from inputs to outputs.
+    pub D: Vec<Vec<f64>>,
+}
+
+/// Steady state of a linear model.
+#[derive(Clone, Debug, Serialize)]
+pub struct EquilibriumObject {
+    /// Angular velocity (rad/s), body axes.
+    pub spin: [f64; 3],
+    /// Angular momentum (N·m·s), body axes.
+    pub momentum: [f64; 3],
+    /// Quaternion from body to inertial axes, scalar first.
+    pub attitude: [f64; 4],
+    /// Displacements of the elastic coordinates, by name (m, rad).
+    pub displacements: BTreeMap<String, f64>,
+}
+
+/// State, input or output of a linear model.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Channel {
+    /// Name.
+    pub name: String,
+    /// SI unit.
+    pub unit: &'static str,
+}
+
+const AXES: [&str; 3] = ["x", "y", "z"];
+
+impl LinearObject {
+    /// For a terminal: the state, and what goes in and out.
+    #[must_use]
+    pub fn text(&self) -> String {
+        let list = |channels: &[Channel]| {
+            let line = |channel: &Channel| format!("    {} ({})\n", channel.name, channel.unit);
+            channels.iter().map(line).collect::<String>()
+        };
+        format!(
+            "{}: linear model\n\n  {}\n\n  Inputs\n{}  Outputs\n{}  {} states; the matrices A, B, C, D: --json\n",
+            self.name,
+            self.sentence,
+            list(&self.inputs),
+            list(&self.outputs),
+            self.states.len()
+        )
+    }
+
+    /// For machines.
+    #[must_use]
+    pub fn json(&self) -> Value {
+        json!(self)
+    }
+}
+
+impl Study {
+    /// Linear model of the small motions about a steady state, between inputs and outputs. (M16)
+    ///
+    /// # Errors
+    /// [`StudyError::NoChannel`] for a name that is none, [`StudyError::Linear`] and [`StudyError::NoStart`] for bodies and states that
+    /// have no linear model.
+    pub fn linear(&self, asked: &LinearSettings) -> Result<LinearObject, StudyError> {
+        let or = |given: &[String], usual: &str| {
+            let usual = AXES.map(|axis| format!("{usual}.{axis}"));
+            if given.is_empty() { usual.to_vec() } else { given.to_vec() }
+        };
+        let (ins, outs) = (or(&asked.inputs, "torque"), or(&asked.outputs, "rate"));
+        let inputs: Vec<_> = ins.iter().map(|name| self.input(name)).collect::<Result<_, _>>()?;
+        let outputs: Vec<_> = outs.iter().map(|name| self.output(name)).collect::<Result<_, _>>()?;
+        let forces = steady_state::acting_at_start(self);
+        let state = self.state_of(asked.at)?;
+        let LinearModel { equilibrium, states, A, B, C, D } =
+            LinearModel::about(&self.body, &forces, state, &inputs, &outputs).map_err(StudyError::Linear)?;
+        let channels = |names: Vec<String>, units: Vec<&'static str>| {
+            names.into_iter().zip(units).map(|(name, unit)| Channel { name, unit }).collect()
+        };
+        Ok(LinearObject {
+            name: self.model.name.clone(),
+            sentence: sentence(&equilibrium),
+            states: states.iter().map(|state| self.named(*state)).collect(),
+            inputs: channels(ins, inputs.iter().map(unit_of_input).collect()),
+            outputs: channels(outs, outputs.iter().map(|output| self.unit_of_output(output)).collect()),
+            equilibrium: self.equilibrium(&equilibrium),
+            A,
+            B,
+            C,
+            D,
+        })
+    }
+
+    fn state_of(&self, at: Option<LinearAt>) -> Result<SteadyState, StudyError> {
+        let body = &self.body;
+        let forces = steady_state::acting_at_start(self);
+        let rest = at.map_or_else(|| self.model.initial.rotation.is_none(), |at| at == LinearAt::Rest);
+        if acts(body, &forces) {
+            let asked = match at {
+                Some(LinearAt::Rate(omega)) => Some(omega),
+                _ if rest => Some([0.0; 3]),
+                _ => None,
+            };
+            let near = steady_state::near(self, asked)?;
+            return SteadyState::near(body, &forces, near).map_err(|cause| StudyError::Linear(cause.into()));
+        }
+        let spun = |omega: [f64; 3], given| {
+            let axis = Principal::compute(body.invariants().J).axis_beside(omega);
+            let near = RelativeEquilibrium::near(body, axis, given);
+            near.map(|spin| SteadyState::of_spin(&spin)).map_err(StudyError::NoStart)
+        };
+        match at {
+            Some(LinearAt::Rate(omega)) if norm(omega) > 0.0 => spun(omega, SpinMagnitude::Rate(norm(omega))),
+            Some(LinearAt::Rate(_)) => Ok(SteadyState::at_rest(body)),
+            _ if rest => Ok(SteadyState::at_rest(body)),
+            _ => {
+                let (omega, given) = of_start(self)?;
+                if norm(omega) > 0.0 { spun(omega, given) } else { Ok(SteadyState::at_rest(body)) }
+            }
+        }
+    }
+
+    fn equilibrium(&self, state: &SteadyState) -> EquilibriumObject {
+        let elastic = self.body.coordinates().iter().take(self.body.elastic());
+        EquilibriumObject {
+            spin: state.omega,
+            momentum: state.angular_momentum,
+            attitude: state.attitude,
+            displacements: elastic
+                .map(|coordinate| coordinate.name.clone())
+                .zip(state.q.iter().copied())
+                .collect(),
+        }
+    }
+
+    fn named(&self, state: LinearState) -> Channel {
+        let coordinates = self.body.coordinates();
+        let rate = |j: usize| if coordinates[j].unit == "m" { "m/s" } else { "rad/s" };
+        let (name, unit) = match state {
+            LinearState::Attitude(axis) => (format!("attitude.{}", AXES[axis]), "rad"),
+            LinearState::Coordinate(j) => {
+                (format!("coordinate.{}", coordinates[j].name), coordinates[j].unit)
+            }
+            LinearState::Rate(axis) => (format!("rate.{}", AXES[axis]), "rad/s"),
+            LinearState::Speed(j) => (format!("speed.{}", coordinates[j].name), rate(j)),
+            LinearState::Velocity(axis) => (format!("velocity.{}", AXES[axis]), "m/s"),
+        };
+        Channel { name, unit }
+    }
+
+    fn input(&self, name: &str) -> Result<LinearInput, StudyError> {
+        let unknown = || no_channel(name, "torque.x, force.x, force.NODE.x or wheel.NAME.torque");
+        if let Some(rotor) = name.strip_prefix("wheel.").and_then(|rest| rest.strip_suffix(".torque")) {
+            return Ok(LinearInput::Motor { coordinate: self.rotor(name, rotor)? });
+        }
+        let (path, axis) = with_axis(name).ok_or_else(unknown)?;
+        match path.split_once('.') {
+            None if path == "torque" => Ok(LinearInput::Torque { axis }),
+            None if path == "force" => Ok(LinearInput::Force { at: self.carrier(name)?, axis }),
+            Some(("force", node)) => Ok(LinearInput::Force { at: self.place(name, node)?, axis }),
+            _ => Err(unknown()),
+        }
+    }
+
+    fn output(&self, name: &str) -> Result<LinearOutput, StudyError> {
+        let unknown = || {
+            no_channel(
+                name,
+                "rate.x, attitude.x, momentum.x, acceleration.NODE.x, displacement.NODE.x, wheel.NAME.speed or coordinate.NAME",
+            )
+        };
+        if let Some(rotor) = name.strip_prefix("wheel.").and_then(|rest| rest.strip_suffix(".speed")) {
+            return Ok(LinearOutput::Speed { coordinate: self.rotor(name, rotor)? });
+        }
+        if let Some(wanted) = name.strip_prefix("coordinate.") {
+            let elastic = self.body.coordinates().iter().take(self.body.elastic());
+            let found = elastic.enumerate().find(|(_, coordinate)| plain(&coordinate.name) == plain(wanted));
+            let (coordinate, _) =
+                found.ok_or_else(|| no_channel(name, "a coordinate that `quasirigid modes` lists"))?;
+            return Ok(LinearOutput::Coordinate { coordinate });
+        }
+        let (path, axis) = with_axis(name).ok_or_else(unknown)?;
+        match path.split_once('.') {
+            None if path == "rate" => Ok(LinearOutput::Rate { axis }),
+            None if path == "attitude" => Ok(LinearOutput::Attitude { axis }),
+            None if path == "momentum" => Ok(LinearOutput::Momentum { axis }),
+            None if path == "acceleration" => {
+                Ok(LinearOutput::Acceleration { at: self.carrier(name)?, axis })
+            }
+            Some(("acceleration", node)) => {
+                Ok(LinearOutput::Acceleration { at: self.place(name, node)?, axis })
+            }
+            Some(("displacement", node)) => {
+                Ok(LinearOutput::Displacement { at: self.place(name, node)?, axis })
+            }
+            _ => Err(unknown()),
+        }
+    }
+
+    /// Centre of mass of the carrier.
+    fn carrier(&self, channel: &str) -> Result<Marker, StudyError> {
+        let Some(carrier) = &self.model.assembly.carrier else {
+            return Err(no_channel(channel, "the name of a node, as the body has no carrier"));
+        };
+        let position = add(carrier.center_of_mass, scale(-1.0, self.body.pole()));
+        Ok(Marker {
+            name: "carrier".into(),
+            position,
+            shapes: Vec::new(),
+            curvature: Vec::new(),
+            carried: None,
+        })
+    }
+
+    fn place(&self, channel: &str, node: &str) -> Result<Marker, StudyError> {
+        let mut named = self.body.markers().iter().filter(|marker| plain(&marker.name) == plain(node));
+        match (named.next(), named.next()) {
+            (Some(marker), None) => Ok(marker.clone()),
+            (Some(_), Some(_)) => Err(no_channel(channel, "a node whose name no other has")),
+            (None, _) => {
+                let some: Vec<_> =
+                    self.body.markers().iter().take(LISTED).map(|marker| &*marker.name).collect();
+                Err(no_channel(channel, &format!("one of the nodes, such as {}", some.join(", "))))
+            }
+        }
+    }
+
+    /// Coordinate of a rotor.
+    fn rotor(&self, channel: &str, name: &str) -> Result<usize, StudyError> {
+        let mut cyclic = self.body.cyclic();
+        let found = cyclic.find(|j| plain(&self.body.coordinates()[*j].name) == plain(name));
+        found.ok_or_else(|| {
+            no_channel(
+                channel,
+                "the name of a [[rotor]] about one axis; a momentum wheel in [[wheel]] has a given speed",
+            )
+        })
+    }
+
+    fn unit_of_output(&self, output: &LinearOutput) -> &'static str {
+        let coordinates = self.body.coordinates();
+        match output {
+            LinearOutput::Rate { .. } => "rad/s",
+            LinearOutput::Attitude { .. } => "rad",
+            LinearOutput::Momentum { .. } => "N m s",
+            LinearOutput::Displacement { .. } => "m",
+            LinearOutput::Acceleration { .. } => "m/s^2",
+            LinearOutput::Coordinate { coordinate } => coordinates[*coordinate].unit,
+            LinearOutput::Speed { coordinate } if coordinates[*coordinate].unit == "m" => "m/s",
+            LinearOutput::Speed { .. } => "rad/s",
+        }
+    }
+}
+
+/// Nodes listed where one asked for is not there.
+const LISTED: usize = 6;
+
+fn unit_of_input(input: &LinearInput) -> &'static str {
+    match input {
+        LinearInput::Torque { .. } | LinearInput::Motor { .. } => "N m",
+        LinearInput::Force { .. } => "N",
+    }
+}
+
+/// Name without quotes.
+fn plain(name: &str) -> String {
+    name.replace('"', "")
+}
+
+/// A path before an axis.
+fn with_axis(name: &str) -> Option<(&str, usize)> {
+    let (path, axis) = name.rsplit_once('.')?;
+    Some((path, AXES.iter().position(|known| *known == axis)?))
+}
+
+fn no_channel(name: &str, expected: &str) -> StudyError {
+    StudyError::NoChannel { name: name.into(), expected: expected.into() }
+}
+
+fn sentence(state: &SteadyState) -> String {
+    let spin = norm(state.omega);
+    if spin == 0.0 {
+        return "About rest.".into();
+    }
+    let axis = state.omega.map(|entry| significant(entry / spin, 4)).join(", ");
+    format!("About the steady spin of {} rad/s about [{axis}].", significant(spin, 4))
+}

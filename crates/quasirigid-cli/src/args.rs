@@ -42,7 +42,7 @@ pub enum Command {
     Modes(ModesArgs),
     /// Give the linear model about rest or a steady spin: A, B, C and D between named inputs and outputs
     #[command(
-        after_help = "Example:\n  quasirigid linear examples/boom-satellite/model.toml --outputs rate.z,attitude.z --json"
+        after_help = "Example:\n  quasirigid linear examples/boom-satellite/model.toml --at rest --json"
     )]
     Linear(LinearArgs),
     /// Print the reduced equations

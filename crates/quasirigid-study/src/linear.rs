@@ -8,6 +8,7 @@ use quasirigid::modes::{
     LinearInput, LinearModel, LinearOutput, LinearState, RelativeEquilibrium, SpinMagnitude, SteadyState,
     acts,
 };
+use quasirigid_io::record::InputsRecord;
 use quasirigid_math::vec3::{add, norm, scale};
 use serde::Serialize;
 use serde_json::{Value, json};
@@ -63,6 +64,8 @@ pub struct LinearObject {
     pub C: Vec<Vec<f64>>,
     /// Rows of the matrix from inputs to outputs.
     pub D: Vec<Vec<f64>>,
+    /// What went in, as `inputs` of every other answer.
+    pub source: InputsRecord,
 }
 
 /// Steady state of a linear model.
@@ -146,6 +149,7 @@ impl Study {
             B,
             C,
             D,
+            source: self.inputs(),
         })
     }
 
@@ -197,10 +201,10 @@ impl Study {
         let (name, unit) = match state {
             LinearState::Attitude(axis) => (format!("attitude.{}", AXES[axis]), "rad"),
             LinearState::Coordinate(j) => {
-                (format!("coordinate.{}", coordinates[j].name), coordinates[j].unit)
+                (format!("coordinate.{}", plain(&coordinates[j].name)), coordinates[j].unit)
             }
             LinearState::Rate(axis) => (format!("rate.{}", AXES[axis]), "rad/s"),
-            LinearState::Speed(j) => (format!("speed.{}", coordinates[j].name), rate(j)),
+            LinearState::Speed(j) => (format!("speed.{}", plain(&coordinates[j].name)), rate(j)),
             LinearState::Velocity(axis) => (format!("velocity.{}", AXES[axis]), "m/s"),
         };
         Channel { name, unit }
@@ -340,6 +344,6 @@ fn sentence(state: &SteadyState) -> String {
     if spin == 0.0 {
         return "About rest.".into();
     }
-    let axis = state.omega.map(|entry| significant(entry / spin, 4)).join(", ");
-    format!("About the steady spin of {} rad/s about [{axis}].", significant(spin, 4))
+    let [x, y, z] = state.omega.map(|entry| entry / spin + 0.0);
+    format!("About the steady spin of {} rad/s about [{x:.4}, {y:.4}, {z:.4}].", significant(spin, 4))
 }

@@ -11,7 +11,7 @@ pub fn linear(arguments: &LinearArgs) -> Result<ExitStatus, Failure> {
     let at = arguments.at.as_deref().map(state).transpose()?;
     let asked = LinearSettings { at, inputs: arguments.inputs.clone(), outputs: arguments.outputs.clone() };
     let found = whole(&arguments.common, || study.linear(&asked))?;
-    output::print_answer(arguments.common.json, || study.with_inputs(found.json()), || found.text())?;
+    output::print_answer(arguments.common.json, || found.json(), || found.text())?;
     Ok(ExitStatus::Done)
 }
 

@@ -41,7 +41,7 @@ fn matrices_have_the_names_of_their_rows_and_columns() {
     let spin = found["equilibrium"]["spin"].as_array().unwrap();
     assert!(spin.iter().any(|entry| entry.as_f64().unwrap() != 0.0));
     assert!(
-        found["inputs"].is_array()
+        found["source"]["files"].is_array()
             && found["sentence"].as_str().unwrap().starts_with("About the steady spin of")
     );
 }

@@ -1,5 +1,7 @@
-//! VOTable, the XML of the Virtual Observatory (IVOA Recommendation 1.4): fields with units and null values, rows in `TABLEDATA`.
-//! Rows in binary form are refused in words; every service also gives the other form.
+//! VOTable, the XML of the Virtual Observatory (IVOA Recommendation 1.4): fields with units and null values, rows as elements or in binary
+//! form. Rows in FITS are refused in words; every service also gives another form.
+
+mod binary;
 
 use std::io::Read;
 use std::path::Path;
@@ -37,20 +39,37 @@ pub(super) fn read(file: &Path) -> Result<BodyTable, TableError> {
     let document = Document::parse_with_options(&text, options)
         .map_err(|cause| refuse(format!("this is not valid XML: {cause}")))?;
     let tables: Vec<Node<'_, '_>> = all(document.root(), "TABLE").collect();
-    let Some(table) = tables.iter().find(|table| all(**table, "TABLEDATA").next().is_some()) else {
-        let binary = ["BINARY", "BINARY2", "FITS"];
-        let is_binary = binary.into_iter().any(|kind| all(document.root(), kind).next().is_some());
-        let what = if is_binary { "its rows are in binary form" } else { "it has no rows" };
+    let Some((table, rows)) = tables.iter().find_map(|table| Some((table, Rows::of(*table)?))) else {
+        let is_fits = all(document.root(), "FITS").next().is_some();
+        let what = if is_fits { "its rows are in FITS" } else { "it has no rows" };
         return Err(refuse(format!("{what}; save the VOTable as TABLEDATA, or as CSV")));
     };
-    let mut read = of_table(*table, &text);
+    let mut read = of_table(*table, &rows, &text).map_err(refuse)?;
     if tables.len() > 1 {
         read.notes.push(format!("the file has {} tables; the first with rows is taken", tables.len()));
     }
     Ok(read)
 }
 
-fn of_table(table: Node<'_, '_>, text: &str) -> BodyTable {
+/// Rows of a table.
+enum Rows<'a, 'i> {
+    /// As elements.
+    Elements,
+    /// In a stream, each perhaps behind the marks of its missing values.
+    Stream { stream: Node<'a, 'i>, flagged: bool },
+}
+
+impl<'a, 'i> Rows<'a, 'i> {
+    fn of(table: Node<'a, 'i>) -> Option<Self> {
+        if all(table, "TABLEDATA").next().is_some() {
+            return Some(Self::Elements);
+        }
+        let binary = table.descendants().find(|node| is(node, "BINARY") || is(node, "BINARY2"))?;
+        Some(Self::Stream { stream: all(binary, "STREAM").next()?, flagged: is(&binary, "BINARY2") })
+    }
+}
+
+fn of_table(table: Node<'_, '_>, rows: &Rows<'_, '_>, text: &str) -> Result<BodyTable, String> {
     let fields: Vec<Node<'_, '_>> = table.children().filter(|node| is(node, "FIELD")).collect();
     let name = |field: &Node<'_, '_>| {
         field.attribute("name").or(field.attribute("ID")).unwrap_or_default().trim().to_owned()
@@ -65,6 +84,10 @@ fn of_table(table: Node<'_, '_>, text: &str) -> BodyTable {
         .iter()
         .map(|field| field.children().find(|node| is(node, "VALUES")).and_then(|node| node.attribute("null")))
         .collect();
+    if let Rows::Stream { stream, flagged } = rows {
+        binary::rows(stream, &fields, &nulls, *flagged, &mut read)?;
+        return Ok(read);
+    }
     let (mut line, mut counted) = (1, 0);
     for row in all(table, "TR") {
         let mut values: Vec<Vec<u8>> = Vec::new();
@@ -78,7 +101,7 @@ fn of_table(table: Node<'_, '_>, text: &str) -> BodyTable {
         counted = start;
         read.add(line, Some(values));
     }
-    read
+    Ok(read)
 }
 
 fn all<'a, 'i>(node: Node<'a, 'i>, name: &'static str) -> impl Iterator<Item = Node<'a, 'i>> {

@@ -56,10 +56,23 @@ def reference(file: Path):
         return {"triangles": sum(len(cells.get(kind, ())) for kind in ("triangle", "quad", "polygon"))}
     found = {"triangles": len(mesh.faces)}
     if len(mesh.faces) and mesh.is_watertight:
-        mesh.fix_normals()
-        sign = np.sign(mesh.volume)
-        found |= {"volume": abs(mesh.volume), "inertia": (sign * mesh.moment_inertia / mesh.density).tolist()}
+        if not mesh.is_winding_consistent:
+            mesh.fix_normals()
+        volume, inertia = sums(mesh.vertices[mesh.faces])
+        found |= {"volume": abs(volume), "inertia": (np.sign(volume) * inertia).tolist()}
     return found
+
+
+def sums(corners: np.ndarray):
+    """Volume and inertia about the mass centre of what triangles ``(n, 3, 3)`` bound, of density 1."""
+    corners = np.asarray(corners, dtype=np.longdouble)
+    corners = corners - corners.mean(axis=(0, 1))
+    volumes = np.einsum("ni,ni->n", corners[:, 0], np.cross(corners[:, 1], corners[:, 2])) / 6
+    total, volume = corners.sum(axis=1), volumes.sum()
+    centre = volumes @ total / (4 * volume)
+    second = np.einsum("n,ni,nj->ij", volumes, total, total) + np.einsum("n,nki,nkj->ij", volumes, corners, corners)
+    second = second / 20 - volume * np.outer(centre, centre)
+    return float(volume), np.asarray(np.trace(second) * np.eye(3) - second, dtype=float)
 
 
 def answer(program: str, file: Path, timeout: float):

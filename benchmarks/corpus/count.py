@@ -35,9 +35,9 @@ degree = 1
 # Words of a refusal, and the reason in the table; what is not among them was not read.
 REASONS = {
     "open": r"\bholes?\b|enclose nothing|[Tt]hree or more triangles|edge",
-    "crosses itself": r"cross or touch|meet itself",
+    "crosses itself": r"cross or touch|lies inside the body",
     "several bodies": r"bodies that nothing joins",
-    "flat": r"no volume|volume is|encloses no",
+    "flat facets": r"has no area|no volume",
     "part of a scene": r"moves or resizes",
 }
 WRONG = 1e-6

@@ -181,7 +181,7 @@ fn a_shape_in_a_wrong_unit_says_so() {
         one_line(&ran_in(folder.path(), "check model.toml --quiet").stdout)
     };
     for (unit, period, warning) in [
-        ("m", "h", None),
+        ("m", "d", None),
         ("mm", "d", Some("WARNING: a body of 0.600 m that turns once in")),
         ("m", "min", Some("faster than gravity holds loose material")),
     ] {
@@ -190,5 +190,5 @@ fn a_shape_in_a_wrong_unit_says_so() {
         assert_eq!(text.contains("WARNING"), warning.is_some(), "{unit} {period}: {text}");
         assert!(warning.is_none_or(|warning| text.contains(warning)), "{unit} {period}: {text}");
     }
-    assert!(said("1e4 km", "d").contains("larger than any asteroid"));
+    assert!(said("5 km", "d").contains("larger than any asteroid"));
 }

@@ -108,6 +108,15 @@ fn votable_has_fields_units_and_nulls() {
     assert_eq!(table.columns, [["Eros", "A & B", ""], ["5.27", "", ""], ["2.67", "", ""]]);
     assert_eq!((unit(&table, "Per"), unit(&table, "rho")), (Some("h"), Some("g/cm^3")));
     assert_eq!(table.unread[&2], "line 9 of the table has 2 values, but the header has 3");
+    let spaced = VOTABLE.replace("xmlns=", "xmlns:v=").replace("</", "</v:").replace("<", "<v:");
+    let spaced = spaced.replace("<v:/v:", "</v:").replace("<v:?", "<?");
+    assert_eq!(read("bodies.vot", spaced.as_bytes()).unwrap(), table);
+    let hidden = VOTABLE.replace("<DATA>", "<!-- <TABLEDATA> is below, </TABLEDATA> too --><DATA>");
+    assert_eq!(read("bodies.vot", hidden.as_bytes()).unwrap(), table);
+    let rows = "<TR><TD>Eros</TD><TD>5.27</TD><TD>2.67</TD></TR>\n";
+    let many = read("bodies.vot", VOTABLE.replace(rows, &rows.repeat(4000)).as_bytes()).unwrap();
+    assert_eq!((many.rows(), many.unread.len()), (4002, 1), "in several pieces");
+    assert_eq!(many.unread[&4001], "line 4008 of the table has 2 values, but the header has 3");
     let fits = VOTABLE.replace("TABLEDATA", "FITS");
     let refused = read("bodies.vot", fits.as_bytes()).unwrap_err().to_string();
     assert!(refused.contains("its rows are in FITS; save the VOTable as TABLEDATA"), "{refused}");

@@ -20,7 +20,7 @@ use quasirigid_study::settings::{
     PartialEvolve, PartialRun, PartialSpinManifold, PartialVerify, uncertainty_samples,
 };
 use quasirigid_study::sweep::uncertainty_text;
-use quasirigid_study::{Keeping, LeftOut, Study, StudyError, beyond, summary, verification};
+use quasirigid_study::{Keeping, LeftOut, Setting, Study, StudyError, beyond, summary, verification};
 use serde_json::json;
 
 use crate::columns::Columns;
@@ -138,6 +138,7 @@ pub fn evolve(
         text.push_str(&uncertainty_text(&uncertainty));
         json["uncertainty"] = json!(uncertainty);
     }
+    let undrawn = study.undrawn(&Setting::name).filter(|_| draws.is_none());
     let record = evolved.record;
     let number = |value: f64| if answers { value } else { f64::NAN };
     Ok(Answer {
@@ -150,7 +151,8 @@ pub fn evolve(
             record.message.clone()
         },
         holds,
-        notes: [shared.remarks(), study.model.notes.clone(), evolved.notes].concat(),
+        notes: [shared.remarks(), study.model.notes.clone(), evolved.notes, undrawn.into_iter().collect()]
+            .concat(),
         numbers: BTreeMap::from([
             ("time", number(record.time)),
             ("turns", number(record.revolutions)),

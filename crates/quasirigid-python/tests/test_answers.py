@@ -217,6 +217,8 @@ def test_the_uncertainty_of_an_evolution_is_in_its_answer() -> None:
     uncertain = Model(ROCK + '[uncertainty]\n"material.rock.rheology.Q" = { log-normal = { median = 100, decades = 0.5 } }\n')
     plain, drawn = uncertain.evolve(), uncertain.evolve(uncertainty_samples=64)
     assert plain.uncertainty is None and drawn.time == plain.time
+    told = "the key in [uncertainty] has its stated value; uncertainty_samples, as 200, draws and gives intervals"
+    assert told in plain.notes and told not in drawn.notes
     found = drawn.uncertainty
     assert found is not None and found["answered"] == 64 and found["intervals"][0]["name"] == "time"
     for end, sign in zip(found["intervals"][0]["interval_68"], (-1, 1), strict=True):

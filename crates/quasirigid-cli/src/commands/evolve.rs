@@ -45,7 +45,8 @@ pub fn evolve(arguments: &Evolve) -> Result<ExitStatus, Failure> {
     };
     interrupt.forget();
     if !common.quiet {
-        remarks.iter().for_each(|note| remark(&format!("note: {note}")));
+        let undrawn = study.undrawn(&Setting::flag).filter(|_| draws.is_none());
+        remarks.iter().chain(&undrawn).for_each(|note| remark(&format!("note: {note}")));
     }
     let in_place = match out {
         Some(path) => {

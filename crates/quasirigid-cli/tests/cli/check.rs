@@ -2,7 +2,7 @@
 
 use insta::assert_snapshot;
 
-use crate::support::{MODEL, ran, ran_with};
+use crate::support::{MODEL, folder_with, one_line, ran, ran_in, ran_with};
 
 #[test]
 fn explorer_1_fails_and_says_why_in_order_of_the_theory() {
@@ -166,4 +166,29 @@ fn shares_of_dissipators_stand_where_the_equations_hold() {
      70.4 %, spring p1-p2 9.72 %, spring p0-p2 8.38 %, spring p0-carrier 6.83 %,
      spring p0-p1 3.23 %, spring p1-carrier 1.46 %.
     ");
+}
+
+/// A shape a thousand times too small, too large, or too fast for its size says so; one that is right does not.
+#[test]
+fn a_shape_in_a_wrong_unit_says_so() {
+    let shape = "v 0 0 0\nv 600 0 0\nv 0 500 0\nv 0 0 400\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+    let said = |unit: &str, period: &str| {
+        let folder = folder_with(&format!(
+            "[material.rock]\ndensity = 2000\nshear = \"0.5 GPa\"\npoisson = 0.25\n[[surface]]\nfile = \"shape.obj\"\nunit = \"{unit}\"\n\
+             degree = 1\nmaterial = \"rock\"\n[initial]\nangular_velocity = [0, 0, \"1 rev/{period}\"]\n"
+        ));
+        std::fs::write(folder.path().join("shape.obj"), shape).unwrap();
+        one_line(&ran_in(folder.path(), "check model.toml --quiet").stdout)
+    };
+    for (unit, period, warning) in [
+        ("m", "d", None),
+        ("mm", "d", Some("WARNING: a body of 0.600 m that turns once in")),
+        ("m", "min", Some("faster than gravity holds loose material")),
+    ] {
+        let text = said(unit, period);
+        assert!(text.contains("kg at 2000.0 kg/m^3") && text.contains("m^3;"), "{text}");
+        assert_eq!(text.contains("WARNING"), warning.is_some(), "{unit} {period}: {text}");
+        assert!(warning.is_none_or(|warning| text.contains(warning)), "{unit} {period}: {text}");
+    }
+    assert!(said("5 km", "d").contains("larger than any asteroid"));
 }

@@ -360,6 +360,9 @@ fn uncertain_models_are_answered_on_request_and_refused_at_their_place() {
     let model = uncertain("\"material.rock.rheology.Q\" = { log-normal = { median = 100, decades = 0.5 } }");
     let found = ran_with(&model, "evolve model.toml --uncertainty-samples 8 --json --quiet").json();
     assert_eq!(found["uncertainty"]["answered"], 8);
+    let told = "the key in [uncertainty] has its stated value; --uncertainty-samples, as 200, draws and gives intervals";
+    let says = |line: &str| one_line(&ran_with(&model, line).stderr).contains(told);
+    assert!(says("evolve model.toml") && !says("evolve model.toml --uncertainty-samples 8"));
     let certain = ran_with(MODEL, "evolve model.toml --uncertainty-samples 9");
     assert!(one_line(certain.refusal()).contains("has no [uncertainty]"));
     for (line, said) in [

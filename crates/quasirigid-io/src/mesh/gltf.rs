@@ -9,15 +9,20 @@ use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use gltf::accessor::{DataType, Dimensions};
 use gltf::buffer::Source;
+use gltf::json::Root;
 use gltf::mesh::Mode;
 use gltf::scene::Transform;
-use gltf::{Accessor, Gltf, Node, Primitive, Semantic};
+use gltf::{Accessor, Document, Gltf, Node, Primitive, Semantic};
 
 use super::TriangleMesh;
 use super::draft::Draft;
 use super::error::{Fault, MeshError, MeshProblem, Place};
 use super::file::MAX_FILE;
 use crate::text_file::bytes_of;
+
+/// Beginnings of the names of extensions that change how a scene looks and not where it is.
+const LOOKS: [&str; 6] =
+    ["KHR_materials_", "KHR_texture_", "KHR_technique", "KHR_lights_", "KHR_xmp", "EXT_texture_"];
 
 /// Whether bytes begin as a glTF file does.
 pub(super) fn is_gltf(bytes: &[u8]) -> bool {
@@ -28,9 +33,12 @@ pub(super) fn is_gltf(bytes: &[u8]) -> bool {
 
 /// Triangles of a scene; buffers in other files are looked for beside the file.
 pub(super) fn read(file: &Path, bytes: &[u8]) -> Result<TriangleMesh, Fault> {
-    attributes_exist(bytes)?;
-    let scene = Gltf::from_slice(bytes);
-    let Gltf { document, blob } = scene.map_err(|error| refused(&error.to_string()))?;
+    let Gltf { document, blob } =
+        Gltf::from_slice_without_validation(bytes).map_err(|error| refused(&error.to_string()))?;
+    let mut root = document.into_json();
+    attributes_exist(&root)?;
+    root.extensions_required.retain(|name| !LOOKS.iter().any(|start| name.starts_with(start)));
+    let document = Document::from_json(root).map_err(|error| refused(&error.to_string()))?;
     let buffers = document.buffers().map(|buffer| match buffer.source() {
         Source::Bin => Ok(Cow::Borrowed(blob.as_deref().unwrap_or_default())),
         Source::Uri(uri) => bytes_at(uri, file).map(Cow::Owned),
@@ -59,9 +67,7 @@ pub(super) fn read(file: &Path, bytes: &[u8]) -> Result<TriangleMesh, Fault> {
 }
 
 /// Refuses attributes of accessors that do not exist, which the checks of the crate presume.
-fn attributes_exist(bytes: &[u8]) -> Result<(), Fault> {
-    let scene = Gltf::from_slice_without_validation(bytes).map_err(|error| refused(&error.to_string()))?;
-    let root = scene.document.as_json();
+fn attributes_exist(root: &Root) -> Result<(), Fault> {
     let mut primitives = root.meshes.iter().flat_map(|mesh| &mesh.primitives);
     let missing = primitives.any(|primitive| {
         primitive.attributes.values().any(|accessor| accessor.value() >= root.accessors.len())

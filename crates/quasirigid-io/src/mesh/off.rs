@@ -6,9 +6,13 @@ use super::error::{Fault, MeshProblem, Part, Place, Row};
 use super::text::{point, readable, rows};
 use crate::text_file::{last_line, whole};
 
-/// Whether a word is the first of an OFF file; letters before `OFF` announce values beside the coordinates.
+/// Whether a word is the first of an OFF file; letters before `OFF` announce values beside the coordinates, and the first count may follow
+/// without a blank.
 pub(super) fn is_header(word: &[u8]) -> bool {
-    word.strip_suffix(b"OFF").is_some_and(|before| before.iter().all(|byte| b"STCN4n".contains(byte)))
+    let digits = word.iter().rev().take_while(|byte| byte.is_ascii_digit()).count();
+    word[..word.len() - digits]
+        .strip_suffix(b"OFF")
+        .is_some_and(|before| before.iter().all(|byte| b"STCN4n".contains(byte)))
 }
 
 /// OFF as text.
@@ -19,8 +23,12 @@ pub(super) fn read(bytes: &[u8]) -> Result<TriangleMesh, Fault> {
     let mut next = |part: Part, announced: u64, found: u64| {
         rows.next().ok_or((end.clone(), MeshProblem::Cut { part, announced, found }))
     };
-    let (line, header) = next(Part::Vertices, 1, 0)?;
-    let kind = header[0];
+    let (line, mut header) = next(Part::Vertices, 1, 0)?;
+    let kind = header[0].trim_end_matches(|digit: char| digit.is_ascii_digit());
+    if kind.len() < header[0].len() {
+        let count = &header[0][kind.len()..];
+        header.splice(..1, [kind, count]);
+    }
     if kind.contains(['4', 'n']) || header.get(1).is_some_and(|word| word.eq_ignore_ascii_case("binary")) {
         let found = header.join(" ").as_str().into();
         return Err((Place::Line(line), MeshProblem::Unexpected { found, row: Row::OffHeader }));

@@ -80,6 +80,25 @@ impl BodyTable {
         self
     }
 
+    /// Numbers columns of the same name, as `F_1` and `F_2`, so that none is taken for another.
+    fn numbered(mut self) -> Self {
+        let mut counts = BTreeMap::<&str, usize>::new();
+        self.names.iter().for_each(|name| *counts.entry(name).or_default() += 1);
+        let twins: Vec<String> =
+            counts.into_iter().filter(|(_, count)| *count > 1).map(|(name, _)| name.to_owned()).collect();
+        for twin in twins {
+            let mut numbers = (1..).map(|number| format!("{twin}_{number}"));
+            for column in 0..self.names.len() {
+                if self.names[column] == twin {
+                    let name = numbers.by_ref().find(|name| !self.names.contains(name));
+                    self.names[column] = name.unwrap_or_default();
+                }
+            }
+            self.notes.push(format!("columns named {twin} are numbered: {twin}_1, {twin}_2 and so on"));
+        }
+        self
+    }
+
     /// Adds the row of a line.
     pub(super) fn add(&mut self, line: usize, fields: Option<Vec<Vec<u8>>>) {
         let Some(mut fields) = fields else {
@@ -104,7 +123,7 @@ impl BodyTable {
         }
     }
 
-    fn unread(&mut self, reason: String) {
+    pub(super) fn unread(&mut self, reason: String) {
         self.unread.insert(self.rows(), reason);
         self.columns.iter_mut().for_each(|column| column.push(String::new()));
     }
@@ -136,15 +155,11 @@ pub fn read_bodies(file: &Path) -> Result<BodyTable, TableError> {
     {
         return Err(TableError::Unnamed { file: file.to_owned(), column: index + 1 });
     }
-    let table = table.without_unnamed();
+    let table = table.without_unnamed().numbered();
     if table.rows() == 0 {
         return Err(TableError::Empty { file: file.to_owned() });
     }
-    let same = |(index, name): &(usize, &String)| table.names[..*index].contains(name);
-    match table.names.iter().enumerate().find(same) {
-        Some((_, name)) => Err(TableError::SameName { file: file.to_owned(), name: name.clone() }),
-        None => Ok(table),
-    }
+    Ok(table)
 }
 
 /// Opens a file on a disk.

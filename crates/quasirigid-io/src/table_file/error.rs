@@ -57,14 +57,6 @@ pub enum TableError {
         /// Number of the column, from 1.
         column: usize,
     },
-    /// Two columns of one name.
-    #[error("{}: two columns are named {name:?}; rename one", file.display())]
-    SameName {
-        /// The file.
-        file: PathBuf,
-        /// The name.
-        name: String,
-    },
 }
 
 fn refused(kind: ErrorKind) -> String {

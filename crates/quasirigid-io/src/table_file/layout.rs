@@ -1,9 +1,8 @@
 //! Layout of a table in text: values between separators, between blanks, or at fixed places of the line.
-//! The header and some rows show which; a table of fixed width shows its columns by what is blank in every line, or by a line of dashes.
+//! The header and some rows show which.
 
-use std::ops::Range;
-
-use super::line::fields;
+use super::fixed::Columns;
+use super::line::{fields, words};
 
 /// Separators that are looked for, in this order.
 const SEPARATORS: [u8; 4] = [b',', b'\t', b';', b'|'];
@@ -15,10 +14,10 @@ const MOST_ROWS: f64 = 0.9;
 pub(super) enum Layout {
     /// Values between separators, with quotation marks.
     Separated(u8),
-    /// Values between blanks.
+    /// Values between blanks, with quotation marks.
     Blanks,
-    /// Values at places of the line, in characters; the last goes on to the end of the line.
-    Fixed(Vec<Range<usize>>),
+    /// Values at places of the line.
+    Fixed(Columns),
 }
 
 impl Layout {
@@ -33,53 +32,36 @@ impl Layout {
         if let Some((_, _, separator)) = best {
             return Self::Separated(separator);
         }
-        let words = words(header).len();
-        let rows: Vec<&Vec<u8>> = rows.iter().collect();
-        let dashes = rows.first().filter(|row| is_rule(row));
-        let alike = rows.iter().filter(|row| self::words(row).len() == words).count();
-        match dashes {
-            _ if words < 2 || rows.is_empty() => Self::Separated(b','),
-            Some(row) if runs(row).len() > 1 => Self::Fixed(runs(row)),
-            _ if alike as f64 >= MOST_ROWS * rows.len() as f64 => Self::Blanks,
-            _ => Self::fixed(header, &rows).unwrap_or(Self::Separated(b',')),
+        let count = |line: &[u8]| words(line).map(|words| words.len());
+        let names = count(header).unwrap_or(0);
+        let counts: Vec<usize> = rows.iter().filter_map(|row| count(row)).collect();
+        let alike = counts.iter().filter(|count| **count == names).count();
+        let rule = rows.first().filter(|row| is_rule(row));
+        if names < 2 || rows.is_empty() {
+            Self::Separated(b',')
+        } else if let Some(columns) = rule.and_then(|rule| Columns::of_rule(rule)) {
+            Self::Fixed(columns)
+        } else if alike as f64 >= MOST_ROWS * counts.len() as f64 {
+            Self::Blanks
+        } else {
+            Columns::of_rows(header, rows).map_or(Self::Separated(b','), Self::Fixed)
         }
-    }
-
-    /// Columns by the places that are blank in every line: a run without a name is the second word of the values before it. None where a
-    /// column would have a name alone.
-    fn fixed(header: &[u8], rows: &[&Vec<u8>]) -> Option<Self> {
-        let lines = std::iter::once(header).chain(rows.iter().map(|row| row.as_slice()));
-        let mut filled: Vec<bool> = Vec::new();
-        for line in lines {
-            for (place, letter) in String::from_utf8_lossy(line).chars().enumerate() {
-                if filled.len() <= place {
-                    filled.resize(place + 1, false);
-                }
-                filled[place] |= !letter.is_whitespace();
-            }
-        }
-        let mut columns: Vec<Range<usize>> = Vec::new();
-        for run in runs_where(&filled) {
-            match columns.last_mut() {
-                Some(before) if cut(header, &run, false).is_empty() => before.end = run.end,
-                _ => columns.push(run),
-            }
-        }
-        let whole = |column: &Range<usize>| rows.iter().any(|row| !cut(row, column, false).is_empty());
-        let named = columns.first().is_some_and(|column| !cut(header, column, false).is_empty());
-        (columns.len() > 1 && named && columns.iter().all(whole)).then_some(Self::Fixed(columns))
     }
 
     /// The values of a line, without the blanks around them; none where a quotation mark is not closed.
     pub(super) fn fields(&self, line: &[u8]) -> Option<Vec<Vec<u8>>> {
         match self {
             Self::Separated(separator) => fields(line, *separator),
-            Self::Blanks => Some(words(line)),
-            Self::Fixed(columns) => {
-                let last = columns.len() - 1;
-                let cut = |(i, column): (usize, &Range<usize>)| cut(line, column, i == last).into_bytes();
-                Some(columns.iter().enumerate().map(cut).collect())
-            }
+            Self::Blanks => words(line),
+            Self::Fixed(columns) => Some(columns.values(line)),
+        }
+    }
+
+    /// Whether each text of the line stands in one column.
+    pub(super) fn holds(&self, line: &[u8]) -> bool {
+        match self {
+            Self::Fixed(columns) => columns.holds(line),
+            Self::Separated(_) | Self::Blanks => true,
         }
     }
 
@@ -102,37 +84,6 @@ pub(super) fn is_rule(line: &[u8]) -> bool {
         && line
             .iter()
             .all(|byte| matches!(byte, b'-' | b'=' | b'+' | b'|' | b',' | b';' | b'\t' | b' ' | b'\r'))
-}
-
-fn words(line: &[u8]) -> Vec<Vec<u8>> {
-    let words = line.split(u8::is_ascii_whitespace).filter(|word| !word.is_empty());
-    words.map(<[u8]>::to_vec).collect()
-}
-
-/// Runs of characters that are not blank.
-fn runs(line: &[u8]) -> Vec<Range<usize>> {
-    runs_where(
-        &String::from_utf8_lossy(line).chars().map(|letter| !letter.is_whitespace()).collect::<Vec<_>>(),
-    )
-}
-
-fn runs_where(filled: &[bool]) -> Vec<Range<usize>> {
-    let mut runs: Vec<Range<usize>> = Vec::new();
-    for place in (0..filled.len()).filter(|place| filled[*place]) {
-        match runs.last_mut().filter(|run| run.end == place) {
-            Some(run) => run.end = place + 1,
-            None => runs.push(place..place + 1),
-        }
-    }
-    runs
-}
-
-/// Characters of a line, without the blanks around them; `open` takes the rest of the line.
-fn cut(line: &[u8], column: &Range<usize>, open: bool) -> String {
-    let text = String::from_utf8_lossy(line);
-    let rest = text.chars().skip(column.start);
-    let cut: String = if open { rest.collect() } else { rest.take(column.len()).collect() };
-    cut.trim().to_owned()
 }
 
 #[cfg(test)]
@@ -159,10 +110,17 @@ mod tests {
             ("a  b\n1 2\n30   4", Layout::Blanks),
             ("alone\n1", Layout::Separated(b',')),
             ("spin rate\n1", Layout::Separated(b',')),
-            ("name    P\n2004 FH 0.05\nEros    5.27", Layout::Fixed(vec![0..7, 8..12])),
-            ("name      P [h]\n--------- -----\nToutatis   130 ", Layout::Fixed(vec![0..9, 10..15])),
+            ("a \"b c\"\n1 2", Layout::Blanks),
         ] {
             assert_eq!(layout(text), expected, "{text:?}");
+        }
+    }
+
+    #[test]
+    fn columns_of_fixed_width_show_by_their_blanks_or_by_a_rule() {
+        for text in ["name    P\n2004 FH 0.05\nEros    5.27", "name    P   \n------- ----\n2004 FH 0.05"] {
+            let Layout::Fixed(columns) = layout(text) else { panic!("{text:?}") };
+            assert_eq!(columns.values(b"2004 FH 0.05"), [b"2004 FH".to_vec(), b"0.05".to_vec()], "{text:?}");
         }
     }
 

@@ -26,6 +26,23 @@ pub(super) fn fields(line: &[u8], separator: u8) -> Option<Vec<Vec<u8>>> {
     (!quoted).then(|| fields.iter().map(|field| field.trim_ascii().to_vec()).collect())
 }
 
+/// The words of a line between blanks; none where a quotation mark is not closed. A mark opens a text at the start of a word alone, and
+/// closes it at the end of one.
+pub(super) fn words(line: &[u8]) -> Option<Vec<Vec<u8>>> {
+    let (mut words, mut rest) = (Vec::new(), line.trim_ascii());
+    while let Some(first) = rest.first() {
+        let quoted = *first == b'"';
+        let ends = |k: usize| rest.get(k).is_none_or(u8::is_ascii_whitespace);
+        let end = match quoted {
+            true => (1..rest.len()).find(|k| rest[*k] == b'"' && ends(k + 1))?,
+            false => (0..=rest.len()).find(|k| ends(*k))?,
+        };
+        words.push(rest[usize::from(quoted)..end].to_vec());
+        rest = rest[end + usize::from(quoted)..].trim_ascii_start();
+    }
+    Some(words)
+}
+
 #[cfg(test)]
 mod tests {
     use proptest::prelude::*;
@@ -37,6 +54,13 @@ mod tests {
         for line in ["\"", "a,\"b", "\"a\"\"", "\"a\",\"b,c", "\"\"\""] {
             assert_eq!(fields(line.as_bytes(), b','), None, "{line}");
         }
+    }
+
+    #[test]
+    fn words_may_be_quoted() {
+        let found = words(b" \"test 1a\"  5\"x \"\" \"a \"b\" ").expect("closed");
+        assert_eq!(found, [&b"test 1a"[..], b"5\"x", b"", b"a \"b"]);
+        assert_eq!(words(b"a \"b c"), None);
     }
 
     proptest! {

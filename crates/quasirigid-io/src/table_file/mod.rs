@@ -5,7 +5,9 @@
 mod bodies;
 mod cells;
 mod error;
+mod fixed;
 mod formula;
+mod heading;
 mod layout;
 mod line;
 mod names;

@@ -3,6 +3,7 @@
 use std::fs;
 use std::io::Write;
 
+use base64::Engine;
 use quasirigid_io::table_file::{BodyTable, TableError, read_bodies};
 use tempfile::TempDir;
 use zip::write::SimpleFileOptions;
@@ -107,9 +108,18 @@ fn votable_has_fields_units_and_nulls() {
     assert_eq!(table.columns, [["Eros", "A & B", ""], ["5.27", "", ""], ["2.67", "", ""]]);
     assert_eq!((unit(&table, "Per"), unit(&table, "rho")), (Some("h"), Some("g/cm^3")));
     assert_eq!(table.unread[&2], "line 9 of the table has 2 values, but the header has 3");
-    let binary = VOTABLE.replace("TABLEDATA", "BINARY");
-    let refused = read("bodies.vot", binary.as_bytes()).unwrap_err().to_string();
-    assert!(refused.contains("its rows are in binary form; save the VOTable as TABLEDATA"), "{refused}");
+    let spaced = VOTABLE.replace("xmlns=", "xmlns:v=").replace("</", "</v:").replace("<", "<v:");
+    let spaced = spaced.replace("<v:/v:", "</v:").replace("<v:?", "<?");
+    assert_eq!(read("bodies.vot", spaced.as_bytes()).unwrap(), table);
+    let hidden = VOTABLE.replace("<DATA>", "<!-- <TABLEDATA> is below, </TABLEDATA> too --><DATA>");
+    assert_eq!(read("bodies.vot", hidden.as_bytes()).unwrap(), table);
+    let rows = "<TR><TD>Eros</TD><TD>5.27</TD><TD>2.67</TD></TR>\n";
+    let many = read("bodies.vot", VOTABLE.replace(rows, &rows.repeat(4000)).as_bytes()).unwrap();
+    assert_eq!((many.rows(), many.unread.len()), (4002, 1), "in several pieces");
+    assert_eq!(many.unread[&4001], "line 4008 of the table has 2 values, but the header has 3");
+    let fits = VOTABLE.replace("TABLEDATA", "FITS");
+    let refused = read("bodies.vot", fits.as_bytes()).unwrap_err().to_string();
+    assert!(refused.contains("its rows are in FITS; save the VOTable as TABLEDATA"), "{refused}");
     let old = VOTABLE
         .replace("<VOTABLE", "<!DOCTYPE VOTABLE SYSTEM \"http://us-vo.org/xml/VOTable.dtd\">\n<VOTABLE");
     assert_eq!(read("bodies.vot", old.as_bytes()).unwrap().columns, table.columns);
@@ -119,6 +129,222 @@ fn votable_has_fields_units_and_nulls() {
     );
     let cut = &VOTABLE[..VOTABLE.len() / 2];
     assert!(read("bodies.vot", cut.as_bytes()).unwrap_err().to_string().contains("this is not valid XML"));
+}
+
+/// A table of every kind of field in binary form, with the marks of missing values if asked; the bytes are written here by the layout of
+/// the recommendation.
+fn binary_votable(flagged: bool) -> String {
+    let fields = [
+        ("char", "*", ""),
+        ("double", "1", "h"),
+        ("float", "2", ""),
+        ("int", "1", ""),
+        ("short", "1", ""),
+        ("long", "1", ""),
+        ("unsignedByte", "1", ""),
+        ("boolean", "1", ""),
+        ("bit", "10", ""),
+        ("unicodeChar", "4", ""),
+    ];
+    let mut bytes: Vec<u8> = Vec::new();
+    for (row, name) in ["Eros", ""].into_iter().enumerate() {
+        let missing = row == 1;
+        if flagged {
+            bytes.extend(if missing { [0b0000_0100, 0b0100_0000] } else { [0, 0] });
+        }
+        bytes.extend((name.len() as u32).to_be_bytes());
+        bytes.extend(name.bytes());
+        bytes.extend(if missing { f64::NAN } else { 5.27 }.to_be_bytes());
+        [0.5_f32, -0.25].iter().for_each(|value| bytes.extend(value.to_be_bytes()));
+        bytes.extend(if missing { -99_i32 } else { 433 }.to_be_bytes());
+        bytes.extend((-7_i16).to_be_bytes());
+        bytes.extend(9_007_199_254_740_993_i64.to_be_bytes());
+        bytes.extend([200, b'T', 0b1000_0001, 0b0100_0000]);
+        "αβ".encode_utf16().chain([0, 0]).for_each(|unit| bytes.extend(unit.to_be_bytes()));
+    }
+    let fields: String = (0..)
+        .zip(fields)
+        .map(|(k, (kind, size, unit))| {
+            let null = if kind == "int" { r#"<VALUES null="-99"/>"# } else { "" };
+            format!(r#"<FIELD name="c{k}" datatype="{kind}" arraysize="{size}" unit="{unit}">{null}</FIELD>"#)
+        })
+        .collect();
+    let stream = base64::engine::general_purpose::STANDARD.encode(bytes);
+    let (start, end) = stream.split_at(37);
+    let form = if flagged { "BINARY2" } else { "BINARY" };
+    format!(
+        "<?xml version=\"1.0\"?>\n<VOTABLE><RESOURCE><TABLE>{fields}<DATA><{form}><STREAM encoding=\"base64\">\n{start}\n  {end}\n</STREAM></{form}></DATA></TABLE></RESOURCE></VOTABLE>"
+    )
+}
+
+#[test]
+fn votable_in_binary_form_has_the_texts_of_elements() {
+    for flagged in [false, true] {
+        let text = binary_votable(flagged);
+        let table = read("bodies.xml", text.as_bytes()).unwrap();
+        let rows: Vec<Vec<&str>> =
+            (0..2).map(|row| table.columns.iter().map(|column| column[row].as_str()).collect()).collect();
+        let first = [
+            "Eros",
+            "5.27",
+            "0.5 -0.25",
+            "433",
+            "-7",
+            "9007199254740993",
+            "200",
+            "true",
+            "1 0 0 0 0 0 0 1 0 1",
+            "αβ",
+        ];
+        assert_eq!(rows[0], first, "{flagged}");
+        let (long, unicode) = if flagged { ("", "") } else { (first[5], first[9]) };
+        assert_eq!(rows[1], ["", "", first[2], "", first[4], long, first[6], first[7], first[8], unicode]);
+        assert_eq!(unit(&table, "c1"), Some("h"));
+        assert!(table.unread.is_empty());
+        let refused = |text: String| read("bodies.xml", text.as_bytes()).unwrap_err().to_string();
+        let cut = refused(text.replace("\n  ", "\n").replacen("datatype=\"short\"", "datatype=\"int\"", 1));
+        assert!(
+            cut.contains("row 2 of its binary rows ends within a value") || cut.contains("row 1"),
+            "{cut}"
+        );
+        assert!(
+            refused(text.replace("\"short\"", "\"word\""))
+                .contains("the datatype \"word\", which VOTable does not know")
+        );
+        assert!(
+            refused(text.replace("encoding=\"base64\"", "href=\"rows.bin\""))
+                .contains("its rows stand in another file")
+        );
+        assert!(refused(text.replace("\n  ", "\n*")).contains("its rows are not base64"));
+    }
+    let endless = binary_votable(false).replace("arraysize=\"*\"", "arraysize=\"0\"");
+    let endless =
+        endless.replace("arraysize=\"1\"", "arraysize=\"0\"").replace("arraysize=\"2\"", "arraysize=\"0\"");
+    let endless =
+        endless.replace("arraysize=\"10\"", "arraysize=\"0\"").replace("arraysize=\"4\"", "arraysize=\"0\"");
+    let refused = read("bodies.xml", endless.as_bytes()).unwrap_err().to_string();
+    assert!(refused.contains("its fields have no length"), "{refused}");
+}
+
+/// The layout of the summary of the lightcurve database LCDB, by its published map of columns: three lines of titles, names, a rule; flags
+/// without a name, names of columns that stand twice, columns without values, and widths that show in later rows alone.
+#[test]
+fn lightcurve_database_reads_as_it_is() {
+    let columns = [
+        ("NUMBER", 0),
+        ("NAME", 10),
+        ("DESIG", 41),
+        ("FAM", 62),
+        ("S", 71),
+        ("CLASS", 73),
+        ("S", 84),
+        ("F", 86),
+        ("DIA.", 88),
+        ("S", 97),
+        ("H", 99),
+        ("B", 106),
+        ("S", 109),
+        ("G", 111),
+        ("S", 132),
+        ("F", 134),
+        ("ALBEDO", 136),
+        ("F", 143),
+        ("PERIOD", 145),
+        ("U", 183),
+        ("NOTES", 186),
+        ("PRI", 208),
+    ];
+    let line = |texts: &[(usize, &str)]| {
+        let mut line = [' '; 215];
+        for (start, text) in texts {
+            line[*start..].iter_mut().zip(text.chars()).for_each(|(place, letter)| *place = letter);
+        }
+        line.iter().collect::<String>().trim_end().to_owned() + "\r\n"
+    };
+    let names: Vec<(usize, &str)> = columns.iter().map(|(name, start)| (*start, *name)).collect();
+    let mut text =
+        "LIGHTCURVE DATA, a summary\r\n\r\nRevised, 2023\r\nSee the notes\r\n".to_owned() + &line(&names);
+    text += &("-".repeat(215) + "\r\n");
+    for row in 0..300 {
+        text += &line(&[
+            (3, "433"),
+            (10, "Eros"),
+            (41, "1898 DQ"),
+            (62, "NEA"),
+            (71, "T"),
+            (73, "S"),
+            (84, "T"),
+            (91, "16.84"),
+            (97, "T"),
+            (100, "10.31"),
+            (109, "D"),
+            (111, "0.460"),
+            (132, "T"),
+            (137, "0.25"),
+            (147, "5.270"),
+            (183, "3"),
+            (if row == 250 { 8 } else { 214 }, if row == 250 { "*" } else { " " }),
+            (if row == 280 { 143 } else { 214 }, if row == 280 { "<" } else { " " }),
+        ]);
+    }
+    text += &line(&[
+        (1, "99942"),
+        (10, "Apophis, with a long name"),
+        (41, "2004 MN4"),
+        (73, "Sq"),
+        (90, " 0.375"),
+        (143, "S"),
+        (146, "30.5600001"),
+        (183, "3-"),
+    ]);
+    text += "        1 note that goes over all of the columns of the table, as a footnote of a printed page would do, and so it is no row; see the text of the paper, which tells more of it and of the others that stand above, among them those of the first and of the last row\r\n";
+    let table = read("lc_summary_pub.txt", text.as_bytes()).unwrap();
+    let value = |name: &str, row: usize| {
+        table.columns[table.column(name).unwrap_or_else(|| panic!("{name}: {:?}", table.names))][row].as_str()
+    };
+    assert_eq!((table.rows(), table.unread.len()), (302, 1), "{:?}", table.unread);
+    assert_eq!(
+        (value("NAME", 0), value("DIA.", 0), value("PERIOD", 299), value("H", 7)),
+        ("Eros", "16.84", "5.270", "10.31")
+    );
+    assert_eq!(
+        (value("NAME", 300), value("PERIOD", 300), value("DIA.", 300), value("ALBEDO", 300)),
+        ("Apophis, with a long name", "30.5600001", "0.375", "")
+    );
+    assert_eq!(
+        (value("F_3", 280), value("PERIOD", 280), value("U", 300)),
+        ("<", "5.270", "3-"),
+        "{:?}",
+        table.names
+    );
+    assert_eq!(table.unread.keys().copied().collect::<Vec<_>>(), [301]);
+    assert!(table.unread[&301].contains("has a text across two columns"), "{:?}", table.unread);
+    let told = |start: &str| {
+        assert!(table.notes.iter().any(|note| note.starts_with(start)), "{start}: {:?}", table.notes)
+    };
+    told("3 lines are left out above the names of the columns");
+    told("columns named F are numbered: F_1, F_2");
+}
+
+#[test]
+fn titles_quoted_names_types_and_units_of_comments_are_read() {
+    let table = table("A catalogue\nof 2 bodies\n\nname,P [h]\nEros,5.27\nIda,4.63\n");
+    assert_eq!(
+        (table.names.as_slice(), table.rows()),
+        (["name".to_owned(), "P [h]".to_owned()].as_slice(), 2)
+    );
+    assert_eq!(table.notes, ["2 lines are left out above the names of the columns"]);
+    let table = self::table("  # comment\n\"body name\" P\nEros 5.27\n\"2004 FH\" 0.05\n\"open 1\n");
+    assert_eq!(table.columns, [["Eros", "2004 FH", ""], ["5.27", "0.05", ""]]);
+    assert!(table.unread[&2].contains("is not closed on that line"));
+    let table = self::table("name\tP\n11S\t6N\nEros\t5.27\n");
+    assert_eq!((table.rows(), table.columns[1][0].as_str()), (1, "5.27"));
+    assert!(table.notes.iter().any(|note| note.ends_with("types, as in RDB")));
+    assert_eq!(read("a.rdb", b"name\tP\nS\tN\nEros\t5.27\n").unwrap().rows(), 1);
+    assert_eq!(self::table("name\tF\nS\tN\nEros\tM\n").rows(), 2, "letters alone may be values");
+    let ecsv = "# %ECSV 1.0\n# ---\n# datatype:\n# - {name: name, datatype: string}\n# - {name: P, unit: h, datatype: float64}\n# schema: astropy-2.0\nname P\n\"2004 FH\" 0.05\n";
+    let table = self::table(ecsv);
+    assert_eq!((unit(&table, "P"), table.columns[0][0].as_str()), (Some("h"), "2004 FH"));
 }
 
 /// A workbook with shared texts, a text in place, a formula with its value, a cell left out, and a row of style alone.

@@ -4,6 +4,7 @@ mod bounds;
 mod catalogues;
 mod history_tables;
 mod matrix_files;
+mod memory;
 mod mesh;
 mod record;
 mod shapes;

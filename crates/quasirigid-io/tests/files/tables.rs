@@ -125,7 +125,9 @@ fn tables_that_are_none_are_refused() {
     };
     assert!(matches!(read_bodies(&path("none.csv", b"a,b\n")), Err(TableError::Empty { .. })));
     assert!(matches!(read_bodies(&path("empty.csv", b"")), Err(TableError::Empty { .. })));
-    assert!(matches!(read_bodies(&path("twice.csv", b"a,a\n1,2\n")), Err(TableError::SameName { .. })));
+    let twice = read_bodies(&path("twice.csv", b"a,b,a\n1,2,3\n")).unwrap();
+    assert_eq!(twice.names, ["a_1", "b", "a_2"]);
+    assert_eq!(twice.notes, ["columns named a are numbered: a_1, a_2 and so on"]);
     assert!(matches!(read_bodies(&path("bad.parquet", b"PAR1 no")), Err(TableError::Parquet { .. })));
     assert!(matches!(read_bodies(&folder.path().join("missing.csv")), Err(TableError::File { .. })));
 }

@@ -435,7 +435,7 @@ class Model:
             method: ``average``, ``levels``, ``micro-runs``, ``full``, ``modal-rates`` or ``spin-manifold``; by default the one that
                 holds.
             uncertainty_samples: Draws of the keys in the model's ``[uncertainty]``, 2 to 10000000; their intervals are in
-                ``uncertainty``.
+                ``uncertainty``. Without it, and for ``initial``, these keys have their stated values.
 
         Raises:
             StartError: for a start that is invalid or does not evolve, unless it is a row of ``initial``.

@@ -10,7 +10,7 @@ use quasirigid_io::table_file::CellColumn;
 
 use super::{Sweep, SweepError, folder, summary};
 use crate::layout::paragraph;
-use crate::settings::uncertainty_samples;
+use crate::settings::{Setting, uncertainty_samples};
 use crate::study::Study;
 use crate::watch::Watch;
 use crate::words::{significant, time};
@@ -73,6 +73,18 @@ impl Study {
             correlations: record.correlations.into_iter().filter(|each| each.quantity == "time").collect(),
             reasons: record.reasons,
         }))
+    }
+
+    /// A sentence for an answer from the stated values of uncertain keys, with the name that an interface has for the setting; none for
+    /// a model without such keys.
+    #[must_use]
+    pub fn undrawn(&self, name: &dyn Fn(Setting) -> &'static str) -> Option<String> {
+        let which = match self.model.uncertainty.len() {
+            0 => return None,
+            1 => "the key in [uncertainty] has its stated value".to_owned(),
+            keys => format!("the {keys} keys in [uncertainty] have their stated values"),
+        };
+        Some(format!("{which}; {}, as 200, draws and gives intervals", name(Setting::UncertaintySamples)))
     }
 }
 

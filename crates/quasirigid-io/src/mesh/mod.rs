@@ -29,6 +29,7 @@ pub use error::{MeshError, MeshProblem, Part, Place};
 use file::MAX_FILE;
 use format::Format;
 pub use row::Row;
+pub(crate) use volume::abaqus as inp;
 use volume::vtk;
 pub use volume::{VolumeFile, VolumeProblem, mesh_of, read_mesh, read_volume, volume_of};
 

@@ -7,6 +7,7 @@ use std::collections::hash_map::Entry;
 use quasirigid_math::memory;
 use quasirigid_mesh::{Cell, Mesh, Shape};
 
+use super::others::Others;
 use super::problem::VolumeProblem;
 use super::sets::Sets;
 use super::{MeshProblem, Part};
@@ -20,6 +21,11 @@ pub(super) struct Draft {
     cells: Vec<Cell>,
     cell_of: HashMap<u64, usize>,
     pub(super) sets: Sets,
+    /// Type of each cell among those of the file, where the format has them.
+    pub(super) types: Vec<u16>,
+    /// Node towards which a beam has its first axis, by the index of its cell.
+    pub(super) towards: Vec<(usize, u64)>,
+    pub(super) others: Others,
 }
 
 impl Draft {
@@ -52,9 +58,13 @@ impl Draft {
         self.cell_of.get(&label).copied()
     }
 
-    /// Whether there is no node and no set.
+    /// Whether there is no node, no set and no element.
     pub(super) fn is_empty(&self) -> bool {
-        self.nodes.is_empty() && self.sets.all().is_empty()
+        self.nodes.is_empty() && self.sets.all().is_empty() && self.others.all.is_empty()
+    }
+
+    fn has_element(&self, label: u64) -> bool {
+        self.cell_of.contains_key(&label) || self.others.of(label).is_some()
     }
 
     /// Numbers of the nodes, in their order.
@@ -76,10 +86,15 @@ impl Draft {
         prefix: &str,
     ) -> Result<[u64; 2], MeshProblem> {
         let clash = other.node_labels.iter().any(|label| self.node_of.contains_key(label))
-            || other.cells.iter().any(|cell| self.cell_of.contains_key(&cell.label));
+            || other.cells.iter().any(|cell| self.has_element(cell.label))
+            || other.others.all.iter().any(|element| self.has_element(element.label));
         let last = |labels: &mut dyn Iterator<Item = u64>| labels.max().unwrap_or(0);
         let shifts = if clash {
-            [last(&mut self.node_labels.iter().copied()), last(&mut self.cells.iter().map(|cell| cell.label))]
+            let others = self.others.all.iter().map(|element| element.label);
+            [
+                last(&mut self.node_labels.iter().copied()),
+                last(&mut self.cells.iter().map(|cell| cell.label).chain(others)),
+            ]
         } else {
             [0; 2]
         };
@@ -95,6 +110,11 @@ impl Draft {
             let nodes = cell.nodes.iter().map(|node| first_node + node).collect();
             self.cells.push(Cell { label, shape: cell.shape, nodes });
         }
+        self.types.extend(&other.types);
+        self.towards.extend(
+            other.towards.iter().map(|(cell, node)| (first_cell + cell, node.saturating_add(shifts[0]))),
+        );
+        self.others.append(&other.others, shifts, prefix)?;
         for set in other.sets.all() {
             let name = format!("{prefix}{}", set.name);
             let at = self.sets.place(&name.to_ascii_uppercase(), &name);

@@ -1,9 +1,10 @@
 //! Meshes of cells from files: gmsh, VTK, Abaqus and NASTRAN.
 
-mod abaqus;
+pub(crate) mod abaqus;
 mod draft;
 mod gmsh;
 mod nastran;
+mod others;
 mod problem;
 mod sets;
 pub(super) mod vtk;

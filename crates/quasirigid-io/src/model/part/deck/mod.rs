@@ -1,4 +1,4 @@
-//! Deck reader: `[[deck]]`, a finite-element model of NASTRAN with its own materials, sections, bodies, links and rigid elements.
+//! Deck reader: `[[deck]]`, a finite-element model of NASTRAN, Abaqus or CalculiX with its own materials, sections, bodies, links and rigid elements.
 //! Units are those of the deck, whose cards have none; what is left out is counted and told first.
 //! Equations (K1), (K2) and (I11), docs/theory.
 
@@ -21,17 +21,22 @@ use super::super::table::Table;
 use super::nodal::{LENGTH_UNIT, MASS_UNIT, Units};
 use super::placed::{ATTITUDE, POSITION, Placement, placement};
 use super::{ATTACH, MASSES, Nodes, RAYLEIGH, Read, attached, masses, rayleigh};
+use crate::deck::{Cells, DeckModel, Stuff};
 use crate::matrix::error::MatrixProblem;
 use crate::matrix::listed::LocatedProblem;
-use crate::nastran::model::{Cells, DeckModel, Stuff};
 use crate::text_file::{FileError, bytes_of};
+use crate::{inp, nastran};
 
-pub(in crate::model) const READER: Reader =
-    Reader::of_parts("deck", "[[deck]]", "finite-element model of NASTRAN", &DECK, |entry, draft| {
-        draft.part(entry, deck(entry.table, entry.name, draft.sources))
-    });
+pub(in crate::model) const READER: Reader = Reader::of_parts(
+    "deck",
+    "[[deck]]",
+    "finite-element model of NASTRAN, Abaqus or CalculiX",
+    &DECK,
+    |entry, draft| draft.part(entry, deck(entry.table, entry.name, draft.sources)),
+);
 
-const FILE: Key = key("file", TEXT, "bulk data of NASTRAN, with its materials and sections");
+const FILE: Key =
+    key("file", TEXT, "bulk data of NASTRAN, `.inp` of Abaqus or CalculiX, with materials and sections");
 const DECK: Keys = Keys {
     known: &[NAME, FILE, LENGTH_UNIT, MASS_UNIT, POSITION, ATTITUDE, RHEOLOGY, MASSES, ATTACH, RAYLEIGH],
 };
@@ -82,7 +87,8 @@ pub(super) fn deck(table: &Table<'_>, name: &str, sources: Sources<'_, '_>) -> O
 }
 
 fn read(path: &Path) -> Result<DeckModel, FileError<MatrixProblem>> {
-    DeckModel::read(path, &bytes_of::<MatrixProblem>(path, MAX_FILE)?)
+    let bytes = bytes_of::<MatrixProblem>(path, MAX_FILE)?;
+    if inp::is_inp(&bytes) { inp::read(path, &bytes) } else { nastran::model::read(path, &bytes) }
 }
 
 /// Units and place of a deck, and the rheology of its materials where the model gives it.
@@ -184,6 +190,15 @@ impl Made {
                 poisson,
                 rheology: law(loss),
             }),
+            Stuff::Orthotropic { young, poisson, shear, density, loss } => {
+                ElasticMaterial::Orthotropic(Orthotropic {
+                    density: self.density(density + extra),
+                    young: young.map(|young| modulus * young),
+                    poisson,
+                    shear: shear.map(|shear| modulus * shear),
+                    rheology: law(loss),
+                })
+            }
             Stuff::Lamina { young: [e1, e2], poisson, shear: [g12, g13, g23], density, loss } => {
                 ElasticMaterial::Orthotropic(Orthotropic {
                     density: self.density(density + extra),
@@ -194,6 +209,11 @@ impl Made {
                 })
             }
         })
+    }
+
+    /// Name of a material: its own, or its number after the kind of its card.
+    fn name_of(&self, kind: &str, label: u64) -> String {
+        self.deck.names.get(&label).cloned().unwrap_or_else(|| format!("{kind} {label}"))
     }
 
     fn isotropic(&self, label: u64, extra: f64) -> Result<Material, LocatedProblem> {

@@ -27,6 +27,17 @@ pub(crate) enum Stuff {
     },
 }
 
+impl Stuff {
+    /// Density, in the unit of the deck.
+    pub fn density(&self) -> f64 {
+        match self {
+            Self::Isotropic { density, .. }
+            | Self::Orthotropic { density, .. }
+            | Self::Lamina { density, .. } => *density,
+        }
+    }
+}
+
 /// A layer of a plate.
 #[derive(Clone, Copy)]
 pub(crate) struct Ply {

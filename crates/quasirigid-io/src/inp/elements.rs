@@ -171,12 +171,14 @@ impl Reader {
         let label = self.inp.mesh.cells[cell].label;
         let nodes = self.labels(cell);
         let pieces = match nodes[..] {
+            // A rod of two pieces would fold in its middle.
+            [a, b, _] if family == Family::Rod => vec![[a, b]],
             [a, b, middle] => vec![[a, middle], [middle, b]],
             [a, b] => vec![[a, b]],
             _ => Vec::new(),
         };
         if pieces.len() == 2 {
-            self.model.simplify("beams and rods with a node in their middle are two straight ones");
+            self.model.simplify("beams with a node in their middle are two straight ones");
         }
         for ends in pieces {
             let (offsets, released) = ([[0.0; 3]; 2], [0; 2]);

@@ -22,6 +22,9 @@ impl Reader {
         let mut left = 0;
         let mut line = 0;
         for at in self.cards(&["EQUATION"]) {
+            if self.cards[at].parameter("REMOVE").is_some() {
+                continue; // of a step
+            }
             line = self.cards[at].line;
             for placed in self.placed(self.cards[at].scope) {
                 for terms in self.terms(at)? {
@@ -107,5 +110,5 @@ fn row(terms: &[(u64, usize, f64)]) -> Option<(u64, usize, Shares)> {
     for (other, _, value) in others {
         *shares.entry(*other).or_default() -= value / factor;
     }
-    (fits && !shares.contains_key(node) && !shares.is_empty()).then_some((*node, component - 1, shares))
+    (fits && !shares.contains_key(node) && !shares.is_empty()).then(|| (*node, component - 1, shares))
 }

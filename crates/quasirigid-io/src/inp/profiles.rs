@@ -25,8 +25,11 @@ pub(super) fn profile(shape: &str, sizes: &[f64]) -> Option<Profile> {
     };
     let at = |index: usize| sizes.get(index).copied().unwrap_or(0.0);
     match shape {
-        "RECT" => of(SectionShape::Rectangle { height: at(1), width: at(0) }, 0.85),
-        "CIRC" => of(SectionShape::Circle { radius: at(0) }, 0.89),
+        "RECT" | "RECTANGULAR" => {
+            let height = if at(1) > 0.0 { at(1) } else { at(0) };
+            of(SectionShape::Rectangle { height, width: at(0) }, 0.85)
+        }
+        "CIRC" | "CIRCULAR" => of(SectionShape::Circle { radius: at(0) }, 0.89),
         "PIPE" => of(SectionShape::Tube { radius: at(0), thickness: at(1) }, 0.53),
         "BOX" => {
             let walls = [at(2), at(3), at(4), at(5)];

@@ -160,6 +160,11 @@ impl Made {
     pub(super) fn notes(&mut self, table: &Table<'_>) -> Vec<String> {
         let mut notes = self.deck.notes();
         notes.append(&mut self.notes);
+        let stuffs = self.deck.materials.values();
+        let light = stuffs.filter(|stuff| stuff.density() == 0.0).count();
+        if let Some(density) = self.given.density.filter(|_| light > 0) {
+            notes.push(format!("materials without a density have {density} kg/m³ of `density` ({light})"));
+        }
         if self.deck.mass_factor != 1.0 {
             notes.push(format!("masses are multiplied by PARAM,WTMASS = {}", self.deck.mass_factor));
         }

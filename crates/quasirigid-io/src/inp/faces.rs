@@ -106,8 +106,12 @@ impl Reader {
 
     /// A face of a solid, or a shell itself.
     fn face(&self, cell: usize, side: &str) -> Option<Face> {
+        let pyramid = self.inp.types[usize::from(self.inp.type_of[cell])].starts_with("C3D5");
         let cell = &self.inp.mesh.cells[cell];
         let count = cell.shape.corners();
+        if pyramid {
+            return None; // its halves have other faces
+        }
         if cell.shape.dimension() == 2 {
             let nodes = cell.nodes.iter().copied().take(2 * count).collect();
             return Some(Face { corners: count, nodes });

@@ -196,6 +196,10 @@ impl Reader {
         self.read_materials()?;
         self.read_sections()?;
         self.read_elements()?;
+        let pyramids = self.inp.mesh.cells.windows(2).filter(|pair| pair[0].label == pair[1].label).count();
+        if pyramids > 0 {
+            self.model.simplified.insert("pyramids are two tetrahedra each", pyramids);
+        }
         self.read_bodies()?;
         self.read_springs()?;
         self.read_couplings()?;

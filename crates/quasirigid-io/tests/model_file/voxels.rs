@@ -79,7 +79,7 @@ fn the_inertia_is_the_sum_over_voxels() {
         }
     }
     let notes = model.file_notes.join("\n");
-    assert!(notes.contains("2 parts that no face joins, of 13, 1 voxels"), "{notes}");
+    assert!(notes.contains("2 parts that no face joins, of 12, 1 voxels"), "{notes}");
     assert!(notes.contains("1 parts of fewer than 2 voxels are left out (1 voxels)"), "{notes}");
 }
 

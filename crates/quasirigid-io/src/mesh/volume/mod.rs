@@ -6,6 +6,7 @@ mod gmsh;
 mod nastran;
 mod others;
 mod problem;
+mod pyramid;
 mod sets;
 mod voxels;
 pub(super) mod vtk;
@@ -37,8 +38,8 @@ pub(crate) use voxels::VoxelRule;
 ///   folder of the first one or below it. The cells of each property are a set, by its number.
 /// - Voxels, NumPy `.npy` of three dimensions or NRRD: labels, of which 0 is empty, are sets `value=3`.
 ///
-/// Cells are segments, triangles, quadrilaterals, tetrahedra, wedges and hexahedra, of first or second order, and
-/// come out in the node order of [`Shape`](quasirigid_mesh::Shape); cells of one node are left out. Numbers
+/// Cells are segments, triangles, quadrilaterals, tetrahedra, wedges and hexahedra, of first or second order, pyramids of five nodes
+/// are two tetrahedra each; they come out in the node order of [`Shape`](quasirigid_mesh::Shape); cells of one node are left out. Numbers
 /// are taken as they are, in the unit of the file. No geometry is checked here.
 ///
 /// # Errors
@@ -90,7 +91,8 @@ pub fn volume_of(file: &Path, bytes: &[u8]) -> Result<VolumeFile, MeshError> {
 
 fn volume_by(file: &Path, bytes: &[u8], rule: &VoxelRule) -> Result<VolumeFile, MeshError> {
     let named = FileError::new(file);
-    let (mesh, notes) = match Format::of(file, bytes).map_err(named)? {
+    let format = Format::of(file, bytes).map_err(named)?;
+    let (mesh, mut notes) = match format {
         Format::Gmsh => (gmsh::read(bytes).map_err(named)?, Vec::new()),
         Format::VtkLegacy => (vtk::read_legacy(bytes).map_err(named)?, Vec::new()),
         Format::VtkXml => (vtk::read_xml(bytes).map_err(named)?, Vec::new()),
@@ -101,6 +103,9 @@ fn volume_by(file: &Path, bytes: &[u8], rule: &VoxelRule) -> Result<VolumeFile, 
     };
     if mesh.cells.is_empty() {
         return Err(named((Place::File, VolumeProblem::NoCells.into())));
+    }
+    if format != Format::Nastran {
+        notes.extend(pyramid::note(&mesh));
     }
     Ok(VolumeFile { mesh, notes })
 }

@@ -168,7 +168,7 @@ impl Cells {
             let value = whole(field.trim(), Row::InpCell)?;
             if self.label.is_none() { self.label = Some(value) } else { self.nodes.push(value) }
         }
-        let expected = self.kind.shape.nodes();
+        let expected = self.kind.nodes();
         // A line may name a node towards which its section is turned.
         let towards = (self.kind.shape.dimension() == 1 && self.nodes.len() == expected + 1)
             .then(|| self.nodes.pop())
@@ -180,8 +180,12 @@ impl Cells {
         let label = self.label.take().filter(|_| found == expected).ok_or_else(|| self.wrong_count(found))?;
         let nodes: Vec<u64> = (0..expected).map(|node| self.nodes[self.kind.place(node)]).collect();
         self.nodes.clear();
-        let cell = draft.add_cell(label, self.kind.shape, &nodes)?;
-        draft.types.push(self.number);
+        let cell = if self.kind.pyramid {
+            draft.add_pyramid(label, &nodes)?
+        } else {
+            draft.add_cell(label, self.kind.shape, &nodes)?
+        };
+        draft.types.resize(draft.cells().len(), self.number);
         draft.towards.extend(towards.map(|node| (cell, node)));
         self.set.map_or(Ok(()), |set| set.add(draft, &[cell]))
     }

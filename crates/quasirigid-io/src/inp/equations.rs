@@ -13,6 +13,9 @@ use crate::matrix::listed::LocatedProblem;
 /// Departure from a mean up to which shares are one.
 const SAME: f64 = 1e-6;
 
+/// A term: the name of a node, a component from 1, a factor, and the line.
+type Term = (String, usize, f64, usize);
+
 /// Shares of other nodes in a component of a node.
 type Shares = BTreeMap<u64, f64>;
 
@@ -62,7 +65,7 @@ impl Reader {
     }
 
     /// Terms of each equation of a card: node, component from 1, factor, line.
-    fn terms(&self, at: usize) -> Result<Vec<Vec<(String, usize, f64, usize)>>, LocatedProblem> {
+    fn terms(&self, at: usize) -> Result<Vec<Vec<Term>>, LocatedProblem> {
         let mut equations = Vec::new();
         let mut lines = self.cards[at].lines.iter();
         while let Some((line, text)) = lines.next() {

@@ -10,13 +10,16 @@ use crate::deck::{Bending, Line, Plate, Plating, Ply, RodSection, Stuff, Up};
 use crate::matrix::error::MatrixProblem;
 use crate::matrix::listed::LocatedProblem;
 
+/// Material, axes and cells of a region.
+type Solids = (u64, [[f64; 3]; 3], Vec<usize>);
+
 /// Share of the greatest moment that a section has where its card gives none.
 const NO_MOMENT: f64 = 1e-6;
 
 impl Made {
     pub(super) fn regions(&mut self) -> Result<(), LocatedProblem> {
         // Solids of one material with equal axes, to the bit, are one region.
-        let mut regions: BTreeMap<_, (u64, [[f64; 3]; 3], Vec<usize>)> = BTreeMap::new();
+        let mut regions: BTreeMap<_, Solids> = BTreeMap::new();
         for (cell, property) in &self.solids {
             let no = (0, MatrixProblem::NoCardOf { kind: "property", label: *property });
             let material = *self.deck.of_solids.get(property).ok_or(no)?;

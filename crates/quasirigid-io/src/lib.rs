@@ -6,9 +6,11 @@
 #[doc = include_str!("../README.md")]
 struct ReadmeOfCrate;
 
+mod deck;
 pub mod disk;
 pub mod export;
 pub mod files_read;
+mod inp;
 pub mod matrix;
 pub mod mesh;
 pub mod model;

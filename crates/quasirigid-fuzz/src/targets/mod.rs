@@ -85,7 +85,7 @@ impl Target {
 }
 
 /// Every target.
-pub const TARGETS: [Target; 44] = [
+pub const TARGETS: [Target; 46] = [
     Target::of_body("model_text", model::text, model::WORDS)
         .seeded(&[("examples", "toml"), ("data/published", "toml")]),
     Target::of_body("model_tables", model::text, &[]).drawn("model_text", grammar::model::model),
@@ -119,6 +119,8 @@ pub const TARGETS: [Target; 44] = [
         .seeded(&[(VOLUMES, "vtk"), (VOLUMES, "vtu")]),
     Target::of_file("volume_abaqus", |bytes| volume::read("nowhere/a.inp", bytes), volume::ABAQUS)
         .seeded(&[(VOLUMES, "inp"), (BODIES, "inp")]),
+    Target::of_file("volume_voxels", |bytes| volume::read("nowhere/a.nrrd", bytes), volume::NRRD),
+    Target::of_file("deck_abaqus", volume::deck, volume::DECK).seeded(&[(VOLUMES, "inp"), (BODIES, "inp")]),
     Target::of_file("volume_nastran", |bytes| volume::read("nowhere/a.bdf", bytes), volume::NASTRAN)
         .seeded(&[(VOLUMES, "bdf"), (MATRICES, "bdf")]),
     Target::of_file("matrix_harwell", |bytes| matrix::read("a.hb", bytes, None), matrix::HARWELL),

@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use quasirigid_io::mesh::mesh_of;
+use quasirigid_io::model::deck_notes;
 
 /// Words of gmsh files.
 pub const GMSH: &[&str] = &[
@@ -78,6 +79,50 @@ pub const ABAQUS: &[&str] = &[
     ", GENERATE",
     ",",
 ];
+
+/// Words of decks of Abaqus.
+pub const DECK: &[&str] = &[
+    "*NODE\n",
+    "*ELEMENT, TYPE=C3D8, ELSET=E\n",
+    "*ELEMENT, TYPE=B31, ELSET=E\n",
+    "*ELEMENT, TYPE=SPRINGA, ELSET=S\n",
+    "*MATERIAL, NAME=M\n",
+    "*ELASTIC, TYPE=ORTHO\n",
+    "*DENSITY\n",
+    "*SOLID SECTION, ELSET=E, MATERIAL=M, ORIENTATION=O\n",
+    "*SHELL SECTION, COMPOSITE, ELSET=E, OFFSET=SPOS\n",
+    "*BEAM SECTION, ELSET=E, MATERIAL=M, SECTION=I\n",
+    "*ORIENTATION, NAME=O, SYSTEM=C\n",
+    "*SURFACE, NAME=F\n",
+    "*TIE, NAME=T\n",
+    "*EQUATION\n",
+    "*MPC\n",
+    "*COUPLING, REF NODE=1, SURFACE=F\n",
+    "*KINEMATIC\n",
+    "*DISTRIBUTING\n",
+    "*RIGID BODY, REF NODE=1, NSET=N\n",
+    "*TRANSFORM, NSET=N\n",
+    ",",
+];
+
+/// Words of NRRD files.
+pub const NRRD: &[&str] = &[
+    "NRRD0004\n",
+    "type: uint8\n",
+    "sizes: 2 3 4\n",
+    "encoding: gzip\n",
+    "encoding: text\n",
+    "space directions: (1,0,0) (0,1,0) (0,0,1)\n",
+    "data file: a.raw\n",
+    "\n\n",
+];
+
+/// Reads a deck with what is left out.
+pub fn deck(bytes: &[u8]) {
+    if let Err(error) = deck_notes(Path::new("nowhere/a.inp"), bytes) {
+        assert!(!error.to_string().is_empty());
+    }
+}
 
 /// Words of bulk data of NASTRAN.
 pub const NASTRAN: &[&str] = &[

@@ -9,6 +9,7 @@ use thiserror::Error;
 use super::Dof;
 pub(crate) use super::row::Row;
 
+use crate::mesh::MeshProblem;
 pub use crate::text_file::Place;
 use crate::text_file::{self, FileError, ReadProblem, Unread};
 use crate::visible::Excerpt;
@@ -289,6 +290,31 @@ pub enum MatrixProblem {
         /// Its number.
         label: u64,
     },
+    /// Nodes or elements of a deck of Abaqus that cannot be read.
+    #[error("{0}")]
+    Inp(Box<MeshProblem>),
+    /// A set, a surface, a material or an orientation that no keyword defines.
+    #[error("no {kind} {name:?} is defined; is the name right, and is no included file missing?")]
+    NoNamed {
+        /// What is missing.
+        kind: &'static str,
+        /// Its name.
+        name: Excerpt,
+    },
+    /// A material without constants that are read.
+    #[error(
+        "the material {name:?} has no *ELASTIC that is read; give ISOTROPIC, ENGINEERING CONSTANTS, ORTHOTROPIC or LAMINA constants"
+    )]
+    NoElastic {
+        /// Its name.
+        name: Excerpt,
+    },
+    /// A section of beams that is not carried.
+    #[error("beams with the section {name:?} are not read; RECT, CIRC, PIPE, BOX, I, L and GENERAL are")]
+    BeamSection {
+        /// Its name.
+        name: Excerpt,
+    },
     /// A deck without elements that are read.
     #[error(
         "the deck has no solid, plate, beam, rod or body that is read; are its elements in another file?"
@@ -296,7 +322,7 @@ pub enum MatrixProblem {
     NoElements,
     /// A deck without mass.
     #[error(
-        "nothing of the deck has mass: neither RHO of its materials, nor NSM of its properties, nor a CONM2; give the densities"
+        "nothing of the deck has mass: neither its materials by a density (RHO, *DENSITY), nor its properties, nor a body (CONM2, *MASS); give the densities"
     )]
     NoMass,
     /// An element without one of its corners.
@@ -306,7 +332,7 @@ pub enum MatrixProblem {
         element: u64,
     },
     /// A grid point that no card has.
-    #[error("no GRID card has the number {node}; is an included file missing?")]
+    #[error("no card gives the grid point or node {node}; is an included file missing?")]
     NoGrid {
         /// The grid point.
         node: u64,

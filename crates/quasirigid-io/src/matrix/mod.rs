@@ -13,7 +13,7 @@ pub(crate) mod listed;
 mod market;
 mod nastran;
 mod nodes;
-mod numpy;
+pub(crate) mod numpy;
 mod op4;
 mod row;
 pub(crate) mod text;

@@ -46,6 +46,8 @@ pub enum Row {
     Property,
     /// A card of NASTRAN.
     Card,
+    /// A line of a keyword of Abaqus.
+    InpCard,
     /// The header card of a `DMIG` matrix.
     DmigHeader,
     /// A column card of a `DMIG` matrix.
@@ -91,6 +93,7 @@ impl fmt::Display for Row {
                 "the fields of a card are ASCII: eight of 8 columns on a line, or four of 16 if a star follows its \
                  name, or as many between commas"
             }
+            Self::InpCard => "a line has numbers and names between commas, as its keyword demands",
             Self::DmigHeader => {
                 "a DMIG header has its name, 0, form, type of input and type of output in fields 2 to 6, and its \
                  number of columns in field 9"

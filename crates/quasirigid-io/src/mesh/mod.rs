@@ -29,8 +29,10 @@ pub use error::{MeshError, MeshProblem, Part, Place};
 use file::MAX_FILE;
 use format::Format;
 pub use row::Row;
+pub(crate) use volume::abaqus as inp;
 use volume::vtk;
-pub use volume::{VolumeFile, VolumeProblem, mesh_of, read_mesh, read_volume, volume_of};
+pub use volume::{VolumeFile, VolumeProblem, VoxelProblem, mesh_of, read_mesh, read_volume, volume_of};
+pub(crate) use volume::{VoxelRule, read_volume_by};
 
 /// Triangles as a file has them.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -61,6 +61,8 @@ pub use evolve::{EvolveMethod, PartialEvolve, Power, Target, TargetError};
 pub use initial::{Displacements, Initial};
 pub use key_value::KeyValue;
 pub use named::{Named, former_name};
+#[doc(hidden)]
+pub use part::deck_notes;
 pub use rotation::Rotation;
 pub use settings::{MAX_ROWS, PartialRun, PartialVerify, RunTable, Stop, System};
 pub use source::Source;

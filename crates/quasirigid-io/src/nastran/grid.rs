@@ -4,6 +4,7 @@ use std::collections::HashMap;
 
 use super::bulk::{Card, Field, integer, integer_or, real_or_zero};
 use super::systems::{Grid, System, Systems};
+use crate::deck::Point;
 use crate::matrix::error::{MatrixProblem, Row};
 use crate::matrix::listed::LocatedProblem;
 
@@ -17,15 +18,6 @@ pub(crate) struct Grids {
     grids: HashMap<u64, Grid>,
     /// Label, system of the coordinates and of the displacements, in order; none where the card is blank.
     listed: Vec<(u64, [Option<u64>; 2])>,
-}
-
-/// A grid point in the basic system.
-#[derive(Clone, Copy)]
-pub(crate) struct Point {
-    pub label: u64,
-    pub place: [f64; 3],
-    /// Unit vectors along which its displacements count; none for those of the basic system.
-    pub axes: Option<[[f64; 3]; 3]>,
 }
 
 /// A system of a field: none in a blank one. −1 marks a fluid point.

@@ -5,6 +5,7 @@ use std::borrow::Cow;
 use std::path::{Component, Path, PathBuf};
 
 use super::bulk::bulk_lines;
+use crate::deck::{Places, Run};
 use crate::matrix::error::{MatrixError, MatrixProblem};
 use crate::matrix::listed::LocatedProblem;
 use crate::text_file::{FileError, Place, bytes_of};
@@ -16,35 +17,22 @@ const MOST: u64 = 4 * 1024 * 1024 * 1024;
 
 /// A deck with the files that it includes.
 #[derive(Default)]
-pub(crate) struct Deck {
-    sources: Vec<(PathBuf, String)>,
-    /// Runs of lines in the order in which they are read.
-    runs: Vec<Run>,
+pub(crate) struct Text {
+    /// Text of each file.
+    texts: Vec<String>,
+    /// Bytes of each run of lines in its file.
+    bytes: Vec<[usize; 2]>,
+    places: Places,
 }
 
-/// Lines of a file that follow each other.
-#[derive(Clone, Copy)]
-struct Run {
-    source: usize,
-    /// Bytes in the file.
-    bytes: [usize; 2],
-    /// Number of the first line in its file, and among all.
-    lines: [usize; 2],
-}
-
-impl Deck {
+impl Text {
     /// Reads a deck from its bytes, and the files that it includes.
     ///
     /// # Errors
     /// [`MatrixError`] for a file that cannot be read, lies elsewhere or is included too deep.
     pub fn read(file: &Path, bytes: &[u8]) -> Result<Self, MatrixError> {
         let folder = file.parent().unwrap_or(Path::new("")).to_owned();
-        let mut reader = Reader {
-            folder,
-            deck: Self { sources: Vec::new(), runs: Vec::new() },
-            next: 1,
-            size: bytes.len() as u64,
-        };
+        let mut reader = Reader { folder, deck: Self::default(), next: 1, size: bytes.len() as u64 };
         reader.include(file.to_owned(), text_of(bytes), 0)?;
         Ok(reader.deck)
     }
@@ -62,36 +50,26 @@ impl Deck {
     }
 
     fn lines(&self) -> impl Iterator<Item = (usize, &str)> {
-        self.runs.iter().flat_map(|run| {
-            let [from, to] = run.bytes;
-            let text = self.sources[run.source].1.get(from..to).unwrap_or_default();
+        self.places.runs.iter().zip(&self.bytes).flat_map(|(run, [from, to])| {
+            let text = self.texts[run.file].get(*from..*to).unwrap_or_default();
             (run.lines[1]..).zip(text.lines())
         })
     }
 
-    /// The deck without its text: its files and lines, by which problems are located.
-    pub fn places(mut self) -> Self {
-        self.sources.iter_mut().for_each(|(_, text)| *text = String::new());
-        self
+    /// Its files and lines.
+    pub fn places(self) -> Places {
+        self.places
     }
 
     /// The error of a problem on a line, or of the whole deck for line 0.
-    pub fn located(&self, (line, problem): LocatedProblem) -> MatrixError {
-        if let (0, Some((file, _))) = (line, self.sources.first()) {
-            return MatrixError { file: file.clone(), place: Place::File, problem };
-        }
-        let run = self.runs.partition_point(|run| run.lines[1] <= line).saturating_sub(1);
-        let Some(run) = self.runs.get(run) else {
-            return MatrixError { file: PathBuf::new(), place: Place::File, problem };
-        };
-        let place = Place::Line(run.lines[0] + line.saturating_sub(run.lines[1]));
-        MatrixError { file: self.sources[run.source].0.clone(), place, problem }
+    pub fn located(&self, fault: LocatedProblem) -> MatrixError {
+        self.places.located(fault)
     }
 }
 
 struct Reader {
     folder: PathBuf,
-    deck: Deck,
+    deck: Text,
     /// Number of the next line among all.
     next: usize,
     size: u64,
@@ -99,8 +77,9 @@ struct Reader {
 
 impl Reader {
     fn include(&mut self, file: PathBuf, text: String, depth: usize) -> Result<(), MatrixError> {
-        let source = self.deck.sources.len();
-        self.deck.sources.push((file.clone(), String::new()));
+        let source = self.deck.texts.len();
+        self.deck.places.files.push(file.clone());
+        self.deck.texts.push(String::new());
         let (mut from, mut first, mut at, mut number) = (0, 1, 0, 0);
         let mut lines = text.split_inclusive('\n');
         while let Some(line) = lines.next() {
@@ -139,13 +118,14 @@ impl Reader {
             self.include(path, text_of(&bytes), depth + 1)?;
         }
         self.run(source, [from, at], [first, number + 1]);
-        self.deck.sources[source].1 = text;
+        self.deck.texts[source] = text;
         Ok(())
     }
 
     /// Notes lines of a file from one number on, up to another that is none of them.
     fn run(&mut self, source: usize, bytes: [usize; 2], [first, end]: [usize; 2]) {
-        self.deck.runs.push(Run { source, bytes, lines: [first, self.next] });
+        self.deck.bytes.push(bytes);
+        self.deck.places.runs.push(Run { file: source, lines: [first, self.next] });
         self.next += end.saturating_sub(first);
     }
 }

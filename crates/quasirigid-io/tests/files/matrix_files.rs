@@ -259,7 +259,7 @@ fn errors_have_their_line_or_byte() {
         with("beam.sti", "2 3  6.8949827344081e+09", "2 3"),
         says("beam.sti", &bytes("beam.sti"), Some("K")),
         with("rows.npy", "'<f8'", "'<c8'"),
-        with("rows.npy", "'<f8'", "'<u8'"),
+        with("rows.npy", "'<f8'", "'<f2'"),
         with("rows.npy", "(17, 17)", "(17, 18)"),
         with("rows.npy", "(17, 17)", "(1,1,17)"),
         with("rows.npy", "(17, 17)", "{17, 17}"),

@@ -13,6 +13,7 @@ mod files;
 mod forces;
 mod guide;
 mod initial;
+mod inp_decks;
 mod inside;
 mod keys;
 mod materials;
@@ -37,6 +38,7 @@ mod solids;
 mod surfaces;
 mod timing;
 mod values;
+mod voxels;
 
 use std::fs;
 use std::path::Path;

@@ -83,7 +83,7 @@ fn grid_points_in_chains_of_systems_are_where_they_should_be() {
     assert_snapshot!(says("a.bdf", deck.replace("GRID,2,2,", "GRID,2,9,")), @"a.bdf:11: the coordinate system 9 hangs on itself, or on more than 100 others; correct the CORD cards");
     assert_snapshot!(says("a.bdf", deck.replace("2,2,2.,", "2,7,2.,")), @"a.bdf:2: no card defines the coordinate system 7; is a CORD card or an included file missing?");
     assert_snapshot!(says("a.bdf", deck.replace("+,1.,3.,3.", "+,3.,2.,3.")), @"a.bdf:9: the three points of the coordinate system 1 are in a line; its plane needs a third direction");
-    assert_snapshot!(says("a.bdf", deck.replace("CTETRA,1,1,1,2,3,4", "CTETRA,1,1,1,2,3,5")), @"a.bdf:12: no GRID card has the number 5; is an included file missing?");
+    assert_snapshot!(says("a.bdf", deck.replace("CTETRA,1,1,1,2,3,4", "CTETRA,1,1,1,2,3,5")), @"a.bdf:12: no card gives the grid point or node 5; is an included file missing?");
 }
 
 /// Each element of a unit cube with all its middles has the volume of the linear one, and the order of its shape.

@@ -1,8 +1,9 @@
 use super::{Node, NodeTable};
+use crate::deck::Point;
 use crate::matrix::error::{Fault, MatrixProblem, Place};
 use crate::matrix::listed::LocatedProblem;
 use crate::nastran::bulk::{bulk_lines, cards_of};
-use crate::nastran::grid::{Grids, Point};
+use crate::nastran::grid::Grids;
 use crate::nastran::systems;
 use crate::text_file::text;
 

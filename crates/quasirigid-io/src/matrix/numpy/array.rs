@@ -8,7 +8,7 @@ use crate::matrix::error::MatrixProblem;
 use crate::matrix::listed::{Listed, LocatedProblem};
 
 /// The numbers of an array in the bytes of a `.npy` file.
-pub(super) struct Array<'a> {
+pub(crate) struct Array<'a> {
     pub shape: Vec<usize>,
     fortran_order: bool,
     scalar: Scalar,
@@ -25,6 +25,11 @@ enum Scalar {
     Float64,
     Int32,
     Int64,
+    /// Whole numbers of so many bytes, also those of `bool`.
+    Whole {
+        size: usize,
+        signed: bool,
+    },
     /// Letters of so many bytes each.
     Text {
         letter: usize,
@@ -79,6 +84,21 @@ impl<'a> Array<'a> {
         match self.scalar {
             Scalar::Int32 => Ok(i32::from_le_bytes(self.bytes(index)?).into()),
             Scalar::Int64 => Ok(i64::from_le_bytes(self.bytes(index)?)),
+            Scalar::Whole { size: 1, signed } => {
+                let [byte] = self.bytes::<1>(index)?;
+                Ok(if signed { i64::from(byte as i8) } else { i64::from(byte) })
+            }
+            Scalar::Whole { size: 2, signed } => {
+                let bytes = self.bytes::<2>(index)?;
+                let unsigned = u16::from_le_bytes(bytes);
+                Ok(if signed { i64::from(unsigned as i16) } else { i64::from(unsigned) })
+            }
+            Scalar::Whole { size: 4, .. } => Ok(u32::from_le_bytes(self.bytes(index)?).into()),
+            Scalar::Whole { .. } => {
+                let value = u64::from_le_bytes(self.bytes(index)?);
+                let problem = || MatrixProblem::NotFinite { found: value.to_string().into() };
+                i64::try_from(value).map_err(|_| (self.byte(index), problem()))
+            }
             _ => Err((self.start, MatrixProblem::NumpyType { found: self.scalar.name().into() })),
         }
     }
@@ -145,6 +165,12 @@ impl Scalar {
             "f8" => Self::Float64,
             "i4" => Self::Int32,
             "i8" => Self::Int64,
+            "b1" | "u1" => Self::Whole { size: 1, signed: false },
+            "i1" => Self::Whole { size: 1, signed: true },
+            "u2" => Self::Whole { size: 2, signed: false },
+            "i2" => Self::Whole { size: 2, signed: true },
+            "u4" => Self::Whole { size: 4, signed: false },
+            "u8" => Self::Whole { size: 8, signed: false },
             text => {
                 let letter = if text.starts_with('S') { 1 } else { 4 };
                 let length =
@@ -159,6 +185,7 @@ impl Scalar {
         match self {
             Self::Float32 | Self::Int32 => 4,
             Self::Float64 | Self::Int64 => 8,
+            Self::Whole { size, .. } => size,
             Self::Text { letter, length } => letter * length,
         }
     }
@@ -169,6 +196,7 @@ impl Scalar {
             Self::Float64 => "float64",
             Self::Int32 => "int32",
             Self::Int64 => "int64",
+            Self::Whole { .. } => "a whole number",
             Self::Text { .. } => "text",
         }
     }

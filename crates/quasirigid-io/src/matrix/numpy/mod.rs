@@ -6,7 +6,7 @@ mod header;
 mod sparse;
 
 pub(super) use archive::read_archive;
-use array::Array;
+pub(crate) use array::Array;
 
 use super::MatrixFile;
 use super::error::{Fault, Place};

@@ -1,15 +1,16 @@
 //! Mesh under construction: nodes and cells by the labels of their file, sets by name.
 //! Labels are arbitrary 64-bit numbers, so indices come from a hash map and not from a table as long as the greatest label.
 
-use std::collections::HashMap;
 use std::collections::hash_map::Entry;
+use std::collections::{HashMap, HashSet};
 
 use quasirigid_math::memory;
 use quasirigid_mesh::{Cell, Mesh, Shape};
 
+use super::others::Others;
 use super::problem::VolumeProblem;
 use super::sets::Sets;
-use super::{MeshProblem, Part};
+use super::{MeshProblem, Part, pyramid};
 
 /// A mesh on its way from a file that numbers nodes and cells as it likes.
 #[derive(Default)]
@@ -20,6 +21,13 @@ pub(super) struct Draft {
     cells: Vec<Cell>,
     cell_of: HashMap<u64, usize>,
     pub(super) sets: Sets,
+    /// Type of each cell among those of the file, where the format has them.
+    pub(super) types: Vec<u16>,
+    /// Node towards which a beam has its first axis, by the index of its cell.
+    pub(super) towards: Vec<(usize, u64)>,
+    pub(super) others: Others,
+    /// Halves of pyramids: the second of each first.
+    halves: HashMap<usize, usize>,
 }
 
 impl Draft {
@@ -42,6 +50,17 @@ impl Draft {
         Ok(self.cells.len() - 1)
     }
 
+    /// Adds a pyramid as two tetrahedra of its number, and returns the index of the first; the second follows it into sets.
+    pub(super) fn add_pyramid(&mut self, label: u64, nodes: &[u64]) -> Result<usize, MeshProblem> {
+        let [first, second] = pyramid::halves(nodes).map(|half| half.map(|corner| nodes[corner]));
+        let added = self.add_cell(label, Shape::Tet4, &first)?;
+        let index = |node: u64| self.node(node).ok_or(VolumeProblem::NoSuchNode { cell: label, node });
+        let nodes = second.into_iter().map(index).collect::<Result<_, _>>()?;
+        self.halves.insert(added, self.cells.len());
+        self.cells.push(Cell { label, shape: Shape::Tet4, nodes });
+        Ok(added)
+    }
+
     /// Index of the node with this number.
     pub(super) fn node(&self, label: u64) -> Option<usize> {
         self.node_of.get(&label).copied()
@@ -52,9 +71,13 @@ impl Draft {
         self.cell_of.get(&label).copied()
     }
 
-    /// Whether there is no node and no set.
+    /// Whether there is no node, no set and no element.
     pub(super) fn is_empty(&self) -> bool {
-        self.nodes.is_empty() && self.sets.all().is_empty()
+        self.nodes.is_empty() && self.sets.all().is_empty() && self.others.all.is_empty()
+    }
+
+    fn has_element(&self, label: u64) -> bool {
+        self.cell_of.contains_key(&label) || self.others.of(label).is_some()
     }
 
     /// Numbers of the nodes, in their order.
@@ -76,10 +99,15 @@ impl Draft {
         prefix: &str,
     ) -> Result<[u64; 2], MeshProblem> {
         let clash = other.node_labels.iter().any(|label| self.node_of.contains_key(label))
-            || other.cells.iter().any(|cell| self.cell_of.contains_key(&cell.label));
+            || other.cells.iter().any(|cell| self.has_element(cell.label))
+            || other.others.all.iter().any(|element| self.has_element(element.label));
         let last = |labels: &mut dyn Iterator<Item = u64>| labels.max().unwrap_or(0);
         let shifts = if clash {
-            [last(&mut self.node_labels.iter().copied()), last(&mut self.cells.iter().map(|cell| cell.label))]
+            let others = self.others.all.iter().map(|element| element.label);
+            [
+                last(&mut self.node_labels.iter().copied()),
+                last(&mut self.cells.iter().map(|cell| cell.label).chain(others)),
+            ]
         } else {
             [0; 2]
         };
@@ -89,12 +117,25 @@ impl Draft {
         for (node, label) in other.nodes.iter().zip(&other.node_labels) {
             self.add_node(label.saturating_add(shifts[0]), place(*node))?;
         }
-        for cell in &other.cells {
+        let second: HashSet<usize> = other.halves.values().copied().collect();
+        for (place, cell) in other.cells.iter().enumerate() {
             let label = cell.label.saturating_add(shifts[1]);
+            if second.contains(&place) {
+                let nodes = cell.nodes.iter().map(|node| first_node + node).collect();
+                self.cells.push(Cell { label, shape: cell.shape, nodes });
+                continue;
+            }
             insert(&mut self.cell_of, Part::Cells, label, self.cells.len())?;
             let nodes = cell.nodes.iter().map(|node| first_node + node).collect();
             self.cells.push(Cell { label, shape: cell.shape, nodes });
         }
+        let halves = other.halves.iter().map(|(first, second)| (first_cell + first, first_cell + second));
+        self.halves.extend(halves);
+        self.types.extend(&other.types);
+        self.towards.extend(
+            other.towards.iter().map(|(cell, node)| (first_cell + cell, node.saturating_add(shifts[0]))),
+        );
+        self.others.append(&other.others, shifts, prefix)?;
         for set in other.sets.all() {
             let name = format!("{prefix}{}", set.name);
             let at = self.sets.place(&name.to_ascii_uppercase(), &name);
@@ -109,7 +150,8 @@ impl Draft {
 
     /// The mesh.
     pub(super) fn mesh(self) -> Mesh {
-        let Self { nodes, node_labels, cells, sets, .. } = self;
+        let Self { nodes, node_labels, cells, mut sets, halves, .. } = self;
+        sets.with_halves(&halves);
         Mesh { nodes, node_labels, cells, sets: sets.sorted() }
     }
 }

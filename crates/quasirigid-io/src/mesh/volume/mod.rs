@@ -1,11 +1,14 @@
-//! Meshes of cells from files: gmsh, VTK, Abaqus and NASTRAN.
+//! Meshes of cells from files: gmsh, VTK, Abaqus, NASTRAN and voxels.
 
-mod abaqus;
+pub(crate) mod abaqus;
 mod draft;
 mod gmsh;
 mod nastran;
+mod others;
 mod problem;
+mod pyramid;
 mod sets;
+mod voxels;
 pub(super) mod vtk;
 
 use std::path::Path;
@@ -16,6 +19,8 @@ use super::error::{Fault, MeshError, MeshProblem, Part, Place};
 use super::file::MAX_FILE;
 use crate::text_file::{FileError, bytes_of, kind_of};
 pub use problem::VolumeProblem;
+pub use voxels::VoxelProblem;
+pub(crate) use voxels::VoxelRule;
 
 /// Reads the nodes, cells and sets of a file, whose beginning tells the format.
 ///
@@ -31,9 +36,10 @@ pub use problem::VolumeProblem;
 ///
 /// - NASTRAN bulk data: solids, plates and lines between grid points in whatever coordinate systems, with `INCLUDE` of files in the
 ///   folder of the first one or below it. The cells of each property are a set, by its number.
+/// - Voxels, NumPy `.npy` of three dimensions or NRRD: labels, of which 0 is empty, are sets `value=3`.
 ///
-/// Cells are segments, triangles, quadrilaterals, tetrahedra, wedges and hexahedra, of first or second order, and
-/// come out in the node order of [`Shape`](quasirigid_mesh::Shape); cells of one node are left out. Numbers
+/// Cells are segments, triangles, quadrilaterals, tetrahedra, wedges and hexahedra, of first or second order, pyramids of five nodes
+/// are two tetrahedra each; they come out in the node order of [`Shape`](quasirigid_mesh::Shape); cells of one node are left out. Numbers
 /// are taken as they are, in the unit of the file. No geometry is checked here.
 ///
 /// # Errors
@@ -56,7 +62,15 @@ pub struct VolumeFile {
 /// # Errors
 /// Those of [`read_mesh`].
 pub fn read_volume(file: &Path) -> Result<VolumeFile, MeshError> {
-    volume_of(file, &bytes_of(file, MAX_FILE)?)
+    read_volume_by(file, &VoxelRule::default())
+}
+
+/// Reads a mesh, of voxels by a rule.
+///
+/// # Errors
+/// Those of [`read_mesh`].
+pub(crate) fn read_volume_by(file: &Path, rule: &VoxelRule) -> Result<VolumeFile, MeshError> {
+    volume_by(file, &bytes_of(file, MAX_FILE)?, rule)
 }
 
 /// The mesh in the bytes of a file, whose name gives the folder of included files.
@@ -72,16 +86,26 @@ pub fn mesh_of(file: &Path, bytes: &[u8]) -> Result<Mesh, MeshError> {
 /// # Errors
 /// Those of [`read_mesh`].
 pub fn volume_of(file: &Path, bytes: &[u8]) -> Result<VolumeFile, MeshError> {
+    volume_by(file, bytes, &VoxelRule::default())
+}
+
+fn volume_by(file: &Path, bytes: &[u8], rule: &VoxelRule) -> Result<VolumeFile, MeshError> {
     let named = FileError::new(file);
-    let (mesh, notes) = match Format::of(file, bytes).map_err(named)? {
+    let format = Format::of(file, bytes).map_err(named)?;
+    let (mesh, mut notes) = match format {
         Format::Gmsh => (gmsh::read(bytes).map_err(named)?, Vec::new()),
         Format::VtkLegacy => (vtk::read_legacy(bytes).map_err(named)?, Vec::new()),
         Format::VtkXml => (vtk::read_xml(bytes).map_err(named)?, Vec::new()),
         Format::Abaqus => abaqus::read(file, bytes)?,
         Format::Nastran => nastran::read(file, bytes)?,
+        Format::Npy => voxels::read_npy(bytes, rule).map_err(named)?,
+        Format::Nrrd => voxels::read_nrrd(file, bytes, rule)?,
     };
     if mesh.cells.is_empty() {
         return Err(named((Place::File, VolumeProblem::NoCells.into())));
+    }
+    if format != Format::Nastran {
+        notes.extend(pyramid::note(&mesh));
     }
     Ok(VolumeFile { mesh, notes })
 }
@@ -94,6 +118,8 @@ enum Format {
     VtkXml,
     Abaqus,
     Nastran,
+    Npy,
+    Nrrd,
 }
 
 impl Format {
@@ -101,6 +127,8 @@ impl Format {
         let beginning = bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes).trim_ascii_start();
         match beginning {
             [] => Err((Place::File, MeshProblem::Empty)),
+            _ if bytes.starts_with(b"\x93NUMPY") => Ok(Self::Npy),
+            _ if bytes.starts_with(b"NRRD") => Ok(Self::Nrrd),
             _ if is_deck(file, beginning) => Ok(Self::Nastran),
             [b'$', ..] => Ok(Self::Gmsh),
             [b'*', ..] => Ok(Self::Abaqus),

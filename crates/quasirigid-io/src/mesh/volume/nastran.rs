@@ -4,7 +4,7 @@ use quasirigid_mesh::Mesh;
 
 use super::VolumeProblem;
 use crate::mesh::error::MeshError;
-use crate::nastran::model::DeckModel;
+use crate::nastran::model;
 use crate::text_file::FileError;
 
 /// The solids, plates and lines of a deck, with what else it has.
@@ -14,7 +14,7 @@ pub(super) fn read(file: &Path, bytes: &[u8]) -> Result<(Mesh, Vec<String>), Mes
         place: error.place,
         problem: VolumeProblem::Card(error.problem).into(),
     };
-    let model = DeckModel::read(file, bytes).map_err(refused)?;
+    let model = model::read(file, bytes).map_err(refused)?;
     let cells = model.cells().map_err(|fault| refused(model.located(fault)))?;
     let mut notes = model.notes();
     notes.extend(cells.notes());

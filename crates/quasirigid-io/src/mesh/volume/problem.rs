@@ -6,6 +6,7 @@ use std::path::PathBuf;
 use thiserror::Error;
 
 use super::Part;
+use super::voxels::VoxelProblem;
 use crate::matrix::MatrixProblem;
 use crate::visible::Excerpt;
 
@@ -16,13 +17,16 @@ pub enum VolumeProblem {
     /// A file whose beginning is that of no known format.
     #[error(
         "the file is {kind}, which is not a known mesh format; give a .msh file of gmsh, .vtk or \
-         .vtu of VTK, .inp of Abaqus or CalculiX, or .bdf of NASTRAN"
+         .vtu of VTK, .inp of Abaqus or CalculiX, .bdf of NASTRAN, or voxels as .npy or .nrrd"
     )]
     NotAMesh {
         /// What the file is; nothing of it is quoted.
         kind: &'static str,
     },
-    /// A card of NASTRAN that cannot be read.
+    /// Voxels that cannot be read.
+    #[error(transparent)]
+    Voxels(#[from] VoxelProblem),
+    /// A card of NASTRAN or an array of NumPy that cannot be read.
     #[error(transparent)]
     Card(#[from] MatrixProblem),
     /// A file without cells.

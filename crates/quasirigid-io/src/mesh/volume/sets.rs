@@ -76,6 +76,17 @@ impl Sets {
         Ok(())
     }
 
+    /// Adds the second half of each pyramid to the sets of the first.
+    pub(super) fn with_halves(&mut self, halves: &HashMap<usize, usize>) {
+        if halves.is_empty() {
+            return;
+        }
+        for set in &mut self.sets {
+            let second: Vec<usize> = set.cells.iter().filter_map(|cell| halves.get(cell).copied()).collect();
+            set.cells.extend(second);
+        }
+    }
+
     /// The sets, each member once and ascending.
     pub(super) fn sorted(self) -> Vec<Set> {
         let mut sets = self.sets;

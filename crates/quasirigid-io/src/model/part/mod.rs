@@ -21,6 +21,7 @@ use super::names::NODE;
 use super::rheology::Extremes;
 use super::table::Table;
 use crate::units::Dimension;
+pub use deck::deck_notes;
 use masses::{MASSES, masses};
 pub(super) use modes::NUMBERS as NUMBERS_IN_FILE;
 pub(super) use nodal::FILE as MATRIX_IN_FILE;

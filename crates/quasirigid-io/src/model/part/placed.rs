@@ -4,11 +4,11 @@ use quasirigid_math::rotation::{ALIGNED, Attitude, to_inertial};
 use quasirigid_mesh::Mesh;
 
 use super::super::initial::unit_quaternion;
-use super::super::key::{Key, QUATERNION, TEXT, key, vector};
+use super::super::key::{Key, QUATERNION, Shape, TEXT, any, integer, key, quantity, vector};
 use super::super::surface::unit;
 use super::super::table::Table;
 use super::super::value::Value;
-use crate::mesh::{VolumeFile, read_volume};
+use crate::mesh::{VolumeFile, VoxelRule, read_volume_by};
 use crate::units::Dimension;
 
 /// Mesh of a part.
@@ -16,6 +16,15 @@ pub(super) const FILE: Key = key("file", TEXT, "gmsh, VTK, Abaqus, CalculiX or N
 pub(super) const POSITION: Key = key("position", vector("m").or("0"), "origin of the mesh");
 pub(super) const ATTITUDE: Key =
     key("attitude", QUATERNION.or("`[1, 0, 0, 0]`"), "from the mesh's axes to the file's");
+
+/// Keys of voxels: sides in metres, which win over those of the file.
+pub(super) const VOXEL: Key = key(
+    "voxel",
+    any(&[Shape::Number, Shape::Vector]).in_unit("m"),
+    "sides of voxels, where the file has none",
+);
+pub(super) const THRESHOLD: Key = key("threshold", quantity(""), "value from which a voxel is solid");
+pub(super) const LEAST: Key = key("least_voxels", integer(1, 1 << 28), "smallest part that is kept");
 
 /// Placement of a mesh in the file's frame.
 pub(super) struct Placement {
@@ -39,7 +48,8 @@ const LISTED: usize = 5;
 pub(super) fn mesh(table: &Table<'_>, folder: &Path, example: &str, dimension: usize) -> Option<Placed> {
     let length = table.read_or("unit", 1.0, |value| unit(&value));
     let placement = placement(table);
-    let mesh = table.read("file", example, |value| file(&value, folder));
+    let rule = rule(table, length);
+    let mesh = table.read("file", example, |value| file(&value, folder, &rule?));
     let (length, placement, VolumeFile { mut mesh, mut notes }) = (length?, placement?, mesh?);
     for node in &mut mesh.nodes {
         *node = placement.of(node.map(|entry| length * entry));
@@ -90,14 +100,27 @@ impl Placement {
     }
 }
 
-fn file(value: &Value<'_>, folder: &Path) -> Option<VolumeFile> {
+/// What the table says of voxels, with sides in the unit of the file.
+fn rule(table: &Table<'_>, unit: Option<f64>) -> Option<VoxelRule> {
+    let size = table.read_or("voxel", None, |value| match value.items() {
+        Some(_) => value.array("sides", |item| item.positive(Dimension::LENGTH)).map(Some),
+        None => value.positive(Dimension::LENGTH).map(|side| Some([side; 3])),
+    });
+    let threshold = table.read_or("threshold", None, |value| value.quantity(Dimension::NUMBER).map(Some));
+    let least = table.read_or("least_voxels", 1, |value| value.integer(1..=1 << 28));
+    let unit = unit?;
+    let size = size?.map(|size: [f64; 3]| size.map(|side| side / unit));
+    Some(VoxelRule { size, threshold: threshold?, least: least? })
+}
+
+fn file(value: &Value<'_>, folder: &Path, rule: &VoxelRule) -> Option<VolumeFile> {
     let path = folder.join(value.text()?);
-    match read_volume(&path) {
+    match read_volume_by(&path, rule) {
         Ok(mesh) => Some(mesh),
         Err(error) => value.refuse(
             format!("`file`: {error}"),
             "cannot be used",
-            "it is looked for beside the model; gmsh, VTK, Abaqus, CalculiX and NASTRAN meshes are read",
+            "it is looked for beside the model; gmsh, VTK, Abaqus, CalculiX and NASTRAN meshes and voxels are read",
         ),
     }
 }

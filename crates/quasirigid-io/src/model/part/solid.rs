@@ -13,7 +13,7 @@ use super::super::rheology::Extremes;
 use super::super::surface::UNIT_OF_CELLS;
 use super::super::table::Table;
 use super::super::value::Value;
-use super::placed::{ATTITUDE, FILE, POSITION, Placed, mesh};
+use super::placed::{ATTITUDE, FILE, LEAST, POSITION, Placed, THRESHOLD, VOXEL, mesh};
 use super::{ATTACH, MASSES, Nodes, PARALLEL, RAYLEIGH, Read, attached, masses, rayleigh};
 use crate::units::Dimension;
 
@@ -29,6 +29,9 @@ const SOLID: Keys = Keys {
         NAME,
         FILE,
         UNIT_OF_CELLS,
+        VOXEL,
+        THRESHOLD,
+        LEAST,
         POSITION,
         ATTITUDE,
         key("material", TEXT, ""),

@@ -1,99 +1,29 @@
 //! Elements of a deck: solids, plates, beams, rods, bodies at grid points, springs and bushings.
 
-use super::DeckModel;
+use super::Reader;
+use crate::deck::{Bush, Line, Plate, Scalar, Solid, SpringEnd, Tip, Up};
 use crate::matrix::error::{MatrixProblem, Row};
 use crate::matrix::listed::LocatedProblem;
 use crate::nastran::bulk::{Card, Field, integer, integer_or, real_or, real_or_zero};
-use crate::nastran::grid::Point;
 
-/// A solid cell; a grid point of an edge may be missing.
-pub(crate) struct Solid {
-    pub label: u64,
-    pub property: u64,
-    /// Corners of its shape: 4, 5, 6 or 8.
-    pub corners: usize,
-    /// Grid points in the order of NASTRAN; zero where one is missing.
-    pub nodes: Vec<u64>,
-    pub line: usize,
+/// Coordinate systems by whose axes elements count, until the systems are known: the index of the element, and the system.
+#[derive(Default)]
+pub(super) struct Turned {
+    plates: Vec<(usize, u64)>,
+    /// None for places of the basic system instead of offsets.
+    tips: Vec<(usize, Option<u64>)>,
+    bushes: Vec<(usize, u64)>,
 }
 
-/// A plate cell.
-pub(crate) struct Plate {
-    pub label: u64,
-    pub property: u64,
-    /// Corners: 3 or 4.
-    pub corners: usize,
-    /// Grid points; zero where one of an edge is missing.
-    pub nodes: Vec<u64>,
-    /// Angle (degrees) of the material from the first side, or the direction of its axis in the basic system.
-    pub angle: f64,
-    /// Coordinate system whose first axis is that of the material.
-    pub system: Option<u64>,
-    pub reference: Option<[f64; 3]>,
-    pub offset: f64,
-    /// Mean of the thicknesses at its corners, where the card has them.
-    pub thickness: Option<f64>,
-    pub line: usize,
-}
-
-/// Direction of the first plane of a beam.
-#[derive(Clone, Copy)]
-pub(crate) enum Up {
-    /// Along the axes of the displacements of the first end.
-    Vector([f64; 3]),
-    /// Towards a grid point.
-    Point(u64),
-}
-
-/// A beam or a rod.
-pub(crate) struct Line {
-    pub label: u64,
-    pub property: u64,
-    pub ends: [u64; 2],
-    pub up: Option<Up>,
-    /// Offsets of the ends, along the axes of their displacements.
-    pub offsets: [[f64; 3]; 2],
-    /// Components that each end does not bear, 1 to 6 along the beam's axes.
-    pub released: [u64; 2],
-    pub line: usize,
-}
-
-/// A rigid body at a grid point.
-pub(crate) struct Tip {
-    pub node: u64,
-    pub system: Option<u64>,
-    pub mass: f64,
-    /// From the grid point, along the axes of the system; absolute for system −1.
-    pub offset: [f64; 3],
-    pub absolute: bool,
-    pub inertia: [[f64; 3]; 3],
-    pub line: usize,
-}
-
-/// End of a scalar spring: a grid point and a component from 1.
-#[derive(Clone, Copy)]
-pub(crate) struct SpringEnd {
-    pub node: u64,
-    pub component: u64,
-}
-
-/// A scalar spring or dashpot.
-pub(crate) struct Scalar {
-    pub ends: [Option<SpringEnd>; 2],
-    /// Stiffness and damping, or the property that has them.
-    pub law: Result<[f64; 2], u64>,
-    pub line: usize,
-}
-
-/// A bushing.
-pub(crate) struct Bush {
-    pub property: u64,
-    pub ends: [u64; 2],
-    pub up: Option<Up>,
-    pub system: Option<u64>,
-    /// Place of the elastic centre between the ends, as a share of their distance.
-    pub share: f64,
-    pub line: usize,
+/// Grid points of edges in the order of the shape, from that of NASTRAN, which has the upright edges before the upper ones.
+fn in_order(corners: usize, nodes: Vec<u64>) -> Vec<u64> {
+    let order: &[usize] = match corners {
+        6 => &[0, 1, 2, 6, 7, 8, 3, 4, 5],
+        8 => &[0, 1, 2, 3, 8, 9, 10, 11, 4, 5, 6, 7],
+        _ => return nodes,
+    };
+    let middles = order.iter().map(|middle| nodes[corners + middle]);
+    nodes[..corners].iter().copied().chain(middles).collect()
 }
 
 /// Grid points of a card from a field on, as many as the shape may have; zeros where they are blank.
@@ -130,7 +60,7 @@ fn angle(field: Field) -> Result<(f64, Option<u64>), LocatedProblem> {
     Ok((0.0, Some(integer(field, Row::Element)?)))
 }
 
-impl DeckModel {
+impl Reader {
     /// Takes the card of an element; false for another card.
     pub(super) fn element(&mut self, card: &Card, name: &str) -> Result<bool, LocatedProblem> {
         match name {
@@ -173,7 +103,8 @@ impl DeckModel {
         if nodes[..corners].contains(&0) {
             return Err((card.line, MatrixProblem::NoCorner { element: label }));
         }
-        self.solids.push(Solid { label, property, corners, nodes, line: card.line });
+        let nodes = in_order(corners, nodes);
+        self.model.solids.push(Solid { label, property, corners, nodes, line: card.line });
         Ok(())
     }
 
@@ -200,17 +131,19 @@ impl DeckModel {
             None
         } else {
             if given.len() < corners || given.iter().any(|other| *other != given[0]) {
-                self.simplify("plates with thicknesses at their corners have the mean of those");
+                self.model.simplify("plates with thicknesses at their corners have the mean of those");
             }
             Some(given.iter().sum::<f64>() / given.len() as f64)
         };
         if relative && given.iter().any(|share| *share != 1.0) {
-            self.simplify("relative thicknesses at the corners of plates (TFLAG) are left out");
+            self.model.simplify("relative thicknesses at the corners of plates (TFLAG) are left out");
+        }
+        if let Some(system) = system {
+            self.turned.plates.push((self.model.plates.len(), system));
         }
         let (reference, line) = (None, card.line);
-        let plate =
-            Plate { label, property, corners, nodes, angle, system, reference, offset, thickness, line };
-        self.plates.push(plate);
+        let plate = Plate { label, property, corners, nodes, angle, reference, offset, thickness, line };
+        self.model.plates.push(plate);
         Ok(())
     }
 
@@ -224,15 +157,15 @@ impl DeckModel {
         let coordinates = card.field(9).text;
         let own = |text: &str| !text.is_empty() && !text.contains('.') && !text.eq_ignore_ascii_case("GGG");
         if own(coordinates) && offsets != [[0.0; 3]; 2] {
-            self.simplify(
+            self.model.simplify(
                 "offsets of beams along their own axes (OFFT) are taken along those of the grid points",
             );
         }
         if [18, 19].iter().any(|number| !matches!(card.field(*number).text, "" | "0")) {
-            self.simplify("warping of beams is left out");
+            self.model.simplify("warping of beams is left out");
         }
         let up = up(card, 6)?;
-        self.beams.push(Line { label, property, ends, up, offsets, released, line: card.line });
+        self.model.beams.push(Line { label, property, ends, up, offsets, released, line: card.line });
         Ok(())
     }
 
@@ -246,14 +179,14 @@ impl DeckModel {
 
     fn push_rod(&mut self, label: u64, property: u64, ends: [u64; 2], line: usize) {
         let (offsets, released) = ([[0.0; 3]; 2], [0; 2]);
-        self.rods.push(Line { label, property, ends, up: None, offsets, released, line });
+        self.model.rods.push(Line { label, property, ends, up: None, offsets, released, line });
     }
 
     /// A rod with its own section, which gets a property of a number that no card can have.
     fn own_rod(&mut self, card: &Card) -> Result<(), LocatedProblem> {
         let label = integer(card.field(2), Row::Element)?;
         let ends = [integer(card.field(3), Row::Element)?, integer(card.field(4), Row::Element)?];
-        let property = u64::MAX - self.rods.len() as u64;
+        let property = u64::MAX - self.model.rods.len() as u64;
         self.rod_section(card, property, 5, 6, 7)?;
         self.push_rod(label, property, ends, card.line);
         Ok(())
@@ -261,8 +194,10 @@ impl DeckModel {
 
     fn tip(&mut self, card: &Card) -> Result<(), LocatedProblem> {
         let node = integer(card.field(3), Row::Element)?;
-        let absolute = card.field(4).text == "-1";
-        let system = if absolute { 0 } else { integer_or(card.field(4), 0, Row::Element)? };
+        let system = match card.field(4).text {
+            "-1" => None,
+            _ => Some(integer_or(card.field(4), 0, Row::Element)?),
+        };
         let mass = real_or_zero(card.field(5))?;
         let offset = vector(card, 6)?;
         let moment = |number: usize| real_or_zero(card.field(number));
@@ -270,8 +205,8 @@ impl DeckModel {
             [moment(10)?, moment(11)?, moment(12)?, moment(13)?, moment(14)?, moment(15)?];
         // NASTRAN gives the products of inertia, which the tensor has with the other sign.
         let inertia = [[xx, -xy, -xz], [-xy, yy, -yz], [-xz, -yz, zz]];
-        let system = Some(system).filter(|system| *system != 0);
-        self.tips.push(Tip { node, system, mass, offset, absolute, inertia, line: card.line });
+        self.turned.tips.push((self.model.tips.len(), system));
+        self.model.tips.push(Tip { node, mass, offset, inertia, line: card.line });
         Ok(())
     }
 
@@ -288,7 +223,7 @@ impl DeckModel {
             Ok((node != 0).then_some(SpringEnd { node, component }))
         };
         let ends = [end(first)?, end(first + 2)?];
-        self.springs.push(Scalar { ends, law, line: card.line });
+        self.model.springs.push(Scalar { ends, law, line: card.line });
         Ok(())
     }
 
@@ -296,68 +231,61 @@ impl DeckModel {
         let label = integer(card.field(2), Row::Element)?;
         let property = integer_or(card.field(3), label, Row::Element)?;
         let ends = [integer(card.field(4), Row::Element)?, integer_or(card.field(5), 0, Row::Element)?];
-        let system = match card.field(9).text {
-            "" | "-1" => None,
-            _ => Some(integer(card.field(9), Row::Element)?),
-        };
+        if !matches!(card.field(9).text, "" | "-1") {
+            self.turned.bushes.push((self.model.bushes.len(), integer(card.field(9), Row::Element)?));
+        }
         if !matches!(card.field(11).text, "" | "-1") {
-            self.simplify("places of bushings by OCID are left out, they are taken between their ends");
+            self.model.simplify("places of bushings by OCID are left out, they are taken between their ends");
         }
         let share = real_or(card.field(10), 0.5)?;
         let up = up(card, 6)?;
-        self.bushes.push(Bush { property, ends, up, system, share, line: card.line });
+        self.model.bushes.push(Bush { property, ends, up, axes: None, share, line: card.line });
         Ok(())
     }
 
     /// Resolves the directions that cards give in coordinate systems.
     pub(super) fn resolve_directions(&mut self) -> Result<(), LocatedProblem> {
-        for index in 0..self.plates.len() {
-            let Plate { system, nodes, line, .. } = &self.plates[index];
-            let Some(system) = *system else { continue };
-            let (line, first) = (*line, nodes[0]);
-            let system = self.grids.system(system, line)?;
-            let place = self.point(first, line)?.place;
-            self.plates[index].reference = Some(system.axes_at(place)[0]);
+        let Turned { plates, tips, bushes } = std::mem::take(&mut self.turned);
+        for (index, system) in plates {
+            let Plate { nodes, line, .. } = &self.model.plates[index];
+            let (first, line) = (nodes[0], *line);
+            self.model.plates[index].reference = Some(self.axes_at(system, first, line)?[0]);
         }
-        for beam in &mut self.beams {
+        for beam in &mut self.model.beams {
             beam.up = beam.up.or(self.default_up);
         }
-        for index in 0..self.tips.len() {
-            let Tip { node, system, offset, absolute, inertia, line, .. } = self.tips[index];
-            let place = self.point(node, line)?.place;
-            let tip = if absolute {
-                [0, 1, 2].map(|axis| offset[axis] - place[axis])
-            } else {
-                let Some(label) = system else { continue };
-                let system = self.grids.system(label, line)?;
-                let axes = system.axes_at(place);
-                let turned: [[f64; 3]; 3] = std::array::from_fn(|i| {
-                    std::array::from_fn(|j| {
-                        (0..9).map(|k| axes[k / 3][i] * inertia[k / 3][k % 3] * axes[k % 3][j]).sum()
-                    })
-                });
-                self.tips[index].inertia = turned;
-                [0, 1, 2].map(|axis| (0..3).map(|k| axes[k][axis] * offset[k]).sum())
+        for (index, system) in tips {
+            let Tip { node, offset, inertia, line, .. } = self.model.tips[index];
+            let place = self.model.point(node, line)?.place;
+            let Some(system) = system else {
+                self.model.tips[index].offset = [0, 1, 2].map(|axis| offset[axis] - place[axis]);
+                continue;
             };
-            self.tips[index].offset = tip;
+            if system == 0 {
+                continue;
+            }
+            let axes = self.axes_at(system, node, line)?;
+            let turned: [[f64; 3]; 3] = std::array::from_fn(|i| {
+                std::array::from_fn(|j| {
+                    (0..9).map(|k| axes[k / 3][i] * inertia[k / 3][k % 3] * axes[k % 3][j]).sum()
+                })
+            });
+            self.model.tips[index].inertia = turned;
+            self.model.tips[index].offset =
+                [0, 1, 2].map(|axis| (0..3).map(|k| axes[k][axis] * offset[k]).sum());
+        }
+        for (index, system) in bushes {
+            let Bush { ends, line, .. } = self.model.bushes[index];
+            if ends[1] != 0 {
+                self.model.bushes[index].axes = Some(self.axes_at(system, ends[0], line)?);
+            }
         }
         Ok(())
     }
 
-    /// A grid point by its number.
-    pub fn point(&self, label: u64, line: usize) -> Result<Point, LocatedProblem> {
-        let at = self.points.partition_point(|point| point.label < label);
-        let point = self.points.get(at).filter(|point| point.label == label).copied();
-        point.ok_or((line, MatrixProblem::NoGrid { node: label }))
-    }
-
-    /// Axes of a coordinate system at a place; those of the basic one for 0.
-    pub fn axes_of(
-        &mut self,
-        system: u64,
-        place: [f64; 3],
-        line: usize,
-    ) -> Result<[[f64; 3]; 3], LocatedProblem> {
+    /// Axes of a coordinate system at a grid point.
+    fn axes_at(&mut self, system: u64, node: u64, line: usize) -> Result<[[f64; 3]; 3], LocatedProblem> {
+        let place = self.model.point(node, line)?.place;
         Ok(self.grids.system(system, line)?.axes_at(place))
     }
 }

@@ -1,79 +1,21 @@
 //! Properties and materials of a deck: PSOLID, PSHELL, PCOMP, PBAR to PBEAML, PROD, PELAS, PBUSH, MAT1 and MAT8.
 //! Moments of a section are turned to principal axes, so that a product of inertia loses nothing.
 
-use super::DeckModel;
+use super::Reader;
 use super::sections::library_section;
+use crate::deck::{Bending, Plating, Ply, RodSection, Stuff};
 use crate::matrix::error::{MatrixProblem, Row};
 use crate::matrix::listed::LocatedProblem;
 use crate::nastran::bulk::{Card, integer, integer_or, real_or, real_or_zero};
 
-/// A material.
-#[derive(Clone, Copy)]
-pub(crate) enum Stuff {
-    Isotropic {
-        young: f64,
-        poisson: f64,
-        density: f64,
-        loss: f64,
-    },
-    /// Of a ply: moduli along and across, ν₁₂, G₁₂, G₁₃, G₂₃.
-    Lamina {
-        young: [f64; 2],
-        poisson: f64,
-        shear: [f64; 3],
-        density: f64,
-        loss: f64,
-    },
-}
-
-/// A layer of a plate.
-#[derive(Clone, Copy)]
-pub(crate) struct Ply {
-    pub material: u64,
-    pub thickness: f64,
-    /// Angle (degrees).
-    pub angle: f64,
-}
-
-/// Layers of plates, lowest first.
-pub(crate) struct Plating {
-    pub layers: Vec<Ply>,
-    /// Height of the lowest face; none for a middle on the grid points.
-    pub bottom: Option<f64>,
-    /// Mass per area beside that of the layers.
-    pub extra: f64,
-}
-
-/// Section of beams in the axes of NASTRAN: plane 1 has the first direction.
-#[derive(Clone, Copy)]
-pub(crate) struct Bending {
-    pub material: u64,
-    pub area: f64,
-    /// Moments of bending in plane 1 and 2, and the product.
-    pub moments: [f64; 3],
-    pub torsion: f64,
-    /// Factors of the shear areas; none where shear is neglected.
-    pub shear: Option<[f64; 2]>,
-    /// Mass per length beside that of the material.
-    pub extra: f64,
-}
-
-/// Section of rods.
-#[derive(Clone, Copy)]
-pub(crate) struct RodSection {
-    pub material: u64,
-    pub area: f64,
-    pub extra: f64,
-}
-
-impl DeckModel {
+impl Reader {
     /// Takes the card of a property or a material; false for another card.
     pub(super) fn property(&mut self, card: &Card, name: &str) -> Result<bool, LocatedProblem> {
         let label = || integer(card.field(2), Row::Property);
         match name {
             "PSOLID" => {
                 let (label, material) = (label()?, integer(card.field(3), Row::Property)?);
-                self.of_solids.insert(label, material);
+                self.model.of_solids.insert(label, material);
             }
             "PSHELL" => self.shell(card, label()?)?,
             "PCOMP" => self.composite(card, label()?, [10, 4])?,
@@ -88,7 +30,7 @@ impl DeckModel {
                 for first in [2, 4, 6, 8].into_iter().filter(|first| !card.field(*first).text.is_empty()) {
                     let label = integer(card.field(first), Row::Property)?;
                     let damping = real_or_zero(card.field(first + 1))?;
-                    self.of_springs.insert(label, [0.0, damping]);
+                    self.model.of_springs.insert(label, [0.0, damping]);
                 }
             }
             "PBUSH" => self.bushing(card, label()?)?,
@@ -100,12 +42,12 @@ impl DeckModel {
                 let loss = real_or_zero(card.field(17))?;
                 let (g12, g13, g23) = (g12?, g13?, g23?);
                 if g13 == 0.0 || g23 == 0.0 {
-                    self.simplify("MAT8 without G1Z or G2Z has G12 across the layers");
+                    self.model.simplify("MAT8 without G1Z or G2Z has G12 across the layers");
                 }
                 let or = |g: f64| if g > 0.0 { g } else { g12 };
                 let (young, shear) = ([e1?, e2?], [g12, or(g13), or(g23)]);
                 let ply = Stuff::Lamina { young, poisson: nu?, shear, density: density?, loss };
-                self.materials.insert(label, ply);
+                self.model.materials.insert(label, ply);
             }
             _ => return Ok(false),
         }
@@ -122,7 +64,7 @@ impl DeckModel {
         let (young, poisson) = match (young, shear, poisson) {
             (Some(young), Some(shear), Some(poisson)) => {
                 if (young / (2.0 * (1.0 + poisson)) / shear - 1.0).abs() > 0.01 {
-                    self.simplify("MAT1 with G other than E/2(1 + NU) has G from E and NU");
+                    self.model.simplify("MAT1 with G other than E/2(1 + NU) has G from E and NU");
                 }
                 (young, poisson)
             }
@@ -130,7 +72,7 @@ impl DeckModel {
             (Some(young), Some(shear), None) => {
                 let poisson = 0.5 * young / shear - 1.0;
                 if !(poisson > -1.0 && poisson < 0.5) {
-                    self.simplify("MAT1 with E and G of no Poisson's ratio has NU = 0");
+                    self.model.simplify("MAT1 with E and G of no Poisson's ratio has NU = 0");
                     (young, 0.0)
                 } else {
                     (young, poisson)
@@ -144,7 +86,7 @@ impl DeckModel {
             (None, None, _) => return Err((card.line, MatrixProblem::NoModulus { material: label })),
         };
         let (density, loss) = (real_or_zero(card.field(6))?, real_or_zero(card.field(9))?);
-        self.materials.insert(label, Stuff::Isotropic { young, poisson, density, loss });
+        self.model.materials.insert(label, Stuff::Isotropic { young, poisson, density, loss });
         Ok(())
     }
 
@@ -154,27 +96,27 @@ impl DeckModel {
         let material = match (membrane, bending) {
             (0, "" | "-1") => return Err((card.line, MatrixProblem::NoMaterialOf { property: label })),
             (0, _) => {
-                self.simplify("PSHELL without MID1 has the material of bending in its plane too");
+                self.model.simplify("PSHELL without MID1 has the material of bending in its plane too");
                 integer(card.field(5), Row::Property)?
             }
             (membrane, _) => membrane,
         };
         if membrane != 0 && bending.is_empty() {
-            self.simplify("PSHELL without MID2 bends by its material too");
+            self.model.simplify("PSHELL without MID2 bends by its material too");
         }
         if membrane != 0
             && !matches!(bending, "" | "-1")
             && integer(card.field(5), Row::Property)? != membrane
         {
-            self.simplify("PSHELL with another material MID2 has MID1 in bending too");
+            self.model.simplify("PSHELL with another material MID2 has MID1 in bending too");
         }
         let ratio = real_or(card.field(6), 1.0)?;
         if (ratio - 1.0).abs() > 1e-6 {
-            self.simplify("PSHELL with 12I/T**3 other than 1 has 1");
+            self.model.simplify("PSHELL with 12I/T**3 other than 1 has 1");
         }
         let (thickness, extra) = (real_or_zero(card.field(4))?, real_or_zero(card.field(9))?);
         let layers = vec![Ply { material, thickness, angle: 0.0 }];
-        self.of_plates.insert(label, Plating { layers, bottom: None, extra });
+        self.model.of_plates.insert(label, Plating { layers, bottom: None, extra });
         Ok(())
     }
 
@@ -209,12 +151,12 @@ impl DeckModel {
                 let mirrored: Vec<Ply> = layers.iter().rev().copied().collect();
                 layers.extend(mirrored);
             }
-            _ => self.simplify("PCOMP with LAM other than SYM is taken as its layers"),
+            _ => self.model.simplify("PCOMP with LAM other than SYM is taken as its layers"),
         }
         if layers.is_empty() {
             return Err((card.line, MatrixProblem::NoMaterialOf { property: label }));
         }
-        self.of_plates.insert(label, Plating { layers, bottom, extra });
+        self.model.of_plates.insert(label, Plating { layers, bottom, extra });
         Ok(())
     }
 
@@ -227,7 +169,7 @@ impl DeckModel {
         let shear = (k1 > 0.0 && k2 > 0.0).then_some([k1, k2]);
         let moments = [first?, second?, product?];
         let bending = Bending { material, area: area?, moments, torsion: torsion?, shear, extra: extra? };
-        self.of_beams.insert(label, bending);
+        self.model.of_beams.insert(label, bending);
         Ok(())
     }
 
@@ -259,7 +201,7 @@ impl DeckModel {
                 }
                 if constants.iter().zip(&start).any(|(mean, start)| (mean - start).abs() > 1e-9 * start.abs())
                 {
-                    self.simplify("tapered beams have the mean section of their ends");
+                    self.model.simplify("tapered beams have the mean section of their ends");
                 }
             }
             number += wide;
@@ -268,12 +210,13 @@ impl DeckModel {
         let (k1, k2) = (k1?, k2?);
         let neutral = (number + 8..number + 16).map(|number| real_or_zero(card.field(number)));
         if neutral.collect::<Result<Vec<_>, _>>()?.iter().any(|offset| *offset != 0.0) {
-            self.simplify("shear centres and centres of extra mass of beams off their axis are taken on it");
+            self.model
+                .simplify("shear centres and centres of extra mass of beams off their axis are taken on it");
         }
         let shear = (k1 > 0.0 && k2 > 0.0).then_some([k1, k2]);
         let [area, first, second, product, torsion, extra] = constants;
         let moments = [first, second, product];
-        self.of_beams.insert(label, Bending { material, area, moments, torsion, shear, extra });
+        self.model.of_beams.insert(label, Bending { material, area, moments, torsion, shear, extra });
         Ok(())
     }
 
@@ -301,10 +244,10 @@ impl DeckModel {
                     && real_or_zero(card.field(13 + count + index)).is_ok_and(|size| size != sizes[index])
             });
         if tapered {
-            self.simplify("tapered beams of PBEAML have the section of their first end");
+            self.model.simplify("tapered beams of PBEAML have the section of their first end");
         }
         let Some((area, moments, torsion)) = library_section(&kind, &sizes) else { return Ok(false) };
-        self.of_beams.insert(label, Bending { material, area, moments, torsion, shear: None, extra });
+        self.model.of_beams.insert(label, Bending { material, area, moments, torsion, shear: None, extra });
         Ok(true)
     }
 
@@ -320,10 +263,10 @@ impl DeckModel {
         let material = integer(card.field(material), Row::Property)?;
         let area = real_or_zero(card.field(area))?;
         if real_or_zero(card.field(torsion))? != 0.0 {
-            self.simplify("the twist of rods is left out");
+            self.model.simplify("the twist of rods is left out");
         }
         let extra = real_or_zero(card.field(torsion + 2))?;
-        self.of_rods.insert(label, RodSection { material, area, extra });
+        self.model.of_rods.insert(label, RodSection { material, area, extra });
         Ok(())
     }
 
@@ -332,8 +275,8 @@ impl DeckModel {
         let (outer, wall) = (real_or_zero(card.field(4))?, real_or_zero(card.field(5))?);
         let inner = if wall > 0.0 { outer - 2.0 * wall } else { 0.0 };
         let area = 0.25 * std::f64::consts::PI * (outer.powi(2) - inner.powi(2));
-        self.simplify("the twist of rods is left out");
-        self.of_rods.insert(label, RodSection { material, area, extra: real_or_zero(card.field(6))? });
+        self.model.simplify("the twist of rods is left out");
+        self.model.of_rods.insert(label, RodSection { material, area, extra: real_or_zero(card.field(6))? });
         Ok(())
     }
 
@@ -341,7 +284,7 @@ impl DeckModel {
         for first in [2, 6].into_iter().filter(|first| !card.field(*first).text.is_empty()) {
             let label = integer(card.field(first), Row::Property)?;
             let stiffness = real_or_zero(card.field(first + 1))?;
-            self.of_springs.insert(label, [stiffness, 0.0]);
+            self.model.of_springs.insert(label, [stiffness, 0.0]);
         }
         Ok(())
     }
@@ -355,7 +298,7 @@ impl DeckModel {
                 "B" => Some(1),
                 "" => None,
                 _ => {
-                    self.simplify("of PBUSH only K and B are taken");
+                    self.model.simplify("of PBUSH only K and B are taken");
                     None
                 }
             };
@@ -366,7 +309,7 @@ impl DeckModel {
             }
             number += 8;
         }
-        self.of_bushes.insert(label, laws);
+        self.model.of_bushes.insert(label, laws);
         Ok(())
     }
 }

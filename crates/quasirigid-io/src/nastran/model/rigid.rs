@@ -1,28 +1,10 @@
 //! Rigid elements of a deck: RBE2, RBAR and RBE3.
 
-use super::DeckModel;
+use super::Reader;
+use crate::deck::{Mean, Stiff};
 use crate::matrix::error::{MatrixProblem, Row};
 use crate::matrix::listed::LocatedProblem;
 use crate::nastran::bulk::{Card, integer, integer_or, real_or_zero};
-
-/// Grid points that follow another one as a rigid piece, in some components.
-pub(crate) struct Stiff {
-    pub base: u64,
-    pub nodes: Vec<u64>,
-    /// Components from 0 that follow.
-    pub components: [bool; 6],
-    pub line: usize,
-}
-
-/// A grid point that follows the weighted mean of others.
-pub(crate) struct Mean {
-    pub node: u64,
-    /// Components from 0 that follow.
-    pub components: [bool; 6],
-    /// Weight, components and grid points.
-    pub others: Vec<(f64, [bool; 6], Vec<u64>)>,
-    pub line: usize,
-}
 
 /// Components from the digits of a number.
 pub(crate) fn components(digits: u64, line: usize) -> Result<[bool; 6], LocatedProblem> {
@@ -35,7 +17,7 @@ pub(crate) fn components(digits: u64, line: usize) -> Result<[bool; 6], LocatedP
     Ok(components)
 }
 
-impl DeckModel {
+impl Reader {
     /// Takes the card of a rigid element that is carried; false for another card.
     pub(super) fn rigid(&mut self, card: &Card, name: &str) -> Result<bool, LocatedProblem> {
         match name {
@@ -49,7 +31,7 @@ impl DeckModel {
                     }
                     nodes.push(integer(*field, Row::Element)?);
                 }
-                self.stiff.push(Stiff { base, nodes, components: followed, line: card.line });
+                self.model.stiff.push(Stiff { base, nodes, components: followed, line: card.line });
                 Ok(true)
             }
             "RBAR" => self.bar_of_rigid(card),
@@ -70,7 +52,7 @@ impl DeckModel {
             _ => return Ok(false),
         };
         let followed = components(if digits == 0 { 123_456 } else { digits }, card.line)?;
-        self.stiff.push(Stiff { base, nodes: vec![node], components: followed, line: card.line });
+        self.model.stiff.push(Stiff { base, nodes: vec![node], components: followed, line: card.line });
         Ok(true)
     }
 
@@ -99,7 +81,7 @@ impl DeckModel {
             nodes.push(integer(**field, Row::Element)?);
             at += 1;
         }
-        self.means.push(Mean { node, components: followed, others, line: card.line });
+        self.model.means.push(Mean { node, components: followed, others, line: card.line });
         Ok(true)
     }
 }

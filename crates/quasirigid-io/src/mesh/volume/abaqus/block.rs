@@ -3,7 +3,7 @@
 
 use super::kinds::Kind;
 use super::sets::Filling;
-use super::{Draft, MeshProblem, Row, VolumeProblem};
+use super::{Draft, MeshProblem, Other, Row, VolumeProblem};
 use crate::text_file::{number, whole};
 use quasirigid_math::vec3::{add, cross, dot, norm, scale};
 
@@ -18,13 +18,23 @@ pub(super) enum Block {
     Set(Filling),
     /// The place of an instance: a translation, then a rotation about the line between two points.
     Instance(Placing),
-    /// Cells that are counted and left out, one on a line.
-    Counted(String),
+    /// Elements that are no cells, of a type, in a set.
+    Others {
+        kind: u16,
+        set: Option<Filling>,
+    },
+    /// Cells that are counted and left out; whether the last one goes on.
+    Counted {
+        name: String,
+        goes_on: bool,
+    },
+    /// Lines of a card that is kept, by its index.
+    Card(usize),
 }
 
 /// Translation of an instance, and its rotation afterwards: two points of the axis and an angle (degrees).
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Placing {
+pub(crate) struct Placing {
     translation: [f64; 3],
     rotation: Option<[f64; 7]>,
     lines: usize,
@@ -54,8 +64,13 @@ impl Placing {
         self.translation == [0.0; 3] && self.rotation.is_none()
     }
 
+    /// A direction of the part, as the instance turns it.
+    pub(crate) fn turned(&self, direction: [f64; 3]) -> [f64; 3] {
+        add(self.place(direction), scale(-1.0, self.place([0.0; 3])))
+    }
+
     /// The place of a node of the part.
-    pub(super) fn place(&self, node: [f64; 3]) -> [f64; 3] {
+    pub(crate) fn place(&self, node: [f64; 3]) -> [f64; 3] {
         let moved = add(node, self.translation);
         let Some([ax, ay, az, bx, by, bz, angle]) = self.rotation else { return moved };
         let (start, along) = ([ax, ay, az], [bx - ax, by - ay, bz - az]);
@@ -73,6 +88,8 @@ impl Placing {
 /// Cells of a kind, with the label and nodes read so far of the next.
 pub(super) struct Cells {
     kind: Kind,
+    /// Index of the type among those of the file.
+    number: u16,
     set: Option<Filling>,
     label: Option<u64>,
     nodes: Vec<u64>,
@@ -91,7 +108,18 @@ impl Block {
             Self::Cells(cells) => cells.read(line, draft),
             Self::Set(set) => set.read(draft, line),
             Self::Instance(placing) => placing.read(line),
-            Self::Counted(_) => Ok(()),
+            Self::Others { kind, set } => {
+                let mut fields = line.trim_end_matches([',', ' ']).split(',').map(str::trim);
+                let label = whole(fields.next().unwrap_or_default(), Row::InpCell)?;
+                let node = |field: &str| if field.is_empty() { Ok(0) } else { whole(field, Row::InpCell) };
+                let nodes = fields.map(node).collect::<Result<_, _>>()?;
+                let index = draft.others.add(Other { label, kind: *kind, nodes })?;
+                if let Some(set) = set {
+                    set.add_others(draft, &[index]);
+                }
+                Ok(())
+            }
+            Self::Counted { .. } | Self::Card(_) => Ok(()),
         }
     }
 
@@ -124,8 +152,8 @@ fn node(line: &str) -> Result<(u64, [f64; 3]), MeshProblem> {
 }
 
 impl Cells {
-    pub(super) fn new(kind: Kind, set: Option<Filling>) -> Self {
-        Self { kind, set, label: None, nodes: Vec::new() }
+    pub(super) fn new(kind: Kind, number: u16, set: Option<Filling>) -> Self {
+        Self { kind, number, set, label: None, nodes: Vec::new() }
     }
 
     fn wrong_count(&self, found: usize) -> MeshProblem {
@@ -140,14 +168,25 @@ impl Cells {
             let value = whole(field.trim(), Row::InpCell)?;
             if self.label.is_none() { self.label = Some(value) } else { self.nodes.push(value) }
         }
-        let (found, expected) = (self.nodes.len(), self.kind.shape.nodes());
+        let expected = self.kind.nodes();
+        // A line may name a node towards which its section is turned.
+        let towards = (self.kind.shape.dimension() == 1 && self.nodes.len() == expected + 1)
+            .then(|| self.nodes.pop())
+            .flatten();
+        let found = self.nodes.len();
         if found < expected && continues {
             return Ok(());
         }
         let label = self.label.take().filter(|_| found == expected).ok_or_else(|| self.wrong_count(found))?;
         let nodes: Vec<u64> = (0..expected).map(|node| self.nodes[self.kind.place(node)]).collect();
         self.nodes.clear();
-        let cell = draft.add_cell(label, self.kind.shape, &nodes)?;
+        let cell = if self.kind.pyramid {
+            draft.add_pyramid(label, &nodes)?
+        } else {
+            draft.add_cell(label, self.kind.shape, &nodes)?
+        };
+        draft.types.resize(draft.cells().len(), self.number);
+        draft.towards.extend(towards.map(|node| (cell, node)));
         self.set.map_or(Ok(()), |set| set.add(draft, &[cell]))
     }
 }

@@ -6,7 +6,7 @@ pub(super) struct Keyword<'a> {
     /// In capitals.
     pub(super) name: String,
     /// Keys in capitals, and values.
-    parameters: Vec<(String, &'a str)>,
+    pub(super) parameters: Vec<(String, &'a str)>,
 }
 
 impl<'a> Keyword<'a> {

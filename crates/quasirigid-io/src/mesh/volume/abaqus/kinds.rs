@@ -4,12 +4,15 @@
 use quasirigid_mesh::Shape;
 
 use super::VolumeProblem;
+use crate::mesh::volume::pyramid;
 
 /// A kind of cell in the order of Abaqus.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Kind {
     pub(super) shape: Shape,
     order: &'static [u8],
+    /// Whether it is a pyramid of five nodes, which becomes two tetrahedra.
+    pub(super) pyramid: bool,
 }
 
 /// First letters, letters that may follow the number, and the shape by the number.
@@ -22,6 +25,11 @@ const HEX27: &[u8] =
     &[0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 26, 24, 23, 25, 21, 22, 20];
 
 impl Kind {
+    /// Number of nodes.
+    pub(super) fn nodes(self) -> usize {
+        if self.pyramid { pyramid::NODES } else { self.shape.nodes() }
+    }
+
     /// Index in the order of Abaqus of a node in the order of [`Shape`].
     pub(super) fn place(self, node: usize) -> usize {
         self.order.get(node).map_or(node, |place| usize::from(*place))
@@ -31,6 +39,9 @@ impl Kind {
     pub(super) fn of(name: &str) -> Result<Self, VolumeProblem> {
         let refused = || VolumeProblem::Kind { found: name.into() };
         let upper = name.to_ascii_uppercase();
+        if matches!(upper.as_str(), "C3D5" | "C3D5H") {
+            return Ok(Self { shape: Shape::Tet4, order: &[], pyramid: true });
+        }
         let families: [Family; 9] = [
             ("C3D", "RIHTMSP", solid),
             ("STRI", "", triangle_shell),
@@ -54,7 +65,7 @@ impl Kind {
             Shape::Hex27 => HEX27,
             _ => &[],
         };
-        Ok(Self { shape, order })
+        Ok(Self { shape, order, pyramid: false })
     }
 }
 
@@ -91,10 +102,10 @@ fn triangle_shell(number: u32) -> Option<Shape> {
     }
 }
 
-/// `B31` and `B32`: beams in space.
+/// `B31`, `B32` and `B33`: beams in space.
 fn beam(number: u32) -> Option<Shape> {
     match number {
-        31 => Some(Shape::Line2),
+        31 | 33 => Some(Shape::Line2),
         32 => Some(Shape::Line3),
         _ => None,
     }

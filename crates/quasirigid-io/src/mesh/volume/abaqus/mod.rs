@@ -1,6 +1,7 @@
 //! Meshes of Abaqus and CalculiX: keyword lines and the data lines after them.
 
 mod block;
+mod inp;
 mod keyword;
 mod kinds;
 mod sets;
@@ -11,11 +12,15 @@ use std::path::{Path, PathBuf};
 use quasirigid_mesh::Mesh;
 
 use super::draft::Draft;
+use super::others::Other;
 use super::problem::VolumeProblem;
+use crate::deck::{Places, Run};
 use crate::mesh::error::{MeshError, MeshProblem, Part as Kinds, Place, Row};
 use crate::mesh::file::MAX_FILE;
 use crate::text_file::bytes_of;
-use block::{Block, Cells, Placing};
+pub(crate) use block::Placing;
+use block::{Block, Cells};
+pub(crate) use inp::{Inp, InpCard, Placed, Scope};
 use keyword::Keyword;
 use sets::Filling;
 
@@ -51,7 +56,21 @@ const NOT_CARRIED: [&str; 16] = [
     "CONNECTOR SECTION",
 ];
 
+/// The mesh of a file, and what was left out.
 pub(super) fn read(file: &Path, bytes: &[u8]) -> Result<(Mesh, Vec<String>), MeshError> {
+    let read = read_with(file, bytes, None)?;
+    Ok((read.mesh, read.notes))
+}
+
+/// A file with the cards that are kept by name; elements of other types than those of a mesh are counted and left out.
+///
+/// # Errors
+/// [`MeshError`] says what is wrong and on which line.
+pub(crate) fn read_inp(file: &Path, bytes: &[u8], kept: fn(&str) -> bool) -> Result<Inp, MeshError> {
+    read_with(file, bytes, Some(kept))
+}
+
+fn read_with(file: &Path, bytes: &[u8], kept: Option<fn(&str) -> bool>) -> Result<Inp, MeshError> {
     let folder = file.parent().unwrap_or(Path::new("")).to_owned();
     let mut reader = Reader {
         folder,
@@ -65,6 +84,12 @@ pub(super) fn read(file: &Path, bytes: &[u8]) -> Result<(Mesh, Vec<String>), Mes
         into: Into::Own,
         left_out: BTreeMap::new(),
         read: 0,
+        kept,
+        cards: Vec::new(),
+        counts: BTreeMap::new(),
+        types: Vec::new(),
+        places: Places::default(),
+        next: 1,
     };
     reader.read_file(file, bytes, &mut Vec::new())?;
     let end = Place::Line(bytes.split(|byte| *byte == b'\n').count());
@@ -83,9 +108,10 @@ struct Part {
 /// An instance that is in the mesh.
 struct Instance {
     name: String,
+    part: Option<usize>,
     /// What was added to the numbers of its nodes and cells.
     shifts: [u64; 2],
-    moved: bool,
+    placing: Placing,
 }
 
 /// An instance that has begun.
@@ -125,14 +151,29 @@ struct Reader {
     left_out: BTreeMap<String, usize>,
     /// Bytes of the files included so far.
     read: u64,
+    /// Names of the cards that are kept; none for a mesh alone.
+    kept: Option<fn(&str) -> bool>,
+    cards: Vec<InpCard>,
+    /// Numbers of all cards.
+    counts: BTreeMap<String, usize>,
+    /// Types of elements, in capitals.
+    types: Vec<String>,
+    places: Places,
+    /// Number of the next line among those of all files.
+    next: usize,
 }
 
 impl Reader {
     /// Reads a file within those that include it.
     fn read_file(&mut self, file: &Path, bytes: &[u8], within: &mut Vec<PathBuf>) -> Result<(), MeshError> {
         let bytes = bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes);
+        let this = self.places.files.len();
+        self.places.files.push(file.to_owned());
+        self.places.runs.push(Run { file: this, lines: [1, self.next] });
         for (number, line) in (1..).zip(bytes.split(|byte| *byte == b'\n')) {
             let line = line.trim_ascii();
+            let here = self.next;
+            self.next += 1;
             if line.is_empty() || line.starts_with(b"**") {
                 continue; // comments may be in any encoding
             }
@@ -140,8 +181,14 @@ impl Reader {
             let wrong = |error: std::str::Utf8Error| MeshProblem::NotText { byte: line[error.valid_up_to()] };
             let line = std::str::from_utf8(line).map_err(wrong).map_err(located)?;
             let Some(keyword) = line.strip_prefix('*').map(Keyword::new) else {
-                if let Block::Counted(name) = &self.block {
-                    *self.left_out.entry(name.clone()).or_default() += 1;
+                if let Block::Counted { name, goes_on } = &mut self.block {
+                    if !std::mem::replace(goes_on, line.ends_with(',')) {
+                        *self.left_out.entry(name.clone()).or_default() += 1;
+                    }
+                    continue;
+                }
+                if let Block::Card(index) = self.block {
+                    self.cards[index].lines.push((here, line.to_owned()));
                     continue;
                 }
                 let draft = match (self.into, &mut self.open, self.part) {
@@ -167,15 +214,16 @@ impl Reader {
                 }
                 self.read_file(&included, &bytes, within)?;
                 within.pop();
+                self.places.runs.push(Run { file: this, lines: [number + 1, self.next] });
             } else {
-                self.start(&keyword).map_err(located)?;
+                self.start(&keyword, here).map_err(located)?;
             }
         }
         Ok(())
     }
 
     /// Starts the block of a keyword.
-    fn start(&mut self, keyword: &Keyword) -> Result<(), MeshProblem> {
+    fn start(&mut self, keyword: &Keyword, line: usize) -> Result<(), MeshProblem> {
         self.block.finish()?;
         if let (Block::Instance(placing), Some(open)) = (&self.block, &mut self.open) {
             open.placing = *placing;
@@ -183,7 +231,8 @@ impl Reader {
         if GENERATORS.contains(&keyword.name.as_str()) {
             return Err(VolumeProblem::Generated { found: format!("*{}", keyword.name).into() }.into());
         }
-        if NOT_CARRIED.contains(&keyword.name.as_str()) {
+        *self.counts.entry(keyword.name.clone()).or_default() += 1;
+        if self.kept.is_none() && NOT_CARRIED.contains(&keyword.name.as_str()) {
             *self.left_out.entry(format!("*{}", keyword.name)).or_default() += 1;
         }
         self.into = Into::Own;
@@ -207,9 +256,23 @@ impl Reader {
                 self.end_instance()?;
                 Block::Skipped
             }
-            _ => Block::Skipped,
+            name => {
+                let kept = self.kept.is_some_and(|kept| kept(name));
+                if kept { self.card(keyword, line) } else { Block::Skipped }
+            }
         };
         Ok(())
+    }
+
+    /// Keeps a card with the lines that follow.
+    fn card(&mut self, keyword: &Keyword, line: usize) -> Block {
+        let scope = match (&self.open, self.part) {
+            (Some(_), _) => Scope::Instance(self.instances.len()),
+            (None, Some(part)) => Scope::Part(part),
+            (None, None) => Scope::Whole,
+        };
+        self.cards.push(InpCard::new(keyword, line, scope));
+        Block::Card(self.cards.len() - 1)
     }
 
     fn instance(&mut self, keyword: &Keyword) -> Result<Block, MeshProblem> {
@@ -236,7 +299,7 @@ impl Reader {
         if !own.is_empty() {
             shifts = self.whole.append(&own, place, &prefix)?;
         }
-        self.instances.push(Instance { name, shifts, moved: !placing.is_still() });
+        self.instances.push(Instance { name, part, shifts, placing });
         Ok(())
     }
 
@@ -262,12 +325,29 @@ impl Reader {
         self.own_lines(keyword)?;
         let name = keyword.needs("TYPE")?;
         let upper = name.to_ascii_uppercase();
-        if BESIDE.iter().any(|known| upper.starts_with(known)) {
-            return Ok(Block::Counted(format!("{upper} elements")));
-        }
-        let kind = kinds::Kind::of(name)?;
         let set = keyword.parameter("ELSET").map(|name| Filling::new(self.draft(), name, true, false));
-        Ok(Block::Cells(Cells::new(kind, set)))
+        let beside = BESIDE.iter().any(|known| upper.starts_with(known));
+        let kind = match kinds::Kind::of(name) {
+            Ok(kind) => Some(kind),
+            Err(_) if beside => None,
+            // A deck leaves out what is no body; a mesh would lack cells.
+            Err(_) if self.kept.is_some() => {
+                return Ok(Block::Counted { name: format!("{upper} elements"), goes_on: false });
+            }
+            Err(problem) => return Err(problem.into()),
+        };
+        let number = match self.types.iter().position(|known| *known == upper) {
+            Some(known) => known,
+            None => {
+                self.types.push(upper);
+                self.types.len() - 1
+            }
+        };
+        let number = u16::try_from(number).map_err(|_| VolumeProblem::Kind { found: name.into() })?;
+        Ok(match kind {
+            Some(kind) => Block::Cells(Cells::new(kind, number, set)),
+            None => Block::Others { kind: number, set },
+        })
     }
 
     fn set(&mut self, keyword: &Keyword, key: &str) -> Result<Block, MeshProblem> {
@@ -293,26 +373,66 @@ impl Reader {
     }
 
     /// The mesh of all instances, or of the file and its parts where there are none, and what was left out.
-    fn end(mut self) -> Result<(Mesh, Vec<String>), MeshProblem> {
+    fn end(mut self) -> Result<Inp, MeshProblem> {
         self.end_instance()?;
         let mut notes = Vec::new();
-        if !self.left_out.is_empty() {
+        if self.kept.is_none() {
+            let drafts = self.parts.iter().map(|part| &part.draft).chain([&self.root, &self.whole]);
+            for element in drafts.flat_map(|draft| &draft.others.all) {
+                let name = format!("{} elements", self.types[usize::from(element.kind)]);
+                *self.left_out.entry(name).or_default() += 1;
+            }
+        }
+        if self.kept.is_none() && !self.left_out.is_empty() {
             let counted = self.left_out.iter().map(|(name, count)| format!("{count} {name}"));
             notes.push(format!("left out: {}", counted.collect::<Vec<_>>().join(", ")));
         }
+        let outside = |shifts| Placed {
+            part: None,
+            instance: None,
+            prefix: String::new(),
+            shifts,
+            placing: Placing::default(),
+        };
+        let mut placed = Vec::new();
         if self.instances.is_empty() {
-            for part in &self.parts {
+            placed.push(outside([0; 2]));
+            for (number, part) in self.parts.iter().enumerate() {
                 let prefix = if self.parts.len() > 1 { format!("{}.", part.name) } else { String::new() };
-                self.root.append(&part.draft, |node| node, &prefix)?;
+                let shifts = self.root.append(&part.draft, |node| node, &prefix)?;
+                placed.push(Placed { part: Some(number), prefix, ..outside(shifts) });
             }
-            return Ok((self.root.mesh(), notes));
+            self.whole = std::mem::take(&mut self.root);
+        } else {
+            notes.extend(self.notes_of_instances());
+            for (number, Instance { name, part, shifts, placing }) in self.instances.iter().enumerate() {
+                let (prefix, instance) = (format!("{name}."), Some(number));
+                placed.push(Placed { part: *part, instance, prefix, shifts: *shifts, placing: *placing });
+            }
+            if let [only] = &self.instances[..] {
+                self.whole.sets.without_prefix(&format!("{}.", only.name));
+            }
+            let shifts =
+                if self.root.is_empty() { [0; 2] } else { self.whole.append(&self.root, |node| node, "")? };
+            placed.push(outside(shifts));
         }
+        let type_of = std::mem::take(&mut self.whole.types);
+        let towards = std::mem::take(&mut self.whole.towards);
+        let others = std::mem::take(&mut self.whole.others);
+        let Self { types, cards, counts, left_out, places, whole, .. } = self;
+        let mesh = whole.mesh();
+        Ok(Inp { mesh, types, type_of, towards, others, placed, cards, counts, left_out, notes, places })
+    }
+
+    /// Where parts are left out, moved or numbered on.
+    fn notes_of_instances(&self) -> Vec<String> {
+        let mut notes = Vec::new();
         let unplaced: Vec<&str> =
             self.parts.iter().filter(|part| !part.placed).map(|part| part.name.as_str()).collect();
         if !unplaced.is_empty() {
             notes.push(format!("parts without an instance are left out: {}", unplaced.join(", ")));
         }
-        let moved = self.instances.iter().filter(|instance| instance.moved).count();
+        let moved = self.instances.iter().filter(|instance| !instance.placing.is_still()).count();
         if moved > 0 {
             notes.push(format!("instances are moved to their places ({moved})"));
         }
@@ -322,13 +442,7 @@ impl Reader {
                 "nodes of the instance {name} are numbered on from {nodes}, its cells from {cells}"
             ));
         }
-        if let [only] = &self.instances[..] {
-            self.whole.sets.without_prefix(&format!("{}.", only.name));
-        }
-        if !self.root.is_empty() {
-            self.whole.append(&self.root, |node| node, "")?;
-        }
-        Ok((self.whole.mesh(), notes))
+        notes
     }
 
     /// Refuses a block whose lines are in another file.

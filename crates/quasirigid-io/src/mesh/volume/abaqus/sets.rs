@@ -57,6 +57,12 @@ impl Filling {
         }
     }
 
+    /// Adds elements that are no cells.
+    pub(super) fn add_others(self, draft: &mut Draft, members: &[usize]) {
+        let name = draft.sets.name(self.place).to_owned();
+        draft.others.put(&name, members);
+    }
+
     /// A line of the set.
     pub(super) fn read(self, draft: &mut Draft, line: &str) -> Result<(), MeshProblem> {
         let fields = line.trim_end_matches([',', ' ']).split(',').map(str::trim);
@@ -67,6 +73,11 @@ impl Filling {
             match field.parse() {
                 Ok(label) => {
                     let index = self.index(draft, label);
+                    let other = draft.others.of(label.saturating_add(self.shift));
+                    if let Some(other) = other.filter(|_| self.of_cells && index.is_none()) {
+                        self.add_others(draft, &[other]);
+                        continue;
+                    }
                     if index.is_none() && self.some {
                         continue;
                     }
@@ -87,8 +98,15 @@ impl Filling {
     fn add_set(self, draft: &mut Draft, name: &str) -> Result<(), MeshProblem> {
         let set = draft.sets.of_key(&name.trim_matches('"').to_ascii_uppercase());
         let members = set.map(|set| if self.of_cells { set.cells.clone() } else { set.nodes.clone() });
-        let members =
-            members.filter(|members| !members.is_empty()).ok_or_else(|| self.no_such(draft, name))?;
+        let others =
+            if self.of_cells { draft.others.set(name.trim_matches('"')).to_vec() } else { Vec::new() };
+        let members = members.unwrap_or_default();
+        if members.is_empty() && others.is_empty() && !self.some {
+            return Err(self.no_such(draft, name).into());
+        }
+        if !others.is_empty() {
+            self.add_others(draft, &others);
+        }
         self.add(draft, &members)
     }
 
@@ -132,6 +150,12 @@ impl Filling {
         } else {
             (0..all).filter(|node| inside(&draft.node_labels()[*node])).collect()
         };
+        let shifted = [from.saturating_add(self.shift), to.saturating_add(self.shift), step];
+        let others = if self.of_cells { draft.others.between(shifted) } else { Vec::new() };
+        if !others.is_empty() {
+            self.add_others(draft, &others);
+            return self.add(draft, &members);
+        }
         if members.is_empty() && !self.some {
             return Err(self.no_such(draft, &format!("{first} to {last}")).into());
         }

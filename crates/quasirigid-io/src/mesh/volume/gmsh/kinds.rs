@@ -2,6 +2,8 @@ use quasirigid_mesh::Shape;
 
 use super::{MeshProblem, VolumeProblem};
 
+/// Type of a pyramid of five nodes, which becomes two tetrahedra.
+pub(super) const PYRAMID: u64 = 7;
 /// Type of a point, which is no cell.
 pub(super) const POINT: u64 = 15;
 
@@ -53,7 +55,6 @@ pub(super) fn kind(code: u64) -> Result<Kind, MeshProblem> {
 
 fn name(code: u64) -> String {
     match code {
-        7 => "7 (pyramid of 5 nodes)".into(),
         13 => "13 (wedge of 18 nodes)".into(),
         14 => "14 (pyramid of 14 nodes)".into(),
         19 => "19 (pyramid of 13 nodes)".into(),

@@ -10,6 +10,7 @@ use quasirigid_mesh::Mesh;
 
 use super::draft::Draft;
 use super::problem::VolumeProblem;
+use super::pyramid;
 use crate::mesh::error::{Fault, MeshProblem, Part, Place, Row};
 use crate::mesh::file::Encoding;
 use groups::Groups;
@@ -94,6 +95,9 @@ fn add_cell(draft: &mut Draft, label: u64, code: u64, nodes: &[u64]) -> Result<O
     if code == kinds::POINT {
         return Ok(None);
     }
+    if code == kinds::PYRAMID {
+        return draft.add_pyramid(label, nodes).map(Some);
+    }
     let kind = kinds::kind(code)?;
     let mut ordered = [0; 27];
     let ordered = &mut ordered[..nodes.len()];
@@ -105,7 +109,11 @@ fn add_cell(draft: &mut Draft, label: u64, code: u64, nodes: &[u64]) -> Result<O
 
 /// Number of nodes of a type of gmsh.
 fn nodes_of(code: u64) -> Result<usize, MeshProblem> {
-    if code == kinds::POINT { Ok(1) } else { kinds::kind(code).map(|kind| kind.shape.nodes()) }
+    match code {
+        kinds::POINT => Ok(1),
+        kinds::PYRAMID => Ok(pyramid::NODES),
+        _ => kinds::kind(code).map(|kind| kind.shape.nodes()),
+    }
 }
 
 /// The index of the node of a physical point.

@@ -110,8 +110,11 @@ impl Element {
         (label, group, entity): (u64, i64, i64),
         nodes: &[u64],
     ) -> Result<(), MeshProblem> {
-        let dimension =
-            if self.code == kinds::POINT { 0 } else { kinds::kind(self.code)?.shape.dimension() as i64 };
+        let dimension = match self.code {
+            kinds::POINT => 0,
+            kinds::PYRAMID => 3,
+            code => kinds::kind(code)?.shape.dimension() as i64,
+        };
         let set = (group != 0).then(|| groups.set(draft, dimension, group));
         if self.code == kinds::POINT {
             let node = point(draft, label, nodes[0])?;

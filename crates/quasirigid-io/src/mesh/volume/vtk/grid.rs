@@ -2,16 +2,19 @@
 //! Arrays of whole numbers become sets of cells; an array with more than a thousand values numbers the cells and becomes none.
 
 use std::collections::BTreeMap;
+use std::ops::Range;
 
 use quasirigid_mesh::{Cell, Mesh, Shape};
 
 use super::array::Array;
-use super::{Fault, MeshProblem, Place, Sets, VolumeProblem, finite};
+use super::{Fault, MeshProblem, Place, Sets, VolumeProblem, finite, pyramid};
 
 /// Most values of an array whose values become sets: one with more numbers the cells.
 const MOST_VALUES: usize = 1000;
 /// Type of a vertex, which is no cell.
 const VERTEX: i64 = 1;
+/// Type of a pyramid of five nodes, which becomes two tetrahedra.
+const PYRAMID: i64 = 14;
 
 /// A piece of an unstructured grid.
 pub(super) struct Grid<'a> {
@@ -33,19 +36,28 @@ impl Grid<'_> {
     pub(super) fn add_to(self, mesh: &mut Mesh, sets: &mut Sets, first_cell: u64) -> Result<u64, Fault> {
         let points = mesh.nodes.len();
         self.check_length()?;
-        let mut indices = Vec::new(); // in the mesh; none for vertices
+        let mut indices = Vec::new(); // in the mesh: none for vertices, two for pyramids
         let mut start = 0;
         for (number, (end, code)) in self.ends.whole()?.iter().zip(self.types.whole()?).enumerate() {
             let label = first_cell + number as u64;
             let corners = self.corners_of(number, start, *end)?;
             start += corners.len();
-            indices.push((*code != VERTEX).then_some(mesh.cells.len()));
-            if *code != VERTEX {
+            let first = mesh.cells.len();
+            let here = |problem| (self.place(number, start - corners.len()), problem);
+            if *code == PYRAMID {
+                let nodes = self.nodes(label, (pyramid::NODES, "pyramid of 5 nodes".into()), corners, points);
+                let nodes = nodes.map_err(here)?;
+                let labels: Vec<u64> = nodes.iter().map(|node| *node as u64).collect();
+                for half in pyramid::halves(&labels) {
+                    let nodes = half.map(|corner| nodes[corner]).into();
+                    mesh.cells.push(Cell { label, shape: Shape::Tet4, nodes });
+                }
+            } else if *code != VERTEX {
                 let shape = shape(*code).map_err(|problem| (self.types.origin.place(number), problem))?;
-                let nodes = self.nodes(label, shape, corners, points);
-                let nodes = nodes.map_err(|problem| (self.place(number, start - corners.len()), problem))?;
-                mesh.cells.push(Cell { label, shape, nodes });
+                let nodes = self.nodes(label, (shape.nodes(), shape.to_string()), corners, points);
+                mesh.cells.push(Cell { label, shape, nodes: nodes.map_err(here)? });
             }
+            indices.push(first..mesh.cells.len());
         }
         for array in &self.groups {
             add_groups(array, &indices, sets)?;
@@ -80,12 +92,12 @@ impl Grid<'_> {
     fn nodes(
         &self,
         cell: u64,
-        shape: Shape,
+        (count, shape): (usize, String),
         corners: &[i64],
         first: usize,
     ) -> Result<Box<[usize]>, MeshProblem> {
-        if corners.len() != shape.nodes() {
-            let (found, shape) = (corners.len() as u64, shape.to_string());
+        if corners.len() != count {
+            let found = corners.len() as u64;
             return Err(VolumeProblem::NodeCount { found, shape }.into());
         }
         let points = self.points.values.len() / 3;
@@ -114,11 +126,11 @@ impl Grid<'_> {
 }
 
 /// Makes sets of the cells with equal values.
-fn add_groups(array: &Array, indices: &[Option<usize>], sets: &mut Sets) -> Result<(), Fault> {
+fn add_groups(array: &Array, indices: &[Range<usize>], sets: &mut Sets) -> Result<(), Fault> {
     let mut cells_of: BTreeMap<i64, Vec<usize>> = BTreeMap::new();
     for (value, index) in array.whole()?.iter().zip(indices) {
-        if let Some(index) = index {
-            cells_of.entry(*value).or_default().push(*index);
+        if !index.is_empty() {
+            cells_of.entry(*value).or_default().extend(index.clone());
         }
         if cells_of.len() > MOST_VALUES {
             return Ok(());
@@ -160,7 +172,6 @@ fn name(code: i64) -> String {
         7 => "polygon",
         8 => "pixel",
         11 => "voxel",
-        14 => "pyramid",
         15 | 16 => "prism over a polygon",
         27 => "pyramid of 13 nodes",
         32 => "wedge of 18 nodes",

@@ -6,26 +6,46 @@ use quasirigid_elements::{Bar, BarKind, Coupling, ElasticMaterial, Layer, Region
 use quasirigid_math::vec3::{add, cross, norm, scale};
 
 use super::{Made, UNIT, across, along};
+use crate::deck::{Bending, Line, Plate, Plating, Ply, RodSection, Stuff, Up};
 use crate::matrix::error::MatrixProblem;
 use crate::matrix::listed::LocatedProblem;
-use crate::nastran::model::{Bending, Line, Plate, Plating, Ply, RodSection, Up};
+
+/// Material, axes and cells of a region.
+type Solids = (u64, [[f64; 3]; 3], Vec<usize>);
 
 /// Share of the greatest moment that a section has where its card gives none.
 const NO_MOMENT: f64 = 1e-6;
 
 impl Made {
     pub(super) fn regions(&mut self) -> Result<(), LocatedProblem> {
-        let mut cells: BTreeMap<u64, Vec<usize>> = BTreeMap::new();
+        // Solids of one material with equal axes, to the bit, are one region.
+        let mut regions: BTreeMap<_, Solids> = BTreeMap::new();
         for (cell, property) in &self.solids {
             let no = (0, MatrixProblem::NoCardOf { kind: "property", label: *property });
-            let material = self.deck.of_solids.get(property).ok_or(no)?;
-            cells.entry(*material).or_default().push(*cell);
+            let material = *self.deck.of_solids.get(property).ok_or(no)?;
+            let isotropic = matches!(self.deck.materials.get(&material), Some(Stuff::Isotropic { .. }));
+            let given = self.deck.axes_of_solids.get(property).filter(|_| !isotropic);
+            let axes = given.copied().unwrap_or(UNIT);
+            let bits = (material, axes.map(|axis| axis.map(f64::to_bits)));
+            regions.entry(bits).or_insert_with(|| (material, axes, Vec::new())).2.push(*cell);
         }
-        for (label, cells) in cells {
-            let material = ElasticMaterial::Isotropic(self.isotropic(label, 0.0)?);
-            self.mixed.regions.push(Region { cells, name: format!("MAT1 {label}"), material, axes: UNIT });
+        for (label, axes, cells) in regions.into_values() {
+            let material = match self.material(label, 0.0)? {
+                ElasticMaterial::Orthotropic(_) if self.is_lamina(label) => {
+                    return Err((0, MatrixProblem::NoCardOf { kind: "solid material", label }));
+                }
+                material => material,
+            };
+            let axes = axes.map(|axis| self.given.placement.turned(axis));
+            let name = self.name_of("MAT1", label);
+            self.mixed.regions.push(Region { cells, name, material, axes });
         }
         Ok(())
+    }
+
+    /// Whether a material has constants of a ply alone.
+    fn is_lamina(&self, label: u64) -> bool {
+        matches!(self.deck.materials.get(&label), Some(Stuff::Lamina { .. }))
     }
 
     pub(super) fn skins(&mut self) -> Result<(), LocatedProblem> {
@@ -50,7 +70,7 @@ impl Made {
             let reference = reference.map(|axis| self.given.placement.turned(axis));
             let layer = |layer: &Ply| -> Result<Layer, LocatedProblem> {
                 Ok(Layer {
-                    name: format!("MAT {}", layer.material),
+                    name: self.name_of("MAT", layer.material),
                     material: self.material(layer.material, spread)?,
                     thickness: length * single.unwrap_or(layer.thickness),
                     angle: (layer.angle + angle).to_radians(),
@@ -78,7 +98,7 @@ impl Made {
                 continue;
             }
             let area = area * self.given.units.length.powi(2);
-            let name = format!("MAT1 {material_label}");
+            let name = self.name_of("MAT1", material_label);
             self.mixed.bars.push(Bar { ends, kind: BarKind::Rod { area }, name, material });
         }
         Ok(())
@@ -89,7 +109,7 @@ impl Made {
         let no = (line, MatrixProblem::NoCardOf { kind: "property", label: property });
         let bending = *self.deck.of_beams.get(&property).ok_or(no)?;
         let Bending { material, area, extra, .. } = bending;
-        let name = format!("MAT1 {material}");
+        let name = self.name_of("MAT1", material);
         let material = self.isotropic(material, if area > 0.0 { extra / area } else { 0.0 })?;
         let mut ends = [self.of(labels[0], line)?, self.of(labels[1], line)?];
         let length = self.given.units.length;

@@ -4,9 +4,9 @@ use quasirigid_elements::{Coupling, Mixed, NodeLink, Strain, Weighted};
 use quasirigid_math::vec3::{add, cross, norm, scale};
 
 use super::{Made, UNIT, across, along, box_around};
+use crate::deck::{Axial, Bush, Mean, Scalar, SpringEnd, Stiff, Up};
 use crate::matrix::error::MatrixProblem;
 use crate::matrix::listed::LocatedProblem;
-use crate::nastran::model::{Bush, Mean, Scalar, SpringEnd, Stiff, Up};
 
 /// Force of a unit spring, and its moment over the size of the deck, up to which it holds nothing of the whole: the digits of cards.
 const AFLOAT: f64 = 1e-6;
@@ -35,7 +35,7 @@ impl Made {
         for index in 0..self.deck.means.len() {
             let Mean { node, components, line, .. } = self.deck.means[index];
             if components[..3] != [true; 3] {
-                self.deck.leave_out("RBE3 in some of the displacements");
+                self.deck.leave_out("means in some of the displacements");
                 continue;
             }
             let node = self.of(node, line)?;
@@ -105,9 +105,32 @@ impl Made {
             let [stiffness, damping] = law.map(|value| value * self.given.units.mass);
             self.mixed.links.push(NodeLink { nodes, strains: vec![Strain { shares, stiffness, damping }] });
         }
+        for index in 0..self.deck.axials.len() {
+            self.axial(index)?;
+        }
         for index in 0..self.deck.bushes.len() {
             self.bush(index)?;
         }
+        Ok(())
+    }
+
+    /// A spring along the line between two nodes.
+    fn axial(&mut self, index: usize) -> Result<(), LocatedProblem> {
+        let Axial { ends: labels, law, line } = self.deck.axials[index];
+        if labels.contains(&0) {
+            self.deck.leave_out("springs to the ground");
+            return Ok(());
+        }
+        let nodes = [self.of(labels[0], line)?, self.of(labels[1], line)?];
+        let between = add(self.nodes[nodes[1]], scale(-1.0, self.nodes[nodes[0]]));
+        if !(norm(between) > 0.0) {
+            self.deck.leave_out("springs along a line of no length");
+            return Ok(());
+        }
+        let [x, y, z] = scale(norm(between).recip(), between);
+        let shares = [[-x, -y, -z, 0.0, 0.0, 0.0], [x, y, z, 0.0, 0.0, 0.0]];
+        let [stiffness, damping] = law.map(|value| value * self.given.units.mass);
+        self.mixed.links.push(NodeLink { nodes, strains: vec![Strain { shares, stiffness, damping }] });
         Ok(())
     }
 
@@ -136,7 +159,7 @@ impl Made {
     }
 
     fn bush(&mut self, index: usize) -> Result<(), LocatedProblem> {
-        let Bush { property, ends: labels, up, system, share, line } = self.deck.bushes[index];
+        let Bush { property, ends: labels, up, axes, share, line } = self.deck.bushes[index];
         if labels[1] == 0 {
             self.deck.leave_out("CBUSH to the ground");
             return Ok(());
@@ -146,11 +169,8 @@ impl Made {
         let nodes = [self.of(labels[0], line)?, self.of(labels[1], line)?];
         let places = nodes.map(|node| self.nodes[node]);
         let between = add(places[1], scale(-1.0, places[0]));
-        let axes = match system {
-            Some(system) => {
-                let place = self.deck.point(labels[0], line)?.place;
-                self.deck.axes_of(system, place, line)?.map(|axis| self.given.placement.turned(axis))
-            }
+        let axes = match axes {
+            Some(axes) => axes.map(|axis| self.given.placement.turned(axis)),
             None if norm(between) > 0.0 => {
                 let first_axes = self.axes(labels[0], line)?;
                 let up = match up {

@@ -1,4 +1,4 @@
-//! Deck reader: `[[deck]]`, a finite-element model of NASTRAN with its own materials, sections, bodies, links and rigid elements.
+//! Deck reader: `[[deck]]`, a finite-element model of NASTRAN, Abaqus or CalculiX with its own materials, sections, bodies, links and rigid elements.
 //! Units are those of the deck, whose cards have none; what is left out is counted and told first.
 //! Equations (K1), (K2) and (I11), docs/theory.
 
@@ -14,26 +14,45 @@ use quasirigid_elements::{ElasticMaterial, Material, Mixed, Orthotropic, Part, P
 use quasirigid_math::vec3::{add, dot, scale};
 use quasirigid_mesh::Cell;
 
-use super::super::key::{Key, Keys, TEXT, key};
+use super::super::key::{Key, Keys, TEXT, key, quantity};
 use super::super::reader::{NAME, Reader, Sources};
 use super::super::rheology::{Extremes, RHEOLOGY, Scale, rheology};
 use super::super::table::Table;
 use super::nodal::{LENGTH_UNIT, MASS_UNIT, Units};
 use super::placed::{ATTITUDE, POSITION, Placement, placement};
 use super::{ATTACH, MASSES, Nodes, RAYLEIGH, Read, attached, masses, rayleigh};
+use crate::deck::{Cells, DeckModel, Stuff};
 use crate::matrix::error::MatrixProblem;
 use crate::matrix::listed::LocatedProblem;
-use crate::nastran::model::{Cells, DeckModel, Stuff};
 use crate::text_file::{FileError, bytes_of};
+use crate::units::Dimension;
+use crate::{inp, nastran};
 
-pub(in crate::model) const READER: Reader =
-    Reader::of_parts("deck", "[[deck]]", "finite-element model of NASTRAN", &DECK, |entry, draft| {
-        draft.part(entry, deck(entry.table, entry.name, draft.sources))
-    });
+pub(in crate::model) const READER: Reader = Reader::of_parts(
+    "deck",
+    "[[deck]]",
+    "finite-element model of NASTRAN, Abaqus or CalculiX",
+    &DECK,
+    |entry, draft| draft.part(entry, deck(entry.table, entry.name, draft.sources)),
+);
 
-const FILE: Key = key("file", TEXT, "bulk data of NASTRAN, with its materials and sections");
+const FILE: Key =
+    key("file", TEXT, "bulk data of NASTRAN, `.inp` of Abaqus or CalculiX, with materials and sections");
+const DENSITY: Key = key("density", quantity("kg/m³"), "of materials without one");
 const DECK: Keys = Keys {
-    known: &[NAME, FILE, LENGTH_UNIT, MASS_UNIT, POSITION, ATTITUDE, RHEOLOGY, MASSES, ATTACH, RAYLEIGH],
+    known: &[
+        NAME,
+        FILE,
+        LENGTH_UNIT,
+        MASS_UNIT,
+        DENSITY,
+        POSITION,
+        ATTITUDE,
+        RHEOLOGY,
+        MASSES,
+        ATTACH,
+        RAYLEIGH,
+    ],
 };
 
 /// Largest deck (bytes).
@@ -43,6 +62,7 @@ const MAX_FILE: u64 = 4 * 1024 * 1024 * 1024;
 pub(super) fn deck(table: &Table<'_>, name: &str, sources: Sources<'_, '_>) -> Option<Read> {
     let (units, placement, damping) = (Units::new(table), placement(table), rayleigh(table));
     let known = table.get("rheology").map(|_| rheology(table, Scale::OF_SPRING));
+    let density = table.read_or("density", None, |value| value.positive(Dimension::DENSITY).map(Some));
     let value = table.required("file", "file = \"satellite.bdf\"")?;
     let path = sources.folder.join(value.text()?);
     let refuse = |error: FileError<MatrixProblem>| {
@@ -62,7 +82,7 @@ pub(super) fn deck(table: &Table<'_>, name: &str, sources: Sources<'_, '_>) -> O
         Err(fault) => return refuse(model.located(fault)),
     };
     let rheology = known.as_ref().map(|known| known.rheology.clone());
-    let mut made = Made::new(model, cells, Given { units, placement, rheology });
+    let mut made = Made::new(model, cells, Given { units, placement, density: density?, rheology });
     let built = made.build().and_then(|()| made.is_body());
     if let Err(fault) = built {
         return refuse(made.deck.located(fault));
@@ -82,13 +102,30 @@ pub(super) fn deck(table: &Table<'_>, name: &str, sources: Sources<'_, '_>) -> O
 }
 
 fn read(path: &Path) -> Result<DeckModel, FileError<MatrixProblem>> {
-    DeckModel::read(path, &bytes_of::<MatrixProblem>(path, MAX_FILE)?)
+    model_of(path, &bytes_of::<MatrixProblem>(path, MAX_FILE)?)
+}
+
+fn model_of(path: &Path, bytes: &[u8]) -> Result<DeckModel, FileError<MatrixProblem>> {
+    if inp::is_inp(bytes) { inp::read(path, bytes) } else { nastran::model::read(path, bytes) }
+}
+
+/// What the deck in the bytes of a file has that is left out or changed, in words.
+///
+/// # Errors
+/// Those of the readers of decks.
+#[doc(hidden)]
+pub fn deck_notes(path: &Path, bytes: &[u8]) -> Result<Vec<String>, FileError<MatrixProblem>> {
+    let model = model_of(path, bytes)?;
+    let cells = model.cells().map_err(|fault| model.located(fault))?;
+    Ok(model.notes().into_iter().chain(cells.notes()).collect())
 }
 
 /// Units and place of a deck, and the rheology of its materials where the model gives it.
 struct Given {
     units: Units,
     placement: Placement,
+    /// Density (kg/m³) of materials without one.
+    density: Option<f64>,
     rheology: Option<Rheology>,
 }
 
@@ -159,8 +196,13 @@ impl Made {
         Ok(axes.map(|axis| self.given.placement.turned(axis)))
     }
 
-    /// Density (kg/m³) of one in the deck.
-    fn density(&self, density: f64) -> f64 {
+    /// Density (kg/m³) of a material of the deck, with mass per volume beside its own.
+    fn density(&self, density: f64, extra: f64) -> f64 {
+        let own = self.given.density.filter(|_| density == 0.0).unwrap_or_else(|| self.in_kilograms(density));
+        own + self.in_kilograms(extra)
+    }
+
+    fn in_kilograms(&self, density: f64) -> f64 {
         density * self.deck.mass_factor * self.given.units.mass / self.given.units.length.powi(3)
     }
 
@@ -179,14 +221,23 @@ impl Made {
         };
         Ok(match *stuff {
             Stuff::Isotropic { young, poisson, density, loss } => ElasticMaterial::Isotropic(Material {
-                density: self.density(density + extra),
+                density: self.density(density, extra),
                 young: modulus * young,
                 poisson,
                 rheology: law(loss),
             }),
+            Stuff::Orthotropic { young, poisson, shear, density, loss } => {
+                ElasticMaterial::Orthotropic(Orthotropic {
+                    density: self.density(density, extra),
+                    young: young.map(|young| modulus * young),
+                    poisson,
+                    shear: shear.map(|shear| modulus * shear),
+                    rheology: law(loss),
+                })
+            }
             Stuff::Lamina { young: [e1, e2], poisson, shear: [g12, g13, g23], density, loss } => {
                 ElasticMaterial::Orthotropic(Orthotropic {
-                    density: self.density(density + extra),
+                    density: self.density(density, extra),
                     young: [e1, e2, e2].map(|young| modulus * young),
                     poisson: [poisson, poisson, 0.0],
                     shear: [g12, g13, g23].map(|shear| modulus * shear),
@@ -194,6 +245,11 @@ impl Made {
                 })
             }
         })
+    }
+
+    /// Name of a material: its own, or its number after the kind of its card.
+    fn name_of(&self, kind: &str, label: u64) -> String {
+        self.deck.names.get(&label).cloned().unwrap_or_else(|| format!("{kind} {label}"))
     }
 
     fn isotropic(&self, label: u64, extra: f64) -> Result<Material, LocatedProblem> {

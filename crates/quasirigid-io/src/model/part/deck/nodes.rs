@@ -8,9 +8,9 @@ use quasirigid_mesh::{Cell, Mesh, Shape};
 
 use super::super::super::table::Table;
 use super::{Made, UNIT, box_around};
+use crate::deck::Tip;
 use crate::matrix::error::MatrixProblem;
 use crate::matrix::listed::LocatedProblem;
-use crate::nastran::model::Tip;
 
 impl Made {
     /// Bodies, which need nodes that something holds.
@@ -80,13 +80,13 @@ impl Made {
         let mut kept = Vec::new();
         for mut body in bodies {
             if !used[body.node] || !(body.mass > 0.0) {
-                let what = if used[body.node] { "CONM2 without mass" } else { "CONM2 that nothing holds" };
+                let what = if used[body.node] { "bodies without mass" } else { "bodies that nothing holds" };
                 self.deck.leave_out(what);
                 continue;
             }
             if !turned[body.node] && (body.offset != [0.0; 3] || body.inertia != [[0.0; 3]; 3]) {
                 self.deck
-                    .simplify("CONM2 on points without rotations have no offset and no moments of inertia");
+                    .simplify("bodies at points without rotations have no offset and no moments of inertia");
                 (body.offset, body.inertia) = ([0.0; 3], [[0.0; 3]; 3]);
             }
             kept.push(body);
@@ -160,6 +160,11 @@ impl Made {
     pub(super) fn notes(&mut self, table: &Table<'_>) -> Vec<String> {
         let mut notes = self.deck.notes();
         notes.append(&mut self.notes);
+        let stuffs = self.deck.materials.values();
+        let light = stuffs.filter(|stuff| stuff.density() == 0.0).count();
+        if let Some(density) = self.given.density.filter(|_| light > 0) {
+            notes.push(format!("materials without a density have {density} kg/m³ of `density` ({light})"));
+        }
         if self.deck.mass_factor != 1.0 {
             notes.push(format!("masses are multiplied by PARAM,WTMASS = {}", self.deck.mass_factor));
         }

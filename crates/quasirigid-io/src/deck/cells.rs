@@ -30,12 +30,22 @@ pub(crate) struct Cells {
     divided: usize,
 }
 
-/// Edges of a solid: corners of each, in the order of NASTRAN's middles.
+/// Edges of a solid: corners of each, in the order of its shape; of a pyramid those of the base, then the upright ones.
 const TET: &[[usize; 2]] = &[[0, 1], [1, 2], [2, 0], [0, 3], [1, 3], [2, 3]];
-const WEDGE: &[[usize; 2]] = &[[0, 1], [1, 2], [2, 0], [0, 3], [1, 4], [2, 5], [3, 4], [4, 5], [5, 3]];
+const WEDGE: &[[usize; 2]] = &[[0, 1], [1, 2], [2, 0], [3, 4], [4, 5], [5, 3], [0, 3], [1, 4], [2, 5]];
 const HEX: &[[usize; 2]] =
-    &[[0, 1], [1, 2], [2, 3], [3, 0], [0, 4], [1, 5], [2, 6], [3, 7], [4, 5], [5, 6], [6, 7], [7, 4]];
+    &[[0, 1], [1, 2], [2, 3], [3, 0], [4, 5], [5, 6], [6, 7], [7, 4], [0, 4], [1, 5], [2, 6], [3, 7]];
 const PYRAMID: &[[usize; 2]] = &[[0, 1], [1, 2], [2, 3], [3, 0], [0, 4], [1, 4], [2, 4], [3, 4]];
+
+/// Edges of a solid of so many corners, in the order of its shape.
+pub(crate) fn edges(corners: usize) -> &'static [[usize; 2]] {
+    match corners {
+        4 => TET,
+        5 => PYRAMID,
+        6 => WEDGE,
+        _ => HEX,
+    }
+}
 
 impl DeckModel {
     /// The grid points, solids, plates and lines of the deck.
@@ -149,27 +159,26 @@ impl Cells {
     }
 
     fn solid(&mut self, solid: &Solid) -> Result<(), LocatedProblem> {
-        let edges = match solid.corners {
-            4 => TET,
-            5 => PYRAMID,
-            6 => WEDGE,
-            _ => HEX,
-        };
-        let (corners, middles) = self.all(&solid.nodes, solid.corners, edges, solid.line)?;
+        if solid.nodes.len() == Shape::Hex27.nodes() {
+            let known = |node: &u64| self.of(*node, solid.line);
+            let nodes = solid.nodes.iter().map(known).collect::<Result<Vec<_>, _>>()?;
+            self.add(solid.label, Shape::Hex27, &nodes);
+            return Ok(());
+        }
+        let (corners, middles) = self.all(&solid.nodes, solid.corners, edges(solid.corners), solid.line)?;
         if solid.corners == 5 {
             self.pyramid(solid, &corners, &middles);
             return Ok(());
         }
-        let (shape, order): (Shape, &[usize]) = match (solid.corners, middles.is_empty()) {
-            (4, true) => (Shape::Tet4, &[]),
-            (4, false) => (Shape::Tet10, &[0, 1, 2, 3, 4, 5]),
-            (6, true) => (Shape::Wedge6, &[]),
-            (6, false) => (Shape::Wedge15, &[0, 1, 2, 6, 7, 8, 3, 4, 5]),
-            (_, true) => (Shape::Hex8, &[]),
-            (_, false) => (Shape::Hex20, &[0, 1, 2, 3, 8, 9, 10, 11, 4, 5, 6, 7]),
+        let shape = match (solid.corners, middles.is_empty()) {
+            (4, true) => Shape::Tet4,
+            (4, false) => Shape::Tet10,
+            (6, true) => Shape::Wedge6,
+            (6, false) => Shape::Wedge15,
+            (_, true) => Shape::Hex8,
+            (_, false) => Shape::Hex20,
         };
-        let nodes: Vec<usize> =
-            corners.into_iter().chain(order.iter().map(|middle| middles[*middle])).collect();
+        let nodes: Vec<usize> = corners.into_iter().chain(middles).collect();
         self.add(solid.label, shape, &nodes);
         Ok(())
     }

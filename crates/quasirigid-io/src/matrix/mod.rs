@@ -14,6 +14,7 @@ mod market;
 mod nastran;
 mod nodes;
 mod numpy;
+mod op2;
 mod op4;
 mod row;
 pub(crate) mod text;
@@ -60,8 +61,12 @@ pub struct MatrixFile {
 ///   labels are the points and components that occur, and those of the rows alone where the form is 2 or 9.
 /// - NASTRAN `OUTPUT4`, as text or binary of either byte order in words of 32 or 64 bits: real, dense or sparse, with or
 ///   without `BIGMAT`.
+/// - NASTRAN `OUTPUT2`, in words of 32 or 64 bits and either byte order: its matrices by their names, real. Rows of a matrix between all
+///   degrees of freedom are named by `EQEXIN`.
+/// - Real modes of NASTRAN in `OUTPUT2`, in a print file (`.f06`) or a punch file (`.pch`), of the first subcase that has some:
+///   `FREQUENCIES`, a column of angular frequencies (rad/s), and `SHAPES`, with a column for each mode.
 ///
-/// `name` says which of several matrices; it must be given where a `.npz`, `DMIG` or `OUTPUT4` file has more than
+/// `name` says which of several matrices; it must be given where a `.npz`, `DMIG`, `OUTPUT2` or `OUTPUT4` file has more than
 /// one. Upper and lower case are the same in names of NASTRAN.
 ///
 /// # Errors
@@ -88,6 +93,8 @@ pub fn matrix_of(file: &Path, bytes: &[u8], name: Option<&str>) -> Result<Matrix
         (Format::Npz, name) => numpy::read_archive(bytes, name),
         (Format::Dmig, name) => nastran::read_dmig(bytes, name),
         (Format::Op4Text, name) => op4::read_text(bytes, name),
+        (Format::Op2, name) => op2::read(bytes, name),
+        (Format::Printed, name) => op2::read_printed(bytes, name),
         (Format::Op4Binary { big_endian }, name) => op4::read_binary(bytes, big_endian, name),
     };
     read().map_err(FileError::new(file))

@@ -5,6 +5,7 @@ use std::borrow::Cow;
 use std::path::{Component, Path, PathBuf};
 
 use super::bulk::bulk_lines;
+use super::op2::{self, Bulk};
 use crate::matrix::error::{MatrixError, MatrixProblem};
 use crate::matrix::listed::LocatedProblem;
 use crate::text_file::{FileError, Place, bytes_of};
@@ -20,6 +21,8 @@ pub(crate) struct Deck {
     sources: Vec<(PathBuf, String)>,
     /// Runs of lines in the order in which they are read.
     runs: Vec<Run>,
+    /// Byte from which each line comes, of a file that is no text.
+    bytes: Vec<usize>,
 }
 
 /// Lines of a file that follow each other.
@@ -38,15 +41,26 @@ impl Deck {
     /// # Errors
     /// [`MatrixError`] for a file that cannot be read, lies elsewhere or is included too deep.
     pub fn read(file: &Path, bytes: &[u8]) -> Result<Self, MatrixError> {
+        if op2::Layout::of(bytes).is_some() {
+            return Self::of_geometry(file, bytes);
+        }
         let folder = file.parent().unwrap_or(Path::new("")).to_owned();
         let mut reader = Reader {
             folder,
-            deck: Self { sources: Vec::new(), runs: Vec::new() },
+            deck: Self::default(),
             next: 1,
             size: bytes.len() as u64,
         };
         reader.include(file.to_owned(), text_of(bytes), 0)?;
         Ok(reader.deck)
+    }
+
+    /// The geometry of an OUTPUT2 file as a deck.
+    fn of_geometry(file: &Path, bytes: &[u8]) -> Result<Self, MatrixError> {
+        let located = |(byte, problem)| FileError::new(file)((Place::Byte(byte), problem));
+        let Bulk { text, places } = op2::bulk(bytes).map_err(located)?;
+        let run = Run { source: 0, bytes: [0, text.len()], lines: [1, 1] };
+        Ok(Self { sources: vec![(file.to_owned(), text)], runs: vec![run], bytes: places })
     }
 
     /// Lines of the bulk data with their numbers among all, without comments.
@@ -79,6 +93,10 @@ impl Deck {
     pub fn located(&self, (line, problem): LocatedProblem) -> MatrixError {
         if let (0, Some((file, _))) = (line, self.sources.first()) {
             return MatrixError { file: file.clone(), place: Place::File, problem };
+        }
+        if let Some(byte) = line.checked_sub(1).and_then(|line| self.bytes.get(line)) {
+            let file = self.sources.first().map_or_else(PathBuf::new, |(file, _)| file.clone());
+            return MatrixError { file, place: Place::Byte(*byte), problem };
         }
         let run = self.runs.partition_point(|run| run.lines[1] <= line).saturating_sub(1);
         let Some(run) = self.runs.get(run) else {

@@ -14,6 +14,7 @@ use quasirigid_mesh::Mesh;
 
 use super::error::{Fault, MeshError, MeshProblem, Part, Place};
 use super::file::MAX_FILE;
+use crate::nastran::op2;
 use crate::text_file::{FileError, bytes_of, kind_of};
 pub use problem::VolumeProblem;
 
@@ -101,6 +102,7 @@ impl Format {
         let beginning = bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes).trim_ascii_start();
         match beginning {
             [] => Err((Place::File, MeshProblem::Empty)),
+            _ if op2::Layout::of(bytes).is_some() => Ok(Self::Nastran),
             _ if is_deck(file, beginning) => Ok(Self::Nastran),
             [b'$', ..] => Ok(Self::Gmsh),
             [b'*', ..] => Ok(Self::Abaqus),

@@ -41,6 +41,8 @@ pub(crate) struct Plate {
 pub(crate) enum Up {
     /// Along the axes of the displacements of the first end.
     Vector([f64; 3]),
+    /// Along the axes of the basic system.
+    Basic([f64; 3]),
     /// Towards a grid point.
     Point(u64),
 }
@@ -231,7 +233,10 @@ impl DeckModel {
         if [18, 19].iter().any(|number| !matches!(card.field(*number).text, "" | "0")) {
             self.simplify("warping of beams is left out");
         }
-        let up = up(card, 6)?;
+        let up = match up(card, 6)? {
+            Some(Up::Vector(vector)) if coordinates.starts_with(['B', 'b']) => Some(Up::Basic(vector)),
+            up => up,
+        };
         self.beams.push(Line { label, property, ends, up, offsets, released, line: card.line });
         Ok(())
     }

@@ -19,6 +19,10 @@ pub(super) struct Draft {
     node_of: HashMap<u64, usize>,
     cells: Vec<Cell>,
     cell_of: HashMap<u64, usize>,
+    /// Greatest number of a node.
+    last_node: u64,
+    /// Nodes that were put in the middles of diagonals.
+    middles: HashMap<[u64; 2], u64>,
     pub(super) sets: Sets,
 }
 
@@ -29,6 +33,7 @@ impl Draft {
         insert(&mut self.node_of, Part::Nodes, label, self.nodes.len())?;
         self.nodes.push(place);
         self.node_labels.push(label);
+        self.last_node = self.last_node.max(label);
         Ok(self.nodes.len() - 1)
     }
 
@@ -40,6 +45,51 @@ impl Draft {
         insert(&mut self.cell_of, Part::Cells, label, self.cells.len())?;
         self.cells.push(Cell { label, shape, nodes });
         Ok(self.cells.len() - 1)
+    }
+
+    /// Adds a pyramid as two tetrahedra on the diagonal of its base from the least label, so that two cells on one face agree; of 13 nodes with
+    /// the middle of that diagonal, put where the base has it. Returns their indices. The first half has the number of the pyramid.
+    pub(super) fn add_pyramid(
+        &mut self,
+        [label, second]: [u64; 2],
+        nodes: &[u64],
+    ) -> Result<Vec<usize>, MeshProblem> {
+        let least = (0..4).min_by_key(|corner| nodes[*corner]).unwrap_or(0);
+        let at = |corner: usize| (least + corner) % 4;
+        let [a, b, c, d] = [0, 1, 2, 3].map(|corner| nodes[at(corner)]);
+        let top = nodes[4];
+        let halves = if nodes.len() == 5 {
+            [vec![a, b, c, top], vec![a, c, d, top]]
+        } else {
+            let middle = self.middle_of_base(label, nodes, [a.min(c), a.max(c)])?;
+            let (side, up) = (|corner: usize| nodes[5 + at(corner)], |corner: usize| nodes[9 + at(corner)]);
+            [
+                vec![a, b, c, top, side(0), side(1), middle, up(0), up(1), up(2)],
+                vec![a, c, d, top, middle, side(2), side(3), up(0), up(2), up(3)],
+            ]
+        };
+        let shape = if nodes.len() == 5 { Shape::Tet4 } else { Shape::Tet10 };
+        let first = self.add_cell(label, shape, &halves[0])?;
+        let second = self.add_cell(second, shape, &halves[1])?;
+        Ok(vec![first, second])
+    }
+
+    /// The node in the middle of the base of a pyramid, which the cell on the other side shares.
+    fn middle_of_base(&mut self, cell: u64, nodes: &[u64], diagonal: [u64; 2]) -> Result<u64, MeshProblem> {
+        if let Some(known) = self.middles.get(&diagonal) {
+            return Ok(*known);
+        }
+        let mut place = [0.0; 3];
+        for (nodes, share) in [(&nodes[..4], -0.25), (&nodes[5..9], 0.5)] {
+            for node in nodes {
+                let index = self.node(*node).ok_or(VolumeProblem::NoSuchNode { cell, node: *node })?;
+                place = [0, 1, 2].map(|axis| place[axis] + share * self.nodes[index][axis]);
+            }
+        }
+        let label = self.last_node.saturating_add(1);
+        self.add_node(label, place)?;
+        self.middles.insert(diagonal, label);
+        Ok(label)
     }
 
     /// Index of the node with this number.

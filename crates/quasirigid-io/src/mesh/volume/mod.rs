@@ -1,8 +1,12 @@
-//! Meshes of cells from files: gmsh, VTK, Abaqus and NASTRAN.
+//! Meshes of cells from files: gmsh, VTK, Abaqus, NASTRAN, Exodus and MED.
 
 mod abaqus;
+mod arrays;
 mod draft;
+mod exodus;
 mod gmsh;
+mod kinds;
+mod med;
 mod nastran;
 mod problem;
 mod sets;
@@ -16,6 +20,7 @@ use super::error::{Fault, MeshError, MeshProblem, Part, Place};
 use super::file::MAX_FILE;
 use crate::nastran::op2;
 use crate::text_file::{FileError, bytes_of, kind_of};
+use arrays::{Container, Hdf5, NetCdf};
 pub use problem::VolumeProblem;
 
 /// Reads the nodes, cells and sets of a file, whose beginning tells the format.
@@ -31,7 +36,10 @@ pub use problem::VolumeProblem;
 ///   them, and both before the sets. Of a range, a set has what exists.
 ///
 /// - NASTRAN bulk data: solids, plates and lines between grid points in whatever coordinate systems, with `INCLUDE` of files in the
-///   folder of the first one or below it. The cells of each property are a set, by its number.
+///   folder of the first one or below it, or the geometry of an `OUTPUT2` file. The cells of each property are a set, by its number.
+/// - Exodus II, in classic netCDF or netCDF-4. Each block of elements is a set of cells and each set of nodes one of nodes, by its name, or
+///   by its number, with `ns` before that of nodes.
+/// - MED 3 and 4 of Salome and Code_Aster. Each group of cells or nodes is a set.
 ///
 /// Cells are segments, triangles, quadrilaterals, tetrahedra, wedges and hexahedra, of first or second order, and
 /// come out in the node order of [`Shape`](quasirigid_mesh::Shape); cells of one node are left out. Numbers
@@ -75,6 +83,7 @@ pub fn mesh_of(file: &Path, bytes: &[u8]) -> Result<Mesh, MeshError> {
 pub fn volume_of(file: &Path, bytes: &[u8]) -> Result<VolumeFile, MeshError> {
     let named = FileError::new(file);
     let (mesh, notes) = match Format::of(file, bytes).map_err(named)? {
+        Format::Container(container) => of_container(container, bytes).map_err(named)?,
         Format::Gmsh => (gmsh::read(bytes).map_err(named)?, Vec::new()),
         Format::VtkLegacy => (vtk::read_legacy(bytes).map_err(named)?, Vec::new()),
         Format::VtkXml => (vtk::read_xml(bytes).map_err(named)?, Vec::new()),
@@ -87,9 +96,28 @@ pub fn volume_of(file: &Path, bytes: &[u8]) -> Result<VolumeFile, MeshError> {
     Ok(VolumeFile { mesh, notes })
 }
 
+/// The mesh of Exodus or MED in a container.
+fn of_container(container: Container, bytes: &[u8]) -> Result<(Mesh, Vec<String>), Fault> {
+    let nothing =
+        |container: &'static str| (Place::File, VolumeProblem::NoMeshInside { container }.into());
+    if container == Container::NetCdf {
+        let file = NetCdf::read(bytes)?;
+        return if exodus::is_mesh(&file) { exodus::read(&file) } else { Err(nothing("netCDF")) };
+    }
+    let file = Hdf5::read(bytes)?;
+    if med::is_mesh(&file) {
+        med::read(&file)
+    } else if exodus::is_mesh(&file) {
+        exodus::read(&file)
+    } else {
+        Err(nothing("HDF5"))
+    }
+}
+
 /// Format of a mesh file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Format {
+    Container(Container),
     Gmsh,
     VtkLegacy,
     VtkXml,
@@ -99,6 +127,9 @@ enum Format {
 
 impl Format {
     fn of(file: &Path, bytes: &[u8]) -> Result<Self, Fault> {
+        if let Some(container) = Container::of(bytes) {
+            return Ok(Self::Container(container));
+        }
         let beginning = bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes).trim_ascii_start();
         match beginning {
             [] => Err((Place::File, MeshProblem::Empty)),

@@ -5,6 +5,7 @@ use std::fmt::Write;
 
 use super::tape::{Block, Tape};
 use super::words::Words;
+use super::layouts::ANALYSIS;
 use super::{directions, entries, lists};
 use crate::matrix::error::MatrixProblem;
 use crate::matrix::listed::LocatedProblem;
@@ -47,6 +48,7 @@ pub(crate) fn bulk(bytes: &[u8]) -> Result<Bulk, LocatedProblem> {
     for names in BLOCKS {
         if let Some(block) = tape.block(names) {
             bulk.block(&tape, block);
+            bulk.others(&tape, block);
         }
     }
     if bulk.text.is_empty() {
@@ -70,6 +72,18 @@ impl Bulk {
         }
     }
 
+    /// Counts the blocks of the name of one that have something else: superelements, or the model of another step.
+    fn others(&mut self, tape: &Tape, block: &Block) {
+        let same = |other: &&Block| other.names[0] == block.names[0] && other.at != block.at;
+        for other in tape.blocks.iter().filter(same) {
+            let alike = other.records.len() == block.records.len()
+                && other.records.iter().zip(&block.records).all(|(a, b)| tape.words(a).same(&tape.words(b)));
+            if !alike {
+                self.card(&other.names[0], other.at, &[]);
+            }
+        }
+    }
+
     /// A record: three words that tell the kind, then its entries.
     fn record(&mut self, words: &Words) {
         let (Some(a), Some(b), Some(c)) = (words.integer(0), words.integer(1), words.integer(2)) else {
@@ -80,7 +94,7 @@ impl Bulk {
         let known = directions::take(self, kind, words)
             || lists::take(self, kind, words)
             || entries::take(self, kind, words);
-        if !known && a > 0 && a < 65_535 && words.len() > 3 {
+        if !known && a > 0 && a < 65_535 && words.len() > 3 && !ANALYSIS.contains(&a) {
             self.card(&format!("REC{a}"), words.at, &[]);
         }
     }

@@ -4,8 +4,10 @@ use super::bulk::{Bulk, Field};
 use super::layouts::{COUNTED, LAYOUTS};
 use super::words::Words;
 
-/// Greatest number of a grid point, an element or a property; the words of a real number are above it as integers.
-const LAST: i64 = 600_000_000;
+/// Greatest numbers of elements and properties, some of which NASTRAN makes, and of other things; as integers, real numbers are above.
+const LAST: [i64; 2] = [1_010_000_000, 600_000_000];
+/// A real number that stands for a blank field, within what is left of its digits.
+const BLANK: [f64; 2] = [1.7368e-18, 1e-22];
 /// Numbers from which on NASTRAN makes materials of its own for layers.
 const MADE: i64 = 100_000_000;
 
@@ -60,8 +62,8 @@ fn fits(layout: &str, words: &Words) -> bool {
         let mut at = 3 + entry * length;
         layout.chars().all(|letter| {
             let possible = match letter {
-                'i' => words.integer(at).is_some_and(|value| (-1..=LAST).contains(&value)),
-                'z' => words.integer(at).is_some_and(|value| (-1..=LAST).contains(&value)),
+                'i' => words.integer(at).is_some_and(|value| (-1..=LAST[0]).contains(&value)),
+                'z' => words.integer(at).is_some_and(|value| (-1..=LAST[1]).contains(&value)),
                 'r' | 't' | 'm' => words.real(at).is_some_and(ordinary),
                 'd' => words.double(at).is_some_and(ordinary),
                 _ => true,
@@ -108,6 +110,10 @@ fn field(letter: char, words: &Words, at: &mut usize) -> Option<Field<'static>> 
 
 /// A real number of one word, as short as it may be written.
 pub(super) fn real(words: &Words, place: usize) -> Option<Field<'static>> {
+    let [blank, within] = BLANK;
+    if (words.real(place)?.abs() - blank).abs() < within {
+        return Some(Field::Blank);
+    }
     if words.is_long() {
         return words.double(place).map(Field::Double);
     }

@@ -22,6 +22,7 @@ pub(super) const LAYOUTS: &[Layouts] = &[
     ([5959, 59, 282], "CTRIA3", &["iizzzmr__xxzttt", "iizzzmr__xxztttx"]),
     ([9200, 92, 385], "CTRIAR", &["iizzzmr__xxzttt", "iizzzmr__xxztttx"]),
     ([2958, 51, 177], "CQUAD4", &["iizzzzmr_xztttt", "iizzzzmr_xzttttx"]),
+    ([15401, 154, 9954], "CQUADR", &["iizzzzmr_xztttt"]),
     ([8009, 80, 367], "CQUADR", &["iizzzzmr_xztttt", "iizzzzmr_xzttttx"]),
     ([4801, 48, 327], "CTRIA6", &["iizzzzzzmrtttz", "iizzzzzzmrtttzx", "iizzzzzzmrttt"]),
     ([4701, 47, 326], "CQUAD8", &["iizzzzzzzzttttmrz", "iizzzzzzzzttttmrzx", "iizzzzzzzzttttmr"]),
@@ -54,6 +55,13 @@ pub(super) const LAYOUTS: &[Layouts] = &[
 
 /// Kind, card and words of an entry, 0 where they vary, of what decks do not carry either.
 pub(super) const COUNTED: &[([i64; 3], &str, usize)] = &[
+    ([7409, 74, 9991], "CHEXPR", 22),
+    ([7509, 75, 9992], "CPENPR", 17),
+    ([7609, 76, 9993], "CTETPR", 12),
+    ([7708, 77, 9944], "CHEXAL", 0),
+    ([7108, 71, 9943], "CPENTAL", 0),
+    ([6108, 61, 107], "CTRIAX6", 11),
+    ([4301, 43, 28], "GENEL", 0),
     ([3101, 31, 61], "CSHEAR", 6),
     ([3901, 39, 50], "CVISC", 4),
     ([1908, 19, 104], "CGAP", 9),
@@ -74,6 +82,11 @@ pub(super) const COUNTED: &[([i64; 3], &str, usize)] = &[
     ([4901, 49, 17], "MPC", 0),
     ([5501, 55, 16], "SPC", 0),
     ([5481, 58, 12], "SPC1", 0),
+    ([5491, 59, 13], "SPCADD", 0),
+    ([2502, 25, 248], "PBEND", 0),
+    ([1802, 18, 31], "PVISC", 3),
+    ([1302, 13, 34], "PELAST", 4),
+    ([16006, 160, 903], "PCOMPS", 0),
     ([6801, 68, 294], "RBE1", 0),
     ([6501, 65, 291], "RROD", 0),
     ([6701, 67, 293], "RTRPLT", 0),
@@ -83,3 +96,7 @@ pub(super) const COUNTED: &[([i64; 3], &str, usize)] = &[
     ([2603, 26, 300], "MAT9", 0),
     ([2801, 28, 365], "MAT10", 5),
 ];
+
+/// First words of the kinds of records that say nothing of the body: points and lines to plot, supports, tables of the solver.
+pub(super) const ANALYSIS: [i64; 12] =
+    [5551, 5201, 2010, 3003, 3103, 5110, 5561, 10100, 503, 1427, 927, 827];

@@ -19,6 +19,7 @@ pub(super) fn take(bulk: &mut Bulk, kind: [i64; 3], words: &Words) -> bool {
         [6901, 69, 295] => follow(bulk, words),
         [7101, 71, 187] => mean(bulk, words),
         [2706, 27, 287] => layers(bulk, words),
+        [15006, 150, 604] => numbered_layers(bulk, words),
         [9102, 91, 52] => library(bulk, words, "PBARL"),
         [9202, 92, 53] => library(bulk, words, "PBEAML"),
         [5402, 54, 262] => beams(bulk, words),
@@ -102,6 +103,25 @@ fn layers(bulk: &mut Bulk, words: &Words) {
             at += 4;
         }
         bulk.card("PCOMP", words.at, &fields);
+    }
+}
+
+/// PID, options, Z0, NSM, SB, FT, TREF, GE; of each layer its number, MID, T, THETA, SOUT up to five times -1.
+fn numbered_layers(bulk: &mut Bulk, words: &Words) {
+    let mut at = 3;
+    while at + 8 < words.len() {
+        let integer = |place: usize| words.integer(place).map_or(Field::Blank, Field::Integer);
+        let number = |place: usize| real(words, place).unwrap_or(Field::Blank);
+        let mut fields = vec![integer(at), number(at + 2), number(at + 3)];
+        fields.extend([Field::Blank; 5]);
+        at += 8;
+        while words.integer(at).is_some_and(|layer| layer != -1) {
+            fields.extend([integer(at), integer(at + 1), number(at + 2), number(at + 3)]);
+            fields.extend([Field::Blank; 4]);
+            at += 5;
+        }
+        bulk.card("PCOMPG", words.at, &fields);
+        at += 5;
     }
 }
 

@@ -30,6 +30,11 @@ impl<'a> Words<'a> {
         self.bytes.len() / self.layout.width()
     }
 
+    /// Whether both have the same bytes.
+    pub fn same(&self, other: &Words<'_>) -> bool {
+        self.bytes == other.bytes
+    }
+
     pub fn is_long(&self) -> bool {
         self.layout.long
     }
@@ -56,11 +61,21 @@ impl<'a> Words<'a> {
         self.chunk(place).map(f64::from_le_bytes)
     }
 
-    /// Letters in so many words, four to a word, without blanks around them.
+    /// Letters in so many words, four to a word, without blanks around them; some files have all of a long word in the first.
     pub fn letters(&self, place: usize, count: usize) -> String {
         let width = self.layout.width();
-        let word = |word: usize| self.bytes.get(word * width..word * width + 4).unwrap_or_default();
-        let letters: Vec<u8> = (place..place + count).flat_map(word).copied().collect();
+        let part = |word: usize, length: usize| {
+            self.bytes.get(word * width..word * width + length).unwrap_or_default()
+        };
+        let blank = |letters: &[u8]| letters.iter().all(|letter| matches!(letter, b' ' | 0));
+        let together = self.layout.long
+            && part(place, 8).get(4..).is_some_and(|rest| !blank(rest))
+            && blank(part(place + 1, 4));
+        let letters: Vec<u8> = if together {
+            part(place, 8).to_vec()
+        } else {
+            (place..place + count).flat_map(|word| part(word, 4)).copied().collect()
+        };
         String::from_utf8_lossy(&letters).trim_matches(['\0', ' ']).to_owned()
     }
 

@@ -458,7 +458,9 @@ pub enum MatrixProblem {
         names: Vec<String>,
     },
     /// A table of modes of which no column can be made.
-    #[error("the file has no table of real modes; print or punch the eigenvalues and eigenvectors of SOL 103")]
+    #[error(
+        "the file has no table of real modes; print or punch the eigenvalues and eigenvectors of SOL 103"
+    )]
     NoModes,
     /// A component that does not exist.
     #[error("component {found}; 1 to 3 are displacements and 4 to 6 rotations")]

@@ -19,7 +19,9 @@ pub(super) enum Format {
     Harwell,
     Dmig,
     Op4Text,
-    Op4Binary { big_endian: bool },
+    Op4Binary {
+        big_endian: bool,
+    },
     Op2,
     /// A print file or a punch file with modes.
     Printed,

@@ -21,6 +21,7 @@ pub(crate) mod text;
 
 use std::path::Path;
 
+use crate::nastran::modes;
 use crate::text_file::{FileError, bytes_of};
 pub use dof::Dof;
 pub use error::{MatrixError, MatrixProblem, Place};
@@ -73,6 +74,26 @@ pub struct MatrixFile {
 /// [`MatrixError`] says what is wrong and where: by line in a text, by byte in a binary file.
 pub fn read_matrix(file: &Path, name: Option<&str>) -> Result<MatrixFile, MatrixError> {
     matrix_of(file, &bytes_of(file, MAX_FILE)?, name)
+}
+
+/// Name of the column of angular frequencies in a file of modes.
+pub(crate) const FREQUENCIES: &str = modes::FREQUENCIES;
+/// Name of the matrix of shapes in a file of modes.
+pub(crate) const SHAPES: &str = modes::SHAPES;
+
+/// Reads a matrix as [`read_matrix`]; where a name is needed and none is given, the usual one is taken if the file has it.
+pub(crate) fn read_usual(
+    file: &Path,
+    name: Option<&str>,
+    usual: Option<&str>,
+) -> Result<MatrixFile, MatrixError> {
+    let bytes = bytes_of(file, MAX_FILE)?;
+    matrix_of(file, &bytes, name).or_else(|error| match (&error.problem, usual) {
+        (MatrixProblem::WhichMatrix { names }, Some(usual)) if names.iter().any(|name| name == usual) => {
+            matrix_of(file, &bytes, Some(usual))
+        }
+        _ => Err(error),
+    })
 }
 
 /// The matrix in the bytes of a file, whose name tells the format where the bytes do not.

@@ -22,7 +22,7 @@ pub(super) fn read(bytes: &[u8], name: Option<&str>) -> Result<MatrixFile, Fault
 
 /// The modes of a print file or a punch file.
 pub(super) fn read_printed(bytes: &[u8], name: Option<&str>) -> Result<MatrixFile, Fault> {
-    let read = || of_modes(&printed::modes(bytes)?, name, Vec::new());
+    let read = || of_modes(printed::modes(bytes)?, name, Vec::new());
     read().map_err(|(line, problem)| (if line == 0 { Place::File } else { Place::Line(line) }, problem))
 }
 
@@ -37,19 +37,21 @@ fn matrix(bytes: &[u8], name: Option<&str>) -> Result<MatrixFile, LocatedProblem
         (Some(_), Some(second), Some(name)) => {
             Err((second.at, MatrixProblem::SameName { name: name.to_owned() }))
         }
-        (Some(block), None, _) if name.is_some() || modes(&tape)?.names().is_empty() => of_block(&tape, block),
+        (Some(block), None, _) if name.is_some() || modes(&tape)?.names().is_empty() => {
+            of_block(&tape, block)
+        }
         _ => {
             let mut modes = modes(&tape)?;
             if modes.basic {
                 axes(bytes, &mut modes)?;
             }
-            of_modes(&modes, name, names)
+            of_modes(modes, name, names)
         }
     }
 }
 
 /// The column or the shapes of modes, beside matrices of other names.
-fn of_modes(modes: &Modes, name: Option<&str>, names: Vec<String>) -> Result<MatrixFile, LocatedProblem> {
+fn of_modes(modes: Modes, name: Option<&str>, names: Vec<String>) -> Result<MatrixFile, LocatedProblem> {
     let names = [names, modes.names()].concat();
     if names.is_empty() {
         return Err((0, MatrixProblem::NoModes));

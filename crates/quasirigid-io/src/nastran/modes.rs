@@ -2,8 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use crate::matrix::listed::{Listed, LocatedProblem, Symmetry};
 use crate::matrix::error::MatrixProblem;
+use crate::matrix::listed::{Listed, LocatedProblem, Symmetry};
 use crate::matrix::{Dof, MatrixFile};
 
 /// Name of the column of angular frequencies (rad/s).
@@ -38,7 +38,7 @@ impl Modes {
     ///
     /// # Errors
     /// A number that is not finite, or a degree of freedom twice in a shape.
-    pub fn matrix(&self, name: &str) -> Result<Option<MatrixFile>, LocatedProblem> {
+    pub fn matrix(self, name: &str) -> Result<Option<MatrixFile>, LocatedProblem> {
         if name.eq_ignore_ascii_case(FREQUENCIES) && !self.frequencies.is_empty() {
             let mut listed = Listed::new(self.frequencies.len(), 1).map_err(|problem| (0, problem))?;
             for (mode, frequency) in self.frequencies.iter().enumerate() {
@@ -52,16 +52,16 @@ impl Modes {
         Ok(None)
     }
 
-    fn columns(&self) -> Result<MatrixFile, LocatedProblem> {
+    fn columns(self) -> Result<MatrixFile, LocatedProblem> {
         let all = self.shapes.iter().flat_map(|shape| &shape.values);
         let mut rows: BTreeMap<Dof, usize> = all.map(|(dof, _)| (*dof, 0)).collect();
         for (row, number) in rows.values_mut().enumerate() {
             *number = row;
         }
         let mut listed = Listed::new(rows.len(), self.shapes.len()).map_err(|problem| (0, problem))?;
-        for (column, shape) in self.shapes.iter().enumerate() {
-            for (dof, value) in &shape.values {
-                listed.add(rows[dof], column, finite(*value)?, 0)?;
+        for (column, shape) in self.shapes.into_iter().enumerate() {
+            for (dof, value) in shape.values {
+                listed.add(rows[&dof], column, finite(value)?, 0)?;
             }
         }
         let matrix = listed.unique(Symmetry::General)?;

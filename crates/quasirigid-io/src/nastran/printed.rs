@@ -9,6 +9,8 @@ use crate::matrix::listed::LocatedProblem;
 use crate::matrix::text::number;
 
 const EIGENVALUES: &str = "R E A L   E I G E N V A L U E S";
+/// The eigenvalues with those of residual vectors, which replace those before.
+const AUGMENTED: &str = "AFTER AUGMENTATION";
 const EIGENVECTOR: &str = "R E A L   E I G E N V E C T O R   N O .";
 /// Beginnings of punched lines: the title of a table of eigenvectors, and the eigenvalue of each.
 const PUNCHED: [&str; 2] = ["$EIGENVECTOR", "$EIGENVALUE ="];
@@ -45,10 +47,13 @@ enum Table {
 fn printed(text: &str) -> Result<Modes, LocatedProblem> {
     let (mut modes, mut table) = (Modes::default(), Table::None);
     // whether the first subcase has ended
-    let mut over = [false; 2];
+    let (mut over, mut augmented) = ([false; 2], false);
     for (line, content) in (1..).zip(text.lines()) {
         if content.contains(EIGENVALUES) {
             table = Table::Eigenvalues;
+        } else if content.contains(AUGMENTED) && !augmented {
+            (augmented, over[0]) = (true, false);
+            modes.frequencies.clear();
         } else if let Some((_, mode)) = content.split_once(EIGENVECTOR) {
             let mode: usize = mode.trim().parse().unwrap_or(0);
             over[1] |= mode < modes.shapes.len();

@@ -45,12 +45,7 @@ impl Deck {
             return Self::of_geometry(file, bytes);
         }
         let folder = file.parent().unwrap_or(Path::new("")).to_owned();
-        let mut reader = Reader {
-            folder,
-            deck: Self::default(),
-            next: 1,
-            size: bytes.len() as u64,
-        };
+        let mut reader = Reader { folder, deck: Self::default(), next: 1, size: bytes.len() as u64 };
         reader.include(file.to_owned(), text_of(bytes), 0)?;
         Ok(reader.deck)
     }

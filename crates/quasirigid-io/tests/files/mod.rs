@@ -5,6 +5,8 @@ mod catalogues;
 mod history_tables;
 mod matrix_files;
 mod mesh;
+mod modes;
+pub mod op2;
 mod record;
 mod shapes;
 mod tables;

@@ -17,9 +17,8 @@ const BLOCKS: &str = "eb_prop1";
 /// Quadratic hexahedra and wedges have the middles of their upright edges before those of the upper face.
 const HEX20: &[u8] = &[0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 16, 17, 18, 19, 12, 13, 14, 15];
 /// Then come the middle of the cell and those of the lower, the upper and the other faces.
-const HEX27: &[u8] = &[
-    0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 16, 17, 18, 19, 12, 13, 14, 15, 23, 24, 25, 26, 21, 22, 20,
-];
+const HEX27: &[u8] =
+    &[0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 16, 17, 18, 19, 12, 13, 14, 15, 23, 24, 25, 26, 21, 22, 20];
 const WEDGE15: &[u8] = &[0, 1, 2, 3, 4, 5, 6, 7, 8, 12, 13, 14, 9, 10, 11];
 
 /// Whether a container has an Exodus mesh.

@@ -21,9 +21,8 @@ const PYRAMID13: &[u8] = &[0, 3, 2, 1, 4, 8, 7, 6, 5, 9, 12, 11, 10];
 const WEDGE15: &[u8] = &[0, 2, 1, 3, 5, 4, 8, 7, 6, 11, 10, 9, 12, 14, 13];
 const HEX20: &[u8] = &[0, 3, 2, 1, 4, 7, 6, 5, 11, 10, 9, 8, 15, 14, 13, 12, 16, 19, 18, 17];
 /// The middles of faces are those of the lower one, the four sides in turn, and the upper one.
-const HEX27: &[u8] = &[
-    0, 3, 2, 1, 4, 7, 6, 5, 11, 10, 9, 8, 15, 14, 13, 12, 16, 19, 18, 17, 21, 23, 24, 22, 20, 25, 26,
-];
+const HEX27: &[u8] =
+    &[0, 3, 2, 1, 4, 7, 6, 5, 11, 10, 9, 8, 15, 14, 13, 12, 16, 19, 18, 17, 21, 23, 24, 22, 20, 25, 26];
 
 /// Whether a container has MED meshes.
 pub(super) fn is_mesh(file: &Hdf5) -> bool {
@@ -128,9 +127,8 @@ fn labels(file: &Hdf5, name: &str, count: usize, last: u64) -> Result<Vec<u64>, 
         return Ok((1..=count as u64).map(|number| last + number).collect());
     };
     check_length(name, numbers.len(), count)?;
-    let label = |found: i64| {
-        u64::try_from(found).map_err(|_| (Place::File, VolumeProblem::Label { found }.into()))
-    };
+    let label =
+        |found: i64| u64::try_from(found).map_err(|_| (Place::File, VolumeProblem::Label { found }.into()));
     numbers.into_iter().map(label).collect()
 }
 

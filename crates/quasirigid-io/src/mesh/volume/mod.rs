@@ -98,8 +98,7 @@ pub fn volume_of(file: &Path, bytes: &[u8]) -> Result<VolumeFile, MeshError> {
 
 /// The mesh of Exodus or MED in a container.
 fn of_container(container: Container, bytes: &[u8]) -> Result<(Mesh, Vec<String>), Fault> {
-    let nothing =
-        |container: &'static str| (Place::File, VolumeProblem::NoMeshInside { container }.into());
+    let nothing = |container: &'static str| (Place::File, VolumeProblem::NoMeshInside { container }.into());
     if container == Container::NetCdf {
         let file = NetCdf::read(bytes)?;
         return if exodus::is_mesh(&file) { exodus::read(&file) } else { Err(nothing("netCDF")) };

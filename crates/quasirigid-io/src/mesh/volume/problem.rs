@@ -198,13 +198,17 @@ pub enum VolumeProblem {
         limit: u64,
     },
     /// An HDF5 container that cannot be read.
-    #[error("the HDF5 container cannot be read: {detail}; is the file damaged, or was a filter used that others lack?")]
+    #[error(
+        "the HDF5 container cannot be read: {detail}; is the file damaged, or was a filter used that others lack?"
+    )]
     Hdf5 {
         /// What is wrong.
         detail: Excerpt,
     },
     /// A container that is neither Exodus nor MED.
-    #[error("the {container} file has neither the variables of Exodus nor the mesh of MED; save the mesh as one of them")]
+    #[error(
+        "the {container} file has neither the variables of Exodus nor the mesh of MED; save the mesh as one of them"
+    )]
     NoMeshInside {
         /// netCDF or HDF5.
         container: &'static str,

@@ -13,6 +13,7 @@ use std::path::Path;
 
 use super::bulk::{Card, cards_of, real_or};
 use super::grid::{Grids, Point};
+use super::op2;
 use super::text::Deck;
 use crate::matrix::error::MatrixError;
 use crate::matrix::listed::LocatedProblem;
@@ -50,6 +51,8 @@ pub(crate) struct DeckModel {
     default_up: Option<Up>,
     /// Mass in the unit of the equations of motion for one in that of the cards, `PARAM,WTMASS`.
     pub mass_factor: f64,
+    /// Angular frequencies (rad/s) of the solver, which an OUTPUT2 file may have.
+    pub frequencies: Vec<f64>,
     /// Cards that are not carried, with their numbers.
     pub left_out: BTreeMap<String, usize>,
     /// What carried cards have beyond what is carried, with the numbers of the cards.
@@ -73,6 +76,7 @@ impl DeckModel {
             model.left_out.insert("BEGIN SUPER".into(), deck.superelements());
         }
         model.deck = deck.places();
+        model.frequencies = op2::frequencies(bytes);
         Ok(model)
     }
 

@@ -3,9 +3,9 @@
 
 use std::fmt::Write;
 
+use super::layouts::ANALYSIS;
 use super::tape::{Block, Tape};
 use super::words::Words;
-use super::layouts::ANALYSIS;
 use super::{directions, entries, lists};
 use crate::matrix::error::MatrixProblem;
 use crate::matrix::listed::LocatedProblem;
@@ -132,7 +132,9 @@ impl Bulk {
         debug_assert!(written.is_ok(), "a string takes all that is written");
         // a real number without a point would be an integer or a continuation
         let real = matches!(field, Field::Single(_) | Field::Double(_));
-        if let (true, Some(exponent)) = (real && !self.text[start..].contains('.'), self.text[start..].find('e')) {
+        if let (true, Some(exponent)) =
+            (real && !self.text[start..].contains('.'), self.text[start..].find('e'))
+        {
             self.text.insert(start + exponent, '.');
         }
     }

@@ -98,5 +98,4 @@ pub(super) const COUNTED: &[([i64; 3], &str, usize)] = &[
 ];
 
 /// First words of the kinds of records that say nothing of the body: points and lines to plot, supports, tables of the solver.
-pub(super) const ANALYSIS: [i64; 12] =
-    [5551, 5201, 2010, 3003, 3103, 5110, 5561, 10100, 503, 1427, 927, 827];
+pub(super) const ANALYSIS: [i64; 12] = [5551, 5201, 2010, 3003, 3103, 5110, 5561, 10100, 503, 1427, 927, 827];

@@ -18,8 +18,7 @@ use crate::nastran::modes::{Modes, Shape};
 /// Tables of eigenvalues.
 const EIGENVALUES: [&str; 2] = ["LAMA", "LAMAS"];
 /// Tables of eigenvectors, first those along the axes of the grid points, then those along the basic ones, which begin with a B.
-const EIGENVECTORS: [&str; 8] =
-    ["OUGV1", "OPHIG", "OUG1", "ROUGV1", "BOUGV1", "BOPHIG", "BOUG1", "OUGV1PAT"];
+const EIGENVECTORS: [&str; 8] = ["OUGV1", "OPHIG", "OUG1", "ROUGV1", "BOUGV1", "BOPHIG", "BOUG1", "OUGV1PAT"];
 /// Approach of the analysis that finds real modes.
 const MODES: i64 = 2;
 /// Words of a mode: number, order, eigenvalue, angular frequency, frequency, generalised mass and stiffness.
@@ -33,7 +32,7 @@ const GRID: i64 = 1;
 pub(crate) fn modes(tape: &Tape) -> Result<Modes, LocatedProblem> {
     let mut modes = Modes::default();
     if let Some(block) = tape.block(&EIGENVALUES) {
-        modes.frequencies = frequencies(tape, block);
+        modes.frequencies = of_subcase(tape, block);
     }
     for name in EIGENVECTORS {
         let Some(block) = tape.block(&[name]) else { continue };
@@ -46,6 +45,12 @@ pub(crate) fn modes(tape: &Tape) -> Result<Modes, LocatedProblem> {
     Ok(modes)
 }
 
+/// Angular frequencies (rad/s) in the bytes of a file; none of another file, or of one without.
+pub(crate) fn frequencies(bytes: &[u8]) -> Vec<f64> {
+    let Ok(tape) = Tape::read(bytes) else { return Vec::new() };
+    tape.block(&EIGENVALUES).map(|block| of_subcase(&tape, block)).unwrap_or_default()
+}
+
 /// Records of a table in pairs: what it is about, and its values.
 fn pairs<'t>(tape: &'t Tape, block: &'t Block) -> impl Iterator<Item = (Words<'t>, &'t Record)> {
     let tables = block.records.get(1..).unwrap_or_default().chunks_exact(2);
@@ -53,7 +58,7 @@ fn pairs<'t>(tape: &'t Tape, block: &'t Block) -> impl Iterator<Item = (Words<'t
 }
 
 /// Angular frequencies (rad/s) of the first subcase.
-fn frequencies(tape: &Tape, block: &Block) -> Vec<f64> {
+fn of_subcase(tape: &Tape, block: &Block) -> Vec<f64> {
     let mut modal = pairs(tape, block).filter(|(about, _)| about.integer(0).unwrap_or(0) / 10 == MODES);
     let Some((_, record)) = modal.next() else { return Vec::new() };
     let words = tape.words(record);

@@ -48,9 +48,9 @@ const FIRST: [i64; 2] = [3, 2];
 impl Layout {
     /// The layout of a file, if it begins with a key of OUTPUT2.
     pub fn of(bytes: &[u8]) -> Option<Self> {
-        let all = [true, false].into_iter().flat_map(|big_endian| {
-            [false, true].into_iter().map(move |long| Self { big_endian, long })
-        });
+        let all = [true, false]
+            .into_iter()
+            .flat_map(|big_endian| [false, true].into_iter().map(move |long| Self { big_endian, long }));
         all.into_iter().find(|layout| {
             let mut reader = Reader { bytes, layout: *layout, next: 0 };
             reader.key().is_ok_and(|key| FIRST.contains(&key))

@@ -2,7 +2,7 @@
 
 use std::cell::Cell;
 
-use hdf5_pure::{AttrValue, Dataset, DType, File, Group};
+use hdf5_pure::{AttrValue, DType, Dataset, File, Group};
 
 use super::{Arrays, rows};
 use crate::mesh::error::{Fault, MeshProblem, Place};

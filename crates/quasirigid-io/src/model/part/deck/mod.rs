@@ -31,7 +31,8 @@ pub(in crate::model) const READER: Reader =
         draft.part(entry, deck(entry.table, entry.name, draft.sources))
     });
 
-const FILE: Key = key("file", TEXT, "bulk data of NASTRAN, with its materials and sections");
+const FILE: Key =
+    key("file", TEXT, "bulk data of NASTRAN, or an `.op2` file, with its materials and sections");
 const DECK: Keys = Keys {
     known: &[NAME, FILE, LENGTH_UNIT, MASS_UNIT, POSITION, ATTITUDE, RHEOLOGY, MASSES, ATTACH, RAYLEIGH],
 };

@@ -208,7 +208,7 @@ fn printed_and_punched_modes_are_those_of_the_first_subcase() {
         assert_shapes(&read(name, folded.as_bytes(), Some("shapes")), &[7, 20]);
     }
     let bad = tables()[0].replacen("3.125000E+01", "3.1250Q0E+01", 1);
-    assert_snapshot!(says("a.f06", bad.as_bytes(), Some("FREQUENCIES")), @"");
+    assert_snapshot!(says("a.f06", bad.as_bytes(), Some("FREQUENCIES")), @r#"a.f06:9: "3.1250Q0E+01" is not a number that is allowed here; a mode has its number, order, eigenvalue, frequencies, mass and stiffness, a point its six components"#);
 }
 
 /// Eigenvalues with residual vectors replace those without, which come first, on every page of both.
@@ -229,10 +229,10 @@ fn eigenvalues_after_augmentation_count() {
 #[test]
 fn what_op2_lacks_is_said() {
     let bytes = tape(Tape::new(false, false));
-    assert_snapshot!(says("a.op2", &bytes, None), @"");
-    assert_snapshot!(says("a.op2", &bytes, Some("KAA")), @"");
-    assert_snapshot!(nodes_of(Path::new("a.op2"), &bytes).unwrap_err(), @"");
-    assert_snapshot!(says("a.op2", &bytes[..1000], Some("KGG")), @"");
+    assert_snapshot!(says("a.op2", &bytes, None), @r#"a.op2: byte 0: the file has "KGG", "MGG", "D", "FREQUENCIES", "SHAPES"; name one of them"#);
+    assert_snapshot!(says("a.op2", &bytes, Some("KAA")), @r#"a.op2: byte 0: there is no matrix "KAA"; the file has "KGG", "MGG", "D", "FREQUENCIES", "SHAPES""#);
+    assert_snapshot!(nodes_of(Path::new("a.op2"), &bytes).unwrap_err(), @r#"a.op2: byte 0: the file has no geometry, only "EQEXINS", "KGG", "MGG", "D", "LAMA", "OUGV1"; write it with PARAM,POST,-1 or take the deck"#);
+    assert!(says("a.op2", &bytes[..1000], Some("KGG")).contains("was the file cut off"));
 }
 
 /// A file cut off anywhere, or with a changed byte, is read or refused.

@@ -168,17 +168,17 @@ fn pyramids_are_tetrahedra_that_fill_them() {
 fn containers_of_other_things_are_refused() {
     let mut other = Classic::default();
     other.reals("temperature", &[1.0, 2.0]);
-    assert_snapshot!(says("a.nc", other.file()), @"");
+    assert_snapshot!(says("a.nc", other.file()), @"a.nc: the netCDF file has neither the variables of Exodus nor the mesh of MED; save the mesh as one of them");
     let mut short = Classic::default();
     short.reals("coordx", &[0.0, 1.0]);
     short.reals("coordy", &[0.0]);
     short.integers("eb_prop1", &[1], None, &[1]);
-    assert_snapshot!(says("a.exo", short.file()), @"");
+    assert_snapshot!(says("a.exo", short.file()), @r#"a.exo: the array "coordy" has 1 values instead of 2; is the file damaged?"#);
     let file = pyramids(false);
-    assert_snapshot!(says("a.exo", &file[..file.len() - 20]), @"");
+    assert!(says("a.exo", &file[..file.len() - 20]).contains("was it cut off"));
     let med = bytes("zoo.med");
-    assert_snapshot!(says("a.med", &med[..med.len() / 2]), @"");
+    assert!(!says("a.med", &med[..med.len() / 2]).is_empty());
     let mut builder = hdf5_pure::FileBuilder::new();
     builder.create_dataset("x").with_f64_data(&[1.0]).with_shape(&[1]);
-    assert_snapshot!(says("a.h5", builder.finish().unwrap()), @"");
+    assert_snapshot!(says("a.h5", builder.finish().unwrap()), @"a.h5: the HDF5 file has neither the variables of Exodus nor the mesh of MED; save the mesh as one of them");
 }

@@ -77,6 +77,9 @@ impl DeckModel {
         }
         model.deck = deck.places();
         model.frequencies = op2::frequencies(bytes);
+        if op2::lacks_parameters(bytes) {
+            model.simplify("the file has no parameters: PARAM,WTMASS is taken as 1, else choose `mass_unit`");
+        }
         Ok(model)
     }
 

@@ -27,9 +27,11 @@ pub(super) enum Field<'a> {
     Word(&'a str),
 }
 
+/// Blocks of parameters.
+pub(super) const PARAMETERS: [&str; 3] = ["PVT0", "PVT", "PVTS"];
 /// The blocks of each kind, of which the first that a file has is read: as they are, of the residual structure, and of NX.
 const BLOCKS: [&[&str]; 7] = [
-    &["PVT0", "PVT", "PVTS"],
+    &PARAMETERS,
     &["GEOM1", "GEOM1S", "GEOM1N", "GEOM1X"],
     &["GEOM2", "GEOM2S", "GEOM2N", "GEOM2X"],
     &["EPT", "EPTS", "EPTX"],
@@ -44,14 +46,15 @@ const BLOCKS: [&[&str]; 7] = [
 /// A file that is damaged, or that has no geometry.
 pub(crate) fn bulk(bytes: &[u8]) -> Result<Bulk, LocatedProblem> {
     let tape = Tape::read(bytes)?;
-    let mut bulk = Bulk::default();
+    let (mut bulk, mut found) = (Bulk::default(), false);
     for names in BLOCKS {
         if let Some(block) = tape.block(names) {
             bulk.block(&tape, block);
             bulk.others(&tape, block);
+            found |= names[0].starts_with("GEOM");
         }
     }
-    if bulk.text.is_empty() {
+    if !found {
         let names = tape.blocks.iter().map(|block| block.names[0].clone()).collect();
         return Err((0, MatrixProblem::NoGeometry { names }));
     }

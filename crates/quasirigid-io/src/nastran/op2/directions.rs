@@ -18,7 +18,7 @@ pub(super) fn take(bulk: &mut Bulk, kind: [i64; 3], words: &Words) -> bool {
         _ => return false,
     };
     let all = words.len() - 3;
-    if all % length != 0 {
+    if !all.is_multiple_of(length) {
         return false;
     }
     for entry in 0..all / length {

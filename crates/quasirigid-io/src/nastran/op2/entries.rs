@@ -4,12 +4,13 @@ use super::bulk::{Bulk, Field};
 use super::layouts::{COUNTED, LAYOUTS};
 use super::words::Words;
 
-/// Greatest numbers of elements and properties, some of which NASTRAN makes, and of other things; as integers, real numbers are above.
-const LAST: [i64; 2] = [1_010_000_000, 600_000_000];
+/// Greatest number of anything, also of what NASTRAN makes; most real numbers are above as integers.
+const LAST: i64 = 1_010_000_000;
 /// A real number that stands for a blank field, within what is left of its digits.
 const BLANK: [f64; 2] = [1.7368e-18, 1e-22];
-/// Numbers from which on NASTRAN makes materials of its own for layers.
+/// Numbers from which on NASTRAN makes materials of its own for layers, and before which they end.
 const MADE: i64 = 100_000_000;
+const LAYERS: i64 = 500_000_000;
 
 /// Adds the cards of a record; false for one of another kind.
 pub(super) fn take(bulk: &mut Bulk, kind: [i64; 3], words: &Words) -> bool {
@@ -27,6 +28,13 @@ pub(super) fn take(bulk: &mut Bulk, kind: [i64; 3], words: &Words) -> bool {
     let (mut place, length) = (3, length(layout, words));
     let mut fields = Vec::with_capacity(layout.len());
     while place + length <= words.len() {
+        // a plate that NASTRAN makes of layers, whose card is there too
+        if *name == "PSHELL"
+            && words.integer(place + 1).is_some_and(|material| (MADE..LAYERS).contains(&material))
+        {
+            place += length;
+            continue;
+        }
         fields.clear();
         let mut at = place;
         for letter in layout.chars() {
@@ -55,15 +63,14 @@ fn width(letter: char, words: &Words) -> usize {
 /// Whether a record has whole entries of a layout, whose integers and real numbers are what they should be.
 fn fits(layout: &str, words: &Words) -> bool {
     let (length, all) = (length(layout, words), words.len() - 3);
-    if length == 0 || all == 0 || all % length != 0 {
+    if length == 0 || all == 0 || !all.is_multiple_of(length) {
         return false;
     }
     (0..all / length).all(|entry| {
         let mut at = 3 + entry * length;
         layout.chars().all(|letter| {
             let possible = match letter {
-                'i' => words.integer(at).is_some_and(|value| (-1..=LAST[0]).contains(&value)),
-                'z' => words.integer(at).is_some_and(|value| (-1..=LAST[1]).contains(&value)),
+                'i' | 'z' => words.integer(at).is_some_and(|value| (-1..=LAST).contains(&value)),
                 'r' | 't' | 'm' => words.real(at).is_some_and(ordinary),
                 'd' => words.double(at).is_some_and(ordinary),
                 _ => true,

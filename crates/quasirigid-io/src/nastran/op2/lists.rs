@@ -31,10 +31,9 @@ pub(super) fn take(bulk: &mut Bulk, kind: [i64; 3], words: &Words) -> bool {
 /// The mass factor among the parameters: name in two words, 2 for a real number, the number.
 pub(super) fn parameters(bulk: &mut Bulk, words: &Words) {
     for at in 0..words.len() {
-        if words.letters(at, 2) == "WTMASS" && words.integer(at + 2) == Some(2) {
-            if let Some(factor) = real(words, at + 3) {
-                bulk.card("PARAM", words.at, &[Field::Word("WTMASS"), factor]);
-            }
+        let real_follows = words.letters(at, 2) == "WTMASS" && words.integer(at + 2) == Some(2);
+        if let (true, Some(factor)) = (real_follows, real(words, at + 3)) {
+            bulk.card("PARAM", words.at, &[Field::Word("WTMASS"), factor]);
         }
     }
 }

@@ -5,7 +5,7 @@ use std::collections::HashMap;
 
 use quasirigid_math::vec3::dot;
 
-use super::bulk::bulk;
+use super::bulk::{PARAMETERS, bulk};
 use super::tape::{Block, Record, Tape};
 use super::words::Words;
 use crate::matrix::Dof;
@@ -49,6 +49,11 @@ pub(crate) fn modes(tape: &Tape) -> Result<Modes, LocatedProblem> {
 pub(crate) fn frequencies(bytes: &[u8]) -> Vec<f64> {
     let Ok(tape) = Tape::read(bytes) else { return Vec::new() };
     tape.block(&EIGENVALUES).map(|block| of_subcase(&tape, block)).unwrap_or_default()
+}
+
+/// Whether the bytes are a file of which nobody can tell whether the deck has PARAM,WTMASS.
+pub(crate) fn lacks_parameters(bytes: &[u8]) -> bool {
+    Tape::read(bytes).is_ok_and(|tape| tape.block(&PARAMETERS).is_none())
 }
 
 /// Records of a table in pairs: what it is about, and its values.

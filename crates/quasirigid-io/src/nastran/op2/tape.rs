@@ -137,7 +137,7 @@ impl Reader<'_> {
     fn key(&mut self) -> Result<i64, LocatedProblem> {
         let at = self.next;
         let piece = self.physical()?;
-        let word = Words::new(self.bytes, &[piece.clone()], self.layout);
+        let word = Words::new(self.bytes, std::slice::from_ref(&piece), self.layout);
         match word.integer(0) {
             Some(key) if piece.len() == self.layout.width() => Ok(key),
             _ => Err((at, record(self.layout.width(), piece.len()))),

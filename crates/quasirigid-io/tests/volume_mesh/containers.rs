@@ -6,12 +6,14 @@ use quasirigid_mesh::{Mesh, Shape};
 
 use super::{bytes, says};
 
+/// Name, dimensions, `elem_type`, type and bytes.
+type Variable = (String, Vec<u32>, Option<&'static str>, u32, Vec<u8>);
+
 /// A classic netCDF file, by the guide to its format.
 #[derive(Default)]
 struct Classic {
     dimensions: Vec<u32>,
-    /// Name, dimensions, `elem_type`, type and bytes.
-    variables: Vec<(String, Vec<u32>, Option<&'static str>, u32, Vec<u8>)>,
+    variables: Vec<Variable>,
 }
 
 impl Classic {

@@ -45,6 +45,16 @@ pub const NUMPY: &[&str] = &[
     "shape",
     "format",
 ];
+/// Words of printed and punched modes.
+pub const PRINTED: &[&str] = &[
+    "R E A L   E I G E N V A L U E S\n",
+    "R E A L   E I G E N V E C T O R   N O .   1\n",
+    "1 1 4.0 2.0 0.3 1.0 4.0\n",
+    "7 G 1.0 2.0 3.0 4.0 5.0 6.0\n",
+    "$EIGENVECTOR\n",
+    "$EIGENVALUE =  4.0  MODE =  1\n",
+    "-CONT-  1.0 2.0 3.0\n",
+];
 /// Words of NASTRAN bulk data.
 pub const DMIG: &[&str] = &[
     "DMIG,",

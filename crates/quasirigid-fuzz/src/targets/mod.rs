@@ -85,7 +85,7 @@ impl Target {
 }
 
 /// Every target.
-pub const TARGETS: [Target; 46] = [
+pub const TARGETS: [Target; 51] = [
     Target::of_body("model_text", model::text, model::WORDS)
         .seeded(&[("examples", "toml"), ("data/published", "toml")]),
     Target::of_body("model_tables", model::text, &[]).drawn("model_text", grammar::model::model),
@@ -123,6 +123,13 @@ pub const TARGETS: [Target; 46] = [
     Target::of_file("deck_abaqus", volume::deck, volume::DECK).seeded(&[(VOLUMES, "inp"), (BODIES, "inp")]),
     Target::of_file("volume_nastran", |bytes| volume::read("nowhere/a.bdf", bytes), volume::NASTRAN)
         .seeded(&[(VOLUMES, "bdf"), (MATRICES, "bdf")]),
+    Target::of_file("volume_op2", |bytes| volume::read("a.op2", bytes), &[]),
+    Target::of_file("volume_exodus", |bytes| volume::read("a.exo", bytes), volume::EXODUS)
+        .seeded(&[(VOLUMES, "exo")]),
+    Target::of_file("volume_med", |bytes| volume::read("a.med", bytes), volume::MED)
+        .seeded(&[(VOLUMES, "med")]),
+    Target::of_file("matrix_op2", |bytes| matrix::read("a.op2", bytes, Some("SHAPES")), &[]),
+    Target::of_file("matrix_printed", |bytes| matrix::read("a.f06", bytes, Some("SHAPES")), matrix::PRINTED),
     Target::of_file("matrix_harwell", |bytes| matrix::read("a.hb", bytes, None), matrix::HARWELL),
     Target::of_file(
         "matrix_coordinates",

@@ -157,6 +157,13 @@ pub const NASTRAN: &[&str] = &[
     "*",
 ];
 
+/// Words of Exodus files.
+pub const EXODUS: &[&str] =
+    &["CDF\u{1}", "CDF\u{2}", "CDF\u{5}", "connect1", "coordx", "elem_type", "PYRAMID", "HEX"];
+
+/// Words of MED files.
+pub const MED: &[&str] = &["ENS_MAA", "FAS", "NOE", "MAI", "COO", "NOD", "FAM", "NUM", "PY5", "HE8", "GRO"];
+
 pub fn read(name: &str, bytes: &[u8]) {
     let mesh = match mesh_of(Path::new(name), bytes) {
         Ok(mesh) => mesh,

@@ -34,6 +34,8 @@ pub(crate) struct Plate {
 pub(crate) enum Up {
     /// Along the axes of the displacements of the first end.
     Vector([f64; 3]),
+    /// Along the axes of the basic system.
+    Basic([f64; 3]),
     /// Towards a grid point.
     Point(u64),
 }

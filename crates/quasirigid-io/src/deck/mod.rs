@@ -56,6 +56,8 @@ pub(crate) struct DeckModel {
     pub names: BTreeMap<u64, String>,
     /// Mass in the unit of the equations of motion for one in that of the cards, `PARAM,WTMASS`.
     pub mass_factor: f64,
+    /// Angular frequencies (rad/s) of the solver, which an OUTPUT2 file may have.
+    pub frequencies: Vec<f64>,
     /// Cards that are not carried, with their numbers.
     pub left_out: BTreeMap<String, usize>,
     /// What carried cards have beyond what is carried, with the numbers of the cards.

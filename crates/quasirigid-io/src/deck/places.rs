@@ -12,6 +12,8 @@ pub(crate) struct Places {
     pub files: Vec<PathBuf>,
     /// In the order in which they are read.
     pub runs: Vec<Run>,
+    /// Byte from which each line comes, of a file that is no text.
+    pub bytes: Vec<usize>,
 }
 
 /// Lines of a file that follow each other.
@@ -28,6 +30,10 @@ impl Places {
     pub fn located(&self, (line, problem): LocatedProblem) -> MatrixError {
         if let (0, Some(file)) = (line, self.files.first()) {
             return MatrixError { file: file.clone(), place: Place::File, problem };
+        }
+        if let Some(byte) = line.checked_sub(1).and_then(|line| self.bytes.get(line)) {
+            let file = self.files.first().cloned().unwrap_or_default();
+            return MatrixError { file, place: Place::Byte(*byte), problem };
         }
         let run = self.runs.partition_point(|run| run.lines[1] <= line).saturating_sub(1);
         let Some(run) = self.runs.get(run) else {

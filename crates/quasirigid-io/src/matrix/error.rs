@@ -477,6 +477,17 @@ pub enum MatrixProblem {
         /// Length that is possible there (bytes).
         found: u64,
     },
+    /// An `OUTPUT2` file without geometry.
+    #[error("the file has no geometry, only {}; write it with PARAM,POST,-1 or take the deck", listed(names))]
+    NoGeometry {
+        /// Names of its data blocks.
+        names: Vec<String>,
+    },
+    /// A table of modes of which no column can be made.
+    #[error(
+        "the file has no table of real modes; print or punch the eigenvalues and eigenvectors of SOL 103"
+    )]
+    NoModes,
     /// A component that does not exist.
     #[error("component {found}; 1 to 3 are displacements and 4 to 6 rotations")]
     Component {

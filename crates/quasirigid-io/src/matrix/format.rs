@@ -5,6 +5,7 @@ use std::path::Path;
 
 use super::error::{Fault, MatrixProblem, Place};
 use super::{coordinates, harwell, op4};
+use crate::nastran::{op2, printed};
 use crate::text_file::kind_of;
 
 /// Format of a matrix file.
@@ -18,7 +19,12 @@ pub(super) enum Format {
     Harwell,
     Dmig,
     Op4Text,
-    Op4Binary { big_endian: bool },
+    Op4Binary {
+        big_endian: bool,
+    },
+    Op2,
+    /// A print file or a punch file with modes.
+    Printed,
 }
 
 impl Format {
@@ -31,6 +37,7 @@ impl Format {
             return Ok(format);
         }
         match ending(file).as_deref() {
+            Some("f06" | "pch" | "out") if printed::has_modes(bytes) => Ok(Self::Printed),
             Some("sti" | "mas") => Ok(Self::CalculiX),
             _ if coordinates::is_text(bytes) => Ok(Self::Coordinates),
             Some("bdf" | "dat" | "nas" | "pch" | "dmig") => Ok(Self::Dmig),
@@ -52,6 +59,8 @@ impl Format {
             Some(Self::Harwell)
         } else if let Some(big_endian) = op4::byte_order(bytes) {
             Some(Self::Op4Binary { big_endian })
+        } else if op2::Layout::of(bytes).is_some() {
+            Some(Self::Op2)
         } else if first_line(bytes, b"$").is_some_and(|line| has_prefix(line, b"DMIG")) {
             Some(Self::Dmig)
         } else {
@@ -71,6 +80,9 @@ pub(super) enum NodeFormat {
 impl NodeFormat {
     /// The format of a file: its name decides, and its beginning where the name leaves a doubt.
     pub(super) fn of(file: &Path, bytes: &[u8]) -> Result<Self, Fault> {
+        if op2::Layout::of(bytes).is_some() {
+            return Ok(Self::Bulk);
+        }
         let first = first_line(bytes, b"#").ok_or((Place::File, MatrixProblem::Empty))?;
         Ok(match ending(file).as_deref() {
             Some("inp") => Self::Input,

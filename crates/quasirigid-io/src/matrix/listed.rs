@@ -9,7 +9,7 @@ use super::error::MatrixProblem;
 
 /// Symmetry that a file uses to leave out one triangle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Symmetry {
+pub(crate) enum Symmetry {
     /// Both triangles are given.
     General,
     /// `A_ji = A_ij`.
@@ -19,7 +19,7 @@ pub(super) enum Symmetry {
 }
 
 /// Entries in the order of a file.
-pub(super) struct Listed {
+pub(crate) struct Listed {
     rows: usize,
     columns: usize,
     entries: Vec<Entry>,

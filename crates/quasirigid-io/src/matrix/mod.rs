@@ -14,12 +14,14 @@ mod market;
 mod nastran;
 mod nodes;
 pub(crate) mod numpy;
+mod op2;
 mod op4;
 mod row;
 pub(crate) mod text;
 
 use std::path::Path;
 
+use crate::nastran::modes;
 use crate::text_file::{FileError, bytes_of};
 pub use dof::Dof;
 pub use error::{MatrixError, MatrixProblem, Place};
@@ -60,14 +62,38 @@ pub struct MatrixFile {
 ///   labels are the points and components that occur, and those of the rows alone where the form is 2 or 9.
 /// - NASTRAN `OUTPUT4`, as text or binary of either byte order in words of 32 or 64 bits: real, dense or sparse, with or
 ///   without `BIGMAT`.
+/// - NASTRAN `OUTPUT2`, in words of 32 or 64 bits and either byte order: its matrices by their names, real. Rows of a matrix between all
+///   degrees of freedom are named by `EQEXIN`.
+/// - Real modes of NASTRAN in `OUTPUT2`, in a print file (`.f06`) or a punch file (`.pch`), of the first subcase that has some:
+///   `FREQUENCIES`, a column of angular frequencies (rad/s), and `SHAPES`, with a column for each mode.
 ///
-/// `name` says which of several matrices; it must be given where a `.npz`, `DMIG` or `OUTPUT4` file has more than
+/// `name` says which of several matrices; it must be given where a `.npz`, `DMIG`, `OUTPUT2` or `OUTPUT4` file has more than
 /// one. Upper and lower case are the same in names of NASTRAN.
 ///
 /// # Errors
 /// [`MatrixError`] says what is wrong and where: by line in a text, by byte in a binary file.
 pub fn read_matrix(file: &Path, name: Option<&str>) -> Result<MatrixFile, MatrixError> {
     matrix_of(file, &bytes_of(file, MAX_FILE)?, name)
+}
+
+/// Name of the column of angular frequencies in a file of modes.
+pub(crate) const FREQUENCIES: &str = modes::FREQUENCIES;
+/// Name of the matrix of shapes in a file of modes.
+pub(crate) const SHAPES: &str = modes::SHAPES;
+
+/// Reads a matrix as [`read_matrix`]; where a name is needed and none is given, the usual one is taken if the file has it.
+pub(crate) fn read_usual(
+    file: &Path,
+    name: Option<&str>,
+    usual: Option<&str>,
+) -> Result<MatrixFile, MatrixError> {
+    let bytes = bytes_of(file, MAX_FILE)?;
+    matrix_of(file, &bytes, name).or_else(|error| match (&error.problem, usual) {
+        (MatrixProblem::WhichMatrix { names }, Some(usual)) if names.iter().any(|name| name == usual) => {
+            matrix_of(file, &bytes, Some(usual))
+        }
+        _ => Err(error),
+    })
 }
 
 /// The matrix in the bytes of a file, whose name tells the format where the bytes do not.
@@ -88,6 +114,8 @@ pub fn matrix_of(file: &Path, bytes: &[u8], name: Option<&str>) -> Result<Matrix
         (Format::Npz, name) => numpy::read_archive(bytes, name),
         (Format::Dmig, name) => nastran::read_dmig(bytes, name),
         (Format::Op4Text, name) => op4::read_text(bytes, name),
+        (Format::Op2, name) => op2::read(bytes, name),
+        (Format::Printed, name) => op2::read_printed(bytes, name),
         (Format::Op4Binary { big_endian }, name) => op4::read_binary(bytes, big_endian, name),
     };
     read().map_err(FileError::new(file))

@@ -62,6 +62,12 @@ pub enum Row {
     Op4String,
     /// The numbers of an `OUTPUT4` column.
     Op4Values,
+    /// A number between the records of an `OUTPUT2` file.
+    Op2Key,
+    /// A point of an `OUTPUT2` table.
+    Op2Point,
+    /// A line of a printed or punched table of modes.
+    Mode,
 }
 
 impl fmt::Display for Row {
@@ -112,6 +118,9 @@ impl fmt::Display for Row {
                  ascending order, up to one more than there are columns"
             }
             Self::Op4String => "a string begins with its length and first row, and fits its column",
+            Self::Op2Key => "keys of 1 and 0 stand between the records of a table, and those of a matrix",
+            Self::Op2Point => "a point has its number, its type, three displacements and three rotations",
+            Self::Mode => "a mode has its number, order, eigenvalue, frequencies, mass and stiffness, a point its six components",
             Self::Op4Values => "values fill the lines and records as the header and the column announce",
         })
     }

@@ -4,5 +4,8 @@
 pub(crate) mod bulk;
 pub(crate) mod grid;
 pub(crate) mod model;
+pub(crate) mod modes;
+pub(crate) mod op2;
+pub(crate) mod printed;
 pub(crate) mod systems;
 pub(crate) mod text;

@@ -5,6 +5,7 @@ use std::borrow::Cow;
 use std::path::{Component, Path, PathBuf};
 
 use super::bulk::bulk_lines;
+use super::op2::{self, Bulk};
 use crate::deck::{Places, Run};
 use crate::matrix::error::{MatrixError, MatrixProblem};
 use crate::matrix::listed::LocatedProblem;
@@ -31,10 +32,22 @@ impl Text {
     /// # Errors
     /// [`MatrixError`] for a file that cannot be read, lies elsewhere or is included too deep.
     pub fn read(file: &Path, bytes: &[u8]) -> Result<Self, MatrixError> {
+        if op2::Layout::of(bytes).is_some() {
+            return Self::of_geometry(file, bytes);
+        }
         let folder = file.parent().unwrap_or(Path::new("")).to_owned();
         let mut reader = Reader { folder, deck: Self::default(), next: 1, size: bytes.len() as u64 };
         reader.include(file.to_owned(), text_of(bytes), 0)?;
         Ok(reader.deck)
+    }
+
+    /// The geometry of an OUTPUT2 file as a deck.
+    fn of_geometry(file: &Path, bytes: &[u8]) -> Result<Self, MatrixError> {
+        let located = |(byte, problem)| FileError::new(file)((Place::Byte(byte), problem));
+        let Bulk { text, places } = op2::bulk(bytes).map_err(located)?;
+        let run = Run { file: 0, lines: [1, 1] };
+        let places = Places { files: vec![file.to_owned()], runs: vec![run], bytes: places };
+        Ok(Self { bytes: vec![[0, text.len()]], texts: vec![text], places })
     }
 
     /// Lines of the bulk data with their numbers among all, without comments.

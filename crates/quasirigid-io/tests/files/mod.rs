@@ -6,6 +6,8 @@ mod history_tables;
 mod matrix_files;
 mod memory;
 mod mesh;
+mod modes;
+pub mod op2;
 mod record;
 mod shapes;
 mod tables;

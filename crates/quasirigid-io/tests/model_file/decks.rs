@@ -6,7 +6,8 @@ use quasirigid::reduction;
 use quasirigid_io::model::Model;
 
 use super::same::assert_same;
-use super::{only_part, written};
+use super::{only_part, read_with, written};
+use crate::files::op2::{Tape, Word, words};
 
 /// A deck in this folder and a table with these further lines; no carrier.
 fn deck(text: &str, lines: &str) -> Model {
@@ -215,4 +216,187 @@ fn decks_without_a_property_are_refused() {
     model.toml:3:8: `file`: sat.bdf: no card that is read has the property 7; is an included file missing, or is it of another kind?
       it is looked for beside the model
     ");
+}
+
+/// The text of a deck, and the records of the tables that NASTRAN writes of it, by hand.
+const TEXT: &str = "CEND\nBEGIN BULK\nPARAM,WTMASS,0.5\n\
+    CORD2C,4,,100.,20.,-30.,100.,20.,0.,+\n+,200.,120.,-30.\n\
+    GRID,1,,0.,0.,0.\nGRID,2,,1000.,0.,0.\nGRID,3,,1000.,800.,0.\nGRID,4,,0.,800.,0.\n\
+    GRID,5,,0.,0.,500.\nGRID,6,,1000.,0.,500.\nGRID,7,,1000.,800.,500.\nGRID,8,,0.,800.,500.\n\
+    GRID,9,4,500.,40.,1500.,4\nGRID,10,,500.,400.,900.\nGRID,11,,-300.,-200.,900.\n\
+    CHEXA,1,10,1,2,3,4,5,6,+\n+,7,8\nPSOLID,10,1\nCQUAD4,2,20,5,6,7,8\nPSHELL,20,2,4.,2,,2,,1.-8\n\
+    CQUAD4,22,21,5,6,7,8,30.,1.5\nPCOMP,21,-1.,,,,,,SYM\n,3,0.25,45.,,3,0.25,0.\n\
+    CBAR,3,30,10,9,1.,0.,0.,BGG\n,,,0.,30.,0.,0.,30.,0.\nPBAR,30,2,600.,2.+5,3.+5,4.+5,2.-6,,+\n+,,,,,,,,,+\n+,0.8,0.9,1.+4\n\
+    CBEAM,33,31,11,1,9\nPBEAM,31,2,700.,2.+5,3.+5,0.,5.+5,2.-6\n\
+    RBE2,4,10,123456,5,6,7,8\nRBE3,40,,11,123456,1.,123,5,8,+\n+,2.,123,6\nCROD,5,50,9,11\nPROD,50,2,80.\nCONROD,6,5,11,2,70.\n\
+    CELAS2,70,300.,1,1,11,2\nCELAS1,71,72,2,3,11,1\nPELAS,72,400.\n\
+    CBUSH,80,81,9,10,,,,4\nPBUSH,81,K,1.+3,2.+3,3.+3,4.+5,5.+5,6.+5,+\n+,,B,7.,8.,9.,1.,2.,3.\n\
+    CONM2,60,9,4,0.02,10.,20.,30.,,+\n+,500.,50.,600.,-40.,30.,700.\n\
+    MAT1,1,70000.,,.3,2.7-9\nMAT1,2,210000.,,.3,7.8-9\nMAT8,3,1.4+5,9000.,.3,5000.,4000.,3000.,1.6-9\nSPC1,1,123,1\nENDDATA\n";
+
+fn geometry(tape: Tape) -> Vec<u8> {
+    tables(tape).end()
+}
+
+fn tables(mut tape: Tape) -> Tape {
+    let grid =
+        |label: i64, system: i64, [x, y, z]: [f64; 3], axes: i64| words![label, system, x, y, z, axes, 0, 0];
+    let places = [
+        [0.0, 0.0, 0.0],
+        [1000.0, 0.0, 0.0],
+        [1000.0, 800.0, 0.0],
+        [0.0, 800.0, 0.0],
+        [0.0, 0.0, 500.0],
+        [1000.0, 0.0, 500.0],
+        [1000.0, 800.0, 500.0],
+        [0.0, 800.0, 500.0],
+    ];
+    let mut grids = words![4501, 45, 1];
+    (1..).zip(places).for_each(|(label, place)| grids.extend(grid(label, 0, place, 0)));
+    grids.extend(grid(9, 4, [500.0, 40.0, 1500.0], 4));
+    grids.extend(grid(10, 0, [500.0, 400.0, 900.0], 0));
+    grids.extend(grid(11, 0, [-300.0, -200.0, 900.0], 0));
+    let system = words![2001, 20, 9, 4, 2, 2, 0, 100.0, 20.0, -30.0, 100.0, 20.0, 0.0, 200.0, 120.0, -30.0];
+    tape.table("PVT0    ", &[words!["POST    ", 1, -1, "WTMASS  ", 2, 0.5]]);
+    tape.table("GEOM1   ", &[system, grids]);
+    let blank = -1.0; // thickness of a corner
+    let none = 1.736_799_906e-18; // a blank real number of the solver
+    let mut hexa = words![7308, 73, 253, 1, 10, 1, 2, 3, 4, 5, 6, 7, 8];
+    hexa.extend(vec![Word::Integer(0); 12]);
+    let quads = words![
+        2958, 51, 177, 2, 20, 5, 6, 7, 8, 0.0, 0.0, 0, 0, blank, blank, blank, blank, 22, 21, 5, 6, 7, 8,
+        30.0, 1.5, 0, 0, blank, blank, blank, blank,
+    ];
+    let bar = words![2408, 24, 180, 3, 30, 10, 9, 1.0, 0.0, 0.0, 64, 0, 0, 0.0, 30.0, 0.0, 0.0, 30.0, 0.0];
+    let beam = words![5408, 54, 261, 33, 31, 11, 1, 0, 0, 9, 0, 0, 2, 0, 0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0];
+    let bush = words![2608, 26, 60, 80, 81, 9, 10, 0, 0, 0, -1, 4, 0.5, -1, 0.0, 0.0, 0.0];
+    let conm2 =
+        words![1501, 15, 64, 60, 9, 4, 0.02, 10.0, 20.0, 30.0, 500.0, 50.0, 600.0, -40.0, 30.0, 700.0,];
+    tape.table(
+        "GEOM2   ",
+        &[
+            bar,
+            beam,
+            bush,
+            words![601, 6, 73, 71, 72, 2, 11, 3, 1],
+            words![701, 7, 74, 70, 300.0, 1, 11, 1, 2, 0.0, 0.0],
+            conm2,
+            words![1601, 16, 47, 6, 5, 11, 2, 70.0, 0.0, 0.0, 0.0],
+            quads,
+            words![3001, 30, 48, 5, 50, 9, 11],
+            hexa,
+        ],
+    );
+    let mut pbeam = words![5402, 54, 262, 31, 2, 1, 1, 0.0];
+    for place in 0..11 {
+        let share = if place == 10 { 1.0 } else { 0.0 };
+        let section = if place == 0 || place == 10 { [700.0, 2e5, 3e5, 0.0, 5e5, 2e-6] } else { [0.0; 6] };
+        pbeam.extend(words![1.0, share]);
+        pbeam.extend(section.map(Word::Real));
+        pbeam.extend([0.0; 8].map(Word::Real));
+    }
+    pbeam.extend(words![1.0, 1.0]);
+    pbeam.extend([0.0; 14].map(Word::Real));
+    let mut pbar = words![52, 20, 181, 30, 2, 600.0, 2e5, 3e5, 4e5, 2e-6, 0.0];
+    pbar.extend([0.0; 8].map(Word::Real));
+    pbar.extend(words![0.8, 0.9, 1e4]);
+    let mut pbush = words![1402, 14, 37, 81, 1e3, 2e3, 3e3, 4e5, 5e5, 6e5, 7.0, 8.0, 9.0, 1.0, 2.0, 3.0,];
+    pbush.extend([none; 10].map(Word::Real));
+    tape.table(
+        "EPT     ",
+        &[
+            pbar,
+            pbeam,
+            pbush,
+            words![2706, 27, 287, 21, -2, -1.0, 0.0, 0.0, 0, 0.0, 0.0, 3, 0.25, 45.0, 1, 3, 0.25, 0.0, 1],
+            words![302, 3, 46, 72, 400.0, 0.0, 0.0],
+            words![902, 9, 29, 50, 2, 80.0, 0.0, 0.0, 0.0],
+            // the equivalent plate that NASTRAN makes of the layers stands beside them
+            words![
+                2302,
+                23,
+                283,
+                20,
+                2,
+                4.0,
+                2,
+                1.0,
+                2,
+                0.833,
+                1e-8,
+                0.0,
+                0.0,
+                0,
+                21,
+                100_000_021,
+                1.0,
+                200_000_021,
+                1.0,
+                0,
+                1.0,
+                0.0,
+                0.0,
+                0.0,
+                0,
+            ],
+            words![2402, 24, 281, 10, 1, 0, 0, 0, 1, "SMEC"],
+        ],
+    );
+    let mut steel = words![103, 1, 77, 1, 7e4, 0.0, 0.3, 2.7e-9, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0];
+    steel.extend(words![2, 2.1e5, 0.0, 0.3, 7.8e-9, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0]);
+    let mut mat8 = words![2503, 25, 288, 3, 1.4e5, 9e3, 0.3, 5e3, 4e3, 3e3, 1.6e-9];
+    mat8.extend([0.0; 11].map(Word::Real));
+    let mut made = words![203, 2, 78, 100_000_021];
+    made.extend([1.0; 16].map(Word::Real));
+    tape.table("MPT     ", &[steel, made, mat8]);
+    tape.table(
+        "GEOM4   ",
+        &[
+            words![5481, 58, 12, 1, 123, 0, 1, -1],
+            words![6901, 69, 295, 4, 10, 123_456, 5, 6, 7, 8, -1, 0.0],
+            words![7101, 71, 187, 40, 11, 123_456, 1.0, 123, 5, 8, -1, 2.0, 123, 6, -1, -2, -3, 0.0],
+        ],
+    );
+    tape.table("GEOM3   ", &[words![4201, 42, 18, 1, 2, 0, 3.0, 1.0, 0.0, 0.0]]);
+    tape
+}
+
+/// Frequencies of the solver are told, and other models in the same file counted.
+#[test]
+fn what_else_op2_has_is_said() {
+    let mut tape = tables(Tape::new(false, false));
+    tape.table("GEOM1   ", &[words![4501, 45, 1, 1, 0, 9.0, 9.0, 9.0, 0, 0, 0]]);
+    let mut about = words![20, 6, 0, 1];
+    about.extend(vec![Word::Integer(0); 142]);
+    let tau = std::f64::consts::TAU;
+    tape.table(
+        "LAMA    ",
+        &[about, words![1, 1, 9.0, 1.5 * tau, 1.5, 1.0, 9.0, 2, 2, 9.0, 2.25 * tau, 2.25, 1.0, 9.0]],
+    );
+    let bytes = tape.end();
+    let table = "[[deck]]\nname = \"sat\"\nfile = \"sat.op2\"\nlength_unit = \"mm\"\nmass_unit = \"t\"\nattach = []\n";
+    let model = read_with(&[("sat.op2", &bytes)], table).unwrap_or_else(|error| panic!("{error}"));
+    let notes = model.file_notes;
+    assert!(
+        notes.contains(&"sat.op2: NASTRAN found 2 modes, under its supports: 1.5000, 2.2500 Hz".to_owned()),
+        "{notes:?}"
+    );
+    assert!(notes.iter().any(|note| note.contains("1 GEOM1,")), "{notes:?}");
+}
+
+/// The tables of NASTRAN, in words of 32 and 64 bits and both byte orders, are the body of the deck and say the same of it.
+#[test]
+fn the_geometry_of_op2_is_the_deck() {
+    let units = "length_unit = \"mm\"\nmass_unit = \"t\"\nattach = []\n";
+    let deck = deck(TEXT, units);
+    let table = format!("[[deck]]\nname = \"sat\"\nfile = \"sat.op2\"\n{units}");
+    for tape in Tape::each() {
+        let bytes = geometry(tape);
+        let model = read_with(&[("sat.op2", &bytes)], &table).unwrap_or_else(|error| panic!("{error}"));
+        // cosines of places in the cylinder agree to rounding
+        assert_same(&model, &deck, 1e-10);
+        let notes: Vec<String> =
+            deck.file_notes.iter().map(|note| note.replace("sat.bdf", "sat.op2")).collect();
+        assert_eq!(model.file_notes, notes);
+    }
 }

@@ -54,11 +54,11 @@ fn a_table_that_lacks_a_file_is_refused() {
     "#);
     assert_snapshot!(refused(&KEYS.replace("K.mtx", "K.sti")), @"
     model.toml:7:13: `stiffness`: K.sti: entity not found; is the name right, and is the file readable?
-      it is looked for beside the model; Matrix Market, NumPy, CalculiX, DMIG and OUTPUT4 files are read, and node tables as CSV, GRID cards or *NODE
+      it is looked for beside the model; Matrix Market, NumPy, CalculiX, DMIG, OUTPUT2 and OUTPUT4 files are read, and node tables as CSV, GRID cards or *NODE
     ");
     assert_snapshot!(refused(&format!("{KEYS}dofs = \"M.mtx\"\n")), @"
     model.toml:9:8: `dofs`: M.mtx:1: 5 values; a degree of freedom is written node.component or node component
-      it is looked for beside the model; Matrix Market, NumPy, CalculiX, DMIG and OUTPUT4 files are read, and node tables as CSV, GRID cards or *NODE
+      it is looked for beside the model; Matrix Market, NumPy, CalculiX, DMIG, OUTPUT2 and OUTPUT4 files are read, and node tables as CSV, GRID cards or *NODE
     ");
     assert_snapshot!(refused(&format!("{KEYS}freedoms = \"rows.dof\"\n")), @r#"
     model.toml:9:1: unknown key "freedoms" in [[matrices]]
@@ -70,7 +70,7 @@ fn a_table_that_lacks_a_file_is_refused() {
     "#);
     assert_snapshot!(refused(&KEYS.replace("\"K.mtx\"", "{ file = \"K.mtx\", name = \"K\" }")), @r#"
     model.toml:7:22: `file`: K.mtx: this format has one matrix without a name; leave out the name "K"
-      it is looked for beside the model; Matrix Market, NumPy, CalculiX, DMIG and OUTPUT4 files are read, and node tables as CSV, GRID cards or *NODE
+      it is looked for beside the model; Matrix Market, NumPy, CalculiX, DMIG, OUTPUT2 and OUTPUT4 files are read, and node tables as CSV, GRID cards or *NODE
     "#);
     assert_snapshot!(refused(&format!("{KEYS}length_unit = \"kg\"\nmass_unit = \"mm\"\n")), @r#"
     model.toml:9:15: `length_unit`: "kg" is not a decimal number with a unit
@@ -84,7 +84,7 @@ fn a_table_that_lacks_a_file_is_refused() {
     "#);
     assert_snapshot!(with(("nodes.txt", "3 0 0 0\n7 1 0 0.5\n3 1 1 1\n"), KEYS), @"
     model.toml:6:9: `nodes`: nodes.txt:3: node 3 appears twice; give each node one place
-      it is looked for beside the model; Matrix Market, NumPy, CalculiX, DMIG and OUTPUT4 files are read, and node tables as CSV, GRID cards or *NODE
+      it is looked for beside the model; Matrix Market, NumPy, CalculiX, DMIG, OUTPUT2 and OUTPUT4 files are read, and node tables as CSV, GRID cards or *NODE
     ");
     assert_snapshot!(refused(&format!("{KEYS}attach = [3, 4]\n")), @"
     model.toml:9:14: there is no node 4 in this part
@@ -114,7 +114,7 @@ fn rows_that_are_about_nothing_are_refused() {
     ");
     assert_snapshot!(with(("rows.dof", "3.1\n3.2\n3.3\n7.1\n7.2\n7.2\n"), &listed), @"
     model.toml:9:8: `dofs`: rows.dof:6: 7.2 appears twice; a matrix has one row for each degree of freedom
-      it is looked for beside the model; Matrix Market, NumPy, CalculiX, DMIG and OUTPUT4 files are read, and node tables as CSV, GRID cards or *NODE
+      it is looked for beside the model; Matrix Market, NumPy, CalculiX, DMIG, OUTPUT2 and OUTPUT4 files are read, and node tables as CSV, GRID cards or *NODE
     ");
     let point = "DMIG,M,0,6,2,0\nDMIG,M,3,1,,3,1,2.\nDMIG,M,9,0,,9,0,2.\n";
     assert_snapshot!(with(("M.bdf", point), &KEYS.replace("M.mtx", "M.bdf")), @"

@@ -109,6 +109,12 @@ fn told(read: Result<Model, ModelError>) -> String {
 
 /// A model with this text beside files.
 fn written(files: &[(&str, String)], text: &str) -> Result<Model, ModelError> {
+    let files: Vec<(&str, &[u8])> = files.iter().map(|(name, text)| (*name, text.as_bytes())).collect();
+    read_with(&files, text)
+}
+
+/// A model beside files.
+fn read_with(files: &[(&str, &[u8])], text: &str) -> Result<Model, ModelError> {
     let folder = TempDir::new().expect("a folder");
     for (name, text) in files {
         fs::write(folder.path().join(name), text).expect("a file");

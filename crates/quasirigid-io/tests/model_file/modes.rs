@@ -229,6 +229,6 @@ fn modes_of_another_size_or_form_are_refused() {
     insta::assert_snapshot!(refusal(&wrong, &format!("{LINES}{frequencies}")), @r#"model.toml:8:10: `shapes` of modes "modes 1": the mass couples modes 1 and 4 by 0.17 of their own, so they are not modes of this mass; is the mass at the nodes complete, and are the rows in their order?"#);
     insta::assert_snapshot!(refusal(&all[..2], &format!("{LINES}{frequencies}")), @r#"
     model.toml:8:10: `shapes`: phi.mtx: entity not found; is the name right, and is the file readable?
-      it is looked for beside the model; Matrix Market, NumPy, CalculiX, DMIG and OUTPUT4 files are read, and node tables as CSV, GRID cards or *NODE
+      it is looked for beside the model; Matrix Market, NumPy, CalculiX, DMIG, OUTPUT2 and OUTPUT4 files are read, and node tables as CSV, GRID cards or *NODE
     "#);
 }

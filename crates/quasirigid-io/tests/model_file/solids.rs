@@ -192,22 +192,22 @@ fn a_mesh_that_cannot_be_read_is_refused_at_its_file() {
     let refused = |mesh: &str| located(&pair(mesh, "material = \"foam\"\n").expect_err("a refusal"));
     assert_snapshot!(refused(&PAIR.replace("C3D4, ELSET=LOWER", "C3D7")), @"
     model.toml:14:8: `file`: pair.inp:9: cells of type C3D7 are not read; lines, triangles, quadrilaterals, tetrahedra, wedges and hexahedra of first or second order are, but no wedges of 18 nodes
-      it is looked for beside the model; gmsh, VTK, Abaqus, CalculiX and NASTRAN meshes and voxels are read
+      it is looked for beside the model; gmsh, VTK, Abaqus, CalculiX, NASTRAN, Exodus and MED meshes and voxels are read
     ");
     assert_snapshot!(refused(&PAIR.replace("2, 1, 3, 2, 5", "2, 1, 3, 2, 6")), @"
     model.toml:14:8: `file`: pair.inp:10: cell 2 names node 6, which is not among the nodes before it; was the node left out?
-      it is looked for beside the model; gmsh, VTK, Abaqus, CalculiX and NASTRAN meshes and voxels are read
+      it is looked for beside the model; gmsh, VTK, Abaqus, CalculiX, NASTRAN, Exodus and MED meshes and voxels are read
     ");
     let whole = include_str!("../data/volume/block-text.msh");
     let half: Vec<&str> = whole.lines().take(100).collect();
     assert_snapshot!(refused(&half.join("\n")), @"
     model.toml:14:8: `file`: pair.inp:100: the file ends after 89 of 113 nodes; was it cut off, or is the number wrong?
-      it is looked for beside the model; gmsh, VTK, Abaqus, CalculiX and NASTRAN meshes and voxels are read
+      it is looked for beside the model; gmsh, VTK, Abaqus, CalculiX, NASTRAN, Exodus and MED meshes and voxels are read
     ");
     let other = model("file = \"none.msh\"\nmaterial = \"foam\"\n");
     assert_snapshot!(located(&Model::parse(Path::new(BLOCK), &other).expect_err("a refusal")), @"
     model.toml:14:8: `file`: none.msh: entity not found; is the name right, and is the file readable?
-      it is looked for beside the model; gmsh, VTK, Abaqus, CalculiX and NASTRAN meshes and voxels are read
+      it is looked for beside the model; gmsh, VTK, Abaqus, CalculiX, NASTRAN, Exodus and MED meshes and voxels are read
     ");
 }
 

@@ -6,7 +6,7 @@ use proptest::prelude::*;
 use quasirigid_io::mesh::mesh_of;
 
 use super::bytes;
-use super::zoo::{GMSH, VTK};
+use super::zoo::{CONTAINERS, GMSH, VTK};
 use crate::heap::watched;
 
 /// No file of 20 kB needs more, even if it is compressed a thousand times.
@@ -33,7 +33,7 @@ fn read(bytes: &[u8]) -> Result<(), TestCaseError> {
 }
 
 fn file() -> impl Strategy<Value = Vec<u8>> {
-    let files = [&GMSH[..], &VTK, &["zoo.inp", "block.vtk", "mixed.bdf"]].concat();
+    let files = [&GMSH[..], &VTK, &CONTAINERS, &["zoo.inp", "block.vtk", "mixed.bdf"]].concat();
     prop::sample::select(files).prop_map(bytes)
 }
 

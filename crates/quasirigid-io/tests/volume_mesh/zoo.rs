@@ -38,6 +38,8 @@ pub const VTK: [&str; 11] = [
     "zoo-base64-zlib.vtu",
 ];
 
+pub const CONTAINERS: [&str; 4] = ["zoo-2.exo", "zoo-4.exo", "zoo-5.exo", "zoo.med"];
+
 type Corners = &'static [[f64; 3]];
 type Edges = &'static [[usize; 2]];
 
@@ -193,6 +195,34 @@ fn every_shape_comes_in_our_order_from_abaqus() {
 }
 
 #[test]
+fn every_shape_comes_in_our_order_from_exodus() {
+    for name in &CONTAINERS[..3] {
+        let mesh = mesh(name);
+        assert_is_zoo(name, &mesh);
+        assert_eq!(mesh.node_labels, (0..125).map(|node| 100 + 3 * node).collect::<Vec<u64>>(), "{name}");
+        assert_eq!(shapes(&mesh, "left"), LEFT, "{name}");
+        assert_eq!(shapes(&mesh, "23"), [Shape::Hex27], "{name}: by number");
+        let label = |set: &str| -> Vec<u64> {
+            super::set(&mesh, set).nodes.iter().map(|node| mesh.node_labels[*node]).collect()
+        };
+        assert_eq!([label("tip"), label("ns8")], [vec![100, 106], vec![103_u64]], "{name}");
+        assert_eq!(mesh.sets.len(), 14, "{name}"); // twelve of blocks, since three share one name
+    }
+}
+
+#[test]
+fn every_shape_comes_in_our_order_from_med() {
+    let mesh = mesh("zoo.med");
+    assert_is_zoo("zoo.med", &mesh);
+    assert_eq!(mesh.node_labels, (0..125).map(|node| 100 + 3 * node).collect::<Vec<u64>>());
+    for (name, expected) in [("edge", &LINES[..]), ("face", &FACES), ("left", &LEFT), ("right", &RIGHT)] {
+        assert_eq!(shapes(&mesh, name), expected);
+    }
+    assert_eq!(shapes(&mesh, "all of it"), in_space());
+    assert_eq!((&set(&mesh, "tip").nodes[..], mesh.sets.len()), (&[0, 1][..], 6));
+}
+
+#[test]
 fn pieces_count_on() {
     let text = std::fs::read_to_string(path("zoo-text.vtu")).unwrap();
     let (start, end) = (text.find("<Piece").unwrap(), text.find("</Piece>").unwrap() + "</Piece>".len());
@@ -225,7 +255,7 @@ fn volume(mesh: &Mesh, cell: &Cell) -> f64 {
 
 #[test]
 fn solids_have_the_volume_of_their_reference_cells() {
-    for name in GMSH.iter().chain(&VTK).chain(&["zoo.inp"]) {
+    for name in GMSH.iter().chain(&VTK).chain(&CONTAINERS).chain(&["zoo.inp"]) {
         let mesh = mesh(name);
         for cell in mesh.cells.iter().filter(|cell| cell.shape.dimension() == 3) {
             let part =

@@ -20,6 +20,10 @@ pub(super) struct Draft {
     node_of: HashMap<u64, usize>,
     cells: Vec<Cell>,
     cell_of: HashMap<u64, usize>,
+    /// Greatest number of a node.
+    last_node: u64,
+    /// Nodes that were put in the middles of diagonals.
+    middles: HashMap<[u64; 2], u64>,
     pub(super) sets: Sets,
     /// Type of each cell among those of the file, where the format has them.
     pub(super) types: Vec<u16>,
@@ -37,6 +41,7 @@ impl Draft {
         insert(&mut self.node_of, Part::Nodes, label, self.nodes.len())?;
         self.nodes.push(place);
         self.node_labels.push(label);
+        self.last_node = self.last_node.max(label);
         Ok(self.nodes.len() - 1)
     }
 
@@ -50,15 +55,50 @@ impl Draft {
         Ok(self.cells.len() - 1)
     }
 
-    /// Adds a pyramid as two tetrahedra of its number, and returns the index of the first; the second follows it into sets.
+    /// Adds a pyramid as two tetrahedra of its number on a diagonal of its base, of 13 nodes with a node in the middle of that diagonal. Returns
+    /// the index of the first; the second follows it into sets.
     pub(super) fn add_pyramid(&mut self, label: u64, nodes: &[u64]) -> Result<usize, MeshProblem> {
-        let [first, second] = pyramid::halves(nodes).map(|half| half.map(|corner| nodes[corner]));
-        let added = self.add_cell(label, Shape::Tet4, &first)?;
+        let (shape, [first, second]) = if nodes.len() == pyramid::NODES {
+            (Shape::Tet4, pyramid::halves(nodes).map(|half| half.map(|corner| nodes[corner]).to_vec()))
+        } else {
+            (Shape::Tet10, self.curved_halves(label, nodes)?)
+        };
+        let added = self.add_cell(label, shape, &first)?;
         let index = |node: u64| self.node(node).ok_or(VolumeProblem::NoSuchNode { cell: label, node });
         let nodes = second.into_iter().map(index).collect::<Result<_, _>>()?;
         self.halves.insert(added, self.cells.len());
-        self.cells.push(Cell { label, shape: Shape::Tet4, nodes });
+        self.cells.push(Cell { label, shape, nodes });
         Ok(added)
+    }
+
+    /// Tetrahedra of ten nodes from a pyramid of 13.
+    fn curved_halves(&mut self, label: u64, nodes: &[u64]) -> Result<[Vec<u64>; 2], MeshProblem> {
+        let [[a, b, c, _], [_, _, d, _]] = pyramid::halves(nodes);
+        let [side, up] = [5, 9].map(|first| move |corner: usize| nodes[first + corner]);
+        let middle = self.middle_of_base(label, nodes, [nodes[a].min(nodes[c]), nodes[a].max(nodes[c])])?;
+        let corners = |three: [usize; 3]| three.map(|corner| nodes[corner]).into_iter().chain([nodes[4]]);
+        Ok([
+            corners([a, b, c]).chain([side(a), side(b), middle, up(a), up(b), up(c)]).collect(),
+            corners([a, c, d]).chain([middle, side(c), side(d), up(a), up(c), up(d)]).collect(),
+        ])
+    }
+
+    /// The node in the middle of the base of a pyramid, which the cell on the other side shares.
+    fn middle_of_base(&mut self, cell: u64, nodes: &[u64], diagonal: [u64; 2]) -> Result<u64, MeshProblem> {
+        if let Some(known) = self.middles.get(&diagonal) {
+            return Ok(*known);
+        }
+        let mut place = [0.0; 3];
+        for (nodes, share) in [(&nodes[..4], -0.25), (&nodes[5..9], 0.5)] {
+            for node in nodes {
+                let index = self.node(*node).ok_or(VolumeProblem::NoSuchNode { cell, node: *node })?;
+                place = [0, 1, 2].map(|axis| place[axis] + share * self.nodes[index][axis]);
+            }
+        }
+        let label = self.last_node.saturating_add(1);
+        self.add_node(label, place)?;
+        self.middles.insert(diagonal, label);
+        Ok(label)
     }
 
     /// Index of the node with this number.

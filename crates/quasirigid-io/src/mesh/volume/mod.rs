@@ -1,8 +1,12 @@
-//! Meshes of cells from files: gmsh, VTK, Abaqus, NASTRAN and voxels.
+//! Meshes of cells from files: gmsh, VTK, Abaqus, NASTRAN, Exodus, MED and voxels.
 
 pub(crate) mod abaqus;
+mod arrays;
 mod draft;
+mod exodus;
 mod gmsh;
+mod kinds;
+mod med;
 mod nastran;
 mod others;
 mod problem;
@@ -17,7 +21,9 @@ use quasirigid_mesh::Mesh;
 
 use super::error::{Fault, MeshError, MeshProblem, Part, Place};
 use super::file::MAX_FILE;
+use crate::nastran::op2;
 use crate::text_file::{FileError, bytes_of, kind_of};
+use arrays::{Container, Hdf5, NetCdf};
 pub use problem::VolumeProblem;
 pub use voxels::VoxelProblem;
 pub(crate) use voxels::VoxelRule;
@@ -35,7 +41,10 @@ pub(crate) use voxels::VoxelRule;
 ///   them, and both before the sets. Of a range, a set has what exists.
 ///
 /// - NASTRAN bulk data: solids, plates and lines between grid points in whatever coordinate systems, with `INCLUDE` of files in the
-///   folder of the first one or below it. The cells of each property are a set, by its number.
+///   folder of the first one or below it, or the geometry of an `OUTPUT2` file. The cells of each property are a set, by its number.
+/// - Exodus II, in classic netCDF or netCDF-4. Each block of elements is a set of cells and each set of nodes one of nodes, by its name, or
+///   by its number, with `ns` before that of nodes.
+/// - MED 3 and 4 of Salome and Code_Aster. Each group of cells or nodes is a set.
 /// - Voxels, NumPy `.npy` of three dimensions or NRRD: labels, of which 0 is empty, are sets `value=3`.
 ///
 /// Cells are segments, triangles, quadrilaterals, tetrahedra, wedges and hexahedra, of first or second order, pyramids of five nodes
@@ -93,6 +102,7 @@ fn volume_by(file: &Path, bytes: &[u8], rule: &VoxelRule) -> Result<VolumeFile, 
     let named = FileError::new(file);
     let format = Format::of(file, bytes).map_err(named)?;
     let (mesh, mut notes) = match format {
+        Format::Container(container) => of_container(container, bytes).map_err(named)?,
         Format::Gmsh => (gmsh::read(bytes).map_err(named)?, Vec::new()),
         Format::VtkLegacy => (vtk::read_legacy(bytes).map_err(named)?, Vec::new()),
         Format::VtkXml => (vtk::read_xml(bytes).map_err(named)?, Vec::new()),
@@ -110,9 +120,27 @@ fn volume_by(file: &Path, bytes: &[u8], rule: &VoxelRule) -> Result<VolumeFile, 
     Ok(VolumeFile { mesh, notes })
 }
 
+/// The mesh of Exodus or MED in a container.
+fn of_container(container: Container, bytes: &[u8]) -> Result<(Mesh, Vec<String>), Fault> {
+    let nothing = |container: &'static str| (Place::File, VolumeProblem::NoMeshInside { container }.into());
+    if container == Container::NetCdf {
+        let file = NetCdf::read(bytes)?;
+        return if exodus::is_mesh(&file) { exodus::read(&file) } else { Err(nothing("netCDF")) };
+    }
+    let file = Hdf5::read(bytes)?;
+    if med::is_mesh(&file) {
+        med::read(&file)
+    } else if exodus::is_mesh(&file) {
+        exodus::read(&file)
+    } else {
+        Err(nothing("HDF5"))
+    }
+}
+
 /// Format of a mesh file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Format {
+    Container(Container),
     Gmsh,
     VtkLegacy,
     VtkXml,
@@ -124,11 +152,15 @@ enum Format {
 
 impl Format {
     fn of(file: &Path, bytes: &[u8]) -> Result<Self, Fault> {
+        if let Some(container) = Container::of(bytes) {
+            return Ok(Self::Container(container));
+        }
         let beginning = bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes).trim_ascii_start();
         match beginning {
             [] => Err((Place::File, MeshProblem::Empty)),
             _ if bytes.starts_with(b"\x93NUMPY") => Ok(Self::Npy),
             _ if bytes.starts_with(b"NRRD") => Ok(Self::Nrrd),
+            _ if op2::Layout::of(bytes).is_some() => Ok(Self::Nastran),
             _ if is_deck(file, beginning) => Ok(Self::Nastran),
             [b'$', ..] => Ok(Self::Gmsh),
             [b'*', ..] => Ok(Self::Abaqus),

@@ -1,4 +1,4 @@
-//! Errors of volume meshes of gmsh, VTK and Abaqus.
+//! Errors of meshes of cells.
 //! Apart from the errors of surfaces because no surface file can have them; every message ends with a remedy or a question.
 
 use std::path::PathBuf;
@@ -17,7 +17,7 @@ pub enum VolumeProblem {
     /// A file whose beginning is that of no known format.
     #[error(
         "the file is {kind}, which is not a known mesh format; give a .msh file of gmsh, .vtk or \
-         .vtu of VTK, .inp of Abaqus or CalculiX, .bdf of NASTRAN, or voxels as .npy or .nrrd"
+         .vtu of VTK, .inp of Abaqus or CalculiX, .bdf or .op2 of NASTRAN, .exo of Exodus, .med, or voxels as .npy or .nrrd"
     )]
     NotAMesh {
         /// What the file is; nothing of it is quoted.
@@ -200,6 +200,22 @@ pub enum VolumeProblem {
         array: String,
         /// Bytes that the array may have.
         limit: u64,
+    },
+    /// An HDF5 container that cannot be read.
+    #[error(
+        "the HDF5 container cannot be read: {detail}; is the file damaged, or was a filter used that others lack?"
+    )]
+    Hdf5 {
+        /// What is wrong.
+        detail: Excerpt,
+    },
+    /// A container that is neither Exodus nor MED.
+    #[error(
+        "the {container} file has neither the variables of Exodus nor the mesh of MED; save the mesh as one of them"
+    )]
+    NoMeshInside {
+        /// netCDF or HDF5.
+        container: &'static str,
     },
     /// A compression that is not read.
     #[error("the compression {found:?} is not read; save with zlib or without compression")]

@@ -17,7 +17,7 @@ use super::nodal::{
     DOFS, LENGTH_UNIT, MASS_UNIT, MATRIX, NODES, NamedMatrix, Rows, Units, dof_list, node_table,
 };
 use super::{ATTACH, MASSES, Nodes, RAYLEIGH, Read, attached, masses, rayleigh};
-use crate::matrix::MatrixFile;
+use crate::matrix::{FREQUENCIES, MatrixFile, SHAPES};
 use crate::units::Dimension;
 
 pub(in crate::model) const READER: Reader =
@@ -70,7 +70,9 @@ pub(in crate::model) const NUMBERS: Keys = Keys {
 pub(super) fn modes(table: &Table<'_>, name: &str, sources: Sources<'_, '_>) -> Option<Read> {
     let folder = sources.folder;
     let (units, nodes, listed) = (Units::new(table), node_table(table, folder), dof_list(table, folder));
-    let shapes = NamedMatrix::required(table, "shapes", "shapes = \"wing-shapes.npy\"", folder);
+    let shapes = table.read("shapes", "shapes = \"wing-shapes.npy\"", |value| {
+        NamedMatrix::read(value, Some(SHAPES), folder)
+    });
     let given_mass = NamedMatrix::required(table, "mass", "mass = \"wing-mass.mtx\"", folder);
     let stiffness = NamedMatrix::optional(table, "stiffness", folder);
     let damping = NamedMatrix::optional(table, "damping", folder);
@@ -180,7 +182,7 @@ fn numbers(value: &Value<'_>, dimension: Dimension, modes: usize, folder: &Path)
     }
     let table = value.table("the numbers", &NUMBERS)?;
     let unit = table.get("unit").map_or(Some(1.0), |unit| unit_of(&unit, dimension))?;
-    let given = NamedMatrix::in_table(*value, &table, folder)?;
+    let given = NamedMatrix::in_table(*value, &table, Some(FREQUENCIES), folder)?;
     Some(column(&given, modes, "mode")?.into_iter().map(|number| unit * number).collect())
 }
 

@@ -11,7 +11,7 @@ use super::super::key::{Form, Key, Keys, Shape, TEXT, any, key};
 use super::super::surface::unit_of;
 use super::super::table::Table;
 use super::super::value::Value;
-use crate::matrix::{Dof, MatrixFile, MatrixProblem, Node, NodeTable, read_dofs, read_matrix, read_nodes};
+use crate::matrix::{Dof, MatrixFile, MatrixProblem, Node, NodeTable, read_dofs, read_nodes, read_usual};
 use crate::units::Dimension;
 
 pub(in crate::model) const FILE: Keys =
@@ -49,26 +49,37 @@ pub(super) struct NamedMatrix<'a> {
 }
 
 impl<'a> NamedMatrix<'a> {
-    /// Reads the matrix in a file that a value names, looked for beside the model: `"file"` or `{ file, name }`.
-    pub(super) fn read(value: Value<'a>, folder: &Path) -> Option<Self> {
+    /// Reads the matrix in a file that a value names, looked for beside the model: `"file"` or `{ file, name }`; of several without a name, the
+    /// usual one.
+    pub(super) fn read(value: Value<'a>, usual: Option<&str>, folder: &Path) -> Option<Self> {
         if value.is_table() {
-            Self::in_table(value, &value.table("the matrix", &FILE)?, folder)
+            Self::in_table(value, &value.table("the matrix", &FILE)?, usual, folder)
         } else {
-            Self::named(value, value, None, folder)
+            Self::named(value, value, [None, usual], folder)
         }
     }
 
     /// Reads the matrix that the keys `file` and `name` of a table name.
-    pub(super) fn in_table(value: Value<'a>, table: &Table<'a>, folder: &Path) -> Option<Self> {
+    pub(super) fn in_table(
+        value: Value<'a>,
+        table: &Table<'a>,
+        usual: Option<&str>,
+        folder: &Path,
+    ) -> Option<Self> {
         let name = match table.get("name") {
             Some(name) => Some(name.text()?),
             None => None,
         };
-        Self::named(value, table.required("file", "file = \"model.op4\"")?, name, folder)
+        Self::named(value, table.required("file", "file = \"model.op4\"")?, [name, usual], folder)
     }
 
-    fn named(value: Value<'a>, file: Value<'a>, name: Option<&str>, folder: &Path) -> Option<Self> {
-        let matrix = opened(&file, folder, |path| read_matrix(path, name))?;
+    fn named(
+        value: Value<'a>,
+        file: Value<'a>,
+        [name, usual]: [Option<&str>; 2],
+        folder: &Path,
+    ) -> Option<Self> {
+        let matrix = opened(&file, folder, |path| read_usual(path, name, usual))?;
         Some(Self { value, matrix })
     }
 
@@ -79,12 +90,12 @@ impl<'a> NamedMatrix<'a> {
         example: &str,
         folder: &Path,
     ) -> Option<Self> {
-        table.read(key, example, |value| Self::read(value, folder))
+        table.read(key, example, |value| Self::read(value, None, folder))
     }
 
     /// Reads a matrix that may be left out.
     pub(super) fn optional(table: &Table<'a>, key: &'static str, folder: &Path) -> Option<Option<Self>> {
-        table.read_or(key, None, |value| Self::read(value, folder).map(Some))
+        table.read_or(key, None, |value| Self::read(value, None, folder).map(Some))
     }
 
     /// Refuses a matrix that is not square.
@@ -117,8 +128,8 @@ fn opened<T, E: std::fmt::Display>(
     read: impl Fn(&Path) -> Result<T, E>,
 ) -> Option<T> {
     let path = folder.join(value.text()?);
-    let help = "it is looked for beside the model; Matrix Market, NumPy, CalculiX, DMIG and OUTPUT4 files are read, and \
-                node tables as CSV, GRID cards or *NODE";
+    let help = "it is looked for beside the model; Matrix Market, NumPy, CalculiX, DMIG, OUTPUT2 and OUTPUT4 files are \
+                read, and node tables as CSV, GRID cards or *NODE";
     let refuse = |error: E| value.refuse(format!("`{}`: {error}", value.key()), "cannot be used", help);
     read(&path).map_or_else(refuse, Some)
 }

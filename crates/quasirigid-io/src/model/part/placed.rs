@@ -12,7 +12,7 @@ use crate::mesh::{VolumeFile, VoxelRule, read_volume_by};
 use crate::units::Dimension;
 
 /// Mesh of a part.
-pub(super) const FILE: Key = key("file", TEXT, "gmsh, VTK, Abaqus, CalculiX or NASTRAN");
+pub(super) const FILE: Key = key("file", TEXT, "gmsh, VTK, Abaqus, CalculiX, NASTRAN, Exodus or MED");
 pub(super) const POSITION: Key = key("position", vector("m").or("0"), "origin of the mesh");
 pub(super) const ATTITUDE: Key =
     key("attitude", QUATERNION.or("`[1, 0, 0, 0]`"), "from the mesh's axes to the file's");
@@ -120,7 +120,7 @@ fn file(value: &Value<'_>, folder: &Path, rule: &VoxelRule) -> Option<VolumeFile
         Err(error) => value.refuse(
             format!("`file`: {error}"),
             "cannot be used",
-            "it is looked for beside the model; gmsh, VTK, Abaqus, CalculiX and NASTRAN meshes and voxels are read",
+            "it is looked for beside the model; gmsh, VTK, Abaqus, CalculiX, NASTRAN, Exodus and MED meshes and voxels are read",
         ),
     }
 }

@@ -164,7 +164,10 @@ impl Reader {
         if [18, 19].iter().any(|number| !matches!(card.field(*number).text, "" | "0")) {
             self.model.simplify("warping of beams is left out");
         }
-        let up = up(card, 6)?;
+        let up = match up(card, 6)? {
+            Some(Up::Vector(vector)) if coordinates.starts_with(['B', 'b']) => Some(Up::Basic(vector)),
+            up => up,
+        };
         self.model.beams.push(Line { label, property, ends, up, offsets, released, line: card.line });
         Ok(())
     }

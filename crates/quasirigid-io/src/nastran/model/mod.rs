@@ -10,6 +10,7 @@ use std::path::Path;
 
 use super::bulk::{Card, cards_of, real_or};
 use super::grid::Grids;
+use super::op2;
 use super::text::Text;
 use crate::deck::{DeckModel, Up};
 use crate::matrix::error::MatrixError;
@@ -42,6 +43,10 @@ pub(crate) fn read(file: &Path, bytes: &[u8]) -> Result<DeckModel, MatrixError> 
         model.left_out.insert("BEGIN SUPER".into(), text.superelements());
     }
     model.places = text.places();
+    model.frequencies = op2::frequencies(bytes);
+    if op2::lacks_parameters(bytes) {
+        model.simplify("the file has no parameters: PARAM,WTMASS is taken as 1, else choose `mass_unit`");
+    }
     Ok(model)
 }
 

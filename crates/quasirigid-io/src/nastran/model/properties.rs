@@ -39,7 +39,7 @@ impl Reader {
                 let label = label()?;
                 let [e1, e2, nu, g12, g13, g23, density] =
                     [3, 4, 5, 6, 7, 8, 9].map(|number| real_or_zero(card.field(number)));
-                let loss = real_or_zero(card.field(17))?;
+                let loss = real_or_zero(card.field(18))?;
                 let (g12, g13, g23) = (g12?, g13?, g23?);
                 if g13 == 0.0 || g23 == 0.0 {
                     self.model.simplify("MAT8 without G1Z or G2Z has G12 across the layers");

@@ -4,7 +4,9 @@ import os
 import pathlib
 
 import gmsh
+import h5py
 import meshio
+import netCDF4
 import numpy as np
 import vtk
 
@@ -129,6 +131,99 @@ def write_vtk(name, grid):
         writer.Write()
 
 
+# Exodus has the upright edges before those of the upper face, and the middle of a cell before those of its faces:
+# the place in the order of VTK of each of its nodes.
+UPRIGHT = list(range(12)) + [16, 17, 18, 19, 12, 13, 14, 15]
+EXODUS = {
+    3: "BAR2", 21: "BAR3", 5: "TRI3", 22: "TRI6", 9: "SHELL4", 23: "SHELL8", 28: "SHELL9", 10: "TETRA4",
+    13: "WEDGE6", 12: "HEX8", 24: "TETRA10", 26: "WEDGE15", 25: "HEX20", 29: "HEX27",
+}
+EXODUS_ORDER = {
+    25: UPRIGHT, 29: UPRIGHT + [26, 24, 25, 20, 21, 22, 23],
+    26: [0, 1, 2, 3, 4, 5, 6, 7, 8, 12, 13, 14, 9, 10, 11],
+}
+
+
+def write_exodus(name, grid, format):
+    """A block for each cell, whose order vtkExodusIIReader was seen to turn back; a named set of nodes and a nameless one."""
+    with netCDF4.Dataset(name, "w", format=format) as file:
+        file.setncatts({"api_version": np.float32(5.1), "version": np.float32(5.1), "title": "zoo"})
+        file.setncatts({"floating_point_word_size": np.int32(8), "file_size": np.int32(1)})
+        count = grid.GetNumberOfPoints()
+        sizes = {"len_name": 33, "num_dim": 3, "num_nodes": count, "num_elem": len(ZOO), "num_el_blk": len(ZOO)}
+        for dimension, size in (sizes | {"num_node_sets": 2, "num_nod_ns1": 2, "num_nod_ns2": 1}).items():
+            file.createDimension(dimension, size)
+        file.createDimension("time_step", None)
+        packed = {"zlib": True} if format == "NETCDF4" else {}
+
+        def variable(name, kind, dimensions, values):
+            array = file.createVariable(name, kind, dimensions, **(packed if name.startswith("coord") else {}))
+            array[:] = values
+            return array
+
+        variable("time_whole", "f8", ("time_step",), [0.5, 1.5])
+        variable("vals_nod_var1", "f8", ("time_step", "num_nodes"), np.zeros((2, count)))
+        points = np.array([grid.GetPoint(i) for i in range(count)])
+        for axis, letter in enumerate("xyz"):
+            variable(f"coord{letter}", "f8", ("num_nodes",), points[:, axis])
+        variable("node_num_map", "i4", ("num_nodes",), 100 + 3 * np.arange(count))
+        variable("eb_prop1", "i4", ("num_el_blk",), 10 + np.arange(len(ZOO)))
+        variable("ns_prop1", "i4", ("num_node_sets",), [7, 8])
+        for kind, names in (("el_blk", [g if g == "left" else "" for _, _, g in ZOO]), ("node_sets", ["tip", ""])):
+            letters = np.array([list(name.ljust(33, "\0")) for name in names], "S1")
+            variable("eb_names" if kind == "el_blk" else "ns_names", "S1", (f"num_{kind}", "len_name"), letters)
+        variable("node_ns1", "i4", ("num_nod_ns1",), [1, 3])
+        variable("node_ns2", "i4", ("num_nod_ns2",), [2])
+        for number, (_, kind, _) in enumerate(ZOO):
+            cell = grid.GetCell(number)
+            nodes = [cell.GetPointId(i) + 1 for i in range(cell.GetNumberOfPoints())]
+            nodes = [nodes[i] for i in EXODUS_ORDER.get(kind, range(len(nodes)))]
+            block = number + 1
+            file.createDimension(f"num_el_in_blk{block}", 1)
+            file.createDimension(f"num_nod_per_el{block}", len(nodes))
+            array = variable(f"connect{block}", "i4", (f"num_el_in_blk{block}", f"num_nod_per_el{block}"), [nodes])
+            array.elem_type = EXODUS[kind]
+
+
+# MED turns the lower face the other way: the place in the order of VTK of each of its nodes, as gmsh writes the blocks of one type.
+TURNED = [0, 3, 2, 1, 4, 7, 6, 5, 11, 10, 9, 8, 15, 14, 13, 12, 16, 19, 18, 17]
+MED = {
+    3: ("SE2", None), 21: ("SE3", None), 5: ("TR3", None), 22: ("TR6", None), 9: ("QU4", None), 23: ("QU8", None),
+    28: ("QU9", None), 10: ("TE4", [0, 2, 1, 3]), 13: ("PE6", [0, 2, 1, 3, 5, 4]), 12: ("HE8", TURNED[:8]),
+    24: ("T10", [0, 2, 1, 3, 6, 5, 4, 7, 9, 8]), 26: ("P15", [0, 2, 1, 3, 5, 4, 8, 7, 6, 11, 10, 9, 12, 14, 13]),
+    25: ("H20", TURNED), 29: ("H27", TURNED + [24, 20, 23, 21, 22, 25, 26]),
+}
+
+
+def write_med(name, grid):
+    """Cells by type; families of the groups of the cells and of the first two nodes."""
+    with h5py.File(name, "w") as file:
+        mesh = file.create_group("ENS_MAA/zoo")
+        mesh.attrs.update({"DIM": 3, "ESP": 3, "TYP": 0})
+        step = mesh.create_group("-0000000000000000001-0000000000000000001")
+        count = grid.GetNumberOfPoints()
+        points = np.array([grid.GetPoint(i) for i in range(count)])
+        step["NOE/COO"] = points.T.ravel()
+        step["NOE/NUM"] = 100 + 3 * np.arange(count)
+        step["NOE/FAM"] = [1, 1] + [0] * (count - 2)
+        for number, (_, kind, group) in enumerate(ZOO):
+            cell = grid.GetCell(number)
+            nodes = np.array([cell.GetPointId(i) + 1 for i in range(cell.GetNumberOfPoints())])
+            code, order = MED[kind]
+            step[f"MAI/{code}/NOD"] = nodes if order is None else nodes[order]
+            step[f"MAI/{code}/FAM"] = [-1 - list(GROUPS).index(group)]
+        step["MAI/PO1/NOD"] = [1]
+        families = [("NOEUD/FAM_1_tip", 1, ["tip"]), ("FAMILLE_ZERO", 0, [])]
+        families += [(f"ELEME/FAM_{group}", -1 - i, [group, "all of it"]) for i, group in enumerate(GROUPS)]
+        for path, number, groups in families:
+            family = file.create_group(f"FAS/zoo/{path}")
+            family.attrs["NUM"] = number
+            if groups:
+                names = family.create_dataset("GRO/NOM", (len(groups),), dtype="80int8")
+                for i, name in enumerate(groups):
+                    names[i] = list(name.encode().ljust(80, b"\0"))
+
+
 def gmsh_block():
     """Two boxes of 1 x 1 x 1 with a common face, in tetrahedra of second order."""
     gmsh.model.add("block")
@@ -150,6 +245,10 @@ gmsh_zoo()
 write_gmsh("zoo")
 gmsh.write("zoo.inp")
 write_vtk("zoo", vtk_zoo())
+write_med("zoo.med", vtk_zoo())
+write_exodus("zoo-2.exo", vtk_zoo(), "NETCDF3_64BIT_OFFSET")
+write_exodus("zoo-5.exo", vtk_zoo(), "NETCDF3_64BIT_DATA")
+write_exodus("zoo-4.exo", vtk_zoo(), "NETCDF4")
 
 gmsh_block()
 gmsh.option.setNumber("Mesh.MshFileVersion", 4.1)

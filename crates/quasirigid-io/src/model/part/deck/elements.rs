@@ -117,6 +117,7 @@ impl Made {
         let start = self.nodes[ends[0]];
         let direction = match up {
             Some(Up::Vector(vector)) => Some(along(&first_axes, vector)),
+            Some(Up::Basic(vector)) => Some(self.given.placement.turned(vector)),
             Some(Up::Point(label)) => {
                 let point = self.of(label, line)?;
                 Some(add(self.nodes[point], scale(-1.0, start)))

@@ -175,6 +175,7 @@ impl Made {
                 let first_axes = self.axes(labels[0], line)?;
                 let up = match up {
                     Some(Up::Vector(vector)) => along(&first_axes, vector),
+                    Some(Up::Basic(vector)) => self.given.placement.turned(vector),
                     Some(Up::Point(label)) => add(self.nodes[self.of(label, line)?], scale(-1.0, places[0])),
                     None => UNIT[0],
                 };

@@ -12,6 +12,9 @@ use crate::deck::Tip;
 use crate::matrix::error::MatrixProblem;
 use crate::matrix::listed::LocatedProblem;
 
+/// Most frequencies that a note lists.
+const LISTED: usize = 8;
+
 impl Made {
     /// Bodies, which need nodes that something holds.
     pub(super) fn bodies(&mut self) -> Result<Vec<NodeBody>, LocatedProblem> {
@@ -167,6 +170,17 @@ impl Made {
         }
         if self.deck.mass_factor != 1.0 {
             notes.push(format!("masses are multiplied by PARAM,WTMASS = {}", self.deck.mass_factor));
+        }
+        let all = &self.deck.frequencies;
+        if !all.is_empty() {
+            let hertz = |omega: &f64| format!("{:.4}", omega / std::f64::consts::TAU);
+            let first: Vec<String> = all.iter().take(LISTED).map(hertz).collect();
+            let more = if all.len() > LISTED { ", …" } else { "" };
+            notes.push(format!(
+                "NASTRAN found {} modes, under its supports: {}{more} Hz",
+                all.len(),
+                first.join(", ")
+            ));
         }
         if table.get("length_unit").is_none() || table.get("mass_unit").is_none() {
             let [x, y, z] = box_around(&self.mixed.mesh.nodes);

@@ -13,6 +13,7 @@ use quasirigid_math::vec3::{add, cross, dot, scale};
 use quasirigid_mesh::{Cell, Mesh, Set, Shape};
 
 use super::MeshProblem;
+use super::draft::finite;
 use super::problem::VolumeProblem;
 use crate::matrix::numpy::Array;
 use crate::mesh::error::{Fault, MeshError, Place};
@@ -143,6 +144,9 @@ impl Grid {
         memory::ask(OF_VOXEL * count as f64)
             .map_err(|problem| (Place::File, MeshProblem::Memory(problem)))?;
         let mut mesh = self.hexahedra(&solid);
+        for (node, place) in mesh.node_labels.iter().zip(&mesh.nodes) {
+            finite(*node, *place).map_err(|problem| (Place::File, problem))?;
+        }
         mesh.sets = self.sets(&solid, &of_part, sizes.len());
         Ok((mesh, notes))
     }

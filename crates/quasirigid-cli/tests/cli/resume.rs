@@ -14,7 +14,7 @@ use tempfile::TempDir;
 use crate::support::{folder_of, names, one_line, program, ran_in};
 
 /// Seconds of work, of more rows than a record keeps in memory.
-const RUN: &str = "run model.toml --samples 100101 --duration 6h --tables parquet -q";
+const RUN: &str = "run model.toml --samples 100101 --duration 40h --tables parquet -q";
 
 /// The bytes of every file of a run that was not cut off.
 static WHOLE: LazyLock<Vec<(String, Vec<u8>)>> = LazyLock::new(|| {

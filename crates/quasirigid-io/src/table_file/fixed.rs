@@ -172,7 +172,7 @@ mod tests {
 
     #[test]
     fn later_lines_widen_columns_and_never_join_them() {
-        let mut columns = columns("name      P\nIda    4.63\n");
+        let mut columns = columns("name      P\nIda     4.63\n");
         columns.widen(b"Itokawa 12.13");
         columns.widen(b"a footnote across");
         columns.settle();

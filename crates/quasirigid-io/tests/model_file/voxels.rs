@@ -169,10 +169,10 @@ fn voxels_without_labels_are_refused() {
     let says = |array: &[u8], lines: &str| located(&of_npy(array, lines).expect_err("a refusal"));
     insta::assert_snapshot!(says(&npy("<f4", [2, 2, 2], &half), ""), @r"
     model.toml:7:8: `file`: a.npy: the value 0.5 is no label; give `threshold`, at and above which a voxel is solid
-      it is looked for beside the model; gmsh, VTK, Abaqus, CalculiX and NASTRAN meshes and voxels are read
+      it is looked for beside the model; gmsh, VTK, Abaqus, CalculiX, NASTRAN, Exodus and MED meshes and voxels are read
     ");
     insta::assert_snapshot!(says(&npy("|u1", [2, 2, 2], &[0; 8]), ""), @r"
     model.toml:7:8: `file`: a.npy: no voxel is solid; are the labels all 0, or the `threshold` or `least_voxels` too high?
-      it is looked for beside the model; gmsh, VTK, Abaqus, CalculiX and NASTRAN meshes and voxels are read
+      it is looked for beside the model; gmsh, VTK, Abaqus, CalculiX, NASTRAN, Exodus and MED meshes and voxels are read
     ");
 }

@@ -71,8 +71,9 @@ impl ChoiceObserver for Outlook<'_> {
     }
 
     fn announce(&mut self, work: Work, seconds: f64) -> Result<(), choice::Reason> {
-        if !self.asked && seconds + self.start.elapsed().as_secs_f64() > BEGUN {
-            return Err(choice::Reason::TooLong { work, seconds, most: BEGUN });
+        let spent = self.start.elapsed().as_secs_f64();
+        if !self.asked && seconds + spent > BEGUN {
+            return Err(choice::Reason::TooLong { work, seconds, spent, most: BEGUN });
         }
         if seconds > PATIENCE {
             let work = refusals::work(work);

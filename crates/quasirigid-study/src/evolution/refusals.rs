@@ -140,14 +140,18 @@ fn of_choice(reason: &choice::Reason, wheels: bool) -> String {
              full system cannot be estimated; the method {}, asked for, needs no estimate",
             method(Work::History)
         ),
-        Reason::TooLong { work: long, seconds, most } => format!(
-            "{} would take about {}, and an automatic choice may take {}; ask for the method \
-             {} to do it all the same",
-            work(*long),
-            time(*seconds),
-            time(*most),
-            method(*long)
-        ),
+        Reason::TooLong { work: long, seconds, spent, most } => {
+            // nothing of the clock where it did not decide
+            let before = if seconds > most { String::new() } else { format!(" after the {} before", time(*spent)) };
+            format!(
+                "{} would take about {}{before}, and an automatic choice may take {}; ask for the method \
+                 {} to do it all the same",
+                work(*long),
+                time(*seconds),
+                time(*most),
+                method(*long)
+            )
+        }
     }
 }
 

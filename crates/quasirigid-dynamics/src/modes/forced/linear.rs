@@ -145,8 +145,8 @@ impl LinearModel {
         outputs: &[LinearOutput],
     ) -> Result<Self, LinearError> {
         if let Some(liquid) = body.memories().first() {
-            let name = &body.coordinates()[liquid.coordinates.start].name;
-            return Err(LinearError::Memory { what: format!("the liquid of {name:?}") });
+            let name = body.coordinates()[liquid.coordinates.start].part();
+            return Err(LinearError::Memory { what: format!("the liquid {name:?}") });
         }
         if !body.viscoelastic().is_empty() {
             return Err(LinearError::Memory { what: "a material".into() });

@@ -108,6 +108,8 @@ pub enum Reason {
         work: Work,
         /// Wall-clock time (s) that it would take.
         seconds: f64,
+        /// Wall-clock time (s) that the choice has taken before.
+        spent: f64,
         /// Longest wall-clock time (s) that is worked unasked.
         most: f64,
     },

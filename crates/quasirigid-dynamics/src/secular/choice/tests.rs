@@ -204,7 +204,7 @@ fn momentum_wheels_have_an_order_of_their_own() {
 fn methods_are_tried_in_order() {
     let decision = Decision::unasked(vec![Average(Polynomial), MicroRuns], FullSystem);
     let fails = Reason::AverageFails(AverageCriteria::default());
-    let long = Reason::TooLong { work: Work::ShortRuns, seconds: 100.0, most: 60.0 };
+    let long = Reason::TooLong { work: Work::ShortRuns, seconds: 100.0, spent: 0.0, most: 60.0 };
     let run = |reasons: [Option<&Reason>; 3]| {
         let mut reasons = reasons.into_iter();
         let attempt = |method: Method| match reasons.next().flatten() {

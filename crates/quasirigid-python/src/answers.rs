@@ -13,6 +13,7 @@ use quasirigid_io::record::{HistoryRecord, TableFormat};
 use quasirigid_study::evolution;
 use quasirigid_study::histories::Table;
 use quasirigid_study::layout::paragraph;
+use quasirigid_study::linear::LinearSettings;
 use quasirigid_study::modes::{PrincipalAxis, SteadySpinSettings};
 use quasirigid_study::report::page;
 use quasirigid_study::run::RunOutcome;
@@ -72,6 +73,20 @@ pub fn modes(study: &Study, asked: SteadySpinSettings) -> Result<Answer, Failure
         text: found.text(name, true),
         sentence: sentences.join(" "),
         holds: found.found(),
+        notes: study.model.notes.clone(),
+        numbers: BTreeMap::new(),
+        columns: None,
+    })
+}
+
+/// Linear model about a steady state.
+pub fn linear(study: &Study, asked: &LinearSettings) -> Result<Answer, Failure> {
+    let found = study.linear(asked)?;
+    Ok(Answer {
+        json: Json(found.json()),
+        text: found.text(),
+        sentence: found.sentence.clone(),
+        holds: true,
         notes: study.model.notes.clone(),
         numbers: BTreeMap::new(),
         columns: None,

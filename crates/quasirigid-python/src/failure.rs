@@ -99,7 +99,9 @@ fn class(error: &StudyError) -> &'static str {
         | StudyError::Steady
         | StudyError::AtRest
         | StudyError::BoundlessSpin => "StartError",
-        StudyError::Submanifold(SubmanifoldError::Degree { .. }) => "InputError",
+        StudyError::Submanifold(SubmanifoldError::Degree { .. }) | StudyError::NoChannel { .. } => {
+            "InputError"
+        }
         StudyError::Submanifold(
             SubmanifoldError::NoEquations { .. }
             | SubmanifoldError::External { .. }
@@ -108,7 +110,8 @@ fn class(error: &StudyError) -> &'static str {
         )
         | StudyError::ForcesAboutSpin { .. }
         | StudyError::EventsAboutSpin
-        | StudyError::SpinsAlone { .. } => "UnsupportedError",
+        | StudyError::SpinsAlone { .. }
+        | StudyError::Linear(_) => "UnsupportedError",
         StudyError::Submanifold(_) | StudyError::SteadySpinBeyond { .. } => "ReductionError",
         StudyError::Unaveraged(_)
         | StudyError::DrivenPole

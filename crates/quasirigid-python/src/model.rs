@@ -14,6 +14,7 @@ use quasirigid_io::model::{
 };
 use quasirigid_io::record::TableFormat;
 use quasirigid_study::histories::Table;
+use quasirigid_study::linear::{LinearAt, LinearSettings};
 use quasirigid_study::modes::{PrincipalAxis, SteadySpinSettings};
 use quasirigid_study::settings::{PartialEvolve, PartialRun, PartialSpinManifold, PartialVerify};
 use quasirigid_study::{Study, StudyError};
@@ -130,6 +131,25 @@ impl Model {
     ) -> PyResult<Answer> {
         let asked = SteadySpinSettings { omega: spin, axis: named::<PrincipalAxis>(axis, "axis")? };
         self.ask(py, (order, observer), |study, _| answers::modes(study, asked))
+    }
+
+    /// Linear model about a steady state.
+    fn linear(
+        &self,
+        py: Python<'_>,
+        at: Option<&str>,
+        spin: Option<[f64; 3]>,
+        inputs: Vec<String>,
+        outputs: Vec<String>,
+        observer: Observer,
+    ) -> PyResult<Answer> {
+        let named = match at {
+            Some("rest") => Some(LinearAt::Rest),
+            Some(_) => Some(LinearAt::Spin),
+            None => None,
+        };
+        let asked = LinearSettings { at: spin.map(LinearAt::Rate).or(named), inputs, outputs };
+        self.ask(py, (None, observer), |study, _| answers::linear(study, &asked))
     }
 
     /// Reduced equations about the spin.

@@ -75,6 +75,14 @@ class Model:
     def modes(
         self, spin: tuple[float, float, float] | None, axis: str | None, order: int | None, observer: _Observer
     ) -> _Answer: ...
+    def linear(
+        self,
+        at: str | None,
+        spin: tuple[float, float, float] | None,
+        inputs: list[str],
+        outputs: list[str],
+        observer: _Observer,
+    ) -> _Answer: ...
     def about_spin(self, asked: dict[str, Any], axis: str | None, observer: _Observer) -> _Answer: ...
     def reduce(self, order: int | None, observer: _Observer) -> Reduced: ...
     def simulate(

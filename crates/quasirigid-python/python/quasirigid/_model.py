@@ -10,7 +10,7 @@ from typing import Any, NoReturn, overload
 from numpy.typing import ArrayLike
 
 from quasirigid import _arguments, _core, _settings
-from quasirigid._answers import AboutSpin, Check, Evolution, History, Modes, Run, Verification
+from quasirigid._answers import AboutSpin, Check, Evolution, History, Linear, Modes, Run, Verification
 from quasirigid._ensemble import Evolutions, Histories, SpinPaths
 from quasirigid._errors import InputError, ModelError
 from quasirigid._progress import Progress, observer
@@ -188,6 +188,38 @@ class Model:
         name = _arguments.word(axis, "axis")
         with observer(progress) as watch:
             return Modes(self._core.modes(vector, name, _arguments.count(order, "order"), watch))
+
+    def linear(
+        self,
+        at: str | ArrayLike | None = None,
+        *,
+        inputs: Sequence[str] = (),
+        outputs: Sequence[str] = (),
+        progress: Progress = False,
+    ) -> Linear:
+        """Gives the linear model of the small motions about a steady state, between inputs and outputs.
+
+        Args:
+            at: ``rest``, ``spin`` (next to the start), or an angular velocity (rad/s), ``(3,)``. By default the spin of the
+                start, if there is one.
+            inputs: Names such as ``torque.x``, ``force.x``, ``force.NODE.x``, ``wheel.NAME.torque``; the torques by default.
+            outputs: Names such as ``rate.x``, ``attitude.x``, ``momentum.x``, ``acceleration.NODE.x``,
+                ``displacement.NODE.x``, ``wheel.NAME.speed``, ``coordinate.NAME``; the rates by default.
+
+        Raises:
+            InputError: for a name that is none.
+            UnsupportedError: for materials and liquids with a memory, and states that are not steady.
+
+        >>> import quasirigid
+        >>> quasirigid.Model(quasirigid.EXAMPLE).linear(at=[0, 1.2, 0]).A.shape
+        (18, 18)
+        """
+        if isinstance(at, str) and at not in ("rest", "spin"):
+            raise InputError(f"at = {at!r}; give 'rest', 'spin' or an angular velocity (rad/s)")
+        name = at if isinstance(at, str) else None
+        vector = None if isinstance(at, str) else _arguments.vector(at, "at")
+        with observer(progress) as watch:
+            return Linear(self._core.linear(name, vector, list(inputs), list(outputs), watch))
 
     def about_spin(
         self,

@@ -33,7 +33,7 @@ quantities = [\"check.valid\", \"check.T1\", \"check.verdict\"]
 ";
 
 /// A run of seconds, whose rows go to the disk from the start.
-pub const LONG: &str = "run model.toml --samples 100101 --duration 6h --tables parquet -q -o out";
+pub const LONG: &str = "run model.toml --samples 100101 --duration 150h --tables parquet -q -o out";
 
 /// A folder with a model of which only the rigid body is followed, so that many rows take little time.
 pub fn folder_of_rigid() -> TempDir {

@@ -16,6 +16,7 @@ pub mod mesh;
 pub mod model;
 mod nastran;
 mod nearest;
+mod pyramid;
 pub mod record;
 pub mod study_file;
 pub mod table_file;

@@ -143,12 +143,8 @@ impl Model {
         outputs: Vec<String>,
         observer: Observer,
     ) -> PyResult<Answer> {
-        let named = match at {
-            Some("rest") => Some(LinearAt::Rest),
-            Some(_) => Some(LinearAt::Spin),
-            None => None,
-        };
-        let asked = LinearSettings { at: spin.map(LinearAt::Rate).or(named), inputs, outputs };
+        let at = spin.map(LinearAt::Rate).or_else(|| at.and_then(LinearAt::named));
+        let asked = LinearSettings { at, inputs, outputs };
         self.ask(py, (None, observer), |study, _| answers::linear(study, &asked))
     }
 

@@ -3,6 +3,7 @@
 
 use std::collections::BTreeMap;
 
+use quasirigid::model::force::Force;
 use quasirigid::model::{Marker, Principal};
 use quasirigid::modes::{
     LinearInput, LinearModel, LinearOutput, LinearState, RelativeEquilibrium, SpinMagnitude, SteadyState,
@@ -28,6 +29,18 @@ pub enum LinearAt {
     Spin,
     /// The steady spin next to an angular velocity (rad/s, body axes), with its size.
     Rate([f64; 3]),
+}
+
+impl LinearAt {
+    /// The state of a word, `rest` or `spin`.
+    #[must_use]
+    pub fn named(word: &str) -> Option<Self> {
+        match word {
+            "rest" => Some(Self::Rest),
+            "spin" => Some(Self::Spin),
+            _ => None,
+        }
+    }
 }
 
 /// Settings of a linear model.
@@ -132,7 +145,7 @@ impl Study {
         let inputs: Vec<_> = ins.iter().map(|name| self.input(name)).collect::<Result<_, _>>()?;
         let outputs: Vec<_> = outs.iter().map(|name| self.output(name)).collect::<Result<_, _>>()?;
         let forces = steady_state::acting_at_start(self);
-        let state = self.state_of(asked.at)?;
+        let state = self.state_of(asked.at, &forces)?;
         let LinearModel { equilibrium, states, A, B, C, D } =
             LinearModel::about(&self.body, &forces, state, &inputs, &outputs).map_err(StudyError::Linear)?;
         let channels = |names: Vec<String>, units: Vec<&'static str>| {
@@ -153,18 +166,17 @@ impl Study {
         })
     }
 
-    fn state_of(&self, at: Option<LinearAt>) -> Result<SteadyState, StudyError> {
+    fn state_of(&self, at: Option<LinearAt>, forces: &[Force<Marker>]) -> Result<SteadyState, StudyError> {
         let body = &self.body;
-        let forces = steady_state::acting_at_start(self);
         let rest = at.map_or_else(|| self.model.initial.rotation.is_none(), |at| at == LinearAt::Rest);
-        if acts(body, &forces) {
+        if acts(body, forces) {
             let asked = match at {
                 Some(LinearAt::Rate(omega)) => Some(omega),
                 _ if rest => Some([0.0; 3]),
                 _ => None,
             };
             let near = steady_state::near(self, asked)?;
-            return SteadyState::near(body, &forces, near).map_err(|cause| StudyError::Linear(cause.into()));
+            return SteadyState::near(body, forces, near).map_err(|cause| StudyError::Linear(cause.into()));
         }
         let spun = |omega: [f64; 3], given| {
             let axis = Principal::compute(body.invariants().J).axis_beside(omega);

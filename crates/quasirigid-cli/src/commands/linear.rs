@@ -16,15 +16,10 @@ pub fn linear(arguments: &LinearArgs) -> Result<ExitStatus, Failure> {
 }
 
 fn state(word: &str) -> Result<LinearAt, Failure> {
-    match word {
-        "rest" => Ok(LinearAt::Rest),
-        "spin" => Ok(LinearAt::Spin),
-        numbers => {
-            let rate = numbers
-                .split(',')
-                .map(|number| number.trim().parse().ok().filter(|rate: &f64| rate.is_finite()));
-            let rate = rate.collect::<Option<Vec<f64>>>().and_then(|rate| <[f64; 3]>::try_from(rate).ok());
-            rate.map(LinearAt::Rate).ok_or_else(|| Failure::NoSteadyState { word: word.to_owned() })
-        }
+    if let Some(known) = LinearAt::named(word) {
+        return Ok(known);
     }
+    let rate = word.split(',').map(|number| number.trim().parse().ok().filter(|rate: &f64| rate.is_finite()));
+    let rate = rate.collect::<Option<Vec<f64>>>().and_then(|rate| <[f64; 3]>::try_from(rate).ok());
+    rate.map(LinearAt::Rate).ok_or_else(|| Failure::NoSteadyState { word: word.to_owned() })
 }

@@ -9,6 +9,7 @@ use quasirigid_mesh::{Cell, Mesh, Set, Shape};
 use super::{DeckModel, Plate, Solid};
 use crate::matrix::error::MatrixProblem;
 use crate::matrix::listed::LocatedProblem;
+use crate::pyramid;
 
 /// Cells of a deck.
 #[derive(Default)]
@@ -102,16 +103,13 @@ impl Cells {
 
     /// What was changed, in words.
     pub fn notes(&self) -> Vec<String> {
+        let pyramids = (self.pyramids > 0).then(|| pyramid::told(self.pyramids));
         let counted = [
-            (self.pyramids, "pyramids are two tetrahedra each"),
             (self.divided, "quadratic plates are divided into linear ones between all their nodes"),
             (self.put, "middles of edges that cells leave out are put there"),
         ];
-        counted
-            .iter()
-            .filter(|(count, _)| *count > 0)
-            .map(|(count, what)| format!("{what} ({count})"))
-            .collect()
+        let counted = counted.iter().filter(|(count, _)| *count > 0);
+        pyramids.into_iter().chain(counted.map(|(count, what)| format!("{what} ({count})"))).collect()
     }
 
     /// A new node, numbered on from the last.
@@ -183,38 +181,33 @@ impl Cells {
         Ok(())
     }
 
-    /// Two tetrahedra on the diagonal of the base from its least label, so that two cells on one face agree.
     fn pyramid(&mut self, solid: &Solid, corners: &[usize], middles: &[usize]) {
         self.pyramids += 1;
-        let least = (0..4).min_by_key(|corner| solid.nodes[*corner]).unwrap_or(0);
-        let turned = |corner: usize| (least + corner) % 4;
-        let [a, b, c, d] = [0, 1, 2, 3].map(|corner| corners[turned(corner)]);
-        let top = corners[4];
+        let nodes = [corners, middles].concat();
         if middles.is_empty() {
-            self.add(solid.label, Shape::Tet4, &[a, b, c, top]);
-            self.add(solid.label, Shape::Tet4, &[a, c, d, top]);
+            for half in pyramid::halves(&solid.nodes) {
+                self.add(solid.label, Shape::Tet4, &half.map(|place| nodes[place]));
+            }
             return;
         }
-        let of_nodes = |nodes: &[usize], axis: usize| -> f64 {
-            nodes.iter().map(|node| self.mesh.nodes[*node][axis]).sum()
-        };
-        // the middle of a face with middles on its edges
-        let place =
-            [0, 1, 2].map(|axis| 0.5 * of_nodes(&middles[..4], axis) - 0.25 * of_nodes(&corners[..4], axis));
-        let mut edge = [a, c];
+        let middle = self.middle_of_base(solid, &nodes);
+        for half in pyramid::curved_halves(&solid.nodes) {
+            let half = half.map(|place| place.map_or(middle, |place| nodes[place]));
+            self.add(solid.label, Shape::Tet10, &half);
+        }
+    }
+
+    fn middle_of_base(&mut self, solid: &Solid, nodes: &[usize]) -> usize {
+        let [[a, _, c, _], _] = pyramid::halves(&solid.nodes);
+        let mut edge = [nodes[a], nodes[c]];
         edge.sort_unstable();
-        let middle = match self.middles.get(&edge) {
-            Some(known) => *known,
-            None => {
-                let node = self.put(place);
-                self.middles.insert(edge, node);
-                node
-            }
-        };
-        let base = |side: usize| middles[turned(side)];
-        let up = |corner: usize| middles[4 + turned(corner)];
-        self.add(solid.label, Shape::Tet10, &[a, b, c, top, base(0), base(1), middle, up(0), up(1), up(2)]);
-        self.add(solid.label, Shape::Tet10, &[a, c, d, top, middle, base(2), base(3), up(0), up(2), up(3)]);
+        if let Some(known) = self.middles.get(&edge) {
+            return *known;
+        }
+        let places = |first: usize| [0, 1, 2, 3].map(|corner| self.mesh.nodes[nodes[first + corner]]);
+        let node = self.put(pyramid::middle_of_base(places(0), places(pyramid::NODES)));
+        self.middles.insert(edge, node);
+        node
     }
 
     fn plate(&mut self, plate: &Plate) -> Result<(), LocatedProblem> {

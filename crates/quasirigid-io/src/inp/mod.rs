@@ -21,12 +21,12 @@ use crate::deck::{DeckModel, Point};
 use crate::matrix::MatrixProblem;
 use crate::matrix::error::MatrixError;
 use crate::matrix::listed::LocatedProblem;
-use crate::mesh::inp::{Inp, InpCard, read_inp};
+use crate::mesh::inp::{Inp, InpCard, OF_BODIES, read_inp};
 use orientation::Orientation;
 use sections::Section;
 
-/// Cards that make the body, which are kept.
-const CARRIED: [&str; 34] = [
+/// Cards of materials, sections and the mesh, which are kept beside those of bodies.
+const CARRIED: [&str; 21] = [
     "MATERIAL",
     "ELASTIC",
     "DENSITY",
@@ -40,20 +40,6 @@ const CARRIED: [&str; 34] = [
     "NODAL THICKNESS",
     "BEAM SECTION",
     "BEAM GENERAL SECTION",
-    "MASS",
-    "ROTARY INERTIA",
-    "SPRING",
-    "DASHPOT",
-    "COUPLING",
-    "KINEMATIC",
-    "DISTRIBUTING",
-    "KINEMATIC COUPLING",
-    "DISTRIBUTING COUPLING",
-    "RIGID BODY",
-    "TIE",
-    "MPC",
-    "EQUATION",
-    // of the mesh
     "NODE",
     "ELEMENT",
     "NSET",
@@ -138,8 +124,7 @@ struct Reader {
 /// # Errors
 /// [`MatrixError`] says what is wrong, in which file and on which line.
 pub(crate) fn read(file: &Path, bytes: &[u8]) -> Result<DeckModel, MatrixError> {
-    let kept = |name: &str| CARRIED.contains(&name);
-    let mut inp = read_inp(file, bytes, kept).map_err(|error| MatrixError {
+    let mut inp = read_inp(file, bytes, is_carried).map_err(|error| MatrixError {
         file: error.file,
         place: error.place,
         problem: MatrixProblem::Inp(Box::new(error.problem)),
@@ -153,6 +138,11 @@ pub(crate) fn read(file: &Path, bytes: &[u8]) -> Result<DeckModel, MatrixError> 
         Ok(()) => Ok(reader.model),
         Err(fault) => Err(reader.model.located(fault)),
     }
+}
+
+/// Whether a card makes the body.
+fn is_carried(name: &str) -> bool {
+    CARRIED.contains(&name) || OF_BODIES.contains(&name)
 }
 
 /// Whether a file is a deck of keywords.
@@ -187,7 +177,7 @@ impl Reader {
             self.model.leave_out_all(&name, count);
         }
         for (name, count) in &self.inp.counts {
-            if !CARRIED.contains(&name.as_str()) && !ANALYSIS.contains(&name.as_str()) {
+            if !is_carried(name) && !ANALYSIS.contains(&name.as_str()) {
                 self.model.leave_out_all(&format!("*{name}"), *count);
             }
         }

@@ -10,7 +10,8 @@ use quasirigid_mesh::{Cell, Mesh, Shape};
 use super::others::Others;
 use super::problem::VolumeProblem;
 use super::sets::Sets;
-use super::{MeshProblem, Part, pyramid};
+use super::{MeshProblem, Part};
+use crate::pyramid;
 
 /// A mesh on its way from a file that numbers nodes and cells as it likes.
 #[derive(Default)]
@@ -47,58 +48,51 @@ impl Draft {
 
     /// Adds a cell whose nodes stand in the order of [`Shape`], and returns its index.
     pub(super) fn add_cell(&mut self, label: u64, shape: Shape, nodes: &[u64]) -> Result<usize, MeshProblem> {
-        let index =
-            |node: &u64| self.node(*node).ok_or(VolumeProblem::NoSuchNode { cell: label, node: *node });
-        let nodes = nodes.iter().map(index).collect::<Result<_, _>>()?;
+        let nodes = nodes.iter().map(|node| self.index(label, *node)).collect::<Result<_, _>>()?;
         insert(&mut self.cell_of, Part::Cells, label, self.cells.len())?;
         self.cells.push(Cell { label, shape, nodes });
         Ok(self.cells.len() - 1)
     }
 
-    /// Adds a pyramid as two tetrahedra of its number on a diagonal of its base, of 13 nodes with a node in the middle of that diagonal. Returns
-    /// the index of the first; the second follows it into sets.
+    /// Adds a pyramid as two tetrahedra of its number, and returns the index of the first; the second follows it into sets.
     pub(super) fn add_pyramid(&mut self, label: u64, nodes: &[u64]) -> Result<usize, MeshProblem> {
         let (shape, [first, second]) = if nodes.len() == pyramid::NODES {
-            (Shape::Tet4, pyramid::halves(nodes).map(|half| half.map(|corner| nodes[corner]).to_vec()))
+            (Shape::Tet4, pyramid::halves(nodes).map(|half| half.map(|place| nodes[place]).to_vec()))
         } else {
-            (Shape::Tet10, self.curved_halves(label, nodes)?)
+            let middle = self.middle_of_base(label, nodes)?;
+            let of = |place: Option<usize>| place.map_or(middle, |place| nodes[place]);
+            (Shape::Tet10, pyramid::curved_halves(nodes).map(|half| half.map(of).to_vec()))
         };
         let added = self.add_cell(label, shape, &first)?;
-        let index = |node: u64| self.node(node).ok_or(VolumeProblem::NoSuchNode { cell: label, node });
-        let nodes = second.into_iter().map(index).collect::<Result<_, _>>()?;
+        let nodes = second.into_iter().map(|node| self.index(label, node)).collect::<Result<_, _>>()?;
         self.halves.insert(added, self.cells.len());
         self.cells.push(Cell { label, shape, nodes });
         Ok(added)
     }
 
-    /// Tetrahedra of ten nodes from a pyramid of 13.
-    fn curved_halves(&mut self, label: u64, nodes: &[u64]) -> Result<[Vec<u64>; 2], MeshProblem> {
-        let [[a, b, c, _], [_, _, d, _]] = pyramid::halves(nodes);
-        let [side, up] = [5, 9].map(|first| move |corner: usize| nodes[first + corner]);
-        let middle = self.middle_of_base(label, nodes, [nodes[a].min(nodes[c]), nodes[a].max(nodes[c])])?;
-        let corners = |three: [usize; 3]| three.map(|corner| nodes[corner]).into_iter().chain([nodes[4]]);
-        Ok([
-            corners([a, b, c]).chain([side(a), side(b), middle, up(a), up(b), up(c)]).collect(),
-            corners([a, c, d]).chain([middle, side(c), side(d), up(a), up(c), up(d)]).collect(),
-        ])
-    }
-
-    /// The node in the middle of the base of a pyramid, which the cell on the other side shares.
-    fn middle_of_base(&mut self, cell: u64, nodes: &[u64], diagonal: [u64; 2]) -> Result<u64, MeshProblem> {
+    /// The node in the middle of the base of a pyramid of 13 nodes, which the cell on the other side shares.
+    fn middle_of_base(&mut self, cell: u64, nodes: &[u64]) -> Result<u64, MeshProblem> {
+        let [[a, _, c, _], _] = pyramid::halves(nodes);
+        let diagonal = [nodes[a].min(nodes[c]), nodes[a].max(nodes[c])];
         if let Some(known) = self.middles.get(&diagonal) {
             return Ok(*known);
         }
-        let mut place = [0.0; 3];
-        for (nodes, share) in [(&nodes[..4], -0.25), (&nodes[5..9], 0.5)] {
-            for node in nodes {
-                let index = self.node(*node).ok_or(VolumeProblem::NoSuchNode { cell, node: *node })?;
-                place = [0, 1, 2].map(|axis| place[axis] + share * self.nodes[index][axis]);
+        let mut places = [[[0.0; 3]; 4]; 2];
+        for (places, first) in places.iter_mut().zip([0, pyramid::NODES]) {
+            for (place, node) in places.iter_mut().zip(&nodes[first..]) {
+                *place = self.nodes[self.index(cell, *node)?];
             }
         }
+        let [corners, sides] = places;
         let label = self.last_node.saturating_add(1);
-        self.add_node(label, place)?;
+        self.add_node(label, pyramid::middle_of_base(corners, sides))?;
         self.middles.insert(diagonal, label);
         Ok(label)
+    }
+
+    /// Index of a node that a cell names.
+    fn index(&self, cell: u64, node: u64) -> Result<usize, VolumeProblem> {
+        self.node(node).ok_or(VolumeProblem::NoSuchNode { cell, node })
     }
 
     /// Index of the node with this number.

@@ -22,7 +22,7 @@ impl Reader {
             "PCOMPG" => self.composite(card, label()?, [11, 8])?,
             "PBAR" => self.bar(card, label()?)?,
             "PBEAM" => self.beam_section(card, label()?)?,
-            "PBARL" | "PBEAML" => return self.library(card, label()?, name),
+            "PBARL" | "PBEAML" => return self.section(card, label()?, name),
             "PROD" => self.rod_section(card, label()?, 3, 4, 5)?,
             "PTUBE" => self.tube(card, label()?)?,
             "PELAS" => self.springs_of(card)?,
@@ -221,7 +221,7 @@ impl Reader {
     }
 
     /// A section of the library by its sizes; false for one that is not known.
-    fn library(&mut self, card: &Card, label: u64, name: &str) -> Result<bool, LocatedProblem> {
+    fn section(&mut self, card: &Card, label: u64, name: &str) -> Result<bool, LocatedProblem> {
         let material = integer(card.field(3), Row::Property)?;
         let kind = card.field(5).text.to_ascii_uppercase();
         let count = match kind.as_str() {

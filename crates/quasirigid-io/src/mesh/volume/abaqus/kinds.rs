@@ -4,7 +4,7 @@
 use quasirigid_mesh::Shape;
 
 use super::VolumeProblem;
-use crate::mesh::volume::pyramid;
+use crate::pyramid;
 
 /// A kind of cell in the order of Abaqus.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -36,8 +36,8 @@ const GENERATORS: [&str; 9] =
 const BESIDE: [&str; 12] = [
     "MASS", "ROTARYI", "SPRING", "DASHPOT", "CONN", "DCOUP", "JOINT", "GAP", "ITT", "R3D", "RB3D", "HEATCAP",
 ];
-/// Keywords of a body that are not carried.
-const NOT_CARRIED: [&str; 16] = [
+/// Keywords of bodies, springs and nodes that follow others: a deck takes them, a mesh counts them.
+pub(crate) const OF_BODIES: [&str; 13] = [
     "MASS",
     "ROTARY INERTIA",
     "SPRING",
@@ -51,10 +51,9 @@ const NOT_CARRIED: [&str; 16] = [
     "EQUATION",
     "TIE",
     "RIGID BODY",
-    "NONSTRUCTURAL MASS",
-    "EMBEDDED ELEMENT",
-    "CONNECTOR SECTION",
 ];
+/// Keywords of a body that neither takes.
+const NOT_CARRIED: [&str; 3] = ["NONSTRUCTURAL MASS", "EMBEDDED ELEMENT", "CONNECTOR SECTION"];
 
 /// The mesh of a file, and what was left out.
 pub(super) fn read(file: &Path, bytes: &[u8]) -> Result<(Mesh, Vec<String>), MeshError> {
@@ -232,7 +231,8 @@ impl Reader {
             return Err(VolumeProblem::Generated { found: format!("*{}", keyword.name).into() }.into());
         }
         *self.counts.entry(keyword.name.clone()).or_default() += 1;
-        if self.kept.is_none() && NOT_CARRIED.contains(&keyword.name.as_str()) {
+        let name = keyword.name.as_str();
+        if self.kept.is_none() && (OF_BODIES.contains(&name) || NOT_CARRIED.contains(&name)) {
             *self.left_out.entry(format!("*{}", keyword.name)).or_default() += 1;
         }
         self.into = Into::Own;

@@ -10,9 +10,9 @@ use quasirigid_mesh::Mesh;
 
 use super::draft::Draft;
 use super::problem::VolumeProblem;
-use super::pyramid;
 use crate::mesh::error::{Fault, MeshProblem, Part, Place, Row};
 use crate::mesh::file::Encoding;
+use crate::pyramid;
 use groups::Groups;
 use source::Source;
 

@@ -7,7 +7,8 @@ use std::ops::Range;
 use quasirigid_mesh::{Cell, Mesh, Shape};
 
 use super::array::Array;
-use super::{Fault, MeshProblem, Place, Sets, VolumeProblem, finite, pyramid};
+use super::{Fault, MeshProblem, Place, Sets, VolumeProblem, finite};
+use crate::pyramid;
 
 /// Most values of an array whose values become sets: one with more numbers the cells.
 const MOST_VALUES: usize = 1000;

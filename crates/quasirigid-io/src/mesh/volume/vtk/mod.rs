@@ -9,7 +9,6 @@ mod xml;
 
 use super::draft::finite;
 use super::problem::VolumeProblem;
-use super::pyramid;
 use super::sets::Sets;
 use crate::mesh::error::{Fault, MeshProblem, Part, Place, Row};
 pub(in crate::mesh) use legacy::poly::read as read_legacy_polygons;

@@ -5,10 +5,9 @@ use std::collections::BTreeMap;
 
 use quasirigid_mesh::{Mesh, Shape};
 
-use super::arrays::{Arrays, check_length, missing};
+use super::arrays::{Arrays, check_length, label, missing, node};
 use super::draft::Draft;
 use super::kinds::Kind;
-use super::problem::VolumeProblem;
 use crate::mesh::error::{Fault, Place};
 
 /// Variable of the numbers of the blocks, which every mesh has.
@@ -72,17 +71,6 @@ fn labels(arrays: &impl Arrays, names: &[&str], count: usize) -> Result<Vec<u64>
         }
     }
     Ok((1..=count as u64).collect())
-}
-
-fn label(found: i64) -> Result<u64, Fault> {
-    u64::try_from(found).map_err(|_| (Place::File, VolumeProblem::Label { found }.into()))
-}
-
-/// Number of a node by its place from 1.
-fn node(labels: &[u64], place: i64) -> Result<u64, Fault> {
-    let index = usize::try_from(place).ok().and_then(|place| place.checked_sub(1));
-    let label = index.and_then(|index| labels.get(index)).copied();
-    label.ok_or_else(|| (Place::File, VolumeProblem::Label { found: place }.into()))
 }
 
 /// Names of blocks or sets: their own, or a prefix with their number.

@@ -6,10 +6,9 @@ use std::collections::{BTreeMap, HashMap};
 
 use quasirigid_mesh::{Mesh, Shape};
 
-use super::arrays::{Arrays, Hdf5, check_length, missing};
+use super::arrays::{Arrays, Hdf5, check_length, label, missing, node};
 use super::draft::Draft;
 use super::kinds::Kind;
-use super::problem::VolumeProblem;
 use crate::mesh::error::{Fault, Place};
 
 /// Group of the meshes, and of their families.
@@ -108,7 +107,7 @@ fn nodes(
     let coordinates = file.reals(&name)?.ok_or_else(|| missing(&name))?;
     let count = coordinates.len() / dimension.clamp(1, 3);
     check_length(&name, coordinates.len(), count * dimension)?;
-    let labels = labels(file, &format!("{step}/NOE/NUM"), count, 0)?;
+    let labels = labels(file, &format!("{step}/NOE/NUM"), count)?;
     let mut members = Vec::with_capacity(count);
     for (node, label) in labels.iter().enumerate() {
         let along = |axis: usize| if axis < dimension { coordinates[axis * count + node] } else { 0.0 };
@@ -121,14 +120,12 @@ fn nodes(
     Ok(labels)
 }
 
-/// Numbers of nodes or cells, on from a last one where the file has none.
-fn labels(file: &Hdf5, name: &str, count: usize, last: u64) -> Result<Vec<u64>, Fault> {
+/// Numbers of nodes, from 1 where the file has none.
+fn labels(file: &Hdf5, name: &str, count: usize) -> Result<Vec<u64>, Fault> {
     let Some(numbers) = file.integers(name)? else {
-        return Ok((1..=count as u64).map(|number| last + number).collect());
+        return Ok((1..=count as u64).collect());
     };
     check_length(name, numbers.len(), count)?;
-    let label =
-        |found: i64| u64::try_from(found).map_err(|_| (Place::File, VolumeProblem::Label { found }.into()));
     numbers.into_iter().map(label).collect()
 }
 
@@ -172,13 +169,6 @@ fn cells(
         notes.push(format!("cells of these types are left out: {}", left_out.join(", ")));
     }
     Ok(notes)
-}
-
-/// Number of a node by its place from 1.
-fn node(labels: &[u64], place: i64) -> Result<u64, Fault> {
-    let index = usize::try_from(place).ok().and_then(|place| place.checked_sub(1));
-    let label = index.and_then(|index| labels.get(index)).copied();
-    label.ok_or_else(|| (Place::File, VolumeProblem::Label { found: place }.into()))
 }
 
 /// Kind of cells of a type; none of one that is not read.

@@ -67,3 +67,15 @@ pub(super) fn check_length(name: &str, found: usize, expected: usize) -> Result<
     let problem: MeshProblem = VolumeProblem::ArrayLength { array, found, expected }.into();
     Err((Place::File, problem))
 }
+
+/// A number as nodes and cells have it.
+pub(super) fn label(found: i64) -> Result<u64, Fault> {
+    u64::try_from(found).map_err(|_| (Place::File, VolumeProblem::Label { found }.into()))
+}
+
+/// Number of a node by its place from 1.
+pub(super) fn node(labels: &[u64], place: i64) -> Result<u64, Fault> {
+    let index = usize::try_from(place).ok().and_then(|place| place.checked_sub(1));
+    let label = index.and_then(|index| labels.get(index)).copied();
+    label.ok_or_else(|| (Place::File, VolumeProblem::Label { found: place }.into()))
+}

@@ -340,11 +340,20 @@ pub struct LinearArgs {
     /// State that the model is about: rest, spin (next to the start), or an angular velocity WX,WY,WZ (rad/s) [default: spin, if there is one]
     #[arg(long, value_name = "STATE", allow_hyphen_values = true)]
     pub at: Option<String>,
+    /// Frequencies (rad/s) between which materials and liquids are met [default: those of the body's own rates]
+    #[arg(long, value_name = "LOW,HIGH", value_parser = band)]
+    pub band: Option<[f64; 2]>,
+    /// Write matrices and names into this file, .mat for MATLAB and Octave or .npz for NumPy
+    #[arg(short, long, value_name = "FILE")]
+    pub out: Option<PathBuf>,
+    /// Replace the file
+    #[arg(long, requires = "out")]
+    pub overwrite: bool,
     /// Inputs: torque.x, force.x, force.NODE.x, wheel.NAME.torque [default: the torques]
     #[arg(long, value_name = "LIST", value_delimiter = ',')]
     pub inputs: Vec<String>,
-    /// Outputs: rate.x, attitude.x, momentum.x, acceleration.NODE.x, displacement.NODE.x, wheel.NAME.speed, coordinate.NAME [default: the
-    /// rates]
+    /// Outputs: rate.x, attitude.x, momentum.x, acceleration.NODE.x, displacement.NODE.x, wheel.NAME.speed or .momentum, coordinate.NAME
+    /// [default: the rates]
     #[arg(long, value_name = "LIST", value_delimiter = ',')]
     pub outputs: Vec<String>,
 }
@@ -372,6 +381,13 @@ impl SpinManifoldOptions {
     pub fn is_given(&self) -> bool {
         self.partial() != PartialSpinManifold::default()
     }
+}
+
+/// Reads a band of frequencies (rad/s).
+fn band(text: &str) -> Result<[f64; 2], String> {
+    let numbers: Option<Vec<f64>> = text.split(',').map(|number| number.trim().parse().ok()).collect();
+    let ends = numbers.and_then(|numbers| <[f64; 2]>::try_from(numbers).ok());
+    ends.ok_or_else(|| "a band is two frequencies (rad/s), as 0.01,50".to_owned())
 }
 
 /// Reads a degree of the reduced equations about a spin.

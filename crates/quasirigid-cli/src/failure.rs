@@ -63,6 +63,8 @@ pub enum Failure {
     NoFigures { folder: PathBuf },
     #[error("{}: pictures are svg or png files; name the format with --format", path.display())]
     PictureEnding { path: PathBuf },
+    #[error("{}: a linear model is a .mat or .npz file; JSON is that of --json", path.display())]
+    ArrayEnding { path: PathBuf },
     #[error("--pixels belongs to PNG pictures; an SVG picture has any size")]
     PixelsOfSvg,
     #[error(transparent)]

@@ -6,6 +6,7 @@
 #[doc = include_str!("../README.md")]
 struct ReadmeOfCrate;
 
+pub mod array_file;
 mod deck;
 pub mod disk;
 pub mod export;
@@ -16,6 +17,7 @@ pub mod mesh;
 pub mod model;
 mod nastran;
 mod nearest;
+mod npy;
 mod pyramid;
 pub mod record;
 pub mod study_file;

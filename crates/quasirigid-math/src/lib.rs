@@ -16,6 +16,7 @@ pub mod elliptic;
 pub mod expression;
 pub mod gmres;
 pub mod lanes;
+pub mod nonnegative;
 pub mod ode;
 pub mod polynomial;
 pub mod quadrature;

@@ -4,12 +4,22 @@
 //! Only the fused one rounds differently, in the last bit; the width of the vectors changes none. One machine always takes the same one.
 #![allow(unsafe_code)]
 
+#[cfg(target_arch = "x86_64")]
+use std::arch::x86_64::{
+    __m256d, _mm256_add_pd, _mm256_fmadd_pd, _mm256_loadu_pd, _mm256_mul_pd, _mm256_set1_pd, _mm256_storeu_pd,
+};
 use std::marker::PhantomData;
 
 /// Arithmetic: the way in which `a·b + c` is computed.
 pub trait Arithmetic: Copy + Default {
     /// `a·b + c`.
     fn mul_add(a: f64, b: f64, c: f64) -> f64;
+
+    /// `a·b + c` of four numbers, component by component.
+    #[inline(always)]
+    fn mul_add_four(a: [f64; 4], b: f64, c: [f64; 4]) -> [f64; 4] {
+        scaled_sum::<Self, 4>(a, b, c)
+    }
 
     /// Does the work by this arithmetic in a function of its own, which is compiled once however often it is called.
     fn call<T: Task>(task: T) -> T::Output;
@@ -35,6 +45,46 @@ trait MulAdd: Copy + Default {
     fn mul_add(a: f64, b: f64, c: f64) -> f64;
 }
 
+/// The same of four numbers in one register, which the compiler does not find in long sums.
+#[cfg(target_arch = "x86_64")]
+trait RegisterMulAdd: MulAdd {
+    /// `a·b + c`.
+    ///
+    /// # Safety
+    /// The processor has AVX2 and FMA.
+    unsafe fn register(a: __m256d, b: __m256d, c: __m256d) -> __m256d;
+
+    /// The same of numbers in memory, on the same condition.
+    #[inline(always)]
+    unsafe fn four(a: [f64; 4], b: f64, c: [f64; 4]) -> [f64; 4] {
+        let mut sum = [0.0; 4];
+        // SAFETY: the processor has the features, and the arrays have four numbers.
+        unsafe {
+            let [a, c] = [_mm256_loadu_pd(a.as_ptr()), _mm256_loadu_pd(c.as_ptr())];
+            _mm256_storeu_pd(sum.as_mut_ptr(), Self::register(a, _mm256_set1_pd(b), c));
+        }
+        sum
+    }
+}
+
+#[cfg(target_arch = "x86_64")]
+impl RegisterMulAdd for SingleRounding {
+    #[inline(always)]
+    unsafe fn register(a: __m256d, b: __m256d, c: __m256d) -> __m256d {
+        // SAFETY: the processor has the features.
+        unsafe { _mm256_fmadd_pd(a, b, c) }
+    }
+}
+
+#[cfg(target_arch = "x86_64")]
+impl RegisterMulAdd for Unfused {
+    #[inline(always)]
+    unsafe fn register(a: __m256d, b: __m256d, c: __m256d) -> __m256d {
+        // SAFETY: the processor has the features.
+        unsafe { _mm256_add_pd(_mm256_mul_pd(a, b), c) }
+    }
+}
+
 /// One rounding, in one instruction.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct SingleRounding;
@@ -53,7 +103,7 @@ impl MulAdd for Unfused {
     }
 }
 
-/// Registers of so many numbers. Private, because only [`dispatch`] and [`dispatch_lanes`] know that the processor has them.
+/// Registers of so many numbers. Private, because only the functions that dispatch work know that the processor has them.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Vector<M, const NUMBERS: usize>(PhantomData<M>);
 
@@ -73,23 +123,35 @@ impl Arithmetic for Unfused {
 }
 
 #[cfg(target_arch = "x86_64")]
-impl<M: MulAdd> Arithmetic for Vector<M, 4> {
+impl<M: RegisterMulAdd> Arithmetic for Vector<M, 4> {
     #[inline(always)]
     fn mul_add(a: f64, b: f64, c: f64) -> f64 {
         M::mul_add(a, b, c)
     }
 
+    #[inline(always)]
+    fn mul_add_four(a: [f64; 4], b: f64, c: [f64; 4]) -> [f64; 4] {
+        // SAFETY: only `dispatch`, `dispatch_unfused` and `dispatch_lanes` start work by this arithmetic, after they have asked the processor.
+        unsafe { M::four(a, b, c) }
+    }
+
     fn call<T: Task>(task: T) -> T::Output {
-        // SAFETY: only `dispatch` and `dispatch_lanes` start work by this arithmetic, after they have asked the processor.
+        // SAFETY: only `dispatch`, `dispatch_unfused` and `dispatch_lanes` start work by this arithmetic, after they have asked the processor.
         unsafe { four::<M, T>(task) }
     }
 }
 
 #[cfg(target_arch = "x86_64")]
-impl<M: MulAdd> Arithmetic for Vector<M, 8> {
+impl<M: RegisterMulAdd> Arithmetic for Vector<M, 8> {
     #[inline(always)]
     fn mul_add(a: f64, b: f64, c: f64) -> f64 {
         M::mul_add(a, b, c)
+    }
+
+    #[inline(always)]
+    fn mul_add_four(a: [f64; 4], b: f64, c: [f64; 4]) -> [f64; 4] {
+        // SAFETY: only `dispatch_lanes` starts work by this arithmetic, after it has asked the processor.
+        unsafe { M::four(a, b, c) }
     }
 
     fn call<T: Task>(task: T) -> T::Output {
@@ -113,6 +175,16 @@ pub fn dispatch<T: Task>(rounding: Rounding, task: T) -> T::Output {
     if rounding == Rounding::Fastest && has_four() {
         // SAFETY: the processor has the features that the function is compiled for.
         return unsafe { four::<SingleRounding, T>(task) };
+    }
+    plain(task)
+}
+
+/// Runs a task by two roundings, in registers of four numbers where the processor has them: the same bits everywhere.
+pub fn dispatch_unfused<T: Task>(task: T) -> T::Output {
+    #[cfg(target_arch = "x86_64")]
+    if has_four() {
+        // SAFETY: the processor has the features that the function is compiled for.
+        return unsafe { four::<Unfused, T>(task) };
     }
     plain(task)
 }
@@ -149,14 +221,14 @@ fn plain<T: Task>(task: T) -> T::Output {
 #[cfg(target_arch = "x86_64")]
 #[inline(never)]
 #[target_feature(enable = "avx2,fma")]
-fn four<M: MulAdd, T: Task>(task: T) -> T::Output {
+fn four<M: RegisterMulAdd, T: Task>(task: T) -> T::Output {
     task.run::<Vector<M, 4>>()
 }
 
 #[cfg(target_arch = "x86_64")]
 #[inline(never)]
 #[target_feature(enable = "avx512f,avx2,fma")]
-fn eight<M: MulAdd, T: Task>(task: T) -> T::Output {
+fn eight<M: RegisterMulAdd, T: Task>(task: T) -> T::Output {
     task.run::<Vector<M, 8>>()
 }
 
@@ -209,9 +281,11 @@ mod tests {
         assert!([0.0, 0.25 * f64::EPSILON].contains(&rounded), "{rounded:e}");
         assert_eq!(dispatch(Rounding::Fastest, Called), [rounded; 2]);
         assert_eq!(dispatch_lanes(Rounding::Fastest, Called), [rounded; 2]);
-        for exact in
-            [dispatch(Rounding::Reproducible, Called), dispatch_lanes(Rounding::Reproducible, Called)]
-        {
+        for exact in [
+            dispatch(Rounding::Reproducible, Called),
+            dispatch_lanes(Rounding::Reproducible, Called),
+            dispatch_unfused(Called),
+        ] {
             assert_eq!(exact, [0.0; 2]);
         }
         assert_eq!(Unfused::call(Remainder), 0.0);

@@ -86,7 +86,7 @@ pub fn linear(study: &Study, asked: &LinearSettings) -> Result<Answer, Failure> 
         json: Json(found.json()),
         text: found.text(),
         sentence: found.sentence.clone(),
-        holds: true,
+        holds: found.holds(),
         notes: study.model.notes.clone(),
         numbers: BTreeMap::new(),
         columns: None,

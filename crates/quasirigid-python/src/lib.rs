@@ -5,6 +5,7 @@
 
 mod answers;
 mod arguments;
+mod arrays;
 mod arrow;
 mod columns;
 mod dictionary;
@@ -29,6 +30,8 @@ mod _core {
     use crate::answers::RunAnswer;
     #[pymodule_export]
     use crate::arguments::former_argument;
+    #[pymodule_export]
+    use crate::arrays::array_file;
     #[pymodule_export]
     use crate::columns::Columns;
     #[pymodule_export]

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from scipy import signal
+from scipy import io, signal
 
 import quasirigid
 from quasirigid import Model
@@ -50,3 +50,69 @@ def test_wrong_names_are_refused() -> None:
         BOOM.linear(inputs=["torque.w"])
     with pytest.raises(quasirigid.InputError, match="'rest', 'spin' or an angular velocity"):
         BOOM.linear(at="fast")
+
+
+# A hub with a material of constant loss, and a momentum wheel.
+SOFT = """
+[carrier]
+mass = 40
+inertia = [9, 13, 16]
+
+[[point_mass]]
+name = "tip"
+mass = 1.2
+position = [0.9, 0.1, 0.3]
+
+[[spring]]
+between = ["tip", "body"]
+kind = "isotropic"
+stiffness = 50
+rheology = { kind = "quality-factor", factor = 30 }
+
+[[wheel]]
+name = "w"
+axis = [0, 0.6, 0.8]
+angular_momentum = 2
+"""
+
+
+@pytest.mark.parametrize("ending", [".mat", ".npz"])
+def test_other_programs_read_what_is_saved(ending: str, tmp_path: Any) -> None:
+    plant = Model(SOFT).linear(at="rest", inputs=["wheel.w.torque", "torque.x"], outputs=["rate.y", "wheel.w.momentum"])
+    file = tmp_path / f"plant{ending}"
+    plant.save(file)
+    read: Any = io.loadmat(file, squeeze_me=False) if ending == ".mat" else np.load(file)
+    for key in "ABCD":
+        np.testing.assert_array_equal(read[key], getattr(plant, key))
+    texts = {key: [str(np.squeeze(name)) if ending == ".npz" else str(name[0][0]) for name in read[key]] for key in ("inputs", "states_units")}
+    assert texts["inputs"] == plant.inputs and texts["states_units"][0] == "rad"
+    assert str(read["sentence"] if ending == ".npz" else read["sentence"][0]) == "About rest."
+    with pytest.raises(quasirigid.InputError, match="give a .mat or a .npz file"):
+        plant.save(tmp_path / "plant.txt")
+
+
+def test_the_error_of_a_material_is_told_and_falls_with_the_band() -> None:
+    wide, narrow = (Model(SOFT).linear(at="rest", band=band) for band in (None, [5.0, 8.0]))
+    assert wide.to_dict()["accuracy"]["error"] < 0.01 and narrow.to_dict()["accuracy"]["band"] == [5.0, 8.0]
+    assert "of the exact one of materials and liquids between" in str(wide)
+    with pytest.raises(quasirigid.InputError, match="no band of frequencies"):
+        Model(SOFT).linear(band=[3.0, 1.0])
+
+
+def test_figures_are_drawn_on_the_axes_given() -> None:
+    import matplotlib
+
+    matplotlib.use("Agg")
+    import matplotlib.pyplot as plt
+
+    plant = BOOM.linear(at="rest", inputs=["torque.x", "torque.y"], outputs=["rate.y", "attitude.y"])
+    omega = np.geomspace(0.1, 10.0, 50)
+    figure, axes = plt.subplots(3, 1)
+    assert plant.bode(omega, input="torque.y", output="attitude.y", ax=axes[:2]) is figure
+    assert plant.nichols(omega, input="torque.y", output="attitude.y", ax=axes[2]) is figure
+    gain, phase = (axis.lines[0].get_ydata() for axis in axes[:2])
+    response = plant.to_xarray(omega).sel(input="torque.y", output="attitude.y").values
+    np.testing.assert_allclose(10 ** (np.asarray(gain) / 20) * np.exp(1j * np.radians(phase)), response, rtol=1e-12)
+    with pytest.raises(quasirigid.InputError, match="is not among"):
+        plant.bode(omega, input="torque.z")
+    plt.close(figure)

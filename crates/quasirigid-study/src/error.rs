@@ -58,6 +58,13 @@ pub enum StudyError {
         /// What there is, in words.
         expected: String,
     },
+    /// Frequencies that are no band.
+    NoBand {
+        /// First frequency (rad/s).
+        low: f64,
+        /// Last frequency (rad/s).
+        high: f64,
+    },
     /// Reduced equations of a body whose rotors or liquids the spin does not slave. (Q8)
     NoSlowSeries {
         /// The angular velocity of the start (rad/s).
@@ -239,6 +246,11 @@ impl StudyError {
             Self::Linear(cause) => cause.to_string(),
             Self::NoChannel { name, expected } => {
                 format!("{name:?} is no input or output here; give {expected}")
+            }
+            Self::NoBand { low, high } => {
+                format!(
+                    "{low} to {high} rad/s is no band of frequencies; give two positive numbers, the smaller first"
+                )
             }
             Self::NoSlowSeries { spin } => format!(
                 "rotors and liquids do not follow the spin, {} rad/s: friction or stiffness is too small, the slow series does not hold, and the reduced equations do not hold; follow the body with {} full, where they start at rest in it, or a rotor at the `speed` given in [[rotor]]",

@@ -1,14 +1,15 @@
 //! Linear models that a user asks for: the steady state, inputs and outputs by name, and the matrices between them.
-//! Equations (M16) and (M17), docs/theory/15-modes.md.
+//! Equations (M16), (M17) and (M21), docs/theory/15-modes.md.
 
 use std::collections::BTreeMap;
 
 use quasirigid::model::force::Force;
 use quasirigid::model::{Marker, Principal};
 use quasirigid::modes::{
-    LinearInput, LinearModel, LinearOutput, LinearState, RelativeEquilibrium, SpinMagnitude, SteadyState,
-    acts,
+    LinearAccuracy, LinearInput, LinearModel, LinearOutput, LinearState, RelativeEquilibrium, SpinMagnitude,
+    SteadyState, acts,
 };
+use quasirigid_io::array_file::{ArrayValue, NamedArray};
 use quasirigid_io::record::InputsRecord;
 use quasirigid_math::vec3::{add, norm, scale};
 use serde::Serialize;
@@ -52,6 +53,8 @@ pub struct LinearSettings {
     pub inputs: Vec<String>,
     /// Names of the outputs; angular velocities of the carrier if empty.
     pub outputs: Vec<String>,
+    /// Frequencies (rad/s) between which materials and liquids are met; those of the body's own rates by default.
+    pub band: Option<[f64; 2]>,
 }
 
 /// Linear model with the names of its rows and columns; the first paragraph of a field is the reference of `--json` in the guide.
@@ -77,6 +80,8 @@ pub struct LinearObject {
     pub C: Vec<Vec<f64>>,
     /// Rows of the matrix from inputs to outputs.
     pub D: Vec<Vec<f64>>,
+    /// Error by the states of materials and liquids with a memory; null where nothing has one.
+    pub accuracy: Option<AccuracyObject>,
     /// What went in, as `inputs` of every other answer.
     pub source: InputsRecord,
 }
@@ -92,6 +97,17 @@ pub struct EquilibriumObject {
     pub attitude: [f64; 4],
     /// Displacements of the elastic coordinates, by name (m, rad).
     pub displacements: BTreeMap<String, f64>,
+}
+
+/// Error of a linear model.
+#[derive(Clone, Debug, Serialize)]
+pub struct AccuracyObject {
+    /// First and last frequency (rad/s) that it is told for.
+    pub band: [f64; 2],
+    /// Largest relative error of the angular velocities that torques on the carrier cause.
+    pub error: f64,
+    /// Frequency (rad/s) of that error.
+    pub frequency: f64,
 }
 
 /// State, input or output of a linear model.
@@ -113,8 +129,9 @@ impl LinearObject {
             let line = |channel: &Channel| format!("    {} ({})\n", channel.name, channel.unit);
             channels.iter().map(line).collect::<String>()
         };
+        let accuracy = self.accuracy.as_ref().map_or_else(String::new, AccuracyObject::sentence);
         format!(
-            "{}: linear model\n\n  {}\n\n  Inputs\n{}  Outputs\n{}  {} states; the matrices A, B, C, D: --json\n",
+            "{}: linear model\n\n{accuracy}  {}\n\n  Inputs\n{}  Outputs\n{}  {} states; the matrices A, B, C, D: --json\n",
             self.name,
             self.sentence,
             list(&self.inputs),
@@ -123,10 +140,75 @@ impl LinearObject {
         )
     }
 
+    /// False where materials or liquids are missed by more than a tenth.
+    #[must_use]
+    pub fn holds(&self) -> bool {
+        self.accuracy.as_ref().is_none_or(|accuracy| accuracy.error < LARGE)
+    }
+
+    /// Matrices, names and units for a file of arrays.
+    #[must_use]
+    pub fn arrays(&self) -> Vec<NamedArray> {
+        let matrix = |rows: &[Vec<f64>], columns: usize| ArrayValue::Matrix {
+            size: [rows.len(), columns],
+            entries: rows.concat(),
+        };
+        let row = |entries: &[f64]| matrix(&[entries.to_vec()], entries.len());
+        let names = |channels: &[Channel]| channels.iter().map(|channel| channel.name.clone()).collect();
+        let units = |channels: &[Channel]| channels.iter().map(|channel| channel.unit.to_owned()).collect();
+        let (states, inputs) = (self.states.len(), self.inputs.len());
+        let numbers = [
+            ("A", matrix(&self.A, states)),
+            ("B", matrix(&self.B, inputs)),
+            ("C", matrix(&self.C, states)),
+            ("D", matrix(&self.D, inputs)),
+            ("spin", row(&self.equilibrium.spin)),
+            ("momentum", row(&self.equilibrium.momentum)),
+            ("attitude", row(&self.equilibrium.attitude)),
+        ];
+        let channels = [("states", &self.states), ("inputs", &self.inputs), ("outputs", &self.outputs)];
+        let named = |(name, channels): (&str, &Vec<Channel>)| {
+            let of = |name: String, texts| NamedArray { name, value: ArrayValue::Texts(texts) };
+            [of(name.to_owned(), names(channels)), of(format!("{name}_units"), units(channels))]
+        };
+        let texts = [
+            ("name", self.name.clone()),
+            ("sentence", self.sentence.clone()),
+            ("source", json!(self.source).to_string()),
+        ];
+        numbers
+            .into_iter()
+            .chain(texts.into_iter().map(|(name, text)| (name, ArrayValue::Text(text))))
+            .map(|(name, value)| NamedArray { name: name.to_owned(), value })
+            .chain(channels.into_iter().flat_map(named))
+            .collect()
+    }
+
     /// For machines.
     #[must_use]
     pub fn json(&self) -> Value {
         json!(self)
+    }
+}
+
+/// Error from which a linear model does not hold.
+const LARGE: f64 = 0.1;
+
+impl AccuracyObject {
+    fn sentence(&self) -> String {
+        let Self { band, error, frequency } = self;
+        let [low, high, at, share] = [band[0], band[1], *frequency, 100.0 * error].map(|x| significant(x, 3));
+        let told = if *error < LARGE { "The" } else { "DOES NOT HOLD: the" };
+        format!(
+            "  {told} response to torques is within {share} % of the exact one of materials and liquids between {low} and {high} rad/s, worst \
+             at {at} rad/s.\n\n"
+        )
+    }
+}
+
+impl From<LinearAccuracy> for AccuracyObject {
+    fn from(LinearAccuracy { band, error, frequency }: LinearAccuracy) -> Self {
+        Self { band, error, frequency }
     }
 }
 
@@ -142,19 +224,25 @@ impl Study {
             if given.is_empty() { usual.to_vec() } else { given.to_vec() }
         };
         let (ins, outs) = (or(&asked.inputs, "torque"), or(&asked.outputs, "rate"));
+        if let Some([low, high]) =
+            asked.band.filter(|[low, high]| !(0.0 < *low && low < high && high.is_finite()))
+        {
+            return Err(StudyError::NoBand { low, high });
+        }
         let inputs: Vec<_> = ins.iter().map(|name| self.input(name)).collect::<Result<_, _>>()?;
-        let outputs: Vec<_> = outs.iter().map(|name| self.output(name)).collect::<Result<_, _>>()?;
+        let outputs: Vec<_> = outs.iter().map(|name| self.output(name, &ins)).collect::<Result<_, _>>()?;
         let forces = steady_state::acting_at_start(self);
         let state = self.state_of(asked.at, &forces)?;
-        let LinearModel { equilibrium, states, A, B, C, D } =
-            LinearModel::about(&self.body, &forces, state, &inputs, &outputs).map_err(StudyError::Linear)?;
+        let found = LinearModel::about(&self.body, &forces, state, &inputs, &outputs, asked.band);
+        let LinearModel { equilibrium, states, A, B, C, D, accuracy } = found.map_err(StudyError::Linear)?;
         let channels = |names: Vec<String>, units: Vec<&'static str>| {
             names.into_iter().zip(units).map(|(name, unit)| Channel { name, unit }).collect()
         };
         Ok(LinearObject {
             name: self.model.name.clone(),
             sentence: sentence(&equilibrium),
-            states: states.iter().map(|state| self.named(*state)).collect(),
+            states: states.iter().map(|state| self.named(*state, &ins)).collect(),
+            accuracy: accuracy.map(AccuracyObject::from),
             inputs: channels(ins, inputs.iter().map(unit_of_input).collect()),
             outputs: channels(outs, outputs.iter().map(|output| self.unit_of_output(output)).collect()),
             equilibrium: self.equilibrium(&equilibrium),
@@ -207,7 +295,7 @@ impl Study {
         }
     }
 
-    fn named(&self, state: LinearState) -> Channel {
+    fn named(&self, state: LinearState, inputs: &[String]) -> Channel {
         let coordinates = self.body.coordinates();
         let rate = |j: usize| if coordinates[j].unit == "m" { "m/s" } else { "rad/s" };
         let (name, unit) = match state {
@@ -218,6 +306,10 @@ impl Study {
             LinearState::Rate(axis) => (format!("rate.{}", AXES[axis]), "rad/s"),
             LinearState::Speed(j) => (format!("speed.{}", plain(&coordinates[j].name)), rate(j)),
             LinearState::Velocity(axis) => (format!("velocity.{}", AXES[axis]), "m/s"),
+            LinearState::Lag { material, element, direction } => {
+                (format!("lag.{}.{}.{}", material + 1, element + 1, direction + 1), "J^1/2")
+            }
+            LinearState::Wheel(input) => (inputs[input].replace(".torque", ".momentum"), "N m s"),
         };
         Channel { name, unit }
     }
@@ -225,7 +317,10 @@ impl Study {
     fn input(&self, name: &str) -> Result<LinearInput, StudyError> {
         let unknown = || no_channel(name, "torque.x, force.x, force.NODE.x or wheel.NAME.torque");
         if let Some(rotor) = name.strip_prefix("wheel.").and_then(|rest| rest.strip_suffix(".torque")) {
-            return Ok(LinearInput::Motor { coordinate: self.rotor(name, rotor)? });
+            return match self.wheel(rotor) {
+                Some(axis) => Ok(LinearInput::Wheel { axis }),
+                None => Ok(LinearInput::Motor { coordinate: self.rotor(name, rotor)? }),
+            };
         }
         let (path, axis) = with_axis(name).ok_or_else(unknown)?;
         match path.split_once('.') {
@@ -236,15 +331,23 @@ impl Study {
         }
     }
 
-    fn output(&self, name: &str) -> Result<LinearOutput, StudyError> {
+    fn output(&self, name: &str, inputs: &[String]) -> Result<LinearOutput, StudyError> {
         let unknown = || {
             no_channel(
                 name,
-                "rate.x, attitude.x, momentum.x, acceleration.NODE.x, displacement.NODE.x, wheel.NAME.speed or coordinate.NAME",
+                "rate.x, attitude.x, momentum.x, acceleration.NODE.x, displacement.NODE.x, wheel.NAME.speed, wheel.NAME.momentum or coordinate.NAME",
             )
         };
         if let Some(rotor) = name.strip_prefix("wheel.").and_then(|rest| rest.strip_suffix(".speed")) {
             return Ok(LinearOutput::Speed { coordinate: self.rotor(name, rotor)? });
+        }
+        if let Some(wheel) = name.strip_prefix("wheel.").and_then(|rest| rest.strip_suffix(".momentum")) {
+            let torque = format!("wheel.{wheel}.torque");
+            let input = inputs.iter().position(|input| *input == torque && self.wheel(wheel).is_some());
+            let expected = format!("a [[wheel]] whose torque, {torque}, is an input");
+            return input
+                .map(|input| LinearOutput::Wheel { input })
+                .ok_or_else(|| no_channel(name, &expected));
         }
         if let Some(wanted) = name.strip_prefix("coordinate.") {
             let elastic = self.body.coordinates().iter().take(self.body.elastic());
@@ -299,6 +402,12 @@ impl Study {
         }
     }
 
+    /// Axis of a momentum wheel, a unit vector.
+    fn wheel(&self, name: &str) -> Option<[f64; 3]> {
+        let wheel = self.model.assembly.wheels.iter().find(|wheel| plain(&wheel.name) == plain(name))?;
+        Some(scale(norm(wheel.axis).recip(), wheel.axis))
+    }
+
     /// Coordinate of a rotor.
     fn rotor(&self, channel: &str, name: &str) -> Result<usize, StudyError> {
         let mut cyclic = self.body.cyclic();
@@ -306,7 +415,7 @@ impl Study {
         found.ok_or_else(|| {
             no_channel(
                 channel,
-                "the name of a [[rotor]] about one axis; a momentum wheel in [[wheel]] has a given speed",
+                "the name of a [[rotor]] about one axis, or for a torque that of a [[wheel]], whose angular momentum is wheel.NAME.momentum",
             )
         })
     }
@@ -316,7 +425,7 @@ impl Study {
         match output {
             LinearOutput::Rate { .. } => "rad/s",
             LinearOutput::Attitude { .. } => "rad",
-            LinearOutput::Momentum { .. } => "N m s",
+            LinearOutput::Momentum { .. } | LinearOutput::Wheel { .. } => "N m s",
             LinearOutput::Displacement { .. } => "m",
             LinearOutput::Acceleration { .. } => "m/s^2",
             LinearOutput::Coordinate { coordinate } => coordinates[*coordinate].unit,
@@ -331,7 +440,7 @@ const LISTED: usize = 6;
 
 fn unit_of_input(input: &LinearInput) -> &'static str {
     match input {
-        LinearInput::Torque { .. } | LinearInput::Motor { .. } => "N m",
+        LinearInput::Torque { .. } | LinearInput::Motor { .. } | LinearInput::Wheel { .. } => "N m",
         LinearInput::Force { .. } => "N",
     }
 }

@@ -22,8 +22,8 @@ pub use campbell::{CampbellError, SpinEigenvalues, campbell};
 pub use equilibrium::{EquilibriumError, RelativeEquilibrium, SpinMagnitude};
 pub use error::ModesError;
 pub use forced::{
-    LinearError, LinearInput, LinearModel, LinearOutput, LinearState, SteadyError, SteadyModes, SteadyState,
-    SteadyStateGuess, acts,
+    LinearAccuracy, LinearError, LinearInput, LinearModel, LinearOutput, LinearState, SteadyError,
+    SteadyModes, SteadyState, SteadyStateGuess, acts,
 };
 pub use mode::{SpinMode, SpinModes};
 pub use onset::{WhirlOnset, whirl_onset};

@@ -7,7 +7,7 @@ use super::Series;
 use super::monomial::count;
 use crate::lanes::Lanes;
 use crate::scalar::Scalar;
-use crate::simd::{Arithmetic, Unfused, scaled_sum};
+use crate::simd::{Arithmetic, Task, dispatch_unfused};
 
 /// A number that kernels are evaluated at: one, or one for each of several problems.
 pub trait Number: Scalar + Div<Output = Self> {
@@ -34,7 +34,7 @@ impl Number for f64 {
 
     #[inline(always)]
     fn next<A: Arithmetic>(sum: [f64; 4], x: f64, next: [f64; 4]) -> [f64; 4] {
-        scaled_sum::<A, 4>(sum, x, next)
+        A::mul_add_four(sum, x, next)
     }
 
     #[inline(always)]
@@ -104,6 +104,21 @@ impl TensorKernel {
     }
 }
 
+/// Value of a kernel at a point.
+struct At<'a> {
+    kernel: &'a Kernel,
+    x: [f64; 3],
+}
+
+impl Task for At<'_> {
+    type Output = [f64; 4];
+
+    #[inline(always)]
+    fn run<A: Arithmetic>(self) -> [f64; 4] {
+        self.kernel.value::<A>(self.x)
+    }
+}
+
 /// Highest power of y and z together whose polynomials the compiler unrolls.
 const UNROLLED: usize = 6;
 
@@ -129,10 +144,9 @@ impl Kernel {
 
     /// Value at a point by two roundings, in a function of its own: where few points are asked for, as each value that is compiled into its
     /// place is hundreds of instructions.
-    #[inline(never)]
     #[must_use]
     pub fn at(&self, x: [f64; 3]) -> [f64; 4] {
-        self.value::<Unfused>(x)
+        dispatch_unfused(At { kernel: self, x })
     }
 
     /// Value at a point.

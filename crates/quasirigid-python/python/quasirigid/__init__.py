@@ -12,7 +12,7 @@ history, its secular evolution over millions of revolutions.
 Units are SI throughout. An answer that does not hold is false, begins with the reason, and has ``None`` for its numbers.
 """
 
-from quasirigid._answers import AboutSpin, Answer, Check, Evolution, History, Linear, Modes, Run, Verification
+from quasirigid._answers import AboutSpin, Answer, Check, Evolution, History, Modes, Run, Verification
 from quasirigid._core import EXAMPLE
 from quasirigid._core import VERSION as __version__
 from quasirigid._ellipsoids import EllipsoidEvolutions, evolve_ellipsoids
@@ -34,6 +34,7 @@ from quasirigid._errors import (
     UnsupportedError,
     VerificationError,
 )
+from quasirigid._linear import Linear
 from quasirigid._model import Model, cite
 from quasirigid._population import Population, evolve_population
 from quasirigid._reduced import Part, Reduced, SympyEquations

@@ -21,7 +21,7 @@ from quasirigid._table import Table, Tabled
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-__all__ = ["AboutSpin", "Answer", "Check", "Evolution", "History", "Linear", "Modes", "Run", "Verification"]
+__all__ = ["AboutSpin", "Answer", "Check", "Evolution", "History", "Modes", "Run", "Verification"]
 
 
 def _array(values: list[float | None]) -> NDArray[np.float64]:
@@ -152,65 +152,6 @@ class Check(Answer):
     dissipation = entry(dict[str, float], "Shares of the dissipators in the power, by name.")
     optimal_order = entry(int, "Order at which the terms of the series are smallest at this spin.")
     steady_spins = entry(_copies, "Steady spins with the modes about them.")
-
-
-def _names(channels: list[dict[str, str]]) -> list[str]:
-    return [channel["name"] for channel in channels]
-
-
-def _matrix(rows: list[list[float]]) -> NDArray[np.float64]:
-    return np.array(rows, dtype=np.float64)
-
-
-class Linear(Answer):
-    """Linear model ``dx/dt = A x + B u``, ``y = C x + D u`` about rest or a steady spin.
-
-    >>> import quasirigid
-    >>> plant = quasirigid.Model(quasirigid.EXAMPLE).linear(at="rest", outputs=["rate.y", "attitude.y"])
-    >>> plant.inputs, plant.C.shape
-    (['torque.x', 'torque.y', 'torque.z'], (2, 18))
-    """
-
-    __slots__ = ()
-
-    A = entry(_matrix, "Matrix of the states, ``(n, n)``.")
-    B = entry(_matrix, "Matrix of the inputs, ``(n, inputs)``.")
-    C = entry(_matrix, "Matrix of the outputs, ``(outputs, n)``.")
-    D = entry(_matrix, "Matrix from inputs to outputs, ``(outputs, inputs)``.")
-    states = entry(_names, "Names of the states; units in ``to_dict()``.")
-    inputs = entry(_names, "Names of the inputs.")
-    outputs = entry(_names, "Names of the outputs.")
-
-    def frequency_response(self, omega: ArrayLike) -> NDArray[np.complex128]:
-        """Transfer matrix at frequencies (rad/s) ``(k,)``, as ``(k, outputs, inputs)``.
-
-        >>> import quasirigid
-        >>> plant = quasirigid.Model(quasirigid.EXAMPLE).linear(at="rest")
-        >>> plant.frequency_response([0.1, 1.0]).shape
-        (2, 3, 3)
-        """
-        A, B, C, D = self.A, self.B, self.C, self.D
-        s = 1j * np.asarray(omega, dtype=np.float64)
-        solved = np.linalg.solve(s[:, None, None] * np.eye(len(A)) - A, B.astype(np.complex128))
-        return np.asarray(C @ solved + D, dtype=np.complex128)
-
-    def to_scipy(self) -> Any:
-        """``scipy.signal.StateSpace`` of the matrices."""
-        from scipy.signal import StateSpace
-
-        return StateSpace(self.A, self.B, self.C, self.D)
-
-    def to_control(self) -> Any:
-        """``control.ss`` of the matrices for python-control, with the names of states, inputs and outputs, whose dots it does not take, as
-        ``torque_x``.
-        """
-        import control
-
-        names = {
-            kind: [name.replace(".", "_") for name in channels]
-            for kind, channels in (("states", self.states), ("inputs", self.inputs), ("outputs", self.outputs))
-        }
-        return control.ss(self.A, self.B, self.C, self.D, **names)
 
 
 class Modes(Answer):

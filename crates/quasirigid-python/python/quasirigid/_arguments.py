@@ -136,6 +136,17 @@ def vector(value: ArrayLike | None, name: str) -> tuple[float, float, float] | N
     return x, y, z
 
 
+def band(value: ArrayLike | None) -> tuple[float, float] | None:
+    """First and last frequency (rad/s)."""
+    if value is None:
+        return None
+    found = array(value, "band")
+    if found.shape != (2,):
+        raise InputError(f"band = {found.tolist()} is not a first and a last frequency (rad/s)")
+    low, high = found.tolist()
+    return low, high
+
+
 def times(value: ArrayLike | None) -> list[float] | None:
     """Output times."""
     if value is None:

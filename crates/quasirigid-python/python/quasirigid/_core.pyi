@@ -30,6 +30,12 @@ _Observer: TypeAlias = Callable[[str, float], object] | None
 _Floats: TypeAlias = NDArray[np.float64]
 _Answer: TypeAlias = dict[str, Any]
 
+def array_file(
+    name: str,
+    matrices: list[tuple[str, _Floats]],
+    texts: list[tuple[str, str]],
+    lists: list[tuple[str, list[str]]],
+) -> bytes: ...
 def evolve_ellipsoids(columns: dict[str, Any], reproducible: bool, observer: _Observer) -> _Answer: ...
 def former_argument(name: str) -> str: ...
 def to_toml(model: dict[str, Any]) -> str: ...
@@ -81,6 +87,7 @@ class Model:
         spin: tuple[float, float, float] | None,
         inputs: list[str],
         outputs: list[str],
+        band: tuple[float, float] | None,
         observer: _Observer,
     ) -> _Answer: ...
     def about_spin(self, asked: dict[str, Any], axis: str | None, observer: _Observer) -> _Answer: ...

@@ -10,9 +10,10 @@ from typing import Any, NoReturn, overload
 from numpy.typing import ArrayLike
 
 from quasirigid import _arguments, _core, _settings
-from quasirigid._answers import AboutSpin, Check, Evolution, History, Linear, Modes, Run, Verification
+from quasirigid._answers import AboutSpin, Check, Evolution, History, Modes, Run, Verification
 from quasirigid._ensemble import Evolutions, Histories, SpinPaths
 from quasirigid._errors import InputError, ModelError
+from quasirigid._linear import Linear
 from quasirigid._progress import Progress, observer
 from quasirigid._reduced import Reduced
 
@@ -195,6 +196,7 @@ class Model:
         *,
         inputs: Sequence[str] = (),
         outputs: Sequence[str] = (),
+        band: ArrayLike | None = None,
         progress: Progress = False,
     ) -> Linear:
         """Gives the linear model of the small motions about a steady state, between inputs and outputs.
@@ -204,11 +206,14 @@ class Model:
                 start, if there is one.
             inputs: Names such as ``torque.x``, ``force.x``, ``force.NODE.x``, ``wheel.NAME.torque``; the torques by default.
             outputs: Names such as ``rate.x``, ``attitude.x``, ``momentum.x``, ``acceleration.NODE.x``,
-                ``displacement.NODE.x``, ``wheel.NAME.speed``, ``coordinate.NAME``; the rates by default.
+                ``displacement.NODE.x``, ``wheel.NAME.speed``, ``wheel.NAME.momentum``, ``coordinate.NAME``; the rates by
+                default.
+            band: Frequencies (rad/s) between which materials and liquids are met, ``(2,)``; those of the body's own rates by
+                default.
 
         Raises:
             InputError: for a name that is none.
-            UnsupportedError: for materials and liquids with a memory, and states that are not steady.
+            UnsupportedError: for states that are not steady.
 
         >>> import quasirigid
         >>> quasirigid.Model(quasirigid.EXAMPLE).linear(at=[0, 1.2, 0]).A.shape
@@ -219,7 +224,8 @@ class Model:
         name = at if isinstance(at, str) else None
         vector = None if isinstance(at, str) else _arguments.vector(at, "at")
         with observer(progress) as watch:
-            return Linear(self._core.linear(name, vector, list(inputs), list(outputs), watch))
+            between = _arguments.band(band)
+            return Linear(self._core.linear(name, vector, list(inputs), list(outputs), between, watch))
 
     def about_spin(
         self,

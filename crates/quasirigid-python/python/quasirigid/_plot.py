@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from quasirigid._errors import InputError, Refused
 
@@ -195,3 +196,27 @@ def sweep(study: _sweep.Sweep, x: str | None, y: str | None) -> Figure:
     if missing:
         axes[0].set_title(f"{missing} of {study.rows} rows have no finite value", fontsize="small")
     return _plain(figure)
+
+
+def bode(omega: NDArray[np.float64], response: NDArray[np.complex128], label: str, ax: Any) -> Figure:
+    """Gain and phase of a response."""
+    axes = ax if ax is not None else _figure(2)[1]
+    axes[0].semilogx(omega, 20 * np.log10(np.abs(response)), linewidth=1, label=label)
+    axes[1].semilogx(omega, np.degrees(np.unwrap(np.angle(response))), linewidth=1)
+    axes[0].set_ylabel("gain (dB)")
+    axes[1].set_ylabel("phase (°)")
+    axes[1].set_xlabel("frequency (rad/s)")
+    axes[0].legend(frameon=False)
+    figure: Figure = axes[0].figure
+    return figure
+
+
+def nichols(response: NDArray[np.complex128], label: str, ax: Any) -> Figure:
+    """Gain over phase of a response."""
+    axis = ax if ax is not None else _figure(1)[1][0]
+    axis.plot(np.degrees(np.unwrap(np.angle(response))), 20 * np.log10(np.abs(response)), linewidth=1, label=label)
+    axis.set_xlabel("phase (°)")
+    axis.set_ylabel("gain (dB)")
+    axis.legend(frameon=False)
+    figure: Figure = axis.figure
+    return figure

@@ -79,7 +79,7 @@ types! {
     }
     modes {
         CampbellError EquilibriumError SpinMagnitude ModesError SteadyStateGuess RelativeEquilibrium SpinEigenvalues SpinMode
-        LinearError LinearInput LinearModel LinearOutput LinearState SpinModes SteadyError SteadyModes SteadyState WhirlOnset
+        LinearAccuracy LinearError LinearInput LinearModel LinearOutput LinearState SpinModes SteadyError SteadyModes SteadyState WhirlOnset
     }
     submanifold {
         AmplitudeRange Backbone BackbonePoint Defect ExpansionError ManifoldPower ManifoldRun

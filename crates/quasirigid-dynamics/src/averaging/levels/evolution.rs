@@ -3,6 +3,8 @@
 //! Legs between saddles are found here and followed in `passage.rs`.
 //! Equations (N1) to (N6), docs/theory/17-levels.md.
 
+use std::sync::OnceLock;
+
 use thiserror::Error;
 
 use super::descent::{Descent, unit};
@@ -161,6 +163,7 @@ impl LevelEvolution {
             bottom: lowest,
             saddles: Vec::new(),
             minimum: lowest,
+            smallest: OnceLock::new(),
         };
         let margin = saddles.margin();
         let candidates: Vec<_> =

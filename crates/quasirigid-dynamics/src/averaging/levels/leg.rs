@@ -4,6 +4,7 @@
 //! Equation (N5), docs/theory/17-levels.md.
 
 use std::f64::consts::TAU;
+use std::sync::OnceLock;
 
 use super::descent::Descent;
 use super::energy::SlowEnergy;
@@ -29,6 +30,8 @@ pub(super) struct Leg {
     pub saddles: Vec<StationaryPoint>,
     /// `h` of the minimum that the descent leads to (1/s).
     pub minimum: f64,
+    /// Circuit of the level at [`AXIS`] about a minimum, followed when first asked for.
+    pub smallest: OnceLock<Option<Traced>>,
 }
 
 /// Piece of a leg over which time and revolutions are interpolated.
@@ -63,14 +66,14 @@ impl Leg {
     /// One circuit of the level at a place. Levels beyond [`AXIS`] next to a minimum are that of `AXIS` made smaller: their own are lost
     /// in rounding. (N5)
     pub fn turn(&self, energy: &SlowEnergy, xi: f64) -> Option<Traced> {
-        let traceable = if self.saddles.is_empty() { xi.min(AXIS) } else { xi };
-        let turn = traced(energy, self.on(energy, traceable), self.circled, |_| {})?;
-        if traceable == xi {
-            return Some(turn);
+        let circuit = |xi: f64| traced(energy, self.on(energy, xi), self.circled, |_| {});
+        if xi < AXIS || !self.saddles.is_empty() {
+            return circuit(xi);
         }
-        let share = self.height(xi) / self.height(traceable);
+        let smallest = (*self.smallest.get_or_init(|| circuit(AXIS)))?;
+        let share = self.height(xi) / self.height(AXIS);
         let limit = if self.isolated { None } else { Some(angle(self.circled, self.descent.end())) };
-        Some(turn.smaller(share, limit))
+        Some(smallest.smaller(share, limit))
     }
 
     /// The level at a place.

@@ -4,10 +4,10 @@ use nalgebra::{Complex, DMatrix, Matrix3, Vector3};
 
 use super::system::System;
 use crate::math::eigen::Dense;
-use crate::math::lu::ComplexDense;
+use crate::math::lu::{ComplexDense, ComplexLu};
 use crate::math::vec3::scale;
 use crate::model::impedance;
-use crate::model::{FlexibleBody, LiquidMemory};
+use crate::model::{FlexibleBody, LiquidMemory, RationalModulus};
 use crate::modes::iteration::Nonlinear;
 
 type C = Complex<f64>;
@@ -21,6 +21,8 @@ pub(super) struct Pencil<'a> {
     kept: Vec<usize>,
     memories: Vec<(usize, &'a LiquidMemory)>,
     viscoelastic: Vec<Dense>,
+    /// Moduli that stand for those of the materials.
+    rational: Option<&'a [RationalModulus]>,
     /// Index of the velocity, and the number of unknowns.
     velocity: usize,
     size: usize,
@@ -39,7 +41,26 @@ impl<'a> Pencil<'a> {
         let viscoelastic =
             body.viscoelastic().iter().map(|viscoelastic| Dense::of(&viscoelastic.stiffness)).collect();
         let size = if followed { next + 3 } else { next };
-        Self { body, system, attitude, kept, memories, viscoelastic, velocity: next, size }
+        Self { body, system, attitude, kept, memories, viscoelastic, rational: None, velocity: next, size }
+    }
+
+    /// The same with states in place of memories: rational moduli of the materials, all coordinates of the liquids. (M21)
+    pub fn with_states(self, rational: &'a [RationalModulus]) -> Self {
+        let kept: Vec<usize> = (0..self.body.coordinates().len()).collect();
+        let (velocity, velocities) = (3 + kept.len(), self.size - self.velocity);
+        let size = velocity + velocities;
+        Self { kept, memories: Vec::new(), rational: Some(rational), velocity, size, ..self }
+    }
+
+    /// Angular velocities by torques on the carrier at a frequency (rad/s), a column each; none where a motion needs no torque.
+    pub fn response(&self, frequency: f64) -> Option<Matrix3<C>> {
+        let lambda = C::new(0.0, frequency);
+        let mut torques = vec![[0.0; 2]; 3 * self.size];
+        (0..3).for_each(|axis| torques[4 * axis][0] = 1.0);
+        let solved = ComplexLu::new(&self.at(lambda))?.solve(&torques, 3)?;
+        let turns =
+            Matrix3::from_fn(|row, column| C::new(solved[3 * row + column][0], solved[3 * row + column][1]));
+        Some(self.turning(lambda) * turns)
     }
 
     /// True if a material or a liquid makes the eigenproblem nonlinear.
@@ -85,6 +106,15 @@ impl<'a> Pencil<'a> {
     /// Liquids whose impedance is known with the angles about their axes.
     pub fn liquids<'x>(&'x self, x: &'x [C]) -> impl Iterator<Item = (&'a LiquidMemory, &'x [C])> {
         self.memories.iter().map(|(start, memory)| (*memory, &x[*start..*start + memory.axes.len()]))
+    }
+
+    /// Modulus of a material.
+    fn modulus(&self, number: usize, lambda: C) -> C {
+        if let Some(rational) = self.rational {
+            return rational[number].at(lambda);
+        }
+        let [re, im] = self.body.viscoelastic()[number].rheology.continued([lambda.re, lambda.im]);
+        C::new(re, im)
     }
 
     /// Rows of the system with the indices of their unknowns.
@@ -142,9 +172,8 @@ impl Nonlinear for Pencil<'_> {
                 add(*at, *to, whole + if displaced { stiffness[(*row, *column)] } else { 0.0 });
             }
         }
-        for (viscoelastic, stiffness) in self.body.viscoelastic().iter().zip(&self.viscoelastic) {
-            let [re, im] = viscoelastic.rheology.continued([lambda.re, lambda.im]);
-            let factor = C::new(re - 1.0, im);
+        for (number, stiffness) in self.viscoelastic.iter().enumerate() {
+            let factor = self.modulus(number, lambda) - 1.0;
             for (j, row) in self.kept.iter().enumerate() {
                 for (k, column) in self.kept.iter().enumerate() {
                     add(3 + j, 3 + k, factor * stiffness.at(*row, *column));

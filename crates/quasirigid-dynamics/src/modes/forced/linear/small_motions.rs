@@ -1,178 +1,30 @@
-//! Linear model of the small motions about a steady state, between inputs and outputs, as a state space.
-//! Loads of the inputs and motions of the places are those of the full system; the equations are those of the modes.
-//! Equations (M7), (M16) and (M17), docs/theory/15-modes.md.
+//! State space of the small motions: loads of the inputs, motions of the outputs.
+//! Loads and motions of places are those of the full system.
+//! Equations (M16), (M17) and (M21), docs/theory/15-modes.md.
 
 use nalgebra::{DMatrix, DVector};
-use thiserror::Error;
 
-use super::error::SteadyError;
-use super::frame_rotation::effective;
-use super::slopes::{DISPLACED, Instant, OMEGA, Slopes, THETA, VELOCITY};
-use super::state::SteadyState;
-use super::system::System;
+use super::lag::Lag;
+use super::{LinearError, LinearInput, LinearOutput, LinearState};
 use crate::math::vec3::cross;
 use crate::model::force::{Axes, Force, ForceLaw, Wave};
 use crate::model::{FlexibleBody, Marker, Support};
+use crate::modes::forced::error::SteadyError;
+use crate::modes::forced::slopes::{DISPLACED, Instant, OMEGA, THETA, VELOCITY};
+use crate::modes::forced::system::System;
 
-/// Input of a linear model.
-#[derive(Clone, Debug, PartialEq)]
-pub enum LinearInput {
-    /// Torque on the carrier about a body axis (N·m).
-    Torque {
-        /// Body axis, 0 to 2.
-        axis: usize,
-    },
-    /// Force at a place along a body axis (N).
-    Force {
-        /// Place.
-        at: Marker,
-        /// Body axis, 0 to 2.
-        axis: usize,
-    },
-    /// Torque of a motor between the carrier and a rotor (N·m).
-    Motor {
-        /// Cyclic coordinate of the rotor.
-        coordinate: usize,
-    },
-}
-
-/// Output of a linear model: the difference from the steady state, in body axes.
-#[derive(Clone, Debug, PartialEq)]
-pub enum LinearOutput {
-    /// Angular velocity of the carrier about a body axis (rad/s).
-    Rate {
-        /// Body axis, 0 to 2.
-        axis: usize,
-    },
-    /// Small rotation of the carrier about a body axis (rad).
-    Attitude {
-        /// Body axis, 0 to 2.
-        axis: usize,
-    },
-    /// Angular momentum about the centre of mass of a free body, about the pole of any other (N·m·s).
-    Momentum {
-        /// Body axis, 0 to 2.
-        axis: usize,
-    },
-    /// Displacement of a place relative to the carrier (m).
-    Displacement {
-        /// Place.
-        at: Marker,
-        /// Body axis, 0 to 2.
-        axis: usize,
-    },
-    /// Inertial acceleration of a place (m/s²).
-    Acceleration {
-        /// Place.
-        at: Marker,
-        /// Body axis, 0 to 2.
-        axis: usize,
-    },
-    /// Internal coordinate (m, rad).
-    Coordinate {
-        /// Elastic coordinate.
-        coordinate: usize,
-    },
-    /// Rate of an internal coordinate (m/s, rad/s), such as the speed of a rotor relative to the carrier.
-    Speed {
-        /// Coordinate.
-        coordinate: usize,
-    },
-}
-
-/// State of a linear model: the difference from the steady state.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum LinearState {
-    /// Small rotation of the carrier about a body axis (rad).
-    Attitude(usize),
-    /// Elastic coordinate (m, rad).
-    Coordinate(usize),
-    /// Angular velocity of the carrier about a body axis (rad/s).
-    Rate(usize),
-    /// Rate of a coordinate (m/s, rad/s).
-    Speed(usize),
-    /// Velocity of the centre of mass of a free body under drag, along a body axis (m/s).
-    Velocity(usize),
-}
-
-/// Error of a linear model.
-#[non_exhaustive]
-#[derive(Clone, Debug, Error, PartialEq)]
-pub enum LinearError {
-    /// A material or a liquid answers with a memory, which no state of the model has.
-    #[error(
-        "{what} answers with a memory that has no states here: no linear model; give a material a Kelvin–Voigt damping, or leave the liquid out"
-    )]
-    Memory {
-        /// Material or liquid, in words.
-        what: String,
-    },
-    /// An output is the acceleration of a place, on a support that moves.
-    #[error("the support of the body moves: the acceleration of a place is no output")]
-    Driven,
-    /// The steady state.
-    #[error(transparent)]
-    Steady(#[from] SteadyError),
-}
-
-/// Linear model `ẋ = A x + B u`, `y = C x + D u` of the small motions about a steady state. (M16)
-#[derive(Clone, Debug, PartialEq)]
-pub struct LinearModel {
-    /// The steady state.
-    pub equilibrium: SteadyState,
-    /// Meaning of each state.
-    pub states: Vec<LinearState>,
-    /// Rows of `A`, one for each state.
-    pub A: Vec<Vec<f64>>,
-    /// Rows of `B`, one for each state; columns as the inputs.
-    pub B: Vec<Vec<f64>>,
-    /// Rows of `C`, one for each output.
-    pub C: Vec<Vec<f64>>,
-    /// Rows of `D`, one for each output; columns as the inputs.
-    pub D: Vec<Vec<f64>>,
-}
-
-impl LinearModel {
-    /// Linear model about a steady state. (M16), (M17)
-    ///
-    /// # Errors
-    /// [`LinearError`]: materials and liquids with a memory, accelerations on a support that moves, a state beyond the range of the body.
-    pub fn about(
-        body: &FlexibleBody,
-        forces: &[Force<Marker>],
-        equilibrium: SteadyState,
-        inputs: &[LinearInput],
-        outputs: &[LinearOutput],
-    ) -> Result<Self, LinearError> {
-        if let Some(liquid) = body.memories().first() {
-            let name = body.coordinates()[liquid.coordinates.start].part();
-            return Err(LinearError::Memory { what: format!("the liquid {name:?}") });
-        }
-        if !body.viscoelastic().is_empty() {
-            return Err(LinearError::Memory { what: "a material".into() });
-        }
-        let (forces, followed) = effective(body, forces);
-        let instant = equilibrium.at(0.0);
-        let system = System::about(body, Slopes::of(body, &forces, &instant), &instant, followed);
-        let small = SmallMotions::new(body, &instant, system, followed, inputs)?;
-        let rows: Vec<_> = outputs.iter().map(|output| small.output(output)).collect::<Result<_, _>>()?;
-        let (C, D) = rows.into_iter().unzip();
-        Ok(Self { equilibrium, states: small.states(), A: listed(&small.A), B: listed(&small.B), C, D })
-    }
-}
-
-fn listed(matrix: &DMatrix<f64>) -> Vec<Vec<f64>> {
-    matrix.row_iter().map(|row| row.iter().copied().collect()).collect()
-}
-
-/// Small motions with their inputs. States: `θ`, elastic displacements, `δω`, rates of all coordinates, and `δv` where that is followed.
-struct SmallMotions<'a> {
+/// Small motions with their inputs. States: `θ`, elastic displacements, `δω`, rates of all coordinates, `δv` where that is followed,
+/// lagging displacements of the materials, angular momenta of the wheels that inputs turn.
+pub(super) struct SmallMotions<'a> {
     body: &'a FlexibleBody,
     instant: &'a Instant,
     system: System,
     followed: bool,
-    A: DMatrix<f64>,
-    B: DMatrix<f64>,
+    lags: &'a [Lag],
+    /// Numbers and axes of the inputs that turn wheels.
+    wheels: Vec<(usize, [f64; 3])>,
+    pub A: DMatrix<f64>,
+    pub B: DMatrix<f64>,
     /// Forces of the inputs on the body (N), a column each.
     pushes: DMatrix<f64>,
 }
@@ -181,15 +33,18 @@ struct SmallMotions<'a> {
 type Row = (DVector<f64>, DVector<f64>);
 
 impl<'a> SmallMotions<'a> {
-    fn new(
+    pub fn new(
         body: &'a FlexibleBody,
         instant: &'a Instant,
         system: System,
         followed: bool,
         inputs: &[LinearInput],
+        lags: &'a [Lag],
     ) -> Result<Self, SteadyError> {
         let (moving, held) = (system.mass.nrows(), 3 + body.elastic());
-        let size = held + moving;
+        let lagging = lags.iter().map(Lag::states).sum::<usize>();
+        let wheels: Vec<_> = inputs.iter().enumerate().filter_map(wheel).collect();
+        let size = held + moving + lagging + wheels.len();
         let loads = inputs.iter().map(|input| loads(body, instant, input));
         let loads =
             DMatrix::from_columns(&loads.collect::<Vec<_>>()).resize_vertically(6 + instant.q.len(), 0.0);
@@ -197,16 +52,32 @@ impl<'a> SmallMotions<'a> {
         let mut A = DMatrix::zeros(size, size);
         A.view_mut((0, 0), (3, 3)).copy_from(&-system.turning());
         (0..held).for_each(|i| A[(i, held + i)] = 1.0);
-        A.view_mut((held, 0), (moving, held)).copy_from(&-factor.solve(&system.stiffness));
-        A.view_mut((held, held), (moving, moving)).copy_from(&-factor.solve(&system.rate));
+        let mut forces = DMatrix::zeros(moving, size); // on the left-hand side
+        forces.view_mut((0, 0), (moving, held)).copy_from(&system.stiffness);
+        forces.view_mut((0, held), (moving, moving)).copy_from(&system.rate);
+        let mut next = held + moving;
+        for lag in lags {
+            lag.pull(&mut forces, held);
+            lag.follow(&mut A, &mut forces, next);
+            next += lag.states();
+        }
+        for (_, axis) in &wheels {
+            let turned = cross(system.omega, *axis);
+            (0..3).for_each(|k| forces[(k, next)] = turned[k]);
+            next += 1;
+        }
+        A.view_mut((held, 0), (moving, size)).copy_from(&-factor.solve(&forces));
         let mut B = DMatrix::zeros(size, inputs.len());
         B.view_mut((held, 0), (moving, inputs.len()))
             .copy_from(&factor.solve(&loads.rows(0, moving).into_owned()));
+        for (place, (input, _)) in wheels.iter().enumerate() {
+            B[(held + moving + lagging + place, *input)] = 1.0;
+        }
         let pushes = loads.rows(3 + instant.q.len(), 3).into_owned();
-        Ok(Self { body, instant, system, followed, A, B, pushes })
+        Ok(Self { body, instant, system, followed, lags, wheels, A, B, pushes })
     }
 
-    fn states(&self) -> Vec<LinearState> {
+    pub fn states(&self) -> Vec<LinearState> {
         let n = self.instant.q.len();
         let velocities = if self.followed { 3 } else { 0 };
         (0..3)
@@ -215,6 +86,8 @@ impl<'a> SmallMotions<'a> {
             .chain((0..3).map(LinearState::Rate))
             .chain((0..n).map(LinearState::Speed))
             .chain((0..velocities).map(LinearState::Velocity))
+            .chain(self.lags.iter().enumerate().flat_map(|(material, lag)| lag.named(material)))
+            .chain(self.wheels.iter().map(|(input, _)| LinearState::Wheel(*input)))
             .collect()
     }
 
@@ -234,12 +107,21 @@ impl<'a> SmallMotions<'a> {
         (by_state, by_input)
     }
 
-    fn output(&self, output: &LinearOutput) -> Result<(Vec<f64>, Vec<f64>), LinearError> {
+    /// Place of the angular momentum of the wheel that an input turns.
+    fn wheel(&self, input: usize) -> Option<usize> {
+        let place = self.wheels.iter().position(|(own, _)| *own == input)?;
+        Some(self.A.nrows() - self.wheels.len() + place)
+    }
+
+    pub fn output(&self, output: &LinearOutput) -> Result<(Vec<f64>, Vec<f64>), LinearError> {
         let (by_state, by_input) = match output {
             LinearOutput::Rate { axis } => self.state(self.rates() + axis),
             LinearOutput::Attitude { axis } => self.state(*axis),
             LinearOutput::Coordinate { coordinate } => self.state(3 + coordinate),
             LinearOutput::Speed { coordinate } => self.state(self.rates() + 3 + coordinate),
+            LinearOutput::Wheel { input } => {
+                self.wheel(*input).map_or_else(|| self.none(), |place| self.state(place))
+            }
             LinearOutput::Momentum { axis } => self.momentum(*axis),
             LinearOutput::Displacement { at, axis } => self.displacement(at, *axis),
             LinearOutput::Acceleration { at, axis } => self.acceleration(at, *axis)?,
@@ -254,6 +136,9 @@ impl<'a> SmallMotions<'a> {
         (0..3 + n).for_each(|k| by_state[rates + k] = self.system.mass[(axis, k)]);
         let slopes = self.system.coefficients.slopes.iter().take(self.body.elastic());
         slopes.enumerate().for_each(|(j, U)| by_state[3 + j] = U[axis]);
+        for (input, direction) in &self.wheels {
+            self.wheel(*input).into_iter().for_each(|place| by_state[place] = direction[axis]);
+        }
         (by_state, by_input)
     }
 
@@ -322,6 +207,14 @@ impl<'a> SmallMotions<'a> {
     }
 }
 
+/// Number and axis of an input that turns a wheel.
+fn wheel((number, input): (usize, &LinearInput)) -> Option<(usize, [f64; 3])> {
+    match input {
+        LinearInput::Wheel { axis } => Some((number, *axis)),
+        _ => None,
+    }
+}
+
 /// Loads of a unit of an input: moment, generalised forces, force.
 fn loads(body: &FlexibleBody, instant: &Instant, input: &LinearInput) -> DVector<f64> {
     let n = instant.q.len();
@@ -329,6 +222,7 @@ fn loads(body: &FlexibleBody, instant: &Instant, input: &LinearInput) -> DVector
     match input {
         LinearInput::Torque { axis } => column[*axis] = 1.0,
         LinearInput::Motor { coordinate } => column[3 + coordinate] = 1.0,
+        LinearInput::Wheel { axis } => (0..3).for_each(|k| column[k] = -axis[k]),
         LinearInput::Force { at, axis } => {
             let mut force = [0.0; 3];
             force[*axis] = 1.0;

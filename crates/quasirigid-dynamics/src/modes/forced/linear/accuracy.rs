@@ -1,0 +1,75 @@
+//! Error of a linear model by the states that stand for memories, against the exact responses of materials and liquids.
+//! Equation (M21), docs/theory/15-modes.md.
+
+use crate::math::eigen::NoConvergence;
+use crate::math::vec3::norm;
+use crate::model::{FlexibleBody, RationalModulus};
+use crate::modes::forced::frame_rotation::FrameRotation;
+use crate::modes::forced::pencil::Pencil;
+use crate::modes::forced::state::SteadyState;
+use crate::modes::forced::system::System;
+use crate::reduction::frequencies;
+
+/// Error of the angular velocities that torques on the carrier cause. (M21)
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LinearAccuracy {
+    /// Frequencies (rad/s) between which it is told.
+    pub band: [f64; 2],
+    /// Largest relative error of the response.
+    pub error: f64,
+    /// Frequency (rad/s) of that error.
+    pub frequency: f64,
+}
+
+/// Frequencies at which responses are compared, at least and at most, and the work that they may take (cubes of the size).
+const LEAST_SAMPLES: f64 = 24.0;
+const MOST_SAMPLES: f64 = 240.0;
+const WORK: f64 = 4e9;
+/// Share of the slowest rate at which the band of a body begins, and multiple of the fastest at which it ends.
+const BEGINS: f64 = 0.1;
+const ENDS: f64 = 2.0;
+
+impl LinearAccuracy {
+    /// Compares responses over a band of frequencies (rad/s); none where nothing has a memory, or no response is finite.
+    pub(super) fn compute(
+        body: &FlexibleBody,
+        state: &SteadyState,
+        system: &System,
+        (moduli, followed): (&[RationalModulus], bool),
+        band: [f64; 2],
+    ) -> Option<Self> {
+        if moduli.is_empty() && body.memories().is_empty() {
+            return None;
+        }
+        let attitude = state.turning != FrameRotation::Own;
+        let pencil = || Pencil::new(body, system, attitude, followed);
+        let (exact, model) = (pencil(), pencil().with_states(moduli));
+        let size = (3 + body.coordinates().len()) as f64;
+        let samples = (WORK / size.powi(3)).clamp(LEAST_SAMPLES, MOST_SAMPLES).floor();
+        let [low, high] = band;
+        let gaps = (0..samples as usize).filter_map(|k| {
+            let frequency = low * (high / low).powf(k as f64 / (samples - 1.0));
+            let (exact, model) = (exact.response(frequency)?, model.response(frequency)?);
+            let error = (model - exact).norm() / exact.norm();
+            error.is_finite().then_some(Self { band, error, frequency })
+        });
+        gaps.max_by(|a, b| a.error.total_cmp(&b.error))
+    }
+}
+
+/// Band of frequencies (rad/s) of a body: around its vibrations at rest, its spin and the diffusion in its liquids.
+///
+/// # Errors
+/// [`NoConvergence`] if the vibrations are not found.
+pub(super) fn own_rates(body: &FlexibleBody, state: &SteadyState) -> Result<[f64; 2], NoConvergence> {
+    let spin = norm(state.omega);
+    let mut rates: Vec<f64> = if spin > 0.0 { vec![spin] } else { Vec::new() };
+    if body.viscoelastic().is_empty() && body.memories().is_empty() {
+        return Ok([1.0; 2]);
+    }
+    rates.extend(frequencies(body)?.into_iter().filter(|frequency| *frequency > 0.0));
+    rates.extend(body.memories().iter().map(|liquid| liquid.time.recip()));
+    let slowest = rates.iter().copied().fold(f64::INFINITY, f64::min);
+    let fastest = rates.iter().copied().fold(0.0, f64::max);
+    Ok(if fastest > 0.0 { [BEGINS * slowest, ENDS * fastest] } else { [1.0; 2] })
+}

@@ -93,6 +93,8 @@ pub struct FreeObject {
 const LISTED: usize = 12;
 /// Coupling by damping above which people are told.
 const COUPLED: f64 = 0.05;
+/// Share of the body below which what is left of its parts is rounding.
+const LEFT_ROUNDING: f64 = 1e-13;
 /// Share of the largest entry below which an entry is rounding.
 const ROUNDING: f64 = 1e-9;
 
@@ -118,7 +120,10 @@ impl Study {
         let mut carried = [0.0; 6];
         let cantilever: Vec<_> =
             found.modes.iter().map(|mode| CantileverObject::new(mode, &mut carried, whole)).collect();
-        let left = |axis: usize| whole[axis] - carried[axis];
+        let left = |axis: usize| {
+            let left = whole[axis] - carried[axis];
+            if left.abs() > LEFT_ROUNDING * body.along()[axis] { left } else { 0.0 }
+        };
         Ok(EffectiveMasses {
             name: self.model.name.clone(),
             sentence: sentence(&cantilever, &parts),
@@ -193,7 +198,12 @@ fn sentence(modes: &[CantileverObject], parts: &RigidObject) -> String {
 }
 
 fn percent(share: f64, digits: i32) -> String {
-    if share.abs() < ROUNDING { "0".into() } else { significant(100.0 * share, digits) }
+    significant(percentage(share), digits)
+}
+
+/// A share in per cent, without the rounding of its last digits.
+fn percentage(share: f64) -> f64 {
+    (1e11 * share).round() / 1e9
 }
 
 impl EffectiveMasses {
@@ -239,7 +249,7 @@ impl EffectiveMasses {
         let shares = self
             .cantilever
             .iter()
-            .map(|mode| joined(&mode.cumulative_mass, &mode.cumulative_inertia).map(|share| 100.0 * share));
+            .map(|mode| joined(&mode.cumulative_mass, &mode.cumulative_inertia).map(percentage));
         rows(out, "carried up to each mode, % of the parts", shares.take(listed), "")?;
         if self.cantilever.len() > listed {
             writeln!(out, "  and {} more (--all lists them)", self.cantilever.len() - listed)?;

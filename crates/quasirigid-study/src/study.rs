@@ -123,7 +123,7 @@ impl Study {
         if !study.model.assembly.appendages.is_empty() {
             let start = study.initial().ok();
             let note = start.and_then(|start| sheets::note(&study.model.assembly, start.omega));
-            study.model.notes.extend(note);
+            study.model.notes.splice(..0, note);
         }
         Ok(study)
     }

@@ -54,23 +54,46 @@ fn an_inertia_about_the_interface_says_so() {
         .map(|text| read(&format!("{CARRIER}{text}")).assembly.body().unwrap());
     let [a, b] = bodies.map(|body| body.invariants().J);
     assert!(a.iter().zip(b).all(|(a, b)| (a - b).abs() < 1e-12 * a.abs().max(1.0)), "{a:?} {b:?}");
-    assert_snapshot!(refused(&format!("{SHEET}{INERTIA}{shifted}{MODES}")), @"");
+    assert_snapshot!(refused(&format!("{SHEET}{INERTIA}{shifted}{MODES}")), @"
+    model.toml:11:21: `inertia` and `interface_inertia` are one tensor about two points
+      leave one of them out
+    ");
 }
 
 #[test]
 fn effective_masses_and_modes_that_carry_too_much_are_refused() {
     let squares = "modes = [{ frequency = 2.0, effective_mass = [0, 0, 13.0], translation = [0, 0, 3.6] }]\n";
-    assert_snapshot!(refused(&format!("{SHEET}{INERTIA}{squares}")), @"");
+    assert_snapshot!(refused(&format!("{SHEET}{INERTIA}{squares}")), @"
+    model.toml:11:46: an effective mass has lost the sign of its participation factor, and with it the coupling of its axes
+      ask for the participation factors of unit modal mass, and write `translation` and `rotation`
+    ");
     let heavy = MODES.replace("3.6", "4.784");
-    assert_snapshot!(refused(&format!("{SHEET}{INERTIA}{heavy}")), @"");
-    assert_snapshot!(refused(&format!("{SHEET}{INERTIA}modes = []\nline = [1, 0, 0]\nnormal = [0, 0, 1]\n")), @"");
-    assert_snapshot!(refused(&format!("{SHEET}{INERTIA}modes = [{{ frequency = 2.0 }}]\n")), @"");
+    assert_snapshot!(refused(&format!("{SHEET}{INERTIA}{heavy}")), @r#"
+    model.toml:11:9: `modes` of modal appendage "wing": the modes carry 104.0303 % of the mass along z
+      check the units of the participation factors, the point of `rotation`, the axes, and that modes are not given twice
+    "#);
+    assert_snapshot!(refused(&format!("{SHEET}{INERTIA}modes = []\nline = [1, 0, 0]\nnormal = [0, 0, 1]\n")), @"
+    model.toml:13:10: the mass is on a `line` or in a plane with a `normal`
+      leave one of them out
+    ");
+    assert_snapshot!(refused(&format!("{SHEET}{INERTIA}modes = [{{ frequency = 2.0 }}]\n")), @"
+    model.toml:11:10: a mode has no `translation`
+      add a line such as: translation = [0, 0, 1.2]
+    model.toml:11:10: a mode has no `rotation`
+      add a line such as: rotation = [0, -2.4, 0]
+    ");
 }
 
 #[test]
 fn nothing_acts_on_an_appendage_without_shapes() {
     let spring = "[[spring]]\nfrom = \"tip\"\nto = \"wing\"\nstiffness = 1\n";
-    assert_snapshot!(refusal(&format!("{CARRIER}{POINT}{SHEET}{INERTIA}{MODES}{spring}")), @"");
+    assert_snapshot!(refusal(&format!("{CARRIER}{POINT}{SHEET}{INERTIA}{MODES}{spring}")), @r#"
+    model.toml:18:6: "wing" is known by its modes alone, but a spring joins points, nodes of parts, places on appendages and the carrier
+      write "carrier", with the place of its interface
+    "#);
     let initial = "[initial]\nangular_velocity = [0, 0, 0.1]\ndisplacements = { wing = [0, 0, 0.1] }\n";
-    assert_snapshot!(refusal(&format!("{CARRIER}{SHEET}{INERTIA}{MODES}{initial}")), @"");
+    assert_snapshot!(refusal(&format!("{CARRIER}{SHEET}{INERTIA}{MODES}{initial}")), @r#"
+    model.toml:14:19: "wing" is known by its modes alone, and its displacements have no names
+      write displacements = "slow-manifold" or "rest"
+    "#);
 }

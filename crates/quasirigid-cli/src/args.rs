@@ -331,6 +331,18 @@ pub struct ModesArgs {
     /// List every mode, overdamped ones too
     #[arg(long)]
     pub all: bool,
+    /// Give the cantilever modes instead, with the carrier held: participation factors and effective masses
+    #[arg(long, conflicts_with_all = ["spin", "axis"])]
+    pub effective_masses: bool,
+    /// Point that participation in rotations is about (m), in the file's frame [default: the centre of mass, or the point of the support]
+    #[arg(
+        long,
+        value_name = "X,Y,Z",
+        value_delimiter = ',',
+        allow_hyphen_values = true,
+        requires = "effective_masses"
+    )]
+    pub about: Option<Vec<f64>>,
 }
 
 #[derive(Args, Debug)]

@@ -33,6 +33,8 @@ pub enum Failure {
     OddName { path: PathBuf },
     #[error("an angular velocity has three components, not {count}: --spin 0,0,1.5")]
     NotAVector { count: usize },
+    #[error("a point has three coordinates, not {count}: --about 0.6,0,0.2")]
+    NotAPoint { count: usize },
     #[error(
         "{word:?} is no steady state; give --at rest, --at spin, or an angular velocity such as --at 0,0,1.5"
     )]

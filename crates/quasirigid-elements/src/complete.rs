@@ -7,6 +7,8 @@ use super::Assembly;
 /// Model that leaves terms out of the equations of a body, in the full system and in the reduced one alike. (S1)
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Incomplete {
+    /// Appendages from a sheet whose extent is not known: the load of a steady spin on their modes. (K17)
+    SheetLoads,
     /// Liquids in cavities that are no rings: terms in the square of their velocity beyond those of slow flows. (L21)
     Liquids,
     /// Ellipsoids: strain is linear.
@@ -15,6 +17,8 @@ pub enum Incomplete {
     Surfaces,
     /// Shapes and matrices from other programs: displacements are linear.
     Shapes,
+    /// Appendages from a sheet: nothing of second order in their coordinates is known. (K17)
+    Sheets,
     /// Axial springs: their force is linear in the displacement. (I10)
     AxialSprings,
     /// Springs at places on appendages: their displacements are linear. (I10)
@@ -30,10 +34,12 @@ impl Incomplete {
     #[must_use]
     pub fn order(self) -> usize {
         match self {
+            Self::SheetLoads => 0,
             Self::Liquids
             | Self::Ellipsoids
             | Self::Surfaces
             | Self::Shapes
+            | Self::Sheets
             | Self::AxialSprings
             | Self::SpringsOnAppendages => 3,
             Self::Hinges | Self::Structures => 5,

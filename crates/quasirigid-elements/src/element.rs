@@ -1,7 +1,9 @@
 //! Element of a body: the contributions of each kind to an assembly. A new kind is a file with this trait and a line in the list of
 //! kinds in [`elements`](super).
 
-use super::contribution::{Attachment, Attachments, BuildOptions, Floating, Internal, MovingBody, WholeBody};
+use super::contribution::{
+    Attachment, Attachments, BuildOptions, Floating, Internal, ModalBody, MovingBody, WholeBody,
+};
 use super::error::{ElementError, ElementId, Field, Problem, at};
 use super::material::Material;
 use super::visual::Outline;
@@ -67,6 +69,11 @@ pub(crate) trait Element: Named {
 
     /// Rigid piece of mass with coordinates of its own.
     fn moving_body(&self, _id: ElementId) -> Result<Option<MovingBody>, ElementError> {
+        Ok(None)
+    }
+
+    /// Piece of mass on the carrier with coordinates but no shapes.
+    fn modal_body(&self, _id: ElementId) -> Result<Option<ModalBody>, ElementError> {
         Ok(None)
     }
 

@@ -44,6 +44,7 @@ pub use builder::{AssemblyElement, CARRIER};
 pub use complete::Incomplete;
 pub use contribution::{PartReduction, SlowLiquid};
 pub use error::{ElementError, Field, Problem};
+pub use kinds::appendage::{Appendage, AppendageMode, Extent, InertiaPoint};
 pub use kinds::application_point::ApplicationPoint;
 pub use kinds::bushing::Bushing;
 pub use kinds::carrier::Carrier;
@@ -83,6 +84,8 @@ kinds! {
     bushings: Bushing(Bushing) = "bushing", Role::Link, name;
     /// Rigid appendages on hinges.
     hinged: Hinged(Hinged) = "appendage", Role::OnCarrier(Field::HINGE), name;
+    /// Appendages known by their cantilever modes.
+    appendages: Appendage(Appendage) = "modal appendage", Role::OnCarrier(Field::MODES), name;
     /// Ellipsoids, each of them a whole body.
     ellipsoids: Ellipsoid(Ellipsoid) = "ellipsoid", Role::Whole, name;
     /// Solids inside closed surfaces, each of them a whole body.

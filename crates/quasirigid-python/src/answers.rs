@@ -79,6 +79,20 @@ pub fn modes(study: &Study, asked: SteadySpinSettings) -> Result<Answer, Failure
     })
 }
 
+/// Effective modal masses of the parts on a held carrier.
+pub fn effective_masses(study: &Study, about: Option<[f64; 3]>) -> Result<Answer, Failure> {
+    let found = study.effective_masses(about)?;
+    Ok(Answer {
+        json: Json(study.with_inputs(found.json())),
+        text: found.text(true),
+        sentence: found.sentence.clone(),
+        holds: true,
+        notes: study.model.notes.clone(),
+        numbers: BTreeMap::new(),
+        columns: None,
+    })
+}
+
 /// Linear model about a steady state.
 pub fn linear(study: &Study, asked: &LinearSettings) -> Result<Answer, Failure> {
     let found = study.linear(asked)?;

@@ -111,6 +111,8 @@ fn class(error: &StudyError) -> &'static str {
         | StudyError::ForcesAboutSpin { .. }
         | StudyError::EventsAboutSpin
         | StudyError::SpinsAlone { .. }
+        | StudyError::Cantilever(_)
+        | StudyError::NothingHeld
         | StudyError::Linear(_) => "UnsupportedError",
         StudyError::Submanifold(_) | StudyError::SteadySpinBeyond { .. } => "ReductionError",
         StudyError::Unaveraged(_)

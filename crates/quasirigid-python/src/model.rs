@@ -133,6 +133,16 @@ impl Model {
         self.ask(py, (order, observer), |study, _| answers::modes(study, asked))
     }
 
+    /// Effective modal masses of the parts on a held carrier.
+    fn effective_masses(
+        &self,
+        py: Python<'_>,
+        about: Option<[f64; 3]>,
+        observer: Observer,
+    ) -> PyResult<Answer> {
+        self.ask(py, (None, observer), |study, _| answers::effective_masses(study, about))
+    }
+
     /// Linear model about a steady state.
     fn linear(
         &self,

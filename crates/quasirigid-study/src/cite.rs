@@ -27,6 +27,7 @@ const SHELLS: &[&str] = &[
 const SOLIDS: &[&str] = &["kane1987", "taylor1976", "hughes1980", "walkington2000"];
 const MATRICES: &[&str] = &["kane1987"];
 const MODES: &[&str] = &["kane1987", "craig1968"];
+const SHEETS: &[&str] = &["likins1970"];
 const NETWORKS: &[&str] = &["quillen2019", "steele2014"];
 const ELLIPSOIDS: &[&str] = &["breiter2012"];
 const SURFACES: &[&str] = &["labelle2007", "baerentzen2005", "freudenthal1942", "walkington2000"];
@@ -97,6 +98,7 @@ fn capabilities(model: &Model) -> Vec<(bool, &'static [&'static str])> {
         (part(|kind| matches!(kind, PartKind::Solid(_) | PartKind::Mixed(_))), SOLIDS),
         (part(|kind| matches!(kind, PartKind::Matrices(_))), MATRICES),
         (part(|kind| matches!(kind, PartKind::Modes(_))), MODES),
+        (!assembly.appendages.is_empty(), SHEETS),
         (network, NETWORKS),
         (!assembly.ellipsoids.is_empty(), ELLIPSOIDS),
         (!assembly.surfaces.is_empty(), SURFACES),

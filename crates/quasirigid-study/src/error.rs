@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use quasirigid::averaging::{FreeRotationError, ObservedError, Unaveraged};
 use quasirigid::dynamics::PropagateError;
 use quasirigid::elements::ElementError;
-use quasirigid::modes::{EquilibriumError, LinearError};
+use quasirigid::modes::{CantileverError, EquilibriumError, LinearError};
 use quasirigid::reduction::{ReductionError, ValidityError};
 use quasirigid::submanifold::{ExpansionError, SubmanifoldError};
 use quasirigid::verification::VerificationError;
@@ -51,6 +51,10 @@ pub enum StudyError {
     NoStart(EquilibriumError),
     /// A body or a state without a linear model.
     Linear(LinearError),
+    /// A body without cantilever modes.
+    Cantilever(CantileverError),
+    /// Cantilever modes of a body without a carrier.
+    NothingHeld,
     /// An input or output of a linear model that does not exist.
     NoChannel {
         /// Name asked for.
@@ -244,6 +248,10 @@ impl StudyError {
                 "the start: {cause}; there is no slow manifold at this spin; give [initial] displacements = \"rest\", or numbers"
             ),
             Self::Linear(cause) => cause.to_string(),
+            Self::Cantilever(cause) => cause.to_string(),
+            Self::NothingHeld => {
+                "the body has no carrier that could be held: it has free modes alone, those of `modes`".into()
+            }
             Self::NoChannel { name, expected } => {
                 format!("{name:?} is no input or output here; give {expected}")
             }

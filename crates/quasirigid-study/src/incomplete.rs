@@ -27,6 +27,10 @@ fn cause(what: Incomplete) -> &'static str {
         Incomplete::Ellipsoids => "the strain of ellipsoids is linear (order 3)",
         Incomplete::Surfaces => "the strain of solids inside surfaces is linear (order 3)",
         Incomplete::Shapes => "the displacements of modes and matrices are linear (order 3)",
+        Incomplete::SheetLoads => {
+            "a sheet without `line` or `normal` leaves the load of a steady spin on an appendage unknown (order 0)"
+        }
+        Incomplete::Sheets => "a sheet leaves the second order of an appendage unknown (order 3)",
         Incomplete::AxialSprings => "the force of axial springs is linear in the displacement (order 3)",
         Incomplete::SpringsOnAppendages => {
             "springs at places on appendages see the displacement to first order (order 3)"

@@ -13,6 +13,7 @@ use crate::error::StudyError;
 use crate::layout::paragraph;
 use crate::liquids::unanswered;
 use crate::motion::Motion;
+use crate::sheets;
 use crate::study::Study;
 use crate::words::{significant, tidied, time};
 
@@ -138,7 +139,10 @@ fn told(
     }
     let coordinates = body.coordinates().iter().zip(&modes.equilibrium.q).take(body.elastic());
     let record = SteadySpinRecord {
-        sentence: sentence(name, &modes),
+        sentence: sheets::warning(&study.model.assembly, modes.equilibrium.omega).map_or_else(
+            || sentence(name, &modes),
+            |warning| format!("{warning} {}", sentence(name, &modes)),
+        ),
         axis: name.into(),
         spin: Some(tidied(modes.equilibrium.omega)),
         angular_momentum: Some(tidied(modes.equilibrium.angular_momentum)),

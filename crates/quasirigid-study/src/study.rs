@@ -15,7 +15,7 @@ use quasirigid_io::model::Model;
 use crate::error::StudyError;
 use crate::incomplete::beyond;
 use crate::start::initial;
-use crate::{liquids, resolution};
+use crate::{liquids, resolution, sheets};
 
 /// Study: an assembled model that answers every question.
 ///
@@ -107,7 +107,7 @@ impl Study {
             settle(&mut model, resolution);
         }
         let reductions = Mutex::default();
-        Ok(Self {
+        let mut study = Self {
             model,
             body,
             forces,
@@ -119,7 +119,13 @@ impl Study {
             order_given,
             visuals,
             reductions,
-        })
+        };
+        if !study.model.assembly.appendages.is_empty() {
+            let start = study.initial().ok();
+            let note = start.and_then(|start| sheets::note(&study.model.assembly, start.omega));
+            study.model.notes.splice(..0, note);
+        }
+        Ok(study)
     }
 
     /// Visual geometry of the elements.

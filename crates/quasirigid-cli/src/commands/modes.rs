@@ -1,3 +1,4 @@
+use quasirigid_study::Study;
 use quasirigid_study::modes::SteadySpinSettings;
 
 use super::{open, whole};
@@ -8,6 +9,9 @@ use crate::{ExitStatus, output};
 /// Finds the steady spin and the small motions about it.
 pub fn modes(arguments: &ModesArgs) -> Result<ExitStatus, Failure> {
     let study = open(&arguments.common)?;
+    if arguments.effective_masses {
+        return effective_masses(arguments, &study);
+    }
     let omega = arguments.spin.as_ref().map(|spin| vector(spin)).transpose()?;
     let found = whole(&arguments.common, || study.modes(SteadySpinSettings { omega, axis: arguments.axis }))?;
     let name = &study.model.name;
@@ -17,6 +21,21 @@ pub fn modes(arguments: &ModesArgs) -> Result<ExitStatus, Failure> {
         || found.text(name, arguments.all),
     )?;
     Ok(if found.found() { ExitStatus::Done } else { ExitStatus::CheckFailed })
+}
+
+/// Gives the cantilever modes with the masses that they carry.
+fn effective_masses(arguments: &ModesArgs, study: &Study) -> Result<ExitStatus, Failure> {
+    let point = |about: &Vec<f64>| {
+        <[f64; 3]>::try_from(about.as_slice()).map_err(|_| Failure::NotAPoint { count: about.len() })
+    };
+    let about = arguments.about.as_ref().map(point).transpose()?;
+    let found = whole(&arguments.common, || study.effective_masses(about))?;
+    output::print_answer(
+        arguments.common.json,
+        || study.with_inputs(found.json()),
+        || found.text(arguments.all),
+    )?;
+    Ok(ExitStatus::Done)
 }
 
 fn vector(numbers: &[f64]) -> Result<[f64; 3], Failure> {

@@ -9,6 +9,7 @@ mod colour;
 mod complete;
 mod derive;
 mod docs;
+mod effective_masses;
 mod evolve;
 #[cfg(unix)]
 mod faults;

@@ -2,6 +2,7 @@
 
 mod campbell;
 mod candidates;
+mod cantilever;
 mod deflation;
 mod displacements;
 mod equilibrium;
@@ -19,6 +20,7 @@ mod slow;
 mod spectrum;
 
 pub use campbell::{CampbellError, SpinEigenvalues, campbell};
+pub use cantilever::{CantileverError, CantileverMode, CantileverModes, FreeMode};
 pub use equilibrium::{EquilibriumError, RelativeEquilibrium, SpinMagnitude};
 pub use error::ModesError;
 pub use forced::{

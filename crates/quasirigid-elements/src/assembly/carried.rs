@@ -10,9 +10,9 @@ use super::{Assembly, Built};
 use crate::NodeRef;
 use crate::contribution::Internal;
 use crate::contribution::Matrices;
-use crate::contribution::MovingBody;
 use crate::contribution::{Attachment, Attachments};
 use crate::contribution::{Field as Shape, Piece};
+use crate::contribution::{ModalBody, MovingBody};
 use crate::element::{AttachmentPoint, ElementSite, Preload, Role};
 use crate::error::{ElementError, ElementId, ElementKind, Field, Problem, at};
 use crate::kinds::part::PartGraph;
@@ -36,6 +36,8 @@ struct Carried {
     rigid: Vec<(Piece, Vector3<f64>)>,
     /// Moving pieces, in the order of their elements.
     moving_bodies: Vec<Moved>,
+    /// Pieces known by their modes, in the order of their elements.
+    modal_bodies: Vec<Modal>,
     component: Option<Component>,
     /// First coordinate of the component.
     flexible: usize,
@@ -46,6 +48,13 @@ struct Carried {
 struct Moved {
     id: ElementId,
     moving_body: MovingBody,
+    start: usize,
+}
+
+/// Piece known by its modes, with its element and its first coordinate.
+struct Modal {
+    id: ElementId,
+    modal_body: ModalBody,
     start: usize,
 }
 
@@ -69,7 +78,8 @@ impl Assembly {
             graph.draw(self.drawn_ends().into_iter().filter_map(node));
         }
         let component = graph.as_ref().map(|graph| graph.component(false)).transpose()?;
-        let (moving_bodies, flexible) = self.moving_bodies()?;
+        let (moving_bodies, moved) = self.moving_bodies()?;
+        let (modal_bodies, flexible) = self.modal_bodies(moved)?;
         let order = self.reduction.order;
         let inner = self.each().filter_map(|(id, element)| {
             let inner = element.inner(id, order).transpose()?;
@@ -79,7 +89,7 @@ impl Assembly {
         let inner = Internal::sum(elastic, inner)?;
         let mut rigid = vec![(carrier.piece()?, carrier.position())];
         rigid.extend(&inner.rigid);
-        let whole = Carried { rigid, moving_bodies, component, flexible, inner };
+        let whole = Carried { rigid, moving_bodies, modal_bodies, component, flexible, inner };
         let (mass, center_of_mass) = whole.mass_center();
         let pole = self.held_point()?.unwrap_or(center_of_mass);
         let invariants = whole.invariants(pole, mass);
@@ -211,6 +221,19 @@ impl Assembly {
         Ok((moving_bodies, next))
     }
 
+    /// Pieces known by their modes, with coordinates numbered from `next`, and the number of the first coordinate after them.
+    fn modal_bodies(&self, mut next: usize) -> Result<(Vec<Modal>, usize), ElementError> {
+        let mut modal_bodies = Vec::new();
+        for (id, element) in self.each() {
+            if let Some(modal_body) = element.modal_body(id)? {
+                let start = next;
+                next += modal_body.size();
+                modal_bodies.push(Modal { id, modal_body, start });
+            }
+        }
+        Ok((modal_bodies, next))
+    }
+
     /// Accepts a body with inertia about every axis; `blamed` is the element to name otherwise.
     pub(super) fn has_inertia(&self, blamed: ElementId, invariants: &Invariants) -> Result<(), ElementError> {
         let [xx, yy, zz, yz, zx, xy] = invariants.J;
@@ -296,7 +319,8 @@ impl Carried {
 
     /// First coordinate of an element; the first of all for one without coordinates.
     fn start_of(&self, id: ElementId) -> usize {
-        self.moved(id).map_or(0, |moved| moved.start)
+        let modal = self.modal_bodies.iter().find(|modal| modal.id == id).map(|modal| modal.start);
+        self.moved(id).map(|moved| moved.start).or(modal).unwrap_or(0)
     }
 
     /// A place on an element that moves: the watched one, then the others.
@@ -333,6 +357,10 @@ impl Carried {
             mass += moving_body.piece.mass;
             first += moving_body.piece.mass * moving_body.base + moving_body.piece.first;
         }
+        for Modal { modal_body: ModalBody { piece, base, .. }, .. } in &self.modal_bodies {
+            mass += piece.mass;
+            first += piece.mass * base + piece.first;
+        }
         if let Some(component) = &self.component {
             mass += component.mass();
             first += component.mass() * component.center();
@@ -359,14 +387,19 @@ impl Carried {
             }
             pairs.extend(moving_body.pairs(pole, *start));
         }
+        let mut coordinate = |(S_j, h_j, J_j): ([f64; 3], [f64; 3], Sym)| {
+            S.push(S_j);
+            h.push(h_j);
+            J1.push(J_j);
+        };
+        for Modal { modal_body, start, .. } in &self.modal_bodies {
+            add(&mut J, half(modal_body.twice_inertia(pole)));
+            (0..modal_body.size()).for_each(|j| coordinate(modal_body.coordinate(j, pole)));
+            pairs.extend(modal_body.pairs(*start));
+        }
         if let Some(component) = &self.component {
             add(&mut J, component.inertia(pole));
-            for j in 0..component.size() {
-                let (S_j, h_j, J_j) = component.coordinate(j, pole);
-                S.push(S_j);
-                h.push(h_j);
-                J1.push(J_j);
-            }
+            (0..component.size()).for_each(|j| coordinate(component.coordinate(j, pole)));
             pairs.extend(component.pairs(pole, self.flexible));
         }
         for h_j in &self.inner.h {
@@ -403,8 +436,9 @@ impl Carried {
     fn coordinates(&self) -> Vec<Coordinate> {
         let moving_bodies =
             self.moving_bodies.iter().flat_map(|moved| moved.moving_body.coordinates.iter().cloned());
+        let modal_bodies = self.modal_bodies.iter().flat_map(|modal| modal.modal_body.coordinates());
         let parts = self.component.iter().flat_map(Component::coordinates);
-        moving_bodies.chain(parts).chain(self.inner.coordinates.iter().cloned()).collect()
+        moving_bodies.chain(modal_bodies).chain(parts).chain(self.inner.coordinates.iter().cloned()).collect()
     }
 }
 

@@ -3,6 +3,7 @@
 mod carried;
 mod floating;
 mod homogeneous;
+mod locked;
 mod rheologies;
 #[cfg(test)]
 mod tests;

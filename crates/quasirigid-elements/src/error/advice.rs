@@ -54,6 +54,14 @@ impl Problem {
             }
             Self::SameEnds => ("the same", "a spring joins two points, or a point and the carrier"),
             Self::NoLine => ("here", "move one end, or leave out axial = true"),
+            Self::NoSheetModes => (
+                "no modes",
+                "write modes = [{ frequency = \"0.3 Hz\", translation = [0, 0, 1.2], rotation = [0, -2.4, 0] }], or add the mass to the carrier",
+            ),
+            Self::ModesTooHeavy { .. } => (
+                "more than there is",
+                "check the units of the participation factors, the point of `rotation`, the axes, and that modes are not given twice",
+            ),
             Self::NoAnchor => {
                 ("needs an `anchor`", "add anchor = [x, y, z], the place of the spring's end on the carrier")
             }

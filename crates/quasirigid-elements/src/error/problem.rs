@@ -441,6 +441,17 @@ pub enum Problem {
         /// Number of the axis, from 1.
         axis: usize,
     },
+    /// A sheet without modes.
+    #[error("there are no modes")]
+    NoSheetModes,
+    /// The modes of an appendage carry more than its mass or inertia.
+    #[error("{}", too_heavy(*share, what))]
+    ModesTooHeavy {
+        /// What they carry, as a share of what there is.
+        share: f64,
+        /// Mass or inertia, and the motion.
+        what: String,
+    },
     /// A force on the carrier lacks its place there.
     #[error("a force on the carrier needs the place where it acts")]
     NoApplicationPoint,
@@ -499,6 +510,14 @@ pub enum Problem {
         /// Whether the pole is a point that is fixed or driven, not the centre of mass.
         held: bool,
     },
+}
+
+/// Message for modes that carry more than there is.
+fn too_heavy(share: f64, what: &str) -> String {
+    if share.is_infinite() {
+        return format!("the modes carry {what}, of which the appendage has none");
+    }
+    format!("the modes carry {} % of the {what}", (1e6 * share).round() / 1e4)
 }
 
 /// Message for a moment of inertia that is zero, or negligible beside the others.

@@ -1,4 +1,4 @@
-use nalgebra::Vector3;
+use nalgebra::{Matrix3, Vector3};
 
 use crate::contribution::Piece;
 use crate::error::{ElementError, ElementId, Field, at};
@@ -19,6 +19,14 @@ pub struct Carrier {
 }
 
 impl Carrier {
+    /// Inertia tensor (kg·m²) about a point (m) of the file's frame.
+    #[must_use]
+    pub fn inertia_about(&self, point: [f64; 3]) -> [[f64; 3]; 3] {
+        let arm = self.position() - Vector3::from(point);
+        let shift = arm.norm_squared() * Matrix3::identity() - arm * arm.transpose();
+        (Matrix3::from(self.inertia) + self.mass * shift).into()
+    }
+
     pub(crate) fn piece(&self) -> Result<Piece, ElementError> {
         number::mass(self.mass).map_err(at(ElementId::CARRIER, Field::MASS))?;
         number::finite(&self.center_of_mass).map_err(at(ElementId::CARRIER, Field::CENTER_OF_MASS))?;

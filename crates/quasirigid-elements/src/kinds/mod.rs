@@ -1,6 +1,7 @@
 //! Kinds of elements that a user describes, a file or a folder each. What they give to a body is in
 //! [`contribution`](super::contribution); their list, which makes ids, words and the lists of an assembly, is in [`elements`](super).
 
+pub(crate) mod appendage;
 pub(crate) mod application_point;
 pub(crate) mod bushing;
 pub(crate) mod carrier;

@@ -23,9 +23,10 @@ const MEMBER: usize = 40;
 pub fn is_small(assembly: &Assembly) -> bool {
     let counts =
         [assembly.points.len(), assembly.springs.len(), assembly.bushings.len(), assembly.hinged.len()];
+    let modal: usize = assembly.appendages.iter().map(|appendage| appendage.modes.len()).sum();
     let inside =
         [assembly.rotors.len(), assembly.wheels.len(), assembly.cavities.len(), assembly.forces.len()];
-    counts.into_iter().chain(inside).sum::<usize>() <= ELEMENTS
+    counts.into_iter().chain(inside).sum::<usize>() + modal <= ELEMENTS
         && assembly.cavities.len() <= 4
         && assembly.parts.len() <= 8
         && assembly.parts.iter().all(|part| is_small_part(&part.kind))

@@ -21,6 +21,7 @@ pub const WORDS: &[&str] = &[
     "[[ellipsoid]]\n",
     "[[surface]]\n",
     "[[bushing]]\n",
+    "[[appendage]]\n",
     "[[connection]]\n",
     "[initial]\n",
     "[run]\n",

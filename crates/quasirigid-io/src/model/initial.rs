@@ -233,6 +233,12 @@ fn amounts(value: &Value<'_>, body: &Body<'_>, along: Dimension, about: Dimensio
                 "turns inside",
                 "write `speed` in its [[rotor]]",
             ),
+            Some(Part::Modal) => value.refuse_at(
+                key,
+                format!("{:?} is known by its modes alone, and its displacements have no names", value.key()),
+                "no shapes",
+                "write displacements = \"slow-manifold\" or \"rest\"",
+            ),
             None => None,
         };
         good &= amount.is_some();

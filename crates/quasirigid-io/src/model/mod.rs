@@ -3,6 +3,7 @@
 //! Reading checks what concerns the file: keys, types, units, names, finite numbers. The laws of mechanics are
 //! checked by [`quasirigid_elements`]; [`Model::diagnose`] finds the place in the file that they speak of.
 
+mod appendage;
 mod body;
 mod bushing;
 mod cavity;
@@ -93,6 +94,7 @@ const READERS: &[&Reader] = &[
     &part::connection::READER,
     &point::READER,
     &hinged::READER,
+    &appendage::READER,
     &spring::READER,
     &bushing::READER,
     &part::network::READER,

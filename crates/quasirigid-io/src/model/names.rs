@@ -42,6 +42,8 @@ pub(super) enum Part {
     Flexible(usize),
     Throughout,
     Inside,
+    /// An appendage without shapes.
+    Modal,
 }
 
 /// End of a spring, or place of a force.
@@ -161,6 +163,11 @@ impl<'a> Names<'a> {
                 format!("{name:?} turns inside the carrier, but {}", what.rule()),
                 "not a point",
                 format!("write {CARRIER:?}"),
+            ),
+            Some(Part::Modal) => value.refuse(
+                format!("{name:?} is known by its modes alone, but {}", what.rule()),
+                "no place on it",
+                format!("write {CARRIER:?}, with the place of its interface"),
             ),
             None if self.parts.problems.full() => None,
             None if self.all(ElementKind::Point).is_empty() => value.refuse(

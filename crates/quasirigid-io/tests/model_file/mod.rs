@@ -1,5 +1,6 @@
 //! Model files: values that are read from them, and refusals of mistakes.
 
+mod appendages;
 mod beams;
 mod bodies;
 mod change;

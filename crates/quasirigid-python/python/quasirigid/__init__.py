@@ -12,7 +12,17 @@ history, its secular evolution over millions of revolutions.
 Units are SI throughout. An answer that does not hold is false, begins with the reason, and has ``None`` for its numbers.
 """
 
-from quasirigid._answers import AboutSpin, Answer, Check, Evolution, History, Modes, Run, Verification
+from quasirigid._answers import (
+    AboutSpin,
+    Answer,
+    Check,
+    EffectiveMasses,
+    Evolution,
+    History,
+    Modes,
+    Run,
+    Verification,
+)
 from quasirigid._core import EXAMPLE
 from quasirigid._core import VERSION as __version__
 from quasirigid._ellipsoids import EllipsoidEvolutions, evolve_ellipsoids
@@ -47,6 +57,7 @@ __all__ = [
     "Answer",
     "Check",
     "Diagnostic",
+    "EffectiveMasses",
     "EllipsoidEvolutions",
     "Error",
     "Evolution",

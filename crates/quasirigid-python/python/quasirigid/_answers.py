@@ -21,7 +21,7 @@ from quasirigid._table import Table, Tabled
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-__all__ = ["AboutSpin", "Answer", "Check", "Evolution", "History", "Modes", "Run", "Verification"]
+__all__ = ["AboutSpin", "Answer", "Check", "EffectiveMasses", "Evolution", "History", "Modes", "Run", "Verification"]
 
 
 def _array(values: list[float | None]) -> NDArray[np.float64]:
@@ -152,6 +152,39 @@ class Check(Answer):
     dissipation = entry(dict[str, float], "Shares of the dissipators in the power, by name.")
     optimal_order = entry(int, "Order at which the terms of the series are smallest at this spin.")
     steady_spins = entry(_copies, "Steady spins with the modes about them.")
+
+
+def _matrix(rows: list[list[float]]) -> NDArray[np.float64]:
+    return np.array(rows, dtype=np.float64)
+
+
+class EffectiveMasses(Answer):
+    """Cantilever modes of the parts on the held carrier, with the masses that they carry.
+
+    >>> import quasirigid
+    >>> found = quasirigid.Model(quasirigid.EXAMPLE).effective_masses()
+    >>> bool((found.delta_t[0] ** 2 <= found.to_dict()["parts"]["mass"]).all())
+    True
+    """
+
+    __slots__ = ()
+
+    cantilever = entry(_copies, "Every cantilever mode, with ``name``, ``frequency``, ``damping_ratio`` and effective masses.")
+    delta_t = entry(_matrix, "Participation factors in translations (kg^½), ``(n, 3)``.")
+    delta_r = entry(_matrix, "Participation factors in rotations (kg^½·m), ``(n, 3)``.")
+    residual_mass = entry(_array, "Mass of the parts along each axis that no mode carries (kg), ``(3,)``.")
+    residual_inertia = entry(_array, "Inertia of the parts about each axis that no mode carries (kg·m²), ``(3,)``.")
+    free = entry(_copies, "Modes of the body at rest, with the motion of the carrier.")
+
+    @property
+    def frequencies(self) -> NDArray[np.float64]:
+        """Frequencies with the carrier held (rad/s), ascending, ``(n,)``."""
+        return _of_each("frequency")(self._parts["json"]["cantilever"])
+
+    @property
+    def damping_ratios(self) -> NDArray[np.float64]:
+        """Damping ratios of each mode alone, ``(n,)``."""
+        return _of_each("damping_ratio")(self._parts["json"]["cantilever"])
 
 
 class Modes(Answer):

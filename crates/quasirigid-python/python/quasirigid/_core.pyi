@@ -81,6 +81,7 @@ class Model:
     def modes(
         self, spin: tuple[float, float, float] | None, axis: str | None, order: int | None, observer: _Observer
     ) -> _Answer: ...
+    def effective_masses(self, about: tuple[float, float, float] | None, observer: _Observer) -> _Answer: ...
     def linear(
         self,
         at: str | None,

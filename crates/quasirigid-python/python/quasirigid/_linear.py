@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from quasirigid import _core
-from quasirigid._answers import Answer
+from quasirigid._answers import Answer, _matrix
 from quasirigid._errors import InputError
 from quasirigid._property import entry
 
@@ -23,10 +23,6 @@ __all__ = ["Linear"]
 
 def _names(channels: list[dict[str, str]]) -> list[str]:
     return [channel["name"] for channel in channels]
-
-
-def _matrix(rows: list[list[float]]) -> NDArray[np.float64]:
-    return np.array(rows, dtype=np.float64)
 
 
 class Linear(Answer):

@@ -10,7 +10,16 @@ from typing import Any, NoReturn, overload
 from numpy.typing import ArrayLike
 
 from quasirigid import _arguments, _core, _settings
-from quasirigid._answers import AboutSpin, Check, Evolution, History, Modes, Run, Verification
+from quasirigid._answers import (
+    AboutSpin,
+    Check,
+    EffectiveMasses,
+    Evolution,
+    History,
+    Modes,
+    Run,
+    Verification,
+)
 from quasirigid._ensemble import Evolutions, Histories, SpinPaths
 from quasirigid._errors import InputError, ModelError
 from quasirigid._linear import Linear
@@ -189,6 +198,25 @@ class Model:
         name = _arguments.word(axis, "axis")
         with observer(progress) as watch:
             return Modes(self._core.modes(vector, name, _arguments.count(order, "order"), watch))
+
+    def effective_masses(self, about: ArrayLike | None = None, *, progress: Progress = False) -> EffectiveMasses:
+        """Gives the cantilever modes of the parts on the held carrier, with participation factors and effective masses.
+
+        Args:
+            about: Point that participation in rotations is about (m), ``(3,)``, in the file's frame; the centre of mass of the
+                body, or the point of its support, by default.
+
+        Raises:
+            UnsupportedError: for a body without a carrier, or with parts that no spring holds.
+
+        >>> import quasirigid
+        >>> found = quasirigid.Model(quasirigid.EXAMPLE).effective_masses()
+        >>> found.frequencies.shape, found.delta_t.shape
+        ((6,), (6, 3))
+        """
+        vector = _arguments.vector(about, "about")
+        with observer(progress) as watch:
+            return EffectiveMasses(self._core.effective_masses(vector, watch))
 
     def linear(
         self,

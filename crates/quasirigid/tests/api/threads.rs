@@ -52,9 +52,9 @@ types! {
         WobblingEllipsoid
     }
     elements {
-        Anchor Approximation Assembly BeamError Built Bushing Carrier Cavity CavityShape Coefficient
+        Anchor Appendage AppendageMode Approximation Assembly BeamError Built Bushing Carrier Cavity CavityShape Coefficient
         Condensation Connection Constant ElasticMaterial ElasticityError ElementError ElementId
-        ElementKind Ellipsoid End Field Frame FrameNode GivenModes HingeCoefficient Hinged Incomplete
+        ElementKind Ellipsoid End Extent Field Frame FrameNode GivenModes HingeCoefficient Hinged Incomplete InertiaPoint
         Layer Material Matrices Member Modulus Network NodalMass NodeRef Orthotropic Panel Part PartKind
         PartReduction PlaceRef Point PointMotion Prestress Problem Quantity Regime Region Resolution Rotor
         RotorKind Section SectionShape ShellError SlowLiquid Solid Spectrum Spring SpringLaw ApplicationPoint
@@ -78,7 +78,7 @@ types! {
         Run Sample Scan SlowEquations SlowPoint SlowState SpinPath Start SteadySpin SteadySpins
     }
     modes {
-        CampbellError EquilibriumError SpinMagnitude ModesError SteadyStateGuess RelativeEquilibrium SpinEigenvalues SpinMode
+        CampbellError CantileverError CantileverMode CantileverModes EquilibriumError FreeMode SpinMagnitude ModesError SteadyStateGuess RelativeEquilibrium SpinEigenvalues SpinMode
         LinearAccuracy LinearError LinearInput LinearModel LinearOutput LinearState SpinModes SteadyError SteadyModes SteadyState WhirlOnset
     }
     submanifold {

@@ -13,6 +13,7 @@ mod angular_momentum_form;
 mod axes_and_units;
 mod budget;
 mod campbell;
+mod cantilever;
 mod checkpoints;
 mod cutting;
 mod degrees;

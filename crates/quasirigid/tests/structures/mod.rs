@@ -1,5 +1,6 @@
 //! Structures of finite elements: their reduction on a carrier or floating, against other methods for the same body.
 
+mod appendages;
 mod beams;
 mod bushings;
 mod common;

@@ -16,6 +16,7 @@ use quasirigid_study::settings::{PartialRun, PartialSpinManifold, Range, Setting
 use quasirigid_study::sweep::Shard;
 
 use crate::failure::Failure;
+use crate::history_format::{AttitudeOptions, HistoryFormat};
 
 /// How does a body that is almost rigid, but bends and dissipates a little, change its spin?
 ///
@@ -445,9 +446,11 @@ pub struct Simulate {
     #[arg(long, value_name = "A,B,C", value_delimiter = ',', allow_hyphen_values = true)]
     #[arg(conflicts_with_all = ["duration", "samples"])]
     pub times: Option<Vec<f64>>,
-    /// Format of the table
-    #[arg(long, value_parser = named::<TableFormat>(), default_value = TableFormat::Csv.name())]
-    pub format: TableFormat,
+    /// Format of the table, or attitude file of another program [default: that of the ending of --out, or csv]
+    #[arg(long, value_parser = named::<HistoryFormat>())]
+    pub format: Option<HistoryFormat>,
+    #[command(flatten)]
+    pub attitude: AttitudeOptions,
     /// File for the table [default: standard output, or none with --json]
     #[arg(long, value_name = "FILE")]
     pub out: Option<PathBuf>,
@@ -555,7 +558,8 @@ fn shard(text: &str) -> Result<Shard, String> {
 }
 
 /// Reads a setting that is one of a few, by its name or a former one.
-fn named<T: Named>() -> impl TypedValueParser<Value = T> {
+/// Parser of a word of a setting.
+pub(crate) fn named<T: Named>() -> impl TypedValueParser<Value = T> {
     let value = |(name, value, help): &(&'static str, T, &'static str)| {
         let former = T::FORMER.iter().filter(|(_, renamed)| renamed == value).map(|(former, _)| *former);
         let possible = PossibleValue::new(*name).aliases(former);

@@ -3,6 +3,7 @@
 
 use std::path::PathBuf;
 
+use quasirigid_io::attitude::Unwritten;
 use quasirigid_io::model::{ModelError, TargetError};
 use quasirigid_io::record::RecordError;
 use quasirigid_io::units::UnitError;
@@ -77,6 +78,12 @@ pub enum Failure {
     OpenedStdout,
     #[error("{format} is a binary format, not text for a terminal; name a file with --out")]
     BinaryOnTerminal { format: &'static str },
+    #[error(
+        "--epoch, --time-system, --frame and --without-rates belong to attitude files; add --format aem, aem1, stk, msopck or basilisk"
+    )]
+    NoAttitudeFile,
+    #[error(transparent)]
+    Unwritten(Unwritten),
     #[error("--degree, --masters, --style and --axis belong to the equations about a spin; add {with}")]
     NotAboutSpin { with: &'static str },
     #[error("LaTeX has the equations about rest alone; take --format json for those about the spin")]

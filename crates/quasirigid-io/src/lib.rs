@@ -6,6 +6,7 @@
 #[doc = include_str!("../README.md")]
 struct ReadmeOfCrate;
 
+pub mod attitude;
 mod deck;
 pub mod disk;
 pub mod export;

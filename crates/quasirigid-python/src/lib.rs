@@ -6,6 +6,7 @@
 mod answers;
 mod arguments;
 mod arrow;
+mod attitude;
 mod columns;
 mod dictionary;
 mod ellipsoids;
@@ -29,6 +30,8 @@ mod _core {
     use crate::answers::RunAnswer;
     #[pymodule_export]
     use crate::arguments::former_argument;
+    #[pymodule_export]
+    use crate::attitude::{read_attitude, write_attitude};
     #[pymodule_export]
     use crate::columns::Columns;
     #[pymodule_export]

@@ -78,11 +78,16 @@ fn inputs_beside(study: &Study, table: &Path, overwrite: bool) -> Result<bool, F
     if output::is_stdout(table) || !table.is_file() {
         return Ok(true);
     }
-    let mut name = table.as_os_str().to_owned();
-    name.push(".inputs.json");
-    let path = PathBuf::from(name);
+    let path = beside(table, ".inputs.json");
     let placed = output::to_file(&path, overwrite, |out| writeln!(out, "{:#}", json!(study.inputs())))?;
     Ok(placed.told(&path))
+}
+
+/// The file beside another whose name has this ending more.
+fn beside(file: &Path, ending: &str) -> PathBuf {
+    let mut name = file.as_os_str().to_owned();
+    name.push(ending);
+    PathBuf::from(name)
 }
 
 /// Does work that has no partial result.

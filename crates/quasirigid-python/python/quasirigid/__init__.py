@@ -13,6 +13,7 @@ Units are SI throughout. An answer that does not hold is false, begins with the 
 """
 
 from quasirigid._answers import AboutSpin, Answer, Check, Evolution, History, Linear, Modes, Run, Verification
+from quasirigid._attitude import Attitude, read_attitude
 from quasirigid._core import EXAMPLE
 from quasirigid._core import VERSION as __version__
 from quasirigid._ellipsoids import EllipsoidEvolutions, evolve_ellipsoids
@@ -44,6 +45,7 @@ __all__ = [
     "EXAMPLE",
     "AboutSpin",
     "Answer",
+    "Attitude",
     "Check",
     "Diagnostic",
     "EllipsoidEvolutions",
@@ -81,6 +83,7 @@ __all__ = [
     "cite",
     "evolve_ellipsoids",
     "evolve_population",
+    "read_attitude",
     "read_sweep",
     "sweep",
 ]
@@ -89,5 +92,6 @@ __all__ = [
 for _name in __all__:
     if isinstance(globals()[_name], type):
         globals()[_name].__module__ = "quasirigid"
-cite.__module__ = evolve_ellipsoids.__module__ = evolve_population.__module__ = read_sweep.__module__ = sweep.__module__ = "quasirigid"
-del _name
+for _function in (cite, evolve_ellipsoids, evolve_population, read_attitude, read_sweep, sweep):
+    _function.__module__ = "quasirigid"
+del _function, _name

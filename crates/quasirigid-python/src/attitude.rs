@@ -82,7 +82,7 @@ pub fn write_attitude(
         let name = file.file_name().unwrap_or_default().to_string_lossy();
         let mut beside = file.clone().into_os_string();
         beside.push(".setup");
-        format.setup(&labels, &name).map_or(Ok(()), |setup| put(Path::new(&beside), setup.as_bytes()))
+        format.setup(&labels, &columns, &name).map_or(Ok(()), |setup| put(Path::new(&beside), setup.as_bytes()))
     })?)
 }
 

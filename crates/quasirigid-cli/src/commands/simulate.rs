@@ -3,7 +3,7 @@ use std::io::{self, BufWriter, IsTerminal, Seek, Write};
 use std::path::Path;
 
 use quasirigid::dynamics::Outcome;
-use quasirigid_io::attitude::{AttitudeFormat, Labels, Unwritten};
+use quasirigid_io::attitude::{Labels, Unwritten};
 use quasirigid_io::model::System;
 use quasirigid_io::record::{MOST_ROWS, RecordError, TableFormat, history_csv, log_csv};
 use quasirigid_study::histories::{History, Table};
@@ -120,7 +120,8 @@ fn print_table(
     let beside = format.has_inputs() || inputs_beside(study, &placed.path, arguments.overwrite)?;
     let setup = match format {
         HistoryFormat::Attitude(format) => {
-            setup_beside(format, &labels, (&placed.path, arguments.overwrite))?
+            let setup = |data: &str| format.setup(&labels, &history.columns, data);
+            setup_beside(setup, (&placed.path, arguments.overwrite))?
         }
         HistoryFormat::Table(_) => true,
     };
@@ -174,12 +175,11 @@ fn spooled<'a>(
 
 /// Writes the setup file that belongs to an attitude file, of a format that has one, beside it; returns whether it stands there.
 fn setup_beside(
-    format: AttitudeFormat,
-    labels: &Labels,
+    setup: impl Fn(&str) -> Option<String>,
     (data, overwrite): (&Path, bool),
 ) -> Result<bool, Failure> {
     let name = data.file_name().unwrap_or_default().to_string_lossy();
-    let Some(setup) = format.setup(labels, &name).filter(|_| data.is_file()) else { return Ok(true) };
+    let Some(setup) = setup(&name).filter(|_| data.is_file()) else { return Ok(true) };
     let path = beside(data, ".setup");
     let placed = output::to_file(&path, overwrite, |out| out.write_all(setup.as_bytes()))?;
     Ok(placed.told(&path))

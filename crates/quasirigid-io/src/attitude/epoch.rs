@@ -24,7 +24,7 @@ pub struct Epoch {
 
 /// A text that is no epoch.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("it is no epoch; write for example 2026-01-01T00:00:00, a second below 60")]
+#[error("no epoch; write 2026-01-01T00:00:00, or in STK 1 Jan 2026 00:00:00.0, with a second below 60")]
 pub struct NoEpoch;
 
 impl Epoch {

@@ -153,6 +153,12 @@ pub enum AttitudeProblem {
         /// Name of the column.
         name: &'static str,
     },
+    /// A row of a table that cannot be read.
+    #[error("{reason}; mend the line")]
+    Row {
+        /// The reason.
+        reason: String,
+    },
     /// A cell of a table that is no number.
     #[error("row {row}, column {name:?}: {found:?} is not a finite number")]
     Cell {

@@ -32,10 +32,10 @@ pub fn write(out: &mut impl Write, labels: &Labels, records: &Records<'_>) -> Re
 }
 
 /// The setup file of data in `data`.
-pub fn setup(labels: &Labels, data: &str) -> String {
-    let [program, axes] = labels.sentences("J2000 of SPICE, which is the ICRF");
+pub fn setup(labels: &Labels, rates: bool, data: &str) -> String {
+    let [program, axes] = labels.sentences("J2000 of SPICE");
     let time = if labels.time_system == TimeSystem::Utc { "UTC" } else { "ET" };
-    let rates = if labels.rates { "YES" } else { "MAKE UP" };
+    let rates = if rates { "YES" } else { "MAKE UP" };
     let object = labels.plain_object().replace('\'', " ");
     let segment: String = object.chars().take(SEGMENT).collect();
     format!(

@@ -11,6 +11,11 @@ use crate::record::{Column, RecordError, Rows};
 const NEEDED: [&str; 5] = ["t", "qw", "qx", "qy", "qz"];
 const RATES: [&str; 3] = ["wx", "wy", "wz"];
 
+/// Whether a table has angular velocities.
+pub fn has_rates(columns: &[Column]) -> bool {
+    RATES.iter().all(|name| columns.iter().any(|column| column.name == *name))
+}
+
 /// Records of a history.
 pub struct Records<'a> {
     rows: &'a dyn Rows,

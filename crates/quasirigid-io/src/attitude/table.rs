@@ -4,7 +4,7 @@ use std::path::Path;
 
 use super::error::{AttitudeProblem, Fault};
 use super::{AttitudeHistory, AttitudeRecord};
-use crate::table_file::{BodyTable, read_bodies};
+use crate::table_file::{BodyTable, TableError, read_bodies};
 use crate::text_file::Place;
 
 /// Whether a file is a table, by its beginning or its ending.
@@ -16,7 +16,13 @@ pub fn begins(file: &Path, bytes: &[u8]) -> bool {
 /// Reads a table; the columns of the angular velocity may be missing, all three.
 pub fn read(file: &Path) -> Result<AttitudeHistory, Fault> {
     let whole = |problem| (Place::File, problem);
-    let table = read_bodies(file).map_err(|error| whole(AttitudeProblem::Table(error)))?;
+    let table = read_bodies(file).map_err(|error| match error {
+        TableError::Empty { .. } => whole(AttitudeProblem::Empty),
+        other => whole(AttitudeProblem::Table(other)),
+    })?;
+    if let Some(reason) = table.unread.values().next() {
+        return Err(whole(AttitudeProblem::Row { reason: reason.clone() }));
+    }
     let columns = ["t", "qw", "qx", "qy", "qz", "wx", "wy", "wz"].map(|name| (name, table.column(name)));
     let (needed, rates) = columns.split_at(5);
     let missing = |(name, column): &(&'static str, Option<usize>)| column.is_none().then_some(*name);

@@ -4,7 +4,7 @@ use std::io::{Seek, Write};
 use std::time::{SystemTime, UNIX_EPOCH};
 
 use super::error::Unwritten;
-use super::rows::Records;
+use super::rows::{Records, has_rates};
 use super::{Epoch, TimeSystem, aem, basilisk, msopck, stk};
 use crate::model::Named;
 use crate::record::{Column, RowTable, Rows};
@@ -184,10 +184,11 @@ impl AttitudeFormat {
         }
     }
 
-    /// The setup file that belongs to the data, of a format that has one; `data` names the file of the data.
+    /// The setup file that belongs to the data in these columns, of a format that has one; `data` names the file of the data.
     #[must_use]
-    pub fn setup(self, labels: &Labels, data: &str) -> Option<String> {
-        (self == Self::Msopck).then(|| msopck::setup(labels, data))
+    pub fn setup(self, labels: &Labels, columns: &[Column], data: &str) -> Option<String> {
+        let rates = labels.rates && has_rates(columns);
+        (self == Self::Msopck).then(|| msopck::setup(labels, rates, data))
     }
 }
 

@@ -211,7 +211,32 @@ fn frame(text: &str) -> String {
 /// Keywords that 504.0-B-2 (tables 4-2 and 4-3) makes mandatory, in its order, and those of a type with angular velocities.
 #[test]
 fn a_message_of_version_2_has_the_keywords_of_the_standard() {
-    insta::assert_snapshot!(frame(&written(AttitudeFormat::Aem, &labels())), @"");
+    insta::assert_snapshot!(frame(&written(AttitudeFormat::Aem, &labels())), @r"
+    CCSDS_AEM_VERS = 2.0
+    COMMENT Written by quasirigid 0.1.0
+    COMMENT Inertial axes of the model: ICRF; its time 0: 2026-01-01T00:00:00.000 UTC
+    CREATION_DATE = 2026-01-02T03:04:05.000
+    ORIGINATOR = QUASIRIGID
+
+    META_START
+    COMMENT Q1 Q2 Q3 QC, scalar last, turn the axes of REF_FRAME_A into those of REF_FRAME_B
+    COMMENT Rates: REF_FRAME_B against REF_FRAME_A, in axes of REF_FRAME_B, deg/s
+    OBJECT_NAME = boom satellite
+    OBJECT_ID = UNKNOWN
+    REF_FRAME_A = ICRF
+    REF_FRAME_B = SC_BODY_1
+    TIME_SYSTEM = UTC
+    START_TIME = 2026-01-01T00:00:00.000
+    STOP_TIME = 2026-01-01T00:00:00.000001
+    ATTITUDE_TYPE = QUATERNION/ANGVEL
+    ANGVEL_FRAME = SC_BODY_1
+    META_STOP
+
+    DATA_START
+    RECORD
+    RECORD
+    DATA_STOP
+    ");
     let plain = frame(&written(AttitudeFormat::Aem, &Labels { rates: false, epoch: None, ..labels() }));
     assert!(plain.contains("ATTITUDE_TYPE = QUATERNION\nMETA_STOP") && !plain.contains("ANGVEL"), "{plain}");
     assert!(plain.contains("its time 0: 2000-01-01T12:00:00.000 UTC by default"), "{plain}");
@@ -220,12 +245,56 @@ fn a_message_of_version_2_has_the_keywords_of_the_standard() {
 /// Keywords that 504.0-B-1 (tables 4-2 and 4-3) makes mandatory, in its order.
 #[test]
 fn a_message_of_version_1_has_the_keywords_of_the_standard() {
-    insta::assert_snapshot!(frame(&written(AttitudeFormat::Aem1, &labels())), @"");
+    insta::assert_snapshot!(frame(&written(AttitudeFormat::Aem1, &labels())), @r"
+    CCSDS_AEM_VERS = 1.0
+    COMMENT Written by quasirigid 0.1.0
+    COMMENT Inertial axes of the model: ICRF; its time 0: 2026-01-01T00:00:00.000 UTC
+    CREATION_DATE = 2026-01-02T03:04:05.000
+    ORIGINATOR = QUASIRIGID
+
+    META_START
+    COMMENT Q1 Q2 Q3 QC, scalar last, turn the axes of REF_FRAME_A into those of REF_FRAME_B
+    COMMENT Rates: REF_FRAME_B against REF_FRAME_A, in axes of REF_FRAME_B, deg/s
+    OBJECT_NAME = boom satellite
+    OBJECT_ID = UNKNOWN
+    REF_FRAME_A = ICRF
+    REF_FRAME_B = SC_BODY_1
+    ATTITUDE_DIR = A2B
+    TIME_SYSTEM = UTC
+    START_TIME = 2026-01-01T00:00:00.000
+    STOP_TIME = 2026-01-01T00:00:00.000001
+    ATTITUDE_TYPE = QUATERNION/RATE
+    QUATERNION_TYPE = LAST
+    RATE_FRAME = REF_FRAME_B
+    META_STOP
+
+    DATA_START
+    RECORD
+    RECORD
+    DATA_STOP
+    ");
 }
 
 #[test]
 fn a_file_of_stk_has_its_keywords() {
-    insta::assert_snapshot!(frame(&written(AttitudeFormat::Stk, &labels())), @"");
+    insta::assert_snapshot!(frame(&written(AttitudeFormat::Stk, &labels())), @r"
+    stk.v.11.0
+    # Written by quasirigid 0.1.0
+    # Inertial axes of the model: ICRF; its time 0: 2026-01-01T00:00:00.000 UTC
+    # q1 q2 q3 q4, scalar last, turn the coordinate axes into those of the body
+    # Rates: body against the coordinate axes, in body axes, deg/s
+    BEGIN Attitude
+    NumberOfAttitudePoints 2
+    ScenarioEpoch 1 Jan 2026 00:00:00.000
+    BlockingFactor 20
+    InterpolationOrder 1
+    CentralBody Earth
+    CoordinateAxes ICRF
+    AttitudeTimeQuatAngVels
+    RECORD
+    RECORD
+    END Attitude
+    ");
 }
 
 /// Keywords that msopck requires (its user's guide, "setup file"), for seconds of TDB and for UTC.
@@ -239,10 +308,38 @@ fn the_setup_of_msopck_says_what_the_data_are() {
         written(AttitudeFormat::Msopck, &tdb)
     );
     assert!(written(AttitudeFormat::Msopck, &labels()).starts_with("2026-01-01T00:00:00.000 "));
-    let setup = AttitudeFormat::Msopck.setup(&tdb, "spin.msopck").unwrap();
-    insta::assert_snapshot!(setup, @"");
-    assert!(AttitudeFormat::Msopck.setup(&labels(), "a").unwrap().contains("INPUT_TIME_TYPE      = 'UTC'"));
-    assert_eq!(AttitudeFormat::Aem.setup(&labels(), "a"), None);
+    let setup = AttitudeFormat::Msopck.setup(&tdb, &history(), "spin.msopck").unwrap();
+    insta::assert_snapshot!(setup, @r"
+    Written by quasirigid 0.1.0: setup file of msopck, a program of NAIF's SPICE toolkit.
+    Inertial axes of the model: J2000 of SPICE; its time 0: 2026-01-01T00:00:00.000 TDB.
+
+    Data: time, q0 q1 q2 q3, wx wy wz. The quaternion is SPICE's, scalar first:
+    that of the C-matrix, which takes J2000 components to body components.
+    The angular velocity is in body axes, rad/s.
+
+    Set the names of the kernels and INSTRUMENT_ID to those of your mission, then
+    run: msopck SETUP spin.msopck OUTPUT.bc
+
+    \begindata
+
+       LSK_FILE_NAME        = 'naif0012.tls'
+       MAKE_FAKE_SCLK       = 'quasirigid.tsc'
+       INSTRUMENT_ID        = -999000
+       CK_TYPE              = 3
+       CK_SEGMENT_ID        = 'boom satellite'
+       REFERENCE_FRAME_NAME = 'J2000'
+       INPUT_DATA_TYPE      = 'SPICE QUATERNIONS'
+       INPUT_TIME_TYPE      = 'ET'
+       ANGULAR_RATE_PRESENT = 'YES'
+       ANGULAR_RATE_FRAME   = 'INSTRUMENT'
+       PRODUCER_ID          = 'quasirigid'
+
+    \begintext
+    ");
+    assert!(AttitudeFormat::Msopck.setup(&labels(), &history(), "a").unwrap().contains("INPUT_TIME_TYPE      = 'UTC'"));
+    let made_up = AttitudeFormat::Msopck.setup(&labels(), &history()[4..], "a").unwrap();
+    assert!(made_up.contains("ANGULAR_RATE_PRESENT = 'MAKE UP'"), "{made_up}");
+    assert_eq!(AttitudeFormat::Aem.setup(&labels(), &history(), "a"), None);
 }
 
 fn refused(format: AttitudeFormat, labels: &Labels, change: impl Fn(&mut Vec<Column>)) -> String {
@@ -267,7 +364,16 @@ fn what_a_format_cannot_say_is_refused() {
         refused(AttitudeFormat::Stk, &tai, none),
         refused(AttitudeFormat::Msopck, &tai, none),
     ];
-    insta::assert_snapshot!(told.join("\n"), @"");
+    insta::assert_snapshot!(told.join("\n"), @r"
+    the table has no column qw, and an attitude file needs t, qw, qx, qy and qz
+    the table has no rows, and an attitude file has one at least
+    the row at t = 0.000001 s has a number that is not finite, which an attitude file cannot say; end the history before
+    the times 0 s and 0.0000000000001 s are the same epoch or out of order, and an attitude file needs ascending ones
+    t = 2 s after 9999-12-31T23:59:59.000 is outside the years 1 to 9999; give an earlier epoch, or a shorter history
+    a leap second ends at 2017-01-01T00:00:00.000 UTC, within the history; give the time system TAI or TDB, or another epoch
+    the format has no time system TAI; it takes UTC
+    the format has no time system TAI; it takes UTC and TDB
+    ");
     let across = Labels { epoch: at("2016-12-31T23:59:59").epoch, ..tai };
     let mut columns = history();
     columns[0].values[1] = 2.0;

@@ -153,7 +153,7 @@ fn every_form_of_a_message_gives_the_same_attitude() {
     near(&found, 2e-6); // the difference over a step of 1e-6 s
 }
 
-/// The first record of the example of the standard, 504.0-B-2 annex G, figure G-4, against ours by Wertz's order.
+/// Segments of one object follow each other; others are refused.
 #[test]
 fn segments_follow_each_other() {
     let one = message(&[], |row| [&rows()[row].0[..], &rows()[row].1.map(f64::to_degrees)].concat());
@@ -169,7 +169,13 @@ fn segments_follow_each_other() {
         read("spin.aem", &format!("{one}{one}")),
         read("spin.aem", &format!("{one}{}", other.replace("002T00:00:00", "001T00:00:00"))),
     ];
-    insta::assert_snapshot!(refusals.map(Result::unwrap_err).join("\n"), @"");
+    insta::assert_snapshot!(refusals.map(Result::unwrap_err).join("\n"), @r"
+    spin.aem:34: OBJECT_NAME differs from that of the segment before; give each segment a file of its own
+    spin.aem:34: REF_FRAME_A differs from that of the segment before; give each segment a file of its own
+    spin.aem:34: TIME_SYSTEM differs from that of the segment before; give each segment a file of its own
+    spin.aem:40: the time 0 s does not follow 0.000001 s; sort the records, and give each time once
+    spin.aem:37: the time 0 s does not follow 0.000001 s; sort the records, and give each time once
+    ");
 }
 
 #[test]
@@ -255,9 +261,48 @@ fn bad_files_are_refused_at_their_line() {
         csv("t,qw,qx,qy,qz,wx\n0,1,0,0,0,1\n"),
         csv("t,qw,qx,qy,qz\n0,1,0,0,x\n"),
         csv("t,qw,qx,qy,qz\n"),
+        csv("t,qw,qx,qy,qz\n0,1,0,0\n"),
         csv("t,qw,qx,qy,qz\n1,1,0,0,0\n0,1,0,0,0\n"),
     ];
-    insta::assert_snapshot!(told.map(Result::unwrap_err).join("\n"), @"");
+    insta::assert_snapshot!(told.map(Result::unwrap_err).join("\n"), @r#"
+    a.aem: this begins neither as an AEM (CCSDS_AEM_VERS) nor as an attitude file of STK (stk.v.), and is no table; give one of these
+    a.aem: this begins neither as an AEM (CCSDS_AEM_VERS) nor as an attitude file of STK (stk.v.), and is no table; save the message as keywords and values (KVN), not as XML
+    a.aem:1: CCSDS_AEM_VERS = "3.0" is not read; the versions are 1.0 and 2.0
+    a.aem:1: the file ends here; a segment begins with META_START; was it cut off in writing or copying?
+    a.aem:3: "AUTHOR = NOBODY" is not allowed here; a segment begins with META_START
+    a.aem:15: OBJECT_NAME is missing before this line; add it
+    a.aem:15: REF_FRAME_B is missing before this line; add it
+    a.aem:15: ATTITUDE_DIR is missing before this line; add it
+    a.aem:9: ATTITUDE_DIR = "A2C" is not read; write A2B or B2A
+    a.aem:16: ATTITUDE_DIR = "B2A" is not read; the standard does not say which frame turns at these rates; write A2B, or leave the rates out
+    a.aem:10: TIME_SYSTEM = "SCLK" is not read; epochs of a calendar are: UTC, TAI, TT, TDB, GPS, TCB, TCG or UT1
+    a.aem:13: ATTITUDE_TYPE = "SPIN/NUTATION" is not read; write quaternions: QUATERNION, QUATERNION/DERIVATIVE or QUATERNION/ANGVEL
+    a.aem:16: RATE_FRAME = "ICRF" is not read; name one of the two frames of the segment
+    a.aem:15: RATE_FRAME is missing before this line; add it
+    a.aem:6: "NAME_OF_OBJECT" is not allowed here; a line is KEYWORD = value, COMMENT text, META_STOP or DATA_STOP
+    a.aem:18: "2026-001T00:00:00.000000Z 9.39372712847378888e-1  1.14299269151817109e-1  -2.28598538303634219e-1  2.28598538303634219e-…" is not allowed here; a line is KEYWORD = value, COMMENT text, META_STOP or DATA_STOP
+    a.aem:20: the file ends here; a line is KEYWORD = value, COMMENT text, META_STOP or DATA_STOP; was it cut off in writing or copying?
+    a.aem:20: "2026-400T00:00:00": no epoch; write 2026-01-01T00:00:00, or in STK 1 Jan 2026 00:00:00.0, with a second below 60
+    a.aem:20: the time 0 s does not follow 0 s; sort the records, and give each time once
+    a.aem:20: 8 values; a record is the epoch and QC Q1 Q2 Q3 with the three rates in deg/s
+    a.aem:20: "inf" is not a finite number; a record is the epoch and QC Q1 Q2 Q3 with the three rates in deg/s
+    a.aem:20: the quaternion has the norm 5.9492626565759865, but an attitude is a unit quaternion; is the order of the columns right?
+    a.a: 2 records, but NumberOfAttitudePoints is 3; was the file cut off?
+    a.a:5: NumberOfAttitudePoints = "two" is not read; write their number
+    a.a:6: "1 Jum 2002 12:00:00.5": no epoch; write 2026-01-01T00:00:00, or in STK 1 Jan 2026 00:00:00.0, with a second below 60
+    a.a:13: the format = "AttitudeTimeYPRAngles" is not read; write AttitudeTimeQuaternions or AttitudeTimeQuatAngVels
+    a.a:10: TimeFormat = "UTCG" is not read; write the times as seconds since ScenarioEpoch, EpSec
+    a.a:10: "20" is not allowed here; a line is a keyword of STK and its value
+    a.a:15: 6 values; a record is the time in seconds and q4 q1 q2 q3, scalar first
+    a.a:15: the file ends here; a line is a keyword of STK and its value; was it cut off in writing or copying?
+    a.a:15: the file ends here; a line is a keyword of STK and its value; was it cut off in writing or copying?
+    a.csv: there is no column "qz"; a history has t, qw, qx, qy and qz, and perhaps wx, wy and wz
+    a.csv: there is no column "wy"; a history has t, qw, qx, qy and qz, and perhaps wx, wy and wz
+    a.csv: row 1, column "qz": "x" is not a finite number
+    a.csv: the file has no records; was it cut off in writing or copying?
+    a.csv: line 2 of the table has 4 values, but the header has 5; mend the line
+    a.csv: the time 0 s does not follow 1 s; sort the records, and give each time once
+    "#);
 }
 
 #[test]

@@ -94,15 +94,45 @@ fn axes_that_are_not_known_are_noted() {
 
 #[test]
 fn starts_that_are_told_twice_or_not_at_all_are_refused() {
-    assert_snapshot!(refused("at = 3\n"), @"");
-    assert_snapshot!(refused("from = \"spin.aem\"\nattitude = [1, 0, 0, 0]\n"), @"");
-    assert_snapshot!(refused("from = \"spin.aem\"\nangular_velocity = [1, 0, 0]\n"), @"");
-    assert_snapshot!(refused("from = \"spin.a\"\n"), @"");
-    assert_snapshot!(refused("from = \"none.aem\"\n"), @"");
-    assert_snapshot!(refused("from = \"spin.aem\"\nat = 4\n"), @"");
-    assert_snapshot!(refused("from = \"spin.aem\"\nat = \"2026-01-01T00:00:04\"\n"), @"");
-    assert_snapshot!(refused("from = \"spin.aem\"\nat = \"2016-01-01T00:00:04\"\n"), @"");
-    assert_snapshot!(refused("from = \"spin.csv\"\nat = \"2026-01-01T00:00:04\"\n"), @"");
+    assert_snapshot!(refused("at = 3\n"), @r#"
+    model.toml:14:6: `at` is a time of a file, and there is none
+      add from = "spin.aem"
+    "#);
+    assert_snapshot!(refused("from = \"spin.aem\"\nattitude = [1, 0, 0, 0]\n"), @r"
+    model.toml:15:12: `from` and `attitude` both give the attitude
+      leave out one of the two
+    ");
+    assert_snapshot!(refused("from = \"spin.aem\"\nangular_velocity = [1, 0, 0]\n"), @r"
+    model.toml:15:20: `from` and `angular_velocity` both give the rotation
+      leave it out, or give a file without angular velocities
+    ");
+    assert_snapshot!(refused("from = \"spin.a\"\n"), @r"
+    model.toml:14:8: `from`: the file has no angular velocities
+      write angular_velocity, periods or wobble, too
+    ");
+    assert_snapshot!(refused("from = \"none.aem\"\n"), @r"
+    model.toml:14:8: `from`: none.aem: entity not found; is the name right, and is the file readable?
+      the file is looked for beside the model: an AEM, an attitude file of STK, or a table of a history
+    ");
+    assert_snapshot!(refused("from = \"spin.aem\"\nat = 4\n"), @r"
+    model.toml:15:6: `at`: the file has no record at this time, and none is made between two
+      the records beside it are at 0 s and 10 s
+    ");
+    assert_snapshot!(refused("from = \"spin.aem\"\nat = \"2026-01-01T00:00:04\"\n"), @r"
+    model.toml:15:6: `at`: the file has no record at this time, and none is made between two
+      the records beside it are at 2026-01-01T00:00:00.000 and 2026-01-01T00:00:10.000
+    ");
+    assert_snapshot!(refused("from = \"spin.aem\"\nat = \"2016-01-01T00:00:04\"\n"), @r"
+    model.toml:15:6: `at`: a leap second ends at 2017-01-01T00:00:00.000 UTC, between the start of the file and this epoch
+      write the seconds since the start of the file
+    ");
+    assert_snapshot!(refused("from = \"spin.csv\"\nat = \"2026-01-01T00:00:04\"\n"), @r"
+    model.toml:15:6: `at` is an epoch, and the file has none
+      write the time of the row in seconds
+    ");
     let rotating = started("from = \"spin.aem\"\n", &[("EME2000", "ITRF-93")]).unwrap_err();
-    assert_snapshot!(rotating, @"");
+    assert_snapshot!(rotating, @r"
+    model.toml:14:8: `from`: the attitudes are against ITRF-93, which rotate
+      write the file against inertial axes, such as ICRF
+    ");
 }

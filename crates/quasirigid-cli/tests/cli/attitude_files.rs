@@ -91,9 +91,19 @@ fn a_history_goes_on_from_a_file_that_it_wrote() {
 fn options_without_an_attitude_file_are_refused_before_the_work() {
     let folder = folder_of("three-masses");
     let refusal = |options: &str| ran_in(folder.path(), &format!("{LINE} {options}")).refusal().to_owned();
-    assert_snapshot!(refusal("--epoch 2026-01-01"), @"");
-    assert_snapshot!(refusal("--format aem --epoch 2026-02-30"), @"");
-    assert_snapshot!(refusal("--format stk --time-system tai"), @"");
-    assert_snapshot!(refusal("--format aem --epoch 2016-12-31T23:59:59"), @"");
+    assert_snapshot!(refusal("--epoch 2026-01-01"), @r"
+    quasirigid: --epoch, --time-system, --frame and --without-rates belong to
+    attitude files; add --format aem, aem1, stk, msopck or basilisk
+    ");
+    assert_snapshot!(refusal("--format aem --epoch 2026-02-30"), @r"
+    error: invalid value '2026-02-30' for '--epoch <EPOCH>': no epoch; write 2026-01-01T00:00:00, or in STK 1 Jan 2026 00:00:00.0, with a second below 60
+
+    For more information, try '--help'.
+    ");
+    assert_snapshot!(refusal("--format stk --time-system tai"), @"quasirigid: the format has no time system TAI; it takes UTC");
+    assert_snapshot!(refusal("--format aem --epoch 2016-12-31T23:59:59"), @r"
+    quasirigid: a leap second ends at 2017-01-01T00:00:00.000 UTC, within the
+    history; give the time system TAI or TDB, or another epoch
+    ");
     assert_eq!(names(folder.path()), ["model.toml"]);
 }

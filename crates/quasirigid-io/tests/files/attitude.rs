@@ -181,6 +181,8 @@ fn basilisk_has_nanoseconds_and_modified_rodrigues_parameters() {
     let (header, sigma) = array(&archive, "sigma_BN.npy");
     assert!(header.contains("'descr': '<f8'") && header.contains("'shape': (2, 3)"), "{header}");
     let sigma = sigma.map_each(f64::from_le_bytes);
+    let size: f64 = sigma[3..].iter().map(|part| part * part).sum();
+    assert!(size < 1.0, "{size}: of the shorter rotation");
     let [first, second] = [0, 3].map(|at| of_rodrigues([sigma[at], sigma[at + 1], sigma[at + 2]]));
     takes_to_body(first);
     turns_at([first, second], OMEGA);

@@ -213,6 +213,18 @@ fn files_of_stk_are_read_with_other_blocks_and_comments() {
     assert_eq!(found.epoch, Some("2002-06-01T12:00:00.5".parse::<Epoch>().unwrap()));
 }
 
+/// The body of an example in the help of STK 12 (AttitudeTimeQuatAngVels Format) spins at 6 deg/s about z from the axes J2000: after ten
+/// seconds its quaternion is sin 30° along z. Quaternion and rate tell the same sense only as they are read here.
+#[test]
+fn a_spin_of_the_help_of_stk_has_the_sense_of_its_rate() {
+    let text = "stk.v.5.0\nBEGIN Attitude\nCoordinateAxes J2000\nAttitudeTimeQuatAngVels\n\
+                0 0 0 0 1 0 0 6\n1.000000000000e+001 0 0 5.000000000000e-001 8.660254037844e-001 0 0 6\nEND Attitude\n";
+    let found = read("spin.a", text).unwrap();
+    let [x, y, z] = inertial(found.attitude[1], [1.0, 0.0, 0.0]);
+    let angle = y.atan2(x) / 10.0; // of the axis x of the body, in the plane across z
+    assert!((angle - found.angular_velocity[1][2]).abs() < 1e-12 && z.abs() < 1e-12, "{angle}"); // 12 digits printed
+}
+
 #[test]
 fn bad_files_are_refused_at_their_line() {
     let aem = message(&[], |row| [&rows()[row].0[..], &[0.0; 3]].concat());

@@ -8,6 +8,7 @@ use std::path::PathBuf;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use quasirigid::dynamics::{Form, Method};
+use quasirigid_io::attitude::AttitudeFormat;
 use quasirigid_io::model::{EvolveMethod, ManifoldMasters, ManifoldStyle, Named, Power, System};
 use quasirigid_io::record::TableFormat;
 use quasirigid_io::units::{Dimension, quantity};
@@ -200,6 +201,17 @@ pub struct Report {
     /// Write body and motion as a binary glTF file in place of the report
     #[arg(long, value_name = "FILE.glb")]
     pub gltf: Option<PathBuf>,
+    /// Write a history as an attitude file in place of the report
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["out", "gltf", "open"])]
+    pub attitude: Option<PathBuf>,
+    /// Format of the attitude file [default: that of its ending, .aem, .a, .msopck or .npz]
+    #[arg(long, requires = "attitude", value_parser = named::<AttitudeFormat>())]
+    pub format: Option<AttitudeFormat>,
+    /// System of the history in it [default: the first of the record]
+    #[arg(long, value_name = "SYSTEM", requires = "attitude")]
+    pub system: Option<String>,
+    #[command(flatten)]
+    pub labels: AttitudeOptions,
     /// Seconds that the animation takes, for the whole run [default: 30]
     #[arg(long, value_name = "S", requires = "gltf", allow_hyphen_values = true)]
     pub duration: Option<f64>,

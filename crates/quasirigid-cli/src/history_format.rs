@@ -8,7 +8,6 @@ use quasirigid_io::model::Named;
 use quasirigid_io::record::TableFormat;
 
 use crate::args::named;
-use crate::failure::Failure;
 
 /// Format of a history.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -89,14 +88,10 @@ pub struct AttitudeOptions {
 }
 
 impl AttitudeOptions {
-    /// Refuses options without an attitude file.
-    pub fn check(&self, format: HistoryFormat) -> Result<(), Failure> {
+    /// Whether any is given.
+    pub fn are_given(&self) -> bool {
         let Self { epoch, time_system, frame, without_rates } = self;
-        let given = epoch.is_some() || time_system.is_some() || frame.is_some() || *without_rates;
-        match format {
-            HistoryFormat::Table(_) if given => Err(Failure::NoAttitudeFile),
-            _ => Ok(()),
-        }
+        epoch.is_some() || time_system.is_some() || frame.is_some() || *without_rates
     }
 
     /// The labels of a file of a body.

@@ -9,7 +9,6 @@ use quasirigid_io::attitude::{
     self, AttitudeFormat, AttitudeHistory, Epoch, InertialFrame, Labels, TimeSystem, Unwritten, creation_time,
 };
 use quasirigid_io::disk::replace;
-use quasirigid_io::model::Named;
 
 use crate::arguments::named;
 use crate::columns::Columns;
@@ -71,7 +70,13 @@ pub fn write_attitude(
 ) -> PyResult<()> {
     let format = match named::<AttitudeFormat>(format.as_deref(), "format")? {
         Some(format) => format,
-        None => of_ending(&file)?,
+        None => AttitudeFormat::of_ending(&file).ok_or_else(|| {
+            let endings = "aem, a, msopck and npz";
+            Failure::Input(format!(
+                "{}: the endings of attitude files are {endings}; give format",
+                file.display()
+            ))
+        })?,
     };
     let labels = labels(asked)?;
     let columns = columns.numbers();
@@ -82,20 +87,10 @@ pub fn write_attitude(
         let name = file.file_name().unwrap_or_default().to_string_lossy();
         let mut beside = file.clone().into_os_string();
         beside.push(".setup");
-        format.setup(&labels, &columns, &name).map_or(Ok(()), |setup| put(Path::new(&beside), setup.as_bytes()))
+        format
+            .setup(&labels, &columns, &name)
+            .map_or(Ok(()), |setup| put(Path::new(&beside), setup.as_bytes()))
     })?)
-}
-
-fn of_ending(file: &Path) -> Result<AttitudeFormat, Failure> {
-    let ending = file.extension().and_then(|ending| ending.to_str());
-    let mut formats = AttitudeFormat::VALUES.iter().map(|(_, format, _)| *format);
-    formats.find(|format| Some(format.ending()) == ending).ok_or_else(|| {
-        let endings = "aem, a, msopck and npz";
-        Failure::Input(format!(
-            "{}: the endings of attitude files are {endings}; give format",
-            file.display()
-        ))
-    })
 }
 
 fn labels(asked: Asked) -> Result<Labels, Failure> {

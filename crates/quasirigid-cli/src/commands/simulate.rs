@@ -1,16 +1,16 @@
 use std::fs::File;
 use std::io::{self, BufWriter, IsTerminal, Seek, Write};
-use std::path::Path;
 
 use quasirigid::dynamics::Outcome;
 use quasirigid_io::attitude::{Labels, Unwritten};
 use quasirigid_io::model::System;
-use quasirigid_io::record::{MOST_ROWS, RecordError, TableFormat, history_csv, log_csv};
+use quasirigid_io::record::{MOST_ROWS, TableFormat, history_csv, log_csv};
 use quasirigid_study::histories::{History, Table};
 use quasirigid_study::{Study, StudyError};
 use serde_json::json;
 
-use super::{beside, inputs_beside, open};
+use super::attitude::{setup_beside, unwritten};
+use super::{inputs_beside, open};
 use crate::args::Simulate;
 use crate::failure::Failure;
 use crate::history_format::HistoryFormat;
@@ -23,7 +23,9 @@ use crate::{ExitStatus, output};
 pub fn simulate(arguments: &Simulate) -> Result<ExitStatus, Failure> {
     let Simulate { common, out, overwrite, .. } = arguments;
     let format = HistoryFormat::of_file(arguments.format, out.as_deref());
-    arguments.attitude.check(format)?;
+    if matches!(format, HistoryFormat::Table(_)) && arguments.attitude.are_given() {
+        return Err(Failure::NoAttitudeFile { with: "--format aem, aem1, stk, msopck or basilisk" });
+    }
     if arguments.spin_manifold.is_given() && arguments.system != System::SpinManifold {
         return Err(Failure::NotAboutSpin { with: "--system spin-manifold" });
     }
@@ -117,7 +119,7 @@ fn print_table(
         return output::to_stdout(interrupt, write).map(|()| true);
     };
     let placed = output::to_file(path, arguments.overwrite, write)?;
-    let beside = format.has_inputs() || inputs_beside(study, &placed.path, arguments.overwrite)?;
+    let beside = format.has_inputs() || inputs_beside(&study.inputs(), &placed.path, arguments.overwrite)?;
     let setup = match format {
         HistoryFormat::Attitude(format) => {
             let setup = |data: &str| format.setup(&labels, &history.columns, data);
@@ -160,27 +162,10 @@ fn spooled<'a>(
     let mut file = output::spool(arguments.out.as_deref())?;
     let mut buffered = BufWriter::new(file.as_file_mut());
     let path = arguments.out.clone().unwrap_or_else(|| "standard output".into());
-    let unwritten = |cause| Failure::Write { path: path.clone(), cause };
-    fill(&mut buffered).map_err(|error| match error {
-        Unwritten::Record(RecordError::File { kind, .. }) => unwritten(kind.into()),
-        Unwritten::Record(other) => other.into(),
-        Unwritten::File(cause) => unwritten(cause),
-        other => Failure::Unwritten(other),
-    })?;
-    buffered.flush().map_err(unwritten)?;
+    fill(&mut buffered).map_err(|error| unwritten(&path, error))?;
+    let failed = |cause| Failure::Write { path: path.clone(), cause };
+    buffered.flush().map_err(failed)?;
     drop(buffered);
-    file.rewind().map_err(unwritten)?;
+    file.rewind().map_err(failed)?;
     Ok(Box::new(move |out| io::copy(file.as_file_mut(), out).map(drop)))
-}
-
-/// Writes the setup file that belongs to an attitude file, of a format that has one, beside it; returns whether it stands there.
-fn setup_beside(
-    setup: impl Fn(&str) -> Option<String>,
-    (data, overwrite): (&Path, bool),
-) -> Result<bool, Failure> {
-    let name = data.file_name().unwrap_or_default().to_string_lossy();
-    let Some(setup) = setup(&name).filter(|_| data.is_file()) else { return Ok(true) };
-    let path = beside(data, ".setup");
-    let placed = output::to_file(&path, overwrite, |out| out.write_all(setup.as_bytes()))?;
-    Ok(placed.told(&path))
 }

@@ -107,3 +107,20 @@ fn options_without_an_attitude_file_are_refused_before_the_work() {
     ");
     assert_eq!(names(folder.path()), ["model.toml"]);
 }
+
+#[test]
+fn a_record_gives_its_histories_as_attitude_files() {
+    let folder = folder_of("three-masses");
+    let ran = |line: &str| ran_in(folder.path(), line);
+    assert_eq!(ran("run model.toml --duration 2 --samples 3 -o spin").code, Some(0));
+    ran("simulate model.toml --duration 2 --samples 3 --system rigid --out rigid.a");
+    assert_eq!(ran("report spin --attitude spin.a --system rigid --quiet").code, Some(0));
+    let [direct, of_record] =
+        ["rigid.a", "spin.a"].map(|name| fs::read_to_string(folder.path().join(name)).unwrap());
+    assert_eq!(rows(&of_record, 7), rows(&direct, 7));
+    assert_eq!(ran("report spin --attitude spin.npz --quiet").code, Some(0));
+    assert!(folder.path().join("spin.a.inputs.json").is_file());
+    assert_snapshot!(ran("report spin --attitude spin.txt").refusal(), @"");
+    assert_snapshot!(ran("report spin --attitude b.a --system full").refusal(), @"");
+    assert_snapshot!(ran("report spin --frame icrf").refusal(), @"");
+}

@@ -1,6 +1,7 @@
 //! Writing of a history as an attitude file: the formats, and what a file says beside the numbers.
 
 use std::io::{Seek, Write};
+use std::path::Path;
 use std::time::{SystemTime, UNIX_EPOCH};
 
 use super::error::Unwritten;
@@ -142,6 +143,13 @@ pub fn creation_time() -> Epoch {
 const NAME: usize = 80;
 
 impl AttitudeFormat {
+    /// The format of the ending of a file.
+    #[must_use]
+    pub fn of_ending(file: &Path) -> Option<Self> {
+        let ending = file.extension()?.to_str()?;
+        Self::VALUES.iter().map(|(_, format, _)| *format).find(|format| format.ending() == ending)
+    }
+
     /// Ending of the names of files.
     #[must_use]
     pub fn ending(self) -> &'static str {

@@ -338,7 +338,12 @@ fn the_setup_of_msopck_says_what_the_data_are() {
 
     \begintext
     ");
-    assert!(AttitudeFormat::Msopck.setup(&labels(), &history(), "a").unwrap().contains("INPUT_TIME_TYPE      = 'UTC'"));
+    assert!(
+        AttitudeFormat::Msopck
+            .setup(&labels(), &history(), "a")
+            .unwrap()
+            .contains("INPUT_TIME_TYPE      = 'UTC'")
+    );
     let made_up = AttitudeFormat::Msopck.setup(&labels(), &history()[4..], "a").unwrap();
     assert!(made_up.contains("ANGULAR_RATE_PRESENT = 'MAKE UP'"), "{made_up}");
     assert_eq!(AttitudeFormat::Aem.setup(&labels(), &history(), "a"), None);

@@ -120,7 +120,13 @@ fn a_record_gives_its_histories_as_attitude_files() {
     assert_eq!(rows(&of_record, 7), rows(&direct, 7));
     assert_eq!(ran("report spin --attitude spin.npz --quiet").code, Some(0));
     assert!(folder.path().join("spin.a.inputs.json").is_file());
-    assert_snapshot!(ran("report spin --attitude spin.txt").refusal(), @"");
-    assert_snapshot!(ran("report spin --attitude b.a --system full").refusal(), @"");
-    assert_snapshot!(ran("report spin --frame icrf").refusal(), @"");
+    assert_snapshot!(ran("report spin --attitude spin.txt").refusal(), @r"
+    quasirigid: spin.txt: the endings of attitude files are aem, a, msopck and npz;
+    name the format with --format
+    ");
+    assert_snapshot!(ran("report spin --attitude b.a --system full").refusal(), @r#"quasirigid: spin: the record has no history "full"; it has reduced, rigid"#);
+    assert_snapshot!(ran("report spin --frame icrf").refusal(), @r"
+    quasirigid: --epoch, --time-system, --frame and --without-rates belong to
+    attitude files; add --attitude FILE
+    ");
 }

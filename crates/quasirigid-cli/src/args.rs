@@ -8,6 +8,7 @@ use std::path::PathBuf;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use quasirigid::dynamics::{Form, Method};
+use quasirigid_io::attitude::AttitudeFormat;
 use quasirigid_io::model::{EvolveMethod, ManifoldMasters, ManifoldStyle, Named, Power, System};
 use quasirigid_io::record::TableFormat;
 use quasirigid_io::units::{Dimension, quantity};
@@ -16,6 +17,7 @@ use quasirigid_study::settings::{PartialRun, PartialSpinManifold, Range, Setting
 use quasirigid_study::sweep::Shard;
 
 use crate::failure::Failure;
+use crate::history_format::{AttitudeOptions, HistoryFormat};
 
 /// How does a body that is almost rigid, but bends and dissipates a little, change its spin?
 ///
@@ -199,6 +201,17 @@ pub struct Report {
     /// Write body and motion as a binary glTF file in place of the report
     #[arg(long, value_name = "FILE.glb")]
     pub gltf: Option<PathBuf>,
+    /// Write a history as an attitude file in place of the report
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["out", "gltf", "open"])]
+    pub attitude: Option<PathBuf>,
+    /// Format of the attitude file [default: that of its ending, .aem, .a, .msopck or .npz]
+    #[arg(long, requires = "attitude", value_parser = named::<AttitudeFormat>())]
+    pub format: Option<AttitudeFormat>,
+    /// System of the history in it [default: the first of the record]
+    #[arg(long, value_name = "SYSTEM", requires = "attitude")]
+    pub system: Option<String>,
+    #[command(flatten)]
+    pub labels: AttitudeOptions,
     /// Seconds that the animation takes, for the whole run [default: 30]
     #[arg(long, value_name = "S", requires = "gltf", allow_hyphen_values = true)]
     pub duration: Option<f64>,
@@ -473,9 +486,11 @@ pub struct Simulate {
     #[arg(long, value_name = "A,B,C", value_delimiter = ',', allow_hyphen_values = true)]
     #[arg(conflicts_with_all = ["duration", "samples"])]
     pub times: Option<Vec<f64>>,
-    /// Format of the table
-    #[arg(long, value_parser = named::<TableFormat>(), default_value = TableFormat::Csv.name())]
-    pub format: TableFormat,
+    /// Format of the table, or attitude file of another program [default: that of the ending of --out, or csv]
+    #[arg(long, value_parser = named::<HistoryFormat>())]
+    pub format: Option<HistoryFormat>,
+    #[command(flatten)]
+    pub attitude: AttitudeOptions,
     /// File for the table [default: standard output, or none with --json]
     #[arg(long, value_name = "FILE")]
     pub out: Option<PathBuf>,
@@ -583,7 +598,8 @@ fn shard(text: &str) -> Result<Shard, String> {
 }
 
 /// Reads a setting that is one of a few, by its name or a former one.
-fn named<T: Named>() -> impl TypedValueParser<Value = T> {
+/// Parser of a word of a setting.
+pub(crate) fn named<T: Named>() -> impl TypedValueParser<Value = T> {
     let value = |(name, value, help): &(&'static str, T, &'static str)| {
         let former = T::FORMER.iter().filter(|(_, renamed)| renamed == value).map(|(former, _)| *former);
         let possible = PossibleValue::new(*name).aliases(former);

@@ -3,6 +3,7 @@
 
 use std::path::PathBuf;
 
+use quasirigid_io::attitude::Unwritten;
 use quasirigid_io::model::{ModelError, TargetError};
 use quasirigid_io::record::RecordError;
 use quasirigid_io::units::UnitError;
@@ -81,6 +82,16 @@ pub enum Failure {
     OpenedStdout,
     #[error("{format} is a binary format, not text for a terminal; name a file with --out")]
     BinaryOnTerminal { format: &'static str },
+    #[error("--epoch, --time-system, --frame and --without-rates belong to attitude files; add {with}")]
+    NoAttitudeFile { with: &'static str },
+    #[error("{}: the endings of attitude files are aem, a, msopck and npz; name the format with --format", path.display())]
+    AttitudeEnding { path: PathBuf },
+    #[error("an attitude file has one history; name one record with --attitude")]
+    OneAttitude,
+    #[error("{}: the record has no history {system:?}; it has {}", folder.display(), known.join(", "))]
+    NoHistory { folder: PathBuf, system: String, known: Vec<String> },
+    #[error(transparent)]
+    Unwritten(Unwritten),
     #[error("--degree, --masters, --style and --axis belong to the equations about a spin; add {with}")]
     NotAboutSpin { with: &'static str },
     #[error("LaTeX has the equations about rest alone; take --format json for those about the spin")]

@@ -5,6 +5,7 @@ mod args;
 mod commands;
 mod failure;
 mod former;
+mod history_format;
 mod interrupt;
 mod message;
 mod output;

@@ -7,6 +7,7 @@
 struct ReadmeOfCrate;
 
 pub mod array_file;
+pub mod attitude;
 mod deck;
 pub mod disk;
 pub mod export;

@@ -46,6 +46,17 @@ impl Columns {
         Self::new(series.collect())
     }
 
+    /// The columns of numbers.
+    pub fn numbers(&self) -> Vec<Column> {
+        let column = |series: &Series| match &series.values {
+            Values::Numbers(values) => {
+                Some(Column { name: series.name.clone(), unit: series.unit.clone(), values: values.to_vec() })
+            }
+            _ => None,
+        };
+        self.series.iter().filter_map(column).collect()
+    }
+
     /// The columns of a history or an evolution.
     pub fn of_record(columns: Vec<Column>) -> Self {
         let series = columns.into_iter().map(|column| Series {

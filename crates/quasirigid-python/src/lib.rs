@@ -7,6 +7,7 @@ mod answers;
 mod arguments;
 mod arrays;
 mod arrow;
+mod attitude;
 mod columns;
 mod dictionary;
 mod ellipsoids;
@@ -32,6 +33,8 @@ mod _core {
     use crate::arguments::former_argument;
     #[pymodule_export]
     use crate::arrays::array_file;
+    #[pymodule_export]
+    use crate::attitude::{read_attitude, write_attitude};
     #[pymodule_export]
     use crate::columns::Columns;
     #[pymodule_export]

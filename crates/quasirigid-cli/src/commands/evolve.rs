@@ -51,7 +51,7 @@ pub fn evolve(arguments: &Evolve) -> Result<ExitStatus, Failure> {
     let in_place = match out {
         Some(path) => {
             let placed = output::to_file(path, *overwrite, |out| history_csv(&record.columns, out))?;
-            inputs_beside(&study, &placed.path, *overwrite)? & placed.told(path)
+            inputs_beside(&study.inputs(), &placed.path, *overwrite)? & placed.told(path)
         }
         None => true,
     };

@@ -1,5 +1,6 @@
 //! Commands, one a file: each takes its arguments to the study and prints the answer.
 
+mod attitude;
 pub mod check;
 pub mod cite;
 pub mod derive;
@@ -20,6 +21,7 @@ pub mod verify;
 use std::path::{Path, PathBuf};
 
 use quasirigid_io::model::Model;
+use quasirigid_io::record::InputsRecord;
 use quasirigid_study::{LeftOut, Study, StudyError, watched};
 use serde_json::json;
 
@@ -74,15 +76,20 @@ fn default_folder(file: &Path, usual: &str, ending: &str) -> PathBuf {
 }
 
 /// Writes what went into a table in CSV, which has no place for it, beside the table: `table.csv.inputs.json`. Returns whether it stands there.
-fn inputs_beside(study: &Study, table: &Path, overwrite: bool) -> Result<bool, Failure> {
+fn inputs_beside(inputs: &InputsRecord, table: &Path, overwrite: bool) -> Result<bool, Failure> {
     if output::is_stdout(table) || !table.is_file() {
         return Ok(true);
     }
-    let mut name = table.as_os_str().to_owned();
-    name.push(".inputs.json");
-    let path = PathBuf::from(name);
-    let placed = output::to_file(&path, overwrite, |out| writeln!(out, "{:#}", json!(study.inputs())))?;
+    let path = beside(table, ".inputs.json");
+    let placed = output::to_file(&path, overwrite, |out| writeln!(out, "{:#}", json!(inputs)))?;
     Ok(placed.told(&path))
+}
+
+/// The file beside another whose name has this ending more.
+fn beside(file: &Path, ending: &str) -> PathBuf {
+    let mut name = file.as_os_str().to_owned();
+    name.push(ending);
+    PathBuf::from(name)
 }
 
 /// Does work that has no partial result.

@@ -4,6 +4,7 @@ use quasirigid_io::record::RunRecord;
 
 use quasirigid_study::report::{Compared, GltfOptions, comparison_page, gltf, page, revolutions_per_frame};
 
+use super::attitude;
 use crate::args::Report;
 use crate::failure::Failure;
 use crate::message::remark;
@@ -18,7 +19,13 @@ const COMPARISON: &str = "comparison.html";
 
 /// Makes the report of a record again, the comparison of several, or the body in motion as a glTF file.
 pub fn report(arguments: &Report) -> Result<ExitStatus, Failure> {
-    let Report { folders, out, gltf: model, duration, deformation, open, overwrite, quiet } = arguments;
+    let Report { folders, out, gltf: model, duration, deformation, open, overwrite, quiet, .. } = arguments;
+    if let Some(path) = &arguments.attitude {
+        return attitude::of_record(arguments, path);
+    }
+    if arguments.labels.are_given() {
+        return Err(Failure::NoAttitudeFile { with: "--attitude FILE" });
+    }
     // the report of a record is made by this program, and made again from the record alone
     let (path, overwrite) = match (out.as_ref().or(model.as_ref()), folders.as_slice()) {
         (Some(path), _) => (path.clone(), *overwrite),

@@ -1,15 +1,19 @@
+use std::fs::File;
 use std::io::{self, BufWriter, IsTerminal, Seek, Write};
 
 use quasirigid::dynamics::Outcome;
+use quasirigid_io::attitude::{Labels, Unwritten};
 use quasirigid_io::model::System;
-use quasirigid_io::record::{MOST_ROWS, RecordError, TableFormat, history_csv, log_csv};
+use quasirigid_io::record::{MOST_ROWS, TableFormat, history_csv, log_csv};
 use quasirigid_study::histories::{History, Table};
 use quasirigid_study::{Study, StudyError};
 use serde_json::json;
 
+use super::attitude::{setup_beside, unwritten};
 use super::{inputs_beside, open};
 use crate::args::Simulate;
 use crate::failure::Failure;
+use crate::history_format::HistoryFormat;
 use crate::interrupt::Interrupt;
 use crate::message::remark;
 use crate::progress::Terminal;
@@ -18,6 +22,10 @@ use crate::{ExitStatus, output};
 /// Propagates the spin and prints a table.
 pub fn simulate(arguments: &Simulate) -> Result<ExitStatus, Failure> {
     let Simulate { common, out, overwrite, .. } = arguments;
+    let format = HistoryFormat::of_file(arguments.format, out.as_deref());
+    if matches!(format, HistoryFormat::Table(_)) && arguments.attitude.are_given() {
+        return Err(Failure::NoAttitudeFile { with: "--format aem, aem1, stk, msopck or basilisk" });
+    }
     if arguments.spin_manifold.is_given() && arguments.system != System::SpinManifold {
         return Err(Failure::NotAboutSpin { with: "--system spin-manifold" });
     }
@@ -29,8 +37,8 @@ pub fn simulate(arguments: &Simulate) -> Result<ExitStatus, Failure> {
             return Err(Failure::TwiceOnStdout { option: "--json" });
         }
         Some(path) if !output::is_stdout(path) => output::check_file(path, *overwrite)?,
-        _ if arguments.format != TableFormat::Csv && !common.json && std::io::stdout().is_terminal() => {
-            return Err(Failure::BinaryOnTerminal { format: arguments.format.ending() });
+        _ if format.is_binary() && !common.json && std::io::stdout().is_terminal() => {
+            return Err(Failure::BinaryOnTerminal { format: format.ending() });
         }
         _ => {}
     }
@@ -66,7 +74,7 @@ pub fn simulate(arguments: &Simulate) -> Result<ExitStatus, Failure> {
     // what is wrong is told to quiet callers too; others have read it before the work
     history.wrong.iter().filter(|_| common.quiet).for_each(|reason| remark(reason));
     history.notes.iter().for_each(|note| remark(note));
-    let in_place = print_table(arguments, (&study, &history), &interrupt)?;
+    let in_place = print_table((arguments, format), (&study, &history), &interrupt)?;
     if common.json {
         output::print(&format!("{:#}\n", study.with_inputs(history.json())))?;
     }
@@ -96,48 +104,68 @@ fn tell_end(history: &History) {
 /// Writing of a table to its place.
 type Writing<'a> = Box<dyn FnOnce(&mut dyn Write) -> io::Result<()> + 'a>;
 
-/// Writes the table; returns whether it stands at the place asked for.
+/// Writes the table or the attitude file; returns whether it stands at the place asked for.
 fn print_table(
-    arguments: &Simulate,
+    (arguments, format): (&Simulate, HistoryFormat),
     (study, history): (&Study, &History),
     interrupt: &Interrupt,
 ) -> Result<bool, Failure> {
-    let (format, columns) = (arguments.format, &history.columns);
     if arguments.out.is_none() && arguments.common.json {
         return Ok(true);
     }
+    let labels = arguments.attitude.labels(&study.model.name);
+    let write = writing((arguments, format), &labels, (study, history))?;
+    let Some(path) = &arguments.out else {
+        return output::to_stdout(interrupt, write).map(|()| true);
+    };
+    let placed = output::to_file(path, arguments.overwrite, write)?;
+    let beside = format.has_inputs() || inputs_beside(&study.inputs(), &placed.path, arguments.overwrite)?;
+    let setup = match format {
+        HistoryFormat::Attitude(format) => {
+            let setup = |data: &str| format.setup(&labels, &history.columns, data);
+            setup_beside(setup, (&placed.path, arguments.overwrite))?
+        }
+        HistoryFormat::Table(_) => true,
+    };
+    Ok(placed.told(path) & beside & setup)
+}
+
+/// The writing of a table or an attitude file, which is then known to be possible.
+fn writing<'a>(
+    (arguments, format): (&'a Simulate, HistoryFormat),
+    labels: &Labels,
+    (study, history): (&Study, &'a History),
+) -> Result<Writing<'a>, Failure> {
+    let columns = &history.columns;
     let inputs = || json!(study.inputs()).to_string();
-    let write: Writing<'_> = match (&history.log, format) {
-        (None, TableFormat::Csv) => Box::new(|out| history_csv(columns, out)),
-        (Some(log), TableFormat::Csv) => Box::new(|out| log_csv(columns, log, out)),
-        (None, format) => {
+    Ok(match (&history.log, format) {
+        (None, HistoryFormat::Table(TableFormat::Csv)) => Box::new(|out| history_csv(columns, out)),
+        (Some(log), HistoryFormat::Table(TableFormat::Csv)) => Box::new(|out| log_csv(columns, log, out)),
+        (None, HistoryFormat::Table(format)) => {
             let bytes = format.bytes(columns, Some(&inputs()))?;
             Box::new(move |out| out.write_all(&bytes))
         }
-        (Some(log), format) => {
-            let mut table = output::spool(arguments.out.as_deref())?;
-            let mut buffered = BufWriter::new(table.as_file_mut());
-            let path = arguments.out.clone().unwrap_or_else(|| "standard output".into());
-            let unwritten = |cause| Failure::Write { path: path.clone(), cause };
-            format.copy_log(&mut buffered, (columns, Some(&inputs())), log).map_err(|error| match error {
-                RecordError::File { kind, .. } => unwritten(kind.into()),
-                other => other.into(),
-            })?;
-            buffered.flush().map_err(unwritten)?;
-            drop(buffered);
-            table.rewind().map_err(unwritten)?;
-            Box::new(move |out| io::copy(table.as_file_mut(), out).map(drop))
+        (Some(log), HistoryFormat::Table(format)) => spooled(arguments, |out| {
+            format.copy_log(out, (columns, Some(&inputs())), log).map_err(Unwritten::from)
+        })?,
+        (log, HistoryFormat::Attitude(format)) => {
+            spooled(arguments, |out| format.write(out, (labels, Some(&inputs())), (columns, log.as_ref())))?
         }
-    };
-    match &arguments.out {
-        Some(path) => {
-            let placed = output::to_file(path, arguments.overwrite, write)?;
-            let beside = match format {
-                TableFormat::Csv => inputs_beside(study, &placed.path, arguments.overwrite)?,
-                _ => true,
-            };
-            Ok(placed.told(path) & beside)
-        }
-        None => output::to_stdout(interrupt, write).map(|()| true),
-    }
+    })
+}
+
+/// The writing of a file that is made beside its place first.
+fn spooled<'a>(
+    arguments: &Simulate,
+    fill: impl FnOnce(&mut BufWriter<&mut File>) -> Result<(), Unwritten>,
+) -> Result<Writing<'a>, Failure> {
+    let mut file = output::spool(arguments.out.as_deref())?;
+    let mut buffered = BufWriter::new(file.as_file_mut());
+    let path = arguments.out.clone().unwrap_or_else(|| "standard output".into());
+    fill(&mut buffered).map_err(|error| unwritten(&path, error))?;
+    let failed = |cause| Failure::Write { path: path.clone(), cause };
+    buffered.flush().map_err(failed)?;
+    drop(buffered);
+    file.rewind().map_err(failed)?;
+    Ok(Box::new(move |out| io::copy(file.as_file_mut(), out).map(drop)))
 }

@@ -3,6 +3,7 @@
 mod about_spin;
 #[cfg(unix)]
 mod appeared;
+mod attitude_files;
 mod catalogues;
 mod check;
 mod colour;

@@ -1,5 +1,6 @@
 //! Targets: every reader of what a user writes, in one table that all runners use.
 
+mod attitude;
 mod change;
 mod disk;
 mod formula;
@@ -85,7 +86,7 @@ impl Target {
 }
 
 /// Every target.
-pub const TARGETS: [Target; 51] = [
+pub const TARGETS: [Target; 53] = [
     Target::of_body("model_text", model::text, model::WORDS)
         .seeded(&[("examples", "toml"), ("data/published", "toml")]),
     Target::of_body("model_tables", model::text, &[]).drawn("model_text", grammar::model::model),
@@ -167,6 +168,8 @@ pub const TARGETS: [Target; 51] = [
         &["PAR1", "quasirigid.units"],
     ),
     Target::of_file("record_rows", |bytes| record::read("history-reduced.rows", bytes), &[]),
+    Target::of_file("attitude_aem", |bytes| attitude::read("a.aem", bytes), attitude::AEM),
+    Target::of_file("attitude_stk", |bytes| attitude::read("a.a", bytes), attitude::STK),
     Target::of_file("bodies_csv", |bytes| table::bodies("bodies.csv", bytes), &["\"", "\r\n", ",", "NaN"]),
     Target::of_file(
         "bodies_text",

@@ -2,13 +2,16 @@
 //! Displacements default to the slow manifold: a body started undeformed would first vibrate, which nobody asked for.
 //! Equation (Q8), docs/theory/16-methods.md, tells where the slow manifold can be used as a start.
 
+use std::path::Path;
+
 use quasirigid_body::Support;
 use quasirigid_elements::Problem;
 
 use super::body::Body;
-use super::key::{Keys, QUATERNION, Shape, any, key, named, table, vector};
+use super::key::{Keys, QUATERNION, Shape, TEXT, any, key, named, table, vector};
 use super::names::Part;
 use super::rotation::{PERIODS, Rotation, WOBBLE, rotation};
+use super::start_file;
 use super::table::Table;
 use super::value::Value;
 use crate::units::Dimension;
@@ -23,6 +26,12 @@ pub(super) const INITIAL: Keys = Keys {
         key("periods", table(&PERIODS), "observed, of a free body"),
         key("wobble", table(&WOBBLE), "of a free body"),
         key("attitude", QUATERNION.or("`[1, 0, 0, 0]`"), "from body to inertial axes"),
+        key("from", TEXT, "attitude file that gives the attitude, and the angular velocity if it has one"),
+        key(
+            "at",
+            any(&[Shape::Number, Shape::Text]).in_unit("s").or("first record"),
+            "record of the file: its time, or epoch, `\"2026-01-01T00:00:00\"`",
+        ),
         key(
             "displacements",
             any(&[Shape::Words(&["slow-manifold", "rest"]), Shape::Named(&MOVED)])
@@ -91,10 +100,20 @@ impl Default for Initial {
 }
 
 /// Reads `[initial]`; suspect but usable values go into `notes`.
-pub(super) fn initial(table: &Table<'_>, body: &Body<'_>, notes: &mut Vec<String>) -> Option<Initial> {
-    let rotation = rotation(table);
-    let attitude =
-        table.read_or("attitude", Initial::default().attitude, |value| unit_quaternion(&value, notes));
+pub(super) fn initial(
+    table: &Table<'_>,
+    (body, folder): (&Body<'_>, &Path),
+    notes: &mut Vec<String>,
+) -> Option<Initial> {
+    let record = start_file::record(table, folder, notes);
+    let told = record.flatten().and_then(|record| record.angular_velocity).map(Rotation::Spin);
+    let rotation = rotation(table).map(|given| given.or(told));
+    let attitude = match record? {
+        Some(record) => Some(record.attitude),
+        None => {
+            table.read_or("attitude", Initial::default().attitude, |value| unit_quaternion(&value, notes))
+        }
+    };
     let displacements = displacements(table, body);
     let position = of_free_body(table, "position", Dimension::LENGTH, body);
     let velocity = of_free_body(table, "velocity", Dimension::VELOCITY, body);

@@ -40,6 +40,7 @@ mod source;
 pub(crate) mod spans;
 mod spin_manifold;
 mod spring;
+mod start_file;
 mod support;
 mod surface;
 pub(crate) mod syntax;
@@ -302,7 +303,7 @@ fn content(text: &str, folder: &Path, problems: &Problems<'_>) -> Option<Content
     let file_notes = body.file_notes.clone();
     notes.splice(..0, file_notes.iter().cloned());
     let initial = match file.table("initial", "[initial]", &initial::INITIAL) {
-        Some(table) => initial::initial(&table, &body, &mut notes),
+        Some(table) => initial::initial(&table, (&body, folder), &mut notes),
         None => Some(Initial::default()),
     };
     let run = match file.table("run", "[run]", &settings::RUN) {

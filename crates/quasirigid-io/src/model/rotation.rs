@@ -63,6 +63,11 @@ type Read = fn(&Value<'_>) -> Option<Rotation>;
 /// Keys of the forms of rotation, with their readers.
 const FORMS: [(&str, Read); 3] = [("angular_velocity", spin), ("periods", periods), ("wobble", wobble)];
 
+/// The first form in the order of the list that `[initial]` has.
+pub(super) fn rotation_given<'a>(table: &Table<'a>) -> Option<Value<'a>> {
+    FORMS.iter().find_map(|(key, _)| table.get(key))
+}
+
 /// Reads the rotation, if `[initial]` gives one; two forms at once are refused.
 pub(super) fn rotation(table: &Table<'_>) -> Option<Option<Rotation>> {
     let mut given: Vec<_> = FORMS.iter().filter_map(|(key, read)| Some((table.get(key)?, read))).collect();

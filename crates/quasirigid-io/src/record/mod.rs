@@ -40,6 +40,7 @@ pub use sweep::{
     CorrelationRecord, InputRecord, IntervalRecord, Ordered, PercentileRecord, QuantityRecord, ReasonRecord,
     SweepColumn, SweepRecord, UncertaintyRecord, by_rate, growth_rate, percentile,
 };
+pub(crate) use table::{Array, Rows, write_arrays};
 pub use table::{Extremes, MOST_ROWS, RowLog, RowTable, TableFormat, history_csv, log_csv};
 
 /// Version of the layout of a record's folder: its files, their keys and columns. A reader refuses later ones; a key that is new and may be

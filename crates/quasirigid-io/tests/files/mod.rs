@@ -1,5 +1,7 @@
 //! Files beside a model, and the folder of a record.
 
+mod attitude;
+mod attitude_read;
 mod bounds;
 mod catalogues;
 mod history_tables;

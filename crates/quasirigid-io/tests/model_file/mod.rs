@@ -36,6 +36,7 @@ mod sections;
 mod settings;
 mod shorthands;
 mod solids;
+mod start_file;
 mod surfaces;
 mod timing;
 mod values;

@@ -86,7 +86,7 @@ fn impossible_periods_are_refused() {
     ");
     assert_snapshot!(refused("period = 3"), @r#"
     model.toml:10:1: unknown key "period" in [initial]
-      did you mean `periods`? the keys are angular_velocity, periods, wobble, attitude, displacements, displacement_rates, position, velocity
+      did you mean `periods`? the keys are angular_velocity, periods, wobble, attitude, from, at, displacements, displacement_rates, position, velocity
     "#);
 }
 

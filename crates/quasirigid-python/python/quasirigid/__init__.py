@@ -23,6 +23,7 @@ from quasirigid._answers import (
     Run,
     Verification,
 )
+from quasirigid._attitude import Attitude, read_attitude
 from quasirigid._core import EXAMPLE
 from quasirigid._core import VERSION as __version__
 from quasirigid._ellipsoids import EllipsoidEvolutions, evolve_ellipsoids
@@ -55,6 +56,7 @@ __all__ = [
     "EXAMPLE",
     "AboutSpin",
     "Answer",
+    "Attitude",
     "Check",
     "Diagnostic",
     "EffectiveMasses",
@@ -93,6 +95,7 @@ __all__ = [
     "cite",
     "evolve_ellipsoids",
     "evolve_population",
+    "read_attitude",
     "read_sweep",
     "sweep",
 ]
@@ -101,5 +104,6 @@ __all__ = [
 for _name in __all__:
     if isinstance(globals()[_name], type):
         globals()[_name].__module__ = "quasirigid"
-cite.__module__ = evolve_ellipsoids.__module__ = evolve_population.__module__ = read_sweep.__module__ = sweep.__module__ = "quasirigid"
-del _name
+for _function in (cite, evolve_ellipsoids, evolve_population, read_attitude, read_sweep, sweep):
+    _function.__module__ = "quasirigid"
+del _function, _name

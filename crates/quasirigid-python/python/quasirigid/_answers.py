@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from quasirigid import _arguments, _core, _settings
+from quasirigid._attitude import Attitudes
 from quasirigid._errors import InputError, Refused
 from quasirigid._progress import Progress, observer
 from quasirigid._property import Named, column, entry, part
@@ -362,7 +363,8 @@ class AboutSpin(Answer):
         settings = _settings.run(duration, samples, tolerance, times=times)
         table = _settings.table("spin-manifold", self._parts["settings"], coordinates, displacements, times)
         with observer(progress) as watch:
-            return History(self._parts["model"]._core.simulate(settings, table, None, watch))
+            model = self._parts["model"]
+            return History({**model._core.simulate(settings, table, None, watch), "object": model.name})
 
 
 class _Tabled(Answer, Tabled):
@@ -382,7 +384,7 @@ class _Tabled(Answer, Tabled):
         raise TypeError(f"a {type(self).__name__} is not iterable; take columns by name, or its table")
 
 
-class History(_Tabled):
+class History(_Tabled, Attitudes):
     """A history of the spin.
 
     It does not hold if the integration broke off, if the reduced equations fail at the start, or if the equations of motion get
@@ -398,16 +400,15 @@ class History(_Tabled):
 
     system = entry(str, "``full``, ``reduced``, ``rigid`` or ``manifold``.")
     status = entry(str, "``finished``, ``event``, or why the history ended early.")
-    angular_velocity = column("Angular velocity (rad/s), body axes, ``(rows, 3)``.", "wx", "wy", "wz")
-    attitude = column(
-        "Attitude: unit quaternion, scalar first, that turns body components into inertial ones, ``(rows, 4)``.",
-        "qw", "qx", "qy", "qz",
-    )
     momentum = column("Size of the angular momentum (N·m·s), ``(rows,)``.")
     dissipated = column("Energy dissipated since the start (J), ``(rows,)``.")
     energy_drift = column("Change of energy made by the integrator alone since the start (J), ``(rows,)``.")
     dissipation = entry(dict[str, float], "Shares of the dissipators in the energy dissipated, by name.")
     turns = entry(float, "Revolutions made, ∫|ω|dt / 2π.")
+
+    @property
+    def _object(self) -> str:
+        return str(self._parts["object"])
 
     def plot(self) -> Figure:
         """Angular velocity and energy against time (needs matplotlib)."""

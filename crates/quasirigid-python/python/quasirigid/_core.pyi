@@ -18,9 +18,11 @@ __all__ = [
     "Sweep",
     "evolve_ellipsoids",
     "former_argument",
+    "read_attitude",
     "read_sweep",
     "to_toml",
     "with_changes",
+    "write_attitude",
 ]
 
 EXAMPLE: Final[str]
@@ -40,6 +42,8 @@ def evolve_ellipsoids(columns: dict[str, Any], reproducible: bool, observer: _Ob
 def former_argument(name: str) -> str: ...
 def to_toml(model: dict[str, Any]) -> str: ...
 def with_changes(text: str, changes: dict[str, Any]) -> str: ...
+def read_attitude(file: str) -> tuple[Columns, tuple[str, str, str | None, str | None]]: ...
+def write_attitude(file: str, format: str | None, columns: Columns, asked: dict[str, Any]) -> None: ...
 def read_sweep(folder: str) -> tuple[Columns, dict[str, Any], str]: ...
 @final
 class Collector:

@@ -395,7 +395,7 @@ class Model:
         whole = _arguments.count(order, "order")
         with observer(progress) as watch:
             if initial is None:
-                return History(self._core.simulate(settings, table, whole, watch))
+                return History({**self._core.simulate(settings, table, whole, watch), "object": self.name})
             return Histories(self._core.simulate_all(_starts(initial), settings, table, whole, watch))
 
     def spins(

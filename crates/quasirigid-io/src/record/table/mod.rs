@@ -13,6 +13,7 @@ use std::path::Path;
 
 pub use csv::{history_csv, log_csv};
 pub use extremes::{Extremes, MOST_ROWS};
+pub(crate) use npz::{Array, write_arrays};
 pub use rows::{RowLog, RowTable};
 
 use super::folder::{check_lengths, unusable};
@@ -116,7 +117,7 @@ impl Named for TableFormat {
 pub(super) type Take<'a> = &'a mut dyn FnMut(&[f64]) -> Result<(), RecordError>;
 
 /// Rows that can be gone through again and again.
-pub(super) trait Rows {
+pub(crate) trait Rows {
     /// Passes every row, in order; a receiver that fails ends it.
     fn each(&self, take: &mut dyn FnMut(&[f64]) -> Result<(), RecordError>) -> Result<(), RecordError>;
 }

@@ -17,11 +17,42 @@ use crate::text_file::unpacked_limit;
 /// Array that says in JSON what went into the table.
 const INPUTS: &str = "inputs";
 
-/// Writes rows into a file, one pass over them for each column.
+/// Array of an archive, made of the rows of a table.
+pub struct Array<'a> {
+    /// Name in the archive.
+    pub name: &'a str,
+    /// Type of its numbers, as NumPy writes it.
+    pub kind: &'static str,
+    /// Numbers of a row, of an array of two dimensions.
+    pub width: Option<usize>,
+    /// Appends the bytes of a row.
+    pub bytes: &'a dyn Fn(&[f64], &mut Vec<u8>),
+}
+
+/// Writes the columns of a table into a file, with what went into it.
 pub fn write(
     file: &Path,
     out: &mut (impl Write + Seek),
     (columns, inputs): (&[Column], Option<&str>),
+    rows: &dyn Rows,
+) -> Result<(), RecordError> {
+    let number =
+        |place: usize| move |row: &[f64], bytes: &mut Vec<u8>| bytes.extend(row[place].to_le_bytes());
+    let numbers: Vec<_> = (0..columns.len()).map(number).collect();
+    let array = |(column, bytes)| {
+        let column: &Column = column;
+        Array { name: &column.name, kind: "<f8", width: None, bytes }
+    };
+    let arrays: Vec<Array<'_>> =
+        columns.iter().zip(numbers.iter().map(|number| number as _)).map(array).collect();
+    write_arrays(file, out, (&arrays, inputs), rows)
+}
+
+/// Writes arrays into a file, one pass over the rows of the table for each.
+pub fn write_arrays(
+    file: &Path,
+    out: &mut (impl Write + Seek),
+    (arrays, inputs): (&[Array<'_>], Option<&str>),
     rows: &dyn Rows,
 ) -> Result<(), RecordError> {
     let failed = |error: &io::Error| unusable(file, error);
@@ -30,15 +61,22 @@ pub fn write(
         count += 1;
         Ok(())
     })?;
+    let widest = arrays.iter().filter_map(|array| array.width).max().unwrap_or(1) as u64;
     let options = SimpleFileOptions::default()
         .compression_method(CompressionMethod::Stored)
-        .large_file(count > u64::from(u32::MAX) / 16)
+        .large_file(count > u64::from(u32::MAX) / (16 * widest))
         .last_modified_time(zip::DateTime::default());
     let mut archive = ZipWriter::new(FailsOnce { out, position: 0, end: 0, failed: false });
-    for (place, column) in columns.iter().enumerate() {
-        archive.start_file(member(&column.name), options).map_err(|error| failed(&error.into()))?;
-        archive.write_all(&header("<f8", &format!("({count},)"))).map_err(|error| failed(&error))?;
-        rows.each(&mut |row| archive.write_all(&row[place].to_le_bytes()).map_err(|error| failed(&error)))?;
+    let mut bytes = Vec::new();
+    for Array { name, kind, width, bytes: of } in arrays {
+        let shape = width.map_or(format!("({count},)"), |width| format!("({count}, {width})"));
+        archive.start_file(member(name), options).map_err(|error| failed(&error.into()))?;
+        archive.write_all(&header(kind, &shape)).map_err(|error| failed(&error))?;
+        rows.each(&mut |row| {
+            bytes.clear();
+            of(row, &mut bytes);
+            archive.write_all(&bytes).map_err(|error| failed(&error))
+        })?;
     }
     if let Some(inputs) = inputs {
         archive.start_file(member(INPUTS), options).map_err(|error| failed(&error.into()))?;

@@ -111,7 +111,8 @@ fn class(error: &StudyError) -> &'static str {
         | StudyError::ForcesAboutSpin { .. }
         | StudyError::EventsAboutSpin
         | StudyError::SpinsAlone { .. }
-        | StudyError::Linear(_) => "UnsupportedError",
+        | StudyError::Linear(_)
+        | StudyError::NotExported { .. } => "UnsupportedError",
         StudyError::Submanifold(_) | StudyError::SteadySpinBeyond { .. } => "ReductionError",
         StudyError::Unaveraged(_)
         | StudyError::DrivenPole

@@ -63,6 +63,7 @@ pub mod derive;
 pub mod difference;
 mod error;
 pub mod evolution;
+pub mod export;
 mod hashed;
 pub mod histories;
 mod history_columns;

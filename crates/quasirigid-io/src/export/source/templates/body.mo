@@ -1,0 +1,58 @@
+{{heading}}
+model {{name}} "{{title}}: a free body in the energy form, order {{order}}"
+  input Real torque[3](each unit = "N.m") "Torque on the carrier, body axes";
+  Real K[3](start = {{start_momentum}}, each fixed = true, each unit = "N.m.s") "Angular momentum, body axes";
+  Real q[4](start = {{start_attitude}}, each fixed = true) "Quaternion, scalar first, from body axes to inertial ones";
+  output Real omega[3](each unit = "rad/s") "Angular velocity of the carrier, body axes";
+  output Real energy(unit = "J") "Energy";
+  output Real power(unit = "W") "Power dissipated";
+  output Integer status "0 the equations hold, 1 digits are lost, 2 they fail";
+protected
+  constant Real spinHolds(unit = "rad/s") = {{spin_holds}};
+  constant Real spinFails(unit = "rad/s") = {{spin_fails}};
+  constant Real leastMoment(unit = "kg.m2") = {{least_moment}};
+  Real g[3] "Gradient of the energy";
+  Real c[3] "Axial vector of the internal momenta";
+  Real T[3, 3] "Tensor of the dissipation";
+  Real v[3];
+  Real m[3];
+  Real once[3];
+  Real twice[3];
+  Real rate[3];
+  Real braking[3];
+  Real a;
+  Real d;
+  Real spin;
+equation
+  energy = {{energy}};
+  g[1] = {{gradient_x}};
+  g[2] = {{gradient_y}};
+  g[3] = {{gradient_z}};
+  c[1] = {{c_x}};
+  c[2] = {{c_y}};
+  c[3] = {{c_z}};
+  T[1, 1] = {{T_xx}};
+  T[2, 2] = {{T_yy}};
+  T[3, 3] = {{T_zz}};
+  T[2, 3] = {{T_yz}};
+  T[1, 3] = {{T_zx}};
+  T[1, 2] = {{T_xy}};
+  T[3, 2] = T[2, 3];
+  T[3, 1] = T[1, 3];
+  T[2, 1] = T[1, 2];
+  v = cross(K, g);
+  a = 1 + K * c;
+  d = a ^ 2 + K * (K[1] * cross(T[:, 2], T[:, 3]) + K[2] * cross(T[:, 3], T[:, 1]) + K[3] * cross(T[:, 1], T[:, 2]));
+  m = torque + c * (K * torque);
+  once = cross(K, T * m);
+  twice = cross(K, T * once);
+  rate = (a * v + cross(K, T * v)) / d + (m + (a * once + twice) / d) / a;
+  braking = T * rate;
+  omega = g + cross(c, rate) + braking;
+  power = rate * braking;
+  der(K) = rate;
+  der(q[1]) = -(q[2:4] * omega) / 2;
+  der(q[2:4]) = (q[1] * omega + cross(q[2:4], omega)) / 2;
+  spin = max(sqrt(omega * omega), sqrt(sqrt(torque * torque) / leastMoment));
+  status = if spin < spinHolds then 0 elseif spin < spinFails then 1 else 2;
+end {{name}};

@@ -72,7 +72,7 @@ impl Study {
         let (order, doubts) = Doubts::before(&motion, System::Reduced, Form::AngularMomentum)?;
         let reduced = self.reduced(order)?;
         let start = motion.of_order(order).reduced_start(&reduced)?;
-        let mut notes: Vec<_> = doubts.remarks.iter().chain(&self.model.notes).cloned().collect();
+        let mut remarks = doubts.remarks;
         let momentum = momentum_of(&reduced, start.omega).unwrap_or_else(|| {
             notes.insert(
                 0,
@@ -80,6 +80,7 @@ impl Study {
             );
             add(times(reduced.J, start.omega), reduced.wheels())
         });
+        let notes: Vec<_> = remarks.iter().chain(&self.model.notes).cloned().collect();
         let range = range(self, &reduced, start.omega)?;
         let files = FreeBody {
             title: &self.model.name,
@@ -90,7 +91,7 @@ impl Study {
             notes: &notes,
             origin: &[origin(self)],
         };
-        Ok(Export { files: files.files(target), order, range, notes: doubts.remarks, wrong: doubts.wrong })
+        Ok(Export { files: files.files(target), order, range, notes: remarks, wrong: doubts.wrong })
     }
 }
 

@@ -10,6 +10,7 @@ mod complete;
 mod derive;
 mod docs;
 mod evolve;
+mod export;
 #[cfg(unix)]
 mod faults;
 mod files;

@@ -10,7 +10,7 @@ from typing import Any, NoReturn, overload
 from numpy.typing import ArrayLike
 
 from quasirigid import _arguments, _core, _settings
-from quasirigid._answers import AboutSpin, Check, Evolution, History, Linear, Modes, Run, Verification
+from quasirigid._answers import AboutSpin, Answer, Check, Evolution, History, Linear, Modes, Run, Verification
 from quasirigid._ensemble import Evolutions, Histories, SpinPaths
 from quasirigid._errors import InputError, ModelError
 from quasirigid._progress import Progress, observer
@@ -220,6 +220,37 @@ class Model:
         vector = None if isinstance(at, str) else _arguments.vector(at, "at")
         with observer(progress) as watch:
             return Linear(self._core.linear(name, vector, list(inputs), list(outputs), watch))
+
+    def export(
+        self,
+        to: str,
+        path: str | os.PathLike[str],
+        *,
+        order: int | None = None,
+        overwrite: bool = False,
+        progress: Progress = False,
+    ) -> Answer:
+        """Writes the reduced equations of a free body, in the form that cannot gain energy, as source of another language.
+
+        Args:
+            to: ``c``, ``python``, ``matlab``, ``rust``, ``sympy``, ``latex``, ``heyoka`` or ``modelica``.
+            path: New file, or new folder for C; names in the source are its name.
+            overwrite: Whether to replace a file that is there.
+
+        Raises:
+            UnsupportedError: for forces, supports, and wheels whose speed changes.
+            FileError: for a path that is there or cannot be written.
+            InputError: for an unknown target, and a name that the language does not take.
+
+        >>> import quasirigid, tempfile
+        >>> folder = tempfile.mkdtemp()
+        >>> written = quasirigid.Model(quasirigid.EXAMPLE).export("python", f"{folder}/boom.py")
+        >>> written.holds, written.sentence
+        (True, 'Order 3; the equations hold below 1.50 rad/s and fail from 4.65 rad/s on.')
+        """
+        target, file = _arguments.text(to, "to"), _arguments.path(path, "path")
+        with observer(progress) as watch:
+            return Answer(self._core.export(target, file, _arguments.count(order, "order"), bool(overwrite), watch))
 
     def about_spin(
         self,

@@ -32,15 +32,6 @@ pub(super) const SYMPY: Language =
 pub(super) const HEYOKA: Language =
     Language { files: &[(Ending("_heyoka.py"), include_str!("templates/heyoka.py"))], ..PYTHON };
 
-pub(super) const JULIA: Language = Language {
-    files: &[(Ending(".jl"), include_str!("templates/body.jl"))],
-    comment: ["", "# ", ""],
-    variables: ["K[1]", "K[2]", "K[3]"],
-    continued: "",
-    row: ["[", "]"],
-    list: ["[\n    ", ",\n    ", ",\n]"],
-};
-
 pub(super) const MATLAB: Language = Language {
     files: &[(Ending(".m"), include_str!("templates/body.m"))],
     comment: ["", "% ", ""],

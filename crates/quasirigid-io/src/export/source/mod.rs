@@ -27,8 +27,6 @@ pub enum Target {
     C,
     /// A module of Python with NumPy.
     Python,
-    /// A module of Julia.
-    Julia,
     /// A class of static functions of MATLAB and Octave.
     Matlab,
     /// A module of Rust without the standard library.
@@ -45,10 +43,9 @@ pub enum Target {
 
 impl Target {
     /// Targets with their names and meanings.
-    pub const ALL: [(Self, &'static str, &'static str); 9] = [
+    pub const ALL: [(Self, &'static str, &'static str); 8] = [
         (Self::C, "c", "C99, a folder: no allocation, math.h alone"),
         (Self::Python, "python", "A module of Python with NumPy"),
-        (Self::Julia, "julia", "A module of Julia"),
         (Self::Matlab, "matlab", "A class of static functions of MATLAB and Octave"),
         (Self::Rust, "rust", "A module of Rust without the standard library"),
         (Self::Sympy, "sympy", "Symbolic expressions of SymPy, a module of Python"),
@@ -79,7 +76,6 @@ impl Target {
         match self {
             Self::C => Some(languages::C),
             Self::Python => Some(languages::PYTHON),
-            Self::Julia => Some(languages::JULIA),
             Self::Matlab => Some(languages::MATLAB),
             Self::Rust => Some(languages::RUST),
             Self::Sympy => Some(languages::SYMPY),

@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 
 use pyo3::prelude::*;
 use quasirigid_io::disk::{parent, replace, settle_files, settle_folder};
-use quasirigid_io::export::{Target, identifier};
+use quasirigid_io::export::{Exported, Target, identifier};
 use quasirigid_io::record::{HistoryRecord, TableFormat};
 use quasirigid_study::evolution;
 use quasirigid_study::histories::Table;
@@ -112,17 +112,15 @@ pub fn export(study: &Study, target: &str, path: &Path, overwrite: bool) -> Resu
     }
     let found = study.export(target, &name)?;
     let failed = |cause: std::io::Error| Failure::File(format!("cannot write {}: {cause}", path.display()));
-    if target.is_folder() {
-        new_folder(path, |building| {
-            found
-                .files
-                .iter()
-                .try_for_each(|file| fs::write(building.join(&file.name), &file.text))
-                .map_err(failed)
-        })?;
-    } else {
-        let text = found.files.iter().map(|file| file.text.as_str()).collect::<String>();
-        replace(path, |out| out.write_all(text.as_bytes())).map_err(failed)?;
+    match &found.exported {
+        Exported::Source(files) if target.is_folder() => new_folder(path, |building| {
+            files.iter().try_for_each(|file| fs::write(building.join(&file.name), &file.text)).map_err(failed)
+        })?,
+        Exported::Source(files) => {
+            replace(path, |out| files.iter().try_for_each(|file| out.write_all(file.text.as_bytes())))
+                .map_err(failed)?
+        }
+        Exported::Unit(unit) => replace(path, |out| out.write_all(&unit.bytes)).map_err(failed)?,
     }
     Ok(Answer {
         json: Json(study.with_inputs(found.json())),

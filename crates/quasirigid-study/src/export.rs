@@ -1,13 +1,13 @@
 //! The energy form of the reduced equations of a free body, for other programs: what may be exported, its range and its notes.
 
-use quasirigid::dynamics::{Form, Start};
+use quasirigid::dynamics::{Form, Start, steady_spins};
 use quasirigid::model::{Principal, ReducedBody, Support};
 use quasirigid::reduction::{Assessment, Comparison, Criterion};
-use quasirigid_io::export::{FreeBody, SourceFile, Target, momentum_of};
+use quasirigid_io::export::{Exported, FreeBody, Target, momentum_of};
 use quasirigid_io::model::System;
 use quasirigid_math::rotation::ALIGNED;
 use quasirigid_math::sym3::times;
-use quasirigid_math::vec3::{add, norm, scale};
+use quasirigid_math::vec3::{add, dot, norm, scale};
 use serde_json::{Value, json};
 
 use crate::error::StudyError;
@@ -19,8 +19,8 @@ use crate::words::significant;
 /// Exported equations.
 #[derive(Clone, Debug)]
 pub struct Export {
-    /// Files, by their names.
-    pub files: Vec<SourceFile>,
+    /// Source, or a functional mock-up unit.
+    pub exported: Exported,
     /// Order of the equations.
     pub order: usize,
     /// Spins (rad/s) below which they hold, and from which they fail, in the direction of the start.
@@ -46,11 +46,10 @@ impl Export {
     /// For machines.
     #[must_use]
     pub fn json(&self) -> Value {
-        let Self { files, order, range, notes, wrong } = self;
+        let Self { order, range, notes, wrong, .. } = self;
         let bound = range.map(|spin| spin.is_finite().then_some(spin));
-        let names: Vec<_> = files.iter().map(|file| &file.name).collect();
         json!({
-            "files": names, "order": order, "spin_holds": bound[0], "spin_fails": bound[1],
+            "order": order, "spin_holds": bound[0], "spin_fails": bound[1],
             "holds": wrong.is_none(), "notes": notes,
         })
     }
@@ -74,26 +73,33 @@ impl Study {
         let start = motion.of_order(order).reduced_start(&reduced)?;
         let mut remarks = doubts.remarks;
         let momentum = momentum_of(&reduced, start.omega).unwrap_or_else(|| {
-            notes.insert(
-                0,
+            remarks.push(
                 "No angular momentum has the spin of the start: the start is that of the rigid body.".into(),
             );
             add(times(reduced.J, start.omega), reduced.wheels())
         });
         let notes: Vec<_> = remarks.iter().chain(&self.model.notes).cloned().collect();
         let range = range(self, &reduced, start.omega)?;
-        let files = FreeBody {
+        let exported = FreeBody {
             title: &self.model.name,
             name,
             reduced: &reduced,
             start: (momentum, start.attitude),
+            place: [start.place, start.velocity],
+            axis: circled(&reduced, start.omega, momentum),
             range,
             notes: &notes,
             origin: &[origin(self)],
-        };
-        Ok(Export { files: files.files(target), order, range, notes: remarks, wrong: doubts.wrong })
+        }
+        .exported(target);
+        if matches!(&exported, Exported::Unit(unit) if !unit.compiled) {
+            remarks.push(SOURCE_ALONE.into());
+        }
+        Ok(Export { exported, order, range, notes: remarks, wrong: doubts.wrong })
     }
 }
+
+const SOURCE_ALONE: &str = "No C compiler `cc` made a library of the source: the unit holds the source alone, for a tool that compiles it.";
 
 /// Refuses what the equations of a free body under a torque leave out.
 fn refuse(study: &Study) -> Result<(), StudyError> {
@@ -112,6 +118,17 @@ fn refuse(study: &Study) -> Result<(), StudyError> {
         return refused("exported equations have wheels of constant speed alone: give each [[wheel]] a number for its speed, or follow the body with `simulate`".into());
     }
     Ok(())
+}
+
+/// Axis of the steady spin that the angular momentum circles, body axes.
+fn circled(reduced: &ReducedBody, omega: [f64; 3], momentum: [f64; 3]) -> [f64; 3] {
+    let principal = Principal::compute(reduced.J);
+    let [mode, _] = principal.nearest(omega);
+    let own = principal.axes[mode.circled()];
+    let size = norm(momentum);
+    let spin = if size > 0.0 { steady_spins(reduced, size)[mode.circled()] } else { None };
+    let axis = spin.map_or(own, |spin| scale(norm(spin.omega).recip(), spin.omega));
+    if dot(axis, momentum) < 0.0 { scale(-1.0, axis) } else { axis }
 }
 
 /// Program and files.

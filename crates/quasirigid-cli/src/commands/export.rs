@@ -1,6 +1,7 @@
+use std::io::IsTerminal;
 use std::path::Path;
 
-use quasirigid_io::export::{SourceFile, identifier};
+use quasirigid_io::export::{Exported, Fmu, Target, identifier};
 use serde_json::json;
 
 use super::{open, whole};
@@ -16,6 +17,9 @@ pub fn export(arguments: &ExportArgs) -> Result<ExitStatus, Failure> {
     let in_stdout = output::is_stdout(out);
     match (in_stdout, to.is_folder()) {
         (true, true) => return Err(Failure::FolderOnStdout { option: "--out" }),
+        (true, _) if matches!(to, Target::Fmu(_)) && std::io::stdout().is_terminal() => {
+            return Err(Failure::BinaryOnTerminal { format: "an FMU" });
+        }
         (true, false) if common.json => return Err(Failure::TwiceOnStdout { option: "--json" }),
         (_, true) => Folder::check(out, false)?,
         (_, false) => output::check_file(out, *overwrite)?,
@@ -30,7 +34,7 @@ pub fn export(arguments: &ExportArgs) -> Result<ExitStatus, Failure> {
     let found = whole(common, || study.export(*to, &name))?;
     found.wrong.iter().filter(|_| common.quiet).for_each(|reason| remark(reason));
     found.notes.iter().filter(|_| !common.quiet).for_each(|note| remark(note));
-    let placed = written(&found.files, out, (to.is_folder(), *overwrite))?;
+    let placed = written(&found.exported, out, (to.is_folder(), *overwrite))?;
     let as_asked = placed.told(out);
     if common.json {
         let mut object = found.json();
@@ -42,12 +46,16 @@ pub fn export(arguments: &ExportArgs) -> Result<ExitStatus, Failure> {
     Ok(if as_asked && found.wrong.is_none() { ExitStatus::Done } else { ExitStatus::CheckFailed })
 }
 
-fn written(files: &[SourceFile], out: &Path, (folder, overwrite): (bool, bool)) -> Result<Placed, Failure> {
-    if !folder {
-        let text = files.iter().map(|file| file.text.as_str()).collect::<String>();
-        return output::to_file(out, overwrite, |file| file.write_all(text.as_bytes()));
+fn written(exported: &Exported, out: &Path, (folder, overwrite): (bool, bool)) -> Result<Placed, Failure> {
+    match exported {
+        Exported::Source(files) if folder => {
+            let building = Folder::new(out, false)?;
+            files.iter().try_for_each(|file| building.write(&file.name, &file.text))?;
+            building.finish()
+        }
+        Exported::Source(files) => output::to_file(out, overwrite, |place| {
+            files.iter().try_for_each(|file| place.write_all(file.text.as_bytes()))
+        }),
+        Exported::Unit(Fmu { bytes, .. }) => output::to_file(out, overwrite, |place| place.write_all(bytes)),
     }
-    let building = Folder::new(out, false)?;
-    files.iter().try_for_each(|file| building.write(&file.name, &file.text))?;
-    building.finish()
 }

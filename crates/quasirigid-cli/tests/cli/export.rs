@@ -183,8 +183,10 @@ fn displays_have_every_polynomial() {
 #[test]
 fn what_the_equations_leave_out_is_refused() {
     let pushed = format!("{MODEL}\n[[force]]\nname = \"thrust\"\nkind = \"torque\"\ntorque = [0, 0, 1]\n");
-    let wheel = MODEL
-        .replace("[initial]", "[[wheel]]\naxis = [0, 0, 1]\ninertia = 0.1\nspeed.formula = \"1 + t\"\n[initial]");
+    let wheel = MODEL.replace(
+        "[initial]",
+        "[[wheel]]\naxis = [0, 0, 1]\ninertia = 0.1\nspeed.formula = \"1 + t\"\n[initial]",
+    );
     let held = MODEL.replace("[initial]", "[support]\nkind = \"fixed-point\"\npoint = [0, 0, 0]\n[initial]");
     for (model, said) in [
         (&pushed, "have no external forces (thrust), but take a torque: leave the forces out of the model"),

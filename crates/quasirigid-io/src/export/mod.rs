@@ -9,7 +9,7 @@ mod text;
 
 pub use comparison::Mechanism;
 pub use forces::{DisplacedLoads, Forces, StartLoads};
-pub use source::{FreeBody, SourceFile, Target, identifier, momentum_of};
+pub use source::{Exported, Fmi, Fmu, FreeBody, SourceFile, Target, identifier, momentum_of};
 use std::ops::Range;
 
 use quasirigid_body::{FlexibleBody, ReducedBody};

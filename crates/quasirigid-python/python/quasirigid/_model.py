@@ -233,7 +233,7 @@ class Model:
         """Writes the reduced equations of a free body, in the form that cannot gain energy, as source of another language.
 
         Args:
-            to: ``c``, ``python``, ``matlab``, ``rust``, ``sympy``, ``latex``, ``heyoka`` or ``modelica``.
+            to: ``c``, ``python``, ``matlab``, ``rust``, ``sympy``, ``latex``, ``heyoka``, ``modelica``, ``fmu2`` or ``fmu3``.
             path: New file, or new folder for C; names in the source are its name.
             overwrite: Whether to replace a file that is there.
 

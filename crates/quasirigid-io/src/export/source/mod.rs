@@ -2,6 +2,8 @@
 //! One template a language, in which the polynomials `E`, `∇E`, `c`, `T` and the numbers of the body have their places.
 //! Equations (R16), (R17), (R22), docs/theory/03-reduction.md.
 
+mod fmi_description;
+mod fmu;
 mod horner;
 mod language;
 mod languages;
@@ -18,6 +20,7 @@ use horner::{broken, expression, number};
 use language::{FileName, Language, filled};
 use vectors::test_vectors;
 
+pub use fmu::{Fmi, Fmu};
 pub use vectors::momentum_of;
 
 /// Language or tool that equations are exported to.
@@ -39,11 +42,13 @@ pub enum Target {
     Heyoka,
     /// A model of Modelica.
     Modelica,
+    /// A functional mock-up unit: FMI 2.0 or 3.0, model exchange and co-simulation.
+    Fmu(Fmi),
 }
 
 impl Target {
     /// Targets with their names and meanings.
-    pub const ALL: [(Self, &'static str, &'static str); 8] = [
+    pub const ALL: [(Self, &'static str, &'static str); 10] = [
         (Self::C, "c", "C99, a folder: no allocation, math.h alone"),
         (Self::Python, "python", "A module of Python with NumPy"),
         (Self::Matlab, "matlab", "A class of static functions of MATLAB and Octave"),
@@ -52,6 +57,8 @@ impl Target {
         (Self::Latex, "latex", "Displays for a document that loads amsmath"),
         (Self::Heyoka, "heyoka", "Expressions of heyoka, a module of Python"),
         (Self::Modelica, "modelica", "A model of Modelica"),
+        (Self::Fmu(Fmi::Two), "fmu2", "A functional mock-up unit, FMI 2.0: model exchange and co-simulation"),
+        (Self::Fmu(Fmi::Three), "fmu3", "The same for FMI 3.0"),
     ];
 
     /// The target of a name.
@@ -79,7 +86,7 @@ impl Target {
             Self::Matlab => Some(languages::MATLAB),
             Self::Rust => Some(languages::RUST),
             Self::Sympy => Some(languages::SYMPY),
-            Self::Latex => None,
+            Self::Latex | Self::Fmu(_) => None,
             Self::Heyoka => Some(languages::HEYOKA),
             Self::Modelica => Some(languages::MODELICA),
         }
@@ -97,6 +104,10 @@ pub struct FreeBody<'a> {
     pub reduced: &'a ReducedBody,
     /// Angular momentum (N·m·s, body axes) and attitude of the start.
     pub start: ([f64; 3], [f64; 4]),
+    /// Position and velocity of the centre of mass at the start (m, m/s), inertial axes.
+    pub place: [[f64; 3]; 2],
+    /// Axis that the angular momentum circles at the start, body axes.
+    pub axis: [f64; 3],
     /// Spins (rad/s) below which the equations hold, and from which they fail; infinite where nothing bounds them.
     pub range: [f64; 2],
     /// What is to be read before the numbers, the gravest first.
@@ -105,13 +116,22 @@ pub struct FreeBody<'a> {
     pub origin: &'a [String],
 }
 
-/// One exported file.
+/// One file of source.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct SourceFile {
     /// Name of the file.
     pub name: String,
     /// Text of the file.
     pub text: String,
+}
+
+/// Exported equations.
+#[derive(Clone, Debug)]
+pub enum Exported {
+    /// Files of source.
+    Source(Vec<SourceFile>),
+    /// A functional mock-up unit.
+    Unit(Fmu),
 }
 
 /// Rows of a symmetric tensor.
@@ -127,17 +147,26 @@ const COLUMNS: usize = 88;
 const BOUNDLESS: f64 = 1e150;
 
 impl FreeBody<'_> {
-    /// The files of a target.
+    /// The equations for a target.
     #[must_use]
-    pub fn files(&self, target: Target) -> Vec<SourceFile> {
-        let name = self.name;
-        let Some(language) = target.language() else {
-            return vec![SourceFile { name: format!("{name}.tex"), text: self.energy_form_latex() }];
-        };
-        let parts = self.parts(&language);
+    pub fn exported(&self, target: Target) -> Exported {
+        match (target, target.language()) {
+            (Target::Fmu(version), _) => Exported::Unit(self.fmu(version)),
+            (_, Some(language)) => Exported::Source(self.sources(&language, "")),
+            (_, None) => {
+                let text = self.energy_form_latex();
+                Exported::Source(vec![SourceFile { name: format!("{}.tex", self.name), text }])
+            }
+        }
+    }
+
+    /// The files of a language; a token of the whole may stand in them.
+    fn sources(&self, language: &Language, token: &str) -> Vec<SourceFile> {
+        let mut parts = self.parts(language);
+        parts.insert("token", token.to_owned());
         let file = |(named, template): &(FileName, &str)| SourceFile {
             name: match named {
-                FileName::Ending(ending) => format!("{name}{ending}"),
+                FileName::Ending(ending) => format!("{}{ending}", self.name),
                 FileName::Whole(whole) => (*whole).to_owned(),
             },
             text: filled(template, &parts),
@@ -164,6 +193,8 @@ impl FreeBody<'_> {
             ("start", row(&[momentum.as_slice(), &attitude].concat())),
             ("start_momentum", row(&momentum)),
             ("start_attitude", row(&attitude)),
+            ("place", row(&self.place.concat())),
+            ("axis", row(&self.axis)),
             ("mass", number(reduced.mass)),
             ("spin_holds", number(holds)),
             ("spin_fails", number(fails)),

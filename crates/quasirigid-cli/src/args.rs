@@ -9,6 +9,7 @@ use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use quasirigid::dynamics::{Form, Method};
 use quasirigid_io::attitude::AttitudeFormat;
+use quasirigid_io::export::Target;
 use quasirigid_io::model::{EvolveMethod, ManifoldMasters, ManifoldStyle, Named, Power, System};
 use quasirigid_io::record::TableFormat;
 use quasirigid_io::units::{Dimension, quantity};
@@ -52,6 +53,9 @@ pub enum Command {
         after_help = "Example:\n  quasirigid derive examples/three-masses/model.toml --order 5 --format json"
     )]
     Derive(Derive),
+    /// Write the reduced equations, which cannot gain energy, as source of another language
+    #[command(after_help = "Example:\n  quasirigid export examples/boom-satellite/model.toml --to c -o boom")]
+    Export(ExportArgs),
     /// Propagate the spin and print a table
     #[command(
         after_help = "Example:\n  quasirigid simulate examples/axial-mass/model.toml --duration 60 --samples 7"
@@ -105,6 +109,7 @@ impl Command {
             | Self::Modes(ModesArgs { common, .. })
             | Self::Linear(LinearArgs { common, .. })
             | Self::Derive(Derive { common, .. })
+            | Self::Export(ExportArgs { common, .. })
             | Self::Simulate(Simulate { common, .. })
             | Self::Evolve(Evolve { common, .. })
             | Self::Verify(Verify { common, .. }) => common.quiet,
@@ -466,6 +471,27 @@ pub enum DeriveFormat {
     Json,
     /// Displays for a document that loads amsmath
     Latex,
+}
+
+#[derive(Args, Debug)]
+pub struct ExportArgs {
+    #[command(flatten)]
+    pub common: Common,
+    /// Language or tool
+    #[arg(long, value_name = "TARGET", value_parser = target())]
+    pub to: Target,
+    /// File, or folder for C; names in the source are its name
+    #[arg(long, short, value_name = "PATH")]
+    pub out: PathBuf,
+    /// Replace the file if it is there
+    #[arg(long)]
+    pub overwrite: bool,
+}
+
+/// Reads a target by its name.
+fn target() -> impl TypedValueParser<Value = Target> {
+    let values = Target::ALL.map(|(_, name, help)| PossibleValue::new(name).help(help));
+    PossibleValuesParser::new(values).try_map(|name| Target::named(&name).ok_or("no such target"))
 }
 
 #[derive(Args, Debug)]

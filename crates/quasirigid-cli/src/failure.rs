@@ -98,6 +98,8 @@ pub enum Failure {
     NoLatexAboutSpin,
     #[error("a glTF file shows one body in motion; name one record with --gltf")]
     OneScene,
+    #[error("{path}: what stands in this file has the name of the file; name it {name} with the same ending", path = path.display())]
+    NamedLikeItsFile { path: PathBuf, name: String },
     #[error("cannot open {path} in a browser: {cause}; open it by hand", path = path.display())]
     Browser { path: PathBuf, cause: std::io::Error },
     #[error("{option} is {value}, but must be positive")]

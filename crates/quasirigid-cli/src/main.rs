@@ -48,6 +48,7 @@ fn main() -> ExitCode {
         Command::Modes(modes) => commands::modes::modes(modes),
         Command::Linear(linear) => commands::linear::linear(linear),
         Command::Derive(derive) => commands::derive::derive(derive),
+        Command::Export(export) => commands::export::export(export),
         Command::Simulate(simulate) => commands::simulate::simulate(simulate),
         Command::Evolve(evolve) => commands::evolve::evolve(evolve),
         Command::Verify(verify) => commands::verify::verify(verify),

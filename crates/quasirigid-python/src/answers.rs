@@ -9,6 +9,7 @@ use std::path::{Path, PathBuf};
 
 use pyo3::prelude::*;
 use quasirigid_io::disk::{parent, replace, settle_files, settle_folder};
+use quasirigid_io::export::{Exported, Target, identifier};
 use quasirigid_io::record::{HistoryRecord, TableFormat};
 use quasirigid_study::evolution;
 use quasirigid_study::histories::Table;
@@ -102,6 +103,45 @@ pub fn linear(study: &Study, asked: &LinearSettings) -> Result<Answer, Failure> 
         sentence: found.sentence.clone(),
         holds: found.holds(),
         notes: study.model.notes.clone(),
+        numbers: BTreeMap::new(),
+        columns: None,
+    })
+}
+
+/// The reduced equations as source of another language, in a new file, over an older one if that is wanted, or in a new folder.
+pub fn export(study: &Study, target: &str, path: &Path, overwrite: bool) -> Result<Answer, Failure> {
+    let names: Vec<_> = Target::ALL.iter().map(|(_, name, _)| *name).collect();
+    let unknown = || Failure::Input(format!("to = {target:?} is no target; there are {}", names.join(", ")));
+    let target = Target::named(target).ok_or_else(unknown)?;
+    let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+    let name = identifier(&stem);
+    if target.names_its_file() && name != stem {
+        let shown = path.display();
+        return Err(Failure::Input(format!(
+            "{shown}: what stands in this file has the name of the file; name it {name} with the same ending"
+        )));
+    }
+    if target.is_folder() || !overwrite {
+        vacant(path)?;
+    }
+    let found = study.export(target, &name)?;
+    let failed = |cause: std::io::Error| Failure::File(format!("cannot write {}: {cause}", path.display()));
+    match &found.exported {
+        Exported::Source(files) if target.is_folder() => new_folder(path, |building| {
+            files.iter().try_for_each(|file| fs::write(building.join(&file.name), &file.text)).map_err(failed)
+        })?,
+        Exported::Source(files) => {
+            replace(path, |out| files.iter().try_for_each(|file| out.write_all(file.text.as_bytes())))
+                .map_err(failed)?
+        }
+        Exported::Unit(unit) => replace(path, |out| out.write_all(&unit.bytes)).map_err(failed)?,
+    }
+    Ok(Answer {
+        json: Json(study.with_inputs(found.json())),
+        text: format!("Wrote {}. {}\n", path.display(), found.sentence()),
+        sentence: found.sentence(),
+        holds: found.wrong.is_none(),
+        notes: study.model.notes.iter().chain(&found.notes).cloned().collect(),
         numbers: BTreeMap::new(),
         columns: None,
     })
@@ -267,7 +307,7 @@ fn vacant(folder: &Path) -> Result<(), Failure> {
     if folder.symlink_metadata().is_ok() {
         let shown = folder.display();
         return Err(Failure::File(format!(
-            "{shown} already exists; choose another folder, or remove it first"
+            "{shown} already exists; choose another name, or remove it first"
         )));
     }
     Ok(())
@@ -276,28 +316,32 @@ fn vacant(folder: &Path) -> Result<(), Failure> {
 impl RunAnswer {
     /// Writes the record into a folder that appears only when it is complete and on the disk.
     fn place(&self, folder: &Path, tables: Option<&[TableFormat]>) -> Result<(), Failure> {
-        vacant(folder)?;
-        let Some(name) = folder.file_name() else {
-            return Err(Failure::File(format!("{} is not a folder name", folder.display())));
-        };
-        let building = folder.with_file_name(format!(".{}.{}", name.to_string_lossy(), std::process::id()));
-        let failed = |cause: std::io::Error| {
-            let advice =
-                if cause.kind() == ErrorKind::NotFound { "; create the folder above it first" } else { "" };
-            Failure::File(format!("cannot write {}: {cause}{advice}", folder.display()))
-        };
-        fs::create_dir(&building).map_err(failed)?;
         let formats = tables.unwrap_or(self.outcome.record.usual_formats());
-        let placed = self.outcome.write_tables(&building, formats).map_err(Failure::from);
-        let settled = placed.and_then(|()| settle_files(&building).map_err(failed));
-        let placed = settled.and_then(|()| fs::rename(&building, folder).map_err(failed));
-        if placed.is_err() {
-            // The failure that is told matters more than a folder left over.
-            let _ = fs::remove_dir_all(&building);
-        }
-        placed?;
-        settle_folder(parent(folder)).map_err(failed)
+        new_folder(folder, |building| Ok(self.outcome.write_tables(building, formats)?))
     }
+}
+
+/// A folder that appears only when it is complete and on the disk.
+fn new_folder(folder: &Path, fill: impl FnOnce(&Path) -> Result<(), Failure>) -> Result<(), Failure> {
+    vacant(folder)?;
+    let Some(name) = folder.file_name() else {
+        return Err(Failure::File(format!("{} is not a folder name", folder.display())));
+    };
+    let building = folder.with_file_name(format!(".{}.{}", name.to_string_lossy(), std::process::id()));
+    let failed = |cause: std::io::Error| {
+        let advice =
+            if cause.kind() == ErrorKind::NotFound { "; create the folder above it first" } else { "" };
+        Failure::File(format!("cannot write {}: {cause}{advice}", folder.display()))
+    };
+    fs::create_dir(&building).map_err(failed)?;
+    let settled = fill(&building).and_then(|()| settle_files(&building).map_err(failed));
+    let placed = settled.and_then(|()| fs::rename(&building, folder).map_err(failed));
+    if placed.is_err() {
+        // The failure that is told matters more than a folder left over.
+        let _ = fs::remove_dir_all(&building);
+    }
+    placed?;
+    settle_folder(parent(folder)).map_err(failed)
 }
 
 impl RunAnswer {

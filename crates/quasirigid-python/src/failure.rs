@@ -113,7 +113,8 @@ fn class(error: &StudyError) -> &'static str {
         | StudyError::SpinsAlone { .. }
         | StudyError::Cantilever(_)
         | StudyError::NothingHeld
-        | StudyError::Linear(_) => "UnsupportedError",
+        | StudyError::Linear(_)
+        | StudyError::NotExported { .. } => "UnsupportedError",
         StudyError::Submanifold(_) | StudyError::SteadySpinBeyond { .. } => "ReductionError",
         StudyError::Unaveraged(_)
         | StudyError::DrivenPole

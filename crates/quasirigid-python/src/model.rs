@@ -159,6 +159,19 @@ impl Model {
         self.ask(py, (None, observer), |study, _| answers::linear(study, &asked))
     }
 
+    /// The reduced equations as source of another language.
+    fn export(
+        &self,
+        py: Python<'_>,
+        to: &str,
+        path: PathBuf,
+        order: Option<usize>,
+        overwrite: bool,
+        observer: Observer,
+    ) -> PyResult<Answer> {
+        self.ask(py, (order, observer), |study, _| answers::export(study, to, &path, overwrite))
+    }
+
     /// Reduced equations about the spin.
     fn about_spin(
         &self,

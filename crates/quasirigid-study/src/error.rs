@@ -69,6 +69,11 @@ pub enum StudyError {
         /// Last frequency (rad/s).
         high: f64,
     },
+    /// A body whose equations are more than those of a free body under a torque.
+    NotExported {
+        /// What stands against it and what to do, in words.
+        what: String,
+    },
     /// Reduced equations of a body whose rotors or liquids the spin does not slave. (Q8)
     NoSlowSeries {
         /// The angular velocity of the start (rad/s).
@@ -260,6 +265,7 @@ impl StudyError {
                     "{low} to {high} rad/s is no band of frequencies; give two positive numbers, the smaller first"
                 )
             }
+            Self::NotExported { what } => what.clone(),
             Self::NoSlowSeries { spin } => format!(
                 "rotors and liquids do not follow the spin, {} rad/s: friction or stiffness is too small, the slow series does not hold, and the reduced equations do not hold; follow the body with {} full, where they start at rest in it, or a rotor at the `speed` given in [[rotor]]",
                 significant(*spin, 3),

@@ -64,6 +64,7 @@ pub mod difference;
 pub mod effective_masses;
 mod error;
 pub mod evolution;
+pub mod export;
 mod hashed;
 pub mod histories;
 mod history_columns;

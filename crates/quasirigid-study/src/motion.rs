@@ -135,17 +135,24 @@ impl<'a> Motion<'a> {
             }
             System::Reduced | System::Rigid | System::SpinManifold => {
                 let reduced = self.study.reduced(order)?;
-                let Start { omega, attitude, place, velocity } = self.start;
-                let (omega, attitude) = if system == System::Reduced && self.starts_displaced() {
-                    let slow = self.matched(order.min(MAX_FORCED_ORDER))?;
-                    (self.settled_on(&reduced, &slow)?, slow.attitude)
+                let spin = if system == System::Reduced {
+                    self.reduced_start(&reduced)?
                 } else {
-                    (self.slaving(&reduced, omega)?, attitude)
+                    Start { omega: self.slaving(&reduced, self.start.omega)?, ..self.start }
                 };
-                let spin = Start { omega, attitude, place, velocity };
                 Ok(propagate(&reduced, spin, times, options, observer)?)
             }
         }
+    }
+
+    /// Start of the reduced equations without forces: the one given, or the one on which displacements and rotors off the slow manifold
+    /// settle.
+    pub fn reduced_start(&self, reduced: &ReducedBody) -> Result<Start, StudyError> {
+        if !self.starts_displaced() {
+            return Ok(Start { omega: self.slaving(reduced, self.start.omega)?, ..self.start });
+        }
+        let slow = self.matched(reduced.order.min(MAX_FORCED_ORDER))?;
+        Ok(Start { omega: self.settled_on(reduced, &slow)?, attitude: slow.attitude, ..self.start })
     }
 
     /// The options with an end where the spin passes the slowest elastic frequency: forces can drive a truncated series

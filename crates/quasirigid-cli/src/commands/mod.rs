@@ -6,6 +6,7 @@ pub mod cite;
 pub mod derive;
 pub mod diff;
 pub mod evolve;
+pub mod export;
 pub mod keys;
 pub mod linear;
 pub mod modes;

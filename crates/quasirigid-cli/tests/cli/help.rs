@@ -1,7 +1,7 @@
 use crate::support::{EXAMPLES, STUDIES, ran};
 
-const COMMANDS: [&str; 10] =
-    ["run", "check", "modes", "linear", "derive", "simulate", "evolve", "verify", "cite", "sweep"];
+const COMMANDS: [&str; 11] =
+    ["run", "check", "modes", "linear", "derive", "export", "simulate", "evolve", "verify", "cite", "sweep"];
 
 #[test]
 fn help_lists_every_command_and_the_exit_codes() {

@@ -12,6 +12,7 @@ mod derive;
 mod docs;
 mod effective_masses;
 mod evolve;
+mod export;
 #[cfg(unix)]
 mod faults;
 mod files;

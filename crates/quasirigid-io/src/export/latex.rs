@@ -54,7 +54,7 @@ impl Derived<'_> {
         }
         writeln!(out, "\n\\end{{equation*}}")?;
         let axes = ["x", "y", "z"].map(str::to_owned);
-        degrees.iter().try_for_each(|part| display(out, r"\mu", &axes, part))?;
+        degrees.iter().try_for_each(|part| display(out, (r"\mu", r"\omega"), &axes, part))?;
         self.write_latex_displacements(out)
     }
 
@@ -74,19 +74,26 @@ impl Derived<'_> {
         let sum: Vec<_> = degrees.iter().map(|part| format!("q_{{{}}}(\\omega)", part.degree())).collect();
         writeln!(out, "\\begin{{equation*}}\n  q = {}\n\\end{{equation*}}", sum.join(" + "))?;
         let numbers: Vec<_> = (1..=elastic).map(|number| number.to_string()).collect();
-        degrees.iter().try_for_each(|part| display(out, "q", &numbers, part))
+        degrees.iter().try_for_each(|part| display(out, ("q", r"\omega"), &numbers, part))
     }
 }
 
-/// One degree of a map, a line for each row: the symbol has the degree and the name of the row for indices.
-fn display(out: &mut String, symbol: &str, names: &[String], part: &Homogeneous) -> fmt::Result {
+/// One degree of a map, a line for each row: the symbol has the degree and the name of the row for indices; then the symbol of the
+/// argument.
+pub(super) fn display(
+    out: &mut String,
+    (symbol, argument): (&str, &str),
+    names: &[String],
+    part: &Homogeneous,
+) -> fmt::Result {
     writeln!(out, "\\begin{{align*}}")?;
     for (axis, name) in names.iter().enumerate() {
-        write!(out, "  {symbol}_{{{},{name}}} &= ", part.degree())?;
+        let comma = if name.is_empty() { "" } else { "," };
+        write!(out, "  {symbol}_{{{}{comma}{name}}} &= ", part.degree())?;
         let terms: Vec<_> = part
             .terms()
             .filter(|(_, value)| value[axis].abs() > KEPT * part.amax())
-            .map(|(exponents, value)| term(value[axis], exponents))
+            .map(|(exponents, value)| term(value[axis], exponents, argument))
             .collect();
         let first = terms.first().map(|term| term.trim_start_matches("+ ").to_owned());
         let terms: Vec<_> = first.into_iter().chain(terms.into_iter().skip(1)).collect();
@@ -100,14 +107,16 @@ fn display(out: &mut String, symbol: &str, names: &[String], part: &Homogeneous)
     writeln!(out, "\\end{{align*}}")
 }
 
-fn term(coefficient: f64, exponents: [usize; 3]) -> String {
+fn term(coefficient: f64, exponents: [usize; 3], argument: &str) -> String {
     let sign = if coefficient < 0.0 { "-" } else { "+" };
     let factors = exponents.iter().zip(["x", "y", "z"]).filter(|(power, _)| **power > 0);
     let factors = factors.map(|(power, axis)| match power {
-        1 => format!(r"\omega_{axis}"),
-        _ => format!(r"\omega_{axis}^{{{power}}}"),
+        1 => format!("{argument}_{axis}"),
+        _ => format!("{argument}_{axis}^{{{power}}}"),
     });
-    format!("{sign} {}\\,{}", number(coefficient.abs()), factors.collect::<String>())
+    let factors = factors.collect::<String>();
+    let space = if factors.is_empty() { "" } else { "\\," };
+    format!("{sign} {}{space}{factors}", number(coefficient.abs()))
 }
 
 /// Ten significant digits, or all of them where they are fewer, with the power of ten set as such.

@@ -4,10 +4,12 @@ mod comparison;
 mod forces;
 mod json;
 mod latex;
+mod source;
 mod text;
 
 pub use comparison::Mechanism;
 pub use forces::{DisplacedLoads, Forces, StartLoads};
+pub use source::{Exported, Fmi, Fmu, FreeBody, SourceFile, Target, identifier, momentum_of};
 use std::ops::Range;
 
 use quasirigid_body::{FlexibleBody, ReducedBody};

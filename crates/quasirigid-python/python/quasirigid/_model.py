@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike
 from quasirigid import _arguments, _core, _settings
 from quasirigid._answers import (
     AboutSpin,
+    Answer,
     Check,
     EffectiveMasses,
     Evolution,
@@ -254,6 +255,37 @@ class Model:
         with observer(progress) as watch:
             between = _arguments.band(band)
             return Linear(self._core.linear(name, vector, list(inputs), list(outputs), between, watch))
+
+    def export(
+        self,
+        to: str,
+        path: str | os.PathLike[str],
+        *,
+        order: int | None = None,
+        overwrite: bool = False,
+        progress: Progress = False,
+    ) -> Answer:
+        """Writes the reduced equations of a free body, in the form that cannot gain energy, as source of another language.
+
+        Args:
+            to: ``c``, ``python``, ``matlab``, ``rust``, ``sympy``, ``latex``, ``heyoka``, ``modelica``, ``fmu2`` or ``fmu3``.
+            path: New file, or new folder for C; names in the source are its name.
+            overwrite: Whether to replace a file that is there.
+
+        Raises:
+            UnsupportedError: for forces, supports, and wheels whose speed changes.
+            FileError: for a path that is there or cannot be written.
+            InputError: for an unknown target, and a name that the language does not take.
+
+        >>> import quasirigid, tempfile
+        >>> folder = tempfile.mkdtemp()
+        >>> written = quasirigid.Model(quasirigid.EXAMPLE).export("python", f"{folder}/boom.py")
+        >>> written.holds, written.sentence
+        (True, 'Order 3; the equations hold below 1.50 rad/s and fail from 4.65 rad/s on.')
+        """
+        target, file = _arguments.text(to, "to"), _arguments.path(path, "path")
+        with observer(progress) as watch:
+            return Answer(self._core.export(target, file, _arguments.count(order, "order"), bool(overwrite), watch))
 
     def about_spin(
         self,

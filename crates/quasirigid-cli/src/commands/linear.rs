@@ -19,11 +19,10 @@ pub fn linear(arguments: &LinearArgs) -> Result<ExitStatus, Failure> {
         outputs: arguments.outputs.clone(),
         band: arguments.band,
     };
-    let file =
-        arguments.out.as_deref().map(|path| Ok((path, format(path, arguments.overwrite)?))).transpose()?;
+    let format = arguments.out.as_deref().map(|path| format(path, arguments.overwrite)).transpose()?;
     let found = whole(&arguments.common, || study.linear(&asked))?;
     output::print_answer(arguments.common.json, || found.json(), || found.text())?;
-    if let Some((path, format)) = file {
+    if let (Some(path), Some(format)) = (arguments.out.as_deref(), format) {
         let write = |cause| Failure::Write { path: path.to_owned(), cause };
         let bytes = format.bytes(&found.arrays()).map_err(write)?;
         let placed = output::to_file(path, arguments.overwrite, |out| out.write_all(&bytes))?;

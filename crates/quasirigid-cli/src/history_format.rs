@@ -56,17 +56,12 @@ impl HistoryFormat {
         }
     }
 
-    /// Whether files of the format are binary.
+    /// Whether files of the format are binary, and then have a place for what went into them.
     pub fn is_binary(self) -> bool {
         match self {
             Self::Table(format) => format != TableFormat::Csv,
             Self::Attitude(format) => format.is_binary(),
         }
-    }
-
-    /// Whether files of the format have a place for what went into them.
-    pub fn has_inputs(self) -> bool {
-        self.is_binary()
     }
 }
 

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-import builtins
 import pickle
+import sys
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
@@ -100,15 +99,7 @@ def test_a_file_without_rates_and_a_table_are_read(tmp_path: Path) -> None:
 
 
 def test_a_missing_library_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
-    real = builtins.__import__
-
-    def without(name: str, *rest: Any, **named: Any) -> Any:
-        if name.split(".")[0] == "xarray":
-            raise ModuleNotFoundError(name)
-        return real(name, *rest, **named)
-
-    monkeypatch.setitem(__import__("sys").modules, "xarray", None)
-    monkeypatch.setattr(builtins, "__import__", without)
+    monkeypatch.setitem(sys.modules, "xarray", None)
     with pytest.raises(ImportError, match="this needs xarray, which is not installed: pip install xarray"):
         HISTORY.to_xarray()
 
@@ -118,7 +109,7 @@ def test_wrong_arguments_and_files_are_refused(tmp_path: Path) -> None:
         HISTORY.write_attitude(tmp_path / "spin.txt")
     with pytest.raises(quasirigid.InputError, match="no epoch; write"):
         HISTORY.write_attitude(tmp_path / "spin.aem", epoch="tomorrow")
-    with pytest.raises(quasirigid.InputError, match="'utc', 'tai'|\"utc\", \"tai\""):
+    with pytest.raises(quasirigid.InputError, match='"utc", "tai"'):
         HISTORY.write_attitude(tmp_path / "spin.aem", time_system="local")
     with pytest.raises(quasirigid.InputError, match="leap second"):
         HISTORY.write_attitude(tmp_path / "spin.aem", epoch="2016-12-31T23:59:30")

@@ -119,7 +119,7 @@ fn print_table(
         return output::to_stdout(interrupt, write).map(|()| true);
     };
     let placed = output::to_file(path, arguments.overwrite, write)?;
-    let beside = format.has_inputs() || inputs_beside(&study.inputs(), &placed.path, arguments.overwrite)?;
+    let beside = format.is_binary() || inputs_beside(&study.inputs(), &placed.path, arguments.overwrite)?;
     let setup = match format {
         HistoryFormat::Attitude(format) => {
             let setup = |data: &str| format.setup(&labels, &history.columns, data);

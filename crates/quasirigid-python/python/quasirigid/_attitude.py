@@ -19,10 +19,8 @@ from quasirigid._property import column
 from quasirigid._table import Table, Tabled
 
 if TYPE_CHECKING:
-    import pandas
     import polars
     import xarray
-    from scipy.spatial.transform import Rotation
 
 __all__ = ["Attitude", "Attitudes", "read_attitude"]
 
@@ -45,11 +43,10 @@ class Attitudes(Tabled):
     def _object(self) -> str:
         raise NotImplementedError
 
-    def to_scipy(self) -> Rotation:
+    def to_scipy(self) -> Any:
         """Rotations of SciPy, whose ``apply`` takes body components to those of the reference axes (needs SciPy)."""
         transform = _optional("scipy.spatial.transform", "scipy")
-        rotation: Rotation = transform.Rotation.from_quat(self._stack(*_QUATERNION[1:], "qw"))
-        return rotation
+        return transform.Rotation.from_quat(self._stack(*_QUATERNION[1:], "qw"))
 
     def to_xarray(self) -> xarray.Dataset:
         """Dataset over ``t`` with ``attitude``, ``angular_velocity`` and the other columns, with units (needs xarray)."""
@@ -67,11 +64,9 @@ class Attitudes(Tabled):
         dataset: xarray.Dataset = library.Dataset(variables, coordinates, {"object": self._object})
         return dataset
 
-    def to_pandas(self) -> pandas.DataFrame:
+    def to_pandas(self) -> Any:
         """Data frame of the columns, with ``t`` as its index (needs pandas)."""
-        library = _optional("pandas", "pandas")
-        frame: pandas.DataFrame = library.DataFrame(dict(self.table)).set_index("t")
-        return frame
+        return _optional("pandas", "pandas").DataFrame(dict(self.table)).set_index("t")
 
     def to_polars(self) -> polars.DataFrame:
         """Data frame of the columns (needs polars)."""

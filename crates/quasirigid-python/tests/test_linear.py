@@ -56,23 +56,24 @@ def test_wrong_names_are_refused() -> None:
 SOFT = """
 [carrier]
 mass = 40
+center_of_mass = [0, 0.1, 0]
 inertia = [9, 13, 16]
 
-[[point_mass]]
+[[point]]
 name = "tip"
 mass = 1.2
 position = [0.9, 0.1, 0.3]
 
 [[spring]]
-between = ["tip", "body"]
-kind = "isotropic"
+from = "tip"
+to = "carrier"
 stiffness = 50
-rheology = { kind = "quality-factor", factor = 30 }
+rheology = { kind = "quality-factor", Q = 30 }
 
 [[wheel]]
 name = "w"
 axis = [0, 0.6, 0.8]
-angular_momentum = 2
+momentum = 2
 """
 
 

@@ -1,8 +1,10 @@
 //! Linear models from the command line: names, states, refusals.
 
+use std::fs;
+
 use serde_json::Value;
 
-use crate::support::{MODEL, ran_with};
+use crate::support::{MODEL, folder_with, ran_in, ran_with};
 
 fn numbers(object: &Value, key: &str) -> Vec<Vec<f64>> {
     serde_json::from_value(object[key].clone()).unwrap()
@@ -102,4 +104,58 @@ fn forces_that_hold_the_body_hold_its_model() {
     let row = states.iter().position(|name| name == "rate.z").unwrap();
     // a small turn about z is twice qz
     assert!(A[row][2] < -1.0 / 20.0, "{:?}", A[row]);
+}
+
+/// A spring of constant loss, in place of the dashpot.
+fn lossy() -> String {
+    MODEL.replace("damping = 30.0", "rheology = { kind = \"quality-factor\", Q = 20 }")
+}
+
+#[test]
+fn what_a_material_costs_in_accuracy_is_said_first() {
+    let found = linear(&lossy(), "--at rest --band 1,80");
+    assert_eq!(found["accuracy"]["band"], serde_json::json!([1.0, 80.0]));
+    assert!(found["accuracy"]["error"].as_f64().unwrap() < 0.01, "{}", found["accuracy"]);
+    assert!(names(&found, "states").iter().any(|name| name == "lag.1.1.3"));
+    let ran = ran_with(&lossy(), "linear model.toml --at rest --band 1,80");
+    let first = crate::support::one_line(ran.stdout.lines().nth(2).unwrap());
+    assert!(first.starts_with("The response to torques is within 0."), "{first}");
+    for (band, said) in
+        [("5", "a band is two frequencies"), ("5,1", "5 to 1 rad/s is no band of frequencies")]
+    {
+        let refused = ran_with(&lossy(), &format!("linear model.toml --band {band}"));
+        let told = crate::support::one_line(&refused.stderr);
+        assert!(refused.code == Some(2) && told.contains(said), "{told}");
+    }
+}
+
+#[test]
+fn a_momentum_wheel_has_a_torque_and_an_angular_momentum() {
+    let wheel = "[[wheel]]\nname = \"w\"\naxis = [0, 3, 0]\nmomentum = 2.0\n";
+    let options = "--at rest --inputs torque.x,wheel.w.torque --outputs rate.z,wheel.w.momentum,momentum.y";
+    let found = linear(&format!("{MODEL}{wheel}"), options);
+    assert_eq!(names(&found, "states").last().unwrap(), "wheel.w.momentum");
+    let (B, C) = (numbers(&found, "B"), numbers(&found, "C"));
+    let rate = |output: usize| -> f64 { (0..B.len()).map(|state| C[output][state] * B[state][1]).sum() };
+    assert!((rate(1) - 1.0).abs() < 1e-12 && rate(2).abs() < 1e-12, "{} {}", rate(1), rate(2));
+    let refused = ran_with(&format!("{MODEL}{wheel}"), "linear model.toml --outputs wheel.w.momentum");
+    assert!(crate::support::one_line(refused.refusal()).contains("wheel.w.torque, is an input"));
+}
+
+#[test]
+fn matrices_are_written_for_other_programs_and_replace_nothing() {
+    let folder = folder_with(MODEL);
+    let at = |line: &str| ran_in(folder.path(), &format!("linear model.toml {line}"));
+    let first = at("-o plant.mat");
+    assert_eq!(first.code, Some(0), "{}", first.stderr);
+    assert!(first.stderr.contains("wrote plant.mat"), "{}", first.stderr);
+    let bytes = fs::read(folder.path().join("plant.mat")).unwrap();
+    assert!(bytes.starts_with(b"MATLAB 5.0 MAT-file") && &bytes[124..128] == b"\x00\x01IM");
+    let again = at("-o plant.mat");
+    assert!(again.code == Some(2) && again.stderr.contains("already exists"), "{}", again.stderr);
+    assert_eq!(at("-o plant.mat --overwrite -q").code, Some(0));
+    assert_eq!(at("-o plant.npz").code, Some(0));
+    let odd = at("-o plant.csv");
+    assert!(odd.code == Some(2) && odd.stderr.contains(".mat or .npz"), "{}", odd.stderr);
+    assert_eq!(crate::support::names(folder.path()), ["model.toml", "plant.mat", "plant.npz"]);
 }

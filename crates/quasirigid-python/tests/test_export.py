@@ -148,7 +148,7 @@ def test_what_is_not_exported_is_refused(tmp_path: Path) -> None:
         "README.md",
         "body.c",
         "body.h",
-        "self_test.c",
+        "self-test.c",
     ]
     with pytest.raises(FileError, match="already exists"):
         model.export("c", tmp_path / "body")

@@ -1,4 +1,4 @@
-//! `modelDescription.xml`: variables of the body with their numbers, which `templates/fmu.h` has too.
+//! `modelDescription.xml`: variables of the body with their numbers, which `templates/fmi-unit.h` has too.
 
 use std::fmt::{self, Write};
 
@@ -12,7 +12,7 @@ pub(super) const BUILD: &str = r#"<?xml version="1.0" encoding="UTF-8"?>
   <BuildConfiguration modelIdentifier="{{name}}">
     <SourceFileSet language="C99">
       <SourceFile name="{{name}}.c"/>
-      <SourceFile name="fmi3.c"/>
+      <SourceFile name="fmi-3.c"/>
     </SourceFileSet>
   </BuildConfiguration>
 </fmiBuildDescription>
@@ -200,7 +200,7 @@ fn write_two(out: &mut String, body: &FreeBody, token: &str) -> fmt::Result {
         description(body)
     )?;
     let states = "canGetAndSetFMUstate=\"true\" canSerializeFMUstate=\"true\"";
-    let files = format!("<SourceFiles><File name=\"{name}.c\"/><File name=\"fmi2.c\"/></SourceFiles>");
+    let files = format!("<SourceFiles><File name=\"{name}.c\"/><File name=\"fmi-2.c\"/></SourceFiles>");
     writeln!(out, "  <ModelExchange modelIdentifier=\"{name}\" {states}>{files}</ModelExchange>")?;
     writeln!(
         out,

@@ -44,13 +44,14 @@ impl Fmi {
     }
 }
 
+/// Names of files with a hyphen are never those of a body.
 const HEADER: (FileName, &str) = (FileName::Ending(".h"), include_str!("templates/body.h"));
 const BODY: (FileName, &str) = (FileName::Ending(".c"), include_str!("templates/body.c"));
-const SHARED: (FileName, &str) = (FileName::Whole("fmu.h"), include_str!("templates/fmu.h"));
+const SHARED: (FileName, &str) = (FileName::Whole("fmi-unit.h"), include_str!("templates/fmi-unit.h"));
 const TWO: [(FileName, &str); 4] =
-    [HEADER, BODY, SHARED, (FileName::Whole("fmi2.c"), include_str!("templates/fmi2.c"))];
+    [HEADER, BODY, SHARED, (FileName::Whole("fmi-2.c"), include_str!("templates/fmi2.c"))];
 const THREE: [(FileName, &str); 4] =
-    [HEADER, BODY, SHARED, (FileName::Whole("fmi3.c"), include_str!("templates/fmi3.c"))];
+    [HEADER, BODY, SHARED, (FileName::Whole("fmi-3.c"), include_str!("templates/fmi3.c"))];
 
 /// A functional mock-up unit.
 #[derive(Clone, Debug)]

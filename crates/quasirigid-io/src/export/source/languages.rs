@@ -7,7 +7,7 @@ pub(super) const C: Language = Language {
     files: &[
         (Ending(".h"), include_str!("templates/body.h")),
         (Ending(".c"), include_str!("templates/body.c")),
-        (Whole("self_test.c"), include_str!("templates/self_test.c")),
+        (Whole("self-test.c"), include_str!("templates/self_test.c")),
         (Whole("README.md"), include_str!("templates/README.md")),
     ],
     comment: ["/*\n", " * ", "\n */"],

@@ -77,6 +77,9 @@ const ROUNDING: f64 = 1e-12;
 #[must_use]
 pub fn momentum_of(reduced: &ReducedBody, omega: [f64; 3]) -> Option<[f64; 3]> {
     let mut K = reduced.angular_momentum(omega);
+    if omega == [0.0; 3] {
+        return Some(K);
+    }
     let mut best = (f64::INFINITY, K);
     for _ in 0..STEPS {
         let gap = add(omega, scale(-1.0, reduced.angular_velocity(K)));

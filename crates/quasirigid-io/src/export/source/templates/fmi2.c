@@ -1,5 +1,5 @@
 /* FMI 2.0, model exchange and co-simulation: types, names and numbers are those of the standard. */
-#include "fmu.h"
+#include "fmi-unit.h"
 
 typedef void *fmi2Component;
 typedef unsigned int fmi2ValueReference;

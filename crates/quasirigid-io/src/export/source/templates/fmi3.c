@@ -1,5 +1,5 @@
 /* FMI 3.0, model exchange and co-simulation: types, names and numbers are those of the standard. */
-#include "fmu.h"
+#include "fmi-unit.h"
 
 #include <stdbool.h>
 #include <stdint.h>

@@ -56,7 +56,8 @@ mod tests {
     /// A corner of the quadrant, checked by the conditions of Karush, Kuhn and Tucker, and unknowns that are all free.
     #[test]
     fn no_unknown_is_negative_and_no_slope_leads_further_down() {
-        let A = DMatrix::from_fn(9, 5, |i, j| ((3 * i + 7 * j) as f64).sin() + 0.2 * (i as f64));
+        let on_diagonal = |i, j| if i == j { 0.3 } else { 0.0 };
+        let A = DMatrix::from_fn(9, 5, |i, j| (0.7 * ((i + 1) * (j + 2)) as f64).sin() + on_diagonal(i, j));
         let wanted = DVector::from_vec(vec![0.4, 0.0, 1.5, 0.0, 2.0]);
         let found = nonnegative_least_squares(&A, &(&A * &wanted));
         assert!((found - wanted).amax() < 1e-10);

@@ -94,7 +94,8 @@ def test_other_programs_read_what_is_saved(ending: str, tmp_path: Any) -> None:
 
 def test_the_error_of_a_material_is_told_and_falls_with_the_band() -> None:
     wide, narrow = (Model(SOFT).linear(at="rest", band=band) for band in (None, [5.0, 8.0]))
-    assert wide.to_dict()["accuracy"]["error"] < 0.01 and narrow.to_dict()["accuracy"]["band"] == [5.0, 8.0]
+    assert wide.to_dict()["accuracy"]["error"] < 0.1 and wide.holds
+    assert narrow.to_dict()["accuracy"]["error"] < 0.05 and narrow.to_dict()["accuracy"]["band"] == [5.0, 8.0]
     assert "of the exact one of materials and liquids between" in str(wide)
     with pytest.raises(quasirigid.InputError, match="no band of frequencies"):
         Model(SOFT).linear(band=[3.0, 1.0])

@@ -65,7 +65,7 @@ types! {
         Advection BalancedSpin BodyParts Carried Coordinate CurvedPaths Displaced Dissipator DrivenWheel
         EnergyMotion[f64] ExpandedMotion FlexibleBody FlexibleError Follower Form Gimbal Hinge Hung
         Inertia InertiaError Invariants Kinetics LiquidFlow LiquidMemory Marker Measured Method Mode
-        MotionState[f64] Pair PartMass Polhode Principal Reach ReducedBody Rheology RheologyError
+        MotionState[f64] Pair PartMass Polhode Principal RationalModulus Reach ReducedBody Rheology RheologyError
         SpinCoefficients StraightKinetics Support Velocities Viscoelastic Watched Wheels
     }
     reduction {

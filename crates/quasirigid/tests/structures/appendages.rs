@@ -119,7 +119,7 @@ fn frequency_gap(a: &FlexibleBody, b: &FlexibleBody) -> f64 {
 fn transfer(body: &FlexibleBody, s: C) -> DMatrix<C> {
     let inputs = [0, 1, 2].map(|axis| LinearInput::Torque { axis });
     let outputs = [0, 1, 2].map(|axis| LinearOutput::Rate { axis });
-    let model = LinearModel::about(body, &[], SteadyState::at_rest(body), &inputs, &outputs).unwrap();
+    let model = LinearModel::about(body, &[], SteadyState::at_rest(body), &inputs, &outputs, None).unwrap();
     let of = |rows: &[Vec<f64>]| DMatrix::from_fn(rows.len(), rows[0].len(), |i, k| C::from(rows[i][k]));
     let (A, B) = (of(&model.A), of(&model.B));
     let size = A.nrows();

@@ -25,9 +25,9 @@ pub struct LinearAccuracy {
 const LEAST_SAMPLES: f64 = 24.0;
 const MOST_SAMPLES: f64 = 240.0;
 const WORK: f64 = 4e9;
-/// Share of the slowest rate at which the band of a body begins, and multiple of the fastest at which it ends.
-const BEGINS: f64 = 0.1;
-const ENDS: f64 = 2.0;
+/// Ratio of the slowest rate of a body to the beginning of its band, and of the end to the fastest: the same, as the modulus of a material
+/// of constant loss is met best in the middle.
+const BEYOND: f64 = 10.0;
 
 impl LinearAccuracy {
     /// Compares responses over a band of frequencies (rad/s); none where nothing has a memory, or no response is finite.
@@ -71,5 +71,5 @@ pub(super) fn own_rates(body: &FlexibleBody, state: &SteadyState) -> Result<[f64
     rates.extend(body.memories().iter().map(|liquid| liquid.time.recip()));
     let slowest = rates.iter().copied().fold(f64::INFINITY, f64::min);
     let fastest = rates.iter().copied().fold(0.0, f64::max);
-    Ok(if fastest > 0.0 { [BEGINS * slowest, ENDS * fastest] } else { [1.0; 2] })
+    Ok(if fastest > 0.0 { [slowest / BEYOND, BEYOND * fastest] } else { [1.0; 2] })
 }

@@ -2,7 +2,7 @@
 //! The parts are not negative, so that no motion takes energy from the material.
 //! Equation (M21), docs/theory/15-modes.md.
 
-use nalgebra::{Complex, DMatrix, DVector};
+use nalgebra::Complex;
 
 use crate::math::nonnegative::nonnegative_least_squares;
 use crate::rheology::Rheology;
@@ -53,14 +53,18 @@ impl RationalModulus {
             1 => Complex::new(0.0, frequency / high),
             _ => relaxed(Complex::new(0.0, frequency), rates[column - 2]),
         };
-        let matrix = DMatrix::from_fn(2 * wanted.len(), 2 + rates.len(), |row, column| {
-            let (k, lost) = (row / 2, row % 2);
-            let value = part(column, frequencies[k]);
-            [value.re, value.im][lost] / wanted[k][lost]
-        });
-        let found = nonnegative_least_squares(&matrix, &DVector::repeat(2 * wanted.len(), 1.0));
+        let row = |frequency: f64, [modulus, loss]: [f64; 2]| {
+            let values: Vec<_> = (0..2 + rates.len()).map(|column| part(column, frequency)).collect();
+            [
+                values.iter().map(|value| value.re / modulus).collect(),
+                values.iter().map(|value| value.im / loss).collect(),
+            ]
+        };
+        let rows: Vec<Vec<f64>> =
+            frequencies.iter().zip(wanted).flat_map(|(frequency, wanted)| row(*frequency, wanted)).collect();
+        let found = nonnegative_least_squares(&rows, &vec![1.0; rows.len()]);
         let elements = rates.iter().zip(found.iter().skip(2)).map(|(rate, strength)| [*rate, *strength]);
-        let least = NEGLIGIBLE * found.amax();
+        let least = NEGLIGIBLE * found.iter().copied().fold(0.0, f64::max);
         Self {
             spring: found[0],
             dashpot: found[1] / high,
@@ -68,11 +72,13 @@ impl RationalModulus {
         }
     }
 
-    /// Value at a complex frequency (1/s).
+    /// Value at a complex frequency (1/s), real and imaginary part.
     #[must_use]
-    pub fn at(&self, s: Complex<f64>) -> Complex<f64> {
+    pub fn at(&self, [re, im]: [f64; 2]) -> [f64; 2] {
+        let s = Complex::new(re, im);
         let elements = self.maxwell.iter().map(|[rate, strength]| relaxed(s, *rate) * *strength);
-        elements.sum::<Complex<f64>>() + s * self.dashpot + self.spring
+        let value = elements.sum::<Complex<f64>>() + s * self.dashpot + self.spring;
+        [value.re, value.im]
     }
 
     /// Modulus of fast strain without the dashpot, `μ₀ + Σ μᵢ`.
@@ -102,8 +108,8 @@ mod tests {
     fn error(law: &Rheology, band: [f64; 2]) -> f64 {
         let model = RationalModulus::of(law, band);
         let gaps = spaced(band, 47.0).into_iter().map(|frequency| {
-            let (value, wanted) = (model.at(Complex::new(0.0, frequency)), law.modulus(frequency));
-            (value.re / wanted[0] - 1.0).abs().max((value.im / wanted[1] - 1.0).abs())
+            let ([modulus, loss], wanted) = (model.at([0.0, frequency]), law.modulus(frequency));
+            (modulus / wanted[0] - 1.0).abs().max((loss / wanted[1] - 1.0).abs())
         });
         gaps.fold(0.0, f64::max)
     }

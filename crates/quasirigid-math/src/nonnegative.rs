@@ -8,8 +8,16 @@ const FLAT: f64 = 1e-13;
 const EXCHANGES: usize = 10;
 
 /// Unknowns `x ≥ 0` with the least `|A x − b|`, by the active sets of Lawson and Hanson `[@lawson1974]`.
+///
+/// `rows` are those of `A`, one for each entry of `b`, all of one length.
 #[must_use]
-pub fn nonnegative_least_squares(A: &DMatrix<f64>, b: &DVector<f64>) -> DVector<f64> {
+pub fn nonnegative_least_squares(rows: &[Vec<f64>], b: &[f64]) -> Vec<f64> {
+    let columns = rows.first().map_or(0, Vec::len);
+    let A = DMatrix::from_fn(rows.len(), columns, |row, column| rows[row][column]);
+    least(&A, &DVector::from_column_slice(b)).as_slice().to_vec()
+}
+
+fn least(A: &DMatrix<f64>, b: &DVector<f64>) -> DVector<f64> {
     let count = A.ncols();
     let (mut x, mut free) = (DVector::zeros(count), Vec::new());
     let flat = FLAT * A.tr_mul(b).amax();
@@ -59,11 +67,11 @@ mod tests {
         let on_diagonal = |i, j| if i == j { 0.3 } else { 0.0 };
         let A = DMatrix::from_fn(9, 5, |i, j| (0.7 * ((i + 1) * (j + 2)) as f64).sin() + on_diagonal(i, j));
         let wanted = DVector::from_vec(vec![0.4, 0.0, 1.5, 0.0, 2.0]);
-        let found = nonnegative_least_squares(&A, &(&A * &wanted));
+        let found = least(&A, &(&A * &wanted));
         assert!((found - wanted).amax() < 1e-10);
         for seed in 0..40 {
             let b = DVector::from_fn(9, |i, _| ((seed * 13 + i * 5) as f64).cos());
-            let x = nonnegative_least_squares(&A, &b);
+            let x = least(&A, &b);
             let slope = A.tr_mul(&(&b - &A * &x));
             for j in 0..5 {
                 assert!(x[j] >= 0.0);

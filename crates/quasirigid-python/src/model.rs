@@ -149,11 +149,11 @@ impl Model {
         py: Python<'_>,
         at: Option<&str>,
         spin: Option<[f64; 3]>,
-        inputs: Vec<String>,
-        outputs: Vec<String>,
+        channels: (Vec<String>, Vec<String>),
         band: Option<[f64; 2]>,
         observer: Observer,
     ) -> PyResult<Answer> {
+        let (inputs, outputs) = channels;
         let at = spin.map(LinearAt::Rate).or_else(|| at.and_then(LinearAt::named));
         let asked = LinearSettings { at, inputs, outputs, band };
         self.ask(py, (None, observer), |study, _| answers::linear(study, &asked))

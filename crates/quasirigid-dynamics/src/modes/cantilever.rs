@@ -143,7 +143,7 @@ impl CantileverMode {
 }
 
 /// Mass matrix of the elastic coordinates with the carrier held.
-fn held_mass(body: &FlexibleBody) -> Dense {
+pub(super) fn held_mass(body: &FlexibleBody) -> Dense {
     let elastic = body.elastic();
     let mut A = Dense::zero(elastic);
     let pairs = body.invariants().pairs.iter().filter(|(j, k, _)| *j < elastic && *k < elastic);

@@ -90,8 +90,7 @@ class Model:
         self,
         at: str | None,
         spin: tuple[float, float, float] | None,
-        inputs: list[str],
-        outputs: list[str],
+        channels: tuple[list[str], list[str]],
         band: tuple[float, float] | None,
         observer: _Observer,
     ) -> _Answer: ...

@@ -76,7 +76,7 @@ class Linear(Answer):
         return control.ss(self.A, self.B, self.C, self.D, **names)
 
     def to_xarray(self, omega: ArrayLike) -> Any:
-        """:meth:`frequency_response` as a ``xarray.DataArray`` over ``omega``, ``output`` and ``input``.
+        """Transfer matrix at frequencies (rad/s) ``(k,)``, as a ``xarray.DataArray`` over ``omega``, ``output`` and ``input``.
 
         >>> import quasirigid
         >>> plant = quasirigid.Model(quasirigid.EXAMPLE).linear(at="rest")

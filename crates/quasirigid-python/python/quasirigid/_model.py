@@ -254,7 +254,7 @@ class Model:
         vector = None if isinstance(at, str) else _arguments.vector(at, "at")
         with observer(progress) as watch:
             between = _arguments.band(band)
-            return Linear(self._core.linear(name, vector, list(inputs), list(outputs), between, watch))
+            return Linear(self._core.linear(name, vector, (list(inputs), list(outputs)), between, watch))
 
     def export(
         self,

@@ -110,10 +110,11 @@ impl<'a> Pencil<'a> {
 
     /// Modulus of a material.
     fn modulus(&self, number: usize, lambda: C) -> C {
-        if let Some(rational) = self.rational {
-            return rational[number].at(lambda);
-        }
-        let [re, im] = self.body.viscoelastic()[number].rheology.continued([lambda.re, lambda.im]);
+        let s = [lambda.re, lambda.im];
+        let [re, im] = match self.rational {
+            Some(rational) => rational[number].at(s),
+            None => self.body.viscoelastic()[number].rheology.continued(s),
+        };
         C::new(re, im)
     }
 

@@ -1,14 +1,14 @@
 //! Error of a linear model by the states that stand for memories, against the exact responses of materials and liquids.
 //! Equation (M21), docs/theory/15-modes.md.
 
-use crate::math::eigen::NoConvergence;
+use crate::math::eigen::{Dense, NoConvergence, modes};
 use crate::math::vec3::norm;
 use crate::model::{FlexibleBody, RationalModulus};
+use crate::modes::cantilever::held_mass;
 use crate::modes::forced::frame_rotation::FrameRotation;
 use crate::modes::forced::pencil::Pencil;
 use crate::modes::forced::state::SteadyState;
 use crate::modes::forced::system::System;
-use crate::reduction::frequencies;
 
 /// Error of the angular velocities that torques on the carrier cause. (M21)
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -67,7 +67,11 @@ pub(super) fn own_rates(body: &FlexibleBody, state: &SteadyState) -> Result<[f64
     if body.viscoelastic().is_empty() && body.memories().is_empty() {
         return Ok([1.0; 2]);
     }
-    rates.extend(frequencies(body)?.into_iter().filter(|frequency| *frequency > 0.0));
+    if body.elastic() > 0 {
+        let stiffness = Dense::of(&body.stiffness().block(0..body.elastic()));
+        let vibrations = modes(&held_mass(body), &stiffness)?.frequencies;
+        rates.extend(vibrations.into_iter().filter(|rate| *rate > 0.0 && rate.is_finite()));
+    }
     rates.extend(body.memories().iter().map(|liquid| liquid.time.recip()));
     let slowest = rates.iter().copied().fold(f64::INFINITY, f64::min);
     let fastest = rates.iter().copied().fold(0.0, f64::max);

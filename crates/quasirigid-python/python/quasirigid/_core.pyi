@@ -16,6 +16,7 @@ __all__ = [
     "Reduced",
     "RunAnswer",
     "Sweep",
+    "array_file",
     "evolve_ellipsoids",
     "former_argument",
     "read_attitude",

@@ -100,7 +100,7 @@ pub fn linear(study: &Study, asked: &LinearSettings) -> Result<Answer, Failure> 
     Ok(Answer {
         json: Json(found.json()),
         text: found.text(),
-        sentence: found.sentence.clone(),
+        sentence: found.verdict(),
         holds: found.holds(),
         notes: study.model.notes.clone(),
         numbers: BTreeMap::new(),

@@ -12,10 +12,11 @@ use quasirigid::modes::{
 use quasirigid_io::array_file::{ArrayValue, NamedArray};
 use quasirigid_io::record::InputsRecord;
 use quasirigid_math::vec3::{add, norm, scale};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 
 use crate::error::StudyError;
+use crate::left_out::LeftOut;
 use crate::modes::of_start;
 use crate::steady_state;
 use crate::study::Study;
@@ -58,7 +59,7 @@ pub struct LinearSettings {
 }
 
 /// Linear model with the names of its rows and columns; the first paragraph of a field is the reference of `--json` in the guide.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Deserialize, Serialize)]
 pub struct LinearObject {
     /// Title of the model.
     pub name: String,
@@ -82,12 +83,16 @@ pub struct LinearObject {
     pub D: Vec<Vec<f64>>,
     /// Error by the states of materials and liquids with a memory; null where nothing has one.
     pub accuracy: Option<AccuracyObject>,
+    /// Reason for which the equations of motion are not those of the body in this state; null where there is none.
+    pub wrong: Option<String>,
+    /// Liquids whose exact response is not known, so that the error does not contain theirs.
+    pub not_compared: Vec<String>,
     /// What went in, as `inputs` of every other answer.
     pub source: InputsRecord,
 }
 
 /// Steady state of a linear model.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Deserialize, Serialize)]
 pub struct EquilibriumObject {
     /// Angular velocity (rad/s), body axes.
     pub spin: [f64; 3],
@@ -100,23 +105,23 @@ pub struct EquilibriumObject {
 }
 
 /// Error of a linear model.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Deserialize, Serialize)]
 pub struct AccuracyObject {
     /// First and last frequency (rad/s) that it is told for.
     pub band: [f64; 2],
-    /// Largest relative error of the angular velocities that torques on the carrier cause.
-    pub error: f64,
+    /// Largest relative error of the angular velocities that torques on the carrier cause; null where the exact response is not known.
+    pub error: Option<f64>,
     /// Frequency (rad/s) of that error.
     pub frequency: f64,
 }
 
 /// State, input or output of a linear model.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Debug, Deserialize, PartialEq, Eq, Serialize)]
 pub struct Channel {
     /// Name.
     pub name: String,
     /// SI unit.
-    pub unit: &'static str,
+    pub unit: String,
 }
 
 const AXES: [&str; 3] = ["x", "y", "z"];
@@ -129,9 +134,9 @@ impl LinearObject {
             let line = |channel: &Channel| format!("    {} ({})\n", channel.name, channel.unit);
             channels.iter().map(line).collect::<String>()
         };
-        let accuracy = self.accuracy.as_ref().map_or_else(String::new, AccuracyObject::sentence);
+        let doubts: String = self.doubts().iter().map(|doubt| format!("  {doubt}\n\n")).collect();
         format!(
-            "{}: linear model\n\n{accuracy}  {}\n\n  Inputs\n{}  Outputs\n{}  {} states; the matrices A, B, C, D: --json\n",
+            "{}: linear model\n\n{doubts}  {}\n\n  Inputs\n{}  Outputs\n{}  {} states; the matrices A, B, C, D: --json\n",
             self.name,
             self.sentence,
             list(&self.inputs),
@@ -140,10 +145,30 @@ impl LinearObject {
         )
     }
 
-    /// False where materials or liquids are missed by more than a tenth.
+    /// What is to be read before the matrices, the gravest first: how far materials and liquids are met.
+    fn doubts(&self) -> Vec<String> {
+        let wrong = self.wrong.iter().map(|why| format!("{FAILS}: {why}"));
+        let accuracy = self.accuracy.iter().map(AccuracyObject::sentence);
+        let unknown = (!self.not_compared.is_empty()).then(|| {
+            format!(
+                "Liquids are in the model by slow flow and a few relaxations; how far that is from the response of {} is not known.",
+                self.not_compared.join(", ")
+            )
+        });
+        wrong.chain(accuracy).chain(unknown).collect()
+    }
+
+    /// The state, after the reason for which the model does not hold.
+    #[must_use]
+    pub fn verdict(&self) -> String {
+        let doubts = if self.holds() { Vec::new() } else { self.doubts() };
+        doubts.into_iter().chain([self.sentence.clone()]).collect::<Vec<_>>().join(" ")
+    }
+
+    /// False where materials or liquids are missed by more than a tenth, or the equations are not those of a liquid that spins.
     #[must_use]
     pub fn holds(&self) -> bool {
-        self.accuracy.as_ref().is_none_or(|accuracy| accuracy.error < LARGE)
+        self.wrong.is_none() && self.accuracy.as_ref().is_none_or(AccuracyObject::holds)
     }
 
     /// Matrices, names and units for a file of arrays.
@@ -155,7 +180,7 @@ impl LinearObject {
         };
         let row = |entries: &[f64]| matrix(&[entries.to_vec()], entries.len());
         let names = |channels: &[Channel]| channels.iter().map(|channel| channel.name.clone()).collect();
-        let units = |channels: &[Channel]| channels.iter().map(|channel| channel.unit.to_owned()).collect();
+        let units = |channels: &[Channel]| channels.iter().map(|channel| channel.unit.clone()).collect();
         let (states, inputs) = (self.states.len(), self.inputs.len());
         let numbers = [
             ("A", matrix(&self.A, states)),
@@ -191,24 +216,34 @@ impl LinearObject {
     }
 }
 
-/// Error from which a linear model does not hold.
+/// Error from which a linear model does not hold, and the words for that.
 const LARGE: f64 = 0.1;
+const FAILS: &str = "DOES NOT HOLD";
 
 impl AccuracyObject {
+    fn holds(&self) -> bool {
+        self.error.is_some_and(|error| error < LARGE)
+    }
+
     fn sentence(&self) -> String {
-        let Self { band, error, frequency } = self;
-        let [low, high, at, share] = [band[0], band[1], *frequency, 100.0 * error].map(|x| significant(x, 3));
-        let told = if *error < LARGE { "The" } else { "DOES NOT HOLD: the" };
+        let [low, high, at] = [self.band[0], self.band[1], self.frequency].map(|x| significant(x, 3));
+        let Some(error) = self.error else {
+            return format!(
+                "{FAILS}: at {at} rad/s the exact response of materials and liquids is not known."
+            );
+        };
+        let told = if self.holds() { "The".into() } else { format!("{FAILS}: the") };
+        let share = significant(100.0 * error, 3);
         format!(
-            "  {told} response to torques is within {share} % of the exact one of materials and liquids between {low} and {high} rad/s, worst \
-             at {at} rad/s.\n\n"
+            "{told} response to torques is within {share} % of the exact one of materials and liquids between {low} and {high} rad/s, worst at \
+             {at} rad/s."
         )
     }
 }
 
 impl From<LinearAccuracy> for AccuracyObject {
     fn from(LinearAccuracy { band, error, frequency }: LinearAccuracy) -> Self {
-        Self { band, error, frequency }
+        Self { band, error: error.is_finite().then_some(error), frequency }
     }
 }
 
@@ -236,13 +271,15 @@ impl Study {
         let found = LinearModel::about(&self.body, &forces, state, &inputs, &outputs, asked.band);
         let LinearModel { equilibrium, states, A, B, C, D, accuracy } = found.map_err(StudyError::Linear)?;
         let channels = |names: Vec<String>, units: Vec<&'static str>| {
-            names.into_iter().zip(units).map(|(name, unit)| Channel { name, unit }).collect()
+            names.into_iter().zip(units).map(|(name, unit)| Channel { name, unit: unit.to_owned() }).collect()
         };
         Ok(LinearObject {
             name: self.model.name.clone(),
             sentence: sentence(&equilibrium),
             states: states.iter().map(|state| self.named(*state, &ins)).collect(),
             accuracy: accuracy.map(AccuracyObject::from),
+            wrong: LeftOut::at(self, equilibrium.omega, None).liquids,
+            not_compared: self.not_compared(),
             inputs: channels(ins, inputs.iter().map(unit_of_input).collect()),
             outputs: channels(outs, outputs.iter().map(|output| self.unit_of_output(output)).collect()),
             equilibrium: self.equilibrium(&equilibrium),
@@ -282,6 +319,17 @@ impl Study {
         }
     }
 
+    /// Names of the liquids whose response is known at no frequency but the lowest.
+    fn not_compared(&self) -> Vec<String> {
+        let coordinates = self.body.coordinates();
+        let known = |name: &str| {
+            let liquids = self.body.memories().iter();
+            liquids.map(|liquid| coordinates[liquid.coordinates.start].part()).any(|part| part == name)
+        };
+        let names = self.model.assembly.cavities.iter().map(|cavity| plain(&cavity.name));
+        names.filter(|name| !known(name)).collect()
+    }
+
     fn equilibrium(&self, state: &SteadyState) -> EquilibriumObject {
         let elastic = self.body.coordinates().iter().take(self.body.elastic());
         EquilibriumObject {
@@ -311,7 +359,7 @@ impl Study {
             }
             LinearState::Wheel(input) => (inputs[input].replace(".torque", ".momentum"), "N m s"),
         };
-        Channel { name, unit }
+        Channel { name, unit: unit.to_owned() }
     }
 
     fn input(&self, name: &str) -> Result<LinearInput, StudyError> {

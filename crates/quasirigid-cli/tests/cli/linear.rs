@@ -159,3 +159,26 @@ fn matrices_are_written_for_other_programs_and_replace_nothing() {
     assert!(odd.code == Some(2) && odd.stderr.contains(".mat or .npz"), "{}", odd.stderr);
     assert_eq!(crate::support::names(folder.path()), ["model.toml", "plant.mat", "plant.npz"]);
 }
+
+/// A box of water, whose response is known to the slow flow alone.
+#[test]
+fn a_liquid_that_is_not_known_is_said_first() {
+    let water = "[[cavity]]\nname = \"tank\"\nshape = \"box\"\nsides = [0.6, 0.5, 0.4]\ncenter = [0, 0, 0]\n\
+                 density = 1000\nkinematic_viscosity = \"1 cSt\"\n";
+    let tank = format!("{MODEL}{water}");
+    for (at, code, said) in [
+        (
+            "0,0,1",
+            1,
+            "DOES NOT HOLD: The equations of motion describe liquids by slow flow and a few relaxations",
+        ),
+        ("rest", 0, "how far that is from the response of tank is not known"),
+    ] {
+        let ran = ran_with(&tank, &format!("linear model.toml --at {at}"));
+        let told = crate::support::one_line(&ran.stdout);
+        assert!(ran.code == Some(code) && told.contains(said), "{at}: {:?} {told}", ran.code);
+        let at_the_state = told.find("About").unwrap();
+        assert!(told.find(said).unwrap() < at_the_state, "{told}");
+    }
+    assert_eq!(linear(&tank, "--at rest")["not_compared"], serde_json::json!(["tank"]));
+}

@@ -15,7 +15,7 @@ use crate::modes::forced::system::System;
 pub struct LinearAccuracy {
     /// Frequencies (rad/s) between which it is told.
     pub band: [f64; 2],
-    /// Largest relative error of the response.
+    /// Largest relative error of the response; infinite where a response is not known.
     pub error: f64,
     /// Frequency (rad/s) of that error.
     pub frequency: f64,
@@ -30,30 +30,33 @@ const WORK: f64 = 4e9;
 const BEYOND: f64 = 10.0;
 
 impl LinearAccuracy {
-    /// Compares responses over a band of frequencies (rad/s); none where nothing has a memory, or no response is finite.
+    /// Compares responses over a band of frequencies (rad/s).
     pub(super) fn compute(
         body: &FlexibleBody,
         state: &SteadyState,
         system: &System,
         (moduli, followed): (&[RationalModulus], bool),
         band: [f64; 2],
-    ) -> Option<Self> {
-        if moduli.is_empty() && body.memories().is_empty() {
-            return None;
-        }
+    ) -> Self {
         let attitude = state.turning != FrameRotation::Own;
         let pencil = || Pencil::new(body, system, attitude, followed);
         let (exact, model) = (pencil(), pencil().with_states(moduli));
         let size = (3 + body.coordinates().len()) as f64;
         let samples = (WORK / size.powi(3)).clamp(LEAST_SAMPLES, MOST_SAMPLES).floor();
         let [low, high] = band;
-        let gaps = (0..samples as usize).filter_map(|k| {
-            let frequency = low * (high / low).powf(k as f64 / (samples - 1.0));
+        let error = |frequency: f64| {
             let (exact, model) = (exact.response(frequency)?, model.response(frequency)?);
-            let error = (model - exact).norm() / exact.norm();
-            error.is_finite().then_some(Self { band, error, frequency })
-        });
-        gaps.max_by(|a, b| a.error.total_cmp(&b.error))
+            Some((model - exact).norm() / exact.norm()).filter(|error| error.is_finite())
+        };
+        let mut worst = Self { band, error: 0.0, frequency: low };
+        for k in 0..samples as usize {
+            let frequency = low * (high / low).powf(k as f64 / (samples - 1.0));
+            let error = error(frequency).unwrap_or(f64::INFINITY);
+            if error > worst.error {
+                worst = Self { band, error, frequency };
+            }
+        }
+        worst
     }
 }
 
@@ -64,9 +67,6 @@ impl LinearAccuracy {
 pub(super) fn own_rates(body: &FlexibleBody, state: &SteadyState) -> Result<[f64; 2], NoConvergence> {
     let spin = norm(state.omega);
     let mut rates: Vec<f64> = if spin > 0.0 { vec![spin] } else { Vec::new() };
-    if body.viscoelastic().is_empty() && body.memories().is_empty() {
-        return Ok([1.0; 2]);
-    }
     if body.elastic() > 0 {
         let stiffness = Dense::of(&body.stiffness().block(0..body.elastic()));
         let vibrations = modes(&held_mass(body), &stiffness)?.frequencies;
@@ -75,5 +75,5 @@ pub(super) fn own_rates(body: &FlexibleBody, state: &SteadyState) -> Result<[f64
     rates.extend(body.memories().iter().map(|liquid| liquid.time.recip()));
     let slowest = rates.iter().copied().fold(f64::INFINITY, f64::min);
     let fastest = rates.iter().copied().fold(0.0, f64::max);
-    Ok(if fastest > 0.0 { [slowest / BEYOND, BEYOND * fastest] } else { [1.0; 2] })
+    Ok([slowest / BEYOND, BEYOND * fastest])
 }

@@ -183,19 +183,22 @@ impl LinearModel {
         let (forces, followed) = effective(body, forces);
         let instant = equilibrium.at(0.0);
         let system = System::about(body, Slopes::of(body, &forces, &instant), &instant, followed);
-        let band = match band {
-            Some(band) => band,
-            None => accuracy::own_rates(body, &equilibrium).map_err(SteadyError::from)?,
+        let remembers = !body.viscoelastic().is_empty() || !body.memories().is_empty();
+        let band = match band.filter(|_| remembers) {
+            None if remembers => Some(accuracy::own_rates(body, &equilibrium).map_err(SteadyError::from)?),
+            asked => asked,
         };
-        let moduli: Vec<_> =
-            body.viscoelastic().iter().map(|part| RationalModulus::of(&part.rheology, band)).collect();
+        let modulus =
+            |band| body.viscoelastic().iter().map(move |part| RationalModulus::of(&part.rheology, band));
+        let moduli: Vec<_> = band.into_iter().flat_map(modulus).collect();
         let lags: Vec<_> =
             body.viscoelastic().iter().zip(&moduli).map(|(part, own)| Lag::of(part, own)).collect();
         let states = lags.iter().map(Lag::states).sum();
         if states > MOST_STATES {
             return Err(LinearError::States { states });
         }
-        let accuracy = LinearAccuracy::compute(body, &equilibrium, &system, (&moduli, followed), band);
+        let compared = |band| LinearAccuracy::compute(body, &equilibrium, &system, (&moduli, followed), band);
+        let accuracy = band.map(compared);
         let small = SmallMotions::new(body, &instant, system, followed, inputs, &lags)?;
         let rows: Vec<_> = outputs.iter().map(|output| small.output(output)).collect::<Result<_, _>>()?;
         let (C, D) = rows.into_iter().unzip();

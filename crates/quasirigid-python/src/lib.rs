@@ -32,7 +32,7 @@ mod _core {
     #[pymodule_export]
     use crate::arguments::former_argument;
     #[pymodule_export]
-    use crate::arrays::array_file;
+    use crate::arrays::linear_file;
     #[pymodule_export]
     use crate::attitude::{read_attitude, write_attitude};
     #[pymodule_export]

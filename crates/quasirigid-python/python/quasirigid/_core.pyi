@@ -16,9 +16,9 @@ __all__ = [
     "Reduced",
     "RunAnswer",
     "Sweep",
-    "array_file",
     "evolve_ellipsoids",
     "former_argument",
+    "linear_file",
     "read_attitude",
     "read_sweep",
     "to_toml",
@@ -33,18 +33,13 @@ _Observer: TypeAlias = Callable[[str, float], object] | None
 _Floats: TypeAlias = NDArray[np.float64]
 _Answer: TypeAlias = dict[str, Any]
 
-def array_file(
-    name: str,
-    matrices: list[tuple[str, _Floats]],
-    texts: list[tuple[str, str]],
-    lists: list[tuple[str, list[str]]],
-) -> bytes: ...
 def evolve_ellipsoids(columns: dict[str, Any], reproducible: bool, observer: _Observer) -> _Answer: ...
 def former_argument(name: str) -> str: ...
 def to_toml(model: dict[str, Any]) -> str: ...
 def with_changes(text: str, changes: dict[str, Any]) -> str: ...
 def read_attitude(file: str) -> tuple[Columns, tuple[str, str, str | None, str | None]]: ...
 def write_attitude(file: str, format: str | None, columns: Columns, asked: dict[str, Any]) -> None: ...
+def linear_file(name: str, model: str) -> bytes: ...
 def read_sweep(folder: str) -> tuple[Columns, dict[str, Any], str]: ...
 @final
 class Collector:

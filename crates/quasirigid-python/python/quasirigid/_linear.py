@@ -124,14 +124,4 @@ class Linear(Answer):
             InputError: for another ending.
         """
         file = Path(path)
-        if file.suffix.lower() not in (".mat", ".npz"):
-            raise InputError(f"{file}: give a .mat or a .npz file")
-        state = self.to_dict()["equilibrium"]
-        rows = [(key, np.array([state[key]], dtype=np.float64)) for key in ("spin", "momentum", "attitude")]
-        matrices = [(key, np.ascontiguousarray(getattr(self, key))) for key in "ABCD"] + rows
-        source = json.dumps(self.to_dict()["source"])
-        texts = [("name", self.to_dict()["name"]), ("sentence", self.sentence), ("source", source)]
-        channels = {key: self.to_dict()[key] for key in ("states", "inputs", "outputs")}
-        lists = [(key, [channel["name"] for channel in own]) for key, own in channels.items()]
-        lists += [(f"{key}_units", [channel["unit"] for channel in own]) for key, own in channels.items()]
-        file.write_bytes(bytes(_core.array_file(file.name, matrices, texts, lists)))
+        file.write_bytes(bytes(_core.linear_file(file.name, json.dumps(self.to_dict()))))

@@ -259,6 +259,12 @@ impl Study {
             if given.is_empty() { usual.to_vec() } else { given.to_vec() }
         };
         let (ins, outs) = (or(&asked.inputs, "torque"), or(&asked.outputs, "rate"));
+        for names in [&ins, &outs] {
+            let mut places = names.iter().enumerate();
+            if let Some((_, name)) = places.find(|(place, name)| names[..*place].contains(name)) {
+                return Err(no_channel(name, "each name once"));
+            }
+        }
         if let Some([low, high]) =
             asked.band.filter(|[low, high]| !(0.0 < *low && low < high && high.is_finite()))
         {

@@ -73,6 +73,10 @@ fn wrong_names_are_refused_in_words() {
         ),
         ("--outputs acceleration.tipp.x", "give one of the nodes, such as tip"),
         ("--outputs wheel.w.speed", "give the name of a [[rotor]] about one axis"),
+        (
+            "--inputs torque.x,torque.y,torque.x",
+            "\"torque.x\" is no input or output here; give each name once",
+        ),
         ("--at fast", "\"fast\" is no steady state; give --at rest, --at spin"),
         ("--at 1,2", "is no steady state"),
     ] {

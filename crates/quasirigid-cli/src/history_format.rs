@@ -17,17 +17,21 @@ pub enum HistoryFormat {
 }
 
 impl Named for HistoryFormat {
-    const VALUES: &'static [(&'static str, Self, &'static str)] = &[
-        of_table(0),
-        of_table(1),
-        of_table(2),
-        of_attitude(0),
-        of_attitude(1),
-        of_attitude(2),
-        of_attitude(3),
-        of_attitude(4),
-    ];
+    const VALUES: &'static [(&'static str, Self, &'static str)] = &ALL;
 }
+
+const TABLES: usize = TableFormat::VALUES.len();
+
+/// The formats of tables, then those of attitude files.
+const ALL: [(&str, HistoryFormat, &str); TABLES + AttitudeFormat::VALUES.len()] = {
+    let mut all = [of_table(0); TABLES + AttitudeFormat::VALUES.len()];
+    let mut place = 0;
+    while place < all.len() {
+        all[place] = if place < TABLES { of_table(place) } else { of_attitude(place - TABLES) };
+        place += 1;
+    }
+    all
+};
 
 const fn of_table(place: usize) -> (&'static str, HistoryFormat, &'static str) {
     let (name, format, meaning) = TableFormat::VALUES[place];

@@ -3,6 +3,14 @@ class Clock {
   constructor(start, end, loops = false) {
     Object.assign(this, { start, end, loops, time: start, speed: 1, playing: false, step: 0 });
     this.last = null;
+    this.kept = null;
+  }
+
+  /** Takes the place of another clock. Frames of an unfinished run end early: what they cut off comes back with the rest of them. */
+  replace({ time, playing, speed, end, kept }) {
+    this.kept = time === end && kept?.time >= end ? kept : { time, playing };
+    this.time = clamp(this.kept.time, this.start, this.end);
+    Object.assign(this, { playing: this.kept.playing, speed });
   }
 
   get part() {
@@ -17,6 +25,7 @@ class Clock {
     if (playing && !this.loops && this.time >= this.end) this.time = this.start;
     this.playing = playing;
     this.last = null;
+    if (this.kept) this.kept.playing = playing;
   }
 
   /** Goes on to a moment of real time, in milliseconds; a long pause, as of a hidden page, is not made up for. */
@@ -29,6 +38,7 @@ class Clock {
     if (this.time < this.end) return;
     if (this.loops) this.time = this.start + ((this.time - this.start) % (this.end - this.start));
     else {
+      if (!(this.kept?.time > this.end)) this.kept = { time: this.end, playing: true };
       this.time = this.end;
       this.playing = false;
     }

@@ -46,12 +46,12 @@ class Viewer {
     return new Frames(arrays, this.between);
   }
 
-  /** Shows a list of frames, at the same share of its time as before. */
+  /** Shows a list of frames, at the same time as before. */
   follow(frames) {
     this.frames = frames;
-    const { playing = false, speed = 1, time = frames?.start ?? 0 } = this.mode ? this.runClock : this.clock ?? {};
     const clock = new Clock(frames?.start ?? 0, frames?.end ?? 1);
-    Object.assign(clock, { playing: playing && Boolean(frames), speed, time: clamp(time, clock.start, clock.end) });
+    const before = this.mode ? this.runClock : this.clock;
+    if (before && frames) clock.replace(before);
     if (this.mode) this.runClock = clock;
     else this.clock = clock;
     if (frames) {

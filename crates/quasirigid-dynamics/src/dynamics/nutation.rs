@@ -45,9 +45,9 @@ struct Level {
     /// `|K|` (N·m·s).
     angular_momentum: f64,
     nutation: Nutation,
-    /// Directions of `K` where the angle from the axis is stationary.
+    /// Directions of `K` where the angle from the axis is stationary; none where it is the same all round.
     extremes: Vec<[f64; 3]>,
-    /// Greatest angle (rad) of the last level that was gone round.
+    /// Greatest angle (rad) of the last level that was gone round; 0 where none is followed from it.
     circuit: f64,
 }
 
@@ -75,6 +75,8 @@ const NEWTON_STEPS: usize = 6;
 const NEWTON_CLOSED: f64 = 1e-13;
 /// Step of the differences in Newton's method (rad).
 const DIFFERENCE: f64 = 1e-6;
+/// Share of the motion of the direction towards or away from the axis that is none.
+const CIRCLE: f64 = 1e-10;
 /// Angle (rad) by which the state may lie outside the extremes that are followed.
 const OUTSIDE: f64 = 1e-10;
 
@@ -89,6 +91,12 @@ impl Along<'_> {
     fn velocity(&self, u: [f64; 3]) -> [f64; 3] {
         let [x, y, z, _] = self.slope.at(scale(self.angular_momentum, u));
         cross(u, [x, y, z])
+    }
+
+    /// Whether the direction moves around an axis, neither towards it nor away.
+    fn keeps_angle(&self, axis: [f64; 3], u: [f64; 3]) -> bool {
+        let velocity = self.velocity(u);
+        dot(velocity, axis).abs() <= CIRCLE * norm(velocity)
     }
 }
 
@@ -171,7 +179,7 @@ impl<'b> Nutations<'b> {
             let axis = self.circled(start)?;
             let angle = angle(axis, start);
             let nutation = Nutation { axis, least: angle, greatest: angle };
-            return Some(Level { energy, angular_momentum, nutation, extremes: Vec::new(), circuit: angle });
+            return Some(Level { energy, angular_momentum, nutation, extremes: Vec::new(), circuit: 0.0 });
         }
         let size = angle(self.circled(start)?, start).min(1.0);
         let places = once_round(&along, start, velocity, (STEP_TOLERANCE * size).max(DIRECTION_ROUNDING))?;
@@ -180,6 +188,11 @@ impl<'b> Nutations<'b> {
             add(sum, scale(after - before, add(from, to)))
         });
         let axis = self.circled(mean)?;
+        if places.iter().all(|(_, u)| along.keeps_angle(axis, *u)) {
+            let here = angle(axis, start);
+            let nutation = Nutation { axis, least: here, greatest: here };
+            return Some(Level { energy, angular_momentum, nutation, extremes: Vec::new(), circuit: here });
+        }
         let exact = |u: [f64; 3]| {
             let found = self.stationary(&along, axis, energy, u).filter(|_| angle(axis, u) >= FOLLOWED);
             found.unwrap_or(u)
@@ -188,13 +201,21 @@ impl<'b> Nutations<'b> {
         let extremes: Vec<_> = extremes.collect();
         let passed = places.iter().map(|(_, u)| u);
         let nutation = Nutation::between(axis, passed.chain(&extremes));
-        Some(Level { energy, angular_momentum, nutation, extremes, circuit: nutation.greatest })
+        let circuit = if extremes.is_empty() { 0.0 } else { nutation.greatest };
+        Some(Level { energy, angular_momentum, nutation, extremes, circuit })
     }
 
-    /// The level through a direction, its extreme angles followed from the last level; none where they cannot be.
+    /// The level through a direction, its extreme angles followed from the last level; none where they cannot be. Circles about the axis
+    /// have none: the angle is that of the direction.
     fn followed(&self, start: [f64; 3], angular_momentum: f64, energy: f64) -> Option<Level> {
-        let last = self.last.as_ref().filter(|last| !last.extremes.is_empty())?;
+        let last = self.last.as_ref()?;
         let axis = self.circled(last.nutation.axis)?;
+        if last.is_circle() {
+            let here = angle(axis, start);
+            let nutation = Nutation { axis, least: here, greatest: here };
+            let near = here >= FOLLOWED && (here / last.circuit - 1.0).abs() <= FAR;
+            return near.then(|| Level { energy, angular_momentum, nutation, ..last.clone() });
+        }
         let along = Along { slope: &self.slope, angular_momentum };
         let extremes = last.extremes.iter().map(|u| self.stationary(&along, axis, energy, *u));
         let extremes = extremes.collect::<Option<Vec<_>>>()?;
@@ -257,6 +278,11 @@ impl Nutation {
 }
 
 impl Level {
+    /// Whether the angle is the same all round, as for a body of revolution.
+    fn is_circle(&self) -> bool {
+        self.extremes.is_empty() && self.circuit > 0.0
+    }
+
     /// Numbers from which it is made again.
     fn numbers(&self) -> Vec<f64> {
         let Nutation { axis: [x, y, z], least, greatest } = self.nutation;

@@ -2,7 +2,7 @@
 
 use quasirigid::averaging::FreeRotation;
 use quasirigid::dynamics::{Nutations, Observer, Options, Sample, Start, propagate, steady_spins};
-use quasirigid::elements::{Assembly, Wheel, WheelSpeed};
+use quasirigid::elements::{Assembly, End, Wheel, WheelSpeed};
 use quasirigid::model::{Mode, Principal, ReducedBody};
 use quasirigid::problems::ring_of_points;
 use quasirigid::reduction::reduce;
@@ -101,19 +101,15 @@ fn momentum_wheels_turn_the_axis_that_is_circled() {
     assert_seen(&body, omega, 60.0);
 }
 
-/// Row after row of a motion that decays, with a separatrix on the way, the angles are those that each row has by itself.
-#[test]
-fn rows_have_the_angles_that_each_has_alone() {
-    let body = reduce(&ring_of_points(7).body().unwrap(), 3).unwrap();
-    let omega = [0.9, 0.05, 0.1];
+/// Asserts that the angles of the rows of a motion are those that each has alone.
+fn assert_rows_stand_alone(body: &ReducedBody, omega: [f64; 3]) {
     let times: Vec<f64> = (0..=300).map(|i| 40.0 * f64::from(i)).collect();
     let mut seen = Seen::default();
-    propagate(&body, Start::new(omega, [1.0, 0.0, 0.0, 0.0]), &times, &Options::default(), &mut seen)
-        .unwrap();
-    let mut rows = Nutations::new(&body);
+    propagate(body, Start::new(omega, [1.0, 0.0, 0.0, 0.0]), &times, &Options::default(), &mut seen).unwrap();
+    let mut rows = Nutations::new(body);
     let mut followed = 0;
     for K in &seen.0 {
-        let (row, alone) = (rows.at(*K), Nutations::new(&body).at(*K));
+        let (row, alone) = (rows.at(*K), Nutations::new(body).at(*K));
         let (Some(row), Some(alone)) = (row, alone) else { continue };
         assert!(angle(row.axis, alone.axis) < 1e-9, "{row:?} {alone:?}");
         assert!((row.least - alone.least).abs() < 1e-9 * alone.least, "{row:?} {alone:?}");
@@ -121,6 +117,26 @@ fn rows_have_the_angles_that_each_has_alone() {
         followed += 1;
     }
     assert!(followed > 290, "{followed}");
+}
+
+/// With a separatrix on the way.
+#[test]
+fn rows_have_the_angles_that_each_has_alone() {
+    assert_rows_stand_alone(&reduce(&ring_of_points(7).body().unwrap(), 3).unwrap(), [0.9, 0.05, 0.1]);
+}
+
+/// Exactly, and as nearly as circuits are told from circles.
+#[test]
+fn rows_of_a_body_of_revolution_have_the_angles_that_each_has_alone() {
+    for unequal in [0.0, 1e-12, 1e-10, 1e-8, 1e-5] {
+        let assembly = Assembly {
+            carrier: Some(parts::carrier(7.0, [0.0; 3], parts::diag([1.0, 1.0 + unequal, 1.5]))),
+            points: vec![parts::free_point("mass", 0.1, [0.0, 0.0, 0.5])],
+            springs: vec![parts::spring(End::Point(0), End::Carrier, parts::isotropic(40.0, 0.4))],
+            ..Assembly::default()
+        };
+        assert_rows_stand_alone(&reduce(&assembly.body().unwrap(), 3).unwrap(), [0.4, 0.0, 1.0]);
+    }
 }
 
 /// An elastic body: the axis is that of the deformed body.

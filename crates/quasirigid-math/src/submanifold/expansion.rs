@@ -101,9 +101,9 @@ impl<'a> Expansion<'a> {
         let mut R = vec![ring.zero(); masters.len()];
         for (k, master) in masters.iter().enumerate() {
             for (row, entry) in W.iter_mut().zip(complex(&master.mode.right)) {
-                row.coefficients[1 + k] = entry;
+                row.set(1 + k, entry);
             }
-            R[k].coefficients[1 + k] = master.lambda();
+            R[k].set(1 + k, master.lambda());
         }
         let borders = masters
             .iter()
@@ -150,8 +150,8 @@ impl<'a> Expansion<'a> {
             if watch(share).is_break() {
                 return Err(ExpansionError::Interrupted);
             }
-            let load: Vector = right.iter().map(|row| row.coefficients[monomial]).collect();
-            let level = level.as_ref().map(|level| -level.coefficients[monomial]);
+            let load: Vector = right.iter().map(|row| row.at(monomial)).collect();
+            let level = level.as_ref().map(|level| -level.at(monomial));
             let found = self.coefficient(exponents, &load, level);
             let (W, R) = found.ok_or_else(|| ExpansionError::Singular { exponents: exponents.clone() })?;
             self.store(monomial, &W, &R, |value| value, |k| k);
@@ -194,8 +194,8 @@ impl<'a> Expansion<'a> {
         value: impl Fn(Complex<f64>) -> Complex<f64>,
         master: impl Fn(usize) -> usize,
     ) {
-        self.W.iter_mut().zip(W).for_each(|(row, entry)| row.coefficients[monomial] = value(*entry));
-        R.iter().for_each(|(k, rate)| self.R[master(*k)].coefficients[monomial] = value(*rate));
+        self.W.iter_mut().zip(W).for_each(|(row, entry)| row.set(monomial, value(*entry)));
+        R.iter().for_each(|(k, rate)| self.R[master(*k)].set(monomial, value(*rate)));
     }
 
     /// True if the motion of a master keeps a monomial. (W5)

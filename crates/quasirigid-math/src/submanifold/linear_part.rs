@@ -51,7 +51,7 @@ impl LinearPart {
             };
             let x: Vec<Truncated> = (0..size).map(component).collect();
             let Equations { momenta: P, forces: F } = system.equations(&ring, &x);
-            let real = |a: &Truncated, i: usize| a.coefficients[i].re;
+            let real = |a: &Truncated, i: usize| a.at(i).re;
             for row in 0..size {
                 (momenta[row], forces[row]) = (real(&P[row], 0), real(&F[row], 0));
                 for offset in 0..width {

@@ -114,8 +114,8 @@ impl InvariantManifold {
         let line = Ring::new(1, 1);
         let x: Vec<Truncated> = state.iter().zip(&rate).map(|(x, rate)| line.shifted(*x, 0, *rate)).collect();
         let Equations { momenta, forces } = system.equations(&line, &x);
-        let forces: Vec<f64> = forces.iter().map(|force| force.coefficients[0].re).collect();
-        let change = momenta.iter().map(|momentum| momentum.coefficients[1].re);
+        let forces: Vec<f64> = forces.iter().map(|force| force.at(0).re).collect();
+        let change = momenta.iter().map(|momentum| momentum.at(1).re);
         let defect = change.zip(&forces).map(|(change, force)| change - force).collect();
         Residual { state, rate, defect, forces }
     }
@@ -138,9 +138,9 @@ impl InvariantManifold {
                     .map(|(power, master)| master.lambda() * f64::from(*power))
                     .sum();
                 if turning(&self.masters, exponents).iter().all(|weight| *weight == 0) {
-                    mean.coefficients[monomial] = left.coefficients[monomial];
+                    mean.set(monomial, left.at(monomial));
                 } else {
-                    integral.coefficients[monomial] = left.coefficients[monomial] / s;
+                    integral.set(monomial, left.at(monomial) / s);
                 }
             }
         }
@@ -172,7 +172,7 @@ impl InvariantManifold {
     /// Right vector of a master, for those who scale.
     #[must_use]
     pub fn tangent(&self, master: usize) -> Vec<[f64; 2]> {
-        let column: Vec<Complex<f64>> = self.state.iter().map(|row| row.coefficients[1 + master]).collect();
+        let column: Vec<Complex<f64>> = self.state.iter().map(|row| row.at(1 + master)).collect();
         pairs(&column)
     }
 }

@@ -4,6 +4,7 @@
 use std::collections::HashMap;
 
 use nalgebra::Complex;
+use smallvec::{SmallVec, smallvec};
 
 /// Ring of polynomials truncated above a degree: their monomials and tables of products.
 #[derive(Clone, Debug)]
@@ -20,10 +21,11 @@ pub struct Ring {
     parents: Vec<(usize, usize)>,
 }
 
-/// Polynomial of a [`Ring`].
-#[derive(Clone, Debug, PartialEq)]
+/// Polynomial of a [`Ring`]. Most are of a low degree: coefficients beyond the last one stored are zero, and cost nothing; those of a line
+/// need no memory of their own.
+#[derive(Clone, Debug, Default)]
 pub struct Truncated {
-    pub(super) coefficients: Vec<Complex<f64>>,
+    coefficients: SmallVec<[Complex<f64>; 2]>,
 }
 
 impl Ring {
@@ -106,28 +108,35 @@ impl Ring {
     /// Zero.
     #[must_use]
     pub fn zero(&self) -> Truncated {
-        Truncated { coefficients: vec![Complex::default(); self.size()] }
+        Truncated::default()
     }
 
     /// Constant.
     #[must_use]
     pub fn constant(&self, value: f64) -> Truncated {
-        let mut constant = self.zero();
-        constant.coefficients[0] = value.into();
-        constant
+        Truncated { coefficients: smallvec![value.into()] }
     }
 
     /// Constant plus a multiple of a variable.
     #[must_use]
     pub fn shifted(&self, constant: f64, variable: usize, factor: f64) -> Truncated {
         let mut shifted = self.constant(constant);
-        shifted.coefficients[1 + variable] = factor.into();
+        shifted.set(1 + variable, factor.into());
         shifted
+    }
+
+    /// Degree of a polynomial; 0 of zero.
+    fn degree_of(&self, a: &Truncated) -> usize {
+        self.counts.partition_point(|count| *count < a.coefficients.len())
     }
 
     /// Adds `factor · a · b` to a polynomial.
     pub fn add_product(&self, sum: &mut Truncated, factor: f64, a: &Truncated, b: &Truncated) {
         let zero = Complex::default();
+        if b.coefficients.is_empty() || a.coefficients.is_empty() {
+            return;
+        }
+        sum.extend_to(self.counts[(self.degree_of(a) + self.degree_of(b)).min(self.degree)]);
         for (a, row) in a.coefficients.iter().zip(&self.products) {
             if *a == zero {
                 continue;
@@ -149,14 +158,10 @@ impl Ring {
 
     /// Derivative by a variable; what lies above the degree less one is not known and is zero.
     pub(super) fn derivative(&self, a: &Truncated, variable: usize) -> Truncated {
-        let mut derivative = self.zero();
-        let Some(below) = self.degree.checked_sub(1) else { return derivative };
-        let unit = &self.products[1 + variable];
-        for (lower, upper) in unit.iter().enumerate().take(self.counts[below]) {
-            let exponent = f64::from(self.exponents[*upper as usize][variable]);
-            derivative.coefficients[lower] = a.coefficients[*upper as usize] * exponent;
-        }
-        derivative
+        let Some(below) = self.degree_of(a).checked_sub(1) else { return self.zero() };
+        let uppers = self.products[1 + variable][..self.counts[below]].iter().map(|upper| *upper as usize);
+        let coefficient = |upper: usize| a.at(upper) * f64::from(self.exponents[upper][variable]);
+        Truncated { coefficients: uppers.map(coefficient).collect() }
     }
 
     /// Values of all monomials at a point.
@@ -184,9 +189,8 @@ impl Ring {
 
     /// Polynomial with the coefficients of one of a lower truncation, or cut off to this degree.
     pub(super) fn resized(&self, a: &Truncated) -> Truncated {
-        let mut coefficients = a.coefficients.clone();
-        coefficients.resize(self.size(), Complex::default());
-        Truncated { coefficients }
+        let kept = a.coefficients.len().min(self.size());
+        Truncated { coefficients: a.coefficients[..kept].into() }
     }
 }
 
@@ -194,13 +198,31 @@ impl Truncated {
     /// Coefficient of a monomial, real and imaginary part.
     #[must_use]
     pub fn coefficient(&self, monomial: usize) -> [f64; 2] {
-        let Complex { re, im } = self.coefficients[monomial];
+        let Complex { re, im } = self.at(monomial);
         [re, im]
+    }
+
+    /// Coefficient of a monomial.
+    pub(super) fn at(&self, monomial: usize) -> Complex<f64> {
+        self.coefficients.get(monomial).copied().unwrap_or_default()
+    }
+
+    /// Sets the coefficient of a monomial.
+    pub(super) fn set(&mut self, monomial: usize, value: Complex<f64>) {
+        self.extend_to(monomial + 1);
+        self.coefficients[monomial] = value;
+    }
+
+    fn extend_to(&mut self, size: usize) {
+        if size > self.coefficients.len() {
+            self.coefficients.resize(size, Complex::default());
+        }
     }
 
     /// Adds a multiple of another polynomial.
     pub fn add_scaled(&mut self, factor: f64, other: &Self) {
         if factor != 0.0 {
+            self.extend_to(other.coefficients.len());
             for (sum, part) in self.coefficients.iter_mut().zip(&other.coefficients) {
                 *sum += part * factor;
             }
@@ -256,6 +278,31 @@ mod tests {
         let product = at(&whole, &whole.product(&a, &b), &POINT);
         let expected = at(&whole, &a, &POINT) * at(&whole, &b, &POINT);
         assert!((product - expected).norm() < 1e-13 * expected.norm());
+    }
+
+    #[test]
+    fn coefficients_that_are_not_stored_are_zero() {
+        let ring = Ring::new(3, 5);
+        let full = |a: &Truncated| {
+            let mut full = a.clone();
+            full.extend_to(ring.size());
+            full
+        };
+        let short =
+            [ring.zero(), ring.constant(0.7), ring.shifted(0.2, 1, -1.5), dense(&Ring::new(3, 3), 0.6)];
+        for (a, b) in short.iter().flat_map(|a| short.iter().map(move |b| (a, b))) {
+            let mut sum = a.clone();
+            sum.add_scaled(0.3, b);
+            ring.add_product(&mut sum, -1.2, a, b);
+            let mut expected = full(a);
+            expected.add_scaled(0.3, &full(b));
+            ring.add_product(&mut expected, -1.2, &full(a), &full(b));
+            let slopes = (0..3)
+                .map(|variable| (ring.derivative(&sum, variable), ring.derivative(&expected, variable)));
+            for (short, long) in slopes.chain([(sum.clone(), expected.clone())]) {
+                assert!((0..ring.size()).all(|monomial| short.at(monomial) == long.at(monomial)));
+            }
+        }
     }
 
     #[test]

@@ -223,7 +223,9 @@ fn linear_law(
             *value = 0.0;
         }
     }
-    let law = controller.law.linearized(&inputs, &controller.start);
+    let Some(law) = controller.law.linearized(&inputs, &controller.start) else {
+        return refused("its law jumps and has no slope; leave it out");
+    };
     let (values, rates) = controller.act(&inputs, &controller.start);
     let sized = |value: f64, onto: &[f64], through: &[f64]| {
         let parts = through.iter().zip(&inputs).chain(onto.iter().zip(&controller.start));

@@ -1,6 +1,6 @@
 //! Laws of controllers: linear, and by formulas. (Y1)
 
-use super::ControlProblem;
+use super::{ControlProblem, RelayLaw};
 use crate::math::expression::Expression;
 use crate::math::taylor::Taylor;
 
@@ -12,6 +12,8 @@ pub enum ControlLaw {
     Linear(LinearLaw),
     /// Formulas of the inputs and the states.
     Formulas(FormulaLaw),
+    /// Thrusters that are on or off; of a sampled controller. (Y7)
+    Relay(RelayLaw),
 }
 
 /// Matrices of a linear law, as lists of rows. (Y1)
@@ -47,6 +49,7 @@ impl ControlLaw {
         match self {
             Self::Linear(law) => law.A.len(),
             Self::Formulas(law) => law.states.len(),
+            Self::Relay(law) => 2 * law.levels.len(),
         }
     }
 
@@ -56,6 +59,7 @@ impl ControlLaw {
         match self {
             Self::Linear(law) => sum(&times(&law.C, states), &times(&law.D, inputs)),
             Self::Formulas(law) => values(&law.outputs, &[inputs, states].concat()),
+            Self::Relay(law) => law.outputs(inputs, states),
         }
     }
 
@@ -69,13 +73,16 @@ impl ControlLaw {
                 sum(&driven, &times(&law.E, excess))
             }
             Self::Formulas(law) => values(&law.states, &[inputs, states].concat()),
+            Self::Relay(law) => law.advance(inputs, states),
         }
     }
 
-    /// Matrices about inputs and states: slopes of the rates of the states and of the outputs; exact, without saturation.
+    /// Matrices about inputs and states: slopes of the rates of the states and of the outputs; exact, without saturation. None of a law that
+    /// jumps.
     #[must_use]
-    pub fn linearized(&self, inputs: &[f64], states: &[f64]) -> LinearLaw {
-        match self {
+    pub fn linearized(&self, inputs: &[f64], states: &[f64]) -> Option<LinearLaw> {
+        Some(match self {
+            Self::Relay(_) => return None,
             Self::Linear(law) => law.clone(),
             Self::Formulas(law) => {
                 let at = [inputs, states].concat();
@@ -94,7 +101,7 @@ impl ControlLaw {
                     E: Vec::new(),
                 }
             }
-        }
+        })
     }
 
     /// What is wrong with the sizes and entries of the law, for so many inputs and outputs.

@@ -1,5 +1,5 @@
 //! Controllers of the attitude: what they measure, laws with states of their own, what they command; continuous or sampled.
-//! Equations (Y1) to (Y5), docs/theory/20-control.md.
+//! Equations (Y1) to (Y7), docs/theory/20-control.md.
 
 mod bound;
 mod law;
@@ -7,12 +7,14 @@ mod measurement;
 mod noise;
 mod pid;
 mod problem;
+mod relay;
 
 pub use bound::{BodyController, Commands, ControlledWheel, Controls};
 pub use law::{ControlLaw, FormulaLaw, LinearLaw};
 pub use measurement::{ControlState, Measurement};
 pub use pid::Pid;
 pub use problem::ControlProblem;
+pub use relay::RelayLaw;
 
 /// Controller: measurements, a law with states, and commands to actuators. (Y1)
 ///

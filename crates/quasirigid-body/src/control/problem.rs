@@ -2,7 +2,7 @@
 
 use thiserror::Error;
 
-use super::{Controller, Measurement};
+use super::{ControlLaw, Controller, Measurement};
 
 /// Problem of a controller.
 #[derive(Clone, Debug, Error, PartialEq)]
@@ -125,6 +125,7 @@ impl<P, C, W> Controller<P, C, W> {
     fn problem_of_sampling(&self) -> Option<ControlProblem> {
         let Some(sampling) = self.sampling else {
             let of_samples = [
+                ("kind", matches!(self.law, ControlLaw::Relay(_))),
                 ("quantum", self.inputs.iter().any(|input| input.quantum != 0.0)),
                 ("noise", self.inputs.iter().any(|input| input.noise != 0.0)),
             ];

@@ -13,7 +13,9 @@ impl ControlBlock<'_> {
         let continuous = self.controls.controllers.iter().zip(&self.places);
         for (controller, place) in continuous.filter(|(controller, _)| controller.sampling.is_none()) {
             let inputs = controller.inputs(&self.state(seen, block), None);
-            let law = controller.law.linearized(&inputs, &block[place.states.clone()]);
+            let Some(law) = controller.law.linearized(&inputs, &block[place.states.clone()]) else {
+                continue;
+            };
             let torque = scales.angular_momentum * scales.spin;
             for (size, weight) in sizes[place.states.clone()].iter_mut().zip(weights(&law, scales.spin)) {
                 *size = if weight > 0.0 { torque / weight } else { 1.0 };

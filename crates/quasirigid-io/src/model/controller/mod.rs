@@ -1,20 +1,24 @@
-//! Controller reader: `[[controller]]`, one function for each of three laws.
+//! Controller reader: `[[controller]]`, one function for each of four laws.
 //! Whether what they name exists is checked on the body; here keys, units and names of channels are.
 //! Equations (Y1) to (Y5), docs/theory/20-control.md.
 
-use quasirigid_body::control::{
-    Actuator, ControlLaw, Controller, FormulaLaw, Input, LinearLaw, Measurement, Output, Pid, Sampling,
-};
-use quasirigid_elements::{ElementKind, NamedController};
-use quasirigid_math::expression::Expression;
+mod formulas;
+mod on_error;
+mod state_space;
 
-use super::channel::{Measured, actuator, attitude, measurement, rates};
-use super::key::{COUNT, Form, KIND, Keys, Shape, TEXT, any, key, list, named, of, pick, quantity};
-use super::kinds::{Kind, kind, of_table, opened, variants};
-use super::names::Part;
-use super::reader::{Keyed, NAME, Naming, Reader};
-use super::table::Table;
-use super::value::Value;
+use quasirigid_body::control::{Actuator, ControlLaw, Controller, Input, Output, Sampling};
+use quasirigid_elements::{ElementKind, NamedController};
+
+use self::formulas::formulas;
+use self::on_error::{bang_bang, pid};
+use self::state_space::state_space;
+use crate::model::channel::{Measured, actuator};
+use crate::model::key::{COUNT, Form, KIND, Keys, Shape, TEXT, any, key, list, named, of, pick, quantity};
+use crate::model::kinds::{Kind, kind, of_table, opened, variants};
+use crate::model::names::Part;
+use crate::model::reader::{Keyed, NAME, Naming, Reader};
+use crate::model::table::Table;
+use crate::model::value::Value;
 use crate::units::Dimension;
 
 type Read = fn(&Table<'_>, Option<f64>) -> Option<Draft>;
@@ -29,7 +33,7 @@ struct Draft {
     start: Vec<f64>,
 }
 
-static KINDS: [Kind<Read>; 3] = [
+static KINDS: [Kind<Read>; 4] = [
     kind!(
         "[[controller]]",
         "pid",
@@ -101,6 +105,29 @@ static KINDS: [Kind<Read>; 3] = [
         "formulas with states (Y1)",
         formulas
     ),
+    kind!(
+        "[[controller]]",
+        "bang-bang",
+        [
+            "kind",
+            "name",
+            "on",
+            "target",
+            "level",
+            "lead",
+            "deadband",
+            "hysteresis",
+            "minimum_on",
+            "outputs",
+            "period",
+            "delay",
+            "quantum",
+            "noise",
+            "seed"
+        ],
+        "pairs of thrusters, on or off (Y7)",
+        bang_bang
+    ),
 ];
 
 const NUMBERS: Form = any(&[Shape::Number, Shape::Vector]);
@@ -126,7 +153,15 @@ const ANY: Keys = Keys {
         ),
         key("filter", quantity("s").or("none"), "time constant of the derivative"),
         key("anti_windup", quantity("s").or("none"), "in which saturation takes the integral back"),
-        key("deadband", NUMBERS.or("0"), "half the width of the dead zone of the error"),
+        key(
+            "deadband",
+            NUMBERS.or("0"),
+            "half the width of the dead zone of the error; of thrusters the error beyond which they fire",
+        ),
+        key("level", NUMBERS.in_unit("N m"), "torque of a pair of thrusters"),
+        key("lead", quantity("s").or("0"), "they switch by the error and this times its rate"),
+        key("hysteresis", NUMBERS.or("0"), "from firing to not, below the deadband"),
+        key("minimum_on", quantity("s").or("a `period`"), "of a pulse, in whole periods"),
         key(
             "inputs",
             any(&[Shape::List(&Shape::Text), Shape::Named(&Shape::Text)]),
@@ -291,157 +326,5 @@ fn outputs(table: &Table<'_>, wanted: Option<usize>) -> Option<Vec<Actuator<Stri
     match wanted {
         Some(wanted) if outputs.len() != wanted => counted(&value, outputs.len(), wanted),
         _ => Some(outputs),
-    }
-}
-
-fn pid(table: &Table<'_>, period: Option<f64>) -> Option<Draft> {
-    let on = table.get("on");
-    let word = match &on {
-        Some(value) => value.text()?,
-        None => "attitude",
-    };
-    let mut inputs: Vec<(Measured, String, f64)> = match (word, &on) {
-        ("attitude", _) => attitude(quaternion(table)?).map(|of| (of, word.to_owned(), 0.0)).to_vec(),
-        ("rate", _) => {
-            let target = table.vector_or_zero("target", Dimension::ANGULAR_VELOCITY)?;
-            rates().into_iter().zip(target).map(|(of, target)| (of, word.to_owned(), target)).collect()
-        }
-        (_, Some(value)) => {
-            let target = table.read_or("target", 0.0, |value| value.quantity(Dimension::NUMBER))?;
-            vec![(measurement(value, [1.0, 0.0, 0.0, 0.0])?, word.to_owned(), target)]
-        }
-        (_, None) => return None,
-    };
-    let n = inputs.len();
-    let [proportional, integral, derivative, deadband] =
-        ["proportional", "integral", "derivative", "deadband"].map(|key| numbers(table, key, n));
-    let time = |key| table.read_or(key, None, |value| value.positive(Dimension::TIME).map(Some));
-    let (filter, anti_windup) = (time("filter")?, time("anti_windup")?);
-    let (derivative, outputs) = (derivative?, outputs(table, Some(n))?);
-    let derives = derivative.iter().any(|gain| *gain != 0.0);
-    let has_rates = word == "attitude" && derives;
-    if derives && !has_rates && filter.is_none() {
-        let message =
-            "the derivative of this error is not measured, and a derivative without a filter has no bounds";
-        let help = "add for example filter = \"0.05 s\"";
-        return table.get("derivative")?.refuse(message, "needs a filter", help);
-    }
-    let mut deadbands = deadband?;
-    if has_rates {
-        inputs.extend(rates().map(|of| (of, "rate".to_owned(), 0.0)));
-        deadbands.resize(2 * n, 0.0);
-    }
-    let sign = |output: &Actuator<String>| if matches!(output, Actuator::Wheel { .. }) { -1.0 } else { 1.0 };
-    let signs = outputs.iter().map(sign).collect();
-    let filter = filter.filter(|_| derives);
-    let pid = Pid {
-        proportional: proportional?,
-        integral: integral?,
-        derivative,
-        signs,
-        has_rates,
-        filter,
-        anti_windup,
-    };
-    let law = pid.law(period);
-    let start = vec![0.0; law.A.len()];
-    Some(Draft { inputs, deadbands, law: ControlLaw::Linear(law), outputs, start })
-}
-
-fn state_space(table: &Table<'_>, _: Option<f64>) -> Option<Draft> {
-    let target = quaternion(table)?;
-    let channels = table.required("inputs", "inputs = [\"attitude.x\", \"rate.x\"]")?;
-    let inputs = channels.list("a list of channels", |item| {
-        Some((measurement(&item, target)?, item.text()?.to_owned(), 0.0))
-    })?;
-    let outputs = outputs(table, None)?;
-    let rows = |key: &'static str| {
-        let row = |row: Value<'_>| row.list("a row of numbers", |item| item.quantity(Dimension::NUMBER));
-        table.read_or(key, Vec::new(), |value| value.list("a list of rows", row))
-    };
-    let (A, B, C, D) = (rows("A"), rows("B"), rows("C"), rows("D"));
-    let (A, B, mut C, mut D) = (A?, B?, C?, D?);
-    if A.is_empty() && C.is_empty() {
-        C = vec![Vec::new(); outputs.len()];
-    }
-    if D.is_empty() {
-        D = vec![vec![0.0; inputs.len()]; outputs.len()];
-    }
-    let start = vec![0.0; A.len()];
-    let law = ControlLaw::Linear(LinearLaw { E: vec![Vec::new(); A.len()], A, B, C, D });
-    Some(Draft { deadbands: vec![0.0; inputs.len()], inputs, law, outputs, start })
-}
-
-/// Names that every formula of a controller has.
-const GIVEN: [&str; 11] = ["t", "wx", "wy", "wz", "qw", "qx", "qy", "qz", "ex", "ey", "ez"];
-
-fn formulas(table: &Table<'_>, period: Option<f64>) -> Option<Draft> {
-    let target = quaternion(table)?;
-    let given = [Measurement::Time].into_iter().chain(rates());
-    let given = given.chain([0, 1, 2, 3].map(|component| Measurement::Quaternion { component }));
-    let given = given.chain(attitude(target)).zip(GIVEN).map(|(of, name)| (of, name.to_owned(), 0.0));
-    let mut inputs: Vec<_> = given.collect();
-    for (name, value) in entries(table, "inputs", "{ tip = \"velocity.tip.x\" }")? {
-        inputs.push((measurement(&value, target)?, name, 0.0));
-    }
-    let key = if period.is_some() { "next" } else { "states" };
-    if let Some(states) = table.get("states").filter(|_| period.is_some()) {
-        let message = "a sampled controller has no rates of states, but their next values";
-        return states.refuse(message, "sampled", "give them under `next`");
-    }
-    let states = entries(table, key, "{ z = \"ex\" }")?;
-    let names: Vec<String> =
-        inputs.iter().map(|(_, name, _)| name).chain(states.iter().map(|(name, _)| name)).cloned().collect();
-    let read = |value: &Value<'_>| formula(value, &names);
-    let law_states = states.iter().map(|(_, value)| read(value)).collect::<Option<Vec<_>>>();
-    let (outputs, law_outputs) = commanded(table, &read)?;
-    let mut start = vec![0.0; states.len()];
-    for (name, value) in entries(table, "start", "{ z = 0.1 }")? {
-        let Some(place) = states.iter().position(|(state, _)| *state == name) else {
-            return value.refuse(format!("there is no state {name:?}"), "unknown", "name one of the states");
-        };
-        start[place] = value.quantity(Dimension::NUMBER)?;
-    }
-    let law = ControlLaw::Formulas(FormulaLaw { states: law_states?, outputs: law_outputs });
-    Some(Draft { deadbands: vec![0.0; inputs.len()], inputs, law, outputs, start })
-}
-
-/// Outputs of formulas: a torque on the carrier, torques of motors, or both.
-fn commanded(
-    table: &Table<'_>,
-    read: &dyn Fn(&Value<'_>) -> Option<Expression>,
-) -> Option<(Vec<Actuator<String>>, Vec<Expression>)> {
-    let (mut outputs, mut law) = (Vec::new(), Vec::new());
-    let motors = entries(table, "motors", "{ wheel = \"0.1*ex\" }")?;
-    let torque = if motors.is_empty() {
-        Some(table.required("torque", "torque = [\"-2*ex - 5*wx\", \"0\", \"0\"]")?)
-    } else {
-        table.get("torque")
-    };
-    if let Some(torque) = torque {
-        outputs.extend([0, 1, 2].map(|axis| Actuator::Torque { axis }));
-        law.extend(torque.array::<_, 3>("formulas", |item| read(&item))?);
-    }
-    for (wheel, value) in motors {
-        outputs.push(Actuator::Wheel { wheel });
-        law.push(read(&value)?);
-    }
-    Some((outputs, law))
-}
-
-fn formula(value: &Value<'_>, names: &[String]) -> Option<Expression> {
-    let variables: Vec<&str> = names.iter().map(String::as_str).collect();
-    let text = match value.words() {
-        Some(text) => text.to_owned(),
-        None if value.is_number() => format!("{:?}", value.quantity(Dimension::NUMBER)?),
-        None => return value.mismatch("a formula", "write a formula, or a number"),
-    };
-    match Expression::parse(&text, &variables) {
-        Ok(formula) => Some(formula),
-        Err(error) => {
-            let help = format!("write a formula in {}", names.join(" "));
-            let message = format!("`{}`: {}", value.key(), error.message);
-            value.refuse_at(value.span_of(error.span), message, "in this formula", help)
-        }
     }
 }

@@ -98,7 +98,10 @@ fn mistakes_are_refused_in_their_place() {
         ("kind = \"pid\"\nperiod = 0\n", "period"),
         ("kind = \"bang-bang\"\nlevel = 1\n", "period = \"0.1 s\""),
         ("kind = \"bang-bang\"\nperiod = 1\nlevel = 1\nhysteresis = 1\n", "never switches off"),
-        ("kind = \"bang-bang\"\nperiod = 1\nlevel = 1\non = \"rate\"\nlead = 1\n", "the rate of this error is not measured"),
+        (
+            "kind = \"bang-bang\"\nperiod = 1\nlevel = 1\non = \"rate\"\nlead = 1\n",
+            "the rate of this error is not measured",
+        ),
         ("kind = \"pid\"\nstates = { z = \"ex\" }\n", "states"),
         ("kind = \"formula\"\nstates = { z = \"ex\" }\n", "torque"),
         ("kind = \"formula\"\ntorque = [\"z\", 0, 0]\n", "z"),
@@ -149,7 +152,7 @@ fn controllers_that_cannot_be_are_refused_in_their_place() {
         ),
         (
             "kind = \"formula\"\ninputs = { a = \"coordinate.arm\" }\ntorque = [\"a\", 0, 0]\n",
-            "there is no coordinate \"arm\"; there are tip x, tip y, tip z",
+            "there is no coordinate \"arm\"; there are \"tip\" x, \"tip\" y, \"tip\" z",
         ),
     ] {
         let found = refused(lines);

@@ -291,12 +291,12 @@ fn counted<T>(value: &Value<'_>, found: usize, wanted: usize) -> Option<T> {
 }
 
 /// A number for each axis: one for all, or a list.
-fn numbers(table: &Table<'_>, key: &'static str, count: usize) -> Option<Vec<f64>> {
+fn numbers(table: &Table<'_>, key: &'static str, count: usize, dimension: Dimension) -> Option<Vec<f64>> {
     let Some(value) = table.get(key) else { return Some(vec![0.0; count]) };
     if !value.is_array() {
-        return value.quantity(Dimension::NUMBER).map(|number| vec![number; count]);
+        return value.quantity(dimension).map(|number| vec![number; count]);
     }
-    let given = value.list("a number for each axis", |item| item.quantity(Dimension::NUMBER))?;
+    let given = value.list("a number for each axis", |item| item.quantity(dimension))?;
     if given.len() == count { Some(given) } else { counted(&value, given.len(), count) }
 }
 

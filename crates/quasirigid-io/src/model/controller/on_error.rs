@@ -33,7 +33,7 @@ pub(super) fn pid(table: &Table<'_>, period: Option<f64>) -> Option<Draft> {
     let (mut inputs, word) = errors(table)?;
     let n = inputs.len();
     let [proportional, integral, derivative, deadband] =
-        ["proportional", "integral", "derivative", "deadband"].map(|key| numbers(table, key, n));
+        ["proportional", "integral", "derivative", "deadband"].map(|key| numbers(table, key, n, Dimension::NUMBER));
     let time = |key| table.read_or(key, None, |value| value.positive(Dimension::TIME).map(Some));
     let (filter, anti_windup) = (time("filter")?, time("anti_windup")?);
     let (derivative, outputs) = (derivative?, outputs(table, Some(n))?);
@@ -75,7 +75,9 @@ pub(super) fn bang_bang(table: &Table<'_>, period: Option<f64>) -> Option<Draft>
     let n = inputs.len();
     let outputs = outputs(table, Some(n))?;
     table.required("level", "level = \"0.5 N m\"")?;
-    let [levels, on, hysteresis] = ["level", "deadband", "hysteresis"].map(|key| numbers(table, key, n));
+    let levels = numbers(table, "level", n, Dimension::TORQUE);
+    let [on, hysteresis] =
+        ["deadband", "hysteresis"].map(|key| numbers(table, key, n, Dimension::NUMBER));
     let (levels, on, hysteresis) = (levels?, on?, hysteresis?);
     let lead = table.read_or("lead", 0.0, |value| value.non_negative(Dimension::TIME))?;
     let least = table.read_or("minimum_on", period, |value| value.positive(Dimension::TIME))?;

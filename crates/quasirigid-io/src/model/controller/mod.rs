@@ -23,10 +23,12 @@ use crate::units::Dimension;
 
 type Read = fn(&Table<'_>, Option<f64>) -> Option<Draft>;
 
+/// Measurement, the name that `quantum` and `noise` know it by, and its reference.
+type NamedInput = (Measured, String, f64);
+
 /// Law with its channels, as far as its kind determines them.
 struct Draft {
-    /// Measurements with the names that `quantum` and `noise` know them by, and references.
-    inputs: Vec<(Measured, String, f64)>,
+    inputs: Vec<NamedInput>,
     deadbands: Vec<f64>,
     law: ControlLaw,
     outputs: Vec<Actuator<String>>,

@@ -2,13 +2,13 @@
 
 use quasirigid_body::control::{Actuator, ControlLaw, Pid, RelayLaw};
 
-use super::{Draft, numbers, outputs, quaternion};
-use crate::model::channel::{Measured, attitude, measurement, rates};
+use super::{Draft, NamedInput, numbers, outputs, quaternion};
+use crate::model::channel::{attitude, measurement, rates};
 use crate::model::table::Table;
 use crate::units::Dimension;
 
 /// Errors of a law on an attitude, a rate or one channel, with the word for them.
-fn errors(table: &Table<'_>) -> Option<(Vec<(Measured, String, f64)>, String)> {
+fn errors(table: &Table<'_>) -> Option<(Vec<NamedInput>, String)> {
     let on = table.get("on");
     let word = match &on {
         Some(value) => value.text()?,
@@ -33,7 +33,8 @@ pub(super) fn pid(table: &Table<'_>, period: Option<f64>) -> Option<Draft> {
     let (mut inputs, word) = errors(table)?;
     let n = inputs.len();
     let [proportional, integral, derivative, deadband] =
-        ["proportional", "integral", "derivative", "deadband"].map(|key| numbers(table, key, n, Dimension::NUMBER));
+        ["proportional", "integral", "derivative", "deadband"]
+            .map(|key| numbers(table, key, n, Dimension::NUMBER));
     let time = |key| table.read_or(key, None, |value| value.positive(Dimension::TIME).map(Some));
     let (filter, anti_windup) = (time("filter")?, time("anti_windup")?);
     let (derivative, outputs) = (derivative?, outputs(table, Some(n))?);
@@ -76,8 +77,7 @@ pub(super) fn bang_bang(table: &Table<'_>, period: Option<f64>) -> Option<Draft>
     let outputs = outputs(table, Some(n))?;
     table.required("level", "level = \"0.5 N m\"")?;
     let levels = numbers(table, "level", n, Dimension::TORQUE);
-    let [on, hysteresis] =
-        ["deadband", "hysteresis"].map(|key| numbers(table, key, n, Dimension::NUMBER));
+    let [on, hysteresis] = ["deadband", "hysteresis"].map(|key| numbers(table, key, n, Dimension::NUMBER));
     let (levels, on, hysteresis) = (levels?, on?, hysteresis?);
     let lead = table.read_or("lead", 0.0, |value| value.non_negative(Dimension::TIME))?;
     let least = table.read_or("minimum_on", period, |value| value.positive(Dimension::TIME))?;

@@ -59,7 +59,7 @@ fn answers_without_controllers_refuse_them() {
     let told = one_line(ran_with(&sampled, "linear model.toml --at rest").refusal());
     assert!(told.contains("it is sampled, and a linear model is of continuous motion"), "{told}");
     let spinning = one_line(ran_with(&model, "linear model.toml").refusal());
-    assert!(spinning.contains("about a spin the attitude does not stay at a target"), "{spinning}");
+    assert!(spinning.contains("so that the state is not steady"), "{spinning}");
 }
 
 fn linear(model: &str, options: &str) -> Value {

@@ -139,8 +139,9 @@ fn a_noncollocated_loop_grows_by_its_pole() {
     assert!(growth > 0.3, "{growth} {frequency}");
     let period = std::f64::consts::TAU / frequency.abs();
     let times = format!("{:?},{:?}", 40.0, 40.0 + 4.0 * period);
+    let smaller = model.replace("1e-8", "1e-12");
     let late =
-        ran_with(&model, &format!("simulate model.toml --system full --times {times} --tolerance 1e-13"));
+        ran_with(&smaller, &format!("simulate model.toml --system full --times {times} --tolerance 1e-13"));
     let rates = Table::of(&late.stdout).column("wz");
     let grown = (rates[1] / rates[0]).ln() / (4.0 * period);
     assert!((grown - growth).abs() < 3e-5 * growth, "{grown} {growth}");

@@ -35,6 +35,12 @@ impl FlexibleBody {
         self.with(0..self.elastic())
     }
 
+    /// The body frozen at equilibrium: every coordinate locked.
+    #[must_use]
+    pub fn frozen(&self) -> Self {
+        self.locked_inside().stiff_outside()
+    }
+
     /// Body without the frequency responses of its liquids, whose coordinates in the equations of motion stay.
     #[must_use]
     pub fn without_memories(&self) -> Self {
@@ -97,6 +103,12 @@ impl Invariants {
 }
 
 impl Marker {
+    /// The place on the body frozen at equilibrium.
+    #[must_use]
+    pub fn frozen(&self) -> Self {
+        Self { shapes: Vec::new(), curvature: Vec::new(), carried: None, ..self.clone() }
+    }
+
     /// Marker with all coordinates locked but those kept.
     fn locked(&self, kept: &Range<usize>) -> Self {
         let place = |j: usize| kept.contains(&j).then(|| j - kept.start);

@@ -13,6 +13,7 @@ use quasirigid_math as math;
 
 mod advection;
 mod balanced;
+pub mod control;
 mod coordinate;
 mod curved;
 mod derived;

@@ -51,6 +51,7 @@ pub use kinds::carrier::Carrier;
 pub use kinds::cavity::{
     Cavity, CavityShape, MAX_REYNOLDS_OF_BALL, MAX_REYNOLDS_OF_CYLINDER, MAX_REYNOLDS_OF_SPHEROID, Regime,
 };
+pub use kinds::controller::NamedController;
 pub use kinds::ellipsoid::Ellipsoid;
 pub use kinds::hinged::{HingeCoefficient, Hinged};
 pub use kinds::network::Network;
@@ -102,4 +103,6 @@ kinds! {
     cavities: Cavity(Cavity) = "cavity", Role::Inside(Field::SHAPE), name;
     /// External forces.
     forces: Force(Force<ApplicationPoint>) = "force", Role::External, name;
+    /// Controllers.
+    controllers: Controller(NamedController) = "controller", Role::External, name;
 }

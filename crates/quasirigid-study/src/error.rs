@@ -74,6 +74,20 @@ pub enum StudyError {
         /// What stands against it and what to do, in words.
         what: String,
     },
+    /// Controllers in an answer that does not have them.
+    Controlled {
+        /// Names of the controllers.
+        names: Vec<String>,
+        /// The answer.
+        what: &'static str,
+    },
+    /// Controllers without a linear model.
+    NotLinear {
+        /// Name of the controller.
+        name: String,
+        /// What stands against it and what to do, in words.
+        what: &'static str,
+    },
     /// Reduced equations of a body whose rotors or liquids the spin does not slave. (Q8)
     NoSlowSeries {
         /// The angular velocity of the start (rad/s).
@@ -266,6 +280,12 @@ impl StudyError {
                 )
             }
             Self::NotExported { what } => what.clone(),
+            Self::Controlled { names, what } => format!(
+                "{what} leaves out the controllers of the model ({}); follow it by `simulate` with {} full or rigid, ask `linear` for the closed loop and its poles, or take [[controller]] out",
+                names.join(", "),
+                name(Setting::System)
+            ),
+            Self::NotLinear { name, what } => format!("controller {name:?}: {what}"),
             Self::NoSlowSeries { spin } => format!(
                 "rotors and liquids do not follow the spin, {} rad/s: friction or stiffness is too small, the slow series does not hold, and the reduced equations do not hold; follow the body with {} full, where they start at rest in it, or a rotor at the `speed` given in [[rotor]]",
                 significant(*spin, 3),

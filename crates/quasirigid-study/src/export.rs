@@ -62,6 +62,7 @@ impl Study {
     /// [`StudyError::NotExported`] for a body whose equations have more than a torque in them, [`StudyError`] for an invalid start, and
     /// where the reduction fails.
     pub fn export(&self, target: Target, name: &str) -> Result<Export, StudyError> {
+        self.uncontrolled("export")?;
         refuse(self)?;
         let spin = match self.initial() {
             Err(StudyError::NoSpin { .. }) => Start::new([0.0; 3], ALIGNED),

@@ -10,6 +10,7 @@ use quasirigid_io::record::{Column, RowTable};
 use quasirigid_math::memory;
 
 use crate::about_spin::OnManifold;
+use crate::controlled;
 use crate::error::StudyError;
 use crate::history_columns::{HistoryTable, Internal};
 use crate::judged::{self, Judged};
@@ -172,6 +173,7 @@ impl Study {
         watch: &mut dyn Watch,
     ) -> Result<History, StudyError> {
         let body = &self.body;
+        controlled::carries(self, table.system)?;
         let settings = RunSettings::resolve(asked, self)?;
         let about_spin = SpinManifoldSettings::resolve(table.manifold.clone(), None, self)?;
         let options = settings.options(self, stop_axis(self, spin.omega)?)?;
@@ -204,7 +206,7 @@ impl Study {
         let (run, manifold) = motion.follow(table.system, &about_spin, &times, &options, &mut sink)?;
         let budget = std::mem::take(&mut sink.budget);
         let (columns, log) = sink.finish()?;
-        let (forced, last) = (motion.system().acts(), run.last);
+        let (forced, last) = (motion.is_acted_on(), run.last);
         let Sample { energy, energy_drift: drift, dissipated, .. } = last;
         let accounts = Accounts { energy, drift, dissipated, left_out: run.left_out };
         // the defect judges the equations about a spin: their energy is truncated, whatever the integrator does

@@ -3,6 +3,7 @@
 
 use std::collections::BTreeMap;
 
+use quasirigid::model::control::Controls;
 use quasirigid::model::force::Force;
 use quasirigid::model::{Marker, Principal};
 use quasirigid::modes::{
@@ -15,6 +16,7 @@ use quasirigid_math::vec3::{add, norm, scale};
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 
+use crate::closed_loop::{Loop, poles};
 use crate::error::StudyError;
 use crate::left_out::LeftOut;
 use crate::modes::of_start;
@@ -73,6 +75,9 @@ pub struct LinearObject {
     pub inputs: Vec<Channel>,
     /// Outputs, in the order of the rows of `C`.
     pub outputs: Vec<Channel>,
+    /// Poles of the closed loop (1/s), real and imaginary part, the least damped first; only of a model with controllers.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub poles: Vec<[f64; 2]>,
     /// Rows of the matrix of the states.
     pub A: Vec<Vec<f64>>,
     /// Rows of the matrix of the inputs.
@@ -136,13 +141,26 @@ impl LinearObject {
         };
         let doubts: String = self.doubts().iter().map(|doubt| format!("  {doubt}\n\n")).collect();
         format!(
-            "{}: linear model\n\n{doubts}  {}\n\n  Inputs\n{}  Outputs\n{}  {} states; the matrices A, B, C, D: --json\n",
+            "{}: linear model\n\n{doubts}  {}\n\n  Inputs\n{}  Outputs\n{}{}  {} states; the matrices A, B, C, D: --json\n",
             self.name,
             self.sentence,
             list(&self.inputs),
             list(&self.outputs),
+            self.pole_lines(),
             self.states.len()
         )
+    }
+
+    /// Lines of the poles of the closed loop, one of each pair.
+    fn pole_lines(&self) -> String {
+        if self.poles.is_empty() {
+            return String::new();
+        }
+        let upper = self.poles.iter().filter(|[_, frequency]| *frequency >= 0.0);
+        let line = |[rate, frequency]: &[f64; 2]| {
+            format!("    {} ± {}i\n", significant(*rate, 5), significant(*frequency, 5))
+        };
+        format!("  Poles of the closed loop (1/s)\n{}", upper.map(line).collect::<String>())
     }
 
     /// What is to be read before the matrices, the gravest first: how far materials and liquids are met.
@@ -190,7 +208,9 @@ impl LinearObject {
             ("spin", row(&self.equilibrium.spin)),
             ("momentum", row(&self.equilibrium.momentum)),
             ("attitude", row(&self.equilibrium.attitude)),
+            ("poles", matrix(&self.poles.iter().map(|pole| pole.to_vec()).collect::<Vec<_>>(), 2)),
         ];
+        let numbers = numbers.into_iter().filter(|(name, _)| *name != "poles" || !self.poles.is_empty());
         let channels = [("states", &self.states), ("inputs", &self.inputs), ("outputs", &self.outputs)];
         let named = |(name, channels): (&str, &Vec<Channel>)| {
             let of = |name: String, texts| NamedArray { name, value: ArrayValue::Texts(texts) };
@@ -202,7 +222,6 @@ impl LinearObject {
             ("source", json!(self.source).to_string()),
         ];
         numbers
-            .into_iter()
             .chain(texts.into_iter().map(|(name, text)| (name, ArrayValue::Text(text))))
             .map(|(name, value)| NamedArray { name: name.to_owned(), value })
             .chain(channels.into_iter().flat_map(named))
@@ -274,15 +293,23 @@ impl Study {
         let outputs: Vec<_> = outs.iter().map(|name| self.output(name, &ins)).collect::<Result<_, _>>()?;
         let forces = steady_state::acting_at_start(self);
         let state = self.state_of(asked.at, &forces)?;
-        let found = LinearModel::about(&self.body, &forces, state, &inputs, &outputs, asked.band);
-        let LinearModel { equilibrium, states, A, B, C, D, accuracy } = found.map_err(StudyError::Linear)?;
+        let feedback = Loop::new(&self.controls, &state, &inputs, outputs.len())?;
+        let all = [&*inputs, &*feedback.inputs].concat();
+        let seen = [&*outputs, &*feedback.outputs].concat();
+        let found = LinearModel::about(&self.body, &forces, state, &all, &seen, asked.band);
+        let mut model = found.map_err(StudyError::Linear)?;
+        let of_controllers = feedback.close(&mut model, [inputs.len(), outputs.len()]);
+        let poles = if self.controls.is_empty() { Vec::new() } else { poles(&model.A)? };
+        let LinearModel { equilibrium, states, A, B, C, D, accuracy } = model;
+        let of_controllers = of_controllers.into_iter().map(|name| Channel { name, unit: String::new() });
         let channels = |names: Vec<String>, units: Vec<&'static str>| {
             names.into_iter().zip(units).map(|(name, unit)| Channel { name, unit: unit.to_owned() }).collect()
         };
         Ok(LinearObject {
             name: self.model.name.clone(),
-            sentence: sentence(&equilibrium),
-            states: states.iter().map(|state| self.named(*state, &ins)).collect(),
+            sentence: sentence(&equilibrium, &self.controls),
+            states: states.iter().map(|state| self.named(*state, &ins)).chain(of_controllers).collect(),
+            poles,
             accuracy: accuracy.map(AccuracyObject::from),
             wrong: LeftOut::at(self, equilibrium.omega, None).liquids,
             not_compared: self.not_compared(),
@@ -363,7 +390,10 @@ impl Study {
             LinearState::Lag { material, element, direction } => {
                 (format!("lag.{}.{}.{}", material + 1, element + 1, direction + 1), "J^1/2")
             }
-            LinearState::Wheel(input) => (inputs[input].replace(".torque", ".momentum"), "N m s"),
+            LinearState::Wheel(input) => match inputs.get(input) {
+                Some(name) => (name.replace(".torque", ".momentum"), "N m s"),
+                None => ("wheel.momentum".to_owned(), "N m s"),
+            },
         };
         Channel { name, unit: unit.to_owned() }
     }
@@ -514,11 +544,18 @@ fn no_channel(name: &str, expected: &str) -> StudyError {
     StudyError::NoChannel { name: name.into(), expected: expected.into() }
 }
 
-fn sentence(state: &SteadyState) -> String {
+fn sentence(state: &SteadyState, controls: &Controls) -> String {
     let spin = norm(state.omega);
+    let names: Vec<&str> = controls.controllers.iter().map(|controller| &*controller.name).collect();
+    let closed = if names.is_empty() {
+        String::new()
+    } else {
+        format!(" The loop is closed by the controllers ({}).", names.join(", "))
+    };
     if spin == 0.0 {
-        return "About rest.".into();
+        return format!("About rest.{closed}");
     }
     let [x, y, z] = state.omega.map(|entry| entry / spin + 0.0);
-    format!("About the steady spin of {} rad/s about [{x:.4}, {y:.4}, {z:.4}].", significant(spin, 4))
+    let size = significant(spin, 4);
+    format!("About the steady spin of {size} rad/s about [{x:.4}, {y:.4}, {z:.4}].{closed}")
 }

@@ -107,6 +107,7 @@ impl Study {
     /// # Errors
     /// [`StudyError::AxisUnderForces`], and those of a start that is none.
     pub fn modes(&self, asked: SteadySpinSettings) -> Result<Modes, StudyError> {
+        self.uncontrolled("modes")?;
         let body = &self.body;
         let acting = steady_state::acting_at_start(self);
         let under_forces = acts(body, &acting);

@@ -15,6 +15,7 @@ use quasirigid_io::model::Displacements;
 use quasirigid_math::vec3::{add, norm, scale};
 
 use crate::about_spin::{self, OnManifold};
+use crate::controlled;
 use crate::error::StudyError;
 use crate::settings::SpinManifoldSettings;
 use crate::start::{follows_its_spin, slaved_order, slaves};
@@ -93,6 +94,11 @@ impl<'a> Motion<'a> {
         Forced { body: self.body, forces: self.forces }
     }
 
+    /// Whether something acts on the body: a force, a support or a motor, or a controller.
+    pub fn is_acted_on(&self) -> bool {
+        self.system().acts() || !self.study.controls.is_empty()
+    }
+
     /// Whether an internal coordinate starts off the slow manifold.
     pub fn starts_displaced(&self) -> bool {
         self.displaced.is_some() || !self.speeds.is_empty()
@@ -107,6 +113,9 @@ impl<'a> Motion<'a> {
         options: &Options,
         observer: &mut dyn Observer,
     ) -> Result<(Run, Option<OnManifold>), StudyError> {
+        if !self.study.controls.is_empty() {
+            return Ok((controlled::follow(self, system, times, options, observer)?, None));
+        }
         if system == System::SpinManifold {
             let (run, verdict) = about_spin::follow(self, about_spin, times, options, observer)?;
             return Ok((run, Some(verdict)));

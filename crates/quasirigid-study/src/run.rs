@@ -138,6 +138,7 @@ impl Study {
         keeping: Option<&Keeping>,
         watch: &mut dyn Watch,
     ) -> Result<RunOutcome, StudyError> {
+        self.uncontrolled("run")?;
         let mut kept = keeping.map(|keeping| KeptRun::open(keeping, self, asked)).transpose()?;
         let settings = RunSettings::resolve(asked, self)?;
         let Study { model, body, .. } = self;

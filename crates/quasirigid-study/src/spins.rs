@@ -65,6 +65,7 @@ impl Study {
         asked: &PartialRun,
         rounding: Rounding,
     ) -> Result<SpinPathPlan<'a>, StudyError> {
+        self.uncontrolled("a list of spins")?;
         let options =
             Options { rounding, ..RunSettings::resolve(asked, self)?.options(self, [0.0, 0.0, 1.0])? };
         let free = !Motion::new(self, Start::new([0.0; 3], self.model.initial.attitude)).system().acts();

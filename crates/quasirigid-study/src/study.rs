@@ -7,11 +7,13 @@ use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use quasirigid::dynamics::Start;
 use quasirigid::elements::{Built, Condensation, Resolution, SlowLiquid, Surface, Visual};
+use quasirigid::model::control::Controls;
 use quasirigid::model::force::Force;
 use quasirigid::model::{FlexibleBody, Marker, ReducedBody};
 use quasirigid::reduction::{ReductionError, reduce};
 use quasirigid_io::model::Model;
 
+use crate::controlled;
 use crate::error::StudyError;
 use crate::incomplete::beyond;
 use crate::start::initial;
@@ -37,6 +39,8 @@ pub struct Study {
     pub body: FlexibleBody,
     /// External forces, on places of the body.
     pub forces: Vec<Force<Marker>>,
+    /// Controllers, on places of the body.
+    pub controls: Controls,
     /// Rates of cyclic coordinates at the start (rad/s), where the model gives them.
     pub speeds: Vec<(usize, f64)>,
     /// Effect of each liquid on a slow rotation.
@@ -98,11 +102,12 @@ impl Study {
             return Err(model.diagnose_all(&errors).into());
         }
         let built = if drawn { model.assembly.build_with_visuals() } else { model.assembly.build() };
-        let Built { body, forces, condensation, speeds, liquids: slow, resolution, visuals } =
+        let Built { body, forces, controls, condensation, speeds, liquids: slow, resolution, visuals } =
             built.map_err(|error| model.diagnose(&error))?;
         let visuals = if drawn { OnceLock::from(visuals) } else { OnceLock::new() };
         model.notes.extend(beyond(&model.assembly, order));
         model.notes.extend(liquids::notes(&model.assembly, &slow));
+        model.notes.extend(controlled::note(&controls));
         if let Some(resolution) = &resolution {
             settle(&mut model, resolution);
         }
@@ -111,6 +116,7 @@ impl Study {
             model,
             body,
             forces,
+            controls,
             speeds,
             liquids: slow,
             condensation,

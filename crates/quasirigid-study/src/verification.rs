@@ -27,6 +27,7 @@ impl Study {
         plan: &VerificationPlan,
         watch: &mut dyn Watch,
     ) -> Result<Option<VerificationRecord>, StudyError> {
+        self.uncontrolled("verify")?;
         let motion = Motion::new(self, self.initial()?);
         Ok(follow(&motion, plan, watch)?.map(|found| record::verification(plan, &found)))
     }

@@ -8,6 +8,7 @@ mod catalogues;
 mod check;
 mod colour;
 mod complete;
+mod controllers;
 mod derive;
 mod docs;
 mod effective_masses;

@@ -69,6 +69,12 @@ pub(super) trait Trajectory {
         let _ = (stretch, begins);
     }
 
+    /// The state after what jumps at a time, where something does: sampled controllers. (Y3)
+    fn jumped(&mut self, t: f64, y: &Self::State) -> Option<Self::State> {
+        let _ = (t, y);
+        None
+    }
+
     /// Saves what the motion has summed up beside the state.
     fn save(&self, checkpoint: &mut Checkpoint) {
         let _ = checkpoint;
@@ -421,6 +427,9 @@ impl<M: Solver<State = T::State>, T: Trajectory> StepObserver<M> for InvariantMo
     #[inline(always)]
     fn stepped(&mut self, solver: &mut M) -> ControlFlow<()> {
         self.settle(solver)?;
+        if let Some(y) = self.trajectory.jumped(solver.t(), solver.y()) {
+            solver.rewind(solver.t(), y);
+        }
         let Some(flow) = self.progress(solver.work().steps, solver.t()) else {
             return ControlFlow::Continue(());
         };

@@ -2,13 +2,15 @@ use std::ops::Range;
 
 use crate::model::FlexibleBody;
 
-/// Layout of a full state: slow parts, then energies of the dissipators, then coordinates and their momenta.
+/// Layout of a full state: slow parts, then energies of the dissipators, then controllers, then coordinates and their momenta.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Layout {
     /// Number of internal coordinates.
     pub n: usize,
     /// Number of dissipators with an energy account of their own, after the slow parts.
     pub accounts: usize,
+    /// Length of the block of the controllers, after the accounts.
+    pub controls: usize,
 }
 
 /// Angular momentum (N·m·s), body axes: about the pole, or about the centre of mass of a free body.
@@ -34,17 +36,28 @@ impl Layout {
     /// Layout for a body; a single dissipator needs no account beside the total.
     pub fn of(body: &FlexibleBody) -> Self {
         let dissipators = body.dissipators().len();
-        Self { n: body.coordinates().len(), accounts: if dissipators > 1 { dissipators } else { 0 } }
+        let accounts = if dissipators > 1 { dissipators } else { 0 };
+        Self { n: body.coordinates().len(), accounts, controls: 0 }
+    }
+
+    /// The layout with a block of controllers of a length.
+    pub fn with_controls(self, controls: usize) -> Self {
+        Self { controls, ..self }
     }
 
     /// Length before the coordinates.
     pub fn slow(self) -> usize {
-        SLOW_LENGTH + self.accounts
+        SLOW_LENGTH + self.accounts + self.controls
     }
 
     /// Energy taken by each dissipator (J), if there are several.
     pub fn accounts(self) -> Range<usize> {
-        SLOW_LENGTH..self.slow()
+        SLOW_LENGTH..SLOW_LENGTH + self.accounts
+    }
+
+    /// Block of the controllers.
+    pub fn controls(self) -> Range<usize> {
+        SLOW_LENGTH + self.accounts..self.slow()
     }
 
     pub fn len(self) -> usize {

@@ -1,6 +1,7 @@
 //! Motion of a body: full, reduced, rigid.
 
 mod conserved_momentum;
+mod control;
 mod damped;
 mod event;
 mod external;
@@ -31,7 +32,7 @@ pub use crate::model::{Form, Method};
 pub use damped::DampedMode;
 pub use event::Event;
 pub use external::Forced;
-pub use full::{FullState, propagate_full};
+pub use full::{FullState, propagate_controlled, propagate_full};
 pub use initial_transient::{BoundaryLayer, FastPart, composite_spin, matched_start};
 pub use nutation::{Nutation, Nutations};
 pub use reduced::propagate;

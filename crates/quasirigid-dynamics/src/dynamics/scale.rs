@@ -1,4 +1,5 @@
 use super::conserved_momentum::{inside, size};
+use super::control::Clock;
 use super::external::{Forced, Pose};
 use super::run::Start;
 use super::timing::{Allowed, Timing};
@@ -39,9 +40,20 @@ impl Scales {
         pose: Pose<f64>,
         end: f64,
     ) -> (Self, Option<Timing<'a>>) {
-        let timing = Timing::of(system, omega, &pose, end);
+        Self::controlled(system, (0.0, Vec::new()), (omega, K), pose, end)
+    }
+
+    /// The same under controllers, with the size of their torque at the start (N·m) and their instants.
+    pub fn controlled<'a>(
+        system: Forced<'a>,
+        (torque, clocks): (f64, Vec<Clock>),
+        (omega, K): ([f64; 3], [f64; 3]),
+        pose: Pose<f64>,
+        end: f64,
+    ) -> (Self, Option<Timing<'a>>) {
+        let timing = Timing::of(system, omega, &pose, end, clocks);
         let intervals = timing.as_ref().map_or_else(Vec::new, Timing::intervals);
-        (Self::of(system, omega, K, pose, end, &intervals), timing)
+        (Self::of(system, torque, (omega, K), pose, end, &intervals), timing)
     }
 
     /// Errors that a step may have at a tolerance, for the limits of the impulse. (Z4)
@@ -52,8 +64,8 @@ impl Scales {
     /// Sizes of a motion from a pose to a time `end` (s); `intervals` are middles and lengths of those in which forces change.
     fn of(
         system: Forced,
-        omega: [f64; 3],
-        K: [f64; 3],
+        torque: f64,
+        (omega, K): ([f64; 3], [f64; 3]),
         pose: Pose<f64>,
         end: f64,
         intervals: &[[f64; 2]],
@@ -70,11 +82,11 @@ impl Scales {
             place: f64::INFINITY,
             velocity: f64::INFINITY,
         };
-        let mut caused = 0.0;
+        let mut caused = (torque / inertia).sqrt();
         if system.acts() {
             let still = vec![0.0; system.body.coordinates().len()];
             let moment = |t: f64| norm(moment(system, &Pose { t, ..pose }, omega, &still));
-            caused = spin_caused(moment, inertia, [pose.t, end], intervals);
+            caused = spin_caused(moment, inertia, [pose.t, end], intervals).max(caused);
         }
         scales.spin = scales.spin.max(caused);
         if scales.spin == 0.0 && scales.angular_momentum == 0.0 {
@@ -178,7 +190,8 @@ mod tests {
         assembly.forces = vec![Force { name: "motor".into(), law }];
         let (body, forces) = (assembly.body().unwrap(), assembly.forces().unwrap());
         let pose = Pose { t: 0.0, attitude: [1.0, 0.0, 0.0, 0.0], place: [0.0; 3], velocity: [0.0; 3] };
-        let found = Scales::of(Forced { body: &body, forces: &forces }, [0.0; 3], [0.0; 3], pose, 2.0, &[]);
+        let system = Forced { body: &body, forces: &forces };
+        let found = Scales::of(system, 0.0, ([0.0; 3], [0.0; 3]), pose, 2.0, &[]);
         let [xx, yy, zz, ..] = body.invariants().J;
         let (inertia, mass) = (xx + yy + zz, body.invariants().mass);
         let close =

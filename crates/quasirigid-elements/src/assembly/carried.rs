@@ -19,6 +19,7 @@ use crate::kinds::part::PartGraph;
 use crate::math::memory;
 use crate::math::sparse::SparseRows;
 use crate::math::sym3::Sym;
+use crate::model::control::Controls;
 use crate::model::force::Force;
 use crate::model::{
     BodyParts, Coordinate, CurvedPaths, FlexibleBody, FlexibleError, Hinge, Invariants, Marker, Pair,
@@ -143,6 +144,7 @@ impl Assembly {
         Ok(Built {
             body,
             forces,
+            controls: Controls::default(),
             condensation,
             speeds: whole.inner.speeds,
             liquids: whole.inner.liquids,

@@ -15,6 +15,7 @@ use crate::error::{ElementError, ElementId, ElementKind, Field, Problem, at};
 use crate::kinds::part::Part;
 use crate::kinds::part::PartGraph;
 use crate::math::sparse::SparseRows;
+use crate::model::control::Controls;
 use crate::model::force::Force;
 use crate::model::{BodyParts, FlexibleBody, Invariants, Marker, Support, Watched, Wheels};
 use crate::structure::Component;
@@ -95,6 +96,7 @@ impl Assembly {
         Ok(Built {
             body: body?.along(paths).watching(Watched { reaches, hinges: Vec::new() }).made_of(parts),
             forces,
+            controls: Controls::default(),
             condensation: Some(component.condensation()),
             speeds: Vec::new(),
             liquids: Vec::new(),

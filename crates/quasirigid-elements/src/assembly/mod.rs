@@ -16,6 +16,7 @@ use crate::contribution::WholeBody;
 use crate::element::{Element, Role};
 use crate::error::{ElementError, ElementId, ElementKind, Field, Problem, at};
 use crate::kinds::part::PartGraph;
+use crate::model::control::Controls;
 use crate::model::force::Force;
 use crate::model::{FlexibleBody, Marker, Support};
 use crate::number;
@@ -29,6 +30,8 @@ pub struct Built {
     pub body: FlexibleBody,
     /// External forces with their points of action, from the pole of the body.
     pub forces: Vec<Force<Marker>>,
+    /// Controllers, on places of the body.
+    pub controls: Controls,
     /// Condensation of the parts of finite elements; none of a body without such parts.
     pub condensation: Option<Condensation>,
     /// Rates of cyclic coordinates at the start (rad/s) where they are given, each with its coordinate.
@@ -77,7 +80,7 @@ impl Assembly {
     /// # Errors
     /// [`ElementError`] for the first element that no body can have, for a force that cannot act, and for a mechanism.
     pub fn build(&self) -> Result<Built, ElementError> {
-        self.under(&self.forces, BuildOptions { errors: true, visuals: false })
+        self.controlled_body(BuildOptions { errors: true, visuals: false })
     }
 
     /// As [`build`](Self::build), with the visual geometry of the elements.
@@ -85,7 +88,13 @@ impl Assembly {
     /// # Errors
     /// As [`build`](Self::build).
     pub fn build_with_visuals(&self) -> Result<Built, ElementError> {
-        self.under(&self.forces, BuildOptions { errors: true, visuals: true })
+        self.controlled_body(BuildOptions { errors: true, visuals: true })
+    }
+
+    /// The body with its forces and controllers.
+    fn controlled_body(&self, asked: BuildOptions) -> Result<Built, ElementError> {
+        let built = self.under(&self.forces, asked)?;
+        Ok(Built { controls: self.controls_on(&built.body)?, ..built })
     }
 
     /// The body under some of its forces.
@@ -109,6 +118,7 @@ impl Assembly {
         Ok(Built {
             forces: self.placed_forces(forces, pole, &Attachments::default())?,
             body,
+            controls: Controls::default(),
             condensation,
             speeds: Vec::new(),
             liquids: Vec::new(),

@@ -198,6 +198,7 @@ impl Problem {
             | Self::Rheology(RheologyError::NoRows | RheologyError::NotAscending { .. }) => {
                 ("no such material", "")
             }
+            Self::Control(problem) => ("no such controller", problem.remedy()),
             Self::Beam(_) => ("no such beam", ""),
             Self::Shell { .. } => ("no such panel", ""),
             Self::Degree { .. }

@@ -9,6 +9,7 @@ use crate::finite::shell::ShellError;
 use crate::flow::stokes::StokesError;
 use crate::math::eigen::NoConvergence;
 use crate::math::memory::TooMuchMemory;
+use crate::model::control::ControlProblem;
 use crate::model::{InertiaError, RheologyError, mechanism};
 use quasirigid_mesh::meshing::MeshingError;
 use quasirigid_mesh::{MeshFault, MeshNote};
@@ -296,6 +297,9 @@ pub enum Problem {
         /// Distance to the nearest node of the other side (m).
         distance: f64,
     },
+    /// A controller that cannot be.
+    #[error(transparent)]
+    Control(#[from] ControlProblem),
     /// A beam or its section is not possible.
     #[error(transparent)]
     Beam(#[from] BeamError),

@@ -8,6 +8,7 @@ pub(crate) mod carrier;
 pub(crate) mod cavity;
 pub(crate) mod coefficient;
 pub(crate) mod compliance;
+pub(crate) mod controller;
 pub(crate) mod ellipsoid;
 pub(crate) mod force;
 pub(crate) mod hinged;

@@ -8,6 +8,8 @@ mod body;
 mod bushing;
 mod cavity;
 mod change;
+mod channel;
+mod controller;
 pub(crate) mod diagnostic;
 mod ellipsoid;
 mod error;
@@ -103,6 +105,7 @@ const READERS: &[&Reader] = &[
     &wheel::READER,
     &cavity::READER,
     &force::READER,
+    &controller::READER,
 ];
 
 /// Tables of a file that describe no elements.

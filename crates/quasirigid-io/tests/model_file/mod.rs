@@ -6,6 +6,7 @@ mod bodies;
 mod change;
 mod connections;
 mod connections_refused;
+mod controllers;
 mod decks;
 mod elements;
 mod ellipsoids;

@@ -105,6 +105,7 @@ impl Study {
         asked: PartialSpinManifold,
         axis: Option<PrincipalAxis>,
     ) -> Result<AboutSpin<'_>, StudyError> {
+        self.uncontrolled("a derivation about a spin")?;
         let settings = SpinManifoldSettings::resolve(asked, axis, self)?;
         watch::stage("expanding about the spin");
         let mut ask = |share: f64| {

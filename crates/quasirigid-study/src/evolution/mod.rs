@@ -103,6 +103,7 @@ impl Study {
         asked: PartialEvolve,
         watch: &mut dyn Watch,
     ) -> Result<Evolved, StudyError> {
+        self.uncontrolled("evolve")?;
         follow(self, start, &EvolveSettings::resolve(asked, self)?, watch)
     }
 }

@@ -55,7 +55,7 @@ types! {
         Anchor Appendage AppendageMode Approximation Assembly BeamError Built Bushing Carrier Cavity CavityShape Coefficient
         Condensation Connection Constant ElasticMaterial ElasticityError ElementError ElementId
         ElementKind Ellipsoid End Extent Field Frame FrameNode GivenModes HingeCoefficient Hinged Incomplete InertiaPoint
-        Layer Material Matrices Member Modulus Network NodalMass NodeRef Orthotropic Panel Part PartKind
+        Layer Material Matrices Member Modulus NamedController Network NodalMass NodeRef Orthotropic Panel Part PartKind
         PartReduction PlaceRef Point PointMotion Prestress Problem Quantity Regime Region Resolution Rotor
         RotorKind Section SectionShape ShellError SlowLiquid Solid Spectrum Spring SpringLaw ApplicationPoint
         StokesError Surface TipMass RotorAxis Visual Wheel WheelSpeed

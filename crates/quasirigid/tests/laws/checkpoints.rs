@@ -2,10 +2,14 @@
 
 use proptest::prelude::*;
 use quasirigid::dynamics::{
-    Checkpoint, Event, Forced, Form, Method, Observer, Options, Outcome, PropagateError, Run, Sample,
-    SlowEquations, SlowState, Start, propagate, propagate_forced, propagate_full,
+    Checkpoint, Event, Forced, Form, FullState, Method, Observer, Options, Outcome, PropagateError, Run,
+    Sample, SlowEquations, SlowState, Start, propagate, propagate_controlled, propagate_forced,
+    propagate_full,
 };
 use quasirigid::elements::Assembly;
+use quasirigid::model::control::{
+    Actuator, ControlLaw, Controller, Input, LinearLaw, Measurement, Output, Sampling,
+};
 use quasirigid::model::force::{Axes, Force, ForceLaw, Wave};
 use quasirigid::model::{FlexibleBody, Support};
 use quasirigid::problems::AxialMass;
@@ -192,5 +196,64 @@ fn checkpoint_of_another_propagation_is_refused() {
         let mut broken = Told { resumes: Some(Checkpoint::from_words(words)), ..Told::default() };
         let refused = propagate_full(Forced::not(&other), &settled, &times, &options, &mut broken);
         assert_eq!(refused.unwrap_err(), PropagateError::Checkpoint);
+    }
+}
+
+/// Samples with noise, commands that wait, and a state of a continuous law on a flexible body.
+#[test]
+fn run_under_controllers_goes_on_with_the_same_bits() {
+    let input = |axis| Input {
+        of: Measurement::Rate { axis },
+        reference: 0.0,
+        deadband: 0.0,
+        quantum: 1e-4,
+        noise: 0.01,
+    };
+    let output = |axis| Output { to: Actuator::Torque { axis }, limit: Some(0.02) };
+    let law = |gain: f64, step: f64| {
+        ControlLaw::Linear(LinearLaw {
+            A: vec![vec![0.9 * step]],
+            B: vec![vec![0.1]],
+            C: vec![vec![gain]],
+            D: vec![vec![-0.02]],
+            E: vec![Vec::new()],
+        })
+    };
+    let sampled = Controller {
+        name: "sampled".into(),
+        inputs: vec![input(2)],
+        law: law(-0.3, 1.0),
+        outputs: vec![output(0)],
+        start: vec![0.0],
+        sampling: Some(Sampling { period: 0.3, delay: 0.7, seed: 11 }),
+    };
+    let continuous = Controller {
+        name: "continuous".into(),
+        inputs: vec![Input { quantum: 0.0, noise: 0.0, ..input(1) }],
+        law: law(0.2, -1.0),
+        outputs: vec![output(1)],
+        start: vec![0.3],
+        sampling: None,
+    };
+    let assembly =
+        Assembly { controllers: vec![sampled, continuous], ..quasirigid::problems::ring_of_points(2) };
+    let built = assembly.build().unwrap();
+    let system = Forced::not(&built.body);
+    let start = FullState::at_rest(&built.body, [0.1, -0.2, 0.6], ALIGNED);
+    let times = times_to(6.0, 40);
+    for method in [Method::Explicit, Method::Implicit] {
+        let options = options(method, Form::AngularMomentum);
+        let run =
+            |told: &mut Told| propagate_controlled(system, &built.controls, &start, &times, &options, told);
+        assert!(assert_resumes(&run) > 0);
+        let seeded = |seed| {
+            let mut controls = built.controls.clone();
+            controls.controllers[0].sampling = Some(Sampling { period: 0.3, delay: 0.7, seed });
+            let mut told = Told::default();
+            propagate_controlled(system, &controls, &start, &times, &options, &mut told).unwrap();
+            told.samples
+        };
+        assert_eq!(seeded(11), seeded(11));
+        assert_ne!(seeded(11)[39], seeded(12)[39]);
     }
 }

@@ -15,6 +15,7 @@ mod budget;
 mod campbell;
 mod cantilever;
 mod checkpoints;
+mod control;
 mod cutting;
 mod degrees;
 mod drift;

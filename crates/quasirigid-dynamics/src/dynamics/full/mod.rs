@@ -6,5 +6,5 @@ mod start;
 mod stiff_part;
 mod system;
 
-pub use propagate::propagate_full;
+pub use propagate::{propagate_controlled, propagate_full};
 pub use start::FullState;

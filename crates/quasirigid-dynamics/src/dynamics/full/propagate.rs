@@ -7,6 +7,7 @@ use super::solver::FullSolver;
 use super::start::FullState;
 use super::system::FullSystem;
 use crate::dynamics::conserved_momentum::Conserved;
+use crate::dynamics::control::{ControlBlock, Seen};
 use crate::dynamics::external::Forced;
 use crate::dynamics::invariant_monitor::InvariantMonitor;
 use crate::dynamics::layout::{ATTITUDE, Layout, MOMENTUM, PLACE, VELOCITY, triple};
@@ -14,6 +15,7 @@ use crate::dynamics::run::{Observer, Options, PropagateError, Run, check};
 use crate::dynamics::scale::Scales;
 use crate::math::ode::{Solver, integrate};
 use crate::model::FlexibleBody;
+use crate::model::control::Controls;
 
 /// Integrates the full equations of a body from `t = 0` and observes the body at the output times (s). (S2)–(S6), (F11)
 ///
@@ -40,6 +42,22 @@ pub fn propagate_full(
     options: &Options,
     observer: &mut dyn Observer,
 ) -> Result<Run, PropagateError> {
+    propagate_controlled(system, &Controls::default(), initial, times, options, observer)
+}
+
+/// Integrates the full equations of a body under controllers from `t = 0`, as [`propagate_full`] those without; the states of their laws
+/// are part of the motion, and their instants are breakpoints. (Y1)–(Y4)
+///
+/// # Errors
+/// [`PropagateError`] before the first step. A later failure is an [`Outcome`](crate::dynamics::Outcome).
+pub fn propagate_controlled(
+    system: Forced,
+    controls: &Controls,
+    initial: &FullState,
+    times: &[f64],
+    options: &Options,
+    observer: &mut dyn Observer,
+) -> Result<Run, PropagateError> {
     let (coordinates, rates) = (initial.q.len(), initial.rate.len());
     let needed = system.body.coordinates().len();
     if (coordinates, rates) != (needed, needed) {
@@ -49,18 +67,27 @@ pub fn propagate_full(
     if !q.iter().chain(rate).chain(place).chain(velocity).all(|value| value.is_finite()) {
         return Err(PropagateError::NotFinite);
     }
-    let y = initial.pack(system.body);
+    let block = ControlBlock::of(controls);
+    let layout = Layout::of(system.body).with_controls(block.len());
+    let mut y = initial.pack(system.body, layout);
+    let seen = Seen { t: 0.0, attitude: initial.attitude, motion: initial.motion() };
+    y[layout.controls()].copy_from_slice(&block.start(&seen));
+    let started = &y[layout.controls()];
+    let torque = block.size(&seen, started);
+    if !(torque.is_finite() && started.iter().all(|value| value.is_finite())) {
+        return Err(PropagateError::NoForce);
+    }
     let end = times.last().copied().unwrap_or_default();
-    let pose = initial.pose();
-    let (mut scales, mut timing) = Scales::timed(system, initial.omega, triple(&y, MOMENTUM), pose, end);
+    let (pose, motion) = (initial.pose(), (initial.omega, triple(&y, MOMENTUM)));
+    let (mut scales, mut timing) = Scales::controlled(system, (torque, block.clocks()), motion, pose, end);
     if initial.omega == [0.0; 3] {
         scales.stir(initial.energy(system.body));
     }
     check(scales.spin, initial.attitude, times, options)?;
-    let sizes = sizes(system.body, &scales);
+    let mut sizes = sizes(system.body, layout, &scales);
+    sizes[layout.controls()].copy_from_slice(&block.sizes(&seen, started, &scales));
     let allowed = sizes.iter().map(|size| options.tolerance * size).collect();
-    let full = FullSystem::new(system, &sizes).ok_or(PropagateError::LightCarrier)?;
-    let layout = Layout::of(system.body);
+    let full = FullSystem::new(system, controls, &sizes).ok_or(PropagateError::LightCarrier)?;
     let angular_momentum = Conserved::of(triple(&y, MOMENTUM), initial.attitude, scales.inside);
     let mut monitor = InvariantMonitor::new(full.clone(), &y, angular_momentum, options, observer);
     if let Some(timing) = &mut timing {
@@ -90,8 +117,7 @@ fn budget(body: &FlexibleBody, accounts: &[f64], dissipated: f64) -> Vec<(String
 }
 
 /// Error scale of each component; infinite where its error has no effect.
-fn sizes(body: &FlexibleBody, scales: &Scales) -> Vec<f64> {
-    let layout = Layout::of(body);
+fn sizes(body: &FlexibleBody, layout: Layout, scales: &Scales) -> Vec<f64> {
     let mut sizes = vec![f64::INFINITY; layout.len()];
     sizes[MOMENTUM..MOMENTUM + 3].fill(scales.angular_momentum);
     sizes[ATTITUDE..ATTITUDE + 4].fill(1.0);

@@ -58,12 +58,12 @@ impl FullState {
         Pose { t: 0.0, attitude: self.attitude, place: self.place, velocity: self.velocity }
     }
 
-    fn motion(&self) -> MotionState<'_, f64> {
+    pub(super) fn motion(&self) -> MotionState<'_, f64> {
         MotionState { omega: self.omega, q: &self.q, rate: &self.rate }
     }
 
-    pub(super) fn pack(&self, body: &FlexibleBody) -> Vec<f64> {
-        let layout = Layout::of(body);
+    /// The state in a layout, with the block of the controllers zero.
+    pub(super) fn pack(&self, body: &FlexibleBody, layout: Layout) -> Vec<f64> {
         let mut y = vec![0.0; layout.len()];
         let (own, p) = body.full_momenta(self.motion());
         let angular_momentum = add(own, body.wheels().angular_momentum(0.0));

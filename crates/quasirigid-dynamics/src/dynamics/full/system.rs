@@ -4,6 +4,7 @@
 //! Equations (S3), (S4), docs/theory/01-system.md; (T1) to (T4), docs/theory/08-full-system.md.
 
 use super::stiff_part::StiffPart;
+use crate::dynamics::control::{ControlBlock, Seen};
 use crate::dynamics::external::{Forced, Pose};
 use crate::dynamics::invariant_monitor::{Invariant, StateView, Trajectory};
 use crate::dynamics::layout::{
@@ -17,6 +18,7 @@ use crate::math::rotation::{self, Turn};
 use crate::math::simd::{Arithmetic, Unfused};
 use crate::math::sparse::SparseRows;
 use crate::math::vec3::{add, cross, dot, norm, scale};
+use crate::model::control::Controls;
 use crate::model::{Displaced, Kinetics, MotionState, StraightKinetics};
 
 /// Full equations in momenta, `K̇ = K × ω + M`, `ṗ = ∂L/∂q − Bq̇ + Q`: no acceleration is solved for. (S3), (S4), (T1), (C2)
@@ -24,6 +26,7 @@ use crate::model::{Displaced, Kinetics, MotionState, StraightKinetics};
 pub(super) struct FullSystem<'a> {
     system: Forced<'a>,
     layout: Layout,
+    control: ControlBlock<'a>,
     kinetics: Kinetics<'a>,
     /// Kinetics for stages side by side and the angular velocities of the last ones, where nothing acts from outside on a small body.
     straight: Option<StraightKinetics>,
@@ -43,16 +46,18 @@ const DIFFERENCE: f64 = 1.5e-8;
 const POWER_ITERATIONS: usize = 40;
 
 impl<'a> FullSystem<'a> {
-    /// Equations of a body, whose state has components of these sizes; none if the mass matrix is not positive.
-    pub fn new(system: Forced<'a>, sizes: &[f64]) -> Option<Self> {
+    /// Equations of a body under controllers, whose state has components of these sizes; none if the mass matrix is not positive.
+    pub fn new(system: Forced<'a>, controls: &'a Controls, sizes: &[f64]) -> Option<Self> {
         let body = system.body;
-        let layout = Layout::of(body);
+        let control = ControlBlock::of(controls);
+        let layout = Layout::of(body).with_controls(control.len());
         let accounts = body.dissipators().iter().take(layout.accounts).map(|part| upper(&part.damping));
         Some(Self {
             system,
             layout,
             kinetics: Kinetics::new(body)?,
-            straight: if system.acts() { None } else { StraightKinetics::new(body) },
+            straight: if system.acts() || !control.is_empty() { None } else { StraightKinetics::new(body) },
+            control,
             omega: [Lanes::splat(0.0); 3],
             accounts: accounts.collect(),
             stiff: StiffPart::vibrations(body),
@@ -103,6 +108,28 @@ impl<'a> FullSystem<'a> {
         slow[WORK] = loads.power(motion, [0.0; 3]);
     }
 
+    /// Adds what controllers do to the rates of a state. (Y4)
+    fn add_control(&self, seen: &Seen, y: &[f64], slow: &mut [f64]) {
+        let block = self.layout.controls();
+        let action = self.control.act(seen, &y[block.clone()], &mut slow[block]);
+        for (at, added) in [(MOMENTUM, action.torque), (IMPULSE, action.impulse)] {
+            let rate = add(triple(slow, at), added);
+            slow[at..at + 3].copy_from_slice(&rate);
+        }
+        slow[WORK] += action.power;
+    }
+
+    /// Angular momentum (N·m·s, body axes) of wheels relative to the body. (C4), (Y4)
+    fn wheels(&self, t: f64, y: &[f64]) -> [f64; 3] {
+        let own = self.system.body.wheels().angular_momentum(t);
+        if self.control.is_empty() { own } else { add(own, self.control.given(&y[self.layout.controls()])) }
+    }
+
+    /// Whether something acts on the body.
+    fn acts(&self) -> bool {
+        self.system.acts() || !self.control.is_empty()
+    }
+
     /// Upper estimate of the fastest rate of the elastic part, `|λ|` of `λ²M + λB + C` (1/s). (T3)
     pub fn fastest(&mut self) -> f64 {
         let body = self.system.body;
@@ -140,8 +167,7 @@ impl System<Vec<f64>> for FullSystem<'_> {
         let (q, p) = (&y[self.layout.q()], &y[self.layout.p()]);
         let (slow, fast) = rate.split_at_mut(self.layout.slow());
         let (q_rate, p_rate) = fast.split_at_mut(self.layout.n);
-        let wheels = self.system.body.wheels();
-        let own = add(K, scale(-1.0, wheels.angular_momentum(t)));
+        let own = add(K, scale(-1.0, self.wheels(t, y)));
         let velocities = self.kinetics.velocities(own, p, q, q_rate);
         p_rate.fill(0.0);
         slow[DISSIPATED] = velocities.add_loads(q, q_rate, p_rate);
@@ -152,10 +178,13 @@ impl System<Vec<f64>> for FullSystem<'_> {
         slow[ANGLE] = norm(omega);
         slow[MOMENTUM..MOMENTUM + 3].copy_from_slice(&cross(K, omega));
         slow[ATTITUDE..ATTITUDE + 4].copy_from_slice(&rotation::rate(attitude(y), omega));
-        if self.system.acts() {
+        if self.acts() {
             let motion = MotionState { omega, q, rate: q_rate };
             self.add_external(t, y, motion, slow, p_rate);
-            slow[WORK] -= dot(omega, wheels.torque(t));
+            slow[WORK] -= dot(omega, self.system.body.wheels().torque(t));
+            if !self.control.is_empty() {
+                self.add_control(&Seen { t, attitude: attitude(y), motion }, y, slow);
+            }
         } else {
             slow[PLACE..PLACE + 3].copy_from_slice(&triple(y, VELOCITY));
         }
@@ -175,7 +204,7 @@ impl Trajectory for FullSystem<'_> {
         let (q, p) = (&y[self.layout.q()], &y[self.layout.p()]);
         let mut rate = vec![0.0; self.layout.n];
         let angular_momentum = triple(y, MOMENTUM);
-        let own = add(angular_momentum, scale(-1.0, self.system.body.wheels().angular_momentum(t)));
+        let own = add(angular_momentum, scale(-1.0, self.wheels(t, y)));
         let omega = self.kinetics.velocities(own, p, q, &mut rate).omega;
         let kinetic = dot(omega, own) + product(p, &rate);
         let elastic = product(&self.system.body.stiffness().times(q), q);
@@ -208,7 +237,18 @@ impl Trajectory for FullSystem<'_> {
     }
 
     fn invariant(&self) -> Invariant {
-        if self.system.acts() { Invariant::Impulse } else { Invariant::AngularMomentum }
+        if self.acts() { Invariant::Impulse } else { Invariant::AngularMomentum }
+    }
+
+    fn jumped(&mut self, t: f64, y: &Vec<f64>) -> Option<Vec<f64>> {
+        if self.control.is_empty() {
+            return None;
+        }
+        let StateView { omega, q, rate, .. } = self.view(t, y);
+        let motion = MotionState { omega, q: &q, rate: &rate };
+        let mut next = y.clone();
+        let seen = Seen { t, attitude: attitude(y), motion };
+        self.control.jump(&seen, &mut next[self.layout.controls()]).then_some(next)
     }
 }
 
@@ -310,7 +350,8 @@ mod tests {
     fn difference(assembly: &Assembly, rounding: Rounding) -> f64 {
         let body = assembly.body().unwrap();
         let layout = Layout::of(&body);
-        let mut system = FullSystem::new(Forced::not(&body), &vec![1.0; layout.len()]).unwrap();
+        let none = Controls::default();
+        let mut system = FullSystem::new(Forced::not(&body), &none, &vec![1.0; layout.len()]).unwrap();
         assert!(system.steering().is_some());
         let entry = |i: usize, lane: usize| (1.3 * i as f64 + 0.9 * lane as f64 + 0.2).sin();
         let small = |i: usize| if i < layout.slow() { 1.0 } else { 0.2 };

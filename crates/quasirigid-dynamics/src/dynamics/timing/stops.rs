@@ -4,6 +4,7 @@
 use std::f64::consts::{PI, TAU};
 
 use super::prescribed::varies;
+use crate::dynamics::control::Clock;
 use crate::dynamics::external::{Forced, Pose};
 use crate::math::expression::Expression;
 use crate::math::ode::Stretch;
@@ -18,6 +19,8 @@ pub(super) struct Stops<'a> {
     /// Those at which the steps begin anew.
     breaks: Vec<f64>,
     periodic: Vec<Periodic>,
+    /// Instants of controllers, breakpoints too. (Y3)
+    pub clocks: Vec<Clock>,
     formulas: Vec<Formula<'a>>,
     end: f64,
     /// Time up to which the formulas have been followed, and the length of the part that is tried next (s).
@@ -170,7 +173,8 @@ impl Stops<'_> {
 
     /// True if a run has no stops and will have none.
     pub fn is_empty(&self) -> bool {
-        self.breaks.is_empty() && self.periodic.is_empty() && self.formulas.is_empty()
+        let none = self.breaks.is_empty() && self.clocks.is_empty();
+        none && self.periodic.is_empty() && self.formulas.is_empty()
     }
 
     /// Stops known so far within the run, without those that come again.
@@ -188,18 +192,23 @@ impl Stops<'_> {
         let own = self.all.get(self.all.partition_point(|stop| *stop <= t)).copied().unwrap_or(f64::INFINITY);
         let again = self.periodic.iter().map(|periodic| periodic.next(t)).fold(f64::INFINITY, f64::min);
         let again = if own - again <= APART * own.abs() { own } else { again };
-        let next = own.min(again);
+        let next = self.clocks.iter().fold(own.min(again), |next, clock| {
+            let instant = clock.next(t);
+            if instant < next * (1.0 - APART) { instant } else { next }
+        });
         if next < self.end * (1.0 - APART) { next } else { f64::INFINITY }
     }
 
     /// The stretch between breakpoints that lies after a time that has been followed, and whether it begins there; none without breakpoints.
     pub fn stretch(&self, t: f64) -> Option<(Stretch, bool)> {
-        if self.breaks.is_empty() {
+        if self.breaks.is_empty() && self.clocks.is_empty() {
             return None;
         }
         let after = self.breaks.partition_point(|stop| *stop <= t);
         let from = after.checked_sub(1).map_or(f64::NEG_INFINITY, |before| self.breaks[before]);
         let to = self.breaks.get(after).copied().unwrap_or(f64::INFINITY);
+        let from = self.clocks.iter().filter_map(|clock| clock.last(t)).fold(from, f64::max);
+        let to = self.clocks.iter().map(|clock| clock.next(t)).fold(to, f64::min);
         Some((Stretch { from, to }, from == t))
     }
 }
@@ -253,6 +262,27 @@ mod tests {
         assert_eq!(stops.stretch(2.0), Some((Stretch { from: 2.0, to: 9.0 }, true)));
         assert_eq!(stops.stretch(9.5), Some((Stretch { from: 9.0, to: 10.0 }, false)));
         assert_eq!((stops.breakpoints(), stops.list().len()), (2, 5));
+    }
+
+    /// Instants of a controller beside a break: one that is a break to rounding is that break.
+    #[test]
+    fn instants_of_controllers_are_breakpoints() {
+        let clocks = vec![Clock { period: 0.1, offset: 0.0 }, Clock { period: 0.1, offset: 0.04 }];
+        let mut stops = Stops { breaks: vec![0.3, 0.35], clocks, end: 1.0, ..Stops::default() };
+        stops.settle();
+        let mut t = 0.0;
+        let found: Vec<f64> = (0..8)
+            .map(|_| {
+                let (stretch, begins) = stops.stretch(t).unwrap();
+                assert!(begins && stretch.from == t, "{stretch:?} {t}");
+                t = stops.next(t);
+                t
+            })
+            .collect();
+        let expected = [0.04, 0.1, 0.14, 0.2, 0.24, 0.3, 0.34, 0.35];
+        assert!(found.iter().zip(expected).all(|(t, known)| (t - known).abs() < 1e-15), "{found:?}");
+        let (stretch, begins) = stops.stretch(0.37).unwrap();
+        assert!(!begins && stretch == Stretch { from: 0.35, to: 0.4 }, "{stretch:?}");
     }
 
     fn followed(formula: &Expression, end: f64) -> Stops<'_> {

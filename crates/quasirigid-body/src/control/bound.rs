@@ -1,0 +1,172 @@
+//! Controllers on a body: measurements of a state, and commands to the carrier and to the motors of wheels. (Y2) to (Y4)
+
+use super::noise::normal;
+use super::{Actuator, ControlState, Controller, Input, Sampling};
+use crate::Marker;
+use crate::math::vec3::{add, scale};
+
+/// Controller on a body: places as markers, internal coordinates and wheels of [`Controls`] by index.
+pub type BodyController = Controller<Marker, usize, usize>;
+
+/// Controllers of a body, with the wheels that they measure or command. (Y4)
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Controls {
+    /// Controllers.
+    pub controllers: Vec<BodyController>,
+    /// Wheels.
+    pub wheels: Vec<ControlledWheel>,
+}
+
+/// Wheel whose motor a controller may command.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ControlledWheel {
+    /// Name.
+    pub name: String,
+    /// Axis, a unit vector, body axes.
+    pub axis: [f64; 3],
+    /// Angular momentum relative to the carrier at the start (N·m·s): that of [`FlexibleBody::wheels`](crate::FlexibleBody::wheels), to
+    /// which controllers add.
+    pub angular_momentum: f64,
+}
+
+/// Commands of controllers at a state. (Y4)
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Commands {
+    /// Torque on the carrier (N·m), body axes, without the reactions of wheels.
+    pub torque: [f64; 3],
+    /// Torque of each wheel's motor on the wheel (N·m).
+    pub motors: Vec<f64>,
+}
+
+impl Controls {
+    /// Whether there is no controller.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.controllers.is_empty()
+    }
+
+    /// No command.
+    #[must_use]
+    pub fn silence(&self) -> Commands {
+        Commands { torque: [0.0; 3], motors: vec![0.0; self.wheels.len()] }
+    }
+
+    /// Angular momentum (N·m·s, body axes) of values about the axes of the wheels, or torque.
+    #[must_use]
+    pub fn about_axes(&self, values: &[f64]) -> [f64; 3] {
+        self.wheels
+            .iter()
+            .zip(values)
+            .fold([0.0; 3], |sum, (wheel, value)| add(sum, scale(*value, wheel.axis)))
+    }
+}
+
+impl Commands {
+    /// Adds the values of a controller's outputs.
+    pub fn add(&mut self, controller: &BodyController, values: &[f64]) {
+        for (output, value) in controller.outputs.iter().zip(values) {
+            match output.to {
+                Actuator::Torque { axis } => self.torque[axis] += value,
+                Actuator::Wheel { wheel } => self.motors[wheel] += value,
+            }
+        }
+    }
+}
+
+impl BodyController {
+    /// Inputs of the law at a state; of a sample with the errors of the sensors, from its number and the index of the controller. (Y2)
+    #[must_use]
+    pub fn inputs(&self, state: &ControlState, sample: Option<(usize, u64)>) -> Vec<f64> {
+        let input = |(index, input): (usize, &Input<Marker, usize, usize>)| {
+            let mut value = input.of.value(state);
+            if let (Some((controller, number)), Some(Sampling { seed, .. })) = (sample, self.sampling) {
+                if input.noise > 0.0 {
+                    value += input.noise * normal(seed, [controller, index], number);
+                }
+                if input.quantum > 0.0 {
+                    value = input.quantum * (value / input.quantum).round();
+                }
+            }
+            let error = value - input.reference;
+            error - error.clamp(-input.deadband, input.deadband)
+        };
+        self.inputs.iter().enumerate().map(input).collect()
+    }
+
+    /// Values of the outputs, limited, and the rates of the states, or their next values. (Y1)
+    #[must_use]
+    pub fn act(&self, inputs: &[f64], states: &[f64]) -> (Vec<f64>, Vec<f64>) {
+        let demanded = self.law.outputs(inputs, states);
+        let limited: Vec<f64> = demanded
+            .iter()
+            .zip(&self.outputs)
+            .map(|(v, output)| output.limit.map_or(*v, |limit| v.clamp(-limit, limit)))
+            .collect();
+        let excess: Vec<f64> = limited.iter().zip(&demanded).map(|(limited, v)| limited - v).collect();
+        let advance = self.law.advance(inputs, states, &excess);
+        (limited, advance)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::MotionState;
+    use crate::control::{ControlLaw, Measurement, Output, Pid};
+
+    fn controller(pid: &Pid, limit: Option<f64>) -> BodyController {
+        let axis = 1;
+        let input = Input {
+            of: Measurement::Rate { axis },
+            reference: 0.2,
+            deadband: 0.05,
+            quantum: 0.0,
+            noise: 0.0,
+        };
+        Controller {
+            name: String::new(),
+            inputs: vec![input],
+            law: ControlLaw::Linear(pid.law(None)),
+            outputs: vec![Output { to: Actuator::Torque { axis }, limit }],
+            start: vec![0.0; 2],
+            sampling: None,
+        }
+    }
+
+    /// Each of the parts of (Y5) by hand: dead zone, gains, filter, limit, and an integral that is taken back beyond the limit alone.
+    #[test]
+    fn a_pid_law_is_its_formula() {
+        let pid = Pid {
+            proportional: vec![3.0],
+            integral: vec![0.7],
+            derivative: vec![1.9],
+            signs: vec![1.0],
+            has_rates: false,
+            filter: Some(0.4),
+            anti_windup: Some(2.5),
+        };
+        let omega = [9.0, 0.2 + 0.05 + 0.31, -4.0];
+        let state = ControlState {
+            t: 0.0,
+            attitude: [1.0, 0.0, 0.0, 0.0],
+            motion: MotionState { omega, q: &[], rate: &[] },
+            wheels: &[],
+        };
+        let (e, z, f) = (0.31_f64, 1.3, 0.17);
+        let demanded = -(3.0 * e + 0.7 * z + 1.9 * (e - f) / 0.4);
+        for limit in [None, Some(1.1)] {
+            let controller = controller(&pid, limit);
+            assert_eq!(controller.problem(), None);
+            let inputs = controller.inputs(&state, None);
+            assert!((inputs[0] - e).abs() < 1e-15);
+            let (found, rates) = controller.act(&inputs, &[z, f]);
+            let limited = limit.map_or(demanded, |limit| demanded.max(-limit));
+            let windup = (-demanded + limited) / (0.7 * 2.5);
+            let close =
+                |found: f64, expected: f64| assert!((found - expected).abs() < 1e-14, "{found} {expected}");
+            close(found[0], limited);
+            close(rates[0], e - windup);
+            close(rates[1], (e - f) / 0.4);
+        }
+    }
+}

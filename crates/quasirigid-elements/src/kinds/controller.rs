@@ -1,0 +1,90 @@
+//! Controllers as elements: their names found on a body. (Y2), (Y4)
+
+use crate::Assembly;
+use crate::element::Element;
+use crate::error::{ElementError, ElementId, ElementKind, Field, Problem, at};
+use crate::kinds::wheel::{Wheel, WheelSpeed};
+use crate::model::FlexibleBody;
+use crate::model::Marker;
+use crate::model::control::{ControlProblem, ControlledWheel, Controller, Controls};
+use crate::number;
+
+/// Controller that names places, internal coordinates and wheels.
+pub type NamedController = Controller<String, String, String>;
+
+/// Names listed where one is not there.
+const LISTED: usize = 8;
+
+impl Element for NamedController {
+    fn check(&self, id: ElementId, _: &Assembly) -> Vec<ElementError> {
+        self.problem().map(|problem| refused(id, problem)).into_iter().collect()
+    }
+}
+
+fn refused(id: ElementId, problem: ControlProblem) -> ElementError {
+    at(id, Field::new(problem.key()))(Problem::Control(problem))
+}
+
+impl Assembly {
+    /// Controllers with what they name on the body of this assembly.
+    pub(crate) fn controls_on(&self, body: &FlexibleBody) -> Result<Controls, ElementError> {
+        let mut controls = Controls::default();
+        for (index, controller) in self.controllers.iter().enumerate() {
+            let id = ElementKind::Controller.at(index);
+            if let Some(problem) = controller.problem() {
+                return Err(refused(id, problem));
+            }
+            let wheels = std::cell::RefCell::new(std::mem::take(&mut controls.wheels));
+            let bound = controller.try_map(
+                |place| marker(body, place).cloned(),
+                |coordinate| numbered(body, coordinate),
+                |wheel| self.controlled(wheel, &mut wheels.borrow_mut()),
+            );
+            controls.controllers.push(bound.map_err(|problem| refused(id, problem))?);
+            controls.wheels = wheels.into_inner();
+        }
+        Ok(controls)
+    }
+
+    /// Index of a wheel among those that are controlled, to which it is added.
+    fn controlled(&self, name: &str, wheels: &mut Vec<ControlledWheel>) -> Result<usize, ControlProblem> {
+        if let Some(index) = wheels.iter().position(|wheel| wheel.name == name) {
+            return Ok(index);
+        }
+        let wheel = self.wheels.iter().find(|wheel| wheel.name == name);
+        let unknown =
+            || unknown("wheel of constant speed", name, self.wheels.iter().map(|wheel| &*wheel.name));
+        let Some(Wheel { axis, speed: WheelSpeed::Constant { angular_momentum }, .. }) = wheel else {
+            return Err(unknown());
+        };
+        let axis = number::unit(*axis).map_err(|_| unknown())?.into();
+        wheels.push(ControlledWheel { name: name.to_owned(), axis, angular_momentum: *angular_momentum });
+        Ok(wheels.len() - 1)
+    }
+}
+
+fn marker<'a>(body: &'a FlexibleBody, name: &str) -> Result<&'a Marker, ControlProblem> {
+    let mut named = body.markers().iter().filter(|marker| plain(&marker.name) == plain(name));
+    match (named.next(), named.next()) {
+        (Some(marker), None) => Ok(marker),
+        _ => {
+            Err(unknown("node of this name alone,", name, body.markers().iter().map(|marker| &*marker.name)))
+        }
+    }
+}
+
+fn numbered(body: &FlexibleBody, name: &str) -> Result<usize, ControlProblem> {
+    let coordinates = body.coordinates();
+    let found = coordinates.iter().position(|coordinate| plain(&coordinate.name) == plain(name));
+    found.ok_or_else(|| unknown("coordinate", name, coordinates.iter().map(|coordinate| &*coordinate.name)))
+}
+
+/// Name without quotes.
+fn plain(name: &str) -> String {
+    name.replace('"', "")
+}
+
+fn unknown<'n>(what: &'static str, name: &str, known: impl Iterator<Item = &'n str>) -> ControlProblem {
+    let known = known.take(LISTED).collect::<Vec<_>>().join(", ");
+    ControlProblem::Unknown { what, name: name.to_owned(), known }
+}

@@ -1,0 +1,264 @@
+//! Linear model of a body with its continuous controllers: the loop closed between the model of the body and their laws.
+//! Equation (Y6), docs/theory/20-control.md.
+
+use quasirigid::model::Marker;
+use quasirigid::model::MotionState;
+use quasirigid::model::control::{Actuator, BodyController, ControlState, Controls, LinearLaw, Measurement};
+use quasirigid::modes::{LinearInput, LinearModel, LinearOutput, SteadyState};
+use quasirigid_math::eigen::{Dense, eigenvalues};
+use quasirigid_math::vec3::norm;
+
+use crate::error::StudyError;
+
+/// Channels between a body and its controllers.
+#[derive(Debug, Default)]
+pub struct Loop {
+    /// Inputs of the body that controllers command, after those asked for; wheels are not twice among all.
+    pub inputs: Vec<LinearInput>,
+    /// Outputs of the body that controllers measure, after those asked for.
+    pub outputs: Vec<LinearOutput>,
+    laws: Vec<Law>,
+}
+
+/// Linear law between channels of the body.
+#[derive(Debug)]
+struct Law {
+    law: LinearLaw,
+    name: String,
+    /// Output of the body of each input of the law, and whether its rate is measured; none of an input that the law does not use.
+    measured: Vec<Option<(usize, bool)>>,
+    /// Input of the body of each output of the law.
+    commanded: Vec<usize>,
+}
+
+/// Command at a steady state, relative to the sizes of its parts, from which the state is not steady under the controller.
+const STEADY: f64 = 1e-9;
+
+impl Loop {
+    /// Channels of controllers at a steady state, behind `inputs` and `outputs` that are asked for.
+    ///
+    /// # Errors
+    /// [`StudyError::NotLinear`] for a controller that is sampled, or acts at the steady state.
+    pub fn new(
+        controls: &Controls,
+        steady: &SteadyState,
+        inputs: &[LinearInput],
+        outputs: usize,
+    ) -> Result<Self, StudyError> {
+        let mut own = Self::default();
+        for controller in &controls.controllers {
+            let law = linear_law(controls, controller, steady)?;
+            let commanded = controller.outputs.iter().map(|output| own.command(controls, &output.to, inputs));
+            let commanded: Vec<usize> = commanded.collect();
+            let used = |i: usize| law.B.iter().chain(&law.D).any(|row| row[i] != 0.0);
+            let mut measured = Vec::new();
+            for (i, input) in controller.inputs.iter().enumerate() {
+                measured.push(if used(i) {
+                    Some(own.measure(controls, controller, &input.of, (steady, inputs, outputs))?)
+                } else {
+                    None
+                });
+            }
+            own.laws.push(Law { law, name: controller.name.clone(), measured, commanded });
+        }
+        Ok(own)
+    }
+
+    /// Index of the input of the body that an actuator is.
+    fn command(&mut self, controls: &Controls, to: &Actuator<usize>, asked: &[LinearInput]) -> usize {
+        let input = match to {
+            Actuator::Torque { axis } => LinearInput::Torque { axis: *axis },
+            Actuator::Wheel { wheel } => LinearInput::Wheel { axis: controls.wheels[*wheel].axis },
+        };
+        self.input(input, asked)
+    }
+
+    fn input(&mut self, input: LinearInput, asked: &[LinearInput]) -> usize {
+        if let Some(known) = asked.iter().chain(&self.inputs).position(|known| *known == input) {
+            return known;
+        }
+        self.inputs.push(input);
+        asked.len() + self.inputs.len() - 1
+    }
+
+    /// Index of the output of the body that a controller measures, and whether its rate is.
+    fn measure(
+        &mut self,
+        controls: &Controls,
+        controller: &BodyController,
+        of: &Measurement<Marker, usize, usize>,
+        (steady, inputs, outputs): (&SteadyState, &[LinearInput], usize),
+    ) -> Result<(usize, bool), StudyError> {
+        let refused = |what| Err(StudyError::NotLinear { name: controller.name.clone(), what });
+        let turns = norm(steady.omega) > 0.0;
+        let output = match of {
+            Measurement::Rate { axis } => LinearOutput::Rate { axis: *axis },
+            Measurement::Attitude { .. } if turns => {
+                return refused(
+                    "about a spin the attitude does not stay at a target, and there is no linear model; ask for it about rest",
+                );
+            }
+            Measurement::Attitude { axis, .. } => LinearOutput::Attitude { axis: *axis },
+            Measurement::Displacement { at, axis } | Measurement::Velocity { at, axis } => {
+                LinearOutput::Displacement { at: at.clone(), axis: *axis }
+            }
+            Measurement::Coordinate { coordinate } => LinearOutput::Coordinate { coordinate: *coordinate },
+            Measurement::Speed { coordinate } => LinearOutput::Speed { coordinate: *coordinate },
+            Measurement::Wheel { wheel } => {
+                let axis = controls.wheels[*wheel].axis;
+                LinearOutput::Wheel { input: self.input(LinearInput::Wheel { axis }, inputs) }
+            }
+            Measurement::Time | Measurement::Quaternion { .. } => {
+                return refused(
+                    "its law depends on the time or the quaternion itself, and has no linear model here; write it in the attitude error ex ey ez and the rates",
+                );
+            }
+        };
+        self.outputs.push(output);
+        Ok((outputs + self.outputs.len() - 1, matches!(of, Measurement::Velocity { .. })))
+    }
+
+    /// Closes the loop of a model that has the inputs and outputs asked for, then those of the loop; those asked for stay. Returns the
+    /// names of the states of the controllers, which follow those of the body.
+    pub fn close(&self, model: &mut LinearModel, asked: [usize; 2]) -> Vec<String> {
+        let mut names = Vec::new();
+        for law in &self.laws {
+            names.extend((1..=law.law.A.len()).map(|state| format!("controller.{}.{state}", law.name)));
+            law.close(model);
+        }
+        let [inputs, outputs] = asked;
+        model.B.iter_mut().chain(&mut model.D).for_each(|row| row.truncate(inputs));
+        model.C.truncate(outputs);
+        model.D.truncate(outputs);
+        names
+    }
+}
+
+impl Law {
+    /// Closes the loop of this law: `u = C_c z + D_c y`, `ż = A_c z + B_c y` with the outputs `y` of the model. (Y6)
+    fn close(&self, model: &mut LinearModel) {
+        let n = model.A.len();
+        let columns = model.B.first().or(model.D.first()).map_or(0, Vec::len);
+        let seen: Vec<_> =
+            self.measured.iter().map(|channel| channel.map(|channel| seen(model, channel))).collect();
+        let through = |gains: &[f64], part: usize, width: usize| {
+            let mut row = vec![0.0; width];
+            for (gain, seen) in gains.iter().zip(&seen) {
+                let Some(seen) = seen else { continue };
+                row.iter_mut().zip(&seen[part]).for_each(|(sum, entry)| *sum += gain * entry);
+            }
+            row
+        };
+        let law = &self.law;
+        let demanded: Vec<[Vec<f64>; 3]> = law
+            .D
+            .iter()
+            .zip(&law.C)
+            .map(|(D, C)| [through(D, 0, n), C.clone(), through(D, 1, columns)])
+            .collect();
+        let states: Vec<[Vec<f64>; 3]> = law
+            .B
+            .iter()
+            .zip(&law.A)
+            .map(|(B, A)| [through(B, 0, n), A.clone(), through(B, 1, columns)])
+            .collect();
+        let z = law.A.len();
+        let widen = |rows: &mut [Vec<f64>], by: &[Vec<f64>], direct: &mut [Vec<f64>]| {
+            for ((row, gains), direct) in rows.iter_mut().zip(by).zip(direct) {
+                row.resize(n + z, 0.0);
+                for (input, [from_x, from_z, from_w]) in self.commanded.iter().zip(&demanded) {
+                    let gain = gains[*input];
+                    let with = from_x.iter().chain(from_z);
+                    row.iter_mut().zip(with).for_each(|(sum, entry)| *sum += gain * entry);
+                    direct.iter_mut().zip(from_w).for_each(|(sum, entry)| *sum += gain * entry);
+                }
+            }
+        };
+        let (B, D) = (model.B.clone(), model.D.clone());
+        widen(&mut model.A, &B, &mut model.B);
+        widen(&mut model.C, &D, &mut model.D);
+        for [from_x, from_z, from_w] in states {
+            model.A.push([from_x, from_z].concat());
+            model.B.push(from_w);
+        }
+    }
+}
+
+/// Rows of an output of a model, or of its rate: on the states and on the inputs.
+fn seen(model: &LinearModel, (output, is_rate): (usize, bool)) -> [Vec<f64>; 2] {
+    let row = &model.C[output];
+    if !is_rate {
+        return [row.clone(), model.D[output].clone()];
+    }
+    let times = |matrix: &[Vec<f64>], width: usize| {
+        (0..width).map(|j| row.iter().zip(matrix).map(|(c, entries)| c * entries[j]).sum()).collect()
+    };
+    [times(&model.A, row.len()), times(&model.B, model.D[output].len())]
+}
+
+/// Law of a controller about a steady state, at which it commands nothing.
+fn linear_law(
+    controls: &Controls,
+    controller: &BodyController,
+    steady: &SteadyState,
+) -> Result<LinearLaw, StudyError> {
+    let refused = |what| Err(StudyError::NotLinear { name: controller.name.clone(), what });
+    if controller.sampling.is_some() {
+        return refused(
+            "it is sampled, and a linear model is of continuous motion; leave out its `period`, or follow it by `simulate`",
+        );
+    }
+    if controller.inputs.iter().any(|input| input.deadband > 0.0) {
+        return refused(
+            "within its deadband it does nothing, and the linear model would be that of the body alone; leave the deadband out",
+        );
+    }
+    let still = vec![0.0; steady.q.len()];
+    let wheels: Vec<f64> = controls.wheels.iter().map(|wheel| wheel.angular_momentum).collect();
+    let motion = MotionState { omega: steady.omega, q: &steady.q, rate: &still };
+    let state = ControlState { t: 0.0, attitude: steady.attitude, motion, wheels: &wheels };
+    let mut inputs = controller.inputs(&state, None);
+    for (value, input) in inputs.iter_mut().zip(&controller.inputs) {
+        if matches!(input.of, Measurement::Attitude { .. }) {
+            *value = 0.0;
+        }
+    }
+    let Some(law) = controller.law.linearized(&inputs, &controller.start) else {
+        return refused("its law jumps and has no slope; leave it out");
+    };
+    let (values, rates) = controller.act(&inputs, &controller.start);
+    let sized = |value: f64, onto: &[f64], through: &[f64]| {
+        let parts = through.iter().zip(&inputs).chain(onto.iter().zip(&controller.start));
+        let size: f64 = parts.map(|(gain, part)| (gain * part).abs()).sum();
+        value == 0.0 || value.abs() <= STEADY * size
+    };
+    let rests = values
+        .iter()
+        .zip(law.C.iter().zip(&law.D))
+        .all(|(value, (onto, through))| sized(*value, onto, through));
+    let stays =
+        rates.iter().zip(law.A.iter().zip(&law.B)).all(|(rate, (onto, through))| sized(*rate, onto, through));
+    if !(rests && stays) {
+        return refused(
+            "at the steady state it commands a torque or changes its states, so that the state is not steady; choose the state of its target by `--at`",
+        );
+    }
+    let all = law.A.iter().chain(&law.B).chain(&law.C).chain(&law.D).flatten();
+    if !all.copied().all(f64::is_finite) {
+        return refused(
+            "its formulas have no slopes at the steady state: look for a square root or an absolute value of zero there",
+        );
+    }
+    Ok(law)
+}
+
+/// Poles of a model (1/s), real and imaginary parts, slowest decay first.
+pub fn poles(A: &[Vec<f64>]) -> Result<Vec<[f64; 2]>, StudyError> {
+    let mut matrix = Dense::zero(A.len());
+    for (i, row) in A.iter().enumerate() {
+        row.iter().enumerate().for_each(|(j, entry)| matrix.add(i, j, *entry));
+    }
+    let mut poles = eigenvalues(&matrix).map_err(StudyError::Vibration)?;
+    poles.sort_by(|a, b| b[0].total_cmp(&a[0]).then(a[1].total_cmp(&b[1])));
+    Ok(poles)
+}

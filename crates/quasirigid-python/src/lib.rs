@@ -34,6 +34,8 @@ mod _core {
     #[pymodule_export]
     use crate::arrays::linear_file;
     #[pymodule_export]
+    use crate::arrays::linear_truncated;
+    #[pymodule_export]
     use crate::attitude::{read_attitude, write_attitude};
     #[pymodule_export]
     use crate::columns::Columns;

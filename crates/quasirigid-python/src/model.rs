@@ -155,7 +155,7 @@ impl Model {
     ) -> PyResult<Answer> {
         let (inputs, outputs) = channels;
         let at = spin.map(LinearAt::Rate).or_else(|| at.and_then(LinearAt::named));
-        let asked = LinearSettings { at, inputs, outputs, band };
+        let asked = LinearSettings { at, inputs, outputs, band, truncation: None };
         self.ask(py, (None, observer), |study, _| answers::linear(study, &asked))
     }
 

@@ -233,10 +233,11 @@ class Model:
         Args:
             at: ``rest``, ``spin`` (next to the start), or an angular velocity (rad/s), ``(3,)``. By default the spin of the
                 start, if there is one.
-            inputs: Names such as ``torque.x``, ``force.x``, ``force.NODE.x``, ``wheel.NAME.torque``; the torques by default.
+            inputs: Names such as ``torque.x``, ``force.x``, ``force.NODE.x``, ``wheel.NAME.torque``, ``hinge.NAME.torque``,
+                ``acceleration.x`` of a support; the torques by default.
             outputs: Names such as ``rate.x``, ``attitude.x``, ``momentum.x``, ``acceleration.NODE.x``,
-                ``displacement.NODE.x``, ``wheel.NAME.speed``, ``wheel.NAME.momentum``, ``coordinate.NAME``; the rates by
-                default.
+                ``displacement.NODE.x``, ``wheel.NAME.speed``, ``wheel.NAME.momentum``, ``hinge.NAME.angle``,
+                ``hinge.NAME.rate``, ``cavity.NAME.momentum.x``, ``coordinate.NAME``; the rates by default.
             band: Frequencies (rad/s) between which materials and liquids are met, ``(2,)``; those of the body's own rates by
                 default.
 

@@ -90,7 +90,7 @@ fn budget(body: &FlexibleBody, accounts: &[f64], dissipated: f64) -> Vec<(String
 }
 
 /// Error scale of each component; infinite where its error has no effect.
-fn sizes(body: &FlexibleBody, scales: &Scales) -> Vec<f64> {
+pub(super) fn sizes(body: &FlexibleBody, scales: &Scales) -> Vec<f64> {
     let layout = Layout::of(body);
     let mut sizes = vec![f64::INFINITY; layout.len()];
     sizes[MOMENTUM..MOMENTUM + 3].fill(scales.angular_momentum);

@@ -18,6 +18,7 @@ mod pool;
 mod reduced;
 mod series;
 mod spin_paths;
+mod stepper;
 mod sweep;
 mod values;
 mod watching;
@@ -47,6 +48,8 @@ mod _core {
     use crate::model::Model;
     #[pymodule_export]
     use crate::reduced::Reduced;
+    #[pymodule_export]
+    use crate::stepper::Stepper;
     #[pymodule_export]
     use crate::sweep::{Collector, Sweep, read_sweep};
 

@@ -178,12 +178,20 @@ fn hinges_have_torques_angles_and_rates_by_axis() {
     assert!(rate(0) > 0.0 && rate(1) == 0.0 && rate(3).abs() < 1e-12, "{} {} {}", rate(0), rate(1), rate(3));
     assert_eq!(found["inputs"][0]["unit"], "N m");
     assert_eq!(found["outputs"][1]["unit"], "rad");
-    for (name, said) in [("hinge.dish.torque", "dish.1 to dish.2"), ("hinge.dish.3.torque", "dish.1 to dish.2"), ("hinge.arm.torque", "dish.1 to dish.2")] {
+    for (name, said) in [
+        ("hinge.dish.torque", "dish.1 to dish.2"),
+        ("hinge.dish.3.torque", "dish.1 to dish.2"),
+        ("hinge.arm.torque", "dish.1 to dish.2"),
+    ] {
         let refused = ran_with(&model, &format!("linear model.toml --inputs {name}"));
         assert!(crate::support::one_line(refused.refusal()).contains(said), "{name}: {}", refused.stderr);
     }
     let refused = ran_with(MODEL, "linear model.toml --inputs acceleration.x");
-    assert!(crate::support::one_line(refused.refusal()).contains("give force.x, or a [support]"), "{}", refused.stderr);
+    assert!(
+        crate::support::one_line(refused.refusal()).contains("give force.x, or a [support]"),
+        "{}",
+        refused.stderr
+    );
     let held = format!("{MODEL}[support]\nkind = \"fixed-point\"\npoint = [0, 0, 0]\n");
     let found = linear(&held, "--at rest --inputs acceleration.x --outputs rate.z");
     assert_eq!(found["inputs"][0]["unit"], "m/s^2");
@@ -194,12 +202,20 @@ fn a_truncated_model_says_its_bound_first() {
     let options = "linear model.toml --at rest --inputs torque.z --outputs rate.z --truncate balanced --keep";
     let ran = ran_with(MODEL, &format!("{options} 10"));
     let first = crate::support::one_line(ran.stdout.lines().nth(2).unwrap());
-    assert!(ran.code == Some(0) && first.starts_with("The response is within "), "{:?} {first} {}", ran.code, ran.stderr);
+    assert!(
+        ran.code == Some(0) && first.starts_with("The response is within "),
+        "{:?} {first} {}",
+        ran.code,
+        ran.stderr
+    );
     let coarse = ran_with(MODEL, &format!("{options} 6"));
     let first = crate::support::one_line(coarse.stdout.lines().nth(2).unwrap());
     assert!(coarse.code == Some(1) && first.starts_with("DOES NOT HOLD: the response is within "), "{first}");
     let found = linear(MODEL, "--at rest --truncate modal --keep 10");
-    assert_eq!((names(&found, "states")[9].as_str(), &found["truncation"]["whole"]), ("truncated.10", &serde_json::json!(12)));
+    assert_eq!(
+        (names(&found, "states")[9].as_str(), &found["truncation"]["whole"]),
+        ("truncated.10", &serde_json::json!(12))
+    );
     for (options, said) in [
         ("--truncate balanced --keep 3", "6 states do not decay"),
         ("--truncate balanced --keep 12", "has 12 states; keep fewer"),

@@ -36,13 +36,17 @@ pub enum StepperError {
         torque: [f64; 3],
     },
     /// A force acts in windows or by a table.
-    #[error("the force {name:?} changes at given times, which steps of another length do not meet; leave it out of the model, and give its torque to the steps")]
+    #[error(
+        "the force {name:?} changes at given times, which steps of another length do not meet; leave it out of the model, and give its torque to the steps"
+    )]
     Timed {
         /// Name of the force.
         name: String,
     },
     /// More sub-steps than are worked with are needed.
-    #[error("a step of {dt} s needs more than {MOST_SUBSTEPS} steps of the integrator; give shorter steps, or a looser tolerance")]
+    #[error(
+        "a step of {dt} s needs more than {MOST_SUBSTEPS} steps of the integrator; give shorter steps, or a looser tolerance"
+    )]
     Long {
         /// Length of the step (s).
         dt: f64,

@@ -30,4 +30,6 @@ pub use forced::{
 pub use mode::{SpinMode, SpinModes};
 pub use onset::{WhirlOnset, whirl_onset};
 
-pub use crate::math::state_space::{StateSpace, Truncation, TruncationError, TruncationMethod, TruncationRequest};
+pub use crate::math::state_space::{
+    StateSpace, Truncation, TruncationError, TruncationMethod, TruncationRequest,
+};

@@ -27,7 +27,10 @@ impl Balanced {
         let kept = states.min(values.iter().filter(|value| **value > rounding).count());
         let weighted = |root: &Real, vectors: &Real| {
             let mut columns = root * vectors.columns(0, kept);
-            columns.column_iter_mut().zip(&values).for_each(|(mut column, value)| column.unscale_mut(value.sqrt()));
+            columns
+                .column_iter_mut()
+                .zip(&values)
+                .for_each(|(mut column, value)| column.unscale_mut(value.sqrt()));
             columns
         };
         let (rows, columns) = (weighted(&seen, &left).transpose(), weighted(&reached, &right));

@@ -48,8 +48,7 @@ fn root(T: &Matrix, mut B: Matrix) -> Matrix {
 /// Real root of a real matrix from a complex one, square.
 fn real(root: Matrix) -> Real {
     let size = root.nrows();
-    let both = Real::from_fn(2 * size, size, |i, k| {
-        if i < size { root[(k, i)].re } else { root[(k, i - size)].im }
-    });
+    let both =
+        Real::from_fn(2 * size, size, |i, k| if i < size { root[(k, i)].re } else { root[(k, i - size)].im });
     both.qr().r().transpose()
 }

@@ -42,8 +42,9 @@ impl Poles {
             let twin = |other: usize| schur.group[other] == schur.group[k] && slow(other) && marginal(other);
             slow(k) && (0..values.len()).any(twin)
         };
-        let spinning =
-            |k: usize| values[k].re.abs() <= simple(k) && (values[k].norm() - rate).abs() <= simple(k).max(1e-12 * rate);
+        let spinning = |k: usize| {
+            values[k].re.abs() <= simple(k) && (values[k].norm() - rate).abs() <= simple(k).max(1e-12 * rate)
+        };
         let all = 0..values.len();
         let rigid: Vec<_> = all.clone().map(|k| zero(k) || rate > 0.0 && spinning(k)).collect();
         let lasting = all.clone().map(|k| rigid[k] || marginal(k)).collect();

@@ -39,7 +39,8 @@ impl Response {
 
 /// Largest singular value.
 pub(super) fn gain(matrix: &Matrix) -> f64 {
-    let square = if matrix.nrows() < matrix.ncols() { matrix * matrix.adjoint() } else { matrix.adjoint() * matrix };
+    let square =
+        if matrix.nrows() < matrix.ncols() { matrix * matrix.adjoint() } else { matrix.adjoint() * matrix };
     if square.iter().any(|entry| !entry.re.is_finite() || !entry.im.is_finite()) {
         return f64::INFINITY;
     }

@@ -54,7 +54,9 @@ impl Scales {
         let by_output: Vec<f64> =
             largest.iter().map(|row| or_one(row.iter().copied().fold(0.0, f64::max))).collect();
         let by_input: Vec<f64> = (0..count(inputs))
-            .map(|input| or_one(largest.iter().zip(&by_output).map(|(row, own)| row[input] / own).fold(0.0, f64::max)))
+            .map(|input| {
+                or_one(largest.iter().zip(&by_output).map(|(row, own)| row[input] / own).fold(0.0, f64::max))
+            })
             .collect();
         Ok(Self {
             inputs: inputs.iter().map(|kind| by_input[*kind]).collect(),
@@ -85,6 +87,7 @@ impl Scales {
 
 /// Part of a transfer matrix between channels of one kind.
 fn block(response: &Matrix, [(inputs, input), (outputs, output)]: [(&[usize], usize); 2]) -> Matrix {
-    let of = |kinds: &[usize], kind: usize| (0..kinds.len()).filter(|k| kinds[*k] == kind).collect::<Vec<_>>();
+    let of =
+        |kinds: &[usize], kind: usize| (0..kinds.len()).filter(|k| kinds[*k] == kind).collect::<Vec<_>>();
     response.select_rows(&of(outputs, output)).select_columns(&of(inputs, input))
 }

@@ -21,7 +21,8 @@ pub(super) fn split(system: &System, schur: &Schur, chosen: &[bool]) -> Result<[
     let (own, rest) = (schur.Q.columns(0, first), schur.Q.columns(first, size - first));
     let (kept, pivots) = echelon(real_basis(&own.into_owned())?);
     let others = real_basis(&(own * coupling + rest))?;
-    let basis = Real::from_fn(size, size, |i, k| if k < first { kept[(i, k)] } else { others[(i, k - first)] });
+    let basis =
+        Real::from_fn(size, size, |i, k| if k < first { kept[(i, k)] } else { others[(i, k - first)] });
     let inverse = basis.clone().try_inverse().filter(|inverse| inverse.iter().all(|x| x.is_finite()));
     let inverse = inverse.ok_or(lost)?;
     let part = |from: usize, count: usize, A: Real, D: Real| System {
@@ -58,9 +59,14 @@ fn real_basis(vectors: &Matrix) -> Result<Real, NoConvergence> {
         return Err(NoConvergence { size });
     }
     let unit = vectors.clone().qr().q();
-    let both = Real::from_fn(size, 2 * count, |i, k| {
-        if k < count { unit[(i, k)].re } else { unit[(i, k - count)].im }
-    });
+    let both =
+        Real::from_fn(
+            size,
+            2 * count,
+            |i, k| {
+                if k < count { unit[(i, k)].re } else { unit[(i, k - count)].im }
+            },
+        );
     let (U, values, _) = singular(&both)?;
     if values.get(count).is_some_and(|beyond| *beyond > SAME_SPACE) {
         return Err(NoConvergence { size });

@@ -56,7 +56,10 @@ fn schur_form_and_exchanges_give_back_the_matrix() {
     schur.order(&first);
     assert!(back(&schur) < 1e-13 * system.A.norm());
     let found = schur.eigenvalues();
-    assert!(wanted.iter().zip(&found).all(|(a, b)| (a - b).norm() < 1e-12 * a.norm()), "{wanted:?} {found:?}");
+    assert!(
+        wanted.iter().zip(&found).all(|(a, b)| (a - b).norm() < 1e-12 * a.norm()),
+        "{wanted:?} {found:?}"
+    );
     assert!((schur.Q.adjoint() * &schur.Q - Matrix::identity(15, 15)).norm() < 1e-13);
 }
 
@@ -126,7 +129,11 @@ fn bounds_are_not_exceeded_and_integrators_stay_what_they_are() {
                 let (all, some) = (response.at(s), part.at(s));
                 worst = worst.max((gain(&(&all - some)) - 1e-11 * gain(&all)) / scale);
             }
-            assert!(worst <= found.bound && !found.spoiled, "{trial} {method:?}: {worst:e} {:e}", found.bound);
+            assert!(
+                worst <= found.bound && !found.spoiled,
+                "{trial} {method:?}: {worst:e} {:e}",
+                found.bound
+            );
             assert!(found.found <= found.bound);
             assert!(worst > 1e-3 * found.bound, "{trial} {method:?}: {worst:e} {:e}", found.bound);
         }
@@ -139,7 +146,8 @@ fn integrators_have_no_digit_of_the_others() {
     let whole = with_integrators(&mut Draws(2), 6);
     let found = whole.listed().truncated(&request(TruncationMethod::Balanced, 8)).unwrap();
     let [near, far] = [1e-6, 1e-9].map(|frequency| {
-        Response::of(&System::of(&found.system)).unwrap().at(C::new(0.0, frequency)) * C::from(frequency * frequency)
+        Response::of(&System::of(&found.system)).unwrap().at(C::new(0.0, frequency))
+            * C::from(frequency * frequency)
     });
     assert!(gain(&(&near - &far)) < 1e-4 * gain(&near), "{near} {far}");
 }
@@ -148,9 +156,13 @@ fn integrators_have_no_digit_of_the_others() {
 fn numbers_of_states_that_cannot_be_are_refused() {
     let mut draws = Draws(7);
     let whole = with_integrators(&mut draws, 3);
-    let refused = |system: &System, method, states| system.listed().truncated(&request(method, states)).unwrap_err();
+    let refused =
+        |system: &System, method, states| system.listed().truncated(&request(method, states)).unwrap_err();
     assert_eq!(refused(&whole, TruncationMethod::Balanced, 9), TruncationError::Small { states: 9 });
-    assert!(matches!(refused(&whole, TruncationMethod::Balanced, 1), TruncationError::Lasting { least: 2, .. }));
+    assert!(matches!(
+        refused(&whole, TruncationMethod::Balanced, 1),
+        TruncationError::Lasting { least: 2, .. }
+    ));
     assert_eq!(refused(&whole, TruncationMethod::Modal, 1), TruncationError::Rigid { least: 2 });
     let pair = |states| {
         let found = whole.listed().truncated(&request(TruncationMethod::Modal, states));

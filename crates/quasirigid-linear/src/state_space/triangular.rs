@@ -77,7 +77,8 @@ impl Step {
         let size = self.H.nrows();
         for k in start..end - 1 {
             let from = if k > start { k - 1 } else { k };
-            let (x, y) = (self.H[(k, from)] - if k > start { C::from(0.0) } else { shift }, self.H[(k + 1, from)]);
+            let (x, y) =
+                (self.H[(k, from)] - if k > start { C::from(0.0) } else { shift }, self.H[(k + 1, from)]);
             let length = x.norm().hypot(y.norm());
             if length == 0.0 {
                 continue;

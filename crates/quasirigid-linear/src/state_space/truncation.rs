@@ -74,7 +74,9 @@ pub enum TruncationError {
         frequencies: String,
     },
     /// Fewer states than rigid and growing motions.
-    #[error("{least} states are rigid or growing motions, which no truncation leaves out; keep {least} or more")]
+    #[error(
+        "{least} states are rigid or growing motions, which no truncation leaves out; keep {least} or more"
+    )]
     Rigid {
         /// States that must be kept.
         least: usize,
@@ -96,7 +98,9 @@ pub enum TruncationError {
         states: usize,
     },
     /// The model is too large.
-    #[error("the model has {states} states, more than the {MOST_STATES} that are truncated; give it fewer modes or elements")]
+    #[error(
+        "the model has {states} states, more than the {MOST_STATES} that are truncated; give it fewer modes or elements"
+    )]
     Large {
         /// States of the model.
         states: usize,
@@ -161,7 +165,12 @@ impl StateSpace {
 }
 
 impl Truncation {
-    fn new(system: System, lasting: usize, singular_values: Vec<f64>, (bound, up_to): (f64, Option<f64>)) -> Self {
+    fn new(
+        system: System,
+        lasting: usize,
+        singular_values: Vec<f64>,
+        (bound, up_to): (f64, Option<f64>),
+    ) -> Self {
         Self {
             system: system.listed(),
             lasting,
@@ -203,7 +212,8 @@ impl Poles {
         if asked >= least {
             return Ok(self.lasting.clone());
         }
-        let undamped = (0..self.values.len()).filter(|k| self.lasting[*k] && !self.rigid[*k] && !self.growing[*k]);
+        let undamped =
+            (0..self.values.len()).filter(|k| self.lasting[*k] && !self.rigid[*k] && !self.growing[*k]);
         let listed: Vec<_> = undamped
             .map(|k| self.values[k].im)
             .filter(|frequency| *frequency > 0.0)
@@ -221,7 +231,8 @@ impl Poles {
 
     /// Frequency (rad/s) of the fastest mode that is kept, or where those left out begin to follow.
     fn edge(&self, kept: &[bool]) -> f64 {
-        let sizes = |own: bool| (0..kept.len()).filter(move |k| kept[*k] == own).map(|k| self.values[k].norm());
+        let sizes =
+            |own: bool| (0..kept.len()).filter(move |k| kept[*k] == own).map(|k| self.values[k].norm());
         sizes(true).fold(sizes(false).fold(f64::INFINITY, f64::min) / FOLLOWS, f64::max)
     }
 
@@ -238,7 +249,9 @@ impl Poles {
         }
         let between = |states: usize| {
             let on = |place: usize| order.get(place).map(|k| size(*k));
-            let (Some(last), Some(next)) = (states.checked_sub(1).and_then(on), on(states)) else { return false };
+            let (Some(last), Some(next)) = (states.checked_sub(1).and_then(on), on(states)) else {
+                return false;
+            };
             states > least && next <= (1.0 + ALIKE) * last
         };
         if between(asked) {

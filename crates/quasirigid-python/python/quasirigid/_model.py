@@ -26,6 +26,7 @@ from quasirigid._errors import InputError, ModelError
 from quasirigid._linear import Linear
 from quasirigid._progress import Progress, observer
 from quasirigid._reduced import Reduced
+from quasirigid._stepper import Stepper
 
 __all__ = ["Model", "cite"]
 
@@ -333,6 +334,35 @@ class Model:
         whole = _arguments.count(order, "order")
         with observer(progress) as watch:
             return Reduced(self, whole, self._core.reduce(whole, watch))
+
+    def stepper(
+        self,
+        system: str = "reduced",
+        *,
+        tolerance: float = 1e-10,
+        order: int | None = None,
+        progress: Progress = False,
+    ) -> Stepper:
+        """The body at its start, for steps under a torque that is held over each.
+
+        Args:
+            system: ``reduced`` or ``full``.
+            tolerance: Error allowed in a step, 1e-15 to 1e-2.
+
+        Raises:
+            UnsupportedError: for reduced equations of a body with forces, a support or wheels of changing speed, and for forces
+                that change at given times.
+
+        >>> import quasirigid
+        >>> body = quasirigid.Model(quasirigid.EXAMPLE).stepper("full")
+        >>> body.step([0, 0.1, 0], 0.02)
+        'holds'
+        """
+        if system not in ("reduced", "full"):
+            raise InputError(f"system = {system!r}; give 'reduced' or 'full'")
+        whole, allowed = _arguments.count(order, "order"), _arguments.number(tolerance, "tolerance")
+        with observer(progress) as watch:
+            return Stepper(self._core.stepper(system == "full", allowed or 0.0, whole, watch))
 
     @overload
     def simulate(

@@ -34,7 +34,12 @@ impl Study {
     }
 
     pub(super) fn input(&self, name: &str) -> Result<LinearInput, StudyError> {
-        let unknown = || no_channel(name, "torque.x, force.x, force.NODE.x, wheel.NAME.torque, hinge.NAME.torque or acceleration.x");
+        let unknown = || {
+            no_channel(
+                name,
+                "torque.x, force.x, force.NODE.x, wheel.NAME.torque, hinge.NAME.torque or acceleration.x",
+            )
+        };
         if let Some(rotor) = name.strip_prefix("wheel.").and_then(|rest| rest.strip_suffix(".torque")) {
             return match self.wheel(rotor) {
                 Some(axis) => Ok(LinearInput::Wheel { axis }),
@@ -112,17 +117,26 @@ impl Study {
     fn hinge(&self, channel: &str, hinge: &str) -> Result<usize, StudyError> {
         let coordinates = self.body.coordinates();
         let axes = |name: &str| {
-            let own = |j: &usize| coordinates[*j].part() == name && coordinates[*j].name.contains(" about axis ");
+            let own =
+                |j: &usize| coordinates[*j].part() == name && coordinates[*j].name.contains(" about axis ");
             (0..self.body.elastic()).filter(own).collect::<Vec<_>>()
         };
-        let numbered = hinge.rsplit_once('.').and_then(|(name, number)| Some((name, number.parse::<usize>().ok()?)));
+        let numbered =
+            hinge.rsplit_once('.').and_then(|(name, number)| Some((name, number.parse::<usize>().ok()?)));
         let found = match (&axes(hinge)[..], numbered) {
             ([only], _) => Some(*only),
-            ([], Some((name, number))) => number.checked_sub(1).and_then(|place| axes(name).get(place).copied()),
+            ([], Some((name, number))) => {
+                number.checked_sub(1).and_then(|place| axes(name).get(place).copied())
+            }
             _ => None,
         };
-        let names: Vec<_> =
-            self.model.assembly.hinged.iter().map(|hinged| named_axes(&hinged.name, hinged.axes.len())).collect();
+        let names: Vec<_> = self
+            .model
+            .assembly
+            .hinged
+            .iter()
+            .map(|hinged| named_axes(&hinged.name, hinged.axes.len()))
+            .collect();
         let expected = if names.is_empty() {
             "a channel of another kind, as the model has no [[hinged]]".to_owned()
         } else {
@@ -139,7 +153,10 @@ impl Study {
         let all: Vec<usize> = self.body.cyclic().filter(own).collect();
         match (known, all.first(), all.last()) {
             (true, Some(first), Some(last)) => Ok(*first..last + 1),
-            (true, ..) => Err(no_channel(channel, "a [[cavity]] whose liquid has relaxations of its own, by modes = 1 or more")),
+            (true, ..) => Err(no_channel(
+                channel,
+                "a [[cavity]] whose liquid has relaxations of its own, by modes = 1 or more",
+            )),
             _ => Err(no_channel(channel, "the name of a [[cavity]]")),
         }
     }
@@ -195,7 +212,9 @@ impl Study {
         match output {
             LinearOutput::Rate { .. } => "rad/s",
             LinearOutput::Attitude { .. } => "rad",
-            LinearOutput::Momentum { .. } | LinearOutput::Internal { .. } | LinearOutput::Wheel { .. } => "N m s",
+            LinearOutput::Momentum { .. } | LinearOutput::Internal { .. } | LinearOutput::Wheel { .. } => {
+                "N m s"
+            }
             LinearOutput::Displacement { .. } => "m",
             LinearOutput::Acceleration { .. } => "m/s^2",
             LinearOutput::Coordinate { coordinate } => coordinates[*coordinate].unit,
@@ -240,4 +259,3 @@ fn with_axis(name: &str) -> Option<(&str, usize)> {
 pub(super) fn no_channel(name: &str, expected: &str) -> StudyError {
     StudyError::NoChannel { name: name.into(), expected: expected.into() }
 }
-

@@ -203,4 +203,3 @@ impl From<LinearAccuracy> for AccuracyObject {
         Self { band, error: error.is_finite().then_some(error), frequency }
     }
 }
-

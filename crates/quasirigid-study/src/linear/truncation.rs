@@ -97,7 +97,9 @@ impl TruncationObject {
             |last| format!("up to {} rad/s", significant(last, 3)),
         );
         let Some(bound) = self.bound else {
-            return format!("{FAILS}: the modes left out have no bound {reach}; {found} % was found at {at} rad/s.");
+            return format!(
+                "{FAILS}: the modes left out have no bound {reach}; {found} % was found at {at} rad/s."
+            );
         };
         let told = if self.holds() { "The".into() } else { format!("{FAILS}: the") };
         format!(
@@ -114,7 +116,10 @@ impl LinearObject {
     ///
     /// # Errors
     /// [`StudyError::Truncation`] says which numbers of states are possible; a truncated model is not truncated again.
-    pub fn truncated(&self, LinearTruncation { method, states }: LinearTruncation) -> Result<Self, StudyError> {
+    pub fn truncated(
+        &self,
+        LinearTruncation { method, states }: LinearTruncation,
+    ) -> Result<Self, StudyError> {
         if self.truncation.is_some() {
             return Err(StudyError::TruncatedAgain);
         }

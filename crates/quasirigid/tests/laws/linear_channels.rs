@@ -2,8 +2,8 @@
 
 use nalgebra::{Complex, DVector, Quaternion, UnitQuaternion, Vector3};
 use quasirigid::dynamics::{Forced, FullState, Options, propagate_full};
-use quasirigid::expression::Expression;
 use quasirigid::elements::{Assembly, Cavity, CavityShape, HingeCoefficient, Hinged, Regime};
+use quasirigid::expression::Expression;
 use quasirigid::model::{Marker, Rheology, Support};
 use quasirigid::modes::{LinearError, LinearInput, LinearModel, LinearOutput, SteadyState};
 
@@ -23,7 +23,8 @@ fn the_response_to_a_shaken_support_is_that_of_the_full_system() {
     let run = |sign: f64| {
         let driven = held(Support::Prescribed {
             point,
-            acceleration: AXES.map(|axis| Expression::parse(&format!("{:e}", sign * small * a[axis]), &["t"]).unwrap()),
+            acceleration: AXES
+                .map(|axis| Expression::parse(&format!("{:e}", sign * small * a[axis]), &["t"]).unwrap()),
             velocity: [0.0; 3],
             position: [0.0; 3],
         });
@@ -65,9 +66,15 @@ fn the_response_to_a_shaken_support_is_that_of_the_full_system() {
 /// The pole has the acceleration of its support, any other place that and what it causes; a free body has none as input.
 #[test]
 fn accelerations_of_places_contain_that_of_the_support() {
-    let body = Assembly { support: Support::FixedPoint { point: [0.4, -0.3, 0.7] }, ..satellite() }.body().unwrap();
-    let pole =
-        Marker { name: "pole".into(), position: [0.0; 3], shapes: Vec::new(), curvature: Vec::new(), carried: None };
+    let body =
+        Assembly { support: Support::FixedPoint { point: [0.4, -0.3, 0.7] }, ..satellite() }.body().unwrap();
+    let pole = Marker {
+        name: "pole".into(),
+        position: [0.0; 3],
+        shapes: Vec::new(),
+        curvature: Vec::new(),
+        carried: None,
+    };
     let point = body.markers()[0].clone();
     let inputs = AXES.map(|axis| LinearInput::Acceleration { axis });
     let at = |at: &Marker| AXES.map(|axis| LinearOutput::Acceleration { at: at.clone(), axis });
@@ -129,7 +136,8 @@ fn a_motor_of_a_hinge_turns_it_and_not_the_whole() {
             }
         }
         if s.im < 1e-3 {
-            let gap = [(3, 0, 14.0), (4, 1, 22.0)].map(|(row, column, k)| (found[(row, column)] * k - 1.0).norm());
+            let gap =
+                [(3, 0, 14.0), (4, 1, 22.0)].map(|(row, column, k)| (found[(row, column)] * k - 1.0).norm());
             assert!(gap.iter().all(|gap| *gap < 1e-5), "{gap:?}");
         }
     }
@@ -150,7 +158,8 @@ fn the_momentum_of_a_liquid_is_what_the_rest_has_not() {
         modes: 2,
     };
     let body = Assembly { cavities: vec![ring], ..satellite() }.body().unwrap();
-    let liquid = (0..body.coordinates().len()).filter(|j| body.coordinates()[*j].part() == "ring").collect::<Vec<_>>();
+    let liquid =
+        (0..body.coordinates().len()).filter(|j| body.coordinates()[*j].part() == "ring").collect::<Vec<_>>();
     let coordinates = liquid[0]..liquid[liquid.len() - 1] + 1;
     let output = |axis| LinearOutput::Internal { coordinates: coordinates.clone(), axis };
     let outputs = [AXES.map(output), AXES.map(|axis| LinearOutput::Rate { axis })];

@@ -56,6 +56,7 @@ mod spin_modes;
 mod springs;
 mod steady_runs;
 mod steady_states;
+mod stepper;
 mod truncated;
 mod verification;
 mod vibrations;

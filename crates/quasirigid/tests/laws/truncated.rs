@@ -3,8 +3,8 @@
 use nalgebra::{Complex, DMatrix, Rotation3, Vector3};
 use quasirigid::elements::Assembly;
 use quasirigid::modes::{
-    LinearInput, LinearModel, LinearOutput, RelativeEquilibrium, SpinMagnitude, SteadyState, TruncatedLinearModel,
-    TruncationMethod,
+    LinearInput, LinearModel, LinearOutput, RelativeEquilibrium, SpinMagnitude, SteadyState,
+    TruncatedLinearModel, TruncationMethod,
 };
 
 use super::linear::transfer;
@@ -31,8 +31,17 @@ fn drawn(seed: u64, turn: &Rotation3<f64>, [mass, length]: [f64; 2]) -> Assembly
     let mut draws = Draws(seed);
     let place = |at: V| -> [f64; 3] { (turn * at * length).into() };
     let J = V::new(9.0, 12.0, 15.0) + draws.vector();
-    let J = turn.matrix() * nalgebra::Matrix3::from_diagonal(&J) * turn.matrix().transpose() * mass * length * length;
-    let hub = parts::carrier(40.0 * mass, place(0.1 * draws.vector()), std::array::from_fn(|i| std::array::from_fn(|k| J[(i, k)])));
+    let J = turn.matrix()
+        * nalgebra::Matrix3::from_diagonal(&J)
+        * turn.matrix().transpose()
+        * mass
+        * length
+        * length;
+    let hub = parts::carrier(
+        40.0 * mass,
+        place(0.1 * draws.vector()),
+        std::array::from_fn(|i| std::array::from_fn(|k| J[(i, k)])),
+    );
     let points: Vec<_> = (0..3)
         .map(|_| {
             let (m, at) = (1.0 + 0.4 * draws.next(), draws.vector());
@@ -42,7 +51,10 @@ fn drawn(seed: u64, turn: &Rotation3<f64>, [mass, length]: [f64; 2]) -> Assembly
         })
         .collect();
     let axis = (turn * draws.vector()).into();
-    Assembly { rotors: vec![rotors::flywheel(axis, 0.3 * mass * length * length, 0.05 * mass * length * length)], ..sprung_body(hub, &points) }
+    Assembly {
+        rotors: vec![rotors::flywheel(axis, 0.3 * mass * length * length, 0.05 * mass * length * length)],
+        ..sprung_body(hub, &points)
+    }
 }
 
 const AXES: [usize; 3] = [0, 1, 2];
@@ -57,7 +69,10 @@ fn model(assembly: &Assembly, rate: f64, axis: V) -> LinearModel {
     };
     let at = body.markers()[0].clone();
     let inputs = AXES.map(|axis| LinearInput::Torque { axis });
-    let outputs = [AXES.map(|axis| LinearOutput::Rate { axis }), AXES.map(|axis| LinearOutput::Displacement { at: at.clone(), axis })];
+    let outputs = [
+        AXES.map(|axis| LinearOutput::Rate { axis }),
+        AXES.map(|axis| LinearOutput::Displacement { at: at.clone(), axis }),
+    ];
     LinearModel::about(&body, &[], state, &inputs, outputs.as_flattened(), None).unwrap()
 }
 
@@ -80,7 +95,11 @@ fn bounds_are_never_exceeded() {
         let turn = Rotation3::new(Draws(seed + 100).vector());
         let rate = if seed % 2 == 0 { 0.0 } else { 0.7 };
         let whole = model(&drawn(seed, &turn, [1.0, 1.0]), rate, turn * V::z());
-        for (method, states) in [(TruncationMethod::Balanced, 11), (TruncationMethod::Balanced, 16), (TruncationMethod::Modal, 14)] {
+        for (method, states) in [
+            (TruncationMethod::Balanced, 11),
+            (TruncationMethod::Balanced, 16),
+            (TruncationMethod::Modal, 14),
+        ] {
             let found = match whole.truncated(method, states, KINDS) {
                 Ok(found) => found,
                 Err(error) if method == TruncationMethod::Modal => {
@@ -90,7 +109,10 @@ fn bounds_are_never_exceeded() {
                 Err(error) => panic!("{seed}: {error}"),
             };
             let truncation = &found.truncation;
-            assert!(!truncation.spoiled && truncation.found <= truncation.bound, "{seed} {method:?}: {truncation:?}");
+            assert!(
+                !truncation.spoiled && truncation.found <= truncation.bound,
+                "{seed} {method:?}: {truncation:?}"
+            );
             let mut worst: f64 = 0.0;
             for k in 0..300 {
                 let frequency = 1e-3 * 10f64.powf(f64::from(k) / 299.0 * 5.5);
@@ -102,7 +124,11 @@ fn bounds_are_never_exceeded() {
                 let size = gain(&scaled(all.clone(), &found));
                 worst = worst.max(gain(&scaled(all - part, &found)) - 1e-11 * size);
             }
-            assert!(worst <= truncation.bound, "{seed} {method:?} {states}: {worst:e} {:e}", truncation.bound);
+            assert!(
+                worst <= truncation.bound,
+                "{seed} {method:?} {states}: {worst:e} {:e}",
+                truncation.bound
+            );
             tightest = tightest.max(worst / truncation.bound);
         }
     }
@@ -118,12 +144,19 @@ fn singular_values_do_not_know_axes_and_units() {
             whole.truncated(TruncationMethod::Balanced, 12, KINDS).unwrap().truncation
         };
         let first = of(&Rotation3::identity(), [1.0, 1.0]);
-        for (turn, units) in [(Rotation3::new(V::new(0.4, -1.1, 0.7)), [1.0, 1.0]), (Rotation3::identity(), [1e-6, 1e3])] {
+        for (turn, units) in
+            [(Rotation3::new(V::new(0.4, -1.1, 0.7)), [1.0, 1.0]), (Rotation3::identity(), [1e-6, 1e3])]
+        {
             let other = of(&turn, units);
             let largest = first.singular_values[0];
             assert_eq!(first.lasting, other.lasting);
             for (a, b) in first.singular_values.iter().zip(&other.singular_values) {
-                assert!((a - b).abs() < 1e-9 * largest, "{rate}: {:?} {:?}", first.singular_values, other.singular_values);
+                assert!(
+                    (a - b).abs() < 1e-9 * largest,
+                    "{rate}: {:?} {:?}",
+                    first.singular_values,
+                    other.singular_values
+                );
             }
         }
     }
@@ -132,8 +165,10 @@ fn singular_values_do_not_know_axes_and_units() {
 /// A hub without damping in its springs has nothing to balance; its fast modes leave their static response.
 #[test]
 fn undamped_bodies_are_truncated_by_modes_alone() {
-    let hub = parts::carrier(40.0, [0.05, -0.1, 0.2], [[9.0, 0.4, -0.2], [0.4, 13.0, 0.3], [-0.2, 0.3, 16.0]]);
-    let points = [(50.0, [0.9, 0.1, 0.3]), (9e4, [-0.6, -0.8, -0.2])].map(|(k, at)| parts::sprung(1.0, at, [k, 1.1 * k, 1.3 * k], [0.0; 3]));
+    let hub =
+        parts::carrier(40.0, [0.05, -0.1, 0.2], [[9.0, 0.4, -0.2], [0.4, 13.0, 0.3], [-0.2, 0.3, 16.0]]);
+    let points = [(50.0, [0.9, 0.1, 0.3]), (9e4, [-0.6, -0.8, -0.2])]
+        .map(|(k, at)| parts::sprung(1.0, at, [k, 1.1 * k, 1.3 * k], [0.0; 3]));
     let whole = model(&sprung_body(hub, &points), 0.0, V::z());
     let refused = whole.truncated(TruncationMethod::Balanced, 12, KINDS).unwrap_err().to_string();
     assert!(refused.contains("18 states do not decay") && refused.contains("truncate by modes"), "{refused}");

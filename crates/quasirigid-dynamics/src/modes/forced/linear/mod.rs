@@ -159,7 +159,9 @@ pub enum LinearError {
     #[error("the support of the body moves: the acceleration of a place is no output")]
     Driven,
     /// An input is the acceleration of the pole of a free body.
-    #[error("the acceleration of a free body follows from the forces on it and is no input; give force.x, or a [support] that holds a point")]
+    #[error(
+        "the acceleration of a free body follows from the forces on it and is no input; give force.x, or a [support] that holds a point"
+    )]
     Free,
     /// The number of states of a truncated model.
     #[error(transparent)]
@@ -206,7 +208,9 @@ impl LinearModel {
         outputs: &[LinearOutput],
         band: Option<[f64; 2]>,
     ) -> Result<Self, LinearError> {
-        if body.translation().is_some() && inputs.iter().any(|input| matches!(input, LinearInput::Acceleration { .. })) {
+        if body.translation().is_some()
+            && inputs.iter().any(|input| matches!(input, LinearInput::Acceleration { .. }))
+        {
             return Err(LinearError::Free);
         }
         let (forces, followed) = effective(body, forces);

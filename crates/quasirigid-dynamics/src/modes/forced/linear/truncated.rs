@@ -27,8 +27,7 @@ impl LinearModel {
         states: usize,
         [inputs, outputs]: [&[usize]; 2],
     ) -> Result<TruncatedLinearModel, LinearError> {
-        let space =
-            StateSpace { A: self.A.clone(), B: self.B.clone(), C: self.C.clone(), D: self.D.clone() };
+        let space = StateSpace { A: self.A.clone(), B: self.B.clone(), C: self.C.clone(), D: self.D.clone() };
         let rate = norm(self.equilibrium.omega);
         let truncation = space.truncated(&TruncationRequest { method, states, rate, inputs, outputs })?;
         let StateSpace { A, B, C, D } = truncation.system.clone();

@@ -64,10 +64,11 @@ impl Stepper {
     /// Puts the body into another state; coordinates and rates of the full system alone.
     fn place(
         &mut self,
-        (omega, attitude): ([f64; 3], [f64; 4]),
+        rotation: ([f64; 3], [f64; 4]),
         inside: Option<(Vec<f64>, Vec<f64>)>,
         outside: Option<([f64; 3], [f64; 3])>,
     ) -> PyResult<()> {
+        let (omega, attitude) = rotation;
         let placed = match &mut self.body {
             Moved::Reduced(body) => body.place(Start::new(omega, attitude)).map_err(StudyError::from),
             Moved::Full(body) => {

@@ -68,18 +68,16 @@ impl ReducedStepper {
     /// # Errors
     /// [`PropagateError`]: an attitude, an angular velocity or a tolerance that is none.
     pub fn new(body: &ReducedBody, initial: Start, tolerance: f64) -> Result<Self, PropagateError> {
-        let form = AngularMomentumForm::new(body);
-        let solver = Dop853::new(
-            Held { form, torque: [0.0; 3] },
-            0.0,
-            packed(body, initial, tolerance)?,
-            allowed(body, [0.0; 3], tolerance),
-        );
-        let least = Principal::compute(body.J).moments[0];
-        let range = [f64::INFINITY; 2];
-        let mut own = Self { solver, body: body.clone(), tolerance, range, least, torque: [0.0; 3] };
-        own.place(initial)?;
-        Ok(own)
+        let y = packed(body, initial, tolerance)?;
+        let held = Held { form: AngularMomentumForm::new(body), torque: [0.0; 3] };
+        Ok(Self {
+            solver: Dop853::new(held, 0.0, y, allowed(body, y, tolerance)),
+            body: body.clone(),
+            tolerance,
+            range: [f64::INFINITY; 2],
+            least: Principal::compute(body.J).moments[0],
+            torque: [0.0; 3],
+        })
     }
 
     /// The same with the spins (rad/s) below which the equations hold, and from which they fail.
@@ -94,9 +92,8 @@ impl ReducedStepper {
     /// As [`new`](Self::new).
     pub fn place(&mut self, at: Start) -> Result<(), PropagateError> {
         let y = packed(&self.body, at, self.tolerance)?;
-        let allowed = allowed(&self.body, [y[0], y[1], y[2]], self.tolerance);
-        let form = self.solver.system().form.clone();
-        self.solver = Dop853::new(Held { form, torque: self.torque }, self.solver.t(), y, allowed);
+        let held = self.solver.system().clone();
+        self.solver = Dop853::new(held, self.solver.t(), y, allowed(&self.body, y, self.tolerance));
         Ok(())
     }
 
@@ -179,10 +176,10 @@ fn packed(body: &ReducedBody, initial: Start, tolerance: f64) -> Result<State, P
     Ok([K[0], K[1], K[2], 0.0, s, i, j, k])
 }
 
-/// Errors allowed at an angular momentum (N·m·s): of a body at rest those of one that turns by a radian a second.
-fn allowed(body: &ReducedBody, K: [f64; 3], tolerance: f64) -> State {
+/// Errors allowed at a state: of a body at rest those of one that turns by a radian a second.
+fn allowed(body: &ReducedBody, [x, y, z, ..]: State, tolerance: f64) -> State {
     let [xx, yy, zz, ..] = body.J;
-    let size = error_scale(Form::AngularMomentum, K, [0.0; 3]);
+    let size = error_scale(Form::AngularMomentum, [x, y, z], [0.0; 3]);
     let first = tolerance * if size > 0.0 { size } else { (xx + yy + zz) / 3.0 };
     [first, first, first, f64::INFINITY, tolerance, tolerance, tolerance, tolerance]
 }

@@ -38,9 +38,15 @@ impl Poles {
             values[k].norm() <= share.sqrt() * norm
         };
         let marginal = |k: usize| values[k].re >= -simple(k);
+        // a double zero comes apart by the root of the rounding, to either side
         let zero = |k: usize| {
-            let twin = |other: usize| schur.group[other] == schur.group[k] && slow(other) && marginal(other);
-            slow(k) && (0..values.len()).any(twin)
+            let apart = |other: usize| {
+                schur.group[other] == schur.group[k]
+                    && slow(other)
+                    && marginal(other)
+                    && values[other].norm() > simple(other)
+            };
+            values[k].norm() <= simple(k) || slow(k) && (0..values.len()).any(apart)
         };
         let spinning = |k: usize| {
             values[k].re.abs() <= simple(k) && (values[k].norm() - rate).abs() <= simple(k).max(1e-12 * rate)

@@ -204,3 +204,13 @@ fn singular_values_do_not_know_units_and_axes() {
     }
     assert!((first.bound / second.bound - 1.0).abs() < 1e-6);
 }
+
+/// Nothing is rigid and nothing lasts: all is balanced, and the slowest modes alone are kept.
+#[test]
+fn systems_without_rigid_motions_are_truncated() {
+    let whole = decaying(&mut Draws(17), 5);
+    for method in [TruncationMethod::Balanced, TruncationMethod::Modal] {
+        let found = whole.listed().truncated(&request(method, 7)).unwrap();
+        assert!(found.lasting == 0 && found.found <= found.bound && !found.spoiled, "{found:?}");
+    }
+}

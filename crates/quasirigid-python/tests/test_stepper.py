@@ -27,13 +27,14 @@ def timetable() -> str:
 
 
 def gap(body: quasirigid.Stepper, history: quasirigid.History, row: int) -> float:
-    return float(max(abs(body.state["omega"] - history.omega[row]).max(), abs(body.attitude - history.attitude[row]).max()))
+    return float(max(abs(body.state["omega"] - history.angular_velocity[row]).max(), abs(body.attitude - history.attitude[row]).max()))
 
 
 def test_steps_of_the_full_system_are_those_of_simulate() -> None:
     times = [0.0, 1.0, 2.0, 3.0]
-    history = Model(timetable()).simulate("full", times=times, tolerance=1e-12)
-    body = BOOM.stepper("full", tolerance=1e-12)
+    undeformed = {"initial.displacements": "rest"}  # the slow manifold at the start depends on the torque
+    history = Model(timetable()).with_(undeformed).simulate("full", times=times, tolerance=1e-12)
+    body = BOOM.with_(undeformed).stepper("full", tolerance=1e-12)
     for row, torque in enumerate(TORQUES, start=1):
         for _ in range(50):
             assert body.step(np.array(torque), 0.02) == "holds"
@@ -65,8 +66,9 @@ def test_states_are_taken_and_given() -> None:
         np.testing.assert_allclose(value, start[name], atol=1e-13)
     assert repr(body) == "quasirigid.Stepper: t = 0 s, holds"
     reduced = BOOM.stepper()
-    reduced.place([0, 9e9, 0], [1, 0, 0, 0])
-    assert reduced.step([0, 0, 0], 1e-12) == "fails" == reduced.status
+    assert reduced.range is not None
+    reduced.place([0, reduced.range.mean(), 0], [1, 0, 0, 0])
+    assert reduced.step([0, 0, 0], 1e-6) == "marginal" == reduced.status
 
 
 @pytest.mark.parametrize(

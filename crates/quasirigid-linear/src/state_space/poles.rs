@@ -55,17 +55,19 @@ impl Poles {
         let rigid: Vec<_> = all.clone().map(|k| zero(k) || rate > 0.0 && spinning(k)).collect();
         let lasting = all.clone().map(|k| rigid[k] || marginal(k)).collect();
         let growing = all.map(|k| !rigid[k] && values[k].re > simple(k)).collect();
+        let complex = |k: usize| values[k].im.abs() > simple(k).max(COMPLEX * values[k].norm());
+        let complex: Vec<_> = (0..values.len()).map(complex).collect();
         let mut poles = Self { values, rigid, lasting, growing };
         let [rigid, lasting, growing] =
-            [&poles.rigid, &poles.lasting, &poles.growing].map(|flags| poles.with_conjugates(flags));
+            [&poles.rigid, &poles.lasting, &poles.growing].map(|flags| poles.with_conjugates(flags, &complex));
         (poles.rigid, poles.lasting, poles.growing) = (rigid, lasting, growing);
         poles
     }
 
-    /// Flags with those of the conjugates, each of one.
-    fn with_conjugates(&self, flags: &[bool]) -> Vec<bool> {
+    /// Flags with those of the conjugates, each of one complex eigenvalue.
+    fn with_conjugates(&self, flags: &[bool], complex: &[bool]) -> Vec<bool> {
         let side = |sign: f64| {
-            let on = move |k: &usize| sign * self.values[*k].im > COMPLEX * self.values[*k].norm();
+            let on = |k: &usize| complex[*k] && sign * self.values[*k].im > 0.0;
             (0..flags.len()).filter(on).collect::<Vec<_>>()
         };
         let (mut both, mut below) = (flags.to_vec(), side(-1.0));

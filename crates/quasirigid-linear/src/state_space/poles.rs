@@ -58,8 +58,8 @@ impl Poles {
         let complex = |k: usize| values[k].im.abs() > simple(k).max(COMPLEX * values[k].norm());
         let complex: Vec<_> = (0..values.len()).map(complex).collect();
         let mut poles = Self { values, rigid, lasting, growing };
-        let [rigid, lasting, growing] =
-            [&poles.rigid, &poles.lasting, &poles.growing].map(|flags| poles.with_conjugates(flags, &complex));
+        let [rigid, lasting, growing] = [&poles.rigid, &poles.lasting, &poles.growing]
+            .map(|flags| poles.with_conjugates(flags, &complex));
         (poles.rigid, poles.lasting, poles.growing) = (rigid, lasting, growing);
         poles
     }

@@ -49,6 +49,28 @@ pub fn energy_form<N: Scalar + Div<Output = N>>(
     EnergyMotion { omega, rate, power: dot(rate, braking) }
 }
 
+/// Motion under a torque `M` (N·m, body axes), `K̇ = K × ω + M` with the same `ω`: the torque adds `(a − K × T)⁻¹ (M + c K·M)` to the
+/// rate, and the energy rises by `ω·M − P`. (R22)
+#[inline(always)]
+pub fn energy_form_under(
+    K: [f64; 3],
+    gradient: [f64; 3],
+    c: [f64; 3],
+    T: [f64; 6],
+    torque: [f64; 3],
+) -> EnergyMotion<f64> {
+    let a = 1.0 + dot(K, c);
+    let denominator = a * a + dot(K, smooth_times(adjugate(T), K));
+    let pushed = add(torque, scale(dot(K, torque), c));
+    let once = cross(K, smooth_times(T, pushed));
+    let twice = cross(K, smooth_times(T, once));
+    let turned = scale(denominator.recip(), add(scale(a, once), twice));
+    let rate = add(momentum_rate(K, gradient, c, T), scale(a.recip(), add(pushed, turned)));
+    let braking = smooth_times(T, rate);
+    let omega = add(gradient, add(cross(c, rate), braking));
+    EnergyMotion { omega, rate, power: dot(rate, braking) }
+}
+
 /// Gradient of a function of the angular momentum at a place.
 pub fn energy_gradient(energy: &Series, K: [f64; 3]) -> [f64; 3] {
     [0, 1, 2].map(|axis| {

@@ -54,7 +54,7 @@ pub use coordinate::{Carried, Coordinate, Marker};
 pub use dissipator::{Dissipator, Viscoelastic};
 pub use energy_form::EnergyMotion;
 #[doc(hidden)]
-pub use energy_form::{energy_form, energy_gradient, momentum_rate};
+pub use energy_form::{energy_form, energy_form_under, energy_gradient, momentum_rate};
 pub use equations::MotionState;
 pub use expanded::ExpandedMotion;
 pub use flexible::{BodyParts, FlexibleBody};

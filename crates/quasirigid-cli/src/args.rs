@@ -379,10 +379,17 @@ pub struct LinearArgs {
     /// Replace the file
     #[arg(long, requires = "out")]
     pub overwrite: bool,
-    /// Inputs: torque.x, force.x, force.NODE.x, wheel.NAME.torque [default: the torques]
+    /// Leave out states, of which so many are kept, and say how far the response is off
+    #[arg(long, value_name = "METHOD", value_parser = ["balanced", "modal"], requires = "keep")]
+    pub truncate: Option<String>,
+    /// Number of states to keep
+    #[arg(long, value_name = "N", requires = "truncate")]
+    pub keep: Option<usize>,
+    /// Inputs: torque.x, force.x, force.NODE.x, wheel.NAME.torque, hinge.NAME.torque, acceleration.x of a support [default: the torques]
     #[arg(long, value_name = "LIST", value_delimiter = ',')]
     pub inputs: Vec<String>,
-    /// Outputs: rate.x, attitude.x, momentum.x, acceleration.NODE.x, displacement.NODE.x, wheel.NAME.speed or .momentum, coordinate.NAME
+    /// Outputs: rate.x, attitude.x, momentum.x, acceleration.NODE.x, displacement.NODE.x, wheel.NAME.speed or .momentum,
+    /// hinge.NAME.angle or .rate, cavity.NAME.momentum.x, coordinate.NAME
     /// [default: the rates]
     #[arg(long, value_name = "LIST", value_delimiter = ',')]
     pub outputs: Vec<String>,

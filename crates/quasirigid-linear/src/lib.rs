@@ -19,6 +19,7 @@ pub mod lu;
 pub mod memory;
 pub mod span;
 pub mod sparse;
+pub mod state_space;
 pub mod symmetric;
 pub mod threads;
 pub mod watch;

@@ -31,5 +31,6 @@ pub mod taylor;
 pub mod vec3;
 
 pub use quasirigid_linear::{
-    cholesky, dynamic_stiffness, eigen, factor, krylov, lu, memory, span, sparse, symmetric, threads, watch,
+    cholesky, dynamic_stiffness, eigen, factor, krylov, lu, memory, span, sparse, state_space, symmetric,
+    threads, watch,
 };

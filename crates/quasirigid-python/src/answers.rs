@@ -14,7 +14,7 @@ use quasirigid_io::record::{HistoryRecord, TableFormat};
 use quasirigid_study::evolution;
 use quasirigid_study::histories::Table;
 use quasirigid_study::layout::paragraph;
-use quasirigid_study::linear::LinearSettings;
+use quasirigid_study::linear::{LinearObject, LinearSettings};
 use quasirigid_study::modes::{PrincipalAxis, SteadySpinSettings};
 use quasirigid_study::report::page;
 use quasirigid_study::run::RunOutcome;
@@ -96,16 +96,20 @@ pub fn effective_masses(study: &Study, about: Option<[f64; 3]>) -> Result<Answer
 
 /// Linear model about a steady state.
 pub fn linear(study: &Study, asked: &LinearSettings) -> Result<Answer, Failure> {
-    let found = study.linear(asked)?;
-    Ok(Answer {
+    Ok(of_linear(&study.linear(asked)?, study.model.notes.clone()))
+}
+
+/// A linear model.
+pub fn of_linear(found: &LinearObject, notes: Vec<String>) -> Answer {
+    Answer {
         json: Json(found.json()),
         text: found.text(),
         sentence: found.verdict(),
         holds: found.holds(),
-        notes: study.model.notes.clone(),
+        notes,
         numbers: BTreeMap::new(),
         columns: None,
-    })
+    }
 }
 
 /// The reduced equations as source of another language, in a new file, over an older one if that is wanted, or in a new folder.

@@ -4,6 +4,7 @@
 
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
+use quasirigid::dynamics::StepperError;
 use quasirigid::submanifold::SubmanifoldError;
 use quasirigid_io::model::{Diagnostic, FileProblem, ModelError};
 use quasirigid_io::visible::visible;
@@ -86,7 +87,9 @@ fn class(error: &StudyError) -> &'static str {
         StudyError::Record(_) | StudyError::Write { .. } => "FileError",
         StudyError::Model(_) | StudyError::Extreme { .. } => "ModelError",
         StudyError::Reduction(_) | StudyError::Validity(_) | StudyError::Vibration(_) => "ReductionError",
-        StudyError::Propagate(_) => "PropagationError",
+        StudyError::Propagate(_) | StudyError::Step(StepperError::Failed(_) | StepperError::Long { .. }) => {
+            "PropagationError"
+        }
         StudyError::Verification(_) => "VerificationError",
         StudyError::History { .. } => "TooLargeError",
         StudyError::NoSpin { .. }
@@ -114,6 +117,7 @@ fn class(error: &StudyError) -> &'static str {
         | StudyError::Cantilever(_)
         | StudyError::NothingHeld
         | StudyError::Linear(_)
+        | StudyError::Step(StepperError::Timed { .. })
         | StudyError::NotExported { .. } => "UnsupportedError",
         StudyError::Submanifold(_) | StudyError::SteadySpinBeyond { .. } => "ReductionError",
         StudyError::Unaveraged(_)

@@ -18,6 +18,7 @@ mod pool;
 mod reduced;
 mod series;
 mod spin_paths;
+mod stepper;
 mod sweep;
 mod values;
 mod watching;
@@ -34,6 +35,8 @@ mod _core {
     #[pymodule_export]
     use crate::arrays::linear_file;
     #[pymodule_export]
+    use crate::arrays::linear_truncated;
+    #[pymodule_export]
     use crate::attitude::{read_attitude, write_attitude};
     #[pymodule_export]
     use crate::columns::Columns;
@@ -45,6 +48,8 @@ mod _core {
     use crate::model::Model;
     #[pymodule_export]
     use crate::reduced::Reduced;
+    #[pymodule_export]
+    use crate::stepper::Stepper;
     #[pymodule_export]
     use crate::sweep::{Collector, Sweep, read_sweep};
 

@@ -26,6 +26,7 @@ use crate::ensemble::{self, Histories};
 use crate::failure::Failure;
 use crate::reduced::Reduced;
 use crate::spin_paths;
+use crate::stepper::Stepper;
 use crate::watching::{Shared, interruptible};
 
 /// A model file that was read.
@@ -155,7 +156,7 @@ impl Model {
     ) -> PyResult<Answer> {
         let (inputs, outputs) = channels;
         let at = spin.map(LinearAt::Rate).or_else(|| at.and_then(LinearAt::named));
-        let asked = LinearSettings { at, inputs, outputs, band };
+        let asked = LinearSettings { at, inputs, outputs, band, truncation: None };
         self.ask(py, (None, observer), |study, _| answers::linear(study, &asked))
     }
 
@@ -188,6 +189,20 @@ impl Model {
     /// The reduced equations.
     fn reduce(&self, py: Python<'_>, order: Option<usize>, observer: Observer) -> PyResult<Reduced> {
         self.ask(py, (order, observer), |study, _| Reduced::of(Arc::clone(study)))
+    }
+
+    /// The body for steps under held torques.
+    fn stepper(
+        &self,
+        py: Python<'_>,
+        full: bool,
+        tolerance: f64,
+        order: Option<usize>,
+        observer: Observer,
+    ) -> PyResult<Stepper> {
+        self.ask(py, (order, observer), |study, _| {
+            if full { Stepper::full(study, tolerance) } else { Stepper::reduced(study, tolerance) }
+        })
     }
 
     /// A history of the spin.

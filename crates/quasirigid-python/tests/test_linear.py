@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from scipy import io, signal
+from scipy import io, linalg, signal
 
 import quasirigid
 from quasirigid import Model
@@ -99,6 +99,51 @@ def test_the_error_of_a_material_is_told_and_falls_with_the_band() -> None:
     assert "of the exact one of materials and liquids between" in str(wide)
     with pytest.raises(quasirigid.InputError, match="no band of frequencies"):
         Model(SOFT).linear(band=[3.0, 1.0])
+
+
+def hankel_singular_values(plant: quasirigid.Linear, scales: dict[str, Any]) -> Any:
+    """Of the part that decays, by Bartels and Stewart's solver and products of Gramians."""
+    A, B, C = plant.A, plant.B / np.asarray(scales["input_scales"]), plant.C / np.asarray(scales["output_scales"])[:, None]
+    T, Q, count = linalg.schur(A.astype(complex), output="complex", sort=lambda pole: pole.real < -1e-9)
+    X = linalg.solve_sylvester(T[:count, :count], -T[count:, count:], -T[:count, count:])
+    left = np.hstack([np.eye(count), -X]) @ Q.conj().T
+    part = T[:count, :count], left @ B, C @ Q[:, :count]
+    reached = linalg.solve_continuous_lyapunov(part[0], -part[1] @ part[1].conj().T)
+    seen = linalg.solve_continuous_lyapunov(part[0].conj().T, -part[2].conj().T @ part[2])
+    return np.sort(np.sqrt(np.abs(linalg.eigvals(reached @ seen))))[::-1]
+
+
+@pytest.mark.parametrize("at", ["rest", [0.0, 1.2, 0.0]])
+def test_truncated_models_keep_their_bound(at: Any) -> None:
+    plant = BOOM.linear(at=at, outputs=["rate.x", "rate.y", "rate.z", "attitude.y"])
+    told = plant.truncated(14).to_dict()["truncation"]
+    own = np.array(told["hankel_singular_values"])
+    np.testing.assert_allclose(own, hankel_singular_values(plant, told)[: len(own)], atol=1e-7 * own[0])
+    omega = np.geomspace(1e-3, 1e3, 400)
+    for states, method in ((14, "balanced"), (12, "balanced"), (14, "modal")):
+        part = plant.truncated(states, method=method)
+        told = part.to_dict()["truncation"]
+        assert part.A.shape == (states, states) and str(part).index("response is within") < str(part).index("About")
+        below = omega[omega <= (told["up_to"] or np.inf)]
+        whole, error = (
+            response / np.outer(told["output_scales"], told["input_scales"])
+            for response in (plant.frequency_response(below), plant.frequency_response(below) - part.frequency_response(below))
+        )
+        gains = np.linalg.norm(error, 2, (1, 2)) - 1e-10 * np.linalg.norm(whole, 2, (1, 2))
+        assert gains.max() <= told["bound"]
+
+
+def test_a_truncated_model_is_that_of_the_program(told: Any) -> None:
+    part = BOOM.linear(at="rest").truncated(13)
+    program = told("linear", "boom-satellite", "--at", "rest", "--truncate", "balanced", "--keep", "13")
+    for key in ("A", "B", "C", "D", "states", "truncation"):
+        assert part.to_dict()[key] == program[key]
+    with pytest.raises(quasirigid.InputError, match="states do not decay"):
+        BOOM.linear(at="rest").truncated(2)
+    with pytest.raises(quasirigid.InputError, match="give 'balanced' or 'modal'"):
+        BOOM.linear(at="rest").truncated(13, method="best")
+    with pytest.raises(quasirigid.InputError, match="truncate the whole model"):
+        part.truncated(12)
 
 
 def test_figures_are_drawn_on_the_axes_given() -> None:

@@ -9,15 +9,27 @@ use quasirigid_math::eigen::{Dense, eigenvalues};
 use quasirigid_math::vec3::norm;
 
 use crate::error::StudyError;
+use crate::words::plain;
 
 /// Channels between a body and its controllers.
 #[derive(Debug, Default)]
 pub struct Loop {
-    /// Inputs of the body that controllers command, after those asked for; wheels are not twice among all.
+    /// Inputs of the body that controllers command, after those asked for; none is twice among all.
     pub inputs: Vec<LinearInput>,
+    /// Their names.
+    pub names: Vec<String>,
     /// Outputs of the body that controllers measure, after those asked for.
     pub outputs: Vec<LinearOutput>,
     laws: Vec<Law>,
+}
+
+/// Channels that are asked for.
+#[derive(Clone, Copy, Debug)]
+pub struct Asked<'a> {
+    /// Names of the inputs.
+    pub names: &'a [String],
+    /// Number of outputs.
+    pub outputs: usize,
 }
 
 /// Linear law between channels of the body.
@@ -31,30 +43,26 @@ struct Law {
     commanded: Vec<usize>,
 }
 
+const AXES: [&str; 3] = ["x", "y", "z"];
 /// Command at a steady state, relative to the sizes of its parts, from which the state is not steady under the controller.
 const STEADY: f64 = 1e-9;
 
 impl Loop {
-    /// Channels of controllers at a steady state, behind `inputs` and `outputs` that are asked for.
+    /// Channels of controllers at a steady state, behind those that are asked for.
     ///
     /// # Errors
     /// [`StudyError::NotLinear`] for a controller that is sampled, or acts at the steady state.
-    pub fn new(
-        controls: &Controls,
-        steady: &SteadyState,
-        inputs: &[LinearInput],
-        outputs: usize,
-    ) -> Result<Self, StudyError> {
+    pub fn new(controls: &Controls, steady: &SteadyState, asked: &Asked<'_>) -> Result<Self, StudyError> {
         let mut own = Self::default();
         for controller in &controls.controllers {
             let law = linear_law(controls, controller, steady)?;
-            let commanded = controller.outputs.iter().map(|output| own.command(controls, &output.to, inputs));
+            let commanded = controller.outputs.iter().map(|output| own.command(controls, &output.to, asked));
             let commanded: Vec<usize> = commanded.collect();
             let used = |i: usize| law.B.iter().chain(&law.D).any(|row| row[i] != 0.0);
             let mut measured = Vec::new();
             for (i, input) in controller.inputs.iter().enumerate() {
                 measured.push(if used(i) {
-                    Some(own.measure(controls, controller, &input.of, (steady, inputs, outputs))?)
+                    Some(own.measure(controls, controller, &input.of, (steady, asked))?)
                 } else {
                     None
                 });
@@ -65,20 +73,28 @@ impl Loop {
     }
 
     /// Index of the input of the body that an actuator is.
-    fn command(&mut self, controls: &Controls, to: &Actuator<usize>, asked: &[LinearInput]) -> usize {
-        let input = match to {
-            Actuator::Torque { axis } => LinearInput::Torque { axis: *axis },
-            Actuator::Wheel { wheel } => LinearInput::Wheel { axis: controls.wheels[*wheel].axis },
-        };
-        self.input(input, asked)
+    fn command(&mut self, controls: &Controls, to: &Actuator<usize>, asked: &Asked<'_>) -> usize {
+        match to {
+            Actuator::Torque { axis } => {
+                self.input(format!("torque.{}", AXES[*axis]), LinearInput::Torque { axis: *axis }, asked)
+            }
+            Actuator::Wheel { wheel } => self.wheel(controls, *wheel, asked),
+        }
     }
 
-    fn input(&mut self, input: LinearInput, asked: &[LinearInput]) -> usize {
-        if let Some(known) = asked.iter().chain(&self.inputs).position(|known| *known == input) {
-            return known;
-        }
-        self.inputs.push(input);
-        asked.len() + self.inputs.len() - 1
+    /// Index of the input that the motor of a wheel is; wheels of one axis are told apart by their names.
+    fn wheel(&mut self, controls: &Controls, wheel: usize, asked: &Asked<'_>) -> usize {
+        let wheel = &controls.wheels[wheel];
+        self.input(format!("wheel.{}.torque", wheel.name), LinearInput::Wheel { axis: wheel.axis }, asked)
+    }
+
+    fn input(&mut self, name: String, input: LinearInput, asked: &Asked<'_>) -> usize {
+        let known = asked.names.iter().chain(&self.names).position(|known| plain(known) == plain(&name));
+        known.unwrap_or_else(|| {
+            self.inputs.push(input);
+            self.names.push(name);
+            asked.names.len() + self.inputs.len() - 1
+        })
     }
 
     /// Index of the output of the body that a controller measures, and whether its rate is.
@@ -87,7 +103,7 @@ impl Loop {
         controls: &Controls,
         controller: &BodyController,
         of: &Measurement<Marker, usize, usize>,
-        (steady, inputs, outputs): (&SteadyState, &[LinearInput], usize),
+        (steady, asked): (&SteadyState, &Asked<'_>),
     ) -> Result<(usize, bool), StudyError> {
         let refused = |what| Err(StudyError::NotLinear { name: controller.name.clone(), what });
         let turns = norm(steady.omega) > 0.0;
@@ -105,8 +121,7 @@ impl Loop {
             Measurement::Coordinate { coordinate } => LinearOutput::Coordinate { coordinate: *coordinate },
             Measurement::Speed { coordinate } => LinearOutput::Speed { coordinate: *coordinate },
             Measurement::Wheel { wheel } => {
-                let axis = controls.wheels[*wheel].axis;
-                LinearOutput::Wheel { input: self.input(LinearInput::Wheel { axis }, inputs) }
+                LinearOutput::Wheel { input: self.wheel(controls, *wheel, asked) }
             }
             Measurement::Time | Measurement::Quaternion { .. } => {
                 return refused(
@@ -115,7 +130,7 @@ impl Loop {
             }
         };
         self.outputs.push(output);
-        Ok((outputs + self.outputs.len() - 1, matches!(of, Measurement::Velocity { .. })))
+        Ok((asked.outputs + self.outputs.len() - 1, matches!(of, Measurement::Velocity { .. })))
     }
 
     /// Closes the loop of a model that has the inputs and outputs asked for, then those of the loop; those asked for stay. Returns the

@@ -3,9 +3,9 @@
 use std::path::PathBuf;
 
 use quasirigid::averaging::{FreeRotationError, ObservedError, Unaveraged};
-use quasirigid::dynamics::PropagateError;
+use quasirigid::dynamics::{PropagateError, StepperError};
 use quasirigid::elements::ElementError;
-use quasirigid::modes::{CantileverError, EquilibriumError, LinearError};
+use quasirigid::modes::{CantileverError, EquilibriumError, LinearError, TruncationError};
 use quasirigid::reduction::{ReductionError, ValidityError};
 use quasirigid::submanifold::{ExpansionError, SubmanifoldError};
 use quasirigid::verification::VerificationError;
@@ -62,6 +62,12 @@ pub enum StudyError {
         /// What there is, in words.
         expected: String,
     },
+    /// A step that is not made.
+    Step(StepperError),
+    /// A number of states that a linear model cannot be truncated to.
+    Truncation(TruncationError),
+    /// A truncated linear model to be truncated.
+    TruncatedAgain,
     /// Frequencies that are no band.
     NoBand {
         /// First frequency (rad/s).
@@ -273,6 +279,11 @@ impl StudyError {
             }
             Self::NoChannel { name, expected } => {
                 format!("{name:?} is no input or output here; give {expected}")
+            }
+            Self::Truncation(cause) => cause.to_string(),
+            Self::Step(cause) => cause.to_string(),
+            Self::TruncatedAgain => {
+                "the model is truncated already, and its bound is that from the whole one; truncate the whole model".into()
             }
             Self::NoBand { low, high } => {
                 format!(

@@ -1,11 +1,10 @@
 //! The energy form of the reduced equations of a free body, for other programs: what may be exported, its range and its notes.
 
-use quasirigid::dynamics::{Form, Start, steady_spins};
+use quasirigid::dynamics::{Form, steady_spins};
 use quasirigid::model::{Principal, ReducedBody, Support};
 use quasirigid::reduction::{Assessment, Comparison, Criterion};
 use quasirigid_io::export::{Exported, FreeBody, Target, momentum_of};
 use quasirigid_io::model::System;
-use quasirigid_math::rotation::ALIGNED;
 use quasirigid_math::sym3::times;
 use quasirigid_math::vec3::{add, dot, norm, scale};
 use serde_json::{Value, json};
@@ -64,11 +63,7 @@ impl Study {
     pub fn export(&self, target: Target, name: &str) -> Result<Export, StudyError> {
         self.uncontrolled("export")?;
         refuse(self)?;
-        let spin = match self.initial() {
-            Err(StudyError::NoSpin { .. }) => Start::new([0.0; 3], ALIGNED),
-            found => found?,
-        };
-        let motion = Motion::new(self, spin);
+        let motion = Motion::new(self, self.start_or_rest()?);
         let (order, doubts) = Doubts::before(&motion, System::Reduced, Form::AngularMomentum)?;
         let reduced = self.reduced(order)?;
         let start = motion.of_order(order).reduced_start(&reduced)?;
@@ -103,7 +98,7 @@ impl Study {
 const SOURCE_ALONE: &str = "No C compiler `cc` made a library of the source: the unit holds the source alone, for a tool that compiles it.";
 
 /// Refuses what the equations of a free body under a torque leave out.
-fn refuse(study: &Study) -> Result<(), StudyError> {
+pub(crate) fn refuse(study: &Study) -> Result<(), StudyError> {
     let refused = |what: String| Err(StudyError::NotExported { what });
     if !study.forces.is_empty() {
         let names: Vec<_> = study.forces.iter().map(|force| force.name.as_str()).collect();
@@ -146,7 +141,7 @@ const HALVINGS: usize = 14;
 
 /// Greatest spins (rad/s) along a direction at which every criterion of the motion and of the dissipation that grows with the spin holds, or
 /// does not fail.
-fn range(study: &Study, reduced: &ReducedBody, omega: [f64; 3]) -> Result<[f64; 2], StudyError> {
+pub(crate) fn range(study: &Study, reduced: &ReducedBody, omega: [f64; 3]) -> Result<[f64; 2], StudyError> {
     let assessment = Assessment::new(&study.body, reduced)?;
     let spin = norm(omega);
     let (direction, first) = if spin > 0.0 {

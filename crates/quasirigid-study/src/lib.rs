@@ -96,6 +96,7 @@ pub mod spins;
 mod start;
 mod steady;
 mod steady_state;
+pub mod steps;
 mod study;
 pub mod summary;
 pub mod sweep;

@@ -261,6 +261,11 @@ pub fn word(verdict: Verdict) -> &'static str {
     }
 }
 
+/// Name without quotes.
+pub fn plain(name: &str) -> String {
+    name.replace('"', "")
+}
+
 /// A number with so many significant digits, without an exponent where that is readable.
 pub fn significant(value: f64, digits: i32) -> String {
     let size = value.abs();

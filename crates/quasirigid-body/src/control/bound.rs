@@ -39,6 +39,9 @@ pub struct Commands {
 }
 
 impl Controls {
+    /// None.
+    pub const NONE: &'static Self = &Self { controllers: Vec::new(), wheels: Vec::new() };
+
     /// Whether there is no controller.
     #[must_use]
     pub fn is_empty(&self) -> bool {

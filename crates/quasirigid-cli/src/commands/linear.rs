@@ -1,7 +1,7 @@
 use std::path::Path;
 
 use quasirigid_io::array_file::ArrayFormat;
-use quasirigid_study::linear::{LinearAt, LinearSettings};
+use quasirigid_study::linear::{LinearAt, LinearSettings, LinearTruncation, truncation_method};
 
 use super::{open, whole};
 use crate::args::LinearArgs;
@@ -18,6 +18,7 @@ pub fn linear(arguments: &LinearArgs) -> Result<ExitStatus, Failure> {
         inputs: arguments.inputs.clone(),
         outputs: arguments.outputs.clone(),
         band: arguments.band,
+        truncation: truncation(arguments),
     };
     let format = arguments.out.as_deref().map(|path| format(path, arguments.overwrite)).transpose()?;
     let found = whole(&arguments.common, || study.linear(&asked))?;
@@ -34,6 +35,11 @@ pub fn linear(arguments: &LinearArgs) -> Result<ExitStatus, Failure> {
         }
     }
     Ok(if found.holds() { ExitStatus::Done } else { ExitStatus::CheckFailed })
+}
+
+fn truncation(arguments: &LinearArgs) -> Option<LinearTruncation> {
+    let method = arguments.truncate.as_deref().and_then(truncation_method)?;
+    Some(LinearTruncation { method, states: arguments.keep? })
 }
 
 fn format(path: &Path, overwrite: bool) -> Result<ArrayFormat, Failure> {

@@ -164,6 +164,73 @@ fn matrices_are_written_for_other_programs_and_replace_nothing() {
     assert_eq!(crate::support::names(folder.path()), ["model.toml", "plant.mat", "plant.npz"]);
 }
 
+/// An appendage on two gimbals.
+const GIMBALS: &str = "[[hinged]]\nname = \"dish\"\nmass = 2\ncenter_of_mass = [1.2, 0.1, 0]\ninertia = [0.1, 0.4, 0.3]\n\
+                       hinge = [0.5, 0, 0]\naxes = [[0, 0, 1], [0, 1, 0]]\nstiffness = [14, 22]\ndamping = [0.6, 0.4]\n";
+
+#[test]
+fn hinges_have_torques_angles_and_rates_by_axis() {
+    let model = format!("{MODEL}{GIMBALS}");
+    let options = "--at rest --inputs hinge.dish.2.torque --outputs hinge.dish.2.rate,hinge.dish.2.angle,hinge.dish.1.rate,momentum.y";
+    let found = linear(&model, options);
+    let (B, C) = (numbers(&found, "B"), numbers(&found, "C"));
+    let rate = |output: usize| -> f64 { (0..B.len()).map(|state| C[output][state] * B[state][0]).sum() };
+    assert!(rate(0) > 0.0 && rate(1) == 0.0 && rate(3).abs() < 1e-12, "{} {} {}", rate(0), rate(1), rate(3));
+    assert_eq!(found["inputs"][0]["unit"], "N m");
+    assert_eq!(found["outputs"][1]["unit"], "rad");
+    for (name, said) in [
+        ("hinge.dish.torque", "dish.1 to dish.2"),
+        ("hinge.dish.3.torque", "dish.1 to dish.2"),
+        ("hinge.arm.torque", "dish.1 to dish.2"),
+    ] {
+        let refused = ran_with(&model, &format!("linear model.toml --inputs {name}"));
+        assert!(crate::support::one_line(refused.refusal()).contains(said), "{name}: {}", refused.stderr);
+    }
+    let refused = ran_with(MODEL, "linear model.toml --inputs acceleration.x");
+    assert!(
+        crate::support::one_line(refused.refusal()).contains("give force.x, or a [support]"),
+        "{}",
+        refused.stderr
+    );
+    let held = format!("{MODEL}[support]\nkind = \"fixed-point\"\npoint = [0, 0, 0]\n");
+    let found = linear(&held, "--at rest --inputs acceleration.x --outputs rate.z");
+    assert_eq!(found["inputs"][0]["unit"], "m/s^2");
+}
+
+#[test]
+fn a_truncated_model_says_its_bound_first() {
+    let options = "linear model.toml --at rest --inputs torque.z --outputs rate.z --truncate balanced --keep";
+    let ran = ran_with(MODEL, &format!("{options} 10"));
+    let first = crate::support::one_line(ran.stdout.lines().nth(2).unwrap());
+    assert!(
+        ran.code == Some(0) && first.starts_with("The response is within "),
+        "{:?} {first} {}",
+        ran.code,
+        ran.stderr
+    );
+    let coarse = ran_with(MODEL, &format!("{options} 6"));
+    let first = crate::support::one_line(coarse.stdout.lines().nth(2).unwrap());
+    assert!(coarse.code == Some(1) && first.starts_with("DOES NOT HOLD: the response is within "), "{first}");
+    let coarse = ran_with(MODEL, "linear model.toml --json --at rest --truncate modal --keep 10");
+    assert_eq!(coarse.code, Some(1), "{}", coarse.stderr);
+    let found: Value = serde_json::from_str(&coarse.stdout).unwrap();
+    assert_eq!(
+        (names(&found, "states")[9].as_str(), &found["truncation"]["whole"]),
+        ("truncated.10", &serde_json::json!(12))
+    );
+    for (options, said) in [
+        ("--truncate balanced --keep 3", "6 states do not decay"),
+        ("--truncate balanced --keep 12", "has 12 states; keep fewer"),
+        ("--truncate modal --keep 3", "keep 6 or more"),
+        ("--truncate balanced", "--keep"),
+        ("--truncate best --keep 8", "balanced, modal"),
+    ] {
+        let refused = ran_with(MODEL, &format!("linear model.toml --at rest {options}"));
+        let told = crate::support::one_line(&refused.stderr);
+        assert!(refused.code == Some(2) && told.contains(said), "{options}: {told}");
+    }
+}
+
 /// A box of water, whose response is known to the slow flow alone.
 #[test]
 fn a_liquid_that_is_not_known_is_said_first() {

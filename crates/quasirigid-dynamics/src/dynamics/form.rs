@@ -6,7 +6,7 @@ use crate::math::polynomial::{Homogeneous, Kernel, Number, Series, TensorKernel}
 use crate::math::simd::Arithmetic;
 use crate::math::sym3::{self, Sym};
 use crate::math::vec3::{self, cross, dot, norm};
-use crate::model::{EnergyMotion, Form, ReducedBody, energy_form, momentum_rate};
+use crate::model::{EnergyMotion, Form, ReducedBody, energy_form, energy_form_under, momentum_rate};
 
 /// Scale of errors of the state `x` of a form, with this internal angular momentum.
 pub(super) fn error_scale(form: Form, x: [f64; 3], inside: [f64; 3]) -> f64 {
@@ -72,6 +72,13 @@ impl AngularMomentumForm {
     /// Gradient of the energy over the angular momentum (rad/s).
     pub fn slope(&self, K: [f64; 3]) -> [f64; 3] {
         vector(self.gradient.at(K))
+    }
+
+    /// Motion under a torque (N·m, body axes). (R22)
+    #[inline(always)]
+    pub fn under<A: Arithmetic>(&self, K: [f64; 3], torque: [f64; 3]) -> EnergyMotion<f64> {
+        let (gradient, c, T) = self.terms::<A, f64>(K);
+        energy_form_under(K, gradient, c, T, torque)
     }
 
     /// Gradient of the energy, `c` and `T`.

@@ -25,7 +25,11 @@ pub use equilibrium::{EquilibriumError, RelativeEquilibrium, SpinMagnitude};
 pub use error::ModesError;
 pub use forced::{
     LinearAccuracy, LinearError, LinearInput, LinearModel, LinearOutput, LinearState, SteadyError,
-    SteadyModes, SteadyState, SteadyStateGuess, acts,
+    SteadyModes, SteadyState, SteadyStateGuess, TruncatedLinearModel, acts,
 };
 pub use mode::{SpinMode, SpinModes};
 pub use onset::{WhirlOnset, whirl_onset};
+
+pub use crate::math::state_space::{
+    StateSpace, Truncation, TruncationError, TruncationMethod, TruncationRequest,
+};

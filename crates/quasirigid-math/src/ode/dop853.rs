@@ -85,6 +85,11 @@ impl<S: System<Y>, Y: State, R: Arithmetic> Dop853<S, Y, R> {
         &self.system
     }
 
+    /// The same, to change; [`rewind`](Solver::rewind) then takes the change up.
+    pub fn system_mut(&mut self) -> &mut S {
+        &mut self.system
+    }
+
     /// Step that the method would make next.
     pub fn h(&self) -> f64 {
         self.h

@@ -108,6 +108,11 @@ impl<S: Stiff, R: Arithmetic> Radau<S, R> {
         &self.system
     }
 
+    /// The same, to change; [`rewind`](Solver::rewind) then takes the change up.
+    pub fn system_mut(&mut self) -> &mut S {
+        &mut self.system
+    }
+
     /// Step that the method would make next.
     pub fn h(&self) -> f64 {
         self.h

@@ -49,6 +49,7 @@ from quasirigid._linear import Linear
 from quasirigid._model import Model, cite
 from quasirigid._population import Population, evolve_population
 from quasirigid._reduced import Part, Reduced, SympyEquations
+from quasirigid._stepper import Stepper
 from quasirigid._sweep import Sweep, read_sweep, sweep
 from quasirigid._table import Table
 
@@ -84,6 +85,7 @@ __all__ = [
     "Run",
     "SpinPaths",
     "StartError",
+    "Stepper",
     "Sweep",
     "SympyEquations",
     "Table",

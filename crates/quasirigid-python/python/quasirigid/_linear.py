@@ -57,6 +57,28 @@ class Linear(Answer):
         solved = np.linalg.solve(s[:, None, None] * np.eye(len(A)) - A, B.astype(np.complex128))
         return np.asarray(C @ solved + D, dtype=np.complex128)
 
+    def truncated(self, states: int, *, method: str = "balanced") -> Linear:
+        """The model with fewer states, and a bound on the error, which its text and ``sentence`` give first.
+
+        Rigid motions are kept. Errors are those of ``frequency_response``, largest singular value, between inputs and outputs
+        divided by ``input_scales`` and ``output_scales`` of ``to_dict()["truncation"]``; 1 is the largest response of the
+        vibrations.
+
+        Args:
+            states: Number of states to keep.
+            method: ``balanced`` keeps what decays by its Hankel singular values, with a bound at all frequencies; ``modal`` keeps
+                the slowest modes and the static response of the others, with a bound up to ``up_to`` (rad/s).
+
+        Raises:
+            InputError: for a number of states that is not possible, with those that are.
+
+        >>> import quasirigid
+        >>> plant = quasirigid.Model(quasirigid.EXAMPLE).linear(at="rest")
+        >>> plant.truncated(10).A.shape
+        (10, 10)
+        """
+        return Linear(_core.linear_truncated(json.dumps(self.to_dict()), method, states, self.notes))
+
     def to_scipy(self) -> Any:
         """``scipy.signal.StateSpace`` of the matrices."""
         from scipy.signal import StateSpace

@@ -26,6 +26,7 @@ from quasirigid._errors import InputError, ModelError
 from quasirigid._linear import Linear
 from quasirigid._progress import Progress, observer
 from quasirigid._reduced import Reduced
+from quasirigid._stepper import Stepper
 
 __all__ = ["Model", "cite"]
 
@@ -233,10 +234,11 @@ class Model:
         Args:
             at: ``rest``, ``spin`` (next to the start), or an angular velocity (rad/s), ``(3,)``. By default the spin of the
                 start, if there is one.
-            inputs: Names such as ``torque.x``, ``force.x``, ``force.NODE.x``, ``wheel.NAME.torque``; the torques by default.
+            inputs: Names such as ``torque.x``, ``force.x``, ``force.NODE.x``, ``wheel.NAME.torque``, ``hinge.NAME.torque``,
+                ``acceleration.x`` of a support; the torques by default.
             outputs: Names such as ``rate.x``, ``attitude.x``, ``momentum.x``, ``acceleration.NODE.x``,
-                ``displacement.NODE.x``, ``wheel.NAME.speed``, ``wheel.NAME.momentum``, ``coordinate.NAME``; the rates by
-                default.
+                ``displacement.NODE.x``, ``wheel.NAME.speed``, ``wheel.NAME.momentum``, ``hinge.NAME.angle``,
+                ``hinge.NAME.rate``, ``cavity.NAME.momentum.x``, ``coordinate.NAME``; the rates by default.
             band: Frequencies (rad/s) between which materials and liquids are met, ``(2,)``; those of the body's own rates by
                 default.
 
@@ -332,6 +334,35 @@ class Model:
         whole = _arguments.count(order, "order")
         with observer(progress) as watch:
             return Reduced(self, whole, self._core.reduce(whole, watch))
+
+    def stepper(
+        self,
+        system: str = "reduced",
+        *,
+        tolerance: float = 1e-10,
+        order: int | None = None,
+        progress: Progress = False,
+    ) -> Stepper:
+        """The body at its start, for steps under a torque that is held over each.
+
+        Args:
+            system: ``reduced`` or ``full``.
+            tolerance: Error allowed in a step, 1e-15 to 1e-2.
+
+        Raises:
+            UnsupportedError: for reduced equations of a body with forces, a support or wheels of changing speed, and for forces
+                that change at given times.
+
+        >>> import quasirigid
+        >>> body = quasirigid.Model(quasirigid.EXAMPLE).stepper("full")
+        >>> body.step([0, 0.1, 0], 0.02)
+        'holds'
+        """
+        if system not in ("reduced", "full"):
+            raise InputError(f"system = {system!r}; give 'reduced' or 'full'")
+        whole, allowed = _arguments.count(order, "order"), _arguments.number(tolerance, "tolerance")
+        with observer(progress) as watch:
+            return Stepper(self._core.stepper(system == "full", allowed or 0.0, whole, watch))
 
     @overload
     def simulate(

@@ -73,13 +73,14 @@ types! {
         Validity ValidityError Verdict Vibrations
     }
     dynamics {
-        BoundaryLayer Checkpoint DampedMode Event FastPart ForcedTorque Forced['static] Form FullState
-        IsolatedSpin Method Missed Nutation Nutations Options Outcome PropagateError RigidState Rounding
-        Run Sample Scan SlowEquations SlowPoint SlowState SpinPath Start SteadySpin SteadySpins
+        BoundaryLayer Checkpoint DampedMode Event FastPart ForcedTorque Forced['static] Form FullState FullStepper['static]
+        IsolatedSpin Method Missed Nutation Nutations Options Outcome PropagateError RigidState ReducedStepper Rounding
+        Run Sample Scan SlowEquations SlowPoint SlowState SpinPath Start SteadySpin SteadySpins StepStatus StepperError
     }
     modes {
         CampbellError CantileverError CantileverMode CantileverModes EquilibriumError FreeMode SpinMagnitude ModesError SteadyStateGuess RelativeEquilibrium SpinEigenvalues SpinMode
-        LinearAccuracy LinearError LinearInput LinearModel LinearOutput LinearState SpinModes SteadyError SteadyModes SteadyState WhirlOnset
+        LinearAccuracy LinearError LinearInput LinearModel LinearOutput LinearState SpinModes SteadyError SteadyModes SteadyState TruncatedLinearModel WhirlOnset
+        StateSpace Truncation TruncationError TruncationMethod TruncationRequest['static]
     }
     submanifold {
         AmplitudeRange Backbone BackbonePoint Defect ExpansionError ManifoldPower ManifoldRun

@@ -15,12 +15,12 @@ use crate::support::{parts, rotors, sprung_body};
 type V = Vector3<f64>;
 type C = Complex<f64>;
 
-fn matrix(rows: &[Vec<f64>]) -> DMatrix<f64> {
+pub(super) fn matrix(rows: &[Vec<f64>]) -> DMatrix<f64> {
     DMatrix::from_fn(rows.len(), rows.first().map_or(0, Vec::len), |i, k| rows[i][k])
 }
 
 /// Transfer matrix at a complex frequency.
-fn transfer(model: &LinearModel, s: C) -> DMatrix<C> {
+pub(super) fn transfer(model: &LinearModel, s: C) -> DMatrix<C> {
     let [A, B, C_, D] = [&model.A, &model.B, &model.C, &model.D].map(|rows| matrix(rows).map(Complex::from));
     let n = A.nrows();
     let solved = (DMatrix::identity(n, n) * s - A).lu().solve(&B).unwrap();
@@ -54,7 +54,7 @@ fn a_hub_with_two_sprung_points_has_its_closed_impedance() {
 }
 
 /// Off-centre, damped, with a skew rotor.
-fn satellite() -> Assembly {
+pub(super) fn satellite() -> Assembly {
     let hub =
         parts::carrier(40.0, [0.05, -0.1, 0.2], [[9.0, 0.4, -0.2], [0.4, 13.0, 0.3], [-0.2, 0.3, 16.0]]);
     let masses = [
@@ -103,9 +103,9 @@ fn eigenvalues_are_those_of_the_modes_and_of_the_attitude() {
 
 /// Rows of a run.
 #[derive(Default)]
-struct Rows {
+pub(super) struct Rows {
     inside: Option<(Vec<f64>, Vec<f64>)>,
-    rows: Vec<(Sample, Vec<f64>, Vec<f64>)>,
+    pub rows: Vec<(Sample, Vec<f64>, Vec<f64>)>,
 }
 
 impl Observer for Rows {

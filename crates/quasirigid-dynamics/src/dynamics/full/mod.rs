@@ -3,8 +3,10 @@
 mod propagate;
 mod solver;
 mod start;
+mod stepper;
 mod stiff_part;
 mod system;
 
 pub use propagate::{propagate_controlled, propagate_full};
 pub use start::FullState;
+pub use stepper::FullStepper;

@@ -117,7 +117,7 @@ fn budget(body: &FlexibleBody, accounts: &[f64], dissipated: f64) -> Vec<(String
 }
 
 /// Error scale of each component; infinite where its error has no effect.
-fn sizes(body: &FlexibleBody, layout: Layout, scales: &Scales) -> Vec<f64> {
+pub(super) fn sizes(body: &FlexibleBody, layout: Layout, scales: &Scales) -> Vec<f64> {
     let mut sizes = vec![f64::INFINITY; layout.len()];
     sizes[MOMENTUM..MOMENTUM + 3].fill(scales.angular_momentum);
     sizes[ATTITUDE..ATTITUDE + 4].fill(1.0);

@@ -98,6 +98,29 @@ impl<'a> FullSolver<'a> {
         }
     }
 
+    /// Holds a torque on the carrier (N·m, body axes) from now on.
+    pub fn hold(&mut self, torque: [f64; 3]) {
+        let (t, y) = (self.t(), self.y().clone());
+        match &mut self.active {
+            Active::Explicit(solver) => {
+                solver.system_mut().hold(torque);
+                solver.rewind(t, y);
+            }
+            Active::Implicit(solver) => {
+                solver.system_mut().hold(torque);
+                solver.rewind(t, y);
+            }
+        }
+    }
+
+    /// The torque (N·m, body axes) that is held on the carrier.
+    pub fn held(&self) -> [f64; 3] {
+        match &self.active {
+            Active::Explicit(solver) => solver.system().held(),
+            Active::Implicit(solver) => solver.system().held(),
+        }
+    }
+
     /// True if the last step speaks against the active method.
     fn misfit(&self) -> bool {
         match &self.active {

@@ -36,6 +36,8 @@ pub(super) struct FullSystem<'a> {
     stiff: StiffPart,
     /// Stretch between breakpoints of the forces that steps lie in. (Z1)
     stretch: Stretch,
+    /// Torque on the carrier (N·m, body axes), where it is held from outside.
+    held: Option<[f64; 3]>,
     /// Steps of the finite differences of a Jacobian: in the coordinates, then in their momenta.
     differences: Vec<f64>,
 }
@@ -62,8 +64,30 @@ impl<'a> FullSystem<'a> {
             accounts: accounts.collect(),
             stiff: StiffPart::vibrations(body),
             stretch: Stretch::default(),
+            held: None,
             differences: sizes[layout.slow()..].iter().map(|size| DIFFERENCE * size).collect(),
         })
+    }
+
+    /// Holds a torque on the carrier (N·m, body axes), beside the forces.
+    pub fn hold(&mut self, torque: [f64; 3]) {
+        self.straight = None;
+        self.held = Some(torque);
+    }
+
+    /// The torque that is held (N·m, body axes).
+    pub fn held(&self) -> [f64; 3] {
+        self.held.unwrap_or_default()
+    }
+
+    /// Adds the torque that is held to the rates of a state.
+    fn add_held(y: &[f64], torque: [f64; 3], omega: [f64; 3], slow: &mut [f64]) {
+        let impulse = Turn::of(attitude(y)).to_inertial(torque);
+        for axis in 0..3 {
+            slow[MOMENTUM + axis] += torque[axis];
+            slow[IMPULSE + axis] += impulse[axis];
+        }
+        slow[WORK] += dot(omega, torque);
     }
 
     /// Jacobian of the rates of the coordinates and their momenta, by differences. (T4)
@@ -187,6 +211,13 @@ impl System<Vec<f64>> for FullSystem<'_> {
             }
         } else {
             slow[PLACE..PLACE + 3].copy_from_slice(&triple(y, VELOCITY));
+        }
+        if let Some(torque) = self.held {
+            if !self.system.acts() {
+                slow[WORK] = 0.0;
+                slow[IMPULSE..IMPULSE + 3].fill(0.0);
+            }
+            Self::add_held(y, torque, omega, slow);
         }
     }
 

@@ -191,7 +191,7 @@ impl Stops<'_> {
     pub fn next(&self, t: f64) -> f64 {
         let own = self.all.get(self.all.partition_point(|stop| *stop <= t)).copied().unwrap_or(f64::INFINITY);
         let again = self.periodic.iter().map(|periodic| periodic.next(t)).fold(f64::INFINITY, f64::min);
-        let again = if own - again <= APART * own.abs() { own } else { again };
+        let again = if own - again <= APART * again.abs() { own } else { again };
         let next = self.clocks.iter().fold(own.min(again), |next, clock| {
             let instant = clock.next(t);
             if instant < next * (1.0 - APART) { instant } else { next }

@@ -16,6 +16,8 @@ mod timed;
 mod whole_body_names;
 
 pub use error::SteadyError;
-pub use linear::{LinearAccuracy, LinearError, LinearInput, LinearModel, LinearOutput, LinearState};
+pub use linear::{
+    LinearAccuracy, LinearError, LinearInput, LinearModel, LinearOutput, LinearState, TruncatedLinearModel,
+};
 pub use mode::SteadyModes;
 pub use state::{SteadyState, SteadyStateGuess, acts};

@@ -6,11 +6,15 @@
 mod accuracy;
 mod lag;
 mod small_motions;
+mod truncated;
+
+use std::ops::Range;
 
 use nalgebra::DMatrix;
 use thiserror::Error;
 
 pub use accuracy::LinearAccuracy;
+pub use truncated::TruncatedLinearModel;
 
 use self::lag::Lag;
 use self::small_motions::SmallMotions;
@@ -19,6 +23,7 @@ use super::frame_rotation::effective;
 use super::slopes::Slopes;
 use super::state::SteadyState;
 use super::system::System;
+use crate::math::state_space::TruncationError;
 use crate::model::force::Force;
 use crate::model::{FlexibleBody, Marker, RationalModulus};
 
@@ -37,10 +42,15 @@ pub enum LinearInput {
         /// Body axis, 0 to 2.
         axis: usize,
     },
-    /// Torque of a motor between the carrier and a rotor (N·m).
+    /// Torque of a motor between the carrier and a rotor, or in an axis of a hinge (N·m).
     Motor {
-        /// Cyclic coordinate of the rotor.
+        /// Coordinate of the rotor or of the axis.
         coordinate: usize,
+    },
+    /// Acceleration of the pole, which the support prescribes, along a body axis (m/s²).
+    Acceleration {
+        /// Body axis, 0 to 2.
+        axis: usize,
     },
     /// Torque of the motor of a momentum wheel on the wheel (N·m), whose angular momentum is then a state.
     Wheel {
@@ -86,6 +96,13 @@ pub enum LinearOutput {
         /// Elastic coordinate.
         coordinate: usize,
     },
+    /// Angular momentum of some coordinates by their rates, relative to the carrier (N·m·s), such as that of a liquid.
+    Internal {
+        /// Coordinates.
+        coordinates: Range<usize>,
+        /// Body axis, 0 to 2.
+        axis: usize,
+    },
     /// Rate of an internal coordinate (m/s, rad/s), such as the speed of a rotor relative to the carrier.
     Speed {
         /// Coordinate.
@@ -122,6 +139,8 @@ pub enum LinearState {
     },
     /// Angular momentum of a wheel relative to the carrier about its axis (N·m·s), by the number of its input, from 0.
     Wheel(usize),
+    /// State of a truncated model, from 0, without a meaning of its own.
+    Truncated(usize),
 }
 
 /// Error of a linear model.
@@ -139,6 +158,14 @@ pub enum LinearError {
     /// An output is the acceleration of a place, on a support that moves.
     #[error("the support of the body moves: the acceleration of a place is no output")]
     Driven,
+    /// An input is the acceleration of the pole of a free body.
+    #[error(
+        "the acceleration of a free body follows from the forces on it and is no input; give force.x, or a [support] that holds a point"
+    )]
+    Free,
+    /// The number of states of a truncated model.
+    #[error(transparent)]
+    Truncation(#[from] TruncationError),
     /// The steady state.
     #[error(transparent)]
     Steady(#[from] SteadyError),
@@ -171,7 +198,8 @@ impl LinearModel {
     /// (M16), (M17), (M21)
     ///
     /// # Errors
-    /// [`LinearError`]: materials of too many states, accelerations on a support that moves, a state beyond the range of the body.
+    /// [`LinearError`]: materials of too many states, accelerations of places on a support that moves, an acceleration of a free body as
+    /// input, a state beyond the range of the body.
     pub fn about(
         body: &FlexibleBody,
         forces: &[Force<Marker>],
@@ -180,6 +208,11 @@ impl LinearModel {
         outputs: &[LinearOutput],
         band: Option<[f64; 2]>,
     ) -> Result<Self, LinearError> {
+        if body.translation().is_some()
+            && inputs.iter().any(|input| matches!(input, LinearInput::Acceleration { .. }))
+        {
+            return Err(LinearError::Free);
+        }
         let (forces, followed) = effective(body, forces);
         let instant = equilibrium.at(0.0);
         let system = System::about(body, Slopes::of(body, &forces, &instant), &instant, followed);

@@ -2,12 +2,15 @@
 //! Loads and motions of places are those of the full system.
 //! Equations (M16), (M17) and (M21), docs/theory/15-modes.md.
 
+use std::ops::Range;
+
 use nalgebra::{DMatrix, DVector};
 
 use super::lag::Lag;
 use super::{LinearError, LinearInput, LinearOutput, LinearState};
-use crate::math::vec3::cross;
-use crate::model::force::{Axes, Force, ForceLaw, Wave};
+use crate::math::rotation::to_inertial;
+use crate::math::vec3::{cross, scale};
+use crate::model::force::{Axes, Force, ForceLaw, Loads, Wave};
 use crate::model::{FlexibleBody, Marker, Support};
 use crate::modes::forced::error::SteadyError;
 use crate::modes::forced::slopes::{DISPLACED, Instant, OMEGA, THETA, VELOCITY};
@@ -27,6 +30,8 @@ pub(super) struct SmallMotions<'a> {
     pub B: DMatrix<f64>,
     /// Forces of the inputs on the body (N), a column each.
     pushes: DMatrix<f64>,
+    /// Accelerations of the pole by the inputs, a column each.
+    driven: DMatrix<f64>,
 }
 
 /// A row of an output: by the states, by the inputs.
@@ -74,7 +79,13 @@ impl<'a> SmallMotions<'a> {
             B[(held + moving + lagging + place, *input)] = 1.0;
         }
         let pushes = loads.rows(3 + instant.q.len(), 3).into_owned();
-        Ok(Self { body, instant, system, followed, lags, wheels, A, B, pushes })
+        let mut driven = DMatrix::zeros(3, inputs.len());
+        for (column, input) in inputs.iter().enumerate() {
+            if let LinearInput::Acceleration { axis } = input {
+                driven[(*axis, column)] = 1.0;
+            }
+        }
+        Ok(Self { body, instant, system, followed, lags, wheels, A, B, pushes, driven })
     }
 
     pub fn states(&self) -> Vec<LinearState> {
@@ -123,6 +134,7 @@ impl<'a> SmallMotions<'a> {
                 self.wheel(*input).map_or_else(|| self.none(), |place| self.state(place))
             }
             LinearOutput::Momentum { axis } => self.momentum(*axis),
+            LinearOutput::Internal { coordinates, axis } => self.internal(coordinates, *axis),
             LinearOutput::Displacement { at, axis } => self.displacement(at, *axis),
             LinearOutput::Acceleration { at, axis } => self.acceleration(at, *axis)?,
         };
@@ -139,6 +151,14 @@ impl<'a> SmallMotions<'a> {
         for (input, direction) in &self.wheels {
             self.wheel(*input).into_iter().for_each(|place| by_state[place] = direction[axis]);
         }
+        (by_state, by_input)
+    }
+
+    /// `H δq̇` of some coordinates. (M2)
+    fn internal(&self, coordinates: &Range<usize>, axis: usize) -> Row {
+        let (mut by_state, by_input) = self.none();
+        let rates = self.rates();
+        coordinates.clone().for_each(|j| by_state[rates + 3 + j] = self.system.mass[(axis, 3 + j)]);
         (by_state, by_input)
     }
 
@@ -178,7 +198,7 @@ impl<'a> SmallMotions<'a> {
         Ok((by_state, by_input))
     }
 
-    /// Acceleration of the centre of mass of a free body by the forces; none of a point that is held. (M17)
+    /// Acceleration of the centre of mass of a free body by the forces, of a point on a support by the inputs. (M17)
     fn center_acceleration(&self, axis: usize) -> Result<Row, LinearError> {
         let (mut by_state, mut by_input) = self.none();
         let Some(per_mass) = self.body.translation() else {
@@ -188,7 +208,7 @@ impl<'a> SmallMotions<'a> {
                 {
                     Err(LinearError::Driven)
                 }
-                _ => Ok((by_state, by_input)),
+                _ => Ok((by_state, self.driven.row(axis).transpose())),
             };
         };
         let (held, n, elastic) = (self.rates(), self.instant.q.len(), self.body.elastic());
@@ -219,23 +239,35 @@ fn wheel((number, input): (usize, &LinearInput)) -> Option<(usize, [f64; 3])> {
 fn loads(body: &FlexibleBody, instant: &Instant, input: &LinearInput) -> DVector<f64> {
     let n = instant.q.len();
     let mut column = DVector::zeros(6 + n);
+    let along = |axis: usize| {
+        let mut unit = [0.0; 3];
+        unit[axis] = 1.0;
+        unit
+    };
     match input {
         LinearInput::Torque { axis } => column[*axis] = 1.0,
         LinearInput::Motor { coordinate } => column[3 + coordinate] = 1.0,
         LinearInput::Wheel { axis } => (0..3).for_each(|k| column[k] = -axis[k]),
         LinearInput::Force { at, axis } => {
-            let mut force = [0.0; 3];
-            force[*axis] = 1.0;
             let wave = Wave { frequency: 0.0, phase: 0.0 };
-            let law = ForceLaw::Thrust { at: at.clone(), force, axes: Axes::Body, wave };
-            let push = Force { name: String::new(), law };
-            let [with, without] = [&[push][..], &[]].map(|forces| instant.loads(body, forces));
-            let rows = |loads: &crate::model::force::Loads<f64>| {
-                let rows = loads.moment.iter().chain(&loads.generalized).chain(&loads.force);
-                DVector::from_iterator(6 + n, rows.copied())
-            };
-            column = rows(&with) - rows(&without);
+            let law = ForceLaw::Thrust { at: at.clone(), force: along(*axis), axes: Axes::Body, wave };
+            column = of_law(body, instant, law);
+        }
+        LinearInput::Acceleration { axis } => {
+            let acceleration = scale(-1.0, to_inertial(instant.attitude, along(*axis)));
+            column = of_law(body, instant, ForceLaw::UniformGravity { acceleration });
         }
     }
     column
+}
+
+/// Loads of a force, in the same order.
+fn of_law(body: &FlexibleBody, instant: &Instant, law: ForceLaw<Marker>) -> DVector<f64> {
+    let push = Force { name: String::new(), law };
+    let [with, without] = [&[push][..], &[]].map(|forces| instant.loads(body, forces));
+    let rows = |loads: &Loads<f64>| {
+        let rows = loads.moment.iter().chain(&loads.generalized).chain(&loads.force);
+        DVector::from_iterator(6 + instant.q.len(), rows.copied())
+    };
+    rows(&with) - rows(&without)
 }

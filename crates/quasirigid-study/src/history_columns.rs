@@ -6,6 +6,8 @@ use quasirigid_io::record::Column;
 use quasirigid_io::visible::one_line;
 use quasirigid_math::vec3::{dot, norm};
 
+use crate::words::plain;
+
 /// Numbers of a sample that every table has: names, units and values.
 type Entry = (&'static str, &'static str, fn(&Sample) -> f64);
 
@@ -119,7 +121,7 @@ impl Internal<'_> {
     /// The columns, without values.
     pub fn columns(&self) -> Vec<Column> {
         let column = |name: String, unit: String| Column { name, unit, values: Vec::new() };
-        let plain = |name: &str| one_line(&name.replace('"', ""));
+        let plain = |name: &str| one_line(&plain(name));
         let along = |marker: &Marker| {
             ["x", "y", "z"].map(|axis| column(format!("{} along {axis}", plain(&marker.name)), "m".into()))
         };

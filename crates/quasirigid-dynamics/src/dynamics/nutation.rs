@@ -176,9 +176,7 @@ impl<'b> Nutations<'b> {
         let velocity = along.velocity(start);
         let spin = norm(self.body.angular_velocity(scale(angular_momentum, start)));
         if norm(velocity) <= AT_REST * spin {
-            let axis = self.circled(start)?;
-            let angle = angle(axis, start);
-            let nutation = Nutation { axis, least: angle, greatest: angle };
+            let nutation = Nutation::alike(self.circled(start)?, start);
             return Some(Level { energy, angular_momentum, nutation, extremes: Vec::new(), circuit: 0.0 });
         }
         let size = angle(self.circled(start)?, start).min(1.0);
@@ -189,9 +187,9 @@ impl<'b> Nutations<'b> {
         });
         let axis = self.circled(mean)?;
         if places.iter().all(|(_, u)| along.keeps_angle(axis, *u)) {
-            let here = angle(axis, start);
-            let nutation = Nutation { axis, least: here, greatest: here };
-            return Some(Level { energy, angular_momentum, nutation, extremes: Vec::new(), circuit: here });
+            let nutation = Nutation::alike(axis, start);
+            let circuit = nutation.greatest;
+            return Some(Level { energy, angular_momentum, nutation, extremes: Vec::new(), circuit });
         }
         let exact = |u: [f64; 3]| {
             let found = self.stationary(&along, axis, energy, u).filter(|_| angle(axis, u) >= FOLLOWED);
@@ -211,8 +209,8 @@ impl<'b> Nutations<'b> {
         let last = self.last.as_ref()?;
         let axis = self.circled(last.nutation.axis)?;
         if last.is_circle() {
-            let here = angle(axis, start);
-            let nutation = Nutation { axis, least: here, greatest: here };
+            let nutation = Nutation::alike(axis, start);
+            let here = nutation.greatest;
             let near = here >= FOLLOWED && (here / last.circuit - 1.0).abs() <= FAR;
             return near.then(|| Level { energy, angular_momentum, nutation, ..last.clone() });
         }
@@ -268,6 +266,12 @@ impl<'b> Nutations<'b> {
 }
 
 impl Nutation {
+    /// The angle of a direction from an axis, the same all round.
+    fn alike(axis: [f64; 3], direction: [f64; 3]) -> Self {
+        let angle = angle(axis, direction);
+        Self { axis, least: angle, greatest: angle }
+    }
+
     /// Least and greatest angle of directions from an axis.
     fn between<'a>(axis: [f64; 3], directions: impl Iterator<Item = &'a [f64; 3]>) -> Self {
         let (least, greatest) = directions

@@ -6,7 +6,7 @@ use quasirigid_io::record::{AboutSpinRecord, Column, MasterRecord};
 use quasirigid_io::visible::one_line;
 
 use super::AboutSpin;
-use crate::words::shares;
+use crate::words::{plain, shares};
 
 /// Number of a point of the backbone: name, unit and value.
 type Entry = (&'static str, &'static str, fn(&BackbonePoint) -> f64);
@@ -34,7 +34,7 @@ impl AboutSpin<'_> {
             POINT.iter().map(|(name, unit, value)| column(name, unit, value)).collect();
         let mut names = Vec::new();
         for name in points.last().map(|point| shares(&point.power)).unwrap_or_default().into_keys() {
-            let plain = one_line(&name.replace('"', ""));
+            let plain = one_line(&plain(&name));
             let share = |point: &BackbonePoint| shares(&point.power).get(&name).copied().unwrap_or(f64::NAN);
             columns.push(column(&format!("share of {plain}"), "1", &share));
             names.push(plain.to_string());

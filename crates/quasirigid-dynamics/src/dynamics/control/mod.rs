@@ -78,6 +78,11 @@ impl<'a> ControlBlock<'a> {
         self.controls.is_empty()
     }
 
+    /// Whether a controller measures at instants.
+    pub fn is_sampled(&self) -> bool {
+        self.controls.controllers.iter().any(|controller| controller.sampling.is_some())
+    }
+
     /// Block at the start, with the first samples.
     pub fn start(&self, seen: &Seen) -> Vec<f64> {
         let mut block = vec![0.0; self.len];

@@ -42,7 +42,7 @@ pub fn propagate_full(
     options: &Options,
     observer: &mut dyn Observer,
 ) -> Result<Run, PropagateError> {
-    propagate_controlled(system, &Controls::default(), initial, times, options, observer)
+    propagate_controlled(system, Controls::NONE, initial, times, options, observer)
 }
 
 /// Integrates the full equations of a body under controllers from `t = 0`, as [`propagate_full`] those without; the states of their laws
@@ -58,15 +58,7 @@ pub fn propagate_controlled(
     options: &Options,
     observer: &mut dyn Observer,
 ) -> Result<Run, PropagateError> {
-    let (coordinates, rates) = (initial.q.len(), initial.rate.len());
-    let needed = system.body.coordinates().len();
-    if (coordinates, rates) != (needed, needed) {
-        return Err(PropagateError::Coordinates { coordinates, rates, needed });
-    }
-    let FullState { q, rate, place, velocity, .. } = initial;
-    if !q.iter().chain(rate).chain(place).chain(velocity).all(|value| value.is_finite()) {
-        return Err(PropagateError::NotFinite);
-    }
+    check_state(system.body, initial)?;
     let block = ControlBlock::of(controls);
     let layout = Layout::of(system.body).with_controls(block.len());
     let mut y = initial.pack(system.body, layout);
@@ -107,6 +99,20 @@ pub fn propagate_controlled(
     };
     observer.budget(&budget(system.body, &solver.y()[layout.accounts()], last.dissipated));
     Ok(run)
+}
+
+/// Refuses a state that is none of a body.
+pub(super) fn check_state(body: &FlexibleBody, initial: &FullState) -> Result<(), PropagateError> {
+    let (coordinates, rates) = (initial.q.len(), initial.rate.len());
+    let needed = body.coordinates().len();
+    if (coordinates, rates) != (needed, needed) {
+        return Err(PropagateError::Coordinates { coordinates, rates, needed });
+    }
+    let FullState { q, rate, place, velocity, .. } = initial;
+    if !q.iter().chain(rate).chain(place).chain(velocity).all(|value| value.is_finite()) {
+        return Err(PropagateError::NotFinite);
+    }
+    Ok(())
 }
 
 /// Energy taken by each dissipator, from the accounts of a state if there are several. (D4)

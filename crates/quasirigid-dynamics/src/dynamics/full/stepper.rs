@@ -1,11 +1,11 @@
 //! The full system step by step, under a torque that is held over each step: for hardware loops and other integrators' loops. (T1)
 
-use super::propagate::sizes;
+use super::propagate::{check_state, sizes};
 use super::solver::FullSolver;
 use super::start::FullState;
 use super::system::FullSystem;
 use crate::dynamics::external::Forced;
-use crate::dynamics::layout::{ATTITUDE, Layout, MOMENTUM, PLACE, VELOCITY, attitude, triple};
+use crate::dynamics::layout::{Layout, MOMENTUM, PLACE, VELOCITY, attitude, triple};
 use crate::dynamics::run::{Options, PropagateError, check as check_start};
 use crate::dynamics::scale::Scales;
 use crate::dynamics::stepper::{MOST_SUBSTEPS, StepStatus, StepperError, check};
@@ -117,8 +117,7 @@ impl<'a> FullStepper<'a> {
     /// Attitude, unit quaternion, scalar first, from body to inertial axes.
     #[must_use]
     pub fn attitude(&self) -> [f64; 4] {
-        let y = self.solver.y();
-        rotation::normalized([0, 1, 2, 3].map(|i| y[ATTITUDE + i]))
+        rotation::normalized(attitude(self.solver.y()))
     }
 }
 
@@ -129,14 +128,7 @@ fn solver<'a>(
     options: &Options,
     torque: [f64; 3],
 ) -> Result<FullSolver<'a>, PropagateError> {
-    let FullState { q, rate, place, velocity, .. } = initial;
-    let needed = system.body.coordinates().len();
-    if (q.len(), rate.len()) != (needed, needed) {
-        return Err(PropagateError::Coordinates { coordinates: q.len(), rates: rate.len(), needed });
-    }
-    if !q.iter().chain(rate).chain(place).chain(velocity).all(|value| value.is_finite()) {
-        return Err(PropagateError::NotFinite);
-    }
+    check_state(system.body, initial)?;
     check_start(norm(initial.omega), initial.attitude, &[], options)?;
     let layout = Layout::of(system.body);
     let y = initial.pack(system.body, layout);

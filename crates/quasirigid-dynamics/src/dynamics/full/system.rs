@@ -272,7 +272,7 @@ impl Trajectory for FullSystem<'_> {
     }
 
     fn jumped(&mut self, t: f64, y: &Vec<f64>) -> Option<Vec<f64>> {
-        if self.control.is_empty() {
+        if !self.control.is_sampled() {
             return None;
         }
         let StateView { omega, q, rate, .. } = self.view(t, y);

@@ -59,7 +59,6 @@ pub mod about_spin;
 mod campbell;
 pub mod check;
 pub mod cite;
-mod closed_loop;
 mod controlled;
 pub mod derive;
 pub mod difference;

@@ -103,6 +103,37 @@ fn after(A: &[Vec<f64>], x: &[f64], t: f64) -> Vec<f64> {
     state
 }
 
+/// A pendulum hangs where gravity alone holds it: under a controller that would have it elsewhere no steady state is known. At the target
+/// the poles are the roots of its equation.
+#[test]
+fn a_state_away_from_the_target_has_no_linear_model() {
+    let model = |target: &str| {
+        format!(
+            "[carrier]\nmass = 10\ncenter_of_mass = [0, 0, -0.5]\ninertia = [2, 2, 1]\n[support]\nkind = \"fixed-point\"\n\
+             point = [0, 0, 0]\n[[force]]\nkind = \"uniform-gravity\"\nacceleration = [0, 0, -9.81]\n[[controller]]\nkind = \"pid\"\n\
+             proportional = 5\nderivative = 1\ntarget = {target}\n[initial]\nangular_velocity = [0, 0, 0]\nattitude = [1, 0, 0, 0]\n"
+        )
+    };
+    for target in ["[0.6, 0.8, 0, 0]", "[0.96, 0, 0, 0.28]"] {
+        let ran = ran_with(&model(target), "linear model.toml --at rest");
+        let told = crate::support::one_line(&ran.stderr);
+        assert!(ran.code == Some(2) && told.contains("the state is not steady"), "{target}: {told}");
+    }
+    let found = linear(&model("[1, 0, 0, 0]"), "");
+    let poles: Vec<[f64; 2]> = serde_json::from_value(found["poles"].clone()).unwrap();
+    let (moment, stiffness) = (2.0 + 10.0 * 0.25, 10.0 * 9.81 * 0.5 + 5.0);
+    let decay: f64 = 0.5 / moment;
+    let frequency = (stiffness / moment - decay * decay).sqrt();
+    for known in [[-decay, -frequency], [-decay, frequency]] {
+        let gap = |pole: &[f64; 2]| (pole[0] - known[0]).hypot(pole[1] - known[1]);
+        assert_eq!(
+            poles.iter().filter(|pole| gap(pole) < 1e-10 * frequency).count(),
+            2,
+            "{poles:?} {known:?}"
+        );
+    }
+}
+
 /// A torque about z from the velocity of the mass on its spring, filtered: sensor and actuator are apart, and the loop is unstable. The
 /// history of a small displacement is that of the linear model, and grows by its pole.
 #[test]

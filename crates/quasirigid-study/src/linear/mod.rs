@@ -2,6 +2,7 @@
 //! Equations (M16), (M17) and (M21) to (M23), docs/theory/15-modes.md.
 
 mod channels;
+mod closed_loop;
 mod object;
 mod truncation;
 
@@ -15,7 +16,7 @@ pub use object::{AccuracyObject, Channel, EquilibriumObject, LinearObject};
 pub use truncation::{LinearTruncation, TruncationObject, truncation_method};
 
 use self::channels::{AXES, no_channel, unit_of_input};
-use crate::closed_loop::{Asked, Loop, poles};
+use self::closed_loop::{Asked, Loop, poles};
 use crate::error::StudyError;
 use crate::left_out::LeftOut;
 use crate::modes::of_start;
@@ -88,7 +89,8 @@ impl Study {
         let outputs: Vec<_> = outs.iter().map(|name| self.output(name, &ins)).collect::<Result<_, _>>()?;
         let forces = steady_state::acting_at_start(self);
         let state = self.state_of(asked.at, &forces)?;
-        let channels = Asked { names: &ins, outputs: outputs.len() };
+        let any_attitude = !acts(&self.body, &forces);
+        let channels = Asked { names: &ins, outputs: outputs.len(), any_attitude };
         let feedback = Loop::new(&self.controls, &state, &channels)?;
         let all = [&*inputs, &*feedback.inputs].concat();
         let seen = [&*outputs, &*feedback.outputs].concat();
@@ -120,7 +122,10 @@ impl Study {
             truncation: None,
             source: self.inputs(),
         };
-        asked.truncation.map_or_else(|| Ok(whole.clone()), |how| whole.truncated(how))
+        match asked.truncation {
+            Some(how) => whole.truncated(how),
+            None => Ok(whole),
+        }
     }
 
     fn state_of(&self, at: Option<LinearAt>, forces: &[Force<Marker>]) -> Result<SteadyState, StudyError> {

@@ -6,8 +6,8 @@ use quasirigid_math::vec3::norm;
 use serde::{Deserialize, Serialize};
 
 use super::channels::truncated;
+use super::closed_loop::poles;
 use super::object::{Channel, FAILS, LARGE, LinearObject};
-use crate::closed_loop::poles;
 use crate::error::StudyError;
 use crate::words::significant;
 

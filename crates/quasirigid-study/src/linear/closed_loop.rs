@@ -8,6 +8,7 @@ use quasirigid::modes::{LinearInput, LinearModel, LinearOutput, SteadyState};
 use quasirigid_math::eigen::{Dense, eigenvalues};
 use quasirigid_math::vec3::norm;
 
+use super::channels::AXES;
 use crate::error::StudyError;
 use crate::words::plain;
 
@@ -30,6 +31,8 @@ pub struct Asked<'a> {
     pub names: &'a [String],
     /// Number of outputs.
     pub outputs: usize,
+    /// Whether the steady state is one in any attitude, so that it may be the target of each controller.
+    pub any_attitude: bool,
 }
 
 /// Linear law between channels of the body.
@@ -43,7 +46,8 @@ struct Law {
     commanded: Vec<usize>,
 }
 
-const AXES: [&str; 3] = ["x", "y", "z"];
+/// Attitude error (rad) that is rounding of a steady state.
+const AT_TARGET: f64 = 1e-8;
 /// Command at a steady state, relative to the sizes of its parts, from which the state is not steady under the controller.
 const STEADY: f64 = 1e-9;
 
@@ -55,7 +59,7 @@ impl Loop {
     pub fn new(controls: &Controls, steady: &SteadyState, asked: &Asked<'_>) -> Result<Self, StudyError> {
         let mut own = Self::default();
         for controller in &controls.controllers {
-            let law = linear_law(controls, controller, steady)?;
+            let law = linear_law(controls, controller, steady, asked.any_attitude)?;
             let commanded = controller.outputs.iter().map(|output| own.command(controls, &output.to, asked));
             let commanded: Vec<usize> = commanded.collect();
             let used = |i: usize| law.B.iter().chain(&law.D).any(|row| row[i] != 0.0);
@@ -216,6 +220,7 @@ fn linear_law(
     controls: &Controls,
     controller: &BodyController,
     steady: &SteadyState,
+    any_attitude: bool,
 ) -> Result<LinearLaw, StudyError> {
     let refused = |what| Err(StudyError::NotLinear { name: controller.name.clone(), what });
     if controller.sampling.is_some() {
@@ -234,7 +239,8 @@ fn linear_law(
     let state = ControlState { t: 0.0, attitude: steady.attitude, motion, wheels: &wheels };
     let mut inputs = controller.inputs(&state, None);
     for (value, input) in inputs.iter_mut().zip(&controller.inputs) {
-        if matches!(input.of, Measurement::Attitude { .. }) {
+        let is_attitude = matches!(input.of, Measurement::Attitude { .. });
+        if is_attitude && (any_attitude || value.abs() <= AT_TARGET) {
             *value = 0.0;
         }
     }
@@ -255,7 +261,7 @@ fn linear_law(
         rates.iter().zip(law.A.iter().zip(&law.B)).all(|(rate, (onto, through))| sized(*rate, onto, through));
     if !(rests && stays) {
         return refused(
-            "at the steady state it commands a torque or changes its states, so that the state is not steady; choose the state of its target by `--at`",
+            "at the steady state it commands a torque or changes its states, so that the state is not steady; give [initial] the attitude of its target, or choose its spin by `--at`",
         );
     }
     let all = law.A.iter().chain(&law.B).chain(&law.C).chain(&law.D).flatten();

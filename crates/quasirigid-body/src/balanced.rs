@@ -4,9 +4,8 @@
 
 use nalgebra::{Cholesky, DMatrix, Dyn};
 
-use super::{CurvedPaths, FlexibleBody, Follower, Invariants, SpinCoefficients};
-use crate::math::eigen::Dense;
-use crate::math::lu::Lu;
+use super::softened::Softened;
+use super::{CurvedPaths, FlexibleBody, Follower, Invariants, SpinCoefficients, SpinMatrix};
 use crate::math::sparse::SparseRows;
 use crate::math::sym3::{self, times};
 use crate::math::vec3::dot;
@@ -55,7 +54,7 @@ impl BalancedSpin {
             return Some(Self { q, angular_momentum: times(*J, omega), slope: sym3::rows(*J) });
         }
         let load: Vec<f64> = J1[..elastic].iter().map(|J1| 0.5 * dot(omega, times(*J1, omega))).collect();
-        let straight = softened(body, &body.centrifugal_stiffness(omega)).and_then(|factor| {
+        let straight = Softened::of(body, &body.centrifugal_stiffness(omega)).and_then(|factor| {
             q[..elastic].copy_from_slice(&factor.solve(&load, 1)?);
             Some(factor)
         });
@@ -90,7 +89,7 @@ struct Balance<'a> {
 }
 
 /// Displacements in balance, the coefficients there, and the factors of `C − N`.
-type Balanced = (Vec<f64>, SpinCoefficients, Lu);
+type Balanced = (Vec<f64>, SpinCoefficients, Softened);
 
 impl<'a> Balance<'a> {
     fn new(body: &'a FlexibleBody, paths: &CurvedPaths) -> Self {
@@ -122,7 +121,7 @@ impl<'a> Balance<'a> {
                 return None;
             }
             let coefficients = self.body.about_spin_on_paths(omega, &q);
-            let factor = softened(self.body, &coefficients.centrifugal)?;
+            let factor = Softened::of(self.body, &coefficients.centrifugal)?;
             let held = self.stiffness.times(&q[..elastic]);
             let slopes = coefficients.slopes.iter().zip(&held);
             let excess = slopes.map(|(slope, held)| 0.5 * dot(omega, *slope) - held);
@@ -176,22 +175,10 @@ impl<'a> Balance<'a> {
     }
 
     /// Whether `C − N` is positive definite: the balance withstands small displacements at this spin.
-    fn firm(&self, centrifugal: &Dense) -> bool {
+    fn firm(&self, centrifugal: &SpinMatrix) -> bool {
         let elastic = self.body.elastic();
         let mut left = DMatrix::from_fn(elastic, elastic, |j, k| -centrifugal.at(j, k));
         self.stiffness.iter().for_each(|(j, k, stiffness)| left[(j, k)] += stiffness);
         Cholesky::<f64, Dyn>::new(left).is_some()
     }
-}
-
-/// Factors of `C − N` of the elastic coordinates.
-fn softened(body: &FlexibleBody, centrifugal: &Dense) -> Option<Lu> {
-    let elastic = body.elastic();
-    let mut left = Dense::of(&body.stiffness().block(0..elastic));
-    for j in 0..elastic {
-        for k in 0..elastic {
-            left.add(j, k, -centrifugal.at(j, k));
-        }
-    }
-    Lu::new(&left)
 }

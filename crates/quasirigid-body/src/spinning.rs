@@ -1,8 +1,11 @@
 //! Coefficients of the full equations about a steady rotation with displaced coordinates. (M2)
 
+use std::sync::Arc;
+
 use nalgebra::DMatrix;
 
-use super::{FlexibleBody, Invariants};
+use super::spin_matrix::SpinSum;
+use super::{FlexibleBody, Invariants, SpinMatrix};
 use crate::math::eigen::Dense;
 use crate::math::sym3::{Sym, of_unit_mass, times};
 use crate::math::vec3::{add, cross, dot, scale};
@@ -15,40 +18,63 @@ pub struct SpinCoefficients {
     /// Inertia tensor `J(q)` (kg·m²).
     pub inertia: Sym,
     /// Mass matrix `A` of the coordinates; on curved paths it depends on the displacements.
-    pub mass: Dense,
+    pub mass: SpinMatrix,
     /// Angular momentum per unit rate of each coordinate, `h_k(q)`.
     pub h: Vec<[f64; 3]>,
     /// Change of the angular momentum with each coordinate, `(∂J/∂q_j) ω`; zero of cyclic ones.
     pub slopes: Vec<[f64; 3]>,
     /// Gyroscopic matrix `G`, antisymmetric.
-    pub gyroscopic: Dense,
+    pub gyroscopic: SpinMatrix,
     /// Centrifugal stiffness `N`, symmetric, to be subtracted from `C`.
-    pub centrifugal: Dense,
+    pub centrifugal: SpinMatrix,
 }
 
-impl SpinCoefficients {
-    /// `A x`.
-    #[must_use]
-    pub fn mass_times(&self, x: &[f64]) -> Vec<f64> {
-        let row = |j: usize| x.iter().enumerate().map(|(k, x)| self.mass.at(j, k) * x).sum();
-        (0..x.len()).map(row).collect()
-    }
-}
+/// Number of coordinates up to which matrices about a spin are dense.
+const DENSE_COORDINATES: usize = 150;
 
 impl FlexibleBody {
     /// Centrifugal stiffness `N_jk = ωᵀJ_jk ω` at an angular velocity (rad/s) and any displacements of the second order, symmetric. (M2)
     #[must_use]
-    pub fn centrifugal_stiffness(&self, omega: [f64; 3]) -> Dense {
+    pub fn centrifugal_stiffness(&self, omega: [f64; 3]) -> SpinMatrix {
         let elastic = self.elastic();
-        centrifugal(self.invariants(), self.translation(), &|j| j < elastic, omega)
+        let place = Place { translation: self.translation(), displaced: &|j| j < elastic, omega };
+        centrifugal(self.invariants(), &place, self.has_sparse_coefficients())
+            .finished(&self.moments(self.has_sparse_coefficients()))
+    }
+
+    /// Whether coefficients about a spin are sparse matrices by default.
+    fn has_sparse_coefficients(&self) -> bool {
+        self.coordinates().len() > DENSE_COORDINATES && self.can_be_sparse()
+    }
+
+    /// Whether coefficients about a spin can be sparse: on straight paths, where only displaced coordinates recoil.
+    fn can_be_sparse(&self) -> bool {
+        self.paths().is_none() && self.cyclic().all(|j| self.invariants().S[j] == [0.0; 3])
+    }
+
+    /// Rows of `S` of a free body, for sparse coefficients; none where they are not needed.
+    fn moments(&self, sparse: bool) -> Arc<Vec<[f64; 3]>> {
+        let recoils = sparse && self.translation().is_some();
+        Arc::new(if recoils { self.invariants().S.clone() } else { Vec::new() })
     }
 
     /// Coefficients of small motions about a steady angular velocity (rad/s) with these displacements, momenta and inertia to the second
     /// order in these. (M2), (K6)
     #[must_use]
     pub fn about_spin(&self, omega: [f64; 3], q: &[f64]) -> SpinCoefficients {
+        self.straight_about(omega, q, self.has_sparse_coefficients())
+    }
+
+    /// The same with sparse matrices, however few the coordinates; none of a body on curved paths.
+    #[must_use]
+    pub fn sparse_about_spin(&self, omega: [f64; 3], q: &[f64]) -> Option<SpinCoefficients> {
+        self.can_be_sparse().then(|| self.straight_about(omega, q, true))
+    }
+
+    fn straight_about(&self, omega: [f64; 3], q: &[f64], sparse: bool) -> SpinCoefficients {
         let elastic = self.elastic();
-        straight(self.invariants(), self.translation(), &|j| j < elastic, omega, q)
+        let place = Place { translation: self.translation(), displaced: &|j| j < elastic, omega };
+        straight(self.invariants(), &place, q, sparse).finished(&self.moments(sparse))
     }
 
     /// The same along curved paths, where the body has them: the mass matrix is positive at any displacement. (M10)
@@ -60,7 +86,8 @@ impl FlexibleBody {
         let (slopes, mut z) = (&fields.slopes, q.to_vec());
         z.extend(&fields.y);
         let displaced = |j: usize| j < elastic || j >= n;
-        let whole = straight(&paths.straight, self.translation(), &displaced, omega, &z);
+        let place = Place { translation: self.translation(), displaced: &displaced, omega };
+        let whole = straight(&paths.straight, &place, &z, false).finished(&Arc::default());
         let gathered = |list: &[[f64; 3]]| -> Vec<[f64; 3]> {
             let field = |j: usize, e: usize| scale(slopes[(e, j)], list[n + e]);
             (0..n).map(|j| (0..paths.fields()).fold(list[j], |sum, e| add(sum, field(j, e)))).collect()
@@ -75,17 +102,17 @@ impl FlexibleBody {
         }
         SpinCoefficients {
             inertia: whole.inertia,
-            mass: projected(&whole.mass, slopes),
+            mass: SpinMatrix::Dense(projected(&whole.mass, slopes)),
             h: gathered(&whole.h),
             slopes: gathered(&whole.slopes),
-            gyroscopic: projected(&whole.gyroscopic, slopes),
-            centrifugal,
+            gyroscopic: SpinMatrix::Dense(projected(&whole.gyroscopic, slopes)),
+            centrifugal: SpinMatrix::Dense(centrifugal),
         }
     }
 }
 
 /// `DᵀMD` with the derivatives `D` of all coordinates of a body on straight paths by the first, those of the last being `slopes`.
-fn projected(matrix: &Dense, slopes: &DMatrix<f64>) -> Dense {
+fn projected(matrix: &SpinMatrix, slopes: &DMatrix<f64>) -> Dense {
     let (fields, n) = slopes.shape();
     let half = |i: usize, k: usize| {
         let along = (0..fields).map(|e| matrix.at(i, n + e) * slopes[(e, k)]);
@@ -102,19 +129,32 @@ fn projected(matrix: &Dense, slopes: &DMatrix<f64>) -> Dense {
     sum
 }
 
-/// Coefficients on straight paths; the coordinates that are not `displaced` are cyclic.
-fn straight(
-    invariants: &Invariants,
+/// Steady rotation of coordinates of which some are displaced; the others are cyclic.
+struct Place<'a> {
+    /// `1/m*` of a free body.
     translation: Option<f64>,
-    displaced: &dyn Fn(usize) -> bool,
+    displaced: &'a dyn Fn(usize) -> bool,
     omega: [f64; 3],
-    z: &[f64],
-) -> SpinCoefficients {
+}
+
+/// Coefficients whose matrices are being summed.
+struct Sums {
+    inertia: Sym,
+    mass: SpinSum,
+    h: Vec<[f64; 3]>,
+    slopes: Vec<[f64; 3]>,
+    gyroscopic: SpinSum,
+    centrifugal: SpinSum,
+}
+
+/// Coefficients on straight paths.
+fn straight(invariants: &Invariants, place: &Place, z: &[f64], sparse: bool) -> Sums {
     let Invariants { J, J1, S, h, pairs, .. } = invariants;
+    let Place { displaced, omega, .. } = *place;
     let count = S.len();
     let (mut inertia, mut h) = (*J, h.clone());
     let mut slopes: Vec<[f64; 3]> = J1.iter().map(|J1| times(*J1, omega)).collect();
-    let (mut A, mut G) = (Dense::zero(count), Dense::zero(count));
+    let (mut A, mut G) = (SpinSum::zero(count, sparse), SpinSum::zero(count, sparse));
     let mut grow =
         |amount: f64, part: Sym| inertia.iter_mut().zip(part).for_each(|(sum, part)| *sum += amount * part);
     (0..count).filter(|j| displaced(*j)).for_each(|j| grow(z[j], J1[j]));
@@ -132,66 +172,63 @@ fn straight(
             }
         }
     }
-    let centrifugal = centrifugal(invariants, translation, displaced, omega);
-    let mut coefficients = SpinCoefficients { inertia, mass: A, h, slopes, gyroscopic: G, centrifugal };
-    if let Some(per_mass) = translation {
-        coefficients.recoil(S, per_mass, displaced, omega, z);
-    }
-    coefficients
+    let centrifugal = centrifugal(invariants, place, sparse);
+    let mut sums = Sums { inertia, mass: A, h, slopes, gyroscopic: G, centrifugal };
+    sums.recoil(S, place, z);
+    sums
 }
 
 /// Centrifugal stiffness on straight paths, the translation of a free body taken out.
-fn centrifugal(
-    invariants: &Invariants,
-    translation: Option<f64>,
-    displaced: &dyn Fn(usize) -> bool,
-    omega: [f64; 3],
-) -> Dense {
+fn centrifugal(invariants: &Invariants, place: &Place, sparse: bool) -> SpinSum {
     let Invariants { S, pairs, .. } = invariants;
-    let mut N = Dense::zero(S.len());
+    let Place { translation, displaced, omega } = *place;
+    let mut N = SpinSum::zero(S.len(), sparse);
     for (j, k, pair) in pairs.iter().filter(|(j, k, _)| displaced(*j) && displaced(*k)) {
         N.add(j, k, dot(omega, times(pair.J2, omega)));
     }
     if let Some(per_mass) = translation {
         let square = dot(omega, omega);
-        let moved: Vec<usize> = (0..S.len()).filter(|j| displaced(*j)).collect();
-        for &j in &moved {
-            for &k in &moved {
-                let load = square * dot(S[j], S[k]) - dot(S[j], omega) * dot(S[k], omega);
-                N.add(j, k, -per_mass * load);
-            }
-        }
+        let load = |j: usize, k: usize| square * dot(S[j], S[k]) - dot(S[j], omega) * dot(S[k], omega);
+        let own = |a: usize, b: usize| if a == b { square } else { 0.0 };
+        let form = [0, 1, 2].map(|a| [0, 1, 2].map(|b| -per_mass * (own(a, b) - omega[a] * omega[b])));
+        N.recoil(displaced, |j, k| -per_mass * load(j, k), form);
     }
     N
 }
 
-impl SpinCoefficients {
+impl Sums {
+    fn finished(self, moments: &Arc<Vec<[f64; 3]>>) -> SpinCoefficients {
+        let Self { inertia, mass, h, slopes, gyroscopic, centrifugal } = self;
+        SpinCoefficients {
+            inertia,
+            mass: mass.finished(moments),
+            h,
+            slopes,
+            gyroscopic: gyroscopic.finished(moments),
+            centrifugal: centrifugal.finished(moments),
+        }
+    }
+
     /// Takes the translation of a free body out. (S6)
-    fn recoil(
-        &mut self,
-        S: &[[f64; 3]],
-        per_mass: f64,
-        displaced: &dyn Fn(usize) -> bool,
-        omega: [f64; 3],
-        z: &[f64],
-    ) {
+    fn recoil(&mut self, S: &[[f64; 3]], place: &Place, z: &[f64]) {
+        let Place { translation: Some(per_mass), displaced, omega } = *place else { return };
         let moved = (0..S.len()).filter(|j| displaced(*j));
         let s = moved.fold([0.0; 3], |s, j| add(s, scale(z[j], S[j])));
         self.inertia.iter_mut().zip(of_unit_mass(s)).for_each(|(J, part)| *J -= per_mass * part);
-        for (j, S_j) in S.iter().enumerate() {
-            for (k, S_k) in S.iter().enumerate() {
-                self.mass.add(j, k, -per_mass * dot(*S_j, *S_k));
-            }
-            if !displaced(j) {
-                continue;
-            }
+        for (j, S_j) in S.iter().enumerate().filter(|(j, _)| displaced(*j)) {
             let along = add(scale(dot(*S_j, omega), s), scale(dot(s, omega), *S_j));
             let own = scale(2.0 * dot(*S_j, s), omega);
             self.slopes[j] = add(self.slopes[j], scale(-per_mass, add(own, scale(-1.0, along))));
             self.h[j] = add(self.h[j], scale(-per_mass, cross(s, *S_j)));
-            for (k, S_k) in S.iter().enumerate() {
-                self.gyroscopic.add(j, k, 2.0 * per_mass * dot(omega, cross(*S_j, *S_k)));
-            }
         }
+        let unit = |a: usize, b: usize| if a == b { -per_mass } else { 0.0 };
+        let mass = |j: usize, k: usize| -per_mass * dot(S[j], S[k]);
+        self.mass.recoil(|_| true, mass, [0, 1, 2].map(|a| [0, 1, 2].map(|b| unit(a, b))));
+        let turning = |j: usize, k: usize| match displaced(j) {
+            true => 2.0 * per_mass * dot(omega, cross(S[j], S[k])),
+            false => 0.0,
+        };
+        let [x, y, z] = scale(2.0 * per_mass, omega);
+        self.gyroscopic.recoil(|_| true, turning, [[0.0, z, -y], [-z, 0.0, x], [y, -x, 0.0]]);
     }
 }

@@ -1,7 +1,9 @@
-//! Factors of dense matrices without symmetry, real and complex.
+//! Factors of matrices without symmetry: dense ones, real and complex, and sparse complex ones.
 
 use faer::linalg::solvers::PartialPivLu;
 use faer::prelude::Solve;
+use faer::sparse::linalg::solvers::Lu as SparseFactor;
+use faer::sparse::{SparseColMat, Triplet};
 use faer::{Mat, c64};
 
 use super::eigen::Dense;
@@ -114,6 +116,40 @@ impl ComplexLu {
         });
         self.factor.solve_in_place(x.as_mut());
         let entries = (0..size).flat_map(|row| (0..width).map(move |column| (row, column)));
+        let solved: Vec<[f64; 2]> =
+            entries.map(|(row, column)| [x[(row, column)].re, x[(row, column)].im]).collect();
+        solved.iter().all(|[re, im]| re.is_finite() && im.is_finite()).then_some(solved)
+    }
+}
+
+/// LU factors of a sparse complex matrix.
+#[derive(Clone, Debug)]
+pub struct SparseLu {
+    size: usize,
+    factor: Box<SparseFactor<usize, c64>>,
+}
+
+impl SparseLu {
+    /// Factors the square matrix of these entries by row and column, real and imaginary part; none where it is singular.
+    #[must_use]
+    pub fn new(size: usize, entries: &[(usize, usize, [f64; 2])]) -> Option<Self> {
+        let triplet = |(row, column, [re, im]): &(usize, usize, [f64; 2])| {
+            Triplet::new(*row, *column, c64::new(*re, *im))
+        };
+        let triplets: Vec<_> = entries.iter().map(triplet).collect();
+        let matrix = SparseColMat::<usize, c64>::try_new_from_triplets(size, size, &triplets).ok()?;
+        Some(Self { size, factor: Box::new(matrix.sp_lu().ok()?) })
+    }
+
+    /// Solutions for right-hand sides stored row by row, `width` to a row; none where the matrix is singular.
+    #[must_use]
+    pub fn solve(&self, right: &[[f64; 2]], width: usize) -> Option<Vec<[f64; 2]>> {
+        let mut x = Mat::from_fn(self.size, width, |row, column| {
+            let [re, im] = right[row * width + column];
+            c64::new(re, im)
+        });
+        self.factor.solve_in_place(x.as_mut());
+        let entries = (0..self.size).flat_map(|row| (0..width).map(move |column| (row, column)));
         let solved: Vec<[f64; 2]> =
             entries.map(|(row, column)| [x[(row, column)].re, x[(row, column)].im]).collect();
         solved.iter().all(|[re, im]| re.is_finite() && im.is_finite()).then_some(solved)

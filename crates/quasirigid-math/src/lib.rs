@@ -10,6 +10,7 @@
 struct ReadmeOfCrate;
 
 pub mod bisection;
+pub mod blocks;
 pub mod chebyshev;
 pub mod connected_components;
 pub mod elliptic;

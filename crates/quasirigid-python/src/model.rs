@@ -130,7 +130,8 @@ impl Model {
         order: Option<usize>,
         observer: Observer,
     ) -> PyResult<Answer> {
-        let asked = SteadySpinSettings { omega: spin, axis: named::<PrincipalAxis>(axis, "axis")? };
+        let axis = named::<PrincipalAxis>(axis, "axis")?;
+        let asked = SteadySpinSettings { omega: spin, axis, all: false };
         self.ask(py, (order, observer), |study, _| answers::modes(study, asked))
     }
 

@@ -42,6 +42,8 @@ pub struct SteadySpinSettings {
     pub omega: Option<[f64; 3]>,
     /// The principal axis to spin about.
     pub axis: Option<PrincipalAxis>,
+    /// Whether every mode of a body of many coordinates is found, not the slowest alone.
+    pub all: bool,
 }
 
 /// Steady spins with their modes.
@@ -128,10 +130,10 @@ impl Study {
         let principal = Principal::compute(body.invariants().J);
         let spins = match (asked.axis, asked.omega) {
             (Some(axis), _) => {
-                vec![steady::spin(self, axis.name(), principal.axes[axis as usize], given)]
+                vec![steady::spin(self, axis.name(), principal.axes[axis as usize], given, asked.all)]
             }
-            (None, Some(_)) => vec![steady::spin(self, "asked", principal.axis_beside(omega), given)],
-            (None, None) => steady::poles(self, omega, given).records,
+            (None, Some(_)) => vec![steady::spin(self, "asked", principal.axis_beside(omega), given, asked.all)],
+            (None, None) => steady::poles(self, omega, given, asked.all).records,
         };
         Ok(Modes { spins, state: None, under_forces: false })
     }

@@ -3,9 +3,11 @@
 use std::fmt::{self, Write};
 
 use quasirigid::model::{Mode, Principal};
-use quasirigid::modes::{EquilibriumError, RelativeEquilibrium, SpinMagnitude, SpinMode, SpinModes, acts};
+use quasirigid::modes::{
+    EquilibriumError, ModeRange, RelativeEquilibrium, SpinMagnitude, SpinMode, SpinModes, acts,
+};
 use quasirigid::secular::GyrostatSpins;
-use quasirigid_io::record::{ModeList, ModeRecord, SteadySpinRecord};
+use quasirigid_io::record::{ModeList, ModeRecord, SlowModesRecord, SteadySpinRecord};
 use quasirigid_io::visible::one_line;
 use quasirigid_math::vec3::{add, norm, scale};
 
@@ -17,8 +19,10 @@ use crate::sheets;
 use crate::study::Study;
 use crate::words::{significant, tidied, time};
 
-/// Coordinates of a body whose modes take longer than a moment.
+/// Coordinates of a body on curved paths whose modes take longer than a moment.
 const MAX_COORDINATES: usize = 700;
+/// Coordinates of a body up to which every mode is found if asked for.
+const MOST_FOUND: usize = SpinModes::MAX_COORDINATES;
 /// Modes listed for people.
 const LISTED: usize = 12;
 /// Longest name in the row of its mode; a longer one has a line of its own.
@@ -43,21 +47,26 @@ pub struct Poles {
 
 /// The steady spins about the axes of greatest and of least inertia, or those that momentum wheels leave, the one next to an angular velocity
 /// first.
-pub fn poles(study: &Study, omega: [f64; 3], given: SpinMagnitude) -> Poles {
+pub fn poles(study: &Study, omega: [f64; 3], given: SpinMagnitude, all: bool) -> Poles {
     let body = &study.body;
     let modes = Principal::compute(body.invariants().J).nearest(omega);
     let [(first, nearest), (second, other)] = modes.map(|mode| {
         let name = if mode == Mode::ShortAxis { "greatest" } else { "least" };
-        told(study, name, RelativeEquilibrium::extreme(body, mode, given))
+        told(study, name, RelativeEquilibrium::extreme(body, mode, given), all)
     });
     let lost = first.spin.is_none() || second.spin.is_none();
-    let turned = if lost { poles_of_gyrostat(study, omega, given) } else { None };
+    let turned = if lost { poles_of_gyrostat(study, omega, given, all) } else { None };
     turned.unwrap_or_else(|| Poles { records: vec![first, second], nearest, other })
 }
 
 /// The steady spins of least and of greatest energy of a body with momentum wheels, the one next to an angular velocity first; none of a
 /// body without them. (Q15)
-fn poles_of_gyrostat(study: &Study, omega: [f64; 3], given: SpinMagnitude) -> Option<Poles> {
+fn poles_of_gyrostat(
+    study: &Study,
+    omega: [f64; 3],
+    given: SpinMagnitude,
+    all: bool,
+) -> Option<Poles> {
     let SpinMagnitude::AngularMomentum(G) = given else { return None };
     let body = &study.body;
     if norm(body.wheels().angular_momentum(0.0)) == 0.0 {
@@ -70,7 +79,7 @@ fn poles_of_gyrostat(study: &Study, omega: [f64; 3], given: SpinMagnitude) -> Op
     let mut spins: Vec<_> = named(LEAST_ENERGY, minima).chain(named(GREATEST_ENERGY, maxima)).collect();
     let away = |spin: &RelativeEquilibrium| norm(add(spin.omega, scale(-1.0, omega)));
     spins.sort_by(|(_, a), (_, b)| away(a).total_cmp(&away(b)));
-    let told = spins.into_iter().map(|(name, spin)| told(study, name, Ok(spin)));
+    let told = spins.into_iter().map(|(name, spin)| told(study, name, Ok(spin), all));
     let (records, modes): (Vec<_>, Vec<_>) = told.unzip();
     let mut modes = modes.into_iter();
     let (nearest, other) = (modes.next()?, modes.next().flatten());
@@ -86,13 +95,14 @@ pub fn at_start(motion: &Motion, study: &Study) -> Result<Poles, StudyError> {
 /// The steady spins with the angular momentum of the start, were no force to act; none of a body without angular momentum, and of bodies of
 /// more coordinates than are analysed unasked.
 pub fn without_forces(motion: &Motion, study: &Study) -> Result<Poles, StudyError> {
-    if norm(motion.start.omega) == 0.0 || study.body.coordinates().len() > MAX_COORDINATES {
+    let many = study.body.paths().is_some() && study.body.coordinates().len() > MAX_COORDINATES;
+    if norm(motion.start.omega) == 0.0 || many {
         return Ok(Poles::default());
     }
     Ok(match motion.angular_momentum()? {
         0.0 => Poles::default(),
         angular_momentum => {
-            poles(study, motion.start.omega, SpinMagnitude::AngularMomentum(angular_momentum))
+            poles(study, motion.start.omega, SpinMagnitude::AngularMomentum(angular_momentum), false)
         }
     })
 }
@@ -110,8 +120,14 @@ pub fn lines(spins: &[SteadySpinRecord]) -> String {
 }
 
 /// The steady spin near an axis, on its side, with its modes.
-pub fn spin(study: &Study, name: &str, axis: [f64; 3], given: SpinMagnitude) -> SteadySpinRecord {
-    told(study, name, RelativeEquilibrium::near(&study.body, axis, given)).0
+pub fn spin(
+    study: &Study,
+    name: &str,
+    axis: [f64; 3],
+    given: SpinMagnitude,
+    all: bool,
+) -> SteadySpinRecord {
+    told(study, name, RelativeEquilibrium::near(&study.body, axis, given), all).0
 }
 
 /// Record of a steady spin with its modes, or of its absence, and the modes themselves.
@@ -119,6 +135,7 @@ fn told(
     study: &Study,
     name: &str,
     found: Result<RelativeEquilibrium, EquilibriumError>,
+    all: bool,
 ) -> (SteadySpinRecord, Option<SpinModes>) {
     let body = &study.body;
     let unfound = |message: String| missing(name, format!("About {}: {message}.", axis(name)));
@@ -129,7 +146,8 @@ fn told(
     if let Some(left) = body.left_range(&equilibrium.q) {
         return (unfound(format!("no answer, since in the steady spin {left}")), None);
     }
-    let modes = match SpinModes::about(body, equilibrium) {
+    let modes = if all { SpinModes::all_about } else { SpinModes::about };
+    let modes = match modes(body, equilibrium) {
         Ok(modes) => modes,
         Err(error) => return (unfound(error.to_string()), None),
     };
@@ -150,6 +168,7 @@ fn told(
         displacements: coordinates.map(|(coordinate, q)| (coordinate.name.clone(), *q)).collect(),
         stable: modes.stable(),
         modes: modes.modes.iter().map(|mode| recorded(mode, modes.seen_from_outside(mode))).collect(),
+        slowest: slowest(modes.range),
     };
     (record, Some(modes))
 }
@@ -182,6 +201,7 @@ pub fn missing(name: &str, sentence: String) -> SteadySpinRecord {
         displacements: std::collections::BTreeMap::new(),
         stable: false,
         modes: Vec::new(),
+        slowest: None,
     }
 }
 
@@ -193,8 +213,46 @@ fn axis(name: &str) -> String {
     }
 }
 
+/// Which modes of a body of many coordinates were found.
+fn slowest(range: ModeRange) -> Option<SlowModesRecord> {
+    match range {
+        ModeRange::All => None,
+        ModeRange::Slowest(slow) => Some(SlowModesRecord {
+            rate: slow.rate,
+            missing: slow.missing,
+            positive_energy: slow.positive_energy,
+        }),
+    }
+}
+
+/// Modes that were found of a body of many coordinates, and what they say of the others.
+fn beyond(slow: &SlowModesRecord, unstable: bool) -> String {
+    let rate = significant(slow.rate, 4);
+    let found = match slow.missing {
+        Some(0) => format!("These are all motions slower than {rate} rad/s, by a count"),
+        Some(missing) => {
+            format!("Of the motions slower than {rate} rad/s {missing} eigenvalues are MISSING here, by a count")
+        }
+        None => format!("These are motions slower than {rate} rad/s, which were not counted: others may be among them"),
+    };
+    let others = match (unstable, slow.positive_energy) {
+        (true, _) => "",
+        (false, true) => "; no other grows, since the energy is least in this spin",
+        (false, false) => "; whether others grow is NOT KNOWN, since the energy is not shown to be least in this spin",
+    };
+    format!("{found}{others}.")
+}
+
 /// Result of a steady spin in words, instability first.
 fn sentence(name: &str, modes: &SpinModes) -> String {
+    let own = sentence_on_found(name, modes);
+    match slowest(modes.range) {
+        Some(slow) => format!("{own} {}", beyond(&slow, modes.unstable())),
+        None => own,
+    }
+}
+
+fn sentence_on_found(name: &str, modes: &SpinModes) -> String {
     let about = format!("About {}", axis(name));
     let growing = modes.modes.iter().filter(|mode| mode.grows());
     let fastest = growing.max_by(|a, b| b.decay_rate.total_cmp(&a.decay_rate));
@@ -261,6 +319,9 @@ fn write(out: &mut String, name: &str, record: &SteadySpinRecord, all: bool) -> 
     modes.listed.iter().take(LISTED).try_for_each(|mode| row(out, mode))?;
     if modes.listed.len() > LISTED {
         writeln!(out, "  and {} more (--all lists them)", modes.listed.len() - LISTED)?;
+    }
+    if record.slowest.is_some() {
+        writeln!(out, "  and others, faster (--all finds every mode of up to {MOST_FOUND} coordinates)")?;
     }
     if !modes.folded.is_empty() {
         writeln!(out, "{}", paragraph(&folded(&modes, &record.modes), "  ", "      "))?;

@@ -87,6 +87,7 @@ fn record(
         displacements: coordinates.map(|(coordinate, q)| (coordinate.name.clone(), *q)).collect(),
         stable: modes.stable(),
         modes: modes.modes.iter().map(|mode| recorded(mode, modes.seen_from_outside(mode))).collect(),
+        slowest: None,
     }
 }
 

@@ -13,7 +13,8 @@ pub fn modes(arguments: &ModesArgs) -> Result<ExitStatus, Failure> {
         return effective_masses(arguments, &study);
     }
     let omega = arguments.spin.as_ref().map(|spin| vector(spin)).transpose()?;
-    let found = whole(&arguments.common, || study.modes(SteadySpinSettings { omega, axis: arguments.axis }))?;
+    let asked = SteadySpinSettings { omega, axis: arguments.axis, all: arguments.all };
+    let found = whole(&arguments.common, || study.modes(asked))?;
     let name = &study.model.name;
     output::print_answer(
         arguments.common.json,

@@ -66,7 +66,7 @@ fn replacement(
         return None;
     }
     let Some(motions) = slow.motions(body, coefficients) else {
-        return (error(least) > UNKNOWN).then(|| vec![neutral(found, slow)]);
+        return (error(least) > UNKNOWN).then(|| vec![neutral(found[0].q.len(), slow)]);
     };
     let size = motions.iter().fold(0.0_f64, |size, motion| size.max(motion.lambda.norm()));
     let internal = sizes(true).fold(f64::INFINITY, f64::min);
@@ -74,13 +74,13 @@ fn replacement(
         return None;
     }
     let direction = |motion| (Source::Direction, motion);
-    Some(if size > 0.0 { motions.into_iter().map(direction).collect() } else { vec![neutral(found, slow)] })
+    Some(if size > 0.0 { motions.into_iter().map(direction).collect() } else { vec![neutral(found[0].q.len(), slow)] })
 }
 
 /// Motion from a steady spin to those beside it, without a rate.
-fn neutral(found: &[Eigenmotion], slow: &SlowDirection) -> Candidate {
+pub(super) fn neutral(coordinates: usize, slow: &SlowDirection) -> Candidate {
     let delta = slow.steady[slow.steady.len() - 1].map(Complex::from);
-    let still = vec![Complex::from(0.0); found[0].q.len()];
+    let still = vec![Complex::from(0.0); coordinates];
     let motion = Eigenmotion { lambda: Complex::from(0.0), delta, rate: still.clone(), q: still };
     (Source::Neutral, motion)
 }

@@ -11,6 +11,16 @@ pub enum ModesError {
         "the parts bend so far in this steady spin that their equations do not hold there: the kinetic energy is negative for some motion"
     )]
     BeyondRange,
+    /// All modes of too many coordinates were asked for.
+    #[error(
+        "all modes of {coordinates} coordinates take too long to find, more than {most}; leave out `--all` for the slowest ones"
+    )]
+    TooMany {
+        /// Coordinates of the body.
+        coordinates: usize,
+        /// Most coordinates.
+        most: usize,
+    },
     /// The eigenvalue solver failed.
     #[error(transparent)]
     Eigenvalues(#[from] NoConvergence),

@@ -7,11 +7,38 @@ use crate::math::watch;
 
 /// Nonlinear eigenproblem `P(λ)x = 0`.
 pub(super) trait Nonlinear {
-    /// `P(λ)`.
-    fn at(&self, lambda: Complex<f64>) -> ComplexDense;
+    /// `P(λ)x`.
+    fn times(&self, lambda: Complex<f64>, x: &[Complex<f64>]) -> Vec<Complex<f64>>;
 
-    /// Inner product of two motions, weighted by the masses.
-    fn product(&self, a: &[Complex<f64>], b: &[Complex<f64>], lambda: Complex<f64>) -> Complex<f64>;
+    /// Solution of `P(λ)x = right`.
+    fn solve(&self, lambda: Complex<f64>, right: &[Complex<f64>]) -> Solution;
+
+    /// Weights of the unknowns by the masses, in the inner product of motions.
+    fn weights(&self, lambda: Complex<f64>) -> Vec<f64>;
+}
+
+/// Solution of a linear system.
+pub(super) enum Solution {
+    /// The matrix has no factors.
+    None,
+    /// The matrix is singular.
+    Singular,
+    Found(Vec<Complex<f64>>),
+}
+
+impl Solution {
+    /// Solution with a dense matrix.
+    pub fn dense(P: &ComplexDense, right: &[Complex<f64>]) -> Self {
+        let Some(factor) = ComplexLu::new(P) else { return Self::None };
+        let right: Vec<[f64; 2]> = right.iter().map(|value| [value.re, value.im]).collect();
+        let complex = |found: Vec<[f64; 2]>| found.iter().map(|[re, im]| Complex::new(*re, *im)).collect();
+        factor.solve(&right, 1).map_or(Self::Singular, |found| Self::Found(complex(found)))
+    }
+}
+
+/// Inner product of two motions.
+pub(super) fn product(weights: &[f64], a: &[Complex<f64>], b: &[Complex<f64>]) -> Complex<f64> {
+    weights.iter().zip(a.iter().zip(b)).map(|(weight, (a, b))| *weight * a.conj() * b).sum()
 }
 
 /// Eigenpair: `λ` (1/s) and the unknowns.
@@ -37,26 +64,22 @@ pub(super) fn inverse_iteration(problem: &impl Nonlinear, (mut lambda, mut x): P
         if !lambda.is_finite() {
             return None;
         }
-        let factor = ComplexLu::new(&problem.at(lambda))?;
         let h = Complex::from(STEP * lambda.norm());
-        let ahead = times(&problem.at(lambda + h), &x);
-        let behind = times(&problem.at(lambda - h), &x);
-        let right: Vec<[f64; 2]> = ahead
-            .iter()
-            .zip(&behind)
-            .map(|(a, b)| (a - b) / (2.0 * h))
-            .map(|value| [value.re, value.im])
-            .collect();
-        let Some(solved) = factor.solve(&right, 1) else {
-            return Some((lambda, x));
+        let (ahead, behind) = (problem.times(lambda + h, &x), problem.times(lambda - h, &x));
+        let right: Vec<_> = ahead.iter().zip(&behind).map(|(a, b)| (a - b) / (2.0 * h)).collect();
+        let solved = match problem.solve(lambda, &right) {
+            Solution::None => return None,
+            Solution::Singular => return Some((lambda, x)),
+            Solution::Found(solved) => solved,
         };
-        let solved: Vec<Complex<f64>> = solved.iter().map(|[re, im]| Complex::new(*re, *im)).collect();
-        let (before, after) = (problem.product(&x, &x, lambda), problem.product(&x, &solved, lambda));
+        let weights = problem.weights(lambda);
+        let (before, after) = (product(&weights, &x, &x), product(&weights, &x, &solved));
         let change = before / after;
         if step > 0 {
             lambda -= change;
         }
-        let length = problem.product(&solved, &solved, lambda).re.sqrt();
+        let weights = problem.weights(lambda);
+        let length = product(&weights, &solved, &solved).re.sqrt();
         x = solved.iter().map(|entry| entry / length).collect();
         let moved = change.norm() / lambda.norm();
         if step > 0 {
@@ -74,7 +97,8 @@ pub(super) fn belongs(refined: Complex<f64>, start: Complex<f64>) -> bool {
     (refined - start).norm() < 0.5 * start.norm() && refined.im >= -IMAGINARY_ROUNDING * refined.norm()
 }
 
-fn times(P: &ComplexDense, x: &[Complex<f64>]) -> Vec<Complex<f64>> {
+/// `P x` of a dense matrix.
+pub(super) fn times(P: &ComplexDense, x: &[Complex<f64>]) -> Vec<Complex<f64>> {
     let entry = |row: usize, column: usize| {
         let [re, im] = P.at(row, column);
         Complex::new(re, im)

@@ -1,8 +1,11 @@
 //! Small motions about a steady spin: relative equilibria, and the modes of the spinning body.
 
+mod blocks;
 mod campbell;
 mod candidates;
 mod cantilever;
+mod count;
+mod definite;
 mod deflation;
 mod displacements;
 mod equilibrium;
@@ -10,14 +13,18 @@ mod error;
 mod first_order;
 mod forced;
 mod iteration;
+mod krylov;
 mod lag;
 mod mode;
 mod nutation;
 mod onset;
 mod pencil;
+mod range;
 mod shares;
 mod slow;
+mod slowest;
 mod spectrum;
+mod unknowns;
 
 pub use campbell::{CampbellError, SpinEigenvalues, campbell};
 pub use cantilever::{CantileverError, CantileverMode, CantileverModes, FreeMode};
@@ -29,6 +36,7 @@ pub use forced::{
 };
 pub use mode::{SpinMode, SpinModes};
 pub use onset::{WhirlOnset, whirl_onset};
+pub use range::{ModeRange, SlowModes};
 
 pub use crate::math::state_space::{
     StateSpace, Truncation, TruncationError, TruncationMethod, TruncationRequest,

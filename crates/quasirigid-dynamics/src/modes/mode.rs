@@ -7,14 +7,19 @@ use std::collections::BTreeMap;
 
 use nalgebra::{Complex, Vector3};
 
-use super::candidates::{Source, candidates};
+use super::blocks::BlockPencil;
+use super::candidates::{Candidate, Source, candidates, neutral};
+use super::displacements::WHOLE;
 use super::equilibrium::RelativeEquilibrium;
 use super::error::ModesError;
-use super::iteration::{Pair, belongs};
+use super::iteration::{Pair, belongs, inverse_iteration};
 use super::pencil::Pencil;
+use super::range::{ModeRange, SlowModes};
 use super::shares::{dissipation, form, leading, listed, moving, tellable};
 use super::slow::SlowDirection;
-use super::spectrum::{Eigenmotion, spectrum};
+use super::slowest::slowest;
+use super::spectrum::{Eigenmotion, within};
+use super::unknowns::Unknowns;
 use crate::math::sym3;
 use crate::math::vec3::norm;
 use crate::model::{FlexibleBody, SpinCoefficients};
@@ -54,8 +59,10 @@ pub struct SpinModes {
     pub equilibrium: RelativeEquilibrium,
     /// Modes: the nutation first, if there is one, then by ascending frequency and decay rate, overdamped ones last.
     pub modes: Vec<SpinMode>,
-    /// Decay rates (1/s) and frequencies (rad/s) of the internal motions in the equations of motion: all but the nutation.
+    /// Decay rates (1/s) and frequencies (rad/s) of the internal motions in the equations of motion: all that were found but the nutation.
     pub internal: Vec<[f64; 2]>,
+    /// Modes that were looked for.
+    pub range: ModeRange,
 }
 
 /// Number of coordinates up to which every mode is refined as a solution of the nonlinear eigenproblem; for a larger body the nutation
@@ -105,71 +112,84 @@ impl SpinMode {
 }
 
 impl SpinModes {
-    /// Modes about a relative equilibrium of a body without external moments.
+    /// Number of coordinates up to which all modes are found if asked for: minutes.
+    pub const MAX_COORDINATES: usize = 1500;
+
+    /// Modes about a relative equilibrium of a body without external moments: all, or of a body of more than 150 elastic coordinates the slowest,
+    /// as [`range`](Self::range) says.
     ///
     /// # Errors
     /// [`ModesError`] if the eigenvalue solver fails, or the mass matrix is not positive at the displacements.
     pub fn about(body: &FlexibleBody, equilibrium: RelativeEquilibrium) -> Result<Self, ModesError> {
+        let many = body.elastic() > WHOLE;
+        let sparse = || body.sparse_about_spin(equilibrium.omega, &equilibrium.q);
+        match if many { sparse() } else { None } {
+            Some(coefficients) => Self::slowest(body, equilibrium, &coefficients),
+            None => Self::within(body, equilibrium, WHOLE),
+        }
+    }
+
+    /// All modes, however many: the time grows with the cube of the number of coordinates.
+    ///
+    /// # Errors
+    /// As [`about`](Self::about), and [`ModesError::TooMany`].
+    pub fn all_about(body: &FlexibleBody, equilibrium: RelativeEquilibrium) -> Result<Self, ModesError> {
+        let coordinates = body.coordinates().len();
+        if coordinates > Self::MAX_COORDINATES {
+            return Err(ModesError::TooMany { coordinates, most: Self::MAX_COORDINATES });
+        }
+        Self::within(body, equilibrium, usize::MAX)
+    }
+
+    /// Modes from the matrix of the first-order equations, with all displacements of a body of up to `whole` elastic coordinates.
+    fn within(
+        body: &FlexibleBody,
+        equilibrium: RelativeEquilibrium,
+        whole: usize,
+    ) -> Result<Self, ModesError> {
         let coefficients = equilibrium.coefficients(body);
         let pencil = Pencil::new(body, &equilibrium, &coefficients);
-        let spin = norm(equilibrium.omega);
         let slow = SlowDirection::of(body, &equilibrium, &coefficients);
         let steady = slow.as_ref().map_or(&[][..], |slow| &slow.steady);
-        let found = spectrum(body, &equilibrium, &coefficients, steady)?;
-        let (sources, found): (Vec<Source>, Vec<Eigenmotion>) =
-            candidates(found, slow.as_ref(), (body, &coefficients, spin)).into_iter().unzip();
-        let frame = Frame { body, equilibrium: &equilibrium, coefficients: &coefficients };
-        let of_direction = frame.of_direction(&found, &sources, slow.as_ref());
-        let nutation = of_direction.first().copied();
-        let mut slowest: Vec<usize> = (0..found.len()).collect();
-        slowest.sort_by(|a, b| found[*a].lambda.norm().total_cmp(&found[*b].lambda.norm()));
-        let small = body.coordinates().len() <= REFINED;
-        let many = body.coordinates().len() > UNREFINED_COORDINATES && !pencil.is_nonlinear();
-        let again = |i: usize| {
-            sources[i] == Source::Spectrum
-                && (small
-                    || (Some(i) == nutation && !many)
-                    || (pencil.is_nonlinear() && slowest[..slowest.len().min(SLOWEST)].contains(&i)))
+        let found = within(body, &equilibrium, &coefficients, (steady, whole))?;
+        let fastest = found.iter().map(|motion| motion.lambda.norm()).fold(0.0, f64::max);
+        let projected = SlowModes { rate: fastest, missing: None, positive_energy: false };
+        let range = if body.elastic() > whole { ModeRange::Slowest(projected) } else { ModeRange::All };
+        let candidates =
+            candidates(found, slow.as_ref(), (body, &coefficients, norm(equilibrium.omega)));
+        let count = body.coordinates().len();
+        let refined = |pair: Pair| inverse_iteration(&pencil, pair);
+        let refining = Refining {
+            unknowns: &pencil.unknowns,
+            refined: &refined,
+            every: count <= REFINED,
+            nutation: count <= UNREFINED_COORDINATES || pencil.unknowns.nonlinear,
         };
-        let mut modes: Vec<SpinMode> = Vec::with_capacity(found.len());
-        let mut internal = Vec::with_capacity(found.len());
-        let others = (0..found.len()).filter(|i| Some(*i) != nutation);
-        for i in nutation.into_iter().chain(others) {
-            let motion = &found[i];
-            let balanced = frame.decay_of_motion(motion);
-            if Some(i) != nutation {
-                internal.push([balanced, motion.lambda.im]);
-            }
-            let start = (motion.lambda, pencil.unknowns(motion.delta, &motion.q));
-            let refined = if again(i) { pencil.refined(start.clone()) } else { None };
-            let kept = refined.filter(|(lambda, _)| belongs(*lambda, motion.lambda));
-            let known = |lambda: Complex<f64>| {
-                let gap =
-                    |mode: &SpinMode| (lambda + mode.decay_rate - Complex::new(0.0, mode.frequency)).norm();
-                modes.iter().any(|mode| gap(mode) < SAME_EIGENVALUE * lambda.norm())
-            };
-            // Relaxations of a liquid whose impedance is known are kept only where they lead to a new mode of the liquid; the nutation
-            // always where it converges.
-            let led_nowhere = |(lambda, _): &Pair| Some(i) != nutation && known(*lambda);
-            let of_spectrum = sources[i] == Source::Spectrum;
-            if of_spectrum && pencil.has_liquids() && kept.as_ref().is_none_or(led_nowhere) {
-                continue;
-            }
-            let (lambda, x) = kept.unwrap_or(start);
-            let exact = of_spectrum && !pencil.is_nonlinear();
-            let of_motion = [if exact { balanced } else { -motion.lambda.re }, motion.lambda.im];
-            let mut mode = frame.mode(&pencil, of_motion, (lambda, &x), Some(i) == nutation);
-            if !of_spectrum {
-                mode.decay_rate = -lambda.re;
-                mode.neutral = sources[i] == Source::Neutral;
-            }
-            if of_direction.contains(&i) {
-                mode.name = "nutation".to_owned();
-            }
-            modes.push(mode);
-        }
-        in_order(&mut modes);
-        Ok(Self { equilibrium, modes, internal })
+        let frame = Frame { body, equilibrium: &equilibrium, coefficients: &coefficients };
+        let (modes, internal) = frame.modes(candidates, slow.as_ref(), &refining);
+        Ok(Self { equilibrium, modes, internal, range })
+    }
+
+    /// Slowest modes of a body of many coordinates.
+    pub(super) fn slowest(
+        body: &FlexibleBody,
+        equilibrium: RelativeEquilibrium,
+        coefficients: &SpinCoefficients,
+    ) -> Result<Self, ModesError> {
+        let slow = SlowDirection::of(body, &equilibrium, coefficients);
+        let (found, range) = slowest(body, &equilibrium, coefficients, slow.as_ref())?;
+        let unknown = slow.as_ref().filter(|slow| slow.neutral() == 1);
+        let unknown = unknown.map(|slow| neutral(body.coordinates().len(), slow));
+        let own = found.into_iter().map(|motion| (Source::Spectrum, motion));
+        let candidates = unknown.into_iter().chain(own).collect();
+        let unknowns = Unknowns::exact(body);
+        let exact =
+            unknowns.nonlinear.then(|| BlockPencil::new(unknowns.clone(), &equilibrium, coefficients));
+        let refined = |pair: Pair| inverse_iteration(exact.as_ref()?, pair);
+        let refining = Refining { unknowns: &unknowns, refined: &refined, every: true, nutation: true };
+        let frame = Frame { body, equilibrium: &equilibrium, coefficients };
+        let (modes, internal) = frame.modes(candidates, slow.as_ref(), &refining);
+        Ok(Self { equilibrium, modes, internal, range: ModeRange::Slowest(range) })
     }
 
     /// Nutation; none for a body without one, as a sphere.
@@ -178,10 +198,16 @@ impl SpinModes {
         self.modes.iter().find(|mode| mode.nutation)
     }
 
-    /// True if no mode grows.
+    /// True if no mode grows, neither of those found nor of others.
     #[must_use]
     pub fn stable(&self) -> bool {
-        !self.modes.iter().any(SpinMode::grows)
+        self.range.shows_stability() && !self.unstable()
+    }
+
+    /// True if a mode grows. A spin of a body of many coordinates may be neither stable nor unstable, as far as is known.
+    #[must_use]
+    pub fn unstable(&self) -> bool {
+        self.modes.iter().any(SpinMode::grows)
     }
 
     /// Rotation `θ` of the body from its steady attitude in a mode (rad), real and imaginary parts: `λθ + Ω × θ = δω`. None for a mode
@@ -236,7 +262,77 @@ pub(super) struct Frame<'a> {
 
 type Complex3 = [Complex<f64>; 3];
 
+/// Refinement of motions as solutions of the nonlinear eigenproblem.
+struct Refining<'a> {
+    unknowns: &'a Unknowns<'a>,
+    refined: &'a dyn Fn(Pair) -> Option<Pair>,
+    /// Whether every motion is refined.
+    every: bool,
+    /// Whether the nutation is.
+    nutation: bool,
+}
+
 impl Frame<'_> {
+    /// Modes in their order, and the decay rates and frequencies of the internal motions in the equations of motion.
+    fn modes(
+        &self,
+        candidates: Vec<Candidate>,
+        slow: Option<&SlowDirection>,
+        refining: &Refining,
+    ) -> (Vec<SpinMode>, Vec<[f64; 2]>) {
+        let (sources, found): (Vec<Source>, Vec<Eigenmotion>) = candidates.into_iter().unzip();
+        let Refining { unknowns, refined, .. } = refining;
+        let of_direction = self.of_direction(&found, &sources, slow);
+        let nutation = of_direction.first().copied();
+        let mut slowest: Vec<usize> = (0..found.len()).collect();
+        slowest.sort_by(|a, b| found[*a].lambda.norm().total_cmp(&found[*b].lambda.norm()));
+        let again = |i: usize| {
+            sources[i] == Source::Spectrum
+                && (refining.every
+                    || (Some(i) == nutation && refining.nutation)
+                    || (unknowns.nonlinear && slowest[..slowest.len().min(SLOWEST)].contains(&i)))
+        };
+        let mut modes: Vec<SpinMode> = Vec::with_capacity(found.len());
+        let mut internal = Vec::with_capacity(found.len());
+        let others = (0..found.len()).filter(|i| Some(*i) != nutation);
+        for i in nutation.into_iter().chain(others) {
+            let motion = &found[i];
+            let balanced = self.decay_of_motion(motion);
+            if Some(i) != nutation {
+                internal.push([balanced, motion.lambda.im]);
+            }
+            let start = (motion.lambda, unknowns.given(motion.delta, &motion.q));
+            let again = if again(i) { refined(start.clone()) } else { None };
+            let kept = again.filter(|(lambda, _)| belongs(*lambda, motion.lambda));
+            let known = |lambda: Complex<f64>| {
+                let gap =
+                    |mode: &SpinMode| (lambda + mode.decay_rate - Complex::new(0.0, mode.frequency)).norm();
+                modes.iter().any(|mode| gap(mode) < SAME_EIGENVALUE * lambda.norm())
+            };
+            // Relaxations of a liquid whose impedance is known are kept only where they lead to a new mode of the liquid; the nutation
+            // always where it converges.
+            let led_nowhere = |(lambda, _): &Pair| Some(i) != nutation && known(*lambda);
+            let of_spectrum = sources[i] == Source::Spectrum;
+            if of_spectrum && unknowns.has_liquids() && kept.as_ref().is_none_or(led_nowhere) {
+                continue;
+            }
+            let (lambda, x) = kept.unwrap_or(start);
+            let exact = of_spectrum && !unknowns.nonlinear;
+            let of_motion = [if exact { balanced } else { -motion.lambda.re }, motion.lambda.im];
+            let mut mode = self.mode(unknowns, of_motion, (lambda, &x), Some(i) == nutation);
+            if !of_spectrum {
+                mode.decay_rate = -lambda.re;
+                mode.neutral = sources[i] == Source::Neutral;
+            }
+            if of_direction.contains(&i) {
+                mode.name = "nutation".to_owned();
+            }
+            modes.push(mode);
+        }
+        in_order(&mut modes);
+        (modes, internal)
+    }
+
     /// Change of the angular momentum in body axes.
     pub(super) fn angular_momentum(
         &self,
@@ -256,15 +352,15 @@ impl Frame<'_> {
 
     fn mode(
         &self,
-        pencil: &Pencil,
+        unknowns: &Unknowns,
         of_motion: [f64; 2],
         (lambda, x): (Complex<f64>, &[Complex<f64>]),
         nutation: bool,
     ) -> SpinMode {
         let delta = [x[0], x[1], x[2]];
-        let q = pencil.coordinates(x);
+        let q = unknowns.coordinates(x);
         let rate: Vec<Complex<f64>> = q.iter().map(|q| lambda * q).collect();
-        let liquids: Vec<_> = pencil.liquids(x).map(|(liquid, angles)| (liquid, lambda, angles)).collect();
+        let liquids: Vec<_> = unknowns.liquids(lambda, x).collect();
         let lost = dissipation(self.body, self.equilibrium.omega, lambda, &q, &liquids);
         let total: f64 = lost.iter().map(|(_, power)| power).sum();
         let moved = moving(self.body, self.coefficients, delta, &rate, &liquids);
@@ -278,7 +374,7 @@ impl Frame<'_> {
         let name = if nutation { "nutation".to_owned() } else { leading };
         let told = tellable(lambda, liquids.len(), lost.len());
         SpinMode {
-            decay_rate: self.decay(pencil, lambda, (delta, &rate, &q), total),
+            decay_rate: self.decay(unknowns.nonlinear, lambda, (delta, &rate, &q), total),
             frequency: if lambda.im.abs() > DECAY_ROUNDING * lambda.norm() { lambda.im.abs() } else { 0.0 },
             of_motion,
             nutation,
@@ -294,7 +390,7 @@ impl Frame<'_> {
     /// Decay rate: from the energy balance, `2F₂·Re λ = −q̇ᴴBq̇`, where that is exact or more exact than the eigenvalue. (M4)
     fn decay(
         &self,
-        pencil: &Pencil,
+        nonlinear: bool,
         lambda: Complex<f64>,
         (delta, rate, q): (Complex3, &[Complex<f64>], &[Complex<f64>]),
         lost: f64,
@@ -303,7 +399,7 @@ impl Frame<'_> {
         let light = found.abs() < LIGHT * lambda.norm();
         let oscillates = lambda.im.abs() > lambda.re.abs();
         let balanced =
-            oscillates && if pencil.is_nonlinear() { light && self.body.memories().is_empty() } else { true };
+            oscillates && if nonlinear { light && self.body.memories().is_empty() } else { true };
         if !balanced {
             return found;
         }
@@ -333,10 +429,9 @@ impl Frame<'_> {
         let kinetic = kinetic(&moving(self.body, self.coefficients, delta, rate, &[]));
         let mut potential: f64 =
             self.body.stiffness().iter().map(|(j, k, C)| C * (q[j].conj() * q[k]).re).sum();
-        for j in 0..self.body.elastic() {
-            for k in 0..self.body.elastic() {
-                potential -= centrifugal.at(j, k) * (q[j].conj() * q[k]).re;
-            }
+        for part in [|x: &Complex<f64>| x.re, |x: &Complex<f64>| x.im] {
+            let x: Vec<f64> = q.iter().map(part).collect();
+            potential -= centrifugal.times(&x).iter().zip(&x).map(|(load, x)| load * x).sum::<f64>();
         }
         let square: f64 = K.iter().map(Complex::norm_sqr).sum();
         0.5 * (kinetic + potential - square / self.equilibrium.ratio)

@@ -6,34 +6,27 @@
 use nalgebra::{Complex, Matrix3, Vector3};
 
 use super::equilibrium::RelativeEquilibrium;
-use super::iteration::{Nonlinear, Pair, inverse_iteration};
+use super::iteration::{Nonlinear, Solution, times};
+use super::unknowns::Unknowns;
 use crate::math::eigen::Dense;
 use crate::math::lu::ComplexDense;
 use crate::math::sym3;
 use crate::math::vec3::scale;
 use crate::model::impedance;
-use crate::model::{FlexibleBody, LiquidMemory, SpinCoefficients, Viscoelastic};
+use crate::model::{FlexibleBody, SpinCoefficients, Viscoelastic};
 
 /// Dynamic stiffness of the spinning body, `P(λ)(δω, δq) = 0`: a nonlinear eigenproblem where a material or a liquid depends on the
 /// frequency. (M3)
-///
-/// Unknowns are the angular velocity, the coordinates, and for a liquid whose impedance is known the angles about its axes in place of
-/// its coordinates.
 pub(super) struct Pencil<'a> {
-    body: &'a FlexibleBody,
+    pub unknowns: Unknowns<'a>,
     omega: Vector3<f64>,
     angular_momentum: Vector3<f64>,
     coefficients: &'a SpinCoefficients,
-    /// Coordinates that are unknowns.
-    kept: Vec<usize>,
     /// `A`, `B + G` and `C − N` of the kept coordinates.
     mass: Dense,
     velocity: Dense,
     stiffness: Dense,
     viscoelastic: Vec<(&'a Viscoelastic, Dense)>,
-    /// Liquids with the index of their first axis among the unknowns after the angular velocity.
-    memories: Vec<(usize, &'a LiquidMemory)>,
-    size: usize,
 }
 
 impl<'a> Pencil<'a> {
@@ -42,15 +35,8 @@ impl<'a> Pencil<'a> {
         equilibrium: &RelativeEquilibrium,
         coefficients: &'a SpinCoefficients,
     ) -> Self {
-        let known = |j: &usize| body.memories().iter().any(|memory| memory.coordinates.contains(j));
-        let kept: Vec<usize> = (0..body.coordinates().len()).filter(|j| !known(j)).collect();
-        let mut next = kept.len();
-        let place = |memory: &'a LiquidMemory| {
-            let start = next;
-            next += memory.axes.len();
-            (start, memory)
-        };
-        let memories: Vec<_> = body.memories().iter().map(place).collect();
+        let unknowns = Unknowns::exact(body);
+        let kept = &unknowns.kept;
         let (B, C) = (Dense::of(body.damping()), Dense::of(body.stiffness()));
         let part = |entry: &dyn Fn(usize, usize) -> f64| {
             let mut part = Dense::zero(kept.len());
@@ -65,7 +51,6 @@ impl<'a> Pencil<'a> {
             (viscoelastic, part(&|j, k| whole.at(j, k)))
         };
         Self {
-            body,
             omega: equilibrium.omega.into(),
             angular_momentum: equilibrium.angular_momentum.into(),
             coefficients,
@@ -73,54 +58,13 @@ impl<'a> Pencil<'a> {
             velocity: part(&|j, k| B.at(j, k) + gyroscopic.at(j, k)),
             stiffness: part(&|j, k| C.at(j, k) - centrifugal.at(j, k)),
             viscoelastic: body.viscoelastic().iter().map(viscoelastic).collect(),
-            kept,
-            memories,
-            size: 3 + next,
+            unknowns,
         }
     }
 
-    /// True if a material or a liquid makes the eigenproblem nonlinear.
-    pub fn is_nonlinear(&self) -> bool {
-        !(self.viscoelastic.is_empty() && self.memories.is_empty())
-    }
-
-    /// True if a liquid enters by its impedance in place of coordinates.
-    pub fn has_liquids(&self) -> bool {
-        !self.memories.is_empty()
-    }
-
-    /// Unknowns of a motion of all coordinates.
-    pub fn unknowns(&self, delta: [Complex<f64>; 3], q: &[Complex<f64>]) -> Vec<Complex<f64>> {
-        let mut x = delta.to_vec();
-        x.extend(self.kept.iter().map(|j| q[*j]));
-        x.resize(self.size, Complex::from(0.0));
-        x
-    }
-
-    /// Displacements of all coordinates; zero of those of a liquid whose impedance is known.
-    pub fn coordinates(&self, x: &[Complex<f64>]) -> Vec<Complex<f64>> {
-        let mut q = vec![Complex::from(0.0); self.body.coordinates().len()];
-        self.kept.iter().zip(&x[3..]).for_each(|(j, x)| q[*j] = *x);
-        q
-    }
-
-    /// Angles about the axes of each liquid whose impedance is known, with its angular momentum per unit rate.
-    pub fn liquids<'x>(
-        &'x self,
-        x: &'x [Complex<f64>],
-    ) -> impl Iterator<Item = (&'a LiquidMemory, &'x [Complex<f64>])> {
-        self.memories.iter().map(|(start, memory)| (*memory, &x[3 + start..3 + start + memory.axes.len()]))
-    }
-
-    /// Eigenpair that inverse iteration leads to; none without convergence. (M3)
-    pub fn refined(&self, start: Pair) -> Option<Pair> {
-        inverse_iteration(self, start)
-    }
-}
-
-impl Nonlinear for Pencil<'_> {
+    /// `P(λ)`.
     fn at(&self, lambda: Complex<f64>) -> ComplexDense {
-        let mut P = ComplexDense::zero(self.size);
+        let mut P = ComplexDense::zero(self.unknowns.size);
         let pair = |value: Complex<f64>| [value.re, value.im];
         let turning = self.turning(lambda);
         let J = Matrix3::from(sym3::rows(self.coefficients.inertia)).map(Complex::from);
@@ -138,7 +82,7 @@ impl Nonlinear for Pencil<'_> {
             }
         }
         let factors = self.moduli(lambda);
-        let count = self.kept.len();
+        let count = self.unknowns.kept.len();
         let square = lambda * lambda;
         for j in 0..count {
             for k in 0..count {
@@ -151,7 +95,7 @@ impl Nonlinear for Pencil<'_> {
                 P.add(3 + j, 3 + k, pair(sum));
             }
         }
-        for (start, memory) in &self.memories {
+        for (start, memory) in &self.unknowns.memories {
             let Z = impedance(memory, lambda, self.omega);
             for (i, a) in memory.axes.iter().enumerate() {
                 for (j, b) in memory.axes.iter().enumerate() {
@@ -162,17 +106,27 @@ impl Nonlinear for Pencil<'_> {
         }
         P
     }
+}
 
-    fn product(&self, a: &[Complex<f64>], b: &[Complex<f64>], lambda: Complex<f64>) -> Complex<f64> {
+impl Nonlinear for Pencil<'_> {
+    fn times(&self, lambda: Complex<f64>, x: &[Complex<f64>]) -> Vec<Complex<f64>> {
+        times(&self.at(lambda), x)
+    }
+
+    fn solve(&self, lambda: Complex<f64>, right: &[Complex<f64>]) -> Solution {
+        Solution::dense(&self.at(lambda), right)
+    }
+
+    fn weights(&self, lambda: Complex<f64>) -> Vec<f64> {
         let [xx, yy, zz, ..] = self.coefficients.inertia;
         let square = lambda.norm_sqr();
-        let coordinates = (0..self.kept.len()).map(|j| square * self.mass.at(j, j));
+        let coordinates = (0..self.unknowns.kept.len()).map(|j| square * self.mass.at(j, j));
         let liquids = self
+            .unknowns
             .memories
             .iter()
             .flat_map(|(_, memory)| memory.axes.iter().map(move |_| square * memory.inertia));
-        let weights = [xx, yy, zz].into_iter().chain(coordinates).chain(liquids);
-        weights.zip(a.iter().zip(b)).map(|(weight, (a, b))| weight * a.conj() * b).sum()
+        [xx, yy, zz].into_iter().chain(coordinates).chain(liquids).collect()
     }
 }
 
@@ -185,8 +139,9 @@ impl Pencil<'_> {
     /// Angular momentum per unit rate and per unit displacement of each unknown after the angular velocity.
     fn couplings(&self) -> impl Iterator<Item = ([f64; 3], [f64; 3])> + '_ {
         let SpinCoefficients { h, slopes, .. } = self.coefficients;
-        let coordinates = self.kept.iter().map(|j| (h[*j], slopes[*j]));
+        let coordinates = self.unknowns.kept.iter().map(|j| (h[*j], slopes[*j]));
         let liquids = self
+            .unknowns
             .memories
             .iter()
             .flat_map(|(_, memory)| memory.axes.iter().map(|axis| (scale(memory.inertia, *axis), [0.0; 3])));

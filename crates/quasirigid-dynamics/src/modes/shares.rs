@@ -1,5 +1,7 @@
 //! Shares of parts and dissipators in the energy and the dissipation of a mode. (M5)
 
+use std::collections::BTreeMap;
+
 use nalgebra::{Complex, Vector3};
 
 use crate::math::sparse::SparseRows;
@@ -22,9 +24,10 @@ pub(super) fn moving(
     let SpinCoefficients { inertia, h, .. } = coefficients;
     let [re, im] = [0, 1]
         .map(|part| rate.iter().map(|rate| if part == 0 { rate.re } else { rate.im }).collect::<Vec<f64>>());
-    let (re, im) = (coefficients.mass_times(&re), coefficients.mass_times(&im));
+    let (re, im) = (coefficients.mass.times(&re), coefficients.mass.times(&im));
     let mut K = sym3::rows(*inertia).map(|row| row[0] * delta[0] + row[1] * delta[1] + row[2] * delta[2]);
     let mut parts: Vec<(String, f64)> = vec![("body".to_owned(), 0.0)];
+    let mut places: BTreeMap<&str, usize> = BTreeMap::new();
     let mut of_structure = 0.0;
     for (j, coordinate) in body.coordinates().iter().enumerate() {
         let turned = h[j][0] * delta[0] + h[j][1] * delta[1] + h[j][2] * delta[2];
@@ -35,9 +38,12 @@ pub(super) fn moving(
             of_structure += energy;
             continue;
         }
-        match parts[1..].iter_mut().find(|(name, _)| name == coordinate.part()) {
-            Some((_, sum)) => *sum += energy,
-            None => parts.push((coordinate.part().to_owned(), energy)),
+        match places.get(coordinate.part()) {
+            Some(place) => parts[*place].1 += energy,
+            None => {
+                places.insert(coordinate.part(), parts.len());
+                parts.push((coordinate.part().to_owned(), energy));
+            }
         }
     }
     parts.extend(split(body, rate, of_structure));

@@ -7,6 +7,7 @@ use nalgebra::{Complex, DMatrix, Matrix2, Matrix3, SymmetricEigen, Vector2, Vect
 
 use super::displacements::WHOLE;
 use super::equilibrium::RelativeEquilibrium;
+use super::iteration::Pair;
 use super::lag::{Lag, Lagging};
 use super::spectrum::Eigenmotion;
 use crate::math::sym3;
@@ -82,6 +83,37 @@ impl SlowDirection {
     /// Number of neutral directions of the spin: none, one for two equal moments, two for a body like a sphere.
     pub fn neutral(&self) -> usize {
         self.steady.len() - 1
+    }
+
+    /// Eigenvalues without the lag, `Im λ ≥ 0`, with motions of the rigid body to start from; none beside neutral directions.
+    pub fn starts(&self, unknowns: usize) -> Vec<Pair> {
+        let determinant = self.determinant();
+        if determinant == 0.0 {
+            return Vec::new();
+        }
+        let values = match determinant > 0.0 {
+            true => vec![C::new(0.0, self.frequency)],
+            false => vec![C::from(self.frequency), C::from(-self.frequency)],
+        };
+        let tilted = |plane: Vector2<C>| -> Vec<C> {
+            let momentum = self.frame.map(C::from) * Vector3::new(C::from(0.0), plane[0], plane[1]);
+            let spin = self.slope.map(C::from).try_inverse().map_or(momentum, |inverse| inverse * momentum);
+            let mut x = spin.as_slice().to_vec();
+            x.resize(unknowns, C::from(0.0));
+            x
+        };
+        let start = |lambda: C| {
+            let rate = Matrix2::new(0.0, 1.0, -1.0, 0.0).map(C::from) * lambda;
+            let whole = rate + self.variation.map(C::from) * C::from(self.spin);
+            let row = if whole.row(0).norm() >= whole.row(1).norm() { whole.row(0) } else { whole.row(1) };
+            (lambda, tilted(Vector2::new(row[1], -row[0])))
+        };
+        values.into_iter().map(start).collect()
+    }
+
+    /// Whether every other direction of the angular momentum has more energy, beyond rounding.
+    pub fn is_least(&self) -> bool {
+        self.neutral() == 0 && SymmetricEigen::new(-self.variation / self.ratio).eigenvalues.min() > 0.0
     }
 
     /// Motions of the direction, `Im λ ≥ 0`, without the zero of a neutral direction; none where the lag has no limit for a slow motion, or

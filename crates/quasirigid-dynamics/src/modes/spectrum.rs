@@ -4,7 +4,6 @@
 use nalgebra::{Complex, DMatrix};
 
 use super::deflation::{Pair, without};
-use super::displacements::WHOLE;
 use super::equilibrium::RelativeEquilibrium;
 use super::error::ModesError;
 use super::first_order::FirstOrder;
@@ -24,21 +23,12 @@ pub(super) struct Eigenmotion {
 pub(super) const ZERO: f64 = 1e-7;
 
 /// Eigenvalues of the linear equations in first order with their motions, those with `Im λ ≥ 0`, without the zeros of the steady spins
-/// beside this one, which are given as changes of the angular velocity. (M2), (M12)
+/// beside this one, which are given as changes of the angular velocity; with all displacements of a body of up to `whole` elastic coordinates.
+/// (M2), (M12)
 ///
 /// # Errors
 /// [`ModesError`] if the eigenvalue solver fails, or the mass matrix is not positive.
-pub(super) fn spectrum(
-    body: &FlexibleBody,
-    equilibrium: &RelativeEquilibrium,
-    coefficients: &SpinCoefficients,
-    steady: &[[f64; 3]],
-) -> Result<Vec<Eigenmotion>, ModesError> {
-    within(body, equilibrium, coefficients, (steady, WHOLE))
-}
-
-/// Spectrum with all displacements of a body of up to `whole` elastic coordinates.
-fn within(
+pub(super) fn within(
     body: &FlexibleBody,
     equilibrium: &RelativeEquilibrium,
     coefficients: &SpinCoefficients,

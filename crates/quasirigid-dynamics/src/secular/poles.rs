@@ -60,12 +60,14 @@ impl Pole {
         self.modes.internal.iter().map(|[decay, _]| *decay).fold(f64::INFINITY, f64::min)
     }
 
-    /// Distance `min |λ_j − iν|` (1/s) of the internal modes from the nutation: the rate at which they follow a wobble that changes. (Q3)
+    /// Distance `min |λ_j − iν|` (1/s) of the internal modes from the nutation: the rate at which they follow a wobble that changes; a bound
+    /// of it where those beyond a rate are not known. (Q3)
     #[must_use]
     pub fn following_rate(&self) -> f64 {
         let Some(nutation) = self.modes.nutation() else { return f64::INFINITY };
         let distance = |[decay, frequency]: &[f64; 2]| decay.hypot(frequency - nutation.frequency);
-        self.modes.internal.iter().map(distance).fold(f64::INFINITY, f64::min)
+        let others = self.modes.range.complete_below().unwrap_or(f64::INFINITY) - nutation.frequency;
+        self.modes.internal.iter().map(distance).fold(others.max(0.0), f64::min)
     }
 
     /// Fastest rate (1/s) of any motion about the spin, decaying or oscillating.

@@ -26,10 +26,27 @@ pub struct SteadySpinRecord {
     /// Displacements of the elastic coordinates, by name (m, rad).
     #[serde(with = "number")]
     pub displacements: BTreeMap<String, f64>,
-    /// Whether no small motion grows.
+    /// Whether no small motion grows, as far as is known.
     pub stable: bool,
     /// Modes: the nutation first, then by frequency, overdamped ones last.
     pub modes: Vec<ModeRecord>,
+    /// Of a body of many coordinates: which modes these are.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub slowest: Option<SlowModesRecord>,
+}
+
+/// Slowest modes of a body of many coordinates.
+#[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
+pub struct SlowModesRecord {
+    /// Rate (rad/s) up to which modes were looked for.
+    ///
+    /// Of their eigenvalues.
+    #[serde(with = "number")]
+    pub rate: f64,
+    /// How many eigenvalues below it were counted and not found; `null` where they were not counted.
+    pub missing: Option<usize>,
+    /// Whether no motion grows, found or not, since the energy is least in the spin.
+    pub positive_energy: bool,
 }
 
 /// Overdamped modes up to which each is listed.

@@ -209,8 +209,11 @@ prop_compose! {
     fn steady_spin()(
         sentence in ".*", axis in ".*", spin in option::of([finite(); 3]), angular_momentum in option::of([finite(); 3]),
         energy in option::of(finite()), displacements in shares(), stable: bool, modes in vec(mode(), 0..3),
+        slowest in option::of((finite(), option::of(0..9usize), any::<bool>())),
     ) -> SteadySpinRecord {
-        SteadySpinRecord { sentence, axis, spin, angular_momentum, energy, displacements, stable, modes }
+        let slowest =
+            slowest.map(|(rate, missing, positive_energy)| SlowModesRecord { rate, missing, positive_energy });
+        SteadySpinRecord { sentence, axis, spin, angular_momentum, energy, displacements, stable, modes, slowest }
     }
 }
 

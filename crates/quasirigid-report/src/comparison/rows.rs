@@ -64,7 +64,16 @@ const FOLLOWED: [(&str, Value); 6] = [
 const JUDGED: [(&str, Value); 7] = [
     ("Steady spin next to the start", |record| {
         let spin = steady(record)?;
-        let words = if spin.stable { "stable" } else { "unstable" };
+        let grows = |time: f64| time < 0.0;
+        let words = match spin.stable {
+            true => "stable",
+            false if spin.slowest.is_some()
+                && !spin.modes.iter().filter_map(|mode| mode.time_constant).any(grows) =>
+            {
+                "stability not known"
+            }
+            false => "unstable",
+        };
         Some(format!("{words}, about the axis of {} inertia", spin.axis))
     }),
     ("Time constant of the nutation", |record| {

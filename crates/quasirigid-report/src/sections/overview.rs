@@ -142,6 +142,10 @@ fn fate(record: &RunRecord) -> Option<(String, String)> {
                 "Unstable".to_owned(),
                 format!("A small motion {about} grows e-fold in {}.", duration(-fastest)),
             ),
+            false if spin.slowest.is_some() => (
+                "Stability not known".to_owned(),
+                format!("Of the many small motions {about} those that were found do not grow."),
+            ),
             false => ("Unstable".to_owned(), format!("A small motion {about} grows.")),
         })
     };

@@ -311,6 +311,7 @@ fn steady_spins() -> Vec<SteadySpinRecord> {
         displacements: shares(),
         stable: true,
         modes: vec![mode("nutation", 3.8e-4, 0.12), mode("tip <x>", -2.1e-3, 4.7)],
+        slowest: None,
     };
     let sentence = "About the axis of least inertia: no steady spin was found.".into();
     let lost =

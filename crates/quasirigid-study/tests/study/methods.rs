@@ -68,7 +68,7 @@ fn time_constants_are_the_eigenvalues() {
     ] {
         close(nutation(&modes_about(&study(&model), PrincipalAxis::Greatest)), time, tolerance);
     }
-    let asked = SteadySpinSettings { omega: Some([0.0, 0.0, 78.54]), axis: Some(PrincipalAxis::Least) };
+    let asked = SteadySpinSettings { omega: Some([0.0, 0.0, 78.54]), axis: Some(PrincipalAxis::Least), all: false };
     let least = study_of("explorer1").modes(asked).unwrap();
     close(mode(&least.spins[0].modes, "nutation").decay_rate, -0.074_415_60, 1e-5); // of 78.54 rad/s too
 }
@@ -183,7 +183,7 @@ fn the_steady_spins_of_a_gyrostat_are_found_at_any_momentum_of_its_wheel() {
         let found = modes(&study);
         assert!(found.found() && found.spins.len() >= 2, "{momentum}: {}", found.text("model", false));
         for spin in &found.spins {
-            let beside = SteadySpinSettings { omega: spin.spin, axis: None };
+            let beside = SteadySpinSettings { omega: spin.spin, ..SteadySpinSettings::default() };
             let again = &study.modes(beside).unwrap().spins[0];
             let [own, other] = [spin, again].map(|spin| mode(&spin.modes, "nutation").decay_rate);
             close(own, other, 1e-6);

@@ -18,7 +18,7 @@ fn pendulum() -> String {
 
 /// Modes about a spin asked for (rad/s).
 fn modes_at(model: &str, omega: [f64; 3]) -> Modes {
-    study(model).modes(SteadySpinSettings { omega: Some(omega), axis: None }).unwrap()
+    study(model).modes(SteadySpinSettings { omega: Some(omega), ..SteadySpinSettings::default() }).unwrap()
 }
 
 fn text(found: &Modes) -> String {
@@ -70,7 +70,7 @@ fn what_has_no_steady_state_is_told_in_words() {
         (&(pendulum() + wheel), None, "a momentum wheel changes its speed"),
         (&(MODEL.to_owned() + wheel), None, "a momentum wheel changes its speed"),
     ] {
-        let found = study(model).modes(SteadySpinSettings { omega, axis: None }).unwrap();
+        let found = study(model).modes(SteadySpinSettings { omega, ..SteadySpinSettings::default() }).unwrap();
         assert!(!found.found() && text(&found).contains(message), "{}", text(&found));
     }
     let found = modes(&study(&circular));
@@ -342,7 +342,7 @@ fn modes_of_floating_beams_with_a_spring_are_found() {
 #[test]
 fn an_axis_under_forces_is_refused() {
     for axis in PrincipalAxis::ALL {
-        let asked = SteadySpinSettings { omega: None, axis: Some(axis) };
+        let asked = SteadySpinSettings { axis: Some(axis), ..SteadySpinSettings::default() };
         let refused = study(&pendulum()).modes(asked).unwrap_err().to_string();
         assert!(refused.contains("axis names a principal axis"), "{}: {refused}", axis.name());
     }

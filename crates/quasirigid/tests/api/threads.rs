@@ -65,8 +65,8 @@ types! {
         Advection BalancedSpin BodyParts Carried Coordinate CurvedPaths Displaced Dissipator DrivenWheel
         EnergyMotion[f64] ExpandedMotion FlexibleBody FlexibleError Follower Form Gimbal Hinge Hung
         Inertia InertiaError Invariants Kinetics LiquidFlow LiquidMemory Marker Measured Method Mode
-        MotionState[f64] Pair PartMass Polhode Principal RationalModulus Reach ReducedBody Rheology RheologyError
-        SpinCoefficients StraightKinetics Support Velocities Viscoelastic Watched Wheels
+        MotionState[f64] Pair PartMass Polhode Principal RationalModulus Reach Recoiling ReducedBody Rheology RheologyError
+        SpinCoefficients SpinMatrix StraightKinetics Support Velocities Viscoelastic Watched Wheels
     }
     reduction {
         Assessment['static] Comparison Criterion DegreeSize ReductionError Relaxation Residual Resonance
@@ -79,7 +79,7 @@ types! {
     }
     modes {
         CampbellError CantileverError CantileverMode CantileverModes EquilibriumError FreeMode SpinMagnitude ModesError SteadyStateGuess RelativeEquilibrium SpinEigenvalues SpinMode
-        LinearAccuracy LinearError LinearInput LinearModel LinearOutput LinearState SpinModes SteadyError SteadyModes SteadyState TruncatedLinearModel WhirlOnset
+        LinearAccuracy LinearError LinearInput LinearModel LinearOutput LinearState ModeRange SlowModes SpinModes SteadyError SteadyModes SteadyState TruncatedLinearModel WhirlOnset
         StateSpace Truncation TruncationError TruncationMethod TruncationRequest['static]
     }
     submanifold {

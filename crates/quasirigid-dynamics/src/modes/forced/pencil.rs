@@ -8,7 +8,7 @@ use crate::math::lu::{ComplexDense, ComplexLu};
 use crate::math::vec3::scale;
 use crate::model::impedance;
 use crate::model::{FlexibleBody, LiquidMemory, RationalModulus};
-use crate::modes::iteration::Nonlinear;
+use crate::modes::iteration::{Nonlinear, Solution, times};
 
 type C = Complex<f64>;
 
@@ -150,7 +150,8 @@ impl<'a> Pencil<'a> {
 /// Rounding of an entry, relative to it, with a margin.
 const ROUNDED: f64 = 16.0 * f64::EPSILON;
 
-impl Nonlinear for Pencil<'_> {
+impl Pencil<'_> {
+    /// `P(λ)`.
     fn at(&self, lambda: C) -> ComplexDense {
         let mut P = ComplexDense::zero(self.size);
         let System { mass, rate, stiffness, omega, .. } = self.system;
@@ -199,8 +200,18 @@ impl Nonlinear for Pencil<'_> {
         }
         P
     }
+}
 
-    fn product(&self, a: &[C], b: &[C], lambda: C) -> C {
+impl Nonlinear for Pencil<'_> {
+    fn times(&self, lambda: C, x: &[C]) -> Vec<C> {
+        times(&self.at(lambda), x)
+    }
+
+    fn solve(&self, lambda: C, right: &[C]) -> Solution {
+        Solution::dense(&self.at(lambda), right)
+    }
+
+    fn weights(&self, lambda: C) -> Vec<f64> {
         let square = lambda.norm_sqr();
         let [turn, liquid] =
             [if self.attitude { square + self.system.turning().norm_squared() } else { 1.0 }, square];
@@ -219,7 +230,7 @@ impl Nonlinear for Pencil<'_> {
         for (start, memory) in &self.memories {
             (0..memory.axes.len()).for_each(|i| weights[start + i] = liquid * memory.inertia);
         }
-        weights.iter().zip(a.iter().zip(b)).map(|(weight, (a, b))| *weight * a.conj() * b).sum()
+        weights
     }
 }
 
@@ -232,6 +243,7 @@ pub(super) fn form(X: &DMatrix<f64>, x: &[C], y: &[C]) -> C {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::modes::iteration::product;
     use crate::modes::forced::slopes::{Instant, Slopes};
     use crate::problems::ring_of_points;
 
@@ -255,7 +267,7 @@ mod tests {
         for axis in 0..3 {
             let x =
                 pencil.unknowns([C::from(0.0); 3], &vec![C::from(0.0); n], &[0, 1, 2].map(|i| one(i, axis)));
-            let found = pencil.product(&x, &x, lambda);
+            let found = product(&pencil.weights(lambda), &x, &x);
             assert!(
                 (found - body.invariants().mass).norm() < 1e-12 * body.invariants().mass,
                 "{axis}: {found}"
@@ -266,7 +278,7 @@ mod tests {
             let x = pencil.unknowns([C::from(0.0); 3], &q, &[C::from(0.0); 3]);
             let rate: Vec<f64> = (0..n).map(|k| lambda.norm() * one(j, k).re).collect();
             let twice: f64 = body.mass_times(&rate).iter().zip(&rate).map(|(p, rate)| p * rate).sum();
-            let found = pencil.product(&x, &x, lambda);
+            let found = product(&pencil.weights(lambda), &x, &x);
             assert!((found - twice).norm() < 1e-12 * twice, "{j}: {found} {twice}");
         }
     }

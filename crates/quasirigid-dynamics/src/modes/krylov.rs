@@ -1,0 +1,130 @@
+//! Slowest motions about a steady spin by shift-and-invert Krylov iteration.
+//! The quadratic eigenproblem is taken in first order, `(x, λx)`, in units of equal energy; a solution with `P(σ)` is all that a step costs.
+//! Equation (M22), docs/theory/15-modes.md; `[@tisseur2001]`.
+
+use nalgebra::Complex;
+
+use super::blocks::{BlockPencil, BorderedFactor};
+use super::iteration::{Nonlinear, Pair};
+use crate::math::eigen::{Dense, NoConvergence, eigenvectors};
+use crate::math::random::Random;
+use crate::math::watch;
+
+/// Krylov basis of the motions near a real shift.
+pub(super) struct Krylov<'a> {
+    pencil: &'a BlockPencil<'a>,
+    factor: BorderedFactor,
+    shift: f64,
+    /// Units of `x` and of `λx`.
+    units: Vec<f64>,
+    vectors: Vec<Vec<f64>>,
+    /// Projection of the iteration, one column for each vector but the last.
+    columns: Vec<Vec<f64>>,
+}
+
+/// Residual of a motion, relative to its eigenvalue's inverse distance from the shift, from which it is refined.
+const CONVERGED: f64 = 1e-6;
+/// A vector that keeps less than this share of its length is in the span of the others.
+const DEPENDENT: f64 = 1e-13;
+
+impl<'a> Krylov<'a> {
+    /// Basis of one vector at a positive shift (1/s), by a seed; none where the shift is an eigenvalue.
+    pub fn new(pencil: &'a BlockPencil<'a>, shift: f64, seed: u64) -> Option<Self> {
+        let factor = pencil.factor(Complex::from(shift))?;
+        let weights = pencil.weights(Complex::from(1.0));
+        let most = weights.iter().fold(0.0, |most: f64, weight| most.max(*weight));
+        // a coordinate without mass has no unit of its own
+        let unit = |weight: &f64| if *weight > 0.0 { *weight } else { most }.sqrt().recip();
+        let units: Vec<f64> = weights.iter().map(unit).collect();
+        let mut random = Random::new(seed);
+        let mut first: Vec<f64> = (0..2 * units.len()).map(|_| random.unit() - 0.5).collect();
+        let length = norm(&first);
+        first.iter_mut().for_each(|entry| *entry /= length);
+        Some(Self { pencil, factor, shift, units, vectors: vec![first], columns: Vec::new() })
+    }
+
+    /// Extends the basis to so many vectors; false where it spans an invariant space.
+    pub fn extend(&mut self, count: usize) -> bool {
+        while self.columns.len() < count {
+            watch::ask();
+            let Some(mut next) = self.applied(&self.vectors[self.columns.len()]) else { return false };
+            let length = norm(&next);
+            let mut column = vec![0.0; self.vectors.len() + 1];
+            for _ in 0..2 {
+                for (share, vector) in column.iter_mut().zip(&self.vectors) {
+                    let along: f64 = vector.iter().zip(&next).map(|(a, b)| a * b).sum();
+                    next.iter_mut().zip(vector).for_each(|(next, entry)| *next -= along * entry);
+                    *share += along;
+                }
+            }
+            let left = norm(&next);
+            column[self.vectors.len()] = left;
+            self.columns.push(column);
+            if !(left > DEPENDENT * length) {
+                return false;
+            }
+            next.iter_mut().for_each(|entry| *entry /= left);
+            self.vectors.push(next);
+        }
+        true
+    }
+
+    /// `(λ − σ)⁻¹` of the first-order form, in units.
+    fn applied(&self, z: &[f64]) -> Option<Vec<f64>> {
+        let size = self.units.len();
+        let shift = self.shift;
+        let x: Vec<f64> = z[..size].iter().zip(&self.units).map(|(z, unit)| z * unit / shift).collect();
+        let v: Vec<f64> = z[size..].iter().zip(&self.units).map(|(z, unit)| z * unit).collect();
+        let ahead: Vec<f64> = v.iter().zip(&x).map(|(v, x)| v + shift * x).collect();
+        let ([mass, ..], [_, rate, _]) = (self.pencil.by_power(&ahead), self.pencil.by_power(&x));
+        let load: Vec<_> = mass.iter().zip(&rate).map(|(mass, rate)| Complex::from(-(mass + rate))).collect();
+        let solved = self.pencil.solve_by(&self.factor, Complex::from(shift), &load)?;
+        let scaled = |place: usize, value: f64| value / self.units[place];
+        let first = (0..size).map(|place| scaled(place, shift * solved[place].re));
+        let second = (0..size).map(|place| scaled(place, x[place] + shift * solved[place].re));
+        let next: Vec<f64> = first.chain(second).collect();
+        next.iter().all(|entry| entry.is_finite()).then_some(next)
+    }
+
+    /// Motions that have converged, `Im λ ≥ 0`, slowest first.
+    ///
+    /// # Errors
+    /// [`NoConvergence`] if the eigenvalue solver fails.
+    pub fn motions(&self) -> Result<Vec<Pair>, NoConvergence> {
+        let count = self.columns.len();
+        let mut projected = Dense::zero(count);
+        for (column, entries) in self.columns.iter().enumerate() {
+            let within = entries.iter().enumerate().take(count);
+            within.for_each(|(row, entry)| projected.add(row, column, *entry));
+        }
+        let beyond = match self.vectors.len() > count {
+            true => self.columns.last().and_then(|column| column.last()).copied().unwrap_or(0.0),
+            false => 0.0,
+        };
+        let (values, shares) = eigenvectors(&projected)?;
+        let complex = |[re, im]: [f64; 2]| Complex::new(re, im);
+        let converged = values.iter().zip(&shares).filter(|([re, im], share)| {
+            let length = share.iter().fold(0.0_f64, |sum, [re, im]| sum.hypot(re.hypot(*im)));
+            let last = share.last().map_or(0.0, |[re, im]| re.hypot(*im));
+            *im <= 0.0 && beyond.abs() * last <= CONVERGED * re.hypot(*im) * length
+        });
+        let mut found: Vec<Pair> = converged
+            .map(|(value, share)| {
+                let lambda = self.shift + complex(*value).inv();
+                let entry = |place: usize| {
+                    let parts = self.vectors.iter().zip(share);
+                    let sum: Complex<f64> = parts.map(|(vector, share)| complex(*share) * vector[place]).sum();
+                    sum * self.units[place]
+                };
+                (lambda, (0..self.units.len()).map(entry).collect())
+            })
+            .collect();
+        found.retain(|(lambda, _)| lambda.is_finite());
+        found.sort_by(|a, b| a.0.norm().total_cmp(&b.0.norm()));
+        Ok(found)
+    }
+}
+
+fn norm(x: &[f64]) -> f64 {
+    x.iter().map(|entry| entry * entry).sum::<f64>().sqrt()
+}

@@ -1,0 +1,83 @@
+//! Unknowns of the small motions about a steady spin: the angular velocity, coordinates, and the angles of liquids. (M3)
+
+use nalgebra::Complex;
+
+use super::iteration::Pair;
+use super::shares::LiquidMotion;
+use super::spectrum::Eigenmotion;
+use crate::model::{FlexibleBody, LiquidMemory};
+
+/// Unknowns of the small motions: the angular velocity, the coordinates, and for a liquid whose impedance is known the angles about its axes in
+/// place of its coordinates.
+#[derive(Clone)]
+pub(super) struct Unknowns<'a> {
+    pub body: &'a FlexibleBody,
+    /// Coordinates that are unknowns.
+    pub kept: Vec<usize>,
+    /// Liquids with the index of their first axis among the unknowns after the angular velocity.
+    pub memories: Vec<(usize, &'a LiquidMemory)>,
+    /// Number of unknowns.
+    pub size: usize,
+    /// True if a material or a liquid makes the eigenproblem nonlinear.
+    pub nonlinear: bool,
+}
+
+impl<'a> Unknowns<'a> {
+    /// Unknowns with the exact response of materials and liquids.
+    pub fn exact(body: &'a FlexibleBody) -> Self {
+        let known = |j: &usize| body.memories().iter().any(|memory| memory.coordinates.contains(j));
+        let kept: Vec<usize> = (0..body.coordinates().len()).filter(|j| !known(j)).collect();
+        let mut next = kept.len();
+        let place = |memory: &'a LiquidMemory| {
+            let start = next;
+            next += memory.axes.len();
+            (start, memory)
+        };
+        let memories: Vec<_> = body.memories().iter().map(place).collect();
+        let nonlinear = !(body.viscoelastic().is_empty() && memories.is_empty());
+        Self { body, kept, memories, size: 3 + next, nonlinear }
+    }
+
+    /// Unknowns of the equations of motion: all coordinates.
+    pub fn of_motion(body: &'a FlexibleBody) -> Self {
+        let kept: Vec<usize> = (0..body.coordinates().len()).collect();
+        Self { body, size: 3 + kept.len(), kept, memories: Vec::new(), nonlinear: false }
+    }
+
+    /// True if a liquid enters by its impedance in place of coordinates.
+    pub fn has_liquids(&self) -> bool {
+        !self.memories.is_empty()
+    }
+
+    /// Unknowns of a motion of all coordinates.
+    pub fn given(&self, delta: [Complex<f64>; 3], q: &[Complex<f64>]) -> Vec<Complex<f64>> {
+        let mut x = delta.to_vec();
+        x.extend(self.kept.iter().map(|j| q[*j]));
+        x.resize(self.size, Complex::from(0.0));
+        x
+    }
+
+    /// Displacements of all coordinates; zero of those of a liquid whose impedance is known.
+    pub fn coordinates(&self, x: &[Complex<f64>]) -> Vec<Complex<f64>> {
+        let mut q = vec![Complex::from(0.0); self.body.coordinates().len()];
+        self.kept.iter().zip(&x[3..]).for_each(|(j, x)| q[*j] = *x);
+        q
+    }
+
+    /// Motion of all coordinates.
+    pub fn motion(&self, (lambda, x): &Pair) -> Eigenmotion {
+        let q = self.coordinates(x);
+        let rate = q.iter().map(|q| lambda * q).collect();
+        Eigenmotion { lambda: *lambda, delta: [x[0], x[1], x[2]], rate, q }
+    }
+
+    /// Motions of the liquids whose impedance is known.
+    pub fn liquids<'x>(
+        &'x self,
+        lambda: Complex<f64>,
+        x: &'x [Complex<f64>],
+    ) -> impl Iterator<Item = LiquidMotion<'x>> {
+        let angles = |start: &usize, memory: &LiquidMemory| &x[3 + start..3 + start + memory.axes.len()];
+        self.memories.iter().map(move |(start, memory)| (*memory, lambda, angles(start, memory)))
+    }
+}

@@ -132,7 +132,9 @@ impl Study {
             (Some(axis), _) => {
                 vec![steady::spin(self, axis.name(), principal.axes[axis as usize], given, asked.all)]
             }
-            (None, Some(_)) => vec![steady::spin(self, "asked", principal.axis_beside(omega), given, asked.all)],
+            (None, Some(_)) => {
+                vec![steady::spin(self, "asked", principal.axis_beside(omega), given, asked.all)]
+            }
             (None, None) => steady::poles(self, omega, given, asked.all).records,
         };
         Ok(Modes { spins, state: None, under_forces: false })

@@ -61,12 +61,7 @@ pub fn poles(study: &Study, omega: [f64; 3], given: SpinMagnitude, all: bool) ->
 
 /// The steady spins of least and of greatest energy of a body with momentum wheels, the one next to an angular velocity first; none of a
 /// body without them. (Q15)
-fn poles_of_gyrostat(
-    study: &Study,
-    omega: [f64; 3],
-    given: SpinMagnitude,
-    all: bool,
-) -> Option<Poles> {
+fn poles_of_gyrostat(study: &Study, omega: [f64; 3], given: SpinMagnitude, all: bool) -> Option<Poles> {
     let SpinMagnitude::AngularMomentum(G) = given else { return None };
     let body = &study.body;
     if norm(body.wheels().angular_momentum(0.0)) == 0.0 {
@@ -120,13 +115,7 @@ pub fn lines(spins: &[SteadySpinRecord]) -> String {
 }
 
 /// The steady spin near an axis, on its side, with its modes.
-pub fn spin(
-    study: &Study,
-    name: &str,
-    axis: [f64; 3],
-    given: SpinMagnitude,
-    all: bool,
-) -> SteadySpinRecord {
+pub fn spin(study: &Study, name: &str, axis: [f64; 3], given: SpinMagnitude, all: bool) -> SteadySpinRecord {
     told(study, name, RelativeEquilibrium::near(&study.body, axis, given), all).0
 }
 
@@ -231,14 +220,20 @@ fn beyond(slow: &SlowModesRecord, unstable: bool) -> String {
     let found = match slow.missing {
         Some(0) => format!("These are all motions slower than {rate} rad/s, by a count"),
         Some(missing) => {
-            format!("Of the motions slower than {rate} rad/s {missing} eigenvalues are MISSING here, by a count")
+            format!(
+                "Of the motions slower than {rate} rad/s {missing} eigenvalues are MISSING here, by a count"
+            )
         }
-        None => format!("These are motions slower than {rate} rad/s, which were not counted: others may be among them"),
+        None => format!(
+            "These are motions slower than {rate} rad/s, which were not counted: others may be among them"
+        ),
     };
     let others = match (unstable, slow.positive_energy) {
         (true, _) => "",
         (false, true) => "; no other grows, since the energy is least in this spin",
-        (false, false) => "; whether others grow is NOT KNOWN, since the energy is not shown to be least in this spin",
+        (false, false) => {
+            "; whether others grow is NOT KNOWN, since the energy is not shown to be least in this spin"
+        }
     };
     format!("{found}{others}.")
 }
@@ -316,9 +311,10 @@ fn write(out: &mut String, name: &str, record: &SteadySpinRecord, all: bool) -> 
     if all {
         return modes.listed.iter().chain(&modes.folded).try_for_each(|mode| row(out, mode));
     }
-    modes.listed.iter().take(LISTED).try_for_each(|mode| row(out, mode))?;
-    if modes.listed.len() > LISTED {
-        writeln!(out, "  and {} more (--all lists them)", modes.listed.len() - LISTED)?;
+    let listed = if record.slowest.is_some() { modes.listed.len() } else { LISTED };
+    modes.listed.iter().take(listed).try_for_each(|mode| row(out, mode))?;
+    if modes.listed.len() > listed {
+        writeln!(out, "  and {} more (--all lists them)", modes.listed.len() - listed)?;
     }
     if record.slowest.is_some() {
         writeln!(out, "  and others, faster (--all finds every mode of up to {MOST_FOUND} coordinates)")?;

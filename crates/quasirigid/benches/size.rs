@@ -5,8 +5,8 @@
 use std::time::Instant;
 
 use quasirigid::dynamics::{Forced, FullState, Options, Sample, propagate_full};
-use quasirigid::model::FlexibleBody;
-use quasirigid::modes::{ModeRange, RelativeEquilibrium, SpinMagnitude, SpinModes};
+use quasirigid::model::{FlexibleBody, Principal};
+use quasirigid::modes::{ModeRange, RelativeEquilibrium, SpinMagnitude, SpinMode, SpinModes};
 use quasirigid::problems::hub_of_points;
 use quasirigid::reduction::{Validity, reduce};
 use quasirigid::secular::{EnergyRange, Poles};
@@ -21,6 +21,10 @@ const DURATION: f64 = 200.0;
 fn main() {
     let given: Vec<usize> = std::env::args().filter_map(|argument| argument.parse().ok()).collect();
     let (most, longest) = (given.first().copied().unwrap_or(10_000), given.get(1).copied().unwrap_or(1000));
+    for (count, mass, axis) in [(60, 50.0, 2), (60, 50.0, 0), (60, 50.0, 1), (60, 4000.0, 2), (100, 50.0, 2)]
+    {
+        println!("{count} points of {mass} kg, axis {axis}: {}", compared(count, mass, axis));
+    }
     println!("  points     modes     poles     check   history  (s)      modes found");
     let mut times: Vec<(usize, [f64; 3])> = Vec::new();
     for points in POINTS.into_iter().filter(|points| *points <= most) {
@@ -49,6 +53,32 @@ fn main() {
 fn modes(body: &FlexibleBody) -> SpinModes {
     let spin = RelativeEquilibrium::near(body, [0.0, 0.0, 1.0], SpinMagnitude::Rate(0.5)).expect("a spin");
     SpinModes::about(body, spin).expect("its modes")
+}
+
+/// Largest relative difference of an eigenvalue, and of a decay rate, from those of the dense matrix.
+fn compared(count: usize, mass: f64, axis: usize) -> String {
+    let body = hub_of_points(count, mass).body().expect("the hub has an equilibrium");
+    let axis = Principal::compute(body.invariants().J).axes[axis];
+    let spin = RelativeEquilibrium::near(&body, axis, SpinMagnitude::Rate(0.5)).expect("a spin");
+    let few = SpinModes::about(&body, spin.clone()).expect("the slowest modes");
+    let all = SpinModes::all_about(&body, spin).expect("all modes");
+    let (mut values, mut decays) = (0.0_f64, 0.0_f64);
+    for mode in &few.modes {
+        let gap =
+            |other: &SpinMode| (mode.frequency - other.frequency).hypot(mode.decay_rate - other.decay_rate);
+        let other = all.modes.iter().min_by(|a, b| gap(a).total_cmp(&gap(b))).expect("a mode");
+        values = values.max(gap(other) / mode.frequency.hypot(mode.decay_rate));
+        decays = decays.max((mode.decay_rate / other.decay_rate - 1.0).abs());
+    }
+    let ModeRange::Slowest(slow) = few.range else { return "every mode".to_owned() };
+    let below = all.modes.iter().filter(|mode| mode.frequency.hypot(mode.decay_rate) < slow.rate).count();
+    format!(
+        "{} modes, {below} below {:.4}, missing {:?}, least energy {}; eigenvalues {values:.1e}, decay rates {decays:.1e}",
+        few.modes.len(),
+        slow.rate,
+        slow.missing,
+        slow.positive_energy
+    )
 }
 
 /// What an evolution needs of the steady spins.

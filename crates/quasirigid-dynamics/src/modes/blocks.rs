@@ -95,9 +95,10 @@ impl<'a> BlockPencil<'a> {
             if unknowns.nonlinear { body.viscoelastic().iter().map(within).collect() } else { Vec::new() };
         let entries = SparseRows::sum(size, parts);
         let of_materials = materials.iter().flat_map(|(_, own)| own.iter().map(|(j, k, _)| [j, k]));
-        let of_liquids = unknowns.memories.iter().flat_map(|(start, memory)| {
-            (1..memory.axes.len()).map(move |axis| [*start, start + axis])
-        });
+        let of_liquids = unknowns
+            .memories
+            .iter()
+            .flat_map(|(start, memory)| (1..memory.axes.len()).map(move |axis| [*start, start + axis]));
         let pairs = entries.iter().map(|(j, k, _)| [j, k]).chain(of_materials).chain(of_liquids);
         Self {
             blocks: Blocks::of(size, pairs),
@@ -266,7 +267,10 @@ impl<'a> BlockPencil<'a> {
             let axes: Vec<Vector3<C>> =
                 memory.axes.iter().map(|axis| Vector3::from(*axis).map(C::from)).collect();
             let entry = |i: usize, j: usize| (start + i, start + j, lambda * axes[i].dot(&(Z * axes[j])));
-            (0..axes.len()).flat_map(|i| (0..axes.len()).map(move |j| (i, j))).map(|(i, j)| entry(i, j)).collect::<Vec<_>>()
+            (0..axes.len())
+                .flat_map(|i| (0..axes.len()).map(move |j| (i, j)))
+                .map(|(i, j)| entry(i, j))
+                .collect::<Vec<_>>()
         };
         self.unknowns.memories.iter().flat_map(of_liquid).collect()
     }

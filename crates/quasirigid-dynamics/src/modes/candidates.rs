@@ -74,7 +74,11 @@ fn replacement(
         return None;
     }
     let direction = |motion| (Source::Direction, motion);
-    Some(if size > 0.0 { motions.into_iter().map(direction).collect() } else { vec![neutral(found[0].q.len(), slow)] })
+    Some(if size > 0.0 {
+        motions.into_iter().map(direction).collect()
+    } else {
+        vec![neutral(found[0].q.len(), slow)]
+    })
 }
 
 /// Motion from a steady spin to those beside it, without a rate.

@@ -57,9 +57,19 @@ const STEP: f64 = 1e-4;
 const IMAGINARY_ROUNDING: f64 = 1e-12;
 
 /// Eigenpair that inverse iteration leads to; none without convergence. (M3)
-pub(super) fn inverse_iteration(problem: &impl Nonlinear, (mut lambda, mut x): Pair) -> Option<Pair> {
+pub(super) fn inverse_iteration(problem: &impl Nonlinear, start: Pair) -> Option<Pair> {
+    iterated(problem, start, 0)
+}
+
+/// Eigenpair that inverse iteration leads to from one that is nearly exact.
+pub(super) fn polished(problem: &impl Nonlinear, start: Pair) -> Option<Pair> {
+    iterated(problem, start, 1)
+}
+
+/// Inverse iteration whose first step, numbered zero, leaves the eigenvalue as it is.
+fn iterated(problem: &impl Nonlinear, (mut lambda, mut x): Pair, first: usize) -> Option<Pair> {
     let mut best = f64::INFINITY;
-    for step in 0..INVERSE_ITERATIONS {
+    for step in first..INVERSE_ITERATIONS {
         watch::ask();
         if !lambda.is_finite() {
             return None;

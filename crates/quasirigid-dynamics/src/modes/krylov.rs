@@ -113,7 +113,8 @@ impl<'a> Krylov<'a> {
                 let lambda = self.shift + complex(*value).inv();
                 let entry = |place: usize| {
                     let parts = self.vectors.iter().zip(share);
-                    let sum: Complex<f64> = parts.map(|(vector, share)| complex(*share) * vector[place]).sum();
+                    let sum: Complex<f64> =
+                        parts.map(|(vector, share)| complex(*share) * vector[place]).sum();
                     sum * self.units[place]
                 };
                 (lambda, (0..self.units.len()).map(entry).collect())

@@ -155,8 +155,7 @@ impl SpinModes {
         let fastest = found.iter().map(|motion| motion.lambda.norm()).fold(0.0, f64::max);
         let projected = SlowModes { rate: fastest, missing: None, positive_energy: false };
         let range = if body.elastic() > whole { ModeRange::Slowest(projected) } else { ModeRange::All };
-        let candidates =
-            candidates(found, slow.as_ref(), (body, &coefficients, norm(equilibrium.omega)));
+        let candidates = candidates(found, slow.as_ref(), (body, &coefficients, norm(equilibrium.omega)));
         let count = body.coordinates().len();
         let refined = |pair: Pair| inverse_iteration(&pencil, pair);
         let refining = Refining {
@@ -398,8 +397,7 @@ impl Frame<'_> {
         let found = if lambda.re.abs() > DECAY_ROUNDING * lambda.norm() { -lambda.re } else { 0.0 };
         let light = found.abs() < LIGHT * lambda.norm();
         let oscillates = lambda.im.abs() > lambda.re.abs();
-        let balanced =
-            oscillates && if nonlinear { light && self.body.memories().is_empty() } else { true };
+        let balanced = oscillates && if nonlinear { light && self.body.memories().is_empty() } else { true };
         if !balanced {
             return found;
         }

@@ -140,11 +140,10 @@ impl Pencil<'_> {
     fn couplings(&self) -> impl Iterator<Item = ([f64; 3], [f64; 3])> + '_ {
         let SpinCoefficients { h, slopes, .. } = self.coefficients;
         let coordinates = self.unknowns.kept.iter().map(|j| (h[*j], slopes[*j]));
-        let liquids = self
-            .unknowns
-            .memories
-            .iter()
-            .flat_map(|(_, memory)| memory.axes.iter().map(|axis| (scale(memory.inertia, *axis), [0.0; 3])));
+        let liquids =
+            self.unknowns.memories.iter().flat_map(|(_, memory)| {
+                memory.axes.iter().map(|axis| (scale(memory.inertia, *axis), [0.0; 3]))
+            });
         coordinates.chain(liquids)
     }
 

@@ -10,7 +10,7 @@ use super::count::Count;
 use super::definite::{positive_energy, positive_masses};
 use super::equilibrium::RelativeEquilibrium;
 use super::error::ModesError;
-use super::iteration::{Nonlinear, Pair, belongs, inverse_iteration, product};
+use super::iteration::{Nonlinear, Pair, belongs, inverse_iteration, polished, product};
 use super::krylov::Krylov;
 use super::range::SlowModes;
 use super::slow::SlowDirection;
@@ -58,7 +58,7 @@ pub(super) fn slowest(
     let count = if slow.is_some_and(|slow| slow.neutral() == 0) { Count::new(&pencil) } else { None };
     let mut search = Search { pencil: &pencil, spin: norm(equilibrium.omega), found: Vec::new() };
     let starts = slow.into_iter().flat_map(|slow| slow.starts(pencil.unknowns.size));
-    starts.for_each(|start| search.add(start));
+    starts.for_each(|start| search.add(start.0, inverse_iteration(&pencil, start)));
     let directions = search.found.len();
     let zeros = 1 + body.cyclic().len();
     let mut rate = 0.0;
@@ -91,11 +91,9 @@ struct Search<'a> {
 }
 
 impl Search<'_> {
-    /// Adds the motion that a start leads to, if it is new.
-    fn add(&mut self, start: Pair) {
-        let near = start.0;
-        let refined = inverse_iteration(self.pencil, start).filter(|(lambda, _)| belongs(*lambda, near));
-        let Some((mut lambda, x)) = refined else { return };
+    /// Adds the motion that a start with this eigenvalue led to, if it is new.
+    fn add(&mut self, near: Complex<f64>, refined: Option<Pair>) {
+        let Some((mut lambda, x)) = refined.filter(|(lambda, _)| belongs(*lambda, near)) else { return };
         if lambda.im.abs() <= REAL * lambda.norm() {
             lambda.im = 0.0;
         }
@@ -143,16 +141,20 @@ impl Search<'_> {
             vectors += MORE_VECTORS;
         };
         let least = ZERO * self.spin;
-        motions.into_iter().filter(|(lambda, _)| lambda.norm() > least).for_each(|pair| self.add(pair));
+        for pair in motions.into_iter().filter(|(lambda, _)| lambda.norm() > least) {
+            self.add(pair.0, polished(self.pencil, pair));
+        }
         Ok(exhausted)
     }
 
     /// Real shift (1/s) of the order of the slowest motions.
     fn shift(&self) -> f64 {
-        let own = self.pencil.block_entries().filter(|(j, k, [mass, _, stiffness])| {
-            j == k && *mass > 0.0 && *stiffness > 0.0
-        });
-        let slowest = own.map(|(.., [mass, _, stiffness])| (stiffness / mass).sqrt()).fold(f64::INFINITY, f64::min);
+        let own = self
+            .pencil
+            .block_entries()
+            .filter(|(j, k, [mass, _, stiffness])| j == k && *mass > 0.0 && *stiffness > 0.0);
+        let slowest =
+            own.map(|(.., [mass, _, stiffness])| (stiffness / mass).sqrt()).fold(f64::INFINITY, f64::min);
         self.spin.max(if slowest.is_finite() { SHIFT * slowest } else { 0.0 })
     }
 

@@ -67,8 +67,9 @@ const JUDGED: [(&str, Value); 7] = [
         let grows = |time: f64| time < 0.0;
         let words = match spin.stable {
             true => "stable",
-            false if spin.slowest.is_some()
-                && !spin.modes.iter().filter_map(|mode| mode.time_constant).any(grows) =>
+            false
+                if spin.slowest.is_some()
+                    && !spin.modes.iter().filter_map(|mode| mode.time_constant).any(grows) =>
             {
                 "stability not known"
             }

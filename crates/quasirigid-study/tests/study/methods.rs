@@ -68,7 +68,8 @@ fn time_constants_are_the_eigenvalues() {
     ] {
         close(nutation(&modes_about(&study(&model), PrincipalAxis::Greatest)), time, tolerance);
     }
-    let asked = SteadySpinSettings { omega: Some([0.0, 0.0, 78.54]), axis: Some(PrincipalAxis::Least), all: false };
+    let asked =
+        SteadySpinSettings { omega: Some([0.0, 0.0, 78.54]), axis: Some(PrincipalAxis::Least), all: false };
     let least = study_of("explorer1").modes(asked).unwrap();
     close(mode(&least.spins[0].modes, "nutation").decay_rate, -0.074_415_60, 1e-5); // of 78.54 rad/s too
 }

@@ -70,7 +70,8 @@ fn what_has_no_steady_state_is_told_in_words() {
         (&(pendulum() + wheel), None, "a momentum wheel changes its speed"),
         (&(MODEL.to_owned() + wheel), None, "a momentum wheel changes its speed"),
     ] {
-        let found = study(model).modes(SteadySpinSettings { omega, ..SteadySpinSettings::default() }).unwrap();
+        let found =
+            study(model).modes(SteadySpinSettings { omega, ..SteadySpinSettings::default() }).unwrap();
         assert!(!found.found() && text(&found).contains(message), "{}", text(&found));
     }
     let found = modes(&study(&circular));
@@ -346,4 +347,35 @@ fn an_axis_under_forces_is_refused() {
         let refused = study(&pendulum()).modes(asked).unwrap_err().to_string();
         assert!(refused.contains("axis names a principal axis"), "{}: {refused}", axis.name());
     }
+}
+
+/// Sixty damped points on a carrier, spinning about an axis (rad/s).
+fn many_points(omega: [f64; 3]) -> String {
+    let part = |k: usize| {
+        let (name, angle, stiffness) = (format!("p{k}"), 0.7 * k as f64, 150.0 + 13.0 * k as f64);
+        let [x, y, z] = [1.2 * angle.cos(), 0.9 * angle.sin(), 0.3 * (2.0 * angle).sin()];
+        format!(
+            "[[point]]\nname = {name:?}\nmass = 0.2\nposition = [{x}, {y}, {z}]\n[[spring]]\nfrom = {name:?}\nto = \"carrier\"\n\
+             stiffness = {stiffness}\ndamping = 0.3\n"
+        )
+    };
+    let start = format!("[initial]\nangular_velocity = {omega:?}\n");
+    carrier(40.0, [9.0, 13.0, 16.0]) + &(0..60).map(part).collect::<String>() + &start
+}
+
+#[test]
+fn a_body_of_many_coordinates_says_which_modes_it_shows_and_what_of_the_others() {
+    let about = |omega: [f64; 3]| modes_at(&many_points(omega), omega);
+    let greatest = about([0.0, 0.0, 0.4]);
+    let told = text(&greatest);
+    assert!(told.contains("by a count; no other grows, since the energy is least in this spin."), "{told}");
+    assert!(told.contains("and others, faster (--all finds every mode of up to 1500 coordinates)"), "{told}");
+    let spin = &greatest.spins[0];
+    assert!(spin.stable && spin.slowest.as_ref().is_some_and(|slow| slow.missing == Some(0)), "{spin:?}");
+    let asked = SteadySpinSettings { omega: Some([0.0, 0.0, 0.4]), axis: None, all: true };
+    let all = &study(&many_points([0.0, 0.0, 0.4])).modes(asked).unwrap().spins[0];
+    assert!(all.stable && all.slowest.is_none() && all.modes.len() == 181, "{}", all.modes.len());
+    let least = about([0.4, 0.0, 0.0]);
+    assert!(text(&least).contains("the spin is UNSTABLE") && !least.spins[0].stable, "{}", text(&least));
+    assert!(!text(&least).contains("no other grows"), "{}", text(&least));
 }

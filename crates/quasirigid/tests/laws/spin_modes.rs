@@ -2,15 +2,16 @@
 
 use proptest::prelude::*;
 use quasirigid::dynamics::{Forced, FullState, Observer, Options, Sample, propagate_full};
-use quasirigid::elements::{Carrier, Rotor, RotorKind, Wheel, WheelSpeed};
+use quasirigid::elements::{Assembly, Carrier, Rotor, RotorKind, Wheel, WheelSpeed};
 use quasirigid::model::{FlexibleBody, MotionState, Principal, Watched};
-use quasirigid::modes::{RelativeEquilibrium, SpinMagnitude, SpinMode, SpinModes};
+use quasirigid::modes::{ModeRange, RelativeEquilibrium, SpinMagnitude, SpinMode, SpinModes};
+use quasirigid::problems::hub_of_points;
 use quasirigid_math::eigen::{Dense, modes};
 use quasirigid_math::sym3::times;
 use quasirigid_math::vec3::{cross, norm};
 
 use crate::support::parts;
-use crate::support::transform::{rescaled, rotated};
+use crate::support::transform::{Units, rescaled, rotated};
 use crate::support::{assemblies, cases, rotation, sprung_body, units, vector};
 
 /// Size of the motion beside the steady spin, whose square is left out.
@@ -180,6 +181,41 @@ proptest! {
                 prop_assert!(gap < 1e-9 * size, "{mode:?} {decay:e} {frequency:e}");
             }
         }
+    }
+}
+
+/// So do the slowest modes of a body of many coordinates, and what is said of the others.
+#[test]
+fn slowest_modes_turn_with_the_body_and_know_no_units() {
+    let assembly = hub_of_points(55, 120.0);
+    let R = nalgebra::Rotation3::from_euler_angles(0.4, -1.1, 2.3).into_inner();
+    let units = Units { length: 3e-4, mass: 2e5, time: 7e3 };
+    let body = assembly.body().unwrap();
+    let axis = Principal::compute(body.invariants().J).axes[2];
+    let found = |assembly: &Assembly, axis: [f64; 3], rate: f64| {
+        let body = assembly.body().unwrap();
+        let steady = RelativeEquilibrium::near(&body, axis, SpinMagnitude::Rate(rate)).unwrap();
+        SpinModes::about(&body, steady).unwrap()
+    };
+    let own = found(&assembly, axis, 0.5);
+    let turned = found(&rotated(&assembly, &R), <[f64; 3]>::from(R * nalgebra::Vector3::from(axis)), 0.5);
+    let scaled = found(&rescaled(&assembly, units), axis, 0.5 / units.time);
+    for (other, time) in [(&turned, 1.0), (&scaled, units.time)] {
+        assert_eq!(other.modes.len(), own.modes.len());
+        for (mode, other) in own.modes.iter().zip(&other.modes) {
+            let gap =
+                (other.decay_rate * time - mode.decay_rate).hypot(other.frequency * time - mode.frequency);
+            assert!(gap < 1e-9 * mode.frequency, "{mode:?} {other:?}");
+            // coordinates are named by axes of the file
+            assert!(time == 1.0 || mode.name == other.name, "{} {}", mode.name, other.name);
+            let decay = (other.decay_rate * time / mode.decay_rate - 1.0).abs();
+            assert!(decay < 1e-6, "{} {decay:e}", mode.name);
+        }
+        let (ModeRange::Slowest(slow), ModeRange::Slowest(own)) = (other.range, own.range) else {
+            panic!("all modes")
+        };
+        assert!((slow.rate * time / own.rate - 1.0).abs() < 1e-6, "{slow:?} {own:?}");
+        assert_eq!((slow.missing, slow.positive_energy), (Some(0), true));
     }
 }
 

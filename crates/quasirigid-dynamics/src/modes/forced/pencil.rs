@@ -243,8 +243,8 @@ pub(super) fn form(X: &DMatrix<f64>, x: &[C], y: &[C]) -> C {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::modes::iteration::product;
     use crate::modes::forced::slopes::{Instant, Slopes};
+    use crate::modes::iteration::product;
     use crate::problems::ring_of_points;
 
     /// A velocity counts with the mass of the body, in every direction and at every rate; a rate of a coordinate with its own.

@@ -24,7 +24,7 @@ pub(super) struct Projection {
 }
 
 /// Number of coordinates up to which the whole matrices are used.
-const WHOLE: usize = 250;
+const WHOLE: usize = 600;
 /// Number of vibrations found for a body of more coordinates.
 const MAX_VIBRATIONS: usize = 12;
 

@@ -1,7 +1,7 @@
 //! Nonlinear eigenproblem of the spinning body, `P(λ)x = 0`, of many coordinates: parts on a carrier are coupled by its rotation and, in a free
 //! body, by its recoil alone, so that the matrix is one of blocks with a border of six rows and columns.
 //! The border is condensed, and solutions are refined once: where an eigenvalue is next to one of a block the condensed matrix loses digits.
-//! Equations (M3) and (M22), docs/theory/15-modes.md.
+//! Equations (M3) and (M24), docs/theory/15-modes.md.
 
 use nalgebra::{Complex, ComplexField, Matrix3, SMatrix, Vector3};
 
@@ -38,7 +38,7 @@ struct Coupling {
     s: Vector3<f64>,
 }
 
-/// Dynamic stiffness of the spinning body by its blocks. (M22)
+/// Dynamic stiffness of the spinning body by its blocks. (M24)
 pub(super) struct BlockPencil<'a> {
     pub unknowns: Unknowns<'a>,
     omega: Vector3<f64>,

@@ -1,7 +1,7 @@
 //! Number of small motions slower than a rate, by the argument principle.
 //! The determinant of the condensed matrix has the eigenvalues of the body as zeros and those of the blocks as poles; the blocks are small, so
 //! that theirs are known.
-//! Equation (M22), docs/theory/15-modes.md.
+//! Equation (M24), docs/theory/15-modes.md.
 
 use std::f64::consts::{FRAC_PI_8, PI};
 

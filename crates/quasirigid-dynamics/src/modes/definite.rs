@@ -1,6 +1,6 @@
 //! Whether the masses and the second variation of the energy of a body of many coordinates are positive, from the factors of its blocks: a spin
 //! with a positive second variation is stable, however many motions are not found.
-//! Equations (M4), (M12) and (M22), docs/theory/15-modes.md.
+//! Equations (M4), (M12) and (M24), docs/theory/15-modes.md.
 
 use nalgebra::{Matrix3, SMatrix, Vector3};
 

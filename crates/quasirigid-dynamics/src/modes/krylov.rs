@@ -1,6 +1,6 @@
 //! Slowest motions about a steady spin by shift-and-invert Krylov iteration.
 //! The quadratic eigenproblem is taken in first order, `(x, λx)`, in units of equal energy; a solution with `P(σ)` is all that a step costs.
-//! Equation (M22), docs/theory/15-modes.md; `[@tisseur2001]`.
+//! Equation (M24), docs/theory/15-modes.md; `[@tisseur2001]`.
 
 use nalgebra::Complex;
 

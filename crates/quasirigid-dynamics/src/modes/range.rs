@@ -5,11 +5,11 @@
 pub enum ModeRange {
     /// All of them.
     All,
-    /// The slowest, of a body of many coordinates. (M22)
+    /// The slowest, of a body of many coordinates. (M24)
     Slowest(SlowModes),
 }
 
-/// Slowest modes of a body of many coordinates. (M22)
+/// Slowest modes of a body of many coordinates. (M24)
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SlowModes {
     /// Size `|λ|` (1/s) up to which modes were looked for, in the equations of motion.

@@ -1,7 +1,7 @@
 //! Slowest motions about a steady spin of a body of many coordinates, with the rate up to which they were counted.
 //! The nutation starts from the second variation of the energy, the others from a Krylov basis; inverse iteration gives them their digits, and
 //! the argument principle says whether one is missing.
-//! Equation (M22), docs/theory/15-modes.md.
+//! Equation (M24), docs/theory/15-modes.md.
 
 use nalgebra::Complex;
 
@@ -40,7 +40,7 @@ const REAL: f64 = 1e-12;
 /// Ratio of the rate up to which motions are told to the fastest, where there are no others.
 const BEYOND: f64 = 2.0;
 
-/// Slowest motions in the equations of motion, `Im λ ≥ 0`, without the zeros of the steady spins beside this one, and which they are. (M22)
+/// Slowest motions in the equations of motion, `Im λ ≥ 0`, without the zeros of the steady spins beside this one, and which they are. (M24)
 ///
 /// # Errors
 /// [`ModesError`] if the mass matrix is not positive, or no motion is found.

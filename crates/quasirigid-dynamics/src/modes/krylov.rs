@@ -22,8 +22,13 @@ pub(super) struct Krylov<'a> {
     columns: Vec<Vec<f64>>,
 }
 
+/// Shares of the vectors of a basis in a motion, real and imaginary parts.
+type Share = Vec<[f64; 2]>;
+
 /// Residual of a motion, relative to its eigenvalue's inverse distance from the shift, from which it is refined.
 const CONVERGED: f64 = 1e-6;
+/// The same from which there is a motion near, but not yet the motion.
+const FORMING: f64 = 0.3;
 /// A vector that keeps less than this share of its length is in the span of the others.
 const DEPENDENT: f64 = 1e-13;
 
@@ -86,7 +91,7 @@ impl<'a> Krylov<'a> {
         next.iter().all(|entry| entry.is_finite()).then_some(next)
     }
 
-    /// Motions that have converged, `Im λ ≥ 0`, slowest first.
+    /// Slowest motions, `Im λ ≥ 0`, up to the first that has not converged: a fast motion far from others converges before slower ones do.
     ///
     /// # Errors
     /// [`NoConvergence`] if the eigenvalue solver fails.
@@ -102,27 +107,30 @@ impl<'a> Krylov<'a> {
             false => 0.0,
         };
         let (values, shares) = eigenvectors(&projected)?;
-        let complex = |[re, im]: [f64; 2]| Complex::new(re, im);
-        let converged = values.iter().zip(&shares).filter(|([re, im], share)| {
-            let length = share.iter().fold(0.0_f64, |sum, [re, im]| sum.hypot(re.hypot(*im)));
-            let last = share.last().map_or(0.0, |[re, im]| re.hypot(*im));
-            *im <= 0.0 && beyond.abs() * last <= CONVERGED * re.hypot(*im) * length
-        });
-        let mut found: Vec<Pair> = converged
-            .map(|(value, share)| {
-                let lambda = self.shift + complex(*value).inv();
-                let entry = |place: usize| {
-                    let parts = self.vectors.iter().zip(share);
-                    let sum: Complex<f64> =
-                        parts.map(|(vector, share)| complex(*share) * vector[place]).sum();
-                    sum * self.units[place]
-                };
-                (lambda, (0..self.units.len()).map(entry).collect())
+        let upper = values.iter().zip(&shares).filter(|([_, im], _)| *im <= 0.0);
+        let mut found: Vec<(Complex<f64>, f64, &Share)> = upper
+            .map(|([re, im], share)| {
+                let length = share.iter().fold(0.0_f64, |sum, [re, im]| sum.hypot(re.hypot(*im)));
+                let last = share.last().map_or(0.0, |[re, im]| re.hypot(*im));
+                let residual = beyond.abs() * last / (re.hypot(*im) * length);
+                (self.shift + Complex::new(*re, *im).inv(), residual, share)
             })
+            .filter(|(lambda, residual, _)| lambda.is_finite() && *residual < FORMING)
             .collect();
-        found.retain(|(lambda, _)| lambda.is_finite());
         found.sort_by(|a, b| a.0.norm().total_cmp(&b.0.norm()));
-        Ok(found)
+        let converged = found.into_iter().take_while(|(_, residual, _)| *residual <= CONVERGED);
+        Ok(converged.map(|(lambda, _, share)| (lambda, self.combined(share))).collect())
+    }
+
+    /// Unknowns of a motion by its shares in the basis.
+    fn combined(&self, share: &Share) -> Vec<Complex<f64>> {
+        let entry = |place: usize| {
+            let parts = self.vectors.iter().zip(share);
+            let sum: Complex<f64> =
+                parts.map(|(vector, [re, im])| Complex::new(*re, *im) * vector[place]).sum();
+            sum * self.units[place]
+        };
+        (0..self.units.len()).map(entry).collect()
     }
 }
 

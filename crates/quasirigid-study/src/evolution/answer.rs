@@ -39,6 +39,8 @@ pub struct Answer<'a> {
     pub budget: Option<Vec<(String, f64)>>,
     /// Vibration that grows from nothing on the way.
     pub parametric: Option<GrowingVibration>,
+    /// Whether a vibration that was not looked for may grow.
+    pub may_be_unstable: bool,
 }
 
 /// History that is followed beside a power.
@@ -56,7 +58,7 @@ pub enum History {
 impl<'a> Answer<'a> {
     /// Answer of a method that was chosen for a body.
     pub fn new(inputs: &'a Inputs, body: &FlexibleBody, chosen: Chosen) -> Self {
-        let Chosen { followed, initial, rates, span, parametric } = chosen;
+        let Chosen { followed, initial, rates, span, parametric, may_be_unstable } = chosen;
         let frozen = Self {
             inputs,
             method: followed.method(),
@@ -68,6 +70,7 @@ impl<'a> Answer<'a> {
             rates,
             budget: None,
             parametric,
+            may_be_unstable,
         };
         match span {
             Some((span, range)) => frozen.following(followed, body, &span, range),

@@ -32,6 +32,8 @@ pub struct Chosen {
     pub span: Option<(Span, EnergyRange)>,
     /// Vibration that grows on the span.
     pub parametric: Option<GrowingVibration>,
+    /// Whether a vibration that was not looked for may grow.
+    pub may_be_unstable: bool,
 }
 
 /// Choice without an answer.
@@ -81,7 +83,14 @@ pub fn chosen(
     let rates = Some(spins.rates());
     let found = followed(study, full, asked, inputs, &spins, observer);
     let (followed, span, parametric) = found.map_err(|stop| NotFollowed::new(stop, initial, rates))?;
-    Ok(Chosen { followed, initial, rates, span: Some((span, spins.range)), parametric })
+    Ok(Chosen {
+        followed,
+        initial,
+        rates,
+        may_be_unstable: spins.may_be_unstable(),
+        span: Some((span, spins.range)),
+        parametric,
+    })
 }
 
 /// Chooses the method by the steady spins of a body, and follows it.
@@ -133,7 +142,7 @@ pub fn chosen_under_torque(
     let average = asked.method == Some(EvolveMethod::Average);
     let followed = average_under_torque(&spins, &inputs.powers, state, average, &Limits::default());
     let followed = followed.map_err(|reason| NotFollowed::new(reason.into(), initial, rates))?;
-    Ok(Chosen { followed, initial, rates, span: None, parametric: None })
+    Ok(Chosen { followed, initial, rates, span: None, parametric: None, may_be_unstable: false })
 }
 
 impl Inputs {
@@ -145,7 +154,7 @@ impl Inputs {
     /// The average of a source without a judgement.
     fn unjudged(&self, source: PowerSource, initial: FreeRotation) -> Chosen {
         let followed = Followed::average(self.powers.of(source), source, AverageBasis::Stiff, None);
-        Chosen { followed, initial, rates: None, span: None, parametric: None }
+        Chosen { followed, initial, rates: None, span: None, parametric: None, may_be_unstable: false }
     }
 
     /// Basis of a judgement; none where the angular momentum says nothing of a motion.

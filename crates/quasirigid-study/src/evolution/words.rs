@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 use std::fmt::{self, Write};
 
 use quasirigid::averaging::{DriftHistory, DriftStopReason, MeanPower, RotationState, spin_barrier};
-use quasirigid::secular::choice::GrowingVibration;
+use quasirigid::secular::choice::{GrowingVibration, Method};
 use quasirigid_io::record::{Column, EstimateRecord, EvolutionRecord, HomogeneousRecord, ObservedRecord};
 use quasirigid_io::visible::one_line;
 
@@ -141,6 +141,13 @@ fn odds(probability: f64) -> String {
 pub fn notes(answer: &Answer, ends: [RotationState; 2], unranged: bool) -> Vec<String> {
     let inputs = answer.inputs;
     let mut notes: Vec<String> = answer.parametric.iter().map(parametric).collect();
+    if answer.may_be_unstable && !matches!(answer.method, Method::FullSystem) {
+        notes.push(
+            "Whether a vibration grows in the spin about the axis of greatest inertia is NOT KNOWN: of so many coordinates the slowest modes \
+             were found alone, and the energy is not shown to be least in that spin."
+                .into(),
+        );
+    }
     let motions = ends.map(|rotation_state| answer.evolution().motion(rotation_state));
     let powers = &inputs.powers;
     let ratio = powers.response.mean_power(&motions[0]) / powers.polynomial.mean_power(&motions[0]);

@@ -87,6 +87,12 @@ impl<'a> ReferenceSpins<'a> {
         growing.map(|mode| Instability::new(Some(Mode::ShortAxis), mode))
     }
 
+    /// Whether a mode that was not looked for may grow at the axis of greatest inertia. (M24)
+    #[must_use]
+    pub fn may_be_unstable(&self) -> bool {
+        self.poles.short.as_ref().is_some_and(|pole| !pole.modes.range.shows_stability())
+    }
+
     /// Growing mode beside the nutation at the axis of least inertia; none if nothing grows.
     #[must_use]
     pub fn growing_internal_mode(&self) -> Option<Instability> {

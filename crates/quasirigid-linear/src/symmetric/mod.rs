@@ -3,8 +3,6 @@
 mod error;
 mod pattern;
 mod strip;
-#[cfg(test)]
-mod tests;
 
 use std::sync::Arc;
 

@@ -5,46 +5,14 @@ use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
 use nalgebra::{DMatrix, DVector};
+use quasirigid_linear::factor::{Analysis, Factor, Method, Ordering, Precision};
+use quasirigid_linear::symmetric::{Pattern, Symmetric};
+use quasirigid_linear::{threads, watch};
 
-use super::*;
-use crate::symmetric::Pattern;
-use crate::{threads, watch};
+use self::samples::{cut, grid, odd_unit, uneven};
 
-/// Springs between all nodes of a cubic grid that share a cell, three unknowns to a node, each in a unit of its own,
-/// and a foundation under every node. The first `held` nodes are fixed.
-fn grid(nodes: usize, held: usize, foundation: f64, unit: impl Fn(usize) -> f64) -> Symmetric {
-    let count = nodes.pow(3);
-    let place = |node: usize| [node % nodes, node / nodes % nodes, node / nodes / nodes].map(|i| i as f64);
-    let first: Vec<u32> = (0..=count).map(|node| 3 * node.saturating_sub(held) as u32).collect();
-    let mut springs = Vec::new();
-    for a in 0..count {
-        for b in a + 1..count {
-            let (p, q) = (place(a), place(b));
-            let d: [f64; 3] = std::array::from_fn(|i| q[i] - p[i]);
-            if d.iter().all(|d| d.abs() < 1.5) {
-                springs.push(([a as u32, b as u32], d));
-            }
-        }
-    }
-    let pattern = Pattern::new(&first, springs.iter().map(|(nodes, _)| nodes.as_slice())).unwrap();
-    let mut matrix = Symmetric::zero(Arc::new(pattern));
-    for (nodes, d) in &springs {
-        let unknowns: Vec<Option<u32>> = nodes
-            .iter()
-            .flat_map(|node| (0..3).map(|i| (*node as usize >= held).then(|| first[*node as usize] + i)))
-            .collect();
-        let unit = |i: usize| unknowns[i].map_or(1.0, |unknown| unit(unknown as usize));
-        let square: f64 = d.iter().map(|d| d * d).sum();
-        let entry = |i: usize, j: usize| {
-            let sign = if i / 3 == j / 3 { 1.0 } else { -1.0 };
-            let soil = if i == j { foundation } else { 0.0 };
-            unit(i) * unit(j) * (sign * d[i % 3] * d[j % 3] / square + soil)
-        };
-        let element: Vec<f64> = (0..36).map(|place| entry(place / 6, place % 6)).collect();
-        matrix.add(&unknowns, &element).unwrap();
-    }
-    matrix
-}
+#[path = "../../src/factor/tests/samples.rs"]
+mod samples;
 
 fn dense(matrix: &Symmetric) -> DMatrix<f64> {
     let mut dense = DMatrix::zeros(matrix.size(), matrix.size());
@@ -59,11 +27,6 @@ fn dense(matrix: &Symmetric) -> DMatrix<f64> {
 
 fn right(length: usize) -> Vec<f64> {
     (0..length).map(|i| (i as f64 * 0.7).cos()).collect()
-}
-
-/// Unit of an unknown, from 1e-9 to 1e9, in no order.
-fn odd_unit(unknown: usize) -> f64 {
-    10_f64.powi((unknown * 7 % 19) as i32 - 9)
 }
 
 fn method(precision: Precision, ordering: Ordering) -> Method {
@@ -139,30 +102,6 @@ fn an_analysis_tells_what_the_factor_will_take() {
     let work = analysis.factor(Precision::Double).unwrap().work();
     assert_eq!((work.entries, work.multiplications), told);
     assert!(told.0 >= matrix.entries().len());
-}
-
-/// Solutions are large along (1, −1), which is soft, and wrong along (1, 1), whose stiffness is 2.
-#[test]
-fn a_residual_of_a_few_roundings_is_not_refined() {
-    let softness = 1e-6;
-    let times = |x: &[f64]| {
-        let (stiff, soft) = ((2.0 - softness) * (x[0] + x[1]) / 2.0, softness * (x[0] - x[1]) / 2.0);
-        vec![stiff + soft, stiff - soft]
-    };
-    let products = |roundings: f64| {
-        let count = std::cell::Cell::new(0);
-        let precondition = |x: &mut [f64]| {
-            count.set(count.get() + 1);
-            let (stiff, soft) = ((x[0] + x[1]) / 2.0 / (2.0 - softness), (x[0] - x[1]) / 2.0 / softness);
-            let error = roundings * f64::EPSILON * soft / 2.0;
-            x.copy_from_slice(&[stiff + soft + error, stiff - soft + error]);
-        };
-        let system =
-            System { width: 1, scale: &[1.0; 2], times: &times, exact: true, precondition: &precondition };
-        let _ = system.solve(&mut [1.0, -1.0], 1e-14, 10);
-        count.get()
-    };
-    assert_eq!([products(7.0), products(9.0)], [1, 2]);
 }
 
 #[test]
@@ -268,14 +207,6 @@ fn nothing_to_solve_is_solved() {
     assert_eq!(zero, [0.0; 4]);
 }
 
-/// Large enough for branches and separators.
-fn cut() -> Symmetric {
-    let matrix = grid(12, 30, 0.002, odd_unit);
-    let [branches, separators] = Structure::new(&matrix, Ordering::Automatic).unwrap().pieces();
-    assert!(branches > 4 && separators > 2, "{branches} branches, {separators} separators");
-    matrix
-}
-
 #[test]
 fn the_bits_do_not_depend_on_the_number_of_threads() {
     let matrix = cut();
@@ -310,44 +241,14 @@ fn branches_and_separators_give_the_solution_of_another_order() {
     assert!(gap < 1e-11, "{gap:e}");
 }
 
-/// Springs between nodes of one to eleven unknowns on a ring with long chords, and from all to a node of thirty.
-fn uneven() -> Symmetric {
-    let (nodes, hub) = (260_u32, 99);
-    let mut first = vec![0];
-    for node in 0..nodes {
-        let size = if node == hub { 30 } else { 1 + node * node % 11 };
-        first.push(first[node as usize] + size);
-    }
-    let chords = (0..nodes).flat_map(|node| [1, 7, 31].map(|step| [node, (node + step) % nodes]));
-    let springs: Vec<[u32; 2]> =
-        chords.chain((0..nodes).filter(|node| *node != hub).map(|node| [node, hub])).collect();
-    let pattern = Pattern::new(&first, springs.iter().map(|nodes| nodes.as_slice())).unwrap();
-    let mut matrix = Symmetric::zero(Arc::new(pattern));
-    for (place, nodes) in springs.iter().enumerate() {
-        let own = |node: &u32| first[*node as usize]..first[*node as usize + 1];
-        let unknowns: Vec<u32> = nodes.iter().flat_map(own).collect();
-        let unit = |unknown: u32| odd_unit(unknown as usize);
-        let stretch =
-            |unknown: u32| unit(unknown) * f64::from((unknown * 13 + place as u32) % 7) - 3.0 * unit(unknown);
-        let mut element = Vec::new();
-        for i in &unknowns {
-            let soil = |j: u32| if *i == j { 2.0 * unit(j).powi(2) } else { 0.0 };
-            element.extend(unknowns.iter().map(|j| stretch(*i) * stretch(*j) + soil(*j)));
-        }
-        matrix.add(&unknowns.into_iter().map(Some).collect::<Vec<_>>(), &element).unwrap();
-    }
-    matrix
-}
-
 #[test]
 fn nodes_of_any_size_fill_as_their_unknowns_do() {
     let matrix = uneven();
     let solution = |ordering: Ordering| {
-        let [branches, _] = Structure::new(&matrix, ordering).unwrap().pieces();
         let mut x = right(2 * matrix.size());
         let factor = Factor::new(&matrix, method(Precision::Double, ordering)).unwrap();
         let refinement = factor.solve(&mut x, 2);
-        assert!(branches > 0 && refinement.iterations == 0 && refinement.residual < 1e-13, "{refinement:?}");
+        assert!(refinement.iterations == 0 && refinement.residual < 1e-13, "{refinement:?}");
         (x, factor.work().entries)
     };
     let (reference, least) = solution(Ordering::MinimumDegree);
@@ -365,13 +266,13 @@ fn nodes_of_any_size_fill_as_their_unknowns_do() {
 #[test]
 fn a_negative_pivot_is_found_in_a_branch_and_in_a_separator() {
     let matrix = cut();
-    let structure = Structure::new(&matrix, Ordering::Automatic).unwrap();
-    let scale = unit_diagonal(&matrix.diagonal()).unwrap();
-    assert!(Triangle::<f64>::new(structure.clone(), &matrix, &scale, 0.0).is_some());
+    assert!(Factor::new(&matrix, AUTOMATIC).is_ok());
     for unknown in [0, matrix.size() / 3, matrix.size() / 2, matrix.size() - 1] {
         let mut indefinite = matrix.clone();
-        indefinite.add(&[Some(unknown as u32)], &[-1.5 * matrix.diagonal()[unknown]]).unwrap();
-        assert!(Triangle::<f64>::new(structure.clone(), &indefinite, &scale, 0.0).is_none(), "{unknown}");
+        indefinite.add(&[Some(unknown as u32)], &[-0.9 * matrix.diagonal()[unknown]]).unwrap();
+        let direction = Factor::new(&indefinite, AUTOMATIC).expect_err("a negative pivot").direction;
+        let form: f64 = direction.iter().zip(indefinite.times(&direction)).map(|(x, force)| x * force).sum();
+        assert!(form < 0.0, "{unknown}: {form:e}");
     }
 }
 

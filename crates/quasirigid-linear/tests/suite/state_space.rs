@@ -1,78 +1,76 @@
-//! Gramians, splits and bounds of random systems, against definitions and responses.
+//! Truncations of random systems: bounds against responses, integrators, refusals, units and axes.
 
-use nalgebra::DMatrix;
+use nalgebra::{Complex, DMatrix};
+use quasirigid_linear::state_space::{StateSpace, TruncationError, TruncationMethod, TruncationRequest};
 
-use super::balanced::Balanced;
-use super::lyapunov::{controllable, observable};
-use super::response::{Response, gain};
-use super::schur::Schur;
-use super::{C, Matrix, Real, System, TruncationError, TruncationMethod, TruncationRequest};
+use self::samples::{Draws, decaying};
 
-/// Numbers from −1 to 1, the same in each run.
-struct Draws(u64);
+#[path = "../../src/state_space/tests/samples.rs"]
+mod samples;
 
-impl Draws {
-    fn next(&mut self) -> f64 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
+type C = Complex<f64>;
+type Real = DMatrix<f64>;
+type Matrix = DMatrix<C>;
+
+/// Matrices of a state space.
+#[derive(Clone, Debug)]
+struct System {
+    A: Real,
+    B: Real,
+    C: Real,
+    D: Real,
+}
+
+impl System {
+    fn of(space: &StateSpace) -> Self {
+        let (states, inputs, outputs) = (space.A.len(), space.D.first().map_or(0, Vec::len), space.D.len());
+        let matrix = |rows: &[Vec<f64>], height, width| {
+            DMatrix::from_row_iterator(height, width, rows.iter().flatten().copied())
+        };
+        Self {
+            A: matrix(&space.A, states, states),
+            B: matrix(&space.B, states, inputs),
+            C: matrix(&space.C, outputs, states),
+            D: matrix(&space.D, outputs, inputs),
+        }
     }
 
-    fn matrix(&mut self, rows: usize, columns: usize) -> Real {
-        DMatrix::from_fn(rows, columns, |_, _| self.next())
+    fn listed(&self) -> StateSpace {
+        let rows = |matrix: &Real| matrix.row_iter().map(|row| row.iter().copied().collect()).collect();
+        StateSpace { A: rows(&self.A), B: rows(&self.B), C: rows(&self.C), D: rows(&self.D) }
+    }
+
+    fn states(&self) -> usize {
+        self.A.nrows()
+    }
+
+    /// Two systems with the same inputs, whose outputs add.
+    fn beside(&self, other: &Self) -> Self {
+        let (first, second) = (self.states(), other.states());
+        let mut A = Real::zeros(first + second, first + second);
+        A.view_mut((0, 0), (first, first)).copy_from(&self.A);
+        A.view_mut((first, first), (second, second)).copy_from(&other.A);
+        let mut B = Real::zeros(first + second, self.B.ncols());
+        B.rows_mut(0, first).copy_from(&self.B);
+        B.rows_mut(first, second).copy_from(&other.B);
+        let mut C = Real::zeros(self.C.nrows(), first + second);
+        C.columns_mut(0, first).copy_from(&self.C);
+        C.columns_mut(first, second).copy_from(&other.C);
+        Self { A, B, C, D: &self.D + &other.D }
     }
 }
 
-/// Damped oscillators of frequencies over two decades and a relaxation, in turned axes and odd units, with two inputs and outputs.
-fn decaying(draws: &mut Draws, modes: usize) -> System {
-    let size = 2 * modes + 1;
-    let mut A = Real::zeros(size, size);
-    A[(size - 1, size - 1)] = -0.3;
-    for mode in 0..modes {
-        let (frequency, k) = (10f64.powf(1.0 + draws.next()), 2 * mode);
-        A[(k, k + 1)] = 1.0;
-        A[(k + 1, k)] = -frequency * frequency;
-        A[(k + 1, k + 1)] = -2.0 * (0.02 + 0.015 * draws.next()) * frequency;
-    }
-    let mix = Real::identity(size, size) + 0.3 * draws.matrix(size, size);
-    let units = Real::from_fn(size, size, |i, k| if i == k { 10f64.powi((i % 5) as i32 - 2) } else { 0.0 });
-    let change = mix * units;
-    let inverse = change.clone().try_inverse().unwrap();
-    System {
-        A: &change * A * inverse,
-        B: &change * draws.matrix(size, 2),
-        C: draws.matrix(2, size) * change.try_inverse().unwrap(),
-        D: draws.matrix(2, 2),
-    }
+/// Transfer matrix at a complex frequency (1/s).
+fn response(system: &System, s: C) -> Matrix {
+    let size = system.states();
+    let shifted = Matrix::from_diagonal_element(size, size, s) - system.A.map(C::from);
+    let states = shifted.lu().solve(&system.B.map(C::from)).unwrap();
+    system.C.map(C::from) * states + system.D.map(C::from)
 }
 
-#[test]
-fn schur_form_and_exchanges_give_back_the_matrix() {
-    let system = decaying(&mut Draws(3), 7);
-    let mut schur = Schur::of(&system.A).unwrap();
-    let back = |schur: &Schur| (&schur.Q * &schur.T * schur.Q.adjoint() - system.A.map(C::from)).norm();
-    assert!(back(&schur) < 1e-13 * system.A.norm());
-    let wanted: Vec<C> = schur.eigenvalues().iter().copied().skip(4).step_by(3).collect();
-    let first: Vec<bool> = (0..schur.T.nrows()).map(|k| k >= 4 && (k - 4) % 3 == 0).collect();
-    schur.order(&first);
-    assert!(back(&schur) < 1e-13 * system.A.norm());
-    let found = schur.eigenvalues();
-    assert!(
-        wanted.iter().zip(&found).all(|(a, b)| (a - b).norm() < 1e-12 * a.norm()),
-        "{wanted:?} {found:?}"
-    );
-    assert!((schur.Q.adjoint() * &schur.Q - Matrix::identity(15, 15)).norm() < 1e-13);
-}
-
-#[test]
-fn square_roots_of_gramians_solve_their_equations() {
-    let system = decaying(&mut Draws(5), 6).balanced();
-    let schur = Schur::of(&system.A).unwrap();
-    let (reached, seen) = (controllable(&schur, &system.B), observable(&schur, &system.C));
-    let (P, Q) = (&reached * reached.transpose(), &seen * seen.transpose());
-    let first = &system.A * &P + &P * system.A.transpose() + &system.B * system.B.transpose();
-    let second = system.A.transpose() * &Q + &Q * &system.A + system.C.transpose() * &system.C;
-    assert!(first.norm() < 1e-12 * system.A.norm() * P.norm(), "{:e}", first.norm());
-    assert!(second.norm() < 1e-12 * system.A.norm() * Q.norm(), "{:e}", second.norm());
+/// Largest singular value.
+fn gain(matrix: &Matrix) -> f64 {
+    matrix.singular_values().max()
 }
 
 /// Of one state: `σ = |b c| / 2|a|`, and the error of leaving it out is its bound.
@@ -80,9 +78,18 @@ fn square_roots_of_gramians_solve_their_equations() {
 fn one_relaxation_has_its_closed_singular_value() {
     let of = |entry: f64| Real::from_element(1, 1, entry);
     let system = System { A: of(-0.4), B: of(3.0), C: of(-0.2), D: of(0.7) };
-    let none = Balanced::of(&system, 0).unwrap();
-    assert!((none.singular_values[0] - 0.75).abs() < 1e-15 && (none.bound - 1.5).abs() < 1e-15);
-    let error = Response::of(&system).unwrap().at(C::from(0.0)) - none.system.D.map(C::from);
+    let asked = TruncationRequest {
+        method: TruncationMethod::Balanced,
+        states: 0,
+        rate: 0.0,
+        inputs: &[0],
+        outputs: &[0],
+    };
+    let none = system.listed().truncated(&asked).unwrap();
+    let unit = none.scales[0][0] * none.scales[1][0];
+    assert!((unit * none.singular_values[0] - 0.75).abs() < 1e-15);
+    assert!((unit * none.bound - 1.5).abs() < 1e-15);
+    let error = response(&system, C::from(0.0)) - System::of(&none.system).D.map(C::from);
     assert!((gain(&error) - 1.5).abs() < 1e-15);
 }
 
@@ -109,7 +116,6 @@ fn bounds_are_not_exceeded_and_integrators_stay_what_they_are() {
     let mut draws = Draws(11);
     for trial in 0..12 {
         let whole = with_integrators(&mut draws, 5 + trial % 3);
-        let response = Response::of(&whole).unwrap();
         for (method, states) in [
             (TruncationMethod::Balanced, 4 + trial % 5),
             (TruncationMethod::Balanced, 2),
@@ -117,7 +123,7 @@ fn bounds_are_not_exceeded_and_integrators_stay_what_they_are() {
         ] {
             let found = whole.listed().truncated(&request(method, states)).unwrap();
             assert_eq!((found.system.A.len(), found.lasting), (states, 2), "{method:?}");
-            let part = Response::of(&System::of(&found.system)).unwrap();
+            let part = System::of(&found.system);
             let scale = found.scales[0][0] * found.scales[1][0];
             let mut worst: f64 = 0.0;
             for k in 0..400 {
@@ -126,7 +132,7 @@ fn bounds_are_not_exceeded_and_integrators_stay_what_they_are() {
                     break;
                 }
                 let s = C::new(0.0, frequency);
-                let (all, some) = (response.at(s), part.at(s));
+                let (all, some) = (response(&whole, s), response(&part, s));
                 worst = worst.max((gain(&(&all - some)) - 1e-11 * gain(&all)) / scale);
             }
             assert!(
@@ -146,8 +152,7 @@ fn integrators_have_no_digit_of_the_others() {
     let whole = with_integrators(&mut Draws(2), 6);
     let found = whole.listed().truncated(&request(TruncationMethod::Balanced, 8)).unwrap();
     let [near, far] = [1e-6, 1e-9].map(|frequency| {
-        Response::of(&System::of(&found.system)).unwrap().at(C::new(0.0, frequency))
-            * C::from(frequency * frequency)
+        response(&System::of(&found.system), C::new(0.0, frequency)) * C::from(frequency * frequency)
     });
     assert!(gain(&(&near - &far)) < 1e-4 * gain(&near), "{near} {far}");
 }

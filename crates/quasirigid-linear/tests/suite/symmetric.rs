@@ -1,11 +1,13 @@
 //! Tests of symmetric matrices: sums of elements, products, sharing of entries, and refusals.
 //! Each sum is formed twice, on the pattern and dense; one element names a node twice, whose mirror images fall on the diagonal.
 
+use std::sync::Arc;
+
 use nalgebra::DMatrix;
 use proptest::prelude::*;
-
-use super::*;
-use crate::threads;
+use quasirigid_linear::sparse::SparseRows;
+use quasirigid_linear::symmetric::{Pattern, Symmetric, SymmetricError};
+use quasirigid_linear::threads::{self, Team};
 
 /// Nodes with 3, 0, 1 and 2 unknowns, and elements that overlap; the last names a node twice.
 const FIRST: [u32; 5] = [0, 3, 3, 4, 6];

@@ -5,8 +5,6 @@ mod floating;
 mod homogeneous;
 mod locked;
 mod rheologies;
-#[cfg(test)]
-mod tests;
 
 use nalgebra::Vector3;
 

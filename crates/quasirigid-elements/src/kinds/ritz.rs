@@ -324,7 +324,10 @@ fn invariants(mass: f64, J: Sym, position: &Matrix3xX<f64>, fields: &[Matrix3xX<
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Assembly, Ellipsoid};
+    use crate::contribution::BuildOptions;
+    use crate::element::Element;
+    use crate::error::ElementKind;
+    use crate::{Ellipsoid, PartReduction};
 
     const AXES: [f64; 3] = [1.7, 1.1, 0.8];
 
@@ -356,7 +359,9 @@ mod tests {
     fn an_ellipsoid_by_its_moments_is_the_ellipsoid() {
         let ellipsoid =
             Ellipsoid { name: "rock".into(), semi_axes: AXES, center: [0.0; 3], material: rock() };
-        let body = Assembly { ellipsoids: vec![ellipsoid], ..Assembly::default() }.body().unwrap();
+        let (id, reduction) = (ElementKind::Ellipsoid.at(0), PartReduction::default());
+        // not by an assembly, with which every kind of element would be compiled once more
+        let body = ellipsoid.whole(id, reduction, BuildOptions::default()).unwrap().unwrap().body;
         let dense: Vec<Vec<f64>> = (0..36)
             .map(|i| {
                 let mut row = vec![0.0; 36];

@@ -1,4 +1,5 @@
 //! Matrices of our own cells, read back as if another program had written them.
+//! Without a `Part`, with which every kind of part would be compiled once more.
 
 use std::collections::HashMap;
 use std::sync::Arc;
@@ -6,11 +7,11 @@ use std::sync::Arc;
 use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
 
 use super::Matrices;
-use crate::error::{Field, Problem};
-use crate::kinds::part::{ElasticMaterial, NodalMass, Part, PartKind, Region, Solid};
+use crate::error::{ElementKind, Field, Problem};
+use crate::kinds::part::{ElasticMaterial, NodalMass, Region, Seat, Solid};
 use crate::material::Material;
 use crate::model::Rheology;
-use crate::structure::Structure;
+use crate::structure::{Constraint, Node, Structure};
 use quasirigid_mesh::{Cell, Mesh, Shape};
 
 /// Corners of two tetrahedra with a common face, away from the origin.
@@ -19,7 +20,7 @@ const CORNERS: [[f64; 3]; 5] =
 const EDGES: [[usize; 2]; 6] = [[0, 1], [1, 2], [2, 0], [0, 3], [1, 3], [2, 3]];
 
 /// Two tetrahedra of ten nodes with bent edges; the corners of such cells have negative lumped masses.
-fn solid() -> PartKind {
+fn solid() -> Solid {
     let mut mesh = Mesh { nodes: CORNERS.to_vec(), ..Mesh::default() };
     let mut middles = HashMap::new();
     for (label, corners) in (1..).zip([[0, 1, 2, 3], [0, 2, 1, 4]]) {
@@ -45,15 +46,29 @@ fn solid() -> PartKind {
         material: ElasticMaterial::Isotropic(material),
         axes,
     };
-    PartKind::Solid(Solid { mesh: Arc::new(mesh), regions: vec![region] })
+    Solid { mesh: Arc::new(mesh), regions: vec![region] }
 }
 
-fn structure(kind: PartKind) -> Structure {
-    let part =
-        Part { name: "part".to_owned(), kind, masses: Vec::new(), attached: Vec::new(), rayleigh: [0.0; 2] };
-    let mut structure =
-        Structure { nodes: part.nodes(), constraints: part.constraints(0), ..Structure::default() };
-    part.assemble_into(0, 0, &mut structure).expect("a part");
+/// Seat of the only part.
+fn seat() -> Seat {
+    Seat { place: ElementKind::Part.at(0), first: 0, rayleigh: [0.0; 2] }
+}
+
+/// Structure of the cells.
+fn of_cells(solid: &Solid) -> Structure {
+    let nodes: Vec<Node> =
+        solid.mesh.nodes.iter().map(|place| Node { place: (*place).into(), rotations: false }).collect();
+    let constraints = vec![Constraint::Free; nodes.len()];
+    let mut structure = Structure { nodes, constraints, ..Structure::default() };
+    solid.assemble_into(seat(), &mut structure).expect("a solid");
+    structure
+}
+
+/// Structure of matrices.
+fn of_matrices(given: &Matrices) -> Structure {
+    let nodes = given.mass.structure_nodes().collect();
+    let mut structure = Structure { nodes, constraints: given.constraints(), ..Structure::default() };
+    given.assemble_into(seat(), &mut structure).expect("matrices");
     structure
 }
 
@@ -119,8 +134,8 @@ fn field(size: usize, phase: f64) -> Vec<f64> {
 /// The mass matrix alone gives every moment of a quadrature over the cells. (K9)
 #[test]
 fn masses_between_nodes_have_the_moments_of_the_cells() {
-    let cells = structure(solid());
-    let given = structure(PartKind::Matrices(exported(&cells)));
+    let cells = of_cells(&solid());
+    let given = of_matrices(&exported(&cells));
     let (u, v) = (field(3 * cells.nodes.len(), 0.4), field(3 * cells.nodes.len(), 2.0));
     let (found, expected) = (sums(&given, 3, &u, &v), sums(&cells, 3, &u, &v));
     let scale = expected.iter().fold(0.0, |scale: f64, x| scale.max(x.abs()));
@@ -144,7 +159,7 @@ fn a_node_has_its_mass_whatever_rows_it_has() {
         damping: Vec::new(),
         rheology: Rheology::Elastic,
     };
-    let structure = structure(PartKind::Matrices(given));
+    let structure = of_matrices(&given);
     let found = sums(&structure, 3, &[0.0; 6], &[0.0; 6]);
     let places = [[0.0, 1.5, 5.0], [1.0, -0.5, 3.0]]; // from the reference point
     assert_eq!(found[0], 6.0);
@@ -169,7 +184,7 @@ fn a_turning_node_has_its_rotary_inertia() {
         damping: Vec::new(),
         rheology: Rheology::Elastic,
     };
-    let structure = structure(PartKind::Matrices(given));
+    let structure = of_matrices(&given);
     for (a, b) in (0..9).map(|pair| (pair / 3, pair % 3)) {
         let turn = |axis: usize| DVector::from_fn(6, |row, _| f64::from(u8::from(row == 3 + axis)));
         let found = sums(&structure, 6, turn(a).as_slice(), turn(b).as_slice());
@@ -182,7 +197,7 @@ fn a_turning_node_has_its_rotary_inertia() {
 /// rotation about the line between them. Nodes in a line cannot rotate about it.
 #[test]
 fn matrices_stand_by_their_own_stiffness() {
-    let mut given = exported(&structure(solid()));
+    let mut given = exported(&of_cells(&solid()));
     assert!(!given.stands());
     let mut stands = Vec::new();
     for node in [0, 1, 3] {
@@ -205,16 +220,9 @@ fn matrices_stand_by_their_own_stiffness() {
 }
 
 fn refusal(change: impl Fn(&mut Matrices)) -> (Field, Problem) {
-    let mut given = exported(&structure(solid()));
+    let mut given = exported(&of_cells(&solid()));
     change(&mut given);
-    let part = Part {
-        name: "part".to_owned(),
-        kind: PartKind::Matrices(given),
-        masses: Vec::new(),
-        attached: Vec::new(),
-        rayleigh: [0.0; 2],
-    };
-    let error = part.assemble_into(0, 0, &mut Structure::default()).expect_err("a refusal");
+    let error = given.assemble_into(seat(), &mut Structure::default()).expect_err("a refusal");
     (error.field, error.problem)
 }
 

@@ -17,8 +17,8 @@ type C = Complex<f64>;
 
 const AXES: [usize; 3] = [0, 1, 2];
 
-fn relaxations(shape: &CavityShape, depth: usize, modes: usize) -> Relaxations {
-    Flowing::new(shape, 8, Memory { depth, modes }).unwrap().relaxations
+fn relaxations(shape: &CavityShape, resolution: usize, memory: Memory) -> Relaxations {
+    Flowing::new(shape, resolution, memory).unwrap().relaxations
 }
 
 /// Angular momentum about an axis that the liquid lacks relative to a frozen one, of unit density and viscosity, when the body rotates
@@ -28,11 +28,13 @@ fn lacking(relaxations: &Relaxations, axis: usize, s: C) -> C {
     pairs.map(|(h, friction)| s * h[axis] * h[axis] / (s * relaxations.mass + friction)).sum()
 }
 
-/// `I_{n+1}(z)/I_n(z)` by the continued fraction of Bessel's functions.
+/// `I_{n+1}(z)/I_n(z)` by the continued fraction of Bessel's functions, from so far out that the error of the tail, which is taken for that
+/// of equal terms, is rounding.
 fn ratio(n: f64, z: C) -> C {
-    let last = 60 + 2 * z.norm() as i32;
-    let next = |tail: C, k: i32| C::from(1.0) / (2.0 * (n + f64::from(k)) / z + tail);
-    (1..last).rev().fold(C::ZERO, next)
+    let last = 60 + (8.0 * z.norm().sqrt()) as i32;
+    let term = |k: i32| 2.0 * (n + f64::from(k)) / z;
+    let tail = 0.5 * ((term(last) * term(last) + 4.0).sqrt() - term(last));
+    (1..last).rev().fold(tail, |tail, k| C::from(1.0) / (term(k) + tail))
 }
 
 /// Angular momentum that a ball, a slender ring or an endless cylinder lacks, by the index of its Bessel functions. (C11)
@@ -77,17 +79,22 @@ fn answers_to_fast_changes_reach_as_far_as_their_rates() {
             let most = if modes == 0 { 0.3 } else { 5.0 * 8.0_f64.powi(modes - 1) };
             [0.01, 0.1, 0.3, 1.0, 1.0 / 8.0, 1.0 / 64.0].map(|share| share * most * slowest)
         };
-        let kept = |shape: &CavityShape| relaxations(shape, 1 + usize::from(modes == 0), modes as usize);
+        // the boundary layers of six rates are thin; for the others the coarsest polynomials are enough
+        let [by_ball, by_ring, by_can] = if modes == 6 { [8, 6, 7] } else { [4; 3] };
+        let memory = Memory { depth: 1 + usize::from(modes == 0), modes: modes as usize };
+        let kept = |shape: &CavityShape, resolution: usize| relaxations(shape, resolution, memory);
         let mut gaps = vec![
-            worst(&kept(&ball), 0, &reach(20.19 / (a * a)), |s| closed_form(1.5, frozen, a, s)),
-            worst(&kept(&ring), 2, &reach(5.783 / (tube * tube)), |s| closed_form(0.0, pipe, tube, s)),
-            worst(&kept(&can), 2, &reach(14.68 / (a * a) + (PI / height).powi(2)), |s| {
+            worst(&kept(&ball, by_ball), 0, &reach(20.19 / (a * a)), |s| closed_form(1.5, frozen, a, s)),
+            worst(&kept(&ring, by_ring), 2, &reach(5.783 / (tube * tube)), |s| {
+                closed_form(0.0, pipe, tube, s)
+            }),
+            worst(&kept(&can, by_can), 2, &reach(14.68 / (a * a) + (PI / height).powi(2)), |s| {
                 cylinder(a, height, s)
             }),
         ];
         if modes < 4 {
             let slowest = 14.68 / (a * a);
-            gaps.push(worst(&kept(&tall), 2, &reach(slowest), |s| closed_form(1.0, endless, a, s)));
+            gaps.push(worst(&kept(&tall, by_can), 2, &reach(slowest), |s| closed_form(1.0, endless, a, s)));
         }
         // The ends of the tall cylinder are half a percent of it.
         let most = if modes == 0 { 3e-3 } else { 0.1 };
@@ -114,7 +121,7 @@ fn two_roads_to_the_flows_of_a_cylinder() {
 }
 
 /// `load·u`, `u·u` and `u_j·(e × u_k)` of the slow flows and of those that they drive.
-fn products(liquid: &impl Liquid) -> Vec<nalgebra::DMatrix<f64>> {
+fn products(liquid: &dyn Liquid) -> Vec<nalgebra::DMatrix<f64>> {
     let slow = liquid.slow().unwrap();
     let loads: Vec<Vec<f64>> =
         AXES.iter().flat_map(|axis| slow.iter().map(|u| liquid.turned(*axis, u))).collect();
@@ -162,12 +169,10 @@ fn layers_may_lie_along_any_axis() {
 /// A shell of revolution about each of its axes.
 #[test]
 fn shells_of_revolution_may_lie_along_any_axis() {
-    let tensor =
-        |outer: [f64; 3], inner: [f64; 3]| {
-            Vector3::from(AXES.map(|axis| {
-                relaxations(&CavityShape::Shell { outer, inner }, 1, 0).slow_tensor()[(axis, axis)]
-            }))
-        };
+    let memory = Memory { depth: 1, modes: 0 };
+    let tensor = |outer: [f64; 3], inner: [f64; 3]| {
+        relaxations(&CavityShape::Shell { outer, inner }, 8, memory).slow_tensor().diagonal()
+    };
     let about_z = tensor([0.5, 0.5, 0.8], [0.2, 0.2, 0.6]);
     assert!((about_z.x / about_z.y - 1.0).abs() < 1e-10 && (about_z.z / about_z.x - 1.0).abs() > 0.1);
     assert!(

@@ -65,7 +65,7 @@ impl StokesFlow {
     }
 
     /// `∫ ψ·f dV` of a field by place; exact for polynomials of degree 2 where edges are straight.
-    pub fn load(&self, field: impl Fn([f64; 3]) -> [f64; 3]) -> Vec<f64> {
+    pub fn load(&self, field: &dyn Fn([f64; 3]) -> [f64; 3]) -> Vec<f64> {
         let mut load = vec![0.0; self.unknowns()];
         for cell in &self.grid.cells {
             for point in points(&cell.map(|node| self.grid.places[node])) {

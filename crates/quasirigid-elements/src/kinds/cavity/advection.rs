@@ -7,7 +7,7 @@ const TERM_ROUNDING: f64 = 1e-10;
 
 /// Advection `∫u_a·(u_b·∇)u_c dV` of three among a few flows, the mean of both orders of the last two, without zeros. Solenoidal flows
 /// between walls take no power from each other: before that mean the integral is antisymmetric in the first and the last. (L21)
-pub(super) fn advection(liquid: &impl Liquid, flows: &[Vec<f64>]) -> Vec<([usize; 3], f64)> {
+pub(super) fn advection(liquid: &dyn Liquid, flows: &[Vec<f64>]) -> Vec<([usize; 3], f64)> {
     let count = flows.len();
     let place = |a: usize, b: usize, c: usize| (a * count + b) * count + c;
     let mut sums = vec![0.0; count.pow(3)];

@@ -82,7 +82,7 @@ impl Relaxations {
     ///
     /// The chains begin with the three slow flows that a change of spin drives. Each step is the response to the inertia of the flow before
     /// it, and to its rotation with the body about each axis. Responses to faster changes of the spin join them.
-    pub fn of(liquid: &impl Liquid, memory: Memory, mass: f64) -> Option<Self> {
+    pub fn of(liquid: &dyn Liquid, memory: Memory, mass: f64) -> Option<Self> {
         let (span, slow) = krylov_basis(liquid, memory)?;
         let inertia = span.projected(|u| liquid.mass(u));
         let size = inertia.size();
@@ -112,7 +112,7 @@ impl Relaxations {
 }
 
 /// Vectors that span the chains, orthonormal in `∫∇u:∇u dV`, and the number of slow flows among the first.
-fn krylov_basis(liquid: &impl Liquid, Memory { depth, modes }: Memory) -> Option<(Span, usize)> {
+fn krylov_basis(liquid: &dyn Liquid, Memory { depth, modes }: Memory) -> Option<(Span, usize)> {
     let mut kept = Vec::new();
     let slow = grown(liquid, &mut kept, liquid.slow()?);
     let mut last = slow.clone();
@@ -137,7 +137,7 @@ fn krylov_basis(liquid: &impl Liquid, Memory { depth, modes }: Memory) -> Option
 }
 
 /// Adds flows to orthonormal ones, without linearly dependent ones, and returns the places of the new ones.
-fn grown(liquid: &impl Liquid, kept: &mut Vec<Vec<f64>>, flows: Vec<Vec<f64>>) -> Range<usize> {
+fn grown(liquid: &dyn Liquid, kept: &mut Vec<Vec<f64>>, flows: Vec<Vec<f64>>) -> Range<usize> {
     let start = kept.len();
     let unit = |mut u: Vec<f64>| {
         let length = dot(&u, &liquid.friction(&u)).sqrt();
@@ -150,7 +150,7 @@ fn grown(liquid: &impl Liquid, kept: &mut Vec<Vec<f64>>, flows: Vec<Vec<f64>>) -
     start..kept.len()
 }
 
-fn turning(liquid: &impl Liquid, fields: &[Vec<f64>]) -> Vec<(usize, usize, Vector3<f64>)> {
+fn turning(liquid: &dyn Liquid, fields: &[Vec<f64>]) -> Vec<(usize, usize, Vector3<f64>)> {
     let size = fields.len();
     // ∫u_j × u_k · e = −∫u_j · (e × u_k)
     let along: [DMatrix<f64>; 3] = std::array::from_fn(|axis| {

@@ -21,7 +21,7 @@ impl MeshedFlow {
     pub fn new(mesh: &Mesh) -> Result<Self, StokesError> {
         let flow = StokesFlow::new(mesh)?;
         let center = scale(-1.0, flow.moments().center);
-        let loads = AXES.map(|axis| flow.load(|place| cross(axis, add(place, center))));
+        let loads = AXES.map(|axis| flow.load(&|place| cross(axis, add(place, center))));
         let slow = flow.solve(&loads, 0.0)?;
         Ok(Self { flow, loads, slow })
     }

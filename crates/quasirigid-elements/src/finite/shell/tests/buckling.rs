@@ -10,12 +10,12 @@ use quasirigid_mesh::Shape;
 
 fn coefficient(shape: Shape, n: usize) -> f64 {
     let (young, poisson, thickness) = (7e10, 0.3, 1e-3);
-    let grid = Grid::new(shape, [n, n], |x, y| [x, y, 0.0]);
+    let grid = Grid::new(shape, [n, n], &|x, y| [x, y, 0.0]);
     let mut plate = Structure::new(grid, section(young, poisson, thickness), [1.0, 0.0, 0.0]);
     let edge = |value: f64| value.abs() < 1e-9 || (value - 1.0).abs() < 1e-9;
-    plate.hold(&[0, 1, 5], |_| true);
-    plate.hold(&[2, 3], |p| edge(p.x));
-    plate.hold(&[2, 4], |p| edge(p.y));
+    plate.hold(&[0, 1, 5], &|_| true);
+    plate.hold(&[2, 3], &|p| edge(p.x));
+    plate.hold(&[2, 4], &|p| edge(p.y));
     // a compression of 1 N/m along x, free across
     let strain = 1.0 / (young * thickness);
     let pressed =

@@ -20,11 +20,11 @@ fn roof(shape: Shape, n: usize) -> f64 {
     };
     // x = 0 is the middle, x = 25 the diaphragm, y = 0 the crown.
     let mut roof =
-        Structure::new(Grid::new(shape, [n, n], point), section(4.32e8, 0.0, 0.25), [1.0, 0.0, 0.0]);
-    roof.hold(&[0, 4, 5], |p| near(p.x, 0.0));
-    roof.hold(&[1, 2], |p| near(p.x, 25.0));
-    roof.hold(&[1, 3, 5], |p| near(p.y, 0.0));
-    roof.press(|_| Vector3::new(0.0, 0.0, -90.0));
+        Structure::new(Grid::new(shape, [n, n], &point), section(4.32e8, 0.0, 0.25), [1.0, 0.0, 0.0]);
+    roof.hold(&[0, 4, 5], &|p| near(p.x, 0.0));
+    roof.hold(&[1, 2], &|p| near(p.x, 25.0));
+    roof.hold(&[1, 3, 5], &|p| near(p.y, 0.0));
+    roof.press(&|_| Vector3::new(0.0, 0.0, -90.0));
     -roof.answer()[6 * roof.grid.node(0, n) + 2]
 }
 
@@ -35,11 +35,11 @@ fn cylinder(shape: Shape, n: usize) -> f64 {
         [300.0 * x, 300.0 * angle.sin(), 300.0 * angle.cos()]
     };
     let mut pinched =
-        Structure::new(Grid::new(shape, [n, n], point), section(3e6, 0.3, 3.0), [1.0, 0.0, 0.0]);
-    pinched.hold(&[0, 4, 5], |p| near(p.x, 0.0));
-    pinched.hold(&[1, 2], |p| near(p.x, 300.0));
-    pinched.hold(&[1, 3, 5], |p| near(p.y, 0.0));
-    pinched.hold(&[2, 3, 4], |p| near(p.z, 0.0));
+        Structure::new(Grid::new(shape, [n, n], &point), section(3e6, 0.3, 3.0), [1.0, 0.0, 0.0]);
+    pinched.hold(&[0, 4, 5], &|p| near(p.x, 0.0));
+    pinched.hold(&[1, 2], &|p| near(p.x, 300.0));
+    pinched.hold(&[1, 3, 5], &|p| near(p.y, 0.0));
+    pinched.hold(&[2, 3, 4], &|p| near(p.z, 0.0));
     pinched.load[2] = -0.25;
     -pinched.answer()[2]
 }
@@ -51,11 +51,11 @@ fn hemisphere(shape: Shape, n: usize) -> f64 {
         let ring = 10.0 * latitude.cos();
         [ring * longitude.cos(), ring * longitude.sin(), 10.0 * latitude.sin()]
     };
-    let grid = Grid::new(shape, [n, n], point);
+    let grid = Grid::new(shape, [n, n], &point);
     let mut pinched = Structure::new(grid, section(6.825e7, 0.3, 0.04), [0.3, -0.2, 1.0]);
-    pinched.hold(&[1, 3, 5], |p| near(p.y, 0.0));
-    pinched.hold(&[0, 4, 5], |p| near(p.x, 0.0));
-    pinched.hold(&[2], |p| near(p.x, 10.0));
+    pinched.hold(&[1, 3, 5], &|p| near(p.y, 0.0));
+    pinched.hold(&[0, 4, 5], &|p| near(p.x, 0.0));
+    pinched.hold(&[2], &|p| near(p.x, 10.0));
     pinched.load[0] = 1.0;
     pinched.load[6 * n + 1] = -1.0;
     pinched.answer()[0]

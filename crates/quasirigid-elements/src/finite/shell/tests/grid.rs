@@ -13,7 +13,7 @@ pub struct Grid {
 
 impl Grid {
     /// `map(x, y)` of the unit square, with `counts` elements along each side.
-    pub fn new(shape: Shape, counts: [usize; 2], map: impl Fn(f64, f64) -> [f64; 3]) -> Self {
+    pub fn new(shape: Shape, counts: [usize; 2], map: &dyn Fn(f64, f64) -> [f64; 3]) -> Self {
         let columns = counts[0] + 1;
         let place = |i: usize| {
             let (column, row) = (i % columns, i / columns);

@@ -56,13 +56,13 @@ fn navier(section: &ShellSection, cross: bool) -> Vector3<f64> {
 
 /// Amplitudes of the displacement under a unit pressure in the middle, by elements.
 fn found(section: ShellSection, cross: bool, shape: Shape, n: usize) -> Vector3<f64> {
-    let grid = Grid::new(shape, [n, n], |x, y| [SIDES[0] * x, SIDES[1] * y, 0.0]);
+    let grid = Grid::new(shape, [n, n], &|x, y| [SIDES[0] * x, SIDES[1] * y, 0.0]);
     let mut plate = Structure::new(grid, section, [1.0, 0.0, 0.0]);
     let edge = |value: f64, side: f64| value.abs() < 1e-9 || (value - side).abs() < 1e-9;
     let (held_x, held_y) = if cross { (1, 0) } else { (0, 1) };
-    plate.hold(&[held_x, 2, 3], |p| edge(p.x, SIDES[0]));
-    plate.hold(&[held_y, 2, 4], |p| edge(p.y, SIDES[1]));
-    plate.press(|p| (PI * p.x / SIDES[0]).sin() * (PI * p.y / SIDES[1]).sin() * Vector3::z());
+    plate.hold(&[held_x, 2, 3], &|p| edge(p.x, SIDES[0]));
+    plate.hold(&[held_y, 2, 4], &|p| edge(p.y, SIDES[1]));
+    plate.press(&|p| (PI * p.x / SIDES[0]).sin() * (PI * p.y / SIDES[1]).sin() * Vector3::z());
     let answer = plate.answer();
     // where cos sin, sin cos and sin sin are ±1
     let [along_x, along_y] = if cross { [[0, n / 2], [n / 2, 0]] } else { [[n / 2, 0], [0, n / 2]] };

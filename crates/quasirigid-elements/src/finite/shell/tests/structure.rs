@@ -37,7 +37,7 @@ impl Structure {
     }
 
     /// Constrains degrees of freedom of the nodes at which `here` is true.
-    pub fn hold(&mut self, dofs: &[usize], here: impl Fn(Vector3<f64>) -> bool) {
+    pub fn hold(&mut self, dofs: &[usize], here: &dyn Fn(Vector3<f64>) -> bool) {
         for (index, place) in self.grid.nodes.iter().enumerate().filter(|(_, place)| here(**place)) {
             assert!(place.norm().is_finite());
             dofs.iter().for_each(|dof| self.held[6 * index + dof] = true);
@@ -45,7 +45,7 @@ impl Structure {
     }
 
     /// Adds a force per area (Pa) to all elements; every node bears the area around it.
-    pub fn press(&mut self, pressure: impl Fn(Vector3<f64>) -> Vector3<f64>) {
+    pub fn press(&mut self, pressure: &dyn Fn(Vector3<f64>) -> Vector3<f64>) {
         let unit = ShellSection { mass: 1.0, ..section(1.0, 0.0, 1.0) };
         for cell in &self.grid.cells {
             let mass = mass(self.grid.shape(), &self.grid.places(cell), &unit).unwrap();

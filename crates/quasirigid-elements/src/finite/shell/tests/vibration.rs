@@ -22,7 +22,7 @@ fn frequencies(shape: Shape, n: usize) -> Vec<f64> {
     let (poisson, thickness) = (0.3, 0.01);
     let section = section(1.0 - poisson * poisson, poisson, thickness);
     let shift = |x: f64, y: f64| x + 0.3 * x * (1.0 - x) * (y - 0.4);
-    let grid = Grid::new(shape, [n, n], |x, y| [shift(x, y), shift(y, 1.0 - x), 0.0]);
+    let grid = Grid::new(shape, [n, n], &|x, y| [shift(x, y), shift(y, 1.0 - x), 0.0]);
     let mut K = DMatrix::zeros(6 * grid.nodes.len(), 6 * grid.nodes.len());
     let mut M = K.clone();
     for cell in &grid.cells {

@@ -9,7 +9,7 @@ use crate::math::vec3::{add, scale};
 use quasirigid_mesh::Mesh;
 
 /// Errors of the tensor on two meshes and the order in which they fall.
-fn order(counts: [i64; 2], mesh: impl Fn(i64) -> Mesh, exact: [[f64; 3]; 3]) -> ([f64; 2], f64) {
+fn order(counts: [i64; 2], mesh: &dyn Fn(i64) -> Mesh, exact: [[f64; 3]; 3]) -> ([f64; 2], f64) {
     let errors = counts.map(|n| gap(tensor(&StokesFlow::new(&mesh(n)).unwrap()), exact));
     (errors, (errors[0] / errors[1]).ln() / (counts[1] as f64 / counts[0] as f64).ln())
 }
@@ -17,7 +17,7 @@ fn order(counts: [i64; 2], mesh: impl Fn(i64) -> Mesh, exact: [[f64; 3]; 3]) -> 
 #[test]
 fn curved_cells_converge_in_a_ball() {
     let exact = diagonal([8.0 * PI / 525.0; 3]);
-    let (errors, order) = order([3, 6], |n| ball(n, |x| x), exact);
+    let (errors, order) = order([3, 6], &|n| ball(n, &|x| x), exact);
     assert!(order > 3.7 && errors[1] < 1.7e-3, "{errors:?}, order {order}");
 }
 
@@ -30,14 +30,14 @@ fn curved_cells_converge_in_an_ellipsoid() {
         scale(unit, add([7.0, -5.0, 3.0], turned(std::array::from_fn(|axis| half[axis] * x[axis]))))
     };
     let exact = turned_tensor(diagonal(ellipsoid(half).map(|P| unit.powi(7) * P)));
-    let (errors, order) = order([3, 6], |n| ball(n, moved), exact);
+    let (errors, order) = order([3, 6], &|n| ball(n, &moved), exact);
     assert!(order > 3.5 && errors[1] < 1.4e-3, "{errors:?}, order {order}");
 }
 
 #[test]
 fn straight_cells_lose_what_lies_between_them_and_a_round_wall() {
     let exact = diagonal([8.0 * PI / 525.0; 3]);
-    let (errors, order) = order([4, 8], faceted_ball, exact);
+    let (errors, order) = order([4, 8], &faceted_ball, exact);
     assert!((order - 2.0).abs() < 0.2, "{errors:?}, order {order}");
 }
 
@@ -54,7 +54,7 @@ fn curved_cells_converge_in_a_cylinder() {
 #[test]
 fn straight_cells_converge_in_a_box() {
     let exact = diagonal([9.8571e-4, 1.612_82e-3, 7.9914e-4]);
-    let (errors, order) = order([3, 5], block, exact);
+    let (errors, order) = order([3, 5], &block, exact);
     assert!(order > 2.5 && errors[1] < 1.2e-3, "{errors:?}, order {order}");
 }
 
@@ -101,7 +101,7 @@ impl Eddy {
             .iter_mut()
             .for_each(|x| *x = std::array::from_fn(|axis| self.0[axis] * x[axis] / SIDES[axis]));
         let flow = StokesFlow::new(&mesh).unwrap();
-        let u = flow.solve(&[flow.load(|x| self.force(x))], 0.0).unwrap().remove(0);
+        let u = flow.solve(&[flow.load(&|x| self.force(x))], 0.0).unwrap().remove(0);
         [distance(&flow, &u, |x| self.gradient(x)), flow.error_energy(&u)]
     }
 }

@@ -10,7 +10,7 @@ use crate::math::vec3::{add, cross, dot as scalar, scale};
 #[test]
 fn the_estimate_is_that_of_the_gradient_in_a_ball() {
     for n in [3, 6] {
-        let flow = StokesFlow::new(&ball(n, |x| x)).unwrap();
+        let flow = StokesFlow::new(&ball(n, &|x| x)).unwrap();
         let flows = flow.solve(&loads(&flow), 0.0).unwrap();
         for (axis, u) in AXES.into_iter().zip(&flows) {
             let exact = |x: [f64; 3]| {
@@ -28,7 +28,7 @@ fn the_estimate_is_that_of_the_gradient_in_a_ball() {
 /// Error of the tensor, of which the share of the curved wall is no error of the gradient.
 #[test]
 fn the_estimate_is_of_the_size_of_the_error_of_the_tensor() {
-    let round = (8.0 * std::f64::consts::PI / 525.0, ball(6, |x| x), 0);
+    let round = (8.0 * std::f64::consts::PI / 525.0, ball(6, &|x| x), 0);
     let upright = (0.034_506_63, cylinder(6), 2);
     let square = (9.8571e-4, block(5), 0);
     for (exact, mesh, axis) in [round, upright, square] {

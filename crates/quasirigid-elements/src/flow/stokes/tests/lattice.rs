@@ -16,21 +16,21 @@ pub struct Lattice {
 impl Lattice {
     /// A box of so many cubes from its middle along each axis, each cut in six.
     pub fn block(counts: [i64; 3]) -> Self {
-        Self::cut(counts, 0, |at| at).mirrored([0, 1, 2].into_iter())
+        Self::cut(counts, 0, &|at| at).mirrored([0, 1, 2].into_iter())
     }
 
     /// The octahedron `|x| + |y| + |z| ≤ n`.
     pub fn octahedron(n: i64) -> Self {
-        Self::cut([n; 3], 2, |[a, b, c]| [c - b, b - a, a]).mirrored([0, 1, 2].into_iter())
+        Self::cut([n; 3], 2, &|[a, b, c]| [c - b, b - a, a]).mirrored([0, 1, 2].into_iter())
     }
 
     /// The prism `|x| + |y| ≤ n`, `0 ≤ z ≤ height`.
     pub fn prism(n: i64, height: i64) -> Self {
-        Self::cut([n, n, height], 1, |[a, b, c]| [b - a, a, c]).mirrored([0, 1].into_iter())
+        Self::cut([n, n, height], 1, &|[a, b, c]| [b - a, a, c]).mirrored([0, 1].into_iter())
     }
 
     /// Six tetrahedra to a cube; of them those where the first `ordered` coordinates do not fall to the next.
-    fn cut(counts: [i64; 3], ordered: usize, map: impl Fn([i64; 3]) -> [i64; 3]) -> Self {
+    fn cut(counts: [i64; 3], ordered: usize, map: &dyn Fn([i64; 3]) -> [i64; 3]) -> Self {
         let mut lattice = Self { points: Vec::new(), cells: Vec::new(), count: counts[0] };
         let mut known = HashMap::new();
         let [m, n, o] = counts;
@@ -76,7 +76,7 @@ impl Lattice {
     }
 
     /// The mesh with its points moved, of cells of 4 nodes.
-    pub fn straight(&self, place: impl Fn([f64; 3]) -> [f64; 3]) -> Mesh {
+    pub fn straight(&self, place: &dyn Fn([f64; 3]) -> [f64; 3]) -> Mesh {
         let nodes: Vec<[f64; 3]> = self.points.iter().map(|at| place(at.map(|x| x as f64))).collect();
         let cell = |(label, cell): (u64, &[usize; 4])| {
             let [a, b, c, d] = cell.map(|node| nodes[node]);
@@ -93,8 +93,8 @@ impl Lattice {
     }
 
     /// The mesh with cells of 10 nodes: edges are straight but for those on a `curved` part of the wall.
-    pub fn quadratic(&self, curved: impl Fn([f64; 3]) -> bool, place: impl Fn([f64; 3]) -> [f64; 3]) -> Mesh {
-        let mut mesh = self.straight(&place);
+    pub fn quadratic(&self, curved: &dyn Fn([f64; 3]) -> bool, place: &dyn Fn([f64; 3]) -> [f64; 3]) -> Mesh {
+        let mut mesh = self.straight(place);
         let mut middles: HashMap<[usize; 2], usize> = HashMap::new();
         for cell in &mut mesh.cells {
             let corners = cell.nodes.clone();
@@ -136,21 +136,21 @@ fn rounded(axes: usize, count: i64) -> impl Fn([f64; 3]) -> [f64; 3] {
 }
 
 /// The unit ball, `n` cells along a radius, its places moved.
-pub fn ball(n: i64, moved: impl Fn([f64; 3]) -> [f64; 3]) -> Mesh {
+pub fn ball(n: i64, moved: &dyn Fn([f64; 3]) -> [f64; 3]) -> Mesh {
     let lattice = Lattice::octahedron(n);
     let round = rounded(3, n);
-    lattice.quadratic(lattice.slanted(3), |at| moved(round(at)))
+    lattice.quadratic(&lattice.slanted(3), &|at| moved(round(at)))
 }
 
 /// Unit ball of straight cells, inside the ball.
 pub fn faceted_ball(n: i64) -> Mesh {
-    Lattice::octahedron(n).straight(rounded(3, n))
+    Lattice::octahedron(n).straight(&rounded(3, n))
 }
 
 /// A cylinder of radius 1 and height 1, `n` cells along each.
 pub fn cylinder(n: i64) -> Mesh {
     let lattice = Lattice::prism(n, n);
-    lattice.quadratic(lattice.slanted(2), rounded(2, n))
+    lattice.quadratic(&lattice.slanted(2), &rounded(2, n))
 }
 
 /// Sides of the box.
@@ -158,5 +158,5 @@ pub const SIDES: [f64; 3] = [1.0, 0.8, 1.3];
 
 /// A box about the origin with straight cells, `2 n` along each side.
 pub fn block(n: i64) -> Mesh {
-    Lattice::block([n; 3]).straight(|at| std::array::from_fn(|axis| SIDES[axis] * at[axis] / (2 * n) as f64))
+    Lattice::block([n; 3]).straight(&|at| std::array::from_fn(|axis| SIDES[axis] * at[axis] / (2 * n) as f64))
 }

@@ -10,7 +10,7 @@ use quasirigid_mesh::Shape;
 /// An octahedron of eight cells, off the origin, with the share `λ` of its middle at a place.
 fn octahedron() -> (StokesFlow, impl Fn([f64; 3]) -> f64 + Copy) {
     let middle = [0.4, -2.0, 0.7];
-    let mesh = Lattice::octahedron(1).straight(|x| add(middle, x));
+    let mesh = Lattice::octahedron(1).straight(&|x| add(middle, x));
     let share = move |x: [f64; 3]| 1.0 - (0..3).map(|axis| (x[axis] - middle[axis]).abs()).sum::<f64>();
     (StokesFlow::new(&mesh).unwrap(), share)
 }
@@ -33,7 +33,7 @@ fn integrals_over_straight_cells_are_exact() {
     assert!(triple.abs() > 0.1);
     close(dot(&v, &flow.turned(axis, &u)), triple * 8.0 * 24.0 / 5040.0);
     // ∫ λ² y² dV = 8·2·2/7! about the middle, where odd powers vanish.
-    let load = flow.load(|[x, y, z]| [1.0 + x, y * y, x * z - 3.0]);
+    let load = flow.load(&|[x, y, z]| [1.0 + x, y * y, x * z - 3.0]);
     let [whole, square] = [8.0 * 2.0 / 120.0, 8.0 * 4.0 / 5040.0];
     let exact = [1.4 * whole, 4.0 * whole + square, (0.4 * 0.7 - 3.0) * whole];
     close(dot(&u, &load), crate::math::vec3::dot(a, exact));
@@ -54,7 +54,7 @@ fn moments_are_about_the_center() {
     let exact = turned_tensor(diagonal([1.0, 0.64, 1.69].map(|square| volume * square * 1e-6 / 12.0)));
     assert!(gap(flow.moments().second, exact) < 1e-12);
     // Curved cells miss 0.03 % of the volume of the ball.
-    let flow = StokesFlow::new(&ball(6, |x| x)).unwrap();
+    let flow = StokesFlow::new(&ball(6, &|x| x)).unwrap();
     assert!(gap(flow.moments().second, diagonal([4.0 * std::f64::consts::PI / 15.0; 3])) < 1e-3);
 }
 
@@ -74,7 +74,7 @@ fn units_and_axes_do_not_matter() {
 
 #[test]
 fn flows_have_no_divergence() {
-    for mesh in [ball(4, |x| x), cylinder(3), block(3)] {
+    for mesh in [ball(4, &|x| x), cylinder(3), block(3)] {
         let flow = StokesFlow::new(&mesh).unwrap();
         let loads = loads(&flow);
         for u in flow.solve(&loads, 0.0).unwrap() {
@@ -90,7 +90,7 @@ fn flows_have_no_divergence() {
 fn the_work_of_the_load_is_dissipated() {
     let flow = StokesFlow::new(&block(2)).unwrap();
     let mut loads = loads(&flow);
-    let push = flow.load(|_| [1.0, 2.0, -3.0]);
+    let push = flow.load(&|_| [1.0, 2.0, -3.0]);
     loads.push(loads[1].iter().zip(&push).map(|(a, b)| a + b).collect());
     loads.push(vec![0.0; flow.unknowns()]);
     let flows = flow.solve(&loads, 0.0).unwrap();
@@ -107,7 +107,7 @@ fn the_work_of_the_load_is_dissipated() {
 #[test]
 fn middle_nodes_are_made_where_cells_have_none() {
     let four = block(2);
-    let ten = Lattice::block([2; 3]).quadratic(|_| false, |at| [0.25 * at[0], 0.2 * at[1], 0.325 * at[2]]);
+    let ten = Lattice::block([2; 3]).quadratic(&|_| false, &|at| [0.25 * at[0], 0.2 * at[1], 0.325 * at[2]]);
     assert!(ten.cells.iter().all(|cell| cell.shape == Shape::Tet10));
     let flows = [four, ten.clone()].map(|mesh| StokesFlow::new(&mesh).unwrap());
     assert_eq!(flows[0].unknowns(), flows[1].unknowns());
@@ -124,7 +124,7 @@ fn middle_nodes_are_made_where_cells_have_none() {
 /// Flow per axis of a ball of exact swirls `φ e × r`, `φ = −(1 − r²)/10`: `∫ u_3·(e_2 × u_1) = −∫ φ² y² dV`.
 #[test]
 fn products_of_flows_converge_in_a_ball() {
-    let flow = StokesFlow::new(&ball(6, |x| x)).unwrap();
+    let flow = StokesFlow::new(&ball(6, &|x| x)).unwrap();
     let flows = flow.solve(&loads(&flow), 0.0).unwrap();
     let product = dot(&flows[2], &flow.turned(AXES[1], &flows[0]));
     // ∫ r⁴ (1 − r²)² dr = 1/5 − 2/7 + 1/9 = 8/315, times 4π/3 · 1/100.

@@ -16,7 +16,7 @@ const AXES: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 /// Loads of unit angular accelerations about the axes, `−e × r`.
 fn loads(flow: &StokesFlow) -> Vec<Vec<f64>> {
     let from_center = |x: [f64; 3]| add(x, scale(-1.0, flow.moments().center));
-    AXES.iter().map(|axis| flow.load(|x| cross(from_center(x), *axis))).collect()
+    AXES.iter().map(|axis| flow.load(&|x| cross(from_center(x), *axis))).collect()
 }
 
 /// `P_kl = −e_k·∫ r × u_l dV`. (L5)

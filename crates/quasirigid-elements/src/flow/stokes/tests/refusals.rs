@@ -11,7 +11,7 @@ fn refusal(mesh: &Mesh) -> StokesError {
 }
 
 fn octahedron() -> Mesh {
-    Lattice::octahedron(1).straight(|x| x)
+    Lattice::octahedron(1).straight(&|x| x)
 }
 
 /// A cell of so many of the first nodes.
@@ -113,7 +113,7 @@ fn a_face_has_two_sides() {
 
 #[test]
 fn edges_have_one_middle_and_nodes_one_role() {
-    let whole = Lattice::octahedron(1).quadratic(|_| false, |x| x);
+    let whole = Lattice::octahedron(1).quadratic(&|_| false, &|x| x);
     assert!(StokesFlow::new(&whole).is_ok());
     let mut torn = whole.clone();
     let middle = torn.cells[0].nodes[5];
@@ -132,7 +132,7 @@ fn edges_have_one_middle_and_nodes_one_role() {
 #[test]
 fn sizes_beyond_numbers_and_cells_without_thickness_are_refused() {
     for unit in [1e-70, 1e70] {
-        let mesh = Lattice::octahedron(1).straight(|x| x.map(|x| unit * x));
+        let mesh = Lattice::octahedron(1).straight(&|x| x.map(|x| unit * x));
         assert!(matches!(refusal(&mesh), StokesError::OutOfRange { .. }));
     }
 }
@@ -148,7 +148,7 @@ fn cells_without_thickness_have_no_factor() {
 #[test]
 fn loads_beyond_numbers_are_refused() {
     let flow = StokesFlow::new(&block(1)).unwrap();
-    let mut load = flow.load(|x| x);
+    let mut load = flow.load(&|x| x);
     load[1] = f64::INFINITY;
     assert!(matches!(flow.solve(&[load], 0.0), Err(StokesError::NoConvergence { iterations: 0, .. })));
 }

@@ -2,6 +2,7 @@
 //!
 //! A task is compiled for any processor, and on x86-64 for vectors of four and of eight numbers, each with and without fused multiply-add.
 //! Only the fused one rounds differently, in the last bit; the width of the vectors changes none. One machine always takes the same one.
+//! A build without full optimisation has no vectors of eight.
 #![allow(unsafe_code)]
 
 #[cfg(target_arch = "x86_64")]
@@ -189,12 +190,12 @@ pub fn dispatch_unfused<T: Task>(task: T) -> T::Output {
     plain(task)
 }
 
-/// Runs a task on [`Lanes`](crate::lanes::Lanes), in the widest registers that the processor has.
+/// Runs a task on [`Lanes`](crate::lanes::Lanes), in the widest registers that the processor has and the build is for.
 pub fn dispatch_lanes<T: Task>(rounding: Rounding, task: T) -> T::Output {
     #[cfg(target_arch = "x86_64")]
     {
         let fused = rounding == Rounding::Fastest;
-        if has_four() && std::arch::is_x86_feature_detected!("avx512f") {
+        if cfg!(vectors_of_eight) && has_four() && std::arch::is_x86_feature_detected!("avx512f") {
             // SAFETY: the processor has the features that the functions are compiled for.
             return unsafe {
                 if fused { eight::<SingleRounding, T>(task) } else { eight::<Unfused, T>(task) }

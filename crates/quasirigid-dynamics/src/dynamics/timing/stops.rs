@@ -264,6 +264,17 @@ mod tests {
         assert_eq!((stops.breakpoints(), stops.list().len()), (2, 5));
     }
 
+    #[test]
+    fn periodic_stops_go_on_after_the_last_other() {
+        for all in [vec![], vec![1.0]] {
+            let periodic = vec![Periodic { period: 4.0, places: vec![0.5] }];
+            let stops = Stops { all: all.clone(), periodic, end: 9.0, ..Stops::default() };
+            let found: Vec<f64> = [0.5, 1.0, 4.5, 8.5].map(|t| stops.next(t)).to_vec();
+            let first = all.first().copied().unwrap_or(4.5);
+            assert_eq!(found, [first, 4.5, 8.5, f64::INFINITY]);
+        }
+    }
+
     /// Instants of a controller beside a break: one that is a break to rounding is that break.
     #[test]
     fn instants_of_controllers_are_breakpoints() {

@@ -2,14 +2,15 @@
 //! The tests of the Python package need an interpreter and libraries, which not every machine has; a missing one is told with the
 //! way to get it, and is no failure unless Python is required, as it is on the server. The package is put together from the library that
 //! the build of the workspace makes: a wheel compiles most of it a second time, with other features of its dependencies, and is tested on
-//! request.
+//! request. The tests of both languages run side by side, since many of either wait for other programs; what Python says is printed at its end.
 
 use std::env::consts::{DLL_PREFIX, DLL_SUFFIX};
 use std::ffi::OsStr;
 use std::fs;
 use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
-use std::process::Command;
+use std::process::{Command, ExitStatus, Output};
+use std::thread::{self, ScopedJoinHandle};
 
 /// Versions of what the tests of Python need.
 const REQUIREMENTS: &str = "requirements-test.txt";
@@ -42,21 +43,36 @@ pub struct Wishes {
     pub wheel: bool,
 }
 
-/// Runs the tests of Rust, then those of Python.
+/// Runs the tests of Rust beside those of Python.
 pub fn run(root: &Path, wishes: Wishes) -> Step {
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
     let all = |verb| [verb, "--workspace"].into_iter().chain(FEATURES);
-    step(root, &cargo, all("build").chain(TARGETS))?;
-    step(root, &cargo, all("test").chain(TARGETS))?;
-    step(root, &cargo, all("test").chain(["--doc"]))?;
-    match interpreter(root) {
-        Ok(python) => of_python(root, &python, wishes.wheel),
-        Err(missing) if wishes.python => Err(missing),
+    let python = match interpreter(root) {
+        Ok(python) => Some(python),
+        Err(missing) if wishes.python => return Err(missing),
         Err(missing) => {
-            println!("\nxtask test: the tests of Python were LEFT OUT: {missing}");
-            Ok(())
+            println!("\nxtask test: the tests of Python are LEFT OUT: {missing}");
+            None
         }
-    }
+    };
+    thread::scope(|scope| {
+        let environment = python.map(|python| scope.spawn(move || installed(root, &python)));
+        step(root, &cargo, all("build").chain(TARGETS))?;
+        let own = environment.map(joined).transpose()?;
+        let of_python = own.map(|own| scope.spawn(move || of_python(root, &own, wishes.wheel)));
+        let of_rust = step(root, &cargo, all("test").chain(TARGETS))
+            .and_then(|()| step(root, &cargo, all("test").chain(["--doc"])));
+        let of_python = of_python.map_or(Ok(()), joined);
+        match (of_rust, of_python) {
+            (Err(rust), Err(python)) => Err(format!("{rust}\nxtask test: {python}")),
+            (of_rust, of_python) => of_rust.and(of_python),
+        }
+    })
+}
+
+/// Result of a thread.
+fn joined<T>(thread: ScopedJoinHandle<Result<T, String>>) -> Result<T, String> {
+    thread.join().unwrap_or_else(|_| Err("a thread panicked".to_owned()))
 }
 
 /// Folder of cargo's output.
@@ -88,10 +104,10 @@ fn interpreter(root: &Path) -> Result<PathBuf, String> {
     }
 }
 
-/// The package in an environment of its own, and its tests.
-fn of_python(root: &Path, python: &Path, wheel: bool) -> Step {
-    let (target, own) = (target(root), installed(root, python)?);
-    let told = Command::new(&own).args(["-c", PACKAGES]).output();
+/// The package in its environment, and its tests.
+fn of_python(root: &Path, own: &Path, wheel: bool) -> Step {
+    let target = target(root);
+    let told = Command::new(own).args(["-c", PACKAGES]).output();
     let packages = told.map_err(|error| format!("{} does not run ({error})", own.display()))?.stdout;
     let package = Path::new(String::from_utf8_lossy(&packages).trim()).join("quasirigid");
     let copied = match fs::remove_dir_all(&package) {
@@ -101,12 +117,12 @@ fn of_python(root: &Path, python: &Path, wheel: bool) -> Step {
     };
     copied.map_err(|error| format!("cannot make {}: {error}", package.display()))?;
     if wheel {
-        install_wheel(root, &target, &own)?;
+        install_wheel(root, &target, own)?;
     }
     let suite = ["-m", "pytest", "-q", "-n", WORKERS, "--dist", "loadfile", "crates/quasirigid-python/tests"];
-    step(root, &own, suite)?;
-    step(root, &own, ["-m", "mypy", "-p", "quasirigid"])?;
-    step(root, &own, ["-m", "mypy.stubtest", "--mypy-config-file", "pyproject.toml", "quasirigid"])
+    quiet(root, own, suite)?;
+    quiet(root, own, ["-m", "mypy", "-p", "quasirigid"])?;
+    quiet(root, own, ["-m", "mypy.stubtest", "--mypy-config-file", "pyproject.toml", "quasirigid"])
 }
 
 /// The sources of the package with the library that the build of the workspace made.
@@ -162,13 +178,41 @@ fn step<S: AsRef<OsStr>>(
     program: impl AsRef<OsStr>,
     arguments: impl IntoIterator<Item = S>,
 ) -> Step {
+    let (mut command, shown) = command(root, program, arguments);
+    println!("\nxtask test: {shown}");
+    judged(command.status(), &shown)
+}
+
+/// The same; what it prints comes at its end.
+fn quiet<S: AsRef<OsStr>>(
+    root: &Path,
+    program: impl AsRef<OsStr>,
+    arguments: impl IntoIterator<Item = S>,
+) -> Step {
+    let (mut command, shown) = command(root, program, arguments);
+    let ended = command.output().map(|Output { status, stdout, stderr }| {
+        let [out, err] = [stdout, stderr].map(|text| String::from_utf8_lossy(&text).into_owned());
+        println!("\nxtask test: {shown}\n{out}{err}");
+        status
+    });
+    judged(ended, &shown)
+}
+
+fn command<S: AsRef<OsStr>>(
+    root: &Path,
+    program: impl AsRef<OsStr>,
+    arguments: impl IntoIterator<Item = S>,
+) -> (Command, String) {
     let mut command = Command::new(&program);
     command.args(arguments).current_dir(root);
     // Python prints at once, and reads the package that is installed alone.
     command.env("PYTHONUNBUFFERED", "1").env_remove("PYTHONPATH");
     let shown = format!("{command:?}").replace('"', "");
-    println!("\nxtask test: {shown}");
-    match command.status() {
+    (command, shown)
+}
+
+fn judged(ended: io::Result<ExitStatus>, shown: &str) -> Step {
+    match ended {
         Ok(status) if status.success() => Ok(()),
         Ok(status) => Err(format!("failed, {status}: {shown}")),
         Err(error) => Err(format!("does not run ({error}): {shown}")),

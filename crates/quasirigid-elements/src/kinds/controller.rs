@@ -6,7 +6,7 @@ use crate::error::{ElementError, ElementId, ElementKind, Field, Problem, at};
 use crate::kinds::wheel::{Wheel, WheelSpeed};
 use crate::model::FlexibleBody;
 use crate::model::Marker;
-use crate::model::control::{ControlProblem, ControlledWheel, Controller, Controls};
+use crate::model::control::{Actuator, ControlLaw, ControlProblem, ControlledWheel, Controller, Controls};
 use crate::number;
 
 /// Controller that names places, internal coordinates and wheels.
@@ -34,11 +34,18 @@ impl Assembly {
             if let Some(problem) = controller.problem() {
                 return Err(refused(id, problem));
             }
+            let key = if matches!(controller.law, ControlLaw::Formulas(_)) { "motors" } else { "outputs" };
+            for output in &controller.outputs {
+                if let Actuator::Wheel { wheel } = &output.to {
+                    let known = self.controlled((key, wheel), &mut controls.wheels);
+                    known.map_err(|problem| refused(id, problem))?;
+                }
+            }
             let wheels = std::cell::RefCell::new(std::mem::take(&mut controls.wheels));
             let bound = controller.try_map(
                 |place| marker(body, place).cloned(),
                 |coordinate| numbered(body, coordinate),
-                |wheel| self.controlled(wheel, &mut wheels.borrow_mut()),
+                |wheel| self.controlled(("inputs", wheel), &mut wheels.borrow_mut()),
             );
             controls.controllers.push(bound.map_err(|problem| refused(id, problem))?);
             controls.wheels = wheels.into_inner();
@@ -46,14 +53,18 @@ impl Assembly {
         Ok(controls)
     }
 
-    /// Index of a wheel among those that are controlled, to which it is added.
-    fn controlled(&self, name: &str, wheels: &mut Vec<ControlledWheel>) -> Result<usize, ControlProblem> {
+    /// Index of a wheel, named at a key, among those that are controlled, to which it is added.
+    fn controlled(
+        &self,
+        (key, name): (&'static str, &str),
+        wheels: &mut Vec<ControlledWheel>,
+    ) -> Result<usize, ControlProblem> {
         if let Some(index) = wheels.iter().position(|wheel| wheel.name == name) {
             return Ok(index);
         }
         let wheel = self.wheels.iter().find(|wheel| wheel.name == name);
         let unknown =
-            || unknown("wheel of constant speed", name, self.wheels.iter().map(|wheel| &*wheel.name));
+            || unknown((key, "wheel of constant speed"), name, self.wheels.iter().map(|wheel| &*wheel.name));
         let Some(Wheel { axis, speed: WheelSpeed::Constant { angular_momentum }, .. }) = wheel else {
             return Err(unknown());
         };
@@ -67,16 +78,20 @@ fn marker<'a>(body: &'a FlexibleBody, name: &str) -> Result<&'a Marker, ControlP
     let mut named = body.markers().iter().filter(|marker| plain(&marker.name) == plain(name));
     match (named.next(), named.next()) {
         (Some(marker), None) => Ok(marker),
-        _ => {
-            Err(unknown("node of this name alone,", name, body.markers().iter().map(|marker| &*marker.name)))
-        }
+        _ => Err(unknown(
+            ("inputs", "node of this name alone,"),
+            name,
+            body.markers().iter().map(|marker| &*marker.name),
+        )),
     }
 }
 
 fn numbered(body: &FlexibleBody, name: &str) -> Result<usize, ControlProblem> {
     let coordinates = body.coordinates();
     let found = coordinates.iter().position(|coordinate| plain(&coordinate.name) == plain(name));
-    found.ok_or_else(|| unknown("coordinate", name, coordinates.iter().map(|coordinate| &*coordinate.name)))
+    found.ok_or_else(|| {
+        unknown(("inputs", "coordinate"), name, coordinates.iter().map(|coordinate| &*coordinate.name))
+    })
 }
 
 /// Name without quotes.
@@ -84,7 +99,11 @@ fn plain(name: &str) -> String {
     name.replace('"', "")
 }
 
-fn unknown<'n>(what: &'static str, name: &str, known: impl Iterator<Item = &'n str>) -> ControlProblem {
+fn unknown<'n>(
+    (key, what): (&'static str, &'static str),
+    name: &str,
+    known: impl Iterator<Item = &'n str>,
+) -> ControlProblem {
     let known = known.take(LISTED).collect::<Vec<_>>().join(", ");
-    ControlProblem::Unknown { what, name: name.to_owned(), known }
+    ControlProblem::Unknown { key, what, name: name.to_owned(), known }
 }

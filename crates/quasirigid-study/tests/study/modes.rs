@@ -7,8 +7,8 @@ use quasirigid_io::record::SteadySpinRecord;
 use quasirigid_study::modes::{Modes, PrincipalAxis, SteadySpinSettings};
 
 use crate::support::{
-    MODEL, carrier, close, ellipsoid, example, expression, fixed, gravity, hinged, mode, modes, modes_about,
-    nutation, of_order, one_line, point, spinning, study,
+    MODEL, carrier, close, ellipsoid, evolved, example, expression, fixed, gravity, hinged, mode, modes,
+    modes_about, nutation, of_order, one_line, point, spinning, study,
 };
 
 /// A body that hangs from a point, 0.5 m below it; its moments about that point are 10.25, 14 and 16 kg m2.
@@ -378,4 +378,16 @@ fn a_body_of_many_coordinates_says_which_modes_it_shows_and_what_of_the_others()
     let least = about([0.4, 0.0, 0.0]);
     assert!(text(&least).contains("the spin is UNSTABLE") && !least.spins[0].stable, "{}", text(&least));
     assert!(!text(&least).contains("no other grows"), "{}", text(&least));
+}
+
+/// The energy shows nothing of materials that lose by their quality factor; with dashpots it shows that nothing grows.
+#[test]
+fn an_evolution_says_where_it_is_not_known_whether_a_vibration_grows() {
+    let dashpots = many_points([0.05, 0.02, 0.4]);
+    let lossy = dashpots.replace("damping = 0.3", "rheology = { kind = \"quality-factor\", Q = 40 }");
+    for (model, unknown) in [(dashpots, false), (lossy, true)] {
+        let found = evolved(&study(&model), |_| {});
+        assert!(found.holds(), "{}", found.record.message);
+        assert_eq!(found.notes.join(" ").contains("is NOT KNOWN"), unknown, "{:?}", found.notes);
+    }
 }

@@ -41,6 +41,15 @@ impl MagneticField {
         }
     }
 
+    /// True if there is no field anywhere.
+    #[must_use]
+    pub fn is_zero(&self) -> bool {
+        let (Self::Uniform(source)
+        | Self::Dipole { strength: source, .. }
+        | Self::RotatingDipole { strength: source, .. }) = self;
+        *source == [0.0; 3]
+    }
+
     /// Orbit of the body through the field; none of a uniform field.
     #[must_use]
     pub fn orbit(&self) -> Option<&Orbit> {

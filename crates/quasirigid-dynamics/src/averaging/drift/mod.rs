@@ -11,7 +11,7 @@ use std::sync::Arc;
 use super::evolution::RotationState;
 use super::power::MeanPower;
 use super::slow_torque::SlowTorque;
-use crate::model::Principal;
+use crate::model::{Mode, Principal};
 use eddy::MeanEddy;
 
 pub use region_choice::SeparatrixPassage;
@@ -80,7 +80,10 @@ impl<P: MeanPower> Drift<P> {
     #[must_use]
     pub fn new(power: P, principal: &Principal, torque: SlowTorque) -> Self {
         let constant = principal.components(torque.constant);
+        let [.., greatest] = principal.moments;
+        let wobbles = [Mode::LongAxis, Mode::ShortAxis].iter().any(|mode| mode.exists(principal.moments));
+        let moments = if wobbles { principal.moments } else { [greatest; 3] };
         let eddy = torque.eddy.map(|eddy| MeanEddy::new(&eddy, principal));
-        Self { power, moments: principal.moments, constant, drag: torque.drag, eddy }
+        Self { power, moments, constant, drag: torque.drag, eddy }
     }
 }

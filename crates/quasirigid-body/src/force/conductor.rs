@@ -63,7 +63,8 @@ mod tests {
     /// Numbers by hand: copper of 10 cm, and Larets' shell of brass.
     #[test]
     fn tensors_are_those_of_spheres_and_shells() {
-        let near = |found: f64, known: f64| assert!((found / known - 1.0).abs() < 1e-6, "{found:e} {known:e}");
+        let near =
+            |found: f64, known: f64| assert!((found / known - 1.0).abs() < 1e-6, "{found:e} {known:e}");
         let sphere = Conductor::Sphere { conductivity: 5.8e7, radius: 0.1 };
         near(sphere.magnetic_tensor(), 242.949_831);
         let shell = Conductor::Shell { conductivity: 5.8e7, radius: 0.1, thickness: 0.1 };

@@ -126,7 +126,8 @@ mod tests {
     #[test]
     fn mean_over_an_orbit_is_that_over_time() {
         for eccentricity in [0.0, 0.0137, 0.3, 0.7] {
-            let gap = gap(|_| MagneticField::Dipole { strength: STRENGTH, orbit: orbit(eccentricity) }, 1, 4000);
+            let gap =
+                gap(|_| MagneticField::Dipole { strength: STRENGTH, orbit: orbit(eccentricity) }, 1, 4000);
             assert!(gap < 1e-12, "{eccentricity}: {gap}");
         }
     }
@@ -148,8 +149,10 @@ mod tests {
     /// `(1 + 3e² + 3e⁴/8)/(1−e²)^{9/2}` over the equator.
     #[test]
     fn mean_squares_have_their_closed_forms() {
-        let trace = |field: MagneticField| field.mean_square().iter().enumerate().map(|(i, row)| row[i]).sum::<f64>();
-        let near = |found: f64, known: f64| assert!((found / known - 1.0).abs() < 1e-14, "{found:e} {known:e}");
+        let trace =
+            |field: MagneticField| field.mean_square().iter().enumerate().map(|(i, row)| row[i]).sum::<f64>();
+        let near =
+            |found: f64, known: f64| assert!((found / known - 1.0).abs() < 1e-14, "{found:e} {known:e}");
         let axial = |orbit| MagneticField::Dipole { strength: [0.0, 0.0, 7.6e15], orbit };
         let inner = (7.6e15 / 9.1e6f64.powi(3)).powi(2);
         near(trace(axial(orbit(0.0))), inner * (1.0 + 1.5 * 1.9f64.sin().powi(2)));
@@ -163,7 +166,9 @@ mod tests {
     #[test]
     fn resonances_are_slow() {
         let n = orbit(0.0).mean_motion();
-        let slowest = |rate| MagneticField::RotatingDipole { strength: STRENGTH, rate, orbit: orbit(0.0) }.slowest_rate();
+        let slowest = |rate| {
+            MagneticField::RotatingDipole { strength: STRENGTH, rate, orbit: orbit(0.0) }.slowest_rate()
+        };
         for rate in [n, 0.5 * n, 2.0 * n, -1.5 * n] {
             assert!(slowest(rate) < 1e-12 * n, "{rate}");
         }

@@ -2,8 +2,8 @@
 
 use crate::element::{AttachmentPoint, Element};
 use crate::error::{ElementError, ElementId, Field, Problem, at};
-use crate::model::force::{Force, ForceLaw, MagneticField, Orbit, Wave};
 use crate::kinds::coefficient::matrix;
+use crate::model::force::{Force, ForceLaw, MagneticField, Orbit, Wave};
 use crate::number;
 use crate::{ApplicationPoint, Assembly, Coefficient};
 

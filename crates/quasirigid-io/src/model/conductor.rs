@@ -20,7 +20,9 @@ const OUTLINES: [(&str, Outline); 2] = [("sphere", Outline::Sphere), ("shell", O
 /// Reads a torque on eddy currents.
 pub(super) fn eddy_current(table: &Table<'_>) -> Option<ForceLaw<ApplicationPoint>> {
     let conductor = match (table.get("tensor"), table.get("conductivity")) {
-        (None, Some(_)) => of_metal(table).map(|metal| (isotropic(metal.magnetic_tensor()), metal.decay_time())),
+        (None, Some(_)) => {
+            of_metal(table).map(|metal| (isotropic(metal.magnetic_tensor()), metal.decay_time()))
+        }
         _ => of_tensor(table).map(|tensor| (tensor, 0.0)),
     };
     let field = magnetic_field(table);
@@ -50,13 +52,18 @@ fn of_metal(table: &Table<'_>) -> Option<Conductor> {
         table.read(key, example, |value: Value<'_>| value.positive(dimension))
     };
     let conductivity = positive("conductivity", "conductivity = \"25 MS/m\"", Dimension::CONDUCTIVITY);
-    let outline = table.read("shape", "shape = \"sphere\", or shape = \"shell\"", |value| value.choice(&OUTLINES));
+    let outline =
+        table.read("shape", "shape = \"sphere\", or shape = \"shell\"", |value| value.choice(&OUTLINES));
     let radius = positive("radius", "radius = \"30 cm\"", Dimension::LENGTH);
     match outline? {
         Outline::Sphere => {
             if let Some(thickness) = table.get("thickness") {
                 let message = "`thickness` is that of a shell, and this sphere is solid";
-                return thickness.refuse(message, "not for a sphere", "leave it out, or write shape = \"shell\"");
+                return thickness.refuse(
+                    message,
+                    "not for a sphere",
+                    "leave it out, or write shape = \"shell\"",
+                );
             }
             Some(Conductor::Sphere { conductivity: conductivity?, radius: radius? })
         }

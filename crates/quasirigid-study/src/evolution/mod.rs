@@ -20,8 +20,8 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use quasirigid::averaging::{
-    DAMPING_ESTIMATES, DampingEstimate, DriftLimits, Evolution, MeanPower, PolynomialPower, Response, RotationState,
-    SlowTorque, SmallBody, ball_radius,
+    DAMPING_ESTIMATES, DampingEstimate, DriftLimits, Evolution, MeanPower, PolynomialPower, Response,
+    RotationState, SlowTorque, SmallBody, ball_radius,
 };
 use quasirigid::dynamics::Start;
 use quasirigid::elements::Assembly;
@@ -210,8 +210,7 @@ fn table_of(
             EvolutionTable::of_evolution(&evolution, from, to, asked.samples).staying(asked.stays())
         }
         History::None => {
-            let limits =
-                DriftLimits { slowest: eddy::slowest(&torque), ..answer.limits(&evolution, asked)? };
+            let limits = DriftLimits { slowest: eddy::slowest(&torque), ..answer.limits(&evolution, asked)? };
             let start = answer.drifting(from);
             EvolutionTable::of_drift(answer, torque, start, limits, asked.samples, watch)
         }

@@ -151,7 +151,7 @@ impl EvolutionTable {
                 rotation_state,
                 angular_momentum: range.angular_momentum(),
                 side: 1.0,
-            direction: UNTURNED,
+                direction: UNTURNED,
                 revolutions: row.revolutions,
             }
         };
@@ -196,7 +196,7 @@ impl EvolutionTable {
                 rotation_state: RotationState { mode, xi: 0.0 },
                 angular_momentum,
                 side: 1.0,
-            direction: UNTURNED,
+                direction: UNTURNED,
                 revolutions: row.revolutions,
             }
         };

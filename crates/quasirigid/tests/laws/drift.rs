@@ -22,7 +22,14 @@ fn followed(drift: &Drift<impl MeanPower>, start: DriftState, times: &[f64]) -> 
 }
 
 fn start(rotation_state: RotationState, angular_momentum: f64) -> DriftState {
-    DriftState { t: 0.0, rotation_state, angular_momentum, side: 1.0, revolutions: 0.0 }
+    DriftState {
+        t: 0.0,
+        rotation_state,
+        angular_momentum,
+        side: 1.0,
+        direction: [0.0, 0.0, 1.0],
+        revolutions: 0.0,
+    }
 }
 
 /// Drift without a torque is the evolution at one angular momentum, through the separatrix too.

@@ -38,6 +38,7 @@ fn start(mode: Mode, xi: f64, angular_momentum: f64) -> DriftState {
         rotation_state: RotationState { mode, xi },
         angular_momentum,
         side: 1.0,
+        direction: [0.0, 0.0, 1.0],
         revolutions: 0.0,
     }
 }
@@ -80,6 +81,7 @@ fn drift_is_that_of_eulers_equations() {
     let torque = |weakness: f64, sign: f64| SlowTorque {
         constant: [sign * 4e-3 / weakness, 3e-3 / weakness, sign * 5e-3 / weakness],
         drag: 4e-3 / weakness,
+        eddy: None,
     };
     for (mode, xi, sign) in [
         (Mode::ShortAxis, 1.5, 1.0),

@@ -35,14 +35,8 @@ impl MeanEddy {
         let B = torque.field.mean_square();
         let square = B[0][0] + B[1][1] + B[2][2];
         let share = |i: usize, j: usize| -B[i][j] / square;
-        let N = [
-            1.0 + share(0, 0),
-            1.0 + share(1, 1),
-            1.0 + share(2, 2),
-            share(1, 2),
-            share(2, 0),
-            share(0, 1),
-        ];
+        let N =
+            [1.0 + share(0, 0), 1.0 + share(1, 1), 1.0 + share(2, 2), share(1, 2), share(2, 0), share(0, 1)];
         Self { tensor: torque.along(principal.axes), square, across: Principal::compute(N) }
     }
 

@@ -135,8 +135,9 @@ impl<'f, P: MeanPower> Way<'f, P> {
         let y = self.y();
         let [first, length] = [self.start.t, self.limits.end - self.start.t];
         self.outputs(self.history.end.t, |_| y);
-        let at_once =
-            [Mark::Target, Mark::Rest, Mark::SpunUp, Mark::SlowedDown].into_iter().find(|mark| self.past(*mark, &y) >= 0.0);
+        let at_once = [Mark::Target, Mark::Rest, Mark::SpunUp, Mark::SlowedDown]
+            .into_iter()
+            .find(|mark| self.past(*mark, &y) >= 0.0);
         if let Some(mark) = at_once {
             return self.met(mark);
         }

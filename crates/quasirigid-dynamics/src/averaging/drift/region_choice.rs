@@ -24,8 +24,7 @@ impl<P: MeanPower> Drift<P> {
     /// State in the most probable region beyond the separatrix, with the passage; none if every region leads back. (A10)
     pub(super) fn onward(&self, at: &DriftState) -> Option<(DriftState, SeparatrixPassage)> {
         let regions = [Mode::ShortAxis, Mode::LongAxis].map(|mode| [(mode, 1.0), (mode, -1.0)]);
-        let ways =
-            regions.as_flattened().iter().map(|region| (*region, self.outflow(*region, at)));
+        let ways = regions.as_flattened().iter().map(|region| (*region, self.outflow(*region, at)));
         let open: Vec<_> = ways.filter(|(_, flow)| *flow > 0.0).collect();
         let sum: f64 = open.iter().map(|(_, flow)| flow).sum();
         let first = *open.first()?;

@@ -101,7 +101,8 @@ fn class(error: &StudyError) -> &'static str {
         | StudyError::FreeRotation(_)
         | StudyError::Steady
         | StudyError::AtRest
-        | StudyError::BoundlessSpin => "StartError",
+        | StudyError::BoundlessSpin
+        | StudyError::SkinEffect { .. } => "StartError",
         StudyError::Submanifold(SubmanifoldError::Degree { .. }) | StudyError::NoChannel { .. } => {
             "InputError"
         }
@@ -121,6 +122,8 @@ fn class(error: &StudyError) -> &'static str {
         | StudyError::NotExported { .. } => "UnsupportedError",
         StudyError::Submanifold(_) | StudyError::SteadySpinBeyond { .. } => "ReductionError",
         StudyError::Unaveraged(_)
+        | StudyError::NoAxes { .. }
+        | StudyError::FastEddyCurrents { .. }
         | StudyError::DrivenPole
         | StudyError::Wheels { .. }
         | StudyError::NoShortAxis { .. } => "UnsupportedError",

@@ -174,6 +174,31 @@ pub enum StudyError {
         /// The moment (kg·m²).
         moment: f64,
     },
+    /// A body whose three principal moments are equal, under a torque that is not the same about every axis.
+    NoAxes {
+        /// The moment (kg·m²).
+        moment: f64,
+    },
+    /// Eddy currents too strong for an average.
+    FastEddyCurrents {
+        /// Bound on the rate (1/s) at which they change the rotation.
+        rate: f64,
+        /// Rate (rad/s) that is averaged over.
+        against: f64,
+        /// Whether that is one of the magnetic field, not of the body.
+        of_field: bool,
+    },
+    /// Eddy currents whose own field is not small.
+    SkinEffect {
+        /// Name of the force.
+        name: String,
+        /// The angular velocity of the start (rad/s).
+        spin: f64,
+        /// Share of the torque that the field of the currents takes.
+        share: f64,
+        /// Angular velocity (rad/s) up to which the torque holds.
+        fastest: f64,
+    },
     /// A target of more wobble than the start has.
     Calmer {
         /// Wobble at the start (rad).
@@ -262,7 +287,7 @@ impl StudyError {
             Self::Verification(cause) => cause.to_string(),
             Self::Record(cause) => cause.to_string(),
             Self::FreeRotation(cause) => cause.to_string(),
-            Self::Unaveraged(cause) => format!("{cause} (kinds \"spin-drag\" and \"torque\")"),
+            Self::Unaveraged(cause) => format!("{cause} (kinds \"spin-drag\", \"torque\" and \"eddy-current\")"),
             Self::NoSpin { file } => format!(
                 "{}: the model has no initial spin; add a table such as\n\n    [initial]\n    angular_velocity = [0.0, 0.1, 1.0]   # rad/s, body axes\n",
                 file.display()
@@ -403,6 +428,28 @@ impl StudyError {
             Self::EqualMoments { moment } => format!(
                 "the three principal moments of this body are equal, {} kg m^2: every spin is steady, and there is no wobble to follow",
                 significant(*moment, 6)
+            ),
+            Self::NoAxes { moment } => format!(
+                "the three principal moments of this body are equal, {} kg m^2, so that its spin has no axis of its own, and a torque fixed in the body, or a magnetic `tensor` that differs from axis to axis, has no average; `simulate` follows it",
+                significant(*moment, 6)
+            ),
+            Self::FastEddyCurrents { rate, against, of_field } => {
+                let what = if *of_field {
+                    "the slowest rate of the magnetic field: of the orbit, of the dipole, or of the difference of their harmonics, which is slow in a resonance"
+                } else {
+                    "the angular velocity of the body"
+                };
+                format!(
+                    "the eddy currents change the rotation at up to {} 1/s, and an average needs that to be a tenth of {} rad/s at most, {what}; `simulate` follows them without an average",
+                    significant(*rate, 3),
+                    significant(*against, 3)
+                )
+            }
+            Self::SkinEffect { name, spin, share, fastest } => format!(
+                "the force {name:?}: at {} rad/s the currents' own field lowers the torque by {} %, which is left out; with this `conductivity` and shape it holds up to {} rad/s; lower the spin, or give a `tensor` that was measured at it",
+                significant(*spin, 3),
+                significant(100.0 * share, 2),
+                significant(*fastest, 3)
             ),
             Self::AtRest => {
                 "the body does not turn, so there is no rotation to follow; give [initial] an angular velocity".into()

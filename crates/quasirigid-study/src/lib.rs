@@ -90,6 +90,7 @@ mod scene;
 pub mod settings;
 mod shapes;
 mod sheets;
+mod skin;
 mod spark;
 pub mod spins;
 mod start;

@@ -16,6 +16,7 @@ use quasirigid_io::model::Model;
 use crate::controlled;
 use crate::error::StudyError;
 use crate::incomplete::beyond;
+use crate::skin;
 use crate::start::initial;
 use crate::{liquids, resolution, sheets};
 
@@ -163,7 +164,7 @@ impl Study {
     /// # Errors
     /// [`StudyError`] for a model without a rotation, and for one that its body cannot have.
     pub fn initial(&self) -> Result<Start, StudyError> {
-        initial(self)
+        skin::check(self, initial(self)?)
     }
 }
 

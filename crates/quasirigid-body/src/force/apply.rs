@@ -1,12 +1,12 @@
 //! External loads: force, moment and generalised forces of all laws on a body in motion.
 //! Generic over the scalar, so that the same code gives values, Taylor series in time and first variations; each law acts on the displaced
 //! place, curvature included.
-//! Equations (F1), (F2), (F5), (F6), (F9) and (F11) to (F14), docs/theory/07-forces.md; (S1), docs/theory/01-system.md.
+//! Equations (F1), (F2), (F5), (F6), (F9) and (F11) to (F15), docs/theory/07-forces.md; (S1), docs/theory/01-system.md.
 
 use std::cell::OnceCell;
 
 use super::gravity::FirstMoment;
-use super::{Axes, Force, ForceLaw, VARIABLES, Wave};
+use super::{Axes, Force, ForceLaw, VARIABLES, Wave, eddy};
 use crate::math::rotation::Turn;
 use crate::math::scalar::Smooth;
 use crate::math::vec3::{add, cross, dot, scale};
@@ -153,6 +153,9 @@ impl<T: Smooth> LoadContext<'_, T> {
             }
             ForceLaw::MagneticDipole { moment, field } => {
                 loads.add_torque(cross(moment.map(T::from), self.turn().to_body(field.at(t))));
+            }
+            ForceLaw::EddyCurrent { tensor, field, .. } => {
+                loads.add_torque(eddy::torque(tensor, motion.omega, self.turn().to_body(field.at(t))));
             }
             ForceLaw::Expression { at, force } => {
                 let (at, velocity) = self.passing(at);

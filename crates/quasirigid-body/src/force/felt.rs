@@ -54,6 +54,7 @@ impl<P> ForceLaw<P> {
             Self::SpinDrag { .. }
                 | Self::Torque { .. }
                 | Self::MagneticDipole { .. }
+                | Self::EddyCurrent { .. }
                 | Self::TorqueExpression { .. }
                 | Self::TorqueTable { .. }
         )

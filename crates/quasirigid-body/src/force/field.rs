@@ -15,6 +15,15 @@ pub enum MagneticField {
         /// Orbit of the body through the field.
         orbit: Orbit,
     },
+    /// Field of a dipole that turns about the third inertial axis, as the tilted dipole of a planet does.
+    RotatingDipole {
+        /// `μ₀/4π` times the dipole moment at time zero (T·m³), inertial axes.
+        strength: [f64; 3],
+        /// Rate (rad/s) at which the dipole turns, positive from the first inertial axis to the second.
+        rate: f64,
+        /// Orbit of the body through the field.
+        orbit: Orbit,
+    },
 }
 
 impl MagneticField {
@@ -23,14 +32,48 @@ impl MagneticField {
     pub fn at<T: Smooth>(&self, t: T) -> [T; 3] {
         match self {
             Self::Uniform(field) => field.map(T::from),
-            Self::Dipole { strength, orbit } => {
-                let passage = orbit.at(t);
-                let per_radius = T::from(1.0) / passage.radius;
-                let n = scale(per_radius, passage.place);
-                let m = strength.map(T::from);
-                let shape = add(scale(T::from(3.0) * dot(m, n), n), m.map(|entry| -entry));
-                scale(per_radius * per_radius * per_radius, shape)
+            Self::Dipole { strength, orbit } => of_dipole(strength.map(T::from), orbit, t),
+            Self::RotatingDipole { strength: [x, y, z], rate, orbit } => {
+                let (sin, cos) = (T::from(*rate) * t).sin_cos();
+                let [x, y, z] = [*x, *y, *z].map(T::from);
+                of_dipole([cos * x - sin * y, sin * x + cos * y, z], orbit, t)
             }
         }
     }
+
+    /// True if there is no field anywhere.
+    #[must_use]
+    pub fn is_zero(&self) -> bool {
+        let (Self::Uniform(source)
+        | Self::Dipole { strength: source, .. }
+        | Self::RotatingDipole { strength: source, .. }) = self;
+        *source == [0.0; 3]
+    }
+
+    /// Orbit of the body through the field; none of a uniform field.
+    #[must_use]
+    pub fn orbit(&self) -> Option<&Orbit> {
+        match self {
+            Self::Uniform(_) => None,
+            Self::Dipole { orbit, .. } | Self::RotatingDipole { orbit, .. } => Some(orbit),
+        }
+    }
+
+    /// Rate (rad/s) at which the dipole turns; zero where it does not.
+    #[must_use]
+    pub fn rotation(&self) -> f64 {
+        match self {
+            Self::RotatingDipole { strength: [x, y, _], rate, .. } if [*x, *y] != [0.0; 2] => *rate,
+            _ => 0.0,
+        }
+    }
+}
+
+/// Field (T) of a dipole (T·m³) at the place on an orbit. (F8)
+fn of_dipole<T: Smooth>(m: [T; 3], orbit: &Orbit, t: T) -> [T; 3] {
+    let passage = orbit.at(t);
+    let per_radius = T::from(1.0) / passage.radius;
+    let n = scale(per_radius, passage.place);
+    let shape = add(scale(T::from(3.0) * dot(m, n), n), m.map(|entry| -entry));
+    scale(per_radius * per_radius * per_radius, shape)
 }

@@ -1,7 +1,7 @@
 //! Laws of external forces, generic in the description of their places.
 //! One type serves the assembly, where a place is an element, and the body, where a place is a marker; [`Force::try_map`] takes one to the
 //! other.
-//! Equations (F3) to (F9), (F13) and (F14), docs/theory/07-forces.md.
+//! Equations (F3) to (F9) and (F13) to (F15), docs/theory/07-forces.md.
 
 use std::ops::Range;
 
@@ -30,7 +30,7 @@ pub struct Force<P> {
     pub law: ForceLaw<P>,
 }
 
-/// Laws of external forces. (F3)–(F9), (F13), (F14)
+/// Laws of external forces. (F3)–(F9), (F13)–(F15)
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Debug, PartialEq)]
 pub enum ForceLaw<P> {
@@ -81,6 +81,15 @@ pub enum ForceLaw<P> {
     MagneticDipole {
         /// Dipole moment (A·m²), body axes.
         moment: [f64; 3],
+        /// Magnetic field.
+        field: MagneticField,
+    },
+    /// Torque on the eddy currents of a conducting carrier that rotates in a magnetic field. (F15)
+    EddyCurrent {
+        /// Magnetic tensor (S·m⁴), body axes: symmetric, no negative eigenvalue.
+        tensor: [[f64; 3]; 3],
+        /// Time (s) in which the currents decay; zero where it is not known. [`Conductor::decay_time`](super::Conductor::decay_time)
+        decay_time: f64,
         /// Magnetic field.
         field: MagneticField,
     },
@@ -149,6 +158,7 @@ impl<P> ForceLaw<P> {
             | Self::SpinDrag { .. }
             | Self::Torque { .. }
             | Self::MagneticDipole { .. }
+            | Self::EddyCurrent { .. }
             | Self::TorqueExpression { .. }
             | Self::TorqueTable { .. } => None,
         }
@@ -213,6 +223,9 @@ impl<P> ForceLaw<P> {
             }
             Self::MagneticDipole { moment, field } => {
                 ForceLaw::MagneticDipole { moment: *moment, field: *field }
+            }
+            Self::EddyCurrent { tensor, decay_time, field } => {
+                ForceLaw::EddyCurrent { tensor: *tensor, decay_time: *decay_time, field: *field }
             }
             Self::Expression { at, force } => ForceLaw::Expression { at: map(at)?, force: force.clone() },
             Self::TorqueExpression { torque, axes } => {

@@ -1,10 +1,13 @@
-//! External forces on a body, for scalars that may be series in time. (F1) to (F14)
+//! External forces on a body, for scalars that may be series in time. (F1) to (F16)
 
 mod apply;
+mod conductor;
+mod eddy;
 mod felt;
 mod field;
 mod gravity;
 mod law;
+mod mean_field;
 mod orbit;
 mod pose;
 mod timing;
@@ -12,6 +15,7 @@ mod timing;
 #[doc(hidden)]
 pub use apply::Felt;
 pub use apply::{KinematicState, Loads};
+pub use conductor::Conductor;
 pub use field::MagneticField;
 pub use law::{Axes, Force, ForceLaw, Wave};
 #[doc(hidden)]

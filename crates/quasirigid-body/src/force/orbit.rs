@@ -72,7 +72,7 @@ impl Orbit {
     }
 
     /// Unit vectors towards the periapsis and along the motion there, a quarter of a revolution ahead.
-    fn axes(&self) -> [[f64; 3]; 2] {
+    pub(super) fn axes(&self) -> [[f64; 3]; 2] {
         let [(si, ci), (sn, cn), (sp, cp)] =
             [self.inclination, self.raan, self.argument_of_periapsis].map(|angle| angle.sin_cos());
         [

@@ -2,6 +2,7 @@
 
 mod budget;
 mod drift;
+mod eddy_torque;
 mod ellipsoids;
 mod euler_angles;
 mod evolution;
@@ -21,6 +22,7 @@ mod slow_torque;
 mod source;
 
 pub use drift::{Drift, DriftHistory, DriftLimits, DriftState, DriftStopReason, SeparatrixPassage};
+pub use eddy_torque::EddyTorque;
 pub use ellipsoids::{
     EllipsoidLoss, EllipsoidPassage, EllipsoidRefusal, Wobble, WobblingEllipsoid, ellipsoid_passages,
 };

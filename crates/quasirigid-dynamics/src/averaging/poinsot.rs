@@ -346,9 +346,12 @@ impl FreeRotation {
         }
     }
 
-    /// Least and greatest angle (rad) between the angular momentum and the circled axis.
+    /// Least and greatest angle (rad) between the angular momentum and the circled axis; zero of a sphere.
     #[must_use]
     pub fn nutation(&self) -> [f64; 2] {
+        if self.steady.is_some() {
+            return [0.0; 2];
+        }
         let [I1, I2, I3] = self.moments;
         let square = self.G * self.G;
         let sines = match self.mode {

@@ -1,5 +1,6 @@
 use thiserror::Error;
 
+use super::eddy_torque::EddyTorque;
 use crate::math::vec3::{add, scale};
 use crate::model::Marker;
 use crate::model::force::{Axes, Force, ForceLaw};
@@ -11,12 +12,14 @@ pub struct SlowTorque {
     pub constant: [f64; 3],
     /// Coefficient `κ` of a drag torque `−κω` (N·m·s).
     pub drag: f64,
+    /// Eddy currents, without those that are zero. (A14)
+    pub eddy: Option<EddyTorque>,
 }
 
 /// Error of a force whose mean over a free rotation depends on the attitude.
 #[derive(Clone, Debug, Error, PartialEq)]
 #[error(
-    "the force {name:?} cannot be averaged over free rotations; those that can are a drag torque and a constant torque in body axes"
+    "the force {name:?} cannot be averaged over free rotations; those that can are a drag torque, a constant torque in body axes, and eddy currents, all of them in one field"
 )]
 pub struct Unaveraged {
     /// Name of the force.
@@ -27,7 +30,8 @@ impl SlowTorque {
     /// Sums the torques of some forces.
     ///
     /// # Errors
-    /// [`Unaveraged`] names the first force that is neither a drag of the spin nor a constant torque in body axes.
+    /// [`Unaveraged`] names the first force that is neither a drag of the spin, nor a constant torque in body axes, nor eddy currents in the
+    /// field of the eddy currents before.
     pub fn from_forces(forces: &[Force<Marker>]) -> Result<Self, Unaveraged> {
         let mut sum = Self::default();
         for Force { name, law } in forces {
@@ -35,6 +39,15 @@ impl SlowTorque {
                 ForceLaw::SpinDrag { coefficient } => sum.drag += coefficient,
                 ForceLaw::Torque { torque, axes: Axes::Body, wave } if wave.frequency == 0.0 => {
                     sum.constant = add(sum.constant, scale(wave.phase.cos(), *torque));
+                }
+                ForceLaw::EddyCurrent { tensor, field, .. } => {
+                    let eddy = EddyTorque { tensor: *tensor, field: *field };
+                    sum.eddy = match sum.eddy {
+                        before if eddy.is_zero() => before,
+                        None => Some(eddy),
+                        Some(before) if before.field == *field => Some(before.with(*tensor)),
+                        Some(_) => return Err(Unaveraged { name: name.clone() }),
+                    };
                 }
                 _ => return Err(Unaveraged { name: name.clone() }),
             }

@@ -72,6 +72,10 @@ impl Problem {
             Self::Driving { .. } => {
                 ("gives energy", "write a positive coefficient; the force is opposite to the velocity")
             }
+            Self::Powered { .. } => (
+                "gives energy",
+                "check the signs; the eigenvalues of the magnetic tensor must be zero or positive",
+            ),
             Self::NotPositive { .. } => ("must be positive", "write a positive number"),
             Self::NotElliptic { .. } => {
                 ("no ellipse", "write 0 for a circle; a body that escapes is not modelled")

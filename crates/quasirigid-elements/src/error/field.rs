@@ -145,6 +145,12 @@ fields! {
     MAGNETIC_FIELD = "field";
     /// Strength of the dipole that makes the magnetic field.
     DIPOLE = "dipole";
+    /// Magnetic tensor of a conductor.
+    TENSOR = "tensor";
+    /// Rate at which the dipole turns that makes the magnetic field.
+    DIPOLE_RATE = "dipole_rate";
+    /// Conductivity of a conductor.
+    CONDUCTIVITY = "conductivity";
     /// Frequency of a periodic force.
     FREQUENCY = "frequency";
     /// Phase of a periodic force.

@@ -468,6 +468,12 @@ pub enum Problem {
         /// The coefficient.
         value: f64,
     },
+    /// Eddy currents release energy instead of absorbing it.
+    #[error("the smallest eigenvalue is {eigenvalue:e} S m^4; eddy currents must not give energy")]
+    Powered {
+        /// Smallest eigenvalue of the magnetic tensor (S·m⁴).
+        eigenvalue: f64,
+    },
     /// A quantity is zero or negative.
     #[error("{value} is not positive")]
     NotPositive {

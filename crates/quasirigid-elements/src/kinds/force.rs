@@ -2,9 +2,10 @@
 
 use crate::element::{AttachmentPoint, Element};
 use crate::error::{ElementError, ElementId, Field, Problem, at};
+use crate::kinds::coefficient::matrix;
 use crate::model::force::{Force, ForceLaw, MagneticField, Orbit, Wave};
 use crate::number;
-use crate::{ApplicationPoint, Assembly};
+use crate::{ApplicationPoint, Assembly, Coefficient};
 
 impl Element for Force<ApplicationPoint> {
     fn check(&self, id: ElementId, body: &Assembly) -> Vec<ElementError> {
@@ -50,19 +51,42 @@ fn lawful(place: ElementId, law: &ForceLaw<ApplicationPoint>) -> Result<(), Elem
         }
         ForceLaw::MagneticDipole { moment, field } => {
             finite(Field::MOMENT, moment)?;
-            match field {
-                MagneticField::Uniform(field) => finite(Field::MAGNETIC_FIELD, field),
-                MagneticField::Dipole { strength, orbit } => {
-                    finite(Field::DIPOLE, strength)?;
-                    on_orbit(place, orbit)
-                }
-            }
+            magnetic(place, field)
+        }
+        ForceLaw::EddyCurrent { tensor, decay_time, field } => {
+            number::finite(&[*decay_time]).map_err(at(place, Field::CONDUCTIVITY))?;
+            matrix(Coefficient::Full(*tensor)).map_err(conducting).map_err(at(place, Field::TENSOR))?;
+            magnetic(place, field)
         }
         ForceLaw::Expression { .. }
         | ForceLaw::TorqueExpression { .. }
         | ForceLaw::TorqueTable { .. }
         | ForceLaw::ForceTable { .. } => Ok(()),
         ForceLaw::During { law, .. } => lawful(place, law),
+    }
+}
+
+fn magnetic(place: ElementId, field: &MagneticField) -> Result<(), ElementError> {
+    let finite = |field: Field, values: &[f64]| number::finite(values).map_err(at(place, field));
+    match field {
+        MagneticField::Uniform(field) => finite(Field::MAGNETIC_FIELD, field),
+        MagneticField::Dipole { strength, orbit } => {
+            finite(Field::DIPOLE, strength)?;
+            on_orbit(place, orbit)
+        }
+        MagneticField::RotatingDipole { strength, rate, orbit } => {
+            finite(Field::DIPOLE, strength)?;
+            finite(Field::DIPOLE_RATE, &[*rate])?;
+            on_orbit(place, orbit)
+        }
+    }
+}
+
+/// Problem of a matrix in the words of a conductor.
+fn conducting(problem: Problem) -> Problem {
+    match problem {
+        Problem::Indefinite { eigenvalue } => Problem::Powered { eigenvalue },
+        other => other,
     }
 }
 

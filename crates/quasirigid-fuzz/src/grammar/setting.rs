@@ -14,6 +14,7 @@ pub fn force(d: &mut Draft<'_, '_>) {
         "torque",
         "thrust",
         "magnetic-dipole",
+        "eddy-current",
         "expression",
     ]);
     d.line("kind", &format!("\"{kind}\""));
@@ -43,18 +44,38 @@ pub fn force(d: &mut Draft<'_, '_>) {
         }
         "magnetic-dipole" => {
             d.draw("moment", |n| n.vector(0.2));
+            field(d);
+        }
+        "eddy-current" => {
             if d.chance(128) {
-                d.draw("field", |n| n.vector(3e-5));
+                d.draw("tensor", |n| n.near(1e3));
             } else {
-                d.line("dipole", "[0, 0, 7.8e15]");
-                orbit(d);
+                d.draw("conductivity", |n| n.near(2e7));
+                d.word("shape", &["sphere", "shell"]);
+                d.draw("radius", |n| n.near(0.3));
+                if d.chance(128) {
+                    d.draw("thickness", |n| n.near(0.02));
+                }
             }
+            field(d);
         }
         _ => {
             let each: Vec<String> = (0..3).map(|_| format!("\"{}\"", formula(d.numbers.u))).collect();
             d.line("force", &format!("[{}]", each.join(", ")));
         }
     }
+}
+
+fn field(d: &mut Draft<'_, '_>) {
+    if d.chance(128) {
+        d.draw("field", |n| n.vector(3e-5));
+        return;
+    }
+    d.line("dipole", "[0, 3e14, 7.8e15]");
+    if d.chance(128) {
+        d.draw("dipole_rate", |n| n.near(7.3e-5));
+    }
+    orbit(d);
 }
 
 fn orbit(d: &mut Draft<'_, '_>) {

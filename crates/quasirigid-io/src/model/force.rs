@@ -1,18 +1,20 @@
-//! Force reader: `[[force]]`, one function for each of eight laws.
+//! Force reader: `[[force]]`, one function for each of nine laws.
 //! Whether a law needs a place or refuses one is a law of mechanics and checked by the library; here only keys and units are.
-//! Equations (F3) to (F10), (F13) and (F14), docs/theory/07-forces.md.
+//! Equations (F3) to (F10) and (F13) to (F15), docs/theory/07-forces.md.
 
 use std::f64::consts::TAU;
 use std::path::Path;
 
-use quasirigid_body::force::{Axes, Force, ForceLaw, MagneticField, Orbit, Wave};
+use quasirigid_body::force::{Axes, Force, ForceLaw, Wave};
 use quasirigid_elements::{ApplicationPoint, ElementKind};
 
+use super::conductor::eddy_current;
 use super::formula::{PLACE, formulas};
 use super::key::{Form, KIND, Keys, Shape, TEXT, any, key, list, of, pick, quantity, shared, words};
 use super::kinds::{Kind, kind, of_table, opened, variants};
+use super::magnetic_field::{magnetic_field, required_orbit};
 use super::names::{END, Fixed, Names, Part};
-use super::orbit::{ORBIT, orbit};
+use super::orbit::ORBIT;
 use super::reader::{Keyed, NAME, Naming, Reader};
 use super::table::Table;
 use super::timing::{alone, tabled, twice, windows};
@@ -21,7 +23,7 @@ use crate::units::Dimension;
 
 type Read = fn(&Table<'_>, &Names<'_>, &Path) -> Option<ForceLaw<ApplicationPoint>>;
 
-static KINDS: [Kind<Read>; 8] = [
+static KINDS: [Kind<Read>; 9] = [
     kind!(
         "[[force]]",
         "uniform-gravity",
@@ -91,9 +93,29 @@ static KINDS: [Kind<Read>; 8] = [
     kind!(
         "[[force]]",
         "magnetic-dipole",
-        ["kind", "name", "moment", "field", "dipole", "orbit", "during"],
+        ["kind", "name", "moment", "field", "dipole", "dipole_rate", "orbit", "during"],
         "torque on the carrier (F8)",
         magnetic_dipole
+    ),
+    kind!(
+        "[[force]]",
+        "eddy-current",
+        [
+            "kind",
+            "name",
+            "tensor",
+            "conductivity",
+            "shape",
+            "radius",
+            "thickness",
+            "field",
+            "dipole",
+            "dipole_rate",
+            "orbit",
+            "during"
+        ],
+        "torque [M(ω×B)]×B on the carrier (F15)",
+        |table, _, _| eddy_current(table)
     ),
     kind!(
         "[[force]]",
@@ -130,6 +152,12 @@ const ANY: Keys = Keys {
             of(Shape::Vector).in_unit("T m³"),
             "instead, at the centre of the `orbit`: μ0/4π times its moment",
         ),
+        key("dipole_rate", quantity("rad/s").or("0"), "of the dipole about the inertial z"),
+        key("tensor", any(&[Shape::Number, Shape::Matrix]).in_unit("S m⁴"), "magnetic tensor M, body axes"),
+        key("conductivity", quantity("S/m"), "instead, with a `shape`"),
+        key("shape", words(&["sphere", "shell"]), "(F16)"),
+        key("radius", quantity("m"), "outer one"),
+        key("thickness", quantity("m"), "of a shell"),
         key("timetable", TEXT, "CSV file instead of components (F14)"),
         key("interpolation", words(&["held", "linear"]).or("`\"held\"`"), "of the timetable"),
         key(
@@ -214,30 +242,8 @@ fn thrust(table: &Table<'_>, names: &Names<'_>, folder: &Path) -> Option<ForceLa
 
 fn magnetic_dipole(table: &Table<'_>, _: &Names<'_>, _: &Path) -> Option<ForceLaw<ApplicationPoint>> {
     let moment = vector(table, "moment", Dimension::MAGNETIC_MOMENT, "moment = [0, 0, \"0.2 A m^2\"]");
-    let field = match (table.get("field"), table.get("dipole")) {
-        (None, Some(dipole)) => {
-            let strength = dipole.vector(Dimension::DIPOLE_STRENGTH);
-            let orbit = required_orbit(table);
-            strength.zip(orbit).map(|(strength, orbit)| MagneticField::Dipole { strength, orbit })
-        }
-        (Some(_), Some(dipole)) => dipole.refuse(
-            "the magnetic field is given by `field` already",
-            "given twice",
-            "leave out one of the two",
-        ),
-        (_, None) => uniform_field(table),
-    };
+    let field = magnetic_field(table);
     Some(ForceLaw::MagneticDipole { moment: moment?, field: field? })
-}
-
-fn uniform_field(table: &Table<'_>) -> Option<MagneticField> {
-    let help = "field = [0, 0, \"30 uT\"], or dipole = [0, 0, 7.8e15] and an orbit";
-    let field = table.required("field", help)?.vector(Dimension::MAGNETIC_FIELD);
-    if let Some(orbit) = table.get("orbit") {
-        let message = "`orbit` goes with `dipole`, and this `field` is the same everywhere";
-        return orbit.refuse(message, "not for this field", "leave out one of the two");
-    }
-    Some(MagneticField::Uniform(field?))
 }
 
 fn expression(table: &Table<'_>, names: &Names<'_>, folder: &Path) -> Option<ForceLaw<ApplicationPoint>> {
@@ -329,11 +335,6 @@ fn wave(table: &Table<'_>) -> Option<Wave> {
         },
     };
     Some(Wave { frequency: frequency?, phase: phase? })
-}
-
-fn required_orbit(table: &Table<'_>) -> Option<Orbit> {
-    let example = "orbit = { body = \"Earth\", semi_major_axis = \"6778 km\", inclination = \"51.6 deg\" }";
-    orbit(&table.required("orbit", example)?)
 }
 
 fn vector(table: &Table<'_>, key: &'static str, dimension: Dimension, example: &str) -> Option<[f64; 3]> {

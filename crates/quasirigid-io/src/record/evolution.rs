@@ -33,7 +33,7 @@ pub struct EvolutionRecord {
     /// Status: how it ended; `refused` or `does-not-hold` without result.
     ///
     /// `finished` (the time or the target reached), `interrupted`, `refused` (no method holds), `does-not-hold` (the method asked for does
-    /// not), or an early end by a torque: `held` (at the separatrix), `rest`, `spun-up`, `step-limit`, `failed`.
+    /// not), or an early end by a torque: `held` (at the separatrix), `rest`, `spun-up`, `slowed`, `step-limit`, `failed`.
     pub status: String,
     /// End of the evolution, in a sentence.
     #[serde(default)]

@@ -80,8 +80,13 @@ impl Dimension {
     pub const DIPOLE_STRENGTH: Self =
         Self::new("a dipole strength", "T m^3", "7.8e15 T m^3", [1, 3, -2, -1, 0]);
 
+    /// Electrical conductivity (S/m).
+    pub const CONDUCTIVITY: Self = Self::new("a conductivity", "S/m", "25 MS/m", [-1, -3, 3, 2, 0]);
+    /// Magnetic tensor of a conductor (S·m⁴).
+    pub const MAGNETIC_TENSOR: Self = Self::new("a magnetic tensor", "S m^4", "5662 S m^4", [-1, 2, 3, 2, 0]);
+
     /// Dimensions that a unit alone can stand for: hertz and radians per second are told apart by their symbols.
-    const ALL: [Self; 25] = [
+    const ALL: [Self; 27] = [
         Self::NUMBER,
         Self::MASS,
         Self::LENGTH,
@@ -107,6 +112,8 @@ impl Dimension {
         Self::MAGNETIC_MOMENT,
         Self::MAGNETIC_FIELD,
         Self::DIPOLE_STRENGTH,
+        Self::CONDUCTIVITY,
+        Self::MAGNETIC_TENSOR,
     ];
 
     const fn new(

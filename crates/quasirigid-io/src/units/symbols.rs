@@ -47,6 +47,7 @@ const KINEMATIC_VISCOSITY: Exponents = [0, 2, -1, 0, 0];
 const VISCOSITY: Exponents = [1, -1, -1, 0, 0];
 const CURRENT: Exponents = [0, 0, 0, 1, 0];
 const MAGNETIC_FIELD: Exponents = [1, 0, -2, -1, 0];
+const CONDUCTANCE: Exponents = [-1, -2, 3, 2, 0];
 
 /// Symbol, `up`, `down`, exponents, prefixes. Feet and pounds are the international ones, the year is the Julian year
 /// and the astronomical unit that of the IAU (2012).
@@ -93,6 +94,7 @@ const SYMBOLS: &[(&str, f64, f64, Exponents, Prefixes)] = &[
     ("P", 1.0, 10.0, VISCOSITY, Si),
     ("A", 1.0, 1.0, CURRENT, Si),
     ("T", 1.0, 1.0, MAGNETIC_FIELD, Si),
+    ("S", 1.0, 1.0, CONDUCTANCE, Si),
 ];
 
 const PREFIXES: &[(&str, i32)] = &[
@@ -155,6 +157,7 @@ const WORDS: &[(&str, &str)] = &[
     ("ampere", "A"),
     ("amp", "A"),
     ("tesla", "T"),
+    ("siemens", "S"),
 ];
 
 /// The unit with this symbol, with or without a prefix.

@@ -73,6 +73,8 @@ fn units_have_their_defined_values() {
         ("5 N/(A m)", Dimension::MAGNETIC_FIELD, 5.0),
         ("7.8e15 T m^3", Dimension::DIPOLE_STRENGTH, 7.8e15),
         ("7.8 TT km^3/1", Dimension::DIPOLE_STRENGTH, 7.8e21),
+        ("15 MS/m", Dimension::CONDUCTIVITY, 1.5e7),
+        ("5.662 kS m^4", Dimension::MAGNETIC_TENSOR, 5662.0),
         ("2 Hz", Dimension::FREQUENCY, 2.0 * TAU),
         ("1 mHz", Dimension::FREQUENCY, 1e-3 * TAU),
         ("1 rad Hz", Dimension::FREQUENCY, 1.0),

@@ -233,17 +233,17 @@ fn forces_have_names_of_their_own() {
 fn a_force_says_its_kind() {
     assert_snapshot!(refusal_of("[[force]]\ntorque = [0, 0, 1]\n[[force]]\nknd = \"drag\"\n"), @r#"
     model.toml:9:1: [[force]] has no `kind`
-      add a line such as: kind = "uniform-gravity", "central-gravity", "drag", "spin-drag", "torque", "thrust", "magnetic-dipole" or "expression"
+      add a line such as: kind = "uniform-gravity", "central-gravity", "drag", "spin-drag", "torque", "thrust", "magnetic-dipole", "eddy-current" or "expression"
     model.toml:12:1: unknown key "knd" in [[force]]
-      did you mean `kind`? the keys are kind, name, on, at, coefficient, acceleration, orbit, torque, force, axes, frequency, period, phase, moment, field, dipole, timetable, interpolation, during
+      did you mean `kind`? the keys are kind, name, on, at, coefficient, acceleration, orbit, torque, force, axes, frequency, period, phase, moment, field, dipole, dipole_rate, tensor, conductivity, shape, radius, thickness, timetable, interpolation, during
     "#);
     assert_snapshot!(refused("drga", "anything = 1\n"), @r#"
     model.toml:10:8: `kind` cannot be "drga"
-      did you mean "drag"? write "uniform-gravity", "central-gravity", "drag", "spin-drag", "torque", "thrust", "magnetic-dipole" or "expression"
+      did you mean "drag"? write "uniform-gravity", "central-gravity", "drag", "spin-drag", "torque", "thrust", "magnetic-dipole", "eddy-current" or "expression"
     "#);
     assert_snapshot!(refused("wind", ""), @r#"
     model.toml:10:8: `kind` cannot be "wind"
-      write "uniform-gravity", "central-gravity", "drag", "spin-drag", "torque", "thrust", "magnetic-dipole" or "expression"
+      write "uniform-gravity", "central-gravity", "drag", "spin-drag", "torque", "thrust", "magnetic-dipole", "eddy-current" or "expression"
     "#);
     assert_snapshot!(refusal_of("[[force]]\nkind = 3\n"), @"
     model.toml:10:8: `kind`: found an integer, expected a text
@@ -269,7 +269,7 @@ fn a_key_of_another_kind_is_refused() {
     "#);
     assert_snapshot!(refused("uniform-gravity", "acceleration = [0, 0, -9.81]\norbit = {}\n"), @r#"
     model.toml:12:1: `orbit` is not a key of [[force]] of kind "uniform-gravity"
-      it is for kind = "central-gravity" or kind = "magnetic-dipole"; the keys here are kind, name, acceleration, during
+      it is for kind = "central-gravity", kind = "magnetic-dipole" or kind = "eddy-current"; the keys here are kind, name, acceleration, during
     "#);
 }
 
@@ -283,6 +283,7 @@ fn what_a_force_needs_is_asked_for() {
         "torque",
         "thrust",
         "magnetic-dipole",
+        "eddy-current",
         "expression",
     ];
     let all: String = kinds.iter().map(|kind| text(kind, "")).collect();
@@ -307,9 +308,13 @@ fn what_a_force_needs_is_asked_for() {
       add a line such as: moment = [0, 0, "0.2 A m^2"]
     model.toml:21:1: [[force]] of kind "magnetic-dipole" has no `field`
       add a line such as: field = [0, 0, "30 uT"], or dipole = [0, 0, 7.8e15] and an orbit
-    model.toml:23:1: [[force]] of kind "expression" has no `on`
+    model.toml:23:1: [[force]] of kind "eddy-current" has no `tensor`
+      add a line such as: tensor = "5662 S m^4", or conductivity = "25 MS/m" with shape, radius and thickness
+    model.toml:23:1: [[force]] of kind "eddy-current" has no `field`
+      add a line such as: field = [0, 0, "30 uT"], or dipole = [0, 0, 7.8e15] and an orbit
+    model.toml:25:1: [[force]] of kind "expression" has no `on`
       add a line such as: on = "carrier"
-    model.toml:23:1: [[force]] of kind "expression" has no `force`
+    model.toml:25:1: [[force]] of kind "expression" has no `force`
       add a line such as: force = ["-0.1*vx", "0", "sin(2*t)"]
     "#);
     assert_snapshot!(refused("central-gravity", "orbit = {}\n"), @r#"

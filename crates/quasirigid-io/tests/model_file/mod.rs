@@ -8,6 +8,7 @@ mod connections;
 mod connections_refused;
 mod controllers;
 mod decks;
+mod eddy_currents;
 mod elements;
 mod ellipsoids;
 mod evolve;

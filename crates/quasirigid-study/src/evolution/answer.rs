@@ -157,9 +157,15 @@ impl<'a> Answer<'a> {
         match from {
             Some(target) => ends::state(evolution, target, self.principal.moments),
             None if free => RotationState::from_motion(&self.initial).ok_or(StudyError::Steady),
+            None if !self.wobbles() => Ok(RotationState::steady(Mode::ShortAxis)),
             None => Ok(RotationState::from_motion(&self.initial)
                 .unwrap_or(RotationState::steady(self.initial.mode()))),
         }
+    }
+
+    /// Whether the body has an axis of its own to wobble about.
+    fn wobbles(&self) -> bool {
+        [Mode::LongAxis, Mode::ShortAxis].iter().any(|mode| mode.exists(self.principal.moments))
     }
 
     /// End of the evolution.
@@ -190,6 +196,7 @@ impl<'a> Answer<'a> {
             rotation_state,
             angular_momentum: self.initial.angular_momentum(),
             side,
+            direction: self.inputs.direction,
             revolutions: 0.0,
         }
     }

@@ -3,6 +3,8 @@ use quasirigid::dynamics::Start;
 use quasirigid::model::{FlexibleBody, Principal, ReducedBody};
 use quasirigid::secular::choice::AveragePowers;
 use quasirigid_io::model::Power;
+use quasirigid_math::rotation::to_inertial;
+use quasirigid_math::vec3::{norm, scale};
 
 use crate::error::StudyError;
 
@@ -14,6 +16,8 @@ pub struct Inputs {
     pub initial: FreeRotation,
     /// Principal axes and moments of the frozen body.
     pub principal: Principal,
+    /// Direction of the angular momentum at the start, a unit vector in inertial axes.
+    pub direction: [f64; 3],
     /// Order of the reduced equations.
     pub order: usize,
     /// Whether a material loses energy by a law that the polynomial leaves out.
@@ -33,7 +37,8 @@ impl Inputs {
         let principal = Principal::compute(reduced.J);
         let measured = body.viscoelastic().iter().filter_map(|part| part.rheology.measured_between());
         let (response, polynomial) = (Response::compute(body)?, PolynomialPower::from_reduced(reduced));
-        let omega = frozen(&principal, slaved.angular_momentum(start.omega));
+        let K = slaved.angular_momentum(start.omega);
+        let omega = frozen(&principal, K);
         if !omega.iter().all(|rate| rate.is_finite()) {
             return Err(StudyError::BoundlessSpin);
         }
@@ -46,6 +51,7 @@ impl Inputs {
             powers: AveragePowers::new(body, response, polynomial, asked, initial.angular_momentum()),
             initial,
             principal,
+            direction: scale(1.0 / norm(K), to_inertial(start.attitude, K)),
             order: reduced.order,
             viscoelastic: !body.viscoelastic().is_empty(),
             measured: measured.collect(),

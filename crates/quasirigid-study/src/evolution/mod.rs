@@ -3,6 +3,7 @@
 mod answer;
 mod approach;
 mod columns;
+mod eddy;
 mod ends;
 mod gyrostat;
 mod inputs;
@@ -19,12 +20,12 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use quasirigid::averaging::{
-    DAMPING_ESTIMATES, DampingEstimate, Evolution, MeanPower, PolynomialPower, Response, RotationState,
-    SlowTorque, SmallBody, ball_radius,
+    DAMPING_ESTIMATES, DampingEstimate, DriftLimits, Evolution, MeanPower, PolynomialPower, Response,
+    RotationState, SlowTorque, SmallBody, ball_radius,
 };
 use quasirigid::dynamics::Start;
 use quasirigid::elements::Assembly;
-use quasirigid::model::{Mode, Rheology, Support};
+use quasirigid::model::{Rheology, Support};
 use quasirigid::reduction::reduce;
 use quasirigid::secular::choice::{ChoiceObserver, Method};
 use quasirigid_io::model::{EvolveMethod, PartialEvolve};
@@ -127,10 +128,7 @@ pub(crate) fn follow(
     let slaved = slaved_order(study, *order, start.omega)?;
     let state = study.reduced(slaved)?;
     let inputs = Inputs::new(body, [&reduced, &state], start, asked.power)?;
-    let moments = inputs.principal.moments;
-    if torque.is_zero() && [Mode::LongAxis, Mode::ShortAxis].iter().all(|mode| !mode.exists(moments)) {
-        return Err(StudyError::EqualMoments { moment: moments[2] });
-    }
+    eddy::check(&torque, &inputs)?;
     let flow = flowing(&inputs.powers.response, &inputs.initial);
     if let (Some(message), true) = (&flow, asked.method != Some(EvolveMethod::Average)) {
         let record = record::refused_from(&inputs.initial, &Reason::NoSolid(message.clone()), None);
@@ -182,6 +180,7 @@ pub(crate) fn follow(
     let mut notes: Vec<String> = words::beyond_gravity(homogeneous(study), spins).into_iter().collect();
     notes.extend(words::notes(&answer, ends, unranged));
     notes.extend(words::uncertain(&rows));
+    notes.extend(eddy::turned(&rows));
     let record = answer.record(verdict, from, &rows, asked, time_range, columns);
     let estimates = estimates(study, record.angular_momentum / answer.principal.moments[2]);
     Ok(Evolved { record: EvolutionRecord { estimates, homogeneous: homogeneous(study), ..record }, notes })
@@ -211,7 +210,7 @@ fn table_of(
             EvolutionTable::of_evolution(&evolution, from, to, asked.samples).staying(asked.stays())
         }
         History::None => {
-            let limits = answer.limits(&evolution, asked)?;
+            let limits = DriftLimits { slowest: eddy::slowest(&torque), ..answer.limits(&evolution, asked)? };
             let start = answer.drifting(from);
             EvolutionTable::of_drift(answer, torque, start, limits, asked.samples, watch)
         }

@@ -17,6 +17,9 @@ use super::answer::Answer;
 /// Place of a state at an axis, as `ξ`.
 const AT_AXIS: f64 = 36.0;
 
+/// Direction of an angular momentum that nothing turns, in the axes in which it is the third.
+const UNTURNED: [f64; 3] = [0.0, 0.0, 1.0];
+
 /// The rows of a table: states of an evolution or of a drift.
 pub struct EvolutionTable {
     pub first: DriftState,
@@ -54,6 +57,7 @@ impl EvolutionTable {
             rotation_state,
             angular_momentum,
             side: 1.0,
+            direction: UNTURNED,
             revolutions: 0.0,
         };
         let samples = if evolution.power(from) > 0.0 { samples } else { 1 };
@@ -147,6 +151,7 @@ impl EvolutionTable {
                 rotation_state,
                 angular_momentum: range.angular_momentum(),
                 side: 1.0,
+                direction: UNTURNED,
                 revolutions: row.revolutions,
             }
         };
@@ -191,6 +196,7 @@ impl EvolutionTable {
                 rotation_state: RotationState { mode, xi: 0.0 },
                 angular_momentum,
                 side: 1.0,
+                direction: UNTURNED,
                 revolutions: row.revolutions,
             }
         };

@@ -3,6 +3,7 @@
 mod about_spin;
 mod checks;
 mod derive;
+mod eddy_currents;
 mod evolution;
 mod forces;
 mod full_system;

@@ -43,7 +43,7 @@ macro_rules! types {
 
 types! {
     averaging {
-        DampingEstimate Drift DriftHistory DriftLimits DriftState DriftStopReason DrivenMaterial Elapsed
+        DampingEstimate Drift DriftHistory DriftLimits DriftState DriftStopReason DrivenMaterial EddyTorque Elapsed
         EllipsoidLoss EllipsoidPassage EllipsoidRefusal EulerAngles Evolution EvolutionError Floquet
         FreeRotation FreeRotationError Harmonic HarmonicResonance HillError HillResponse InterpolatedPower
         Level LevelError LevelEvolution LevelPassage LevelRow LevelStopReason ObservedError

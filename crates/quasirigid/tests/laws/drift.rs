@@ -22,7 +22,14 @@ fn followed(drift: &Drift<impl MeanPower>, start: DriftState, times: &[f64]) -> 
 }
 
 fn start(rotation_state: RotationState, angular_momentum: f64) -> DriftState {
-    DriftState { t: 0.0, rotation_state, angular_momentum, side: 1.0, revolutions: 0.0 }
+    DriftState {
+        t: 0.0,
+        rotation_state,
+        angular_momentum,
+        side: 1.0,
+        direction: [0.0, 0.0, 1.0],
+        revolutions: 0.0,
+    }
 }
 
 /// Drift without a torque is the evolution at one angular momentum, through the separatrix too.
@@ -78,13 +85,13 @@ fn steady_spins_follow_their_closed_laws() {
         let rotation_state = RotationState { mode, xi: 25.0 };
         let mut constant = [0.0; 3];
         constant[axis] = 3e-6;
-        let torque = SlowTorque { constant, drag: 0.0 };
+        let torque = SlowTorque { constant, ..SlowTorque::default() };
         let states =
             followed(&Drift::new(&rigid, &principal, torque), start(rotation_state, 5.0), &times).states;
         for (state, t) in states.iter().zip(times) {
             assert!((state.angular_momentum / (5.0 + 3e-6 * t) - 1.0).abs() < 1e-9, "{state:?}");
         }
-        let torque = SlowTorque { constant: [0.0; 3], drag: 1e-5 };
+        let torque = SlowTorque { drag: 1e-5, ..SlowTorque::default() };
         let states =
             followed(&Drift::new(&rigid, &principal, torque), start(rotation_state, 5.0), &times).states;
         let slowed = (-1e-5 * times[0] / moments[axis]).exp();
@@ -101,7 +108,7 @@ fn drift_is_that_of_the_reduced_equations() {
         let reduced = reduce(&body, 3).unwrap();
         let power = PolynomialPower::from_reduced(&reduced);
         let principal = Principal::compute(reduced.J);
-        let torque = SlowTorque { constant: [0.0, 0.0, 4e-3 / weakness], drag: 6e-3 / weakness };
+        let torque = SlowTorque { constant: [0.0, 0.0, 4e-3 / weakness], drag: 6e-3 / weakness, eddy: None };
         let (omega, duration) = ([0.4, 0.2, 0.9], 600.0 * weakness);
         let named = |law| Force { name: String::new(), law };
         let forces = [

@@ -38,6 +38,7 @@ fn start(mode: Mode, xi: f64, angular_momentum: f64) -> DriftState {
         rotation_state: RotationState { mode, xi },
         angular_momentum,
         side: 1.0,
+        direction: [0.0, 0.0, 1.0],
         revolutions: 0.0,
     }
 }
@@ -80,6 +81,7 @@ fn drift_is_that_of_eulers_equations() {
     let torque = |weakness: f64, sign: f64| SlowTorque {
         constant: [sign * 4e-3 / weakness, 3e-3 / weakness, sign * 5e-3 / weakness],
         drag: 4e-3 / weakness,
+        eddy: None,
     };
     for (mode, xi, sign) in [
         (Mode::ShortAxis, 1.5, 1.0),
@@ -124,7 +126,7 @@ fn drift_is_that_of_eulers_equations() {
 #[test]
 fn a_torque_against_the_spin_turns_the_body_over() {
     let gaps = [1.0, 8.0].map(|weakness| {
-        let torque = SlowTorque { constant: [0.0, 0.0, -1e-3 / weakness], drag: 1e-5 / weakness };
+        let torque = SlowTorque { constant: [0.0, 0.0, -1e-3 / weakness], drag: 1e-5 / weakness, eddy: None };
         let (from, duration) = (start(Mode::ShortAxis, 1.0, 5.0), 4000.0 * weakness);
         let found = drift(torque).follow(from, &[], &DriftLimits::until(duration), onward);
         let [passage] = found.passages[..] else { panic!("{found:?}") };
@@ -156,7 +158,7 @@ fn a_torque_against_the_spin_turns_the_body_over() {
 /// From the long-axis mode drag leads through the separatrix to either side, and a torque changes the odds. (A10)
 #[test]
 fn sides_are_entered_with_their_probabilities() {
-    let torque = SlowTorque { constant: [0.0, 0.0, 1.3e-4], drag: 5e-4 };
+    let torque = SlowTorque { constant: [0.0, 0.0, 1.3e-4], drag: 5e-4, eddy: None };
     let [xi, G] = [-2.0, 5.0];
     let found = drift(torque).follow(start(Mode::LongAxis, xi, G), &[], &DriftLimits::until(1e4), onward);
     let passage = found.passages[0];
@@ -182,7 +184,7 @@ fn sides_are_entered_with_their_probabilities() {
 /// Whatever the rows asked for, the end is the same in every bit.
 #[test]
 fn ends_do_not_depend_on_the_rows() {
-    let torque = SlowTorque { constant: [0.0, 0.0, -1e-3], drag: 1e-4 };
+    let torque = SlowTorque { constant: [0.0, 0.0, -1e-3], drag: 1e-4, eddy: None };
     let target = Evolution::new(&Rigid, 5.0).rotation_state(0.8);
     let ends = |limits: DriftLimits| {
         let found = [21, 2001].map(|rows: usize| {
@@ -226,10 +228,10 @@ fn steady_spins_end_at_rest_or_spun_up() {
         let torque = |torque: f64| {
             let mut constant = [0.0; 3];
             constant[axis] = torque;
-            SlowTorque { constant, drag: 0.0 }
+            SlowTorque { constant, ..SlowTorque::default() }
         };
         if mode == Mode::ShortAxis {
-            let slowed = ended(mode, SlowTorque { constant: [0.0; 3], drag: 1e-4 }, f64::INFINITY);
+            let slowed = ended(mode, SlowTorque { drag: 1e-4, ..SlowTorque::default() }, f64::INFINITY);
             assert_eq!(slowed.ending, DriftStopReason::Rest { share: 1e-9 });
             assert!(!slowed.ending.done());
             close(slowed.end.t, MOMENTS[axis] / 1e-4 * 1e9_f64.ln());
@@ -243,7 +245,7 @@ fn steady_spins_end_at_rest_or_spun_up() {
 /// Where the wobble decays the steady spin is followed on; before, there was a wobble of some degrees.
 #[test]
 fn a_wobble_that_dies_out_leaves_a_steady_spin() {
-    let torque = SlowTorque { constant: [0.0, 0.0, 1e-3], drag: 1e-3 };
+    let torque = SlowTorque { constant: [0.0, 0.0, 1e-3], drag: 1e-3, eddy: None };
     let limits = DriftLimits::until(1e7);
     let found = drift(torque).follow(start(Mode::ShortAxis, 1.0, 5.0), &[1e7], &limits, onward);
     assert_eq!(
@@ -256,7 +258,7 @@ fn a_wobble_that_dies_out_leaves_a_steady_spin() {
 
 #[test]
 fn a_drift_can_be_stopped_and_never_hangs() {
-    let torque = SlowTorque { constant: [0.0, 0.0, -1e-3], drag: 1e-4 };
+    let torque = SlowTorque { constant: [0.0, 0.0, -1e-3], drag: 1e-4, eddy: None };
     let from = start(Mode::ShortAxis, 2.0, 5.0);
     let limits = DriftLimits::until(1e6);
     let mut asked = 0;
@@ -271,7 +273,7 @@ fn a_drift_can_be_stopped_and_never_hangs() {
     assert_eq!((limited.ending, limited.steps), (DriftStopReason::StepLimit { steps: 7 }, 7));
     let held = drift(SlowTorque::default()).follow(start(Mode::ShortAxis, -30.0, 5.0), &[], &limits, onward);
     assert_eq!(held.ending, DriftStopReason::Held);
-    let undefined = SlowTorque { constant: [0.0, 0.0, f64::NAN], drag: 0.0 };
+    let undefined = SlowTorque { constant: [0.0, 0.0, f64::NAN], drag: 0.0, eddy: None };
     let failed = drift(undefined).follow(from, &[], &limits, onward);
     assert!(matches!(failed.ending, DriftStopReason::Failed(_)) && failed.end.t == 0.0, "{failed:?}");
 }

@@ -177,6 +177,9 @@ impl Numbers {
         let drag_unit = units.factor([0, 1, -1]);
         let uniform = MagneticField::Uniform(times(turned(field), units.length * newton));
         let strength = times(turned(dipole), units.length.powi(4) * newton);
+        let conducting = spin * units.factor([2, 1, -1]) / (units.length * newton).powi(2);
+        let tensor =
+            (conducting * (Matrix3::identity() + V::from(moment) * V::from(moment).transpose())).into();
         let central = ["x", "y", "z"].map(|axis| {
             let (k, c) = (k * units.factor([-1, 1, -2]), pull * drag_unit);
             formula(&format!("-{k:e} * {axis} * sqrt(x^2 + y^2 + z^2) - {c:e} * v{axis}"))
@@ -192,6 +195,12 @@ impl Numbers {
             ForceLaw::Thrust { at: point, force: times(thrust, newton), axes: thrust_axes, wave },
             ForceLaw::MagneticDipole { moment, field: uniform },
             ForceLaw::MagneticDipole { moment, field: MagneticField::Dipole { strength, orbit } },
+            ForceLaw::EddyCurrent { tensor, decay_time: 0.0, field: uniform },
+            ForceLaw::EddyCurrent {
+                tensor,
+                decay_time: 0.0,
+                field: MagneticField::Dipole { strength, orbit },
+            },
             ForceLaw::Expression { at: carrier, force: central.clone() },
             ForceLaw::Expression { at: point, force: central },
         ];

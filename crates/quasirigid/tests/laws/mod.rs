@@ -20,6 +20,7 @@ mod cutting;
 mod degrees;
 mod drift;
 mod drift_endings;
+mod eddy_currents;
 mod ellipsoid_passages;
 mod ellipsoids;
 mod energy_form;

@@ -89,7 +89,7 @@ fn a_body_on_an_eccentric_orbit_reaches_its_orders() {
     assert_orders(&orders(&assembly, [0.5, 0.7, 0.9], 3, 1.0));
 }
 
-/// Drag, thrusters on a mass and on the carrier, torques, a dipole and a formula at once, on a body in flight.
+/// Drag, thrusters on a mass and on the carrier, torques, a dipole, eddy currents and a formula at once, on a body in flight.
 #[test]
 fn every_other_force_reaches_its_orders() {
     let tip = ApplicationPoint { on: End::Point(0), at: None };
@@ -103,6 +103,11 @@ fn every_other_force_reaches_its_orders() {
         ForceLaw::Torque { torque: [-0.2, 0.3, 0.4], axes: Axes::Body, wave: Wave::default() },
         ForceLaw::Thrust { at: nose, force: [0.4, 0.5, -0.3], axes: Axes::Body, wave: slow },
         ForceLaw::MagneticDipole { moment: [0.3, 0.2, -0.4], field: MagneticField::Uniform([0.5, 0.1, 0.6]) },
+        ForceLaw::EddyCurrent {
+            tensor: [[0.4, 0.1, 0.0], [0.1, 0.3, -0.1], [0.0, -0.1, 0.5]],
+            decay_time: 0.0,
+            field: MagneticField::Uniform([0.5, -0.4, 0.6]),
+        },
         ForceLaw::Expression { at: tip, force: formula.map(|text| parsed(text, &PLACE_AND_TIME)) },
     ];
     assert_orders(&orders(&assembly(Support::Free, laws), [0.5, 0.7, 0.9], 3, 1.0));

@@ -2,6 +2,7 @@
 
 mod chernousko_1973;
 mod common_problem;
+mod eddy_currents;
 mod ellipsoid;
 mod explorer_1;
 mod one_sprung_mass;

@@ -5,7 +5,7 @@
 
 use std::ops::ControlFlow;
 
-use super::rates::Rates;
+use super::rates::{Rates, Variables};
 use super::region_choice::SEPARATRIX;
 use super::stop_reason::{DriftHistory, DriftStopReason};
 use super::{Drift, DriftLimits, DriftState};
@@ -29,13 +29,21 @@ enum Mark {
     Target,
     Rest,
     SpunUp,
+    SlowedDown,
     Separatrix,
     DiedOut,
     Unstable,
 }
 
-const MARKS: [Mark; 6] =
-    [Mark::Target, Mark::Rest, Mark::SpunUp, Mark::Separatrix, Mark::DiedOut, Mark::Unstable];
+const MARKS: [Mark; 7] = [
+    Mark::Target,
+    Mark::Rest,
+    Mark::SpunUp,
+    Mark::SlowedDown,
+    Mark::Separatrix,
+    Mark::DiedOut,
+    Mark::Unstable,
+];
 
 /// Integration of a drift in progress.
 struct Way<'f, P> {
@@ -46,6 +54,8 @@ struct Way<'f, P> {
     /// True if `D` lies below the target at the start.
     below: bool,
     steady: bool,
+    /// Direction of the angular momentum at the begin of the part, inertial axes.
+    direction: [f64; 3],
     history: DriftHistory,
 }
 
@@ -69,7 +79,9 @@ impl<P: MeanPower> Drift<P> {
             died_out: None,
             steps: 0,
         };
-        let mut way = Way { drift: self, start, times, limits, below: false, steady: false, history };
+        let direction = start.direction;
+        let mut way =
+            Way { drift: self, start, times, limits, below: false, steady: false, direction, history };
         way.set_out();
         while let ControlFlow::Continue(()) = way.part(&mut progress) {}
         way.history
@@ -84,10 +96,11 @@ impl<'f, P: MeanPower> Way<'f, P> {
         self.steady = self.start.rotation_state.xi >= SEED && self.rates().of(&y)[0] >= 0.0;
     }
 
-    /// Integrated variables at the state reached: `ξ`, `ln G` from its start, revolutions.
-    fn y(&self) -> [f64; 3] {
+    /// Integrated variables at the state reached, from which a part begins.
+    fn y(&self) -> Variables {
         let DriftState { rotation_state, angular_momentum, revolutions, .. } = self.history.end;
-        [rotation_state.xi.min(SEED), (angular_momentum / self.start.angular_momentum).ln(), revolutions]
+        let logarithm = (angular_momentum / self.start.angular_momentum).ln();
+        [rotation_state.xi.min(SEED), logarithm, revolutions, 0.0]
     }
 
     fn rates(&self) -> Rates<'f, P> {
@@ -96,12 +109,13 @@ impl<'f, P: MeanPower> Way<'f, P> {
             drift: self.drift,
             mode: rotation_state.mode,
             side,
+            direction: self.direction,
             angular_momentum: self.start.angular_momentum,
             steady: self.steady,
         }
     }
 
-    fn state(&self, t: f64, y: &[f64; 3]) -> DriftState {
+    fn state(&self, t: f64, y: &Variables) -> DriftState {
         let DriftState { rotation_state: RotationState { mode, .. }, side, .. } = self.history.end;
         let xi = if self.steady { f64::INFINITY } else { y[0] };
         let angular_momentum = self.start.angular_momentum * y[1].exp();
@@ -110,21 +124,24 @@ impl<'f, P: MeanPower> Way<'f, P> {
             rotation_state: RotationState { mode, xi },
             angular_momentum,
             side,
+            direction: self.rates().turned(y[3]),
             revolutions: y[2],
         }
     }
 
     /// Integrates one part: in one region of the sphere of angular momentum, with a wobble or without.
     fn part(&mut self, progress: &mut impl FnMut(f64) -> ControlFlow<()>) -> ControlFlow<()> {
+        self.direction = self.history.end.direction;
         let y = self.y();
         let [first, length] = [self.start.t, self.limits.end - self.start.t];
         self.outputs(self.history.end.t, |_| y);
-        let at_once =
-            [Mark::Target, Mark::Rest, Mark::SpunUp].into_iter().find(|mark| self.past(*mark, &y) >= 0.0);
+        let at_once = [Mark::Target, Mark::Rest, Mark::SpunUp, Mark::SlowedDown]
+            .into_iter()
+            .find(|mark| self.past(*mark, &y) >= 0.0);
         if let Some(mark) = at_once {
             return self.met(mark);
         }
-        let allowed = [STEP_TOLERANCE, STEP_TOLERANCE, f64::INFINITY];
+        let allowed = [STEP_TOLERANCE, STEP_TOLERANCE, f64::INFINITY, STEP_TOLERANCE];
         let mut solver = Dop853::<_, _, Unfused>::new(self.rates(), self.history.end.t, y, allowed);
         loop {
             if solver.t() >= self.limits.end {
@@ -158,7 +175,7 @@ impl<'f, P: MeanPower> Way<'f, P> {
     }
 
     /// Records the states at output times up to `last`.
-    fn outputs(&mut self, last: f64, place: impl Fn(f64) -> [f64; 3]) {
+    fn outputs(&mut self, last: f64, place: impl Fn(f64) -> Variables) {
         while let Some(t) = self.times.get(self.history.states.len()).copied().filter(|t| *t <= last) {
             let state = self.state(t, &place(t));
             self.history.states.push(state);
@@ -166,7 +183,7 @@ impl<'f, P: MeanPower> Way<'f, P> {
     }
 
     /// Event function of a mark: negative before the mark, positive past it.
-    fn past(&self, mark: Mark, y: &[f64; 3]) -> f64 {
+    fn past(&self, mark: Mark, y: &Variables) -> f64 {
         let mode = self.history.end.rotation_state.mode;
         match mark {
             Mark::Target => match self.limits.target {
@@ -177,10 +194,8 @@ impl<'f, P: MeanPower> Way<'f, P> {
                 _ => f64::NEG_INFINITY,
             },
             Mark::Rest => self.limits.rest.ln() - y[1],
-            Mark::SpunUp => {
-                let motion = self.rates().motion(y[0], self.start.angular_momentum * y[1].exp());
-                (2.0 * motion.energy() / motion.angular_momentum() / self.limits.fastest).ln()
-            }
+            Mark::SpunUp => (self.turning(y) / self.limits.fastest).ln(),
+            Mark::SlowedDown => (self.limits.slowest / self.turning(y)).ln(),
             Mark::Separatrix => SEPARATRIX - y[0],
             Mark::DiedOut if !self.steady => y[0] - DIED_OUT,
             Mark::Unstable if self.steady => -self.rates().of(y)[0],
@@ -188,16 +203,20 @@ impl<'f, P: MeanPower> Way<'f, P> {
         }
     }
 
+    /// Rate (rad/s) about the angular momentum.
+    fn turning(&self, y: &Variables) -> f64 {
+        let motion = self.rates().motion(y[0], self.start.angular_momentum * y[1].exp());
+        2.0 * motion.energy() / motion.angular_momentum()
+    }
+
     /// Acts on a mark: ends the drift, or sets the state of the next part.
     fn met(&mut self, mark: Mark) -> ControlFlow<()> {
         match mark {
             Mark::Target => return self.ended(DriftStopReason::Target),
             Mark::Rest => return self.ended(DriftStopReason::Rest { share: self.limits.rest }),
-            Mark::SpunUp => {
-                let DriftState { rotation_state, angular_momentum, .. } = self.history.end;
-                let motion = self.rates().motion(rotation_state.xi, angular_momentum);
-                return self
-                    .ended(DriftStopReason::SpunUp { rate: 2.0 * motion.energy() / angular_momentum });
+            Mark::SpunUp => return self.ended(DriftStopReason::SpunUp { rate: self.turning(&self.y()) }),
+            Mark::SlowedDown => {
+                return self.ended(DriftStopReason::SlowedDown { rate: self.turning(&self.y()) });
             }
             Mark::Separatrix => {
                 self.history.end.rotation_state.xi = SEPARATRIX;

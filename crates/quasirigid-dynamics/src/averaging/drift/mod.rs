@@ -1,5 +1,6 @@
 //! Rotation under slow torques, averaged: energy and angular momentum both drift.
 
+mod eddy;
 mod follow;
 mod rates;
 mod region_choice;
@@ -10,7 +11,8 @@ use std::sync::Arc;
 use super::evolution::RotationState;
 use super::power::MeanPower;
 use super::slow_torque::SlowTorque;
-use crate::model::Principal;
+use crate::model::{Mode, Principal};
+use eddy::MeanEddy;
 
 pub use region_choice::SeparatrixPassage;
 pub use stop_reason::{DriftHistory, DriftStopReason};
@@ -23,6 +25,7 @@ pub struct Drift<P = Arc<dyn MeanPower>> {
     /// Constant torque in principal axes.
     constant: [f64; 3],
     drag: f64,
+    eddy: Option<MeanEddy>,
 }
 
 /// A drifting rotation.
@@ -36,6 +39,8 @@ pub struct DriftState {
     pub angular_momentum: f64,
     /// Side of the circled axis that the angular momentum is on, ±1.
     pub side: f64,
+    /// Direction of the angular momentum, a unit vector in inertial axes: eddy currents turn it. (A15)
+    pub direction: [f64; 3],
     /// Revolutions about the angular momentum since the start.
     pub revolutions: f64,
 }
@@ -51,6 +56,8 @@ pub struct DriftLimits {
     pub rest: f64,
     /// Rate (rad/s) about the angular momentum, `2E/G`, above which the average does not hold: the slowest elastic frequency, for one.
     pub fastest: f64,
+    /// Rate (rad/s) about the angular momentum below which the average does not hold: some times that of a magnetic field.
+    pub slowest: f64,
     /// Steps of the integration at most.
     pub steps: u64,
 }
@@ -64,7 +71,7 @@ impl DriftLimits {
     /// Limits with a last time (s) and no target; a billionth of the angular momentum counts as rest.
     #[must_use]
     pub fn until(end: f64) -> Self {
-        Self { end, target: None, rest: REST, fastest: f64::INFINITY, steps: MAX_STEPS }
+        Self { end, target: None, rest: REST, fastest: f64::INFINITY, slowest: 0.0, steps: MAX_STEPS }
     }
 }
 
@@ -73,6 +80,10 @@ impl<P: MeanPower> Drift<P> {
     #[must_use]
     pub fn new(power: P, principal: &Principal, torque: SlowTorque) -> Self {
         let constant = principal.components(torque.constant);
-        Self { power, moments: principal.moments, constant, drag: torque.drag }
+        let [.., greatest] = principal.moments;
+        let wobbles = [Mode::LongAxis, Mode::ShortAxis].iter().any(|mode| mode.exists(principal.moments));
+        let moments = if wobbles { principal.moments } else { [greatest; 3] };
+        let eddy = torque.eddy.map(|eddy| MeanEddy::new(&eddy, principal));
+        Self { power, moments, constant, drag: torque.drag, eddy }
     }
 }

@@ -1,11 +1,12 @@
-//! Averaged rates of a rotation under slow torques and dissipation: of `ξ`, of `ln G` and of the revolutions.
+//! Averaged rates of a rotation under slow torques and dissipation: of `ξ`, of `ln G`, of the revolutions and of the exposure.
 //! The energy above the steady spin is followed instead of the energy, so that a steady spin stays one in every digit and no rate is a
 //! difference of large numbers.
-//! Equation (A8), docs/theory/10-torque-free.md.
+//! Equations (A8) and (A14), docs/theory/10-torque-free.md.
 
 use std::f64::consts::TAU;
 
 use super::Drift;
+use super::eddy::EddyRates;
 use crate::averaging::poinsot::FreeRotation;
 use crate::averaging::power::MeanPower;
 use crate::math::ode::System;
@@ -13,11 +14,16 @@ use crate::math::simd::Arithmetic;
 use crate::math::vec3::{add, dot, scale};
 use crate::model::Mode;
 
-/// Rates of `ξ`, of the logarithm of `G`, and of the revolutions, in one mode and on one side.
+/// Variables that are integrated: `ξ`, `ln G` from a start, revolutions, and the exposure of eddy currents since the part began.
+pub(super) type Variables = [f64; 4];
+
+/// Rates of the variables in one mode and on one side.
 pub(super) struct Rates<'d, P> {
     pub drift: &'d Drift<P>,
     pub mode: Mode,
     pub side: f64,
+    /// Direction of the angular momentum without an exposure, inertial axes.
+    pub direction: [f64; 3],
     /// Angular momentum that the logarithm is counted from.
     pub angular_momentum: f64,
     /// True if the wobble has died out, and stays so.
@@ -27,8 +33,8 @@ pub(super) struct Rates<'d, P> {
 /// Place, as `ξ`, beyond which nothing but the size of the wobble changes: `e^{−36}` is a rounding.
 const AXIS: f64 = 36.0;
 
-impl<P: MeanPower> System<[f64; 3]> for Rates<'_, P> {
-    fn rate<R: Arithmetic>(&mut self, _: f64, y: &[f64; 3], rate: &mut [f64; 3]) {
+impl<P: MeanPower> System<Variables> for Rates<'_, P> {
+    fn rate<R: Arithmetic>(&mut self, _: f64, y: &Variables, rate: &mut Variables) {
         *rate = self.of(y);
         if self.steady {
             rate[0] = 0.0;
@@ -38,8 +44,13 @@ impl<P: MeanPower> System<[f64; 3]> for Rates<'_, P> {
 
 impl<P: MeanPower> Rates<'_, P> {
     /// Rates at the integrated variables; that of `ξ` also where the wobble has died out, to tell whether the steady spin is stable.
-    pub fn of(&self, y: &[f64; 3]) -> [f64; 3] {
-        self.at(y[0], self.angular_momentum * y[1].exp())
+    pub fn of(&self, y: &Variables) -> Variables {
+        self.at(y[0], self.angular_momentum * y[1].exp(), self.turned(y[3]))
+    }
+
+    /// Direction of the angular momentum after an exposure. (A15)
+    pub fn turned(&self, exposure: f64) -> [f64; 3] {
+        self.drift.eddy.map_or(self.direction, |eddy| eddy.direction(self.direction, exposure))
     }
 
     /// Free rotation at a place `ξ` and an angular momentum; beyond `AXIS` that at `AXIS`.
@@ -47,9 +58,9 @@ impl<P: MeanPower> Rates<'_, P> {
         FreeRotation::at_logit(self.drift.moments, G, self.mode, xi.min(AXIS))
     }
 
-    /// The rates at a place and an angular momentum. (A8)
-    pub fn at(&self, xi: f64, G: f64) -> [f64; 3] {
-        let Drift { moments, constant, drag, .. } = self.drift;
+    /// The rates at a place and an angular momentum in this direction. (A8), (A14)
+    pub fn at(&self, xi: f64, G: f64, direction: [f64; 3]) -> Variables {
+        let Drift { moments, constant, drag, eddy, .. } = self.drift;
         let motion = self.motion(xi, G);
         let axis = self.mode.circled();
         let mut torque = [0.0; 3];
@@ -63,15 +74,20 @@ impl<P: MeanPower> Rates<'_, P> {
             let sum: f64 = (0..3).map(|i| (1.0 - moments[i] / moments[axis]) * omega[i] * omega[i]).sum();
             -drag * sum
         };
-        let growth = motion.mean(2, along) / G;
-        let work = motion.mean(2, away);
+        let eddy = eddy.map_or(EddyRates::default(), |eddy| eddy.rates(&motion, axis, direction));
+        let growth = motion.mean(2, along) / G + eddy.growth;
+        let work = motion.mean(2, away) + eddy.work;
+        let turning = 2.0 * motion.energy() / (G * TAU);
+        if moments[0] == moments[2] {
+            return [0.0, growth, turning, eddy.exposure];
+        }
         let power = self.drift.power.mean_power(&motion);
         let gain = match self.mode {
             Mode::ShortAxis => work - power,
             Mode::LongAxis => power - work,
         };
         let excess = gain / motion.energy_from_axis() - 2.0 * growth;
-        [-excess / self.slope(xi.min(AXIS)), growth, 2.0 * motion.energy() / (G * TAU)]
+        [-excess / self.slope(xi.min(AXIS)), growth, turning, eddy.exposure]
     }
 
     /// `−d ln(X/G²)/dξ` for the energy `X` of the wobble.

@@ -24,8 +24,7 @@ impl<P: MeanPower> Drift<P> {
     /// State in the most probable region beyond the separatrix, with the passage; none if every region leads back. (A10)
     pub(super) fn onward(&self, at: &DriftState) -> Option<(DriftState, SeparatrixPassage)> {
         let regions = [Mode::ShortAxis, Mode::LongAxis].map(|mode| [(mode, 1.0), (mode, -1.0)]);
-        let ways =
-            regions.as_flattened().iter().map(|region| (*region, self.outflow(*region, at.angular_momentum)));
+        let ways = regions.as_flattened().iter().map(|region| (*region, self.outflow(*region, at)));
         let open: Vec<_> = ways.filter(|(_, flow)| *flow > 0.0).collect();
         let sum: f64 = open.iter().map(|(_, flow)| flow).sum();
         let first = *open.first()?;
@@ -37,14 +36,15 @@ impl<P: MeanPower> Drift<P> {
     }
 
     /// Change of `D` in a period of the polhode, away from the separatrix, next to it in a region. (A10)
-    fn outflow(&self, (mode, side): (Mode, f64), angular_momentum: f64) -> f64 {
-        let rates = Rates { drift: self, mode, side, angular_momentum, steady: false };
+    fn outflow(&self, (mode, side): (Mode, f64), at: &DriftState) -> f64 {
+        let DriftState { angular_momentum, direction, .. } = *at;
+        let rates = Rates { drift: self, mode, side, direction, angular_momentum, steady: false };
         let [I1, I2, I3] = self.moments;
         let gap = match mode {
             Mode::ShortAxis => I3 - I2,
             Mode::LongAxis => I2 - I1,
         };
         let period = rates.motion(SEPARATRIX, angular_momentum).polhode_period();
-        gap * rates.at(SEPARATRIX, angular_momentum)[0] * period
+        gap * rates.at(SEPARATRIX, angular_momentum, direction)[0] * period
     }
 }

@@ -42,6 +42,11 @@ pub enum DriftStopReason {
         /// Rate of the body about the angular momentum (rad/s).
         rate: f64,
     },
+    /// The body rotates so slowly that the magnetic field turns too much in one revolution.
+    SlowedDown {
+        /// Rate of the body about the angular momentum (rad/s).
+        rate: f64,
+    },
     /// The steps allowed were used up.
     StepLimit {
         /// Number of steps.
@@ -60,7 +65,7 @@ impl DriftStopReason {
         matches!(self, Self::Finished | Self::Target)
     }
 
-    /// Stop reason in a word: `finished`, `held`, `rest`, `spun-up`, `step-limit`, `interrupted`, `failed`.
+    /// Stop reason in a word: `finished`, `held`, `rest`, `spun-up`, `slowed`, `step-limit`, `interrupted`, `failed`.
     #[must_use]
     pub fn word(&self) -> &'static str {
         match self {
@@ -68,6 +73,7 @@ impl DriftStopReason {
             Self::Held => "held",
             Self::Rest { .. } => "rest",
             Self::SpunUp { .. } => "spun-up",
+            Self::SlowedDown { .. } => "slowed",
             Self::StepLimit { .. } => "step-limit",
             Self::Interrupted => "interrupted",
             Self::Failed(_) => "failed",
@@ -93,6 +99,11 @@ impl fmt::Display for DriftStopReason {
                 f,
                 "the torque has spun the body up to {rate:.3e} rad/s, the slowest elastic frequency: from there on neither the \
                  frozen body nor the average holds"
+            ),
+            Self::SlowedDown { rate } => write!(
+                f,
+                "the body has slowed to {rate:.3e} rad/s, ten times the rate at which the magnetic field turns along the orbit: from there on the \
+                 average over its rotation does not hold, nor do eddy currents of a field at rest; `simulate` follows the rotation"
             ),
             Self::StepLimit { steps } => write!(
                 f,

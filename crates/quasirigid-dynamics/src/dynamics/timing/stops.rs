@@ -102,9 +102,9 @@ impl Stops<'_> {
             ForceLaw::TorqueTable { table, .. } | ForceLaw::ForceTable { table, .. } => {
                 self.breaks.extend(table.times());
             }
-            ForceLaw::CentralGravity { orbit }
-            | ForceLaw::MagneticDipole { field: MagneticField::Dipole { orbit, .. }, .. } => {
-                self.periodic.push(Periodic::orbit(orbit));
+            ForceLaw::CentralGravity { orbit } => self.periodic.push(Periodic::orbit(orbit)),
+            ForceLaw::MagneticDipole { field, .. } | ForceLaw::EddyCurrent { field, .. } => {
+                self.periodic.extend(Periodic::of_field(field));
             }
             _ => {}
         }
@@ -225,6 +225,15 @@ impl Periodic {
         let mut places: Vec<f64> = (0..IN_ORBIT).map(place).collect();
         places.sort_by(f64::total_cmp);
         Self { period, places }
+    }
+
+    /// Those of the orbit, and even ones in the turn of the dipole. (F8)
+    fn of_field(field: &MagneticField) -> impl Iterator<Item = Self> {
+        let turn = Some(field.rotation().abs()).filter(|rate| *rate > 0.0).map(|rate| {
+            let period = TAU / rate;
+            Self { period, places: (0..IN_ORBIT).map(|i| period * i as f64 / IN_ORBIT as f64).collect() }
+        });
+        field.orbit().map(Self::orbit).into_iter().chain(turn)
     }
 
     fn next(&self, t: f64) -> f64 {

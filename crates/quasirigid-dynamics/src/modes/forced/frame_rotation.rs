@@ -34,7 +34,8 @@ pub(super) fn effective(body: &FlexibleBody, forces: &[Force<Marker>]) -> (Vec<F
         ForceLaw::Drag { coefficient, .. } | ForceLaw::SpinDrag { coefficient } => *coefficient == 0.0,
         ForceLaw::Torque { torque: a, .. } | ForceLaw::Thrust { force: a, .. } => *a == [0.0; 3],
         ForceLaw::UniformGravity { acceleration } => *acceleration == [0.0; 3],
-        ForceLaw::MagneticDipole { moment, .. } => *moment == [0.0; 3],
+        ForceLaw::MagneticDipole { moment, field } => *moment == [0.0; 3] || field.is_zero(),
+        ForceLaw::EddyCurrent { tensor, field, .. } => *tensor == [[0.0; 3]; 3] || field.is_zero(),
         _ => false,
     };
     let acting: Vec<_> = forces.iter().filter(|force| !at_rest(&force.law)).cloned().collect();
@@ -139,12 +140,8 @@ impl ForceDirections {
         match &force.law {
             ForceLaw::UniformGravity { acceleration: g } => *acceleration += V::from(*g),
             ForceLaw::CentralGravity { orbit } => self.orbit(&force.name, orbit)?,
-            ForceLaw::MagneticDipole { field: MagneticField::Uniform(field), .. } => {
-                self.directions.push(((*field).into(), named))
-            }
-            ForceLaw::MagneticDipole { field: MagneticField::Dipole { orbit, strength }, .. } => {
-                self.orbit(&force.name, orbit)?;
-                self.directions.push(((*strength).into(), named));
+            ForceLaw::MagneticDipole { field, .. } | ForceLaw::EddyCurrent { field, .. } => {
+                self.magnetic(&force.name, field)?;
             }
             ForceLaw::Drag { .. } | ForceLaw::SpinDrag { .. } => {}
             ForceLaw::Torque { torque: amplitude, axes, wave }
@@ -171,6 +168,24 @@ impl ForceDirections {
                     return Err(SteadyError::Placed { name: force.name.clone() });
                 }
                 self.unknown |= !law.turns_with_body();
+            }
+        }
+        Ok(())
+    }
+
+    fn magnetic(&mut self, name: &str, field: &MagneticField) -> Result<(), SteadyError> {
+        let named = format!("the force {name:?}");
+        if let Some(orbit) = field.orbit() {
+            self.orbit(name, orbit)?;
+        }
+        match field {
+            MagneticField::RotatingDipole { rate, .. } if field.rotation() != 0.0 => {
+                self.set(*rate * V::z(), named, false)?;
+            }
+            MagneticField::Uniform(direction)
+            | MagneticField::Dipole { strength: direction, .. }
+            | MagneticField::RotatingDipole { strength: direction, .. } => {
+                self.directions.push(((*direction).into(), named));
             }
         }
         Ok(())

@@ -112,6 +112,7 @@ fn is_drag(law: &ForceLaw<Marker>) -> bool {
 fn exchanging(force: &Force<Marker>) -> Option<String> {
     match &force.law {
         law if is_drag(law) => Some(format!("drag {:?}", force.name)),
+        ForceLaw::EddyCurrent { .. } => Some(format!("eddy currents {:?}", force.name)),
         ForceLaw::Expression { .. } | ForceLaw::TorqueExpression { .. } => {
             Some(format!("force {:?}", force.name))
         }
@@ -136,6 +137,7 @@ fn has_potential(law: &ForceLaw<Marker>) -> bool {
         ForceLaw::Thrust { axes, .. } => *axes == Axes::Inertial,
         ForceLaw::During { law, .. } => has_potential(law),
         ForceLaw::Torque { .. }
+        | ForceLaw::EddyCurrent { .. }
         | ForceLaw::Expression { .. }
         | ForceLaw::TorqueExpression { .. }
         | ForceLaw::TorqueTable { .. }

@@ -1,0 +1,178 @@
+//! Mean of the products of a magnetic field over an orbit and over the turn of its dipole, and the rates that must keep apart for it.
+//! Equation (F17), docs/theory/07-forces.md.
+
+use std::f64::consts::TAU;
+
+use super::{MagneticField, Orbit};
+use crate::math::vec3::dot;
+
+/// Points of the mean: in the true anomaly the products are a trigonometric polynomial of degree 8, whose mean 9 points give exactly.
+const POINTS: usize = 16;
+/// Harmonics of the orbit and of the turn of the dipole whose differences are slow where the two are in resonance: the products hold the
+/// second harmonic of the dipole, and the fourth of a circular orbit.
+const ORBIT_HARMONICS: u32 = 8;
+const DIPOLE_HARMONICS: u32 = 2;
+
+impl MagneticField {
+    /// Mean `⟨BBᵀ⟩` (T²), inertial axes, over the orbit and over all phases of the dipole. (F17)
+    #[must_use]
+    pub fn mean_square(&self) -> [[f64; 3]; 3] {
+        match self {
+            Self::Uniform(field) => outer(*field),
+            Self::Dipole { strength, orbit } => over_orbit(outer(*strength), orbit),
+            Self::RotatingDipole { strength: [x, y, z], .. } if self.rotation() != 0.0 => {
+                let across = 0.5 * (x * x + y * y);
+                let turned = [[across, 0.0, 0.0], [0.0, across, 0.0], [0.0, 0.0, z * z]];
+                self.orbit().map_or(turned, |orbit| over_orbit(turned, orbit))
+            }
+            Self::RotatingDipole { strength, orbit, .. } => over_orbit(outer(*strength), orbit),
+        }
+    }
+
+    /// Fastest rate (rad/s) at which the direction from the dipole turns, plus that of the dipole; zero in a uniform field. The currents
+    /// of (F15) suppose a body that rotates much faster.
+    #[must_use]
+    pub fn fastest_rate(&self) -> f64 {
+        self.orbit().map_or(0.0, |orbit| {
+            let nearest = 1.0 - orbit.eccentricity;
+            let passing = ((1.0 + orbit.eccentricity) / nearest).sqrt() / nearest;
+            orbit.mean_motion() * passing + self.rotation().abs()
+        })
+    }
+
+    /// Slowest rate (rad/s) that the mean is taken over: of the orbit, of the dipole, and of the differences of their harmonics; infinite
+    /// in a uniform field. What the mean drives must change more slowly.
+    #[must_use]
+    pub fn slowest_rate(&self) -> f64 {
+        let Some(orbit) = self.orbit() else { return f64::INFINITY };
+        let (n, turn) = (orbit.mean_motion(), self.rotation().abs());
+        if turn == 0.0 {
+            return n;
+        }
+        let harmonics = (1..=ORBIT_HARMONICS).flat_map(|l| (1..=DIPOLE_HARMONICS).map(move |k| (l, k)));
+        let beats = harmonics.map(|(l, k)| (f64::from(l) * n - f64::from(k) * turn).abs());
+        beats.fold(n.min(turn), f64::min)
+    }
+}
+
+/// Mean of `G C G/r⁶`, `G = 3nnᵀ − 1`, of a dipole whose products are `C` (T²·m⁶).
+fn over_orbit(products: [[f64; 3]; 3], orbit: &Orbit) -> [[f64; 3]; 3] {
+    let e = orbit.eccentricity;
+    let p = orbit.semi_major_axis * (1.0 - e) * (1.0 + e);
+    let [along, across] = orbit.axes();
+    let mut sum = [[0.0; 3]; 3];
+    for point in 0..POINTS {
+        let (sin, cos) = (TAU * point as f64 / POINTS as f64).sin_cos();
+        let n: [f64; 3] = std::array::from_fn(|i| cos * along[i] + sin * across[i]);
+        let per_radius = (1.0 + e * cos) / p;
+        // dt goes with r² dν.
+        let weight = per_radius.powi(4) / POINTS as f64;
+        let turned = products.map(|row| 3.0 * dot(row, n));
+        let twice = 3.0 * dot(turned, n);
+        for (i, row) in sum.iter_mut().enumerate() {
+            for (j, entry) in row.iter_mut().enumerate() {
+                let shape = products[i][j] - turned[i] * n[j] - n[i] * turned[j] + twice * n[i] * n[j];
+                *entry += weight * shape;
+            }
+        }
+    }
+    let a = orbit.semi_major_axis;
+    let per_area = 1.0 / (a * a * ((1.0 - e) * (1.0 + e)).sqrt()); // n₀/h
+    sum.map(|row| row.map(|entry| entry * per_area))
+}
+
+fn outer(v: [f64; 3]) -> [[f64; 3]; 3] {
+    v.map(|a| v.map(|b| a * b))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::vec3::norm;
+
+    const STRENGTH: [f64; 3] = [1.3e15, -0.8e15, 7.6e15];
+
+    fn orbit(eccentricity: f64) -> Orbit {
+        Orbit {
+            mu: 3.986_004_418e14,
+            semi_major_axis: 9.1e6,
+            eccentricity,
+            inclination: 1.9,
+            raan: 0.7,
+            argument_of_periapsis: 2.1,
+            mean_anomaly: 0.4,
+        }
+    }
+
+    /// Largest difference from the mean over steps of time and of the phase of the dipole, over the size.
+    fn gap(field: impl Fn(f64) -> MagneticField, phases: usize, steps: usize) -> f64 {
+        let mut sum = [[0.0; 3]; 3];
+        for phase in 0..phases {
+            let field = field(TAU * phase as f64 / phases as f64);
+            let period = field.orbit().unwrap().period();
+            for step in 0..steps {
+                let B = field.at(period * step as f64 / steps as f64);
+                let products = outer(B);
+                for i in 0..9 {
+                    sum[i / 3][i % 3] += products[i / 3][i % 3] / (phases * steps) as f64;
+                }
+            }
+        }
+        let found = field(0.0).mean_square();
+        let differences = (0..9).map(|i| (found[i / 3][i % 3] - sum[i / 3][i % 3]).abs());
+        differences.fold(0.0, f64::max) / norm(sum.map(norm))
+    }
+
+    #[test]
+    fn mean_over_an_orbit_is_that_over_time() {
+        for eccentricity in [0.0, 0.0137, 0.3, 0.7] {
+            let gap =
+                gap(|_| MagneticField::Dipole { strength: STRENGTH, orbit: orbit(eccentricity) }, 1, 4000);
+            assert!(gap < 1e-12, "{eccentricity}: {gap}");
+        }
+    }
+
+    /// A dipole at a standstill in each of its phases is a dipole that turns.
+    #[test]
+    fn mean_over_the_turn_of_a_dipole_is_that_over_its_phases() {
+        let [x, y, z] = STRENGTH;
+        let turned = |phase: f64| {
+            let (sin, cos) = phase.sin_cos();
+            let strength = [cos * x - sin * y, sin * x + cos * y, z];
+            MagneticField::RotatingDipole { strength, rate: 1e-300, orbit: orbit(0.2) }
+        };
+        let gap = gap(turned, 8, 2000);
+        assert!(gap < 1e-12, "{gap}");
+    }
+
+    /// `⟨B²⟩ = (b/a³)² (1 + 3/2 sin² i)` of a dipole along the axis over a circular orbit; on an eccentric one times
+    /// `(1 + 3e² + 3e⁴/8)/(1−e²)^{9/2}` over the equator.
+    #[test]
+    fn mean_squares_have_their_closed_forms() {
+        let trace =
+            |field: MagneticField| field.mean_square().iter().enumerate().map(|(i, row)| row[i]).sum::<f64>();
+        let near =
+            |found: f64, known: f64| assert!((found / known - 1.0).abs() < 1e-14, "{found:e} {known:e}");
+        let axial = |orbit| MagneticField::Dipole { strength: [0.0, 0.0, 7.6e15], orbit };
+        let inner = (7.6e15 / 9.1e6f64.powi(3)).powi(2);
+        near(trace(axial(orbit(0.0))), inner * (1.0 + 1.5 * 1.9f64.sin().powi(2)));
+        let e: f64 = 0.4;
+        let level = Orbit { inclination: 0.0, ..orbit(e) };
+        let grown = (1.0 + 3.0 * e.powi(2) + 0.375 * e.powi(4)) / (1.0 - e * e).powf(4.5);
+        near(trace(axial(level)), inner * grown);
+    }
+
+    /// A dipole that turns with the orbit, or at half or twice its rate, is in resonance; the Earth's under a low orbit is not.
+    #[test]
+    fn resonances_are_slow() {
+        let n = orbit(0.0).mean_motion();
+        let slowest = |rate| {
+            MagneticField::RotatingDipole { strength: STRENGTH, rate, orbit: orbit(0.0) }.slowest_rate()
+        };
+        for rate in [n, 0.5 * n, 2.0 * n, -1.5 * n] {
+            assert!(slowest(rate) < 1e-12 * n, "{rate}");
+        }
+        assert!((slowest(0.09 * n) / (0.09 * n) - 1.0).abs() < 1e-12);
+        assert_eq!(MagneticField::Uniform([1.0; 3]).slowest_rate(), f64::INFINITY);
+    }
+}

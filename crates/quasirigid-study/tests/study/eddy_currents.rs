@@ -1,0 +1,112 @@
+//! Eddy currents of a model: `evolve` against `simulate`, spheres, and the limits of the average.
+
+use std::f64::consts::TAU;
+
+use quasirigid_io::model::System;
+use quasirigid_math::rotation::angle;
+use quasirigid_math::vec3::norm;
+
+use crate::support::{carrier, close, column, evolved, finished, spinning, study, try_evolve};
+
+const ORBIT: &str = "orbit = { body = \"Earth\", semi_major_axis = \"7069 km\", inclination = \"98 deg\", node = \"40 deg\" }\n";
+
+fn currents(lines: &str) -> String {
+    format!("[[force]]\nname = \"currents\"\nkind = \"eddy-current\"\n{lines}")
+}
+
+/// A satellite with a magnetic tensor in the turning tilted dipole of the Earth.
+fn satellite(inertia: [f64; 3], tensor: &str, omega: [f64; 3]) -> String {
+    let field = format!("dipole = [1.2e15, 0.8e15, -7.6e15]\ndipole_rate = \"7.2921159e-5 rad/s\"\n{ORBIT}");
+    carrier(20.0, inertia) + &spinning(omega) + &currents(&format!("tensor = {tensor}\n{field}"))
+}
+
+/// A thousand revolutions of a wobbling body with three different moments and a tensor of its own, by the reduced and the full system and by
+/// the average: magnitude and direction of the angular momentum, and energy. The tensor is a hundred times that of a shell of aluminium, so
+/// that much happens in ten orbits.
+#[test]
+fn evolve_is_the_mean_of_simulate() {
+    let tensor = "[[9e3, 1e3, 0], [1e3, 7e3, -2e3], [0, -2e3, 12e3]]";
+    let model = satellite([0.6, 0.8, 1.0], tensor, [0.03, 0.02, 0.2]);
+    let study = study(&model);
+    let period = TAU * (7.069e6f64.powi(3) / 3.986_004_418e14).sqrt();
+    let duration = 6.0 * period;
+    let found = evolved(&study, |asked| asked.duration = Some(duration));
+    assert_eq!(found.record.status, "finished", "{}", found.record.message);
+    let momentum = *column(&found.record.columns, "momentum").last().unwrap();
+    let energy = *column(&found.record.columns, "energy").last().unwrap();
+    let note = found.notes.iter().find(|note| note.contains("turn the angular momentum")).unwrap();
+    for system in [System::Reduced, System::Full, System::Rigid] {
+        let run = finished(&study, system, &[0.0, duration]);
+        let last = &run.run.last;
+        println!(
+            "{system:?}: {:.0} revolutions, |K| {:.5} from {:.5}, averaged {momentum:.5}; E {:.6}, averaged {energy:.6}; {note}",
+            found.record.revolutions,
+            norm(last.angular_momentum),
+            found.record.angular_momentum,
+            last.energy
+        );
+        close(norm(last.angular_momentum), momentum, 0.02);
+        close(last.energy, energy, 0.04);
+    }
+}
+
+/// A sphere in a uniform field across its spin slows by `e^{−MB²t/I}`, by `evolve` and by `simulate`; its energy is what the force took.
+#[test]
+fn a_sphere_slows_by_its_closed_law() {
+    let shape =
+        "conductivity = \"58 MS/m\"\nshape = \"sphere\"\nradius = \"10 cm\"\nfield = [\"10 mT\", 0, 0]\n";
+    let sphere = study(&(carrier(37.5, [0.15; 3]) + &spinning([0.0, 0.0, 2.0]) + &currents(shape)));
+    let tau = 0.15 / (242.949_831 * 1e-4);
+    let found = evolved(&sphere, |asked| asked.duration = Some(1.5 * tau)).record;
+    close(*column(&found.columns, "momentum").last().unwrap(), 0.3 * (-1.5f64).exp(), 1e-7);
+    assert_eq!(*column(&found.columns, "nutation_max").last().unwrap(), 0.0);
+    for system in [System::Reduced, System::Full, System::Rigid] {
+        let history = finished(&sphere, system, &[0.0, 1.5 * tau]);
+        let last = &history.run.last;
+        close(last.angular_momentum[2], 0.3 * (-1.5f64).exp(), 1e-7);
+        close(last.work, 0.5 * 0.15 * 4.0 * ((-3f64).exp() - 1.0), 1e-7);
+    }
+    let along = study(&(carrier(37.5, [0.15; 3]) + &spinning([2.0, 0.0, 0.0]) + &currents(shape)));
+    let kept = evolved(&along, |asked| asked.duration = Some(1.5 * tau)).record;
+    close(*column(&kept.columns, "momentum").last().unwrap(), 0.3, 1e-12);
+    assert!(
+        angle(finished(&along, System::Rigid, &[0.0, tau]).run.last.angular_momentum, [1.0, 0.0, 0.0]) < 1e-9
+    );
+}
+
+/// What the average does not hold for is refused in words, with numbers.
+#[test]
+fn averages_that_do_not_hold_are_refused() {
+    let refused = |model: &str| try_evolve(&study(model), |asked| asked.duration = Some(1e6)).unwrap_err();
+    let spin = [0.0, 0.0, 1.0];
+    let strong = refused(&satellite([0.6, 0.8, 1.0], "1e7", spin));
+    assert!(
+        strong.contains("an average needs that to be a tenth of 7.29e-5 rad/s at most, the slowest rate"),
+        "{strong}"
+    );
+    let resonant = satellite([0.6, 0.8, 1.0], "100", spin).replace("7069 km", "42164.17 km");
+    assert!(refused(&resonant).contains("slow in a resonance"));
+    let sphere = refused(&satellite([1.0; 3], "[[1, 0, 0], [0, 1, 0], [0, 0, 2]]", spin));
+    assert!(sphere.contains("its spin has no axis of its own"), "{sphere}");
+    let uniform = |tensor: &str| currents(&format!("tensor = {tensor}\nfield = [0, 1, 0]\n"));
+    let body = carrier(20.0, [0.6, 0.8, 1.0]) + &spinning(spin);
+    let sudden = refused(&(body.clone() + &uniform("10")));
+    assert!(sudden.contains("the angular velocity of the body; `simulate`"), "{sudden}");
+    let shape = "conductivity = 5e7\nshape = \"sphere\"\nradius = 0.5\nfield = [0, 0, 1e-5]\n";
+    let skin = refused(&(body.replace("1.0]", "9.0]") + &currents(shape)));
+    assert!(skin.contains("the currents' own field lowers the torque by"), "{skin}");
+}
+
+/// Nothing where there is no field or no metal; an end in words where the body has become too slow.
+#[test]
+fn limits_of_eddy_currents_are_ends() {
+    let status = |model: &str, duration: f64| {
+        let found = evolved(&study(model), |asked| asked.duration = Some(duration)).record;
+        (found.status.clone(), *column(&found.columns, "momentum").last().unwrap(), found.message)
+    };
+    let (slowed, momentum, message) = status(&satellite([0.6, 0.8, 1.0], "300", [0.0, 0.0, 0.1]), 1e10);
+    assert_eq!(slowed, "slowed", "{message}");
+    assert!(momentum > 0.0 && message.contains("`simulate` follows the rotation"), "{momentum} {message}");
+    let (rest, momentum, _) = status(&satellite([0.6, 0.8, 1.0], "300", [0.0, 0.0, 1e-3]), 1e5);
+    assert_eq!((rest.as_str(), momentum), ("slowed", 1e-3));
+}

@@ -1,0 +1,260 @@
+//! Eddy currents: the torque in plain vectors, closed forms, and the average against the rotation itself. (F15), (F17), (A14), (A15)
+
+use std::ops::ControlFlow;
+
+use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
+use proptest::prelude::*;
+use quasirigid::averaging::{
+    Drift, DriftLimits, DriftState, DriftStopReason, EddyTorque, FreeRotation, MeanPower, RotationState,
+    SlowTorque,
+};
+use quasirigid::model::force::{Force, ForceLaw, MagneticField, Orbit};
+use quasirigid::model::{Mode, Principal};
+
+use super::forced::{State, forced, orbit, states};
+use crate::support::{assemblies, cases, parts, vector};
+
+type V = Vector3<f64>;
+type M = Matrix3<f64>;
+
+/// Power of a body that dissipates nothing itself.
+#[derive(Debug)]
+struct Rigid([f64; 3]);
+
+impl MeanPower for Rigid {
+    fn moments(&self) -> [f64; 3] {
+        self.0
+    }
+
+    fn mean_power(&self, _: &FreeRotation) -> f64 {
+        0.0
+    }
+}
+
+/// Field of a dipole that turns about z, written here from the place and Rodrigues' formula.
+fn field(strength: [f64; 3], rate: f64, orbit: &Orbit, t: f64) -> V {
+    let m = nalgebra::Rotation3::from_axis_angle(&V::z_axis(), rate * t) * V::from(strength);
+    let R = V::from(orbit.at(t).place);
+    3.0 * R * R.dot(&m) / R.norm().powi(5) - m / R.norm().powi(3)
+}
+
+/// Symmetric matrix without negative eigenvalues: a sum of squares.
+fn tensor(parts: [[f64; 3]; 3]) -> M {
+    parts.into_iter().map(|part| V::from(part) * V::from(part).transpose()).sum()
+}
+
+proptest! {
+    #![proptest_config(cases(64))]
+
+    /// Worked out in inertial axes, with the tensor turned there: torque, its power, and that it takes energy.
+    #[test]
+    fn torque_is_that_of_plain_vectors(
+        assembly in assemblies(), loose in states(), parts in [vector(), vector(), vector()],
+        strength in vector(), rate in -2.0..2.0, orbit in orbit(),
+    ) {
+        let M_B = tensor(parts);
+        let law = ForceLaw::EddyCurrent {
+            tensor: M_B.into(),
+            decay_time: 0.0,
+            field: MagneticField::RotatingDipole { strength, rate, orbit },
+        };
+        let assembly = forced(&assembly, vec![Force { name: "currents".into(), law }]);
+        let (body, forces) = (assembly.body().unwrap(), assembly.forces().unwrap());
+        let state = State::of(&body, &loose, 0.5);
+        let loads = body.loads(&forces, &state.kinematics());
+        let turn = state.turn();
+        let B = field(strength, rate, &orbit, state.t);
+        let cut = (turn * V::from(state.omega)).cross(&B);
+        let moment = turn * M_B * turn.transpose() * cut;
+        let torque = turn.transpose() * moment.cross(&B);
+        let size = M_B.norm() * V::from(state.omega).norm() * B.norm_squared();
+        prop_assert!((V::from(loads.moment) - torque).norm() <= 1e-12 * size, "{:?} {torque}", loads.moment);
+        let power = loads.power(state.kinematics().motion, [0.0; 3]);
+        prop_assert!((power + cut.dot(&moment)).abs() <= 1e-12 * size * V::from(state.omega).norm());
+        prop_assert!(power <= 1e-12 * size, "{power}");
+        prop_assert!(loads.force == [0.0; 3] && loads.generalized.iter().all(|load| *load == 0.0));
+    }
+}
+
+fn drift(moments: [f64; 3], tensor: M, field: MagneticField) -> Drift<Rigid> {
+    let torque =
+        SlowTorque { eddy: Some(EddyTorque { tensor: tensor.into(), field }), ..SlowTorque::default() };
+    Drift::new(Rigid(moments), &Principal { moments, axes: parts::diag([1.0; 3]) }, torque)
+}
+
+fn start(rotation_state: RotationState, angular_momentum: f64, direction: V) -> DriftState {
+    DriftState {
+        t: 0.0,
+        rotation_state,
+        angular_momentum,
+        side: 1.0,
+        direction: direction.normalize().into(),
+        revolutions: 0.0,
+    }
+}
+
+fn ended(drift: &Drift<Rigid>, start: DriftState, duration: f64) -> DriftState {
+    let history = drift.follow(start, &[], &DriftLimits::until(duration), |_| ControlFlow::Continue(()));
+    assert_eq!(history.ending, DriftStopReason::Finished);
+    history.end
+}
+
+/// In a uniform field the part of the angular momentum along it stays, and that across it falls as `e^{−MB²t/I}`: of a sphere, and of a
+/// steady spin, whose tensor is averaged about the spin.
+#[test]
+fn uniform_fields_leave_the_part_along_them() {
+    let B = V::new(2e-3, -1e-3, 3e-3);
+    let uniform = MagneticField::Uniform(B.into());
+    let [I1, I2, I3] = [2.0, 3.0, 4.0];
+    let wide = M::from_diagonal(&V::new(100.0, 300.0, 50.0));
+    let cases = [
+        ([2.0; 3], M::from_diagonal_element(200.0), Mode::ShortAxis, 100.0),
+        ([I1, I2, I3], M::from_diagonal_element(400.0), Mode::ShortAxis, 100.0),
+        ([I1, I2, I3], wide, Mode::ShortAxis, 200.0 / I3),
+        ([I1, I2, I3], wide, Mode::LongAxis, 175.0 / I1),
+    ];
+    for (moments, tensor, mode, per_field) in cases {
+        let along = B.normalize();
+        for u in [V::new(1.0, 2.0, 0.0), along, V::new(-3.0, 1.0, 0.2)] {
+            let u = u.normalize();
+            let t = 1.3 / (per_field * B.norm_squared());
+            let end = ended(&drift(moments, tensor, uniform), start(RotationState::steady(mode), 5.0, u), t);
+            let kept = u.dot(&along) * along;
+            let K = 5.0 * (kept + (u - kept) * (-1.3f64).exp());
+            let found = end.angular_momentum * V::from(end.direction);
+            assert!((found - K).norm() < 1e-9 * 5.0, "{moments:?} {mode:?}: {found} {K}");
+        }
+    }
+}
+
+/// Rotation in plain vectors: angular momentum in inertial axes and attitude, by the classical method of Runge and Kutta.
+struct Turning<'a> {
+    moments: [f64; 3],
+    tensor: M,
+    field: &'a dyn Fn(f64) -> V,
+    K: V,
+    attitude: Quaternion<f64>,
+}
+
+impl Turning<'_> {
+    fn omega(&self, K: V, attitude: Quaternion<f64>) -> V {
+        let in_body = UnitQuaternion::new_normalize(attitude).inverse() * K;
+        in_body.component_div(&V::from(self.moments))
+    }
+
+    fn rate(&self, t: f64, K: V, attitude: Quaternion<f64>) -> (V, Quaternion<f64>) {
+        let turn = UnitQuaternion::new_normalize(attitude);
+        let (omega, B) = (self.omega(K, attitude), (self.field)(t));
+        let B_B = turn.inverse() * B;
+        let torque = (self.tensor * omega.cross(&B_B)).cross(&B_B);
+        (turn * torque, attitude * Quaternion::from_imag(0.5 * omega))
+    }
+
+    fn step(&mut self, t: f64, h: f64) {
+        let at = |rate: &(V, Quaternion<f64>), h: f64| (self.K + h * rate.0, self.attitude + rate.1 * h);
+        let k1 = self.rate(t, self.K, self.attitude);
+        let (K, q) = at(&k1, 0.5 * h);
+        let k2 = self.rate(t + 0.5 * h, K, q);
+        let (K, q) = at(&k2, 0.5 * h);
+        let k3 = self.rate(t + 0.5 * h, K, q);
+        let (K, q) = at(&k3, h);
+        let k4 = self.rate(t + h, K, q);
+        self.K += h / 6.0 * (k1.0 + 2.0 * (k2.0 + k3.0) + k4.0);
+        let turned = self.attitude + (k1.1 + (k2.1 + k3.1) * 2.0 + k4.1) * (h / 6.0);
+        self.attitude = turned / turned.norm();
+    }
+
+    fn energy(&self) -> f64 {
+        let omega = self.omega(self.K, self.attitude);
+        0.5 * omega.dot(&V::from(self.moments).component_mul(&omega))
+    }
+}
+
+/// Relative differences of angular momentum, energy and direction between the average and the rotation itself, where orbit and decay are
+/// slower than the spin by this factor, and by its square; with the changes themselves.
+fn gaps(weakness: f64, omega: V, rate: f64) -> [f64; 3] {
+    let moments = [2.0, 3.0, 4.0];
+    let tensor = tensor([[0.9, 0.3, -0.2], [0.1, 0.8, 0.5], [-0.4, 0.2, 1.4]]);
+    let n = 0.06 / weakness;
+    let orbit = Orbit {
+        mu: n * n,
+        semi_major_axis: 1.0,
+        eccentricity: 0.2,
+        inclination: 1.9,
+        raan: 0.4,
+        argument_of_periapsis: 0.8,
+        mean_anomaly: 0.3,
+    };
+    let strength: [f64; 3] = (0.05 / weakness * V::new(0.3, -0.2, 0.9)).into();
+    let rate = rate * n;
+    let law = MagneticField::RotatingDipole { strength, rate, orbit };
+    let of_time = |t: f64| field(strength, rate, &orbit, t);
+    let attitude = *UnitQuaternion::from_scaled_axis(V::new(0.4, -0.9, 0.7)).quaternion();
+    let turned = UnitQuaternion::new_normalize(attitude);
+    let K = turned * V::from(moments).component_mul(&omega);
+    let mut body = Turning { moments, tensor, field: &of_time, K, attitude };
+    let orbits = 10.0 * weakness;
+    let duration = orbits.round() * orbit.period();
+    let motion = FreeRotation::through(moments, omega.into()).unwrap();
+    let from = start(RotationState::from_motion(&motion).unwrap(), K.norm(), K);
+    let end = ended(&drift(moments, tensor, law), from, duration);
+    let steps = (duration * omega.norm() / 0.1).ceil();
+    for i in 0..steps as u64 {
+        body.step(i as f64 * duration / steps, duration / steps);
+    }
+    let reached =
+        FreeRotation::at_logit(moments, end.angular_momentum, end.rotation_state.mode, end.rotation_state.xi);
+    let direction = V::from(end.direction);
+    println!(
+        "weaker by {weakness}: {:.0} revolutions, G {:.4} {:.6} {:.6}, E {:.4} {:.6} {:.6}, turned {:.4} {:.4} rad",
+        end.revolutions,
+        K.norm(),
+        body.K.norm(),
+        end.angular_momentum,
+        motion.energy(),
+        body.energy(),
+        reached.energy(),
+        K.angle(&body.K),
+        K.angle(&direction)
+    );
+    [
+        (body.K.norm() / end.angular_momentum - 1.0).abs(),
+        (body.energy() / reached.energy() - 1.0).abs(),
+        body.K.angle(&direction),
+    ]
+}
+
+/// A tumbling body with a tensor of its own in a dipole's field along an eccentric orbit, short-axis and long-axis mode: the slower the
+/// orbit and the decay, the nearer the average.
+#[test]
+fn average_is_that_of_the_rotation() {
+    for (omega, rate) in
+        [(V::new(0.5, 0.3, 0.9), 0.0), (V::new(1.1, 0.2, 0.3), 0.0), (V::new(0.3, 0.4, 0.9), 0.37)]
+    {
+        let [strong, weak] = [2.0, 8.0].map(|weakness| gaps(weakness, omega, rate));
+        println!("{strong:?} {weak:?}");
+        assert!(weak.iter().all(|gap| *gap < 4e-3), "{strong:?} {weak:?}");
+        assert!(weak.iter().sum::<f64>() < 0.5 * strong.iter().sum::<f64>(), "{strong:?} {weak:?}");
+    }
+}
+
+/// The same field from several forces is one with the sum of the tensors; another field, or a window, has no average here.
+#[test]
+fn currents_in_one_field_are_summed() {
+    let force = |tensor: f64, field: MagneticField| Force {
+        name: format!("of {tensor}"),
+        law: ForceLaw::EddyCurrent {
+            tensor: M::from_diagonal_element(tensor).into(),
+            decay_time: 0.0,
+            field,
+        },
+    };
+    let uniform = MagneticField::Uniform([0.0, 0.0, 1.0]);
+    let other = MagneticField::Uniform([0.0, 1.0, 0.0]);
+    let sum = SlowTorque::from_forces(&[force(1.0, uniform), force(2.0, uniform)]).unwrap();
+    assert_eq!(sum.eddy, Some(EddyTorque { tensor: M::from_diagonal_element(3.0).into(), field: uniform }));
+    let none = [force(0.0, uniform), force(3.0, MagneticField::Uniform([0.0; 3]))];
+    assert!(SlowTorque::from_forces(&none).unwrap().is_zero());
+    let refused = SlowTorque::from_forces(&[force(1.0, uniform), force(2.0, other)]).unwrap_err();
+    assert_eq!(refused.name, "of 2");
+}

@@ -20,22 +20,22 @@ fn satellite(inertia: [f64; 3], tensor: &str, omega: [f64; 3]) -> String {
     carrier(20.0, inertia) + &spinning(omega) + &currents(&format!("tensor = {tensor}\n{field}"))
 }
 
-/// Five thousand revolutions of a wobbling body with three different moments and a tensor of its own, by the reduced and the full system and by
+/// A thousand revolutions and more of a wobbling body with three different moments and a tensor of its own, by the reduced and the full system and by
 /// the average: magnitude and direction of the angular momentum, and energy. The tensor is twenty times that of a shell of aluminium, so
-/// that much happens in thirty orbits.
+/// that much happens in eight orbits.
 #[test]
 fn evolve_is_the_mean_of_simulate() {
     let tensor = "[[1500, 150, 0], [150, 1200, -350], [0, -350, 2000]]";
     let model = satellite([0.6, 0.8, 1.0], tensor, [0.03, 0.02, 0.2]);
     let study = study(&model);
     let period = TAU * (7.069e6f64.powi(3) / 3.986_004_418e14).sqrt();
-    let duration = 30.0 * period;
+    let duration = 8.0 * period;
     let found = evolved(&study, |asked| asked.duration = Some(duration));
     assert_eq!(found.record.status, "finished", "{}", found.record.message);
     let momentum = *column(&found.record.columns, "momentum").last().unwrap();
     let energy = *column(&found.record.columns, "energy").last().unwrap();
     let note = found.notes.iter().find(|note| note.contains("turn the angular momentum")).unwrap();
-    for system in [System::Reduced, System::Full, System::Rigid] {
+    for system in [System::Reduced, System::Full] {
         let run = finished(&study, system, &[0.0, duration]);
         let last = &run.run.last;
         println!(

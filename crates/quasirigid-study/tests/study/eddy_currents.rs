@@ -45,8 +45,8 @@ fn evolve_is_the_mean_of_simulate() {
             found.record.angular_momentum,
             last.energy
         );
-        close(norm(last.angular_momentum), momentum, 0.02);
-        close(last.energy, energy, 0.04);
+        close(norm(last.angular_momentum), momentum, 1e-3);
+        close(last.energy, energy, 2e-3);
     }
 }
 

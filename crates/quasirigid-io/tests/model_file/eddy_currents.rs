@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use insta::assert_snapshot;
 use quasirigid::model::force::{ForceLaw, MagneticField};
 
-use super::{CARRIER, POINT, read, refusal_of};
+use super::{CARRIER, POINT, read, refusal_of, verdict};
 
 const FIELD: &str = "field = [0, 0, \"30 uT\"]\n";
 
@@ -65,18 +65,56 @@ fn dipoles_may_turn() {
 
 #[test]
 fn currents_that_cannot_be_are_refused() {
-    assert_snapshot!(refused(&format!("tensor = [[1, 2, 0], [2, 1, 0], [0, 0, 1]]\n{FIELD}")), @"");
-    assert_snapshot!(refused(&format!("tensor = [[1, 2, 0], [3, 9, 0], [0, 0, 1]]\n{FIELD}")), @"");
-    assert_snapshot!(refused(&format!("tensor = -1\n{FIELD}")), @"");
-    assert_snapshot!(refused(&format!("tensor = \"3 S/m\"\n{FIELD}")), @"");
-    assert_snapshot!(refused(&format!("tensor = 1\nconductivity = 1e7\n{FIELD}")), @"");
+    let unphysical =
+        |rows: &str| verdict(&format!("{CARRIER}{POINT}{}", text(&format!("tensor = {rows}\n{FIELD}"))));
+    assert_snapshot!(unphysical("[[1, 2, 0], [2, 1, 0], [0, 0, 1]]"), @r#"
+    model.toml:11:10: `tensor` of force "force 1": the smallest eigenvalue is -1e0 S m^4; eddy currents must not give energy
+      check the signs; the eigenvalues of the magnetic tensor must be zero or positive
+    "#);
+    assert_snapshot!(unphysical("[[1, 2, 0], [3, 9, 0], [0, 0, 1]]"), @r#"
+    model.toml:11:10: `tensor` of force "force 1": the matrix is not symmetric: entries [0][1] = 2 and [1][0] = 3 differ
+      write the same value at [i][j] and [j][i], or only the three values of the axes
+    "#);
+    assert_snapshot!(refused(&format!("tensor = -1\n{FIELD}")), @"
+    model.toml:11:10: `tensor` is -1 S m^4, but must be zero or positive
+      a positive value resists the motion, as every spring and dashpot does
+    ");
+    assert_snapshot!(refused(&format!("tensor = \"3 S/m\"\n{FIELD}")), @r#"
+    model.toml:11:10: `tensor`: "3 S/m" is a conductivity, but a magnetic tensor is needed
+      write for example "5662 S m^4", or a plain number in S m^4
+    "#);
+    assert_snapshot!(refused(&format!("tensor = 1\nconductivity = 1e7\n{FIELD}")), @"
+    model.toml:12:16: `conductivity` says what the `tensor` is already
+      leave out one of the two
+    ");
 }
 
 #[test]
 fn shapes_that_cannot_be_are_refused() {
-    assert_snapshot!(refused(&format!("conductivity = 1e7\n{FIELD}")), @"");
-    assert_snapshot!(refused(&format!("conductivity = 0\nshape = \"cube\"\nradius = \"3 kg\"\n{FIELD}")), @"");
-    assert_snapshot!(refused(&format!("conductivity = 1e7\nshape = \"shell\"\nradius = 0.1\nthickness = 0.2\n{FIELD}")), @"");
-    assert_snapshot!(refused(&format!("conductivity = 1e7\nshape = \"sphere\"\nradius = 0.1\nthickness = 0.01\n{FIELD}")), @"");
-    assert_snapshot!(refused("tensor = 1\nfield = [0, 0, 1]\ndipole_rate = 7e-5\n"), @"");
+    assert_snapshot!(refused(&format!("conductivity = 1e7\n{FIELD}")), @r#"
+    model.toml:9:1: [[force]] of kind "eddy-current" has no `shape`
+      add a line such as: shape = "sphere", or shape = "shell"
+    model.toml:9:1: [[force]] of kind "eddy-current" has no `radius`
+      add a line such as: radius = "30 cm"
+    "#);
+    assert_snapshot!(refused(&format!("conductivity = 0\nshape = \"cube\"\nradius = \"3 kg\"\n{FIELD}")), @r#"
+    model.toml:11:16: `conductivity` is 0 S/m, but must be positive
+      write a number in S/m, or a text with its unit such as "25 MS/m"
+    model.toml:12:9: `shape` cannot be "cube"
+      write "sphere" or "shell"
+    model.toml:13:10: `radius`: "3 kg" is a mass, but a length is needed
+      write for example "22 in", or a plain number in m
+    "#);
+    assert_snapshot!(refused(&format!("conductivity = 1e7\nshape = \"shell\"\nradius = 0.1\nthickness = 0.2\n{FIELD}")), @r#"
+    model.toml:14:13: `thickness` is 0.2 m, and the outer radius is 0.1 m
+      write less than the radius, or shape = "sphere"
+    "#);
+    assert_snapshot!(refused(&format!("conductivity = 1e7\nshape = \"sphere\"\nradius = 0.1\nthickness = 0.01\n{FIELD}")), @r#"
+    model.toml:14:13: `thickness` is that of a shell, and this sphere is solid
+      leave it out, or write shape = "shell"
+    "#);
+    assert_snapshot!(refused("tensor = 1\nfield = [0, 0, 1]\ndipole_rate = 7e-5\n"), @"
+    model.toml:13:15: `dipole_rate` goes with `dipole`, and this `field` is the same everywhere
+      leave out one of the two
+    ");
 }

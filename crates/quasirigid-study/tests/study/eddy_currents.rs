@@ -20,22 +20,22 @@ fn satellite(inertia: [f64; 3], tensor: &str, omega: [f64; 3]) -> String {
     carrier(20.0, inertia) + &spinning(omega) + &currents(&format!("tensor = {tensor}\n{field}"))
 }
 
-/// A thousand revolutions of a wobbling body with three different moments and a tensor of its own, by the reduced and the full system and by
-/// the average: magnitude and direction of the angular momentum, and energy. The tensor is a hundred times that of a shell of aluminium, so
-/// that much happens in ten orbits.
+/// A thousand revolutions and more of a wobbling body with three different moments and a tensor of its own, by the reduced and the full system and by
+/// the average: magnitude and direction of the angular momentum, and energy. The tensor is twenty times that of a shell of aluminium, so
+/// that much happens in eight orbits.
 #[test]
 fn evolve_is_the_mean_of_simulate() {
-    let tensor = "[[9e3, 1e3, 0], [1e3, 7e3, -2e3], [0, -2e3, 12e3]]";
+    let tensor = "[[1500, 150, 0], [150, 1200, -350], [0, -350, 2000]]";
     let model = satellite([0.6, 0.8, 1.0], tensor, [0.03, 0.02, 0.2]);
     let study = study(&model);
     let period = TAU * (7.069e6f64.powi(3) / 3.986_004_418e14).sqrt();
-    let duration = 6.0 * period;
+    let duration = 8.0 * period;
     let found = evolved(&study, |asked| asked.duration = Some(duration));
     assert_eq!(found.record.status, "finished", "{}", found.record.message);
     let momentum = *column(&found.record.columns, "momentum").last().unwrap();
     let energy = *column(&found.record.columns, "energy").last().unwrap();
     let note = found.notes.iter().find(|note| note.contains("turn the angular momentum")).unwrap();
-    for system in [System::Reduced, System::Full, System::Rigid] {
+    for system in [System::Reduced, System::Full] {
         let run = finished(&study, system, &[0.0, duration]);
         let last = &run.run.last;
         println!(
@@ -45,8 +45,8 @@ fn evolve_is_the_mean_of_simulate() {
             found.record.angular_momentum,
             last.energy
         );
-        close(norm(last.angular_momentum), momentum, 0.02);
-        close(last.energy, energy, 0.04);
+        close(norm(last.angular_momentum), momentum, 1e-3);
+        close(last.energy, energy, 2e-3);
     }
 }
 
@@ -54,9 +54,9 @@ fn evolve_is_the_mean_of_simulate() {
 #[test]
 fn a_sphere_slows_by_its_closed_law() {
     let shape =
-        "conductivity = \"58 MS/m\"\nshape = \"sphere\"\nradius = \"10 cm\"\nfield = [\"10 mT\", 0, 0]\n";
+        "conductivity = \"58 MS/m\"\nshape = \"sphere\"\nradius = \"10 cm\"\nfield = [\"1 mT\", 0, 0]\n";
     let sphere = study(&(carrier(37.5, [0.15; 3]) + &spinning([0.0, 0.0, 2.0]) + &currents(shape)));
-    let tau = 0.15 / (242.949_831 * 1e-4);
+    let tau = 0.15 / (242.949_831 * 1e-6);
     let found = evolved(&sphere, |asked| asked.duration = Some(1.5 * tau)).record;
     close(*column(&found.columns, "momentum").last().unwrap(), 0.3 * (-1.5f64).exp(), 1e-7);
     assert_eq!(*column(&found.columns, "nutation_max").last().unwrap(), 0.0);
@@ -93,7 +93,7 @@ fn averages_that_do_not_hold_are_refused() {
     let sudden = refused(&(body.clone() + &uniform("10")));
     assert!(sudden.contains("the angular velocity of the body; `simulate`"), "{sudden}");
     let shape = "conductivity = 5e7\nshape = \"sphere\"\nradius = 0.5\nfield = [0, 0, 1e-5]\n";
-    let skin = refused(&(body.replace("1.0]", "9.0]") + &currents(shape)));
+    let skin = refused(&(carrier(20.0, [0.6, 0.8, 1.0]) + &spinning([0.0, 0.0, 9.0]) + &currents(shape)));
     assert!(skin.contains("the currents' own field lowers the torque by"), "{skin}");
 }
 
@@ -108,5 +108,6 @@ fn limits_of_eddy_currents_are_ends() {
     assert_eq!(slowed, "slowed", "{message}");
     assert!(momentum > 0.0 && message.contains("`simulate` follows the rotation"), "{momentum} {message}");
     let (rest, momentum, _) = status(&satellite([0.6, 0.8, 1.0], "300", [0.0, 0.0, 1e-3]), 1e5);
-    assert_eq!((rest.as_str(), momentum), ("slowed", 1e-3));
+    assert_eq!(rest, "slowed");
+    close(momentum, 1e-3, 1e-12);
 }

@@ -224,16 +224,19 @@ fn gaps(weakness: f64, omega: V, rate: f64) -> [f64; 3] {
     ]
 }
 
-/// A tumbling body with a tensor of its own in a dipole's field along an eccentric orbit, short-axis and long-axis mode: the slower the
-/// orbit and the decay, the nearer the average.
+/// A tumbling body with a tensor of its own in a dipole's field along an eccentric orbit: the slower the orbit and the decay, the nearer the
+/// average. The second passes from the long-axis to the short-axis mode, where the average is least accurate; the dipole of the third turns.
 #[test]
 fn average_is_that_of_the_rotation() {
-    for (omega, rate) in
-        [(V::new(0.5, 0.3, 0.9), 0.0), (V::new(1.1, 0.2, 0.3), 0.0), (V::new(0.3, 0.4, 0.9), 0.37)]
-    {
+    let cases = [
+        (V::new(0.5, 0.3, 0.9), 0.0, 1e-3),
+        (V::new(1.1, 0.2, 0.3), 0.0, 0.02),
+        (V::new(0.3, 0.4, 0.9), 0.37, 4e-3),
+    ];
+    for (omega, rate, tolerance) in cases {
         let [strong, weak] = [2.0, 8.0].map(|weakness| gaps(weakness, omega, rate));
         println!("{strong:?} {weak:?}");
-        assert!(weak.iter().all(|gap| *gap < 4e-3), "{strong:?} {weak:?}");
+        assert!(weak.iter().all(|gap| *gap < tolerance), "{strong:?} {weak:?}");
         assert!(weak.iter().sum::<f64>() < 0.5 * strong.iter().sum::<f64>(), "{strong:?} {weak:?}");
     }
 }

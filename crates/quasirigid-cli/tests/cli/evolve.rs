@@ -65,8 +65,8 @@ fn torques_without_an_end_or_an_average_are_refused() {
     );
     assert_snapshot!(ran_with(&gravity, "evolve model.toml").refusal(), @r#"
     quasirigid: the force "pull" cannot be averaged over free rotations; those that
-    can are a drag torque and a constant torque in body axes (kinds "spin-drag"
-    and "torque")
+    can are a drag torque, a constant torque in body axes, and eddy currents, all
+    of them in one field (kinds "spin-drag", "torque" and "eddy-current")
     "#);
 }
 

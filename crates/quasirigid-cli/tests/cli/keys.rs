@@ -58,6 +58,24 @@ fn of_a_shape() -> Keys {
     found
 }
 
+/// Keys that a command prints of a body of so many coordinates that the slowest modes alone are found.
+fn of_many_coordinates(command: &str) -> Keys {
+    let point = |k: usize| {
+        let (name, at, stiffness) = (format!("p{k}"), [1.0, 0.01 * k as f64, 0.3], 150 + 13 * k);
+        format!(
+            "[[point]]\nname = {name:?}\nmass = 0.2\nposition = {at:?}\n[[spring]]\nfrom = {name:?}\nto = \"carrier\"\n\
+             stiffness = {stiffness}\ndamping = 0.3\n"
+        )
+    };
+    let carrier = "[carrier]\nmass = 40\ncenter_of_mass = [0, 0, 0]\ninertia = [9, 13, 16]\n";
+    let start = "[initial]\nangular_velocity = [0.05, 0.02, 0.4]\n";
+    let model = format!("{carrier}{start}{}", (0..60).map(point).collect::<String>());
+    let mut found = Keys::new();
+    keys(&ran_with(&model, &format!("{command} model.toml --json --quiet")).json(), "", &mut found);
+    found.retain(|key| key.contains("slowest"));
+    found
+}
+
 /// Every object has its inputs, which the guide describes once.
 #[test]
 fn keys_of_inputs_are_in_the_guide() {
@@ -110,10 +128,13 @@ fn keys_of_check_and_modes_are_those_of_the_guide() {
     );
     check.extend(printed(&["check examples/nutation-damper/model.toml"]));
     check.extend(of_a_shape());
+    check.extend(of_many_coordinates("check"));
     let equations = under("about_spin.equations", &about_spin());
     check.retain(|key| !equations.contains(key));
     assert_same(&check, &(&listed(PAGE, "`check`") | &spins));
-    let modes = printed(&["modes examples/three-masses/model.toml", "modes examples/heavy-top/model.toml"]);
+    let mut modes =
+        printed(&["modes examples/three-masses/model.toml", "modes examples/heavy-top/model.toml"]);
+    modes.extend(of_many_coordinates("modes"));
     assert_same(&modes, &(&(&listed(PAGE, "`modes`") | &spin) | &spins));
 }
 

@@ -148,15 +148,15 @@ fn controllers_that_cannot_be_are_refused_in_their_place() {
         ),
         (
             "kind = \"formula\"\nmotors = { wheel = 1 }\n",
-            "`motors`: there is no wheel of constant speed \"wheel\"; there are rw",
+            "`motors` of controller \"acs\": there is no wheel of constant speed \"wheel\"; there are rw",
         ),
         (
             "kind = \"pid\"\non = \"rate.x\"\nproportional = 1\noutputs = [\"wheel.wheel.torque\"]\n",
-            "`outputs`: there is no wheel of constant speed \"wheel\"; there are rw",
+            "`outputs` of controller \"acs\": there is no wheel of constant speed \"wheel\"; there are rw",
         ),
         (
             "kind = \"pid\"\nproportional = 1\noutputs = [\"torque.x\", \"torque.z\", \"torque.x\"]\n",
-            "`outputs`: the outputs command the same twice, and would add up",
+            "`outputs` of controller \"acs\": the outputs command the same twice, and would add up",
         ),
         (
             "kind = \"formula\"\ninputs = { a = \"coordinate.arm\" }\ntorque = [\"a\", 0, 0]\n",

@@ -6,6 +6,7 @@ mod docs;
 mod finding;
 mod json;
 mod labels;
+mod lanes;
 mod layers;
 mod markdown;
 mod paths;

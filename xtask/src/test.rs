@@ -2,7 +2,7 @@
 //! The tests of the Python package need an interpreter and libraries, which not every machine has; a missing one is told with the
 //! way to get it, and is no failure unless Python is required, as it is on the server. The package is put together from the library that
 //! the build of the workspace makes: a wheel compiles most of it a second time, with other features of its dependencies, and is tested on
-//! request. The tests of both languages run side by side, since many of either wait for other programs; what Python says is printed at its end.
+//! request. Executables of tests and Python run side by side, since many wait for other programs; each tells its result at its end.
 
 use std::env::consts::{DLL_PREFIX, DLL_SUFFIX};
 use std::ffi::OsStr;
@@ -10,7 +10,9 @@ use std::fs;
 use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitStatus, Output};
-use std::thread::{self, ScopedJoinHandle};
+use std::thread;
+
+use crate::lanes::{self, Executable, Job};
 
 /// Versions of what the tests of Python need.
 const REQUIREMENTS: &str = "requirements-test.txt";
@@ -25,7 +27,7 @@ if sys.version_info < (3, 11): sys.exit('Python 3.11 or newer, not %d.%d' % sys.
 try: import ensurepip, venv
 except ImportError as error: sys.exit('the module %s of Python' % error.name)";
 
-type Step = Result<(), String>;
+pub type Step = Result<(), String>;
 
 /// Kinds of targets; naming them also builds the library of the Python package, with the features that the tests have.
 const TARGETS: [&str; 3] = ["--lib", "--bins", "--tests"];
@@ -43,7 +45,7 @@ pub struct Wishes {
     pub wheel: bool,
 }
 
-/// Runs the tests of Rust beside those of Python.
+/// Runs the tests of Rust beside those of Python. Those of Python come first: they take long, and much of it is waiting.
 pub fn run(root: &Path, wishes: Wishes) -> Step {
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
     let all = |verb| [verb, "--workspace"].into_iter().chain(FEATURES);
@@ -55,24 +57,17 @@ pub fn run(root: &Path, wishes: Wishes) -> Step {
             None
         }
     };
-    thread::scope(|scope| {
+    let own = thread::scope(|scope| {
         let environment = python.map(|python| scope.spawn(move || installed(root, &python)));
         step(root, &cargo, all("build").chain(TARGETS))?;
-        let own = environment.map(joined).transpose()?;
-        let of_python = own.map(|own| scope.spawn(move || of_python(root, &own, wishes.wheel)));
-        let of_rust = step(root, &cargo, all("test").chain(TARGETS))
-            .and_then(|()| step(root, &cargo, all("test").chain(["--doc"])));
-        let of_python = of_python.map_or(Ok(()), joined);
-        match (of_rust, of_python) {
-            (Err(rust), Err(python)) => Err(format!("{rust}\nxtask test: {python}")),
-            (of_rust, of_python) => of_rust.and(of_python),
-        }
-    })
-}
-
-/// Result of a thread.
-fn joined<T>(thread: ScopedJoinHandle<Result<T, String>>) -> Result<T, String> {
-    thread.join().unwrap_or_else(|_| Err("a thread panicked".to_owned()))
+        let joined = environment.map(|thread| thread.join());
+        joined.map(|made| made.unwrap_or_else(|_| Err("a thread panicked".to_owned()))).transpose()
+    })?;
+    let executables = Executable::all(root, &cargo, all("test").chain(TARGETS))?;
+    let of_python = own.iter().map(|own| -> Job { Box::new(|| of_python(root, own, wishes.wheel)) });
+    let of_rust = executables.iter().map(|own| -> Job { Box::new(|| own.run(&cargo)) });
+    let documents: Job = Box::new(|| quiet(root, &cargo, all("test").chain(["--doc", "--quiet"])));
+    lanes::run(of_python.chain(of_rust).chain([documents]).collect())
 }
 
 /// Folder of cargo's output.
@@ -211,7 +206,7 @@ fn command<S: AsRef<OsStr>>(
     (command, shown)
 }
 
-fn judged(ended: io::Result<ExitStatus>, shown: &str) -> Step {
+pub fn judged(ended: io::Result<ExitStatus>, shown: &str) -> Step {
     match ended {
         Ok(status) if status.success() => Ok(()),
         Ok(status) => Err(format!("failed, {status}: {shown}")),

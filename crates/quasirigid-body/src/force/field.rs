@@ -8,15 +8,9 @@ use crate::math::vec3::{add, dot, scale};
 pub enum MagneticField {
     /// Uniform field (T).
     Uniform([f64; 3]),
-    /// Field of a dipole at the centre of an orbit: `B = (3(m·n)n − m)/r³`, `n` from the centre to the body.
+    /// Field of a dipole at the centre of an orbit: `B = (3(m·n)n − m)/r³`, `n` from the centre to the body. It may turn about the third
+    /// inertial axis, as the tilted dipole of a planet does.
     Dipole {
-        /// `μ₀/4π` times the dipole moment (T·m³), inertial axes.
-        strength: [f64; 3],
-        /// Orbit of the body through the field.
-        orbit: Orbit,
-    },
-    /// Field of a dipole that turns about the third inertial axis, as the tilted dipole of a planet does.
-    RotatingDipole {
         /// `μ₀/4π` times the dipole moment at time zero (T·m³), inertial axes.
         strength: [f64; 3],
         /// Rate (rad/s) at which the dipole turns, positive from the first inertial axis to the second.
@@ -32,10 +26,13 @@ impl MagneticField {
     pub fn at<T: Smooth>(&self, t: T) -> [T; 3] {
         match self {
             Self::Uniform(field) => field.map(T::from),
-            Self::Dipole { strength, orbit } => of_dipole(strength.map(T::from), orbit, t),
-            Self::RotatingDipole { strength: [x, y, z], rate, orbit } => {
-                let (sin, cos) = (T::from(*rate) * t).sin_cos();
-                let [x, y, z] = [*x, *y, *z].map(T::from);
+            Self::Dipole { strength, orbit, .. } => {
+                let [x, y, z] = strength.map(T::from);
+                let rate = self.rotation();
+                if rate == 0.0 {
+                    return of_dipole([x, y, z], orbit, t);
+                }
+                let (sin, cos) = (T::from(rate) * t).sin_cos();
                 of_dipole([cos * x - sin * y, sin * x + cos * y, z], orbit, t)
             }
         }
@@ -44,9 +41,7 @@ impl MagneticField {
     /// True if there is no field anywhere.
     #[must_use]
     pub fn is_zero(&self) -> bool {
-        let (Self::Uniform(source)
-        | Self::Dipole { strength: source, .. }
-        | Self::RotatingDipole { strength: source, .. }) = self;
+        let (Self::Uniform(source) | Self::Dipole { strength: source, .. }) = self;
         *source == [0.0; 3]
     }
 
@@ -55,7 +50,7 @@ impl MagneticField {
     pub fn orbit(&self) -> Option<&Orbit> {
         match self {
             Self::Uniform(_) => None,
-            Self::Dipole { orbit, .. } | Self::RotatingDipole { orbit, .. } => Some(orbit),
+            Self::Dipole { orbit, .. } => Some(orbit),
         }
     }
 
@@ -63,7 +58,7 @@ impl MagneticField {
     #[must_use]
     pub fn rotation(&self) -> f64 {
         match self {
-            Self::RotatingDipole { strength: [x, y, _], rate, .. } if [*x, *y] != [0.0; 2] => *rate,
+            Self::Dipole { strength: [x, y, _], rate, .. } if [*x, *y] != [0.0; 2] => *rate,
             _ => 0.0,
         }
     }

@@ -70,11 +70,7 @@ fn magnetic(place: ElementId, field: &MagneticField) -> Result<(), ElementError>
     let finite = |field: Field, values: &[f64]| number::finite(values).map_err(at(place, field));
     match field {
         MagneticField::Uniform(field) => finite(Field::MAGNETIC_FIELD, field),
-        MagneticField::Dipole { strength, orbit } => {
-            finite(Field::DIPOLE, strength)?;
-            on_orbit(place, orbit)
-        }
-        MagneticField::RotatingDipole { strength, rate, orbit } => {
+        MagneticField::Dipole { strength, rate, orbit } => {
             finite(Field::DIPOLE, strength)?;
             finite(Field::DIPOLE_RATE, &[*rate])?;
             on_orbit(place, orbit)

@@ -13,12 +13,7 @@ pub(super) fn magnetic_field(table: &Table<'_>) -> Option<MagneticField> {
             let strength = dipole.vector(Dimension::DIPOLE_STRENGTH);
             let rate = table.read_or("dipole_rate", 0.0, |value| value.quantity(Dimension::ANGULAR_VELOCITY));
             let orbit = required_orbit(table);
-            let (strength, rate, orbit) = (strength?, rate?, orbit?);
-            Some(if rate == 0.0 {
-                MagneticField::Dipole { strength, orbit }
-            } else {
-                MagneticField::RotatingDipole { strength, rate, orbit }
-            })
+            Some(MagneticField::Dipole { strength: strength?, rate: rate?, orbit: orbit? })
         }
         (Some(_), Some(dipole)) => dipole.refuse(
             "the magnetic field is given by `field` already",

@@ -54,9 +54,9 @@ fn tensors_are_given_or_follow_from_a_shape() {
 fn dipoles_may_turn() {
     let dipole = "dipole = [1e15, 0, -7.8e15]\norbit = { body = \"Earth\", semi_major_axis = \"7000 km\" }\n";
     let field = |lines: &str| currents(&format!("tensor = 1\n{dipole}{lines}")).2;
-    assert!(matches!(field(""), MagneticField::Dipole { .. }));
-    assert!(matches!(field("dipole_rate = 0\n"), MagneticField::Dipole { .. }));
-    let MagneticField::RotatingDipole { strength, rate, .. } = field("dipole_rate = \"15 deg/h\"\n") else {
+    assert!(matches!(field(""), MagneticField::Dipole { rate: 0.0, .. }));
+    assert!(matches!(field("dipole_rate = 0\n"), MagneticField::Dipole { rate: 0.0, .. }));
+    let MagneticField::Dipole { strength, rate, .. } = field("dipole_rate = \"15 deg/h\"\n") else {
         panic!("a dipole that turns")
     };
     assert_eq!(strength, [1e15, 0.0, -7.8e15]);

@@ -209,7 +209,7 @@ fn magnetic_fields_are_read() {
     assert_eq!(uniform, ForceLaw::MagneticDipole { moment, field });
     let dipole =
         law("magnetic-dipole", &format!("moment = [0, 0.2, 1]\ndipole = [0, \"1 T m^3\", -7.8e15]\n{ORBIT}"));
-    let field = MagneticField::Dipole { strength: [0.0, 1.0, -7.8e15], orbit: orbit(6.778e6) };
+    let field = MagneticField::Dipole { strength: [0.0, 1.0, -7.8e15], rate: 0.0, orbit: orbit(6.778e6) };
     assert_eq!(dipole, ForceLaw::MagneticDipole { moment, field });
 }
 

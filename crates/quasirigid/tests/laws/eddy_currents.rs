@@ -56,7 +56,7 @@ proptest! {
         let law = ForceLaw::EddyCurrent {
             tensor: M_B.into(),
             decay_time: 0.0,
-            field: MagneticField::RotatingDipole { strength, rate, orbit },
+            field: MagneticField::Dipole { strength, rate, orbit },
         };
         let assembly = forced(&assembly, vec![Force { name: "currents".into(), law }]);
         let (body, forces) = (assembly.body().unwrap(), assembly.forces().unwrap());
@@ -187,7 +187,7 @@ fn gaps(weakness: f64, omega: V, rate: f64) -> [f64; 3] {
     };
     let strength: [f64; 3] = (0.05 / weakness * V::new(0.3, -0.2, 0.9)).into();
     let rate = rate * n;
-    let law = MagneticField::RotatingDipole { strength, rate, orbit };
+    let law = MagneticField::Dipole { strength, rate, orbit };
     let of_time = |t: f64| field(strength, rate, &orbit, t);
     let attitude = *UnitQuaternion::from_scaled_axis(V::new(0.4, -0.9, 0.7)).quaternion();
     let turned = UnitQuaternion::new_normalize(attitude);

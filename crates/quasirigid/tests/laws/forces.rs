@@ -141,7 +141,7 @@ proptest! {
         });
         let fields = [
             (MagneticField::Uniform(strength), V::from(strength)),
-            (MagneticField::Dipole { strength, orbit }, B),
+            (MagneticField::Dipole { strength, rate: 0.0, orbit }, B),
         ];
         for (law, B) in fields {
             let energy = |t: f64| -(state.after(t).turn() * V::from(moment)).dot(&B);

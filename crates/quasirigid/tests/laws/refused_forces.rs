@@ -67,7 +67,7 @@ fn amplitudes_that_are_not_finite_are_refused() {
     refused!(torque(GOOD, Wave { frequency: 1.0, phase: NAN }), Field::PHASE, NotFinite { .. });
     refused!(magnet(BAD, MagneticField::Uniform(GOOD)), Field::MOMENT, NotFinite { .. });
     refused!(magnet(GOOD, MagneticField::Uniform(BAD)), Field::MAGNETIC_FIELD, NotFinite { .. });
-    let dipole = |strength, orbit| magnet(GOOD, MagneticField::Dipole { strength, orbit });
+    let dipole = |strength, orbit| magnet(GOOD, MagneticField::Dipole { strength, rate: 0.0, orbit });
     refused!(dipole(BAD, ORBIT), Field::DIPOLE, NotFinite { .. });
     let low = Orbit { semi_major_axis: 0.0, ..ORBIT };
     refused!(dipole(GOOD, low), Field::SEMI_MAJOR_AXIS, Problem::NotPositive { .. });

@@ -469,7 +469,7 @@ fn what_has_no_steady_state_is_refused_in_words() {
     let placed = ForceLaw::Expression { at: carrier, force: ["-x", "0", "0"].map(formula) };
     let field = ForceLaw::MagneticDipole {
         moment: [1.0, 0.0, 0.2],
-        field: MagneticField::Dipole { strength: [1e20, 0.0, 3e20], orbit },
+        field: MagneticField::Dipole { strength: [1e20, 0.0, 3e20], rate: 0.0, orbit },
     };
     let told = [
         (refused(&[eccentric], true, spin), "\"force 0\" is eccentric (0.01)"),

@@ -73,7 +73,7 @@ impl Satellite {
     fn rate(&self, direction: [f64; 3], raan: f64) -> f64 {
         let M = self.shell.magnetic_tensor();
         let strength = [0.0, 0.0, -self.field * REFERENCE.powi(3)];
-        let field = MagneticField::Dipole { strength, orbit: Orbit { raan, ..self.orbit } };
+        let field = MagneticField::Dipole { strength, rate: 0.0, orbit: Orbit { raan, ..self.orbit } };
         let tensor = [[M, 0.0, 0.0], [0.0, M, 0.0], [0.0, 0.0, M]];
         let law = ForceLaw::EddyCurrent { tensor, decay_time: self.shell.decay_time(), field };
         let torque = SlowTorque::from_forces(&[Force { name: "eddy currents".into(), law }]).unwrap();

@@ -179,12 +179,10 @@ impl ForceDirections {
             self.orbit(name, orbit)?;
         }
         match field {
-            MagneticField::RotatingDipole { rate, .. } if field.rotation() != 0.0 => {
+            MagneticField::Dipole { rate, .. } if field.rotation() != 0.0 => {
                 self.set(*rate * V::z(), named, false)?;
             }
-            MagneticField::Uniform(direction)
-            | MagneticField::Dipole { strength: direction, .. }
-            | MagneticField::RotatingDipole { strength: direction, .. } => {
+            MagneticField::Uniform(direction) | MagneticField::Dipole { strength: direction, .. } => {
                 self.directions.push(((*direction).into(), named));
             }
         }

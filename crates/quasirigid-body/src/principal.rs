@@ -67,6 +67,12 @@ impl Mode {
         };
         gap > DISTINCT * I3
     }
+
+    /// True if a body with these principal moments (kg·m²), ascending, can wobble about some axis: false of three equal ones.
+    #[must_use]
+    pub fn any_exists(moments: [f64; 3]) -> bool {
+        [Self::LongAxis, Self::ShortAxis].iter().any(|mode| mode.exists(moments))
+    }
 }
 
 /// Difference of moments, relative to the largest, below which they are those of a body of revolution.

@@ -81,8 +81,7 @@ impl<P: MeanPower> Drift<P> {
     pub fn new(power: P, principal: &Principal, torque: SlowTorque) -> Self {
         let constant = principal.components(torque.constant);
         let [.., greatest] = principal.moments;
-        let wobbles = [Mode::LongAxis, Mode::ShortAxis].iter().any(|mode| mode.exists(principal.moments));
-        let moments = if wobbles { principal.moments } else { [greatest; 3] };
+        let moments = if Mode::any_exists(principal.moments) { principal.moments } else { [greatest; 3] };
         let eddy = torque.eddy.map(|eddy| MeanEddy::new(&eddy, principal));
         Self { power, moments, constant, drag: torque.drag, eddy }
     }

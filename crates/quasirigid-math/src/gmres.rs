@@ -1,6 +1,6 @@
 //! GMRES: linear systems given by products with vectors alone.
 
-use super::krylov::dot;
+use super::arnoldi::{extended, norm, scaled};
 use super::watch;
 
 /// Result of an iteration.
@@ -88,22 +88,6 @@ fn correction(
     (combined(&basis, &triangle, &sides), triangle.len())
 }
 
-/// Components of a vector along an orthonormal basis and beyond it, and the next vector of the basis.
-fn extended(basis: &[Vec<f64>], mut image: Vec<f64>) -> (Vec<f64>, Vec<f64>) {
-    let mut entries = vec![0.0; basis.len() + 1];
-    for _ in 0..2 {
-        for (entry, v) in entries.iter_mut().zip(basis) {
-            let share = dot(v, &image);
-            image.iter_mut().zip(v).for_each(|(x, v)| *x -= share * v);
-            *entry += share;
-        }
-    }
-    let left = norm(&image);
-    entries[basis.len()] = left;
-    let next = if left > 0.0 { scaled(image, left) } else { image };
-    (entries, next)
-}
-
 /// The combination of the basis that solves the triangle.
 fn combined(basis: &[Vec<f64>], triangle: &[Vec<f64>], sides: &[f64]) -> Vec<f64> {
     let mut shares = sides[..triangle.len()].to_vec();
@@ -119,18 +103,10 @@ fn combined(basis: &[Vec<f64>], triangle: &[Vec<f64>], sides: &[f64]) -> Vec<f64
     sum
 }
 
-fn norm(x: &[f64]) -> f64 {
-    dot(x, x).sqrt()
-}
-
-fn scaled(mut x: Vec<f64>, size: f64) -> Vec<f64> {
-    x.iter_mut().for_each(|entry| *entry /= size);
-    x
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::krylov::dot;
 
     const A: [[f64; 4]; 4] =
         [[2.0, -1.0, 0.3, 0.0], [4.0, 1.0, 0.0, -0.5], [0.0, 7.0, -3.0, 1.0], [0.2, 0.0, 1.0, 5.0]];

@@ -9,6 +9,7 @@
 #[doc = include_str!("../README.md")]
 struct ReadmeOfCrate;
 
+pub mod arnoldi;
 pub mod bisection;
 pub mod blocks;
 pub mod chebyshev;

@@ -7,13 +7,12 @@ use nalgebra::{Complex, ComplexField, Matrix3, SMatrix, Vector3};
 
 use super::equilibrium::RelativeEquilibrium;
 use super::iteration::{Nonlinear, Solution};
-use super::unknowns::Unknowns;
+use super::unknowns::{Unknowns, modulus, turning};
 use crate::math::blocks::{BlockFactor, Blocks};
 use crate::math::lu::{ComplexDense, ComplexLu};
 use crate::math::sparse::SparseRows;
 use crate::math::sym3;
-use crate::math::vec3::scale;
-use crate::model::{Recoiling, SpinCoefficients, SpinMatrix, Viscoelastic, impedance};
+use crate::model::{Recoiling, SpinCoefficients, SpinMatrix, Viscoelastic};
 
 type C = Complex<f64>;
 
@@ -68,7 +67,7 @@ impl<'a> BlockPencil<'a> {
         coefficients: &SpinCoefficients,
     ) -> Self {
         let body = unknowns.body;
-        let SpinCoefficients { inertia, mass, h, slopes, gyroscopic, centrifugal } = coefficients;
+        let SpinCoefficients { inertia, mass, h, gyroscopic, centrifugal, .. } = coefficients;
         let mut places = vec![None; h.len()];
         unknowns.kept.iter().enumerate().for_each(|(place, j)| places[*j] = Some(place));
         let mut parts = Vec::new();
@@ -105,7 +104,7 @@ impl<'a> BlockPencil<'a> {
             omega: equilibrium.omega.into(),
             angular_momentum: equilibrium.angular_momentum.into(),
             inertia: Matrix3::from(sym3::rows(*inertia)),
-            couplings: couplings(&unknowns, h, slopes, mass),
+            couplings: couplings(&unknowns, coefficients),
             recoil: [middle(mass), middle(gyroscopic), -middle(centrifugal)],
             entries,
             materials,
@@ -131,7 +130,8 @@ impl<'a> BlockPencil<'a> {
         let of_materials = self.materials.iter().zip(&moduli).flat_map(|((_, stiffness), modulus)| {
             stiffness.iter().map(move |(j, k, C)| (j, k, pair(modulus * *C)))
         });
-        let of_liquids = self.impedances(lambda).into_iter().map(|(j, k, entry)| (j, k, pair(entry)));
+        let of_liquids =
+            self.unknowns.impedances(lambda, self.omega).into_iter().map(|(j, k, entry)| (j, k, pair(entry)));
         let blocks = self.blocks.factor(own.chain(of_materials).chain(of_liquids))?;
         let columns = |coupling: &Coupling| {
             let given = coupling.h.map(C::from) * lambda - coupling.u.map(C::from);
@@ -240,11 +240,6 @@ impl<'a> BlockPencil<'a> {
         products
     }
 
-    /// `λ1 + [ω]ₓ`.
-    fn turning(&self, lambda: C) -> Matrix3<C> {
-        Matrix3::from_diagonal_element(lambda) + self.omega.cross_matrix().map(C::from)
-    }
-
     /// `m(λ)` of the recoil.
     fn middle(&self, lambda: C) -> Matrix3<C> {
         let [mass, rate, stiffness] = self.recoil.map(|part| part.map(C::from));
@@ -253,26 +248,12 @@ impl<'a> BlockPencil<'a> {
 
     /// Complex moduli less one.
     fn moduli(&self, lambda: C) -> Vec<C> {
-        let modulus = |(material, _): &(&Viscoelastic, SparseRows<f64>)| {
-            let [re, im] = material.rheology.continued([lambda.re, lambda.im]);
-            C::new(re - 1.0, im)
-        };
-        self.materials.iter().map(modulus).collect()
+        self.materials.iter().map(|(material, _)| modulus(material, lambda)).collect()
     }
 
-    /// Entries `λ a·Z b` of the liquids whose impedance is known.
-    fn impedances(&self, lambda: C) -> Vec<(usize, usize, C)> {
-        let of_liquid = |(start, memory): &(usize, &crate::model::LiquidMemory)| {
-            let Z = impedance(memory, lambda, self.omega);
-            let axes: Vec<Vector3<C>> =
-                memory.axes.iter().map(|axis| Vector3::from(*axis).map(C::from)).collect();
-            let entry = |i: usize, j: usize| (start + i, start + j, lambda * axes[i].dot(&(Z * axes[j])));
-            (0..axes.len())
-                .flat_map(|i| (0..axes.len()).map(move |j| (i, j)))
-                .map(|(i, j)| entry(i, j))
-                .collect::<Vec<_>>()
-        };
-        self.unknowns.memories.iter().flat_map(of_liquid).collect()
+    /// `λ1 + [ω]ₓ`.
+    fn turning(&self, lambda: C) -> Matrix3<C> {
+        turning(lambda, self.omega)
     }
 }
 
@@ -285,7 +266,7 @@ impl Nonlinear for BlockPencil<'_> {
         for ((_, stiffness), modulus) in self.materials.iter().zip(self.moduli(lambda)) {
             stiffness.iter().for_each(|(j, k, C)| product[3 + j] += modulus * *C * x[3 + k]);
         }
-        for (j, k, entry) in self.impedances(lambda) {
+        for (j, k, entry) in self.unknowns.impedances(lambda, self.omega) {
             product[3 + j] += entry * x[3 + k];
         }
         product
@@ -338,19 +319,13 @@ fn middle(matrix: &SpinMatrix) -> Matrix3<f64> {
 }
 
 /// Couplings of the unknowns after the angular velocity.
-fn couplings(unknowns: &Unknowns, h: &[[f64; 3]], slopes: &[[f64; 3]], mass: &SpinMatrix) -> Vec<Coupling> {
-    let moment = |j: usize| match mass {
-        SpinMatrix::Recoiling(Recoiling { moments, .. }) => moments.get(j).copied().unwrap_or_default(),
-        SpinMatrix::Dense(_) => [0.0; 3],
+fn couplings(unknowns: &Unknowns, coefficients: &SpinCoefficients) -> Vec<Coupling> {
+    let moments = match &coefficients.mass {
+        SpinMatrix::Recoiling(Recoiling { moments, .. }) => &moments[..],
+        SpinMatrix::Dense(_) => &[],
     };
-    let own = |j: &usize| Coupling { h: h[*j].into(), u: slopes[*j].into(), s: moment(*j).into() };
-    let of_liquid = |(_, memory): &(usize, &crate::model::LiquidMemory)| {
-        let axis = |axis: &[f64; 3]| Coupling {
-            h: scale(memory.inertia, *axis).into(),
-            u: Vector3::zeros(),
-            s: Vector3::zeros(),
-        };
-        memory.axes.iter().map(axis).collect::<Vec<_>>()
-    };
-    unknowns.kept.iter().map(own).chain(unknowns.memories.iter().flat_map(of_liquid)).collect()
+    // a liquid whose impedance is known has no linear momentum
+    let moments = unknowns.kept.iter().map(|j| moments.get(*j).copied().unwrap_or_default());
+    let all = unknowns.couplings(coefficients).zip(moments.chain(std::iter::repeat([0.0; 3])));
+    all.map(|((h, u), s)| Coupling { h: h.into(), u: u.into(), s: s.into() }).collect()
 }

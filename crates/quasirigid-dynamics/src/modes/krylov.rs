@@ -6,6 +6,7 @@ use nalgebra::Complex;
 
 use super::blocks::{BlockPencil, BorderedFactor};
 use super::iteration::{Nonlinear, Pair};
+use crate::math::arnoldi::{extended, norm, scaled};
 use crate::math::eigen::{Dense, NoConvergence, eigenvectors};
 use crate::math::random::Random;
 use crate::math::watch;
@@ -42,36 +43,25 @@ impl<'a> Krylov<'a> {
         let unit = |weight: &f64| if *weight > 0.0 { *weight } else { most }.sqrt().recip();
         let units: Vec<f64> = weights.iter().map(unit).collect();
         let mut random = Random::new(seed);
-        let mut first: Vec<f64> = (0..2 * units.len()).map(|_| random.unit() - 0.5).collect();
+        let first: Vec<f64> = (0..2 * units.len()).map(|_| random.unit() - 0.5).collect();
         let length = norm(&first);
-        first.iter_mut().for_each(|entry| *entry /= length);
-        Some(Self { pencil, factor, shift, units, vectors: vec![first], columns: Vec::new() })
+        Some(Self { pencil, factor, shift, units, vectors: vec![scaled(first, length)], columns: Vec::new() })
     }
 
-    /// Extends the basis to so many vectors; false where it spans an invariant space.
-    pub fn extend(&mut self, count: usize) -> bool {
+    /// Extends the basis to so many vectors; false where it spans an invariant space, none where a solution fails.
+    pub fn extend(&mut self, count: usize) -> Option<bool> {
         while self.columns.len() < count {
             watch::ask();
-            let Some(mut next) = self.applied(&self.vectors[self.columns.len()]) else { return false };
-            let length = norm(&next);
-            let mut column = vec![0.0; self.vectors.len() + 1];
-            for _ in 0..2 {
-                for (share, vector) in column.iter_mut().zip(&self.vectors) {
-                    let along: f64 = vector.iter().zip(&next).map(|(a, b)| a * b).sum();
-                    next.iter_mut().zip(vector).for_each(|(next, entry)| *next -= along * entry);
-                    *share += along;
-                }
-            }
-            let left = norm(&next);
-            column[self.vectors.len()] = left;
+            let image = self.applied(&self.vectors[self.columns.len()])?;
+            let (column, next) = extended(&self.vectors, image);
+            let (length, left) = (norm(&column), column[self.vectors.len()]);
             self.columns.push(column);
             if !(left > DEPENDENT * length) {
-                return false;
+                return Some(false);
             }
-            next.iter_mut().for_each(|entry| *entry /= left);
             self.vectors.push(next);
         }
-        true
+        Some(true)
     }
 
     /// `(λ − σ)⁻¹` of the first-order form, in units.
@@ -132,8 +122,4 @@ impl<'a> Krylov<'a> {
         };
         (0..self.units.len()).map(entry).collect()
     }
-}
-
-fn norm(x: &[f64]) -> f64 {
-    x.iter().map(|entry| entry * entry).sum::<f64>().sqrt()
 }

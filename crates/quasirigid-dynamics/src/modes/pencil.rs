@@ -7,12 +7,10 @@ use nalgebra::{Complex, Matrix3, Vector3};
 
 use super::equilibrium::RelativeEquilibrium;
 use super::iteration::{Nonlinear, Solution, times};
-use super::unknowns::Unknowns;
+use super::unknowns::{Unknowns, modulus, turning};
 use crate::math::eigen::Dense;
 use crate::math::lu::ComplexDense;
 use crate::math::sym3;
-use crate::math::vec3::scale;
-use crate::model::impedance;
 use crate::model::{FlexibleBody, SpinCoefficients, Viscoelastic};
 
 /// Dynamic stiffness of the spinning body, `P(λ)(δω, δq) = 0`: a nonlinear eigenproblem where a material or a liquid depends on the
@@ -66,13 +64,13 @@ impl<'a> Pencil<'a> {
     fn at(&self, lambda: Complex<f64>) -> ComplexDense {
         let mut P = ComplexDense::zero(self.unknowns.size);
         let pair = |value: Complex<f64>| [value.re, value.im];
-        let turning = self.turning(lambda);
+        let turning = turning(lambda, self.omega);
         let J = Matrix3::from(sym3::rows(self.coefficients.inertia)).map(Complex::from);
         let body = turning * J - self.angular_momentum.cross_matrix().map(Complex::from);
         for row in 0..3 {
             (0..3).for_each(|column| P.add(row, column, pair(body[(row, column)])));
         }
-        for (place, (h, u)) in self.couplings().enumerate() {
+        for (place, (h, u)) in self.unknowns.couplings(self.coefficients).enumerate() {
             let [h, u] = [h, u].map(|vector| Vector3::from(vector).map(Complex::from));
             let column = turning * (h * lambda + u);
             let row = h * lambda - u;
@@ -81,7 +79,8 @@ impl<'a> Pencil<'a> {
                 P.add(3 + place, axis, pair(row[axis]));
             }
         }
-        let factors = self.moduli(lambda);
+        let factors: Vec<_> =
+            self.viscoelastic.iter().map(|(material, _)| modulus(material, lambda)).collect();
         let count = self.unknowns.kept.len();
         let square = lambda * lambda;
         for j in 0..count {
@@ -95,14 +94,8 @@ impl<'a> Pencil<'a> {
                 P.add(3 + j, 3 + k, pair(sum));
             }
         }
-        for (start, memory) in &self.unknowns.memories {
-            let Z = impedance(memory, lambda, self.omega);
-            for (i, a) in memory.axes.iter().enumerate() {
-                for (j, b) in memory.axes.iter().enumerate() {
-                    let [a, b] = [a, b].map(|axis| Vector3::from(*axis).map(Complex::from));
-                    P.add(3 + start + i, 3 + start + j, pair(lambda * a.dot(&(Z * b))));
-                }
-            }
+        for (i, j, entry) in self.unknowns.impedances(lambda, self.omega) {
+            P.add(3 + i, 3 + j, pair(entry));
         }
         P
     }
@@ -127,34 +120,5 @@ impl Nonlinear for Pencil<'_> {
             .iter()
             .flat_map(|(_, memory)| memory.axes.iter().map(move |_| square * memory.inertia));
         [xx, yy, zz].into_iter().chain(coordinates).chain(liquids).collect()
-    }
-}
-
-impl Pencil<'_> {
-    /// `λ1 + [ω]ₓ`.
-    fn turning(&self, lambda: Complex<f64>) -> Matrix3<Complex<f64>> {
-        Matrix3::from_diagonal_element(lambda) + self.omega.cross_matrix().map(Complex::from)
-    }
-
-    /// Angular momentum per unit rate and per unit displacement of each unknown after the angular velocity.
-    fn couplings(&self) -> impl Iterator<Item = ([f64; 3], [f64; 3])> + '_ {
-        let SpinCoefficients { h, slopes, .. } = self.coefficients;
-        let coordinates = self.unknowns.kept.iter().map(|j| (h[*j], slopes[*j]));
-        let liquids =
-            self.unknowns.memories.iter().flat_map(|(_, memory)| {
-                memory.axes.iter().map(|axis| (scale(memory.inertia, *axis), [0.0; 3]))
-            });
-        coordinates.chain(liquids)
-    }
-
-    /// Complex moduli less one.
-    fn moduli(&self, lambda: Complex<f64>) -> Vec<Complex<f64>> {
-        self.viscoelastic
-            .iter()
-            .map(|(viscoelastic, _)| {
-                let [re, im] = viscoelastic.rheology.continued([lambda.re, lambda.im]);
-                Complex::new(re - 1.0, im)
-            })
-            .collect()
     }
 }

@@ -135,8 +135,8 @@ impl Search<'_> {
         let (motions, exhausted) = loop {
             let more = krylov.extend(vectors);
             let motions = krylov.motions()?;
-            if !more || vectors >= MAX_VECTORS || motions.len() >= WANTED + SPARE {
-                break (motions, !more);
+            if more != Some(true) || vectors >= MAX_VECTORS || motions.len() >= WANTED + SPARE {
+                break (motions, more == Some(false));
             }
             vectors += MORE_VECTORS;
         };

@@ -1,11 +1,12 @@
 //! Unknowns of the small motions about a steady spin: the angular velocity, coordinates, and the angles of liquids. (M3)
 
-use nalgebra::Complex;
+use nalgebra::{Complex, Matrix3, Vector3};
 
 use super::iteration::Pair;
 use super::shares::LiquidMotion;
 use super::spectrum::Eigenmotion;
-use crate::model::{FlexibleBody, LiquidMemory};
+use crate::math::vec3::scale;
+use crate::model::{FlexibleBody, LiquidMemory, SpinCoefficients, Viscoelastic, impedance};
 
 /// Unknowns of the small motions: the angular velocity, the coordinates, and for a liquid whose impedance is known the angles about its axes in
 /// place of its coordinates.
@@ -71,6 +72,24 @@ impl<'a> Unknowns<'a> {
         Eigenmotion { lambda: *lambda, delta: [x[0], x[1], x[2]], rate, q }
     }
 
+    /// Angular momentum per unit rate and per unit displacement of each unknown after the angular velocity.
+    pub fn couplings(&self, coefficients: &SpinCoefficients) -> impl Iterator<Item = ([f64; 3], [f64; 3])> {
+        let SpinCoefficients { h, slopes, .. } = coefficients;
+        let coordinates = self.kept.iter().map(|j| (h[*j], slopes[*j]));
+        let axes =
+            self.memories.iter().flat_map(|(_, memory)| memory.axes.iter().map(move |axis| (memory, axis)));
+        coordinates.chain(axes.map(|(memory, axis)| (scale(memory.inertia, *axis), [0.0; 3])))
+    }
+
+    /// Entries `λ a·Z b` of the liquids whose impedance is known, by their places after the angular velocity.
+    pub fn impedances(&self, lambda: Complex<f64>, omega: Vector3<f64>) -> Vec<(usize, usize, Complex<f64>)> {
+        let of_liquid = |(start, memory): &(usize, &LiquidMemory)| {
+            let start = *start;
+            between_axes(memory, lambda, omega).into_iter().map(move |(i, j, Z)| (start + i, start + j, Z))
+        };
+        self.memories.iter().flat_map(of_liquid).collect()
+    }
+
     /// Motions of the liquids whose impedance is known.
     pub fn liquids<'x>(
         &'x self,
@@ -80,4 +99,27 @@ impl<'a> Unknowns<'a> {
         let angles = |start: &usize, memory: &LiquidMemory| &x[3 + start..3 + start + memory.axes.len()];
         self.memories.iter().map(move |(start, memory)| (*memory, lambda, angles(start, memory)))
     }
+}
+
+/// Entries `λ a·Z b` between the axes of a liquid whose impedance is known, by the places of the axes.
+pub(super) fn between_axes(
+    memory: &LiquidMemory,
+    lambda: Complex<f64>,
+    omega: Vector3<f64>,
+) -> Vec<(usize, usize, Complex<f64>)> {
+    let Z = impedance(memory, lambda, omega);
+    let axes: Vec<_> = memory.axes.iter().map(|axis| Vector3::from(*axis).map(Complex::from)).collect();
+    let pairs = (0..axes.len()).flat_map(|i| (0..axes.len()).map(move |j| (i, j)));
+    pairs.map(|(i, j)| (i, j, lambda * axes[i].dot(&(Z * axes[j])))).collect()
+}
+
+/// `λ1 + [ω]ₓ`.
+pub(super) fn turning(lambda: Complex<f64>, omega: Vector3<f64>) -> Matrix3<Complex<f64>> {
+    Matrix3::from_diagonal_element(lambda) + omega.cross_matrix().map(Complex::from)
+}
+
+/// Complex modulus of a material less one.
+pub(super) fn modulus(material: &Viscoelastic, lambda: Complex<f64>) -> Complex<f64> {
+    let [re, im] = material.rheology.continued([lambda.re, lambda.im]);
+    Complex::new(re - 1.0, im)
 }

@@ -6,9 +6,9 @@ use super::system::System;
 use crate::math::eigen::Dense;
 use crate::math::lu::{ComplexDense, ComplexLu};
 use crate::math::vec3::scale;
-use crate::model::impedance;
 use crate::model::{FlexibleBody, LiquidMemory, RationalModulus};
 use crate::modes::iteration::{Nonlinear, Solution, times};
+use crate::modes::unknowns::between_axes;
 
 type C = Complex<f64>;
 
@@ -184,7 +184,6 @@ impl Pencil<'_> {
         }
         let whirl = Matrix3::from_diagonal_element(lambda) + self.system.turning().map(Complex::from);
         for (start, memory) in &self.memories {
-            let Z = impedance(memory, lambda, Vector3::from(*omega));
             for (i, a) in memory.axes.iter().enumerate() {
                 let h = Vector3::from(scale(memory.inertia, *a)).map(Complex::from);
                 let (column, row) = (whirl * h * lambda, turning.transpose() * h * lambda);
@@ -192,10 +191,9 @@ impl Pencil<'_> {
                     add(k, start + i, column[k]);
                     add(start + i, k, row[k]);
                 }
-                for (j, b) in memory.axes.iter().enumerate() {
-                    let [a, b] = [a, b].map(|axis| Vector3::from(*axis).map(Complex::from));
-                    add(start + i, start + j, lambda * a.dot(&(Z * b)));
-                }
+            }
+            for (i, j, entry) in between_axes(memory, lambda, Vector3::from(*omega)) {
+                add(start + i, start + j, entry);
             }
         }
         P

@@ -157,15 +157,10 @@ impl<'a> Answer<'a> {
         match from {
             Some(target) => ends::state(evolution, target, self.principal.moments),
             None if free => RotationState::from_motion(&self.initial).ok_or(StudyError::Steady),
-            None if !self.wobbles() => Ok(RotationState::steady(Mode::ShortAxis)),
+            None if !Mode::any_exists(self.principal.moments) => Ok(RotationState::steady(Mode::ShortAxis)),
             None => Ok(RotationState::from_motion(&self.initial)
                 .unwrap_or(RotationState::steady(self.initial.mode()))),
         }
-    }
-
-    /// Whether the body has an axis of its own to wobble about.
-    fn wobbles(&self) -> bool {
-        [Mode::LongAxis, Mode::ShortAxis].iter().any(|mode| mode.exists(self.principal.moments))
     }
 
     /// End of the evolution.

@@ -11,13 +11,15 @@ use crate::words::significant;
 
 /// Ratio of rates from which the slower one changes nothing over a revolution of the faster one; the error is about its inverse.
 const APART: f64 = 10.0;
+/// Share of the torque above which what is left out is told.
+const LEFT_OUT: f64 = 0.02;
 /// Angle (rad) below which a direction is the same.
 const SAME_DIRECTION: f64 = 1e-6;
 
 /// Refuses eddy currents that act within a revolution of the body or of its orbit, and torques on a body without axes of its own.
 pub fn check(torque: &SlowTorque, inputs: &Inputs) -> Result<(), StudyError> {
     let moments = inputs.principal.moments;
-    let sphere = [Mode::LongAxis, Mode::ShortAxis].iter().all(|mode| !mode.exists(moments));
+    let sphere = !Mode::any_exists(moments);
     if sphere && torque.is_zero() {
         return Err(StudyError::EqualMoments { moment: moments[2] });
     }
@@ -40,6 +42,18 @@ pub fn check(torque: &SlowTorque, inputs: &Inputs) -> Result<(), StudyError> {
 /// Rate (rad/s) of the body below which the average over its rotation does not hold.
 pub fn slowest(torque: &SlowTorque) -> f64 {
     torque.eddy.map_or(0.0, |eddy| APART * eddy.field.fastest_rate())
+}
+
+/// Share of the spin at which the field itself turns, whose currents are left out, in a sentence: over the poles of a dipole it turns twice in
+/// an orbit. (F15)
+pub fn left_out(torque: &SlowTorque, spins: [f64; 2]) -> Option<String> {
+    let share = 2.0 * torque.eddy?.field.fastest_rate() / spins[0].min(spins[1]);
+    (share > LEFT_OUT).then(|| {
+        format!(
+            "The magnetic field turns along the orbit at up to {} % of the spin, and the currents of this turning are left out: the torque is uncertain by about as much.",
+            significant(100.0 * share, 2)
+        )
+    })
 }
 
 /// How far the angular momentum turned, in a sentence.

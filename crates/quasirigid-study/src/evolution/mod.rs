@@ -180,6 +180,7 @@ pub(crate) fn follow(
     let mut notes: Vec<String> = words::beyond_gravity(homogeneous(study), spins).into_iter().collect();
     notes.extend(words::notes(&answer, ends, unranged));
     notes.extend(words::uncertain(&rows));
+    notes.extend(eddy::left_out(&torque, spins));
     notes.extend(eddy::turned(&rows));
     let record = answer.record(verdict, from, &rows, asked, time_range, columns);
     let estimates = estimates(study, record.angular_momentum / answer.principal.moments[2]);

@@ -74,6 +74,17 @@ fn a_sphere_slows_by_its_closed_law() {
     );
 }
 
+/// A spin that is not fast beside the turning of the field leaves currents out, and says how many.
+#[test]
+fn currents_of_the_turning_field_are_told_where_they_count() {
+    let notes = |spin: f64| {
+        let model = satellite([0.6, 0.8, 1.0], "1", [0.0, 0.0, spin]);
+        evolved(&study(&model), |asked| asked.duration = Some(1e5)).notes.join(" ")
+    };
+    assert!(!notes(1.0).contains("currents of this turning"), "{}", notes(1.0));
+    assert!(notes(0.05).contains("turns along the orbit at up to 4.5 % of the spin"), "{}", notes(0.05));
+}
+
 /// What the average does not hold for is refused in words, with numbers.
 #[test]
 fn averages_that_do_not_hold_are_refused() {

@@ -27,6 +27,15 @@ def program() -> Path:
     return path
 
 
+def until(page: Any, true: str) -> None:
+    """Waits for an expression in a page; the page's own policy forbids the driver to poll it."""
+    for _ in range(1200):
+        if page.evaluate(true):
+            return
+        page.wait_for_timeout(50)
+    pytest.fail(f"never: {true}")
+
+
 @pytest.fixture(scope="session")
 def told() -> Callable[..., dict[str, Any]]:
     """What the program prints with --json."""

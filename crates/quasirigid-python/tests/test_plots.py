@@ -17,7 +17,7 @@ from xml.etree import ElementTree
 
 import numpy as np
 import pytest
-from conftest import EXAMPLES
+from conftest import EXAMPLES, until
 
 from quasirigid import Model
 
@@ -217,15 +217,6 @@ class Chart:
 def settle(page: Any) -> None:
     """Waits until what was asked for is drawn."""
     page.evaluate("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => requestAnimationFrame(done))))")
-
-
-def until(page: Any, true: str) -> None:
-    """Waits for an expression; the page's own policy forbids the driver to poll it."""
-    for _ in range(1200):
-        if page.evaluate(true):
-            return
-        page.wait_for_timeout(50)
-    pytest.fail(f"never: {true}")
 
 
 def number(text: str) -> float:

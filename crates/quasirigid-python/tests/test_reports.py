@@ -14,7 +14,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from conftest import EXAMPLES, program
+from conftest import EXAMPLES, program, until
 
 from quasirigid import Model
 
@@ -167,15 +167,6 @@ def look(browser: Any, pages: dict[str, Path]) -> Iterator[Open]:
 def picture(page: Any) -> bytes:
     shot: bytes = page.locator("#viewer-canvas").screenshot()
     return shot
-
-
-def until(page: Any, true: str) -> None:
-    """Waits for an expression; the page's own policy forbids the driver to poll it."""
-    for _ in range(1200):
-        if page.evaluate(true):
-            return
-        page.wait_for_timeout(50)
-    pytest.fail(f"never: {true}")
 
 
 def until_another_picture(page: Any, before: bytes) -> None:

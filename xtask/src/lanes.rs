@@ -8,7 +8,7 @@ use std::thread;
 
 use serde_json::Value;
 
-use crate::test::{Step, judged};
+use crate::test::{Step, judged, told_at_its_end};
 
 /// Jobs at a time: each test has as many threads as there are processors, and some wait.
 const LANES: usize = 2;
@@ -86,15 +86,9 @@ impl Executable {
     pub fn run(&self, cargo: &OsStr) -> Step {
         let mut command = Command::new(&self.file);
         command.current_dir(&self.folder).env("CARGO_MANIFEST_DIR", &self.folder).env("CARGO", cargo);
-        let output = command.output().map_err(|error| format!("{} does not run ({error})", self.name))?;
-        let [out, err] =
-            [output.stdout, output.stderr].map(|text| String::from_utf8_lossy(&text).into_owned());
-        let shown = if output.status.success() {
-            out.lines().filter(|line| line.starts_with("test result")).collect::<Vec<_>>().join("\n")
-        } else {
-            out + &err
+        let result = |told: &str| {
+            told.lines().filter(|line| line.starts_with("test result")).collect::<Vec<_>>().join("\n")
         };
-        println!("\nxtask test: {}\n{shown}", self.name);
-        judged(Ok(output.status), &format!("tests of {}", self.name))
+        told_at_its_end(&mut command, &self.name, result)
     }
 }

@@ -185,12 +185,17 @@ fn quiet<S: AsRef<OsStr>>(
     arguments: impl IntoIterator<Item = S>,
 ) -> Step {
     let (mut command, shown) = command(root, program, arguments);
+    told_at_its_end(&mut command, &shown, str::to_owned)
+}
+
+/// Runs a command, and prints at its end what it told: all where it fails, else what a function leaves of it.
+pub fn told_at_its_end(command: &mut Command, shown: &str, passed: impl Fn(&str) -> String) -> Step {
     let ended = command.output().map(|Output { status, stdout, stderr }| {
-        let [out, err] = [stdout, stderr].map(|text| String::from_utf8_lossy(&text).into_owned());
-        println!("\nxtask test: {shown}\n{out}{err}");
+        let told = [stdout, stderr].map(|text| String::from_utf8_lossy(&text).into_owned()).concat();
+        println!("\nxtask test: {shown}\n{}", if status.success() { passed(&told) } else { told });
         status
     });
-    judged(ended, &shown)
+    judged(ended, shown)
 }
 
 fn command<S: AsRef<OsStr>>(

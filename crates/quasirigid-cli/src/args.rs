@@ -10,8 +10,9 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 use quasirigid::dynamics::{Form, Method};
 use quasirigid_io::attitude::AttitudeFormat;
 use quasirigid_io::export::Target;
-use quasirigid_io::model::{EvolveMethod, ManifoldMasters, ManifoldStyle, Named, Power, System};
+use quasirigid_io::model::{EvolveMethod, KeyPath, ManifoldMasters, ManifoldStyle, Named, Power, System};
 use quasirigid_io::record::TableFormat;
+use quasirigid_io::study_file::Quantity;
 use quasirigid_io::units::{Dimension, quantity};
 use quasirigid_study::modes::PrincipalAxis;
 use quasirigid_study::settings::{PartialRun, PartialSpinManifold, Range, Setting};
@@ -69,6 +70,11 @@ pub enum Command {
         after_help = "Example:\n  quasirigid verify examples/three-masses/model.toml --orders 1,2,3,4,5"
     )]
     Verify(Verify),
+    /// Say which numbers of a model matter most for an answer: its derivatives with respect to keys
+    #[command(
+        after_help = "Example:\n  quasirigid sensitivity examples/nutation-damper/model.toml --of modes.nutation.time_constant"
+    )]
+    Sensitivity(SensitivityArgs),
     /// Answer the same question of many bodies: grids, random draws, a table of bodies
     #[command(after_help = "Example:\n  quasirigid sweep examples/damper-study/study.toml -o damper")]
     Sweep(SweepArgs),
@@ -108,6 +114,7 @@ impl Command {
             Self::Run(RunArgs { common, .. })
             | Self::Modes(ModesArgs { common, .. })
             | Self::Linear(LinearArgs { common, .. })
+            | Self::Sensitivity(SensitivityArgs { common, .. })
             | Self::Derive(Derive { common, .. })
             | Self::Export(ExportArgs { common, .. })
             | Self::Simulate(Simulate { common, .. })
@@ -361,6 +368,21 @@ pub struct ModesArgs {
         requires = "effective_masses"
     )]
     pub about: Option<Vec<f64>>,
+}
+
+#[derive(Args, Debug)]
+pub struct SensitivityArgs {
+    #[command(flatten)]
+    pub common: Common,
+    /// Quantity to differentiate, a path into the JSON object of a command: modes.nutation.time_constant, evolve.time
+    #[arg(long, value_name = "QUANTITY", value_parser = str::parse::<Quantity>)]
+    pub of: Quantity,
+    /// Keys to vary, as in studies: spring.boom.stiffness, body.mass [default: every number outside [run]]
+    #[arg(long, value_name = "KEYS", value_delimiter = ',', value_parser = str::parse::<KeyPath>)]
+    pub with: Vec<KeyPath>,
+    /// List every key
+    #[arg(long)]
+    pub all: bool,
 }
 
 #[derive(Args, Debug)]

@@ -14,6 +14,7 @@ pub mod bisection;
 pub mod blocks;
 pub mod chebyshev;
 pub mod connected_components;
+pub mod derivative;
 pub mod elliptic;
 pub mod expression;
 pub mod gmres;

@@ -10,7 +10,9 @@ use std::path::{Path, PathBuf};
 use pyo3::prelude::*;
 use quasirigid_io::disk::{parent, replace, settle_files, settle_folder};
 use quasirigid_io::export::{Exported, Target, identifier};
+use quasirigid_io::model::KeyPath;
 use quasirigid_io::record::{HistoryRecord, TableFormat};
+use quasirigid_io::study_file::Quantity;
 use quasirigid_study::evolution;
 use quasirigid_study::histories::Table;
 use quasirigid_study::layout::paragraph;
@@ -88,6 +90,28 @@ pub fn effective_masses(study: &Study, about: Option<[f64; 3]>) -> Result<Answer
         text: found.text(true),
         sentence: found.sentence.clone(),
         holds: true,
+        notes: study.model.notes.clone(),
+        numbers: BTreeMap::new(),
+        columns: None,
+    })
+}
+
+/// Derivatives of an answer with respect to keys of the model.
+pub fn sensitivity(
+    study: &Study,
+    of: &str,
+    keys: &[String],
+    mut shared: &Shared,
+) -> Result<Answer, Failure> {
+    let of = of.parse::<Quantity>().map_err(|error| Failure::Input(error.to_string()))?;
+    let keys = keys.iter().map(|key| key.parse::<KeyPath>()).collect::<Result<Vec<_>, _>>();
+    let keys = keys.map_err(|error| Failure::Input(error.to_string()))?;
+    let found = study.sensitivity(&of, &keys, &mut shared)?;
+    Ok(Answer {
+        json: Json(study.with_inputs(found.json())),
+        text: found.text(true),
+        sentence: found.sentence.clone(),
+        holds: found.not_known.is_empty(),
         notes: study.model.notes.clone(),
         numbers: BTreeMap::new(),
         columns: None,

@@ -145,6 +145,18 @@ impl Model {
         self.ask(py, (None, observer), |study, _| answers::effective_masses(study, about))
     }
 
+    /// Derivatives of an answer with respect to keys.
+    fn sensitivity(
+        &self,
+        py: Python<'_>,
+        of: &str,
+        keys: Vec<String>,
+        order: Option<usize>,
+        observer: Observer,
+    ) -> PyResult<Answer> {
+        self.ask(py, (order, observer), |study, shared| answers::sensitivity(study, of, &keys, shared))
+    }
+
     /// Linear model about a steady state.
     fn linear(
         &self,

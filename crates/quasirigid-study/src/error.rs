@@ -9,7 +9,7 @@ use quasirigid::modes::{CantileverError, EquilibriumError, LinearError, Truncati
 use quasirigid::reduction::{ReductionError, ValidityError};
 use quasirigid::submanifold::{ExpansionError, SubmanifoldError};
 use quasirigid::verification::VerificationError;
-use quasirigid_io::model::ModelError;
+use quasirigid_io::model::{ChangeError, ModelError};
 use quasirigid_io::record::RecordError;
 use quasirigid_math::eigen::NoConvergence;
 use quasirigid_math::memory::TooMuchMemory;
@@ -61,6 +61,27 @@ pub enum StudyError {
         name: String,
         /// What there is, in words.
         expected: String,
+    },
+    /// A key of a model to be varied that does not exist.
+    Change(ChangeError),
+    /// A key to be varied that is no number.
+    NoNumber {
+        /// Path of the key.
+        key: String,
+    },
+    /// A quantity that the model does not have.
+    NoQuantity {
+        /// The quantity.
+        name: String,
+        /// The reason, in words.
+        reason: String,
+    },
+    /// Threads that the system does not give.
+    Threads {
+        /// Number asked for.
+        threads: usize,
+        /// The reason of the system.
+        cause: String,
     },
     /// A step that is not made.
     Step(StepperError),
@@ -305,6 +326,12 @@ impl StudyError {
             Self::NoChannel { name, expected } => {
                 format!("{name:?} is no input or output here; give {expected}")
             }
+            Self::Change(cause) => cause.to_string(),
+            Self::NoNumber { key } => {
+                format!("`{key}` is no number of the model; name a key whose value is a number, with a unit or without")
+            }
+            Self::NoQuantity { name, reason } => format!("there is no value of `{name}` to differentiate: {reason}"),
+            Self::Threads { threads, cause } => format!("{threads} threads cannot be started: {cause}"),
             Self::Truncation(cause) => cause.to_string(),
             Self::Step(cause) => cause.to_string(),
             Self::TruncatedAgain => {
@@ -495,6 +522,7 @@ macro_rules! causes {
 
 causes! {
     Model: ModelError,
+    Change: ChangeError,
     Reduction: ReductionError,
     Validity: ValidityError,
     Vibration: NoConvergence,

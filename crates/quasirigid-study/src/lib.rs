@@ -56,6 +56,7 @@ struct ReadmeOfCrate;
 struct Library;
 
 pub mod about_spin;
+mod asked;
 mod campbell;
 pub mod check;
 pub mod cite;
@@ -87,6 +88,7 @@ pub mod report;
 mod resolution;
 pub mod run;
 mod scene;
+pub mod sensitivity;
 pub mod settings;
 mod shapes;
 mod sheets;

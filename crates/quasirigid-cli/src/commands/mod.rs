@@ -15,6 +15,7 @@ pub mod plot;
 pub mod report;
 pub mod run;
 pub mod schema;
+pub mod sensitivity;
 pub mod simulate;
 pub mod sweep;
 pub mod verify;

@@ -13,7 +13,7 @@ pub enum ModesError {
     BeyondRange,
     /// All modes of too many coordinates were asked for.
     #[error(
-        "all modes of {coordinates} coordinates take too long to find, more than {most}; leave out `--all` for the slowest ones"
+        "all modes of {coordinates} coordinates take too long to find, more than {most}; ask for the slowest ones alone"
     )]
     TooMany {
         /// Coordinates of the body.

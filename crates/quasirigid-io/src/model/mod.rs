@@ -60,7 +60,7 @@ use std::path::Path;
 
 use quasirigid_elements::{Assembly, ElementError};
 
-pub use change::{ChangeError, KeyContent, Path as KeyPath, Template, changed};
+pub use change::{ChangeError, KeyContent, Path as KeyPath, Template, WrittenNumber, changed};
 pub use diagnostic::Diagnostic;
 pub use error::{FileProblem, ModelError};
 pub use evolve::{EvolveMethod, PartialEvolve, Power, Target, TargetError};

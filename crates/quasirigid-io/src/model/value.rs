@@ -261,7 +261,7 @@ impl<'a> Value<'a> {
     /// A quantity that is zero or above.
     pub(crate) fn non_negative(&self, dimension: Dimension) -> Option<f64> {
         let number = self.quantity(dimension)?;
-        let help = "a positive value resists the motion, as every spring and dashpot does";
+        let help = "write zero or a positive value";
         if number >= 0.0 {
             Some(number)
         } else {

@@ -1,4 +1,5 @@
 use std::ops::Range;
+use std::str::FromStr;
 
 use crate::model::key::{Keys, Shape, key, list, words};
 use crate::model::value::Value;
@@ -102,36 +103,61 @@ pub(super) fn answer(value: &Value<'_>) -> Option<Answer> {
 }
 
 fn quantity(value: Value<'_>) -> Option<Quantity> {
-    let name = value.text()?.to_owned();
-    let path = match name.parse::<KeyPath>() {
-        Ok(path) => path,
-        Err(error) => return value.refuse(error.to_string(), "not a path", ""),
-    };
-    let mut names = path.names();
-    let first = names.next().unwrap_or_default();
-    let Some(command) = Command::of(first) else {
-        let words = Command::VALUES.iter().map(|(word, _, _)| *word);
-        let meant =
-            nearest(first, words.clone()).map(|word| format!("did you mean `{word}`? ")).unwrap_or_default();
-        let list = words.collect::<Vec<_>>().join(", ");
-        return value.refuse(
-            format!("a quantity begins with a command, and `{first}` is not one"),
-            "no command",
-            format!("{meant}the commands are {list}"),
-        );
-    };
-    let path: Vec<String> = names.map(str::to_owned).collect();
-    if path.is_empty() {
-        let help =
-            format!("write such as {first}.name; `quasirigid {first} MODEL.toml --json` shows what there is");
-        return value.refuse(
-            format!("`{first}` is a command; name a quantity of its answer"),
-            "a command",
-            help,
-        );
+    match value.text()?.parse::<Quantity>() {
+        Ok(found) => Some(Quantity { span: value.span(), ..found }),
+        Err(QuantityError { message, label, help }) => value.refuse(message, label, help),
     }
-    Some(Quantity { name, command, path, span: value.span() })
 }
+
+/// Text that is no quantity.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct QuantityError {
+    /// What is wrong.
+    pub message: String,
+    /// The same in two words, for the place in the text.
+    pub label: &'static str,
+    /// What to write instead; may be empty.
+    pub help: String,
+}
+
+impl FromStr for Quantity {
+    type Err = QuantityError;
+
+    fn from_str(name: &str) -> Result<Self, QuantityError> {
+        let refuse = |message: String, label, help| QuantityError { message, label, help };
+        let path = name.parse::<KeyPath>();
+        let path = path.map_err(|error| refuse(error.to_string(), "not a path", String::new()))?;
+        let mut names = path.names();
+        let first = names.next().unwrap_or_default();
+        let Some(command) = Command::of(first) else {
+            let words = Command::VALUES.iter().map(|(word, _, _)| *word);
+            let meant = nearest(first, words.clone())
+                .map(|word| format!("did you mean `{word}`? "))
+                .unwrap_or_default();
+            let list = words.collect::<Vec<_>>().join(", ");
+            let message = format!("a quantity begins with a command, and `{first}` is not one");
+            return Err(refuse(message, "no command", format!("{meant}the commands are {list}")));
+        };
+        let path: Vec<String> = names.map(str::to_owned).collect();
+        if path.is_empty() {
+            let help = format!(
+                "write such as {first}.name; `quasirigid {first} MODEL.toml --json` shows what there is"
+            );
+            let message = format!("`{first}` is a command; name a quantity of its answer");
+            return Err(refuse(message, "a command", help));
+        }
+        Ok(Self { name: name.to_owned(), command, path, span: 0..0 })
+    }
+}
+
+impl std::fmt::Display for QuantityError {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let gap = if self.help.is_empty() { "" } else { "; " };
+        write!(f, "{}{gap}{}", self.message, self.help)
+    }
+}
+
+impl std::error::Error for QuantityError {}
 
 /// Reads times that ascend.
 fn times(value: &Value<'_>) -> Option<Vec<(String, f64)>> {

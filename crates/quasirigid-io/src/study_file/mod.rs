@@ -13,7 +13,7 @@ mod vary;
 use std::path::{Path, PathBuf};
 
 use answer::ANSWER;
-pub use answer::{Answer, Command, Quantity};
+pub use answer::{Answer, Command, Quantity, QuantityError};
 use columns::COLUMN;
 pub use columns::{ColumnSource, KeySource};
 pub use distribution::{Distribution, Drawn};

@@ -169,7 +169,7 @@ fn a_beam_with_a_key_wrong_or_missing_is_refused() {
     model.toml:19:21: `mass`: "1 s" is a time, but a rate is needed
       write for example "0.2 1/s", or a plain number in 1/s
     model.toml:19:40: `stiffness` is -1 s, but must be zero or positive
-      a positive value resists the motion, as every spring and dashpot does
+      write zero or a positive value
     "#);
     assert_snapshot!(refusal(&model("[[beam]]\nlines = []\n")), @r#"
     model.toml:13:1: [[beam]] has no `nodes`

@@ -43,7 +43,7 @@ fn a_connection_with_a_key_wrong_or_missing_is_refused() {
     model.toml:29:13: `stiffness`: "3 N/m" is a stiffness, but a rotational stiffness is needed
       write for example "0.565 N m/rad", or a plain number in N m/rad
     model.toml:30:15: `damping` is -1 N m s/rad, but must be zero or positive
-      a positive value resists the motion, as every spring and dashpot does
+      write zero or a positive value
     "#);
 }
 

@@ -77,7 +77,7 @@ fn currents_that_cannot_be_are_refused() {
     "#);
     assert_snapshot!(refused(&format!("tensor = -1\n{FIELD}")), @"
     model.toml:11:10: `tensor` is -1 S m^4, but must be zero or positive
-      a positive value resists the motion, as every spring and dashpot does
+      write zero or a positive value
     ");
     assert_snapshot!(refused(&format!("tensor = \"3 S/m\"\n{FIELD}")), @r#"
     model.toml:11:10: `tensor`: "3 S/m" is a conductivity, but a magnetic tensor is needed

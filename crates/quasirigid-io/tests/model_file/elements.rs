@@ -131,15 +131,15 @@ fn an_axial_spring_has_one_stiffness_and_alone_an_anchor() {
 fn a_negative_stiffness_or_damping_is_refused() {
     assert_snapshot!(refusal_of_spring("stiffness = -600\ndamping = [1, \"-2 N s/m\", 3]\n"), @r#"
     model.toml:12:13: `stiffness` is -600 N/m, but must be zero or positive
-      a positive value resists the motion, as every spring and dashpot does
+      write zero or a positive value
     model.toml:13:15: `damping` is -2 N s/m, but must be zero or positive
-      a positive value resists the motion, as every spring and dashpot does
+      write zero or a positive value
     "#);
     assert_snapshot!(refusal_of(&format!("{HINGED}axes = [[0, 0, 1]]\nstiffness = -3\ndamping = [-1]\n")), @r#"
     model.toml:16:13: `stiffness` is -3 N m/rad, but must be zero or positive
-      a positive value resists the motion, as every spring and dashpot does
+      write zero or a positive value
     model.toml:17:12: `damping` is -1 N m s/rad, but must be zero or positive
-      a positive value resists the motion, as every spring and dashpot does
+      write zero or a positive value
     "#);
 }
 

@@ -341,7 +341,7 @@ fn a_force_in_the_wrong_unit_is_refused() {
     "#);
     assert_snapshot!(refused("drag", "on = \"tip\"\ncoefficient = \"-3 N s/m\"\n"), @"
     model.toml:12:15: `coefficient` is -3 N s/m, but must be zero or positive
-      a positive value resists the motion, as every spring and dashpot does
+      write zero or a positive value
     ");
     assert_snapshot!(refused("magnetic-dipole", "moment = [0, 0, \"1 A\"]\nfield = [0, \"3 uF\", nan]\n"), @r#"
     model.toml:11:17: `moment`: "1 A" is a quantity in A, but a magnetic moment is needed

@@ -216,7 +216,7 @@ fn modes_of_another_size_or_form_are_refused() {
     "#);
     insta::assert_snapshot!(refusal(&all, &format!("{LINES}{frequencies}damping_ratios = -0.1\n")), @r#"
     model.toml:10:18: `damping_ratios` is -0.1, but must be zero or positive
-      a positive value resists the motion, as every spring and dashpot does
+      write zero or a positive value
     "#);
     let mut wrong = all.clone();
     wrong[2] = ("phi.mtx", array(&[vec![1.0; 5]]));

@@ -21,6 +21,7 @@ from quasirigid._answers import (
     History,
     Modes,
     Run,
+    Sensitivity,
     Verification,
 )
 from quasirigid._attitude import Attitude, read_attitude
@@ -83,6 +84,7 @@ __all__ = [
     "ReductionError",
     "Refused",
     "Run",
+    "Sensitivity",
     "SpinPaths",
     "StartError",
     "Stepper",

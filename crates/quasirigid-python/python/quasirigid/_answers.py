@@ -22,7 +22,7 @@ from quasirigid._table import Table, Tabled
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-__all__ = ["AboutSpin", "Answer", "Check", "EffectiveMasses", "Evolution", "History", "Modes", "Run", "Verification"]
+__all__ = ["AboutSpin", "Answer", "Check", "EffectiveMasses", "Evolution", "History", "Modes", "Run", "Sensitivity", "Verification"]
 
 
 def _array(values: list[float | None]) -> NDArray[np.float64]:
@@ -511,6 +511,27 @@ class Verification(Answer):
         from quasirigid import _plot
 
         return _plot.verification(self)
+
+
+class Sensitivity(Answer):
+    """Derivatives of an answer with respect to numbers of the model, the largest effect first.
+
+    >>> import quasirigid
+    >>> found = quasirigid.Model(quasirigid.EXAMPLE).sensitivity("check.T1", ["carrier.mass"])
+    >>> found.relative["carrier.mass"] < 0
+    True
+    """
+
+    __slots__ = ()
+
+    value = entry(float, "Value of the quantity.")
+    derivatives = entry(_copies, "One entry for each key: ``key``, ``value``, ``unit``, ``derivative``, ``relative``, ``error``.")
+    not_known = entry(_copies, "Keys without a derivative: ``key``, ``reason``.")
+
+    @property
+    def relative(self) -> dict[str, float | None]:
+        """Derivatives of the logarithm of the quantity with respect to that of each key; ``None`` if the quantity is zero."""
+        return {each["key"]: each["relative"] for each in self._parts["json"]["derivatives"]}
 
 
 class Run(Answer):

@@ -19,6 +19,7 @@ from quasirigid._answers import (
     History,
     Modes,
     Run,
+    Sensitivity,
     Verification,
 )
 from quasirigid._ensemble import Evolutions, Histories, SpinPaths
@@ -219,6 +220,28 @@ class Model:
         vector = _arguments.vector(about, "about")
         with observer(progress) as watch:
             return EffectiveMasses(self._core.effective_masses(vector, watch))
+
+    def sensitivity(
+        self, of: str, keys: Sequence[str] = (), *, order: int | None = None, progress: Progress = False
+    ) -> Sensitivity:
+        """Gives the derivatives of an answer with respect to numbers of the model.
+
+        Args:
+            of: Path into the answer of a command, as in studies: ``"modes.nutation.time_constant"``.
+            keys: Paths of keys, such as ``"spring.boom.stiffness"``; every number outside ``[run]`` by default.
+
+        Raises:
+            InputError: for a quantity or a key that does not exist.
+
+        >>> import quasirigid
+        >>> found = quasirigid.Model(quasirigid.EXAMPLE).sensitivity("check.mass", ["carrier.mass"])
+        >>> found.derivatives[0]["key"]
+        'carrier.mass'
+        """
+        if isinstance(keys, str):
+            raise InputError(f"keys = {keys!r}; give a list of paths")
+        with observer(progress) as watch:
+            return Sensitivity(self._core.sensitivity(of, list(keys), _arguments.count(order, "order"), watch))
 
     def linear(
         self,

@@ -10,9 +10,8 @@ use serde_json::Value;
 use super::design::MOST_SOBOL_KEYS;
 use super::distribution::quantile;
 use super::plan::in_unit;
-use super::quantity::{self, QuantityValue};
-use super::row::{Answered, answers_watched};
 use super::{Output, Sweep, SweepError, is_drawn};
+use crate::asked::{Answered, QuantityValue, answers_watched, find, unit};
 
 /// Rows that are tried for a quantity.
 const TRIED: u64 = 8;
@@ -139,7 +138,7 @@ pub(super) fn outputs(sweep: &Sweep, watch: &mut dyn crate::Watch) -> Result<(Ve
                 continue;
             };
             let Some(object) = objects.first() else { continue };
-            match quantity::find(quantity, object) {
+            match find(quantity, object) {
                 QuantityValue::Value(value) => {
                     there[index] = true;
                     let kind = kind_of(value).ok_or_else(|| compound(sweep, quantity, value))?;
@@ -182,7 +181,7 @@ pub(super) fn outputs(sweep: &Sweep, watch: &mut dyn crate::Watch) -> Result<(Ve
         } else {
             format!("{} at {}", quantity.name, asked.times[time].0)
         };
-        let unit = if kind == CellKind::Number { quantity::unit(quantity).to_owned() } else { String::new() };
+        let unit = if kind == CellKind::Number { unit(quantity).to_owned() } else { String::new() };
         Output { name, unit, kind, quantity: index, time }
     };
     Ok((columns.map(output).collect(), row_time))

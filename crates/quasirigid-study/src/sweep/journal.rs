@@ -10,7 +10,8 @@ use quasirigid_io::disk::{open_regular, parent, settle, settle_folder, stands};
 use serde_json::{Value, json};
 
 use super::cell::Cell;
-use super::row::{RowAnswer, Status};
+use super::row::RowAnswer;
+use crate::asked::Status;
 
 /// Longest time for which rows are not yet on the disk: what a loss of power takes.
 const PAUSE: Duration = Duration::from_secs(1);

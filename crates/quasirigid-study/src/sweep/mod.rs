@@ -17,7 +17,6 @@ mod journal;
 mod page;
 mod part;
 mod plan;
-mod quantity;
 mod rank;
 mod results;
 mod row;
@@ -39,7 +38,8 @@ pub use cell::Cell;
 pub use collect::Collector;
 pub use error::SweepError;
 pub use results::{Results, read};
-pub use row::{RowAnswer, Status};
+pub use row::RowAnswer;
+pub use crate::asked::Status;
 pub use run::{Finished, RunOptions, Shard};
 pub use text::text;
 pub use uncertainty::text as uncertainty_text;
@@ -47,8 +47,7 @@ pub use uncertainty::text as uncertainty_text;
 use bodies::Bodies;
 use design::Design;
 use identity::identity;
-use quantity::QuantityValue;
-use row::Answered;
+use crate::asked::{Answered, QuantityValue, answers, find};
 
 /// Most rows of a study.
 const MOST_ROWS: u64 = 100_000_000_000;
@@ -253,7 +252,7 @@ impl Sweep {
                 });
             }
         };
-        let answers = row::answers(&self.model, &text, &self.study.answer, cancelled)?;
+        let answers = answers(&self.model, &text, &self.study.answer, cancelled)?;
         let mut notes = answers.notes;
         let cells = outputs.iter().map(|output| {
             let quantity = &self.study.answer.quantities[output.quantity];
@@ -261,7 +260,7 @@ impl Sweep {
                 Some(Answered::Objects(objects, status, _)) => {
                     let object =
                         objects.get(output.time).or(objects.last()).unwrap_or(&serde_json::Value::Null);
-                    output.cell(quantity::find(quantity, object), *status, &mut notes)
+                    output.cell(find(quantity, object), *status, &mut notes)
                 }
                 _ => Cell::Missing,
             }

@@ -189,7 +189,7 @@ fn reasons(read: Read<'_>) -> Result<(BTreeMap<String, u64>, Vec<ReasonRecord>),
         return Ok((BTreeMap::new(), Vec::new()));
     };
     let mut status: BTreeMap<String, u64> =
-        super::Status::ALL.map(|status| (status.word().to_owned(), 0)).into();
+        crate::asked::Status::ALL.map(|status| (status.word().to_owned(), 0)).into();
     let mut grouped: BTreeMap<(String, String), ReasonRecord> = BTreeMap::new();
     for ((row, state), reason) in rows.iter().zip(states).zip(reasons) {
         let state = state.clone().unwrap_or_default();

@@ -12,6 +12,7 @@ mod methods;
 mod modes;
 mod notes;
 mod published;
+mod sensitivity;
 mod slaved;
 mod surfaces;
 mod sweep;

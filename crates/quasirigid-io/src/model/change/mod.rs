@@ -4,11 +4,13 @@
 
 mod error;
 mod node;
+mod number;
 mod path;
 
 use toml_edit::{DocumentMut, Item, Table};
 
 pub use error::ChangeError;
+pub use number::WrittenNumber;
 pub use path::Path;
 
 use super::key_value::KeyValue;

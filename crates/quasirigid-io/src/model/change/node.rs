@@ -189,7 +189,7 @@ fn instead(word: &str, known: &[&str], lead: &str) -> String {
 }
 
 /// A name as it stands in a path: in quotes, unless it is a bare key of TOML that is no number.
-fn in_path(name: &str) -> String {
+pub(super) fn in_path(name: &str) -> String {
     let bare = |letter: char| letter.is_ascii_alphanumeric() || "_-".contains(letter);
     let plain = !name.is_empty() && name.chars().all(bare) && name.parse::<usize>().is_err();
     if plain { name.to_owned() } else { format!("{name:?}") }

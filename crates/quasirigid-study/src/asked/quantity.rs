@@ -10,7 +10,7 @@ use crate::words::significant;
 
 /// Value that a path leads to, or why it leads to none.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) enum QuantityValue<'a> {
+pub(crate) enum QuantityValue<'a> {
     /// A value.
     Value(&'a Value),
     /// A number that is infinite: JSON writes it as `null`.
@@ -27,7 +27,7 @@ pub(super) enum QuantityValue<'a> {
 const UNBOUNDED: [&str; 4] = ["time", "turns", "damping_time", "growth_time"];
 
 /// Looks up a quantity in the object that its command prints.
-pub(super) fn find<'a>(quantity: &Quantity, object: &'a Value) -> QuantityValue<'a> {
+pub(crate) fn find<'a>(quantity: &Quantity, object: &'a Value) -> QuantityValue<'a> {
     let mut value = object;
     for (at, segment) in quantity.path.iter().enumerate() {
         let inside = match value {
@@ -146,7 +146,7 @@ fn absent(quantity: &Quantity, at: usize, value: &Value) -> String {
 }
 
 /// Unit of a quantity by the name under which the commands print it; empty for pure numbers and for names not listed.
-pub(super) fn unit(quantity: &Quantity) -> &'static str {
+pub(crate) fn unit(quantity: &Quantity) -> &'static str {
     let words = quantity.path.iter().rev().find(|segment| segment.parse::<usize>().is_err());
     match words.map_or("", String::as_str) {
         "time" | "time_range" | "time_constant" | "separatrix_time" | "lingering" | "damping_time"

@@ -56,6 +56,7 @@ struct ReadmeOfCrate;
 struct Library;
 
 pub mod about_spin;
+pub mod audit;
 mod campbell;
 pub mod check;
 pub mod cite;

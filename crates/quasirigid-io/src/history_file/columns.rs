@@ -96,6 +96,8 @@ impl Chosen {
             None => Vec::new(),
             Some(stored) => attitudes(stored, &columns[4..]).map_err(whole)?,
         };
+        let attitude_rounding =
+            columns[4..].iter().map(|column| column.resolution.error(1.0)).fold(0.0, f64::max);
         let order = match self.attitude {
             Some(Stored::Numbered) => QuaternionOrder::Unknown,
             _ => QuaternionOrder::ScalarFirst,
@@ -113,6 +115,7 @@ impl Chosen {
             rate_unit: self.rates.1,
             rate_factor: factor,
             resolutions,
+            attitude_rounding,
             notes,
         })
     }

@@ -16,6 +16,8 @@ pub use error::{HistoryFileError, HistoryFileProblem};
 pub use resolution::Resolution;
 
 use crate::attitude::{AttitudeHistory, read_attitude};
+use crate::files_read::sha256;
+use crate::record::InputFileRecord;
 use crate::table_file::{BadLine, TableError, Unnumbered, read_numbers};
 use crate::text_file::{FileError, Place, bytes_of, kind_of};
 use columns::{Chosen, Column};
@@ -43,6 +45,8 @@ pub struct HistoryFile {
     pub rate_factor: f64,
     /// Resolution of each component in the unit of the file.
     pub resolutions: [Resolution; 3],
+    /// Half of the last place of a part of a quaternion next to 1.
+    pub attitude_rounding: f64,
     /// What the reader made of the file, where that is not plain.
     pub notes: Vec<String>,
 }
@@ -63,6 +67,16 @@ impl HistoryFile {
         let factor = self.rate_factor;
         std::array::from_fn(|axis| self.resolutions[axis].error(self.rates[row][axis] / factor) * factor)
     }
+}
+
+/// The file of a history as answers name it: its name, length and SHA-256.
+///
+/// # Errors
+/// As [`read_history`].
+pub fn identity(file: &Path) -> Result<InputFileRecord, HistoryFileError> {
+    let bytes = bytes_of(file, MAX_FILE)?;
+    let name = file.file_name().unwrap_or(file.as_os_str()).to_string_lossy().into_owned();
+    Ok(InputFileRecord { name, bytes: bytes.len() as u64, sha256: sha256(&bytes) })
 }
 
 /// Reads a history: a table in text, a Parquet file, an archive of NumPy arrays (also of Basilisk), or an attitude file (AEM, STK) that has
@@ -152,6 +166,7 @@ fn of_attitude(file: &Path) -> Result<HistoryFile, HistoryFileError> {
         rate_unit: Some("deg/s".to_owned()),
         rate_factor: factor,
         resolutions: [resolution; 3],
+        attitude_rounding: Resolution::Double.error(1.0),
         notes: Vec::new(),
     })
 }

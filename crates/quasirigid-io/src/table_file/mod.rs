@@ -22,6 +22,6 @@ pub use cells::{CellColumn, CellKind, Cells, csv_header, csv_rows};
 pub use error::TableError;
 pub(crate) use formula::{guarded, unguarded};
 pub use names::{bracketed_name, ending as unit_ending};
-pub(crate) use numbers::{BadLine, NumberColumn, Unnumbered, read_numbers};
+pub(crate) use numbers::{BadLine, Unnumbered, read_numbers};
 pub(crate) use parquet::undamaged;
 pub use parquet::{read_parquet, write_parquet};

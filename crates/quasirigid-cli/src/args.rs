@@ -485,7 +485,8 @@ pub fn seconds(text: &str) -> Result<f64, Failure> {
 /// A positive time (s) of an option.
 pub fn positive_seconds(option: &'static str, text: &str) -> Result<f64, Failure> {
     let read = text.parse().or_else(|_| quantity(text, Dimension::TIME));
-    let seconds: f64 = read.map_err(|cause| Failure::Time { option, text: text.to_owned(), cause: Box::new(cause) })?;
+    let seconds: f64 =
+        read.map_err(|cause| Failure::Time { option, text: text.to_owned(), cause: Box::new(cause) })?;
     positive(option, seconds)
 }
 

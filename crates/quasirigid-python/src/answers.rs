@@ -51,7 +51,13 @@ pub struct Answer {
 
 impl Answer {
     /// An answer without a table and without numbers that may be infinite.
-    pub fn plain(json: serde_json::Value, text: String, sentence: String, holds: bool, notes: Vec<String>) -> Self {
+    pub fn plain(
+        json: serde_json::Value,
+        text: String,
+        sentence: String,
+        holds: bool,
+        notes: Vec<String>,
+    ) -> Self {
         Self { json: Json(json), text, sentence, holds, notes, numbers: BTreeMap::new(), columns: None }
     }
 }

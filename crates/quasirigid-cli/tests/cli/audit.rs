@@ -14,7 +14,12 @@ fn the_example_is_answered_in_words_and_for_machines() {
     let found = ran(&format!("audit {HISTORY} --inertia 10,14,17"));
     assert_eq!((found.code, &*found.stderr), (Some(0), ""));
     let text = one_line(&found.stdout);
-    assert!(text.starts_with("euler.csv: The history INVENTS driving: the wobble about the axis of greatest inertia GROWS"), "{text}");
+    assert!(
+        text.starts_with(
+            "euler.csv: The history INVENTS driving: the wobble about the axis of greatest inertia GROWS"
+        ),
+        "{text}"
+    );
     let json = ran(&format!("audit {HISTORY} --inertia 10,14,17 --json")).json();
     let constant = json["invented_time_constant"].as_f64().unwrap();
     assert!((constant / -6850.0 - 1.0).abs() < 0.02, "{constant}"); // as tumble.py of the survey has it
@@ -22,12 +27,20 @@ fn the_example_is_answered_in_words_and_for_machines() {
     assert!((json["momentum_drift"].as_f64().unwrap() / 1.6128e-3 - 1.0).abs() < 1e-3);
     assert_eq!(json["worst_interval"].as_array().unwrap().len(), 2);
     assert_eq!(json["inputs"]["files"][0]["name"], "euler.csv");
-    assert_eq!(json["sentence"].as_str().unwrap(), one_line(&found.stdout.split_once("\n  note").unwrap().0["euler.csv: ".len()..]));
+    assert_eq!(
+        json["sentence"].as_str().unwrap(),
+        one_line(&found.stdout.split_once("\n  note").unwrap().0["euler.csv: ".len()..])
+    );
 }
 
 #[test]
 fn limits_decide_the_exit_code() {
-    for (limits, code) in [("--limit 1e-2", 0), ("--limit 1e-6", 1), ("--min-time-constant 1h", 0), ("--min-time-constant 1yr", 1)] {
+    for (limits, code) in [
+        ("--limit 1e-2", 0),
+        ("--limit 1e-6", 1),
+        ("--min-time-constant 1h", 0),
+        ("--min-time-constant 1yr", 1),
+    ] {
         let found = ran(&format!("audit {HISTORY} --inertia 10,14,17 {limits}"));
         assert_eq!(found.code, Some(code), "{limits}");
         assert_eq!(found.stdout.contains("NOT within"), code == 1, "{}", found.stdout);
@@ -42,7 +55,10 @@ fn a_badge_is_written_once() {
     let line = "audit spin.csv --inertia 10,14,17 --badge badge.json";
     assert!(ran_in(folder.path(), line).stderr.contains("wrote badge.json"));
     let badge: Value = serde_json::from_slice(&fs::read(folder.path().join("badge.json")).unwrap()).unwrap();
-    assert_eq!((&badge["schemaVersion"], &badge["label"], &badge["color"]), (&1.into(), &"invented damping".into(), &"red".into()));
+    assert_eq!(
+        (&badge["schemaVersion"], &badge["label"], &badge["color"]),
+        (&1.into(), &"invented damping".into(), &"red".into())
+    );
     assert!(badge["message"].as_str().unwrap().starts_with("grows e-fold in 114"), "{badge}");
     assert!(ran_in(folder.path(), line).refusal().contains("already exists"));
     assert_eq!(ran_in(folder.path(), &format!("{line} --overwrite --quiet")).stderr, "");
@@ -69,5 +85,8 @@ fn the_body_is_given_once() {
         assert!(one_line(refused.refusal()).contains(words), "{line}: {}", refused.stderr);
     }
     let found = ran_in(folder.path(), "audit spin.csv model.toml");
-    assert!(found.code == Some(0) && one_line(&found.stdout).contains("keeps energy and angular momentum"), "{found:?}");
+    assert!(
+        found.code == Some(0) && one_line(&found.stdout).contains("keeps energy and angular momentum"),
+        "{found:?}"
+    );
 }

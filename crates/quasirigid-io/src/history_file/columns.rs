@@ -62,7 +62,8 @@ impl Chosen {
             let read = factor(unit, Dimension::ANGULAR_VELOCITY, "an angular velocity")?;
             match &rates {
                 Some((_, first)) if *first != read.1 => {
-                    let text = |unit: &Option<String>| unit.clone().unwrap_or_else(|| "no unit".to_owned()).into();
+                    let text =
+                        |unit: &Option<String>| unit.clone().unwrap_or_else(|| "no unit".to_owned()).into();
                     return Err(HistoryFileProblem::Units { first: text(first), second: text(&read.1) });
                 }
                 _ => rates = Some(read),
@@ -80,14 +81,7 @@ impl Chosen {
     /// The history of these columns, which stand in the order of the indices.
     pub fn history(self, columns: Vec<Column>, notes: Vec<String>) -> Result<HistoryFile, Fault> {
         let whole = |problem| (Place::File, problem);
-        let resolution = |place: usize| columns.get(place).map_or(Resolution::Double, |column| column.resolution);
-        let single = (1..4).map(|place| {
-            let column = &columns[place];
-            column.resolution.of_single(&column.values)
-        });
-        let single: Vec<Resolution> = single.collect();
-        let all = single.iter().all(|found| *found == Resolution::Single);
-        let resolutions = std::array::from_fn(|axis| if all { single[axis] } else { resolution(axis + 1) });
+        let resolution = shared(&columns[1..4]);
         let rows = columns.first().map_or(0, |column| column.values.len());
         if rows == 0 {
             return Err(whole(HistoryFileProblem::Empty));
@@ -96,8 +90,7 @@ impl Chosen {
             None => Vec::new(),
             Some(stored) => attitudes(stored, &columns[4..]).map_err(whole)?,
         };
-        let attitude_rounding =
-            columns[4..].iter().map(|column| column.resolution.error(1.0)).fold(0.0, f64::max);
+        let attitude_rounding = shared(&columns[4..]).error(1.0);
         let order = match self.attitude {
             Some(Stored::Numbered) => QuaternionOrder::Unknown,
             _ => QuaternionOrder::ScalarFirst,
@@ -114,11 +107,18 @@ impl Chosen {
             time_unit: self.time.1,
             rate_unit: self.rates.1,
             rate_factor: factor,
-            resolutions,
+            resolution,
             attitude_rounding,
             notes,
         })
     }
+}
+
+/// Resolution of columns that one writer wrote.
+fn shared(columns: &[Column]) -> Resolution {
+    let columns: Vec<(Resolution, &[f64])> =
+        columns.iter().map(|column| (column.resolution, column.values.as_slice())).collect();
+    Resolution::shared(&columns)
 }
 
 /// The column of a role, if there is one and no other.

@@ -53,13 +53,18 @@ pub enum HistoryFileProblem {
     #[error(transparent)]
     Attitude(AttitudeProblem),
     /// An attitude file without angular velocities.
-    #[error("the file has attitudes, but no angular velocities; write them too, as QUATERNION/ANGVEL or AttitudeTimeQuatAngVels")]
+    #[error(
+        "the file has attitudes, but no angular velocities; write them too, as QUATERNION/ANGVEL or AttitudeTimeQuatAngVels"
+    )]
     NoRates,
     /// A table without rows.
     #[error("the table has no rows; was the run cut off?")]
     Empty,
     /// A table without a column that is needed.
-    #[error("no column is {what}; there are {}; name the columns t, wx, wy, wz and perhaps qw, qx, qy, qz", listed(known))]
+    #[error(
+        "no column is {what}; there are {}; name the columns t, wx, wy, wz and perhaps qw, qx, qy, qz",
+        listed(known)
+    )]
     Missing {
         /// What the column would hold.
         what: &'static str,
@@ -77,7 +82,9 @@ pub enum HistoryFileProblem {
         second: Excerpt,
     },
     /// A unit of another dimension, or none at all.
-    #[error("the column {name:?}: {unit:?} is no unit of {what}; write rad/s, deg/s, rpm or rev/s for rates, s or ms for times")]
+    #[error(
+        "the column {name:?}: {unit:?} is no unit of {what}; write rad/s, deg/s, rpm or rev/s for rates, s or ms for times"
+    )]
     Unit {
         /// Name of the column.
         name: Excerpt,
@@ -119,7 +126,9 @@ pub enum HistoryFileProblem {
         before: f64,
     },
     /// A quaternion that is far from a unit quaternion.
-    #[error("row {row}: the quaternion has the norm {norm}, but an attitude is a unit quaternion; are the columns right?")]
+    #[error(
+        "row {row}: the quaternion has the norm {norm}, but an attitude is a unit quaternion; are the columns right?"
+    )]
     NotUnit {
         /// Row, from 1.
         row: usize,
@@ -137,7 +146,8 @@ pub enum HistoryFileProblem {
 /// Names in a message.
 fn listed(names: &[String]) -> String {
     const MOST: usize = 12;
-    let shown: Vec<String> = names.iter().take(MOST).map(|name| format!("{:?}", Excerpt::from(name.as_str()))).collect();
+    let shown: Vec<String> =
+        names.iter().take(MOST).map(|name| format!("{:?}", Excerpt::from(name.as_str()))).collect();
     let more = if names.len() > MOST { " and others" } else { "" };
     format!("{}{more}", shown.join(", "))
 }

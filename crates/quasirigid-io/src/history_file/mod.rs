@@ -43,8 +43,8 @@ pub struct HistoryFile {
     pub rate_unit: Option<String>,
     /// SI value of that unit, or 1.
     pub rate_factor: f64,
-    /// Resolution of each component in the unit of the file.
-    pub resolutions: [Resolution; 3],
+    /// Resolution of the rates in the unit of the file.
+    pub resolution: Resolution,
     /// Half of the last place of a part of a quaternion next to 1.
     pub attitude_rounding: f64,
     /// What the reader made of the file, where that is not plain.
@@ -65,7 +65,7 @@ impl HistoryFile {
     #[must_use]
     pub fn rounding(&self, row: usize) -> [f64; 3] {
         let factor = self.rate_factor;
-        std::array::from_fn(|axis| self.resolutions[axis].error(self.rates[row][axis] / factor) * factor)
+        std::array::from_fn(|axis| self.resolution.error(self.rates[row][axis] / factor) * factor)
     }
 }
 
@@ -121,7 +121,9 @@ fn of_text(file: &Path, bytes: &[u8]) -> Result<HistoryFile, Fault> {
         Unnumbered::Unwanted(problem) => (Place::File, problem),
         Unnumbered::Line(BadLine { line, column, found }) => {
             let problem = match column {
-                Some(place) => HistoryFileProblem::Cell { name: titles[place].as_str().into(), found: found.into() },
+                Some(place) => {
+                    HistoryFileProblem::Cell { name: titles[place].as_str().into(), found: found.into() }
+                }
                 None => HistoryFileProblem::Width { found },
             };
             (Place::Line(line), problem)
@@ -131,7 +133,9 @@ fn of_text(file: &Path, bytes: &[u8]) -> Result<HistoryFile, Fault> {
         resolution: Resolution::Decimal { decimals: column.decimals, significant: column.significant },
         values: column.values,
     });
-    chosen.map_or(Err((Place::File, HistoryFileProblem::Empty)), |chosen| chosen.history(columns.collect(), notes))
+    chosen.map_or(Err((Place::File, HistoryFileProblem::Empty)), |chosen| {
+        chosen.history(columns.collect(), notes)
+    })
 }
 
 /// Places behind the point of rates in degrees per second that are tried.
@@ -142,18 +146,21 @@ const JUDGED: usize = 1000;
 fn of_attitude(file: &Path) -> Result<HistoryFile, HistoryFileError> {
     let fault = FileError::new(file);
     let read = read_attitude(file);
-    let AttitudeHistory { t, attitude, angular_velocity, .. } =
-        read.map_err(|FileError { place, problem, .. }| fault((place, HistoryFileProblem::Attitude(problem))))?;
+    let AttitudeHistory { t, attitude, angular_velocity, .. } = read
+        .map_err(|FileError { place, problem, .. }| fault((place, HistoryFileProblem::Attitude(problem))))?;
     if angular_velocity.is_empty() {
         return Err(fault((Place::File, HistoryFileProblem::NoRates)));
     }
     // both formats write degrees per second
     let factor = 1_f64.to_radians();
     let step = angular_velocity.len().div_ceil(JUDGED);
-    let judged: Vec<f64> = angular_velocity.iter().step_by(step).flatten().map(|rate| rate / factor).collect();
+    let judged: Vec<f64> =
+        angular_velocity.iter().step_by(step).flatten().map(|rate| rate / factor).collect();
     let places = PLACES.into_iter().find(|places| {
         let scale = 10_f64.powi(*places);
-        judged.iter().all(|rate| (rate * scale - (rate * scale).round()).abs() <= 1e-15 * (rate * scale).abs().max(1.0) * 16.0)
+        judged.iter().all(|rate| {
+            (rate * scale - (rate * scale).round()).abs() <= 1e-15 * (rate * scale).abs().max(1.0) * 16.0
+        })
     });
     let resolution =
         places.map_or(Resolution::Double, |decimals| Resolution::Decimal { decimals, significant: 16 });
@@ -165,7 +172,7 @@ fn of_attitude(file: &Path) -> Result<HistoryFile, HistoryFileError> {
         time_unit: Some("s".to_owned()),
         rate_unit: Some("deg/s".to_owned()),
         rate_factor: factor,
-        resolutions: [resolution; 3],
+        resolution,
         attitude_rounding: Resolution::Double.error(1.0),
         notes: Vec::new(),
     })

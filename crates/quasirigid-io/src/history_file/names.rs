@@ -17,17 +17,46 @@ pub(super) enum Role {
 }
 
 const TIMES: [&str; 13] = [
-    "t", "time", "times", "simtime", "simulationtime", "elapsed", "elapsedtime", "timestamp", "sec", "secs",
-    "second", "seconds", "mettime",
+    "t",
+    "time",
+    "times",
+    "simtime",
+    "simulationtime",
+    "elapsed",
+    "elapsedtime",
+    "timestamp",
+    "sec",
+    "secs",
+    "second",
+    "seconds",
+    "mettime",
 ];
 const RATES: [&str; 22] = [
-    "w", "om", "omega", "omegab", "omegabody", "omegabn", "omegabnb", "wb", "wbody", "g", "gyro", "gyr", "rate",
-    "rates", "bodyrate", "bodyrates", "angularrate", "angularvelocity", "angvel", "av", "angularvelocitybody",
+    "w",
+    "om",
+    "omega",
+    "omegab",
+    "omegabody",
+    "omegabn",
+    "omegabnb",
+    "wb",
+    "wbody",
+    "g",
+    "gyro",
+    "gyr",
+    "rate",
+    "rates",
+    "bodyrate",
+    "bodyrates",
+    "angularrate",
+    "angularvelocity",
+    "angvel",
+    "av",
+    "angularvelocitybody",
     "bodyangularvelocity",
 ];
-const QUATERNIONS: [&str; 11] = [
-    "q", "quat", "quaternion", "att", "attitude", "orientation", "qbn", "qnb", "qib", "qbi", "rot",
-];
+const QUATERNIONS: [&str; 11] =
+    ["q", "quat", "quaternion", "att", "attitude", "orientation", "qbn", "qnb", "qib", "qbi", "rot"];
 const RODRIGUES: [&str; 4] = ["sigma", "sigmabn", "mrp", "mrps"];
 /// Endings of names that are units.
 const UNITS: [(&str, &str); 9] = [
@@ -54,7 +83,8 @@ pub(super) fn parts(title: &str) -> (&str, Option<&str>) {
             }
         }
     }
-    let ends = |ending: &str| title.get(title.len().checked_sub(ending.len())?..).map(str::to_ascii_lowercase);
+    let ends =
+        |ending: &str| title.get(title.len().checked_sub(ending.len())?..).map(str::to_ascii_lowercase);
     for (ending, unit) in UNITS.into_iter().filter(|(ending, _)| ends(ending).as_deref() == Some(ending)) {
         let name = &title[..title.len() - ending.len()];
         // `q_s` is the scalar of a quaternion
@@ -100,7 +130,9 @@ fn role(name: &str, all: &[String]) -> Option<Role> {
     }
     if QUATERNIONS.contains(&stem) {
         let named = axis("wxyz").or_else(|| axis("sxyz")).or_else(|| axis("rijk"));
-        return named.map(Role::Quaternion).or_else(|| numbered().filter(|place| *place < 4).map(Role::Numbered));
+        return named
+            .map(Role::Quaternion)
+            .or_else(|| numbered().filter(|place| *place < 4).map(Role::Numbered));
     }
     if RODRIGUES.contains(&stem) {
         return axis("xyz").or_else(numbered).filter(|place| *place < 3).map(Role::Rodrigues);

@@ -39,7 +39,10 @@ pub(super) fn read(file: &Path) -> Result<HistoryFile, Fault> {
 }
 
 /// A column of finite numbers; none where it has others, or none.
-fn column(reader: &SerializedFileReader<std::fs::File>, index: usize) -> Result<Option<Column>, ParquetError> {
+fn column(
+    reader: &SerializedFileReader<std::fs::File>,
+    index: usize,
+) -> Result<Option<Column>, ParquetError> {
     let (mut values, mut resolution) = (Vec::new(), Resolution::Double);
     for group in 0..reader.num_row_groups() {
         let group = reader.get_row_group(group)?;

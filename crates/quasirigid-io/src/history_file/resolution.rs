@@ -17,8 +17,9 @@ pub enum Resolution {
     Double,
 }
 
-/// Significant digits of a double.
+/// Significant digits of a double, and of a number of single precision.
 const OF_DOUBLE: i32 = 17;
+const OF_SINGLE: i32 = 9;
 
 impl Resolution {
     /// Half of the last place of a number: the most by which rounding may have changed it.
@@ -40,12 +41,24 @@ impl Resolution {
         }
     }
 
-    /// The same of numbers that all are of single precision, where that is coarser than what is written.
-    #[must_use]
-    pub(super) fn of_single(self, values: &[f64]) -> Self {
+    /// Resolution of columns that one writer wrote: digits are those of the finest, since a column of ones has none of its own, and single
+    /// precision where more digits are written than it has.
+    pub(super) fn shared(columns: &[(Self, &[f64])]) -> Self {
         let single = |value: &f64| f64::from(*value as f32) == *value;
-        match self {
-            Self::Decimal { significant, .. } if significant > 9 && values.iter().all(single) => Self::Single,
+        let worse = |one: Self, other: Self| match (one, other) {
+            (
+                Self::Decimal { decimals, significant },
+                Self::Decimal { decimals: places, significant: digits },
+            ) => Self::Decimal { decimals: decimals.max(places), significant: significant.max(digits) },
+            (Self::Double, other) | (other, Self::Double) => other,
+            (Self::Single, other) | (other, Self::Single) => other,
+        };
+        let found = columns.iter().map(|(resolution, _)| *resolution).reduce(worse).unwrap_or(Self::Double);
+        match found {
+            Self::Decimal { significant, .. } if significant > OF_SINGLE => {
+                let all = columns.iter().all(|(_, values)| values.iter().all(single));
+                if all { Self::Single } else { found }
+            }
             other => other,
         }
     }
@@ -54,7 +67,9 @@ impl Resolution {
     #[must_use]
     pub fn words(self) -> String {
         match self {
-            Self::Decimal { significant, .. } if significant >= OF_DOUBLE - 1 => "double precision".to_owned(),
+            Self::Decimal { significant, .. } if significant >= OF_DOUBLE - 1 => {
+                "double precision".to_owned()
+            }
             Self::Decimal { significant, .. } => format!("{significant} digits"),
             Self::Single => "single precision".to_owned(),
             Self::Double => "double precision".to_owned(),
@@ -79,7 +94,14 @@ mod tests {
     fn single_precision_shows_behind_many_digits() {
         let written = Resolution::Decimal { decimals: 20, significant: 17 };
         let singles = [0.1_f32, 0.7, 1e-3].map(f64::from);
-        assert_eq!(written.of_single(&singles), Resolution::Single);
-        assert_eq!(written.of_single(&[0.1]), written);
+        assert_eq!(Resolution::shared(&[(written, &singles), (written, &[0.0, 1.0])]), Resolution::Single);
+        assert_eq!(Resolution::shared(&[(written, &singles), (written, &[0.1])]), written);
+    }
+
+    #[test]
+    fn columns_of_one_writer_share_their_digits() {
+        let [fine, plain] =
+            [(5, 6), (0, 1)].map(|(decimals, significant)| Resolution::Decimal { decimals, significant });
+        assert_eq!(Resolution::shared(&[(plain, &[1.0]), (fine, &[0.12345])]), fine);
     }
 }

@@ -151,7 +151,8 @@ impl IntervalObject {
 impl UnitsObject {
     /// The units of a history.
     pub fn of(measured: &Measured) -> Self {
-        let told = |heading: &Option<String>, found: &str| heading.clone().unwrap_or_else(|| found.to_owned());
+        let told =
+            |heading: &Option<String>, found: &str| heading.clone().unwrap_or_else(|| found.to_owned());
         Self {
             rates: told(&measured.file.rate_unit, measured.units.rates),
             times: told(&measured.file.time_unit, measured.units.times),
@@ -189,7 +190,10 @@ impl Explained {
             (Some(OfModel::Rate(of_model)), Some(trend), Some(rate)) => {
                 let wobble = drift.wobble().map_or(0.0, |[first, last]| first.max(last));
                 let doubt = ERRORS * trend.error + (MODEL + wobble.sin().powi(2)) * of_model.abs();
-                Self { share: Some(of_model / rate), left: Some(rate - of_model).filter(|left| left.abs() > doubt) }
+                Self {
+                    share: Some(of_model / rate),
+                    left: Some(rate - of_model).filter(|left| left.abs() > doubt),
+                }
             }
             _ => Self { share: None, left: rate },
         }

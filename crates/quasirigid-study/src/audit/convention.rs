@@ -39,10 +39,8 @@ impl Convention {
     pub fn all(scalar_known: bool) -> impl Iterator<Item = Self> {
         let places = if scalar_known { &[true][..] } else { &[true, false] };
         places.iter().flat_map(|scalar_first| {
-            [(true, true), (false, true), (true, false), (false, false)].map(|(to_inertial, body_rates)| Self {
-                scalar_first: *scalar_first,
-                to_inertial,
-                body_rates,
+            [(true, true), (false, true), (true, false), (false, false)].map(|(to_inertial, body_rates)| {
+                Self { scalar_first: *scalar_first, to_inertial, body_rates }
             })
         })
     }
@@ -67,7 +65,12 @@ impl Convention {
 }
 
 /// Agreement in each convention in which the rotation has the sense of the rates, the best first; none where rows are too far apart to compare.
-pub fn agreements(t: &[f64], rates: &[[f64; 3]], stored: &[[f64; 4]], scalar_known: bool) -> Option<Vec<Agreement>> {
+pub fn agreements(
+    t: &[f64],
+    rates: &[[f64; 3]],
+    stored: &[[f64; 4]],
+    scalar_known: bool,
+) -> Option<Vec<Agreement>> {
     let stride = stride(stored)?;
     let starts = stored.len() - stride;
     let count = starts.min(STRETCHES);
@@ -86,7 +89,8 @@ pub fn agreements(t: &[f64], rates: &[[f64; 3]], stored: &[[f64; 4]], scalar_kno
         let misfit = (1.0 - both * both / (turned * rated)).max(0.0).sqrt();
         Agreement { convention, factor: both / rated, misfit }
     };
-    let mut found: Vec<Agreement> = Convention::all(scalar_known).map(of).filter(|found| found.factor > 0.0).collect();
+    let mut found: Vec<Agreement> =
+        Convention::all(scalar_known).map(of).filter(|found| found.factor > 0.0).collect();
     found.sort_by(|a, b| a.misfit.total_cmp(&b.misfit));
     Some(found)
 }
@@ -155,7 +159,9 @@ mod tests {
                 let [w, x, y, z] = if convention.to_inertial { [w, x, y, z] } else { [w, -x, -y, -z] };
                 if convention.scalar_first { [w, x, y, z] } else { [x, y, z, w] }
             };
-            let rate = |q, body| if convention.body_rates { body } else { quasirigid_math::rotation::to_inertial(q, body) };
+            let rate = |q, body| {
+                if convention.body_rates { body } else { quasirigid_math::rotation::to_inertial(q, body) }
+            };
             let (written, rates): (Vec<_>, Vec<_>) =
                 rows.map(|(q, body)| (stored(q), scale(10.0, rate(q, body)))).unzip();
             let found = agreements(&t, &rates, &written, false).unwrap();

@@ -10,6 +10,8 @@ use super::trend::Trend;
 const INTERVALS: usize = 10;
 /// Rows of an interval at least.
 const LEAST_ROWS: usize = 3;
+/// Revolutions before which no trend is told from an oscillation.
+const LEAST_TURNS: f64 = 1.0;
 /// Rounding errors of the excess above which a wobble is one.
 const ABOVE_ROUNDING: f64 = 3.0;
 /// Share of the rows that have to show the wobble.
@@ -106,15 +108,22 @@ impl Drift {
         let shown = rows.iter().filter(|row| row.excess.0 > ABOVE_ROUNDING * row.excess.1).count();
         let has_wobble = body.wobbles() && shown as f64 >= MOST_ROWS * rows.len() as f64;
         let wobbles = has_wobble && crossing.is_none();
-        let pieces: Vec<Interval> =
-            intervals(&rows).into_iter().map(|rows| interval(rows, body, mode, has_wobble, wobbles)).collect();
+        let pieces: Vec<Interval> = intervals(&rows)
+            .into_iter()
+            .map(|rows| interval(rows, body, mode, has_wobble, wobbles))
+            .collect();
         let energy_change = change(&rows, |row| row.energy, 2.0 * energy_rounding);
         let momentum_change = change(&rows, |row| row.momentum, 2.0 * momentum_rounding);
         let seen = energy_change.is_seen() || momentum_change.is_seen();
         let worst = pieces.iter().max_by(|a, b| a.fastest.total_cmp(&b.fastest)).filter(|_| seen);
         let angle: f64 = (1..t.len())
-            .map(|k| (t[k] - t[k - 1]) * 0.5 * [k - 1, k].map(|row| quasirigid_math::vec3::norm(rates[row])).iter().sum::<f64>())
+            .map(|k| {
+                (t[k] - t[k - 1])
+                    * 0.5
+                    * [k - 1, k].map(|row| quasirigid_math::vec3::norm(rates[row])).iter().sum::<f64>()
+            })
             .sum();
+        let turns = angle / std::f64::consts::TAU;
         Self {
             momentum: first.momentum,
             momentum_change,
@@ -122,10 +131,10 @@ impl Drift {
             mode,
             has_wobble,
             crossing,
-            wobble_trend: wobbles.then(|| amplitude(&rows)).flatten(),
+            wobble_trend: wobbles.then(|| amplitude(&rows)).flatten().filter(|_| turns >= LEAST_TURNS),
             worst: worst.map(|interval| interval.times),
             intervals: pieces,
-            turns: angle / std::f64::consts::TAU,
+            turns,
         }
     }
 
@@ -144,9 +153,11 @@ fn change(rows: &[Row], of: impl Fn(&Row) -> f64, rounding: f64) -> Change {
 
 /// Trend of the logarithm of the amplitude, whose square is in proportion to the excess.
 fn amplitude(rows: &[Row]) -> Option<Trend> {
-    Trend::of(rows.iter().map(|Row { t, excess: (excess, rounding), .. }| {
-        (*t, 0.5 * excess.ln(), 0.5 * rounding / excess)
-    }))
+    Trend::of(
+        rows.iter().map(|Row { t, excess: (excess, rounding), .. }| {
+            (*t, 0.5 * excess.ln(), 0.5 * rounding / excess)
+        }),
+    )
 }
 
 /// Rows by intervals of equal time, which share the rows at their ends.
@@ -168,9 +179,10 @@ fn interval(rows: &[Row], body: &Rigid, mode: Mode, has_wobble: bool, wobbles: b
     let first = rows.first().map_or(1.0, |row| row.energy);
     let power = Trend::of(rows.iter().map(|row| (row.t, row.energy / first, 0.0)));
     let range = |of: fn(&Row) -> f64| {
-        let ends = rows.iter().map(of).fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| {
-            [low.min(value), high.max(value)]
-        });
+        let ends = rows
+            .iter()
+            .map(of)
+            .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| [low.min(value), high.max(value)]);
         (ends[1] - ends[0]) / ends[1] / (to - from)
     };
     Interval {

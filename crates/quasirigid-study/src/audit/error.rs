@@ -19,7 +19,9 @@ pub enum AuditError {
     #[error(transparent)]
     Study(#[from] StudyError),
     /// Neither moments nor a model.
-    #[error("the inertia of the body is not given; add its moments, as --inertia 10,14,17 (kg m^2), or its model, MODEL.toml")]
+    #[error(
+        "the inertia of the body is not given; add its moments, as --inertia 10,14,17 (kg m^2), or its model, MODEL.toml"
+    )]
     NoBody,
     /// Both moments and a model.
     #[error("the inertia is given twice, by --inertia and by a model; leave one out")]
@@ -28,7 +30,9 @@ pub enum AuditError {
     #[error("there is no history to audit; name a file beside the model")]
     NoFile,
     /// A number of entries that no tensor has.
-    #[error("an inertia has three moments XX,YY,ZZ or six entries XX,YY,ZZ,XY,XZ,YZ of the tensor (XY = -int x y dm), not {count}")]
+    #[error(
+        "an inertia has three moments XX,YY,ZZ or six entries XX,YY,ZZ,XY,XZ,YZ of the tensor (XY = -int x y dm), not {count}"
+    )]
     Entries {
         /// Number of entries.
         count: usize,
@@ -43,7 +47,9 @@ pub enum AuditError {
         moment: f64,
     },
     /// A body with internal angular momentum.
-    #[error("the model has internal rotors, wheels or liquids, whose angular momentum no history of the carrier shows; give the inertia of a body without them, by --inertia")]
+    #[error(
+        "the model has internal rotors, wheels or liquids, whose angular momentum no history of the carrier shows; give the inertia of a body without them, by --inertia"
+    )]
     Rotors,
     /// A history of one row.
     #[error("{}: the history has one row; a drift needs two", file.display())]

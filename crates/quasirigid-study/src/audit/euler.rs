@@ -17,6 +17,8 @@ pub struct UnitFit {
     pub error: f64,
     /// Share of the change of the rates that Euler's equations leave unexplained, as a root of squares.
     pub misfit: f64,
+    /// Mean rotation (rad) over a stretch of rows at this factor: beyond π other factors may show the same rows.
+    pub turn: f64,
 }
 
 /// Stretches of rows that are compared.
@@ -59,9 +61,11 @@ fn stride(history: &Numbers<'_>) -> Option<usize> {
     let mut stride = 1;
     loop {
         let stretches = stretches(history, stride);
-        let change = |(a, b): &(usize, usize)| difference(history, *a, *b).map(|part| part * part).iter().sum::<f64>();
+        let change =
+            |(a, b): &(usize, usize)| difference(history, *a, *b).map(|part| part * part).iter().sum::<f64>();
         let noise = |(a, b): &(usize, usize)| {
-            let square = |row: usize| (history.rounding)(row).map(|error| error * error / 3.0).iter().sum::<f64>();
+            let square =
+                |row: usize| (history.rounding)(row).map(|error| error * error / 3.0).iter().sum::<f64>();
             square(*a) + square(*b)
         };
         let (changes, noises): (f64, f64) =
@@ -117,7 +121,9 @@ fn fit(body: &Rigid, history: &Numbers<'_>, stretches: &[(usize, usize)], start:
     }
     let Sums { residual, whole, slope, .. } = sums(body, history, stretches, factor)?;
     let free = (3 * stretches.len()).saturating_sub(4).max(1) as f64;
-    Some(UnitFit { factor, error: (residual / free / slope).sqrt(), misfit: (residual / whole).sqrt() })
+    let turn = |(a, b): &(usize, usize)| norm(history.rates[*a]) * (history.t[*b] - history.t[*a]);
+    let turn = factor * stretches.iter().map(turn).sum::<f64>() / stretches.len() as f64;
+    Some(UnitFit { factor, error: (residual / free / slope).sqrt(), misfit: (residual / whole).sqrt(), turn })
 }
 
 /// Sums of squares over the stretches.

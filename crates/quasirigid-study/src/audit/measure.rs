@@ -76,10 +76,9 @@ impl Measured {
 
     /// Most by which rounding may have changed the rates of a row (rad/s).
     pub fn rounding(&self, row: usize) -> [f64; 3] {
-        let HistoryFile { rates, rate_factor, resolutions, .. } = &self.file;
+        let HistoryFile { rates, rate_factor, resolution, .. } = &self.file;
         let unit = rate_factor * self.scale;
-        let errors: [f64; 3] =
-            std::array::from_fn(|axis| resolutions[axis].error(rates[row][axis] / unit) * unit);
+        let errors: [f64; 3] = std::array::from_fn(|axis| resolution.error(rates[row][axis] / unit) * unit);
         match self.attitude {
             Some(found) if !found.convention.body_rates => [norm(errors); 3],
             _ => errors,
@@ -90,8 +89,8 @@ impl Measured {
     pub fn direction(&self, body: &Rigid) -> Option<[f64; 2]> {
         let convention = self.attitude?.convention;
         let rows = self.file.attitude.iter().zip(&self.file.rates);
-        let mut directions =
-            rows.map(|(stored, rate)| Turn::of(convention.attitude(*stored)).to_inertial(body.momentum(*rate)));
+        let mut directions = rows
+            .map(|(stored, rate)| Turn::of(convention.attitude(*stored)).to_inertial(body.momentum(*rate)));
         let first = directions.next()?;
         let angles = directions.map(|other| quasirigid_math::rotation::angle(first, other));
         Some(angles.fold([0.0; 2], |[_, largest], angle| [angle, angle.max(largest)]))
@@ -154,7 +153,8 @@ fn best(path: &Path, file: &HistoryFile, body: &Rigid, attitude: &[Agreement]) -
         let [one, two] = [&rates, &others].map(|turned| turned.as_deref().unwrap_or(&file.rates));
         let apart = one.iter().zip(two).map(|(a, b)| difference(*a, *b)).fold(0.0, f64::max);
         if misfit(&other) <= (BY_FAR * misfit(&first)).max(SAME) && apart > SAME {
-            let words = |found: &Found| found.agreement.map_or_else(String::new, |found| found.convention.words());
+            let words =
+                |found: &Found| found.agreement.map_or_else(String::new, |found| found.convention.words());
             return Err(AuditError::TwoConventions {
                 file: path.into(),
                 first: words(&first),
@@ -196,19 +196,24 @@ fn units(
         fits.iter().filter(|fit| fit.misfit < ROUGH).filter_map(|fit| Some((agrees(fit)?, *fit))).collect();
     good.sort_by(|a, b| a.1.misfit.total_cmp(&b.1.misfit));
     let best = fits.iter().min_by(|a, b| a.misfit.total_cmp(&b.misfit)).copied();
-    let outdone = |fit: &UnitFit| best.is_some_and(|best| best.misfit * BY_FAR < fit.misfit);
+    let outdone =
+        |fit: &UnitFit| fit.misfit >= FITS && best.is_some_and(|best| best.misfit * BY_FAR < fit.misfit);
     let Some((units, fit)) = good.first().copied().filter(|(_, fit)| !outdone(fit)) else {
         return Err(misfit(path, best, &possible, known));
     };
     let rival = good.iter().find(|(other, fit)| *other != units && fit.misfit < FITS);
-    if let Some((other, _)) = rival.filter(|(_, second)| second.misfit < BY_FAR * fit.misfit.max(SAME)) {
+    if let Some((other, _)) = rival {
         let (first, second) = (units.words(), other.words());
         return Err(AuditError::TwoUnits { file: path.into(), first, second });
     }
     if let Some(turns) = agreement
         && (turns.factor / units.factor() - 1.0).abs() > FITS
     {
-        return Err(AuditError::Disagreement { file: path.into(), attitude: turns.factor, factor: fit.factor });
+        return Err(AuditError::Disagreement {
+            file: path.into(),
+            attitude: turns.factor,
+            factor: fit.factor,
+        });
     }
     Ok(Found { agreement, units, source, fit: Some(fit) })
 }
@@ -224,7 +229,7 @@ fn unchanging(
         let source = if source == UnitSource::Heading { source } else { UnitSource::Assumed };
         return Ok(Found { agreement, units: possible[0], source, fit: None });
     };
-    let fit = UnitFit { factor: turns.factor, error: 0.0, misfit: turns.misfit };
+    let fit = UnitFit { factor: turns.factor, error: 0.0, misfit: turns.misfit, turn: 0.0 };
     match possible.iter().find(|units| units.agree(&fit)) {
         Some(units) => Ok(Found { agreement, units: *units, source, fit: None }),
         None => Err(misfit(path, Some(fit), possible, [true, source == UnitSource::Heading])),
@@ -232,9 +237,13 @@ fn unchanging(
 }
 
 fn misfit(path: &Path, best: Option<UnitFit>, possible: &[Units], known: [bool; 2]) -> AuditError {
-    let fit = best.unwrap_or(UnitFit { factor: f64::NAN, error: f64::NAN, misfit: 1.0 });
+    let fit = best.unwrap_or(UnitFit { factor: f64::NAN, error: f64::NAN, misfit: 1.0, turn: 0.0 });
     let advice = match known {
-        [_, true] if Units::possible(true, false).iter().any(|units| units.agree(&fit) && units.factor() != 1.0) => {
+        [_, true]
+            if Units::possible(true, false)
+                .iter()
+                .any(|units| units.agree(&fit) && units.factor() != 1.0) =>
+        {
             "the heading names a unit that the numbers do not have"
         }
         _ => "are the moments in the order and the axes of the rates, and does no torque act?",

@@ -154,12 +154,13 @@ fn answered(found: &Found<'_>, order: Option<OrderObject>, inputs: InputsRecord)
     let explained = Explained::of(drift, *model);
     let told = Told { measured, body, drift, model: *model, left: explained.left, alone: order.is_none() };
     let trend = drift.wobble_trend.as_ref().filter(|trend| trend.is_seen());
-    let attitude = measured.attitude.zip(measured.direction(body)).map(|(found, [last, largest])| AttitudeObject {
-        convention: found.convention.words(),
-        misfit: found.misfit,
-        direction_drift: last,
-        direction_excursion: largest,
-    });
+    let attitude =
+        measured.attitude.zip(measured.direction(body)).map(|(found, [last, largest])| AttitudeObject {
+            convention: found.convention.words(),
+            misfit: found.misfit,
+            direction_drift: last,
+            direction_excursion: largest,
+        });
     let longest = drift.wobble_trend.map(|trend| {
         let least = (3.0 * trend.error).max(trend.resolution / trend.span);
         least.recip()
@@ -194,7 +195,7 @@ fn answered(found: &Found<'_>, order: Option<OrderObject>, inputs: InputsRecord)
         crossing: drift.crossing.filter(|_| drift.has_wobble),
         dissipation: drift.intervals.iter().map(IntervalObject::of).collect(),
         rounding: RoundingObject {
-            digits: measured.file.resolutions.map(|one| one.words())[0].clone(),
+            digits: measured.file.resolution.words(),
             momentum: drift.momentum_change.rounding,
             energy: drift.energy_change.rounding,
         },
@@ -213,11 +214,17 @@ fn answered(found: &Found<'_>, order: Option<OrderObject>, inputs: InputsRecord)
 }
 
 /// Whether the limits are kept, so far as the digits of the file can show it; none without limits.
-fn within(found: &Found<'_>, left: Option<f64>, longest: Option<f64>, attitude: Option<&AttitudeObject>) -> Option<bool> {
+fn within(
+    found: &Found<'_>,
+    left: Option<f64>,
+    longest: Option<f64>,
+    attitude: Option<&AttitudeObject>,
+) -> Option<bool> {
     let Found { measured, drift, limits, .. } = found;
     let changes = [drift.energy_change, drift.momentum_change];
     let drifts = limits.drift.map(|limit| {
-        let turned = attitude.is_none_or(|found| found.direction_excursion <= limit + 4.0 * measured.file.attitude_rounding);
+        let turned = attitude
+            .is_none_or(|found| found.direction_excursion <= limit + 4.0 * measured.file.attitude_rounding);
         turned && changes.iter().all(|change| change.largest <= limit && change.rounding <= limit)
     });
     let constants = limits.time_constant.map(|least| match (left, longest) {

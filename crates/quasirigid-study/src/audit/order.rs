@@ -76,7 +76,8 @@ pub fn order(runs: &[Run], limits: Limits) -> Result<OrderObject, AuditError> {
                 number + 1
             ));
         }
-        if !(run.step > 0.0) || runs[..number].iter().any(|other| (other.step / run.step - 1.0).abs() < APART) {
+        if !(run.step > 0.0) || runs[..number].iter().any(|other| (other.step / run.step - 1.0).abs() < APART)
+        {
             return refuse(format!(
                 "the step of history {} is {} s, that of another too; give the step of each, as --steps 0.01,0.005",
                 number + 1,
@@ -112,7 +113,8 @@ fn slope(steps: &[f64], drifts: &[f64]) -> f64 {
 
 fn words(order: Option<f64>, by_rate: bool, enough: Option<f64>) -> String {
     let Some(order) = order else {
-        return "The order of the integrator does not show: a history has no drift above its digits.".to_owned();
+        return "The order of the integrator does not show: a history has no drift above its digits."
+            .to_owned();
     };
     let what = if by_rate { "invented rate of the wobble" } else { "change of the energy" };
     let first = format!("The {what} falls with the power {} of the step", significant(order, 3));

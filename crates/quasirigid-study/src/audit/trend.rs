@@ -25,7 +25,8 @@ impl Trend {
         let (first, last) = (rows.clone().next()?.0, rows.clone().last()?.0);
         let (middle, span) = (0.5 * (first + last), last - first);
         let weight = |sigma: f64| if sigma > 0.0 { (sigma * sigma).recip() } else { 1.0 };
-        let (mut w0, mut w1, mut w2, mut y0, mut y1, mut noise, mut count) = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0_u64);
+        let (mut w0, mut w1, mut w2, mut y0, mut y1, mut noise, mut count) =
+            (0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0_u64);
         for (t, y, sigma) in rows.clone() {
             let (w, t) = (weight(sigma), t - middle);
             w0 += w;
@@ -69,7 +70,8 @@ mod tests {
     use super::*;
 
     fn of(y: impl Fn(f64) -> f64 + Clone, sigma: f64) -> Trend {
-        Trend::of((0..=1000).map(move |k| (5.0 + 0.3 * f64::from(k), y(f64::from(k) / 1000.0), sigma))).unwrap()
+        Trend::of((0..=1000).map(move |k| (5.0 + 0.3 * f64::from(k), y(f64::from(k) / 1000.0), sigma)))
+            .unwrap()
     }
 
     #[test]

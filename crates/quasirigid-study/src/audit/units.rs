@@ -19,8 +19,9 @@ pub struct Units {
 
 const RATES: [(&str, f64); 4] = [("rad/s", 1.0), ("deg/s", PI / 180.0), ("rpm", TAU / 60.0), ("rev/s", TAU)];
 const TIMES: [(&str, f64); 2] = [("s", 1.0), ("ms", 1e-3)];
-/// Largest deviation of a factor from that of its units.
+/// Largest deviation of a factor from that of its units, and of the rotation over a stretch of rows (rad), which else would fit by chance.
 const TOLERANCE: f64 = 0.03;
+const PHASE: f64 = 0.3;
 /// Standard errors of the factor within which it agrees, and the largest of them, relative, that still tells units apart.
 const ERRORS: f64 = 3.0;
 const LARGEST_ERROR: f64 = 0.1;
@@ -38,7 +39,8 @@ impl Units {
             rates,
             times,
             values: [*rate, *time],
-            or: (!rates_known && *times == "ms" && *rates == "rad/s").then_some("rates in mrad/s and times in s"),
+            or: (!rates_known && *times == "ms" && *rates == "rad/s")
+                .then_some("rates in mrad/s and times in s"),
         });
         pairs.collect()
     }
@@ -56,6 +58,7 @@ impl Units {
     /// Whether a fit has found these units.
     pub fn agree(&self, fit: &UnitFit) -> bool {
         let allowed = if fit.error < LARGEST_ERROR { TOLERANCE.max(ERRORS * fit.error) } else { TOLERANCE };
-        (fit.factor / self.factor() - 1.0).abs() <= allowed
+        let deviation = (fit.factor / self.factor() - 1.0).abs();
+        deviation <= allowed && deviation * fit.turn <= PHASE.max(ERRORS * fit.error * fit.turn)
     }
 }

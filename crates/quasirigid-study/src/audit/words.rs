@@ -17,8 +17,12 @@ use crate::words::{significant, time};
 const LARGE: f64 = 0.35;
 /// Misfit of Euler's equations from which the history is told not to be one of this body.
 pub const ROUGH: f64 = 0.1;
-/// Rows of a table on the terminal.
+/// Digits of angles in the table.
 const DIGITS: i32 = 4;
+/// Relative change of the angular momentum that is told first.
+const FORCED: f64 = 0.01;
+/// Deviation of the factor of the units, relative, from which another inertia would fit better.
+const OFF: f64 = 5e-3;
 
 /// What the sentence of an audit is made from.
 pub struct Told<'a> {
@@ -40,8 +44,10 @@ impl Told<'_> {
     /// The answer in a few sentences.
     pub fn sentence(&self) -> String {
         let mut parts = self.warnings();
+        let forced = self.drift.momentum_change.last.abs() > FORCED;
+        parts.extend(self.momentum().filter(|_| forced));
         parts.push(self.verdict());
-        parts.extend(self.momentum());
+        parts.extend(self.momentum().filter(|_| !forced));
         parts.extend(self.explained());
         parts.join(" ")
     }
@@ -73,7 +79,8 @@ impl Told<'_> {
             let fate = if rate > 0.0 { "decays" } else { "GROWS" };
             let lost = (rate > 0.0) == (drift.mode == Mode::ShortAxis);
             let what = if lost { "damping" } else { "driving" };
-            let beyond = if self.explains() { " beyond what the model explains" } else { ", which no rigid body has" };
+            let beyond =
+                if self.explains() { " beyond what the model explains" } else { ", which no rigid body has" };
             return format!(
                 "The history INVENTS {what}: the wobble about {axis} {fate} e-fold in {}{beyond}.",
                 time(rate.abs().recip())
@@ -104,7 +111,10 @@ impl Told<'_> {
             return "there is no wobble above the digits of the file that could decay.".to_owned();
         }
         if let Some(at) = drift.crossing {
-            return format!("the motion crosses the separatrix at {} s, so that its wobble has no time constant.", significant(at, 6));
+            return format!(
+                "the motion crosses the separatrix at {} s, so that its wobble has no time constant.",
+                significant(at, 6)
+            );
         }
         if drift.turns < 1.0 {
             return format!("in {} revolutions no trend of the wobble shows.", significant(drift.turns, 2));
@@ -124,7 +134,7 @@ impl Told<'_> {
         let told = self.left.is_some() && change.is_seen();
         told.then(|| {
             format!(
-                "The angular momentum changes too, by {} relative: a torque acts, or the integrator does not keep it; the time constant presumes that no torque acts.",
+                "The angular momentum changes, by {} relative: a torque acts, or the integrator does not keep it; the time constant presumes that no torque acts.",
                 significant(change.last, 3)
             )
         })
@@ -143,9 +153,10 @@ impl Told<'_> {
                 signed(rate.recip()),
                 significant(100.0 * rate * seen, 3)
             )),
-            (OfModel::Rate(rate), None) => {
-                Some(format!("The model's own time constant is {}, which the history does not show.", signed(rate.recip())))
-            }
+            (OfModel::Rate(rate), None) => Some(format!(
+                "The model's own time constant is {}, which the history does not show.",
+                signed(rate.recip())
+            )),
         }
     }
 
@@ -165,6 +176,15 @@ impl Told<'_> {
                 notes.push(format!("by Euler's equations the file has {}{or}", units.words()));
             }
             _ => {}
+        }
+        if let Some(fit) = self.measured.fit {
+            let off = fit.factor / units.factor() - 1.0;
+            if off.abs() > OFF.max(3.0 * fit.error) {
+                notes.push(format!(
+                    "the rates change by {} % faster than Euler's equations with this inertia say: is it exact, and are the rows close enough?",
+                    significant(100.0 * off, 2)
+                ));
+            }
         }
         if let Some(found) = self.measured.attitude {
             notes.push(format!("the attitude is told by the rates: {}", found.convention.words()));
@@ -216,7 +236,11 @@ impl Audit {
             writeln!(out, "{}", paragraph(&format!("note: {note}"), "  ", "    "))?;
         }
         let relative = |value: f64| significant(value, 3);
-        writeln!(out, "\n  {:<18} {:>12} {:>12} {:>12}", "relative change", "start to end", "largest", "of rounding")?;
+        writeln!(
+            out,
+            "\n  {:<18} {:>12} {:>12} {:>12}",
+            "relative change", "start to end", "largest", "of rounding"
+        )?;
         for (name, last, largest, rounding) in [
             ("energy", self.energy_drift, self.energy_excursion, self.rounding.energy),
             ("angular momentum", self.momentum_drift, self.momentum_excursion, self.rounding.momentum),
@@ -230,7 +254,11 @@ impl Audit {
         }
         let (rows, turns, span) = (self.rows, significant(self.turns, 3), time(self.duration));
         let UnitWords { rates, times } = UnitWords::of(self);
-        writeln!(out, "  {rows} rows, {span}, {turns} revolutions; {rates} and {times}, {}", self.rounding.digits)?;
+        writeln!(
+            out,
+            "  {rows} rows, {span}, {turns} revolutions; {rates} and {times}, {}",
+            self.rounding.digits
+        )?;
         self.write_intervals(out)
     }
 
@@ -238,10 +266,16 @@ impl Audit {
         if self.dissipation.len() < 2 {
             return Ok(());
         }
-        writeln!(out, "\n  {:>12} {:>12} {:>10} {:>14} {:>14}", "from (s)", "to (s)", "wobble", "power (1/s)", "e-fold")?;
+        writeln!(
+            out,
+            "\n  {:>12} {:>12} {:>10} {:>14} {:>14}",
+            "from (s)", "to (s)", "wobble", "power (1/s)", "e-fold"
+        )?;
         for interval in &self.dissipation {
             let [from, to] = interval.interval.map(|t| significant(t, 6));
-            let wobble = interval.wobble.map_or_else(String::new, |angle| format!("{}°", significant(angle.to_degrees(), DIGITS)));
+            let wobble = interval
+                .wobble
+                .map_or_else(String::new, |angle| format!("{}°", significant(angle.to_degrees(), DIGITS)));
             let power = interval.relative_power.map_or_else(String::new, |power| significant(power, 3));
             let fold = match interval.time_constant {
                 Some(constant) if constant < 0.0 => format!("GROWS {}", time(-constant)),

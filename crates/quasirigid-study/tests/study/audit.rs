@@ -96,7 +96,8 @@ fn lie_euler(body: &Free, w: [f64; 3], h: f64) -> [f64; 3] {
     let momentum = times(&body.tensor, w);
     let (sin, cos) = (-angle).sin_cos();
     let along = dot(axis, momentum);
-    let turned = plus(plus(momentum.map(|part| cos * part), sin, cross(axis, momentum)), (1.0 - cos) * along, axis);
+    let turned =
+        plus(plus(momentum.map(|part| cos * part), sin, cross(axis, momentum)), (1.0 - cos) * along, axis);
     times(&body.inverse, turned)
 }
 
@@ -181,12 +182,19 @@ fn time_constants_are_those_of_the_linear_wobble() {
     for about in [0, 2] {
         let start = plus(axes[about], 0.004, axes[1]);
         for (step, h, duration, amplitude) in cases {
-            let found = audited(&csv("t,wx,wy,wz", &rows(&body, start, step, [h, duration], 20), significant(17)), &body.entries());
+            let found = audited(
+                &csv("t,wx,wy,wz", &rows(&body, start, step, [h, duration], 20), significant(17)),
+                &body.entries(),
+            );
             let expected = -h / amplitude(h * wobble_square(MOMENTS, about).sqrt());
             println!("{about} h = {h}: {:?} s, expected {expected} s", found.invented_time_constant);
             close(found.invented_time_constant.unwrap(), expected, 0.01);
             assert_eq!(found.mode, Some(if about == 0 { "long-axis" } else { "short-axis" }));
-            assert!(found.sentence.contains(if expected > 0.0 { "decays" } else { "GROWS" }), "{}", found.sentence);
+            assert!(
+                found.sentence.contains(if expected > 0.0 { "decays" } else { "GROWS" }),
+                "{}",
+                found.sentence
+            );
             let damps = (expected > 0.0) == (about == 2);
             assert!(found.sentence.contains(if damps { "INVENTS damping" } else { "INVENTS driving" }));
             assert!(found.holds && found.within_limits.is_none());
@@ -238,13 +246,24 @@ fn digits_of_the_file_limit_what_is_told() {
     for digits in [4, 6, 9, 12] {
         let found = audited(&csv("t,wx,wy,wz", &kept, significant(digits)), &MOMENTS);
         assert_eq!(found.invented_time_constant, None, "{digits}: {}", found.sentence);
-        assert!(found.sentence.starts_with("The history keeps energy and angular momentum"), "{}", found.sentence);
+        assert!(
+            found.sentence.starts_with("The history keeps energy and angular momentum"),
+            "{}",
+            found.sentence
+        );
         assert!(found.longest_time_constant.unwrap() > 1e3, "{found:?}");
         assert_eq!(found.worst_interval, None);
     }
     for step in [runge_kutta as Step, implicit_midpoint] {
-        let found = audited(&csv("t,wx,wy,wz", &rows(&body, [0.15, 0.0, 1.0], step, [0.01, 600.0], 20), significant(17)), &MOMENTS);
-        assert!(found.invented_time_constant.is_none_or(|constant| constant.abs() > 1e13), "{}", found.sentence);
+        let found = audited(
+            &csv("t,wx,wy,wz", &rows(&body, [0.15, 0.0, 1.0], step, [0.01, 600.0], 20), significant(17)),
+            &MOMENTS,
+        );
+        assert!(
+            found.invented_time_constant.is_none_or(|constant| constant.abs() > 1e13),
+            "{}",
+            found.sentence
+        );
     }
 }
 
@@ -274,7 +293,12 @@ fn units_are_found_by_the_motion() {
     let history = rows(&body, start, explicit_euler, [0.002, 400.0], 50);
     let plain = audited(&csv("t,wx,wy,wz", &history, significant(12)), &body.entries());
     let expected = plain.invented_time_constant.unwrap();
-    for (name, unit) in [("rad/s", 1.0), ("deg/s", 1_f64.to_radians()), ("rpm", std::f64::consts::TAU / 60.0), ("rev/s", std::f64::consts::TAU)] {
+    for (name, unit) in [
+        ("rad/s", 1.0),
+        ("deg/s", 1_f64.to_radians()),
+        ("rpm", std::f64::consts::TAU / 60.0),
+        ("rev/s", std::f64::consts::TAU),
+    ] {
         for (time, second) in [("s", 1.0), ("ms", 1e-3)] {
             let written: Vec<_> =
                 history.iter().map(|[t, x, y, z]| [t / second, x / unit, y / unit, z / unit]).collect();
@@ -290,7 +314,11 @@ fn units_are_found_by_the_motion() {
             if name != "rad/s" {
                 let wrong = named.replace(name, "rad/s");
                 let message = refused(&csv(&wrong, &written, significant(12)), &body.entries());
-                assert!(message.contains("do not fit the history") && message.contains("the heading names a unit"), "{message}");
+                assert!(
+                    message.contains("do not fit the history")
+                        && message.contains("the heading names a unit"),
+                    "{message}"
+                );
             }
         }
     }
@@ -299,7 +327,8 @@ fn units_are_found_by_the_motion() {
 #[test]
 fn an_inertia_that_does_not_fit_is_refused() {
     let body = Free::new(MOMENTS, &OWN);
-    let text = csv("t,wx,wy,wz", &rows(&body, [0.15, 0.0, 1.0], runge_kutta, [0.01, 200.0], 10), significant(9));
+    let text =
+        csv("t,wx,wy,wz", &rows(&body, [0.15, 0.0, 1.0], runge_kutta, [0.01, 200.0], 10), significant(9));
     for entries in [[14.0, 10.0, 17.0], [10.0, 17.0, 14.0], [11.0, 14.0, 17.0]] {
         assert!(refused(&text, &entries).contains("this inertia or these units do not fit"), "{entries:?}");
     }
@@ -323,14 +352,18 @@ fn with_attitude(body: &Free, start: [f64; 3], duration: f64) -> Vec<([f64; 4], 
     let h = 0.01;
     let mut q = [0.8, 0.1, -0.5, (1.0 - 0.64 - 0.01 - 0.25_f64).sqrt()];
     let product = |[a, b, c, d]: [f64; 4], [x, y, z]: [f64; 3]| {
-        [-b * x - c * y - d * z, a * x + c * z - d * y, a * y + d * x - b * z, a * z + b * y - c * x].map(|part| 0.5 * part)
+        [-b * x - c * y - d * z, a * x + c * z - d * y, a * y + d * x - b * z, a * z + b * y - c * x]
+            .map(|part| 0.5 * part)
     };
     let add = |a: [f64; 4], s: f64, b: [f64; 4]| [0, 1, 2, 3].map(|i| a[i] + s * b[i]);
     let mut found = Vec::new();
-    for ([t, x, y, z], middle) in rows(body, start, runge_kutta, [h, duration], 1)
-        .into_iter()
-        .zip(rows(body, runge_kutta(body, start, 0.5 * h), runge_kutta, [h, duration], 1))
-    {
+    for ([t, x, y, z], middle) in rows(body, start, runge_kutta, [h, duration], 1).into_iter().zip(rows(
+        body,
+        runge_kutta(body, start, 0.5 * h),
+        runge_kutta,
+        [h, duration],
+        1,
+    )) {
         found.push(([t, x, y, z], q));
         let (w, half) = ([x, y, z], [middle[1], middle[2], middle[3]]);
         let next = runge_kutta(body, w, h);
@@ -365,7 +398,8 @@ fn conventions_of_attitudes_are_found() {
                     let w = if body_rates { [*x, *y, *z] } else { to_inertial(*q, [*x, *y, *z]) };
                     let [a, b, c, d] = if to_inertial_axes { *q } else { [q[0], -q[1], -q[2], -q[3]] };
                     let stored = if scalar_first { [a, b, c, d] } else { [b, c, d, a] };
-                    let line: Vec<String> = [*t].iter().chain(&w).chain(&stored).map(|value| format!("{value:.12e}")).collect();
+                    let line: Vec<String> =
+                        [*t].iter().chain(&w).chain(&stored).map(|value| format!("{value:.12e}")).collect();
                     writeln!(text, "{}", line.join(",")).unwrap();
                 }
                 let found = audited(&text, &body.entries());
@@ -375,7 +409,11 @@ fn conventions_of_attitudes_are_found() {
                     (["from body to inertial", "from inertial to body"], to_inertial_axes),
                     (["rates in body axes", "rates in inertial axes"], body_rates),
                 ] {
-                    assert!(attitude.convention.contains(words[usize::from(!told)]), "{}", attitude.convention);
+                    assert!(
+                        attitude.convention.contains(words[usize::from(!told)]),
+                        "{}",
+                        attitude.convention
+                    );
                 }
                 assert!(attitude.direction_excursion < 1e-6, "{attitude:?}");
                 assert!(found.energy_excursion < 1e-9 && found.holds, "{}", found.sentence);
@@ -388,14 +426,19 @@ fn conventions_of_attitudes_are_found() {
         writeln!(text, "{t},{x},{y},{z},{},{},{},{}", q[0], q[2], q[1], q[3]).unwrap();
     }
     let found = audited(&text, &body.entries());
-    assert!(found.sentence.starts_with("The attitude fits the rates in no convention") && !found.holds, "{}", found.sentence);
+    assert!(
+        found.sentence.starts_with("The attitude fits the rates in no convention") && !found.holds,
+        "{}",
+        found.sentence
+    );
 }
 
 /// Torque about the spin axis, spins without wobble, three equal moments, a short run.
 #[test]
 fn motions_without_a_time_constant_say_why() {
     let line = |w: &dyn Fn(f64) -> [f64; 3], until: f64| {
-        let rows: Vec<_> = (0..=200).map(|k| f64::from(k) / 200.0 * until).map(|t| [t, w(t)[0], w(t)[1], w(t)[2]]).collect();
+        let rows: Vec<_> =
+            (0..=200).map(|k| f64::from(k) / 200.0 * until).map(|t| [t, w(t)[0], w(t)[1], w(t)[2]]).collect();
         csv("t,wx,wy,wz", &rows, significant(9))
     };
     let pure = audited(&line(&|_| [0.0, 0.0, 1.0], 100.0), &MOMENTS);
@@ -407,9 +450,14 @@ fn motions_without_a_time_constant_say_why() {
     let sphere = audited(&line(&|t| [0.0, 0.1, 1.0 - 1e-3 * t], 100.0), &[2.0; 3]);
     assert!(sphere.sentence.contains("three equal moments") && sphere.mode.is_none(), "{}", sphere.sentence);
     let body = Free::new(MOMENTS, &OWN);
-    let short = csv("t,wx,wy,wz", &rows(&body, [0.15, 0.0, 1.0], explicit_euler, [0.01, 4.0], 1), significant(12));
+    let short =
+        csv("t,wx,wy,wz", &rows(&body, [0.15, 0.0, 1.0], explicit_euler, [0.01, 4.0], 1), significant(12));
     let found = audited(&short, &MOMENTS);
-    assert!(found.invented_time_constant.is_none() && found.sentence.contains("revolutions"), "{}", found.sentence);
+    assert!(
+        found.invented_time_constant.is_none() && found.sentence.contains("revolutions"),
+        "{}",
+        found.sentence
+    );
 }
 
 /// A body of revolution of either kind, and a motion across the separatrix.
@@ -426,7 +474,8 @@ fn bodies_of_revolution_and_the_separatrix_are_told() {
         assert_eq!(found.mode, Some(mode));
     }
     let body = Free::new(MOMENTS, &OWN);
-    let text = csv("t,wx,wy,wz", &rows(&body, [0.8, 0.1, 0.5], implicit_euler, [0.02, 1000.0], 10), significant(12));
+    let text =
+        csv("t,wx,wy,wz", &rows(&body, [0.8, 0.1, 0.5], implicit_euler, [0.02, 1000.0], 10), significant(12));
     let found = audited(&text, &MOMENTS);
     assert!(found.crossing.is_some() && found.invented_time_constant.is_none(), "{found:?}");
     assert!(found.sentence.contains("crosses the separatrix"), "{}", found.sentence);
@@ -436,16 +485,25 @@ fn bodies_of_revolution_and_the_separatrix_are_told() {
 #[test]
 fn kept_angular_momentum_is_told_from_a_torque() {
     let body = Free::new(MOMENTS, &OWN);
-    let text = csv("t,wx,wy,wz", &rows(&body, [0.05, 0.0, 1.0], lie_euler, [0.01, 400.0], 10), significant(12));
+    let text =
+        csv("t,wx,wy,wz", &rows(&body, [0.05, 0.0, 1.0], lie_euler, [0.01, 400.0], 10), significant(12));
     let found = audited(&text, &MOMENTS);
     assert!(found.momentum_excursion < 1e-10 && found.energy_excursion > 1e-6, "{found:?}");
-    assert!(found.invented_time_constant.is_some() && !found.sentence.contains("torque"), "{}", found.sentence);
+    assert!(
+        found.invented_time_constant.is_some() && !found.sentence.contains("torque"),
+        "{}",
+        found.sentence
+    );
 }
 
 #[test]
 fn limits_are_kept_or_not() {
     let body = Free::new(MOMENTS, &OWN);
-    let text = csv("t,wx,wy,wz", &rows(&body, [0.15, 0.0, 1.0], explicit_euler, [0.002, 600.0], 100), significant(9));
+    let text = csv(
+        "t,wx,wy,wz",
+        &rows(&body, [0.15, 0.0, 1.0], explicit_euler, [0.002, 600.0], 100),
+        significant(9),
+    );
     let within = |limit: Option<f64>, min_time_constant: Option<f64>| {
         let asked = asked(&text, &MOMENTS, &AuditSettings { limit, min_time_constant, steps: Vec::new() });
         asked.unwrap().within_limits
@@ -456,7 +514,8 @@ fn limits_are_kept_or_not() {
     assert_eq!(within(None, Some(7000.0)), Some(false));
     assert_eq!(within(Some(1e-2), Some(7000.0)), Some(false));
     // what the digits cannot show is not kept either
-    let kept = csv("t,wx,wy,wz", &rows(&body, [0.15, 0.0, 1.0], runge_kutta, [0.01, 600.0], 20), significant(4));
+    let kept =
+        csv("t,wx,wy,wz", &rows(&body, [0.15, 0.0, 1.0], runge_kutta, [0.01, 600.0], 20), significant(4));
     let strict = AuditSettings { limit: Some(1e-9), ..AuditSettings::default() };
     assert_eq!(asked(&kept, &MOMENTS, &strict).unwrap().within_limits, Some(false));
 }
@@ -470,7 +529,8 @@ fn histories_at_two_steps_show_the_order() {
     {
         let folder = Files::new();
         let files = steps.map(|h| {
-            let text = csv("t,wx,wy,wz", &rows(&body, [0.02, 0.0, 1.0], step, [h, duration], 1), significant(17));
+            let text =
+                csv("t,wx,wy,wz", &rows(&body, [0.02, 0.0, 1.0], step, [h, duration], 1), significant(17));
             folder.put(&format!("{h}.csv"), &text)
         });
         let entries = AuditBody::Inertia(inertia(&MOMENTS).unwrap());
@@ -490,7 +550,9 @@ fn histories_at_two_steps_show_the_order() {
 #[test]
 fn the_model_explains_its_own_damping() {
     let tip = |damping: f64| {
-        carrier(40.0, [9.0, 13.0, 16.0]) + &point("tip", 1.0, [0.8, 0.3, 0.5], [600.0, damping]) + &spinning([0.03, 0.01, 0.4])
+        carrier(40.0, [9.0, 13.0, 16.0])
+            + &point("tip", 1.0, [0.8, 0.3, 0.5], [600.0, damping])
+            + &spinning([0.03, 0.01, 0.4])
     };
     let model = study(&tip(30.0));
     let times: Vec<f64> = (0..=4000).map(|k| 0.5 * f64::from(k)).collect();
@@ -509,7 +571,11 @@ fn the_model_explains_its_own_damping() {
     // the same history of a model without dampers
     let rigid = study(&(carrier(40.0, [9.0, 13.0, 16.0]) + &spinning([0.03, 0.01, 0.4])));
     let body = Free::new([9.0, 13.0, 16.0], &OWN);
-    let plain = csv("t,wx,wy,wz", &rows(&body, [0.03, 0.01, 0.4], explicit_euler, [0.01, 400.0], 20), significant(12));
+    let plain = csv(
+        "t,wx,wy,wz",
+        &rows(&body, [0.03, 0.01, 0.4], explicit_euler, [0.01, 400.0], 20),
+        significant(12),
+    );
     let file = folder.put("rigid.csv", &plain);
     let found = audit(&[file], AuditBody::Model(&rigid), &AuditSettings::default()).unwrap();
     assert_eq!(found.explained, Some(0.0));

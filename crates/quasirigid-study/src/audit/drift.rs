@@ -151,13 +151,13 @@ fn change(rows: &[Row], of: impl Fn(&Row) -> f64, rounding: f64) -> Change {
     Change { last: rows.last().map_or(0.0, relative), largest, rounding }
 }
 
-/// Trend of the logarithm of the amplitude, whose square is in proportion to the excess.
+/// Trend of the logarithm of the amplitude, whose square is in proportion to the excess. Beside the digits of a row stands the rounding of an
+/// integrator in double precision, which walks by a unit in the last place of the rates from row to row. (U3)
 fn amplitude(rows: &[Row]) -> Option<Trend> {
-    Trend::of(
-        rows.iter().map(|Row { t, excess: (excess, rounding), .. }| {
-            (*t, 0.5 * excess.ln(), 0.5 * rounding / excess)
-        }),
-    )
+    let walk = f64::EPSILON * (rows.len() as f64).sqrt();
+    Trend::of(rows.iter().map(move |Row { t, excess: (excess, rounding), .. }| {
+        (*t, 0.5 * excess.ln(), 0.5 * rounding / excess + walk / excess.sqrt())
+    }))
 }
 
 /// Rows by intervals of equal time, which share the rows at their ends.

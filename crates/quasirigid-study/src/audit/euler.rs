@@ -30,6 +30,8 @@ const STEP: f64 = 0.1;
 const LONGEST: f64 = 300.0;
 /// Iterations of the factor.
 const ITERATIONS: usize = 6;
+/// Stretches that are too few to take a torque out of them.
+const FEW: usize = 8;
 /// Share of rounding in the squares of the changes above which nothing is told.
 const NOISE: f64 = 0.1;
 
@@ -123,7 +125,8 @@ fn fit(body: &Rigid, history: &Numbers<'_>, stretches: &[(usize, usize)], start:
     let free = (3 * stretches.len()).saturating_sub(4).max(1) as f64;
     let turn = |(a, b): &(usize, usize)| norm(history.rates[*a]) * (history.t[*b] - history.t[*a]);
     let turn = factor * stretches.iter().map(turn).sum::<f64>() / stretches.len() as f64;
-    Some(UnitFit { factor, error: (residual / free / slope).sqrt(), misfit: (residual / whole).sqrt(), turn })
+    let misfit = (residual / whole).sqrt();
+    misfit.is_finite().then(|| UnitFit { factor, error: (residual / free / slope).sqrt(), misfit, turn })
 }
 
 /// Sums of squares over the stretches.
@@ -148,8 +151,9 @@ fn sums(body: &Rigid, history: &Numbers<'_>, stretches: &[(usize, usize)], facto
     }
     // a constant torque adds in proportion to the time of a stretch
     let squares: f64 = rows.iter().map(|row| row.0 * row.0).sum();
+    let with_torque = if rows.len() < FEW { &rows[..0] } else { &rows[..] };
     let project = |part: &dyn Fn(&(f64, [f64; 3], [f64; 3], [f64; 3])) -> [f64; 3]| {
-        let sum = rows.iter().fold([0.0; 3], |sum, row| add(sum, scale(row.0 / squares, part(row))));
+        let sum = with_torque.iter().fold([0.0; 3], |sum, row| add(sum, scale(row.0 / squares, part(row))));
         rows.iter().map(|row| add(part(row), scale(-row.0, sum))).collect::<Vec<_>>()
     };
     let (residual, slope, whole) = (project(&|row| row.1), project(&|row| row.2), project(&|row| row.3));

@@ -56,8 +56,8 @@ fn named(name: &str, array: &Array<'_>) -> Vec<(String, Option<Column>)> {
         values.collect::<Option<Vec<f64>>>().map(|values| Column { values, resolution })
     };
     match array.shape[..] {
-        [rows] => vec![(name.to_owned(), column(&mut (0..rows)))],
-        [rows, width @ 1..=4] => (0..width)
+        [rows] | [rows, 1] => vec![(name.to_owned(), column(&mut (0..rows)))],
+        [rows, width @ 2..=4] => (0..width)
             .map(|part| {
                 let end = if width == 3 { ["x", "y", "z"][part] } else { ["0", "1", "2", "3"][part] };
                 let index = |row: usize| if array.by_rows() { row * width + part } else { part * rows + row };

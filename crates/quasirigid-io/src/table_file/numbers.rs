@@ -219,7 +219,7 @@ mod tests {
 
     #[test]
     fn wanted_columns_are_read_in_their_order() {
-        let text = b"# made by hand\nt, name, w\n0.0, a, 1.25\n# between\n0.5, \"b, c\", 2.5,\n";
+        let text = b"# made by hand\nt, name, w\n0.0, a, 1.25\n# between\n0.5,\"b, c\", 2.5,\n";
         let (columns, _) = read_numbers(Path::new("x.csv"), text, |table| {
             assert_eq!(table.names, ["t", "name", "w"]);
             Ok::<_, ()>(vec![2, 0])

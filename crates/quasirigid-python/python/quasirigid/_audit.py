@@ -40,9 +40,9 @@ class Audit(Answer):
     momentum_drift = entry(float, "Change of the angular momentum from the first row to the last, relative.")
     energy_drift = entry(float, "Change of the energy from the first row to the last, relative.")
     invented_time_constant = entry(
-        _optional, "e-folding time (s) of the small wobble that the body does not have, negative where it grows; ``None`` where none is above the digits."
+        _optional, "Time constant (s) of the small wobble that the body does not have, negative where it grows; ``None`` where none is above the digits."
     )
-    seen_time_constant = entry(_optional, "e-folding time (s) of the small wobble in the history.")
+    seen_time_constant = entry(_optional, "Time constant (s) of the small wobble in the history.")
     model_time_constant = entry(_optional, "That of the model (s).")
     explained = entry(_optional, "Share of the seen rate that the model explains.")
     within_limits = entry(lambda value: None if value is None else bool(value), "Whether the limits are kept; ``None`` without any.")
@@ -89,7 +89,7 @@ def audit(
     quasirigid.FileError: no-such-file.csv: entity not found; is the name right, and is the file readable?
     """
     single = isinstance(files, (str, bytes, os.PathLike))
-    listed = [files] if single else list(files)  # type: ignore[list-item, arg-type]
+    listed = [files] if single else list(files)  # type: ignore[arg-type]
     if model is not None and not isinstance(model, Model):
         raise InputError(f"model is a {type(model).__name__}; give a Model, or inertia")
     asked = {

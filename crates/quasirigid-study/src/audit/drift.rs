@@ -56,7 +56,7 @@ pub struct Interval {
     pub power: Option<Trend>,
     /// Trend of the amplitude of the wobble, relative.
     pub wobble_trend: Option<Trend>,
-    /// Largest relative change of energy or angular momentum within the interval, per time (1/s).
+    /// Trend of energy or angular momentum, or the largest step between two rows over the interval, relative (1/s).
     fastest: f64,
 }
 
@@ -83,6 +83,8 @@ pub struct Drift {
     pub worst: Option<[f64; 2]>,
     /// Revolutions of the whole history.
     pub turns: f64,
+    /// Whether it is shorter than a revolution or a period of the wobble.
+    pub short: bool,
 }
 
 impl Drift {
@@ -124,6 +126,9 @@ impl Drift {
             })
             .sum();
         let turns = angle / std::f64::consts::TAU;
+        let polhode =
+            body.principal.polhode(rates[0]).map_or(0.0, |polhode| std::f64::consts::TAU / polhode.frequency);
+        let short = turns < LEAST_TURNS || t[t.len() - 1] - t[0] < polhode;
         Self {
             momentum: first.momentum,
             momentum_change,
@@ -131,10 +136,11 @@ impl Drift {
             mode,
             has_wobble,
             crossing,
-            wobble_trend: wobbles.then(|| amplitude(&rows)).flatten().filter(|_| turns >= LEAST_TURNS),
+            wobble_trend: wobbles.then(|| amplitude(&rows)).flatten().filter(|_| !short),
             worst: worst.map(|interval| interval.times),
             intervals: pieces,
             turns,
+            short,
         }
     }
 
@@ -178,18 +184,17 @@ fn interval(rows: &[Row], body: &Rigid, mode: Mode, has_wobble: bool, wobbles: b
     let mean = rows.iter().map(|row| row.excess.0).sum::<f64>() / rows.len() as f64;
     let first = rows.first().map_or(1.0, |row| row.energy);
     let power = Trend::of(rows.iter().map(|row| (row.t, row.energy / first, 0.0)));
-    let range = |of: fn(&Row) -> f64| {
-        let ends = rows
-            .iter()
-            .map(of)
-            .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| [low.min(value), high.max(value)]);
-        (ends[1] - ends[0]) / ends[1] / (to - from)
+    let fastest = |of: fn(&Row) -> f64| {
+        let level = rows.first().map_or(1.0, of);
+        let trend = Trend::of(rows.iter().map(|row| (row.t, of(row) / level, 0.0)));
+        let steps = rows.windows(2).map(|pair| (of(&pair[1]) - of(&pair[0])).abs() / level / (to - from));
+        steps.fold(trend.map_or(0.0, |trend| trend.slope.abs()), f64::max)
     };
     Interval {
         times: [from, to],
         wobble: has_wobble.then(|| body.wobble(mode, mean)),
         power,
         wobble_trend: wobbles.then(|| amplitude(rows)).flatten(),
-        fastest: range(|row| row.energy).max(range(|row| row.momentum)),
+        fastest: fastest(|row| row.energy).max(fastest(|row| row.momentum)),
     }
 }

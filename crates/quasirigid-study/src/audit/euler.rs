@@ -49,9 +49,27 @@ pub struct Numbers<'a> {
 pub fn unit_fit(body: &Rigid, history: &Numbers<'_>, starts: &[f64]) -> Option<Vec<UnitFit>> {
     let stride = stride(history)?;
     let stretches = stretches(history, stride);
+    if !changes(body, history, &stretches) {
+        return None;
+    }
     let linear = linear(body, history, &stretches);
     let fits = starts.iter().copied().chain(linear).filter_map(|start| fit(body, history, &stretches, start));
     Some(fits.collect())
+}
+
+/// Whether the rates change by more than rounding makes, a constant torque apart.
+fn changes(body: &Rigid, history: &Numbers<'_>, stretches: &[(usize, usize)]) -> bool {
+    let noise: f64 = stretches.iter().map(|stretch| noise(history, *stretch)).sum();
+    let whole = sums(body, history, stretches, 0.0).map_or(0.0, |sums| sums.whole);
+    whole * NOISE > noise
+}
+
+/// Square of the rounding of the change over a stretch.
+fn noise(history: &Numbers<'_>, (a, b): (usize, usize)) -> f64 {
+    [a, b]
+        .map(|row| (history.rounding)(row).map(|error| error * error / 3.0).iter().sum::<f64>())
+        .iter()
+        .sum()
 }
 
 /// Number of rows over which the rates change much; none where rounding covers all changes.
@@ -65,13 +83,10 @@ fn stride(history: &Numbers<'_>) -> Option<usize> {
         let stretches = stretches(history, stride);
         let change =
             |(a, b): &(usize, usize)| difference(history, *a, *b).map(|part| part * part).iter().sum::<f64>();
-        let noise = |(a, b): &(usize, usize)| {
-            let square =
-                |row: usize| (history.rounding)(row).map(|error| error * error / 3.0).iter().sum::<f64>();
-            square(*a) + square(*b)
-        };
-        let (changes, noises): (f64, f64) =
-            (stretches.iter().map(change).sum(), stretches.iter().map(noise).sum());
+        let (changes, noises): (f64, f64) = (
+            stretches.iter().map(change).sum(),
+            stretches.iter().map(|stretch| noise(history, *stretch)).sum(),
+        );
         let enough = changes > (CHANGE * range).powi(2) * stretches.len() as f64;
         if stretches.is_empty() {
             return None;
@@ -83,11 +98,16 @@ fn stride(history: &Numbers<'_>) -> Option<usize> {
     }
 }
 
-/// First and last rows of stretches spread over the history.
+/// First and last rows of stretches spread over the history. They are not equally long, where there are rows between, so that no whole number of
+/// periods more or less in all of them looks the same.
 fn stretches(history: &Numbers<'_>, stride: usize) -> Vec<(usize, usize)> {
     let starts = history.rates.len().saturating_sub(stride);
     let count = starts.min(STRETCHES);
-    (0..count).map(|k| k * starts / count).map(|start| (start, start + stride)).collect()
+    let length = |k: usize| stride - (k % 3) * stride / 4;
+    (0..count)
+        .map(|k| (k * starts / count, length(k)))
+        .map(|(start, length)| (start, start + length))
+        .collect()
 }
 
 fn difference(history: &Numbers<'_>, a: usize, b: usize) -> [f64; 3] {

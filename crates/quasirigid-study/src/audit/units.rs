@@ -21,7 +21,7 @@ const RATES: [(&str, f64); 4] = [("rad/s", 1.0), ("deg/s", PI / 180.0), ("rpm", 
 const TIMES: [(&str, f64); 2] = [("s", 1.0), ("ms", 1e-3)];
 /// Largest deviation of a factor from that of its units, and of the rotation over a stretch of rows (rad), which else would fit by chance.
 const TOLERANCE: f64 = 0.03;
-const PHASE: f64 = 0.3;
+const PHASE: f64 = 0.1;
 /// Standard errors of the factor within which it agrees, and the largest of them, relative, that still tells units apart.
 const ERRORS: f64 = 3.0;
 const LARGEST_ERROR: f64 = 0.1;

@@ -116,8 +116,11 @@ impl Told<'_> {
                 significant(at, 6)
             );
         }
-        if drift.turns < 1.0 {
-            return format!("in {} revolutions no trend of the wobble shows.", significant(drift.turns, 2));
+        if drift.short {
+            return format!(
+                "in {} revolutions, less than a period of the wobble, no trend can be told from an oscillation.",
+                significant(drift.turns, 2)
+            );
         }
         if self.explains() && time_constant(drift.wobble_trend.as_ref()).is_some() {
             return format!("the model explains the trend of the wobble about {axis}.");

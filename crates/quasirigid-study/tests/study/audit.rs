@@ -240,7 +240,7 @@ fn digits_of_the_file_limit_what_is_told() {
         let found = audited(&csv("t,wx,wy,wz", &history, significant(digits)), &MOMENTS);
         close(found.invented_time_constant.unwrap(), -6850.0, 0.03);
         let worst = found.worst_interval.unwrap();
-        assert!(worst[0] >= 500.0 || digits == 4, "{worst:?}");
+        assert!(worst[0] >= 500.0 || digits == 4, "{worst:?}"); // the energy grows exponentially
     }
     let kept = rows(&body, [0.15, 0.0, 1.0], runge_kutta, [0.01, 600.0], 20);
     for digits in [4, 6, 9, 12] {
@@ -276,7 +276,7 @@ fn digits_are_judged_by_the_column() {
     for text in [csv("t,wx,wy,wz", &kept, |value| format!("{value:.5}")), csv("t,wx,wy,wz", &kept, short)] {
         let found = audited(&text, &MOMENTS);
         assert_eq!(found.invented_time_constant, None, "{}", found.sentence);
-        assert!(found.rounding.energy > 5e-6 && found.rounding.energy < 5e-5, "{:?}", found.rounding);
+        assert!(found.rounding.energy > 1e-5 && found.rounding.energy < 3e-4, "{:?}", found.rounding);
     }
     let single = |value: f64| format!("{:?}", f64::from(value as f32));
     let found = audited(&csv("t,wx,wy,wz", &kept, single), &MOMENTS);
@@ -305,7 +305,7 @@ fn units_are_found_by_the_motion() {
             let named = format!("t [{time}],wx [{name}],wy [{name}],wz [{name}]");
             for heading in ["t,wx,wy,wz", &named] {
                 let found = audited(&csv(heading, &written, significant(12)), &body.entries());
-                close(found.invented_time_constant.unwrap(), expected, 1e-6);
+                close(found.invented_time_constant.unwrap(), expected, 1e-5); // twelve digits of other numbers
                 assert_eq!((found.units.rates.as_str(), found.units.times.as_str()), (name, time));
                 assert_eq!(found.units.source, if heading == named { "heading" } else { "motion" });
                 let told = found.notes.iter().any(|note| note.contains("by Euler's equations"));
@@ -474,8 +474,11 @@ fn bodies_of_revolution_and_the_separatrix_are_told() {
         assert_eq!(found.mode, Some(mode));
     }
     let body = Free::new(MOMENTS, &OWN);
-    let text =
-        csv("t,wx,wy,wz", &rows(&body, [0.8, 0.1, 0.5], implicit_euler, [0.02, 1000.0], 10), significant(12));
+    let text = csv(
+        "t,wx,wy,wz",
+        &rows(&body, [0.8, 0.1, 0.705], explicit_euler, [0.01, 600.0], 10),
+        significant(12),
+    );
     let found = audited(&text, &MOMENTS);
     assert!(found.crossing.is_some() && found.invented_time_constant.is_none(), "{found:?}");
     assert!(found.sentence.contains("crosses the separatrix"), "{}", found.sentence);

@@ -91,6 +91,11 @@ pub enum Command {
         after_help = "Examples:\n  quasirigid diff light-damper heavy-damper\n  quasirigid diff before.json after.json\n\nExit codes: 0 the same, 1 different, 2 could not run."
     )]
     Diff(DiffArgs),
+    /// Say whether another program's history of a free body invents damping, and how fast
+    #[command(
+        after_help = "Examples:\n  quasirigid audit examples/invented-damping/euler.csv --inertia 10,14,17\n  quasirigid audit coarse.csv fine.csv model.toml --limit 1e-6\n\nExit codes: 0 done, 1 a limit is not kept or the history does not fit, 2 could not run."
+    )]
+    Audit(AuditArgs),
     /// List the keys of the model file, with their values and meanings
     #[command(after_help = "Example:\n  quasirigid keys spring")]
     Keys(KeysArgs),
@@ -122,7 +127,7 @@ impl Command {
             | Self::Verify(Verify { common, .. }) => common.quiet,
             Self::Check(common) | Self::Cite(common) => common.quiet,
             Self::Keys(_) | Self::Schema | Self::Diff(_) => false,
-            Self::New(NewArgs { quiet, .. }) => *quiet,
+            Self::New(NewArgs { quiet, .. }) | Self::Audit(AuditArgs { quiet, .. }) => *quiet,
             Self::Sweep(SweepArgs { quiet, .. })
             | Self::Report(Report { quiet, .. })
             | Self::Plot(Plot { quiet, .. }) => *quiet,
@@ -295,6 +300,39 @@ pub struct DiffArgs {
 }
 
 #[derive(Args, Debug)]
+pub struct AuditArgs {
+    /// History t,wx,wy,wz, perhaps with a quaternion: CSV and other tables in text, Parquet, NPZ, AEM or STK; several of one run at different
+    /// steps; and the model of the body, a .toml file
+    #[arg(value_name = "FILE", required = true)]
+    pub files: Vec<PathBuf>,
+    /// Inertia of the body in the axes of the rates (kg m^2): XX,YY,ZZ or XX,YY,ZZ,XY,XZ,YZ, entries of the tensor (XY = -int x y dm); only
+    /// their ratios matter
+    #[arg(long, value_name = "XX,YY,ZZ", value_delimiter = ',', allow_hyphen_values = true)]
+    pub inertia: Option<Vec<f64>>,
+    /// Largest relative change of energy and of angular momentum; above it the exit code is 1
+    #[arg(long, value_name = "X")]
+    pub limit: Option<f64>,
+    /// Least time constant of an invented change of the wobble, in seconds or with a unit such as "1 yr"; below it the exit code is 1
+    #[arg(long, value_name = "T")]
+    pub min_time_constant: Option<String>,
+    /// Step of the integrator in each of several histories (s) [default: the time between rows]
+    #[arg(long, value_name = "S,S", value_delimiter = ',')]
+    pub steps: Vec<f64>,
+    /// Write a badge as JSON, in the form of an endpoint of shields.io
+    #[arg(long, value_name = "FILE.json")]
+    pub badge: Option<PathBuf>,
+    /// Replace the file of the badge
+    #[arg(long, requires = "badge")]
+    pub overwrite: bool,
+    /// Print the answer for machines, as one JSON object
+    #[arg(long)]
+    pub json: bool,
+    /// Print nothing but results and errors
+    #[arg(long, short)]
+    pub quiet: bool,
+}
+
+#[derive(Args, Debug)]
 pub struct KeysArgs {
     /// Table, such as spring, run or rheology [default: every table]
     #[arg(value_name = "TABLE")]
@@ -464,6 +502,19 @@ pub fn seconds(text: &str) -> Result<f64, Failure> {
         Err(_) => quantity(text, Dimension::TIME)
             .map_err(|cause| Failure::Duration { text: text.to_owned(), cause: Box::new(cause) }),
     }
+}
+
+/// A positive time (s) of an option.
+pub fn positive_seconds(option: &'static str, text: &str) -> Result<f64, Failure> {
+    let read = text.parse().or_else(|_| quantity(text, Dimension::TIME));
+    let seconds: f64 =
+        read.map_err(|cause| Failure::Time { option, text: text.to_owned(), cause: Box::new(cause) })?;
+    positive(option, seconds)
+}
+
+/// A positive number of an option.
+pub fn positive(option: &'static str, value: f64) -> Result<f64, Failure> {
+    if value > 0.0 && value.is_finite() { Ok(value) } else { Err(Failure::NotPositive { option, value }) }
 }
 
 /// State about which reduced equations expand.

@@ -7,6 +7,7 @@ use quasirigid_io::attitude::Unwritten;
 use quasirigid_io::model::{ModelError, TargetError};
 use quasirigid_io::record::RecordError;
 use quasirigid_io::units::UnitError;
+use quasirigid_study::audit::AuditError;
 use quasirigid_study::difference::DifferenceError;
 use quasirigid_study::report::PngError;
 use quasirigid_study::sweep::SweepError;
@@ -22,6 +23,12 @@ pub enum Failure {
     Sweep(#[from] SweepError),
     #[error(transparent)]
     Difference(#[from] DifferenceError),
+    #[error(transparent)]
+    Audit(AuditError),
+    #[error("{option} {text}: {cause}; {advice}", advice = cause.advice())]
+    Time { option: &'static str, text: String, cause: Box<UnitError> },
+    #[error("{first} and {second} are both models; an audit has one", first = first.display(), second = second.display())]
+    TwoModels { first: PathBuf, second: PathBuf },
     #[error("--duration {text}: {cause}; {advice}", advice = cause.advice())]
     Duration { text: String, cause: Box<UnitError> },
     #[error("the model file has no table {name:?}; {advice}")]
@@ -122,6 +129,15 @@ impl From<StudyError> for Failure {
             StudyError::Interrupted => Self::Interrupted,
             StudyError::Write { path, cause } => Self::Write { path, cause },
             other => Self::Study(other),
+        }
+    }
+}
+
+impl From<AuditError> for Failure {
+    fn from(error: AuditError) -> Self {
+        match error {
+            AuditError::Study(error) => error.into(),
+            other => Self::Audit(other),
         }
     }
 }

@@ -56,6 +56,7 @@ fn main() -> ExitCode {
         Command::Sweep(sweep) => commands::sweep::sweep(sweep),
         Command::Report(report) => commands::report::report(report),
         Command::Plot(plot) => commands::plot::plot(plot),
+        Command::Audit(audit) => commands::audit::audit(audit),
         Command::Keys(keys) => commands::keys::keys(keys),
         Command::Schema => commands::schema::schema(),
         Command::New(new) => commands::new::new(new),

@@ -12,6 +12,7 @@ mod deck;
 pub mod disk;
 pub mod export;
 pub mod files_read;
+pub mod history_file;
 mod inp;
 pub mod matrix;
 pub mod mesh;

@@ -51,6 +51,19 @@ pub struct Answer {
     columns: Option<Columns>,
 }
 
+impl Answer {
+    /// An answer without a table and without numbers that may be infinite.
+    pub fn plain(
+        json: serde_json::Value,
+        text: String,
+        sentence: String,
+        holds: bool,
+        notes: Vec<String>,
+    ) -> Self {
+        Self { json: Json(json), text, sentence, holds, notes, numbers: BTreeMap::new(), columns: None }
+    }
+}
+
 /// Validity of the reduced equations.
 pub fn check(study: &Study) -> Result<Answer, Failure> {
     let report = study.check()?;

@@ -8,6 +8,7 @@ mod arguments;
 mod arrays;
 mod arrow;
 mod attitude;
+mod audit;
 mod columns;
 mod dictionary;
 mod ellipsoids;
@@ -38,6 +39,8 @@ mod _core {
     use crate::arrays::linear_truncated;
     #[pymodule_export]
     use crate::attitude::{read_attitude, write_attitude};
+    #[pymodule_export]
+    use crate::audit::audit_histories;
     #[pymodule_export]
     use crate::columns::Columns;
     #[pymodule_export]

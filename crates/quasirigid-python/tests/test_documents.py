@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 from conftest import ROOT
 
-PAGES = ["README.md", "crates/quasirigid-python/README.md", "docs/guide/12-modes.md", "docs/guide/18-python.md", "docs/guide/21-other-tools.md"]
+PAGES = ["README.md", "crates/quasirigid-python/README.md", "docs/guide/12-modes.md", "docs/guide/18-python.md", "docs/guide/21-other-tools.md", "docs/guide/22-audit.md"]
 
 
 def blocks(page: Path) -> list[tuple[int, str]]:

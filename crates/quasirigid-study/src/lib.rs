@@ -57,6 +57,7 @@ struct Library;
 
 pub mod about_spin;
 mod asked;
+pub mod audit;
 mod campbell;
 pub mod check;
 pub mod cite;

@@ -1,6 +1,7 @@
 //! Commands, one a file: each takes its arguments to the study and prints the answer.
 
 mod attitude;
+pub mod audit;
 pub mod check;
 pub mod cite;
 pub mod derive;

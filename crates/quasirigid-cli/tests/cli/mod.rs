@@ -4,6 +4,7 @@ mod about_spin;
 #[cfg(unix)]
 mod appeared;
 mod attitude_files;
+mod audit;
 mod catalogues;
 mod check;
 mod colour;

@@ -4,6 +4,7 @@ mod attitude;
 mod change;
 mod disk;
 mod formula;
+mod history;
 mod matrix;
 mod model;
 mod quantity;
@@ -86,7 +87,7 @@ impl Target {
 }
 
 /// Every target.
-pub const TARGETS: [Target; 53] = [
+pub const TARGETS: [Target; 55] = [
     Target::of_body("model_text", model::text, model::WORDS)
         .seeded(&[("examples", "toml"), ("data/published", "toml")]),
     Target::of_body("model_tables", model::text, &[]).drawn("model_text", grammar::model::model),
@@ -170,6 +171,8 @@ pub const TARGETS: [Target; 53] = [
     Target::of_file("record_rows", |bytes| record::read("history-reduced.rows", bytes), &[]),
     Target::of_file("attitude_aem", |bytes| attitude::read("a.aem", bytes), attitude::AEM),
     Target::of_file("attitude_stk", |bytes| attitude::read("a.a", bytes), attitude::STK),
+    Target::of_file("history_csv", |bytes| history::read("spin.csv", bytes), history::TEXT),
+    Target::of_file("history_npz", |bytes| history::read("spin.npz", bytes), matrix::NUMPY),
     Target::of_file("bodies_csv", |bytes| table::bodies("bodies.csv", bytes), &["\"", "\r\n", ",", "NaN"]),
     Target::of_file(
         "bodies_text",

@@ -57,7 +57,7 @@ pub fn read_parquet(file: &Path, wanted: Option<&[&str]>) -> Result<Vec<CellColu
 }
 
 /// Calls a reader of Parquet. Of damaged metadata the library panics, which is an error like others.
-pub(super) fn undamaged<T>(
+pub(crate) fn undamaged<T>(
     file: &Path,
     read: impl FnOnce() -> Result<T, ParquetError>,
 ) -> Result<T, TableError> {

@@ -59,7 +59,7 @@ fn widen(file: &Path, columns: &mut Columns, from: usize) -> Result<(), TableErr
     Ok(())
 }
 
-fn is_comment(line: &[u8]) -> bool {
+pub(super) fn is_comment(line: &[u8]) -> bool {
     line.trim_ascii_start().first() == Some(&COMMENT)
 }
 

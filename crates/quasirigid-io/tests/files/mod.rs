@@ -4,6 +4,7 @@ mod attitude;
 mod attitude_read;
 mod bounds;
 mod catalogues;
+mod history_files;
 mod history_tables;
 mod matrix_files;
 mod memory;

@@ -25,6 +25,7 @@ from quasirigid._answers import (
     Verification,
 )
 from quasirigid._attitude import Attitude, read_attitude
+from quasirigid._audit import Audit, audit
 from quasirigid._core import EXAMPLE
 from quasirigid._core import VERSION as __version__
 from quasirigid._ellipsoids import EllipsoidEvolutions, evolve_ellipsoids
@@ -59,6 +60,7 @@ __all__ = [
     "AboutSpin",
     "Answer",
     "Attitude",
+    "Audit",
     "Check",
     "Diagnostic",
     "EffectiveMasses",
@@ -96,6 +98,7 @@ __all__ = [
     "Verification",
     "VerificationError",
     "__version__",
+    "audit",
     "cite",
     "evolve_ellipsoids",
     "evolve_population",
@@ -108,6 +111,6 @@ __all__ = [
 for _name in __all__:
     if isinstance(globals()[_name], type):
         globals()[_name].__module__ = "quasirigid"
-for _function in (cite, evolve_ellipsoids, evolve_population, read_attitude, read_sweep, sweep):
+for _function in (audit, cite, evolve_ellipsoids, evolve_population, read_attitude, read_sweep, sweep):
     _function.__module__ = "quasirigid"
 del _function, _name

@@ -17,6 +17,7 @@ __all__ = [
     "RunAnswer",
     "Stepper",
     "Sweep",
+    "audit_histories",
     "evolve_ellipsoids",
     "former_argument",
     "linear_file",
@@ -35,6 +36,7 @@ _Observer: TypeAlias = Callable[[str, float], object] | None
 _Floats: TypeAlias = NDArray[np.float64]
 _Answer: TypeAlias = dict[str, Any]
 
+def audit_histories(files: list[str], model: Model | None, asked: dict[str, Any]) -> _Answer: ...
 def evolve_ellipsoids(columns: dict[str, Any], reproducible: bool, observer: _Observer) -> _Answer: ...
 def former_argument(name: str) -> str: ...
 def to_toml(model: dict[str, Any]) -> str: ...

@@ -1,7 +1,7 @@
 //! Sensitivity of an answer to the numbers of a model: derivatives of one quantity with respect to keys of the file.
 //! Every value is a whole answer on a changed copy of the model, so that any quantity of any command has derivatives; the differences are
-//! extrapolated to a step of zero with an error estimate, and a quantity that has none is told as such. Equation (J1),
-//! docs/theory/22-sensitivity.md.
+//! extrapolated to a step of zero with an error estimate, and a quantity that has none is told as such. Equation (O1),
+//! docs/theory/23-sensitivity.md.
 
 mod changed;
 mod text;

@@ -1,6 +1,7 @@
 //! Answers of studies: models are texts, answers are typed.
 
 mod about_spin;
+mod audit;
 mod checks;
 mod derive;
 mod eddy_currents;

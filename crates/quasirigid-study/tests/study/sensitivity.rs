@@ -1,4 +1,4 @@
-//! Sensitivities: closed forms, the law of units over all numbers of a file, corners, and what has no derivative. (J1), (J3)
+//! Sensitivities: closed forms, the law of units over all numbers of a file, corners, and what has no derivative. (O1), (O3)
 
 use std::collections::BTreeMap;
 

@@ -61,6 +61,16 @@ impl<'a> Array<'a> {
         self.numbers.len() / self.scalar.size().max(1)
     }
 
+    /// Whether the numbers have single precision.
+    pub fn is_single(&self) -> bool {
+        self.scalar == Scalar::Float32
+    }
+
+    /// Whether the numbers are whole by their type.
+    pub fn is_whole(&self) -> bool {
+        !matches!(self.scalar, Scalar::Float32 | Scalar::Float64 | Scalar::Text { .. })
+    }
+
     /// The byte of a number.
     pub fn byte(&self, index: usize) -> usize {
         self.start + index * self.scalar.size()

@@ -1,0 +1,33 @@
+//! Histories of other programs.
+
+use quasirigid_io::history_file::read_history;
+
+use super::disk::with_file;
+
+pub const TEXT: &[&str] = &[
+    "t,wx,wy,wz",
+    ",qw,qx,qy,qz",
+    " [deg/s]",
+    "omega_x",
+    "sigma_1",
+    "\n0,1,2,3",
+    "1.5D-3",
+    "nan",
+    "#",
+    ";",
+    "\"",
+];
+
+/// Reads a file; what it has is finite, of equal length, in order.
+pub fn read(name: &str, bytes: &[u8]) {
+    with_file(name, bytes, |path| match read_history(path) {
+        Ok(history) => {
+            let rows = history.t.len();
+            assert!(rows > 0 && history.rates.len() == rows, "every time has rates");
+            assert!([0, rows].contains(&history.attitude.len()), "all rows have an attitude, or none");
+            assert!(history.t.is_sorted(), "times ascend");
+            assert!(history.rounding(rows - 1).iter().all(|error| *error >= 0.0), "rounding has a size");
+        }
+        Err(error) => assert!(!error.to_string().is_empty()),
+    });
+}

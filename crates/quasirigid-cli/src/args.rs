@@ -75,6 +75,11 @@ pub enum Command {
         after_help = "Example:\n  quasirigid sensitivity examples/nutation-damper/model.toml --of modes.nutation.time_constant"
     )]
     Sensitivity(SensitivityArgs),
+    /// Infer numbers of a model from a measured history, with their deviations and what the data do not tell
+    #[command(
+        after_help = "Example:\n  quasirigid infer examples/inferred-damping/model.toml --data examples/inferred-damping/measured.csv --vary spring.1.damping"
+    )]
+    Infer(InferArgs),
     /// Answer the same question of many bodies: grids, random draws, a table of bodies
     #[command(after_help = "Example:\n  quasirigid sweep examples/damper-study/study.toml -o damper")]
     Sweep(SweepArgs),
@@ -120,6 +125,7 @@ impl Command {
             | Self::Modes(ModesArgs { common, .. })
             | Self::Linear(LinearArgs { common, .. })
             | Self::Sensitivity(SensitivityArgs { common, .. })
+            | Self::Infer(InferArgs { common, .. })
             | Self::Derive(Derive { common, .. })
             | Self::Export(ExportArgs { common, .. })
             | Self::Simulate(Simulate { common, .. })
@@ -421,6 +427,23 @@ pub struct SensitivityArgs {
     /// List every key
     #[arg(long)]
     pub all: bool,
+}
+
+#[derive(Args, Debug)]
+pub struct InferArgs {
+    #[command(flatten)]
+    pub common: Common,
+    /// Measured history: t and columns as simulate names them, each perhaps with sigma_ and its name
+    #[arg(long, value_name = "FILE")]
+    pub data: PathBuf,
+    /// Keys to infer, as in studies: spring.boom.damping, initial.angular_velocity.1
+    #[arg(long, value_name = "KEYS", value_delimiter = ',', required = true, value_parser = str::parse::<KeyPath>)]
+    pub vary: Vec<KeyPath>,
+    /// Standard deviation of columns that have none in the file, in their units
+    #[arg(long, value_name = "SIGMA")]
+    pub sigma: Option<f64>,
+    #[arg(long, help = Setting::System.help(), value_parser = named::<System>(), default_value = "reduced")]
+    pub system: System,
 }
 
 #[derive(Args, Debug)]

@@ -4,6 +4,7 @@
 use std::path::PathBuf;
 
 use quasirigid_io::attitude::Unwritten;
+use quasirigid_io::measured_file::MeasuredFileError;
 use quasirigid_io::model::{ModelError, TargetError};
 use quasirigid_io::record::RecordError;
 use quasirigid_io::units::UnitError;
@@ -25,6 +26,8 @@ pub enum Failure {
     Difference(#[from] DifferenceError),
     #[error(transparent)]
     Audit(AuditError),
+    #[error(transparent)]
+    Measured(#[from] MeasuredFileError),
     #[error("{option} {text}: {cause}; {advice}", advice = cause.advice())]
     Time { option: &'static str, text: String, cause: Box<UnitError> },
     #[error("{first} and {second} are both models; an audit has one", first = first.display(), second = second.display())]

@@ -47,6 +47,7 @@ fn main() -> ExitCode {
         Command::Check(check) => commands::check::check(check),
         Command::Modes(modes) => commands::modes::modes(modes),
         Command::Linear(linear) => commands::linear::linear(linear),
+        Command::Infer(infer) => commands::infer::infer(infer),
         Command::Sensitivity(sensitivity) => commands::sensitivity::sensitivity(sensitivity),
         Command::Derive(derive) => commands::derive::derive(derive),
         Command::Export(export) => commands::export::export(export),

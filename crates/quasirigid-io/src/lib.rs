@@ -15,6 +15,7 @@ pub mod files_read;
 pub mod history_file;
 mod inp;
 pub mod matrix;
+pub mod measured_file;
 pub mod mesh;
 pub mod model;
 mod nastran;

@@ -19,6 +19,7 @@ pub mod elliptic;
 pub mod expression;
 pub mod gmres;
 pub mod lanes;
+pub mod least_squares;
 pub mod nonnegative;
 pub mod ode;
 pub mod polynomial;

@@ -10,11 +10,13 @@ use std::path::{Path, PathBuf};
 use pyo3::prelude::*;
 use quasirigid_io::disk::{parent, replace, settle_files, settle_folder};
 use quasirigid_io::export::{Exported, Target, identifier};
+use quasirigid_io::measured_file::read_measurements;
 use quasirigid_io::model::KeyPath;
 use quasirigid_io::record::{HistoryRecord, TableFormat};
 use quasirigid_io::study_file::Quantity;
 use quasirigid_study::evolution;
 use quasirigid_study::histories::Table;
+use quasirigid_study::infer::InferSettings;
 use quasirigid_study::layout::paragraph;
 use quasirigid_study::linear::{LinearObject, LinearSettings};
 use quasirigid_study::modes::{PrincipalAxis, SteadySpinSettings};
@@ -113,13 +115,11 @@ pub fn effective_masses(study: &Study, about: Option<[f64; 3]>) -> Result<Answer
 pub fn sensitivity(
     study: &Study,
     of: &str,
-    keys: &[String],
+    keys: &[KeyPath],
     mut shared: &Shared,
 ) -> Result<Answer, Failure> {
     let of = of.parse::<Quantity>().map_err(|error| Failure::Input(error.to_string()))?;
-    let keys = keys.iter().map(|key| key.parse::<KeyPath>()).collect::<Result<Vec<_>, _>>();
-    let keys = keys.map_err(|error| Failure::Input(error.to_string()))?;
-    let found = study.sensitivity(&of, &keys, &mut shared)?;
+    let found = study.sensitivity(&of, keys, &mut shared)?;
     Ok(Answer {
         json: Json(study.with_inputs(found.json())),
         text: found.text(true),
@@ -129,6 +129,33 @@ pub fn sensitivity(
         numbers: BTreeMap::new(),
         columns: None,
     })
+}
+
+/// Numbers of the model inferred from a measured history.
+pub fn infer(
+    study: &Study,
+    data: &Path,
+    sigma: Option<f64>,
+    asked: &InferSettings,
+    mut shared: &Shared,
+) -> Result<Answer, Failure> {
+    let data = read_measurements(data, sigma).map_err(|error| Failure::File(error.to_string()))?;
+    let found = study.infer(&data, asked, &mut shared)?;
+    Ok(Answer {
+        json: Json(study.with_inputs(found.json())),
+        text: found.text(),
+        sentence: found.sentence.clone(),
+        holds: found.holds(),
+        notes: study.model.notes.iter().chain(&found.notes).cloned().collect(),
+        numbers: BTreeMap::new(),
+        columns: None,
+    })
+}
+
+/// Keys by their paths.
+pub fn keys(paths: &[String]) -> Result<Vec<KeyPath>, Failure> {
+    let keys = paths.iter().map(|key| key.parse::<KeyPath>()).collect::<Result<Vec<_>, _>>();
+    keys.map_err(|error| Failure::Input(error.to_string()))
 }
 
 /// Linear model about a steady state.

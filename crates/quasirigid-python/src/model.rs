@@ -15,6 +15,7 @@ use quasirigid_io::model::{
 use quasirigid_io::record::TableFormat;
 use quasirigid_study::histories::Table;
 use quasirigid_study::linear::{LinearAt, LinearSettings};
+use quasirigid_study::infer::InferSettings;
 use quasirigid_study::modes::{PrincipalAxis, SteadySpinSettings};
 use quasirigid_study::settings::{PartialEvolve, PartialRun, PartialSpinManifold, PartialVerify};
 use quasirigid_study::{Study, StudyError};
@@ -154,7 +155,24 @@ impl Model {
         order: Option<usize>,
         observer: Observer,
     ) -> PyResult<Answer> {
+        let keys = answers::keys(&keys)?;
         self.ask(py, (order, observer), |study, shared| answers::sensitivity(study, of, &keys, shared))
+    }
+
+    /// Numbers of the model inferred from a measured history.
+    fn infer(
+        &self,
+        py: Python<'_>,
+        data: PathBuf,
+        vary: Vec<String>,
+        sigma: Option<f64>,
+        system: &str,
+        order: Option<usize>,
+        observer: Observer,
+    ) -> PyResult<Answer> {
+        let system = named::<System>(Some(system), "system")?.unwrap_or(System::Reduced);
+        let asked = InferSettings { vary: answers::keys(&vary)?, system };
+        self.ask(py, (order, observer), |study, shared| answers::infer(study, &data, sigma, &asked, shared))
     }
 
     /// Linear model about a steady state.

@@ -76,6 +76,11 @@ pub enum StudyError {
         /// The reason, in words.
         reason: String,
     },
+    /// Keys and data from which nothing is inferred.
+    Infer {
+        /// The reason, in words.
+        problem: String,
+    },
     /// Threads that the system does not give.
     Threads {
         /// Number asked for.
@@ -331,6 +336,7 @@ impl StudyError {
                 format!("`{key}` is no number of the model; name a key whose value is a number, with a unit or without")
             }
             Self::NoQuantity { name, reason } => format!("there is no value of `{name}` to differentiate: {reason}"),
+            Self::Infer { problem } => problem.clone(),
             Self::Threads { threads, cause } => format!("{threads} threads cannot be started: {cause}"),
             Self::Truncation(cause) => cause.to_string(),
             Self::Step(cause) => cause.to_string(),

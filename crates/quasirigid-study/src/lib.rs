@@ -74,6 +74,7 @@ mod history_columns;
 mod history_json;
 mod history_sink;
 mod incomplete;
+pub mod infer;
 mod inputs;
 mod judged;
 mod kept_run;

@@ -8,6 +8,7 @@ pub mod derive;
 pub mod diff;
 pub mod evolve;
 pub mod export;
+pub mod infer;
 pub mod keys;
 pub mod linear;
 pub mod modes;

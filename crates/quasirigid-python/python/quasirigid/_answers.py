@@ -22,7 +22,7 @@ from quasirigid._table import Table, Tabled
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-__all__ = ["AboutSpin", "Answer", "Check", "EffectiveMasses", "Evolution", "History", "Modes", "Run", "Sensitivity", "Verification"]
+__all__ = ["AboutSpin", "Answer", "Check", "EffectiveMasses", "Evolution", "History", "Inferred", "Modes", "Run", "Sensitivity", "Verification"]
 
 
 def _array(values: list[float | None]) -> NDArray[np.float64]:
@@ -511,6 +511,27 @@ class Verification(Answer):
         from quasirigid import _plot
 
         return _plot.verification(self)
+
+
+class Inferred(Answer):
+    """Numbers of a model inferred from a measured history."""
+
+    __slots__ = ()
+
+    parameters = entry(_copies, "One entry for each key: ``key``, ``value``, ``sigma``, ``unit``, ``before``.")
+    chi2 = entry(float, "Sum of the squares of the residuals over their deviations.")
+    degrees_of_freedom = entry(int, "Number of measured values less that of keys.")
+    not_distinguished = entry(_copies, "Combinations of keys that the data do not tell: ``changes``, ``sigma``.")
+
+    @property
+    def values(self) -> dict[str, float]:
+        """Values that fit best, by key."""
+        return {each["key"]: each["value"] for each in self._parts["json"]["parameters"]}
+
+    @property
+    def covariance(self) -> NDArray[np.float64]:
+        """Covariance of the keys, ``(n, n)``; not a number for those that the data do not tell."""
+        return np.array(self._parts["json"]["covariance"], dtype=np.float64)
 
 
 class Sensitivity(Answer):

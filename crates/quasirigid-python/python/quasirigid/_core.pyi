@@ -108,6 +108,15 @@ class Model:
         self, spin: tuple[float, float, float] | None, axis: str | None, order: int | None, observer: _Observer
     ) -> _Answer: ...
     def effective_masses(self, about: tuple[float, float, float] | None, observer: _Observer) -> _Answer: ...
+    def infer(
+        self,
+        data: str,
+        vary: list[str],
+        sigma: float | None,
+        system: str,
+        order: int | None,
+        observer: _Observer,
+    ) -> _Answer: ...
     def sensitivity(self, of: str, keys: list[str], order: int | None, observer: _Observer) -> _Answer: ...
     def linear(
         self,

@@ -17,6 +17,7 @@ from quasirigid._answers import (
     EffectiveMasses,
     Evolution,
     History,
+    Inferred,
     Modes,
     Run,
     Sensitivity,
@@ -242,6 +243,36 @@ class Model:
             raise InputError(f"keys = {keys!r}; give a list of paths")
         with observer(progress) as watch:
             return Sensitivity(self._core.sensitivity(of, list(keys), _arguments.count(order, "order"), watch))
+
+    def infer(
+        self,
+        data: str | os.PathLike[str],
+        vary: Sequence[str],
+        *,
+        sigma: float | None = None,
+        system: str = "reduced",
+        order: int | None = None,
+        progress: Progress = False,
+    ) -> Inferred:
+        """Infers numbers of the model from a measured history by weighted least squares.
+
+        Args:
+            data: File with a table of ``t`` and columns as ``simulate`` names them, each perhaps with ``sigma_`` and its name.
+            vary: Paths of keys, such as ``["spring.boom.damping"]``.
+            sigma: Standard deviation of columns that have none in the file, in their units.
+            system: ``full``, ``reduced`` or ``rigid``.
+
+        Raises:
+            InputError: for a key that does not exist.
+            FileError: for a file that is no measured history.
+        """
+        if isinstance(vary, str):
+            raise InputError(f"vary = {vary!r}; give a list of paths")
+        deviation = None if sigma is None else float(sigma)
+        path = _arguments.path(data, "data")
+        with observer(progress) as watch:
+            count = _arguments.count(order, "order")
+            return Inferred(self._core.infer(path, list(vary), deviation, system, count, watch))
 
     def linear(
         self,

@@ -9,6 +9,7 @@ mod evolution;
 mod forces;
 mod full_system;
 mod histories;
+mod infer;
 mod methods;
 mod modes;
 mod notes;

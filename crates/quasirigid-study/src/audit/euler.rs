@@ -98,12 +98,12 @@ fn stride(history: &Numbers<'_>) -> Option<usize> {
     }
 }
 
-/// First and last rows of stretches spread over the history. They are not equally long, where there are rows between, so that no whole number of
-/// periods more or less in all of them looks the same.
+/// First and last rows of stretches spread over the history. Every other one is shorter by a row, where there are rows between: what looks the
+/// same after whole periods more in both must do so from row to row.
 fn stretches(history: &Numbers<'_>, stride: usize) -> Vec<(usize, usize)> {
     let starts = history.rates.len().saturating_sub(stride);
     let count = starts.min(STRETCHES);
-    let length = |k: usize| stride - (k % 3) * stride / 4;
+    let length = |k: usize| if stride > 1 { stride - k % 2 } else { stride };
     (0..count)
         .map(|k| (k * starts / count, length(k)))
         .map(|(start, length)| (start, start + length))

@@ -61,6 +61,12 @@ impl Told<'_> {
                 significant(100.0 * fit.misfit, 2)
             ));
         }
+        if let Some(or) = self.measured.units.or {
+            warnings.push(format!(
+                "The file is taken to have {}; {or} would give the same motion with times a thousand times longer, so name the units in the heading.",
+                self.measured.units.words()
+            ));
+        }
         if let Some(reason) = &self.measured.left_out {
             let (first, rest) = reason.split_at(1);
             warnings.push(format!("{}{rest}.", first.to_uppercase()));
@@ -173,10 +179,7 @@ impl Told<'_> {
                     .to_owned(),
             ),
             UnitSource::Motion if units.factor() != 1.0 => {
-                let or = units.or.map_or_else(String::new, |or| {
-                    format!(" ({or} would give the same, and times a thousand times longer; name the units in the heading)")
-                });
-                notes.push(format!("by Euler's equations the file has {}{or}", units.words()));
+                notes.push(format!("by Euler's equations the file has {}", units.words()));
             }
             _ => {}
         }

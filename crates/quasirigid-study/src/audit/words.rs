@@ -19,6 +19,8 @@ const LARGE: f64 = 0.35;
 pub const ROUGH: f64 = 0.1;
 /// Digits of angles in the table.
 const DIGITS: i32 = 4;
+/// Rounding of the energy, relative, from which a history tells nothing.
+const COARSE: f64 = 0.1;
 /// Relative change of the angular momentum that is told first.
 const FORCED: f64 = 0.01;
 /// Deviation of the factor of the units, relative, from which another inertia would fit better.
@@ -90,6 +92,15 @@ impl Told<'_> {
             return format!(
                 "The history INVENTS {what}: the wobble about {axis} {fate} e-fold in {}{beyond}.",
                 time(rate.abs().recip())
+            );
+        }
+        if momentum.largest == 0.0 && energy.largest == 0.0 {
+            return "The history keeps energy and angular momentum: neither changes at all.".to_owned();
+        }
+        if energy.rounding > COARSE {
+            return format!(
+                "The digits of the file are too few to tell: rounding alone may change the energy by {} relative.",
+                significant(energy.rounding, 2)
             );
         }
         if !momentum.is_seen() && !energy.is_seen() {

@@ -138,12 +138,15 @@ fn only(
     }
 }
 
+/// A way to store an attitude, the roles of its parts, and their number.
+type Kind = (Stored, fn(u8) -> Role, u8);
+
 /// Columns of an attitude; none where there is not a whole one.
 fn attitude(
     found: &BTreeMap<Role, Vec<usize>>,
     titles: &[String],
 ) -> Result<Option<(Stored, Vec<usize>)>, HistoryFileProblem> {
-    let kinds: [(Stored, fn(u8) -> Role, u8); 3] = [
+    let kinds: [Kind; 3] = [
         (Stored::Named, Role::Quaternion, 4),
         (Stored::Numbered, Role::Numbered, 4),
         (Stored::Rodrigues, Role::Rodrigues, 3),

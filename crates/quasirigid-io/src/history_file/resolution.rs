@@ -70,6 +70,7 @@ impl Resolution {
             Self::Decimal { significant, .. } if significant >= OF_DOUBLE - 1 => {
                 "double precision".to_owned()
             }
+            Self::Decimal { significant: 1, .. } => "1 digit".to_owned(),
             Self::Decimal { significant, .. } => format!("{significant} digits"),
             Self::Single => "single precision".to_owned(),
             Self::Double => "double precision".to_owned(),

@@ -4,7 +4,7 @@
 //! The factor is found by least squares: each stretch of rows is propagated from its first row by Euler's equations, and its last row is
 //! compared. A constant torque adds the same to every stretch, and is taken out.
 
-use quasirigid_math::vec3::{add, norm, scale};
+use quasirigid_math::vec3::{add, dot, norm, scale};
 
 use super::rigid::Rigid;
 
@@ -98,12 +98,12 @@ fn stride(history: &Numbers<'_>) -> Option<usize> {
     }
 }
 
-/// First and last rows of stretches spread over the history. They are not equally long, where there are rows between, so that no whole number of
-/// periods more or less in all of them looks the same.
+/// First and last rows of stretches spread over the history. Every other one is shorter by a row, where there are rows between: what looks the
+/// same after whole periods more in both must do so from row to row.
 fn stretches(history: &Numbers<'_>, stride: usize) -> Vec<(usize, usize)> {
     let starts = history.rates.len().saturating_sub(stride);
     let count = starts.min(STRETCHES);
-    let length = |k: usize| stride - (k % 3) * stride / 4;
+    let length = |k: usize| if stride > 1 { stride - k % 2 } else { stride };
     (0..count)
         .map(|k| (k * starts / count, length(k)))
         .map(|(start, length)| (start, start + length))
@@ -160,32 +160,44 @@ struct Sums {
 
 fn sums(body: &Rigid, history: &Numbers<'_>, stretches: &[(usize, usize)], factor: f64) -> Option<Sums> {
     const SMALL: f64 = 1e-5;
-    let mut rows = Vec::with_capacity(stretches.len());
+    let (mut times, mut residuals, mut slopes, mut changes) =
+        (Vec::new(), Vec::new(), Vec::new(), Vec::new());
     for (a, b) in stretches {
         let (from, time) = (history.rates[*a], history.t[*b] - history.t[*a]);
         let end = propagated(body, from, factor * time)?;
         let further = propagated(body, from, factor * (1.0 + SMALL) * time)?;
-        let residual = add(history.rates[*b], scale(-1.0, end));
-        let slope = scale(SMALL.recip(), add(further, scale(-1.0, end)));
-        rows.push((time, residual, slope, difference(history, *a, *b)));
+        times.push(time);
+        residuals.push(add(history.rates[*b], scale(-1.0, end)));
+        slopes.push(scale(SMALL.recip(), add(further, scale(-1.0, end))));
+        changes.push(difference(history, *a, *b));
     }
-    // a constant torque adds in proportion to the time of a stretch
-    let squares: f64 = rows.iter().map(|row| row.0 * row.0).sum();
-    let with_torque = if rows.len() < FEW { &rows[..0] } else { &rows[..] };
-    let project = |part: &dyn Fn(&(f64, [f64; 3], [f64; 3], [f64; 3])) -> [f64; 3]| {
-        let sum = with_torque.iter().fold([0.0; 3], |sum, row| add(sum, scale(row.0 / squares, part(row))));
-        rows.iter().map(|row| add(part(row), scale(-row.0, sum))).collect::<Vec<_>>()
-    };
-    let (residual, slope, whole) = (project(&|row| row.1), project(&|row| row.2), project(&|row| row.3));
-    let dot = |a: &[[f64; 3]], b: &[[f64; 3]]| {
-        a.iter().zip(b).map(|(a, b)| (0..3).map(|i| a[i] * b[i]).sum::<f64>()).sum::<f64>()
-    };
+    if times.len() >= FEW {
+        for vectors in [&mut residuals, &mut slopes, &mut changes] {
+            without_torque(&times, vectors);
+        }
+    }
     Some(Sums {
-        residual: dot(&residual, &residual),
-        whole: dot(&whole, &whole),
-        slope: dot(&slope, &slope),
-        with_slope: dot(&residual, &slope),
+        residual: product(&residuals, &residuals),
+        whole: product(&changes, &changes),
+        slope: product(&slopes, &slopes),
+        with_slope: product(&residuals, &slopes),
     })
+}
+
+/// Takes out what a constant torque adds to each stretch, in proportion to its time.
+fn without_torque(times: &[f64], vectors: &mut [[f64; 3]]) {
+    let squares: f64 = times.iter().map(|time| time * time).sum();
+    let torque = times
+        .iter()
+        .zip(&*vectors)
+        .fold([0.0; 3], |sum, (time, vector)| add(sum, scale(time / squares, *vector)));
+    for (time, vector) in times.iter().zip(vectors) {
+        *vector = add(*vector, scale(-time, torque));
+    }
+}
+
+fn product(a: &[[f64; 3]], b: &[[f64; 3]]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| dot(*a, *b)).sum()
 }
 
 /// The rates after a time, by the classical method of Runge and Kutta; none where the body turns too far.

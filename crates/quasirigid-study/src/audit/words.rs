@@ -19,6 +19,8 @@ const LARGE: f64 = 0.35;
 pub const ROUGH: f64 = 0.1;
 /// Digits of angles in the table.
 const DIGITS: i32 = 4;
+/// Rounding of the energy, relative, from which a history tells nothing.
+const COARSE: f64 = 0.1;
 /// Relative change of the angular momentum that is told first.
 const FORCED: f64 = 0.01;
 /// Deviation of the factor of the units, relative, from which another inertia would fit better.
@@ -61,6 +63,12 @@ impl Told<'_> {
                 significant(100.0 * fit.misfit, 2)
             ));
         }
+        if let Some(or) = self.measured.units.or {
+            warnings.push(format!(
+                "The file is taken to have {}; {or} would give the same motion with times a thousand times longer, so name the units in the heading.",
+                self.measured.units.words()
+            ));
+        }
         if let Some(reason) = &self.measured.left_out {
             let (first, rest) = reason.split_at(1);
             warnings.push(format!("{}{rest}.", first.to_uppercase()));
@@ -84,6 +92,15 @@ impl Told<'_> {
             return format!(
                 "The history INVENTS {what}: the wobble about {axis} {fate} e-fold in {}{beyond}.",
                 time(rate.abs().recip())
+            );
+        }
+        if momentum.largest == 0.0 && energy.largest == 0.0 {
+            return "The history keeps energy and angular momentum: neither changes at all.".to_owned();
+        }
+        if energy.rounding > COARSE {
+            return format!(
+                "The digits of the file are too few to tell: rounding alone may change the energy by {} relative.",
+                significant(energy.rounding, 2)
             );
         }
         if !momentum.is_seen() && !energy.is_seen() {
@@ -173,10 +190,7 @@ impl Told<'_> {
                     .to_owned(),
             ),
             UnitSource::Motion if units.factor() != 1.0 => {
-                let or = units.or.map_or_else(String::new, |or| {
-                    format!(" ({or} would give the same, and times a thousand times longer; name the units in the heading)")
-                });
-                notes.push(format!("by Euler's equations the file has {}{or}", units.words()));
+                notes.push(format!("by Euler's equations the file has {}", units.words()));
             }
             _ => {}
         }

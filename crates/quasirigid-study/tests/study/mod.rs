@@ -2,6 +2,7 @@
 
 mod about_spin;
 mod audit;
+mod audit_attitude;
 mod checks;
 mod derive;
 mod eddy_currents;

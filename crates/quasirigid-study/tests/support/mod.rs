@@ -1,5 +1,6 @@
 //! Helpers of the tests: studies, and questions to them.
 
+pub mod free_body;
 mod models;
 
 use std::ops::ControlFlow;

@@ -15,3 +15,4 @@ mod published;
 mod slaved;
 mod surfaces;
 mod sweep;
+mod tanks;

@@ -1,6 +1,6 @@
 //! Slosh of an ideal liquid in a tank of revolution whose axis is along the effective gravity: the potential `f(r, z) cos θ`.
 //! The interior is eliminated by one factor; the eigenproblem is over the nodes of the free surface.
-//! Equations (T1) to (T6), docs/theory/20-slosh.md.
+//! Equations (U1) to (U6), docs/theory/21-slosh.md.
 
 mod pool;
 #[cfg(test)]
@@ -26,10 +26,10 @@ use crate::math::symmetric::{Pattern, Symmetric};
 pub(crate) struct Slosh {
     /// Lowest modes, ascending.
     pub modes: Vec<SloshMode>,
-    /// Moment of the liquid under a rigid lid about an axis across, `∫|∇Φ|² dV` (m⁵). (T6)
+    /// Moment of the liquid under a rigid lid about an axis across, `∫|∇Φ|² dV` (m⁵). (U6)
     pub lid: f64,
-    /// Mass of the bobs of all modes (m³), and their second moment along the axis (m⁵). (T5)
-    pub all: [f64; 2],
+    /// Mass of the bobs of all modes (m³), and their first and second moments along the axis (m⁴, m⁵). (U5)
+    pub all: [f64; 3],
 }
 
 /// A slosh mode of a liquid of unit density.
@@ -37,11 +37,11 @@ pub(crate) struct Slosh {
 pub(crate) struct SloshMode {
     /// `λ = ω²/g` (1/m).
     pub wavenumber: f64,
-    /// Mass of the bob (m³). (T3)
+    /// Mass of the bob (m³). (U3)
     pub mass: f64,
-    /// Height of the bob (m). (T3)
+    /// Height of the bob (m). (U3)
     pub height: f64,
-    /// `∮|∇φ|² dS` over the wall, over `∫|∇φ|² dV` (1/m). (T7)
+    /// `∮|∇φ|² dS` over the wall, over `∫|∇φ|² dV` (1/m). (U7)
     pub wall: f64,
 }
 
@@ -57,7 +57,11 @@ impl Slosh {
     /// The `count` lowest modes of the liquid inside a wall that ends at the level, with polynomials of a degree and so many layers of patches
     /// at corners; none if floating point does not resolve them.
     pub fn new(wall: &Wall, count: usize, [degree, layers]: [usize; 2]) -> Option<Self> {
-        let grid = Grid::new(&Pool(wall), degree, layers);
+        let pool = Pool(wall);
+        if !pool.is_resolved() {
+            return None;
+        }
+        let grid = Grid::new(&pool, degree, layers);
         let unknowns = Unknowns::of(&grid);
         let factor = Factor::new(&unknowns.stiffness(&grid)?, Method::default()).ok()?;
         let (size, width) = (unknowns.surface.len(), unknowns.surface.len() + 1);
@@ -73,17 +77,18 @@ impl Slosh {
         let lid_there = nalgebra::DVector::from_fn(size, |row, _| lid[unknowns.surface[row]]);
         let found = eigen::modes(&dense(&(&mass * &G * &mass)), &dense(&mass)).ok()?;
         let lid_load = &mass * lid_there;
-        let mut all = [0.0; 2];
+        let mut all = [0.0; 3];
         let mut modes = Vec::new();
         for (column, root) in found.frequencies.iter().enumerate() {
             let x = nalgebra::DVector::from_fn(size, |row, _| found.shapes.at(row, column));
             let (lambda, Mx) = (root * root, &mass * &x);
             let (b, c, norm) = (radial.dot(&x), lid_load.dot(&x), x.dot(&Mx));
-            let bob = PI * lambda * b * b / norm;
-            all[0] += bob;
-            all[1] += PI * lambda * c * c / norm;
+            let share = PI * lambda / norm;
+            let bob = share * b * b;
+            all = [all[0] + bob, all[1] + share * b * c, all[2] + share * c * c];
             if modes.len() < count {
-                let own = |row: usize| lambda * (0..size).map(|column| at(row, column) * Mx[column]).sum::<f64>();
+                let own =
+                    |row: usize| lambda * (0..size).map(|column| at(row, column) * Mx[column]).sum::<f64>();
                 let f: Vec<f64> = (0..unknowns.count).map(own).collect();
                 let wall = unknowns.wall_share(&grid, &f, lambda * norm);
                 modes.push(SloshMode { wavenumber: lambda, mass: bob, height: c / b, wall });
@@ -115,7 +120,7 @@ impl Unknowns {
         patch.nodes.iter().map(|node| self.numbers[*node]).collect()
     }
 
-    /// `∫ (f_r g_r + f_z g_z + f g/r²) r dr dz`. (T1)
+    /// `∫ (f_r g_r + f_z g_z + f g/r²) r dr dz`. (U1)
     fn stiffness(&self, grid: &Grid) -> Option<Symmetric> {
         let lists: Vec<Vec<u32>> =
             grid.patches.iter().map(|patch| self.of_patch(patch).into_iter().flatten().collect()).collect();
@@ -136,7 +141,7 @@ impl Unknowns {
         Some(sum)
     }
 
-    /// Load of a rotation about y, `∫ ∇N·(e_y × r) dV/π`. (T6)
+    /// Load of a rotation about y, `∫ ∇N·(e_y × r) dV/π`. (U6)
     fn load(&self, grid: &Grid) -> Vec<f64> {
         let mut load = vec![0.0; self.count];
         for patch in &grid.patches {
@@ -164,10 +169,12 @@ impl Unknowns {
             let places: Vec<Option<usize>> = edge.nodes.iter().map(|node| place(*node)).collect();
             for point in &edge.points {
                 let r = point.at[0];
-                let values = || places.iter().zip(&point.functions).filter_map(|(place, f)| Some(((*place)?, f[0])));
+                let values =
+                    || places.iter().zip(&point.functions).filter_map(|(place, f)| Some(((*place)?, f[0])));
                 for (row, value) in values() {
                     radial[(row, 0)] += point.share * r * r * value;
-                    values().for_each(|(column, other)| mass[(row, column)] += point.share * r * value * other);
+                    values()
+                        .for_each(|(column, other)| mass[(row, column)] += point.share * r * value * other);
                 }
             }
         }
@@ -178,8 +185,11 @@ impl Unknowns {
     fn wall_share(&self, grid: &Grid, f: &[f64], energy: f64) -> f64 {
         let mut sum = 0.0;
         for edge in &grid.edges {
-            let own: Vec<f64> =
-                edge.nodes.iter().map(|node| self.numbers[*node].map_or(0.0, |number| f[number as usize])).collect();
+            let own: Vec<f64> = edge
+                .nodes
+                .iter()
+                .map(|node| self.numbers[*node].map_or(0.0, |number| f[number as usize]))
+                .collect();
             for point in &edge.points {
                 let r = point.at[0];
                 let parts = own.iter().zip(&point.functions).fold([0.0; 3], |sum, (value, functions)| {
@@ -196,7 +206,8 @@ impl Unknowns {
 fn dense(matrix: &DMatrix<f64>) -> Dense {
     let mut dense = Dense::zero(matrix.nrows());
     for row in 0..matrix.nrows() {
-        (0..matrix.ncols()).for_each(|column| dense.add(row, column, 0.5 * (matrix[(row, column)] + matrix[(column, row)])));
+        (0..matrix.ncols())
+            .for_each(|column| dense.add(row, column, 0.5 * (matrix[(row, column)] + matrix[(column, row)])));
     }
     dense
 }

@@ -11,6 +11,12 @@ pub(super) struct Pool<'a>(pub &'a Wall);
 const POLE: f64 = 1e-12;
 /// Depth of patches at an end, as a share of the narrowest width, above which the end is not graded; see [`graded`].
 const UNGRADED: f64 = 0.101;
+/// Depth of the flattest liquid over its width.
+const FLATTEST: f64 = 1e-4;
+/// Most that a side of the square is longer than the other when it is cut.
+const LONGEST: f64 = 1e6;
+/// Pieces of a wall up to which the joints between them are graded; the lines of a longer profile meet at small angles.
+const GRADED_PIECES: usize = 6;
 /// Change of direction at a joint of pieces (rad) from which the joint is a corner.
 const CORNER: f64 = 1e-6;
 
@@ -19,6 +25,13 @@ impl Pool<'_> {
     fn is_pointed(&self) -> bool {
         let [[lowest, _], _] = self.0.ends();
         lowest <= POLE * self.width()
+    }
+
+    /// Whether width and depth are within a range of each other in which the places are distinct.
+    pub fn is_resolved(&self) -> bool {
+        let [[_, low], [radius, high]] = self.0.ends();
+        let ratio = (high - low) / self.width();
+        ratio > FLATTEST && ratio < FLATTEST.recip() && radius > POLE * self.width()
     }
 
     /// The greatest distance from the axis (m).
@@ -30,8 +43,9 @@ impl Pool<'_> {
     fn corners(&self) -> Vec<bool> {
         let direction = |[_, [out, rise]]: [[f64; 2]; 2]| out.atan2(rise);
         let joints = self.0.pieces.windows(2);
+        let joints_graded = self.0.pieces.len() <= GRADED_PIECES;
         let turns = joints.map(|pair| {
-            (direction(pair[0].at(1.0)) - direction(pair[1].at(0.0))).abs() > CORNER
+            joints_graded && (direction(pair[0].at(1.0)) - direction(pair[1].at(0.0))).abs() > CORNER
         });
         std::iter::once(!self.is_pointed()).chain(turns).chain([true]).collect()
     }
@@ -54,17 +68,17 @@ impl Meridian for Pool<'_> {
     fn cuts(&self, layers: usize) -> [Vec<f64>; 2] {
         let (pieces, corners) = (&self.0.pieces, self.corners());
         let [[_, low], [_, high]] = self.0.ends();
-        let whole = graded(2.0 * self.width() / (high - low), layers);
+        let whole = graded((2.0 * self.width() / (high - low)).min(LONGEST), layers);
         let half: Vec<f64> = whole.into_iter().map(|cut| 2.0 * cut - 1.0).filter(|cut| *cut > 0.0).collect();
         let mut upwards = vec![0.0];
         for (number, piece) in pieces.iter().enumerate() {
             let [length, width] = piece.size();
-            let ratio = 0.5 * length / width;
+            let ratio = (0.5 * length / width).min(LONGEST);
             let least = UNGRADED / ratio.max(1.0);
-            let keeps = |cut: &f64| {
-                (corners[number] || *cut > least) && (corners[number + 1] || 1.0 - cut > least)
-            };
-            let inner = graded(ratio, layers).into_iter().filter(|cut| *cut > 0.0 && *cut < 1.0 && keeps(cut));
+            let keeps =
+                |cut: &f64| (corners[number] || *cut > least) && (corners[number + 1] || 1.0 - cut > least);
+            let inner =
+                graded(ratio, layers).into_iter().filter(|cut| *cut > 0.0 && *cut < 1.0 && keeps(cut));
             let end = std::iter::once(1.0);
             upwards.extend(inner.chain(end).map(|cut| (number as f64 + cut) / pieces.len() as f64));
         }

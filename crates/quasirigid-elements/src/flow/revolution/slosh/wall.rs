@@ -1,6 +1,6 @@
 //! Wall of a tank of revolution: pieces of its meridian from the lower pole to the upper one, with the moments of what it encloses.
 //! The distance from the axis is a function of the height, so every level is one disc.
-//! Equation (T4), docs/theory/20-slosh.md.
+//! Equation (U4), docs/theory/21-slosh.md.
 
 use std::f64::consts::PI;
 

@@ -1,12 +1,14 @@
 //! Partly full tanks of a model: their slosh in words and numbers, and what is to be read before it.
 //! Limits of (U3), (U7) and (U9), docs/theory/21-slosh.md.
 
+use quasirigid::dynamics::Start;
 use quasirigid::elements::{SettledTank, Settling, TankMode};
 use quasirigid::model::force::{Force, ForceLaw, KinematicState};
-use quasirigid::model::{Marker, MotionState, Support};
+use quasirigid::model::{Marker, MotionState, Principal, Support};
 use quasirigid_math::vec3::{add, cross, norm, scale};
 use serde::Serialize;
 
+use crate::error::StudyError;
 use crate::layout::paragraph;
 use crate::study::Study;
 use crate::words::{significant, time};
@@ -21,6 +23,10 @@ const THICK: f64 = 0.05;
 const COARSE: f64 = 1e-3;
 /// Relative change of what settled a liquid, or of its slosh or inertia by the spin, that is told.
 const NOTABLE: f64 = 0.01;
+/// Relative change of the effective gravity of a liquid by a spin that is told: 1 degree.
+const OTHER_GRAVITY: f64 = 0.0175;
+/// Share of the lowest frequency of slosh at which a model without a spin is judged.
+const SLOW: f64 = 1e-3;
 
 /// Tank with its liquid settled, for machines; the first paragraph of a field is the reference of `--json` in the guide.
 #[derive(Serialize)]
@@ -129,7 +135,7 @@ fn of_settling(study: &Study, tank: &SettledTank, spin: [f64; 3], felt: [f64; 3]
                     vector(felt),
                 ));
             }
-            notes.extend(share_of_spin(study, tank, spin).map(|share| {
+            notes.extend(change_at(study, tank, spin).map(|share| {
                 format!(
                     "{MAY_NOT_HOLD}: the spin at the start presses the liquid of tank {name:?} with {} % of the acceleration under which it has settled, and neither its \
                      level nor its slosh follows the spin.",
@@ -204,29 +210,55 @@ fn of_flow(tank: &SettledTank) -> Vec<String> {
 
 /// Warning to stand before an answer about a steady spin (rad/s) under which the liquid of a tank has not settled.
 pub fn warning(study: &Study, spin: [f64; 3]) -> Option<String> {
-    study.tanks.iter().find_map(|tank| match tank.settled_by {
-        Settling::Acceleration(_) => share_of_spin(study, tank, spin).map(|share| {
-            format!(
+    study.tanks.iter().find_map(|tank| {
+        let share = change_at(study, tank, spin)?;
+        Some(match tank.settled_by {
+            Settling::Acceleration(_) => format!(
                 "{MAY_NOT_HOLD}, since this spin presses the liquid of tank {:?} with {} % of the acceleration under which it has settled.",
                 tank.name,
                 significant(100.0 * share, 2)
-            )
-        }),
-        Settling::Spin(settled) => (norm(sub(spin, settled)) > NOTABLE * norm(settled)).then(|| {
-            format!(
+            ),
+            Settling::Spin(settled) => format!(
                 "{MAY_NOT_HOLD}, since the liquid of tank {:?} has settled under another spin, {} rad/s.",
                 tank.name,
                 vector(settled)
-            )
-        }),
+            ),
+        })
     })
 }
 
-/// Centrifugal acceleration of a liquid over that under which it has settled, where it is notable.
-fn share_of_spin(study: &Study, tank: &SettledTank, spin: [f64; 3]) -> Option<f64> {
+/// The start of a model, or a slow spin about its axis of greatest inertia where it has tanks and no spin, and whether it is that one.
+///
+/// # Errors
+/// As [`Study::initial`].
+pub fn spun_slowly(study: &Study) -> Result<(Start, bool), StudyError> {
+    let start = study.initial();
+    let rests = match (&start, study.model.initial.rotation) {
+        (Ok(start), _) => norm(start.omega) == 0.0,
+        (Err(_), given) => given.is_none(),
+    };
+    let slowest =
+        study.tanks.iter().flat_map(|tank| &tank.slosh).map(|mode| mode.frequency).min_by(f64::total_cmp);
+    match slowest.filter(|_| rests) {
+        None => start.map(|start| (start, false)),
+        Some(slowest) => {
+            let [.., greatest] = Principal::compute(study.body.invariants().J).axes;
+            Ok((Start::new(scale(SLOW * slowest, greatest), study.model.initial.attitude), true))
+        }
+    }
+}
+
+/// Change of the effective gravity of a liquid from that under which it has settled to that at a spin (rad/s), over the former, where it
+/// is notable.
+fn change_at(study: &Study, tank: &SettledTank, spin: [f64; 3]) -> Option<f64> {
     let arm = sub(tank.center_of_mass, study.body.pole());
-    let share = norm(cross(spin, cross(spin, arm))) / norm(tank.gravity);
-    (share > NOTABLE).then_some(share)
+    let flung = |spin: [f64; 3]| scale(-1.0, cross(spin, cross(spin, arm)));
+    let before = match tank.settled_by {
+        Settling::Acceleration(_) => [0.0; 3],
+        Settling::Spin(settled) => flung(settled),
+    };
+    let share = norm(sub(flung(spin), before)) / norm(tank.gravity);
+    (share > OTHER_GRAVITY).then_some(share)
 }
 
 /// Acceleration (m/s²) that liquids feel at the start beside that of the spin, body axes: the recoil of a free body from its forces, the

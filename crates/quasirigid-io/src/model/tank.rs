@@ -210,7 +210,12 @@ fn settling(value: &Value<'_>) -> Option<Settling> {
         });
         return felt.map(Settling::Acceleration);
     }
-    value.choice(&[("spin", Settling::Spin([0.0; 3]))])
+    let help = "write { acceleration = [0, 0, -0.1] }, or \"spin\"";
+    match value.words() {
+        Some("spin") => Some(Settling::Spin([0.0; 3])),
+        Some(word) => value.refuse(format!("`settled_by` cannot be {word:?}"), "unknown word", help),
+        None => value.mismatch("\"spin\" or an acceleration", help),
+    }
 }
 
 fn axis(value: &Value<'_>) -> Option<[f64; 3]> {

@@ -363,3 +363,70 @@ fn a_liquid_that_decides_the_motion_is_refused() {
         "{error}"
     );
 }
+
+/// Any tank, in any unit of length and however full, is answered within what a liquid can have, or refused; never by a panic.
+mod any {
+    use proptest::prelude::*;
+
+    use super::*;
+    use crate::support::{cases, vector};
+
+    fn shapes() -> impl Strategy<Value = TankShape> {
+        let length = || (-3.0..1.0).prop_map(|power: f64| 10_f64.powf(power));
+        prop_oneof![
+            (length(), length()).prop_map(|(a, c)| TankShape::Ellipsoid { semi_axes: [a, a, c] }),
+            (length(), length()).prop_map(|(radius, height)| TankShape::Cylinder { radius, height }),
+            (length(), length())
+                .prop_map(|(radius, height)| TankShape::Capsule { radius, height: height + 2.0 * radius }),
+            (length(), length(), length())
+                .prop_map(|(low, high, height)| TankShape::Cone { radii: [low, high], height }),
+            (length(), length(), length()).prop_map(|(low, high, rise)| TankShape::Profile {
+                points: vec![[0.0, -rise], [low, -0.3 * rise], [high, 0.4 * rise], [0.0, rise]]
+            }),
+        ]
+    }
+
+    proptest! {
+        #![proptest_config(cases(48))]
+
+        #[test]
+        fn tank_is_answered_or_refused(
+            shape in shapes(), fill in 1e-3..0.999, up in vector(), unit in -6..6i32, modes in 1usize..4,
+        ) {
+            prop_assume!(V::from(up).norm() > 0.1);
+            let unit = 10_f64.powi(unit);
+            let scaled = |value: f64| unit * value;
+            let shape = match shape {
+                TankShape::Ellipsoid { semi_axes } => TankShape::Ellipsoid { semi_axes: semi_axes.map(scaled) },
+                TankShape::Cylinder { radius, height } =>
+                    TankShape::Cylinder { radius: scaled(radius), height: scaled(height) },
+                TankShape::Capsule { radius, height } =>
+                    TankShape::Capsule { radius: scaled(radius), height: scaled(height) },
+                TankShape::Cone { radii, height } =>
+                    TankShape::Cone { radii: radii.map(scaled), height: scaled(height) },
+                TankShape::Profile { points } =>
+                    TankShape::Profile { points: points.into_iter().map(|point| point.map(scaled)).collect() },
+            };
+            let up = V::from(up).normalize();
+            let own = Tank {
+                center: (unit * AWAY).into(),
+                axis: up.into(),
+                damping: TankDamping::Ratio(0.01),
+                surface_tension: Some(1e-30),
+                modes,
+                ..tank(shape, fill, Settling::Acceleration((-up).into()))
+            };
+            let hub = Carrier::principal(1e6 * unit.powi(3), [9.0, 13.0, 16.0].map(|moment| 1e6 * moment * unit.powi(5)));
+            match Assembly::default().with(hub).with(own).build() {
+                Ok(built) => {
+                    let tank = &built.tanks[0];
+                    let bobs: f64 = tank.slosh.iter().map(|mode| mode.mass).sum();
+                    prop_assert!(bobs > 0.0 && bobs < tank.liquid_mass * (1.0 + 1e-3), "{bobs} {tank:?}");
+                    prop_assert!(tank.slosh.windows(2).all(|pair| pair[0].frequency < pair[1].frequency));
+                    prop_assert!(tank.drag[0] > -1e-3 * tank.liquid_mass * unit * unit * 1e2);
+                }
+                Err(error) => prop_assert!(matches!(error.problem, Problem::Tank(TankError::Unresolved { .. })), "{error}"),
+            }
+        }
+    }
+}

@@ -155,6 +155,12 @@ fn of_settling(study: &Study, tank: &SettledTank, spin: [f64; 3], felt: [f64; 3]
                 "The liquid of tank {name:?} has settled under a spin of {} rad/s and turns with the body; its slosh is known near this spin alone.",
                 vector(settled)
             ));
+            if norm(felt) > OTHER_GRAVITY * norm(tank.gravity) {
+                notes.push(format!(
+                    "{MAY_NOT_HOLD}: beside the spin the forces of the model press the liquid of tank {name:?} with {} m/s^2 at the start, and its level does not follow them.",
+                    vector(felt)
+                ));
+            }
             if tank.spin_share > NOTABLE {
                 notes.push(format!(
                     "{MAY_NOT_HOLD}: Coriolis forces and the curvature of its surface change the slosh of tank {name:?} by about {} %.",

@@ -115,7 +115,7 @@ fn a_tank_is_points_on_springs_and_a_rod() {
     assert!((J(&a) - J(&b)).amax() < 1e-12 * J(&b).amax());
     let [a, b] = [a, b].map(|body| Vibrations::compute(&body).unwrap());
     for (a, b) in [(&a.free_frequencies, &b.free_frequencies), (&a.decay_rates, &b.decay_rates)] {
-        assert_eq!(a.len(), 4);
+        assert!(a.len() == b.len() && a.len() >= 4);
         a.iter().zip(b).for_each(|(a, b)| close(*a, *b, 1e-9, "rate"));
     }
 }
@@ -355,9 +355,9 @@ fn a_liquid_that_decides_the_motion_is_refused() {
         let own = Tank { center: [1.5, 0.0, 0.0], ..tank(sphere(0.2), 0.5, Settling::Spin([0.0, 0.0, 1.0])) };
         Assembly::default().with(Carrier::principal(400.0, moments)).with(own).build()
     };
-    let share = of([90.0, 130.0, 260.0]).unwrap().tanks[0].inertia_share;
+    let share = of([140.0, 150.0, 260.0]).unwrap().tanks[0].inertia_share;
     assert!(share > 0.0 && share < 0.01, "{share}");
-    let error = of([90.0, 259.5, 260.0]).unwrap_err();
+    let error = of([150.0, 259.5, 260.0]).unwrap_err();
     assert!(
         matches!(error.problem, Problem::Tank(TankError::Uncertain { share, .. }) if share > 0.2),
         "{error}"

@@ -113,27 +113,10 @@ impl Tank {
         if !(error < UNRESOLVED) {
             return Err(refused(Field::SHAPE, TankError::Unresolved { error: Some(error) }));
         }
-        let [_, [radius, _]] = settled.wall.ends();
-        let tension = self.surface_tension.unwrap_or(WATER);
-        let bond = self.density * settled.gravity[0] * radius * radius / tension;
-        if !(bond >= LEAST_BOND) {
-            return Err(refused(SETTLED_BY, TankError::Capillary { bond, least: LEAST_BOND }));
-        }
         let slosh: Vec<TankMode> = fine.modes.iter().map(|mode| self.mode(settled, mode)).collect();
-        if let TankDamping::WallLayer(_) = self.damping {
-            let ratio = slosh.iter().fold(0.0, |most: f64, mode| most.max(mode.damping_ratio));
-            if !(ratio <= THIN) {
-                return Err(refused(Field::VISCOSITY, TankError::Viscous { ratio, most: THIN }));
-            }
-        }
-        let mut spin_share = 0.0;
-        if let Settling::Spin(spin) = self.settled_by {
-            let ratio = slosh[0].frequency / Vector3::from(spin).norm();
-            if !(ratio >= LEAST_RATIO) {
-                return Err(refused(SETTLED_BY, TankError::NearSpinAxis { ratio, least: LEAST_RATIO }));
-            }
-            spin_share = ratio.powi(-2);
-        }
+        let [_, [radius, _]] = settled.wall.ends();
+        let (bond, spin_share) =
+            self.within_limits(settled, &slosh).map_err(|(field, error)| refused(field, error))?;
         let moments = settled.moments;
         let frozen = self.density * (moments.along + 0.5 * moments.axial);
         let tank = SettledTank {
@@ -158,6 +141,28 @@ impl Tank {
         let bobs = self.bobs(settled, &tank.slosh);
         let rest = self.rest(settled, &tank, self.density * fine.lid);
         Ok(Sloshing { tank, bobs, rest })
+    }
+
+    /// Bond number, and the square of the spin over the lowest frequency, of a slosh that weight makes, with a thin layer at the wall, and fast
+    /// beside the spin.
+    fn within_limits(&self, settled: &Settled, slosh: &[TankMode]) -> Result<(f64, f64), (Field, TankError)> {
+        let [_, [radius, _]] = settled.wall.ends();
+        let tension = self.surface_tension.unwrap_or(WATER);
+        let bond = self.density * settled.gravity[0] * radius * radius / tension;
+        if !(bond >= LEAST_BOND) {
+            return Err((SETTLED_BY, TankError::Capillary { bond, least: LEAST_BOND }));
+        }
+        let ratio = slosh.iter().fold(0.0, |most: f64, mode| most.max(mode.damping_ratio));
+        if matches!(self.damping, TankDamping::WallLayer(_)) && !(ratio <= THIN) {
+            return Err((Field::VISCOSITY, TankError::Viscous { ratio, most: THIN }));
+        }
+        let Settling::Spin(spin) = self.settled_by else { return Ok((bond, 0.0)) };
+        let lowest = slosh.iter().fold(f64::INFINITY, |lowest, mode| lowest.min(mode.frequency));
+        let ratio = lowest / Vector3::from(spin).norm();
+        if !(ratio >= LEAST_RATIO) {
+            return Err((SETTLED_BY, TankError::NearSpinAxis { ratio, least: LEAST_RATIO }));
+        }
+        Ok((bond, ratio.powi(-2)))
     }
 
     fn mode(&self, settled: &Settled, mode: &SloshMode) -> TankMode {

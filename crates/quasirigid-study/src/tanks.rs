@@ -25,6 +25,8 @@ const COARSE: f64 = 1e-3;
 const NOTABLE: f64 = 0.01;
 /// Relative change of the effective gravity of a liquid by a spin that is told: 1 degree.
 const OTHER_GRAVITY: f64 = 0.0175;
+/// The same above which an evolution does not hold.
+const MOST_OTHER_GRAVITY: f64 = 0.25;
 /// Share of the lowest frequency of slosh at which a model without a spin is judged.
 const SLOW: f64 = 1e-3;
 
@@ -252,6 +254,23 @@ pub fn spun_slowly(study: &Study) -> Result<(Start, bool), StudyError> {
             Ok((Start::new(scale(SLOW * slowest, greatest), study.model.initial.attitude), true))
         }
     }
+}
+
+/// Tank whose liquid an evolution does not leave where it has settled, in words: the mean spin is about one of these axes at the start and about
+/// another at the end, at these rates (rad/s); none if every liquid stays.
+pub fn left(study: &Study, axes: [[f64; 3]; 2], rates: [f64; 2]) -> Option<String> {
+    let ends = [0, 1].map(|end| scale(rates[end], axes[end]));
+    study.tanks.iter().find_map(|tank| {
+        let change = |spin: [f64; 3]| change_at(study, tank, spin).unwrap_or(0.0);
+        let share = ends.map(change).into_iter().fold(0.0, f64::max);
+        (share > MOST_OTHER_GRAVITY).then(|| {
+            format!(
+                "the mean spin of this evolution changes the effective gravity of tank {:?} by {} % of that under which its liquid has settled.",
+                tank.name,
+                significant(100.0 * share, 2)
+            )
+        })
+    })
 }
 
 /// Change of the effective gravity of a liquid from that under which it has settled to that at a spin (rad/s), over the former, where it

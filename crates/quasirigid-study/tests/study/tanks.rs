@@ -4,7 +4,9 @@ use quasirigid::elements::SettledTank;
 use quasirigid_io::model::System;
 use quasirigid_study::Study;
 
-use crate::support::{carrier, close, finished, fixed, gravity, modes, numbers, spinning, study};
+use crate::support::{
+    carrier, close, evolve, finished, fixed, gravity, modes, numbers, spinning, study, until,
+};
 
 /// A tank half as deep in liquid as it is wide, under a weight along −z.
 fn upright(lines: &str) -> String {
@@ -133,6 +135,16 @@ fn another_spin_is_told() {
     let small =
         hub() + &upright("settled_by = { acceleration = [0, 0, -9.8] }\n") + &spinning([0.0, 1.0, 0.0]);
     assert!(doubts(&small).iter().any(|doubt| doubt.contains("neither its level nor its slosh follows")));
+}
+
+/// An evolution whose mean spin is not that of the start leaves the liquid where it did not settle, and does not hold; near it, it does.
+#[test]
+fn an_evolution_away_from_the_settled_spin_does_not_hold() {
+    let from = |across: f64| evolve(&(hub() + &flung("") + &spinning([across, 0.0, 3.0]) + &until("1 deg")));
+    let far = from(0.9).message;
+    assert!(far.contains("DOES NOT HOLD: the mean spin of this evolution"), "{far}");
+    let near = from(0.3).message;
+    assert!(!near.contains("DOES NOT HOLD"), "{near}");
 }
 
 /// Capillarity and thick layers are told, with what was assumed.

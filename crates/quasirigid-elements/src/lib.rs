@@ -64,6 +64,9 @@ pub use kinds::point::{Point, PointMotion};
 pub use kinds::rotor::{Rotor, RotorKind};
 pub use kinds::spring::{Coefficient, Prestress, Spring, SpringLaw};
 pub use kinds::surface::{Approximation, Resolution, Surface};
+pub use kinds::tank::{
+    SettledTank, Settling, Tank, TankContents, TankDamping, TankError, TankMode, TankShape,
+};
 pub use kinds::wheel::{Wheel, WheelSpeed};
 pub use material::Material;
 pub use reference::{End, NodeRef, PlaceRef};
@@ -101,6 +104,8 @@ kinds! {
     wheels: Wheel(Wheel) = "wheel", Role::Inside(Field::AXIS), name;
     /// Cavities full of liquid.
     cavities: Cavity(Cavity) = "cavity", Role::Inside(Field::SHAPE), name;
+    /// Tanks that are partly full of a liquid.
+    tanks: Tank(Tank) = "tank", Role::Inside(Field::SHAPE), name;
     /// External forces.
     forces: Force(Force<ApplicationPoint>) = "force", Role::External, name;
     /// Controllers.

@@ -32,6 +32,7 @@ const NETWORKS: &[&str] = &["quillen2019", "steele2014"];
 const ELLIPSOIDS: &[&str] = &["breiter2012"];
 const SURFACES: &[&str] = &["labelle2007", "baerentzen2005", "freudenthal1942", "walkington2000"];
 const LIQUIDS: &[&str] = &["zhukovsky1885", "chernousko1968"];
+const SLOSH: &[&str] = &["abramson1966", "dodge2000", "bernardi1999"];
 const BALLS: &[&str] = &["poincare1910", "greenspan1968"];
 const CYLINDERS: &[&str] = &["stewartson1959", "greenspan1968", "bernardi1999"];
 const REVOLUTIONS: &[&str] = &["bernardi1999"];
@@ -103,6 +104,7 @@ fn capabilities(model: &Model) -> Vec<(bool, &'static [&'static str])> {
         (!assembly.ellipsoids.is_empty(), ELLIPSOIDS),
         (!assembly.surfaces.is_empty(), SURFACES),
         (!assembly.cavities.is_empty(), LIQUIDS),
+        (!assembly.tanks.is_empty(), SLOSH),
         (cavity(|shape| matches!(shape, CavityShape::Ellipsoid { .. })), BALLS),
         (cavity(|shape| matches!(shape, CavityShape::Cylinder { .. })), CYLINDERS),
         (

@@ -105,6 +105,7 @@ mod study;
 pub mod summary;
 pub mod sweep;
 mod table_sink;
+mod tanks;
 pub mod verification;
 mod watch;
 mod words;

@@ -15,9 +15,9 @@ use crate::error::StudyError;
 use crate::layout::paragraph;
 use crate::liquids::unanswered;
 use crate::motion::Motion;
-use crate::sheets;
 use crate::study::Study;
 use crate::words::{significant, tidied, time};
+use crate::{sheets, tanks};
 
 /// Coordinates of a body on curved paths whose modes take longer than a moment.
 const MAX_COORDINATES: usize = 700;
@@ -146,10 +146,12 @@ fn told(
     }
     let coordinates = body.coordinates().iter().zip(&modes.equilibrium.q).take(body.elastic());
     let record = SteadySpinRecord {
-        sentence: sheets::warning(&study.model.assembly, modes.equilibrium.omega).map_or_else(
-            || sentence(name, &modes),
-            |warning| format!("{warning} {}", sentence(name, &modes)),
-        ),
+        sentence: sheets::warning(&study.model.assembly, modes.equilibrium.omega)
+            .into_iter()
+            .chain(tanks::warning(study, modes.equilibrium.omega))
+            .chain([sentence(name, &modes)])
+            .collect::<Vec<_>>()
+            .join(" "),
         axis: name.into(),
         spin: Some(tidied(modes.equilibrium.omega)),
         angular_momentum: Some(tidied(modes.equilibrium.angular_momentum)),

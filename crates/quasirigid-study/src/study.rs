@@ -6,7 +6,7 @@ use std::path::Path;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use quasirigid::dynamics::Start;
-use quasirigid::elements::{Built, Condensation, Resolution, SlowLiquid, Surface, Visual};
+use quasirigid::elements::{Built, Condensation, Resolution, SettledTank, SlowLiquid, Surface, Visual};
 use quasirigid::model::control::Controls;
 use quasirigid::model::force::Force;
 use quasirigid::model::{FlexibleBody, Marker, ReducedBody};
@@ -18,7 +18,7 @@ use crate::error::StudyError;
 use crate::incomplete::beyond;
 use crate::skin;
 use crate::start::initial;
-use crate::{liquids, resolution, sheets};
+use crate::{liquids, resolution, sheets, tanks};
 
 /// Study: an assembled model that answers every question.
 ///
@@ -46,6 +46,8 @@ pub struct Study {
     pub speeds: Vec<(usize, f64)>,
     /// Effect of each liquid on a slow rotation.
     pub liquids: Vec<SlowLiquid>,
+    /// Tanks that are partly full, with their liquids settled.
+    pub tanks: Vec<SettledTank>,
     /// Condensation of the unknowns of the parts into few coordinates.
     pub condensation: Option<Condensation>,
     /// Approximation of a solid inside a surface.
@@ -103,7 +105,7 @@ impl Study {
             return Err(model.diagnose_all(&errors).into());
         }
         let built = if drawn { model.assembly.build_with_visuals() } else { model.assembly.build() };
-        let Built { body, forces, controls, condensation, speeds, liquids: slow, resolution, visuals } =
+        let Built { body, forces, controls, condensation, speeds, liquids: slow, tanks, resolution, visuals } =
             built.map_err(|error| model.diagnose(&error))?;
         let visuals = if drawn { OnceLock::from(visuals) } else { OnceLock::new() };
         model.notes.extend(beyond(&model.assembly, order));
@@ -120,6 +122,7 @@ impl Study {
             controls,
             speeds,
             liquids: slow,
+            tanks,
             condensation,
             resolution,
             order,
@@ -132,6 +135,8 @@ impl Study {
             let note = start.and_then(|start| sheets::note(&study.model.assembly, start.omega));
             study.model.notes.splice(..0, note);
         }
+        let notes = tanks::notes(&study);
+        study.model.notes.splice(..0, notes);
         Ok(study)
     }
 

@@ -126,7 +126,10 @@ fn keys_of_check_and_modes_are_those_of_the_guide() {
             .skip(1)
             .map(|key| format!("resolution.{key}")),
     );
-    check.extend(printed(&["check examples/nutation-damper/model.toml"]));
+    check.extend(printed(&[
+        "check examples/nutation-damper/model.toml",
+        "check examples/two-tanks/model.toml",
+    ]));
     check.extend(of_a_shape());
     check.extend(of_many_coordinates("check"));
     let equations = under("about_spin.equations", &about_spin());

@@ -10,7 +10,7 @@ use serde_json::Value;
 use tempfile::TempDir;
 
 pub const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
-pub const EXAMPLES: [&str; 15] = [
+pub const EXAMPLES: [&str; 16] = [
     "apophis",
     "axial-mass",
     "boom-satellite",
@@ -26,6 +26,7 @@ pub const EXAMPLES: [&str; 15] = [
     "spherical-tank",
     "three-masses",
     "toutatis",
+    "two-tanks",
 ];
 
 /// Examples of finite elements and networks, which take longer; they have tests of their own.

@@ -16,6 +16,7 @@ use crate::contribution::{ModalBody, MovingBody};
 use crate::element::{AttachmentPoint, ElementSite, Preload, Role};
 use crate::error::{ElementError, ElementId, ElementKind, Field, Problem, at};
 use crate::kinds::part::PartGraph;
+use crate::kinds::tank::Sloshing;
 use crate::math::memory;
 use crate::math::sparse::SparseRows;
 use crate::math::sym3::Sym;
@@ -28,7 +29,7 @@ use crate::model::{
 use crate::structure::Block;
 use crate::structure::Component;
 use crate::visual::Vertex;
-use crate::{ApplicationPoint, End};
+use crate::{ApplicationPoint, End, SettledTank};
 
 /// A carrier with everything on it and in it: rigid pieces that move, then the coordinates of the parts, then those of internal
 /// rotors and liquids.
@@ -43,6 +44,9 @@ struct Carried {
     /// First coordinate of the component.
     flexible: usize,
     inner: Internal,
+    /// Tanks with their liquids settled, with the stiffness and damping of their bobs.
+    tanks: Vec<SettledTank>,
+    slosh: Vec<Block>,
 }
 
 /// Piece that moves, with its element and its first coordinate.
@@ -80,7 +84,7 @@ impl Assembly {
         }
         let component = graph.as_ref().map(|graph| graph.component(false)).transpose()?;
         let (moving_bodies, moved) = self.moving_bodies()?;
-        let (modal_bodies, flexible) = self.modal_bodies(moved)?;
+        let (modal_bodies, flexible) = self.modal_bodies(moved + self.slosh_coordinates())?;
         let order = self.reduction.order;
         let inner = self.each().filter_map(|(id, element)| {
             let inner = element.inner(id, order).transpose()?;
@@ -90,11 +94,16 @@ impl Assembly {
         let inner = Internal::sum(elastic, inner)?;
         let mut rigid = vec![(carrier.piece()?, carrier.position())];
         rigid.extend(&inner.rigid);
-        let whole = Carried { rigid, moving_bodies, modal_bodies, component, flexible, inner };
+        let (tanks, slosh) = (Vec::new(), Vec::new());
+        let mut whole =
+            Carried { rigid, moving_bodies, modal_bodies, component, flexible, inner, tanks, slosh };
+        let held = self.held_point()?;
+        whole.fill(self.sloshing(whole.mass_center(), held)?, moved);
         let (mass, center_of_mass) = whole.mass_center();
-        let pole = self.held_point()?.unwrap_or(center_of_mass);
+        let pole = held.unwrap_or(center_of_mass);
         let invariants = whole.invariants(pole, mass);
         self.has_inertia(ElementId::CARRIER, &invariants)?;
+        whole.tanks = self.carried_along(std::mem::take(&mut whole.tanks), &invariants)?;
         let start = whole.flexible;
         let paths = whole.curved_paths(pole, &invariants);
         let nodes = graph.as_ref().zip(whole.component.as_ref());
@@ -148,6 +157,7 @@ impl Assembly {
             condensation,
             speeds: whole.inner.speeds,
             liquids: whole.inner.liquids,
+            tanks: whole.tanks,
             resolution: None,
             visuals,
         })
@@ -257,6 +267,7 @@ impl Assembly {
             ElementSite { id, name, start: whole.start_of(id), attachments }
         };
         let blocks = self.each().filter_map(|(id, element)| element.block(&site(id)).transpose());
+        let blocks = blocks.chain(whole.slosh.iter().cloned().map(Ok));
         let preloads = self.preloads(whole, site)?;
         let parts = whole.component.iter().flat_map(|component| component.blocks(whole.flexible).map(Ok));
         let size = whole.elastic() + whole.inner.coordinates.len();
@@ -303,6 +314,21 @@ impl Assembly {
 }
 
 impl Carried {
+    /// Adds the liquids of tanks, with coordinates numbered from `next`.
+    fn fill(&mut self, tanks: Vec<(ElementId, Sloshing)>, mut next: usize) {
+        for (id, sloshing) in tanks {
+            self.slosh.extend(sloshing.blocks(next));
+            let Sloshing { tank, bobs, rest } = sloshing;
+            self.tanks.push(tank);
+            self.rigid.push(rest);
+            for (moving_body, _) in bobs {
+                let start = next;
+                next += moving_body.shapes.len();
+                self.moving_bodies.push(Moved { id, moving_body, start });
+            }
+        }
+    }
+
     /// Number of elastic coordinates.
     fn elastic(&self) -> usize {
         self.flexible + self.component.as_ref().map_or(0, Component::size)

@@ -100,6 +100,7 @@ impl Assembly {
             condensation: Some(component.condensation()),
             speeds: Vec::new(),
             liquids: Vec::new(),
+            tanks: Vec::new(),
             resolution: None,
             visuals,
         })

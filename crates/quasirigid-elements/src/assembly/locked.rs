@@ -6,7 +6,7 @@ use crate::error::ElementError;
 use crate::{Assembly, Carrier};
 
 impl Assembly {
-    /// Carrier with the liquids inside it, as one rigid body; none of a body without a carrier.
+    /// Carrier with the liquids inside it, of tanks what does not slosh, as one rigid body; none of a body without a carrier.
     ///
     /// # Errors
     /// [`ElementError`] for a carrier, a rotor or a liquid that cannot be.
@@ -15,6 +15,11 @@ impl Assembly {
         let mut rigid = vec![(carrier.piece()?, carrier.position())];
         for (id, element) in self.each() {
             rigid.extend(element.inner(id, 0)?.into_iter().flat_map(|inner| inner.rigid));
+        }
+        if !self.tanks.is_empty() {
+            let about = self.held_point()?.map_or_else(|| Ok(self.body()?.center_of_mass().into()), Ok)?;
+            let tanks = self.sloshing((0.0, about), Some(about))?;
+            rigid.extend(tanks.into_iter().map(|(_, sloshing)| sloshing.rest));
         }
         let mass = rigid.iter().map(|(piece, _)| piece.mass).sum::<f64>();
         let first = rigid.iter().map(|(piece, base)| piece.first + piece.mass * base);

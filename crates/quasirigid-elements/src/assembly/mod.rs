@@ -5,6 +5,7 @@ mod floating;
 mod homogeneous;
 mod locked;
 mod rheologies;
+mod tanks;
 
 use nalgebra::Vector3;
 
@@ -19,7 +20,7 @@ use crate::model::force::Force;
 use crate::model::{FlexibleBody, Marker, Support};
 use crate::number;
 use crate::visual::Visual;
-use crate::{ApplicationPoint, Assembly, Condensation, End, Resolution, SlowLiquid, force};
+use crate::{ApplicationPoint, Assembly, Condensation, End, Resolution, SettledTank, SlowLiquid, force};
 
 /// A body with the forces that act on it.
 #[derive(Clone, Debug)]
@@ -36,6 +37,8 @@ pub struct Built {
     pub speeds: Vec<(usize, f64)>,
     /// Effect of each liquid on a slow rotation.
     pub liquids: Vec<SlowLiquid>,
+    /// Tanks with their liquids settled.
+    pub tanks: Vec<SettledTank>,
     /// Approximation of a solid inside a surface; none of other bodies.
     pub resolution: Option<Resolution>,
     /// Visual geometry of the elements, where it was asked for.
@@ -120,6 +123,7 @@ impl Assembly {
             condensation,
             speeds: Vec::new(),
             liquids: Vec::new(),
+            tanks: Vec::new(),
             resolution,
             visuals,
         })

@@ -7,6 +7,7 @@ use crate::finite::beam::BeamError;
 use crate::finite::elasticity::ElasticityError;
 use crate::finite::shell::ShellError;
 use crate::flow::stokes::StokesError;
+use crate::kinds::tank::TankError;
 use crate::math::eigen::NoConvergence;
 use crate::math::memory::TooMuchMemory;
 use crate::model::control::ControlProblem;
@@ -104,6 +105,9 @@ pub enum Problem {
         "the rotors and liquids inside have more inertia than the whole body about some axis; the carrier's inertia counts rotors and wheels as locked"
     )]
     HeavyInside,
+    /// A tank whose slosh is not answered.
+    #[error(transparent)]
+    Tank(#[from] TankError),
     /// A cavity that cannot be meshed.
     #[error(transparent)]
     Meshing(#[from] MeshingError),

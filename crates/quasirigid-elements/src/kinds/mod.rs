@@ -19,4 +19,5 @@ pub(crate) mod ritz;
 pub(crate) mod rotor;
 pub(crate) mod spring;
 pub(crate) mod surface;
+pub(crate) mod tank;
 pub(crate) mod wheel;

@@ -49,6 +49,7 @@ mod support;
 mod surface;
 pub(crate) mod syntax;
 pub(crate) mod table;
+mod tank;
 mod timing;
 mod uncertainty;
 pub(crate) mod value;
@@ -106,6 +107,7 @@ const READERS: &[&Reader] = &[
     &rotor::READER,
     &wheel::READER,
     &cavity::READER,
+    &tank::READER,
     &force::READER,
     &controller::READER,
 ];
@@ -311,6 +313,19 @@ fn content(text: &str, folder: &Path, problems: &Problems<'_>) -> Option<Content
         Some(table) => initial::initial(&table, (&body, folder), &mut notes),
         None => Some(Initial::default()),
     };
+    let mut body = body;
+    let parts = body.parts.as_mut();
+    let spun = match (parts, &initial) {
+        (Some(parts), Some(initial)) => {
+            let ends = parts.extremes.iter_mut().flat_map(|ends| ends.iter_mut());
+            let assemblies = std::iter::once(&mut parts.assembly).chain(ends);
+            assemblies
+                .map(|assembly| tank::spun(&file, assembly, initial))
+                .collect::<Option<Vec<_>>>()
+                .map(drop)
+        }
+        _ => Some(()),
+    };
     let run = match file.table("run", "[run]", &settings::RUN) {
         Some(table) => settings::run(&table),
         None => Some(RunTable::default()),
@@ -319,6 +334,7 @@ fn content(text: &str, folder: &Path, problems: &Problems<'_>) -> Option<Content
         Some(table) => uncertainty::uncertainty(&table, text),
         None => Some(Vec::new()),
     };
+    spun?;
     Some(Content {
         name,
         parts: body.parts?,

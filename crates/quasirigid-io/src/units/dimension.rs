@@ -34,6 +34,8 @@ impl Dimension {
     pub const INERTIA: Self = Self::new("a moment of inertia", "kg m^2", "3.2 lb ft^2", [1, 2, 0, 0, 0]);
     /// Stiffness (N/m).
     pub const STIFFNESS: Self = Self::new("a stiffness", "N/m", "12.5 lbf/in", [1, 0, -2, 0, 0]);
+    /// Surface tension (N/m).
+    pub const SURFACE_TENSION: Self = Self::new("a surface tension", "N/m", "72 mN/m", [1, 0, -2, 0, 0]);
     /// Damping (N·s/m).
     pub const DAMPING: Self = Self::new("a damping", "N s/m", "0.3 lbf s/in", [1, 0, -1, 0, 0]);
     /// Rotational stiffness (N·m/rad).

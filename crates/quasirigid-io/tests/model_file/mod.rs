@@ -40,6 +40,7 @@ mod shorthands;
 mod solids;
 mod start_file;
 mod surfaces;
+mod tanks;
 mod timing;
 mod values;
 mod voxels;

@@ -14,6 +14,7 @@ use super::CheckReport;
 use crate::liquids::{Liquid, liquids};
 use crate::record;
 use crate::shapes;
+use crate::tanks::TankObject;
 use crate::words::{reasons, word};
 
 /// Validity of the reduced equations.
@@ -67,6 +68,8 @@ struct CheckObject<'a> {
     files: &'a [String],
     /// In cavities.
     liquids: Vec<LiquidRecord>,
+    /// Partly full, with their slosh.
+    tanks: Vec<TankObject<'a>>,
     /// Files of shapes, as they were read.
     shapes: Vec<ShapeFileRecord>,
     /// Of a solid inside a surface, or `null`.
@@ -142,6 +145,7 @@ impl CheckReport<'_> {
             left_out: left_out.notes(),
             files: &study.model.file_notes,
             liquids: liquids(study, validity.T3.recip()).iter().map(Liquid::record).collect(),
+            tanks: study.tanks.iter().map(TankObject::of).collect(),
             shapes: shapes::records(study),
             resolution: record::resolution(study).next(),
             condensation: study.condensation.map(|known| CondensationObject {

@@ -10,6 +10,7 @@ use quasirigid::model::ReducedBody;
 use quasirigid::modes::acts;
 use quasirigid::reduction::{Validity, Verdict};
 use quasirigid_io::record::SteadySpinRecord;
+use quasirigid_math::vec3::norm;
 use serde_json::Value;
 
 use crate::about_spin::MAX_TRIED_COORDINATES;
@@ -18,8 +19,8 @@ use crate::judged::{self, Judged};
 use crate::left_out::LeftOut;
 use crate::motion::Motion;
 use crate::study::Study;
-use crate::words::{shares, verdict};
-use crate::{steady, steady_state};
+use crate::words::{shares, significant, verdict};
+use crate::{steady, steady_state, tanks};
 
 /// Validity of the reduced equations of a study at its spin.
 #[derive(Debug)]
@@ -43,6 +44,8 @@ pub struct CheckReport<'a> {
     pub left_out: LeftOut,
     /// Steady state under the forces, in words, where moments act.
     pub under_forces: Option<String>,
+    /// Whether the model, of tanks that a thrust settles, has no spin and is judged at a slow one.
+    pub unspun: bool,
     /// Reduced equations about the spin, tried where those about rest fail.
     pub about_spin: Option<InsteadOfRest>,
 }
@@ -68,7 +71,7 @@ impl Study {
     /// [`StudyError`] for an invalid start, and where the reduction fails.
     pub fn check(&self) -> Result<CheckReport<'_>, StudyError> {
         let Study { body, .. } = self;
-        let start = self.initial()?;
+        let (start, unspun) = tanks::spun_slowly(self)?;
         let motion = Motion::new(self, start);
         let poles = steady::at_start(&motion, self)?;
         let Judged { order, reduced, omega, validity } = judged::at_an_order_that_holds(&motion, &poles)?;
@@ -86,6 +89,7 @@ impl Study {
             spins,
             left_out: LeftOut::at(self, omega, nearest),
             under_forces: under_forces(self)?,
+            unspun,
             about_spin: None,
         };
         if !report.holds() {
@@ -150,7 +154,11 @@ impl CheckReport<'_> {
     /// The verdict in a sentence or two.
     #[must_use]
     pub fn sentence(&self) -> String {
-        let verdict = [self.left_out.flow.clone(), Some(verdict(&self.validity))];
+        let slow = self.unspun.then(|| {
+            let rate = significant(norm(self.omega), 3);
+            format!("The model has no spin; the reduced equations are judged at a slow one, {rate} rad/s.")
+        });
+        let verdict = [slow, self.left_out.flow.clone(), Some(verdict(&self.validity))];
         let verdict = verdict.into_iter().flatten().collect::<Vec<_>>().join(" ");
         if self.order == self.study.order {
             return verdict;

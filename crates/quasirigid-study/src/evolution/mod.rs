@@ -38,6 +38,7 @@ use crate::materials::flowing;
 use crate::settings::EvolveSettings;
 use crate::start::slaved_order;
 use crate::study::Study;
+use crate::tanks;
 use crate::watch::Watch;
 use answer::{Answer, History};
 use inputs::Inputs;
@@ -166,17 +167,22 @@ pub(crate) fn follow(
     };
     let columns = answer.columns(&mut rows, &mut watch);
     let ends = [from, rows.last().rotation_state];
+    let drifted = rows.drift.as_ref().map(|drift| drift.end.angular_momentum);
+    let spin =
+        |G: f64, rotation_state: RotationState| G / answer.principal.moments[rotation_state.mode.circled()];
+    let G = answer.initial.angular_momentum();
+    let spins = [spin(G, from), spin(drifted.unwrap_or(G), rows.last().rotation_state)];
+    let axes = ends.map(|end| answer.principal.axes[end.mode.circled()]);
+    let verdict = match tanks::left(study, axes, spins) {
+        Some(why) => verdict.of_other_spin(&why),
+        None => verdict,
+    };
     let averaged = matches!(answer.method, Method::Average(_) | Method::SpinningFrame);
     let time_range = match &model.extremes {
         Some(extremes) if rows.steady() && averaged => Some(range(extremes, &answer, ends)?),
         _ => None,
     };
     let unranged = time_range.is_none() && model.extremes.is_some();
-    let drifted = rows.drift.as_ref().map(|drift| drift.end.angular_momentum);
-    let spin =
-        |G: f64, rotation_state: RotationState| G / answer.principal.moments[rotation_state.mode.circled()];
-    let G = answer.initial.angular_momentum();
-    let spins = [spin(G, from), spin(drifted.unwrap_or(G), rows.last().rotation_state)];
     let mut notes: Vec<String> = words::beyond_gravity(homogeneous(study), spins).into_iter().collect();
     notes.extend(words::notes(&answer, ends, unranged));
     notes.extend(words::uncertain(&rows));

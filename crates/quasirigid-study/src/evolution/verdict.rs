@@ -92,6 +92,12 @@ impl Verdict {
         self
     }
 
+    /// Says first that the liquid of a tank does not stay where it has settled. (U9)
+    pub fn of_other_spin(self, why: &str) -> Self {
+        let sentence = format!("DOES NOT HOLD: {why} {}", self.sentence).trim().into();
+        Self { sentence, fails: true, ..self }
+    }
+
     /// Says first that a material is no solid, for which nothing here holds. (G16)
     pub fn of_no_solid(self, why: &str) -> Self {
         let sentence = format!("NO SOLID: {why}. {}", self.sentence).trim().into();

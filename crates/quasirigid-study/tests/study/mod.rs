@@ -19,3 +19,4 @@ mod sensitivity;
 mod slaved;
 mod surfaces;
 mod sweep;
+mod tanks;

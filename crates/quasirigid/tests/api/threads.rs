@@ -57,8 +57,8 @@ types! {
         ElementKind Ellipsoid End Extent Field Frame FrameNode GivenModes HingeCoefficient Hinged Incomplete InertiaPoint
         Layer Material Matrices Member Modulus NamedController Network NodalMass NodeRef Orthotropic Panel Part PartKind
         PartReduction PlaceRef Point PointMotion Prestress Problem Quantity Regime Region Resolution Rotor
-        RotorKind Section SectionShape ShellError SlowLiquid Solid Spectrum Spring SpringLaw ApplicationPoint
-        StokesError Surface TipMass RotorAxis Visual Wheel WheelSpeed
+        RotorKind Section SectionShape SettledTank Settling ShellError SlowLiquid Solid Spectrum Spring SpringLaw
+        ApplicationPoint StokesError Surface Tank TankContents TankDamping TankError TankMode TankShape TipMass RotorAxis Visual Wheel WheelSpeed
         Bar BarKind Coupling Mixed NodeBody NodeLink Skin Strain Weighted
     }
     model {

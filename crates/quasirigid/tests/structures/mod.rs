@@ -21,5 +21,6 @@ mod skew_springs;
 mod solids;
 mod spin_up;
 mod spinning;
+mod tanks;
 mod visuals;
 mod whirl;

@@ -3,7 +3,7 @@
 //! Equation (L10), docs/theory/13-inside.md; spectral elements `[@bernardi1999]`.
 
 use super::lagrange::lagrange;
-use super::outline::{Outline, Side};
+use super::outline::{Meridian, Side};
 use crate::math::quadrature::{gauss_legendre, gauss_lobatto};
 
 /// Meridian divided into patches, with the nodes of polynomials in each.
@@ -17,6 +17,10 @@ pub(super) struct Grid {
     pub patches: Vec<Patch>,
     /// Patches along walls, with quadrature points there.
     pub edges: Vec<Patch>,
+    /// Whether each node is on a free surface.
+    pub surface: Vec<bool>,
+    /// Patches along free surfaces, with quadrature points there.
+    pub surfaces: Vec<Patch>,
 }
 
 /// A patch of a meridian.
@@ -44,7 +48,7 @@ const BEYOND: usize = 4;
 
 impl Grid {
     /// The meridian, with polynomials of a degree (2 at least) along each side of a patch and so many layers of patches at walls.
-    pub fn new(outline: &Outline, degree: usize, layers: usize) -> Self {
+    pub fn new(outline: &dyn Meridian, degree: usize, layers: usize) -> Self {
         let cuts = outline.cuts(layers);
         let size = cuts.each_ref().map(|cuts| (cuts.len() - 1) * degree);
         let numbers = Numbers::new(outline.sides(), size);
@@ -54,6 +58,8 @@ impl Grid {
             axis: Vec::new(),
             patches: Vec::new(),
             edges: Vec::new(),
+            surface: Vec::new(),
+            surfaces: Vec::new(),
         };
         let lobatto: Vec<f64> = gauss_lobatto(degree + 1).iter().map(|[x, _]| 0.5 * (1.0 + x)).collect();
         let lines = cuts.each_ref().map(|cuts| {
@@ -66,6 +72,7 @@ impl Grid {
             grid.places.push(outline.place([lines[0][place[0]], lines[1][place[1]]]).at);
             grid.walls.push(numbers.touches(place, Side::Wall));
             grid.axis.push(numbers.touches(place, Side::Axis));
+            grid.surface.push(numbers.touches(place, Side::Surface));
         }
         let template = Template::new(degree);
         for (i, s) in cuts[0].windows(2).enumerate() {
@@ -76,9 +83,14 @@ impl Grid {
                 let range = [[s[0], s[1]], [t[0], t[1]]];
                 for (way, sides) in outline.sides().iter().enumerate() {
                     for (end, side) in sides.iter().enumerate() {
-                        if *side == Side::Wall && range[way][end] == end as f64 {
+                        let along = match side {
+                            Side::Wall => &mut grid.edges,
+                            Side::Surface => &mut grid.surfaces,
+                            Side::Axis | Side::Seam | Side::Point => continue,
+                        };
+                        if range[way][end] == end as f64 {
                             let points = template.edge(outline, range, way, end);
-                            grid.edges.push(Patch { nodes: nodes.clone(), points });
+                            along.push(Patch { nodes: nodes.clone(), points });
                         }
                     }
                 }
@@ -120,7 +132,7 @@ impl Numbers {
 
     /// The first of the nodes at the same place.
     fn first(&self, [i, j]: [usize; 2]) -> [usize; 2] {
-        if i == 0 && self.sides[0][0] == Side::Point {
+        if i == 0 && self.sides[0][0] == Side::Point || j == 0 && self.sides[1][0] == Side::Point {
             [0, 0]
         } else if j == self.size[1] && self.sides[1][1] == Side::Seam {
             [i, 0]
@@ -181,14 +193,14 @@ impl Template {
     }
 
     /// The points of a patch between values of `s` and of `t`, with their shares of its area.
-    fn points(&self, outline: &Outline, range: [[f64; 2]; 2]) -> Vec<Point> {
+    fn points(&self, outline: &dyn Meridian, range: [[f64; 2]; 2]) -> Vec<Point> {
         let pairs = self.points.iter().flat_map(|a| self.points.iter().map(move |b| [a, b]));
         let area = |[[r_s, r_t], [z_s, z_t]]: [[f64; 2]; 2]| (r_s * z_t - r_t * z_s).abs();
         pairs.map(|lines| Point::new(outline, range, lines, area)).collect()
     }
 
     /// The points where one of `s` and `t` ends, with their shares of the length.
-    fn edge(&self, outline: &Outline, range: [[f64; 2]; 2], way: usize, end: usize) -> Vec<Point> {
+    fn edge(&self, outline: &dyn Meridian, range: [[f64; 2]; 2], way: usize, end: usize) -> Vec<Point> {
         let along = 1 - way;
         let width = range[way][1] - range[way][0];
         let length = |[r, z]: [[f64; 2]; 2]| r[along].hypot(z[along]) / width;
@@ -203,7 +215,7 @@ impl Template {
 impl Point {
     /// The point of a patch at places along its sides; `measure` is that of the slopes of the outline there.
     fn new(
-        outline: &Outline,
+        outline: &dyn Meridian,
         [s, t]: [[f64; 2]; 2],
         [by_s, by_t]: [&Line; 2],
         measure: impl Fn([[f64; 2]; 2]) -> f64,

@@ -9,6 +9,7 @@ mod matrices;
 mod outline;
 mod potential;
 mod ring;
+mod slosh;
 #[cfg(test)]
 mod tests;
 mod turning;
@@ -17,6 +18,7 @@ use std::f64::consts::TAU;
 
 pub(crate) use self::outline::Outline;
 pub(crate) use self::potential::slip;
+pub(crate) use self::slosh::{Moments, Slosh, SloshMode, Wall, WallPiece};
 
 use self::grid::{Grid, Patch};
 use self::harmonic::Harmonic;

@@ -44,11 +44,25 @@ pub(crate) enum Outline {
     },
 }
 
+/// A meridian as the image of a square of parameters `s` and `t`, 0 to 1.
+pub(super) trait Meridian {
+    /// Place of a point of the square.
+    fn place(&self, at: [f64; 2]) -> Place;
+
+    /// The sides where `s` is 0 and 1, then those where `t` is.
+    fn sides(&self) -> [[Side; 2]; 2];
+
+    /// Lines of `s`, then of `t`, that cut the square into patches, with 0 and 1; `layers` (at least 1) along each wall.
+    fn cuts(&self, layers: usize) -> [Vec<f64>; 2];
+}
+
 /// Role of a side of the square in the meridian.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Side {
     /// A wall.
     Wall,
+    /// A free surface.
+    Surface,
     /// Part of the axis of revolution.
     Axis,
     /// A line that coincides with the opposite side.
@@ -73,9 +87,8 @@ const GROWTH: f64 = 3.0;
 /// Patches round a closed curve, or from pole to pole.
 const ROUND: usize = 4;
 
-impl Outline {
-    /// Place of a point of the square.
-    pub(super) fn place(&self, [s, t]: [f64; 2]) -> Place {
+impl Meridian for Outline {
+    fn place(&self, [s, t]: [f64; 2]) -> Place {
         match *self {
             Self::Cylinder { radius, height } => straight([0.0, radius], height, [s, t]),
             Self::Annulus { radii, height } => straight(radii, height, [s, t]),
@@ -94,8 +107,7 @@ impl Outline {
         }
     }
 
-    /// The sides where `s` is 0 and 1, then those where `t` is.
-    pub(super) fn sides(&self) -> [[Side; 2]; 2] {
+    fn sides(&self) -> [[Side; 2]; 2] {
         match self {
             Self::Cylinder { .. } => [[Side::Axis, Side::Wall], [Side::Wall; 2]],
             Self::Annulus { .. } => [[Side::Wall; 2]; 2],
@@ -105,8 +117,7 @@ impl Outline {
         }
     }
 
-    /// Lines of `s`, then of `t`, that cut the square into patches, with 0 and 1; `layers` (at least 1) along each wall.
-    pub(super) fn cuts(&self, layers: usize) -> [Vec<f64>; 2] {
+    fn cuts(&self, layers: usize) -> [Vec<f64>; 2] {
         let even = || (0..=ROUND).map(|cut| cut as f64 / ROUND as f64).collect();
         match *self {
             // The axis is the middle of a cylinder: the half beyond it is the mirror image.
@@ -150,7 +161,7 @@ fn depths(layers: usize) -> impl Iterator<Item = f64> {
 
 /// Cuts of a side that is so many times as long as the other. Beyond the layers at its ends the flow changes within the other's
 /// length of them only.
-fn graded(ratio: f64, layers: usize) -> Vec<f64> {
+pub(super) fn graded(ratio: f64, layers: usize) -> Vec<f64> {
     let width = 1.0 / ratio.max(1.0);
     let mut ends: Vec<f64> = depths(layers).map(|depth| depth * width).collect();
     let (mut reach, mut step) = (LAYER * width, width);

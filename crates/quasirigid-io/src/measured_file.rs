@@ -188,7 +188,12 @@ fn measured(
             let problem = format!("the standard deviation of {name} is {}, but must be positive", sigma[row]);
             return Err((Place::File, MeasuredFileProblem::Row { row: row + 1, problem }));
         }
-        columns.push(MeasuredColumn { name: name.clone(), unit: unit.clone(), values: values[at].clone(), sigma });
+        columns.push(MeasuredColumn {
+            name: name.clone(),
+            unit: unit.clone(),
+            values: values[at].clone(),
+            sigma,
+        });
     }
     let orphan = named.iter().find(|name| {
         name.strip_prefix(SIGMA).is_some_and(|of| !columns.iter().any(|column| column.name == of))
@@ -197,25 +202,30 @@ fn measured(
         return refuse(format!("{orphan:?} is the deviation of a column that is not there"));
     }
     if columns.is_empty() {
-        return refuse("no column is measured beside the time; name columns as `simulate` does: wx, wy, energy".to_owned());
+        return refuse(
+            "no column is measured beside the time; name columns as `simulate` does: wx, wy, energy"
+                .to_owned(),
+        );
     }
     let given = columns.iter().filter(|column| !column.sigma.is_empty()).count();
     if given != 0 && given != columns.len() {
         let lacking = columns.iter().find(|column| column.sigma.is_empty()).map_or("", |column| &column.name);
-        return refuse(format!("{lacking:?} has no deviation, and others have; add sigma_{lacking}, or --sigma for all that lack one"));
+        return refuse(format!(
+            "{lacking:?} has no deviation, and others have; add sigma_{lacking}, or --sigma for all that lack one"
+        ));
     }
     Ok(Measurements { t, columns, deviations: given != 0 })
 }
 
 fn seconds(unit: Option<&str>) -> Result<f64, MeasuredFileProblem> {
     let Some(unit) = unit else { return Ok(1.0) };
-    crate::units::number_in(&format!("1 {unit}"), "s").ok_or_else(|| {
-        MeasuredFileProblem::Columns(format!("{:?} is no unit of time", Excerpt::from(unit)))
-    })
+    crate::units::number_in(&format!("1 {unit}"), "s")
+        .ok_or_else(|| MeasuredFileProblem::Columns(format!("{:?} is no unit of time", Excerpt::from(unit))))
 }
 
 fn ascending(t: &[f64]) -> Result<(), Fault> {
-    let refuse = |row: usize, problem: String| Err((Place::File, MeasuredFileProblem::Row { row: row + 1, problem }));
+    let refuse =
+        |row: usize, problem: String| Err((Place::File, MeasuredFileProblem::Row { row: row + 1, problem }));
     if t.first().is_some_and(|first| *first < 0.0) {
         return refuse(0, format!("the time {} is before that of the start, 0", t[0]));
     }
@@ -235,10 +245,14 @@ mod tests {
 
     #[test]
     fn columns_are_read_with_their_deviations_and_units() {
-        let found = read("t [ms],wx [deg/s],sigma_wx,energy\n0,1.5,0.1,3\n500,2.5,0.2,4\n", Some(0.01)).unwrap();
+        let found =
+            read("t [ms],wx [deg/s],sigma_wx,energy\n0,1.5,0.1,3\n500,2.5,0.2,4\n", Some(0.01)).unwrap();
         assert_eq!(found.t, [0.0, 0.5]);
         let [wx, energy] = &found.columns[..] else { panic!("{found:?}") };
-        assert_eq!((wx.name.as_str(), wx.unit.as_deref(), wx.values.as_slice()), ("wx", Some("deg/s"), &[1.5, 2.5][..]));
+        assert_eq!(
+            (wx.name.as_str(), wx.unit.as_deref(), wx.values.as_slice()),
+            ("wx", Some("deg/s"), &[1.5, 2.5][..])
+        );
         assert_eq!([wx.deviation(1), energy.deviation(1)], [0.2, 0.01]);
         assert!(found.has_deviations() && found.count() == 4);
         assert!(!read("time,wx\n0,1\n1,2\n", None).unwrap().has_deviations());

@@ -109,7 +109,8 @@ fn jacobian(x: &[f64], rows: usize, residuals: &mut Residuals<'_>) -> Option<DMa
     };
     let points: Vec<Vec<f64>> = (0..x.len()).flat_map(|i| [shifted(i, STEP), shifted(i, -STEP)]).collect();
     let found = residuals(&points).into_iter().collect::<Option<Vec<_>>>()?;
-    let entry = |row: usize, column: usize| (found[2 * column][row] - found[2 * column + 1][row]) / (2.0 * STEP);
+    let entry =
+        |row: usize, column: usize| (found[2 * column][row] - found[2 * column + 1][row]) / (2.0 * STEP);
     Some(DMatrix::from_fn(rows, x.len(), entry))
 }
 
@@ -147,7 +148,8 @@ mod tests {
     /// Only the product of two parameters is seen: the combination that is not has a singular value of zero.
     #[test]
     fn combinations_that_are_not_seen_have_no_singular_value() {
-        let mut residuals = each(|x: &[f64]| Some((1..20).map(|k| f64::from(k) * (x[0] * x[1] - 2.0)).collect()));
+        let mut residuals =
+            each(|x: &[f64]| Some((1..20).map(|k| f64::from(k) * (x[0] * x[1] - 2.0)).collect()));
         let found = least_squares(&[1.5, 1.5], &mut residuals).unwrap();
         assert!((found.parameters[0] * found.parameters[1] - 2.0).abs() < 1e-9);
         assert!(found.singular[1] < 1e-7 * found.singular[0], "{:?}", found.singular);

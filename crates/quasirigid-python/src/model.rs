@@ -14,8 +14,8 @@ use quasirigid_io::model::{
 };
 use quasirigid_io::record::TableFormat;
 use quasirigid_study::histories::Table;
-use quasirigid_study::linear::{LinearAt, LinearSettings};
 use quasirigid_study::infer::InferSettings;
+use quasirigid_study::linear::{LinearAt, LinearSettings};
 use quasirigid_study::modes::{PrincipalAxis, SteadySpinSettings};
 use quasirigid_study::settings::{PartialEvolve, PartialRun, PartialSpinManifold, PartialVerify};
 use quasirigid_study::{Study, StudyError};

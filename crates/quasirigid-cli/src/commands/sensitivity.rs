@@ -7,7 +7,8 @@ use crate::{ExitStatus, output};
 /// Gives the derivatives of an answer with respect to keys of the model.
 pub fn sensitivity(arguments: &SensitivityArgs) -> Result<ExitStatus, Failure> {
     let study = open(&arguments.common)?;
-    let found = study.sensitivity(&arguments.of, &arguments.with, &mut Terminal::of_whole(arguments.common.quiet))?;
+    let found =
+        study.sensitivity(&arguments.of, &arguments.with, &mut Terminal::of_whole(arguments.common.quiet))?;
     output::print_answer(
         arguments.common.json,
         || study.with_inputs(found.json()),

@@ -127,7 +127,8 @@ impl Study {
         check(data, &numbers)?;
         let data = &in_units(self, data.clone(), asked.system)?;
         let cancelled: Arc<AtomicBool> = Arc::default();
-        let motions = Motions { study: self, template: &template, numbers: &numbers, data, system: asked.system };
+        let motions =
+            Motions { study: self, template: &template, numbers: &numbers, data, system: asked.system };
         let at_file = watched(&mut Observer { watch, cancelled: &cancelled }, || motions.checked())?;
         let found = watched(&mut Observer { watch, cancelled: &cancelled }, || {
             Ok(pool()?.install(|| best(&motions, &cancelled)))
@@ -136,7 +137,8 @@ impl Study {
             return Err(StudyError::Interrupted);
         }
         let (found, others) = found.ok_or_else(|| StudyError::Infer {
-            problem: "the model answers at its own values, and not beside them: no derivatives exist".to_owned(),
+            problem: "the model answers at its own values, and not beside them: no derivatives exist"
+                .to_owned(),
         })?;
         Ok(told(self, data, &numbers, &found, others, at_file))
     }
@@ -173,7 +175,9 @@ fn check(data: &Measurements, numbers: &[WrittenNumber]) -> Result<(), StudyErro
     let count = data.count();
     if numbers.is_empty() || count <= numbers.len() {
         let keys = numbers.len();
-        return refuse(format!("{count} measured values for {keys} keys; give more values than keys, and a key"));
+        return refuse(format!(
+            "{count} measured values for {keys} keys; give more values than keys, and a key"
+        ));
     }
     Ok(())
 }
@@ -226,9 +230,8 @@ fn told(
     let lost = |i: usize| unseen.iter().any(|k| part(*k, i));
     let covariance = |i: usize, j: usize| {
         let seen = (0..numbers.len()).filter(|k| !unseen.contains(k));
-        let sum: f64 = seen
-            .map(|k| deviations[k].powi(2) * found.combinations[k][i] * found.combinations[k][j])
-            .sum();
+        let sum: f64 =
+            seen.map(|k| deviations[k].powi(2) * found.combinations[k][i] * found.combinations[k][j]).sum();
         (!lost(i) && !lost(j)).then_some(sum * numbers[i].scale * numbers[j].scale)
     };
     let count = numbers.len();

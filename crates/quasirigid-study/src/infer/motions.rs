@@ -86,7 +86,8 @@ impl Motions<'_> {
         let attitudes: Option<Vec<_>> =
             QUATERNION.iter().map(|name| Some((find(name)?, measured(name)?))).collect();
         let sign = |row: usize| {
-            let product = attitudes.iter().flatten().map(|(own, data)| own[row] * data.values[row]).sum::<f64>();
+            let product =
+                attitudes.iter().flatten().map(|(own, data)| own[row] * data.values[row]).sum::<f64>();
             if product < 0.0 { -1.0 } else { 1.0 }
         };
         let mut residuals = Vec::with_capacity(self.data.count());

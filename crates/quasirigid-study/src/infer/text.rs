@@ -58,14 +58,19 @@ impl Inferred {
 fn unseen(combination: &Combination) -> String {
     let changes = combination.changes.iter();
     let changes: Vec<String> = changes
-        .map(|change| format!("{}{} % of {}", sign(change.relative), significant(change.relative.abs(), 2), change.key))
+        .map(|change| {
+            format!("{}{} % of {}", sign(change.relative), significant(change.relative.abs(), 2), change.key)
+        })
         .collect();
     let known = combination.sigma.map_or_else(
         || "not at all".to_owned(),
         |sigma| format!("to {} % only", significant(100.0 * sigma, 2)),
     );
     match changes.as_slice() {
-        [one] => format!("The data do not tell {}: {known}.", one.split_once(" of ").map_or(one.as_str(), |split| split.1)),
+        [one] => format!(
+            "The data do not tell {}: {known}.",
+            one.split_once(" of ").map_or(one.as_str(), |split| split.1)
+        ),
         _ => format!(
             "The data do not tell these keys apart: they see a change by {} {known}.",
             changes.join(" and ")

@@ -212,7 +212,8 @@ fn of_key(changed: &Changed<'_>, at_file: f64, number: &WrittenNumber) -> Option
     Some(match found {
         None if valid => Outcome::NotKnown(none(format!("beside the file's value: {reason}"))),
         None => Outcome::Fixed(none(format!("no other value makes a model: {reason}"))),
-        Some(found) => judged(found, at_file, number).map_or_else(|reason| Outcome::NotKnown(none(reason)), Outcome::Known),
+        Some(found) => judged(found, at_file, number)
+            .map_or_else(|reason| Outcome::NotKnown(none(reason)), Outcome::Known),
     })
 }
 

@@ -51,7 +51,8 @@ impl Sensitivity {
 
     fn write(&self, out: &mut String, listed: usize) -> fmt::Result {
         writeln!(out, "{}", paragraph(&format!("{}: {}", self.name, self.sentence), "", "  "))?;
-        let shown: Vec<_> = self.derivatives.iter().filter(|each| self.effect(each).abs() > NOTHING).collect();
+        let shown: Vec<_> =
+            self.derivatives.iter().filter(|each| self.effect(each).abs() > NOTHING).collect();
         let largest = shown.iter().map(|each| self.effect(each).abs()).fold(0.0, f64::max);
         if !shown.is_empty() {
             let width = shown.iter().take(listed).map(|each| each.key.len()).max().unwrap_or(0);

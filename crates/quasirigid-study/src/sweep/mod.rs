@@ -34,20 +34,20 @@ use quasirigid_io::record::InputFileRecord;
 use quasirigid_io::study_file::{StudyFile, Values};
 use quasirigid_io::table_file::CellKind;
 
+pub use crate::asked::Status;
 pub use cell::Cell;
 pub use collect::Collector;
 pub use error::SweepError;
 pub use results::{Results, read};
 pub use row::RowAnswer;
-pub use crate::asked::Status;
 pub use run::{Finished, RunOptions, Shard};
 pub use text::text;
 pub use uncertainty::text as uncertainty_text;
 
+use crate::asked::{Answered, QuantityValue, answers, find};
 use bodies::Bodies;
 use design::Design;
 use identity::identity;
-use crate::asked::{Answered, QuantityValue, answers, find};
 
 /// Most rows of a study.
 const MOST_ROWS: u64 = 100_000_000_000;

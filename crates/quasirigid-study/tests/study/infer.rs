@@ -25,11 +25,19 @@ fn times(duration: f64, count: usize) -> Vec<f64> {
 }
 
 /// Columns of the history of a model, with normal noise (of its deviation) and that deviation beside each, unless it is zero.
-fn measured(model: &str, system: System, times: &[f64], names: &[&str], [noise, seed]: [f64; 2]) -> Measurements {
+fn measured(
+    model: &str,
+    system: System,
+    times: &[f64],
+    names: &[&str],
+    [noise, seed]: [f64; 2],
+) -> Measurements {
     let history = finished(&study(model), system, times);
     let mut random = Random::new(seed as u64);
-    let mut normal = || (-2.0 * (1.0 - random.unit()).ln()).sqrt() * (std::f64::consts::TAU * random.unit()).cos();
-    let sigmas = if noise > 0.0 { names.iter().map(|name| format!(",sigma_{name}")).collect() } else { String::new() };
+    let mut normal =
+        || (-2.0 * (1.0 - random.unit()).ln()).sqrt() * (std::f64::consts::TAU * random.unit()).cos();
+    let sigmas =
+        if noise > 0.0 { names.iter().map(|name| format!(",sigma_{name}")).collect() } else { String::new() };
     let mut text = format!("t,{}{sigmas}\n", names.join(","));
     for (row, t) in times.iter().enumerate() {
         write!(text, "{t}").unwrap();
@@ -83,7 +91,8 @@ fn noise_is_in_the_deviations() {
         let sigma = parameter.sigma.unwrap();
         assert!((parameter.value - known).abs() < 4.0 * sigma && sigma < 0.02 * known, "{parameter:?}");
     }
-    let spread = (found.chi2 - found.degrees_of_freedom as f64) / (2.0 * found.degrees_of_freedom as f64).sqrt();
+    let spread =
+        (found.chi2 - found.degrees_of_freedom as f64) / (2.0 * found.degrees_of_freedom as f64).sqrt();
     assert!(spread.abs() < 4.0, "{spread}");
 }
 
@@ -165,11 +174,15 @@ fn signs_of_quaternions_and_units_change_nothing() {
 #[test]
 fn impossible_questions_are_refused_in_words() {
     let data = measured(STONE, System::Rigid, &times(5.0, 6), &RATES, [0.0, 0.0]);
-    let no = |data: &Measurements, keys: &[&str]| infer(STONE, data, keys, System::Rigid).unwrap_err().to_string();
+    let no =
+        |data: &Measurements, keys: &[&str]| infer(STONE, data, keys, System::Rigid).unwrap_err().to_string();
     assert!(no(&data, &["carrier.center_of_mass.1"]).contains("write a first guess"));
     assert!(no(&data, &["carrier.mass", "carrier.mass"]).contains("named twice"));
     assert!(no(&data, &["carrier.weight"]).contains("is no number of the model"));
-    assert!(no(&read("t,speed\n0,1\n1,2\n2,3\n"), &["carrier.mass"]).contains("\"speed\", which the history has not"));
+    assert!(
+        no(&read("t,speed\n0,1\n1,2\n2,3\n"), &["carrier.mass"])
+            .contains("\"speed\", which the history has not")
+    );
     assert!(no(&read("t,wx\n0,1\n"), &["carrier.mass"]).contains("1 measured values for 1 keys"));
     assert!(no(&read("t,wx [kg]\n0,1\n1,2\n"), &["carrier.mass"]).contains("in kg"));
 }

@@ -46,7 +46,8 @@ angular_velocity = [0.0, 0.0, 0.5]
 /// `ω = √(k/m)` of the undamped vibration, whatever unit a key has, and named by name or by number.
 #[test]
 fn an_oscillator_has_its_closed_form() {
-    let found = sensitivity(OSCILLATOR, "check.frequencies.1", &["spring.1.stiffness", "point.bob.mass"]).unwrap();
+    let found =
+        sensitivity(OSCILLATOR, "check.frequencies.1", &["spring.1.stiffness", "point.bob.mass"]).unwrap();
     let held = relative(OSCILLATOR, "check.frequencies.1", &["spring.coil.stiffness"]);
     close(held["spring.coil.stiffness"], 0.5, 1e-9);
     let [first, second] = &found.derivatives[..] else { panic!("{found:?}") };
@@ -85,7 +86,8 @@ fn all_numbers_of_a_file_obey_the_law_of_units() {
     ];
     for (text, of) in plain {
         let found = sensitivity(&text, of, &[]).unwrap();
-        let unknown: Vec<_> = found.not_known.iter().filter(|none| !none.reason.contains("it is zero")).collect();
+        let unknown: Vec<_> =
+            found.not_known.iter().filter(|none| !none.reason.contains("it is zero")).collect();
         assert!(unknown.is_empty(), "{of}: {unknown:?}");
         let mut sums = [0.0; 3];
         let mut size = 0.0;
@@ -154,8 +156,13 @@ fn what_has_no_derivative_is_told() {
     assert!(no("check.T1", &["carriage.mass"]).contains("there is no `carriage`"));
     assert!("T1".parse::<quasirigid_io::study_file::Quantity>().is_err());
     let text = example("nutation-damper");
-    let integer = sensitivity(&text, "modes.nutation.time_constant", &["point.damper.motion.line.3"]).unwrap();
+    let integer =
+        sensitivity(&text, "modes.nutation.time_constant", &["point.damper.motion.line.3"]).unwrap();
     assert!(integer.derivatives.iter().all(|each| each.relative.unwrap().abs() < 1e-9), "{integer:?}");
     let idle = sensitivity(&text, "modes.nutation.time_constant", &["initial.wobble.angle"]).unwrap();
-    assert!(one_line(&idle.text(false)).contains("no number of the model changes it"), "{}", idle.text(false));
+    assert!(
+        one_line(&idle.text(false)).contains("no number of the model changes it"),
+        "{}",
+        idle.text(false)
+    );
 }

@@ -91,7 +91,7 @@ fn a_ring_that_is_thin_at_one_place_is_not_torn() {
     let mesh = arc(30, TAU, thin_at_one_place, |x| 1e-4 * turned(x) + Place::new(2e-4, 0.0, -1e-4));
     let surface = outer(&mesh);
     let expected = truth(&mesh, false);
-    for cells in [2000, 3500, 5000] {
+    for cells in [2000, 5000] {
         match element(&surface, None, Some(cells)).body() {
             Ok(body) => assert!(apart(&of(&body), &expected[1]) < 0.5, "{cells}"),
             Err(refusal) => println!("{cells}: {refusal}"),

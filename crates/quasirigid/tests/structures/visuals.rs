@@ -67,7 +67,7 @@ fn walls_of_cavities_enclose_their_liquid() {
             attitude: [0.5, -0.5, 0.5, 0.5],
             density: 900.0,
             viscosity: 1e-2,
-            resolution: 8,
+            resolution: 5,
             regime: Regime::Viscous,
             modes: 0,
         };

@@ -66,7 +66,8 @@ fn of_item(item: &Item, path: &str, found: &mut Vec<WrittenNumber>) {
         Item::Value(value) => of_value(value, path, found),
         Item::Table(table) => of_table(table, path, found),
         Item::ArrayOfTables(tables) => {
-            let tables: Vec<&dyn TableLike> = tables.iter().map(|table| -> &dyn TableLike { table }).collect();
+            let tables: Vec<&dyn TableLike> =
+                tables.iter().map(|table| -> &dyn TableLike { table }).collect();
             for (table, entry) in tables.iter().zip(entries(&tables)) {
                 of_table(*table, &below(path, &entry), found);
             }
@@ -78,8 +79,10 @@ fn of_value(value: &Value, path: &str, found: &mut Vec<WrittenNumber>) {
     match value {
         Value::InlineTable(table) => of_table(table, path, found),
         Value::Array(list) => {
-            let tables: Option<Vec<&dyn TableLike>> =
-                list.iter().map(|value| value.as_inline_table().map(|table| -> &dyn TableLike { table })).collect();
+            let tables: Option<Vec<&dyn TableLike>> = list
+                .iter()
+                .map(|value| value.as_inline_table().map(|table| -> &dyn TableLike { table }))
+                .collect();
             let names = match &tables {
                 Some(tables) => entries(tables),
                 None => (1..=list.len()).map(|number| number.to_string()).collect(),

@@ -22,14 +22,14 @@ pub struct UnitFit {
 }
 
 /// Stretches of rows that are compared.
-const STRETCHES: usize = 300;
+const STRETCHES: usize = 100;
 /// Change of the rates over a stretch beside their whole range, from which rounding does not matter.
 const CHANGE: f64 = 0.3;
 /// Largest rotation (rad) of a step of the propagation, and of a whole stretch.
 const STEP: f64 = 0.1;
-const LONGEST: f64 = 300.0;
+const LONGEST: f64 = 100.0;
 /// Iterations of the factor.
-const ITERATIONS: usize = 6;
+const ITERATIONS: usize = 4;
 /// Stretches that are too few to take a torque out of them.
 const FEW: usize = 8;
 /// Share of rounding in the squares of the changes above which nothing is told.

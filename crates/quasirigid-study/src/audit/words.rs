@@ -234,7 +234,7 @@ fn gap(t: &[f64]) -> Option<String> {
 
 /// A time constant in words, with its fate.
 fn signed(constant: f64) -> String {
-    if constant < 0.0 { format!("{}, growing,", time(-constant)) } else { time(constant) }
+    if constant < 0.0 { format!("{} (growing)", time(-constant)) } else { time(constant) }
 }
 
 impl Audit {

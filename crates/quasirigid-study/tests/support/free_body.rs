@@ -60,16 +60,19 @@ pub fn turned(a: f64, b: f64) -> Matrix {
     [[ca * cb, ca * sb, -sa], [-sb, cb, 0.0], [sa * cb, sa * sb, ca]]
 }
 
+/// Iterations of implicit steps, each of which gains the digits of `hω`.
+const ITERATIONS: usize = 10;
+
 pub fn explicit_euler(body: &Free, w: [f64; 3], h: f64) -> [f64; 3] {
     plus(w, h, body.rate(w))
 }
 
 pub fn implicit_euler(body: &Free, w: [f64; 3], h: f64) -> [f64; 3] {
-    (0..60).fold(w, |next, _| plus(w, h, body.rate(next)))
+    (0..ITERATIONS).fold(w, |next, _| plus(w, h, body.rate(next)))
 }
 
 pub fn implicit_midpoint(body: &Free, w: [f64; 3], h: f64) -> [f64; 3] {
-    (0..60).fold(w, |next, _| plus(w, h, body.rate(plus(w, 0.5, plus(next, -1.0, w)))))
+    (0..ITERATIONS).fold(w, |next, _| plus(w, h, body.rate(plus(w, 0.5, plus(next, -1.0, w)))))
 }
 
 pub fn runge_kutta(body: &Free, w: [f64; 3], h: f64) -> [f64; 3] {

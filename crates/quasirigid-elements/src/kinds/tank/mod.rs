@@ -45,7 +45,7 @@ pub struct Tank {
     pub surface_tension: Option<f64>,
     /// What the liquid has settled under.
     pub settled_by: Settling,
-    /// Number of slosh modes across each of two directions, 1 to [`MOST_TANK_MODES`](Self::MOST_MODES).
+    /// Number of slosh modes across each of two directions, 1 to [`MOST_MODES`](Self::MOST_MODES).
     pub modes: usize,
 }
 

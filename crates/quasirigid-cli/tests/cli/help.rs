@@ -1,7 +1,20 @@
 use crate::support::{EXAMPLES, STUDIES, ran};
 
-const COMMANDS: [&str; 11] =
-    ["run", "check", "modes", "linear", "derive", "export", "simulate", "evolve", "verify", "cite", "sweep"];
+const COMMANDS: [&str; 13] = [
+    "run",
+    "check",
+    "modes",
+    "linear",
+    "derive",
+    "export",
+    "simulate",
+    "evolve",
+    "verify",
+    "cite",
+    "sensitivity",
+    "infer",
+    "sweep",
+];
 
 #[test]
 fn help_lists_every_command_and_the_exit_codes() {

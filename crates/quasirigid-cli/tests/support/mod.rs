@@ -10,7 +10,7 @@ use serde_json::Value;
 use tempfile::TempDir;
 
 pub const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
-pub const EXAMPLES: [&str; 16] = [
+pub const EXAMPLES: [&str; 17] = [
     "apophis",
     "axial-mass",
     "boom-satellite",
@@ -20,6 +20,7 @@ pub const EXAMPLES: [&str; 16] = [
     "friction-wheel",
     "gravity-gradient",
     "heavy-top",
+    "inferred-damping",
     "mercury-ring",
     "nutation-damper",
     "oumuamua",

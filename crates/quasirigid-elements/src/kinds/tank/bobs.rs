@@ -246,16 +246,14 @@ fn difference(fine: &Slosh, coarse: &Slosh, [[_, low], [_, high]]: &[[f64; 2]; 2
     gaps.fold(lid, |most, gap| if gap.abs() > most || gap.is_nan() { gap.abs() } else { most })
 }
 
-/// Two directions across a unit vector that with it are right-handed, each named after the axis of the file that it is along.
+/// Two directions across a unit vector that with it are right-handed, each named after another axis of the file, the one that it is nearest to.
 fn across(up: Vector3<f64>) -> [(Vector3<f64>, &'static str); 2] {
     let mut least = Vector3::zeros();
     least[up.iamin()] = 1.0;
     let first = (least - up * up.dot(&least)).normalize();
     let second = up.cross(&first);
-    let word = |direction: &Vector3<f64>, otherwise: &'static str| {
-        let along = direction.iamax();
-        let is_axis = 1.0 - direction[along].abs() <= f64::EPSILON * 4.0;
-        if is_axis { ["x", "y", "z"][along] } else { otherwise }
-    };
-    [(first, word(&first, "first")), (second, word(&second, "second"))]
+    let named = first.iamax();
+    let [a, b] = [(named + 1) % 3, (named + 2) % 3];
+    let other = if second[a].abs() > second[b].abs() { a } else { b };
+    [(first, ["x", "y", "z"][named]), (second, ["x", "y", "z"][other])]
 }

@@ -71,13 +71,11 @@ pub enum Command {
     )]
     Verify(Verify),
     /// Say which numbers of a model matter most for an answer: its derivatives with respect to keys
-    #[command(
-        after_help = "Example:\n  quasirigid sensitivity examples/nutation-damper/model.toml --of modes.nutation.time_constant"
-    )]
+    #[command(after_help = "Example:\n  quasirigid sensitivity examples/apophis/model.toml --of evolve.time")]
     Sensitivity(SensitivityArgs),
     /// Infer numbers of a model from a measured history, with their deviations and what the data do not tell
     #[command(
-        after_help = "Example:\n  quasirigid infer examples/inferred-damping/model.toml --data examples/inferred-damping/measured.csv --vary spring.1.damping"
+        after_help = "Example:\n  quasirigid infer examples/heavy-top/model.toml --data HISTORY.csv --vary KEY"
     )]
     Infer(InferArgs),
     /// Answer the same question of many bodies: grids, random draws, a table of bodies

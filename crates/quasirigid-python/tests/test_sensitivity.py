@@ -43,7 +43,7 @@ def test_a_moment_is_inferred_from_noisy_rates(tmp_path: Path) -> None:
     model = Model(STONE)
     history = model.simulate(system="rigid", times=np.linspace(0, 60, 121))
     random = np.random.default_rng(5)
-    table = np.column_stack([history.t, history.omega + 1e-3 * random.standard_normal((121, 3))])
+    table = np.column_stack([history.t, history.angular_velocity + 1e-3 * random.standard_normal((121, 3))])
     path = tmp_path / "measured.csv"
     np.savetxt(path, table, delimiter=",", header="t,wx,wy,wz", comments="")
     found = model.with_({"carrier.inertia.1": 10.4}).infer(path, ["carrier.inertia.1"], sigma=1e-3, system="rigid")

@@ -514,7 +514,19 @@ class Verification(Answer):
 
 
 class Inferred(Answer):
-    """Numbers of a model inferred from a measured history."""
+    """Numbers of a model inferred from a measured history.
+
+    >>> import pathlib, tempfile
+    >>> import quasirigid
+    >>> model = quasirigid.Model(quasirigid.EXAMPLE)
+    >>> history = model.simulate(duration="20 s", samples=21)
+    >>> rows = [f"{t},{wx}" for t, wx in zip(history.t, history.angular_velocity[:, 0])]
+    >>> path = pathlib.Path(tempfile.mkdtemp()) / "measured.csv"
+    >>> _ = path.write_text("\\n".join(["t,wx", *rows]))
+    >>> found = model.infer(path, ["carrier.inertia.1"])
+    >>> round(found.values["carrier.inertia.1"], 6)
+    9.0
+    """
 
     __slots__ = ()
 
@@ -538,8 +550,9 @@ class Sensitivity(Answer):
     """Derivatives of an answer with respect to numbers of the model, the largest effect first.
 
     >>> import quasirigid
-    >>> found = quasirigid.Model(quasirigid.EXAMPLE).sensitivity("check.T1", ["carrier.mass"])
-    >>> found.relative["carrier.mass"] < 0
+    >>> time_constant = "modes.nutation.time_constant"
+    >>> found = quasirigid.Model(quasirigid.EXAMPLE).sensitivity(time_constant, ["spring.1.damping"])
+    >>> found.relative["spring.1.damping"] < 0
     True
     """
 

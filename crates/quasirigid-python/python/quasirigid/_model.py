@@ -235,9 +235,10 @@ class Model:
             InputError: for a quantity or a key that does not exist.
 
         >>> import quasirigid
-        >>> found = quasirigid.Model(quasirigid.EXAMPLE).sensitivity("check.mass", ["carrier.mass"])
+        >>> time_constant = "modes.nutation.time_constant"
+        >>> found = quasirigid.Model(quasirigid.EXAMPLE).sensitivity(time_constant, ["spring.1.damping"])
         >>> found.derivatives[0]["key"]
-        'carrier.mass'
+        'spring.1.damping'
         """
         if isinstance(keys, str):
             raise InputError(f"keys = {keys!r}; give a list of paths")

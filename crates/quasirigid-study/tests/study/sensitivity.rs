@@ -104,6 +104,19 @@ fn all_numbers_of_a_file_obey_the_law_of_units() {
     }
 }
 
+/// The time of an averaged wobble goes as `μQ/(ρR²Ω³)`, (A11): exact exponents, whatever the shape, in the units of the file.
+#[test]
+fn times_of_small_bodies_have_the_exponents_of_their_closed_form() {
+    let found = relative(&example("apophis"), "evolve.time", &[]);
+    let sum =
+        |word: &str| found.iter().filter(|(key, _)| key.contains(word)).map(|(_, value)| value).sum::<f64>();
+    for (word, known) in
+        [("shear", 1.0), ("density", -1.0), ("rheology.Q", 1.0), ("semi_axes", -2.0), ("periods", 3.0)]
+    {
+        close(sum(word), known, 1e-5);
+    }
+}
+
 /// The derivative is the slope between two neighbours, each a whole answer.
 #[test]
 fn a_time_constant_changes_as_its_derivative_says() {

@@ -115,7 +115,8 @@ mod tests {
 
     #[test]
     fn derivatives_of_smooth_functions_are_found_within_their_error() {
-        let cases: [(&str, fn(f64) -> f64, f64); 5] = [
+        type Case = (&'static str, fn(f64) -> f64, f64);
+        let cases: [Case; 5] = [
             ("sine", |x| (x + 0.3).sin(), 0.3f64.cos()),
             ("power", |x| (1.0 + x).powf(-2.5), -2.5),
             ("pole", |x| 1.0 / (0.013 + x), -(0.013f64.powi(-2))),

@@ -42,7 +42,7 @@ pub struct LeastSquares {
 #[must_use]
 pub fn least_squares(start: &[f64], residuals: &mut Residuals<'_>) -> Option<LeastSquares> {
     let mut x = start.to_vec();
-    let mut r = DVector::from_vec(residuals(&[x.clone()]).pop()??);
+    let mut r = DVector::from_vec(residuals(std::slice::from_ref(&x)).pop()??);
     let (mut damping, mut converged) = (FIRST, false);
     let mut J = jacobian(&x, r.len(), residuals)?;
     for _ in 0..ITERATIONS {
@@ -88,7 +88,7 @@ fn step(
         }
         let delta = damped.cholesky().map(|factor| factor.solve(&gradient));
         let next = delta.map(|delta| x.iter().zip(delta.iter()).map(|(x, d)| x - d).collect::<Vec<f64>>());
-        let found = next.and_then(|next| Some((residuals(&[next.clone()]).pop()??, next)));
+        let found = next.and_then(|next| Some((residuals(std::slice::from_ref(&next)).pop()??, next)));
         if let Some((found, next)) = found {
             let found = DVector::from_vec(found);
             if found.norm_squared() < r.norm_squared() {

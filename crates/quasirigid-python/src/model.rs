@@ -163,13 +163,13 @@ impl Model {
     fn infer(
         &self,
         py: Python<'_>,
-        data: PathBuf,
+        measured: (PathBuf, Option<f64>),
         vary: Vec<String>,
-        sigma: Option<f64>,
         system: &str,
         order: Option<usize>,
         observer: Observer,
     ) -> PyResult<Answer> {
+        let (data, sigma) = measured;
         let system = named::<System>(Some(system), "system")?.unwrap_or(System::Reduced);
         let asked = InferSettings { vary: answers::keys(&vary)?, system };
         self.ask(py, (order, observer), |study, shared| answers::infer(study, &data, sigma, &asked, shared))

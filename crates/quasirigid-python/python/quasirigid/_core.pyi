@@ -110,9 +110,8 @@ class Model:
     def effective_masses(self, about: tuple[float, float, float] | None, observer: _Observer) -> _Answer: ...
     def infer(
         self,
-        data: str,
+        measured: tuple[str, float | None],
         vary: list[str],
-        sigma: float | None,
         system: str,
         order: int | None,
         observer: _Observer,

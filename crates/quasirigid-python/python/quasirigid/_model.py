@@ -273,7 +273,7 @@ class Model:
         path = _arguments.path(data, "data")
         with observer(progress) as watch:
             count = _arguments.count(order, "order")
-            return Inferred(self._core.infer(path, list(vary), deviation, system, count, watch))
+            return Inferred(self._core.infer((path, deviation), list(vary), system, count, watch))
 
     def linear(
         self,

@@ -2,8 +2,10 @@
 
 use std::any::Any;
 use std::ops::ControlFlow;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use quasirigid_math::watch;
+use rayon::{ThreadPool, ThreadPoolBuilder};
 
 /// Stack of a thread that works (bytes).
 pub const STACK: usize = watch::STACK;
@@ -46,6 +48,34 @@ pub fn watched<T: Send>(
 ) -> Result<T, StudyError> {
     let mut at = |stage: &str, share: f64| watch.at(stage, share);
     watch::watched(&mut at, work).unwrap_or(Err(StudyError::Interrupted))
+}
+
+/// Observer of work that asks a flag whether it is to end: names the stage, tells the share that is done, and sets the flag.
+pub(crate) struct Flagging<'s> {
+    pub watch: &'s mut dyn Watch,
+    pub cancelled: &'s AtomicBool,
+    pub stage: &'static str,
+    pub share: &'s dyn Fn() -> f64,
+}
+
+impl Watch for Flagging<'_> {
+    fn at(&mut self, _: &str, _: f64) -> ControlFlow<()> {
+        let asked = self.watch.at(self.stage, (self.share)());
+        self.cancelled.fetch_or(asked.is_break(), Ordering::Relaxed);
+        asked
+    }
+}
+
+/// Pool of threads with the stack that work needs, or the reason of the system why there is none.
+pub(crate) fn pool(threads: usize) -> Result<ThreadPool, String> {
+    let pool = ThreadPoolBuilder::new().num_threads(threads.max(1)).stack_size(STACK).build();
+    pool.map_err(|cause| cause.to_string())
+}
+
+/// Pool of as many threads as the machine has.
+pub(crate) fn whole_pool() -> Result<ThreadPool, StudyError> {
+    let threads = std::thread::available_parallelism().map_or(1, Into::into);
+    pool(threads).map_err(|cause| StudyError::Threads { threads, cause })
 }
 
 /// Message of a panic.

@@ -18,7 +18,7 @@ use crate::error::StudyError;
 use crate::histories::Table;
 use crate::modes::SteadySpinSettings;
 use crate::study::Study;
-use crate::watch::{Watch, panic_message, watched};
+use crate::watch::{Flagging, Watch, panic_message, watched};
 
 /// What a command answered in a row.
 pub(crate) enum Answered {
@@ -67,7 +67,8 @@ pub(crate) fn answers_watched(
     watch: &mut dyn Watch,
 ) -> Option<Answers> {
     let cancelled = Arc::default();
-    let mut observer = Observer { watch, cancelled: &cancelled };
+    let mut observer =
+        Flagging { watch, cancelled: &cancelled, stage: "answering a first row", share: &|| 0.0 };
     watched(&mut observer, || Ok(answers(model, text, asked, &cancelled))).ok().flatten()
 }
 
@@ -177,20 +178,6 @@ fn first_line(error: &StudyError) -> String {
     match lines.next() {
         Some(line) => line.to_owned(),
         None => text,
-    }
-}
-
-/// Watch of the thread that waits for a row.
-struct Observer<'s> {
-    watch: &'s mut dyn Watch,
-    cancelled: &'s AtomicBool,
-}
-
-impl Watch for Observer<'_> {
-    fn at(&mut self, _: &str, _: f64) -> ControlFlow<()> {
-        let asked = self.watch.at("answering a first row", 0.0);
-        self.cancelled.fetch_or(asked.is_break(), Ordering::Relaxed);
-        asked
     }
 }
 

@@ -5,7 +5,6 @@
 mod motions;
 mod text;
 
-use std::ops::ControlFlow;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -20,7 +19,7 @@ use serde_json::{Value, json};
 
 use crate::error::StudyError;
 use crate::study::Study;
-use crate::watch::{STACK, Watch, watched};
+use crate::watch::{Flagging, Watch, watched, whole_pool};
 use motions::Motions;
 
 /// Relative deviation of a combination of keys from which the data do not tell it.
@@ -129,10 +128,10 @@ impl Study {
         let cancelled: Arc<AtomicBool> = Arc::default();
         let motions =
             Motions { study: self, template: &template, numbers: &numbers, data, system: asked.system };
-        let at_file = watched(&mut Observer { watch, cancelled: &cancelled }, || motions.checked())?;
-        let found = watched(&mut Observer { watch, cancelled: &cancelled }, || {
-            Ok(pool()?.install(|| best(&motions, &cancelled)))
-        })?;
+        let mut observer =
+            Flagging { watch, cancelled: &cancelled, stage: "fitting the history", share: &|| 0.0 };
+        let at_file = watched(&mut observer, || motions.checked())?;
+        let found = watched(&mut observer, || Ok(whole_pool()?.install(|| best(&motions, &cancelled))))?;
         if cancelled.load(Ordering::Relaxed) {
             return Err(StudyError::Interrupted);
         }
@@ -180,12 +179,6 @@ fn check(data: &Measurements, numbers: &[WrittenNumber]) -> Result<(), StudyErro
         ));
     }
     Ok(())
-}
-
-fn pool() -> Result<rayon::ThreadPool, StudyError> {
-    let threads = std::thread::available_parallelism().map_or(1, Into::into);
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).stack_size(STACK).build();
-    pool.map_err(|cause| StudyError::Threads { threads, cause: cause.to_string() })
 }
 
 /// The deepest least of all starts, with the squares of the others.
@@ -284,19 +277,5 @@ impl Inferred {
     #[must_use]
     pub fn json(&self) -> Value {
         json!(self)
-    }
-}
-
-/// Watch of the search.
-struct Observer<'s> {
-    watch: &'s mut dyn Watch,
-    cancelled: &'s AtomicBool,
-}
-
-impl Watch for Observer<'_> {
-    fn at(&mut self, _: &str, _: f64) -> ControlFlow<()> {
-        let asked = self.watch.at("fitting the history", 0.0);
-        self.cancelled.fetch_or(asked.is_break(), Ordering::Relaxed);
-        asked
     }
 }

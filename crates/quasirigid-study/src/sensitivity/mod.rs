@@ -6,9 +6,8 @@
 mod changed;
 mod text;
 
-use std::ops::ControlFlow;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 use quasirigid_io::model::{KeyPath, WrittenNumber};
 use quasirigid_io::study_file::Quantity;
@@ -20,7 +19,7 @@ use serde_json::{Value, json};
 use crate::asked::{Status, unit};
 use crate::error::StudyError;
 use crate::study::Study;
-use crate::watch::{STACK, Watch, watched};
+use crate::watch::{Flagging, Watch, watched, whole_pool};
 use changed::{Changed, Missing};
 
 /// First step, relative to the key; halved until the error is small.
@@ -106,10 +105,12 @@ impl Study {
         let order = self.order_given.then_some(self.order);
         let changed = Changed::new(&self.model.source, order, quantity, &cancelled)?;
         let numbers = chosen(&changed, keys)?;
-        let mut observer = Observer { watch, cancelled: &cancelled, done: &done, total: numbers.len() };
+        let share = || done.load(Ordering::Relaxed) as f64 / numbers.len().max(1) as f64;
+        let mut observer =
+            Flagging { watch, cancelled: &cancelled, stage: "varying the keys", share: &share };
         let (at_file, outcomes) = watched(&mut observer, || {
             let value = changed.value(&[]).map_err(|missing| unanswered(quantity, missing))?;
-            Ok((value, pool()?.install(|| each(&changed, value, &numbers, &done))))
+            Ok((value, whole_pool()?.install(|| each(&changed, value, &numbers, &done))))
         })?;
         let outcomes: Option<Vec<Outcome>> = outcomes.into_iter().collect();
         let outcomes = outcomes.ok_or(StudyError::Interrupted)?;
@@ -155,12 +156,6 @@ fn unanswered(quantity: &Quantity, missing: Missing) -> StudyError {
         Missing::Cancelled => StudyError::Interrupted,
         Missing::No(_, reason) => StudyError::NoQuantity { name: quantity.name.clone(), reason },
     }
-}
-
-fn pool() -> Result<rayon::ThreadPool, StudyError> {
-    let threads = std::thread::available_parallelism().map_or(1, Into::into);
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).stack_size(STACK).build();
-    pool.map_err(|cause| StudyError::Threads { threads, cause: cause.to_string() })
 }
 
 fn each(
@@ -243,22 +238,5 @@ impl Sensitivity {
     #[must_use]
     pub fn json(&self) -> Value {
         json!(self)
-    }
-}
-
-/// Watch of the keys: their share that is done.
-struct Observer<'s> {
-    watch: &'s mut dyn Watch,
-    cancelled: &'s AtomicBool,
-    done: &'s AtomicUsize,
-    total: usize,
-}
-
-impl Watch for Observer<'_> {
-    fn at(&mut self, _: &str, _: f64) -> ControlFlow<()> {
-        let share = self.done.load(Ordering::Relaxed) as f64 / self.total.max(1) as f64;
-        let asked = self.watch.at("varying the keys", share);
-        self.cancelled.fetch_or(asked.is_break(), Ordering::Relaxed);
-        asked
     }
 }

@@ -17,7 +17,7 @@ use super::folder::{Folder, REPORT_FILE, ROWS_FILE, SUMMARY, read_part, tidy};
 use super::part::Opened;
 use super::row::RowAnswer;
 use super::{Sweep, SweepError, by_body, page, summary};
-use crate::{STACK, Watch};
+use crate::Watch;
 
 /// Most rows that are also written as one CSV file.
 const MOST_IN_CSV: u64 = 1_000_000;
@@ -150,10 +150,8 @@ impl Sweep {
     }
 }
 
-/// A pool of threads.
 fn pool(threads: usize) -> Result<ThreadPool, SweepError> {
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads.max(1)).stack_size(STACK).build();
-    pool.map_err(|cause| SweepError::Threads { threads, cause: cause.to_string() })
+    crate::watch::pool(threads).map_err(|cause| SweepError::Threads { threads, cause })
 }
 
 /// Progress of a run.

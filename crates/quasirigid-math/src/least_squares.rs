@@ -11,6 +11,9 @@ const ITERATIONS: usize = 60;
 /// Relative fall of the sum of squares, and step, that end the search.
 const FLAT: f64 = 1e-10;
 const SHORT: f64 = 1e-9;
+/// Step and cosine between residuals and columns of the Jacobian below which a place where no step falls is a minimum.
+const LEVEL: f64 = 1e-3;
+const STILL: f64 = 1e-6;
 /// Damping at the start, of an accepted step and of a refused one, and the most.
 const FIRST: f64 = 1e-3;
 const EASED: f64 = 0.2;
@@ -47,7 +50,7 @@ pub fn least_squares(start: &[f64], residuals: &mut Residuals<'_>) -> Option<Lea
     let mut J = jacobian(&x, r.len(), residuals)?;
     for _ in 0..ITERATIONS {
         let Some((next, found)) = step(&J, &r, &x, &mut damping, residuals) else {
-            converged = true; // no step is shorter than rounding and still falls
+            converged = is_level(&J, &r);
             break;
         };
         let (before, after) = (r.norm_squared(), found.norm_squared());
@@ -79,15 +82,9 @@ fn step(
     damping: &mut f64,
     residuals: &mut Residuals<'_>,
 ) -> Option<(Vec<f64>, DVector<f64>)> {
-    let (normal, gradient) = (J.tr_mul(J), J.tr_mul(r));
-    let largest = normal.diagonal().amax();
     while *damping < MOST {
-        let mut damped = normal.clone();
-        for i in 0..x.len() {
-            damped[(i, i)] += *damping * normal[(i, i)].max(1e-12 * largest);
-        }
-        let delta = damped.cholesky().map(|factor| factor.solve(&gradient));
-        let next = delta.map(|delta| x.iter().zip(delta.iter()).map(|(x, d)| x - d).collect::<Vec<f64>>());
+        let next = downhill(J, r, *damping)
+            .map(|delta| x.iter().zip(delta.iter()).map(|(x, d)| x - d).collect::<Vec<f64>>());
         let found = next.and_then(|next| Some((residuals(std::slice::from_ref(&next)).pop()??, next)));
         if let Some((found, next)) = found {
             let found = DVector::from_vec(found);
@@ -99,6 +96,22 @@ fn step(
         *damping *= TIGHTENED;
     }
     None
+}
+
+/// What a damped step takes off the parameters.
+fn downhill(J: &DMatrix<f64>, r: &DVector<f64>, damping: f64) -> Option<DVector<f64>> {
+    let mut damped = J.tr_mul(J);
+    let diagonal = damped.diagonal();
+    for (i, own) in diagonal.iter().enumerate() {
+        damped[(i, i)] += damping * own.max(1e-12 * diagonal.amax());
+    }
+    damped.cholesky().map(|factor| factor.solve(&J.tr_mul(r)))
+}
+
+/// Whether the linear problem falls no further: its step is short, or the residuals are normal to every column.
+fn is_level(J: &DMatrix<f64>, r: &DVector<f64>) -> bool {
+    let short = downhill(J, r, FIRST).is_some_and(|delta| delta.amax() <= STILL);
+    short || J.column_iter().all(|column| column.dot(r).abs() <= LEVEL * column.norm() * r.norm())
 }
 
 fn jacobian(x: &[f64], rows: usize, residuals: &mut Residuals<'_>) -> Option<DMatrix<f64>> {
@@ -155,6 +168,15 @@ mod tests {
         assert!(found.singular[1] < 1e-7 * found.singular[0], "{:?}", found.singular);
         let [a, b] = found.combinations[1][..] else { panic!() };
         assert!((a * found.parameters[1] + b * found.parameters[0]).abs() < 1e-6);
+    }
+
+    /// Every step is refused, though the squares would fall by a factor.
+    #[test]
+    fn a_search_that_no_step_leaves_has_not_converged() {
+        let near = |x: f64| x == 1.0 || (x - 1.0).abs() > 0.99e-4 && (x - 1.0).abs() < 1.01e-4;
+        let mut residuals = each(|x: &[f64]| near(x[0]).then(|| vec![1e5 * (x[0] - 1.0).powi(2) + x[0]]));
+        let found = least_squares(&[1.0], &mut residuals).unwrap();
+        assert!(!found.converged, "{found:?}");
     }
 
     #[test]

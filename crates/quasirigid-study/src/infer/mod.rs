@@ -19,6 +19,7 @@ use serde_json::{Value, json};
 
 use crate::error::StudyError;
 use crate::study::Study;
+use crate::words::significant;
 use crate::watch::{Flagging, Watch, watched, whole_pool};
 use motions::Motions;
 
@@ -34,6 +35,12 @@ const SPREAD: f64 = 0.2;
 const SEED: u64 = 20;
 /// Standard deviations of χ² within which the model explains the data.
 const EXPLAINED: f64 = 4.0;
+/// Correlation of neighbouring residuals, over its deviation in noise, from which they are no noise.
+const CORRELATED: f64 = 4.0;
+/// Scatter of a column over its largest value below which they are exact: what is left is the error of the history.
+const EXACT: f64 = 1e-6;
+/// Values below which noise and misfit look the same.
+const FEW: usize = 50;
 /// Relative difference of squares from which a least is deeper than another.
 const DEEPER: f64 = 1e-3;
 
@@ -63,11 +70,13 @@ pub struct Inferred {
     pub degrees_of_freedom: usize,
     /// Deviation of the data that their scatter has, where none is given; else `null`.
     pub scatter: Option<f64>,
+    /// Largest correlation of neighbouring residuals among the columns: about zero of noise, near one where the history misses the data.
+    pub correlation: f64,
     /// Combinations of keys that the data do not tell.
     pub not_distinguished: Vec<Combination>,
     /// Whether the search ended at a least.
     pub converged: bool,
-    /// Whether the model explains the data within their deviations; `null` where none are given.
+    /// Whether the model explains the data within their deviations; without these `null`, or `false` where the residuals are no noise.
     pub explained: Option<bool>,
     /// Notes to read before the numbers.
     pub notes: Vec<String>,
@@ -245,7 +254,22 @@ fn told(
         sigma: (found.singular[*k] > NULL * largest).then_some(deviations[*k]),
     };
     let chi2 = found.square;
-    let explained = given.then(|| (chi2 - freedom as f64) <= EXPLAINED * (2.0 * freedom as f64).sqrt());
+    let correlation = correlation(data, &found.residuals);
+    let no_noise = correlation > CORRELATED / (data.t.len() as f64).sqrt();
+    let explained = if given {
+        Some((chi2 - freedom as f64) <= EXPLAINED * (2.0 * freedom as f64).sqrt())
+    } else {
+        no_noise.then_some(false)
+    };
+    if given && no_noise {
+        notes.push(format!(
+            "neighbouring residuals are alike (correlation {}): the deviations given cover a misfit or errors that last, and sigma knows of neither",
+            significant(correlation, 2)
+        ));
+    }
+    if !given && data.count() < FEW {
+        notes.push("so few values cannot show whether what is left is noise or a misfit; give their deviations".to_owned());
+    }
     if others.iter().any(|other| *other > chi2 * (1.0 + DEEPER) && chi2 > 0.0) {
         notes.push("some starts end in shallower minima: the deepest one that was found is told".to_owned());
     }
@@ -257,6 +281,7 @@ fn told(
         chi2,
         degrees_of_freedom: freedom,
         scatter,
+        correlation,
         not_distinguished: unseen.iter().map(combination).collect(),
         converged: found.converged,
         explained,
@@ -264,6 +289,20 @@ fn told(
     };
     inferred.sentence = inferred.told();
     inferred
+}
+
+/// Largest correlation of neighbouring residuals among the columns; zero of those that are missed by no more than the error of a history.
+fn correlation(data: &Measurements, residuals: &[f64]) -> f64 {
+    let rows = data.t.len();
+    let columns = data.columns.iter().zip(residuals.chunks_exact(rows));
+    let correlations = columns.map(|(column, residuals)| {
+        let missed = residuals.iter().enumerate().map(|(row, r)| (r * column.deviation(row)).powi(2));
+        let largest = column.values.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
+        let is_exact = (missed.sum::<f64>() / rows as f64).sqrt() <= EXACT * largest;
+        let neighbours: f64 = residuals.windows(2).map(|pair| pair[0] * pair[1]).sum();
+        if is_exact { 0.0 } else { neighbours / residuals.iter().map(|r| r * r).sum::<f64>() }
+    });
+    correlations.fold(0.0, f64::max)
 }
 
 impl Inferred {

@@ -15,6 +15,11 @@ impl Inferred {
         }
         let (chi2, freedom) = (significant(self.chi2, 4), self.degrees_of_freedom);
         match self.explained {
+            Some(false) if self.scatter.is_some() => parts.push(format!(
+                "The model does NOT explain the data: what is left, {} about the best history, is no noise, as neighbouring residuals are alike (correlation {}). Another least, another key or another force is behind it.",
+                significant(self.scatter.unwrap_or(f64::NAN), 3),
+                significant(self.correlation, 2)
+            )),
             Some(false) => parts.push(format!(
                 "The model does NOT explain the data within their deviations: chi-squared is {chi2} for {freedom} degrees of freedom."
             )),

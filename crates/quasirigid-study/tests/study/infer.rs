@@ -151,6 +151,30 @@ fn a_model_that_does_not_fit_is_said_first() {
     assert!(found.sentence.starts_with("The model does NOT explain the data"), "{}", found.sentence);
 }
 
+/// The same data without their deviations.
+fn bare(data: &Measurements) -> Measurements {
+    let names: Vec<&str> = data.columns.iter().map(|column| column.name.as_str()).collect();
+    let mut text = format!("t,{}\n", names.join(","));
+    for (row, t) in data.t.iter().enumerate() {
+        let values: Vec<String> = data.columns.iter().map(|column| column.values[row].to_string()).collect();
+        writeln!(text, "{t},{}", values.join(",")).unwrap();
+    }
+    read(&text)
+}
+
+/// Without deviations only the likeness of neighbours tells a misfit from noise.
+#[test]
+fn a_misfit_without_deviations_is_told_from_noise() {
+    let noisy = bare(&measured(STONE, System::Rigid, &times(60.0, 121), &RATES, [1e-3, 7.0]));
+    let found = infer(&guessed(), &noisy, &KEYS, System::Rigid).unwrap();
+    assert!(found.holds() && found.explained.is_none() && found.correlation < 0.3, "{found:?}");
+    let other = changed(STONE, &[("carrier.inertia.3", 16.8.into())]).unwrap();
+    let data = bare(&measured(&other, System::Rigid, &times(60.0, 121), &RATES, [1e-3, 5.0]));
+    let found = infer(STONE, &data, &["initial.angular_velocity.1"], System::Rigid).unwrap();
+    assert!(!found.holds() && found.correlation > 0.8, "{found:?}");
+    assert!(found.sentence.contains("is no noise"), "{}", found.sentence);
+}
+
 /// The other sign of a quaternion is the same attitude, and degrees are degrees.
 #[test]
 fn signs_of_quaternions_and_units_change_nothing() {

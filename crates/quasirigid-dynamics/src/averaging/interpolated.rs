@@ -6,7 +6,7 @@
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, PoisonError};
 
-use super::{FreeRotation, MeanPower};
+use super::{FreeRotation, MeanPower, constant_beyond};
 use crate::math::chebyshev::Chebyshev;
 use crate::model::Mode;
 
@@ -39,7 +39,8 @@ const WIDTH: f64 = 2.0;
 const DEEPEST: u32 = 6;
 /// Share of the last polynomials below which a piece fits.
 const FITS: f64 = 1e-5;
-/// Place next to the separatrix, as `ξ`, beyond which the ratio is taken as constant: a share `e^ξ` of the energies lies there.
+/// Place next to the separatrix, as `ξ`, beyond which the ratio is taken as constant, between moments of like differences: a share `e^ξ` of
+/// the energies lies there.
 const NEAREST_SEPARATRIX: f64 = -8.0;
 
 impl InterpolatedPower {
@@ -88,8 +89,8 @@ impl MeanPower for InterpolatedPower {
     fn mean_power(&self, motion: &FreeRotation) -> f64 {
         let here = (motion.angular_momentum() / self.angular_momentum - 1.0).abs() < 1e-12;
         let xi = motion.logit();
-        let ratio =
-            if here && xi.is_finite() { self.ratio(motion.mode(), xi.max(NEAREST_SEPARATRIX)) } else { None };
+        let nearest = constant_beyond(self.moments(), motion.mode(), NEAREST_SEPARATRIX);
+        let ratio = if here && xi.is_finite() { self.ratio(motion.mode(), xi.max(nearest)) } else { None };
         match ratio {
             Some(ratio) => ratio.exp() * motion.mean_square_acceleration(),
             None => self.source.mean_power(motion),

@@ -18,6 +18,7 @@ mod poinsot;
 mod power;
 mod published;
 mod response;
+mod separatrix;
 mod slow_torque;
 mod source;
 
@@ -41,5 +42,6 @@ pub use poinsot::{FreeRotation, FreeRotationError};
 pub use power::{MeanPower, PolynomialPower};
 pub use published::{DAMPING_ESTIMATES, DampingEstimate, SmallBody, ball_radius, spin_barrier};
 pub use response::Response;
+pub use separatrix::constant_beyond;
 pub use slow_torque::{SlowTorque, Unaveraged};
 pub use source::{EvolutionError, PowerSource, harmonic_power};

@@ -9,7 +9,7 @@ use super::calibrated::wobble;
 use super::energy_range::EnergyRange;
 use super::measure::{MeasureError, Measurement, Plan, measured};
 use super::poles::Poles;
-use crate::averaging::{FreeRotation, RotationState};
+use crate::averaging::{FreeRotation, RotationState, constant_beyond};
 use crate::dynamics::FullState;
 use crate::model::{FlexibleBody, Mode};
 
@@ -44,7 +44,7 @@ const DOUBLINGS: usize = 6;
 const DOUBLINGS_FROM_MANIFOLD: usize = 2;
 /// Wobble (rad) below which the modes give the power.
 const SMALL_WOBBLE: f64 = 0.02;
-/// Distance from the separatrix, as `ξ`, to which the power is measured.
+/// Distance from the separatrix, as `ξ`, to which the power is measured, between moments of like differences.
 pub(super) const NEAREST_SEPARATRIX: f64 = -4.0;
 
 /// Point of measurement of the mean power of a full system. (Q4)
@@ -141,14 +141,15 @@ pub(super) fn small(range: &EnergyRange, mode: Mode) -> f64 {
     crate::math::bisection::bisected([NEAREST_SEPARATRIX, 40.0], angle, SMALL_WOBBLE, false)
 }
 
-/// Places in a mode between which the power is needed, ascending, not nearer to the separatrix than `nearest`; none if the evolution does
-/// not pass through the mode.
+/// Places in a mode between which the power is needed, ascending, not nearer to the separatrix than `nearest`, between moments of like
+/// differences; none if the evolution does not pass through the mode.
 pub(super) fn span(
     range: &EnergyRange,
     mode: Mode,
     [from, to]: [RotationState; 2],
     nearest: f64,
 ) -> Option<[f64; 2]> {
+    let nearest = constant_beyond(range.moments(), mode, nearest);
     let at = |rotation_state: RotationState| (rotation_state.mode == mode).then_some(rotation_state.xi);
     let (one, other) = match (at(from), at(to)) {
         (Some(one), Some(other)) => (one, other),

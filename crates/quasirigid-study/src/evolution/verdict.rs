@@ -50,7 +50,7 @@ impl Verdict {
                 Some(""),
             ),
             Outcome::LevelCurves(_) => (
-                "Elasticity changes a difference of the moments of inertia by more than 1 %: averaged along the level curves of the slow energy.".into(),
+                "Two moments of inertia are equal, or elasticity changes their difference by more than 1 %: averaged along the level curves of the slow energy.".into(),
                 None,
             ),
             Outcome::SpinManifold(history) => (reduced(history), Some("")),

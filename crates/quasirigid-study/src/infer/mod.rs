@@ -19,8 +19,8 @@ use serde_json::{Value, json};
 
 use crate::error::StudyError;
 use crate::study::Study;
-use crate::words::significant;
 use crate::watch::{Flagging, Watch, watched, whole_pool};
+use crate::words::significant;
 use motions::Motions;
 
 /// Relative deviation of a combination of keys from which the data do not tell it.
@@ -268,7 +268,10 @@ fn told(
         ));
     }
     if !given && data.count() < FEW {
-        notes.push("so few values cannot show whether what is left is noise or a misfit; give their deviations".to_owned());
+        notes.push(
+            "so few values cannot show whether what is left is noise or a misfit; give their deviations"
+                .to_owned(),
+        );
     }
     if others.iter().any(|other| *other > chi2 * (1.0 + DEEPER) && chi2 > 0.0) {
         notes.push("some starts end in shallower minima: the deepest one that was found is told".to_owned());

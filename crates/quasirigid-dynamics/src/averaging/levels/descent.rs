@@ -17,11 +17,13 @@ pub(super) struct Descent {
     energies: Vec<f64>,
 }
 
-/// Longest step (rad), and the limit of the number of steps.
+/// Longest and shortest step (rad), and the limit of the number of steps.
 const STRIDE: f64 = 0.02;
+const SHORTEST: f64 = 1e-12;
 const MAX_STEPS: usize = 100_000;
-/// Slope, as a share of the largest, that counts as zero.
+/// Slope, as a share of the largest, that counts as zero; and that below which energies beside a family of minima differ by rounding alone.
 const AT_REST: f64 = 1e-8;
+const ROUNDED: f64 = 1e-6;
 /// Angle (rad) from a minimum within which the straight path is tried, checked at `STRAIGHT_PATH_CHECKS` places.
 const STRAIGHT_PATH_ANGLE: f64 = 0.1;
 const STRAIGHT_PATH_CHECKS: usize = 24;
@@ -49,7 +51,8 @@ impl Descent {
             }
             let slope = energy.slope(u);
             let steepness = norm(slope);
-            if steepness <= AT_REST * energy.fastest {
+            let lost = stride < SHORTEST && steepness <= ROUNDED * energy.fastest;
+            if lost || steepness <= AT_REST * energy.fastest {
                 let saddle = |point: &StationaryPoint| angle(u, point.place) < STRAIGHT_PATH_ANGLE;
                 return (!points.iter().any(saddle)).then_some((way, None));
             }
@@ -59,10 +62,10 @@ impl Descent {
                 u = next;
                 stride = (1.5 * stride).min(STRIDE);
             } else {
-                stride *= 0.5;
-                if stride < 1e-12 {
+                if stride < SHORTEST {
                     return None;
                 }
+                stride *= 0.5;
             }
         }
         None

@@ -6,7 +6,7 @@ use super::span::Span;
 use crate::averaging::{Evolution, HillResponse};
 use crate::math::eigen::NoConvergence;
 use crate::math::vec3::norm;
-use crate::model::{FlexibleBody, Principal, ReducedBody};
+use crate::model::{FlexibleBody, Mode, Principal, ReducedBody};
 use crate::reduction::{frequencies, reduce};
 
 /// Case of a choice: a body without momentum wheels on a span, with the criteria and what was computed for them.
@@ -52,6 +52,9 @@ impl<'a> Case<'a> {
             spinning_frame: false,
             spin_ratio: slowest.map(|slowest| norm(span.start.omega) / slowest),
             moments_change: moments_change(body, spins),
+            equal_moments: [Mode::LongAxis, Mode::ShortAxis]
+                .iter()
+                .any(|mode| !mode.exists(spins.range.moments())),
             level_equations: false,
             internal_rotation: !body.cyclic().is_empty(),
             viscoelastic: !body.viscoelastic().is_empty(),
@@ -85,8 +88,9 @@ impl<'a> Case<'a> {
         let parametric = spinning_frame.as_ref().and_then(|hill| case.parametric(hill));
         let criteria = Criteria { parametric, spinning_frame: spinning_frame.is_some(), ..case.criteria };
         let case = Self { criteria, spinning_frame, ..case };
-        // elasticity that bends the moments so much lets no average hold, so that these equations are needed
-        let levels = case.criteria.suits_level_curves(limits);
+        // beside equal moments, and where elasticity bends them much, averages may not hold, so that these equations are needed
+        let levels = case.criteria.suits_level_curves(limits)
+            || case.criteria.equal_moments && case.criteria.has_level_curves(limits);
         Ok(if levels { case.with_level_equations(order) } else { case })
     }
 

@@ -19,6 +19,8 @@ pub struct Criteria {
     pub spin_ratio: Option<f64>,
     /// Largest relative change of a difference of moments of inertia by elasticity.
     pub moments_change: f64,
+    /// Whether two moments are equal, so that a plane of steady spins takes the place of a separatrix.
+    pub equal_moments: bool,
     /// Whether the reduced equations of level curves are known.
     pub level_equations: bool,
     /// Whether the body has rotors or liquids that turn without a spring.

@@ -112,6 +112,9 @@ fn behind_averages(criteria: &Criteria, complete: bool, limits: &Limits, trials:
     if !complete {
         return Last::Method(Method::ModalRates);
     }
+    if criteria.level_equations && criteria.equal_moments && criteria.has_level_curves(limits) {
+        trials.push(Method::LevelCurves);
+    }
     if !criteria.between_axes && criteria.coordinates <= limits.coordinates_of_manifold {
         trials.push(Method::SpinManifold);
     }

@@ -19,6 +19,7 @@ fn body() -> Criteria {
         spinning_frame: true,
         spin_ratio: Some(0.05),
         moments_change: 0.0,
+        equal_moments: false,
         level_equations: false,
         internal_rotation: false,
         viscoelastic: false,
@@ -34,6 +35,11 @@ fn body() -> Criteria {
 /// A body whose elasticity changes its moments.
 fn bent() -> Criteria {
     Criteria { moments_change: 0.02, level_equations: true, ..body() }
+}
+
+/// A body of revolution.
+fn turned() -> Criteria {
+    Criteria { equal_moments: true, level_equations: true, ..body() }
 }
 
 fn liquid() -> UnknownLiquid {
@@ -87,7 +93,7 @@ fn averages_come_first() {
 #[test]
 fn other_methods_come_behind_the_averages() {
     let last = Last::Method;
-    let rows: [(Criteria, &[Method], Last); 21] = [
+    let rows: [(Criteria, &[Method], Last); 24] = [
         (body(), &[SpinManifold], last(MicroRuns)),
         (Criteria { revolutions: Some(3_000.0), ..body() }, &[SpinManifold], last(FullSystem)),
         (Criteria { revolutions: Some(3_001.0), ..body() }, &[SpinManifold, MicroRuns], last(FullSystem)),
@@ -112,6 +118,9 @@ fn other_methods_come_behind_the_averages() {
         (Criteria { left_out: 0.02, ..body() }, &[SpinManifold], last(MicroRuns)),
         (Criteria { left_out: 0.021, ..body() }, &[], last(ModalRates)),
         (Criteria { left_out: f64::INFINITY, decay_per_period: 1.0, ..body() }, &[], last(ModalRates)),
+        (turned(), &[LevelCurves, SpinManifold], last(MicroRuns)),
+        (Criteria { spin_ratio: Some(0.16), ..turned() }, &[SpinManifold], last(MicroRuns)),
+        (Criteria { left_out: 0.5, ..turned() }, &[], last(ModalRates)),
         (bent(), &[], last(LevelCurves)),
         (Criteria { spin_ratio: Some(0.16), ..bent() }, &[SpinManifold], last(MicroRuns)),
         (Criteria { spin_ratio: None, ..bent() }, &[SpinManifold], last(MicroRuns)),

@@ -57,7 +57,7 @@ impl Driver<'_> {
     }
 
     fn announce_history(&self, observer: &mut dyn ChoiceObserver) -> Result<(), Stop> {
-        let Some(revolutions) = self.case.criteria.revolutions else { return Ok(()) };
+        let revolutions = self.case.criteria.revolutions.unwrap_or(self.limits.few_revolutions);
         let Ok(per_period) = self.seconds_per_period(observer) else { return Ok(()) };
         let span = self.case.span;
         let period = self.case.spins.motion(span.ends[0]).polhode_period();

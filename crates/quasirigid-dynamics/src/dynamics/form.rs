@@ -2,7 +2,7 @@
 //! Equations (P1), (P2), docs/theory/05-propagation.md; (R16), docs/theory/03-reduction.md.
 
 use super::conserved_momentum::size;
-use crate::math::polynomial::{Homogeneous, Kernel, Number, Series, TensorKernel};
+use crate::math::polynomial::{Homogeneous, Kernel, Number, QuadraticKernel, Series, TensorKernel};
 use crate::math::simd::Arithmetic;
 use crate::math::sym3::{self, Sym};
 use crate::math::vec3::{self, cross, dot, norm};
@@ -56,12 +56,20 @@ pub(super) struct AngularMomentumForm {
     gradient: Kernel,
     c: Kernel,
     T: TensorKernel,
+    /// `c` and the two halves of `T`, where both are quadratic: at order 3 without rotors and liquids.
+    quadratic: Option<[QuadraticKernel; 3]>,
     energy: Kernel,
 }
 
 impl AngularMomentumForm {
     pub fn new(body: &ReducedBody) -> Self {
+        let quadratic = || {
+            let [diagonal, others] =
+                [[0, 1, 2], [3, 4, 5]].map(|rows| QuadraticKernel::new(&body.T.picked(&rows)));
+            Some([QuadraticKernel::new(&body.c)?, diagonal?, others?])
+        };
         Self {
+            quadratic: quadratic(),
             gradient: Kernel::new(&body.energy_of_momentum.gradient()),
             c: Kernel::new(&body.c),
             T: TensorKernel::new(&body.T),
@@ -84,7 +92,14 @@ impl AngularMomentumForm {
     /// Gradient of the energy, `c` and `T`.
     #[inline(always)]
     fn terms<A: Arithmetic, N: Number>(&self, K: [N; 3]) -> ([N; 3], [N; 3], [N; 6]) {
-        (self.gradient.vector::<A, N>(K), self.c.vector::<A, N>(K), self.T.value::<A, N>(K))
+        let gradient = self.gradient.vector::<A, N>(K);
+        let Some(quadratic) = &self.quadratic else {
+            return (gradient, self.c.vector::<A, N>(K), self.T.value::<A, N>(K));
+        };
+        let monomials = QuadraticKernel::monomials(K);
+        let [c, [xx, yy, zz], [yz, zx, xy]] =
+            quadratic.each_ref().map(|kernel| kernel.vector::<A, N>(&monomials));
+        (gradient, c, [xx, yy, zz, yz, zx, xy])
     }
 }
 

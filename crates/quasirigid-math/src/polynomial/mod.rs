@@ -4,9 +4,11 @@ mod axes;
 mod homogeneous;
 mod kernel;
 pub mod monomial;
+mod quadratic;
 mod series;
 mod ternary;
 
 pub use homogeneous::Homogeneous;
 pub use kernel::{Kernel, Number, TensorKernel};
+pub use quadratic::QuadraticKernel;
 pub use series::Series;

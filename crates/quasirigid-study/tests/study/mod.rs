@@ -11,6 +11,7 @@ mod forces;
 mod full_system;
 mod histories;
 mod infer;
+mod measured;
 mod methods;
 mod modes;
 mod notes;

@@ -20,7 +20,7 @@ pub(super) struct Chosen {
     pub indices: Vec<usize>,
     attitude: Option<Stored>,
     time: (f64, Option<String>),
-    rates: (f64, Option<String>),
+    rates: Option<(f64, Option<String>)>,
 }
 
 /// How an attitude is stored.
@@ -53,8 +53,10 @@ impl Chosen {
             let told = units.get(index).and_then(Clone::clone).filter(|unit| !unit.is_empty());
             told.or_else(|| parts(&titles[index]).1.map(str::to_owned))
         };
+        let attitude = attitude(&found, titles)?;
+        let has_rates = (0..3).any(|axis| found.contains_key(&Role::Rate(axis)));
         let mut rates: Option<(f64, Option<String>)> = None;
-        for axis in 0..3 {
+        for axis in (0..3).filter(|_| has_rates || attitude.is_none()) {
             let index = of(Role::Rate(axis), "a component of the angular velocity")?
                 .ok_or_else(|| missing(COMPONENTS[usize::from(axis)]))?;
             indices.push(index);
@@ -70,42 +72,43 @@ impl Chosen {
             }
         }
         let time = factor((&titles[time], named(time)), Dimension::TIME, "a time")?;
-        let attitude = attitude(&found, titles)?;
         let stored = attitude.map(|(stored, places)| {
             indices.extend(places);
             stored
         });
-        Ok(Self { indices, attitude: stored, time, rates: rates.unwrap_or((1.0, None)) })
+        Ok(Self { indices, attitude: stored, time, rates })
     }
 
     /// The history of these columns, which stand in the order of the indices.
     pub fn history(self, columns: Vec<Column>, notes: Vec<String>) -> Result<HistoryFile, Fault> {
         let whole = |problem| (Place::File, problem);
-        let resolution = shared(&columns[1..4]);
+        let first = if self.rates.is_some() { 4 } else { 1 };
+        let resolution = shared(&columns[1..first]);
         let rows = columns.first().map_or(0, |column| column.values.len());
         if rows == 0 {
             return Err(whole(HistoryFileProblem::Empty));
         }
         let attitude = match self.attitude {
             None => Vec::new(),
-            Some(stored) => attitudes(stored, &columns[4..]).map_err(whole)?,
+            Some(stored) => attitudes(stored, &columns[first..]).map_err(whole)?,
         };
-        let attitude_rounding = shared(&columns[4..]).error(1.0);
+        let attitude_rounding = shared(&columns[first..]).error(1.0);
         let order = match self.attitude {
             Some(Stored::Numbered) => QuaternionOrder::Unknown,
             _ => QuaternionOrder::ScalarFirst,
         };
-        let mut columns = columns.into_iter().map(|column| column.values);
+        let mut columns = columns.into_iter().take(first).map(|column| column.values);
         let [time, x, y, z] = std::array::from_fn(|_| columns.next().unwrap_or_default());
         check_order(&time).map_err(whole)?;
-        let (factor, rates) = (self.rates.0, x.into_iter().zip(y).zip(z));
+        let (factor, rate_unit) = self.rates.unwrap_or((1.0, None));
+        let rates = x.into_iter().zip(y).zip(z);
         Ok(HistoryFile {
             t: time.into_iter().map(|t| t * self.time.0).collect(),
             rates: rates.map(|((x, y), z)| [x, y, z].map(|rate| rate * factor)).collect(),
             attitude,
             order,
             time_unit: self.time.1,
-            rate_unit: self.rates.1,
+            rate_unit,
             rate_factor: factor,
             resolution,
             attitude_rounding,

@@ -41,7 +41,7 @@ pub enum HistoryFileProblem {
         byte: u8,
     },
     /// A file of another kind.
-    #[error("this is {kind}; give a table in text, Parquet, NPZ, or an attitude file (AEM, STK) with rates")]
+    #[error("this is {kind}; give a table in text, Parquet, NPZ, or an attitude file (AEM, STK)")]
     Kind {
         /// What the file is.
         kind: &'static str,
@@ -52,17 +52,12 @@ pub enum HistoryFileProblem {
     /// An attitude file that cannot be read.
     #[error(transparent)]
     Attitude(AttitudeProblem),
-    /// An attitude file without angular velocities.
-    #[error(
-        "the file has attitudes, but no angular velocities; write them too, as QUATERNION/ANGVEL or AttitudeTimeQuatAngVels"
-    )]
-    NoRates,
     /// A table without rows.
     #[error("the table has no rows; was the run cut off?")]
     Empty,
     /// A table without a column that is needed.
     #[error(
-        "no column is {what}; there are {}; name the columns t, wx, wy, wz and perhaps qw, qx, qy, qz",
+        "no column is {what}; there are {}; name the columns t, wx, wy, wz, or t, qw, qx, qy, qz, or all of them",
         listed(known)
     )]
     Missing {

@@ -31,7 +31,8 @@ const MAX_FILE: u64 = 2 * 1024 * 1024 * 1024;
 pub struct HistoryFile {
     /// Times, ascending: in s where the file names their unit, else as they stand there.
     pub t: Vec<f64>,
-    /// Components of the angular velocity: in rad/s where the file names their unit, else as they stand there.
+    /// Components of the angular velocity: in rad/s where the file names their unit, else as they stand there; empty where the file has
+    /// attitudes alone.
     pub rates: Vec<[f64; 3]>,
     /// Unit quaternions in the order of the columns; empty where there are none.
     pub attitude: Vec<[f64; 4]>,
@@ -61,7 +62,7 @@ pub enum QuaternionOrder {
 }
 
 impl HistoryFile {
-    /// Most by which rounding may have changed the rates of a row, in the unit of `rates`.
+    /// Most by which rounding may have changed the rates of a row, in the unit of `rates`, of a file that has them.
     #[must_use]
     pub fn rounding(&self, row: usize) -> [f64; 3] {
         let factor = self.rate_factor;
@@ -79,8 +80,8 @@ pub fn identity(file: &Path) -> Result<InputFileRecord, HistoryFileError> {
     Ok(InputFileRecord { name, bytes: bytes.len() as u64, sha256: sha256(&bytes) })
 }
 
-/// Reads a history: a table in text, a Parquet file, an archive of NumPy arrays (also of Basilisk), or an attitude file (AEM, STK) that has
-/// angular velocities.
+/// Reads a history: a table in text, a Parquet file, an archive of NumPy arrays (also of Basilisk), or an attitude file (AEM, STK). It has
+/// angular velocities, attitudes or both.
 ///
 /// # Errors
 /// [`HistoryFileError`] says what is wrong and on which line.
@@ -148,12 +149,9 @@ fn of_attitude(file: &Path) -> Result<HistoryFile, HistoryFileError> {
     let read = read_attitude(file);
     let AttitudeHistory { t, attitude, angular_velocity, .. } = read
         .map_err(|FileError { place, problem, .. }| fault((place, HistoryFileProblem::Attitude(problem))))?;
-    if angular_velocity.is_empty() {
-        return Err(fault((Place::File, HistoryFileProblem::NoRates)));
-    }
     // both formats write degrees per second
     let factor = 1_f64.to_radians();
-    let step = angular_velocity.len().div_ceil(JUDGED);
+    let step = angular_velocity.len().div_ceil(JUDGED).max(1);
     let judged: Vec<f64> =
         angular_velocity.iter().step_by(step).flatten().map(|rate| rate / factor).collect();
     let places = PLACES.into_iter().find(|places| {
@@ -164,13 +162,14 @@ fn of_attitude(file: &Path) -> Result<HistoryFile, HistoryFileError> {
     });
     let resolution =
         places.map_or(Resolution::Double, |decimals| Resolution::Decimal { decimals, significant: 16 });
+    let rate_unit = (!angular_velocity.is_empty()).then(|| "deg/s".to_owned());
     Ok(HistoryFile {
         t,
         rates: angular_velocity,
         attitude,
         order: QuaternionOrder::ScalarFirst,
         time_unit: Some("s".to_owned()),
-        rate_unit: Some("deg/s".to_owned()),
+        rate_unit,
         rate_factor: factor,
         resolution,
         attitude_rounding: Resolution::Double.error(1.0),

@@ -78,7 +78,21 @@ fn an_attitude_file_with_rates_is_a_history() {
     assert_eq!(found.resolution, Resolution::Decimal { decimals: 2, significant: 16 });
     let without =
         stk.replace("AttitudeTimeQuatAngVels", "AttitudeTimeQuaternions").replace(" 1.5 0.25 30", "");
-    assert!(read("spin.a", without).unwrap_err().contains("no angular velocities"));
+    let alone = read("spin.a", without).unwrap();
+    assert_eq!((alone.rates.len(), alone.rate_unit, alone.attitude.len()), (0, None, 2));
+    assert_eq!(alone.attitude[1], [0.8, 0.0, 0.0, 0.6]);
+}
+
+#[test]
+fn a_table_of_attitudes_alone_is_a_history() {
+    let alone = of("t [ms],qw,qx,qy,qz\n0,1,0,0,0\n500,0.96,0,0,0.28\n");
+    assert_eq!((alone.t.as_slice(), alone.rates.len()), (&[0.0, 0.5][..], 0));
+    assert_eq!(alone.attitude, [[1.0, 0.0, 0.0, 0.0], [0.96, 0.0, 0.0, 0.28]]);
+    assert!((alone.attitude_rounding - 0.05).abs() < 1e-15, "{}", alone.attitude_rounding);
+    // rates of which a part is missing are no attitude alone, and nothing at all asks for rates
+    let whole = "t,wx,wy,qw,qx,qy,qz\n0,1,2,1,0,0,0\n";
+    assert!(read("spin.csv", whole).unwrap_err().contains("no column is the z component"));
+    assert!(read("spin.csv", "t,qw,qx,qy\n0,1,0,0\n").unwrap_err().contains("or t, qw, qx, qy, qz"));
 }
 
 #[test]

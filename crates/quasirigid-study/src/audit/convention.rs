@@ -52,15 +52,19 @@ impl Convention {
         if self.to_inertial { [w, x, y, z] } else { [w, -x, -y, -z] }
     }
 
+    /// The convention of the quaternion in words.
+    pub fn attitude_words(self) -> String {
+        format!(
+            "scalar {}, from {} axes",
+            if self.scalar_first { "first" } else { "last" },
+            if self.to_inertial { "body to inertial" } else { "inertial to body" }
+        )
+    }
+
     /// The convention in words.
     pub fn words(self) -> String {
-        let choice = |first: bool, yes: &'static str, no: &'static str| if first { yes } else { no };
-        format!(
-            "scalar {}, from {} axes, rates in {} axes",
-            choice(self.scalar_first, "first", "last"),
-            choice(self.to_inertial, "body to inertial", "inertial to body"),
-            choice(self.body_rates, "body", "inertial"),
-        )
+        let axes = if self.body_rates { "body" } else { "inertial" };
+        format!("{}, rates in {axes} axes", self.attitude_words())
     }
 }
 

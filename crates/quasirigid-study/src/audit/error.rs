@@ -123,6 +123,51 @@ pub enum AuditError {
         /// Another.
         second: String,
     },
+    /// An attitude of too few rows to find its rates.
+    #[error("{}: the history has attitudes alone, of {rows} rows; their rates need {} rows", file.display(), super::attitude_rates::FEWEST)]
+    FewAttitudes {
+        /// The file.
+        file: PathBuf,
+        /// Number of rows.
+        rows: usize,
+    },
+    /// An attitude whose rows are too far apart to find its rates.
+    #[error(
+        "{}: the history has attitudes alone, and row {row} is {} rad from the one before; rates need rows that are {} rad apart at most, so write rows closer to each other, or the rates too",
+        file.display(),
+        significant(*turn, 3),
+        super::attitude_rates::LARGEST_TURN
+    )]
+    Coarse {
+        /// The file.
+        file: PathBuf,
+        /// The later of both rows, from 1.
+        row: usize,
+        /// Rotation between them (rad).
+        turn: f64,
+    },
+    /// An attitude alone that is not the motion of this body in any convention.
+    #[error(
+        "{}: in no convention do the rotations from row to row follow Euler's equations with this inertia; are the moments in the order and the axes of the body, does no torque act, and are the rows close enough?",
+        file.display()
+    )]
+    NoConvention {
+        /// The file.
+        file: PathBuf,
+    },
+    /// An attitude alone that is the motion of this body in two conventions.
+    #[error(
+        "{}: the rotations from row to row follow Euler's equations in two conventions alike: {first}; and {second}; name the columns qw,qx,qy,qz, or write the rates too",
+        file.display()
+    )]
+    TwoAttitudes {
+        /// The file.
+        file: PathBuf,
+        /// A convention.
+        first: String,
+        /// Another.
+        second: String,
+    },
     /// Steps of several histories that give no order.
     #[error("{problem}")]
     Steps {

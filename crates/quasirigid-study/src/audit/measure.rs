@@ -6,6 +6,8 @@ use quasirigid_io::history_file::{HistoryFile, QuaternionOrder};
 use quasirigid_math::rotation::Turn;
 use quasirigid_math::vec3::norm;
 
+use super::attitude_alone::{Alone, with_rates};
+use super::attitude_rates::REACH;
 use super::convention::{Agreement, Convention, agreements};
 use super::error::AuditError;
 use super::euler::{Numbers, UnitFit, unit_fit};
@@ -46,6 +48,8 @@ pub struct Measured {
     pub attitude: Option<Agreement>,
     /// Why an attitude was left out.
     pub left_out: Option<String>,
+    /// Most by which rates from an attitude alone may be off (rad/s); none of a file that has rates.
+    pub derived: Option<f64>,
     scale: f64,
 }
 
@@ -54,6 +58,9 @@ impl Measured {
     pub fn of(path: &Path, mut file: HistoryFile, body: &Rigid) -> Result<Self, AuditError> {
         if file.t.len() < 2 {
             return Err(AuditError::OneRow { file: path.into() });
+        }
+        if file.rates.is_empty() {
+            return Self::of_attitude(path, file, body);
         }
         if let Some(at) = file.rates.iter().position(|rate| norm(*rate) == 0.0) {
             return Err(AuditError::AtRest { file: path.into(), row: at + 1 });
@@ -71,11 +78,38 @@ impl Measured {
         if time != 1.0 {
             file.t.iter_mut().for_each(|t| *t *= time);
         }
-        Ok(Self { file, units, source, fit, attitude: agreement, left_out, scale: rate })
+        Ok(Self { file, units, source, fit, attitude: agreement, left_out, derived: None, scale: rate })
+    }
+
+    /// A file that has attitudes alone, with the rates of these.
+    fn of_attitude(path: &Path, file: HistoryFile, body: &Rigid) -> Result<Self, AuditError> {
+        let Alone { file, convention, fit, error } = with_rates(path, file, body)?;
+        if let Some(at) = file.rates.iter().position(|rate| norm(*rate) <= error) {
+            return Err(AuditError::AtRest { file: path.into(), row: at + 1 + REACH });
+        }
+        let source = if file.time_unit.is_some() { UnitSource::Heading } else { UnitSource::Assumed };
+        Ok(Self {
+            file,
+            units: Units::SI,
+            source,
+            fit,
+            attitude: Some(Agreement { convention, factor: 1.0, misfit: 0.0 }),
+            left_out: None,
+            derived: Some(error),
+            scale: 1.0,
+        })
+    }
+
+    /// How finely the rates are known, in words.
+    pub fn digits(&self) -> String {
+        self.derived.map_or_else(|| self.file.resolution.words(), |_| "rates from the attitude".to_owned())
     }
 
     /// Most by which rounding may have changed the rates of a row (rad/s).
     pub fn rounding(&self, row: usize) -> [f64; 3] {
+        if let Some(error) = self.derived {
+            return [error; 3];
+        }
         let HistoryFile { rates, rate_factor, resolution, .. } = &self.file;
         let unit = rate_factor * self.scale;
         let errors: [f64; 3] = std::array::from_fn(|axis| resolution.error(rates[row][axis] / unit) * unit);

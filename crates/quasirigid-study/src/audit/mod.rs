@@ -1,10 +1,12 @@
 //! Audit of a history that another program wrote: does a simulator invent damping?
 //!
 //! A free rigid body keeps its energy and its angular momentum, and its wobble neither decays nor grows. What a history shows beside that was
-//! made by the integrator, or by a torque, or is the body's own dissipation, which its model tells. Equations (J1) to (J3),
+//! made by the integrator, or by a torque, or is the body's own dissipation, which its model tells. Equations (J1) to (J4),
 //! docs/theory/22-audit.md.
 
 mod answer;
+mod attitude_alone;
+mod attitude_rates;
 mod badge;
 mod convention;
 mod drift;
@@ -195,7 +197,7 @@ fn answered(found: &Found<'_>, order: Option<OrderObject>, inputs: InputsRecord)
         crossing: drift.crossing.filter(|_| drift.has_wobble),
         dissipation: drift.intervals.iter().map(IntervalObject::of).collect(),
         rounding: RoundingObject {
-            digits: measured.file.resolution.words(),
+            digits: measured.digits(),
             momentum: drift.momentum_change.rounding,
             energy: drift.energy_change.rounding,
         },

@@ -98,14 +98,21 @@ impl Told<'_> {
             return "The history keeps energy and angular momentum: neither changes at all.".to_owned();
         }
         if energy.rounding > COARSE {
-            return format!(
-                "The digits of the file are too few to tell: rounding alone may change the energy by {} relative.",
-                significant(energy.rounding, 2)
-            );
+            let size = significant(energy.rounding, 2);
+            return if self.measured.derived.is_some() {
+                format!(
+                    "The rows are too far apart to tell: rates from the attitude leave the energy open to {size} relative."
+                )
+            } else {
+                format!(
+                    "The digits of the file are too few to tell: rounding alone may change the energy by {size} relative."
+                )
+            };
         }
         if !momentum.is_seen() && !energy.is_seen() {
             return format!(
-                "The history keeps energy and angular momentum: neither changes by more than the digits of the file, {} and {} relative.",
+                "The history keeps energy and angular momentum: neither changes by more than {}, {} and {} relative.",
+                self.floor(),
                 significant(energy.rounding, 2),
                 significant(momentum.rounding, 2)
             );
@@ -125,7 +132,7 @@ impl Told<'_> {
             return "a body of three equal moments has no wobble.".to_owned();
         }
         if !drift.has_wobble {
-            return "there is no wobble above the digits of the file that could decay.".to_owned();
+            return format!("there is no wobble above {} that could decay.", self.floor());
         }
         if let Some(at) = drift.crossing {
             return format!(
@@ -142,7 +149,16 @@ impl Told<'_> {
         if self.explains() && time_constant(drift.wobble_trend.as_ref()).is_some() {
             return format!("the model explains the trend of the wobble about {axis}.");
         }
-        format!("the wobble about {axis} has no trend above the digits of the file.")
+        format!("the wobble about {axis} has no trend above {}.", self.floor())
+    }
+
+    /// What a change has to exceed.
+    fn floor(&self) -> &'static str {
+        if self.measured.derived.is_some() {
+            "what rates from the attitude show"
+        } else {
+            "the digits of the file"
+        }
     }
 
     fn explains(&self) -> bool {
@@ -185,6 +201,9 @@ impl Told<'_> {
         let mut notes = self.measured.file.notes.clone();
         let units = self.measured.units;
         match self.measured.source {
+            UnitSource::Assumed if self.measured.derived.is_some() => notes.push(
+                "times are taken in s: an attitude alone does not tell their unit; name it in the heading, as t [ms]".to_owned(),
+            ),
             UnitSource::Assumed => notes.push(
                 "the rates hardly change, so that their unit does not show: rad/s and s are taken; name units in the heading, as wx [deg/s]"
                     .to_owned(),
@@ -204,7 +223,14 @@ impl Told<'_> {
             }
         }
         if let Some(found) = self.measured.attitude {
-            notes.push(format!("the attitude is told by the rates: {}", found.convention.words()));
+            notes.push(match self.measured.derived {
+                Some(error) => format!(
+                    "the file has no rates: they are those of the attitude, {}, through seven rows, known to {} rad/s; three rows at each end have none",
+                    found.convention.attitude_words(),
+                    significant(error, 2)
+                ),
+                None => format!("the attitude is told by the rates: {}", found.convention.words()),
+            });
         }
         if let (Some([from, to]), Some(_)) = (self.drift.wobble(), self.left)
             && from.max(to) > LARGE

@@ -41,7 +41,7 @@ pub fn audited(text: &str, entries: &[f64]) -> Audit {
 }
 
 #[track_caller]
-fn refused(text: &str, entries: &[f64]) -> String {
+pub fn refused(text: &str, entries: &[f64]) -> String {
     match asked(text, entries, &AuditSettings::default()) {
         Err(error) => error,
         Ok(found) => panic!("{}", found.sentence),

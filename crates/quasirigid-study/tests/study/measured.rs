@@ -53,7 +53,8 @@ fn mean_rate(case: &str) -> f64 {
     } else {
         let line = text.lines().find(|line| line.starts_with("angular_velocity")).unwrap();
         let spin = line.split('"').nth(1).unwrap();
-        let along = |k: usize| [0, 1, 2].map(|i| if i == k { format!("\"{spin}\"") } else { "0".into() }).join(", ");
+        let along =
+            |k: usize| [0, 1, 2].map(|i| if i == k { format!("\"{spin}\"") } else { "0".into() }).join(", ");
         (0..3).map(|k| text.replace(line, &format!("angular_velocity = [{}]", along(k)))).collect()
     };
     variants.iter().map(|text| spin_rate(&answer(text))).sum::<f64>() / variants.len() as f64
@@ -110,7 +111,8 @@ fn by_hand(field: f64, axis: f64, eccentricity: f64, inclination: f64) -> f64 {
 /// The spins by the closed mean of the field, with moments and conductors written here: 4 ρ/(σ B²) where ball or shell are all there is.
 #[test]
 fn spins_decay_as_the_closed_mean_of_the_field_says() {
-    let sphere = |conductivity: f64, radius: f64| std::f64::consts::TAU / 15.0 * conductivity * radius.powi(5);
+    let sphere =
+        |conductivity: f64, radius: f64| std::f64::consts::TAU / 15.0 * conductivity * radius.powi(5);
     let brass = 4.0 * 8500.0 / 1.5e7;
     let larets = by_hand(30.0e-6, 7.069_137_1e6, 0.0, 98.204) / brass;
     let stella = by_hand(30.3e-6, 7.171e6, 0.0, 98.6) / (4.0 * 18_700.0 / 3.4e6);

@@ -1,7 +1,7 @@
 //! The README and the guide: their commands run and print what the pages show, their complete models are models.
 //!
 //! In a `console` block a line `$ quasirigid ...` or `$ cargo run -- ...` is run where the pages expect it,
-//! the root of the repository, or rather a copy that holds the examples, which the commands of one page share. What
+//! the root of the repository, or rather a copy that holds the examples and the measured cases, which the commands of one page share. What
 //! follows up to the next `$` is what it prints; a line `...` stands for any lines. A `toml` block whose first line
 //! is `# complete` is a model; `# complete: NAME.toml` is one that the commands after it know by this name. Files that
 //! models name stand in the folder `data` beside the page.
@@ -22,6 +22,8 @@ use page::{Block, Shown, blocks, commands, matches};
 
 /// Folder of the files that models of a page name, beside the page.
 const DATA: &str = "data";
+/// Folder of the models beside measured numbers.
+const MEASURED: &str = "data/published/measured";
 
 /// Problems of the pages of a repository.
 fn problems(root: &Path) -> Vec<String> {
@@ -40,6 +42,9 @@ fn pages(root: &Path) -> Vec<PathBuf> {
 fn problems_of(root: &Path, page: &Path) -> Vec<String> {
     let folder = TempDir::new().unwrap();
     copy(&root.join("examples"), &folder.path().join("examples"));
+    if root.join(MEASURED).is_dir() {
+        copy(&root.join(MEASURED), &folder.path().join(MEASURED));
+    }
     let file = root.join(page);
     let (text, beside) = (fs::read_to_string(&file).unwrap(), file.parent().unwrap());
     if beside.join(DATA).is_dir() {

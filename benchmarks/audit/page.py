@@ -176,7 +176,7 @@ def pictures() -> str:
     told = ["## Figures"]
     for name, (title, _) in FIGURES.items():
         told.append(f"![{title}]({name}.svg)")
-    told.append("In the first figure a line has the slope of its order. In the second the energy of the triaxial body runs away by itself: nothing acts on it.")
+    told.append("In the first figure a line has the slope of its order. In the second the energy of the triaxial body runs away by itself: nothing acts on it, and default damping is off.")
     return "\n\n".join(told)
 
 

@@ -398,8 +398,14 @@ pub struct ModesArgs {
     /// List every mode, overdamped ones too
     #[arg(long)]
     pub all: bool,
+    /// File for a certificate, with which tools/check_certificate.py checks the answer without this program
+    #[arg(long, value_name = "FILE.json")]
+    pub certificate: Option<PathBuf>,
+    /// Replace the certificate if its file exists
+    #[arg(long, requires = "certificate")]
+    pub overwrite: bool,
     /// Give the cantilever modes instead, with the carrier held: participation factors and effective masses
-    #[arg(long, conflicts_with_all = ["spin", "axis"])]
+    #[arg(long, conflicts_with_all = ["spin", "axis", "certificate"])]
     pub effective_masses: bool,
     /// Point that participation in rotations is about (m), in the file's frame [default: the centre of mass, or the point of the support]
     #[arg(

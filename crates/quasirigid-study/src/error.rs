@@ -76,6 +76,11 @@ pub enum StudyError {
         /// The reason, in words.
         reason: String,
     },
+    /// An answer without a certificate.
+    Uncertified {
+        /// The reason, in words.
+        reason: String,
+    },
     /// Keys and data from which nothing is inferred.
     Infer {
         /// The reason, in words.
@@ -336,6 +341,7 @@ impl StudyError {
                 format!("`{key}` is no number of the model; name a key whose value is a number, with a unit or without")
             }
             Self::NoQuantity { name, reason } => format!("there is no value of `{name}` to differentiate: {reason}"),
+            Self::Uncertified { reason } => format!("this answer has no certificate: {reason}"),
             Self::Infer { problem } => problem.clone(),
             Self::Threads { threads, cause } => format!("{threads} threads cannot be started: {cause}"),
             Self::Truncation(cause) => cause.to_string(),

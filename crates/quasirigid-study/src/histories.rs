@@ -254,7 +254,7 @@ impl Doubts {
         }
         let poles = judged::poles_in_a_moment(motion)?;
         let Judged { order, validity, .. } = judged::for_motion(motion, &poles, form)?;
-        let losses = LeftOut::at(study, motion.start.omega, poles.nearest);
+        let losses = LeftOut::at(study, motion.start.omega, poles.nearest().cloned());
         let mut doubts = Self::of_validity(&losses, &validity);
         doubts.remarks.extend(judged::raised(study, order));
         Ok((order, doubts))

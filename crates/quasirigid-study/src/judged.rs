@@ -56,7 +56,7 @@ pub(crate) fn for_motion(motion: &Motion, poles: &Poles, form: Form) -> Result<J
 
 fn from_an_order(motion: &Motion, poles: &Poles, lowest: usize) -> Result<Judged, StudyError> {
     let study = motion.study();
-    let modes: Vec<_> = poles.nearest.iter().chain(&poles.other).collect();
+    let modes: Vec<_> = poles.modes.iter().take(2).flatten().collect();
     let own = judged(study, motion, &modes, lowest)?;
     if study.order_given || own.validity.verdict() == Verdict::Fails || own.holds() {
         return Ok(own);

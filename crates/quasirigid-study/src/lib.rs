@@ -59,6 +59,7 @@ pub mod about_spin;
 mod asked;
 pub mod audit;
 mod campbell;
+pub mod certificate;
 pub mod check;
 pub mod cite;
 mod controlled;

@@ -1,7 +1,7 @@
 //! Steady spins that a user asks for, with the modes about them.
 
 use quasirigid::model::Principal;
-use quasirigid::modes::{SpinMagnitude, acts};
+use quasirigid::modes::{SpinMagnitude, SpinModes, acts};
 use quasirigid_io::model::{Named, Rotation};
 use quasirigid_io::record::SteadySpinRecord;
 use quasirigid_math::vec3::norm;
@@ -10,6 +10,7 @@ use serde_json::{Value, json};
 
 use crate::error::StudyError;
 use crate::motion::Motion;
+use crate::steady::Poles;
 pub use crate::steady_state::SteadyStateObject;
 use crate::study::Study;
 use crate::{steady, steady_state};
@@ -51,6 +52,8 @@ pub struct SteadySpinSettings {
 pub struct Modes {
     /// One record for each.
     pub spins: Vec<SteadySpinRecord>,
+    /// Modes of each as they were solved; none under forces.
+    pub(crate) solved: Vec<Option<SpinModes>>,
     /// Further results of the steady state under forces.
     pub state: Option<SteadyStateObject>,
     /// Whether the result is a steady state under forces.
@@ -121,23 +124,21 @@ impl Study {
         if under_forces || rests {
             let near = steady_state::near(self, asked.omega)?;
             let steady_state::Told { record, state } = steady_state::told(self, &acting, near);
-            return Ok(Modes { spins: vec![record], state, under_forces: true });
+            return Ok(Modes { spins: vec![record], solved: Vec::new(), state, under_forces: true });
         }
         let (omega, given) = match asked.omega {
             Some(omega) => (omega, SpinMagnitude::Rate(norm(omega))),
             None => of_start(self)?,
         };
         let principal = Principal::compute(body.invariants().J);
-        let spins = match (asked.axis, asked.omega) {
+        let Poles { records: spins, modes: solved } = match (asked.axis, asked.omega) {
             (Some(axis), _) => {
-                vec![steady::spin(self, axis.name(), principal.axes[axis as usize], given, asked.all)]
+                steady::spin(self, axis.name(), principal.axes[axis as usize], given, asked.all)
             }
-            (None, Some(_)) => {
-                vec![steady::spin(self, "asked", principal.axis_beside(omega), given, asked.all)]
-            }
-            (None, None) => steady::poles(self, omega, given, asked.all).records,
+            (None, Some(_)) => steady::spin(self, "asked", principal.axis_beside(omega), given, asked.all),
+            (None, None) => steady::poles(self, omega, given, asked.all),
         };
-        Ok(Modes { spins, state: None, under_forces: false })
+        Ok(Modes { spins, solved, state: None, under_forces: false })
     }
 }
 

@@ -170,8 +170,8 @@ impl Study {
             notes.push(LOOSE.into());
         }
         notes.extend(judged::raised(self, order));
-        let scene_modes = poles.nearest.clone();
-        let left_out = LeftOut::at(self, start.omega, poles.nearest);
+        let scene_modes = poles.nearest().cloned();
+        let left_out = LeftOut::at(self, start.omega, poles.nearest().cloned());
         notes.extend(left_out.notes());
         let plan = Plan::new(self, &settings, &motion, nutating, kept.is_some())?;
         let evolution = plan.evolution(start, &mut notes, watch)?;

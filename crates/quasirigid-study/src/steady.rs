@@ -39,10 +39,15 @@ const GREATEST_ENERGY: &str = "greatest energy";
 pub struct Poles {
     /// Records, the one next to the start first.
     pub records: Vec<SteadySpinRecord>,
-    /// Modes of the first, if they were found.
-    pub nearest: Option<SpinModes>,
-    /// Modes of the other one, if they were found.
-    pub other: Option<SpinModes>,
+    /// Modes of each, if they were found.
+    pub modes: Vec<Option<SpinModes>>,
+}
+
+impl Poles {
+    /// Modes of the steady spin next to the start, if they were found.
+    pub fn nearest(&self) -> Option<&SpinModes> {
+        self.modes.first()?.as_ref()
+    }
 }
 
 /// The steady spins about the axes of greatest and of least inertia, or those that momentum wheels leave, the one next to an angular velocity
@@ -50,13 +55,14 @@ pub struct Poles {
 pub fn poles(study: &Study, omega: [f64; 3], given: SpinMagnitude, all: bool) -> Poles {
     let body = &study.body;
     let modes = Principal::compute(body.invariants().J).nearest(omega);
-    let [(first, nearest), (second, other)] = modes.map(|mode| {
+    let found = modes.map(|mode| {
         let name = if mode == Mode::ShortAxis { "greatest" } else { "least" };
         told(study, name, RelativeEquilibrium::extreme(body, mode, given), all)
     });
-    let lost = first.spin.is_none() || second.spin.is_none();
+    let (records, modes): (Vec<_>, Vec<_>) = found.into_iter().unzip();
+    let lost = records.iter().any(|record: &SteadySpinRecord| record.spin.is_none());
     let turned = if lost { poles_of_gyrostat(study, omega, given, all) } else { None };
-    turned.unwrap_or_else(|| Poles { records: vec![first, second], nearest, other })
+    turned.unwrap_or(Poles { records, modes })
 }
 
 /// The steady spins of least and of greatest energy of a body with momentum wheels, the one next to an angular velocity first; none of a
@@ -76,9 +82,7 @@ fn poles_of_gyrostat(study: &Study, omega: [f64; 3], given: SpinMagnitude, all: 
     spins.sort_by(|(_, a), (_, b)| away(a).total_cmp(&away(b)));
     let told = spins.into_iter().map(|(name, spin)| told(study, name, Ok(spin), all));
     let (records, modes): (Vec<_>, Vec<_>) = told.unzip();
-    let mut modes = modes.into_iter();
-    let (nearest, other) = (modes.next()?, modes.next().flatten());
-    Some(Poles { records, nearest, other })
+    (!records.is_empty()).then_some(Poles { records, modes })
 }
 
 /// The steady spins with the angular momentum of the start; none where moments act, of a body without angular momentum, and of bodies
@@ -115,8 +119,9 @@ pub fn lines(spins: &[SteadySpinRecord]) -> String {
 }
 
 /// The steady spin near an axis, on its side, with its modes.
-pub fn spin(study: &Study, name: &str, axis: [f64; 3], given: SpinMagnitude, all: bool) -> SteadySpinRecord {
-    told(study, name, RelativeEquilibrium::near(&study.body, axis, given), all).0
+pub fn spin(study: &Study, name: &str, axis: [f64; 3], given: SpinMagnitude, all: bool) -> Poles {
+    let (record, modes) = told(study, name, RelativeEquilibrium::near(&study.body, axis, given), all);
+    Poles { records: vec![record], modes: vec![modes] }
 }
 
 /// Record of a steady spin with its modes, or of its absence, and the modes themselves.

@@ -2,6 +2,7 @@
 
 mod attitude;
 pub mod audit;
+mod certificate;
 pub mod check;
 pub mod cite;
 pub mod derive;

@@ -1,7 +1,7 @@
 use quasirigid_study::Study;
 use quasirigid_study::modes::SteadySpinSettings;
 
-use super::{open, whole};
+use super::{certificate, open, whole};
 use crate::args::ModesArgs;
 use crate::failure::Failure;
 use crate::{ExitStatus, output};
@@ -12,16 +12,23 @@ pub fn modes(arguments: &ModesArgs) -> Result<ExitStatus, Failure> {
     if arguments.effective_masses {
         return effective_masses(arguments, &study);
     }
+    certificate::check(arguments.certificate.as_deref(), arguments.overwrite)?;
     let omega = arguments.spin.as_ref().map(|spin| vector(spin)).transpose()?;
     let asked = SteadySpinSettings { omega, axis: arguments.axis, all: arguments.all };
     let found = whole(&arguments.common, || study.modes(asked))?;
+    let certified = arguments.certificate.is_some().then(|| study.certify_modes(&found)).transpose()?;
     let name = &study.model.name;
     output::print_answer(
         arguments.common.json,
         || study.with_inputs(found.json(name)),
         || found.text(name, arguments.all),
     )?;
-    Ok(if found.found() { ExitStatus::Done } else { ExitStatus::CheckFailed })
+    let in_place = certificate::write(
+        certified.as_ref().zip(arguments.certificate.as_deref()),
+        arguments.overwrite,
+        arguments.common.quiet,
+    )?;
+    Ok(if found.found() && in_place { ExitStatus::Done } else { ExitStatus::CheckFailed })
 }
 
 /// Gives the cantilever modes with the masses that they carry.

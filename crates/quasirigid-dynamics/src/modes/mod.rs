@@ -24,6 +24,7 @@ mod shares;
 mod slow;
 mod slowest;
 mod spectrum;
+mod stated;
 mod unknowns;
 
 pub use campbell::{CampbellError, SpinEigenvalues, campbell};
@@ -37,6 +38,7 @@ pub use forced::{
 pub use mode::{SpinMode, SpinModes};
 pub use onset::{WhirlOnset, whirl_onset};
 pub use range::{ModeRange, SlowModes};
+pub use stated::{Entries, SpinMatrices};
 
 pub use crate::math::state_space::{
     StateSpace, Truncation, TruncationError, TruncationMethod, TruncationRequest,

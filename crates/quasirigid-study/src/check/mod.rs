@@ -75,7 +75,7 @@ impl Study {
         let motion = Motion::new(self, start);
         let poles = steady::at_start(&motion, self)?;
         let Judged { order, reduced, omega, validity } = judged::at_an_order_that_holds(&motion, &poles)?;
-        let steady::Poles { records: spins, nearest, .. } = poles;
+        let nearest = poles.nearest().cloned();
         let known = validity.verdict() != Verdict::Fails && body.viscoelastic().is_empty();
         let budget = if known { shares(&reduced.power_budget(omega)) } else { BTreeMap::new() };
         let mut report = CheckReport {
@@ -86,7 +86,7 @@ impl Study {
             start: motion.starts_displaced().then_some(start.omega),
             validity,
             budget,
-            spins,
+            spins: poles.records,
             left_out: LeftOut::at(self, omega, nearest),
             under_forces: under_forces(self)?,
             unspun,

@@ -7,7 +7,6 @@ use super::equilibrium::RelativeEquilibrium;
 use super::unknowns::{Unknowns, between_axes};
 use crate::math::sparse::SparseRows;
 use crate::math::sym3;
-use crate::math::vec3::scale;
 use crate::model::{FlexibleBody, LiquidMemory, Rheology, SpinCoefficients, SpinMatrix};
 
 /// Entries of a matrix that are not zero: row, column, value.
@@ -23,8 +22,6 @@ pub struct SpinMatrices {
     pub names: Vec<String>,
     /// Coordinate of the body of each unknown; none for the angle of a liquid.
     pub coordinates: Vec<Option<usize>>,
-    /// Number of unknowns that have a displacement: the first. Others are cyclic, or angles of liquids.
-    pub elastic: usize,
     /// Inertia tensor `J_s` (kg·m²), `(3, 3)`.
     pub inertia: [[f64; 3]; 3],
     /// Angular momentum per rate of each unknown, `H`.
@@ -68,7 +65,6 @@ impl SpinMatrices {
             (material.rheology.clone(), of_sparse(&material.stiffness, kept))
         };
         Self {
-            elastic: kept.iter().filter(|j| **j < body.elastic()).count(),
             inertia: sym3::rows(*inertia),
             h,
             slopes,
@@ -91,12 +87,6 @@ impl SpinMatrices {
         !(self.materials.is_empty() && self.liquids.is_empty())
     }
 
-    /// Whether a liquid enters by its impedance.
-    #[must_use]
-    pub fn has_liquids(&self) -> bool {
-        !self.liquids.is_empty()
-    }
-
     /// Entries `λ a·Z(λ) b` of liquids at an eigenvalue (1/s, real and imaginary part): row, column, real and imaginary part (N·m).
     #[must_use]
     pub fn impedances(&self, lambda: [f64; 2]) -> Vec<(usize, usize, [f64; 2])> {
@@ -107,15 +97,6 @@ impl SpinMatrices {
             entries.map(move |(i, j, entry)| (start + i, start + j, [entry.re, entry.im]))
         };
         self.liquids.iter().flat_map(of_liquid).collect()
-    }
-
-    /// Moments of inertia (kg·m²) and axes of liquids: the unknown of the first axis, and the angular momentum per rate of each.
-    #[must_use]
-    pub fn liquids(&self) -> Vec<(usize, Vec<[f64; 3]>)> {
-        let of_liquid = |(start, memory): &(usize, LiquidMemory)| {
-            (*start, memory.axes.iter().map(|axis| scale(memory.inertia, *axis)).collect())
-        };
-        self.liquids.iter().map(of_liquid).collect()
     }
 }
 

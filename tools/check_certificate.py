@@ -16,7 +16,8 @@ from mpmath import gamma, mp, mpc, mpf
 
 mp.dps = 50
 KNOWN = {"kind": "quasirigid-certificate", "version": 1, "units": "SI"}
-TOLERANCES = {"modes": {"eigenvalue": 1e-9, "decay": 1e-6, "shape": 1e-8, "steady": 1e-9}}
+TOLERANCES = {"modes": {"eigenvalue": 1e-9, "decay": 1e-6, "shape": 1e-8, "steady": 1e-9},
+              "simulate": {"row": 1e-9, "flow": 1e-9, "taken": 1e-5}}
 UNITS = {"N/m": 1, "kN/m": 1000, "N s/m": 1, "kg": 1, "g": mpf("0.001"), "m": 1, "cm": mpf("0.01"), "mm": mpf("0.001"),
          "kg m^2": 1, "N m s/rad": 1, "N m s": 1}
 exact = np.vectorize(mpf, otypes=[object])
@@ -325,7 +326,157 @@ def check_modes(document, judge):
         judge.told.append(f"{about}: {len(found)} modes solve the equations" + (", and there is no other" if spin["complete"] else ""))
 
 
-CHECKS = {"modes": check_modes}
+class Energy:
+    """Energy form of the reduced equations, (R16) and (R17), with the attitude (P3), in double."""
+
+    def __init__(self, stated):
+        terms = [stated["E"], *stated["c"], *stated["T"]]
+        self.exponents = np.array(sorted({tuple(e) for row in terms for e, _ in row} | {(0, 0, 0)}))
+        place = {tuple(e): i for i, e in enumerate(self.exponents)}
+        self.table = np.zeros((13, len(place)))
+        for row, own in enumerate(terms):
+            for e, value in own:
+                self.table[row, place[tuple(e)]] += value
+        for axis in range(3):  # the gradient of E
+            for e, value in stated["E"]:
+                if e[axis]:
+                    lower = tuple(v - (i == axis) for i, v in enumerate(e))
+                    if lower not in place:
+                        place[lower] = len(place)
+                        self.exponents = np.vstack([self.exponents, lower])
+                        self.table = np.hstack([self.table, np.zeros((13, 1))])
+                    self.table[10 + axis, place[lower]] += value * e[axis]
+
+    def values(self, K):
+        powers = np.power.outer(K, np.arange(self.exponents.max() + 1))
+        x, y, z = self.exponents.T
+        return self.table @ (powers[0][x] * powers[1][y] * powers[2][z])
+
+    def motion(self, K):
+        """Angular velocity, rate of the angular momentum, power and energy."""
+        energy, *rest = self.values(K)
+        c, (xx, yy, zz, yz, zx, xy), gradient = np.array(rest[:3]), rest[3:9], np.array(rest[9:])
+        T = np.array([[xx, xy, zx], [xy, yy, yz], [zx, yz, zz]])
+        # omega = grad E - rate x c + T rate and rate = K x omega, solved as they stand
+        turn = cross(K).astype(float)
+        rate = np.linalg.solve(np.eye(3) - turn @ (cross(c).astype(float) + T), turn @ gradient)
+        return gradient + np.cross(c, rate) + T @ rate, rate, rate @ T @ rate, energy
+
+    def rate(self, y):
+        """Rates of angular momentum, attitude (scalar first) and energy taken."""
+        omega, moved, power, _ = self.motion(y[:3])
+        w, v = y[3], y[4:7]
+        return np.concatenate([moved, [-v @ omega / 2], (w * omega + np.cross(v, omega)) / 2, [power]])
+
+    def momentum(self, omega):
+        """Angular momentum of an angular velocity, by Newton's method."""
+        step, K = np.linalg.inv(np.array([self.quadratic(axis) for axis in np.eye(3)])), np.zeros(3)
+        K = step @ (omega - self.motion(K)[0])
+        for _ in range(50):
+            gap = omega - self.motion(K)[0]
+            K = K + step @ gap
+            if np.linalg.norm(gap) <= 1e-15 * np.linalg.norm(omega):
+                break
+        return K
+
+    def quadratic(self, axis):
+        """Second derivatives of the part of E of degree 2 along an axis."""
+        at = lambda K: sum(v * np.prod(K ** e) for e, v in zip(self.exponents, self.table[0]) if sum(e) == 2)
+        return np.array([at(axis + other) - at(axis) - at(other) if (axis != other).any() else 2 * at(axis) for other in np.eye(3)])
+
+    def across(self, y, span):
+        """The state after a time: extrapolated midpoint rule (Gragg, Bulirsch and Stoer) in steps whose error is rounding."""
+        done, h = 0.0, min(span, 0.7 / np.linalg.norm(self.motion(y[:3])[0]))
+        while done < span:
+            h = min(h, span - done)
+            columns = []
+            for k in range(1, 9):
+                n, a, b = 2 * k, y, y + h / (2 * k) * self.rate(y)
+                for _ in range(n - 1):
+                    a, b = b, a + 2 * h / n * self.rate(b)
+                row = [(a + b + h / n * self.rate(b)) / 2]
+                for j, old in enumerate(columns):
+                    row.append(row[j] + (row[j] - old) / ((k / (k - j - 1)) ** 2 - 1))
+                columns = row
+            unit = np.concatenate([np.full(3, np.linalg.norm(y[:3])), np.ones(4), [np.inf]])
+            if np.max(np.abs(columns[-1] - columns[-2]) / unit) > 1e-13 and h > 1e-3 * span:
+                h /= 2
+                continue
+            done, y = done + h, columns[-1]
+        return y
+
+
+def rebuilt_energy(model, judge, own, order):
+    """Leading terms of E, T and c of points on springs: compliance and losses of the centrifugal load, (R4) at degree 2."""
+    if model.get("rotor") or order < 3:
+        raise LookupError("rotors" if model.get("rotor") else f"order {order}")
+    n = sum(3 if not isinstance(p.get("motion"), dict) else 1 for p in model.get("point", []))
+    at = lambda w: rebuilt({"displacements": [0.0] * n, "omega": list(w)}, model)
+    frozen = at([0.0] * 3)
+    as_float = lambda a: a.astype(float)
+    inverse, softness = np.linalg.inv(as_float(frozen["inertia"])), np.linalg.inv(as_float(frozen["stiffness"]))
+    size, step = np.sqrt(2 / np.trace(inverse)), 1e-3
+
+    def part(row, K, degree):
+        """The part of one degree at a place."""
+        return sum(v * np.prod(K ** e) for e, v in zip(own.exponents, own.table[row]) if sum(e) == degree)
+
+    for K in size * np.random.default_rng(1).standard_normal((4, 3)):
+        load = lambda at_K: as_float(at(inverse @ at_K)["slopes"]) @ (inverse @ at_K) / 2
+        g = load(K)
+        slope = np.array([(load(K + step * d) - load(K - step * d)) / (2 * step) for d in size * np.eye(3)]).T / size  # exact: g is quadratic
+        N, p = softness @ slope, as_float(frozen["h"]) @ inverse
+        T = N.T @ as_float(frozen["damping"]) @ N
+        expected = {"E of degree 2": ([0], 2, [K @ inverse @ K / 2]), "E of degree 4": ([0], 4, [-g @ softness @ g / 2]),
+                    "c of degree 1": ([1, 2, 3], 1, sum(np.cross(a, b) for a, b in zip(p, N))),
+                    "T of degree 2": (range(4, 10), 2, [T[0, 0], T[1, 1], T[2, 2], T[1, 2], T[0, 2], T[0, 1]])}
+        for name, (rows, degree, value) in expected.items():
+            stated = [part(row, K, degree) for row in rows]
+            judge.close(stated, value, np.max(np.abs(value)) or 1, 1e-8, f"{name} of the model file")
+
+
+def check_simulate(document, judge, most=40):
+    tolerance, stated = document["tolerances"], document["history"]
+    own, rows = Energy(stated), np.array(stated["rows"], dtype=float)
+    t, omega, attitude, energy, momentum, taken = rows[:, 0], rows[:, 1:4], rows[:, 4:8], *rows[:, 8:11].T
+    judge(stated["columns"] == ["t", "wx", "wy", "wz", "qw", "qx", "qy", "qz", "energy", "momentum", "dissipated"], "columns", "are others")
+    judge(np.all(np.diff(t) > 0), "rows", "the times do not ascend")
+    K = np.array([own.momentum(w) for w in omega])
+    for i, (k, e, size) in enumerate(zip(K, energy, momentum)):
+        where = f"row {i}"
+        found, _, power, own_energy = own.motion(k)
+        judge(np.linalg.norm(found - omega[i]) <= 1e-13 * np.linalg.norm(omega[i]), where, "no angular momentum has this angular velocity")
+        judge.close([e], [own_energy], abs(own_energy), tolerance["row"], f"{where}, energy")
+        judge.close([size], [np.linalg.norm(k)], size, tolerance["row"], f"{where}, momentum")
+        judge.close([attitude[i] @ attitude[i]], [1], 1, tolerance["row"], f"{where}, attitude")
+        judge(power >= 0, where, "the power taken is negative")
+    inertial = [k + 2 * np.cross(a[1:], np.cross(a[1:], k) + a[0] * k) for k, a in zip(K, attitude)]
+    angle = np.cumsum(np.append(0, np.diff(t) * np.linalg.norm(omega[:-1], axis=1)))
+    for i, (now, angle_now) in enumerate(zip(inertial, angle)):
+        allowed = tolerance["row"] + tolerance["flow"] * angle_now
+        judge.close(now, inertial[0], momentum[0], allowed, f"row {i}: the inertial angular momentum")
+        floor = tolerance["taken"] * abs(taken[i] - taken[0]) + 1e-3 * tolerance["row"] * abs(energy[0]) * (1 + 1e-3 * angle_now)
+        judge(abs(energy[i] - energy[0] + taken[i] - taken[0]) <= floor, f"row {i}, dissipated", "is not the energy lost")
+    judge(taken[0] == 0, "row 0, dissipated", "does not start from zero")
+    followed = range(len(t) - 1) if len(t) <= most + 1 else sorted({int(i) for i in np.linspace(0, len(t) - 2, most)})
+    for i in followed:
+        after = own.across(np.concatenate([K[i], attitude[i], [0.0]]), t[i + 1] - t[i])
+        allowed = tolerance["row"] + tolerance["flow"] * (angle[i + 1] - angle[i])
+        where = f"from row {i} to row {i + 1}"
+        judge.close(K[i + 1], after[:3], momentum[i], allowed, f"{where}: the angular momentum")
+        sign = np.sign(after[3:7] @ attitude[i + 1])
+        judge.close(attitude[i + 1], sign * after[3:7], 1, allowed, f"{where}: the attitude")
+        loss = taken[i + 1] - taken[i]
+        judge(abs(loss - after[7]) <= tolerance["taken"] * after[7] + 1e-3 * tolerance["row"] * abs(energy[0]), f"{where}: dissipated", "is not the integral of the power")
+    judge.told.append(f"{len(t)} rows, and the equations lead from each to the next in {len(followed)} of {len(t) - 1} intervals")
+    try:
+        rebuilt_energy(tomllib.loads(document["model"]["text"]), judge, own, stated["order"])
+        judge.told.append("the leading terms of E, c and T are those of the model file, rebuilt")
+    except LookupError as other:
+        judge.told.append(f"the polynomials are taken as stated, since this checker does not rebuild {other}")
+
+
+CHECKS = {"modes": check_modes, "simulate": check_simulate}
 
 
 def checked(document):

@@ -627,7 +627,10 @@ pub struct Simulate {
     /// File for the table [default: standard output, or none with --json]
     #[arg(long, value_name = "FILE")]
     pub out: Option<PathBuf>,
-    /// Replace the file if it is there
+    /// File for a certificate, with which tools/check_certificate.py checks the rows without this program
+    #[arg(long, value_name = "FILE.json")]
+    pub certificate: Option<PathBuf>,
+    /// Replace the files if they are there
     #[arg(long)]
     pub overwrite: bool,
 }

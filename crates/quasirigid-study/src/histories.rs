@@ -85,6 +85,21 @@ pub struct History {
     /// Reason for which the numbers are not those of the body, known before the work: the reduced equations do not hold at the start, or
     /// the effect of a liquid is not right.
     pub wrong: Option<String>,
+    /// What was followed, for a certificate.
+    pub(crate) followed: Followed,
+}
+
+/// Equations of a history.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Followed {
+    /// Order of the reduced equations.
+    pub order: usize,
+    /// Variable integrated.
+    pub form: Form,
+    /// Error allowed per step, relative.
+    pub tolerance: f64,
+    /// Whether forces or controllers act.
+    pub forced: bool,
 }
 
 impl History {
@@ -228,6 +243,7 @@ impl Study {
             notes,
             manifold,
             wrong,
+            followed: Followed { order, form: settings.form, tolerance: settings.tolerance, forced },
         })
     }
 }

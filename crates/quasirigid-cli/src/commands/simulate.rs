@@ -10,7 +10,7 @@ use quasirigid_study::{Study, StudyError};
 use serde_json::json;
 
 use super::attitude::{setup_beside, unwritten};
-use super::{inputs_beside, open};
+use super::{certificate, inputs_beside, open};
 use crate::args::Simulate;
 use crate::failure::Failure;
 use crate::history_format::HistoryFormat;
@@ -42,6 +42,7 @@ pub fn simulate(arguments: &Simulate) -> Result<ExitStatus, Failure> {
         }
         _ => {}
     }
+    certificate::check(arguments.certificate.as_deref(), *overwrite)?;
     let table = Table {
         system: arguments.system,
         coordinates: arguments.coordinates,
@@ -74,7 +75,10 @@ pub fn simulate(arguments: &Simulate) -> Result<ExitStatus, Failure> {
     // what is wrong is told to quiet callers too; others have read it before the work
     history.wrong.iter().filter(|_| common.quiet).for_each(|reason| remark(reason));
     history.notes.iter().for_each(|note| remark(note));
+    let certified = arguments.certificate.is_some().then(|| study.certify_history(&history)).transpose()?;
     let in_place = print_table((arguments, format), (&study, &history), &interrupt)?;
+    let certified = certified.as_ref().zip(arguments.certificate.as_deref());
+    let in_place = certificate::write(certified, *overwrite, common.quiet)? && in_place;
     if common.json {
         output::print(&format!("{:#}\n", study.with_inputs(history.json())))?;
     }

@@ -3,6 +3,7 @@
 //! arithmetic of 50 digits and shares no code with us.
 //! Guide: docs/guide/24-certificates.md.
 
+mod history;
 mod modes;
 
 use serde::Serialize;

@@ -358,15 +358,17 @@ class Energy:
         c, (xx, yy, zz, yz, zx, xy), gradient = np.array(rest[:3]), rest[3:9], np.array(rest[9:])
         T = np.array([[xx, xy, zx], [xy, yy, yz], [zx, yz, zz]])
         # omega = grad E - rate x c + T rate and rate = K x omega, solved as they stand
-        turn = cross(K).astype(float)
-        rate = np.linalg.solve(np.eye(3) - turn @ (cross(c).astype(float) + T), turn @ gradient)
-        return gradient + np.cross(c, rate) + T @ rate, rate, rate @ T @ rate, energy
+        turn, twist = (np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]]) for x, y, z in (K, c))
+        rate = np.linalg.solve(np.eye(3) - turn @ (twist + T), turn @ gradient)
+        return gradient + (twist + T) @ rate, rate, rate @ T @ rate, energy
 
     def rate(self, y):
         """Rates of angular momentum, attitude (scalar first) and energy taken."""
         omega, moved, power, _ = self.motion(y[:3])
         w, v = y[3], y[4:7]
-        return np.concatenate([moved, [-v @ omega / 2], (w * omega + np.cross(v, omega)) / 2, [power]])
+        (a, b, c), (x, y, z) = v, omega
+        turned = (w * x + b * z - c * y, w * y + c * x - a * z, w * z + a * y - b * x)
+        return np.array([*moved, -v @ omega / 2, *(r / 2 for r in turned), power])
 
     def momentum(self, omega):
         """Angular momentum of an angular velocity, by Newton's method."""
@@ -407,7 +409,7 @@ class Energy:
 
 
 def rebuilt_energy(model, judge, own, order):
-    """Leading terms of E, T and c of points on springs: compliance and losses of the centrifugal load, (R4) at degree 2."""
+    """Leading terms of E, T and c of points on springs, from their displacements in balance with the rotation, (R4) at degree 2."""
     if model.get("rotor") or order < 3:
         raise LookupError("rotors" if model.get("rotor") else f"order {order}")
     n = sum(3 if not isinstance(p.get("motion"), dict) else 1 for p in model.get("point", []))
@@ -415,19 +417,20 @@ def rebuilt_energy(model, judge, own, order):
     frozen = at([0.0] * 3)
     as_float = lambda a: a.astype(float)
     inverse, softness = np.linalg.inv(as_float(frozen["inertia"])), np.linalg.inv(as_float(frozen["stiffness"]))
-    size, step = np.sqrt(2 / np.trace(inverse)), 1e-3
+    h, size = as_float(frozen["h"]), np.sqrt(2 / np.trace(inverse))
 
     def part(row, K, degree):
         """The part of one degree at a place."""
         return sum(v * np.prod(K ** e) for e, v in zip(own.exponents, own.table[row]) if sum(e) == degree)
 
     for K in size * np.random.default_rng(1).standard_normal((4, 3)):
-        load = lambda at_K: as_float(at(inverse @ at_K)["slopes"]) @ (inverse @ at_K) / 2
-        g = load(K)
-        slope = np.array([(load(K + step * d) - load(K - step * d)) / (2 * step) for d in size * np.eye(3)]).T / size  # exact: g is quadratic
-        N, p = softness @ slope, as_float(frozen["h"]) @ inverse
+        pulled = lambda k: as_float(at(inverse @ k)["slopes"]) @ (inverse @ k) / 2  # by the centrifugal load
+        moved = lambda k: softness @ (pulled(k) - h @ inverse @ np.cross(k, inverse @ k))  # and by that of the angular acceleration
+        q = moved(K)
+        N = np.array([(moved(K + size * d) - moved(K - size * d)) / (2 * size) for d in np.eye(3)]).T  # exact, since q is quadratic
+        p = h @ inverse
         T = N.T @ as_float(frozen["damping"]) @ N
-        expected = {"E of degree 2": ([0], 2, [K @ inverse @ K / 2]), "E of degree 4": ([0], 4, [-g @ softness @ g / 2]),
+        expected = {"E of degree 2": ([0], 2, [K @ inverse @ K / 2]), "E of degree 4": ([0], 4, [q @ as_float(frozen["stiffness"]) @ q / 2 - q @ pulled(K)]),
                     "c of degree 1": ([1, 2, 3], 1, sum(np.cross(a, b) for a, b in zip(p, N))),
                     "T of degree 2": (range(4, 10), 2, [T[0, 0], T[1, 1], T[2, 2], T[1, 2], T[0, 2], T[0, 1]])}
         for name, (rows, degree, value) in expected.items():
@@ -435,7 +438,7 @@ def rebuilt_energy(model, judge, own, order):
             judge.close(stated, value, np.max(np.abs(value)) or 1, 1e-8, f"{name} of the model file")
 
 
-def check_simulate(document, judge, most=40):
+def check_simulate(document, judge, most=3000):
     tolerance, stated = document["tolerances"], document["history"]
     own, rows = Energy(stated), np.array(stated["rows"], dtype=float)
     t, omega, attitude, energy, momentum, taken = rows[:, 0], rows[:, 1:4], rows[:, 4:8], *rows[:, 8:11].T
@@ -458,7 +461,8 @@ def check_simulate(document, judge, most=40):
         floor = tolerance["taken"] * abs(taken[i] - taken[0]) + 1e-3 * tolerance["row"] * abs(energy[0]) * (1 + 1e-3 * angle_now)
         judge(abs(energy[i] - energy[0] + taken[i] - taken[0]) <= floor, f"row {i}, dissipated", "is not the energy lost")
     judge(taken[0] == 0, "row 0, dissipated", "does not start from zero")
-    followed = range(len(t) - 1) if len(t) <= most + 1 else sorted({int(i) for i in np.linspace(0, len(t) - 2, most)})
+    count = max(1, int(min(len(t) - 1, most * (len(t) - 1) / angle[-1])))  # about `most` radians are followed
+    followed = sorted({int(i) for i in np.linspace(0, len(t) - 2, count)})
     for i in followed:
         after = own.across(np.concatenate([K[i], attitude[i], [0.0]]), t[i + 1] - t[i])
         allowed = tolerance["row"] + tolerance["flow"] * (angle[i + 1] - angle[i])

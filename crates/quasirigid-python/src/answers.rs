@@ -14,6 +14,7 @@ use quasirigid_io::measured_file::read_measurements;
 use quasirigid_io::model::KeyPath;
 use quasirigid_io::record::{HistoryRecord, TableFormat};
 use quasirigid_io::study_file::Quantity;
+use quasirigid_study::certificate::Certificate;
 use quasirigid_study::evolution;
 use quasirigid_study::histories::Table;
 use quasirigid_study::infer::InferSettings;
@@ -81,9 +82,17 @@ pub fn check(study: &Study) -> Result<Answer, Failure> {
     })
 }
 
-/// Modes about steady spins.
-pub fn modes(study: &Study, asked: SteadySpinSettings) -> Result<Answer, Failure> {
+/// Modes about steady spins, with a certificate in a file if one is asked for.
+pub fn modes(
+    study: &Study,
+    asked: SteadySpinSettings,
+    certificate: Option<&Path>,
+) -> Result<Answer, Failure> {
+    certificate.map_or(Ok(()), vacant)?;
     let found = study.modes(asked)?;
+    if let Some(path) = certificate {
+        write_certificate(&study.certify_modes(&found)?, path)?;
+    }
     let name = &study.model.name;
     let sentences: Vec<&str> = found.spins.iter().map(|spin| spin.sentence.as_str()).collect();
     Ok(Answer {
@@ -238,9 +247,14 @@ pub fn simulate(
     study: &Study,
     asked: &PartialRun,
     table: &Table,
+    certificate: Option<&Path>,
     mut shared: &Shared,
 ) -> Result<Answer, Failure> {
+    certificate.map_or(Ok(()), vacant)?;
     let history = study.simulate(asked, table, &mut shared)?;
+    if let Some(path) = certificate {
+        write_certificate(&study.certify_history(&history)?, path)?;
+    }
     let json = study.with_inputs(history.json());
     let (holds, sentence) = match history.reason() {
         Some(reason) => (false, reason.to_owned()),
@@ -368,6 +382,12 @@ pub fn run(
         answer.outcome.release();
     }
     Ok(answer)
+}
+
+/// Writes a certificate where nothing stands.
+fn write_certificate(certificate: &Certificate, path: &Path) -> Result<(), Failure> {
+    replace(path, |out| out.write_all(certificate.text().as_bytes()))
+        .map_err(|cause| Failure::File(format!("cannot write {}: {cause}", path.display())))
 }
 
 /// Refuses a folder that is there.

@@ -119,7 +119,8 @@ fn class(error: &StudyError) -> &'static str {
         | StudyError::NothingHeld
         | StudyError::Linear(_)
         | StudyError::Step(StepperError::Timed { .. })
-        | StudyError::NotExported { .. } => "UnsupportedError",
+        | StudyError::NotExported { .. }
+        | StudyError::Uncertified { .. } => "UnsupportedError",
         StudyError::Submanifold(_) | StudyError::SteadySpinBeyond { .. } => "ReductionError",
         StudyError::Unaveraged(_)
         | StudyError::NoAxes { .. }

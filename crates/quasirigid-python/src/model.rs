@@ -128,12 +128,13 @@ impl Model {
         py: Python<'_>,
         spin: Option<[f64; 3]>,
         axis: Option<&str>,
+        certificate: Option<PathBuf>,
         order: Option<usize>,
         observer: Observer,
     ) -> PyResult<Answer> {
         let axis = named::<PrincipalAxis>(axis, "axis")?;
         let asked = SteadySpinSettings { omega: spin, axis, all: false };
-        self.ask(py, (order, observer), |study, _| answers::modes(study, asked))
+        self.ask(py, (order, observer), |study, _| answers::modes(study, asked, certificate.as_deref()))
     }
 
     /// Effective modal masses of the parts on a held carrier.
@@ -242,11 +243,14 @@ impl Model {
         py: Python<'_>,
         settings: RunArgs,
         table: TableArgs,
+        certificate: Option<PathBuf>,
         order: Option<usize>,
         observer: Observer,
     ) -> PyResult<Answer> {
         let (asked, table) = (settings.partial()?, table.table()?);
-        self.ask(py, (order, observer), |study, shared| answers::simulate(study, &asked, &table, shared))
+        self.ask(py, (order, observer), |study, shared| {
+            answers::simulate(study, &asked, &table, certificate.as_deref(), shared)
+        })
     }
 
     /// Histories from many angular velocities.

@@ -105,7 +105,12 @@ class Model:
     def order(self) -> int: ...
     def check(self, order: int | None, observer: _Observer) -> _Answer: ...
     def modes(
-        self, spin: tuple[float, float, float] | None, axis: str | None, order: int | None, observer: _Observer
+        self,
+        spin: tuple[float, float, float] | None,
+        axis: str | None,
+        certificate: str | None,
+        order: int | None,
+        observer: _Observer,
     ) -> _Answer: ...
     def effective_masses(self, about: tuple[float, float, float] | None, observer: _Observer) -> _Answer: ...
     def infer(
@@ -132,7 +137,12 @@ class Model:
     def reduce(self, order: int | None, observer: _Observer) -> Reduced: ...
     def stepper(self, full: bool, tolerance: float, order: int | None, observer: _Observer) -> Stepper: ...
     def simulate(
-        self, settings: dict[str, Any], table: dict[str, Any], order: int | None, observer: _Observer
+        self,
+        settings: dict[str, Any],
+        table: dict[str, Any],
+        certificate: str | None,
+        order: int | None,
+        observer: _Observer,
     ) -> _Answer: ...
     def simulate_all(
         self,

@@ -177,6 +177,7 @@ class Model:
         spin: ArrayLike | None = None,
         *,
         axis: str | None = None,
+        certificate: str | os.PathLike[str] | None = None,
         order: int | None = None,
         progress: Progress = False,
     ) -> Modes:
@@ -186,10 +187,13 @@ class Model:
             spin: Angular velocity (rad/s), ``(3,)``: the steady spin nearest to its direction, with its size. By default both
                 poles, with the angular momentum of the start.
             axis: Principal axis to spin about: ``least``, ``middle`` or ``greatest``.
+            certificate: New file for a certificate, with which ``tools/check_certificate.py`` checks the modes without this package.
 
         Raises:
             StartError: for an invalid start.
             InputError: for an axis of a body that moments act on.
+            UnsupportedError: for a certificate that the answer cannot have.
+            FileError: for a certificate that cannot be written.
 
         >>> import quasirigid
         >>> modes = quasirigid.Model(quasirigid.EXAMPLE).modes(axis="greatest")
@@ -201,7 +205,8 @@ class Model:
         vector = _arguments.vector(spin, "spin")
         name = _arguments.word(axis, "axis")
         with observer(progress) as watch:
-            return Modes(self._core.modes(vector, name, _arguments.count(order, "order"), watch))
+            place = None if certificate is None else _arguments.path(certificate, "certificate")
+            return Modes(self._core.modes(vector, name, place, _arguments.count(order, "order"), watch))
 
     def effective_masses(self, about: ArrayLike | None = None, *, progress: Progress = False) -> EffectiveMasses:
         """Gives the cantilever modes of the parts on the held carrier, with participation factors and effective masses.
@@ -436,6 +441,7 @@ class Model:
         degree: int | None = None,
         masters: str | Sequence[float] | None = None,
         style: str | None = None,
+        certificate: str | os.PathLike[str] | None = None,
         order: int | None = None,
         progress: Progress = False,
     ) -> History: ...
@@ -475,6 +481,7 @@ class Model:
         degree: int | None = None,
         masters: str | Sequence[float] | None = None,
         style: str | None = None,
+        certificate: str | os.PathLike[str] | None = None,
         order: int | None = None,
         progress: Progress = False,
     ) -> History | Histories:
@@ -493,11 +500,14 @@ class Model:
             coordinates: Internal coordinates and their rates in the table, too.
             displacements: Displacements of points, appendages and nodes, too.
             degree, masters, style: Settings of the reduced equations about the spin, as in ``about_spin``.
+            certificate: New file for a certificate, with which ``tools/check_certificate.py`` checks the rows without this package.
 
         Raises:
             StartError, PropagationError: for an invalid start, unless it is a row of ``initial``.
             InputError: for settings out of range.
             TooLargeError: for histories too large for memory.
+            UnsupportedError: for a certificate that the history cannot have.
+            FileError: for a certificate that cannot be written.
 
         >>> import quasirigid
         >>> quasirigid.Model(quasirigid.EXAMPLE).simulate("rigid", times=[0, 10, 20]).energy.shape
@@ -511,9 +521,12 @@ class Model:
         about = _settings.spin_manifold(degree, masters, style)
         table = _settings.table(system, about, coordinates, displacements, times)
         whole = _arguments.count(order, "order")
+        place = None if certificate is None else _arguments.path(certificate, "certificate")
+        if place is not None and initial is not None:
+            raise InputError("a certificate is of one history; leave out initial, which asks for many")
         with observer(progress) as watch:
             if initial is None:
-                return History({**self._core.simulate(settings, table, whole, watch), "object": self.name})
+                return History({**self._core.simulate(settings, table, place, whole, watch), "object": self.name})
             return Histories(self._core.simulate_all(_starts(initial), settings, table, whole, watch))
 
     def spins(

@@ -4,6 +4,7 @@
 use quasirigid::dynamics::Form;
 use quasirigid::polynomial::Series;
 use quasirigid_io::model::System;
+use quasirigid_math::vec3::norm;
 use serde::Serialize;
 use serde_json::json;
 
@@ -11,6 +12,7 @@ use super::{Certificate, Content, refused};
 use crate::error::StudyError;
 use crate::histories::History;
 use crate::study::Study;
+use crate::words::significant;
 
 /// Error of the energy and of the angular momentum of a row, as a share of them.
 const ROW: f64 = 1e-9;
@@ -20,6 +22,8 @@ const FLOW: f64 = 1e-9;
 const TAKEN: f64 = 1e-5;
 /// Coarsest tolerance of the integrator whose rows are within these errors.
 const TOLERANCE: f64 = 1e-10;
+/// Radians between rows up to which a checker in Python takes seconds.
+const MOST_RADIANS: f64 = 500.0;
 /// Columns that are stated.
 const COLUMNS: [&str; 11] =
     ["t", "wx", "wy", "wz", "qw", "qx", "qy", "qz", "energy", "momentum", "dissipated"];
@@ -111,6 +115,14 @@ fn stated(history: &History) -> Result<Vec<Vec<f64>>, StudyError> {
     let rows: Vec<Vec<f64>> = (0..columns[0].values.len())
         .map(|row| columns.iter().map(|column| column.values[row]).collect())
         .collect();
+    let spin = rows.first().map_or(0.0, |first| norm([first[1], first[2], first[3]]));
+    let longest = rows.array_windows().map(|[a, b]| b[0] - a[0]).fold(0.0, f64::max);
+    if spin * longest > MOST_RADIANS {
+        return Err(refused(format!(
+            "its rows lie {} radians apart, further than the {MOST_RADIANS} that a checker can follow; ask for more rows with --samples",
+            significant(spin * longest, 3)
+        )));
+    }
     match rows.first() {
         Some(first) if rows.len() > 1 && first[1..4] != [0.0; 3] => Ok(rows),
         _ => Err(refused("a body at rest, or a single row, has no motion to check")),

@@ -82,6 +82,10 @@ pub enum Failure {
     PixelsOfSvg,
     #[error(transparent)]
     Picture(#[from] PngError),
+    #[error(
+        "a certificate does not go to standard output, where the answer goes; name a file: --certificate FILE.json"
+    )]
+    CertificateOnStdout,
     #[error("--out - and {option} both ask for standard output; name a file with --out")]
     TwiceOnStdout { option: &'static str },
     #[error(

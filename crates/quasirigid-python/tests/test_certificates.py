@@ -26,7 +26,7 @@ ROUNDING = 1e-12
 # Laws of a material with memory, on the spring of the damper.
 LAWS = [
     '{ kind = "maxwell", time = "40 s" }',
-    '{ kind = "standard-linear", time = "0.3 s", strength = 2.0 }',
+    '{ kind = "standard-linear", time = "0.3 s", strength = 0.2 }',
     '{ kind = "quality-factor", Q = 40 }',
 ]
 

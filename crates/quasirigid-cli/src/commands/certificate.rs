@@ -9,6 +9,9 @@ use crate::output;
 /// Refuses a file that cannot be written, before the work for it starts.
 pub fn check(path: Option<&Path>, overwrite: bool) -> Result<(), Failure> {
     let Some(path) = path else { return Ok(()) };
+    if output::is_stdout(path) {
+        return Err(Failure::CertificateOnStdout);
+    }
     output::check_file(path, overwrite).map_err(|failure| match failure {
         Failure::Exists { path, .. } => Failure::Exists { path, option: "--certificate" },
         other => other,

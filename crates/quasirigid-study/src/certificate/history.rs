@@ -110,7 +110,7 @@ impl Study {
 /// Rows of the stated columns.
 fn stated(history: &History) -> Result<Vec<Vec<f64>>, StudyError> {
     let column = |name: &&str| history.columns.iter().find(|column| column.name == **name);
-    let columns: Option<Vec<_>> = COLUMNS.iter().map(|name| column(&name)).collect();
+    let columns: Option<Vec<_>> = COLUMNS.iter().map(column).collect();
     let columns = columns.ok_or_else(|| refused("a column of the motion is missing"))?;
     let rows: Vec<Vec<f64>> = (0..columns[0].values.len())
         .map(|row| columns.iter().map(|column| column.values[row]).collect())

@@ -53,6 +53,8 @@ const ACCEPTED_CHANGE: f64 = 1e-8;
 /// Step of the difference quotient by `λ`, relative to `λ`: exact for polynomials of the second degree.
 const STEP: f64 = 1e-4;
 
+/// Relative difference below which eigenpairs are one.
+const SAME_PAIR: f64 = 1e-6;
 /// Share of an eigenvalue below which an imaginary part is rounding.
 const IMAGINARY_ROUNDING: f64 = 1e-12;
 
@@ -64,6 +66,43 @@ pub(super) fn inverse_iteration(problem: &impl Nonlinear, start: Pair) -> Option
 /// Eigenpair that inverse iteration leads to from one that is nearly exact.
 pub(super) fn polished(problem: &impl Nonlinear, start: Pair) -> Option<Pair> {
     iterated(problem, start, 1)
+}
+
+/// Eigenpair that inverse iteration leads to from the eigenvalue that a shape has: the root of `xᴴP(λ)x` next to a start, which materials with
+/// memory move far from that of the equations of motion. The part of the shape along a mode that it must not lead to is taken out. None where it
+/// leads further from that root than from zero.
+pub(super) fn by_shape(
+    problem: &impl Nonlinear,
+    (mut lambda, mut x): Pair,
+    taken: Option<&Pair>,
+) -> Option<Pair> {
+    let ones = vec![1.0; x.len()];
+    if let Some((_, taken)) = taken {
+        let weights = problem.weights(lambda);
+        let share = product(&weights, taken, &x) / product(&weights, taken, taken);
+        x.iter_mut().zip(taken).for_each(|(x, taken)| *x -= share * taken);
+    }
+    let form = |lambda: Complex<f64>| product(&ones, &x, &problem.times(lambda, &x));
+    for _ in 0..INVERSE_ITERATIONS {
+        let h = Complex::from(STEP * lambda.norm());
+        let change = form(lambda) * 2.0 * h / (form(lambda + h) - form(lambda - h));
+        lambda -= change;
+        if !lambda.is_finite() {
+            return None;
+        }
+        if change.norm() <= ACCEPTED_CHANGE * lambda.norm() {
+            return inverse_iteration(problem, (lambda, x)).filter(|(found, _)| belongs(*found, lambda));
+        }
+    }
+    None
+}
+
+/// Whether two eigenpairs are one.
+pub(super) fn same((lambda, x): &Pair, (other, y): &Pair) -> bool {
+    let ones = vec![1.0; x.len()];
+    let alike = product(&ones, x, y).norm_sqr();
+    let parallel = alike >= (1.0 - SAME_PAIR) * product(&ones, x, x).re * product(&ones, y, y).re;
+    (lambda - other).norm() < SAME_PAIR * lambda.norm() && parallel
 }
 
 /// Inverse iteration whose first step, numbered zero, leaves the eigenvalue as it is.

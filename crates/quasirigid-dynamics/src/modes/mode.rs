@@ -12,7 +12,7 @@ use super::candidates::{Candidate, Source, candidates, neutral};
 use super::displacements::WHOLE;
 use super::equilibrium::RelativeEquilibrium;
 use super::error::ModesError;
-use super::iteration::{Pair, belongs, inverse_iteration};
+use super::iteration::{Pair, belongs, by_shape, inverse_iteration, same};
 use super::pencil::Pencil;
 use super::range::{ModeRange, SlowModes};
 use super::shares::{dissipation, form, leading, listed, moving, tellable};
@@ -154,18 +154,24 @@ impl SpinModes {
         let found = within(body, &equilibrium, &coefficients, (steady, whole))?;
         let fastest = found.iter().map(|motion| motion.lambda.norm()).fold(0.0, f64::max);
         let projected = SlowModes { rate: fastest, missing: None, positive_energy: false };
-        let range = if body.elastic() > whole { ModeRange::Slowest(projected) } else { ModeRange::All };
         let candidates = candidates(found, slow.as_ref(), (body, &coefficients, norm(equilibrium.omega)));
         let count = body.coordinates().len();
         let refined = |pair: Pair| inverse_iteration(&pencil, pair);
+        let by_shape = |pair: Pair, taken: Option<&Pair>| by_shape(&pencil, pair, taken);
         let refining = Refining {
             unknowns: &pencil.unknowns,
             refined: &refined,
+            by_shape: &by_shape,
             every: count <= REFINED,
             nutation: count <= UNREFINED_COORDINATES || pencil.unknowns.nonlinear,
         };
         let frame = Frame { body, equilibrium: &equilibrium, coefficients: &coefficients };
-        let (modes, internal) = frame.modes(candidates, slow.as_ref(), &refining);
+        let Ordered { modes, internal, lost } = frame.modes(candidates, slow.as_ref(), &refining);
+        let range = match (body.elastic() > whole, lost) {
+            (false, 0) => ModeRange::All,
+            (true, 0) => ModeRange::Slowest(projected),
+            _ => ModeRange::Slowest(SlowModes { missing: Some(lost), ..projected }),
+        };
         Ok(Self { equilibrium, modes, internal, range })
     }
 
@@ -185,10 +191,18 @@ impl SpinModes {
         let exact =
             unknowns.nonlinear.then(|| BlockPencil::new(unknowns.clone(), &equilibrium, coefficients));
         let refined = |pair: Pair| inverse_iteration(exact.as_ref()?, pair);
-        let refining = Refining { unknowns: &unknowns, refined: &refined, every: true, nutation: true };
+        let by_shape = |pair: Pair, taken: Option<&Pair>| by_shape(exact.as_ref()?, pair, taken);
+        let refining = Refining {
+            unknowns: &unknowns,
+            refined: &refined,
+            by_shape: &by_shape,
+            every: true,
+            nutation: true,
+        };
         let frame = Frame { body, equilibrium: &equilibrium, coefficients };
-        let (modes, internal) = frame.modes(candidates, slow.as_ref(), &refining);
-        Ok(Self { equilibrium, modes, internal, range: ModeRange::Slowest(range) })
+        let Ordered { modes, internal, lost } = frame.modes(candidates, slow.as_ref(), &refining);
+        let missing = range.missing.map(|missing| missing + lost);
+        Ok(Self { equilibrium, modes, internal, range: ModeRange::Slowest(SlowModes { missing, ..range }) })
     }
 
     /// Nutation; none for a body without one, as a sphere.
@@ -265,20 +279,31 @@ type Complex3 = [Complex<f64>; 3];
 struct Refining<'a> {
     unknowns: &'a Unknowns<'a>,
     refined: &'a dyn Fn(Pair) -> Option<Pair>,
+    /// From the eigenvalue that the shape of a motion has, away from a mode.
+    by_shape: &'a dyn Fn(Pair, Option<&Pair>) -> Option<Pair>,
     /// Whether every motion is refined.
     every: bool,
     /// Whether the nutation is.
     nutation: bool,
 }
 
+/// Modes in their order.
+struct Ordered {
+    modes: Vec<SpinMode>,
+    /// Decay rates and frequencies of the internal motions in the equations of motion.
+    internal: Vec<[f64; 2]>,
+    /// Eigenvalues of materials whose mode was not found, each of a pair by itself.
+    lost: usize,
+}
+
 impl Frame<'_> {
-    /// Modes in their order, and the decay rates and frequencies of the internal motions in the equations of motion.
+    /// Modes in their order. A motion of a body with materials that leads to no mode of its own is left out. (M3)
     fn modes(
         &self,
         candidates: Vec<Candidate>,
         slow: Option<&SlowDirection>,
         refining: &Refining,
-    ) -> (Vec<SpinMode>, Vec<[f64; 2]>) {
+    ) -> Ordered {
         let (sources, found): (Vec<Source>, Vec<Eigenmotion>) = candidates.into_iter().unzip();
         let Refining { unknowns, refined, .. } = refining;
         let of_direction = self.of_direction(&found, &sources, slow);
@@ -292,7 +317,9 @@ impl Frame<'_> {
                     || (unknowns.nonlinear && slowest[..slowest.len().min(SLOWEST)].contains(&i)))
         };
         let mut modes: Vec<SpinMode> = Vec::with_capacity(found.len());
+        let mut pairs: Vec<Pair> = Vec::with_capacity(found.len());
         let mut internal = Vec::with_capacity(found.len());
+        let mut lost = 0;
         let others = (0..found.len()).filter(|i| Some(*i) != nutation);
         for i in nutation.into_iter().chain(others) {
             let motion = &found[i];
@@ -301,8 +328,9 @@ impl Frame<'_> {
                 internal.push([balanced, motion.lambda.im]);
             }
             let start = (motion.lambda, unknowns.given(motion.delta, &motion.q));
-            let again = if again(i) { refined(start.clone()) } else { None };
-            let kept = again.filter(|(lambda, _)| belongs(*lambda, motion.lambda));
+            let again = again(i);
+            let kept = if again { refined(start.clone()) } else { None };
+            let mut kept = kept.filter(|(lambda, _)| belongs(*lambda, motion.lambda));
             let known = |lambda: Complex<f64>| {
                 let gap =
                     |mode: &SpinMode| (lambda + mode.decay_rate - Complex::new(0.0, mode.frequency)).norm();
@@ -314,6 +342,17 @@ impl Frame<'_> {
             let of_spectrum = sources[i] == Source::Spectrum;
             if of_spectrum && unknowns.has_liquids() && kept.as_ref().is_none_or(led_nowhere) {
                 continue;
+            }
+            if again && unknowns.nonlinear && !unknowns.has_liquids() {
+                let known = |pair: &Pair| pairs.iter().find(|other| same(pair, other));
+                let taken = kept.as_ref().and_then(known);
+                if kept.is_none() || taken.is_some() {
+                    kept = (refining.by_shape)(start.clone(), taken).filter(|pair| known(pair).is_none());
+                }
+                if kept.is_none() {
+                    lost += if motion.lambda.im > 0.0 { 2 } else { 1 };
+                    continue;
+                }
             }
             let (lambda, x) = kept.unwrap_or(start);
             let exact = of_spectrum && !unknowns.nonlinear;
@@ -327,9 +366,10 @@ impl Frame<'_> {
                 mode.name = "nutation".to_owned();
             }
             modes.push(mode);
+            pairs.push((lambda, x));
         }
         in_order(&mut modes);
-        (modes, internal)
+        Ordered { modes, internal, lost }
     }
 
     /// Change of the angular momentum in body axes.

@@ -391,3 +391,21 @@ fn an_evolution_says_where_it_is_not_known_whether_a_vibration_grows() {
         assert_eq!(found.notes.join(" ").contains("is NOT KNOWN"), unknown, "{:?}", found.notes);
     }
 }
+
+/// A tuned damper on a Maxwell spring: from the modes with dashpots both iterations lead to the nutation. The damper's own mode is that of its mass
+/// on the spring, `τs² + s + τk/m = 0`, but for the small share of the body in it.
+#[test]
+fn a_damper_beside_the_nutation_keeps_its_mode_when_its_spring_flows() {
+    let (time, square): (f64, f64) = (0.4, 0.789 / 0.1);
+    let model = example("nutation-damper")
+        .replace("damping = 0.0562", &format!("rheology = {{ kind = \"maxwell\", time = {time} }}"));
+    let found = study(&model)
+        .modes(SteadySpinSettings { axis: Some(PrincipalAxis::Greatest), ..SteadySpinSettings::default() });
+    let found = found.unwrap();
+    let modes = &found.spins[0].modes;
+    assert_eq!(modes.len(), 2);
+    assert!(modes[0].nutation && modes[0].frequency < 2.83 && found.spins[0].stable);
+    close(modes[1].decay_rate, 0.5 / time, 0.02);
+    close(modes[1].frequency, (square - (0.5 / time).powi(2)).sqrt(), 0.02);
+    assert!(!text(&found).contains("MISSING"));
+}

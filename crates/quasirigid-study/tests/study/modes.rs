@@ -408,4 +408,12 @@ fn a_damper_beside_the_nutation_keeps_its_mode_when_its_spring_flows() {
     close(modes[1].decay_rate, 0.5 / time, 0.02);
     close(modes[1].frequency, (square - (0.5 / time).powi(2)).sqrt(), 0.02);
     assert!(!text(&found).contains("MISSING"));
+    let torque = "[[force]]\nkind = \"expression\"\ntorque = [\"-1e-9*wx\", \"0\", \"0\"]\n";
+    let forced = study(&(model + torque)).modes(SteadySpinSettings::default()).unwrap();
+    let forced = &forced.spins[0].modes;
+    for mode in modes {
+        let other = forced.iter().find(|other| other.nutation == mode.nutation).unwrap();
+        close(other.decay_rate, mode.decay_rate, 2e-2);
+        close(other.frequency, mode.frequency, 2e-3);
+    }
 }

@@ -15,7 +15,7 @@ use super::system::System;
 use super::whole_body_names::{NamedMotion, named};
 use crate::model::force::{Force, ForceLaw};
 use crate::model::{FlexibleBody, Marker};
-use crate::modes::iteration::{belongs, inverse_iteration};
+use crate::modes::iteration::{Pair, belongs, by_shape, inverse_iteration, same};
 use crate::modes::mode::{SpinMode, in_order};
 use crate::modes::shares::{balance, dissipation, leading, listed, moving, tellable};
 
@@ -159,13 +159,13 @@ struct About<'a> {
 impl About<'_> {
     fn modes(&self, found: &[Eigenmotion]) -> Vec<NamedMotion> {
         let mut modes: Vec<NamedMotion> = Vec::with_capacity(found.len());
-        let mut kept: Vec<C> = Vec::new();
+        let mut kept: Vec<Pair> = Vec::new();
         for (i, motion) in found.iter().enumerate() {
             let start = (motion.lambda, self.pencil.unknowns(motion.turn, &motion.q, &motion.velocity));
             let refined = inverse_iteration(self.pencil, start.clone())
                 .filter(|(lambda, _)| belongs(*lambda, motion.lambda));
             let known = |lambda: C| {
-                kept.iter().any(|other| (other - lambda).norm() < SAME_EIGENVALUE * lambda.norm())
+                kept.iter().any(|(other, _)| (other - lambda).norm() < SAME_EIGENVALUE * lambda.norm())
             };
             let apart = |lambda: C| {
                 let before = found[..i].iter().all(|other| {
@@ -176,10 +176,16 @@ impl About<'_> {
             if self.pencil.has_liquids() && refined.as_ref().is_none_or(|(lambda, _)| known(*lambda)) {
                 continue;
             }
+            let taken = refined.as_ref().and_then(|pair| kept.iter().find(|other| same(pair, other)));
+            let refined = if self.pencil.is_nonlinear() && (refined.is_none() || taken.is_some()) {
+                by_shape(self.pencil, start.clone(), taken).filter(|(lambda, _)| !known(*lambda))
+            } else {
+                refined
+            };
             // Eigenvalues before the iteration are kept where the iteration leads two motions to one.
             let (lambda, x) = refined.filter(|(lambda, _)| !apart(*lambda)).unwrap_or(start);
-            kept.push(lambda);
             modes.push(self.mode(motion.lambda, lambda, &x));
+            kept.push((lambda, x));
         }
         modes
     }

@@ -364,7 +364,7 @@ class AboutSpin(Answer):
         table = _settings.table("spin-manifold", self._parts["settings"], coordinates, displacements, times)
         with observer(progress) as watch:
             model = self._parts["model"]
-            return History({**model._core.simulate(settings, table, None, watch), "object": model.name})
+            return History({**model._core.simulate(settings, table, None, None, watch), "object": model.name})
 
 
 class _Tabled(Answer, Tabled):

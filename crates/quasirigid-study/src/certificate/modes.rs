@@ -20,8 +20,6 @@ const DECAY: f64 = 1e-6;
 /// Error of a decay rate, as a share of it, of a body with materials: a light one follows from the balance of energy, (M4), in which the
 /// frequency stands for the eigenvalue.
 const LIGHT_DECAY: f64 = 2e-5;
-/// Relative difference below which eigenvalues are the same.
-const SAME: f64 = 1e-6;
 /// Error of a shape, as a share of its length with every unknown in units of equal energy.
 const SHAPE: f64 = 1e-8;
 /// Error of the balances of the steady spin, as a share of their largest term.
@@ -50,38 +48,6 @@ struct Spin {
     centrifugal: Entries,
     materials: Vec<Material>,
     modes: Vec<Mode>,
-}
-
-impl Spin {
-    /// Names of two modes that are one: the iteration of a nonlinear eigenproblem has led to it twice.
-    fn twice(&self) -> Option<[&str; 2]> {
-        if self.complete {
-            return None;
-        }
-        let others = |(i, mode)| {
-            self.modes[..i].iter().find(|other: &&Mode| other.is(mode)).map(|other| (other, mode))
-        };
-        let (first, second) = self.modes.iter().enumerate().find_map(others)?;
-        Some([&first.name, &second.name])
-    }
-}
-
-impl Mode {
-    /// Whether another mode has the same eigenvalue and the same shape.
-    fn is(&self, other: &Self) -> bool {
-        let size = self.decay_rate.hypot(self.frequency);
-        let apart = (self.decay_rate - other.decay_rate).hypot(self.frequency - other.frequency);
-        let [a, b] =
-            [self, other].map(|mode| mode.omega.iter().chain(&mode.shape).copied().collect::<Vec<_>>());
-        let product = |a: &[[f64; 2]], b: &[[f64; 2]]| {
-            a.iter()
-                .zip(b)
-                .fold([0.0; 2], |[re, im], ([x, y], [u, v])| [re + x * u + y * v, im + x * v - y * u])
-        };
-        let [re, im] = product(&a, &b);
-        let parallel = re.powi(2) + im.powi(2) >= (1.0 - SAME) * product(&a, &a)[0] * product(&b, &b)[0];
-        !self.neutral && apart <= SAME * size && parallel
-    }
 }
 
 /// Law of a material and its part of the stiffness.
@@ -138,11 +104,6 @@ impl Study {
             .zip(&modes.spins)
             .map(|(found, record)| self.stated(found, &record.axis, record.stable))
             .collect();
-        if let Some([first, second]) = spins.iter().find_map(Spin::twice) {
-            return Err(refused(format!(
-                "the iteration for {second} has led to {first} again, so that a mode of a material or a liquid is not known"
-            )));
-        }
         let complete = spins.iter().all(|spin| spin.complete);
         let liquids = spins.iter().any(|spin| spin.modes.iter().any(|mode| !mode.liquids.is_empty()));
         self.certified(Content {

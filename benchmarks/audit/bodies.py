@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -45,6 +46,16 @@ class Body:
         """Steps between rows, and rows after the first; a faster body is followed for as many revolutions."""
         every = max(1, round(BETWEEN_ROWS / self.spin / step))
         return every, round(duration / self.spin / (every * step))
+
+    def followed(self, step: float, advance: Callable[[], None], row: Callable[[float], list[float]], duration: float = DURATION) -> Rows:
+        """Rows at the start and after so many steps of a program that keeps its state itself."""
+        every, rows = self.schedule(step, duration)
+        found = [row(0.0)]
+        for k in range(1, rows + 1):
+            for _ in range(every):
+                advance()
+            found.append(row(k * every * step))
+        return np.array(found)
 
     def times(self) -> Rows:
         """Times of the rows where a program chooses its own steps."""

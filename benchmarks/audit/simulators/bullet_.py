@@ -45,11 +45,6 @@ def history(method: Method, body: Body, step: float) -> Rows:
     if "damping 0" in method.name:
         pybullet.changeDynamics(whole, -1, linearDamping=0.0, angularDamping=0.0)
     pybullet.resetBaseVelocity(whole, angularVelocity=body.rates)
-    every, rows = body.schedule(step)
-    found = [row(0.0, whole)]
-    for k in range(1, rows + 1):
-        for _ in range(every):
-            pybullet.stepSimulation()
-        found.append(row(k * every * step, whole))
+    found = body.followed(step, pybullet.stepSimulation, lambda time: row(time, whole))
     pybullet.disconnect(client)
-    return np.array(found)
+    return found

@@ -39,10 +39,4 @@ def history(method: Method, body: Body, step: float) -> Rows:
         rates = rotation.T @ np.asarray(whole.getAngularVelocity()).ravel()
         return [time, *rates, q.w(), q.x(), q.y(), q.z()]
 
-    every, rows = body.schedule(step)
-    found = [row(0.0)]
-    for k in range(1, rows + 1):
-        for _ in range(every):
-            world.step()
-        found.append(row(k * every * step))
-    return np.array(found)
+    return body.followed(step, world.step, row)

@@ -55,12 +55,10 @@ def history(method: Method, body: Body, step: float) -> Rows:
         q /= np.sqrt(q @ q)
         return [time, *seen_from_body(q, np.array(state.body_qd.numpy()[0][3:6], dtype=float)), *q]
 
-    every, rows = body.schedule(step, SHORT)
-    found = [row(0.0)]
-    for k in range(1, rows + 1):
-        for _ in range(every):
-            state.clear_forces()
-            solver.step(state, other, None, None, step)
-            state, other = other, state
-        found.append(row(k * every * step))
-    return np.array(found)
+    def advance() -> None:
+        nonlocal state, other
+        state.clear_forces()
+        solver.step(state, other, None, None, step)
+        state, other = other, state
+
+    return body.followed(step, advance, row, SHORT)

@@ -47,10 +47,4 @@ def history(method: Method, body: Body, step: float) -> Rows:
         q /= np.sqrt(q @ q)
         return [time, *seen_from_body(q, np.array(whole.angular_velocity, dtype=float)), *q]
 
-    every, rows = body.schedule(step)
-    found = [row(0.0)]
-    for k in range(1, rows + 1):
-        for _ in range(every):
-            scene.step()
-        found.append(row(k * every * step))
-    return np.array(found)
+    return body.followed(step, scene.step, row)

@@ -111,12 +111,11 @@ def stepper(method: Method, body: Body) -> Callable[[Rows, Rows, float], tuple[R
 
 
 def history(method: Method, body: Body, step: float) -> Rows:
-    every, rows = body.schedule(step)
-    advance = stepper(method, body)
+    stepped = stepper(method, body)
     w, q = np.array(body.rates), np.array([1.0, 0.0, 0.0, 0.0])
-    found = [[0.0, *w, *q]]
-    for k in range(1, rows + 1):
-        for _ in range(every):
-            w, q = advance(w, q, step)
-        found.append([k * every * step, *w, *q])
-    return np.array(found)
+
+    def advance() -> None:
+        nonlocal w, q
+        w, q = stepped(w, q, step)
+
+    return body.followed(step, advance, lambda time: [time, *w, *q])

@@ -82,8 +82,9 @@ fn step(
     damping: &mut f64,
     residuals: &mut Residuals<'_>,
 ) -> Option<(Vec<f64>, DVector<f64>)> {
+    let (normal, gradient) = (J.tr_mul(J), J.tr_mul(r));
     while *damping < MOST {
-        let next = downhill(J, r, *damping)
+        let next = downhill(&normal, &gradient, *damping)
             .map(|delta| x.iter().zip(delta.iter()).map(|(x, d)| x - d).collect::<Vec<f64>>());
         let found = next.and_then(|next| Some((residuals(std::slice::from_ref(&next)).pop()??, next)));
         if let Some((found, next)) = found {
@@ -98,19 +99,18 @@ fn step(
     None
 }
 
-/// What a damped step takes off the parameters.
-fn downhill(J: &DMatrix<f64>, r: &DVector<f64>, damping: f64) -> Option<DVector<f64>> {
-    let mut damped = J.tr_mul(J);
-    let diagonal = damped.diagonal();
+/// What a damped step of the normal equations takes off the parameters.
+fn downhill(normal: &DMatrix<f64>, gradient: &DVector<f64>, damping: f64) -> Option<DVector<f64>> {
+    let (mut damped, diagonal) = (normal.clone(), normal.diagonal());
     for (i, own) in diagonal.iter().enumerate() {
         damped[(i, i)] += damping * own.max(1e-12 * diagonal.amax());
     }
-    damped.cholesky().map(|factor| factor.solve(&J.tr_mul(r)))
+    damped.cholesky().map(|factor| factor.solve(gradient))
 }
 
 /// Whether the linear problem falls no further: its step is short, or the residuals are normal to every column.
 fn is_level(J: &DMatrix<f64>, r: &DVector<f64>) -> bool {
-    let short = downhill(J, r, FIRST).is_some_and(|delta| delta.amax() <= STILL);
+    let short = downhill(&J.tr_mul(J), &J.tr_mul(r), FIRST).is_some_and(|delta| delta.amax() <= STILL);
     short || J.column_iter().all(|column| column.dot(r).abs() <= LEVEL * column.norm() * r.norm())
 }
 

@@ -101,6 +101,14 @@ pub fn product(first: Attitude, second: Attitude) -> Attitude {
     [q.w, q.i, q.j, q.k]
 }
 
+/// Rotation vector (rad) of a unit quaternion, of length 0 to π: that of its negative too.
+#[must_use]
+pub fn rotation_vector([c, x, y, z]: Attitude) -> [f64; 3] {
+    let sine = x.hypot(y).hypot(z);
+    let factor = if sine > 0.0 { 2.0 * sine.atan2(c.abs()) / sine } else { 2.0 };
+    [x, y, z].map(|part| factor.copysign(c) * part)
+}
+
 /// Rotation in inertial axes, as a unit quaternion, that takes one attitude to another.
 #[must_use]
 pub fn between(from: Attitude, to: Attitude) -> Attitude {
@@ -140,6 +148,20 @@ mod tests {
         for i in 0..4 {
             assert!(((ahead[i] - behind[i]) / (2.0 * h) - expected[i]).abs() < 1e-9);
         }
+    }
+
+    #[test]
+    fn the_rotation_vector_is_that_of_the_turn_whatever_the_sign() {
+        for size in [1e-9, 0.3, 2.0, 3.1] {
+            let vector = [2.0, -1.0, 2.0].map(|part| size / 3.0 * part);
+            let q = turned(ALIGNED, vector);
+            for q in [q, q.map(|part| -part)] {
+                for (found, expected) in rotation_vector(q).iter().zip(vector) {
+                    assert!((found - expected).abs() < 1e-14 * size, "{size}");
+                }
+            }
+        }
+        assert_eq!(rotation_vector(ALIGNED), [0.0; 3]);
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! What controllers measure on a body. (Y2)
 
-use crate::math::rotation::product;
+use crate::math::rotation::{product, rotation_vector};
 use crate::math::vec3::{add, scale};
 use crate::{Marker, MotionState};
 
@@ -121,10 +121,7 @@ impl Measurement<Marker, usize, usize> {
 
 /// Rotation vector (rad) from a target to an attitude, of length 0 to π, body axes. (Y2)
 fn attitude_error([s, x, y, z]: [f64; 4], attitude: [f64; 4]) -> [f64; 3] {
-    let [c, x, y, z] = product([s, -x, -y, -z], attitude);
-    let sine = x.hypot(y).hypot(z);
-    let factor = if sine > 0.0 { 2.0 * sine.atan2(c.abs()) / sine } else { 2.0 };
-    scale(factor.copysign(c), [x, y, z])
+    rotation_vector(product([s, -x, -y, -z], attitude))
 }
 
 #[cfg(test)]

@@ -59,23 +59,19 @@ const SAME_PAIR: f64 = 1e-6;
 const IMAGINARY_ROUNDING: f64 = 1e-12;
 
 /// Eigenpair that inverse iteration leads to; none without convergence. (M3)
-pub(super) fn inverse_iteration(problem: &impl Nonlinear, start: Pair) -> Option<Pair> {
+pub(super) fn inverse_iteration(problem: &dyn Nonlinear, start: Pair) -> Option<Pair> {
     iterated(problem, start, 0)
 }
 
 /// Eigenpair that inverse iteration leads to from one that is nearly exact.
-pub(super) fn polished(problem: &impl Nonlinear, start: Pair) -> Option<Pair> {
+pub(super) fn polished(problem: &dyn Nonlinear, start: Pair) -> Option<Pair> {
     iterated(problem, start, 1)
 }
 
 /// Eigenpair that inverse iteration leads to from the eigenvalue that a shape has: the root of `xᴴP(λ)x` next to a start, which materials with
 /// memory move far from that of the equations of motion. The part of the shape along a mode that it must not lead to is taken out. None where it
 /// leads further from that root than from zero.
-pub(super) fn by_shape(
-    problem: &impl Nonlinear,
-    (mut lambda, mut x): Pair,
-    taken: Option<&Pair>,
-) -> Option<Pair> {
+fn by_shape(problem: &dyn Nonlinear, (mut lambda, mut x): Pair, taken: Option<&Pair>) -> Option<Pair> {
     let ones = vec![1.0; x.len()];
     if let Some((_, taken)) = taken {
         let weights = problem.weights(lambda);
@@ -97,8 +93,23 @@ pub(super) fn by_shape(
     None
 }
 
+/// Eigenpair of a motion that is none of those known: what it was refined to, else what its shape leads to, apart from the one that it was led to.
+pub(super) fn apart_from(
+    known: &[Pair],
+    problem: &dyn Nonlinear,
+    start: &Pair,
+    refined: Option<Pair>,
+) -> Option<Pair> {
+    let taken = |pair: &Pair| known.iter().find(|other| same(pair, other));
+    let led = refined.as_ref().and_then(taken);
+    if led.is_none() && refined.is_some() {
+        return refined;
+    }
+    by_shape(problem, start.clone(), led).filter(|pair| taken(pair).is_none())
+}
+
 /// Whether two eigenpairs are one.
-pub(super) fn same((lambda, x): &Pair, (other, y): &Pair) -> bool {
+fn same((lambda, x): &Pair, (other, y): &Pair) -> bool {
     let ones = vec![1.0; x.len()];
     let alike = product(&ones, x, y).norm_sqr();
     let parallel = alike >= (1.0 - SAME_PAIR) * product(&ones, x, x).re * product(&ones, y, y).re;
@@ -106,7 +117,7 @@ pub(super) fn same((lambda, x): &Pair, (other, y): &Pair) -> bool {
 }
 
 /// Inverse iteration whose first step, numbered zero, leaves the eigenvalue as it is.
-fn iterated(problem: &impl Nonlinear, (mut lambda, mut x): Pair, first: usize) -> Option<Pair> {
+fn iterated(problem: &dyn Nonlinear, (mut lambda, mut x): Pair, first: usize) -> Option<Pair> {
     let mut best = f64::INFINITY;
     for step in first..INVERSE_ITERATIONS {
         watch::ask();

@@ -12,7 +12,7 @@ use super::candidates::{Candidate, Source, candidates, neutral};
 use super::displacements::WHOLE;
 use super::equilibrium::RelativeEquilibrium;
 use super::error::ModesError;
-use super::iteration::{Pair, belongs, by_shape, inverse_iteration, same};
+use super::iteration::{Nonlinear, Pair, apart_from, belongs, inverse_iteration};
 use super::pencil::Pencil;
 use super::range::{ModeRange, SlowModes};
 use super::shares::{dissipation, form, leading, listed, moving, tellable};
@@ -156,12 +156,9 @@ impl SpinModes {
         let projected = SlowModes { rate: fastest, missing: None, positive_energy: false };
         let candidates = candidates(found, slow.as_ref(), (body, &coefficients, norm(equilibrium.omega)));
         let count = body.coordinates().len();
-        let refined = |pair: Pair| inverse_iteration(&pencil, pair);
-        let by_shape = |pair: Pair, taken: Option<&Pair>| by_shape(&pencil, pair, taken);
         let refining = Refining {
             unknowns: &pencil.unknowns,
-            refined: &refined,
-            by_shape: &by_shape,
+            problem: Some(&pencil),
             every: count <= REFINED,
             nutation: count <= UNREFINED_COORDINATES || pencil.unknowns.nonlinear,
         };
@@ -190,15 +187,8 @@ impl SpinModes {
         let unknowns = Unknowns::exact(body);
         let exact =
             unknowns.nonlinear.then(|| BlockPencil::new(unknowns.clone(), &equilibrium, coefficients));
-        let refined = |pair: Pair| inverse_iteration(exact.as_ref()?, pair);
-        let by_shape = |pair: Pair, taken: Option<&Pair>| by_shape(exact.as_ref()?, pair, taken);
-        let refining = Refining {
-            unknowns: &unknowns,
-            refined: &refined,
-            by_shape: &by_shape,
-            every: true,
-            nutation: true,
-        };
+        let problem = exact.as_ref().map(|exact| exact as &dyn Nonlinear);
+        let refining = Refining { unknowns: &unknowns, problem, every: true, nutation: true };
         let frame = Frame { body, equilibrium: &equilibrium, coefficients };
         let Ordered { modes, internal, lost } = frame.modes(candidates, slow.as_ref(), &refining);
         let missing = range.missing.map(|missing| missing + lost);
@@ -278,9 +268,8 @@ type Complex3 = [Complex<f64>; 3];
 /// Refinement of motions as solutions of the nonlinear eigenproblem.
 struct Refining<'a> {
     unknowns: &'a Unknowns<'a>,
-    refined: &'a dyn Fn(Pair) -> Option<Pair>,
-    /// From the eigenvalue that the shape of a motion has, away from a mode.
-    by_shape: &'a dyn Fn(Pair, Option<&Pair>) -> Option<Pair>,
+    /// Eigenproblem; none where the motions solve it as they are.
+    problem: Option<&'a dyn Nonlinear>,
     /// Whether every motion is refined.
     every: bool,
     /// Whether the nutation is.
@@ -305,7 +294,7 @@ impl Frame<'_> {
         refining: &Refining,
     ) -> Ordered {
         let (sources, found): (Vec<Source>, Vec<Eigenmotion>) = candidates.into_iter().unzip();
-        let Refining { unknowns, refined, .. } = refining;
+        let Refining { unknowns, problem, .. } = refining;
         let of_direction = self.of_direction(&found, &sources, slow);
         let nutation = of_direction.first().copied();
         let mut slowest: Vec<usize> = (0..found.len()).collect();
@@ -328,8 +317,8 @@ impl Frame<'_> {
                 internal.push([balanced, motion.lambda.im]);
             }
             let start = (motion.lambda, unknowns.given(motion.delta, &motion.q));
-            let again = again(i);
-            let kept = if again { refined(start.clone()) } else { None };
+            let problem = problem.filter(|_| again(i));
+            let kept = problem.and_then(|problem| inverse_iteration(problem, start.clone()));
             let mut kept = kept.filter(|(lambda, _)| belongs(*lambda, motion.lambda));
             let known = |lambda: Complex<f64>| {
                 let gap =
@@ -343,12 +332,8 @@ impl Frame<'_> {
             if of_spectrum && unknowns.has_liquids() && kept.as_ref().is_none_or(led_nowhere) {
                 continue;
             }
-            if again && unknowns.nonlinear && !unknowns.has_liquids() {
-                let known = |pair: &Pair| pairs.iter().find(|other| same(pair, other));
-                let taken = kept.as_ref().and_then(known);
-                if kept.is_none() || taken.is_some() {
-                    kept = (refining.by_shape)(start.clone(), taken).filter(|pair| known(pair).is_none());
-                }
+            if let Some(problem) = problem.filter(|_| unknowns.nonlinear && !unknowns.has_liquids()) {
+                kept = apart_from(&pairs, problem, &start, kept);
                 if kept.is_none() {
                     lost += if motion.lambda.im > 0.0 { 2 } else { 1 };
                     continue;

@@ -4,8 +4,8 @@
 //! `ω`: the differential of the exponential map is one at zero. The slope is that of the polynomial through seven rows, of sixth order; its
 //! distance from the slope through six of them, of fifth order, and the rounding of the quaternions are its error. (J4)
 
-use quasirigid_math::rotation::{normalized, product};
-use quasirigid_math::vec3::{add, dot, norm, scale};
+use quasirigid_math::rotation::{normalized, product, rotation_vector};
+use quasirigid_math::vec3::{add, norm, scale};
 
 /// Rows on each side of the one whose rate is found.
 pub const REACH: usize = 3;
@@ -70,11 +70,7 @@ fn weights(t: &[f64], row: usize, near: &[usize]) -> Vec<f64> {
 /// Rotation vector (rad) from one attitude to another, in the body axes of the first.
 fn relative(from: [f64; 4], to: [f64; 4]) -> [f64; 3] {
     let [w, x, y, z] = normalized(from);
-    let [w, x, y, z] = product([w, -x, -y, -z], normalized(to));
-    let sign = if w < 0.0 { -1.0 } else { 1.0 };
-    let axis = [sign * x, sign * y, sign * z];
-    let sine = dot(axis, axis).sqrt();
-    if sine > 0.0 { scale(2.0 * sine.atan2(sign * w) / sine, axis) } else { axis }
+    rotation_vector(product([w, -x, -y, -z], normalized(to)))
 }
 
 #[cfg(test)]

@@ -3,7 +3,7 @@
 //! The rotation from one row to another must be the integral of the rates, in body axes `q̄ₐ ⊗ q_b`, in inertial ones `q_b ⊗ q̄ₐ`. (P3) A quaternion
 //! of the JPL convention has the numbers of Hamilton's conjugate, and is found as one of the other direction.
 
-use quasirigid_math::rotation::{normalized, product};
+use quasirigid_math::rotation::{normalized, product, rotation_vector};
 use quasirigid_math::vec3::{add, dot, scale};
 
 /// Convention of an attitude.
@@ -133,11 +133,7 @@ fn rotation(convention: Convention, from: [f64; 4], to: [f64; 4]) -> [f64; 3] {
     let [from, to] = [from, to].map(|stored| normalized(convention.attitude(stored)));
     let [w, x, y, z] = from;
     let back = [w, -x, -y, -z];
-    let [w, x, y, z] = if convention.body_rates { product(back, to) } else { product(to, back) };
-    let sign = if w < 0.0 { -1.0 } else { 1.0 };
-    let axis = [sign * x, sign * y, sign * z];
-    let sine = dot(axis, axis).sqrt();
-    if sine > 0.0 { scale(2.0 * sine.atan2(sign * w) / sine, axis) } else { axis }
+    rotation_vector(if convention.body_rates { product(back, to) } else { product(to, back) })
 }
 
 #[cfg(test)]

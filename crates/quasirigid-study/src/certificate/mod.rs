@@ -1,6 +1,6 @@
 //! Certificates: an answer with all that is needed to check it without this program.
-//! A certificate states equations and their solutions as numbers that are read back exactly; `tools/check_certificate.py` checks them in
-//! arithmetic of 50 digits and shares no code with us.
+//! A certificate states equations and their solutions as numbers that are read back exactly; `tools/check_certificate.py` checks them, modes in
+//! arithmetic of 50 digits, and shares no code with us.
 //! Guide: docs/guide/24-certificates.md.
 
 mod history;

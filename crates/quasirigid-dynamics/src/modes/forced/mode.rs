@@ -15,7 +15,7 @@ use super::system::System;
 use super::whole_body_names::{NamedMotion, named};
 use crate::model::force::{Force, ForceLaw};
 use crate::model::{FlexibleBody, Marker};
-use crate::modes::iteration::{Pair, belongs, by_shape, inverse_iteration, same};
+use crate::modes::iteration::{Pair, apart_from, belongs, inverse_iteration};
 use crate::modes::mode::{SpinMode, in_order};
 use crate::modes::shares::{balance, dissipation, leading, listed, moving, tellable};
 
@@ -176,9 +176,8 @@ impl About<'_> {
             if self.pencil.has_liquids() && refined.as_ref().is_none_or(|(lambda, _)| known(*lambda)) {
                 continue;
             }
-            let taken = refined.as_ref().and_then(|pair| kept.iter().find(|other| same(pair, other)));
-            let refined = if self.pencil.is_nonlinear() && (refined.is_none() || taken.is_some()) {
-                by_shape(self.pencil, start.clone(), taken).filter(|(lambda, _)| !known(*lambda))
+            let refined = if self.pencil.is_nonlinear() {
+                apart_from(&kept, self.pencil, &start, refined)
             } else {
                 refined
             };

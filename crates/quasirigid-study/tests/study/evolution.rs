@@ -352,3 +352,13 @@ fn wobbles_beside_a_plane_of_steady_spins_are_answered_by_level_curves() {
         assert_eq!(found.record.status, "finished", "{start}: {}", found.record.message);
     }
 }
+
+/// Softer than level curves follow: the full system is not begun, since the way is long, though the modes about the far axis change fast.
+#[test]
+fn a_long_way_beside_a_plane_of_steady_spins_is_not_begun_unasked() {
+    let before = Instant::now();
+    let found = evolved(&study(&REVOLUTION.replace("10 mm", "4 mm")), |_| ()).record;
+    assert!(before.elapsed() < Duration::from_secs(60), "unasked");
+    assert_eq!(found.status, "refused");
+    assert!(found.message.contains("would take about"), "{}", found.message);
+}

@@ -19,7 +19,7 @@ pub struct Limits {
     pub spin_ratio_of_probes: f64,
     /// Decay in a period of the polhode up to which the power has a mean.
     pub decay_per_period: f64,
-    /// Revolutions up to which the full system is followed at once.
+    /// Revolutions up to which the full system is followed at once, or unasked where their number is not known.
     pub few_revolutions: f64,
     /// Revolutions up to which the full system is followed where nothing else holds.
     pub many_revolutions: f64,

@@ -6,6 +6,7 @@ use std::time::Instant;
 use super::super::limits::Limits;
 use super::super::reason::{Reason, Work};
 use super::{ChoiceError, ChoiceObserver, Driver, Found, Outcome, Stop};
+use crate::averaging::Evolution;
 use crate::dynamics::PropagateError;
 use crate::math::vec3::norm;
 use crate::secular::{DirectOptions, DirectStopReason, follow_directly};
@@ -28,13 +29,15 @@ pub fn history_options(until: Option<f64>, duration: Option<f64>, limits: &Limit
 }
 
 impl Driver<'_> {
-    /// The history of the full system; announced and of limited length where it was not asked for.
+    /// The history of the full system; announced and of limited length where it was not asked for, of few revolutions where the modes do not
+    /// tell how long it takes.
     pub(super) fn full_system(&self, observer: &mut dyn ChoiceObserver) -> Result<Found, Stop> {
         let (spins, span, limits) = (self.case.spins, self.case.span, self.limits);
         let mut options = history_options(Some(span.energies[1]), span.duration, limits);
         if !self.asked {
             self.announce_history(observer)?;
-            options.most_revolutions = limits.many_revolutions;
+            let known = self.case.criteria.revolutions;
+            options.most_revolutions = known.map_or(limits.few_revolutions, |_| limits.many_revolutions);
             options.most_steps =
                 limits.steps_unasked(self.case.criteria.coordinates, spins.body.paths().is_some());
         }
@@ -56,13 +59,27 @@ impl Driver<'_> {
         }
     }
 
+    /// Revolutions that the history may take, by the modes; beside a plane of steady spins, which is far from the axis of the modes, by the
+    /// average where that takes longer.
+    fn expected_revolutions(&self) -> f64 {
+        let (spins, span, powers) = (self.case.spins, self.case.span, self.case.powers);
+        let by_modes = self.case.criteria.revolutions.unwrap_or(self.limits.few_revolutions);
+        if !self.case.criteria.equal_moments {
+            return by_modes;
+        }
+        let average = Evolution::new(powers.of(powers.first), spins.range.angular_momentum());
+        let [from, to] = span.ends;
+        let revolutions = average.time(from, to) * norm(span.start.omega) / TAU;
+        if revolutions.is_finite() { by_modes.max(revolutions) } else { by_modes }
+    }
+
     fn announce_history(&self, observer: &mut dyn ChoiceObserver) -> Result<(), Stop> {
-        let revolutions = self.case.criteria.revolutions.unwrap_or(self.limits.few_revolutions);
         let Ok(per_period) = self.seconds_per_period(observer) else { return Ok(()) };
         let span = self.case.span;
         let period = self.case.spins.motion(span.ends[0]).polhode_period();
         let revolutions_in_period = period * norm(span.start.omega) / TAU;
-        Ok(observer.announce(Work::History, per_period * revolutions / revolutions_in_period)?)
+        Ok(observer
+            .announce(Work::History, per_period * self.expected_revolutions() / revolutions_in_period)?)
     }
 
     /// Seconds of work that a period of the polhode takes in the full system.

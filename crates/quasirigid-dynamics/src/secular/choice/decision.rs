@@ -80,7 +80,15 @@ pub fn choose(criteria: &Criteria, asked: Option<Method>, limits: &Limits) -> De
         }
         Some(method) => Decision::asked(method),
         None => {
-            let mut trials = averages(criteria);
+            let mut trials = Vec::new();
+            if complete
+                && criteria.level_equations
+                && criteria.equal_moments
+                && criteria.has_level_curves(limits)
+            {
+                trials.push(Method::LevelCurves); // beside a plane of steady spins loads nearly cancel, and averages are off
+            }
+            trials.extend(averages(criteria));
             let last = behind_averages(criteria, complete, limits, &mut trials);
             Decision { trials, last, asked: false }
         }
@@ -111,9 +119,6 @@ fn behind_averages(criteria: &Criteria, complete: bool, limits: &Limits, trials:
     }
     if !complete {
         return Last::Method(Method::ModalRates);
-    }
-    if criteria.level_equations && criteria.equal_moments && criteria.has_level_curves(limits) {
-        trials.push(Method::LevelCurves);
     }
     if !criteria.between_axes && criteria.coordinates <= limits.coordinates_of_manifold {
         trials.push(Method::SpinManifold);

@@ -93,7 +93,7 @@ fn averages_come_first() {
 #[test]
 fn other_methods_come_behind_the_averages() {
     let last = Last::Method;
-    let rows: [(Criteria, &[Method], Last); 24] = [
+    let rows: [(Criteria, &[Method], Last); 23] = [
         (body(), &[SpinManifold], last(MicroRuns)),
         (Criteria { revolutions: Some(3_000.0), ..body() }, &[SpinManifold], last(FullSystem)),
         (Criteria { revolutions: Some(3_001.0), ..body() }, &[SpinManifold, MicroRuns], last(FullSystem)),
@@ -118,7 +118,6 @@ fn other_methods_come_behind_the_averages() {
         (Criteria { left_out: 0.02, ..body() }, &[SpinManifold], last(MicroRuns)),
         (Criteria { left_out: 0.021, ..body() }, &[], last(ModalRates)),
         (Criteria { left_out: f64::INFINITY, decay_per_period: 1.0, ..body() }, &[], last(ModalRates)),
-        (turned(), &[LevelCurves, SpinManifold], last(MicroRuns)),
         (Criteria { spin_ratio: Some(0.16), ..turned() }, &[SpinManifold], last(MicroRuns)),
         (Criteria { left_out: 0.5, ..turned() }, &[], last(ModalRates)),
         (bent(), &[], last(LevelCurves)),
@@ -134,6 +133,13 @@ fn other_methods_come_behind_the_averages() {
     assert_eq!(behind(&viscoelastic), (vec![], last(ModalRates)), "the level curves have no loss of it");
     let resonant = Criteria { parametric: Some(vibration()), ..bent() };
     assert_eq!(choose(&resonant, None, &Limits::default()), Decision::unasked(vec![], LevelCurves));
+}
+
+#[test]
+fn level_curves_come_first_for_a_body_of_revolution() {
+    let Decision { trials, last, asked } = choose(&turned(), None, &Limits::default());
+    assert_eq!(trials, [&[LevelCurves], &AVERAGES[..], &[SpinManifold]].concat());
+    assert_eq!((last, asked), (Last::Method(MicroRuns), false));
 }
 
 #[test]

@@ -36,7 +36,7 @@ def solve(data: dict[str, Any], times: list[float]) -> dict[str, Any]:
         return energy(state) - bound
 
     crossing.terminal = True  # type: ignore[attr-defined]
-    done = solve_ivp(rates, (0, 1e5), start, "DOP853", times, crossing, rtol=1e-12, atol=1e-13)
+    done = solve_ivp(rates, (0, 1e5), start, "DOP853", times, events=crossing, rtol=1e-12, atol=1e-13)
     assert done.success and done.y.shape[1] == len(times)
     states = done.y.T
     return {

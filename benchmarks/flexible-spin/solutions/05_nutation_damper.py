@@ -13,7 +13,9 @@ def solve(data: dict[str, Any], times: list[float]) -> dict[str, Any]:
     told = body.history(start, times)
     modes = body.modes(body.state(data["steady_spin_near"], [0.0]), start)
     return {
-        **{name: told[name].tolist() for name in ("omega", "coordinates", "energy")},
+        "omega": told["omega"].tolist(),
+        "coordinates": told["coordinates"][:, 0].tolist(),
+        "energy": told["energy"].tolist(),
         "frequencies": modes.imag.tolist(),
         "decay_rates": (-modes.real).tolist(),
     }

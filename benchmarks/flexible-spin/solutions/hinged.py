@@ -11,7 +11,7 @@ from lagrange import Array, Body, about_center, cross
 def turn(axis: Array, angle: Array) -> Array:
     """Rotations (b, k, 3, 3) about unit axes (k, 3) by angles (b, k), after Rodrigues."""
     K = cross(axis)
-    return np.eye(3) + np.sin(angle)[..., None, None] * K + (1 - np.cos(angle))[..., None, None] * (K @ K)
+    return np.array(np.eye(3) + np.sin(angle)[..., None, None] * K + (1 - np.cos(angle))[..., None, None] * (K @ K))
 
 
 def body(data: dict[str, Any]) -> Body:

@@ -20,21 +20,21 @@ from typing import Any
 import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
-import roads
+import solvers
 
 DIGITS = 13
 
 
 @dataclass(frozen=True)
 class Score:
-    """A quantity's largest error in parts of its largest reference value; `road` that it is of, `why` where no number can be told."""
+    """A quantity's largest error in parts of its largest reference value; `solution` that it is of, `why` where no number can be told."""
 
     problem: str
     quantity: str
     error: float
     tolerance: float
     why: str = ""
-    road: str = "answers"
+    solution: str = "answers"
 
     @property
     def passed(self) -> bool:
@@ -70,7 +70,7 @@ def table(scores: list[Score]) -> str:
     lines = [f"{'problem':<20} {'quantity':<16} {'of':<12} {'error':>9} {'tolerance':>9} {'ratio':>9}"]
     for score in scores:
         number = score.why or f"{score.error:9.1e} {score.tolerance:9.0e} {score.error / score.tolerance:9.2g}"
-        lines.append(f"{score.problem:<20} {score.quantity:<16} {score.road:<12} {number}  {'pass' if score.passed else 'FAIL'}")
+        lines.append(f"{score.problem:<20} {score.quantity:<16} {score.solution:<12} {number}  {'pass' if score.passed else 'FAIL'}")
     passed = sum(score.passed for score in scores)
     return "\n".join([*lines, f"{passed} of {len(scores)} quantities pass"])
 
@@ -80,21 +80,21 @@ def made_again(chosen: dict[str, dict[str, Any]], program: Path) -> list[Score]:
     scores = []
     for name, problem in chosen.items():
         begun = time.perf_counter()
-        answers = {"independent": roads.independent(problem), "program": roads.full_solver(problem, program)}
-        found = {road: scored(problem, given) for road, given in answers.items()}
+        answers = {"independent": solvers.independent(problem), "program": solvers.full_solver(problem, program)}
+        found = {solution: scored(problem, given) for solution, given in answers.items()}
         found["apart"] = scored(problem, answers["program"], answers["independent"])
-        for road, rows in found.items():
-            scores += [replace(row, road=road) for row in rows]
+        for solution, rows in found.items():
+            scores += [replace(row, solution=solution) for row in rows]
         print(f"{name}: {time.perf_counter() - begun:.1f} s", file=sys.stderr)
     return scores
 
 
 def written(chosen: dict[str, dict[str, Any]]) -> None:
-    """References anew, by the independent road."""
-    for file in sorted((roads.FOLDER / "problems").glob("*.json")):
+    """References anew, by the independent solution."""
+    for file in sorted((solvers.FOLDER / "problems").glob("*.json")):
         problem = json.loads(file.read_text())
         if problem["name"] in chosen:
-            answers = roads.independent(problem)
+            answers = solvers.independent(problem)
             for name, quantity in problem["quantities"].items():
                 quantity["values"] = rounded(answers[name])
             file.write_text(json.dumps(problem, indent=2, ensure_ascii=False) + "\n")
@@ -109,9 +109,9 @@ def main() -> int:
     parser.add_argument("--answers", type=Path, help="file of answers to score")
     parser.add_argument("--program", type=Path, help="makes both solutions again, one with this program")
     parser.add_argument("--only", help="names of problems, separated by commas")
-    parser.add_argument("--write", action="store_true", help="writes the references anew, by the independent road")
+    parser.add_argument("--write", action="store_true", help="writes the references anew, by the independent solution")
     given = parser.parse_args()
-    known = roads.problems()
+    known = solvers.problems()
     names = given.only.split(",") if given.only else list(known)
     if unknown := [name for name in names if name not in known]:
         print(f"run.py: no problem {', '.join(unknown)}; there are {', '.join(known)}", file=sys.stderr)

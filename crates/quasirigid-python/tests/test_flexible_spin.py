@@ -35,7 +35,7 @@ def importable(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
 
 
 def modules() -> tuple[ModuleType, ModuleType]:
-    return importlib.import_module("roads"), importlib.import_module("run")
+    return importlib.import_module("solvers"), importlib.import_module("run")
 
 
 def references(problem: dict[str, Any]) -> dict[str, Any]:
@@ -63,9 +63,9 @@ def test_ten_problems_are_complete() -> None:
 
 @pytest.mark.parametrize("name", NAMES)
 def test_full_solver_has_the_references(name: str) -> None:
-    roads, run = modules()
-    problem = roads.problems()[name]
-    scores = run.scored(problem, roads.full_solver(problem, program()))
+    solvers, run = modules()
+    problem = solvers.problems()[name]
+    scores = run.scored(problem, solvers.full_solver(problem, program()))
     assert all(score.passed for score in scores), run.table(scores)
 
 
@@ -73,15 +73,15 @@ def test_full_solver_has_the_references(name: str) -> None:
 def test_independent_solution_has_the_references(name: str) -> None:
     pytest.importorskip("scipy")
     pytest.importorskip("mpmath")
-    roads, run = modules()
-    problem = roads.problems()[name]
-    scores = run.scored(problem, roads.independent(problem))
+    solvers, run = modules()
+    problem = solvers.problems()[name]
+    scores = run.scored(problem, solvers.independent(problem))
     assert all(score.passed for score in scores), run.table(scores)
 
 
 def test_every_wrong_answer_fails_alone() -> None:
-    roads, run = modules()
-    for problem in roads.problems().values():
+    solvers, run = modules()
+    for problem in solvers.problems().values():
         right = references(problem)
         assert all(score.passed for score in run.scored(problem, right))
         for name, quantity in problem["quantities"].items():
@@ -97,15 +97,15 @@ def test_every_wrong_answer_fails_alone() -> None:
 
 @pytest.mark.parametrize("given", [None, "much", [], [1.0], [float("nan")] * 5, {"a": 1}])
 def test_answers_that_are_no_numbers_fail_with_a_reason(given: Any) -> None:
-    roads, run = modules()
-    problem = roads.problems()["rigid-wobble"]
+    solvers, run = modules()
+    problem = solvers.problems()["rigid-wobble"]
     (score,) = [s for s in run.scored(problem, {**references(problem), "energy": given}) if s.quantity == "energy"]
     assert not score.passed and score.why
 
 
 def test_command_line_tells_by_its_exit_code(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
-    roads, run = modules()
-    answers = {name: references(problem) for name, problem in roads.problems().items()}
+    solvers, run = modules()
+    answers = {name: references(problem) for name, problem in solvers.problems().items()}
     file = tmp_path / "answers.json"
 
     def code(told: Any, *options: str) -> int:

@@ -1,4 +1,4 @@
-"""The two roads to every answer: the full solver of this program, and a script that shares no code with it."""
+"""The two solutions of every problem: the full solver of this program, and a script that shares no code with it."""
 
 from __future__ import annotations
 
@@ -46,15 +46,15 @@ def asked(call: list[str]) -> str:
 
 def commands(problem: dict[str, Any], program: str = "quasirigid") -> dict[str, list[str]]:
     """The command lines of the program's solution: history, and modes or the end of a run where they are asked."""
-    road = problem["solutions"]["program"]
-    model = str(FOLDER / road["model"])
+    told = problem["solutions"]["program"]
+    model = str(FOLDER / told["model"])
     origins = {origin for quantity in problem["quantities"].values() for origin in quantity["program"]}
     times = ",".join(str(t) for t in problem["times"])
-    calls = {"columns": [program, "simulate", model, "--quiet", *road["simulate"], "--times", times]}
+    calls = {"columns": [program, "simulate", model, "--quiet", *told["simulate"], "--times", times]}
     if "modes" in origins:
-        calls["modes"] = [program, "modes", model, "--json", "--quiet", *road["modes"]]
+        calls["modes"] = [program, "modes", model, "--json", "--quiet", *told["modes"]]
     if "result" in origins:
-        calls["result"] = [program, "simulate", model, "--json", "--quiet", *road["simulate"]]
+        calls["result"] = [program, "simulate", model, "--json", "--quiet", *told["simulate"]]
     return calls
 
 

@@ -83,9 +83,11 @@ impl Marker {
             self.shapes.iter().map(|(j, H)| (*j, H.map(T::from))).collect();
         let straight = slopes.iter().fold([T::from(0.0); 3], |u, (j, H)| add(u, scale(q[*j], *H)));
         let half = T::from(0.5);
-        let displaced = self.curvature.iter().fold(straight, |u, (j, k, G)| {
-            slopes.push((*j, scale(q[*k], G.map(T::from))));
-            add(u, scale(half * q[*j] * q[*k], G.map(T::from)))
+        let displaced = self.curvature.chunk_by(|a, b| a.0 == b.0).fold(straight, |u, row| {
+            let j = row[0].0;
+            let slope = row.iter().fold([T::from(0.0); 3], |sum, (_, k, G)| add(sum, scale(q[*k], G.map(T::from))));
+            slopes.push((j, slope));
+            add(u, scale(half * q[j], slope))
         });
         (displaced, slopes)
     }

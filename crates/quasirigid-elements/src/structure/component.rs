@@ -2,6 +2,8 @@
 //! Products of fields over lumped masses are made once, at the centre of mass; any pole and numbering follow from them.
 //! Equations (I2) to (I6), (K8) and (K12), docs/theory.
 
+use std::collections::HashMap;
+
 use nalgebra::{DMatrix, Matrix3, Vector3};
 
 use super::basis::Basis;
@@ -12,6 +14,7 @@ use super::loads::{Acceleration, LOADS, balanced, moments, stretching};
 use super::losses::blocks;
 use super::lumped_masses::MassProperties;
 use super::masses::MassNormalized;
+use super::node_paths::NodePath;
 use super::owned;
 use super::paths::Paths;
 use super::solver::{Solver, Unsolved};
@@ -47,6 +50,8 @@ pub(crate) struct Component {
     blocks: Vec<Block>,
     /// Displacement of each kept node per unit of each coordinate.
     kept_nodes: Vec<Vec<[f64; 3]>>,
+    /// Curved paths of kept nodes, by their numbers; of a node that is not among them the path is straight.
+    node_paths: HashMap<usize, NodePath>,
     /// Rotation of each kept node, where it has one.
     rotations: Vec<Option<Vec<[f64; 3]>>>,
     /// Number of unknowns of the structure.
@@ -92,6 +97,8 @@ pub(crate) struct Load {
 
 /// Share of the largest unknown below which unknowns take no part in a motion.
 const PART: f64 = 0.1;
+/// Most nodes whose curved paths are told though nothing loads them.
+const WATCHED: usize = 64;
 /// Fields of displacement and of force that are in memory at once for each load, at least.
 const COPIES: f64 = 6.0;
 
@@ -129,10 +136,16 @@ impl Structure {
             fields.row_iter().map(|field| energy(&discrete, &field.into_owned())).collect();
         let first = works.row_iter().map(|works| moments(&works.iter().copied().collect::<Vec<f64>>()));
         let (sums, moments) = first.unzip();
-        let paths = discrete.paths(&solver, &whole, options.floating, &fields, &energies);
+        let curved: Vec<usize> = options.curved().map(|number| options.kept_nodes[number]).collect();
+        let mut paths = discrete.paths(&solver, &whole, &fields, &energies, &curved);
+        let node_paths = match &mut paths {
+            Some(paths) => Some(std::mem::take(&mut paths.nodes)),
+            None => discrete.node_paths_by_work(&solver, &whole, &curved, &fields),
+        };
         Ok(Component {
             whole,
             paths,
+            node_paths: options.curved().zip(node_paths.into_iter().flatten()).collect(),
             sums,
             moments,
             products: by_pair(&discrete.products(&fields)),
@@ -285,6 +298,14 @@ impl Component {
         numbered(&self.kept_nodes[node], start)
     }
 
+    /// Curvature `G_jk` of the path of a kept node for pairs of coordinates, numbered from `start`, in both orders. (K6)
+    pub fn curvature(&self, node: usize, start: usize) -> Vec<(usize, usize, [f64; 3])> {
+        let Some(path) = self.node_paths.get(&node) else { return Vec::new() };
+        let pairs = (0..self.size()).flat_map(|j| (0..self.size()).map(move |k| (j, k)));
+        let curved = pairs.map(|(j, k)| (start + j, start + k, path.each_ref().map(|form| form[(j, k)])));
+        curved.filter(|(.., G)| *G != [0.0; 3]).collect()
+    }
+
     /// Rotation of a kept node per unit of each coordinate, numbered from `start`; none of a node without rotations.
     pub fn rotations(&self, node: usize, start: usize) -> Option<Vec<(usize, [f64; 3])>> {
         self.rotations[node].as_ref().map(|rotations| numbered(rotations, start))
@@ -292,6 +313,13 @@ impl Component {
 }
 
 impl CondensationOptions<'_> {
+    /// Numbers of the kept nodes whose curved paths are told: those that are loaded, and those that are watched, if they are few.
+    fn curved(&self) -> impl Iterator<Item = usize> + '_ {
+        let all = self.loads.len() <= WATCHED;
+        let loads = self.loads.iter().enumerate();
+        loads.filter(move |(_, load)| all || load.force || load.moment).map(|(number, _)| number)
+    }
+
     /// Nodes and components, 0 to 5, at which other elements load the structure.
     fn loaded(&self) -> impl Iterator<Item = (usize, usize)> + '_ {
         self.kept_nodes.iter().zip(self.loads).flat_map(|(node, load)| {

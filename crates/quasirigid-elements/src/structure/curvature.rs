@@ -17,10 +17,7 @@ pub(super) struct Curvature {
 }
 
 impl Discrete<'_> {
-    /// Curvature of the paths of all points; none if they are straight.
-    ///
-    /// The work of each load on the second order of a displacement is the stiffness lost to the stress of the load, `f·½G_jk q_j q_k = −½
-    /// qᵀ K_G[f] q`; lumped masses on an arm rotate with it besides. `answers` are the displacements under the loads, a row each. (K6)
+    /// Curvature of the paths of all points; none if they are straight. (K6)
     pub(super) fn curvatures(
         &self,
         reference: Vector3<f64>,
@@ -28,6 +25,26 @@ impl Discrete<'_> {
         answers: &DMatrix<f64>,
         fields: &DMatrix<f64>,
     ) -> Option<Vec<Vec<Curvature>>> {
+        let works = self.works(reference, loads, answers, fields)?;
+        let count = fields.nrows();
+        let pair = |j: usize, k: usize| {
+            let (sum, moment) = moments(&works.iter().map(|work| work[(j, k)]).collect::<Vec<f64>>());
+            Curvature { sum, moment }
+        };
+        Some((0..count).map(|j| (0..count).map(|k| pair(j, k)).collect()).collect())
+    }
+
+    /// Work of loads on the second order of displacements, a matrix over the coordinates for each; none if the paths are straight.
+    ///
+    /// The work is the stiffness lost to the stress of the load, `f·½G_jk q_j q_k = −½ qᵀ K_G[f] q`; lumped masses on an arm rotate with it
+    /// besides. `answers` are the displacements under the loads, a row each. (K6)
+    pub(super) fn works(
+        &self,
+        reference: Vector3<f64>,
+        loads: &[Acceleration],
+        answers: &DMatrix<f64>,
+        fields: &DMatrix<f64>,
+    ) -> Option<Vec<DMatrix<f64>>> {
         let count = fields.nrows();
         let mut works = vec![DMatrix::zeros(count, count); loads.len()];
         let mut curved = false;
@@ -41,11 +58,7 @@ impl Discrete<'_> {
                 curved |= turned(&lumped_mass, reference, loads, &own, &mut works);
             }
         }
-        let pair = |j: usize, k: usize| {
-            let (sum, moment) = moments(&works.iter().map(|work| work[(j, k)]).collect::<Vec<f64>>());
-            Curvature { sum, moment }
-        };
-        curved.then(|| (0..count).map(|j| (0..count).map(|k| pair(j, k)).collect()).collect())
+        curved.then_some(works)
     }
 }
 

@@ -12,6 +12,7 @@ mod loads;
 mod losses;
 mod lumped_masses;
 mod masses;
+mod node_paths;
 mod owned;
 mod patch;
 mod paths;

@@ -7,6 +7,7 @@ use nalgebra::{DMatrix, DVector, Matrix3, Matrix3xX, Matrix4, SMatrix, Vector3, 
 use super::discrete::Discrete;
 use super::loads::{Acceleration, LOADS};
 use super::lumped_masses::MassProperties;
+use super::node_paths::{NodePath, RigidPart};
 use super::solver::Solver;
 use crate::finite::{Element, LumpedMass, MassLocation, Turn};
 
@@ -21,6 +22,8 @@ pub(super) struct Paths {
     pub products: Vec<Vec<Matrix3<f64>>>,
     /// `Γ^e`, symmetric.
     pub forms: Vec<DMatrix<f64>>,
+    /// Paths of the kept nodes.
+    pub nodes: Vec<NodePath>,
 }
 
 /// Share of the largest field, at equal elastic energy of the coordinates, below which a field of the second order stays with (I6) alone:
@@ -31,14 +34,14 @@ impl Discrete<'_> {
     /// Second order of the paths, if they are curved and every element is a beam, a mass or a spring: then each point is known, and the
     /// fields are few. (K12)
     ///
-    /// `energies` are the stiffness of each field with itself.
+    /// `energies` are the stiffness of each field with itself; `kept` are nodes whose own paths are told.
     pub(super) fn paths(
         &self,
         solver: &Solver,
         whole: &MassProperties,
-        floating: bool,
         fields: &DMatrix<f64>,
         energies: &[f64],
+        kept: &[usize],
     ) -> Option<Paths> {
         let elements = &self.structure.elements;
         if fields.nrows() == 0 || !elements.iter().all(|element| slender(element.as_ref())) {
@@ -62,8 +65,7 @@ impl Discrete<'_> {
             return None;
         }
         let second = solver.answers(forces);
-        let mut points =
-            Points { masses: Vec::new(), places: Vec::new(), first: Vec::new(), second: Vec::new() };
+        let mut points = Points::default();
         for (element, bent) in elements.iter().zip(&inner) {
             let own = [fields, &second].map(|rows| spread(element.as_ref(), rows));
             for lumped_mass in element.lumped_masses() {
@@ -72,7 +74,14 @@ impl Discrete<'_> {
         }
         let scales: Vec<f64> =
             pairs.iter().map(|(j, k)| (energies[j] * energies[k]).sqrt().recip()).collect();
-        Some(points.paths(floating, &scales, &pairs))
+        let mut of_points = Points::rows(&points.second, pairs.count());
+        let rigid = solver.floats().then(|| {
+            let shares = points.settle(&mut of_points);
+            RigidPart { center: whole.center, shares }
+        });
+        let symmetric = |column: &DVector<f64>| pairs.symmetric(column.iter().copied());
+        let nodes = self.node_paths(kept, &second, rigid.as_ref(), &symmetric);
+        Some(points.paths(&of_points, &scales, &pairs, nodes))
     }
 }
 
@@ -99,6 +108,16 @@ impl Pairs {
 
     fn iter(&self) -> impl Iterator<Item = (usize, usize)> + '_ {
         (0..self.0).flat_map(|j| (j..self.0).map(move |k| (j, k)))
+    }
+
+    /// Symmetric matrix with these entries.
+    fn symmetric(&self, entries: impl Iterator<Item = f64>) -> DMatrix<f64> {
+        let mut form = DMatrix::zeros(self.0, self.0);
+        for ((j, k), entry) in self.iter().zip(entries) {
+            form[(j, k)] = entry;
+            form[(k, j)] = entry;
+        }
+        form
     }
 }
 
@@ -158,6 +177,7 @@ impl Bent {
 }
 
 /// Displacements of all masses, times the root of each mass.
+#[derive(Default)]
 struct Points {
     masses: Vec<f64>,
     /// Places from the centre of mass.
@@ -208,22 +228,11 @@ impl Points {
         rows
     }
 
-    fn paths(&self, floating: bool, scales: &[f64], pairs: &Pairs) -> Paths {
+    fn paths(&self, second: &DMatrix<f64>, scales: &[f64], pairs: &Pairs, nodes: Vec<NodePath>) -> Paths {
         let first = Self::rows(&self.first, pairs.0);
-        let mut second = Self::rows(&self.second, pairs.count());
-        if floating {
-            self.settle(&mut second);
-        }
-        let fields = independent(&second, scales);
-        let shares = fields.transpose() * &second;
-        let forms = (0..fields.ncols()).map(|e| {
-            let mut form = DMatrix::zeros(pairs.0, pairs.0);
-            for (pair, (j, k)) in pairs.iter().enumerate() {
-                form[(j, k)] = shares[(e, pair)];
-                form[(k, j)] = shares[(e, pair)];
-            }
-            form
-        });
+        let fields = independent(second, scales);
+        let shares = fields.transpose() * second;
+        let forms = shares.row_iter().map(|row| pairs.symmetric(row.iter().copied()));
         let at = |matrix: &DMatrix<f64>, point: usize, e: usize| -> Vector3<f64> {
             matrix.fixed_view::<3, 1>(3 * point, e).into()
         };
@@ -243,11 +252,13 @@ impl Points {
             moments: moments.collect(),
             products: products.collect(),
             forms: forms.collect(),
+            nodes,
         }
     }
 
-    /// Removes the rigid part of displacements: the second order keeps linear and angular momentum at zero like the first. (K7)
-    fn settle(&self, columns: &mut DMatrix<f64>) {
+    /// Removes the rigid part of displacements, and returns it: the second order keeps linear and angular momentum at zero like the first.
+    /// (K7)
+    fn settle(&self, columns: &mut DMatrix<f64>) -> DMatrix<f64> {
         let mut rigid = DMatrix::zeros(columns.nrows(), 6);
         for (point, (mass, s)) in self.masses.iter().zip(&self.places).enumerate() {
             let mut block = rigid.fixed_view_mut::<3, 6>(3 * point, 0);
@@ -256,7 +267,8 @@ impl Points {
         }
         let inverse = (rigid.transpose() * &rigid).try_inverse().unwrap_or_else(|| DMatrix::zeros(6, 6));
         let shares = inverse * rigid.transpose() * &*columns;
-        *columns -= rigid * shares;
+        *columns -= rigid * &shares;
+        shares
     }
 }
 

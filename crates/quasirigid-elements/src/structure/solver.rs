@@ -62,6 +62,11 @@ impl Solver {
         Ok(Self { factor, rigid: Some(rigid), resistance })
     }
 
+    /// Whether the structure floats.
+    pub fn floats(&self) -> bool {
+        self.rigid.is_some()
+    }
+
     /// Displacements under forces, a row each. A floating structure is loaded by the forces and by the inertia that they cause, and keeps
     /// its linear and angular momentum at zero. (K7)
     pub fn answers(&self, mut forces: DMatrix<f64>) -> DMatrix<f64> {

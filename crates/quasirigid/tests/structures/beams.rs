@@ -102,9 +102,7 @@ impl Cantilever {
 
     /// Displacement of the tip in the rotated axes: along the beam, across it in the plane of the rotation, and along the spin.
     pub fn tip(&self, body: &FlexibleBody, q: &[f64]) -> Vector3<f64> {
-        let shapes = &body.markers()[self.elements].shapes;
-        let displacement: Vector3<f64> = shapes.iter().map(|(j, shape)| q[*j] * Vector3::from(*shape)).sum();
-        turned_axes().inverse() * displacement
+        turned_axes().inverse() * Vector3::from(body.markers()[self.elements].displacement(q))
     }
 
     fn line_density(&self) -> f64 {

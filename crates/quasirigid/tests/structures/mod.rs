@@ -2,6 +2,7 @@
 
 mod appendages;
 mod beams;
+mod buckling;
 mod bushings;
 mod common;
 mod dissipators;

@@ -154,7 +154,7 @@ impl<'a> PartGraph<'a> {
                 position: self.structure.nodes[index].place,
                 shapes: component.shapes(number, start),
                 rotations: component.rotations(number, start),
-                curvature: Vec::new(),
+                curvature: component.curvature(number, start),
                 carried: None,
             };
             (*node, attachment)

@@ -137,10 +137,11 @@ impl Structure {
         let first = works.row_iter().map(|works| moments(&works.iter().copied().collect::<Vec<f64>>()));
         let (sums, moments) = first.unzip();
         let curved: Vec<usize> = options.curved().map(|number| options.kept_nodes[number]).collect();
-        let mut paths = discrete.paths(&solver, &whole, &fields, &energies, &curved);
+        let followers = discrete.follower_paths(&fields);
+        let mut paths = discrete.paths(&solver, &whole, &fields, &energies, &followers, &curved);
         let node_paths = match &mut paths {
             Some(paths) => Some(std::mem::take(&mut paths.nodes)),
-            None => discrete.node_paths_by_work(&solver, &whole, &curved, &fields),
+            None => discrete.node_paths_by_work(&solver, &whole, &curved, &fields, &followers),
         };
         Ok(Component {
             whole,
@@ -150,7 +151,7 @@ impl Structure {
             moments,
             products: by_pair(&discrete.products(&fields)),
             masses,
-            curvatures: discrete.curvatures(reference, &loads, &statics, &fields),
+            curvatures: discrete.curvatures(reference, &loads, &statics, &fields, &followers),
             owned: owned::masses(&discrete, &fields),
             blocks: blocks(&discrete, &fields),
             kept_nodes: options.kept_nodes.iter().map(|node| motion(&discrete, &fields, *node, 0)).collect(),

@@ -5,7 +5,9 @@
 use nalgebra::{DMatrix, Matrix3, MatrixXx3, Vector3};
 
 use super::discrete::Discrete;
+use super::follower_paths::FollowerPaths;
 use super::loads::{Acceleration, moments};
+use super::pairs::Pairs;
 use crate::finite::{Element, LumpedMass, Turn};
 use crate::math::watch;
 
@@ -24,8 +26,9 @@ impl Discrete<'_> {
         loads: &[Acceleration],
         answers: &DMatrix<f64>,
         fields: &DMatrix<f64>,
+        followers: &FollowerPaths,
     ) -> Option<Vec<Vec<Curvature>>> {
-        let works = self.works(reference, loads, answers, fields)?;
+        let works = self.works(reference, loads, answers, fields, followers)?;
         let count = fields.nrows();
         let pair = |j: usize, k: usize| {
             let (sum, moment) = moments(&works.iter().map(|work| work[(j, k)]).collect::<Vec<f64>>());
@@ -44,7 +47,10 @@ impl Discrete<'_> {
         loads: &[Acceleration],
         answers: &DMatrix<f64>,
         fields: &DMatrix<f64>,
+        followers: &FollowerPaths,
     ) -> Option<Vec<DMatrix<f64>>> {
+        let pairs = Pairs(fields.nrows());
+        let mut of_followers = DMatrix::zeros(pairs.count(), loads.len());
         let count = fields.nrows();
         let mut works = vec![DMatrix::zeros(count, count); loads.len()];
         let mut curved = false;
@@ -54,12 +60,30 @@ impl Discrete<'_> {
             let spread = |rows: &DMatrix<f64>| self.dofs.spread(element.nodes(), element.dofs(), rows);
             let own = spread(fields);
             curved |= bent(element.as_ref(), reference, loads, &spread(answers), &own, &mut works);
+            if let Some(path) = followers.spread(element.as_ref()) {
+                of_followers += path * held(element.as_ref(), reference, loads, &spread(answers));
+            }
             for lumped_mass in element.lumped_masses() {
                 curved |= turned(&lumped_mass, reference, loads, &own, &mut works);
             }
         }
-        curved.then_some(works)
+        for (work, own) in works.iter_mut().zip(of_followers.column_iter()).filter(|_| !followers.is_empty()) {
+            *work += pairs.symmetric(own.iter().copied());
+        }
+        (curved || !followers.is_empty()).then_some(works)
     }
+}
+
+/// Forces on the nodes of an element that its stress does not balance, a column per load: those that hold nodes on others.
+fn held(element: &dyn Element, reference: Vector3<f64>, loads: &[Acceleration], answers: &DMatrix<f64>) -> DMatrix<f64> {
+    let mut forces = -element.stiffness() * answers.transpose();
+    for lumped_mass in element.lumped_masses() {
+        for (mut force, load) in forces.column_iter_mut().zip(loads) {
+            let pull = lumped_mass.mass * load.at(lumped_mass.place_from(reference), lumped_mass.one());
+            force += lumped_mass.shapes.tr_mul(&pull);
+        }
+    }
+    forces
 }
 
 /// Adds the work of the loads on the second order of an element, by its geometric stiffness.

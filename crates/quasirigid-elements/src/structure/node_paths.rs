@@ -2,11 +2,13 @@
 //! A force on a node works on it: a thrust along a boom lowers its frequencies, and buckles it in the end.
 //! Equation (K6), docs/theory/12-structures.md.
 
-use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
+use nalgebra::{DMatrix, Matrix3, Vector3};
 
 use super::discrete::Discrete;
+use super::follower_paths::FollowerPaths;
 use super::loads::Acceleration;
 use super::lumped_masses::MassProperties;
+use super::pairs::Pairs;
 use super::solver::Solver;
 
 /// Second order `G_jk` of the path of a node: a symmetric matrix over the coordinates for each axis.
@@ -24,16 +26,20 @@ impl Discrete<'_> {
         &self,
         nodes: &[usize],
         second: &DMatrix<f64>,
+        followers: &FollowerPaths,
         rigid: Option<&RigidPart>,
-        symmetric: &dyn Fn(&DVector<f64>) -> DMatrix<f64>,
+        pairs: &Pairs,
     ) -> Vec<NodePath> {
         let path = |node: &usize| {
             let mut curved = self.dofs.spread(&[*node], 3, second);
+            if let Some(carried) = followers.of(*node) {
+                curved += carried.columns(0, 3);
+            }
             if let Some(RigidPart { center, shares }) = rigid {
                 let arm = (self.structure.nodes[*node].place - center).cross_matrix();
                 curved -= (shares.rows(0, 3) - arm * shares.rows(3, 3)).transpose();
             }
-            [0, 1, 2].map(|axis| symmetric(&curved.column(axis).into_owned()))
+            [0, 1, 2].map(|axis| pairs.symmetric(curved.column(axis).iter().copied()))
         };
         nodes.iter().map(path).collect()
     }
@@ -46,6 +52,7 @@ impl Discrete<'_> {
         whole: &MassProperties,
         nodes: &[usize],
         fields: &DMatrix<f64>,
+        followers: &FollowerPaths,
     ) -> Option<Vec<NodePath>> {
         let mut forces = DMatrix::zeros(3 * nodes.len(), self.dofs.unknowns().len());
         let mut loads = Vec::new();
@@ -56,9 +63,17 @@ impl Discrete<'_> {
             let arm = self.structure.nodes[*node].place - whole.center;
             loads.push(inertia_of(whole, solver.floats(), arm, Vector3::ith(axis, 1.0)));
         }
-        let works = self.works(whole.center, &loads, &solver.answers(forces), fields)?;
+        let works = self.works(whole.center, &loads, &solver.answers(forces), fields, followers)?;
         let mut works = works.into_iter();
-        let path = |_: &usize| Some([works.next()?, works.next()?, works.next()?]);
+        let pairs = Pairs(fields.nrows());
+        let path = |node: &usize| {
+            let carried = followers.of(*node);
+            let mut along = |axis: usize| {
+                let own = carried.map(|path| pairs.symmetric(path.column(axis).iter().copied()));
+                works.next().map(|work| own.iter().fold(work, |sum, own| sum + own))
+            };
+            Some([along(0)?, along(1)?, along(2)?])
+        };
         nodes.iter().map(path).collect()
     }
 }

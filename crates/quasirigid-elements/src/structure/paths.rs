@@ -7,7 +7,9 @@ use nalgebra::{DMatrix, DVector, Matrix3, Matrix3xX, Matrix4, SMatrix, Vector3, 
 use super::discrete::Discrete;
 use super::loads::{Acceleration, LOADS};
 use super::lumped_masses::MassProperties;
+use super::follower_paths::FollowerPaths;
 use super::node_paths::{NodePath, RigidPart};
+use super::pairs::Pairs;
 use super::solver::Solver;
 use crate::finite::{Element, LumpedMass, MassLocation, Turn};
 
@@ -41,19 +43,24 @@ impl Discrete<'_> {
         whole: &MassProperties,
         fields: &DMatrix<f64>,
         energies: &[f64],
+        followers: &FollowerPaths,
         kept: &[usize],
     ) -> Option<Paths> {
         let elements = &self.structure.elements;
         if fields.nrows() == 0 || !elements.iter().all(|element| slender(element.as_ref())) {
             return None;
         }
-        let pairs = Pairs::new(fields.nrows());
+        let pairs = Pairs(fields.nrows());
         let spread = |element: &dyn Element, rows: &DMatrix<f64>| {
             self.dofs.spread(element.nodes(), element.dofs(), rows)
         };
         let mut forces = DMatrix::zeros(pairs.count(), fields.ncols());
         let mut inner = Vec::new();
         for element in elements {
+            if let Some(carried) = followers.spread(element.as_ref()) {
+                let strained = -carried * element.stiffness();
+                self.dofs.gather(element.nodes(), element.dofs(), &strained, &mut forces);
+            }
             let Some(bent) = Bent::of(element.as_ref(), &spread(element.as_ref(), fields), &pairs) else {
                 inner.push(None);
                 continue;
@@ -67,7 +74,10 @@ impl Discrete<'_> {
         let second = solver.answers(forces);
         let mut points = Points::default();
         for (element, bent) in elements.iter().zip(&inner) {
-            let own = [fields, &second].map(|rows| spread(element.as_ref(), rows));
+            let mut own = [fields, &second].map(|rows| spread(element.as_ref(), rows));
+            if let Some(carried) = followers.spread(element.as_ref()) {
+                own[1] += carried;
+            }
             for lumped_mass in element.lumped_masses() {
                 points.push(&lumped_mass, whole.center, &own, bent.as_ref(), &pairs);
             }
@@ -79,8 +89,7 @@ impl Discrete<'_> {
             let shares = points.settle(&mut of_points);
             RigidPart { center: whole.center, shares }
         });
-        let symmetric = |column: &DVector<f64>| pairs.symmetric(column.iter().copied());
-        let nodes = self.node_paths(kept, &second, rigid.as_ref(), &symmetric);
+        let nodes = self.node_paths(kept, &second, followers, rigid.as_ref(), &pairs);
         Some(points.paths(&of_points, &scales, &pairs, nodes))
     }
 }
@@ -92,33 +101,6 @@ fn slender(element: &dyn Element) -> bool {
             .lumped_masses()
             .iter()
             .all(|lumped_mass| matches!(lumped_mass.location, MassLocation::At(_)))
-}
-
-/// Pairs `j ≤ k` of coordinates, numbered.
-struct Pairs(usize);
-
-impl Pairs {
-    fn new(coordinates: usize) -> Self {
-        Self(coordinates)
-    }
-
-    fn count(&self) -> usize {
-        self.0 * (self.0 + 1) / 2
-    }
-
-    fn iter(&self) -> impl Iterator<Item = (usize, usize)> + '_ {
-        (0..self.0).flat_map(|j| (j..self.0).map(move |k| (j, k)))
-    }
-
-    /// Symmetric matrix with these entries.
-    fn symmetric(&self, entries: impl Iterator<Item = f64>) -> DMatrix<f64> {
-        let mut form = DMatrix::zeros(self.0, self.0);
-        for ((j, k), entry) in self.iter().zip(entries) {
-            form[(j, k)] = entry;
-            form[(k, j)] = entry;
-        }
-        form
-    }
 }
 
 /// Second order of an element's strains: the forces and displacements that keep them.

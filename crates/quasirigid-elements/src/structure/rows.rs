@@ -103,7 +103,7 @@ impl<'n> Rows<'n> {
 }
 
 /// Nodes in an order in which each comes after those that it follows.
-fn order(constraints: &[Constraint]) -> Result<Vec<usize>, Circle> {
+pub(super) fn order(constraints: &[Constraint]) -> Result<Vec<usize>, Circle> {
     #[derive(Clone, Copy, PartialEq)]
     enum State {
         New,

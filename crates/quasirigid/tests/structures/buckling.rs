@@ -92,11 +92,20 @@ fn load(node: usize, load: f64) -> Force<ApplicationPoint> {
     Force { name: format!("load {node}"), law }
 }
 
-/// Modes about rest: frequencies above zero, lowest first, and whether a motion grows.
+/// Frequencies about a spin along the third of the rotated axes, lowest first.
+pub fn frequencies_at(assembly: &Assembly, spin: f64) -> Vec<f64> {
+    modes_at(assembly, spin).0
+}
+
+/// Modes about rest: frequencies, lowest first, and whether a motion grows.
 fn modes(assembly: &Assembly) -> (Vec<f64>, bool) {
+    modes_at(assembly, 0.0)
+}
+
+fn modes_at(assembly: &Assembly, spin: f64) -> (Vec<f64>, bool) {
     let (body, forces) = (assembly.body().unwrap(), assembly.forces().unwrap());
     let near = SteadyStateGuess {
-        omega: [0.0; 3],
+        omega: (turned_axes() * (spin * V::z())).into(),
         attitude: [1.0, 0.0, 0.0, 0.0],
         place: [0.0; 3],
         velocity: [0.0; 3],
@@ -104,7 +113,7 @@ fn modes(assembly: &Assembly) -> (Vec<f64>, bool) {
     };
     let state = SteadyState::near(&body, &forces, near).unwrap();
     let modes = SteadyModes::about(&body, &forces, state).unwrap().modes;
-    let mut frequencies: Vec<f64> = modes.iter().map(|mode| mode.frequency).filter(|f| *f > 1.0).collect();
+    let mut frequencies: Vec<f64> = modes.iter().map(|mode| mode.frequency).filter(|f| *f > 0.25 + 0.5 * spin).collect();
     frequencies.sort_by(f64::total_cmp);
     (frequencies, modes.iter().any(|mode| mode.decay_rate < -0.1))
 }

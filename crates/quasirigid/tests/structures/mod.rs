@@ -9,6 +9,7 @@ mod dissipators;
 mod ellipsoids;
 mod exported;
 mod floating;
+mod followers;
 mod frames;
 mod hostile;
 mod large;

@@ -85,7 +85,8 @@ impl Marker {
         let half = T::from(0.5);
         let displaced = self.curvature.chunk_by(|a, b| a.0 == b.0).fold(straight, |u, row| {
             let j = row[0].0;
-            let slope = row.iter().fold([T::from(0.0); 3], |sum, (_, k, G)| add(sum, scale(q[*k], G.map(T::from))));
+            let slope =
+                row.iter().fold([T::from(0.0); 3], |sum, (_, k, G)| add(sum, scale(q[*k], G.map(T::from))));
             slopes.push((j, slope));
             add(u, scale(half * q[j], slope))
         });

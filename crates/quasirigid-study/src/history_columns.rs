@@ -106,7 +106,7 @@ fn nutation(found: Option<Nutation>, axes: &[[f64; 3]; 3]) -> [f64; 3] {
 /// Columns of internal coordinates and their rates, and of the displacements of watched places, that a table has on request.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Internal<'b> {
-    /// Watched places whose displacements have columns: exact on appendages, of first order on parts.
+    /// Watched places whose displacements have columns: exact on appendages, of second order on parts.
     pub markers: &'b [Marker],
     /// Coordinates, and the number of those with a value; the rates of all have columns.
     pub coordinates: Option<(&'b [Coordinate], usize)>,

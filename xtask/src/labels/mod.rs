@@ -10,7 +10,7 @@ use crate::tree::{Tree, is_below};
 use comments::comments;
 
 /// Letters that labels start with, one per chapter of the theory.
-const LETTERS: &str = "SIRVPXFTEBAGKHDMQNWZ";
+const LETTERS: &str = "SIRVPXFTEBAGKHDMQNWZCJLOUY";
 
 /// Labels that no code needs to cite, with the reason.
 const NOT_IN_CODE: [(&str, &str); 0] = [];

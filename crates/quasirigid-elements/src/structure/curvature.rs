@@ -67,7 +67,8 @@ impl Discrete<'_> {
                 curved |= turned(&lumped_mass, reference, loads, &own, &mut works);
             }
         }
-        for (work, own) in works.iter_mut().zip(of_followers.column_iter()).filter(|_| !followers.is_empty()) {
+        for (work, own) in works.iter_mut().zip(of_followers.column_iter()).filter(|_| !followers.is_empty())
+        {
             *work += pairs.symmetric(own.iter().copied());
         }
         (curved || !followers.is_empty()).then_some(works)
@@ -75,7 +76,12 @@ impl Discrete<'_> {
 }
 
 /// Forces on the nodes of an element that its stress does not balance, a column per load: those that hold nodes on others.
-fn held(element: &dyn Element, reference: Vector3<f64>, loads: &[Acceleration], answers: &DMatrix<f64>) -> DMatrix<f64> {
+fn held(
+    element: &dyn Element,
+    reference: Vector3<f64>,
+    loads: &[Acceleration],
+    answers: &DMatrix<f64>,
+) -> DMatrix<f64> {
     let mut forces = -element.stiffness() * answers.transpose();
     for lumped_mass in element.lumped_masses() {
         for (mut force, load) in forces.column_iter_mut().zip(loads) {

@@ -1,6 +1,6 @@
 //! Curved paths of nodes that follow others: an arm `p` that a rotation `θ` of its base carries ends at `θ × p + ½ θ × (θ × p)`, and a hinge
 //! rotates with its base. Their second order bends what is fixed to them, and carries the masses on them.
-//! Equation (K16), docs/theory/12-structures.md.
+//! Equation (K19), docs/theory/12-structures.md.
 
 use std::collections::HashMap;
 
@@ -19,7 +19,7 @@ pub(super) struct FollowerPaths {
 }
 
 impl Discrete<'_> {
-    /// Second order of the nodes that follow others, with displacements `fields` of the unknowns, a row per coordinate. (K16)
+    /// Second order of the nodes that follow others, with displacements `fields` of the unknowns, a row per coordinate. (K19)
     pub(super) fn follower_paths(&self, fields: &DMatrix<f64>) -> FollowerPaths {
         let pairs = Pairs(fields.nrows());
         let mut paths = FollowerPaths { pairs: pairs.count(), of: HashMap::new() };

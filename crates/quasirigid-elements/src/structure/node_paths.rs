@@ -56,7 +56,9 @@ impl Discrete<'_> {
     ) -> Option<Vec<NodePath>> {
         let mut forces = DMatrix::zeros(3 * nodes.len(), self.dofs.unknowns().len());
         let mut loads = Vec::new();
-        for (number, (node, axis)) in nodes.iter().flat_map(|node| (0..3).map(move |axis| (node, axis))).enumerate() {
+        for (number, (node, axis)) in
+            nodes.iter().flat_map(|node| (0..3).map(move |axis| (node, axis))).enumerate()
+        {
             for (unknown, share) in self.dofs.row(*node, axis) {
                 forces[(number, *unknown)] += share;
             }
@@ -79,7 +81,12 @@ impl Discrete<'_> {
 }
 
 /// Load by the inertia of the rigid motion that a force on a floating structure causes, `arm` from the centre of mass. (K7)
-fn inertia_of(whole: &MassProperties, floating: bool, arm: Vector3<f64>, force: Vector3<f64>) -> Acceleration {
+fn inertia_of(
+    whole: &MassProperties,
+    floating: bool,
+    arm: Vector3<f64>,
+    force: Vector3<f64>,
+) -> Acceleration {
     if !floating {
         return Acceleration { uniform: Vector3::zeros(), gradient: Matrix3::zeros() };
     }

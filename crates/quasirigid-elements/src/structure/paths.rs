@@ -5,9 +5,9 @@
 use nalgebra::{DMatrix, DVector, Matrix3, Matrix3xX, Matrix4, SMatrix, Vector3, Vector4};
 
 use super::discrete::Discrete;
+use super::follower_paths::FollowerPaths;
 use super::loads::{Acceleration, LOADS};
 use super::lumped_masses::MassProperties;
-use super::follower_paths::FollowerPaths;
 use super::node_paths::{NodePath, RigidPart};
 use super::pairs::Pairs;
 use super::solver::Solver;

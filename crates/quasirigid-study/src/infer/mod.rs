@@ -211,6 +211,7 @@ fn best(motions: &Motions<'_>, cancelled: &AtomicBool) -> Option<(LeastSquares, 
     found.into_iter().next().map(|first| (first, others))
 }
 
+/// The result: the covariance, and what the data do not tell. (O5), (O6)
 fn told(
     study: &Study,
     data: &Measurements,

@@ -83,7 +83,7 @@ impl Sensitivity {
     }
 }
 
-/// Why a quantity with a corner has no derivative.
+/// Why a quantity with a corner has no derivative. (O2)
 pub(super) fn corner(slope: f64, corner: f64, scale: f64) -> String {
     let [before, after] = [slope - corner, slope + corner].map(|slope| significant(slope / scale, 4));
     format!(

@@ -5,7 +5,8 @@ use std::f64::consts::PI;
 
 use nalgebra::{Matrix3, Vector3};
 use quasirigid::elements::{
-    ApplicationPoint, Assembly, End, Frame, FrameNode, Member, NodeRef, Part, PartKind, PartReduction, SectionShape,
+    ApplicationPoint, Assembly, End, Frame, FrameNode, Member, NodeRef, Part, PartKind, PartReduction,
+    SectionShape,
 };
 use quasirigid::model::Support;
 use quasirigid::model::force::{Axes, Force, ForceLaw, Wave};
@@ -113,7 +114,8 @@ fn modes_at(assembly: &Assembly, spin: f64) -> (Vec<f64>, bool) {
     };
     let state = SteadyState::near(&body, &forces, near).unwrap();
     let modes = SteadyModes::about(&body, &forces, state).unwrap().modes;
-    let mut frequencies: Vec<f64> = modes.iter().map(|mode| mode.frequency).filter(|f| *f > 0.25 + 0.5 * spin).collect();
+    let mut frequencies: Vec<f64> =
+        modes.iter().map(|mode| mode.frequency).filter(|f| *f > 0.25 + 0.5 * spin).collect();
     frequencies.sort_by(f64::total_cmp);
     (frequencies, modes.iter().any(|mode| mode.decay_rate < -0.1))
 }
@@ -154,8 +156,13 @@ fn a_column_of_cells_buckles_too() {
     let reduction = PartReduction { order: 3, modes: 6 };
     let at = |share: f64| {
         let forces = vec![load(tip, share * euler())];
-        let assembly =
-            Assembly { carrier: Some(hub.clone()), parts: vec![part.clone()], forces, reduction, ..Assembly::default() };
+        let assembly = Assembly {
+            carrier: Some(hub.clone()),
+            parts: vec![part.clone()],
+            forces,
+            reduction,
+            ..Assembly::default()
+        };
         modes(&held(assembly))
     };
     let rest = at(0.0).0[0];
@@ -182,8 +189,10 @@ fn a_free_column_between_two_thrusts() {
         material: parts::elastic(DENSITY, YOUNG, 0.0),
         elements: 20,
     };
-    let kind = PartKind::Frame(Frame { nodes: vec![node("low", 0.0), node("high", 1.0)], members: vec![member] });
-    let part = Part { name: "column".into(), kind, masses: Vec::new(), attached: Vec::new(), rayleigh: [0.0; 2] };
+    let kind =
+        PartKind::Frame(Frame { nodes: vec![node("low", 0.0), node("high", 1.0)], members: vec![member] });
+    let part =
+        Part { name: "column".into(), kind, masses: Vec::new(), attached: Vec::new(), rayleigh: [0.0; 2] };
     let squeezed = |share: f64| {
         let pressure = 4.0 * share * euler();
         let forces = vec![load(0, -pressure), load(1, pressure)];

@@ -128,7 +128,9 @@ fn the_tip_lags_as_geometrically_exact_beams_say() {
     let mut shortened: f64 = 0.0;
     for (i, ([t, short, lag], [along, across])) in rows.iter().zip(&found).enumerate() {
         if i % 9 == 0 {
-            println!("t = {t:>6.3} s: lag {across:+.5} m, reference {lag:+.5}; along {along:+.6}, {short:+.6}");
+            println!(
+                "t = {t:>6.3} s: lag {across:+.5} m, reference {lag:+.5}; along {along:+.6}, {short:+.6}"
+            );
         }
         worst = worst.max((across - lag).abs());
         shortened = shortened.max((along - short).abs());

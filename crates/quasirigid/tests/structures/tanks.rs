@@ -121,7 +121,7 @@ fn a_tank_is_points_on_springs_and_a_rod() {
 }
 
 /// Frequency of a body on its thrust with one pendulum: `(a/L)(1 + m/m_b + m z(z + L)/I_b)` with the mass and the moment of what does not
-/// slosh, `z` from its centre: the weight `m a` of the bob acts at its place though the thrust is no spring's.
+/// slosh, `z` from its centre: the weight `m a` of the bob acts at its place though the thrust is no spring's. (U8)
 #[test]
 fn thrust_weighs_on_a_bob_of_a_free_body() {
     for (R, sense) in [(turned_axes(), 1.0), (turned_axes().inverse(), -1.0)] {

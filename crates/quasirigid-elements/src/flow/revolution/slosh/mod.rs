@@ -55,7 +55,7 @@ struct Unknowns {
 
 impl Slosh {
     /// The `count` lowest modes of the liquid inside a wall that ends at the level, with polynomials of a degree and so many layers of patches
-    /// at corners; none if floating point does not resolve them.
+    /// at corners; none if floating point does not resolve them. (U2)
     pub fn new(wall: &Wall, count: usize, [degree, layers]: [usize; 2]) -> Option<Self> {
         let pool = Pool(wall);
         if !pool.is_resolved() {

@@ -10,6 +10,7 @@ use super::basis::Basis;
 use super::curvature::Curvature;
 use super::discrete::{Discrete, Structure};
 use super::dofs::{Dofs, Unknown};
+use super::follower_paths::FollowerPaths;
 use super::loads::{Acceleration, LOADS, balanced, moments, stretching};
 use super::losses::blocks;
 use super::lumped_masses::MassProperties;
@@ -137,6 +138,7 @@ impl Structure {
         let first = works.row_iter().map(|works| moments(&works.iter().copied().collect::<Vec<f64>>()));
         let (sums, moments) = first.unzip();
         let curved: Vec<usize> = options.curved().map(|number| options.kept_nodes[number]).collect();
+        memory::ask(FollowerPaths::room(self, fields.nrows())).map_err(room)?;
         let followers = discrete.follower_paths(&fields);
         let mut paths = discrete.paths(&solver, &whole, &fields, &energies, &followers, &curved);
         let node_paths = match &mut paths {

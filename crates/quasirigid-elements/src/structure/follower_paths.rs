@@ -6,7 +6,7 @@ use std::collections::HashMap;
 
 use nalgebra::{DMatrix, Vector3};
 
-use super::discrete::Discrete;
+use super::discrete::{Discrete, Structure};
 use super::dofs::Constraint;
 use super::pairs::Pairs;
 use super::rows::order;
@@ -27,7 +27,7 @@ impl Discrete<'_> {
             let path = match &self.structure.constraints[node] {
                 Constraint::On { base: Some(base), .. } => self.on_base(node, *base, &pairs, fields, &paths),
                 Constraint::Shaped { columns, shares } => {
-                    paths.shared(columns, &shares.rows(0, self.size(node)).into_owned())
+                    paths.shared(columns, &shares.rows(0, self.components(node)).into_owned())
                 }
                 Constraint::On { base: None, .. }
                 | Constraint::Free
@@ -41,7 +41,7 @@ impl Discrete<'_> {
         paths
     }
 
-    fn size(&self, node: usize) -> usize {
+    fn components(&self, node: usize) -> usize {
         if self.structure.nodes[node].rotations { 6 } else { 3 }
     }
 
@@ -55,9 +55,9 @@ impl Discrete<'_> {
         fields: &DMatrix<f64>,
         paths: &FollowerPaths,
     ) -> Option<DMatrix<f64>> {
-        let [size, of_base] = [node, base].map(|node| self.size(node));
+        let [size, of_base] = [node, base].map(|node| self.components(node));
         let arm = self.structure.nodes[node].place - self.structure.nodes[base].place;
-        let hinged = self.dofs_differ(node, base);
+        let hinged = self.rotates_on(node, base);
         let known = paths.of.get(&base);
         if known.is_none() && (of_base == 3 || (arm == Vector3::zeros() && !hinged)) {
             return None;
@@ -91,13 +91,22 @@ impl Discrete<'_> {
     }
 
     /// Whether a node rotates about axes of its own on its base.
-    fn dofs_differ(&self, node: usize, base: usize) -> bool {
+    fn rotates_on(&self, node: usize, base: usize) -> bool {
         let rotates = |component| self.dofs.row(node, component) != self.dofs.row(base, component);
-        self.size(node) == 6 && self.size(base) == 6 && (3..6).any(rotates)
+        self.components(node) == 6 && self.components(base) == 6 && (3..6).any(rotates)
     }
 }
 
 impl FollowerPaths {
+    /// Bytes of the paths of a structure with so many coordinates, at most.
+    pub fn room(structure: &Structure, coordinates: usize) -> f64 {
+        let follows = |constraint: &&Constraint| {
+            matches!(constraint, Constraint::On { base: Some(_), .. } | Constraint::Shaped { .. })
+        };
+        let nodes = structure.constraints.iter().filter(follows).count();
+        (nodes * 6 * Pairs(coordinates).count() * size_of::<f64>()) as f64
+    }
+
     pub fn is_empty(&self) -> bool {
         self.of.is_empty()
     }

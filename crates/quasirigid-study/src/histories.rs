@@ -312,6 +312,7 @@ fn stop_axis(study: &Study, omega: [f64; 3]) -> Result<[f64; 3], StudyError> {
     if study.model.run.stop.nutation.is_none() {
         return Ok(omega);
     }
+    let study = study.held()?.unwrap_or(study);
     let reduced = study.reduced(study.order)?;
     let validity = Validity::assess_reduced(&study.body, &reduced, omega);
     let holds = validity.is_ok_and(|validity| validity.verdict() != Verdict::Fails);

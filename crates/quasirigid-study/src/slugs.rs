@@ -12,8 +12,9 @@ use crate::layout::paragraph;
 use crate::study::Study;
 use crate::words::significant;
 
-/// Womersley number from which an oscillation is no succession of steady flows: friction is then 7 % more.
-const UNSTEADY: f64 = 3.0;
+/// Womersley number from which an oscillation is no succession of steady flows: a third of its inertia, that of the profile, is then 4 % of the
+/// friction.
+const UNSTEADY: f64 = 1.0;
 /// Bond number from which weight decides where the liquid lies in its tube.
 const HEAVY: f64 = 1.0;
 /// Radius of a tube over that of its ring up to which the laws of curved tubes were measured.
@@ -153,8 +154,8 @@ fn of_slug(study: &Study, slug: &Slug) -> Vec<String> {
     }
     if womersley > UNSTEADY {
         notes.push(format!(
-            "{MAY_NOT_HOLD} for small motions of the liquid of tank {name:?} (modes, linear models, the end of a decay): their friction is that of developed laminar flow, and at the Womersley \
-             number {} of the nutation that of a thin layer is greater.",
+            "{MAY_NOT_HOLD} for small motions of the liquid of tank {name:?} (modes, linear models, the end of a decay): its flow is taken as laminar and developed at each moment, and at the Womersley \
+             number {} of the nutation it lags.",
             significant(womersley, 2)
         ));
     }

@@ -189,6 +189,9 @@ impl Study {
     ) -> Result<History, StudyError> {
         let body = &self.body;
         controlled::carries(self, table.system)?;
+        if matches!(table.system, System::Reduced | System::SpinManifold) {
+            self.without_slugs("reduced equations")?;
+        }
         let settings = RunSettings::resolve(asked, self)?;
         let about_spin = SpinManifoldSettings::resolve(table.manifold.clone(), None, self)?;
         let options = settings.options(self, stop_axis(self, spin.omega)?)?;

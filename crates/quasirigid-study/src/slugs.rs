@@ -3,6 +3,7 @@
 
 use quasirigid::elements::Slug;
 use quasirigid::model::{Principal, TubeFlow};
+use quasirigid::modes::EquilibriumError;
 use quasirigid_io::model::{Displacements, Model};
 use quasirigid_math::vec3::{add, cross, dot, norm, scale};
 use serde::Serialize;
@@ -88,6 +89,30 @@ pub fn unjudged(study: &Study) -> Option<String> {
         format!(
             "NO ANSWER for the body as it is: the liquid of {} slides along its ring without a spring, so that there are no reduced equations; `simulate --system full` follows it. What is told here is of this liquid held where it lies at the start.",
             names.join(", ")
+        )
+    })
+}
+
+/// Warning to stand before modes about a steady spin whose nutation has this frequency (rad/s), at which the flow of a liquid is not developed.
+pub fn warning(study: &Study, frequency: f64) -> Option<String> {
+    let free = study.slugs.iter().filter(|slug| !slug.held);
+    let lags =
+        free.map(|slug| (slug, slug.womersley(frequency))).find(|(_, womersley)| *womersley > UNSTEADY);
+    lags.map(|(slug, womersley)| {
+        format!(
+            "{MAY_NOT_HOLD}, since small motions of the liquid of tank {:?} are damped as developed laminar flow, and the nutation has the Womersley number {} in its tube.",
+            slug.name,
+            significant(womersley, 2)
+        )
+    })
+}
+
+/// Reason for which no steady spin holds a liquid at a place of its ring, in words; none of other errors.
+pub fn unrestored(study: &Study, error: &EquilibriumError) -> Option<String> {
+    let EquilibriumError::Unrestored { coordinates, .. } = error else { return None };
+    (!study.body.frictions().is_empty()).then(|| {
+        format!(
+            "a steady spin leaves {coordinates} free to lie at any place, or pushes it from all of them, so that there are no modes; `simulate --system full` follows it"
         )
     })
 }

@@ -59,7 +59,10 @@ fn rings_stand_among_tanks() {
         ([0.0, 0.1, 0.0], [1.0, 0.0, 0.0], Some([0.0, 1.0, 1.0]))
     );
     assert_eq!((own.contents, own.surface_tension), (TankContents::Fill(0.2), Some(0.02)));
-    assert_snapshot!(verdict(&format!("{CARRIER}{weighed}{}", ring("towards = [0, 0, 1]\n"))), @"");
+    assert_snapshot!(verdict(&format!("{CARRIER}{weighed}{}", ring("towards = [0, 0, 1]\n"))), @r#"
+    model.toml:22:11: `towards` of tank "damper": the direction of the liquid is along the axis of the ring
+      give a direction across `axis`, from the centre of the ring to the middle of the liquid
+    "#);
 }
 
 /// The liquid starts where the file says, after points and appendages among the coordinates.
@@ -75,17 +78,41 @@ fn a_liquid_starts_along_its_ring() {
     };
     assert_eq!(model.initial.displacements, known);
     let told = |lines: &str| refusal_of(&format!("{ring}[initial]\nangular_velocity = [0, 0, 3]\n{lines}"));
-    assert_snapshot!(told("displacements = { damper = [1, 2] }\n"), @"");
-    assert_snapshot!(told("displacements = { dumper = [1] }\n"), @"");
+    assert_snapshot!(told("displacements = { damper = [1, 2] }\n"), @r#"
+    model.toml:19:28: `damper` has 2 values, but the ring has 1 axis
+      write one value for each axis, in their order
+    "#);
+    assert_snapshot!(told("displacements = { dumper = [1] }\n"), @r#"
+    model.toml:19:19: there is no point or appendage "dumper"
+      did you mean "damper"? there are tip, damper
+    "#);
 }
 
 #[test]
 fn mistakes_in_rings_are_refused() {
-    assert_snapshot!(refusal_of(&text(&format!("shape = \"tube\"\nradius = 1\n{MERCURY}"))), @"");
-    assert_snapshot!(refusal_of(&text(&format!("{RING}{MERCURY}settled_by = \"spin\"\n"))), @"");
-    assert_snapshot!(refusal_of(&text(&format!("{RING}{MERCURY}axis = [0, 0, 0]\n"))), @"");
-    assert_snapshot!(refusal_of(&format!("{}[[spring]]\nfrom = \"damper\"\nto = \"carrier\"\nstiffness = 1\n", text(&format!("{RING}{MERCURY}")))), @"");
+    assert_snapshot!(refusal_of(&text(&format!("shape = \"tube\"\nradius = 1\n{MERCURY}"))), @r#"
+    model.toml:9:1: [[tank]] of shape "tube" has no `tube_radius`
+      add a line such as: tube_radius = 0.005
+    "#);
+    assert_snapshot!(refusal_of(&text(&format!("{RING}{MERCURY}settled_by = \"spin\"\n"))), @r#"
+    model.toml:17:1: `settled_by` is not a key of [[tank]] of shape "tube"
+      it is for shape = "sphere", shape = "ellipsoid", shape = "cylinder", shape = "capsule", shape = "cone" or shape = "profile"; the keys here are shape, name, radius, tube_radius, center, axis, towards, fill, liquid_mass, density, kinematic_viscosity, surface_tension
+    "#);
+    assert_snapshot!(refusal_of(&text(&format!("{RING}{MERCURY}axis = [0, 0, 0]\n"))), @r#"
+    model.toml:17:8: `axis` has no direction
+      write a direction such as [0, 0, 1]; its length does not matter
+    "#);
+    assert_snapshot!(refusal_of(&format!("{}[[spring]]\nfrom = \"damper\"\nto = \"carrier\"\nstiffness = 1\n", text(&format!("{RING}{MERCURY}")))), @r#"
+    model.toml:18:8: "damper" is a liquid that slides in the carrier, but a spring joins points, nodes of parts, places on appendages and the carrier
+      write "carrier"
+    "#);
     let told = |lines: &str| verdict(&format!("{CARRIER}{}", text(lines)));
-    assert_snapshot!(told(&format!("shape = \"tube\"\nradius = 0.01\ntube_radius = 0.005\n{MERCURY}")), @"");
-    assert_snapshot!(told(&format!("{RING}liquid_mass = 1\ndensity = 1000\nkinematic_viscosity = 1e-6\n")), @"");
+    assert_snapshot!(told(&format!("shape = \"tube\"\nradius = 0.01\ntube_radius = 0.005\n{MERCURY}")), @r#"
+    model.toml:9:15: `tube_radius` of tank "damper": the tube has 0.500 times the radius of the ring; the slug of a slender ring, up to 0.2, is known
+      take the mean radius of the ring and the inner radius of the tube; a full ring is a [[cavity]] of shape "ring"
+    "#);
+    assert_snapshot!(told(&format!("{RING}liquid_mass = 1\ndensity = 1000\nkinematic_viscosity = 1e-6\n")), @r#"
+    model.toml:10:15: `liquid_mass` of tank "damper": 1 kg of liquid in a tank that holds 0.053046 kg
+      check the units of the mass, of the shape and of the density; a full tank is a [[cavity]]
+    "#);
 }

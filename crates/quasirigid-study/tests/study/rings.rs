@@ -108,7 +108,8 @@ fn a_liquid_starts_at_rest_in_the_body() {
         without.columns.iter().map(|column| &*column.name).filter(|name| name.contains("tip")).collect();
     assert!(names.len() >= 3, "{names:?}");
     for name in names {
-        assert_eq!(start(&with, name), start(&without, name), "{name}");
+        // rates are found from momenta
+        assert!((start(&with, name) - start(&without, name)).abs() < 1e-13, "{name}");
     }
     let slug = with.columns.iter().find(|column| column.name.contains("along the ring"));
     assert_eq!(slug.expect("a column of the slug").values[0], 0.0);
@@ -163,10 +164,10 @@ fn modes_of_a_ring() {
     let slides = about.spins[0].modes.iter().find(|mode| mode.name.contains("along the ring"));
     let slides = slides.expect("a mode of the slug");
     // friction stops the slug in a²/8ν, but for the recoil of the body
+    assert!(about.spins[0].sentence.starts_with("MAY NOT HOLD, since small motions"));
     close(slides.decay_rate, 8.0 * 1.13e-7 / (0.0046 * 0.0046), 0.1);
     assert_eq!(slides.frequency, 0.0);
     let level = damped().replace("center = [0, 0, 0.1]", "center = [0, 0, 0]");
-    let told = study(&level).modes(SteadySpinSettings::default()).expect_err("a family of places");
-    let told = told.told(&|_| "--system");
-    assert!(told.contains("\"damper\" along the ring"), "{told}");
+    let told = &modes_about(&study(&level), PrincipalAxis::Greatest).spins[0];
+    assert!(told.modes.is_empty() && told.sentence.contains("free to lie at any place"), "{}", told.sentence);
 }

@@ -8,7 +8,6 @@ use super::error::{ElementError, ElementId, Field, Problem, at};
 use super::material::Material;
 use super::visual::Outline;
 use super::{Assembly, End, Incomplete, PartReduction};
-use crate::kinds::tube::Slug;
 use crate::model::{Friction, Rheology};
 use crate::structure::Block;
 
@@ -85,11 +84,6 @@ pub(crate) trait Element: Named {
 
     /// Stiffness and damping over the coordinates of the body. (I9)
     fn block(&self, _site: &ElementSite<'_>) -> Result<Option<Block>, ElementError> {
-        Ok(None)
-    }
-
-    /// Liquid that slides along a ring.
-    fn slug(&self, _id: ElementId) -> Result<Option<Slug>, ElementError> {
         Ok(None)
     }
 

@@ -286,7 +286,8 @@ impl Assembly {
 
     /// Liquids that slide along rings.
     fn slugs(&self) -> Result<Vec<Slug>, ElementError> {
-        self.each().filter_map(|(id, element)| element.slug(id).transpose()).collect()
+        let each = self.tubes.iter().enumerate();
+        each.map(|(index, tube)| tube.slug(ElementKind::Tube.at(index))).collect()
     }
 
     /// Stiffness of loads at rest, which must balance. (I10)

@@ -139,16 +139,12 @@ impl Element for Tube {
         Ok(Some(Internal { rigid: vec![self.slug(id)?.frozen()], ..Internal::default() }))
     }
 
-    fn slug(&self, id: ElementId) -> Result<Option<Slug>, ElementError> {
-        Self::slug(self, id).map(Some)
-    }
-
     /// Laminar friction, which is what small motions meet. (U10)
     fn block(&self, site: &ElementSite<'_>) -> Result<Option<Block>, ElementError> {
         if self.held {
             return Ok(None);
         }
-        let law = Self::slug(self, site.id)?.friction;
+        let law = self.slug(site.id)?.friction;
         Ok(Some(Block {
             name: self.name.clone(),
             columns: vec![site.start],
@@ -163,7 +159,7 @@ impl Element for Tube {
         if self.held {
             return Ok(None);
         }
-        let law = Self::slug(self, site.id)?.friction;
+        let law = self.slug(site.id)?.friction;
         Ok(Some(Friction { name: self.name.clone(), coordinate: site.start, law }))
     }
 }

@@ -11,7 +11,7 @@ const STEPS: usize = 12;
 impl Tube {
     /// The ring, as a viewer draws it.
     pub(super) fn drawn(&self, id: ElementId) -> Option<Outline> {
-        let [center, axis, first] = Self::slug(self, id).ok()?.frame.map(Vector3::from);
+        let [center, axis, first] = self.slug(id).ok()?.frame.map(Vector3::from);
         let axes = Matrix3::from_columns(&[first, axis.cross(&first), axis]);
         let round = |step: usize| {
             let (sin, cos) = (TAU * step as f64 / STEPS as f64).sin_cos();

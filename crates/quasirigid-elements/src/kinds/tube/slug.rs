@@ -152,7 +152,7 @@ mod tests {
             surface_tension: None,
             held: false,
         };
-        let slug = Tube::slug(&tube, ElementKind::Tube.at(0)).unwrap();
+        let slug = tube.slug(ElementKind::Tube.at(0)).unwrap();
         let [_, axis, first] = slug.frame.map(Vector3::from);
         let second = axis.cross(&first);
         let (mut mass, mut sum, mut moments) = (0.0, Vector3::zeros(), Matrix3::zeros());

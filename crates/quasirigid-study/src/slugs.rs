@@ -120,15 +120,20 @@ pub fn unrestored(study: &Study, error: &EquilibriumError) -> Option<String> {
 /// A slug, for a terminal.
 pub fn text(study: &Study, slug: &Slug) -> String {
     let SlugObject { arc, reynolds, flow, friction, .. } = SlugObject::of(study, slug);
-    let words = format!(
-        "{:?}: {} kg of liquid, {} % of the ring, a slug of {} degrees. Sliding around with the nutation it has the Reynolds number {}: {flow} flow, {} N m.",
+    let mut words = format!(
+        "{:?}: {} kg of liquid, {} % of the ring, a slug of {} degrees.",
         slug.name,
         significant(slug.liquid_mass, 4),
         significant(100.0 * slug.fill, 4),
         significant(arc.to_degrees(), 4),
-        significant(reynolds, 3),
-        significant(friction, 3),
     );
+    if reynolds > 0.0 {
+        words.push_str(&format!(
+            " Sliding around with the nutation it has the Reynolds number {}: {flow} flow, {} N m.",
+            significant(reynolds, 3),
+            significant(friction, 3),
+        ));
+    }
     format!("\n{}\n", paragraph(&words, "", "  "))
 }
 
@@ -145,11 +150,17 @@ const MAY_NOT_HOLD: &str = "MAY NOT HOLD";
 fn of_slug(study: &Study, slug: &Slug) -> Vec<String> {
     let name = &slug.name;
     let SlugObject { nutation_rate, reynolds, womersley, flow, .. } = SlugObject::of(study, slug);
+    let runs = if nutation_rate > 0.0 {
+        format!(
+            "; sliding around with the nutation, {} rad/s in the body, its flow is {flow}, the Reynolds number {}",
+            significant(nutation_rate, 3),
+            significant(reynolds, 3)
+        )
+    } else {
+        String::new()
+    };
     let mut notes = vec![format!(
-        "The liquid of tank {name:?} is one slug that slides along its ring; sliding around with the nutation, {} rad/s in the body, its flow is {flow}, the Reynolds number {}. \
-         Layers that grow after a change of the rate, the ends of the slug and a rough wall are left out.",
-        significant(nutation_rate, 3),
-        significant(reynolds, 3)
+        "The liquid of tank {name:?} is one slug that slides along its ring{runs}. Layers that grow after a change of the rate, the ends of the slug and a rough wall are left out."
     )];
     let spin = study.initial().map(|start| start.omega).unwrap_or_default();
     let arm = add(slug.center_of_mass, scale(-1.0, study.body.pole()));

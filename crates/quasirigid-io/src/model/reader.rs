@@ -60,7 +60,7 @@ pub(super) enum Keyed {
         /// Opens the table.
         open: for<'a> fn(&Value<'a>) -> Option<Table<'a>>,
         /// Kind of the element and what its name stands for, of a table whose elements are not those of the reader.
-        other: for<'t, 'a> fn(&'t Table<'a>) -> Option<(ElementKind, fn(usize) -> Part)>,
+        other: fn(&Table<'_>) -> Option<Other>,
     },
 }
 
@@ -122,6 +122,9 @@ pub(super) struct Draft<'s, 'a> {
     pub(super) shapes: Vec<ShapeFileRecord>,
 }
 
+/// Kind of an element, and what its name stands for where another table refers to it.
+type Other = (ElementKind, fn(usize) -> Part);
+
 /// Function that reads a table into the draft of a body.
 type Reading = for<'a> fn(&Entry<'_, 'a>, &mut Draft<'_, 'a>) -> Option<()>;
 
@@ -159,7 +162,7 @@ impl Reader {
         self.other(table).map_or(self.names, |(_, names)| names)(index)
     }
 
-    fn other(&self, table: &Table<'_>) -> Option<(ElementKind, fn(usize) -> Part)> {
+    fn other(&self, table: &Table<'_>) -> Option<Other> {
         match self.keys {
             Keyed::All(_) => None,
             Keyed::ByKind { other, .. } => other(table),

@@ -3,7 +3,7 @@
 use quasirigid_io::model::System;
 use quasirigid_study::Study;
 use quasirigid_study::histories::History;
-use quasirigid_study::modes::{PrincipalAxis, SteadySpinSettings};
+use quasirigid_study::modes::PrincipalAxis;
 use quasirigid_study::settings::{PartialEvolve, PartialRun, PartialSpinManifold, PartialVerify};
 
 use crate::support::{

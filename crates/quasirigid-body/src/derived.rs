@@ -22,6 +22,7 @@ impl FlexibleBody {
         };
         Ok(Self {
             paths: self.paths.clone(),
+            frictions: self.frictions.iter().map(|own| own.moved(own.coordinate, rougher)).collect(),
             advections: self.advections.clone(),
             watched: self.watched.clone(),
             part_masses: self.part_masses.clone(),
@@ -78,8 +79,10 @@ impl FlexibleBody {
         };
         let paths = self.paths.as_ref().and_then(|paths| paths.locked(self.coordinates().len(), &kept));
         let advections = self.advections.iter().filter(|_| cyclic > 0).map(|own| own.moved(kept.start));
+        let frictions = self.frictions.iter().filter(|own| kept.contains(&own.coordinate));
         Self {
             paths,
+            frictions: frictions.map(|own| own.moved(own.coordinate - kept.start, 1.0)).collect(),
             advections: advections.collect(),
             watched: self.watched.locked(&kept),
             part_masses: self.part_masses.iter().map(|part| part.locked(kept.clone())).collect(),

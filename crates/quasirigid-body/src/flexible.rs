@@ -6,8 +6,8 @@ use std::ops::Range;
 
 use super::flexible_error::named;
 use super::{
-    Advection, Coordinate, CurvedPaths, Displaced, Dissipator, FlexibleError, Hung, Invariants, LiquidMemory,
-    Marker, PartMass, Support, Viscoelastic, Watched, Wheels,
+    Advection, Coordinate, CurvedPaths, Displaced, Dissipator, FlexibleError, Friction, Hung, Invariants,
+    LiquidMemory, Marker, PartMass, Support, Viscoelastic, Watched, Wheels,
 };
 use crate::math::cholesky::Cholesky;
 use crate::math::sparse::SparseRows;
@@ -25,6 +25,7 @@ pub struct FlexibleBody {
     pub(super) watched: Watched,
     pub(super) part_masses: Vec<PartMass>,
     pub(super) paths: Option<CurvedPaths>,
+    pub(super) frictions: Vec<Friction>,
     /// Number of elastic coordinates.
     pub(super) elastic: usize,
     /// Factors: of the stiffness of the elastic coordinates, and of the damping of the cyclic ones.
@@ -102,6 +103,7 @@ impl FlexibleBody {
             watched: Watched::default(),
             part_masses: Vec::new(),
             paths: None,
+            frictions: Vec::new(),
             elastic,
             factor,
             friction,
@@ -127,6 +129,18 @@ impl FlexibleBody {
     #[must_use]
     pub fn along(self, paths: Option<CurvedPaths>) -> Self {
         Self { paths, ..self }
+    }
+
+    /// Body with friction beyond the damping matrix. (U12)
+    #[must_use]
+    pub fn rubbed(self, frictions: Vec<Friction>) -> Self {
+        Self { frictions, ..self }
+    }
+
+    /// Friction beyond the damping matrix, which the full system alone has: elsewhere motions are small. (U12)
+    #[must_use]
+    pub fn frictions(&self) -> &[Friction] {
+        &self.frictions
     }
 
     /// Body with the advection of its liquids. (L21)

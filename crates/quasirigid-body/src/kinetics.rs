@@ -176,5 +176,9 @@ fn add_internal(body: &FlexibleBody, q: &[f64], rate: &[f64], sum: &mut [f64]) -
         power += damped * rate[j];
         *sum -= damped + elastic;
     }
+    for friction in body.frictions() {
+        power += friction.power(rate);
+        sum[friction.coordinate] -= friction.force(rate);
+    }
     power
 }

@@ -24,6 +24,7 @@ mod expanded;
 mod flexible;
 mod flexible_error;
 pub mod force;
+mod friction;
 mod gimbal;
 mod hung;
 mod inertia;
@@ -63,6 +64,7 @@ pub use flexible::{BodyParts, FlexibleBody};
 pub use flexible_error::FlexibleError;
 #[doc(hidden)]
 pub use flexible_error::mechanism;
+pub use friction::{Friction, TubeFlow, TubeFriction};
 pub use gimbal::Gimbal;
 pub use hung::Hung;
 pub use inertia::{Inertia, InertiaError};

@@ -39,12 +39,16 @@ const MAX_LANE_COORDINATES: usize = 12;
 const ANY: usize = 0;
 
 impl StraightKinetics {
-    /// Polynomials of a body; none for a body of many coordinates, on curved paths or with liquids that are carried along, and where the mass
+    /// Polynomials of a body; none for a body of many coordinates, on curved paths, with liquids that are carried along or friction that is not linear, and where the mass
     /// matrix is not positive.
     #[must_use]
     pub fn new(body: &FlexibleBody) -> Option<Self> {
         let n = body.coordinates().len();
-        if n > MAX_LANE_COORDINATES || body.paths().is_some() || !body.advections().is_empty() {
+        if n > MAX_LANE_COORDINATES
+            || body.paths().is_some()
+            || !body.advections().is_empty()
+            || !body.frictions().is_empty()
+        {
             return None;
         }
         let inverse = inverse(body)?;

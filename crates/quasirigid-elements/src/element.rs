@@ -8,7 +8,7 @@ use super::error::{ElementError, ElementId, Field, Problem, at};
 use super::material::Material;
 use super::visual::Outline;
 use super::{Assembly, End, Incomplete, PartReduction};
-use crate::model::Rheology;
+use crate::model::{Friction, Rheology};
 use crate::structure::Block;
 
 /// Element that may have a name.
@@ -84,6 +84,11 @@ pub(crate) trait Element: Named {
 
     /// Stiffness and damping over the coordinates of the body. (I9)
     fn block(&self, _site: &ElementSite<'_>) -> Result<Option<Block>, ElementError> {
+        Ok(None)
+    }
+
+    /// Friction of a coordinate beyond that of the block. (U12)
+    fn friction(&self, _site: &ElementSite<'_>) -> Result<Option<Friction>, ElementError> {
         Ok(None)
     }
 

@@ -67,6 +67,7 @@ pub use kinds::surface::{Approximation, Resolution, Surface};
 pub use kinds::tank::{
     SettledTank, Settling, Tank, TankContents, TankDamping, TankError, TankMode, TankShape,
 };
+pub use kinds::tube::{Slug, Tube, TubeError};
 pub use kinds::wheel::{Wheel, WheelSpeed};
 pub use material::Material;
 pub use reference::{End, NodeRef, PlaceRef};
@@ -104,6 +105,8 @@ kinds! {
     wheels: Wheel(Wheel) = "wheel", Role::Inside(Field::AXIS), name;
     /// Cavities full of liquid.
     cavities: Cavity(Cavity) = "cavity", Role::Inside(Field::SHAPE), name;
+    /// Closed circular tubes that are partly full of a liquid.
+    tubes: Tube(Tube) = "tank", Role::Inside(Field::SHAPE), name;
     /// Tanks that are partly full of a liquid.
     tanks: Tank(Tank) = "tank", Role::Inside(Field::SHAPE), name;
     /// External forces.

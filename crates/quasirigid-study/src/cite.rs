@@ -33,6 +33,8 @@ const ELLIPSOIDS: &[&str] = &["breiter2012"];
 const SURFACES: &[&str] = &["labelle2007", "baerentzen2005", "freudenthal1942", "walkington2000"];
 const LIQUIDS: &[&str] = &["zhukovsky1885", "chernousko1968"];
 const SLOSH: &[&str] = &["abramson1966", "dodge2000", "bernardi1999"];
+/// Friction in curved and straight tubes.
+const TUBES: &[&str] = &["white1929", "ito1959", "haaland1983"];
 const BALLS: &[&str] = &["poincare1910", "greenspan1968"];
 const CYLINDERS: &[&str] = &["stewartson1959", "greenspan1968", "bernardi1999"];
 const REVOLUTIONS: &[&str] = &["bernardi1999"];
@@ -105,6 +107,7 @@ fn capabilities(model: &Model) -> Vec<(bool, &'static [&'static str])> {
         (!assembly.surfaces.is_empty(), SURFACES),
         (!assembly.cavities.is_empty(), LIQUIDS),
         (!assembly.tanks.is_empty(), SLOSH),
+        (!assembly.tubes.is_empty(), TUBES),
         (cavity(|shape| matches!(shape, CavityShape::Ellipsoid { .. })), BALLS),
         (cavity(|shape| matches!(shape, CavityShape::Cylinder { .. })), CYLINDERS),
         (

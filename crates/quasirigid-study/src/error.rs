@@ -118,6 +118,13 @@ pub enum StudyError {
         /// The answer.
         what: &'static str,
     },
+    /// Liquids that slide along rings, in an answer that does not have them.
+    Sliding {
+        /// Names of their tanks.
+        names: Vec<String>,
+        /// The answer.
+        what: &'static str,
+    },
     /// Controllers without a linear model.
     NotLinear {
         /// Name of the controller.
@@ -358,6 +365,11 @@ impl StudyError {
             Self::Controlled { names, what } => format!(
                 "{what} leaves out the controllers of the model ({}); follow it by `simulate` with {} full or rigid, ask `linear` for the closed loop and its poles, or take [[controller]] out",
                 names.join(", "),
+                name(Setting::System)
+            ),
+            Self::Sliding { names, what } => format!(
+                "{what}: no spring restores the liquid that slides along the ring of tank {}, and its friction is not linear, so that there is no such answer; follow the body with {} full, or ask `modes` for small motions about a steady spin",
+                names.iter().map(|name| format!("{name:?}")).collect::<Vec<_>>().join(", "),
                 name(Setting::System)
             ),
             Self::NotLinear { name, what } => format!("controller {name:?}: {what}"),

@@ -62,6 +62,7 @@ impl Study {
     /// where the reduction fails.
     pub fn export(&self, target: Target, name: &str) -> Result<Export, StudyError> {
         self.uncontrolled("export")?;
+        self.without_slugs("export")?;
         refuse(self)?;
         let motion = Motion::new(self, self.start_or_rest()?);
         let (order, doubts) = Doubts::before(&motion, System::Reduced, Form::AngularMomentum)?;

@@ -189,6 +189,9 @@ impl Study {
     ) -> Result<History, StudyError> {
         let body = &self.body;
         controlled::carries(self, table.system)?;
+        if matches!(table.system, System::Reduced | System::SpinManifold) {
+            self.without_slugs("reduced equations")?;
+        }
         let settings = RunSettings::resolve(asked, self)?;
         let about_spin = SpinManifoldSettings::resolve(table.manifold.clone(), None, self)?;
         let options = settings.options(self, stop_axis(self, spin.omega)?)?;
@@ -312,6 +315,7 @@ fn stop_axis(study: &Study, omega: [f64; 3]) -> Result<[f64; 3], StudyError> {
     if study.model.run.stop.nutation.is_none() {
         return Ok(omega);
     }
+    let study = study.held()?.unwrap_or(study);
     let reduced = study.reduced(study.order)?;
     let validity = Validity::assess_reduced(&study.body, &reduced, omega);
     let holds = validity.is_ok_and(|validity| validity.verdict() != Verdict::Fails);

@@ -96,6 +96,7 @@ pub mod settings;
 mod shapes;
 mod sheets;
 mod skin;
+mod slugs;
 mod spark;
 pub mod spins;
 mod start;

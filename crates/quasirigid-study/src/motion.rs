@@ -18,6 +18,7 @@ use crate::about_spin::{self, OnManifold};
 use crate::controlled;
 use crate::error::StudyError;
 use crate::settings::SpinManifoldSettings;
+use crate::slugs::with_slugs;
 use crate::start::{follows_its_spin, slaved_order, slaves};
 use crate::study::Study;
 use quasirigid_io::model::System;
@@ -113,6 +114,9 @@ impl<'a> Motion<'a> {
         options: &Options,
         observer: &mut dyn Observer,
     ) -> Result<(Run, Option<OnManifold>), StudyError> {
+        if matches!(system, System::Reduced | System::SpinManifold) {
+            self.study.without_slugs("reduced equations")?;
+        }
         if !self.study.controls.is_empty() {
             return Ok((controlled::follow(self, system, times, options, observer)?, None));
         }
@@ -187,6 +191,7 @@ impl<'a> Motion<'a> {
                 slow.iter().for_each(|slow| rate[cyclic.clone()].copy_from_slice(&slow.rate[cyclic.clone()]));
                 FullState { omega, attitude, q: q.clone(), rate, place, velocity }
             }
+            None if self.study.held()?.is_some() => self.beside_slugs()?,
             None => match self.on_slow_manifold()? {
                 Some(slow) => slow.clone(),
                 None => FullState { place, velocity, ..self.spun()? },
@@ -194,6 +199,14 @@ impl<'a> Motion<'a> {
         };
         self.speeds.iter().for_each(|(coordinate, speed)| state.rate[*coordinate] = *speed);
         Ok(state)
+    }
+
+    /// The state of the body with sliding liquids held where they lie at rest, these at rest in it.
+    fn beside_slugs(&self) -> Result<FullState, StudyError> {
+        let Some(held) = self.study.held()? else { return self.spun() };
+        let state = Motion::new(held, self.start).full()?;
+        let [q, rate] = [state.q, state.rate].map(|held| with_slugs(self.study, held));
+        Ok(FullState { q, rate, ..state })
     }
 
     /// The state on the slow manifold; none where the series does not hold at the start. (Q8)
@@ -226,6 +239,9 @@ impl<'a> Motion<'a> {
 
     /// Whether rotors and liquids that the file asks for on the slow manifold start turning with the body, since they have none.
     pub fn starts_loose(&self) -> Result<bool, StudyError> {
+        if let (Some(held), None) = (self.study.held()?, &self.displaced) {
+            return Motion::new(held, self.start).starts_loose();
+        }
         let asked = self.displaced.is_none() && self.speeds.len() < self.body.cyclic().len();
         Ok(asked && norm(self.start.omega) > 0.0 && self.on_slow_manifold()?.is_none())
     }

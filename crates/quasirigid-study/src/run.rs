@@ -139,6 +139,7 @@ impl Study {
         watch: &mut dyn Watch,
     ) -> Result<RunOutcome, StudyError> {
         self.uncontrolled("run")?;
+        self.without_slugs("run")?;
         let mut kept = keeping.map(|keeping| KeptRun::open(keeping, self, asked)).transpose()?;
         let settings = RunSettings::resolve(asked, self)?;
         let Study { model, body, .. } = self;

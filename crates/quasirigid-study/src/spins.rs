@@ -66,6 +66,7 @@ impl Study {
         rounding: Rounding,
     ) -> Result<SpinPathPlan<'a>, StudyError> {
         self.uncontrolled("a list of spins")?;
+        self.without_slugs("a list of spins")?;
         let options =
             Options { rounding, ..RunSettings::resolve(asked, self)?.options(self, [0.0, 0.0, 1.0])? };
         let free = !Motion::new(self, Start::new([0.0; 3], self.model.initial.attitude)).system().acts();

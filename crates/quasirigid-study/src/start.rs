@@ -21,6 +21,11 @@ pub fn initial(study: &Study) -> Result<Start, StudyError> {
     let Study { model, body, order, .. } = study;
     let file = &model.source.file;
     let rotation = model.initial.rotation.ok_or_else(|| StudyError::NoSpin { file: file.into() })?;
+    if let (Some(held), Displacements::SlowManifold) = (study.held()?, &model.initial.displacements)
+        && !matches!(rotation, Rotation::Spin(_))
+    {
+        return initial(held);
+    }
     let principal = Principal::compute(body.invariants().J);
     let attitude = model.initial.attitude;
     let (K, rigid) = match rotation {

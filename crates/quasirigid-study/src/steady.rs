@@ -17,7 +17,7 @@ use crate::liquids::unanswered;
 use crate::motion::Motion;
 use crate::study::Study;
 use crate::words::{significant, tidied, time};
-use crate::{sheets, tanks};
+use crate::{sheets, slugs, tanks};
 
 /// Coordinates of a body on curved paths whose modes take longer than a moment.
 const MAX_COORDINATES: usize = 700;
@@ -135,7 +135,10 @@ fn told(
     let unfound = |message: String| missing(name, format!("About {}: {message}.", axis(name)));
     let equilibrium = match found {
         Ok(equilibrium) => equilibrium,
-        Err(error) => return (unfound(error.to_string()), None),
+        Err(error) => {
+            let words = slugs::unrestored(study, &error).unwrap_or_else(|| error.to_string());
+            return (unfound(words), None);
+        }
     };
     if let Some(left) = body.left_range(&equilibrium.q) {
         return (unfound(format!("no answer, since in the steady spin {left}")), None);
@@ -154,6 +157,7 @@ fn told(
         sentence: sheets::warning(&study.model.assembly, modes.equilibrium.omega)
             .into_iter()
             .chain(tanks::warning(study, modes.equilibrium.omega))
+            .chain(slugs::warning(study, frequency))
             .chain([sentence(name, &modes)])
             .collect::<Vec<_>>()
             .join(" "),

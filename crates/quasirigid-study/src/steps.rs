@@ -33,6 +33,7 @@ impl Study {
     /// where the reduction fails.
     pub fn reduced_steps(&self, tolerance: f64) -> Result<ReducedSteps, StudyError> {
         self.uncontrolled("stepper")?;
+        self.without_slugs("reduced equations")?;
         refuse(self)?;
         let motion = Motion::new(self, self.start_or_rest()?);
         let (order, doubts) = Doubts::before(&motion, System::Reduced, Form::AngularMomentum)?;

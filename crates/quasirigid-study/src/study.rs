@@ -6,7 +6,7 @@ use std::path::Path;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use quasirigid::dynamics::Start;
-use quasirigid::elements::{Built, Condensation, Resolution, SettledTank, SlowLiquid, Surface, Visual};
+use quasirigid::elements::{Built, Condensation, Resolution, SettledTank, SlowLiquid, Slug, Surface, Visual};
 use quasirigid::model::control::Controls;
 use quasirigid::model::force::Force;
 use quasirigid::model::{FlexibleBody, Marker, ReducedBody};
@@ -18,7 +18,7 @@ use crate::error::StudyError;
 use crate::incomplete::beyond;
 use crate::skin;
 use crate::start::initial;
-use crate::{liquids, resolution, sheets, tanks};
+use crate::{liquids, resolution, sheets, slugs, tanks};
 
 /// Study: an assembled model that answers every question.
 ///
@@ -48,6 +48,8 @@ pub struct Study {
     pub liquids: Vec<SlowLiquid>,
     /// Tanks that are partly full, with their liquids settled.
     pub tanks: Vec<SettledTank>,
+    /// Liquids that slide along partly full rings.
+    pub slugs: Vec<Slug>,
     /// Condensation of the unknowns of the parts into few coordinates.
     pub condensation: Option<Condensation>,
     /// Approximation of a solid inside a surface.
@@ -60,6 +62,8 @@ pub struct Study {
     visuals: OnceLock<Vec<Visual>>,
     /// Reduced equations by order, once they were asked for.
     reductions: Mutex<BTreeMap<usize, Arc<ReducedBody>>>,
+    /// The study with sliding liquids held, once it was asked for.
+    held: OnceLock<Box<Self>>,
 }
 
 impl Study {
@@ -105,8 +109,18 @@ impl Study {
             return Err(model.diagnose_all(&errors).into());
         }
         let built = if drawn { model.assembly.build_with_visuals() } else { model.assembly.build() };
-        let Built { body, forces, controls, condensation, speeds, liquids: slow, tanks, resolution, visuals } =
-            built.map_err(|error| model.diagnose(&error))?;
+        let Built {
+            body,
+            forces,
+            controls,
+            condensation,
+            speeds,
+            liquids: slow,
+            tanks,
+            slugs,
+            resolution,
+            visuals,
+        } = built.map_err(|error| model.diagnose(&error))?;
         let visuals = if drawn { OnceLock::from(visuals) } else { OnceLock::new() };
         model.notes.extend(beyond(&model.assembly, order));
         model.notes.extend(liquids::notes(&model.assembly, &slow));
@@ -123,19 +137,21 @@ impl Study {
             speeds,
             liquids: slow,
             tanks,
+            slugs,
             condensation,
             resolution,
             order,
             order_given,
             visuals,
             reductions,
+            held: OnceLock::new(),
         };
         if !study.model.assembly.appendages.is_empty() {
             let start = study.initial().ok();
             let note = start.and_then(|start| sheets::note(&study.model.assembly, start.omega));
             study.model.notes.splice(..0, note);
         }
-        let notes = tanks::notes(&study);
+        let notes: Vec<String> = tanks::notes(&study).into_iter().chain(slugs::notes(&study)).collect();
         study.model.notes.splice(..0, notes);
         Ok(study)
     }
@@ -162,6 +178,19 @@ impl Study {
         }
         let reduced = Arc::new(reduce(&self.body, order)?);
         Ok(Arc::clone(kept().entry(order).or_insert(reduced)))
+    }
+
+    /// The study with its sliding liquids held where they lie at rest; none where nothing slides.
+    pub(crate) fn held(&self) -> Result<Option<&Self>, StudyError> {
+        if self.body.frictions().is_empty() {
+            return Ok(None);
+        }
+        if self.held.get().is_none() {
+            let held = Self::assembled(slugs::held(&self.model), Some(self.order), false)?;
+            // a second build in another thread made the same
+            let _ = self.held.set(Box::new(Self { order_given: self.order_given, ..held }));
+        }
+        Ok(self.held.get().map(|held| &**held))
     }
 
     /// Initial rotation of the model, from any of its forms.

@@ -2,7 +2,7 @@
 //! Limits of (U3), (U7) and (U9), docs/theory/21-slosh.md.
 
 use quasirigid::dynamics::Start;
-use quasirigid::elements::{SettledTank, Settling, TankMode};
+use quasirigid::elements::{SettledTank, Settling, Slug, TankMode};
 use quasirigid::model::force::{Force, ForceLaw, KinematicState};
 use quasirigid::model::{Marker, MotionState, Principal, Support};
 use quasirigid_math::vec3::{add, cross, norm, scale};
@@ -10,6 +10,7 @@ use serde::Serialize;
 
 use crate::error::StudyError;
 use crate::layout::paragraph;
+use crate::slugs::SlugObject;
 use crate::study::Study;
 use crate::words::{significant, time};
 
@@ -41,8 +42,10 @@ pub struct TankObject<'a> {
     pub liquid_mass: f64,
     /// Of the liquid (m), file's frame.
     pub center_of_mass: [f64; 3],
-    /// Modes, slowest first.
+    /// Modes, slowest first; none in a ring.
     pub slosh: Vec<SloshObject>,
+    /// In a ring, or `null`.
+    pub slug: Option<SlugObject>,
 }
 
 /// Slosh mode of a tank.
@@ -63,8 +66,31 @@ pub struct SloshObject {
 }
 
 impl<'a> TankObject<'a> {
+    /// The tanks of a study, those of revolution first.
+    pub fn all(study: &'a Study) -> Vec<Self> {
+        study
+            .tanks
+            .iter()
+            .map(Self::of)
+            .chain(study.slugs.iter().map(|slug| Self::of_ring(study, slug)))
+            .collect()
+    }
+
+    /// A ring.
+    fn of_ring(study: &Study, slug: &'a Slug) -> Self {
+        let Slug { name, fill, liquid_mass, center_of_mass, .. } = slug;
+        Self {
+            name,
+            fill: *fill,
+            liquid_mass: *liquid_mass,
+            center_of_mass: *center_of_mass,
+            slosh: Vec::new(),
+            slug: Some(SlugObject::of(study, slug)),
+        }
+    }
+
     /// A settled tank.
-    pub fn of(tank: &'a SettledTank) -> Self {
+    fn of(tank: &'a SettledTank) -> Self {
         let mode = |mode: &TankMode| {
             let TankMode { wavenumber, frequency, mass, length, height, damping_ratio } = *mode;
             SloshObject { wavenumber, frequency, mass, length, height, damping_ratio }
@@ -76,6 +102,7 @@ impl<'a> TankObject<'a> {
             liquid_mass: *liquid_mass,
             center_of_mass: *center_of_mass,
             slosh: slosh.iter().map(mode).collect(),
+            slug: None,
         }
     }
 }

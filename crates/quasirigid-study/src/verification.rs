@@ -28,6 +28,7 @@ impl Study {
         watch: &mut dyn Watch,
     ) -> Result<Option<VerificationRecord>, StudyError> {
         self.uncontrolled("verify")?;
+        self.without_slugs("verify")?;
         let motion = Motion::new(self, self.initial()?);
         Ok(follow(&motion, plan, watch)?.map(|found| record::verification(plan, &found)))
     }

@@ -118,8 +118,9 @@ const PAGE: &str = "13-json.md";
 fn keys_of_check_and_modes_are_those_of_the_guide() {
     let spin = listed(PAGE, "Modes of a steady spin");
     let spins = under("steady_spins", &spin);
-    let mut check =
-        printed(&["check examples/mercury-ring/model.toml", "check examples/solar-panels/model.toml"]);
+    let models = ["mercury-ring", "solar-panels", "ring-damper"]
+        .map(|name| format!("check examples/{name}/model.toml"));
+    let mut check = printed(&models.each_ref().map(String::as_str));
     check.extend(
         ["name", "degree", "cells", "error", "sentence"]
             .iter()

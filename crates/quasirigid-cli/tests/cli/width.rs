@@ -6,7 +6,8 @@ use std::path::Path;
 use tempfile::TempDir;
 
 use crate::support::{
-    EXAMPLES, MODEL, ROOT, STRUCTURES, STUDIES, copy, folder_of, names, ran, ran_in, ran_with,
+    EXAMPLES, MODEL, ROOT, SLIDING, STRUCTURES, STUDIES, copy, folder_of, names, one_line, ran, ran_in,
+    ran_with,
 };
 
 /// Examples whose answers take seconds: asked at night.
@@ -41,7 +42,8 @@ fn every_example_is_tested() {
         Path::new(ROOT).join("examples").join(name).join("model.toml").is_file()
             || STUDIES.contains(&name.as_str())
     });
-    let mut tested: Vec<&str> = EXAMPLES.into_iter().chain(STRUCTURES).chain(STUDIES).collect();
+    let mut tested: Vec<&str> =
+        EXAMPLES.into_iter().chain(SLIDING).chain(STRUCTURES).chain(STUDIES).collect();
     tested.sort_unstable();
     assert_eq!(folders.iter().filter(|name| !name.contains('.')).collect::<Vec<_>>(), tested);
 }
@@ -53,6 +55,28 @@ fn quick() -> impl Iterator<Item = &'static str> {
 #[test]
 fn answers_to_examples_fit_a_terminal() {
     answers_fit(quick());
+}
+
+/// A liquid that slides: `check` and `modes` answer what they can and say first what they cannot, other answers are refused.
+#[test]
+fn answers_to_sliding_liquids_fit_a_terminal() {
+    for example in SLIDING {
+        for (command, code) in
+            [("check", 1), ("modes", 0), ("derive", 2), ("evolve", 2), ("verify", 2), ("run", 2)]
+        {
+            let line = format!("{command} examples/{example}/model.toml");
+            let answer = ran(&line);
+            assert_eq!(answer.code, Some(code), "{line}: {answer:?}");
+            let told = answer.stderr.starts_with("quasirigid: note: MAY NOT HOLD");
+            assert!(told || command == "run", "{line}: {answer:?}");
+            if code == 2 {
+                assert!(one_line(&answer.stderr).contains("with --system full"), "{line}: {answer:?}");
+            }
+            // a table of modes is as wide as it is for every body
+            let table = if command == "modes" { String::new() } else { answer.stdout };
+            assert_narrow(&line, &(table + &answer.stderr));
+        }
+    }
 }
 
 #[test]

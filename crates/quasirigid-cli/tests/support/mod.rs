@@ -33,6 +33,9 @@ pub const EXAMPLES: [&str; 17] = [
 /// Examples of finite elements and networks, which take longer; they have tests of their own.
 pub const STRUCTURES: [&str; 4] = ["apophis-shape", "quillen-network", "solar-panels", "spin-up-beam"];
 
+/// Examples without reduced equations, which have tests of their own.
+pub const SLIDING: [&str; 1] = ["ring-damper"];
+
 /// Studies of many bodies, each of the model of another example.
 pub const STUDIES: [&str; 1] = ["damper-study"];
 

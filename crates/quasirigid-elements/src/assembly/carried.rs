@@ -17,14 +17,15 @@ use crate::element::{AttachmentPoint, ElementSite, Preload, Role};
 use crate::error::{ElementError, ElementId, ElementKind, Field, Problem, at};
 use crate::kinds::part::PartGraph;
 use crate::kinds::tank::Sloshing;
+use crate::kinds::tube::Slug;
 use crate::math::memory;
 use crate::math::sparse::SparseRows;
 use crate::math::sym3::Sym;
 use crate::model::control::Controls;
 use crate::model::force::Force;
 use crate::model::{
-    BodyParts, Coordinate, CurvedPaths, FlexibleBody, FlexibleError, Hinge, Invariants, Marker, Pair,
-    Support, Watched,
+    BodyParts, Coordinate, CurvedPaths, FlexibleBody, FlexibleError, Friction, Hinge, Invariants, Marker,
+    Pair, Support, Watched,
 };
 use crate::structure::Block;
 use crate::structure::Component;
@@ -114,6 +115,7 @@ impl Assembly {
         let attachments = self.attachments(&whole, &nodes)?;
         let Matrices { stiffness, damping, viscoelastic, dissipators } =
             self.matrices(&whole, &attachments)?;
+        let frictions = self.frictions(&whole, &attachments)?;
         let inside = whole.inner.coordinates.len();
         memory::ask(memory::dense(inside, INSIDE_MATRICES)).map_err(|cause| {
             at(ElementId::CARRIER, Field::NAME)(Problem::Memory { unknowns: inside, cause })
@@ -144,6 +146,7 @@ impl Assembly {
         let body = body.map_err(|error| self.attribute(error))?.along(paths);
         let body = body
             .advected(whole.inner.advections.clone())
+            .rubbed(frictions)
             .watching(Watched { reaches, hinges: self.watched(&whole)? });
         let all = body.coordinates().len();
         let parts = whole.component.as_ref().map(|component| component.part_masses(start, all));
@@ -158,6 +161,7 @@ impl Assembly {
             speeds: whole.inner.speeds,
             liquids: whole.inner.liquids,
             tanks: whole.tanks,
+            slugs: self.slugs()?,
             resolution: None,
             visuals,
         })
@@ -274,6 +278,18 @@ impl Assembly {
         Matrices::sum(size, blocks.chain(preloads.into_iter().map(Ok)).chain(parts), &whole.inner.friction)
     }
 
+    /// Friction beyond the damping matrix. (U12)
+    fn frictions(&self, whole: &Carried, attachments: &Attachments) -> Result<Vec<Friction>, ElementError> {
+        let site = |id: ElementId| ElementSite { id, name: "", start: whole.start_of(id), attachments };
+        self.each().filter_map(|(id, element)| element.friction(&site(id)).transpose()).collect()
+    }
+
+    /// Liquids that slide along rings.
+    fn slugs(&self) -> Result<Vec<Slug>, ElementError> {
+        let each = self.tubes.iter().enumerate();
+        each.map(|(index, tube)| tube.slug(ElementKind::Tube.at(index))).collect()
+    }
+
     /// Stiffness of loads at rest, which must balance. (I10)
     fn preloads<'a>(
         &self,
@@ -306,7 +322,8 @@ impl Assembly {
     fn attribute(&self, error: FlexibleError) -> ElementError {
         let coordinates = error.coordinates();
         let moves = |name: &str| !name.is_empty() && coordinates.starts_with(&format!("{name:?}"));
-        let own = |id: &ElementId| matches!(id.kind, ElementKind::Point | ElementKind::Hinged);
+        let own =
+            |id: &ElementId| matches!(id.kind, ElementKind::Point | ElementKind::Hinged | ElementKind::Tube);
         let first = self.each().find(|(id, element)| own(id) && moves(element.name()));
         let id = first.map_or(ElementId::CARRIER, |(id, _)| id);
         at(id, Field::STIFFNESS)(Problem::Mechanism { coordinates })
@@ -339,10 +356,11 @@ impl Carried {
         Some(&self.moving_bodies[found])
     }
 
-    /// Angles of appendages on hinges, which the spin may restore where no spring does. (I13)
+    /// Angles of appendages on hinges and of liquids in rings, which the spin may restore where no spring does. (I13)
     fn pendulums(&self) -> Vec<usize> {
-        let hinged = self.moving_bodies.iter().filter(|moved| moved.id.kind == ElementKind::Hinged);
-        hinged.flat_map(|moved| moved.start..moved.start + moved.moving_body.shapes.len()).collect()
+        let turns = |kind: ElementKind| matches!(kind, ElementKind::Hinged | ElementKind::Tube);
+        let turning = self.moving_bodies.iter().filter(|moved| turns(moved.id.kind));
+        turning.flat_map(|moved| moved.start..moved.start + moved.moving_body.shapes.len()).collect()
     }
 
     /// First coordinate of an element; the first of all for one without coordinates.

@@ -101,6 +101,7 @@ impl Assembly {
             speeds: Vec::new(),
             liquids: Vec::new(),
             tanks: Vec::new(),
+            slugs: Vec::new(),
             resolution: None,
             visuals,
         })

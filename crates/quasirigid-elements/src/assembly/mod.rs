@@ -20,7 +20,9 @@ use crate::model::force::Force;
 use crate::model::{FlexibleBody, Marker, Support};
 use crate::number;
 use crate::visual::Visual;
-use crate::{ApplicationPoint, Assembly, Condensation, End, Resolution, SettledTank, SlowLiquid, force};
+use crate::{
+    ApplicationPoint, Assembly, Condensation, End, Resolution, SettledTank, SlowLiquid, Slug, force,
+};
 
 /// A body with the forces that act on it.
 #[derive(Clone, Debug)]
@@ -39,6 +41,8 @@ pub struct Built {
     pub liquids: Vec<SlowLiquid>,
     /// Tanks with their liquids settled.
     pub tanks: Vec<SettledTank>,
+    /// Liquids that slide along partly full rings.
+    pub slugs: Vec<Slug>,
     /// Approximation of a solid inside a surface; none of other bodies.
     pub resolution: Option<Resolution>,
     /// Visual geometry of the elements, where it was asked for.
@@ -124,6 +128,7 @@ impl Assembly {
             speeds: Vec::new(),
             liquids: Vec::new(),
             tanks: Vec::new(),
+            slugs: Vec::new(),
             resolution,
             visuals,
         })

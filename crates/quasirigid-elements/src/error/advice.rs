@@ -91,6 +91,7 @@ impl Problem {
                 ("no such material", "most materials have 0.2 to 0.5")
             }
             Self::Tank(error) => error.told(),
+            Self::Tube(error) => error.told(),
             Self::NoBody => {
                 ("no body", "add a [carrier], or parts that are elastic throughout, such as an [[ellipsoid]]")
             }

@@ -8,6 +8,7 @@ use crate::finite::elasticity::ElasticityError;
 use crate::finite::shell::ShellError;
 use crate::flow::stokes::StokesError;
 use crate::kinds::tank::TankError;
+use crate::kinds::tube::TubeError;
 use crate::math::eigen::NoConvergence;
 use crate::math::memory::TooMuchMemory;
 use crate::model::control::ControlProblem;
@@ -108,6 +109,9 @@ pub enum Problem {
     /// A tank whose slosh is not answered.
     #[error(transparent)]
     Tank(#[from] TankError),
+    /// A partly full tube that is not answered.
+    #[error(transparent)]
+    Tube(#[from] TubeError),
     /// A cavity that cannot be meshed.
     #[error(transparent)]
     Meshing(#[from] MeshingError),

@@ -20,4 +20,5 @@ pub(crate) mod rotor;
 pub(crate) mod spring;
 pub(crate) mod surface;
 pub(crate) mod tank;
+pub(crate) mod tube;
 pub(crate) mod wheel;

@@ -28,7 +28,7 @@ pub fn is_small(assembly: &Assembly) -> bool {
         [assembly.rotors.len(), assembly.wheels.len(), assembly.cavities.len(), assembly.forces.len()];
     counts.into_iter().chain(inside).sum::<usize>() + modal <= ELEMENTS
         && assembly.cavities.len() <= 4
-        && assembly.tanks.len() <= 2
+        && assembly.tanks.len() + assembly.tubes.len() <= 2
         && assembly.parts.len() <= 8
         && assembly.parts.iter().all(|part| is_small_part(&part.kind))
         && assembly.cavities.iter().all(|cavity| is_small_cavity(&cavity.shape, cavity.resolution))

@@ -81,9 +81,8 @@ pub(super) fn body<'a>(
     let opened = opened(file);
     let names = Names::new(&opened, problems);
     let mut spans = Spans::default();
-    for Opened { reader, table, index, .. } in &opened {
-        let kind = reader.kind.into_iter();
-        spans.note(kind.map(|kind| (kind.at(*index), reader.spans(table, &materials))));
+    for Opened { reader, kind, table, index, .. } in &opened {
+        spans.note(kind.iter().map(|kind| (kind.at(*index), reader.spans(table, &materials))));
     }
     let sources = Sources { materials: &materials, sections: &sections, folder };
     let mut draft = Draft {
@@ -122,12 +121,13 @@ fn opened<'a>(file: &Table<'a>) -> Vec<Opened<'a>> {
     let mut opened = Vec::new();
     for reader in READERS {
         for (number, table) in (1..).zip(reader.open(file)) {
-            let known = counts.iter().position(|(kind, _)| *kind == reader.kind);
+            let kind = reader.kind_of(&table);
+            let known = counts.iter().position(|(known, _)| *known == kind);
             let entry = known.unwrap_or_else(|| {
-                counts.push((reader.kind, 0));
+                counts.push((kind, 0));
                 counts.len() - 1
             });
-            opened.push(Opened { reader, number, index: counts[entry].1, table });
+            opened.push(Opened { reader, kind, number, index: counts[entry].1, table });
             counts[entry].1 += 1;
         }
     }

@@ -123,6 +123,7 @@ pub(super) const READER: Reader = Reader {
         any: &ANY,
         kinds: || variants(&SHAPES),
         open: |value| Some(opened(value, "[[cavity]]", "shape", &ANY, &SHAPES)?.0),
+        other: |_| None,
     },
     kind: Some(ElementKind::Cavity),
     naming: Naming::Numbered("cavity"),

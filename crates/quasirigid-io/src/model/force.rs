@@ -176,6 +176,7 @@ pub(super) const READER: Reader = Reader {
         any: &ANY,
         kinds: || variants(&KINDS),
         open: |value| Some(opened(value, "[[force]]", "kind", &ANY, &KINDS)?.0),
+        other: |_| None,
     },
     kind: Some(ElementKind::Force),
     naming: Naming::Apart("force"),

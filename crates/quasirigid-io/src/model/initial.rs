@@ -49,7 +49,7 @@ pub(super) const INITIAL: Keys = Keys {
     ],
 };
 
-/// Displacement of a point, along axes of the file, or angles of an appendage, about its axes.
+/// Displacement of a point, along axes of the file, or angles of an appendage, about its axes, or of a liquid in a ring, about that of the ring.
 const MOVED: Shape = Shape::List(&Shape::Number);
 
 /// Largest deviation of a quaternion's norm from one that counts as rounding: three digits, as people type them.
@@ -77,7 +77,7 @@ pub struct Initial {
 pub enum Displacements {
     /// Displacements on the slow manifold, without vibration.
     SlowManifold,
-    /// Given displacements of points and appendages on a carrier, the first of the body's coordinates, in their order; the
+    /// Given displacements of points, appendages and liquids in rings on a carrier, the first of the body's coordinates, in their order; the
     /// others are at rest.
     Given {
         /// Coordinates (m, rad).
@@ -202,7 +202,7 @@ fn displacements(table: &Table<'_>, body: &Body<'_>) -> Option<Displacements> {
     Some(Displacements::Given { q: q?, rate: rate? })
 }
 
-/// Coordinates of the points and appendages on a carrier, points first, all zero.
+/// Coordinates of the points, appendages and liquids in rings on a carrier, in this order, all zero.
 fn at_rest(body: &Body<'_>) -> Vec<Vec<f64>> {
     let Some(assembly) = body.assembly().filter(|assembly| assembly.carrier.is_some()) else {
         return Vec::new();
@@ -210,7 +210,7 @@ fn at_rest(body: &Body<'_>) -> Vec<Vec<f64>> {
     // A `motion` without a direction is refused by the laws of mechanics, with the rest of the body.
     let points = assembly.points.iter().map(|point| point.coordinates_of([0.0; 3]).unwrap_or_default());
     let hinged = assembly.hinged.iter().map(|part| vec![0.0; part.axes.len()]);
-    points.chain(hinged).collect()
+    points.chain(hinged).chain(assembly.tubes.iter().map(|_| vec![0.0])).collect()
 }
 
 /// Reads the coordinates, or their rates, of the parts that a table names; the others are at rest.
@@ -232,7 +232,13 @@ fn amounts(value: &Value<'_>, body: &Body<'_>, along: Dimension, about: Dimensio
             Some(Part::Point(index)) => of_point(&value, body, index, along).map(|q| (index, q)),
             Some(Part::Hinged(index)) => {
                 let points = body.assembly().map_or(0, |assembly| assembly.points.len());
-                of_hinge(&value, body, index, about).map(|q| (points + index, q))
+                let axes = body.assembly()?.hinged[index].axes.len();
+                of_hinge(&value, ("the hinge", axes), about).map(|q| (points + index, q))
+            }
+            Some(Part::Slug(index)) => {
+                let first =
+                    body.assembly().map_or(0, |assembly| assembly.points.len() + assembly.hinged.len());
+                of_hinge(&value, ("the ring", 1), about).map(|q| (first + index, q))
             }
             Some(Part::Throughout | Part::Flexible(_)) => value.refuse_at(
                 key,
@@ -283,14 +289,13 @@ fn of_point(value: &Value<'_>, body: &Body<'_>, index: usize, along: Dimension) 
     }
 }
 
-fn of_hinge(value: &Value<'_>, body: &Body<'_>, index: usize, about: Dimension) -> Option<Vec<f64>> {
+fn of_hinge(value: &Value<'_>, (what, axes): (&str, usize), about: Dimension) -> Option<Vec<f64>> {
     let angles = value.list("an array with a value per axis", |item| item.quantity(about))?;
-    let axes = body.assembly()?.hinged[index].axes.len();
     if angles.len() == axes {
         return Some(angles);
     }
     let message = format!(
-        "`{}` has {}, but the hinge has {}",
+        "`{}` has {}, but {what} has {}",
         value.key(),
         counted(angles.len(), "value", "values"),
         counted(axes, "axis", "axes")

@@ -42,6 +42,8 @@ pub(super) enum Part {
     Flexible(usize),
     Throughout,
     Inside,
+    /// A liquid that slides along a ring.
+    Slug(usize),
     /// An appendage without shapes.
     Modal,
 }
@@ -88,7 +90,7 @@ impl<'a> Names<'a> {
         let given: Vec<String> = opened.iter().map(name).collect();
         let mut of: HashMap<ElementKind, Vec<String>> = HashMap::new();
         for (opened, name) in opened.iter().zip(&given) {
-            opened.reader.kind.into_iter().for_each(|kind| of.entry(kind).or_default().push(name.clone()));
+            opened.kind.into_iter().for_each(|kind| of.entry(kind).or_default().push(name.clone()));
         }
         let mut parts = Register { owners: HashMap::new(), problems };
         let mut apart: HashMap<&str, Register<'_, ()>> = HashMap::new();
@@ -101,7 +103,7 @@ impl<'a> Names<'a> {
                     let register = || Register { owners: HashMap::new(), problems };
                     apart.entry(word).or_insert_with(register).claim(name, span, ());
                 }
-                _ => parts.claim(name, span, (reader.names)(*index)),
+                _ => parts.claim(name, span, reader.part_of(table, *index)),
             }
         }
         Self { given, of, nodes: HashMap::new(), places: HashMap::new(), parts }
@@ -161,6 +163,11 @@ impl<'a> Names<'a> {
             ),
             Some(Part::Inside) => value.refuse(
                 format!("{name:?} turns inside the carrier, but {}", what.rule()),
+                "not a point",
+                format!("write {CARRIER:?}"),
+            ),
+            Some(Part::Slug(_)) => value.refuse(
+                format!("{name:?} is a liquid that slides in the carrier, but {}", what.rule()),
                 "not a point",
                 format!("write {CARRIER:?}"),
             ),
@@ -246,9 +253,9 @@ impl<'a> Names<'a> {
         if self.parts.problems.full() {
             return None;
         }
-        let (points, hinged) = (self.all(ElementKind::Point), self.all(ElementKind::Hinged));
-        let names = || points.iter().chain(hinged).map(String::as_str);
-        let help = match points.len() + hinged.len() {
+        let moving = [ElementKind::Point, ElementKind::Hinged, ElementKind::Tube].map(|kind| self.all(kind));
+        let names = || moving.into_iter().flatten().map(String::as_str);
+        let help = match moving.iter().map(|names| names.len()).sum::<usize>() {
             0 => "the file has no [[point]] and no [[hinged]]".to_owned(),
             _ if name == CARRIER => "the rest of the body is displaced from the carrier".to_owned(),
             count => suggestion(name, names, count),

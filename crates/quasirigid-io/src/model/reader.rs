@@ -59,6 +59,8 @@ pub(super) enum Keyed {
         kinds: fn() -> Vec<Variant>,
         /// Opens the table.
         open: for<'a> fn(&Value<'a>) -> Option<Table<'a>>,
+        /// Kind of the element and what its name stands for, of a table whose elements are not those of the reader.
+        other: fn(&Table<'_>) -> Option<Other>,
     },
 }
 
@@ -78,6 +80,8 @@ pub(super) enum Naming {
 /// Table of an element whose keys have been checked.
 pub(super) struct Opened<'a> {
     pub(super) reader: &'static Reader,
+    /// Kind of the element; none of a table that stands for many.
+    pub(super) kind: Option<ElementKind>,
     /// Number of the table under its key, from 1.
     pub(super) number: usize,
     /// Index among the elements of its kind.
@@ -118,6 +122,9 @@ pub(super) struct Draft<'s, 'a> {
     pub(super) shapes: Vec<ShapeFileRecord>,
 }
 
+/// Kind of an element, and what its name stands for where another table refers to it.
+type Other = (ElementKind, fn(usize) -> Part);
+
 /// Function that reads a table into the draft of a body.
 type Reading = for<'a> fn(&Entry<'_, 'a>, &mut Draft<'_, 'a>) -> Option<()>;
 
@@ -142,6 +149,23 @@ impl Reader {
             nested: &[],
             is_body: true,
             read,
+        }
+    }
+
+    /// Kind of the element of a table.
+    pub(super) fn kind_of(&self, table: &Table<'_>) -> Option<ElementKind> {
+        self.other(table).map(|(kind, _)| kind).or(self.kind)
+    }
+
+    /// What the name of the element of a table stands for.
+    pub(super) fn part_of(&self, table: &Table<'_>, index: usize) -> Part {
+        self.other(table).map_or(self.names, |(_, names)| names)(index)
+    }
+
+    fn other(&self, table: &Table<'_>) -> Option<Other> {
+        match self.keys {
+            Keyed::All(_) => None,
+            Keyed::ByKind { other, .. } => other(table),
         }
     }
 

@@ -1,6 +1,8 @@
-//! Tank reader: `[[tank]]`, a tank of revolution that is partly full. Equations (U1) to (U9), docs/theory/21-slosh.md.
+//! Tank reader: `[[tank]]`, a tank of revolution or a ring that is partly full. Equations (U1) to (U14), docs/theory/21-slosh.md.
 
-use quasirigid_elements::{Assembly, ElementKind, Settling, Tank, TankContents, TankDamping, TankShape};
+use quasirigid_elements::{
+    Assembly, ElementKind, Settling, Tank, TankContents, TankDamping, TankShape, Tube,
+};
 
 use super::initial::Initial;
 use super::key::{
@@ -14,7 +16,11 @@ use super::table::Table;
 use super::value::Value;
 use crate::units::Dimension;
 
-type Read = fn(&Table<'_>) -> Option<TankShape>;
+/// Function that reads a shape of revolution; none of a ring, whose liquid slides and does not slosh.
+type Read = Option<fn(&Table<'_>) -> Option<TankShape>>;
+
+/// Shape of a ring.
+const TUBE: &str = "tube";
 
 /// Names of the keys of a shape: those of every tank and its own.
 macro_rules! with {
@@ -37,27 +43,48 @@ macro_rules! with {
     };
 }
 
-static SHAPES: [Kind<Read>; 6] = [
-    kind!("[[tank]]", "shape", "sphere", with!("radius"), "", sphere),
+static SHAPES: [Kind<Read>; 7] = [
+    kind!("[[tank]]", "shape", "sphere", with!("radius"), "", Some(sphere)),
     kind!(
         "[[tank]]",
         "shape",
         "ellipsoid",
         with!("semi_axes"),
         "of revolution, the third semi-axis along `axis`",
-        ellipsoid
+        Some(ellipsoid)
     ),
-    kind!("[[tank]]", "shape", "cylinder", with!("radius", "height"), "", cylinder),
+    kind!("[[tank]]", "shape", "cylinder", with!("radius", "height"), "", Some(cylinder)),
     kind!(
         "[[tank]]",
         "shape",
         "capsule",
         with!("radius", "height"),
         "cylinder with half a ball at each end",
-        capsule
+        Some(capsule)
     ),
-    kind!("[[tank]]", "shape", "cone", with!("radii", "height"), "or frustum, with flat ends", cone),
-    kind!("[[tank]]", "shape", "profile", with!("profile"), "", profile),
+    kind!("[[tank]]", "shape", "cone", with!("radii", "height"), "or frustum, with flat ends", Some(cone)),
+    kind!("[[tank]]", "shape", "profile", with!("profile"), "", Some(profile)),
+    kind!(
+        "[[tank]]",
+        "shape",
+        "tube",
+        [
+            "shape",
+            "name",
+            "radius",
+            "tube_radius",
+            "center",
+            "axis",
+            "towards",
+            "fill",
+            "liquid_mass",
+            "density",
+            "kinematic_viscosity",
+            "surface_tension"
+        ],
+        "ring of tube, whose liquid slides along it as one slug",
+        None
+    ),
 ];
 
 /// Acceleration under which a liquid has settled.
@@ -71,6 +98,7 @@ const ANY: Keys = Keys {
         key("shape", KIND, ""),
         NAME,
         key("radius", quantity("m"), ""),
+        key("tube_radius", quantity("m"), "inner one; `radius` is the mean one of the ring"),
         key("semi_axes", vector("m"), "across, across and along `axis`"),
         key("height", quantity("m"), "from end to end"),
         key("radii", array(2, &Shape::Number).in_unit("m"), "of the ends, the second farther along `axis`"),
@@ -83,7 +111,12 @@ const ANY: Keys = Keys {
         key(
             "axis",
             VECTOR.or("z"),
-            "of revolution; the effective gravity is along it, either way; of a sphere any",
+            "of revolution; the effective gravity is along it, either way; of a sphere any; of a tube that of the ring",
+        ),
+        key(
+            "towards",
+            VECTOR.or("x or y"),
+            "from the centre of the ring to the middle of the liquid at the start, as far as it is across `axis`",
         ),
         key("fill", NUMBER, "share of the volume, between 0 and 1"),
         key("liquid_mass", quantity("kg"), "instead of `fill`"),
@@ -110,11 +143,12 @@ const MODES: usize = 2;
 pub(super) const READER: Reader = Reader {
     key: "tank",
     title: "[[tank]]",
-    meaning: "tank of revolution that is partly full of a liquid",
+    meaning: "tank of revolution or ring of tube that is partly full of a liquid",
     keys: Keyed::ByKind {
         any: &ANY,
         kinds: || variants(&SHAPES),
         open: |value| Some(opened(value, "[[tank]]", "shape", &ANY, &SHAPES)?.0),
+        other: |table| is_tube(table).then_some((ElementKind::Tube, Part::Slug)),
     },
     kind: Some(ElementKind::Tank),
     naming: Naming::Numbered("tank"),
@@ -123,22 +157,60 @@ pub(super) const READER: Reader = Reader {
     nested: &[],
     is_body: false,
     read: |entry, draft| {
-        draft.assembly.tanks.push(tank(entry.table, entry.name)?);
+        if is_tube(entry.table) {
+            draft.assembly.tubes.push(tube(entry.table, entry.name)?);
+        } else {
+            draft.assembly.tanks.push(tank(entry.table, entry.name)?);
+        }
         Some(())
     },
 };
 
+fn is_tube(table: &Table<'_>) -> bool {
+    table.get("shape").is_some_and(|shape| shape.words() == Some(TUBE))
+}
+
+/// Reads a `[[tank]]` of shape "tube".
+fn tube(table: &Table<'_>, name: &str) -> Option<Tube> {
+    let radius = length(table, "radius", "radius = 0.25");
+    let tube_radius = length(table, "tube_radius", "tube_radius = 0.005");
+    let center = table.vector_or_zero("center", Dimension::LENGTH);
+    let axis = table.read_or("axis", [0.0, 0.0, 1.0], |value| direction(&value));
+    let towards = table.read_or("towards", None, |value| direction(&value).map(Some));
+    let contents = contents(table);
+    let density = table.read("density", "density = 13530.0", |value| value.positive(Dimension::DENSITY));
+    let viscosity = table.read("kinematic_viscosity", "kinematic_viscosity = \"0.113 cSt\"", |value| {
+        value.positive(Dimension::KINEMATIC_VISCOSITY)
+    });
+    Some(Tube {
+        name: name.to_owned(),
+        radius: radius?,
+        tube_radius: tube_radius?,
+        center: center?,
+        axis: axis?,
+        towards: towards?,
+        contents: contents?,
+        density: density?,
+        viscosity: viscosity?,
+        surface_tension: surface_tension(table)?,
+        held: false,
+    })
+}
+
+fn surface_tension(table: &Table<'_>) -> Option<Option<f64>> {
+    table.read_or("surface_tension", None, |value| value.positive(Dimension::SURFACE_TENSION).map(Some))
+}
+
 /// Reads a `[[tank]]`; the spin that settles a liquid is set by [`spun`].
 fn tank(table: &Table<'_>, name: &str) -> Option<Tank> {
     let shape = of_table(table, "shape", &SHAPES)?;
-    let shape = (shape.read)(table);
+    let shape = shape.read.and_then(|read| read(table));
     let center = table.vector_or_zero("center", Dimension::LENGTH);
-    let axis = table.read_or("axis", [0.0, 0.0, 1.0], |value| axis(&value));
+    let axis = table.read_or("axis", [0.0, 0.0, 1.0], |value| direction(&value));
     let contents = contents(table);
     let density = table.read("density", "density = 1000.0", |value| value.positive(Dimension::DENSITY));
     let damping = damping(table);
-    let surface_tension =
-        table.read_or("surface_tension", None, |value| value.positive(Dimension::SURFACE_TENSION).map(Some));
+    let surface_tension = surface_tension(table);
     let example = "settled_by = { acceleration = [0, 0, -0.1] }, or settled_by = \"spin\"";
     let settled_by = table.read("settled_by", example, |value| settling(&value));
     let modes = table.read_or("modes", MODES, |value| value.integer(1..=Tank::MOST_MODES));
@@ -159,7 +231,9 @@ fn tank(table: &Table<'_>, name: &str) -> Option<Tank> {
 /// Gives tanks that a spin settles the angular velocity of the start; a file without one is told so.
 pub(super) fn spun(file: &Table<'_>, assembly: &mut Assembly, initial: &Initial) -> Option<()> {
     let tables = file.several(READER.key, READER.title);
-    for (tank, table) in assembly.tanks.iter_mut().zip(tables) {
+    let of_revolution =
+        tables.iter().filter(|table| table.entry("shape").is_none_or(|shape| shape.words() != Some(TUBE)));
+    for (tank, table) in assembly.tanks.iter_mut().zip(of_revolution) {
         let Settling::Spin(spin) = &mut tank.settled_by else { continue };
         match initial.rotation {
             Some(Rotation::Spin(omega)) => *spin = omega,
@@ -218,11 +292,11 @@ fn settling(value: &Value<'_>) -> Option<Settling> {
     }
 }
 
-fn axis(value: &Value<'_>) -> Option<[f64; 3]> {
+fn direction(value: &Value<'_>) -> Option<[f64; 3]> {
     let axis = value.vector(Dimension::NUMBER)?;
     if axis == [0.0; 3] {
         let help = "write a direction such as [0, 0, 1]; its length does not matter";
-        return value.refuse("`axis` has no direction", "no direction", help);
+        return value.refuse(format!("`{}` has no direction", value.key()), "no direction", help);
     }
     Some(axis)
 }

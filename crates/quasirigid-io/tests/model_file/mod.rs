@@ -31,6 +31,7 @@ mod physics;
 mod reading;
 mod reference;
 mod rheology;
+mod rings;
 mod robustness;
 mod rotation;
 mod same;

@@ -40,7 +40,7 @@ fn tanks_are_read_with_their_defaults() {
 }
 
 #[test]
-fn tanks_have_six_shapes() {
+fn tanks_of_revolution_have_six_shapes() {
     let shape = |lines: &str| tank(&format!("{lines}{LIQUID}{DOWN}")).shape;
     let ellipsoid = shape("shape = \"ellipsoid\"\nsemi_axes = [0.4, 0.4, \"20 cm\"]\n");
     assert_eq!(ellipsoid, TankShape::Ellipsoid { semi_axes: [0.4, 0.4, 0.2] });
@@ -88,7 +88,7 @@ fn a_spin_that_settles_is_that_of_the_start() {
 fn mistakes_in_tanks_are_refused() {
     assert_snapshot!(refused(&format!("shape = \"ring\"\nradius = 1\n{LIQUID}{DOWN}")), @r#"
     model.toml:11:9: `shape` cannot be "ring"
-      write "sphere", "ellipsoid", "cylinder", "capsule", "cone" or "profile"
+      write "sphere", "ellipsoid", "cylinder", "capsule", "cone", "profile" or "tube"
     "#);
     assert_snapshot!(refused(&format!("{SPHERE}density = 1000\nkinematic_viscosity = 1e-6\n{DOWN}")), @r#"
     model.toml:9:1: [[tank]] of shape "sphere" has no `fill`

@@ -202,6 +202,7 @@ fn derived<'a>(
     watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
 ) -> Result<Derived<'a>, StudyError> {
     let body = motion.body;
+    motion.study().without_slugs("reduced equations about a spin")?;
     let Planned { plan, axis, circled, state } = planned(motion, settings)?;
     let manifold = SpinManifold::derive(body, &plan, watch)?;
     if let Some(left) = body.left_range(&manifold.spin.q) {

@@ -28,6 +28,7 @@ impl Study {
         watch: &mut dyn Watch,
     ) -> Result<Option<SpinVerification>, StudyError> {
         self.uncontrolled("verify")?;
+        self.without_slugs("verify")?;
         let settings = SpinManifoldSettings::resolve(asked.spin_manifold.clone(), None, self)?;
         let Planned { plan: about, .. } = planned(&Motion::new(self, self.initial()?), &settings)?;
         let plan = asked.resolve(about);

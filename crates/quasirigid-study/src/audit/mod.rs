@@ -108,7 +108,9 @@ fn tensor(body: AuditBody<'_>) -> Result<Sym, AuditError> {
     let [[xx, xy, xz], [_, yy, yz], [_, _, zz]] = match body {
         AuditBody::Inertia(inertia) => inertia.rows(),
         AuditBody::Model(study) => {
-            let wheels = !study.model.assembly.rotors.is_empty() || !study.model.assembly.cavities.is_empty();
+            let assembly = &study.model.assembly;
+            let wheels =
+                !(assembly.rotors.is_empty() && assembly.cavities.is_empty() && assembly.tubes.is_empty());
             if wheels {
                 return Err(AuditError::Rotors);
             }

@@ -119,11 +119,11 @@ impl CheckReport<'_> {
         json!(CheckObject {
             name: &study.model.name,
             order: self.order,
-            valid: validity.verdict() != Verdict::Fails && left_out.flow.is_none(),
-            verdict: word(validity.verdict()),
+            valid: validity.verdict() != Verdict::Fails && left_out.flow.is_none() && self.sliding.is_none(),
+            verdict: word(if self.sliding.is_some() { Verdict::Fails } else { validity.verdict() }),
             dissipation_verdict: word(validity.dissipation()),
             averages: word(validity.averages()),
-            reasons: reasons(validity),
+            reasons: self.sliding.iter().cloned().chain(reasons(validity)).collect(),
             T1: validity.T1,
             T2: Some(validity.T2).filter(|time| time.is_finite()),
             T3: validity.T3,
@@ -145,7 +145,7 @@ impl CheckReport<'_> {
             left_out: left_out.notes(),
             files: &study.model.file_notes,
             liquids: liquids(study, validity.T3.recip()).iter().map(Liquid::record).collect(),
-            tanks: study.tanks.iter().map(TankObject::of).collect(),
+            tanks: TankObject::all(study),
             shapes: shapes::records(study),
             resolution: record::resolution(study).next(),
             condensation: study.condensation.map(|known| CondensationObject {

@@ -20,7 +20,7 @@ use crate::left_out::LeftOut;
 use crate::motion::Motion;
 use crate::study::Study;
 use crate::words::{shares, significant, verdict};
-use crate::{steady, steady_state, tanks};
+use crate::{slugs, steady, steady_state, tanks};
 
 /// Validity of the reduced equations of a study at its spin.
 #[derive(Debug)]
@@ -46,6 +46,8 @@ pub struct CheckReport<'a> {
     pub under_forces: Option<String>,
     /// Whether the model, of tanks that a thrust settles, has no spin and is judged at a slow one.
     pub unspun: bool,
+    /// Words on liquids that slide along rings, and are held here.
+    pub sliding: Option<String>,
     /// Reduced equations about the spin, tried where those about rest fail.
     pub about_spin: Option<InsteadOfRest>,
 }
@@ -70,6 +72,12 @@ impl Study {
     /// # Errors
     /// [`StudyError`] for an invalid start, and where the reduction fails.
     pub fn check(&self) -> Result<CheckReport<'_>, StudyError> {
+        let report = self.held()?.unwrap_or(self).checked()?;
+        Ok(CheckReport { sliding: slugs::unjudged(self), ..report })
+    }
+
+    /// The check of a study in which nothing slides.
+    fn checked(&self) -> Result<CheckReport<'_>, StudyError> {
         let Study { body, .. } = self;
         let (start, unspun) = tanks::spun_slowly(self)?;
         let motion = Motion::new(self, start);
@@ -90,6 +98,7 @@ impl Study {
             left_out: LeftOut::at(self, omega, nearest),
             under_forces: under_forces(self)?,
             unspun,
+            sliding: None,
             about_spin: None,
         };
         if !report.holds() {
@@ -138,7 +147,7 @@ impl CheckReport<'_> {
     #[must_use]
     pub fn holds(&self) -> bool {
         let fails = [self.validity.verdict(), self.validity.dissipation()].contains(&Verdict::Fails);
-        !fails && self.left_out.wrong().is_none()
+        !fails && self.left_out.wrong().is_none() && self.sliding.is_none()
     }
 
     /// The reduction that holds: `rest`, `spin`, or `none`.
@@ -146,7 +155,7 @@ impl CheckReport<'_> {
     pub fn reduction(&self) -> &'static str {
         match &self.about_spin {
             _ if self.holds() => "rest",
-            Some(about) if about.holds => "spin",
+            Some(about) if about.holds && self.sliding.is_none() => "spin",
             _ => "none",
         }
     }
@@ -158,7 +167,7 @@ impl CheckReport<'_> {
             let rate = significant(norm(self.omega), 3);
             format!("The model has no spin; the reduced equations are judged at a slow one, {rate} rad/s.")
         });
-        let verdict = [slow, self.left_out.flow.clone(), Some(verdict(&self.validity))];
+        let verdict = [self.sliding.clone(), slow, self.left_out.flow.clone(), Some(verdict(&self.validity))];
         let verdict = verdict.into_iter().flatten().collect::<Vec<_>>().join(" ");
         if self.order == self.study.order {
             return verdict;

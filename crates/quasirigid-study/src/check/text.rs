@@ -19,7 +19,7 @@ use crate::liquids::liquids;
 use crate::motion::DISPLACED;
 use crate::study::Study;
 use crate::words::{criterion, dissipation, range, reasons, significant, time, word};
-use crate::{record, shapes, steady, tanks};
+use crate::{record, shapes, slugs, steady, tanks};
 
 /// Frequencies printed one by one.
 const LISTED: usize = 9;
@@ -52,6 +52,7 @@ pub(super) fn text(report: &CheckReport) -> String {
     left_out.losses().for_each(|note| told(&note));
     liquids(study, validity.T3.recip()).iter().for_each(|liquid| text.push_str(&liquid.text()));
     study.tanks.iter().for_each(|tank| text.push_str(&tanks::text(tank)));
+    study.slugs.iter().for_each(|slug| text.push_str(&slugs::text(study, slug)));
     model.assembly.ellipsoids.iter().for_each(|ellipsoid| text.push_str(&self_gravity(ellipsoid)));
     let mut told = |words: &str| text.push_str(&format!("\n{}\n", paragraph(words, "", "  ")));
     shapes::sentences(study).iter().for_each(|words| told(words));

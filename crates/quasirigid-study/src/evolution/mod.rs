@@ -117,6 +117,7 @@ pub(crate) fn follow(
     asked: &EvolveSettings,
     observer: &mut dyn Watch,
 ) -> Result<Evolved, StudyError> {
+    study.without_slugs("evolve")?;
     let Study { model, body, forces, order, .. } = study;
     if matches!(body.support(), Support::Prescribed { .. }) {
         return Err(StudyError::DrivenPole);

@@ -76,6 +76,8 @@ fn events(study: &Study, axis: [f64; 3]) -> Result<Vec<Event>, StudyError> {
     let Stop { energy, nutation, validity } = study.model.run.stop;
     let mut events: Vec<Event> = energy.map(Event::Energy).into_iter().collect();
     events.extend(nutation.map(|angle| Event::Nutation { axis, angle }));
+    // a liquid that slides has no frequency of its own
+    let study = study.held()?.unwrap_or(study);
     if validity && let Some(slowest) = frequencies(&study.body)?.first() {
         let limit = Criterion { comparison: Comparison::Spin, value: 0.0 }.failure();
         events.push(Event::Validity { slowest: *slowest, limit });

@@ -16,6 +16,7 @@ mod methods;
 mod modes;
 mod notes;
 mod published;
+mod rings;
 mod sensitivity;
 mod slaved;
 mod surfaces;

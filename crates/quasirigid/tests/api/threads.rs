@@ -57,16 +57,16 @@ types! {
         ElementKind Ellipsoid End Extent Field Frame FrameNode GivenModes HingeCoefficient Hinged Incomplete InertiaPoint
         Layer Material Matrices Member Modulus NamedController Network NodalMass NodeRef Orthotropic Panel Part PartKind
         PartReduction PlaceRef Point PointMotion Prestress Problem Quantity Regime Region Resolution Rotor
-        RotorKind Section SectionShape SettledTank Settling ShellError SlowLiquid Solid Spectrum Spring SpringLaw
-        ApplicationPoint StokesError Surface Tank TankContents TankDamping TankError TankMode TankShape TipMass RotorAxis Visual Wheel WheelSpeed
+        RotorKind Section SectionShape SettledTank Settling ShellError SlowLiquid Slug Solid Spectrum Spring SpringLaw
+        ApplicationPoint StokesError Surface Tank TankContents TankDamping TankError TankMode TankShape TipMass Tube TubeError RotorAxis Visual Wheel WheelSpeed
         Bar BarKind Coupling Mixed NodeBody NodeLink Skin Strain Weighted
     }
     model {
         Advection BalancedSpin BodyParts Carried Coordinate CurvedPaths Displaced Dissipator DrivenWheel
-        EnergyMotion[f64] ExpandedMotion FlexibleBody FlexibleError Follower Form Gimbal Hinge Hung
+        EnergyMotion[f64] ExpandedMotion FlexibleBody FlexibleError Follower Form Friction Gimbal Hinge Hung
         Inertia InertiaError Invariants Kinetics LiquidFlow LiquidMemory Marker Measured Method Mode
         MotionState[f64] Pair PartMass Polhode Principal RationalModulus Reach Recoiling ReducedBody Rheology RheologyError
-        SpinCoefficients SpinMatrix StraightKinetics Support Velocities Viscoelastic Watched Wheels
+        SpinCoefficients SpinMatrix StraightKinetics Support TubeFlow TubeFriction Velocities Viscoelastic Watched Wheels
     }
     reduction {
         Assessment['static] Comparison Criterion DegreeSize ReductionError Relaxation Residual Resonance

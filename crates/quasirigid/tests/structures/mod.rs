@@ -19,6 +19,7 @@ mod moving;
 mod necked;
 mod necks;
 mod networks;
+mod rings;
 mod skew_springs;
 mod solids;
 mod spin_up;

@@ -19,7 +19,7 @@ use crate::math::simd::{Arithmetic, Unfused};
 use crate::math::sparse::SparseRows;
 use crate::math::vec3::{add, cross, dot, norm, scale};
 use crate::model::control::Controls;
-use crate::model::{Displaced, Kinetics, MotionState, StraightKinetics};
+use crate::model::{Displaced, Dissipator, FlexibleBody, Friction, Kinetics, MotionState, StraightKinetics};
 
 /// Full equations in momenta, `K̇ = K × ω + M`, `ṗ = ∂L/∂q − Bq̇ + Q`: no acceleration is solved for. (S3), (S4), (T1), (C2)
 #[derive(Clone, Debug)]
@@ -31,8 +31,8 @@ pub(super) struct FullSystem<'a> {
     /// Kinetics for stages side by side and the angular velocities of the last ones, where nothing acts from outside on a small body.
     straight: Option<StraightKinetics>,
     omega: [Lanes; 3],
-    /// Damping of each dissipator, if there are several: entries of the upper triangle, those off the diagonal doubled.
-    accounts: Vec<Vec<(usize, usize, f64)>>,
+    /// Damping of each dissipator, if there are several.
+    accounts: Vec<Account<'a>>,
     stiff: StiffPart,
     /// Stretch between breakpoints of the forces that steps lie in. (Z1)
     stretch: Stretch,
@@ -53,7 +53,7 @@ impl<'a> FullSystem<'a> {
         let body = system.body;
         let control = ControlBlock::of(controls);
         let layout = Layout::of(body).with_controls(control.len());
-        let accounts = body.dissipators().iter().take(layout.accounts).map(|part| upper(&part.damping));
+        let accounts = body.dissipators().iter().take(layout.accounts).map(|part| Account::of(body, part));
         Some(Self {
             system,
             layout,
@@ -196,8 +196,8 @@ impl System<Vec<f64>> for FullSystem<'_> {
         p_rate.fill(0.0);
         slow[DISSIPATED] = velocities.add_loads(q, q_rate, p_rate);
         let omega = velocities.omega;
-        for (power, entries) in slow[self.layout.accounts()].iter_mut().zip(&self.accounts) {
-            *power = entries.iter().map(|(j, k, entry)| entry * q_rate[*j] * q_rate[*k]).sum();
+        for (power, account) in slow[self.layout.accounts()].iter_mut().zip(&self.accounts) {
+            *power = account.power(q_rate);
         }
         slow[ANGLE] = norm(omega);
         slow[MOMENTUM..MOMENTUM + 3].copy_from_slice(&cross(K, omega));
@@ -289,7 +289,7 @@ impl Stiff for FullSystem<'_> {
     }
 
     fn changes(&self) -> bool {
-        self.system.body.paths().is_some()
+        self.system.body.paths().is_some() || !self.system.body.frictions().is_empty()
     }
 
     fn renew(&mut self, t: f64, y: &[f64]) {
@@ -330,14 +330,37 @@ impl Stiff for FullSystem<'_> {
         let Some(straight) = &self.straight else { return };
         let q_rate = self.layout.q();
         rates[DISSIPATED] = straight.dissipation::<R>(&rates[q_rate.clone()]);
-        for (place, entries) in self.layout.accounts().zip(&self.accounts) {
+        for (place, account) in self.layout.accounts().zip(&self.accounts) {
             let product = |&(j, k, entry): &(usize, usize, f64)| {
                 Lanes::splat(entry) * rates[q_rate.start + j] * rates[q_rate.start + k]
             };
-            rates[place] = entries.iter().map(product).fold(Lanes::splat(0.0), |sum, part| sum + part);
+            rates[place] =
+                account.damping.iter().map(product).fold(Lanes::splat(0.0), |sum, part| sum + part);
         }
         rates[ANGLE] = dot(self.omega, self.omega).sqrt();
         rates[PLACE..PLACE + 3].copy_from_slice(&y[VELOCITY..VELOCITY + 3]);
+    }
+}
+
+/// What one of several dissipators takes.
+#[derive(Clone, Debug)]
+struct Account<'a> {
+    /// Damping: entries of the upper triangle, those off the diagonal doubled.
+    damping: Vec<(usize, usize, f64)>,
+    /// Friction beyond it.
+    frictions: Vec<&'a Friction>,
+}
+
+impl<'a> Account<'a> {
+    fn of(body: &'a FlexibleBody, part: &Dissipator) -> Self {
+        let frictions = body.frictions().iter().filter(|friction| friction.name == part.name);
+        Self { damping: upper(&part.damping), frictions: frictions.collect() }
+    }
+
+    /// Power (W) at these rates.
+    fn power(&self, rate: &[f64]) -> f64 {
+        let damped: f64 = self.damping.iter().map(|(j, k, entry)| entry * rate[*j] * rate[*k]).sum();
+        damped + self.frictions.iter().map(|friction| friction.power(rate)).sum::<f64>()
     }
 }
 

@@ -200,6 +200,7 @@ pub(super) const READER: Reader = Reader {
         any: &ANY,
         kinds: || variants(&KINDS),
         open: |value| Some(opened(value, "[[controller]]", "kind", &ANY, &KINDS)?.0),
+        other: |_| None,
     },
     kind: Some(ElementKind::Controller),
     naming: Naming::Apart("controller"),

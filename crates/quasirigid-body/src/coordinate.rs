@@ -2,7 +2,7 @@
 
 use super::Gimbal;
 use crate::math::scalar::Smooth;
-use crate::math::vec3::{add, scale};
+use crate::math::vec3::{add, cross, dot, scale};
 
 /// Internal coordinate.
 #[derive(Clone, Debug, PartialEq)]
@@ -41,6 +41,8 @@ pub struct Marker {
     pub position: [f64; 3],
     /// Coordinates that displace the place, each with the displacement per unit `H_j`.
     pub shapes: Vec<(usize, [f64; 3])>,
+    /// Coordinates that rotate the place, each with the rotation per unit `φ_j` (rad); none of a place without orientation.
+    pub rotations: Vec<(usize, [f64; 3])>,
     /// Curvature `G_jk` of the path for pairs of coordinates, in both orders (m); none on straight paths. (I8)
     pub curvature: Vec<(usize, usize, [f64; 3])>,
     /// Rotation that carries the place, of a place on an appendage: its path is exact.
@@ -91,5 +93,21 @@ impl Marker {
             add(u, scale(half * q[j], slope))
         });
         (displaced, slopes)
+    }
+
+    /// A vector that turns with the place, body axes: exactly on an appendage, else by the rotation `φ_j q_j`, whose second order is that of a
+    /// rotation about one axis. (F21)
+    pub(crate) fn turned<T: Smooth>(&self, q: &[T], vector: [T; 3]) -> [T; 3] {
+        if let Some(Carried { gimbal, .. }) = &self.carried {
+            return gimbal.turned(q, vector);
+        }
+        let half = T::from(0.5);
+        let g = self
+            .rotations
+            .iter()
+            .fold([T::from(0.0); 3], |g, (j, turn)| add(g, scale(half * q[*j], turn.map(T::from))));
+        let across = cross(g, vector);
+        let share = T::from(2.0) / (T::from(1.0) + dot(g, g));
+        add(vector, scale(share, add(across, cross(g, across))))
     }
 }

@@ -109,18 +109,22 @@ impl Marker {
     /// The place on the body frozen at equilibrium.
     #[must_use]
     pub fn frozen(&self) -> Self {
-        Self { shapes: Vec::new(), curvature: Vec::new(), carried: None, ..self.clone() }
+        let (shapes, rotations, curvature) = (Vec::new(), Vec::new(), Vec::new());
+        Self { shapes, rotations, curvature, carried: None, ..self.clone() }
     }
 
     /// Marker with all coordinates locked but those kept.
     fn locked(&self, kept: &Range<usize>) -> Self {
         let place = |j: usize| kept.contains(&j).then(|| j - kept.start);
-        let shapes = self.shapes.iter().filter_map(|(j, H)| Some((place(*j)?, *H)));
+        let kept = |list: &[(usize, [f64; 3])]| -> Vec<_> {
+            list.iter().filter_map(|(j, each)| Some((place(*j)?, *each))).collect()
+        };
+        let (shapes, rotations) = (kept(&self.shapes), kept(&self.rotations));
         let pairs = self.curvature.iter();
         let curvature = pairs.filter_map(|(j, k, G)| Some((place(*j)?, place(*k)?, *G)));
         let carried = self.carried.as_ref().and_then(|carried| {
             Some(Carried { gimbal: carried.gimbal.renumbered(&place)?, arm: carried.arm })
         });
-        Self { shapes: shapes.collect(), curvature: curvature.collect(), carried, ..self.clone() }
+        Self { shapes, rotations, curvature: curvature.collect(), carried, ..self.clone() }
     }
 }

@@ -53,6 +53,13 @@ impl Gimbal {
         (0..count * count).map(|pair| factors.product(&[pair / count, pair % count])).collect()
     }
 
+    /// A vector that turns with the appendage, `R v`. (I12)
+    pub(crate) fn turned<T: Smooth>(&self, q: &[T], [x, y, z]: [T; 3]) -> [T; 3] {
+        Factors::of(self, q)
+            .product(&[])
+            .map(|[along_x, along_y, along_z]| along_x * x + along_y * y + along_z * z)
+    }
+
     /// Displacement `(R − 1)s` of a place at `s` (m) from the hinge, and its slopes, `∂R/∂q_j s`, by coordinate. (I12)
     pub(crate) fn displaced<T: Smooth>(&self, q: &[T], s: [f64; 3]) -> ([T; 3], Vec<(usize, [T; 3])>) {
         let Rotated { turn, first } = self.rotated(q);

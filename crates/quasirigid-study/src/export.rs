@@ -173,7 +173,11 @@ fn grows(comparison: Comparison) -> bool {
         | Comparison::Linearity
         | Comparison::Residual
         | Comparison::Power => true,
-        Comparison::Resonance | Comparison::Wobbles | Comparison::Levels | Comparison::Forgetting => false,
+        Comparison::Resonance
+        | Comparison::Loads
+        | Comparison::Wobbles
+        | Comparison::Levels
+        | Comparison::Forgetting => false,
     }
 }
 

@@ -22,7 +22,7 @@ use crate::slugs;
 use crate::study::Study;
 use crate::table_sink::TableSink;
 use crate::watch::Watch;
-use crate::words::{Accounts, energy_note, followed};
+use crate::words::{Accounts, energy_note, followed, load_doubt};
 
 /// Numbers of a row, in the history and in its table.
 const NUMBERS_PER_ROW: usize = 40;
@@ -83,8 +83,8 @@ pub struct History {
     pub notes: Vec<String>,
     /// Verdict on the reduced equations about the spin, where these were followed.
     pub manifold: Option<OnManifold>,
-    /// Reason for which the numbers are not those of the body, known before the work: the reduced equations do not hold at the start, or
-    /// the effect of a liquid is not right.
+    /// Reason for which the numbers are not those of the body: the reduced equations do not hold at the start or under the forces on the
+    /// way, or the effect of a liquid is not right.
     pub wrong: Option<String>,
     /// What was followed, for a certificate.
     pub(crate) followed: Followed,
@@ -231,7 +231,10 @@ impl Study {
             Some(verdict) => verdict.note(),
             None => energy_note(table.system.recorded(), forced, accounts),
         };
-        let notes = note.into_iter().collect();
+        let doubt = load_doubt(run.load_ratio);
+        let wrong = wrong
+            .or_else(|| doubt.clone().filter(|(_, verdict)| *verdict == Verdict::Fails).map(|(why, _)| why));
+        let notes = doubt.map(|(why, _)| why).into_iter().chain(note).collect();
         let left = manifold.as_ref().and_then(|verdict| verdict.status(run.outcome));
         let (status, message) = left.unwrap_or_else(|| status(body, run.outcome, last.t));
         Ok(History {

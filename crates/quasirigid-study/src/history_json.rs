@@ -40,6 +40,8 @@ struct HistoryObject<'a> {
     energy_drift: f64,
     /// Of `reduced`: energy left in vibrations, and out of `dissipated` (J), (E5).
     left_out: f64,
+    /// Of `reduced`: change of external forces by displacements, against the stiffness, (E7).
+    load_ratio: f64,
     /// The same of the angular momentum, relative.
     momentum_drift: f64,
     /// ∫|ω| dt/2π.
@@ -98,6 +100,7 @@ impl History {
             work: last.work,
             energy_drift: last.energy_drift,
             left_out: self.run.left_out,
+            load_ratio: self.run.load_ratio,
             momentum_drift: last.momentum_drift,
             turns: last.revolutions,
             position: last.place,

@@ -2,15 +2,17 @@
 
 use std::sync::Arc;
 
-use quasirigid::dynamics::{Form, SlowEquations};
+use quasirigid::dynamics::{Form, SlowEquations, load_ratio_at_start};
 use quasirigid::model::ReducedBody;
 use quasirigid::modes::SpinModes;
 use quasirigid::reduction::{Comparison, Criterion, Validity, Verdict};
 use quasirigid::verification::wobble_difference;
+use quasirigid_io::model::PartialRun;
 
 use crate::error::StudyError;
 use crate::incomplete::beyond;
 use crate::motion::Motion;
+use crate::settings::RunSettings;
 use crate::steady::{self, Poles};
 use crate::study::Study;
 
@@ -43,7 +45,7 @@ pub(crate) fn for_motion(motion: &Motion, poles: &Poles, form: Form) -> Result<J
         return at_an_order_that_holds(motion, poles);
     }
     let Some(above) = SlowEquations::torque_free_order(system, form, study.order) else {
-        return judged(study, motion, &[], study.order);
+        return judged(motion, &Seen { modes: Vec::new(), loads: loads(motion) }, study.order);
     };
     let quick = study.body.coordinates().len() <= QUICK_COORDINATES;
     let free = if quick { steady::without_forces(motion, study)? } else { Poles::default() };
@@ -56,14 +58,14 @@ pub(crate) fn for_motion(motion: &Motion, poles: &Poles, form: Form) -> Result<J
 
 fn from_an_order(motion: &Motion, poles: &Poles, lowest: usize) -> Result<Judged, StudyError> {
     let study = motion.study();
-    let modes: Vec<_> = poles.modes.iter().take(2).flatten().collect();
-    let own = judged(study, motion, &modes, lowest)?;
+    let seen = Seen { modes: poles.modes.iter().take(2).flatten().collect(), loads: loads(motion) };
+    let own = judged(motion, &seen, lowest)?;
     if study.order_given || own.validity.verdict() == Verdict::Fails || own.holds() {
         return Ok(own);
     }
     let complete = |order: &usize| beyond(&study.model.assembly, *order).is_none();
     for order in (lowest + 1..=HIGHEST_ORDER).take_while(complete) {
-        let next = judged(study, motion, &modes, order)?;
+        let next = judged(motion, &seen, order)?;
         if next.validity.verdict() <= own.validity.verdict() && next.holds() {
             return Ok(next);
         }
@@ -78,10 +80,12 @@ pub(crate) fn poles_in_a_moment(motion: &Motion) -> Result<Poles, StudyError> {
     if few { steady::at_start(motion, study) } else { Ok(Poles::default()) }
 }
 
-/// The order of the study, judged at an angular velocity (rad/s).
-pub(crate) fn at(study: &Study, omega: [f64; 3]) -> Result<Judged, StudyError> {
+/// The order of the study, judged at an angular velocity (rad/s) in place of that of the start.
+pub(crate) fn at(motion: &Motion, omega: [f64; 3]) -> Result<Judged, StudyError> {
+    let study = motion.study();
     let reduced = study.reduced(study.order)?;
-    let validity = Validity::assess_reduced(&study.body, &reduced, omega)?;
+    let mut validity = Validity::assess_reduced(&study.body, &reduced, omega)?;
+    place(&mut validity, Comparison::Power, (Comparison::Loads, loads(motion)));
     Ok(Judged { order: study.order, reduced, omega, validity })
 }
 
@@ -106,19 +110,43 @@ impl Judged {
     }
 }
 
-fn judged(study: &Study, motion: &Motion, modes: &[&SpinModes], order: usize) -> Result<Judged, StudyError> {
+/// What every order is compared with.
+struct Seen<'a> {
+    /// Modes about the steady spins.
+    modes: Vec<&'a SpinModes>,
+    /// Change of the loads by displacements, where forces act. (V13)
+    loads: Option<f64>,
+}
+
+fn judged(motion: &Motion, seen: &Seen, order: usize) -> Result<Judged, StudyError> {
+    let study = motion.study();
     let reduced = study.reduced(order)?;
     let omega = motion.judged_spin(&reduced)?;
     let mut validity = Validity::assess_reduced(&study.body, &reduced, omega)?;
     // losses of materials are left out of the reduced equations, and are told of elsewhere
     let complete = study.body.viscoelastic().is_empty();
-    let compared = modes.iter().filter(|_| complete);
+    let compared = seen.modes.iter().filter(|_| complete);
     let differences = compared.filter_map(|modes| wobble_difference(&reduced, modes));
-    if let Some(value) = differences.reduce(f64::max) {
-        let comparison = Comparison::Wobbles;
-        let place = validity.criteria.iter().position(|criterion| criterion.comparison == Comparison::Levels);
-        let place = place.unwrap_or(validity.criteria.len());
-        validity.criteria.insert(place, Criterion { comparison, value });
-    }
+    place(&mut validity, Comparison::Power, (Comparison::Loads, seen.loads));
+    place(&mut validity, Comparison::Levels, (Comparison::Wobbles, differences.reduce(f64::max)));
     Ok(Judged { order, reduced, omega, validity })
+}
+
+/// Change of the loads by displacements at the start, over the forces of the file's own duration. (V13)
+fn loads(motion: &Motion) -> Option<f64> {
+    if !motion.system().acts() {
+        return None;
+    }
+    let settings = RunSettings::resolve(&PartialRun::default(), motion.study()).ok();
+    let duration = settings.and_then(|settings| settings.duration(motion.start.omega).ok());
+    let ratio = load_ratio_at_start(motion.system(), motion.start, duration.unwrap_or_default());
+    (ratio != 0.0).then_some(ratio)
+}
+
+/// Puts a criterion that needs more than the body before another one.
+fn place(validity: &mut Validity, next: Comparison, (comparison, value): (Comparison, Option<f64>)) {
+    let Some(value) = value else { return };
+    let place = validity.criteria.iter().position(|criterion| criterion.comparison == next);
+    let place = place.unwrap_or(validity.criteria.len());
+    validity.criteria.insert(place, Criterion { comparison, value });
 }

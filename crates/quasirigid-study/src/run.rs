@@ -31,7 +31,7 @@ use crate::scene::{self, Frames};
 use crate::settings::{EvolveSettings, RunSettings, SpinManifoldSettings};
 use crate::study::Study;
 use crate::watch::Watch;
-use crate::words::{Accounts, energy_note, significant};
+use crate::words::{Accounts, energy_note, load_doubt, significant};
 use crate::{evolution, record, steady, verification};
 
 /// Rows of a history without a given number: enough for smooth curves, within limits.
@@ -154,10 +154,10 @@ impl Study {
         let poles = steady::at_start(&motion, self)?;
         let judged = from_rest.map_or_else(
             || judged::for_motion(&motion, &poles, settings.form),
-            |spin| judged::at(self, spin),
+            |spin| judged::at(&motion, spin),
         );
         let Judged { order, reduced, validity, .. } = match judged {
-            Err(error) if error.is_of_the_series() => judged::at(self, start.omega)?,
+            Err(error) if error.is_of_the_series() => judged::at(&motion, start.omega)?,
             found => found?,
         };
         let motion = motion.of_order(order);
@@ -324,6 +324,9 @@ impl<'a> Plan<'a> {
             let &HistoryRecord { energy, energy_drift: drift, dissipated, left_out, .. } = each;
             energy_note(&each.system, forced, Accounts { energy, drift, dissipated, left_out })
         };
+        let loads = |each: &HistoryRecord| load_doubt(each.load_ratio).map(|(doubt, _)| doubt);
+        let doubts: Vec<_> = record.histories.iter().filter_map(loads).collect();
+        record.notes.extend(doubts);
         record.notes.extend(record.histories.iter().filter(note).filter_map(drift));
         Ok(())
     }
@@ -429,8 +432,10 @@ impl<'a> Plan<'a> {
     /// Whether everything asked for was followed to its end and verified.
     fn is_done(&self, record: &RunRecord) -> bool {
         let ended = |status: &str| matches!(status, "finished" | "event");
+        let lost = |ratio| load_doubt(ratio).is_some_and(|(_, verdict)| verdict == Verdict::Fails);
+        let followed = |history: &HistoryRecord| ended(&history.status) && !lost(history.load_ratio);
         record.histories.len() == self.systems.len()
-            && record.histories.iter().all(|history| ended(&history.status))
+            && record.histories.iter().all(followed)
             && record.verification.is_some() == self.study.model.run.verify.is_some()
             && record.verification.as_ref().is_none_or(|verification| verification.reached)
             && record.evolution.as_ref().is_none_or(|evolution| evolution.status == "finished")

@@ -35,6 +35,7 @@ fn names(comparison: Comparison) -> (&'static str, &'static str) {
         Comparison::Resonance => ("harmonics near resonance", "nome^(n/2)"),
         Comparison::Linearity => ("displacement against size", "max|r|/max|rho|"),
         Comparison::Residual => ("residual of the full equations", "|residual|/|load|"),
+        Comparison::Loads => ("load changed by displacement", "|dQ/dq|/C"),
         Comparison::Power => ("convergence of the power", "change of P/P"),
         Comparison::Wobbles => ("rates of small wobbles", "change of rate"),
         Comparison::Levels => ("averages along rigid polhodes", "max|f4|/max|f2|"),
@@ -84,6 +85,9 @@ fn sentence(criterion: &Criterion, validity: &Validity) -> String {
         Comparison::Residual => {
             format!("Put into the full equations, the reduced ones leave {ratio} of the load unbalanced.")
         }
+        Comparison::Loads => format!(
+            "A displacement changes the external forces by up to {ratio} of the elastic force that resists it; from 1 on they buckle the body."
+        ),
         Comparison::Power if criterion.value == 0.0 => {
             "No power is kept at this order, or none is dissipated.".into()
         }
@@ -172,6 +176,26 @@ pub fn reasons(validity: &Validity) -> Vec<String> {
         .collect();
     failing.sort_by_key(|criterion| std::cmp::Reverse(criterion.verdict()));
     failing.iter().map(|criterion| sentence(criterion, validity)).collect()
+}
+
+/// Doubt about reduced equations whose loads have changed with displacements by a ratio (E7), and whether it is failure; none where it is small.
+pub fn load_doubt(ratio: f64) -> Option<(String, Verdict)> {
+    let criterion = Criterion { comparison: Comparison::Loads, value: ratio };
+    let what = format!(
+        "displacements changed the external forces by up to {} of the elastic forces that resist them",
+        significant(ratio, 2)
+    );
+    match criterion.verdict() {
+        Verdict::Holds => None,
+        Verdict::Marginal => Some((
+            format!("The reduced equations were at the edge of their range: {what}."),
+            Verdict::Marginal,
+        )),
+        Verdict::Fails => Some((
+            format!("The reduced equations DID NOT HOLD: {what}; the full system follows this."),
+            Verdict::Fails,
+        )),
+    }
 }
 
 /// Share of the dissipated energy above which the integrator's own change of energy is noted.

@@ -1,7 +1,7 @@
 //! External loads: force, moment and generalised forces of all laws on a body in motion.
 //! Generic over the scalar, so that the same code gives values, Taylor series in time and first variations; each law acts on the displaced
 //! place, curvature included.
-//! Equations (F1), (F2), (F5), (F6), (F9) and (F11) to (F15), docs/theory/07-forces.md; (S1), docs/theory/01-system.md.
+//! Equations (F1), (F2), (F5), (F6), (F9), (F11) to (F15) and (F21), docs/theory/07-forces.md; (S1), docs/theory/01-system.md.
 
 use std::cell::OnceCell;
 
@@ -147,9 +147,11 @@ impl<T: Smooth> LoadContext<'_, T> {
             ForceLaw::SpinDrag { coefficient } => {
                 loads.add_torque(scale(T::from(-coefficient), motion.omega))
             }
-            ForceLaw::Torque { torque, axes, wave } => loads.add_torque(self.varying(*torque, *axes, *wave)),
+            ForceLaw::Torque { torque, axes, wave } => {
+                loads.add_torque(self.turned(self.varying(*torque, *wave), *axes, None));
+            }
             ForceLaw::Thrust { at, force, axes, wave } => {
-                loads.add_force(&self.place(at), self.varying(*force, *axes, *wave));
+                loads.add_force(&self.place(at), self.turned(self.varying(*force, *wave), *axes, Some(at)));
             }
             ForceLaw::MagneticDipole { moment, field } => {
                 loads.add_torque(cross(moment.map(T::from), self.turn().to_body(field.at(t))));
@@ -166,11 +168,13 @@ impl<T: Smooth> LoadContext<'_, T> {
             ForceLaw::TorqueExpression { torque, axes } => {
                 let felt = self.felt(self.kinematics.pole, self.kinematics.pole_velocity);
                 let torque = torque.each_ref().map(|component| component.value(&felt));
-                loads.add_torque(self.turned(torque, *axes));
+                loads.add_torque(self.turned(torque, *axes, None));
             }
-            ForceLaw::TorqueTable { table, axes } => loads.add_torque(self.turned(table.at(t), *axes)),
+            ForceLaw::TorqueTable { table, axes } => {
+                loads.add_torque(self.turned(table.at(t), *axes, None));
+            }
             ForceLaw::ForceTable { at, table, axes } => {
-                loads.add_force(&self.place(at), self.turned(table.at(t), *axes));
+                loads.add_force(&self.place(at), self.turned(table.at(t), *axes, Some(at)));
             }
             ForceLaw::During { windows, law } => {
                 if windows.contains(t.value()) {
@@ -212,17 +216,18 @@ impl<T: Smooth> LoadContext<'_, T> {
         ((u, slopes), velocity)
     }
 
-    /// Value of a varying amplitude at the time of the state, in body axes. (F6)
-    fn varying(&self, amplitude: [f64; 3], axes: Axes, wave: Wave) -> [T; 3] {
+    /// Value of a varying amplitude at the time of the state, in its own axes. (F6)
+    fn varying(&self, amplitude: [f64; 3], wave: Wave) -> [T; 3] {
         let phase = T::from(wave.frequency) * self.kinematics.t + T::from(wave.phase);
-        self.turned(scale(phase.cos(), amplitude.map(T::from)), axes)
+        scale(phase.cos(), amplitude.map(T::from))
     }
 
-    /// Vector in body axes.
-    fn turned(&self, vector: [T; 3], axes: Axes) -> [T; 3] {
-        match axes {
-            Axes::Body => vector,
-            Axes::Inertial => self.turn().to_body(vector),
+    /// Vector in body axes; torques, which act on the carrier, have no place. (F21)
+    fn turned(&self, vector: [T; 3], axes: Axes, at: Option<&Marker>) -> [T; 3] {
+        match (axes, at) {
+            (Axes::Inertial, _) => self.turn().to_body(vector),
+            (Axes::Place, Some(at)) => at.turned(self.kinematics.motion.q, vector),
+            (Axes::Body | Axes::Place, _) => vector,
         }
     }
 }

@@ -47,6 +47,15 @@ impl<P> ForceLaw<P> {
         }
     }
 
+    /// True if the force turns with the place where it acts. (F21)
+    #[doc(hidden)]
+    pub fn turns_with_place(&self) -> bool {
+        matches!(
+            self.acting(),
+            Self::Thrust { axes: Axes::Place, .. } | Self::ForceTable { axes: Axes::Place, .. }
+        )
+    }
+
     /// True if the law is a torque, without a force.
     pub(crate) fn is_torque(&self) -> bool {
         matches!(

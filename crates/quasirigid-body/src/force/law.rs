@@ -251,6 +251,8 @@ pub enum Axes {
     Body,
     /// Inertial axes.
     Inertial,
+    /// Body axes at equilibrium, turned with the place where a force acts. (F21)
+    Place,
 }
 
 /// Variation in time: the factor `cos(Ωt + φ)`; constant when `Ω` and `φ` are zero.

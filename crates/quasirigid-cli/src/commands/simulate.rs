@@ -73,7 +73,8 @@ pub fn simulate(arguments: &Simulate) -> Result<ExitStatus, Failure> {
     interrupt.forget();
     tell_range(&history, common.quiet);
     // what is wrong is told to quiet callers too; others have read it before the work
-    history.wrong.iter().filter(|_| common.quiet).for_each(|reason| remark(reason));
+    let unsaid = history.wrong.iter().filter(|reason| common.quiet && !history.notes.contains(reason));
+    unsaid.for_each(|reason| remark(reason));
     history.notes.iter().for_each(|note| remark(note));
     let certified = arguments.certificate.is_some().then(|| study.certify_history(&history)).transpose()?;
     let in_place = print_table((arguments, format), (&study, &history), &interrupt)?;

@@ -44,7 +44,7 @@ pub use run::{Observer, Options, Outcome, PropagateError, Run, Sample, Scan, Sta
 pub use scale::spin_from_rest;
 pub use slow::{
     ForcedTorque, MAX_FORCED_ORDER, RigidState, SlowEquations, SlowPoint, SlowState, forced_torque,
-    propagate_forced, slow_state_point, takes,
+    load_ratio_at_start, propagate_forced, slow_state_point, takes,
 };
 pub use spin_path::{SpinPath, spin_path};
 pub use spin_paths::spin_paths;

@@ -126,6 +126,7 @@ impl<E: Equations> Task for StepByStep<'_, E> {
             work: solver.work(),
             scan: Scan::default(),
             left_out: 0.0,
+            load_ratio: 0.0,
         })
     }
 }

@@ -42,5 +42,6 @@ pub(super) fn stays_at_rest(
         work: Work::default(),
         scan: Scan::default(),
         left_out: 0.0,
+        load_ratio: 0.0,
     }
 }

@@ -172,6 +172,10 @@ pub struct Run {
     /// Energy (J) of vibrations that the forces excite, as far as reduced equations leave them out, and of what their series leaves out of the
     /// dissipated energy: an estimate, zero of other systems. (E5)
     pub left_out: f64,
+    /// Largest change of the loads by displacements, beside the stiffness that resists these: the ratio in which the series of reduced
+    /// equations has converged, which has no meaning from 1 on; zero of other systems. (E7)
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub load_ratio: f64,
 }
 
 /// Cost and result of following the formulas of the time through a run. (Z3)

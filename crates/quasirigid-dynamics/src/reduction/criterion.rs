@@ -1,7 +1,7 @@
 //! Criteria of validity and their verdicts: ratios that should be small, each with two limits.
 //! Criteria of initial vibrations, dissipation and averages do not judge the motion; the limits are set so that the deviation from the
 //! rigid body is in error by about 2 % at the first one.
-//! Equations (V4) to (V12), docs/theory/04-validity.md; (R12), docs/theory/03-reduction.md; (C7), docs/theory/13-inside.md.
+//! Equations (V4) to (V13), docs/theory/04-validity.md; (R12), docs/theory/03-reduction.md; (C7), docs/theory/13-inside.md.
 
 /// Comparison that a criterion of validity makes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -20,6 +20,8 @@ pub enum Comparison {
     Linearity,
     /// Residual force on the coordinates against the load, the larger ratio of elastic and cyclic ones. (R12)
     Residual,
+    /// Change of the external loads by displacements, against the stiffness that resists these. (V13)
+    Loads,
     /// Change of the power dissipated by two more orders of the series, against the power: concerns dissipation only. (V11)
     Power,
     /// Rate and frequency of a small wobble about the steady spins against the modes: concerns dissipation only. (V12)
@@ -85,12 +87,14 @@ impl Criterion {
     }
 
     /// Ratio below which the criterion holds, and from which it fails. At the paper's order the deviation from the rigid body is in error
-    /// by about the square of the first two: 2 % at their limit.
+    /// by about the square of the spin, of the damping and of the loads: 2 % at their limit.
     fn limits(&self) -> (f64, f64) {
         match self.comparison {
-            Comparison::Spin | Comparison::Damping | Comparison::Relaxation | Comparison::Resonance => {
-                (0.15, 0.5)
-            }
+            Comparison::Spin
+            | Comparison::Damping
+            | Comparison::Relaxation
+            | Comparison::Resonance
+            | Comparison::Loads => (0.15, 0.5),
             Comparison::Series
             | Comparison::Linearity
             | Comparison::Residual

@@ -9,9 +9,9 @@ mod tanks;
 
 use nalgebra::Vector3;
 
-use crate::contribution::Attachments;
 use crate::contribution::BuildOptions;
 use crate::contribution::WholeBody;
+use crate::contribution::{Attachment, Attachments};
 use crate::element::{Element, Role};
 use crate::error::{ElementError, ElementId, ElementKind, Field, Problem, at};
 use crate::kinds::part::PartGraph;
@@ -148,6 +148,13 @@ impl Assembly {
                 && force.law.place().is_some_and(|application_point| application_point.on == End::Carrier)
             {
                 return Err(at(id, Field::ON)(Problem::NoCarrier));
+            }
+            if force.law.turns_with_place() {
+                let place = force.law.place().and_then(|at| attachments.of(at.on).ok());
+                let stiff = place.filter(|place| place.rotations.is_none() && place.carried.is_none());
+                if let Some(Attachment { name, .. }) = stiff {
+                    return Err(at(id, Field::AXES)(Problem::NoDirection { place: name.clone() }));
+                }
             }
             force.try_map(|application_point| Ok(application_point.marker(&force.name, pole, attachments)))
         };

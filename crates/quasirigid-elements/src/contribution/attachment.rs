@@ -42,6 +42,7 @@ impl Attachment {
             name: self.name.clone(),
             position: (self.position - pole).into(),
             shapes: self.shapes.clone(),
+            rotations: self.rotations.clone().unwrap_or_default(),
             curvature: self.curvature.clone(),
             carried: self.carried.clone(),
         }

@@ -198,7 +198,7 @@ impl Problem {
             | Self::CoupledModes { .. } => ("not its shapes", ""),
             Self::ValuePerMode { .. } => ("one for each mode", ""),
             Self::Circle { .. } => ("in a circle", ""),
-            Self::NoArm { .. } | Self::NoTurn { .. } => ("cannot turn", ""),
+            Self::NoArm { .. } | Self::NoTurn { .. } | Self::NoDirection { .. } => ("cannot turn", ""),
             Self::Mesh(_) => ("not the mesh of a body", ""),
             Self::Elasticity(_)
             | Self::Rheology(RheologyError::NoRows | RheologyError::NotAscending { .. }) => {

@@ -289,6 +289,14 @@ pub enum Problem {
         /// The node, by name.
         node: String,
     },
+    /// A force turns with a place without orientation.
+    #[error(
+        "{place} has no rotations, so no force turns with it; give the force in axes of the body, or at a node of a beam or panel"
+    )]
+    NoDirection {
+        /// The place, by name.
+        place: String,
+    },
     /// A rigid body with inertia is at a node without rotations.
     #[error(
         "{node} has no rotations, so what is there can have no inertia; leave it out, or join a stiff beam"

@@ -262,6 +262,7 @@ impl Ellipsoid {
             name: format!("{} along {}", self.name, letter(axis)),
             position: place,
             shapes: shapes.iter().map(moved).enumerate().collect(),
+            rotations: Vec::new(),
             curvature: Vec::new(),
             carried: None,
         }

@@ -13,11 +13,9 @@ impl Element for Force<ApplicationPoint> {
     }
 
     fn attachment_points(&self) -> Vec<AttachmentPoint> {
-        self.law
-            .place()
-            .map(|application_point| AttachmentPoint::force(Field::ON, application_point.on))
-            .into_iter()
-            .collect()
+        let moment = self.law.turns_with_place();
+        let place = self.law.place().map(|at| AttachmentPoint { field: Field::ON, end: at.on, moment });
+        place.into_iter().collect()
     }
 }
 

@@ -141,7 +141,11 @@ const ANY: Keys = Keys {
         key("orbit", shared("orbit"), ""),
         key("torque", COMPONENTS.in_unit("N m"), ""),
         key("force", COMPONENTS.in_unit("N"), ""),
-        key("axes", words(&["body", "inertial"]).or("`\"body\"`"), "of force or torque"),
+        key(
+            "axes",
+            words(&["body", "inertial", "place"]).or("`\"body\"`"),
+            "of force or torque; a `thrust` may turn with its place (F21)",
+        ),
         key("frequency", quantity("rad/s").or("constant"), "Ω, the amplitude varies as cos(Ωt + φ)"),
         key("period", quantity("s"), "instead"),
         key("phase", quantity("rad").or("0"), "φ"),
@@ -232,11 +236,11 @@ fn torque(table: &Table<'_>, _: &Names<'_>, folder: &Path) -> Option<ForceLaw<Ap
 fn thrust(table: &Table<'_>, names: &Names<'_>, folder: &Path) -> Option<ForceLaw<ApplicationPoint>> {
     let at = application_point(table, names);
     if let Some(given) = tabled(table, "force", folder) {
-        let axes = axes(table);
+        let axes = axes_at_place(table);
         return Some(ForceLaw::ForceTable { at: at?, table: given?, axes: axes? });
     }
     let force = vector(table, "force", Dimension::FORCE, "force = [0, 0, \"5 mN\"]");
-    let axes = axes(table);
+    let axes = axes_at_place(table);
     let wave = wave(table);
     Some(ForceLaw::Thrust { at: at?, force: force?, axes: axes?, wave: wave? })
 }
@@ -310,9 +314,16 @@ fn axes(table: &Table<'_>) -> Option<Axes> {
     axes_or(table, Axes::Body)
 }
 
+/// Axes in the words of the file.
+const AXES: [(&str, Axes); 3] = [("body", Axes::Body), ("inertial", Axes::Inertial), ("place", Axes::Place)];
+
 fn axes_or(table: &Table<'_>, usual: Axes) -> Option<Axes> {
-    let choices = [("body", Axes::Body), ("inertial", Axes::Inertial)];
-    table.read_or("axes", usual, |value| value.choice(&choices))
+    table.read_or("axes", usual, |value| value.choice(&AXES[..2]))
+}
+
+/// Axes of a force in components, which may turn with the place where it acts.
+fn axes_at_place(table: &Table<'_>) -> Option<Axes> {
+    table.read_or("axes", Axes::Body, |value| value.choice(&AXES))
 }
 
 /// Reads the wave of an amplitude: frequency or period, and phase.

@@ -373,6 +373,10 @@ pub struct HistoryRecord {
     /// an estimate; zero of other systems and in records of versions before this field.
     #[serde(with = "number", default)]
     pub left_out: f64,
+    /// Largest change of the external forces by displacements, beside the elastic forces that resist these; zero of other systems than the
+    /// reduced one and in records of versions before this field.
+    #[serde(with = "number", default)]
+    pub load_ratio: f64,
     /// Change of `|K|` made by the integrator alone, relative.
     #[serde(with = "number")]
     pub momentum_drift: f64,

@@ -5,6 +5,7 @@ use std::fs;
 use std::io::ErrorKind;
 use std::path::Path;
 
+use proptest::array::uniform9;
 use proptest::collection::{btree_map, vec};
 use proptest::num::f64::{ANY, Any, NEGATIVE, NORMAL, POSITIVE, SUBNORMAL, ZERO};
 use proptest::option;
@@ -102,12 +103,13 @@ fn columns() -> impl Strategy<Value = Vec<Column>> {
 prop_compose! {
     fn history(system: &'static str)(
         form in ".*", method in ".*", status in ".*", message in ".*", steps: u64, rejected: u64,
-        numbers in [finite(), finite(), finite(), finite(), finite(), finite(), finite(), finite()], columns in columns(), dissipation in shares(),
+        numbers in uniform9(finite()), columns in columns(), dissipation in shares(),
     ) -> HistoryRecord {
-        let [tolerance, revolutions, energy, dissipated, work, energy_drift, left_out, momentum_drift] = numbers;
+        let [tolerance, revolutions, energy, dissipated, work, energy_drift, left_out, load_ratio, momentum_drift] = numbers;
         HistoryRecord {
             system: system.into(), form, method, status, message, tolerance, steps, rejected, revolutions,
-            energy, dissipated, dissipation, work, energy_drift, left_out, momentum_drift, rows: 0, columns, log: None,
+            energy, dissipated, dissipation, work, energy_drift, left_out, load_ratio, momentum_drift, rows: 0, columns,
+            log: None,
         }
     }
 }
@@ -357,6 +359,7 @@ pub fn sample() -> RunRecord {
             work: 0.0,
             energy_drift: 0.0,
             left_out: 0.0,
+            load_ratio: 0.0,
             momentum_drift: 0.0,
             rows: 0,
             log: None,

@@ -44,6 +44,24 @@ fn orbit(a: f64) -> Orbit {
     }
 }
 
+/// A thrust may turn with its place; a torque, which acts on the carrier, and a formula, in inertial axes, do not.
+#[test]
+fn axes_of_a_place_are_those_of_a_thrust() {
+    let at = "on = \"tip\"\naxes = \"place\"\n";
+    let axes = |lines: &str| match law("thrust", &format!("{at}{lines}")) {
+        ForceLaw::Thrust { axes, .. } => axes,
+        other => panic!("{other:?}"),
+    };
+    assert_eq!(axes("force = [0, 0, 1]\n"), Axes::Place);
+    for refusal in [
+        refused("torque", "torque = [0, 0, 1]\naxes = \"place\"\n"),
+        refused("expression", "torque = [\"0\", \"0\", \"1\"]\naxes = \"place\"\n"),
+        refused("expression", &format!("{at}force = [\"0\", \"0\", \"1\"]\n")),
+    ] {
+        assert!(refusal.contains("axes"), "{refusal}");
+    }
+}
+
 #[test]
 fn forces_without_places_are_read() {
     let gravity = law("uniform-gravity", "acceleration = [0, \"1 m/s^2\", -9.81]\n");

@@ -172,6 +172,7 @@ impl Study {
             name: "carrier".into(),
             position,
             shapes: Vec::new(),
+            rotations: Vec::new(),
             curvature: Vec::new(),
             carried: None,
         })

@@ -72,6 +72,7 @@ fn accelerations_of_places_contain_that_of_the_support() {
         name: "pole".into(),
         position: [0.0; 3],
         shapes: Vec::new(),
+        rotations: Vec::new(),
         curvature: Vec::new(),
         carried: None,
     };

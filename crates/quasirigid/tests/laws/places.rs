@@ -77,6 +77,49 @@ fn a_place_on_an_appendage_turns_with_it() {
     }
 }
 
+/// A thrust that turns with its place has the direction of exact rotations at any angle, on the tip and, unturned, on the carrier; a sprung point
+/// has no direction. (F21)
+#[test]
+fn a_thrust_turns_with_its_place() {
+    let f = [0.3, -1.2, 0.7];
+    let thrust = |on, at| {
+        let at = ApplicationPoint { on, at };
+        let law = ForceLaw::Thrust { at, force: f, axes: Axes::Place, wave: Wave::default() };
+        Force { name: "thruster".into(), law }
+    };
+    let at_rest = [0.0; 5];
+    let loads = |force: Force<ApplicationPoint>, q: &[f64]| {
+        let assembly = Assembly { forces: vec![force], ..placed() };
+        let (body, forces) = (assembly.body().unwrap(), assembly.forces().unwrap());
+        let motion = Moving { omega: [0.4, -0.7, 0.3], q, rate: &at_rest };
+        let kinematics = KinematicState {
+            t: 0.0,
+            attitude: attitude(),
+            pole: [0.3, 1.0, -2.0],
+            pole_velocity: [0.1, 0.2, 0.5],
+            motion,
+        };
+        (body.loads(&forces, &kinematics), V::from(body.pole()))
+    };
+    let boom = &placed().hinged[0];
+    let axes: Vec<V> = boom.axes.iter().map(|axis| V::from(*axis).normalize()).collect();
+    for size in [0.05, 0.9, -2.7] {
+        let q = [0.0, 0.0, 0.0, size, -0.7 * size];
+        let (found, pole) = loads(thrust(ON_TIP, None), &q);
+        let turn = |i: usize| *Rotation3::new(q[3 + i] * axes[i]).matrix();
+        let (arm, F) =
+            (turn(0) * turn(1) * (V::from(TIP) - V::from(boom.hinge)), turn(0) * turn(1) * V::from(f));
+        let Q = [axes[0].cross(&arm).dot(&F), (turn(0) * axes[1]).cross(&arm).dot(&F)];
+        let gap = [3, 4].map(|j| (found.generalized[j] - Q[j - 3]).abs());
+        let M = V::from(found.moment) - (V::from(boom.hinge) + arm - pole).cross(&F);
+        assert!(gap[0].max(gap[1]).max(M.norm()) < 1e-14 * 10.0, "{size}: {gap:?} {M}");
+        assert!((V::from(found.force) - F).norm() < 1e-14, "{size}");
+        assert_eq!(loads(thrust(End::Carrier, Some([0.2, 0.1, 0.0])), &q).0.force, f);
+    }
+    let refused = Assembly { forces: vec![thrust(End::Point(0), None)], ..placed() }.forces().unwrap_err();
+    assert!(matches!(refused.problem, Problem::NoDirection { .. }), "{refused}");
+}
+
 /// Stiffness of a spring at a place about each axis: `(a × s)ᵀ k (a × s)`.
 #[test]
 fn a_spring_at_a_place_stiffens_the_hinge() {
@@ -115,6 +158,12 @@ fn orders_are_reached_with_places_and_formulas() {
     let at = ApplicationPoint { on: ON_TIP, at: None };
     let laws = [
         ForceLaw::Drag { at, coefficient: 0.05 },
+        ForceLaw::Thrust {
+            at,
+            force: [0.06, -0.03, 0.05],
+            axes: Axes::Place,
+            wave: Wave { frequency: 0.4, phase: 0.7 },
+        },
         ForceLaw::Expression { at, force: ["0.1*qx*wz", "0.05*wy*qw", "-0.1*qz"].map(formula) },
         ForceLaw::TorqueExpression {
             torque: ["-0.1*wx*wz", "0.05*qy", "-0.02*wz^3"].map(formula),

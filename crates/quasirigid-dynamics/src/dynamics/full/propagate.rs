@@ -96,6 +96,7 @@ pub fn propagate_controlled(
         work: solver.work(),
         scan: monitor.scan(),
         left_out: 0.0,
+        load_ratio: 0.0,
     };
     observer.budget(&budget(system.body, &solver.y()[layout.accounts()], last.dissipated));
     Ok(run)

@@ -69,9 +69,9 @@ pub(super) struct Correction {
 }
 
 impl Correction {
-    /// Correction at a state.
-    pub fn at(system: Forced, order: usize, K: [f64; 3], pose: &Pose<f64>) -> Self {
-        passes(system, system.acts(), order.max(JUDGED), K, pose).1
+    /// Correction at a state, with the slow motion that it is part of.
+    pub fn at(system: Forced, order: usize, K: [f64; 3], pose: &Pose<f64>) -> (SlowPoint, Self) {
+        passes(system, system.acts(), order.max(JUDGED), K, pose)
     }
 
     /// From one slow motion to another.
@@ -129,7 +129,8 @@ fn vibration_time(system: Forced, shape: &[f64]) -> f64 {
     (kinetic_energy(system, shape) / elastic_energy(system, shape)).sqrt()
 }
 
-fn elastic_energy(system: Forced, q: &[f64]) -> f64 {
+/// Energy (J) that the stiffness stores at displacements.
+pub(super) fn elastic_energy(system: Forced, q: &[f64]) -> f64 {
     0.5 * system.body.stiffness().quadratic(q)
 }
 
@@ -198,7 +199,13 @@ fn spin<T: Smooth>(system: Forced, K: [T; 3], q: &[T], rate: &[T]) -> [T; 3] {
     smooth_times(smooth_inverse(system.body.inertia_at(q)), rest)
 }
 
-fn loads<T: Smooth>(system: Forced, acts: bool, pose: &Pose<T>, motion: MotionState<T>) -> Loads<T> {
+/// Loads of what acts from outside, if anything does.
+pub(super) fn loads<T: Smooth>(
+    system: Forced,
+    acts: bool,
+    pose: &Pose<T>,
+    motion: MotionState<T>,
+) -> Loads<T> {
     if acts { system.loads(pose, motion) } else { Loads::none(motion.q.len()) }
 }
 

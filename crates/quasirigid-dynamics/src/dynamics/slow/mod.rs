@@ -2,6 +2,7 @@
 
 mod equations;
 mod flow;
+mod load_ratio;
 mod motion;
 mod propagate;
 mod state;
@@ -10,6 +11,7 @@ mod torque;
 
 pub use equations::SlowEquations;
 pub use flow::{MAX_FORCED_ORDER, SlowPoint};
+pub use load_ratio::load_ratio_at_start;
 pub use propagate::{propagate_forced, takes};
 pub use state::{SlowState, slow_state_point};
 pub use torque::{ForcedTorque, RigidState, forced_torque};

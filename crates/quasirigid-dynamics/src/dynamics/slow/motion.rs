@@ -1,7 +1,9 @@
 //! Motion of the reduced equations under forces, with the energy that vibrations excited by the forces take from it.
-//! Equation (E5), docs/theory/09-forced-reduction.md.
+//! Equations (E5) and (E7), docs/theory/09-forced-reduction.md.
 
+use super::equations::SlowEquations;
 use super::flow::{Correction, SlowPoint, slow_point};
+use super::load_ratio::load_ratio_of;
 use super::state::SlowState;
 use super::system::SlowSystem;
 use crate::dynamics::external::Pose;
@@ -9,10 +11,13 @@ use crate::dynamics::invariant_monitor::{Invariant, StateView, Trajectory};
 use crate::dynamics::layout::{ATTITUDE, MOMENTUM, SLOW_LENGTH, triple};
 use crate::dynamics::position::Position;
 use crate::math::ode::{Checkpoint, Stretch};
-use crate::model::{Form, MotionState};
+use crate::model::{Displaced, Form, MotionState};
 
 /// Share of the energy of a correction that comes and goes: the vibrations of both its ends may add. (E5)
 const BOTH_ENDS: f64 = 4.0;
+
+/// Least order whose equations have displacements.
+const DISPLACED: usize = 2;
 
 /// Motion of the reduced equations, and the error of what they dissipate.
 pub(super) struct SlowMotion<'a> {
@@ -21,21 +26,32 @@ pub(super) struct SlowMotion<'a> {
     y: [f64; SLOW_LENGTH],
     t: f64,
     error_of_power: f64,
-    /// Last correction, what corrections have changed by within a vibration, and the largest energy (J) of that.
+    /// Displacements there, the last correction, what corrections have changed by within a vibration, and the largest energy (J) of that.
+    q: Vec<f64>,
     last: Correction,
     quick: Correction,
     largest: f64,
     /// Energy (J) of the vibrations from jumps, and of what the series leaves out of the dissipated one.
     summed: f64,
+    /// Largest ratio in which the series has converged.
+    load_ratio: f64,
 }
 
 impl<'a> SlowMotion<'a> {
     /// From the first state.
     pub fn new(system: SlowSystem<'a>, y: &[f64; SLOW_LENGTH]) -> Self {
-        let last = correction(&system, 0.0, y);
-        let error_of_power = last.error_of_power(system.equations.system);
-        let quick = Correction::none(system.equations.system.body.coordinates().len());
-        Self { system, y: *y, t: 0.0, error_of_power, last, quick, largest: 0.0, summed: 0.0 }
+        let n = system.equations.system.body.coordinates().len();
+        let (error_of_power, largest, summed, load_ratio) = (0.0, 0.0, 0.0, 0.0);
+        let (q, last, quick) = (vec![0.0; n], Correction::none(n), Correction::none(n));
+        let mut motion =
+            Self { system, y: *y, t: 0.0, error_of_power, q, last, quick, largest, summed, load_ratio };
+        motion.correct();
+        motion
+    }
+
+    /// Largest change of the loads by displacements so far, beside the stiffness; zero of a rigid body. (E7)
+    pub fn load_ratio(&self) -> f64 {
+        self.load_ratio
     }
 
     /// Energy (J) of excited vibrations, and of what the series leaves out of the dissipated one. (E5)
@@ -48,10 +64,16 @@ impl<'a> SlowMotion<'a> {
         slow_point(self.system.equations.system, self.system.equations.order, K, &pose)
     }
 
-    /// Takes the correction at the state as the last one.
+    /// Takes the displacements, the correction and the ratio of the loads at the state as the last ones.
     fn correct(&mut self) -> Correction {
-        let correction = correction(&self.system, self.t, &self.y);
-        self.error_of_power = correction.error_of_power(self.system.equations.system);
+        let (K, pose) = place(&self.system, self.t, &self.y);
+        let SlowEquations { system, order, .. } = self.system.equations;
+        let (point, correction) = Correction::at(system, order, K, &pose);
+        self.error_of_power = correction.error_of_power(system);
+        if order >= DISPLACED {
+            self.load_ratio = self.load_ratio.max(load_ratio_of(system, K, &pose));
+            self.q = point.q;
+        }
         std::mem::replace(&mut self.last, correction)
     }
 }
@@ -64,11 +86,6 @@ fn place(system: &SlowSystem, t: f64, y: &[f64]) -> ([f64; 3], Pose<f64>) {
         Form::AngularVelocity => system.view(t, y).angular_momentum,
     };
     (K, SlowState::unpack(y).pose(t))
-}
-
-fn correction(system: &SlowSystem, t: f64, y: &[f64]) -> Correction {
-    let (K, pose) = place(system, t, y);
-    Correction::at(system.equations.system, system.equations.order, K, &pose)
 }
 
 impl Trajectory for SlowMotion<'_> {
@@ -103,6 +120,10 @@ impl Trajectory for SlowMotion<'_> {
         }
     }
 
+    fn left(&self, _: &[f64]) -> Option<Displaced> {
+        self.system.equations.system.body.left_range(&self.q)
+    }
+
     fn enter(&mut self, stretch: Stretch, begins: bool) {
         let before = (begins && self.t > 0.0).then(|| self.point());
         self.system.stretch = stretch;
@@ -128,7 +149,7 @@ impl Trajectory for SlowMotion<'_> {
 
     fn save(&self, checkpoint: &mut Checkpoint) {
         checkpoint.save_list(&self.y);
-        [self.t, self.error_of_power, self.largest, self.summed]
+        [self.t, self.error_of_power, self.largest, self.summed, self.load_ratio]
             .iter()
             .for_each(|value| checkpoint.save(*value));
         [&self.last, &self.quick].iter().for_each(|correction| correction.save(checkpoint));
@@ -136,7 +157,8 @@ impl Trajectory for SlowMotion<'_> {
 
     fn load(&mut self, checkpoint: &mut Checkpoint) -> Option<()> {
         checkpoint.load_into(&mut self.y)?;
-        for value in [&mut self.t, &mut self.error_of_power, &mut self.largest, &mut self.summed] {
+        let Self { t, error_of_power, largest, summed, load_ratio, .. } = self;
+        for value in [t, error_of_power, largest, summed, load_ratio] {
             *value = checkpoint.load()?;
         }
         self.last.load(checkpoint)?;

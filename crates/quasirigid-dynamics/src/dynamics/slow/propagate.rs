@@ -116,6 +116,7 @@ pub fn propagate_forced(
     let first = monitor.resume(&mut solver)?;
     let reason = integrate(&mut solver, times, first, options.most_steps, &mut monitor);
     let last = monitor.sample(solver.t(), solver.y());
-    let (outcome, left_out) = (monitor.outcome(reason), monitor.trajectory.left_out());
-    Ok(Run { outcome, last, work: solver.work(), scan: monitor.scan(), left_out })
+    let outcome = monitor.outcome(reason);
+    let (left_out, load_ratio) = (monitor.trajectory.left_out(), monitor.trajectory.load_ratio());
+    Ok(Run { outcome, last, work: solver.work(), scan: monitor.scan(), left_out, load_ratio })
 }

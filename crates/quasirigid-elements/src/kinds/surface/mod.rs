@@ -185,6 +185,7 @@ impl Surface {
                 name,
                 position,
                 shapes: ritz.shapes(position),
+                rotations: Vec::new(),
                 curvature: Vec::new(),
                 carried: None,
             })

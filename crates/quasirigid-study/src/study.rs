@@ -13,6 +13,7 @@ use quasirigid::model::{FlexibleBody, Marker, ReducedBody};
 use quasirigid::reduction::{ReductionError, reduce};
 use quasirigid_io::model::Model;
 
+use crate::as_observed::{self, Observed};
 use crate::controlled;
 use crate::error::StudyError;
 use crate::incomplete::beyond;
@@ -52,6 +53,8 @@ pub struct Study {
     pub condensation: Option<Condensation>,
     /// Approximation of a solid inside a surface.
     pub resolution: Option<Resolution>,
+    /// What the spin makes of the body, where its shape or its moments were observed in rotation.
+    pub(crate) observed: Option<Observed>,
     /// Order of the reduced equations.
     pub order: usize,
     /// Whether somebody asked for that order.
@@ -104,10 +107,12 @@ impl Study {
         if !errors.is_empty() {
             return Err(model.diagnose_all(&errors).into());
         }
+        let observed = as_observed::relax(&mut model)?;
         let built = if drawn { model.assembly.build_with_visuals() } else { model.assembly.build() };
         let Built { body, forces, controls, condensation, speeds, liquids: slow, tanks, resolution, visuals } =
             built.map_err(|error| model.diagnose(&error))?;
         let visuals = if drawn { OnceLock::from(visuals) } else { OnceLock::new() };
+        model.notes.splice(..0, observed.iter().map(|observed| observed.note(&body)));
         model.notes.extend(beyond(&model.assembly, order));
         model.notes.extend(liquids::notes(&model.assembly, &slow));
         model.notes.extend(controlled::note(&controls));
@@ -125,6 +130,7 @@ impl Study {
             tanks,
             condensation,
             resolution,
+            observed,
             order,
             order_given,
             visuals,

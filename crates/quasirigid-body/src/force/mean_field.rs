@@ -1,13 +1,19 @@
-//! Mean of the products of a magnetic field over an orbit and over the turn of its dipole, and the rates that must keep apart for it.
-//! Equation (F17), docs/theory/07-forces.md.
+//! Means of a magnetic field over an orbit and over the turn of its dipole: its products, its twist, and the rates that must keep apart for
+//! them.
+//! Equations (F17) and (F19), docs/theory/07-forces.md.
 
 use std::f64::consts::TAU;
 
-use super::{MagneticField, Orbit};
-use crate::math::vec3::dot;
+use super::field::dipole_with_rate;
+use super::{MagneticField, Orbit, OrbitPoint};
+use crate::math::vec3::{add, cross, dot, scale};
 
 /// Points of the mean: in the true anomaly the products are a trigonometric polynomial of degree 8, whose mean 9 points give exactly.
 const POINTS: usize = 16;
+/// Phases of a dipole that turns, whose products hold its second harmonic.
+const PHASES: usize = 4;
+/// Places of a node or a periapsis that precesses.
+const ANGLES: usize = 10;
 /// Harmonics of the orbit and of the turn of the dipole whose differences are slow where the two are in resonance: the products hold the
 /// second harmonic of the dipole, and the fourth of a circular orbit.
 const ORBIT_HARMONICS: u32 = 8;
@@ -27,8 +33,61 @@ impl MagneticField {
         }
     }
 
-    /// Fastest rate (rad/s) at which the direction from the dipole turns, plus that of the dipole; zero in a uniform field. The currents
-    /// of (F15) suppose a body that rotates much faster.
+    /// Mean twist `⟨B×Ḃ⟩` (T²/s), inertial axes, over the orbit and over all phases of the dipole: twice the rate at which the vector of the
+    /// field sweeps out an area. (F19)
+    #[must_use]
+    pub fn mean_twist(&self) -> [f64; 3] {
+        let Self::Dipole { strength: [x, y, z], orbit, .. } = *self else { return [0.0; 3] };
+        let rate = self.rotation();
+        let phases = if rate == 0.0 { 1 } else { PHASES };
+        let mut sum = [0.0; 3];
+        for phase in 0..phases {
+            let (sin, cos) = (TAU * phase as f64 / phases as f64).sin_cos();
+            let m = [cos * x - sin * y, sin * x + cos * y, z];
+            let turning = [-rate * m[1], rate * m[0], 0.0];
+            for (passage, share) in passages(&orbit) {
+                let [B, change] = dipole_with_rate([m, turning], &passage);
+                sum = add(sum, scale(share / phases as f64, cross(B, change)));
+            }
+        }
+        sum
+    }
+
+    /// The field with node and periapsis of its orbit where they are at a time (s). (F20)
+    #[must_use]
+    pub fn precessed(&self, t: f64) -> Self {
+        match *self {
+            Self::Dipole { strength, rate, orbit } => {
+                Self::Dipole { strength, rate, orbit: orbit.precessed(t) }
+            }
+            field @ Self::Uniform(_) => field,
+        }
+    }
+
+    /// Slowest rate (rad/s) at which node and periapsis of the orbit precess, of those that do; infinite where none does.
+    #[must_use]
+    pub fn slowest_precession(&self) -> f64 {
+        let rates = self.orbit().map_or([0.0; 2], |orbit| [orbit.node_rate, orbit.periapsis_rate]);
+        rates.into_iter().map(f64::abs).filter(|rate| *rate > 0.0).fold(f64::INFINITY, f64::min)
+    }
+
+    /// Fields at even places of node and periapsis, whose means are those over the precession: products of the field hold the fourth
+    /// harmonic of either angle. (F20)
+    pub fn over_precession(&self) -> Vec<Self> {
+        let Self::Dipole { strength, rate, orbit } = *self else { return vec![*self] };
+        let places = |rate: f64| if rate == 0.0 { 1 } else { ANGLES };
+        let (nodes, periapses) = (places(orbit.node_rate), places(orbit.periapsis_rate));
+        let angle = |i: usize, count: usize| TAU * i as f64 / count as f64;
+        let at = |i: usize| Orbit {
+            raan: orbit.raan + angle(i % nodes, nodes),
+            argument_of_periapsis: orbit.argument_of_periapsis + angle(i / nodes, periapses),
+            ..orbit
+        };
+        (0..nodes * periapses).map(|i| Self::Dipole { strength, rate, orbit: at(i) }).collect()
+    }
+
+    /// Fastest rate (rad/s) at which the direction from the dipole turns, plus that of the dipole; zero in a uniform field. The average
+    /// over a rotation supposes a body that rotates much faster.
     #[must_use]
     pub fn fastest_rate(&self) -> f64 {
         self.orbit().map_or(0.0, |orbit| {
@@ -51,6 +110,26 @@ impl MagneticField {
         let beats = harmonics.map(|(l, k)| (f64::from(l) * n - f64::from(k) * turn).abs());
         beats.fold(n.min(turn), f64::min)
     }
+}
+
+/// Points of an orbit, even in the true anomaly, each with its share of the time. Products of the field and its rate are trigonometric
+/// polynomials of degree 10 there once they are weighted.
+fn passages(orbit: &Orbit) -> impl Iterator<Item = (OrbitPoint<f64>, f64)> {
+    let e = orbit.eccentricity;
+    let p = orbit.semi_major_axis * (1.0 - e) * (1.0 + e);
+    let speed = (orbit.mu / p).sqrt();
+    let (area, mean_motion) = (speed * p, orbit.mean_motion());
+    let [along, across] = orbit.axes();
+    let turning = orbit.turning([along, across]);
+    let joined = move |x: f64, y: f64| add(scale(x, along), scale(y, across));
+    (0..POINTS).map(move |point| {
+        let (sin, cos) = (TAU * point as f64 / POINTS as f64).sin_cos();
+        let radius = p / (1.0 + e * cos);
+        let place = joined(radius * cos, radius * sin);
+        let velocity = add(joined(-speed * sin, speed * (e + cos)), cross(turning, place));
+        let share = mean_motion * radius * radius / (area * POINTS as f64);
+        (OrbitPoint { place, velocity, radius }, share)
+    })
 }
 
 /// Mean of `G C G/r⁶`, `G = 3nnᵀ − 1`, of a dipole whose products are `C` (T²·m⁶).
@@ -99,6 +178,8 @@ mod tests {
             raan: 0.7,
             argument_of_periapsis: 2.1,
             mean_anomaly: 0.4,
+            node_rate: 0.0,
+            periapsis_rate: 0.0,
         }
     }
 
@@ -119,6 +200,49 @@ mod tests {
         let found = field(0.0).mean_square();
         let differences = (0..9).map(|i| (found[i / 3][i % 3] - sum[i / 3][i % 3]).abs());
         differences.fold(0.0, f64::max) / norm(sum.map(norm))
+    }
+
+    /// `⟨B×Ḃ⟩` by differences of the field in time, over phases of the dipole where it turns.
+    #[test]
+    fn mean_twist_is_that_over_time() {
+        let [x, y, z] = STRENGTH;
+        for (eccentricity, rate) in [(0.0, 0.0), (0.0137, 3e-4), (0.6, 0.0), (0.3, -7e-4)] {
+            let orbit = orbit(eccentricity);
+            let phases = if rate == 0.0 { 1 } else { 6 };
+            let (mut sum, steps, apart) = ([0.0; 3], 4000, 1e-3);
+            for phase in 0..phases {
+                let (sin, cos) = (TAU * f64::from(phase) / f64::from(phases)).sin_cos();
+                let strength = [cos * x - sin * y, sin * x + cos * y, z];
+                for step in 0..steps {
+                    let passing = orbit.period() * f64::from(step) / f64::from(steps);
+                    let orbit = Orbit { mean_anomaly: orbit.mean_motion() * passing, ..orbit };
+                    let field = MagneticField::Dipole { strength, rate, orbit };
+                    let [before, after] = [-apart, apart].map(|t| field.at(t));
+                    let change = scale(0.5 / apart, add(after, scale(-1.0, before)));
+                    let [B, exact] = field.with_rate(0.0);
+                    assert!(
+                        norm(add(exact, scale(-1.0, change))) < 1e-8 * norm(exact),
+                        "{exact:?} {change:?}"
+                    );
+                    sum = add(sum, scale(1.0 / f64::from(phases * steps), cross(B, change)));
+                }
+            }
+            let found = MagneticField::Dipole { strength: STRENGTH, rate, orbit }.mean_twist();
+            let gap = norm(add(found, scale(-1.0, sum))) / norm(found);
+            assert!(gap < 1e-8, "{eccentricity} {rate}: {found:?} {sum:?}");
+        }
+    }
+
+    /// The field of an axial dipole on a circular polar orbit is `b/a³ (3/2 sin 2ν, 0, 1/2 − 3/2 cos 2ν)`, whose mean twist is
+    /// `9/2 b²n/a⁶` about the normal of the orbit.
+    #[test]
+    fn twist_of_a_polar_orbit_has_its_closed_form() {
+        let polar = Orbit { inclination: 0.5 * std::f64::consts::PI, raan: 0.0, ..orbit(0.0) };
+        let field = MagneticField::Dipole { strength: [0.0, 0.0, 7.6e15], rate: 0.0, orbit: polar };
+        let unit = (7.6e15 / 9.1e6f64.powi(3)).powi(2) * polar.mean_motion();
+        let [x, y, z] = field.mean_twist().map(|part| part / unit);
+        assert!(x.abs() < 1e-14 && (y + 4.5).abs() < 1e-13 && z.abs() < 1e-14, "{x} {y} {z}");
+        assert_eq!(MagneticField::Uniform([1.0; 3]).mean_twist(), [0.0; 3]);
     }
 
     #[test]
@@ -161,6 +285,37 @@ mod tests {
         let level = Orbit { inclination: 0.0, ..orbit(e) };
         let grown = (1.0 + 3.0 * e.powi(2) + 0.375 * e.powi(4)) / (1.0 - e * e).powf(4.5);
         near(trace(axial(level)), inner * grown);
+    }
+
+    /// Ten places of node and periapsis have the mean that finer ones have, and products at a time are those of the orbit there.
+    #[test]
+    fn means_over_the_precession_are_exact_at_ten_places() {
+        let own = Orbit { node_rate: -1e-6, periapsis_rate: 2e-6, ..orbit(0.4) };
+        for rate in [0.0, 7e-5] {
+            let field = |orbit| MagneticField::Dipole { strength: STRENGTH, rate, orbit };
+            let (places, fine) = (field(own).over_precession(), 23);
+            let mut gap = [[0.0; 3]; 3];
+            let mut size = 0.0;
+            for other in &places {
+                let B = other.mean_square();
+                (0..9).for_each(|i| gap[i / 3][i % 3] += B[i / 3][i % 3] / places.len() as f64);
+            }
+            for step in 0..fine * fine {
+                let [node, periapsis] = [step % fine, step / fine].map(|i| TAU * i as f64 / fine as f64);
+                let orbit = Orbit { raan: node, argument_of_periapsis: periapsis, ..own };
+                let B = field(orbit).mean_square();
+                (0..9).for_each(|i| gap[i / 3][i % 3] -= B[i / 3][i % 3] / (fine * fine) as f64);
+                size += (B[0][0] + B[1][1] + B[2][2]) / (fine * fine) as f64;
+            }
+            assert!(places.len() == 100 && norm(gap.map(norm)) < 1e-13 * size, "{gap:?}");
+        }
+        let later = field_at(own, 5e5);
+        assert_eq!(later.orbit().map(|orbit| orbit.raan), Some(own.raan - 0.5));
+        assert_eq!(later.slowest_precession(), 1e-6);
+    }
+
+    fn field_at(orbit: Orbit, t: f64) -> MagneticField {
+        MagneticField::Dipole { strength: STRENGTH, rate: 0.0, orbit }.precessed(t)
     }
 
     /// A dipole that turns with the orbit, or at half or twice its rate, is in resonance; the Earth's under a low orbit is not.

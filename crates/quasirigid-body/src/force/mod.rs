@@ -20,6 +20,6 @@ pub use field::MagneticField;
 pub use law::{Axes, Force, ForceLaw, Wave};
 #[doc(hidden)]
 pub use law::{PLACE, TIME, VARIABLES};
-pub use orbit::{Orbit, OrbitPoint};
+pub use orbit::{Oblateness, Orbit, OrbitPoint};
 pub use pose::Pose;
 pub use timing::{Interpolation, Timetable, TimingProblem, Windows};

@@ -91,6 +91,14 @@ impl Problem {
                 ("no such material", "most materials have 0.2 to 0.5")
             }
             Self::Tank(error) => error.told(),
+            Self::AsObserved => ("as observed", "find the relaxed assembly first"),
+            Self::NoObservedShape => ("no such shape", "leave `shape` out"),
+            Self::TooSoft { .. } => (
+                "too soft",
+                "check the stiffness and the spin, or leave `shape` out for the shape of the relaxed body",
+            ),
+            Self::FlowsSteadily => ("flows", "choose another rheology, or leave `shape` out"),
+            Self::Aslant => ("aslant", "turn the spin along x, y or z of the file"),
             Self::NoBody => {
                 ("no body", "add a [carrier], or parts that are elastic throughout, such as an [[ellipsoid]]")
             }

@@ -41,6 +41,8 @@ fn orbit(a: f64) -> Orbit {
         raan: 0.0,
         argument_of_periapsis: 0.0,
         mean_anomaly: 0.0,
+        node_rate: 0.0,
+        periapsis_rate: 0.0,
     }
 }
 

@@ -193,6 +193,10 @@ impl ForceDirections {
         if orbit.eccentricity > 0.0 {
             return Err(SteadyError::Eccentric { name: name.into(), eccentricity: orbit.eccentricity });
         }
+        if orbit.precesses() {
+            let what = format!("the orbit of the force {name:?}, which precesses,");
+            return Err(SteadyError::Changes { what, part: None });
+        }
         let passage = orbit.at(0.0);
         let normal = V::from(passage.place).cross(&V::from(passage.velocity)).normalize();
         self.set(orbit.mean_motion() * normal, format!("the force {name:?}"), true)

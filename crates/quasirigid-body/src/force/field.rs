@@ -1,4 +1,4 @@
-use super::{Orbit, OrbitPoint};
+use super::{EarthField, Orbit, OrbitPoint};
 use crate::math::scalar::Smooth;
 use crate::math::vec3::{add, dot, scale};
 
@@ -15,6 +15,13 @@ pub enum MagneticField {
         strength: [f64; 3],
         /// Rate (rad/s) at which the dipole turns, positive from the first inertial axis to the second.
         rate: f64,
+        /// Orbit of the body through the field.
+        orbit: Orbit,
+    },
+    /// Main field of the Earth along an orbit about its centre.
+    Earth {
+        /// The field.
+        field: EarthField,
         /// Orbit of the body through the field.
         orbit: Orbit,
     },
@@ -35,6 +42,7 @@ impl MagneticField {
                 let (sin, cos) = (T::from(rate) * t).sin_cos();
                 of_dipole([cos * x - sin * y, sin * x + cos * y, z], orbit, t)
             }
+            Self::Earth { .. } => self.with_rate(t)[0],
         }
     }
 
@@ -42,8 +50,10 @@ impl MagneticField {
     /// may turn. (F8), (F18)
     #[must_use]
     pub fn with_rate<T: Smooth>(&self, t: T) -> [[T; 3]; 2] {
-        let Self::Dipole { strength, orbit, .. } = self else {
-            return [self.at(t), [T::from(0.0); 3]];
+        let (strength, orbit) = match self {
+            Self::Uniform(field) => return [field.map(T::from), [T::from(0.0); 3]],
+            Self::Dipole { strength, orbit, .. } => (strength, orbit),
+            Self::Earth { field, orbit } => return field.along(t, orbit),
         };
         let rate = T::from(self.rotation());
         let (sin, cos) = (rate * t).sin_cos();
@@ -56,8 +66,10 @@ impl MagneticField {
     /// True if there is no field anywhere.
     #[must_use]
     pub fn is_zero(&self) -> bool {
-        let (Self::Uniform(source) | Self::Dipole { strength: source, .. }) = self;
-        *source == [0.0; 3]
+        match self {
+            Self::Uniform(source) | Self::Dipole { strength: source, .. } => *source == [0.0; 3],
+            Self::Earth { .. } => false,
+        }
     }
 
     /// Orbit of the body through the field; none of a uniform field.
@@ -65,15 +77,16 @@ impl MagneticField {
     pub fn orbit(&self) -> Option<&Orbit> {
         match self {
             Self::Uniform(_) => None,
-            Self::Dipole { orbit, .. } => Some(orbit),
+            Self::Dipole { orbit, .. } | Self::Earth { orbit, .. } => Some(orbit),
         }
     }
 
-    /// Rate (rad/s) at which the dipole turns; zero where it does not.
+    /// Rate (rad/s) at which the dipole, or the Earth, turns; zero where it does not.
     #[must_use]
     pub fn rotation(&self) -> f64 {
         match self {
             Self::Dipole { strength: [x, y, _], rate, .. } if [*x, *y] != [0.0; 2] => *rate,
+            Self::Earth { .. } => EarthField::RATE,
             _ => 0.0,
         }
     }

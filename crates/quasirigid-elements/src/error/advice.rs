@@ -91,6 +91,7 @@ impl Problem {
                 ("no such material", "most materials have 0.2 to 0.5")
             }
             Self::Tank(error) => error.told(),
+            Self::NoMainField { .. } => ("not known", "choose another epoch or degree, or give a `dipole`"),
             Self::AsObserved => ("as observed", "find the relaxed assembly first"),
             Self::NoObservedShape => ("no such shape", "leave `shape` out"),
             Self::TooSoft { .. } => (

@@ -76,6 +76,16 @@ pub enum Problem {
         /// Number of bodies.
         bodies: usize,
     },
+    /// A year or a degree beyond the coefficients of the main field.
+    #[error(
+        "the main field of the Earth is known for 1900 to 2030 and degrees 1 to 13, not for {year:.1} and degree {degree}"
+    )]
+    NoMainField {
+        /// Decimal year asked for.
+        year: f64,
+        /// Degree asked for.
+        degree: usize,
+    },
     /// A shape observed in rotation, of which a body is asked that is not in rotation.
     #[error("the shape given is that of the body in rotation, and a body is built of its relaxed shape")]
     AsObserved,

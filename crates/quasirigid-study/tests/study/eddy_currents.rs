@@ -5,6 +5,7 @@ use std::f64::consts::TAU;
 use quasirigid_io::model::System;
 use quasirigid_math::rotation::angle;
 use quasirigid_math::vec3::norm;
+use quasirigid_study::Study;
 
 use crate::support::{carrier, close, column, evolved, finished, spinning, study, try_evolve};
 
@@ -119,6 +120,29 @@ fn the_node_precesses_where_it_is_asked_to() {
     let momentum = *column(&found.record.columns, "momentum").last().unwrap();
     let last = finished(&study, System::Reduced, &[0.0, duration]).run.last;
     close(norm(last.angular_momentum), momentum, 2e-3);
+}
+
+/// The main field of the Earth: `evolve` is the mean of `simulate`, and not that of its dipole alone.
+#[test]
+fn evolve_is_the_mean_of_simulate_in_the_main_field() {
+    let tensor = "[[1500, 150, 0], [150, 1200, -350], [0, -350, 2000]]";
+    let with = |field: &str| {
+        let force = currents(&format!("tensor = {tensor}\n{field}\n{ORBIT}"));
+        study(&(carrier(20.0, [0.6, 0.8, 1.0]) + &spinning([0.03, 0.02, 0.2]) + &force))
+    };
+    let duration = 12.0 * 5915.0;
+    let averaged = |body: &Study| {
+        let found = evolved(body, |asked| asked.duration = Some(duration));
+        assert_eq!(found.record.status, "finished", "{}", found.record.message);
+        *column(&found.record.columns, "momentum").last().unwrap()
+    };
+    let full = with("igrf = { epoch = \"2024-03-01T12:00:00\" }");
+    let momentum = averaged(&full);
+    let last = finished(&full, System::Reduced, &[0.0, duration]).run.last;
+    let dipole = averaged(&with("igrf = { epoch = \"2024-03-01T12:00:00\", degree = 1 }"));
+    println!("{} averaged {momentum}, of the dipole {dipole}", norm(last.angular_momentum));
+    close(norm(last.angular_momentum), momentum, 2e-3);
+    assert!((momentum / dipole - 1.0).abs() > 2e-3, "{momentum} {dipole}");
 }
 
 /// What the average does not hold for is refused in words, with numbers.

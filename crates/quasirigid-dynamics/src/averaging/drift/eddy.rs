@@ -48,6 +48,15 @@ impl Means {
         let across = [0, 1, 2].map(|i| [0, 1, 2].map(|j| own(i, j) - products[i][j]));
         Self { square, across, twist }
     }
+
+    /// The means with the node of the orbit turned by an angle (rad).
+    fn turned(&self, angle: f64) -> Self {
+        let (sin, cos) = angle.sin_cos();
+        let turn = [[cos, -sin, 0.0], [sin, cos, 0.0], [0.0, 0.0, 1.0]];
+        let rows = self.across.map(|row| turn.map(|axis| dot(axis, row)));
+        let across = turn.map(|axis| [0, 1, 2].map(|j| (0..3).map(|i| axis[i] * rows[i][j]).sum()));
+        Self { square: self.square, across, twist: turn.map(|axis| dot(axis, self.twist)) }
+    }
 }
 
 /// Averaged rates of eddy currents.
@@ -75,8 +84,14 @@ impl MeanEddy {
 
     /// Rates at a time (s) in a free rotation with its angular momentum along `u`, inertial axes; `axis` is the circled one. (A14), (A15)
     pub fn rates(&self, t: f64, motion: &FreeRotation, axis: usize, u: [f64; 3]) -> EddyRates {
-        let Means { square, across, twist } =
-            self.precessing.map_or(self.means, |field| Means::of(&[field.precessed(t)]));
+        let Means { square, across, twist } = match self.precessing {
+            None => self.means,
+            Some(field) if field.turns_with_node() => {
+                let rate = field.orbit().map_or(0.0, |orbit| orbit.node_rate);
+                self.means.turned(rate * t)
+            }
+            Some(field) => Means::of(&[field.precessed(t)]),
+        };
         let (I, G, M) = (motion.moments(), motion.angular_momentum(), self.tensor);
         let trace: f64 = M.iter().sum();
         let braked = across.map(|row| dot(row, u));

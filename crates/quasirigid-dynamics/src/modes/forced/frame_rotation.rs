@@ -182,6 +182,10 @@ impl ForceDirections {
             MagneticField::Dipole { rate, .. } if field.rotation() != 0.0 => {
                 self.set(*rate * V::z(), named, false)?;
             }
+            MagneticField::Earth { .. } => {
+                let what = format!("the field of the force {name:?}, which turns with the Earth,");
+                return Err(SteadyError::Changes { what, part: None });
+            }
             MagneticField::Uniform(direction) | MagneticField::Dipole { strength: direction, .. } => {
                 self.directions.push(((*direction).into(), named));
             }

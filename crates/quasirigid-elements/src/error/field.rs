@@ -149,6 +149,8 @@ fields! {
     TENSOR = "tensor";
     /// Rate at which the dipole turns that makes the magnetic field.
     DIPOLE_RATE = "dipole_rate";
+    /// Main field of the Earth.
+    IGRF = "igrf";
     /// Conductivity of a conductor.
     CONDUCTIVITY = "conductivity";
     /// Frequency of a periodic force.

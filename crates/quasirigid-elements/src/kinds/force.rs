@@ -3,7 +3,7 @@
 use crate::element::{AttachmentPoint, Element};
 use crate::error::{ElementError, ElementId, Field, Problem, at};
 use crate::kinds::coefficient::matrix;
-use crate::model::force::{Force, ForceLaw, MagneticField, Orbit, Wave};
+use crate::model::force::{EarthField, Force, ForceLaw, MagneticField, Orbit, Wave};
 use crate::number;
 use crate::{ApplicationPoint, Assembly, Coefficient};
 
@@ -73,6 +73,14 @@ fn magnetic(place: ElementId, field: &MagneticField) -> Result<(), ElementError>
         MagneticField::Dipole { strength, rate, orbit } => {
             finite(Field::DIPOLE, strength)?;
             finite(Field::DIPOLE_RATE, &[*rate])?;
+            on_orbit(place, orbit)
+        }
+        MagneticField::Earth { field: EarthField { year, degree, sidereal }, orbit } => {
+            finite(Field::IGRF, &[*year, *sidereal])?;
+            let [first, last] = EarthField::YEARS;
+            if !(first..=last).contains(year) || !(1..=EarthField::MAX_DEGREE).contains(degree) {
+                return Err(at(place, Field::IGRF)(Problem::NoMainField { year: *year, degree: *degree }));
+            }
             on_orbit(place, orbit)
         }
     }

@@ -24,6 +24,8 @@ const ORBIT: Orbit = Orbit {
     raan: -2.0,
     argument_of_periapsis: 9.0,
     mean_anomaly: 0.5,
+    node_rate: 0.0,
+    periapsis_rate: 0.0,
 };
 
 fn body(law: ForceLaw<ApplicationPoint>) -> Assembly {

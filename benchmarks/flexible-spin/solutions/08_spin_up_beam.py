@@ -53,7 +53,9 @@ def solve(data: dict[str, Any], times: list[float]) -> dict[str, Any]:
     done = solve_ivp(rates, (0, times[-1]), start, "Radau", times, rtol=1e-6, atol=1e-8, jac_sparsity=pattern)
     assert done.success, done.message
     x, y, a = done.y[n - 1], done.y[2 * n - 1], np.array([turned(t) for t in times])
+    along = x * np.cos(a) + y * np.sin(a) - beam["length"]
     return {
-        "stretch": (x * np.cos(a) + y * np.sin(a) - beam["length"])[-1:].tolist(),
+        "stretch": along[-1:].tolist(),
+        "tip_along": along.tolist(),
         "tip_across": (y * np.cos(a) - x * np.sin(a)).tolist(),
     }

@@ -1,4 +1,4 @@
-"""Mass matrix of a carrier with one mass that slides along a line."""
+"""A carrier with one mass that slides along a line: its mass matrix, and its solutions."""
 
 from __future__ import annotations
 
@@ -24,3 +24,18 @@ def body(data: dict[str, Any]) -> Body:
     wheel = data.get("wheel", {"inertia": 0.0, "speed": 0.0, "axis": [0, 0, 1]})
     spin = wheel["inertia"] * wheel["speed"] * np.array(wheel["axis"], float)
     return Body(mass, np.array([point["stiffness"]]), np.array([point["damping"]]), spin)
+
+
+def solve(data: dict[str, Any], times: list[float]) -> dict[str, Any]:
+    """History from rest on the line, and the modes about the steady spin."""
+    guided = body(data)
+    start = guided.state(data["start"]["angular_velocity"], [0.0])
+    told = guided.history(start, times)
+    modes = guided.modes(guided.state(data["steady_spin_near"], [0.0]), start)
+    return {
+        "omega": told["omega"].tolist(),
+        "coordinates": told["coordinates"][:, 0].tolist(),
+        "energy": told["energy"].tolist(),
+        "frequencies": modes.imag.tolist(),
+        "decay_rates": (-modes.real).tolist(),
+    }

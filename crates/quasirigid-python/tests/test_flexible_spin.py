@@ -56,7 +56,7 @@ def test_ten_problems_are_complete() -> None:
         for name, quantity in told["quantities"].items():
             values = np.array(quantity["values"], float)
             assert quantity["meaning"] and quantity["unit"], name
-            assert 0.0 < quantity["tolerance"] <= 5e-3
+            assert 0.0 < quantity["tolerance"] <= 1e-2
             assert np.isfinite(values).all() and np.abs(values).max() > 0.0
             assert not quantity["at_times"] or len(values) == len(told["times"])
 
@@ -137,8 +137,8 @@ def test_published_histories_have_the_references() -> None:
     table = np.loadtxt(ROOT / "data" / "published" / "simo_vuquoc_1988" / "spin_up.csv", delimiter=",", skiprows=1)
     right = np.array(beam["quantities"]["tip_across"]["values"])
     # rows every 0.25 s: parabolas between them
-    told = [np.polyval(np.polyfit(near[:, 0] - t, near[:, 2], 2), 0.0) for t in beam["times"] for near in [nearest(table, t)]]
-    assert np.abs(told - right).max() < 3e-3 * np.abs(right).max()
+    between = [np.polyval(np.polyfit(near[:, 0] - t, near[:, 2], 2), 0.0) for t in beam["times"] for near in [nearest(table, t)]]
+    assert np.abs(between - right).max() < 3e-3 * np.abs(right).max()
     assert beam["quantities"]["stretch"]["values"][0] == pytest.approx(5.14317e-4, rel=1e-3)
 
 

@@ -18,6 +18,7 @@ use crate::left_out::LeftOut;
 use crate::motion::{LOOSE, Motion};
 use crate::record::status;
 use crate::settings::{RunSettings, Setting, SpinManifoldSettings};
+use crate::slugs;
 use crate::study::Study;
 use crate::table_sink::TableSink;
 use crate::watch::Watch;
@@ -189,9 +190,7 @@ impl Study {
     ) -> Result<History, StudyError> {
         let body = &self.body;
         controlled::carries(self, table.system)?;
-        if matches!(table.system, System::Reduced | System::SpinManifold) {
-            self.without_slugs("reduced equations")?;
-        }
+        slugs::carries(self, table.system)?;
         let settings = RunSettings::resolve(asked, self)?;
         let about_spin = SpinManifoldSettings::resolve(table.manifold.clone(), None, self)?;
         let options = settings.options(self, stop_axis(self, spin.omega)?)?;

@@ -18,7 +18,7 @@ use crate::about_spin::{self, OnManifold};
 use crate::controlled;
 use crate::error::StudyError;
 use crate::settings::SpinManifoldSettings;
-use crate::slugs::with_slugs;
+use crate::slugs;
 use crate::start::{follows_its_spin, slaved_order, slaves};
 use crate::study::Study;
 use quasirigid_io::model::System;
@@ -114,9 +114,7 @@ impl<'a> Motion<'a> {
         options: &Options,
         observer: &mut dyn Observer,
     ) -> Result<(Run, Option<OnManifold>), StudyError> {
-        if matches!(system, System::Reduced | System::SpinManifold) {
-            self.study.without_slugs("reduced equations")?;
-        }
+        slugs::carries(self.study, system)?;
         if !self.study.controls.is_empty() {
             return Ok((controlled::follow(self, system, times, options, observer)?, None));
         }
@@ -205,7 +203,7 @@ impl<'a> Motion<'a> {
     fn beside_slugs(&self) -> Result<FullState, StudyError> {
         let Some(held) = self.study.held()? else { return self.spun() };
         let state = Motion::new(held, self.start).full()?;
-        let [q, rate] = [state.q, state.rate].map(|held| with_slugs(self.study, held));
+        let [q, rate] = [state.q, state.rate].map(|held| slugs::with_slugs(self.study, held));
         Ok(FullState { q, rate, ..state })
     }
 

@@ -4,7 +4,7 @@
 use quasirigid::elements::Slug;
 use quasirigid::model::{Principal, TubeFlow};
 use quasirigid::modes::EquilibriumError;
-use quasirigid_io::model::{Displacements, Model};
+use quasirigid_io::model::{Displacements, Model, System};
 use quasirigid_math::vec3::{add, cross, dot, norm, scale};
 use serde::Serialize;
 
@@ -61,6 +61,14 @@ impl Study {
         }
         let names = self.body.frictions().iter().map(|friction| friction.name.clone()).collect();
         Err(StudyError::Sliding { names, what })
+    }
+}
+
+/// Accepts a system that carries the sliding liquids of a study.
+pub fn carries(study: &Study, system: System) -> Result<(), StudyError> {
+    match system {
+        System::Full | System::Rigid => Ok(()),
+        System::Reduced | System::SpinManifold => study.without_slugs("reduced equations"),
     }
 }
 

@@ -9,9 +9,6 @@ use crate::finding::Finding;
 use crate::tree::{Tree, is_below};
 use comments::comments;
 
-/// Letters that labels start with, one per chapter of the theory.
-const LETTERS: &str = "SIRVPXFTEBAGKHDMQNWZCJLOUY";
-
 /// Labels that no code needs to cite, with the reason.
 const NOT_IN_CODE: [(&str, &str); 0] = [];
 
@@ -109,10 +106,10 @@ fn lines<'t>(
     files.flat_map(|(file, text)| (1..).zip(text.lines()).map(move |(line, text)| (file, line, text)))
 }
 
-/// Labels in a text: `R4` for a parenthesis with a letter and one or two digits that is no function call.
+/// Labels in a text: `R4` for a parenthesis with a capital, that of the chapter, and one or two digits that is no function call.
 fn labels(text: &str) -> Vec<&str> {
     let is_label = |inside: &str| {
-        let digits = inside.strip_prefix(|letter| LETTERS.contains(letter)).unwrap_or_default();
+        let digits = inside.strip_prefix(|letter: char| letter.is_ascii_uppercase()).unwrap_or_default();
         (1..=2).contains(&digits.len()) && digits.bytes().all(|digit| digit.is_ascii_digit())
     };
     text.match_indices('(')

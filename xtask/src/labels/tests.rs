@@ -84,5 +84,5 @@ fn a_key_that_the_bibliography_lacks_is_found() {
 #[test]
 fn a_label_is_a_letter_and_digits_in_a_parenthesis_of_its_own() {
     assert_eq!(labels("(R4), **(S12)** and ((V1))"), ["R4", "S12", "V1"]);
-    assert_eq!(labels("f(R4) f_(R4) (R123) (U1) (R) (R4, R5) (2.8) (R-1) (R4"), [""; 0]);
+    assert_eq!(labels("f(R4) f_(R4) (R123) (u1) (R) (R4, R5) (2.8) (R-1) (R4"), [""; 0]);
 }

@@ -109,6 +109,11 @@ impl LumpedMass {
     }
 }
 
+/// Second order of the path of the end of an arm that two rotations carry, `½ (θ × (φ × p) + φ × (θ × p))`. (K6)
+pub(crate) fn carried(theta: &Vector3<f64>, phi: &Vector3<f64>, arm: &Vector3<f64>) -> Vector3<f64> {
+    0.5 * (theta.cross(&phi.cross(arm)) + phi.cross(&theta.cross(arm)))
+}
+
 /// A rotation that carries a lumped mass: `½ θ × (θ × arm)` is the second order of its path.
 #[derive(Clone, Debug)]
 pub(crate) struct Turn {

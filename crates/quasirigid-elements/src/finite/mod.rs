@@ -9,5 +9,5 @@ pub(crate) mod shell;
 pub(crate) mod solid;
 
 pub(crate) use block::Block;
-pub(crate) use element::{Connectivity, Element, LumpedMass, MassLocation, Turn};
+pub(crate) use element::{Connectivity, Element, LumpedMass, MassLocation, Turn, carried};
 pub(crate) use lumped::{Link, Mass, rigid_points};

@@ -126,7 +126,7 @@ impl Structure {
         } else {
             ((0..LOADS).map(Acceleration::of_load).collect(), solver.answers(forces.clone()))
         };
-        let pulls = solver.answers(pulls(&discrete, options));
+        let pulls = solver.answers(discrete.unit_forces(&options.loaded().collect::<Vec<_>>()));
         let wanted = stacked(&statics, &pulls);
         let mut basis = Basis::new(&discrete, &solver, &wanted, options.order);
         basis.append(&discrete, &solver.modes(&discrete, options.modes).map_err(Fault::NoConvergence)?);
@@ -140,11 +140,12 @@ impl Structure {
         let curved: Vec<usize> = options.curved().map(|number| options.kept_nodes[number]).collect();
         memory::ask(FollowerPaths::room(self, fields.nrows())).map_err(room)?;
         let followers = discrete.follower_paths(&fields);
-        let mut paths = discrete.paths(&solver, &whole, &fields, &energies, &followers, &curved);
-        let node_paths = match &mut paths {
-            Some(paths) => Some(std::mem::take(&mut paths.nodes)),
-            None => discrete.node_paths_by_work(&solver, &whole, &curved, &fields, &followers),
-        };
+        let (paths, node_paths) =
+            match discrete.paths(&solver, &whole, &fields, &energies, &followers, &curved) {
+                Some((paths, of_nodes)) => (Some(paths), Some(of_nodes)),
+                None => (None, discrete.node_paths_by_work(&solver, &whole, &curved, &fields, &followers)),
+            };
+        let of_loads = discrete.works(reference, &loads, &statics, &fields, &followers);
         Ok(Component {
             whole,
             paths,
@@ -153,7 +154,7 @@ impl Structure {
             moments,
             products: by_pair(&discrete.products(&fields)),
             masses,
-            curvatures: discrete.curvatures(reference, &loads, &statics, &fields, &followers),
+            curvatures: of_loads.map(|works| Curvature::of_pairs(&works)),
             owned: owned::masses(&discrete, &fields),
             blocks: blocks(&discrete, &fields),
             kept_nodes: options.kept_nodes.iter().map(|node| motion(&discrete, &fields, *node, 0)).collect(),
@@ -331,17 +332,6 @@ impl CondensationOptions<'_> {
             forces.chain(moments).map(|component| (*node, component))
         })
     }
-}
-
-/// Unit forces and moments along each axis at the nodes that other elements load.
-fn pulls(discrete: &Discrete<'_>, options: &CondensationOptions<'_>) -> DMatrix<f64> {
-    let mut pulls = DMatrix::zeros(options.loaded().count(), discrete.dofs.unknowns().len());
-    for (number, (node, component)) in options.loaded().enumerate() {
-        for (unknown, share) in discrete.dofs.row(node, component) {
-            pulls[(number, *unknown)] += share;
-        }
-    }
-    pulls
 }
 
 fn numbered(shapes: &[[f64; 3]], start: usize) -> Vec<(usize, [f64; 3])> {

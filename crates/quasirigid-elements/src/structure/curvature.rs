@@ -18,25 +18,19 @@ pub(super) struct Curvature {
     pub moment: Matrix3<f64>,
 }
 
-impl Discrete<'_> {
-    /// Curvature of the paths of all points; none if they are straight. (K6)
-    pub(super) fn curvatures(
-        &self,
-        reference: Vector3<f64>,
-        loads: &[Acceleration],
-        answers: &DMatrix<f64>,
-        fields: &DMatrix<f64>,
-        followers: &FollowerPaths,
-    ) -> Option<Vec<Vec<Curvature>>> {
-        let works = self.works(reference, loads, answers, fields, followers)?;
-        let count = fields.nrows();
+impl Curvature {
+    /// Curvature of the paths of all points, by the work of the loads of an acceleration that is linear in the place. (K6)
+    pub(super) fn of_pairs(works: &[DMatrix<f64>]) -> Vec<Vec<Self>> {
+        let count = works[0].nrows();
         let pair = |j: usize, k: usize| {
             let (sum, moment) = moments(&works.iter().map(|work| work[(j, k)]).collect::<Vec<f64>>());
-            Curvature { sum, moment }
+            Self { sum, moment }
         };
-        Some((0..count).map(|j| (0..count).map(|k| pair(j, k)).collect()).collect())
+        (0..count).map(|j| (0..count).map(|k| pair(j, k)).collect()).collect()
     }
+}
 
+impl Discrete<'_> {
     /// Work of loads on the second order of displacements, a matrix over the coordinates for each; none if the paths are straight.
     ///
     /// The work is the stiffness lost to the stress of the load, `f·½G_jk q_j q_k = −½ qᵀ K_G[f] q`; lumped masses on an arm rotate with it
@@ -50,28 +44,25 @@ impl Discrete<'_> {
         followers: &FollowerPaths,
     ) -> Option<Vec<DMatrix<f64>>> {
         let pairs = Pairs(fields.nrows());
-        let mut of_followers = DMatrix::zeros(pairs.count(), loads.len());
-        let count = fields.nrows();
-        let mut works = vec![DMatrix::zeros(count, count); loads.len()];
-        let mut curved = false;
+        let mut works = vec![DMatrix::zeros(pairs.0, pairs.0); loads.len()];
+        let mut curved = !followers.is_empty();
         watch::stage("bending the paths");
         for (number, element) in self.structure.elements.iter().enumerate() {
             watch::progress(number as f64 / self.structure.elements.len() as f64);
             let spread = |rows: &DMatrix<f64>| self.dofs.spread(element.nodes(), element.dofs(), rows);
-            let own = spread(fields);
-            curved |= bent(element.as_ref(), reference, loads, &spread(answers), &own, &mut works);
+            let (own, answers) = (spread(fields), spread(answers));
+            curved |= bent(element.as_ref(), reference, loads, &answers, &own, &mut works);
             if let Some(path) = followers.spread(element.as_ref()) {
-                of_followers += path * held(element.as_ref(), reference, loads, &spread(answers));
+                let of_pairs = path * held(element.as_ref(), reference, loads, &answers);
+                for (work, own) in works.iter_mut().zip(of_pairs.column_iter()) {
+                    *work += pairs.symmetric(own.iter().copied());
+                }
             }
             for lumped_mass in element.lumped_masses() {
                 curved |= turned(&lumped_mass, reference, loads, &own, &mut works);
             }
         }
-        for (work, own) in works.iter_mut().zip(of_followers.column_iter()).filter(|_| !followers.is_empty())
-        {
-            *work += pairs.symmetric(own.iter().copied());
-        }
-        (curved || !followers.is_empty()).then_some(works)
+        curved.then_some(works)
     }
 }
 
@@ -85,8 +76,7 @@ fn held(
     let mut forces = -element.stiffness() * answers.transpose();
     for lumped_mass in element.lumped_masses() {
         for (mut force, load) in forces.column_iter_mut().zip(loads) {
-            let pull = lumped_mass.mass * load.at(lumped_mass.place_from(reference), lumped_mass.one());
-            force += lumped_mass.shapes.tr_mul(&pull);
+            force += lumped_mass.shapes.tr_mul(&load.force_on(&lumped_mass, reference));
         }
     }
     forces
@@ -123,7 +113,7 @@ fn turned(
     let Some(Turn { arm, shapes }) = &lumped_mass.turn else { return false };
     let rotations: MatrixXx3<f64> = fields * shapes.transpose();
     for (load, work) in loads.iter().zip(works) {
-        let force = lumped_mass.mass * load.at(lumped_mass.place_from(reference), lumped_mass.one());
+        let force = load.force_on(lumped_mass, reference);
         // θ_j × (θ_k × p) = θ_k (θ_j·p) − p (θ_j·θ_k)
         let (along, across) = (&rotations * force, &rotations * arm);
         let product = 0.5 * (&along * across.transpose() + &across * along.transpose());

@@ -153,6 +153,17 @@ impl<'a> Discrete<'a> {
         Ok(Self { structure, dofs, stiffness, damping, mass, total })
     }
 
+    /// Unit forces or moments on the unknowns along components of nodes, a row each.
+    pub fn unit_forces(&self, along: &[(usize, usize)]) -> DMatrix<f64> {
+        let mut forces = DMatrix::zeros(along.len(), self.dofs.unknowns().len());
+        for (number, (node, component)) in along.iter().enumerate() {
+            for (unknown, share) in self.dofs.row(*node, *component) {
+                forces[(number, *unknown)] += share;
+            }
+        }
+        forces
+    }
+
     /// Matrices that dissipate; none of them is a multiple of the stiffness.
     pub fn losses(&self) -> Vec<&Symmetric> {
         let materials = self.structure.materials.iter().zip(&self.stiffness);

@@ -17,6 +17,13 @@ pub(crate) struct Node {
     pub rotations: bool,
 }
 
+impl Node {
+    /// Number of its degrees of freedom: displacements, and rotations where it has them.
+    pub fn dofs(&self) -> usize {
+        if self.rotations { 6 } else { 3 }
+    }
+}
+
 /// Constraint of a node.
 #[derive(Clone, Debug)]
 pub(crate) enum Constraint {

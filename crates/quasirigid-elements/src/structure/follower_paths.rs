@@ -10,7 +10,7 @@ use super::discrete::{Discrete, Structure};
 use super::dofs::Constraint;
 use super::pairs::Pairs;
 use super::rows::order;
-use crate::finite::Element;
+use crate::finite::{Element, carried};
 
 /// Second order of the degrees of freedom of nodes that follow others, beside that of the unknowns: a row per pair of coordinates.
 pub(super) struct FollowerPaths {
@@ -27,7 +27,7 @@ impl Discrete<'_> {
             let path = match &self.structure.constraints[node] {
                 Constraint::On { base: Some(base), .. } => self.on_base(node, *base, &pairs, fields, &paths),
                 Constraint::Shaped { columns, shares } => {
-                    paths.shared(columns, &shares.rows(0, self.components(node)).into_owned())
+                    paths.shared(columns, &shares.rows(0, self.structure.nodes[node].dofs()).into_owned())
                 }
                 Constraint::On { base: None, .. }
                 | Constraint::Free
@@ -41,10 +41,6 @@ impl Discrete<'_> {
         paths
     }
 
-    fn components(&self, node: usize) -> usize {
-        if self.structure.nodes[node].rotations { 6 } else { 3 }
-    }
-
     /// `½ D_jk q_j q_k` of a node on a base that rotates by `θ`, itself by `φ` more: `½ θ × (θ × p)` of its displacement, `½ θ × φ` of its
     /// rotation, beside what the base's own second order carries.
     fn on_base(
@@ -55,7 +51,7 @@ impl Discrete<'_> {
         fields: &DMatrix<f64>,
         paths: &FollowerPaths,
     ) -> Option<DMatrix<f64>> {
-        let [size, of_base] = [node, base].map(|node| self.components(node));
+        let [size, of_base] = [node, base].map(|node| self.structure.nodes[node].dofs());
         let arm = self.structure.nodes[node].place - self.structure.nodes[base].place;
         let hinged = self.rotates_on(node, base);
         let known = paths.of.get(&base);
@@ -80,7 +76,7 @@ impl Discrete<'_> {
             for (mut row, (j, k)) in path.row_iter_mut().zip(pairs.iter()) {
                 let (a, b) = (of(&turned, j), of(&turned, k));
                 let mut displacement = row.columns_mut(0, 3);
-                displacement += 0.5 * (a.cross(&b.cross(&arm)) + b.cross(&a.cross(&arm))).transpose();
+                displacement += carried(&a, &b, &arm).transpose();
                 if let Some(relative) = &relative {
                     let mut rotation = row.columns_mut(3, 3);
                     rotation += 0.5 * (a.cross(&of(relative, k)) + b.cross(&of(relative, j))).transpose();
@@ -93,7 +89,7 @@ impl Discrete<'_> {
     /// Whether a node rotates about axes of its own on its base.
     fn rotates_on(&self, node: usize, base: usize) -> bool {
         let rotates = |component| self.dofs.row(node, component) != self.dofs.row(base, component);
-        self.components(node) == 6 && self.components(base) == 6 && (3..6).any(rotates)
+        [node, base].iter().all(|node| self.structure.nodes[*node].rotations) && (3..6).any(rotates)
     }
 }
 

@@ -1,6 +1,7 @@
 use nalgebra::{DMatrix, Matrix3, Vector3};
 
 use super::lumped_masses::MassProperties;
+use crate::finite::LumpedMass;
 use crate::model::moment;
 
 /// Number of the loads of an acceleration that is linear in the place: `e_a` for each axis, then `ρ_b e_a`, `b` outermost. (K4)
@@ -31,6 +32,11 @@ impl Acceleration {
     pub fn at(&self, s: Vector3<f64>, one: f64) -> Vector3<f64> {
         one * self.uniform + self.gradient * s
     }
+
+    /// Force (N) on a lumped mass, with the place from a reference point.
+    pub fn force_on(&self, lumped_mass: &LumpedMass, reference: Vector3<f64>) -> Vector3<f64> {
+        lumped_mass.mass * self.at(lumped_mass.place_from(reference), lumped_mass.one())
+    }
 }
 
 /// Number of the load `ρ_b e_a`.
@@ -45,13 +51,14 @@ pub(super) fn stretching(forces: &DMatrix<f64>) -> DMatrix<f64> {
 
 /// Straining accelerations with the inertia of the rotation that they cause, about the centre of mass. (K7)
 pub(super) fn balanced(whole: &MassProperties) -> Vec<Acceleration> {
-    let inertia = whole.second.trace() * Matrix3::identity() - whole.second;
-    let turning = inertia.try_inverse().unwrap_or_else(Matrix3::zeros);
     let acceleration = |(b, a): (usize, usize)| {
         let half: Matrix3<f64> = 0.5 * Vector3::ith(a, 1.0) * Vector3::ith(b, 1.0).transpose();
         let stretch = half + half.transpose();
         let moment = Vector3::from(moment::cross(&(whole.second * stretch)));
-        Acceleration { uniform: Vector3::zeros(), gradient: stretch - (turning * moment).cross_matrix() }
+        Acceleration {
+            uniform: Vector3::zeros(),
+            gradient: stretch - whole.angular_acceleration(moment).cross_matrix(),
+        }
     };
     STRETCHING.map(acceleration).to_vec()
 }

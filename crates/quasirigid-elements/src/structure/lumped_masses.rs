@@ -22,6 +22,14 @@ pub(super) struct MassProperties {
     pub second: Matrix3<f64>,
 }
 
+impl MassProperties {
+    /// Angular acceleration (rad/s²) under a moment (N·m) about the centre of mass; none of masses on a line. (K7)
+    pub fn angular_acceleration(&self, moment: Vector3<f64>) -> Vector3<f64> {
+        let inertia = self.second.trace() * Matrix3::identity() - self.second;
+        inertia.try_inverse().unwrap_or_else(Matrix3::zeros) * moment
+    }
+}
+
 impl Discrete<'_> {
     /// Mass, centre of mass and second moments.
     pub(super) fn whole(&self) -> MassProperties {

@@ -54,27 +54,24 @@ impl Discrete<'_> {
         fields: &DMatrix<f64>,
         followers: &FollowerPaths,
     ) -> Option<Vec<NodePath>> {
-        let mut forces = DMatrix::zeros(3 * nodes.len(), self.dofs.unknowns().len());
-        let mut loads = Vec::new();
-        for (number, (node, axis)) in
-            nodes.iter().flat_map(|node| (0..3).map(move |axis| (node, axis))).enumerate()
-        {
-            for (unknown, share) in self.dofs.row(*node, axis) {
-                forces[(number, *unknown)] += share;
-            }
+        let along: Vec<(usize, usize)> =
+            nodes.iter().flat_map(|node| (0..3).map(|axis| (*node, axis))).collect();
+        let inertia = |(node, axis): &(usize, usize)| {
             let arm = self.structure.nodes[*node].place - whole.center;
-            loads.push(inertia_of(whole, solver.floats(), arm, Vector3::ith(axis, 1.0)));
-        }
-        let works = self.works(whole.center, &loads, &solver.answers(forces), fields, followers)?;
+            inertia_of(whole, solver.floats(), arm, Vector3::ith(*axis, 1.0))
+        };
+        let loads: Vec<Acceleration> = along.iter().map(inertia).collect();
+        let answers = solver.answers(self.unit_forces(&along));
+        let works = self.works(whole.center, &loads, &answers, fields, followers)?;
         let mut works = works.into_iter();
         let pairs = Pairs(fields.nrows());
         let path = |node: &usize| {
             let carried = followers.of(*node);
-            let mut along = |axis: usize| {
+            let mut next = |axis: usize| {
                 let own = carried.map(|path| pairs.symmetric(path.column(axis).iter().copied()));
                 works.next().map(|work| own.iter().fold(work, |sum, own| sum + own))
             };
-            Some([along(0)?, along(1)?, along(2)?])
+            Some([next(0)?, next(1)?, next(2)?])
         };
         nodes.iter().map(path).collect()
     }
@@ -90,7 +87,6 @@ fn inertia_of(
     if !floating {
         return Acceleration { uniform: Vector3::zeros(), gradient: Matrix3::zeros() };
     }
-    let inertia = whole.second.trace() * Matrix3::identity() - whole.second;
-    let turning = inertia.try_inverse().unwrap_or_else(Matrix3::zeros) * arm.cross(&force);
+    let turning = whole.angular_acceleration(arm.cross(&force));
     Acceleration { uniform: -force / whole.mass, gradient: -turning.cross_matrix() }
 }

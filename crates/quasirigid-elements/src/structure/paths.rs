@@ -11,7 +11,7 @@ use super::lumped_masses::MassProperties;
 use super::node_paths::{NodePath, RigidPart};
 use super::pairs::Pairs;
 use super::solver::Solver;
-use crate::finite::{Element, LumpedMass, MassLocation, Turn};
+use crate::finite::{Element, LumpedMass, MassLocation, Turn, carried};
 
 /// Second order of the paths of all points, `½ G_jk q_j q_k = Σ_e Ψ_e ½ qᵀΓ^e q`, as few fields `Ψ_e` with a unit mass each. (K12)
 #[derive(Clone, Debug)]
@@ -24,8 +24,6 @@ pub(super) struct Paths {
     pub products: Vec<Vec<Matrix3<f64>>>,
     /// `Γ^e`, symmetric.
     pub forms: Vec<DMatrix<f64>>,
-    /// Paths of the kept nodes.
-    pub nodes: Vec<NodePath>,
 }
 
 /// Share of the largest field, at equal elastic energy of the coordinates, below which a field of the second order stays with (I6) alone:
@@ -36,7 +34,7 @@ impl Discrete<'_> {
     /// Second order of the paths, if they are curved and every element is a beam, a mass or a spring: then each point is known, and the
     /// fields are few. (K12)
     ///
-    /// `energies` are the stiffness of each field with itself; `kept` are nodes whose own paths are told.
+    /// `energies` are the stiffness of each field with itself. With them the paths of the nodes `kept`.
     pub(super) fn paths(
         &self,
         solver: &Solver,
@@ -45,7 +43,7 @@ impl Discrete<'_> {
         energies: &[f64],
         followers: &FollowerPaths,
         kept: &[usize],
-    ) -> Option<Paths> {
+    ) -> Option<(Paths, Vec<NodePath>)> {
         let elements = &self.structure.elements;
         if fields.nrows() == 0 || !elements.iter().all(|element| slender(element.as_ref())) {
             return None;
@@ -57,8 +55,8 @@ impl Discrete<'_> {
         let mut forces = DMatrix::zeros(pairs.count(), fields.ncols());
         let mut inner = Vec::new();
         for element in elements {
-            if let Some(carried) = followers.spread(element.as_ref()) {
-                let strained = -carried * element.stiffness();
+            if let Some(path) = followers.spread(element.as_ref()) {
+                let strained = -path * element.stiffness();
                 self.dofs.gather(element.nodes(), element.dofs(), &strained, &mut forces);
             }
             let Some(bent) = Bent::of(element.as_ref(), &spread(element.as_ref(), fields), &pairs) else {
@@ -75,8 +73,8 @@ impl Discrete<'_> {
         let mut points = Points::default();
         for (element, bent) in elements.iter().zip(&inner) {
             let mut own = [fields, &second].map(|rows| spread(element.as_ref(), rows));
-            if let Some(carried) = followers.spread(element.as_ref()) {
-                own[1] += carried;
+            if let Some(path) = followers.spread(element.as_ref()) {
+                own[1] += path;
             }
             for lumped_mass in element.lumped_masses() {
                 points.push(&lumped_mass, whole.center, &own, bent.as_ref(), &pairs);
@@ -90,7 +88,7 @@ impl Discrete<'_> {
             RigidPart { center: whole.center, shares }
         });
         let nodes = self.node_paths(kept, &second, followers, rigid.as_ref(), &pairs);
-        Some(points.paths(&of_points, &scales, &pairs, nodes))
+        Some((points.paths(&of_points, &scales, &pairs), nodes))
     }
 }
 
@@ -192,7 +190,7 @@ impl Points {
             for (mut column, (j, k)) in curved.column_iter_mut().zip(pairs.iter()) {
                 let (a, b): (Vector3<f64>, Vector3<f64>) =
                     (rotations.column(j).into(), rotations.column(k).into());
-                column += 0.5 * (a.cross(&b.cross(arm)) + b.cross(&a.cross(arm)));
+                column += carried(&a, &b, arm);
             }
         }
         self.masses.push(lumped_mass.mass);
@@ -210,7 +208,7 @@ impl Points {
         rows
     }
 
-    fn paths(&self, second: &DMatrix<f64>, scales: &[f64], pairs: &Pairs, nodes: Vec<NodePath>) -> Paths {
+    fn paths(&self, second: &DMatrix<f64>, scales: &[f64], pairs: &Pairs) -> Paths {
         let first = Self::rows(&self.first, pairs.0);
         let fields = independent(second, scales);
         let shares = fields.transpose() * second;
@@ -234,7 +232,6 @@ impl Points {
             moments: moments.collect(),
             products: products.collect(),
             forms: forms.collect(),
-            nodes,
         }
     }
 

@@ -46,7 +46,7 @@ impl<'n> Rows<'n> {
     }
 
     fn count(&self, node: usize) -> usize {
-        if self.nodes[node].rotations { 6 } else { 3 }
+        self.nodes[node].dofs()
     }
 
     /// Rows of which some are unknowns of their own, the others zero.

@@ -105,6 +105,13 @@ impl Cantilever {
         turned_axes().inverse() * Vector3::from(body.markers()[self.elements].displacement(q))
     }
 
+    /// The same of small displacements.
+    pub fn tip_shape(&self, body: &FlexibleBody, q: &[f64]) -> Vector3<f64> {
+        let shapes = &body.markers()[self.elements].shapes;
+        let displacement: Vector3<f64> = shapes.iter().map(|(j, shape)| q[*j] * Vector3::from(*shape)).sum();
+        turned_axes().inverse() * displacement
+    }
+
     fn line_density(&self) -> f64 {
         let SectionShape::General { area, .. } = self.section else { panic!("a section by its constants") };
         self.material.density * area

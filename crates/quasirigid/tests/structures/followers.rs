@@ -68,7 +68,7 @@ fn a_mass_on_a_rigid_arm_is_one_on_a_stiff_member() {
         vec![Force { name: "thrust".into(), law }]
     };
     let welded = |ends: &[V; 3], push| {
-        let boom = Part { attached: vec![0], ..frame("boom", &ends[..2], &[soft.clone()], 0.08) };
+        let boom = Part { attached: vec![0], ..frame("boom", &ends[..2], std::slice::from_ref(&soft), 0.08) };
         let tip = Part { masses: vec![mass(0)], ..frame("tip", &ends[2..], &[], 0.08) };
         on_hub(vec![boom, tip], vec![parts::weld(nodes(0, 1), nodes(1, 0))], thrust(1, 0, push))
     };
@@ -108,7 +108,7 @@ fn a_hinge_on_a_rotating_part_has_the_motions_of_its_linkage() {
         rheology: Rheology::Elastic,
     };
     let parts = vec![
-        frame("first", &first, &[rigid.clone()], width),
+        frame("first", &first, std::slice::from_ref(&rigid), width),
         frame("second", &second, &[rigid.clone(), rigid.clone()], width),
     ];
     let hinges = vec![hinge(Anchor::Carrier, nodes(0, 0), 0), hinge(nodes(0, 1), nodes(1, 0), 1)];

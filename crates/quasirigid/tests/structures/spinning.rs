@@ -76,7 +76,7 @@ fn squares(blade: &Cantilever, body: &FlexibleBody, spin: f64) -> [Vec<f64>; 2] 
     let mut found = [Vec::new(), Vec::new()];
     for ([re, im], vector) in values.iter().zip(&vectors) {
         let parts = [0, 1].map(|part| vector[3 + n..].iter().map(|entry| entry[part]).collect::<Vec<f64>>());
-        let [real, imaginary] = parts.map(|q| blade.tip(body, &q));
+        let [real, imaginary] = parts.map(|q| blade.tip_shape(body, &q));
         let moved = Vector3::from_fn(|axis, _| real[axis].hypot(imaginary[axis]));
         let hub: f64 = vector[..3].iter().map(|[a, b]| a.hypot(*b)).sum();
         // The hub nods with a beam that leaves the axis; a beam vibrates on a hub at rest.

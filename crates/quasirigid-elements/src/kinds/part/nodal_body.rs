@@ -43,8 +43,7 @@ impl TipMass {
             return Err(refuse(Problem::NoTurnForInertia { node: name() }));
         };
         let material = structure.material(&Rheology::Elastic, [0.0; 2]);
-        let dofs = if node.rotations { 6 } else { 3 };
-        let connectivity = Connectivity { nodes: vec![first + self.node], dofs, material };
+        let connectivity = Connectivity { nodes: vec![first + self.node], dofs: node.dofs(), material };
         structure.elements.push(Box::new(Mass { connectivity, points, place: node.place }));
         Ok(())
     }

@@ -93,6 +93,13 @@ impl Problem {
             Self::Tank(error) => error.told(),
             Self::Tube(error) => error.told(),
             Self::NoMainField { .. } => ("not known", "choose another epoch or degree, or give a `dipole`"),
+            Self::NotTheEarth { .. } => {
+                ("another centre", "write body = \"Earth\" in the orbit, or give a `dipole`")
+            }
+            Self::Underground { .. } => (
+                "below the surface",
+                "check the semi-major axis, from the centre of the Earth, and the eccentricity",
+            ),
             Self::AsObserved => ("as observed", "find the relaxed assembly first"),
             Self::NoObservedShape => ("no such shape", "leave `shape` out"),
             Self::TooSoft { .. } => (

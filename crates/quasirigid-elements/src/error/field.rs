@@ -151,6 +151,8 @@ fields! {
     DIPOLE_RATE = "dipole_rate";
     /// Main field of the Earth.
     IGRF = "igrf";
+    /// Precession of an orbit.
+    PRECESSION = "precession";
     /// Conductivity of a conductor.
     CONDUCTIVITY = "conductivity";
     /// Frequency of a periodic force.

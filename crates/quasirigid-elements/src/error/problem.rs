@@ -87,6 +87,21 @@ pub enum Problem {
         /// Degree asked for.
         degree: usize,
     },
+    /// Main field of the Earth along an orbit about another centre.
+    #[error("the main field is that of the Earth, and the orbit is about a centre of {mu} m^3/s^2")]
+    NotTheEarth {
+        /// Gravitational parameter (m³/s²) of the centre.
+        mu: f64,
+    },
+    /// Main field of the Earth along an orbit that goes through it.
+    #[error(
+        "the main field is known above the Earth, and the orbit comes to {:.0} km from its centre",
+        nearest / 1000.0
+    )]
+    Underground {
+        /// Least distance (m) from the centre.
+        nearest: f64,
+    },
     /// A shape observed in rotation, of which a body is asked that is not in rotation.
     #[error("the shape given is that of the body in rotation, and a body is built of its relaxed shape")]
     AsObserved,

@@ -34,6 +34,9 @@ const PRECESSION: Keys = Keys {
     ],
 };
 
+/// Metres in a kilometre.
+const KILO: f64 = 1e3;
+
 /// Centres whose oblateness is known.
 const OBLATE: [(&str, Oblateness); 2] = [("Earth", Oblateness::EARTH), ("Mars", Oblateness::MARS)];
 
@@ -86,7 +89,21 @@ fn precession(value: &Value<'_>, table: &Table<'_>, orbit: Orbit) -> Option<Orbi
     value.choice(&[("J2", ())])?;
     let body = table.get("body").and_then(|body| body.words());
     match OBLATE.iter().find(|(name, _)| body == Some(*name)) {
-        Some((_, oblateness)) => Some(orbit.about(*oblateness)),
+        Some((_, oblateness)) => {
+            let nearest = orbit.semi_major_axis * (1.0 - orbit.eccentricity);
+            if orbit.eccentricity < 1.0 && nearest < oblateness.radius {
+                return value.refuse(
+                    format!(
+                        "`precession`: the orbit comes to {:.0} km from the centre, inside the body, whose radius is {:.0} km",
+                        nearest / KILO,
+                        oblateness.radius / KILO
+                    ),
+                    "no such orbit",
+                    "check the semi-major axis, from the centre of the body, and the eccentricity",
+                );
+            }
+            Some(orbit.about(*oblateness))
+        }
         None => value.refuse(
             "`precession`: the oblateness of this centre is not known here",
             "no J2",

@@ -206,6 +206,11 @@ fn orbits_precess_where_it_is_asked() {
     let refused =
         refused("central-gravity", "orbit = { body = \"Sun\", precession = \"J2\", semi_major_axis = 1 }\n");
     assert!(refused.contains("the oblateness of this centre is not known here"), "{refused}");
+    let inside = self::refused(
+        "central-gravity",
+        "orbit = { body = \"Earth\", precession = \"J2\", semi_major_axis = \"7200 km\", eccentricity = 0.2 }\n",
+    );
+    assert!(inside.contains("comes to 5760 km from the centre, inside the body"), "{inside}");
 }
 
 /// The main field has the year and the sidereal time of its epoch; one out of its range, or beside another field, is refused.
@@ -285,7 +290,7 @@ fn a_force_says_its_kind() {
     model.toml:9:1: [[force]] has no `kind`
       add a line such as: kind = "uniform-gravity", "central-gravity", "drag", "spin-drag", "torque", "thrust", "magnetic-dipole", "eddy-current" or "expression"
     model.toml:12:1: unknown key "knd" in [[force]]
-      did you mean `kind`? the keys are kind, name, on, at, coefficient, acceleration, orbit, torque, force, axes, frequency, period, phase, moment, field, dipole, dipole_rate, tensor, conductivity, shape, radius, thickness, timetable, interpolation, during
+      did you mean `kind`? the keys are kind, name, on, at, coefficient, acceleration, orbit, torque, force, axes, frequency, period, phase, moment, field, dipole, dipole_rate, igrf, tensor, conductivity, shape, radius, thickness, timetable, interpolation, during
     "#);
     assert_snapshot!(refused("drga", "anything = 1\n"), @r#"
     model.toml:10:8: `kind` cannot be "drga"
@@ -357,11 +362,11 @@ fn what_a_force_needs_is_asked_for() {
     model.toml:21:1: [[force]] of kind "magnetic-dipole" has no `moment`
       add a line such as: moment = [0, 0, "0.2 A m^2"]
     model.toml:21:1: [[force]] of kind "magnetic-dipole" has no `field`
-      add a line such as: field = [0, 0, "30 uT"], or dipole = [0, 0, 7.8e15] and an orbit
+      add a line such as: field = [0, 0, "30 uT"], or dipole = [0, 0, 7.8e15] and an orbit, or igrf = { epoch = "2024-03-01" } and an orbit
     model.toml:23:1: [[force]] of kind "eddy-current" has no `tensor`
       add a line such as: tensor = "5662 S m^4", or conductivity = "25 MS/m" with shape, radius and thickness
     model.toml:23:1: [[force]] of kind "eddy-current" has no `field`
-      add a line such as: field = [0, 0, "30 uT"], or dipole = [0, 0, 7.8e15] and an orbit
+      add a line such as: field = [0, 0, "30 uT"], or dipole = [0, 0, 7.8e15] and an orbit, or igrf = { epoch = "2024-03-01" } and an orbit
     model.toml:25:1: [[force]] of kind "expression" has no `on`
       add a line such as: on = "carrier"
     model.toml:25:1: [[force]] of kind "expression" has no `force`

@@ -30,6 +30,8 @@ impl EarthField {
     pub const MAX_DEGREE: usize = 13;
     /// Rate (rad/s) at which the Earth turns.
     pub const RATE: f64 = 7.292_115_855_3e-5;
+    /// Least distance (m) from the centre of the Earth at which the field is that of what lies below: the polar radius.
+    pub const LEAST_RADIUS: f64 = 6.356_752e6;
     /// Radius (m) that the coefficients go with.
     const RADIUS: f64 = 6.3712e6;
 

@@ -19,6 +19,10 @@ const NODES_OF_TURNING: usize = 3;
 /// second harmonic of the dipole, and the fourth of a circular orbit.
 const ORBIT_HARMONICS: u32 = 8;
 const DIPOLE_HARMONICS: u32 = 2;
+/// The same of the main field of the Earth: in a resonance with a higher harmonic of its turn the products change by less than 2e-4.
+const EARTH_HARMONICS: u32 = 4;
+/// Harmonics of node and periapsis that the products of a dipole hold.
+const PRECESSION_HARMONICS: i32 = 4;
 
 impl MagneticField {
     /// Mean `⟨BBᵀ⟩` (T²), inertial axes, over the orbit and over all phases of the dipole. (F17)
@@ -77,23 +81,44 @@ impl MagneticField {
         self.orbit().map_or(*self, |orbit| self.on(orbit.precessed(t)))
     }
 
-    /// Slowest rate (rad/s) at which node and periapsis of the orbit precess, of those that do; infinite where none does.
+    /// Slowest rate (rad/s) at which the means change by the precession of the orbit: of the node, of the periapsis of an ellipse, and of the
+    /// differences of their harmonics, zero in a resonance of the two; infinite where nothing precesses. (F20)
     #[must_use]
     pub fn slowest_precession(&self) -> f64 {
-        let rates = self.orbit().map_or([0.0; 2], |orbit| [orbit.node_rate, orbit.periapsis_rate]);
-        rates.into_iter().map(f64::abs).filter(|rate| *rate > 0.0).fold(f64::INFINITY, f64::min)
+        let Some(orbit) = self.orbit() else { return f64::INFINITY };
+        let periapsis = if orbit.eccentricity == 0.0 { 0.0 } else { orbit.periapsis_rate };
+        let most = |rate: f64| if rate == 0.0 { 0 } else { PRECESSION_HARMONICS };
+        let (nodes, periapses) = (most(orbit.node_rate), most(periapsis));
+        let pairs = (0..=nodes).flat_map(|i| (-periapses..=periapses).map(move |k| (i, k)));
+        let beats = pairs
+            .filter(|pair| *pair != (0, 0))
+            .map(|(i, k)| (f64::from(i) * orbit.node_rate + f64::from(k) * periapsis).abs());
+        beats.fold(f64::INFINITY, f64::min)
     }
 
-    /// Whether the means of the field turn with the node, as those of a field that turns about the pole, or is symmetric about it, do on an
-    /// orbit whose periapsis keeps its place. (F20)
+    /// Whether the means of the field turn with the node, as those of a field that turns about the pole, or is symmetric about it, do. (F20)
     #[must_use]
     pub fn turns_with_node(&self) -> bool {
-        let about_pole = match self {
+        match self {
             Self::Dipole { strength: [x, y, _], .. } => self.rotation() != 0.0 || [*x, *y] == [0.0; 2],
             Self::Uniform(_) | Self::Earth { .. } => true,
+        }
+    }
+
+    /// Fields at even places of the periapsis, from where it is at time zero, of an odd number: their means, joined by a trigonometric
+    /// polynomial, are those at any place. One where the periapsis keeps its place, or has none. (F20)
+    #[must_use]
+    pub fn over_periapsis(&self) -> Vec<Self> {
+        let Some(orbit) = self.orbit().filter(|orbit| orbit.periapsis_rate * orbit.eccentricity != 0.0)
+        else {
+            return vec![*self];
         };
-        about_pole
-            && self.orbit().is_none_or(|orbit| orbit.periapsis_rate == 0.0 || orbit.eccentricity == 0.0)
+        let places = match self {
+            Self::Earth { field, .. } => points_of(field),
+            _ => ANGLES + 1,
+        };
+        let at = |i: usize| TAU * i as f64 / places as f64 + orbit.argument_of_periapsis;
+        (0..places).map(|i| self.on(Orbit { argument_of_periapsis: at(i), ..*orbit })).collect()
     }
 
     /// Fields at even places of node and periapsis, whose means are those over the precession: of a dipole products hold the fourth
@@ -146,7 +171,11 @@ impl MagneticField {
         if turn == 0.0 {
             return n;
         }
-        let harmonics = (1..=ORBIT_HARMONICS).flat_map(|l| (1..=DIPOLE_HARMONICS).map(move |k| (l, k)));
+        let turns = match self {
+            Self::Earth { field, .. } => EARTH_HARMONICS.min(2 * field.degree as u32),
+            _ => DIPOLE_HARMONICS,
+        };
+        let harmonics = (1..=ORBIT_HARMONICS).flat_map(|l| (1..=turns).map(move |k| (l, k)));
         let beats = harmonics.map(|(l, k)| (f64::from(l) * n - f64::from(k) * turn).abs());
         beats.fold(n.min(turn), f64::min)
     }
@@ -346,7 +375,7 @@ mod tests {
     /// Ten places of node and periapsis have the mean that finer ones have, and products at a time are those of the orbit there.
     #[test]
     fn means_over_the_precession_are_exact_at_ten_places() {
-        let own = Orbit { node_rate: -1e-6, periapsis_rate: 2e-6, ..orbit(0.4) };
+        let own = Orbit { node_rate: -1e-6, periapsis_rate: 6e-6, ..orbit(0.4) };
         for rate in [0.0, 7e-5] {
             let field = |orbit| MagneticField::Dipole { strength: STRENGTH, rate, orbit };
             let (places, fine) = (field(own).over_precession(), 23);
@@ -368,6 +397,12 @@ mod tests {
         let later = field_at(own, 5e5);
         assert_eq!(later.orbit().map(|orbit| orbit.raan), Some(own.raan - 0.5));
         assert_eq!(later.slowest_precession(), 1e-6);
+        let slowest = |orbit| field_at(orbit, 0.0).slowest_precession();
+        let resonant = Orbit { periapsis_rate: 2e-6, ..own };
+        assert_eq!(slowest(resonant), 0.0);
+        assert_eq!(slowest(Orbit { eccentricity: 0.0, ..resonant }), 1e-6);
+        assert_eq!(slowest(Orbit { node_rate: 0.0, ..own }), 6e-6);
+        assert_eq!(slowest(orbit(0.4)), f64::INFINITY);
     }
 
     fn field_at(orbit: Orbit, t: f64) -> MagneticField {
@@ -447,5 +482,31 @@ mod tests {
         }
         assert!((slowest(0.09 * n) / (0.09 * n) - 1.0).abs() < 1e-12);
         assert_eq!(MagneticField::Uniform([1.0; 3]).slowest_rate(), f64::INFINITY);
+    }
+
+    /// On an orbit of a third of a day the sectoral quadrupole of the Earth is in resonance with its tilted dipole, which is not alone.
+    #[test]
+    fn finer_fields_have_more_resonances() {
+        let n = 3.0 * EarthField::RATE;
+        let own = Orbit { semi_major_axis: (3.986_004_418e14 / (n * n)).cbrt(), ..orbit(0.0) };
+        let slowest = |degree| {
+            let field = EarthField { year: 2024.0, degree, sidereal: 0.3 };
+            MagneticField::Earth { field, orbit: own }.slowest_rate() / n
+        };
+        assert!((slowest(1) - 1.0 / 3.0).abs() < 1e-9 && slowest(2) < 1e-9 && slowest(13) < 1e-9);
+        let mean_over_days = |degree: usize| {
+            let field = EarthField { year: 2024.0, degree, sidereal: 0.3 };
+            let along = MagneticField::Earth { field, orbit: own };
+            let (mut sum, steps) = ([[0.0; 3]; 3], 2000);
+            for step in 0..steps {
+                let products = outer(along.at(TAU / EarthField::RATE * f64::from(step) / f64::from(steps)));
+                (0..9).for_each(|i| sum[i / 3][i % 3] += products[i / 3][i % 3] / f64::from(steps));
+            }
+            let found = along.mean_square();
+            let gap = (0..9).map(|i| (found[i / 3][i % 3] - sum[i / 3][i % 3]).abs()).fold(0.0, f64::max);
+            gap / norm(sum.map(norm))
+        };
+        // the mean over all turns misses what the resonance keeps
+        assert!(mean_over_days(1) < 1e-12 && mean_over_days(2) > 1e-3, "{}", mean_over_days(2));
     }
 }

@@ -64,7 +64,7 @@ impl<P: MeanPower> Rates<'_, P> {
 
     /// The rates at a time (s), a place and an angular momentum in this direction. (A8), (A14)
     pub fn at(&self, t: f64, xi: f64, G: f64, direction: [f64; 3]) -> Variables {
-        let Drift { moments, constant, drag, eddy, .. } = self.drift;
+        let Drift { moments, constant, drag, ref eddy, .. } = *self.drift;
         let motion = self.motion(xi, G);
         let axis = self.mode.circled();
         let mut torque = [0.0; 3];
@@ -78,7 +78,7 @@ impl<P: MeanPower> Rates<'_, P> {
             let sum: f64 = (0..3).map(|i| (1.0 - moments[i] / moments[axis]) * omega[i] * omega[i]).sum();
             -drag * sum
         };
-        let eddy = eddy.map_or(EddyRates::default(), |eddy| eddy.rates(t, &motion, axis, direction));
+        let eddy = eddy.as_ref().map_or(EddyRates::default(), |eddy| eddy.rates(t, &motion, axis, direction));
         let growth = motion.mean(2, along) / G + eddy.growth;
         let work = motion.mean(2, away) + eddy.work;
         let turning = 2.0 * motion.energy() / (G * TAU);

@@ -35,17 +35,20 @@ pub fn check(torque: &SlowTorque, inputs: &Inputs) -> Result<(), StudyError> {
     if APART * rate > passing {
         return Err(StudyError::FastEddyCurrents { rate, against: passing, of_field: true });
     }
-    if slowest(torque, moments) > 0.0 && APART * rate > spin {
+    if !locks(&eddy, moments) && APART * rate > spin {
         return Err(StudyError::FastEddyCurrents { rate, against: spin, of_field: false });
     }
     Ok(())
 }
 
-/// Rate (rad/s) of the body below which the average over its rotation does not hold: at no rate of a ball with one conductivity, of which no
-/// such average is taken.
+/// Whether no average over the rotation is taken: of a ball with one conductivity, whose torque is linear in its spin.
+fn locks(eddy: &EddyTorque, moments: [f64; 3]) -> bool {
+    !Mode::any_exists(moments) && eddy.is_isotropic()
+}
+
+/// Rate (rad/s) of the body below which the average over its rotation does not hold; zero where no such average is taken.
 pub fn slowest(torque: &SlowTorque, moments: [f64; 3]) -> f64 {
-    let ball = |eddy: &EddyTorque| !Mode::any_exists(moments) && eddy.is_isotropic();
-    torque.eddy.filter(|eddy| !ball(eddy)).map_or(0.0, |eddy| APART * eddy.field.fastest_rate())
+    torque.eddy.filter(|eddy| !locks(eddy, moments)).map_or(0.0, |eddy| APART * eddy.field.fastest_rate())
 }
 
 /// An orbit about the Earth whose node does not move in the model, although it would, in a sentence.

@@ -71,7 +71,7 @@ pub fn span(
             (range.state(body, from).ok_or(StudyError::Steady)?, from)
         }
         None => {
-            let settled = range.settled(full.angular_momentum(body));
+            let settled = range.settled(body, full.angular_momentum(body));
             let small = settled.filter(|state| {
                 let motion = spins.motion(*state);
                 motion.energy_from_axis() < SMALL * motion.energy() // the energy of the whole body has no digits of it

@@ -18,7 +18,7 @@ fn a_state_without_vibrations_settles_where_it_is() {
     let range = EnergyRange::compute(&body, 8.0).unwrap();
     for (mode, xi) in [(Mode::ShortAxis, 3.0), (Mode::ShortAxis, 1.0), (Mode::LongAxis, 2.0)] {
         let state = range.state(&body, RotationState { mode, xi }).unwrap();
-        let settled = range.settled(state.angular_momentum(&body)).unwrap();
+        let settled = range.settled(&body, state.angular_momentum(&body)).unwrap();
         assert_eq!(settled.mode, mode);
         assert!((settled.xi - xi).abs() < 1e-9, "{settled:?}, not {xi}");
     }

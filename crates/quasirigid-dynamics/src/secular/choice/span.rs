@@ -48,7 +48,7 @@ impl Span {
         Self {
             placed: false,
             ends,
-            settled: range.settled(start.angular_momentum(body)),
+            settled: range.settled(body, start.angular_momentum(body)),
             energies: [start.energy(body), spins.motion(ends[1]).energy()],
             start,
             duration: None,

@@ -1,6 +1,7 @@
 //! Shapes observed in rotation: the relaxed body, from which every answer is computed, and what its spin makes of it again.
 //! Equations (G17) to (G19), docs/theory/11-materials.md.
 
+use std::f64::consts::TAU;
 use std::path::Path;
 
 use quasirigid::averaging::{FreeRotation, ObservedPeriods};
@@ -30,8 +31,7 @@ impl Observed {
     /// Moments (kg·m²) that have, with the angular momentum of a wobble, the periods of the deformable body: differences of the
     /// reciprocal ones are those of the relaxed body, the moment circled is that of the body in rotation. (G19)
     pub fn periodic_moments(&self, relaxed: [f64; 3], mode: Mode) -> [f64; 3] {
-        let shift = self.shift(relaxed, mode);
-        relaxed.map(|moment| 1.0 / (1.0 / moment + shift))
+        periodic_moments([relaxed, self.principal.moments], mode)
     }
 
     /// By how much the reciprocal of the moment circled grows with the spin (1/(kg·m²)), from given moments. (G19)
@@ -57,14 +57,19 @@ impl Observed {
             ObservedShape::Moments => "Its moments of inertia",
         };
         let gap = |moments: [f64; 3]| moments[2] - 0.5 * (moments[0] + moments[1]);
-        let bulge = 1.0 - gap(own) / gap(self.principal.moments);
         let mut text = format!(
-            "{what} as observed: the relaxed body, from which all is computed, has the moments {} kg m^2; the spin at the start makes them {} kg m^2 ({}), and its bulge is {} % of the difference between the greatest and the mean of the others",
+            "{what} as observed: the relaxed body, from which all is computed, has the moments {} kg m^2; the spin at the start makes them {} kg m^2 ({})",
             listed(own, 8),
             listed(self.principal.moments, 8),
             grown.map(|share| format!("{}{:.3e}", if share < 0.0 { "" } else { "+" }, share)).join(", "),
-            significant(100.0 * bulge, 4)
         );
+        if Mode::any_exists(self.principal.moments) {
+            let bulge = 1.0 - gap(own) / gap(self.principal.moments);
+            text.push_str(&format!(
+                ", and its bulge is {} % of the difference between the greatest and the mean of the others",
+                significant(100.0 * bulge, 4)
+            ));
+        }
         if self.circles_the_same(&relaxed, Mode::ShortAxis).is_err() {
             text.push_str("; WITHOUT ITS SPIN ANOTHER AXIS HAS THE GREATEST MOMENT, AND THE SPIN LEAVES ITS OWN AXIS AS ENERGY IS LOST: THE BULGE MOVES WITH IT");
         }
@@ -105,7 +110,8 @@ pub fn relax(model: &mut Model) -> Result<Option<Observed>, StudyError> {
     let rotation = model.initial.rotation;
     let file = model.source.file.clone();
     let Some(rotation) = rotation else { return Err(StudyError::NoSpin { file }) };
-    let found = model.assembly.relaxed(|J| mean_products(&file, rotation, J).map_err(Failure::Study));
+    let products = |inertia| mean_products(&file, rotation, inertia).map_err(Failure::Study);
+    let found = model.assembly.relaxed(products);
     let Relaxed { assembly, inertia } = found.map_err(|failure| match failure {
         Failure::Element(error) => model.diagnose(&error).into(),
         Failure::Study(error) => error,
@@ -129,14 +135,27 @@ impl From<ElementError> for Failure {
     }
 }
 
-/// Mean of `ωωᵀ` (rad²/s², axes of the file) over the free rotation of the rigid body with an inertia tensor. (G18)
-fn mean_products(file: &Path, rotation: Rotation, J: Sym) -> Result<Sym, StudyError> {
-    let principal = Principal::compute(J);
+/// Moments (kg·m²) that have the periods of a deformable body with its angular momentum, from those of the relaxed body and of that in
+/// rotation. (G19)
+fn periodic_moments([relaxed, spun]: [[f64; 3]; 2], mode: Mode) -> [f64; 3] {
+    let shift = 1.0 / spun[mode.circled()] - 1.0 / relaxed[mode.circled()];
+    relaxed.map(|moment| 1.0 / (1.0 / moment + shift))
+}
+
+/// Mean of `ωωᵀ` (rad²/s², axes of the file) over the free rotation of the body with these inertia tensors, relaxed and in rotation. (G17)
+fn mean_products(file: &Path, rotation: Rotation, [relaxed, spun]: [Sym; 2]) -> Result<Sym, StudyError> {
+    let principal = Principal::compute(spun);
     let moments = principal.moments;
     let motion = match rotation {
         Rotation::Spin(omega) => FreeRotation::through(moments, principal.components(omega))?,
+        // the bulge is not known yet: it is about that of the steady spin
+        Rotation::Periods { precession, mode, .. } if relaxed == spun => {
+            let mut omega = [0.0; 3];
+            omega[mode.circled()] = TAU / precession;
+            FreeRotation::through(moments, omega)?
+        }
         Rotation::Periods { rotation, precession, mode } => ObservedPeriods { rotation, precession, mode }
-            .motion(moments)
+            .motion(periodic_moments([Principal::compute(relaxed).moments, moments], mode))
             .map_err(|cause| StudyError::Observed { file: file.into(), cause })?,
         Rotation::Wobble { angle, rate, mode } => {
             if !mode.exists(moments) {

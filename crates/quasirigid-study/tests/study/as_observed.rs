@@ -7,7 +7,7 @@ use quasirigid_io::model::System;
 use quasirigid_math::vec3::{add, norm, scale};
 use quasirigid_study::Study;
 
-use crate::support::{ROOT, close, evolved, finished, mode, modes, study};
+use crate::support::{ROOT, close, evolved, finished, mode, modes, of_order, study};
 
 const SOFT: &str = "[material.soft]\ndensity = 2000\nyoung = 2e6\npoisson = 0.25\nrheology = { kind = \"quality-factor\", Q = 100 }\n\
      [[ellipsoid]]\nname = \"body\"\nmaterial = \"soft\"\n";
@@ -43,7 +43,8 @@ fn the_chandler_wobble_is_slower_than_eulers() {
     } else {
         text.replace("moment_ratios", "shape = \"as-observed\"\nmoment_ratios")
     };
-    let earth = study(&observed);
+    // the series of order 3 leaves out the square of the bulge
+    let earth = of_order(&observed, 5);
     let (R, rho, mu, poisson, spin) = (6.371e6_f64, 5514.0, 1.76e11, 0.29, 7.292115e-5);
     let lambda = 2.0 * mu * poisson / (1.0 - 2.0 * poisson);
     let (a, b) = (4.0 * lambda + 14.0 * mu, 5.0 * lambda + 7.0 * mu);
@@ -100,10 +101,10 @@ fn a_wobble_given_is_the_wobble_found() {
 /// observed it is not.
 #[test]
 fn periods_given_are_those_of_the_motion() {
-    let periods = "periods = { rotation = \"3.4 h\", precession = \"3.5 min\", mode = \"short-axis\" }";
+    let periods = "periods = { rotation = \"4.5 h\", precession = \"3.5 min\", mode = \"short-axis\" }";
     let body = study(&soft(&(AXES.to_owned() + OBSERVED), periods));
     let start = evolved(&body, |asked| asked.until = Some("1 deg".parse().unwrap())).record.start.unwrap();
-    close(start.rotation_period, 3.4 * 3600.0, 3e-3);
+    close(start.rotation_period, 4.5 * 3600.0, 3e-3);
     close(start.precession_period, 3.5 * 60.0, 3e-3);
     let away = |t: f64| {
         let history = finished(&body, System::Reduced, &[0.0, t]);
@@ -111,7 +112,7 @@ fn periods_given_are_those_of_the_motion() {
         let first = body.initial().unwrap().omega;
         norm(add(omega, scale(-1.0, first))) / norm([first[0], first[1], 0.0])
     };
-    let (back, early) = (away(3.4 * 3600.0), away(0.8 * 3.4 * 3600.0));
+    let (back, early) = (away(4.5 * 3600.0), away(0.8 * 4.5 * 3600.0));
     println!("{back} {early}");
     assert!(back < 0.05 && early > 0.5, "{back} {early}");
 }

@@ -10,7 +10,7 @@ use crate::{Assembly, Ellipsoid};
 const MOST_STEPS: usize = 60;
 /// Relative change of the semi-axes that is rounding, and that which is accepted where rounding hides it.
 const ROUNDING: f64 = f64::EPSILON;
-const STALLED: f64 = 1e-14;
+const STALLED: f64 = 1e-12;
 /// Products of the spin about two axes, relative to its square, from which it is aslant.
 const ASLANT: f64 = 1e-9;
 
@@ -18,15 +18,16 @@ const ASLANT: f64 = 1e-9;
 pub(super) fn relaxed<E: From<ElementError>>(
     given: &Ellipsoid,
     shape: ObservedShape,
-    products: &impl Fn(Sym) -> Result<Sym, E>,
+    products: &impl Fn([Sym; 2]) -> Result<Sym, E>,
 ) -> Result<(Ellipsoid, Sym), E> {
     let place = ElementKind::Ellipsoid.at(0);
-    let body = body(given)?;
+    let body = body_of(given)?;
     let (mass, mut inertia) = (body.invariants().mass, body.invariants().J);
     let wanted = given.semi_axes;
     let (mut found, mut last) = (given.clone(), f64::INFINITY);
     for _ in 0..MOST_STEPS {
-        let spun = Spun::of(&found, along_axes(products(inertia)?)?)?;
+        let body = body_of(&found)?;
+        let spun = Spun::of(&body, along_axes(products([body.invariants().J, inertia])?)?)?;
         inertia = spun.inertia;
         let next = match shape {
             ObservedShape::Surface => [0, 1, 2].map(|i| wanted[i] - spun.growth[i]),
@@ -56,9 +57,8 @@ struct Spun {
 }
 
 impl Spun {
-    fn of(ellipsoid: &Ellipsoid, products: Sym) -> Result<Self, ElementError> {
-        let body = body(ellipsoid)?;
-        let q = displaced(&body, products, ElementKind::Ellipsoid.at(0))?;
+    fn of(body: &FlexibleBody, products: Sym) -> Result<Self, ElementError> {
+        let q = displaced(body, products, ElementKind::Ellipsoid.at(0))?;
         let mut growth = [0.0; 3];
         for (axis, tip) in body.markers().iter().enumerate().take(3) {
             growth[axis] = tip.displacement(&q)[axis];
@@ -68,7 +68,7 @@ impl Spun {
     }
 }
 
-fn body(ellipsoid: &Ellipsoid) -> Result<FlexibleBody, ElementError> {
+fn body_of(ellipsoid: &Ellipsoid) -> Result<FlexibleBody, ElementError> {
     Assembly { ellipsoids: vec![ellipsoid.clone()], ..Assembly::default() }.body()
 }
 

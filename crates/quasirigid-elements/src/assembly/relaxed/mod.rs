@@ -35,15 +35,16 @@ impl Assembly {
     /// The relaxed body of an [observed](ObservedShape) one: under its mean centrifugal load it has the shape, or the moments, given, and
     /// the mass that the density given has in the shape given. (G18)
     ///
-    /// `products` are the mean products `⟨ωωᵀ⟩` (rad²/s², axes of the file) of its rotation, for the inertia tensor (kg·m², axes of the
-    /// file) of the body in rotation. An assembly that is not observed is its own relaxed body.
+    /// `products` are the mean products `⟨ωωᵀ⟩` (rad²/s², axes of the file) of its rotation, for the inertia tensors (kg·m², axes of the
+    /// file) of the relaxed body and of that in rotation, both the same as long as the bulge is not known. An assembly that is not observed
+    /// is its own relaxed body.
     ///
     /// # Errors
     /// [`ElementError`] for a body that is no single ellipsoid or surface, and for one too soft or spinning too fast; errors of
     /// `products`.
     pub fn relaxed<E: From<ElementError>>(
         &self,
-        products: impl Fn(Sym) -> Result<Sym, E>,
+        products: impl Fn([Sym; 2]) -> Result<Sym, E>,
     ) -> Result<Relaxed, E> {
         let plain = Self { as_observed: None, ..self.clone() };
         let Some(shape) = self.as_observed else {

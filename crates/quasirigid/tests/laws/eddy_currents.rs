@@ -208,7 +208,7 @@ fn gaps(weakness: f64, omega: V, [rate, precession]: [f64; 2]) -> [f64; 3] {
         argument_of_periapsis: 0.8,
         mean_anomaly: 0.3,
         node_rate: precession * n / weakness,
-        periapsis_rate: -0.6 * precession * n / weakness,
+        periapsis_rate: -precession * n / weakness,
     };
     let strength: [f64; 3] = (0.05 / weakness * V::new(0.3, -0.2, 0.9)).into();
     let rate = rate * n;
@@ -253,7 +253,7 @@ fn gaps(weakness: f64, omega: V, [rate, precession]: [f64; 2]) -> [f64; 3] {
 /// A tumbling body with a tensor of its own in a dipole's field along an eccentric orbit: the slower the orbit and the decay, the nearer the
 /// average. The second passes from the long-axis to the short-axis mode, where the average is least accurate; the dipole of the third turns, twice
 /// in five orbits, so that it ends in the phase in which it began, where the average has no error of first order; the orbit of the fourth precesses
-/// as slowly as the body is braked.
+/// as slowly as the body is braked, node and periapsis once round.
 #[test]
 fn average_is_that_of_the_rotation() {
     let cases = [

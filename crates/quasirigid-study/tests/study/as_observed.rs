@@ -66,7 +66,9 @@ fn the_chandler_wobble_is_slower_than_eulers() {
     let record = evolved(&earth, |_| {}).record;
     let start = record.start.unwrap();
     close(start.rotation_period, expected, 3e-3);
-    close(start.nutation_greatest, (0.2f64 / 3600.0).to_radians(), 1e-6);
+    // the bulge that goes round in the body has an angular momentum of its own: its share of the moment, times the rate of the wobble over the spin
+    let internal = bulge / moment * TAU / (found * spin);
+    close(start.nutation_greatest, (0.2f64 / 3600.0).to_radians(), internal);
     // the rate given is that of the body in rotation, whose moments are those given; the series of order 3 leaves out the square of the bulge
     let finer = evolved(&of_order(&observed, 5), |_| {}).record.start.unwrap();
     close(finer.precession_period, TAU / spin, 1e-6);

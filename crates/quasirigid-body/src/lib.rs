@@ -33,6 +33,7 @@ mod kinetics;
 mod liquid;
 mod mass_inverse;
 mod mass_matrix;
+mod mean_load;
 #[doc(hidden)]
 pub mod moment;
 mod part_mass;

@@ -39,7 +39,7 @@ pub use crate::finite::elasticity::{ElasticityError, Modulus};
 pub use crate::finite::shell::{Constant, ShellError};
 pub use crate::flow::stokes::StokesError;
 pub use crate::structure::Condensation;
-pub use assembly::Built;
+pub use assembly::{Built, ObservedShape, Relaxed};
 pub use builder::{AssemblyElement, CARRIER};
 pub use complete::Incomplete;
 pub use contribution::{PartReduction, SlowLiquid};

@@ -46,6 +46,8 @@ macro_rules! kinds {
             pub reduction: PartReduction,
             /// Support of the body.
             pub support: Support,
+            /// What was observed of the body in rotation; none where its shape is that of the relaxed body.
+            pub as_observed: Option<ObservedShape>,
         }
 
         $(impl element::Named for $type {

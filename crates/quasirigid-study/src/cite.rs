@@ -3,9 +3,9 @@
 //! keys of the bibliography belong to which capability.
 //! Keys: docs/references.bib; the equations themselves name them in docs/theory.
 
-use quasirigid::elements::{CavityShape, PartKind};
+use quasirigid::elements::{ApplicationPoint, CavityShape, PartKind};
 use quasirigid::model::Rheology;
-use quasirigid::model::force::ForceLaw;
+use quasirigid::model::force::{ForceLaw, MagneticField};
 use quasirigid_io::model::{Model, System};
 
 const BIBLIOGRAPHY: &str = include_str!("../../../docs/references.bib");
@@ -41,6 +41,10 @@ const REVOLUTIONS: &[&str] = &["bernardi1999"];
 const STOKES: &[&str] = &["taylor1973", "cahouet1988", "zienkiewicz1992"];
 const CREEP: &[&str] = &["andrade1910"];
 const ORBITS: &[&str] = &["battin1999", "hughes1986"];
+const EDDY_CURRENTS: &[&str] = &["ortiz2015", "landau1984"];
+const FIELDS_ON_ORBITS: &[&str] = &["battin1999"];
+/// The coefficients of the main field of the Earth, and how its harmonics are computed.
+const MAIN_FIELD: &[&str] = &["igrf14", "cunningham1970"];
 const WHEELS: &[&str] = &["hughes1986"];
 const HISTORIES: &[&str] = &["hairer1993"];
 const FULL_SYSTEM: &[&str] = &["hairer1993", "hairer1999"];
@@ -93,6 +97,9 @@ fn capabilities(model: &Model) -> Vec<(bool, &'static [&'static str])> {
     let evolves = run.evolve.is_some()
         || material(|rheology| !matches!(rheology, Rheology::Elastic | Rheology::KelvinVoigt { .. }));
     let full = run.verify.is_some() || run.systems.as_ref().is_some_and(|all| all.contains(&System::Full));
+    let law = |of: fn(&ForceLaw<ApplicationPoint>) -> bool| {
+        assembly.forces.iter().any(|force| of(force.law.timed().0))
+    };
     let network = source.text.lines().any(|line| line.trim_start().starts_with("[[network]]"));
     vec![
         (true, REDUCTION),
@@ -121,13 +128,24 @@ fn capabilities(model: &Model) -> Vec<(bool, &'static [&'static str])> {
             STOKES,
         ),
         (material(|rheology| matches!(rheology, Rheology::Andrade { .. })), CREEP),
-        (assembly.forces.iter().any(|force| matches!(force.law, ForceLaw::CentralGravity { .. })), ORBITS),
+        (law(|law| matches!(law, ForceLaw::CentralGravity { .. })), ORBITS),
+        (law(|law| matches!(law, ForceLaw::EddyCurrent { .. })), EDDY_CURRENTS),
+        (law(|law| field(law).is_some_and(|field| field.orbit().is_some())), FIELDS_ON_ORBITS),
+        (law(|law| matches!(field(law), Some(MagneticField::Earth { .. }))), MAIN_FIELD),
         (!assembly.wheels.is_empty() || !assembly.rotors.is_empty(), WHEELS),
         (true, HISTORIES),
         (full, FULL_SYSTEM),
         (evolves, EVOLUTION),
         (evolves && material(|rheology| matches!(rheology, Rheology::QualityFactor { .. })), DAMPING_TIMES),
     ]
+}
+
+/// Magnetic field of a force.
+fn field(law: &ForceLaw<ApplicationPoint>) -> Option<&MagneticField> {
+    match law {
+        ForceLaw::EddyCurrent { field, .. } | ForceLaw::MagneticDipole { field, .. } => Some(field),
+        _ => None,
+    }
 }
 
 /// The entry of a key in the bibliography.
@@ -172,6 +190,33 @@ mod tests {
                 assert_eq!(found.matches("\n@").count(), 0, "{found}");
             }
         }
+    }
+
+    /// Currents name their law, an orbit Kepler's, and the main field the source of its coefficients, also where it acts at times.
+    #[test]
+    fn magnetic_fields_name_their_sources() {
+        let cited = |field: &str| {
+            let text = format!(
+                "[carrier]\nmass = 1\ncenter_of_mass = [0, 0, 0]\ninertia = [1, 1, 1]\n[[force]]\nname = \"f\"\n{field}\n"
+            );
+            keys(&Model::parse(Path::new("x"), &text).unwrap())
+        };
+        let orbit = "orbit = { body = \"Earth\", semi_major_axis = \"7000 km\" }";
+        let earth = format!("igrf = {{ epoch = \"2024-03-01\" }}\n{orbit}");
+        let own = |keys: &[&str]| {
+            let all = ["ortiz2015", "battin1999", "igrf14", "cunningham1970"];
+            all.map(|key| keys.contains(&key))
+        };
+        let currents = "kind = \"eddy-current\"\ntensor = 1\n";
+        let dipole = "kind = \"magnetic-dipole\"\nmoment = [1, 0, 0]\n";
+        assert_eq!(own(&cited(&format!("{currents}field = [0, 0, 1]"))), [true, false, false, false]);
+        assert_eq!(
+            own(&cited(&format!("{dipole}dipole = [0, 0, 7.8e15]\n{orbit}"))),
+            [false, true, false, false]
+        );
+        assert_eq!(own(&cited(&format!("{currents}{earth}"))), [true; 4]);
+        let windows = "during = [[\"1 s\", \"2 s\"]]";
+        assert_eq!(own(&cited(&format!("{dipole}{earth}\n{windows}"))), [false, true, true, true]);
     }
 
     #[test]

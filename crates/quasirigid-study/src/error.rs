@@ -15,6 +15,7 @@ use quasirigid_math::eigen::NoConvergence;
 use quasirigid_math::memory::TooMuchMemory;
 use thiserror::Error;
 
+use crate::as_observed::Turned;
 use crate::settings::{Setting, SettingError};
 use crate::start::NoWobble;
 use crate::words::significant;
@@ -191,6 +192,13 @@ pub enum StudyError {
         /// Cause.
         cause: NoWobble,
     },
+    /// A wobble, or periods, of a body that owes its axis to the bulge of its spin.
+    Turned {
+        /// File of the model.
+        file: PathBuf,
+        /// The moments with and without the spin.
+        cause: Turned,
+    },
     /// A wobble whose angle is out of range.
     Nutation {
         /// Angle of the wobble (rad).
@@ -331,6 +339,7 @@ impl StudyError {
                 file.display()
             ),
             Self::Observed { file, cause } => format!("{}: [initial] periods: {cause}", file.display()),
+            Self::Turned { file, cause } => format!("{}: [initial]: {cause}", file.display()),
             Self::NoWobble { file, cause } => format!("{}: [initial] wobble: {cause}", file.display()),
             Self::NoStart(cause) => format!(
                 "the start: {cause}; there is no slow manifold at this spin; give [initial] displacements = \"rest\", or numbers"

@@ -56,6 +56,7 @@ struct ReadmeOfCrate;
 struct Library;
 
 pub mod about_spin;
+mod as_observed;
 mod asked;
 pub mod audit;
 mod campbell;
@@ -112,6 +113,7 @@ pub mod verification;
 mod watch;
 mod words;
 
+pub use as_observed::Turned;
 pub use error::StudyError;
 pub use incomplete::beyond;
 pub use kept_run::Keeping;

@@ -28,13 +28,23 @@ pub fn initial(study: &Study) -> Result<Start, StudyError> {
     }
     let principal = Principal::compute(body.invariants().J);
     let attitude = model.initial.attitude;
+    let observed = study.observed.as_ref();
+    if let (Some(observed), Rotation::Periods { mode, .. } | Rotation::Wobble { mode, .. }) =
+        (observed, rotation)
+    {
+        let same = observed.circles_the_same(&principal, mode);
+        same.map_err(|cause| StudyError::Turned { file: file.into(), cause })?;
+    }
     let (K, rigid) = match rotation {
         Rotation::Spin(omega) => return Ok(Start::new(omega, attitude)),
         Rotation::Periods { rotation, precession, mode } => {
-            let observed = ObservedPeriods { rotation, precession, mode };
-            let motion = observed.motion(principal.moments);
+            let periods = ObservedPeriods { rotation, precession, mode };
+            let moments = observed.map_or(principal.moments, |observed| {
+                observed.periodic_moments(principal.moments, mode) // (G19)
+            });
+            let motion = periods.motion(moments);
             angular_momentum(
-                &principal,
+                &Principal { moments, ..principal },
                 &motion.map_err(|cause| StudyError::Observed { file: file.into(), cause })?,
             )
         }
@@ -43,7 +53,8 @@ pub fn initial(study: &Study) -> Result<Start, StudyError> {
                 let cause = NoWobble { moments: principal.moments, mode };
                 return Err(StudyError::NoWobble { file: file.into(), cause });
             }
-            let size = rate * principal.moments[mode.circled()];
+            let circled = observed.map_or(&principal, |observed| &observed.principal);
+            let size = rate * circled.moments[mode.circled()];
             let motion = FreeRotation::at_nutation(principal.moments, size, mode, angle);
             angular_momentum(&principal, &motion?)
         }
@@ -62,7 +73,7 @@ pub fn initial(study: &Study) -> Result<Start, StudyError> {
         }
     }
     let K = match rotation {
-        Rotation::Wobble { angle, rate, mode } => deformed(body, angle, rate, mode)?,
+        Rotation::Wobble { angle, rate, mode } if observed.is_none() => deformed(body, angle, rate, mode)?,
         _ => K,
     };
     let (omega, _) = spun_state(body, K).map_err(StudyError::NoStart)?;
@@ -102,8 +113,8 @@ pub fn follows_its_spin(body: &FlexibleBody, reduced: &ReducedBody, spin: [f64; 
 #[derive(Debug)]
 pub struct NoWobble {
     /// Principal moments (kg·m²), ascending.
-    moments: [f64; 3],
-    mode: Mode,
+    pub(crate) moments: [f64; 3],
+    pub(crate) mode: Mode,
 }
 
 impl Display for NoWobble {

@@ -13,6 +13,7 @@ use quasirigid::model::{FlexibleBody, Marker, ReducedBody};
 use quasirigid::reduction::{ReductionError, reduce};
 use quasirigid_io::model::Model;
 
+use crate::as_observed::{self, Observed};
 use crate::controlled;
 use crate::error::StudyError;
 use crate::incomplete::beyond;
@@ -54,6 +55,8 @@ pub struct Study {
     pub condensation: Option<Condensation>,
     /// Approximation of a solid inside a surface.
     pub resolution: Option<Resolution>,
+    /// What the spin makes of the body, where its shape or its moments were observed in rotation.
+    pub(crate) observed: Option<Observed>,
     /// Order of the reduced equations.
     pub order: usize,
     /// Whether somebody asked for that order.
@@ -108,6 +111,7 @@ impl Study {
         if !errors.is_empty() {
             return Err(model.diagnose_all(&errors).into());
         }
+        let observed = as_observed::relax(&mut model)?;
         let built = if drawn { model.assembly.build_with_visuals() } else { model.assembly.build() };
         let Built {
             body,
@@ -122,6 +126,7 @@ impl Study {
             visuals,
         } = built.map_err(|error| model.diagnose(&error))?;
         let visuals = if drawn { OnceLock::from(visuals) } else { OnceLock::new() };
+        model.notes.splice(..0, observed.iter().map(|observed| observed.note(&body)));
         model.notes.extend(beyond(&model.assembly, order));
         model.notes.extend(liquids::notes(&model.assembly, &slow));
         model.notes.extend(controlled::note(&controls));
@@ -140,6 +145,7 @@ impl Study {
             slugs,
             condensation,
             resolution,
+            observed,
             order,
             order_given,
             visuals,

@@ -157,7 +157,8 @@ impl<T: Smooth> LoadContext<'_, T> {
                 loads.add_torque(cross(moment.map(T::from), self.turn().to_body(field.at(t))));
             }
             ForceLaw::EddyCurrent { tensor, field, .. } => {
-                loads.add_torque(eddy::torque(tensor, motion.omega, self.turn().to_body(field.at(t))));
+                let fields = field.with_rate(t).map(|vector| self.turn().to_body(vector));
+                loads.add_torque(eddy::torque(tensor, motion.omega, fields));
             }
             ForceLaw::Expression { at, force } => {
                 let (at, velocity) = self.passing(at);

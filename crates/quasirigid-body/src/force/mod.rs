@@ -1,4 +1,4 @@
-//! External forces on a body, for scalars that may be series in time. (F1) to (F16)
+//! External forces on a body, for scalars that may be series in time. (F1) to (F21)
 
 mod apply;
 mod conductor;
@@ -6,6 +6,7 @@ mod eddy;
 mod felt;
 mod field;
 mod gravity;
+mod igrf;
 mod law;
 mod mean_field;
 mod orbit;
@@ -17,9 +18,10 @@ pub use apply::Felt;
 pub use apply::{KinematicState, Loads};
 pub use conductor::Conductor;
 pub use field::MagneticField;
+pub use igrf::EarthField;
 pub use law::{Axes, Force, ForceLaw, Wave};
 #[doc(hidden)]
 pub use law::{PLACE, TIME, VARIABLES};
-pub use orbit::{Orbit, OrbitPoint};
+pub use orbit::{Oblateness, Orbit, OrbitPoint};
 pub use pose::Pose;
 pub use timing::{Interpolation, Timetable, TimingProblem, Windows};

@@ -1,12 +1,12 @@
 //! Kepler orbit: place and velocity at any time, also as Taylor series.
 //! Kepler's equation is solved from above its root, where Newton's method descends without overshoot at any eccentricity; Newton's steps in
 //! series arithmetic then give the derivatives.
-//! Equation (F10), docs/theory/07-forces.md.
+//! Equations (F10) and (F20), docs/theory/07-forces.md.
 
 use std::f64::consts::{PI, TAU};
 
 use crate::math::scalar::Smooth;
-use crate::math::vec3::{add, scale};
+use crate::math::vec3::{add, cross, scale};
 
 /// Kepler orbit about a centre of attraction, the origin of the inertial axes. (F10)
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -26,6 +26,19 @@ pub struct Orbit {
     pub argument_of_periapsis: f64,
     /// Mean anomaly at time zero (rad).
     pub mean_anomaly: f64,
+    /// Rate (rad/s) at which the node precesses.
+    pub node_rate: f64,
+    /// Rate (rad/s) at which the argument of the periapsis precesses.
+    pub periapsis_rate: f64,
+}
+
+/// Oblateness of a centre of attraction.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Oblateness {
+    /// `J₂`, of second degree and unnormalised.
+    pub j2: f64,
+    /// Radius (m) that it goes with.
+    pub radius: f64,
 }
 
 /// Point of an orbit, inertial axes.
@@ -39,7 +52,17 @@ pub struct OrbitPoint<T> {
     pub radius: T,
 }
 
+impl Oblateness {
+    /// That of the Earth, after EGM2008.
+    pub const EARTH: Self = Self { j2: 1.082_635_5e-3, radius: 6_378_136.3 };
+    /// That of Mars, after GMM-3.
+    pub const MARS: Self = Self { j2: 1.956_61e-3, radius: 3.396e6 };
+}
+
 impl Orbit {
+    /// Gravitational parameter of the Earth (m³/s²), as recommended by the IAU (2009), in TCG.
+    pub const EARTH_PARAMETER: f64 = 3.986_004_418e14;
+
     /// Mean motion (rad/s).
     #[must_use]
     pub fn mean_motion(&self) -> f64 {
@@ -52,7 +75,32 @@ impl Orbit {
         TAU / self.mean_motion()
     }
 
-    /// Place and velocity at a time (s), which may be a series. (F10)
+    /// The orbit with the secular precession of node and periapsis by an oblate centre. (F20)
+    #[must_use]
+    pub fn about(self, Oblateness { j2, radius }: Oblateness) -> Self {
+        let p = self.semi_major_axis * (1.0 - self.eccentricity) * (1.0 + self.eccentricity);
+        let unit = 1.5 * self.mean_motion() * j2 * (radius / p).powi(2);
+        let cosine = self.inclination.cos();
+        Self { node_rate: -unit * cosine, periapsis_rate: 0.5 * unit * (5.0 * cosine * cosine - 1.0), ..self }
+    }
+
+    /// The orbit with node and periapsis where they are at a time (s): the angles that precess, not the place of the body.
+    #[must_use]
+    pub fn precessed(&self, t: f64) -> Self {
+        Self {
+            raan: self.raan + self.node_rate * t,
+            argument_of_periapsis: self.argument_of_periapsis + self.periapsis_rate * t,
+            ..*self
+        }
+    }
+
+    /// Whether node or periapsis precess.
+    #[must_use]
+    pub fn precesses(&self) -> bool {
+        self.node_rate != 0.0 || self.periapsis_rate != 0.0
+    }
+
+    /// Place and velocity at a time (s), which may be a series. (F10), (F20)
     #[must_use]
     pub fn at<T: Smooth>(&self, t: T) -> OrbitPoint<T> {
         let (a, e) = (self.semi_major_axis, self.eccentricity);
@@ -62,13 +110,37 @@ impl Orbit {
         let (sin, cos) = E.sin_cos();
         let shortened = T::from(1.0) - T::from(e) * cos; // r/a
         let rate = T::from(n) / shortened; // dE/dt
-        let [along, across] = self.axes().map(|axis| axis.map(T::from));
+        let [along, across] = self.axes_at(t);
         let at = |x: T, y: T| add(scale(T::from(a) * x, along), scale(T::from(b) * y, across));
-        OrbitPoint {
-            place: at(cos - T::from(e), sin),
-            velocity: at(-sin * rate, cos * rate),
-            radius: T::from(a) * shortened,
+        let (place, velocity) = (at(cos - T::from(e), sin), at(-sin * rate, cos * rate));
+        let radius = T::from(a) * shortened;
+        if !self.precesses() {
+            return OrbitPoint { place, velocity, radius };
         }
+        let turning = self.turning([along, across]);
+        OrbitPoint { place, velocity: add(velocity, cross(turning, place)), radius }
+    }
+
+    /// Angular velocity (rad/s) of the axes of the orbit. (F20)
+    pub(super) fn turning<T: Smooth>(&self, [along, across]: [[T; 3]; 2]) -> [T; 3] {
+        let [x, y, z] = scale(T::from(self.periapsis_rate), cross(along, across));
+        [x, y, z + T::from(self.node_rate)]
+    }
+
+    /// Unit vectors towards the periapsis and along the motion there at a time (s).
+    fn axes_at<T: Smooth>(&self, t: T) -> [[T; 3]; 2] {
+        if !self.precesses() {
+            return self.axes().map(|axis| axis.map(T::from));
+        }
+        let turned = |angle: f64, rate: f64| (T::from(angle) + T::from(rate) * t).sin_cos();
+        let (sn, cn) = turned(self.raan, self.node_rate);
+        let (sp, cp) = turned(self.argument_of_periapsis, self.periapsis_rate);
+        let (si, ci) = self.inclination.sin_cos();
+        let (si, ci) = (T::from(si), T::from(ci));
+        [
+            [cn * cp - sn * sp * ci, sn * cp + cn * sp * ci, sp * si],
+            [-cn * sp - sn * cp * ci, -sn * sp + cn * cp * ci, cp * si],
+        ]
     }
 
     /// Unit vectors towards the periapsis and along the motion there, a quarter of a revolution ahead.

@@ -1,7 +1,7 @@
 use crate::math::vec3::dot;
 use crate::model::force::MagneticField;
 
-/// Eddy currents of a body in the mean of a magnetic field. (A14), (F17)
+/// Eddy currents of a body in the mean of a magnetic field. (A14), (F17), (F19)
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EddyTorque {
     /// Magnetic tensor (S·m⁴), body axes.

@@ -4,10 +4,9 @@
 
 use crate::averaging::{FreeRotation, RotationState};
 use crate::dynamics::FullState;
-use crate::math::bisection::bisected;
 use crate::math::sym3::{self, times};
 use crate::math::vec3::{add, cross, dot, norm, scale};
-use crate::model::{FlexibleBody, Mode, Principal};
+use crate::model::{BalancedSpin, FlexibleBody, Mode, Principal};
 use crate::modes::{EquilibriumError, RelativeEquilibrium, SpinMagnitude};
 
 /// Range of the energy at a given angular momentum, from the steady spins of the deformed body. (Q1)
@@ -91,50 +90,114 @@ impl EnergyRange {
         [self.moments[0] / self.moments[2], 1.0]
     }
 
-    /// Rotation state of a body with an angular momentum `K` (N·m·s, body axes) after its vibrations have died out: at the energy of the
-    /// body as deformed by the steady spin nearest to `K`. (Q2)
+    /// Rotation state of a body with an angular momentum `K` (N·m·s, body axes) after its vibrations have died out: the energy is that of the
+    /// body in balance with its angular velocity, whose bulge has followed the spin, and the greatest wobble that at which the body has this
+    /// energy on its way to the middle axis. (Q2)
     ///
     /// None at a steady spin, or if no steady spin was found.
     #[must_use]
     pub fn settled(&self, body: &FlexibleBody, K: [f64; 3]) -> Option<RotationState> {
-        let along = |spin: &&RelativeEquilibrium| dot(spin.angular_momentum, K).abs();
-        let poles = [0, 2].into_iter().filter_map(|axis| self.equilibria[axis].as_ref());
-        let spin = poles.max_by(|a, b| along(a).total_cmp(&along(b)))?;
-        let inverse = sym3::inverse(body.full_inertia_at(&spin.q));
-        let turning = |K: [f64; 3]| 0.5 * dot(K, times(inverse, K));
-        self.rotation_state(spin.energy + turning(K) - turning(spin.angular_momentum))
+        let along = |mode: &Mode| self.equilibrium(*mode).map(|spin| dot(spin.angular_momentum, K).abs());
+        let poles = [Mode::ShortAxis, Mode::LongAxis].into_iter().filter(|mode| along(mode).is_some());
+        let nearest = poles.max_by(|a, b| along(a).unwrap_or(0.0).total_cmp(&along(b).unwrap_or(0.0)))?;
+        let axis = unit(self.equilibrium(nearest)?.angular_momentum);
+        let parallel = scale(dot(axis, K), axis);
+        let across = add(K, scale(-1.0, parallel));
+        let tangent = norm(across) / norm(parallel);
+        if !(tangent > STEADY) {
+            return None;
+        }
+        let wider = add(unit(parallel), scale(RESOLVED, unit(across)));
+        let wider = (tangent < RESOLVED).then(|| self.at(body, nearest, wider)).flatten();
+        let (state, share) = match wider.filter(|state| state.mode == nearest) {
+            Some(state) => (state, tangent / RESOLVED),
+            None => (self.at(body, nearest, K)?, 1.0),
+        };
+        let middle = self.tangent(body, state, self.frame(state.mode)?[1], self.greatest(state));
+        Some(RotationState { mode: state.mode, xi: self.logit(state.mode, share * middle) })
     }
 
-    /// State of the full system near a rotation state: the body as deformed by the steady spin that the mode circles, in free rotation.
-    /// (Q2)
+    /// State of the full system at a rotation state: the body in balance with its angular velocity, on its way from the circled axis to the
+    /// other pole; where that balance is not found, as the circled steady spin deforms it. (Q2)
     ///
     /// None if the steady spin was not found.
     #[must_use]
     pub fn state(&self, body: &FlexibleBody, rotation_state: RotationState) -> Option<FullState> {
-        let spin = self.equilibrium(rotation_state.mode)?;
-        let wanted = FreeRotation::at_logit(
-            self.moments,
-            self.angular_momentum,
-            rotation_state.mode,
-            rotation_state.xi,
-        )
-        .energy();
-        let J = body.full_inertia_at(&spin.q);
-        let inverse = sym3::inverse(J);
-        let along = scale(norm(spin.angular_momentum).recip(), spin.angular_momentum);
-        let across = self.across(rotation_state.mode, along);
-        let K = |angle: f64| {
-            let (sine, cosine) = angle.sin_cos();
-            scale(self.angular_momentum, add(scale(cosine, along), scale(sine, across)))
+        let RotationState { mode, xi } = rotation_state;
+        let axes = self.frame(mode)?;
+        let (axis, other) = (axes[mode.circled()], axes[2 - mode.circled()]);
+        let greatest = self.greatest(rotation_state);
+        let share = (greatest / RESOLVED).min(1.0);
+        let middle = self.at(body, mode, add(axis, scale(greatest / share, axes[1])));
+        let polhode = FreeRotation::at_logit(self.moments, self.angular_momentum, mode, xi);
+        let least = polhode.nutation()[0].tan();
+        let tangent = match middle.filter(|state| state.mode == mode) {
+            Some(state) => share * self.tangent(body, state, other, least / share),
+            None => least,
         };
-        let excess = |angle: f64| {
-            let (K, K0) = (K(angle), K(0.0));
-            0.5 * (dot(K, times(inverse, K)) - dot(K0, times(inverse, K0)))
+        let (state, _) = self.deformed(body, mode, add(axis, scale(tangent, other)))?;
+        Some(state)
+    }
+
+    /// Tangent of the angle from the circled axis to a direction across it at which the deformed body has a rotation state by its energy,
+    /// near a guess; the guess where it is not found, next to a separatrix.
+    fn tangent(
+        &self,
+        body: &FlexibleBody,
+        RotationState { mode, xi }: RotationState,
+        direction: [f64; 3],
+        guess: f64,
+    ) -> f64 {
+        let Some(spin) = self.equilibrium(mode) else { return guess };
+        let axis = unit(spin.angular_momentum);
+        let beyond = |logarithm: f64| {
+            let found = self.at(body, mode, add(axis, scale(logarithm.exp(), direction)));
+            found.filter(|found| found.mode == mode).map_or(f64::NAN, |found| found.xi - xi)
         };
-        let target = wanted - spin.energy;
-        let angle = bisected([0.0, STEEPEST], excess, target, target > 0.0);
-        let omega = times(inverse, K(angle));
-        Some(FullState { q: spin.q.clone(), ..FullState::at_rest(body, omega, [1.0, 0.0, 0.0, 0.0]) })
+        crossing(&beyond, guess.ln()).map_or(guess, f64::exp)
+    }
+
+    /// Tangent of the greatest wobble of a rotation state, towards the middle axis: `tan²θ = (I₂/I) e^{−ξ}`.
+    fn greatest(&self, RotationState { mode, xi }: RotationState) -> f64 {
+        (self.moments[1] / self.moments[mode.circled()] * (-xi).exp()).sqrt()
+    }
+
+    /// Place `ξ` of a greatest wobble, as the tangent of its angle.
+    fn logit(&self, mode: Mode, tangent: f64) -> f64 {
+        (self.moments[1] / self.moments[mode.circled()]).ln() - 2.0 * tangent.ln()
+    }
+
+    /// Axes of the effective moments: along the steady spin of a mode, towards the other pole, and across both.
+    fn frame(&self, mode: Mode) -> Option<[[f64; 3]; 3]> {
+        let along = unit(self.equilibrium(mode)?.angular_momentum);
+        let mut axes = [[0.0; 3]; 3];
+        (axes[mode.circled()], axes[2 - mode.circled()]) = (along, self.across(mode, along));
+        axes[1] = cross(axes[2], axes[0]);
+        Some(axes)
+    }
+
+    /// Rotation state of the deformed body with its angular momentum along a direction.
+    fn at(&self, body: &FlexibleBody, mode: Mode, direction: [f64; 3]) -> Option<RotationState> {
+        let (_, energy) = self.deformed(body, mode, direction)?;
+        self.rotation_state(energy)
+    }
+
+    /// The body in balance with an angular velocity that has its angular momentum along a direction, and its energy (J); where it is not
+    /// found, the body as the steady spin of a mode deforms it. (Q2)
+    fn deformed(&self, body: &FlexibleBody, mode: Mode, direction: [f64; 3]) -> Option<(FullState, f64)> {
+        let K = scale(self.angular_momentum, unit(direction));
+        if let Some((omega, q)) = balanced(body, K) {
+            let state = FullState { q, ..FullState::at_rest(body, omega, [1.0, 0.0, 0.0, 0.0]) };
+            let energy = state.energy(body);
+            return Some((state, energy));
+        }
+        let spin = self.equilibrium(mode)?;
+        let inverse = sym3::inverse(body.full_inertia_at(&spin.q));
+        let turning = |K: [f64; 3]| 0.5 * dot(K, times(inverse, K));
+        let energy = spin.energy + (turning(K) - turning(spin.angular_momentum));
+        let omega = times(inverse, K);
+        let state = FullState { q: spin.q.clone(), ..FullState::at_rest(body, omega, [1.0, 0.0, 0.0, 0.0]) };
+        Some((state, energy))
     }
 
     /// Direction across an axis, towards the other pole where its steady spin is known, otherwise towards that of the middle moment.
@@ -147,8 +210,60 @@ impl EnergyRange {
             unit[(0..3).min_by(|a, b| along[*a].abs().total_cmp(&along[*b].abs())).unwrap_or(0)] = 1.0;
             towards = cross(along, unit);
         }
-        scale(norm(towards).recip(), towards)
+        unit(towards)
     }
+}
+
+/// Angular velocity (rad/s) and displacements of a body in balance with it, of an angular momentum (N·m·s), by Newton's method; none where
+/// they are not found. (Q2)
+fn balanced(body: &FlexibleBody, K: [f64; 3]) -> Option<([f64; 3], Vec<f64>)> {
+    if body.paths().is_some() || body.hung().is_some() || !body.cyclic().is_empty() {
+        return None;
+    }
+    let (mut omega, mut last) = (times(sym3::inverse(body.invariants().J), K), f64::INFINITY);
+    for _ in 0..BALANCE_STEPS {
+        let BalancedSpin { q, angular_momentum, slope } = body.balanced(omega)?;
+        let left = add(K, scale(-1.0, angular_momentum));
+        let gap = norm(left) / norm(K);
+        if gap <= f64::EPSILON || !(gap < last) {
+            return (gap < BALANCED).then_some((omega, q));
+        }
+        let [x, y, z] = slope;
+        let inverse = sym3::inverse([x[0], y[1], z[2], y[2], z[0], x[1]]);
+        (omega, last) = (add(omega, times(inverse, left)), gap);
+    }
+    None
+}
+
+/// Root of a falling function of the logarithm of a tangent, whose slope is −2 next to an axis, by the secant method; none where it does not
+/// close.
+fn crossing(function: &impl Fn(f64) -> f64, guess: f64) -> Option<f64> {
+    let (mut x, mut slope) = (guess, -2.0);
+    let mut value = function(x);
+    if value.abs() <= CLOSED {
+        return Some(x);
+    }
+    for _ in 0..SECANTS {
+        let step = -value / slope;
+        let next = x + step;
+        let there = function(next);
+        if !there.is_finite() {
+            return None;
+        }
+        if there.abs() <= CLOSED {
+            return Some(next);
+        }
+        if there.abs() >= value.abs() && value.abs() < ROUNDING {
+            return Some(x);
+        }
+        slope = (there - value) / step;
+        (x, value) = (next, there);
+    }
+    None
+}
+
+fn unit(v: [f64; 3]) -> [f64; 3] {
+    scale(norm(v).recip(), v)
 }
 
 /// Moments, ascending, of which any two that a body of revolution has equal are exactly so: their difference is rounding. (Q13)
@@ -158,7 +273,17 @@ fn distinct([least, middle, greatest]: [f64; 3]) -> [f64; 3] {
     if Mode::LongAxis.exists(given) { [least, middle, greatest] } else { [middle, middle, greatest] }
 }
 
-/// Largest angle (rad) between the angular momentum and the circled axis in the search for a state.
-const STEEPEST: f64 = std::f64::consts::FRAC_PI_2;
+/// Tangent of the angle from an axis below which a spin is the steady one, to rounding.
+const STEADY: f64 = 1e-13;
+/// Tangent of the angle below which the energy has too few digits of a wobble: next to an axis `ξ` changes by twice its logarithm.
+const RESOLVED: f64 = 3e-3;
+/// Newton's steps to a balance at most, and the relative difference that is accepted where rounding ends them.
+const BALANCE_STEPS: usize = 30;
+const BALANCED: f64 = 1e-12;
+/// Secants to a rotation state at most, the difference of `ξ` at which they close, and that which rounding of the energy of a small wobble may
+/// leave.
+const SECANTS: usize = 20;
+const CLOSED: f64 = 1e-11;
+const ROUNDING: f64 = 1e-5;
 /// Share of `G` below which the part of a steady spin across an axis gives no direction.
 const ALONG: f64 = 1e-3;

@@ -4,8 +4,11 @@ mod carried;
 mod floating;
 mod homogeneous;
 mod locked;
+mod relaxed;
 mod rheologies;
 mod tanks;
+
+pub use relaxed::{ObservedShape, Relaxed};
 
 use nalgebra::Vector3;
 
@@ -108,6 +111,7 @@ impl Assembly {
             return Err(error);
         }
         self.without_carrier()?;
+        self.without_spin()?;
         let Some((id, alone)) = self.alone()? else {
             return match self.carrier {
                 Some(_) => self.carried(forces, asked.visuals),

@@ -92,6 +92,22 @@ impl Problem {
             }
             Self::Tank(error) => error.told(),
             Self::Tube(error) => error.told(),
+            Self::NoMainField { .. } => ("not known", "choose another epoch or degree, or give a `dipole`"),
+            Self::NotTheEarth { .. } => {
+                ("another centre", "write body = \"Earth\" in the orbit, or give a `dipole`")
+            }
+            Self::Underground { .. } => (
+                "below the surface",
+                "check the semi-major axis, from the centre of the Earth, and the eccentricity",
+            ),
+            Self::AsObserved => ("as observed", "find the relaxed assembly first"),
+            Self::NoObservedShape => ("no such shape", "leave `shape` out"),
+            Self::TooSoft { .. } => (
+                "too soft",
+                "check the stiffness and the spin, or leave `shape` out for the shape of the relaxed body",
+            ),
+            Self::FlowsSteadily => ("flows", "choose another rheology, or leave `shape` out"),
+            Self::Aslant => ("aslant", "turn the spin along x, y or z of the file"),
             Self::NoBody => {
                 ("no body", "add a [carrier], or parts that are elastic throughout, such as an [[ellipsoid]]")
             }

@@ -149,6 +149,10 @@ fields! {
     TENSOR = "tensor";
     /// Rate at which the dipole turns that makes the magnetic field.
     DIPOLE_RATE = "dipole_rate";
+    /// Main field of the Earth.
+    IGRF = "igrf";
+    /// Precession of an orbit.
+    PRECESSION = "precession";
     /// Conductivity of a conductor.
     CONDUCTIVITY = "conductivity";
     /// Frequency of a periodic force.

@@ -77,6 +77,51 @@ pub enum Problem {
         /// Number of bodies.
         bodies: usize,
     },
+    /// A year or a degree beyond the coefficients of the main field.
+    #[error(
+        "the main field of the Earth is known for 1900 to 2030 and degrees 1 to 13, not for {year:.1} and degree {degree}"
+    )]
+    NoMainField {
+        /// Decimal year asked for.
+        year: f64,
+        /// Degree asked for.
+        degree: usize,
+    },
+    /// Main field of the Earth along an orbit about another centre.
+    #[error("the main field is that of the Earth, and the orbit is about a centre of {mu} m^3/s^2")]
+    NotTheEarth {
+        /// Gravitational parameter (m³/s²) of the centre.
+        mu: f64,
+    },
+    /// Main field of the Earth along an orbit that goes through it.
+    #[error(
+        "the main field is known above the Earth, and the orbit comes to {:.0} km from its centre",
+        nearest / 1000.0
+    )]
+    Underground {
+        /// Least distance (m) from the centre.
+        nearest: f64,
+    },
+    /// A shape observed in rotation, of which a body is asked that is not in rotation.
+    #[error("the shape given is that of the body in rotation, and a body is built of its relaxed shape")]
+    AsObserved,
+    /// A material that a constant load deforms without end.
+    #[error("its material flows under a constant load, and a steady spin has no shape to be observed")]
+    FlowsSteadily,
+    /// Bodies of which no shape was observed.
+    #[error("a shape as observed is that of a single ellipsoid or surface")]
+    NoObservedShape,
+    /// A spin that deforms a body too much for a linear law.
+    #[error("{}", too_soft(*.strain))]
+    TooSoft {
+        /// Relative change of a length by the spin; NaN where no relaxed shape was found.
+        strain: f64,
+    },
+    /// A steady spin about an axis that is none of the ellipsoid.
+    #[error(
+        "its three moments are equal and it spins aslant to its axes: the relaxed body is an ellipsoid with other axes"
+    )]
+    Aslant,
     /// A shape that polynomials do not follow and that cannot be meshed.
     #[error("polynomials do not follow this shape, and no mesh made here does: {cause}")]
     Unmeshed {
@@ -571,4 +616,14 @@ fn all(faults: &[MeshFault]) -> String {
 
 fn counted(count: usize, one: &str, several: &str) -> String {
     format!("{count} {}", if count == 1 { one } else { several })
+}
+
+/// Words for a body that its spin deforms too much.
+fn too_soft(strain: f64) -> String {
+    let spin = if strain.is_finite() {
+        format!("the spin would change its size by {:.0} %", 100.0 * strain)
+    } else {
+        "no relaxed body has this shape at this spin".to_owned()
+    };
+    format!("{spin}; elasticity is linear here, to 10 %")
 }

@@ -3,7 +3,7 @@
 use crate::element::{AttachmentPoint, Element};
 use crate::error::{ElementError, ElementId, Field, Problem, at};
 use crate::kinds::coefficient::matrix;
-use crate::model::force::{Force, ForceLaw, MagneticField, Orbit, Wave};
+use crate::model::force::{EarthField, Force, ForceLaw, MagneticField, Orbit, Wave};
 use crate::number;
 use crate::{ApplicationPoint, Assembly, Coefficient};
 
@@ -73,6 +73,15 @@ fn magnetic(place: ElementId, field: &MagneticField) -> Result<(), ElementError>
             finite(Field::DIPOLE_RATE, &[*rate])?;
             on_orbit(place, orbit)
         }
+        MagneticField::Earth { field: EarthField { year, degree, sidereal }, orbit } => {
+            finite(Field::IGRF, &[*year, *sidereal])?;
+            let [first, last] = EarthField::YEARS;
+            if !(first..=last).contains(year) || !(1..=EarthField::MAX_DEGREE).contains(degree) {
+                return Err(at(place, Field::IGRF)(Problem::NoMainField { year: *year, degree: *degree }));
+            }
+            on_orbit(place, orbit)?;
+            above_the_earth(orbit).map_err(at(place, Field::IGRF))
+        }
     }
 }
 
@@ -94,7 +103,20 @@ fn on_orbit(place: ElementId, orbit: &Orbit) -> Result<(), ElementError> {
         (Field::PERIAPSIS, orbit.argument_of_periapsis),
         (Field::MEAN_ANOMALY, orbit.mean_anomaly),
     ];
-    angles.into_iter().try_for_each(|(field, angle)| number::finite(&[angle]).map_err(at(place, field)))
+    angles.into_iter().try_for_each(|(field, angle)| number::finite(&[angle]).map_err(at(place, field)))?;
+    number::finite(&[orbit.node_rate, orbit.periapsis_rate]).map_err(at(place, Field::PRECESSION))
+}
+
+/// Difference of gravitational parameters, relative, from which a centre is not the Earth.
+const OTHER_CENTRE: f64 = 0.01;
+
+/// Accepts an orbit about the Earth that stays above its surface.
+fn above_the_earth(orbit: &Orbit) -> Result<(), Problem> {
+    if (orbit.mu / Orbit::EARTH_PARAMETER - 1.0).abs() > OTHER_CENTRE {
+        return Err(Problem::NotTheEarth { mu: orbit.mu });
+    }
+    let nearest = orbit.semi_major_axis * (1.0 - orbit.eccentricity);
+    if nearest < EarthField::LEAST_RADIUS { Err(Problem::Underground { nearest }) } else { Ok(()) }
 }
 
 fn varying(place: ElementId, wave: &Wave) -> Result<(), ElementError> {

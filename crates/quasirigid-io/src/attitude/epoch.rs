@@ -77,6 +77,23 @@ impl Epoch {
         format!("{day} {name} {year} {}", clock(self.time))
     }
 
+    /// Year with the share of it that has passed.
+    pub(crate) fn decimal_year(self) -> f64 {
+        let (year, ..) = date(self.day);
+        let [first, next] = [year, year + 1].map(|year| day_of(year, 1, 1));
+        let passed = (self.day - first) as f64 + self.time as f64 / DAY as f64;
+        year as f64 + passed / (next - first) as f64
+    }
+
+    /// Mean sidereal time at Greenwich (rad), from 0 to 2π, with the epoch as UT1: 280.46061837 degrees at noon of 2000-01-01, and
+    /// 360.98564736629 a day.
+    pub(crate) fn sidereal_angle(self) -> f64 {
+        let whole = (self.day - Self::J2000.day) as f64;
+        let part = self.time as f64 / DAY as f64 - 0.5;
+        let degrees = 280.460_618_37 + 0.985_647_366_29 * whole + 360.985_647_366_29 * part;
+        degrees.rem_euclid(360.0).to_radians()
+    }
+
     fn of(year: u64, month: u64, day: u64, time: u64) -> Result<Self, NoEpoch> {
         let days = i64::try_from(year).ok().filter(|year| (1..=LAST_YEAR).contains(year));
         let number = day_of(days.ok_or(NoEpoch)?, month as i64, day as i64);
@@ -305,5 +322,17 @@ mod tests {
         assert_eq!(TimeSystem::TDB.leap_between(before, next), None);
         let all = LEAPS.map(|(year, month)| day_of(year, month, 1));
         assert!(all.is_sorted());
+    }
+
+    /// The sidereal time of the Astronomical Almanac, 1987-04-10 at 0 h: 13 h 10 min 46.3668 s, and at 19 h 21 min 8 34 57.0896 (J. Meeus,
+    /// Astronomical Algorithms, chapter 12).
+    #[test]
+    fn sidereal_time_is_that_of_the_almanac() {
+        let hours = |text: &str| text.parse::<Epoch>().unwrap().sidereal_angle().to_degrees() / 15.0;
+        // the linear law leaves out terms of a few milliseconds
+        assert!((hours("1987-04-10T00:00:00") - (13.0 + 10.0 / 60.0 + 46.3668 / 3600.0)).abs() < 1e-5);
+        assert!((hours("1987-04-10T19:21:00") - (8.0 + 34.0 / 60.0 + 57.0896 / 3600.0)).abs() < 1e-5);
+        let year = |text: &str| text.parse::<Epoch>().unwrap().decimal_year();
+        assert_eq!([year("2024-01-01"), year("2024-07-02"), year("1900-01-01")], [2024.0, 2024.5, 1900.0]);
     }
 }

@@ -1,5 +1,6 @@
-use quasirigid_elements::{ElementKind, Ellipsoid};
+use quasirigid_elements::{ElementKind, Ellipsoid, ObservedShape};
 
+use super::as_observed::{SHAPE, observed};
 use super::key::{Keys, TEXT, VECTOR, key, quantity, vector};
 use super::material::Materials;
 use super::names::Part;
@@ -21,7 +22,14 @@ pub(super) const READER: Reader = Reader {
     nested: &[],
     is_body: true,
     read: |entry, draft| {
-        let (ellipsoid, range) = ellipsoid(entry.table, entry.name, draft.sources.materials)?;
+        let ellipsoid = ellipsoid(entry.table, entry.name, draft.sources.materials);
+        let observed = observed(entry.table);
+        let (ellipsoid, range) = ellipsoid?;
+        if observed? {
+            let moments = entry.table.get("moment_ratios").is_some();
+            draft.assembly.as_observed =
+                Some(if moments { ObservedShape::Moments } else { ObservedShape::Surface });
+        }
         draft.assembly.ellipsoids.push(ellipsoid);
         draft.range(ElementKind::Ellipsoid, entry, range)
     },
@@ -34,6 +42,7 @@ const ELLIPSOID: Keys = Keys {
         key("diameter", quantity("m"), "of the sphere of equal volume, instead, with one of the next two"),
         key("axis_ratios", VECTOR, ""),
         key("moment_ratios", VECTOR, "of the moments of inertia"),
+        SHAPE,
         key("center", vector("m").or("0"), ""),
         key("material", TEXT, ""),
     ],

@@ -10,9 +10,9 @@ use quasirigid_elements::{ApplicationPoint, ElementKind};
 
 use super::conductor::eddy_current;
 use super::formula::{PLACE, formulas};
-use super::key::{Form, KIND, Keys, Shape, TEXT, any, key, list, of, pick, quantity, shared, words};
+use super::key::{Form, KIND, Keys, Shape, TEXT, any, key, list, of, pick, quantity, shared, table, words};
 use super::kinds::{Kind, kind, of_table, opened, variants};
-use super::magnetic_field::{magnetic_field, required_orbit};
+use super::magnetic_field::{IGRF, magnetic_field, required_orbit};
 use super::names::{END, Fixed, Names, Part};
 use super::orbit::ORBIT;
 use super::reader::{Keyed, NAME, Naming, Reader};
@@ -93,7 +93,7 @@ static KINDS: [Kind<Read>; 9] = [
     kind!(
         "[[force]]",
         "magnetic-dipole",
-        ["kind", "name", "moment", "field", "dipole", "dipole_rate", "orbit", "during"],
+        ["kind", "name", "moment", "field", "dipole", "dipole_rate", "igrf", "orbit", "during"],
         "torque on the carrier (F8)",
         magnetic_dipole
     ),
@@ -111,10 +111,11 @@ static KINDS: [Kind<Read>; 9] = [
             "field",
             "dipole",
             "dipole_rate",
+            "igrf",
             "orbit",
             "during"
         ],
-        "torque [M(ω×B)]×B on the carrier (F15)",
+        "torque [M(ω×B − Ḃ)]×B on the carrier (F15)",
         |table, _, _| eddy_current(table)
     ),
     kind!(
@@ -157,6 +158,7 @@ const ANY: Keys = Keys {
             "instead, at the centre of the `orbit`: μ0/4π times its moment",
         ),
         key("dipole_rate", quantity("rad/s").or("0"), "of the dipole about the inertial z"),
+        key("igrf", table(&IGRF), "instead, the main field of the Earth (F21), which turns with it"),
         key("tensor", any(&[Shape::Number, Shape::Matrix]).in_unit("S m⁴"), "magnetic tensor M, body axes"),
         key("conductivity", quantity("S/m"), "instead, with a `shape`"),
         key("shape", words(&["sphere", "shell"]), "(F16)"),

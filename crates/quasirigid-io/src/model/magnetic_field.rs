@@ -1,13 +1,35 @@
-//! Magnetic fields of forces: uniform, or of a dipole at the centre of an orbit. (F8)
+//! Magnetic fields of forces: uniform, of a dipole at the centre of an orbit, or the main field of the Earth. (F8), (F21)
 
-use quasirigid_body::force::{MagneticField, Orbit};
+use quasirigid_body::force::{EarthField, MagneticField, Orbit};
 
+use super::key::{Keys, TEXT, integer, key};
 use super::orbit::orbit;
 use super::table::Table;
+use super::value::Value;
+use crate::attitude::Epoch;
 use crate::units::Dimension;
+
+/// Keys of the main field of the Earth.
+pub(super) const IGRF: Keys = Keys {
+    known: &[
+        key("epoch", TEXT, "of time zero, UT, `\"2024-03-01T12:00:00\"`; from 1900 to 2030"),
+        key("degree", integer(1, EarthField::MAX_DEGREE as u64).or("13"), "highest one"),
+    ],
+};
 
 /// Reads the field of a force.
 pub(super) fn magnetic_field(table: &Table<'_>) -> Option<MagneticField> {
+    if let Some(earth) = table.get("igrf") {
+        if let Some(other) = ["field", "dipole", "dipole_rate"].iter().find_map(|key| table.get(key)) {
+            return other.refuse(
+                "the magnetic field is given by `igrf` already",
+                "given twice",
+                "leave out one of the two",
+            );
+        }
+        let (field, orbit) = (earth_field(&earth), required_orbit(table));
+        return Some(MagneticField::Earth { field: field?, orbit: orbit? });
+    }
     match (table.get("field"), table.get("dipole")) {
         (None, Some(dipole)) => {
             let strength = dipole.vector(Dimension::DIPOLE_STRENGTH);
@@ -24,8 +46,33 @@ pub(super) fn magnetic_field(table: &Table<'_>) -> Option<MagneticField> {
     }
 }
 
+/// Reads the main field of the Earth: the year and the sidereal time of an epoch.
+fn earth_field(value: &Value<'_>) -> Option<EarthField> {
+    let table = value.table("`igrf`", &IGRF)?;
+    let degree =
+        table.read_or("degree", EarthField::MAX_DEGREE, |value| value.integer(1..=EarthField::MAX_DEGREE));
+    let epoch = table.required("epoch", "epoch = \"2024-03-01T12:00:00\"")?;
+    let text = epoch.text()?;
+    let refuse = |message: String, label| {
+        epoch.refuse(message, label, "write a date from 1900 to 2030, such as \"2024-03-01T12:00:00\"")
+    };
+    let at: Epoch = match text.parse() {
+        Ok(at) => at,
+        Err(error) => return refuse(format!("`epoch`: {error}"), "no epoch"),
+    };
+    let year = at.decimal_year();
+    let [first, last] = EarthField::YEARS;
+    if !(first..=last).contains(&year) {
+        return refuse(
+            format!("`epoch`: the main field of the Earth is known from {first} to {last}, not in {year:.1}"),
+            "out of range",
+        );
+    }
+    Some(EarthField { year, degree: degree?, sidereal: at.sidereal_angle() })
+}
+
 fn uniform_field(table: &Table<'_>) -> Option<MagneticField> {
-    let help = "field = [0, 0, \"30 uT\"], or dipole = [0, 0, 7.8e15] and an orbit";
+    let help = "field = [0, 0, \"30 uT\"], or dipole = [0, 0, 7.8e15] and an orbit, or igrf = { epoch = \"2024-03-01\" } and an orbit";
     let field = table.required("field", help)?.vector(Dimension::MAGNETIC_FIELD);
     for key in ["orbit", "dipole_rate"] {
         if let Some(value) = table.get(key) {

@@ -4,6 +4,7 @@
 //! checked by [`quasirigid_elements`]; [`Model::diagnose`] finds the place in the file that they speak of.
 
 mod appendage;
+mod as_observed;
 mod body;
 mod bushing;
 mod cavity;
@@ -313,6 +314,10 @@ fn content(text: &str, folder: &Path, problems: &Problems<'_>) -> Option<Content
         Some(table) => initial::initial(&table, (&body, folder), &mut notes),
         None => Some(Initial::default()),
     };
+    let observed = match (body.assembly(), &initial) {
+        (Some(assembly), Some(initial)) => as_observed::spinning(&file, assembly, initial),
+        _ => Some(()),
+    };
     let mut body = body;
     let parts = body.parts.as_mut();
     let spun = match (parts, &initial) {
@@ -335,6 +340,7 @@ fn content(text: &str, folder: &Path, problems: &Problems<'_>) -> Option<Content
         None => Some(Vec::new()),
     };
     spun?;
+    observed?;
     Some(Content {
         name,
         parts: body.parts?,

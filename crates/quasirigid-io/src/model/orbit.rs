@@ -1,6 +1,6 @@
-use quasirigid_body::force::Orbit;
+use quasirigid_body::force::{Oblateness, Orbit};
 
-use super::key::{Keys, NUMBER, key, quantity, words};
+use super::key::{Keys, NUMBER, Shape, any, key, quantity, words};
 use super::table::Table;
 use super::value::Value;
 use crate::units::Dimension;
@@ -19,13 +19,31 @@ pub(super) const ORBIT: Keys = Keys {
         key("node", quantity("rad").or("0"), "right ascension of the ascending node"),
         key("periapsis", quantity("rad").or("0"), "its argument"),
         key("mean_anomaly", quantity("rad").or("0"), "at time zero"),
+        key(
+            "precession",
+            any(&[Shape::Words(&["J2"]), Shape::Table(&PRECESSION)]).or("none"),
+            "secular, of node and periapsis: by the oblateness of the Earth or Mars, (F20), or its rates",
+        ),
     ],
 };
+
+const PRECESSION: Keys = Keys {
+    known: &[
+        key("node", quantity("rad/s").or("0"), "rate of the ascending node"),
+        key("periapsis", quantity("rad/s").or("0"), "rate of the argument of the periapsis"),
+    ],
+};
+
+/// Metres in a kilometre.
+const KILO: f64 = 1e3;
+
+/// Centres whose oblateness is known.
+const OBLATE: [(&str, Oblateness); 2] = [("Earth", Oblateness::EARTH), ("Mars", Oblateness::MARS)];
 
 /// Gravitational parameters (m³/s²): of the Earth as recommended by the IAU (2009), in TCG; of the others as in the
 /// ephemeris DE440, in TDB.
 const BODIES: [(&str, f64); 4] = [
-    ("Earth", 3.986_004_418e14),
+    ("Earth", Orbit::EARTH_PARAMETER),
     ("Moon", 4.902_800_118e12),
     ("Mars", 4.282_837_362e13),
     ("Sun", 1.327_124_400_41e20),
@@ -43,7 +61,7 @@ pub(super) fn orbit(value: &Value<'_>) -> Option<Orbit> {
     let raan = number("node", Dimension::ANGLE);
     let argument_of_periapsis = number("periapsis", Dimension::ANGLE);
     let mean_anomaly = number("mean_anomaly", Dimension::ANGLE);
-    Some(Orbit {
+    let orbit = Orbit {
         mu: mu?,
         semi_major_axis: semi_major_axis?,
         eccentricity: eccentricity?,
@@ -51,7 +69,47 @@ pub(super) fn orbit(value: &Value<'_>) -> Option<Orbit> {
         raan: raan?,
         argument_of_periapsis: argument_of_periapsis?,
         mean_anomaly: mean_anomaly?,
-    })
+        node_rate: 0.0,
+        periapsis_rate: 0.0,
+    };
+    match table.get("precession") {
+        Some(value) => precession(&value, &table, orbit),
+        None => Some(orbit),
+    }
+}
+
+/// Reads the precession of an orbit: by the oblateness of its centre, or given rates.
+fn precession(value: &Value<'_>, table: &Table<'_>, orbit: Orbit) -> Option<Orbit> {
+    if value.is_table() {
+        let rates = value.table("`precession`", &PRECESSION)?;
+        let rate = |key| rates.read_or(key, 0.0, |value| value.quantity(Dimension::ANGULAR_VELOCITY));
+        let (node, periapsis) = (rate("node"), rate("periapsis"));
+        return Some(Orbit { node_rate: node?, periapsis_rate: periapsis?, ..orbit });
+    }
+    value.choice(&[("J2", ())])?;
+    let body = table.get("body").and_then(|body| body.words());
+    match OBLATE.iter().find(|(name, _)| body == Some(*name)) {
+        Some((_, oblateness)) => {
+            let nearest = orbit.semi_major_axis * (1.0 - orbit.eccentricity);
+            if orbit.eccentricity < 1.0 && nearest < oblateness.radius {
+                return value.refuse(
+                    format!(
+                        "`precession`: the orbit comes to {:.0} km from the centre, inside the body, whose radius is {:.0} km",
+                        nearest / KILO,
+                        oblateness.radius / KILO
+                    ),
+                    "no such orbit",
+                    "check the semi-major axis, from the centre of the body, and the eccentricity",
+                );
+            }
+            Some(orbit.about(*oblateness))
+        }
+        None => value.refuse(
+            "`precession`: the oblateness of this centre is not known here",
+            "no J2",
+            "write body = \"Earth\" or \"Mars\", or precession = { node = \"-5 deg/d\", periapsis = \"3 deg/d\" }",
+        ),
+    }
 }
 
 /// Reads the gravitational parameter of the centre, or takes that of a body known by name.

@@ -4,9 +4,10 @@
 
 use std::path::Path;
 
-use quasirigid_elements::{ElementKind, Surface};
+use quasirigid_elements::{ElementKind, ObservedShape, Surface};
 use quasirigid_mesh::surface::{ClosedSurface, repaired};
 
+use super::as_observed::{SHAPE, observed};
 use super::key::{BOOLEAN, Key, Keys, Shape, TEXT, any, integer, key, words};
 use super::material::Materials;
 use super::names::Part;
@@ -32,7 +33,11 @@ pub(super) const READER: Reader = Reader {
     is_body: true,
     read: |entry, draft| {
         let Sources { materials, folder, .. } = draft.sources;
-        let (surface, file, range) = surface(entry.table, entry.name, materials, folder)?;
+        let surface = surface(entry.table, entry.name, materials, folder);
+        let observed = observed(entry.table);
+        let (surface, file, range) = surface?;
+        draft.assembly.as_observed =
+            draft.assembly.as_observed.or(observed?.then_some(ObservedShape::Surface));
         draft.notes.extend(told(&file));
         draft.shapes.push(file);
         draft.assembly.surfaces.push(surface);
@@ -63,6 +68,7 @@ const SURFACE: Keys = Keys {
         UNIT,
         STRICT,
         key("parts", words(&["largest"]).or("one"), "of a file with separate bodies"),
+        SHAPE,
         key("material", TEXT, ""),
         key("degree", integer(1, Surface::MAX_DEGREE as u64).or("as needed"), "of polynomials, (G9)"),
         key(

@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use insta::assert_snapshot;
+use quasirigid_elements::ObservedShape;
 use quasirigid_io::model::{Displacements, Model};
 
 use super::{CARRIER, HINGED, POINT, ROCK, made_of, read, refusal};
@@ -65,11 +66,11 @@ fn an_ellipsoid_has_semi_axes_and_a_material() {
     "#);
     assert_snapshot!(refusal(&with("").replace("semi_axes", "semiaxes")), @r#"
     model.toml:2:1: unknown key "semiaxes" in [[ellipsoid]]
-      did you mean `semi_axes`? the keys are name, semi_axes, diameter, axis_ratios, moment_ratios, center, material
+      did you mean `semi_axes`? the keys are name, semi_axes, diameter, axis_ratios, moment_ratios, shape, center, material
     "#);
     assert_snapshot!(refusal(&with("").replace("material = \"rock\"", "material = \"rock\"\ncentre = [0, 0, 1]")), @r#"
     model.toml:4:1: unknown key "centre" in [[ellipsoid]]
-      did you mean `center`? the keys are name, semi_axes, diameter, axis_ratios, moment_ratios, center, material
+      did you mean `center`? the keys are name, semi_axes, diameter, axis_ratios, moment_ratios, shape, center, material
     "#);
 }
 
@@ -182,4 +183,26 @@ fn no_size_makes_it_panic() {
             .replace("[2300, 1200, 950]", &format!("[1, {size}, 3]"));
         let _ = Model::parse(Path::new("model.toml"), &text);
     }
+}
+
+/// A shape observed in rotation is noted in the assembly, at the ends of ranges too; a start that has none is refused.
+#[test]
+fn a_shape_as_observed_needs_a_rotation() {
+    let observed = |lines: &str, rest: &str| {
+        let text = with(rest).replacen("semi_axes = [2300, 1200, 950]", lines, 1);
+        text.replacen("material = \"rock\"", "material = \"rock\"\nshape = \"as-observed\"", 1)
+    };
+    let spin = "[initial]\nangular_velocity = [0, 0, 1e-3]\n";
+    let axes = "semi_axes = [2300, 1200, 950]";
+    assert_eq!(read(&observed(axes, spin)).assembly.as_observed, Some(ObservedShape::Surface));
+    let moments = "diameter = 300\nmoment_ratios = [1, 1.1, 1.2]";
+    assert_eq!(read(&observed(moments, spin)).assembly.as_observed, Some(ObservedShape::Moments));
+    assert_eq!(read(&with(spin)).assembly.as_observed, None);
+    let none = refusal(&observed(axes, ""));
+    assert!(none.contains("`shape`: the shape observed is that of the body in rotation"), "{none}");
+    let rest = refusal(&observed(axes, "[initial]\nangular_velocity = [0, 0, 0]\n"));
+    assert!(rest.contains("this body is at rest"), "{rest}");
+    let built = read(&observed(axes, spin));
+    let error = built.diagnose(&built.assembly.body().unwrap_err()).to_string();
+    assert!(error.contains("a body is built of its relaxed shape"), "{error}");
 }

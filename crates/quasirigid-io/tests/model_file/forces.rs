@@ -41,6 +41,8 @@ fn orbit(a: f64) -> Orbit {
         raan: 0.0,
         argument_of_periapsis: 0.0,
         mean_anomaly: 0.0,
+        node_rate: 0.0,
+        periapsis_rate: 0.0,
     }
 }
 
@@ -198,6 +200,59 @@ fn orbits_are_read() {
     assert_eq!(law("central-gravity", full), ForceLaw::CentralGravity { orbit: expected });
 }
 
+/// Rates of (F20): by the oblateness of the centre, or as given; one without a known oblateness is refused.
+#[test]
+fn orbits_precess_where_it_is_asked() {
+    let of = |keys: &str| {
+        let orbit = format!("orbit = {{ {keys}, semi_major_axis = 7.2e6, inclination = \"50 deg\" }}\n");
+        match law("central-gravity", &orbit) {
+            ForceLaw::CentralGravity { orbit } => [orbit.node_rate, orbit.periapsis_rate],
+            _ => panic!("gravity"),
+        }
+    };
+    let unit = 1.5
+        * (3.986_004_418e14 / 7.2e6_f64.powi(3)).sqrt()
+        * 1.082_635_5e-3
+        * (6_378_136.3 / 7.2e6_f64).powi(2);
+    let cosine = 50f64.to_radians().cos();
+    let [node, periapsis] = of("body = \"Earth\", precession = \"J2\"");
+    assert!((node / (-unit * cosine) - 1.0).abs() < 1e-14, "{node}");
+    assert!((periapsis / (unit * (2.5 * cosine * cosine - 0.5)) - 1.0).abs() < 1e-14, "{periapsis}");
+    assert_eq!(of("body = \"Earth\""), [0.0; 2]);
+    let given = of("gravitational_parameter = 4e14, precession = { node = \"-5 deg/d\" }");
+    assert!((given[0] * 86_400.0 * 180.0 / PI + 5.0).abs() < 1e-13 && given[1] == 0.0, "{given:?}");
+    let refused =
+        refused("central-gravity", "orbit = { body = \"Sun\", precession = \"J2\", semi_major_axis = 1 }\n");
+    assert!(refused.contains("the oblateness of this centre is not known here"), "{refused}");
+    let inside = self::refused(
+        "central-gravity",
+        "orbit = { body = \"Earth\", precession = \"J2\", semi_major_axis = \"7200 km\", eccentricity = 0.2 }\n",
+    );
+    assert!(inside.contains("comes to 5760 km from the centre, inside the body"), "{inside}");
+}
+
+/// The main field has the year and the sidereal time of its epoch; one out of its range, or beside another field, is refused.
+#[test]
+fn the_main_field_is_read() {
+    let of = |igrf: &str| format!("moment = [0, 0, 1]\nigrf = {igrf}\n{ORBIT}");
+    let ForceLaw::MagneticDipole { field: MagneticField::Earth { field, orbit: own }, .. } =
+        law("magnetic-dipole", &of("{ epoch = \"2024-07-02T00:00:00\", degree = 4 }"))
+    else {
+        panic!("the main field")
+    };
+    assert_eq!((field.year, field.degree, own), (2024.5, 4, orbit(6.778e6)));
+    // 8948.5 days after noon of 2000-01-01
+    assert!((field.sidereal.to_degrees() - 280.526_076).abs() < 1e-5, "{}", field.sidereal.to_degrees());
+    let refused = |igrf: &str| refused("magnetic-dipole", &of(igrf));
+    assert!(refused("{ epoch = \"2031-01-01\" }").contains("known from 1900 to 2030, not in 2031.0"));
+    assert!(refused("{ epoch = \"1899-12-31\" }").contains("not in 1900.0"));
+    assert!(refused("{ epoch = \"yesterday\" }").contains("no epoch"));
+    assert!(refused("{ epoch = \"2024-01-01\", degree = 14 }").contains("14"));
+    assert!(refused("{ degree = 3 }").contains("has no `epoch`"));
+    let twice = refused("{ epoch = \"2024-01-01\" }\nfield = [0, 0, 1]");
+    assert!(twice.contains("given by `igrf` already"), "{twice}");
+}
+
 /// Against the system of astronomical constants of the IAU (2009): masses as ratios, the Gaussian constant for the Sun,
 /// and the geostationary radius for the Earth.
 #[test]
@@ -253,7 +308,7 @@ fn a_force_says_its_kind() {
     model.toml:9:1: [[force]] has no `kind`
       add a line such as: kind = "uniform-gravity", "central-gravity", "drag", "spin-drag", "torque", "thrust", "magnetic-dipole", "eddy-current" or "expression"
     model.toml:12:1: unknown key "knd" in [[force]]
-      did you mean `kind`? the keys are kind, name, on, at, coefficient, acceleration, orbit, torque, force, axes, frequency, period, phase, moment, field, dipole, dipole_rate, tensor, conductivity, shape, radius, thickness, timetable, interpolation, during
+      did you mean `kind`? the keys are kind, name, on, at, coefficient, acceleration, orbit, torque, force, axes, frequency, period, phase, moment, field, dipole, dipole_rate, igrf, tensor, conductivity, shape, radius, thickness, timetable, interpolation, during
     "#);
     assert_snapshot!(refused("drga", "anything = 1\n"), @r#"
     model.toml:10:8: `kind` cannot be "drga"
@@ -325,11 +380,11 @@ fn what_a_force_needs_is_asked_for() {
     model.toml:21:1: [[force]] of kind "magnetic-dipole" has no `moment`
       add a line such as: moment = [0, 0, "0.2 A m^2"]
     model.toml:21:1: [[force]] of kind "magnetic-dipole" has no `field`
-      add a line such as: field = [0, 0, "30 uT"], or dipole = [0, 0, 7.8e15] and an orbit
+      add a line such as: field = [0, 0, "30 uT"], or dipole = [0, 0, 7.8e15] and an orbit, or igrf = { epoch = "2024-03-01" } and an orbit
     model.toml:23:1: [[force]] of kind "eddy-current" has no `tensor`
       add a line such as: tensor = "5662 S m^4", or conductivity = "25 MS/m" with shape, radius and thickness
     model.toml:23:1: [[force]] of kind "eddy-current" has no `field`
-      add a line such as: field = [0, 0, "30 uT"], or dipole = [0, 0, 7.8e15] and an orbit
+      add a line such as: field = [0, 0, "30 uT"], or dipole = [0, 0, 7.8e15] and an orbit, or igrf = { epoch = "2024-03-01" } and an orbit
     model.toml:25:1: [[force]] of kind "expression" has no `on`
       add a line such as: on = "carrier"
     model.toml:25:1: [[force]] of kind "expression" has no `force`
@@ -423,7 +478,7 @@ fn an_orbit_has_one_centre() {
     model.toml:11:58: `gravitational_parameter` is -1 m^3/s^2, but must be positive
       write a number in m^3/s^2, or a text with its unit such as "398600.4 km^3/s^2"
     model.toml:11:62: unknown key "inclinaton" in `orbit`
-      did you mean `inclination`? the keys are body, gravitational_parameter, semi_major_axis, eccentricity, inclination, node, periapsis, mean_anomaly
+      did you mean `inclination`? the keys are body, gravitational_parameter, semi_major_axis, eccentricity, inclination, node, periapsis, mean_anomaly, precession
     "#);
     assert_snapshot!(refused("central-gravity", "orbit = 400\n"), @"
     model.toml:11:9: `orbit`: found an integer, expected a table

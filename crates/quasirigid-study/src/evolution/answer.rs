@@ -85,10 +85,12 @@ impl<'a> Answer<'a> {
             Some(names.zip(budget.iter().copied()).collect())
         };
         match followed.outcome {
-            Outcome::Average { power, .. } | Outcome::ModalRates(power) => self.along_frozen(power, span),
+            Outcome::Average { power, .. } | Outcome::ModalRates(power) => {
+                self.along_frozen(power, span, &range)
+            }
             Outcome::SpinningFrame(hill) => {
                 let power = InterpolatedPower::new(*hill, self.initial.angular_momentum());
-                self.along_frozen(Arc::new(power), span)
+                self.along_frozen(Arc::new(power), span, &range)
             }
             Outcome::LevelCurves(passage) => Self { history: History::Levels(passage), ..self },
             Outcome::MicroRuns { power, settled } => {
@@ -102,10 +104,15 @@ impl<'a> Answer<'a> {
         }
     }
 
-    /// A power along the polhode of the frozen body, from the state in which the vibrations of the start have died out.
-    fn along_frozen(self, power: Arc<dyn MeanPower>, span: &Span) -> Self {
-        let G = self.initial.angular_momentum();
-        let begun = |RotationState { mode, xi }| FreeRotation::at_logit(self.principal.moments, G, mode, xi);
+    /// A power along the polhode of the frozen body, from the state in which the vibrations of the start have died out: with the wobble that
+    /// it has there.
+    fn along_frozen(self, power: Arc<dyn MeanPower>, span: &Span, range: &EnergyRange) -> Self {
+        let (G, frozen) = (self.initial.angular_momentum(), self.principal.moments);
+        let begun = |RotationState { mode, xi }| {
+            let [own, deformed] =
+                [frozen, range.moments()].map(|moments| moments[1] / moments[mode.circled()]);
+            FreeRotation::at_logit(frozen, G, mode, xi + (own / deformed).ln())
+        };
         Self { power, initial: span.settled.map_or(self.initial, begun), ..self }
     }
 

@@ -8,6 +8,7 @@ use quasirigid_io::record::{Column, ObservedRecord};
 use quasirigid_math::vec3::norm;
 
 use super::answer::Answer;
+use super::inputs::Inputs;
 use super::table::EvolutionTable;
 
 /// Indices of columns.
@@ -108,10 +109,19 @@ impl Answer<'_> {
             motion.energy(),
             motion.angular_momentum(),
             motion.polhode_period(),
-            TAU / motion.long_axis_precession_rate(),
+            TAU / (motion.long_axis_precession_rate()
+                + self.precession_with_bulge(motion.angular_momentum())),
             self.power().mean_power(&motion),
             self.inputs.powers.polynomial.mean_power(&motion),
             state.revolutions,
         ]
+    }
+
+    /// By how much a body observed in rotation goes round its angular momentum (N·m·s) faster than the rigid body of the polhode
+    /// (rad/s): its bulge, which grows with the square of the spin, adds to the moment that it circles. (G19)
+    fn precession_with_bulge(&self, angular_momentum: f64) -> f64 {
+        let Inputs { observed, initial, .. } = self.inputs;
+        let shift = observed.map_or(0.0, |observed| observed.shift(self.principal.moments, initial.mode()));
+        shift * angular_momentum * (angular_momentum / initial.angular_momentum()).powi(2)
     }
 }

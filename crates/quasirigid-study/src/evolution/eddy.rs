@@ -1,7 +1,8 @@
 //! Limits of the average of eddy currents, and what they do to the direction of the angular momentum, in words. (A14), (A15)
 
-use quasirigid::averaging::SlowTorque;
+use quasirigid::averaging::{EddyTorque, SlowTorque};
 use quasirigid::model::Mode;
+use quasirigid::model::force::{Oblateness, Orbit};
 use quasirigid_math::rotation::angle;
 
 use super::inputs::Inputs;
@@ -11,8 +12,9 @@ use crate::words::significant;
 
 /// Ratio of rates from which the slower one changes nothing over a revolution of the faster one; the error is about its inverse.
 const APART: f64 = 10.0;
-/// Share of the torque above which what is left out is told.
-const LEFT_OUT: f64 = 0.02;
+/// Angle (rad) of the node from which its precession is told.
+const MOVED: f64 = 0.2;
+const DAY: f64 = 86_400.0;
 /// Angle (rad) below which a direction is the same.
 const SAME_DIRECTION: f64 = 1e-6;
 
@@ -33,25 +35,33 @@ pub fn check(torque: &SlowTorque, inputs: &Inputs) -> Result<(), StudyError> {
     if APART * rate > passing {
         return Err(StudyError::FastEddyCurrents { rate, against: passing, of_field: true });
     }
-    if APART * rate > spin {
+    if !locks(&eddy, moments) && APART * rate > spin {
         return Err(StudyError::FastEddyCurrents { rate, against: spin, of_field: false });
     }
     Ok(())
 }
 
-/// Rate (rad/s) of the body below which the average over its rotation does not hold.
-pub fn slowest(torque: &SlowTorque) -> f64 {
-    torque.eddy.map_or(0.0, |eddy| APART * eddy.field.fastest_rate())
+/// Whether no average over the rotation is taken: of a ball with one conductivity, whose torque is linear in its spin.
+fn locks(eddy: &EddyTorque, moments: [f64; 3]) -> bool {
+    !Mode::any_exists(moments) && eddy.is_isotropic()
 }
 
-/// Share of the spin at which the field itself turns, whose currents are left out, in a sentence: over the poles of a dipole it turns twice in
-/// an orbit. (F15)
-pub fn left_out(torque: &SlowTorque, spins: [f64; 2]) -> Option<String> {
-    let share = 2.0 * torque.eddy?.field.fastest_rate() / spins[0].min(spins[1]);
-    (share > LEFT_OUT).then(|| {
+/// Rate (rad/s) of the body below which the average over its rotation does not hold; zero where no such average is taken.
+pub fn slowest(torque: &SlowTorque, moments: [f64; 3]) -> f64 {
+    torque.eddy.filter(|eddy| !locks(eddy, moments)).map_or(0.0, |eddy| APART * eddy.field.fastest_rate())
+}
+
+/// An orbit about the Earth whose node does not move in the model, although it would, in a sentence.
+pub fn unprecessed(torque: &SlowTorque, rows: &EvolutionTable) -> Option<String> {
+    let field = torque.eddy?.field;
+    let orbit = field.orbit().filter(|orbit| orbit.mu == Orbit::EARTH_PARAMETER && !orbit.precesses())?;
+    let rate = orbit.about(Oblateness::EARTH).node_rate;
+    let angle = rate * rows.last().t;
+    (angle.abs() > MOVED).then(|| {
         format!(
-            "The magnetic field turns along the orbit at up to {} % of the spin, and the currents of this turning are left out: the torque is uncertain by about as much.",
-            significant(100.0 * share, 2)
+            "The oblateness of the Earth would move the node of the orbit by {} degrees a day, {} degrees in this time, and with it the mean field: precession = \"J2\" in `orbit` has it.",
+            significant((rate * DAY).to_degrees(), 3),
+            significant(angle.to_degrees(), 3)
         )
     })
 }

@@ -53,6 +53,9 @@ pub fn end(
     }
 }
 
+/// Share of the energy in a wobble below which the wobble is told by the angular momentum.
+const SMALL: f64 = 1e-6;
+
 /// Span that is asked for, by the energies of the deformed body; `moments` are those of the frozen one (kg·m²).
 pub fn span(
     spins: &ReferenceSpins,
@@ -68,9 +71,13 @@ pub fn span(
             (range.state(body, from).ok_or(StudyError::Steady)?, from)
         }
         None => {
+            let settled = range.settled(body, full.angular_momentum(body));
+            let small = settled.filter(|state| {
+                let motion = spins.motion(*state);
+                motion.energy_from_axis() < SMALL * motion.energy() // the energy of the whole body has no digits of it
+            });
             // What moves inside may hold more energy than the steady spins leave to a wobble; it is that of the wobble when it has died out.
-            let from = range.rotation_state(full.energy(body));
-            let from = from.or_else(|| range.settled(body, full.angular_momentum(body)));
+            let from = small.or_else(|| range.rotation_state(full.energy(body))).or(settled);
             (full, from.ok_or(StudyError::Steady)?)
         }
     };

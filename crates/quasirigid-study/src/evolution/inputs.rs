@@ -6,6 +6,7 @@ use quasirigid_io::model::Power;
 use quasirigid_math::rotation::to_inertial;
 use quasirigid_math::vec3::{norm, scale};
 
+use crate::as_observed::Observed;
 use crate::error::StudyError;
 
 /// Inputs of an evolution: what is known of a body and its start before a method is chosen.
@@ -18,6 +19,8 @@ pub struct Inputs {
     pub principal: Principal,
     /// Direction of the angular momentum at the start, a unit vector in inertial axes.
     pub direction: [f64; 3],
+    /// What the spin makes of a body that was observed in rotation.
+    pub observed: Option<Observed>,
     /// Order of the reduced equations.
     pub order: usize,
     /// Whether a material loses energy by a law that the polynomial leaves out.
@@ -52,6 +55,7 @@ impl Inputs {
             initial,
             principal,
             direction: scale(1.0 / norm(K), to_inertial(start.attitude, K)),
+            observed: None,
             order: reduced.order,
             viscoelastic: !body.viscoelastic().is_empty(),
             measured: measured.collect(),

@@ -130,6 +130,7 @@ pub(crate) fn follow(
     let slaved = slaved_order(study, *order, start.omega)?;
     let state = study.reduced(slaved)?;
     let inputs = Inputs::new(body, [&reduced, &state], start, asked.power)?;
+    let inputs = Inputs { observed: study.observed, ..inputs };
     eddy::check(&torque, &inputs)?;
     let flow = flowing(&inputs.powers.response, &inputs.initial);
     if let (Some(message), true) = (&flow, asked.method != Some(EvolveMethod::Average)) {
@@ -187,8 +188,8 @@ pub(crate) fn follow(
     let mut notes: Vec<String> = words::beyond_gravity(homogeneous(study), spins).into_iter().collect();
     notes.extend(words::notes(&answer, ends, unranged));
     notes.extend(words::uncertain(&rows));
-    notes.extend(eddy::left_out(&torque, spins));
     notes.extend(eddy::turned(&rows));
+    notes.extend(eddy::unprecessed(&torque, &rows));
     let record = answer.record(verdict, from, &rows, asked, time_range, columns);
     let estimates = estimates(study, record.angular_momentum / answer.principal.moments[2]);
     Ok(Evolved { record: EvolutionRecord { estimates, homogeneous: homogeneous(study), ..record }, notes })
@@ -218,7 +219,10 @@ fn table_of(
             EvolutionTable::of_evolution(&evolution, from, to, asked.samples).staying(asked.stays())
         }
         History::None => {
-            let limits = DriftLimits { slowest: eddy::slowest(&torque), ..answer.limits(&evolution, asked)? };
+            let limits = DriftLimits {
+                slowest: eddy::slowest(&torque, answer.principal.moments),
+                ..answer.limits(&evolution, asked)?
+            };
             let start = answer.drifting(from);
             EvolutionTable::of_drift(answer, torque, start, limits, asked.samples, watch)
         }

@@ -1,6 +1,7 @@
 //! Answers of studies: models are texts, answers are typed.
 
 mod about_spin;
+mod as_observed;
 mod audit;
 mod audit_attitude;
 mod checks;

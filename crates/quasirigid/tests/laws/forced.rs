@@ -154,6 +154,8 @@ pub fn orbit() -> impl Strategy<Value = Orbit> {
         raan: 2.0 * x[3],
         argument_of_periapsis: 2.0 * x[4],
         mean_anomaly: 2.0 * x[5],
+        node_rate: 0.0,
+        periapsis_rate: 0.0,
     })
 }
 

@@ -10,6 +10,7 @@ mod ray;
 mod wobbler;
 
 mod angular_momentum_form;
+mod as_observed;
 mod axes_and_units;
 mod budget;
 mod campbell;

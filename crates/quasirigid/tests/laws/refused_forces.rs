@@ -5,7 +5,7 @@ use quasirigid::elements::{
     ApplicationPoint, Assembly, ElementError, ElementId, ElementKind, End, Field, Problem,
 };
 use quasirigid::model::Support;
-use quasirigid::model::force::{Axes, Force, ForceLaw, MagneticField, Orbit, Wave};
+use quasirigid::model::force::{Axes, EarthField, Force, ForceLaw, MagneticField, Orbit, Wave};
 use quasirigid_math::expression::Expression;
 
 use super::wobbler;
@@ -24,6 +24,8 @@ const ORBIT: Orbit = Orbit {
     raan: -2.0,
     argument_of_periapsis: 9.0,
     mean_anomaly: 0.5,
+    node_rate: 0.0,
+    periapsis_rate: 0.0,
 };
 
 fn body(law: ForceLaw<ApplicationPoint>) -> Assembly {
@@ -115,10 +117,39 @@ fn an_orbit_is_an_ellipse_about_something() {
         (Orbit { raan: NAN, ..ORBIT }, Field::NODE),
         (Orbit { argument_of_periapsis: NAN, ..ORBIT }, Field::PERIAPSIS),
         (Orbit { mean_anomaly: NAN, ..ORBIT }, Field::MEAN_ANOMALY),
+        (Orbit { node_rate: NAN, ..ORBIT }, Field::PRECESSION),
+        (Orbit { periapsis_rate: f64::INFINITY, ..ORBIT }, Field::PRECESSION),
     ];
     for (orbit, field) in not_finite {
         refused!(on(orbit), field, Problem::NotFinite { .. });
     }
+}
+
+/// The main field of the Earth is that along an orbit about the Earth, above it, in the years and the degrees of its table.
+#[test]
+fn the_main_field_is_known_above_the_earth() {
+    let within = |field, orbit| ForceLaw::MagneticDipole {
+        moment: GOOD,
+        field: MagneticField::Earth { field, orbit },
+    };
+    let earth = EarthField { year: 2024.0, degree: 13, sidereal: 0.3 };
+    let nearest = |radius: f64| Orbit { semi_major_axis: radius / 0.9, ..ORBIT };
+    let high = nearest(7e6);
+    let [first, last] = EarthField::YEARS;
+    for year in [first, last] {
+        assert_eq!(error(within(EarthField { year, ..earth }, high)), None);
+    }
+    for year in [first - 1e-9, last + 1e-9] {
+        refused!(within(EarthField { year, ..earth }, high), Field::IGRF, Problem::NoMainField { .. });
+    }
+    for degree in [0, 14] {
+        refused!(within(EarthField { degree, ..earth }, high), Field::IGRF, Problem::NoMainField { .. });
+    }
+    for mu in [0.98, 1.02].map(|share| share * ORBIT.mu) {
+        refused!(within(earth, Orbit { mu, ..high }), Field::IGRF, Problem::NotTheEarth { .. });
+    }
+    refused!(within(earth, nearest(6.35e6)), Field::IGRF, Problem::Underground { .. });
+    assert_eq!(error(within(earth, nearest(6.36e6))), None);
 }
 
 #[test]

@@ -399,6 +399,8 @@ pub fn turned_orbit(S: &Matrix3<f64>, n: f64, phase: f64) -> Orbit {
         raan: W[0].atan2(-W[1]),
         argument_of_periapsis: P[2].atan2(Q[2]),
         mean_anomaly: phase,
+        node_rate: 0.0,
+        periapsis_rate: 0.0,
     }
 }
 

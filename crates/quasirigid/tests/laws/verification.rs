@@ -84,6 +84,8 @@ fn a_body_on_an_eccentric_orbit_reaches_its_orders() {
         raan: 0.2,
         argument_of_periapsis: 0.7,
         mean_anomaly: 0.4,
+        node_rate: 0.0,
+        periapsis_rate: 0.0,
     };
     let assembly = assembly(Support::Free, vec![ForceLaw::CentralGravity { orbit }]);
     assert_orders(&orders(&assembly, [0.5, 0.7, 0.9], 3, 1.0));

@@ -60,6 +60,8 @@ fn satellites() -> Vec<Satellite> {
             raan: 0.0,
             argument_of_periapsis: 0.0,
             mean_anomaly: 0.0,
+            node_rate: 0.0,
+            periapsis_rate: 0.0,
         };
         let shell = Conductor::Shell { conductivity: number(1), radius: number(2), thickness: number(3) };
         let (decay, by_hand) = (DAY * number(10), number(13));

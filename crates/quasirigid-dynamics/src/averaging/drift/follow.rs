@@ -5,7 +5,7 @@
 
 use std::ops::ControlFlow;
 
-use super::rates::{Rates, Variables};
+use super::rates::{Rates, Variables, direction, with_direction};
 use super::region_choice::SEPARATRIX;
 use super::stop_reason::{DriftHistory, DriftStopReason};
 use super::{Drift, DriftLimits, DriftState};
@@ -16,7 +16,7 @@ use crate::math::ode::{Dop853, Solver};
 use crate::math::simd::Unfused;
 use crate::model::Mode;
 
-/// Error allowed per step, in `ξ` and in the logarithm of `G`.
+/// Error allowed per step, in `ξ`, in the logarithm of `G`, and in the direction.
 const STEP_TOLERANCE: f64 = 1e-10;
 /// Places, as `ξ`, where a wobble counts as died out, and where a wobble grows again should the steady spin become unstable: a
 /// disturbance of `e^{−40}` rad always exists.
@@ -54,8 +54,6 @@ struct Way<'f, P> {
     /// True if `D` lies below the target at the start.
     below: bool,
     steady: bool,
-    /// Direction of the angular momentum at the begin of the part, inertial axes.
-    direction: [f64; 3],
     history: DriftHistory,
 }
 
@@ -79,9 +77,7 @@ impl<P: MeanPower> Drift<P> {
             died_out: None,
             steps: 0,
         };
-        let direction = start.direction;
-        let mut way =
-            Way { drift: self, start, times, limits, below: false, steady: false, direction, history };
+        let mut way = Way { drift: self, start, times, limits, below: false, steady: false, history };
         way.set_out();
         while let ControlFlow::Continue(()) = way.part(&mut progress) {}
         way.history
@@ -93,14 +89,14 @@ impl<'f, P: MeanPower> Way<'f, P> {
         let y = self.y();
         self.below =
             self.limits.target.is_some_and(|target| along(self.start.rotation_state) < along(target));
-        self.steady = self.start.rotation_state.xi >= SEED && self.rates().of(&y)[0] >= 0.0;
+        self.steady = self.start.rotation_state.xi >= SEED && self.rates().of(self.start.t, &y)[0] >= 0.0;
     }
 
     /// Integrated variables at the state reached, from which a part begins.
     fn y(&self) -> Variables {
-        let DriftState { rotation_state, angular_momentum, revolutions, .. } = self.history.end;
+        let DriftState { rotation_state, angular_momentum, revolutions, direction, .. } = self.history.end;
         let logarithm = (angular_momentum / self.start.angular_momentum).ln();
-        [rotation_state.xi.min(SEED), logarithm, revolutions, 0.0]
+        with_direction([rotation_state.xi.min(SEED), logarithm, revolutions], direction)
     }
 
     fn rates(&self) -> Rates<'f, P> {
@@ -109,7 +105,6 @@ impl<'f, P: MeanPower> Way<'f, P> {
             drift: self.drift,
             mode: rotation_state.mode,
             side,
-            direction: self.direction,
             angular_momentum: self.start.angular_momentum,
             steady: self.steady,
         }
@@ -124,24 +119,23 @@ impl<'f, P: MeanPower> Way<'f, P> {
             rotation_state: RotationState { mode, xi },
             angular_momentum,
             side,
-            direction: self.rates().turned(y[3]),
+            direction: if self.drift.eddy.is_some() { direction(y) } else { self.start.direction },
             revolutions: y[2],
         }
     }
 
     /// Integrates one part: in one region of the sphere of angular momentum, with a wobble or without.
     fn part(&mut self, progress: &mut impl FnMut(f64) -> ControlFlow<()>) -> ControlFlow<()> {
-        self.direction = self.history.end.direction;
         let y = self.y();
         let [first, length] = [self.start.t, self.limits.end - self.start.t];
         self.outputs(self.history.end.t, |_| y);
         let at_once = [Mark::Target, Mark::Rest, Mark::SpunUp, Mark::SlowedDown]
             .into_iter()
-            .find(|mark| self.past(*mark, &y) >= 0.0);
+            .find(|mark| self.past(*mark, self.history.end.t, &y) >= 0.0);
         if let Some(mark) = at_once {
             return self.met(mark);
         }
-        let allowed = [STEP_TOLERANCE, STEP_TOLERANCE, f64::INFINITY, STEP_TOLERANCE];
+        let allowed = with_direction([STEP_TOLERANCE, STEP_TOLERANCE, f64::INFINITY], [STEP_TOLERANCE; 3]);
         let mut solver = Dop853::<_, _, Unfused>::new(self.rates(), self.history.end.t, y, allowed);
         loop {
             if solver.t() >= self.limits.end {
@@ -159,8 +153,8 @@ impl<'f, P: MeanPower> Way<'f, P> {
             let dense = solver.dense();
             let place = |t: f64| if t < solver.t() { dense.at(t) } else { y };
             let located =
-                |mark: Mark| (bisected([before, t], |t| self.past(mark, &place(t)), 0.0, true), mark);
-            let marks = MARKS.into_iter().filter(|mark| self.past(*mark, &y) > 0.0).map(located);
+                |mark: Mark| (bisected([before, t], |t| self.past(mark, t, &place(t)), 0.0, true), mark);
+            let marks = MARKS.into_iter().filter(|mark| self.past(*mark, t, &y) > 0.0).map(located);
             let next = marks.min_by(|a, b| a.0.total_cmp(&b.0));
             let t = next.map_or(t, |(t, _)| t);
             self.outputs(t, place);
@@ -182,8 +176,8 @@ impl<'f, P: MeanPower> Way<'f, P> {
         }
     }
 
-    /// Event function of a mark: negative before the mark, positive past it.
-    fn past(&self, mark: Mark, y: &Variables) -> f64 {
+    /// Event function of a mark at a time (s): negative before the mark, positive past it.
+    fn past(&self, mark: Mark, t: f64, y: &Variables) -> f64 {
         let mode = self.history.end.rotation_state.mode;
         match mark {
             Mark::Target => match self.limits.target {
@@ -198,7 +192,7 @@ impl<'f, P: MeanPower> Way<'f, P> {
             Mark::SlowedDown => (self.limits.slowest / self.turning(y)).ln(),
             Mark::Separatrix => SEPARATRIX - y[0],
             Mark::DiedOut if !self.steady => y[0] - DIED_OUT,
-            Mark::Unstable if self.steady => -self.rates().of(y)[0],
+            Mark::Unstable if self.steady => -self.rates().of(t, y)[0],
             Mark::DiedOut | Mark::Unstable => f64::NEG_INFINITY,
         }
     }

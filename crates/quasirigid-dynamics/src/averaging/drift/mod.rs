@@ -18,7 +18,7 @@ pub use region_choice::SeparatrixPassage;
 pub use stop_reason::{DriftHistory, DriftStopReason};
 
 /// Secular evolution of a rotation under a slow torque: energy and angular momentum both drift. (A8)
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Drift<P = Arc<dyn MeanPower>> {
     power: P,
     moments: [f64; 3],

@@ -1,7 +1,7 @@
-//! Averaged rates of a rotation under slow torques and dissipation: of `ξ`, of `ln G`, of the revolutions and of the exposure.
+//! Averaged rates of a rotation under slow torques and dissipation: of `ξ`, of `ln G`, of the revolutions and of the direction.
 //! The energy above the steady spin is followed instead of the energy, so that a steady spin stays one in every digit and no rate is a
 //! difference of large numbers.
-//! Equations (A8) and (A14), docs/theory/10-torque-free.md.
+//! Equations (A8), (A14) and (A15), docs/theory/10-torque-free.md.
 
 use std::f64::consts::TAU;
 
@@ -11,19 +11,17 @@ use crate::averaging::poinsot::FreeRotation;
 use crate::averaging::power::MeanPower;
 use crate::math::ode::System;
 use crate::math::simd::Arithmetic;
-use crate::math::vec3::{add, dot, scale};
+use crate::math::vec3::{add, dot, norm, scale};
 use crate::model::Mode;
 
-/// Variables that are integrated: `ξ`, `ln G` from a start, revolutions, and the exposure of eddy currents since the part began.
-pub(super) type Variables = [f64; 4];
+/// Variables that are integrated: `ξ`, `ln G` from a start, revolutions, and the direction of the angular momentum, inertial axes.
+pub(super) type Variables = [f64; 6];
 
 /// Rates of the variables in one mode and on one side.
 pub(super) struct Rates<'d, P> {
     pub drift: &'d Drift<P>,
     pub mode: Mode,
     pub side: f64,
-    /// Direction of the angular momentum without an exposure, inertial axes.
-    pub direction: [f64; 3],
     /// Angular momentum that the logarithm is counted from.
     pub angular_momentum: f64,
     /// True if the wobble has died out, and stays so.
@@ -33,9 +31,20 @@ pub(super) struct Rates<'d, P> {
 /// Place, as `ξ`, beyond which nothing but the size of the wobble changes: `e^{−36}` is a rounding.
 const AXIS: f64 = 36.0;
 
+/// Direction of the angular momentum, a unit vector.
+pub(super) fn direction([.., x, y, z]: &Variables) -> [f64; 3] {
+    let along = [*x, *y, *z];
+    scale(norm(along).recip(), along)
+}
+
+/// Variables with a direction, or rates with its rate.
+pub(super) fn with_direction([xi, logarithm, revolutions]: [f64; 3], [x, y, z]: [f64; 3]) -> Variables {
+    [xi, logarithm, revolutions, x, y, z]
+}
+
 impl<P: MeanPower> System<Variables> for Rates<'_, P> {
-    fn rate<R: Arithmetic>(&mut self, _: f64, y: &Variables, rate: &mut Variables) {
-        *rate = self.of(y);
+    fn rate<R: Arithmetic>(&mut self, t: f64, y: &Variables, rate: &mut Variables) {
+        *rate = self.of(t, y);
         if self.steady {
             rate[0] = 0.0;
         }
@@ -43,14 +52,9 @@ impl<P: MeanPower> System<Variables> for Rates<'_, P> {
 }
 
 impl<P: MeanPower> Rates<'_, P> {
-    /// Rates at the integrated variables; that of `ξ` also where the wobble has died out, to tell whether the steady spin is stable.
-    pub fn of(&self, y: &Variables) -> Variables {
-        self.at(y[0], self.angular_momentum * y[1].exp(), self.turned(y[3]))
-    }
-
-    /// Direction of the angular momentum after an exposure. (A15)
-    pub fn turned(&self, exposure: f64) -> [f64; 3] {
-        self.drift.eddy.map_or(self.direction, |eddy| eddy.direction(self.direction, exposure))
+    /// Rates at a time (s) and the integrated variables; that of `ξ` also where the wobble has died out, to tell whether the steady spin is stable.
+    pub fn of(&self, t: f64, y: &Variables) -> Variables {
+        self.at(t, y[0], self.angular_momentum * y[1].exp(), direction(y))
     }
 
     /// Free rotation at a place `ξ` and an angular momentum; beyond `AXIS` that at `AXIS`.
@@ -58,9 +62,9 @@ impl<P: MeanPower> Rates<'_, P> {
         FreeRotation::at_logit(self.drift.moments, G, self.mode, xi.min(AXIS))
     }
 
-    /// The rates at a place and an angular momentum in this direction. (A8), (A14)
-    pub fn at(&self, xi: f64, G: f64, direction: [f64; 3]) -> Variables {
-        let Drift { moments, constant, drag, eddy, .. } = self.drift;
+    /// The rates at a time (s), a place and an angular momentum in this direction. (A8), (A14)
+    pub fn at(&self, t: f64, xi: f64, G: f64, direction: [f64; 3]) -> Variables {
+        let Drift { moments, constant, drag, ref eddy, .. } = *self.drift;
         let motion = self.motion(xi, G);
         let axis = self.mode.circled();
         let mut torque = [0.0; 3];
@@ -74,12 +78,12 @@ impl<P: MeanPower> Rates<'_, P> {
             let sum: f64 = (0..3).map(|i| (1.0 - moments[i] / moments[axis]) * omega[i] * omega[i]).sum();
             -drag * sum
         };
-        let eddy = eddy.map_or(EddyRates::default(), |eddy| eddy.rates(&motion, axis, direction));
+        let eddy = eddy.as_ref().map_or(EddyRates::default(), |eddy| eddy.rates(t, &motion, axis, direction));
         let growth = motion.mean(2, along) / G + eddy.growth;
         let work = motion.mean(2, away) + eddy.work;
         let turning = 2.0 * motion.energy() / (G * TAU);
         if moments[0] == moments[2] {
-            return [0.0, growth, turning, eddy.exposure];
+            return with_direction([0.0, growth, turning], eddy.turning);
         }
         let power = self.drift.power.mean_power(&motion);
         let gain = match self.mode {
@@ -87,7 +91,7 @@ impl<P: MeanPower> Rates<'_, P> {
             Mode::LongAxis => power - work,
         };
         let excess = gain / motion.energy_from_axis() - 2.0 * growth;
-        [-excess / self.slope(xi.min(AXIS)), growth, turning, eddy.exposure]
+        with_direction([-excess / self.slope(xi.min(AXIS)), growth, turning], eddy.turning)
     }
 
     /// `−d ln(X/G²)/dξ` for the energy `X` of the wobble.

@@ -37,14 +37,14 @@ impl<P: MeanPower> Drift<P> {
 
     /// Change of `D` in a period of the polhode, away from the separatrix, next to it in a region. (A10)
     fn outflow(&self, (mode, side): (Mode, f64), at: &DriftState) -> f64 {
-        let DriftState { angular_momentum, direction, .. } = *at;
-        let rates = Rates { drift: self, mode, side, direction, angular_momentum, steady: false };
+        let DriftState { t, angular_momentum, direction, .. } = *at;
+        let rates = Rates { drift: self, mode, side, angular_momentum, steady: false };
         let [I1, I2, I3] = self.moments;
         let gap = match mode {
             Mode::ShortAxis => I3 - I2,
             Mode::LongAxis => I2 - I1,
         };
         let period = rates.motion(SEPARATRIX, angular_momentum).polhode_period();
-        gap * rates.at(SEPARATRIX, angular_momentum, direction)[0] * period
+        gap * rates.at(t, SEPARATRIX, angular_momentum, direction)[0] * period
     }
 }

@@ -103,7 +103,7 @@ impl fmt::Display for DriftStopReason {
             Self::SlowedDown { rate } => write!(
                 f,
                 "the body has slowed to {rate:.3e} rad/s, ten times the rate at which the magnetic field turns along the orbit: from there on the \
-                 average over its rotation does not hold, nor do eddy currents of a field at rest; `simulate` follows the rotation"
+                 average over its rotation does not hold; `simulate` follows the rotation"
             ),
             Self::StepLimit { steps } => write!(
                 f,

@@ -182,6 +182,10 @@ impl ForceDirections {
             MagneticField::Dipole { rate, .. } if field.rotation() != 0.0 => {
                 self.set(*rate * V::z(), named, false)?;
             }
+            MagneticField::Earth { .. } => {
+                let what = format!("the field of the force {name:?}, which turns with the Earth,");
+                return Err(SteadyError::Changes { what, part: None });
+            }
             MagneticField::Uniform(direction) | MagneticField::Dipole { strength: direction, .. } => {
                 self.directions.push(((*direction).into(), named));
             }
@@ -192,6 +196,10 @@ impl ForceDirections {
     fn orbit(&mut self, name: &str, orbit: &Orbit) -> Result<(), SteadyError> {
         if orbit.eccentricity > 0.0 {
             return Err(SteadyError::Eccentric { name: name.into(), eccentricity: orbit.eccentricity });
+        }
+        if orbit.precesses() {
+            let what = format!("the orbit of the force {name:?}, which precesses,");
+            return Err(SteadyError::Changes { what, part: None });
         }
         let passage = orbit.at(0.0);
         let normal = V::from(passage.place).cross(&V::from(passage.velocity)).normalize();

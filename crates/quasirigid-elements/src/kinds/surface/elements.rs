@@ -69,6 +69,13 @@ impl Meshed {
     }
 }
 
+impl Surface {
+    /// Inertia tensor (kg·m²) about the centre of mass, axes of the file. (G9)
+    pub(crate) fn inertia(&self) -> Sym {
+        exact(self).inertia
+    }
+}
+
 /// Mass, centre and inertia of the solid, from the moments of the surface. (G9)
 fn exact(solid: &Surface) -> Exact<'_> {
     let [low, high] = solid.surface.bounds();

@@ -22,3 +22,4 @@ mod slaved;
 mod surfaces;
 mod sweep;
 mod tanks;
+mod told_errors;

@@ -147,12 +147,13 @@ impl<'a> ReferenceSpins<'a> {
         Some(time * spin / TAU)
     }
 
-    /// Estimate of the periods of the wobble on a span; infinite if the modes are not known.
+    /// Time of a span by a power, in the mean of the periods of the wobble at its ends. Beside a plane of steady spins the last period has no
+    /// limit, and the modes about the axis far from it know neither the time nor the period. (Q7)
     #[must_use]
-    pub fn periods(&self, ends: [RotationState; 2]) -> f64 {
-        let periods = |&(mode, time): &(Mode, f64)| Some(time * self.nutation(mode)?.frequency / TAU);
-        let all = self.times(ends).and_then(|times| times.iter().map(periods).sum::<Option<f64>>());
-        all.unwrap_or(f64::INFINITY)
+    pub fn periods(&self, power: &dyn MeanPower, ends: [RotationState; 2]) -> f64 {
+        let [from, to] = ends.map(|state| self.motion(state).polhode_period());
+        let time = Evolution::new(power, self.range.angular_momentum()).time(ends[0], ends[1]);
+        2.0 * time.abs() / (from + to)
     }
 
     /// Decay in a period of the polhode at the ends of a span; infinite where there is no nutation.
@@ -192,4 +193,61 @@ impl<'a> ReferenceSpins<'a> {
 pub fn loss_left_out(nutation: &SpinMode) -> f64 {
     let [decay, _] = nutation.of_motion;
     apart(decay, nutation.decay_rate)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::elements::{Assembly, Carrier, Coefficient, Point, Spring, SpringLaw};
+    use crate::problems::ring_of_points;
+
+    /// A wobble that falls at one rate towards the plane of the transverse spins.
+    struct Falling {
+        moments: [f64; 3],
+        rate: f64,
+    }
+
+    impl MeanPower for Falling {
+        fn moments(&self) -> [f64; 3] {
+            self.moments
+        }
+
+        fn mean_power(&self, motion: &FreeRotation) -> f64 {
+            let G = motion.angular_momentum();
+            2.0 * self.rate * (motion.energy() - G * G / (2.0 * self.moments[2]))
+        }
+    }
+
+    /// With `cos² θ` in proportion to the energy above the plane, `T = 2π/(G (1/I₁ − 1/I₃) cos θ)` and the time is the logarithm of two energies.
+    #[test]
+    fn periods_beside_a_plane_of_steady_spins_are_those_of_a_body_of_revolution() {
+        let body = revolution().body().unwrap();
+        let spins = ReferenceSpins::compute(&body, 3.0, |_, _| Vec::new()).unwrap();
+        let (moments, G, rate) = (spins.range.moments(), 3.0, 1e-3);
+        let [I1, _, I3] = moments;
+        let states = [-1.0_f64, -7.0].map(|xi| RotationState { mode: Mode::LongAxis, xi });
+        let cosines = states.map(|RotationState { xi, .. }| {
+            let D = (I3 + I1 * xi.exp()) / (1.0 + xi.exp());
+            ((1.0 / D - 1.0 / I3) / (1.0 / I1 - 1.0 / I3)).sqrt()
+        });
+        let [Ta, Tb] = cosines.map(|cosine| TAU / (G * (1.0 / I1 - 1.0 / I3) * cosine));
+        let time = (cosines[0] / cosines[1]).ln() / rate;
+        let found = spins.periods(&Falling { moments, rate }, states);
+        assert!((found * (Ta + Tb) / (2.0 * time) - 1.0).abs() < 1e-6, "{found} {Ta} {Tb} {time}");
+    }
+
+    fn revolution() -> Assembly {
+        let law = SpringLaw::Spatial {
+            stiffness: Coefficient::Isotropic(4000.0),
+            damping: Coefficient::Isotropic(40.0),
+        };
+        let ring = ring_of_points(1);
+        let inertia = [[4.0, 0.0, 0.0], [0.0, 1.5, 0.0], [0.0, 0.0, 4.0]];
+        Assembly {
+            carrier: Some(Carrier { mass: 20.0, center_of_mass: [0.0; 3], inertia }),
+            points: vec![Point { position: [0.0, 0.6, 0.0], ..ring.points[0].clone() }],
+            springs: vec![Spring { law, ..ring.springs[0].clone() }],
+            ..Assembly::default()
+        }
+    }
 }

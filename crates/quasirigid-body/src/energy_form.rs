@@ -19,16 +19,11 @@ pub struct EnergyMotion<N> {
     pub power: N,
 }
 
-/// Rate of the angular momentum `K̇ = [a v + K × T v]/(a² + K·adj(T)K)`, with `v = K × ∇E` and `a = 1 + K·c`. (R16)
+/// Rate of the angular momentum `K̇ = [a v + K × T v]/(a² + K·adj(T)K)`, with `v = K × ∇E` and `a = 1 + K·c`. Of `T` it takes only how it
+/// acts across `K`. (R16)
 #[inline(always)]
-pub fn momentum_rate<N: Scalar + Div<Output = N>>(
-    K: [N; 3],
-    gradient: [N; 3],
-    c: [N; 3],
-    T: [N; 6],
-) -> [N; 3] {
+pub fn momentum_rate<N: Scalar + Div<Output = N>>(K: [N; 3], gradient: [N; 3], a: N, T: [N; 6]) -> [N; 3] {
     let v = cross(K, gradient);
-    let a = N::from(1.0) + dot(K, c);
     let denominator = a * a + dot(K, smooth_times(adjugate(T), K));
     let turned = cross(K, smooth_times(T, v));
     let factor = N::from(1.0) / denominator;
@@ -43,7 +38,7 @@ pub fn energy_form<N: Scalar + Div<Output = N>>(
     c: [N; 3],
     T: [N; 6],
 ) -> EnergyMotion<N> {
-    let rate = momentum_rate(K, gradient, c, T);
+    let rate = momentum_rate(K, gradient, N::from(1.0) + dot(K, c), T);
     let braking = smooth_times(T, rate);
     let omega = add(gradient, add(cross(c, rate), braking));
     EnergyMotion { omega, rate, power: dot(rate, braking) }
@@ -65,7 +60,7 @@ pub fn energy_form_under(
     let once = cross(K, smooth_times(T, pushed));
     let twice = cross(K, smooth_times(T, once));
     let turned = scale(denominator.recip(), add(scale(a, once), twice));
-    let rate = add(momentum_rate(K, gradient, c, T), scale(a.recip(), add(pushed, turned)));
+    let rate = add(momentum_rate(K, gradient, a, T), scale(a.recip(), add(pushed, turned)));
     let braking = smooth_times(T, rate);
     let omega = add(gradient, add(cross(c, rate), braking));
     EnergyMotion { omega, rate, power: dot(rate, braking) }

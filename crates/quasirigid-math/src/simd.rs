@@ -22,6 +22,18 @@ pub trait Arithmetic: Copy + Default {
         scaled_sum::<Self, 4>(a, b, c)
     }
 
+    /// `a·b + c` of three times four numbers, component by component.
+    #[inline(always)]
+    fn mul_add_each(a: [f64; 4], b: [f64; 4], c: [f64; 4]) -> [f64; 4] {
+        let mut sum = c;
+        let mut i = 0;
+        while i < 4 {
+            sum[i] = Self::mul_add(a[i], b[i], c[i]);
+            i += 1;
+        }
+        sum
+    }
+
     /// Does the work by this arithmetic in a function of its own, which is compiled once however often it is called.
     fn call<T: Task>(task: T) -> T::Output;
 }
@@ -63,6 +75,18 @@ trait RegisterMulAdd: MulAdd {
         unsafe {
             let [a, c] = [_mm256_loadu_pd(a.as_ptr()), _mm256_loadu_pd(c.as_ptr())];
             _mm256_storeu_pd(sum.as_mut_ptr(), Self::register(a, _mm256_set1_pd(b), c));
+        }
+        sum
+    }
+
+    /// The same with a factor for each number.
+    #[inline(always)]
+    unsafe fn each(a: [f64; 4], b: [f64; 4], c: [f64; 4]) -> [f64; 4] {
+        let mut sum = [0.0; 4];
+        // SAFETY: the processor has the features, and the arrays have four numbers.
+        unsafe {
+            let [a, b, c] = [a, b, c].map(|numbers| _mm256_loadu_pd(numbers.as_ptr()));
+            _mm256_storeu_pd(sum.as_mut_ptr(), Self::register(a, b, c));
         }
         sum
     }
@@ -136,6 +160,12 @@ impl<M: RegisterMulAdd> Arithmetic for Vector<M, 4> {
         unsafe { M::four(a, b, c) }
     }
 
+    #[inline(always)]
+    fn mul_add_each(a: [f64; 4], b: [f64; 4], c: [f64; 4]) -> [f64; 4] {
+        // SAFETY: only `dispatch`, `dispatch_unfused` and `dispatch_lanes` start work by this arithmetic, after they have asked the processor.
+        unsafe { M::each(a, b, c) }
+    }
+
     fn call<T: Task>(task: T) -> T::Output {
         // SAFETY: only `dispatch`, `dispatch_unfused` and `dispatch_lanes` start work by this arithmetic, after they have asked the processor.
         unsafe { four::<M, T>(task) }
@@ -153,6 +183,12 @@ impl<M: RegisterMulAdd> Arithmetic for Vector<M, 8> {
     fn mul_add_four(a: [f64; 4], b: f64, c: [f64; 4]) -> [f64; 4] {
         // SAFETY: only `dispatch_lanes` starts work by this arithmetic, after it has asked the processor.
         unsafe { M::four(a, b, c) }
+    }
+
+    #[inline(always)]
+    fn mul_add_each(a: [f64; 4], b: [f64; 4], c: [f64; 4]) -> [f64; 4] {
+        // SAFETY: only `dispatch_lanes` starts work by this arithmetic, after it has asked the processor.
+        unsafe { M::each(a, b, c) }
     }
 
     fn call<T: Task>(task: T) -> T::Output {

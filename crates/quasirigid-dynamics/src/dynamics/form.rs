@@ -6,7 +6,7 @@ use crate::math::polynomial::{Homogeneous, Kernel, Number, QuadraticKernel, Seri
 use crate::math::simd::Arithmetic;
 use crate::math::sym3::{self, Sym};
 use crate::math::vec3::{self, cross, dot, norm};
-use crate::model::{EnergyMotion, Form, ReducedBody, energy_form, energy_form_under, momentum_rate};
+use crate::model::{EnergyMotion, Form, ReducedBody, energy_form, energy_form_under};
 
 /// Scale of errors of the state `x` of a form, with this internal angular momentum.
 pub(super) fn error_scale(form: Form, x: [f64; 3], inside: [f64; 3]) -> f64 {
@@ -29,13 +29,16 @@ pub(super) struct Motion {
     pub energy_rate: f64,
 }
 
-/// Form of the reduced equations: rates of its state `x`, and the quantities that follow from `x`.
+/// Rates of the state of a form.
+pub(super) trait Rates<N: Number> {
+    /// Rate of the state.
+    fn rate<A: Arithmetic>(&self, x: [N; 3]) -> [N; 3];
+}
+
+/// Form of the reduced equations: the quantities that follow from its state `x`.
 pub(super) trait Equations {
     /// Angular velocity (rad/s).
     fn omega(&self, x: [f64; 3]) -> [f64; 3];
-
-    /// Rate of the state.
-    fn rate<A: Arithmetic, N: Number>(&self, x: [N; 3]) -> [N; 3];
 
     /// Angular velocity, rate of the state, power and rate of the energy at once.
     fn motion<A: Arithmetic>(&self, x: [f64; 3]) -> Motion;
@@ -85,20 +88,20 @@ impl AngularMomentumForm {
     /// Motion under a torque (N·m, body axes). (R22)
     #[inline(always)]
     pub fn under<A: Arithmetic>(&self, K: [f64; 3], torque: [f64; 3]) -> EnergyMotion<f64> {
-        let (gradient, c, T) = self.terms::<A, f64>(K);
+        let (gradient, c, T) = self.terms::<A>(K);
         energy_form_under(K, gradient, c, T, torque)
     }
 
     /// Gradient of the energy, `c` and `T`.
     #[inline(always)]
-    fn terms<A: Arithmetic, N: Number>(&self, K: [N; 3]) -> ([N; 3], [N; 3], [N; 6]) {
-        let gradient = self.gradient.vector::<A, N>(K);
+    fn terms<A: Arithmetic>(&self, K: [f64; 3]) -> ([f64; 3], [f64; 3], [f64; 6]) {
+        let gradient = self.gradient.vector::<A, f64>(K);
         let Some(quadratic) = &self.quadratic else {
-            return (gradient, self.c.vector::<A, N>(K), self.T.value::<A, N>(K));
+            return (gradient, self.c.vector::<A, f64>(K), self.T.value::<A, f64>(K));
         };
         let monomials = QuadraticKernel::monomials(K);
         let [c, [xx, yy, zz], [yz, zx, xy]] =
-            quadratic.each_ref().map(|kernel| kernel.vector::<A, N>(&monomials));
+            quadratic.each_ref().map(|kernel| kernel.vector::<A, f64>(&monomials));
         (gradient, c, [xx, yy, zz, yz, zx, xy])
     }
 }
@@ -109,14 +112,8 @@ impl Equations for AngularMomentumForm {
     }
 
     #[inline(always)]
-    fn rate<A: Arithmetic, N: Number>(&self, K: [N; 3]) -> [N; 3] {
-        let (gradient, c, T) = self.terms::<A, N>(K);
-        momentum_rate(K, gradient, c, T)
-    }
-
-    #[inline(always)]
     fn motion<A: Arithmetic>(&self, K: [f64; 3]) -> Motion {
-        let (gradient, c, T) = self.terms::<A, f64>(K);
+        let (gradient, c, T) = self.terms::<A>(K);
         let EnergyMotion { omega, rate, power } = energy_form(K, gradient, c, T);
         Motion { omega, rate, power, energy_rate: -power }
     }
@@ -180,14 +177,16 @@ impl AngularVelocityForm {
     }
 }
 
+impl<N: Number> Rates<N> for AngularVelocityForm {
+    #[inline(always)]
+    fn rate<A: Arithmetic>(&self, omega: [N; 3]) -> [N; 3] {
+        self.driven_rate(omega, self.mu.vector::<A, _>(omega))
+    }
+}
+
 impl Equations for AngularVelocityForm {
     fn omega(&self, omega: [f64; 3]) -> [f64; 3] {
         omega
-    }
-
-    #[inline(always)]
-    fn rate<A: Arithmetic, N: Number>(&self, omega: [N; 3]) -> [N; 3] {
-        self.driven_rate(omega, self.mu.vector::<A, _>(omega))
     }
 
     #[inline(always)]

@@ -10,6 +10,7 @@ mod full;
 mod initial_transient;
 mod invariant_monitor;
 mod layout;
+mod momentum_sphere;
 mod nutation;
 mod position;
 mod quadrature;

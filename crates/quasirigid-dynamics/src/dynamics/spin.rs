@@ -1,19 +1,19 @@
 //! Systems of the reduced equations: variable of the form alone, or with attitude and energy accounts. (P1) to (P4)
 
-use super::form::{Equations, Motion, vector};
+use super::form::{Equations, Motion, Rates, vector};
 use crate::math::ode::System;
 use crate::math::rotation;
 use crate::math::simd::Arithmetic;
 use crate::math::vec3::norm;
 
 /// Variable of the form alone; the fourth component is idle and fills a vector register.
-pub(super) struct SpinOnly<'a, E>(pub &'a E);
+pub(super) struct SpinOnly<'a, R>(pub &'a R);
 
-impl<E: Equations> System<[f64; 4]> for SpinOnly<'_, E> {
+impl<R: Rates<f64>> System<[f64; 4]> for SpinOnly<'_, R> {
     #[inline(always)]
     fn rate<A: Arithmetic>(&mut self, _: f64, y: &[f64; 4], rate: &mut [f64; 4]) {
         let x = vector(*y);
-        let [x, y, z] = self.0.rate::<A, f64>(x);
+        let [x, y, z] = self.0.rate::<A>(x);
         *rate = [x, y, z, 0.0];
     }
 }

@@ -6,7 +6,8 @@ use super::form::error_scale;
 use std::ops::ControlFlow;
 
 use super::conserved_momentum::inside;
-use super::form::{AngularMomentumForm, AngularVelocityForm, Equations, vector};
+use super::form::{AngularMomentumForm, AngularVelocityForm, Equations, Rates, vector};
+use super::momentum_sphere::MomentumSpheres;
 use super::run::{ALIGNED, Options, Outcome, PropagateError, check};
 use super::spin::SpinOnly;
 use super::start::start;
@@ -52,32 +53,34 @@ pub fn spin_path(
     let error =
         options.tolerance * error_scale(options.form, x, inside(body.angular_momentum(omega), body.J, omega));
     Ok(match options.form {
-        Form::AngularMomentum => dispatch(
-            options.rounding,
-            Path { equations: &AngularMomentumForm::new(body), x, error, times, options },
-        ),
-        Form::AngularVelocity => dispatch(
-            options.rounding,
-            Path { equations: &AngularVelocityForm::new(body), x, error, times, options },
-        ),
+        Form::AngularMomentum => {
+            let (equations, rates) =
+                (&AngularMomentumForm::new(body), &MomentumSpheres::new(body).through(x));
+            dispatch(options.rounding, Path { equations, rates, x, error, times, options })
+        }
+        Form::AngularVelocity => {
+            let equations = &AngularVelocityForm::new(body);
+            dispatch(options.rounding, Path { equations, rates: equations, x, error, times, options })
+        }
     })
 }
 
-struct Path<'a, E> {
+struct Path<'a, E, R> {
     equations: &'a E,
+    rates: &'a R,
     x: [f64; 3],
     error: f64,
     times: &'a [f64],
     options: &'a Options,
 }
 
-impl<E: Equations> Task for Path<'_, E> {
+impl<E: Equations, R: Rates<f64>> Task for Path<'_, E, R> {
     type Output = SpinPath;
 
     #[inline(always)]
     fn run<A: Arithmetic>(self) -> SpinPath {
-        let Self { equations, x: [x, y, z], error, times, options } = self;
-        let system = SpinOnly(equations);
+        let Self { equations, rates, x: [x, y, z], error, times, options } = self;
+        let system = SpinOnly(rates);
         let allowed = [error, error, error, f64::INFINITY];
         let mut solver = Dop853::<_, _, A>::new(system, 0.0, [x, y, z, 0.0], allowed);
         let mut collector = Collector { equations, omega: Vec::with_capacity(times.len()) };

@@ -3,7 +3,8 @@
 
 use super::conserved_momentum::inside;
 use super::form::error_scale;
-use super::form::{AngularMomentumForm, AngularVelocityForm, Equations, vector};
+use super::form::{AngularMomentumForm, AngularVelocityForm, Equations, Rates, vector};
+use super::momentum_sphere::{MomentumSphere, MomentumSpheres};
 use super::run::{ALIGNED, Options, Outcome, PropagateError, check};
 use super::spin::SpinOnly;
 use super::spin_path::SpinPath;
@@ -44,11 +45,19 @@ pub fn spin_paths(
     let mut paths = match options.form {
         Form::AngularMomentum => {
             let equations = &AngularMomentumForm::new(body);
-            dispatch_lanes(options.rounding, Paths { equations, starts: &good, times, options, goes_on })
+            let rates = OwnSpheres::new(body);
+            dispatch_lanes(
+                options.rounding,
+                Paths { equations, rates, starts: &good, times, options, goes_on },
+            )
         }
         Form::AngularVelocity => {
             let equations = &AngularVelocityForm::new(body);
-            dispatch_lanes(options.rounding, Paths { equations, starts: &good, times, options, goes_on })
+            let rates = Shared(equations);
+            dispatch_lanes(
+                options.rounding,
+                Paths { equations, rates, starts: &good, times, options, goes_on },
+            )
         }
     }
     .into_iter();
@@ -74,50 +83,101 @@ fn begin(
     Ok(Begun { x, error: options.tolerance * error_scale(options.form, x, inside) })
 }
 
-struct Paths<'a, E> {
+struct Paths<'a, E, R> {
     equations: &'a E,
+    rates: R,
     starts: &'a [Begun],
     times: &'a [f64],
     options: &'a Options,
     goes_on: &'a mut dyn FnMut(usize) -> bool,
 }
 
-impl<E: Equations> Task for Paths<'_, E> {
+impl<E: Equations, R: LaneRates> Task for Paths<'_, E, R> {
     type Output = Vec<SpinPath>;
 
     #[inline(always)]
     fn run<A: Arithmetic>(self) -> Vec<SpinPath> {
-        let Self { equations, starts, times, options, goes_on } = self;
-        let starts: Vec<_> = starts.iter().map(|start| first_step::<E, A>(equations, *start)).collect();
-        let runs =
-            integrate_lanes::<_, A, 3>(&SpinLanes(equations), &starts, times, options.most_steps, goes_on);
+        let Self { equations, mut rates, starts, times, options, goes_on } = self;
+        let starts: Vec<_> = starts.iter().map(|start| first_step::<R, A>(&rates, *start)).collect();
+        let runs = integrate_lanes::<_, A, 3>(&mut rates, &starts, times, options.most_steps, goes_on);
         runs.into_iter().map(|run| path(equations, run)).collect()
     }
 }
 
-/// Variable of the form alone, in lanes.
-struct SpinLanes<'a, E>(&'a E);
+/// Rates in lanes, and those of one trajectory alone.
+trait LaneRates: LaneSystem<3> {
+    /// Rates alone.
+    type Alone: Rates<f64>;
 
-impl<E: Equations> LaneSystem<3> for SpinLanes<'_, E> {
+    /// Rates of the trajectory that starts at `x`, handed on.
+    fn with_alone<T>(&self, x: [f64; 3], then: impl FnOnce(&Self::Alone) -> T) -> T;
+}
+
+/// One angular-velocity form for all trajectories.
+struct Shared<'a>(&'a AngularVelocityForm);
+
+impl LaneSystem<3> for Shared<'_> {
     #[inline(always)]
-    fn rate<A: Arithmetic>(&self, x: &[Lanes; 3]) -> [Lanes; 3] {
-        self.0.rate::<A, Lanes>(*x)
+    fn rate<A: Arithmetic>(&self, omega: &[Lanes; 3]) -> [Lanes; 3] {
+        Rates::<Lanes>::rate::<A>(self.0, *omega)
+    }
+}
+
+impl LaneRates for Shared<'_> {
+    type Alone = AngularVelocityForm;
+
+    #[inline(always)]
+    fn with_alone<T>(&self, _: [f64; 3], then: impl FnOnce(&AngularVelocityForm) -> T) -> T {
+        then(self.0)
+    }
+}
+
+/// An energy form for each trajectory, on the sphere of its own angular momentum.
+struct OwnSpheres {
+    spheres: MomentumSpheres,
+    lanes: MomentumSphere<Lanes>,
+}
+
+impl OwnSpheres {
+    fn new(body: &ReducedBody) -> Self {
+        let spheres = MomentumSpheres::new(body);
+        let lanes = MomentumSphere::<Lanes>::splat(&spheres.through([0.0; 3]));
+        Self { spheres, lanes }
+    }
+}
+
+impl LaneSystem<3> for OwnSpheres {
+    fn begin(&mut self, lane: usize, K: &[f64; 3]) {
+        self.lanes.load(lane, &self.spheres.through(*K));
+    }
+
+    #[inline(always)]
+    fn rate<A: Arithmetic>(&self, K: &[Lanes; 3]) -> [Lanes; 3] {
+        self.lanes.rate::<A>(*K)
+    }
+}
+
+impl LaneRates for OwnSpheres {
+    type Alone = MomentumSphere<f64>;
+
+    #[inline(always)]
+    fn with_alone<T>(&self, K: [f64; 3], then: impl FnOnce(&MomentumSphere<f64>) -> T) -> T {
+        then(&self.spheres.through(K))
     }
 }
 
 /// First step of a trajectory, as the method chooses it for one alone.
 #[inline(always)]
-fn first_step<E: Equations, A: Arithmetic>(
-    equations: &E,
-    Begun { x: [x, y, z], error }: Begun,
-) -> LaneStart<3> {
-    let solver = Dop853::<_, _, A>::new(
-        SpinOnly(equations),
-        0.0,
-        [x, y, z, 0.0],
-        [error, error, error, f64::INFINITY],
-    );
-    LaneStart { y: [x, y, z], rate: vector(*solver.rate()), h: solver.h(), allowed: [error; 3] }
+fn first_step<R: LaneRates, A: Arithmetic>(rates: &R, Begun { x: [x, y, z], error }: Begun) -> LaneStart<3> {
+    rates.with_alone([x, y, z], |alone| {
+        let solver = Dop853::<_, _, A>::new(
+            SpinOnly(alone),
+            0.0,
+            [x, y, z, 0.0],
+            [error, error, error, f64::INFINITY],
+        );
+        LaneStart { y: [x, y, z], rate: vector(*solver.rate()), h: solver.h(), allowed: [error; 3] }
+    })
 }
 
 /// Evaluations of the rate before the first step.

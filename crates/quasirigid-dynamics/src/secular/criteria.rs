@@ -24,9 +24,9 @@ pub struct AverageCriteria {
 }
 
 /// Error of an average per `γ/β`.
-const PER_SETTLING: f64 = 1.6;
+pub(super) const PER_SETTLING: f64 = 1.6;
 /// Bound of the error over the largest criterion: the largest ratio found in comparisons with full systems (3), rounded up.
-const ERROR_PER_CRITERION: f64 = 4.0;
+pub(super) const ERROR_PER_CRITERION: f64 = 4.0;
 
 impl AverageCriteria {
     /// Bound of the relative error of the averaged power. (Q7)
@@ -35,12 +35,12 @@ impl AverageCriteria {
         let compared = self.poles.max(PER_SETTLING * self.settling).max(self.moments).max(self.probed);
         (ERROR_PER_CRITERION * compared).max(self.liquids)
     }
+}
 
-    /// Bound of the relative error of an averaged time of so many periods of the wobble. (Q7)
-    #[must_use]
-    pub fn time_error(&self, periods: f64) -> f64 {
-        self.error() + uneven(periods)
-    }
+/// Bound of the relative error of a power by the elasticity that the frozen polhode leaves out, from the ratio of the spin to the slowest elastic
+/// frequency: power is the square of amplitudes that follow loads of twice the spin at most. (Q17)
+pub(super) fn deformed(spin_ratio: f64) -> f64 {
+    2.0 * (2.0 * spin_ratio).powi(2)
 }
 
 /// Relative error of a time of so many periods of the wobble from the uneven fall of the energy of a full system: a quarter of a period at

@@ -13,6 +13,11 @@ use crate::simd::{Arithmetic, Task};
 
 /// An autonomous system `ẏ = rate(y)` in lanes.
 pub trait LaneSystem<const D: usize> {
+    /// A trajectory takes a lane, in which the rate may depend on its start.
+    fn begin(&mut self, lane: usize, start: &[f64; D]) {
+        let _ = (lane, start);
+    }
+
     /// Rate of the state in each lane.
     fn rate<R: Arithmetic>(&self, y: &[Lanes; D]) -> [Lanes; D];
 }
@@ -32,7 +37,7 @@ pub struct LaneStart<const D: usize> {
 
 /// DOP853 on lanes.
 pub(super) struct Dop853Lanes<'a, S, R, const D: usize> {
-    system: &'a S,
+    system: &'a mut S,
     t: Lanes,
     end: Lanes,
     h: Lanes,
@@ -108,7 +113,7 @@ fn combine<R: Arithmetic, const D: usize>(
 impl<'a, S: LaneSystem<D>, R: Arithmetic, const D: usize> Dop853Lanes<'a, S, R, D> {
     /// Every lane idle.
     #[inline(always)]
-    pub fn new(system: &'a S) -> Self {
+    pub fn new(system: &'a mut S) -> Self {
         let zero = Lanes::splat(0.0);
         Self {
             system,
@@ -129,6 +134,11 @@ impl<'a, S: LaneSystem<D>, R: Arithmetic, const D: usize> Dop853Lanes<'a, S, R, 
 
     /// Puts a trajectory into a lane, at the time zero.
     pub fn load(&mut self, lane: usize, start: &LaneStart<D>, end: f64) {
+        self.system.begin(lane, &start.y);
+        self.place(lane, start, end);
+    }
+
+    fn place(&mut self, lane: usize, start: &LaneStart<D>, end: f64) {
         (self.t.0[lane], self.end.0[lane], self.h.0[lane]) = (0.0, end, start.h);
         self.rejected.set(lane, false);
         self.undefined.set(lane, start.rate.iter().any(|rate| !rate.is_finite()));
@@ -142,7 +152,7 @@ impl<'a, S: LaneSystem<D>, R: Arithmetic, const D: usize> Dop853Lanes<'a, S, R, 
     /// Leaves a lane idle: its steps have no length.
     pub fn unload(&mut self, lane: usize) {
         let nothing = LaneStart { y: [0.0; D], rate: [0.0; D], h: 0.0, allowed: [f64::INFINITY; D] };
-        self.load(lane, &nothing, 0.0);
+        self.place(lane, &nothing, 0.0);
     }
 
     /// Time reached in each lane.

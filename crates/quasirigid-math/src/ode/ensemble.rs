@@ -24,7 +24,7 @@ pub struct LaneRun<const D: usize> {
 /// `goes_on` is asked from moment to moment with the number of trajectories that have ended; `false` interrupts the others.
 #[inline(always)]
 pub fn integrate_lanes<S: LaneSystem<D>, R: Arithmetic, const D: usize>(
-    system: &S,
+    system: &mut S,
     starts: &[LaneStart<D>],
     times: &[f64],
     most_steps: u64,
@@ -239,7 +239,7 @@ mod tests {
                 LaneStart { y: *y, rate: *solver.rate(), h: solver.h(), allowed: ALLOWED }
             };
             let lanes: Vec<_> = starts.iter().map(lane).collect();
-            let together = integrate_lanes::<_, A, 3>(&Pendulum, &lanes, &TIMES, u64::MAX, &mut |_| true);
+            let together = integrate_lanes::<_, A, 3>(&mut Pendulum, &lanes, &TIMES, u64::MAX, &mut |_| true);
             let alone = |y: &[f64; 3]| {
                 let mut solver = Dop853::<_, _, A>::new(Pendulum, 0.0, *y, ALLOWED);
                 let mut kept = Kept(Vec::new());

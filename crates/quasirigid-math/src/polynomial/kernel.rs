@@ -1,6 +1,7 @@
 //! Compiled polynomial map: nested Horner form over all rows at once, for the right-hand side of the reduced equations.
 //! The rows fill one vector register; the polynomials of low degree in y and z are unrolled, higher ones are streamed over the same table.
 
+use std::fmt::Debug;
 use std::ops::Div;
 
 use super::Series;
@@ -11,54 +12,105 @@ use crate::simd::{Arithmetic, Task, dispatch_unfused};
 
 /// A number that kernels are evaluated at: one, or one for each of several problems.
 pub trait Number: Scalar + Div<Output = Self> {
-    /// Values of the rows: four numbers, which fill a register, or three that fill one each.
-    type Rows: Copy;
+    /// Values of so many rows: four numbers, which fill a register, or the rows themselves, each of which fills one.
+    type Rows<const R: usize>: Copy + Debug + PartialEq;
 
     /// Coefficients of a monomial.
-    fn coefficients(of: [f64; 4]) -> Self::Rows;
+    fn coefficients<const R: usize>(of: [f64; 4]) -> Self::Rows<R>;
 
     /// Next sum of Horner's form: `sum · x + next`.
-    fn next<A: Arithmetic>(sum: Self::Rows, x: Self, next: Self::Rows) -> Self::Rows;
+    fn next<A: Arithmetic, const R: usize>(sum: Self::Rows<R>, x: Self, next: Self::Rows<R>)
+    -> Self::Rows<R>;
 
-    /// First three rows.
-    fn three(rows: Self::Rows) -> [Self; 3];
+    /// Next sum with a variable for each row.
+    fn next_each<A: Arithmetic, const R: usize>(
+        sum: Self::Rows<R>,
+        x: Self::Rows<R>,
+        next: Self::Rows<R>,
+    ) -> Self::Rows<R>;
+
+    /// Rows, at most four, as numbers.
+    fn array<const R: usize>(rows: Self::Rows<R>) -> [Self; R];
+
+    /// Numbers, at most four, as rows.
+    fn rows<const R: usize>(of: [Self; R]) -> Self::Rows<R>;
 }
 
 impl Number for f64 {
-    type Rows = [f64; 4];
+    type Rows<const R: usize> = [f64; 4];
 
     #[inline(always)]
-    fn coefficients(of: [f64; 4]) -> [f64; 4] {
+    fn coefficients<const R: usize>(of: [f64; 4]) -> [f64; 4] {
         of
     }
 
     #[inline(always)]
-    fn next<A: Arithmetic>(sum: [f64; 4], x: f64, next: [f64; 4]) -> [f64; 4] {
+    fn next<A: Arithmetic, const R: usize>(sum: [f64; 4], x: f64, next: [f64; 4]) -> [f64; 4] {
         A::mul_add_four(sum, x, next)
     }
 
     #[inline(always)]
-    fn three([a, b, c, _]: [f64; 4]) -> [f64; 3] {
-        [a, b, c]
+    fn next_each<A: Arithmetic, const R: usize>(sum: [f64; 4], x: [f64; 4], next: [f64; 4]) -> [f64; 4] {
+        A::mul_add_each(sum, x, next)
+    }
+
+    #[inline(always)]
+    fn array<const R: usize>(rows: [f64; 4]) -> [f64; R] {
+        let mut numbers = [0.0; R];
+        numbers.copy_from_slice(&rows[..R]);
+        numbers
+    }
+
+    #[inline(always)]
+    fn rows<const R: usize>(of: [f64; R]) -> [f64; 4] {
+        let mut rows = [0.0; 4];
+        rows[..R].copy_from_slice(&of);
+        rows
     }
 }
 
 impl Number for Lanes {
-    type Rows = [Lanes; 3];
+    type Rows<const R: usize> = [Lanes; R];
 
     #[inline(always)]
-    fn coefficients([a, b, c, _]: [f64; 4]) -> [Lanes; 3] {
-        [Lanes::splat(a), Lanes::splat(b), Lanes::splat(c)]
-    }
-
-    #[inline(always)]
-    fn next<A: Arithmetic>([a, b, c]: [Lanes; 3], x: Lanes, [d, e, f]: [Lanes; 3]) -> [Lanes; 3] {
-        [a.mul_add::<A>(x, d), b.mul_add::<A>(x, e), c.mul_add::<A>(x, f)]
-    }
-
-    #[inline(always)]
-    fn three(rows: [Lanes; 3]) -> [Lanes; 3] {
+    fn coefficients<const R: usize>(of: [f64; 4]) -> [Lanes; R] {
+        let mut rows = [Lanes::splat(0.0); R];
+        let mut row = 0;
+        while row < R {
+            rows[row] = Lanes::splat(of[row]);
+            row += 1;
+        }
         rows
+    }
+
+    #[inline(always)]
+    fn next<A: Arithmetic, const R: usize>(sum: [Lanes; R], x: Lanes, next: [Lanes; R]) -> [Lanes; R] {
+        Self::next_each::<A, R>(sum, [x; R], next)
+    }
+
+    #[inline(always)]
+    fn next_each<A: Arithmetic, const R: usize>(
+        sum: [Lanes; R],
+        x: [Lanes; R],
+        next: [Lanes; R],
+    ) -> [Lanes; R] {
+        let mut rows = next;
+        let mut row = 0;
+        while row < R {
+            rows[row] = sum[row].mul_add::<A>(x[row], next[row]);
+            row += 1;
+        }
+        rows
+    }
+
+    #[inline(always)]
+    fn array<const R: usize>(rows: [Lanes; R]) -> [Lanes; R] {
+        rows
+    }
+
+    #[inline(always)]
+    fn rows<const R: usize>(of: [Lanes; R]) -> [Lanes; R] {
+        of
     }
 }
 
@@ -160,38 +212,38 @@ impl Kernel {
     #[inline(always)]
     #[must_use]
     pub fn vector<A: Arithmetic, N: Number>(&self, x: [N; 3]) -> [N; 3] {
-        N::three(self.rows::<A, N>(x))
+        N::array(self.rows::<A, N>(x))
     }
 
     /// The coefficients of a power of x stand in the same place at every degree, so one chain serves all of them.
     #[inline(always)]
-    fn rows<A: Arithmetic, N: Number>(&self, [x, y, z]: [N; 3]) -> N::Rows {
+    fn rows<A: Arithmetic, N: Number>(&self, [x, y, z]: [N; 3]) -> N::Rows<3> {
         let (c, degree) = (&self.coefficients[..], self.degree);
         let mut sum = plane::<A, N, 0>(c, y, z);
         if degree >= 1 {
-            sum = N::next::<A>(sum, x, plane::<A, N, 1>(c, y, z));
+            sum = N::next::<A, 3>(sum, x, plane::<A, N, 1>(c, y, z));
         }
         if degree >= 2 {
-            sum = N::next::<A>(sum, x, plane::<A, N, 2>(c, y, z));
+            sum = N::next::<A, 3>(sum, x, plane::<A, N, 2>(c, y, z));
         }
         if degree >= 3 {
-            sum = N::next::<A>(sum, x, plane::<A, N, 3>(c, y, z));
+            sum = N::next::<A, 3>(sum, x, plane::<A, N, 3>(c, y, z));
         }
         if degree >= 4 {
-            sum = N::next::<A>(sum, x, plane::<A, N, 4>(c, y, z));
+            sum = N::next::<A, 3>(sum, x, plane::<A, N, 4>(c, y, z));
         }
         if degree >= 5 {
-            sum = N::next::<A>(sum, x, plane::<A, N, 5>(c, y, z));
+            sum = N::next::<A, 3>(sum, x, plane::<A, N, 5>(c, y, z));
         }
         if degree >= UNROLLED {
-            sum = N::next::<A>(sum, x, plane::<A, N, UNROLLED>(c, y, z));
+            sum = N::next::<A, 3>(sum, x, plane::<A, N, UNROLLED>(c, y, z));
         }
         if degree > UNROLLED { self.streamed::<A, N>(sum, [x, y, z]) } else { sum }
     }
 
     /// The powers of x that are left.
     #[inline(always)]
-    fn streamed<A: Arithmetic, N: Number>(&self, mut sum: N::Rows, [x, y, z]: [N; 3]) -> N::Rows {
+    fn streamed<A: Arithmetic, N: Number>(&self, mut sum: N::Rows<3>, [x, y, z]: [N; 3]) -> N::Rows<3> {
         let mut left = &self.coefficients[start(UNROLLED + 1)..];
         for plane in UNROLLED + 1..=self.degree {
             let mut in_y = N::coefficients([0.0; 4]);
@@ -200,11 +252,11 @@ impl Kernel {
                 left = next;
                 let mut in_z = N::coefficients(terms[0]);
                 for term in &terms[1..] {
-                    in_z = N::next::<A>(in_z, z, N::coefficients(*term));
+                    in_z = N::next::<A, 3>(in_z, z, N::coefficients(*term));
                 }
-                in_y = N::next::<A>(in_y, y, in_z);
+                in_y = N::next::<A, 3>(in_y, y, in_z);
             }
-            sum = N::next::<A>(sum, x, in_y);
+            sum = N::next::<A, 3>(sum, x, in_y);
         }
         sum
     }
@@ -217,36 +269,36 @@ const fn start(degree: usize) -> usize {
 
 /// Polynomial in y and z of degree `I`, the coefficient of one power of x.
 #[inline(always)]
-fn plane<A: Arithmetic, N: Number, const I: usize>(c: &[[f64; 4]], y: N, z: N) -> N::Rows {
+fn plane<A: Arithmetic, N: Number, const I: usize>(c: &[[f64; 4]], y: N, z: N) -> N::Rows<3> {
     let c = &c[start(I)..start(I + 1)];
     let mut sum = line::<A, N, 1>(c, 0, z);
     if I >= 1 {
-        sum = N::next::<A>(sum, y, line::<A, N, 2>(c, 1, z));
+        sum = N::next::<A, 3>(sum, y, line::<A, N, 2>(c, 1, z));
     }
     if I >= 2 {
-        sum = N::next::<A>(sum, y, line::<A, N, 3>(c, 3, z));
+        sum = N::next::<A, 3>(sum, y, line::<A, N, 3>(c, 3, z));
     }
     if I >= 3 {
-        sum = N::next::<A>(sum, y, line::<A, N, 4>(c, 6, z));
+        sum = N::next::<A, 3>(sum, y, line::<A, N, 4>(c, 6, z));
     }
     if I >= 4 {
-        sum = N::next::<A>(sum, y, line::<A, N, 5>(c, 10, z));
+        sum = N::next::<A, 3>(sum, y, line::<A, N, 5>(c, 10, z));
     }
     if I >= 5 {
-        sum = N::next::<A>(sum, y, line::<A, N, 6>(c, 15, z));
+        sum = N::next::<A, 3>(sum, y, line::<A, N, 6>(c, 15, z));
     }
     if I >= 6 {
-        sum = N::next::<A>(sum, y, line::<A, N, 7>(c, 21, z));
+        sum = N::next::<A, 3>(sum, y, line::<A, N, 7>(c, 21, z));
     }
     sum
 }
 
 /// Polynomial in z with `L` coefficients.
 #[inline(always)]
-fn line<A: Arithmetic, N: Number, const L: usize>(c: &[[f64; 4]], start: usize, z: N) -> N::Rows {
+fn line<A: Arithmetic, N: Number, const L: usize>(c: &[[f64; 4]], start: usize, z: N) -> N::Rows<3> {
     let mut sum = N::coefficients(c[start]);
     for term in 1..L {
-        sum = N::next::<A>(sum, z, N::coefficients(c[start + term]));
+        sum = N::next::<A, 3>(sum, z, N::coefficients(c[start + term]));
     }
     sum
 }

@@ -6,7 +6,7 @@
 /// Number of monomials of a degree in three variables.
 #[inline]
 #[must_use]
-pub fn count(degree: usize) -> usize {
+pub const fn count(degree: usize) -> usize {
     (degree + 1) * (degree + 2) / 2
 }
 

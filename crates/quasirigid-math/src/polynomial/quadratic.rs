@@ -42,9 +42,9 @@ impl QuadraticKernel {
     pub fn vector<A: Arithmetic, N: Number>(&self, monomials: &[N; 6]) -> [N; 3] {
         let mut sum = N::coefficients([0.0; 4]);
         for (coefficients, monomial) in self.0.iter().zip(monomials) {
-            sum = N::next::<A>(N::coefficients(*coefficients), *monomial, sum);
+            sum = N::next::<A, 3>(N::coefficients(*coefficients), *monomial, sum);
         }
-        N::three(sum)
+        N::array(sum)
     }
 }
 

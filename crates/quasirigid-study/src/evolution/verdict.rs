@@ -49,10 +49,14 @@ impl Verdict {
                     .into(),
                 Some(""),
             ),
-            Outcome::LevelCurves(_) => (
-                "Two moments of inertia are equal, or elasticity changes their difference by more than 1 %: averaged along the level curves of the slow energy.".into(),
-                None,
-            ),
+            Outcome::LevelCurves(_) => {
+                let end = if error.is_some() { "" } else { "." };
+                let sentence = format!(
+                    "Two moments of inertia are equal, or elasticity changes their difference by more than 1 %: averaged along the level curves \
+                     of the slow energy{end}"
+                );
+                (sentence, error.map(|_| "the modes about the steady spins"))
+            }
             Outcome::SpinManifold(history) => (reduced(history), Some("")),
             Outcome::MicroRuns { power, .. } => (measured(power), Some("")),
             Outcome::FullSystem(_) => (FOLLOWED.into(), None),

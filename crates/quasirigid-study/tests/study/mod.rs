@@ -24,3 +24,4 @@ mod surfaces;
 mod sweep;
 mod tanks;
 mod thrust;
+mod told_errors;

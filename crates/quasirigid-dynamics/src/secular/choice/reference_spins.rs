@@ -147,12 +147,13 @@ impl<'a> ReferenceSpins<'a> {
         Some(time * spin / TAU)
     }
 
-    /// Estimate of the periods of the wobble on a span; infinite if the modes are not known.
+    /// Time of a span by a power, in the mean of the periods of the wobble at its ends. Beside a plane of steady spins the last period has no
+    /// limit, and the modes about the axis far from it know neither the time nor the period. (Q7)
     #[must_use]
-    pub fn periods(&self, ends: [RotationState; 2]) -> f64 {
-        let periods = |&(mode, time): &(Mode, f64)| Some(time * self.nutation(mode)?.frequency / TAU);
-        let all = self.times(ends).and_then(|times| times.iter().map(periods).sum::<Option<f64>>());
-        all.unwrap_or(f64::INFINITY)
+    pub fn periods(&self, power: &dyn MeanPower, ends: [RotationState; 2]) -> f64 {
+        let [from, to] = ends.map(|state| self.motion(state).polhode_period());
+        let time = Evolution::new(power, self.range.angular_momentum()).time(ends[0], ends[1]);
+        2.0 * time.abs() / (from + to)
     }
 
     /// Decay in a period of the polhode at the ends of a span; infinite where there is no nutation.

@@ -6,6 +6,7 @@ use super::super::reason::Reason;
 use super::super::reference_spins::ReferenceSpins;
 use super::{AverageBasis, ChoiceError, ChoiceObserver, Driver, Followed, Found, Outcome, Stop};
 use crate::averaging::{Evolution, MeanPower, PowerSource, RotationState};
+use crate::secular::criteria::{deformed, uneven};
 use crate::secular::{AverageCriteria, MeasureError, MeasureOptions, SpotChecks};
 
 /// Steps of each short run beside an average at most.
@@ -21,9 +22,12 @@ impl Driver<'_> {
         let power = self.case.powers.of(source);
         let criteria = self.case.spins.average_criteria(&power, self.case.span.ends);
         let (basis, error) = match self.asked {
-            true if !self.accepts(&criteria) => (AverageBasis::Fails(criteria), criteria.error()),
-            true => (AverageBasis::Criteria, self.time_error(&criteria)),
-            false => (AverageBasis::Criteria, self.time_error(&self.confirmed(criteria, &power, observer)?)),
+            true if !self.accepts(&criteria) => (AverageBasis::Fails(criteria), self.power_error(&criteria)),
+            true => (AverageBasis::Criteria, self.time_error(&power, &criteria)),
+            false => {
+                let criteria = self.confirmed(criteria, &power, observer)?;
+                (AverageBasis::Criteria, self.time_error(&power, &criteria))
+            }
         };
         let outcome = Outcome::Average { power, basis };
         Ok(Found { outcome, error: Some(error), source: Some(source) })
@@ -40,7 +44,7 @@ impl Driver<'_> {
         let criteria = AverageCriteria { poles: criteria.poles.max(share), ..criteria };
         let criteria = self.confirmed(criteria, hill, observer)?;
         let outcome = Outcome::SpinningFrame(Box::new(hill.clone()));
-        Ok(Found { outcome, error: Some(self.time_error(&criteria)), source: None })
+        Ok(Found { outcome, error: Some(self.time_error(hill, &criteria)), source: None })
     }
 
     /// Criteria of an average that hold, with its difference from short runs of the full system.
@@ -62,9 +66,15 @@ impl Driver<'_> {
         criteria.error() <= self.limits.average_error
     }
 
+    /// Bound of the error of an averaged power: where no short runs stand beside it, with the elasticity that no pole shows. (Q17)
+    fn power_error(&self, criteria: &AverageCriteria) -> f64 {
+        let unseen = if criteria.probed > 0.0 { None } else { self.case.criteria.spin_ratio };
+        criteria.error().max(unseen.map_or(0.0, deformed))
+    }
+
     /// Bound of the error of the time of an average.
-    fn time_error(&self, criteria: &AverageCriteria) -> f64 {
-        criteria.time_error(self.case.spins.periods(self.case.span.ends))
+    fn time_error(&self, power: &dyn MeanPower, criteria: &AverageCriteria) -> f64 {
+        self.power_error(criteria) + uneven(self.case.spins.periods(power, self.case.span.ends))
     }
 
     /// Short runs of the full system on the span; none where they are not wanted, or do not lead to a power.

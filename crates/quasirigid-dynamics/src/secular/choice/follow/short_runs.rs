@@ -27,7 +27,7 @@ impl Driver<'_> {
         if power.error > self.limits.measured_error {
             return Err(MeasureError::Unsettled { change: power.error }.into());
         }
-        let error = Some(power.time_error(spins.periods(span.ends)));
+        let error = Some(power.time_error(spins.periods(&power, span.ends)));
         Ok(Found { outcome: Outcome::MicroRuns { power: Box::new(power), settled }, error, source: None })
     }
 

@@ -3,7 +3,7 @@
 #
 # Shape, spin and relaxation time are those of the run, from data/published/quillen_2019; all else is that of model.toml. No parameter is
 # adjusted. The power is that of the average at the start of `quasirigid evolve`, which reads each model from its standard input. The average
-# takes the body as stiff; the last column says how far it is off the modes about the steady spins, which do not.
+# takes the body as stiff; the last column is the error that `evolve` tells for that.
 cd "$(dirname "$0")" || exit 2
 echo "| run | b/a | c/a | spin | measured | network | ratio | average off by |"
 echo "|---|---|---|---|---|---|---|---|"

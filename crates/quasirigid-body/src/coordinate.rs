@@ -96,7 +96,7 @@ impl Marker {
     }
 
     /// A vector that turns with the place, body axes: exactly on an appendage, else by the rotation `φ_j q_j`, whose second order is that of a
-    /// rotation about one axis. (F21)
+    /// rotation about one axis. (F22)
     pub(crate) fn turned<T: Smooth>(&self, q: &[T], vector: [T; 3]) -> [T; 3] {
         if let Some(Carried { gimbal, .. }) = &self.carried {
             return gimbal.turned(q, vector);

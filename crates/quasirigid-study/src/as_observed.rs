@@ -40,10 +40,14 @@ impl Observed {
     }
 
     /// Accepts a relaxed body whose axis of a mode is that of the body in rotation.
-    pub fn circles_the_same(&self, relaxed: &Principal, mode: Mode) -> Result<(), Turned> {
+    pub fn circles_the_same(&self, relaxed: &Principal, mode: Mode) -> Result<(), Box<Turned>> {
         let [own, other] = [&self.principal, relaxed].map(|principal| principal.axes[mode.circled()]);
         let same = dot(own, other).abs() > ALIKE && mode.exists(relaxed.moments);
-        if same { Ok(()) } else { Err(Turned { observed: self.principal.moments, relaxed: *relaxed, mode }) }
+        if same {
+            Ok(())
+        } else {
+            Err(Box::new(Turned { observed: self.principal.moments, relaxed: *relaxed, mode }))
+        }
     }
 
     /// One line on what the spin changes, and a warning where it makes the axis of greatest inertia.

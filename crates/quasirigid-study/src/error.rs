@@ -197,7 +197,7 @@ pub enum StudyError {
         /// File of the model.
         file: PathBuf,
         /// The moments with and without the spin.
-        cause: Turned,
+        cause: Box<Turned>,
     },
     /// A wobble whose angle is out of range.
     Nutation {

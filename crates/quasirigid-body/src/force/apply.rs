@@ -1,7 +1,7 @@
 //! External loads: force, moment and generalised forces of all laws on a body in motion.
 //! Generic over the scalar, so that the same code gives values, Taylor series in time and first variations; each law acts on the displaced
 //! place, curvature included.
-//! Equations (F1), (F2), (F5), (F6), (F9), (F11) to (F15) and (F21), docs/theory/07-forces.md; (S1), docs/theory/01-system.md.
+//! Equations (F1), (F2), (F5), (F6), (F9), (F11) to (F15) and (F22), docs/theory/07-forces.md; (S1), docs/theory/01-system.md.
 
 use std::cell::OnceCell;
 
@@ -223,7 +223,7 @@ impl<T: Smooth> LoadContext<'_, T> {
         scale(phase.cos(), amplitude.map(T::from))
     }
 
-    /// Vector in body axes; torques, which act on the carrier, have no place. (F21)
+    /// Vector in body axes; torques, which act on the carrier, have no place. (F22)
     fn turned(&self, vector: [T; 3], axes: Axes, at: Option<&Marker>) -> [T; 3] {
         match (axes, at) {
             (Axes::Inertial, _) => self.turn().to_body(vector),

@@ -47,7 +47,7 @@ impl<P> ForceLaw<P> {
         }
     }
 
-    /// True if the force turns with the place where it acts. (F21)
+    /// True if the force turns with the place where it acts. (F22)
     #[doc(hidden)]
     pub fn turns_with_place(&self) -> bool {
         matches!(

@@ -251,7 +251,7 @@ pub enum Axes {
     Body,
     /// Inertial axes.
     Inertial,
-    /// Body axes at equilibrium, turned with the place where a force acts. (F21)
+    /// Body axes at equilibrium, turned with the place where a force acts. (F22)
     Place,
 }
 

@@ -1,4 +1,4 @@
-//! External forces on a body, for scalars that may be series in time. (F1) to (F21)
+//! External forces on a body, for scalars that may be series in time. (F1) to (F22)
 
 mod apply;
 mod conductor;

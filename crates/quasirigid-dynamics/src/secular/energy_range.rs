@@ -113,7 +113,12 @@ impl EnergyRange {
             Some(state) => (state, tangent / RESOLVED),
             None => (self.at(body, nearest, K)?, 1.0),
         };
-        let middle = self.tangent(body, state, self.frame(state.mode)?[1], self.greatest(state));
+        let greatest = self.greatest(state);
+        let middle = if is_balanced(body) {
+            self.tangent(body, state, self.frame(state.mode)?[1], greatest)
+        } else {
+            greatest
+        };
         Some(RotationState { mode: state.mode, xi: self.logit(state.mode, share * middle) })
     }
 
@@ -128,7 +133,11 @@ impl EnergyRange {
         let (axis, other) = (axes[mode.circled()], axes[2 - mode.circled()]);
         let greatest = self.greatest(rotation_state);
         let share = (greatest / RESOLVED).min(1.0);
-        let middle = self.at(body, mode, add(axis, scale(greatest / share, axes[1])));
+        let middle = if is_balanced(body) {
+            self.at(body, mode, add(axis, scale(greatest / share, axes[1])))
+        } else {
+            Some(RotationState { mode, xi: self.logit(mode, greatest / share) })
+        };
         let polhode = FreeRotation::at_logit(self.moments, self.angular_momentum, mode, xi);
         let least = polhode.nutation()[0].tan();
         let tangent = match middle.filter(|state| state.mode == mode) {
@@ -214,10 +223,15 @@ impl EnergyRange {
     }
 }
 
+/// Whether the balance of a body is known off its steady spins: without curved paths, rotors and liquids. (Q2)
+fn is_balanced(body: &FlexibleBody) -> bool {
+    body.paths().is_none() && body.hung().is_none() && body.cyclic().is_empty()
+}
+
 /// Angular velocity (rad/s) and displacements of a body in balance with it, of an angular momentum (N·m·s), by Newton's method; none where
 /// they are not found. (Q2)
 fn balanced(body: &FlexibleBody, K: [f64; 3]) -> Option<([f64; 3], Vec<f64>)> {
-    if body.paths().is_some() || body.hung().is_some() || !body.cyclic().is_empty() {
+    if !is_balanced(body) {
         return None;
     }
     let (mut omega, mut last) = (times(sym3::inverse(body.invariants().J), K), f64::INFINITY);

@@ -145,7 +145,7 @@ const ANY: Keys = Keys {
         key(
             "axes",
             words(&["body", "inertial", "place"]).or("`\"body\"`"),
-            "of force or torque; a `thrust` may turn with its place (F21)",
+            "of force or torque; a `thrust` may turn with its place (F22)",
         ),
         key("frequency", quantity("rad/s").or("constant"), "Ω, the amplitude varies as cos(Ωt + φ)"),
         key("period", quantity("s"), "instead"),

@@ -23,7 +23,8 @@ impl Revolution {
         let share = |factor: f64| (0.5 + f64::from(number) * factor).fract();
         let [mass, length, time] = [(0.8191725134, 6.0), (0.6710436067, 4.0), (0.5497004779, 4.0)]
             .map(|(factor, decades)| 10f64.powf(decades * (share(factor) - 0.5)));
-        let ratio = if number % 2 == 0 { 1.5 + 0.45 * share(0.4503) } else { 0.25 + 0.5 * share(0.4503) };
+        let ratio =
+            if number.is_multiple_of(2) { 1.5 + 0.45 * share(0.4503) } else { 0.25 + 0.5 * share(0.4503) };
         let moments = [4.0, 4.0 * ratio].map(|moment| moment * mass * length * length);
         let inertia: [[f64; 3]; 3] = std::array::from_fn(|i| {
             std::array::from_fn(|j| {

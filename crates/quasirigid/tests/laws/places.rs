@@ -78,7 +78,7 @@ fn a_place_on_an_appendage_turns_with_it() {
 }
 
 /// A thrust that turns with its place has the direction of exact rotations at any angle, on the tip and, unturned, on the carrier; a sprung point
-/// has no direction. (F21)
+/// has no direction. (F22)
 #[test]
 fn a_thrust_turns_with_its_place() {
     let f = [0.3, -1.2, 0.7];

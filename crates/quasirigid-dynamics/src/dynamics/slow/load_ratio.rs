@@ -21,7 +21,8 @@ const INTERVAL_LOOKS: [f64; 5] = [1e-9, 0.25, 0.5, 0.75, 1.0 - 1e-9];
 /// Most intervals that are looked at.
 const MOST_INTERVALS: usize = 64;
 
-/// Largest [`load_ratio`] at the pose of a start, over the times to `end` (s) at which the forces act.
+/// Largest change of the loads by displacements, beside the stiffness, at the pose of a start, over the times to `end` (s) at which the forces
+/// act. (E7)
 #[must_use]
 pub fn load_ratio_at_start(system: Forced, start: Start, end: f64) -> f64 {
     let Start { omega, attitude, place, velocity } = start;
@@ -40,7 +41,7 @@ fn worse(a: f64, b: f64) -> f64 {
     if a.is_nan() || b.is_nan() { f64::NAN } else { a.max(b) }
 }
 
-/// The same at an angular momentum (N·m·s, body axes).
+/// Change of the loads at an angular momentum (N·m·s, body axes). (E7)
 pub(super) fn load_ratio_of(system: Forced, K: [f64; 3], pose: &Pose<f64>) -> f64 {
     let own = add(K, scale(-1.0, system.body.wheels().angular_momentum(pose.t)));
     load_ratio(system, times(inverse(system.body.invariants().J), own), pose)

@@ -36,3 +36,10 @@ pub fn scale<T: Scalar>(factor: T, a: [T; 3]) -> [T; 3] {
 pub fn norm(a: [f64; 3]) -> f64 {
     dot(a, a).sqrt()
 }
+
+/// Unit vector along a vector that is not zero.
+#[inline]
+#[must_use]
+pub fn unit(a: [f64; 3]) -> [f64; 3] {
+    scale(norm(a).recip(), a)
+}

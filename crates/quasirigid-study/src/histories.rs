@@ -231,10 +231,10 @@ impl Study {
             Some(verdict) => verdict.note(),
             None => energy_note(table.system.recorded(), forced, accounts),
         };
-        let doubt = load_doubt(run.load_ratio);
-        let wrong = wrong
-            .or_else(|| doubt.clone().filter(|(_, verdict)| *verdict == Verdict::Fails).map(|(why, _)| why));
-        let notes = doubt.map(|(why, _)| why).into_iter().chain(note).collect();
+        let verdict = judged::along_the_motion(run.load_ratio);
+        let doubt = load_doubt(verdict, run.load_ratio);
+        let wrong = wrong.or_else(|| doubt.clone().filter(|_| verdict == Verdict::Fails));
+        let notes = doubt.into_iter().chain(note).collect();
         let left = manifold.as_ref().and_then(|verdict| verdict.status(run.outcome));
         let (status, message) = left.unwrap_or_else(|| status(body, run.outcome, last.t));
         Ok(History {

@@ -143,6 +143,11 @@ fn loads(motion: &Motion) -> Option<f64> {
     (ratio != 0.0).then_some(ratio)
 }
 
+/// Verdict on reduced equations along a motion on which displacements have changed the loads by a ratio. (E7), (V13)
+pub(crate) fn along_the_motion(load_ratio: f64) -> Verdict {
+    Criterion { comparison: Comparison::Loads, value: load_ratio }.verdict()
+}
+
 /// Puts a criterion that needs more than the body before another one.
 fn place(validity: &mut Validity, next: Comparison, (comparison, value): (Comparison, Option<f64>)) {
     let Some(value) = value else { return };

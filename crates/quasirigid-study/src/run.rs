@@ -324,7 +324,8 @@ impl<'a> Plan<'a> {
             let &HistoryRecord { energy, energy_drift: drift, dissipated, left_out, .. } = each;
             energy_note(&each.system, forced, Accounts { energy, drift, dissipated, left_out })
         };
-        let loads = |each: &HistoryRecord| load_doubt(each.load_ratio).map(|(doubt, _)| doubt);
+        let loads =
+            |each: &HistoryRecord| load_doubt(judged::along_the_motion(each.load_ratio), each.load_ratio);
         let doubts: Vec<_> = record.histories.iter().filter_map(loads).collect();
         record.notes.extend(doubts);
         record.notes.extend(record.histories.iter().filter(note).filter_map(drift));
@@ -432,8 +433,9 @@ impl<'a> Plan<'a> {
     /// Whether everything asked for was followed to its end and verified.
     fn is_done(&self, record: &RunRecord) -> bool {
         let ended = |status: &str| matches!(status, "finished" | "event");
-        let lost = |ratio| load_doubt(ratio).is_some_and(|(_, verdict)| verdict == Verdict::Fails);
-        let followed = |history: &HistoryRecord| ended(&history.status) && !lost(history.load_ratio);
+        let followed = |history: &HistoryRecord| {
+            ended(&history.status) && judged::along_the_motion(history.load_ratio) != Verdict::Fails
+        };
         record.histories.len() == self.systems.len()
             && record.histories.iter().all(followed)
             && record.verification.is_some() == self.study.model.run.verify.is_some()

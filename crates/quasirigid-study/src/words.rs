@@ -178,24 +178,18 @@ pub fn reasons(validity: &Validity) -> Vec<String> {
     failing.iter().map(|criterion| sentence(criterion, validity)).collect()
 }
 
-/// Doubt about reduced equations whose loads have changed with displacements by a ratio (E7), and whether it is failure; none where it is small.
-pub fn load_doubt(ratio: f64) -> Option<(String, Verdict)> {
-    let criterion = Criterion { comparison: Comparison::Loads, value: ratio };
-    let what = format!(
-        "displacements changed the external forces by up to {} of the elastic forces that resist them",
-        significant(ratio, 2)
-    );
-    match criterion.verdict() {
-        Verdict::Holds => None,
-        Verdict::Marginal => Some((
-            format!("The reduced equations were at the edge of their range: {what}."),
-            Verdict::Marginal,
-        )),
-        Verdict::Fails => Some((
-            format!("The reduced equations DID NOT HOLD: {what}; the full system follows this."),
-            Verdict::Fails,
-        )),
-    }
+/// Doubt about reduced equations with a verdict along a motion on which displacements have changed the loads by a ratio (E7); none where they
+/// hold.
+pub fn load_doubt(verdict: Verdict, ratio: f64) -> Option<String> {
+    let [range, remedy] = match verdict {
+        Verdict::Holds => return None,
+        Verdict::Marginal => ["were at the edge of their range", ""],
+        Verdict::Fails => ["DID NOT HOLD", "; the full system follows this"],
+    };
+    let ratio = significant(ratio, 2);
+    Some(format!(
+        "The reduced equations {range}: displacements changed the external forces by up to {ratio} of the elastic forces that resist them{remedy}."
+    ))
 }
 
 /// Share of the dissipated energy above which the integrator's own change of energy is noted.

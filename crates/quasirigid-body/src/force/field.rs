@@ -34,13 +34,12 @@ impl MagneticField {
         match self {
             Self::Uniform(field) => field.map(T::from),
             Self::Dipole { strength, orbit, .. } => {
-                let [x, y, z] = strength.map(T::from);
                 let rate = self.rotation();
+                let passage = orbit.at(t);
                 if rate == 0.0 {
-                    return of_dipole([x, y, z], orbit, t);
+                    return of_dipole(strength.map(T::from), &passage);
                 }
-                let (sin, cos) = (T::from(rate) * t).sin_cos();
-                of_dipole([cos * x - sin * y, sin * x + cos * y, z], orbit, t)
+                of_dipole(turning_dipole(*strength, T::from(rate) * t, rate)[0], &passage)
             }
             Self::Earth { .. } => self.with_rate(t)[0],
         }
@@ -55,12 +54,8 @@ impl MagneticField {
             Self::Dipole { strength, orbit, .. } => (strength, orbit),
             Self::Earth { field, orbit } => return field.along(t, orbit),
         };
-        let rate = T::from(self.rotation());
-        let (sin, cos) = (rate * t).sin_cos();
-        let [x, y, z] = strength.map(T::from);
-        let m = [cos * x - sin * y, sin * x + cos * y, z];
-        let turning = [-rate * m[1], rate * m[0], T::from(0.0)];
-        dipole_with_rate([m, turning], &orbit.at(t))
+        let rate = self.rotation();
+        dipole_with_rate(turning_dipole(*strength, T::from(rate) * t, rate), &orbit.at(t))
     }
 
     /// True if there is no field anywhere.
@@ -92,13 +87,24 @@ impl MagneticField {
     }
 }
 
+/// A dipole (T·m³) that has turned by an angle (rad) about the third axis, and its rate (T·m³/s) where it turns at a rate (rad/s).
+pub(super) fn turning_dipole<T: Smooth>(strength: [f64; 3], angle: T, rate: f64) -> [[T; 3]; 2] {
+    let (sin, cos) = angle.sin_cos();
+    let [x, y, z] = strength.map(T::from);
+    let m = [cos * x - sin * y, sin * x + cos * y, z];
+    let rate = T::from(rate);
+    [m, [-rate * m[1], rate * m[0], T::from(0.0)]]
+}
+
 /// Field (T) of a dipole (T·m³) at the place on an orbit. (F8)
-fn of_dipole<T: Smooth>(m: [T; 3], orbit: &Orbit, t: T) -> [T; 3] {
-    let passage = orbit.at(t);
+fn of_dipole<T: Smooth>(m: [T; 3], passage: &OrbitPoint<T>) -> [T; 3] {
     let per_radius = T::from(1.0) / passage.radius;
-    let n = scale(per_radius, passage.place);
-    let shape = add(scale(T::from(3.0) * dot(m, n), n), m.map(|entry| -entry));
-    scale(per_radius * per_radius * per_radius, shape)
+    scale(per_radius * per_radius * per_radius, dipole_shape(m, scale(per_radius, passage.place)))
+}
+
+/// `3(m·n)n − m`.
+fn dipole_shape<T: Smooth>(m: [T; 3], n: [T; 3]) -> [T; 3] {
+    add(scale(T::from(3.0) * dot(m, n), n), m.map(|entry| -entry))
 }
 
 /// Field (T) of a dipole (T·m³) that turns at a rate (T·m³/s), and its rate (T/s) at a place that moves. (F18)
@@ -108,7 +114,7 @@ pub(super) fn dipole_with_rate<T: Smooth>([m, turning]: [[T; 3]; 2], passage: &O
     let (along, rising, crossing) = (dot(m, n), dot(v, n), dot(m, v));
     let moved =
         add(scale(crossing - T::from(5.0) * along * rising, n), add(scale(along, v), scale(rising, m)));
-    let shape = |m: [T; 3]| add(scale(T::from(3.0) * dot(m, n), n), m.map(|entry| -entry));
     let cube = per_radius * per_radius * per_radius;
-    [scale(cube, shape(m)), scale(cube, add(shape(turning), scale(T::from(3.0), moved)))]
+    let change = add(dipole_shape(turning, n), scale(T::from(3.0), moved));
+    [scale(cube, dipole_shape(m, n)), scale(cube, change)]
 }

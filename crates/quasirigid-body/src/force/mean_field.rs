@@ -4,7 +4,7 @@
 
 use std::f64::consts::TAU;
 
-use super::field::dipole_with_rate;
+use super::field::{dipole_with_rate, turning_dipole};
 use super::{EarthField, MagneticField, Orbit, OrbitPoint};
 use crate::math::vec3::{add, cross, dot, scale};
 
@@ -35,14 +35,16 @@ impl MagneticField {
                 over_orbit([[across, 0.0, 0.0], [0.0, across, 0.0], [0.0, 0.0, z * z]], orbit)
             }
             Self::Dipole { strength, orbit, .. } => over_orbit(outer(*strength), orbit),
-            Self::Earth { field, orbit } => {
-                let mut sum = [[0.0; 3]; 3];
-                each_place(field, orbit, |[B, _], share| {
-                    let products = outer(B);
-                    (0..9).for_each(|i| sum[i / 3][i % 3] += share * products[i / 3][i % 3]);
-                });
-                sum
-            }
+            Self::Earth { field, orbit } => earth_means(field, orbit).0,
+        }
+    }
+
+    /// [Mean square](Self::mean_square) and [mean twist](Self::mean_twist) at once. (F17), (F19)
+    #[must_use]
+    pub fn means(&self) -> ([[f64; 3]; 3], [f64; 3]) {
+        match self {
+            Self::Earth { field, orbit } => earth_means(field, orbit),
+            Self::Uniform(_) | Self::Dipole { .. } => (self.mean_square(), self.mean_twist()),
         }
     }
 
@@ -51,24 +53,17 @@ impl MagneticField {
     #[must_use]
     pub fn mean_twist(&self) -> [f64; 3] {
         let mut sum = [0.0; 3];
-        let ([x, y, z], orbit) = match *self {
+        let (strength, orbit) = match *self {
             Self::Uniform(_) => return sum,
             Self::Dipole { strength, orbit, .. } => (strength, orbit),
-            Self::Earth { field, orbit } => {
-                each_place(&field, &orbit, |[B, change], share| {
-                    sum = add(sum, scale(share, cross(B, change)));
-                });
-                return sum;
-            }
+            Self::Earth { field, orbit } => return earth_means(&field, &orbit).1,
         };
         let rate = self.rotation();
         let phases = if rate == 0.0 { 1 } else { PHASES };
         for phase in 0..phases {
-            let (sin, cos) = (TAU * phase as f64 / phases as f64).sin_cos();
-            let m = [cos * x - sin * y, sin * x + cos * y, z];
-            let turning = [-rate * m[1], rate * m[0], 0.0];
+            let dipole = turning_dipole(strength, TAU * phase as f64 / phases as f64, rate);
             for (passage, share) in passages(&orbit, POINTS) {
-                let [B, change] = dipole_with_rate([m, turning], &passage);
+                let [B, change] = dipole_with_rate(dipole, &passage);
                 sum = add(sum, scale(share / phases as f64, cross(B, change)));
             }
         }
@@ -187,14 +182,20 @@ fn points_of(field: &EarthField) -> usize {
     4 * field.degree + 9
 }
 
-/// Field and rate at all points of an orbit and all turns of the Earth, each with its share of the time. (F17), (F19)
-fn each_place(field: &EarthField, orbit: &Orbit, mut each: impl FnMut([[f64; 3]; 2], f64)) {
+/// Mean square and mean twist of the main field over all points of an orbit and all turns of the Earth. (F17), (F19)
+fn earth_means(field: &EarthField, orbit: &Orbit) -> ([[f64; 3]; 3], [f64; 3]) {
     let turns = 2 * field.degree + 1;
+    let (mut square, mut twist) = ([[0.0; 3]; 3], [0.0; 3]);
     for (passage, share) in passages(orbit, points_of(field)) {
+        let share = share / turns as f64;
         for turn in 0..turns {
-            each(field.with_rate(TAU * turn as f64 / turns as f64, &passage), share / turns as f64);
+            let [B, change] = field.with_rate(TAU * turn as f64 / turns as f64, &passage);
+            let products = outer(B);
+            (0..9).for_each(|i| square[i / 3][i % 3] += share * products[i / 3][i % 3]);
+            twist = add(twist, scale(share, cross(B, change)));
         }
     }
+    (square, twist)
 }
 
 /// Points of an orbit, even in the true anomaly, each with its share of the time. Products of the field of a dipole and its rate are

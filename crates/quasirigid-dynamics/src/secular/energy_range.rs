@@ -5,7 +5,7 @@
 use crate::averaging::{FreeRotation, RotationState};
 use crate::dynamics::FullState;
 use crate::math::sym3::{self, times};
-use crate::math::vec3::{add, cross, dot, norm, scale};
+use crate::math::vec3::{add, cross, dot, norm, scale, unit};
 use crate::model::{BalancedSpin, FlexibleBody, Mode, Principal};
 use crate::modes::{EquilibriumError, RelativeEquilibrium, SpinMagnitude};
 
@@ -274,10 +274,6 @@ fn crossing(function: &impl Fn(f64) -> f64, guess: f64) -> Option<f64> {
         (x, value) = (next, there);
     }
     None
-}
-
-fn unit(v: [f64; 3]) -> [f64; 3] {
-    scale(norm(v).recip(), v)
 }
 
 /// Moments, ascending, of which any two that a body of revolution has equal are exactly so: their difference is rounding. (Q13)

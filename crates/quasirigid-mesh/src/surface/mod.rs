@@ -22,4 +22,5 @@ pub use error::SurfaceError;
 pub use holes::Hole;
 pub use moments::Moments;
 pub(crate) use proximity::Proximity;
+pub use proximity::nearest_weights;
 pub use repair::{Repairs, Unrepaired, repaired};

@@ -141,6 +141,17 @@ fn nearest_of([a, b, c]: &Corners, point: [f64; 3]) -> (Feature, [f64; 3]) {
     (Feature::Face, add(*a, add(scale(vb * whole, ab), scale(vc * whole, ac))))
 }
 
+/// Weights of the corners of a triangle in its point nearest to another.
+#[must_use]
+pub fn nearest_weights(corners: [[f64; 3]; 3], point: [f64; 3]) -> [f64; 3] {
+    let (_, at) = nearest_of(&corners, point);
+    let [u, v, w] = [corners[1], corners[2], at].map(|place| minus(place, corners[0]));
+    let (uu, uv, vv, uw, vw) = (dot(u, u), dot(u, v), dot(v, v), dot(u, w), dot(v, w));
+    let area = uu * vv - uv * uv;
+    let (s, t) = ((vv * uw - uv * vw) / area, (uu * vw - uv * uw) / area);
+    [1.0 - s - t, s, t]
+}
+
 /// Normals of all triangles, with corners by place and by number of vertex.
 fn normals(triangles: &[Corners], vertices: &[[usize; 3]]) -> Vec<Normals> {
     let faces: Vec<[f64; 3]> = triangles
@@ -244,6 +255,9 @@ mod tests {
             prop_assume!(norm(cross(minus(b, a), minus(c, a))) > 0.01);
             prop_assert!((away([a, b, c]) - away([b, c, a])).abs() < 1e-12);
             prop_assert!((away([a, b, c]) - away([c, a, b])).abs() < 1e-12);
+            let weights = nearest_weights([a, b, c], [x, y, z]);
+            let weighed = add(scale(weights[0], a), add(scale(weights[1], b), scale(weights[2], c)));
+            prop_assert!(norm(minus(weighed, nearest_of(&[a, b, c], [x, y, z]).1)) < 1e-12);
         }
     }
 

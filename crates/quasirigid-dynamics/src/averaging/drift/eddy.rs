@@ -48,10 +48,10 @@ impl Means {
         let (mut products, mut twist) = ([[0.0; 3]; 3], [0.0; 3]);
         let share = (fields.len() as f64).recip();
         for field in fields {
-            let B = field.mean_square();
-            let sums = products.iter_mut().flatten().zip(B.iter().flatten());
+            let (square, turned) = field.means();
+            let sums = products.iter_mut().flatten().zip(square.iter().flatten());
             sums.for_each(|(sum, entry)| *sum += share * entry);
-            twist = add(twist, scale(share, field.mean_twist()));
+            twist = add(twist, scale(share, turned));
         }
         let square = products[0][0] + products[1][1] + products[2][2];
         let own = |i: usize, j: usize| if i == j { square } else { 0.0 };

@@ -11,7 +11,7 @@ use crate::averaging::poinsot::FreeRotation;
 use crate::averaging::power::MeanPower;
 use crate::math::ode::System;
 use crate::math::simd::Arithmetic;
-use crate::math::vec3::{add, dot, norm, scale};
+use crate::math::vec3::{add, dot, scale, unit};
 use crate::model::Mode;
 
 /// Variables that are integrated: `ξ`, `ln G` from a start, revolutions, and the direction of the angular momentum, inertial axes.
@@ -33,8 +33,7 @@ const AXIS: f64 = 36.0;
 
 /// Direction of the angular momentum, a unit vector.
 pub(super) fn direction([.., x, y, z]: &Variables) -> [f64; 3] {
-    let along = [*x, *y, *z];
-    scale(norm(along).recip(), along)
+    unit([*x, *y, *z])
 }
 
 /// Variables with a direction, or rates with its rate.

@@ -6,7 +6,7 @@
 use super::energy::SlowEnergy;
 use crate::math::rotation::angle;
 use crate::math::sphere::{StationaryKind, StationaryPoint};
-use crate::math::vec3::{add, norm, scale};
+use crate::math::vec3::{add, norm, scale, unit};
 
 /// Path of falling slow energy to one of its minima, along which every level of a component is met once.
 #[derive(Clone, Debug)]
@@ -111,8 +111,4 @@ fn falls(energy: &SlowEnergy, from: [f64; 3], to: [f64; 3], downhill: f64) -> bo
     };
     let heights: Vec<f64> = (0..=STRAIGHT_PATH_CHECKS).map(|i| downhill * energy.energy(place(i))).collect();
     heights.array_windows().all(|[before, after]| after < before)
-}
-
-pub(super) fn unit(x: [f64; 3]) -> [f64; 3] {
-    scale(norm(x).recip(), x)
 }

@@ -7,14 +7,14 @@ use std::sync::OnceLock;
 
 use thiserror::Error;
 
-use super::descent::{Descent, unit};
+use super::descent::Descent;
 use super::energy::SlowEnergy;
 use super::leg::Leg;
 use super::level::{Level, traced};
 use super::saddle_passage::Saddles;
 use crate::math::sphere::{StationaryKind, StationaryPoint, directions, stationary};
 use crate::math::sym3;
-use crate::math::vec3::{norm, scale};
+use crate::math::vec3::{norm, scale, unit};
 use crate::model::{Principal, ReducedBody};
 
 /// Secular evolution of a free body whose moments may be nearly equal: the angular momentum runs along a level curve of the slow energy

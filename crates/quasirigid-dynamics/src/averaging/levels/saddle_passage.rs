@@ -1,10 +1,9 @@
 //! Passage through the separatrix on level curves of the slow energy: the saddles, and the regions that meet at their energy.
 
-use super::descent::unit;
 use super::energy::SlowEnergy;
 use super::level::{Traced, traced};
 use crate::math::sphere::{StationaryKind, StationaryPoint};
-use crate::math::vec3::{add, norm, scale};
+use crate::math::vec3::{add, norm, scale, unit};
 
 /// Separatrix passed: the energy of saddles, where a level meets itself or its neighbours. (N6)
 #[derive(Clone, Debug, PartialEq)]

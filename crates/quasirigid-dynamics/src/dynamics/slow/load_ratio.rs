@@ -70,12 +70,13 @@ fn load_ratio(system: Forced, omega: [f64; 3], pose: &Pose<f64>) -> f64 {
     };
     let displaced = |shape: &[f64]| changed(MotionState { omega, q: &line(shape, 1.0), rate: &still });
     let moving = |shape: &[f64]| changed(MotionState { omega, q: &still, rate: &line(shape, spin) });
-    worse(growth(system, displaced), growth(system, moving))
+    let start = under(system, general(system));
+    worse(growth(system, &start, displaced), growth(system, &start, moving))
 }
 
-/// Largest growth of displacements in a pass of the power iteration, by the loads that they change.
-fn growth(system: Forced, changed: impl Fn(&[f64]) -> Vec<f64>) -> f64 {
-    let mut shape = under(system, general(system));
+/// Largest growth of displacements in a pass of the power iteration from a start, by the loads that they change.
+fn growth(system: Forced, start: &[f64], changed: impl Fn(&[f64]) -> Vec<f64>) -> f64 {
+    let mut shape = start.to_vec();
     let mut largest = 0.0;
     for pass in 0..=PASSES {
         let size = elastic_energy(system, &shape).sqrt();

@@ -10,7 +10,7 @@ use crate::math::sym3::{self, Sym, times};
 use crate::math::vec3::{add, dot, norm, scale};
 use crate::visual::Visual;
 use crate::{Assembly, Surface};
-use quasirigid_mesh::surface::ClosedSurface;
+use quasirigid_mesh::surface::{ClosedSurface, nearest_weights};
 
 /// Steps in which the bulge and the rotation that makes it are found from each other: periods are those of a rotation by the share of the
 /// bulge in the difference of the moments.
@@ -91,7 +91,7 @@ impl<'a> Displacements<'a> {
         let mut nearest = (f64::INFINITY, [0.0; 3], [0.0; 3]);
         for triangle in &self.visual.triangles {
             let corners = triangle.map(|corner| self.visual.vertices[corner]);
-            let weights = nearest_within(corners, place);
+            let weights = nearest_weights(corners, place);
             let sum = |of: &dyn Fn(usize) -> [f64; 3]| {
                 (0..3).fold([0.0; 3], |sum, i| add(sum, scale(weights[i], of(i))))
             };
@@ -110,32 +110,10 @@ fn homogeneous(places: &[[f64; 3]], moved: &[[f64; 3]]) -> [[f64; 3]; 3] {
     let mut square = [0.0; 6];
     let mut mixed = [[0.0; 3]; 3];
     for (place, moved) in places.iter().zip(moved) {
-        let products = [[0, 0], [1, 1], [2, 2], [1, 2], [2, 0], [0, 1]].map(|[i, k]| place[i] * place[k]);
+        let products = sym3::products(*place);
         square = std::array::from_fn(|i| square[i] + products[i]);
         mixed = std::array::from_fn(|i| add(mixed[i], scale(moved[i], *place)));
     }
     let inverse = sym3::inverse(square);
     mixed.map(|row| times(inverse, row))
-}
-
-/// Weights of the corners in the point of a triangle nearest to a place.
-fn nearest_within(corners: [[f64; 3]; 3], place: [f64; 3]) -> [f64; 3] {
-    let minus = |a: [f64; 3], b: [f64; 3]| add(a, scale(-1.0, b));
-    let (u, v, w) = (minus(corners[1], corners[0]), minus(corners[2], corners[0]), minus(place, corners[0]));
-    let (uu, uv, vv, uw, vw) = (dot(u, u), dot(u, v), dot(v, v), dot(u, w), dot(v, w));
-    let area = uu * vv - uv * uv;
-    let (s, t) = ((vv * uw - uv * vw) / area, (uu * vw - uv * uw) / area);
-    if s >= 0.0 && t >= 0.0 && s + t <= 1.0 {
-        return [1.0 - s - t, s, t];
-    }
-    let along = |from: usize, to: usize| {
-        let edge = minus(corners[to], corners[from]);
-        let share = (dot(edge, minus(place, corners[from])) / dot(edge, edge)).clamp(0.0, 1.0);
-        let at = add(corners[from], scale(share, edge));
-        let mut weights = [0.0; 3];
-        (weights[from], weights[to]) = (1.0 - share, share);
-        (norm(minus(place, at)), weights)
-    };
-    let edges = [along(0, 1), along(1, 2), along(2, 0)];
-    edges.into_iter().min_by(|a, b| a.0.total_cmp(&b.0)).map_or([1.0, 0.0, 0.0], |(_, weights)| weights)
 }

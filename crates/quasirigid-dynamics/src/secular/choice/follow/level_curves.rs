@@ -4,7 +4,7 @@ use super::super::reason::Reason;
 use super::{Driver, Found, Outcome};
 use crate::averaging::{LevelError, LevelEvolution, LevelPassage, LevelRow, LevelStopReason, Until};
 use crate::math::sphere::tangents;
-use crate::math::vec3::{add, dot, norm, scale};
+use crate::math::vec3::{add, dot, norm, scale, unit};
 use crate::model::Mode;
 use crate::secular::criteria::{ERROR_PER_CRITERION, PER_SETTLING, uneven};
 use crate::secular::{Pole, apart};
@@ -63,7 +63,7 @@ fn beside_pole(levels: &LevelEvolution, pole: &Pole) -> Option<f64> {
     let nutation = pole.modes.nutation()?;
     let K = pole.modes.equilibrium.angular_momentum;
     let (center, _) = levels.steady().max_by(|(a, _), (b, _)| dot(*a, K).total_cmp(&dot(*b, K)))?;
-    let [across, _] = tangents(scale(norm(center).recip(), center));
+    let [across, _] = tangents(unit(center));
     let level = levels.level(add(center, scale(SMALL_TILT * norm(center), across))).ok()?;
     let rate = level.power / (2.0 * (level.energy - levels.slow_energy(center)).abs());
     let known = nutation.decay_rate.abs();

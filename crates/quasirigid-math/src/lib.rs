@@ -22,6 +22,7 @@ pub mod lanes;
 pub mod least_squares;
 pub mod nonnegative;
 pub mod ode;
+pub mod periodic;
 pub mod polynomial;
 pub mod quadrature;
 pub mod random;

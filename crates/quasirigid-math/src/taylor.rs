@@ -13,6 +13,9 @@ pub struct Taylor<const N: usize> {
     coefficients: [f64; N],
 }
 
+/// Divisor by which what is divided is nothing, with all its derivatives.
+const HUGE: f64 = 1e140;
+
 impl<const N: usize> Taylor<N> {
     /// The series with these coefficients.
     #[must_use]
@@ -109,6 +112,11 @@ impl<const N: usize> Taylor<N> {
 
     fn quotient(&self, divisor: &Self) -> Self {
         let mut quotient = [0.0; N];
+        let value = self.value() / divisor.value();
+        if divisor.value().abs() > HUGE && value.abs() < HUGE.recip() {
+            quotient[0] = value; // the derivatives of an exponential beyond all numbers are no numbers
+            return Self::new(quotient);
+        }
         for k in 0..N {
             let known = |rest, j| rest - quotient[j] * divisor.coefficients[k - j];
             quotient[k] = (0..k).fold(self.coefficients[k], known) / divisor.coefficients[0];
@@ -310,6 +318,22 @@ mod tests {
 
     const WAVY: Taylor<12> =
         Taylor { coefficients: [0.37, -0.8, 0.3, 0.71, -0.2, 0.05, 0.4, -0.33, 0.12, 0.9, -0.6, 0.27] };
+
+    /// A pulse `2/(e^x + e^−x)` far from its middle is zero with all its derivatives, where the exponential and then its derivatives are beyond all
+    /// numbers, and itself before.
+    #[test]
+    fn what_is_divided_by_an_exponential_beyond_all_numbers_is_nothing() {
+        for place in [1.0, 400.0, 700.0, 709.9, 710.0, 1e5, 1e300] {
+            let x = Taylor::<6>::variable(place / 100.0) * Taylor::from(100.0);
+            let pulse = Taylor::from(2.0) / (x.exp() + (-x).exp());
+            for k in 0..6 {
+                assert!(pulse.coefficient(k).is_finite(), "{place} {k}: {}", pulse.coefficient(k));
+            }
+        }
+        let x = Taylor::<3>::variable(3.0) * Taylor::from(100.0);
+        let pulse = Taylor::from(2.0) / (x.exp() + (-x).exp());
+        assert!((pulse.coefficient(1) / (-200.0 * (-300.0_f64).exp()) - 1.0).abs() < 1e-12);
+    }
 
     #[test]
     fn the_first_term_left_out_is_the_first_that_differs() {

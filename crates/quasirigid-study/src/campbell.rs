@@ -35,7 +35,8 @@ pub(crate) fn campbell(study: &Study, of_run: &SpinModes) -> Option<CampbellReco
     let mut found = 0;
     for step in 1..=SPINS {
         let rate = REACH * spin * step as f64 / SPINS as f64;
-        let Ok(equilibrium) = RelativeEquilibrium::extreme(body, mode, SpinMagnitude::Rate(rate)) else {
+        let given = SpinMagnitude::Rate(rate);
+        let Ok(equilibrium) = RelativeEquilibrium::extreme_towards(body, mode, given, omega) else {
             continue;
         };
         if body.left_range(&equilibrium.q).is_some() {

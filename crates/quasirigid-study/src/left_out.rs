@@ -59,7 +59,9 @@ impl LeftOut {
 /// The modes about the axis of extreme inertia next to an angular velocity.
 fn about(study: &Study, omega: [f64; 3]) -> Option<SpinModes> {
     let [mode, _] = Principal::compute(study.body.invariants().J).nearest(omega);
-    let steady = RelativeEquilibrium::extreme(&study.body, mode, SpinMagnitude::Rate(norm(omega))).ok()?;
+    let steady =
+        RelativeEquilibrium::extreme_towards(&study.body, mode, SpinMagnitude::Rate(norm(omega)), omega)
+            .ok()?;
     SpinModes::about(&study.body, steady).ok()
 }
 

@@ -9,6 +9,8 @@ use serde::Serialize;
 use serde_json::{Value, json};
 
 use crate::error::StudyError;
+use crate::layout::paragraph;
+use crate::materials::flowing_at;
 use crate::motion::Motion;
 use crate::steady::Poles;
 pub use crate::steady_state::SteadyStateObject;
@@ -58,6 +60,8 @@ pub struct Modes {
     pub state: Option<SteadyStateObject>,
     /// Whether the result is a steady state under forces.
     pub under_forces: bool,
+    /// Material that is no solid in the rotation of the start, in words; none if every one is. (G16)
+    pub no_solid: Option<String>,
 }
 
 /// Modes for machines; the first paragraph of a field is the reference of `--json` in the guide.
@@ -73,13 +77,20 @@ struct ModesObject<'a> {
     /// Under forces, or `null`.
     #[serde(skip_serializing_if = "Option::is_none")]
     steady_state: Option<Option<SteadyStateObject>>,
+    /// Material that is no solid in the rotation of the start.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    no_solid: Option<&'a str>,
 }
 
 impl Modes {
     /// For a terminal of 80 columns: every mode if asked for `all`, else the first dozen with overdamped ones folded into a line.
     #[must_use]
     pub fn text(&self, name: &str, all: bool) -> String {
-        steady::text(name, &self.spins, all)
+        let warning = self
+            .no_solid
+            .as_ref()
+            .map(|why| paragraph(&format!("{name}: NO SOLID: {why}."), "", "  ") + "\n");
+        warning.unwrap_or_default() + &steady::text(name, &self.spins, all)
     }
 
     /// For machines.
@@ -90,6 +101,7 @@ impl Modes {
             name,
             steady_spins: &self.spins,
             steady_state: self.under_forces.then_some(self.state),
+            no_solid: self.no_solid.as_deref(),
         })
     }
 
@@ -99,10 +111,10 @@ impl Modes {
         self.spins.first().filter(|spin| spin.spin.is_none()).map(|spin| spin.sentence.as_str())
     }
 
-    /// Whether every steady spin was found.
+    /// Whether every steady spin was found, of a body whose materials are solids.
     #[must_use]
     pub fn found(&self) -> bool {
-        self.spins.iter().all(|spin| spin.spin.is_some())
+        self.no_solid.is_none() && self.spins.iter().all(|spin| spin.spin.is_some())
     }
 }
 
@@ -124,7 +136,13 @@ impl Study {
         if under_forces || rests {
             let near = steady_state::near(self, asked.omega)?;
             let steady_state::Told { record, state } = steady_state::told(self, &acting, near);
-            return Ok(Modes { spins: vec![record], solved: Vec::new(), state, under_forces: true });
+            return Ok(Modes {
+                spins: vec![record],
+                solved: Vec::new(),
+                state,
+                under_forces: true,
+                no_solid: None,
+            });
         }
         let (omega, given) = match asked.omega {
             Some(omega) => (omega, SpinMagnitude::Rate(norm(omega))),
@@ -138,7 +156,8 @@ impl Study {
             (None, Some(_)) => steady::spin(self, "asked", principal.axis_beside(omega), given, asked.all),
             (None, None) => steady::poles(self, omega, given, asked.all),
         };
-        Ok(Modes { spins, solved, state: None, under_forces: false })
+        let no_solid = flowing_at(self, omega);
+        Ok(Modes { spins, solved, state: None, under_forces: false, no_solid })
     }
 }
 

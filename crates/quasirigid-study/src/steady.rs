@@ -57,7 +57,7 @@ pub fn poles(study: &Study, omega: [f64; 3], given: SpinMagnitude, all: bool) ->
     let modes = Principal::compute(body.invariants().J).nearest(omega);
     let found = modes.map(|mode| {
         let name = if mode == Mode::ShortAxis { "greatest" } else { "least" };
-        told(study, name, RelativeEquilibrium::extreme(body, mode, given), all)
+        told(study, name, RelativeEquilibrium::extreme_towards(body, mode, given, omega), all)
     });
     let (records, modes): (Vec<_>, Vec<_>) = found.into_iter().unzip();
     let lost = records.iter().any(|record: &SteadySpinRecord| record.spin.is_none());

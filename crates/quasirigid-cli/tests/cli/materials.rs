@@ -28,6 +28,7 @@ fn a_liquid_is_no_solid_at_its_own_harmonics() {
         ("evolve model.toml", "body: NO ANSWER: the material"),
         ("evolve model.toml --method average", "body: NO SOLID: the material"),
         ("check model.toml", "body: NO SOLID: the material"),
+        ("modes model.toml", "body: NO SOLID: the material"),
         ("simulate model.toml --times 0,1", "t,wx"),
         ("run model.toml -o out", ""),
     ] {

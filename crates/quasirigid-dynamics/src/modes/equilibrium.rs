@@ -79,6 +79,10 @@ const CONVERGED: f64 = 1e-13;
 const ACCEPTED_RESIDUAL: f64 = 1e-9;
 /// Least stiffness of a coordinate without a spring, in units of that of a centrifugal force on its own inertia, that is not rounding.
 const RESTORED: f64 = 1e-10;
+/// Relative difference below which moments and their steady spins are equal.
+const EQUAL: f64 = 1e-9;
+/// Cosine of the angle from a direction below which an axis is across it.
+const ACROSS: f64 = 1e-9;
 /// Sine of the angle from the starting axis beyond which the axis belongs to another equilibrium.
 const ASTRAY: f64 = 0.75;
 
@@ -140,17 +144,35 @@ impl RelativeEquilibrium {
         Principal::compute(body.invariants().J).axes.map(|axis| Self::near(body, axis, given))
     }
 
-    /// Relative equilibrium about the axis that a mode circles. Where two moments are nearly equal its axis may lie anywhere between
-    /// theirs; of the equilibria found the one with extreme `K·ω/|ω|²` is taken. (M1)
+    /// Relative equilibrium about the axis that a mode circles; with momentum wheels in the sense of their angular momentum. Where two moments
+    /// are nearly equal its axis may lie anywhere between theirs; of the equilibria found the one with extreme `K·ω/|ω|²` is taken. (M1)
     ///
     /// # Errors
     /// As [`near`](Self::near).
     pub fn extreme(body: &FlexibleBody, mode: Mode, given: SpinMagnitude) -> Result<Self, EquilibriumError> {
+        Self::extreme_towards(body, mode, given, body.wheels().angular_momentum(0.0))
+    }
+
+    /// The same next to a direction: in its sense with momentum wheels, without which the sense makes no difference, and next to it in the plane
+    /// of two equal moments. (M1)
+    ///
+    /// # Errors
+    /// As [`near`](Self::near).
+    pub fn extreme_towards(
+        body: &FlexibleBody,
+        mode: Mode,
+        given: SpinMagnitude,
+        towards: [f64; 3],
+    ) -> Result<Self, EquilibriumError> {
         let Principal { moments, axes } = Principal::compute(body.invariants().J);
+        let wheels = body.wheels().angular_momentum(0.0);
+        let sense = |axis| if norm(wheels) > 0.0 { sensed(axis, [towards, wheels]) } else { axis };
         let (own, other, sign) = match mode {
             Mode::ShortAxis => (2, 1, 1.0),
             Mode::LongAxis => (0, 1, -1.0),
         };
+        let equal = (moments[other] - moments[own]).abs() <= EQUAL * moments[2];
+        let axes = if equal { within(axes, [own, other], towards) } else { axes }.map(sense);
         let found = Self::near(body, axes[own], given);
         if (moments[other] - moments[own]).abs() > ALIKE * moments[2] {
             return found;
@@ -160,14 +182,17 @@ impl RelativeEquilibrium {
             Self::near(body, axis, given).ok()
         });
         let extreme = |candidates: Vec<Self>| {
-            candidates.into_iter().max_by(|a, b| (sign * a.ratio).total_cmp(&(sign * b.ratio)))
+            let beyond = |best: Self, next: Self| {
+                if sign * (next.ratio - best.ratio) > EQUAL * best.ratio.abs() { next } else { best }
+            };
+            candidates.into_iter().reduce(beyond)
         };
         let Some(best) = extreme(found.clone().ok().into_iter().chain(between).collect()) else {
             return found;
         };
         // every start may lead to the steady spin of the lesser extreme, which is across the greater one
-        let across = Self::near(body, cross(axes[2 - own], best.omega), given).ok();
-        Ok(extreme(across.into_iter().chain([best.clone()]).collect()).unwrap_or(best))
+        let across = Self::near(body, sense(cross(axes[2 - own], best.omega)), given).ok();
+        Ok(extreme([best.clone()].into_iter().chain(across).collect()).unwrap_or(best))
     }
 
     /// Coefficients of small motions about the equilibrium. (M2)
@@ -205,6 +230,25 @@ impl RelativeEquilibrium {
             body.markers().iter().map(|marker| (marker.name.clone(), norm(marker.displacement(&self.q))));
         moved.max_by(|a, b| a.1.total_cmp(&b.1))
     }
+}
+
+/// The axes with two of equal moments turned within their plane, the first of the two next to a direction.
+fn within(axes: [[f64; 3]; 3], [own, other]: [usize; 2], towards: [f64; 3]) -> [[f64; 3]; 3] {
+    let along = [own, other].map(|k| scale(dot(axes[k], towards), axes[k]));
+    let along = add(along[0], along[1]);
+    let mut turned = axes;
+    if norm(along) > ACROSS * norm(towards) {
+        turned[own] = scale(norm(along).recip(), along);
+        turned[other] = cross(axes[3 - own - other], turned[own]);
+    }
+    turned
+}
+
+/// A direction in the sense of the first of some others that is not across it.
+fn sensed(axis: [f64; 3], towards: [[f64; 3]; 2]) -> [f64; 3] {
+    let along = towards.map(|towards| dot(axis, towards) / (norm(axis) * norm(towards)));
+    let sense = along.into_iter().find(|along| along.abs() > ACROSS).unwrap_or(1.0);
+    scale(sense.signum(), axis)
 }
 
 /// Reason for which the continuation ends at a share of the spin.

@@ -8,6 +8,7 @@ mod count;
 mod definite;
 mod deflation;
 mod displacements;
+mod driven;
 mod equilibrium;
 mod error;
 mod first_order;

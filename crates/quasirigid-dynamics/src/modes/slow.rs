@@ -6,6 +6,7 @@
 use nalgebra::{Complex, DMatrix, Matrix2, Matrix3, SymmetricEigen, Vector2, Vector3};
 
 use super::displacements::WHOLE;
+use super::driven::Driven;
 use super::equilibrium::RelativeEquilibrium;
 use super::iteration::Pair;
 use super::lag::{Lag, Lagging};
@@ -131,13 +132,14 @@ impl SlowDirection {
             determinant if determinant < 0.0 => C::from(self.frequency),
             _ => C::from(-FIRST * self.spin),
         };
+        let driven = Driven::of(body, coefficients);
         let starts = self.eigenvalues(&lag.at(first)?);
         let starts = starts.into_iter().filter(|lambda| lambda.im >= 0.0);
-        starts.map(|start| self.settled(&lag, start)).collect()
+        starts.map(|start| self.settled(&lag, &driven, start)).collect()
     }
 
     /// Motion with the eigenvalue that the iteration leads to.
-    fn settled(&self, lag: &Lag<'_>, mut lambda: C) -> Option<Eigenmotion> {
+    fn settled(&self, lag: &Lag<'_>, driven: &Driven, mut lambda: C) -> Option<Eigenmotion> {
         let mut best = f64::INFINITY;
         for _ in 0..MAX_ITERATIONS {
             if lambda.norm() == 0.0 {
@@ -148,7 +150,8 @@ impl SlowDirection {
             let next = self.eigenvalues(&lagging).into_iter().min_by(|a, b| gap(a).total_cmp(&gap(b)))?;
             let moved = gap(&next) / next.norm();
             if moved <= ITERATION_ROUNDING || (moved >= 0.5 * best && best <= ACCEPTED_CHANGE) {
-                let motion = self.motion(&lagging)?;
+                let mut motion = self.motion(&lagging)?;
+                driven.clear(&mut motion);
                 return Some(self.balanced(lag, &lagging, motion));
             }
             best = best.min(moved);

@@ -148,6 +148,11 @@ impl EnergyRange {
         Some(state)
     }
 
+    /// Displacements of the body in balance with an angular velocity (rad/s); none where the balance is not known. (Q2)
+    pub(super) fn balance(body: &FlexibleBody, omega: [f64; 3]) -> Option<Vec<f64>> {
+        is_balanced(body).then(|| body.balanced(omega)).flatten().map(|balanced| balanced.q)
+    }
+
     /// Tangent of the angle from the circled axis to a direction across it at which the deformed body has a rotation state by its energy,
     /// near a guess; the guess where it is not found, next to a separatrix.
     fn tangent(
@@ -177,7 +182,7 @@ impl EnergyRange {
     }
 
     /// Axes of the effective moments: along the steady spin of a mode, towards the other pole, and across both.
-    fn frame(&self, mode: Mode) -> Option<[[f64; 3]; 3]> {
+    pub(super) fn frame(&self, mode: Mode) -> Option<[[f64; 3]; 3]> {
         let along = unit(self.equilibrium(mode)?.angular_momentum);
         let mut axes = [[0.0; 3]; 3];
         (axes[mode.circled()], axes[2 - mode.circled()]) = (along, self.across(mode, along));

@@ -4,7 +4,7 @@
 use std::ops::ControlFlow;
 
 use super::energy_range::EnergyRange;
-use super::measure::{MeasureError, Measurement};
+use super::measure::{MeasureError, MeasuredBy, Measurement};
 use crate::averaging::{FreeRotation, RotationState};
 use crate::model::{FlexibleBody, Mode};
 use crate::submanifold::{AmplitudeRange, Masters, SpinManifold, SpinManifoldPlan, Style};
@@ -65,7 +65,7 @@ impl<'b> LocalManifold<'b> {
             budget: means.budget,
             revolutions: 0.0,
             steps: 0,
-            reduced: true,
+            by: MeasuredBy::SpinManifold,
         })
     }
 

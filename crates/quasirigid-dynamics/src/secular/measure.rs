@@ -29,8 +29,19 @@ pub struct Measurement {
     pub revolutions: f64,
     /// Steps of the run.
     pub steps: u64,
-    /// True if the power is that of reduced equations about a spin, without a run.
-    pub reduced: bool,
+    /// Source of the power.
+    pub by: MeasuredBy,
+}
+
+/// Source of a mean power of the full system.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MeasuredBy {
+    /// Short run. (Q4)
+    ShortRun,
+    /// Periodic motion. (Q19)
+    PeriodicMotion,
+    /// Reduced equations about a spin, without a run. (Q11)
+    SpinManifold,
 }
 
 /// Error of a mean power that was not found.
@@ -56,6 +67,15 @@ pub enum MeasureError {
     Unsettled {
         /// Relative change between windows.
         change: f64,
+    },
+    /// No periodic motion was found.
+    #[error("no periodic motion of the full system was found")]
+    NoPeriodicMotion,
+    /// A change of the periodic motion grows.
+    #[error("a vibration grows beside the wobble, e-fold in {:.4} s", 1.0 / .rate)]
+    Grows {
+        /// Rate of growth (1/s).
+        rate: f64,
     },
     /// The steps allowed were used up.
     #[error("a short run of the full system reached its step limit")]
@@ -155,7 +175,7 @@ pub(super) fn measured(
                 budget,
                 revolutions,
                 steps,
-                reduced: false,
+                by: MeasuredBy::ShortRun,
             });
         }
         if last {

@@ -1,7 +1,7 @@
-//! Mean power interpolated between short runs of the full system: the method where no average holds.
+//! Mean power of the full system, interpolated between periodic motions or short runs: the method where no average holds.
 //! The power is divided by `⟨|ω̇|²⟩`, since that ratio is smooth up to the poles, where the modes give it, and to the separatrix; Chebyshev
 //! places double until it settles.
-//! Equation (Q4), docs/theory/16-methods.md.
+//! Equations (Q4) and (Q19), docs/theory/16-methods.md.
 
 use std::ops::ControlFlow;
 
@@ -10,25 +10,37 @@ use super::energy_range::EnergyRange;
 use super::manifold_boundary::{LocalManifold, ManifoldBoundary};
 use super::measure::{MeasureError, Measurement};
 use super::measurement_point::{MeasureOptions, MeasurementPoint, NEAREST_SEPARATRIX, small, span};
+use super::periodic_place::PeriodicPlaces;
 use super::poles::Poles;
 use crate::averaging::{FreeRotation, MeanPower, RotationState};
 use crate::model::{FlexibleBody, Mode};
 
-/// Mean power of the full system along the equivalent polhode, measured by short runs at a few places and interpolated. (Q4)
+/// Mean power of the full system along the equivalent polhode, measured at a few places and interpolated. (Q4), (Q19)
 ///
 /// The interpolated function is the logarithm of the ratio of the power to the mean square of the angular acceleration on the equivalent
 /// polhode; that ratio is finite at the poles, where the modes give it, and at the separatrix.
 #[derive(Clone, Debug)]
 pub struct MeasuredPower {
     moments: [f64; 3],
+    /// What gave the power at its places.
+    pub places: Places,
     /// Logarithms of the ratio in the long-axis and the short-axis mode.
     curves: [Option<Curve>; 2],
     /// Measurements, in the order in which they were made; some from reduced equations about a spin.
     pub measurements: Vec<Measurement>,
-    /// Ranges within which the power is that of reduced equations about a spin, with the difference from short runs at their edges. (Q11)
+    /// Ranges within which the power is that of reduced equations about a spin, with the difference from the full system at their edges. (Q11)
     pub boundaries: Vec<ManifoldBoundary>,
     /// Estimate of the relative error of the power: of the interpolation and of the measurements.
     pub error: f64,
+}
+
+/// What gives the power at a place.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Places {
+    /// Short runs. (Q4)
+    ShortRuns,
+    /// Periodic motions. (Q19)
+    PeriodicMotions,
 }
 
 /// Bound of the error over its estimate.
@@ -45,12 +57,13 @@ impl MeasuredPower {
         body: &FlexibleBody,
         range: &EnergyRange,
         poles: &Poles,
-        [from, to]: [RotationState; 2],
+        ([from, to], places): ([RotationState; 2], Places),
         options: &MeasureOptions,
         watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
     ) -> Result<Self, MeasureError> {
         let mut power = Self {
             moments: range.moments(),
+            places,
             curves: [None, None],
             measurements: Vec::new(),
             boundaries: Vec::new(),
@@ -59,8 +72,10 @@ impl MeasuredPower {
         for mode in [Mode::LongAxis, Mode::ShortAxis] {
             let Some(ends) = span(range, mode, [from, to], NEAREST_SEPARATRIX) else { continue };
             let local = LocalManifold::about(body, range, mode);
+            let (options, periodic) = (*options, PeriodicPlaces::default());
+            let (power, watch) = (&mut power, &mut *watch);
             let mut worker =
-                Worker { body, range, poles, mode, options: *options, local, power: &mut power, watch };
+                Worker { body, range, poles, mode, options, local, places, periodic, power, watch };
             worker.boundary(ends)?;
             let curve = worker.curve(ends)?;
             power.curves[usize::from(mode == Mode::ShortAxis)] = Some(curve);
@@ -101,6 +116,8 @@ struct Worker<'w, 'b> {
     options: MeasureOptions,
     /// Reduced equations about the pole, where they are of use.
     local: Option<LocalManifold<'b>>,
+    places: Places,
+    periodic: PeriodicPlaces,
     power: &'w mut MeasuredPower,
     watch: &'w mut dyn FnMut(f64) -> ControlFlow<()>,
 }
@@ -148,7 +165,7 @@ impl Worker<'_, '_> {
         (high + 0.5 * BEYOND > xi - BEYOND && ratio > 0.0).then(|| [xi, ratio.ln()])
     }
 
-    /// Compares the reduced equations about the pole with a short run at the edge of their range, and drops them where both differ. (Q11)
+    /// Compares the reduced equations about the pole with the full system at the edge of their range, and drops them where both differ. (Q11)
     fn boundary(&mut self, [low, _]: [f64; 2]) -> Result<(), MeasureError> {
         let Some(local) = self.local.take() else { return Ok(()) };
         let Some(edge) = local.edge(self.range, self.mode) else { return Ok(()) };
@@ -157,7 +174,7 @@ impl Worker<'_, '_> {
             self.local = Some(local);
             return Ok(());
         }
-        let run = match self.short_run(edge.xi) {
+        let run = match self.measured(edge.xi) {
             Ok(run) => run,
             Err(MeasureError::Interrupted) => return Err(MeasureError::Interrupted),
             Err(_) => return Ok(()),
@@ -176,12 +193,22 @@ impl Worker<'_, '_> {
     fn node(&mut self, xi: f64) -> Result<[f64; 2], MeasureError> {
         let state = RotationState { mode: self.mode, xi };
         let reduced = self.local.as_ref().and_then(|local| local.measurement(self.range, state));
-        let found = reduced.map_or_else(|| self.short_run(xi), Ok)?;
+        let found = reduced.map_or_else(|| self.measured(xi), Ok)?;
         let RotationState { mode, xi } = found.rotation_state;
         let there = FreeRotation::at_logit(self.power.moments, self.range.angular_momentum(), mode, xi);
         let value = (found.power / there.mean_square_acceleration()).ln();
         self.power.measurements.push(found);
         Ok([xi, value])
+    }
+
+    /// Measures the power near a place in the full system.
+    fn measured(&mut self, xi: f64) -> Result<Measurement, MeasureError> {
+        if self.places == Places::ShortRuns {
+            return self.short_run(xi);
+        }
+        let state = RotationState { mode: self.mode, xi };
+        let watch = &mut *self.watch;
+        self.periodic.measure(self.body, self.range, (state, self.options.error), &mut || watch(0.0))
     }
 
     /// Measures the power near a place by a short run of the full system.

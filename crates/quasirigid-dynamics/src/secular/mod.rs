@@ -16,6 +16,7 @@ mod measure;
 mod measured_power;
 mod measurement_point;
 mod on_manifold;
+mod periodic_place;
 mod poles;
 mod spot_checks;
 mod start;
@@ -27,8 +28,8 @@ pub use direct::{DirectOptions, DirectRow, DirectRun, DirectStopReason, follow_d
 pub use energy_range::EnergyRange;
 pub use gyrostat::{GyrostatSpins, GyrostatWobble};
 pub use manifold_boundary::ManifoldBoundary;
-pub use measure::{MeasureError, Measurement};
-pub use measured_power::MeasuredPower;
+pub use measure::{MeasureError, MeasuredBy, Measurement};
+pub use measured_power::{MeasuredPower, Places};
 pub use measurement_point::{MeasureOptions, micro_run_periods};
 pub use on_manifold::{ManifoldHistory, follow_about, follow_on_manifold};
 pub use poles::{Pole, Poles};

@@ -42,6 +42,8 @@ const LONGEST_PIECE: f64 = 1.0;
 const LAGS: f64 = 0.3;
 /// Rows over which the power at the end is taken.
 const SLOPE: usize = 12;
+/// Periods of the nutation in a decay time beyond which it is no measure of the history: a wobble that is not damped when it is small.
+const MOST_CYCLES: f64 = 1e14;
 /// Rows in a piece, and limit of pieces.
 const ROWS_PER_PIECE: usize = 120;
 const PIECES: usize = 400;
@@ -92,7 +94,9 @@ fn follow(
             Some(spin) => SpinManifold::about(body, spin.clone(), &plan, watch)?,
             None => SpinManifold::derive(body, &plan, watch)?,
         };
-        if manifold.unstable().is_some() {
+        let nutation = &manifold.masters[0];
+        let lasts = nutation.frequency > MOST_CYCLES * nutation.decay_rate.abs();
+        if lasts || manifold.unstable().is_some() {
             return Ok(None);
         }
         let from = manifold.start(start);

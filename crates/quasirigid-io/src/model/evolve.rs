@@ -60,6 +60,8 @@ partial! {
 pub enum EvolveMethod {
     /// Averaged along the polhode of the frozen body.
     Average,
+    /// The mean power of periodic motions of the full system.
+    PeriodicMotions,
     /// The mean power measured by short runs of the full system.
     MicroRuns,
     /// The full system from start to end.

@@ -108,6 +108,11 @@ impl Named for Power {
 impl Named for EvolveMethod {
     const VALUES: &'static [(&'static str, Self, &'static str)] = &[
         ("average", Self::Average, "The mean power along the polhode of the frozen body"),
+        (
+            "periodic-motions",
+            Self::PeriodicMotions,
+            "The mean power of periodic motions of the full system in body axes",
+        ),
         ("micro-runs", Self::MicroRuns, "The mean power measured by short runs of the full system"),
         ("full", Self::Full, "The full system from start to end"),
         ("levels", Self::Levels, "The mean power along level curves of the slow energy of the deformed body"),

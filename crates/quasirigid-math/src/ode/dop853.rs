@@ -390,7 +390,7 @@ mod tests {
                 break error;
             }
         };
-        let (StepError::TooSmall { t } | StepError::NotFinite { t }) = failure;
+        let (StepError::TooSmall { t } | StepError::NotFinite { t } | StepError::Crawls { t, .. }) = failure;
         assert!((t - 1.0).abs() < 1e-3);
     }
 }

@@ -88,7 +88,11 @@ pub fn integrate_until<M: Solver>(
         observer.output(times[next], solver.y());
         next += 1;
     }
+    let mut pace = Pace { since: solver.t(), steps: 0 };
     while next < times.len() && solver.t() < end {
+        if let Some(error) = pace.step(solver.t(), end) {
+            return (StopReason::Failed(error), next);
+        }
         if solver.work().steps >= most_steps {
             return (StopReason::StepLimit, next);
         }
@@ -120,6 +124,29 @@ pub fn integrate_until<M: Solver>(
     (StopReason::Finished, next)
 }
 
+/// Pace of an integration: steps since a time.
+struct Pace {
+    since: f64,
+    steps: u64,
+}
+
+/// Steps over which the pace is taken, and the share of the way that they must make.
+const PACED: u64 = 200_000;
+const LEAST_SHARE: f64 = 1e-9;
+
+impl Pace {
+    /// Counts a step, taken back or not; the error of steps that lead nowhere.
+    fn step(&mut self, t: f64, end: f64) -> Option<StepError> {
+        self.steps += 1;
+        if self.steps < PACED {
+            return None;
+        }
+        let (way, left) = (t - self.since, end - t);
+        *self = Self { since: t, steps: 0 };
+        (way < LEAST_SHARE * left).then_some(StepError::Crawls { t, step: way / PACED as f64 })
+    }
+}
+
 /// Writes the outputs up to the time reached and returns the number of the next one.
 #[inline(always)]
 fn outputs<M: Solver>(
@@ -136,4 +163,42 @@ fn outputs<M: Solver>(
         next += 1;
     }
     next
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::ode::{Dop853, System};
+    use crate::simd::{Arithmetic, Unfused};
+
+    /// A switch that turns back at once whatever it changes.
+    struct Switch;
+
+    impl System<[f64; 1]> for Switch {
+        fn rate<R: Arithmetic>(&mut self, _: f64, y: &[f64; 1], rate: &mut [f64; 1]) {
+            *rate = [if y[0] < 1.0 { 1.0 } else { -0.3 }];
+        }
+    }
+
+    struct Nobody;
+
+    impl<M: Solver> StepObserver<M> for Nobody {
+        fn output(&mut self, _: f64, _: &M::State) {}
+
+        fn stepped(&mut self, _: &mut M) -> ControlFlow<()> {
+            ControlFlow::Continue(())
+        }
+    }
+
+    /// Steps that lead nowhere end a run, with the place; the same switch is passed once where it does not turn back.
+    #[test]
+    fn steps_that_lead_nowhere_end_a_run() {
+        type Method = Dop853<Switch, [f64; 1], Unfused>;
+        let from = |y: f64| Method::new(Switch, 0.0, [y], [1e-11]);
+        let found = integrate(&mut from(0.0), &[1000.0], 0, u64::MAX, &mut Nobody);
+        let StopReason::Failed(StepError::Crawls { t, step }) = found else { panic!("{found:?}") };
+        assert!((t - 1.0).abs() < 1e-3 && step < 1e-9, "{t} {step}");
+        assert_eq!(integrate(&mut from(0.0), &[0.99], 0, u64::MAX, &mut Nobody), StopReason::Finished);
+        assert_eq!(integrate(&mut from(9.0), &[20.0], 0, u64::MAX, &mut Nobody), StopReason::Finished);
+    }
 }

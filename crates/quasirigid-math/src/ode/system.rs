@@ -171,6 +171,16 @@ pub enum StepError {
         /// Time reached (s).
         t: f64,
     },
+    /// The steps are so short that the end is out of reach.
+    #[error(
+        "at t = {t} s the steps fell to {step:.1e} s and stay there, so that the run would never end: a force that switches back at once whatever it changes does that; give the switch a width, as `0.5*(1 + tanh(x/width))`"
+    )]
+    Crawls {
+        /// Time reached (s).
+        t: f64,
+        /// Mean of the last steps (s).
+        step: f64,
+    },
     /// The rate is NaN or infinite.
     #[error(
         "the rates of the system are not finite numbers beyond t = {t} s: look for a square root, logarithm or division in a force that fails there"

@@ -629,8 +629,8 @@ class Model:
             duration: Longest time (s).
             samples: Number of rows, 2 to 10000000; the model's own, or 201.
             power: Source of the mean power: ``polynomial`` or ``harmonics``.
-            method: ``average``, ``levels``, ``micro-runs``, ``full``, ``modal-rates`` or ``spin-manifold``; by default the one that
-                holds.
+            method: ``average``, ``levels``, ``periodic-motions``, ``micro-runs``, ``full``,
+                ``modal-rates`` or ``spin-manifold``; by default the one that holds.
             uncertainty_samples: Draws of the keys in the model's ``[uncertainty]``, 2 to 10000000; their intervals are in
                 ``uncertainty``. Without it, and for ``initial``, these keys have their stated values.
 

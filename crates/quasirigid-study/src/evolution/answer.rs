@@ -93,7 +93,7 @@ impl<'a> Answer<'a> {
                 self.along_frozen(Arc::new(power), span, &range)
             }
             Outcome::LevelCurves(passage) => Self { history: History::Levels(passage), ..self },
-            Outcome::MicroRuns { power, settled } => {
+            Outcome::Measured { power, settled } => {
                 let budget = power.measurements.first().and_then(|first| named(&first.budget));
                 let answer = self.along_deformed(Arc::new(*power), span, &range);
                 let history = settled.map_or(History::None, |row| History::Settled(row, range));

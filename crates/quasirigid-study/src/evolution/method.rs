@@ -51,6 +51,7 @@ pub fn asked_method(method: EvolveMethod, power: PowerSource) -> Method {
         EvolveMethod::Average => Method::Average(power),
         EvolveMethod::Levels => Method::LevelCurves,
         EvolveMethod::ModalRates => Method::ModalRates,
+        EvolveMethod::PeriodicMotions => Method::PeriodicMotions,
         EvolveMethod::MicroRuns => Method::MicroRuns,
         EvolveMethod::Full => Method::FullSystem,
         EvolveMethod::SpinManifold => Method::SpinManifold,

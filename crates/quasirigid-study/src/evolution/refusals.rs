@@ -107,7 +107,7 @@ fn of_choice(reason: &choice::Reason, wheels: bool) -> String {
             "the reduced equations about the steady spin do not lead to the end".into()
         }
         Reason::Measured(error) => error.to_string(),
-        Reason::ShortRunsWithWheels => "short runs cannot measure the power of a body with momentum wheels".into(),
+        Reason::ShortRunsWithWheels => "periodic motions and short runs cannot measure the power of a body with momentum wheels".into(),
         Reason::WithinRevolution { t } => format!(
             "the energy of the full system falls to the target within {}, less than a revolution: that is the \
              transient of the start, not the decay of a wobble; its history in the full system shows it",

@@ -5,7 +5,7 @@
 use quasirigid::averaging::PowerSource;
 use quasirigid::model::Mode;
 use quasirigid::secular::choice::{AverageBasis, Followed, Method, Outcome};
-use quasirigid::secular::{ManifoldBoundary, ManifoldHistory, MeasuredPower};
+use quasirigid::secular::{ManifoldBoundary, ManifoldHistory, MeasuredBy, MeasuredPower, Places};
 
 use super::refusals::unfounded;
 use crate::resolution::{NOTHING, known};
@@ -58,7 +58,7 @@ impl Verdict {
                 (sentence, error.map(|_| "the modes about the steady spins"))
             }
             Outcome::SpinManifold(history) => (reduced(history), Some("")),
-            Outcome::MicroRuns { power, .. } => (measured(power), Some("")),
+            Outcome::Measured { power, .. } => (measured(power), Some("")),
             Outcome::FullSystem(_) => (FOLLOWED.into(), None),
         };
         let fails = matches!(outcome, Outcome::Average { basis: AverageBasis::Fails(_), .. });
@@ -116,6 +116,7 @@ pub fn road(method: Method) -> &'static str {
         Method::ModalRates => "modes",
         Method::LevelCurves => "levels",
         Method::SpinManifold => "manifold",
+        Method::PeriodicMotions => "periodic-motions",
         Method::MicroRuns => "micro-runs",
         Method::FullSystem => "direct",
     }
@@ -124,6 +125,7 @@ pub fn road(method: Method) -> &'static str {
 /// Source of the power of a method that follows it from start to end, in words; none of an average.
 pub fn followed_power(method: Method) -> Option<&'static str> {
     match method {
+        Method::PeriodicMotions => Some("that of periodic motions of the full system along the way"),
         Method::MicroRuns => Some("measured by short runs of the full system along the way"),
         Method::LevelCurves => {
             Some("mean of the power of the reduced equations along level curves of the slow energy")
@@ -172,9 +174,9 @@ fn reduced(ManifoldHistory { beside, range, .. }: &ManifoldHistory) -> String {
 
 /// Sources of a measured power, in words.
 fn measured(power: &MeasuredPower) -> String {
-    let runs = power.measurements.iter().filter(|each| !each.reduced).count();
+    let places = power.measurements.iter().filter(|each| each.by != MeasuredBy::SpinManifold).count();
     let edges: Vec<String> = power.boundaries.iter().map(handed).collect();
-    if runs == 0 {
+    if places == 0 {
         return format!(
             "The internal parts are too massive or too compliant for averaging: the mean power was taken from the reduced equations about the \
              spin, which hold {}",
@@ -186,9 +188,12 @@ fn measured(power: &MeasuredPower) -> String {
     } else {
         format!("taken from the reduced equations about the spin {}, and elsewhere ", edges.join(", "))
     };
+    let source = match power.places {
+        Places::PeriodicMotions => format!("that of {places} periodic motions"),
+        Places::ShortRuns => format!("measured in {places} short runs"),
+    };
     format!(
-        "The internal parts are too massive or too compliant for averaging: the mean power was {within}measured in {runs} short runs of the \
-         full system"
+        "The internal parts are too massive or too compliant for averaging: the mean power was {within}{source} of the full system"
     )
 }
 

@@ -7,7 +7,8 @@ use quasirigid::elements::Assembly;
 use quasirigid::model::Mode;
 use quasirigid::prelude::Carrier;
 use quasirigid::secular::{
-    DirectOptions, DirectStopReason, EnergyRange, MeasureOptions, MeasuredPower, Poles, follow_directly,
+    DirectOptions, DirectStopReason, EnergyRange, MeasureOptions, MeasuredBy, MeasuredPower, Places, Poles,
+    follow_directly,
 };
 
 use crate::support::rotors::{ball, flywheel};
@@ -27,8 +28,16 @@ fn a_body_followed_through_the_separatrix_hands_over_from_manifolds_to_short_run
     let short = |xi: f64| RotationState { mode: Mode::ShortAxis, xi };
     let ends = [long(2.0), short(3.0)];
     let go_on = &mut |_: f64| ControlFlow::Continue(());
-    let power = MeasuredPower::along(&body, &range, &poles, ends, &MeasureOptions::default(), go_on).unwrap();
-    let reduced = power.measurements.iter().filter(|each| each.reduced).count();
+    let power = MeasuredPower::along(
+        &body,
+        &range,
+        &poles,
+        (ends, Places::ShortRuns),
+        &MeasureOptions::default(),
+        go_on,
+    )
+    .unwrap();
+    let reduced = power.measurements.iter().filter(|each| each.by == MeasuredBy::SpinManifold).count();
     println!("{:?}, {reduced} of {} without a run", power.boundaries, power.measurements.len());
     assert_eq!(power.boundaries.len(), 2);
     assert!(power.boundaries.iter().all(|edge| edge.nutation > 0.4 && edge.mismatch < 1e-3));

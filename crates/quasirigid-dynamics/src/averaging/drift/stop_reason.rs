@@ -110,7 +110,7 @@ impl fmt::Display for DriftStopReason {
                 "the limit of {steps} integration steps was reached: the drift changes too often for an average over so long a time"
             ),
             Self::Interrupted => f.write_str("interrupted"),
-            Self::Failed(StepError::TooSmall { .. }) => f.write_str(
+            Self::Failed(StepError::TooSmall { .. } | StepError::Crawls { .. }) => f.write_str(
                 "no step could be made: the rates change within the resolution of time; is a torque so strong that it acts in \
                  one turn? `simulate` follows that",
             ),

@@ -18,6 +18,8 @@ pub enum Method {
     LevelCurves,
     /// Reduced equations about a spin from start to end. (Q10)
     SpinManifold,
+    /// Mean power of periodic motions of the full system. (Q19)
+    PeriodicMotions,
     /// Mean power measured by short runs of the full system. (Q4)
     MicroRuns,
     /// Full system from start to end. (Q6)
@@ -72,7 +74,9 @@ pub fn choose(criteria: &Criteria, asked: Option<Method>, limits: &Limits) -> De
     }
     let complete = criteria.left_out <= limits.losses_left_out;
     match asked {
-        Some(Method::SpinManifold | Method::MicroRuns | Method::FullSystem) if !complete => {
+        Some(Method::SpinManifold | Method::PeriodicMotions | Method::MicroRuns | Method::FullSystem)
+            if !complete =>
+        {
             Decision::refused(Reason::LossesLeftOut { share: criteria.left_out })
         }
         Some(Method::LevelCurves) if !criteria.has_level_curves(limits) => {
@@ -126,12 +130,19 @@ fn behind_averages(criteria: &Criteria, complete: bool, limits: &Limits, trials:
     let no_mean = criteria.decay_per_period > limits.decay_per_period || criteria.internal_growth;
     match criteria.revolutions {
         _ if no_mean => Last::Method(Method::FullSystem),
-        None => Last::Refused(Reason::UnknownLength),
         Some(revolutions) if revolutions <= limits.few_revolutions => Last::Method(Method::FullSystem),
-        Some(revolutions) if revolutions <= limits.many_revolutions => {
-            trials.push(Method::MicroRuns);
-            Last::Method(Method::FullSystem)
+        revolutions => {
+            if criteria.coordinates <= limits.coordinates_of_periodic_motions {
+                trials.push(Method::PeriodicMotions);
+            }
+            match revolutions {
+                None => Last::Refused(Reason::UnknownLength),
+                Some(revolutions) if revolutions > limits.many_revolutions => Last::Method(Method::MicroRuns),
+                Some(_) => {
+                    trials.push(Method::MicroRuns);
+                    Last::Method(Method::FullSystem)
+                }
+            }
         }
-        Some(_) => Last::Method(Method::MicroRuns),
     }
 }

@@ -26,7 +26,7 @@ pub struct GyrostatCriteria {
 pub fn choose_for_gyrostat(criteria: &GyrostatCriteria, asked: Option<Method>, limits: &Limits) -> Decision {
     let complete = criteria.left_out <= limits.losses_left_out;
     match asked {
-        Some(Method::MicroRuns) => Decision::refused(Reason::ShortRunsWithWheels),
+        Some(Method::PeriodicMotions | Method::MicroRuns) => Decision::refused(Reason::ShortRunsWithWheels),
         Some(Method::Average(_) | Method::SpinningFrame | Method::LevelCurves) => {
             Decision::asked(Method::LevelCurves)
         }

@@ -27,6 +27,8 @@ pub struct Limits {
     pub coordinates_of_spinning_frame: usize,
     /// Coordinates up to which the reduced equations about a spin are tried unasked.
     pub coordinates_of_manifold: usize,
+    /// Coordinates up to which periodic motions are tried unasked.
+    pub coordinates_of_periodic_motions: usize,
     /// Steps of the full system.
     pub steps: u64,
     /// Steps of the full system unasked, times the square of the number of coordinates or, on curved paths, its cube: minutes.
@@ -49,6 +51,7 @@ impl Default for Limits {
             many_revolutions: 200_000.0,
             coordinates_of_spinning_frame: 120,
             coordinates_of_manifold: 150,
+            coordinates_of_periodic_motions: 40,
             steps: 30_000_000,
             unasked_steps: 1e9,
         }

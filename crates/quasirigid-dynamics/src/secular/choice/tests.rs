@@ -1,6 +1,8 @@
 //! Table of decisions: rows of criteria, and the methods that are tried for them in order.
 
-use super::Method::{Average, FullSystem, LevelCurves, MicroRuns, ModalRates, SpinManifold, SpinningFrame};
+use super::Method::{
+    Average, FullSystem, LevelCurves, MicroRuns, ModalRates, PeriodicMotions, SpinManifold, SpinningFrame,
+};
 use super::{
     Criteria, Decision, GrowingVibration, GyrostatCriteria, Last, Limits, Method, Reason, UnknownLiquid,
     choose, choose_for_gyrostat, try_in_order,
@@ -64,16 +66,19 @@ fn behind(criteria: &Criteria) -> (Vec<Method>, Last) {
 fn averages_come_first() {
     let trials = |criteria: Criteria| choose(&criteria, None, &Limits::default()).trials;
     let rows: [(Criteria, &[Method]); 8] = [
-        (body(), &[Average(Polynomial), Average(Harmonics), SpinningFrame, SpinManifold]),
-        (Criteria { first_power: Harmonics, ..body() }, &[Average(Harmonics), SpinningFrame, SpinManifold]),
-        (Criteria { power_asked: true, ..body() }, &[Average(Polynomial), SpinManifold]),
+        (body(), &[Average(Polynomial), Average(Harmonics), SpinningFrame, SpinManifold, PeriodicMotions]),
+        (
+            Criteria { first_power: Harmonics, ..body() },
+            &[Average(Harmonics), SpinningFrame, SpinManifold, PeriodicMotions],
+        ),
+        (Criteria { power_asked: true, ..body() }, &[Average(Polynomial), SpinManifold, PeriodicMotions]),
         (
             Criteria { power_asked: true, first_power: Harmonics, ..body() },
-            &[Average(Harmonics), SpinManifold],
+            &[Average(Harmonics), SpinManifold, PeriodicMotions],
         ),
         (
             Criteria { spinning_frame: false, ..body() },
-            &[Average(Polynomial), Average(Harmonics), SpinManifold],
+            &[Average(Polynomial), Average(Harmonics), SpinManifold, PeriodicMotions],
         ),
         (
             Criteria { coordinates: 150, ..body() },
@@ -83,7 +88,7 @@ fn averages_come_first() {
             Criteria { coordinates: 151, spinning_frame: false, ..body() },
             &[Average(Polynomial), Average(Harmonics)],
         ),
-        (Criteria { parametric: Some(vibration()), ..body() }, &[SpinManifold]),
+        (Criteria { parametric: Some(vibration()), ..body() }, &[SpinManifold, PeriodicMotions]),
     ];
     for (criteria, expected) in rows {
         assert_eq!(trials(criteria.clone()), expected, "{criteria:?}");
@@ -93,38 +98,55 @@ fn averages_come_first() {
 #[test]
 fn other_methods_come_behind_the_averages() {
     let last = Last::Method;
-    let rows: [(Criteria, &[Method], Last); 23] = [
-        (body(), &[SpinManifold], last(MicroRuns)),
+    let rows: [(Criteria, &[Method], Last); 24] = [
+        (body(), &[SpinManifold, PeriodicMotions], last(MicroRuns)),
         (Criteria { revolutions: Some(3_000.0), ..body() }, &[SpinManifold], last(FullSystem)),
-        (Criteria { revolutions: Some(3_001.0), ..body() }, &[SpinManifold, MicroRuns], last(FullSystem)),
-        (Criteria { revolutions: Some(2e5), ..body() }, &[SpinManifold, MicroRuns], last(FullSystem)),
-        (Criteria { revolutions: Some(2.1e5), ..body() }, &[SpinManifold], last(MicroRuns)),
-        (Criteria { between_axes: true, ..body() }, &[], last(MicroRuns)),
-        (Criteria { between_axes: true, revolutions: Some(1e4), ..body() }, &[MicroRuns], last(FullSystem)),
+        (
+            Criteria { revolutions: Some(3_001.0), ..body() },
+            &[SpinManifold, PeriodicMotions, MicroRuns],
+            last(FullSystem),
+        ),
+        (
+            Criteria { revolutions: Some(2e5), ..body() },
+            &[SpinManifold, PeriodicMotions, MicroRuns],
+            last(FullSystem),
+        ),
+        (Criteria { revolutions: Some(2.1e5), ..body() }, &[SpinManifold, PeriodicMotions], last(MicroRuns)),
+        (Criteria { coordinates: 41, ..body() }, &[SpinManifold], last(MicroRuns)),
+        (Criteria { between_axes: true, ..body() }, &[PeriodicMotions], last(MicroRuns)),
+        (
+            Criteria { between_axes: true, revolutions: Some(1e4), ..body() },
+            &[PeriodicMotions, MicroRuns],
+            last(FullSystem),
+        ),
         (Criteria { decay_per_period: 0.051, ..body() }, &[SpinManifold], last(FullSystem)),
-        (Criteria { decay_per_period: 0.05, ..body() }, &[SpinManifold], last(MicroRuns)),
+        (Criteria { decay_per_period: 0.05, ..body() }, &[SpinManifold, PeriodicMotions], last(MicroRuns)),
         (
             Criteria { decay_per_period: f64::INFINITY, revolutions: None, ..body() },
             &[SpinManifold],
             last(FullSystem),
         ),
         (Criteria { internal_growth: true, ..body() }, &[SpinManifold], last(FullSystem)),
-        (Criteria { revolutions: None, ..body() }, &[SpinManifold], Last::Refused(Reason::UnknownLength)),
         (
-            Criteria { revolutions: None, between_axes: true, ..body() },
-            &[],
+            Criteria { revolutions: None, ..body() },
+            &[SpinManifold, PeriodicMotions],
             Last::Refused(Reason::UnknownLength),
         ),
-        (Criteria { left_out: 0.02, ..body() }, &[SpinManifold], last(MicroRuns)),
+        (
+            Criteria { revolutions: None, between_axes: true, ..body() },
+            &[PeriodicMotions],
+            Last::Refused(Reason::UnknownLength),
+        ),
+        (Criteria { left_out: 0.02, ..body() }, &[SpinManifold, PeriodicMotions], last(MicroRuns)),
         (Criteria { left_out: 0.021, ..body() }, &[], last(ModalRates)),
         (Criteria { left_out: f64::INFINITY, decay_per_period: 1.0, ..body() }, &[], last(ModalRates)),
-        (Criteria { spin_ratio: Some(0.16), ..turned() }, &[SpinManifold], last(MicroRuns)),
+        (Criteria { spin_ratio: Some(0.16), ..turned() }, &[SpinManifold, PeriodicMotions], last(MicroRuns)),
         (Criteria { left_out: 0.5, ..turned() }, &[], last(ModalRates)),
         (bent(), &[], last(LevelCurves)),
-        (Criteria { spin_ratio: Some(0.16), ..bent() }, &[SpinManifold], last(MicroRuns)),
-        (Criteria { spin_ratio: None, ..bent() }, &[SpinManifold], last(MicroRuns)),
-        (Criteria { internal_rotation: true, ..bent() }, &[SpinManifold], last(MicroRuns)),
-        (Criteria { level_equations: false, ..bent() }, &[SpinManifold], last(MicroRuns)),
+        (Criteria { spin_ratio: Some(0.16), ..bent() }, &[SpinManifold, PeriodicMotions], last(MicroRuns)),
+        (Criteria { spin_ratio: None, ..bent() }, &[SpinManifold, PeriodicMotions], last(MicroRuns)),
+        (Criteria { internal_rotation: true, ..bent() }, &[SpinManifold, PeriodicMotions], last(MicroRuns)),
+        (Criteria { level_equations: false, ..bent() }, &[SpinManifold, PeriodicMotions], last(MicroRuns)),
     ];
     for (criteria, trials, last) in rows {
         assert_eq!(behind(&criteria), (trials.to_vec(), last), "{criteria:?}");
@@ -138,7 +160,7 @@ fn other_methods_come_behind_the_averages() {
 #[test]
 fn level_curves_come_first_for_a_body_of_revolution() {
     let Decision { trials, last, asked } = choose(&turned(), None, &Limits::default());
-    assert_eq!(trials, [&[LevelCurves], &AVERAGES[..], &[SpinManifold]].concat());
+    assert_eq!(trials, [&[LevelCurves], &AVERAGES[..], &[SpinManifold, PeriodicMotions]].concat());
     assert_eq!((last, asked), (Last::Method(MicroRuns), false));
 }
 
@@ -147,9 +169,15 @@ fn a_method_that_is_asked_for_is_the_only_one() {
     let limits = Limits::default();
     for criteria in [body(), bent(), Criteria { revolutions: None, parametric: Some(vibration()), ..body() }]
     {
-        for method in
-            [Average(Polynomial), Average(Harmonics), ModalRates, SpinManifold, MicroRuns, FullSystem]
-        {
+        for method in [
+            Average(Polynomial),
+            Average(Harmonics),
+            ModalRates,
+            SpinManifold,
+            PeriodicMotions,
+            MicroRuns,
+            FullSystem,
+        ] {
             assert_eq!(choose(&criteria, Some(method), &limits), Decision::asked(method));
         }
     }
@@ -161,7 +189,7 @@ fn a_method_that_is_asked_for_is_the_only_one() {
         assert_eq!(choose(&criteria, Some(LevelCurves), &limits), Decision::refused(Reason::NotOnLevels));
     }
     let incomplete = Criteria { left_out: 0.3, ..body() };
-    for method in [SpinManifold, MicroRuns, FullSystem] {
+    for method in [SpinManifold, PeriodicMotions, MicroRuns, FullSystem] {
         let refusal = Decision::refused(Reason::LossesLeftOut { share: 0.3 });
         assert_eq!(choose(&incomplete, Some(method), &limits), refusal);
     }
@@ -204,6 +232,7 @@ fn momentum_wheels_have_an_order_of_their_own() {
         (incomplete, Some(FullSystem), Decision::asked(ModalRates)),
         (incomplete, Some(Average(Polynomial)), Decision::asked(LevelCurves)),
         (incomplete, Some(MicroRuns), Decision::refused(Reason::ShortRunsWithWheels)),
+        (body, Some(PeriodicMotions), Decision::refused(Reason::ShortRunsWithWheels)),
         (above, Some(SpinManifold), Decision::refused(Reason::ManifoldThroughSeparatrix)),
         (above, Some(FullSystem), Decision::asked(FullSystem)),
         (body, Some(SpinManifold), Decision::asked(SpinManifold)),

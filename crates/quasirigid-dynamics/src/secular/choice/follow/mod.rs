@@ -17,7 +17,9 @@ use super::decision::{Decision, Last, Method};
 use super::limits::Limits;
 use super::reason::{Reason, Work};
 use crate::averaging::{HillResponse, LevelPassage, MeanPower, PowerSource};
-use crate::secular::{AverageCriteria, DirectRow, DirectRun, ManifoldHistory, MeasuredPower, SpotChecks};
+use crate::secular::{
+    AverageCriteria, DirectRow, DirectRun, ManifoldHistory, MeasuredPower, Places, SpotChecks,
+};
 
 pub use average::average_under_torque;
 pub use full_system::history_options;
@@ -67,8 +69,8 @@ pub enum Outcome {
     LevelCurves(Box<LevelPassage>),
     /// History of the reduced equations about a spin.
     SpinManifold(Box<ManifoldHistory>),
-    /// Measured power.
-    MicroRuns {
+    /// Power measured in the full system.
+    Measured {
         /// Power.
         power: Box<MeasuredPower>,
         /// Row at which the full system has forgotten its start; none where that has settled.
@@ -113,7 +115,10 @@ impl Followed {
             Outcome::ModalRates(_) => Method::ModalRates,
             Outcome::LevelCurves(_) => Method::LevelCurves,
             Outcome::SpinManifold(_) => Method::SpinManifold,
-            Outcome::MicroRuns { .. } => Method::MicroRuns,
+            Outcome::Measured { power, .. } => match power.places {
+                Places::PeriodicMotions => Method::PeriodicMotions,
+                Places::ShortRuns => Method::MicroRuns,
+            },
             Outcome::FullSystem(_) => Method::FullSystem,
         }
     }
@@ -191,6 +196,7 @@ impl Driver<'_> {
             Method::ModalRates => Ok(self.modal_rates()?),
             Method::LevelCurves => Ok(self.level_curves()?),
             Method::SpinManifold => self.spin_manifold(observer),
+            Method::PeriodicMotions => self.periodic_motions(observer),
             Method::MicroRuns => self.micro_runs(observer),
             Method::FullSystem => self.full_system(observer),
         }

@@ -3,7 +3,7 @@ use super::full_system::history_options;
 use super::{ChoiceObserver, Driver, Found, Outcome, Stop};
 use crate::averaging::RotationState;
 use crate::secular::{
-    DirectRow, DirectStopReason, MeasureError, MeasureOptions, MeasuredPower, follow_directly,
+    DirectRow, DirectStopReason, MeasureError, MeasureOptions, MeasuredPower, Places, follow_directly,
     micro_run_periods,
 };
 
@@ -12,23 +12,31 @@ const FORGOTTEN: f64 = 8.0;
 const LONGEST: f64 = 400.0;
 
 impl Driver<'_> {
-    /// The power measured by short runs of the full system, after it has forgotten its start; announced where it was not asked for.
+    /// The power measured by short runs of the full system, after it has forgotten its start; announced.
     pub(super) fn micro_runs(&self, observer: &mut dyn ChoiceObserver) -> Result<Found, Stop> {
-        if !self.asked {
-            self.announce_short_runs(observer)?;
-        }
+        self.announce_short_runs(observer)?;
+        self.measured(Places::ShortRuns, observer)
+    }
+
+    /// The power of periodic motions of the full system, after it has forgotten its start. (Q19)
+    pub(super) fn periodic_motions(&self, observer: &mut dyn ChoiceObserver) -> Result<Found, Stop> {
+        self.measured(Places::PeriodicMotions, observer)
+    }
+
+    fn measured(&self, places: Places, observer: &mut dyn ChoiceObserver) -> Result<Found, Stop> {
         let (spins, span) = (self.case.spins, self.case.span);
         let settled = self.settled(observer)?;
         let [from, to] = span.ends;
         let from = settled.as_ref().and_then(|row| spins.range.rotation_state(row.energy)).unwrap_or(from);
         let (range, poles, options) = (&spins.range, &spins.poles, MeasureOptions::default());
         let mut watch = |share: f64| observer.observe(share);
-        let power = MeasuredPower::along(spins.body, range, poles, [from, to], &options, &mut watch)?;
+        let power =
+            MeasuredPower::along(spins.body, range, poles, ([from, to], places), &options, &mut watch)?;
         if power.error > self.limits.measured_error {
             return Err(MeasureError::Unsettled { change: power.error }.into());
         }
         let error = Some(power.time_error(spins.periods(&power, span.ends)));
-        Ok(Found { outcome: Outcome::MicroRuns { power: Box::new(power), settled }, error, source: None })
+        Ok(Found { outcome: Outcome::Measured { power: Box::new(power), settled }, error, source: None })
     }
 
     /// State at which the full system has forgotten the start; none where the start has settled.

@@ -1,0 +1,81 @@
+//! Coordinates that a small motion of the body drives, told from those that only rounding moves.
+//! A rotor along the axis across which a spin wobbles is not turned by it; in axes that are turned the sum of the loads on it is the rounding of
+//! its terms, and what it dissipates is that of nothing.
+//! Equation (M25), docs/theory/15-modes.md.
+
+use nalgebra::Complex;
+
+use super::spectrum::Eigenmotion;
+use crate::math::connected_components::connected_components;
+use crate::math::eigen::Dense;
+use crate::model::{FlexibleBody, SpinCoefficients};
+
+/// Load over its terms, and coupling over the inertia, damping and stiffness of both coordinates, below which it is rounding.
+const ROUNDING: f64 = 1e-12;
+/// Coordinates up to which groups are told apart.
+const MOST_COORDINATES: usize = 150;
+
+/// Groups of coordinates that move together, with the loads of a motion of the body on them. (M25)
+pub(super) struct Driven<'a> {
+    coefficients: &'a SpinCoefficients,
+    groups: Vec<Vec<usize>>,
+}
+
+impl<'a> Driven<'a> {
+    /// Groups of the coordinates of a body; of a large body, or one with liquids of an impedance, none.
+    pub fn of(body: &FlexibleBody, coefficients: &'a SpinCoefficients) -> Self {
+        let n = coefficients.h.len();
+        if n > MOST_COORDINATES || !body.memories().is_empty() {
+            return Self { coefficients, groups: Vec::new() };
+        }
+        let SpinCoefficients { mass, gyroscopic, centrifugal, .. } = coefficients;
+        let damping = Dense::of(body.damping());
+        let mut dashpots = damping.clone();
+        let mut springs = Dense::of(body.stiffness());
+        for viscoelastic in body.viscoelastic() {
+            viscoelastic.stiffness.iter().for_each(|(j, k, entry)| springs.add(j, k, entry.abs()));
+        }
+        for j in 0..n {
+            for k in 0..n {
+                springs.add(j, k, -centrifugal.at(j, k));
+                dashpots.add(j, k, gyroscopic.at(j, k));
+            }
+        }
+        let own = |j: usize| [mass.at(j, j), damping.at(j, j), springs.at(j, j)].map(f64::abs);
+        let coupled = |j: usize, k: usize| {
+            let between = [mass.at(j, k), dashpots.at(j, k), springs.at(j, k)];
+            let rates = [own(j), own(k)];
+            let size = |kind: usize| (rates[0][kind] * rates[1][kind]).sqrt();
+            let gyroscopic = (size(0) * size(2)).sqrt();
+            let sizes = [size(0), size(1).max(gyroscopic), size(2)];
+            between
+                .iter()
+                .zip(sizes)
+                .any(|(between, size)| between.abs() > ROUNDING * size && between.abs() > 0.0)
+        };
+        let pairs = (0..n).flat_map(|j| (j + 1..n).map(move |k| [j, k]));
+        let pairs: Vec<[usize; 2]> = pairs.filter(|[j, k]| coupled(*j, *k)).collect();
+        Self { coefficients, groups: connected_components(n, pairs) }
+    }
+
+    /// Puts the coordinates at rest that a slow motion of the direction of spin moves by rounding alone. (M25)
+    pub fn clear(&self, motion: &mut Eigenmotion) {
+        for j in self.still(motion.lambda, motion.delta).collect::<Vec<_>>() {
+            motion.q[j] = Complex::from(0.0);
+            motion.rate[j] = Complex::from(0.0);
+        }
+    }
+
+    /// Coordinates of the groups on which a motion `e^{λt}` with a change of the angular velocity (rad/s) has no load beyond rounding.
+    fn still(&self, lambda: Complex<f64>, delta: [Complex<f64>; 3]) -> impl Iterator<Item = usize> {
+        let loaded = move |j: &usize| {
+            let SpinCoefficients { h, slopes, .. } = self.coefficients;
+            let terms =
+                (0..3).flat_map(|axis| [slopes[*j][axis] * delta[axis], -lambda * h[*j][axis] * delta[axis]]);
+            let (sum, size) =
+                terms.fold((Complex::from(0.0), 0.0), |(sum, size), term| (sum + term, size + term.norm()));
+            sum.norm() > ROUNDING * size
+        };
+        self.groups.iter().filter(move |group| !group.iter().any(loaded)).flatten().copied()
+    }
+}

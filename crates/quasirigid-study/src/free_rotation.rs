@@ -1,5 +1,7 @@
 //! Free rotation that a history leaves a body in: its mode, periods and wobble if nothing acted any more. (A3), (A4), (P8)
 
+use std::f64::consts::TAU;
+
 use quasirigid::averaging::{FreeRotation, ObservedPeriods};
 use quasirigid::dynamics::Sample;
 use quasirigid::model::{FlexibleBody, Mode, Principal, Support};
@@ -18,6 +20,8 @@ pub struct FreeRotationObject {
     precession_period: f64,
     /// Greatest angle (rad) between the angular momentum and the axis that it circles.
     wobble: f64,
+    /// Of a rotation at the mean rate along the angular momentum, 2π|K|/2E (s).
+    effective_period: f64,
     /// Energy over the least with this angular momentum.
     energy_ratio: f64,
     /// Of the angular momentum, inertial axes.
@@ -43,6 +47,7 @@ impl FreeRotationObject {
             rotation_period: rotation,
             precession_period: precession,
             wobble: motion.nutation()[1],
+            effective_period: TAU * motion.angular_momentum() / (2.0 * motion.energy()),
             energy_ratio: motion.ratio().recip(),
             direction: unit(to_inertial(sample.attitude, sample.angular_momentum)),
         })

@@ -184,7 +184,7 @@ fn above_the_surface(value: &Value<'_>, table: &Table<'_>, path: &Trajectory) ->
         None => known,
     };
     let nearest = path.nearest();
-    match radius.filter(|radius| nearest < *radius) {
+    match radius.filter(|radius| nearest > 0.0 && nearest < *radius) {
         Some(radius) => given.as_ref().unwrap_or(value).refuse(
             format!(
                 "the orbit comes to {:.6} km from the centre, below the surface, whose radius is {:.6} km",

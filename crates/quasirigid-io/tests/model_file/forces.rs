@@ -480,7 +480,7 @@ fn an_orbit_has_one_centre() {
     model.toml:11:58: `gravitational_parameter` is -1 m^3/s^2, but must be positive
       write a number in m^3/s^2, or a text with its unit such as "398600.4 km^3/s^2"
     model.toml:11:62: unknown key "inclinaton" in `orbit`
-      did you mean `inclination`? the keys are body, gravitational_parameter, semi_major_axis, eccentricity, inclination, node, periapsis, mean_anomaly, precession
+      did you mean `inclination`? the keys are body, gravitational_parameter, semi_major_axis, periapsis_distance, eccentricity, excess_speed, inclination, node, periapsis, mean_anomaly, time_of_periapsis, file, planet_radius, precession
     "#);
     assert_snapshot!(refused("central-gravity", "orbit = 400\n"), @"
     model.toml:11:9: `orbit`: found an integer, expected a table

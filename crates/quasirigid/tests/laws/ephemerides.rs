@@ -67,7 +67,7 @@ proptest! {
     }
 }
 
-/// Halved steps divide the error by nearly 2⁶, and the estimate is an upper bound.
+/// Halved steps divide the error by 2⁶ where the polynomials err, by 2⁷ where the velocities of the rows do, and the estimate is an upper bound.
 #[test]
 fn tables_of_a_flyby_converge_with_the_sixth_power_of_their_step() {
     let steps = [1000.0, 500.0, 250.0];
@@ -75,7 +75,7 @@ fn tables_of_a_flyby_converge_with_the_sixth_power_of_their_step() {
     let errors = tables.each_ref().map(error);
     for (pair, table) in errors.windows(2).zip(&tables[1..]) {
         let order = (pair[0] / pair[1]).log2();
-        assert!((5.2..6.8).contains(&order), "{errors:?}");
+        assert!((5.8..7.2).contains(&order), "{errors:?}");
         assert!(table.error() > pair[1], "{} {}", table.error(), pair[1]);
     }
     assert!(errors[2] < 1e-6, "{errors:?}");
@@ -99,8 +99,8 @@ fn tables_that_mean_nothing_are_refused() {
     assert_eq!(changed(3, (good[3].0, [0.0; 3])), EphemerisProblem::NoPlace { index: 4 });
     assert_eq!(changed(2, (f64::NAN, good[2].1)), EphemerisProblem::NoPlace { index: 3 });
     assert!(matches!(changed(5, (good[4].0, good[5].1)), EphemerisProblem::Unsorted { index: 6, .. }));
-    let sparse: Vec<_> = good.iter().copied().step_by(5).collect();
-    let problem = refused(&sparse);
+    let jump = |(i, (t, place)): (usize, &(f64, [f64; 3]))| (*t, place.map(|part| part * [1.0, 1.2][i % 2]));
+    let problem = refused(&good.iter().enumerate().map(jump).collect::<Vec<_>>());
     assert!(matches!(problem, EphemerisProblem::Coarse { missed } if missed > 0.05), "{problem}");
     let table = Ephemeris::new(1.0, &good).unwrap();
     let [from, to] = table.span();

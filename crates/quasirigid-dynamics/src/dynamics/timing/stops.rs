@@ -194,7 +194,7 @@ impl Stops<'_> {
 
     /// True if a run has no stops and will have none.
     pub fn is_empty(&self) -> bool {
-        let none = self.breaks.is_empty() && self.clocks.is_empty();
+        let none = self.all.is_empty() && self.breaks.is_empty() && self.clocks.is_empty();
         none && self.periodic.is_empty() && self.formulas.is_empty()
     }
 

@@ -234,6 +234,15 @@ pub enum StudyError {
         /// Whether that is one of the magnetic field, not of the body.
         of_field: bool,
     },
+    /// A path past a centre of attraction that comes nearer than the body is large.
+    Engulfed {
+        /// Name of the force.
+        name: String,
+        /// Largest semi-axis (m) of the ellipsoid with the moments of the body.
+        size: f64,
+        /// Least distance (m).
+        nearest: f64,
+    },
     /// Eddy currents whose own field is not small.
     SkinEffect {
         /// Name of the force.
@@ -505,6 +514,11 @@ impl StudyError {
                     significant(*against, 3)
                 )
             }
+            Self::Engulfed { name, size, nearest } => format!(
+                "the force {name:?}: the orbit comes to {} m from the centre of attraction, within the body itself, which reaches to {} m; distances are in metres without a unit, as \"38000 km\" with one",
+                significant(*nearest, 4),
+                significant(*size, 4)
+            ),
             Self::SkinEffect { name, spin, share, fastest } => format!(
                 "the force {name:?}: at {} rad/s the currents' own field lowers the torque by {} %, which is left out; with this `conductivity` and shape it holds up to {} rad/s; lower the spin, or give a `tensor` that was measured at it",
                 significant(*spin, 3),

@@ -12,6 +12,7 @@ use quasirigid_math::memory;
 use crate::about_spin::OnManifold;
 use crate::controlled;
 use crate::error::StudyError;
+use crate::free_rotation::FreeRotationObject;
 use crate::history_columns::{HistoryTable, Internal};
 use crate::judged::{self, Judged};
 use crate::left_out::LeftOut;
@@ -86,6 +87,8 @@ pub struct History {
     /// Reason for which the numbers are not those of the body: the reduced equations do not hold at the start or under the forces on the
     /// way, or the effect of a liquid is not right.
     pub wrong: Option<String>,
+    /// Free rotation from the last state on.
+    pub(crate) free_rotation: Option<FreeRotationObject>,
     /// What was followed, for a certificate.
     pub(crate) followed: Followed,
 }
@@ -248,6 +251,7 @@ impl Study {
             notes,
             manifold,
             wrong,
+            free_rotation: FreeRotationObject::of(body, &last),
             followed: Followed { order, form: settings.form, tolerance: settings.tolerance, forced },
         })
     }

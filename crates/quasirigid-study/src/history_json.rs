@@ -8,6 +8,7 @@ use serde::Serialize;
 use serde_json::{Value, json};
 
 use crate::about_spin::HistoryVerdict;
+use crate::free_rotation::FreeRotationObject;
 use crate::histories::History;
 use crate::words::shares;
 
@@ -64,6 +65,8 @@ struct HistoryObject<'a> {
     factorizations: u64,
     /// Of formulas of `t`.
     scan: ScanObject,
+    /// Free rotation that the rigid body would go on in; `null` of a constrained body, of a sphere, and with rotors, liquids or wheels.
+    free_rotation: Option<FreeRotationObject>,
     /// Of `manifold` alone.
     #[serde(skip_serializing_if = "Option::is_none")]
     manifold: Option<HistoryVerdict>,
@@ -112,6 +115,7 @@ impl History {
             evaluations: work.evaluations,
             factorizations: work.factorizations,
             scan: ScanObject { evaluations, breakpoints, stops },
+            free_rotation: self.free_rotation,
             manifold: self.manifold.as_ref().map(|manifold| manifold.for_machines()),
         })
     }

@@ -15,6 +15,7 @@ use quasirigid_io::model::Model;
 
 use crate::as_observed::{self, Observed};
 use crate::controlled;
+use crate::encounters;
 use crate::error::StudyError;
 use crate::incomplete::beyond;
 use crate::skin;
@@ -130,6 +131,8 @@ impl Study {
         model.notes.extend(beyond(&model.assembly, order));
         model.notes.extend(liquids::notes(&model.assembly, &slow));
         model.notes.extend(controlled::note(&controls));
+        let passing = encounters::notes(&body, &forces)?;
+        model.notes.splice(..0, passing);
         if let Some(resolution) = &resolution {
             settle(&mut model, resolution);
         }

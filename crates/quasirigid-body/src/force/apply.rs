@@ -137,7 +137,7 @@ impl<T: Smooth> LoadContext<'_, T> {
                 let passage = orbit.at(t);
                 let per_radius = T::from(1.0) / passage.radius;
                 let n = self.turn().to_body(scale(per_radius, passage.place));
-                let kappa = T::from(orbit.mu) * per_radius * per_radius * per_radius;
+                let kappa = T::from(orbit.mu()) * per_radius * per_radius * per_radius;
                 loads.add_gradient(self.body, motion.q, n, kappa);
             }
             ForceLaw::Drag { at, coefficient } => {

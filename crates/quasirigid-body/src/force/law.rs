@@ -5,7 +5,7 @@
 
 use std::ops::Range;
 
-use super::{MagneticField, Orbit, Timetable, Windows};
+use super::{MagneticField, Timetable, Trajectory, Windows};
 use crate::math::expression::Expression;
 use crate::math::taylor::Taylor;
 
@@ -39,11 +39,11 @@ pub enum ForceLaw<P> {
         /// Acceleration (m/s²), inertial axes.
         acceleration: [f64; 3],
     },
-    /// Attraction of a distant centre, on a given orbit: the gravity gradient about the centre of mass of a free body, about the pole of
+    /// Attraction of a distant centre, on a given path: the gravity gradient about the centre of mass of a free body, about the pole of
     /// a constrained one. (F4)
     CentralGravity {
-        /// Orbit.
-        orbit: Orbit,
+        /// Path past the centre.
+        orbit: Trajectory,
     },
     /// Drag `−k Ṙ` of a place. (F5)
     Drag {
@@ -205,6 +205,17 @@ impl<P> ForceLaw<P> {
         }
     }
 
+    /// First and last time (s) of a path that is not known over the whole of a run to this time, where the law acts.
+    #[must_use]
+    pub fn uncovered(&self, end: f64) -> Option<[f64; 2]> {
+        let (law, windows) = self.timed();
+        let Self::CentralGravity { orbit } = law else { return None };
+        let known = orbit.span()?;
+        let beyond = |from: f64, to: f64| from < to && (from < known[0] || to > known[1]);
+        let acting = windows.map_or(&[[0.0, f64::INFINITY]][..], |windows| windows.list());
+        acting.iter().any(|[from, to]| beyond(from.max(0.0), to.min(end))).then_some(known)
+    }
+
     /// Law with its place mapped to another description.
     ///
     /// # Errors
@@ -212,7 +223,7 @@ impl<P> ForceLaw<P> {
     pub fn try_map<Q, E>(&self, map: impl FnOnce(&P) -> Result<Q, E>) -> Result<ForceLaw<Q>, E> {
         Ok(match self {
             Self::UniformGravity { acceleration } => ForceLaw::UniformGravity { acceleration: *acceleration },
-            Self::CentralGravity { orbit } => ForceLaw::CentralGravity { orbit: *orbit },
+            Self::CentralGravity { orbit } => ForceLaw::CentralGravity { orbit: orbit.clone() },
             Self::Drag { at, coefficient } => ForceLaw::Drag { at: map(at)?, coefficient: *coefficient },
             Self::SpinDrag { coefficient } => ForceLaw::SpinDrag { coefficient: *coefficient },
             Self::Torque { torque, axes, wave } => {

@@ -1,8 +1,10 @@
-//! External forces on a body, for scalars that may be series in time. (F1) to (F22)
+//! External forces on a body, for scalars that may be series in time. (F1) to (F26)
 
 mod apply;
 mod conductor;
+mod conic;
 mod eddy;
+mod ephemeris;
 mod felt;
 mod field;
 mod gravity;
@@ -12,11 +14,14 @@ mod mean_field;
 mod orbit;
 mod pose;
 mod timing;
+mod trajectory;
 
 #[doc(hidden)]
 pub use apply::Felt;
 pub use apply::{KinematicState, Loads};
 pub use conductor::Conductor;
+pub use conic::Conic;
+pub use ephemeris::{Ephemeris, EphemerisProblem};
 pub use field::MagneticField;
 pub use igrf::EarthField;
 pub use law::{Axes, Force, ForceLaw, Wave};
@@ -25,3 +30,4 @@ pub use law::{PLACE, TIME, VARIABLES};
 pub use orbit::{Oblateness, Orbit, OrbitPoint};
 pub use pose::Pose;
 pub use timing::{Interpolation, Timetable, TimingProblem, Windows};
+pub use trajectory::Trajectory;

@@ -145,13 +145,18 @@ impl Orbit {
 
     /// Unit vectors towards the periapsis and along the motion there, a quarter of a revolution ahead.
     pub(super) fn axes(&self) -> [[f64; 3]; 2] {
-        let [(si, ci), (sn, cn), (sp, cp)] =
-            [self.inclination, self.raan, self.argument_of_periapsis].map(|angle| angle.sin_cos());
-        [
-            [cn * cp - sn * sp * ci, sn * cp + cn * sp * ci, sp * si],
-            [-cn * sp - sn * cp * ci, -sn * sp + cn * cp * ci, cp * si],
-        ]
+        axes(self.inclination, self.raan, self.argument_of_periapsis)
     }
+}
+
+/// Unit vectors towards the periapsis and along the motion there, from inclination, node and argument of the periapsis (rad).
+pub(super) fn axes(inclination: f64, raan: f64, argument_of_periapsis: f64) -> [[f64; 3]; 2] {
+    let [(si, ci), (sn, cn), (sp, cp)] =
+        [inclination, raan, argument_of_periapsis].map(|angle: f64| angle.sin_cos());
+    [
+        [cn * cp - sn * sp * ci, sn * cp + cn * sp * ci, sp * si],
+        [-cn * sp - sn * cp * ci, -sn * sp + cn * cp * ci, cp * si],
+    ]
 }
 
 /// Root `E` of Kepler's equation `E − e sin E = M` (rad), less whole revolutions. (F10)

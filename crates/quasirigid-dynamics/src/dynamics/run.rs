@@ -14,7 +14,8 @@ use super::slow::MAX_FORCED_ORDER;
 use super::timing::Missed;
 use crate::math::ode::{Checkpoint, StepError, StopReason, Work};
 use crate::math::simd::Rounding;
-use crate::model::{Displaced, Form, Method};
+use crate::model::force::Force;
+use crate::model::{Displaced, Form, Marker, Method};
 
 /// Start of a propagation. States of the full system from a start: [`settled`](Self::settled) on the slow manifold or
 /// [`at_rest`](Self::at_rest). Starts from other data: [`matched`](Self::matched) or [`wobbling`](Self::wobbling).
@@ -315,6 +316,18 @@ pub enum PropagateError {
         "the forces are not finite numbers at the start: look for a square root, logarithm or division in a force that fails there"
     )]
     NoForce,
+    /// A path past a centre of attraction is a table that is too short.
+    #[error(
+        "the table of an orbit has rows from {from} s to {to} s, and the run is from 0 s to {end} s; give a longer table, a shorter duration, or `during` for the force"
+    )]
+    Uncovered {
+        /// First time of the table (s).
+        from: f64,
+        /// Last time of the table (s).
+        to: f64,
+        /// End of the run (s).
+        end: f64,
+    },
     /// The mass matrix is not positive: the carrier is too light beside the masses that move on it.
     #[error("the carrier's mass is below 1e-13 of the sprung mass; give the carrier a mass, or leave it out")]
     LightCarrier,
@@ -380,6 +393,14 @@ pub(super) fn check(
         return Err(PropagateError::NoSpin { spin });
     }
     check_times(times, options.tolerance)
+}
+
+/// Refuses forces that are not known up to the end of a run (s).
+pub(super) fn check_covered(forces: &[Force<Marker>], end: f64) -> Result<(), PropagateError> {
+    match forces.iter().find_map(|force| force.law.uncovered(end)) {
+        Some([from, to]) => Err(PropagateError::Uncovered { from, to, end }),
+        None => Ok(()),
+    }
 }
 
 /// Refuses times and tolerances that no propagation takes.

@@ -77,8 +77,12 @@ impl Problem {
                 "check the signs; the eigenvalues of the magnetic tensor must be zero or positive",
             ),
             Self::NotPositive { .. } => ("must be positive", "write a positive number"),
-            Self::NotElliptic { .. } => {
-                ("no ellipse", "write 0 for a circle; a body that escapes is not modelled")
+            Self::NotElliptic { .. } => (
+                "no ellipse",
+                "write 0 for a circle; a flyby has a `periapsis_distance`, under central gravity",
+            ),
+            Self::NoConic { .. } => {
+                ("no orbit", "write 0 for a circle, 1 for a parabola, more for a hyperbola")
             }
             Self::Poisson { .. } => ("no such material", "most rocks and metals have 0.2 to 0.35"),
             Self::Rheology(RheologyError::NotPositive { .. }) => {

@@ -163,6 +163,10 @@ fields! {
     GRAVITATIONAL_PARAMETER = "gravitational_parameter";
     /// Semi-major axis of an orbit.
     SEMI_MAJOR_AXIS = "semi_major_axis";
+    /// Distance of the periapsis of an orbit.
+    PERIAPSIS_DISTANCE = "periapsis_distance";
+    /// Time at which the periapsis is passed.
+    TIME_OF_PERIAPSIS = "time_of_periapsis";
     /// Eccentricity of an orbit.
     ECCENTRICITY = "eccentricity";
     /// Inclination of an orbit.

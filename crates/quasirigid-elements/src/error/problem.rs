@@ -547,6 +547,12 @@ pub enum Problem {
         /// The eccentricity.
         value: f64,
     },
+    /// An eccentricity is not that of any orbit.
+    #[error("no orbit has the eccentricity {value}; it is zero or positive")]
+    NoConic {
+        /// The eccentricity.
+        value: f64,
+    },
     /// A point is displaced in a direction that its constraints bar.
     #[error("its constraints leave only the part {left:?} of this motion")]
     Barred {

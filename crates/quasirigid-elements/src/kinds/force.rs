@@ -3,7 +3,7 @@
 use crate::element::{AttachmentPoint, Element};
 use crate::error::{ElementError, ElementId, Field, Problem, at};
 use crate::kinds::coefficient::matrix;
-use crate::model::force::{EarthField, Force, ForceLaw, MagneticField, Orbit, Wave};
+use crate::model::force::{Conic, EarthField, Force, ForceLaw, MagneticField, Orbit, Trajectory, Wave};
 use crate::number;
 use crate::{ApplicationPoint, Assembly, Coefficient};
 
@@ -35,7 +35,7 @@ fn lawful(place: ElementId, law: &ForceLaw<ApplicationPoint>) -> Result<(), Elem
     let finite = |field: Field, values: &[f64; 3]| number::finite(values).map_err(at(place, field));
     match law {
         ForceLaw::UniformGravity { acceleration } => finite(Field::ACCELERATION, acceleration),
-        ForceLaw::CentralGravity { orbit } => on_orbit(place, orbit),
+        ForceLaw::CentralGravity { orbit } => on_trajectory(place, orbit),
         ForceLaw::Drag { coefficient, .. } | ForceLaw::SpinDrag { coefficient } => {
             not_driving(*coefficient).map_err(at(place, Field::COEFFICIENT))
         }
@@ -93,6 +93,29 @@ fn conducting(problem: Problem) -> Problem {
     }
 }
 
+fn on_trajectory(place: ElementId, path: &Trajectory) -> Result<(), ElementError> {
+    match path {
+        Trajectory::Orbit(orbit) => on_orbit(place, orbit),
+        Trajectory::Conic(conic) => on_conic(place, conic),
+        Trajectory::Table(table) => {
+            number::positive(table.mu()).map_err(at(place, Field::GRAVITATIONAL_PARAMETER))
+        }
+    }
+}
+
+fn on_conic(place: ElementId, conic: &Conic) -> Result<(), ElementError> {
+    number::positive(conic.mu).map_err(at(place, Field::GRAVITATIONAL_PARAMETER))?;
+    number::positive(conic.periapsis_distance).map_err(at(place, Field::PERIAPSIS_DISTANCE))?;
+    of_conic(conic.eccentricity).map_err(at(place, Field::ECCENTRICITY))?;
+    let others = [
+        (Field::INCLINATION, conic.inclination),
+        (Field::NODE, conic.raan),
+        (Field::PERIAPSIS, conic.argument_of_periapsis),
+        (Field::TIME_OF_PERIAPSIS, conic.time_of_periapsis),
+    ];
+    others.into_iter().try_for_each(|(field, value)| number::finite(&[value]).map_err(at(place, field)))
+}
+
 fn on_orbit(place: ElementId, orbit: &Orbit) -> Result<(), ElementError> {
     number::positive(orbit.mu).map_err(at(place, Field::GRAVITATIONAL_PARAMETER))?;
     number::positive(orbit.semi_major_axis).map_err(at(place, Field::SEMI_MAJOR_AXIS))?;
@@ -132,4 +155,9 @@ fn not_driving(value: f64) -> Result<(), Problem> {
 fn elliptic(value: f64) -> Result<(), Problem> {
     number::finite(&[value])?;
     if (0.0..1.0).contains(&value) { Ok(()) } else { Err(Problem::NotElliptic { value }) }
+}
+
+fn of_conic(value: f64) -> Result<(), Problem> {
+    number::finite(&[value])?;
+    if value >= 0.0 { Ok(()) } else { Err(Problem::NoConic { value }) }
 }

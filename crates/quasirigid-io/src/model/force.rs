@@ -12,12 +12,13 @@ use super::conductor::eddy_current;
 use super::formula::{PLACE, formulas};
 use super::key::{Form, KIND, Keys, Shape, TEXT, any, key, list, of, pick, quantity, shared, table, words};
 use super::kinds::{Kind, kind, of_table, opened, variants};
-use super::magnetic_field::{IGRF, magnetic_field, required_orbit};
+use super::magnetic_field::{IGRF, magnetic_field};
 use super::names::{END, Fixed, Names, Part};
 use super::orbit::ORBIT;
 use super::reader::{Keyed, NAME, Naming, Reader};
 use super::table::Table;
 use super::timing::{alone, tabled, twice, windows};
+use super::trajectory::trajectory;
 use super::value::Value;
 use crate::units::Dimension;
 
@@ -210,8 +211,8 @@ fn uniform_gravity(table: &Table<'_>, _: &Names<'_>, _: &Path) -> Option<ForceLa
     Some(ForceLaw::UniformGravity { acceleration })
 }
 
-fn central_gravity(table: &Table<'_>, _: &Names<'_>, _: &Path) -> Option<ForceLaw<ApplicationPoint>> {
-    Some(ForceLaw::CentralGravity { orbit: required_orbit(table)? })
+fn central_gravity(table: &Table<'_>, _: &Names<'_>, folder: &Path) -> Option<ForceLaw<ApplicationPoint>> {
+    Some(ForceLaw::CentralGravity { orbit: trajectory(table, folder)? })
 }
 
 fn drag(table: &Table<'_>, names: &Names<'_>, _: &Path) -> Option<ForceLaw<ApplicationPoint>> {

@@ -84,7 +84,7 @@ fn uniform_field(table: &Table<'_>) -> Option<MagneticField> {
 }
 
 /// Reads the orbit of a force that needs one.
-pub(super) fn required_orbit(table: &Table<'_>) -> Option<Orbit> {
+fn required_orbit(table: &Table<'_>) -> Option<Orbit> {
     let example = "orbit = { body = \"Earth\", semi_major_axis = \"6778 km\", inclination = \"51.6 deg\" }";
     orbit(&table.required("orbit", example)?)
 }

@@ -52,6 +52,7 @@ pub(crate) mod syntax;
 pub(crate) mod table;
 mod tank;
 mod timing;
+mod trajectory;
 mod uncertainty;
 pub(crate) mod value;
 mod values_read;

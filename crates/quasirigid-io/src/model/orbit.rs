@@ -1,6 +1,6 @@
 use quasirigid_body::force::{Oblateness, Orbit};
 
-use super::key::{Keys, NUMBER, Shape, any, key, quantity, words};
+use super::key::{Keys, NUMBER, Shape, TEXT, any, key, quantity, words};
 use super::table::Table;
 use super::value::Value;
 use crate::units::Dimension;
@@ -13,12 +13,33 @@ pub(super) const ORBIT: Keys = Keys {
             "3.986004418e14 (IAU 2009), or after DE440 4.902800118e12, 4.282837362e13, 1.32712440041e20 m³/s²",
         ),
         key("gravitational_parameter", quantity("m³/s²"), "instead of `body`"),
-        key("semi_major_axis", quantity("m"), ""),
-        key("eccentricity", NUMBER.or("0"), ""),
-        key("inclination", quantity("rad").or("0"), ""),
-        key("node", quantity("rad").or("0"), "right ascension of the ascending node"),
-        key("periapsis", quantity("rad").or("0"), "its argument"),
-        key("mean_anomaly", quantity("rad").or("0"), "at time zero"),
+        key("semi_major_axis", quantity("m"), "negative of a hyperbola"),
+        key(
+            "periapsis_distance",
+            quantity("m"),
+            "instead, of an orbit of any eccentricity (F23), under central gravity",
+        ),
+        key(
+            "eccentricity",
+            NUMBER.or("0 of an ellipse"),
+            "required beside `periapsis_distance`; 1 of a parabola, above 1 of a hyperbola",
+        ),
+        key("excess_speed", quantity("m/s"), "instead, of a hyperbola, far away"),
+        key("inclination", quantity("rad").or("0 without `file`"), ""),
+        key("node", quantity("rad").or("0 without `file`"), "right ascension of the ascending node"),
+        key("periapsis", quantity("rad").or("0 without `file`"), "its argument"),
+        key("mean_anomaly", quantity("rad").or("0 of an ellipse"), "at time zero"),
+        key("time_of_periapsis", quantity("s"), "instead, required of a flyby"),
+        key(
+            "file",
+            TEXT,
+            "instead of elements, under central gravity: CSV of places from the centre, `t,x,y,z` in s and m (F26)",
+        ),
+        key(
+            "planet_radius",
+            quantity("m").or("that of `body`"),
+            "an orbit below it is refused, under central gravity",
+        ),
         key(
             "precession",
             any(&[Shape::Words(&["J2"]), Shape::Table(&PRECESSION)]).or("none"),
@@ -33,6 +54,9 @@ const PRECESSION: Keys = Keys {
         key("periapsis", quantity("rad/s").or("0"), "rate of the argument of the periapsis"),
     ],
 };
+
+/// Keys of paths that are no ellipse by its semi-major axis.
+pub(super) const FLYBY: [&str; 4] = ["periapsis_distance", "excess_speed", "time_of_periapsis", "file"];
 
 /// Metres in a kilometre.
 const KILO: f64 = 1e3;
@@ -49,10 +73,25 @@ const BODIES: [(&str, f64); 4] = [
     ("Sun", 1.327_124_400_41e20),
 ];
 
-/// Reads an orbit.
+/// Reads an orbit through a field: an ellipse.
 pub(super) fn orbit(value: &Value<'_>) -> Option<Orbit> {
     let table = value.table("`orbit`", &ORBIT)?;
-    let mu = gravitational_parameter(&table);
+    if let Some(other) = FLYBY.iter().chain(&["planet_radius"]).find_map(|key| table.get(key)) {
+        return other.refuse(
+            format!(
+                "`{}` is that of an orbit under central gravity, and this one is through a magnetic field",
+                other.key()
+            ),
+            "not for this orbit",
+            "give an ellipse by `semi_major_axis`, `eccentricity` and `mean_anomaly`",
+        );
+    }
+    ellipse(&table)
+}
+
+/// Reads an ellipse.
+pub(super) fn ellipse(table: &Table<'_>) -> Option<Orbit> {
+    let mu = gravitational_parameter(table);
     let semi_major_axis = table
         .read("semi_major_axis", "semi_major_axis = \"6778 km\"", |value| value.positive(Dimension::LENGTH));
     let number = |key, dimension| table.read_or(key, 0.0, |value| value.quantity(dimension));
@@ -73,7 +112,7 @@ pub(super) fn orbit(value: &Value<'_>) -> Option<Orbit> {
         periapsis_rate: 0.0,
     };
     match table.get("precession") {
-        Some(value) => precession(&value, &table, orbit),
+        Some(value) => precession(&value, table, orbit),
         None => Some(orbit),
     }
 }
@@ -113,7 +152,7 @@ fn precession(value: &Value<'_>, table: &Table<'_>, orbit: Orbit) -> Option<Orbi
 }
 
 /// Reads the gravitational parameter of the centre, or takes that of a body known by name.
-fn gravitational_parameter(table: &Table<'_>) -> Option<f64> {
+pub(super) fn gravitational_parameter(table: &Table<'_>) -> Option<f64> {
     match (table.get("body"), table.get("gravitational_parameter")) {
         (Some(body), None) => body.choice(&BODIES),
         (Some(_), Some(parameter)) => parameter.refuse(

@@ -69,7 +69,7 @@ fn timetable(value: &Value<'_>, table: &Table<'_>, folder: &Path) -> Option<Time
 }
 
 /// Rows of a file: time and components.
-fn rows(file: &Path) -> Result<Vec<(f64, [f64; 3])>, String> {
+pub(super) fn rows(file: &Path) -> Result<Vec<(f64, [f64; 3])>, String> {
     let table = read_bodies(file).map_err(|error| error.to_string())?;
     if let Some((_, reason)) = table.unread.first_key_value() {
         return Err(reason.clone());

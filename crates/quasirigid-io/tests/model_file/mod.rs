@@ -13,6 +13,7 @@ mod elements;
 mod ellipsoids;
 mod evolve;
 mod files;
+mod flybys;
 mod forces;
 mod guide;
 mod initial;

@@ -138,11 +138,11 @@ fn impossible_forces_are_refused() {
     };
     assert_snapshot!(orbit("eccentricity = 1"), @r#"
     model.toml:12:65: `eccentricity` of force "pull": no ellipse has the eccentricity 1; it is at least 0 and below 1
-      write 0 for a circle; a body that escapes is not modelled
+      write 0 for a circle; a flyby has a `periapsis_distance`, under central gravity
     "#);
     assert_snapshot!(orbit("node = 0, eccentricity = -0.1"), @r#"
     model.toml:12:75: `eccentricity` of force "pull": no ellipse has the eccentricity -0.1; it is at least 0 and below 1
-      write 0 for a circle; a body that escapes is not modelled
+      write 0 for a circle; a flyby has a `periapsis_distance`, under central gravity
     "#);
     assert_snapshot!(verdict_on_force("kind = \"torque\"\ntorque = [0, 0, 1]\nperiod = 1e-309\n"), @r#"
     model.toml:12:10: `frequency` of force "force 1": inf is not a finite number

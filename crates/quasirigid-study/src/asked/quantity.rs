@@ -150,12 +150,12 @@ pub(crate) fn unit(quantity: &Quantity) -> &'static str {
     let words = quantity.path.iter().rev().find(|segment| segment.parse::<usize>().is_err());
     match words.map_or("", String::as_str) {
         "time" | "time_range" | "time_constant" | "separatrix_time" | "lingering" | "damping_time"
-        | "growth_time" | "rotation_period" | "precession_period" | "relaxation_times" | "T1" | "T2"
-        | "T3" | "t" | "duration" | "least" | "greatest" => "s",
+        | "growth_time" | "rotation_period" | "precession_period" | "effective_period"
+        | "relaxation_times" | "T1" | "T2" | "T3" | "t" | "duration" | "least" | "greatest" => "s",
         "frequency" | "frequencies" | "free_frequencies" | "seen_from_outside" | "spin" | "omega" | "wx"
         | "wy" | "wz" => "rad/s",
         "decay_rate" | "decay_rates" => "1/s",
-        "nutation_least" | "nutation_greatest" | "nutation_min" | "nutation_max" => "rad",
+        "nutation_least" | "nutation_greatest" | "nutation_min" | "nutation_max" | "wobble" => "rad",
         "momentum" => "N m s",
         "power" => "W",
         "energy" | "dissipated" | "work" | "energy_drift" => "J",

@@ -7,6 +7,7 @@ mod audit_attitude;
 mod checks;
 mod derive;
 mod eddy_currents;
+mod encounters;
 mod evolution;
 mod forces;
 mod full_system;

@@ -188,7 +188,7 @@ impl Numbers {
         });
         let laws = [
             ForceLaw::UniformGravity { acceleration: times(turned(g), units.factor([1, 0, -2])) },
-            ForceLaw::CentralGravity { orbit },
+            ForceLaw::CentralGravity { orbit: orbit.into() },
             ForceLaw::Drag { at: carrier, coefficient: drag * drag_unit },
             ForceLaw::Drag { at: point, coefficient: drag * drag_unit },
             ForceLaw::SpinDrag { coefficient: spin * units.factor([2, 1, -1]) },

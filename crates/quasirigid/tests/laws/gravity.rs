@@ -102,7 +102,7 @@ proptest! {
         }
         let (body, free, cloud, state) = at_rest(&massive, &loose, 1.0);
         let uniform = body.loads(&one(ForceLaw::UniformGravity { acceleration: g }), &state.kinematics());
-        let central = body.loads(&one(ForceLaw::CentralGravity { orbit }), &state.kinematics());
+        let central = body.loads(&one(ForceLaw::CentralGravity { orbit: orbit.into() }), &state.kinematics());
         let (mass, J) = (body.invariants().mass, body.invariants().J[0] + body.invariants().J[1]);
         let (moment, generalized) = gap(&uniform, &slopes(&cloud, &state, weight(g)));
         prop_assert!(moment.max(generalized) < DIFFERENCES * mass, "{moment:e} {generalized:e}");
@@ -123,7 +123,7 @@ proptest! {
     ) {
         let (body, free, cloud, state) = at_rest(&massive, &loose, 1.0);
         let uniform = body.loads(&one(ForceLaw::UniformGravity { acceleration: g }), &state.kinematics());
-        let central = body.loads(&one(ForceLaw::CentralGravity { orbit }), &state.kinematics());
+        let central = body.loads(&one(ForceLaw::CentralGravity { orbit: orbit.into() }), &state.kinematics());
         let masses = cloud.at(&state.q);
         let mass: f64 = masses.iter().map(|(m, r)| m * (1.0 + r.norm())).sum();
         let J: f64 = masses.iter().map(|(m, r)| m * r.norm_squared()).sum();
@@ -154,7 +154,7 @@ proptest! {
             let pull = |d: V| -orbit.mu * (R + d) / (R + d).norm().powi(3);
             let moment: V =
                 masses.iter().map(|(m, u)| *m * (u - middle).cross(&(pull(u - middle) - pull(V::zeros())))).sum();
-            let loads = body.loads(&one(ForceLaw::CentralGravity { orbit }), &state.kinematics());
+            let loads = body.loads(&one(ForceLaw::CentralGravity { orbit: orbit.into() }), &state.kinematics());
             let kappa = orbit.mu / R.norm().powi(3);
             (moment - V::from(loads.moment)).norm() / (kappa * largest) * (R.norm() / distance)
         };

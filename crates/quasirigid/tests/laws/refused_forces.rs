@@ -96,7 +96,7 @@ fn a_drag_must_not_drive() {
 
 #[test]
 fn an_orbit_is_an_ellipse_about_something() {
-    let on = |orbit| ForceLaw::CentralGravity { orbit };
+    let on = |orbit: Orbit| ForceLaw::CentralGravity { orbit: orbit.into() };
     for value in [0.0, -1.0] {
         let centre = Orbit { mu: value, ..ORBIT };
         refused!(on(centre), Field::GRAVITATIONAL_PARAMETER, Problem::NotPositive { .. });

@@ -111,7 +111,7 @@ fn world(
     let spin_drag = |coefficient: f64| named("air", ForceLaw::SpinDrag { coefficient });
     let drag = |at: ApplicationPoint| named("oil", ForceLaw::Drag { at, coefficient: 0.3 });
     let held = Support::FixedPoint { point: [0.3, -0.4, 0.2] };
-    let orbit = named("Earth", ForceLaw::CentralGravity { orbit: turned_orbit(S, rate, 0.7) });
+    let orbit = named("Earth", ForceLaw::CentralGravity { orbit: turned_orbit(S, rate, 0.7).into() });
     let text = |i: usize| {
         let [x, y, z] = [up[0], up[1], up[2]];
         let along = format!("({x:e}*x + {y:e}*y + {z:e}*z)");

@@ -236,7 +236,7 @@ proptest! {
         let place = V::from(orbit.at(0.0).place).normalize();
         let ahead = V::from(orbit.at(0.0).velocity).normalize();
         let mut assembly = body.free();
-        assembly.forces.push(Force { name: "Earth".into(), law: ForceLaw::CentralGravity { orbit } });
+        assembly.forces.push(Force { name: "Earth".into(), law: ForceLaw::CentralGravity { orbit: orbit.into() } });
         let axes = Matrix3::from_columns(&[ahead, place.cross(&ahead), place]);
         let attitude = axes * R.transpose() * Rotation3::new(V::from(turn)).matrix();
         let modes = found(&assembly, near(V::new(0.3, 0.1, 0.2) * n, &attitude)).unwrap();
@@ -263,7 +263,7 @@ proptest! {
             semi_major_axis: orbit.semi_major_axis * units.length,
             ..orbit
         };
-        scaled.forces = vec![Force { name: "Earth".into(), law: ForceLaw::CentralGravity { orbit } }];
+        scaled.forces = vec![Force { name: "Earth".into(), law: ForceLaw::CentralGravity { orbit: orbit.into() } }];
         let other = found(&scaled, near(V::new(0.3, 0.1, 0.2) * n / units.time, &attitude)).unwrap();
         let back: Vec<C> = eigenvalues(&other).iter().map(|x| x * units.time).collect();
         let gap = apart(&back, &eigenvalues(&modes));
@@ -463,7 +463,7 @@ fn what_has_no_steady_state_is_refused_in_words() {
     let orbit = turned_orbit(&Matrix3::identity(), 0.1, 0.4);
     let weight = ForceLaw::UniformGravity { acceleration: [0.0, 0.0, -9.81] };
     let level = ForceLaw::UniformGravity { acceleration: [9.81, 0.0, 0.0] };
-    let eccentric = ForceLaw::CentralGravity { orbit: Orbit { eccentricity: 0.01, ..orbit } };
+    let eccentric = ForceLaw::CentralGravity { orbit: Orbit { eccentricity: 0.01, ..orbit }.into() };
     let wave = Wave { frequency: 0.2, phase: 0.0 };
     let shaken = ForceLaw::Torque { torque: [0.1, 0.0, 0.0], axes: Axes::Body, wave };
     let driven = ForceLaw::Torque { torque: [0.0, 0.0, 0.1], axes: Axes::Inertial, wave: Wave::default() };
@@ -481,15 +481,15 @@ fn what_has_no_steady_state_is_refused_in_words() {
         (refused(&[weight.clone(), placed], false, spin), "the force \"force 1\" changes with time"),
         (refused(&[weight.clone(), driven], false, spin), "N·m about the axis"),
         (
-            refused(&[level, ForceLaw::CentralGravity { orbit }], false, spin),
+            refused(&[level, ForceLaw::CentralGravity { orbit: orbit.into() }], false, spin),
             "the acceleration of the support, changes with time",
         ),
         (refused(&[field], true, spin), "the force \"force 0\" changes with time"),
         (
             refused(
                 &[
-                    ForceLaw::CentralGravity { orbit },
-                    ForceLaw::CentralGravity { orbit: turned_orbit(&Matrix3::identity(), 0.2, 0.4) },
+                    ForceLaw::CentralGravity { orbit: orbit.into() },
+                    ForceLaw::CentralGravity { orbit: turned_orbit(&Matrix3::identity(), 0.2, 0.4).into() },
                 ],
                 true,
                 spin,

@@ -7,7 +7,7 @@ use quasirigid::dynamics::{
 };
 use quasirigid::elements::{ApplicationPoint, Assembly, End};
 use quasirigid::model::Support;
-use quasirigid::model::force::{Axes, Force, ForceLaw, MagneticField, Orbit, Wave};
+use quasirigid::model::force::{Axes, Conic, Force, ForceLaw, MagneticField, Orbit, Wave};
 use quasirigid::secular::MeasureError;
 use quasirigid::verification::{AverageError, Difference, VerificationPlan, verify, verify_average};
 use quasirigid_math::expression::Expression;
@@ -87,8 +87,26 @@ fn a_body_on_an_eccentric_orbit_reaches_its_orders() {
         node_rate: 0.0,
         periapsis_rate: 0.0,
     };
-    let assembly = assembly(Support::Free, vec![ForceLaw::CentralGravity { orbit }]);
+    let assembly = assembly(Support::Free, vec![ForceLaw::CentralGravity { orbit: orbit.into() }]);
     assert_orders(&orders(&assembly, [0.5, 0.7, 0.9], 3, 1.0));
+}
+
+/// The same past the periapsis of a hyperbola, a parabola and an ellipse that is nearly one, in the plane of no axis.
+#[test]
+fn a_body_on_a_flyby_reaches_its_orders() {
+    for eccentricity in [2.5, 1.0, 1.0 - 1e-8] {
+        let conic = Conic {
+            mu: 1.0,
+            periapsis_distance: 0.9,
+            eccentricity,
+            inclination: 0.5,
+            raan: 0.2,
+            argument_of_periapsis: 0.7,
+            time_of_periapsis: 1.3,
+        };
+        let assembly = assembly(Support::Free, vec![ForceLaw::CentralGravity { orbit: conic.into() }]);
+        assert_orders(&orders(&assembly, [0.5, 0.7, 0.9], 3, 1.0));
+    }
 }
 
 /// Drag, thrusters on a mass and on the carrier, torques, a dipole, eddy currents and a formula at once, on a body in flight.

@@ -1,4 +1,4 @@
-//! The README and the guide: their commands run and print what the pages show, their complete models are models.
+//! The README, the guide and the predictions: their commands run and print what the pages show, their complete models are models.
 //!
 //! In a `console` block a line `$ quasirigid ...` or `$ cargo run -- ...` is run where the pages expect it,
 //! the root of the repository, or rather a copy that holds the examples and the measured cases, which the commands of one page share. What
@@ -30,12 +30,14 @@ fn problems(root: &Path) -> Vec<String> {
     pages(root).iter().flat_map(|page| problems_of(root, page)).collect()
 }
 
-/// The README and the chapters of the guide, as far as they exist.
+/// The README, the chapters of the guide and the predictions, as far as they exist.
 fn pages(root: &Path) -> Vec<PathBuf> {
-    let guide = root.join("docs/guide");
-    let chapters = if guide.is_dir() { names(&guide) } else { Vec::new() };
-    let chapters =
-        chapters.iter().filter(|name| name.ends_with(".md")).map(|name| Path::new("docs/guide").join(name));
+    let pages_in = |folder: &'static str| {
+        let within = root.join(folder);
+        let all = if within.is_dir() { names(&within) } else { Vec::new() };
+        all.into_iter().filter(|name| name.ends_with(".md")).map(|name| Path::new(folder).join(name))
+    };
+    let chapters = ["docs/guide", "predictions"].into_iter().flat_map(pages_in);
     std::iter::once("README.md".into()).chain(chapters).filter(|page| root.join(page).is_file()).collect()
 }
 

@@ -11,7 +11,7 @@ use crate::dynamics::control::{ControlBlock, Seen};
 use crate::dynamics::external::Forced;
 use crate::dynamics::invariant_monitor::InvariantMonitor;
 use crate::dynamics::layout::{ATTITUDE, Layout, MOMENTUM, PLACE, VELOCITY, triple};
-use crate::dynamics::run::{Observer, Options, PropagateError, Run, check};
+use crate::dynamics::run::{Observer, Options, PropagateError, Run, check, check_covered};
 use crate::dynamics::scale::Scales;
 use crate::math::ode::{Solver, integrate};
 use crate::model::FlexibleBody;
@@ -70,6 +70,7 @@ pub fn propagate_controlled(
         return Err(PropagateError::NoForce);
     }
     let end = times.last().copied().unwrap_or_default();
+    check_covered(system.forces, end)?;
     let (pose, motion) = (initial.pose(), (initial.omega, triple(&y, MOMENTUM)));
     let (mut scales, mut timing) = Scales::controlled(system, (torque, block.clocks()), motion, pose, end);
     if initial.omega == [0.0; 3] {

@@ -13,7 +13,7 @@ use crate::dynamics::external::Forced;
 use crate::dynamics::invariant_monitor::{InvariantMonitor, StateView};
 use crate::dynamics::layout::{ATTITUDE, MOMENTUM, PLACE, SLOW_LENGTH, VELOCITY};
 use crate::dynamics::position;
-use crate::dynamics::run::{Observer, Options, PropagateError, Run, check};
+use crate::dynamics::run::{Observer, Options, PropagateError, Run, check, check_covered};
 use crate::dynamics::scale::Scales;
 use crate::math::ode::{Dop853, Solver, Stretch, integrate};
 use crate::math::simd::Unfused;
@@ -80,6 +80,8 @@ pub fn propagate_forced(
     if ![initial.place, initial.velocity].as_flattened().iter().all(|value| value.is_finite()) {
         return Err(PropagateError::NotFinite);
     }
+    let end = times.last().copied().unwrap_or_default();
+    check_covered(system.forces, end)?;
     let settled = match options.form {
         Form::AngularMomentum => None,
         Form::AngularVelocity => Some(slow_state_point(system, order, initial)?),
@@ -88,7 +90,6 @@ pub fn propagate_forced(
         Some(point) => point.omega,
         None => equations.angular_velocity(initial)?,
     };
-    let end = times.last().copied().unwrap_or_default();
     let pose = initial.pose(0.0);
     let (scales, mut timing) = Scales::timed(system, omega, initial.angular_momentum, pose, end);
     check(scales.spin, initial.attitude, times, options)?;

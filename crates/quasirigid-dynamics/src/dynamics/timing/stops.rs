@@ -1,5 +1,5 @@
 //! Places in time that no step passes: breakpoints, where the steps begin anew, and ends of the intervals in which what acts changes
-//! quickly. (Z1) to (Z3)
+//! quickly. (Z1) to (Z3), (Z6)
 
 use std::f64::consts::{PI, TAU};
 
@@ -8,7 +8,7 @@ use crate::dynamics::control::Clock;
 use crate::dynamics::external::{Forced, Pose};
 use crate::math::expression::Expression;
 use crate::math::ode::Stretch;
-use crate::model::force::{ForceLaw, MagneticField, Orbit, TIME, VARIABLES};
+use crate::model::force::{Conic, ForceLaw, MagneticField, Orbit, TIME, Trajectory, VARIABLES};
 use crate::model::{Marker, Support};
 
 /// Stops of a run.
@@ -102,11 +102,32 @@ impl Stops<'_> {
             ForceLaw::TorqueTable { table, .. } | ForceLaw::ForceTable { table, .. } => {
                 self.breaks.extend(table.times());
             }
-            ForceLaw::CentralGravity { orbit } => self.periodic.push(Periodic::orbit(orbit)),
+            ForceLaw::CentralGravity { orbit: Trajectory::Orbit(orbit) } => {
+                self.periodic.push(Periodic::orbit(orbit));
+            }
+            ForceLaw::CentralGravity { orbit: Trajectory::Conic(conic) } => self.of_conic(conic),
+            ForceLaw::CentralGravity { orbit: Trajectory::Table(table) } => self.breaks.extend(table.times()),
             ForceLaw::MagneticDipole { field, .. } | ForceLaw::EddyCurrent { field, .. } => {
                 self.periodic.extend(Periodic::of_field(field));
             }
             _ => {}
+        }
+    }
+
+    /// The passage of the periapsis, and times from it that double from half of that in which the body passes its distance. (Z6)
+    fn of_conic(&mut self, conic: &Conic) {
+        let (middle, unit, period) = (conic.time_of_periapsis, conic.passing_time(), conic.period());
+        let most = period.map_or(middle.abs() + self.end, |period| 0.5 * period);
+        let apart = std::iter::successors(Some(0.5 * unit), |apart| Some(2.0 * apart));
+        let apart: Vec<f64> = apart.take_while(|apart| *apart < most).collect();
+        let places = apart.iter().flat_map(|apart| [middle - apart, middle + apart]).chain([middle]);
+        match period {
+            Some(period) => {
+                let mut places: Vec<f64> = places.map(|t| t.rem_euclid(period)).collect();
+                places.sort_by(f64::total_cmp);
+                self.periodic.push(Periodic { period, places });
+            }
+            None => self.all.extend(places),
         }
     }
 
@@ -173,7 +194,7 @@ impl Stops<'_> {
 
     /// True if a run has no stops and will have none.
     pub fn is_empty(&self) -> bool {
-        let none = self.breaks.is_empty() && self.clocks.is_empty();
+        let none = self.all.is_empty() && self.breaks.is_empty() && self.clocks.is_empty();
         none && self.periodic.is_empty() && self.formulas.is_empty()
     }
 

@@ -6,7 +6,7 @@ use super::error::SteadyError;
 use super::state::SteadyStateGuess;
 use super::timed::{Pace, pace};
 use crate::math::taylor::Taylor;
-use crate::model::force::{Axes, Force, ForceLaw, MagneticField, Orbit, PLACE, TIME};
+use crate::model::force::{Axes, Force, ForceLaw, MagneticField, Orbit, PLACE, TIME, Trajectory};
 use crate::model::{FlexibleBody, Marker, Support};
 
 type V = Vector3<f64>;
@@ -139,7 +139,8 @@ impl ForceDirections {
             || Err(SteadyError::Changes { what: format!("the force {:?}", force.name), part: None });
         match &force.law {
             ForceLaw::UniformGravity { acceleration: g } => *acceleration += V::from(*g),
-            ForceLaw::CentralGravity { orbit } => self.orbit(&force.name, orbit)?,
+            ForceLaw::CentralGravity { orbit: Trajectory::Orbit(orbit) } => self.orbit(&force.name, orbit)?,
+            ForceLaw::CentralGravity { .. } => return changes(),
             ForceLaw::MagneticDipole { field, .. } | ForceLaw::EddyCurrent { field, .. } => {
                 self.magnetic(&force.name, field)?;
             }

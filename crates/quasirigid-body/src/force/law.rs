@@ -143,6 +143,9 @@ impl<P> Force<P> {
     }
 }
 
+/// Relative difference of two times that is rounding.
+const ROUNDING: f64 = 8.0 * f64::EPSILON;
+
 impl<P> ForceLaw<P> {
     /// Place of action; none for a law that acts on the whole body or is a torque.
     #[must_use]
@@ -211,7 +214,9 @@ impl<P> ForceLaw<P> {
         let (law, windows) = self.timed();
         let Self::CentralGravity { orbit } = law else { return None };
         let known = orbit.span()?;
-        let beyond = |from: f64, to: f64| from < to && (from < known[0] || to > known[1]);
+        let rounding = ROUNDING * known[0].abs().max(known[1].abs());
+        let before = known[0] - rounding;
+        let beyond = |from: f64, to: f64| from < to && (from < before || to > known[1] + rounding);
         let acting = windows.map_or(&[[0.0, f64::INFINITY]][..], |windows| windows.list());
         acting.iter().any(|[from, to]| beyond(from.max(0.0), to.min(end))).then_some(known)
     }

@@ -70,6 +70,7 @@ pub mod effective_masses;
 mod error;
 pub mod evolution;
 pub mod export;
+pub mod fill_map;
 mod hashed;
 pub mod histories;
 mod history_columns;

@@ -8,6 +8,7 @@ mod checks;
 mod derive;
 mod eddy_currents;
 mod evolution;
+mod fill_map;
 mod forces;
 mod full_system;
 mod histories;

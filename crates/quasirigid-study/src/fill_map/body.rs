@@ -173,8 +173,8 @@ impl<'a> FilledBody<'a> {
 
 /// Why the answer may not hold; none where it does.
 fn doubt(study: &Study, found: &SteadySpinRecord) -> Option<String> {
-    let texts = study.model.notes.iter().chain([&found.sentence]);
-    let text = texts.into_iter().find(|text| text.starts_with(MAY_NOT_HOLD))?;
+    let mut texts = study.model.notes.iter().chain([&found.sentence]);
+    let text = texts.find(|text| text.starts_with(MAY_NOT_HOLD))?;
     let told = text[MAY_NOT_HOLD.len()..].trim_start_matches([':', ',', ' ']).trim_start_matches("since ");
     let end = told.find(". ").map_or(told.len(), |end| end + 1);
     Some(told[..end].to_owned())

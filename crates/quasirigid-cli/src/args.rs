@@ -49,6 +49,9 @@ pub enum Command {
         after_help = "Example:\n  quasirigid linear examples/boom-satellite/model.toml --at rest --json"
     )]
     Linear(LinearArgs),
+    /// Map the time constants over the fill of the tanks and the spin, and name the worst fill
+    #[command(after_help = "Example:\n  quasirigid fills examples/two-tanks/model.toml -o fills.svg")]
+    Fills(FillsArgs),
     /// Print the reduced equations
     #[command(
         after_help = "Example:\n  quasirigid derive examples/three-masses/model.toml --order 5 --format json"
@@ -122,6 +125,7 @@ impl Command {
             Self::Run(RunArgs { common, .. })
             | Self::Modes(ModesArgs { common, .. })
             | Self::Linear(LinearArgs { common, .. })
+            | Self::Fills(FillsArgs { common, .. })
             | Self::Sensitivity(SensitivityArgs { common, .. })
             | Self::Infer(InferArgs { common, .. })
             | Self::Derive(Derive { common, .. })
@@ -480,6 +484,60 @@ pub struct LinearArgs {
     /// [default: the rates]
     #[arg(long, value_name = "LIST", value_delimiter = ',')]
     pub outputs: Vec<String>,
+}
+
+#[derive(Args, Debug)]
+pub struct FillsArgs {
+    #[command(flatten)]
+    pub common: Common,
+    /// Names of the tanks that are filled, all alike [default: every tank of revolution]
+    #[arg(long, value_name = "NAMES", value_delimiter = ',')]
+    pub tank: Vec<String>,
+    /// First and last fill, more than 0 and less than 1
+    #[arg(long, value_name = "FIRST,LAST", value_parser = fills, default_value = "0.05,0.95")]
+    pub fill: [f64; 2],
+    /// First and last spin, with a unit or in rad/s, or one alone [default: half to twice that of the start]
+    #[arg(long, value_name = "FIRST,LAST", value_parser = spins)]
+    pub spin: Option<[f64; 2]>,
+    /// Number of fills and of spins
+    #[arg(long, value_name = "N,M", value_parser = counts, default_value = "20,20")]
+    pub points: [usize; 2],
+    /// Write the points into a .csv file, the figure into an .svg or .png file; several times for several
+    #[arg(short, long, value_name = "FILE")]
+    pub out: Vec<PathBuf>,
+    /// Replace the files
+    #[arg(long, requires = "out")]
+    pub overwrite: bool,
+}
+
+/// Reads two numbers.
+fn pair<T: std::str::FromStr>(text: &str) -> Option<[T; 2]> {
+    let numbers: Option<Vec<T>> = text.split(',').map(|number| number.trim().parse().ok()).collect();
+    <[T; 2]>::try_from(numbers?).ok()
+}
+
+/// Reads two fills.
+fn fills(text: &str) -> Result<[f64; 2], String> {
+    pair(text).ok_or_else(|| "fills are two numbers, as 0.05,0.95".to_owned())
+}
+
+/// Reads numbers of fills and spins.
+fn counts(text: &str) -> Result<[usize; 2], String> {
+    pair(text).ok_or_else(|| "give a number of fills and one of spins, as 20,20".to_owned())
+}
+
+/// Reads two spins, or one.
+fn spins(text: &str) -> Result<[f64; 2], String> {
+    let spin = |text: &str| match text.trim().parse() {
+        Ok(rate) => Ok(rate),
+        Err(_) => quantity(text.trim(), Dimension::ANGULAR_VELOCITY).map_err(|error| error.to_string()),
+    };
+    let ends = text.split(',').map(spin).collect::<Result<Vec<f64>, String>>()?;
+    match ends[..] {
+        [one] => Ok([one, one]),
+        [first, last] => Ok([first, last]),
+        _ => Err("give a first and a last spin, as 5rpm,60rpm, or one alone".to_owned()),
+    }
 }
 
 /// Options of the reduced equations about a spin.

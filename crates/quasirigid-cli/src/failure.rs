@@ -76,6 +76,10 @@ pub enum Failure {
     NoFigures { folder: PathBuf },
     #[error("{}: pictures are svg or png files; name the format with --format", path.display())]
     PictureEnding { path: PathBuf },
+    #[error("{}: a map of fills is a .csv, .svg or .png file; JSON is that of --json", path.display())]
+    FillMapEnding { path: PathBuf },
+    #[error("no point of the map has a nutation with a time constant: there is nothing to draw")]
+    NoNutation,
     #[error("{}: a linear model is a .mat or .npz file; JSON is that of --json", path.display())]
     ArrayEnding { path: PathBuf },
     #[error("--pixels belongs to PNG pictures; an SVG picture has any size")]

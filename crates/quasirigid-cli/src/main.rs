@@ -49,6 +49,7 @@ fn main() -> ExitCode {
         Command::Linear(linear) => commands::linear::linear(linear),
         Command::Infer(infer) => commands::infer::infer(infer),
         Command::Sensitivity(sensitivity) => commands::sensitivity::sensitivity(sensitivity),
+        Command::Fills(fills) => commands::fills::fills(fills),
         Command::Derive(derive) => commands::derive::derive(derive),
         Command::Export(export) => commands::export::export(export),
         Command::Simulate(simulate) => commands::simulate::simulate(simulate),

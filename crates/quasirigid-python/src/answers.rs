@@ -16,6 +16,7 @@ use quasirigid_io::record::{HistoryRecord, TableFormat};
 use quasirigid_io::study_file::Quantity;
 use quasirigid_study::certificate::Certificate;
 use quasirigid_study::evolution;
+use quasirigid_study::fill_map::{self, FillMapSettings};
 use quasirigid_study::histories::Table;
 use quasirigid_study::infer::InferSettings;
 use quasirigid_study::layout::paragraph;
@@ -114,6 +115,20 @@ pub fn effective_masses(study: &Study, about: Option<[f64; 3]>) -> Result<Answer
         text: found.text(true),
         sentence: found.sentence.clone(),
         holds: true,
+        notes: study.model.notes.clone(),
+        numbers: BTreeMap::new(),
+        columns: None,
+    })
+}
+
+/// Time constants over fill and spin.
+pub fn fills(study: &Study, asked: &FillMapSettings, mut shared: &Shared) -> Result<Answer, Failure> {
+    let found = study.fill_map(asked, &mut shared)?;
+    Ok(Answer {
+        json: Json(study.with_inputs(serde_json::json!(found))),
+        text: fill_map::text(&found),
+        sentence: found.sentence.clone(),
+        holds: found.holds,
         notes: study.model.notes.clone(),
         numbers: BTreeMap::new(),
         columns: None,

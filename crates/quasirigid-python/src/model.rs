@@ -13,6 +13,7 @@ use quasirigid_io::model::{
     self as file, EvolveMethod, ManifoldMasters, ManifoldStyle, MastersError, Power, System,
 };
 use quasirigid_io::record::TableFormat;
+use quasirigid_study::fill_map::FillMapSettings;
 use quasirigid_study::histories::Table;
 use quasirigid_study::infer::InferSettings;
 use quasirigid_study::linear::{LinearAt, LinearSettings};
@@ -145,6 +146,20 @@ impl Model {
         observer: Observer,
     ) -> PyResult<Answer> {
         self.ask(py, (None, observer), |study, _| answers::effective_masses(study, about))
+    }
+
+    /// Time constants over fill and spin.
+    fn fills(
+        &self,
+        py: Python<'_>,
+        tanks: Vec<String>,
+        range: ([f64; 2], Option<[f64; 2]>, [usize; 2]),
+        order: Option<usize>,
+        observer: Observer,
+    ) -> PyResult<Answer> {
+        let (fills, spins, counts) = range;
+        let asked = FillMapSettings { tanks, fills, spins, counts };
+        self.ask(py, (order, observer), |study, shared| answers::fills(study, &asked, shared))
     }
 
     /// Derivatives of an answer with respect to keys.

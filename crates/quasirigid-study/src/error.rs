@@ -87,6 +87,11 @@ pub enum StudyError {
         /// The reason, in words.
         problem: String,
     },
+    /// Tanks, fills and spins of which there is no map.
+    FillMap {
+        /// The reason, in words.
+        problem: String,
+    },
     /// Threads that the system does not give.
     Threads {
         /// Number asked for.
@@ -367,7 +372,7 @@ impl StudyError {
             }
             Self::NoQuantity { name, reason } => format!("there is no value of `{name}` to differentiate: {reason}"),
             Self::Uncertified { reason } => format!("this answer has no certificate: {reason}"),
-            Self::Infer { problem } => problem.clone(),
+            Self::Infer { problem } | Self::FillMap { problem } => problem.clone(),
             Self::Threads { threads, cause } => format!("{threads} threads cannot be started: {cause}"),
             Self::Truncation(cause) => cause.to_string(),
             Self::Step(cause) => cause.to_string(),

@@ -71,6 +71,7 @@ mod encounters;
 mod error;
 pub mod evolution;
 pub mod export;
+pub mod fill_map;
 mod free_rotation;
 mod hashed;
 pub mod histories;

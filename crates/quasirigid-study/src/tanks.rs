@@ -5,7 +5,7 @@ use quasirigid::dynamics::Start;
 use quasirigid::elements::{SettledTank, Settling, Slug, TankMode};
 use quasirigid::model::force::{Force, ForceLaw, KinematicState};
 use quasirigid::model::{Marker, MotionState, Principal, Support};
-use quasirigid_math::vec3::{add, cross, norm, scale};
+use quasirigid_math::vec3::{add, cross, dot, norm, scale};
 use serde::Serialize;
 
 use crate::error::StudyError;
@@ -23,7 +23,7 @@ const THICK: f64 = 0.05;
 /// Relative difference of two grids that is told.
 const COARSE: f64 = 1e-3;
 /// Relative change of what settled a liquid, or of its slosh or inertia by the spin, that is told.
-const NOTABLE: f64 = 0.01;
+pub const NOTABLE: f64 = 0.01;
 /// Relative change of the effective gravity of a liquid by a spin that is told: 1 degree.
 const OTHER_GRAVITY: f64 = 0.0175;
 /// The same above which an evolution does not hold.
@@ -148,7 +148,8 @@ pub fn notes(study: &Study) -> Vec<String> {
     notes
 }
 
-const MAY_NOT_HOLD: &str = "MAY NOT HOLD";
+/// Beginning of what is told first.
+pub const MAY_NOT_HOLD: &str = "MAY NOT HOLD";
 
 /// Notes on what the liquid has settled under, and what the model does to it.
 fn of_settling(study: &Study, tank: &SettledTank, spin: [f64; 3], felt: [f64; 3]) -> Vec<String> {
@@ -172,8 +173,11 @@ fn of_settling(study: &Study, tank: &SettledTank, spin: [f64; 3], felt: [f64; 3]
                 )
             }));
             if spin != [0.0; 3] {
-                let after =
-                    tank.drag_time.map_or_else(String::new, |drag| format!(" in about {}", time(drag)));
+                // friction alone, or the layers that the spin keeps thin, whichever is sooner
+                let soonest = |drag: f64| drag.min((drag / norm(spin)).sqrt());
+                let after = tank
+                    .drag_time
+                    .map_or_else(String::new, |drag| format!(" in about {}", time(soonest(drag))));
                 notes.push(format!(
                     "The liquid of tank {name:?} is ideal: that friction carries it along about the axis of the tank{after} is left out."
                 ));
@@ -305,17 +309,18 @@ pub fn left(study: &Study, axes: [[f64; 3]; 2], rates: [f64; 2]) -> Option<Strin
 fn change_at(study: &Study, tank: &SettledTank, spin: [f64; 3]) -> Option<f64> {
     let arm = sub(tank.center_of_mass, study.body.pole());
     let flung = |spin: [f64; 3]| scale(-1.0, cross(spin, cross(spin, arm)));
-    let before = match tank.settled_by {
-        Settling::Acceleration(_) => [0.0; 3],
-        Settling::Spin(settled) => flung(settled),
+    let change = match tank.settled_by {
+        // at the rim of the surface, wherever that is about the middle of the liquid
+        Settling::Acceleration(_) => norm(flung(spin)) + dot(spin, spin) * tank.surface_radius,
+        Settling::Spin(settled) => norm(sub(flung(spin), flung(settled))),
     };
-    let share = norm(sub(flung(spin), before)) / norm(tank.gravity);
+    let share = change / norm(tank.gravity);
     (share > OTHER_GRAVITY).then_some(share)
 }
 
 /// Acceleration (m/s²) that liquids feel at the start beside that of the spin, body axes: the recoil of a free body from its forces, the
 /// gravity on a body that is held.
-fn felt(study: &Study) -> [f64; 3] {
+pub fn felt(study: &Study) -> [f64; 3] {
     let body = &study.body;
     let free = *body.support() == Support::Free;
     let weighs = |force: &Force<Marker>| {
@@ -344,6 +349,6 @@ fn direction(v: [f64; 3]) -> String {
     vector(scale(norm(v).recip(), v))
 }
 
-fn sub(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+pub fn sub(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
     add(a, scale(-1.0, b))
 }

@@ -9,6 +9,7 @@ pub mod derive;
 pub mod diff;
 pub mod evolve;
 pub mod export;
+pub mod fills;
 pub mod infer;
 pub mod keys;
 pub mod linear;

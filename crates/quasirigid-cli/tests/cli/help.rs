@@ -1,11 +1,12 @@
 use crate::support::{EXAMPLES, STUDIES, ran};
 
-const COMMANDS: [&str; 13] = [
+const COMMANDS: [&str; 14] = [
     "run",
     "check",
     "modes",
     "linear",
     "derive",
+    "fills",
     "export",
     "simulate",
     "evolve",

@@ -18,6 +18,7 @@ mod export;
 #[cfg(unix)]
 mod faults;
 mod files;
+mod fills;
 mod full;
 mod help;
 mod hostile_names;

@@ -9,6 +9,7 @@
 mod about_spin;
 mod error;
 mod evolution;
+mod fill_map;
 mod folder;
 mod inputs;
 mod modes;
@@ -28,6 +29,7 @@ pub use evolution::{
     ApproachRecord, CrossingRecord, EstimateRecord, EvolutionRecord, HarmonicRecord, HomogeneousRecord,
     ObservedRecord,
 };
+pub use fill_map::{FillMapRecord, FillMotionRecord, FillPointRecord, NearestSloshRecord};
 pub use folder::{ROW_LOG, UNFINISHED, history_file};
 pub use inputs::{DerivedBodyRecord, InputsRecord, SolidRecord, ValueRecord};
 pub use modes::{CampbellRecord, ModeList, ModeRecord, SlowModesRecord, SteadySpinRecord};

@@ -22,7 +22,7 @@ from quasirigid._table import Table, Tabled
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-__all__ = ["AboutSpin", "Answer", "Check", "EffectiveMasses", "Evolution", "History", "Inferred", "Modes", "Run", "Sensitivity", "Verification"]
+__all__ = ["AboutSpin", "Answer", "Check", "EffectiveMasses", "Evolution", "FillMap", "History", "Inferred", "Modes", "Run", "Sensitivity", "Verification"]
 
 
 def _array(values: list[float | None]) -> NDArray[np.float64]:
@@ -544,6 +544,48 @@ class Inferred(Answer):
     def covariance(self) -> NDArray[np.float64]:
         """Covariance of the keys, ``(n, n)``; not a number for those that the data do not tell."""
         return np.array(self._parts["json"]["covariance"], dtype=np.float64)
+
+
+class FillMap(Answer):
+    """Time constants of a body over the fill of its tanks and its spin, with the worst fill of each spin.
+
+    It is false where a point is not answered or the worst one may not hold; each point tells its ``status`` and ``reason``.
+
+    >>> import quasirigid
+    >>> model = quasirigid.Model.from_file("examples/two-tanks/model.toml")
+    >>> found = model.fills(fill=(0.2, 0.8), spin=(2.0, 2.0), points=(3, 1))
+    >>> found.time_constants.shape, found.worst[0]["fill"]
+    ((1, 3), 0.8)
+    """
+
+    __slots__ = ()
+
+    tanks = entry(list, "Names of the tanks that are filled, all alike.")
+    points = entry(_copies, "One entry for each point, by spin, then by fill, with the keys of ``fills --json``.")
+    worst = entry(_copies, "Worst point of each spin, between the points of the map too.")
+    dips = entry(_copies, "Points at which the time constant is least between fills on both sides.")
+
+    @property
+    def spins(self) -> NDArray[np.float64]:
+        """Spins of the map (rad/s), ``(m,)``."""
+        return np.unique([point["spin"] for point in self._parts["json"]["points"]])
+
+    @property
+    def fills(self) -> NDArray[np.float64]:
+        """Fills of the map, ``(n,)``."""
+        return np.unique([point["fill"] for point in self._parts["json"]["points"]])
+
+    @property
+    def time_constants(self) -> NDArray[np.float64]:
+        """e-folding times of the nutation (s), ``(m, n)``, negative where it grows; not a number where there is none."""
+        times = [(point["nutation"] or {}).get("time_constant") for point in self._parts["json"]["points"]]
+        return _array(times).reshape(self.spins.size, self.fills.size)
+
+    def plot(self) -> Figure:
+        """Map of the time constants over fill and spin, with the worst fill of each spin (needs matplotlib)."""
+        from quasirigid import _plot
+
+        return _plot.fills(self)
 
 
 class Sensitivity(Answer):

@@ -113,6 +113,13 @@ class Model:
         observer: _Observer,
     ) -> _Answer: ...
     def effective_masses(self, about: tuple[float, float, float] | None, observer: _Observer) -> _Answer: ...
+    def fills(
+        self,
+        tanks: list[str],
+        range: tuple[tuple[float, float], tuple[float, float] | None, tuple[int, int]],
+        order: int | None,
+        observer: _Observer,
+    ) -> _Answer: ...
     def infer(
         self,
         measured: tuple[str, float | None],

@@ -16,6 +16,7 @@ from quasirigid._answers import (
     Check,
     EffectiveMasses,
     Evolution,
+    FillMap,
     History,
     Inferred,
     Modes,
@@ -226,6 +227,33 @@ class Model:
         vector = _arguments.vector(about, "about")
         with observer(progress) as watch:
             return EffectiveMasses(self._core.effective_masses(vector, watch))
+
+    def fills(
+        self,
+        tanks: Sequence[str] = (),
+        *,
+        fill: tuple[float, float] = (0.05, 0.95),
+        spin: tuple[float, float] | None = None,
+        points: tuple[int, int] = (20, 20),
+        order: int | None = None,
+        progress: Progress = False,
+    ) -> FillMap:
+        """Maps the time constants over the fill of the tanks and the spin, and names the worst fill.
+
+        Args:
+            tanks: Names of the tanks that are filled, all alike; every tank of revolution by default.
+            fill: First and last fill, more than 0 and less than 1.
+            spin: First and last spin (rad/s), the same for one alone; half to twice that of the start by default.
+            points: Number of fills and of spins.
+
+        Raises:
+            InputError: for tanks that do not exist, and for fills and spins that are none.
+        """
+        if isinstance(tanks, str):
+            raise InputError(f"tanks = {tanks!r}; give a list of names")
+        with observer(progress) as watch:
+            asked = (fill, spin, points)
+            return FillMap(self._core.fills(list(tanks), asked, _arguments.count(order, "order"), watch))
 
     def sensitivity(
         self, of: str, keys: Sequence[str] = (), *, order: int | None = None, progress: Progress = False

@@ -135,6 +135,29 @@ def verification(answer: _answers.Verification) -> Figure:
     return _plain(figure)
 
 
+def fills(answer: _answers.FillMap) -> Figure:
+    figure, axes = _figure(1, 3)
+    times = np.abs(answer.time_constants)
+    if not np.isfinite(times).any():
+        raise Refused(answer.sentence)
+    name, unit = _time_unit(np.nanmax(times))
+    decays = np.log10(np.where(np.isfinite(times), times / unit, np.nan))
+    rpm = answer.spins * 30 / np.pi
+    if rpm.size > 1:
+        drawn = axes[0].pcolormesh(answer.fills, rpm, decays, shading="nearest", cmap="viridis_r")
+        figure.colorbar(drawn, label=f"log10 of the e-folding time of the nutation ({name})")
+        axes[0].contour(answer.fills, rpm, answer.time_constants < 0, levels=[0.5], colors="tab:red")
+        axes[0].set_ylabel("spin (rpm)")
+        for point in answer.worst:
+            axes[0].plot(point["fill"], point["spin"] * 30 / np.pi, "kx")
+    else:
+        axes[0].semilogy(answer.fills, times[0] / unit, "o-", linewidth=1, markersize=3)
+        axes[0].set_ylabel(f"e-folding time of the nutation ({name})")
+    axes[0].set_xlabel("fill")
+    _titled(figure, answer)
+    return _plain(figure)
+
+
 def histories(answer: _ensemble.Histories) -> Figure:
     figure, axes = _figure(2)
     name, unit = _time_unit(answer.t)

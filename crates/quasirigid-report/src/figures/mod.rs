@@ -4,6 +4,7 @@ pub mod about_spin;
 pub mod campbell;
 mod curve;
 pub mod evolution;
+pub mod fill_map;
 pub mod history;
 pub mod verification;
 

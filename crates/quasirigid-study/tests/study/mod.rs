@@ -9,6 +9,7 @@ mod derive;
 mod eddy_currents;
 mod encounters;
 mod evolution;
+mod fill_map;
 mod forces;
 mod full_system;
 mod histories;

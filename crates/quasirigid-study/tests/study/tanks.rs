@@ -147,6 +147,40 @@ fn an_evolution_away_from_the_settled_spin_does_not_hold() {
     assert!(!near.contains("DOES NOT HOLD"), "{near}");
 }
 
+/// A spin about the axis of a tank presses the liquid outwards at the rim of its surface, `Ω²R/g`, whose middle it leaves alone; the layers of
+/// a spin carry the liquid along in `R/√(νΩ)`.
+#[test]
+fn a_spin_about_the_axis_of_a_tank_is_told_by_its_rim() {
+    let spun = |spin: f64| hub() + &upright(DOWN) + &thrust(134.6) + &spinning([0.0, 0.0, spin]);
+    let rim = |share: f64| (share * 0.4 / 0.3).sqrt();
+    assert_eq!(doubts(&spun(rim(0.0174))), Vec::<String>::new());
+    let told = doubts(&spun(rim(0.0176)));
+    assert!(
+        told.len() == 1 && told[0].contains("presses the liquid of tank \"fuel\" with 1.8 %"),
+        "{told:?}"
+    );
+    let carried = study(&spun(0.01)).model.notes;
+    assert!(
+        carried.iter().any(|note| note.contains("about the axis of the tank in about 50.00 min")),
+        "{carried:?}"
+    );
+}
+
+/// A slosh that is slow in the body is not the nutation, whose rate is that of the body with its liquid held.
+#[test]
+fn under_a_thrust_the_nutation_is_that_of_the_body() {
+    let ball = "[[tank]]\nname = \"fuel\"\nshape = \"sphere\"\nradius = 0.2\ncenter = [0, 0, 0.6]\nfill = 0.16\ndensity = 1008\n\
+                kinematic_viscosity = \"1 cSt\"\nsettled_by = { acceleration = [0, 0, -0.5] }\n";
+    let study =
+        study(&(carrier(260.0, [150.0, 150.0, 60.0]) + ball + &thrust(132.7) + &spinning([0.0, 0.0, 2.0])));
+    let [across, _, along, ..] = study.body.invariants().J;
+    let found = modes(&study);
+    let nutation = found.spins[0].modes.iter().find(|mode| mode.nutation).unwrap();
+    close(nutation.frequency, 2.0 * (1.0 - along / across), 1e-2); // the liquid moves it
+    let slow = found.spins[0].modes.iter().find(|mode| mode.frequency < 0.5).unwrap();
+    assert!(!slow.nutation && slow.frequency > 0.1, "{slow:?}");
+}
+
 /// Capillarity and thick layers are told, with what was assumed.
 #[test]
 fn small_bond_numbers_and_thick_layers_are_told() {

@@ -46,23 +46,36 @@ pub(super) fn named(
     motions.into_iter().map(|motion| motion.mode).collect()
 }
 
-/// Names the motion of the whole body across the axis of its spin, where no force depends on the attitude: the slowest that oscillates, else
-/// all of those that do not, the slowest first.
+/// Names the motion of the whole body across the axis of its spin, where no force depends on the attitude: of those that oscillate the one in
+/// which the carrier has the largest share, however slow the others are and whatever else it meets; else all of those that do not, the
+/// slowest first.
 fn nutation(motions: &mut [NamedMotion], state: &SteadyState) {
     let axis = state.omega.map(|component| component / norm(state.omega));
     let across = |motion: &&mut NamedMotion| {
         let delta = motion.mode.omega.map(|[re, im]| Complex::new(re, im));
-        motion.carried && about(delta, axis) <= 1.0 - CLEAR
+        about(delta, axis) <= 1.0 - CLEAR
     };
     let mut found: Vec<&mut NamedMotion> = motions.iter_mut().filter(across).collect();
     let swings = |motion: &NamedMotion| motion.mode.frequency > 0.0;
-    let size = |motion: &NamedMotion| (!swings(motion), motion.mode.frequency.hypot(motion.mode.decay_rate));
-    found.sort_by(|a, b| size(a).0.cmp(&size(b).0).then(size(a).1.total_cmp(&size(b).1)));
-    let last = if found.first().is_some_and(|first| swings(first)) { 1 } else { found.len() };
-    for (place, motion) in found.into_iter().take(last).enumerate() {
+    let most = (0..found.len())
+        .filter(|number| swings(found[*number]) && found.iter().any(|motion| motion.carried))
+        .max_by(|a, b| carried_share(&found[*a].mode).total_cmp(&carried_share(&found[*b].mode)));
+    if let Some(number) = most {
+        found[number].mode.nutation = true;
+        found[number].mode.name = "nutation".into();
+        return;
+    }
+    found.retain(|motion| motion.carried);
+    found.sort_by(|a, b| a.mode.decay_rate.abs().total_cmp(&b.mode.decay_rate.abs()));
+    for (place, motion) in found.into_iter().enumerate() {
         motion.mode.nutation = place == 0;
         motion.mode.name = "nutation".into();
     }
+}
+
+/// Share of the carrier in the kinetic energy of a mode.
+fn carried_share(mode: &SpinMode) -> f64 {
+    mode.moves.iter().find(|(name, _)| name == "body").map_or(0.0, |(_, share)| *share)
 }
 
 /// Share of a rotation that is about an axis.

@@ -44,6 +44,8 @@ pub struct SettledTank {
     pub tilt: f64,
     /// Relative difference of two grids in wavenumber, mass and height of the modes.
     pub error: f64,
+    /// Radius of the free surface (m).
+    pub surface_radius: f64,
     /// Bond number `ρ g R²/σ` with the radius `R` of the surface, and whether the surface tension is that of water for want of another.
     pub bond: (f64, bool),
     /// Square of the spin over the lowest frequency, which the Coriolis force and the curvature of the surface change the slosh by; zero where
@@ -128,6 +130,7 @@ impl Tank {
             settled_by: self.settled_by,
             tilt: settled.tilt,
             error,
+            surface_radius: radius,
             bond: (bond, self.surface_tension.is_none()),
             spin_share,
             drag: [frozen - self.density * fine.lid, self.density * moments.axial],

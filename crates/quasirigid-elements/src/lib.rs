@@ -65,7 +65,8 @@ pub use kinds::rotor::{Rotor, RotorKind};
 pub use kinds::spring::{Coefficient, Prestress, Spring, SpringLaw};
 pub use kinds::surface::{Approximation, Resolution, Surface};
 pub use kinds::tank::{
-    SettledTank, Settling, Tank, TankContents, TankDamping, TankError, TankMode, TankShape,
+    MeasuredSlosh, RingBaffle, SettledTank, Settling, Tank, TankContents, TankDamping, TankError, TankMode,
+    TankShape,
 };
 pub use kinds::tube::{Slug, Tube, TubeError};
 pub use kinds::wheel::{Wheel, WheelSpeed};

@@ -20,6 +20,8 @@ const TILTED: f64 = 1e-4;
 const CAPILLARY: f64 = 100.0;
 /// Damping ratio of a layer at the wall that is not thin.
 const THICK: f64 = 0.05;
+/// Keulegan–Carpenter numbers at which the drag of plates was measured. (U17)
+const PLATES: [f64; 2] = [2.0, 20.0];
 /// Relative difference of two grids that is told.
 const COARSE: f64 = 1e-3;
 /// Relative change of what settled a liquid, or of its slosh or inertia by the spin, that is told.
@@ -231,13 +233,13 @@ fn of_flow(tank: &SettledTank) -> Vec<String> {
             significant(bond, 3)
         ));
     }
-    let most = tank.slosh.iter().fold(0.0, |most: f64, mode| most.max(mode.damping_ratio));
-    if tank.drag_time.is_some() && most > THICK {
+    if tank.layer > THICK {
         notes.push(format!(
             "{MAY_NOT_HOLD}: the layer at the wall of tank {name:?} is not thin: it damps the slosh by {} of critical.",
-            significant(most, 2)
+            significant(tank.layer, 2)
         ));
     }
+    notes.extend(of_baffles(tank));
     if tank.error > COARSE {
         notes.push(format!(
             "The slosh of tank {name:?} is known to about {} %.",
@@ -245,6 +247,24 @@ fn of_flow(tank: &SettledTank) -> Vec<String> {
         ));
     }
     notes
+}
+
+/// Notes on the amplitude by which baffles damp, and on the flow past them.
+fn of_baffles(tank: &SettledTank) -> Vec<String> {
+    let (Some((numbers, amplitude)), name) = (&tank.baffles, &tank.name) else { return Vec::new() };
+    let [least, most] = PLATES;
+    let unknown = numbers.iter().find(|number| !(least..=most).contains(*number));
+    let doubt = unknown.map(|number| {
+        format!(
+            "{MAY_NOT_HOLD}: the flow past a baffle of tank {name:?} has the Keulegan-Carpenter number {}: the drag of plates was measured from {least} to {most}.",
+            significant(*number, 2)
+        )
+    });
+    let told = format!(
+        "The baffles of tank {name:?} damp as they do a wave of the amplitude {} m; smaller waves are damped less.",
+        significant(*amplitude, 3)
+    );
+    doubt.into_iter().chain([told]).collect()
 }
 
 /// Warning to stand before an answer about a steady spin (rad/s) under which the liquid of a tank has not settled.

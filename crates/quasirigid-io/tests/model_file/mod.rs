@@ -1,6 +1,7 @@
 //! Model files: values that are read from them, and refusals of mistakes.
 
 mod appendages;
+mod baffles;
 mod beams;
 mod bodies;
 mod change;

@@ -33,6 +33,9 @@ fn tanks_are_read_with_their_defaults() {
         density: 1000.0,
         damping: TankDamping::WallLayer(1e-6),
         surface_tension: None,
+        baffles: Vec::new(),
+        wave_amplitude: None,
+        measured: Vec::new(),
         settled_by: Settling::Acceleration([0.0, 0.0, -0.5]),
         modes: 2,
     };

@@ -69,6 +69,8 @@ mod tests {
             drag: [0.0; 2],
             inertia_share: 0.0,
             drag_time: None,
+            layer: 0.0,
+            baffles: None,
         }
     }
 

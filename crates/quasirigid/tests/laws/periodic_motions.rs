@@ -7,7 +7,7 @@ use quasirigid::averaging::{FreeRotation, HillResponse, MeanPower, RotationState
 use quasirigid::elements::{Assembly, Carrier, End, HingeCoefficient, Hinged};
 use quasirigid::model::{Mode, Principal, Rheology};
 use quasirigid::secular::{
-    EnergyRange, MeasureError, MeasureOptions, MeasuredBy, Measurement, MeasuredPower, Places, Poles,
+    EnergyRange, MeasureError, MeasureOptions, MeasuredBy, MeasuredPower, Measurement, Places, Poles,
 };
 
 use crate::support::parts;
@@ -29,7 +29,8 @@ fn measured(
     let go_on = &mut |_: f64| ControlFlow::Continue(());
     let options = MeasureOptions::default();
     let found = MeasuredPower::along(&body, &range, &poles, (ends, places), &options, go_on)?;
-    let wanted = if places == Places::PeriodicMotions { MeasuredBy::PeriodicMotion } else { MeasuredBy::ShortRun };
+    let wanted =
+        if places == Places::PeriodicMotions { MeasuredBy::PeriodicMotion } else { MeasuredBy::ShortRun };
     Ok(found.measurements.into_iter().find(|each| each.by == wanted).expect("a measurement"))
 }
 
@@ -95,7 +96,8 @@ fn periodic_motions_have_the_power_of_short_runs() {
     let bodies = [(masses(2.0, [2.5, 3.1], 0.02), 1.0), (hinged(), 0.5), (rotors(), 0.3)];
     for (assembly, spin) in &bodies {
         for (mode, xi) in [(Mode::ShortAxis, 0.8), (Mode::ShortAxis, -1.0), (Mode::LongAxis, 0.4)] {
-            let run = measured(assembly, *spin, RotationState { mode, xi }, Places::ShortRuns).expect("a run");
+            let run =
+                measured(assembly, *spin, RotationState { mode, xi }, Places::ShortRuns).expect("a run");
             let [periodic, error] = power(assembly, *spin, run.rotation_state).expect("a motion");
             let (run, spread) = (run.power, run.error);
             let gap = (periodic / run - 1.0).abs();
@@ -113,8 +115,7 @@ fn light_parts_take_the_power_of_the_harmonics() {
     {
         for frequency in [2.3, 3.1, 9.0] {
             let assembly = masses(1e-5, [frequency, 1.3 * frequency], 0.08);
-            let [periodic, error] =
-                power(&assembly, 1.0, RotationState { mode, xi }).expect("a motion");
+            let [periodic, error] = power(&assembly, 1.0, RotationState { mode, xi }).expect("a motion");
             let body = assembly.body().expect("a body");
             let moments = Principal::compute(body.invariants().J).moments;
             let motion = FreeRotation::at_logit(moments, moments[2], mode, xi);
@@ -133,9 +134,7 @@ fn light_parts_take_the_power_of_the_harmonics() {
 fn the_power_knows_no_axes_and_no_units() {
     let assembly = masses(2.0, [2.1, 2.6], 0.05);
     let state = RotationState { mode: Mode::ShortAxis, xi: 0.3 };
-    let at = |assembly: &Assembly, spin: f64| {
-        power(assembly, spin, state).expect("a motion")[0]
-    };
+    let at = |assembly: &Assembly, spin: f64| power(assembly, spin, state).expect("a motion")[0];
     let known = at(&assembly, 1.0);
     let R = Rotation3::new(Vector3::new(0.7, -1.3, 0.4));
     assert!((at(&rotated(&assembly, R.matrix()), 1.0) / known - 1.0).abs() < 1e-5);

@@ -1,6 +1,7 @@
 //! Structures of finite elements: their reduction on a carrier or floating, against other methods for the same body.
 
 mod appendages;
+mod baffles;
 mod beams;
 mod buckling;
 mod bushings;

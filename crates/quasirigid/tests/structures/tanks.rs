@@ -31,6 +31,9 @@ fn tank(shape: TankShape, fill: f64, settled_by: Settling) -> Tank {
         density: 800.0,
         damping: TankDamping::WallLayer(2e-6),
         surface_tension: Some(0.02),
+        baffles: Vec::new(),
+        wave_amplitude: None,
+        measured: Vec::new(),
         settled_by,
         modes: 2,
     }

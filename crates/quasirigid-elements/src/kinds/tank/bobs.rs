@@ -58,6 +58,11 @@ pub struct SettledTank {
     pub inertia_share: f64,
     /// Time (s) in which friction carries the liquid along about the axis, `R²/ν`; none where the viscosity is not given.
     pub drag_time: Option<f64>,
+    /// Greatest damping ratio of the wall layer of a mode; zero where it was measured.
+    pub layer: f64,
+    /// Keulegan–Carpenter numbers of the baffles under the liquid in the first mode, and the amplitude of the wave (m); none without
+    /// baffles. (U17)
+    pub baffles: Option<(Vec<f64>, f64)>,
 }
 
 /// Slosh mode of a tank as a bob: a pendulum of this mass and length, hinged at `height + length` above the liquid's side.
@@ -115,10 +120,17 @@ impl Tank {
         if !(error < UNRESOLVED) {
             return Err(refused(Field::SHAPE, TankError::Unresolved { error: Some(error) }));
         }
-        let slosh: Vec<TankMode> = fine.modes.iter().map(|mode| self.mode(settled, mode)).collect();
+        let slosh = fine.modes.iter().enumerate().map(|(number, mode)| self.mode(settled, (number, mode)));
+        let slosh: Vec<TankMode> =
+            slosh.collect::<Result<_, _>>().map_err(|(field, error)| refused(field, error))?;
+        let layers = fine.modes.iter().enumerate().map(|(number, mode)| self.layer(settled, (number, mode)));
+        let layer = layers.fold(0.0, f64::max);
+        let drowned = fine.modes.first().map(|mode| self.baffled(settled, mode)).transpose();
+        let drowned = drowned.map_err(|(field, error)| refused(field, error))?;
+        let baffles = drowned.map(|(_, numbers)| numbers).zip(self.wave_amplitude);
         let [_, [radius, _]] = settled.wall.ends();
         let (bond, spin_share) =
-            self.within_limits(settled, &slosh).map_err(|(field, error)| refused(field, error))?;
+            self.within_limits(settled, &slosh, layer).map_err(|(field, error)| refused(field, error))?;
         let moments = settled.moments;
         let frozen = self.density * (moments.along + 0.5 * moments.axial);
         let tank = SettledTank {
@@ -136,28 +148,40 @@ impl Tank {
             drag: [frozen - self.density * fine.lid, self.density * moments.axial],
             inertia_share: 0.0,
             drag_time: match self.damping {
-                TankDamping::WallLayer(viscosity) => Some(radius * radius / viscosity),
+                TankDamping::WallLayer(viscosity) | TankDamping::ContaminatedLayer(viscosity) => {
+                    Some(radius * radius / viscosity)
+                }
                 TankDamping::Ratio(_) => None,
             },
+            layer,
+            baffles: baffles.filter(|(numbers, _)| !numbers.is_empty()),
             slosh,
         };
         let bobs = self.bobs(settled, &tank.slosh);
         let rest = self.rest(settled, &tank, self.density * fine.lid);
+        let moving = tank.slosh.iter().map(|mode| mode.mass).sum();
+        let up = settled.up;
+        self.check_rest([rest.0.mass, up.dot(&(rest.0.second * up))], tank.liquid_mass, moving)
+            .map_err(|(field, error)| refused(field, error))?;
         Ok(Sloshing { tank, bobs, rest })
     }
 
     /// Bond number, and the square of the spin over the lowest frequency, of a slosh that weight makes, with a thin layer at the wall, and fast
     /// beside the spin.
-    fn within_limits(&self, settled: &Settled, slosh: &[TankMode]) -> Result<(f64, f64), (Field, TankError)> {
+    fn within_limits(
+        &self,
+        settled: &Settled,
+        slosh: &[TankMode],
+        layer: f64,
+    ) -> Result<(f64, f64), (Field, TankError)> {
         let [_, [radius, _]] = settled.wall.ends();
         let tension = self.surface_tension.unwrap_or(WATER);
         let bond = self.density * settled.gravity[0] * radius * radius / tension;
         if !(bond >= LEAST_BOND) {
             return Err((SETTLED_BY, TankError::Capillary { bond, least: LEAST_BOND }));
         }
-        let ratio = slosh.iter().fold(0.0, |most: f64, mode| most.max(mode.damping_ratio));
-        if matches!(self.damping, TankDamping::WallLayer(_)) && !(ratio <= THIN) {
-            return Err((Field::VISCOSITY, TankError::Viscous { ratio, most: THIN }));
+        if !(layer <= THIN) {
+            return Err((Field::VISCOSITY, TankError::Viscous { ratio: layer, most: THIN }));
         }
         let Settling::Spin(spin) = self.settled_by else { return Ok((bond, 0.0)) };
         let lowest = slosh.iter().fold(f64::INFINITY, |lowest, mode| lowest.min(mode.frequency));
@@ -168,20 +192,56 @@ impl Tank {
         Ok((bond, ratio.powi(-2)))
     }
 
-    fn mode(&self, settled: &Settled, mode: &SloshMode) -> TankMode {
-        let SloshMode { wavenumber, mass, height, wall } = *mode;
-        let frequency = (settled.gravity_at(height) * wavenumber).sqrt();
-        TankMode {
+    /// Frequency (rad/s) of a mode without a diaphragm, measured or of the theory.
+    fn free_frequency(&self, settled: &Settled, (number, mode): (usize, &SloshMode)) -> f64 {
+        let own = || (settled.gravity_at(mode.height) * mode.wavenumber).sqrt();
+        self.measured(number).frequency.unwrap_or_else(own)
+    }
+
+    /// Damping ratio of the layer at the wall, and under the surface where that is dirty; zero where it was measured. (U7)
+    fn layer(&self, settled: &Settled, (number, mode): (usize, &SloshMode)) -> f64 {
+        if self.measured(number).damping_ratio.is_some() {
+            return 0.0;
+        }
+        let layer = |viscosity: f64, rubbed: f64| {
+            0.5 * (0.5 * viscosity / self.free_frequency(settled, (number, mode))).sqrt() * rubbed
+        };
+        match self.damping {
+            TankDamping::WallLayer(viscosity) => layer(viscosity, mode.wall),
+            TankDamping::ContaminatedLayer(viscosity) => layer(viscosity, mode.wall + mode.surface),
+            TankDamping::Ratio(_) => 0.0,
+        }
+    }
+
+    /// A mode of the theory, with what was measured in its place, and baffles and a diaphragm beside it.
+    fn mode(
+        &self,
+        settled: &Settled,
+        (number, mode): (usize, &SloshMode),
+    ) -> Result<TankMode, (Field, TankError)> {
+        let measured = self.measured(number);
+        let own = match self.damping {
+            TankDamping::Ratio(ratio) => ratio,
+            _ => self.layer(settled, (number, mode)),
+        };
+        let (baffled, _) = self.baffled(settled, mode)?;
+        let mass = measured.mass.unwrap_or(self.density * mode.mass);
+        let free = self.free_frequency(settled, (number, mode));
+        let frequency = (free * free + measured.stiffness / mass).sqrt();
+        let decay = (measured.damping_ratio.unwrap_or(own) + baffled) * free + 0.5 * measured.damping / mass;
+        let wavenumber = if frequency == (settled.gravity_at(mode.height) * mode.wavenumber).sqrt() {
+            mode.wavenumber
+        } else {
+            frequency * frequency / settled.gravity_at(mode.height)
+        };
+        Ok(TankMode {
             wavenumber,
             frequency,
-            mass: self.density * mass,
+            mass,
             length: wavenumber.recip(),
-            height: settled.sense * height,
-            damping_ratio: match self.damping {
-                TankDamping::WallLayer(viscosity) => 0.5 * (0.5 * viscosity / frequency).sqrt() * wall,
-                TankDamping::Ratio(ratio) => ratio,
-            },
-        }
+            height: settled.sense * mode.height,
+            damping_ratio: decay / frequency,
+        })
     }
 
     /// A bob for each mode, with its stiffness and damping. (U3)

@@ -139,6 +139,63 @@ pub enum TankError {
         /// Greatest ratio.
         most: f64,
     },
+    /// Measured values of more modes than are kept.
+    #[error("measured values of {given} slosh modes, and {modes} are kept")]
+    TooManyMeasured {
+        /// Number of entries.
+        given: usize,
+        /// Number of modes.
+        modes: usize,
+    },
+    /// Measured masses that leave nothing of the liquid.
+    #[error(
+        "{moving:.6} kg slosh of {liquid:.6} kg of liquid: what is left has no mass, or a negative moment of inertia"
+    )]
+    HeavySlosh {
+        /// Mass that sloshes (kg).
+        moving: f64,
+        /// Mass of the liquid (kg).
+        liquid: f64,
+    },
+    /// Baffles without a wave.
+    #[error("baffles damp a large wave more than a small one, and there is no `wave_amplitude`")]
+    NoWave,
+    /// A wave that is not small.
+    #[error("a wave of the amplitude {amplitude} m: the slosh of small waves is known, to {most:.3} m here")]
+    HighWave {
+        /// Amplitude at the wall (m).
+        amplitude: f64,
+        /// Greatest amplitude (m).
+        most: f64,
+    },
+    /// A baffle that is not in the tank.
+    #[error("a baffle at the height {height} m: the tank is from {low:.4} m to {high:.4} m along its axis")]
+    BaffleOutside {
+        /// Height (m).
+        height: f64,
+        /// Lowest height of the tank (m).
+        low: f64,
+        /// Highest height of the tank (m).
+        high: f64,
+    },
+    /// A baffle that the wave uncovers.
+    #[error(
+        "a baffle {depth:.4} m below the surface, in a wave of the amplitude {amplitude} m: its damping is known while the wave does not reach it"
+    )]
+    BaffleUncovered {
+        /// Depth (m), negative above the surface.
+        depth: f64,
+        /// Amplitude at the wall (m).
+        amplitude: f64,
+    },
+    /// A baffle that changes the flow.
+    #[error("a baffle {width} m wide: the flow past a narrow one is known, to {most:.4} m here")]
+    WideBaffle {
+        /// Width (m).
+        width: f64,
+        /// Greatest width (m).
+        most: f64,
+    },
     /// A flow that is not resolved.
     #[error("the slosh in this tank is not resolved: {}", match error {
         Some(error) => format!("two grids differ by {:.1e}", error),
@@ -202,6 +259,28 @@ impl TankError {
             ),
             Self::Viscous { .. } => {
                 ("too viscous", "give a measured damping_ratio, or hold the liquid as part of the carrier")
+            }
+            Self::TooManyMeasured { .. } => {
+                ("more than the modes", "keep more `modes`, or leave entries out")
+            }
+            Self::HeavySlosh { .. } => (
+                "too much",
+                "check the mass, and the fill at which it was measured; the moving mass is less than the liquid's",
+            ),
+            Self::NoWave => ("no amplitude", "add a line such as: wave_amplitude = \"1 cm\""),
+            Self::HighWave { .. } => {
+                ("not small", "give the amplitude at the wall of the waves that are damped")
+            }
+            Self::BaffleOutside { .. } => (
+                "outside",
+                "heights are along `axis`, from `center`, the middle of the shape or the origin of its profile",
+            ),
+            Self::BaffleUncovered { .. } => (
+                "reached by the wave",
+                "give a smaller wave_amplitude, or a measured damping_ratio; a baffle above the wave damps nothing",
+            ),
+            Self::WideBaffle { .. } => {
+                ("too wide", "give a measured damping_ratio and frequency instead of the baffle")
             }
             Self::Unresolved { .. } => {
                 ("not resolved", "change the fill a little, keep fewer modes, or smooth the profile")

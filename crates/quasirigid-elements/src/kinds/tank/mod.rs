@@ -1,9 +1,11 @@
 //! Tank of revolution, partly full: bobs on springs for the slosh modes of its liquid, and a rigid body for the rest.
 //! The liquid has settled under an effective gravity along the axis of the tank; of a sphere every direction is an axis.
-//! Equations (U1) to (U9), docs/theory/21-slosh.md.
+//! Equations (U1) to (U9) and (U17), docs/theory/21-slosh.md.
 
+mod baffle;
 mod bobs;
 mod error;
+mod measured;
 mod outline;
 mod settled;
 mod shape;
@@ -15,9 +17,11 @@ use crate::flow::revolution::Wall;
 use crate::number;
 use crate::visual::Outline;
 
+pub use baffle::RingBaffle;
 pub(crate) use bobs::Sloshing;
 pub use bobs::{SettledTank, TankMode};
 pub use error::TankError;
+pub use measured::MeasuredSlosh;
 pub(crate) use settled::Settled;
 pub use shape::TankShape;
 
@@ -43,6 +47,12 @@ pub struct Tank {
     pub damping: TankDamping,
     /// Surface tension (N/m); none for that of water, 0.07 N/m, where capillarity is judged.
     pub surface_tension: Option<f64>,
+    /// Ring baffles at the wall. (U17)
+    pub baffles: Vec<RingBaffle>,
+    /// Amplitude of the wave at the wall (m) by which baffles damp.
+    pub wave_amplitude: Option<f64>,
+    /// Measured values of the slosh modes, slowest first; at most one for each.
+    pub measured: Vec<MeasuredSlosh>,
     /// What the liquid has settled under.
     pub settled_by: Settling,
     /// Number of slosh modes across each of two directions, 1 to [`MOST_MODES`](Self::MOST_MODES).
@@ -65,6 +75,8 @@ pub enum TankContents {
 pub enum TankDamping {
     /// That of the laminar layer at the wall, of a liquid of this kinematic viscosity (m²/s). (U7)
     WallLayer(f64),
+    /// The same with that under a surface whose film of dirt does not stretch. (U7)
+    ContaminatedLayer(f64),
     /// A damping ratio, the same of every mode.
     Ratio(f64),
 }
@@ -85,6 +97,12 @@ const FILL: Field = Field::new("fill");
 const LIQUID_MASS: Field = Field::new("liquid_mass");
 /// Key of what the liquid has settled under.
 const SETTLED_BY: Field = Field::new("settled_by");
+/// Key of the baffles.
+const BAFFLES: Field = Field::new("baffles");
+/// Key of the amplitude by which baffles damp.
+const WAVE_AMPLITUDE: Field = Field::new("wave_amplitude");
+/// Key of measured values.
+const MEASURED: Field = Field::new("measured");
 /// Key of a damping ratio.
 const DAMPING_RATIO: Field = Field::new("damping_ratio");
 /// Key of the surface tension.
@@ -105,7 +123,7 @@ impl Tank {
         number::unit(self.axis).map_err(at(id, Field::AXIS))?;
         number::positive(self.density).map_err(at(id, Field::DENSITY))?;
         match self.damping {
-            TankDamping::WallLayer(viscosity) => {
+            TankDamping::WallLayer(viscosity) | TankDamping::ContaminatedLayer(viscosity) => {
                 number::positive(viscosity).map_err(at(id, Field::VISCOSITY))?;
             }
             TankDamping::Ratio(ratio) => number::non_negative(ratio).map_err(at(id, DAMPING_RATIO))?,
@@ -115,6 +133,7 @@ impl Tank {
             let error = TankError::Modes { modes: self.modes, most: Self::MOST_MODES };
             return Err(at(id, Field::MODES)(error.into()));
         }
+        self.check_measured(id)?;
         let (Settling::Acceleration(felt) | Settling::Spin(felt)) = self.settled_by;
         number::finite(&felt).map_err(at(id, SETTLED_BY))?;
         self.shape.wall().map_err(|(field, problem)| at(id, field)(problem))

@@ -25,6 +25,8 @@ pub(crate) struct Settled {
     pub tilt: f64,
     /// Effective gravity (m/s²) at the centre, and its change per height (1/s²): the gravity falls towards the axis of a spin.
     pub gravity: [f64; 2],
+    /// Lowest and highest place of the tank along the axis that the user gives, from the centre (m).
+    pub heights: [f64; 2],
     /// Wall below the level.
     pub wall: Wall,
     /// Moments of the liquid about the centre, of unit density.
@@ -76,11 +78,12 @@ impl Tank {
         }
         let volume = self.volume(id, &wall)?;
         let fill = volume / wall.moments().volume;
+        let heights = wall.ends().map(|[_, height]| height);
         let wall = if sense < 0.0 { wall.flipped() } else { wall }.filled(volume);
         let moments = wall.moments();
         let gravity = [felt.norm(), slope];
         let mass = self.density * volume;
-        Ok(Settled { center, up, sense, tilt, gravity, wall, moments, mass, fill })
+        Ok(Settled { center, up, sense, tilt, gravity, heights, wall, moments, mass, fill })
     }
 }
 

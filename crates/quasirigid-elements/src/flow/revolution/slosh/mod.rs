@@ -15,7 +15,7 @@ use nalgebra::DMatrix;
 pub(crate) use self::wall::{Moments, Wall, WallPiece};
 
 use self::pool::Pool;
-use super::grid::{Grid, Patch};
+use super::grid::{Grid, Patch, Point};
 use crate::math::eigen::{self, Dense};
 use crate::math::factor::{Factor, Method};
 use crate::math::krylov::dot;
@@ -33,7 +33,7 @@ pub(crate) struct Slosh {
 }
 
 /// A slosh mode of a liquid of unit density.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub(crate) struct SloshMode {
     /// `λ = ω²/g` (1/m).
     pub wavenumber: f64,
@@ -43,6 +43,12 @@ pub(crate) struct SloshMode {
     pub height: f64,
     /// `∮|∇φ|² dS` over the wall, over `∫|∇φ|² dV` (1/m). (U7)
     pub wall: f64,
+    /// The same over the free surface, of the velocity along it (1/m). (U7)
+    pub surface: f64,
+    /// Inertia of the mode by the rise of the surface at the wall (m³): twice the kinetic energy over the square of its rate. (U17)
+    pub inertia: f64,
+    /// Along the wall, upwards: distance from the axis, height, and velocity upwards over that of the surface at the wall. (U17)
+    pub rise: Vec<[f64; 3]>,
 }
 
 /// The nodes off the axis, numbered, and what stands over them.
@@ -90,8 +96,20 @@ impl Slosh {
                 let own =
                     |row: usize| lambda * (0..size).map(|column| at(row, column) * Mx[column]).sum::<f64>();
                 let f: Vec<f64> = (0..unknowns.count).map(own).collect();
-                let wall = unknowns.wall_share(&grid, &f, lambda * norm);
-                modes.push(SloshMode { wavenumber: lambda, mass: bob, height: c / b, wall });
+                let wall = unknowns.rubbed(&grid.edges, &f, true) / (lambda * norm);
+                let surface = unknowns.rubbed(&grid.surfaces, &f, false) / (lambda * norm);
+                let contact = x[unknowns.contact(&grid)];
+                let inertia = PI * norm / (lambda * contact * contact);
+                let rise = unknowns.rise(&grid, &f, lambda * contact);
+                modes.push(SloshMode {
+                    wavenumber: lambda,
+                    mass: bob,
+                    height: c / b,
+                    wall,
+                    surface,
+                    inertia,
+                    rise,
+                });
             }
         }
         let lid = PI * dot(&load, &lid);
@@ -181,25 +199,52 @@ impl Unknowns {
         [mass, radial]
     }
 
-    /// `∮|∇φ|² dS` over the wall, over `∫|∇φ|² dV`, which is `π energy`.
-    fn wall_share(&self, grid: &Grid, f: &[f64], energy: f64) -> f64 {
+    /// `∮|∇φ|² dS/π` over edges, with the velocity across them or without.
+    fn rubbed(&self, edges: &[Patch], f: &[f64], across: bool) -> f64 {
         let mut sum = 0.0;
-        for edge in &grid.edges {
-            let own: Vec<f64> = edge
-                .nodes
-                .iter()
-                .map(|node| self.numbers[*node].map_or(0.0, |number| f[number as usize]))
-                .collect();
-            for point in &edge.points {
-                let r = point.at[0];
-                let parts = own.iter().zip(&point.functions).fold([0.0; 3], |sum, (value, functions)| {
-                    std::array::from_fn(|kind| sum[kind] + value * functions[kind])
-                });
-                let [value, by_r, by_z] = parts;
-                sum += point.share * r * (by_r * by_r + by_z * by_z + (value / r).powi(2));
+        for (point, [value, by_r, by_z]) in edges.iter().flat_map(|edge| self.flow(edge, f)) {
+            let r = point.at[0];
+            let upwards = if across { by_z * by_z } else { 0.0 };
+            sum += point.share * r * (by_r * by_r + upwards + (value / r).powi(2));
+        }
+        sum
+    }
+
+    /// Number among those of the free surface of the node at the wall.
+    fn contact(&self, grid: &Grid) -> usize {
+        let mut radii = vec![0.0; self.count];
+        for (node, number) in self.numbers.iter().enumerate() {
+            if let Some(number) = number {
+                radii[*number as usize] = grid.places[node][0];
             }
         }
-        sum / energy
+        let radius = |place: &usize| radii[self.surface[*place]];
+        (0..self.surface.len()).max_by(|a, b| radius(a).total_cmp(&radius(b))).unwrap_or(0)
+    }
+
+    /// Distance from the axis, height, and velocity upwards over a velocity, along the wall, upwards.
+    fn rise(&self, grid: &Grid, f: &[f64], over: f64) -> Vec<[f64; 3]> {
+        let points = grid.edges.iter().flat_map(|edge| self.flow(edge, f));
+        let mut rise: Vec<[f64; 3]> =
+            points.map(|(point, [_, _, by_z])| [point.at[0], point.at[1], by_z / over]).collect();
+        rise.sort_by(|a, b| a[1].total_cmp(&b[1]).then(a[0].total_cmp(&b[0])));
+        rise
+    }
+
+    /// Quadrature points of an edge with `f`, `∂f/∂r` and `∂f/∂z` there.
+    fn flow<'a>(&self, edge: &'a Patch, f: &[f64]) -> Vec<(&'a Point, [f64; 3])> {
+        let own: Vec<f64> = edge
+            .nodes
+            .iter()
+            .map(|node| self.numbers[*node].map_or(0.0, |number| f[number as usize]))
+            .collect();
+        let there = |point: &'a Point| {
+            let parts = own.iter().zip(&point.functions).fold([0.0; 3], |sum, (value, functions)| {
+                std::array::from_fn(|kind| sum[kind] + value * functions[kind])
+            });
+            (point, parts)
+        };
+        edge.points.iter().map(there).collect()
     }
 }
 

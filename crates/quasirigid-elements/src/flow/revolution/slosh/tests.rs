@@ -207,3 +207,25 @@ fn little_sloshes_in_a_full_vessel() {
     close(shallow.modes[0].mass, moments.volume, 5e-3, "all of it");
     close(shallow.modes[0].wavenumber * UNIT, 1.0, 5e-3, "as a bead in the sphere");
 }
+
+/// (U17): at the wall of a cylinder the mode rises as `sinh ξ(z + h)/sinh ξh`, its inertia is `π(1 − 1/ξ²)/2λ`, and along the surface
+/// `∮|∇φ|² dS = ξ²(1 − 1/ξ²)/(ξ tanh ξh (1 − 1/ξ²))` of its energy.
+#[test]
+fn walls_of_cylinders_rise_as_bessel_functions() {
+    for depth in [0.2, 1.0, 3.0] {
+        let slosh = Slosh::new(&cylinder(depth), 2, [12, 2]).unwrap();
+        for (number, mode) in slosh.modes.iter().enumerate() {
+            let xi = zero(number);
+            let known = 0.5 * PI * (1.0 - xi.powi(-2)) * UNIT.powi(2) / mode.wavenumber;
+            close(mode.inertia, known, 1e-5, "inertia");
+            close(mode.surface * UNIT, xi / (xi * depth).tanh(), 1e-5, "surface");
+            let side =
+                mode.rise.iter().filter(|[r, z, _]| *r > 0.999_999 * UNIT && *z > -0.95 * depth * UNIT);
+            assert!(side.clone().count() > 8);
+            for [_, z, rise] in side {
+                let known = (xi * (z / UNIT + depth)).sinh() / (xi * depth).sinh();
+                assert!((rise - known).abs() < 1e-4, "{rise} instead of {known} at {z}");
+            }
+        }
+    }
+}

@@ -132,7 +132,7 @@ struct Pace {
 
 /// Steps over which the pace is taken, and the share of the way that they must make.
 const PACED: u64 = 200_000;
-const LEAST_SHARE: f64 = 1e-9;
+const LEAST_SHARE: f64 = 1e-6;
 
 impl Pace {
     /// Counts a step, taken back or not; the error of steps that lead nowhere.

@@ -8,10 +8,15 @@ use nalgebra::Complex;
 use super::spectrum::Eigenmotion;
 use crate::math::connected_components::connected_components;
 use crate::math::eigen::Dense;
-use crate::model::{FlexibleBody, SpinCoefficients};
+use crate::math::vec3::norm;
+use crate::model::{FlexibleBody, Principal, SpinCoefficients};
 
 /// Load over its terms, and coupling over the inertia, damping and stiffness of both coordinates, below which it is rounding.
 const ROUNDING: f64 = 1e-12;
+/// Relative difference of moments below which they are equal.
+const EQUAL: f64 = 1e-9;
+/// Rounding of the axes of a body, times the relative difference of two moments.
+const AXES: f64 = 1e-14;
 /// Coordinates up to which groups are told apart.
 const MOST_COORDINATES: usize = 150;
 
@@ -19,14 +24,17 @@ const MOST_COORDINATES: usize = 150;
 pub(super) struct Driven<'a> {
     coefficients: &'a SpinCoefficients,
     groups: Vec<Vec<usize>>,
+    /// Load over its size that is rounding, with that of the axes of the body.
+    rounding: f64,
 }
 
 impl<'a> Driven<'a> {
     /// Groups of the coordinates of a body; of a large body, or one with liquids of an impedance, none.
     pub fn of(body: &FlexibleBody, coefficients: &'a SpinCoefficients) -> Self {
         let n = coefficients.h.len();
+        let rounding = ROUNDING + AXES / apart(coefficients);
         if n > MOST_COORDINATES || !body.memories().is_empty() {
-            return Self { coefficients, groups: Vec::new() };
+            return Self { coefficients, groups: Vec::new(), rounding };
         }
         let SpinCoefficients { mass, gyroscopic, centrifugal, .. } = coefficients;
         let damping = Dense::of(body.damping());
@@ -55,7 +63,7 @@ impl<'a> Driven<'a> {
         };
         let pairs = (0..n).flat_map(|j| (j + 1..n).map(move |k| [j, k]));
         let pairs: Vec<[usize; 2]> = pairs.filter(|[j, k]| coupled(*j, *k)).collect();
-        Self { coefficients, groups: connected_components(n, pairs) }
+        Self { coefficients, groups: connected_components(n, pairs), rounding }
     }
 
     /// Puts the coordinates at rest that a slow motion of the direction of spin moves by rounding alone. (M25)
@@ -66,16 +74,22 @@ impl<'a> Driven<'a> {
         }
     }
 
-    /// Coordinates of the groups on which a motion `e^{λt}` with a change of the angular velocity (rad/s) has no load beyond rounding.
-    fn still(&self, lambda: Complex<f64>, delta: [Complex<f64>; 3]) -> impl Iterator<Item = usize> {
+    /// Coordinates of the groups on which a motion `e^{λt}` with a change of the angular velocity (rad/s) has no load beyond rounding. (M25)
+    pub fn still(&self, lambda: Complex<f64>, delta: [Complex<f64>; 3]) -> impl Iterator<Item = usize> {
         let loaded = move |j: &usize| {
-            let SpinCoefficients { h, slopes, .. } = self.coefficients;
-            let terms =
-                (0..3).flat_map(|axis| [slopes[*j][axis] * delta[axis], -lambda * h[*j][axis] * delta[axis]]);
-            let (sum, size) =
-                terms.fold((Complex::from(0.0), 0.0), |(sum, size), term| (sum + term, size + term.norm()));
-            sum.norm() > ROUNDING * size
+            let (h, slope) = (self.coefficients.h[*j], self.coefficients.slopes[*j]);
+            let along = |part: [f64; 3]| (0..3).map(|axis| delta[axis] * part[axis]).sum::<Complex<f64>>();
+            let turning = delta.iter().map(Complex::norm_sqr).sum::<f64>().sqrt();
+            let size = (norm(slope) + lambda.norm() * norm(h)) * turning;
+            (along(slope) - lambda * along(h)).norm() > self.rounding * size
         };
         self.groups.iter().filter(move |group| !group.iter().any(loaded)).flatten().copied()
     }
+}
+
+/// Least difference of two moments of inertia that are not equal, over the greatest.
+fn apart(coefficients: &SpinCoefficients) -> f64 {
+    let [least, middle, greatest] = Principal::compute(coefficients.inertia).moments;
+    let gaps = [middle - least, greatest - middle].map(|gap| gap / greatest);
+    gaps.into_iter().filter(|gap| *gap > EQUAL).fold(1.0, f64::min)
 }

@@ -10,6 +10,7 @@ use nalgebra::{Complex, Vector3};
 use super::blocks::BlockPencil;
 use super::candidates::{Candidate, Source, candidates, neutral};
 use super::displacements::WHOLE;
+use super::driven::Driven;
 use super::equilibrium::RelativeEquilibrium;
 use super::error::ModesError;
 use super::iteration::{Nonlinear, Pair, apart_from, belongs, inverse_iteration};
@@ -305,13 +306,18 @@ impl Frame<'_> {
                     || (Some(i) == nutation && refining.nutation)
                     || (unknowns.nonlinear && slowest[..slowest.len().min(SLOWEST)].contains(&i)))
         };
+        let driven = Driven::of(self.body, self.coefficients);
         let mut modes: Vec<SpinMode> = Vec::with_capacity(found.len());
         let mut pairs: Vec<Pair> = Vec::with_capacity(found.len());
         let mut internal = Vec::with_capacity(found.len());
         let mut lost = 0;
         let others = (0..found.len()).filter(|i| Some(*i) != nutation);
         for i in nutation.into_iter().chain(others) {
-            let motion = &found[i];
+            let mut motion = found[i].clone();
+            if of_direction.contains(&i) {
+                driven.clear(&mut motion);
+            }
+            let motion = &motion;
             let balanced = self.decay_of_motion(motion);
             if Some(i) != nutation {
                 internal.push([balanced, motion.lambda.im]);
@@ -342,7 +348,8 @@ impl Frame<'_> {
             let (lambda, x) = kept.unwrap_or(start);
             let exact = of_spectrum && !unknowns.nonlinear;
             let of_motion = [if exact { balanced } else { -motion.lambda.re }, motion.lambda.im];
-            let mut mode = self.mode(unknowns, of_motion, (lambda, &x), Some(i) == nutation);
+            let driven = of_direction.contains(&i).then_some(&driven);
+            let mut mode = self.mode(unknowns, of_motion, (lambda, &x), (Some(i) == nutation, driven));
             if !of_spectrum {
                 mode.decay_rate = -lambda.re;
                 mode.neutral = sources[i] == Source::Neutral;
@@ -379,10 +386,13 @@ impl Frame<'_> {
         unknowns: &Unknowns,
         of_motion: [f64; 2],
         (lambda, x): (Complex<f64>, &[Complex<f64>]),
-        nutation: bool,
+        (nutation, driven): (bool, Option<&Driven>),
     ) -> SpinMode {
         let delta = [x[0], x[1], x[2]];
-        let q = unknowns.coordinates(x);
+        let mut q = unknowns.coordinates(x);
+        for j in driven.into_iter().flat_map(|driven| driven.still(lambda, delta)) {
+            q[j] = Complex::from(0.0);
+        }
         let rate: Vec<Complex<f64>> = q.iter().map(|q| lambda * q).collect();
         let liquids: Vec<_> = unknowns.liquids(lambda, x).collect();
         let lost = dissipation(self.body, self.equilibrium.omega, lambda, &q, &liquids);

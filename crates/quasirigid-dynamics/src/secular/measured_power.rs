@@ -9,7 +9,7 @@ use super::criteria::uneven;
 use super::energy_range::EnergyRange;
 use super::manifold_boundary::{LocalManifold, ManifoldBoundary};
 use super::measure::{MeasureError, Measurement};
-use super::measurement_point::{MeasureOptions, MeasurementPoint, NEAREST_SEPARATRIX, small, span};
+use super::measurement_point::{MeasureOptions, MeasurementPoint, NEAREST_SEPARATRIX, small, smallest, span};
 use super::periodic_place::PeriodicPlaces;
 use super::poles::Poles;
 use crate::averaging::{FreeRotation, MeanPower, RotationState};
@@ -70,12 +70,18 @@ impl MeasuredPower {
             error: 0.0,
         };
         for mode in [Mode::LongAxis, Mode::ShortAxis] {
-            let Some(ends) = span(range, mode, [from, to], NEAREST_SEPARATRIX) else { continue };
+            let Some(ends) =
+                span(range, mode, [from, to], [NEAREST_SEPARATRIX, smallest(range, poles, mode)])
+            else {
+                continue;
+            };
+            let inside = [from, to].into_iter().filter(|state| state.mode == mode);
+            let deepest = inside.map(|state| state.xi).fold(ends[1], f64::max);
             let local = LocalManifold::about(body, range, mode);
             let (options, periodic) = (*options, PeriodicPlaces::default());
             let (power, watch) = (&mut power, &mut *watch);
             let mut worker =
-                Worker { body, range, poles, mode, options, local, places, periodic, power, watch };
+                Worker { body, range, poles, mode, deepest, options, local, places, periodic, power, watch };
             worker.boundary(ends)?;
             let curve = worker.curve(ends)?;
             power.curves[usize::from(mode == Mode::ShortAxis)] = Some(curve);
@@ -113,6 +119,8 @@ struct Worker<'w, 'b> {
     range: &'b EnergyRange,
     poles: &'b Poles,
     mode: Mode,
+    /// Place of the smallest wobble that the evolution comes to.
+    deepest: f64,
     options: MeasureOptions,
     /// Reduced equations about the pole, where they are of use.
     local: Option<LocalManifold<'b>>,
@@ -126,6 +134,8 @@ impl Worker<'_, '_> {
     /// Interpolating curve between two places, with places added until the curve settles.
     fn curve(&mut self, [low, high]: [f64; 2]) -> Result<Curve, MeasureError> {
         let mut nodes: Vec<[f64; 2]> = self.pole(high).into_iter().collect();
+        // a wobble that no mode damps is damped by a power of it, a line over the place
+        let reach = if nodes.is_empty() { self.deepest } else { high };
         let [first, last] = INTERVALS;
         let mut intervals = first;
         let mut curve: Option<Curve> = None;
@@ -141,7 +151,7 @@ impl Worker<'_, '_> {
                     break;
                 }
             }
-            let next = Curve::through(nodes.clone(), [low, high]);
+            let next = Curve::through(nodes.clone(), [low, reach]);
             let Some(before) = curve.replace(next) else {
                 intervals *= 2;
                 continue;

@@ -44,6 +44,8 @@ const DOUBLINGS: usize = 6;
 const DOUBLINGS_FROM_MANIFOLD: usize = 2;
 /// Wobble (rad) below which the modes give the power.
 const SMALL_WOBBLE: f64 = 0.02;
+/// Wobble (rad) below which the power is not measured where the modes do not give it.
+const SMALLEST_WOBBLE: f64 = 1e-3;
 /// Distance from the separatrix, as `ξ`, to which the power is measured, between moments of like differences.
 pub(super) const NEAREST_SEPARATRIX: f64 = -4.0;
 
@@ -137,17 +139,28 @@ const RUNS: f64 = 9.0;
 
 /// Place `ξ` where the wobble is so small that the modes give the power.
 pub(super) fn small(range: &EnergyRange, mode: Mode) -> f64 {
-    let angle = |xi: f64| wobble(range.moments(), range.angular_momentum(), RotationState { mode, xi });
-    crate::math::bisection::bisected([NEAREST_SEPARATRIX, 40.0], angle, SMALL_WOBBLE, false)
+    place(range, mode, SMALL_WOBBLE)
 }
 
-/// Places in a mode between which the power is needed, ascending, not nearer to the separatrix than `nearest`, between moments of like
-/// differences; none if the evolution does not pass through the mode.
+/// Place `ξ` of a wobble (rad).
+fn place(range: &EnergyRange, mode: Mode, angle: f64) -> f64 {
+    let wobble_at = |xi: f64| wobble(range.moments(), range.angular_momentum(), RotationState { mode, xi });
+    crate::math::bisection::bisected([NEAREST_SEPARATRIX, 40.0], wobble_at, angle, false)
+}
+
+/// Place `ξ` beyond which the power is not measured: where the modes give it or, of a wobble that no mode damps, where its energy runs out of digits.
+pub(super) fn smallest(range: &EnergyRange, poles: &Poles, mode: Mode) -> f64 {
+    let damped = poles.rate(mode).is_none_or(|rate| rate != 0.0);
+    place(range, mode, if damped { SMALL_WOBBLE } else { SMALLEST_WOBBLE })
+}
+
+/// Places in a mode between which the power is needed, ascending, not nearer to the separatrix than the first bound, between moments of like
+/// differences, nor to the axis than the second; none if the evolution does not pass through the mode.
 pub(super) fn span(
     range: &EnergyRange,
     mode: Mode,
     [from, to]: [RotationState; 2],
-    nearest: f64,
+    [nearest, small]: [f64; 2],
 ) -> Option<[f64; 2]> {
     let nearest = constant_beyond(range.moments(), mode, nearest);
     let at = |rotation_state: RotationState| (rotation_state.mode == mode).then_some(rotation_state.xi);
@@ -156,7 +169,6 @@ pub(super) fn span(
         (Some(one), None) | (None, Some(one)) => (one, nearest),
         (None, None) => return None,
     };
-    let small = small(range, mode);
     let within = |xi: f64| xi.clamp(nearest, small);
     (small >= nearest).then(|| [within(one.min(other)), within(one.max(other))])
 }

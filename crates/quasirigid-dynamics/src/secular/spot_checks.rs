@@ -7,7 +7,7 @@ use std::ops::ControlFlow;
 
 use super::energy_range::EnergyRange;
 use super::measure::{MeasureError, Measurement};
-use super::measurement_point::{MeasureOptions, MeasurementPoint, span};
+use super::measurement_point::{MeasureOptions, MeasurementPoint, small, span};
 use super::poles::Poles;
 use crate::averaging::{FreeRotation, MeanPower, RotationState};
 use crate::dynamics::FullState;
@@ -99,7 +99,8 @@ impl SpotChecks {
 /// Rotation states of an evolution with a wide wobble.
 fn places(range: &EnergyRange, ends: [RotationState; 2]) -> Vec<RotationState> {
     let in_mode = |mode: Mode| {
-        let [low, high] = span(range, mode, ends, NEAREST_SEPARATRIX).unwrap_or([0.0; 2]);
+        let [low, high] =
+            span(range, mode, ends, [NEAREST_SEPARATRIX, small(range, mode)]).unwrap_or([0.0; 2]);
         let count = match high - low {
             way if way <= 0.0 => 0,
             way if way < SINGLE_PLACE_LENGTH => 1,

@@ -181,7 +181,7 @@ fn words_of_the_reference_are_those_that_readers_take() {
             }
             let body = if table == "carrier" { String::new() } else { format!("{CARRIER}{POINT}") };
             let kind = match (table.as_str(), key.as_str()) {
-                ("cavity", "flow") | ("tank", "settled_by") => "shape = \"sphere\"\nradius = 1\n",
+                ("cavity", "flow") | ("tank", "settled_by" | "surface") => "shape = \"sphere\"\nradius = 1\n",
                 ("force", "shape") => "kind = \"eddy-current\"\nconductivity = 1\n",
                 _ => "",
             };

@@ -119,7 +119,7 @@ fn mistakes_in_tanks_are_refused() {
     "#);
     assert_snapshot!(refused(&format!("{SPHERE}height = 1\n{LIQUID}{DOWN}")), @r#"
     model.toml:13:1: `height` is not a key of [[tank]] of shape "sphere"
-      it is for shape = "cylinder", shape = "capsule" or shape = "cone"; the keys here are shape, name, radius, center, axis, fill, liquid_mass, density, kinematic_viscosity, damping_ratio, surface_tension, settled_by, modes
+      it is for shape = "cylinder", shape = "capsule" or shape = "cone"; the keys here are shape, name, radius, center, axis, fill, liquid_mass, density, kinematic_viscosity, damping_ratio, surface, baffles, wave_amplitude, measured, surface_tension, settled_by, modes
     "#);
 }
 

@@ -5,8 +5,6 @@ use crate::lu::Lu;
 
 /// Radau points of an interval.
 pub(super) const STAGES: usize = 3;
-/// Stage in the middle of the interval.
-const MIDDLE: usize = 1;
 /// `√6`.
 const ROOT: f64 = 2.449_489_742_783_178;
 /// Radau points, as shares of the interval; the last one is the next node.
@@ -34,14 +32,8 @@ pub(super) struct Interval {
 }
 
 impl Interval {
-    /// Linear equations of an interval of a solution, with the slopes of every stage or, for a step of Newton's method, of the middle one for
-    /// all; none where they are singular.
-    pub fn linear(
-        system: &mut impl Unfolded,
-        solution: &PeriodicSolution,
-        i: usize,
-        exact: bool,
-    ) -> Option<Self> {
+    /// Linear equations of an interval of a solution; none where they are singular.
+    pub fn linear(system: &mut impl Unfolded, solution: &PeriodicSolution, i: usize) -> Option<Self> {
         let (size, parameters, step) = (system.size(), solution.parameters(), solution.step());
         let width = size + 2 + parameters.len();
         let rates = rates(system, solution, i);
@@ -49,16 +41,9 @@ impl Interval {
         let mut directions = Vec::with_capacity(STAGES);
         for (l, z) in solution.stages(i).chunks(size).enumerate() {
             directions.push(system.directions(z));
-            let stages = match (exact, l) {
-                (true, _) => l..l + 1,
-                (false, MIDDLE) => 0..STAGES,
-                (false, _) => continue,
-            };
             add_slopes(system, (z, parameters, &rates[l * size..(l + 1) * size]), |row, column, slope| {
                 for (j, integrals) in INTEGRALS.iter().enumerate() {
-                    for l in stages.clone() {
-                        matrix.add(j * size + row, l * size + column, -step * integrals[l] * slope);
-                    }
+                    matrix.add(j * size + row, l * size + column, -step * integrals[l] * slope);
                 }
             });
         }

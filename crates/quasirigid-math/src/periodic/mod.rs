@@ -48,7 +48,7 @@ const DIVERGED: f64 = 1e3;
 /// None where Newton's method does not converge, or to a solution of another length.
 pub fn periodic(system: &mut impl Unfolded, guess: &Guess, intervals: usize) -> Option<PeriodicSolution> {
     let mut solution = PeriodicSolution::sampled(guess, intervals, system.parameters());
-    let mut linear = linearised(system, &solution, false)?;
+    let mut linear = linearised(system, &solution)?;
     let (mut before, mut smallest) = (f64::INFINITY, f64::INFINITY);
     for _ in 0..MOST_STEPS {
         watch::ask();
@@ -65,7 +65,7 @@ pub fn periodic(system: &mut impl Unfolded, guess: &Guess, intervals: usize) -> 
                 interval.update(system, &solution, i)?;
             }
         } else {
-            linear = linearised(system, &solution, false)?;
+            linear = linearised(system, &solution)?;
         }
         (before, smallest) = (change, smallest.min(change));
     }
@@ -75,13 +75,13 @@ pub fn periodic(system: &mut impl Unfolded, guess: &Guess, intervals: usize) -> 
 /// Floquet multipliers of a periodic solution, real and imaginary part: the factors by which small changes have grown after a period, at the
 /// same parameters. None where they are not found.
 pub fn multipliers(system: &mut impl Unfolded, solution: &PeriodicSolution) -> Option<Vec<[f64; 2]>> {
-    let linear = linearised(system, solution, true)?;
+    let linear = linearised(system, solution)?;
     eigenvalues(&Chain::of(system.size(), &linear).monodromy()?).ok()
 }
 
 /// Intervals of a solution, linear in changes of it.
-fn linearised(system: &mut impl Unfolded, solution: &PeriodicSolution, exact: bool) -> Option<Vec<Interval>> {
-    (0..solution.intervals()).map(|i| Interval::linear(system, solution, i, exact)).collect()
+fn linearised(system: &mut impl Unfolded, solution: &PeriodicSolution) -> Option<Vec<Interval>> {
+    (0..solution.intervals()).map(|i| Interval::linear(system, solution, i)).collect()
 }
 
 /// Takes one step of Newton's method; returns the largest relative change of a component.

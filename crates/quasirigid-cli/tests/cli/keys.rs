@@ -139,6 +139,7 @@ fn keys_of_check_and_modes_are_those_of_the_guide() {
     let mut modes =
         printed(&["modes examples/three-masses/model.toml", "modes examples/heavy-top/model.toml"]);
     modes.extend(of_many_coordinates("modes"));
+    modes.insert("no_solid".into()); // of a material that flows: cli::materials
     assert_same(&modes, &(&(&listed(PAGE, "`modes`") | &spin) | &spins));
 }
 

@@ -37,6 +37,7 @@ fn a_liquid_is_no_solid_at_its_own_harmonics() {
         assert!(ran.stdout.starts_with(first) && said(&ran).contains(LIQUID), "{command}: {ran:?}");
     }
     assert_eq!(ran_in(folder.path(), "check model.toml --json").json()["valid"], false);
+    assert!(ran_in(folder.path(), "modes model.toml --json").json()["no_solid"].is_string());
     // also where the reduced equations are at the edge of their range
     let soft = ellipsoid(MAXWELL).replace("1 GPa", "1 kPa");
     let ran = ran_with(&soft, "simulate model.toml --times 0,1");

@@ -37,7 +37,7 @@ pub const STRUCTURES: [&str; 4] = ["apophis-shape", "quillen-network", "solar-pa
 pub const SLIDING: [&str; 1] = ["ring-damper"];
 
 /// Studies of many bodies, each of the model of another example.
-pub const STUDIES: [&str; 1] = ["damper-study"];
+pub const STUDIES: [&str; 2] = ["apophis-flyby", "damper-study"];
 
 /// A rigid body with one mass on a spring; the tests replace parts of it.
 pub const MODEL: &str = "\

@@ -35,10 +35,8 @@ pub use crate::model::{Form, Method};
 pub use damped::DampedMode;
 pub use event::Event;
 pub use external::Forced;
-pub use full::{
-    FullState, FullStepper, MotionGuess, PeriodicMotion, periodic_motion, propagate_controlled,
-    propagate_full,
-};
+pub use full::{FullState, FullStepper, propagate_controlled, propagate_full};
+pub(crate) use full::{MotionGuess, PeriodicMotion, periodic_motion};
 pub use initial_transient::{BoundaryLayer, FastPart, composite_spin, matched_start};
 pub use nutation::{Nutation, Nutations};
 pub use reduced::propagate;

@@ -12,7 +12,9 @@ use crate::model::FlexibleBody;
 
 /// Intervals at first for each period of a small wobble, and doublings at most.
 const INTERVALS: f64 = 12.0;
-const DOUBLINGS: usize = 5;
+const DOUBLINGS: usize = 3;
+/// Intervals at first beyond which a motion takes too long to find.
+const MOST_INTERVALS: usize = 150;
 /// Share of the error wanted that a doubling may change the power by.
 const SETTLED: f64 = 0.25;
 /// Place `ξ` of a wobble as quick as a small one.
@@ -70,6 +72,9 @@ impl PeriodicPlaces {
         let at = |xi: f64| FreeRotation::at_logit(range.moments(), range.angular_momentum(), place.mode, xi);
         let stretch = at(place.xi).polhode_period() / at(SMALL.max(place.xi)).polhode_period();
         let mut intervals = (INTERVALS * stretch).ceil() as usize;
+        if intervals > MOST_INTERVALS {
+            return Err(MeasureError::NoPeriodicMotion);
+        }
         let mut motion = self.first(body, range, place, intervals).ok_or(MeasureError::NoPeriodicMotion)?;
         for _ in 0..DOUBLINGS {
             if watch().is_break() {

@@ -146,9 +146,8 @@ fn nearest_of([a, b, c]: &Corners, point: [f64; 3]) -> (Feature, [f64; 3]) {
 pub fn nearest_weights(corners: [[f64; 3]; 3], point: [f64; 3]) -> [f64; 3] {
     let (_, at) = nearest_of(&corners, point);
     let [u, v, w] = [corners[1], corners[2], at].map(|place| minus(place, corners[0]));
-    let (uu, uv, vv, uw, vw) = (dot(u, u), dot(u, v), dot(v, v), dot(u, w), dot(v, w));
-    let area = uu * vv - uv * uv;
-    let (s, t) = ((vv * uw - uv * vw) / area, (uu * vw - uv * uw) / area);
+    let normal = cross(u, v);
+    let [s, t] = [cross(w, v), cross(u, w)].map(|part| dot(part, normal) / dot(normal, normal));
     [1.0 - s - t, s, t]
 }
 

@@ -577,7 +577,7 @@ class FillMap(Answer):
 
     @property
     def time_constants(self) -> NDArray[np.float64]:
-        """e-folding times of the nutation (s), ``(m, n)``, negative where it grows; not a number where there is none."""
+        """Times in which the nutation falls by e (s), ``(m, n)``, negative where it grows; not a number where there is none."""
         times = [(point["nutation"] or {}).get("time_constant") for point in self._parts["json"]["points"]]
         return _array(times).reshape(self.spins.size, self.fills.size)
 

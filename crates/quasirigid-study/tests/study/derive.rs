@@ -45,7 +45,7 @@ fn json_has_every_field_of_the_contract() {
             assert_eq!(inertia[row][column], inertia[column][row], "{example}");
         }
         let frequencies = numbers(&json["frequencies"]);
-        let vibrates = !["mercury-ring", "spherical-tank"].contains(&example.as_str());
+        let vibrates = !["apophis-flyby", "mercury-ring", "spherical-tank"].contains(&example.as_str());
         assert!(frequencies.is_empty() != vibrates && frequencies.is_sorted(), "{frequencies:?}");
         assert_eq!(json["order"], 3);
     }

@@ -112,7 +112,7 @@ fn times_are_those_of_the_full_system() {
         (lightly_damped(), "manifold"),
         (slosh(0.02), "direct"),
         (flywheel(0.8, 4.0), "average"),
-        (slosh(0.004), "micro-runs"),
+        (slosh(0.004), "periodic-motions"),
     ] {
         as_the_full_system(&model, road);
     }

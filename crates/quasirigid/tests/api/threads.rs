@@ -89,8 +89,8 @@ types! {
     }
     secular {
         AverageCriteria CalibratedPower DirectOptions DirectRow DirectRun DirectStopReason EnergyRange
-        GyrostatSpins GyrostatWobble ManifoldBoundary ManifoldHistory MeasureError MeasureOptions MeasuredPower
-        Measurement Pole Poles SpotChecks
+        GyrostatSpins GyrostatWobble ManifoldBoundary ManifoldHistory MeasureError MeasureOptions MeasuredBy MeasuredPower
+        Measurement Places Pole Poles SpotChecks
     }
     choice {
         AverageBasis AveragePowers Case['static] ChoiceError Criteria Decision Followed GrowingVibration

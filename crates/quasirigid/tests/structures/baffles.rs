@@ -49,14 +49,16 @@ fn close(value: f64, exact: f64, tolerance: f64, what: &str) {
 }
 
 /// `2.83 e^(−4.60 d/R) α^(3/2) (δ/R)^(1/2)` of a ring of the share `α` of the cross-section in a deep cylinder [Miles 1958, NASA SP-106]; the
-/// exponent there has two digits after the point, and the factor is 0.6 % above that of its own derivation.
+/// exponent there has two digits after the point, and the factor is 0.6 % above that of its own derivation. There `√α` stands for `√(2w/R)` of the
+/// width `w`, of which `α = (2w/R)(1 − w/2R)`.
 #[test]
 fn narrow_rings_damp_as_miles_has_it() {
     for (depth, width, amplitude) in [(0.1, 0.02, 0.01), (0.2, 0.05, 0.03), (0.35, 0.01, 0.002)] {
         let found = settled(tank(vec![RingBaffle { height: -depth, width }], amplitude));
         let share = 1.0 - (1.0 - width / RADIUS).powi(2);
         let known = 2.83 * (-4.60 * depth / RADIUS).exp() * share.powf(1.5) * (amplitude / RADIUS).sqrt();
-        close(found.slosh[0].damping_ratio, known, 0.01 + 0.02 * width / RADIUS, "Miles");
+        let known = known / (1.0 - 0.5 * width / RADIUS).sqrt();
+        close(found.slosh[0].damping_ratio, known, 0.01 + 0.005 * depth / RADIUS, "Miles");
     }
 }
 

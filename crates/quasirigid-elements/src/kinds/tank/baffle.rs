@@ -89,12 +89,29 @@ fn drowned(
     if depth < 0.0 || place <= bottom {
         return Ok(None);
     }
-    let above = mode.rise.partition_point(|[_, z, _]| *z <= place).clamp(1, mode.rise.len() - 1);
-    let [[r, z, v], [next_r, next_z, next_v]] = [mode.rise[above - 1], mode.rise[above]];
-    let share = if next_z > z { ((place - z) / (next_z - z)).clamp(0.0, 1.0) } else { 0.0 };
-    let (radius, velocity) = (r + share * (next_r - r), v + share * (next_v - v));
+    let [radius, velocity] = at_wall(&mode.rise, place);
     if !(width <= WIDEST * radius) {
         return Err((BAFFLES, TankError::WideBaffle { width, most: WIDEST * radius }));
     }
     Ok(Some(Drowned { area: width * (radius - 0.5 * width), width, velocity: velocity.abs() }))
+}
+
+/// Rows of the wall through which a polynomial is laid: the velocity falls from the surface as an exponential.
+const THROUGH: usize = 4;
+
+/// Distance of the wall from the axis and velocity there, at a height within the wall, by the polynomial through the rows about it.
+fn at_wall(rise: &[[f64; 3]], place: f64) -> [f64; 2] {
+    let mut rows: Vec<[f64; 3]> = rise.iter().rev().copied().collect();
+    rows.dedup_by(|next, kept| kept[1] - next[1] <= f64::EPSILON * kept[1].abs());
+    rows.reverse();
+    let count = THROUGH.min(rows.len());
+    let above = rows.partition_point(|[_, z, _]| *z <= place);
+    let first = above.saturating_sub(count / 2).min(rows.len() - count);
+    let near = &rows[first..first + count];
+    let place = place.clamp(near[0][1], near[count - 1][1]);
+    near.iter().enumerate().fold([0.0; 2], |[radius, velocity], (i, [r, z, v])| {
+        let others = near.iter().enumerate().filter(|(k, _)| *k != i);
+        let weight: f64 = others.map(|(_, [_, other, _])| (place - other) / (z - other)).product();
+        [radius + weight * r, velocity + weight * v]
+    })
 }

@@ -20,6 +20,12 @@ impl Driver<'_> {
 
     /// The power of periodic motions of the full system, after it has forgotten its start. (Q19)
     pub(super) fn periodic_motions(&self, observer: &mut dyn ChoiceObserver) -> Result<Found, Stop> {
+        if let Some(duration) = self.settling()
+            && let Ok(per_period) = self.seconds_per_period(observer)
+        {
+            let period = self.case.spins.motion(self.case.span.ends[0]).polhode_period();
+            observer.announce(Work::ShortRuns, per_period / period * duration)?;
+        }
         self.measured(Places::PeriodicMotions, observer)
     }
 
@@ -42,11 +48,7 @@ impl Driver<'_> {
     /// State at which the full system has forgotten the start; none where the start has settled.
     fn settled(&self, observer: &mut dyn ChoiceObserver) -> Result<Option<DirectRow>, MeasureError> {
         let (spins, span) = (self.case.spins, self.case.span);
-        let Some(pole) = spins.poles.of_mode(span.ends[0].mode).filter(|_| !span.placed) else {
-            return Ok(None);
-        };
-        let period = spins.motion(span.ends[0]).polhode_period();
-        let duration = (FORGOTTEN / pole.settling_rate()).clamp(period, LONGEST * period);
+        let Some(duration) = self.settling() else { return Ok(None) };
         let options = history_options(Some(span.energies[1]), Some(duration), self.limits);
         let run = follow_directly(spins.body, &span.start, &options, &mut |share| observer.observe(share))?;
         match run.ending {
@@ -54,6 +56,14 @@ impl Driver<'_> {
             DirectStopReason::Interrupted => Err(MeasureError::Interrupted),
             _ => Err(MeasureError::LeftMode),
         }
+    }
+
+    /// Time (s) in which the full system forgets the start; none where the start has settled.
+    fn settling(&self) -> Option<f64> {
+        let (spins, span) = (self.case.spins, self.case.span);
+        let pole = spins.poles.of_mode(span.ends[0].mode).filter(|_| !span.placed)?;
+        let period = spins.motion(span.ends[0]).polhode_period();
+        Some((FORGOTTEN / pole.settling_rate()).clamp(period, LONGEST * period))
     }
 
     fn announce_short_runs(&self, observer: &mut dyn ChoiceObserver) -> Result<(), Stop> {

@@ -131,18 +131,16 @@ fn behind_averages(criteria: &Criteria, complete: bool, limits: &Limits, trials:
     match criteria.revolutions {
         _ if no_mean => Last::Method(Method::FullSystem),
         Some(revolutions) if revolutions <= limits.few_revolutions => Last::Method(Method::FullSystem),
-        revolutions => {
+        None => Last::Refused(Reason::UnknownLength),
+        Some(revolutions) => {
             if criteria.coordinates <= limits.coordinates_of_periodic_motions {
                 trials.push(Method::PeriodicMotions);
             }
-            match revolutions {
-                None => Last::Refused(Reason::UnknownLength),
-                Some(revolutions) if revolutions > limits.many_revolutions => Last::Method(Method::MicroRuns),
-                Some(_) => {
-                    trials.push(Method::MicroRuns);
-                    Last::Method(Method::FullSystem)
-                }
+            if revolutions > limits.many_revolutions {
+                return Last::Method(Method::MicroRuns);
             }
+            trials.push(Method::MicroRuns);
+            Last::Method(Method::FullSystem)
         }
     }
 }

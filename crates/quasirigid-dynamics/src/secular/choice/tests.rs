@@ -127,14 +127,10 @@ fn other_methods_come_behind_the_averages() {
             last(FullSystem),
         ),
         (Criteria { internal_growth: true, ..body() }, &[SpinManifold], last(FullSystem)),
-        (
-            Criteria { revolutions: None, ..body() },
-            &[SpinManifold, PeriodicMotions],
-            Last::Refused(Reason::UnknownLength),
-        ),
+        (Criteria { revolutions: None, ..body() }, &[SpinManifold], Last::Refused(Reason::UnknownLength)),
         (
             Criteria { revolutions: None, between_axes: true, ..body() },
-            &[PeriodicMotions],
+            &[],
             Last::Refused(Reason::UnknownLength),
         ),
         (Criteria { left_out: 0.02, ..body() }, &[SpinManifold, PeriodicMotions], last(MicroRuns)),

@@ -93,6 +93,12 @@ impl FlexibleBody {
 }
 
 impl Invariants {
+    /// Modal mass `A_jj` of a coordinate; zero of one without mass. (I1)
+    #[must_use]
+    pub fn modal_mass(&self, j: usize) -> f64 {
+        self.pairs.row(j).find(|(k, _)| *k == j).map_or(0.0, |(_, pair)| pair.A)
+    }
+
     /// Invariants of the coordinates kept.
     fn block(&self, kept: &Range<usize>) -> Self {
         Self {

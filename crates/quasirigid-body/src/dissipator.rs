@@ -20,6 +20,12 @@ pub struct Dissipator {
 }
 
 impl Dissipator {
+    /// Power (W) that the damping takes at rates of the coordinates. (D1)
+    #[must_use]
+    pub fn power(&self, rate: &[f64]) -> f64 {
+        self.damping.times(rate).iter().zip(rate).map(|(force, rate)| force * rate).sum()
+    }
+
     /// Dissipator of the body with `C → C/ε²`, `B → B/ε`.
     pub(super) fn stiffened(&self, epsilon: f64) -> Self {
         Self {

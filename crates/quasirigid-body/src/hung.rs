@@ -33,9 +33,7 @@ impl Hung {
         if !alone || free.is_empty() {
             return None;
         }
-        let mass =
-            |j: usize| parts.invariants.pairs.row(j).find(|(k, _)| *k == j).map_or(0.0, |(_, pair)| pair.A);
-        let springs = free.iter().map(|j| (*j, *j, MEASURE * MEASURE * mass(*j)));
+        let springs = free.iter().map(|j| (*j, *j, MEASURE * MEASURE * parts.invariants.modal_mass(*j)));
         let all = stiffness.iter().map(|(j, k, C)| (j, k, *C)).chain(springs).collect();
         let grounded = SparseRows::sum(elastic, all);
         let shares: Vec<f64> = (0..elastic).map(|j| f64::from(u8::from(free.contains(&j)))).collect();

@@ -30,6 +30,13 @@ pub fn scale<T: Scalar>(factor: T, a: [T; 3]) -> [T; 3] {
     a.map(|entry| factor * entry)
 }
 
+/// Difference `a − b`.
+#[inline]
+#[must_use]
+pub fn minus<T: Scalar>(a: [T; 3], b: [T; 3]) -> [T; 3] {
+    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
+}
+
 /// Length.
 #[inline]
 #[must_use]

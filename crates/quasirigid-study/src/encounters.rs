@@ -5,7 +5,7 @@ use quasirigid::model::force::{Ephemeris, Force, ForceLaw, Trajectory};
 use quasirigid::model::{FlexibleBody, Marker, Principal};
 
 use crate::error::StudyError;
-use crate::words::significant;
+use crate::words::{MAY_NOT_HOLD, significant};
 
 /// Ratio of size and distance from which the first terms left out are told.
 const NOTABLE: f64 = 0.01;
@@ -27,7 +27,7 @@ pub fn notes(body: &FlexibleBody, forces: &[Force<Marker>]) -> Result<Vec<String
         let ratio = size / nearest;
         if ratio > NOTABLE {
             notes.push(format!(
-                "MAY NOT HOLD: the force {name:?} is the gradient of gravity at the centre of mass, and the next terms are smaller by about the size of the body over the distance, {} m over {} m at the nearest, {} %",
+                "{MAY_NOT_HOLD}: the force {name:?} is the gradient of gravity at the centre of mass, and the next terms are smaller by about the size of the body over the distance, {} m over {} m at the nearest, {} %",
                 significant(size, 3),
                 significant(nearest, 4),
                 significant(100.0 * ratio, 2)
@@ -46,7 +46,7 @@ fn of_table(name: &str, table: &Ephemeris) -> Vec<String> {
     let (nearest, attracted) = table.nearest();
     if !(OTHER_ACCELERATION.recip()..OTHER_ACCELERATION).contains(&attracted) {
         notes.push(format!(
-            "MAY NOT HOLD: at its nearest, {} m from the centre, the path in the table of the force {name:?} falls {} times as fast as the centre attracts it; check the units of t, x, y and z (s and m), and that the places are from the centre of attraction",
+            "{MAY_NOT_HOLD}: at its nearest, {} m from the centre, the path in the table of the force {name:?} falls {} times as fast as the centre attracts it; check the units of t, x, y and z (s and m), and that the places are from the centre of attraction",
             significant(nearest, 4),
             significant(attracted, 3)
         ));

@@ -4,7 +4,7 @@
 use quasirigid::elements::{Appendage, Assembly, Extent};
 use quasirigid_math::vec3::norm;
 
-use crate::words::significant;
+use crate::words::{MAY_NOT_HOLD, significant};
 
 /// Spin over the lowest frequency above which an answer may not hold.
 const SLOW: f64 = 0.1;
@@ -13,7 +13,7 @@ const SLOW: f64 = 0.1;
 pub fn note(assembly: &Assembly, omega: [f64; 3]) -> Option<String> {
     let (softest, ratio) = softest(assembly, omega)?;
     let unknown = assembly.appendages.iter().any(|appendage| appendage.extent == Extent::Unknown);
-    let warning = if unknown || ratio > SLOW { "MAY NOT HOLD: " } else { "" };
+    let warning = if unknown || ratio > SLOW { format!("{MAY_NOT_HOLD}: ") } else { String::new() };
     let load = if unknown {
         " Without `line` or `normal` the load of a steady spin on its modes is left out too, and with it their part in reduced equations and evolutions."
     } else {
@@ -30,7 +30,7 @@ pub fn note(assembly: &Assembly, omega: [f64; 3]) -> Option<String> {
 pub fn warning(assembly: &Assembly, omega: [f64; 3]) -> Option<String> {
     let (softest, ratio) = softest(assembly, omega).filter(|(_, ratio)| *ratio > SLOW)?;
     Some(format!(
-        "MAY NOT HOLD, since the spin is {} % of the lowest frequency of appendage {:?}, whose sheet has no shapes.",
+        "{MAY_NOT_HOLD}, since the spin is {} % of the lowest frequency of appendage {:?}, whose sheet has no shapes.",
         significant(100.0 * ratio, 3),
         softest.name
     ))

@@ -11,7 +11,7 @@ use serde::Serialize;
 use crate::error::StudyError;
 use crate::layout::paragraph;
 use crate::study::Study;
-use crate::words::significant;
+use crate::words::{MAY_NOT_HOLD, significant};
 
 /// Womersley number from which an oscillation is no succession of steady flows: a third of its inertia, that of the profile, is then 4 % of the
 /// friction.
@@ -152,8 +152,6 @@ pub fn notes(study: &Study) -> Vec<String> {
     notes.sort_by_key(|note| !note.starts_with(MAY_NOT_HOLD));
     notes
 }
-
-const MAY_NOT_HOLD: &str = "MAY NOT HOLD";
 
 fn of_slug(study: &Study, slug: &Slug) -> Vec<String> {
     let name = &slug.name;

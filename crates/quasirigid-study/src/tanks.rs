@@ -5,14 +5,14 @@ use quasirigid::dynamics::Start;
 use quasirigid::elements::{SettledTank, Settling, Slug, TankMode};
 use quasirigid::model::force::{Force, ForceLaw, KinematicState};
 use quasirigid::model::{Marker, MotionState, Principal, Support};
-use quasirigid_math::vec3::{add, cross, dot, norm, scale};
+use quasirigid_math::vec3::{cross, dot, minus, norm, scale};
 use serde::Serialize;
 
 use crate::error::StudyError;
 use crate::layout::paragraph;
 use crate::slugs::SlugObject;
 use crate::study::Study;
-use crate::words::{significant, time};
+use crate::words::{MAY_NOT_HOLD, significant, time};
 
 /// Angle between the effective gravity and the axis of a tank (rad) that is told.
 const TILTED: f64 = 1e-4;
@@ -150,16 +150,13 @@ pub fn notes(study: &Study) -> Vec<String> {
     notes
 }
 
-/// Beginning of what is told first.
-pub const MAY_NOT_HOLD: &str = "MAY NOT HOLD";
-
 /// Notes on what the liquid has settled under, and what the model does to it.
 fn of_settling(study: &Study, tank: &SettledTank, spin: [f64; 3], felt: [f64; 3]) -> Vec<String> {
     let name = &tank.name;
     let mut notes = Vec::new();
     match tank.settled_by {
         Settling::Acceleration(settled) => {
-            if norm(sub(felt, settled)) > NOTABLE * norm(settled) {
+            if norm(minus(felt, settled)) > NOTABLE * norm(settled) {
                 notes.push(format!(
                     "{MAY_NOT_HOLD}: the liquid of tank {name:?} has settled under {} m/s^2, and at the start the forces of the model press it with {} m/s^2. Where \
                      this is less, the weight of the liquid that slosh displaces has less moment on the body, or none: write the thrust as a [[force]].",
@@ -327,12 +324,12 @@ pub fn left(study: &Study, axes: [[f64; 3]; 2], rates: [f64; 2]) -> Option<Strin
 /// Change of the effective gravity of a liquid from that under which it has settled to that at a spin (rad/s), over the former, where it
 /// is notable.
 fn change_at(study: &Study, tank: &SettledTank, spin: [f64; 3]) -> Option<f64> {
-    let arm = sub(tank.center_of_mass, study.body.pole());
+    let arm = minus(tank.center_of_mass, study.body.pole());
     let flung = |spin: [f64; 3]| scale(-1.0, cross(spin, cross(spin, arm)));
     let change = match tank.settled_by {
         // at the rim of the surface, wherever that is about the middle of the liquid
         Settling::Acceleration(_) => norm(flung(spin)) + dot(spin, spin) * tank.surface_radius,
-        Settling::Spin(settled) => norm(sub(flung(spin), flung(settled))),
+        Settling::Spin(settled) => norm(minus(flung(spin), flung(settled))),
     };
     let share = change / norm(tank.gravity);
     (share > OTHER_GRAVITY).then_some(share)
@@ -367,8 +364,4 @@ fn vector(v: [f64; 3]) -> String {
 /// A direction in words.
 fn direction(v: [f64; 3]) -> String {
     vector(scale(norm(v).recip(), v))
-}
-
-pub fn sub(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    add(a, scale(-1.0, b))
 }

@@ -7,6 +7,8 @@ use quasirigid::model::{Displaced, FlexibleBody, HINGE_RANGE, RANGE, Reach, Watc
 use quasirigid::reduction::{Comparison, Criterion, Validity, Verdict};
 use quasirigid_math::vec3::norm;
 
+/// Beginning of a note that is told first.
+pub const MAY_NOT_HOLD: &str = "MAY NOT HOLD";
 /// Share of the length of a vector below which a component is rounding.
 const COMPONENT_ROUNDING: f64 = 1e-9;
 

@@ -9,12 +9,10 @@ use super::spectrum::Eigenmotion;
 use crate::math::connected_components::connected_components;
 use crate::math::eigen::Dense;
 use crate::math::vec3::norm;
-use crate::model::{FlexibleBody, Principal, SpinCoefficients};
+use crate::model::{FlexibleBody, Mode, Principal, SpinCoefficients};
 
 /// Load over its terms, and coupling over the inertia, damping and stiffness of both coordinates, below which it is rounding.
 const ROUNDING: f64 = 1e-12;
-/// Relative difference of moments below which they are equal.
-const EQUAL: f64 = 1e-9;
 /// Rounding of the axes of a body, times the relative difference of two moments.
 const AXES: f64 = 1e-14;
 /// Coordinates up to which groups are told apart.
@@ -89,7 +87,8 @@ impl<'a> Driven<'a> {
 
 /// Least difference of two moments of inertia that are not equal, over the greatest.
 fn apart(coefficients: &SpinCoefficients) -> f64 {
-    let [least, middle, greatest] = Principal::compute(coefficients.inertia).moments;
-    let gaps = [middle - least, greatest - middle].map(|gap| gap / greatest);
-    gaps.into_iter().filter(|gap| *gap > EQUAL).fold(1.0, f64::min)
+    let moments = Principal::compute(coefficients.inertia).moments;
+    let modes = [Mode::LongAxis, Mode::ShortAxis].into_iter().filter(|mode| mode.exists(moments));
+    let gap = |mode: Mode| (moments[1] - moments[mode.circled()]).abs() / moments[2];
+    modes.map(gap).fold(1.0, f64::min)
 }

@@ -6,7 +6,7 @@
 use nalgebra::{DMatrix, Matrix3, Matrix4, Vector3, Vector4};
 use thiserror::Error;
 
-use crate::math::vec3::{add, cross, dot, norm, scale};
+use crate::math::vec3::{add, cross, dot, norm, scale, unit};
 use crate::model::{BalancedSpin, FlexibleBody, Mode, Principal, SpinCoefficients};
 
 /// Relative equilibrium: a steady spin and the displacements that it causes. (M1)
@@ -79,7 +79,7 @@ const CONVERGED: f64 = 1e-13;
 const ACCEPTED_RESIDUAL: f64 = 1e-9;
 /// Least stiffness of a coordinate without a spring, in units of that of a centrifugal force on its own inertia, that is not rounding.
 const RESTORED: f64 = 1e-10;
-/// Relative difference below which moments and their steady spins are equal.
+/// Relative difference below which the ratios of two steady spins are equal.
 const EQUAL: f64 = 1e-9;
 /// Cosine of the angle from a direction below which an axis is across it.
 const ACROSS: f64 = 1e-9;
@@ -171,8 +171,7 @@ impl RelativeEquilibrium {
             Mode::ShortAxis => (2, 1, 1.0),
             Mode::LongAxis => (0, 1, -1.0),
         };
-        let equal = (moments[other] - moments[own]).abs() <= EQUAL * moments[2];
-        let axes = if equal { within(axes, [own, other], towards) } else { axes }.map(sense);
+        let axes = if mode.exists(moments) { axes } else { within(axes, [own, other], towards) }.map(sense);
         let found = Self::near(body, axes[own], given);
         if (moments[other] - moments[own]).abs() > ALIKE * moments[2] {
             return found;
@@ -238,7 +237,7 @@ fn within(axes: [[f64; 3]; 3], [own, other]: [usize; 2], towards: [f64; 3]) -> [
     let along = add(along[0], along[1]);
     let mut turned = axes;
     if norm(along) > ACROSS * norm(towards) {
-        turned[own] = scale(norm(along).recip(), along);
+        turned[own] = unit(along);
         turned[other] = cross(axes[3 - own - other], turned[own]);
     }
     turned

@@ -313,11 +313,7 @@ impl Frame<'_> {
         let mut lost = 0;
         let others = (0..found.len()).filter(|i| Some(*i) != nutation);
         for i in nutation.into_iter().chain(others) {
-            let mut motion = found[i].clone();
-            if of_direction.contains(&i) {
-                driven.clear(&mut motion);
-            }
-            let motion = &motion;
+            let motion = &found[i];
             let balanced = self.decay_of_motion(motion);
             if Some(i) != nutation {
                 internal.push([balanced, motion.lambda.im]);
@@ -400,7 +396,8 @@ impl Frame<'_> {
         let moved = moving(self.body, self.coefficients, delta, &rate, &liquids);
         let kinetic = kinetic(&moved);
         let largest = q.iter().enumerate().max_by(|a, b| {
-            let size = |(j, rate): &(usize, &Complex<f64>)| rate.norm_sqr() * self.weight(*j);
+            let size =
+                |(j, rate): &(usize, &Complex<f64>)| rate.norm_sqr() * self.body.invariants().modal_mass(*j);
             size(a).total_cmp(&size(b))
         });
         let largest = largest.filter(|(_, rate)| rate.norm_sqr() > 0.0).map(|(j, _)| j);
@@ -468,10 +465,6 @@ impl Frame<'_> {
         }
         let square: f64 = K.iter().map(Complex::norm_sqr).sum();
         0.5 * (kinetic + potential - square / self.equilibrium.ratio)
-    }
-
-    fn weight(&self, j: usize) -> f64 {
-        self.body.invariants().pairs.row(j).find(|(k, _)| *k == j).map_or(0.0, |(_, pair)| pair.A)
     }
 }
 

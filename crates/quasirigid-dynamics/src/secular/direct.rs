@@ -220,11 +220,7 @@ impl Observer for Collector<'_> {
     fn sample(&mut self, sample: &Sample) {
         (self.last.omega, self.last.attitude) = (sample.omega, sample.attitude);
         let rate = &self.last.rate;
-        let now = self.body.dissipators().iter().map(|dissipator| {
-            let force = dissipator.damping.times(rate);
-            force.iter().zip(rate).map(|(force, rate)| force * rate).sum::<f64>()
-        });
-        let now: Vec<f64> = now.collect();
+        let now: Vec<f64> = self.body.dissipators().iter().map(|dissipator| dissipator.power(rate)).collect();
         let row = self.before.after(sample);
         let taken = row.dissipated - self.rows.last().map_or(0.0, |last| last.dissipated);
         let mean: Vec<f64> = now

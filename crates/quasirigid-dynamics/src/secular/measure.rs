@@ -321,11 +321,7 @@ impl Observer for Collector<'_> {
             (state.omega, state.attitude) = (sample.omega, sample.attitude);
             &state.rate
         });
-        let budget = self.body.dissipators().iter().map(|dissipator| {
-            let force = dissipator.damping.times(rate);
-            force.iter().zip(rate).map(|(force, rate)| force * rate).sum()
-        });
-        let budget = budget.collect();
+        let budget = self.body.dissipators().iter().map(|dissipator| dissipator.power(rate)).collect();
         let Sample { t, energy, dissipated, .. } = *sample;
         self.rows.push(Row { t, energy, dissipated, budget });
     }

@@ -44,8 +44,9 @@ impl PeriodicPlaces {
         if rotation_state.mode != place.mode {
             return Err(MeasureError::LeftMode);
         }
-        if motion.growth * motion.period > ROUNDING {
-            return Err(MeasureError::Grows { rate: motion.growth });
+        let growth = motion.growth(body).ok_or(MeasureError::NoPeriodicMotion)?;
+        if growth * motion.period > ROUNDING {
+            return Err(MeasureError::Grows { rate: growth });
         }
         let loss = motion.power * motion.period / range.polhode(motion.energy).energy_from_axis();
         let found = Measurement {
@@ -108,7 +109,7 @@ impl PeriodicPlaces {
         let distance = |(state, _): &&(RotationState, PeriodicMotion)| (state.xi - place.xi).abs();
         let same = self.found.iter().filter(|(state, _)| state.mode == place.mode);
         let near = same.min_by(|a, b| distance(a).total_cmp(&distance(b))).map(|(_, motion)| motion);
-        [near, None].into_iter().find_map(|near| {
+        near.into_iter().map(Some).chain([None]).find_map(|near| {
             let guess = MotionGuess {
                 period: polhode.period,
                 start: start.angular_momentum(body),

@@ -33,9 +33,7 @@ impl SpinManifold<'_> {
             let state = self.full_state(&z, crate::math::rotation::ALIGNED);
             sum.energy += state.energy(self.body) / PHASES as f64;
             for (sum, dissipator) in sum.budget.iter_mut().zip(self.body.dissipators()) {
-                let force = dissipator.damping.times(&state.rate);
-                *sum += force.iter().zip(&state.rate).map(|(force, rate)| force * rate).sum::<f64>()
-                    / PHASES as f64;
+                *sum += dissipator.power(&state.rate) / PHASES as f64;
             }
         }
         sum.power = sum.budget.iter().sum();

@@ -2,9 +2,9 @@
 //! Moments, meshes and distances all presume the invariant below, so no surface exists that breaks it.
 //! Equation (G9), docs/theory/11-materials.md.
 
-use super::geometry::{bounds, is_flat, minus, normalised};
+use super::geometry::{bounds, is_flat, normalised};
 use super::{Moments, SurfaceError, crossing, shells, topology};
-use quasirigid_math::vec3::{cross, dot, norm};
+use quasirigid_math::vec3::{cross, dot, minus, norm};
 
 /// Height over a triangle, relative to the largest coordinate, that is rounding.
 const FLAT: f64 = 1e-7;

@@ -3,9 +3,9 @@
 use std::ops::ControlFlow;
 
 use super::SurfaceError;
-use super::geometry::{Corners, bounds, minus};
+use super::geometry::{Corners, bounds};
 use super::tree::{Bounds, overlapping};
-use quasirigid_math::vec3::{cross, dot, norm};
+use quasirigid_math::vec3::{cross, dot, minus, norm};
 
 /// Share of the extent of two triangles below which a gap is rounding.
 const GAP: f64 = 8.0 * f64::EPSILON;

@@ -1,18 +1,12 @@
 //! Corners of triangles in coordinates near one, so that no unit of length is too small or too large.
 
-use quasirigid_math::vec3::{cross, dot, norm};
+use quasirigid_math::vec3::{cross, dot, minus, norm};
 
 /// Corners of a triangle.
 pub(super) type Corners = [[f64; 3]; 3];
 
 /// Share of the largest coordinate below which heights are rounding of the coordinates.
 const FLAT: f64 = 16.0 * f64::EPSILON;
-
-/// `a − b`.
-#[inline(always)]
-pub(super) fn minus(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
-}
 
 /// `a · (b × c)`, six times the volume of the tetrahedron on these edges.
 #[inline(always)]

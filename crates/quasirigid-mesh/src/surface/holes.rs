@@ -2,10 +2,9 @@
 
 use std::fmt;
 
-use super::geometry::minus;
 use super::topology::sides;
 use quasirigid_math::connected_components::connected_components;
-use quasirigid_math::vec3::{add, norm, scale};
+use quasirigid_math::vec3::{add, minus, norm, scale};
 
 /// Hole in a surface: open edges that hang together.
 #[derive(Clone, Copy, Debug, PartialEq)]

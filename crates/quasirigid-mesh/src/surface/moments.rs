@@ -3,10 +3,11 @@
 //! Equation (G9), docs/theory/11-materials.md.
 
 use super::ClosedSurface;
-use super::geometry::{minus, triple};
+use super::geometry::triple;
 use quasirigid_math::polynomial::monomial::{count, index};
 use quasirigid_math::quadrature::gauss_legendre;
 use quasirigid_math::simd::{Arithmetic, Rounding, Task, dispatch};
+use quasirigid_math::vec3::minus;
 
 /// Points of a triangle in one vector operation.
 const LANES: usize = 8;

@@ -3,12 +3,12 @@
 use std::f64::consts::PI;
 
 use super::ClosedSurface;
-use super::geometry::{Corners, bounds, minus, triple};
+use super::geometry::{Corners, bounds, triple};
 use super::shells::solid_angle;
 use super::topology;
 use super::tree::{Bounds, Tree};
 use quasirigid_math::connected_components::connected_components;
-use quasirigid_math::vec3::{add, cross, dot, norm, scale};
+use quasirigid_math::vec3::{add, cross, dot, minus, norm, scale};
 
 /// A closed surface prepared for queries of distance.
 pub(crate) struct Proximity {

@@ -3,9 +3,9 @@
 use std::f64::consts::PI;
 
 use super::SurfaceError;
-use super::geometry::{Corners, bounds, minus, triple};
+use super::geometry::{Corners, bounds, triple};
 use quasirigid_math::connected_components::connected_components;
-use quasirigid_math::vec3::{dot, norm, scale};
+use quasirigid_math::vec3::{dot, minus, norm, scale};
 
 /// Shell: a part of the surface whose triangles are connected by their edges.
 pub(super) struct Shell {

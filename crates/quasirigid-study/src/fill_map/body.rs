@@ -5,14 +5,14 @@ use quasirigid_io::model::{Model, Rotation};
 use quasirigid_io::record::{
     FillMotionRecord, FillPointRecord, ModeRecord, NearestSloshRecord, SteadySpinRecord,
 };
-use quasirigid_math::vec3::{norm, scale};
+use quasirigid_math::vec3::{minus, norm, scale, unit};
 
 use super::held::{nutation_rate, slosh_frequencies};
 use crate::error::StudyError;
 use crate::modes::SteadySpinSettings;
 use crate::study::Study;
-use crate::tanks::{MAY_NOT_HOLD, NOTABLE, felt, sub};
-use crate::words::significant;
+use crate::tanks::{NOTABLE, felt};
+use crate::words::{MAY_NOT_HOLD, significant};
 
 /// Relative difference of the rate of a steady state from the spin that was asked for, above which it is another one.
 const OTHER_SPIN: f64 = 0.01;
@@ -71,7 +71,7 @@ impl<'a> FilledBody<'a> {
         let pressed = |number: &usize| {
             let Settling::Acceleration(settled) = all[*number].settled_by else { return false };
             study.body.support() == &quasirigid::model::Support::Free
-                && norm(sub(recoil, settled)) <= NOTABLE * norm(settled)
+                && norm(minus(recoil, settled)) <= NOTABLE * norm(settled)
         };
         Ok(Self {
             study,
@@ -80,7 +80,7 @@ impl<'a> FilledBody<'a> {
                 .map(|number| (number, all[number].liquid_mass / all[number].fill))
                 .collect(),
             thrust: (0..all.len()).filter(pressed).collect(),
-            axis: scale(size.recip(), spin),
+            axis: unit(spin),
             spin: size,
         })
     }

@@ -1,12 +1,13 @@
 //! Frequencies by which slosh and nutation meet: each with the other held. Equations (U15) and (U16), docs/theory/21-slosh.md.
 
 use quasirigid::elements::SettledTank;
+use quasirigid_math::sphere::tangents;
 use quasirigid_math::sym3;
-use quasirigid_math::vec3::{cross, dot, norm, scale};
+use quasirigid_math::vec3::{dot, norm, unit};
 
 /// Frequencies (rad/s) of a slosh mode in a body held in a spin (rad/s), slower and faster; none of a motion that does not oscillate. (U15)
 pub(super) fn slosh_frequencies(tank: &SettledTank, frequency: f64, spin: [f64; 3]) -> [Option<f64>; 2] {
-    let up = scale(norm(tank.gravity).recip(), tank.gravity);
+    let up = unit(tank.gravity);
     let along = dot(spin, up).powi(2);
     let [first, second] = [along, dot(spin, spin)].map(|square| frequency * frequency - square);
     let half = 0.5 * (first + second + 4.0 * along);
@@ -23,13 +24,8 @@ pub(super) fn slosh_frequencies(tank: &SettledTank, frequency: f64, spin: [f64; 
 /// tensor (kg·m²); none where the motion does not oscillate. (U16)
 pub(super) fn nutation_rate(inertia: [f64; 6], spin: [f64; 3], angular_momentum: [f64; 3]) -> Option<f64> {
     let rate = norm(spin);
-    let axis = scale(rate.recip(), spin);
-    let least = (0..3).min_by(|a, b| axis[*a].abs().total_cmp(&axis[*b].abs()))?;
-    let mut unit = [0.0; 3];
-    unit[least] = 1.0;
-    let first = cross(axis, unit);
-    let first = scale(norm(first).recip(), first);
-    let second = cross(axis, first);
+    let axis = unit(spin);
+    let [first, second] = tangents(axis);
     let rows = sym3::rows(inertia);
     let form = |a: [f64; 3], b: [f64; 3]| dot(a, rows.map(|row| dot(row, b)));
     let [a, b, c] = [form(first, first), form(second, second), form(first, second)];
@@ -42,7 +38,7 @@ pub(super) fn nutation_rate(inertia: [f64; 6], spin: [f64; 3], angular_momentum:
 
 #[cfg(test)]
 mod tests {
-    use quasirigid_math::vec3::add;
+    use quasirigid_math::vec3::{add, cross, scale};
 
     use super::*;
 
@@ -77,7 +73,7 @@ mod tests {
     /// Determinant of the equation of a bob across `up` in a frame that turns, written with cross products.
     fn determinant(up: [f64; 3], spin: [f64; 3], own: f64, rate: f64) -> f64 {
         let first = cross(up, [0.3, 0.5, -0.7]);
-        let first = scale(norm(first).recip(), first);
+        let first = unit(first);
         let axes = [first, cross(up, first)];
         let entry = |row: usize, column: usize| {
             let x = axes[column];

@@ -7,8 +7,7 @@ use quasirigid_io::visible::one_line;
 
 use crate::layout::paragraph;
 use crate::steady::fate;
-use crate::tanks::MAY_NOT_HOLD;
-use crate::words::{significant, time};
+use crate::words::{MAY_NOT_HOLD, significant, time};
 
 /// Difference of a slosh frequency from the rate of the nutation within which they meet, relative.
 const MEETS: f64 = 0.1;

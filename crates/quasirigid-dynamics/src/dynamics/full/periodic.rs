@@ -18,8 +18,6 @@ pub struct PeriodicMotion {
     pub budget: Vec<f64>,
     /// Mean energy (J).
     pub energy: f64,
-    /// Largest rate (1/s) at which a change of the motion grows, beside those along the motion, in its energy and in its angular momentum.
-    pub growth: f64,
     solution: PeriodicSolution,
 }
 
@@ -64,6 +62,16 @@ impl PeriodicMotion {
         let parameters = self.solution.parameters().to_vec();
         let guess = Guess { period: self.period, state: &state, parameters };
         ClosedSystem::new(body, [start[0], start[1], start[2]])?.found(&guess, intervals)
+    }
+
+    /// Largest rate (1/s) at which a change of the motion grows, beside those along the motion, in its energy and in its angular momentum; none
+    /// where it is not found.
+    #[must_use]
+    pub fn growth(&self, body: &FlexibleBody) -> Option<f64> {
+        let start = self.solution.at(0.0);
+        let mut system = ClosedSystem::new(body, [start[0], start[1], start[2]])?;
+        system.rescale(&self.solution.samples().map(|(_, state)| state.to_vec()).collect::<Vec<_>>());
+        Some(growth(multipliers(&mut system, &self.solution)?, self.period))
     }
 }
 
@@ -133,13 +141,19 @@ impl<'a> ClosedSystem<'a> {
     fn guessed(&self, guess: &MotionGuess, share: f64) -> Option<Vec<f64>> {
         let body = self.kinetics.body();
         let omega = (guess.omega)(share);
-        let q = (guess.displacements)(omega);
+        let near = guess.near.map(|near| near.solution.at(share));
+        let q = match &near {
+            Some(near) => {
+                let mut q = vec![0.0; self.n];
+                q[..self.elastic].copy_from_slice(&near[3..3 + self.elastic]);
+                q
+            }
+            None => (guess.displacements)(omega),
+        };
         let (own, p) = body.full_momenta(MotionState { omega, q: &q, rate: &vec![0.0; self.n] });
         let K = scale(norm(guess.start), unit(add(own, self.wheels)));
-        let mut state: Vec<f64> = K.iter().chain(&q[..self.elastic]).chain(&p).copied().collect();
-        if let Some(near) = guess.near {
-            state[3..].copy_from_slice(&near.solution.at(share)[3..]);
-        }
+        let p = near.as_ref().map_or(&p[..], |near| &near[3 + self.elastic..]);
+        let state: Vec<f64> = K.iter().chain(&q[..self.elastic]).chain(p).copied().collect();
         state.iter().all(|value| value.is_finite()).then_some(state)
     }
 
@@ -148,19 +162,15 @@ impl<'a> ClosedSystem<'a> {
         let body = self.kinetics.body();
         let G = norm([samples[0][0], samples[0][1], samples[0][2]]);
         let energy = G * self.spin;
-        let pairs = &body.invariants().pairs;
+        let stiffness = body.stiffness().diagonal();
         let own = |entries: f64, at: f64| if entries > 0.0 { at } else { 0.0 };
         for k in 0..self.elastic + self.n {
             let place = 3 + k;
             let largest = samples.iter().map(|z| z[place].abs()).fold(0.0, f64::max);
             let natural = if k < self.elastic {
-                let stiffness =
-                    body.stiffness().row(k).find(|(column, _)| *column == k).map_or(0.0, |(_, c)| *c);
-                own(stiffness, (energy / stiffness).sqrt())
+                own(stiffness[k], (energy / stiffness[k]).sqrt())
             } else {
-                let j = k - self.elastic;
-                let mass = pairs.row(j).find(|(column, _)| *column == j).map_or(0.0, |(_, pair)| pair.A);
-                own(mass, (energy * mass).sqrt())
+                (energy * body.invariants().modal_mass(k - self.elastic)).sqrt()
             };
             let size = largest.max(LEAST_SIZE * natural);
             self.scales[place] = if size > 0.0 { size } else { 1.0 };
@@ -173,11 +183,11 @@ impl<'a> ClosedSystem<'a> {
         let samples: Vec<Vec<f64>> = (0..SAMPLES).map(|i| (guess.state)(i as f64 / SAMPLES as f64)).collect();
         self.rescale(&samples);
         let solution = periodic(&mut self, guess, intervals)?;
-        self.judged(solution)
+        Some(self.judged(solution))
     }
 
-    /// Means over a solution, and the growth of changes of it.
-    fn judged(mut self, solution: PeriodicSolution) -> Option<PeriodicMotion> {
+    /// Means over a solution.
+    fn judged(mut self, solution: PeriodicSolution) -> PeriodicMotion {
         let body = self.kinetics.body();
         let mut budget = vec![0.0; body.dissipators().len()];
         let (mut power, mut energy) = (0.0, 0.0);
@@ -186,13 +196,11 @@ impl<'a> ClosedSystem<'a> {
             power += weight * flow.power;
             energy += weight * self.energy(z, flow.omega);
             for (sum, dissipator) in budget.iter_mut().zip(body.dissipators()) {
-                let force = dissipator.damping.times(&self.rates);
-                *sum += weight * force.iter().zip(&self.rates).map(|(force, rate)| force * rate).sum::<f64>();
+                *sum += weight * dissipator.power(&self.rates);
             }
         }
         let period = solution.period();
-        let growth = growth(multipliers(&mut self, &solution)?, period);
-        Some(PeriodicMotion { period, power, budget, energy, growth, solution })
+        PeriodicMotion { period, power, budget, energy, solution }
     }
 
     /// Energy of a state (J), without that of wheels.

@@ -220,11 +220,7 @@ impl Problem<'_> {
     fn slight(&self, terms: f64) -> f64 {
         let J = self.body.invariants().J;
         let held = self.body.grounded_stiffness().diagonal();
-        let square = |j: usize| {
-            let A =
-                self.body.invariants().pairs.row(j).find(|(k, _)| *k == j).map_or(0.0, |(_, pair)| pair.A);
-            A / held[j]
-        };
+        let square = |j: usize| self.body.invariants().modal_mass(j) / held[j];
         let softest = (0..self.body.elastic()).map(square).fold(0.0, f64::max);
         SLIGHT * terms * terms * softest / (J[0] + J[1] + J[2])
     }

@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use super::elements::Meshed;
 use crate::kinds::compliance;
-use crate::math::vec3::{add, cross, dot, norm, scale};
+use crate::math::vec3::{add, cross, dot, minus, norm, scale};
 use quasirigid_mesh::meshing::{GradedMesh, Neck};
 use quasirigid_mesh::surface::ClosedSurface;
 
@@ -71,10 +71,6 @@ fn notch(surface: &ClosedSurface, neck: &Neck, width: f64) -> f64 {
 
 /// Height over a triangle, as a share of the distance, that is rounding.
 const FLAT: f64 = 1e-6;
-
-fn minus(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    add(a, scale(-1.0, b))
-}
 
 fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
     norm(minus(a, b))

@@ -2,10 +2,10 @@
 
 use std::collections::HashMap;
 
-use super::super::geometry::{is_flat, minus, normalised};
+use super::super::geometry::{is_flat, normalised};
 use super::super::topology::edges;
 use super::Draft;
-use quasirigid_math::vec3::norm;
+use quasirigid_math::vec3::{minus, norm};
 
 /// Times that facets without area are sought: each flip of an edge may leave another one.
 const PASSES: usize = 12;

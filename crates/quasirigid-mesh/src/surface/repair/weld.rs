@@ -2,10 +2,10 @@
 
 use std::collections::HashMap;
 
-use super::super::geometry::{bounds, is_flat, minus, normalised};
+use super::super::geometry::{bounds, is_flat, normalised};
 use super::super::topology::sides;
 use super::Draft;
-use quasirigid_math::vec3::norm;
+use quasirigid_math::vec3::{minus, norm};
 
 /// Distances within which corners are merged, as shares of the size, until the surface is closed: the same place, rounding of binary
 /// numbers of 8 and of 4 bytes, of five digits of a text.

@@ -14,17 +14,14 @@ const LONGEST: f64 = 400.0;
 impl Driver<'_> {
     /// The power measured by short runs of the full system, after it has forgotten its start; announced.
     pub(super) fn micro_runs(&self, observer: &mut dyn ChoiceObserver) -> Result<Found, Stop> {
-        self.announce_short_runs(observer)?;
+        self.announce_runs(self.time_of_short_runs(), observer)?;
         self.measured(Places::ShortRuns, observer)
     }
 
     /// The power of periodic motions of the full system, after it has forgotten its start. (Q19)
     pub(super) fn periodic_motions(&self, observer: &mut dyn ChoiceObserver) -> Result<Found, Stop> {
-        if let Some(duration) = self.settling()
-            && let Ok(per_period) = self.seconds_per_period(observer)
-        {
-            let period = self.case.spins.motion(self.case.span.ends[0]).polhode_period();
-            observer.announce(Work::ShortRuns, per_period / period * duration)?;
+        if let Some(duration) = self.settling() {
+            self.announce_runs(duration, observer)?;
         }
         self.measured(Places::PeriodicMotions, observer)
     }
@@ -66,14 +63,19 @@ impl Driver<'_> {
         Some((FORGOTTEN / pole.settling_rate()).clamp(period, LONGEST * period))
     }
 
-    fn announce_short_runs(&self, observer: &mut dyn ChoiceObserver) -> Result<(), Stop> {
+    /// Announces runs of the full system over a time (s).
+    fn announce_runs(&self, time: f64, observer: &mut dyn ChoiceObserver) -> Result<(), Stop> {
         let Ok(per_period) = self.seconds_per_period(observer) else { return Ok(()) };
+        let period = self.case.spins.motion(self.case.span.ends[0]).polhode_period();
+        Ok(observer.announce(Work::ShortRuns, per_period / period * time)?)
+    }
+
+    /// Time (s) that the short runs take in all.
+    fn time_of_short_runs(&self) -> f64 {
         let ends = self.case.span.ends;
-        let period = self.case.spins.motion(ends[0]).polhode_period();
         let times = ends.map(|state| self.time_of_runs(state));
         let modes = if ends[0].mode == ends[1].mode { 1.0 } else { 2.0 };
-        let time = 0.5 * modes * (times[0] + times[1]);
-        Ok(observer.announce(Work::ShortRuns, per_period / period * time)?)
+        0.5 * modes * (times[0] + times[1])
     }
 
     /// Time (s) that the short runs between two states of a mode take in all, if their periods are that of a state.

@@ -225,18 +225,18 @@ class Spin:
 
 
 def number(value):
-    """A number of the model file in SI units; none of a unit that is not known here."""
+    """A number of the model file in SI units; LookupError of a unit that is not known here."""
     if isinstance(value, str):
         figure, _, unit = value.strip().partition(" ")
-        return mpf(figure) * UNITS[unit] if unit in UNITS else None
+        if unit not in UNITS:
+            raise LookupError(f"the unit {unit!r}")
+        return mpf(figure) * UNITS[unit]
     return mpf(value)
 
 
 def tensor(value):
     """One number, three, or a matrix, as a 3 x 3 matrix."""
     value = np.array([number(v) for v in np.ravel(np.array(value, dtype=object))], dtype=object)
-    if any(v is None for v in value):
-        raise LookupError("a unit")
     return value.reshape(3, 3) if value.size == 9 else np.diag(value if value.size == 3 else [value[0]] * 3)
 
 
@@ -255,8 +255,6 @@ def points(model):
         moves += [(len(masses), way) for way in exact(ways)]
         masses.append(number(p["mass"]))
         places.append([number(v) for v in p["position"]])
-    if any(v is None for v in np.ravel(np.array([*masses, *np.ravel(np.array(places, dtype=object))], dtype=object))):
-        raise LookupError("a unit")
     n, rotors = len(moves), model.get("rotor", [])
     C, B = (exact(np.zeros((n + len(rotors),) * 2)) for _ in range(2))
     for spring in model.get("spring", []):

@@ -15,7 +15,7 @@ use crate::math::vec3::{add, cross, dot, scale};
 pub(super) struct CurvedKinetics<'a> {
     body: &'a FlexibleBody,
     paths: &'a CurvedPaths,
-    /// Invariants of pairs, row by row over all coordinates of the body on straight paths.
+    /// Invariants of pairs, row by row over all coordinates of the body on straight paths: symmetric and antisymmetric in the pair.
     second: Vec<Sym>,
     turning: Vec<[f64; 3]>,
     mass: DMatrix<f64>,
@@ -91,22 +91,19 @@ impl<'a> CurvedKinetics<'a> {
     fn straight(&mut self) -> (Sym, [f64; 3]) {
         let Invariants { J, J1, S, h, .. } = &self.paths.straight;
         let all = self.z.len();
-        let mut J = *J;
-        let mut s = [0.0; 3];
+        let (mut J, mut s) = (*J, [0.0; 3]);
         self.h.copy_from_slice(h);
-        for (j, zj) in self.z.iter().enumerate() {
-            s = add(s, scale(*zj, S[j]));
-            let mut square = [0.0; 6];
-            let row = j * all..(j + 1) * all;
-            let shared =
-                self.second[row.clone()].iter().zip(&self.turning[row]).zip(&self.z).zip(&mut self.h);
-            for (((J2, Z), zk), h) in shared {
-                square.iter_mut().zip(J2).for_each(|(sum, J2)| *sum += zk * J2);
-                h.iter_mut().zip(Z).for_each(|(h, Z)| *h += zj * Z);
-            }
-            for (((J, J1), square), grown) in J.iter_mut().zip(J1[j]).zip(square).zip(&mut self.grown[j]) {
-                *J += zj * (J1 + square);
-                *grown = 0.5 * J1 + square;
+        self.grown.fill([0.0; 6]);
+        for (k, zk) in self.z.iter().enumerate() {
+            s = add(s, scale(*zk, S[k]));
+            let row = k * all..(k + 1) * all;
+            add_scaled(self.grown.as_flattened_mut(), *zk, self.second[row.clone()].as_flattened());
+            add_scaled(self.h.as_flattened_mut(), *zk, self.turning[row].as_flattened());
+        }
+        for ((zj, J1), grown) in self.z.iter().zip(J1).zip(&mut self.grown) {
+            for ((J, J1), grown) in J.iter_mut().zip(J1).zip(grown) {
+                *J += zj * (J1 + *grown);
+                *grown += 0.5 * J1;
             }
         }
         let Some(per_mass) = self.body.translation() else { return (J, [0.0; 3]) };
@@ -210,14 +207,15 @@ impl<'a> CurvedKinetics<'a> {
         let [xx, yy, zz, yz, zx, xy] = products(self.spin);
         let square = [xx, yy, zz, 2.0 * yz, 2.0 * zx, 2.0 * xy];
         let recoil = scale(per_mass, cross(self.u, self.spin));
+        let mut turning = vec![[0.0; 3]; all];
+        for (k, rate) in self.z_rate.iter().enumerate() {
+            let row = &self.turning[k * all..(k + 1) * all];
+            add_scaled(turning.as_flattened_mut(), -rate, row.as_flattened());
+        }
         let load = |i: usize| {
             let centrifugal: f64 =
                 self.grown[i].iter().zip(square).map(|(grown, square)| grown * square).sum();
-            let mut turning = [0.0; 3];
-            for (Z, rate) in self.turning[i * all..(i + 1) * all].iter().zip(&self.z_rate) {
-                turning.iter_mut().zip(Z).for_each(|(turning, Z)| *turning += rate * Z);
-            }
-            centrifugal + dot(self.spin, turning) - dot(S[i], recoil)
+            centrifugal + dot(self.spin, turning[i]) - dot(S[i], recoil)
         };
         for (i, sum) in sum.iter_mut().enumerate() {
             *sum += load(i);
@@ -226,17 +224,18 @@ impl<'a> CurvedKinetics<'a> {
             let field = n + e;
             let rates = &self.z_rate[coordinates.clone()];
             let (load, momentum) = (load(field), self.momentum(field));
-            for (j, row) in second.chunks_exact(rates.len().max(1)).enumerate() {
-                let changing: f64 = row.iter().zip(rates).map(|(form, rate)| form * rate).sum();
-                let at = coordinates.start + j;
-                sum[at] += self.fields.slopes[(e, at)] * load + changing * momentum;
+            for (row, rate) in second.chunks_exact(rates.len().max(1)).zip(rates) {
+                add_scaled(&mut sum[coordinates.clone()], rate * momentum, row);
+            }
+            for at in coordinates.clone() {
+                sum[at] += self.fields.slopes[(e, at)] * load;
             }
         }
     }
 
     /// Momentum of a coordinate of the body on straight paths.
     fn momentum(&self, i: usize) -> f64 {
-        let own: f64 = self.mass.row(i).iter().zip(&self.z_rate).map(|(mass, rate)| mass * rate).sum();
+        let own: f64 = self.mass.column(i).iter().zip(&self.z_rate).map(|(mass, rate)| mass * rate).sum();
         let per_mass = self.body.translation().unwrap_or(0.0);
         own + dot(self.h[i], self.spin) - per_mass * dot(self.paths.straight.S[i], self.drift)
     }
@@ -255,4 +254,9 @@ impl<'a> CurvedKinetics<'a> {
         });
         (add(times(J, omega), turning), own.collect())
     }
+}
+
+/// Adds so many times the entries to the sums.
+fn add_scaled(sums: &mut [f64], factor: f64, entries: &[f64]) {
+    sums.iter_mut().zip(entries).for_each(|(sum, entry)| *sum += factor * entry);
 }

@@ -81,10 +81,11 @@ impl Follower {
                 let curving = &q[coordinates.clone()];
                 let zero = T::from(0.0);
                 let amplitude = |form: &Vec<f64>| {
-                    let row = |row: &[f64]| {
-                        row.iter().zip(curving).fold(zero, |sum, (form, q)| sum + T::from(*form) * *q)
-                    };
-                    let slopes: Vec<T> = form.chunks_exact(curving.len().max(1)).map(row).collect();
+                    let mut slopes = vec![zero; curving.len()];
+                    for (row, q) in form.chunks_exact(curving.len().max(1)).zip(curving) {
+                        let terms = slopes.iter_mut().zip(row);
+                        terms.for_each(|(slope, form)| *slope = *slope + T::from(*form) * *q);
+                    }
                     let twice = slopes.iter().zip(curving).fold(zero, |sum, (slope, q)| sum + *slope * *q);
                     (T::from(0.5) * twice, slopes)
                 };

@@ -168,6 +168,26 @@ impl Rheology {
         [value.re, value.im]
     }
 
+    /// Time `τ` (s) of the dashpot in series by which a constant stress strains the material without end; none of a law that holds it.
+    #[must_use]
+    pub fn viscous_time(&self) -> Option<f64> {
+        match *self {
+            Self::Maxwell { time } | Self::Andrade { time, .. } => Some(time),
+            Self::Elastic
+            | Self::KelvinVoigt { .. }
+            | Self::QualityFactor { .. }
+            | Self::StandardLinear { .. }
+            | Self::Table(_) => None,
+        }
+    }
+
+    /// Whether the modulus given is that at rest, with springs and dashpots alone beside it, which take energy from faster strain and store none
+    /// below zero.
+    #[must_use]
+    pub fn given_at_rest(&self) -> bool {
+        matches!(self, Self::Elastic | Self::KelvinVoigt { .. } | Self::StandardLinear { .. })
+    }
+
     /// First and last frequency (rad/s) of a measured law; none for a formula.
     #[must_use]
     pub fn measured_between(&self) -> Option<[f64; 2]> {

@@ -217,6 +217,27 @@ angular_velocity = [0.1, 0.2, 1.2]
         assert passes(made(tmp_path, text, "modes")), (stiffness, damping)
 
 
+def test_a_unit_that_the_checker_does_not_know_is_no_fault(tmp_path: Path) -> None:
+    """The matrices are then taken as stated, and told to be."""
+    text = """
+[carrier]
+mass = "0.074 t"
+center_of_mass = [0, 0, 0]
+inertia = [24.0, 23.0, 22.0]
+[[rotor]]
+name = "r"
+axis = [2, 2, -0.4]
+inertia = "99.18 t mm^2"
+friction = 0.4
+[initial]
+angular_velocity = [0.9, -1.1, -0.5]
+"""
+    assert passes(made(tmp_path, text, "modes"))
+    path = tmp_path / "certificate.json"
+    done = subprocess.run([sys.executable, str(CHECKER), str(path)], capture_output=True, text=True, check=False)
+    assert done.returncode == 0 and "does not rebuild the unit" in done.stdout, done.stdout + done.stderr
+
+
 def test_the_checker_tells_its_verdict_by_its_exit_code(tmp_path: Path) -> None:
     document = made(tmp_path, "nutation-damper", "modes")
     path = tmp_path / "certificate.json"

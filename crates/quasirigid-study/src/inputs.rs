@@ -42,6 +42,7 @@ impl Study {
             values,
             values_left_out: left_out as u64,
             body: Some(body(self)),
+            notes: self.model.notes.clone(),
         }
     }
 }

@@ -125,3 +125,4 @@ pub use settings::{Setting, SettingError};
 pub use start::NoWobble;
 pub use study::Study;
 pub use watch::{STACK, Watch, panic_message, watched};
+pub use words::MAY_NOT_HOLD;

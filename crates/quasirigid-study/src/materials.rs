@@ -1,10 +1,11 @@
-//! Materials in the motion asked for, in words. Equation (G16), docs/theory/11-materials.md.
+//! Materials in the motion asked for, in words. Equations (G16), (G21), docs/theory/11-materials.md.
 
 use quasirigid::averaging::{FreeRotation, Response, RotationState};
+use quasirigid::model::Viscoelastic;
 use quasirigid_math::vec3::norm;
 
 use crate::study::Study;
-use crate::words::significant;
+use crate::words::{MAY_NOT_HOLD, significant, time};
 
 /// Tangent of the loss angle above which more is lost in a radian than is stored, as in a liquid.
 const LIQUID: f64 = 1.0;
@@ -46,4 +47,27 @@ pub fn flowing_at(study: &Study, omega: [f64; 3]) -> Option<String> {
     let principal = response.principal();
     let motion = FreeRotation::through(principal.moments, principal.components(omega)).ok()?;
     flowing(&response, &motion)
+}
+
+/// Change of the inertia by flow, over the difference of its greatest and least moment, from which another body rotates.
+const ANOTHER_BODY: f64 = 0.1;
+
+/// Note on a material that flows without end under the mean load of the rotation at the start; none if none does. (G21)
+pub fn flow_note(study: &Study) -> Option<String> {
+    let omega = study.initial().ok()?.omega;
+    let viscous = |part: &Viscoelastic| part.rheology.viscous_time().is_some();
+    if norm(omega) == 0.0 || !study.body.viscoelastic().iter().any(viscous) {
+        return None;
+    }
+    let response = Response::compute(&study.body).ok()?;
+    let principal = response.principal();
+    let motion = FreeRotation::through(principal.moments, principal.components(omega)).ok()?;
+    let flow = response.material_flow(&motion, ANOTHER_BODY)?;
+    Some(format!(
+        "{MAY_NOT_HOLD} beyond {}: the mean load of this rotation strains the material of {} without end, and has then changed the inertia by {} % of the \
+         difference of its greatest and least moment; no answer follows this flow.",
+        time(flow.time),
+        flow.name,
+        significant(100.0 * ANOTHER_BODY, 2)
+    ))
 }

@@ -62,6 +62,8 @@ pub struct Modes {
     pub under_forces: bool,
     /// Material that is no solid in the rotation of the start, in words; none if every one is. (G16)
     pub no_solid: Option<String>,
+    /// Names of the forces that do not act at the start, which the modes leave out.
+    pub sleeping: Vec<String>,
 }
 
 /// Modes for machines; the first paragraph of a field is the reference of `--json` in the guide.
@@ -80,6 +82,9 @@ struct ModesObject<'a> {
     /// Material that is no solid in the rotation of the start.
     #[serde(skip_serializing_if = "Option::is_none")]
     no_solid: Option<&'a str>,
+    /// Names of the forces that do not act at the start, and are left out.
+    #[serde(skip_serializing_if = "<[String]>::is_empty")]
+    sleeping_forces: &'a [String],
 }
 
 impl Modes {
@@ -90,7 +95,8 @@ impl Modes {
             .no_solid
             .as_ref()
             .map(|why| paragraph(&format!("{name}: NO SOLID: {why}."), "", "  ") + "\n");
-        warning.unwrap_or_default() + &steady::text(name, &self.spins, all)
+        let asleep = steady_state::asleep(&self.sleeping).map(|said| paragraph(&said, "", "  ") + "\n");
+        warning.unwrap_or_default() + &asleep.unwrap_or_default() + &steady::text(name, &self.spins, all)
     }
 
     /// For machines.
@@ -102,6 +108,7 @@ impl Modes {
             steady_spins: &self.spins,
             steady_state: self.under_forces.then_some(self.state),
             no_solid: self.no_solid.as_deref(),
+            sleeping_forces: &self.sleeping,
         })
     }
 
@@ -126,7 +133,7 @@ impl Study {
     pub fn modes(&self, asked: SteadySpinSettings) -> Result<Modes, StudyError> {
         self.uncontrolled("modes")?;
         let body = &self.body;
-        let acting = steady_state::acting_at_start(self);
+        let (acting, sleeping) = steady_state::at_start(self);
         let under_forces = acts(body, &acting);
         let rests = asked.axis.is_none()
             && (asked.omega == Some([0.0; 3]) || asked.omega.is_none() && starts_from_rest(self));
@@ -142,6 +149,7 @@ impl Study {
                 state,
                 under_forces: true,
                 no_solid: None,
+                sleeping,
             });
         }
         let (omega, given) = match asked.omega {
@@ -157,7 +165,7 @@ impl Study {
             (None, None) => steady::poles(self, omega, given, asked.all),
         };
         let no_solid = flowing_at(self, omega);
-        Ok(Modes { spins, solved, state: None, under_forces: false, no_solid })
+        Ok(Modes { spins, solved, state: None, under_forces: false, no_solid, sleeping })
     }
 }
 

@@ -30,9 +30,19 @@ pub struct Told {
     pub state: Option<SteadyStateObject>,
 }
 
-/// Forces of a model but for those that act in time alone and not at the start: about the start they change nothing.
-pub fn acting_at_start(study: &Study) -> Vec<Force<Marker>> {
-    study.forces.iter().filter(|force| !force.law.sleeps()).cloned().collect()
+/// Forces of a model, and the names of those that act in time alone and not at the start: about the start they change nothing.
+pub fn at_start(study: &Study) -> (Vec<Force<Marker>>, Vec<String>) {
+    let (asleep, acting): (Vec<_>, Vec<_>) =
+        study.forces.iter().cloned().partition(|force| force.law.sleeps());
+    (acting, asleep.into_iter().map(|force| force.name).collect())
+}
+
+/// Sentence on forces that do not act at the start; none without any.
+pub fn asleep(names: &[String]) -> Option<String> {
+    let list = names.iter().map(|name| format!("{name:?}")).collect::<Vec<_>>().join(", ");
+    let (noun, verb) = if names.len() == 1 { ("The force", "does") } else { ("The forces", "do") };
+    (!names.is_empty())
+        .then(|| format!("{noun} {list} {verb} not act at the start: this is the body without."))
 }
 
 /// Place of the search: the angular velocity asked for, or the start of the file, at rest if the file has no rotation.

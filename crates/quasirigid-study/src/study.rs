@@ -20,7 +20,7 @@ use crate::error::StudyError;
 use crate::incomplete::beyond;
 use crate::skin;
 use crate::start::initial;
-use crate::{liquids, resolution, sheets, slugs, tanks};
+use crate::{liquids, materials, resolution, sheets, slugs, tanks};
 
 /// Study: an assembled model that answers every question.
 ///
@@ -160,7 +160,11 @@ impl Study {
             let note = start.and_then(|start| sheets::note(&study.model.assembly, start.omega));
             study.model.notes.splice(..0, note);
         }
-        let notes: Vec<String> = tanks::notes(&study).into_iter().chain(slugs::notes(&study)).collect();
+        let notes: Vec<String> = materials::flow_note(&study)
+            .into_iter()
+            .chain(tanks::notes(&study))
+            .chain(slugs::notes(&study))
+            .collect();
         study.model.notes.splice(..0, notes);
         Ok(study)
     }

@@ -28,7 +28,7 @@ use std::path::{Path, PathBuf};
 
 use quasirigid_io::model::Model;
 use quasirigid_io::record::InputsRecord;
-use quasirigid_study::{LeftOut, Study, StudyError, watched};
+use quasirigid_study::{LeftOut, MAY_NOT_HOLD, Study, StudyError, watched};
 use serde_json::json;
 
 use crate::args::Common;
@@ -54,14 +54,8 @@ fn open(common: &Common) -> Result<Study, Failure> {
 fn open_with(common: &Common, wanted: impl Fn(&Study, &String) -> bool) -> Result<Study, Failure> {
     let study = whole(common, || Study::new(model(common)?, common.order))?;
     former_names(&study.model.former_names, common.quiet);
-    if !common.quiet {
-        study
-            .model
-            .notes
-            .iter()
-            .filter(|note| wanted(&study, note))
-            .for_each(|note| remark(&format!("note: {note}")));
-    }
+    let told = |note: &&String| (!common.quiet || note.starts_with(MAY_NOT_HOLD)) && wanted(&study, note);
+    study.model.notes.iter().filter(told).for_each(|note| remark(&format!("note: {note}")));
     Ok(study)
 }
 

@@ -42,6 +42,9 @@ impl Response {
     /// Mean power (W) of a harmonic that each dissipator takes: `2ν` times `x̄ᵀ(νB_c + Im C_c)x` of the response `x`. (D2)
     fn taken(&self, harmonic: &Harmonic, mean_spin: [f64; 3]) -> Vec<f64> {
         let frequency = harmonic.frequency;
+        if self.rows.is_empty() {
+            return vec![0.0; self.dissipators.len()];
+        }
         let answer = self.answer(harmonic, mean_spin);
         let moved = self.displacement(&answer);
         let mut lost: Vec<f64> = self

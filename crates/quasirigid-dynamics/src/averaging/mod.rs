@@ -6,6 +6,7 @@ mod eddy_torque;
 mod ellipsoids;
 mod euler_angles;
 mod evolution;
+mod flow;
 mod harmonic_resonance;
 mod harmonics;
 mod hill;
@@ -29,6 +30,7 @@ pub use ellipsoids::{
 };
 pub use euler_angles::EulerAngles;
 pub use evolution::{Elapsed, Evolution, RotationState};
+pub use flow::MaterialFlow;
 pub use harmonic_resonance::HarmonicResonance;
 pub use harmonics::Harmonic;
 pub use hill::{Floquet, HillError, HillResponse, ParametricResonance, PeriodicResponse};

@@ -21,10 +21,10 @@ use crate::model::{Dissipator, FlexibleBody, LiquidMemory, Principal, Rheology, 
 #[derive(Clone, Debug)]
 pub struct Response {
     principal: Principal,
-    rows: Vec<LoadedMode>,
+    pub(super) rows: Vec<LoadedMode>,
     /// Mass of the rows, with the body free to recoil.
     mass: DMatrix<f64>,
-    losses: Vec<Loss>,
+    pub(super) losses: Vec<Loss>,
     /// Gyroscopic coupling of internal rotors and liquids, per unit of mean angular velocity about each principal axis.
     turning: [DMatrix<f64>; 3],
     /// Liquids whose force at a frequency is known, each with the row of its first axis.

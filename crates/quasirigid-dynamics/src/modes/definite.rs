@@ -39,15 +39,16 @@ pub(super) fn positive_masses(body: &FlexibleBody, coefficients: &SpinCoefficien
     Some(left.symmetric_eigenvalues().min() > ROUNDING)
 }
 
-/// Whether the second variation of the energy is positive for every change of a spin but that of its size, in a body whose dashpots alone
-/// dissipate: it is stable then. False where that is not known.
+/// Whether the second variation of the energy is positive for every change of a spin but that of its size, in a body that dashpots alone, and
+/// materials of springs and dashpots beside the stiffness given, dissipate: it is stable then. False where that is not known.
 pub(super) fn positive_energy(
     body: &FlexibleBody,
     coefficients: &SpinCoefficients,
     slow: Option<&SlowDirection>,
 ) -> bool {
     let SpinMatrix::Recoiling(Recoiling { own, .. }) = &coefficients.centrifugal else { return false };
-    let dashpots = body.viscoelastic().is_empty() && body.memories().is_empty();
+    let materials = body.viscoelastic().iter().all(|part| part.rheology.given_at_rest());
+    let dashpots = materials && body.memories().is_empty();
     let elastic = body.elastic();
     let within = |(j, k, _): &(usize, usize, f64)| *j < elastic && *k < elastic;
     let springs = body.stiffness().iter().map(|(j, k, C)| (j, k, *C));

@@ -19,6 +19,9 @@ pub struct InputsRecord {
     pub values_left_out: u64,
     /// Body that they give, or `null`.
     pub body: Option<DerivedBodyRecord>,
+    /// What is to be read before every answer from them, what may not hold first.
+    #[serde(default)]
+    pub notes: Vec<String>,
 }
 
 /// Value of a key of the model.

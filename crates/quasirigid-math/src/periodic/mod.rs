@@ -11,12 +11,13 @@ mod solution;
 pub use solution::{Guess, PeriodicSolution};
 
 use super::eigen::eigenvalues;
+use super::threads::Team;
 use super::watch;
 use chain::Chain;
 use interval::Interval;
 
-/// Autonomous system `ż = f(z) + Σ πₖ gₖ(z)` whose periodic solutions are sought.
-pub trait Unfolded {
+/// Autonomous system `ż = f(z) + Σ πₖ gₖ(z)` whose periodic solutions are sought, on several threads at a time.
+pub trait Unfolded: Clone + Send + Sync {
     /// Number of components.
     fn size(&self) -> usize;
 
@@ -74,14 +75,15 @@ pub fn periodic(system: &mut impl Unfolded, guess: &Guess, intervals: usize) -> 
 
 /// Floquet multipliers of a periodic solution, real and imaginary part: the factors by which small changes have grown after a period, at the
 /// same parameters. None where they are not found.
-pub fn multipliers(system: &mut impl Unfolded, solution: &PeriodicSolution) -> Option<Vec<[f64; 2]>> {
+pub fn multipliers(system: &impl Unfolded, solution: &PeriodicSolution) -> Option<Vec<[f64; 2]>> {
     let linear = linearised(system, solution)?;
     eigenvalues(&Chain::of(system.size(), &linear).monodromy()?).ok()
 }
 
 /// Intervals of a solution, linear in changes of it.
-fn linearised(system: &mut impl Unfolded, solution: &PeriodicSolution) -> Option<Vec<Interval>> {
-    (0..solution.intervals()).map(|i| Interval::linear(system, solution, i)).collect()
+fn linearised(system: &impl Unfolded, solution: &PeriodicSolution) -> Option<Vec<Interval>> {
+    let linear = |i| Interval::linear(&mut system.clone(), solution, i);
+    Team::new().map((0..solution.intervals()).collect(), linear).into_iter().collect()
 }
 
 /// Takes one step of Newton's method; returns the largest relative change of a component.

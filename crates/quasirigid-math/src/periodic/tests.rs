@@ -4,6 +4,7 @@ use super::*;
 use crate::elliptic::first_of_complement;
 
 /// A system of plain functions: rates, and the directions of its parameters.
+#[derive(Clone)]
 struct Plain<F, G> {
     size: usize,
     rate: F,
@@ -11,7 +12,11 @@ struct Plain<F, G> {
     parameters: usize,
 }
 
-impl<F: Fn(&[f64]) -> Vec<f64>, G: Fn(&[f64]) -> Vec<Vec<f64>>> Unfolded for Plain<F, G> {
+impl<F, G> Unfolded for Plain<F, G>
+where
+    F: Fn(&[f64]) -> Vec<f64> + Clone + Send + Sync,
+    G: Fn(&[f64]) -> Vec<Vec<f64>> + Clone + Send + Sync,
+{
     fn size(&self) -> usize {
         self.size
     }
@@ -110,7 +115,7 @@ fn a_limit_cycle_is_found_with_its_multipliers() {
     let found = periodic(&mut swapped, &guess, 96).expect("a cycle");
     assert!((found.period() / exact - 1.0).abs() < 1e-7, "{} {exact}", found.period());
     let divergence: f64 = found.samples().map(|(weight, z)| weight * (1.0 - z[1] * z[1])).sum();
-    let mut multipliers = multipliers(&mut swapped, &found).expect("multipliers");
+    let mut multipliers = multipliers(&swapped, &found).expect("multipliers");
     multipliers.sort_by(|a, b| a[0].total_cmp(&b[0]));
     assert!((multipliers[1][0] - 1.0).abs() < 1e-6, "{multipliers:?}");
     assert!((multipliers[0][0] / (divergence * found.period()).exp() - 1.0).abs() < 1e-4, "{multipliers:?}");

@@ -19,6 +19,7 @@ use crate::histories::Table;
 use crate::modes::SteadySpinSettings;
 use crate::study::Study;
 use crate::watch::{Flagging, Watch, panic_message, watched};
+use crate::words::MAY_NOT_HOLD;
 
 /// What a command answered in a row.
 pub(crate) enum Answered {
@@ -82,6 +83,9 @@ fn of_commands(model: &Source, text: &str, asked: &Answer, cancelled: &AtomicBoo
     let mut watch = Remarks { cancelled, notes: Vec::new() };
     let study =
         Model::parse(&model.file, text).map_err(StudyError::from).and_then(|model| Study::new(model, None));
+    let doubts =
+        study.iter().flat_map(|study| &study.model.notes).filter(|note| note.starts_with(MAY_NOT_HOLD));
+    watch.notes.extend(doubts.cloned());
     let commands = commands(asked).map(|command| {
         let answered = match &study {
             Ok(study) => command_of(command, study, asked, &mut watch),

@@ -11,6 +11,7 @@ use serde_json::{Value, json};
 
 use crate::error::StudyError;
 use crate::study::Study;
+use crate::words::MAY_NOT_HOLD;
 
 /// Kind of the document.
 const KIND: &str = "quasirigid-certificate";
@@ -61,6 +62,8 @@ impl Study {
             return Err(refused(format!("{place} is not a finite number")));
         }
         let files: Vec<_> = crate::inputs::named_files(&self.model).collect();
+        let doubts = self.model.notes.iter().filter(|note| note.starts_with(MAY_NOT_HOLD)).cloned();
+        let not_claimed: Vec<String> = doubts.chain(content.not_claimed).collect();
         let document = json!({
             "kind": KIND,
             "version": VERSION,
@@ -70,7 +73,7 @@ impl Study {
             "axes": "those of the model file, with the origin at the pole: the centre of mass at rest, or the fixed point",
             "model": { "name": self.model.name, "sha256": source.sha256, "text": source.text, "files": files },
             "claims": content.claims,
-            "not_claimed": content.not_claimed,
+            "not_claimed": not_claimed,
             "tolerances": content.tolerances,
             key: witness,
         });

@@ -234,9 +234,13 @@ fn left_out(share: f64) -> String {
 /// Sentence on a separatrix at a time (s) behind which a fraction of a revolution chooses the way.
 fn undecided(t: f64, ways: &[Way]) -> String {
     let way = |way: &Way| {
-        let axis = scale(norm(way.angular_momentum).recip(), way.angular_momentum);
+        let axis = scale(norm(way.attractor).recip(), way.attractor);
         let axis = axis.map(|entry| significant(entry, 3));
-        format!("by [{}] with the probability {}", axis.join(", "), significant(way.share, 2))
+        format!(
+            "that towards the steady spin with K along [{}] with the probability {}",
+            axis.join(", "),
+            significant(way.share, 2)
+        )
     };
     format!(
         "the rotation reaches a separatrix after {}, and a fraction of a revolution decides which branch \

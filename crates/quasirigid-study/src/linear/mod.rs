@@ -87,7 +87,7 @@ impl Study {
         }
         let inputs: Vec<_> = ins.iter().map(|name| self.input(name)).collect::<Result<_, _>>()?;
         let outputs: Vec<_> = outs.iter().map(|name| self.output(name, &ins)).collect::<Result<_, _>>()?;
-        let forces = steady_state::acting_at_start(self);
+        let (forces, sleeping) = steady_state::at_start(self);
         let state = self.state_of(asked.at, &forces)?;
         let any_attitude = !acts(&self.body, &forces);
         let channels = Asked { names: &ins, outputs: outputs.len(), any_attitude };
@@ -104,9 +104,13 @@ impl Study {
         let channels = |names: Vec<String>, units: Vec<&'static str>| {
             names.into_iter().zip(units).map(|(name, unit)| Channel { name, unit: unit.to_owned() }).collect()
         };
+        let told: Vec<String> = [sentence(&equilibrium, &self.controls)]
+            .into_iter()
+            .chain(steady_state::asleep(&sleeping))
+            .collect();
         let whole = LinearObject {
             name: self.model.name.clone(),
-            sentence: sentence(&equilibrium, &self.controls),
+            sentence: told.join(" "),
             states: states.iter().map(|state| self.named(*state, &names)).chain(of_controllers).collect(),
             poles,
             accuracy: accuracy.map(AccuracyObject::from),
@@ -192,7 +196,7 @@ fn sentence(state: &SteadyState, controls: &Controls) -> String {
     if spin == 0.0 {
         return format!("About rest.{closed}");
     }
-    let [x, y, z] = state.omega.map(|entry| entry / spin + 0.0);
+    let [x, y, z] = state.omega.map(|entry| (1e4 * entry / spin).round() / 1e4 + 0.0);
     let size = significant(spin, 4);
     format!("About the steady spin of {size} rad/s about [{x:.4}, {y:.4}, {z:.4}].{closed}")
 }

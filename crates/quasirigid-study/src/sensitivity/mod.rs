@@ -8,6 +8,7 @@ mod text;
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
+use std::time::Instant;
 
 use quasirigid_io::model::{KeyPath, WrittenNumber};
 use quasirigid_io::study_file::Quantity;
@@ -105,13 +106,20 @@ impl Study {
         let order = self.order_given.then_some(self.order);
         let changed = Changed::new(&self.model.source, order, quantity, &cancelled)?;
         let numbers = chosen(&changed, keys)?;
+        let started = Instant::now();
+        let mut observer =
+            Flagging { watch, cancelled: &cancelled, stage: "answering the file", share: &|| 0.0 };
+        let at_file = watched(&mut observer, || {
+            changed.value(&[]).map_err(|missing| unanswered(quantity, missing))
+        })?;
+        if let Some(said) = text::outlook(numbers.len(), started.elapsed().as_secs_f64()) {
+            watch.plan(&said);
+        }
         let share = || done.load(Ordering::Relaxed) as f64 / numbers.len().max(1) as f64;
         let mut observer =
             Flagging { watch, cancelled: &cancelled, stage: "varying the keys", share: &share };
-        let (at_file, outcomes) = watched(&mut observer, || {
-            let value = changed.value(&[]).map_err(|missing| unanswered(quantity, missing))?;
-            Ok((value, whole_pool()?.install(|| each(&changed, value, &numbers, &done))))
-        })?;
+        let outcomes =
+            watched(&mut observer, || Ok(whole_pool()?.install(|| each(&changed, at_file, &numbers, &done))))?;
         let outcomes: Option<Vec<Outcome>> = outcomes.into_iter().collect();
         let outcomes = outcomes.ok_or(StudyError::Interrupted)?;
         let mut found = Sensitivity {

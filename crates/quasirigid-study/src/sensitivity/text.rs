@@ -4,7 +4,7 @@ use std::fmt::{self, Write};
 
 use super::Sensitivity;
 use crate::layout::paragraph;
-use crate::words::significant;
+use crate::words::{significant, time};
 
 /// Keys that the sentence names, and those that are listed.
 const NAMED: usize = 3;
@@ -13,6 +13,22 @@ const LISTED: usize = 20;
 const NOTHING: f64 = 5e-7;
 /// Columns of the longest bar.
 const BAR: f64 = 24.0;
+/// Answers for a derivative, as most quantities need, and the time (s) from which the work is announced.
+const ANSWERS: f64 = 12.0;
+const PATIENCE: f64 = 1.0;
+
+/// What the derivatives with respect to so many keys may take, from the time (s) of one answer; none if it is short.
+pub(super) fn outlook(keys: usize, answer: f64) -> Option<String> {
+    let threads = std::thread::available_parallelism().map_or(1.0, |count| count.get() as f64);
+    let whole = keys as f64 * ANSWERS * answer / threads;
+    (whole > PATIENCE).then(|| {
+        format!(
+            "one answer takes {}; the derivatives with respect to {keys} keys may take about {}",
+            time(answer),
+            time(whole)
+        )
+    })
+}
 
 impl Sensitivity {
     /// For a terminal of 80 columns: every key if asked for `all`, else the first.

@@ -143,6 +143,33 @@ fn a_nutation_without_a_rate_is_neutral_and_no_instability() {
     }
 }
 
+/// Energy is least in the spin about the greatest inertia of a solid of springs and dashpots beside its stiffness at rest: it is stable, though not
+/// every one of its relaxations is found.
+#[test]
+fn a_standard_linear_solid_about_its_greatest_inertia_is_stable() {
+    for strength in ["0.2", "2.0"] {
+        let rheology = format!("kind = \"standard-linear\", time = \"1 h\", strength = {strength}");
+        let found = modes_about(&study(&flat_spin("[400, 300, 200]", &rheology)), PrincipalAxis::Greatest);
+        assert!(found.spins[0].stable, "{}", text(&found));
+        let least = modes_about(&study(&flat_spin("[400, 300, 200]", &rheology)), PrincipalAxis::Least);
+        assert!(!least.spins[0].stable, "{}", text(&least));
+    }
+}
+
+/// A force that acts later than the start is left out, by name and in the first line.
+#[test]
+fn forces_that_sleep_at_the_start_are_named() {
+    let later = MODEL.to_owned() + &expression("name = \"burn\"\ntorque = [\"0.1*step(t-3)\", \"0\", \"0\"]");
+    let found = modes(&study(&later));
+    let told = one_line(&text(&found));
+    assert!(
+        told.starts_with("The force \"burn\" does not act at the start: this is the body without."),
+        "{told}"
+    );
+    assert_eq!(found.json("")["sleeping_forces"], serde_json::json!(["burn"]));
+    assert!(told.ends_with(&one_line(&text(&modes(&study(MODEL))))), "{told}");
+}
+
 #[test]
 fn a_sphere_has_no_nutation() {
     let model = flat_spin("[100, 100, 100]", "kind = \"kelvin-voigt\", time = 5.0");

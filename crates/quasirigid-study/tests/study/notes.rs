@@ -82,6 +82,21 @@ fn a_dashpot_is_no_solid_at_its_own_harmonics() {
     }
 }
 
+/// Laws without a modulus at rest flow under the mean load: how long their answers hold stands first, in every answer and in what went in.
+#[test]
+fn how_long_a_flowing_material_holds_is_said_first() {
+    for (rheology, flows) in
+        [("kind = \"maxwell\", time = \"30 d\"", true), ("kind = \"kelvin-voigt\", time = \"1 s\"", false)]
+    {
+        let study = study(&rock(rheology));
+        let first = study.model.notes.first().cloned().unwrap_or_default();
+        let told =
+            first.starts_with("MAY NOT HOLD beyond") && first.contains("the material of rock without end");
+        assert_eq!(told, flows, "{first}");
+        assert_eq!(study.inputs().notes, study.model.notes);
+    }
+}
+
 /// The same law where the motion is fast beside the time is a solid, and `Q = 1` is the limit.
 #[test]
 fn a_solid_at_its_own_harmonics_is_followed() {

@@ -52,6 +52,18 @@ fn coarse_times_are_noted() {
     assert!(error > 1.0 && note.contains(&format!("the time of evolve is good to {error:.2} %")), "{note}");
 }
 
+/// What may not hold of the model of a row stands in its note, as before the answer of the command.
+#[test]
+fn doubts_about_a_model_stand_in_its_rows() {
+    let sweep =
+        sweep(&example("two-tanks"), "\"tank.1.fill\" = { list = [0.3, 0.4] }", "\"modes.stable\"", "");
+    for row in 0..2 {
+        let RowAnswer { status, note, .. } = sweep.answer(row).unwrap();
+        assert_eq!(status, Status::Answered);
+        assert!(note.starts_with("MAY NOT HOLD: Coriolis forces"), "{note}");
+    }
+}
+
 /// A spring too soft for the reduced equations gives no states, in a row as in a history.
 #[test]
 fn states_of_equations_that_do_not_hold_are_refused() {

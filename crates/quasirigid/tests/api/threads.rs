@@ -46,8 +46,8 @@ types! {
         DampingEstimate Drift DriftHistory DriftLimits DriftState DriftStopReason DrivenMaterial EddyTorque Elapsed
         EllipsoidLoss EllipsoidPassage EllipsoidRefusal EulerAngles Evolution EvolutionError Floquet
         FreeRotation FreeRotationError Harmonic HarmonicResonance HillError HillResponse InterpolatedPower
-        Level LevelError LevelEvolution LevelPassage LevelRow LevelStopReason ObservedError
-        ObservedPeriods ParametricResonance PeriodicResponse['static] PolynomialPower PowerSource Response
+        Level LevelError LevelEvolution LevelPassage LevelRow LevelStopReason MaterialFlow
+        ObservedError ObservedPeriods ParametricResonance PeriodicResponse['static] PolynomialPower PowerSource Response
         RotationState Separatrix SeparatrixPassage SlowTorque SmallBody Unaveraged Until Way Wobble
         WobblingEllipsoid
     }

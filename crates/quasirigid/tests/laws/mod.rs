@@ -43,6 +43,7 @@ mod invariants;
 mod lagrangian;
 mod linear;
 mod linear_channels;
+mod material_flow;
 mod mechanisms;
 mod neutral_modes;
 mod nutation;

@@ -175,5 +175,7 @@ fn ways_that_differ_are_both_told() {
         .iter()
         .map(|way| levels.follow(way.angular_momentum, Until::Duration(1e3), 2).unwrap().attractor)
         .collect();
-    assert!(norm([0, 1, 2].map(|i| ends[0][i] - ends[1][i])) > 0.1 * norm(K), "{ends:?}");
+    let apart = |a: [f64; 3], b: [f64; 3]| norm([0, 1, 2].map(|i| a[i] - b[i])) / norm(K);
+    assert!(apart(ends[0], ends[1]) > 0.1, "{ends:?}");
+    assert!(ways.iter().zip(&ends).all(|(way, end)| apart(way.attractor, *end) < 1e-6), "{ways:?} {ends:?}");
 }

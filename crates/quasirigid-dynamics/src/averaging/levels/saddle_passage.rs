@@ -1,5 +1,6 @@
 //! Passage through the separatrix on level curves of the slow energy: the saddles, and the regions that meet at their energy.
 
+use super::descent::Descent;
 use super::energy::SlowEnergy;
 use super::level::{Traced, traced};
 use crate::math::sphere::{StationaryKind, StationaryPoint};
@@ -25,6 +26,8 @@ pub struct Separatrix {
 pub struct Way {
     /// Angular momentum (N·m·s, body axes) just below the separatrix, a start to follow the evolution from.
     pub angular_momentum: [f64; 3],
+    /// Angular momentum (N·m·s, body axes) of the steady spin of least energy below it.
+    pub attractor: [f64; 3],
     /// Share of the energy lost in a circuit of the levels next below: the probability of this way.
     pub share: f64,
 }
@@ -112,8 +115,12 @@ impl<'a> Saddles<'a> {
     /// Public ways, and whether they are alike.
     pub fn ways(&self, next: &[([f64; 3], Traced)]) -> (Vec<Way>, bool) {
         let whole: f64 = next.iter().map(|(_, turn)| turn.loss).sum();
+        let bottom = |place: [f64; 3]| {
+            Descent::from(self.energy, self.points, place, 1.0).map_or(place, |(descent, _)| descent.end())
+        };
         let way = |(place, turn): &([f64; 3], Traced)| Way {
             angular_momentum: scale(self.energy.G, *place),
+            attractor: scale(self.energy.G, bottom(*place)),
             share: if whole > 0.0 { turn.loss / whole } else { 1.0 / next.len() as f64 },
         };
         let close = |a: f64, b: f64| (a - b).abs() <= ALIKE * a.abs().max(b.abs());

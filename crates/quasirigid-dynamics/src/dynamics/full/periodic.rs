@@ -71,7 +71,7 @@ impl PeriodicMotion {
         let start = self.solution.at(0.0);
         let mut system = ClosedSystem::new(body, [start[0], start[1], start[2]])?;
         system.rescale(&self.solution.samples().map(|(_, state)| state.to_vec()).collect::<Vec<_>>());
-        Some(growth(multipliers(&mut system, &self.solution)?, self.period))
+        Some(growth(multipliers(&system, &self.solution)?, self.period))
     }
 }
 

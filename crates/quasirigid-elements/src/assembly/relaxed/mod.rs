@@ -6,7 +6,7 @@ mod surface;
 
 use crate::error::{ElementError, ElementId, ElementKind, Field, Problem, at};
 use crate::math::sym3::Sym;
-use crate::model::{FlexibleBody, Rheology};
+use crate::model::FlexibleBody;
 use crate::{Assembly, Ellipsoid, Material, Surface};
 
 /// What was observed of a body in rotation.
@@ -90,9 +90,7 @@ impl Assembly {
 
     /// Accepts materials that keep a shape under a constant load.
     fn solid(&self) -> Result<(), ElementError> {
-        let flows = |material: &Material| {
-            matches!(material.rheology, Rheology::Maxwell { .. } | Rheology::Andrade { .. })
-        };
+        let flows = |material: &Material| material.rheology.viscous_time().is_some();
         let flowing = self.each().any(|(_, element)| element.homogeneous().is_some_and(flows));
         if flowing {
             return Err(at(self.observed_element(), Field::MATERIAL)(Problem::FlowsSteadily));

@@ -3,7 +3,7 @@
 use nalgebra::{Matrix3, Vector3};
 
 use super::settled::Settled;
-use super::{SETTLED_BY, Settling, Tank, TankDamping, TankError};
+use super::{FILL, SETTLED_BY, Settling, Tank, TankDamping, TankError};
 use crate::contribution::{Field as Shape, MovingBody, Piece};
 use crate::error::{ElementError, ElementId, Field, at};
 use crate::flow::revolution::{Slosh, SloshMode};
@@ -114,11 +114,11 @@ impl Tank {
         let refused = |field: Field, error: TankError| at(id, field)(error.into());
         let [fine, coarse] = GRIDS.map(|grid| Slosh::new(&settled.wall, self.modes, grid));
         let (Some(fine), Some(coarse)) = (fine, coarse) else {
-            return Err(refused(Field::SHAPE, TankError::Unresolved { error: None }));
+            return Err(refused(FILL, TankError::Unresolved { error: None }));
         };
         let error = difference(&fine, &coarse, &settled.wall.ends());
         if !(error < UNRESOLVED) {
-            return Err(refused(Field::SHAPE, TankError::Unresolved { error: Some(error) }));
+            return Err(refused(FILL, TankError::Unresolved { error: Some(error) }));
         }
         let slosh = fine.modes.iter().enumerate().map(|(number, mode)| self.mode(settled, (number, mode)));
         let slosh: Vec<TankMode> =

@@ -283,7 +283,10 @@ impl TankError {
                 ("too wide", "give a measured damping_ratio and frequency instead of the baffle")
             }
             Self::Unresolved { .. } => {
-                ("not resolved", "change the fill a little, keep fewer modes, or smooth the profile")
+                (
+                    "not resolved",
+                    "take a fill farther from empty and full (a full tank is a [[cavity]]), keep fewer modes, or smooth the profile",
+                )
             }
         }
     }

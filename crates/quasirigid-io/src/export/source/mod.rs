@@ -248,8 +248,9 @@ impl FreeBody<'_> {
 /// A text without the letters that end or continue a comment or a string in some language.
 fn plain(text: &str) -> String {
     let harmless =
-        |letter: char| if matches!(letter, '"' | '\\' | '%' | '#' | '{' | '}' | '`') { '\'' } else { letter };
-    one_line(text).chars().map(harmless).collect::<String>().replace("*/", "* /").replace("/*", "/ *")
+        |letter: char| if matches!(letter, '"' | '\\' | '#' | '{' | '}' | '`') { '\'' } else { letter };
+    let said = one_line(text).replace(" %", " percent").replace('%', " percent");
+    said.chars().map(harmless).collect::<String>().replace("*/", "* /").replace("/*", "/ *")
 }
 
 /// The lines of a paragraph.
@@ -290,6 +291,7 @@ mod tests {
         assert_eq!(identifier("Boom satellite, 2nd"), "Boom_satellite_2nd");
         assert_eq!(identifier("3 masses"), "body_3_masses");
         assert_eq!(identifier("спутник"), "body_");
+        assert_eq!(plain("off by 6.5 %, or 7%"), "off by 6.5 percent, or 7 percent");
         assert_eq!(plain("a */ b /* \"c\\\n{d}"), "a * / b / * 'c'\\u000a'd'".replace("'\\u", "''u"));
     }
 }

@@ -135,13 +135,14 @@ impl<'p, 'v> Scan<'p, 'v> {
                 operands.iter().for_each(|of| narrowed[*of] = true);
             }
         }
+        let known: Vec<bool> = follows.iter().zip(&alone).map(|(follows, alone)| *follows && *alone).collect();
         let edge = |share: f64| Edge { x: from + share * (to - from), breaks: false };
         let mut edges: Vec<Edge> = FIRST.iter().map(|share| edge(*share)).collect();
         edges[FIRST.len() - 1].x = to;
         Self {
             program,
             scales: vec![0.0; nodes.len()],
-            guards: Guards::of(&nodes, &follows),
+            guards: Guards::of(&nodes, &known),
             nodes,
             follows,
             alone,
@@ -233,9 +234,9 @@ impl<'p, 'v> Scan<'p, 'v> {
         let largest = |values: &[f64; FINE]| {
             values.iter().filter(|value| value.is_finite()).fold(0.0_f64, |most, value| most.max(value.abs()))
         };
-        let sample = |[from, to]: &[Edge; 2]| match self.is_masked(part, [from.x, to.x]) {
-            true => [0.0; FINE],
-            false => self.sampled(part, from.x, to.x),
+        let sample = |[from, to]: &[Edge; 2]| {
+            let masked = self.is_masked(part, [from.x, to.x]);
+            if masked { [0.0; FINE] } else { self.sampled(part, from.x, to.x) }
         };
         let sampled: Vec<_> = cells.iter().map(sample).collect();
         let mut scale = sampled.iter().map(largest).fold(0.0, f64::max);

@@ -13,13 +13,13 @@ pub struct Guards {
 }
 
 impl Guards {
-    /// Of a tree whose root is the last node; factors that do not follow the path, or that are zero at places alone, hide nothing.
-    pub fn of(nodes: &[Node], follows: &[bool]) -> Self {
+    /// Of a tree whose root is the last node; only factors `known` along the whole path, which may be zero over a stretch, hide others.
+    pub fn of(nodes: &[Node], known: &[bool]) -> Self {
         let mut narrow: Vec<bool> = Vec::with_capacity(nodes.len());
         for Node { role, operands } in nodes {
             narrow.push(role.is_narrow() || operands.iter().any(|of| narrow[*of]));
         }
-        let hides = |index: usize| narrow[index] && follows[index];
+        let hides = |index: usize| narrow[index] && known[index];
         let mut guards =
             Self { order: Vec::with_capacity(nodes.len()), factors: vec![Vec::new(); nodes.len()] };
         // from the root: each node is put before its operands, and the order is reversed at the end

@@ -192,7 +192,14 @@ impl<const N: usize> Mul for Taylor<N> {
 
     #[inline(never)]
     fn mul(self, other: Self) -> Self {
-        self.convolved(&other)
+        let constant = |series: &Self| series.coefficients[1..].iter().all(|c| *c == 0.0);
+        if constant(&self) {
+            Self::new(other.coefficients.map(|c| self.coefficients[0] * c))
+        } else if constant(&other) {
+            Self::new(self.coefficients.map(|c| c * other.coefficients[0]))
+        } else {
+            self.convolved(&other)
+        }
     }
 }
 

@@ -23,7 +23,7 @@ use crate::slugs;
 use crate::study::Study;
 use crate::table_sink::TableSink;
 use crate::watch::Watch;
-use crate::words::{Accounts, energy_note, followed, load_doubt};
+use crate::words::{Accounts, energy_note, followed, load_doubt, ringing_doubt};
 
 /// Numbers of a row, in the history and in its table.
 const NUMBERS_PER_ROW: usize = 40;
@@ -237,7 +237,7 @@ impl Study {
         let verdict = judged::along_the_motion(run.load_ratio);
         let doubt = load_doubt(verdict, run.load_ratio);
         let wrong = wrong.or_else(|| doubt.clone().filter(|_| verdict == Verdict::Fails));
-        let notes = doubt.into_iter().chain(note).collect();
+        let notes = run.ringing.map(ringing_doubt).into_iter().chain(doubt).chain(note).collect();
         let left = manifold.as_ref().and_then(|verdict| verdict.status(run.outcome));
         let (status, message) = left.unwrap_or_else(|| status(body, run.outcome, last.t));
         Ok(History {

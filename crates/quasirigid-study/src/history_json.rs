@@ -43,6 +43,9 @@ struct HistoryObject<'a> {
     left_out: f64,
     /// Of `reduced`: change of external forces by displacements, against the stiffness, (E7).
     load_ratio: f64,
+    /// Of `reduced`: error of the angular velocity by vibrations, (E8); absent where it is small.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    ringing: Option<RingingObject>,
     /// The same of the angular momentum, relative.
     momentum_drift: f64,
     /// ∫|ω| dt/2π.
@@ -70,6 +73,19 @@ struct HistoryObject<'a> {
     /// Of `manifold` alone.
     #[serde(skip_serializing_if = "Option::is_none")]
     manifold: Option<HistoryVerdict>,
+}
+
+/// Error of the angular velocity by vibrations.
+#[derive(Serialize)]
+struct RingingObject {
+    /// First time (s) of an error above 5 %.
+    from: f64,
+    /// Last one (s).
+    to: f64,
+    /// Largest error (rad/s).
+    omega: f64,
+    /// Relative to the largest angular velocity.
+    share: f64,
 }
 
 /// Search of formulas of time.
@@ -104,6 +120,12 @@ impl History {
             energy_drift: last.energy_drift,
             left_out: self.run.left_out,
             load_ratio: self.run.load_ratio,
+            ringing: self.run.ringing.map(|ringing| RingingObject {
+                from: ringing.from,
+                to: ringing.to,
+                omega: ringing.omega,
+                share: ringing.share,
+            }),
             momentum_drift: last.momentum_drift,
             turns: last.revolutions,
             position: last.place,

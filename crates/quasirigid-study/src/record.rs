@@ -1,13 +1,14 @@
 //! Results of the library as parts of a run record.
 
-use quasirigid::dynamics::{Event, Options, Outcome, Run};
+use quasirigid::dynamics::{Event, Missed, Options, Outcome, Ringing, Run};
 use quasirigid::model::{FlexibleBody, Principal, ReducedBody, Support};
 use quasirigid::reduction::{Validity, Verdict, residual};
 use quasirigid::verification::{AverageRow, Difference, OrderRow, VerificationPlan};
 use quasirigid_io::model::{Model, Named, System};
 use quasirigid_io::record::{
     AverageRecord, BodyRecord, Column, CriterionRecord, DegreeRecord, HistoryRecord, ModelRecord,
-    OrderRecord, ReductionRecord, ResolutionRecord, UNFINISHED, ValidityRecord, VerificationRecord,
+    OrderRecord, ReductionRecord, ResolutionRecord, RingingRecord, UNFINISHED, ValidityRecord,
+    VerificationRecord,
 };
 use quasirigid_math::ode::Work;
 
@@ -158,6 +159,7 @@ pub fn unfinished(system: System, equations: &str, options: &Options, columns: V
         energy_drift: f64::NAN,
         left_out: f64::NAN,
         load_ratio: 0.0,
+        ringing: None,
         momentum_drift: f64::NAN,
         rows: 0,
         columns,
@@ -191,6 +193,12 @@ pub fn history(
         energy_drift: run.last.energy_drift,
         left_out: run.left_out,
         load_ratio: run.load_ratio,
+        ringing: run.ringing.map(|Ringing { from, to, omega, share }| RingingRecord {
+            from,
+            to,
+            omega,
+            share,
+        }),
         momentum_drift: run.last.momentum_drift,
         rows: followed.rows,
         columns: followed.columns,
@@ -223,6 +231,7 @@ pub fn status(body: &FlexibleBody, outcome: Outcome, t: f64) -> (&'static str, S
         Outcome::LeftRange(left) => {
             ("left-validity", format!("{} at t = {t} s", words::displaced(body, left)))
         }
+        Outcome::Missed(slides @ Missed::Slides { .. }) => ("sliding", slides.to_string()),
         Outcome::Missed(missed) => ("missed-force", missed.to_string()),
         Outcome::Failed(error) => ("failed", error.to_string()),
         Outcome::Event(Event::Energy(energy)) => {

@@ -4,12 +4,12 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use quasirigid::dynamics::{Options, Outcome, Scan, Start, spin_from_rest};
+use quasirigid::dynamics::{Options, Outcome, Ringing, Scan, Start, spin_from_rest};
 use quasirigid::model::ReducedBody;
 use quasirigid::reduction::Verdict;
 use quasirigid_io::model::{Named, PartialEvolve, PartialRun, PartialSpinManifold, PartialVerify, System};
 use quasirigid_io::record::{
-    AboutSpinRecord, EvolutionRecord, HistoryRecord, RECORD_FORMAT, RunRecord, TableFormat,
+    AboutSpinRecord, EvolutionRecord, HistoryRecord, RECORD_FORMAT, RingingRecord, RunRecord, TableFormat,
     VerificationRecord,
 };
 use quasirigid_math::vec3::norm;
@@ -31,7 +31,7 @@ use crate::scene::{self, Frames};
 use crate::settings::{EvolveSettings, RunSettings, SpinManifoldSettings};
 use crate::study::Study;
 use crate::watch::Watch;
-use crate::words::{Accounts, energy_note, load_doubt, significant};
+use crate::words::{Accounts, energy_note, load_doubt, ringing_doubt, significant};
 use crate::{evolution, record, steady, verification};
 
 /// Rows of a history without a given number: enough for smooth curves, within limits.
@@ -326,7 +326,9 @@ impl<'a> Plan<'a> {
         };
         let loads =
             |each: &HistoryRecord| load_doubt(judged::along_the_motion(each.load_ratio), each.load_ratio);
-        let doubts: Vec<_> = record.histories.iter().filter_map(loads).collect();
+        let ringing = |each: &HistoryRecord| each.ringing.map(|ringing| ringing_doubt(of_record(ringing)));
+        let doubts = record.histories.iter().filter_map(ringing);
+        let doubts: Vec<_> = doubts.chain(record.histories.iter().filter_map(loads)).collect();
         record.notes.extend(doubts);
         record.notes.extend(record.histories.iter().filter(note).filter_map(drift));
         Ok(())
@@ -448,6 +450,11 @@ impl<'a> Plan<'a> {
 fn add(record: &mut RunRecord, (history, note): (HistoryRecord, Option<String>)) {
     record.histories.push(history);
     record.notes.extend(note.filter(|note| !record.notes.contains(note)));
+}
+
+/// Error of an angular velocity, from a record.
+fn of_record(RingingRecord { from, to, omega, share }: RingingRecord) -> Ringing {
+    Ringing { from, to, omega, share }
 }
 
 /// Note on the formulas of the time that were followed.

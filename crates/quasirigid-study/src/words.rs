@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use crate::layout::FIRM;
+use quasirigid::dynamics::Ringing;
 use quasirigid::model::{Displaced, FlexibleBody, HINGE_RANGE, RANGE, Reach, Watched};
 use quasirigid::reduction::{Comparison, Criterion, Validity, Verdict};
 use quasirigid_math::vec3::norm;
@@ -192,6 +193,25 @@ pub fn load_doubt(verdict: Verdict, ratio: f64) -> Option<String> {
     Some(format!(
         "The reduced equations {range}: displacements changed the external forces by up to {ratio} of the elastic forces that resist them{remedy}."
     ))
+}
+
+/// Doubt about the angular velocity of reduced equations under forces that excite vibrations (E8).
+pub fn ringing_doubt(ringing: Ringing) -> String {
+    let Ringing { from, to, omega, share } = ringing;
+    let [omega, rest] = [omega, 100.0 * Ringing::TOLD].map(|number| significant(number, 2));
+    let share = if share < 10.0 {
+        format!("{} % of", significant(100.0 * share, 2))
+    } else {
+        format!("{} times", significant(share, 2))
+    };
+    let span = if to > from {
+        format!("from t = {} s to {} s", significant(from, 6), significant(to, 6))
+    } else {
+        format!("at t = {} s", significant(from, 6))
+    };
+    format!(
+        "THE ANGULAR VELOCITY MAY BE WRONG {span}: forces change as fast as the body vibrates, and vibrations that the reduced equations do not have let it be off by up to about {omega} rad/s, {share} the largest of the run; energy and work are off there too. The angular momentum holds throughout, the angular velocity before and after to {rest} %; the full system has the vibrations."
+    )
 }
 
 /// Share of the dissipated energy above which the integrator's own change of energy is noted.

@@ -91,6 +91,23 @@ fn keys_of_inputs_are_in_the_guide() {
     }
 }
 
+/// Keys that `simulate` prints of a body under a pulse that its parts cannot follow.
+fn of_a_pulse() -> Keys {
+    let model = "[carrier]\nmass = 40\ncenter_of_mass = [0, 0, 0]\ninertia = [9, 13, 16]\n\
+        [[point]]\nname = \"tip\"\nmass = 2\nposition = [0.9, 0.2, 0.4]\n\
+        [[spring]]\nfrom = \"tip\"\nto = \"carrier\"\nstiffness = 200\ndamping = 8\n\
+        [[force]]\nkind = \"torque\"\ntorque = [0, 2, 0]\nduring = [[0.5, 0.51]]\n\
+        [initial]\nangular_velocity = [0, 0, 1e-3]\n";
+    let folder = tempfile::TempDir::new().unwrap();
+    fs::write(folder.path().join("model.toml"), model).unwrap();
+    let asked = "simulate model.toml --system reduced --samples 2 --duration 1 --json --quiet";
+    let mut found = Keys::new();
+    keys(&ran_in(folder.path(), asked).json(), "", &mut found);
+    found.retain(|key| key.starts_with("ringing"));
+    assert_eq!(found.len(), 5, "{found:?}");
+    found
+}
+
 /// Keys in the first column of the tables under a heading of a page.
 fn listed(page: &str, heading: &str) -> Keys {
     let page = fs::read_to_string(Path::new(ROOT).join("docs/guide").join(page)).unwrap();
@@ -165,6 +182,7 @@ fn keys_of_equations_about_a_spin_are_those_of_the_guide() {
 fn keys_of_histories_are_those_of_the_guide() {
     let simulate = printed(&["simulate examples/three-masses/model.toml --samples 2 --duration 1"]);
     let mut simulate = simulate;
+    simulate.extend(of_a_pulse());
     simulate.extend(printed(&[
         "simulate examples/nutation-damper/model.toml --system spin-manifold --times 0,1",
     ]));

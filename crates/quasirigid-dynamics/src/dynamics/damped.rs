@@ -78,14 +78,14 @@ pub(super) fn damped_modes(
 }
 
 /// Undamped modes of unit modal mass: vibrations with their frequencies, then motions without stiffness.
-struct Undamped {
-    frequencies: Vec<f64>,
-    shapes: Vec<Vec<f64>>,
+pub(super) struct Undamped {
+    pub frequencies: Vec<f64>,
+    pub shapes: Vec<Vec<f64>>,
 }
 
 /// Undamped modes: vibrations give cyclic coordinates zero momentum, `M_cc x_c = −M_ce x_e`; the other modes move cyclic coordinates
 /// alone.
-fn undamped(body: &FlexibleBody, mass: &Dense) -> Result<Undamped, NoConvergence> {
+pub(super) fn undamped(body: &FlexibleBody, mass: &Dense) -> Result<Undamped, NoConvergence> {
     let (elastic, cyclic) = (body.elastic(), body.cyclic());
     let brakes = Dense::of(&body.damping().block(cyclic.clone()));
     let loose = modes(&mass.block(cyclic.clone()), &brakes)?;

@@ -1,8 +1,9 @@
+use crate::math::expression::Expression;
 use crate::math::rotation::Turn;
 use crate::math::scalar::Smooth;
 use crate::math::vec3::scale;
 pub(super) use crate::model::force::Pose;
-use crate::model::force::{Force, Loads};
+use crate::model::force::{Force, ForceLaw, Loads, TIME, VARIABLES};
 use crate::model::{FlexibleBody, Marker, MotionState, Support};
 
 /// A body with the external forces on it.
@@ -25,6 +26,21 @@ impl<'a> Forced<'a> {
     #[must_use]
     pub fn acts(&self) -> bool {
         !self.forces.is_empty() || self.is_driven() || !self.body.wheels().driven.is_empty()
+    }
+
+    /// True if every action is a force or torque in its own axes by the time alone.
+    pub(super) fn is_prescribed(&self) -> bool {
+        let by_time = |force: &Force<Marker>| match force.law.timed().0 {
+            ForceLaw::Torque { .. }
+            | ForceLaw::Thrust { .. }
+            | ForceLaw::TorqueTable { .. }
+            | ForceLaw::ForceTable { .. } => true,
+            law => law.formulas().is_some_and(|formulas| {
+                let others = |formula: &Expression| (0..VARIABLES).any(|i| i != TIME && formula.uses(i));
+                !formulas.iter().any(others)
+            }),
+        };
+        !self.is_driven() && self.body.wheels().driven.is_empty() && self.forces.iter().all(by_time)
     }
 
     fn is_driven(&self) -> bool {

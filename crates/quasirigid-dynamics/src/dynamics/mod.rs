@@ -45,7 +45,7 @@ pub(crate) use run::check_times;
 pub use run::{Observer, Options, Outcome, PropagateError, Run, Sample, Scan, Start};
 pub use scale::spin_from_rest;
 pub use slow::{
-    ForcedTorque, MAX_FORCED_ORDER, RigidState, SlowEquations, SlowPoint, SlowState, forced_torque,
+    ForcedTorque, MAX_FORCED_ORDER, RigidState, Ringing, SlowEquations, SlowPoint, SlowState, forced_torque,
     load_ratio_at_start, propagate_forced, slow_state_point, takes,
 };
 pub use spin_path::{SpinPath, spin_path};

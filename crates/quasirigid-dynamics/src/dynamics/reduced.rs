@@ -127,6 +127,7 @@ impl<E: Equations> Task for StepByStep<'_, E> {
             scan: Scan::default(),
             left_out: 0.0,
             load_ratio: 0.0,
+            ringing: None,
         })
     }
 }

@@ -43,5 +43,6 @@ pub(super) fn stays_at_rest(
         scan: Scan::default(),
         left_out: 0.0,
         load_ratio: 0.0,
+        ringing: None,
     }
 }

@@ -10,7 +10,7 @@ use std::time::{Duration, Instant};
 use thiserror::Error;
 
 use super::event::Event;
-use super::slow::MAX_FORCED_ORDER;
+use super::slow::{MAX_FORCED_ORDER, Ringing};
 use super::timing::Missed;
 use crate::math::ode::{Checkpoint, StepError, StopReason, Work};
 use crate::math::simd::Rounding;
@@ -177,6 +177,9 @@ pub struct Run {
     /// equations has converged, which has no meaning from 1 on; zero of other systems. (E7)
     #[cfg_attr(feature = "serde", serde(default))]
     pub load_ratio: f64,
+    /// Error of the angular velocity of reduced equations by vibrations that forces excite; none where it is small, and of other systems. (E8)
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub ringing: Option<Ringing>,
 }
 
 /// Cost and result of following the formulas of the time through a run. (Z3)

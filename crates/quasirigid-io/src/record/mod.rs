@@ -379,6 +379,9 @@ pub struct HistoryRecord {
     /// reduced one and in records of versions before this field.
     #[serde(with = "number", default)]
     pub load_ratio: f64,
+    /// Error of the angular velocity of reduced equations by vibrations that forces excite; none where it is small.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub ringing: Option<RingingRecord>,
     /// Change of `|K|` made by the integrator alone, relative.
     #[serde(with = "number")]
     pub momentum_drift: f64,
@@ -391,6 +394,19 @@ pub struct HistoryRecord {
     /// Every row of a long history, as the run that made the record logged it.
     #[serde(skip)]
     pub log: Option<RowTable>,
+}
+
+/// When and by how much an angular velocity may be off by vibrations.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct RingingRecord {
+    /// First time (s) at which it is above the share that is told.
+    pub from: f64,
+    /// Last such time (s).
+    pub to: f64,
+    /// Largest error (rad/s).
+    pub omega: f64,
+    /// That relative to the largest angular velocity of the run.
+    pub share: f64,
 }
 
 impl HistoryRecord {

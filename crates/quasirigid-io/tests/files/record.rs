@@ -108,7 +108,7 @@ prop_compose! {
         let [tolerance, revolutions, energy, dissipated, work, energy_drift, left_out, load_ratio, momentum_drift] = numbers;
         HistoryRecord {
             system: system.into(), form, method, status, message, tolerance, steps, rejected, revolutions,
-            energy, dissipated, dissipation, work, energy_drift, left_out, load_ratio, momentum_drift, rows: 0, columns,
+            energy, dissipated, dissipation, work, energy_drift, left_out, load_ratio, ringing: None, momentum_drift, rows: 0, columns,
             log: None,
         }
     }
@@ -360,6 +360,7 @@ pub fn sample() -> RunRecord {
             energy_drift: 0.0,
             left_out: 0.0,
             load_ratio: 0.0,
+            ringing: None,
             momentum_drift: 0.0,
             rows: 0,
             log: None,

@@ -4,6 +4,7 @@
 //! part inside it is long and known by then, with its zeros and extremes, and the pulse lies there.
 //! Equation (Z2), docs/theory/19-events.md.
 
+use super::guards::Guards;
 use super::lobatto::{FINE, Lobatto};
 use super::program::{Node, Program, Role};
 
@@ -62,7 +63,7 @@ fn follow(
         return Changes { complete: true, ..Changes::default() };
     }
     let mut scan = Scan::new(program, moves, path, ends, budget);
-    for index in 0..scan.nodes.len() {
+    for index in std::mem::take(&mut scan.guards.order) {
         if scan.follows[index] && !matches!(scan.nodes[index].role, Role::Variable(_)) {
             scan.part(index);
         }
@@ -101,6 +102,7 @@ struct Scan<'p, 'v> {
     follows: Vec<bool>,
     alone: Vec<bool>,
     narrowed: Vec<bool>,
+    guards: Guards,
     path: &'p mut Path<'v>,
     variables: Vec<f64>,
     lobatto: Lobatto,
@@ -133,12 +135,14 @@ impl<'p, 'v> Scan<'p, 'v> {
                 operands.iter().for_each(|of| narrowed[*of] = true);
             }
         }
+        let known: Vec<bool> = follows.iter().zip(&alone).map(|(follows, alone)| *follows && *alone).collect();
         let edge = |share: f64| Edge { x: from + share * (to - from), breaks: false };
         let mut edges: Vec<Edge> = FIRST.iter().map(|share| edge(*share)).collect();
         edges[FIRST.len() - 1].x = to;
         Self {
             program,
             scales: vec![0.0; nodes.len()],
+            guards: Guards::of(&nodes, &known),
             nodes,
             follows,
             alone,
@@ -205,6 +209,13 @@ impl<'p, 'v> Scan<'p, 'v> {
         places
     }
 
+    /// Whether a factor of a part is zero over an interval, so that the part does not matter there.
+    fn is_masked(&mut self, part: Part, [from, to]: [f64; 2]) -> bool {
+        let (Part::Node(index) | Part::Gap(index, _)) = part;
+        let factors = self.guards.factors[index].clone();
+        factors.into_iter().any(|factor| self.sampled(Part::Node(factor), from, to) == [0.0; FINE])
+    }
+
     /// Values of a part over an interval; inside its ends where these are corners or jumps. Zeros, once the evaluations are spent.
     fn sampled(&mut self, part: Part, from: f64, to: f64) -> [f64; FINE] {
         if self.is_spent() {
@@ -223,7 +234,11 @@ impl<'p, 'v> Scan<'p, 'v> {
         let largest = |values: &[f64; FINE]| {
             values.iter().filter(|value| value.is_finite()).fold(0.0_f64, |most, value| most.max(value.abs()))
         };
-        let sampled: Vec<_> = cells.iter().map(|[from, to]| self.sampled(part, from.x, to.x)).collect();
+        let sample = |[from, to]: &[Edge; 2]| {
+            let masked = self.is_masked(part, [from.x, to.x]);
+            if masked { [0.0; FINE] } else { self.sampled(part, from.x, to.x) }
+        };
+        let sampled: Vec<_> = cells.iter().map(sample).collect();
         let mut scale = sampled.iter().map(largest).fold(0.0, f64::max);
         let mut stack: Vec<_> = cells.into_iter().zip(sampled).rev().collect();
         let mut edges = vec![self.edges[0]];
@@ -255,6 +270,9 @@ impl<'p, 'v> Scan<'p, 'v> {
         for pair in edges.windows(2) {
             if self.is_spent() {
                 break;
+            }
+            if self.is_masked(part, [pair[0], pair[1]]) {
+                continue;
             }
             for x in self.places(pair[0], pair[1]).into_iter().skip(usize::from(!history.is_empty())) {
                 history.push([x, self.value(part, x)]);
@@ -378,7 +396,9 @@ impl<'p, 'v> Scan<'p, 'v> {
                 self.trace(x, last);
                 all.iter_mut().zip(&self.values).for_each(|(row, value)| row[i] = *value);
             }
-            let parts = (0..=last).filter(|index| self.follows[*index]);
+            let is_zero = |factor: &usize| all[*factor] == [0.0; FINE];
+            let masked = |index: &usize| self.guards.factors[*index].iter().any(is_zero);
+            let parts = (0..=last).filter(|index| self.follows[*index] && !masked(index));
             let flat = |index: usize| FLAT * self.scale(index) + rounding(&all[index], from, to);
             if !parts.into_iter().all(|index| self.lobatto.defect(&all[index]) <= flat(index)) {
                 return false;

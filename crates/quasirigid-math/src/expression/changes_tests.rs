@@ -16,7 +16,7 @@ fn cell(changes: &Changes, x: f64) -> f64 {
 /// Corners of pulses of any length and depth of nesting are known to rounding, and to nothing else is broken.
 #[test]
 fn corners_of_formulas_are_breaks() {
-    let table: [(&str, f64, &[f64]); 8] = [
+    let table: [(&str, f64, &[f64]); 9] = [
         (
             "15*(max(0,min(1,(t-1000)*1e4))-max(0,min(1,(t-1000.1)*1e4)))",
             2000.0,
@@ -35,7 +35,9 @@ fn corners_of_formulas_are_breaks() {
         ),
         ("(t-5)/abs(t-5)", 12.0, &[5.0]),
         ("5*(step(t-500)-step(t-500.001))", 1e3, &[500.0, 500.001]),
-        ("step(min(t-2, 5-t))*max(0.3, t)*max(w, t)", 7.0, &[0.3, 2.0, 3.5, 5.0]),
+        ("step(min(t-2, 5-t))*max(2.3, t)*max(10*w, t)", 7.0, &[2.0, 2.3, 3.0, 3.5, 5.0]),
+        // nothing is followed where a factor is zero
+        ("step(min(t-2, 5-t))*max(0.3, t)", 7.0, &[2.0, 3.5, 5.0]),
         ("exp(t/100)*w", 10.0, &[]),
     ];
     for (text, end, expected) in table {
@@ -108,4 +110,19 @@ fn the_work_is_bounded() {
 fn corners_of_other_variables_are_no_breaks() {
     let found = scanned("max(0, t - 10*w)", 10.0);
     assert!(found.breaks.is_empty() && cell(&found, 3.0) < 10.0, "{}", found.ends.len());
+}
+
+/// A wave of 1e6 periods that a window of a few of them multiplies costs what those cost, whichever stands first; so does a Gaussian times a wave.
+#[test]
+fn waves_are_followed_in_their_windows_alone() {
+    for text in [
+        "step(t-333.333)*step(333.336-t)*cos((t-333.333)*6e3)",
+        "cos((t-333.333)*6e3)*(step(t-333.333)-step(t-333.336))",
+        "3*exp(-((t-333.333)/1e-3)^2)*(1+0.2*cos(5e3*t))",
+    ] {
+        let found = scanned(text, 1000.0);
+        assert!(found.complete && found.evaluations < 200_000, "{text}: {} evaluations", found.evaluations);
+        assert!(found.ends.len() < 400, "{text}: {}", found.ends.len());
+        assert!(cell(&found, 333.3335) < 1e-3 && cell(&found, 100.0) > 50.0, "{text}");
+    }
 }

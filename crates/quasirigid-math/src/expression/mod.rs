@@ -7,6 +7,7 @@
 
 mod changes;
 mod function;
+mod guards;
 mod lexer;
 mod lobatto;
 mod message;

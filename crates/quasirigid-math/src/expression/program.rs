@@ -39,6 +39,8 @@ pub enum Role {
     Variable(usize),
     /// As smooth as its operands, and no narrower.
     Even,
+    /// The same, and nothing where one of its operands is zero.
+    Product,
     /// May act in a short part of the range of its operand: about its zeros and extremes.
     Narrow,
     /// Has a corner or a jump where its operand is zero.
@@ -59,8 +61,9 @@ impl Role {
             Step::Variable(index) => Self::Variable(*index),
             Step::Unary(Unary::Abs | Unary::Step) => Self::Corner,
             Step::Binary(Binary::Min | Binary::Max) => Self::Choice,
+            Step::Binary(Binary::Multiply) => Self::Product,
             Step::Unary(Unary::Negate | Unary::Sin | Unary::Cos)
-            | Step::Binary(Binary::Add | Binary::Subtract | Binary::Multiply) => Self::Even,
+            | Step::Binary(Binary::Add | Binary::Subtract) => Self::Even,
             Step::Power(_) | Step::Unary(_) | Step::Binary(_) => Self::Narrow,
         }
     }

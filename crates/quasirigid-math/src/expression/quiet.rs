@@ -22,7 +22,7 @@ pub fn is_quiet(program: &Program, lobatto: &Lobatto, variables: &[&[f64]; FINE]
         let operands = &node.operands;
         let arguments_are_plain = match (node.role, operands.as_slice()) {
             (Role::Constant | Role::Variable(_), _) => return true,
-            (Role::Even, _) => true,
+            (Role::Even | Role::Product, _) => true,
             (Role::Choice, [a, b]) => {
                 is_monotone(&std::array::from_fn(|place| histories[*a][place] - histories[*b][place]))
             }

@@ -146,6 +146,7 @@ pub fn history(system: &str, rows: usize, duration: f64, alpha: f64) -> HistoryR
         energy_drift: last("energy_drift"),
         left_out: 0.0,
         load_ratio: 0.0,
+        ringing: None,
         momentum_drift: last("momentum_drift"),
         rows: rows as u64,
         log: None,

@@ -71,7 +71,10 @@ pub(crate) fn follow(
         left_out: start.left_out,
         growing: manifold.growing_outside().map(|(name, decay_rate)| growth(name, decay_rate)),
     };
-    Ok((Run { outcome, last, work, scan: Scan::default(), left_out: 0.0, load_ratio: 0.0 }, verdict))
+    Ok((
+        Run { outcome, last, work, scan: Scan::default(), left_out: 0.0, load_ratio: 0.0, ringing: None },
+        verdict,
+    ))
 }
 
 impl OnManifold {

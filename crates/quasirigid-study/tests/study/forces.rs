@@ -137,6 +137,15 @@ fn a_force_in_a_narrow_place_is_not_stepped_over() {
     close(speed, (0.04 + 2.0 * 1000.0 * 1e-4 * PI.sqrt() / 601.0).sqrt(), 1e-9);
 }
 
+/// A pulse with a slow foot, `5 a e^{−a}` with `a = e^{20(t − 400)}`, whose impulse is 5/20, and pulses of 1e-5 of it before.
+#[test]
+fn the_foot_of_a_pulse_is_no_missed_force() {
+    let gumbel = "exp(-exp(20*(t-400)))*exp(20*(t-400))*5";
+    assert_impulse(&with_torque(gumbel), 420.0, 0.25);
+    let weak = format!("{gumbel} + 2.5e-6*exp(-((t-100)/0.01)^2)");
+    assert_impulse(&with_torque(&weak), 420.0, 0.25 + 2.5e-8 * PI.sqrt());
+}
+
 /// Two hundred peaks of a sine above a level: `∫(sin θ − c) dθ = 2 cos θ₀ − c(π − 2θ₀)`, `sin θ₀ = c`.
 #[test]
 fn trains_are_followed_pulse_by_pulse() {

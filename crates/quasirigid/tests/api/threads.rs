@@ -74,7 +74,7 @@ types! {
     }
     dynamics {
         BoundaryLayer Checkpoint DampedMode Event FastPart ForcedTorque Forced['static] Form FullState FullStepper['static]
-        IsolatedSpin Method Missed Nutation Nutations Options Outcome PropagateError RigidState ReducedStepper Rounding
+        IsolatedSpin Method Missed Nutation Nutations Options Outcome PropagateError RigidState ReducedStepper Ringing Rounding
         Run Sample Scan SlowEquations SlowPoint SlowState SpinPath Start SteadySpin SteadySpins StepStatus StepperError
     }
     modes {

@@ -98,6 +98,7 @@ pub fn propagate_controlled(
         scan: monitor.scan(),
         left_out: 0.0,
         load_ratio: 0.0,
+        ringing: None,
     };
     observer.budget(&budget(system.body, &solver.y()[layout.accounts()], last.dissipated));
     Ok(run)

@@ -3,12 +3,13 @@
 //! The iteration for a spin stops where it no longer gains, not at a fixed tolerance: near the limit of the series each step gains little.
 //! Equations (E2), (E6) and "Start", docs/theory/09-forced-reduction.md.
 
-use super::flow::{MAX_FORCED_ORDER, SlowPoint, free_point, slow_point};
+use super::flow::{MAX_FORCED_ORDER, SlowPoint, free_point, rests, slow_point};
 use super::state::SlowState;
 use crate::dynamics::external::{Forced, Pose};
 use crate::dynamics::run::PropagateError;
 use crate::math::sym3::times;
 use crate::math::vec3::{add, norm, scale};
+use crate::model::force::Loads;
 use crate::model::{FlexibleBody, Form, ReducedBody};
 
 /// Slow equations of a body under forces: the series along the flow (E2), or the energy form of the torque-free body with what forces
@@ -18,6 +19,8 @@ pub struct SlowEquations<'a> {
     pub(super) system: Forced<'a>,
     pub(super) order: usize,
     free: Option<&'a ReducedBody>,
+    /// Whether all forces are functions of the time alone.
+    prescribed: bool,
 }
 
 /// Slow motion at a state.
@@ -53,7 +56,7 @@ impl<'a> SlowEquations<'a> {
     /// [`torque_free_order`](Self::torque_free_order) or higher; without it the series stands alone. (E6)
     #[must_use]
     pub fn energy_form(system: Forced<'a>, order: usize, reduced: Option<&'a ReducedBody>) -> Self {
-        Self { system, order, free: reduced }
+        Self { system, order, free: reduced, prescribed: system.is_prescribed() }
     }
 
     /// Order of the energy form beside a series of order `p`: one above, by which the torque-free part is as good as that of the series,
@@ -78,6 +81,18 @@ impl<'a> SlowEquations<'a> {
             power: lawful.power + (acted.power - series.power),
             point: acted.point,
         }
+    }
+
+    /// The same for rates alone: while forces by the time are zero, that of the energy form, with the internal coordinates at zero. (E6)
+    pub(super) fn for_rates(&self, K: [f64; 3], pose: &Pose<f64>) -> SlowFlow {
+        let Some(reduced) = self.free.filter(|_| self.prescribed && rests(self.system, pose)) else {
+            return self.at(K, pose);
+        };
+        let n = self.system.body.coordinates().len();
+        let lawful = reduced.motion(K);
+        let omega = lawful.omega;
+        let point = SlowPoint { omega, q: vec![0.0; n], rate: vec![0.0; n], loads: Loads::none(n) };
+        SlowFlow { omega, energy: reduced.energy_of_momentum.scalar(K), power: lawful.power, point }
     }
 
     /// Angular velocity (rad/s, body axes) at a state, at `t = 0`.

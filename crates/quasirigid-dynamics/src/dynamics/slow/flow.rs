@@ -58,6 +58,23 @@ pub(super) fn free_point(system: Forced, order: usize, K: [f64; 3], pose: &Pose<
     passes(system, false, order, K, pose).0
 }
 
+/// Whether forces by the time alone are zero with all their derivatives, so that the body moves as without them. (E6)
+pub(super) fn rests(system: Forced, pose: &Pose<f64>) -> bool {
+    const TERMS: usize = 2 * MAX_FORCED_ORDER + 1;
+    let fixed = |value: [f64; 3]| value.map(Taylor::<TERMS>::from);
+    let pose = Pose {
+        t: Taylor::variable(pose.t),
+        attitude: pose.attitude.map(Taylor::from),
+        place: fixed(pose.place),
+        velocity: fixed(pose.velocity),
+    };
+    let still = vec![Taylor::from(0.0); system.body.coordinates().len()];
+    let Loads { force, moment, generalized } =
+        system.loads(&pose, MotionState { omega: fixed([0.0; 3]), q: &still, rate: &still });
+    let mut all = force.iter().chain(&moment).chain(&generalized);
+    all.all(|load| (0..TERMS).all(|term| load.coefficient(term) == 0.0))
+}
+
 /// Least order whose dissipation has a correction, by which lower ones are judged. (E5)
 const JUDGED: usize = 3;
 
@@ -236,10 +253,15 @@ impl<const N: usize> Flow<N> {
             add(system.body.angular_momentum(still), system.body.wheels().angular_momentum(pose.t));
         let spin = |K: [Taylor<N>; 3]| smooth_times(inverse, add(K, scale(Taylor::from(-1.0), internal)));
         let (feels_path, feels_attitude) = (system.feels_path(), system.feels_attitude());
+        // forces by the time alone, in axes of the body, are the same in every pass
+        let fixed = (acts && !feels_attitude && system.is_prescribed())
+            .then(|| system.loads(&pose, MotionState { omega: spin(K), q, rate }));
         for _ in 1..N {
             let omega = spin(K);
             let mut torque = cross(K, omega);
-            if acts {
+            if let Some(loads) = &fixed {
+                torque = add(torque, loads.moment);
+            } else if acts {
                 let loads = system.loads(&pose, MotionState { omega, q, rate });
                 torque = add(torque, loads.moment);
                 if feels_path {
@@ -254,7 +276,8 @@ impl<const N: usize> Flow<N> {
             K = Taylor::integrals(torque, K0);
         }
         let omega = spin(K);
-        Self { omega, loads: loads(system, acts, &pose, MotionState { omega, q, rate }) }
+        let last = || loads(system, acts, &pose, MotionState { omega, q, rate });
+        Self { omega, loads: fixed.unwrap_or_else(last) }
     }
 
     /// `q = C⁻¹(∂T/∂q + Q − d/dt ∂T/∂q̇ − B q̇)` of elastic coordinates, with their rates, and `q̇ = B⁻¹(…)` of cyclic ones, from the

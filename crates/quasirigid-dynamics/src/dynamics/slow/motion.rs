@@ -1,12 +1,13 @@
-//! Motion of the reduced equations under forces, with the energy that vibrations excited by the forces take from it.
-//! Equations (E5) and (E7), docs/theory/09-forced-reduction.md.
+//! Motion of the reduced equations under forces, with what vibrations excited by the forces take from its energy and add to its angular velocity.
+//! Equations (E5), (E7) and (E8), docs/theory/09-forced-reduction.md.
 
 use super::equations::SlowEquations;
 use super::flow::{Correction, SlowPoint, slow_point};
 use super::load_ratio::load_ratio_of;
+use super::ringing::{Ringing, Vibrations};
 use super::state::SlowState;
 use super::system::SlowSystem;
-use crate::dynamics::external::Pose;
+use crate::dynamics::external::{Forced, Pose};
 use crate::dynamics::invariant_monitor::{Invariant, StateView, Trajectory};
 use crate::dynamics::layout::{ATTITUDE, MOMENTUM, SLOW_LENGTH, triple};
 use crate::dynamics::position::Position;
@@ -26,8 +27,8 @@ pub(super) struct SlowMotion<'a> {
     y: [f64; SLOW_LENGTH],
     t: f64,
     error_of_power: f64,
-    /// Displacements there, the last correction, what corrections have changed by within a vibration, and the largest energy (J) of that.
-    q: Vec<f64>,
+    /// Slow motion there, the last correction, what corrections have changed by within a vibration, and the largest energy (J) of that.
+    slow: SlowPoint,
     last: Correction,
     quick: Correction,
     largest: f64,
@@ -35,18 +36,43 @@ pub(super) struct SlowMotion<'a> {
     summed: f64,
     /// Largest ratio in which the series has converged.
     load_ratio: f64,
+    /// Vibrations that the equations leave out; none of a rigid body and without forces.
+    vibrations: Option<Vibrations>,
 }
 
 impl<'a> SlowMotion<'a> {
     /// From the first state.
     pub fn new(system: SlowSystem<'a>, y: &[f64; SLOW_LENGTH]) -> Self {
-        let n = system.equations.system.body.coordinates().len();
+        let SlowEquations { system: forced, order, .. } = system.equations;
+        let n = forced.body.coordinates().len();
         let (error_of_power, largest, summed, load_ratio) = (0.0, 0.0, 0.0, 0.0);
-        let (q, last, quick) = (vec![0.0; n], Correction::none(n), Correction::none(n));
-        let mut motion =
-            Self { system, y: *y, t: 0.0, error_of_power, q, last, quick, largest, summed, load_ratio };
+        let (last, quick) = (Correction::none(n), Correction::none(n));
+        let (K, pose) = place(&system, 0.0, y);
+        let slow = slow_point(forced, order, K, &pose);
+        let vibrations = if moves(forced, order) { Vibrations::of(forced) } else { None };
+        let mut motion = Self {
+            system,
+            y: *y,
+            t: 0.0,
+            error_of_power,
+            slow,
+            last,
+            quick,
+            largest,
+            summed,
+            load_ratio,
+            vibrations,
+        };
         motion.correct();
+        if let Some(vibrations) = &mut motion.vibrations {
+            vibrations.begin(forced, K, &pose, &motion.slow);
+        }
         motion
+    }
+
+    /// Error of the angular velocity by vibrations; none where it is small. (E8)
+    pub fn ringing(&self) -> Option<Ringing> {
+        self.vibrations.as_ref().and_then(Vibrations::told)
     }
 
     /// Largest change of the loads by displacements so far, beside the stiffness; zero of a rigid body. (E7)
@@ -68,14 +94,22 @@ impl<'a> SlowMotion<'a> {
     fn correct(&mut self) -> Correction {
         let (K, pose) = place(&self.system, self.t, &self.y);
         let SlowEquations { system, order, .. } = self.system.equations;
+        if !moves(system, order) {
+            return self.last.clone();
+        }
         let (point, correction) = Correction::at(system, order, K, &pose);
         self.error_of_power = correction.error_of_power(system);
         if order >= DISPLACED {
             self.load_ratio = self.load_ratio.max(load_ratio_of(system, K, &pose));
-            self.q = point.q;
         }
+        self.slow = point;
         std::mem::replace(&mut self.last, correction)
     }
+}
+
+/// True if the equations of an order have parts that move: displacements, or cyclic rates, which begin a degree lower. (C3)
+fn moves(system: Forced, order: usize) -> bool {
+    order >= DISPLACED || (order > 0 && !system.body.cyclic().is_empty())
 }
 
 /// Angular momentum (N·m·s) and pose of a state, at the limit of the time inside the stretch.
@@ -121,7 +155,7 @@ impl Trajectory for SlowMotion<'_> {
     }
 
     fn left(&self, _: &[f64]) -> Option<Displaced> {
-        self.system.equations.system.body.left_range(&self.q)
+        self.system.equations.system.body.left_range(&self.slow.q)
     }
 
     fn enter(&mut self, stretch: Stretch, begins: bool) {
@@ -131,13 +165,25 @@ impl Trajectory for SlowMotion<'_> {
             let jump = Correction::between(&before, &self.point());
             self.summed += jump.vibration_energy(self.system.equations.system);
         }
-        if begins {
-            self.correct();
+        if !begins {
+            return;
+        }
+        self.correct();
+        let (K, pose) = place(&self.system, self.t, &self.y);
+        let system = self.system.equations.system;
+        if let Some(vibrations) = &mut self.vibrations {
+            if self.t > 0.0 {
+                vibrations.meet(system, K, &pose);
+                vibrations.compare(system, K, self.t, &self.slow);
+            } else {
+                vibrations.begin(system, K, &pose, &self.slow);
+            }
         }
     }
 
     fn stepped(&mut self, t: f64, y: &[f64]) {
         let before = (self.t, self.error_of_power);
+        let start = self.vibrations.is_some().then(|| place(&self.system, self.t, &self.y));
         self.t = t;
         self.y.copy_from_slice(y);
         let from = self.correct();
@@ -145,6 +191,12 @@ impl Trajectory for SlowMotion<'_> {
         self.quick.follow(system, [&from, &self.last], t - before.0);
         self.largest = self.largest.max(self.quick.vibration_energy(system));
         self.summed += 0.5 * (t - before.0) * (before.1 + self.error_of_power);
+        if let (Some(vibrations), Some(start)) = (&mut self.vibrations, start) {
+            let end = place(&self.system, t, y);
+            let K = end.0;
+            vibrations.follow(system, [start, end], |t| self.system.stretch.within(t));
+            vibrations.compare(system, K, t, &self.slow);
+        }
     }
 
     fn save(&self, checkpoint: &mut Checkpoint) {
@@ -153,6 +205,7 @@ impl Trajectory for SlowMotion<'_> {
             .iter()
             .for_each(|value| checkpoint.save(*value));
         [&self.last, &self.quick].iter().for_each(|correction| correction.save(checkpoint));
+        self.vibrations.iter().for_each(|vibrations| vibrations.save(checkpoint));
     }
 
     fn load(&mut self, checkpoint: &mut Checkpoint) -> Option<()> {
@@ -162,6 +215,7 @@ impl Trajectory for SlowMotion<'_> {
             *value = checkpoint.load()?;
         }
         self.last.load(checkpoint)?;
-        self.quick.load(checkpoint)
+        self.quick.load(checkpoint)?;
+        self.vibrations.iter_mut().try_for_each(|vibrations| vibrations.load(checkpoint))
     }
 }

@@ -118,6 +118,7 @@ pub fn propagate_forced(
     let reason = integrate(&mut solver, times, first, options.most_steps, &mut monitor);
     let last = monitor.sample(solver.t(), solver.y());
     let outcome = monitor.outcome(reason);
-    let (left_out, load_ratio) = (monitor.trajectory.left_out(), monitor.trajectory.load_ratio());
-    Ok(Run { outcome, last, work: solver.work(), scan: monitor.scan(), left_out, load_ratio })
+    let motion = &monitor.trajectory;
+    let (left_out, load_ratio, ringing) = (motion.left_out(), motion.load_ratio(), motion.ringing());
+    Ok(Run { outcome, last, work: solver.work(), scan: monitor.scan(), left_out, load_ratio, ringing })
 }

@@ -7,6 +7,7 @@ use super::equations::{SlowEquations, SlowFlow};
 use super::flow::SlowPoint;
 use super::state::SlowState;
 use super::torque::{ForcedTorque, RigidState, forced_torque};
+use crate::dynamics::external::Pose;
 use crate::dynamics::invariant_monitor::StateView;
 use crate::dynamics::layout::{
     ANGLE, ATTITUDE, DISSIPATED, IMPULSE, MOMENTUM, PLACE, SLOW_LENGTH, VELOCITY, WORK, triple,
@@ -44,16 +45,17 @@ struct Rates {
 }
 
 impl SlowSystem<'_> {
-    fn rates(&self, t: f64, y: &[f64]) -> Rates {
+    fn rates(&self, t: f64, y: &[f64], flow: impl Fn([f64; 3], &Pose<f64>) -> SlowFlow) -> Rates {
         match self.form {
-            Form::AngularMomentum => self.angular_momentum_form(t, y),
+            Form::AngularMomentum => self.angular_momentum_form(t, y, flow),
             Form::AngularVelocity => self.angular_velocity_form(t, y),
         }
     }
 
     /// Quantities of a state.
     pub fn view(&self, t: f64, y: &[f64]) -> StateView {
-        let Rates { omega, angular_momentum, energy, q, rate, .. } = self.rates(t, y);
+        let Rates { omega, angular_momentum, energy, q, rate, .. } =
+            self.rates(t, y, |K, pose| self.equations.at(K, pose));
         let (dissipated, work) = (y[DISSIPATED], y[WORK]);
         StateView {
             omega,
@@ -69,10 +71,15 @@ impl SlowSystem<'_> {
         }
     }
 
-    fn angular_momentum_form(&self, t: f64, y: &[f64]) -> Rates {
+    fn angular_momentum_form(
+        &self,
+        t: f64,
+        y: &[f64],
+        flow: impl Fn([f64; 3], &Pose<f64>) -> SlowFlow,
+    ) -> Rates {
         let state = SlowState::unpack(y);
         let (angular_momentum, pose) = (state.angular_momentum, state.pose(t));
-        let SlowFlow { omega, energy, power, point } = self.equations.at(angular_momentum, &pose);
+        let SlowFlow { omega, energy, power, point } = flow(angular_momentum, &pose);
         let SlowPoint { q, rate, loads, .. } = point;
         Rates {
             omega,
@@ -115,7 +122,7 @@ impl SlowSystem<'_> {
 impl System<[f64; SLOW_LENGTH]> for SlowSystem<'_> {
     fn rate<A: Arithmetic>(&mut self, t: f64, y: &[f64; SLOW_LENGTH], rate: &mut [f64; SLOW_LENGTH]) {
         let t = self.stretch.within(t);
-        let now = self.rates(t, y);
+        let now = self.rates(t, y, |K, pose| self.equations.for_rates(K, pose));
         let SlowState { attitude, velocity, .. } = SlowState::unpack(y);
         let motion = MotionState { omega: now.omega, q: &now.q, rate: &now.rate };
         rate[MOMENTUM..MOMENTUM + 3].copy_from_slice(&now.first);

@@ -1,7 +1,8 @@
 //! Forces by formulas of the motion that may act in a short part of it: each step is compared with a quadrature along its own path, and taken
-//! back where the two differ. (Z5)
+//! back where the two differ. (Z5), (Z7)
 
 use super::impulse::{SEEN, impulse};
+use super::sliding::Sliding;
 use super::{Allowed, Missed, allowed_impulse};
 use crate::dynamics::external::Forced;
 use crate::math::expression::{Expression, Lobatto};
@@ -31,6 +32,7 @@ pub(super) struct FeltForce<'a> {
     pub whole: f64,
     /// Error that a step may have.
     allowed: f64,
+    pub sliding: Sliding,
 }
 
 /// What the steps saw of a force.
@@ -57,6 +59,7 @@ pub(super) fn felt_forces(system: Forced<'_>) -> Vec<FeltForce<'_>> {
             formulas,
             whole: 0.0,
             allowed: 0.0,
+            sliding: Sliding::default(),
         })
     });
     own.collect()
@@ -75,13 +78,12 @@ impl FeltForce<'_> {
         self.formulas.each_ref().map(|formula| formula.value(variables))
     }
 
-    /// Compares what a step saw with the impulse along its path. (Z5)
-    pub fn look(&mut self, lobatto: &Lobatto, rule: StepRule, along: &Along) -> Sight {
+    /// Compares what a step saw with the impulse along its path, in a run to a time `end` (s). (Z5)
+    pub fn look(&mut self, lobatto: &Lobatto, rule: StepRule, along: &Along, end: f64) -> Sight {
         let places: [&[f64]; Lobatto::POINTS] = std::array::from_fn(|i| along[i].as_slice());
         if self.formulas.iter().all(|formula| formula.is_quiet(lobatto, &places)) {
             let sizes: f64 = along.iter().map(|variables| norm(self.value(variables))).sum();
-            self.whole += rule.h.abs() * sizes / Lobatto::POINTS as f64;
-            return Sight::Seen;
+            return self.seen(rule, &[], rule.h.abs() * sizes / Lobatto::POINTS as f64, end);
         }
         let at = |t: f64| -> [f64; VARIABLES] {
             let weights = lobatto.weights_at(((t - rule.t) / rule.h).clamp(0.0, 1.0));
@@ -90,16 +92,7 @@ impl FeltForce<'_> {
             })
         };
         let (from, to) = (rule.t, rule.t + rule.h);
-        let mut ends = vec![from, to];
-        for formula in self.formulas {
-            let mut path = |t: f64, variables: &mut Vec<f64>| {
-                variables.clear();
-                variables.extend_from_slice(&at(t));
-            };
-            ends.extend(formula.changes_on_path(&mut path, [from, to], IN_STEP).ends);
-        }
-        ends.sort_by(f64::total_cmp);
-        ends.dedup_by(|later, kept| *later - *kept <= SHORTEST_STEP * later.abs());
+        let [ends, breaks] = self.changes(&at, [from, to]);
         let (mut exact, mut whole) = ([0.0; 3], 0.0);
         for cell in ends.array_windows() {
             let (sum, size) = impulse(&|t| self.value(&at(t)), &lobatto.points, *cell);
@@ -107,8 +100,7 @@ impl FeltForce<'_> {
         }
         let difference = norm(add(rule.sum(|t| self.value(&at(t))), scale(-1.0, exact)));
         if difference <= SEEN * (self.whole + whole) + self.allowed {
-            self.whole += whole;
-            return Sight::Seen;
+            return self.seen(rule, &breaks, whole, end);
         }
         if rule.h <= SHORTEST_STEP * to.abs() {
             let whole = self.whole + whole;
@@ -125,5 +117,31 @@ impl FeltForce<'_> {
             stops.push(0.5 * (from + to));
         }
         Sight::Again(stops)
+    }
+
+    /// Takes up a step that saw all of the force, `∫|F| dt` over it, and its corners and jumps. (Z7)
+    fn seen(&mut self, rule: StepRule, breaks: &[f64], whole: f64, end: f64) -> Sight {
+        self.whole += whole;
+        match self.sliding.step(rule, breaks, end) {
+            None => Sight::Seen,
+            Some(step) => Sight::Missed(Missed::Slides { force: self.force, t: rule.t, step }),
+        }
+    }
+
+    /// Ends of the intervals along a step in which the formulas are even, and their corners and jumps. (Z2)
+    fn changes(&self, at: &dyn Fn(f64) -> [f64; VARIABLES], [from, to]: [f64; 2]) -> [Vec<f64>; 2] {
+        let (mut ends, mut breaks) = (vec![from, to], Vec::new());
+        for formula in self.formulas {
+            let mut path = |t: f64, variables: &mut Vec<f64>| {
+                variables.clear();
+                variables.extend_from_slice(&at(t));
+            };
+            let found = formula.changes_on_path(&mut path, [from, to], IN_STEP);
+            ends.extend(found.ends);
+            breaks.extend(found.breaks);
+        }
+        ends.sort_by(f64::total_cmp);
+        ends.dedup_by(|later, kept| *later - *kept <= SHORTEST_STEP * later.abs());
+        [ends, breaks]
     }
 }

@@ -1,8 +1,8 @@
-//! Forces that the steps of a run did not see, or that could not be followed in time. (Z3), (Z4)
+//! Forces that the steps of a run did not see or could not follow. (Z3), (Z4), (Z7)
 
 use std::fmt;
 
-/// Force in time that a run missed, which ends the run.
+/// Force that a run could not follow, which ends the run.
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Missed {
@@ -24,6 +24,15 @@ pub enum Missed {
         /// Evaluations spent.
         evaluations: u64,
     },
+    /// The motion slides along the places where a formula switches. (Z7)
+    Slides {
+        /// Index of the force.
+        force: usize,
+        /// Time (s) at which the body was held there.
+        t: f64,
+        /// Mean of the last steps (s).
+        step: f64,
+    },
 }
 
 impl fmt::Display for Missed {
@@ -39,6 +48,13 @@ impl fmt::Display for Missed {
                 f,
                 "a formula of t changes too often after t = {t} s to be followed: {evaluations} \
                  evaluations did not suffice; smooth it, give it as windows or a table, or shorten the run"
+            ),
+            Self::Slides { force, t, step } => write!(
+                f,
+                "at t = {t} s the body slides along a switch of force {}: the force turns it back at once from either side, so that it \
+                 switches in every step and the steps fell to {step:.1e} s; give the switch a width, `0.5*(1 + tanh(x/width))` for \
+                 `step(x)`, or a band in which the force is zero",
+                force + 1
             ),
         }
     }

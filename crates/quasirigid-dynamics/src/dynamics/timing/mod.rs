@@ -4,12 +4,13 @@
 //! An integrator learns of a force at the stages of its steps alone, so that a short force between two of them does not exist for it. The
 //! times of what acts are known before the run: windows, rows of tables, corners of formulas, places where a formula changes quickly.
 //! What acts by the motion has no such times: each step is compared with its own path, and taken back where it has passed something.
-//! Equations (Z1) to (Z5), docs/theory/19-events.md.
+//! Equations (Z1) to (Z5), (Z7) and (Z8), docs/theory/19-events.md.
 
 mod felt;
 mod impulse;
 mod missed;
 mod prescribed;
+mod sliding;
 mod stops;
 
 pub use missed::Missed;
@@ -85,19 +86,8 @@ impl<'a> Timing<'a> {
         stops.follow(0.0);
         let accounts = parts.into_iter().map(Account::of).collect();
         let first = stops.next(0.0).min(end);
-        let mut timing = Self {
-            stops,
-            accounts,
-            felt,
-            passed: Vec::new(),
-            lobatto: Lobatto::new(),
-            interval: [0.0, first],
-            end,
-            missed: None,
-        };
-        let intervals = timing.intervals();
-        timing.accounts.iter_mut().for_each(|account| account.expect(&intervals));
-        Some(timing)
+        let (passed, lobatto, interval) = (Vec::new(), Lobatto::new(), [0.0, first]);
+        Some(Self { stops, accounts, felt, passed, lobatto, interval, end, missed: None })
     }
 
     /// Sets the limits of the impulse. (Z4)
@@ -145,7 +135,7 @@ impl<'a> Timing<'a> {
     pub fn takes_back(&mut self, rule: StepRule, along: &[Along]) -> bool {
         let mut stops = Vec::new();
         for (force, along) in self.felt.iter_mut().zip(along) {
-            match force.look(&self.lobatto, rule, along) {
+            match force.look(&self.lobatto, rule, along, self.end) {
                 Sight::Seen => {}
                 Sight::Again(found) => stops.extend(found),
                 Sight::Missed(missed) => self.missed = self.missed.or(Some(missed)),
@@ -171,7 +161,7 @@ impl<'a> Timing<'a> {
         for account in &mut self.accounts {
             account.add(rule, stretch);
             if whole && self.missed.is_none() {
-                self.missed = account.compare(from, t, stretch);
+                self.missed = account.compare([from, t], stretch, to >= self.end);
             }
         }
         if let Some(lost) = self.stops.lost.filter(|lost| t > *lost) {
@@ -185,7 +175,10 @@ impl<'a> Timing<'a> {
         self.interval.iter().for_each(|t| checkpoint.save(*t));
         self.accounts.iter().for_each(|account| account.save(checkpoint));
         if !self.felt.is_empty() {
-            self.felt.iter().for_each(|force| checkpoint.save(force.whole));
+            for force in &self.felt {
+                checkpoint.save(force.whole);
+                force.sliding.save(checkpoint);
+            }
             checkpoint.save_count(self.passed.len() as u64);
             self.passed.iter().for_each(|stop| checkpoint.save(*stop));
         }
@@ -201,11 +194,23 @@ impl<'a> Timing<'a> {
         if !self.felt.is_empty() {
             for force in &mut self.felt {
                 force.whole = checkpoint.load()?;
+                force.sliding.load(checkpoint)?;
             }
             self.passed = (0..checkpoint.load_count()?).map(|_| checkpoint.load()).collect::<Option<_>>()?;
         }
         Some(())
     }
+}
+
+/// Impulse that turns the body by a radian in a second, or moves it by its radius of gyration (N·m·s of a torque, N·s of a force at a place). (Z8)
+fn impulse_per_radian(body: &FlexibleBody, at: Option<&Marker>) -> f64 {
+    let invariants = body.invariants();
+    let [xx, yy, zz, ..] = invariants.J;
+    let trace = xx + yy + zz;
+    at.map_or(trace / 3.0, |at| {
+        let gyration = (trace / invariants.mass).sqrt();
+        (invariants.mass * gyration).min(trace / (3.0 * norm(at.position)))
+    })
 }
 
 /// Error of the impulse that a step may have (N·m·s of a torque, N·s of a force at a place). (Z4)

@@ -27,3 +27,4 @@ mod sweep;
 mod tanks;
 mod thrust;
 mod told_errors;
+mod verdicts;

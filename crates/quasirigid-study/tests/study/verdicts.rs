@@ -1,5 +1,5 @@
 //! Printed verdicts do not know the axes of the file, its units, or the order of the parts: words, names, refusals, and rates beyond tolerance,
-//! of bodies of all kinds. (M1), (M12), (Q15)
+//! of bodies of many kinds. (M1), (M12), (Q15)
 
 use quasirigid_io::record::{ModeRecord, SteadySpinRecord};
 use quasirigid_math::random::Random;
@@ -83,12 +83,14 @@ fn of_modes(model: &str, time: f64, axis: Option<PrincipalAxis>) -> Verdict {
     }
 }
 
+/// The verdict of `check`, and the steady spins that it tells with their modes.
 fn of_check(model: &str) -> Verdict {
     let study = study(model);
     let told = study.check().map_or_else(|refused| refused.to_string(), |found| found.text());
-    let shares = "dissipation shares"; // equal ones come in the order of their last digits
-    let told = told.split("\n\n").map(|part| words(part.split(shares).next().unwrap_or_default()));
-    Verdict { words: told.collect(), ..Verdict::default() }
+    let (head, rest) = told.split_once("\n\n").unwrap_or((&told, ""));
+    let verdict = head.split("\n  - ").next().unwrap_or_default();
+    let spins = rest.split("\n\n").filter(|part| part.contains("with the modes about them"));
+    Verdict { words: [verdict].into_iter().chain(spins).map(words).collect(), ..Verdict::default() }
 }
 
 fn of_evolution(model: &str, time: f64) -> Verdict {

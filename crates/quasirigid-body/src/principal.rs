@@ -7,7 +7,7 @@ use nalgebra::Matrix3;
 
 use crate::math::elliptic;
 use crate::math::sym3::{self, Sym};
-use crate::math::vec3::{self, dot, scale};
+use crate::math::vec3::{add, cross, dot, norm, scale, unit};
 
 /// Principal moments and axes of an inertia tensor.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -77,15 +77,51 @@ impl Mode {
 
 /// Difference of moments, relative to the largest, below which they are those of a body of revolution.
 const DISTINCT: f64 = 1e-9;
+/// Difference of moments, relative to the largest, that is rounding.
+const SAME: f64 = 1e-12;
+/// Part of a vector along an axis, relative to its length, that rounding may leave of none, and difference of two parts that it may leave of
+/// equal ones.
+const ACROSS: f64 = 1e-9;
 
 impl Principal {
-    /// Axis next to a vector, on its side; the vector itself where none is.
+    /// Axis next to a vector, on its side: of equal moments the part of the vector in their plane, of three the vector itself. Of two that are
+    /// as near, the one of the greater moment.
     #[must_use]
     pub fn axis_beside(&self, vector: [f64; 3]) -> [f64; 3] {
-        let along = |axis: &[f64; 3]| dot(*axis, vector);
-        let nearest = self.axes.into_iter().max_by(|a, b| along(a).abs().total_cmp(&along(b).abs()));
-        let axis = nearest.unwrap_or(vector);
-        scale(along(&axis).signum(), axis)
+        let parts = [2, 1, 0].map(|k| self.part(k, vector, DISTINCT));
+        let nearer = |best: [f64; 3], next: [f64; 3]| {
+            if norm(next) > norm(best) + ACROSS * norm(vector) { next } else { best }
+        };
+        let nearest = parts.into_iter().fold([0.0; 3], nearer);
+        if norm(nearest) > 0.0 { unit(nearest) } else { vector }
+    }
+
+    /// The axes with that of a mode next to a vector, where its moment equals others to rounding so that it may lie anywhere among their axes;
+    /// as they are where the vector is across these.
+    #[must_use]
+    pub fn beside(self, mode: Mode, vector: [f64; 3]) -> Self {
+        let (own, third) = (mode.circled(), 2 - mode.circled());
+        let part = self.part(own, vector, SAME);
+        let apart = (self.moments[1] - self.moments[own]).abs() > SAME * self.moments[2];
+        if apart || !(norm(part) > ACROSS * norm(vector)) {
+            return self;
+        }
+        let mut axes = self.axes;
+        axes[own] = unit(part);
+        let across = |k: usize| add(self.axes[k], scale(-dot(self.axes[k], axes[own]), axes[own]));
+        let widest = [third, 1, own].into_iter().find(|k| norm(across(*k)) > 0.5).unwrap_or(third);
+        axes[third] = unit(across(widest));
+        axes[1] = cross(axes[2], axes[0]);
+        Self { axes, ..self }
+    }
+
+    /// Part of a vector along an axis and those of moments equal to its own, within a share of the largest.
+    fn part(&self, k: usize, vector: [f64; 3], equal: f64) -> [f64; 3] {
+        let gaps = [self.moments[1] - self.moments[0], self.moments[2] - self.moments[1]];
+        let alike =
+            |other: usize| (k.min(other)..k.max(other)).all(|gap| !(gaps[gap] > equal * self.moments[2]));
+        let along = |other: usize| scale(dot(self.axes[other], vector), self.axes[other]);
+        (0..3).filter(|other| alike(*other)).fold([0.0; 3], |sum, other| add(sum, along(other)))
     }
 
     /// Principal axes of a tensor.
@@ -100,25 +136,22 @@ impl Principal {
             [sign * column[0], sign * column[1], sign * column[2]]
         };
         let (first, second) = (axis(0), axis(1));
-        Self {
-            moments: order.map(|i| eigen.eigenvalues[i]),
-            axes: [first, second, vec3::cross(first, second)],
-        }
+        Self { moments: order.map(|i| eigen.eigenvalues[i]), axes: [first, second, cross(first, second)] }
     }
 
     /// True for each axis that is determined: false for axes of equal moments.
     #[must_use]
     pub fn determined(&self) -> [bool; 3] {
-        let [I1, I2, I3] = self.moments;
-        let (lower, upper) = (I2 - I1 > DISTINCT * I3, I3 - I2 > DISTINCT * I3);
+        let [lower, upper] = [Mode::LongAxis, Mode::ShortAxis].map(|mode| mode.exists(self.moments));
         [lower, lower && upper, upper]
     }
 
-    /// Modes in the order of nearness of their axes to a vector.
+    /// Modes in the order of nearness of their axes to a vector, with those of equal moments; the short-axis mode first where both are as near.
     #[must_use]
     pub fn nearest(&self, vector: [f64; 3]) -> [Mode; 2] {
-        let [least, _, greatest] = self.components(vector).map(f64::abs);
-        if least > greatest { [Mode::LongAxis, Mode::ShortAxis] } else { [Mode::ShortAxis, Mode::LongAxis] }
+        let [least, greatest] = [0, 2].map(|k| norm(self.part(k, vector, DISTINCT)));
+        let long = least > greatest + ACROSS * norm(vector);
+        if long { [Mode::LongAxis, Mode::ShortAxis] } else { [Mode::ShortAxis, Mode::LongAxis] }
     }
 
     /// Components of a vector along the principal axes.
@@ -131,7 +164,7 @@ impl Principal {
     #[must_use]
     pub fn vector(&self, components: [f64; 3]) -> [f64; 3] {
         let parts = self.axes.iter().zip(components);
-        parts.fold([0.0; 3], |sum, (axis, component)| vec3::add(sum, vec3::scale(component, *axis)))
+        parts.fold([0.0; 3], |sum, (axis, component)| add(sum, scale(component, *axis)))
     }
 
     /// Polhode through `omega` (rad/s); none if the angular velocity is constant in the body or its period infinite, as in a sphere and
@@ -154,6 +187,37 @@ impl Principal {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// In the axes of any file, the order of the modes and the axis beside a vector are those of the body: of two equal moments by the part in
+    /// their plane, of three by the vector, and about a middle axis by a rule.
+    #[test]
+    fn equal_moments_are_asked_as_one() {
+        use nalgebra::{Rotation3, Vector3};
+        for (moments, vector, first, beside) in [
+            ([2.0, 4.0, 4.0], [0.5, 0.6, 0.2], Mode::ShortAxis, [0.0, 0.6, 0.2]),
+            ([2.0, 4.0, 4.0], [0.7, 0.6, 0.2], Mode::LongAxis, [0.7, 0.0, 0.0]),
+            ([4.0, 4.0, 6.0], [0.4, 0.5, 0.6], Mode::LongAxis, [0.4, 0.5, 0.0]),
+            ([4.0, 4.0, 4.0], [0.4, 0.5, 0.6], Mode::ShortAxis, [0.4, 0.5, 0.6]),
+            ([2.0, 4.0, 6.0], [0.0, 1.0, 0.0], Mode::ShortAxis, [0.0, 1.0, 0.0]),
+            ([2.0, 4.0, 6.0], [1.0, 0.0, 1.0], Mode::ShortAxis, [0.0, 0.0, 1.0]),
+        ] {
+            for turn in 0..20 {
+                let R = Rotation3::new(Vector3::new(0.3, 1.1, -0.7) * f64::from(turn));
+                let J = R * Matrix3::from_diagonal(&Vector3::from(moments)) * R.transpose();
+                let own = Principal::compute([J.m11, J.m22, J.m33, J.m23, J.m13, J.m12]);
+                let given: [f64; 3] = (R * Vector3::from(vector)).into();
+                assert_eq!(own.nearest(given)[0], first, "{moments:?}");
+                let expected = R * Vector3::from(beside).normalize();
+                let gap = Vector3::from(own.axis_beside(given)) - expected;
+                assert!(gap.norm() < 1e-14, "{moments:?} {gap}");
+                if !first.exists(moments) {
+                    let axes = own.beside(first, given).axes.map(Vector3::from);
+                    assert!((axes[first.circled()] - expected).norm() < 1e-14);
+                    assert!((axes[0].cross(&axes[1]) - axes[2]).norm() < 1e-14);
+                }
+            }
+        }
+    }
 
     #[test]
     fn small_wobble_has_the_textbook_frequency() {

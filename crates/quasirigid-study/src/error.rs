@@ -18,7 +18,7 @@ use thiserror::Error;
 use crate::as_observed::Turned;
 use crate::settings::{Setting, SettingError};
 use crate::start::NoWobble;
-use crate::words::significant;
+use crate::words::{significant, time};
 
 /// Modes listed where one asked for is not there.
 const LISTED_MODES: usize = 6;
@@ -48,6 +48,13 @@ pub enum StudyError {
     Setting(SettingError),
     /// A body at rest without a duration: it has no revolutions to count by.
     RestWithoutDuration,
+    /// A secular evolution that ends within its first revolution.
+    WithinARevolution {
+        /// Duration asked for (s).
+        duration: f64,
+        /// Time of a revolution of the start (s).
+        revolution: f64,
+    },
     /// No start is found.
     NoStart(EquilibriumError),
     /// A body or a state without a linear model.
@@ -470,6 +477,13 @@ impl StudyError {
         Some(match self {
             Self::RestWithoutDuration => format!(
                 "the body starts from rest, so there are no revolutions to count the time by; give {duration}, such as \"2 h\""
+            ),
+            Self::WithinARevolution { duration, revolution } => format!(
+                "{} {} s ends within the first revolution, {}, and a secular evolution is a mean over revolutions; ask for more, or \
+                 follow the motion itself with simulate",
+                name(Setting::EvolutionDuration),
+                significant(*duration, 4),
+                time(*revolution)
             ),
             Self::History { samples: rows, cause } => {
                 format!("{rows} rows: {cause}; ask for fewer with {samples}")

@@ -68,6 +68,7 @@ pub mod derive;
 pub mod difference;
 pub mod effective_masses;
 mod encounters;
+mod equal_moments;
 mod error;
 pub mod evolution;
 pub mod export;

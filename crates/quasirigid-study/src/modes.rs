@@ -158,9 +158,7 @@ impl Study {
         };
         let principal = Principal::compute(body.invariants().J);
         let Poles { records: spins, modes: solved } = match (asked.axis, asked.omega) {
-            (Some(axis), _) => {
-                steady::spin(self, axis.name(), principal.axes[axis as usize], given, asked.all)
-            }
+            (Some(axis), _) => steady::about_axis(self, axis, omega, given, asked.all),
             (None, Some(_)) => steady::spin(self, "asked", principal.axis_beside(omega), given, asked.all),
             (None, None) => steady::poles(self, omega, given, asked.all),
         };

@@ -4,20 +4,22 @@ use std::fmt::{self, Write};
 
 use quasirigid::model::{Mode, Principal};
 use quasirigid::modes::{
-    EquilibriumError, ModeRange, RelativeEquilibrium, SpinMagnitude, SpinMode, SpinModes, acts,
+    EquilibriumError, ModeRange, NEARLY_EQUAL, RelativeEquilibrium, SpinMagnitude, SpinMode, SpinModes, acts,
 };
 use quasirigid::secular::GyrostatSpins;
-use quasirigid_io::record::{ModeList, ModeRecord, SlowModesRecord, SteadySpinRecord};
+use quasirigid_io::model::Named;
+use quasirigid_io::record::{ModeList, ModeRecord, SlowModesRecord, SteadySpinRecord, place_of_spin};
 use quasirigid_io::visible::one_line;
 use quasirigid_math::vec3::{add, norm, scale};
 
 use crate::error::StudyError;
 use crate::layout::paragraph;
 use crate::liquids::unanswered;
+use crate::modes::PrincipalAxis;
 use crate::motion::Motion;
 use crate::study::Study;
 use crate::words::{significant, tidied, time};
-use crate::{sheets, slugs, tanks};
+use crate::{equal_moments, sheets, slugs, tanks};
 
 /// Coordinates of a body on curved paths whose modes take longer than a moment.
 const MAX_COORDINATES: usize = 700;
@@ -29,6 +31,9 @@ const LISTED: usize = 12;
 const NAME: usize = 24;
 /// Shares of parts and dissipators listed for people.
 const SHARES: usize = 4;
+/// Names of the steady spins about the axes of greatest and of least inertia.
+pub(crate) const GREATEST: &str = "greatest";
+pub(crate) const LEAST: &str = "least";
 /// Names of the steady spins of a body with momentum wheels: the first attracts.
 const LEAST_ENERGY: &str = "least energy";
 const GREATEST_ENERGY: &str = "greatest energy";
@@ -53,21 +58,82 @@ impl Poles {
 /// The steady spins about the axes of greatest and of least inertia, or those that momentum wheels leave, the one next to an angular velocity
 /// first.
 pub fn poles(study: &Study, omega: [f64; 3], given: SpinMagnitude, all: bool) -> Poles {
-    let body = &study.body;
-    let modes = Principal::compute(body.invariants().J).nearest(omega);
-    let found = modes.map(|mode| {
-        let name = if mode == Mode::ShortAxis { "greatest" } else { "least" };
-        told(study, name, RelativeEquilibrium::extreme_towards(body, mode, given, omega), all)
+    told_of(study, found(study, omega, given), omega, all)
+}
+
+/// The steady spin about a principal axis, next to an angular velocity where wheels or equal moments leave a choice; where wheels leave none
+/// about that of greatest inertia the spin of least energy, and that of greatest energy in place of the one about that of least.
+pub fn about_axis(
+    study: &Study,
+    axis: PrincipalAxis,
+    omega: [f64; 3],
+    given: SpinMagnitude,
+    all: bool,
+) -> Poles {
+    let mut found = found(study, omega, given);
+    found.retain(|named| named.axis() == axis);
+    found.truncate(1);
+    if axis == PrincipalAxis::Middle {
+        let spin = RelativeEquilibrium::middle_towards(&study.body, given, omega);
+        found.push(NamedSpin { name: axis.name(), spin });
+    }
+    told_of(study, found, omega, all)
+}
+
+fn told_of(study: &Study, found: Vec<NamedSpin>, omega: [f64; 3], all: bool) -> Poles {
+    let told = found.into_iter().map(|NamedSpin { name, spin }| {
+        let (record, modes) = told(study, name, spin, all);
+        equal_moments::noted(study, omega, record, modes)
     });
-    let (records, modes): (Vec<_>, Vec<_>) = found.into_iter().unzip();
-    let lost = records.iter().any(|record: &SteadySpinRecord| record.spin.is_none());
-    let turned = if lost { poles_of_gyrostat(study, omega, given, all) } else { None };
-    turned.unwrap_or(Poles { records, modes })
+    let (records, modes) = told.unzip();
+    Poles { records, modes }
+}
+
+/// A steady spin by its name: of an axis of inertia, or of an energy.
+pub(crate) struct NamedSpin {
+    pub name: &'static str,
+    pub spin: Result<RelativeEquilibrium, EquilibriumError>,
+}
+
+impl NamedSpin {
+    /// Axis of inertia of the spin, or the one about which a body without wheels has such an energy.
+    pub fn axis(&self) -> PrincipalAxis {
+        match self.name {
+            GREATEST | LEAST_ENERGY => PrincipalAxis::Greatest,
+            _ => PrincipalAxis::Least,
+        }
+    }
+}
+
+/// The steady spins about the axes of greatest and of least inertia; those of least and of greatest energy where momentum wheels turn the spin
+/// away from an axis, or the three moments are nearly equal, so that wheels set the axes. The one next to an angular velocity comes first.
+pub(crate) fn found(study: &Study, omega: [f64; 3], given: SpinMagnitude) -> Vec<NamedSpin> {
+    let body = &study.body;
+    let principal = Principal::compute(body.invariants().J);
+    let by_axis = principal.nearest(omega).map(|mode| NamedSpin {
+        name: if mode == Mode::ShortAxis { GREATEST } else { LEAST },
+        spin: RelativeEquilibrium::extreme_towards(body, mode, given, omega),
+    });
+    let [I1, _, I3] = principal.moments;
+    let lost = by_axis.iter().any(|named| named.spin.is_err());
+    let by_energy =
+        if lost || I3 - I1 <= NEARLY_EQUAL * I3 { of_gyrostat(study, omega, given) } else { None };
+    by_energy.unwrap_or_else(|| by_axis.into())
+}
+
+/// The steady spin next to an angular velocity, of those about the axes of greatest and of least inertia or those that momentum wheels leave.
+pub(crate) fn next_to(
+    study: &Study,
+    omega: [f64; 3],
+    given: SpinMagnitude,
+) -> Result<RelativeEquilibrium, EquilibriumError> {
+    let first = found(study, omega, given).swap_remove(0);
+    first.spin
 }
 
 /// The steady spins of least and of greatest energy of a body with momentum wheels, the one next to an angular velocity first; none of a
 /// body without them. (Q15)
-fn poles_of_gyrostat(study: &Study, omega: [f64; 3], given: SpinMagnitude, all: bool) -> Option<Poles> {
+fn of_gyrostat(study: &Study, omega: [f64; 3], given: SpinMagnitude) -> Option<Vec<NamedSpin>> {
     let SpinMagnitude::AngularMomentum(G) = given else { return None };
     let body = &study.body;
     if norm(body.wheels().angular_momentum(0.0)) == 0.0 {
@@ -80,9 +146,9 @@ fn poles_of_gyrostat(study: &Study, omega: [f64; 3], given: SpinMagnitude, all: 
     let mut spins: Vec<_> = named(LEAST_ENERGY, minima).chain(named(GREATEST_ENERGY, maxima)).collect();
     let away = |spin: &RelativeEquilibrium| norm(add(spin.omega, scale(-1.0, omega)));
     spins.sort_by(|(_, a), (_, b)| away(a).total_cmp(&away(b)));
-    let told = spins.into_iter().map(|(name, spin)| told(study, name, Ok(spin), all));
-    let (records, modes): (Vec<_>, Vec<_>) = told.unzip();
-    (!records.is_empty()).then_some(Poles { records, modes })
+    let spins = spins.into_iter().map(|(name, spin)| NamedSpin { name, spin: Ok(spin) });
+    let spins: Vec<_> = spins.collect();
+    (!spins.is_empty()).then_some(spins)
 }
 
 /// The steady spins with the angular momentum of the start; none where moments act, of a body without angular momentum, and of bodies
@@ -132,7 +198,7 @@ fn told(
     all: bool,
 ) -> (SteadySpinRecord, Option<SpinModes>) {
     let body = &study.body;
-    let unfound = |message: String| missing(name, format!("About {}: {message}.", axis(name)));
+    let unfound = |message: String| missing(name, format!("About {}: {message}.", place_of_spin(name)));
     let equilibrium = match found {
         Ok(equilibrium) => equilibrium,
         Err(error) => {
@@ -205,14 +271,6 @@ pub fn missing(name: &str, sentence: String) -> SteadySpinRecord {
     }
 }
 
-fn axis(name: &str) -> String {
-    match name {
-        "asked" => "the axis asked for".into(),
-        LEAST_ENERGY | GREATEST_ENERGY => format!("the steady spin of {name}"),
-        _ => format!("the axis of {name} inertia"),
-    }
-}
-
 /// Which modes of a body of many coordinates were found.
 fn slowest(range: ModeRange) -> Option<SlowModesRecord> {
     match range {
@@ -259,7 +317,7 @@ fn sentence(name: &str, modes: &SpinModes) -> String {
 }
 
 fn sentence_on_found(name: &str, modes: &SpinModes) -> String {
-    let about = format!("About {}", axis(name));
+    let about = format!("About {}", place_of_spin(name));
     let growing = modes.modes.iter().filter(|mode| mode.grows());
     let fastest = growing.max_by(|a, b| b.decay_rate.total_cmp(&a.decay_rate));
     let nutation = modes.nutation().map_or_else(|| "there is no nutation".into(), nutation);

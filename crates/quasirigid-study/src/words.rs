@@ -353,6 +353,9 @@ pub fn time(seconds: f64) -> String {
 /// A number of things, in the words a person would choose.
 pub fn count(number: f64) -> String {
     const WORDS: [(f64, &str); 4] = [(1e12, " trillion"), (1e9, " billion"), (1e6, " million"), (1.0, "")];
+    if number == f64::INFINITY {
+        return "over 1e308".into();
+    }
     let (size, word) = WORDS.into_iter().find(|(size, _)| number.abs() >= *size).unwrap_or((1.0, ""));
     format!("{}{word}", significant(number / size, 3))
 }

@@ -47,6 +47,19 @@ fn lines_that_are_quoted_do_not_steer_it_either() {
     }
 }
 
+/// A line of a million characters, in a model that is none, is quoted by its beginning and cut.
+#[test]
+fn a_huge_line_is_cut_in_what_is_quoted() {
+    for line in [format!("a = [{}]", "[],".repeat(300_000)), format!("a = \"{}\"", "é".repeat(300_000))] {
+        let refused = ran_with(&line, "check model.toml");
+        assert!(
+            refused.refusal().contains("a = ") && refused.stderr.len() < 3_000,
+            "{}",
+            refused.stderr.len()
+        );
+    }
+}
+
 /// A name of a file is any bytes; the folder of a run had others than its model.
 #[cfg(unix)]
 #[test]

@@ -23,6 +23,8 @@ pub struct SteadySpin {
 }
 
 const NEWTON_STEPS: usize = 30;
+/// Share of the dissipation of any motion below which that of a small nutation is rounding, as of a rotor along the axis of the spin.
+const UNDAMPED: f64 = 1e-14;
 
 /// Steady spins of a reduced body with the angular momentum `|K|` (N·m·s), one near each principal axis, in the order of ascending
 /// moments; a negative value reverses all axes, which matters for momentum wheels. None where the axis is not determined, as across the
@@ -61,7 +63,7 @@ pub struct IsolatedSpin {
 /// All steady spins with one angular momentum. (N2)
 #[derive(Clone, Debug, PartialEq)]
 pub struct SteadySpins {
-    /// Isolated steady spins, those near principal axes first.
+    /// Isolated steady spins: those of least energy, saddles, those of greatest energy, each in the order of growth.
     pub isolated: Vec<IsolatedSpin>,
     /// True if other steady spins form curves, as across the axis of a body of revolution.
     pub families: bool,
@@ -85,7 +87,14 @@ pub fn all_steady_spins(body: &ReducedBody, angular_momentum: f64) -> SteadySpin
         let K = scale(angular_momentum, point.place);
         IsolatedSpin { spin: nutation(body, &gradient, K.into()), angular_momentum: K, kind: point.kind }
     });
-    SteadySpins { isolated: isolated.collect(), families: found.families, complete: found.complete }
+    let mut isolated: Vec<IsolatedSpin> = isolated.collect();
+    let rank = |kind| match kind {
+        StationaryKind::Minimum => 0,
+        StationaryKind::Saddle => 1,
+        StationaryKind::Maximum => 2,
+    };
+    isolated.sort_by(|a, b| rank(a.kind).cmp(&rank(b.kind)).then(a.spin.growth.total_cmp(&b.spin.growth)));
+    SteadySpins { isolated, families: found.families, complete: found.complete }
 }
 
 /// Solves `∇E(K) = λK`, `|K| = G`, by Newton's method from a principal axis.
@@ -129,6 +138,7 @@ fn nutation(body: &ReducedBody, gradient: &Series, K: Vector3<f64>) -> SteadySpi
     let [first, second] = tangents((K / G).into()).map(Vector3::from);
     let slopes = Matrix3::from(jacobian(gradient, K.into())) - rate * Matrix3::identity();
     let T = Matrix3::from(sym3::rows(body.T.tensor(K.into())));
+    let rounding = UNDAMPED * T.norm() * slopes.norm();
     let across = |matrix: &Matrix3<f64>| {
         let entry = |a: &Vector3<f64>, b: &Vector3<f64>| a.dot(&(matrix * b));
         let mixed = 0.5 * (entry(&first, &second) + entry(&second, &first));
@@ -138,7 +148,8 @@ fn nutation(body: &ReducedBody, gradient: &Series, K: Vector3<f64>) -> SteadySpi
     let determinant = |[xx, yy, xy]: [f64; 3]| xx * yy - xy * xy;
     let a = 1.0 + dot(body.c.vector(K.into()), K.into());
     let scale = G * G / (a * a + G * G * determinant(T));
-    let damping = -0.5 * scale * (T[1] * h[0] + T[0] * h[1] - 2.0 * T[2] * h[2]);
+    let damped = T[1] * h[0] + T[0] * h[1] - 2.0 * T[2] * h[2];
+    let damping = if damped.abs() > rounding { -0.5 * scale * damped } else { 0.0 };
     let square = damping * damping - scale * determinant(h);
     let (growth, frequency) =
         if square < 0.0 { (damping, (-square).sqrt()) } else { (damping + square.sqrt(), 0.0) };

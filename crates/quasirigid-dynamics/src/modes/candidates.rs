@@ -85,7 +85,8 @@ fn replacement(
 pub(super) fn neutral(coordinates: usize, slow: &SlowDirection) -> Candidate {
     let delta = slow.steady[slow.steady.len() - 1].map(Complex::from);
     let still = vec![Complex::from(0.0); coordinates];
-    let motion = Eigenmotion { lambda: Complex::from(0.0), delta, rate: still.clone(), q: still };
+    let rate = still.clone();
+    let motion = Eigenmotion { lambda: Complex::from(0.0), delta, rate, q: still, angles: Vec::new() };
     (Source::Neutral, motion)
 }
 

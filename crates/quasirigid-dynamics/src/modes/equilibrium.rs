@@ -65,10 +65,22 @@ pub enum EquilibriumError {
     },
 }
 
-/// Difference of moments, as a share of the largest, below which they count as nearly equal.
-const ALIKE: f64 = 0.05;
-/// Starting directions between the axes of nearly equal moments.
-const DIAGONALS: [[f64; 2]; 3] = [[1.0, 1.0], [1.0, -1.0], [0.0, 1.0]];
+/// Difference of moments, as a share of the largest, below which they count as nearly equal: loads may turn a steady spin to anywhere between
+/// their axes.
+pub const NEARLY_EQUAL: f64 = 0.05;
+/// Starting directions among the axes of nearly equal moments, the own axis first: in the plane of two, then those beside it of three.
+const IN_PLANE: [[f64; 3]; 3] = [[1.0, 1.0, 0.0], [1.0, -1.0, 0.0], [0.0, 1.0, 0.0]];
+const IN_SPACE: [[f64; 3]; 9] = [
+    [0.0, 0.0, 1.0],
+    [1.0, 0.0, 1.0],
+    [1.0, 0.0, -1.0],
+    [0.0, 1.0, 1.0],
+    [0.0, 1.0, -1.0],
+    [1.0, 1.0, 1.0],
+    [1.0, 1.0, -1.0],
+    [1.0, -1.0, 1.0],
+    [1.0, -1.0, -1.0],
+];
 /// Limit of Newton steps from one spin to the next.
 const NEWTON_STEPS: usize = 40;
 /// Shortest step of the continuation, as a share of the spin asked for.
@@ -79,8 +91,8 @@ const CONVERGED: f64 = 1e-13;
 const ACCEPTED_RESIDUAL: f64 = 1e-9;
 /// Least stiffness of a coordinate without a spring, in units of that of a centrifugal force on its own inertia, that is not rounding.
 const RESTORED: f64 = 1e-10;
-/// Relative difference below which the ratios of two steady spins are equal.
-const EQUAL: f64 = 1e-9;
+/// Relative difference below which the ratios of two steady spins are equal: the rounding of moments of inertia.
+const EQUAL: f64 = 1e-12;
 /// Cosine of the angle from a direction below which an axis is across it.
 const ACROSS: f64 = 1e-9;
 /// Sine of the angle from the starting axis beyond which the axis belongs to another equilibrium.
@@ -153,8 +165,8 @@ impl RelativeEquilibrium {
         Self::extreme_towards(body, mode, given, body.wheels().angular_momentum(0.0))
     }
 
-    /// The same next to a direction: in its sense with momentum wheels, without which the sense makes no difference, and next to it in the plane
-    /// of two equal moments. (M1)
+    /// The same next to a direction: in its sense with momentum wheels, without which the sense makes no difference, and next to it among the
+    /// axes of equal moments, where every spin is as steady. (M1)
     ///
     /// # Errors
     /// As [`near`](Self::near).
@@ -164,22 +176,20 @@ impl RelativeEquilibrium {
         given: SpinMagnitude,
         towards: [f64; 3],
     ) -> Result<Self, EquilibriumError> {
-        let Principal { moments, axes } = Principal::compute(body.invariants().J);
-        let wheels = body.wheels().angular_momentum(0.0);
-        let sense = |axis| if norm(wheels) > 0.0 { sensed(axis, [towards, wheels]) } else { axis };
-        let (own, other, sign) = match mode {
-            Mode::ShortAxis => (2, 1, 1.0),
-            Mode::LongAxis => (0, 1, -1.0),
+        let Principal { moments, axes } = Principal::compute(body.invariants().J).beside(mode, towards);
+        let sense = |axis| sense_of_wheels(body, axis, towards);
+        let axes = axes.map(sense);
+        let (own, third, sign) = match mode {
+            Mode::ShortAxis => (2, 0, 1.0),
+            Mode::LongAxis => (0, 2, -1.0),
         };
-        let axes = if mode.exists(moments) { axes } else { within(axes, [own, other], towards) }.map(sense);
         let found = Self::near(body, axes[own], given);
-        if (moments[other] - moments[own]).abs() > ALIKE * moments[2] {
+        let alike = |other: usize| (moments[other] - moments[own]).abs() <= NEARLY_EQUAL * moments[2];
+        if !alike(1) {
             return found;
         }
-        let between = DIAGONALS.iter().filter_map(|[a, b]| {
-            let axis = add(scale(*a, axes[own]), scale(*b, axes[other]));
-            Self::near(body, axis, given).ok()
-        });
+        let between = directions(axes, [own, 1, third], alike(third));
+        let between = between.into_iter().filter_map(|axis| Self::near(body, axis, given).ok());
         let extreme = |candidates: Vec<Self>| {
             let beyond = |best: Self, next: Self| {
                 if sign * (next.ratio - best.ratio) > EQUAL * best.ratio.abs() { next } else { best }
@@ -190,8 +200,30 @@ impl RelativeEquilibrium {
             return found;
         };
         // every start may lead to the steady spin of the lesser extreme, which is across the greater one
-        let across = Self::near(body, sense(cross(axes[2 - own], best.omega)), given).ok();
+        let across = Self::near(body, sense(cross(axes[third], best.omega)), given).ok();
         Ok(extreme([best.clone()].into_iter().chain(across).collect()).unwrap_or(best))
+    }
+
+    /// Relative equilibrium about the axis of the middle moment next to a direction: across those of the extremes next to it, where both are
+    /// found. (M1)
+    ///
+    /// # Errors
+    /// As [`near`](Self::near).
+    pub fn middle_towards(
+        body: &FlexibleBody,
+        given: SpinMagnitude,
+        towards: [f64; 3],
+    ) -> Result<Self, EquilibriumError> {
+        let extreme = |mode| Self::extreme_towards(body, mode, given, towards).ok();
+        let across = extreme(Mode::ShortAxis)
+            .zip(extreme(Mode::LongAxis))
+            .map(|(short, long)| cross(unit(short.omega), unit(long.omega)))
+            .filter(|across| norm(*across) > ASTRAY);
+        let frozen = || {
+            let principal = Principal::compute(body.invariants().J);
+            principal.beside(Mode::LongAxis, towards).beside(Mode::ShortAxis, towards).axes[1]
+        };
+        Self::near(body, sense_of_wheels(body, across.unwrap_or_else(frozen), towards), given)
     }
 
     /// Coefficients of small motions about the equilibrium. (M2)
@@ -231,16 +263,20 @@ impl RelativeEquilibrium {
     }
 }
 
-/// The axes with two of equal moments turned within their plane, the first of the two next to a direction.
-fn within(axes: [[f64; 3]; 3], [own, other]: [usize; 2], towards: [f64; 3]) -> [[f64; 3]; 3] {
-    let along = [own, other].map(|k| scale(dot(axes[k], towards), axes[k]));
-    let along = add(along[0], along[1]);
-    let mut turned = axes;
-    if norm(along) > ACROSS * norm(towards) {
-        turned[own] = unit(along);
-        turned[other] = cross(axes[3 - own - other], turned[own]);
-    }
-    turned
+/// Starting directions among axes of nearly equal moments, in their order.
+fn directions(axes: [[f64; 3]; 3], order: [usize; 3], in_space: bool) -> Vec<[f64; 3]> {
+    let of = |shares: &[f64; 3]| {
+        let parts = order.iter().zip(shares).map(|(k, share)| scale(*share, axes[*k]));
+        parts.fold([0.0; 3], add)
+    };
+    let more: &[[f64; 3]] = if in_space { &IN_SPACE } else { &[] };
+    IN_PLANE.iter().chain(more).map(of).collect()
+}
+
+/// An axis in the sense of a direction, or of the wheels across it, of a body with momentum wheels; as it is without them.
+fn sense_of_wheels(body: &FlexibleBody, axis: [f64; 3], towards: [f64; 3]) -> [f64; 3] {
+    let wheels = body.wheels().angular_momentum(0.0);
+    if norm(wheels) > 0.0 { sensed(axis, [towards, wheels]) } else { axis }
 }
 
 /// A direction in the sense of the first of some others that is not across it.

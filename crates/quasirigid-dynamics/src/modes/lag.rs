@@ -3,13 +3,18 @@
 use nalgebra::{Complex, DMatrix, DVector, Matrix3, Vector3};
 
 use super::spectrum::Eigenmotion;
-use crate::model::{FlexibleBody, SpinCoefficients, Viscoelastic};
+use super::unknowns::Unknowns;
+use crate::model::{FlexibleBody, SpinCoefficients, Viscoelastic, impedance};
 
 type C = Complex<f64>;
 
-/// Equations of the internal coordinates at a given motion of the body: those of the elastic ones, and of the rates of cyclic ones. (M14)
+/// Equations of the internal coordinates at a given motion of the body: those of the elastic ones, and of the rates of cyclic ones, among them
+/// liquids by their impedance. (M14)
 pub(super) struct Lag<'a> {
-    /// Angular momentum per rate, one coordinate per row.
+    unknowns: Unknowns<'a>,
+    /// Steady spin (rad/s).
+    omega: Vector3<f64>,
+    /// Angular momentum per rate, one unknown per row: coordinates, then angles of liquids.
     h: DMatrix<C>,
     /// Change of the angular momentum with each elastic coordinate.
     slopes: DMatrix<C>,
@@ -32,7 +37,7 @@ pub(super) struct Lagging {
     /// Elastic displacements, and what they lag behind those in balance, over `λ`.
     displaced: DMatrix<C>,
     late: DMatrix<C>,
-    /// Displacements of the cyclic coordinates.
+    /// Displacements of the cyclic coordinates, and angles of liquids.
     turned: DMatrix<C>,
 }
 
@@ -40,16 +45,30 @@ pub(super) struct Lagging {
 const MAX_COORDINATES: usize = 150;
 
 impl<'a> Lag<'a> {
-    /// None of a body with liquids of an impedance, and of large ones.
-    pub fn of(body: &'a FlexibleBody, coefficients: &SpinCoefficients) -> Option<Self> {
-        let SpinCoefficients { mass, h, slopes, gyroscopic, centrifugal, .. } = coefficients;
-        let (n, elastic) = (h.len(), body.elastic());
-        if !body.memories().is_empty() || n > MAX_COORDINATES {
+    /// None of large bodies.
+    pub fn of(body: &'a FlexibleBody, coefficients: &SpinCoefficients, omega: Vector3<f64>) -> Option<Self> {
+        let SpinCoefficients { mass, slopes, gyroscopic, centrifugal, .. } = coefficients;
+        let unknowns = Unknowns::exact(body);
+        let (n, elastic) = (unknowns.size - 3, body.elastic());
+        if n > MAX_COORDINATES {
             return None;
         }
         let block = |list: &[[f64; 3]]| DMatrix::from_fn(list.len(), 3, |j, axis| C::from(list[j][axis]));
-        let mut velocity = DMatrix::from_fn(n, n, |j, k| C::from(gyroscopic.at(j, k)));
-        body.damping().iter().for_each(|(j, k, B)| velocity[(j, k)] += B);
+        let h: Vec<[f64; 3]> = unknowns.couplings(coefficients).map(|(h, _)| h).collect();
+        let mut velocity = DMatrix::zeros(n, n);
+        let mut own = DMatrix::zeros(n, n);
+        let place = |j: usize| unknowns.kept.iter().position(|kept| *kept == j);
+        for (row, j) in unknowns.kept.iter().enumerate() {
+            for (column, k) in unknowns.kept.iter().enumerate() {
+                velocity[(row, column)] = C::from(gyroscopic.at(*j, *k));
+                own[(row, column)] = C::from(mass.at(*j, *k));
+            }
+        }
+        for (j, k, B) in body.damping().iter() {
+            if let Some((row, column)) = place(j).zip(place(k)) {
+                velocity[(row, column)] += B;
+            }
+        }
         let within = |j: usize, k: usize| j < elastic && k < elastic;
         let mut stiffness = DMatrix::from_fn(elastic, elastic, |j, k| C::from(-centrifugal.at(j, k)));
         for (j, k, C) in body.stiffness().iter().filter(|(j, k, _)| within(*j, *k)) {
@@ -65,19 +84,21 @@ impl<'a> Lag<'a> {
         let slopes = block(&slopes[..elastic]);
         let still = if elastic > 0 { stiffness.clone().lu().solve(&slopes)? } else { slopes.clone() };
         Some(Self {
-            h: block(h),
+            omega,
+            h: block(&h),
             slopes,
-            mass: DMatrix::from_fn(n, n, |j, k| C::from(mass.at(j, k))),
+            mass: own,
             velocity,
             stiffness,
             materials: body.viscoelastic().iter().map(material).collect(),
             still,
+            unknowns,
         })
     }
 
-    /// True if a material depends on the frequency by a law of its own.
-    pub fn has_materials(&self) -> bool {
-        !self.materials.is_empty()
+    /// True if a material or a liquid depends on the frequency by a law of its own.
+    pub fn has_memory(&self) -> bool {
+        self.unknowns.nonlinear
     }
 
     /// Second variation of the energy that a motion has beside that of its angular momentum alone, `½[dᴴ(C−N)d + q̇ᴴAq̇ − |λ|²(Lω)ᴴS⁻¹Lω]`, with
@@ -104,7 +125,15 @@ impl<'a> Lag<'a> {
     /// The static part is split off before the division by `λ`, so that no digit is lost however slow the motion is.
     pub fn at(&self, lambda: C) -> Option<Lagging> {
         let (n, elastic) = (self.h.nrows(), self.still.nrows());
-        let dynamic = &self.mass * lambda + &self.velocity;
+        let mut dynamic = &self.mass * lambda + &self.velocity;
+        for (start, memory) in &self.unknowns.memories {
+            let Z = impedance(memory, lambda, self.omega);
+            let axes = memory.axes.iter().map(|axis| Vector3::from(*axis).map(C::from));
+            for (i, a) in axes.clone().enumerate() {
+                let entries = axes.clone().map(|b| a.dot(&(Z * b)));
+                entries.enumerate().for_each(|(j, entry)| dynamic[(start + i, start + j)] += entry);
+            }
+        }
         let mut equations = dynamic.clone();
         let mut displaced = equations.columns_mut(0, elastic);
         displaced *= lambda;
@@ -138,14 +167,10 @@ impl Lagging {
     }
 
     /// Motion of all coordinates with a change of the angular velocity.
-    pub fn motion(&self, delta: Vector3<C>) -> Eigenmotion {
-        let q: Vec<C> =
-            (&self.displaced * delta).iter().chain((&self.turned * delta).iter()).copied().collect();
-        Eigenmotion {
-            lambda: self.lambda,
-            delta: delta.into(),
-            rate: q.iter().map(|q| self.lambda * q).collect(),
-            q,
-        }
+    pub fn motion(&self, lag: &Lag, delta: Vector3<C>) -> Eigenmotion {
+        let mut x: Vec<C> = delta.iter().copied().collect();
+        x.extend((&self.displaced * delta).iter().chain((&self.turned * delta).iter()));
+        let angles = x[3 + lag.unknowns.kept.len()..].to_vec();
+        Eigenmotion { angles, ..lag.unknowns.motion(&(self.lambda, x)) }
     }
 }

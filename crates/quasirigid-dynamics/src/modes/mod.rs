@@ -30,7 +30,7 @@ mod unknowns;
 
 pub use campbell::{CampbellError, SpinEigenvalues, campbell};
 pub use cantilever::{CantileverError, CantileverMode, CantileverModes, FreeMode};
-pub use equilibrium::{EquilibriumError, RelativeEquilibrium, SpinMagnitude};
+pub use equilibrium::{EquilibriumError, NEARLY_EQUAL, RelativeEquilibrium, SpinMagnitude};
 pub use error::ModesError;
 pub use forced::{
     LinearAccuracy, LinearError, LinearInput, LinearModel, LinearOutput, LinearState, SteadyError,

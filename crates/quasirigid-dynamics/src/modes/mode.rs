@@ -318,7 +318,7 @@ impl Frame<'_> {
             if Some(i) != nutation {
                 internal.push([balanced, motion.lambda.im]);
             }
-            let start = (motion.lambda, unknowns.given(motion.delta, &motion.q));
+            let start = (motion.lambda, unknowns.given(motion));
             let problem = problem.filter(|_| again(i));
             let kept = problem.and_then(|problem| inverse_iteration(problem, start.clone()));
             let mut kept = kept.filter(|(lambda, _)| belongs(*lambda, motion.lambda));
@@ -332,6 +332,9 @@ impl Frame<'_> {
             let led_nowhere = |(lambda, _): &Pair| Some(i) != nutation && known(*lambda);
             let of_spectrum = sources[i] == Source::Spectrum;
             if of_spectrum && unknowns.has_liquids() && kept.as_ref().is_none_or(led_nowhere) {
+                if Some(i) == nutation {
+                    lost += if motion.lambda.im > 0.0 { 2 } else { 1 };
+                }
                 continue;
             }
             if let Some(problem) = problem.filter(|_| unknowns.nonlinear && !unknowns.has_liquids()) {
@@ -352,6 +355,8 @@ impl Frame<'_> {
             }
             if of_direction.contains(&i) {
                 mode.name = "nutation".to_owned();
+            } else if of_spectrum && unknowns.is_relaxation(&mode) {
+                continue;
             }
             modes.push(mode);
             pairs.push((lambda, x));
@@ -440,7 +445,7 @@ impl Frame<'_> {
 
     /// Decay rate in the equations of motion, where dashpots alone dissipate: from the energy balance where the motion oscillates, so
     /// that a motion without loss neither decays nor grows by rounding. (M4)
-    fn decay_of_motion(&self, Eigenmotion { lambda, delta, rate, q }: &Eigenmotion) -> f64 {
+    fn decay_of_motion(&self, Eigenmotion { lambda, delta, rate, q, .. }: &Eigenmotion) -> f64 {
         let second = self.second_variation(*delta, rate, q);
         let size = kinetic(&moving(self.body, self.coefficients, *delta, rate, &[]));
         let balanced = lambda.im.abs() > lambda.re.abs() && second.abs() > CANCELLED * size;

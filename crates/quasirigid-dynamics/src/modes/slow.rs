@@ -40,6 +40,8 @@ const INVERSE: f64 = 1e-14;
 const RESPONSE: f64 = 1e-10;
 /// Share of the lag in any direction below which that of one is rounding.
 const LOST: f64 = 1e-11;
+/// Share of an eigenvalue below which an imaginary part is rounding.
+const IMAGINARY_ROUNDING: f64 = 1e-12;
 /// First eigenvalue of the iteration, over the spin: slow enough for the static lag.
 const FIRST: f64 = 1e-9;
 /// Limit of steps of the iteration, the relative change that is rounding, and the one accepted where rounding ends the progress.
@@ -125,9 +127,9 @@ impl SlowDirection {
         if self.neutral() == 2 {
             return Some(Vec::new());
         }
-        let lag = Lag::of(body, coefficients)?;
+        let lag = Lag::of(body, coefficients, self.frame.column(0) * self.spin)?;
         let first = match self.determinant() {
-            _ if !lag.has_materials() => C::from(-FIRST * self.spin),
+            _ if !lag.has_memory() => C::from(-FIRST * self.spin),
             determinant if determinant > 0.0 => C::new(0.0, self.frequency),
             determinant if determinant < 0.0 => C::from(self.frequency),
             _ => C::from(-FIRST * self.spin),
@@ -143,14 +145,14 @@ impl SlowDirection {
         let mut best = f64::INFINITY;
         for _ in 0..MAX_ITERATIONS {
             if lambda.norm() == 0.0 {
-                return self.motion(&lag.at(C::from(-FIRST * self.spin))?.standing());
+                return self.motion(lag, &lag.at(C::from(-FIRST * self.spin))?.standing());
             }
             let lagging = lag.at(lambda)?;
             let gap = |other: &C| (other - lambda).norm();
             let next = self.eigenvalues(&lagging).into_iter().min_by(|a, b| gap(a).total_cmp(&gap(b)))?;
             let moved = gap(&next) / next.norm();
             if moved <= ITERATION_ROUNDING || (moved >= 0.5 * best && best <= ACCEPTED_CHANGE) {
-                let mut motion = self.motion(&lagging)?;
+                let mut motion = self.motion(lag, &lagging)?;
                 driven.clear(&mut motion);
                 return Some(self.balanced(lag, &lagging, motion));
             }
@@ -164,7 +166,7 @@ impl SlowDirection {
     /// eigenvalue has those of its own rounding. (M4), (M15)
     fn balanced(&self, lag: &Lag<'_>, lagging: &Lagging, mut motion: Eigenmotion) -> Eigenmotion {
         let Some(inverse) = self.slope.try_inverse() else { return motion };
-        if lag.has_materials() || !(motion.lambda.im.abs() > motion.lambda.re.abs()) {
+        if lag.has_memory() || !(motion.lambda.im.abs() > motion.lambda.re.abs()) {
             return motion;
         }
         let momentum =
@@ -179,13 +181,14 @@ impl SlowDirection {
         motion
     }
 
-    /// `|ω|Λ(∂K/∂ω)⁻¹L(∂K/∂ω + λL)⁻¹` across the axis. (M13)
-    fn turned(&self, lagging: &Lagging) -> Option<Matrix2<C>> {
+    /// `|ω|Λ(∂K/∂ω)⁻¹L(∂K/∂ω + λL)⁻¹` across the axis, and its size in every direction. (M13)
+    fn turned(&self, lagging: &Lagging) -> Option<(Matrix2<C>, f64)> {
         let late = self.slope_of(lagging).try_inverse()?;
         let frame = self.frame.map(C::from);
         let slope = self.slope.map(C::from).try_inverse()?;
         let whole = frame.transpose() * slope * lagging.momentum * late * frame;
-        Some(whole.fixed_view::<2, 2>(1, 1) * C::from(self.spin * self.ratio))
+        let whole = whole * C::from(self.spin * self.ratio);
+        Some((whole.fixed_view::<2, 2>(1, 1).into_owned(), whole.norm()))
     }
 
     /// `∂K/∂ω + λL`.
@@ -193,15 +196,23 @@ impl SlowDirection {
         self.slope.map(C::from) + lagging.momentum * lagging.lambda
     }
 
-    /// Eigenvalues of the plane with a given lag. (M13)
+    /// Eigenvalues of the plane with a given lag, real ones without the imaginary part that rounding leaves them. (M13)
     fn eigenvalues(&self, lagging: &Lagging) -> Vec<C> {
-        let Some(turned) = self.turned(lagging) else { return Vec::new() };
+        let real = |lambda: C| {
+            let rounding = IMAGINARY_ROUNDING * lambda.norm();
+            if lambda.im.abs() <= rounding { C::from(lambda.re) } else { lambda }
+        };
+        self.roots(lagging).into_iter().map(real).collect()
+    }
+
+    fn roots(&self, lagging: &Lagging) -> Vec<C> {
+        let Some((turned, size)) = self.turned(lagging) else { return Vec::new() };
         let V = &self.variation;
         let one = C::from(1.0);
         let below = turned[(0, 0)] * turned[(1, 1)] + (one + turned[(0, 1)]) * (one - turned[(1, 0)]);
         let sum = turned[(1, 1)] * V[(0, 0)] - (turned[(0, 1)] + turned[(1, 0)]) * V[(0, 1)]
             + turned[(0, 0)] * V[(1, 1)];
-        let sum = if sum.norm() > LOST * turned.norm() * V.norm() { sum } else { C::from(0.0) };
+        let sum = if sum.norm() > LOST * size * V.norm() { sum } else { C::from(0.0) };
         let half = -sum * (0.5 * self.spin) / below;
         let determinant = self.determinant();
         if determinant == 0.0 {
@@ -219,15 +230,15 @@ impl SlowDirection {
     }
 
     /// Motion with the eigenvalue of its lag.
-    fn motion(&self, lagging: &Lagging) -> Option<Eigenmotion> {
-        let turned = self.turned(lagging)?;
+    fn motion(&self, lag: &Lag<'_>, lagging: &Lagging) -> Option<Eigenmotion> {
+        let (turned, _) = self.turned(lagging)?;
         let rate = turned + Matrix2::new(0.0, 1.0, -1.0, 0.0).map(C::from);
         let whole = rate * lagging.lambda + self.variation.map(C::from) * C::from(self.spin);
         let row = if whole.row(0).norm() >= whole.row(1).norm() { whole.row(0) } else { whole.row(1) };
         let plane = Vector2::new(row[1], -row[0]);
         let plane = plane / C::from(plane.norm());
         let momentum = self.frame.map(C::from) * Vector3::new(C::from(0.0), plane[0], plane[1]);
-        Some(lagging.motion(self.slope_of(lagging).try_inverse()? * momentum))
+        Some(lagging.motion(lag, self.slope_of(lagging).try_inverse()? * momentum))
     }
 }
 

@@ -17,6 +17,8 @@ pub(super) struct Eigenmotion {
     pub delta: [Complex<f64>; 3],
     pub rate: Vec<Complex<f64>>,
     pub q: Vec<Complex<f64>>,
+    /// Angles of liquids whose impedance is known; empty where they move as coordinates.
+    pub angles: Vec<Complex<f64>>,
 }
 
 /// Share of the spin below which an eigenvalue is zero: a change of `|K|`, or of the direction in a body without a preferred one.
@@ -52,7 +54,8 @@ pub(super) fn within(
         let loose = velocities[3 + elastic..].iter();
         q.extend(loose.clone().map(|rate| if lambda.norm() > 0.0 { rate / lambda } else { *rate }));
         rate.extend(loose);
-        Eigenmotion { lambda, delta: [velocities[0], velocities[1], velocities[2]], rate, q }
+        let delta = [velocities[0], velocities[1], velocities[2]];
+        Eigenmotion { lambda, delta, rate, q, angles: Vec::new() }
     };
     Ok(found.into_iter().filter(|(lambda, _)| lambda.im >= 0.0).map(motion).collect())
 }

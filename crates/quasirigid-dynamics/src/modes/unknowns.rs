@@ -3,10 +3,11 @@
 use nalgebra::{Complex, Matrix3, Vector3};
 
 use super::iteration::Pair;
+use super::mode::SpinMode;
 use super::shares::LiquidMotion;
 use super::spectrum::Eigenmotion;
 use crate::math::vec3::scale;
-use crate::model::{FlexibleBody, LiquidMemory, SpinCoefficients, Viscoelastic, impedance};
+use crate::model::{FlexibleBody, LiquidFlow, LiquidMemory, SpinCoefficients, Viscoelastic, impedance};
 
 /// Unknowns of the small motions: the angular velocity, the coordinates, and for a liquid whose impedance is known the angles about its axes in
 /// place of its coordinates.
@@ -50,10 +51,20 @@ impl<'a> Unknowns<'a> {
         !self.memories.is_empty()
     }
 
-    /// Unknowns of a motion of all coordinates.
-    pub fn given(&self, delta: [Complex<f64>; 3], q: &[Complex<f64>]) -> Vec<Complex<f64>> {
+    /// Whether a mode is a relaxation of a liquid in a cavity, overdamped and without growth: of these there is no end, and which of them an
+    /// iteration comes to is left to rounding. (M3)
+    pub fn is_relaxation(&self, mode: &SpinMode) -> bool {
+        let coordinates = self.body.coordinates();
+        let in_cavity = |memory: &LiquidMemory| {
+            memory.flow != LiquidFlow::Tube && coordinates[memory.coordinates.start].part() == mode.name
+        };
+        mode.overdamped() && !mode.grows() && self.memories.iter().any(|(_, memory)| in_cavity(memory))
+    }
+
+    /// Unknowns of a motion of all coordinates, with the angles of liquids where it has them.
+    pub fn given(&self, Eigenmotion { delta, q, angles, .. }: &Eigenmotion) -> Vec<Complex<f64>> {
         let mut x = delta.to_vec();
-        x.extend(self.kept.iter().map(|j| q[*j]));
+        x.extend(self.kept.iter().map(|j| q[*j]).chain(angles.iter().copied()));
         x.resize(self.size, Complex::from(0.0));
         x
     }
@@ -69,7 +80,7 @@ impl<'a> Unknowns<'a> {
     pub fn motion(&self, (lambda, x): &Pair) -> Eigenmotion {
         let q = self.coordinates(x);
         let rate = q.iter().map(|q| lambda * q).collect();
-        Eigenmotion { lambda: *lambda, delta: [x[0], x[1], x[2]], rate, q }
+        Eigenmotion { lambda: *lambda, delta: [x[0], x[1], x[2]], rate, q, angles: Vec::new() }
     }
 
     /// Angular momentum per unit rate and per unit displacement of each unknown after the angular velocity.

@@ -56,7 +56,7 @@ const GROWTH_ROUNDING: f64 = 1e-10;
 const RESONANT: f64 = 0.1;
 
 impl<'a> SpinManifold<'a> {
-    /// Derives the reduced equations about the steady spin of a body. (W3), (W4)
+    /// Derives the reduced equations about the steady spin of a body next to the angular momentum. (W3), (W4)
     ///
     /// `watch` is called with the share of the work done; `Break` ends the work.
     ///
@@ -70,8 +70,8 @@ impl<'a> SpinManifold<'a> {
         check(body, plan)?;
         let angular_momentum = norm(plan.angular_momentum);
         let given = SpinMagnitude::AngularMomentum(angular_momentum);
-        let mut near = RelativeEquilibrium::extreme(body, plan.mode, given)?;
-        if dot(near.angular_momentum, plan.angular_momentum) < 0.0 {
+        let mut near = RelativeEquilibrium::extreme_towards(body, plan.mode, given, plan.angular_momentum)?;
+        if body.wheels().is_empty() && dot(near.angular_momentum, plan.angular_momentum) < 0.0 {
             near = RelativeEquilibrium::near(body, scale(-1.0, near.omega), given)?;
         }
         Self::about(body, near, plan, watch)

@@ -32,7 +32,7 @@ pub use evolution::{
 pub use fill_map::{FillMapRecord, FillMotionRecord, FillPointRecord, NearestSloshRecord};
 pub use folder::{ROW_LOG, UNFINISHED, history_file};
 pub use inputs::{DerivedBodyRecord, InputsRecord, SolidRecord, ValueRecord};
-pub use modes::{CampbellRecord, ModeList, ModeRecord, SlowModesRecord, SteadySpinRecord};
+pub use modes::{CampbellRecord, ModeList, ModeRecord, SlowModesRecord, SteadySpinRecord, place_of_spin};
 pub use scene::{
     CoordinateRecord, EquationsRecord, FieldRecord, LimitRecord, Packed, PieceRecord, PrincipalRecord,
     RotorAxisRecord, SCENE_VERSION, SceneRecord, ShapeRecord, StartRecord, TermRecord, TrackRecord,

@@ -9,7 +9,7 @@ use super::number;
 pub struct SteadySpinRecord {
     /// Result, instability first, in one or two sentences.
     pub sentence: String,
-    /// Axis: `least`, `middle` or `greatest` inertia, `asked`, `under forces`, or `at rest`.
+    /// Axis: `least`, `middle` or `greatest` inertia, `asked`, `under forces`, `at rest`, or `least energy` and `greatest energy`.
     ///
     /// Axis near which the spin was looked for.
     pub axis: String,
@@ -142,4 +142,16 @@ pub struct ModeRecord {
     /// By spring, hinge, part, material, rotor, cavity or force.
     #[serde(with = "number")]
     pub dissipation: BTreeMap<String, f64>,
+}
+
+/// Where a steady spin is, by its axis in a record, in words that follow "about".
+#[must_use]
+pub fn place_of_spin(axis: &str) -> String {
+    match axis {
+        "asked" => "the axis asked for".into(),
+        "under forces" => "the steady state under the forces".into(),
+        "at rest" => "the state of rest".into(),
+        "least energy" | "greatest energy" => format!("the steady spin of {axis}"),
+        _ => format!("the axis of {axis} inertia"),
+    }
 }

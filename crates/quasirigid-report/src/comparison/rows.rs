@@ -1,4 +1,4 @@
-use quasirigid_io::record::{HistoryRecord, ModeRecord, RunRecord, SteadySpinRecord};
+use quasirigid_io::record::{HistoryRecord, ModeRecord, RunRecord, SteadySpinRecord, place_of_spin};
 
 use super::Compared;
 use crate::columns::{column, ends, main_history};
@@ -75,7 +75,7 @@ const JUDGED: [(&str, Value); 7] = [
             }
             false => "unstable",
         };
-        Some(format!("{words}, about the axis of {} inertia", spin.axis))
+        Some(format!("{words}, about {}", place_of_spin(&spin.axis)))
     }),
     ("Time constant of the nutation", |record| {
         Some(match mode(record)?.time_constant {

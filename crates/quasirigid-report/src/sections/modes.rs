@@ -1,7 +1,7 @@
 use std::collections::BTreeMap;
 
 use maud::{Markup, html};
-use quasirigid_io::record::{CampbellRecord, ModeList, ModeRecord, SteadySpinRecord};
+use quasirigid_io::record::{CampbellRecord, ModeList, ModeRecord, SteadySpinRecord, place_of_spin};
 
 use super::table::{first, table};
 use crate::figures::campbell::campbell;
@@ -29,7 +29,7 @@ fn one(spin: &SteadySpinRecord) -> Markup {
         p { (spin.sentence) }
         @if !shown.is_empty() {
             (table(
-                &format!("Modes about the axis of {} inertia", spin.axis),
+                &format!("Modes about {}", place_of_spin(&spin.axis)),
                 &["Mode", "Frequency in the body [rad/s]", "Damping ratio", "Time constant", "Dissipated by"],
                 html! { @for mode in shown { (row(mode)) } },
             ))

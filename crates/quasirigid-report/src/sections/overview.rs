@@ -4,7 +4,7 @@
 use std::collections::BTreeMap;
 
 use maud::{Markup, html};
-use quasirigid_io::record::{EvolutionRecord, RunRecord, SteadySpinRecord};
+use quasirigid_io::record::{EvolutionRecord, RunRecord, SteadySpinRecord, place_of_spin};
 
 use super::dissipation::bar;
 use crate::columns::{column, ends, main_history};
@@ -135,7 +135,7 @@ fn fate(record: &RunRecord) -> Option<(String, String)> {
         let spin = record.steady_spins.first().filter(|spin| spin.spin.is_some())?;
         let grows = spin.modes.iter().filter_map(|mode| mode.time_constant).filter(|time| *time < 0.0);
         let fastest = grows.fold(f64::NEG_INFINITY, f64::max);
-        let about = format!("about the axis of {} inertia", spin.axis);
+        let about = format!("about {}", place_of_spin(&spin.axis));
         Some(match spin.stable {
             true => ("Stable".to_owned(), format!("No small motion {about} grows.")),
             false if fastest.is_finite() => (

@@ -4,7 +4,6 @@ use std::collections::BTreeMap;
 
 use quasirigid::model::Coordinate;
 use quasirigid::submanifold::{AmplitudeRange, BackbonePoint, Defect, Style, Truncated};
-use quasirigid_io::model::Named;
 use serde::Serialize;
 use serde_json::{Value, json};
 
@@ -29,7 +28,7 @@ struct EquationsObject<'a> {
     holds: bool,
     /// In words.
     sentence: String,
-    /// `least` or `greatest` inertia.
+    /// `least` or `greatest` inertia; `least energy` or `greatest energy` where momentum wheels turn the spin away.
     axis: &'a str,
     /// Steady spin (rad/s), body axes.
     spin: [f64; 3],
@@ -286,7 +285,7 @@ impl AboutSpin<'_> {
     /// For machines: every coefficient, with all digits.
     #[must_use]
     pub fn json(&self) -> Value {
-        let Self { study, manifold, axis, backbone, .. } = self;
+        let Self { study, manifold, name, backbone, .. } = self;
         let (body, expansion) = (manifold.body, manifold.expansion());
         let (n, elastic) = (body.coordinates().len(), body.elastic());
         let exponents = expansion.ring.exponents();
@@ -311,7 +310,7 @@ impl AboutSpin<'_> {
             about: "spin",
             holds: self.holds(),
             sentence: self.sentence(),
-            axis: axis.name(),
+            axis: name,
             spin: manifold.spin.omega,
             angular_momentum: manifold.spin.angular_momentum,
             energy: manifold.steady_energy(),

@@ -10,14 +10,14 @@ use std::ops::ControlFlow;
 
 use quasirigid::dynamics::{FullState, Nutations};
 use quasirigid::model::{Mode, Principal};
-use quasirigid::modes::{WhirlOnset, acts, whirl_onset};
+use quasirigid::modes::{RelativeEquilibrium, SpinMagnitude, WhirlOnset, acts, whirl_onset};
 use quasirigid::submanifold::{
     AmplitudeRange, Backbone, CrossedResonance, Defect, ManifoldStart, Masters, SpinManifold,
-    SpinManifoldPlan,
+    SpinManifoldPlan, SubmanifoldError,
 };
 use quasirigid_io::model::PartialSpinManifold;
 use quasirigid_math::rotation::angle;
-use quasirigid_math::vec3::norm;
+use quasirigid_math::vec3::{dot, norm, scale, unit};
 use quasirigid_math::watch;
 
 use crate::error::StudyError;
@@ -25,6 +25,7 @@ use crate::left_out::LeftOut;
 use crate::modes::PrincipalAxis;
 use crate::motion::Motion;
 use crate::settings::{DEGREE, SpinManifoldSettings};
+use crate::steady::{self, GREATEST, LEAST, NamedSpin};
 use crate::study::Study;
 use crate::words::{displaced, growth, significant};
 
@@ -78,8 +79,8 @@ pub struct AboutSpin<'a> {
     study: &'a Study,
     /// The equations.
     pub manifold: SpinManifold<'a>,
-    /// Principal axis of the steady spin.
-    pub axis: PrincipalAxis,
+    /// Name of the steady spin: that of its axis of inertia, `least` or `greatest`, or that of its energy where momentum wheels turn it away.
+    pub name: &'static str,
     /// Range of amplitudes.
     pub range: AmplitudeRange,
     /// Motion along the spin manifold, to a quarter beyond the range.
@@ -163,7 +164,7 @@ pub(crate) fn about<'a>(
     settings: &SpinManifoldSettings,
     watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
 ) -> Result<AboutSpin<'a>, StudyError> {
-    let Derived { manifold, axis, state } = derived(motion, settings, watch)?;
+    let Derived { manifold, name, state } = derived(motion, settings, watch)?;
     let range = manifold.range(SHARE);
     let inside = if range.amplitude > 0.0 { range.amplitude } else { DEFAULT_AMPLITUDE };
     let count = WITHIN + BEYOND;
@@ -171,28 +172,31 @@ pub(crate) fn about<'a>(
     let start = state.map(|state| within(&manifold, &range, &state));
     let left_out = LeftOut::at(motion.study(), manifold.spin.omega, None);
     let crossed = manifold.crossed_resonances(CROSSED_RANGES * range.nutation);
-    let onset = onset(&manifold, axis, watch);
-    Ok(AboutSpin { study: motion.study(), manifold, axis, range, backbone, start, left_out, crossed, onset })
+    let onset = onset(&manifold, name, watch);
+    Ok(AboutSpin { study: motion.study(), manifold, name, range, backbone, start, left_out, crossed, onset })
 }
 
-/// Onset of whirl above the steady spin of a body of few coordinates.
+/// Onset of whirl above the steady spin of a body of few coordinates; none of a spin that momentum wheels turn away from an axis or that turns
+/// against them, whose faster ones are not looked for.
 fn onset(
     manifold: &SpinManifold,
-    axis: PrincipalAxis,
+    name: &str,
     watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
 ) -> Option<WhirlOnset> {
-    if manifold.body.coordinates().len() > ONSET_COORDINATES || manifold.unstable().is_some() {
+    let against = dot(manifold.body.wheels().angular_momentum(0.0), manifold.spin.omega) < 0.0;
+    let about_axis = [GREATEST, LEAST].contains(&name) && !against;
+    let few = manifold.body.coordinates().len() <= ONSET_COORDINATES;
+    if !(about_axis && few) || manifold.unstable().is_some() {
         return None;
     }
-    let mode = if axis == PrincipalAxis::Least { Mode::LongAxis } else { Mode::ShortAxis };
     let spin = manifold.rate();
-    whirl_onset(manifold.body, mode, [spin, ONSET_SPIN_RATIO * spin], watch)
+    whirl_onset(manifold.body, manifold.mode, [spin, ONSET_SPIN_RATIO * spin], watch)
 }
 
 /// Reduced equations about a spin, with the state of the start where it circles that spin.
 struct Derived<'a> {
     manifold: SpinManifold<'a>,
-    axis: PrincipalAxis,
+    name: &'static str,
     state: Option<FullState>,
 }
 
@@ -203,23 +207,23 @@ fn derived<'a>(
 ) -> Result<Derived<'a>, StudyError> {
     let body = motion.body;
     motion.study().without_slugs("reduced equations about a spin")?;
-    let Planned { plan, axis, circled, state } = planned(motion, settings)?;
-    let manifold = SpinManifold::derive(body, &plan, watch)?;
+    let Planned { plan, spin, name, state } = planned(motion, settings)?;
+    let manifold = SpinManifold::about(body, spin, &plan, watch)?;
     if let Some(left) = body.left_range(&manifold.spin.q) {
         return Err(StudyError::SteadySpinBeyond { what: displaced(body, left) });
     }
     if let Masters::With(frequencies) = &plan.masters {
         there(&manifold, frequencies)?;
     }
-    Ok(Derived { manifold, axis, state: (axis == circled).then_some(state) })
+    Ok(Derived { manifold, name, state })
 }
 
-/// Plan of the equations about the spin of a start, with the axes of the spin and of the start.
+/// Plan of the equations about a steady spin, with its name, and the state of a start that circles it.
 struct Planned {
     plan: SpinManifoldPlan,
-    axis: PrincipalAxis,
-    circled: PrincipalAxis,
-    state: FullState,
+    spin: RelativeEquilibrium,
+    name: &'static str,
+    state: Option<FullState>,
 }
 
 fn planned(motion: &Motion<'_>, settings: &SpinManifoldSettings) -> Result<Planned, StudyError> {
@@ -234,28 +238,44 @@ fn planned(motion: &Motion<'_>, settings: &SpinManifoldSettings) -> Result<Plann
     if !(norm(K) > 0.0) {
         return Err(StudyError::AtRest);
     }
-    let circled = circled(study, K)?;
-    let axis = settings.axis.unwrap_or(circled);
-    let mode = match axis {
-        PrincipalAxis::Least => Mode::LongAxis,
-        PrincipalAxis::Greatest => Mode::ShortAxis,
-        PrincipalAxis::Middle => return Err(StudyError::MiddleAxis),
-    };
+    if settings.axis == Some(PrincipalAxis::Middle) {
+        return Err(StudyError::MiddleAxis);
+    }
+    let given = SpinMagnitude::AngularMomentum(norm(K));
+    let mut found = steady::found(study, state.omega, given);
+    let circled = circled(study, K, &found)?;
+    let asked = settings.axis;
+    let chosen = asked.and_then(|axis| found.iter().position(|named| named.axis() == axis));
+    let chosen = if asked.is_some_and(|axis| found[circled].axis() != axis) { chosen } else { Some(circled) };
+    let chosen = chosen.unwrap_or(circled);
+    let axis = found[chosen].axis();
+    let NamedSpin { name, spin } = found.swap_remove(chosen);
+    let mut spin = spin.map_err(SubmanifoldError::from)?;
+    if body.wheels().is_empty() && dot(spin.angular_momentum, K) < 0.0 {
+        spin = RelativeEquilibrium::near(body, scale(-1.0, spin.omega), given)
+            .map_err(SubmanifoldError::from)?;
+    }
+    let mode = if axis == PrincipalAxis::Least { Mode::LongAxis } else { Mode::ShortAxis };
     let SpinManifoldSettings { degree, masters, style, .. } = settings.clone();
     let plan = SpinManifoldPlan { mode, angular_momentum: K, masters, degree, style };
-    Ok(Planned { plan, axis, circled, state })
+    Ok(Planned { plan, spin, name, state: (chosen == circled).then_some(state) })
 }
 
-/// The principal axis of the frozen body that an angular momentum circles; the nearer of the outer two on a separatrix.
-fn circled(study: &Study, K: [f64; 3]) -> Result<PrincipalAxis, StudyError> {
+/// Place of the steady spin that an angular momentum circles: that of the axis of the frozen body next to it, on a separatrix the nearer of
+/// the outer two; of spins by their energy the one next to the axis circled.
+fn circled(study: &Study, K: [f64; 3], found: &[NamedSpin]) -> Result<usize, StudyError> {
     let rigid = study.reduced(0)?;
-    let principal = Principal::compute(rigid.J);
-    let nutation = Nutations::new(&rigid).at(K);
-    let nearest = principal.nearest(nutation.map_or(K, |nutation| nutation.axis))[0];
-    Ok(match nearest {
-        Mode::ShortAxis => PrincipalAxis::Greatest,
-        Mode::LongAxis => PrincipalAxis::Least,
-    })
+    let axis = Nutations::new(&rigid).at(K).map_or(K, |nutation| nutation.axis);
+    let by_axis = match Principal::compute(rigid.J).nearest(axis)[0] {
+        Mode::ShortAxis => GREATEST,
+        Mode::LongAxis => LEAST,
+    };
+    let along = |named: &NamedSpin| {
+        named.spin.as_ref().map_or(f64::NEG_INFINITY, |spin| dot(unit(spin.angular_momentum), axis))
+    };
+    let nearest = || (0..found.len()).max_by(|a, b| along(&found[*a]).total_cmp(&along(&found[*b])));
+    let place = found.iter().position(|named| named.name == by_axis);
+    place.or_else(nearest).ok_or(StudyError::AtRest)
 }
 
 /// Refuses frequencies asked for that no mode about the spin has.

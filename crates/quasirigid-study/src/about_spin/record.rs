@@ -1,7 +1,6 @@
 //! Reduced equations about a spin as a part of a run record.
 
 use quasirigid::submanifold::{BackbonePoint, Style};
-use quasirigid_io::model::Named;
 use quasirigid_io::record::{AboutSpinRecord, Column, MasterRecord};
 use quasirigid_io::visible::one_line;
 
@@ -55,7 +54,7 @@ impl AboutSpin<'_> {
         AboutSpinRecord {
             sentence: self.sentence(),
             holds: self.holds(),
-            axis: self.axis.name().into(),
+            axis: self.name.into(),
             spin: manifold.spin.omega,
             angular_momentum: manifold.spin.angular_momentum,
             degree: manifold.degree(),

@@ -3,12 +3,13 @@
 use std::fmt::{self, Write};
 
 use quasirigid::submanifold::{BackbonePoint, Style};
-use quasirigid_io::model::Named;
+use quasirigid_io::record::place_of_spin;
 use quasirigid_io::visible::one_line;
 use quasirigid_math::vec3::norm;
 
 use super::{AboutSpin, WITHIN};
 use crate::layout::paragraph;
+use crate::steady::{GREATEST, LEAST};
 use crate::words::{dissipation, shares, significant, time};
 
 /// Rows of the backbone.
@@ -58,10 +59,18 @@ impl AboutSpin<'_> {
         self.write_rates(out)
     }
 
+    /// The place of the steady spin, in words.
+    fn about(&self) -> String {
+        match self.name {
+            GREATEST | LEAST => format!(" about {}", place_of_spin(self.name)),
+            energy => format!(" of {energy}"),
+        }
+    }
+
     fn write_spin(&self, out: &mut String) -> fmt::Result {
         let spin = &self.manifold.spin;
         let list = |vector: [f64; 3]| vector.map(|entry| significant(entry, 6)).join(", ");
-        writeln!(out, "\nSteady spin about the axis of {} inertia", self.axis.name())?;
+        writeln!(out, "\nSteady spin{}", self.about())?;
         writeln!(out, "  angular velocity ({}) rad/s", list(spin.omega))?;
         writeln!(out, "  angular momentum {} N m s", significant(norm(spin.angular_momentum), 6))?;
         let coordinates = self.manifold.body.coordinates().iter().zip(&spin.q);

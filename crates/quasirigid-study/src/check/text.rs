@@ -7,10 +7,9 @@ use quasirigid::elements::{Condensation, Ellipsoid, Part, PartKind};
 use quasirigid::model::{Principal, ReducedBody};
 use quasirigid::reduction::{Validity, Verdict};
 use quasirigid_io::visible::one_line;
-use quasirigid_math::rotation::angle;
 use quasirigid_math::sphere::StationaryKind as Stationary;
 use quasirigid_math::sym3;
-use quasirigid_math::vec3::{dot, norm, scale};
+use quasirigid_math::vec3::{cross, dot, norm, scale};
 
 use super::CheckReport;
 use crate::derive::acting;
@@ -45,7 +44,7 @@ pub(super) fn text(report: &CheckReport) -> String {
         text.push_str(&format!("\n{heading}\n{}\n", paragraph(words, "  ", "    ")));
     }
     let mut told = |words: &str| text.push_str(&format!("\n{}\n", paragraph(words, "", "  ")));
-    if let Some(words) = dissipation(budget) {
+    if let Some(words) = dissipation(budget).filter(|_| !is_steady(reduced, omega)) {
         let power = significant(reduced.dissipated_power(omega), 3);
         told(&format!("At this spin {power} W are dissipated; {words}."));
     }
@@ -202,12 +201,32 @@ fn spin(out: &mut String, reduced: &ReducedBody, omega: [f64; 3], rates: bool, w
     if all.isolated.len() != expected || !(all.complete || all.families) {
         isolated(out, &all, rates)?;
     }
-    let nearest = principal.axes.iter().zip(names).map(|(axis, name)| {
-        let off = angle(K, *axis);
-        (off.min(std::f64::consts::PI - off).to_degrees(), name)
-    });
-    let (off, name) = nearest.min_by(|a, b| a.0.total_cmp(&b.0)).unwrap_or_default();
-    writeln!(out, "  now {} degrees from the axis of {name} inertia", significant(off, 4))
+    let (off, name) = nearest(&principal, K);
+    writeln!(out, "  now {} degrees from the axis of {name} inertia", significant(off.to_degrees(), 4))
+}
+
+/// Angle (rad) of a vector from the nearest axis, of equal moments from the nearest in their plane, with the name of its moment.
+fn nearest(principal: &Principal, K: [f64; 3]) -> (f64, &'static str) {
+    let determined = principal.determined();
+    let mut found = (f64::INFINITY, "greatest");
+    for (place, name) in [(2, "greatest"), (0, "least"), (1, "middle")] {
+        let inside = |k: &usize| *k == place || !determined[place] && !determined[*k];
+        let size = |inside: bool, own: &dyn Fn(&usize) -> bool| {
+            let parts = (0..3).filter(|k| own(k) == inside).map(|k| dot(principal.axes[k], K));
+            parts.fold(0.0_f64, f64::hypot)
+        };
+        let off = size(false, &inside).atan2(size(true, &inside));
+        if off < found.0 - ANGLE_ROUNDING {
+            found = (off, name);
+        }
+    }
+    found
+}
+
+/// Whether a spin is steady in the reduced equations to rounding, so that nothing is dissipated.
+fn is_steady(reduced: &ReducedBody, omega: [f64; 3]) -> bool {
+    let K = reduced.angular_momentum(omega);
+    !(norm(cross(K, omega)) > STEADY * norm(K) * norm(omega))
 }
 
 /// Every steady spin by its direction, where they do not lie near the principal axes one by one.
@@ -232,6 +251,9 @@ fn isolated(out: &mut String, all: &SteadySpins, rates: bool) -> fmt::Result {
     Ok(())
 }
 
+/// Sine of the angle between angular momentum and velocity that is rounding, and angle (rad) by which two axes are as near.
+const STEADY: f64 = 1e-13;
+const ANGLE_ROUNDING: f64 = 1e-9;
 /// An angular momentum below this share of that of the frozen body is zero.
 const MOMENTUM_ROUNDING: f64 = 1e-12;
 

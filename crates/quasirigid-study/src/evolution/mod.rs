@@ -30,6 +30,7 @@ use quasirigid::reduction::reduce;
 use quasirigid::secular::choice::{ChoiceObserver, Method};
 use quasirigid_io::model::{EvolveMethod, PartialEvolve};
 use quasirigid_io::record::{EstimateRecord, EvolutionRecord, HomogeneousRecord};
+use quasirigid_math::vec3::norm;
 use serde_json::{Value, json};
 
 use crate::error::StudyError;
@@ -90,7 +91,8 @@ impl Study {
     /// Follows the averaged rotation from the start of the model.
     ///
     /// # Errors
-    /// [`StudyError`] for an invalid start, for targets that are not ahead, and for bodies that are not followed so.
+    /// [`StudyError`] for an invalid start, for targets that are not ahead, for a duration shorter than a revolution, and for bodies that are
+    /// not followed so.
     pub fn evolve(&self, asked: PartialEvolve, watch: &mut dyn Watch) -> Result<Evolved, StudyError> {
         self.evolve_from(self.initial()?, asked, watch)
     }
@@ -106,7 +108,12 @@ impl Study {
         watch: &mut dyn Watch,
     ) -> Result<Evolved, StudyError> {
         self.uncontrolled("evolve")?;
-        follow(self, start, &EvolveSettings::resolve(asked, self)?, watch)
+        let asked = EvolveSettings::resolve(asked, self)?;
+        let revolution = std::f64::consts::TAU / norm(start.omega);
+        match asked.duration.filter(|duration| revolution.is_finite() && *duration < revolution) {
+            Some(duration) => Err(StudyError::WithinARevolution { duration, revolution }),
+            None => follow(self, start, &asked, watch),
+        }
     }
 }
 

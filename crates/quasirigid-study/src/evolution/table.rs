@@ -253,9 +253,8 @@ impl EvolutionTable {
             let state = &mut self.states[i];
             let (left, motion) = (end - state.t, evolution.motion(state.rotation_state));
             if left > 0.0 {
-                let turning = 2.0 * motion.energy() / motion.angular_momentum();
-                (state.t, state.revolutions) =
-                    (end, state.revolutions + left * turning / std::f64::consts::TAU);
+                let turning = motion.energy() / (std::f64::consts::PI * motion.angular_momentum());
+                (state.t, state.revolutions) = (end, state.revolutions + left * turning);
             }
         }
         self.states[i]

@@ -82,7 +82,11 @@ impl Verdict {
                 let sources: Vec<String> = sources.filter(|words| !words.is_empty()).collect();
                 let by =
                     if sources.is_empty() { String::new() } else { format!("by {} ", sources.join(" and ")) };
-                format!("{by}the time is good to {} %.", significant(100.0 * error.max(LEAST), 2))
+                if error > 1.0 {
+                    format!("{by}the time is not known: the change is within the error of the method.")
+                } else {
+                    format!("{by}the time is good to {} %.", significant(100.0 * error.max(LEAST), 2))
+                }
             }
         };
         self.sentence = match source {

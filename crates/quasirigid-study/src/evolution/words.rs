@@ -120,8 +120,13 @@ pub fn sentence(record: &EvolutionRecord, drift: Option<&DriftHistory>) -> Strin
         return format!("The spin about the axis of {axis} inertia stays steady {taken}.{drifted}");
     }
     let verb = if to > from { "grows" } else { "falls" };
+    let changes = if format!("{first} degrees") == last {
+        format!("changes by less than its last digit from {last}")
+    } else {
+        format!("{verb} from {first} to {last}")
+    };
     format!(
-        "The wobble about the axis of {axis} inertia {verb} from {first} to {last} {taken}, {} mode throughout.{drifted}",
+        "The wobble about the axis of {axis} inertia {changes} {taken}, {} mode throughout.{drifted}",
         record.mode_start
     )
 }

@@ -20,9 +20,9 @@ use self::closed_loop::{Asked, Loop, poles};
 use crate::error::StudyError;
 use crate::left_out::LeftOut;
 use crate::modes::of_start;
-use crate::steady_state;
 use crate::study::Study;
 use crate::words::{plain, significant};
+use crate::{steady, steady_state};
 
 /// Steady state that a linear model is about.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -147,6 +147,9 @@ impl Study {
         let spun = |omega: [f64; 3], given| {
             let axis = Principal::compute(body.invariants().J).axis_beside(omega);
             let near = RelativeEquilibrium::near(body, axis, given);
+            let near = near.or_else(|none| {
+                if body.wheels().is_empty() { Err(none) } else { steady::next_to(self, omega, given) }
+            });
             near.map(|spin| SteadyState::of_spin(&spin)).map_err(StudyError::NoStart)
         };
         match at {

@@ -3,6 +3,7 @@
 use std::sync::LazyLock;
 
 use quasirigid_io::model::{EvolveMethod, System};
+use quasirigid_math::rotation::{normalized, to_inertial};
 use quasirigid_study::Study;
 use quasirigid_study::about_spin::{AboutSpin, verification_text};
 use quasirigid_study::histories::Table;
@@ -11,8 +12,8 @@ use quasirigid_study::settings::{PartialRun, PartialSpinManifold, PartialSpinVer
 use serde_json::Value;
 
 use crate::support::{
-    SPIN, carrier, column, evolved, example, finished, follow, mode, modes_about, numbers, one_line, point,
-    study, study_of, table, target, told_history, vector, wobbling,
+    SPIN, carrier, close, column, evolved, example, finished, follow, mode, modes, modes_about, numbers,
+    one_line, point, spinning, study, study_of, table, target, told_history, vector, wobbling,
 };
 
 /// Satellite with a tuned damper on a spring.
@@ -234,4 +235,41 @@ fn a_history_of_vibrations_says_so() {
     let told = does_not_hold(&model, [0.0, 1.0]);
     assert!(told.starts_with("The history DOES NOT HOLD: the vibrations of the start"), "{told}");
     assert!(told.contains("have 228 times the energy of the motion that they follow"), "{told}");
+}
+
+/// A body with a bias wheel off its axes, in axes turned by an attitude.
+fn biased(attitude: [f64; 4]) -> String {
+    let turn = |vector: [f64; 3]| to_inertial(normalized(attitude), vector);
+    let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(turn);
+    let moments = [10.0, 14.0, 18.0];
+    let entry = |i: usize, j: usize| (0..3).map(|k| moments[k] * axes[k][i] * axes[k][j]).sum::<f64>();
+    let inertia: [[f64; 3]; 3] =
+        std::array::from_fn(|i| std::array::from_fn(|j| 0.5 * (entry(i, j) + entry(j, i))));
+    let isotropic = point("m", 1.0, turn([0.5, 0.3, 0.4]), [100.0, 1.0]);
+    format!(
+        "[carrier]\nmass = 100.0\ncenter_of_mass = [0, 0, 0]\ninertia = {inertia:?}\n{isotropic}[[wheel]]\nname = \"w\"\naxis = {:?}\n\
+         momentum = 20.0\n{}",
+        turn([1.0, 0.3, 0.5]),
+        spinning(turn([0.001, 0.002, 0.001]))
+    )
+}
+
+/// Where a momentum wheel turns the spin away from the axes, the equations are about the spin that `modes` and `evolve` find, in any axes: of
+/// least energy about the start, of greatest energy where that of least inertia is asked for.
+#[test]
+fn a_bias_wheel_off_the_axes_has_equations_about_its_steady_spin() {
+    for attitude in [[1.0, 0.0, 0.0, 0.0], [0.3, -0.7, 0.5, 0.4]] {
+        let study = study(&biased(attitude));
+        let spins = modes(&study).spins;
+        for (axis, of_energy) in [(None, "least energy"), (Some(PrincipalAxis::Least), "greatest energy")] {
+            let found = study.about_spin(of_degree(3), axis).unwrap();
+            let known = spins.iter().find(|spin| spin.axis == of_energy).unwrap();
+            let nutation = mode(&known.modes, "nutation");
+            let master = &found.manifold.masters[0];
+            close(master.decay_rate, nutation.decay_rate, 1e-6);
+            close(master.frequency, nutation.frequency, 1e-9);
+            assert_eq!((found.name, found.start.is_some()), (of_energy, axis.is_none()));
+            assert!(found.text().contains(&format!("Steady spin of {of_energy}\n")), "{}", found.text());
+        }
+    }
 }

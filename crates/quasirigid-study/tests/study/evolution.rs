@@ -362,3 +362,22 @@ fn a_long_way_beside_a_plane_of_steady_spins_is_not_begun_unasked() {
     assert_eq!(found.status, "refused");
     assert!(found.message.contains("would take about"), "{}", found.message);
 }
+
+/// An evolution is a mean over revolutions: a duration within the first one is refused; one in which the wobble changes by no digit says so;
+/// one whose revolutions no number counts is answered.
+#[test]
+fn durations_of_nothing_and_of_everything_are_answered_as_a_person_would() {
+    let study = study_of("boom-satellite");
+    let told = |duration: f64| try_evolve(&study, |asked| asked.duration = Some(duration));
+    for duration in [1e-300, 1e-9, 3.0] {
+        let refused = told(duration).unwrap_err();
+        assert!(refused.contains("ends within the first revolution, 5.001 s"), "{refused}");
+    }
+    let short = evolved(&study_of("toutatis"), |asked| asked.duration = Some(1e6)).record.sentence;
+    assert!(short.contains("changes by less than its last digit from"), "{short}");
+    let long = told(3.15576e307 * 1.7).unwrap().record;
+    assert!(
+        long.sentence.contains("that is in the steady spin, in") && !long.sentence.contains("inf"),
+        "{long:?}"
+    );
+}

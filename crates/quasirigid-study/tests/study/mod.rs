@@ -29,3 +29,4 @@ mod sweep;
 mod tanks;
 mod thrust;
 mod told_errors;
+mod verdicts;

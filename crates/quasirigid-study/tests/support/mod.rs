@@ -1,5 +1,6 @@
 //! Helpers of the tests: studies, and questions to them.
 
+pub mod any_body;
 pub mod free_body;
 mod models;
 

@@ -15,6 +15,8 @@ use crate::secular::{DirectOptions, DirectStopReason, follow_directly};
 const TOLERANCE: f64 = 1e-10;
 /// Revolutions in which no wobble dies out.
 const ONE_TURN: f64 = 1.0;
+/// Revolutions of the full system that tell how long many take: a period of the polhode beside a plane of steady spins has thousands.
+const TIMED_REVOLUTIONS: f64 = 20.0;
 
 /// Options of a history of the full system to an energy (J), or for a time (s) if that is before it.
 #[must_use]
@@ -82,7 +84,7 @@ impl Driver<'_> {
             .announce(Work::History, per_period * self.expected_revolutions() / revolutions_in_period)?)
     }
 
-    /// Seconds of work that a period of the polhode takes in the full system.
+    /// Seconds of work that a period of the polhode takes in the full system, from its first revolutions.
     ///
     /// # Errors
     /// [`PropagateError`], which the work itself meets again.
@@ -94,10 +96,11 @@ impl Driver<'_> {
             return Ok(*known);
         }
         let (spins, span) = (self.case.spins, self.case.span);
-        let duration = spins.motion(span.ends[0]).polhode_period();
+        let period = spins.motion(span.ends[0]).polhode_period();
+        let duration = period.min(TIMED_REVOLUTIONS * TAU / norm(span.start.omega));
         let options = history_options(None, Some(duration), self.limits);
         let before = Instant::now();
         follow_directly(spins.body, &span.start, &options, &mut |share| observer.observe(share))?;
-        Ok(*self.seconds_per_period.get_or_init(|| before.elapsed().as_secs_f64()))
+        Ok(*self.seconds_per_period.get_or_init(|| before.elapsed().as_secs_f64() * period / duration))
     }
 }

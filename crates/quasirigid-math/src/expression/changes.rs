@@ -135,7 +135,8 @@ impl<'p, 'v> Scan<'p, 'v> {
                 operands.iter().for_each(|of| narrowed[*of] = true);
             }
         }
-        let known: Vec<bool> = follows.iter().zip(&alone).map(|(follows, alone)| *follows && *alone).collect();
+        let known: Vec<bool> =
+            follows.iter().zip(&alone).map(|(follows, alone)| *follows && *alone).collect();
         let edge = |share: f64| Edge { x: from + share * (to - from), breaks: false };
         let mut edges: Vec<Edge> = FIRST.iter().map(|share| edge(*share)).collect();
         edges[FIRST.len() - 1].x = to;

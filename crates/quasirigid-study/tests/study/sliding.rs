@@ -10,11 +10,11 @@ use crate::support::{close, expression, history, study, table};
 /// Rate about `z` (rad/s) at which the torque switches, and the torque (N m).
 const RATE: f64 = 0.06;
 const TORQUE: f64 = 0.05;
-const J: [[f64; 3]; 3] = [[30.0, 1.0, 0.5], [1.0, 36.0, -0.7], [0.5, -0.7, 42.0]];
+const INERTIA: [[f64; 3]; 3] = [[30.0, 1.0, 0.5], [1.0, 36.0, -0.7], [0.5, -0.7, 42.0]];
 
 /// A carrier with a damped point, in units so many times as small as metre, kilogram and second, under a torque about `z`.
 fn model([length, mass, time]: [f64; 3], torque: &str) -> String {
-    let inertia = J.map(|row| row.map(|entry| entry * mass * length * length));
+    let inertia = INERTIA.map(|row| row.map(|entry| entry * mass * length * length));
     let place = [0.5, 0.1, 0.4].map(|x| x * length);
     let rate = [0.02, 0.03, 0.05].map(|w| w / time);
     format!(
@@ -35,7 +35,7 @@ fn holding([wx, wy, wz]: [f64; 3]) -> f64 {
     let r = [0.5_f64, 0.1, 0.4];
     let square: f64 = r.iter().map(|x| x * x).sum();
     let J: [[f64; 3]; 3] = std::array::from_fn(|i| {
-        std::array::from_fn(|j| J[i][j] + recoil * (f64::from(u8::from(i == j)) * square - r[i] * r[j]))
+        std::array::from_fn(|j| INERTIA[i][j] + recoil * (f64::from(u8::from(i == j)) * square - r[i] * r[j]))
     });
     let L = J.map(|row| row[0] * wx + row[1] * wy + row[2] * wz);
     let gyroscopic = [wy * L[2] - wz * L[1], wz * L[0] - wx * L[2], wx * L[1] - wy * L[0]];

@@ -14,7 +14,7 @@ use crate::controlled;
 use crate::error::StudyError;
 use crate::free_rotation::FreeRotationObject;
 use crate::history_columns::{HistoryTable, Internal};
-use crate::judged::{self, Judged};
+use crate::judged::{self, Fastest, Judged};
 use crate::left_out::LeftOut;
 use crate::motion::{LOOSE, Motion};
 use crate::record::status;
@@ -237,7 +237,12 @@ impl Study {
         let verdict = judged::along_the_motion(run.load_ratio);
         let doubt = load_doubt(verdict, run.load_ratio);
         let wrong = wrong.or_else(|| doubt.clone().filter(|_| verdict == Verdict::Fails));
-        let notes = run.ringing.map(ringing_doubt).into_iter().chain(doubt).chain(note).collect();
+        let reduced = table.system == System::Reduced;
+        let fastest = if reduced { judged::at_the_fastest(&motion, &columns)? } else { None };
+        let wrong = wrong.or_else(|| fastest.as_ref().filter(|found| found.fails()).map(Fastest::doubt));
+        let faster = fastest.as_ref().map(Fastest::doubt);
+        let notes =
+            run.ringing.map(ringing_doubt).into_iter().chain(faster).chain(doubt).chain(note).collect();
         let left = manifold.as_ref().and_then(|verdict| verdict.status(run.outcome));
         let (status, message) = left.unwrap_or_else(|| status(body, run.outcome, last.t));
         Ok(History {

@@ -8,6 +8,8 @@ use quasirigid::modes::SpinModes;
 use quasirigid::reduction::{Comparison, Criterion, Validity, Verdict};
 use quasirigid::verification::wobble_difference;
 use quasirigid_io::model::PartialRun;
+use quasirigid_io::record::Column;
+use quasirigid_math::vec3::norm;
 
 use crate::error::StudyError;
 use crate::incomplete::beyond;
@@ -15,6 +17,7 @@ use crate::motion::Motion;
 use crate::settings::RunSettings;
 use crate::steady::{self, Poles};
 use crate::study::Study;
+use crate::words::fastest_doubt;
 
 /// Reduced equations of one order with their validity.
 #[derive(Debug)]
@@ -154,4 +157,49 @@ fn place(validity: &mut Validity, next: Comparison, (comparison, value): (Compar
     let place = validity.criteria.iter().position(|criterion| criterion.comparison == next);
     let place = place.unwrap_or(validity.criteria.len());
     validity.criteria.insert(place, Criterion { comparison, value });
+}
+
+/// Fastest rotation of a history, where the reduced equations that were followed do not hold as they do at the start.
+pub(crate) struct Fastest {
+    /// Time (s).
+    pub t: f64,
+    /// Angular velocity (rad/s).
+    pub omega: [f64; 3],
+    pub validity: Validity,
+}
+
+impl Fastest {
+    /// Whether the equations fail there.
+    pub fn fails(&self) -> bool {
+        self.validity.verdict() == Verdict::Fails
+    }
+
+    /// The doubt in words.
+    pub fn doubt(&self) -> String {
+        fastest_doubt(self.t, norm(self.omega), &self.validity)
+    }
+}
+
+/// Growth of the spin beyond that of the start from which reduced equations under forces are judged again.
+const FASTER: f64 = 1.05;
+
+/// Judges reduced equations under forces at the fastest row of a history, since forces may spin a body up beyond the range in which it started.
+pub(crate) fn at_the_fastest(motion: &Motion, columns: &[Column]) -> Result<Option<Fastest>, StudyError> {
+    let column = |name: &str| columns.iter().find(|column| column.name == name);
+    let (Some(t), [Some(x), Some(y), Some(z)]) = (column("t"), ["wx", "wy", "wz"].map(column)) else {
+        return Ok(None);
+    };
+    let rates = x.values.iter().zip(&y.values).zip(&z.values).map(|((x, y), z)| [*x, *y, *z]);
+    let rows = t.values.iter().zip(rates).filter(|(_, omega)| norm(*omega).is_finite());
+    let Some((t, omega)) = rows.max_by(|(_, a), (_, b)| norm(*a).total_cmp(&norm(*b))) else {
+        return Ok(None);
+    };
+    let study = motion.study();
+    let reduced = study.reduced(study.order)?;
+    if !motion.system().acts() || norm(omega) <= FASTER * norm(motion.judged_spin(&reduced)?) {
+        return Ok(None);
+    }
+    let validity = Validity::assess_reduced(&study.body, &reduced, omega)?;
+    let worse = validity.verdict() != Verdict::Holds;
+    Ok(worse.then_some(Fastest { t: *t, omega, validity }))
 }

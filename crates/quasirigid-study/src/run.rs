@@ -22,7 +22,7 @@ use crate::evolution::Evolved;
 use crate::histories::{circled_axis, even_times, room};
 use crate::history_columns::HistoryTable;
 use crate::history_sink::{FrameList, HistorySink};
-use crate::judged::{self, Judged};
+use crate::judged::{self, Fastest, Judged};
 use crate::kept_run::{HistoryLog, Keeping, KeptRun};
 use crate::left_out::LeftOut;
 use crate::liquids::{Liquid, liquids};
@@ -327,8 +327,13 @@ impl<'a> Plan<'a> {
         let loads =
             |each: &HistoryRecord| load_doubt(judged::along_the_motion(each.load_ratio), each.load_ratio);
         let ringing = |each: &HistoryRecord| each.ringing.map(|ringing| ringing_doubt(of_record(ringing)));
-        let doubts = record.histories.iter().filter_map(ringing);
-        let doubts: Vec<_> = doubts.chain(record.histories.iter().filter_map(loads)).collect();
+        let mut doubts: Vec<_> = record.histories.iter().filter_map(ringing).collect();
+        let reduced = record.histories.iter().filter(|each| each.system == System::Reduced.recorded());
+        for history in reduced {
+            let fastest = judged::at_the_fastest(self.motion, &history.columns)?;
+            doubts.extend(fastest.as_ref().map(Fastest::doubt));
+        }
+        doubts.extend(record.histories.iter().filter_map(loads));
         record.notes.extend(doubts);
         record.notes.extend(record.histories.iter().filter(note).filter_map(drift));
         Ok(())

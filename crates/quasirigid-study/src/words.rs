@@ -195,6 +195,20 @@ pub fn load_doubt(verdict: Verdict, ratio: f64) -> Option<String> {
     ))
 }
 
+/// Doubt about reduced equations at the fastest rotation (rad/s) of a history, at a time (s), with what does not hold.
+pub fn fastest_doubt(t: f64, spin: f64, validity: &Validity) -> String {
+    let range = match validity.verdict() {
+        Verdict::Fails => "DO NOT HOLD",
+        _ => "are at the edge of their range",
+    };
+    format!(
+        "The forces spun the body up to {} rad/s at t = {} s, where the reduced equations {range}: {} The full system follows this.",
+        significant(spin, 3),
+        significant(t, 6),
+        reasons(validity).join(" ")
+    )
+}
+
 /// Doubt about the angular velocity of reduced equations under forces that excite vibrations (E8).
 pub fn ringing_doubt(ringing: Ringing) -> String {
     let Ringing { from, to, omega, share } = ringing;

@@ -138,7 +138,10 @@ fn nutation(body: &ReducedBody, gradient: &Series, K: Vector3<f64>) -> SteadySpi
     let [first, second] = tangents((K / G).into()).map(Vector3::from);
     let slopes = Matrix3::from(jacobian(gradient, K.into())) - rate * Matrix3::identity();
     let T = Matrix3::from(sym3::rows(body.T.tensor(K.into())));
-    let rounding = UNDAMPED * T.norm() * slopes.norm();
+    let widest = |axis: [f64; 3]| Matrix3::from(sym3::rows(body.T.tensor(axis.map(|x| G * x)))).norm();
+    let largest =
+        [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(widest).into_iter().fold(T.norm(), f64::max);
+    let rounding = UNDAMPED * largest * slopes.norm();
     let across = |matrix: &Matrix3<f64>| {
         let entry = |a: &Vector3<f64>, b: &Vector3<f64>| a.dot(&(matrix * b));
         let mixed = 0.5 * (entry(&first, &second) + entry(&second, &first));

@@ -88,7 +88,7 @@ pub fn integrate_until<M: Solver>(
         observer.output(times[next], solver.y());
         next += 1;
     }
-    let mut pace = Pace { since: solver.t(), steps: 0 };
+    let mut pace = Pace { since: solver.t(), steps: 0, longest: 0.0 };
     while next < times.len() && solver.t() < end {
         if let Some(error) = pace.step(solver.t(), end) {
             return (StopReason::Failed(error), next);
@@ -124,15 +124,17 @@ pub fn integrate_until<M: Solver>(
     (StopReason::Finished, next)
 }
 
-/// Pace of an integration: steps since a time.
+/// Pace of an integration: steps since a time, and the longest mean step so far.
 struct Pace {
     since: f64,
     steps: u64,
+    longest: f64,
 }
 
-/// Steps over which the pace is taken, and the share of the way that they must make.
+/// Steps over which the pace is taken, the share of the way that they must make, and the share of the longest mean step that is none.
 const PACED: u64 = 200_000;
 const LEAST_SHARE: f64 = 1e-6;
+const FALLEN: f64 = 1e-3;
 
 impl Pace {
     /// Counts a step, taken back or not; the error of steps that lead nowhere.
@@ -142,8 +144,10 @@ impl Pace {
             return None;
         }
         let (way, left) = (t - self.since, end - t);
-        *self = Self { since: t, steps: 0 };
-        (way < LEAST_SHARE * left).then_some(StepError::Crawls { t, step: way / PACED as f64 })
+        let longest = self.longest.max(way);
+        *self = Self { since: t, steps: 0, longest };
+        let fell = way < FALLEN * longest || way <= f64::EPSILON * t.abs();
+        (fell && way < LEAST_SHARE * left).then_some(StepError::Crawls { t, step: way / PACED as f64 })
     }
 }
 
@@ -188,6 +192,18 @@ mod tests {
         fn stepped(&mut self, _: &mut M) -> ControlFlow<()> {
             ControlFlow::Continue(())
         }
+    }
+
+    /// Steps as long as ever lead on, however far the end is; much shorter ones do not.
+    #[test]
+    fn a_far_end_is_no_crawl() {
+        let mut pace = Pace { since: 0.0, steps: 0, longest: 0.0 };
+        let mut crawls = |from: f64, step: f64| {
+            (1..=2 * PACED).find_map(|count| pace.step(from + step * count as f64, 1e12))
+        };
+        assert_eq!(crawls(0.0, 0.3), None);
+        let from = 0.6 * PACED as f64;
+        assert!(matches!(crawls(from, 1e-6), Some(StepError::Crawls { .. })));
     }
 
     /// Steps that lead nowhere end a run, with the place; the same switch is passed once where it does not turn back.

@@ -109,9 +109,8 @@ impl Study {
         let started = Instant::now();
         let mut observer =
             Flagging { watch, cancelled: &cancelled, stage: "answering the file", share: &|| 0.0 };
-        let at_file = watched(&mut observer, || {
-            changed.value(&[]).map_err(|missing| unanswered(quantity, missing))
-        })?;
+        let at_file =
+            watched(&mut observer, || changed.value(&[]).map_err(|missing| unanswered(quantity, missing)))?;
         if let Some(said) = text::outlook(numbers.len(), started.elapsed().as_secs_f64()) {
             watch.plan(&said);
         }
@@ -119,7 +118,10 @@ impl Study {
         let mut observer =
             Flagging { watch, cancelled: &cancelled, stage: "varying the keys", share: &share };
         let outcomes =
-            watched(&mut observer, || Ok(whole_pool()?.install(|| each(&changed, at_file, &numbers, &done))))?;
+            watched(
+                &mut observer,
+                || Ok(whole_pool()?.install(|| each(&changed, at_file, &numbers, &done))),
+            )?;
         let outcomes: Option<Vec<Outcome>> = outcomes.into_iter().collect();
         let outcomes = outcomes.ok_or(StudyError::Interrupted)?;
         let mut found = Sensitivity {

@@ -351,3 +351,29 @@ fn assert_told(body: &str, force: &str, is_fast: bool) {
     assert!((exact - found).abs() < 1.5 * left_out + 2e-3 * exact, "{force}: {exact} {found} {left_out}");
     assert_eq!(notes.contains("THE DISSIPATED ENERGY MAY BE WRONG"), is_fast, "{force}: {notes}");
 }
+
+/// A constant torque spins a body up from where the reduced equations hold to where they do not: a short run is quiet, a long one says so first, at
+/// the spin that the torque gives, and a rigid or a full one has no such doubt.
+#[test]
+fn spins_beyond_the_range_of_the_start_are_told() {
+    let model = carrier(40.0, [9.0, 13.0, 16.0])
+        + &point("tip", 2.0, [0.0, 0.0, 0.5], [600.0, 30.0])
+        + &spinning([0.0, 0.0, 0.5])
+        + &expression("torque = [\"0\", \"0\", \"4\"]");
+    let study = study(&model);
+    let told = |system: System, end: f64| {
+        let found = history(&study, &table(system, &[0.0, 0.5 * end, end]), PartialRun::default());
+        (found.notes.join(" "), found.wrong.clone(), found.run.last.omega[2])
+    };
+    assert!(!told(System::Reduced, 1.0).0.contains("spun the body up"));
+    let (said, wrong, spin) = told(System::Reduced, 28.0);
+    close(spin, 0.5 + 4.0 * 28.0 / 16.0, 1e-3);
+    let expected = format!(
+        "The forces spun the body up to {spin:.2} rad/s at t = 28.0000 s, where the reduced equations"
+    );
+    assert!(said.starts_with(&expected), "{said}");
+    assert_eq!(wrong.is_some(), said.contains("DO NOT HOLD"), "{said}");
+    for system in [System::Rigid, System::Full] {
+        assert!(!told(system, 28.0).0.contains("spun the body up"));
+    }
+}

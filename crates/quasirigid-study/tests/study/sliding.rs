@@ -70,23 +70,24 @@ fn a_body_that_slides_along_a_switch_ends_its_run_in_words() {
             assert!(work.steps + work.rejected < 20_000, "{told} {work:?}");
             let Outcome::Missed(Missed::Slides { t, .. }) = found.run.outcome else { panic!("{told}") };
             close(found.run.last.omega[2] * time, RATE, 1e-6);
-            // the constant torque brings the body there at that time
+            // the constant torque brings the body there, some fifty short steps before
             let constant = study(&model(unit, &format!("{}", TORQUE * torque)));
             let there = history(&constant, &table(system, &[0.0, t]), PartialRun::default());
-            close(there.run.last.omega[2] * time, RATE, 1e-6);
+            let excess = there.run.last.omega[2] * time / RATE - 1.0;
+            assert!(excess > -1e-6 && excess < 5e-3, "{told} {excess}");
         }
     }
 }
 
-/// The same switch with a width is followed, and its torque is the one that holds the rate.
+/// The same switch with a width is followed, and its torque is the one that holds the rate but for what the rate still gains within the width.
 #[test]
 fn a_switch_with_a_width_is_followed() {
-    let study = study(&model([1.0; 3], "0.025*(1 + tanh((0.06-wz)/1e-5))"));
+    let study = study(&model([1.0; 3], "0.025*(1 + tanh((0.06-wz)/1e-6))"));
     for system in [System::Full, System::Reduced, System::Rigid] {
         let found = history(&study, &table(system, &[0.0, 9.5]), PartialRun::default());
         assert!(found.holds() && found.status == "finished", "{}", found.message);
         let omega = found.run.last.omega;
-        let torque = 0.025 * (1.0 + ((RATE - omega[2]) / 1e-5).tanh());
+        let torque = 0.025 * (1.0 + ((RATE - omega[2]) / 1e-6).tanh());
         close(torque, holding(omega), 0.01);
     }
 }
@@ -104,5 +105,6 @@ fn a_body_that_swings_through_a_switch_is_followed() {
         PartialRun::default(),
     );
     assert!(found.holds() && found.status == "finished", "{}", found.message);
-    close(found.run.last.omega[2], 0.025, 1e-8);
+    // forty times through the switch, each located within the tolerance
+    close(found.run.last.omega[2], 0.025, 1e-7);
 }

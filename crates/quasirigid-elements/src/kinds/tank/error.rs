@@ -282,12 +282,10 @@ impl TankError {
             Self::WideBaffle { .. } => {
                 ("too wide", "give a measured damping_ratio and frequency instead of the baffle")
             }
-            Self::Unresolved { .. } => {
-                (
-                    "not resolved",
-                    "take a fill farther from empty and full (a full tank is a [[cavity]]), keep fewer modes, or smooth the profile",
-                )
-            }
+            Self::Unresolved { .. } => (
+                "not resolved",
+                "take a fill farther from empty and full (a full tank is a [[cavity]]), keep fewer modes, or smooth the profile",
+            ),
         }
     }
 }

@@ -15,7 +15,7 @@ use crate::math::vec3::{add, cross, dot, scale};
 pub(super) struct CurvedKinetics<'a> {
     body: &'a FlexibleBody,
     paths: &'a CurvedPaths,
-    /// Invariants of pairs, row by row over all coordinates of the body on straight paths: symmetric and antisymmetric in the pair.
+    /// Invariants of pairs, row by row over all coordinates of the body on straight paths; the first are symmetric in the pair.
     second: Vec<Sym>,
     turning: Vec<[f64; 3]>,
     mass: DMatrix<f64>,
@@ -207,15 +207,14 @@ impl<'a> CurvedKinetics<'a> {
         let [xx, yy, zz, yz, zx, xy] = products(self.spin);
         let square = [xx, yy, zz, 2.0 * yz, 2.0 * zx, 2.0 * xy];
         let recoil = scale(per_mass, cross(self.u, self.spin));
-        let mut turning = vec![[0.0; 3]; all];
-        for (k, rate) in self.z_rate.iter().enumerate() {
-            let row = &self.turning[k * all..(k + 1) * all];
-            add_scaled(turning.as_flattened_mut(), -rate, row.as_flattened());
-        }
         let load = |i: usize| {
             let centrifugal: f64 =
                 self.grown[i].iter().zip(square).map(|(grown, square)| grown * square).sum();
-            centrifugal + dot(self.spin, turning[i]) - dot(S[i], recoil)
+            let mut turning = [0.0; 3];
+            for (Z, rate) in self.turning[i * all..(i + 1) * all].iter().zip(&self.z_rate) {
+                turning.iter_mut().zip(Z).for_each(|(turning, Z)| *turning += rate * Z);
+            }
+            centrifugal + dot(self.spin, turning) - dot(S[i], recoil)
         };
         for (i, sum) in sum.iter_mut().enumerate() {
             *sum += load(i);

@@ -5,7 +5,7 @@ use quasirigid_study::fill_map::{FillMapSettings, csv, text};
 use quasirigid_study::report::{fill_map_picture, png};
 use serde_json::json;
 
-use super::open;
+use super::open_with;
 use crate::args::FillsArgs;
 use crate::failure::Failure;
 use crate::message::remark;
@@ -31,7 +31,8 @@ pub fn fills(arguments: &FillsArgs) -> Result<ExitStatus, Failure> {
         written(path)
     };
     let forms = out.iter().map(|path| form(path)).collect::<Result<Vec<_>, Failure>>()?;
-    let study = open(common)?;
+    // each point of the map has the doubts of its own fill
+    let study = open_with(common, |_, _| !common.quiet)?;
     let asked = FillMapSettings {
         tanks: arguments.tank.clone(),
         fills: arguments.fill,

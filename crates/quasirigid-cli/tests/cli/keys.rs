@@ -157,6 +157,7 @@ fn keys_of_check_and_modes_are_those_of_the_guide() {
         printed(&["modes examples/three-masses/model.toml", "modes examples/heavy-top/model.toml"]);
     modes.extend(of_many_coordinates("modes"));
     modes.insert("no_solid".into()); // of a material that flows: cli::materials
+    modes.insert("sleeping_forces".into()); // of forces that act later: study::modes
     assert_same(&modes, &(&(&listed(PAGE, "`modes`") | &spin) | &spins));
 }
 

@@ -46,14 +46,20 @@ pub(super) fn positive_energy(
     coefficients: &SpinCoefficients,
     slow: Option<&SlowDirection>,
 ) -> bool {
-    let SpinMatrix::Recoiling(Recoiling { own, .. }) = &coefficients.centrifugal else { return false };
     let materials = body.viscoelastic().iter().all(|part| part.rheology.given_at_rest());
     let dashpots = materials && body.memories().is_empty();
     let elastic = body.elastic();
     let within = |(j, k, _): &(usize, usize, f64)| *j < elastic && *k < elastic;
     let springs = body.stiffness().iter().map(|(j, k, C)| (j, k, *C));
-    let parts = springs.chain(own.iter().map(|(j, k, N)| (j, k, -N))).filter(within).collect();
-    // the recoil only adds to the stiffness that the spin leaves
+    let softened: Vec<(usize, usize, f64)> = match &coefficients.centrifugal {
+        // the recoil only adds to the stiffness that the spin leaves
+        SpinMatrix::Recoiling(Recoiling { own, .. }) => own.iter().map(|(j, k, N)| (j, k, -N)).collect(),
+        SpinMatrix::Dense(N) => {
+            let all = (0..elastic).flat_map(|j| (0..elastic).map(move |k| (j, k)));
+            all.map(|(j, k)| (j, k, -N.at(j, k))).collect()
+        }
+    };
+    let parts = springs.chain(softened).filter(within).collect();
     let held = || Cholesky::new(&SparseRows::sum(elastic, parts)).is_ok();
     dashpots && slow.is_some_and(SlowDirection::is_least) && held()
 }

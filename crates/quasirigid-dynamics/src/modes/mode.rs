@@ -9,6 +9,7 @@ use nalgebra::{Complex, Vector3};
 
 use super::blocks::BlockPencil;
 use super::candidates::{Candidate, Source, candidates, neutral};
+use super::definite::positive_energy;
 use super::displacements::WHOLE;
 use super::driven::Driven;
 use super::equilibrium::RelativeEquilibrium;
@@ -154,9 +155,10 @@ impl SpinModes {
         let steady = slow.as_ref().map_or(&[][..], |slow| &slow.steady);
         let found = within(body, &equilibrium, &coefficients, (steady, whole))?;
         let fastest = found.iter().map(|motion| motion.lambda.norm()).fold(0.0, f64::max);
-        let projected = SlowModes { rate: fastest, missing: None, positive_energy: false };
-        let candidates = candidates(found, slow.as_ref(), (body, &coefficients, norm(equilibrium.omega)));
         let count = body.coordinates().len();
+        let positive_energy = count <= WHOLE && positive_energy(body, &coefficients, slow.as_ref());
+        let projected = SlowModes { rate: fastest, missing: None, positive_energy };
+        let candidates = candidates(found, slow.as_ref(), (body, &coefficients, norm(equilibrium.omega)));
         let refining = Refining {
             unknowns: &pencil.unknowns,
             problem: Some(&pencil),

@@ -8,6 +8,7 @@ use std::ops::ControlFlow;
 use super::energy_range::EnergyRange;
 use super::measure::{MeasureError, Measurement};
 use super::measurement_point::{MeasureOptions, MeasurementPoint, small, span};
+use super::periodic_place::PeriodicPlaces;
 use super::poles::Poles;
 use crate::averaging::{FreeRotation, MeanPower, RotationState};
 use crate::dynamics::FullState;
@@ -30,7 +31,8 @@ pub struct SpotChecks {
 }
 
 impl SpotChecks {
-    /// Measures between two rotation states; no measurement where the wobble is so small that the modes give the power.
+    /// Measures between two rotation states, by periodic motions where `periodic` and they are found, else by short runs; no measurement where the
+    /// wobble is so small that the modes give the power.
     ///
     /// # Errors
     /// [`MeasureError`] if a run cannot start, the steps allowed are used up, or the caller asks for an end.
@@ -39,14 +41,22 @@ impl SpotChecks {
         range: &EnergyRange,
         poles: &Poles,
         ends: [RotationState; 2],
-        options: &MeasureOptions,
+        (options, periodic): (&MeasureOptions, bool),
         watch: &mut dyn FnMut() -> ControlFlow<()>,
     ) -> Result<Self, MeasureError> {
         let point = MeasurementPoint { body, range, poles, options: *options };
+        let mut motions = periodic.then(PeriodicPlaces::default);
         let mut spot_checks =
             Self { angular_momentum: range.angular_momentum(), measurements: Vec::new(), unsettled: 0.0 };
         for rotation_state in places(range, ends) {
-            match point.measure(rotation_state, watch) {
+            let closed = motions
+                .as_mut()
+                .map(|motions| motions.measure(body, range, (rotation_state, options.error), watch));
+            let found = match closed {
+                Some(found @ (Ok(_) | Err(MeasureError::Interrupted))) => found,
+                _ => point.measure(rotation_state, watch),
+            };
+            match found {
                 Ok(found) => spot_checks.measurements.push(found),
                 Err(MeasureError::Unsettled { change }) => {
                     spot_checks.unsettled = change;

@@ -35,7 +35,7 @@ fn corners_of_formulas_are_breaks() {
         ),
         ("(t-5)/abs(t-5)", 12.0, &[5.0]),
         ("5*(step(t-500)-step(t-500.001))", 1e3, &[500.0, 500.001]),
-        ("step(min(t-2, 5-t))*max(2.3, t)*max(10*w, t)", 7.0, &[2.0, 2.3, 3.0, 3.5, 5.0]),
+        ("step(min(t-2, 5-t))*max(2.3, t)*max(10*w, t)", 7.0, &[2.0, 2.3, 3.5, 5.0]),
         // nothing is followed where a factor is zero
         ("step(min(t-2, 5-t))*max(0.3, t)", 7.0, &[2.0, 3.5, 5.0]),
         ("exp(t/100)*w", 10.0, &[]),

@@ -1,5 +1,8 @@
 //! Averages along the frozen polhode: their criteria, short runs beside them, and the response in the spinning frame.
 
+use std::ops::ControlFlow;
+use std::time::Instant;
+
 use super::super::average_powers::AveragePowers;
 use super::super::limits::Limits;
 use super::super::reason::Reason;
@@ -9,8 +12,11 @@ use crate::averaging::{Evolution, MeanPower, PowerSource, RotationState};
 use crate::secular::criteria::{deformed, uneven};
 use crate::secular::{AverageCriteria, MeasureError, MeasureOptions, SpotChecks};
 
-/// Steps of each short run beside an average at most.
+/// Steps of each short run beside an average at most, and the time (s) after which an average that nobody asked for goes without them.
 const PROBE_STEPS: u64 = 3_000_000;
+const PROBE_TIME: f64 = 30.0;
+/// Coordinates from which a periodic motion takes less time than a short run.
+const MANY_COORDINATES: usize = 13;
 
 impl Driver<'_> {
     /// An average, where its criteria hold and short runs confirm it; one that was asked for, with a mark where its criteria fail.
@@ -77,7 +83,7 @@ impl Driver<'_> {
         self.power_error(criteria) + uneven(self.case.spins.periods(power, self.case.span.ends))
     }
 
-    /// Short runs of the full system on the span; none where they are not wanted, or do not lead to a power.
+    /// Short runs of the full system on the span; none where they are not wanted, take too long, or do not lead to a power.
     fn probes(&self, observer: &mut dyn ChoiceObserver) -> Result<Option<&SpotChecks>, ChoiceError> {
         if let Some(probes) = self.probes.get() {
             return Ok(probes.as_ref());
@@ -86,10 +92,19 @@ impl Driver<'_> {
         if self.case.criteria.wants_probes(self.limits) {
             let ReferenceSpins { body, range, poles, .. } = self.case.spins;
             let options = MeasureOptions { most_steps: PROBE_STEPS, ..MeasureOptions::default() };
-            let mut watch = || observer.observe(0.0);
-            match SpotChecks::between(body, range, poles, self.case.span.ends, &options, &mut watch) {
+            let (begun, mut long) = (Instant::now(), false);
+            let mut watch = || {
+                long |= begun.elapsed().as_secs_f64() > PROBE_TIME;
+                if long { ControlFlow::Break(()) } else { observer.observe(0.0) }
+            };
+            let coordinates = body.coordinates().len();
+            let periodic =
+                (MANY_COORDINATES..=self.limits.coordinates_of_periodic_motions).contains(&coordinates);
+            let ends = self.case.span.ends;
+            let probes = SpotChecks::between(body, range, poles, ends, (&options, periodic), &mut watch);
+            match probes {
                 Ok(probes) => found = Some(probes),
-                Err(MeasureError::Interrupted) => return Err(ChoiceError::Interrupted),
+                Err(MeasureError::Interrupted) if !long => return Err(ChoiceError::Interrupted),
                 Err(_) => {}
             }
         }

@@ -169,6 +169,31 @@ fn a_gyrostat_comes_to_its_steady_spin_as_in_the_full_system() {
     close(modes.time, followed.time, 5e-3);
 }
 
+/// A start is said to be a steady spin where the full system loses nothing, and nowhere else: a rotor aslant leaves the steady spins along the axes of
+/// the whole, a bias wheel off the axes moves them away.
+#[test]
+fn a_rotation_stays_as_it_is_only_where_the_full_system_loses_nothing() {
+    let whole = carrier(30.0, [12.0, 14.0, 18.0]);
+    let aslant = whole.clone() + &rotor("fly", [1.0, 1.0, 1.0], 1.0, 2.0);
+    let along = whole + &rotor("fly", [0.0, 0.0, 1.0], 1.0, 2.0);
+    let tip = point("tip", 1.0, [0.5, 0.3, 0.4], [200.0, 5.0]);
+    let biased = |start| gyrostat([10.0, 14.0, 18.0], &tip, "axis = [1.0, 0.3, 0.5]\nmomentum = 6.0", start);
+    let (mut stayed, mut lost) = (0, 0);
+    for start in [[2.0, 0.0, 0.0], [0.0, 0.0, 2.0], [1.99, 0.0, 0.2]] {
+        for model in [aslant.clone() + &spinning(start), along.clone() + &spinning(start), biased(start)] {
+            let study = study(&model);
+            let steady = |told: &str| told.contains("starts in a steady spin");
+            let told = try_evolve(&study, |asked| asked.duration = Some(60.0));
+            let told = told.map_or_else(|why| why, |found| found.record.message);
+            let full = follow(&study, System::Full, &[0.0, 300.0]).run.last;
+            let loses = full.dissipated > 1e-20 * full.energy;
+            assert_eq!(steady(&told), !loses, "{model} {told} {}", full.dissipated);
+            if loses { lost += 1 } else { stayed += 1 }
+        }
+    }
+    assert_eq!((stayed, lost), (4, 5));
+}
+
 /// However much momentum a wheel has, the steady spins at that of the start are found: each is also the one that is found beside its own
 /// angular velocity, and the spin of least energy is the one that `evolve` comes to.
 #[test]

@@ -1,7 +1,7 @@
 //! Spot checks: mean power of the full system at a few rotation states, to check an average before its use.
 //! The poles say nothing of a resonance at a large wobble; a mean that does not settle, or a run that ends early, counts as an error of the
 //! average.
-//! Equation (Q9), docs/theory/16-methods.md.
+//! Equations (Q9) and (Q19), docs/theory/16-methods.md.
 
 use std::ops::ControlFlow;
 

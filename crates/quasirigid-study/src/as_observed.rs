@@ -168,9 +168,7 @@ fn mean_products(file: &Path, rotation: Rotation, [relaxed, spun]: [Sym; 2]) -> 
             FreeRotation::at_nutation(moments, rate * moments[mode.circled()], mode, angle)?
         }
     };
-    let mean = |i: usize, k: usize| motion.mean(2, |omega| omega[i] * omega[k]);
-    let along = [[0, 0], [1, 1], [2, 2], [1, 2], [2, 0], [0, 1]].map(|[i, k]| mean(i, k));
-    let spins = quasirigid_math::sym3::rows(along);
+    let spins = quasirigid_math::sym3::rows(motion.mean_products());
     let turned = |a: usize, b: usize| {
         let pair = |i: usize, k: usize| principal.axes[i][a] * spins[i][k] * principal.axes[k][b];
         (0..3).map(|i| (0..3).map(|k| pair(i, k)).sum::<f64>()).sum::<f64>()

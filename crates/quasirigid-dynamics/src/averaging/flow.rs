@@ -3,9 +3,11 @@
 
 use nalgebra::{DMatrix, DVector};
 
+use super::loaded_modes::LoadedMode;
 use super::response::Law;
 use super::{FreeRotation, Response};
 use crate::math::sym3::Sym;
+use crate::model::Dissipator;
 
 /// Flow of a material under the mean load of a rotation. (G21)
 #[derive(Clone, Debug, PartialEq)]
@@ -26,8 +28,8 @@ impl Response {
     /// difference between its greatest and its least moment; none where it never changes so much. (G21)
     #[must_use]
     pub fn material_flow(&self, motion: &FreeRotation, share: f64) -> Option<MaterialFlow> {
-        let viscous = |part: &&crate::model::Dissipator| Some(part.loss.as_ref()?.rheology.viscous_time());
-        let times = self.dissipators.iter().filter_map(|part| Some((viscous(&part)??, &part.name)));
+        let viscous = |part: &Dissipator| part.loss.as_ref()?.rheology.viscous_time();
+        let times = self.dissipators.iter().filter_map(|part| Some((viscous(part)?, &part.name)));
         let (fastest, name) = times.clone().min_by(|a, b| a.0.total_cmp(&b.0))?;
         let slowest = times.map(|(time, _)| time).fold(fastest, f64::max);
         let [least, _, greatest] = self.principal().moments;
@@ -50,8 +52,7 @@ impl Response {
 
     /// Mean load on each elastic row over a rotation; zero on the others.
     fn mean_load(&self, motion: &FreeRotation) -> DVector<f64> {
-        let pairs = [[0, 0], [1, 1], [2, 2], [1, 2], [2, 0], [0, 1]];
-        let products: Sym = pairs.map(|[i, k]| motion.mean(2, |omega| omega[i] * omega[k]));
+        let products = motion.mean_products();
         let on = |load: &Sym| load.iter().zip(products).map(|(load, product)| load * product).sum::<f64>();
         DVector::from_iterator(
             self.rows.len(),
@@ -61,7 +62,7 @@ impl Response {
 
     /// Amplitudes of the rows that hold a load with every flowing law at a real frequency `s` (1/s); none where nothing holds it.
     fn held_at(&self, load: &DVector<f64>, s: f64) -> Option<DVector<f64>> {
-        let held = |row: &super::loaded_modes::LoadedMode| if row.square > 0.0 { row.square } else { 1.0 };
+        let held = |row: &LoadedMode| if row.square > 0.0 { row.square } else { 1.0 };
         let mut stiffness =
             DMatrix::from_diagonal(&DVector::from_iterator(self.rows.len(), self.rows.iter().map(held)));
         for loss in &self.losses {

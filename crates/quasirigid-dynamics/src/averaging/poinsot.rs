@@ -8,6 +8,7 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 use thiserror::Error;
 
 use crate::math::elliptic::{complete_third_excess, first_of_complement, first_to, jacobi, third_excess_to};
+use crate::math::sym3::Sym;
 use crate::math::vec3::{cross, norm, scale};
 use crate::model::Mode;
 
@@ -291,6 +292,13 @@ impl FreeRotation {
             let rates = [(I2 - I3) / I1 * y * z, (I3 - I1) / I2 * z * x, (I1 - I2) / I3 * x * y];
             rates.iter().map(|rate| rate * rate).sum()
         })
+    }
+
+    /// Mean of `ωωᵀ` (rad²/s², principal axes) over a period of the polhode. (A5)
+    #[must_use]
+    pub fn mean_products(&self) -> Sym {
+        let pairs = [[0, 0], [1, 1], [2, 2], [1, 2], [2, 0], [0, 1]];
+        pairs.map(|[i, k]| self.mean(2, |omega| omega[i] * omega[k]))
     }
 
     /// Mean over a period of the polhode of a polynomial in the angular velocity up to this degree; on the separatrix, where the period

@@ -437,11 +437,20 @@ impl<'a> Plan<'a> {
         Ok((history, note))
     }
 
+    /// Whether forces spun a history of the reduced equations up to where these fail.
+    fn is_outgrown(&self, history: &HistoryRecord) -> bool {
+        let reduced = history.system == System::Reduced.recorded();
+        let fastest = || judged::at_the_fastest(self.motion, &history.columns).ok().flatten();
+        reduced && fastest().is_some_and(|found| found.fails())
+    }
+
     /// Whether everything asked for was followed to its end and verified.
     fn is_done(&self, record: &RunRecord) -> bool {
         let ended = |status: &str| matches!(status, "finished" | "event");
         let followed = |history: &HistoryRecord| {
-            ended(&history.status) && judged::along_the_motion(history.load_ratio) != Verdict::Fails
+            ended(&history.status)
+                && judged::along_the_motion(history.load_ratio) != Verdict::Fails
+                && !self.is_outgrown(history)
         };
         record.histories.len() == self.systems.len()
             && record.histories.iter().all(followed)

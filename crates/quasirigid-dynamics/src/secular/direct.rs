@@ -16,6 +16,8 @@ use crate::model::FlexibleBody;
 pub struct DirectRun {
     /// Rows of the history, ascending in time; the last one is the end.
     pub rows: Vec<DirectRow>,
+    /// Mean power (W) over the wobble at each row; empty where it is to be taken from the rows.
+    pub powers: Vec<f64>,
     /// Reason of the end.
     pub ending: DirectStopReason,
     /// Last state.
@@ -116,6 +118,7 @@ impl DirectRun {
         let first = DirectRow { t: 0.0, energy: start.energy(body), dissipated: 0.0, revolutions: 0.0 };
         Self {
             rows: vec![first],
+            powers: Vec::new(),
             ending: DirectStopReason::Finished,
             last: start.clone(),
             budget: vec![0.0; body.dissipators().len()],

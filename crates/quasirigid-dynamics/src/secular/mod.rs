@@ -12,6 +12,7 @@ mod direct;
 mod energy_range;
 mod gyrostat;
 mod manifold_boundary;
+mod mean_power;
 mod measure;
 mod measured_power;
 mod measurement_point;

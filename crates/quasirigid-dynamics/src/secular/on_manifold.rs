@@ -127,7 +127,8 @@ struct History<'a, 'b> {
 
 impl<'a, 'b> History<'a, 'b> {
     fn new(manifold: &'a SpinManifold<'b>, start: &FullState, from: ManifoldStart) -> Self {
-        let run = DirectRun::starting(manifold.body, start);
+        let mut run = DirectRun::starting(manifold.body, start);
+        run.powers.push(manifold.mean_power(&from.z));
         Self { manifold, from, run, motion: 0.0, drift: 0.0, steady: manifold.steady_energy() }
     }
 
@@ -206,12 +207,14 @@ impl<'a, 'b> History<'a, 'b> {
         let crossed = options.until.and_then(|until| rows.iter().position(|row| row.energy <= until));
         let kept = crossed.unwrap_or(rows.len());
         self.run.rows.extend(&rows[..kept]);
+        self.run.powers.extend(&found.powers[..kept.min(found.powers.len())]);
         let mut taken = 1.0;
         if let (Some(crossed), Some(until)) = (crossed, options.until) {
             let end = self.crossing(rows[crossed], until);
             taken = (end.dissipated - before.dissipated)
                 / (rows[ROWS_PER_PIECE - 1].dissipated - before.dissipated);
             self.run.rows.push(end);
+            self.run.powers.push(found.powers[crossed]);
         }
         self.run.budget.iter_mut().zip(&budget).for_each(|(sum, (_, energy))| *sum += taken * energy);
         self.from = ManifoldStart { z: found.z, attitude: found.last.attitude, ..self.from.clone() };

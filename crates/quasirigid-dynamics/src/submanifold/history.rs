@@ -34,6 +34,8 @@ pub struct ManifoldRun {
     pub last: Sample,
     /// Coordinates at the end.
     pub z: Vec<[f64; 2]>,
+    /// Mean power (W) of all dissipators over the phases at each output time. (W8)
+    pub powers: Vec<f64>,
     /// Defect of the history, with the time (s) of its largest part in the motion: that over the output times that were examined; in the
     /// power the largest change of energy that no dissipator explains, over the energy dissipated.
     pub worst: (Defect, f64),

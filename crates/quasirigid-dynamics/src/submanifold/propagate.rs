@@ -51,7 +51,7 @@ pub fn propagate_on_manifold(
     };
     let budget = monitor.budget(solver.t(), solver.y());
     monitor.observer.budget(&budget);
-    Ok(ManifoldRun { outcome, last, z, worst: monitor.worst, work: solver.work() })
+    Ok(ManifoldRun { outcome, last, z, powers: monitor.powers, worst: monitor.worst, work: solver.work() })
 }
 
 impl SpinManifold<'_> {
@@ -59,6 +59,12 @@ impl SpinManifold<'_> {
     fn accrued(&self) -> Vec<&Accrued> {
         let observables = &self.observables;
         [&observables.turning, &observables.revolved].into_iter().chain(&observables.dissipated).collect()
+    }
+
+    /// Mean power (W) of all dissipators over the phases of the coordinates. (W8)
+    pub(crate) fn mean_power(&self, z: &[[f64; 2]]) -> f64 {
+        let monomials = self.manifold.monomials(z);
+        self.observables.dissipated.iter().map(|accrued| accrued.at(&monomials)[0]).sum()
     }
 }
 
@@ -153,6 +159,8 @@ struct Monitor<'a, 'b> {
     /// Outputs so far, and how many lie between two that are examined.
     outputs: usize,
     stride: usize,
+    /// Mean power (W) at the outputs.
+    powers: Vec<f64>,
     worst: (Defect, f64),
     /// Largest change of energy (J) that no dissipator explains.
     drift: f64,
@@ -181,6 +189,7 @@ impl<'a, 'b> Monitor<'a, 'b> {
             first,
             energy,
             outputs: 0,
+            powers: Vec::with_capacity(times.len()),
             stride: times.len().div_ceil(EXAMINED).max(1),
             worst: (Defect::default(), 0.0),
             drift: 0.0,
@@ -248,6 +257,7 @@ impl<M: Solver<State = Vec<f64>>> StepObserver<M> for Monitor<'_, '_> {
             }
         }
         self.outputs += 1;
+        self.powers.push(self.manifold.mean_power(&z));
         self.drift = self.drift.max(sample.energy_drift.abs());
         if self.observer.keeps_coordinates() {
             let state = self.manifold.full_state(&z, sample.attitude);

@@ -155,14 +155,7 @@ impl EvolutionTable {
                 revolutions: row.revolutions,
             }
         };
-        let power = |i: usize| {
-            let half = 0.5 * range.polhode(rows[i].energy).polhode_period().min(end.t);
-            let first = rows.partition_point(|row| row.t < rows[i].t - half).min(i.saturating_sub(1));
-            let after =
-                rows.partition_point(|row| row.t <= rows[i].t + half).clamp(i + 2, rows.len().max(i + 2)) - 1;
-            let (a, b) = (rows[first], rows[after.min(rows.len() - 1)]);
-            if b.t > a.t { (b.dissipated - a.dissipated) / (b.t - a.t) } else { 0.0 }
-        };
+        let power = |i: usize| run.mean_power(i, range.polhode(rows[i].energy).polhode_period());
         let states: Vec<DriftState> = chosen.iter().map(|i| state(&rows[*i])).collect();
         let powers = chosen.iter().map(|i| power(*i)).collect();
         let mode = |row: &DirectRow| range.polhode(row.energy).mode();

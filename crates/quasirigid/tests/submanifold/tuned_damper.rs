@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 use quasirigid::dynamics::{Forced, FullState, Options, Sample, propagate_full};
 use quasirigid::model::{FlexibleBody, Mode};
 use quasirigid::prelude::{Assembly, CARRIER, Carrier, Point, Spring};
-use quasirigid::secular::{DirectOptions, DirectStopReason, follow_directly, follow_on_manifold};
+use quasirigid::secular::{DirectOptions, DirectRun, DirectStopReason, follow_directly, follow_on_manifold};
 use quasirigid::submanifold::{Masters, SpinManifold, SpinManifoldPlan, Style, propagate_on_manifold};
 use quasirigid_math::rotation::ALIGNED;
 
@@ -68,7 +68,8 @@ fn every_time_is_that_of_the_full_system() {
     println!("largest difference of a time: {worst:.1e}");
 }
 
-/// The time in which the wobble dies to a tenth of its energy, by the equations about the spin and by the full system. (Q10)
+/// The time in which the wobble dies to a tenth of its energy, and the mean power on the way, by the equations about the spin and by the full
+/// system. (Q10), (Q20)
 #[test]
 fn a_history_on_the_manifold_ends_when_that_of_the_full_system_does() {
     let body = satellite(0.1);
@@ -77,7 +78,8 @@ fn a_history_on_the_manifold_ends_when_that_of_the_full_system_does() {
     let (mode, masters, style) = (Mode::ShortAxis, Masters::Nutation, Style::NormalForm);
     let plan =
         SpinManifoldPlan { mode, angular_momentum: start.angular_momentum(&body), masters, degree: 3, style };
-    let steady = derived(&body, &plan).steady_energy();
+    let manifold = derived(&body, &plan);
+    let steady = manifold.steady_energy();
     let options = DirectOptions {
         until: Some(steady + 0.1 * (start.energy(&body) - steady)),
         duration: f64::MAX,
@@ -91,6 +93,17 @@ fn a_history_on_the_manifold_ends_when_that_of_the_full_system_does() {
     assert_eq!((&found.run.ending, &direct.ending), (&DirectStopReason::Reached, &DirectStopReason::Reached));
     let [time, expected] = [&found.run, &direct].map(|run| run.rows.last().unwrap().t);
     assert!((time / expected - 1.0).abs() < 0.02, "{time} s, the full system {expected} s");
+    let period = std::f64::consts::TAU / manifold.backbone_point(0.05).frequency;
+    for share in [0.2, 0.5, 0.8] {
+        let power = |run: &DirectRun| {
+            run.mean_power(run.rows.partition_point(|row| row.t < share * expected), period)
+        };
+        let ratio = power(&found.run) / power(&direct);
+        assert!(
+            (ratio - 1.0).abs() < 0.03,
+            "power at {share} of the time: {ratio} of that of the full system"
+        );
+    }
 }
 
 /// An amplitude has a mean energy, and the energy its amplitude; energies beyond the range have none.

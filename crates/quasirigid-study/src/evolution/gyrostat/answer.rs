@@ -63,18 +63,12 @@ impl AttractingSpin<'_> {
         let rows = &run.rows;
         let end = rows[rows.len() - 1];
         let last = samples.saturating_sub(1).max(1);
-        let half = 0.5 * self.nutation().map_or(0.0, |mode| TAU / mode.frequency).min(end.t);
-        let power = |i: usize| {
-            let first = rows.partition_point(|row| row.t < rows[i].t - half).min(i.saturating_sub(1));
-            let after = rows.partition_point(|row| row.t <= rows[i].t + half).max(i + 2) - 1;
-            let (a, b) = (rows[first], rows[after.min(rows.len() - 1)]);
-            if b.t > a.t { (b.dissipated - a.dissipated) / (b.t - a.t) } else { 0.0 }
-        };
+        let period = self.nutation().map_or(0.0, |mode| TAU / mode.frequency);
         let mut chosen: Vec<usize> = (0..=last)
             .map(|i| rows.partition_point(|row| row.t < end.t * i as f64 / last as f64).min(rows.len() - 1))
             .collect();
         chosen.dedup();
-        let rows = chosen.into_iter().map(|i| self.row(rows[i], power(i))).collect();
+        let rows = chosen.into_iter().map(|i| self.row(rows[i], run.mean_power(i, period))).collect();
         let names = self.body.dissipators().iter().map(|each| each.name.clone());
         let budget = Some(names.zip(run.budget.iter().copied()).collect());
         Answer { budget, ..self.answer(method, verdict, rows) }

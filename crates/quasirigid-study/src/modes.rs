@@ -1,6 +1,5 @@
 //! Steady spins that a user asks for, with the modes about them.
 
-use quasirigid::model::Principal;
 use quasirigid::modes::{SpinMagnitude, SpinModes, acts};
 use quasirigid_io::model::{Named, Rotation};
 use quasirigid_io::record::SteadySpinRecord;
@@ -156,10 +155,9 @@ impl Study {
             Some(omega) => (omega, SpinMagnitude::Rate(norm(omega))),
             None => of_start(self)?,
         };
-        let principal = Principal::compute(body.invariants().J);
         let Poles { records: spins, modes: solved } = match (asked.axis, asked.omega) {
             (Some(axis), _) => steady::about_axis(self, axis, omega, given, asked.all),
-            (None, Some(_)) => steady::spin(self, "asked", principal.axis_beside(omega), given, asked.all),
+            (None, Some(_)) => steady::spin(self, "asked", omega, given, asked.all),
             (None, None) => steady::poles(self, omega, given, asked.all),
         };
         let no_solid = flowing_at(self, omega);

@@ -2,12 +2,12 @@
 
 use std::fmt::{self, Display, Formatter};
 
-use quasirigid::averaging::{FreeRotation, ObservedPeriods};
+use quasirigid::averaging::{FreeRotation, ObservedPeriods, RotationState};
 use quasirigid::dynamics::Start;
 use quasirigid::model::{FlexibleBody, Mode, Principal, ReducedBody};
 use quasirigid::modes::{RelativeEquilibrium, SpinMagnitude};
 use quasirigid::reduction::{Comparison, Criterion, Relaxation, Verdict, manifold_has_meaning, residual};
-use quasirigid::secular::spun_state;
+use quasirigid::secular::{EnergyRange, spun_state};
 use quasirigid_io::model::{Displacements, Rotation};
 use quasirigid_math::sym3::{inverse, times};
 use quasirigid_math::vec3::norm;
@@ -56,7 +56,11 @@ pub fn initial(study: &Study) -> Result<Start, StudyError> {
             let circled = observed.map_or(&principal, |observed| &observed.principal);
             let size = rate * circled.moments[mode.circled()];
             let motion = FreeRotation::at_nutation(principal.moments, size, mode, angle);
-            angular_momentum(&principal, &motion?)
+            let frozen = angular_momentum(&principal, &motion?);
+            match observed.is_none().then(|| spun_wobble(body, frozen, angle, rate, mode)).flatten() {
+                Some(K) => (K, times(inverse(body.invariants().J), K)),
+                None => frozen,
+            }
         }
     };
     if let Displacements::Given { q, .. } = &model.initial.displacements {
@@ -72,10 +76,6 @@ pub fn initial(study: &Study) -> Result<Start, StudyError> {
             return Ok(Start::new(omega, attitude));
         }
     }
-    let K = match rotation {
-        Rotation::Wobble { angle, rate, mode } if observed.is_none() => deformed(body, angle, rate, mode)?,
-        _ => K,
-    };
     let (omega, _) = spun_state(body, K).map_err(StudyError::NoStart)?;
     Ok(Start::new(omega, attitude))
 }
@@ -90,14 +90,42 @@ fn angular_momentum(principal: &Principal, motion: &FreeRotation) -> ([f64; 3], 
     (principal.vector(K), principal.vector(spin))
 }
 
-/// Angular momentum (N·m·s) of a wobble of the body as its steady spin at this rate (rad/s) deforms it. (Q8)
-fn deformed(body: &FlexibleBody, angle: f64, rate: f64, mode: Mode) -> Result<[f64; 3], StudyError> {
-    let axis = Principal::compute(body.invariants().J).axes[mode.circled()];
-    let steady =
-        RelativeEquilibrium::near(body, axis, SpinMagnitude::Rate(rate)).map_err(StudyError::NoStart)?;
-    let principal = Principal::compute(body.full_inertia_at(&steady.q));
-    let motion = FreeRotation::at_nutation(principal.moments, norm(steady.angular_momentum), mode, angle)?;
-    Ok(angular_momentum(&principal, &motion).0)
+/// Share of a wobble by which its steady spin may be tilted without a difference.
+const UNTILTED: f64 = 1e-4;
+
+/// Angular momentum (N·m·s) of a wobble of this angle (rad) about the steady spin of the deformed body at this rate (rad/s); none where the
+/// frozen body has the same, or no such steady spin is found. (Q8)
+fn spun_wobble(
+    body: &FlexibleBody,
+    frozen: ([f64; 3], [f64; 3]),
+    angle: f64,
+    rate: f64,
+    mode: Mode,
+) -> Option<[f64; 3]> {
+    if !body.wheels().is_empty() {
+        return None;
+    }
+    let principal = Principal::compute(body.invariants().J);
+    let [least, middle, greatest] = principal.moments;
+    let apart = (middle - least).min(greatest - middle).max(f64::EPSILON * greatest);
+    let bulge = body.balanced(frozen.1).map_or(f64::INFINITY, |balanced| {
+        let spun = body.full_inertia_at(&balanced.q);
+        let changes = spun.iter().zip(body.invariants().J).map(|(spun, J)| (spun - J).powi(2));
+        changes
+            .zip([1.0, 1.0, 1.0, 2.0, 2.0, 2.0])
+            .map(|(square, entries)| entries * square)
+            .sum::<f64>()
+            .sqrt()
+    });
+    if bulge <= UNTILTED * angle * apart {
+        return None;
+    }
+    let axis = principal.axes[mode.circled()];
+    let steady = RelativeEquilibrium::near(body, axis, SpinMagnitude::Rate(rate)).ok()?;
+    let range = EnergyRange::compute(body, norm(steady.angular_momentum)).ok()?;
+    let place = FreeRotation::logit_of(range.moments(), mode, angle);
+    let state = range.state(body, RotationState { mode, xi: place })?;
+    Some(state.angular_momentum(body))
 }
 
 /// Share of the load left unbalanced from which the displacements of the series mean nothing.

@@ -131,6 +131,26 @@ pub(crate) fn next_to(
     first.spin
 }
 
+/// The steady spin beside an angular velocity (rad/s): about the principal axis next to it, or with momentum wheels, which leave spins about
+/// other axes, the one that Newton's method leads to from it.
+///
+/// # Errors
+/// [`EquilibriumError`] if there is none.
+pub(crate) fn beside(
+    study: &Study,
+    omega: [f64; 3],
+    given: SpinMagnitude,
+) -> Result<RelativeEquilibrium, EquilibriumError> {
+    let body = &study.body;
+    let axis = Principal::compute(body.invariants().J).axis_beside(omega);
+    if body.wheels().is_empty() {
+        return RelativeEquilibrium::near(body, axis, given);
+    }
+    RelativeEquilibrium::beside(body, omega, given)
+        .or_else(|_| RelativeEquilibrium::near(body, axis, given))
+        .or_else(|_| next_to(study, omega, given))
+}
+
 /// The steady spins of least and of greatest energy of a body with momentum wheels, the one next to an angular velocity first; none of a
 /// body without them. (Q15)
 fn of_gyrostat(study: &Study, omega: [f64; 3], given: SpinMagnitude) -> Option<Vec<NamedSpin>> {
@@ -184,9 +204,9 @@ pub fn lines(spins: &[SteadySpinRecord]) -> String {
     )
 }
 
-/// The steady spin near an axis, on its side, with its modes.
-pub fn spin(study: &Study, name: &str, axis: [f64; 3], given: SpinMagnitude, all: bool) -> Poles {
-    let (record, modes) = told(study, name, RelativeEquilibrium::near(&study.body, axis, given), all);
+/// The steady spin beside an angular velocity (rad/s), with its modes.
+pub fn spin(study: &Study, name: &str, omega: [f64; 3], given: SpinMagnitude, all: bool) -> Poles {
+    let (record, modes) = told(study, name, beside(study, omega, given), all);
     Poles { records: vec![record], modes: vec![modes] }
 }
 

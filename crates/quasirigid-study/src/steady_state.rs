@@ -14,6 +14,7 @@ use crate::motion::placed;
 use crate::start::initial;
 use crate::steady::{fate, missing, recorded};
 use crate::study::Study;
+use crate::tanks;
 use crate::words::{significant, tidied};
 
 /// Entry for the axis in the record of a steady state under moments.
@@ -89,7 +90,11 @@ fn record(
     let state = &modes.state;
     let coordinates = study.body.coordinates().iter().zip(&state.q).take(study.body.elastic());
     SteadySpinRecord {
-        sentence: sentence(modes, near, &subject(study, forces)),
+        sentence: tanks::warning(study, state.omega)
+            .into_iter()
+            .chain([sentence(modes, near, &subject(study, forces))])
+            .collect::<Vec<_>>()
+            .join(" "),
         axis: if acts(&study.body, forces) { UNDER_FORCES } else { AT_REST }.into(),
         spin: Some(tidied(state.omega)),
         angular_momentum: Some(state.angular_momentum),

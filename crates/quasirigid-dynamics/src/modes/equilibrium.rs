@@ -1,13 +1,14 @@
 //! Relative equilibrium: steady spin of a body without external moments, with its deformation.
 //! Displacements are eliminated, since the balance is linear in them at a given angular velocity; Newton's method then has four unknowns,
-//! and a continuation from zero spin where it fails.
+//! and a continuation from the frozen body where it fails.
 //! Equation (M1), docs/theory/15-modes.md.
 
-use nalgebra::{DMatrix, Matrix3, Matrix4, Vector3, Vector4};
+use nalgebra::DMatrix;
 use thiserror::Error;
 
+use super::guess::{ASTRAY, Guess};
 use crate::math::vec3::{add, cross, dot, norm, scale, unit};
-use crate::model::{BalancedSpin, FlexibleBody, Mode, Principal, SpinCoefficients};
+use crate::model::{FlexibleBody, Mode, Principal, SpinCoefficients};
 
 /// Relative equilibrium: a steady spin and the displacements that it causes. (M1)
 #[derive(Clone, Debug, PartialEq)]
@@ -81,22 +82,12 @@ const IN_SPACE: [[f64; 3]; 9] = [
     [1.0, -1.0, 1.0],
     [1.0, -1.0, -1.0],
 ];
-/// Limit of Newton steps from one spin to the next.
-const NEWTON_STEPS: usize = 40;
-/// Shortest step of the continuation, as a share of the spin asked for.
-const SHORTEST_SPIN_STEP: f64 = 1e-3;
-/// Residual at which an equilibrium is found, relative to the angular momentum.
-const CONVERGED: f64 = 1e-13;
-/// Residual accepted where rounding ends the progress.
-const ACCEPTED_RESIDUAL: f64 = 1e-9;
 /// Least stiffness of a coordinate without a spring, in units of that of a centrifugal force on its own inertia, that is not rounding.
 const RESTORED: f64 = 1e-10;
 /// Relative difference below which the ratios of two steady spins are equal: the rounding of moments of inertia.
 const EQUAL: f64 = 1e-12;
 /// Cosine of the angle from a direction below which an axis is across it.
 const ACROSS: f64 = 1e-9;
-/// Sine of the angle from the starting axis beyond which the axis belongs to another equilibrium.
-const ASTRAY: f64 = 0.75;
 
 impl RelativeEquilibrium {
     /// Relative equilibrium whose axis continues a direction as the spin rises from zero. (M1)
@@ -111,29 +102,18 @@ impl RelativeEquilibrium {
         }
         let axis = axis.map(|entry| entry / length);
         let start = Guess::rigid(body, axis, given);
-        if let Some((found, balanced)) = start.newton(body, given, axis) {
-            return found.finish(body, balanced).restored(body);
-        }
-        let mut guess = Guess::rigid(body, axis, given.times(SHORTEST_SPIN_STEP));
-        let (mut reached, mut step) = (SHORTEST_SPIN_STEP, 0.25);
-        loop {
-            let next = (reached + step).min(1.0);
-            match guess.scaled(next / reached).newton(body, given.times(next), axis) {
-                Some((found, balanced)) if next >= 1.0 => return found.finish(body, balanced).restored(body),
-                Some((found, _)) => {
-                    (guess, reached) = (found, next);
-                    step *= 2.0;
-                }
-                None if step > SHORTEST_SPIN_STEP => step *= 0.25,
-                None => return Err(unfound(body, axis, reached)),
-            }
+        let found =
+            start.newton(body, 1.0, given, axis).map_or_else(|| start.followed(body, given, Some(axis)), Ok);
+        match found {
+            Ok((found, balanced)) => found.finish(body, balanced).restored(body),
+            Err(reached) => Err(unfound(body, axis, reached)),
         }
     }
 
-    /// Relative equilibrium next to an angular velocity (rad/s) that is nearly one, as that of the frozen body. (M1)
+    /// Relative equilibrium of the frozen body with an angular velocity (rad/s), as its parts yield. (M1)
     ///
     /// # Errors
-    /// [`EquilibriumError`] if Newton's method does not lead to one.
+    /// [`EquilibriumError`] if the continuation loses it.
     pub fn next_to(
         body: &FlexibleBody,
         omega: [f64; 3],
@@ -147,8 +127,25 @@ impl RelativeEquilibrium {
         let K = add(body.inertia().map(|row| dot(row, omega)), body.wheels().angular_momentum(0.0));
         let guess = Guess { omega: omega.into(), ratio: dot(K, omega) / (rate * rate) };
         let axis = scale(rate.recip(), omega);
-        let found = guess.newton(body, given, axis).map(|(found, balanced)| found.finish(body, balanced));
-        found.ok_or(EquilibriumError::NotFound { axis, reached: 0.0 })
+        let found =
+            guess.newton(body, 1.0, given, axis).map_or_else(|| guess.followed(body, given, None), Ok);
+        let (found, balanced) = found.map_err(|reached| EquilibriumError::NotFound { axis, reached })?;
+        Ok(found.finish(body, balanced))
+    }
+
+    /// Relative equilibrium beside an angular velocity (rad/s) of the body in balance with it. (M1)
+    ///
+    /// # Errors
+    /// [`EquilibriumError`] if Newton's method does not lead to one.
+    pub fn beside(
+        body: &FlexibleBody,
+        omega: [f64; 3],
+        given: SpinMagnitude,
+    ) -> Result<Self, EquilibriumError> {
+        let axis = unit(omega);
+        let found = Guess::deformed(body, omega).and_then(|guess| guess.newton(body, 1.0, given, axis));
+        let (found, balanced) = found.ok_or(EquilibriumError::NotFound { axis, reached: 0.0 })?;
+        found.finish(body, balanced).restored(body)
     }
 
     /// Relative equilibria next to the principal axes of the frozen body, in the order of ascending moments. (M1)
@@ -291,107 +288,5 @@ fn unfound(body: &FlexibleBody, axis: [f64; 3], reached: f64) -> EquilibriumErro
     match body.hung() {
         Some(hung) => EquilibriumError::Unrestored { coordinates: hung.names().into(), axis },
         None => EquilibriumError::NotFound { axis, reached },
-    }
-}
-
-impl SpinMagnitude {
-    fn times(self, share: f64) -> Self {
-        match self {
-            Self::Rate(rate) => Self::Rate(share * rate),
-            Self::AngularMomentum(angular_momentum) => Self::AngularMomentum(share * angular_momentum),
-        }
-    }
-}
-
-/// Guess of an equilibrium: an angular velocity and the ratio of the angular momentum to it, `K(ω) = ratio · ω` at an equilibrium.
-#[derive(Clone, Copy, Debug)]
-struct Guess {
-    omega: Vector3<f64>,
-    ratio: f64,
-}
-
-/// Share of the largest singular value below which a direction of Newton's step is neutral: steady spins lie side by side along it.
-const NEUTRAL: f64 = 1e-12;
-
-/// Shortest step of Newton's method, in units of the spin (rad/s) and of the ratio (kg·m²), rows in units of the angular momentum and one:
-/// none along a neutral direction, where every spin is steady.
-fn shortest(system: Matrix4<f64>, right: Vector4<f64>, spin: f64, ratio: f64) -> Option<Vector4<f64>> {
-    let unit = Vector4::new(spin, spin, spin, ratio.abs());
-    let row = Vector4::new(1.0, 1.0, 1.0, spin * ratio.abs()) / (spin * ratio.abs());
-    let scaled = Matrix4::from_diagonal(&row) * system * Matrix4::from_diagonal(&unit);
-    let factors = scaled.svd(true, true);
-    let step = factors.solve(&row.component_mul(&right), NEUTRAL * factors.singular_values.max()).ok()?;
-    Some(step.component_mul(&unit))
-}
-
-impl Guess {
-    /// Guess from the spin of the frozen body about an axis.
-    fn rigid(body: &FlexibleBody, axis: [f64; 3], given: SpinMagnitude) -> Self {
-        let J = body.inertia().map(|row| dot(row, axis));
-        let along = dot(J, axis);
-        let wheels = dot(body.wheels().angular_momentum(0.0), axis);
-        let rate = match given {
-            SpinMagnitude::Rate(rate) => rate,
-            SpinMagnitude::AngularMomentum(angular_momentum) => (angular_momentum - wheels) / along,
-        };
-        Self { omega: rate * Vector3::from(axis), ratio: along + wheels / rate }
-    }
-
-    fn scaled(self, factor: f64) -> Self {
-        Self { omega: factor * self.omega, ..self }
-    }
-
-    /// Solves `K(ω) = ratio · ω` with the given quantity by Newton's method; with the displacements in balance.
-    fn newton(
-        self,
-        body: &FlexibleBody,
-        given: SpinMagnitude,
-        axis: [f64; 3],
-    ) -> Option<(Self, BalancedSpin)> {
-        let wheels = Vector3::from(body.wheels().angular_momentum(0.0));
-        let Self { mut omega, mut ratio } = self;
-        let mut best = f64::INFINITY;
-        for _ in 0..NEWTON_STEPS {
-            let balanced = body.balanced(omega.into())?;
-            let K = Vector3::from(balanced.angular_momentum) + wheels;
-            let slope = Matrix3::from(balanced.slope).transpose();
-            let gap = K - ratio * omega;
-            let (excess, gradient) = match given {
-                SpinMagnitude::Rate(rate) => {
-                    (0.5 * (omega.norm_squared() / (rate * rate) - 1.0), omega / (rate * rate))
-                }
-                SpinMagnitude::AngularMomentum(G) => {
-                    (0.5 * (K.norm_squared() / (G * G) - 1.0), slope.transpose() * K / (G * G))
-                }
-            };
-            let residual = gap.norm() / K.norm() + excess.abs();
-            if residual <= CONVERGED || (residual >= 0.5 * best && best <= ACCEPTED_RESIDUAL) {
-                return Some((Self { omega, ratio }, balanced));
-            }
-            best = best.min(residual);
-            let mut system = Matrix4::zeros();
-            system.fixed_view_mut::<3, 3>(0, 0).copy_from(&(slope - ratio * Matrix3::identity()));
-            system.fixed_view_mut::<3, 1>(0, 3).copy_from(&-omega);
-            system.fixed_view_mut::<1, 3>(3, 0).copy_from(&gradient.transpose());
-            let step =
-                shortest(system, Vector4::new(-gap[0], -gap[1], -gap[2], -excess), omega.norm(), ratio)?;
-            omega += step.fixed_rows::<3>(0);
-            ratio += step[3];
-            let sine = omega.cross(&Vector3::from(axis)).norm() / omega.norm();
-            let along = omega.dot(&Vector3::from(axis));
-            if !(sine <= ASTRAY && along > 0.0) {
-                return None;
-            }
-        }
-        None
-    }
-
-    fn finish(self, body: &FlexibleBody, balanced: BalancedSpin) -> RelativeEquilibrium {
-        let omega: [f64; 3] = self.omega.into();
-        let BalancedSpin { q, angular_momentum: own, .. } = balanced;
-        let angular_momentum = add(own, body.wheels().angular_momentum(0.0));
-        let elastic = body.stiffness().quadratic(&q);
-        let energy = 0.5 * (dot(own, omega) + elastic);
-        RelativeEquilibrium { omega, angular_momentum, ratio: self.ratio, energy, q }
     }
 }

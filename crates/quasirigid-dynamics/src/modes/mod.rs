@@ -13,6 +13,7 @@ mod equilibrium;
 mod error;
 mod first_order;
 mod forced;
+mod guess;
 mod iteration;
 mod krylov;
 mod lag;

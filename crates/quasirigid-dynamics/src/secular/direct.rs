@@ -65,6 +65,8 @@ pub enum DirectStopReason {
     Reached,
     /// The last time was reached.
     Finished,
+    /// No energy is lost any more above the one asked for: the body spins steadily, about another axis than was expected.
+    Settled,
     /// The revolutions allowed were used up.
     TurnLimit,
     /// The steps allowed were used up.
@@ -81,6 +83,8 @@ pub enum DirectStopReason {
 /// Revolutions in the first piece of a run; each piece is longer by half.
 const FIRST: f64 = 20.0;
 const LONGER: f64 = 1.5;
+/// Energy lost in a piece, relative to the whole, that is none.
+const LOSSLESS: f64 = 1e-14;
 /// Rows in a piece, and the number above which rows are dropped.
 const ROWS_PER_PIECE: usize = 240;
 const MOST_ROWS: usize = 8000;
@@ -164,7 +168,11 @@ impl DirectRun {
             Outcome::Finished if end.revolutions >= options.most_revolutions => {
                 Some(DirectStopReason::TurnLimit)
             }
-            Outcome::Finished => None,
+            Outcome::Finished => {
+                let lost = end.dissipated - before.dissipated;
+                (options.until.is_some() && lost <= LOSSLESS * end.energy)
+                    .then_some(DirectStopReason::Settled)
+            }
             Outcome::Event(_) => Some(DirectStopReason::Reached),
             Outcome::StepLimit => Some(DirectStopReason::StepLimit),
             Outcome::Interrupted => Some(DirectStopReason::Interrupted),

@@ -23,25 +23,29 @@ pub struct GyrostatSpins {
     pub saddles: Vec<RelativeEquilibrium>,
     /// Spins of greatest energy.
     pub maxima: Vec<RelativeEquilibrium>,
+    /// Angular momentum (N·m·s) of each spin of least energy of the frozen body, and its place among the minima where it was found.
+    frozen_minima: Vec<([f64; 3], Option<usize>)>,
 }
 
 impl GyrostatSpins {
     /// Steady spins at an angular momentum `G` (N·m·s), from those of the rigid body: the reduced equations of order 0.
     ///
-    /// Spins that elasticity has moved out of the reach of Newton's method are left out.
+    /// Spins that the body loses as its parts yield are left out.
     ///
     /// # Errors
     /// [`LevelError`] if there is no angular momentum, or every spin is steady.
     pub fn compute(body: &FlexibleBody, rigid: &ReducedBody, G: f64) -> Result<Self, LevelError> {
         let levels = LevelEvolution::new(rigid, G)?;
         let inverse = sym3::inverse(rigid.J);
-        let mut spins = Self { minima: Vec::new(), saddles: Vec::new(), maxima: Vec::new() };
+        let mut spins =
+            Self { minima: Vec::new(), saddles: Vec::new(), maxima: Vec::new(), frozen_minima: Vec::new() };
         for (K, kind) in levels.steady() {
             let omega = times(inverse, add(K, scale(-1.0, rigid.wheels())));
-            let Ok(spin) = RelativeEquilibrium::next_to(body, omega, SpinMagnitude::AngularMomentum(G))
-            else {
-                continue;
-            };
+            let found = RelativeEquilibrium::next_to(body, omega, SpinMagnitude::AngularMomentum(G));
+            if kind == StationaryKind::Minimum {
+                spins.frozen_minima.push((K, found.is_ok().then_some(spins.minima.len())));
+            }
+            let Ok(spin) = found else { continue };
             match kind {
                 StationaryKind::Minimum => spins.minima.push(spin),
                 StationaryKind::Saddle => spins.saddles.push(spin),
@@ -51,11 +55,12 @@ impl GyrostatSpins {
         Ok(spins)
     }
 
-    /// Spin of least energy next to a direction of the angular momentum; none if none was found.
+    /// Spin of least energy that the one of the frozen body next to a direction of the angular momentum becomes; none if it was lost.
     #[must_use]
     pub fn attracting(&self, direction: [f64; 3]) -> Option<&RelativeEquilibrium> {
-        let along = |spin: &RelativeEquilibrium| dot(spin.angular_momentum, direction);
-        self.minima.iter().max_by(|a, b| along(a).total_cmp(&along(b)))
+        let along = |(K, _): &&([f64; 3], _)| dot(*K, direction);
+        let (_, place) = self.frozen_minima.iter().max_by(|a, b| along(a).total_cmp(&along(b)))?;
+        place.map(|place| &self.minima[place])
     }
 
     /// Energy (J) of the lowest separatrix, below which a motion stays about one steady spin; infinite if a single spin attracts.

@@ -1,3 +1,4 @@
+use super::energy_range::EnergyRange;
 use crate::math::sym3::{self, times};
 use crate::math::vec3::{add, norm, scale};
 use crate::model::{FlexibleBody, Principal};
@@ -8,8 +9,8 @@ const MAX_ITERATIONS: usize = 60;
 /// Relative change of an angular velocity that is rounding.
 const ITERATION_ROUNDING: f64 = 1e-14;
 
-/// Displacements of the steady spin of the same size about the principal axis next to an angular velocity (rad/s); with momentum wheels,
-/// whose steady spins have other axes, those in balance with the angular velocity itself. (Q8)
+/// Displacements in balance with an angular velocity (rad/s); of bodies without momentum wheels where that is not known, with rotors, liquids
+/// and curved paths, those of the steady spin of the same size about the principal axis next to it. (Q8)
 ///
 /// # Errors
 /// [`EquilibriumError`] if there is no such steady spin.
@@ -18,6 +19,9 @@ pub fn spun_displacements(body: &FlexibleBody, omega: [f64; 3]) -> Result<Vec<f6
         let axis = scale(norm(omega).recip(), omega);
         let balanced = body.balanced(omega).ok_or(EquilibriumError::NotFound { axis, reached: 0.0 })?;
         return Ok(balanced.q);
+    }
+    if let Some(q) = EnergyRange::balance(body, omega) {
+        return Ok(q);
     }
     Ok(RelativeEquilibrium::near(
         body,
@@ -28,7 +32,7 @@ pub fn spun_displacements(body: &FlexibleBody, omega: [f64; 3]) -> Result<Vec<f6
 }
 
 /// Angular velocity (rad/s) and displacements with this angular momentum (N·m·s, body axes, without that of wheels), the body deformed as
-/// by the steady spin of that size about the principal axis next to the angular velocity. (Q8)
+/// [`spun_displacements`] says. (Q8)
 ///
 /// # Errors
 /// [`EquilibriumError`] if there is no such steady spin.

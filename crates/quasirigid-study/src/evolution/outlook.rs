@@ -1,10 +1,11 @@
 //! Outlook on long work: what will be done and how long it may take, said before it is done, and the end of work that nobody asked for.
-//! Wall-clock time decides only whether there is an answer, never which.
+//! The time of work decides only whether there is an answer, never which.
 
 use std::ops::ControlFlow;
-use std::time::{Duration, Instant};
 
 use quasirigid::secular::choice::{self, ChoiceObserver, Stop, Work};
+
+use quasirigid_math::stopwatch::Stopwatch;
 
 use super::reason::Reason;
 use super::refusals;
@@ -21,7 +22,7 @@ const LONGEST: f64 = 600.0;
 /// Observer of an evolution that tells a user's watch what will be done, and ends what nobody asked for when it has taken too long.
 pub struct Outlook<'w> {
     watch: &'w mut dyn Watch,
-    start: Instant,
+    start: Stopwatch,
     /// Whether a method was asked for, which then may take as long as it takes.
     asked: bool,
     /// Sentence to be told at the next report, and whether any was told.
@@ -31,13 +32,13 @@ pub struct Outlook<'w> {
 
 impl<'w> Outlook<'w> {
     pub fn new(watch: &'w mut dyn Watch, asked: bool) -> Self {
-        Self { watch, start: Instant::now(), asked, sentence: None, told: false }
+        Self { watch, start: Stopwatch::start(), asked, sentence: None, told: false }
     }
 
     /// Sentence that is due: a plan, or once that the work is long.
     fn due(&mut self) -> Option<String> {
         let long = || {
-            let first = !self.told && self.start.elapsed().as_secs_f64() > PATIENCE;
+            let first = !self.told && self.start.waited() > PATIENCE;
             first.then(|| "choosing the method of the evolution, by the modes, averages and short runs of the body; this may take a minute.".to_owned())
         };
         let sentence = self.sentence.take().or_else(long)?;
@@ -47,7 +48,7 @@ impl<'w> Outlook<'w> {
 
     /// Whether the work has taken longer than is done without being asked for.
     fn over(&self) -> bool {
-        !self.asked && self.start.elapsed() > Duration::from_secs_f64(LONGEST)
+        !self.asked && self.start.seconds() > LONGEST
     }
 
     /// Reason of an end of the choice; of one that was interrupted because it took too long, that reason.
@@ -71,7 +72,7 @@ impl ChoiceObserver for Outlook<'_> {
     }
 
     fn announce(&mut self, work: Work, seconds: f64) -> Result<(), choice::Reason> {
-        let spent = self.start.elapsed().as_secs_f64();
+        let spent = self.start.seconds();
         if !self.asked && seconds + spent > BEGUN {
             return Err(choice::Reason::TooLong { work, seconds, spent, most: BEGUN });
         }

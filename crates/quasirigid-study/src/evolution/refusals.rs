@@ -62,9 +62,11 @@ fn of_choice(reason: &choice::Reason, wheels: bool) -> String {
             degrees(*wobble)
         ),
         Reason::TooWideForLiquids { wobble } => format!(
-            "the response of a spinning liquid is known for small wobbles, and one of {} degrees is too wide \
-             for it",
-            degrees(*wobble)
+            "the response of a spinning liquid is known for small wobbles, and {}",
+            match wobble {
+                Some(wobble) => format!("one of {} degrees is too wide for it", degrees(*wobble)),
+                None => "the way to the end leads through the separatrix, where the wobble is 90 degrees".into(),
+            }
         ),
         Reason::TooWideForNutation { widest } => format!(
             "the rates of the modes, which include every loss of this body, hold for wobbles below {} degrees",
@@ -254,6 +256,7 @@ fn undecided(t: f64, ways: &[Way]) -> String {
 fn ended(ending: &DirectStopReason) -> &str {
     match ending {
         DirectStopReason::Failed { reason } => reason,
+        DirectStopReason::Settled => "it spins steadily about another axis than the modes were found for",
         DirectStopReason::TurnLimit => "that is more revolutions than can be followed one by one",
         _ => "the step limit was reached; the method full, asked for, has a higher one",
     }

@@ -25,13 +25,14 @@ pub(super) fn sentence(record: &FillMapRecord) -> String {
     let worst = worst(record);
     let parts = [not_answered(record), worst.and_then(doubted), unstable(record)];
     let told = match worst {
+        None if record.points.iter().all(|point| point.status == FillPointRecord::REFUSED) => String::new(),
         None => "No point of the map has a nutation.".to_owned(),
         Some(point) => {
             let nutation = fate(point.decay_rate().unwrap_or(0.0));
             format!("The worst fill is {}: the nutation {nutation}.{}", place(point), met(point))
         }
     };
-    parts.into_iter().flatten().chain([told]).collect::<Vec<_>>().join(" ")
+    parts.into_iter().flatten().chain([told]).filter(|part| !part.is_empty()).collect::<Vec<_>>().join(" ")
 }
 
 /// Fill and spin of a point.
@@ -47,6 +48,9 @@ fn not_answered(record: &FillMapRecord) -> Option<String> {
     reasons_of_points.for_each(|reason| *reasons.entry(reason).or_default() += 1);
     let count: usize = reasons.values().sum();
     let (reason, _) = reasons.into_iter().max_by_key(|(_, count)| *count)?;
+    if count == record.points.len() {
+        return Some(format!("NO ANSWER at any of the {count} points: {}.", reason.trim_end_matches('.')));
+    }
     Some(format!(
         "{MAY_NOT_HOLD}, since {count} of {} points are not answered, and the worst may be among them: {}.",
         record.points.len(),

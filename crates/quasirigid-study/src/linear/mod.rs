@@ -6,10 +6,10 @@ mod closed_loop;
 mod object;
 mod truncation;
 
+use quasirigid::model::Marker;
 use quasirigid::model::control::Controls;
 use quasirigid::model::force::Force;
-use quasirigid::model::{Marker, Principal};
-use quasirigid::modes::{LinearModel, RelativeEquilibrium, SpinMagnitude, SteadyState, acts};
+use quasirigid::modes::{LinearModel, SpinMagnitude, SteadyState, acts};
 use quasirigid_math::vec3::norm;
 
 pub use object::{AccuracyObject, Channel, EquilibriumObject, LinearObject};
@@ -145,12 +145,9 @@ impl Study {
             return SteadyState::near(body, forces, near).map_err(|cause| StudyError::Linear(cause.into()));
         }
         let spun = |omega: [f64; 3], given| {
-            let axis = Principal::compute(body.invariants().J).axis_beside(omega);
-            let near = RelativeEquilibrium::near(body, axis, given);
-            let near = near.or_else(|none| {
-                if body.wheels().is_empty() { Err(none) } else { steady::next_to(self, omega, given) }
-            });
-            near.map(|spin| SteadyState::of_spin(&spin)).map_err(StudyError::NoStart)
+            steady::beside(self, omega, given)
+                .map(|spin| SteadyState::of_spin(&spin))
+                .map_err(StudyError::NoStart)
         };
         match at {
             Some(LinearAt::Rate(omega)) if norm(omega) > 0.0 => spun(omega, SpinMagnitude::Rate(norm(omega))),

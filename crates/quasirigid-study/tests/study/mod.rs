@@ -24,6 +24,7 @@ mod rings;
 mod sensitivity;
 mod slaved;
 mod sliding;
+mod soft_spins;
 mod surfaces;
 mod sweep;
 mod tanks;

@@ -1,6 +1,6 @@
 //! Slow motion under forces at a state: internal coordinates slaved to the rigid motion, by Taylor series in time.
 //! Forces are no polynomials in the angular velocity, so derivatives come from series along the flow; each pass gains one order and costs
-//! two terms.
+//! two terms, so that a pass has two fewer than the one before.
 //! Equations (E1), (E2) and (E5), docs/theory/09-forced-reduction.md; (C3), docs/theory/13-inside.md.
 
 use std::ops::Range;
@@ -162,7 +162,7 @@ fn less(a: &[f64], b: &[f64]) -> Vec<f64> {
     a.iter().zip(b).map(|(a, b)| a - b).collect()
 }
 
-/// Slow motion with or without the actions from outside, and what the last pass has added.
+/// Slow motion with or without the actions from outside, and what the last pass has added. Each pass uses up two terms of the series.
 fn passes(
     system: Forced,
     acts: bool,
@@ -171,41 +171,79 @@ fn passes(
     pose: &Pose<f64>,
 ) -> (SlowPoint, Correction) {
     let improved = if system.body.cyclic().is_empty() { order.saturating_sub(1) } else { order };
+    let state = State { system, acts, K, pose };
     match improved {
-        0 => point::<1>(system, acts, improved, K, pose),
-        1 => point::<3>(system, acts, improved, K, pose),
-        2 => point::<5>(system, acts, improved, K, pose),
-        3 => point::<7>(system, acts, improved, K, pose),
-        4 => point::<9>(system, acts, improved, K, pose),
-        5 => point::<11>(system, acts, improved, K, pose),
+        0 => state.point(&Path::<1>::still(system), &Path::<1>::still(system)),
+        1 => state.last(&Path::still(system)),
+        2 => state.last(&state.pass::<5, 3>(&Path::still(system))),
+        3 => state.last(&state.pass::<5, 3>(&state.pass::<7, 5>(&Path::still(system)))),
+        4 => {
+            let second = state.pass::<7, 5>(&state.pass::<9, 7>(&Path::still(system)));
+            state.last(&state.pass::<5, 3>(&second))
+        }
+        5 => {
+            let second = state.pass::<9, 7>(&state.pass::<11, 9>(&Path::still(system)));
+            state.last(&state.pass::<5, 3>(&state.pass::<7, 5>(&second)))
+        }
         _ => unreachable!("orders are checked where they enter"),
     }
 }
 
-/// Improves the coordinates `improved` times along the flow.
-fn point<const N: usize>(
-    system: Forced,
-    acts: bool,
-    improved: usize,
-    K: [f64; 3],
-    pose: &Pose<f64>,
-) -> (SlowPoint, Correction) {
-    let n = system.body.coordinates().len();
-    let values = |list: &[Taylor<N>]| -> Vec<f64> { list.iter().map(|entry| entry.value()).collect() };
-    let mut q = vec![Taylor::<N>::from(0.0); n];
-    let mut rate = q.clone();
-    let mut before = (q.clone(), rate.clone());
-    for _ in 0..improved {
-        before = (q.clone(), rate.clone());
-        let flow = Flow::along(system, acts, K, pose, [&q, &rate]);
-        (q, rate) = flow.coordinates(system, &q, &rate);
+/// Coordinates and their rates along the flow, series of `N` terms in time.
+struct Path<const N: usize> {
+    q: Vec<Taylor<N>>,
+    rate: Vec<Taylor<N>>,
+}
+
+impl<const N: usize> Path<N> {
+    fn still(system: Forced) -> Self {
+        let q = vec![Taylor::from(0.0); system.body.coordinates().len()];
+        Self { rate: q.clone(), q }
     }
-    let (q, rate) = (values(&q), values(&rate));
-    let added = Correction { q: less(&q, &values(&before.0)), rate: less(&rate, &values(&before.1)) };
-    let own = add(K, scale(-1.0, system.body.wheels().angular_momentum(pose.t)));
-    let omega = spin(system, own, &q, &rate);
-    let loads = loads(system, acts, pose, MotionState { omega, q: &q, rate: &rate });
-    (SlowPoint { omega, q, rate, loads }, added)
+
+    /// The same with the first `M` terms alone.
+    fn cut<const M: usize>(&self) -> Path<M> {
+        let cut = |list: &[Taylor<N>]| {
+            list.iter().map(|entry| Taylor::new(std::array::from_fn(|k| entry.coefficient(k)))).collect()
+        };
+        Path { q: cut(&self.q), rate: cut(&self.rate) }
+    }
+
+    fn values(&self) -> [Vec<f64>; 2] {
+        [&self.q, &self.rate].map(|list| list.iter().map(|entry| entry.value()).collect())
+    }
+}
+
+/// State at which the slow motion is sought.
+struct State<'a> {
+    system: Forced<'a>,
+    acts: bool,
+    K: [f64; 3],
+    pose: &'a Pose<f64>,
+}
+
+impl State<'_> {
+    /// Improves the coordinates along the flow; of their terms so many fewer are known. (E2)
+    fn pass<const N: usize, const M: usize>(&self, Path { q, rate }: &Path<N>) -> Path<M> {
+        let flow = Flow::along(self.system, self.acts, self.K, self.pose, [q, rate]);
+        let (q, rate) = flow.coordinates(self.system, q, rate);
+        Path { q, rate }.cut()
+    }
+
+    fn last(&self, before: &Path<3>) -> (SlowPoint, Correction) {
+        self.point(before, &self.pass::<3, 1>(before))
+    }
+
+    /// Slow motion with these coordinates, and what they add to those before.
+    fn point<const N: usize>(&self, before: &Path<N>, after: &Path<1>) -> (SlowPoint, Correction) {
+        let Self { system, acts, K, pose } = *self;
+        let ([q, rate], [old, old_rate]) = (after.values(), before.values());
+        let added = Correction { q: less(&q, &old), rate: less(&rate, &old_rate) };
+        let own = add(K, scale(-1.0, system.body.wheels().angular_momentum(pose.t)));
+        let omega = spin(system, own, &q, &rate);
+        let loads = loads(system, acts, pose, MotionState { omega, q: &q, rate: &rate });
+        (SlowPoint { omega, q, rate, loads }, added)
+    }
 }
 
 /// Angular velocity from an angular momentum without that of wheels, at a displacement: `J(q)ω = K − h(q)q̇`. (S2)

@@ -41,8 +41,8 @@ pub enum Reason {
     },
     /// Wobble too wide for the response of a liquid that spins.
     TooWideForLiquids {
-        /// Widest wobble.
-        wobble: f64,
+        /// Widest wobble (rad); none on a way through the separatrix.
+        wobble: Option<f64>,
     },
     /// Wobble of a body with momentum wheels that is too wide for the rate of its nutation.
     TooWideForNutation {

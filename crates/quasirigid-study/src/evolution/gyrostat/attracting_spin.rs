@@ -3,7 +3,7 @@
 use quasirigid::averaging::{LevelError, LevelEvolution, Until};
 use quasirigid::dynamics::FullState;
 use quasirigid::model::{FlexibleBody, Principal};
-use quasirigid::modes::{SpinMode, SpinModes};
+use quasirigid::modes::{RelativeEquilibrium, SpinMagnitude, SpinMode, SpinModes};
 use quasirigid::reduction::frequencies;
 use quasirigid::secular::choice::{GyrostatCriteria, Instability, Reason, Stop, loss_left_out};
 use quasirigid::secular::{GyrostatSpins, GyrostatWobble, Pole};
@@ -46,10 +46,28 @@ impl<'a> AttractingSpin<'a> {
             Err(error) => return Err(Reason::Levels(error).into()),
         };
         let spin = spins.attracting(downhill).cloned().ok_or(Reason::NoAttractor)?;
+        Self::about(study, state, spin, spins.barrier())
+    }
+
+    /// The steady spin that a body has come to from a state.
+    pub fn come_to(&self, start: &FullState, last: &FullState) -> Result<Self, Stop<StudyError>> {
+        let given = SpinMagnitude::AngularMomentum(norm(self.angular_momentum));
+        let spin =
+            RelativeEquilibrium::beside(self.body, last.omega, given).map_err(|_| Reason::NoAttractor)?;
+        Self::about(self.study, start, spin, self.barrier)
+    }
+
+    fn about(
+        study: &'a Study,
+        state: &FullState,
+        spin: RelativeEquilibrium,
+        barrier: f64,
+    ) -> Result<Self, Stop<StudyError>> {
+        let (body, K) = (&study.body, state.angular_momentum(&study.body));
         let wobble = GyrostatWobble::about(body, &spin);
         let pole = Pole { modes: SpinModes::about(body, spin).map_err(Reason::Modes)? };
-        let (angular_momentum, energy, barrier) = (K, state.energy(body), spins.barrier());
-        let spin = Self { study, body, angular_momentum, energy, pole, wobble, barrier };
+        let energy = state.energy(body);
+        let spin = Self { study, body, angular_momentum: K, energy, pole, wobble, barrier };
         Ok(spin.judged()?)
     }
 

@@ -1,11 +1,13 @@
 //! The full system until its wobble is small, through a separatrix where there is one, and the modes from there on.
 
 use std::f64::consts::TAU;
-use std::time::Instant;
 
 use quasirigid::dynamics::FullState;
 use quasirigid::secular::choice::{ChoiceObserver, Limits, Reason, Stop, Work, history_options};
 use quasirigid::secular::{DirectRow, DirectRun, DirectStopReason, follow_directly};
+
+use quasirigid_math::stopwatch::Stopwatch;
+use quasirigid_math::vec3::{add, norm, scale};
 
 use super::answer::{Answer, BEHIND};
 use super::attracting_spin::AttractingSpin;
@@ -15,6 +17,8 @@ use crate::settings::EvolveSettings;
 
 /// Share of the energy of the separatrix above the steady spin by which it is passed before the way behind it is told.
 const BELOW: f64 = 1e-3;
+/// Relative difference of the angular velocities of one steady spin.
+const SAME: f64 = 1e-3;
 /// Error of the time through a separatrix, beside which two integrations part.
 const PARTED: f64 = 1e-2;
 
@@ -30,10 +34,40 @@ pub fn direct(
     announced(spin, full, until, asked, observer)?;
     let through = if spin.settled() { until } else { until.max(spin.beyond()) };
     let first = followed(spin, full, through, asked.duration, observer)?;
+    if first.ending == DirectStopReason::Settled {
+        return elsewhere(spin, full, &first, asked, observer);
+    }
     if through <= until || first.ending == DirectStopReason::Finished {
         return Ok(spin.with_tail(first, goal, asked));
     }
     behind(spin, first, asked, observer)
+}
+
+/// The full system to the steady spin that it has come to, where that is another than the one expected: soft parts may shift the separatrix.
+fn elsewhere(
+    spin: &AttractingSpin,
+    full: &FullState,
+    run: &DirectRun,
+    asked: &EvolveSettings,
+    observer: &mut dyn ChoiceObserver,
+) -> MethodResult {
+    let found = spin.come_to(full, &run.last)?;
+    let [expected, come_to] = [spin, &found].map(|spin| spin.pole.modes.equilibrium.omega);
+    if norm(add(expected, scale(-1.0, come_to))) <= SAME * norm(come_to) {
+        return Err(unfinished(run).into());
+    }
+    let goal = found.goal(asked)?;
+    let whole = followed(&found, full, found.until(goal), asked.duration, observer)?;
+    if whole.ending == DirectStopReason::Settled {
+        return Err(unfinished(&whole).into());
+    }
+    Ok(found.with_tail(whole, goal, asked))
+}
+
+/// Reason for which a run has no end.
+fn unfinished(run: &DirectRun) -> Reason {
+    let DirectRow { t, revolutions, .. } = run.rows[run.rows.len() - 1];
+    Reason::Unfinished { t, revolutions, ending: run.ending.clone(), instability: None }
 }
 
 /// The full system behind a separatrix, where it circles the steady spin that it came to.
@@ -51,6 +85,9 @@ fn behind(
         first
     } else {
         let second = followed(&below, &first.last, below.until(goal), left, observer)?;
+        if second.ending == DirectStopReason::Settled {
+            return Err(unfinished(&second).into());
+        }
         joined(first, second)
     };
     let mut answer = below.with_tail(whole, goal, asked);
@@ -68,11 +105,10 @@ fn followed(
 ) -> Result<DirectRun, Stop<StudyError>> {
     let options = history_options(Some(until), duration, &Limits::default());
     let run = follow_directly(spin.body, full, &options, &mut |share| observer.observe(share))?;
-    let DirectRow { t, revolutions, .. } = run.rows[run.rows.len() - 1];
     match run.ending {
-        DirectStopReason::Reached | DirectStopReason::Finished => Ok(run),
+        DirectStopReason::Reached | DirectStopReason::Finished | DirectStopReason::Settled => Ok(run),
         DirectStopReason::Interrupted => Err(StudyError::Interrupted.into()),
-        ending => Err(Reason::Unfinished { t, revolutions, ending, instability: None }.into()),
+        _ => Err(unfinished(&run).into()),
     }
 }
 
@@ -92,12 +128,12 @@ fn announced(
     let length = asked.duration.map_or(falls, |duration| duration.min(falls));
     let period = (TAU / mode.frequency).min(length);
     let options = history_options(None, Some(period), &Limits::default());
-    let before = Instant::now();
+    let before = Stopwatch::start();
     let run = follow_directly(spin.body, full, &options, &mut |share| observer.observe(share))?;
     if run.ending == DirectStopReason::Interrupted {
         return Err(StudyError::Interrupted.into());
     }
-    let seconds = before.elapsed().as_secs_f64() * length / period;
+    let seconds = before.seconds() * length / period;
     Ok(observer.announce(Work::History, seconds)?)
 }
 

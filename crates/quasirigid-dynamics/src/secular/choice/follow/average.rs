@@ -1,7 +1,6 @@
 //! Averages along the frozen polhode: their criteria, short runs beside them, and the response in the spinning frame.
 
 use std::ops::ControlFlow;
-use std::time::Instant;
 
 use super::super::average_powers::AveragePowers;
 use super::super::limits::Limits;
@@ -9,6 +8,7 @@ use super::super::reason::Reason;
 use super::super::reference_spins::ReferenceSpins;
 use super::{AverageBasis, ChoiceError, ChoiceObserver, Driver, Followed, Found, Outcome, Stop};
 use crate::averaging::{Evolution, MeanPower, PowerSource, RotationState};
+use crate::math::stopwatch::Stopwatch;
 use crate::secular::criteria::{deformed, uneven};
 use crate::secular::{AverageCriteria, MeasureError, MeasureOptions, SpotChecks};
 
@@ -92,9 +92,9 @@ impl Driver<'_> {
         if self.case.criteria.wants_probes(self.limits) {
             let ReferenceSpins { body, range, poles, .. } = self.case.spins;
             let options = MeasureOptions { most_steps: PROBE_STEPS, ..MeasureOptions::default() };
-            let (begun, mut long) = (Instant::now(), false);
+            let (begun, mut long) = (Stopwatch::start(), false);
             let mut watch = || {
-                long |= begun.elapsed().as_secs_f64() > PROBE_TIME;
+                long |= begun.seconds() > PROBE_TIME;
                 if long { ControlFlow::Break(()) } else { observer.observe(0.0) }
             };
             let coordinates = body.coordinates().len();

@@ -1,13 +1,13 @@
 //! History of the full system, and the time that it takes.
 
 use std::f64::consts::TAU;
-use std::time::Instant;
 
 use super::super::limits::Limits;
 use super::super::reason::{Reason, Work};
 use super::{ChoiceError, ChoiceObserver, Driver, Found, Outcome, Stop};
 use crate::averaging::Evolution;
 use crate::dynamics::PropagateError;
+use crate::math::stopwatch::Stopwatch;
 use crate::math::vec3::norm;
 use crate::secular::{DirectOptions, DirectStopReason, follow_directly};
 
@@ -99,8 +99,8 @@ impl Driver<'_> {
         let period = spins.motion(span.ends[0]).polhode_period();
         let duration = period.min(TIMED_REVOLUTIONS * TAU / norm(span.start.omega));
         let options = history_options(None, Some(duration), self.limits);
-        let before = Instant::now();
+        let before = Stopwatch::start();
         follow_directly(spins.body, &span.start, &options, &mut |share| observer.observe(share))?;
-        Ok(*self.seconds_per_period.get_or_init(|| before.elapsed().as_secs_f64() * period / duration))
+        Ok(*self.seconds_per_period.get_or_init(|| before.seconds() * period / duration))
     }
 }

@@ -36,7 +36,9 @@ impl Driver<'_> {
         }
         let liquids = spins.liquid_error(span.ends);
         if liquids > self.limits.measured_error {
-            return Err(Reason::TooWideForLiquids { wobble });
+            return Err(Reason::TooWideForLiquids {
+                wobble: (span.ends[0].mode == span.ends[1].mode).then_some(wobble),
+            });
         }
         let least = if spins.body.memories().is_empty() { LEAST } else { LEAST_OF_LIQUIDS };
         let power: Arc<dyn MeanPower> = Arc::new(power);

@@ -14,12 +14,18 @@ const LONGEST: f64 = 400.0;
 impl Driver<'_> {
     /// The power measured by short runs of the full system, after it has forgotten its start; announced.
     pub(super) fn micro_runs(&self, observer: &mut dyn ChoiceObserver) -> Result<Found, Stop> {
+        if self.ends_unsettled() {
+            return self.full_system(observer);
+        }
         self.announce_runs(self.time_of_short_runs(), observer)?;
         self.measured(Places::ShortRuns, observer)
     }
 
     /// The power of periodic motions of the full system, after it has forgotten its start. (Q19)
     pub(super) fn periodic_motions(&self, observer: &mut dyn ChoiceObserver) -> Result<Found, Stop> {
+        if self.ends_unsettled() {
+            return self.full_system(observer);
+        }
         if let Some(duration) = self.settling() {
             self.announce_runs(duration, observer)?;
         }
@@ -61,6 +67,11 @@ impl Driver<'_> {
         let pole = spins.poles.of_mode(span.ends[0].mode).filter(|_| !span.placed)?;
         let period = spins.motion(span.ends[0]).polhode_period();
         Some((FORGOTTEN / pole.settling_rate()).clamp(period, LONGEST * period))
+    }
+
+    /// Whether the evolution ends before the full system has forgotten the start.
+    fn ends_unsettled(&self) -> bool {
+        self.settling().zip(self.case.span.duration).is_some_and(|(settling, duration)| duration <= settling)
     }
 
     /// Announces runs of the full system over a time (s).

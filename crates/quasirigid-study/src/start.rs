@@ -94,7 +94,7 @@ fn angular_momentum(principal: &Principal, motion: &FreeRotation) -> ([f64; 3], 
 const UNTILTED: f64 = 1e-4;
 
 /// Angular momentum (N·m·s) of a wobble of this angle (rad) about the steady spin of the deformed body at this rate (rad/s); none where the
-/// frozen body has the same, or no such steady spin is found. (Q8)
+/// frozen body has the same, or no such steady spin is found whose springs withstand it. (Q8)
 fn spun_wobble(
     body: &FlexibleBody,
     frozen: ([f64; 3], [f64; 3]),
@@ -122,6 +122,9 @@ fn spun_wobble(
     }
     let axis = principal.axes[mode.circled()];
     let steady = RelativeEquilibrium::near(body, axis, SpinMagnitude::Rate(rate)).ok()?;
+    if !steady.is_firm(body) {
+        return None;
+    }
     let range = EnergyRange::compute(body, norm(steady.angular_momentum)).ok()?;
     let place = FreeRotation::logit_of(range.moments(), mode, angle);
     let state = range.state(body, RotationState { mode, xi: place })?;

@@ -3,7 +3,7 @@
 //! and a continuation from the frozen body where it fails.
 //! Equation (M1), docs/theory/15-modes.md.
 
-use nalgebra::DMatrix;
+use nalgebra::{Cholesky, DMatrix, Dyn};
 use thiserror::Error;
 
 use super::guess::{ASTRAY, Guess};
@@ -84,6 +84,8 @@ const IN_SPACE: [[f64; 3]; 9] = [
 ];
 /// Least stiffness of a coordinate without a spring, in units of that of a centrifugal force on its own inertia, that is not rounding.
 const RESTORED: f64 = 1e-10;
+/// Most coordinates of a body whose springs are looked at.
+const MOST_COORDINATES: usize = 512;
 /// Relative difference below which the ratios of two steady spins are equal: the rounding of moments of inertia.
 const EQUAL: f64 = 1e-12;
 /// Cosine of the angle from a direction below which an axis is across it.
@@ -249,6 +251,21 @@ impl RelativeEquilibrium {
             coordinates: hung.names().into(),
             axis: scale(spin.recip(), self.omega),
         })
+    }
+
+    /// Whether the springs withstand small displacements at this spin: `C − N` is positive definite. True of a body with more coordinates than are
+    /// looked at, 512. (M1)
+    #[must_use]
+    pub fn is_firm(&self, body: &FlexibleBody) -> bool {
+        let elastic = body.elastic();
+        if elastic > MOST_COORDINATES {
+            return true;
+        }
+        let centrifugal = self.coefficients(body).centrifugal;
+        let mut left = DMatrix::from_fn(elastic, elastic, |j, k| -centrifugal.at(j, k));
+        let springs = body.stiffness().iter().filter(|(j, k, _)| *j < elastic && *k < elastic);
+        springs.for_each(|(j, k, stiffness)| left[(j, k)] += stiffness);
+        Cholesky::<f64, Dyn>::new(left).is_some()
     }
 
     /// Largest displacement of a watched place, with its name (m); none for a body without watched places.

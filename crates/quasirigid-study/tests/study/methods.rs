@@ -416,7 +416,7 @@ fn a_motion_of_a_liquid_has_its_name() {
 fn a_liquid_that_spins_is_not_followed_through_the_separatrix() {
     let found = evolve(&water("1 deg", "long-axis", "3 deg"));
     assert_eq!(found.status, "refused", "{}", found.message);
-    assert!(found.message.contains("too wide"), "{}", found.message);
+    assert!(found.message.contains("leads through the separatrix"), "{}", found.message);
 }
 
 /// A box of liquid on a coarse mesh of its own: the error of the flow is noted, and the time has at least that error.

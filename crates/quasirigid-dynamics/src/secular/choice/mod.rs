@@ -22,7 +22,7 @@ pub use criteria::{Criteria, GrowingVibration};
 pub use decision::{Decision, Last, Method, choose};
 pub use follow::{
     AverageBasis, ChoiceError, ChoiceObserver, Followed, Outcome, Stop, Tried, average_under_torque, follow,
-    history_options, level_passage, try_in_order,
+    history_options, level_passage, pace_of_work, try_in_order,
 };
 pub use gyrostat::{GyrostatCriteria, choose_for_gyrostat};
 pub use limits::Limits;

@@ -3,10 +3,11 @@
 use std::f64::consts::TAU;
 
 use quasirigid::dynamics::FullState;
-use quasirigid::secular::choice::{ChoiceObserver, Limits, Reason, Stop, Work, history_options};
+use quasirigid::secular::choice::{
+    ChoiceObserver, Limits, Reason, Stop, Work, history_options, pace_of_work,
+};
 use quasirigid::secular::{DirectRow, DirectRun, DirectStopReason, follow_directly};
 
-use quasirigid_math::stopwatch::Stopwatch;
 use quasirigid_math::vec3::{add, norm, scale};
 
 use super::answer::{Answer, BEHIND};
@@ -127,14 +128,8 @@ fn announced(
     let falls = share.ln() / (2.0 * mode.decay_rate);
     let length = asked.duration.map_or(falls, |duration| duration.min(falls));
     let period = (TAU / mode.frequency).min(length);
-    let options = history_options(None, Some(period), &Limits::default());
-    let before = Stopwatch::start();
-    let run = follow_directly(spin.body, full, &options, &mut |share| observer.observe(share))?;
-    if run.ending == DirectStopReason::Interrupted {
-        return Err(StudyError::Interrupted.into());
-    }
-    let seconds = before.seconds() * length / period;
-    Ok(observer.announce(Work::History, seconds)?)
+    let pace = pace_of_work(spin.body, full, period, &mut |share| observer.observe(share))?;
+    Ok(observer.announce(Work::History, pace * length)?)
 }
 
 /// Two runs one behind the other.

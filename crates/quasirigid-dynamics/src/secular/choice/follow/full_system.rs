@@ -1,14 +1,16 @@
 //! History of the full system, and the time that it takes.
 
 use std::f64::consts::TAU;
+use std::ops::ControlFlow;
 
 use super::super::limits::Limits;
 use super::super::reason::{Reason, Work};
 use super::{ChoiceError, ChoiceObserver, Driver, Found, Outcome, Stop};
 use crate::averaging::Evolution;
-use crate::dynamics::PropagateError;
+use crate::dynamics::{FullState, PropagateError};
 use crate::math::stopwatch::Stopwatch;
 use crate::math::vec3::norm;
+use crate::model::FlexibleBody;
 use crate::secular::{DirectOptions, DirectStopReason, follow_directly};
 
 /// Error allowed per step of the full system, relative.
@@ -17,6 +19,9 @@ const TOLERANCE: f64 = 1e-10;
 const ONE_TURN: f64 = 1.0;
 /// Revolutions of the full system that tell how long many take: a period of the polhode beside a plane of steady spins has thousands.
 const TIMED_REVOLUTIONS: f64 = 20.0;
+/// Time of work (s) that tells a pace, and by how much a shorter run is prolonged.
+const TIMED: f64 = 0.1;
+const LONGER: f64 = 4.0;
 
 /// Options of a history of the full system to an energy (J), or for a time (s) if that is before it.
 #[must_use]
@@ -98,9 +103,31 @@ impl Driver<'_> {
         let (spins, span) = (self.case.spins, self.case.span);
         let period = spins.motion(span.ends[0]).polhode_period();
         let duration = period.min(TIMED_REVOLUTIONS * TAU / norm(span.start.omega));
-        let options = history_options(None, Some(duration), self.limits);
-        let before = Stopwatch::start();
-        follow_directly(spins.body, &span.start, &options, &mut |share| observer.observe(share))?;
-        Ok(*self.seconds_per_period.get_or_init(|| before.seconds() * period / duration))
+        let pace = pace_of_work(spins.body, &span.start, duration, &mut |share| observer.observe(share))?;
+        Ok(*self.seconds_per_period.get_or_init(|| pace * period))
+    }
+}
+
+/// Seconds of work per second of motion of the full system, from its first time (s) or from more where that is done at once: the first steps are
+/// small.
+///
+/// # Errors
+/// [`PropagateError`] before the first step.
+pub fn pace_of_work(
+    body: &FlexibleBody,
+    start: &FullState,
+    mut duration: f64,
+    watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
+) -> Result<f64, PropagateError> {
+    loop {
+        let (options, before) =
+            (history_options(None, Some(duration), &Limits::default()), Stopwatch::start());
+        let run = follow_directly(body, start, &options, watch)?;
+        let seconds = before.seconds();
+        match run.ending {
+            DirectStopReason::Finished if seconds < TIMED => duration *= LONGER,
+            DirectStopReason::Interrupted => return Ok(0.0),
+            _ => return Ok(seconds / run.rows[run.rows.len() - 1].t),
+        }
     }
 }

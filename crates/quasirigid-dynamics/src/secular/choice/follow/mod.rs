@@ -22,7 +22,7 @@ use crate::secular::{
 };
 
 pub use average::average_under_torque;
-pub use full_system::history_options;
+pub use full_system::{history_options, pace_of_work};
 pub use level_curves::level_passage;
 pub use stop::{ChoiceError, Stop, Tried};
 

@@ -91,11 +91,16 @@ fn sightings(titles: &[Title], columns: &[Vec<f64>]) -> Result<LightCurveFile, F
         if let Some(problem) = wrong(sun, observer, brightness) {
             return Err((Place::File, LightCurveProblem::Row { row: row + 1, problem }));
         }
+        let time = seconds * columns[times][row];
+        if !time.is_finite() {
+            let problem = "the time is beyond the range of numbers".to_owned();
+            return Err((Place::File, LightCurveProblem::Row { row: row + 1, problem }));
+        }
         if let Some(at) = blocks {
             block += usize::from(row > 0 && columns[at][row] != label);
             label = columns[at][row];
         }
-        found.push(Sighting { time: seconds * columns[times][row], sun, observer, brightness, block });
+        found.push(Sighting { time, sun, observer, brightness, block });
     }
     Ok(LightCurveFile { clock, sightings: found })
 }

@@ -3,16 +3,18 @@
 //! docs/theory/24-light-curves.md.
 
 mod epochs;
+mod files;
 mod periods;
 mod residuals;
 mod shape;
 mod text;
 
-use quasirigid_io::light_curve::{LightCurveFile, Sighting, alcdef, damit};
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+
+use quasirigid_io::light_curve::LightCurveFile;
 use quasirigid_io::model::{Named, PartialRun, PartialSpinManifold, System};
-use quasirigid_io::record::Column;
 use quasirigid_math::rotation::Turn;
-use quasirigid_photometry::{ASTRONOMICAL_UNIT, Law, LawAt, albedo, magnitude};
+use quasirigid_photometry::{Facets, Law, LawAt, albedo, magnitude};
 pub use quasirigid_photometry::{Hapke, Phase, Scattering};
 use rayon::prelude::*;
 use serde::Serialize;
@@ -21,11 +23,11 @@ use serde_json::{Value, json};
 use crate::error::StudyError;
 use crate::histories::{History, Table};
 use crate::study::Study;
-use crate::watch::{Watch, whole_pool};
+use crate::watch::{Flagging, Watch, watched, whole_pool};
 use epochs::{Epoch, Epochs};
 use periods::PeriodsObject;
 use residuals::ResidualsObject;
-use shape::Shape;
+use shape::{Lit, Shape};
 
 /// Relative error of the facets above which a light curve may not hold.
 const COARSE: f64 = 0.02;
@@ -159,7 +161,7 @@ impl Study {
         let (seen, missed) = epochs.seen(&history.columns);
         let laws = seen.iter().map(|epoch| law.at(epoch.phase_angle()));
         let laws = laws.collect::<Result<Vec<LawAt>, _>>().map_err(|error| refused(error.to_string()))?;
-        let lit: Vec<(LawAt, [f64; 3], [f64; 3])> = seen
+        let lit: Vec<Lit> = seen
             .iter()
             .zip(laws)
             .map(|(epoch, law)| {
@@ -167,13 +169,7 @@ impl Study {
                 (law, turn.to_body(epoch.sun), turn.to_body(epoch.observer))
             })
             .collect();
-        let pool = whole_pool()?;
-        let (facets, error) = pool.install(|| shape.resolved(&lit));
-        let brightness: Vec<f64> = pool.install(|| {
-            lit.par_iter()
-                .map(|(law, sun, observer)| scale.unwrap_or(1.0) * facets.brightness(law, *sun, *observer))
-                .collect()
-        });
+        let (facets, error, brightness) = lighted(&shape, &lit, scale.unwrap_or(1.0), watch)?;
         let surface = SurfaceObject {
             kind: shape.kind(),
             facets: facets.count(),
@@ -195,6 +191,32 @@ impl Study {
             },
         )
     }
+}
+
+/// Facets of a shape with their error, and the brightness at each time, by all threads.
+fn lighted(
+    shape: &Shape<'_>,
+    lit: &[Lit],
+    scale: f64,
+    watch: &mut dyn Watch,
+) -> Result<(Facets, f64, Vec<f64>), StudyError> {
+    let (cancelled, done) = (AtomicBool::new(false), AtomicUsize::new(0));
+    let share = || done.load(Ordering::Relaxed) as f64 / lit.len().max(1) as f64;
+    let mut observer =
+        Flagging { watch, cancelled: &cancelled, stage: "adding up the facets", share: &share };
+    let found = watched(&mut observer, || {
+        Ok(whole_pool()?.install(|| {
+            let (facets, error) = shape.resolved(lit);
+            let one = |(law, sun, observer): &Lit| {
+                done.fetch_add(1, Ordering::Relaxed);
+                let wanted = !cancelled.load(Ordering::Relaxed);
+                wanted.then(|| scale * facets.brightness(law, *sun, *observer))
+            };
+            let brightness: Option<Vec<f64>> = lit.par_iter().map(one).collect();
+            brightness.map(|brightness| (facets, error, brightness))
+        }))
+    })?;
+    found.ok_or(StudyError::Interrupted)
 }
 
 /// What was seen at the times of a history.
@@ -273,89 +295,6 @@ impl LightCurve {
     #[must_use]
     pub fn json(&self) -> Value {
         json!(self)
-    }
-
-    /// The table: time, brightness, magnitude and phase angle; distances where the places of a file have them, and what was measured.
-    #[must_use]
-    pub fn columns(&self) -> Vec<Column> {
-        let column = |name: &str, unit: &str, values: Vec<f64>| Column {
-            name: name.into(),
-            unit: unit.into(),
-            values,
-        };
-        let mut columns = vec![
-            column("t", "s", self.t.clone()),
-            column("brightness", "m^2", self.brightness.clone()),
-            column("magnitude", "mag", self.magnitude.clone()),
-            column("phase_angle", "rad", self.phase_angle.clone()),
-        ];
-        let each =
-            |of: &dyn Fn(&Epoch) -> Option<f64>| self.epochs.iter().map(of).collect::<Option<Vec<f64>>>();
-        let distances = each(&|epoch| epoch.distances.map(|[sun, _]| sun))
-            .zip(each(&|epoch| epoch.distances.map(|[_, observer]| observer)));
-        if let Some((sun, observer)) = distances {
-            let apparent = self
-                .magnitude
-                .iter()
-                .zip(sun.iter().zip(&observer))
-                .map(|(m, (r, d))| m + 5.0 * (r * d).log10())
-                .collect();
-            let [sun, observer] =
-                [sun, observer].map(|distances| distances.iter().map(|au| au * ASTRONOMICAL_UNIT).collect());
-            columns.push(column("sun_distance", "m", sun));
-            columns.push(column("observer_distance", "m", observer));
-            columns.push(column("apparent_magnitude", "mag", apparent));
-        }
-        if let (Some(residuals), Some(_)) = (&self.residuals, each(&|epoch| epoch.measured)) {
-            let block = self.epochs.iter().map(|epoch| epoch.block as f64).collect();
-            columns.push(column("measured", "m^2", residuals.scaled.clone()));
-            columns.push(column("residual", "1", residuals.each.clone()));
-            columns.push(column("block", "1", block));
-        }
-        columns
-    }
-
-    /// The curve as a file of DAMIT, relative in each block.
-    ///
-    /// # Errors
-    /// [`StudyError::LightCurve`] without a Julian date of the start or places of Sun and observer.
-    pub fn damit(&self) -> Result<String, StudyError> {
-        let mut sightings = self.sightings()?;
-        for block in sightings.chunk_by_mut(|a, b| a.block == b.block) {
-            let mean = block.iter().filter_map(|each| each.brightness).sum::<f64>() / block.len() as f64;
-            block.iter_mut().for_each(|each| each.brightness = each.brightness.map(|value| value / mean));
-        }
-        Ok(damit(&sightings))
-    }
-
-    /// The curve as a file of ALCDEF, with the magnitudes that the observer sees.
-    ///
-    /// # Errors
-    /// As [`damit`](Self::damit).
-    pub fn alcdef(&self) -> Result<String, StudyError> {
-        let apparent = self.columns().into_iter().find(|column| column.name == "apparent_magnitude");
-        let sightings = self.sightings()?;
-        let magnitudes = apparent.map_or_else(Vec::new, |column| column.values);
-        let phase = |sighting: &Sighting| {
-            quasirigid_math::rotation::angle(sighting.sun, sighting.observer).to_degrees()
-        };
-        Ok(alcdef(&self.name, &sightings, &magnitudes, phase))
-    }
-
-    fn sightings(&self) -> Result<Vec<Sighting>, StudyError> {
-        let epoch = self.epoch.ok_or_else(|| refused("files of DAMIT and ALCDEF have Julian dates; give the one of the start of the model, its epoch".to_owned()))?;
-        let sighting = |(epoch_of, brightness): (&Epoch, &f64)| {
-            let [sun, observer] = epoch_of.distances?;
-            Some(Sighting {
-                time: epoch + epoch_of.t / SECONDS_PER_DAY,
-                sun: epoch_of.sun.map(|entry| sun * entry),
-                observer: epoch_of.observer.map(|entry| observer * entry),
-                brightness: Some(*brightness),
-                block: epoch_of.block,
-            })
-        };
-        let all: Option<Vec<Sighting>> = self.epochs.iter().zip(&self.brightness).map(sighting).collect();
-        all.ok_or_else(|| refused("files of DAMIT and ALCDEF have places of Sun and observer; give them by a file in place of two directions".to_owned()))
     }
 }
 

@@ -54,7 +54,7 @@ impl<'a> Shape<'a> {
         }
     }
 
-    /// Facets, with their relative error: the change by the last refinement, of an ellipsoid a third of it, as it falls by four. (O15)
+    /// Facets, with their relative error: the change by a refinement, of an ellipsoid a third of it, as it falls by four. (O15)
     pub fn resolved(&self, lit: &[Lit]) -> (Facets, f64) {
         let step = lit.len().div_ceil(PROBES).max(1);
         let probes: Vec<&Lit> = lit.iter().step_by(step).collect();
@@ -75,8 +75,11 @@ impl<'a> Shape<'a> {
                     let finer = facets.refined(surface, level);
                     let next = seen(&finer, &probes);
                     error = change(&known, &next);
+                    if finer.count() * lit.len() > MOST_WORK {
+                        break; // the coarser facets stay, whose error this is
+                    }
                     (facets, known) = (finer, next);
-                    if error <= STILL || 4 * facets.count() * lit.len().max(PROBES) > MOST_WORK {
+                    if error <= STILL {
                         break;
                     }
                 }

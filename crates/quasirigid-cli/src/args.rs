@@ -55,7 +55,7 @@ pub enum Command {
     Fills(FillsArgs),
     /// Give the light curve of the rotating body, compare it with a measured one, and find its frequencies
     #[command(
-        after_help = "Example:\n  quasirigid lightcurve examples/toutatis/model.toml --sun 1,0,0 --observer 0.8,0.6,0 --periods"
+        after_help = "Example:\n  quasirigid lightcurve examples/duende/model.toml --sun 1,0,0 --observer 0,1,0"
     )]
     Lightcurve(LightcurveArgs),
     /// Print the reduced equations

@@ -31,8 +31,11 @@ fn figure(columns: &[Column]) -> Option<Figure> {
         let zero = least - BELOW * size;
         let below = residual.values.iter().map(|value| zero + value).collect();
         series.insert(0, Series::line("measured", "s2", t.clone(), over(&measured.values)).of_points());
+        let ends = [t.first(), t.last()].into_iter().flatten().copied().collect::<Vec<f64>>();
+        let level = vec![zero; ends.len()];
         series.push(Series::line("residual", "s3", t, below).of_points());
-        caption.push_str(&format!(" Residuals, relative, about the height {zero:.3}."));
+        series.push(Series::line("", "s3 dashed", ends, level));
+        caption.push_str(" Residuals, relative, about the dashed line.");
     }
     let quantity = |name: &'static str, unit: &str| Quantity { name, unit: unit.to_owned(), log: false };
     Some(Figure {
@@ -66,9 +69,10 @@ mod tests {
     #[test]
     fn residuals_are_drawn_below_the_curve() {
         let drawn = figure(&table(true)).unwrap();
-        let [measured, computed, residual] = &drawn.series[..] else { panic!() };
+        let [measured, computed, residual, zero] = &drawn.series[..] else { panic!() };
         assert_eq!(computed.y, [0.5, 1.0, 1.5]);
         assert!(measured.points && residual.y.iter().all(|value| *value < 0.5));
+        assert!((residual.y[0] - zero.y[0] - 0.1).abs() < 1e-15 && zero.y[0] == zero.y[1]);
         assert_eq!(figure(&table(false)).unwrap().series.len(), 1);
         assert!(light_curve_picture(&table(true)).unwrap().contains("measured"));
         assert!(light_curve_picture(&[]).is_none());

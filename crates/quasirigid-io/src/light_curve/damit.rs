@@ -75,8 +75,7 @@ pub fn damit(sightings: &[Sighting]) -> String {
     let blocks: Vec<&[Sighting]> = sightings.chunk_by(|a, b| a.block == b.block).collect();
     let mut text = format!("{}\n", blocks.len());
     for block in blocks {
-        let told = write!(text, "{} 0\n", block.len());
-        told.expect("a string takes any text");
+        writeln!(text, "{} 0", block.len()).expect("a string takes any text");
         for Sighting { time, sun, observer, brightness, .. } in block {
             let [a, b, c] = sun;
             let [d, e, f] = observer;

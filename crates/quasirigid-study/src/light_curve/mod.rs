@@ -247,6 +247,14 @@ impl LightCurve {
                 "no facet of the body is lit and seen at any time: the Sun stands behind it".to_owned(),
             ));
         }
+        let dark =
+            epochs.iter().zip(&brightness).find(|(epoch, value)| epoch.measured.is_some() && **value == 0.0);
+        if let Some((epoch, _)) = dark {
+            return Err(refused(format!(
+                "brightness was measured at {} s, and no facet of the model is lit and seen then; are the places of Sun and observer as seen from the body?",
+                epoch.t
+            )));
+        }
         let zero = if absolute { 0.0 } else { magnitude(mean) };
         let magnitudes: Vec<f64> = brightness.iter().map(|value| magnitude(*value) - zero).collect();
         let most = magnitudes.iter().copied().fold(f64::NEG_INFINITY, f64::max);

@@ -190,6 +190,10 @@ fn what_gives_no_light_curve_is_refused_in_words() {
     told(settings(View::File(table(text))), "give that date, the epoch");
     let late = LightCurveSettings { epoch: Some(2_450_001.0), ..settings(View::File(table(text))) };
     told(late, "row 1 of the view is 4.320000e4 s before the start");
+    let behind = text.replace("observer_z\n", "observer_z,brightness\n").replace("0,1,0\n", "-1,0,0,1\n")
+        + "2450000.6,1,0,0,0,1,0,1\n";
+    let behind = LightCurveSettings { epoch: Some(2_450_000.0), ..settings(View::File(table(&behind))) };
+    told(behind, "brightness was measured at 43200 s, and no facet");
     let few =
         LightCurveSettings { epoch: Some(2_450_000.0), periods: true, ..settings(View::File(table(text))) };
     told(few, "fewer than eight times");

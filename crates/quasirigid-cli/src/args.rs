@@ -14,6 +14,7 @@ use quasirigid_io::model::{EvolveMethod, KeyPath, ManifoldMasters, ManifoldStyle
 use quasirigid_io::record::TableFormat;
 use quasirigid_io::study_file::Quantity;
 use quasirigid_io::units::{Dimension, quantity};
+use quasirigid_study::light_curve::{Hapke, Phase, Scattering};
 use quasirigid_study::modes::PrincipalAxis;
 use quasirigid_study::settings::{PartialRun, PartialSpinManifold, Range, Setting};
 use quasirigid_study::sweep::Shard;
@@ -52,6 +53,11 @@ pub enum Command {
     /// Map the time constants over the fill of the tanks and the spin, and name the worst fill
     #[command(after_help = "Example:\n  quasirigid fills examples/two-tanks/model.toml -o fills.svg")]
     Fills(FillsArgs),
+    /// Give the light curve of the rotating body, compare it with a measured one, and find its frequencies
+    #[command(
+        after_help = "Example:\n  quasirigid lightcurve examples/duende/model.toml --sun 1,0,0 --observer 0,1,0"
+    )]
+    Lightcurve(LightcurveArgs),
     /// Print the reduced equations
     #[command(
         after_help = "Example:\n  quasirigid derive examples/three-masses/model.toml --order 5 --format json"
@@ -126,6 +132,7 @@ impl Command {
             | Self::Modes(ModesArgs { common, .. })
             | Self::Linear(LinearArgs { common, .. })
             | Self::Fills(FillsArgs { common, .. })
+            | Self::Lightcurve(LightcurveArgs { common, .. })
             | Self::Sensitivity(SensitivityArgs { common, .. })
             | Self::Infer(InferArgs { common, .. })
             | Self::Derive(Derive { common, .. })
@@ -508,6 +515,94 @@ pub struct FillsArgs {
     /// Replace the files
     #[arg(long, requires = "out")]
     pub overwrite: bool,
+}
+
+/// Options of light curves.
+#[derive(Args, Debug)]
+pub struct LightcurveArgs {
+    #[command(flatten)]
+    pub common: Common,
+    #[command(flatten)]
+    pub run: RunOptions,
+    #[arg(long, help = Setting::System.help(), value_parser = named::<System>(), default_value = System::Reduced.name())]
+    pub system: System,
+    /// Direction from the body to the Sun, inertial axes
+    #[arg(long, value_name = "X,Y,Z", value_parser = direction, allow_hyphen_values = true)]
+    pub sun: Option<[f64; 3]>,
+    /// Direction from the body to the observer, inertial axes
+    #[arg(long, value_name = "X,Y,Z", value_parser = direction, allow_hyphen_values = true)]
+    pub observer: Option<[f64; 3]>,
+    /// Times and places of Sun and observer, perhaps with measured brightness: a table t or jd, sun_x, sun_y, sun_z, observer_x, observer_y,
+    /// observer_z (au), brightness or magnitude, block; or a file lc.txt of DAMIT
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["sun", "observer", "duration", "samples"])]
+    pub view: Option<PathBuf>,
+    /// Julian date of the start of the model
+    #[arg(long, value_name = "JD")]
+    pub epoch: Option<f64>,
+    /// Law of scattering: lommel-seeliger, lambert, mixed:C with the weight C of Lambert's law, or hapke:W,G,B0,H,DEGREES
+    #[arg(long, value_name = "LAW", value_parser = scattering, default_value = "lommel-seeliger")]
+    pub law: Scattering,
+    /// Phase function beside the law: flat, surge:A,D,K for A exp(-alpha/D) + K alpha + 1 in radians, or hg:G
+    #[arg(long, value_name = "PHASE", value_parser = phase, default_value = "flat")]
+    pub phase: Phase,
+    /// Geometric albedo, for magnitudes in V
+    #[arg(long, value_name = "P")]
+    pub albedo: Option<f64>,
+    /// Absolute magnitude in V of a sphere with the mean cross-section, in place of the albedo
+    #[arg(long, value_name = "H", conflicts_with = "albedo", allow_hyphen_values = true)]
+    pub absolute_magnitude: Option<f64>,
+    /// Find the frequencies of the curve, of the measured one where there is one
+    #[arg(long)]
+    pub periods: bool,
+    /// Write the table into a .csv, .parquet or .npz file, the figure into an .svg or .png file, the curve into a .txt file of DAMIT or an
+    /// .alcdef file; several times for several
+    #[arg(short, long, value_name = "FILE")]
+    pub out: Vec<PathBuf>,
+    /// Replace the files
+    #[arg(long, requires = "out")]
+    pub overwrite: bool,
+}
+
+/// Reads so many numbers.
+fn numbers<const N: usize>(text: &str) -> Option<[f64; N]> {
+    let found: Option<Vec<f64>> = text.split(',').map(|number| number.trim().parse().ok()).collect();
+    <[f64; N]>::try_from(found?).ok()
+}
+
+/// Reads a direction.
+fn direction(text: &str) -> Result<[f64; 3], String> {
+    numbers(text).ok_or_else(|| "a direction has three components, as 0.8,0.6,0".to_owned())
+}
+
+/// Reads a law of scattering.
+fn scattering(text: &str) -> Result<Scattering, String> {
+    let (name, rest) = text.split_once(':').unwrap_or((text, ""));
+    let found = match name {
+        "lommel-seeliger" if rest.is_empty() => Some(Scattering::LommelSeeliger),
+        "lambert" if rest.is_empty() => Some(Scattering::Lambert),
+        "mixed" => numbers(rest).map(|[lambert]| Scattering::Mixed { lambert }),
+        "hapke" => numbers(rest).map(|[w, g, surge, h, degrees]| {
+            Scattering::Hapke(Hapke { w, g, B0: surge, h, roughness: degrees.to_radians() })
+        }),
+        _ => None,
+    };
+    found.ok_or_else(|| "give lommel-seeliger, lambert, mixed:0.1 or hapke:0.23,-0.27,1.6,0.08,20".to_owned())
+}
+
+/// Reads a phase function.
+fn phase(text: &str) -> Result<Phase, String> {
+    let (name, rest) = text.split_once(':').unwrap_or((text, ""));
+    let found = match name {
+        "flat" if rest.is_empty() => Some(Phase::Flat),
+        "hg" => numbers(rest).map(|[slope]| Phase::HG { G: slope }),
+        "surge" => numbers(rest).map(|[amplitude, width, slope]| Phase::ExponentialLinear {
+            amplitude,
+            width,
+            slope,
+        }),
+        _ => None,
+    };
+    found.ok_or_else(|| "give flat, hg:0.15 or surge:0.5,0.1,-0.5".to_owned())
 }
 
 /// Reads two numbers.

@@ -4,6 +4,7 @@
 use std::path::PathBuf;
 
 use quasirigid_io::attitude::Unwritten;
+use quasirigid_io::light_curve::LightCurveFileError;
 use quasirigid_io::measured_file::MeasuredFileError;
 use quasirigid_io::model::{ModelError, TargetError};
 use quasirigid_io::record::RecordError;
@@ -28,6 +29,8 @@ pub enum Failure {
     Audit(AuditError),
     #[error(transparent)]
     Measured(#[from] MeasuredFileError),
+    #[error(transparent)]
+    LightCurveFile(#[from] LightCurveFileError),
     #[error("{option} {text}: {cause}; {advice}", advice = cause.advice())]
     Time { option: &'static str, text: String, cause: Box<UnitError> },
     #[error("{first} and {second} are both models; an audit has one", first = first.display(), second = second.display())]
@@ -78,6 +81,12 @@ pub enum Failure {
     PictureEnding { path: PathBuf },
     #[error("{}: a map of fills is a .csv, .svg or .png file; JSON is that of --json", path.display())]
     FillMapEnding { path: PathBuf },
+    #[error("{}: a light curve is a .csv, .parquet, .npz, .svg or .png file, .txt for DAMIT or .alcdef; JSON is that of --json", path.display())]
+    LightCurveEnding { path: PathBuf },
+    #[error(
+        "give the directions to Sun and observer, --sun 1,0,0 --observer 0.9,0.4,0, or a file of both, --view FILE"
+    )]
+    NoView,
     #[error("no point of the map has a nutation with a time constant: there is nothing to draw")]
     NoNutation,
     #[error("{}: a linear model is a .mat or .npz file; JSON is that of --json", path.display())]

@@ -50,6 +50,7 @@ fn main() -> ExitCode {
         Command::Infer(infer) => commands::infer::infer(infer),
         Command::Sensitivity(sensitivity) => commands::sensitivity::sensitivity(sensitivity),
         Command::Fills(fills) => commands::fills::fills(fills),
+        Command::Lightcurve(lightcurve) => commands::lightcurve::lightcurve(lightcurve),
         Command::Derive(derive) => commands::derive::derive(derive),
         Command::Export(export) => commands::export::export(export),
         Command::Simulate(simulate) => commands::simulate::simulate(simulate),

@@ -14,6 +14,7 @@ pub mod export;
 pub mod files_read;
 pub mod history_file;
 mod inp;
+pub mod light_curve;
 pub mod matrix;
 pub mod measured_file;
 pub mod mesh;

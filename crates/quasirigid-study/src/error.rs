@@ -99,6 +99,11 @@ pub enum StudyError {
         /// The reason, in words.
         problem: String,
     },
+    /// A light curve that there is not.
+    LightCurve {
+        /// The reason, in words.
+        problem: String,
+    },
     /// Threads that the system does not give.
     Threads {
         /// Number asked for.
@@ -379,7 +384,7 @@ impl StudyError {
             }
             Self::NoQuantity { name, reason } => format!("there is no value of `{name}` to differentiate: {reason}"),
             Self::Uncertified { reason } => format!("this answer has no certificate: {reason}"),
-            Self::Infer { problem } | Self::FillMap { problem } => problem.clone(),
+            Self::Infer { problem } | Self::FillMap { problem } | Self::LightCurve { problem } => problem.clone(),
             Self::Threads { threads, cause } => format!("{threads} threads cannot be started: {cause}"),
             Self::Truncation(cause) => cause.to_string(),
             Self::Step(cause) => cause.to_string(),

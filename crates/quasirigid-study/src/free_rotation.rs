@@ -29,6 +29,11 @@ pub struct FreeRotationObject {
 }
 
 impl FreeRotationObject {
+    /// Periods (s): mean one of the long axis about the angular momentum, and that about the long axis.
+    pub fn periods(&self) -> [f64; 2] {
+        [self.precession_period, self.rotation_period]
+    }
+
     /// Free rotation from a sample; none of a constrained body, of one with rotors, liquids or wheels, of a sphere, and at rest.
     pub fn of(body: &FlexibleBody, sample: &Sample) -> Option<Self> {
         let Principal { moments, axes } = Principal::compute(body.invariants().J);

@@ -86,6 +86,7 @@ mod judged;
 mod kept_run;
 pub mod layout;
 mod left_out;
+pub mod light_curve;
 pub mod linear;
 mod liquids;
 mod materials;

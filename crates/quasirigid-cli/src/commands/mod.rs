@@ -12,6 +12,7 @@ pub mod export;
 pub mod fills;
 pub mod infer;
 pub mod keys;
+pub mod lightcurve;
 pub mod linear;
 pub mod modes;
 pub mod new;

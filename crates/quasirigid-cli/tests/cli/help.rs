@@ -1,12 +1,13 @@
 use crate::support::{EXAMPLES, STUDIES, ran};
 
-const COMMANDS: [&str; 14] = [
+const COMMANDS: [&str; 15] = [
     "run",
     "check",
     "modes",
     "linear",
     "derive",
     "fills",
+    "lightcurve",
     "export",
     "simulate",
     "evolve",

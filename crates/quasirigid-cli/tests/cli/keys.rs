@@ -236,6 +236,16 @@ fn keys_of_derive_are_those_of_the_guide() {
     assert_same(&derive, &(&(&listed("04-derive-equations.md", "As JSON") | &terms) | &forces));
 }
 
+#[test]
+fn keys_of_light_curves_are_those_of_the_guide() {
+    let view = "docs/guide/data/sky.csv --epoch 2449000.5 --absolute-magnitude 15.3";
+    let mut curve = printed(&[&format!("lightcurve examples/toutatis/model.toml --view {view} --periods")]);
+    // with measured brightness alone
+    let measured = ["", ".rms", ".blocks", ".blocks.block", ".blocks.points", ".blocks.scale", ".blocks.rms"];
+    curve.extend(measured.map(|key| format!("residuals{key}")));
+    assert_same(&curve, &listed(PAGE, "`lightcurve`"));
+}
+
 /// A refused evolution has unknown numbers, and lists them; events that never happen have infinite times.
 #[test]
 fn null_is_what_is_infinite_or_not_known() {

@@ -27,6 +27,7 @@ mod inputs;
 mod interrupt;
 mod keys;
 mod left_out;
+mod lightcurve;
 mod linear;
 mod materials;
 mod model_errors;

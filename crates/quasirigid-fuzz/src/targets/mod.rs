@@ -5,6 +5,7 @@ mod change;
 mod disk;
 mod formula;
 mod history;
+mod light_curve;
 mod matrix;
 mod model;
 mod quantity;
@@ -87,7 +88,7 @@ impl Target {
 }
 
 /// Every target.
-pub const TARGETS: [Target; 55] = [
+pub const TARGETS: [Target; 56] = [
     Target::of_body("model_text", model::text, model::WORDS)
         .seeded(&[("examples", "toml"), ("data/published", "toml")]),
     Target::of_body("model_tables", model::text, &[]).drawn("model_text", grammar::model::model),
@@ -173,6 +174,7 @@ pub const TARGETS: [Target; 55] = [
     Target::of_file("attitude_stk", |bytes| attitude::read("a.a", bytes), attitude::STK),
     Target::of_file("history_csv", |bytes| history::read("spin.csv", bytes), history::TEXT),
     Target::of_file("history_npz", |bytes| history::read("spin.npz", bytes), matrix::NUMPY),
+    Target::of_file("light_curve", light_curve::read, light_curve::TEXT),
     Target::of_file("bodies_csv", |bytes| table::bodies("bodies.csv", bytes), &["\"", "\r\n", ",", "NaN"]),
     Target::of_file(
         "bodies_text",

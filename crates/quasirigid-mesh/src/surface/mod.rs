@@ -10,6 +10,7 @@ mod parts;
 mod proximity;
 mod repair;
 mod shells;
+mod sight;
 #[cfg(test)]
 pub(crate) mod testing;
 mod topology;
@@ -24,3 +25,4 @@ pub use moments::Moments;
 pub(crate) use proximity::Proximity;
 pub use proximity::nearest_weights;
 pub use repair::{Repairs, Unrepaired, repaired};
+pub use sight::Sight;

@@ -6,6 +6,7 @@ mod curve;
 pub mod evolution;
 pub mod fill_map;
 pub mod history;
+pub mod light_curve;
 pub mod verification;
 
 use quasirigid_io::record::RunRecord;

@@ -14,6 +14,7 @@ mod forces;
 mod full_system;
 mod histories;
 mod infer;
+mod light_curve;
 mod measured;
 mod methods;
 mod modes;

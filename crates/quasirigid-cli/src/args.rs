@@ -14,7 +14,7 @@ use quasirigid_io::model::{EvolveMethod, KeyPath, ManifoldMasters, ManifoldStyle
 use quasirigid_io::record::TableFormat;
 use quasirigid_io::study_file::Quantity;
 use quasirigid_io::units::{Dimension, quantity};
-use quasirigid_study::light_curve::{Hapke, Phase, Scattering};
+use quasirigid_study::light_curve::{Phase, Scattering, phase, scattering};
 use quasirigid_study::modes::PrincipalAxis;
 use quasirigid_study::settings::{PartialRun, PartialSpinManifold, Range, Setting};
 use quasirigid_study::sweep::Shard;
@@ -572,37 +572,6 @@ fn numbers<const N: usize>(text: &str) -> Option<[f64; N]> {
 /// Reads a direction.
 fn direction(text: &str) -> Result<[f64; 3], String> {
     numbers(text).ok_or_else(|| "a direction has three components, as 0.8,0.6,0".to_owned())
-}
-
-/// Reads a law of scattering.
-fn scattering(text: &str) -> Result<Scattering, String> {
-    let (name, rest) = text.split_once(':').unwrap_or((text, ""));
-    let found = match name {
-        "lommel-seeliger" if rest.is_empty() => Some(Scattering::LommelSeeliger),
-        "lambert" if rest.is_empty() => Some(Scattering::Lambert),
-        "mixed" => numbers(rest).map(|[lambert]| Scattering::Mixed { lambert }),
-        "hapke" => numbers(rest).map(|[w, g, surge, h, degrees]| {
-            Scattering::Hapke(Hapke { w, g, B0: surge, h, roughness: degrees.to_radians() })
-        }),
-        _ => None,
-    };
-    found.ok_or_else(|| "give lommel-seeliger, lambert, mixed:0.1 or hapke:0.23,-0.27,1.6,0.08,20".to_owned())
-}
-
-/// Reads a phase function.
-fn phase(text: &str) -> Result<Phase, String> {
-    let (name, rest) = text.split_once(':').unwrap_or((text, ""));
-    let found = match name {
-        "flat" if rest.is_empty() => Some(Phase::Flat),
-        "hg" => numbers(rest).map(|[slope]| Phase::HG { G: slope }),
-        "surge" => numbers(rest).map(|[amplitude, width, slope]| Phase::ExponentialLinear {
-            amplitude,
-            width,
-            slope,
-        }),
-        _ => None,
-    };
-    found.ok_or_else(|| "give flat, hg:0.15 or surge:0.5,0.1,-0.5".to_owned())
 }
 
 /// Reads two numbers.

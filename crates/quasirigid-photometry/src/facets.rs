@@ -17,6 +17,9 @@ pub struct Facets {
     sight: Option<Arc<Sight>>,
 }
 
+/// Parts of the extent of a body that a facet in shadow is no longer than.
+const PARTS: f64 = 24.0;
+
 #[derive(Clone, Copy, Debug)]
 struct Facet {
     normal: [f64; 3],
@@ -54,13 +57,18 @@ impl Facets {
         Self { facets, sight }
     }
 
-    /// The same surface with every triangle that may lie in shadow or be hidden cut into `4^level` facets.
+    /// The same surface with every triangle that may lie in shadow or be hidden cut into facets no longer than a 24th of the body, and each of
+    /// those into `4^level`.
     #[must_use]
     pub fn refined(&self, surface: &ClosedSurface, level: usize) -> Self {
         let Some(sight) = &self.sight else { return self.clone() };
         let corners = |triangle: &[usize; 3]| triangle.map(|vertex| surface.vertices()[vertex]);
+        let longest = extent(surface.vertices()) / PARTS;
         let cut = surface.triangles().iter().map(corners).enumerate().flat_map(|(triangle, corners)| {
-            let level = if sight.is_open(triangle) { 0 } else { level };
+            let [a, b, c] = corners;
+            let edge = [minus(b, a), minus(c, b), minus(a, c)].map(norm).into_iter().fold(0.0, f64::max);
+            let halvings = (edge / longest).log2().ceil().max(0.0) as usize;
+            let level = if sight.is_open(triangle) { 0 } else { level + halvings };
             quartered(vec![corners], level).into_iter().map(move |corners| facet((triangle, corners)))
         });
         Self { facets: cut.collect(), sight: self.sight.clone() }
@@ -104,6 +112,17 @@ impl Facets {
     fn is_hidden(&self, facet: &Facet, direction: [f64; 3]) -> bool {
         self.sight.as_ref().is_some_and(|sight| sight.is_blocked(facet.triangle, facet.middle, direction))
     }
+}
+
+/// Greatest extent of points along an axis.
+fn extent(points: &[[f64; 3]]) -> f64 {
+    let along = |axis: usize| {
+        let ends = points.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], point| {
+            [low.min(point[axis]), high.max(point[axis])]
+        });
+        ends[1] - ends[0]
+    };
+    (0..3).map(along).fold(0.0, f64::max)
 }
 
 /// The facet that is a triangle, or a part of one.

@@ -11,6 +11,8 @@ const GIVING: usize = 7;
 /// Cost of a multiple, and of the second frequency, over that of power which is not explained.
 const MULTIPLE: f64 = 0.01;
 const SECOND: f64 = 0.02;
+/// Chance matches of a line with the multiples of two frequencies above which they tell nothing.
+const MOST_CHANCE: f64 = 0.2;
 /// Pairs that are told.
 const TOLD: usize = 5;
 
@@ -38,6 +40,18 @@ pub struct FrequencyPair {
 #[must_use]
 pub fn numbers_of(spectrum: &Spectrum, first: f64, second: Option<f64>) -> Vec<Option<LineNumbers>> {
     spectrum.lines.iter().map(|line| numbers(line, spectrum.resolution, first, second)).collect()
+}
+
+/// Whether a line anywhere would hardly be a sum of multiples of two frequencies, or of one, by chance. (O17)
+#[must_use]
+pub fn tells_numbers(spectrum: &Spectrum, first: f64, second: Option<f64>) -> bool {
+    let most = if second.is_some() { MOST } else { 0 };
+    let sums = (-MOST..=MOST).flat_map(|j| (-most..=most).map(move |k| (j, k)));
+    let within = sums.filter(|(j, k)| {
+        let sum = f64::from(*j) * first + f64::from(*k) * second.unwrap_or(0.0);
+        sum > 0.0 && sum <= spectrum.highest
+    });
+    within.count() as f64 * 2.0 * NEAR * spectrum.resolution <= MOST_CHANCE * spectrum.highest
 }
 
 /// The lowest multiples whose sum is a line, the first not negative. (O17)
@@ -185,7 +199,15 @@ mod tests {
             amplitude: *amplitude,
         };
         let lines = lines.iter().map(line).collect();
-        Spectrum { lines, resolution: 0.01, highest: 5.0, rest: 0.0, whole: 1.0 }
+        Spectrum {
+            lines,
+            resolution: 0.01,
+            highest: 5.0,
+            is_cut: false,
+            rivals: Vec::new(),
+            rest: 0.0,
+            whole: 1.0,
+        }
     }
 
     /// Sums of two frequencies that no common measure has.

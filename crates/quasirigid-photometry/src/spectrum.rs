@@ -8,10 +8,15 @@ use nalgebra::{DMatrix, DVector};
 const STEPS: f64 = 6.0;
 /// Products of times and frequencies that a search may cost.
 const MOST_WORK: f64 = 2e9;
-/// Deviations of an amplitude below which a line is noise.
-const NOISE: f64 = 4.0;
+/// Probability that the highest peak of noise is taken for a line.
+const FALSE_ALARM: f64 = 1e-3;
+/// Peaks of the periodogram that may stand for the strongest line, and the rise of chi-squared below which one does.
+const RIVALS: usize = 12;
+const UNTOLD: f64 = 25.0;
 /// Amplitude over the greatest below which lines are left out.
 const LEAST: f64 = 3e-3;
+/// Least periods of a line in the record.
+const CYCLES: f64 = 1.5;
 /// Iterations of the common fit.
 const ITERATIONS: usize = 8;
 
@@ -35,6 +40,10 @@ pub struct Spectrum {
     pub resolution: f64,
     /// Greatest frequency that was looked at.
     pub highest: f64,
+    /// Whether the times tell higher ones, which would have cost too much.
+    pub is_cut: bool,
+    /// Frequencies with which the strongest line leaves as little as with its own.
+    pub rivals: Vec<f64>,
     /// Root mean square of what is left.
     pub rest: f64,
     /// Root mean square of the curve about its means.
@@ -61,7 +70,7 @@ pub fn spectral_lines(t: &[f64], y: &[f64], block: &[usize], most: usize) -> Opt
     let from_middle: Vec<f64> = t.iter().map(|t| t - 0.5 * (first + last)).collect();
     let blocks = block.iter().max().map_or(0, |most| most + 1);
     let curve = Curve { t: &from_middle, y, block, blocks };
-    let highest = highest(t, span);
+    let (highest, is_cut) = highest(t, span);
     let mut frequencies: Vec<f64> = Vec::new();
     let mut fitted = curve.fit(&mut frequencies)?;
     let whole = rms(&fitted.rest);
@@ -73,10 +82,13 @@ pub fn spectral_lines(t: &[f64], y: &[f64], block: &[usize], most: usize) -> Opt
         let mut longer = frequencies.clone();
         longer.push(next);
         let Some(better) = curve.fit(&mut longer) else { break };
+        if longer.iter().any(|frequency| frequency * span < CYCLES) {
+            break; // a trend
+        }
         let amplitude = better.amplitudes.last().copied().unwrap_or(0.0);
         let greatest = better.amplitudes.iter().copied().fold(0.0, f64::max);
-        let noise = rms(&better.rest) * (2.0 / t.len() as f64).sqrt();
-        if !(amplitude > NOISE * noise && amplitude > LEAST * greatest) {
+        let noise = rms(&better.rest) * (2.0 / t.len() as f64).sqrt() * peak_of_noise(highest * span);
+        if !(amplitude > noise && amplitude > LEAST * greatest) {
             break;
         }
         (frequencies, fitted) = (longer, better);
@@ -89,18 +101,25 @@ pub fn spectral_lines(t: &[f64], y: &[f64], block: &[usize], most: usize) -> Opt
     };
     let mut lines: Vec<Line> = frequencies.iter().zip(&fitted.amplitudes).map(line).collect();
     lines.sort_by(|a, b| b.amplitude.total_cmp(&a.amplitude));
-    Some(Spectrum { lines, resolution: span.recip(), highest, rest, whole })
+    let rivals = curve.rivals(&frequencies, &fitted, span, highest);
+    Some(Spectrum { lines, resolution: span.recip(), highest, is_cut, rivals, rest, whole })
 }
 
-/// Half the reciprocal of the median step, or less where the search would cost too much.
-fn highest(t: &[f64], span: f64) -> f64 {
+/// Deviations of the amplitude of the highest of so many independent peaks of noise, but for a rare one. (O16)
+fn peak_of_noise(peaks: f64) -> f64 {
+    (2.0 * (peaks.max(1.0) / FALSE_ALARM).ln()).sqrt()
+}
+
+/// Half the reciprocal of the median step, or less where the search would cost too much, and whether it is less.
+fn highest(t: &[f64], span: f64) -> (f64, bool) {
     let mut sorted = t.to_vec();
     sorted.sort_by(f64::total_cmp);
     let mut steps: Vec<f64> =
         sorted.windows(2).map(|pair| pair[1] - pair[0]).filter(|step| *step > 0.0).collect();
     steps.sort_by(f64::total_cmp);
     let median = steps.get(steps.len() / 2).copied().unwrap_or(span);
-    (0.5 / median).min(MOST_WORK / (STEPS * span * t.len() as f64))
+    let (told, most) = (0.5 / median, MOST_WORK / (STEPS * span * t.len() as f64));
+    (told.min(most), most < told)
 }
 
 fn rms(values: &[f64]) -> f64 {
@@ -116,8 +135,45 @@ struct Fitted {
 impl Curve<'_> {
     /// The frequency of the highest peak of the periodogram of some residuals.
     fn strongest(&self, rest: &[f64], span: f64, highest: f64) -> Option<f64> {
+        let powers = self.periodogram(rest, span, highest);
+        powers.into_iter().max_by(|a, b| a[1].total_cmp(&b[1])).map(|[frequency, _]| frequency)
+    }
+
+    /// Frequencies with which the strongest line would leave as little, the others as they are: aliases by the gaps between the times. (O16)
+    fn rivals(&self, frequencies: &[f64], fitted: &Fitted, span: f64, highest: f64) -> Vec<f64> {
+        let amplitude = |k: &usize| fitted.amplitudes[*k];
+        let Some(first) = (0..frequencies.len()).max_by(|a, b| amplitude(a).total_cmp(&amplitude(b))) else {
+            return Vec::new();
+        };
+        let others: Vec<f64> = [&frequencies[..first], &frequencies[first + 1..]].concat();
+        let Some((rest, _)) = self.linear(&others) else { return Vec::new() };
+        let mut peaks = self.periodogram(&rest, span, highest);
+        peaks.sort_by(|a, b| b[1].total_cmp(&a[1]));
+        let mut told = vec![frequencies[first]];
+        let mut rivals = Vec::new();
+        for [frequency, _] in peaks {
+            if told.len() > RIVALS {
+                break;
+            }
+            if told.iter().any(|known| (known - frequency).abs() * span < 1.5) {
+                continue;
+            }
+            told.push(frequency);
+            let mut all = [&others[..], &[frequency]].concat();
+            let rises = self.fit(&mut all).map_or(f64::INFINITY, |with| {
+                self.t.len() as f64 * ((rms(&with.rest) / rms(&fitted.rest)).powi(2) - 1.0)
+            });
+            if rises < UNTOLD {
+                rivals.push(all[all.len() - 1]);
+            }
+        }
+        rivals
+    }
+
+    /// Frequencies and powers of some residuals.
+    fn periodogram(&self, rest: &[f64], span: f64, highest: f64) -> Vec<[f64; 2]> {
         let step = (STEPS * span).recip();
-        let first = STEPS as usize; // a period as long as the record
+        let first = (CYCLES * STEPS) as usize;
         let last = (highest / step) as usize;
         let turn = |t: &f64, times: f64| (TAU * step * times * t).sin_cos();
         let mut waves: Vec<[f64; 2]> =
@@ -131,10 +187,9 @@ impl Curve<'_> {
                 imaginary += value * wave[1];
                 *wave = [wave[0] * c - wave[1] * s, wave[0] * s + wave[1] * c];
             }
-            powers.push(real * real + imaginary * imaginary);
+            powers.push([(first + powers.len()) as f64 * step, real * real + imaginary * imaginary]);
         }
-        let best = (0..powers.len()).max_by(|a, b| powers[*a].total_cmp(&powers[*b]))?;
-        Some((first + best) as f64 * step)
+        powers
     }
 
     /// Least squares in the constants, the amplitudes and the frequencies, which are moved to their best.
@@ -239,6 +294,33 @@ mod tests {
             }
             assert!(found.rest < 1e-6 * found.whole);
         }
+    }
+
+    /// The more frequencies are looked at, the higher the highest peak of noise.
+    #[test]
+    fn noise_of_nights_far_apart_has_no_lines() {
+        let t: Vec<f64> = (0..720).map(|k| f64::from(25 * (k / 60)) + f64::from(k % 60) / 288.0).collect();
+        for seed in 0..6 {
+            let mut random = quasirigid_math::random::Random::new(seed);
+            let y: Vec<f64> = t.iter().map(|_| (0..12).map(|_| random.unit()).sum()).collect();
+            let found = spectral_lines(&t, &y, &[0; 720], 6).unwrap();
+            assert!(found.lines.is_empty(), "seed {seed}: {:?}", found.lines);
+        }
+    }
+
+    /// Two points a night at the same hours: frequencies a whole number of turns a day apart are told by their short distance alone.
+    #[test]
+    fn a_line_that_the_nights_leave_open_has_rivals() {
+        let f = 3.3;
+        let t: Vec<f64> = (0..80).map(|k| f64::from(k / 2) + f64::from(k % 2) / 288.0).collect();
+        let mut random = quasirigid_math::random::Random::new(5);
+        let y: Vec<f64> = t.iter().map(|t| (TAU * f * t).cos() + 0.2 * random.unit()).collect();
+        let found = spectral_lines(&t, &y, &[0; 80], 1).unwrap();
+        let told: Vec<f64> = found.lines.iter().map(|line| line.frequency).chain(found.rivals).collect();
+        assert!(told.len() > 2 && told.iter().any(|told| (told - f).abs() < 0.02), "{told:?}");
+        let whole: Vec<f64> = (0..400).map(|k| f64::from(k) / 40.0).collect();
+        let y: Vec<f64> = whole.iter().map(|t| (TAU * f * t).cos()).collect();
+        assert_eq!(spectral_lines(&whole, &y, &[0; 400], 1).unwrap().rivals, Vec::<f64>::new());
     }
 
     #[test]

@@ -20,6 +20,7 @@ use quasirigid_study::fill_map::{self, FillMapSettings};
 use quasirigid_study::histories::Table;
 use quasirigid_study::infer::InferSettings;
 use quasirigid_study::layout::paragraph;
+use quasirigid_study::light_curve::LightCurveSettings;
 use quasirigid_study::linear::{LinearObject, LinearSettings};
 use quasirigid_study::modes::{PrincipalAxis, SteadySpinSettings};
 use quasirigid_study::report::page;
@@ -132,6 +133,25 @@ pub fn fills(study: &Study, asked: &FillMapSettings, mut shared: &Shared) -> Res
         notes: study.model.notes.clone(),
         numbers: BTreeMap::new(),
         columns: None,
+    })
+}
+
+/// The light curve of the rotating body.
+pub fn light_curve(
+    study: &Study,
+    run: &PartialRun,
+    asked: &LightCurveSettings,
+    mut shared: &Shared,
+) -> Result<Answer, Failure> {
+    let found = study.light_curve(run, asked, &mut shared)?;
+    Ok(Answer {
+        json: Json(study.with_inputs(found.json())),
+        text: found.text(),
+        sentence: found.sentence.clone(),
+        holds: found.holds,
+        notes: [shared.remarks(), study.model.notes.clone(), found.notes.clone()].concat(),
+        numbers: BTreeMap::new(),
+        columns: Some(Columns::of_record(found.columns())),
     })
 }
 

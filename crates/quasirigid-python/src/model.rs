@@ -26,6 +26,7 @@ use crate::arguments::{Quantity, deprecated, named};
 use crate::columns::Columns;
 use crate::ensemble::{self, Histories};
 use crate::failure::Failure;
+use crate::light_curve::LightCurveArgs;
 use crate::reduced::Reduced;
 use crate::spin_paths;
 use crate::stepper::Stepper;
@@ -160,6 +161,19 @@ impl Model {
         let (fills, spins, counts) = range;
         let asked = FillMapSettings { tanks, fills, spins, counts };
         self.ask(py, (order, observer), |study, shared| answers::fills(study, &asked, shared))
+    }
+
+    /// The light curve of the rotating body.
+    fn light_curve(
+        &self,
+        py: Python<'_>,
+        settings: RunArgs,
+        asked: LightCurveArgs,
+        order: Option<usize>,
+        observer: Observer,
+    ) -> PyResult<Answer> {
+        let (run, asked) = (settings.partial()?, asked.settings()?);
+        self.ask(py, (order, observer), |study, shared| answers::light_curve(study, &run, &asked, shared))
     }
 
     /// Derivatives of an answer with respect to keys.

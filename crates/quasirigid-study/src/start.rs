@@ -57,7 +57,9 @@ pub fn initial(study: &Study) -> Result<Start, StudyError> {
             let size = rate * circled.moments[mode.circled()];
             let motion = FreeRotation::at_nutation(principal.moments, size, mode, angle);
             let frozen = angular_momentum(&principal, &motion?);
-            match observed.is_none().then(|| spun_wobble(body, frozen, angle, rate, mode)).flatten() {
+            let spun =
+                observed.is_none() && matches!(model.initial.displacements, Displacements::SlowManifold);
+            match spun.then(|| spun_wobble(body, frozen, angle, rate, mode)).flatten() {
                 Some(K) => (K, times(inverse(body.invariants().J), K)),
                 None => frozen,
             }

@@ -6,12 +6,12 @@ use super::Sighting;
 use crate::visible::one_line;
 
 /// The text of a file of ALCDEF with a session for each block, of Julian dates and magnitudes; `name` is that of the object, `phase` the phase
-/// angle (degrees) in the middle of each block.
+/// angle (degrees) in the middle of each block. Magnitudes are in V, or differ from them by a constant.
 #[must_use]
 pub fn alcdef(
     name: &str,
     sightings: &[Sighting],
-    magnitudes: &[f64],
+    (magnitudes, differ): (&[f64], bool),
     phase: impl Fn(&Sighting) -> f64,
 ) -> String {
     let mut text = String::new();
@@ -21,10 +21,11 @@ pub fn alcdef(
         let rows = block.iter().zip(&magnitudes[at..]);
         let told = write!(
             text,
-            "STARTMETADATA\nREVISEDDATA=FALSE\nOBJECTNAME={}\nSESSIONDATE={}\nDELIMITER=PIPE\nFILTER=V\nMAGBAND=V\nDIFFERMAGS=FALSE\n\
+            "STARTMETADATA\nREVISEDDATA=FALSE\nOBJECTNAME={}\nSESSIONDATE={}\nDELIMITER=PIPE\nFILTER=V\nMAGBAND=V\nDIFFERMAGS={}\n\
              LTCAPP=AVERAGE\nLTCTYPE=NONE\nREDUCEDMAGS=NONE\nUCORMAG=0\nPHASE=+{:.2}\nCOMMENT=computed by quasirigid, light-time corrected\nENDMETADATA\n",
             one_line(name),
             date(middle.time),
+            if differ { "TRUE" } else { "FALSE" },
             phase(middle),
         );
         told.expect("a string takes any text");

@@ -1,5 +1,6 @@
 //! Tables of light curves in text.
 
+use std::collections::HashMap;
 use std::path::Path;
 
 use super::error::wrong;
@@ -82,7 +83,7 @@ fn sightings(titles: &[Title], columns: &[Vec<f64>]) -> Result<LightCurveFile, F
         return Err(refuse("the table has both brightness and magnitude; leave one out".to_owned()));
     }
     let mut found = Vec::new();
-    let (mut block, mut label) = (0, f64::NAN);
+    let mut labels: HashMap<u64, usize> = HashMap::new();
     for row in 0..columns[times].len() {
         let entry = |index: usize| places[index].1 * columns[places[index].0][row];
         let (sun, observer) = ([0, 1, 2].map(entry), [3, 4, 5].map(entry));
@@ -91,15 +92,14 @@ fn sightings(titles: &[Title], columns: &[Vec<f64>]) -> Result<LightCurveFile, F
         if let Some(problem) = wrong(sun, observer, brightness) {
             return Err((Place::File, LightCurveProblem::Row { row: row + 1, problem }));
         }
-        let time = seconds * columns[times][row];
+        let time = seconds * columns[times][row] + 0.0; // no negative zero
         if !time.is_finite() {
             let problem = "the time is beyond the range of numbers".to_owned();
             return Err((Place::File, LightCurveProblem::Row { row: row + 1, problem }));
         }
-        if let Some(at) = blocks {
-            block += usize::from(row > 0 && columns[at][row] != label);
-            label = columns[at][row];
-        }
+        let label = blocks.map_or(0.0, |at| columns[at][row]);
+        let next = labels.len();
+        let block = *labels.entry(label.to_bits()).or_insert(next);
         found.push(Sighting { time, sun, observer, brightness, block });
     }
     Ok(LightCurveFile { clock, sightings: found })

@@ -35,7 +35,7 @@ fn brightness_is_that_of_an_independent_renderer() {
         let [sun, observer] = [[2, 3, 4], [5, 6, 7]].map(|place: [usize; 3]| place.map(number));
         let scattering = if cells[1] == "lambert" { Scattering::Lambert } else { Scattering::LommelSeeliger };
         let (_, surface) = surfaces.iter().find(|(name, _)| name == cells[0]).unwrap();
-        let facets = Facets::of_surface(surface).refined(surface, 6);
+        let facets = Facets::of_surface(surface).refined(surface, 2);
         let found = facets.brightness(&law(scattering, 0.5), sun, observer);
         let whole = facets.mean_cross_section();
         assert!((found - number(8)).abs() < PIXELS * (number(8) + 0.1 * whole), "{row}: {found}");

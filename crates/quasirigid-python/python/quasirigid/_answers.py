@@ -22,7 +22,7 @@ from quasirigid._table import Table, Tabled
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-__all__ = ["AboutSpin", "Answer", "Check", "EffectiveMasses", "Evolution", "FillMap", "History", "Inferred", "Modes", "Run", "Sensitivity", "Verification"]
+__all__ = ["AboutSpin", "Answer", "Check", "EffectiveMasses", "Evolution", "FillMap", "History", "Inferred", "LightCurve", "Modes", "Run", "Sensitivity", "Verification"]
 
 
 def _array(values: list[float | None]) -> NDArray[np.float64]:
@@ -415,6 +415,44 @@ class History(_Tabled, Attitudes):
         from quasirigid import _plot
 
         return _plot.history(self)
+
+
+class LightCurve(Answer, Tabled):
+    """Brightness of the rotating body over time, as an observer sees it.
+
+    It is false where the rotation does not hold or the facets are too coarse for the shadows; ``notes`` say which.
+
+    >>> import quasirigid
+    >>> model = quasirigid.Model.from_file("examples/toutatis/model.toml")
+    >>> curve = model.light_curve(sun=(1, 0, 0), observer=(0.9, 0.4, 0.1), duration="30 d", samples=61)
+    >>> curve.magnitude.shape, curve.amplitude > 0.5
+    ((61,), True)
+    """
+
+    __slots__ = ()
+
+    t = column("Times (s), ``(rows,)``.")
+    brightness = column("Area (m²) of the disc that is as bright as a white sphere at opposition; times the albedo, if any, ``(rows,)``.")
+    magnitude = column("Magnitude at one astronomical unit from Sun and observer, relative to the mean without an albedo, ``(rows,)``.")
+    phase_angle = column("Angle between Sun and observer as seen from the body (rad), ``(rows,)``.")
+    amplitude = entry(float, "Greatest less least magnitude.")
+    surface = entry(_copy, "Facets: ``kind``, ``facets``, ``convex``, ``error`` (relative), ``cross_section`` (m²).")
+    residuals = entry(copy.deepcopy, "Comparison with measured brightness, block by block, or ``None``.")
+    periods = entry(copy.deepcopy, "Frequencies found in the curve, or ``None`` if not asked for.")
+
+    def __getitem__(self, name: str) -> Any:
+        """A column of the table by its name."""
+        return self.table[name]
+
+    def __iter__(self) -> NoReturn:
+        """Refuses: an answer is no list of its rows."""
+        raise TypeError("a LightCurve is not iterable; take columns by name, or its table")
+
+    def plot(self) -> Figure:
+        """Magnitude against time, bright above (needs matplotlib)."""
+        from quasirigid import _plot
+
+        return _plot.light_curve(self)
 
 
 class Evolution(_Tabled):

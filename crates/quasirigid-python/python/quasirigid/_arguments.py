@@ -158,6 +158,19 @@ def times(value: ArrayLike | None) -> list[float] | None:
     return instants
 
 
+def places(value: ArrayLike | None, name: str, instants: list[float] | None) -> list[tuple[float, float, float]]:
+    """A vector, or one at each time."""
+    if value is None:
+        return []
+    found = vectors(value, name)
+    if found.ndim == 2 and (instants is None or found.shape[0] != len(instants)):
+        count = 0 if instants is None else len(instants)
+        raise InputError(f"{name} has {found.shape[0]} rows for {count} times; give times, one for each row")
+    if found.ndim > 2 or not np.isfinite(found).all():
+        raise InputError(f"{name} is neither a vector nor rows of three finite numbers")
+    return [(x, y, z) for x, y, z in found.reshape(-1, 3).tolist()]
+
+
 def counts(value: Iterable[Any] | None, name: str) -> list[int] | None:
     """A list of whole numbers."""
     if value is None:

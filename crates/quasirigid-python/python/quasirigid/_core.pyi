@@ -120,6 +120,9 @@ class Model:
         order: int | None,
         observer: _Observer,
     ) -> _Answer: ...
+    def light_curve(
+        self, settings: dict[str, Any], asked: dict[str, Any], order: int | None, observer: _Observer
+    ) -> _Answer: ...
     def infer(
         self,
         measured: tuple[str, float | None],

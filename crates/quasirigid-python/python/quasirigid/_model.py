@@ -9,7 +9,7 @@ from typing import Any, NoReturn, overload
 
 from numpy.typing import ArrayLike
 
-from quasirigid import _arguments, _core, _settings
+from quasirigid import _arguments, _core, _progress, _settings
 from quasirigid._answers import (
     AboutSpin,
     Answer,
@@ -19,6 +19,7 @@ from quasirigid._answers import (
     FillMap,
     History,
     Inferred,
+    LightCurve,
     Modes,
     Run,
     Sensitivity,
@@ -254,6 +255,69 @@ class Model:
         with observer(progress) as watch:
             asked = (fill, spin, points)
             return FillMap(self._core.fills(list(tanks), asked, _arguments.count(order, "order"), watch))
+
+    def light_curve(
+        self,
+        *,
+        sun: ArrayLike | None = None,
+        observer: ArrayLike | None = None,
+        view: str | os.PathLike[str] | None = None,
+        times: ArrayLike | None = None,
+        duration: float | str | None = None,
+        samples: int | None = None,
+        law: str = "lommel-seeliger",
+        phase: str = "flat",
+        albedo: float | None = None,
+        absolute_magnitude: float | None = None,
+        epoch: float | None = None,
+        periods: bool = False,
+        system: str = "reduced",
+        tolerance: float | None = None,
+        order: int | None = None,
+        progress: Progress = False,
+    ) -> LightCurve:
+        """Gives the brightness of the rotating body as an observer sees it.
+
+        Args:
+            sun, observer: Directions from the body to the Sun and to the observer, inertial axes, ``(3,)``; or with ``times``
+                places (au) at each of them, ``(n, 3)``.
+            view: File with times and places, and perhaps measured brightness, in their place.
+            times: Times (s), ascending, in place of ``duration`` and ``samples``.
+            duration, samples: As in ``simulate``.
+            law: Law of scattering: ``lommel-seeliger``, ``lambert``, ``mixed:C`` or ``hapke:W,G,B0,H,DEGREES``.
+            phase: Phase function beside it: ``flat``, ``hg:G`` or ``surge:A,D,K``.
+            albedo: Geometric albedo, for magnitudes in V.
+            absolute_magnitude: Absolute magnitude in V, in place of the albedo.
+            epoch: Julian date of the start of the model, for files with Julian dates.
+            periods: Finds the frequencies of the curve, too.
+            system, tolerance: As in ``simulate``.
+
+        Raises:
+            InputError: for places, times and laws that give no brightness, and a model without an outer surface.
+        """
+        if (view is None) == (sun is None or observer is None):
+            raise InputError("give the places of both sun and observer, or a file as view")
+        if view is not None and (times is not None or duration is not None or samples is not None):
+            raise InputError("view has times of its own; leave out times, duration and samples")
+        if albedo is not None and absolute_magnitude is not None:
+            raise InputError("albedo and absolute_magnitude say the same; give one of them")
+        instants = _arguments.times(times)
+        asked = {
+            "system": _arguments.word(system, "system"),
+            "view": None if view is None else _arguments.path(view, "view"),
+            "sun": _arguments.places(sun, "sun", instants),
+            "observer": _arguments.places(observer, "observer", instants),
+            "times": instants,
+            "epoch": _arguments.number(epoch, "epoch"),
+            "law": _arguments.word(law, "law"),
+            "phase": _arguments.word(phase, "phase"),
+            "albedo": _arguments.number(albedo, "albedo"),
+            "absolute_magnitude": _arguments.number(absolute_magnitude, "absolute_magnitude"),
+            "periods": bool(periods),
+        }
+        settings = _settings.run(duration, samples, tolerance, times=times)
+        with _progress.observer(progress) as watch:
+            return LightCurve(self._core.light_curve(settings, asked, _arguments.count(order, "order"), watch))
 
     def sensitivity(
         self, of: str, keys: Sequence[str] = (), *, order: int | None = None, progress: Progress = False

@@ -158,6 +158,17 @@ def fills(answer: _answers.FillMap) -> Figure:
     return _plain(figure)
 
 
+def light_curve(answer: _answers.LightCurve) -> Figure:
+    figure, axes = _figure(1)
+    name, unit = _time_unit(answer.t)
+    axes[0].plot(answer.t / unit, answer.magnitude, linewidth=1)
+    axes[0].invert_yaxis()
+    axes[0].set_xlabel(f"time ({name})")
+    axes[0].set_ylabel("magnitude")
+    _titled(figure, answer)
+    return _plain(figure)
+
+
 def histories(answer: _ensemble.Histories) -> Figure:
     figure, axes = _figure(2)
     name, unit = _time_unit(answer.t)

@@ -3,7 +3,8 @@
 use quasirigid_io::light_curve::{Sighting, alcdef, damit};
 use quasirigid_io::record::Column;
 use quasirigid_math::rotation::angle;
-use quasirigid_photometry::ASTRONOMICAL_UNIT;
+use quasirigid_math::vec3::norm;
+use quasirigid_photometry::{ASTRONOMICAL_UNIT, magnitude};
 
 use super::epochs::Epoch;
 use super::{LightCurve, SECONDS_PER_DAY, refused};
@@ -39,7 +40,8 @@ impl LightCurve {
                 [sun, observer].map(|distances| distances.iter().map(|au| au * ASTRONOMICAL_UNIT).collect());
             columns.push(column("sun_distance", "m", sun));
             columns.push(column("observer_distance", "m", observer));
-            columns.push(column("apparent_magnitude", "mag", apparent));
+            let name = if self.zero == "V" { "apparent_magnitude" } else { "apparent_relative_magnitude" };
+            columns.push(column(name, "mag", apparent));
         }
         if let (Some(residuals), Some(_)) = (&self.residuals, each(&|epoch| epoch.measured)) {
             let block = self.epochs.iter().map(|epoch| epoch.block as f64).collect();
@@ -68,14 +70,25 @@ impl LightCurve {
     /// # Errors
     /// As [`damit`](Self::damit).
     pub fn alcdef(&self) -> Result<String, StudyError> {
-        let apparent = self.columns().into_iter().find(|column| column.name == "apparent_magnitude");
         let sightings = self.sightings()?;
-        let magnitudes = apparent.map_or_else(Vec::new, |column| column.values);
+        let apparent = |sighting: &Sighting| {
+            let [sun, observer] = [sighting.sun, sighting.observer].map(norm);
+            let zero = if self.zero == "V" { 0.0 } else { magnitude(self.mean_brightness) };
+            magnitude(sighting.brightness.unwrap_or(0.0)) - zero + 5.0 * (sun * observer).log10()
+        };
+        let magnitudes: Vec<f64> = sightings.iter().map(apparent).collect();
         let phase = |sighting: &Sighting| angle(sighting.sun, sighting.observer).to_degrees();
-        Ok(alcdef(&self.name, &sightings, &magnitudes, phase))
+        Ok(alcdef(&self.name, &sightings, (&magnitudes, self.zero != "V"), phase))
     }
 
+    /// What a file tells of each time, block by block.
     fn sightings(&self) -> Result<Vec<Sighting>, StudyError> {
+        if let Some(dark) = self.brightness.iter().position(|value| *value == 0.0) {
+            return Err(refused(format!(
+                "no facet is lit and seen at {} s, and files of DAMIT and ALCDEF hold no dark body: leave such times out",
+                self.t[dark]
+            )));
+        }
         let epoch = self.epoch.ok_or_else(|| refused("files of DAMIT and ALCDEF have Julian dates; give the one of the start of the model, its epoch".to_owned()))?;
         let sighting = |(epoch_of, brightness): (&Epoch, &f64)| {
             let [sun, observer] = epoch_of.distances?;
@@ -88,6 +101,10 @@ impl LightCurve {
             })
         };
         let all: Option<Vec<Sighting>> = self.epochs.iter().zip(&self.brightness).map(sighting).collect();
-        all.ok_or_else(|| refused("files of DAMIT and ALCDEF have places of Sun and observer; give them by a file in place of two directions".to_owned()))
+        let sorted = all.map(|mut all| {
+            all.sort_by_key(|sighting| sighting.block);
+            all
+        });
+        sorted.ok_or_else(|| refused("files of DAMIT and ALCDEF have places of Sun and observer; give them by a file in place of two directions".to_owned()))
     }
 }

@@ -4,6 +4,7 @@
 
 mod epochs;
 mod files;
+mod named;
 mod periods;
 mod residuals;
 mod shape;
@@ -11,6 +12,7 @@ mod text;
 
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
+pub use named::{phase, scattering};
 use quasirigid_io::light_curve::LightCurveFile;
 use quasirigid_io::model::{Named, PartialRun, PartialSpinManifold, System};
 use quasirigid_math::rotation::Turn;
@@ -146,6 +148,11 @@ impl Study {
         asked: &LightCurveSettings,
         watch: &mut dyn Watch,
     ) -> Result<LightCurve, StudyError> {
+        if let Some(epoch) = asked.epoch.filter(|epoch| !epoch.is_finite()) {
+            return Err(refused(format!(
+                "the epoch is {epoch}; give the Julian date of the start of the model"
+            )));
+        }
         let shape = Shape::of(self)?;
         let law = Law::new(asked.scattering, asked.phase).map_err(|error| refused(error.to_string()))?;
         let scale = scale(asked, &law, shape.cross_section())?;
@@ -259,7 +266,10 @@ impl LightCurve {
         let magnitudes: Vec<f64> = brightness.iter().map(|value| magnitude(*value) - zero).collect();
         let most = magnitudes.iter().copied().fold(f64::NEG_INFINITY, f64::max);
         let residuals = ResidualsObject::of(&epochs, &brightness);
-        let periods = asked.periods.then(|| PeriodsObject::of(&epochs, &brightness, history)).transpose()?;
+        let periods = asked
+            .periods
+            .then(|| PeriodsObject::of(&epochs, &brightness, surface.error, history))
+            .transpose()?;
         let mut notes: Vec<String> =
             history.reason().map(|reason| format!("{}: {reason}", crate::MAY_NOT_HOLD)).into_iter().collect();
         if surface.error > COARSE {
@@ -269,6 +279,8 @@ impl LightCurve {
                 100.0 * surface.error
             ));
         }
+        let doubt = periods.as_ref().and_then(|periods| periods.doubt.as_ref());
+        notes.extend(doubt.map(|doubt| format!("{}: {doubt}", crate::MAY_NOT_HOLD)));
         if missed > 0 {
             notes.push(format!("{missed} times are left out, which the rotation did not reach"));
         }
@@ -278,7 +290,10 @@ impl LightCurve {
         let mut found = Self {
             name: study.model.name.clone(),
             sentence: String::new(),
-            holds: history.holds() && surface.error <= COARSE && missed == 0,
+            holds: history.holds()
+                && surface.error <= COARSE
+                && missed == 0
+                && periods.as_ref().is_none_or(|periods| periods.doubt.is_none()),
             system: asked.system.name(),
             surface,
             albedo: scale,

@@ -1,15 +1,24 @@
 //! Frequencies of a light curve, and the periods of the rotation in them.
 
-use quasirigid_photometry::{FrequencyPair, Spectrum, frequency_pairs, numbers_of, spectral_lines};
+use quasirigid_photometry::{
+    FrequencyPair, Spectrum, frequency_pairs, numbers_of, spectral_lines, tells_numbers,
+};
 use serde::Serialize;
 
 use super::epochs::Epoch;
 use super::refused;
 use crate::error::StudyError;
 use crate::histories::History;
+use crate::words::time;
 
 /// Most lines of a light curve.
 const MOST_LINES: usize = 12;
+/// Multiple of the fastest frequency of a model that its light curve has strong lines at.
+const STRONG: f64 = 2.0;
+/// Share of the highest frequency above which the strongest line has few times in a period: eight.
+const FEW_TIMES: f64 = 0.25;
+/// Rivals that are named.
+const NAMED: usize = 3;
 
 /// Frequencies of a light curve.
 #[derive(Clone, Debug, Serialize)]
@@ -18,6 +27,8 @@ pub struct PeriodsObject {
     pub of: &'static str,
     /// Lines, the strongest first.
     pub lines: Vec<LineObject>,
+    /// Why the periods may not hold; `null` where the times tell them.
+    pub doubt: Option<String>,
     /// Greatest frequency (Hz) that was looked at.
     pub highest: f64,
     /// Root mean square of what the lines leave, over that of the curve.
@@ -72,15 +83,24 @@ pub struct ModelPeriodsObject {
 }
 
 impl PeriodsObject {
-    pub fn of(epochs: &[Epoch], brightness: &[f64], history: &History) -> Result<Self, StudyError> {
+    /// Of a computed curve, whose brightness has a relative error by the facets, lines above that error alone.
+    pub fn of(
+        epochs: &[Epoch],
+        brightness: &[f64],
+        error: f64,
+        history: &History,
+    ) -> Result<Self, StudyError> {
         let measured = epochs.iter().map(|epoch| epoch.measured).collect::<Option<Vec<f64>>>();
         let of = if measured.is_some() { "measured" } else { "computed" };
         let values = measured.as_deref().unwrap_or(brightness);
         let t: Vec<f64> = epochs.iter().map(|epoch| epoch.t).collect();
         let blocks: Vec<usize> = epochs.iter().map(|epoch| epoch.block).collect();
-        let spectrum = spectral_lines(&t, &relative(values, &blocks), &blocks, MOST_LINES).ok_or_else(|| {
+        let mut spectrum = spectral_lines(&t, &relative(values, &blocks), &blocks, MOST_LINES).ok_or_else(|| {
             refused("frequencies are not found in fewer than eight times, or in times that are all the same; give more".to_owned())
         })?;
+        if measured.is_none() {
+            spectrum.lines.retain(|line| line.amplitude > error);
+        }
         let periods = history.free_rotation.as_ref().map(|free| free.periods());
         let frequencies = periods.map(|[precession, rotation]| {
             (precession.recip(), Some(rotation.recip()).filter(|rate| rate.is_finite() && *rate > 0.0))
@@ -98,12 +118,55 @@ impl PeriodsObject {
         Ok(Self {
             of,
             lines,
+            doubt: doubt(&spectrum, frequencies, measured.is_some()),
             highest: spectrum.highest,
             rest: spectrum.rest / spectrum.whole,
             pairs: frequency_pairs(&spectrum).iter().map(pair).collect(),
             model,
         })
     }
+}
+
+/// Why the times do not tell the periods. (O16)
+fn doubt(spectrum: &Spectrum, model: Option<(f64, Option<f64>)>, is_measured: bool) -> Option<String> {
+    let fastest = model.map(|(first, second)| STRONG * (first.abs() + second.unwrap_or(0.0).abs()));
+    let strongest = spectrum.lines.first().map(|line| line.frequency);
+    let looked = time(spectrum.highest.recip());
+    if let Some(fastest) = fastest.filter(|fastest| !is_measured && *fastest > spectrum.highest) {
+        return Some(format!(
+            "the curve of this model has lines of {}, and the times tell none below {looked}: give more times, as --samples does",
+            time(fastest.recip())
+        ));
+    }
+    let slowest = model.map(|(first, _)| first.abs());
+    if let Some(slowest) = slowest.filter(|slowest| !is_measured && *slowest < spectrum.resolution) {
+        return Some(format!(
+            "the curve covers {}, less than the period of {} of this model: give a longer one",
+            time(spectrum.resolution.recip()),
+            time(slowest.recip())
+        ));
+    }
+    if spectrum.is_cut {
+        return Some(format!(
+            "so many times over so long were looked through for periods above {looked} only, and a shorter one shows as another: give a part of the curve"
+        ));
+    }
+    let rivals: Vec<String> = spectrum.rivals.iter().take(NAMED).map(|rival| time(rival.recip())).collect();
+    let strongest = strongest?;
+    if !rivals.is_empty() {
+        return Some(format!(
+            "the gaps between the times leave open whether the strongest line has a period of {} or {}",
+            time(strongest.recip()),
+            rivals.join(" or ")
+        ));
+    }
+    (fastest.is_none_or(|_| is_measured) && strongest > FEW_TIMES * spectrum.highest).then(|| {
+        format!(
+            "the steps between the times, {}, are not short beside the period of the strongest line, {}: that of a faster rotation would look the same",
+            time(0.5 * spectrum.highest.recip()),
+            time(strongest.recip())
+        )
+    })
 }
 
 /// Values over the mean of their block.
@@ -142,7 +205,10 @@ fn of_model(
     let whole: f64 = spectrum.lines.iter().map(power).sum();
     let belonging = spectrum.lines.iter().zip(&numbers).filter(|(_, numbers)| numbers.is_some());
     let explained = belonging.map(|(line, _)| power(line)).sum::<f64>() / whole;
-    let found = FrequencyPair::of_numbers(spectrum, numbers, second.is_some()).map(|found| pair(&found));
+    let found = tells_numbers(spectrum, first, second)
+        .then(|| FrequencyPair::of_numbers(spectrum, numbers, second.is_some()))
+        .flatten()
+        .map(|found| pair(&found));
     ModelPeriodsObject {
         precession_period: precession,
         rotation_period: rotation,

@@ -7,7 +7,8 @@ use super::epochs::Epoch;
 /// Comparison with measured brightness.
 #[derive(Clone, Debug, Serialize)]
 pub struct ResidualsObject {
-    /// Root mean square of measured over computed brightness less one, each block with the scale that fits it best.
+    /// Root mean square of measured over computed brightness less one over the points that a free scale of each block leaves; `null` where it
+    /// leaves none.
     pub rms: f64,
     /// Blocks.
     pub blocks: Vec<BlockObject>,
@@ -41,9 +42,9 @@ impl ResidualsObject {
         let mut blocks = Vec::new();
         for block in 0..=last {
             let rows: Vec<usize> = (0..epochs.len()).filter(|row| epochs[*row].block == block).collect();
-            // of relative residuals y s/m − 1 the squares are least at s = Σ(y/m) / Σ(y/m)²
-            let ratios = || rows.iter().map(|row| measured[*row] / brightness[*row]);
-            let scale = ratios().sum::<f64>() / ratios().map(|ratio| ratio * ratio).sum::<f64>();
+            // relative residuals y s/m − 1 without a mean: the scale is not drawn down by noise
+            let scale =
+                rows.len() as f64 / rows.iter().map(|row| measured[*row] / brightness[*row]).sum::<f64>();
             for row in &rows {
                 scaled[*row] = scale * measured[*row];
                 each[*row] = scale * measured[*row] / brightness[*row] - 1.0;
@@ -53,7 +54,10 @@ impl ResidualsObject {
                 blocks.push(BlockObject { block: block + 1, points: rows.len(), scale, rms });
             }
         }
-        Some(Self { rms: root_mean_square(each.iter().copied()), blocks, scaled, each })
+        let free = (each.len() - blocks.len()) as f64;
+        let squares: f64 = each.iter().map(|value| value * value).sum();
+        let rms = if free > 0.0 { (squares / free).sqrt() } else { f64::NAN };
+        Some(Self { rms, blocks, scaled, each })
     }
 }
 

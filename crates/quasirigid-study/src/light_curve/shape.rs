@@ -69,6 +69,7 @@ impl<'a> Shape<'a> {
                 if facets.is_convex() {
                     return (facets, 0.0);
                 }
+                facets = facets.refined(surface, 0);
                 let mut known = seen(&facets, &probes);
                 let mut error = f64::INFINITY;
                 for level in 1.. {

@@ -41,11 +41,15 @@ impl LightCurve {
             significant(self.mean_brightness, 4)
         ));
         if let Some(residuals) = &self.residuals {
-            parts.push(format!(
+            parts.push(if residuals.rms.is_nan() {
+                "Each block of the measured brightness has a single point and a scale of its own: nothing is compared.".to_owned()
+            } else {
+                format!(
                 "The measured brightness differs by {} % (root mean square) in {}, each with a scale of its own.",
                 significant(100.0 * residuals.rms, 3),
                 if residuals.blocks.len() == 1 { "one block".to_owned() } else { format!("{} blocks", residuals.blocks.len()) }
-            ));
+            )
+            });
         }
         parts.extend(self.periods.as_ref().map(PeriodsObject::told));
         parts.join(" ")
@@ -114,7 +118,11 @@ impl PeriodsObject {
     fn told(&self) -> String {
         let mut parts = Vec::new();
         match &self.pairs[..] {
-            [] => parts.push(format!("No frequency stands out of the {} curve.", self.of)),
+            [] => parts.push(format!(
+                "No frequency stands out of the {} curve, at periods above {}.",
+                self.of,
+                time(self.highest.recip())
+            )),
             [best, others @ ..] => {
                 let share = significant(100.0 * best.explained, 3);
                 let kind = if best.second.is_some() {

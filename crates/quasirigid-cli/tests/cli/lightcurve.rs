@@ -29,7 +29,7 @@ fn curves_are_printed_and_written() {
     let folder = folder_with(
         &fs::read_to_string(format!("{}/examples/toutatis/model.toml", crate::support::ROOT)).unwrap(),
     );
-    let line = "lightcurve model.toml --sun 1,0,0 --observer 0.8,0.6,0 --samples 50 --periods -o curve.csv -o curve.svg -o curve.npz -o curve.parquet";
+    let line = "lightcurve model.toml --sun 1,0,0 --observer 0.8,0.6,0 --samples 501 --periods -o curve.csv -o curve.svg -o curve.npz -o curve.parquet";
     let ran = ran_in(folder.path(), line);
     assert_eq!(ran.code, Some(0), "{}{}", ran.stdout, ran.stderr);
     assert!(
@@ -39,7 +39,7 @@ fn curves_are_printed_and_written() {
     );
     let table = Table::of(&fs::read_to_string(folder.path().join("curve.csv")).unwrap());
     assert_eq!(table.header, ["t", "brightness", "magnitude", "phase_angle"]);
-    assert_eq!(table.rows.len(), 50);
+    assert_eq!(table.rows.len(), 501);
     let alpha = 0.6_f64.atan2(0.8);
     assert!(table.column("phase_angle").iter().all(|angle| (angle / alpha - 1.0).abs() < 1e-12));
     assert!(fs::read_to_string(folder.path().join("curve.svg")).unwrap().contains("computed"));

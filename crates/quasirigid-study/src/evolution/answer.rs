@@ -5,8 +5,7 @@
 use std::sync::Arc;
 
 use quasirigid::averaging::{
-    DriftLimits, DriftState, Evolution, FreeRotation, InterpolatedPower, LevelPassage, MeanPower,
-    PowerSource, RotationState,
+    DriftLimits, DriftState, Evolution, FreeRotation, LevelPassage, MeanPower, PowerSource, RotationState,
 };
 use quasirigid::model::{FlexibleBody, Mode, Principal};
 use quasirigid::secular::choice::{Followed, GrowingVibration, Method, MomentsOnly, Outcome, Span};
@@ -88,10 +87,7 @@ impl<'a> Answer<'a> {
             Outcome::Average { power, .. } | Outcome::ModalRates(power) => {
                 self.along_frozen(power, span, &range)
             }
-            Outcome::SpinningFrame(hill) => {
-                let power = InterpolatedPower::new(*hill, self.initial.angular_momentum());
-                self.along_frozen(Arc::new(power), span, &range)
-            }
+            Outcome::SpinningFrame(power) => self.along_frozen(power, span, &range),
             Outcome::LevelCurves(passage) => Self { history: History::Levels(passage), ..self },
             Outcome::Measured { power, settled } => {
                 let budget = power.measurements.first().and_then(|first| named(&first.budget));
@@ -119,7 +115,9 @@ impl<'a> Answer<'a> {
     /// A power along the equivalent polhode of the deformed body.
     fn along_deformed(self, power: Arc<dyn MeanPower>, span: &Span, range: &EnergyRange) -> Self {
         let principal = Principal { moments: range.moments(), ..self.principal };
-        Self { power, principal, initial: range.polhode(span.energies[0]), ..self }
+        let RotationState { mode, xi } = span.ends[0];
+        let initial = FreeRotation::at_logit(range.moments(), range.angular_momentum(), mode, xi);
+        Self { power, principal, initial, ..self }
     }
 
     /// A history, described by the equivalent polhodes of the deformed body.

@@ -53,6 +53,8 @@ pub fn end(
     }
 }
 
+/// Energy above the steady spin, over that of the wobble, from which it is told to be of vibrations.
+const VIBRATING: f64 = 1.1;
 /// Share of the energy in a wobble below which the wobble is told by the angular momentum.
 const SMALL: f64 = 1e-6;
 
@@ -76,8 +78,13 @@ pub fn span(
                 let motion = spins.motion(*state);
                 motion.energy_from_axis() < SMALL * motion.energy() // the energy of the whole body has no digits of it
             });
-            // What moves inside may hold more energy than the steady spins leave to a wobble; it is that of the wobble when it has died out.
-            let from = small.or_else(|| range.rotation_state(full.energy(body))).or(settled);
+            // What moves inside may hold more energy than the wobble, which is left when it has died out.
+            let by_energy = range.rotation_state(full.energy(body));
+            let vibrating = settled.zip(by_energy).is_some_and(|(settled, state)| {
+                let [still, whole] = [settled, state].map(|state| spins.motion(state).energy_from_axis());
+                settled.mode == state.mode && whole > VIBRATING * still
+            });
+            let from = small.or(if vibrating { settled } else { by_energy }).or(settled);
             (full, from.ok_or(StudyError::Steady)?)
         }
     };

@@ -212,7 +212,7 @@ fn table_of(
 ) -> Result<EvolutionTable, StudyError> {
     let evolution = answer.evolution();
     Ok(match &answer.history {
-        History::Full(run, range) => EvolutionTable::of_run(run, range, asked.samples),
+        History::Full(run, range) => EvolutionTable::of_run(run, range, from, asked.samples),
         History::Levels(passage) => EvolutionTable::of_levels(passage, &answer.principal),
         History::Settled(row, range) => {
             let rotation_state = range.rotation_state(row.energy).unwrap_or(from);

@@ -131,8 +131,8 @@ impl EvolutionTable {
         }
     }
 
-    /// Rows of a history of the full system, evenly in time.
-    pub fn of_run(run: &DirectRun, range: &EnergyRange, samples: usize) -> Self {
+    /// Rows of a history of the full system from a rotation state, evenly in time.
+    pub fn of_run(run: &DirectRun, range: &EnergyRange, from: RotationState, samples: usize) -> Self {
         let rows = &run.rows;
         let end = rows[rows.len() - 1];
         let last = samples.saturating_sub(1).max(1);
@@ -156,7 +156,8 @@ impl EvolutionTable {
             }
         };
         let power = |i: usize| run.mean_power(i, range.polhode(rows[i].energy).polhode_period());
-        let states: Vec<DriftState> = chosen.iter().map(|i| state(&rows[*i])).collect();
+        let mut states: Vec<DriftState> = chosen.iter().map(|i| state(&rows[*i])).collect();
+        states[0].rotation_state = from;
         let powers = chosen.iter().map(|i| power(*i)).collect();
         let mode = |row: &DirectRow| range.polhode(row.energy).mode();
         let crossed = rows.iter().find(|row| mode(row) != mode(&rows[0])).map(|row| row.t);

@@ -46,7 +46,7 @@ pub fn message(rows: &EvolutionTable, asked: &EvolveSettings, ages: bool) -> Str
 pub fn finished(t: f64, asked: &EvolveSettings) -> String {
     let reached = time(t);
     let ended = asked.duration.is_some_and(|duration| t >= duration * (1.0 - STEADY));
-    if ended || (asked.duration.is_some() && asked.until.is_none()) {
+    if ended {
         format!("The rotation was followed for {reached}, as asked.")
     } else if asked.until.is_some() {
         format!("The target was reached after {reached}.")

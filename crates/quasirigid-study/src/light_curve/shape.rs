@@ -76,7 +76,7 @@ impl<'a> Shape<'a> {
                     let finer = facets.refined(surface, level);
                     let next = seen(&finer, &probes);
                     error = change(&known, &next);
-                    if finer.count() * lit.len() > MOST_WORK {
+                    if finer.count() * lit.len().max(PROBES) > MOST_WORK {
                         break; // the coarser facets stay, whose error this is
                     }
                     (facets, known) = (finer, next);

@@ -57,9 +57,9 @@ impl Span {
         }
     }
 
-    /// The widest wobble (rad) at an end.
-    pub(super) fn widest(&self, spins: &ReferenceSpins) -> f64 {
-        let wobble = self.ends.map(|state| spins.motion(state).nutation()[1]);
+    /// The wider wobble (rad) of two rotation states.
+    pub(super) fn widest(spins: &ReferenceSpins, ends: [RotationState; 2]) -> f64 {
+        let wobble = ends.map(|state| spins.motion(state).nutation()[1]);
         wobble[0].max(wobble[1])
     }
 }

@@ -1,13 +1,14 @@
 //! Averages along the frozen polhode: their criteria, short runs beside them, and the response in the spinning frame.
 
 use std::ops::ControlFlow;
+use std::sync::Arc;
 
 use super::super::average_powers::AveragePowers;
 use super::super::limits::Limits;
 use super::super::reason::Reason;
 use super::super::reference_spins::ReferenceSpins;
 use super::{AverageBasis, ChoiceError, ChoiceObserver, Driver, Followed, Found, Outcome, Stop};
-use crate::averaging::{Evolution, MeanPower, PowerSource, RotationState};
+use crate::averaging::{Evolution, InterpolatedPower, MeanPower, PowerSource, RotationState};
 use crate::math::stopwatch::Stopwatch;
 use crate::secular::criteria::{deformed, uneven};
 use crate::secular::{AverageCriteria, MeasureError, MeasureOptions, SpotChecks};
@@ -49,8 +50,9 @@ impl Driver<'_> {
         let criteria = spins.average_criteria(hill, span.ends);
         let criteria = AverageCriteria { poles: criteria.poles.max(share), ..criteria };
         let criteria = self.confirmed(criteria, hill, observer)?;
-        let outcome = Outcome::SpinningFrame(Box::new(hill.clone()));
-        Ok(Found { outcome, error: Some(self.time_error(hill, &criteria)), source: None })
+        let power = Arc::new(InterpolatedPower::new(hill.clone(), spins.range.angular_momentum()));
+        let error = Some(self.time_error(&power, &criteria));
+        Ok(Found { outcome: Outcome::SpinningFrame(power), error, source: None })
     }
 
     /// Criteria of an average that hold, with its difference from short runs of the full system.

@@ -16,7 +16,7 @@ use super::case::Case;
 use super::decision::{Decision, Last, Method};
 use super::limits::Limits;
 use super::reason::{Reason, Work};
-use crate::averaging::{HillResponse, LevelPassage, MeanPower, PowerSource};
+use crate::averaging::{InterpolatedPower, LevelPassage, MeanPower, PowerSource};
 use crate::secular::{
     AverageCriteria, DirectRow, DirectRun, ManifoldHistory, MeasuredPower, Places, SpotChecks,
 };
@@ -62,7 +62,7 @@ pub enum Outcome {
         basis: AverageBasis,
     },
     /// Response in the spinning frame, whose power is averaged along the frozen polhode.
-    SpinningFrame(Box<HillResponse>),
+    SpinningFrame(Arc<InterpolatedPower>),
     /// Power of an average at the rates of the modes.
     ModalRates(Arc<dyn MeanPower>),
     /// History along level curves of the slow energy.

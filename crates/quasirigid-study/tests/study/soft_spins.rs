@@ -96,5 +96,7 @@ fn a_wobble_is_of_the_angle_given_about_the_axis_of_the_deformed_body() {
             (0..times.len()).map(|row| dot(Turn::of(attitude(row)).to_body(fixed), axis).abs().acos());
         let greatest = tilts.fold(0.0, f64::max);
         assert!((greatest / angle - 1.0).abs() < 0.04, "{greatest} rad, {angle} given");
+        let told = evolve(&tilted(angle)).start.unwrap().nutation_greatest;
+        assert!((told / angle - 1.0).abs() < 0.06, "{told} rad told, {angle} given");
     }
 }

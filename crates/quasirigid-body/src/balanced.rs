@@ -43,6 +43,16 @@ impl FlexibleBody {
     pub fn balanced(&self, omega: [f64; 3]) -> Option<BalancedSpin> {
         BalancedSpin::of(self, omega)
     }
+
+    /// Whether a balance withstands small displacements: `C − N` is positive definite at a centrifugal stiffness. (M1)
+    #[must_use]
+    pub fn withstands(&self, centrifugal: &SpinMatrix) -> bool {
+        let elastic = self.elastic();
+        let mut left = DMatrix::from_fn(elastic, elastic, |j, k| -centrifugal.at(j, k));
+        let springs = self.stiffness().iter().filter(|(j, k, _)| *j < elastic && *k < elastic);
+        springs.for_each(|(j, k, stiffness)| left[(j, k)] += stiffness);
+        Cholesky::<f64, Dyn>::new(left).is_some()
+    }
 }
 
 impl BalancedSpin {
@@ -144,9 +154,9 @@ impl<'a> Balance<'a> {
         if self.angles.is_empty() {
             return direct();
         }
-        let firm = self.firm(&self.body.centrifugal_stiffness(omega));
+        let firm = self.body.withstands(&self.body.centrifugal_stiffness(omega));
         let direct = if firm { direct() } else { None };
-        let direct = direct.filter(|(_, coefficients, _)| self.firm(&coefficients.centrifugal));
+        let direct = direct.filter(|(_, coefficients, _)| self.body.withstands(&coefficients.centrifugal));
         direct.or_else(|| self.followed(omega))
     }
 
@@ -160,8 +170,9 @@ impl<'a> Balance<'a> {
             let ahead = if now.0 > 0.0 { (share - now.0) / (now.0 - last.0) } else { 0.0 };
             let guess: Vec<f64> = now.1.iter().zip(&last.1).map(|(q, last)| q + ahead * (q - last)).collect();
             let found = self.near(omega.map(|entry| share.sqrt() * entry), &guess);
-            let stays =
-                found.as_ref().is_some_and(|(_, coefficients, _)| self.firm(&coefficients.centrifugal));
+            let stays = found
+                .as_ref()
+                .is_some_and(|(_, coefficients, _)| self.body.withstands(&coefficients.centrifugal));
             match found.filter(|_| stays || !firm || step <= FINE) {
                 Some(found) if share >= 1.0 => return Some(found),
                 Some((q, ..)) => {
@@ -172,13 +183,5 @@ impl<'a> Balance<'a> {
             }
         }
         None
-    }
-
-    /// Whether `C − N` is positive definite: the balance withstands small displacements at this spin.
-    fn firm(&self, centrifugal: &SpinMatrix) -> bool {
-        let elastic = self.body.elastic();
-        let mut left = DMatrix::from_fn(elastic, elastic, |j, k| -centrifugal.at(j, k));
-        self.stiffness.iter().for_each(|(j, k, stiffness)| left[(j, k)] += stiffness);
-        Cholesky::<f64, Dyn>::new(left).is_some()
     }
 }

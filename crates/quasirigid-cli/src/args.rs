@@ -564,9 +564,9 @@ pub struct LightcurveArgs {
 }
 
 /// Reads so many numbers.
-fn numbers<const N: usize>(text: &str) -> Option<[f64; N]> {
-    let found: Option<Vec<f64>> = text.split(',').map(|number| number.trim().parse().ok()).collect();
-    <[f64; N]>::try_from(found?).ok()
+fn numbers<T: std::str::FromStr, const N: usize>(text: &str) -> Option<[T; N]> {
+    let found: Option<Vec<T>> = text.split(',').map(|number| number.trim().parse().ok()).collect();
+    <[T; N]>::try_from(found?).ok()
 }
 
 /// Reads a direction.
@@ -574,20 +574,14 @@ fn direction(text: &str) -> Result<[f64; 3], String> {
     numbers(text).ok_or_else(|| "a direction has three components, as 0.8,0.6,0".to_owned())
 }
 
-/// Reads two numbers.
-fn pair<T: std::str::FromStr>(text: &str) -> Option<[T; 2]> {
-    let numbers: Option<Vec<T>> = text.split(',').map(|number| number.trim().parse().ok()).collect();
-    <[T; 2]>::try_from(numbers?).ok()
-}
-
 /// Reads two fills.
 fn fills(text: &str) -> Result<[f64; 2], String> {
-    pair(text).ok_or_else(|| "fills are two numbers, as 0.05,0.95".to_owned())
+    numbers(text).ok_or_else(|| "fills are two numbers, as 0.05,0.95".to_owned())
 }
 
 /// Reads numbers of fills and spins.
 fn counts(text: &str) -> Result<[usize; 2], String> {
-    pair(text).ok_or_else(|| "give a number of fills and one of spins, as 20,20".to_owned())
+    numbers(text).ok_or_else(|| "give a number of fills and one of spins, as 20,20".to_owned())
 }
 
 /// Reads two spins, or one.
@@ -631,9 +625,7 @@ impl SpinManifoldOptions {
 
 /// Reads a band of frequencies (rad/s).
 fn band(text: &str) -> Result<[f64; 2], String> {
-    let numbers: Option<Vec<f64>> = text.split(',').map(|number| number.trim().parse().ok()).collect();
-    let ends = numbers.and_then(|numbers| <[f64; 2]>::try_from(numbers).ok());
-    ends.ok_or_else(|| "a band is two frequencies (rad/s), as 0.01,50".to_owned())
+    numbers(text).ok_or_else(|| "a band is two frequencies (rad/s), as 0.01,50".to_owned())
 }
 
 /// Reads a degree of the reduced equations about a spin.

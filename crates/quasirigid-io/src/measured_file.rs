@@ -5,7 +5,9 @@ use std::path::Path;
 use thiserror::Error;
 
 use crate::table_file::{BadLine, BodyTable, TableError, Unnumbered, bracketed_name, read_numbers};
-use crate::text_file::{self, FileError, Place, ReadProblem, Unread, bytes_of, kind_of};
+use crate::text_file::{
+    self, FileError, Place, ReadProblem, Unread, bytes_of, kind_of, no_text_table, unread_table,
+};
 use crate::visible::Excerpt;
 
 /// Largest file that is read (bytes).
@@ -76,15 +78,11 @@ pub enum MeasuredFileProblem {
 
 impl ReadProblem for MeasuredFileProblem {
     fn unread(unread: Unread, limit: u64) -> Self {
-        Self::Unread(match unread {
-            Unread::Unreadable(kind) => format!("{kind}; is the name right, and is the file readable?"),
-            Unread::Folder | Unread::NoFile => "this is no regular file; give a table in text".to_owned(),
-            Unread::TooLarge => format!("more than {} MiB; leave rows out", limit / (1024 * 1024)),
-        })
+        Self::Unread(unread_table(unread, limit))
     }
 
     fn not_text(byte: u8) -> Self {
-        Self::Unread(format!("the byte 0x{byte:02X} is not UTF-8 text; save the table as UTF-8"))
+        Self::Unread(no_text_table(byte))
     }
 }
 

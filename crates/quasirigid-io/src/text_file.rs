@@ -94,6 +94,20 @@ pub(crate) trait ReadProblem: error::Error {
     fn not_text(byte: u8) -> Self;
 }
 
+/// Why a table is not read, in words.
+pub(crate) fn unread_table(unread: Unread, limit: u64) -> String {
+    match unread {
+        Unread::Unreadable(kind) => format!("{kind}; is the name right, and is the file readable?"),
+        Unread::Folder | Unread::NoFile => "this is no regular file; give a table in text".to_owned(),
+        Unread::TooLarge => format!("more than {} MiB; leave rows out", limit / (1024 * 1024)),
+    }
+}
+
+/// A byte that no table in text has, in words.
+pub(crate) fn no_text_table(byte: u8) -> String {
+    format!("the byte 0x{byte:02X} is not UTF-8 text; save the table as UTF-8")
+}
+
 /// A kind of line, whose text says how it is written.
 pub(crate) trait Line: Copy {
     /// Problems of the files that have such lines.

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use quasirigid_math::vec3::{add, cross, dot, minus, norm, scale, unit};
+use quasirigid_mesh::meshing::icosahedron;
 use quasirigid_mesh::surface::{ClosedSurface, Sight};
 
 use crate::scattering::LawAt;
@@ -63,7 +64,8 @@ impl Facets {
     pub fn refined(&self, surface: &ClosedSurface, level: usize) -> Self {
         let Some(sight) = &self.sight else { return self.clone() };
         let corners = |triangle: &[usize; 3]| triangle.map(|vertex| surface.vertices()[vertex]);
-        let longest = extent(surface.vertices()) / PARTS;
+        let [low, high] = surface.bounds();
+        let longest = minus(high, low).into_iter().fold(0.0, f64::max) / PARTS;
         let cut = surface.triangles().iter().map(corners).enumerate().flat_map(|(triangle, corners)| {
             let [a, b, c] = corners;
             let edge = [minus(b, a), minus(c, b), minus(a, c)].map(norm).into_iter().fold(0.0, f64::max);
@@ -114,17 +116,6 @@ impl Facets {
     }
 }
 
-/// Greatest extent of points along an axis.
-fn extent(points: &[[f64; 3]]) -> f64 {
-    let along = |axis: usize| {
-        let ends = points.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], point| {
-            [low.min(point[axis]), high.max(point[axis])]
-        });
-        ends[1] - ends[0]
-    };
-    (0..3).map(along).fold(0.0, f64::max)
-}
-
 /// The facet that is a triangle, or a part of one.
 fn facet((triangle, [a, b, c]): (usize, [[f64; 3]; 3])) -> Facet {
     let across = cross(minus(b, a), minus(c, a));
@@ -147,22 +138,7 @@ fn quarters([a, b, c]: [[f64; 3]; 3], place: impl Fn([f64; 3]) -> [f64; 3]) -> [
 
 /// Triangles on the unit sphere: an icosahedron, cut into four so many times.
 fn sphere(level: usize) -> Vec<[[f64; 3]; 3]> {
-    let golden = 0.5 * (1.0 + 5f64.sqrt());
-    let corners = [-1.0, 1.0].into_iter().flat_map(|a| [-golden, golden].map(|b| [a, b]));
-    let corners: Vec<[f64; 3]> =
-        corners.flat_map(|[a, b]| [[0.0, a, b], [a, b, 0.0], [b, 0.0, a]]).map(unit).collect();
-    // neighbours on an icosahedron are the five nearest corners
-    let near = |i: usize, j: usize| dot(corners[i], corners[j]) > 0.4 && i != j;
-    let mut faces = Vec::new();
-    for i in 0..corners.len() {
-        for j in i + 1..corners.len() {
-            for k in j + 1..corners.len() {
-                if near(i, j) && near(j, k) && near(k, i) {
-                    faces.push([corners[i], corners[j], corners[k]]);
-                }
-            }
-        }
-    }
+    let faces = icosahedron();
     (0..level).fold(faces, |faces, _| faces.into_iter().flat_map(|corners| quarters(corners, unit)).collect())
 }
 

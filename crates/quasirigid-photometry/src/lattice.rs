@@ -42,6 +42,15 @@ pub fn numbers_of(spectrum: &Spectrum, first: f64, second: Option<f64>) -> Vec<O
     spectrum.lines.iter().map(|line| numbers(line, spectrum.resolution, first, second)).collect()
 }
 
+/// Share of the power in the lines that are sums of multiples; one, to the last digit, where all are.
+#[must_use]
+pub fn explained(spectrum: &Spectrum, numbers: &[Option<LineNumbers>]) -> f64 {
+    let power = |line: &Line| line.amplitude * line.amplitude;
+    let whole: f64 = spectrum.lines.iter().map(power).sum();
+    let known = spectrum.lines.iter().zip(numbers).filter(|(_, numbers)| numbers.is_some());
+    known.map(|(line, _)| power(line)).sum::<f64>() / whole
+}
+
 /// Whether a line anywhere would hardly be a sum of multiples of two frequencies, or of one, by chance. (O17)
 #[must_use]
 pub fn tells_numbers(spectrum: &Spectrum, first: f64, second: Option<f64>) -> bool {
@@ -114,16 +123,10 @@ fn candidates(spectrum: &Spectrum) -> Vec<f64> {
 
 fn judged(spectrum: &Spectrum, first: f64, second: Option<f64>) -> Option<FrequencyPair> {
     let numbers = numbers_of(spectrum, first, second);
-    let power = |line: &Line| line.amplitude * line.amplitude;
-    let whole: f64 = spectrum.lines.iter().map(power).sum();
-    let (mut explained, mut height) = (0.0, 0.0);
-    for (line, numbers) in spectrum.lines.iter().zip(&numbers) {
-        if let Some([j, k]) = numbers {
-            explained += power(line) / whole;
-            // amplitudes weigh the multiples: weak lines tell the basis as well as strong ones
-            height += f64::from(j.abs() + k.abs()) / spectrum.lines.len() as f64;
-        }
-    }
+    let explained = explained(spectrum, &numbers);
+    // every line counts alike: weak ones tell the multiples as well as strong ones
+    let heights = numbers.iter().flatten().map(|[j, k]| f64::from(j.abs() + k.abs()));
+    let height = heights.sum::<f64>() / spectrum.lines.len() as f64;
     let used = |which: usize| numbers.iter().flatten().any(|numbers| numbers[which] != 0);
     if !used(0) || (second.is_some() && !used(1)) {
         return None;
@@ -168,10 +171,7 @@ impl FrequencyPair {
         numbers: Vec<Option<LineNumbers>>,
         has_second: bool,
     ) -> Option<Self> {
-        let power = |line: &Line| line.amplitude * line.amplitude;
-        let whole: f64 = spectrum.lines.iter().map(power).sum();
-        let known = spectrum.lines.iter().zip(&numbers).filter(|(_, numbers)| numbers.is_some());
-        let explained = known.map(|(line, _)| power(line)).sum::<f64>() / whole;
+        let explained = explained(spectrum, &numbers);
         let second = has_second.then_some(0.0);
         let found =
             Self { first: 0.0, second, deviations: [0.0; 2], numbers, explained, cost: 1.0 - explained };

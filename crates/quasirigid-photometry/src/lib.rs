@@ -24,7 +24,7 @@ mod spectrum;
 pub use error::PhotometryError;
 pub use facets::Facets;
 pub use hapke::Hapke;
-pub use lattice::{FrequencyPair, LineNumbers, frequency_pairs, numbers_of, tells_numbers};
+pub use lattice::{FrequencyPair, LineNumbers, explained, frequency_pairs, numbers_of, tells_numbers};
 pub use magnitude::{ASTRONOMICAL_UNIT, SUN_MAGNITUDE, albedo, magnitude};
 pub use phase::Phase;
 pub use scattering::{Law, LawAt, Scattering};

@@ -30,11 +30,6 @@ pub struct LightCurveArgs {
 impl LightCurveArgs {
     /// The settings of the study.
     pub fn settings(&self) -> Result<LightCurveSettings, Failure> {
-        let scale = match (self.albedo, self.absolute_magnitude) {
-            (Some(albedo), _) => Scale::Albedo(albedo),
-            (None, Some(magnitude)) => Scale::AbsoluteMagnitude(magnitude),
-            (None, None) => Scale::Relative,
-        };
         Ok(LightCurveSettings {
             system: named::<System>(Some(&self.system), "system")?.unwrap_or(System::Reduced),
             view: self.seen()?,
@@ -43,7 +38,7 @@ impl LightCurveArgs {
                 .map_err(|help| Failure::Input(format!("law = {:?}: {help}", self.law)))?,
             phase: phase(&self.phase)
                 .map_err(|help| Failure::Input(format!("phase = {:?}: {help}", self.phase)))?,
-            scale,
+            scale: Scale::given(self.albedo, self.absolute_magnitude),
             periods: self.periods,
         })
     }

@@ -5,15 +5,12 @@ use quasirigid_study::fill_map::{FillMapSettings, csv, text};
 use quasirigid_study::report::{fill_map_picture, png};
 use serde_json::json;
 
-use super::open_with;
+use super::{PIXELS, open_with};
 use crate::args::FillsArgs;
 use crate::failure::Failure;
 use crate::message::remark;
 use crate::progress::Terminal;
 use crate::{ExitStatus, output};
-
-/// Width of a PNG picture (pixels): 170 mm at 240 per inch.
-const PIXELS: u32 = 1600;
 
 /// Files that a map is written to.
 #[derive(Clone, Copy)]

@@ -8,16 +8,13 @@ use quasirigid_study::light_curve::{LightCurve, LightCurveSettings, Scale, View}
 use quasirigid_study::report::{light_curve_picture, png};
 use serde_json::json;
 
-use super::{inputs_beside, open};
+use super::{PIXELS, inputs_beside, open};
 use crate::args::LightcurveArgs;
 use crate::failure::Failure;
 use crate::interrupt::Interrupt;
 use crate::message::remark;
 use crate::progress::Terminal;
 use crate::{ExitStatus, output};
-
-/// Width of a PNG picture (pixels): 170 mm at 240 per inch.
-const PIXELS: u32 = 1600;
 
 /// Files that a light curve is written to.
 #[derive(Clone, Copy)]
@@ -67,18 +64,13 @@ fn settings(arguments: &LightcurveArgs) -> Result<LightCurveSettings, Failure> {
         (None, Some(sun), Some(observer)) => View::Fixed { sun, observer },
         _ => return Err(Failure::NoView),
     };
-    let scale = match (arguments.albedo, arguments.absolute_magnitude) {
-        (Some(albedo), _) => Scale::Albedo(albedo),
-        (None, Some(magnitude)) => Scale::AbsoluteMagnitude(magnitude),
-        (None, None) => Scale::Relative,
-    };
     Ok(LightCurveSettings {
         system: arguments.system,
         view,
         epoch: arguments.epoch,
         scattering: arguments.law,
         phase: arguments.phase,
-        scale,
+        scale: Scale::given(arguments.albedo, arguments.absolute_magnitude),
         periods: arguments.periods,
     })
 }

@@ -38,6 +38,8 @@ use crate::message::remark;
 use crate::output;
 use crate::progress::Terminal;
 
+/// Width of a PNG picture (pixels): 170 mm at 240 per inch.
+const PIXELS: u32 = 1600;
 /// Name in messages of a model that is read from standard input; paths in it are relative to the current folder.
 const STANDARD_INPUT: &str = "standard input";
 

@@ -4,13 +4,11 @@ use std::path::{Path, PathBuf};
 use quasirigid_io::record::RunRecord;
 use quasirigid_study::report::{figure_names, picture, png};
 
+use super::PIXELS;
 use crate::args::{PictureFormat, Plot};
 use crate::failure::Failure;
 use crate::message::remark;
 use crate::{ExitStatus, output};
-
-/// Width of a PNG picture (pixels): 170 mm at 240 per inch.
-const PIXELS: u32 = 1600;
 
 /// Draws one figure of a record, or lists the figures that it has.
 pub fn plot(arguments: &Plot) -> Result<ExitStatus, Failure> {

@@ -236,6 +236,15 @@ impl<P: MeanPower> Evolution<P> {
         Some(at(start))
     }
 
+    /// Rotation state at the end, or after a time (s) if that is sooner; the first where nothing is dissipated. (A6)
+    #[must_use]
+    pub fn sooner(&self, from: RotationState, to: RotationState, time: Option<f64>) -> RotationState {
+        match time {
+            Some(time) if self.time(from, to) > time => self.after(from, time).unwrap_or(from),
+            _ => to,
+        }
+    }
+
     /// Place a `time` after `start`, less than a piece away and about this share of one: Newton's method between bounds.
     fn within(&self, start: f64, time: f64, share: f64) -> f64 {
         let (mut low, mut high) = (start, start + PIECE);

@@ -3,7 +3,7 @@
 //! and a continuation from the frozen body where it fails.
 //! Equation (M1), docs/theory/15-modes.md.
 
-use nalgebra::{Cholesky, DMatrix, Dyn};
+use nalgebra::DMatrix;
 use thiserror::Error;
 
 use super::guess::{ASTRAY, Guess};
@@ -127,7 +127,7 @@ impl RelativeEquilibrium {
             return Err(EquilibriumError::NoSpin { value });
         }
         let K = add(body.inertia().map(|row| dot(row, omega)), body.wheels().angular_momentum(0.0));
-        let guess = Guess { omega: omega.into(), ratio: dot(K, omega) / (rate * rate) };
+        let guess = Guess::of(omega, K);
         let axis = scale(rate.recip(), omega);
         let found =
             guess.newton(body, 1.0, given, axis).map_or_else(|| guess.followed(body, given, None), Ok);
@@ -257,15 +257,7 @@ impl RelativeEquilibrium {
     /// looked at, 512. (M1)
     #[must_use]
     pub fn is_firm(&self, body: &FlexibleBody) -> bool {
-        let elastic = body.elastic();
-        if elastic > MOST_COORDINATES {
-            return true;
-        }
-        let centrifugal = self.coefficients(body).centrifugal;
-        let mut left = DMatrix::from_fn(elastic, elastic, |j, k| -centrifugal.at(j, k));
-        let springs = body.stiffness().iter().filter(|(j, k, _)| *j < elastic && *k < elastic);
-        springs.for_each(|(j, k, stiffness)| left[(j, k)] += stiffness);
-        Cholesky::<f64, Dyn>::new(left).is_some()
+        body.elastic() > MOST_COORDINATES || body.withstands(&self.coefficients(body).centrifugal)
     }
 
     /// Largest displacement of a watched place, with its name (m); none for a body without watched places.

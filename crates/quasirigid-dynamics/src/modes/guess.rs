@@ -32,8 +32,8 @@ impl SpinMagnitude {
 /// Guess of an equilibrium: an angular velocity and the ratio of the angular momentum to it, `K(ω) = ratio · ω` at an equilibrium.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Guess {
-    pub omega: Vector3<f64>,
-    pub ratio: f64,
+    omega: Vector3<f64>,
+    ratio: f64,
 }
 
 /// Share of the largest singular value below which a direction of Newton's step is neutral: steady spins lie side by side along it.
@@ -66,8 +66,12 @@ impl Guess {
     /// Guess from the body in balance with an angular velocity (rad/s); none where there is no balance.
     pub fn deformed(body: &FlexibleBody, omega: [f64; 3]) -> Option<Self> {
         let own = body.balanced(omega)?.angular_momentum;
-        let K = add(own, body.wheels().angular_momentum(0.0));
-        Some(Self { omega: omega.into(), ratio: dot(K, omega) / dot(omega, omega) })
+        Some(Self::of(omega, add(own, body.wheels().angular_momentum(0.0))))
+    }
+
+    /// Guess from an angular velocity (rad/s) and the angular momentum (N·m·s) that goes with it.
+    pub fn of(omega: [f64; 3], K: [f64; 3]) -> Self {
+        Self { omega: omega.into(), ratio: dot(K, omega) / dot(omega, omega) }
     }
 
     fn scaled(self, factor: f64) -> Self {

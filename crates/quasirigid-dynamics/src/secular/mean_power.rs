@@ -19,14 +19,15 @@ impl DirectRun {
     /// history. (Q20)
     fn mean_slope(&self, t: f64, period: f64) -> f64 {
         let end = self.rows[self.rows.len() - 1].t;
-        let half = |t: f64| (PERIODS * period).max(ROWS * self.spacing(t)).min(MOST * end);
-        let early = t < half(t);
-        let [near, far] =
-            if early { [1.0, 2.0].map(|n| n * half(t)) } else { [1.0, 2.0].map(|n| end - n * half(t)) };
-        if !early && t <= near {
-            return self.slope(t, half(t));
-        }
-        let [at, beyond] = [near, far].map(|centre| self.slope(centre, half(t)));
+        let half = (PERIODS * period).max(ROWS * self.spacing(t)).min(MOST * end);
+        let [near, far] = if t < half {
+            [half, 2.0 * half]
+        } else if t <= end - half {
+            return self.slope(t, half);
+        } else {
+            [end - half, end - 2.0 * half]
+        };
+        let [at, beyond] = [near, far].map(|centre| self.slope(centre, half));
         let continued = at * (at / beyond).powf((t - near) / (near - far));
         if continued.is_finite() { continued } else { at }
     }

@@ -207,7 +207,7 @@ impl<'a, 'b> History<'a, 'b> {
         let crossed = options.until.and_then(|until| rows.iter().position(|row| row.energy <= until));
         let kept = crossed.unwrap_or(rows.len());
         self.run.rows.extend(&rows[..kept]);
-        self.run.powers.extend(&found.powers[..kept.min(found.powers.len())]);
+        self.run.powers.extend(&found.powers[..kept]);
         let mut taken = 1.0;
         if let (Some(crossed), Some(until)) = (crossed, options.until) {
             let end = self.crossing(rows[crossed], until);

@@ -3,7 +3,7 @@
 use thiserror::Error;
 
 use crate::table_file::TableError;
-use crate::text_file::{FileError, ReadProblem, Unread};
+use crate::text_file::{FileError, ReadProblem, Unread, no_text_table, unread_table};
 
 /// A file that is no light curve, with the place and the problem.
 pub type LightCurveFileError = FileError<LightCurveProblem>;
@@ -45,15 +45,11 @@ pub enum LightCurveProblem {
 
 impl ReadProblem for LightCurveProblem {
     fn unread(unread: Unread, limit: u64) -> Self {
-        Self::Unread(match unread {
-            Unread::Unreadable(kind) => format!("{kind}; is the name right, and is the file readable?"),
-            Unread::Folder | Unread::NoFile => "this is no regular file; give a table in text".to_owned(),
-            Unread::TooLarge => format!("more than {} MiB; leave rows out", limit / (1024 * 1024)),
-        })
+        Self::Unread(unread_table(unread, limit))
     }
 
     fn not_text(byte: u8) -> Self {
-        Self::Unread(format!("the byte 0x{byte:02X} is not UTF-8 text; save the table as UTF-8"))
+        Self::Unread(no_text_table(byte))
     }
 }
 

@@ -1,6 +1,6 @@
 use super::MeshingError;
 use super::fineness::{Fineness, relative};
-use super::round::{icosahedron, rounded};
+use super::round::{icosahedral_ball, rounded};
 use crate::Mesh;
 
 /// An ellipsoid with semi-axes along the axes, with an even number of cells across each: a ball, stretched. No dihedral
@@ -13,7 +13,7 @@ pub fn ellipsoid(semi_axes: [f64; 3], resolution: usize, exponent: f64) -> Resul
     let fineness = Fineness::new(resolution, exponent)?;
     let across = resolution.div_ceil(2);
     fineness.allowed(20.0 * (across as f64).powi(3))?;
-    icosahedron(across, fineness).mapped(unit, |[x, y, z, rho]| {
+    icosahedral_ball(across, fineness).mapped(unit, |[x, y, z, rho]| {
         let [x, y, z] = rounded([x, y, z], rho);
         [semi_axes[0] * x, semi_axes[1] * y, semi_axes[2] * z]
     })

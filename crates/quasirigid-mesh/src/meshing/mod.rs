@@ -41,4 +41,5 @@ pub use graded::{GradedMesh, graded};
 pub use inside::inside;
 pub use necks::{Neck, necks};
 pub use ring::ring;
+pub use round::icosahedron;
 pub use shell::shell;

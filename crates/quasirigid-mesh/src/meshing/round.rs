@@ -37,7 +37,7 @@ pub(super) fn hexagon(across: usize, fineness: Fineness) -> Simplices<3, 3> {
 }
 
 /// Tetrahedra of an icosahedron, `across` from the middle to the wall; points are x, y, z and ρ.
-pub(super) fn icosahedron(across: usize, fineness: Fineness) -> Simplices<4, 4> {
+pub(super) fn icosahedral_ball(across: usize, fineness: Fineness) -> Simplices<4, 4> {
     let hull = icosahedron_hull();
     let corner = |[x, y, z]: &[f64; 3]| [*x, *y, *z, 1.0];
     let points = [[0.0; 4]].into_iter().chain(hull.points.iter().map(corner)).collect();
@@ -45,6 +45,13 @@ pub(super) fn icosahedron(across: usize, fineness: Fineness) -> Simplices<4, 4> 
     let mut ball = Simplices { points, cells: hull.cells.iter().map(sector).collect() }.divided(across);
     graded(&mut ball.points, fineness);
     ball
+}
+
+/// The twenty faces of an icosahedron with corners at unit distance, in either sense.
+#[must_use]
+pub fn icosahedron() -> Vec<[[f64; 3]; 3]> {
+    let Simplices { points, cells } = icosahedron_hull();
+    cells.into_iter().map(|cell| cell.map(|corner| points[corner])).collect()
 }
 
 /// The twenty triangles of an icosahedron with corners at unit distance.
@@ -96,7 +103,7 @@ mod tests {
         let fineness = Fineness::new(8, 2.0).unwrap();
         let graded = [0.0, 0.4375, 0.75, 0.9375, 1.0];
         let on_layer = |rho: f64| graded.iter().any(|exact| (rho - exact).abs() < 1e-15);
-        let (disc, ball) = (hexagon(4, fineness), icosahedron(4, fineness));
+        let (disc, ball) = (hexagon(4, fineness), icosahedral_ball(4, fineness));
         assert!(disc.points.iter().all(|[_, _, rho]| on_layer(*rho)));
         assert!(ball.points.iter().all(|[_, _, _, rho]| on_layer(*rho)));
         // Along the line from the middle to a corner of the hexagon the points are at the distance ρ.

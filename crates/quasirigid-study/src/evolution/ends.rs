@@ -45,12 +45,7 @@ pub fn end(
             _ => StudyError::Backwards { from: start, to: end },
         });
     }
-    match asked.duration {
-        Some(duration) if evolution.time(from, target) > duration => {
-            Ok(evolution.after(from, duration).unwrap_or(from))
-        }
-        _ => Ok(target),
-    }
+    Ok(evolution.sooner(from, target, asked.duration))
 }
 
 /// Energy above the steady spin, over that of the wobble, from which it is told to be of vibrations.

@@ -60,6 +60,18 @@ pub enum Scale {
     AbsoluteMagnitude(f64),
 }
 
+impl Scale {
+    /// Scale by the one of both that is given.
+    #[must_use]
+    pub fn given(albedo: Option<f64>, absolute_magnitude: Option<f64>) -> Self {
+        match (albedo, absolute_magnitude) {
+            (Some(albedo), _) => Self::Albedo(albedo),
+            (None, Some(magnitude)) => Self::AbsoluteMagnitude(magnitude),
+            (None, None) => Self::Relative,
+        }
+    }
+}
+
 /// What is seen, and how the surface scatters.
 #[derive(Clone, Debug)]
 pub struct LightCurveSettings {

@@ -1,7 +1,7 @@
 //! Frequencies of a light curve, and the periods of the rotation in them.
 
 use quasirigid_photometry::{
-    FrequencyPair, Spectrum, frequency_pairs, numbers_of, spectral_lines, tells_numbers,
+    FrequencyPair, Spectrum, explained, frequency_pairs, numbers_of, spectral_lines, tells_numbers,
 };
 use serde::Serialize;
 
@@ -201,10 +201,7 @@ fn of_model(
     (first, second): (f64, Option<f64>),
 ) -> ModelPeriodsObject {
     let numbers = numbers_of(spectrum, first, second);
-    let power = |line: &quasirigid_photometry::Line| line.amplitude * line.amplitude;
-    let whole: f64 = spectrum.lines.iter().map(power).sum();
-    let belonging = spectrum.lines.iter().zip(&numbers).filter(|(_, numbers)| numbers.is_some());
-    let explained = belonging.map(|(line, _)| power(line)).sum::<f64>() / whole;
+    let explained = explained(spectrum, &numbers);
     let found = tells_numbers(spectrum, first, second)
         .then(|| FrequencyPair::of_numbers(spectrum, numbers, second.is_some()))
         .flatten()

@@ -34,7 +34,7 @@ pub fn direct(
     let until = spin.until(goal);
     announced(spin, full, until, asked, observer)?;
     let through = if spin.settled() { until } else { until.max(spin.beyond()) };
-    let first = followed(spin, full, through, asked.duration, observer)?;
+    let first = run(spin, full, through, asked.duration, observer)?;
     if first.ending == DirectStopReason::Settled {
         return elsewhere(spin, full, &first, asked, observer);
     }
@@ -59,9 +59,6 @@ fn elsewhere(
     }
     let goal = found.goal(asked)?;
     let whole = followed(&found, full, found.until(goal), asked.duration, observer)?;
-    if whole.ending == DirectStopReason::Settled {
-        return Err(unfinished(&whole).into());
-    }
     Ok(found.with_tail(whole, goal, asked))
 }
 
@@ -86,9 +83,6 @@ fn behind(
         first
     } else {
         let second = followed(&below, &first.last, below.until(goal), left, observer)?;
-        if second.ending == DirectStopReason::Settled {
-            return Err(unfinished(&second).into());
-        }
         joined(first, second)
     };
     let mut answer = below.with_tail(whole, goal, asked);
@@ -96,8 +90,20 @@ fn behind(
     Ok(Answer { crossed: Some(end.t), ..answer })
 }
 
-/// The full system to an energy.
+/// The full system to an energy, which it comes to about the spin that is expected.
 fn followed(
+    spin: &AttractingSpin,
+    full: &FullState,
+    until: f64,
+    duration: Option<f64>,
+    observer: &mut dyn ChoiceObserver,
+) -> Result<DirectRun, Stop<StudyError>> {
+    let run = run(spin, full, until, duration, observer)?;
+    if run.ending == DirectStopReason::Settled { Err(unfinished(&run).into()) } else { Ok(run) }
+}
+
+/// The full system to an energy, or to the steady spin in which it comes to rest above it.
+fn run(
     spin: &AttractingSpin,
     full: &FullState,
     until: f64,
@@ -128,7 +134,8 @@ fn announced(
     let falls = share.ln() / (2.0 * mode.decay_rate);
     let length = asked.duration.map_or(falls, |duration| duration.min(falls));
     let period = (TAU / mode.frequency).min(length);
-    let pace = pace_of_work(spin.body, full, period, &mut |share| observer.observe(share))?;
+    let pace =
+        pace_of_work(spin.body, full, period, &Limits::default(), &mut |share| observer.observe(share))?;
     Ok(observer.announce(Work::History, pace * length)?)
 }
 

@@ -103,7 +103,9 @@ impl Driver<'_> {
         let (spins, span) = (self.case.spins, self.case.span);
         let period = spins.motion(span.ends[0]).polhode_period();
         let duration = period.min(TIMED_REVOLUTIONS * TAU / norm(span.start.omega));
-        let pace = pace_of_work(spins.body, &span.start, duration, &mut |share| observer.observe(share))?;
+        let pace = pace_of_work(spins.body, &span.start, duration, self.limits, &mut |share| {
+            observer.observe(share)
+        })?;
         Ok(*self.seconds_per_period.get_or_init(|| pace * period))
     }
 }
@@ -117,11 +119,11 @@ pub fn pace_of_work(
     body: &FlexibleBody,
     start: &FullState,
     mut duration: f64,
+    limits: &Limits,
     watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
 ) -> Result<f64, PropagateError> {
     loop {
-        let (options, before) =
-            (history_options(None, Some(duration), &Limits::default()), Stopwatch::start());
+        let (options, before) = (history_options(None, Some(duration), limits), Stopwatch::start());
         let run = follow_directly(body, start, &options, watch)?;
         let seconds = before.seconds();
         match run.ending {

@@ -196,6 +196,9 @@ impl Driver<'_> {
             Method::ModalRates => Ok(self.modal_rates()?),
             Method::LevelCurves => Ok(self.level_curves()?),
             Method::SpinManifold => self.spin_manifold(observer),
+            Method::PeriodicMotions | Method::MicroRuns if self.ends_unsettled() => {
+                self.full_system(observer)
+            }
             Method::PeriodicMotions => self.periodic_motions(observer),
             Method::MicroRuns => self.micro_runs(observer),
             Method::FullSystem => self.full_system(observer),

@@ -53,7 +53,6 @@ impl Driver<'_> {
         let (spins, span) = (self.case.spins, self.case.span);
         let [from, to] = span.ends;
         let evolution = Evolution::new(power, spins.range.angular_momentum());
-        let cut = span.duration.filter(|duration| evolution.time(from, to) > *duration);
-        [from, cut.and_then(|duration| evolution.after(from, duration)).unwrap_or(to)]
+        [from, evolution.sooner(from, to, span.duration)]
     }
 }

@@ -14,18 +14,12 @@ const LONGEST: f64 = 400.0;
 impl Driver<'_> {
     /// The power measured by short runs of the full system, after it has forgotten its start; announced.
     pub(super) fn micro_runs(&self, observer: &mut dyn ChoiceObserver) -> Result<Found, Stop> {
-        if self.ends_unsettled() {
-            return self.full_system(observer);
-        }
         self.announce_runs(self.time_of_short_runs(), observer)?;
         self.measured(Places::ShortRuns, observer)
     }
 
     /// The power of periodic motions of the full system, after it has forgotten its start. (Q19)
     pub(super) fn periodic_motions(&self, observer: &mut dyn ChoiceObserver) -> Result<Found, Stop> {
-        if self.ends_unsettled() {
-            return self.full_system(observer);
-        }
         if let Some(duration) = self.settling() {
             self.announce_runs(duration, observer)?;
         }
@@ -70,7 +64,7 @@ impl Driver<'_> {
     }
 
     /// Whether the evolution ends before the full system has forgotten the start.
-    fn ends_unsettled(&self) -> bool {
+    pub(super) fn ends_unsettled(&self) -> bool {
         self.settling().zip(self.case.span.duration).is_some_and(|(settling, duration)| duration <= settling)
     }
 

@@ -17,6 +17,7 @@ use crate::history_columns::{HistoryTable, Internal};
 use crate::judged::{self, Fastest, Judged};
 use crate::left_out::LeftOut;
 use crate::motion::{LOOSE, Motion};
+use crate::neighbours::{Parting, parting};
 use crate::record::status;
 use crate::settings::{RunSettings, Setting, SpinManifoldSettings};
 use crate::slugs;
@@ -241,8 +242,11 @@ impl Study {
         let fastest = if reduced { judged::at_the_fastest(&motion, &columns)? } else { None };
         let wrong = wrong.or_else(|| fastest.as_ref().filter(|found| found.fails()).map(Fastest::doubt));
         let faster = fastest.as_ref().map(Fastest::doubt);
+        let end = times.last().copied().unwrap_or_default();
+        let parting = parting(&motion, end, &options, watch)?.as_ref().map(Parting::doubt);
+        let parting = parting.into_iter();
         let notes =
-            run.ringing.map(ringing_doubt).into_iter().chain(faster).chain(doubt).chain(note).collect();
+            parting.chain(run.ringing.map(ringing_doubt)).chain(faster).chain(doubt).chain(note).collect();
         let left = manifold.as_ref().and_then(|verdict| verdict.status(run.outcome));
         let (status, message) = left.unwrap_or_else(|| status(body, run.outcome, last.t));
         Ok(History {

@@ -92,6 +92,7 @@ mod liquids;
 mod materials;
 pub mod modes;
 mod motion;
+mod neighbours;
 mod record;
 pub mod report;
 mod resolution;

@@ -132,10 +132,36 @@ impl<'a> Motion<'a> {
         options: &Options,
         observer: &mut dyn Observer,
     ) -> Result<Run, StudyError> {
-        let order = if system == System::Rigid { 0 } else { self.order };
         match system {
             System::Full => Ok(propagate_full(self.system(), &self.full()?, times, options, observer)?),
-            System::Reduced | System::Rigid | System::SpinManifold if self.system().acts() => {
+            System::Reduced if self.starts_displaced() && self.order > 0 => {
+                let run = self.follow_reduced(system, times, options, observer)?;
+                Ok(Run { left_out: run.left_out + self.vibrations_of_the_start()?, ..run })
+            }
+            _ => self.follow_reduced(system, times, options, observer),
+        }
+    }
+
+    /// Follows the rigid body.
+    pub fn follow_rigid(
+        &self,
+        times: &[f64],
+        options: &Options,
+        observer: &mut dyn Observer,
+    ) -> Result<Run, StudyError> {
+        self.follow_reduced(System::Rigid, times, options, observer)
+    }
+
+    fn follow_reduced(
+        &self,
+        system: System,
+        times: &[f64],
+        options: &Options,
+        observer: &mut dyn Observer,
+    ) -> Result<Run, StudyError> {
+        let order = if system == System::Rigid { 0 } else { self.order };
+        match self.system().acts() {
+            true => {
                 let above = SlowEquations::torque_free_order(self.system(), options.form, order);
                 let reduced =
                     above.map(|above| self.study.reduced(above.max(self.torque_free))).transpose()?;
@@ -144,7 +170,7 @@ impl<'a> Motion<'a> {
                 let options = if order > 1 { &self.bounded(options)? } else { options };
                 Ok(propagate_forced(equations, &slow, times, options, observer)?)
             }
-            System::Reduced | System::Rigid | System::SpinManifold => {
+            false => {
                 let reduced = self.study.reduced(order)?;
                 let spin = if system == System::Reduced {
                     self.reduced_start(&reduced)?
@@ -306,6 +332,21 @@ impl<'a> Motion<'a> {
             return PropagateError::NoAngularMomentum.into();
         }
         StudyError::NoSlowSeries { spin: norm(self.start.omega) }
+    }
+
+    /// Energy (J) of the vibrations of the start: of its displacements and rates off those on which the body settles. (B2)
+    fn vibrations_of_the_start(&self) -> Result<f64, StudyError> {
+        let (full, order) = (self.full()?, self.order.min(MAX_FORCED_ORDER));
+        let settled = FullState::on_manifold(self.system(), order, &self.matched(order)?)?;
+        let gap = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a - b).collect();
+        let off = FullState {
+            omega: add(full.omega, scale(-1.0, settled.omega)),
+            q: gap(&full.q, &settled.q),
+            rate: gap(&full.rate, &settled.rate),
+            velocity: [0.0; 3],
+            ..full
+        };
+        Ok(off.energy(self.body).max(0.0))
     }
 
     fn matched(&self, order: usize) -> Result<SlowState, StudyError> {

@@ -27,6 +27,7 @@ use crate::kept_run::{HistoryLog, Keeping, KeptRun};
 use crate::left_out::LeftOut;
 use crate::liquids::{Liquid, liquids};
 use crate::motion::{DISPLACED, LOOSE, Motion};
+use crate::neighbours::{Parting, parting};
 use crate::scene::{self, Frames};
 use crate::settings::{EvolveSettings, RunSettings, SpinManifoldSettings};
 use crate::study::Study;
@@ -318,6 +319,9 @@ impl<'a> Plan<'a> {
         if self.motion.starts_displaced() {
             record.notes.push(format!("{DISPLACED}: {SETTLES}."));
         }
+        let end = self.times.last().copied().unwrap_or_default();
+        let parting = parting(self.motion, end, &self.options, watch)?;
+        record.notes.extend(parting.as_ref().map(Parting::doubt));
         let forced = self.motion.system().acts();
         let note = |each: &&HistoryRecord| each.system != System::SpinManifold.recorded();
         let drift = |each: &HistoryRecord| {

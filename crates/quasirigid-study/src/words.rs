@@ -255,7 +255,7 @@ pub fn energy_note(system: &str, forced: bool, accounts: Accounts) -> Option<Str
     if notable(left_out) {
         let [doubt, taken] = [left_out, dissipated].map(|energy| significant(energy, 2));
         return Some(format!(
-            "THE DISSIPATED ENERGY MAY BE WRONG: forces that change as fast as the body vibrates leave up to about {doubt} J in vibrations that the reduced equations do not have, beside {taken} J that the dashpots took; the full system has them."
+            "THE DISSIPATED ENERGY MAY BE WRONG: forces that change as fast as the body vibrates, or displacements of the start, leave up to about {doubt} J in vibrations that the reduced equations do not have, beside {taken} J that the dashpots took; the full system has them."
         ));
     }
     if !notable(drift.abs()) || drift.abs() <= rounding {

@@ -40,6 +40,7 @@ pub use levels::{
 };
 pub use materials::DrivenMaterial;
 pub use observed::{ObservedError, ObservedPeriods};
+pub(crate) use poinsot::is_turning_steadily;
 pub use poinsot::{FreeRotation, FreeRotationError};
 pub use power::{MeanPower, PolynomialPower};
 pub use published::{DAMPING_ESTIMATES, DampingEstimate, SmallBody, ball_radius, spin_barrier};

@@ -95,6 +95,14 @@ fn check(moments: [f64; 3]) -> Result<(), FreeRotationError> {
     if possible { Ok(()) } else { Err(FreeRotationError::Moments { moments }) }
 }
 
+/// Sine of the angle between angular momentum and angular velocity that is the rounding of both.
+const STEADY_TURN: f64 = 4e-15;
+
+/// Whether an angular momentum (N·m·s) keeps its direction in a body that turns at an angular velocity (rad/s), to rounding.
+pub(crate) fn is_turning_steadily(K: [f64; 3], omega: [f64; 3]) -> bool {
+    norm(cross(K, omega)) <= STEADY_TURN * norm(K) * norm(omega)
+}
+
 /// Points of the mean per `K/K′`: harmonic `n` of the angular velocity falls as the power `n/2` of the nome, to 1e-17 with a margin.
 const POINTS: f64 = 32.0;
 
@@ -222,6 +230,13 @@ impl FreeRotation {
         self.G
     }
 
+    /// Whether the motion is a steady spin at `t = 0`, about an axis of whichever moment, to rounding.
+    #[must_use]
+    pub fn is_steady(&self) -> bool {
+        let omega = self.omega(0.0);
+        is_turning_steadily(std::array::from_fn(|axis| self.moments[axis] * omega[axis]), omega)
+    }
+
     /// Energy (J).
     #[must_use]
     pub fn energy(&self) -> f64 {
@@ -235,6 +250,12 @@ impl FreeRotation {
             Mode::ShortAxis => 0.5 * self.from_short / self.moments[2],
             Mode::LongAxis => 0.5 * self.from_long / self.moments[0],
         }
+    }
+
+    /// Energy (J) by which the motion differs from the steady spin about the middle axis, not negative.
+    #[must_use]
+    pub fn energy_from_separatrix(&self) -> f64 {
+        0.5 * self.from_middle / self.moments[1]
     }
 
     /// `D/I₃ = |K|²/2EI₃`, from `I₁/I₃` to 1.

@@ -20,6 +20,11 @@ pub trait MeanPower: Debug + Send + Sync {
     /// Mean over a period of the polhode; zero on the separatrix, where the period is infinite.
     fn mean_power(&self, motion: &FreeRotation) -> f64;
 
+    /// Bound of the relative rounding of that mean, where terms that nearly cancel leave it; zero where none do.
+    fn rounding(&self, _motion: &FreeRotation) -> f64 {
+        0.0
+    }
+
     /// Mean power (W) that each dissipator takes, by name, mean of both senses of the motion; empty where the shares are not known. (D2)
     fn budget(&self, _motion: &FreeRotation) -> Vec<(String, f64)> {
         Vec::new()
@@ -36,6 +41,10 @@ macro_rules! mean_power_behind {
 
             fn mean_power(&self, motion: &FreeRotation) -> f64 {
                 (**self).mean_power(motion)
+            }
+
+            fn rounding(&self, motion: &FreeRotation) -> f64 {
+                (**self).rounding(motion)
             }
 
             fn budget(&self, motion: &FreeRotation) -> Vec<(String, f64)> {
@@ -78,6 +87,8 @@ pub struct PolynomialPower {
     moments: [f64; 3],
     degree: usize,
     terms: Terms,
+    /// Bound of the rounding of the terms, those among them that vanish in other axes.
+    rounding: Terms,
     /// Terms of each dissipator, by name.
     shares: Vec<(String, Terms)>,
 }
@@ -87,6 +98,8 @@ type Terms = Vec<([usize; 3], f64)>;
 
 /// Points of the mean per quarter period and `K/K′`: harmonic `2n` falls as the power `n` of the nome, to 1e-17.
 const POINTS: f64 = 6.5;
+/// Rounding of a term, relative to the largest of its degree: of the reduction and of the turn to principal axes.
+const TERM_ROUNDING: f64 = 1e-15;
 
 impl PolynomialPower {
     /// The power of a reduced body.
@@ -98,6 +111,7 @@ impl PolynomialPower {
             moments,
             degree: body.power.degree(),
             terms: squares(&body.power, axes),
+            rounding: roundings(&body.power, axes),
             shares: shares.collect(),
         }
     }
@@ -137,6 +151,23 @@ fn squares(power: &Series, axes: [[f64; 3]; 3]) -> Terms {
     terms
 }
 
+/// Every term with a mean, with the rounding of the largest coefficient of its degree.
+fn roundings(power: &Series, axes: [[f64; 3]; 3]) -> Terms {
+    let mut terms = Vec::new();
+    for degree in (2..=power.degree()).step_by(2) {
+        let part = power.part(degree).in_axes(axes);
+        let largest = part.terms().map(|(_, coefficient)| coefficient[0].abs()).fold(0.0, f64::max);
+        let half = degree / 2;
+        for i in 0..=half {
+            let rest = (0..=half - i).map(|j| [i, j, half - i - j]);
+            terms.extend(
+                rest.filter(|powers| !powers.contains(&half)).map(|at| (at, TERM_ROUNDING * largest)),
+            );
+        }
+    }
+    terms
+}
+
 fn value(terms: &Terms, squares: [f64; 3]) -> f64 {
     let power = |axis: usize, exponent: usize| squares[axis].powi(exponent as i32);
     let term = |([i, j, k], value): &([usize; 3], f64)| value * power(0, *i) * power(1, *j) * power(2, *k);
@@ -150,6 +181,14 @@ impl MeanPower for PolynomialPower {
 
     fn mean_power(&self, motion: &FreeRotation) -> f64 {
         self.means(motion, std::iter::once(&self.terms))[0]
+    }
+
+    /// Beside a plane of steady spins the largest terms are the rounding of zeros in turned axes.
+    fn rounding(&self, motion: &FreeRotation) -> f64 {
+        let [mean, rounding] = self.means(motion, [&self.terms, &self.rounding].into_iter())[..] else {
+            return 0.0;
+        };
+        if rounding > 0.0 { rounding / mean.abs() } else { 0.0 }
     }
 
     fn budget(&self, motion: &FreeRotation) -> Vec<(String, f64)> {

@@ -19,6 +19,8 @@ pub struct AverageCriteria {
     pub moments: f64,
     /// Largest relative difference between the averaged power and that of short runs of the full system; zero where none were made. (Q9)
     pub probed: f64,
+    /// Relative rounding of the averaged power.
+    pub rounding: f64,
     /// Estimate of the relative error in a wide wobble from the response of liquids about the mean spin. (L19)
     pub liquids: f64,
 }
@@ -33,7 +35,7 @@ impl AverageCriteria {
     #[must_use]
     pub fn error(&self) -> f64 {
         let compared = self.poles.max(PER_SETTLING * self.settling).max(self.moments).max(self.probed);
-        (ERROR_PER_CRITERION * compared).max(self.liquids)
+        (ERROR_PER_CRITERION * compared).max(self.liquids).max(self.rounding)
     }
 }
 
@@ -76,6 +78,7 @@ pub fn average_criteria(
         let rate = average.power(rotation_state) / (2.0 * motion.energy_from_axis());
         let follows = poles.of_mode(rotation_state.mode).map_or(0.0, super::Pole::following_rate);
         criteria.settling = criteria.settling.max(rate / follows);
+        criteria.rounding = criteria.rounding.max(power.rounding(&motion));
     }
     let (rigid, deformed) = (power.moments(), range.moments());
     for (a, b) in [(0, 1), (1, 2)] {

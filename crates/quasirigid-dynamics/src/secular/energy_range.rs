@@ -2,7 +2,7 @@
 //! Energies of the deformed steady spins take the place of frozen moments, so that axes and separatrix are those of the deformed body.
 //! Equations (Q1) and (Q2), docs/theory/16-methods.md; (M1), docs/theory/15-modes.md.
 
-use crate::averaging::{FreeRotation, RotationState};
+use crate::averaging::{FreeRotation, RotationState, is_turning_steadily};
 use crate::dynamics::FullState;
 use crate::math::sym3::{self, times};
 use crate::math::vec3::{add, cross, dot, norm, scale, unit};
@@ -120,6 +120,17 @@ impl EnergyRange {
             greatest
         };
         Some(RotationState { mode: state.mode, xi: self.logit(state.mode, share * middle) })
+    }
+
+    /// Whether the body in balance with its angular velocity turns steadily with an angular momentum `K` (N·m·s, body axes), about an axis of
+    /// whichever moment: `K × ω` is zero to rounding. (Q2)
+    #[must_use]
+    pub fn is_steady(&self, body: &FlexibleBody, K: [f64; 3]) -> bool {
+        let along =
+            |mode: &Mode| self.equilibrium(*mode).map_or(0.0, |spin| dot(spin.angular_momentum, K).abs());
+        let [nearest, farther] = [Mode::ShortAxis, Mode::LongAxis];
+        let nearest = if along(&farther) > along(&nearest) { farther } else { nearest };
+        self.deformed(body, nearest, K).is_some_and(|(state, _)| is_turning_steadily(K, state.omega))
     }
 
     /// State of the full system at a rotation state: the body in balance with its angular velocity, on its way from the circled axis to the

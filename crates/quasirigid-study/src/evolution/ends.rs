@@ -50,7 +50,7 @@ pub fn end(
 
 /// Energy above the steady spin, over that of the wobble, from which it is told to be of vibrations.
 const VIBRATING: f64 = 1.1;
-/// Share of the energy in a wobble below which the wobble is told by the angular momentum.
+/// Share of the energy between a rotation and a steady spin below which the wobble is told by the angular momentum.
 const SMALL: f64 = 1e-6;
 
 /// Span that is asked for, by the energies of the deformed body; `moments` are those of the frozen one (kg·m²).
@@ -68,10 +68,15 @@ pub fn span(
             (range.state(body, from).ok_or(StudyError::Steady)?, from)
         }
         None => {
-            let settled = range.settled(body, full.angular_momentum(body));
+            let K = full.angular_momentum(body);
+            if range.is_steady(body, K) {
+                return Err(StudyError::Steady);
+            }
+            let settled = range.settled(body, K);
             let small = settled.filter(|state| {
                 let motion = spins.motion(*state);
-                motion.energy_from_axis() < SMALL * motion.energy() // the energy of the whole body has no digits of it
+                let nearest = motion.energy_from_axis().min(motion.energy_from_separatrix());
+                nearest < SMALL * motion.energy() // the energy of the whole body has no digits of it
             });
             // What moves inside may hold more energy than the wobble, which is left when it has died out.
             let by_energy = range.rotation_state(full.energy(body));

@@ -76,6 +76,9 @@ pub fn chosen(
 ) -> Result<Chosen, Box<NotFollowed>> {
     let free = asked.method.is_none();
     if let Some(source) = free.then(|| inputs.stiff_average(study, start)).flatten() {
+        if asked.start.is_none() && inputs.initial.is_steady() {
+            return Err(NotFollowed::new(StudyError::Steady.into(), inputs.initial, None));
+        }
         return Ok(inputs.unjudged(source, inputs.initial));
     }
     let Some(Basis { full, spins, initial }) = inputs.basis(study, start)? else {

@@ -132,6 +132,7 @@ fn of_choice(reason: &choice::Reason, wheels: bool) -> String {
                 instability.unwrap_or_default()
             )
         }
+        Reason::NothingDissipated => "nothing in the body dissipates: the rotation stays as it is".into(),
         Reason::UnknownLength if wheels => {
             "the modes give no rate of a small wobble, so the length of a run of the full system \
              cannot be estimated"
@@ -187,11 +188,14 @@ fn degrees(angle: f64) -> String {
 
 /// Reason why an average does not hold, in words.
 pub fn unfounded(criteria: AverageCriteria) -> String {
-    let AverageCriteria { poles, settling, moments, probed, liquids } = criteria;
+    let AverageCriteria { poles, settling, moments, probed, rounding, liquids } = criteria;
     let percent = |share: f64| significant(100.0 * share, 2);
     if liquids >= criteria.error() {
         return "the wobble is too wide for the response of a spinning liquid, which is known for small ones"
             .into();
+    }
+    if rounding >= criteria.error() {
+        return "its power is hidden in rounding: two moments of inertia are nearly equal".into();
     }
     if probed > poles.max(settling).max(moments) {
         return format!("its power is {} % off that of short runs of the full system", percent(probed));

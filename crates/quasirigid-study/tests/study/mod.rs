@@ -32,4 +32,5 @@ mod sweep;
 mod tanks;
 mod thrust;
 mod told_errors;
+mod unknowable;
 mod verdicts;

@@ -102,6 +102,8 @@ pub enum Reason {
     },
     /// Length of a history of the full system that the modes do not tell.
     UnknownLength,
+    /// Body that dissipates nothing.
+    NothingDissipated,
     /// Work that would take too long unasked.
     TooLong {
         /// Work.

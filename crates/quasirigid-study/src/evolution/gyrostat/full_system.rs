@@ -128,7 +128,10 @@ fn announced(
     observer: &mut dyn ChoiceObserver,
 ) -> Result<(), Stop<StudyError>> {
     let Some(mode) = spin.nutation().filter(|mode| mode.decay_rate > 0.0 && mode.frequency > 0.0) else {
-        return Err(Reason::UnknownLength.into());
+        let body = spin.body;
+        let lossless =
+            body.dissipators().is_empty() && body.viscoelastic().is_empty() && body.memories().is_empty();
+        return Err(if lossless { Reason::NothingDissipated } else { Reason::UnknownLength }.into());
     };
     let share = (spin.energy - spin.steady()) / (until - spin.steady());
     let falls = share.ln() / (2.0 * mode.decay_rate);

@@ -100,7 +100,8 @@ const STEADY_TURN: f64 = 4e-15;
 
 /// Whether an angular momentum (N·m·s) keeps its direction in a body that turns at an angular velocity (rad/s), to rounding.
 pub(crate) fn is_turning_steadily(K: [f64; 3], omega: [f64; 3]) -> bool {
-    norm(cross(K, omega)) <= STEADY_TURN * norm(K) * norm(omega)
+    let largest = norm(K) * norm(omega);
+    largest > 0.0 && largest.is_finite() && norm(cross(K, omega)) <= STEADY_TURN * largest
 }
 
 /// Points of the mean per `K/K′`: harmonic `n` of the angular velocity falls as the power `n/2` of the nome, to 1e-17 with a margin.

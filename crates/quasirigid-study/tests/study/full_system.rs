@@ -16,7 +16,8 @@ fn full_and_reduced_histories_of_a_soft_start_agree_once_the_vibrations_are_gone
     let rest = study(&model("", "displacements = \"rest\"", ""));
     let [full, reduced] = [System::Full, System::Reduced].map(|system| {
         let (found, said) = told_history(&rest, &table(system, &[0.0, 60.0]), PartialRun::default());
-        assert!(found.holds() && said.is_empty(), "{said}");
+        let told = said.contains("THE DISSIPATED ENERGY MAY BE WRONG");
+        assert!(found.holds() && told == (system == System::Reduced), "{said}");
         found.run.last.omega
     });
     for axis in 0..3 {

@@ -47,10 +47,10 @@ fn a_chaotic_motion_is_told_with_the_time_from_which_it_is_unknown() {
                 norm([a[0] - b[0], a[1] - b[1], a[2] - b[2]]) / norm(a)
             };
             assert!(
-                gap(0.5 * from) < 1e-2 && gap(1.6 * from) > 1e-2,
+                gap(0.5 * from) < 1e-2 && gap(2.5 * from) > 1e-2,
                 "{} {}",
                 gap(0.5 * from),
-                gap(1.6 * from)
+                gap(2.5 * from)
             );
         }
         let (_, said) = spins(1e-12, 0.3 * from);

@@ -243,7 +243,7 @@ impl Study {
         let wrong = wrong.or_else(|| fastest.as_ref().filter(|found| found.fails()).map(Fastest::doubt));
         let faster = fastest.as_ref().map(Fastest::doubt);
         let end = times.last().copied().unwrap_or_default();
-        let parting = parting(&motion, end, &options, watch)?.as_ref().map(Parting::doubt);
+        let parting = parting(&motion, end, &options, watch).as_ref().map(Parting::doubt);
         let parting = parting.into_iter();
         let notes =
             parting.chain(run.ringing.map(ringing_doubt)).chain(faster).chain(doubt).chain(note).collect();

@@ -7,7 +7,6 @@ use quasirigid::dynamics::{Observer, Options, Sample, Start};
 use quasirigid_math::rotation::{product, rotation_vector, turned};
 use quasirigid_math::vec3::{add, norm, scale};
 
-use crate::error::StudyError;
 use crate::histories::even_times;
 use crate::motion::Motion;
 use crate::watch::Watch;
@@ -35,18 +34,15 @@ pub struct Parting {
 }
 
 /// Parting of the motion to a time (s) from its neighbours, as rigid bodies; none of a regular motion, of one that is known to the end, and of
-/// one on which no force acts.
-///
-/// # Errors
-/// [`StudyError`] of the rigid body's motion, and [`StudyError::Interrupted`].
+/// one on which no force acts, and where the rigid body is not followed or the watch ends it.
 pub(crate) fn parting(
     motion: &Motion,
     end: f64,
     options: &Options,
     watch: &mut dyn Watch,
-) -> Result<Option<Parting>, StudyError> {
+) -> Option<Parting> {
     if !motion.system().acts() || !motion.study().controls.is_empty() || !(end > 0.0) {
-        return Ok(None);
+        return None;
     }
     let tolerance = options.tolerance;
     let options = Options { most_steps: MOST_STEPS, events: Vec::new(), ..options.clone() };
@@ -57,13 +53,13 @@ pub(crate) fn parting(
         omega: add(start.omega, scale(APART * norm(start.omega), TOWARDS)),
         ..start
     };
-    let mut followed = |start: Start| -> Result<Vec<Sample>, StudyError> {
+    let mut followed = |start: Start| {
         let mut rows = Rows { rows: Vec::new(), end, watch: &mut *watch, stopped: false };
-        Motion::new(motion.study(), start).follow_rigid(&times, &options, &mut rows)?;
-        if rows.stopped { Err(StudyError::Interrupted) } else { Ok(rows.rows) }
+        Motion::new(motion.study(), start).follow_rigid(&times, &options, &mut rows).ok()?;
+        (!rows.stopped).then_some(rows.rows)
     };
     let (own, other) = (followed(start)?, followed(beside)?);
-    Ok(growth(&own, &other, tolerance).filter(|parting| parting.unknown_from < end))
+    growth(&own, &other, tolerance).filter(|parting| parting.unknown_from < end)
 }
 
 /// Growth of the distance of two motions; none where it is that of a regular motion. (E10)

@@ -320,7 +320,7 @@ impl<'a> Plan<'a> {
             record.notes.push(format!("{DISPLACED}: {SETTLES}."));
         }
         let end = self.times.last().copied().unwrap_or_default();
-        let parting = parting(self.motion, end, &self.options, watch)?;
+        let parting = parting(self.motion, end, &self.options, watch);
         record.notes.extend(parting.as_ref().map(Parting::doubt));
         let forced = self.motion.system().acts();
         let note = |each: &&HistoryRecord| each.system != System::SpinManifold.recorded();

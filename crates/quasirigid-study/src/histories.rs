@@ -146,7 +146,7 @@ impl Study {
         table: &Table,
         watch: &mut dyn Watch,
     ) -> Result<History, StudyError> {
-        self.simulate_from(self.initial()?, asked, table, watch)
+        self.follow_table((self.initial()?, true), asked, table, None, watch)
     }
 
     /// Number of rows of a table.
@@ -167,10 +167,11 @@ impl Study {
         log: &Path,
         watch: &mut dyn Watch,
     ) -> Result<History, StudyError> {
-        self.follow_table(self.initial()?, asked, table, Some(log), watch)
+        self.follow_table((self.initial()?, true), asked, table, Some(log), watch)
     }
 
-    /// Follows one system of equations from a rotation in place of the model's own.
+    /// Follows one system of equations from a rotation in place of the model's own, as one of many histories: neighbouring starts, which tell
+    /// chaos, are not followed.
     ///
     /// # Errors
     /// As [`simulate`](Self::simulate).
@@ -181,12 +182,12 @@ impl Study {
         table: &Table,
         watch: &mut dyn Watch,
     ) -> Result<History, StudyError> {
-        self.follow_table(spin, asked, table, None, watch)
+        self.follow_table((spin, false), asked, table, None, watch)
     }
 
     fn follow_table(
         &self,
-        spin: Start,
+        (spin, with_neighbours): (Start, bool),
         asked: &PartialRun,
         table: &Table,
         log: Option<&Path>,
@@ -243,10 +244,10 @@ impl Study {
         let wrong = wrong.or_else(|| fastest.as_ref().filter(|found| found.fails()).map(Fastest::doubt));
         let faster = fastest.as_ref().map(Fastest::doubt);
         let end = times.last().copied().unwrap_or_default();
-        let parting = parting(&motion, end, &options, watch).as_ref().map(Parting::doubt);
-        let parting = parting.into_iter();
-        let notes =
-            parting.chain(run.ringing.map(ringing_doubt)).chain(faster).chain(doubt).chain(note).collect();
+        let parting = with_neighbours.then(|| parting(&motion, end, &options, watch)).flatten();
+        let chaos = parting.as_ref().map(Parting::doubt);
+        let ringing = run.ringing.map(ringing_doubt);
+        let notes = [chaos, ringing, faster, doubt, note].into_iter().flatten().collect();
         let left = manifold.as_ref().and_then(|verdict| verdict.status(run.outcome));
         let (status, message) = left.unwrap_or_else(|| status(body, run.outcome, last.t));
         Ok(History {

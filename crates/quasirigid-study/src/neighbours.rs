@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 use std::ops::ControlFlow;
 
 use quasirigid::dynamics::{Observer, Options, Sample, Start};
-use quasirigid_math::rotation::{product, rotation_vector, turned};
+use quasirigid_math::rotation::{angle_between, turned};
 use quasirigid_math::vec3::{add, norm, scale};
 
 use crate::histories::even_times;
@@ -53,12 +53,12 @@ pub(crate) fn parting(
         omega: add(start.omega, scale(APART * norm(start.omega), TOWARDS)),
         ..start
     };
-    let mut followed = |start: Start| {
+    let mut followed = |motion: &Motion| {
         let mut rows = Rows { rows: Vec::new(), end, watch: &mut *watch, stopped: false };
-        Motion::new(motion.study(), start).follow_rigid(&times, &options, &mut rows).ok()?;
+        motion.follow_rigid(&times, &options, &mut rows).ok()?;
         (!rows.stopped).then_some(rows.rows)
     };
-    let (own, other) = (followed(start)?, followed(beside)?);
+    let (own, other) = (followed(motion)?, followed(&Motion::new(motion.study(), beside))?);
     growth(&own, &other, tolerance).filter(|parting| parting.unknown_from < end)
 }
 
@@ -66,8 +66,7 @@ pub(crate) fn parting(
 fn growth(own: &[Sample], other: &[Sample], tolerance: f64) -> Option<Parting> {
     let mut widest: Option<(f64, f64, f64)> = None;
     for (a, b) in own.iter().zip(other).filter(|(a, b)| a.t == b.t && a.t > 0.0) {
-        let [s, x, y, z] = a.attitude;
-        let gap = norm(rotation_vector(product([s, -x, -y, -z], b.attitude)));
+        let gap = angle_between(a.attitude, b.attitude);
         let regular = 1.0 + TAU * a.revolutions;
         if widest.is_none_or(|(_, widest, _)| gap > widest) {
             widest = Some((a.t, gap, regular));

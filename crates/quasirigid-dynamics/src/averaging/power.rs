@@ -9,7 +9,7 @@ use std::sync::Arc;
 use super::poinsot::FreeRotation;
 use super::response::Response;
 use crate::math::elliptic::{first_of_complement, jacobi};
-use crate::math::polynomial::Series;
+use crate::math::polynomial::{Homogeneous, Series};
 use crate::model::{Principal, ReducedBody};
 
 /// Mean power that a body dissipates on a free rotation (W).
@@ -106,13 +106,14 @@ impl PolynomialPower {
     #[must_use]
     pub fn from_reduced(body: &ReducedBody) -> Self {
         let Principal { moments, axes } = Principal::compute(body.J);
-        let shares = body.power_shares.iter().map(|(name, power)| (name.clone(), squares(power, axes)));
+        let own = |(name, power): &(String, Series)| (name.clone(), squares(&even_parts(power, axes)));
+        let parts = even_parts(&body.power, axes);
         Self {
             moments,
             degree: body.power.degree(),
-            terms: squares(&body.power, axes),
-            rounding: roundings(&body.power, axes),
-            shares: shares.collect(),
+            terms: squares(&parts),
+            rounding: roundings(&parts),
+            shares: body.power_shares.iter().map(own).collect(),
         }
     }
 
@@ -135,14 +136,18 @@ impl PolynomialPower {
     }
 }
 
-/// Terms of a power with a nonzero mean, in principal axes.
-fn squares(power: &Series, axes: [[f64; 3]; 3]) -> Terms {
+/// Parts of even degree of a power, in principal axes.
+fn even_parts(power: &Series, axes: [[f64; 3]; 3]) -> Vec<Homogeneous> {
+    (2..=power.degree()).step_by(2).map(|degree| power.part(degree).in_axes(axes)).collect()
+}
+
+/// Terms with a nonzero mean.
+fn squares(parts: &[Homogeneous]) -> Terms {
     let mut terms = Vec::new();
-    for degree in (2..=power.degree()).step_by(2) {
-        let part = power.part(degree).in_axes(axes);
+    for part in parts {
         for (exponents, coefficient) in part.terms() {
             let even = exponents.iter().all(|power| power % 2 == 0);
-            let on_an_axis = exponents.contains(&degree);
+            let on_an_axis = exponents.contains(&part.degree());
             if even && !on_an_axis && coefficient[0] != 0.0 {
                 terms.push((exponents.map(|power| power / 2), coefficient[0]));
             }
@@ -151,19 +156,15 @@ fn squares(power: &Series, axes: [[f64; 3]; 3]) -> Terms {
     terms
 }
 
-/// Every term with a mean, with the rounding of the largest coefficient of its degree.
-fn roundings(power: &Series, axes: [[f64; 3]; 3]) -> Terms {
+/// Every term that may have a mean, with the rounding of the largest coefficient of its degree.
+fn roundings(parts: &[Homogeneous]) -> Terms {
     let mut terms = Vec::new();
-    for degree in (2..=power.degree()).step_by(2) {
-        let part = power.part(degree).in_axes(axes);
+    for part in parts {
         let largest = part.terms().map(|(_, coefficient)| coefficient[0].abs()).fold(0.0, f64::max);
-        let half = degree / 2;
-        for i in 0..=half {
-            let rest = (0..=half - i).map(|j| [i, j, half - i - j]);
-            terms.extend(
-                rest.filter(|powers| !powers.contains(&half)).map(|at| (at, TERM_ROUNDING * largest)),
-            );
-        }
+        let half = part.degree() / 2;
+        let all = (0..=half).flat_map(|i| (0..=half - i).map(move |j| [i, j, half - i - j]));
+        let off_the_axes = all.filter(|exponents| !exponents.contains(&half));
+        terms.extend(off_the_axes.map(|exponents| (exponents, TERM_ROUNDING * largest)));
     }
     terms
 }
@@ -185,10 +186,8 @@ impl MeanPower for PolynomialPower {
 
     /// Beside a plane of steady spins the largest terms are the rounding of zeros in turned axes.
     fn rounding(&self, motion: &FreeRotation) -> f64 {
-        let [mean, rounding] = self.means(motion, [&self.terms, &self.rounding].into_iter())[..] else {
-            return 0.0;
-        };
-        if rounding > 0.0 { rounding / mean.abs() } else { 0.0 }
+        let means = self.means(motion, [&self.terms, &self.rounding].into_iter());
+        if means[1] > 0.0 { means[1] / means[0].abs() } else { 0.0 }
     }
 
     fn budget(&self, motion: &FreeRotation) -> Vec<(String, f64)> {

@@ -97,9 +97,7 @@ impl EnergyRange {
     /// None at a steady spin, or if no steady spin was found.
     #[must_use]
     pub fn settled(&self, body: &FlexibleBody, K: [f64; 3]) -> Option<RotationState> {
-        let along = |mode: &Mode| self.equilibrium(*mode).map(|spin| dot(spin.angular_momentum, K).abs());
-        let poles = [Mode::ShortAxis, Mode::LongAxis].into_iter().filter(|mode| along(mode).is_some());
-        let nearest = poles.max_by(|a, b| along(a).unwrap_or(0.0).total_cmp(&along(b).unwrap_or(0.0)))?;
+        let nearest = self.nearest(K)?;
         let axis = unit(self.equilibrium(nearest)?.angular_momentum);
         let parallel = scale(dot(axis, K), axis);
         let across = add(K, scale(-1.0, parallel));
@@ -126,11 +124,15 @@ impl EnergyRange {
     /// whichever moment: `K × ω` is zero to rounding. (Q2)
     #[must_use]
     pub fn is_steady(&self, body: &FlexibleBody, K: [f64; 3]) -> bool {
-        let along =
-            |mode: &Mode| self.equilibrium(*mode).map_or(0.0, |spin| dot(spin.angular_momentum, K).abs());
-        let [nearest, farther] = [Mode::ShortAxis, Mode::LongAxis];
-        let nearest = if along(&farther) > along(&nearest) { farther } else { nearest };
-        self.deformed(body, nearest, K).is_some_and(|(state, _)| is_turning_steadily(K, state.omega))
+        let deformed = self.nearest(K).and_then(|mode| self.deformed(body, mode, K));
+        deformed.is_some_and(|(state, _)| is_turning_steadily(K, state.omega))
+    }
+
+    /// Mode whose steady spin is nearest in direction to an angular momentum; none if no steady spin was found.
+    fn nearest(&self, K: [f64; 3]) -> Option<Mode> {
+        let along = |mode: &Mode| self.equilibrium(*mode).map(|spin| dot(spin.angular_momentum, K).abs());
+        let poles = [Mode::ShortAxis, Mode::LongAxis].into_iter().filter(|mode| along(mode).is_some());
+        poles.max_by(|a, b| along(a).unwrap_or(0.0).total_cmp(&along(b).unwrap_or(0.0)))
     }
 
     /// State of the full system at a rotation state: the body in balance with its angular velocity, on its way from the circled axis to the

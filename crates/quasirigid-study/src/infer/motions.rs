@@ -16,7 +16,7 @@ const QUATERNION: [&str; 4] = ["qw", "qx", "qy", "qz"];
 pub fn units(study: &Study, system: System) -> Result<Vec<(String, String)>, StudyError> {
     let table = Table { times: Some(vec![0.0]), ..table(system) };
     let settings = PartialRun { samples: Some(2), ..PartialRun::default() };
-    let history = study.simulate(&settings, &table, &mut ())?;
+    let history = study.simulate_from(study.initial()?, &settings, &table, &mut ())?;
     Ok(history.columns.into_iter().map(|column| (column.name, column.unit)).collect())
 }
 
@@ -77,7 +77,8 @@ impl Motions<'_> {
         let order = self.study.order_given.then_some(self.study.order);
         let study = Study::new(Model::parse(&self.study.model.source.file, &text)?, order)?;
         let table = Table { times: Some(self.data.t.clone()), ..table(self.system) };
-        study.simulate(&PartialRun { samples: Some(2), ..PartialRun::default() }, &table, &mut ())
+        let settings = PartialRun { samples: Some(2), ..PartialRun::default() };
+        study.simulate_from(study.initial()?, &settings, &table, &mut ())
     }
 
     fn of(&self, history: &History) -> Option<Vec<f64>> {

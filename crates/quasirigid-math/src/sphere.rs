@@ -112,6 +112,41 @@ pub fn directions(count: usize) -> impl Iterator<Item = [f64; 3]> {
     })
 }
 
+/// Directions of a grid from which the greatest value is sought, the first step from each (rad, of a grid of one direction), how often it is halved,
+/// and how many steps are tried in all: along a narrow ridge small steps lead nowhere.
+const SUMMITS: usize = 4;
+const FIRST_STEP: f64 = 2.0;
+const HALVINGS: usize = 20;
+const STEPS: usize = 60;
+
+/// Greatest value of a function over the unit sphere: uphill from the highest of a grid of so many directions, so that it hardly depends on the
+/// axes in which the grid lies.
+pub fn greatest(count: usize, value: impl Fn([f64; 3]) -> f64) -> f64 {
+    let mut grid: Vec<(f64, [f64; 3])> = directions(count).map(|u| (value(u), u)).collect();
+    grid.sort_by(|a, b| b.0.total_cmp(&a.0));
+    let first = FIRST_STEP / (count as f64).sqrt();
+    grid.into_iter().take(SUMMITS).map(|start| uphill(start, first, &value)).fold(0.0, f64::max)
+}
+
+/// Value at the end of a climb by shorter and shorter steps to four sides.
+fn uphill((mut height, mut place): (f64, [f64; 3]), first: f64, value: &impl Fn([f64; 3]) -> f64) -> f64 {
+    let mut step = first;
+    let mut halved = 0;
+    for _ in 0..STEPS {
+        if halved == HALVINGS {
+            break;
+        }
+        let [a, b] = tangents(place).map(Vector3::from);
+        let sides = [a, -a, b, -b].map(|side| (Vector3::from(place) + step * side).normalize().into());
+        let next = sides.map(|u: [f64; 3]| (value(u), u)).into_iter().max_by(|a, b| a.0.total_cmp(&b.0));
+        match next {
+            Some((higher, u)) if higher > height => (height, place) = (higher, u),
+            _ => (step, halved) = (0.5 * step, halved + 1),
+        }
+    }
+    height
+}
+
 /// Two unit vectors that with a third make a right-handed frame: `e₁ × e₂ = e`.
 #[must_use]
 pub fn tangents(e: [f64; 3]) -> [[f64; 3]; 2] {
@@ -202,6 +237,17 @@ mod tests {
             [6, 8, 12]
         );
         assert!(found.complete && !found.families);
+    }
+
+    /// Of a power of the component along an axis it is one, wherever the axis lies.
+    #[test]
+    fn the_greatest_value_does_not_know_the_axes_of_the_grid() {
+        for turn in 0..20 {
+            let (sin, cos) = (0.1 * f64::from(turn)).sin_cos();
+            let axis = Vector3::new(cos, sin * 0.6, sin * 0.8);
+            let found = greatest(400, |x| axis.dot(&Vector3::from(x)).powi(8));
+            assert!((found - 1.0).abs() < 1e-12, "{turn} {found}");
+        }
     }
 
     #[test]

@@ -2,7 +2,7 @@
 
 use std::fmt::{self, Write};
 
-use quasirigid::model::{Mode, Principal};
+use quasirigid::model::{FlexibleBody, Mode, Principal};
 use quasirigid::modes::{
     EquilibriumError, ModeRange, NEARLY_EQUAL, RelativeEquilibrium, SpinMagnitude, SpinMode, SpinModes, acts,
 };
@@ -10,7 +10,8 @@ use quasirigid::secular::GyrostatSpins;
 use quasirigid_io::model::Named;
 use quasirigid_io::record::{ModeList, ModeRecord, SlowModesRecord, SteadySpinRecord, place_of_spin};
 use quasirigid_io::visible::one_line;
-use quasirigid_math::vec3::{add, norm, scale};
+use quasirigid_math::rotation::angle;
+use quasirigid_math::vec3::{add, cross, dot, norm, scale, unit};
 
 use crate::error::StudyError;
 use crate::layout::paragraph;
@@ -34,9 +35,21 @@ const SHARES: usize = 4;
 /// Names of the steady spins about the axes of greatest and of least inertia.
 pub(crate) const GREATEST: &str = "greatest";
 pub(crate) const LEAST: &str = "least";
-/// Names of the steady spins of a body with momentum wheels: the first attracts.
+/// The same spins of a body with momentum wheels the other way round, which are others.
+const GREATEST_OPPOSITE: &str = "greatest, opposite sense";
+const LEAST_OPPOSITE: &str = "least, opposite sense";
+/// Names of the steady spins of a body with momentum wheels: of the extremes of the energy, and of those that are extremes beside them only.
 const LEAST_ENERGY: &str = "least energy";
+const LOCALLY_LEAST_ENERGY: &str = "locally least energy";
 const GREATEST_ENERGY: &str = "greatest energy";
+const LOCALLY_GREATEST_ENERGY: &str = "locally greatest energy";
+/// Share of an energy by which two of them differ by rounding, and of an angular velocity for two of them.
+const SAME_ENERGY: f64 = 1e-9;
+const SAME_SPIN: f64 = 1e-6;
+/// Least cosine of the angle between a spin and the axis of inertia whose name it has.
+const ALONG: f64 = 0.66;
+/// Angle (rad) of a steady spin from the one asked for that is told.
+const TOLD_ANGLE: f64 = 2e-3;
 
 /// The steady spins about the axes of greatest and of least inertia; those of least and of greatest energy where momentum wheels turn the
 /// spin away from these axes.
@@ -99,26 +112,53 @@ impl NamedSpin {
     /// Axis of inertia of the spin, or the one about which a body without wheels has such an energy.
     pub fn axis(&self) -> PrincipalAxis {
         match self.name {
-            GREATEST | LEAST_ENERGY => PrincipalAxis::Greatest,
+            GREATEST | GREATEST_OPPOSITE | LEAST_ENERGY | LOCALLY_LEAST_ENERGY => PrincipalAxis::Greatest,
             _ => PrincipalAxis::Least,
         }
     }
+
+    /// This spin with the name that it has beside those about the axes of inertia, in the order of ascending moments; none if it is one of them.
+    fn beside_those(self, by_axis: &[Self], axes: [[f64; 3]; 3]) -> Option<Self> {
+        let spin = self.spin.as_ref().ok()?;
+        let found = |named: &Self| named.spin.as_ref().ok().map(|spin| spin.omega);
+        let is_it = |omega: [f64; 3]| norm(add(spin.omega, scale(-1.0, omega))) <= SAME_SPIN * norm(omega);
+        if by_axis.iter().filter_map(found).any(is_it) {
+            return None;
+        }
+        let (axis, opposite) = match self.axis() {
+            PrincipalAxis::Greatest => (axes[2], GREATEST_OPPOSITE),
+            _ => (axes[0], LEAST_OPPOSITE),
+        };
+        let alike = by_axis.iter().find(|named| named.axis() == self.axis()).and_then(found);
+        let turned = alike.is_some_and(|omega| dot(omega, axis) * dot(spin.omega, axis) < 0.0);
+        let along = dot(unit(spin.omega), axis).abs() >= ALONG;
+        Some(Self { name: if turned && along { opposite } else { self.name }, ..self })
+    }
 }
 
-/// The steady spins about the axes of greatest and of least inertia; those of least and of greatest energy where momentum wheels turn the spin
-/// away from an axis, or the three moments are nearly equal, so that wheels set the axes. The one next to an angular velocity comes first.
+/// The steady spins about the axes of greatest and of least inertia, the one next to an angular velocity first; of a body with momentum wheels
+/// those of extreme energy that these leave out as well, and alone where wheels turn the spin away from an axis, or the three moments are
+/// nearly equal, so that wheels set the axes. (Q15)
 pub(crate) fn found(study: &Study, omega: [f64; 3], given: SpinMagnitude) -> Vec<NamedSpin> {
     let body = &study.body;
     let principal = Principal::compute(body.invariants().J);
-    let by_axis = principal.nearest(omega).map(|mode| NamedSpin {
+    let mut by_axis = Vec::from(principal.nearest(omega).map(|mode| NamedSpin {
         name: if mode == Mode::ShortAxis { GREATEST } else { LEAST },
         spin: RelativeEquilibrium::extreme_towards(body, mode, given, omega),
-    });
+    }));
+    let by_energy = of_gyrostat(body, omega, given);
+    if by_energy.is_empty() {
+        return by_axis;
+    }
     let [I1, _, I3] = principal.moments;
     let lost = by_axis.iter().any(|named| named.spin.is_err());
-    let by_energy =
-        if lost || I3 - I1 <= NEARLY_EQUAL * I3 { of_gyrostat(study, omega, given) } else { None };
-    by_energy.unwrap_or_else(|| by_axis.into())
+    if lost || I3 - I1 <= NEARLY_EQUAL * I3 {
+        return by_energy;
+    }
+    let others: Vec<NamedSpin> =
+        by_energy.into_iter().filter_map(|named| named.beside_those(&by_axis, principal.axes)).collect();
+    by_axis.extend(others);
+    by_axis
 }
 
 /// The steady spin next to an angular velocity, of those about the axes of greatest and of least inertia or those that momentum wheels leave.
@@ -132,7 +172,7 @@ pub(crate) fn next_to(
 }
 
 /// The steady spin beside an angular velocity (rad/s): about the principal axis next to it, or with momentum wheels, which leave spins about
-/// other axes, the one that Newton's method leads to from it.
+/// other axes, the one whose axis is nearest. (M27)
 ///
 /// # Errors
 /// [`EquilibriumError`] if there is none.
@@ -151,24 +191,42 @@ pub(crate) fn beside(
         .or_else(|_| next_to(study, omega, given))
 }
 
-/// The steady spins of least and of greatest energy of a body with momentum wheels, the one next to an angular velocity first; none of a
-/// body without them. (Q15)
-fn of_gyrostat(study: &Study, omega: [f64; 3], given: SpinMagnitude) -> Option<Vec<NamedSpin>> {
-    let SpinMagnitude::AngularMomentum(G) = given else { return None };
-    let body = &study.body;
+/// The steady spins of extreme energy of a body with momentum wheels, the one next to an angular velocity first; none of a body without them.
+/// (Q15)
+fn of_gyrostat(body: &FlexibleBody, omega: [f64; 3], given: SpinMagnitude) -> Vec<NamedSpin> {
+    let SpinMagnitude::AngularMomentum(G) = given else { return Vec::new() };
     if norm(body.wheels().angular_momentum(0.0)) == 0.0 {
-        return None;
+        return Vec::new();
     }
-    let rigid = study.reduced(0).ok()?;
-    let GyrostatSpins { minima, maxima, .. } = GyrostatSpins::compute(body, &rigid, G).ok()?;
-    let named =
-        |name: &'static str, spins: Vec<RelativeEquilibrium>| spins.into_iter().map(move |spin| (name, spin));
-    let mut spins: Vec<_> = named(LEAST_ENERGY, minima).chain(named(GREATEST_ENERGY, maxima)).collect();
-    let away = |spin: &RelativeEquilibrium| norm(add(spin.omega, scale(-1.0, omega)));
-    spins.sort_by(|(_, a), (_, b)| away(a).total_cmp(&away(b)));
-    let spins = spins.into_iter().map(|(name, spin)| NamedSpin { name, spin: Ok(spin) });
-    let spins: Vec<_> = spins.collect();
-    (!spins.is_empty()).then_some(spins)
+    let GyrostatSpins { minima, maxima, .. } = GyrostatSpins::compute(body, G);
+    let least = named(minima, |energy| energy, [LEAST_ENERGY, LOCALLY_LEAST_ENERGY]);
+    let greatest = named(maxima, |energy| -energy, [GREATEST_ENERGY, LOCALLY_GREATEST_ENERGY]);
+    let mut spins: Vec<_> = least.into_iter().chain(greatest).collect();
+    let away = |(_, spin): &(_, RelativeEquilibrium)| norm(add(spin.omega, scale(-1.0, omega)));
+    spins.sort_by(|a, b| away(a).total_cmp(&away(b)));
+    // of mirror images, which are as far, the one on the side of the vector across the start and the wheels
+    let across = cross(omega, body.wheels().angular_momentum(0.0));
+    for place in 1..spins.len() {
+        let [near, far] = [&spins[place - 1], &spins[place]];
+        let as_far = away(far) - away(near) <= SAME_SPIN * away(far);
+        if as_far && dot(near.1.omega, across) < dot(far.1.omega, across) {
+            spins.swap(place - 1, place);
+        }
+    }
+    spins.into_iter().map(|(name, spin)| NamedSpin { name, spin: Ok(spin) }).collect()
+}
+
+/// Spins of one kind of extreme with their names: that of the lowest by a measure, and of others above it.
+fn named(
+    spins: Vec<RelativeEquilibrium>,
+    height: fn(f64) -> f64,
+    [lowest, above]: [&'static str; 2],
+) -> Vec<(&'static str, RelativeEquilibrium)> {
+    let bottom = spins.iter().map(|spin| height(spin.energy)).fold(f64::INFINITY, f64::min);
+    let name = |spin: &RelativeEquilibrium| {
+        if height(spin.energy) - bottom > SAME_ENERGY * bottom.abs() { above } else { lowest }
+    };
+    spins.into_iter().map(|spin| (name(&spin), spin)).collect()
 }
 
 /// The steady spins with the angular momentum of the start; none where moments act, of a body without angular momentum, and of bodies
@@ -206,7 +264,15 @@ pub fn lines(spins: &[SteadySpinRecord]) -> String {
 
 /// The steady spin beside an angular velocity (rad/s), with its modes.
 pub fn spin(study: &Study, name: &str, omega: [f64; 3], given: SpinMagnitude, all: bool) -> Poles {
-    let (record, modes) = told(study, name, beside(study, omega, given), all);
+    let (mut record, modes) = told(study, name, beside(study, omega, given), all);
+    if let Some(away) = record.spin.map(|spin| angle(spin, omega)).filter(|away| *away > TOLD_ANGLE) {
+        let place = place_of_spin(name);
+        let nearest = format!(
+            "the steady spin next to {place}, {} degrees from it,",
+            significant(away.to_degrees(), 3)
+        );
+        record.sentence = record.sentence.replacen(&place, &nearest, 1);
+    }
     Poles { records: vec![record], modes: vec![modes] }
 }
 

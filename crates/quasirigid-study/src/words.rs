@@ -370,6 +370,9 @@ pub fn count(number: f64) -> String {
     if number == f64::INFINITY {
         return "over 1e308".into();
     }
+    if number.abs() >= 1e15 {
+        return significant(number, 3);
+    }
     let (size, word) = WORDS.into_iter().find(|(size, _)| number.abs() >= *size).unwrap_or((1.0, ""));
     format!("{}{word}", significant(number / size, 3))
 }

@@ -8,31 +8,46 @@ use nalgebra::Complex;
 use super::spectrum::Eigenmotion;
 use crate::math::connected_components::connected_components;
 use crate::math::eigen::Dense;
-use crate::math::vec3::norm;
-use crate::model::{FlexibleBody, Mode, Principal, SpinCoefficients};
+use crate::math::vec3::{dot, norm};
+use crate::model::{FlexibleBody, SpinCoefficients};
 
 /// Load over its terms, and coupling over the inertia, damping and stiffness of both coordinates, below which it is rounding.
 const ROUNDING: f64 = 1e-12;
-/// Rounding of the axes of a body, times the relative difference of two moments.
+/// Rounding of the axis of a steady spin, times the relative difference of its moment from the next.
 const AXES: f64 = 1e-14;
 /// Coordinates up to which groups are told apart.
 const MOST_COORDINATES: usize = 150;
+
+/// Uncertain turn of the axis of a steady spin towards an axis beside it, by the rounding of the moments. (M25)
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Tilt {
+    /// Unit vectors along the axis of the spin and the one beside it.
+    pub plane: [[f64; 3]; 2],
+    /// Relative difference of their moments.
+    pub apart: f64,
+}
+
+impl Tilt {
+    /// Length of the part of a vector that the turn changes, times its angle (rad).
+    fn of(&self, vector: [f64; 3]) -> f64 {
+        let [a, b] = self.plane.map(|axis| dot(axis, vector));
+        AXES / self.apart * a.hypot(b)
+    }
+}
 
 /// Groups of coordinates that move together, with the loads of a motion of the body on them. (M25)
 pub(super) struct Driven<'a> {
     coefficients: &'a SpinCoefficients,
     groups: Vec<Vec<usize>>,
-    /// Load over its size that is rounding, with that of the axes of the body.
-    rounding: f64,
+    tilts: &'a [Tilt],
 }
 
 impl<'a> Driven<'a> {
-    /// Groups of the coordinates of a body; of a large body, or one with liquids of an impedance, none.
-    pub fn of(body: &FlexibleBody, coefficients: &'a SpinCoefficients) -> Self {
+    /// Groups of the coordinates of a body, with the turns of the axis of the spin; of a large body, or one with liquids of an impedance, none.
+    pub fn of(body: &FlexibleBody, coefficients: &'a SpinCoefficients, tilts: &'a [Tilt]) -> Self {
         let n = coefficients.h.len();
-        let rounding = ROUNDING + AXES / apart(coefficients);
         if n > MOST_COORDINATES || !body.memories().is_empty() {
-            return Self { coefficients, groups: Vec::new(), rounding };
+            return Self { coefficients, groups: Vec::new(), tilts };
         }
         let SpinCoefficients { mass, gyroscopic, centrifugal, .. } = coefficients;
         let damping = Dense::of(body.damping());
@@ -61,7 +76,7 @@ impl<'a> Driven<'a> {
         };
         let pairs = (0..n).flat_map(|j| (j + 1..n).map(move |k| [j, k]));
         let pairs: Vec<[usize; 2]> = pairs.filter(|[j, k]| coupled(*j, *k)).collect();
-        Self { coefficients, groups: connected_components(n, pairs), rounding }
+        Self { coefficients, groups: connected_components(n, pairs), tilts }
     }
 
     /// Puts the coordinates at rest that a slow motion of the direction of spin moves by rounding alone. (M25)
@@ -78,17 +93,12 @@ impl<'a> Driven<'a> {
             let (h, slope) = (self.coefficients.h[*j], self.coefficients.slopes[*j]);
             let along = |part: [f64; 3]| (0..3).map(|axis| delta[axis] * part[axis]).sum::<Complex<f64>>();
             let turning = delta.iter().map(Complex::norm_sqr).sum::<f64>().sqrt();
-            let size = (norm(slope) + lambda.norm() * norm(h)) * turning;
-            (along(slope) - lambda * along(h)).norm() > self.rounding * size
+            let rounding = |part: [f64; 3]| {
+                ROUNDING * norm(part) + self.tilts.iter().map(|tilt| tilt.of(part)).sum::<f64>()
+            };
+            let size = (rounding(slope) + lambda.norm() * rounding(h)) * turning;
+            (along(slope) - lambda * along(h)).norm() > size
         };
         self.groups.iter().filter(move |group| !group.iter().any(loaded)).flatten().copied()
     }
-}
-
-/// Least difference of two moments of inertia that are not equal, over the greatest.
-fn apart(coefficients: &SpinCoefficients) -> f64 {
-    let moments = Principal::compute(coefficients.inertia).moments;
-    let modes = [Mode::LongAxis, Mode::ShortAxis].into_iter().filter(|mode| mode.exists(moments));
-    let gap = |mode: Mode| (moments[1] - moments[mode.circled()]).abs() / moments[2];
-    modes.map(gap).fold(1.0, f64::min)
 }

@@ -6,6 +6,7 @@
 use nalgebra::DMatrix;
 use thiserror::Error;
 
+use super::frozen_spins::frozen_spins;
 use super::guess::{ASTRAY, Guess};
 use crate::math::vec3::{add, cross, dot, norm, scale, unit};
 use crate::model::{FlexibleBody, Mode, Principal, SpinCoefficients};
@@ -46,13 +47,15 @@ pub enum EquilibriumError {
     },
     /// The iteration leads to another axis or does not converge.
     #[error(
-        "no steady spin was found near the axis [{:.4}, {:.4}, {:.4}] at {reached:.4} of the spin asked for: a spring may be too soft for the centrifugal load, or a momentum wheel turns the spin away", axis[0], axis[1], axis[2]
+        "no steady spin was found near the axis [{:.4}, {:.4}, {:.4}] at {reached:.4} of the spin asked for: a spring may be too soft for the centrifugal load{}", axis[0], axis[1], axis[2], if *wheels { ", or a momentum wheel turns the spin away" } else { "" }
     )]
     NotFound {
         /// Axis, body axes.
         axis: [f64; 3],
         /// Share of the spin up to which a steady spin was followed.
         reached: f64,
+        /// Whether the body has momentum wheels.
+        wheels: bool,
     },
     /// No steady spin in which the spin restores the coordinates that no spring restores. (I13)
     #[error(
@@ -131,23 +134,33 @@ impl RelativeEquilibrium {
         let axis = scale(rate.recip(), omega);
         let found =
             guess.newton(body, 1.0, given, axis).map_or_else(|| guess.followed(body, given, None), Ok);
-        let (found, balanced) = found.map_err(|reached| EquilibriumError::NotFound { axis, reached })?;
-        Ok(found.finish(body, balanced))
+        let (found, balanced) = found.map_err(|reached| unfound(body, axis, reached))?;
+        found.finish(body, balanced).restored(body)
     }
 
-    /// Relative equilibrium beside an angular velocity (rad/s) of the body in balance with it. (M1)
+    /// Relative equilibrium of a body with momentum wheels whose axis is nearest to an angular velocity (rad/s): of those that the frozen
+    /// body's become as its parts yield, and the one that Newton's method leads to from the body in balance. (M27)
     ///
     /// # Errors
-    /// [`EquilibriumError`] if Newton's method does not lead to one.
+    /// [`EquilibriumError`] if there is none.
     pub fn beside(
         body: &FlexibleBody,
         omega: [f64; 3],
         given: SpinMagnitude,
     ) -> Result<Self, EquilibriumError> {
         let axis = unit(omega);
-        let found = Guess::deformed(body, omega).and_then(|guess| guess.newton(body, 1.0, given, axis));
-        let (found, balanced) = found.ok_or(EquilibriumError::NotFound { axis, reached: 0.0 })?;
-        found.finish(body, balanced).restored(body)
+        let led = Guess::deformed(body, omega).and_then(|guess| guess.newton(body, 1.0, given, axis));
+        let led = led.and_then(|(found, balanced)| found.finish(body, balanced).restored(body).ok());
+        let frozen = frozen_spins(body, given).into_iter();
+        let followed = frozen.filter_map(|spin| Self::next_to(body, spin.omega, given).ok());
+        let found = led.into_iter().chain(followed);
+        let along = |spin: &Self| dot(unit(spin.omega), axis);
+        let nearer = |best: Self, next: Self| {
+            let nearer = along(&next) - along(&best);
+            let lower = nearer > -EQUAL && next.energy < best.energy;
+            if nearer > EQUAL || lower { next } else { best }
+        };
+        found.reduce(nearer).ok_or_else(|| unfound(body, axis, 0.0))
     }
 
     /// Relative equilibria next to the principal axes of the frozen body, in the order of ascending moments. (M1)
@@ -279,14 +292,15 @@ fn directions(axes: [[f64; 3]; 3], order: [usize; 3], in_space: bool) -> Vec<[f6
     IN_PLANE.iter().chain(more).map(of).collect()
 }
 
-/// An axis in the sense of a direction, or of the wheels across it, of a body with momentum wheels; as it is without them.
+/// An axis in the sense of a direction, or of the wheels across it, or of the vector across both, of a body with momentum wheels; as it is
+/// without them.
 fn sense_of_wheels(body: &FlexibleBody, axis: [f64; 3], towards: [f64; 3]) -> [f64; 3] {
     let wheels = body.wheels().angular_momentum(0.0);
-    if norm(wheels) > 0.0 { sensed(axis, [towards, wheels]) } else { axis }
+    if norm(wheels) > 0.0 { sensed(axis, [towards, wheels, cross(towards, wheels)]) } else { axis }
 }
 
 /// A direction in the sense of the first of some others that is not across it.
-fn sensed(axis: [f64; 3], towards: [[f64; 3]; 2]) -> [f64; 3] {
+fn sensed(axis: [f64; 3], towards: [[f64; 3]; 3]) -> [f64; 3] {
     let along = towards.map(|towards| dot(axis, towards) / (norm(axis) * norm(towards)));
     let sense = along.into_iter().find(|along| along.abs() > ACROSS).unwrap_or(1.0);
     scale(sense.signum(), axis)
@@ -296,6 +310,6 @@ fn sensed(axis: [f64; 3], towards: [[f64; 3]; 2]) -> [f64; 3] {
 fn unfound(body: &FlexibleBody, axis: [f64; 3], reached: f64) -> EquilibriumError {
     match body.hung() {
         Some(hung) => EquilibriumError::Unrestored { coordinates: hung.names().into(), axis },
-        None => EquilibriumError::NotFound { axis, reached },
+        None => EquilibriumError::NotFound { axis, reached, wheels: !body.wheels().is_empty() },
     }
 }

@@ -13,6 +13,7 @@ mod equilibrium;
 mod error;
 mod first_order;
 mod forced;
+mod frozen_spins;
 mod guess;
 mod iteration;
 mod krylov;
@@ -37,6 +38,7 @@ pub use forced::{
     LinearAccuracy, LinearError, LinearInput, LinearModel, LinearOutput, LinearState, SteadyError,
     SteadyModes, SteadyState, SteadyStateGuess, TruncatedLinearModel, acts,
 };
+pub use frozen_spins::{FrozenSpin, frozen_spins};
 pub use mode::{SpinMode, SpinModes};
 pub use onset::{WhirlOnset, whirl_onset};
 pub use range::{ModeRange, SlowModes};

@@ -308,7 +308,8 @@ impl Frame<'_> {
                     || (Some(i) == nutation && refining.nutation)
                     || (unknowns.nonlinear && slowest[..slowest.len().min(SLOWEST)].contains(&i)))
         };
-        let driven = Driven::of(self.body, self.coefficients);
+        let tilts = slow.map_or(&[][..], |slow| &slow.tilts);
+        let driven = Driven::of(self.body, self.coefficients, tilts);
         let mut modes: Vec<SpinMode> = Vec::with_capacity(found.len());
         let mut pairs: Vec<Pair> = Vec::with_capacity(found.len());
         let mut internal = Vec::with_capacity(found.len());

@@ -6,7 +6,7 @@
 use nalgebra::{Complex, DMatrix, Matrix2, Matrix3, SymmetricEigen, Vector2, Vector3};
 
 use super::displacements::WHOLE;
-use super::driven::Driven;
+use super::driven::{Driven, Tilt};
 use super::equilibrium::RelativeEquilibrium;
 use super::iteration::Pair;
 use super::lag::{Lag, Lagging};
@@ -23,6 +23,8 @@ pub(super) struct SlowDirection {
     pub steady: Vec<[f64; 3]>,
     /// Frequency of the direction without the lag of the internal coordinates, or its rate of growth (rad/s).
     pub frequency: f64,
+    /// Turns of the axis that rounding leaves open, towards the directions that are not neutral.
+    pub tilts: Vec<Tilt>,
     spin: f64,
     /// `Λ` (kg·m²).
     ratio: f64,
@@ -69,6 +71,12 @@ impl SlowDirection {
         let mut eigen = SymmetricEigen::new(variation);
         let neutral: Vec<usize> = (0..2).filter(|i| eigen.eigenvalues[*i].abs() <= rounding).collect();
         neutral.iter().for_each(|i| eigen.eigenvalues[*i] = 0.0);
+        let tilts = (0..2).filter(|i| eigen.eigenvalues[*i] != 0.0).map(|i| {
+            let beside = frame.fixed_view::<3, 2>(0, 1) * eigen.eigenvectors.column(i);
+            let plane = [frame.column(0).into_owned(), beside].map(Into::into);
+            Tilt { plane, apart: eigen.eigenvalues[i].abs() }
+        });
+        let tilts = tilts.collect();
         let kept = |value: f64| if value == 0.0 { 0.0 } else { value.recip() };
         let tilt = eigen.eigenvectors
             * Matrix2::from_diagonal(&eigen.eigenvalues.map(kept))
@@ -80,7 +88,7 @@ impl SlowDirection {
         let mut steady = vec![lifted(1.0, -tilt)];
         steady.extend(neutral.iter().map(|i| lifted(0.0, eigen.eigenvectors.column(*i).into_owned())));
         let frequency = spin * eigen.eigenvalues.product().abs().sqrt();
-        Some(Self { steady, frequency, spin, ratio, frame, slope, variation: eigen.recompose() })
+        Some(Self { steady, frequency, tilts, spin, ratio, frame, slope, variation: eigen.recompose() })
     }
 
     /// Number of neutral directions of the spin: none, one for two equal moments, two for a body like a sphere.
@@ -134,7 +142,7 @@ impl SlowDirection {
             determinant if determinant < 0.0 => C::from(self.frequency),
             _ => C::from(-FIRST * self.spin),
         };
-        let driven = Driven::of(body, coefficients);
+        let driven = Driven::of(body, coefficients, &self.tilts);
         let starts = self.eigenvalues(&lag.at(first)?);
         let starts = starts.into_iter().filter(|lambda| lambda.im >= 0.0);
         starts.map(|start| self.settled(&lag, &driven, start)).collect()

@@ -4,7 +4,7 @@
 //! Equations (R14), docs/theory/03-reduction.md; (V7), (V10) and (V11), docs/theory/04-validity.md.
 
 use crate::math::polynomial::Series;
-use crate::math::sphere::directions;
+use crate::math::sphere::{directions, greatest};
 use crate::math::sym3::Sym;
 use crate::math::vec3::{add, dot, norm, scale};
 use crate::model::{Principal, ReducedBody};
@@ -82,12 +82,11 @@ pub(super) fn momentum_ratio(Omega: &Sizes, angular_momentum: f64, [from, to]: [
 fn size(map: &Series, degree: usize, radius: f64) -> f64 {
     let part = map.part(degree);
     // Coefficients may lie beyond the range where they can be squared, the values do not.
-    let values = directions(DIRECTIONS).map(|direction| {
+    greatest(DIRECTIONS, |direction| {
         let mut value = [0.0; 3];
         part.add_value(direction.map(|u| radius * u), &mut value);
         norm(value)
-    });
-    values.fold(0.0, f64::max)
+    })
 }
 
 /// Sizes of the rigid torque and of the elastic one of degree 4 on circles between two principal axes, with the components across them: two

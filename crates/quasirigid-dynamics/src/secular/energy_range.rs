@@ -36,7 +36,7 @@ impl EnergyRange {
             .into_iter()
             .zip(frozen)
             .map(|(found, frozen)| match found {
-                Some(found) => (0.5 * angular_momentum * angular_momentum / found.energy, Some(found)),
+                Some(found) => (effective_moment(&found), Some(found)),
                 None => (frozen, None),
             })
             .collect();
@@ -292,6 +292,13 @@ fn crossing(function: &impl Fn(f64) -> f64, guess: f64) -> Option<f64> {
         (x, value) = (next, there);
     }
     None
+}
+
+/// Effective moment `|K|²/2E` (kg·m²) of a steady spin, with the angular momentum that it was found to have: that is the given one to the
+/// tolerance of the search, which is more than the difference of two nearly equal moments.
+fn effective_moment(spin: &RelativeEquilibrium) -> f64 {
+    let K = spin.angular_momentum;
+    0.5 * dot(K, K) / spin.energy
 }
 
 /// Moments, ascending, of which any two that a body of revolution has equal are exactly so: their difference is rounding. (Q13)

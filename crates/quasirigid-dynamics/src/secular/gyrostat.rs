@@ -5,13 +5,12 @@
 
 use std::f64::consts::{PI, TAU};
 
-use crate::averaging::{LevelError, LevelEvolution};
 use crate::math::bisection::bisected;
 use crate::math::sphere::{StationaryKind, tangents};
 use crate::math::sym3::{self, Sym, times};
 use crate::math::vec3::{add, dot, norm, scale};
-use crate::model::{FlexibleBody, ReducedBody};
-use crate::modes::{RelativeEquilibrium, SpinMagnitude};
+use crate::model::FlexibleBody;
+use crate::modes::{FrozenSpin, RelativeEquilibrium, SpinMagnitude, frozen_spins};
 
 /// Steady spins of a body with momentum wheels at an angular momentum, by the kind of stationary point of the energy without that of wheels.
 /// (Q15)
@@ -28,22 +27,18 @@ pub struct GyrostatSpins {
 }
 
 impl GyrostatSpins {
-    /// Steady spins at an angular momentum `G` (N·m·s), from those of the rigid body: the reduced equations of order 0.
+    /// Steady spins at an angular momentum `G` (N·m·s), from those of the frozen body.
     ///
-    /// Spins that the body loses as its parts yield are left out.
-    ///
-    /// # Errors
-    /// [`LevelError`] if there is no angular momentum, or every spin is steady.
-    pub fn compute(body: &FlexibleBody, rigid: &ReducedBody, G: f64) -> Result<Self, LevelError> {
-        let levels = LevelEvolution::new(rigid, G)?;
-        let inverse = sym3::inverse(rigid.J);
+    /// Spins that the body loses as its parts yield are left out; there is none where every spin is steady.
+    #[must_use]
+    pub fn compute(body: &FlexibleBody, G: f64) -> Self {
+        let given = SpinMagnitude::AngularMomentum(G);
         let mut spins =
             Self { minima: Vec::new(), saddles: Vec::new(), maxima: Vec::new(), frozen_minima: Vec::new() };
-        for (K, kind) in levels.steady() {
-            let omega = times(inverse, add(K, scale(-1.0, rigid.wheels())));
-            let found = RelativeEquilibrium::next_to(body, omega, SpinMagnitude::AngularMomentum(G));
+        for FrozenSpin { omega, angular_momentum, kind } in frozen_spins(body, given) {
+            let found = RelativeEquilibrium::next_to(body, omega, given);
             if kind == StationaryKind::Minimum {
-                spins.frozen_minima.push((K, found.is_ok().then_some(spins.minima.len())));
+                spins.frozen_minima.push((angular_momentum, found.is_ok().then_some(spins.minima.len())));
             }
             let Ok(spin) = found else { continue };
             match kind {
@@ -52,7 +47,7 @@ impl GyrostatSpins {
                 StationaryKind::Maximum => spins.maxima.push(spin),
             }
         }
-        Ok(spins)
+        spins
     }
 
     /// Spin of least energy that the one of the frozen body next to a direction of the angular momentum becomes; none if it was lost.

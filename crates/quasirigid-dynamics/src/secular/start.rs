@@ -17,7 +17,8 @@ const ITERATION_ROUNDING: f64 = 1e-14;
 pub fn spun_displacements(body: &FlexibleBody, omega: [f64; 3]) -> Result<Vec<f64>, EquilibriumError> {
     if !body.wheels().is_empty() {
         let axis = scale(norm(omega).recip(), omega);
-        let balanced = body.balanced(omega).ok_or(EquilibriumError::NotFound { axis, reached: 0.0 })?;
+        let balanced =
+            body.balanced(omega).ok_or(EquilibriumError::NotFound { axis, reached: 0.0, wheels: true })?;
         return Ok(balanced.q);
     }
     if let Some(q) = EnergyRange::balance(body, omega) {

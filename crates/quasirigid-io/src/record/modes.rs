@@ -9,9 +9,10 @@ use super::number;
 pub struct SteadySpinRecord {
     /// Result, instability first, in one or two sentences.
     pub sentence: String,
-    /// Axis: `least`, `middle` or `greatest` inertia, `asked`, `under forces`, `at rest`, or `least energy` and `greatest energy`.
+    /// Axis: `least`, `middle` or `greatest` inertia, `asked`, `under forces`, `at rest`.
     ///
-    /// Axis near which the spin was looked for.
+    /// Axis near which the spin was looked for. With momentum wheels also `greatest, opposite sense`, `least, opposite sense`, and where wheels
+    /// turn the spin away from the axes `least energy` and `greatest energy`, with `locally` before them of a lesser extreme.
     pub axis: String,
     /// Angular velocity (rad/s), body axes; `null` if there is no such spin.
     #[serde(with = "number")]
@@ -151,7 +152,10 @@ pub fn place_of_spin(axis: &str) -> String {
         "asked" => "the axis asked for".into(),
         "under forces" => "the steady state under the forces".into(),
         "at rest" => "the state of rest".into(),
-        "least energy" | "greatest energy" => format!("the steady spin of {axis}"),
-        _ => format!("the axis of {axis} inertia"),
+        of_energy if axis.ends_with("energy") => format!("the steady spin of {of_energy}"),
+        _ => match axis.split_once(", ") {
+            Some((axis, sense)) => format!("the axis of {axis} inertia in the {sense}"),
+            None => format!("the axis of {axis} inertia"),
+        },
     }
 }

@@ -262,7 +262,7 @@ fn planned(motion: &Motion<'_>, settings: &SpinManifoldSettings) -> Result<Plann
 }
 
 /// Place of the steady spin that an angular momentum circles: that of the axis of the frozen body next to it, on a separatrix the nearer of
-/// the outer two; of spins by their energy the one next to the axis circled.
+/// the outer two; with momentum wheels the one next to the axis circled.
 fn circled(study: &Study, K: [f64; 3], found: &[NamedSpin]) -> Result<usize, StudyError> {
     let rigid = study.reduced(0)?;
     let axis = Nutations::new(&rigid).at(K).map_or(K, |nutation| nutation.axis);
@@ -274,7 +274,8 @@ fn circled(study: &Study, K: [f64; 3], found: &[NamedSpin]) -> Result<usize, Stu
         named.spin.as_ref().map_or(f64::NEG_INFINITY, |spin| dot(unit(spin.angular_momentum), axis))
     };
     let nearest = || (0..found.len()).max_by(|a, b| along(&found[*a]).total_cmp(&along(&found[*b])));
-    let place = found.iter().position(|named| named.name == by_axis);
+    let with_wheels = !study.body.wheels().is_empty();
+    let place = found.iter().position(|named| named.name == by_axis && !with_wheels);
     place.or_else(nearest).ok_or(StudyError::AtRest)
 }
 

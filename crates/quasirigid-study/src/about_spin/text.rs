@@ -9,7 +9,7 @@ use quasirigid_math::vec3::norm;
 
 use super::{AboutSpin, WITHIN};
 use crate::layout::paragraph;
-use crate::steady::{GREATEST, LEAST};
+
 use crate::words::{dissipation, shares, significant, time};
 
 /// Rows of the backbone.
@@ -62,8 +62,8 @@ impl AboutSpin<'_> {
     /// The place of the steady spin, in words.
     fn about(&self) -> String {
         match self.name {
-            GREATEST | LEAST => format!(" about {}", place_of_spin(self.name)),
-            energy => format!(" of {energy}"),
+            energy if energy.ends_with("energy") => format!(" of {energy}"),
+            axis => format!(" about {}", place_of_spin(axis)),
         }
     }
 

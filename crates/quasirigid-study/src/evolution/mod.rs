@@ -158,7 +158,7 @@ pub(crate) fn follow(
             return Ok(Evolved { record, notes: Vec::new() });
         }
     };
-    let verdict = Verdict::of(&chosen.followed).with_shape_error(approximated(study));
+    let verdict = Verdict::of(&chosen.followed);
     let answer = Answer::new(&inputs, body, chosen);
     let mut watch = |share: f64| outlook.observe(share);
     let evolution = answer.evolution();
@@ -169,6 +169,10 @@ pub(crate) fn follow(
         _ => answer.start(&evolution, asked.start, torque.is_zero())?,
     };
     let mut rows = table_of(&answer, torque, from, asked, &mut watch)?;
+    let verdict = match answer.ages(from, &rows) {
+        true => verdict.with_shape_error(approximated(study)),
+        false => verdict.without_time(),
+    };
     let ended = evolution.motion(rows.last().rotation_state);
     let verdict = match flow.or_else(|| flowing(&inputs.powers.response, &ended)) {
         Some(why) => verdict.of_no_solid(&why),

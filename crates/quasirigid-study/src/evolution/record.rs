@@ -86,6 +86,11 @@ pub fn refused_from(initial: &FreeRotation, reason: &Reason, rates: Option<Rates
 }
 
 impl Answer<'_> {
+    /// Whether anything changes from a rotation state on.
+    pub fn ages(&self, from: RotationState, rows: &EvolutionTable) -> bool {
+        !rows.steady() || rows.powers.is_some() || self.evolution().power(from) > 0.0
+    }
+
     /// Record of the rows and their columns, from a rotation state on; `time_range` are the times (s) over the ranges of the materials.
     pub fn record(
         &self,
@@ -100,7 +105,7 @@ impl Answer<'_> {
         let last = rows.last();
         let to = last.rotation_state;
         let power = rows.powers.as_ref().map_or_else(|| evolution.power(from), |powers| powers[0]);
-        let ages = power > 0.0 || !rows.steady() || rows.powers.is_some();
+        let ages = self.ages(from, rows);
         let [start, end] = [0, rows.states.len().saturating_sub(1)].map(|row| observed(&columns, row));
         // Levels of the slow energy have ratios of their own, which the rotation states of a rigid body do not tell.
         let of_levels = |observed: &Option<ObservedRecord>, rotation_state| {

@@ -100,6 +100,12 @@ impl Verdict {
         self
     }
 
+    /// Closes the sentence of an evolution in which nothing is dissipated: there is no time that could be good to anything.
+    pub fn without_time(self) -> Self {
+        let end = if self.error_source.is_some() { "." } else { "" };
+        Self { sentence: self.sentence + end, error_source: None, error: None, ..self }
+    }
+
     /// Says first that the liquid of a tank does not stay where it has settled. (U9)
     pub fn of_other_spin(self, why: &str) -> Self {
         let sentence = format!("DOES NOT HOLD: {why} {}", self.sentence).trim().into();

@@ -3,8 +3,11 @@
 
 use std::f64::consts::TAU;
 
+use quasirigid::secular::GyrostatSpins;
 use quasirigid_io::model::{EvolveMethod, Power, System};
 use quasirigid_io::record::{EvolutionRecord, SteadySpinRecord};
+use quasirigid_math::rotation::angle;
+use quasirigid_math::vec3::norm;
 use quasirigid_study::evolution;
 use quasirigid_study::modes::{PrincipalAxis, SteadySpinSettings};
 use quasirigid_study::settings::{PartialEvolve, PartialRun};
@@ -194,8 +197,8 @@ fn a_rotation_stays_as_it_is_only_where_the_full_system_loses_nothing() {
     assert_eq!((stayed, lost), (4, 5));
 }
 
-/// However much momentum a wheel has, the steady spins at that of the start are found: each is also the one that is found beside its own
-/// angular velocity, and the spin of least energy is the one that `evolve` comes to.
+/// However much momentum a wheel has, the steady spins at that of the start are found, in both senses: each is also the one that is found beside
+/// its own angular velocity, and `evolve` comes to one that attracts. (M27)
 #[test]
 fn the_steady_spins_of_a_gyrostat_are_found_at_any_momentum_of_its_wheel() {
     let tip = point("tip", 1.0, [0.5, 0.3, 0.4], [100.0, 1.0]);
@@ -207,7 +210,10 @@ fn the_steady_spins_of_a_gyrostat_are_found_at_any_momentum_of_its_wheel() {
     for (momentum, start) in starts.into_iter().chain([(20.0, [0.001, 0.002, 0.001])]) {
         let study = of(momentum, start);
         let found = modes(&study);
-        assert!(found.found() && found.spins.len() >= 2, "{momentum}: {}", found.text("model", false));
+        let count = GyrostatSpins::compute(&study.body, norm(found.spins[0].angular_momentum.unwrap()));
+        let [minima, maxima] = [count.minima, count.maxima].map(|spins| spins.len());
+        assert!(found.found(), "{momentum}: {}", found.text("model", false));
+        assert_eq!(found.spins.len(), minima + maxima);
         for spin in &found.spins {
             let beside = SteadySpinSettings { omega: spin.spin, ..SteadySpinSettings::default() };
             let again = &study.modes(beside).unwrap().spins[0];
@@ -216,10 +222,61 @@ fn the_steady_spins_of_a_gyrostat_are_found_at_any_momentum_of_its_wheel() {
             close(spin.energy.unwrap(), again.energy.unwrap(), 1e-9);
         }
         let told = evolved(&study, |_| {}).record;
-        let attracts = found.spins.iter().find(|spin| spin.axis == "least energy");
         let rate = |spin: &SteadySpinRecord| mode(&spin.modes, "nutation").time_constant.unwrap();
-        let damped = attracts.map_or(found.spins.iter().map(rate).fold(0.0, f64::max), rate);
-        close(told.damping_time, damped, 1e-6);
+        let mut attracting = found.spins.iter().filter(|spin| spin.stable).map(rate);
+        assert!(
+            attracting.any(|rate| (told.damping_time / rate - 1.0).abs() < 1e-6),
+            "{}",
+            told.damping_time
+        );
+    }
+}
+
+/// Over few periods of the wobble an average was up to 16 % off, with an error told as larger than the time: the full system is followed, in
+/// whatever units.
+#[test]
+fn over_few_periods_of_the_wobble_the_full_system_takes_the_place_of_an_average() {
+    let of = |time: f64| {
+        let whole = carrier(52.847, [13.706, 27.412, 27.412]);
+        let fly = rotor("fly", [0.70088, -0.51728, 0.7916], 0.6853, 0.023504 / time);
+        let start = [0.0052164, 0.0295309, 0.0421972].map(|rate| rate / time);
+        let study = study(&(whole + &fly + &spinning(start)));
+        let [own, average] = [None, Some(EvolveMethod::Average)]
+            .map(|method| evolved(&study, |asked| asked.method = method).record);
+        assert_eq!(&*own.road, "direct");
+        assert!((average.time / own.time - 1.0).abs() > 0.05, "{} {}", average.time, own.time);
+        own.time / time
+    };
+    close(of(1.0), of(1e-3), 1e-6);
+}
+
+/// Where nothing is dissipated no time is said to be good to anything.
+#[test]
+fn without_dissipation_no_time_is_told() {
+    let tip = point("tip", 1.0, [0.5, 0.3, 0.4], [200.0, 0.0]);
+    let still = carrier(100.0, [10.0, 14.0, 18.0]) + &tip + &spinning([0.3, 0.1, 1.0]);
+    let found = try_evolve(&study(&still), |_| {}).unwrap();
+    let EvolutionRecord { sentence, verdict, time_error, .. } = found.record;
+    assert!(sentence.contains("Nothing is dissipated") && time_error.is_none(), "{sentence}");
+    assert!(!verdict.contains("good to") && verdict.ends_with('.'), "{verdict}");
+}
+
+/// The steady spin about an axis asked for says how far from it it is.
+#[test]
+fn a_steady_spin_away_from_the_axis_asked_for_says_so() {
+    let tip = point("tip", 1.0, [0.5, 0.3, 0.4], [100.0, 1.0]);
+    for (momentum, asked) in [(20.0, [0.1, 0.8, 0.2]), (0.0, [0.0, 0.3, 1.0])] {
+        let wheel = format!("axis = [1.0, 0.3, 0.5]\nmomentum = {momentum}");
+        let study = study(&gyrostat([10.0, 14.0, 18.0], &tip, &wheel, [0.1, 0.05, 1.0]));
+        let of = |omega| {
+            let asked = SteadySpinSettings { omega: Some(omega), ..SteadySpinSettings::default() };
+            study.modes(asked).unwrap().spins.swap_remove(0)
+        };
+        let found = of(asked);
+        let away = angle(found.spin.unwrap(), asked).to_degrees();
+        let told = found.sentence.split(" degrees from it").next().and_then(|told| told.rsplit(' ').next());
+        close(told.and_then(|told| told.parse().ok()).expect("an angle"), away, 5e-3);
+        assert!(!of(found.spin.unwrap()).sentence.contains("degrees from it"));
     }
 }
 

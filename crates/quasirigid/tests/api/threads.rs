@@ -78,7 +78,7 @@ types! {
         Run Sample Scan SlowEquations SlowPoint SlowState SpinPath Start SteadySpin SteadySpins StepStatus StepperError
     }
     modes {
-        CampbellError CantileverError CantileverMode CantileverModes Entries EquilibriumError FreeMode SpinMagnitude SpinMatrices ModesError SteadyStateGuess RelativeEquilibrium SpinEigenvalues SpinMode
+        CampbellError CantileverError CantileverMode CantileverModes Entries EquilibriumError FreeMode FrozenSpin SpinMagnitude SpinMatrices ModesError SteadyStateGuess RelativeEquilibrium SpinEigenvalues SpinMode
         LinearAccuracy LinearError LinearInput LinearModel LinearOutput LinearState ModeRange SlowModes SpinModes SteadyError SteadyModes SteadyState TruncatedLinearModel WhirlOnset
         StateSpace Truncation TruncationError TruncationMethod TruncationRequest['static]
     }

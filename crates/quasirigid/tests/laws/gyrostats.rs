@@ -2,10 +2,11 @@
 
 use quasirigid::elements::{Assembly, Wheel, WheelSpeed};
 use quasirigid::model::FlexibleBody;
-use quasirigid::modes::SpinModes;
-use quasirigid::reduction::reduce;
+use quasirigid::modes::{RelativeEquilibrium, SpinMagnitude, SpinModes, frozen_spins};
 use quasirigid::secular::{GyrostatSpins, GyrostatWobble};
-use quasirigid_math::vec3::{cross, norm, scale};
+use quasirigid_math::random::Random;
+use quasirigid_math::sphere::StationaryKind;
+use quasirigid_math::vec3::{add, cross, dot, norm, scale, unit};
 
 use crate::support::parts;
 use crate::support::rotors::flywheel;
@@ -24,17 +25,13 @@ fn gyrostat(axis: [f64; 3], angular_momentum: f64) -> FlexibleBody {
     Assembly { wheels, rotors, ..sprung_body(carrier, &[]) }.body().unwrap()
 }
 
-fn spins(body: &FlexibleBody, G: f64) -> GyrostatSpins {
-    GyrostatSpins::compute(body, &reduce(body, 0).unwrap(), G).unwrap()
-}
-
 /// Every spin turns about its angular momentum, and extrema outnumber saddles by two, whatever the wheel.
 #[test]
 fn steady_spins_of_a_gyrostat_are_all_found() {
     for (axis, wheel) in
         [([1.0, 0.3, 0.5], 1.0), ([1.0, 0.3, 0.5], 20.0), ([-0.2, 2.0, 0.7], 5.0), ([0.3, -0.4, 1.0], 50.0)]
     {
-        let found = spins(&gyrostat(axis, wheel), 15.0);
+        let found = GyrostatSpins::compute(&gyrostat(axis, wheel), 15.0);
         let all: Vec<_> = [&found.minima, &found.saddles, &found.maxima].into_iter().flatten().collect();
         for spin in &all {
             let sine = norm(cross(spin.angular_momentum, spin.omega)) / (15.0 * norm(spin.omega));
@@ -52,7 +49,7 @@ fn steady_spins_of_a_gyrostat_are_all_found() {
 fn nutation_of_a_gyrostat_has_its_closed_form() {
     let (G, wheel) = (25.0, 20.0);
     let body = gyrostat([0.0, 1.0, 0.0], wheel);
-    let found = spins(&body, G);
+    let found = GyrostatSpins::compute(&body, G);
     let spin = found.attracting([0.0, 1.0, 0.0]).unwrap().clone();
     let rate = (G - wheel) / MOMENTS[1];
     assert!((spin.omega[1] - rate).abs() < 1e-6 * rate, "{:?}", spin.omega);
@@ -73,4 +70,30 @@ fn nutation_of_a_gyrostat_has_its_closed_form() {
     assert!((least / greatest / ratio - 1.0).abs() < 1e-4, "{least}");
     let unstable = scale(-1.0, spin.omega);
     assert!(found.maxima.iter().chain(&found.saddles).any(|spin| norm(cross(spin.omega, unstable)) < 1e-9));
+}
+
+/// At a rate and at an angular momentum every steady spin of the rigid gyrostat is found, each with its sense: those at the rate are steady at
+/// the angular momentum that they have, and the one beside a direction is the nearest of all. (M27)
+#[test]
+fn the_steady_spin_beside_a_direction_is_the_nearest_of_all() {
+    let mut random = Random::new(7);
+    for _ in 0..40 {
+        let axis = [0; 3].map(|_| random.unit() - 0.5);
+        let body = gyrostat(axis, 40.0 * random.unit());
+        let given = SpinMagnitude::Rate(1.0 + random.unit());
+        let spins = frozen_spins(&body, given);
+        let saddles = spins.iter().filter(|spin| spin.kind == StationaryKind::Saddle).count();
+        assert_eq!(spins.len(), 2 + 2 * saddles);
+        for spin in &spins {
+            let G = norm(spin.angular_momentum);
+            let same = frozen_spins(&body, SpinMagnitude::AngularMomentum(G));
+            let apart = |other: &[f64; 3]| norm(add(*other, scale(-1.0, spin.omega)));
+            assert!(same.iter().any(|other| apart(&other.omega) < 1e-9 * norm(spin.omega)), "{spin:?}");
+        }
+        let direction = [0; 3].map(|_| random.unit() - 0.5);
+        let along = |omega: [f64; 3]| dot(unit(omega), unit(direction));
+        let nearest = spins.iter().map(|spin| along(spin.omega)).fold(-1.0, f64::max);
+        let found = RelativeEquilibrium::beside(&body, direction, given).unwrap();
+        assert!((along(found.omega) - nearest).abs() < 1e-9, "{axis:?} {direction:?}");
+    }
 }

@@ -3,6 +3,8 @@
 pub struct Limits {
     /// Largest error of an average. (Q7)
     pub average_error: f64,
+    /// Largest error of the time of an average from the uneven fall of the energy, where the full system can be followed.
+    pub uneven: f64,
     /// Largest error of an average under a torque, which has no other method.
     pub error_under_torque: f64,
     /// Largest error of a measured power, of the rates of the modes, and of the response of liquids.
@@ -39,6 +41,7 @@ impl Default for Limits {
     fn default() -> Self {
         Self {
             average_error: 0.04,
+            uneven: 0.1,
             error_under_torque: 0.1,
             measured_error: 0.03,
             losses_left_out: 0.02,

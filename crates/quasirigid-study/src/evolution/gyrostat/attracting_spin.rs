@@ -39,7 +39,7 @@ impl<'a> AttractingSpin<'a> {
         let K = state.angular_momentum(body);
         let rigid = study.reduced(0)?;
         let levels = LevelEvolution::new(&rigid, norm(K)).map_err(Reason::Levels)?;
-        let spins = GyrostatSpins::compute(body, &rigid, norm(K)).map_err(Reason::Levels)?;
+        let spins = GyrostatSpins::compute(body, norm(K));
         let downhill = match levels.follow(K, Until::Duration(f64::MAX), 1) {
             Ok(passage) => passage.attractor,
             Err(LevelError::Steady) => return Err(StudyError::Steady.into()),

@@ -33,6 +33,9 @@ impl Driver<'_> {
             true => (AverageBasis::Criteria, self.time_error(&power, &criteria)),
             false => {
                 let criteria = self.confirmed(criteria, &power, observer)?;
+                if let Some(found) = self.in_few_periods(&power, observer)? {
+                    return Ok(found);
+                }
                 (AverageBasis::Criteria, self.time_error(&power, &criteria))
             }
         };
@@ -50,6 +53,9 @@ impl Driver<'_> {
         let criteria = spins.average_criteria(hill, span.ends);
         let criteria = AverageCriteria { poles: criteria.poles.max(share), ..criteria };
         let criteria = self.confirmed(criteria, hill, observer)?;
+        if let Some(found) = self.in_few_periods(hill, observer)? {
+            return Ok(found);
+        }
         let power = Arc::new(InterpolatedPower::new(hill.clone(), spins.range.angular_momentum()));
         let error = Some(self.time_error(&power, &criteria));
         Ok(Found { outcome: Outcome::SpinningFrame(power), error, source: None })
@@ -68,6 +74,25 @@ impl Driver<'_> {
         let probed = self.probes(observer)?.map_or(0.0, |probes| probes.error(power));
         let criteria = AverageCriteria { probed, ..criteria };
         if self.accepts(&criteria) { Ok(criteria) } else { Err(Reason::AverageFails(criteria).into()) }
+    }
+
+    /// The history of the full system in place of an average over few periods of the wobble, where it has every loss and does not take too long.
+    fn in_few_periods(
+        &self,
+        power: &dyn MeanPower,
+        observer: &mut dyn ChoiceObserver,
+    ) -> Result<Option<Found>, Stop> {
+        let criteria = &self.case.criteria;
+        let followed = criteria.left_out <= self.limits.losses_left_out
+            && criteria.revolutions.is_some_and(|revolutions| revolutions <= self.limits.many_revolutions);
+        if !followed || uneven(self.case.spins.periods(power, self.case.span.ends)) <= self.limits.uneven {
+            return Ok(None);
+        }
+        match self.full_system(observer) {
+            Ok(found) => Ok(Some(found)),
+            Err(Stop::Refused { .. }) => Ok(None),
+            Err(failed) => Err(failed),
+        }
     }
 
     fn accepts(&self, criteria: &AverageCriteria) -> bool {

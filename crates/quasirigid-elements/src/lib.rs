@@ -79,7 +79,7 @@ use kinds::force;
 
 use crate::element::Role;
 use crate::model::Support;
-use crate::model::force::Force;
+use crate::model::force::{Force, MagneticField};
 
 kinds! {
     /// Material points.

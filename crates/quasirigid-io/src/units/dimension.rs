@@ -87,6 +87,10 @@ impl Dimension {
     /// Magnetic tensor of a conductor (S·m⁴).
     pub const MAGNETIC_TENSOR: Self = Self::new("a magnetic tensor", "S m^4", "5662 S m^4", [-1, 2, 3, 2, 0]);
 
+    /// Gain of a dipole moment on the rate of a magnetic field (A·m²·s/T).
+    pub const FIELD_RATE_GAIN: Self =
+        Self::new("a gain on the rate of a field", "A m^2 s/T", "2e4 A m^2 s/T", [-1, 2, 3, 2, 0]);
+
     /// Dimensions that a unit alone can stand for: hertz and radians per second are told apart by their symbols.
     const ALL: [Self; 27] = [
         Self::NUMBER,

@@ -43,6 +43,7 @@ mod invariants;
 mod lagrangian;
 mod linear;
 mod linear_channels;
+mod magnetic_control;
 mod material_flow;
 mod mechanisms;
 mod neutral_modes;

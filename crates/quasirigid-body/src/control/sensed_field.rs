@@ -54,12 +54,12 @@ mod tests {
         let (start, omega) = ([0.6, 0.0, 0.48, 0.64], [0.003, -0.002, 0.001]);
         let at =
             |t: f64| SensedField::of(&source, t, product(start, turned(ALIGNED, scale(t, omega))), omega);
-        let (t, step) = (700.0, 0.5);
+        let (t, step) = (700.0, 0.05);
         let [before, after] = [t - step, t + step].map(|t| at(t).field);
         let SensedField { field, rate } = at(t);
         for axis in 0..3 {
             let slope = (after[axis] - before[axis]) / (2.0 * step);
-            // the third power of the angle turned in a step
+            // the square of the angle turned in a step
             assert!((slope - rate[axis]).abs() < 1e-6 * 0.004 * 3e-5, "{slope} {} {field:?}", rate[axis]);
         }
         assert!(rate.iter().all(|part| part.abs() > 1e-9), "{rate:?}");

@@ -1,7 +1,7 @@
 //! Controllers on a body: measurements of a state, and commands to the carrier, to the motors of wheels and to coils. (Y2) to (Y4), (Y8)
 
 use super::noise::normal;
-use super::{Actuator, ControlState, Controller, Input, Sampling, SensedField};
+use super::{Actuator, ControlState, Controller, HysteresisRod, Input, Sampling, SensedField};
 use crate::Marker;
 use crate::force::MagneticField;
 use crate::math::vec3::{add, scale};
@@ -9,14 +9,16 @@ use crate::math::vec3::{add, scale};
 /// Controller on a body: places as markers, internal coordinates and wheels of [`Controls`] by index.
 pub type BodyController = Controller<Marker, usize, usize>;
 
-/// Controllers of a body, with the wheels that they measure or command. (Y4)
+/// Controllers of a body, with the wheels that they measure or command, and hysteresis rods. (Y4), (Y11)
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Controls {
     /// Controllers.
     pub controllers: Vec<BodyController>,
     /// Wheels.
     pub wheels: Vec<ControlledWheel>,
-    /// Magnetic field that controllers sense and act by; none where no controller does. (Y8)
+    /// Hysteresis rods.
+    pub rods: Vec<HysteresisRod>,
+    /// Magnetic field that controllers and rods sense and act by; none where none does. (Y8)
     pub field: Option<MagneticField>,
 }
 
@@ -45,12 +47,13 @@ pub struct Commands {
 
 impl Controls {
     /// None.
-    pub const NONE: &'static Self = &Self { controllers: Vec::new(), wheels: Vec::new(), field: None };
+    pub const NONE: &'static Self =
+        &Self { controllers: Vec::new(), wheels: Vec::new(), rods: Vec::new(), field: None };
 
-    /// Whether there is no controller.
+    /// Whether there is no controller and no rod.
     #[must_use]
     pub fn is_empty(&self) -> bool {
-        self.controllers.is_empty()
+        self.controllers.is_empty() && self.rods.is_empty()
     }
 
     /// No command.

@@ -1,5 +1,5 @@
 //! Controllers of the attitude: what they measure, laws with states of their own, what they command; continuous or sampled.
-//! Equations (Y1) to (Y9), docs/theory/20-control.md.
+//! Equations (Y1) to (Y11), docs/theory/20-control.md.
 
 mod bound;
 mod law;
@@ -8,6 +8,7 @@ mod noise;
 mod pid;
 mod problem;
 mod relay;
+mod rod;
 mod sensed_field;
 
 pub use bound::{BodyController, Commands, ControlledWheel, Controls};
@@ -16,6 +17,7 @@ pub use measurement::{ControlState, Measurement};
 pub use pid::Pid;
 pub use problem::ControlProblem;
 pub use relay::RelayLaw;
+pub use rod::{HysteresisLoop, HysteresisRod, demagnetization_of_spheroid};
 pub use sensed_field::SensedField;
 
 /// Controller: measurements, a law with states, and commands to actuators. (Y1)

@@ -67,8 +67,8 @@ pub enum ControlProblem {
     /// Two outputs command the same.
     #[error("the outputs command the same twice, and would add up")]
     Repeated,
-    /// A controller senses a magnetic field, or acts by one, where there is none.
-    #[error("the controller needs a magnetic field, and the model has none")]
+    /// A controller or a rod senses a magnetic field, or acts by one, where there is none.
+    #[error("it needs a magnetic field, and the model has none")]
     NoField,
     /// Nothing has this name.
     #[error("there is no {what} {name:?}; there are {}", if known.is_empty() { "none" } else { known })]

@@ -164,8 +164,42 @@ fn a_loop_on_the_field_follows_its_history() {
 #[test]
 fn a_model_without_a_field_says_what_to_add() {
     let told = one_line(ran_with(&stiff(B_DOT), "simulate model.toml --system full").refusal());
-    assert!(
-        told.contains("the controller needs a magnetic field") && told.contains("[magnetic_field]"),
-        "{told}"
-    );
+    assert!(told.contains("it needs a magnetic field") && told.contains("[magnetic_field]"), "{told}");
+}
+
+const ROD: &str = "[[rod]]\nname = \"rod x\"\naxis = [1, 0, 0]\nlength = 0.3\ndiameter = 0.02\nsaturation = 0.74\nremanence = 0.35\ncoercivity = 1.59\n";
+
+/// Full and rigid body are braked by a rod in the same way, where the spring is stiff; what follows no past refuses it.
+#[test]
+fn rods_act_in_histories_and_are_refused_elsewhere() {
+    let model = stiff(&format!("{DIPOLE}{ROD}"));
+    let follow = |system: &str| {
+        let ran = ran_with(&model, &format!("simulate model.toml --system {system} --times 0,300,600"));
+        assert_eq!(ran.code, Some(0), "{}", ran.stderr);
+        assert!(
+            one_line(&ran.stderr).contains("Controllers and hysteresis rods (rod x) act"),
+            "{}",
+            ran.stderr
+        );
+        let table = Table::of(&ran.stdout);
+        (table.vector(["wx", "wy", "wz"], 2), table.column("work")[2])
+    };
+    let ((full, work), (rigid, _)) = (follow("full"), follow("rigid"));
+    assert!(difference(rigid, full) < 1e-4, "{rigid:?} {full:?}");
+    assert!(work.abs() > 1e-9, "{work}");
+    for line in [
+        "run model.toml -o out",
+        "simulate model.toml --system reduced",
+        "simulate model.toml --system spin-manifold",
+        "evolve model.toml",
+        "verify model.toml",
+        "modes model.toml",
+        "linear model.toml",
+        "derive model.toml --about spin",
+        "export model.toml --to c -o out.c",
+    ] {
+        let ran = ran_with(&model, line);
+        let told = one_line(ran.refusal());
+        assert!(told.contains("leaves out the hysteresis rods of the model (rod x)"), "{line}: {told}");
+    }
 }

@@ -26,9 +26,11 @@ fn refused(id: ElementId, problem: ControlProblem) -> ElementError {
 }
 
 impl Assembly {
-    /// Controllers with what they name on the body of this assembly.
+    /// Controllers with what they name on the body of this assembly, and rods.
     pub(crate) fn controls_on(&self, body: &FlexibleBody) -> Result<Controls, ElementError> {
-        let mut controls = Controls::default();
+        let rods = self.lawful_rods()?;
+        let field = self.magnetic_field.filter(|_| !rods.is_empty());
+        let mut controls = Controls { rods, field, ..Controls::default() };
         for (index, controller) in self.controllers.iter().enumerate() {
             let id = ElementKind::Controller.at(index);
             if let Some(problem) = self.problem_of(controller) {

@@ -135,9 +135,10 @@ pub(super) fn unused(assembly: &Assembly) -> Option<String> {
         ForceLaw::MagneticDipole { field, .. } | ForceLaw::EddyCurrent { field, .. } => field == common,
         _ => false,
     });
-    let used = of_force || assembly.controllers.iter().any(Controller::is_magnetic);
+    let used =
+        of_force || !assembly.rods.is_empty() || assembly.controllers.iter().any(Controller::is_magnetic);
     (!used).then(|| {
-        "[magnetic_field] acts on nothing: no force takes it, and no controller senses a field or commands a moment."
+        "[magnetic_field] acts on nothing: no force takes it, there is no rod, and no controller senses a field or commands a moment."
             .to_owned()
     })
 }

@@ -37,6 +37,7 @@ mod ranges;
 mod reader;
 pub mod reference;
 mod rheology;
+mod rod;
 mod rotation;
 mod rotor;
 mod section;
@@ -112,6 +113,7 @@ const READERS: &[&Reader] = &[
     &tank::READER,
     &force::READER,
     &controller::READER,
+    &rod::READER,
 ];
 
 /// Tables of a file that describe no elements.

@@ -1,7 +1,7 @@
 //! The magnetic field of a model, and controllers in it: what is read, and refusals of mistakes in their place. (Y8), (Y9)
 
 use quasirigid::elements::NamedController;
-use quasirigid::model::control::{Actuator, ControlLaw, Measurement};
+use quasirigid::model::control::{Actuator, ControlLaw, HysteresisLoop, HysteresisRod, Measurement};
 use quasirigid::model::force::{ForceLaw, MagneticField};
 
 use super::{CARRIER, read, refusal_of, verdict};
@@ -181,12 +181,59 @@ fn controllers_without_a_field_are_refused_in_their_place() {
         "kind = \"state-space\"\ninputs = [\"rate.x\"]\noutputs = [\"moment.x\"]\nD = [[1]]\n",
     ] {
         let found = verdict(&format!("{CARRIER}[[controller]]\nname = \"acs\"\n{lines}"));
-        for told in [
-            "model.toml:",
-            "controller \"acs\": the controller needs a magnetic field",
-            "add [magnetic_field]",
-        ] {
+        for told in ["model.toml:", "controller \"acs\": it needs a magnetic field", "add [magnetic_field]"] {
             assert!(found.contains(told), "{lines}: {found}");
         }
     }
+}
+
+fn rod_of(lines: &str) -> String {
+    format!(
+        "{FIELD}[[rod]]\nname = \"rod x\"\naxis = [1, 0, 0]\nsaturation = \"0.74 T\"\nremanence = 0.35\ncoercivity = \"1.59 A/m\"\n{lines}"
+    )
+}
+
+#[test]
+fn rods_are_read_with_their_size_and_their_material() {
+    let rods = |lines: &str| read(&format!("{CARRIER}{}", rod_of(lines))).assembly.rods;
+    let sized = rods("length = \"95 mm\"\ndiameter = \"1 mm\"\n");
+    let HysteresisRod { name, axis, volume, demagnetization, material } = &sized[0];
+    assert_eq!((&**name, *axis), ("rod x", [1.0, 0.0, 0.0]));
+    assert_eq!(*material, HysteresisLoop { saturation: 0.74, remanence: 0.35, coercivity: 1.59 });
+    assert!((volume / (std::f64::consts::PI * 0.25e-6 * 0.095) - 1.0).abs() < 1e-14, "{volume}");
+    // (ln 2m − 1)/m² of a long spheroid
+    assert!((demagnetization * 95.0 * 95.0 / (190f64.ln() - 1.0) - 1.0).abs() < 1e-3, "{demagnetization}");
+    let given = rods("volume = \"75 mm^3\"\ndemagnetization = 1e-3\n");
+    assert_eq!((given[0].volume, given[0].demagnetization), (75e-9, 1e-3));
+    let both = rods("length = 0.1\ndiameter = 0.001\ndemagnetization = 0\n");
+    assert_eq!(both[0].demagnetization, 0.0);
+}
+
+#[test]
+fn mistakes_in_rods_are_refused_in_their_place() {
+    for (lines, told) in [
+        ("", "[[rod]] has no `length`"),
+        ("volume = 1e-7\n", "[[rod]] has no `demagnetization`"),
+        ("volume = 1e-7\ndemagnetization = 0\nlength = 1\n", "the rod has its size twice"),
+        ("length = 0.001\ndiameter = 0.01\n", "no longer than its diameter"),
+        ("length = \"1 T\"\ndiameter = 0.01\n", "a length is needed"),
+        ("volume = 1e-7\ndemagnetization = -0.1\n", "`demagnetization` is -0.1"),
+        ("length = 1\ndiameter = 0.01\nmagnetization = 1\n", "did you mean `demagnetization`"),
+    ] {
+        let found = refusal_of(&rod_of(lines));
+        assert!(found.contains(told) && found.contains("model.toml:"), "{lines}: {found}");
+    }
+    let size = "length = 0.1\ndiameter = 0.001\n";
+    let remanent =
+        verdict(&format!("{CARRIER}{}", rod_of(size).replace("remanence = 0.35", "remanence = 0.9")));
+    assert!(
+        remanent.contains("`remanence` of rod \"rod x\": a remanence of 0.9 T is not less"),
+        "{remanent}"
+    );
+    let nowhere = verdict(&format!("{CARRIER}{}", rod_of(size).replace(FIELD, "")));
+    assert!(
+        nowhere.contains("rod \"rod x\": it needs a magnetic field")
+            && nowhere.contains("add [magnetic_field]"),
+        "{nowhere}"
+    );
 }

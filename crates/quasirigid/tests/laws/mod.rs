@@ -38,6 +38,7 @@ mod gravity;
 mod gyrostats;
 mod harmonics;
 mod hinged_lagrangian;
+mod hysteresis_rods;
 mod inertia;
 mod invariants;
 mod lagrangian;

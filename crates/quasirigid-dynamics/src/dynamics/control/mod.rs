@@ -1,6 +1,6 @@
-//! Controllers in the state of an integrated system: angular momenta of wheels, states of laws, commands that are held or wait.
+//! Controllers in the state of an integrated system: angular momenta of wheels, states of laws, commands that are held or wait, states of rods.
 //! What is sampled is part of the state and constant between the instants, which are breakpoints; there it jumps.
-//! Equations (Y1) to (Y4) and (Y8), docs/theory/20-control.md.
+//! Equations (Y1) to (Y4), (Y8) and (Y11), docs/theory/20-control.md.
 
 mod clock;
 mod sizes;
@@ -15,11 +15,12 @@ use crate::model::MotionState;
 use crate::model::control::{BodyController, Commands, ControlState, Controls, Sampling, SensedField};
 use crate::model::force::MagneticField;
 
-/// Places of controllers in their block of a state: angular momenta of wheels, then controller by controller.
+/// Places of controllers in their block of a state: angular momenta of wheels, then controller by controller, then rods.
 #[derive(Clone, Debug)]
 pub(super) struct ControlBlock<'a> {
     controls: &'a Controls,
     places: Vec<Place>,
+    rods: Range<usize>,
     len: usize,
 }
 
@@ -75,7 +76,8 @@ impl<'a> ControlBlock<'a> {
             Place { states: take(controller.law.states()), held: take(held), waiting: take(waiting) }
         };
         let places = controls.controllers.iter().map(place).collect();
-        Self { controls, places, len }
+        let rods = take(controls.rods.len());
+        Self { controls, places, rods, len }
     }
 
     pub fn len(&self) -> usize {
@@ -99,6 +101,10 @@ impl<'a> ControlBlock<'a> {
         }
         for (controller, place) in self.controls.controllers.iter().zip(&self.places) {
             block[place.states.clone()].copy_from_slice(&controller.start);
+        }
+        let field = self.sensed(seen);
+        for (rod, state) in self.controls.rods.iter().zip(&mut block[self.rods.clone()]) {
+            *state = rod.without_past(&field);
         }
         self.jump(seen, &mut block);
         block
@@ -127,7 +133,7 @@ impl<'a> ControlBlock<'a> {
             .collect()
     }
 
-    /// Action at a state, whose rates are written. (Y1), (Y4), (Y8)
+    /// Action at a state, whose rates are written. (Y1), (Y4), (Y8), (Y11)
     pub fn act(&self, seen: &Seen, block: &[f64], rates: &mut [f64]) -> Action {
         rates.fill(0.0);
         let field = self.sensed(seen);
@@ -141,6 +147,10 @@ impl<'a> ControlBlock<'a> {
             let (values, advance) = controller.act(&inputs, &block[place.states.clone()]);
             commands.add(controller, &values);
             rates[place.states.clone()].copy_from_slice(&advance);
+        }
+        for (rod, place) in self.controls.rods.iter().zip(self.rods.clone()) {
+            commands.moment = add(commands.moment, rod.moment(&field, block[place]));
+            rates[place] = rod.rate(&field, block[place]);
         }
         let Commands { torque, motors, moment } = commands;
         let torque = add(torque, field.torque(moment));

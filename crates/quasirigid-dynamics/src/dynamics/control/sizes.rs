@@ -11,6 +11,9 @@ impl ControlBlock<'_> {
     pub fn sizes(&self, seen: &Seen, block: &[f64], scales: &Scales) -> Vec<f64> {
         let mut sizes = vec![f64::INFINITY; self.len()];
         let field = self.sensed(seen);
+        for (rod, place) in self.controls.rods.iter().zip(self.rods.clone()) {
+            sizes[place] = rod.material.coercivity;
+        }
         sizes[..self.controls.wheels.len()].fill(scales.angular_momentum);
         let continuous = self.controls.controllers.iter().zip(&self.places);
         for (controller, place) in continuous.filter(|(controller, _)| controller.sampling.is_none()) {

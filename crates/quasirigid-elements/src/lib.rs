@@ -79,7 +79,8 @@ use kinds::force;
 
 use crate::element::Role;
 use crate::model::Support;
-use crate::model::force::Force;
+use crate::model::control::HysteresisRod;
+use crate::model::force::{Force, MagneticField};
 
 kinds! {
     /// Material points.
@@ -114,4 +115,6 @@ kinds! {
     forces: Force(Force<ApplicationPoint>) = "force", Role::External, name;
     /// Controllers.
     controllers: Controller(NamedController) = "controller", Role::External, name;
+    /// Hysteresis rods.
+    rods: Rod(HysteresisRod) = "rod", Role::External, name;
 }

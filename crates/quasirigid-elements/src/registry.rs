@@ -11,6 +11,8 @@ macro_rules! kinds {
             $($(#[$doc])* $kind,)+
             /// The support.
             Support,
+            /// The magnetic field.
+            MagneticField,
         }
 
         impl ElementKind {
@@ -21,6 +23,7 @@ macro_rules! kinds {
                     Self::Carrier => "carrier",
                     $(Self::$kind => $words,)+
                     Self::Support => "support",
+                    Self::MagneticField => "magnetic field",
                 }
             }
 
@@ -29,7 +32,7 @@ macro_rules! kinds {
                 match self {
                     Self::Carrier => Role::Mass,
                     $(Self::$kind => $role,)+
-                    Self::Support => Role::External,
+                    Self::Support | Self::MagneticField => Role::External,
                 }
             }
         }
@@ -46,6 +49,8 @@ macro_rules! kinds {
             pub reduction: PartReduction,
             /// Support of the body.
             pub support: Support,
+            /// Magnetic field that controllers sense and act by; none without one. A force has a field of its own. (Y8)
+            pub magnetic_field: Option<MagneticField>,
             /// What was observed of the body in rotation; none where its shape is that of the relaxed body.
             pub as_observed: Option<ObservedShape>,
         }
@@ -84,7 +89,7 @@ macro_rules! kinds {
             pub(crate) fn element(&self, ElementId { kind, index }: ElementId) -> Option<&dyn element::Element> {
                 match kind {
                     $(ElementKind::$kind => self.$list.get(index).map(|element| element as &dyn element::Element),)+
-                    ElementKind::Carrier | ElementKind::Support => None,
+                    ElementKind::Carrier | ElementKind::Support | ElementKind::MagneticField => None,
                 }
             }
         }
@@ -110,7 +115,7 @@ impl super::ElementKind {
     /// Whether a body has one of the kind at most.
     #[must_use]
     pub fn is_single(self) -> bool {
-        matches!(self, Self::Carrier | Self::Support)
+        matches!(self, Self::Carrier | Self::Support | Self::MagneticField)
     }
 }
 
@@ -119,6 +124,8 @@ impl ElementId {
     pub const CARRIER: Self = super::ElementKind::Carrier.at(0);
     /// The support.
     pub const SUPPORT: Self = super::ElementKind::Support.at(0);
+    /// The magnetic field.
+    pub const MAGNETIC_FIELD: Self = super::ElementKind::MagneticField.at(0);
 }
 
 impl std::fmt::Display for ElementId {

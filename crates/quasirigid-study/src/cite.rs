@@ -5,6 +5,7 @@
 
 use quasirigid::elements::{ApplicationPoint, CavityShape, PartKind};
 use quasirigid::model::Rheology;
+use quasirigid::model::control::Controller;
 use quasirigid::model::force::{ForceLaw, MagneticField};
 use quasirigid_io::model::{Model, System};
 
@@ -100,6 +101,10 @@ fn capabilities(model: &Model) -> Vec<(bool, &'static [&'static str])> {
     let law = |of: fn(&ForceLaw<ApplicationPoint>) -> bool| {
         assembly.forces.iter().any(|force| of(force.law.timed().0))
     };
+    let sensed =
+        assembly.magnetic_field.as_ref().filter(|_| assembly.controllers.iter().any(Controller::is_magnetic));
+    let fields = || assembly.forces.iter().filter_map(|force| field(force.law.timed().0)).chain(sensed);
+    let in_field = |of: fn(&MagneticField) -> bool| fields().any(of);
     let network = source.text.lines().any(|line| line.trim_start().starts_with("[[network]]"));
     vec![
         (true, REDUCTION),
@@ -130,8 +135,8 @@ fn capabilities(model: &Model) -> Vec<(bool, &'static [&'static str])> {
         (material(|rheology| matches!(rheology, Rheology::Andrade { .. })), CREEP),
         (law(|law| matches!(law, ForceLaw::CentralGravity { .. })), ORBITS),
         (law(|law| matches!(law, ForceLaw::EddyCurrent { .. })), EDDY_CURRENTS),
-        (law(|law| field(law).is_some_and(|field| field.orbit().is_some())), FIELDS_ON_ORBITS),
-        (law(|law| matches!(field(law), Some(MagneticField::Earth { .. }))), MAIN_FIELD),
+        (in_field(|field| field.orbit().is_some()), FIELDS_ON_ORBITS),
+        (in_field(|field| matches!(field, MagneticField::Earth { .. })), MAIN_FIELD),
         (!assembly.wheels.is_empty() || !assembly.rotors.is_empty(), WHEELS),
         (true, HISTORIES),
         (full, FULL_SYSTEM),
@@ -215,6 +220,16 @@ mod tests {
             [false, true, false, false]
         );
         assert_eq!(own(&cited(&format!("{currents}{earth}"))), [true; 4]);
+        let common = format!("{dipole}[magnetic_field]\n{earth}");
+        assert_eq!(own(&cited(&common)), [false, true, true, true]);
+        assert_eq!(
+            own(&cited(&format!("{currents}field = [0, 0, 1]\n[magnetic_field]\n{earth}"))),
+            [true, false, false, false]
+        );
+        let coils = format!(
+            "{dipole}field = [0, 0, 1]\n[magnetic_field]\n{earth}\n[[controller]]\nkind = \"b-dot\"\ngain = 1\n"
+        );
+        assert_eq!(own(&cited(&coils)), [false, true, true, true]);
         let windows = "during = [[\"1 s\", \"2 s\"]]";
         assert_eq!(own(&cited(&format!("{dipole}{earth}\n{windows}"))), [false, true, true, true]);
     }

@@ -1,5 +1,5 @@
-//! Bodies under controllers: the systems that carry them, and the answers that do not.
-//! Equations (Y1) to (Y4), docs/theory/20-control.md.
+//! Bodies under controllers and with hysteresis rods: the systems that carry them, and the answers that do not.
+//! Equations (Y1) to (Y4) and (Y11), docs/theory/20-control.md.
 
 use std::convert::Infallible;
 
@@ -16,11 +16,21 @@ use crate::study::Study;
 impl Study {
     /// Refuses an answer that controllers take no part in.
     pub(crate) fn uncontrolled(&self, what: &'static str) -> Result<(), StudyError> {
+        self.without_rods(what)?;
         if self.controls.is_empty() {
             return Ok(());
         }
         let names = self.controls.controllers.iter().map(|controller| controller.name.clone()).collect();
         Err(StudyError::Controlled { names, what })
+    }
+
+    /// Refuses an answer that hysteresis rods take no part in.
+    pub(crate) fn without_rods(&self, what: &'static str) -> Result<(), StudyError> {
+        if self.controls.rods.is_empty() {
+            return Ok(());
+        }
+        let names = self.controls.rods.iter().map(|rod| rod.name.clone()).collect();
+        Err(StudyError::Remembering { names, what })
     }
 }
 
@@ -36,6 +46,13 @@ pub fn carries(study: &Study, system: System) -> Result<(), StudyError> {
 /// Note on the answers that are those of the body alone.
 pub fn note(controls: &Controls) -> Option<String> {
     let names: Vec<&str> = controls.controllers.iter().map(|controller| &*controller.name).collect();
+    let rods: Vec<&str> = controls.rods.iter().map(|rod| &*rod.name).collect();
+    if !rods.is_empty() {
+        let all = [names, rods].concat().join(", ");
+        return Some(format!(
+            "Controllers and hysteresis rods ({all}) act in histories of the full and the rigid system; checks, reduced equations and effective masses are those of the body without them."
+        ));
+    }
     (!names.is_empty()).then(|| {
         format!(
             "The controllers ({}) act in histories of the full and the rigid system and in linear models; checks, reduced equations and effective masses are those of the body without them.",

@@ -136,6 +136,13 @@ pub enum StudyError {
         /// The answer.
         what: &'static str,
     },
+    /// Hysteresis rods in an answer that does not have them. (Y11)
+    Remembering {
+        /// Names of the rods.
+        names: Vec<String>,
+        /// The answer.
+        what: &'static str,
+    },
     /// Liquids that slide along rings, in an answer that does not have them.
     Sliding {
         /// Names of their tanks.
@@ -399,6 +406,11 @@ impl StudyError {
             Self::NotExported { what } => what.clone(),
             Self::Controlled { names, what } => format!(
                 "{what} leaves out the controllers of the model ({}); follow it by `simulate` with {} full or rigid, ask `linear` for the closed loop and its poles, or take [[controller]] out",
+                names.join(", "),
+                name(Setting::System)
+            ),
+            Self::Remembering { names, what } => format!(
+                "{what} leaves out the hysteresis rods of the model ({}), whose magnetisation depends on the past; follow it by `simulate` with {} full or rigid, or take [[rod]] out",
                 names.join(", "),
                 name(Setting::System)
             ),

@@ -1,20 +1,25 @@
-//! Controllers on a body: measurements of a state, and commands to the carrier and to the motors of wheels. (Y2) to (Y4)
+//! Controllers on a body: measurements of a state, and commands to the carrier, to the motors of wheels and to coils. (Y2) to (Y4), (Y8)
 
 use super::noise::normal;
-use super::{Actuator, ControlState, Controller, Input, Sampling};
+use super::{Actuator, ControlState, Controller, HysteresisRod, Input, Sampling, SensedField};
 use crate::Marker;
+use crate::force::MagneticField;
 use crate::math::vec3::{add, scale};
 
 /// Controller on a body: places as markers, internal coordinates and wheels of [`Controls`] by index.
 pub type BodyController = Controller<Marker, usize, usize>;
 
-/// Controllers of a body, with the wheels that they measure or command. (Y4)
+/// Controllers of a body, with the wheels that they measure or command, and hysteresis rods. (Y4), (Y11)
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Controls {
     /// Controllers.
     pub controllers: Vec<BodyController>,
     /// Wheels.
     pub wheels: Vec<ControlledWheel>,
+    /// Hysteresis rods.
+    pub rods: Vec<HysteresisRod>,
+    /// Magnetic field that controllers and rods sense and act by; none where none does. (Y8)
+    pub field: Option<MagneticField>,
 }
 
 /// Wheel whose motor a controller may command.
@@ -36,22 +41,31 @@ pub struct Commands {
     pub torque: [f64; 3],
     /// Torque of each wheel's motor on the wheel (N·m).
     pub motors: Vec<f64>,
+    /// Magnetic dipole moment of the coils (A·m²), body axes.
+    pub moment: [f64; 3],
 }
 
 impl Controls {
     /// None.
-    pub const NONE: &'static Self = &Self { controllers: Vec::new(), wheels: Vec::new() };
+    pub const NONE: &'static Self =
+        &Self { controllers: Vec::new(), wheels: Vec::new(), rods: Vec::new(), field: None };
 
-    /// Whether there is no controller.
+    /// Whether there is no controller and no rod.
     #[must_use]
     pub fn is_empty(&self) -> bool {
-        self.controllers.is_empty()
+        self.controllers.is_empty() && self.rods.is_empty()
     }
 
     /// No command.
     #[must_use]
     pub fn silence(&self) -> Commands {
-        Commands { torque: [0.0; 3], motors: vec![0.0; self.wheels.len()] }
+        Commands { torque: [0.0; 3], motors: vec![0.0; self.wheels.len()], moment: [0.0; 3] }
+    }
+
+    /// Magnetic field at a time (s), an attitude and an angular velocity of the carrier (rad/s, body axes); zero without one. (Y8)
+    #[must_use]
+    pub fn sensed(&self, t: f64, attitude: [f64; 4], omega: [f64; 3]) -> SensedField {
+        self.field.map_or_else(SensedField::default, |field| SensedField::of(&field, t, attitude, omega))
     }
 
     /// Angular momentum (N·m·s, body axes) of values about the axes of the wheels, or torque.
@@ -71,6 +85,7 @@ impl Commands {
             match output.to {
                 Actuator::Torque { axis } => self.torque[axis] += value,
                 Actuator::Wheel { wheel } => self.motors[wheel] += value,
+                Actuator::Moment { axis } => self.moment[axis] += value,
             }
         }
     }
@@ -154,6 +169,7 @@ mod tests {
             attitude: [1.0, 0.0, 0.0, 0.0],
             motion: MotionState { omega, q: &[], rate: &[] },
             wheels: &[],
+            field: SensedField::default(),
         };
         let (e, z, f) = (0.31_f64, 1.3, 0.17);
         let demanded = -(3.0 * e + 0.7 * z + 1.9 * (e - f) / 0.4);

@@ -1,5 +1,6 @@
 //! What controllers measure on a body. (Y2)
 
+use super::SensedField;
 use crate::math::rotation::{product, rotation_vector};
 use crate::math::vec3::{add, scale};
 use crate::{Marker, MotionState};
@@ -56,6 +57,16 @@ pub enum Measurement<P, C, W> {
         /// Wheel.
         wheel: W,
     },
+    /// Magnetic field along a body axis (T). (Y8)
+    Field {
+        /// Body axis, 0 to 2.
+        axis: usize,
+    },
+    /// Rate of the magnetic field as the body sees it, along a body axis (T/s). (Y8)
+    FieldRate {
+        /// Body axis, 0 to 2.
+        axis: usize,
+    },
 }
 
 /// State of a body that controllers measure.
@@ -69,6 +80,8 @@ pub struct ControlState<'a> {
     pub motion: MotionState<'a, f64>,
     /// Angular momenta of the wheels of the controls relative to the carrier (N·m·s).
     pub wheels: &'a [f64],
+    /// Magnetic field; zero where no controller senses one.
+    pub field: SensedField,
 }
 
 impl<P, C, W> Measurement<P, C, W> {
@@ -92,7 +105,14 @@ impl<P, C, W> Measurement<P, C, W> {
             Self::Coordinate { coordinate: own } => Measurement::Coordinate { coordinate: coordinate(own)? },
             Self::Speed { coordinate: own } => Measurement::Speed { coordinate: coordinate(own)? },
             Self::Wheel { wheel: own } => Measurement::Wheel { wheel: wheel(own)? },
+            Self::Field { axis } => Measurement::Field { axis: *axis },
+            Self::FieldRate { axis } => Measurement::FieldRate { axis: *axis },
         })
+    }
+
+    /// Whether it is of the magnetic field.
+    pub(super) fn is_of_field(&self) -> bool {
+        matches!(self, Self::Field { .. } | Self::FieldRate { .. })
     }
 }
 
@@ -115,6 +135,8 @@ impl Measurement<Marker, usize, usize> {
             Self::Coordinate { coordinate } => q.get(*coordinate).copied().unwrap_or(0.0),
             Self::Speed { coordinate } => rate.get(*coordinate).copied().unwrap_or(0.0),
             Self::Wheel { wheel } => state.wheels[*wheel],
+            Self::Field { axis } => state.field.field[*axis],
+            Self::FieldRate { axis } => state.field.rate[*axis],
         }
     }
 }

@@ -1,5 +1,5 @@
 //! Controllers of the attitude: what they measure, laws with states of their own, what they command; continuous or sampled.
-//! Equations (Y1) to (Y7), docs/theory/20-control.md.
+//! Equations (Y1) to (Y11), docs/theory/20-control.md.
 
 mod bound;
 mod law;
@@ -8,6 +8,8 @@ mod noise;
 mod pid;
 mod problem;
 mod relay;
+mod rod;
+mod sensed_field;
 
 pub use bound::{BodyController, Commands, ControlledWheel, Controls};
 pub use law::{ControlLaw, FormulaLaw, LinearLaw};
@@ -15,6 +17,8 @@ pub use measurement::{ControlState, Measurement};
 pub use pid::Pid;
 pub use problem::ControlProblem;
 pub use relay::RelayLaw;
+pub use rod::{HysteresisLoop, HysteresisRod, demagnetization_of_spheroid};
+pub use sensed_field::SensedField;
 
 /// Controller: measurements, a law with states, and commands to actuators. (Y1)
 ///
@@ -58,7 +62,7 @@ pub struct Input<P, C, W> {
 pub struct Output<W> {
     /// What is commanded.
     pub to: Actuator<W>,
-    /// Largest size of the command (N·m), at which the actuator saturates; none without a limit.
+    /// Largest size of the command (N·m, of a dipole moment A·m²), at which the actuator saturates; none without a limit.
     pub limit: Option<f64>,
 }
 
@@ -75,6 +79,11 @@ pub enum Actuator<W> {
     Wheel {
         /// The wheel.
         wheel: W,
+    },
+    /// Magnetic dipole moment of a coil on the carrier along a body axis (A·m²). (Y8)
+    Moment {
+        /// Body axis, 0 to 2.
+        axis: usize,
     },
 }
 
@@ -110,6 +119,7 @@ impl<P, C, W> Controller<P, C, W> {
             let to = match &output.to {
                 Actuator::Torque { axis } => Actuator::Torque { axis: *axis },
                 Actuator::Wheel { wheel: own } => Actuator::Wheel { wheel: wheel(own)? },
+                Actuator::Moment { axis } => Actuator::Moment { axis: *axis },
             };
             Ok(Output { to, limit: output.limit })
         };
@@ -121,6 +131,15 @@ impl<P, C, W> Controller<P, C, W> {
             start: self.start.clone(),
             sampling: self.sampling,
         })
+    }
+}
+
+impl<P, C, W> Controller<P, C, W> {
+    /// Whether it senses a magnetic field or acts by one.
+    #[must_use]
+    pub fn is_magnetic(&self) -> bool {
+        self.inputs.iter().any(|input| input.of.is_of_field())
+            || self.outputs.iter().any(|output| matches!(output.to, Actuator::Moment { .. }))
     }
 }
 

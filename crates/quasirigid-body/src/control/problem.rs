@@ -67,6 +67,9 @@ pub enum ControlProblem {
     /// Two outputs command the same.
     #[error("the outputs command the same twice, and would add up")]
     Repeated,
+    /// A controller or a rod senses a magnetic field, or acts by one, where there is none.
+    #[error("it needs a magnetic field, and the model has none")]
+    NoField,
     /// Nothing has this name.
     #[error("there is no {what} {name:?}; there are {}", if known.is_empty() { "none" } else { known })]
     Unknown {
@@ -93,6 +96,7 @@ impl ControlProblem {
         match self {
             Self::Size { matrix, .. } | Self::NotFinite { matrix } => matrix,
             Self::NoOutput | Self::Repeated => "outputs",
+            Self::NoField => "kind",
             Self::Negative { key, .. } | Self::NotPositive { key, .. } | Self::Continuous { key } => key,
             Self::Waiting { .. } => "delay",
             Self::Target { .. } => "target",
@@ -105,7 +109,10 @@ impl ControlProblem {
     pub fn remedy(&self) -> &'static str {
         match self {
             Self::NoOutput => "write outputs = [\"torque.x\"], or a torque",
-            Self::Repeated => "name each torque and each wheel once",
+            Self::Repeated => "name each torque, each wheel and each moment once",
+            Self::NoField => {
+                "add [magnetic_field] with field = [0, 0, \"30 uT\"], or with dipole or igrf and an orbit"
+            }
             Self::Continuous { .. } => "give the controller a `period`, or leave the key out",
             Self::Waiting { .. } => "shorten the delay, or lengthen the period",
             Self::Target { .. } => "write a quaternion of norm 1, scalar first",

@@ -86,7 +86,7 @@ fn poles_of_a_rigid_body_are_the_roots_of_its_equation() {
 }
 
 /// `exp(A t) x`, by series over short times.
-fn after(A: &[Vec<f64>], x: &[f64], t: f64) -> Vec<f64> {
+pub fn after(A: &[Vec<f64>], x: &[f64], t: f64) -> Vec<f64> {
     let steps = 2000;
     let step = t / f64::from(steps);
     let times = |x: &[f64]| -> Vec<f64> {

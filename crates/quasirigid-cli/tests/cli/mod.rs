@@ -7,6 +7,7 @@ mod attitude_files;
 mod audit;
 mod catalogues;
 mod check;
+mod coils;
 mod colour;
 mod complete;
 mod controllers;

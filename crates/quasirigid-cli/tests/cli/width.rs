@@ -6,8 +6,8 @@ use std::path::Path;
 use tempfile::TempDir;
 
 use crate::support::{
-    EXAMPLES, MODEL, ROOT, SLIDING, STRUCTURES, STUDIES, copy, folder_of, names, one_line, ran, ran_in,
-    ran_with,
+    CONTROLLED, EXAMPLES, MODEL, ROOT, SLIDING, STRUCTURES, STUDIES, copy, folder_of, names, one_line, ran,
+    ran_in, ran_with,
 };
 
 /// Examples whose answers take seconds: asked at night.
@@ -43,7 +43,7 @@ fn every_example_is_tested() {
             || STUDIES.contains(&name.as_str())
     });
     let mut tested: Vec<&str> =
-        EXAMPLES.into_iter().chain(SLIDING).chain(STRUCTURES).chain(STUDIES).collect();
+        EXAMPLES.into_iter().chain(SLIDING).chain(CONTROLLED).chain(STRUCTURES).chain(STUDIES).collect();
     tested.sort_unstable();
     assert_eq!(folders.iter().filter(|name| !name.contains('.')).collect::<Vec<_>>(), tested);
 }
@@ -75,6 +75,22 @@ fn answers_to_sliding_liquids_fit_a_terminal() {
             // a table of modes is as wide as it is for every body
             let table = if command == "modes" { String::new() } else { answer.stdout };
             assert_narrow(&line, &(table + &answer.stderr));
+        }
+    }
+}
+
+/// Controllers: `check` and `derive` answer for the body without them and say so, other answers are refused.
+#[test]
+fn answers_to_controlled_examples_fit_a_terminal() {
+    for example in CONTROLLED {
+        for (command, code) in
+            [("check", 0), ("derive", 0), ("modes", 2), ("evolve", 2), ("verify", 2), ("run", 2)]
+        {
+            let line = format!("{command} examples/{example}/model.toml");
+            let answer = ran(&line);
+            assert_eq!(answer.code, Some(code), "{line}: {answer:?}");
+            assert!(one_line(&answer.stderr).contains("controllers"), "{line}: {answer:?}");
+            assert_narrow(&line, &(answer.stdout + &answer.stderr));
         }
     }
 }

@@ -36,6 +36,9 @@ pub const STRUCTURES: [&str; 4] = ["apophis-shape", "quillen-network", "solar-pa
 /// Examples without reduced equations, which have tests of their own.
 pub const SLIDING: [&str; 1] = ["ring-damper"];
 
+/// Examples with controllers, whose histories are those of the full system.
+pub const CONTROLLED: [&str; 1] = ["detumbling-cubesat"];
+
 /// Studies of many bodies, each of the model of another example.
 pub const STUDIES: [&str; 2] = ["apophis-flyby", "damper-study"];
 

@@ -1,5 +1,5 @@
 use super::conserved_momentum::{inside, size};
-use super::control::Clock;
+use super::control::ControlTimes;
 use super::external::{Forced, Pose};
 use super::run::Start;
 use super::timing::{Allowed, Timing};
@@ -40,18 +40,18 @@ impl Scales {
         pose: Pose<f64>,
         end: f64,
     ) -> (Self, Option<Timing<'a>>) {
-        Self::controlled(system, (0.0, Vec::new()), (omega, K), pose, end)
+        Self::controlled(system, (0.0, ControlTimes::default()), (omega, K), pose, end)
     }
 
-    /// The same under controllers, with the size of their torque at the start (N·m) and their instants.
+    /// The same under controllers, with the size of their torque at the start (N·m) and what of them depends on the time.
     pub fn controlled<'a>(
         system: Forced<'a>,
-        (torque, clocks): (f64, Vec<Clock>),
+        (torque, times): (f64, ControlTimes),
         (omega, K): ([f64; 3], [f64; 3]),
         pose: Pose<f64>,
         end: f64,
     ) -> (Self, Option<Timing<'a>>) {
-        let timing = Timing::of(system, omega, &pose, end, clocks);
+        let timing = Timing::of(system, omega, &pose, end, times);
         let intervals = timing.as_ref().map_or_else(Vec::new, Timing::intervals);
         (Self::of(system, torque, (omega, K), pose, end, &intervals), timing)
     }

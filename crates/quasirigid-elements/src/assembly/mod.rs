@@ -59,6 +59,7 @@ impl Assembly {
         let carrier = self.carrier.as_ref().and_then(|carrier| carrier.piece().err());
         let elements = self.each().flat_map(|(id, element)| element.check(id, self));
         let mut errors: Vec<ElementError> = carrier.into_iter().chain(elements).collect();
+        errors.extend(self.lawful_field().err());
         errors.extend(self.alone().err());
         errors.extend(self.without_carrier().err());
         errors.extend(self.parts_and_connections().err());
@@ -101,6 +102,7 @@ impl Assembly {
 
     /// The body with its forces and controllers.
     fn controlled_body(&self, asked: BuildOptions) -> Result<Built, ElementError> {
+        self.lawful_field()?;
         let built = self.under(&self.forces, asked)?;
         Ok(Built { controls: self.controls_on(&built.body)?, ..built })
     }
@@ -163,6 +165,10 @@ impl Assembly {
             force.try_map(|application_point| Ok(application_point.marker(&force.name, pole, attachments)))
         };
         forces.iter().enumerate().map(placed).collect()
+    }
+
+    fn lawful_field(&self) -> Result<(), ElementError> {
+        self.magnetic_field.iter().try_for_each(|field| force::magnetic(ElementId::MAGNETIC_FIELD, field))
     }
 
     fn parts_and_connections(&self) -> Result<(), ElementError> {

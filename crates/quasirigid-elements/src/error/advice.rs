@@ -77,6 +77,10 @@ impl Problem {
                 "check the signs; the eigenvalues of the magnetic tensor must be zero or positive",
             ),
             Self::NotPositive { .. } => ("must be positive", "write a positive number"),
+            Self::Remanent { .. } => ("too large", "write a `remanence` below the `saturation`"),
+            Self::Demagnetization { .. } => {
+                ("no such rod", "leave it out beside `length` and `diameter`; of a long rod it is small")
+            }
             Self::NotElliptic { .. } => (
                 "no ellipse",
                 "write 0 for a circle; a flyby has a `periapsis_distance`, under central gravity",

@@ -541,6 +541,20 @@ pub enum Problem {
         /// The number.
         value: f64,
     },
+    /// The remanence of a material is not below its saturation.
+    #[error("a remanence of {remanence} T is not less than the saturation of {saturation} T")]
+    Remanent {
+        /// Remanence (T).
+        remanence: f64,
+        /// Saturation (T).
+        saturation: f64,
+    },
+    /// No body has this demagnetisation factor along an axis.
+    #[error("no rod has the demagnetisation factor {factor}; it is at least 0 and below 1")]
+    Demagnetization {
+        /// The factor.
+        factor: f64,
+    },
     /// An eccentricity is not that of an ellipse.
     #[error("no ellipse has the eccentricity {value}; it is at least 0 and below 1")]
     NotElliptic {

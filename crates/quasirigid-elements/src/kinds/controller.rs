@@ -1,4 +1,4 @@
-//! Controllers as elements: their names found on a body. (Y2), (Y4)
+//! Controllers as elements: their names found on a body. (Y2), (Y4), (Y8)
 
 use crate::Assembly;
 use crate::element::Element;
@@ -16,8 +16,8 @@ pub type NamedController = Controller<String, String, String>;
 const LISTED: usize = 8;
 
 impl Element for NamedController {
-    fn check(&self, id: ElementId, _: &Assembly) -> Vec<ElementError> {
-        self.problem().map(|problem| refused(id, problem)).into_iter().collect()
+    fn check(&self, id: ElementId, body: &Assembly) -> Vec<ElementError> {
+        body.problem_of(self).map(|problem| refused(id, problem)).into_iter().collect()
     }
 }
 
@@ -26,13 +26,18 @@ fn refused(id: ElementId, problem: ControlProblem) -> ElementError {
 }
 
 impl Assembly {
-    /// Controllers with what they name on the body of this assembly.
+    /// Controllers with what they name on the body of this assembly, and rods.
     pub(crate) fn controls_on(&self, body: &FlexibleBody) -> Result<Controls, ElementError> {
-        let mut controls = Controls::default();
+        let rods = self.lawful_rods()?;
+        let field = self.magnetic_field.filter(|_| !rods.is_empty());
+        let mut controls = Controls { rods, field, ..Controls::default() };
         for (index, controller) in self.controllers.iter().enumerate() {
             let id = ElementKind::Controller.at(index);
-            if let Some(problem) = controller.problem() {
+            if let Some(problem) = self.problem_of(controller) {
                 return Err(refused(id, problem));
+            }
+            if controller.is_magnetic() {
+                controls.field = self.magnetic_field;
             }
             let key = if matches!(controller.law, ControlLaw::Formulas(_)) { "motors" } else { "outputs" };
             for output in &controller.outputs {
@@ -51,6 +56,12 @@ impl Assembly {
             controls.wheels = wheels.into_inner();
         }
         Ok(controls)
+    }
+
+    /// What is wrong with a controller on this body, as far as it names nothing.
+    fn problem_of(&self, controller: &NamedController) -> Option<ControlProblem> {
+        let blind = controller.is_magnetic() && self.magnetic_field.is_none();
+        controller.problem().or(blind.then_some(ControlProblem::NoField))
     }
 
     /// Index of a wheel, named at a key, among those that are controlled, to which it is added.

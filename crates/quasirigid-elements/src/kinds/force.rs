@@ -28,10 +28,16 @@ pub(crate) fn check(
     if let Some(application_point) = force.law.place() {
         application_point.check(place, body)?;
     }
-    lawful(place, &force.law)
+    lawful(place, &force.law, body.magnetic_field.as_ref())
 }
 
-fn lawful(place: ElementId, law: &ForceLaw<ApplicationPoint>) -> Result<(), ElementError> {
+/// Accepts a law; a field that is that of the body is accepted with the body.
+fn lawful(
+    place: ElementId,
+    law: &ForceLaw<ApplicationPoint>,
+    common: Option<&MagneticField>,
+) -> Result<(), ElementError> {
+    let magnetic = |field| if Some(field) == common { Ok(()) } else { magnetic(place, field) };
     let finite = |field: Field, values: &[f64; 3]| number::finite(values).map_err(at(place, field));
     match law {
         ForceLaw::UniformGravity { acceleration } => finite(Field::ACCELERATION, acceleration),
@@ -49,22 +55,23 @@ fn lawful(place: ElementId, law: &ForceLaw<ApplicationPoint>) -> Result<(), Elem
         }
         ForceLaw::MagneticDipole { moment, field } => {
             finite(Field::MOMENT, moment)?;
-            magnetic(place, field)
+            magnetic(field)
         }
         ForceLaw::EddyCurrent { tensor, decay_time, field } => {
             number::finite(&[*decay_time]).map_err(at(place, Field::CONDUCTIVITY))?;
             matrix(Coefficient::Full(*tensor)).map_err(conducting).map_err(at(place, Field::TENSOR))?;
-            magnetic(place, field)
+            magnetic(field)
         }
         ForceLaw::Expression { .. }
         | ForceLaw::TorqueExpression { .. }
         | ForceLaw::TorqueTable { .. }
         | ForceLaw::ForceTable { .. } => Ok(()),
-        ForceLaw::During { law, .. } => lawful(place, law),
+        ForceLaw::During { law, .. } => lawful(place, law, common),
     }
 }
 
-fn magnetic(place: ElementId, field: &MagneticField) -> Result<(), ElementError> {
+/// Accepts a magnetic field.
+pub(crate) fn magnetic(place: ElementId, field: &MagneticField) -> Result<(), ElementError> {
     let finite = |field: Field, values: &[f64]| number::finite(values).map_err(at(place, field));
     match field {
         MagneticField::Uniform(field) => finite(Field::MAGNETIC_FIELD, field),

@@ -16,6 +16,7 @@ pub(crate) mod network;
 pub(crate) mod part;
 pub(crate) mod point;
 pub(crate) mod ritz;
+pub(crate) mod rod;
 pub(crate) mod rotor;
 pub(crate) mod spring;
 pub(crate) mod surface;

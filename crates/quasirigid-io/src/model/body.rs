@@ -8,13 +8,15 @@ use quasirigid_elements::{Assembly, Carrier, ElementId, ElementKind};
 
 use super::diagnostic::Problems;
 use super::key::{Key, Keys, Shape, any, key, quantity, vector};
+use super::magnetic_field::{self, CommonField, magnetic_field};
 use super::material::Materials;
 use super::names::Names;
+use super::orbit::ORBIT;
 use super::part::reduction;
 use super::ranges::Ranges;
 use super::reader::{Draft, Entry, Opened, Sources};
 use super::section::Sections;
-use super::spans::Spans;
+use super::spans::{ElementSpans, Spans};
 use super::table::Table;
 use super::value::Value;
 use super::{Diagnostic, READERS, support};
@@ -84,7 +86,9 @@ pub(super) fn body<'a>(
     for Opened { reader, kind, table, index, .. } in &opened {
         spans.note(kind.iter().map(|kind| (kind.at(*index), reader.spans(table, &materials))));
     }
-    let sources = Sources { materials: &materials, sections: &sections, folder };
+    let (field, field_spans) = common_field(file);
+    spans.note(field_spans.map(|own| (ElementId::MAGNETIC_FIELD, own)));
+    let sources = Sources { materials: &materials, sections: &sections, folder, field };
     let mut draft = Draft {
         sources,
         names,
@@ -95,8 +99,12 @@ pub(super) fn body<'a>(
         file_notes: Vec::new(),
         shapes: Vec::new(),
     };
-    let good = single_tables(file, &mut draft.assembly, &mut spans);
+    let good = single_tables(file, &mut draft.assembly, &mut spans) && !matches!(field, CommonField::Wrong);
+    if let CommonField::Given(given) = field {
+        draft.assembly.magnetic_field = Some(given);
+    }
     let good = every(&opened, &mut draft) && good;
+    notes.extend(magnetic_field::unused(&draft.assembly));
     notes.extend(materials.unused());
     notes.extend(materials.chosen());
     let Draft { names, assembly, ranges, networks, notes: of_parts, file_notes, shapes, .. } = draft;
@@ -162,6 +170,19 @@ fn single_tables(file: &Table<'_>, assembly: &mut Assembly, spans: &mut Spans) -
     assembly.support = support.unwrap_or_default();
     assembly.reduction = reduction.unwrap_or_default();
     good
+}
+
+/// Reads the magnetic field of the model, with the places of its values.
+fn common_field(file: &Table<'_>) -> (CommonField, Option<ElementSpans>) {
+    if file.get("magnetic_field").is_none() {
+        return (CommonField::Absent, None);
+    }
+    let Some(table) = file.table("magnetic_field", "[magnetic_field]", &magnetic_field::TABLE) else {
+        return (CommonField::Wrong, None);
+    };
+    let mut spans = table.spans();
+    spans.values.extend(table.get("orbit").into_iter().flat_map(|value| value.spans(&ORBIT).values));
+    (magnetic_field(&table).map_or(CommonField::Wrong, CommonField::Given), Some(spans))
 }
 
 /// Reads the inertia tensor of an element: three principal values in the file's axes, or a matrix.

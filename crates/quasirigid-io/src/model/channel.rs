@@ -1,5 +1,5 @@
-//! Names of what controllers measure and command: `rate.x`, `displacement.NODE.x`, `wheel.NAME.torque`.
-//! Equations (Y2), (Y4), docs/theory/20-control.md.
+//! Names of what controllers measure and command: `rate.x`, `displacement.NODE.x`, `wheel.NAME.torque`, `moment.x`.
+//! Equations (Y2), (Y4), (Y8), docs/theory/20-control.md.
 
 use quasirigid_body::control::{Actuator, Measurement};
 
@@ -9,8 +9,9 @@ use super::value::Value;
 pub(super) type Measured = Measurement<String, String, String>;
 
 const AXES: [&str; 3] = ["x", "y", "z"];
-const MEASURED: &str = "write rate.x, attitude.x, displacement.NODE.x, velocity.NODE.x, coordinate.NAME, speed.NAME or wheel.NAME.momentum";
-const COMMANDED: &str = "write torque.x, torque.y, torque.z or wheel.NAME.torque";
+const MEASURED: &str = "write rate.x, attitude.x, displacement.NODE.x, velocity.NODE.x, coordinate.NAME, speed.NAME, wheel.NAME.momentum, field.x or field_rate.x";
+const COMMANDED: &str =
+    "write torque.x, torque.y, torque.z, moment.x, moment.y, moment.z or wheel.NAME.torque";
 
 /// Reads the name of a measurement; the attitude is that from a target.
 pub(super) fn measurement(value: &Value<'_>, target: [f64; 4]) -> Option<Measured> {
@@ -38,6 +39,11 @@ pub(super) fn attitude(target: [f64; 4]) -> [Measured; 3] {
     [0, 1, 2].map(|axis| Measurement::Attitude { target, axis })
 }
 
+/// Rate of the magnetic field, axis by axis.
+pub(super) fn field_rates() -> [Measured; 3] {
+    [0, 1, 2].map(|axis| Measurement::FieldRate { axis })
+}
+
 fn measured(name: &str, target: [f64; 4]) -> Option<Measured> {
     if let Some(wheel) = between(name, "wheel.", ".momentum") {
         return Some(Measurement::Wheel { wheel });
@@ -56,6 +62,8 @@ fn measured(name: &str, target: [f64; 4]) -> Option<Measured> {
     match path.split_once('.') {
         None if path == "rate" => Some(Measurement::Rate { axis }),
         None if path == "attitude" => Some(Measurement::Attitude { target, axis }),
+        None if path == "field" => Some(Measurement::Field { axis }),
+        None if path == "field_rate" => Some(Measurement::FieldRate { axis }),
         Some(("displacement", at)) => Some(Measurement::Displacement { at: at.to_owned(), axis }),
         Some(("velocity", at)) => Some(Measurement::Velocity { at: at.to_owned(), axis }),
         _ => None,
@@ -66,8 +74,13 @@ fn commanded(name: &str) -> Option<Actuator<String>> {
     if let Some(wheel) = between(name, "wheel.", ".torque") {
         return Some(Actuator::Wheel { wheel });
     }
-    let axis = name.strip_prefix("torque.")?;
-    Some(Actuator::Torque { axis: AXES.iter().position(|known| *known == axis)? })
+    let (kind, axis) = name.split_once('.')?;
+    let axis = AXES.iter().position(|known| *known == axis)?;
+    match kind {
+        "torque" => Some(Actuator::Torque { axis }),
+        "moment" => Some(Actuator::Moment { axis }),
+        _ => None,
+    }
 }
 
 /// What stands between a beginning and an end; none if that is nothing.

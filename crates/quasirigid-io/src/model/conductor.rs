@@ -3,7 +3,7 @@
 use quasirigid_body::force::{Conductor, ForceLaw};
 use quasirigid_elements::ApplicationPoint;
 
-use super::magnetic_field::magnetic_field;
+use super::magnetic_field::{CommonField, field_of_force};
 use super::table::Table;
 use super::value::Value;
 use crate::units::Dimension;
@@ -18,14 +18,14 @@ enum Outline {
 const OUTLINES: [(&str, Outline); 2] = [("sphere", Outline::Sphere), ("shell", Outline::Shell)];
 
 /// Reads a torque on eddy currents.
-pub(super) fn eddy_current(table: &Table<'_>) -> Option<ForceLaw<ApplicationPoint>> {
+pub(super) fn eddy_current(table: &Table<'_>, common: CommonField) -> Option<ForceLaw<ApplicationPoint>> {
     let conductor = match (table.get("tensor"), table.get("conductivity")) {
         (None, Some(_)) => {
             of_metal(table).map(|metal| (isotropic(metal.magnetic_tensor()), metal.decay_time()))
         }
         _ => of_tensor(table).map(|tensor| (tensor, 0.0)),
     };
-    let field = magnetic_field(table);
+    let field = field_of_force(table, common);
     let (tensor, decay_time) = conductor?;
     Some(ForceLaw::EddyCurrent { tensor, decay_time, field: field? })
 }

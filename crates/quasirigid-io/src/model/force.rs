@@ -10,19 +10,26 @@ use quasirigid_elements::{ApplicationPoint, ElementKind};
 
 use super::conductor::eddy_current;
 use super::formula::{PLACE, formulas};
-use super::key::{Form, KIND, Keys, Shape, TEXT, any, key, list, of, pick, quantity, shared, table, words};
+use super::key::{Form, KIND, Key, Keys, Shape, TEXT, any, key, list, of, pick, quantity, shared, words};
 use super::kinds::{Kind, kind, of_table, opened, variants};
-use super::magnetic_field::{IGRF, magnetic_field};
+use super::magnetic_field::{self, CommonField, field_of_force};
 use super::names::{END, Fixed, Names, Part};
 use super::orbit::ORBIT;
-use super::reader::{Keyed, NAME, Naming, Reader};
+use super::reader::{Keyed, NAME, Naming, Reader, Sources};
 use super::table::Table;
 use super::timing::{alone, tabled, twice, windows};
 use super::trajectory::trajectory;
 use super::value::Value;
 use crate::units::Dimension;
 
-type Read = fn(&Table<'_>, &Names<'_>, &Path) -> Option<ForceLaw<ApplicationPoint>>;
+type Read = fn(&Table<'_>, &Around<'_, '_>) -> Option<ForceLaw<ApplicationPoint>>;
+
+/// What a force refers to in the rest of the file.
+struct Around<'s, 'a> {
+    names: &'s Names<'a>,
+    folder: &'s Path,
+    field: CommonField,
+}
 
 static KINDS: [Kind<Read>; 9] = [
     kind!(
@@ -117,7 +124,7 @@ static KINDS: [Kind<Read>; 9] = [
             "during"
         ],
         "torque [M(ω×B − Ḃ)]×B on the carrier (F15)",
-        |table, _, _| eddy_current(table)
+        |table, around| eddy_current(table, around.field)
     ),
     kind!(
         "[[force]]",
@@ -152,14 +159,10 @@ const ANY: Keys = Keys {
         key("period", quantity("s"), "instead"),
         key("phase", quantity("rad").or("0"), "φ"),
         key("moment", of(Shape::Vector).in_unit("A m²"), "body axes"),
-        key("field", of(Shape::Vector).in_unit("T"), "uniform; inertial axes"),
-        key(
-            "dipole",
-            of(Shape::Vector).in_unit("T m³"),
-            "instead, at the centre of the `orbit`: μ0/4π times its moment",
-        ),
-        key("dipole_rate", quantity("rad/s").or("0"), "of the dipole about the inertial z"),
-        key("igrf", table(&IGRF), "instead, the main field of the Earth (F21), which turns with it"),
+        Key { form: magnetic_field::FIELD.form.or("`[magnetic_field]`"), ..magnetic_field::FIELD },
+        magnetic_field::DIPOLE,
+        magnetic_field::DIPOLE_RATE,
+        magnetic_field::MAIN_FIELD,
         key("tensor", any(&[Shape::Number, Shape::Matrix]).in_unit("S m⁴"), "magnetic tensor M, body axes"),
         key("conductivity", quantity("S/m"), "instead, with a `shape`"),
         key("shape", words(&["sphere", "shell"]), "(F16)"),
@@ -192,8 +195,9 @@ pub(super) const READER: Reader = Reader {
     nested: &[("orbit", &ORBIT)],
     is_body: false,
     read: |entry, draft| {
-        let folder = draft.sources.folder;
-        let law = (of_table(entry.table, "kind", &KINDS)?.read)(entry.table, &draft.names, folder);
+        let Sources { folder, field, .. } = draft.sources;
+        let around = Around { names: &draft.names, folder, field };
+        let law = (of_table(entry.table, "kind", &KINDS)?.read)(entry.table, &around);
         let windows = windows(entry.table);
         let (law, windows) = (law?, windows?);
         let law = match windows {
@@ -205,29 +209,29 @@ pub(super) const READER: Reader = Reader {
     },
 };
 
-fn uniform_gravity(table: &Table<'_>, _: &Names<'_>, _: &Path) -> Option<ForceLaw<ApplicationPoint>> {
+fn uniform_gravity(table: &Table<'_>, _: &Around<'_, '_>) -> Option<ForceLaw<ApplicationPoint>> {
     let acceleration =
         vector(table, "acceleration", Dimension::ACCELERATION, "acceleration = [0, 0, -9.81]")?;
     Some(ForceLaw::UniformGravity { acceleration })
 }
 
-fn central_gravity(table: &Table<'_>, _: &Names<'_>, folder: &Path) -> Option<ForceLaw<ApplicationPoint>> {
-    Some(ForceLaw::CentralGravity { orbit: trajectory(table, folder)? })
+fn central_gravity(table: &Table<'_>, around: &Around<'_, '_>) -> Option<ForceLaw<ApplicationPoint>> {
+    Some(ForceLaw::CentralGravity { orbit: trajectory(table, around.folder)? })
 }
 
-fn drag(table: &Table<'_>, names: &Names<'_>, _: &Path) -> Option<ForceLaw<ApplicationPoint>> {
-    let at = application_point(table, names);
+fn drag(table: &Table<'_>, around: &Around<'_, '_>) -> Option<ForceLaw<ApplicationPoint>> {
+    let at = application_point(table, around.names);
     let coefficient = coefficient(table, Dimension::DAMPING, "coefficient = \"0.2 N s/m\"");
     Some(ForceLaw::Drag { at: at?, coefficient: coefficient? })
 }
 
-fn spin_drag(table: &Table<'_>, _: &Names<'_>, _: &Path) -> Option<ForceLaw<ApplicationPoint>> {
+fn spin_drag(table: &Table<'_>, _: &Around<'_, '_>) -> Option<ForceLaw<ApplicationPoint>> {
     let coefficient = coefficient(table, Dimension::ROTATIONAL_DAMPING, "coefficient = \"1e-4 N m s\"")?;
     Some(ForceLaw::SpinDrag { coefficient })
 }
 
-fn torque(table: &Table<'_>, _: &Names<'_>, folder: &Path) -> Option<ForceLaw<ApplicationPoint>> {
-    if let Some(given) = tabled(table, "torque", folder) {
+fn torque(table: &Table<'_>, around: &Around<'_, '_>) -> Option<ForceLaw<ApplicationPoint>> {
+    if let Some(given) = tabled(table, "torque", around.folder) {
         return given.and_then(|given| Some(ForceLaw::TorqueTable { table: given, axes: axes(table)? }));
     }
     let torque = vector(table, "torque", Dimension::TORQUE, "torque = [0, 0, \"0.05 N m\"]");
@@ -236,9 +240,9 @@ fn torque(table: &Table<'_>, _: &Names<'_>, folder: &Path) -> Option<ForceLaw<Ap
     Some(ForceLaw::Torque { torque: torque?, axes: axes?, wave: wave? })
 }
 
-fn thrust(table: &Table<'_>, names: &Names<'_>, folder: &Path) -> Option<ForceLaw<ApplicationPoint>> {
-    let at = application_point(table, names);
-    if let Some(given) = tabled(table, "force", folder) {
+fn thrust(table: &Table<'_>, around: &Around<'_, '_>) -> Option<ForceLaw<ApplicationPoint>> {
+    let at = application_point(table, around.names);
+    if let Some(given) = tabled(table, "force", around.folder) {
         let axes = axes_at_place(table);
         return Some(ForceLaw::ForceTable { at: at?, table: given?, axes: axes? });
     }
@@ -248,15 +252,15 @@ fn thrust(table: &Table<'_>, names: &Names<'_>, folder: &Path) -> Option<ForceLa
     Some(ForceLaw::Thrust { at: at?, force: force?, axes: axes?, wave: wave? })
 }
 
-fn magnetic_dipole(table: &Table<'_>, _: &Names<'_>, _: &Path) -> Option<ForceLaw<ApplicationPoint>> {
+fn magnetic_dipole(table: &Table<'_>, around: &Around<'_, '_>) -> Option<ForceLaw<ApplicationPoint>> {
     let moment = vector(table, "moment", Dimension::MAGNETIC_MOMENT, "moment = [0, 0, \"0.2 A m^2\"]");
-    let field = magnetic_field(table);
+    let field = field_of_force(table, around.field);
     Some(ForceLaw::MagneticDipole { moment: moment?, field: field? })
 }
 
-fn expression(table: &Table<'_>, names: &Names<'_>, folder: &Path) -> Option<ForceLaw<ApplicationPoint>> {
+fn expression(table: &Table<'_>, around: &Around<'_, '_>) -> Option<ForceLaw<ApplicationPoint>> {
     if table.get("timetable").is_some() {
-        return timetable_or_formula(table, names, folder);
+        return timetable_or_formula(table, around);
     }
     if let Some(value) = table.get("interpolation") {
         return alone(&value);
@@ -269,7 +273,7 @@ fn expression(table: &Table<'_>, names: &Names<'_>, folder: &Path) -> Option<For
         let help = "turn the force with qw qx qy qz, or give a torque";
         return axes.refuse(message, "not for a force", help);
     }
-    let at = application_point(table, names);
+    let at = application_point(table, around.names);
     let force = table.read("force", "force = [\"-0.1*vx\", \"0\", \"sin(2*t)\"]", |value| {
         formulas(&value, &PLACE, Dimension::FORCE)
     });
@@ -277,17 +281,13 @@ fn expression(table: &Table<'_>, names: &Names<'_>, folder: &Path) -> Option<For
 }
 
 /// A table in place of formulas: of a force where the entry has a place, of a torque on the carrier elsewhere.
-fn timetable_or_formula(
-    table: &Table<'_>,
-    names: &Names<'_>,
-    folder: &Path,
-) -> Option<ForceLaw<ApplicationPoint>> {
-    let given = tabled(table, "torque", folder)?;
+fn timetable_or_formula(table: &Table<'_>, around: &Around<'_, '_>) -> Option<ForceLaw<ApplicationPoint>> {
+    let given = tabled(table, "torque", around.folder)?;
     if let Some(force) = table.get("force") {
         return twice(&force);
     }
     if table.get("on").is_some() {
-        let (at, axes) = (application_point(table, names), axes_or(table, Axes::Inertial));
+        let (at, axes) = (application_point(table, around.names), axes_or(table, Axes::Inertial));
         return Some(ForceLaw::ForceTable { at: at?, table: given?, axes: axes? });
     }
     let axes = axes(table);

@@ -1,8 +1,10 @@
-//! Magnetic fields of forces: uniform, of a dipole at the centre of an orbit, or the main field of the Earth. (F8), (F21)
+//! Magnetic fields, of the model or of a force: uniform, of a dipole at the centre of an orbit, or the main field of the Earth. (F8), (F21)
 
-use quasirigid_body::force::{EarthField, MagneticField, Orbit};
+use quasirigid_body::control::Controller;
+use quasirigid_body::force::{EarthField, ForceLaw, MagneticField, Orbit};
+use quasirigid_elements::Assembly;
 
-use super::key::{Keys, TEXT, integer, key};
+use super::key::{Key, Keys, Shape, TEXT, integer, key, of, quantity, shared, table};
 use super::orbit::orbit;
 use super::table::Table;
 use super::value::Value;
@@ -17,7 +19,44 @@ pub(super) const IGRF: Keys = Keys {
     ],
 };
 
-/// Reads the field of a force.
+pub(super) const FIELD: Key = key("field", of(Shape::Vector).in_unit("T"), "uniform; inertial axes");
+pub(super) const DIPOLE: Key = key(
+    "dipole",
+    of(Shape::Vector).in_unit("T m³"),
+    "instead, at the centre of the `orbit`: μ0/4π times its moment",
+);
+pub(super) const DIPOLE_RATE: Key =
+    key("dipole_rate", quantity("rad/s").or("0"), "of the dipole about the inertial z");
+pub(super) const MAIN_FIELD: Key =
+    key("igrf", table(&IGRF), "instead, the main field of the Earth (F21), which turns with it");
+
+/// Keys of the field of a model.
+pub(super) const TABLE: Keys = Keys {
+    known: &[FIELD, DIPOLE, DIPOLE_RATE, MAIN_FIELD, key("orbit", shared("orbit"), "through the field")],
+};
+
+/// Field of a model, for forces without one of their own.
+#[derive(Clone, Copy)]
+pub(super) enum CommonField {
+    /// The file gives none.
+    Absent,
+    /// The file gives one that is wrong, which is reported.
+    Wrong,
+    /// The field.
+    Given(MagneticField),
+}
+
+/// Reads the field of a force, or takes that of the model where the force has none.
+pub(super) fn field_of_force(table: &Table<'_>, common: CommonField) -> Option<MagneticField> {
+    let own = TABLE.known.iter().any(|key| table.get(key.name).is_some());
+    match common {
+        CommonField::Given(field) if !own => Some(field),
+        CommonField::Wrong if !own => None,
+        _ => magnetic_field(table),
+    }
+}
+
+/// Reads a field.
 pub(super) fn magnetic_field(table: &Table<'_>) -> Option<MagneticField> {
     if let Some(earth) = table.get("igrf") {
         if let Some(other) = ["field", "dipole", "dipole_rate"].iter().find_map(|key| table.get(key)) {
@@ -87,4 +126,19 @@ fn uniform_field(table: &Table<'_>) -> Option<MagneticField> {
 fn required_orbit(table: &Table<'_>) -> Option<Orbit> {
     let example = "orbit = { body = \"Earth\", semi_major_axis = \"6778 km\", inclination = \"51.6 deg\" }";
     orbit(&table.required("orbit", example)?)
+}
+
+/// Note on the field of a model that nothing uses.
+pub(super) fn unused(assembly: &Assembly) -> Option<String> {
+    let common = assembly.magnetic_field.as_ref()?;
+    let of_force = assembly.forces.iter().any(|force| match force.law.timed().0 {
+        ForceLaw::MagneticDipole { field, .. } | ForceLaw::EddyCurrent { field, .. } => field == common,
+        _ => false,
+    });
+    let used =
+        of_force || !assembly.rods.is_empty() || assembly.controllers.iter().any(Controller::is_magnetic);
+    (!used).then(|| {
+        "[magnetic_field] acts on nothing: no force takes it, there is no rod, and no controller senses a field or commands a moment."
+            .to_owned()
+    })
 }

@@ -37,6 +37,7 @@ mod ranges;
 mod reader;
 pub mod reference;
 mod rheology;
+mod rod;
 mod rotation;
 mod rotor;
 mod section;
@@ -112,10 +113,11 @@ const READERS: &[&Reader] = &[
     &tank::READER,
     &force::READER,
     &controller::READER,
+    &rod::READER,
 ];
 
 /// Tables of a file that describe no elements.
-const OTHERS: [Documented; 9] = [
+const OTHERS: [Documented; 10] = [
     other("body", "[body]", Place::Once, Listed::All(&settings::BODY), "the body as a whole"),
     other(
         "carrier",
@@ -139,6 +141,13 @@ const OTHERS: [Documented; 9] = [
         Place::Once,
         Listed::ByKind { any: &support::ANY, kinds: support::documented },
         "support of the body",
+    ),
+    other(
+        "magnetic_field",
+        "[magnetic_field]",
+        Place::Once,
+        Listed::All(&magnetic_field::TABLE),
+        "field of controllers, and of forces without one of their own",
     ),
     other("initial", "[initial]", Place::Once, Listed::All(&initial::INITIAL), "state at time zero"),
     other("run", "[run]", Place::Once, Listed::All(&settings::RUN), "settings of the computation"),

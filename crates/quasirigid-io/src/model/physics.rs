@@ -1,3 +1,4 @@
+use quasirigid_body::control::ControlProblem;
 use quasirigid_elements::{Assembly, ElementError, Problem};
 
 use super::Diagnostic;
@@ -14,6 +15,7 @@ pub(super) fn diagnostic(error: &ElementError, assembly: &Assembly, spans: &Span
         | Problem::HeavyInside
         | Problem::Memory { .. }
         | Problem::NotAttached
+        | Problem::Control(ControlProblem::NoField)
         | Problem::Circle { .. } => {
             format!("{}: {problem}", assembly.described(*element))
         }

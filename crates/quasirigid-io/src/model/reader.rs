@@ -6,6 +6,7 @@ use quasirigid_elements::{Assembly, ElementKind};
 
 use super::key::{Key, Keys, TEXT, key};
 use super::kinds::Variant;
+use super::magnetic_field::CommonField;
 use super::material::Materials;
 use super::names::{Names, Part};
 use super::part::Read;
@@ -105,6 +106,8 @@ pub(super) struct Sources<'s, 'a> {
     pub(super) sections: &'s Sections<'a>,
     /// Folder of the files.
     pub(super) folder: &'s Path,
+    /// Magnetic field of forces without one of their own.
+    pub(super) field: CommonField,
 }
 
 /// Body as far as it has been read.

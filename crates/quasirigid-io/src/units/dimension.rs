@@ -87,6 +87,14 @@ impl Dimension {
     /// Magnetic tensor of a conductor (S·m⁴).
     pub const MAGNETIC_TENSOR: Self = Self::new("a magnetic tensor", "S m^4", "5662 S m^4", [-1, 2, 3, 2, 0]);
 
+    /// Volume (m³).
+    pub const VOLUME: Self = Self::new("a volume", "m^3", "75 mm^3", [0, 3, 0, 0, 0]);
+    /// Magnetising force (A/m).
+    pub const MAGNETIZING_FORCE: Self = Self::new("a magnetizing force", "A/m", "12 A/m", [0, -1, 0, 1, 0]);
+    /// Gain of a dipole moment on the rate of a magnetic field (A·m²·s/T).
+    pub const FIELD_RATE_GAIN: Self =
+        Self::new("a gain on the rate of a field", "A m^2 s/T", "2e4 A m^2 s/T", [-1, 2, 3, 2, 0]);
+
     /// Dimensions that a unit alone can stand for: hertz and radians per second are told apart by their symbols.
     const ALL: [Self; 27] = [
         Self::NUMBER,

@@ -3,12 +3,15 @@
 
 use quasirigid::model::Marker;
 use quasirigid::model::MotionState;
-use quasirigid::model::control::{Actuator, BodyController, ControlState, Controls, LinearLaw, Measurement};
+use quasirigid::model::control::{
+    Actuator, BodyController, ControlState, Controls, LinearLaw, Measurement, SensedField,
+};
 use quasirigid::modes::{LinearInput, LinearModel, LinearOutput, SteadyState};
 use quasirigid_math::eigen::{Dense, eigenvalues};
 use quasirigid_math::vec3::norm;
 
 use super::channels::AXES;
+use super::steady_field::{by_moment, by_rotation, steady_field};
 use crate::error::StudyError;
 use crate::words::plain;
 
@@ -40,10 +43,20 @@ pub struct Asked<'a> {
 struct Law {
     law: LinearLaw,
     name: String,
-    /// Output of the body of each input of the law, and whether its rate is measured; none of an input that the law does not use.
-    measured: Vec<Option<(usize, bool)>>,
-    /// Input of the body of each output of the law.
-    commanded: Vec<usize>,
+    /// Outputs of the body whose sum each input of the law is; none of an input that the law does not use.
+    measured: Vec<Vec<Seen>>,
+    /// Inputs of the body that each output of the law acts on, with its factors.
+    commanded: Vec<Vec<(usize, f64)>>,
+}
+
+/// Part of a measurement.
+#[derive(Clone, Copy, Debug)]
+struct Seen {
+    /// Output of the body.
+    output: usize,
+    /// Whether its rate is measured.
+    is_rate: bool,
+    factor: f64,
 }
 
 /// Attitude error (rad) that is rounding of a steady state.
@@ -59,16 +72,18 @@ impl Loop {
     pub fn new(controls: &Controls, steady: &SteadyState, asked: &Asked<'_>) -> Result<Self, StudyError> {
         let mut own = Self::default();
         for controller in &controls.controllers {
-            let law = linear_law(controls, controller, steady, asked.any_attitude)?;
-            let commanded = controller.outputs.iter().map(|output| own.command(controls, &output.to, asked));
-            let commanded: Vec<usize> = commanded.collect();
+            let field = steady_field(controls, controller, steady)?;
+            let law = linear_law(controls, controller, steady, (asked, field))?;
+            let outputs = controller.outputs.iter();
+            let commanded = outputs.map(|output| own.command(controls, &output.to, (asked, field))).collect();
             let used = |i: usize| law.B.iter().chain(&law.D).any(|row| row[i] != 0.0);
             let mut measured = Vec::new();
             for (i, input) in controller.inputs.iter().enumerate() {
-                measured.push(if used(i) {
-                    Some(own.measure(controls, controller, &input.of, (steady, asked))?)
-                } else {
-                    None
+                measured.push(match &input.of {
+                    _ if !used(i) => Vec::new(),
+                    Measurement::Field { axis } => own.measure_field(field, *axis, false, asked),
+                    Measurement::FieldRate { axis } => own.measure_field(field, *axis, true, asked),
+                    of => vec![own.measure(controls, controller, of, (steady, asked))?],
                 });
             }
             own.laws.push(Law { law, name: controller.name.clone(), measured, commanded });
@@ -76,14 +91,27 @@ impl Loop {
         Ok(own)
     }
 
-    /// Index of the input of the body that an actuator is.
-    fn command(&mut self, controls: &Controls, to: &Actuator<usize>, asked: &Asked<'_>) -> usize {
+    /// Inputs of the body that an actuator acts on, with its factors.
+    fn command(
+        &mut self,
+        controls: &Controls,
+        to: &Actuator<usize>,
+        (asked, field): (&Asked<'_>, [f64; 3]),
+    ) -> Vec<(usize, f64)> {
         match to {
-            Actuator::Torque { axis } => {
-                self.input(format!("torque.{}", AXES[*axis]), LinearInput::Torque { axis: *axis }, asked)
+            Actuator::Torque { axis } => vec![(self.torque(*axis, asked), 1.0)],
+            Actuator::Wheel { wheel } => vec![(self.wheel(controls, *wheel, asked), 1.0)],
+            Actuator::Moment { axis } => {
+                let factors = by_moment(field, *axis).into_iter().enumerate();
+                let acting = factors.filter(|(_, factor)| *factor != 0.0);
+                acting.map(|(axis, factor)| (self.torque(axis, asked), factor)).collect()
             }
-            Actuator::Wheel { wheel } => self.wheel(controls, *wheel, asked),
         }
+    }
+
+    /// Index of the input that a torque on the carrier is.
+    fn torque(&mut self, axis: usize, asked: &Asked<'_>) -> usize {
+        self.input(format!("torque.{}", AXES[axis]), LinearInput::Torque { axis }, asked)
     }
 
     /// Index of the input that the motor of a wheel is; wheels of one axis are told apart by their names.
@@ -101,14 +129,32 @@ impl Loop {
         })
     }
 
-    /// Index of the output of the body that a controller measures, and whether its rate is.
+    /// Outputs of the body that a component of the magnetic field, or of its rate, is. (Y6)
+    fn measure_field(
+        &mut self,
+        field: [f64; 3],
+        component: usize,
+        is_rate: bool,
+        asked: &Asked<'_>,
+    ) -> Vec<Seen> {
+        let factors = by_rotation(field, component).into_iter().enumerate();
+        let acting = factors.filter(|(_, factor)| *factor != 0.0);
+        acting
+            .map(|(axis, factor)| {
+                self.outputs.push(LinearOutput::Attitude { axis });
+                Seen { output: asked.outputs + self.outputs.len() - 1, is_rate, factor }
+            })
+            .collect()
+    }
+
+    /// Output of the body that a controller measures.
     fn measure(
         &mut self,
         controls: &Controls,
         controller: &BodyController,
         of: &Measurement<Marker, usize, usize>,
         (steady, asked): (&SteadyState, &Asked<'_>),
-    ) -> Result<(usize, bool), StudyError> {
+    ) -> Result<Seen, StudyError> {
         let refused = |what| Err(StudyError::NotLinear { name: controller.name.clone(), what });
         let turns = norm(steady.omega) > 0.0;
         let output = match of {
@@ -127,14 +173,18 @@ impl Loop {
             Measurement::Wheel { wheel } => {
                 LinearOutput::Wheel { input: self.wheel(controls, *wheel, asked) }
             }
-            Measurement::Time | Measurement::Quaternion { .. } => {
+            Measurement::Time
+            | Measurement::Quaternion { .. }
+            | Measurement::Field { .. }
+            | Measurement::FieldRate { .. } => {
                 return refused(
                     "its law depends on the time or the quaternion itself, and has no linear model here; write it in the attitude error ex ey ez and the rates",
                 );
             }
         };
         self.outputs.push(output);
-        Ok((asked.outputs + self.outputs.len() - 1, matches!(of, Measurement::Velocity { .. })))
+        let is_rate = matches!(of, Measurement::Velocity { .. });
+        Ok(Seen { output: asked.outputs + self.outputs.len() - 1, is_rate, factor: 1.0 })
     }
 
     /// Closes the loop of a model that has the inputs and outputs asked for, then those of the loop; those asked for stay. Returns the
@@ -158,13 +208,15 @@ impl Law {
     fn close(&self, model: &mut LinearModel) {
         let n = model.A.len();
         let columns = model.B.first().or(model.D.first()).map_or(0, Vec::len);
-        let seen: Vec<_> =
-            self.measured.iter().map(|channel| channel.map(|channel| seen(model, channel))).collect();
+        let of_input =
+            |parts: &Vec<Seen>| parts.iter().map(|part| (part.factor, seen(model, *part))).collect();
+        let seen: Vec<Vec<(f64, [Vec<f64>; 2])>> = self.measured.iter().map(of_input).collect();
         let through = |gains: &[f64], part: usize, width: usize| {
             let mut row = vec![0.0; width];
-            for (gain, seen) in gains.iter().zip(&seen) {
-                let Some(seen) = seen else { continue };
-                row.iter_mut().zip(&seen[part]).for_each(|(sum, entry)| *sum += gain * entry);
+            for (gain, (factor, seen)) in
+                gains.iter().zip(&seen).flat_map(|(gain, parts)| parts.iter().map(move |part| (gain, part)))
+            {
+                row.iter_mut().zip(&seen[part]).for_each(|(sum, entry)| *sum += gain * factor * entry);
             }
             row
         };
@@ -185,8 +237,8 @@ impl Law {
         let widen = |rows: &mut [Vec<f64>], by: &[Vec<f64>], direct: &mut [Vec<f64>]| {
             for ((row, gains), direct) in rows.iter_mut().zip(by).zip(direct) {
                 row.resize(n + z, 0.0);
-                for (input, [from_x, from_z, from_w]) in self.commanded.iter().zip(&demanded) {
-                    let gain = gains[*input];
+                for (acts_on, [from_x, from_z, from_w]) in self.commanded.iter().zip(&demanded) {
+                    let gain: f64 = acts_on.iter().map(|(input, factor)| factor * gains[*input]).sum();
                     let with = from_x.iter().chain(from_z);
                     row.iter_mut().zip(with).for_each(|(sum, entry)| *sum += gain * entry);
                     direct.iter_mut().zip(from_w).for_each(|(sum, entry)| *sum += gain * entry);
@@ -204,7 +256,7 @@ impl Law {
 }
 
 /// Rows of an output of a model, or of its rate: on the states and on the inputs.
-fn seen(model: &LinearModel, (output, is_rate): (usize, bool)) -> [Vec<f64>; 2] {
+fn seen(model: &LinearModel, Seen { output, is_rate, .. }: Seen) -> [Vec<f64>; 2] {
     let row = &model.C[output];
     if !is_rate {
         return [row.clone(), model.D[output].clone()];
@@ -220,7 +272,7 @@ fn linear_law(
     controls: &Controls,
     controller: &BodyController,
     steady: &SteadyState,
-    any_attitude: bool,
+    (asked, field): (&Asked<'_>, [f64; 3]),
 ) -> Result<LinearLaw, StudyError> {
     let refused = |what| Err(StudyError::NotLinear { name: controller.name.clone(), what });
     if controller.sampling.is_some() {
@@ -236,11 +288,12 @@ fn linear_law(
     let still = vec![0.0; steady.q.len()];
     let wheels: Vec<f64> = controls.wheels.iter().map(|wheel| wheel.angular_momentum).collect();
     let motion = MotionState { omega: steady.omega, q: &steady.q, rate: &still };
-    let state = ControlState { t: 0.0, attitude: steady.attitude, motion, wheels: &wheels };
+    let field = SensedField { field, ..SensedField::default() };
+    let state = ControlState { t: 0.0, attitude: steady.attitude, motion, wheels: &wheels, field };
     let mut inputs = controller.inputs(&state, None);
     for (value, input) in inputs.iter_mut().zip(&controller.inputs) {
         let is_attitude = matches!(input.of, Measurement::Attitude { .. });
-        if is_attitude && (any_attitude || value.abs() <= AT_TARGET) {
+        if is_attitude && (asked.any_attitude || value.abs() <= AT_TARGET) {
             *value = 0.0;
         }
     }
@@ -261,7 +314,7 @@ fn linear_law(
         rates.iter().zip(law.A.iter().zip(&law.B)).all(|(rate, (onto, through))| sized(*rate, onto, through));
     if !(rests && stays) {
         return refused(
-            "at the steady state it commands a torque or changes its states, so that the state is not steady; give [initial] the attitude of its target, or choose its spin by `--at`",
+            "at the steady state it commands a torque or a moment, or changes its states, so that the state is not steady; give [initial] the attitude of its target, or choose its spin by `--at`",
         );
     }
     let all = law.A.iter().chain(&law.B).chain(&law.C).chain(&law.D).flatten();

@@ -4,6 +4,7 @@
 mod channels;
 mod closed_loop;
 mod object;
+mod steady_field;
 mod truncation;
 
 use quasirigid::model::Marker;
@@ -85,12 +86,16 @@ impl Study {
         {
             return Err(StudyError::NoBand { low, high });
         }
+        self.without_rods("the linear model")?;
         let inputs: Vec<_> = ins.iter().map(|name| self.input(name)).collect::<Result<_, _>>()?;
         let outputs: Vec<_> = outs.iter().map(|name| self.output(name, &ins)).collect::<Result<_, _>>()?;
         let (forces, sleeping) = steady_state::at_start(self);
-        let state = self.state_of(asked.at, &forces)?;
-        let any_attitude = !acts(&self.body, &forces);
-        let channels = Asked { names: &ins, outputs: outputs.len(), any_attitude };
+        let mut state = self.state_of(asked.at, &forces)?;
+        let (acts, in_field) = (acts(&self.body, &forces), self.controls.field.is_some());
+        if in_field && !acts {
+            state = state.in_attitude(self.model.initial.attitude);
+        }
+        let channels = Asked { names: &ins, outputs: outputs.len(), any_attitude: !acts && !in_field };
         let feedback = Loop::new(&self.controls, &state, &channels)?;
         let all = [&*inputs, &*feedback.inputs].concat();
         let seen = [&*outputs, &*feedback.outputs].concat();

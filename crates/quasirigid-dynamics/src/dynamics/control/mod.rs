@@ -1,6 +1,6 @@
-//! Controllers in the state of an integrated system: angular momenta of wheels, states of laws, commands that are held or wait.
+//! Controllers in the state of an integrated system: angular momenta of wheels, states of laws, commands that are held or wait, states of rods.
 //! What is sampled is part of the state and constant between the instants, which are breakpoints; there it jumps.
-//! Equations (Y1) to (Y4), docs/theory/20-control.md.
+//! Equations (Y1) to (Y4), (Y8) and (Y11), docs/theory/20-control.md.
 
 mod clock;
 mod sizes;
@@ -12,13 +12,15 @@ pub(super) use clock::Clock;
 use crate::math::rotation::Turn;
 use crate::math::vec3::{add, dot, scale};
 use crate::model::MotionState;
-use crate::model::control::{BodyController, Commands, ControlState, Controls, Sampling};
+use crate::model::control::{BodyController, Commands, ControlState, Controls, Sampling, SensedField};
+use crate::model::force::MagneticField;
 
-/// Places of controllers in their block of a state: angular momenta of wheels, then controller by controller.
+/// Places of controllers in their block of a state: angular momenta of wheels, then controller by controller, then rods.
 #[derive(Clone, Debug)]
 pub(super) struct ControlBlock<'a> {
     controls: &'a Controls,
     places: Vec<Place>,
+    rods: Range<usize>,
     len: usize,
 }
 
@@ -38,6 +40,13 @@ pub(super) struct Seen<'a> {
     pub t: f64,
     pub attitude: [f64; 4],
     pub motion: MotionState<'a, f64>,
+}
+
+/// What of controllers depends on the time: their instants, and the field that they sense or act by.
+#[derive(Clone, Debug, Default)]
+pub(super) struct ControlTimes {
+    pub clocks: Vec<Clock>,
+    pub field: Option<MagneticField>,
 }
 
 /// Action of controllers on a body.
@@ -67,7 +76,8 @@ impl<'a> ControlBlock<'a> {
             Place { states: take(controller.law.states()), held: take(held), waiting: take(waiting) }
         };
         let places = controls.controllers.iter().map(place).collect();
-        Self { controls, places, len }
+        let rods = take(controls.rods.len());
+        Self { controls, places, rods, len }
     }
 
     pub fn len(&self) -> usize {
@@ -92,6 +102,10 @@ impl<'a> ControlBlock<'a> {
         for (controller, place) in self.controls.controllers.iter().zip(&self.places) {
             block[place.states.clone()].copy_from_slice(&controller.start);
         }
+        let field = self.sensed(seen);
+        for (rod, state) in self.controls.rods.iter().zip(&mut block[self.rods.clone()]) {
+            *state = rod.without_past(&field);
+        }
         self.jump(seen, &mut block);
         block
     }
@@ -103,8 +117,13 @@ impl<'a> ControlBlock<'a> {
         self.controls.about_axes(&gained)
     }
 
+    /// What depends on the time.
+    pub fn times(&self) -> ControlTimes {
+        ControlTimes { clocks: self.clocks(), field: self.controls.field }
+    }
+
     /// Instants of samples and of the commands that they lead to. (Y3)
-    pub fn clocks(&self) -> Vec<Clock> {
+    fn clocks(&self) -> Vec<Clock> {
         let of = |Sampling { period, .. }: Sampling, offset| Clock { period, offset };
         let samplings = || self.controls.controllers.iter().filter_map(|controller| controller.sampling);
         let late = samplings().map(|sampling| (sampling, sampling.queue().1)).filter(|(_, rest)| *rest > 0.0);
@@ -114,21 +133,27 @@ impl<'a> ControlBlock<'a> {
             .collect()
     }
 
-    /// Action at a state, whose rates are written. (Y1), (Y4)
+    /// Action at a state, whose rates are written. (Y1), (Y4), (Y8), (Y11)
     pub fn act(&self, seen: &Seen, block: &[f64], rates: &mut [f64]) -> Action {
         rates.fill(0.0);
+        let field = self.sensed(seen);
         let mut commands = self.controls.silence();
         for (controller, place) in self.controls.controllers.iter().zip(&self.places) {
             if controller.sampling.is_some() {
                 commands.add(controller, &block[place.held.clone()]);
                 continue;
             }
-            let inputs = controller.inputs(&self.state(seen, block), None);
+            let inputs = controller.inputs(&self.state(seen, block, field), None);
             let (values, advance) = controller.act(&inputs, &block[place.states.clone()]);
             commands.add(controller, &values);
             rates[place.states.clone()].copy_from_slice(&advance);
         }
-        let Commands { torque, motors } = commands;
+        for (rod, place) in self.controls.rods.iter().zip(self.rods.clone()) {
+            commands.moment = add(commands.moment, rod.moment(&field, block[place]));
+            rates[place] = rod.rate(&field, block[place]);
+        }
+        let Commands { torque, motors, moment } = commands;
+        let torque = add(torque, field.torque(moment));
         rates[..motors.len()].copy_from_slice(&motors);
         let omega = seen.motion.omega;
         let reaction = self.controls.about_axes(&motors);
@@ -150,6 +175,7 @@ impl<'a> ControlBlock<'a> {
     /// Samples and commands that are due: whether something jumped. (Y3)
     pub fn jump(&self, seen: &Seen, block: &mut [f64]) -> bool {
         let mut jumped = false;
+        let field = self.sensed(seen);
         for (index, (controller, place)) in self.controls.controllers.iter().zip(&self.places).enumerate() {
             let Some(sampling) = controller.sampling else { continue };
             let (slots, rest) = sampling.queue();
@@ -159,7 +185,7 @@ impl<'a> ControlBlock<'a> {
                 jumped = true;
             }
             let Some(sample) = ticks(0.0) else { continue };
-            let inputs = controller.inputs(&self.state(seen, block), Some((index, sample)));
+            let inputs = controller.inputs(&self.state(seen, block, field), Some((index, sample)));
             let (values, next) = controller.act(&inputs, &block[place.states.clone()]);
             block[place.states.clone()].copy_from_slice(&next);
             match slots {
@@ -176,9 +202,13 @@ impl<'a> ControlBlock<'a> {
         jumped
     }
 
-    fn state<'s>(&self, seen: &Seen<'s>, block: &'s [f64]) -> ControlState<'s> {
+    fn sensed(&self, seen: &Seen) -> SensedField {
+        self.controls.sensed(seen.t, seen.attitude, seen.motion.omega)
+    }
+
+    fn state<'s>(&self, seen: &Seen<'s>, block: &'s [f64], field: SensedField) -> ControlState<'s> {
         let Seen { t, attitude, motion } = *seen;
-        ControlState { t, attitude, motion, wheels: &block[..self.controls.wheels.len()] }
+        ControlState { t, attitude, motion, wheels: &block[..self.controls.wheels.len()], field }
     }
 }
 

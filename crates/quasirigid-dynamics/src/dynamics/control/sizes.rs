@@ -3,26 +3,42 @@
 
 use super::{ControlBlock, Seen};
 use crate::dynamics::scale::Scales;
-use crate::model::control::LinearLaw;
+use crate::math::vec3::norm;
+use crate::model::control::{Actuator, BodyController, LinearLaw};
 
 impl ControlBlock<'_> {
     /// Size of each number of the block; infinite of what is constant between instants.
     pub fn sizes(&self, seen: &Seen, block: &[f64], scales: &Scales) -> Vec<f64> {
         let mut sizes = vec![f64::INFINITY; self.len()];
+        let field = self.sensed(seen);
+        for (rod, place) in self.controls.rods.iter().zip(self.rods.clone()) {
+            sizes[place] = rod.material.coercivity;
+        }
         sizes[..self.controls.wheels.len()].fill(scales.angular_momentum);
         let continuous = self.controls.controllers.iter().zip(&self.places);
         for (controller, place) in continuous.filter(|(controller, _)| controller.sampling.is_none()) {
-            let inputs = controller.inputs(&self.state(seen, block), None);
+            let inputs = controller.inputs(&self.state(seen, block, field), None);
             let Some(law) = controller.law.linearized(&inputs, &block[place.states.clone()]) else {
                 continue;
             };
             let torque = scales.angular_momentum * scales.spin;
+            let law = in_torques(law, controller, norm(field.field));
             for (size, weight) in sizes[place.states.clone()].iter_mut().zip(weights(&law, scales.spin)) {
                 *size = if weight > 0.0 { torque / weight } else { 1.0 };
             }
         }
         sizes
     }
+}
+
+/// Law whose outputs are torques (N·m): those of dipole moments times the field (T).
+fn in_torques(mut law: LinearLaw, controller: &BodyController, field: f64) -> LinearLaw {
+    for (row, output) in law.C.iter_mut().zip(&controller.outputs) {
+        if matches!(output.to, Actuator::Moment { .. }) {
+            row.iter_mut().for_each(|gain| *gain *= field);
+        }
+    }
+    law
 }
 
 /// Torque (N·m) per unit of each state: its own, or that of the states that it drives within a time `1/rate`; zero of a state that drives

@@ -72,7 +72,7 @@ pub fn propagate_controlled(
     let end = times.last().copied().unwrap_or_default();
     check_covered(system.forces, end)?;
     let (pose, motion) = (initial.pose(), (initial.omega, triple(&y, MOMENTUM)));
-    let (mut scales, mut timing) = Scales::controlled(system, (torque, block.clocks()), motion, pose, end);
+    let (mut scales, mut timing) = Scales::controlled(system, (torque, block.times()), motion, pose, end);
     if initial.omega == [0.0; 3] {
         scales.stir(initial.energy(system.body));
     }

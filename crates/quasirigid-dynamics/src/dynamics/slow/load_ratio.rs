@@ -4,6 +4,7 @@
 //! Equation (E7), docs/theory/09-forced-reduction.md.
 
 use super::flow::{elastic_energy, loads};
+use crate::dynamics::control::ControlTimes;
 use crate::dynamics::external::{Forced, Pose};
 use crate::dynamics::run::Start;
 use crate::dynamics::timing::Timing;
@@ -27,8 +28,8 @@ const MOST_INTERVALS: usize = 64;
 pub fn load_ratio_at_start(system: Forced, start: Start, end: f64) -> f64 {
     let Start { omega, attitude, place, velocity } = start;
     let pose = Pose { t: 0.0, attitude, place, velocity };
-    let intervals =
-        Timing::of(system, omega, &pose, end, Vec::new()).map_or_else(Vec::new, |t| t.intervals());
+    let intervals = Timing::of(system, omega, &pose, end, ControlTimes::default())
+        .map_or_else(Vec::new, |t| t.intervals());
     let stride = intervals.len().div_ceil(MOST_INTERVALS).max(1);
     let inside = |[middle, length]: &[f64; 2]| INTERVAL_LOOKS.map(|share| middle + (share - 0.5) * length);
     let even = (0..LOOKS).map(|look| end * look as f64 / (LOOKS - 1) as f64);

@@ -21,7 +21,7 @@ use impulse::Account;
 use prescribed::prescribed;
 use stops::{Stops, stops};
 
-use super::control::Clock;
+use super::control::ControlTimes;
 use super::external::{Forced, Pose};
 use super::run::Scan;
 use crate::math::expression::Lobatto;
@@ -65,20 +65,20 @@ pub(super) struct Allowed {
 }
 
 impl<'a> Timing<'a> {
-    /// Timing of what acts on a body from `t = 0` to an end (s), controllers at their instants; none if nothing depends on the time.
+    /// Timing of what acts on a body from `t = 0` to an end (s), controllers at their instants and in their field; none if nothing depends on the time.
     pub fn of(
         system: Forced<'a>,
         omega: [f64; 3],
         pose: &Pose<f64>,
         end: f64,
-        clocks: Vec<Clock>,
+        controlled: ControlTimes,
     ) -> Option<Self> {
         if !(end > 0.0 && end.is_finite()) {
             return None;
         }
         let parts = prescribed(system);
         let mut stops = stops(system, omega, pose, end);
-        stops.clocks = clocks;
+        stops.of_controllers(controlled);
         let felt = felt_forces(system);
         if parts.is_empty() && stops.is_empty() && felt.is_empty() {
             return None;

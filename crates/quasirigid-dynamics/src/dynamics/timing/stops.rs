@@ -4,7 +4,7 @@
 use std::f64::consts::{PI, TAU};
 
 use super::prescribed::varies;
-use crate::dynamics::control::Clock;
+use crate::dynamics::control::{Clock, ControlTimes};
 use crate::dynamics::external::{Forced, Pose};
 use crate::math::expression::Expression;
 use crate::math::ode::Stretch;
@@ -20,7 +20,7 @@ pub(super) struct Stops<'a> {
     breaks: Vec<f64>,
     periodic: Vec<Periodic>,
     /// Instants of controllers, breakpoints too. (Y3)
-    pub clocks: Vec<Clock>,
+    clocks: Vec<Clock>,
     formulas: Vec<Formula<'a>>,
     end: f64,
     /// Time up to which the formulas have been followed, and the length of the part that is tried next (s).
@@ -112,6 +112,12 @@ impl Stops<'_> {
             }
             _ => {}
         }
+    }
+
+    /// The instants of controllers, and those of their field. (Y3), (Y8)
+    pub fn of_controllers(&mut self, ControlTimes { clocks, field }: ControlTimes) {
+        self.clocks = clocks;
+        self.periodic.extend(field.iter().flat_map(Periodic::of_field));
     }
 
     /// The passage of the periapsis, and times from it that double from half of that in which the body passes its distance. (Z6)

@@ -139,6 +139,14 @@ impl SteadyState {
         })
     }
 
+    /// The state in another attitude (unit quaternion, scalar first, from body to inertial axes): where no force acts it is steady in any.
+    #[must_use]
+    pub fn in_attitude(self, attitude: [f64; 4]) -> Self {
+        let rate = norm(self.omega);
+        let axis = self.axis.map(|_| rotation::to_inertial(attitude, self.omega).map(|entry| entry / rate));
+        Self { attitude, axis, ..self }
+    }
+
     /// State at a time, for the evaluation of forces; a constrained pole at its place at `t = 0`.
     pub(super) fn at(&self, t: f64) -> Instant {
         let spin = V::from(rotation::to_inertial(self.attitude, self.omega));

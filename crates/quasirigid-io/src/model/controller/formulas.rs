@@ -43,14 +43,15 @@ pub(super) fn formulas(table: &Table<'_>, period: Option<f64>) -> Option<Draft> 
     Some(Draft { deadbands: vec![0.0; inputs.len()], inputs, law, outputs, start })
 }
 
-/// Outputs of formulas: a torque on the carrier, torques of motors, or both.
+/// Outputs of formulas: a torque on the carrier, torques of motors, a moment of coils, or several.
 fn commanded(
     table: &Table<'_>,
     read: &dyn Fn(&Value<'_>) -> Option<Expression>,
 ) -> Option<(Vec<Actuator<String>>, Vec<Expression>)> {
     let (mut outputs, mut law) = (Vec::new(), Vec::new());
     let motors = entries(table, "motors", "{ wheel = \"0.1*ex\" }")?;
-    let torque = if motors.is_empty() {
+    let moment = table.get("moment");
+    let torque = if motors.is_empty() && moment.is_none() {
         Some(table.required("torque", "torque = [\"-2*ex - 5*wx\", \"0\", \"0\"]")?)
     } else {
         table.get("torque")
@@ -58,6 +59,10 @@ fn commanded(
     if let Some(torque) = torque {
         outputs.extend([0, 1, 2].map(|axis| Actuator::Torque { axis }));
         law.extend(torque.array::<_, 3>("formulas", |item| read(&item))?);
+    }
+    if let Some(moment) = moment {
+        outputs.extend([0, 1, 2].map(|axis| Actuator::Moment { axis }));
+        law.extend(moment.array::<_, 3>("formulas", |item| read(&item))?);
     }
     for (wheel, value) in motors {
         outputs.push(Actuator::Wheel { wheel });

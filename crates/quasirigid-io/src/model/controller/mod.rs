@@ -1,7 +1,8 @@
-//! Controller reader: `[[controller]]`, one function for each of four laws.
+//! Controller reader: `[[controller]]`, one function for each of five laws.
 //! Whether what they name exists is checked on the body; here keys, units and names of channels are.
-//! Equations (Y1) to (Y5), docs/theory/20-control.md.
+//! Equations (Y1) to (Y5) and (Y7) to (Y9), docs/theory/20-control.md.
 
+mod b_dot;
 mod formulas;
 mod on_error;
 mod state_space;
@@ -9,11 +10,14 @@ mod state_space;
 use quasirigid_body::control::{Actuator, ControlLaw, Controller, Input, Output, Sampling};
 use quasirigid_elements::{ElementKind, NamedController};
 
+use self::b_dot::b_dot;
 use self::formulas::formulas;
 use self::on_error::{bang_bang, pid};
 use self::state_space::state_space;
 use crate::model::channel::{Measured, actuator};
-use crate::model::key::{COUNT, Form, KIND, Keys, Shape, TEXT, any, key, list, named, of, pick, quantity};
+use crate::model::key::{
+    BOOLEAN, COUNT, Form, KIND, Keys, Shape, TEXT, any, key, list, named, of, pick, quantity,
+};
 use crate::model::kinds::{Kind, kind, of_table, opened, variants};
 use crate::model::names::Part;
 use crate::model::reader::{Keyed, NAME, Naming, Reader};
@@ -35,7 +39,7 @@ struct Draft {
     start: Vec<f64>,
 }
 
-static KINDS: [Kind<Read>; 4] = [
+static KINDS: [Kind<Read>; 5] = [
     kind!(
         "[[controller]]",
         "pid",
@@ -97,6 +101,7 @@ static KINDS: [Kind<Read>; 4] = [
             "start",
             "torque",
             "motors",
+            "moment",
             "saturation",
             "period",
             "delay",
@@ -129,6 +134,13 @@ static KINDS: [Kind<Read>; 4] = [
         ],
         "pairs of thrusters, on or off (Y7)",
         bang_bang
+    ),
+    kind!(
+        "[[controller]]",
+        "b-dot",
+        ["kind", "name", "gain", "saturation", "bang_bang", "period", "delay", "quantum", "noise", "seed"],
+        "coils against the rate of the field (Y9)",
+        b_dot
     ),
 ];
 
@@ -169,7 +181,11 @@ const ANY: Keys = Keys {
             any(&[Shape::List(&Shape::Text), Shape::Named(&Shape::Text)]),
             "channels; of formulas with names of yours",
         ),
-        key("outputs", list(&Shape::Text).or("`torque.x` to `z`"), "`torque.x`, `wheel.NAME.torque`"),
+        key(
+            "outputs",
+            list(&Shape::Text).or("`torque.x` to `z`"),
+            "`torque.x`, `wheel.NAME.torque`, `moment.x`",
+        ),
         key("A", ROWS, ""),
         key("B", ROWS, ""),
         key("C", ROWS, ""),
@@ -180,8 +196,15 @@ const ANY: Keys = Keys {
         key("torque", of(Shape::Array(3, &Shape::Formula)).in_unit("N m"), "on the carrier"),
         key("motors", named(&Shape::Formula).in_unit("N m"), "torque on each [[wheel]], by its name"),
         key(
+            "moment",
+            of(Shape::Array(3, &Shape::Formula)).in_unit("A m²"),
+            "dipole moment of coils on the carrier",
+        ),
+        key("gain", NUMBERS.in_unit("A m² s/T"), "k, moment per rate of the field"),
+        key("bang_bang", BOOLEAN.or("false"), "moments of the size `saturation`, by the sign alone; sampled"),
+        key(
             "saturation",
-            any(&[Shape::Number, Shape::List(&Shape::Number)]).in_unit("N m").or("none"),
+            any(&[Shape::Number, Shape::List(&Shape::Number)]).in_unit("N m, A m²").or("none"),
             "limit of every output, or of each",
         ),
         key("period", quantity("s").or("continuous"), "of the samples (Y3)"),
@@ -221,7 +244,7 @@ fn controller(table: &Table<'_>, name: &str) -> Option<NamedController> {
     let (sampling, Draft { inputs, deadbands, law, outputs, start }) = (sampling?, draft?);
     let labels: Vec<&str> = inputs.iter().map(|(_, label, _)| label.as_str()).collect();
     let [quantum, noise] = ["quantum", "noise"].map(|key| by_label(table, key, &labels));
-    let limits = limits(table, outputs.len())?;
+    let limits = limits(table, &outputs)?;
     let errors = quantum?.into_iter().zip(noise?).zip(deadbands);
     let input = |((of, _, reference), ((quantum, noise), deadband))| Input {
         of,
@@ -279,13 +302,28 @@ fn by_label(table: &Table<'_>, key: &'static str, labels: &[&str]) -> Option<Vec
     Some(values)
 }
 
-fn limits(table: &Table<'_>, outputs: usize) -> Option<Vec<Option<f64>>> {
-    let Some(value) = table.get("saturation") else { return Some(vec![None; outputs]) };
-    if !value.is_array() {
-        return value.positive(Dimension::TORQUE).map(|limit| vec![Some(limit); outputs]);
+fn limits(table: &Table<'_>, outputs: &[Actuator<String>]) -> Option<Vec<Option<f64>>> {
+    let Some(value) = table.get("saturation") else { return Some(vec![None; outputs.len()]) };
+    let sizes: Vec<Dimension> = outputs.iter().map(size_of).collect();
+    let Some(items) = value.items() else {
+        let Some(size) = sizes.first().filter(|first| sizes.iter().all(|size| size == *first)) else {
+            let message = "the outputs are torques and moments, and one limit is given";
+            return value.refuse(message, "of which?", "write a limit for each output, in their order");
+        };
+        return value.positive(*size).map(|limit| vec![Some(limit); outputs.len()]);
+    };
+    if items.len() != outputs.len() {
+        return counted(&value, items.len(), outputs.len());
     }
-    let limits = value.list("a limit for each output", |item| item.positive(Dimension::TORQUE).map(Some))?;
-    if limits.len() == outputs { Some(limits) } else { counted(&value, limits.len(), outputs) }
+    items.iter().zip(sizes).map(|(item, size)| item.positive(size).map(Some)).collect()
+}
+
+/// Dimension of the commands of an actuator.
+fn size_of(output: &Actuator<String>) -> Dimension {
+    match output {
+        Actuator::Torque { .. } | Actuator::Wheel { .. } => Dimension::TORQUE,
+        Actuator::Moment { .. } => Dimension::MAGNETIC_MOMENT,
+    }
 }
 
 fn counted<T>(value: &Value<'_>, found: usize, wanted: usize) -> Option<T> {

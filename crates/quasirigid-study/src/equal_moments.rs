@@ -7,7 +7,7 @@ use quasirigid::modes::{RelativeEquilibrium, SpinMagnitude, SpinModes};
 use quasirigid_io::record::{SteadySpinRecord, place_of_spin};
 use quasirigid_math::vec3::{add, cross, dot, norm, scale, unit};
 
-use crate::steady::{self, GREATEST, LEAST, missing};
+use crate::steady::{self, GREATEST, LEAST, MIDDLE, missing};
 use crate::study::Study;
 
 /// Coordinates of a body up to which the modes of other spins in the plane take a moment.
@@ -33,9 +33,13 @@ pub(crate) fn noted(
     };
     let Some(other) = plane.other(study) else { return (record, modes) };
     if norm(plane.within(omega)) > ACROSS * norm(omega) {
+        let which = if record.axis == MIDDLE {
+            "this is the one across that next to the start; of that one"
+        } else {
+            "this is the one next to the start; of one across it"
+        };
         record.sentence = format!(
-            "{} Every spin in the plane of the two equal moments is steady, with a rate of its own: this is the one next to the start; of one \
-             across it the nutation {other}.",
+            "{} Every spin in the plane of the two equal moments is steady, with a rate of its own: {which} the nutation {other}.",
             record.sentence
         );
         return (record, modes);
@@ -61,8 +65,8 @@ impl<'a> Plane<'a> {
         let Principal { moments, axes } = Principal::compute(body.invariants().J);
         let [lower, upper] = [0, 1].map(|k| moments[k + 1] - moments[k] <= SAME * moments[2]);
         let normal = match name {
-            GREATEST if upper && !lower => axes[0],
-            LEAST if lower && !upper => axes[2],
+            GREATEST | MIDDLE if upper && !lower => axes[0],
+            LEAST | MIDDLE if lower && !upper => axes[2],
             _ => return None,
         };
         let small = body.coordinates().len() <= MAX_COORDINATES && body.wheels().is_empty();

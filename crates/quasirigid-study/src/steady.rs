@@ -35,6 +35,8 @@ const SHARES: usize = 4;
 /// Names of the steady spins about the axes of greatest and of least inertia.
 pub(crate) const GREATEST: &str = "greatest";
 pub(crate) const LEAST: &str = "least";
+/// Name of the steady spin about the axis of middle inertia.
+pub(crate) const MIDDLE: &str = "middle";
 /// The same spins of a body with momentum wheels the other way round, which are others.
 const GREATEST_OPPOSITE: &str = "greatest, opposite sense";
 const LEAST_OPPOSITE: &str = "least, opposite sense";
@@ -117,19 +119,20 @@ impl NamedSpin {
         }
     }
 
-    /// This spin with the name that it has beside those about the axes of inertia, in the order of ascending moments; none if it is one of them.
-    fn beside_those(self, by_axis: &[Self], axes: [[f64; 3]; 3]) -> Option<Self> {
+    /// This spin with the name that it has beside those about the axes of inertia; none if it is one of them.
+    fn beside_those(self, by_axis: &[Self], principal: &Principal) -> Option<Self> {
         let spin = self.spin.as_ref().ok()?;
         let found = |named: &Self| named.spin.as_ref().ok().map(|spin| spin.omega);
         let is_it = |omega: [f64; 3]| norm(add(spin.omega, scale(-1.0, omega))) <= SAME_SPIN * norm(omega);
         if by_axis.iter().filter_map(found).any(is_it) {
             return None;
         }
-        let (axis, opposite) = match self.axis() {
-            PrincipalAxis::Greatest => (axes[2], GREATEST_OPPOSITE),
-            _ => (axes[0], LEAST_OPPOSITE),
+        let (mode, opposite) = match self.axis() {
+            PrincipalAxis::Greatest => (Mode::ShortAxis, GREATEST_OPPOSITE),
+            _ => (Mode::LongAxis, LEAST_OPPOSITE),
         };
         let alike = by_axis.iter().find(|named| named.axis() == self.axis()).and_then(found);
+        let axis = (*principal).beside(mode, alike.unwrap_or(spin.omega)).axes[mode.circled()];
         let turned = alike.is_some_and(|omega| dot(omega, axis) * dot(spin.omega, axis) < 0.0);
         let along = dot(unit(spin.omega), axis).abs() >= ALONG;
         Some(Self { name: if turned && along { opposite } else { self.name }, ..self })
@@ -156,7 +159,7 @@ pub(crate) fn found(study: &Study, omega: [f64; 3], given: SpinMagnitude) -> Vec
         return by_energy;
     }
     let others: Vec<NamedSpin> =
-        by_energy.into_iter().filter_map(|named| named.beside_those(&by_axis, principal.axes)).collect();
+        by_energy.into_iter().filter_map(|named| named.beside_those(&by_axis, &principal)).collect();
     by_axis.extend(others);
     by_axis
 }

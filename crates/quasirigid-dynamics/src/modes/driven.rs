@@ -35,7 +35,8 @@ impl Tilt {
     }
 }
 
-/// Groups of coordinates that move together, with the loads of a motion of the body on them. (M25)
+/// Groups of coordinates that move together, those of a part always, so that axes do not matter; with the loads of a motion of the body on them.
+/// (M25)
 pub(super) struct Driven<'a> {
     coefficients: &'a SpinCoefficients,
     groups: Vec<Vec<usize>>,
@@ -62,6 +63,7 @@ impl<'a> Driven<'a> {
                 dashpots.add(j, k, gyroscopic.at(j, k));
             }
         }
+        let part = |j: usize| body.coordinates()[j].part();
         let own = |j: usize| [mass.at(j, j), damping.at(j, j), springs.at(j, j)].map(f64::abs);
         let coupled = |j: usize, k: usize| {
             let between = [mass.at(j, k), dashpots.at(j, k), springs.at(j, k)];
@@ -69,10 +71,12 @@ impl<'a> Driven<'a> {
             let size = |kind: usize| (rates[0][kind] * rates[1][kind]).sqrt();
             let gyroscopic = (size(0) * size(2)).sqrt();
             let sizes = [size(0), size(1).max(gyroscopic), size(2)];
-            between
-                .iter()
-                .zip(sizes)
-                .any(|(between, size)| between.abs() > ROUNDING * size && between.abs() > 0.0)
+            let of_a_part = part(j) == part(k);
+            of_a_part
+                || between
+                    .iter()
+                    .zip(sizes)
+                    .any(|(between, size)| between.abs() > ROUNDING * size && between.abs() > 0.0)
         };
         let pairs = (0..n).flat_map(|j| (j + 1..n).map(move |k| [j, k]));
         let pairs: Vec<[usize; 2]> = pairs.filter(|[j, k]| coupled(*j, *k)).collect();
@@ -89,16 +93,21 @@ impl<'a> Driven<'a> {
 
     /// Coordinates of the groups on which a motion `e^{λt}` with a change of the angular velocity (rad/s) has no load beyond rounding. (M25)
     pub fn still(&self, lambda: Complex<f64>, delta: [Complex<f64>; 3]) -> impl Iterator<Item = usize> {
-        let loaded = move |j: &usize| {
-            let (h, slope) = (self.coefficients.h[*j], self.coefficients.slopes[*j]);
-            let along = |part: [f64; 3]| (0..3).map(|axis| delta[axis] * part[axis]).sum::<Complex<f64>>();
-            let turning = delta.iter().map(Complex::norm_sqr).sum::<f64>().sqrt();
-            let rounding = |part: [f64; 3]| {
-                ROUNDING * norm(part) + self.tilts.iter().map(|tilt| tilt.of(part)).sum::<f64>()
-            };
+        let turning = delta.iter().map(Complex::norm_sqr).sum::<f64>().sqrt();
+        let along = move |part: [f64; 3]| (0..3).map(|axis| delta[axis] * part[axis]).sum::<Complex<f64>>();
+        let rounding =
+            |part: [f64; 3]| ROUNDING * norm(part) + self.tilts.iter().map(|tilt| tilt.of(part)).sum::<f64>();
+        let load = move |j: usize| {
+            let (h, slope) = (self.coefficients.h[j], self.coefficients.slopes[j]);
+            let unit = self.coefficients.mass.at(j, j).sqrt();
             let size = (rounding(slope) + lambda.norm() * rounding(h)) * turning;
-            (along(slope) - lambda * along(h)).norm() > size
+            [(along(slope) - lambda * along(h)).norm() / unit, size / unit]
         };
-        self.groups.iter().filter(move |group| !group.iter().any(loaded)).flatten().copied()
+        let loaded = move |group: &Vec<usize>| {
+            let loads = group.iter().map(|j| load(*j));
+            let [load, size] = loads.fold([0.0; 2], |a, b| [f64::max(a[0], b[0]), f64::max(a[1], b[1])]);
+            load > size
+        };
+        self.groups.iter().filter(move |group| !loaded(group)).flatten().copied()
     }
 }

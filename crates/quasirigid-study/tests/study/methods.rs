@@ -261,6 +261,38 @@ fn without_dissipation_no_time_is_told() {
     assert!(!verdict.contains("good to") && verdict.ends_with('.'), "{verdict}");
 }
 
+/// In the plane of two equal moments each spin has a rate of its own: without a part of the start in it none is chosen, about the middle axis no
+/// more than about the other; with one, the middle axis is across the other. (M26)
+#[test]
+fn about_either_of_two_equal_moments_the_start_chooses_the_spin() {
+    let whole = carrier(20.0, [6.7, 4.5, 4.5]) + &rotor("fly", [0.0, 0.0, 1.0], 0.11, 0.27);
+    let of = |start: [f64; 3], axis| {
+        let asked = SteadySpinSettings { axis: Some(axis), ..SteadySpinSettings::default() };
+        study(&(whole.clone() + &spinning(start))).modes(asked).unwrap().spins.swap_remove(0)
+    };
+    for axis in [PrincipalAxis::Least, PrincipalAxis::Middle] {
+        let across = of([4.0, 0.0, 0.0], axis);
+        assert!(
+            across.spin.is_none() && across.sentence.contains("chooses none of them"),
+            "{}",
+            across.sentence
+        );
+    }
+    let start = [3.0, 0.6, 0.8];
+    let [least, middle] = [PrincipalAxis::Least, PrincipalAxis::Middle].map(|axis| of(start, axis));
+    let told =
+        |spin: &SteadySpinRecord| spin.sentence.split("the nutation").map(str::to_owned).collect::<Vec<_>>();
+    let fate =
+        |words: &str| words.trim_start_matches(|c| c != 'G' && c != 'd').trim_end_matches('.').to_owned();
+    let ([.., of_least, beside_least], [.., of_middle, beside_middle]) =
+        (&told(&least)[..], &told(&middle)[..])
+    else {
+        panic!("{} {}", least.sentence, middle.sentence)
+    };
+    assert!(of_least.contains(&fate(beside_middle)), "{of_least} {beside_middle}");
+    assert!(of_middle.contains(&fate(beside_least)), "{of_middle} {beside_least}");
+}
+
 /// The steady spin about an axis asked for says how far from it it is.
 #[test]
 fn a_steady_spin_away_from_the_axis_asked_for_says_so() {

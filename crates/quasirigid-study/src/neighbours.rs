@@ -4,9 +4,11 @@ use std::f64::consts::TAU;
 use std::ops::ControlFlow;
 
 use quasirigid::dynamics::{Observer, Options, Sample, Start};
+use quasirigid_io::model::System;
 use quasirigid_math::rotation::{angle_between, turned};
 use quasirigid_math::vec3::{add, norm, scale};
 
+use crate::controlled;
 use crate::histories::even_times;
 use crate::motion::Motion;
 use crate::watch::Watch;
@@ -34,15 +36,16 @@ pub struct Parting {
     pub unknown_from: f64,
 }
 
-/// Parting of the motion to a time (s) from its neighbours, as rigid bodies; none of a regular motion, of one that is known to the end, and of
-/// one on which no force acts, and where the rigid body is not followed or the watch ends it.
+/// Parting of the motion to a time (s) from its neighbours, as rigid bodies under the same controllers; none of a regular motion, of one that is
+/// known to the end, and of one on which nothing acts, and where the rigid body is not followed or the watch ends it.
 pub(crate) fn parting(
     motion: &Motion,
     end: f64,
     options: &Options,
     watch: &mut dyn Watch,
 ) -> Option<Parting> {
-    if !motion.system().acts() || !motion.study().controls.is_empty() || !(end > 0.0) {
+    let controlled = !motion.study().controls.is_empty();
+    if !(motion.system().acts() || controlled) || !(end > 0.0) {
         return None;
     }
     let apart = (PER_TOLERANCE * options.tolerance).min(MOST_APART);
@@ -56,7 +59,11 @@ pub(crate) fn parting(
     };
     let mut followed = |motion: &Motion| {
         let mut rows = Rows { rows: Vec::new(), end, watch: &mut *watch, stopped: false };
-        motion.follow_rigid(&times, &options, &mut rows).ok()?;
+        let run = match controlled {
+            true => controlled::follow(motion, System::Rigid, &times, &options, &mut rows),
+            false => motion.follow_rigid(&times, &options, &mut rows),
+        };
+        run.ok()?;
         (!rows.stopped).then_some(rows.rows)
     };
     let (own, other) = (followed(motion)?, followed(&Motion::new(motion.study(), beside))?);

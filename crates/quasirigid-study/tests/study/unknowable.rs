@@ -62,6 +62,31 @@ fn a_chaotic_motion_is_told_with_the_time_from_which_it_is_unknown() {
     }
 }
 
+/// A magnet that tumbles along its orbit is chaotic, with hysteresis rods or without; what coils bring to rest in the same field is not.
+#[test]
+fn under_controllers_and_rods_a_chaotic_motion_is_told() {
+    let body = |acting: &str| {
+        carrier(3.0, [0.02, 0.022, 0.006])
+            + "[magnetic_field]\ndipole = [1.0e15, 0.8e15, -7.6e15]\n\
+               orbit = { body = \"Earth\", semi_major_axis = \"6978 km\", inclination = \"65 deg\" }\n"
+            + acting
+            + &spinning([0.087, 0.052, 0.035])
+    };
+    let magnet = "[[force]]\nkind = \"magnetic-dipole\"\nmoment = [0, 0, 0.3]\n";
+    let rod = "[[rod]]\naxis = [1, 0, 0]\nlength = \"95 mm\"\ndiameter = \"1 mm\"\nsaturation = \"0.74 T\"\n\
+               remanence = \"0.35 T\"\ncoercivity = \"1.59 A/m\"\n";
+    let coils = "[[controller]]\nkind = \"b-dot\"\ngain = 2e4\nsaturation = 0.2\nperiod = 1.0\n";
+    let told = |acting: &str, end: f64| {
+        let asked = table(System::Rigid, &[0.0, end]);
+        unknown_from(&told_history(&study(&body(acting)), &asked, PartialRun::default()).1)
+    };
+    for acting in [magnet.to_owned(), magnet.to_owned() + rod] {
+        let from = told(&acting, 43_200.0).unwrap_or(f64::INFINITY);
+        assert!((1_000.0..43_200.0).contains(&from), "{from}");
+    }
+    assert_eq!(told(coils, 5_400.0), None);
+}
+
 /// A start without displacements leaves a vibration about those on which the body settles, under a torque from the first moment on and in a spin:
 /// what the full system dissipates more than the reduced equations is less than the energy told, and half of it or more.
 #[test]

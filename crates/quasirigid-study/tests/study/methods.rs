@@ -261,6 +261,24 @@ fn without_dissipation_no_time_is_told() {
     assert!(!verdict.contains("good to") && verdict.ends_with('.'), "{verdict}");
 }
 
+/// Two moments that differ by 1e-11 are those of a body of revolution: its wobble is about the axis of the third, and was once told as one from 177
+/// to 180 degrees about the axis of greatest inertia.
+#[test]
+fn a_wobble_beside_nearly_equal_moments_is_about_the_axis_of_the_third() {
+    let of = |apart: f64| {
+        let whole = carrier(69.149, [16.3914613, 16.3914613, 16.3914613 * (1.0 + apart)]);
+        let tip = point("tip", 0.6915, [0.0, 0.5, 0.0], [16.0, 0.096]);
+        evolve(&(whole + &tip + &spinning([0.0162469, 0.0081235, 0.1624694])))
+    };
+    let [exact, near] = [0.0, 3e-11].map(of);
+    for record in [&exact, &near] {
+        let mut wobble = column(&record.columns, "nutation_max").iter().map(|angle| angle.to_degrees());
+        assert_eq!((&*record.road, &*record.mode_start), ("levels", "long-axis"), "{}", record.sentence);
+        assert!(wobble.all(|angle| (80.0..=90.0).contains(&angle)), "{}", record.sentence);
+    }
+    close(near.time, exact.time, 0.02);
+}
+
 /// In the plane of two equal moments each spin has a rate of its own: without a part of the start in it none is chosen, about the middle axis no
 /// more than about the other; with one, the middle axis is across the other. (M26)
 #[test]

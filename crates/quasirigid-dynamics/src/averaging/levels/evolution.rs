@@ -166,8 +166,10 @@ impl LevelEvolution {
             smallest: OnceLock::new(),
         };
         let margin = saddles.margin();
-        let candidates: Vec<_> =
-            saddles.below(h - margin).into_iter().filter(|(_, height)| *height > lowest + margin).collect();
+        let (candidates, flat): (Vec<_>, Vec<_>) =
+            saddles.below(h - margin).into_iter().partition(|(_, height)| *height > lowest + margin);
+        // a minimum with a saddle of its own height belongs to a family, to rounding
+        leg.isolated &= flat.is_empty();
         for (saddle, height) in &candidates {
             if saddles.meets(leg.descent.at(&self.energy, height + margin), saddle) {
                 leg.bottom = *height;

@@ -15,7 +15,7 @@ use crate::secular::{AverageCriteria, MeasureError, MeasureOptions, SpotChecks};
 
 /// Steps of each short run beside an average at most, and the time (s) after which an average that nobody asked for goes without them.
 const PROBE_STEPS: u64 = 3_000_000;
-const PROBE_TIME: f64 = 60.0;
+const PROBE_TIME: f64 = 40.0;
 /// Coordinates from which a periodic motion takes less time than a short run.
 const MANY_COORDINATES: usize = 13;
 

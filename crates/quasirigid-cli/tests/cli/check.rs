@@ -148,6 +148,10 @@ fn steady_spins_of_a_gyrostat_have_two_senses() {
         decays e-fold in 8.889 h.
       About the axis of least inertia the spin is UNSTABLE: the nutation, 0.2828
         rad/s in the body, GROWS e-fold in 11.11 h.
+      About the axis of greatest inertia in the opposite sense the nutation,
+        0.06667 rad/s in the body, decays e-fold in 13.33 h.
+      About the axis of least inertia in the opposite sense the spin is UNSTABLE:
+        the nutation, 0.2828 rad/s in the body, GROWS e-fold in 11.11 h.
     ");
     let checked = ran_with(&GYROSTAT.replace("MOMENTUM", "-3.0"), "check model.toml");
     assert!(

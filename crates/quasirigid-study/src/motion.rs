@@ -142,14 +142,17 @@ impl<'a> Motion<'a> {
         }
     }
 
-    /// Follows the rigid body.
+    /// Follows the rigid body, under its controllers.
     pub fn follow_rigid(
         &self,
         times: &[f64],
         options: &Options,
         observer: &mut dyn Observer,
     ) -> Result<Run, StudyError> {
-        self.follow_reduced(System::Rigid, times, options, observer)
+        match self.study.controls.is_empty() {
+            true => self.follow_reduced(System::Rigid, times, options, observer),
+            false => controlled::follow(self, System::Rigid, times, options, observer),
+        }
     }
 
     fn follow_reduced(

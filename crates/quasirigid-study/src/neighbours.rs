@@ -4,11 +4,9 @@ use std::f64::consts::TAU;
 use std::ops::ControlFlow;
 
 use quasirigid::dynamics::{Observer, Options, Sample, Start};
-use quasirigid_io::model::System;
 use quasirigid_math::rotation::{angle_between, turned};
 use quasirigid_math::vec3::{add, norm, scale};
 
-use crate::controlled;
 use crate::histories::even_times;
 use crate::motion::Motion;
 use crate::watch::Watch;
@@ -44,8 +42,7 @@ pub(crate) fn parting(
     options: &Options,
     watch: &mut dyn Watch,
 ) -> Option<Parting> {
-    let controlled = !motion.study().controls.is_empty();
-    if !(motion.system().acts() || controlled) || !(end > 0.0) {
+    if !motion.is_acted_on() || !(end > 0.0) {
         return None;
     }
     let apart = (PER_TOLERANCE * options.tolerance).min(MOST_APART);
@@ -59,11 +56,7 @@ pub(crate) fn parting(
     };
     let mut followed = |motion: &Motion| {
         let mut rows = Rows { rows: Vec::new(), end, watch: &mut *watch, stopped: false };
-        let run = match controlled {
-            true => controlled::follow(motion, System::Rigid, &times, &options, &mut rows),
-            false => motion.follow_rigid(&times, &options, &mut rows),
-        };
-        run.ok()?;
+        motion.follow_rigid(&times, &options, &mut rows).ok()?;
         (!rows.stopped).then_some(rows.rows)
     };
     let (own, other) = (followed(motion)?, followed(&Motion::new(motion.study(), beside))?);

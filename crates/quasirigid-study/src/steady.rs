@@ -97,7 +97,7 @@ pub fn about_axis(
 
 fn told_of(study: &Study, found: Vec<NamedSpin>, omega: [f64; 3], all: bool) -> Poles {
     let told = found.into_iter().map(|NamedSpin { name, spin }| {
-        let (record, modes) = told(study, name, spin, all);
+        let (record, modes) = told(study, (name, &place_of_spin(name)), spin, all);
         equal_moments::noted(study, omega, record, modes)
     });
     let (records, modes) = told.unzip();
@@ -267,22 +267,23 @@ pub fn lines(spins: &[SteadySpinRecord]) -> String {
 
 /// The steady spin beside an angular velocity (rad/s), with its modes.
 pub fn spin(study: &Study, name: &str, omega: [f64; 3], given: SpinMagnitude, all: bool) -> Poles {
-    let (mut record, modes) = told(study, name, beside(study, omega, given), all);
-    if let Some(away) = record.spin.map(|spin| angle(spin, omega)).filter(|away| *away > TOLD_ANGLE) {
-        let place = place_of_spin(name);
-        let nearest = format!(
-            "the steady spin next to {place}, {} degrees from it,",
-            significant(away.to_degrees(), 3)
-        );
-        record.sentence = record.sentence.replacen(&place, &nearest, 1);
-    }
+    let found = beside(study, omega, given);
+    let away = found.as_ref().map_or(0.0, |spin| angle(spin.omega, omega));
+    let place = if away > TOLD_ANGLE { place_beside(name, away) } else { place_of_spin(name) };
+    let (record, modes) = told(study, (name, &place), found, all);
     Poles { records: vec![record], modes: vec![modes] }
 }
 
-/// Record of a steady spin with its modes, or of its absence, and the modes themselves.
+/// Place of a steady spin at an angle (rad) from the one that was asked for, in words.
+fn place_beside(name: &str, away: f64) -> String {
+    let degrees = significant(away.to_degrees(), 3);
+    format!("the steady spin next to {}, {degrees} degrees from it,", place_of_spin(name))
+}
+
+/// Record of a steady spin with its modes, or of its absence, and the modes themselves; by its name, and its place in words.
 fn told(
     study: &Study,
-    name: &str,
+    (name, place): (&str, &str),
     found: Result<RelativeEquilibrium, EquilibriumError>,
     all: bool,
 ) -> (SteadySpinRecord, Option<SpinModes>) {
@@ -313,7 +314,7 @@ fn told(
             .into_iter()
             .chain(tanks::warning(study, modes.equilibrium.omega))
             .chain(slugs::warning(study, frequency))
-            .chain([sentence(name, &modes)])
+            .chain([sentence(place, &modes)])
             .collect::<Vec<_>>()
             .join(" "),
         axis: name.into(),
@@ -396,17 +397,17 @@ fn beyond(slow: &SlowModesRecord, unstable: bool) -> String {
     format!("{found}{others}.")
 }
 
-/// Result of a steady spin in words, instability first.
-fn sentence(name: &str, modes: &SpinModes) -> String {
-    let own = sentence_on_found(name, modes);
+/// Result of a steady spin at a place in words, instability first.
+fn sentence(place: &str, modes: &SpinModes) -> String {
+    let own = sentence_on_found(place, modes);
     match slowest(modes.range) {
         Some(slow) => format!("{own} {}", beyond(&slow, modes.unstable())),
         None => own,
     }
 }
 
-fn sentence_on_found(name: &str, modes: &SpinModes) -> String {
-    let about = format!("About {}", place_of_spin(name));
+fn sentence_on_found(place: &str, modes: &SpinModes) -> String {
+    let about = format!("About {place}");
     let growing = modes.modes.iter().filter(|mode| mode.grows());
     let fastest = growing.max_by(|a, b| b.decay_rate.total_cmp(&a.decay_rate));
     let nutation = modes.nutation().map_or_else(|| "there is no nutation".into(), nutation);

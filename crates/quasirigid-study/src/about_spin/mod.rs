@@ -274,9 +274,12 @@ fn circled(study: &Study, K: [f64; 3], found: &[NamedSpin]) -> Result<usize, Stu
         named.spin.as_ref().map_or(f64::NEG_INFINITY, |spin| dot(unit(spin.angular_momentum), axis))
     };
     let nearest = || (0..found.len()).max_by(|a, b| along(&found[*a]).total_cmp(&along(&found[*b])));
-    let with_wheels = !study.body.wheels().is_empty();
-    let place = found.iter().position(|named| named.name == by_axis && !with_wheels);
-    place.or_else(nearest).ok_or(StudyError::AtRest)
+    let named = if study.body.wheels().is_empty() {
+        found.iter().position(|named| named.name == by_axis)
+    } else {
+        None
+    };
+    named.or_else(nearest).ok_or(StudyError::AtRest)
 }
 
 /// Refuses frequencies asked for that no mode about the spin has.

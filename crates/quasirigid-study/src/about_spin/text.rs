@@ -9,7 +9,6 @@ use quasirigid_math::vec3::norm;
 
 use super::{AboutSpin, WITHIN};
 use crate::layout::paragraph;
-
 use crate::words::{dissipation, shares, significant, time};
 
 /// Rows of the backbone.

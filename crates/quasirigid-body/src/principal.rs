@@ -84,6 +84,14 @@ const SAME: f64 = 1e-12;
 const ACROSS: f64 = 1e-9;
 
 impl Principal {
+    /// The axes in both senses.
+    #[must_use]
+    pub fn senses(&self) -> [[f64; 3]; 6] {
+        let [a, b, c] = self.axes;
+        let [minus_a, minus_b, minus_c] = self.axes.map(|axis| scale(-1.0, axis));
+        [a, b, c, minus_a, minus_b, minus_c]
+    }
+
     /// Axis next to a vector, on its side: of equal moments the part of the vector in their plane, of three the vector itself. Of two that are
     /// as near, the one of the greater moment.
     #[must_use]

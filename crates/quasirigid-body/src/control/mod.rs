@@ -132,9 +132,7 @@ impl<P, C, W> Controller<P, C, W> {
             sampling: self.sampling,
         })
     }
-}
 
-impl<P, C, W> Controller<P, C, W> {
     /// Whether it senses a magnetic field or acts by one.
     #[must_use]
     pub fn is_magnetic(&self) -> bool {

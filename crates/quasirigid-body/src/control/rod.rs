@@ -3,10 +3,8 @@
 use std::f64::consts::{FRAC_2_PI, FRAC_PI_2};
 
 use super::SensedField;
+use crate::force::MAGNETIC_CONSTANT;
 use crate::math::vec3::{dot, scale};
-
-/// Magnetic constant `μ₀` (T·m/A), CODATA 2018.
-const MAGNETIC_CONSTANT: f64 = 1.256_637_062_12e-6;
 
 /// Halvings of the interval in which a rod without a past has its state: as many as a number has digits.
 const HALVINGS: usize = 100;

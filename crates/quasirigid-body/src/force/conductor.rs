@@ -1,7 +1,7 @@
 use std::f64::consts::PI;
 
 /// Magnetic constant `μ₀` (N/A²), CODATA 2018.
-const MAGNETIC_CONSTANT: f64 = 1.256_637_062_12e-6;
+pub(crate) const MAGNETIC_CONSTANT: f64 = 1.256_637_062_12e-6;
 
 /// Solid of one metal whose eddy currents have a closed form. (F16)
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -20,6 +20,7 @@ mod trajectory;
 pub use apply::Felt;
 pub use apply::{KinematicState, Loads};
 pub use conductor::Conductor;
+pub(crate) use conductor::MAGNETIC_CONSTANT;
 pub use conic::Conic;
 pub use ephemeris::{Ephemeris, EphemerisProblem};
 pub use field::MagneticField;

@@ -77,8 +77,7 @@ const TANGENTIAL: f64 = 1e-14;
 /// All steady spins of a reduced body with the angular momentum `|K|` (N·m·s), not only those near principal axes. (N2)
 #[must_use]
 pub fn all_steady_spins(body: &ReducedBody, angular_momentum: f64) -> SteadySpins {
-    let axes = Principal::compute(body.J).axes;
-    let given = [axes, axes.map(|axis| scale(-1.0, axis))].concat();
+    let given = Principal::compute(body.J).senses();
     let slowness = sym3::inverse(body.J).iter().fold(0.0_f64, |largest, entry| largest.max(entry.abs()));
     let rounding = TANGENTIAL * slowness * angular_momentum.abs();
     let gradient = body.energy_of_momentum.gradient();

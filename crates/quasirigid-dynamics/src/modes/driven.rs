@@ -9,7 +9,7 @@ use super::spectrum::Eigenmotion;
 use crate::math::connected_components::connected_components;
 use crate::math::eigen::Dense;
 use crate::math::vec3::{dot, norm};
-use crate::model::{FlexibleBody, SpinCoefficients};
+use crate::model::{Coordinate, FlexibleBody, SpinCoefficients};
 
 /// Load over its terms, and coupling over the inertia, damping and stiffness of both coordinates, below which it is rounding.
 const ROUNDING: f64 = 1e-12;
@@ -63,7 +63,7 @@ impl<'a> Driven<'a> {
                 dashpots.add(j, k, gyroscopic.at(j, k));
             }
         }
-        let part = |j: usize| body.coordinates()[j].part();
+        let parts: Vec<&str> = body.coordinates().iter().map(Coordinate::part).collect();
         let own = |j: usize| [mass.at(j, j), damping.at(j, j), springs.at(j, j)].map(f64::abs);
         let coupled = |j: usize, k: usize| {
             let between = [mass.at(j, k), dashpots.at(j, k), springs.at(j, k)];
@@ -71,7 +71,7 @@ impl<'a> Driven<'a> {
             let size = |kind: usize| (rates[0][kind] * rates[1][kind]).sqrt();
             let gyroscopic = (size(0) * size(2)).sqrt();
             let sizes = [size(0), size(1).max(gyroscopic), size(2)];
-            let of_a_part = part(j) == part(k);
+            let of_a_part = parts[j] == parts[k];
             of_a_part
                 || between
                     .iter()

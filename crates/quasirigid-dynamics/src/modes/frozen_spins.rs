@@ -32,10 +32,10 @@ pub fn frozen_spins(body: &FlexibleBody, given: SpinMagnitude) -> Vec<FrozenSpin
         SpinMagnitude::Rate(rate) => (rate, affine(J, wheels)),
         SpinMagnitude::AngularMomentum(G) => (G, affine(inverse, scale(-1.0, times(inverse, wheels)))),
     };
-    let axes = Principal::compute(J).axes;
-    let starts = [axes, axes.map(|axis| scale(-1.0, axis))].concat();
-    let size = axes.map(|axis| norm(field.vector(scale(radius, axis)))).into_iter().fold(0.0, f64::max);
-    let found = stationary(&deviator(&field, radius), &starts, TANGENTIAL * size);
+    let principal = Principal::compute(J);
+    let along = |axis| norm(field.vector(scale(radius, axis)));
+    let size = principal.axes.map(along).into_iter().fold(0.0, f64::max);
+    let found = stationary(&deviator(&field, radius), &principal.senses(), TANGENTIAL * size);
     let spin = |place: [f64; 3], kind| {
         let at = scale(radius, place);
         let (omega, angular_momentum) = match given {

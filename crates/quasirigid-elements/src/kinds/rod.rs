@@ -15,10 +15,10 @@ impl Element for HysteresisRod {
     }
 }
 
-/// Accepts a rod on a body.
-fn lawful(id: ElementId, rod: &HysteresisRod, body: &Assembly) -> Result<(), ElementError> {
+/// Accepts a rod on a body: the rod with an axis of length one.
+fn lawful(id: ElementId, rod: &HysteresisRod, body: &Assembly) -> Result<HysteresisRod, ElementError> {
     let positive = |key: &'static str, value: f64| number::positive(value).map_err(at(id, Field::new(key)));
-    number::unit(rod.axis).map_err(at(id, Field::AXIS))?;
+    let axis = number::unit(rod.axis).map_err(at(id, Field::AXIS))?.into();
     positive("volume", rod.volume)?;
     let HysteresisLoop { saturation, remanence, coercivity } = rod.material;
     positive("saturation", saturation)?;
@@ -34,18 +34,13 @@ fn lawful(id: ElementId, rod: &HysteresisRod, body: &Assembly) -> Result<(), Ele
     if body.magnetic_field.is_none() {
         return Err(at(id, Field::NAME)(Problem::Control(ControlProblem::NoField)));
     }
-    Ok(())
+    Ok(HysteresisRod { axis, ..rod.clone() })
 }
 
 impl Assembly {
     /// Rods with axes of length one.
     pub(crate) fn lawful_rods(&self) -> Result<Vec<HysteresisRod>, ElementError> {
-        let lawful = |(index, rod): (usize, &HysteresisRod)| {
-            let id = ElementKind::Rod.at(index);
-            lawful(id, rod, self)?;
-            let axis = number::unit(rod.axis).map_err(at(id, Field::AXIS))?.into();
-            Ok(HysteresisRod { axis, ..rod.clone() })
-        };
-        self.rods.iter().enumerate().map(lawful).collect()
+        let rods = self.rods.iter().enumerate();
+        rods.map(|(index, rod)| lawful(ElementKind::Rod.at(index), rod, self)).collect()
     }
 }

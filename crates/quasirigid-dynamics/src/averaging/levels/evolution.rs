@@ -86,8 +86,7 @@ impl LevelEvolution {
             return Err(LevelError::NoAngularMomentum { angular_momentum: G });
         }
         let energy = SlowEnergy::of(body, G);
-        let axes = Principal::compute(body.J).axes;
-        let given = [axes, axes.map(|axis| scale(-1.0, axis))].concat();
+        let given = Principal::compute(body.J).senses();
         let slowness = sym3::inverse(body.J).iter().fold(0.0_f64, |largest, entry| largest.max(entry.abs()));
         let found = stationary(&energy.gradient, &given, TANGENTIAL_ROUNDING * slowness * G);
         if found.size <= TANGENTIAL_ROUNDING * slowness * G {

@@ -106,6 +106,7 @@ mod skin;
 mod slugs;
 mod spark;
 pub mod spins;
+mod spun_wobble;
 mod start;
 mod steady;
 mod steady_state;

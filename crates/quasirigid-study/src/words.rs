@@ -11,7 +11,7 @@ use quasirigid_math::vec3::norm;
 /// Beginning of a note that is told first.
 pub const MAY_NOT_HOLD: &str = "MAY NOT HOLD";
 /// Share of the length of a vector below which a component is rounding.
-const COMPONENT_ROUNDING: f64 = 1e-9;
+const COMPONENT_ROUNDING: f64 = 2e-8;
 
 /// A criterion in words.
 pub struct Words {

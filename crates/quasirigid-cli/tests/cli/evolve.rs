@@ -60,11 +60,11 @@ fn torques_without_an_end_or_an_average_are_refused() {
     quasirigid: under a torque the rotation need not reach any target; say how long
     to follow it, with --duration or with evolve = { duration = "10 yr" } in [run]
     "#);
-    let gravity = format!(
-        "{ASTEROID}[[force]]\nname = \"pull\"\nkind = \"uniform-gravity\"\nacceleration = [0, 0, -1]\n"
+    let pushed = format!(
+        "{ASTEROID}[[force]]\nname = \"push\"\nkind = \"torque\"\ntorque = [0, 0, 1e3]\naxes = \"inertial\"\n"
     );
-    assert_snapshot!(ran_with(&gravity, "evolve model.toml").refusal(), @r#"
-    quasirigid: the force "pull" cannot be averaged over free rotations; those that
+    assert_snapshot!(ran_with(&pushed, "evolve model.toml").refusal(), @r#"
+    quasirigid: the force "push" cannot be averaged over free rotations; those that
     can are a drag torque, a constant torque in body axes, and eddy currents, all
     of them in one field (kinds "spin-drag", "torque" and "eddy-current")
     "#);

@@ -33,7 +33,7 @@ const DEGREES: [usize; 2] = [5, 9];
 const ACCEPTED_TIME_ERROR: f64 = 0.02;
 /// Share of the defects that defines the range. (W11)
 const RANGE_DEFECT: f64 = 0.01;
-/// Decay times of the nutation in the first piece; each piece is longer by half.
+/// Decay times of the nutation at its amplitude in the first piece; each piece is longer by half.
 const FIRST: f64 = 0.05;
 const LONGER: f64 = 1.5;
 /// Longest piece, in decay times of the nutation.
@@ -151,9 +151,8 @@ impl<'a, 'b> History<'a, 'b> {
         options: &DirectOptions,
         watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
     ) -> DirectStopReason {
-        let nutation = &self.manifold.masters[0];
-        let decay = nutation.decay_rate.abs().recip();
-        let mut length = (FIRST * decay).max(TAU / nutation.frequency);
+        let mut decay = self.decay_time();
+        let mut length = (FIRST * decay).max(TAU / self.manifold.masters[0].frequency);
         for _ in 0..PIECES {
             let done = self.run.rows[self.run.rows.len() - 1];
             let piece = length.min(options.duration - done.t);
@@ -165,9 +164,17 @@ impl<'a, 'b> History<'a, 'b> {
                     reason: "the equations about the spin do not hold".into(),
                 };
             }
+            decay = self.decay_time();
             length = (LONGER * length).min((LONGEST_PIECE * decay).max(length));
         }
         DirectStopReason::TurnLimit
+    }
+
+    /// Decay time (s) of the nutation at its amplitude: where small wobbles lose little, wider ones may lose more by orders.
+    fn decay_time(&self) -> f64 {
+        let [re, im] = self.from.z[0];
+        let [wide, _] = self.manifold.mean_rates(re.hypot(im));
+        self.manifold.masters[0].decay_rate.abs().max(wide.abs()).recip()
     }
 
     /// Integrates one piece; returns the reason if the history ended.

@@ -53,7 +53,7 @@ impl SpinManifold<'_> {
     }
 
     /// Decay rate (1/s) and frequency (rad/s) of the amplitude, means over the phases.
-    pub(super) fn mean_rates(&self, amplitude: f64) -> [f64; 2] {
+    pub(crate) fn mean_rates(&self, amplitude: f64) -> [f64; 2] {
         let (mut decay, mut turned) = (0.0, 0.0);
         for i in 0..PHASES {
             let (sine, cosine) = (TAU * i as f64 / PHASES as f64).sin_cos();

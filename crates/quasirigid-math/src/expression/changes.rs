@@ -7,6 +7,7 @@
 use super::guards::Guards;
 use super::lobatto::{FINE, Lobatto};
 use super::program::{Node, Program, Role};
+use super::stretches::{Stretch, of_sign, of_slope, turns};
 
 /// Changes of a formula along a variable. (Z2)
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -26,6 +27,8 @@ pub struct Changes {
 pub const FLAT: f64 = 1e-8;
 /// Rounding of the variable, in units of its own, that values over a short interval show.
 const VARIABLE_ROUNDING: f64 = 8.0 * f64::EPSILON;
+/// Errors of the values that count as rounding.
+const ROUNDINGS: f64 = 8.0;
 /// Length of the shortest interval, relative to the whole: what changes within is a jump.
 const SHORTEST_INTERVAL: f64 = 1e-13;
 /// First intervals: no simple fraction of the whole, so that no period fits them.
@@ -40,12 +43,12 @@ pub fn changes(program: &Program, along: usize, at: &[f64], ends: [f64; 2], budg
         variables.extend_from_slice(at);
         variables[along] = x;
     };
-    follow(program, &|variable| variable == along, &mut path, ends, budget)
+    follow(program, &|variable| variable == along, (&mut path, 0.0), ends, budget)
 }
 
 /// Finds the changes along a path on which every variable may move: `path` gives the variables at a place of it. (Z2)
 pub fn changes_on_path(program: &Program, path: &mut Path, ends: [f64; 2], budget: u64) -> Changes {
-    follow(program, &|_| true, path, ends, budget)
+    follow(program, &|_| true, (path, f64::EPSILON), ends, budget)
 }
 
 /// Variables at a place of a path.
@@ -54,7 +57,7 @@ pub type Path<'p> = dyn FnMut(f64, &mut Vec<f64>) + 'p;
 fn follow(
     program: &Program,
     moves: &dyn Fn(usize) -> bool,
-    path: &mut Path,
+    (path, relative): (&mut Path, f64),
     ends: [f64; 2],
     budget: u64,
 ) -> Changes {
@@ -62,7 +65,7 @@ fn follow(
     if !(to > from) {
         return Changes { complete: true, ..Changes::default() };
     }
-    let mut scan = Scan::new(program, moves, path, ends, budget);
+    let mut scan = Scan { relative, ..Scan::new(program, moves, path, ends, budget) };
     for index in std::mem::take(&mut scan.guards.order) {
         if scan.follows[index] && !matches!(scan.nodes[index].role, Role::Variable(_)) {
             scan.part(index);
@@ -105,12 +108,15 @@ struct Scan<'p, 'v> {
     guards: Guards,
     path: &'p mut Path<'v>,
     variables: Vec<f64>,
+    /// Relative error of the variables.
+    relative: f64,
     lobatto: Lobatto,
     edges: Vec<Edge>,
     /// Largest value of each node.
     scales: Vec<f64>,
     shortest: f64,
     values: Vec<f64>,
+    errors: Vec<f64>,
     evaluations: u64,
     budget: u64,
 }
@@ -150,10 +156,12 @@ impl<'p, 'v> Scan<'p, 'v> {
             narrowed,
             path,
             variables: Vec::new(),
+            relative: 0.0,
             lobatto: Lobatto::new(),
             edges,
             shortest: SHORTEST_INTERVAL * (to - from).max(from.abs()).max(to.abs()),
             values: Vec::new(),
+            errors: Vec::new(),
             evaluations: 0,
             budget,
         }
@@ -228,6 +236,22 @@ impl<'p, 'v> Scan<'p, 'v> {
             .map(|x| if low < high { self.value(part, x.clamp(low, high)) } else { f64::NAN })
     }
 
+    /// Bound of the error (Z2) of a part at a place.
+    fn error(&mut self, part: Part, x: f64) -> f64 {
+        self.evaluations += 1;
+        (self.path)(x, &mut self.variables);
+        let (Part::Node(a) | Part::Gap(a, _)) = part;
+        let b = if let Part::Gap(_, b) = part { b } else { a };
+        self.program.errors((&self.variables, self.relative), a.max(b), &mut self.errors);
+        if a == b { self.errors[a] } else { self.errors[a] + self.errors[b] }
+    }
+
+    /// Distance from a polynomial that the rounding of a part over an interval may leave.
+    fn noise(&mut self, part: Part, from: f64, to: f64) -> f64 {
+        let errors = [from, 0.5 * (from + to), to].map(|x| self.error(part, x));
+        ROUNDINGS * errors.into_iter().fold(0.0, f64::max)
+    }
+
     /// Halves intervals until a part is nearly a polynomial in each, or no number at all; returns its largest value. What is not in the
     /// shortest interval jumps.
     fn resolve(&mut self, part: Part, alone: bool) -> f64 {
@@ -248,7 +272,9 @@ impl<'p, 'v> Scan<'p, 'v> {
             let middle = 0.5 * (from.x + to.x);
             let nothing = values.iter().all(|value| !value.is_finite());
             let flat = FLAT * scale + rounding(&values, from.x, to.x);
-            if nothing || self.lobatto.defect(&values) <= flat || self.is_spent() {
+            let defect = self.lobatto.defect(&values);
+            if nothing || defect <= flat || self.is_spent() || defect <= flat + self.noise(part, from.x, to.x)
+            {
                 edges.push(to);
             } else if to.x - from.x <= self.shortest || middle <= from.x || middle >= to.x {
                 to.breaks |= alone;
@@ -284,18 +310,22 @@ impl<'p, 'v> Scan<'p, 'v> {
 
     /// Makes the zeros at which a part changes its sign ends of intervals.
     fn split_at_zeros(&mut self, part: Part, breaks: bool) {
-        let mut found = Vec::new();
         let history = self.history(part);
-        let mut before: Option<[f64; 2]> = None;
-        for [x, value] in history.into_iter().filter(|[_, value]| *value != 0.0 && !value.is_nan()) {
-            if let Some([other, sign]) = before
-                && sign * value.signum() < 0.0
-            {
-                found.push(Edge { x: self.zero(part, [other, x], sign), breaks });
-            }
-            before = Some([x, value.signum()]);
-        }
+        let known = self.beyond_rounding(part, of_sign(&history));
+        let found =
+            turns(&known).map(|(ends, sign)| Edge { x: self.zero(part, ends, sign), breaks }).collect();
         self.split(found);
+    }
+
+    /// Stretches of a part that are more than its rounding.
+    fn beyond_rounding(&mut self, part: Part, mut stretches: Vec<Stretch>) -> Vec<Stretch> {
+        if stretches.len() > 1 {
+            stretches.retain(|stretch| {
+                let error = stretch.shown.iter().map(|x| self.error(part, *x)).fold(0.0, f64::max);
+                stretch.size > ROUNDINGS * error
+            });
+        }
+        stretches
     }
 
     /// Place between two where a part changes its sign, to rounding.
@@ -316,21 +346,10 @@ impl<'p, 'v> Scan<'p, 'v> {
 
     /// Makes the places where a part is largest or least ends of intervals.
     fn split_at_extremes(&mut self, part: Part) {
-        let mut found = Vec::new();
         let history = self.history(part);
-        // Slope before a place: that of the last two different values.
-        let (mut start, mut slope) = (history.first().copied().unwrap_or_default(), 0.0);
-        let mut before = start;
-        for [x, value] in history.into_iter().skip(1).filter(|[_, value]| !value.is_nan()) {
-            let now = (value - before[1]).signum() * f64::from(u8::from(value != before[1]));
-            if now * slope < 0.0 {
-                found.push(Edge { x: self.extreme(part, [start[0], x], slope), breaks: false });
-            }
-            if now != 0.0 {
-                (start, slope) = (before, now);
-            }
-            before = [x, value];
-        }
+        let known = self.beyond_rounding(part, of_slope(&history));
+        let place = |(ends, slope)| Edge { x: self.extreme(part, ends, slope), breaks: false };
+        let found = turns(&known).map(place).collect();
         self.split(found);
     }
 

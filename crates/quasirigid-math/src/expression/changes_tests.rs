@@ -126,3 +126,29 @@ fn waves_are_followed_in_their_windows_alone() {
         assert!(cell(&found, 333.3335) < 1e-3 && cell(&found, 100.0) > 50.0, "{text}");
     }
 }
+
+/// Parts that cancel leave rounding, in which there is nothing to find: alone, as a factor, as an argument, and as what a corner waits for.
+#[test]
+fn what_is_zero_to_rounding_has_no_changes() {
+    for text in [
+        "cos(t)^2+sin(t)^2-1",
+        "1e-3*sin(t)*(1-cos(t)^2-sin(t)^2)+1e-3*sin(t)",
+        "1e-3*((1+0.1*t)^2-1-0.2*t-0.01*t^2)",
+        "0.002*sin(t)*cos(t)-0.001*sin(2*t)",
+        "1e-3*(cos(t)^2+sin(t)^2-0.999999999)",
+        "(0.5*sin(2*t)-sin(t)*cos(t))^2*exp(sin(t)*cos(t)-0.5*sin(2*t))",
+        "max(0, cos(t)^2+sin(t)^2-1)+abs(sin(2*t)-2*sin(t)*cos(t))",
+    ] {
+        let found = scanned(text, 50.0);
+        assert!(found.complete && found.evaluations < 100_000, "{text}: {}", found.evaluations);
+        assert!(
+            found.ends.len() < 150 && found.breaks.is_empty(),
+            "{text}: {} {:?}",
+            found.ends.len(),
+            found.breaks
+        );
+    }
+    // a pulse on what cancels is found as it is alone
+    let found = scanned("cos(t)^2+sin(t)^2-1+1e-9*exp(-((t-3.3)*1e5)^2)", 50.0);
+    assert!(found.complete && cell(&found, 3.3) < 1e-4, "{} {}", found.evaluations, cell(&found, 3.3));
+}

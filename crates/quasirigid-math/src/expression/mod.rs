@@ -15,6 +15,8 @@ mod parser;
 mod program;
 mod quiet;
 mod rates;
+mod rounding;
+mod stretches;
 #[cfg(feature = "serde")]
 mod written;
 

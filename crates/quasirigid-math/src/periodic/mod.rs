@@ -6,6 +6,7 @@
 
 mod chain;
 mod interval;
+mod scaled;
 mod solution;
 
 pub use solution::{Guess, PeriodicSolution};
@@ -15,6 +16,7 @@ use super::threads::Team;
 use super::watch;
 use chain::Chain;
 use interval::Interval;
+use scaled::Scaled;
 
 /// Autonomous system `ż = f(z) + Σ πₖ gₖ(z)` whose periodic solutions are sought, on several threads at a time.
 pub trait Unfolded: Clone + Send + Sync {
@@ -47,8 +49,20 @@ const DIVERGED: f64 = 1e3;
 /// Finds the periodic solution near a guess that has the guess's values in the first `parameters + 1` components of its first node.
 ///
 /// None where Newton's method does not converge, or to a solution of another length.
-pub fn periodic(system: &mut impl Unfolded, guess: &Guess, intervals: usize) -> Option<PeriodicSolution> {
-    let mut solution = PeriodicSolution::sampled(guess, intervals, system.parameters());
+pub fn periodic(system: &impl Unfolded, guess: &Guess, intervals: usize) -> Option<PeriodicSolution> {
+    let mut scaled = Scaled::of(system);
+    let state = |share: f64| scaled.down(&(guess.state)(share));
+    let sampled = Guess { period: guess.period, state: &state, parameters: guess.parameters.clone() };
+    let solution = PeriodicSolution::sampled(&sampled, intervals, system.parameters());
+    Some(closed(&mut scaled, guess.period, solution)?.map(|state| scaled.up(state)))
+}
+
+/// Closes a guess sampled over a period of about this length by Newton's method.
+fn closed(
+    system: &mut impl Unfolded,
+    period: f64,
+    mut solution: PeriodicSolution,
+) -> Option<PeriodicSolution> {
     let mut linear = linearised(system, &solution)?;
     let (mut before, mut smallest) = (f64::INFINITY, f64::INFINITY);
     for _ in 0..MOST_STEPS {
@@ -58,7 +72,7 @@ pub fn periodic(system: &mut impl Unfolded, guess: &Guess, intervals: usize) -> 
             return None;
         }
         if change < CLOSED {
-            let longer = solution.period() / guess.period;
+            let longer = solution.period() / period;
             return (longer > 1.0 / FARTHEST && longer < FARTHEST).then_some(solution);
         }
         if change < FAST * before && before.is_finite() {
@@ -76,7 +90,8 @@ pub fn periodic(system: &mut impl Unfolded, guess: &Guess, intervals: usize) -> 
 /// Floquet multipliers of a periodic solution, real and imaginary part: the factors by which small changes have grown after a period, at the
 /// same parameters. None where they are not found.
 pub fn multipliers(system: &impl Unfolded, solution: &PeriodicSolution) -> Option<Vec<[f64; 2]>> {
-    let linear = linearised(system, solution)?;
+    let scaled = Scaled::of(system);
+    let linear = linearised(&scaled, &solution.clone().map(|state| scaled.down(state)))?;
     eigenvalues(&Chain::of(system.size(), &linear).monodromy()?).ok()
 }
 

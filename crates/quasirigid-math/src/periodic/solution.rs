@@ -31,6 +31,12 @@ impl PeriodicSolution {
         Self { period: guess.period, parameters: given, nodes, stages: stages.collect() }
     }
 
+    /// The solution with each state, or each row of states at the Radau points of an interval, as a function gives it.
+    pub(super) fn map(mut self, given: impl Fn(&[f64]) -> Vec<f64>) -> Self {
+        self.nodes.iter_mut().chain(&mut self.stages).for_each(|states| *states = given(states));
+        self
+    }
+
     /// Period.
     #[must_use]
     pub fn period(&self) -> f64 {

@@ -48,7 +48,7 @@ fn a_pendulum_has_the_period_of_its_amplitude() {
     let (amplitude, friction, fast) = (2.9_f64, 1e-2, 1e6);
     let rate = |z: &[f64]| vec![z[1], -z[0].sin() - friction * z[1], fast * (z[0] * z[0] - z[2])];
     let directions = |z: &[f64]| vec![vec![0.0, z[1], 0.0]];
-    let mut system = Plain { size: 3, rate, directions, parameters: 1 };
+    let system = Plain { size: 3, rate, directions, parameters: 1 };
     let exact = 4.0 * first_of_complement((0.5 * amplitude).cos().powi(2));
     let state = |share: f64| {
         let (sine, cosine) = (TAU * share).sin_cos();
@@ -58,7 +58,7 @@ fn a_pendulum_has_the_period_of_its_amplitude() {
     let guess = Guess { period: 0.8 * exact, state: &state, parameters: vec![0.0] };
     let mut errors = Vec::new();
     for intervals in [16, 32, 64] {
-        let found = periodic(&mut system, &guess, intervals).expect("a solution");
+        let found = periodic(&system, &guess, intervals).expect("a solution");
         errors.push((found.period() / exact - 1.0).abs());
         assert!(
             (found.parameters()[0] / friction - 1.0).abs() < [1.0, 0.1, 1e-2][errors.len() - 1],
@@ -106,17 +106,82 @@ fn a_limit_cycle_is_found_with_its_multipliers() {
         let rate = rate(&[z[1], z[0]]);
         vec![rate[1], rate[0]]
     };
-    let mut swapped = Plain { size: 2, rate: turned, directions: |_: &[f64]| Vec::new(), parameters: 0 };
+    let swapped = Plain { size: 2, rate: turned, directions: |_: &[f64]| Vec::new(), parameters: 0 };
     let guess = |share: f64| {
         let z = state(share);
         vec![z[1], z[0]]
     };
     let guess = Guess { period: 6.5, state: &guess, parameters: Vec::new() };
-    let found = periodic(&mut swapped, &guess, 96).expect("a cycle");
+    let found = periodic(&swapped, &guess, 96).expect("a cycle");
     assert!((found.period() / exact - 1.0).abs() < 1e-7, "{} {exact}", found.period());
     let divergence: f64 = found.samples().map(|(weight, z)| weight * (1.0 - z[1] * z[1])).sum();
     let mut multipliers = multipliers(&swapped, &found).expect("multipliers");
     multipliers.sort_by(|a, b| a[0].total_cmp(&b[0]));
     assert!((multipliers[1][0] - 1.0).abs() < 1e-6, "{multipliers:?}");
     assert!((multipliers[0][0] / (divergence * found.period()).exp() - 1.0).abs() < 1e-4, "{multipliers:?}");
+}
+
+/// A cycle and a follower in other units: the same period and multipliers, however far apart the units are.
+#[test]
+fn multipliers_do_not_depend_on_units() {
+    let found = |units: [f64; 3]| {
+        let own = move |z: &[f64]| {
+            let x = [z[0] / units[0], z[1] / units[1], z[2] / units[2]];
+            let radius = 1.0 - x[0] * x[0] - x[1] * x[1];
+            let rates = [x[1] + radius * x[0], radius * x[1] - x[0], x[0] * x[1] - 0.3 * x[2]];
+            rates.iter().zip(units).map(|(rate, unit)| rate * unit).collect::<Vec<_>>()
+        };
+        let system = Sized {
+            plain: Plain { size: 3, rate: own, directions: |_: &[f64]| Vec::new(), parameters: 0 },
+            units,
+        };
+        let state = |share: f64| {
+            let (sine, cosine) = (TAU * share).sin_cos();
+            vec![units[0] * sine, units[1] * cosine, 0.1 * units[2] * sine]
+        };
+        let cycle = periodic(&system, &Guess { period: 6.0, state: &state, parameters: Vec::new() }, 48)
+            .expect("a cycle");
+        let mut multipliers = multipliers(&system, &cycle).expect("multipliers");
+        multipliers.sort_by(|a, b| a[0].total_cmp(&b[0]));
+        (cycle.period(), multipliers)
+    };
+    let (period, plain) = found([1.0; 3]);
+    assert!((period / TAU - 1.0).abs() < 1e-8, "{period}");
+    for (multiplier, rate) in plain.iter().zip([-2.0, -0.3, 0.0_f64]) {
+        assert!((multiplier[0] / (rate * TAU).exp() - 1.0).abs() < 1e-5, "{plain:?}");
+    }
+    let (other, turned) = found([3e17, 7e-14, 2e3]);
+    assert!((other / period - 1.0).abs() < 1e-12, "{other} {period}");
+    for (a, b) in plain.iter().zip(&turned) {
+        assert!((a[0] / b[0] - 1.0).abs() < 1e-8, "{plain:?} {turned:?}");
+    }
+}
+
+/// A plain system whose components have sizes of their own.
+#[derive(Clone)]
+struct Sized<S> {
+    plain: S,
+    units: [f64; 3],
+}
+
+impl<S: Unfolded> Unfolded for Sized<S> {
+    fn size(&self) -> usize {
+        self.plain.size()
+    }
+
+    fn parameters(&self) -> usize {
+        self.plain.parameters()
+    }
+
+    fn rate(&mut self, z: &[f64], parameters: &[f64], rate: &mut [f64]) {
+        self.plain.rate(z, parameters, rate);
+    }
+
+    fn directions(&mut self, z: &[f64]) -> Vec<Vec<f64>> {
+        self.plain.directions(z)
+    }
+
+    fn scale(&self, component: usize) -> f64 {
+        self.units[component]
+    }
 }

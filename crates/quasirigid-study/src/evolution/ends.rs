@@ -2,6 +2,7 @@
 
 use quasirigid::averaging::{Evolution, MeanPower, RotationState, Until};
 use quasirigid::dynamics::FullState;
+use quasirigid::model::Mode;
 use quasirigid::secular::choice::{ReferenceSpins, Span};
 use quasirigid_io::model::Target;
 
@@ -50,6 +51,8 @@ pub fn end(
 
 /// Energy above the steady spin, over that of the wobble, from which it is told to be of vibrations.
 const VIBRATING: f64 = 1.1;
+/// The same where the rotation without vibrations is known from the slow manifold, above the least energy.
+const KNOWN: f64 = 1.001;
 /// Share of the energy between a rotation and a steady spin below which the wobble is told by the angular momentum.
 const SMALL: f64 = 1e-6;
 
@@ -72,7 +75,8 @@ pub fn span(
             if range.is_steady(body, K) {
                 return Err(StudyError::Steady);
             }
-            let settled = range.settled(body, K);
+            let projected = spins.projected(&full);
+            let settled = projected.or_else(|| range.settled(body, K));
             let small = settled.filter(|state| {
                 let motion = spins.motion(*state);
                 let nearest = motion.energy_from_axis().min(motion.energy_from_separatrix());
@@ -82,7 +86,9 @@ pub fn span(
             let by_energy = range.rotation_state(full.energy(body));
             let vibrating = settled.zip(by_energy).is_some_and(|(settled, state)| {
                 let [still, whole] = [settled, state].map(|state| spins.motion(state).energy_from_axis());
-                settled.mode == state.mode && whole > VIBRATING * still
+                let known =
+                    if projected.is_some() && settled.mode == Mode::ShortAxis { KNOWN } else { VIBRATING };
+                settled.mode == state.mode && whole > known * still
             });
             let from = small.or(if vibrating { settled } else { by_energy }).or(settled);
             (full, from.ok_or(StudyError::Steady)?)

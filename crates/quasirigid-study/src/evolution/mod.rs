@@ -25,7 +25,8 @@ use quasirigid::averaging::{
 };
 use quasirigid::dynamics::Start;
 use quasirigid::elements::Assembly;
-use quasirigid::model::{Rheology, Support};
+use quasirigid::model::force::{Force, ForceLaw};
+use quasirigid::model::{Marker, Rheology, Support};
 use quasirigid::reduction::reduce;
 use quasirigid::secular::choice::{ChoiceObserver, Method};
 use quasirigid_io::model::{EvolveMethod, PartialEvolve};
@@ -125,14 +126,14 @@ pub(crate) fn follow(
     observer: &mut dyn Watch,
 ) -> Result<Evolved, StudyError> {
     study.without_slugs("evolve")?;
-    let Study { model, body, forces, order, .. } = study;
+    let Study { model, body, order, .. } = study;
     if matches!(body.support(), Support::Prescribed { .. }) {
         return Err(StudyError::DrivenPole);
     }
     if !body.wheels().is_empty() {
         return gyrostat::follow(study, start, asked, observer);
     }
-    let torque = SlowTorque::from_forces(forces)?;
+    let torque = slow_torque(study)?;
     let reduced = study.reduced(*order)?;
     let slaved = slaved_order(study, *order, start.omega)?;
     let state = study.reduced(slaved)?;
@@ -204,6 +205,14 @@ pub(crate) fn follow(
     let record = answer.record(verdict, from, &rows, asked, time_range, columns);
     let estimates = estimates(study, record.angular_momentum / answer.principal.moments[2]);
     Ok(Evolved { record: EvolutionRecord { estimates, homogeneous: homogeneous(study), ..record }, notes })
+}
+
+/// Slow torque on a body; uniform gravity has none about the center of mass, about which a free body turns. (A8)
+fn slow_torque(study: &Study) -> Result<SlowTorque, StudyError> {
+    let free = study.body.translation().is_some();
+    let turns = |force: &&Force<Marker>| !(free && matches!(force.law, ForceLaw::UniformGravity { .. }));
+    let forces: Vec<_> = study.forces.iter().filter(turns).cloned().collect();
+    Ok(SlowTorque::from_forces(&forces)?)
 }
 
 /// Table of an answer from a rotation state on.

@@ -108,6 +108,9 @@ fn of_choice(reason: &choice::Reason, wheels: bool) -> String {
         Reason::ManifoldWithoutEnd => {
             "the reduced equations about the steady spin do not lead to the end".into()
         }
+        Reason::LongManifold { seconds } => {
+            format!("following the reduced equations about the spin takes longer than {}", time(*seconds))
+        }
         Reason::Measured(error) => error.to_string(),
         Reason::ShortRunsWithWheels => "periodic motions and short runs cannot measure the power of a body with momentum wheels".into(),
         Reason::WithinRevolution { t } => format!(

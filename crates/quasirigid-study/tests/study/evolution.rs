@@ -1,5 +1,6 @@
 //! Evolutions: powers and times that are published, ends, powers, ranges, shares, and torques over ages.
 
+use std::f64::consts::FRAC_PI_2;
 use std::time::{Duration, Instant};
 
 use quasirigid_io::model::{EvolveMethod, Power, System, Target};
@@ -86,9 +87,18 @@ fn slow_torques_are_averaged_and_others_refused() {
     let angular_momentum = column(&found.columns, "momentum");
     assert!(angular_momentum.is_sorted_by(|a, b| a > b), "{angular_momentum:?}");
     assert!(try_evolve(&dragged, |_| {}).unwrap_err().contains("need not reach any target"));
+    let pushed = "[[force]]\nname = \"push\"\nkind = \"torque\"\ntorque = [0, 0, 1e3]\naxes = \"inertial\"\n";
+    let refused = try_evolve(&study(&(asteroid(KELVIN_VOIGT) + pushed)), |_| {}).unwrap_err();
+    assert!(refused.contains("the force \"push\" cannot be averaged over free rotations"), "{refused}");
+}
+
+/// Uniform gravity has no torque about the center of mass: the same answer without it, and no torque that needs a duration.
+#[test]
+fn a_free_body_evolves_in_uniform_gravity_as_without() {
+    let still = study(&asteroid(KELVIN_VOIGT));
     let falling = study(&(asteroid(KELVIN_VOIGT) + &gravity([0.0, 0.0, -1.0])));
-    let refused = try_evolve(&falling, |_| {}).unwrap_err();
-    assert!(refused.contains("the force \"weight\" cannot be averaged over free rotations"), "{refused}");
+    let [still, falling] = [still, falling].map(|study| evolved(&study, |_| {}).record.time);
+    assert_eq!(still, falling);
 }
 
 /// The object and the record have the same shares; a body with one dissipator has one.
@@ -350,6 +360,8 @@ fn wobbles_beside_a_plane_of_steady_spins_are_answered_by_level_curves() {
         let other = crate::support::study(&REVOLUTION.replace("[0.2, 0.0, 1.0]", start));
         let found = evolved(&other, |asked| asked.method = Some(EvolveMethod::Levels));
         assert_eq!(found.record.status, "finished", "{start}: {}", found.record.message);
+        let widest = column(&found.record.columns, "nutation_max").to_vec();
+        assert!(widest.iter().all(|angle| *angle < FRAC_PI_2), "{start}: {widest:?}");
     }
 }
 

@@ -13,8 +13,8 @@ use quasirigid_study::histories::History;
 use quasirigid_study::settings::PartialRun;
 
 use crate::support::{
-    carrier, close, expression, finished, follow, history, modes, one_line, point, spinning, study, table,
-    told_history, try_evolve,
+    carrier, close, column, expression, finished, follow, history, modes, one_line, point, spinning, study,
+    table, told_history, try_evolve,
 };
 
 const SYSTEMS: [System; 3] = [System::Full, System::Reduced, System::Rigid];
@@ -376,4 +376,28 @@ fn spins_beyond_the_range_of_the_start_are_told() {
     for system in [System::Rigid, System::Full] {
         assert!(!told(system, 28.0).0.contains("spun the body up"));
     }
+}
+
+/// A law about a frame that turns, from the state in which it has come to its rounding: nothing is left to find in its formula, and nothing moves.
+#[test]
+fn a_controller_at_its_target_is_followed() {
+    let (c, d) = ("cos(0.005*t)", "sin(0.005*t)");
+    let off = format!("(1-2*(({c}*qx-{d}*qz)^2+({c}*qz+{d}*qx)^2))");
+    let law = format!("-0.5*2*({c}*qw+{d}*qy)*({c}*qy-{d}*qw)-5*(wy-0.01*{off})");
+    let model = carrier(100.0, [30.0, 36.0, 10.0])
+        + &point("p", 1.0, [0.0, 0.0, 1.0], [10.0, 0.1])
+        + &expression(&format!("name = \"PD\"\ntorque = [\"0\", \"{law}\", \"0\"]"))
+        + &spinning([0.0, 0.01, 0.0]);
+    let found = finished(&study(&model), System::Full, &[0.0, 50.0, 100.0]);
+    let last = column(&found.columns, "wy")[2];
+    assert!((last / 0.01 - 1.0).abs() < 1e-12, "{last}");
+    // what a factor of rounding multiplies is what is left without it
+    let torque = |law: &str| {
+        let force = expression(&format!("name = \"F\"\ntorque = [\"{law}\", \"0\", \"0\"]"));
+        let model = carrier(100.0, [30.0, 36.0, 10.0]) + &force + &spinning([0.0, 0.01, 0.0]);
+        column(&finished(&study(&model), System::Full, &[0.0, 5.0]).columns, "wx")[1]
+    };
+    let plain = torque("1e-3*sin(t)");
+    let with = torque("1e-3*sin(t)*(1-cos(t)^2-sin(t)^2)+1e-3*sin(t)");
+    assert!(plain != 0.0 && (with / plain - 1.0).abs() < 1e-9, "{with} {plain}");
 }

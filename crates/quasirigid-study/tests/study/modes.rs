@@ -241,6 +241,35 @@ fn under_a_rate_controller_the_direction_in_space_is_no_mode() {
     assert!(nutation.dissipation["force \"controller\""] > 0.5, "{nutation:#?}");
 }
 
+/// A law that knows the attitude about the spin alone: the direction of the spin in space is no mode, and the nutation keeps its name.
+#[test]
+fn under_a_controller_of_the_angle_of_spin_the_nutation_keeps_its_name() {
+    for n in [0.001, 0.3] {
+        let turned = format!("cos({h}*t)*qw+sin({h}*t)*qz)*(cos({h}*t)*qz-sin({h}*t)*qw", h = 0.5 * n);
+        let law = format!("-1*2*({turned})-10*(wz-{n})");
+        let model = |law: &str| {
+            carrier(100.0, [30.0, 36.0, 10.0])
+                + &point("p", 1.0, [0.0, 0.0, 1.0], [10.0, 0.1])
+                + law
+                + &spinning([0.0, 0.0, n])
+        };
+        let free = modes(&study(&model("")));
+        let free = free
+            .spins
+            .iter()
+            .flat_map(|spin| &spin.modes)
+            .find(|mode| mode.nutation && mode.decay_rate <= 0.0);
+        let law = expression(&format!("name = \"PD\"\ntorque = [\"0\", \"0\", \"{law}\"]"));
+        let held = modes(&study(&model(&law)));
+        let held = &held.spins[0].modes;
+        assert_eq!(held.len(), 6, "{held:#?}");
+        let nutation = mode(held, "nutation");
+        assert!(nutation.nutation && held.iter().filter(|mode| mode.nutation).count() == 1);
+        assert!((nutation.frequency / free.unwrap().frequency - 1.0).abs() < 1e-6, "{nutation:#?} {free:#?}");
+        assert!(held.iter().all(|mode| (mode.frequency / n - 1.0).abs() > 1e-6), "{held:#?}");
+    }
+}
+
 #[test]
 fn a_controller_that_gives_energy_has_a_share_below_zero() {
     let found = modes(&study(&spinner("1*wx")));

@@ -8,7 +8,7 @@ use std::sync::OnceLock;
 
 use super::descent::Descent;
 use super::energy::SlowEnergy;
-use super::level::{Level, Traced, traced};
+use super::level::{Level, Traced, from_nearer_sense, traced};
 use crate::math::chebyshev::Chebyshev;
 use crate::math::rotation::angle;
 use crate::math::sphere::StationaryPoint;
@@ -72,7 +72,9 @@ impl Leg {
         }
         let smallest = (*self.smallest.get_or_init(|| circuit(AXIS)))?;
         let share = self.height(xi) / self.height(AXIS);
-        let limit = if self.isolated { None } else { Some(angle(self.circled, self.descent.end())) };
+        let end = self.descent.end();
+        let limit = [angle(self.circled, end); 2];
+        let limit = (!self.isolated).then(|| from_nearer_sense(energy, end, limit)[0]);
         Some(smallest.smaller(share, limit))
     }
 

@@ -3,7 +3,7 @@
 //! the precession without a singularity near that axis.
 //! Equations (N3), (N4) and (N7), docs/theory/17-levels.md.
 
-use std::f64::consts::TAU;
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use super::energy::SlowEnergy;
 use crate::math::ode::{Dop853, Solver, System};
@@ -38,6 +38,8 @@ const MAX_STEPS: usize = 20_000;
 const CLOSED: f64 = 1e-4;
 /// Places checked within a step.
 const CHECKS_PER_STEP: usize = 6;
+/// Difference of the slow energy in opposite directions, over its largest slope, that is rounding.
+const SYMMETRIC: f64 = 1e-12;
 /// Halvings of a step that find a crossing.
 const HALVINGS: usize = 60;
 
@@ -163,12 +165,21 @@ pub(super) fn traced(
                     loss: y[4],
                     turned: y[5],
                     precession,
-                    nutation: turn.nutation,
+                    nutation: from_nearer_sense(energy, start, turn.nutation),
                 });
             }
         }
     }
     None
+}
+
+/// Angles from the nearer of both senses of an axis, where the slow energy is the same in opposite directions: there a level about one sense stands for
+/// that about the other.
+pub(super) fn from_nearer_sense(energy: &SlowEnergy, u: [f64; 3], angles: [f64; 2]) -> [f64; 2] {
+    let opposite = energy.energy(scale(-1.0, u)) - energy.energy(u);
+    let [least, greatest] = angles;
+    let other = least > FRAC_PI_2 && opposite.abs() <= SYMMETRIC * energy.fastest;
+    if other { [PI - greatest, PI - least] } else { angles }
 }
 
 /// Quantities gathered along the circuit.

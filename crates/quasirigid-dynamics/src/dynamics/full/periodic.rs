@@ -182,7 +182,7 @@ impl<'a> ClosedSystem<'a> {
     fn found(mut self, guess: &Guess, intervals: usize) -> Option<PeriodicMotion> {
         let samples: Vec<Vec<f64>> = (0..SAMPLES).map(|i| (guess.state)(i as f64 / SAMPLES as f64)).collect();
         self.rescale(&samples);
-        let solution = periodic(&mut self, guess, intervals)?;
+        let solution = periodic(&self, guess, intervals)?;
         Some(self.judged(solution))
     }
 

@@ -156,6 +156,9 @@ struct About<'a> {
     exchanges: Vec<Exchange>,
 }
 
+/// Share of the kinetic energy below which a rotation is a lasting tilt in inertial axes, in which nothing moves.
+const TILT: f64 = 1e-12;
+
 impl About<'_> {
     fn modes(&self, found: &[Eigenmotion]) -> Vec<NamedMotion> {
         let mut modes: Vec<NamedMotion> = Vec::with_capacity(found.len());
@@ -210,8 +213,9 @@ impl About<'_> {
             leading.unwrap_or_else(|| if kinetic > 0.0 { "rotation" } else { "translation" }.to_owned());
         let rounding = self.pencil.rounding(lambda, x);
         let told = tellable(lambda, liquids.len(), lost.len());
+        let decay_rate = self.decay(lambda, x, &q, inside, rounding);
         let mode = SpinMode {
-            decay_rate: self.decay(lambda, x, &q, inside, rounding),
+            decay_rate,
             frequency: if lambda.im.abs() > rounding.max(1e-12 * lambda.norm()) {
                 lambda.im.abs()
             } else {
@@ -222,11 +226,17 @@ impl About<'_> {
             neutral: false,
             name,
             moves: if kinetic > 0.0 { listed(moved, kinetic) } else { Vec::new() },
-            dissipation: if told { balance(lost) } else { Vec::new() },
+            dissipation: if told && decay_rate != 0.0 { balance(lost) } else { Vec::new() },
             omega: delta.map(|entry| [entry.re, entry.im]),
             shape: q.iter().map(|entry| [entry.re, entry.im]).collect(),
         };
-        NamedMotion { mode, turn, carried }
+        let tilts = turn.is_some_and(|turn| kinetic <= TILT * self.turning(lambda, turn));
+        NamedMotion { mode, turn, carried, tilts }
+    }
+
+    /// Twice the mean kinetic energy (J) that a rotation of the whole body seen at an eigenvalue has in axes that turn with it.
+    fn turning(&self, lambda: C, turn: [C; 3]) -> f64 {
+        (0..3).map(|k| self.system.mass[(k, k)] * (lambda * turn[k]).norm_sqr()).sum()
     }
 
     /// Twice the mean power that a force takes from a motion: by its slopes by the velocities, and by the part of those by the displacements

@@ -14,6 +14,8 @@ pub(super) struct NamedMotion {
     pub turn: Option<[Complex<f64>; 3]>,
     /// True if the carrier moves most.
     pub carried: bool,
+    /// True if the body is tilted in inertial axes, and nothing moves.
+    pub tilts: bool,
 }
 
 /// Share of the rotation about an axis from which a motion counts as about the axis, and below one minus which as across it.
@@ -21,7 +23,8 @@ const CLEAR: f64 = 0.9;
 /// Ratio of rates in inertial axes from which they count as a fast and a slow motion of the axis.
 const APART: f64 = 2.0;
 
-/// Modes, with names of their own where there is no doubt: `pitch` and `roll-yaw` on an orbit, `nutation` and `precession` of a top.
+/// Modes, with names of their own where there is no doubt: `pitch` and `roll-yaw` on an orbit, `nutation` and `precession` of a top. Where the forces
+/// know the attitude about the spin alone, the direction of the spin in space is no mode, and the other motion across it is the nutation.
 pub(super) fn named(
     mut motions: Vec<NamedMotion>,
     state: &SteadyState,
@@ -40,13 +43,17 @@ pub(super) fn named(
     if let (Some(axis), FrameRotation::About(_)) = (axis, &state.turning) {
         top(&mut motions, axis, norm(state.omega));
     }
-    if state.turning == FrameRotation::Own && norm(state.omega) > 0.0 {
-        nutation(&mut motions, state);
+    if norm(state.omega) > 0.0 {
+        let all = motions.len();
+        motions.retain(|motion| !motion.tilts);
+        if state.turning == FrameRotation::Own || motions.len() < all {
+            nutation(&mut motions, state);
+        }
     }
     motions.into_iter().map(|motion| motion.mode).collect()
 }
 
-/// Names the motion of the whole body across the axis of its spin, where no force depends on the attitude: of those that oscillate the one in
+/// Names the motion of the whole body across the axis of its spin, where no force depends on the direction of that: of those that oscillate the one in
 /// which the carrier has the largest share, however slow the others are and whatever else it meets; else all of those that do not, the
 /// slowest first.
 fn nutation(motions: &mut [NamedMotion], state: &SteadyState) {

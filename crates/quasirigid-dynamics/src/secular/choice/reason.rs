@@ -80,6 +80,11 @@ pub enum Reason {
     },
     /// Reduced equations about a spin that do not lead to the end.
     ManifoldWithoutEnd,
+    /// Reduced equations about a spin that take longer than this work (s) to follow.
+    LongManifold {
+        /// Time of work (s).
+        seconds: f64,
+    },
     /// Mean power in short runs that was not measured.
     Measured(MeasureError),
     /// Short runs of a body with momentum wheels.

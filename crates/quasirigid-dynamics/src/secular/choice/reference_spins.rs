@@ -5,9 +5,10 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 use super::reason::{Instability, Reason, UnknownLiquid};
 use super::span::MomentsOnly;
 use crate::averaging::{Evolution, FreeRotation, MeanPower, RotationState};
+use crate::dynamics::FullState;
 use crate::model::{FlexibleBody, LiquidMemory, Mode};
 use crate::modes::SpinMode;
-use crate::secular::{AverageCriteria, EnergyRange, Poles, apart, average_criteria};
+use crate::secular::{AverageCriteria, EnergyRange, Poles, SettledStarts, apart, average_criteria};
 
 /// Reference spins: the steady spins of a body at an angular momentum, with their modes. (Q3)
 #[derive(Clone, Debug)]
@@ -68,6 +69,22 @@ impl<'a> ReferenceSpins<'a> {
     #[must_use]
     pub fn motion(&self, RotationState { mode, xi }: RotationState) -> FreeRotation {
         FreeRotation::at_logit(self.range.moments(), self.range.angular_momentum(), mode, xi)
+    }
+
+    /// Rotation state of a full state after its vibrations have died out; none at a steady spin. (Q2), (Q21)
+    #[must_use]
+    pub fn settled(&self, start: &FullState) -> Option<RotationState> {
+        let balanced = self.range.settled(self.body, start.angular_momentum(self.body));
+        self.projected(start).or(balanced)
+    }
+
+    /// The same by the slow manifold about the spin, where a vibration is slower than ten spins; none elsewhere. (Q21)
+    #[must_use]
+    pub fn projected(&self, start: &FullState) -> Option<RotationState> {
+        let K = start.angular_momentum(self.body);
+        let mode = self.range.settled(self.body, K)?.mode;
+        let pole = self.poles.of_mode(mode)?;
+        SettledStarts::about(self.body, (&self.range, pole), mode, K)?.rotation_state(start)
     }
 
     /// Evolution along the equivalent polhode without a power: enough to place a rotation state.

@@ -44,12 +44,11 @@ impl Span {
     /// Span from a state of the full system, between two rotation states.
     #[must_use]
     pub fn new(spins: &ReferenceSpins, start: FullState, ends: [RotationState; 2]) -> Self {
-        let ReferenceSpins { body, range, .. } = spins;
         Self {
             placed: false,
             ends,
-            settled: range.settled(body, start.angular_momentum(body)),
-            energies: [start.energy(body), spins.motion(ends[1]).energy()],
+            settled: spins.settled(&start),
+            energies: [start.energy(spins.body), spins.motion(ends[1]).energy()],
             start,
             duration: None,
             level_end: None,

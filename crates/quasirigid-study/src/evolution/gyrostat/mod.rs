@@ -8,14 +8,13 @@ mod full_system;
 mod methods;
 mod record;
 
-use quasirigid::averaging::SlowTorque;
 use quasirigid::dynamics::Start;
 use quasirigid_io::model::Target;
 use quasirigid_math::vec3::norm;
 
 use super::outlook::Outlook;
 use super::reason::Reason;
-use super::{Evolved, approximated};
+use super::{Evolved, approximated, slow_torque};
 use crate::error::StudyError;
 use crate::materials::flowing_at;
 use crate::motion::Motion;
@@ -57,7 +56,7 @@ pub fn follow(
 
 /// Refuses what has no meaning for a body with momentum wheels.
 fn check(study: &Study, asked: &EvolveSettings) -> Result<(), StudyError> {
-    let what = if !SlowTorque::from_forces(&study.forces)?.is_zero() {
+    let what = if !slow_torque(study)?.is_zero() {
         "it is followed without a torque"
     } else if asked.start.is_some() {
         "it starts from the initial state of the model"

@@ -90,7 +90,7 @@ types! {
     secular {
         AverageCriteria CalibratedPower DirectOptions DirectRow DirectRun DirectStopReason EnergyRange
         GyrostatSpins GyrostatWobble ManifoldBoundary ManifoldHistory MeasureError MeasureOptions MeasuredBy MeasuredPower
-        Measurement Places Pole Poles SpotChecks
+        Measurement Places Pole Poles SettledStarts['static] SpotChecks
     }
     choice {
         AverageBasis AveragePowers Case['static] ChoiceError Criteria Decision Followed GrowingVibration

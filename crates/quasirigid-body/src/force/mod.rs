@@ -1,4 +1,4 @@
-//! External forces on a body, for scalars that may be series in time. (F1) to (F26)
+//! External forces on a body, for scalars that may be series in time. (F1) to (F29)
 
 mod apply;
 mod conductor;
@@ -13,6 +13,7 @@ mod law;
 mod mean_field;
 mod orbit;
 mod pose;
+mod sunlight;
 mod timing;
 mod trajectory;
 
@@ -30,5 +31,6 @@ pub use law::{Axes, Force, ForceLaw, Wave};
 pub use law::{PLACE, TIME, VARIABLES};
 pub use orbit::{Oblateness, Orbit, OrbitPoint};
 pub use pose::Pose;
+pub use sunlight::{SOLAR_CONSTANT, SunPath, SunlightLoads, light_pressure};
 pub use timing::{Interpolation, Timetable, TimingProblem, Windows};
 pub use trajectory::Trajectory;

@@ -27,6 +27,7 @@ mod sensitivity;
 mod slaved;
 mod sliding;
 mod soft_spins;
+mod sunlight;
 mod surfaces;
 mod sweep;
 mod tanks;

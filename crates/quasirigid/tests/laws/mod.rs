@@ -68,6 +68,7 @@ mod steady_runs;
 mod steady_sense;
 mod steady_states;
 mod stepper;
+mod sunlight;
 mod truncated;
 mod verification;
 mod vibrations;

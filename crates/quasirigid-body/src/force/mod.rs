@@ -1,4 +1,4 @@
-//! External forces on a body, for scalars that may be series in time. (F1) to (F29)
+//! External forces on a body, for scalars that may be series in time. (F1) to (F33)
 
 mod apply;
 mod conductor;
@@ -11,6 +11,7 @@ mod gravity;
 mod igrf;
 mod law;
 mod mean_field;
+mod mean_sunlight;
 mod orbit;
 mod pose;
 mod sunlight;
@@ -29,8 +30,9 @@ pub use igrf::EarthField;
 pub use law::{Axes, Force, ForceLaw, Wave};
 #[doc(hidden)]
 pub use law::{PLACE, TIME, VARIABLES};
+pub use mean_sunlight::{MeanSunlight, MeanTorque, ThermalSurface};
 pub use orbit::{Oblateness, Orbit, OrbitPoint};
 pub use pose::Pose;
-pub use sunlight::{SOLAR_CONSTANT, SunPath, SunlightLoads, light_pressure};
+pub use sunlight::{SOLAR_CONSTANT, SPEED_OF_LIGHT, SunPath, SunlightLoads, light_pressure};
 pub use timing::{Interpolation, Timetable, TimingProblem, Windows};
 pub use trajectory::Trajectory;

@@ -12,7 +12,7 @@ pub const SOLAR_CONSTANT: f64 = 1361.0;
 /// Astronomical unit (m).
 const ASTRONOMICAL_UNIT: f64 = 149_597_870_700.0;
 /// Speed of light (m/s).
-const SPEED_OF_LIGHT: f64 = 299_792_458.0;
+pub const SPEED_OF_LIGHT: f64 = 299_792_458.0;
 
 /// Where the Sun stands.
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -88,6 +88,15 @@ impl SunlightLoads {
     #[must_use]
     pub fn degree(&self) -> usize {
         self.degree
+    }
+
+    /// The loads without the harmonics above a degree.
+    #[must_use]
+    pub fn truncated(&self, degree: usize) -> Self {
+        let mut degrees = Vec::with_capacity(self.coefficients.len());
+        each_harmonic(self.degree, [0.0, 0.0, 1.0], |l, _| degrees.push(l));
+        let kept = self.coefficients.iter().zip(degrees).filter(|(_, l)| *l <= degree);
+        Self::new(self.center, degree.min(self.degree), kept.map(|(each, _)| *each).collect())
     }
 
     /// Force (m²) and torque about the centre (m³), each per pressure of the light, where the Sun is along a unit vector, all in body axes.

@@ -1,6 +1,6 @@
 use crate::support::{EXAMPLES, STUDIES, SUNLIT, ran};
 
-const COMMANDS: [&str; 15] = [
+const COMMANDS: [&str; 16] = [
     "run",
     "check",
     "modes",
@@ -8,6 +8,7 @@ const COMMANDS: [&str; 15] = [
     "derive",
     "fills",
     "lightcurve",
+    "yorp",
     "export",
     "simulate",
     "evolve",

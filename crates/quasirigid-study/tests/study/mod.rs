@@ -35,3 +35,4 @@ mod thrust;
 mod told_errors;
 mod unknowable;
 mod verdicts;
+mod yorp;

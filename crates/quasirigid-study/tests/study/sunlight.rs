@@ -7,8 +7,8 @@ use quasirigid_study::Study;
 
 use crate::support::{carrier, column, difference, finished, point, spinning};
 
-const CORNERS: [[f64; 3]; 4] = [[1.3, 0.2, -0.1], [-0.4, 1.1, 0.3], [-0.7, -0.9, 0.1], [0.2, 0.3, 1.7]];
-const FACES: [[usize; 3]; 4] = [[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]];
+pub const CORNERS: [[f64; 3]; 4] = [[1.3, 0.2, -0.1], [-0.4, 1.1, 0.3], [-0.7, -0.9, 0.1], [0.2, 0.3, 1.7]];
+pub const FACES: [[usize; 3]; 4] = [[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]];
 const SUN: [f64; 3] = [0.48, 0.64, 0.6];
 
 /// A small satellite with a sprung mass inside a tetrahedron, a tenth of an astronomical unit from the Sun.

@@ -74,3 +74,4 @@ mod verification;
 mod vibrations;
 mod wobble_rate;
 mod wobbles_of_random_bodies;
+mod yorp;

@@ -128,17 +128,20 @@ impl Study {
         let means = MeanSunlight::about(loads, center, spin.axis);
         let irradiance = pressure * SPEED_OF_LIGHT;
         let response = surface.response(irradiance, spin.rate);
-        let at = |obliquity: f64| -> YorpObject {
-            rates(means.torque(obliquity, response), obliquity, pressure, &spin)
+        let [force, _] = loads.at(spin.axis);
+        let floor = NOTHING * norm(force).powf(1.5);
+        let of = |means: &MeanSunlight, obliquity: f64| {
+            let MeanTorque { spin: along, obliquity: across } = means.torque(obliquity, response);
+            let torques =
+                [along, across].map(|torque| if torque.abs() > floor { pressure * torque } else { 0.0 });
+            rates(torques, obliquity, &spin)
         };
+        let at = |obliquity: f64| of(&means, obliquity);
         let curve: Vec<YorpObject> = (0..=180 / STEP).map(|k| at((k * STEP) as f64 * PI / 180.0)).collect();
         let kept = loads.degree() - (loads.degree() / LEFT_OUT).max(2);
         let coarse = MeanSunlight::about(&loads.truncated(kept), center, spin.axis);
-        let rough =
-            |of: &YorpObject| rates(coarse.torque(of.obliquity, response), of.obliquity, pressure, &spin);
-        let [force, _] = loads.at(spin.axis);
-        let unit = pressure * norm(force).powf(1.5);
-        let error = error(&curve, &curve.iter().map(rough).collect::<Vec<_>>(), NOTHING * unit);
+        let rough: Vec<YorpObject> = curve.iter().map(|at| of(&coarse, at.obliquity)).collect();
+        let error = error(&curve, &rough, pressure * floor);
         let now = normal.map(|normal| {
             let pole = Turn::of(spin.start.attitude).to_inertial(spin.momentum);
             at(angle(pole, normal))
@@ -259,8 +262,8 @@ fn surface(asked: YorpSettings) -> Result<ThermalSurface, StudyError> {
     Ok(ThermalSurface { albedo, emissivity, thermal_inertia })
 }
 
-fn rates(torque: MeanTorque, obliquity: f64, pressure: f64, spin: &Spin) -> YorpObject {
-    let [along, across] = [torque.spin, torque.obliquity].map(|torque| pressure * torque);
+/// Rates of a spin under torques along it and across it (N·m).
+fn rates([along, across]: [f64; 2], obliquity: f64, spin: &Spin) -> YorpObject {
     let rate = along / spin.moment;
     YorpObject {
         obliquity,

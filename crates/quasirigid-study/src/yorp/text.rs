@@ -22,7 +22,7 @@ impl Yorp {
             .collect();
         parts.push(match &self.now {
             Some(now) => format!(
-                "At its obliquity of {} degrees sunlight {}, {} rad/d^2, and turns the spin by {} degrees of obliquity in a million years.",
+                "At its obliquity of {} degrees sunlight {}, {} rad/d^2, and changes its obliquity by {} degrees in a million years.",
                 significant(now.obliquity.to_degrees(), 4),
                 spun(now),
                 significant(now.spin_rate * DAY * DAY, 3),
@@ -55,8 +55,8 @@ impl Yorp {
         for note in self.notes.iter().filter(|note| !note.starts_with(crate::MAY_NOT_HOLD)) {
             writeln!(out, "{}", paragraph(&format!("note: {note}"), "  ", "    "))?;
         }
+        writeln!(out)?;
         let mut line = |name: &str, value: String| writeln!(out, "  {name:<22} {value}");
-        line("", String::new())?;
         line("period of the spin", time(std::f64::consts::TAU / self.spin))?;
         line("greatest moment", format!("{} kg m^2", significant(self.moment, 4)))?;
         line("pressure of the light", format!("{} Pa", significant(self.pressure, 4)))?;

@@ -72,7 +72,7 @@ fn loads_are_the_sum_over_the_faces_in_any_unit_and_axes() {
         );
         // Each degree of the harmonics is exact, and four faces have many.
         assert!(
-            harmonics.degree() == 48 && accuracy.error < 0.01 && accuracy.force_error < 1e-3,
+            harmonics.degree() == 48 && accuracy.error < 0.01 && accuracy.force_error < 2e-3,
             "{accuracy:?}"
         );
     }
@@ -124,7 +124,7 @@ fn an_ellipsoid_is_turned_by_the_recoil_alone_and_not_in_the_mean() {
     let shape = SunlitShape::of_ellipsoid(semi_axes, [5.0, -3.0, 1.0]);
     for sun in suns().take(6) {
         let (found, known) = (V::from(shape.loads(sun.into())[1]), of_ellipsoid(semi_axes, sun));
-        assert!((found - known).norm() < 3e-3 * 0.2, "{found} {known}");
+        assert!((found - known).norm() < 3e-3 * known.norm(), "{found} {known}");
         assert!(known.dot(&sun).abs() < 1e-9, "no torque about the way of the light: {known}");
         let quarter = (0..4).map(|k| V::from(shape.loads(<[f64; 3]>::from(sun).turned(k))[1]).z).sum::<f64>();
         assert!(quarter.abs() < 1e-12, "{quarter}");

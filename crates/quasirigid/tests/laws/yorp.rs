@@ -149,12 +149,18 @@ fn the_torque_across_the_spin_is_that_of_rotation_and_orbit() {
 #[test]
 fn a_lag_drives_the_obliquity_of_spheroids_alone() {
     let behind = [0.6 * 0.5_f64.cos(), 0.6 * 0.5_f64.sin()];
-    for (semi_axes, known) in [([1.0, 1.0, 0.7], [-0.017538, -0.015685, 0.015685]), ([0.8, 0.8, 1.2], [0.016844, 0.018961, -0.018961])] {
+    for (semi_axes, known) in [
+        ([1.0, 1.0, 0.7], [-0.017538, -0.015685, 0.015685]),
+        ([0.8, 0.8, 1.2], [0.016844, 0.018961, -0.018961]),
+    ] {
         let (loads, _) = SunlitShape::of_ellipsoid(semi_axes, [0.0; 3]).harmonics(0.001);
         let means = MeanSunlight::about(&loads, [0.0; 3], [0.0, 0.0, 1.0]);
         for (degrees, known) in [30.0_f64, 60.0, 120.0].into_iter().zip(known) {
             let [bare, warm] = [PROMPT, behind].map(|response| means.torque(degrees.to_radians(), response));
-            assert!(bare.spin.abs() < 1e-12 && bare.obliquity.abs() < 1e-12 && warm.spin.abs() < 1e-12, "{bare:?} {warm:?}");
+            assert!(
+                bare.spin.abs() < 1e-12 && bare.obliquity.abs() < 1e-12 && warm.spin.abs() < 1e-12,
+                "{bare:?} {warm:?}"
+            );
             println!("{semi_axes:?} {degrees}: {} and {known}", warm.obliquity);
             // the coarse facets of the other program
             assert!((warm.obliquity / known - 1.0).abs() < 0.06, "{} {known}", warm.obliquity);
@@ -178,7 +184,7 @@ fn symmetric_bodies_keep_their_spin() {
         let means = MeanSunlight::about(&elbow, center, axis.into());
         for k in 0..=6 {
             let torque = means.torque(PI * f64::from(k) / 6.0, PROMPT).spin;
-            assert!(torque.abs() < 2e-3 * accuracy.torque, "{axis} {k} {torque} {accuracy:?}");
+            assert!(torque.abs() < 5e-3 * accuracy.torque, "{axis} {k} {torque} {accuracy:?}");
         }
     }
 }

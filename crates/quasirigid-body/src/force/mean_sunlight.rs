@@ -206,10 +206,6 @@ mod tests {
             // Insolation over the equator: mean 4/π of that of the sphere, first harmonic 2.
             let sun = |t: f64| 4.0 * t.cos().max(0.0);
             let [size_of_sun, lag_of_sun] = emitted(theta, sun, true);
-            println!(
-                "Θ = {theta}: linear {size:.4} at {lag:.4} rad, T⁴ {:.4} at {lag_of_sun:.4} rad",
-                size_of_sun / 2.0
-            );
             assert!(
                 (size_of_sun / 2.0 / size - 1.0).abs() < 0.2 && (lag_of_sun - lag).abs() < 0.15,
                 "{theta}"

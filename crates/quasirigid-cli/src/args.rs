@@ -58,6 +58,11 @@ pub enum Command {
         after_help = "Example:\n  quasirigid lightcurve examples/duende/model.toml --sun 1,0,0 --observer 0,1,0"
     )]
     Lightcurve(LightcurveArgs),
+    /// Give the mean torque of sunlight by the obliquity: how fast the spin rises or falls, and its axis tilts
+    #[command(
+        after_help = "Example:\n  quasirigid yorp examples/sunlit-rock/model.toml --thermal-inertia 200"
+    )]
+    Yorp(YorpArgs),
     /// Print the reduced equations
     #[command(
         after_help = "Example:\n  quasirigid derive examples/three-masses/model.toml --order 5 --format json"
@@ -133,6 +138,7 @@ impl Command {
             | Self::Linear(LinearArgs { common, .. })
             | Self::Fills(FillsArgs { common, .. })
             | Self::Lightcurve(LightcurveArgs { common, .. })
+            | Self::Yorp(YorpArgs { common, .. })
             | Self::Sensitivity(SensitivityArgs { common, .. })
             | Self::Infer(InferArgs { common, .. })
             | Self::Derive(Derive { common, .. })
@@ -556,6 +562,28 @@ pub struct LightcurveArgs {
     pub periods: bool,
     /// Write the table into a .csv, .parquet or .npz file, the figure into an .svg or .png file, the curve into a .txt file of DAMIT or an
     /// .alcdef file; several times for several
+    #[arg(short, long, value_name = "FILE")]
+    pub out: Vec<PathBuf>,
+    /// Replace the files
+    #[arg(long, requires = "out")]
+    pub overwrite: bool,
+}
+
+/// Options of YORP.
+#[derive(Args, Debug)]
+pub struct YorpArgs {
+    #[command(flatten)]
+    pub common: Common,
+    /// Bond albedo; it matters where the heat lags
+    #[arg(long, value_name = "A", default_value = "0.1")]
+    pub albedo: f64,
+    /// Emissivity
+    #[arg(long, value_name = "E", default_value = "0.9")]
+    pub emissivity: f64,
+    /// Thermal inertia (J m^-2 K^-1 s^-1/2), by which the heat lags
+    #[arg(long, value_name = "GAMMA", default_value = "0")]
+    pub thermal_inertia: f64,
+    /// Write the curves into a .csv, .parquet or .npz file, the figure into an .svg or .png file; several times for several
     #[arg(short, long, value_name = "FILE")]
     pub out: Vec<PathBuf>,
     /// Replace the files

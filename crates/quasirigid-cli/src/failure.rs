@@ -83,6 +83,8 @@ pub enum Failure {
     FillMapEnding { path: PathBuf },
     #[error("{}: a light curve is a .csv, .parquet, .npz, .svg or .png file, .txt for DAMIT or .alcdef; JSON is that of --json", path.display())]
     LightCurveEnding { path: PathBuf },
+    #[error("{}: torques of sunlight are a .csv, .parquet, .npz, .svg or .png file; JSON is that of --json", path.display())]
+    YorpEnding { path: PathBuf },
     #[error(
         "give the directions to Sun and observer, --sun 1,0,0 --observer 0.9,0.4,0, or a file of both, --view FILE"
     )]

@@ -51,6 +51,7 @@ fn main() -> ExitCode {
         Command::Sensitivity(sensitivity) => commands::sensitivity::sensitivity(sensitivity),
         Command::Fills(fills) => commands::fills::fills(fills),
         Command::Lightcurve(lightcurve) => commands::lightcurve::lightcurve(lightcurve),
+        Command::Yorp(yorp) => commands::yorp::yorp(yorp),
         Command::Derive(derive) => commands::derive::derive(derive),
         Command::Export(export) => commands::export::export(export),
         Command::Simulate(simulate) => commands::simulate::simulate(simulate),

@@ -32,6 +32,7 @@ mod number;
 pub mod problems;
 mod reference;
 mod structure;
+mod sunlight;
 mod visual;
 
 pub use crate::finite::beam::{BeamError, Quantity, Section, SectionShape};
@@ -73,6 +74,7 @@ pub use kinds::wheel::{Wheel, WheelSpeed};
 pub use material::Material;
 pub use reference::{End, NodeRef, PlaceRef};
 pub use registry::ElementId;
+pub use sunlight::{SunlightAccuracy, SunlitShape, UNRESOLVED as UNRESOLVED_SUNLIGHT};
 pub use visual::{RotorAxis, Visual};
 
 use kinds::force;

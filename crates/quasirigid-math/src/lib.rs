@@ -30,6 +30,7 @@ pub mod rotation;
 pub mod scalar;
 pub mod simd;
 pub mod sphere;
+pub mod spherical_harmonics;
 pub mod stopwatch;
 pub mod submanifold;
 pub mod sym3;

@@ -3,7 +3,14 @@
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// A number a polynomial can be evaluated at: `f64`, or a truncated Taylor series in time.
-pub trait Scalar: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + From<f64> {}
+pub trait Scalar: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + From<f64> {
+    /// Product with a plain number.
+    #[must_use]
+    #[inline(always)]
+    fn scaled(self, factor: f64) -> Self {
+        self * Self::from(factor)
+    }
+}
 
 /// A number that smooth functions can be evaluated at.
 ///

@@ -212,7 +212,12 @@ impl<const N: usize> Div for Taylor<N> {
     }
 }
 
-impl<const N: usize> Scalar for Taylor<N> {}
+impl<const N: usize> Scalar for Taylor<N> {
+    #[inline(never)]
+    fn scaled(self, factor: f64) -> Self {
+        Self::new(self.coefficients.map(|coefficient| coefficient * factor))
+    }
+}
 
 impl<const N: usize> Smooth for Taylor<N> {
     const TERMS: usize = N;

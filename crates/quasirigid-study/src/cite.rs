@@ -43,6 +43,8 @@ const STOKES: &[&str] = &["taylor1973", "cahouet1988", "zienkiewicz1992"];
 const CREEP: &[&str] = &["andrade1910"];
 const ORBITS: &[&str] = &["battin1999", "hughes1986"];
 const EDDY_CURRENTS: &[&str] = &["ortiz2015", "landau1984"];
+/// Pressure and recoil of light on facets, and its mean torque.
+const SUNLIGHT: &[&str] = &["rubincam2000"];
 const FIELDS_ON_ORBITS: &[&str] = &["battin1999"];
 /// The coefficients of the main field of the Earth, and how its harmonics are computed.
 const MAIN_FIELD: &[&str] = &["igrf14", "cunningham1970"];
@@ -135,6 +137,7 @@ fn capabilities(model: &Model) -> Vec<(bool, &'static [&'static str])> {
         (material(|rheology| matches!(rheology, Rheology::Andrade { .. })), CREEP),
         (law(|law| matches!(law, ForceLaw::CentralGravity { .. })), ORBITS),
         (law(|law| matches!(law, ForceLaw::EddyCurrent { .. })), EDDY_CURRENTS),
+        (law(|law| matches!(law, ForceLaw::Sunlight { .. })), SUNLIGHT),
         (in_field(|field| field.orbit().is_some()), FIELDS_ON_ORBITS),
         (in_field(|field| matches!(field, MagneticField::Earth { .. })), MAIN_FIELD),
         (!assembly.wheels.is_empty() || !assembly.rotors.is_empty(), WHEELS),

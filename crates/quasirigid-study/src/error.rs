@@ -104,6 +104,11 @@ pub enum StudyError {
         /// The reason, in words.
         problem: String,
     },
+    /// A mean torque of sunlight that there is not.
+    Yorp {
+        /// The reason, in words.
+        problem: String,
+    },
     /// Threads that the system does not give.
     Threads {
         /// Number asked for.
@@ -391,7 +396,9 @@ impl StudyError {
             }
             Self::NoQuantity { name, reason } => format!("there is no value of `{name}` to differentiate: {reason}"),
             Self::Uncertified { reason } => format!("this answer has no certificate: {reason}"),
-            Self::Infer { problem } | Self::FillMap { problem } | Self::LightCurve { problem } => problem.clone(),
+            Self::Infer { problem } | Self::FillMap { problem } | Self::LightCurve { problem } | Self::Yorp { problem } => {
+                problem.clone()
+            }
             Self::Threads { threads, cause } => format!("{threads} threads cannot be started: {cause}"),
             Self::Truncation(cause) => cause.to_string(),
             Self::Step(cause) => cause.to_string(),

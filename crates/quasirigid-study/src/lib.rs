@@ -119,6 +119,7 @@ mod tanks;
 pub mod verification;
 mod watch;
 mod words;
+pub mod yorp;
 
 pub use as_observed::Turned;
 pub use error::StudyError;

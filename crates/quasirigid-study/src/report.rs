@@ -2,5 +2,5 @@
 
 pub use quasirigid_report::{
     Compared, GltfOptions, PngError, comparison_page, figure_names, fill_map_picture, gltf,
-    light_curve_picture, page, picture, png, revolutions_per_frame,
+    light_curve_picture, page, picture, png, revolutions_per_frame, yorp_picture,
 };

@@ -1,7 +1,7 @@
 //! External loads: force, moment and generalised forces of all laws on a body in motion.
 //! Generic over the scalar, so that the same code gives values, Taylor series in time and first variations; each law acts on the displaced
 //! place, curvature included.
-//! Equations (F1), (F2), (F5), (F6), (F9), (F11) to (F15) and (F22), docs/theory/07-forces.md; (S1), docs/theory/01-system.md.
+//! Equations (F1), (F2), (F5), (F6), (F9), (F11) to (F15), (F22) and (F27), docs/theory/07-forces.md; (S1), docs/theory/01-system.md.
 
 use std::cell::OnceCell;
 
@@ -159,6 +159,12 @@ impl<T: Smooth> LoadContext<'_, T> {
             ForceLaw::EddyCurrent { tensor, field, .. } => {
                 let fields = field.with_rate(t).map(|vector| self.turn().to_body(vector));
                 loads.add_torque(eddy::torque(tensor, motion.omega, fields));
+            }
+            ForceLaw::Sunlight { loads: of_sun, sun } => {
+                let (toward, pressure) = sun.at(t);
+                let [force, torque] = of_sun.about(self.body.pole(), self.turn().to_body(toward));
+                loads.force = add(loads.force, scale(pressure, force));
+                loads.add_torque(scale(pressure, torque));
             }
             ForceLaw::Expression { at, force } => {
                 let (at, velocity) = self.passing(at);

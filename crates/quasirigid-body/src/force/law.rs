@@ -1,11 +1,12 @@
 //! Laws of external forces, generic in the description of their places.
 //! One type serves the assembly, where a place is an element, and the body, where a place is a marker; [`Force::try_map`] takes one to the
 //! other.
-//! Equations (F3) to (F9) and (F13) to (F15), docs/theory/07-forces.md.
+//! Equations (F3) to (F9), (F13) to (F15) and (F27), docs/theory/07-forces.md.
 
 use std::ops::Range;
+use std::sync::Arc;
 
-use super::{MagneticField, Timetable, Trajectory, Windows};
+use super::{MagneticField, SunPath, SunlightLoads, Timetable, Trajectory, Windows};
 use crate::math::expression::Expression;
 use crate::math::taylor::Taylor;
 
@@ -30,7 +31,7 @@ pub struct Force<P> {
     pub law: ForceLaw<P>,
 }
 
-/// Laws of external forces. (F3)–(F9), (F13)–(F15)
+/// Laws of external forces. (F3)–(F9), (F13)–(F15), (F27)
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[derive(Clone, Debug, PartialEq)]
 pub enum ForceLaw<P> {
@@ -92,6 +93,13 @@ pub enum ForceLaw<P> {
         decay_time: f64,
         /// Magnetic field.
         field: MagneticField,
+    },
+    /// Pressure of sunlight, and of what the surface scatters and emits, on the body at equilibrium. (F27)
+    Sunlight {
+        /// Force and torque by the direction of the Sun.
+        loads: Arc<SunlightLoads>,
+        /// Where the Sun stands.
+        sun: SunPath,
     },
     /// User-defined force at a place, inertial axes (N): one expression per component in the inertial place `x y z` and velocity `vx vy
     /// vz`, the time `t`, the angular velocity `wx wy wz` (body axes) and the attitude `qw qx qy qz`, in this order. (F9)
@@ -162,6 +170,7 @@ impl<P> ForceLaw<P> {
             | Self::Torque { .. }
             | Self::MagneticDipole { .. }
             | Self::EddyCurrent { .. }
+            | Self::Sunlight { .. }
             | Self::TorqueExpression { .. }
             | Self::TorqueTable { .. } => None,
         }
@@ -208,12 +217,20 @@ impl<P> ForceLaw<P> {
         }
     }
 
+    /// Path that the body is on by the law, past a centre of attraction or the Sun; none without one, or within windows.
+    #[must_use]
+    pub fn trajectory(&self) -> Option<&Trajectory> {
+        match self {
+            Self::CentralGravity { orbit } | Self::Sunlight { sun: SunPath::Orbit(orbit), .. } => Some(orbit),
+            _ => None,
+        }
+    }
+
     /// First and last time (s) of a path that is not known over the whole of a run to this time, where the law acts.
     #[must_use]
     pub fn uncovered(&self, end: f64) -> Option<[f64; 2]> {
         let (law, windows) = self.timed();
-        let Self::CentralGravity { orbit } = law else { return None };
-        let known = orbit.span()?;
+        let known = law.trajectory()?.span()?;
         let rounding = ROUNDING * known[0].abs().max(known[1].abs());
         let before = known[0] - rounding;
         let beyond = |from: f64, to: f64| from < to && (from < before || to > known[1] + rounding);
@@ -243,6 +260,7 @@ impl<P> ForceLaw<P> {
             Self::EddyCurrent { tensor, decay_time, field } => {
                 ForceLaw::EddyCurrent { tensor: *tensor, decay_time: *decay_time, field: *field }
             }
+            Self::Sunlight { loads, sun } => ForceLaw::Sunlight { loads: loads.clone(), sun: sun.clone() },
             Self::Expression { at, force } => ForceLaw::Expression { at: map(at)?, force: force.clone() },
             Self::TorqueExpression { torque, axes } => {
                 ForceLaw::TorqueExpression { torque: torque.clone(), axes: *axes }

@@ -1,4 +1,4 @@
-//! External forces on a body, for scalars that may be series in time. (F1) to (F26)
+//! External forces on a body, for scalars that may be series in time. (F1) to (F33)
 
 mod apply;
 mod conductor;
@@ -11,8 +11,10 @@ mod gravity;
 mod igrf;
 mod law;
 mod mean_field;
+mod mean_sunlight;
 mod orbit;
 mod pose;
+mod sunlight;
 mod timing;
 mod trajectory;
 
@@ -28,7 +30,9 @@ pub use igrf::EarthField;
 pub use law::{Axes, Force, ForceLaw, Wave};
 #[doc(hidden)]
 pub use law::{PLACE, TIME, VARIABLES};
+pub use mean_sunlight::{MeanSunlight, MeanTorque, ThermalSurface};
 pub use orbit::{Oblateness, Orbit, OrbitPoint};
 pub use pose::Pose;
+pub use sunlight::{SOLAR_CONSTANT, SPEED_OF_LIGHT, SunPath, SunlightLoads, light_pressure};
 pub use timing::{Interpolation, Timetable, TimingProblem, Windows};
 pub use trajectory::Trajectory;

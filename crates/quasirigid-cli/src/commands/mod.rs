@@ -24,6 +24,7 @@ pub mod sensitivity;
 pub mod simulate;
 pub mod sweep;
 pub mod verify;
+pub mod yorp;
 
 use std::path::{Path, PathBuf};
 

@@ -1,6 +1,6 @@
-use crate::support::{EXAMPLES, STUDIES, ran};
+use crate::support::{EXAMPLES, STUDIES, SUNLIT, ran};
 
-const COMMANDS: [&str; 15] = [
+const COMMANDS: [&str; 16] = [
     "run",
     "check",
     "modes",
@@ -8,6 +8,7 @@ const COMMANDS: [&str; 15] = [
     "derive",
     "fills",
     "lightcurve",
+    "yorp",
     "export",
     "simulate",
     "evolve",
@@ -44,9 +45,9 @@ fn every_command_shows_an_example_of_itself_that_names_a_model_we_ship() {
         let (_, example) = help.stdout.split_once("Example:\n").expect(command);
         let (line, rest) = example.split_once('\n').unwrap();
         assert!(line.starts_with(&format!("  quasirigid {command} examples/")), "{line}");
-        let files = EXAMPLES.map(|name| format!("examples/{name}/model.toml"));
+        let files = EXAMPLES.into_iter().chain(SUNLIT).map(|name| format!("examples/{name}/model.toml"));
         let studies = STUDIES.map(|name| format!("examples/{name}/study.toml"));
-        assert!(files.iter().chain(&studies).any(|file| line.contains(file.as_str())), "{line}");
+        assert!(files.chain(studies).any(|file| line.contains(file.as_str())), "{line}");
         assert_eq!(rest, "", "the example is one line");
     }
 }

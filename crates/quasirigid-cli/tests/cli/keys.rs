@@ -246,6 +246,12 @@ fn keys_of_light_curves_are_those_of_the_guide() {
     assert_same(&curve, &listed(PAGE, "`lightcurve`"));
 }
 
+#[test]
+fn keys_of_yorp_are_those_of_the_guide() {
+    let found = printed(&["yorp examples/sunlit-rock/model.toml"]);
+    assert_same(&found, &listed(PAGE, "`yorp`"));
+}
+
 /// A refused evolution has unknown numbers, and lists them; events that never happen have infinite times.
 #[test]
 fn null_is_what_is_infinite_or_not_known() {

@@ -48,3 +48,4 @@ mod standard_input;
 mod structures;
 mod sweep;
 mod width;
+mod yorp;

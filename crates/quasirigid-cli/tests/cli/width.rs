@@ -6,8 +6,8 @@ use std::path::Path;
 use tempfile::TempDir;
 
 use crate::support::{
-    CONTROLLED, EXAMPLES, MODEL, ROOT, SLIDING, STRUCTURES, STUDIES, copy, folder_of, names, one_line, ran,
-    ran_in, ran_with,
+    CONTROLLED, EXAMPLES, MODEL, ROOT, SLIDING, STRUCTURES, STUDIES, SUNLIT, copy, folder_of, names,
+    one_line, ran, ran_in, ran_with,
 };
 
 /// Examples whose answers take seconds: asked at night.
@@ -42,8 +42,14 @@ fn every_example_is_tested() {
         Path::new(ROOT).join("examples").join(name).join("model.toml").is_file()
             || STUDIES.contains(&name.as_str())
     });
-    let mut tested: Vec<&str> =
-        EXAMPLES.into_iter().chain(SLIDING).chain(CONTROLLED).chain(STRUCTURES).chain(STUDIES).collect();
+    let mut tested: Vec<&str> = EXAMPLES
+        .into_iter()
+        .chain(SLIDING)
+        .chain(CONTROLLED)
+        .chain(SUNLIT)
+        .chain(STRUCTURES)
+        .chain(STUDIES)
+        .collect();
     tested.sort_unstable();
     assert_eq!(folders.iter().filter(|name| !name.contains('.')).collect::<Vec<_>>(), tested);
 }

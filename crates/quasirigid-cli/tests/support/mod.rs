@@ -39,6 +39,9 @@ pub const SLIDING: [&str; 1] = ["ring-damper"];
 /// Examples with controllers, whose histories are those of the full system.
 pub const CONTROLLED: [&str; 1] = ["detumbling-cubesat"];
 
+/// Examples in sunlight, which have tests of their own.
+pub const SUNLIT: [&str; 1] = ["sunlit-rock"];
+
 /// Studies of many bodies, each of the model of another example.
 pub const STUDIES: [&str; 2] = ["apophis-flyby", "damper-study"];
 

@@ -104,6 +104,10 @@ impl Problem {
             Self::NotTheEarth { .. } => {
                 ("another centre", "write body = \"Earth\" in the orbit, or give a `dipole`")
             }
+            Self::NotTheSun { .. } => (
+                "another centre",
+                "write body = \"Sun\" in the orbit, or give a `direction` and a `distance` of the Sun",
+            ),
             Self::Underground { .. } => (
                 "below the surface",
                 "check the semi-major axis, from the centre of the Earth, and the eccentricity",

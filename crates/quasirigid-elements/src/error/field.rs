@@ -161,6 +161,10 @@ fields! {
     PHASE = "phase";
     /// Gravitational parameter of an orbit.
     GRAVITATIONAL_PARAMETER = "gravitational_parameter";
+    /// Direction of the Sun.
+    DIRECTION = "direction";
+    /// Distance of the Sun.
+    DISTANCE = "distance";
     /// Semi-major axis of an orbit.
     SEMI_MAJOR_AXIS = "semi_major_axis";
     /// Distance of the periapsis of an orbit.

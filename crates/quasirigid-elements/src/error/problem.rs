@@ -93,6 +93,14 @@ pub enum Problem {
         /// Gravitational parameter (m³/s²) of the centre.
         mu: f64,
     },
+    /// Sunlight on an orbit about another centre.
+    #[error(
+        "the Sun is the centre of the orbit of a body in its light, and this orbit is about a centre of {mu} m^3/s^2"
+    )]
+    NotTheSun {
+        /// Gravitational parameter (m³/s²) of the centre.
+        mu: f64,
+    },
     /// Main field of the Earth along an orbit that goes through it.
     #[error(
         "the main field is known above the Earth, and the orbit comes to {:.0} km from its centre",

@@ -3,7 +3,9 @@
 use crate::element::{AttachmentPoint, Element};
 use crate::error::{ElementError, ElementId, Field, Problem, at};
 use crate::kinds::coefficient::matrix;
-use crate::model::force::{Conic, EarthField, Force, ForceLaw, MagneticField, Orbit, Trajectory, Wave};
+use crate::model::force::{
+    Conic, EarthField, Force, ForceLaw, MagneticField, Orbit, SunPath, Trajectory, Wave,
+};
 use crate::number;
 use crate::{ApplicationPoint, Assembly, Coefficient};
 
@@ -62,6 +64,7 @@ fn lawful(
             matrix(Coefficient::Full(*tensor)).map_err(conducting).map_err(at(place, Field::TENSOR))?;
             magnetic(field)
         }
+        ForceLaw::Sunlight { sun, .. } => in_sunlight(place, sun),
         ForceLaw::Expression { .. }
         | ForceLaw::TorqueExpression { .. }
         | ForceLaw::TorqueTable { .. }
@@ -91,6 +94,26 @@ pub(crate) fn magnetic(place: ElementId, field: &MagneticField) -> Result<(), El
         }
     }
 }
+
+/// Accepts a place of the Sun.
+fn in_sunlight(place: ElementId, sun: &SunPath) -> Result<(), ElementError> {
+    match sun {
+        SunPath::Fixed { direction, distance } => {
+            number::unit(*direction).map_err(at(place, Field::DIRECTION))?;
+            number::positive(*distance).map_err(at(place, Field::DISTANCE))
+        }
+        SunPath::Orbit(path) => {
+            on_trajectory(place, path)?;
+            if (path.mu() / SUN_PARAMETER - 1.0).abs() > OTHER_CENTRE {
+                return Err(at(place, Field::GRAVITATIONAL_PARAMETER)(Problem::NotTheSun { mu: path.mu() }));
+            }
+            Ok(())
+        }
+    }
+}
+
+/// Gravitational parameter of the Sun (m³/s²), DE440.
+const SUN_PARAMETER: f64 = 1.327_124_400_41e20;
 
 /// Problem of a matrix in the words of a conductor.
 fn conducting(problem: Problem) -> Problem {
@@ -137,7 +160,7 @@ fn on_orbit(place: ElementId, orbit: &Orbit) -> Result<(), ElementError> {
     number::finite(&[orbit.node_rate, orbit.periapsis_rate]).map_err(at(place, Field::PRECESSION))
 }
 
-/// Difference of gravitational parameters, relative, from which a centre is not the Earth.
+/// Difference of gravitational parameters, relative, from which a centre is not the Earth, or the Sun.
 const OTHER_CENTRE: f64 = 0.01;
 
 /// Accepts an orbit about the Earth that stays above its surface.

@@ -1,7 +1,8 @@
-//! Force reader: `[[force]]`, one function for each of nine laws.
+//! Force reader: `[[force]]`, one function for each of ten laws.
 //! Whether a law needs a place or refuses one is a law of mechanics and checked by the library; here only keys and units are.
-//! Equations (F3) to (F10) and (F13) to (F15), docs/theory/07-forces.md.
+//! Equations (F3) to (F10), (F13) to (F15) and (F27), docs/theory/07-forces.md.
 
+use std::cell::RefCell;
 use std::f64::consts::TAU;
 use std::path::Path;
 
@@ -10,12 +11,17 @@ use quasirigid_elements::{ApplicationPoint, ElementKind};
 
 use super::conductor::eddy_current;
 use super::formula::{PLACE, formulas};
-use super::key::{Form, KIND, Key, Keys, Shape, TEXT, any, key, list, of, pick, quantity, shared, words};
+use super::key::{
+    BOOLEAN, Form, KIND, Key, Keys, NUMBER, Shape, TEXT, VECTOR, any, key, list, of, pick, quantity, shared,
+    words,
+};
 use super::kinds::{Kind, kind, of_table, opened, variants};
 use super::magnetic_field::{self, CommonField, field_of_force};
 use super::names::{END, Fixed, Names, Part};
 use super::orbit::ORBIT;
 use super::reader::{Keyed, NAME, Naming, Reader, Sources};
+use super::sunlight::{Sunlit, sunlight};
+use super::surface::{STRICT, UNIT};
 use super::table::Table;
 use super::timing::{alone, tabled, twice, windows};
 use super::trajectory::trajectory;
@@ -29,9 +35,10 @@ struct Around<'s, 'a> {
     names: &'s Names<'a>,
     folder: &'s Path,
     field: CommonField,
+    sunlit: Sunlit<'s>,
 }
 
-static KINDS: [Kind<Read>; 9] = [
+static KINDS: [Kind<Read>; 10] = [
     kind!(
         "[[force]]",
         "uniform-gravity",
@@ -128,6 +135,25 @@ static KINDS: [Kind<Read>; 9] = [
     ),
     kind!(
         "[[force]]",
+        "sunlight",
+        [
+            "kind",
+            "name",
+            "direction",
+            "distance",
+            "orbit",
+            "file",
+            "unit",
+            "strict",
+            "shadows",
+            "tolerance",
+            "during"
+        ],
+        "pressure of light on the outer surface, with what it scatters and emits (F27)",
+        |table, around| sunlight(table, &around.sunlit)
+    ),
+    kind!(
+        "[[force]]",
         "expression",
         ["kind", "name", "on", "at", "force", "torque", "axes", "timetable", "interpolation", "during"],
         "formulas (F9): a `force`, inertial axes, or a `torque` on the carrier",
@@ -168,6 +194,21 @@ const ANY: Keys = Keys {
         key("shape", words(&["sphere", "shell"]), "(F16)"),
         key("radius", quantity("m"), "outer one"),
         key("thickness", quantity("m"), "of a shell"),
+        key(
+            "direction",
+            VECTOR,
+            "towards the Sun, inertial axes; with a `distance`, instead of an `orbit` about it",
+        ),
+        key("distance", quantity("m"), "of the Sun"),
+        key(
+            "file",
+            TEXT.or("the [[surface]] or [[ellipsoid]]"),
+            "closed surface in the light, as of a [[surface]]",
+        ),
+        UNIT,
+        STRICT,
+        key("shadows", BOOLEAN.or("`true`"), "of the surface on itself"),
+        key("tolerance", NUMBER.or("0.01"), "error of the torque, of its root mean square; 0.0001 to 0.1"),
         key("timetable", TEXT, "CSV file instead of components (F14)"),
         key("interpolation", words(&["held", "linear"]).or("`\"held\"`"), "of the timetable"),
         key(
@@ -196,10 +237,14 @@ pub(super) const READER: Reader = Reader {
     is_body: false,
     read: |entry, draft| {
         let Sources { folder, field, .. } = draft.sources;
-        let around = Around { names: &draft.names, folder, field };
+        let sunlit =
+            Sunlit { name: entry.name, folder, assembly: &draft.assembly, notes: RefCell::default() };
+        let around = Around { names: &draft.names, folder, field, sunlit };
         let law = (of_table(entry.table, "kind", &KINDS)?.read)(entry.table, &around);
+        let notes = around.sunlit.notes.into_inner();
         let windows = windows(entry.table);
         let (law, windows) = (law?, windows?);
+        draft.notes.extend(notes);
         let law = match windows {
             Some(windows) => ForceLaw::During { windows, law: Box::new(law) },
             None => law,

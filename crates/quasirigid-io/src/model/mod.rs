@@ -47,6 +47,7 @@ pub(crate) mod spans;
 mod spin_manifold;
 mod spring;
 mod start_file;
+mod sunlight;
 mod support;
 mod surface;
 pub(crate) mod syntax;

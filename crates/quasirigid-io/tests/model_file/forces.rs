@@ -308,17 +308,17 @@ fn forces_have_names_of_their_own() {
 fn a_force_says_its_kind() {
     assert_snapshot!(refusal_of("[[force]]\ntorque = [0, 0, 1]\n[[force]]\nknd = \"drag\"\n"), @r#"
     model.toml:9:1: [[force]] has no `kind`
-      add a line such as: kind = "uniform-gravity", "central-gravity", "drag", "spin-drag", "torque", "thrust", "magnetic-dipole", "eddy-current" or "expression"
+      add a line such as: kind = "uniform-gravity", "central-gravity", "drag", "spin-drag", "torque", "thrust", "magnetic-dipole", "eddy-current", "sunlight" or "expression"
     model.toml:12:1: unknown key "knd" in [[force]]
-      did you mean `kind`? the keys are kind, name, on, at, coefficient, acceleration, orbit, torque, force, axes, frequency, period, phase, moment, field, dipole, dipole_rate, igrf, tensor, conductivity, shape, radius, thickness, timetable, interpolation, during
+      did you mean `kind`? the keys are kind, name, on, at, coefficient, acceleration, orbit, torque, force, axes, frequency, period, phase, moment, field, dipole, dipole_rate, igrf, tensor, conductivity, shape, radius, thickness, direction, distance, file, unit, strict, shadows, tolerance, timetable, interpolation, during
     "#);
     assert_snapshot!(refused("drga", "anything = 1\n"), @r#"
     model.toml:10:8: `kind` cannot be "drga"
-      did you mean "drag"? write "uniform-gravity", "central-gravity", "drag", "spin-drag", "torque", "thrust", "magnetic-dipole", "eddy-current" or "expression"
+      did you mean "drag"? write "uniform-gravity", "central-gravity", "drag", "spin-drag", "torque", "thrust", "magnetic-dipole", "eddy-current", "sunlight" or "expression"
     "#);
     assert_snapshot!(refused("wind", ""), @r#"
     model.toml:10:8: `kind` cannot be "wind"
-      write "uniform-gravity", "central-gravity", "drag", "spin-drag", "torque", "thrust", "magnetic-dipole", "eddy-current" or "expression"
+      write "uniform-gravity", "central-gravity", "drag", "spin-drag", "torque", "thrust", "magnetic-dipole", "eddy-current", "sunlight" or "expression"
     "#);
     assert_snapshot!(refusal_of("[[force]]\nkind = 3\n"), @"
     model.toml:10:8: `kind`: found an integer, expected a text
@@ -344,7 +344,7 @@ fn a_key_of_another_kind_is_refused() {
     "#);
     assert_snapshot!(refused("uniform-gravity", "acceleration = [0, 0, -9.81]\norbit = {}\n"), @r#"
     model.toml:12:1: `orbit` is not a key of [[force]] of kind "uniform-gravity"
-      it is for kind = "central-gravity", kind = "magnetic-dipole" or kind = "eddy-current"; the keys here are kind, name, acceleration, during
+      it is for kind = "central-gravity", kind = "magnetic-dipole", kind = "eddy-current" or kind = "sunlight"; the keys here are kind, name, acceleration, during
     "#);
 }
 

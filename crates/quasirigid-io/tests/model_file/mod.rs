@@ -43,6 +43,7 @@ mod settings;
 mod shorthands;
 mod solids;
 mod start_file;
+mod sunlight;
 mod surfaces;
 mod tanks;
 mod timing;

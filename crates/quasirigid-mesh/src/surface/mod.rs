@@ -3,6 +3,7 @@
 mod closed;
 mod crossing;
 mod error;
+mod facets;
 mod geometry;
 mod holes;
 mod moments;
@@ -20,6 +21,7 @@ mod written;
 
 pub use closed::ClosedSurface;
 pub use error::SurfaceError;
+pub use facets::{Facet, Facets};
 pub use holes::Hole;
 pub use moments::Moments;
 pub(crate) use proximity::Proximity;

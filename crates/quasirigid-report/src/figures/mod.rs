@@ -8,6 +8,7 @@ pub mod fill_map;
 pub mod history;
 pub mod light_curve;
 pub mod verification;
+pub mod yorp;
 
 use quasirigid_io::record::RunRecord;
 

@@ -57,7 +57,7 @@ types! {
         ElementKind Ellipsoid End Extent Field Frame FrameNode GivenModes HingeCoefficient Hinged Incomplete InertiaPoint
         Layer Material Matrices MeasuredSlosh Member Modulus NamedController Network NodalMass NodeRef ObservedShape Orthotropic Panel Part PartKind
         PartReduction PlaceRef Point PointMotion Prestress Problem Quantity Regime Region Relaxed Resolution Rotor
-        RingBaffle RotorKind Section SectionShape SettledTank Settling ShellError SlowLiquid Slug Solid Spectrum Spring SpringLaw
+        RingBaffle RotorKind Section SectionShape SettledTank Settling ShellError SlowLiquid Slug Solid Spectrum Spring SpringLaw SunlightAccuracy SunlitShape
         ApplicationPoint StokesError Surface Tank TankContents TankDamping TankError TankMode TankShape TipMass Tube TubeError RotorAxis Visual Wheel WheelSpeed
         Bar BarKind Coupling Mixed NodeBody NodeLink Skin Strain Weighted
     }

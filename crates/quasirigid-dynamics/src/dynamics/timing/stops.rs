@@ -102,15 +102,16 @@ impl Stops<'_> {
             ForceLaw::TorqueTable { table, .. } | ForceLaw::ForceTable { table, .. } => {
                 self.breaks.extend(table.times());
             }
-            ForceLaw::CentralGravity { orbit: Trajectory::Orbit(orbit) } => {
-                self.periodic.push(Periodic::orbit(orbit));
-            }
-            ForceLaw::CentralGravity { orbit: Trajectory::Conic(conic) } => self.of_conic(conic),
-            ForceLaw::CentralGravity { orbit: Trajectory::Table(table) } => self.breaks.extend(table.times()),
             ForceLaw::MagneticDipole { field, .. } | ForceLaw::EddyCurrent { field, .. } => {
                 self.periodic.extend(Periodic::of_field(field));
             }
             _ => {}
+        }
+        match law.trajectory() {
+            Some(Trajectory::Orbit(orbit)) => self.periodic.push(Periodic::orbit(orbit)),
+            Some(Trajectory::Conic(conic)) => self.of_conic(conic),
+            Some(Trajectory::Table(table)) => self.breaks.extend(table.times()),
+            None => {}
         }
     }
 

@@ -6,7 +6,7 @@ use super::error::SteadyError;
 use super::state::SteadyStateGuess;
 use super::timed::{Pace, pace};
 use crate::math::taylor::Taylor;
-use crate::model::force::{Axes, Force, ForceLaw, MagneticField, Orbit, PLACE, TIME, Trajectory};
+use crate::model::force::{Axes, Force, ForceLaw, MagneticField, Orbit, PLACE, SunPath, TIME, Trajectory};
 use crate::model::{FlexibleBody, Marker, Support};
 
 type V = Vector3<f64>;
@@ -144,6 +144,10 @@ impl ForceDirections {
             ForceLaw::MagneticDipole { field, .. } | ForceLaw::EddyCurrent { field, .. } => {
                 self.magnetic(&force.name, field)?;
             }
+            ForceLaw::Sunlight { sun: SunPath::Fixed { direction, .. }, .. } => {
+                self.directions.push(((*direction).into(), named));
+            }
+            ForceLaw::Sunlight { .. } => return changes(),
             ForceLaw::Drag { .. } | ForceLaw::SpinDrag { .. } => {}
             ForceLaw::Torque { torque: amplitude, axes, wave }
             | ForceLaw::Thrust { force: amplitude, axes, wave, .. } => {

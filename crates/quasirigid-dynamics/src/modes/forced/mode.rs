@@ -113,6 +113,7 @@ fn exchanging(force: &Force<Marker>) -> Option<String> {
     match &force.law {
         law if is_drag(law) => Some(format!("drag {:?}", force.name)),
         ForceLaw::EddyCurrent { .. } => Some(format!("eddy currents {:?}", force.name)),
+        ForceLaw::Sunlight { .. } => Some(format!("sunlight {:?}", force.name)),
         ForceLaw::Expression { .. } | ForceLaw::TorqueExpression { .. } => {
             Some(format!("force {:?}", force.name))
         }
@@ -138,6 +139,7 @@ fn has_potential(law: &ForceLaw<Marker>) -> bool {
         ForceLaw::During { law, .. } => has_potential(law),
         ForceLaw::Torque { .. }
         | ForceLaw::EddyCurrent { .. }
+        | ForceLaw::Sunlight { .. }
         | ForceLaw::Expression { .. }
         | ForceLaw::TorqueExpression { .. }
         | ForceLaw::TorqueTable { .. }

@@ -125,9 +125,8 @@ class Model:
     ) -> _Answer: ...
     def infer(
         self,
-        measured: tuple[str, float | None],
-        vary: list[str],
-        system: str,
+        history: tuple[str | None, float | None],
+        asked: dict[str, Any],
         order: int | None,
         observer: _Observer,
     ) -> _Answer: ...

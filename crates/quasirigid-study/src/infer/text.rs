@@ -2,7 +2,7 @@
 
 use std::fmt::{self, Write};
 
-use super::{Combination, Inferred};
+use super::{Combination, Inferred, Parameter};
 use crate::layout::paragraph;
 use crate::words::significant;
 
@@ -31,6 +31,7 @@ impl Inferred {
                 significant(self.scatter.unwrap_or(f64::NAN), 3)
             )),
         }
+        parts.extend(self.parameters.iter().filter_map(bounded));
         parts.extend(self.not_distinguished.iter().map(unseen));
         parts.join(" ")
     }
@@ -48,12 +49,48 @@ impl Inferred {
         for note in &self.notes {
             writeln!(out, "{}", paragraph(&format!("note: {note}"), "  ", "    "))?;
         }
+        self.write_keys(out)?;
+        self.write_answers(out)
+    }
+
+    fn write_keys(&self, out: &mut String) -> fmt::Result {
         let width = self.parameters.iter().map(|each| each.key.len()).max().unwrap_or(0);
         writeln!(out, "\n  {:<width$} {:>14} {:>12} {:>14}", "key", "value", "sigma", "in the file")?;
         for each in &self.parameters {
-            let sigma = each.sigma.map_or_else(|| "NOT KNOWN".to_owned(), |sigma| significant(sigma, 3));
+            let unknown = if each.at_bound.is_some() { "AT A BOUND" } else { "NOT KNOWN" };
+            let sigma = each.sigma.map_or_else(|| unknown.to_owned(), |sigma| significant(sigma, 3));
             let [value, before] = [each.value, each.before].map(|value| significant(value, 7));
             let line = format!("  {:<width$} {value:>14} {sigma:>12} {before:>14} {}", each.key, each.unit);
+            writeln!(out, "{}", line.trim_end())?;
+        }
+        let profiled = || self.parameters.iter().filter(|each| each.profiled);
+        if profiled().next().is_some() {
+            writeln!(out, "\n  {:<width$} {:>26} {:>26}", "by the profile likelihood", "68 %", "95 %")?;
+        }
+        for each in profiled() {
+            let errors = [each.interval_68, each.interval_95].map(|ends| errors(each.value, ends));
+            writeln!(out, "  {:<width$} {:>26} {:>26}", each.key, errors[0], errors[1])?;
+        }
+        Ok(())
+    }
+
+    fn write_answers(&self, out: &mut String) -> fmt::Result {
+        if self.measured.is_empty() {
+            return Ok(());
+        }
+        let width = self.measured.iter().map(|each| each.quantity.len()).max().unwrap_or(0);
+        writeln!(
+            out,
+            "\n  {:<width$} {:>12} {:>10} {:>12} {:>9}",
+            "measured", "value", "sigma", "fitted", "off by"
+        )?;
+        for each in &self.measured {
+            let [value, fitted] = [each.value, each.fitted].map(|value| significant(value, 5));
+            let (sigma, off) = (significant(each.sigma, 2), significant(each.residual, 2));
+            let line = format!(
+                "  {:<width$} {value:>12} {sigma:>10} {fitted:>12} {off:>9} {}",
+                each.quantity, each.unit
+            );
             writeln!(out, "{}", line.trim_end())?;
         }
         Ok(())
@@ -85,4 +122,27 @@ fn unseen(combination: &Combination) -> String {
 
 fn sign(number: f64) -> char {
     if number < 0.0 { '-' } else { '+' }
+}
+
+/// Asymmetric errors of a value.
+fn errors(value: f64, [low, high]: [Option<f64>; 2]) -> String {
+    let error = |sign: char, end: Option<f64>| {
+        let size = end.map_or_else(|| "unbounded".to_owned(), |end| significant((end - value).abs(), 3));
+        format!("{sign}{size}")
+    };
+    format!("{} {}", error('+', high), error('-', low))
+}
+
+/// A key at a bound of its range: what the data allow on the other side.
+fn bounded(parameter: &Parameter) -> Option<String> {
+    let at = parameter.at_bound?;
+    let [low, high] = parameter.interval_95;
+    let unit = if parameter.unit.is_empty() { String::new() } else { format!(" {}", parameter.unit) };
+    let value = format!("{}{unit}", significant(parameter.value, 4));
+    let (bound, side, end) = if at == "low" { ("least", "most", high) } else { ("greatest", "least", low) };
+    let reach = end.map_or_else(
+        || "the data set no other end".to_owned(),
+        |end| format!("at {side} {}{unit} with 95 %", significant(end, 4)),
+    );
+    Some(format!("{} is at the {bound} value of its range, {value}: {reach}.", parameter.key))
 }

@@ -1,0 +1,72 @@
+//! Searches from several starts, and again from deeper places that profiles find.
+
+use quasirigid_math::least_squares::{LeastSquares, least_squares};
+use quasirigid_math::random::Random;
+
+use super::curvature::{Curvature, curvature};
+use super::problem::Problem;
+use super::profile::{Profile, Profiles, profiles};
+
+/// The most by which starts differ from the file, where a key has no range.
+const SPREAD: f64 = 0.2;
+/// Ratio of the ends of a range from which starts are spread over its logarithm.
+const DECADE: f64 = 10.0;
+const SEED: u64 = 20;
+/// Relative difference of squares from which a least is deeper than another.
+const DEEPER: f64 = 1e-3;
+
+/// The deepest least that was found.
+pub(super) struct Found {
+    pub least: LeastSquares,
+    pub curvature: Curvature,
+    /// One for each key.
+    pub profiles: Vec<Profile>,
+    /// Whether other starts end in shallower minima.
+    pub has_others: bool,
+}
+
+/// The deepest least of all starts; none where the keys have no derivatives.
+pub(super) fn deepest(problem: &Problem<'_>, starts: usize, asked: Profiles) -> Option<Found> {
+    let bounds = problem.bounds();
+    let search = |start: &Vec<f64>| least_squares(start, &bounds, &mut |points| problem.all(points));
+    let mut found: Vec<LeastSquares> = self::starts(problem, starts).iter().filter_map(search).collect();
+    found.sort_by(|a, b| a.square.total_cmp(&b.square));
+    let mut squares = found.iter().skip(1).map(|other| other.square).collect::<Vec<f64>>();
+    let mut least = found.into_iter().next()?;
+    let mut about = curvature(problem, &least)?;
+    let mut profiled = profiles(problem, &least, &about, asked);
+    let deepest = profiled.iter().filter_map(|profile| profile.deeper.as_ref());
+    if let Some(deeper) = deepest.min_by(|a, b| a.1.total_cmp(&b.1)).and_then(|(point, _)| search(point)) {
+        if deeper.square < least.square {
+            squares.push(least.square);
+            least = deeper;
+            about = curvature(problem, &least)?;
+            profiled = profiles(problem, &least, &about, asked);
+        }
+    }
+    if profiled.iter().any(|profile| profile.deeper.is_some()) {
+        least.converged = false;
+    }
+    let is_shallower = |other: &f64| *other > least.square * (1.0 + DEEPER) && least.square > 0.0;
+    Some(Found { has_others: squares.iter().any(is_shallower), curvature: about, profiles: profiled, least })
+}
+
+/// The file's values, and others within the ranges of the keys.
+fn starts(problem: &Problem<'_>, others: usize) -> Vec<Vec<f64>> {
+    let mut random = Random::new(SEED);
+    let file = problem.start();
+    let mut starts = vec![file.clone()];
+    for _ in 0..others {
+        let each = file.iter().zip(problem.bounds());
+        starts.push(each.map(|(x, bound)| drawn(*x, bound, random.unit())).collect());
+    }
+    starts
+}
+
+fn drawn(x: f64, [low, high]: [f64; 2], share: f64) -> f64 {
+    if low.is_finite() && high.is_finite() {
+        let decades = low > 0.0 && high > DECADE * low;
+        return if decades { low * (high / low).powf(share) } else { low + share * (high - low) };
+    }
+    (x + SPREAD * x.abs().max(1.0) * (2.0 * share - 1.0)).clamp(low, high)
+}

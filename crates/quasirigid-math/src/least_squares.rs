@@ -55,6 +55,9 @@ impl Spectrum {
     #[must_use]
     pub fn of(jacobian: &[Vec<f64>]) -> Self {
         let count = jacobian.len();
+        if count == 0 {
+            return Self { singular: Vec::new(), combinations: Vec::new() };
+        }
         let rows = jacobian.first().map_or(0, Vec::len).max(count);
         let entry = |row: usize, column: usize| jacobian[column].get(row).copied().unwrap_or(0.0);
         let svd = DMatrix::from_fn(rows, count, entry).svd(false, true);

@@ -7,11 +7,13 @@ use pyo3::prelude::*;
 use quasirigid_io::estimate::EstimateError;
 use quasirigid_io::measured_file::read_measurements;
 use quasirigid_io::model::System;
+use quasirigid_io::plan::Manoeuvre;
 use quasirigid_study::Study;
+use quasirigid_study::infer::design::{DesignSettings, Flown};
 use quasirigid_study::infer::{InferSettings, Loss, Profiles, RobustLoss};
 
 use crate::answers::{self, Answer};
-use crate::arguments::named;
+use crate::arguments::{Quantity, named};
 use crate::failure::Failure;
 use crate::watching::Shared;
 
@@ -45,6 +47,44 @@ impl InferArgs {
             profiles: named::<Profiles>(Some(&self.profile), "profile")?.unwrap_or(Profiles::Auto),
         })
     }
+}
+
+/// What is planned, as a dictionary; sensors, manoeuvres and priors as the program takes them.
+#[derive(FromPyObject)]
+#[pyo3(from_item_all)]
+pub struct DesignArgs {
+    vary: Vec<String>,
+    system: String,
+    sensors: Vec<String>,
+    manoeuvres: Vec<String>,
+    prior: Vec<String>,
+    duration: Option<Quantity>,
+    samples: usize,
+}
+
+impl DesignArgs {
+    /// The settings of the study.
+    pub fn settings(&self) -> Result<DesignSettings, Failure> {
+        let manoeuvres = each::<Manoeuvre>("manoeuvres", &self.manoeuvres)?;
+        let duration = self.duration.as_ref().map(|duration| duration.seconds("duration"));
+        Ok(DesignSettings {
+            vary: answers::keys(&self.vary)?,
+            system: named::<System>(Some(&self.system), "system")?.unwrap_or(System::Reduced),
+            sensors: each("sensors", &self.sensors)?,
+            manoeuvres: manoeuvres.into_iter().map(Flown::Changed).collect(),
+            priors: each("prior", &self.prior)?,
+            duration: duration.transpose()?,
+            samples: self.samples,
+        })
+    }
+}
+
+/// What planned measurements would tell.
+pub fn design(study: &Study, asked: &DesignSettings, mut shared: &Shared) -> Result<Answer, Failure> {
+    let found = study.design(asked, &mut shared)?;
+    let json = study.with_inputs(found.json());
+    let notes = study.model.notes.clone();
+    Ok(Answer::plain(json, found.text(), found.sentence.clone(), found.holds(), notes))
 }
 
 fn each<T: FromStr<Err = EstimateError>>(name: &str, texts: &[String]) -> Result<Vec<T>, Failure> {

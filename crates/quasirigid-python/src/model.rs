@@ -25,7 +25,7 @@ use crate::arguments::{Quantity, deprecated, named};
 use crate::columns::Columns;
 use crate::ensemble::{self, Histories};
 use crate::failure::Failure;
-use crate::infer::{self, InferArgs};
+use crate::infer::{self, DesignArgs, InferArgs};
 use crate::light_curve::LightCurveArgs;
 use crate::reduced::Reduced;
 use crate::spin_paths;
@@ -200,6 +200,18 @@ impl Model {
     ) -> PyResult<Answer> {
         let asked = asked.settings()?;
         self.ask(py, (order, observer), |study, shared| infer::infer(study, &history, &asked, shared))
+    }
+
+    /// What planned measurements would tell.
+    fn design(
+        &self,
+        py: Python<'_>,
+        asked: DesignArgs,
+        order: Option<usize>,
+        observer: Observer,
+    ) -> PyResult<Answer> {
+        let asked = asked.settings()?;
+        self.ask(py, (order, observer), |study, shared| infer::design(study, &asked, shared))
     }
 
     /// Linear model about a steady state.

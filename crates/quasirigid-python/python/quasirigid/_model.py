@@ -14,6 +14,7 @@ from quasirigid._answers import (
     AboutSpin,
     Answer,
     Check,
+    Design,
     EffectiveMasses,
     Evolution,
     FillMap,
@@ -382,7 +383,7 @@ class Model:
         >>> import quasirigid
         >>> time_constant = "modes.nutation.time_constant"
         >>> model = quasirigid.Model(quasirigid.EXAMPLE)
-        >>> found = model.infer(vary=["spring.1.damping"], measured={time_constant: "12 min +- 1 min"})
+        >>> found = model.infer(vary=["spring.1.damping"], measured={time_constant: "-80 min +- 5 min"})
         >>> found.holds, found.degrees_of_freedom
         (True, 0)
         """
@@ -403,6 +404,53 @@ class Model:
         }
         with observer(progress) as watch:
             return Inferred(self._core.infer((path, deviation), asked, _arguments.count(order, "order"), watch))
+
+    def design(
+        self,
+        vary: Sequence[str],
+        sensors: Sequence[str],
+        manoeuvres: Sequence[str] = (),
+        *,
+        prior: Mapping[str, str] | None = None,
+        duration: float | str | None = None,
+        samples: int = 101,
+        system: str = "reduced",
+        order: int | None = None,
+        progress: Progress = False,
+    ) -> Design:
+        """Says which of planned sensors and manoeuvres would tell numbers of the model best.
+
+        Args:
+            vary: Paths of keys, such as ``["spring.boom.damping"]``.
+            sensors: Columns or answers with the deviation of their values: ``["wx,wy +- 0.5 mrad/s"]``.
+            manoeuvres: Changes of the model that make other motions: ``["initial.wobble.angle = 5 deg"]``.
+            prior: Mean and standard deviation of keys that are known beforehand.
+            duration: Time for which columns are measured; that of the model by default.
+            samples: Number of times at which columns are measured.
+            system: ``full``, ``reduced`` or ``rigid``.
+
+        Raises:
+            InputError: for a key that does not exist.
+
+        >>> import quasirigid
+        >>> found = quasirigid.Model(quasirigid.EXAMPLE).design(["spring.1.damping"], ["wx +- 1e-3 rad/s", "wy +- 1e-3 rad/s"])
+        >>> found.plans[0]["sensors"], found.holds
+        (['wx', 'wy'], True)
+        """
+        for name, texts in {"vary": vary, "sensors": sensors, "manoeuvres": manoeuvres}.items():
+            if isinstance(texts, str):
+                raise InputError(f"{name} = {texts!r}; give a list")
+        asked = {
+            "vary": list(vary),
+            "system": system,
+            "sensors": list(sensors),
+            "manoeuvres": list(manoeuvres),
+            "prior": [f"{name} = {value}" for name, value in (prior or {}).items()],
+            "duration": _arguments.duration(duration),
+            "samples": _arguments.count(samples, "samples"),
+        }
+        with observer(progress) as watch:
+            return Design(self._core.design(asked, _arguments.count(order, "order"), watch))
 
     def linear(
         self,

@@ -25,6 +25,8 @@ const SHARED: f64 = 380.0;
 const RESIDUALS: f64 = 120.0;
 /// Least and greatest reach of the axis of residuals, in deviations.
 const REACH: [f64; 2] = [3.5, 8.0];
+/// Room beyond the greatest residual.
+const ROOM: f64 = 0.25;
 /// Fewest and most bins of the histogram.
 const BINS: [f64; 2] = [7.0, 31.0];
 
@@ -69,6 +71,13 @@ impl Panels {
                 top += tall + BETWEEN;
             }
             let reach = Reach::of(&self.columns);
+            parts.push(placed(
+                LEFT,
+                TOP,
+                &html! {
+                    text x=(WIDE) y="-10" text-anchor="end" fill=(MUTED) { "points: measured, line: fitted" }
+                },
+            ));
             parts.push(placed(LEFT, top, &self.residuals(&x, &reach)?));
             parts.push(placed(LEFT + WIDE + GAP, top, &self.histogram(&reach)));
             top += RESIDUALS + BOTTOM + if self.rows.is_empty() { 0.0 } else { BETWEEN };
@@ -83,7 +92,7 @@ impl Panels {
         (!parts.is_empty()).then(|| whole(&self.title, top.ceil(), &html! { @for part in &parts { (part) } }))
     }
 
-    /// Measured points under the curve that fits best.
+    /// Measured points on the curve that fits best.
     fn curves(&self, column: &Compared, colour: &str, x: &Axis, tall: f64) -> Option<Markup> {
         let values = column.measured.iter().chain(&column.fitted).copied();
         let y = Axis::linear(values, 0.06)?;
@@ -98,8 +107,8 @@ impl Panels {
             (rules(x, &y, size, false))
             text x=(8.0 - LEFT) y="-10" fill=(INK) { (raised(&format!("{} [{unit}]", column.name))) }
             g fill="none" stroke-linejoin="round" stroke-linecap="round" {
-                path stroke=(MUTED) stroke-opacity="0.55" stroke-width="3.2" d=(points.dots) {}
                 path stroke=(colour) stroke-width="1.6" d=(curve.line) {}
+                path stroke=(INK) stroke-opacity="0.6" stroke-width="2.8" d=(points.dots) {}
             }
         })
     }
@@ -174,7 +183,7 @@ struct Reach {
 impl Reach {
     fn of(columns: &[Compared]) -> Self {
         let all = || columns.iter().flat_map(|column| column.residuals.iter().map(|r| r.abs()));
-        let end = all().fold(0.0, f64::max).clamp(REACH[0], REACH[1]);
+        let end = (all().fold(0.0, f64::max) + ROOM).clamp(REACH[0], REACH[1]);
         let end = (2.0 * end).ceil() / 2.0;
         Self { end, beyond: all().filter(|r| *r > end).count() }
     }

@@ -128,7 +128,8 @@ impl Row {
                         @let ends = [at(0.0).min(at(*value)), at(0.0).max(at(*value))];
                         rect x=(number(ends[0])) width=(number(ends[1] - ends[0])) y=(number(middle - 0.5 * BAR)) height=(BAR) fill=(colour) {}
                     }
-                    text x=(number(at(right) + 6.0)) y=(number(middle + 4.0)) fill=(MUTED) font-size="11.5" { (label) }
+                    text x=(number(at(right) + 6.0)) y=(number(middle + 4.0)) fill=(MUTED) font-size="11.5"
+                        stroke="#fff" stroke-width="3" paint-order="stroke" { (label) }
                 }
             }
             Drawn::Point(value, error) => html! {

@@ -181,7 +181,11 @@ impl Walk<'_> {
         let x = self.along.least.parameters[key];
         let [low, high] = self.along.problem.keys[key].bounds();
         let mut outside: Option<(f64, f64)> = None;
-        let ahead = if inside.1 > 0.0 { goal / inside.1 * (inside.0 - x).abs() } else { goal * self.sigma };
+        let ahead = if inside.1 > 0.0 {
+            (goal / inside.1).min(4.0) * (inside.0 - x).abs()
+        } else {
+            goal * self.sigma
+        };
         let mut place = x + side * ahead;
         for _ in 0..TRIES {
             place = place.clamp(low, high);

@@ -12,7 +12,7 @@ const SPREAD: f64 = 0.2;
 /// Ratio of the ends of a range from which starts are spread over its logarithm.
 const DECADE: f64 = 10.0;
 const SEED: u64 = 20;
-/// Relative difference of squares from which a least is deeper than another.
+/// Difference of squares, over the least and the rise over a deviation, from which a least is deeper than another.
 const DEEPER: f64 = 1e-3;
 
 /// The deepest least that was found.
@@ -47,7 +47,7 @@ pub(super) fn deepest(problem: &Problem<'_>, starts: usize, asked: Profiles) -> 
     if profiled.iter().any(|profile| profile.deeper.is_some()) {
         least.converged = false;
     }
-    let is_shallower = |other: &f64| *other > least.square * (1.0 + DEEPER) && least.square > 0.0;
+    let is_shallower = |other: &f64| other - least.square > DEEPER * (least.square + about.level);
     Some(Found { has_others: squares.iter().any(is_shallower), curvature: about, profiles: profiled, least })
 }
 

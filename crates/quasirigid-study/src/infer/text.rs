@@ -6,6 +6,9 @@ use super::{Combination, Inferred, Parameter};
 use crate::layout::paragraph;
 use crate::words::significant;
 
+/// Heading of intervals by the profile likelihood.
+const PROFILED: &str = "by the profile likelihood";
+
 impl Inferred {
     /// The result in a few sentences, what does not hold first.
     pub(super) fn told(&self) -> String {
@@ -63,13 +66,17 @@ impl Inferred {
             let line = format!("  {:<width$} {value:>14} {sigma:>12} {before:>14} {}", each.key, each.unit);
             writeln!(out, "{}", line.trim_end())?;
         }
+        let width = width.max(PROFILED.len());
         let profiled = || self.parameters.iter().filter(|each| each.profiled);
         if profiled().next().is_some() {
-            writeln!(out, "\n  {:<width$} {:>26} {:>26}", "by the profile likelihood", "68 %", "95 %")?;
+            writeln!(out, "\n  {:<width$} {:>22} {:>22}", PROFILED, "68 %", "95 %")?;
         }
         for each in profiled() {
             let errors = [each.interval_68, each.interval_95].map(|ends| errors(each.value, ends));
-            writeln!(out, "  {:<width$} {:>26} {:>26}", each.key, errors[0], errors[1])?;
+            writeln!(out, "  {:<width$} {:>22} {:>22}", each.key, errors[0], errors[1])?;
+        }
+        if profiled().next().is_some() {
+            writeln!(out, "  from {} models in all", self.models)?;
         }
         Ok(())
     }
@@ -81,14 +88,14 @@ impl Inferred {
         let width = self.measured.iter().map(|each| each.quantity.len()).max().unwrap_or(0);
         writeln!(
             out,
-            "\n  {:<width$} {:>12} {:>10} {:>12} {:>9}",
+            "\n  {:<width$} {:>11} {:>8} {:>11} {:>7}",
             "measured", "value", "sigma", "fitted", "off by"
         )?;
         for each in &self.measured {
             let [value, fitted] = [each.value, each.fitted].map(|value| significant(value, 5));
             let (sigma, off) = (significant(each.sigma, 2), significant(each.residual, 2));
             let line = format!(
-                "  {:<width$} {value:>12} {sigma:>10} {fitted:>12} {off:>9} {}",
+                "  {:<width$} {value:>11} {sigma:>8} {fitted:>11} {off:>7} {}",
                 each.quantity, each.unit
             );
             writeln!(out, "{}", line.trim_end())?;
@@ -140,9 +147,10 @@ fn bounded(parameter: &Parameter) -> Option<String> {
     let unit = if parameter.unit.is_empty() { String::new() } else { format!(" {}", parameter.unit) };
     let value = format!("{}{unit}", significant(parameter.value, 4));
     let (bound, side, end) = if at == "low" { ("least", "most", high) } else { ("greatest", "least", low) };
-    let reach = end.map_or_else(
-        || "the data set no other end".to_owned(),
-        |end| format!("at {side} {}{unit} with 95 %", significant(end, 4)),
-    );
+    let reach = match end {
+        Some(end) => format!("at {side} {}{unit} with 95 %", significant(end, 4)),
+        None if parameter.profiled => "the data set no other end".to_owned(),
+        None => "--profile auto tells how far the data let it go".to_owned(),
+    };
     Some(format!("{} is at the {bound} value of its range, {value}: {reach}.", parameter.key))
 }

@@ -16,6 +16,8 @@ const CORRELATED: f64 = 4.0;
 const EXACT: f64 = 1e-6;
 /// Values below which noise and misfit look the same.
 const FEW: usize = 50;
+/// Values below which none is told from an outlier.
+const ENOUGH: usize = 10;
 /// Deviations from which a value is an outlier, and the share of outliers that no loss makes good.
 const OUTLIER: f64 = 4.0;
 const MANY: f64 = 0.2;
@@ -148,7 +150,8 @@ impl Fit {
                     .to_owned(),
             );
         }
-        if self.outliers > 0 && problem.loss.kind == Loss::Squares {
+        let many = problem.data.count() >= ENOUGH;
+        if given && many && self.outliers > 0 && problem.loss.kind == Loss::Squares {
             notes.push(format!(
                 "{} of {} values are more than four deviations off, and pull as squares; --loss huber lets them decide less",
                 self.outliers,

@@ -87,7 +87,7 @@ pub enum Command {
     Sensitivity(SensitivityArgs),
     /// Infer numbers of a model from measurements, with their deviations and what the data do not tell
     #[command(
-        after_help = "Examples:\n  quasirigid infer examples/heavy-top/model.toml --data HISTORY.csv --vary KEY\n  quasirigid infer examples/nutation-damper/model.toml --measured 'modes.nutation.time_constant = 25 s +- 1 s' --vary spring.1.damping"
+        after_help = "Example:\n  quasirigid infer examples/heavy-top/model.toml --data HISTORY.csv --vary KEY"
     )]
     Infer(InferArgs),
     /// Answer the same question of many bodies: grids, random draws, a table of bodies

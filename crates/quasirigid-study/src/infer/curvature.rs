@@ -1,4 +1,4 @@
-//! What residuals tell about the keys at the least: covariance, and combinations that are not told. Equations (O5), (O6), (O18)
+//! What residuals tell about the keys at the least: covariance, and combinations that are not told. Equations (O5), (O6), (O19)
 
 use quasirigid_math::least_squares::{LeastSquares, Spectrum, jacobian};
 

@@ -86,7 +86,7 @@ impl Data {
         let (known, needed) = (self.count() + priors, keys.len() + usize::from(!self.has_deviations()));
         if keys.is_empty() || known < needed {
             return refuse(format!(
-                "{} measured values for {} keys; give more values than keys, and a key",
+                "{} measured values for {} keys; give {needed} values or priors at least",
                 self.count(),
                 keys.len()
             ));

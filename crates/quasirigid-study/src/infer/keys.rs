@@ -33,7 +33,7 @@ impl Key {
         if low >= 0.0 || high <= 0.0 { x.abs() } else { x.abs().max(1.0) }
     }
 
-    /// Residual of what is known beforehand. (O17)
+    /// Residual of what is known beforehand. (O18)
     pub fn prior(&self, x: f64) -> Option<f64> {
         self.prior.map(|[mean, sigma]| (x * self.number.scale - mean) / sigma)
     }

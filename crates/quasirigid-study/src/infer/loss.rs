@@ -1,4 +1,4 @@
-//! Robust losses: how much a residual counts, so that a few gross errors do not decide. Equation (O18), docs/theory/23-sensitivity.md.
+//! Robust losses: how much a residual counts, so that a few gross errors do not decide. Equation (O19), docs/theory/23-sensitivity.md.
 
 use quasirigid_io::model::Named;
 

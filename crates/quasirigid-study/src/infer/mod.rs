@@ -1,7 +1,7 @@
 //! Parameters of a model from measurements: weighted least squares on columns of a history and on measured answers of any command, with
 //! priors and ranges, and what the data do not tell.
 //! The curvature at the least gives standard deviations and correlations; where it misleads, intervals are those of the profile likelihood.
-//! Combinations of keys that the data hardly see are named, and their keys have no deviation. Equations (O4) to (O6), (O17) to (O20),
+//! Combinations of keys that the data hardly see are named, and their keys have no deviation. Equations (O4) to (O6), (O18) to (O21),
 //! docs/theory/23-sensitivity.md.
 
 mod answers;
@@ -101,6 +101,8 @@ pub struct Inferred {
     pub measured: Vec<FittedAnswer>,
     /// Combinations of keys that the data do not tell.
     pub not_distinguished: Vec<Combination>,
+    /// Other minima that fit nearly as well.
+    pub alternatives: Vec<Alternative>,
     /// Whether the search ended at a least.
     pub converged: bool,
     /// Whether the model explains the data within their deviations; without these `null`, or `false` where the residuals are no noise.
@@ -177,6 +179,15 @@ pub struct FittedAnswer {
     pub unit: String,
 }
 
+/// Minimum elsewhere, of a sum that is within that of the interval of 95 %.
+#[derive(Clone, Debug, Serialize)]
+pub struct Alternative {
+    /// Values of the keys there.
+    pub values: Vec<f64>,
+    /// How much larger the sum of squares is, over its rise in one deviation.
+    pub rise: f64,
+}
+
 /// Combination of keys that the data do not tell: they stay as they are if each key changes by its share.
 #[derive(Clone, Debug, Serialize)]
 pub struct Combination {
@@ -239,10 +250,11 @@ impl Study {
 }
 
 impl Inferred {
-    /// Whether the numbers are those of the data: a least was found, the model explains the data, and the data tell every key.
+    /// Whether the numbers are those of the data: one least was found, the model explains the data, and the data tell every key.
     #[must_use]
     pub fn holds(&self) -> bool {
-        self.converged && self.explained != Some(false) && self.not_distinguished.is_empty()
+        let is_one = self.alternatives.is_empty() && self.not_distinguished.is_empty();
+        self.converged && self.explained != Some(false) && is_one
     }
 
     /// For machines.

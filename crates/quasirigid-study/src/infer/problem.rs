@@ -76,7 +76,7 @@ impl Problem<'_> {
         residuals.iter().all(|residual| residual.is_finite()).then_some(residuals)
     }
 
-    /// Residuals whose squares are the losses; what is known beforehand counts as it is. (O18)
+    /// Residuals whose squares are the losses; what is known beforehand counts as it is. (O19)
     pub fn losses(&self, point: &[f64]) -> Option<Vec<f64>> {
         let mut residuals = self.residuals(point)?;
         if self.loss.kind != Loss::Squares {

@@ -1,4 +1,4 @@
-//! Intervals by the profile likelihood: the least over the other keys, along one of them. Equation (O19).
+//! Intervals by the profile likelihood: the least over the other keys, along one of them. Equation (O20).
 
 use quasirigid_io::model::Named;
 use quasirigid_math::least_squares::{LeastSquares, least_squares};
@@ -175,7 +175,7 @@ impl Walk<'_> {
         DEVIATIONS.map(|goal| self.end(side, goal, &mut inside))
     }
 
-    /// A place where the root of the rise is the goal. (O19)
+    /// A place where the root of the rise is the goal. (O20)
     fn end(&mut self, side: f64, goal: f64, inside: &mut (f64, f64, Vec<f64>)) -> Option<f64> {
         let key = self.along.key;
         let x = self.along.least.parameters[key];

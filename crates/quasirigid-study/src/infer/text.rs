@@ -2,7 +2,7 @@
 
 use std::fmt::{self, Write};
 
-use super::{Combination, Inferred, Parameter};
+use super::{Alternative, Combination, Inferred, Parameter};
 use crate::layout::paragraph;
 use crate::words::significant;
 
@@ -26,6 +26,10 @@ impl Inferred {
             Some(false) => parts.push(format!(
                 "The model does NOT explain the data within their deviations: chi-squared is {chi2} for {freedom} degrees of freedom."
             )),
+            Some(true) if freedom == 0 => parts.push(
+                "As many values as keys: the model has their values, and nothing is left to test it by."
+                    .to_owned(),
+            ),
             Some(true) => parts.push(format!(
                 "The model explains the data: chi-squared is {chi2} for {freedom} degrees of freedom."
             )),
@@ -34,9 +38,25 @@ impl Inferred {
                 significant(self.scatter.unwrap_or(f64::NAN), 3)
             )),
         }
+        parts.extend(self.elsewhere());
         parts.extend(self.parameters.iter().filter_map(bounded));
         parts.extend(self.not_distinguished.iter().map(unseen));
         parts.join(" ")
+    }
+
+    /// Other values that fit nearly as well.
+    fn elsewhere(&self) -> Option<String> {
+        let place = |other: &Alternative| {
+            let values = self.parameters.iter().zip(&other.values);
+            let values = values.map(|(each, value)| {
+                format!("{} = {} {}", each.key, significant(*value, 4), each.unit).trim_end().to_owned()
+            });
+            values.collect::<Vec<_>>().join(", ")
+        };
+        let places: Vec<String> = self.alternatives.iter().map(place).collect();
+        (!places.is_empty()).then(|| {
+            format!("The data do NOT tell these from other values: {} fit as well.", places.join("; or "))
+        })
     }
 
     /// For a terminal of 80 columns.

@@ -5,7 +5,7 @@ use quasirigid_io::measured_file::{MeasuredColumn, Measurements};
 use super::loss::Loss;
 use super::problem::Problem;
 use super::search::Found;
-use super::{Change, Combination, FittedAnswer, FittedColumn, Inferred, Parameter};
+use super::{Alternative, Change, Combination, FittedAnswer, FittedColumn, Inferred, Parameter};
 use crate::words::significant;
 
 /// Standard deviations of χ² within which the model explains the data.
@@ -55,6 +55,7 @@ pub(super) fn told(problem: &Problem<'_>, found: &Found, mut notes: Vec<String>)
         sentence: String::new(),
         covariance: covariance.collect(),
         not_distinguished: unseen.collect(),
+        alternatives: alternatives(problem, found),
         chi2: fit.chi2,
         degrees_of_freedom: fit.freedom,
         scatter: found.curvature.scatter,
@@ -71,6 +72,19 @@ pub(super) fn told(problem: &Problem<'_>, found: &Found, mut notes: Vec<String>)
     };
     inferred.sentence = inferred.told();
     inferred
+}
+
+/// Places elsewhere, unless the data do not tell keys apart and all minima lie in one valley.
+fn alternatives(problem: &Problem<'_>, found: &Found) -> Vec<Alternative> {
+    if !found.curvature.unseen.is_empty() {
+        return Vec::new();
+    }
+    let each = found.alternatives.iter();
+    each.map(|(point, rise)| Alternative {
+        values: problem.keys.iter().zip(point).map(|(key, x)| x * key.number.scale).collect(),
+        rise: *rise,
+    })
+    .collect()
 }
 
 fn parameter(problem: &Problem<'_>, found: &Found, i: usize) -> Parameter {

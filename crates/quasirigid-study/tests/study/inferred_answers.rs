@@ -1,4 +1,4 @@
-//! Parameters from measured answers, with priors, ranges, robust losses and profile likelihoods, against closed forms. (O4) to (O6), (O17) to (O19)
+//! Parameters from measured answers, with priors, ranges, robust losses and profile likelihoods, against closed forms. (O4) to (O6), (O18) to (O20)
 
 use quasirigid_io::measured_file::Measurements;
 use quasirigid_io::model::{System, changed};
@@ -214,6 +214,30 @@ fn profiles_make_the_other_keys_follow() {
             close(square(end.unwrap()), rise, 6e-3);
         }
     }
+}
+
+/// A damper damps as slowly when it is too weak as when it is too strong: two dampings have one time constant.
+#[test]
+fn two_values_that_fit_alike_are_both_told() {
+    let model = crate::support::example("nutation-damper");
+    let asked = |range: &str| InferSettings {
+        measured: vec!["modes.nutation.time_constant = 25 s +- 1 s".parse().unwrap()],
+        ranges: vec![range.parse().unwrap()],
+        starts: 6,
+        ..settings(&["spring.1.damping"])
+    };
+    let found = study(&model).infer(None, &asked("spring.1.damping = 0.001..1"), &mut ()).unwrap();
+    assert!(!found.holds() && found.alternatives.len() == 1, "{found:?}");
+    let mut values = [found.parameters[0].value, found.alternatives[0].values[0]];
+    values.sort_by(f64::total_cmp);
+    for (value, [guess, low, high]) in values.iter().zip([[0.02, 0.001, 0.03], [0.05, 0.04, 1.0]]) {
+        let near = changed(&model, &[("spring.1.damping", guess.into())]).unwrap();
+        let range = format!("spring.1.damping = {low}..{high}");
+        let one = study(&near).infer(None, &asked(&range), &mut ()).unwrap();
+        assert!(one.holds(), "{one:?}");
+        close(one.parameters[0].value, *value, 1e-6);
+    }
+    assert!(found.sentence.contains("do NOT tell these from other values"), "{}", found.sentence);
 }
 
 /// Intervals by the deviation and by the profile, over many noisy measurements of a bent answer, and of a history. Long.

@@ -1,5 +1,5 @@
 //! Which measurement would tell most: deviations of the keys from the Fisher information of planned sensors and manoeuvres, without data.
-//! Equation (O20), docs/theory/23-sensitivity.md.
+//! Equation (O21), docs/theory/23-sensitivity.md.
 
 mod text;
 
@@ -225,7 +225,7 @@ fn planned(
     Ok((listed.collect(), plans))
 }
 
-/// Deviations of the keys by some of the sensors, and by what is known beforehand. (O20)
+/// Deviations of the keys by some of the sensors, and by what is known beforehand. (O21)
 fn told(
     keys: &[Key],
     columns: &[Vec<f64>],

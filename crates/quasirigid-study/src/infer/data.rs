@@ -1,7 +1,7 @@
 //! What was measured: columns of a history, and answers of commands.
 
 use quasirigid_io::estimate::{Amount, Estimate};
-use quasirigid_io::measured_file::Measurements;
+use quasirigid_io::measured_file::{MeasuredColumn, Measurements};
 use quasirigid_io::model::System;
 use quasirigid_io::study_file::Quantity;
 use quasirigid_io::units::number_in;
@@ -12,6 +12,9 @@ use super::{InferSettings, motions};
 use crate::asked::unit;
 use crate::error::StudyError;
 use crate::study::Study;
+
+/// Scatter of a column over its largest value below which it is exact: what is left is the error of the history.
+const EXACT: f64 = 1e-6;
 
 /// Measured answer of a command.
 #[derive(Clone)]
@@ -57,6 +60,13 @@ impl Data {
         self.history.as_ref().map_or(0, Measurements::count) + self.answers.len()
     }
 
+    /// Whether a history misses its columns by no more than its own error, so that their scatter is no noise.
+    pub fn is_exact(&self, residuals: &[f64]) -> bool {
+        let Some(history) = self.history.as_ref().filter(|_| !self.has_deviations()) else { return false };
+        let columns = history.columns.iter().zip(residuals.chunks_exact(history.t.len()));
+        columns.fold(true, |all, (column, residuals)| all && is_exact(column, residuals))
+    }
+
     /// Whether standard deviations are given.
     pub fn has_deviations(&self) -> bool {
         self.history.as_ref().is_none_or(Measurements::has_deviations)
@@ -93,6 +103,13 @@ impl Data {
         }
         Ok(())
     }
+}
+
+/// Whether a history misses a column by no more than its own error.
+pub(super) fn is_exact(column: &MeasuredColumn, residuals: &[f64]) -> bool {
+    let missed = residuals.iter().enumerate().map(|(row, r)| (r * column.deviation(row)).powi(2));
+    let largest = column.values.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
+    (missed.sum::<f64>() / residuals.len() as f64).sqrt() <= EXACT * largest
 }
 
 fn refuse<T>(problem: String) -> Result<T, StudyError> {

@@ -40,14 +40,15 @@ pub(super) fn deepest(problem: &Problem<'_>, starts: usize, asked: Profiles) -> 
     let mut others = found.split_off(found.len().min(1));
     let mut least = found.pop()?;
     let mut about = curvature(problem, &least)?;
+    // what exact data leave is rough, and no sum to follow
+    let asked = if problem.data.is_exact(&least.residuals) { Profiles::None } else { asked };
     let mut profiled = profiles(problem, &least, &about, asked);
     let deepest = profiled.iter().filter_map(|profile| profile.deeper.as_ref());
-    if let Some(deeper) = deepest.min_by(|a, b| a.1.total_cmp(&b.1)).and_then(|(point, _)| search(point)) {
-        if deeper.square < least.square {
-            others.push(std::mem::replace(&mut least, deeper));
-            about = curvature(problem, &least)?;
-            profiled = profiles(problem, &least, &about, asked);
-        }
+    let deepest = deepest.min_by(|a, b| a.1.total_cmp(&b.1)).and_then(|(point, _)| search(point));
+    if let Some(deeper) = deepest.filter(|deeper| deeper.square < least.square) {
+        others.push(std::mem::replace(&mut least, deeper));
+        about = curvature(problem, &least)?;
+        profiled = profiles(problem, &least, &about, asked);
     }
     if profiled.iter().any(|profile| profile.deeper.is_some()) {
         least.converged = false;

@@ -2,6 +2,7 @@
 
 use quasirigid_io::measured_file::{MeasuredColumn, Measurements};
 
+use super::data::is_exact;
 use super::loss::Loss;
 use super::problem::Problem;
 use super::search::Found;
@@ -12,8 +13,6 @@ use crate::words::significant;
 const EXPLAINED: f64 = 4.0;
 /// Correlation of neighbouring residuals, over its deviation in noise, from which they are no noise.
 const CORRELATED: f64 = 4.0;
-/// Scatter of a column over its largest value below which they are exact: what is left is the error of the history.
-const EXACT: f64 = 1e-6;
 /// Values below which noise and misfit look the same.
 const FEW: usize = 50;
 /// Values below which none is told from an outlier.
@@ -186,11 +185,12 @@ fn correlation(data: &Measurements, residuals: &[f64]) -> f64 {
     let rows = data.t.len();
     let columns = data.columns.iter().zip(residuals.chunks_exact(rows));
     let correlations = columns.map(|(column, residuals)| {
-        let missed = residuals.iter().enumerate().map(|(row, r)| (r * column.deviation(row)).powi(2));
-        let largest = column.values.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
-        let is_exact = (missed.sum::<f64>() / rows as f64).sqrt() <= EXACT * largest;
         let neighbours: f64 = residuals.windows(2).map(|pair| pair[0] * pair[1]).sum();
-        if is_exact { 0.0 } else { neighbours / residuals.iter().map(|r| r * r).sum::<f64>() }
+        if is_exact(column, residuals) {
+            0.0
+        } else {
+            neighbours / residuals.iter().map(|r| r * r).sum::<f64>()
+        }
     });
     correlations.fold(0.0, f64::max)
 }

@@ -293,7 +293,7 @@ fn simulated(
     let history = (!names.is_empty())
         .then(|| motions::values(study, &text, &names, times, asked.system))
         .transpose()?;
-    let rows = history.is_some().then_some(times.len()).unwrap_or_default();
+    let rows = if history.is_some() { times.len() } else { 0 };
     let owners = columns.iter().flat_map(|(owner, ..)| std::iter::repeat_n(*owner, rows));
     let owners = owners.chain(answered.iter().map(|(owner, _)| *owner)).collect();
     let history = history.map(|values| {

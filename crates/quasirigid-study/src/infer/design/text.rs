@@ -40,11 +40,10 @@ impl Design {
         });
         parts.extend(idle);
         let file = self.plans.iter().find(|plan| plan.complete && plan.manoeuvre == AS_IT_STANDS);
+        let file = file.filter(|_| best.manoeuvre != AS_IT_STANDS);
         if let Some((Some(file), Some(own))) = file.map(|plan| (plan.worst, best.worst)) {
-            if best.manoeuvre != AS_IT_STANDS {
-                let ratio = significant(file / own, 2);
-                parts.push(format!("The motion of the file would leave {ratio} times as large a deviation."));
-            }
+            let ratio = significant(file / own, 2);
+            parts.push(format!("The motion of the file would leave {ratio} times as large a deviation."));
         }
         parts.join(" ")
     }

@@ -80,7 +80,7 @@ def test_mistakes_in_inferences_are_refused() -> None:
     model = Model(SPUN)
     with pytest.raises(quasirigid.InputError, match="has no deviation"):
         model.infer(vary=["carrier.mass"], measured={"check.T1": "3 s"})
-    with pytest.raises(quasirigid.InputError, match="loss = 'cauchy' is not one of"):
+    with pytest.raises(quasirigid.InputError, match='loss = "cauchy" is not one of'):
         model.infer(vary=["carrier.mass"], measured={"check.T1": "3 s +- 1 s"}, loss="cauchy")
     with pytest.raises(quasirigid.Error, match="nothing is measured"):
         model.infer(vary=["carrier.inertia.1"])

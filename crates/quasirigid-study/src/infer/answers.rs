@@ -5,10 +5,9 @@ use std::sync::atomic::AtomicBool;
 
 use quasirigid_io::model::{Source, System};
 use quasirigid_io::study_file::Answer;
-use serde_json::Value;
 
 use super::data::MeasuredAnswer;
-use crate::asked::{self, Answered, QuantityValue, Status};
+use crate::asked;
 
 /// The measured quantities of a changed text of a model, or the reason why one has no value.
 pub(super) fn values(
@@ -22,22 +21,10 @@ pub(super) fn values(
     let asked = Answer { quantities, times: Vec::new(), system, percentiles: Vec::new() };
     let found = asked::answers(source, text, &asked, cancelled).ok_or_else(|| "interrupted".to_owned())?;
     let value = |each: &MeasuredAnswer| {
-        let quantity = &each.quantity;
-        let no = |why: &str| Err(format!("`{}` {why}", quantity.name));
-        match found.commands.get(&quantity.command) {
-            Some(Answered::Objects(objects, Status::Answered, _)) => {
-                match asked::find(quantity, objects.last().unwrap_or(&Value::Null)) {
-                    QuantityValue::Value(value) => value.as_f64().map_or_else(|| no("is no number"), Ok),
-                    QuantityValue::Infinite => no("is infinite"),
-                    QuantityValue::Unknown => no("is not known"),
-                    QuantityValue::Absent(reason) | QuantityValue::Unclear(reason) => Err(reason),
-                }
-            }
-            Some(Answered::Objects(_, _, reason) | Answered::Nothing(_, reason)) => {
-                Err(format!("`{}`: {reason}", quantity.name))
-            }
-            None => no("is not answered"),
-        }
+        found.number(&each.quantity).map_err(|(_, reason)| {
+            let name = format!("`{}`", each.quantity.name);
+            if reason.starts_with(&name) { reason } else { format!("{name}: {reason}") }
+        })
     };
     measured.iter().map(value).collect()
 }

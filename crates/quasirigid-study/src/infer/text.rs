@@ -27,7 +27,7 @@ impl Inferred {
                 "The model does NOT explain the data within their deviations: chi-squared is {chi2} for {freedom} degrees of freedom."
             )),
             Some(true) if freedom == 0 => parts.push(
-                "As many values as keys: the model has their values, and nothing is left to test it by."
+                "As many values as keys: nothing is left to test the model by."
                     .to_owned(),
             ),
             Some(true) => parts.push(format!(

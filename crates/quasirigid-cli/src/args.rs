@@ -9,11 +9,14 @@ use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use quasirigid::dynamics::{Form, Method};
 use quasirigid_io::attitude::AttitudeFormat;
+use quasirigid_io::estimate::{Estimate, Limits};
 use quasirigid_io::export::Target;
 use quasirigid_io::model::{EvolveMethod, KeyPath, ManifoldMasters, ManifoldStyle, Named, Power, System};
+use quasirigid_io::plan::Sensor;
 use quasirigid_io::record::TableFormat;
 use quasirigid_io::study_file::Quantity;
 use quasirigid_io::units::{Dimension, quantity};
+use quasirigid_study::infer::{Loss, Profiles};
 use quasirigid_study::light_curve::{Phase, Scattering, phase, scattering};
 use quasirigid_study::modes::PrincipalAxis;
 use quasirigid_study::settings::{PartialRun, PartialSpinManifold, Range, Setting};
@@ -87,7 +90,7 @@ pub enum Command {
     /// Say which numbers of a model matter most for an answer: its derivatives with respect to keys
     #[command(after_help = "Example:\n  quasirigid sensitivity examples/apophis/model.toml --of evolve.time")]
     Sensitivity(SensitivityArgs),
-    /// Infer numbers of a model from a measured history, with their deviations and what the data do not tell
+    /// Infer numbers of a model from measurements, with their deviations and what the data do not tell
     #[command(
         after_help = "Example:\n  quasirigid infer examples/heavy-top/model.toml --data HISTORY.csv --vary KEY"
     )]
@@ -448,6 +451,12 @@ pub struct SensitivityArgs {
     /// List every key
     #[arg(long)]
     pub all: bool,
+    /// Draw the tornado of the keys into an .svg or .png file
+    #[arg(long, value_name = "FILE")]
+    pub figure: Option<PathBuf>,
+    /// Replace the file
+    #[arg(long, requires = "figure")]
+    pub overwrite: bool,
 }
 
 #[derive(Args, Debug)]
@@ -455,16 +464,58 @@ pub struct InferArgs {
     #[command(flatten)]
     pub common: Common,
     /// Measured history: t and columns as simulate names them, each perhaps with sigma_ and its name
-    #[arg(long, value_name = "FILE")]
-    pub data: PathBuf,
+    #[arg(long, value_name = "FILE", required_unless_present_any = ["measured", "design"])]
+    pub data: Option<PathBuf>,
+    /// Measured answer of a command, as studies name it, or a file with one in each line: 'evolve.time = 12 h +- 1 h'
+    #[arg(long, value_name = "ANSWER")]
+    pub measured: Vec<String>,
     /// Keys to infer, as in studies: spring.boom.damping, initial.angular_velocity.1
     #[arg(long, value_name = "KEYS", value_delimiter = ',', required = true, value_parser = str::parse::<KeyPath>)]
     pub vary: Vec<KeyPath>,
     /// Standard deviation of columns that have none in the file, in their units
     #[arg(long, value_name = "SIGMA")]
     pub sigma: Option<f64>,
+    /// Mean and standard deviation of a key that is known beforehand: 'KEY = 40 N/m +- 5 %'
+    #[arg(long, value_name = "PRIOR", value_parser = str::parse::<Estimate>)]
+    pub prior: Vec<Estimate>,
+    /// Range of a key: 'KEY = 0.02..0.2', 'KEY = 10 N/m ..'
+    #[arg(long, value_name = "RANGE", value_parser = str::parse::<Limits>)]
+    pub range: Vec<Limits>,
+    /// How much a residual counts: robust losses leave outliers little weight
+    #[arg(long, value_parser = named::<Loss>(), default_value = "squares")]
+    pub loss: Loss,
+    /// Deviations beyond which a robust loss is no square [default: 1.345 of huber, 1.287 of soft-l1]
+    #[arg(long, value_name = "X")]
+    pub loss_scale: Option<f64>,
+    /// Starts of the search beside that of the file, within the ranges of the keys or 20 % of the file
+    #[arg(long, value_name = "N", default_value_t = 2)]
+    pub starts: usize,
+    /// Keys whose intervals are those of the profile likelihood
+    #[arg(long, value_parser = named::<Profiles>(), default_value = "auto")]
+    pub profile: Profiles,
+    /// Draw the fit with its residuals into an .svg or .png file
+    #[arg(long, value_name = "FILE")]
+    pub figure: Option<PathBuf>,
+    /// Replace the file
+    #[arg(long, requires = "figure")]
+    pub overwrite: bool,
     #[arg(long, help = Setting::System.help(), value_parser = named::<System>(), default_value = "reduced")]
     pub system: System,
+    /// Without data: say which of planned sensors and manoeuvres would tell the keys best
+    #[arg(long, requires = "sensor", conflicts_with_all = ["data", "measured", "range", "figure"])]
+    pub design: bool,
+    /// Sensor of a design, with the deviation of its values: 'wx,wy +- 0.5 mrad/s', 'modes.nutation.frequency +- 1 %'
+    #[arg(long, value_name = "SENSOR", requires = "design", value_parser = str::parse::<Sensor>)]
+    pub sensor: Vec<Sensor>,
+    /// Another motion of a design: changes of the model, 'initial.wobble.angle = 5 deg; ...', or a model file
+    #[arg(long, value_name = "CHANGES", requires = "design", alias = "maneuver")]
+    pub manoeuvre: Vec<String>,
+    /// Time for which columns of a design are measured [default: that of the model]
+    #[arg(long, value_name = "T", requires = "design")]
+    pub duration: Option<String>,
+    /// Number of times in a design at which columns are measured
+    #[arg(long, value_name = "N", requires = "design", default_value_t = 101)]
+    pub samples: usize,
 }
 
 #[derive(Args, Debug)]

@@ -4,6 +4,7 @@
 use std::path::PathBuf;
 
 use quasirigid_io::attitude::Unwritten;
+use quasirigid_io::estimate::{EstimateError, EstimateFileError};
 use quasirigid_io::light_curve::LightCurveFileError;
 use quasirigid_io::measured_file::MeasuredFileError;
 use quasirigid_io::model::{ModelError, TargetError};
@@ -29,6 +30,10 @@ pub enum Failure {
     Audit(AuditError),
     #[error(transparent)]
     Measured(#[from] MeasuredFileError),
+    #[error(transparent)]
+    Estimate(#[from] EstimateError),
+    #[error(transparent)]
+    Estimates(#[from] EstimateFileError),
     #[error(transparent)]
     LightCurveFile(#[from] LightCurveFileError),
     #[error("{option} {text}: {cause}; {advice}", advice = cause.advice())]
@@ -79,6 +84,8 @@ pub enum Failure {
     NoFigures { folder: PathBuf },
     #[error("{}: pictures are svg or png files; name the format with --format", path.display())]
     PictureEnding { path: PathBuf },
+    #[error("{}: a figure is an .svg or .png file", path.display())]
+    FigureEnding { path: PathBuf },
     #[error("{}: a map of fills is a .csv, .svg or .png file; JSON is that of --json", path.display())]
     FillMapEnding { path: PathBuf },
     #[error("{}: a light curve is a .csv, .parquet, .npz, .svg or .png file, .txt for DAMIT or .alcdef; JSON is that of --json", path.display())]

@@ -87,6 +87,12 @@ impl ReadProblem for MeasuredFileProblem {
 }
 
 impl MeasuredColumn {
+    /// A column in the unit of `simulate` with one standard deviation for all its values.
+    #[must_use]
+    pub fn new(name: &str, values: Vec<f64>, sigma: f64) -> Self {
+        Self { name: name.to_owned(), unit: None, values, sigma: vec![sigma] }
+    }
+
     /// Standard deviation at a row.
     #[must_use]
     pub fn deviation(&self, row: usize) -> f64 {
@@ -100,6 +106,12 @@ impl MeasuredColumn {
 }
 
 impl Measurements {
+    /// Columns with their deviations at ascending times (s).
+    #[must_use]
+    pub fn of_columns(t: Vec<f64>, columns: Vec<MeasuredColumn>) -> Self {
+        Self { t, columns, deviations: true }
+    }
+
     /// Number of measured values.
     #[must_use]
     pub fn count(&self) -> usize {

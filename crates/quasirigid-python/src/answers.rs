@@ -10,7 +10,6 @@ use std::path::{Path, PathBuf};
 use pyo3::prelude::*;
 use quasirigid_io::disk::{parent, replace, settle_files, settle_folder};
 use quasirigid_io::export::{Exported, Target, identifier};
-use quasirigid_io::measured_file::read_measurements;
 use quasirigid_io::model::KeyPath;
 use quasirigid_io::record::{HistoryRecord, TableFormat};
 use quasirigid_io::study_file::Quantity;
@@ -18,7 +17,6 @@ use quasirigid_study::certificate::Certificate;
 use quasirigid_study::evolution;
 use quasirigid_study::fill_map::{self, FillMapSettings};
 use quasirigid_study::histories::Table;
-use quasirigid_study::infer::InferSettings;
 use quasirigid_study::layout::paragraph;
 use quasirigid_study::light_curve::LightCurveSettings;
 use quasirigid_study::linear::{LinearObject, LinearSettings};
@@ -170,27 +168,6 @@ pub fn sensitivity(
         sentence: found.sentence.clone(),
         holds: found.not_known.is_empty(),
         notes: study.model.notes.clone(),
-        numbers: BTreeMap::new(),
-        columns: None,
-    })
-}
-
-/// Numbers of the model inferred from a measured history.
-pub fn infer(
-    study: &Study,
-    data: &Path,
-    sigma: Option<f64>,
-    asked: &InferSettings,
-    mut shared: &Shared,
-) -> Result<Answer, Failure> {
-    let data = read_measurements(data, sigma).map_err(|error| Failure::File(error.to_string()))?;
-    let found = study.infer(&data, asked, &mut shared)?;
-    Ok(Answer {
-        json: Json(study.with_inputs(found.json())),
-        text: found.text(),
-        sentence: found.sentence.clone(),
-        holds: found.holds(),
-        notes: study.model.notes.iter().chain(&found.notes).cloned().collect(),
         numbers: BTreeMap::new(),
         columns: None,
     })

@@ -14,6 +14,7 @@ mod dictionary;
 mod ellipsoids;
 mod ensemble;
 mod failure;
+mod infer;
 mod light_curve;
 mod model;
 mod pool;

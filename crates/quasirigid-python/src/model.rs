@@ -15,7 +15,6 @@ use quasirigid_io::model::{
 use quasirigid_io::record::TableFormat;
 use quasirigid_study::fill_map::FillMapSettings;
 use quasirigid_study::histories::Table;
-use quasirigid_study::infer::InferSettings;
 use quasirigid_study::linear::{LinearAt, LinearSettings};
 use quasirigid_study::modes::{PrincipalAxis, SteadySpinSettings};
 use quasirigid_study::settings::{PartialEvolve, PartialRun, PartialSpinManifold, PartialVerify};
@@ -26,6 +25,7 @@ use crate::arguments::{Quantity, deprecated, named};
 use crate::columns::Columns;
 use crate::ensemble::{self, Histories};
 use crate::failure::Failure;
+use crate::infer::{self, DesignArgs, InferArgs};
 use crate::light_curve::LightCurveArgs;
 use crate::reduced::Reduced;
 use crate::spin_paths;
@@ -189,20 +189,29 @@ impl Model {
         self.ask(py, (order, observer), |study, shared| answers::sensitivity(study, of, &keys, shared))
     }
 
-    /// Numbers of the model inferred from a measured history.
+    /// Numbers of the model inferred from measurements.
     fn infer(
         &self,
         py: Python<'_>,
-        measured: (PathBuf, Option<f64>),
-        vary: Vec<String>,
-        system: &str,
+        history: (Option<PathBuf>, Option<f64>),
+        asked: InferArgs,
         order: Option<usize>,
         observer: Observer,
     ) -> PyResult<Answer> {
-        let (data, sigma) = measured;
-        let system = named::<System>(Some(system), "system")?.unwrap_or(System::Reduced);
-        let asked = InferSettings { vary: answers::keys(&vary)?, system };
-        self.ask(py, (order, observer), |study, shared| answers::infer(study, &data, sigma, &asked, shared))
+        let asked = asked.settings()?;
+        self.ask(py, (order, observer), |study, shared| infer::infer(study, &history, &asked, shared))
+    }
+
+    /// What planned measurements would tell.
+    fn design(
+        &self,
+        py: Python<'_>,
+        asked: DesignArgs,
+        order: Option<usize>,
+        observer: Observer,
+    ) -> PyResult<Answer> {
+        let asked = asked.settings()?;
+        self.ask(py, (order, observer), |study, shared| infer::design(study, &asked, shared))
     }
 
     /// Linear model about a steady state.

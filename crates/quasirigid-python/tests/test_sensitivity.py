@@ -52,3 +52,45 @@ def test_a_moment_is_inferred_from_noisy_rates(tmp_path: Path) -> None:
     assert found.degrees_of_freedom == 362
     with pytest.raises(quasirigid.FileError, match="cannot be read|not found|is the name right"):
         model.infer(tmp_path / "nothing.csv", ["carrier.mass"])
+
+
+FREQUENCY = "modes.nutation.frequency"
+SPUN = STONE.replace("[0.15, 0.02, 0.9]", "[0, 0, 0.9]")
+
+
+def frequency(a: float) -> float:
+    """Frequency of the nutation of the stone with this moment (rad/s): ω √((C−A)(C−B)/AB)."""
+    return 0.9 * float(np.sqrt((17 - a) * 3 / (a * 14)))
+
+
+def test_a_moment_is_inferred_from_a_frequency_and_a_prior() -> None:
+    key = "carrier.inertia.1"
+    measured = {FREQUENCY: f"{frequency(10.5)} rad/s +- 1e-3 rad/s"}
+    alone = Model(SPUN).infer(vary=[key], measured=measured)
+    sigma = np.sqrt(alone.covariance[0, 0])
+    assert alone.holds and abs(alone.values[key] - 10.5) < 1e-6
+    assert alone.measured[0]["fitted"] == pytest.approx(frequency(10.5), rel=1e-9)
+    both = Model(SPUN).infer(vary=[key], measured=measured, prior={key: f"10.5 +- {sigma}"}, range={key: "9..12"})
+    assert np.sqrt(both.covariance[0, 0]) == pytest.approx(sigma / np.sqrt(2), rel=1e-4)
+    held = Model(SPUN).infer(vary=[key], measured=measured, range={key: "..10.2"}, profile="all")
+    assert held.parameters[0]["at_bound"] == "high" and held.parameters[0]["sigma"] is None
+
+
+def test_mistakes_in_inferences_are_refused() -> None:
+    model = Model(SPUN)
+    with pytest.raises(quasirigid.InputError, match="has no deviation"):
+        model.infer(vary=["carrier.mass"], measured={"check.T1": "3 s"})
+    with pytest.raises(quasirigid.InputError, match='loss = "cauchy" is not one of'):
+        model.infer(vary=["carrier.mass"], measured={"check.T1": "3 s +- 1 s"}, loss="cauchy")
+    with pytest.raises(quasirigid.Error, match="nothing is measured"):
+        model.infer(vary=["carrier.inertia.1"])
+
+
+def test_plans_are_ranked() -> None:
+    sensors = ["wx +- 1e-4 rad/s", "wz +- 1e-4 rad/s"]
+    manoeuvre = "initial.angular_velocity = [0.3, 0, 0.9]"
+    found = Model(STONE).design(["carrier.inertia.1"], sensors, [manoeuvre], duration="60 s", system="rigid")
+    assert found.holds and found.plans[0]["manoeuvre"] == manoeuvre and found.plans[0]["complete"]
+    assert len(found.plans) == 6 and found.keys[0]["value"] == 10
+    with pytest.raises(quasirigid.InputError, match="give a list"):
+        Model(STONE).design(["carrier.inertia.1"], "wx +- 1e-4 rad/s")

@@ -34,7 +34,9 @@ mod viewer;
 
 pub use comparison::{Compared, comparison_page};
 pub use figures::fill_map::fill_map_picture;
+pub use figures::fit::{FitColumn, fit_picture};
 pub use figures::light_curve::light_curve_picture;
+pub use figures::tornado::tornado_picture;
 pub use figures::yorp::yorp_picture;
 pub use figures::{figure_names, picture};
 pub use gltf::{GltfOptions, gltf, revolutions_per_frame};

@@ -16,6 +16,7 @@ pub mod lightcurve;
 pub mod linear;
 pub mod modes;
 pub mod new;
+mod picture;
 pub mod plot;
 pub mod report;
 pub mod run;
@@ -38,6 +39,7 @@ use crate::failure::Failure;
 use crate::message::remark;
 use crate::output;
 use crate::progress::Terminal;
+use picture::Picture;
 
 /// Width of a PNG picture (pixels): 170 mm at 240 per inch.
 const PIXELS: u32 = 1600;

@@ -23,6 +23,7 @@ mod fills;
 mod full;
 mod help;
 mod hostile_names;
+mod infer;
 mod inputs;
 #[cfg(unix)]
 mod interrupt;

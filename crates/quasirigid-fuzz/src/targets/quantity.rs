@@ -1,6 +1,8 @@
 //! Numbers with units, and the short texts of settings.
 
+use quasirigid_io::estimate::{Estimate, Limits};
 use quasirigid_io::model::{KeyPath, ManifoldMasters, Target};
+use quasirigid_io::plan::{Manoeuvre, Sensor};
 use quasirigid_io::units::{Dimension, quantity};
 
 /// Words of quantities.
@@ -28,6 +30,9 @@ pub const WORDS: &[&str] = &[
     "1e-400",
     "slug",
     "°",
+    " = ",
+    " +- ",
+    "..",
 ];
 
 const DIMENSIONS: [Dimension; 12] = [
@@ -61,4 +66,17 @@ pub fn text(bytes: &[u8]) {
         assert!(!error.to_string().is_empty() && !error.advice().is_empty());
     }
     let _ = text.parse::<ManifoldMasters>();
+    match text.parse::<Estimate>() {
+        Ok(found) => assert!(found.value.number.is_finite() && found.sigma.number > 0.0, "{found:?}"),
+        Err(error) => assert!(!error.to_string().is_empty()),
+    }
+    if let Err(error) = text.parse::<Sensor>() {
+        assert!(!error.to_string().is_empty());
+    }
+    if let Err(error) = text.parse::<Manoeuvre>() {
+        assert!(!error.to_string().is_empty());
+    }
+    if let Err(error) = text.parse::<Limits>() {
+        assert!(!error.to_string().is_empty());
+    }
 }

@@ -84,6 +84,11 @@ impl<'a> Measure<'a> {
         Ok(Self { number, unit, expression: Expression::parse(unit)? })
     }
 
+    /// The number in SI units; none of hertz, which are two things.
+    pub(crate) fn in_si(&self) -> Option<f64> {
+        (!self.expression.hertz).then(|| self.expression.in_si(self.number))
+    }
+
     /// The number in the unit of another measure; none where the two measure different things.
     pub(crate) fn in_unit_of(&self, other: &Self) -> Option<f64> {
         let (own, theirs) = (&self.expression, &other.expression);

@@ -22,7 +22,7 @@ from quasirigid._table import Table, Tabled
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-__all__ = ["AboutSpin", "Answer", "Check", "EffectiveMasses", "Evolution", "FillMap", "History", "Inferred", "LightCurve", "Modes", "Run", "Sensitivity", "Verification"]
+__all__ = ["AboutSpin", "Answer", "Check", "Design", "EffectiveMasses", "Evolution", "FillMap", "History", "Inferred", "LightCurve", "Modes", "Run", "Sensitivity", "Verification"]
 
 
 def _array(values: list[float | None]) -> NDArray[np.float64]:
@@ -552,7 +552,7 @@ class Verification(Answer):
 
 
 class Inferred(Answer):
-    """Numbers of a model inferred from a measured history.
+    """Numbers of a model inferred from measurements.
 
     >>> import pathlib, tempfile
     >>> import quasirigid
@@ -568,9 +568,15 @@ class Inferred(Answer):
 
     __slots__ = ()
 
-    parameters = entry(_copies, "One entry for each key: ``key``, ``value``, ``sigma``, ``unit``, ``before``.")
-    chi2 = entry(float, "Sum of the squares of the residuals over their deviations.")
-    degrees_of_freedom = entry(int, "Number of measured values less that of keys.")
+    parameters = entry(
+        _copies,
+        "One entry for each key: ``key``, ``value``, ``sigma``, ``interval_68``, ``interval_95``, ``profiled``, ``at_bound``, "
+        "``unit``, ``before``.",
+    )
+    measured = entry(_copies, "One entry for each measured answer: ``quantity``, ``value``, ``sigma``, ``fitted``, ``residual``, ``unit``.")
+    chi2 = entry(float, "Sum of the squares of the residuals over their deviations, of outliers left out under a robust loss.")
+    degrees_of_freedom = entry(int, "Number of the values in ``chi2`` less that of keys at no bound.")
+    outliers = entry(int, "Number of values more than four deviations off.")
     not_distinguished = entry(_copies, "Combinations of keys that the data do not tell: ``changes``, ``sigma``.")
 
     @property
@@ -582,6 +588,25 @@ class Inferred(Answer):
     def covariance(self) -> NDArray[np.float64]:
         """Covariance of the keys, ``(n, n)``; not a number for those that the data do not tell."""
         return np.array(self._parts["json"]["covariance"], dtype=np.float64)
+
+
+class Design(Answer):
+    """Plans of measurements and what they would tell; false where no plan tells every key.
+
+    >>> import quasirigid
+    >>> found = quasirigid.Model(quasirigid.EXAMPLE).design(["carrier.inertia.1"], ["wx +- 1e-3 rad/s"])
+    >>> found.plans[0]["manoeuvre"], found.keys[0]["value"]
+    ('as it stands', 9.0)
+    """
+
+    __slots__ = ()
+
+    keys = entry(_copies, "One entry for each key: ``key``, ``value``, ``unit``.")
+    plans = entry(
+        _copies,
+        "Plans, that which tells most first: ``manoeuvre``, ``sensors``, ``complete``, ``sigma`` (one for each key), ``worst``.",
+    )
+    not_answered = entry(_copies, "Manoeuvres without an answer: ``manoeuvre``, ``reason``.")
 
 
 class FillMap(Answer):

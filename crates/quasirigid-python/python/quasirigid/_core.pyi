@@ -125,12 +125,12 @@ class Model:
     ) -> _Answer: ...
     def infer(
         self,
-        measured: tuple[str, float | None],
-        vary: list[str],
-        system: str,
+        history: tuple[str | None, float | None],
+        asked: dict[str, Any],
         order: int | None,
         observer: _Observer,
     ) -> _Answer: ...
+    def design(self, asked: dict[str, Any], order: int | None, observer: _Observer) -> _Answer: ...
     def sensitivity(self, of: str, keys: list[str], order: int | None, observer: _Observer) -> _Answer: ...
     def linear(
         self,

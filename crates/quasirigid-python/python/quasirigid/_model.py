@@ -14,6 +14,7 @@ from quasirigid._answers import (
     AboutSpin,
     Answer,
     Check,
+    Design,
     EffectiveMasses,
     Evolution,
     FillMap,
@@ -344,33 +345,112 @@ class Model:
 
     def infer(
         self,
-        data: str | os.PathLike[str],
-        vary: Sequence[str],
+        data: str | os.PathLike[str] | None = None,
+        vary: Sequence[str] = (),
         *,
+        measured: Mapping[str, str] | None = None,
         sigma: float | None = None,
+        prior: Mapping[str, str] | None = None,
+        range: Mapping[str, str] | None = None,
+        loss: str = "squares",
+        loss_scale: float | None = None,
+        starts: int = 2,
+        profile: str = "auto",
         system: str = "reduced",
         order: int | None = None,
         progress: Progress = False,
     ) -> Inferred:
-        """Infers numbers of the model from a measured history by weighted least squares.
+        """Infers numbers of the model from a measured history, from measured answers, or from both.
 
         Args:
             data: File with a table of ``t`` and columns as ``simulate`` names them, each perhaps with ``sigma_`` and its name.
             vary: Paths of keys, such as ``["spring.boom.damping"]``.
+            measured: Answers of commands by their paths: ``{"evolve.time": "12 h +- 1 h"}``.
             sigma: Standard deviation of columns that have none in the file, in their units.
+            prior: Mean and standard deviation of keys that are known beforehand: ``{"spring.1.stiffness": "40 N/m +- 5 %"}``.
+            range: Ranges of keys: ``{"spring.1.damping": "0.02..0.2"}``; either end may be left out.
+            loss: ``squares``, or ``huber`` or ``soft-l1`` that leave outliers little weight.
+            loss_scale: Deviations beyond which a robust loss is no square; by default 1.345 of ``huber``, 1.287 of ``soft-l1``.
+            starts: Starts of the search beside that of the model, within the ranges of the keys or 20 % of the model.
+            profile: Keys whose intervals are those of the profile likelihood: ``auto`` where the squares are no parabola,
+                ``all`` or ``none``.
             system: ``full``, ``reduced`` or ``rigid``.
 
         Raises:
             InputError: for a key that does not exist.
             FileError: for a file that is no measured history.
+
+        >>> import quasirigid
+        >>> time_constant = "modes.nutation.time_constant"
+        >>> model = quasirigid.Model(quasirigid.EXAMPLE)
+        >>> found = model.infer(vary=["spring.1.damping"], measured={time_constant: "-80 min +- 5 min"})
+        >>> found.holds, found.degrees_of_freedom
+        (True, 0)
         """
         if isinstance(vary, str):
             raise InputError(f"vary = {vary!r}; give a list of paths")
         deviation = None if sigma is None else float(sigma)
-        path = _arguments.path(data, "data")
+        path = None if data is None else _arguments.path(data, "data")
+        asked = {
+            "vary": list(vary),
+            "system": system,
+            "measured": [f"{name} = {value}" for name, value in (measured or {}).items()],
+            "prior": [f"{name} = {value}" for name, value in (prior or {}).items()],
+            "range": [f"{name} = {value}" for name, value in (range or {}).items()],
+            "loss": loss,
+            "loss_scale": _arguments.number(loss_scale, "loss_scale"),
+            "starts": _arguments.count(starts, "starts"),
+            "profile": profile,
+        }
         with observer(progress) as watch:
-            count = _arguments.count(order, "order")
-            return Inferred(self._core.infer((path, deviation), list(vary), system, count, watch))
+            return Inferred(self._core.infer((path, deviation), asked, _arguments.count(order, "order"), watch))
+
+    def design(
+        self,
+        vary: Sequence[str],
+        sensors: Sequence[str],
+        manoeuvres: Sequence[str] = (),
+        *,
+        prior: Mapping[str, str] | None = None,
+        duration: float | str | None = None,
+        samples: int = 101,
+        system: str = "reduced",
+        order: int | None = None,
+        progress: Progress = False,
+    ) -> Design:
+        """Says which of planned sensors and manoeuvres would tell numbers of the model best.
+
+        Args:
+            vary: Paths of keys, such as ``["spring.boom.damping"]``.
+            sensors: Columns or answers with the deviation of their values: ``["wx,wy +- 0.5 mrad/s"]``.
+            manoeuvres: Changes of the model that make other motions: ``["initial.wobble.angle = 5 deg"]``.
+            prior: Mean and standard deviation of keys that are known beforehand.
+            duration: Time for which columns are measured; that of the model by default.
+            samples: Number of times at which columns are measured.
+            system: ``full``, ``reduced`` or ``rigid``.
+
+        Raises:
+            InputError: for a key that does not exist.
+
+        >>> import quasirigid
+        >>> found = quasirigid.Model(quasirigid.EXAMPLE).design(["spring.1.damping"], ["wx +- 1e-3 rad/s", "wy +- 1e-3 rad/s"])
+        >>> found.plans[0]["sensors"], found.holds
+        (['wx', 'wy'], True)
+        """
+        for name, texts in {"vary": vary, "sensors": sensors, "manoeuvres": manoeuvres}.items():
+            if isinstance(texts, str):
+                raise InputError(f"{name} = {texts!r}; give a list")
+        asked = {
+            "vary": list(vary),
+            "system": system,
+            "sensors": list(sensors),
+            "manoeuvres": list(manoeuvres),
+            "prior": [f"{name} = {value}" for name, value in (prior or {}).items()],
+            "duration": _arguments.duration(duration),
+            "samples": _arguments.count(samples, "samples"),
+        }
+        with observer(progress) as watch:
+            return Design(self._core.design(asked, _arguments.count(order, "order"), watch))
 
     def linear(
         self,

@@ -7,7 +7,9 @@ mod data;
 mod frame;
 mod histogram;
 mod map;
+mod panels;
 mod picture;
+mod rows;
 mod trace;
 
 use maud::{Markup, html};
@@ -20,6 +22,8 @@ use trace::{HEIGHT, PAGE, Trace, WIDTH};
 pub use band::{Stop, band};
 pub use histogram::histogram;
 pub use map::{Grid, map};
+pub use panels::{Compared, Panels};
+pub use rows::{Drawn, MORE_AND_LESS, Row, tornado};
 
 /// Most characters of a name beside its curve.
 const BESIDE: usize = 8;

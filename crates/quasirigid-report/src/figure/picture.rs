@@ -9,7 +9,7 @@ use super::axis::Axis;
 use super::trace::Trace;
 
 /// Size of the picture (px): 170 mm by 106 mm at 96 px per inch.
-const WIDTH: f64 = 640.0;
+pub(super) const WIDTH: f64 = 640.0;
 const HEIGHT: f64 = 400.0;
 /// Margins: left for the ticks, top for the name of the vertical axis, right for the names of the curves, bottom.
 const LEFT: f64 = 66.0;
@@ -20,11 +20,11 @@ const BOTTOM: f64 = 52.0;
 const BOX: [f64; 2] = [WIDTH - LEFT - RIGHT, HEIGHT - TOP - BOTTOM];
 
 /// Colours of the curves on white paper, by the first part of their class; those of the page in light.
-const COLOURS: [(&str, &str); 4] =
+pub(super) const COLOURS: [(&str, &str); 4] =
     [("s1", "#0068a8"), ("s2", "#c24a00"), ("s3", "#00805c"), ("s4", "#9a4f8a")];
-const INK: &str = "#1b1f24";
-const MUTED: &str = "#59626d";
-const RULE: &str = "#d9dde2";
+pub(super) const INK: &str = "#1b1f24";
+pub(super) const MUTED: &str = "#59626d";
+pub(super) const RULE: &str = "#d9dde2";
 
 /// Beginning of the file.
 const HEAD: &str = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
@@ -35,41 +35,36 @@ impl Figure {
         let [x, y] = self.axes()?;
         let [width, height] = BOX;
         let drawing = html! {
-            svg xmlns="http://www.w3.org/2000/svg" width=(WIDTH) height=(HEIGHT) viewBox={ "0 0 " (WIDTH) " " (HEIGHT) }
-                font-family="Helvetica, Arial, Liberation Sans, DejaVu Sans, sans-serif" font-size="13" {
-                title { (self.title) }
-                rect width=(WIDTH) height=(HEIGHT) fill="#fff" {}
-                clipPath id="box" { rect y="-1" width=(width) height=(height + 2.0) {} }
-                g transform={ "translate(" (LEFT) " " (TOP) ")" } {
-                    (grid(&x, &y))
-                    g fill="none" stroke-width="1.6" stroke-linejoin="round" stroke-linecap="round" clip-path="url(#box)" {
-                        @for series in self.series.iter().rev() {
-                            @let Trace { line, dots } = series.trace(&x, &y, BOX);
-                            @let dashes = series.class.contains("dashed").then_some("5 4");
-                            @if series.bar.is_some() {
-                                path fill=(colour(series.class)) stroke="none" d=(line) {}
-                            } @else {
-                                path stroke=(colour(series.class)) stroke-dasharray=[dashes] d=(line) {}
-                            }
-                            path stroke=(colour(series.class)) stroke-width="4" d=(dots) {}
+            clipPath id="box" { rect y="-1" width=(width) height=(height + 2.0) {} }
+            g transform={ "translate(" (LEFT) " " (TOP) ")" } {
+                (grid(&x, &y))
+                g fill="none" stroke-width="1.6" stroke-linejoin="round" stroke-linecap="round" clip-path="url(#box)" {
+                    @for series in self.series.iter().rev() {
+                        @let Trace { line, dots } = series.trace(&x, &y, BOX);
+                        @let dashes = series.class.contains("dashed").then_some("5 4");
+                        @if series.bar.is_some() {
+                            path fill=(colour(series.class)) stroke="none" d=(line) {}
+                        } @else {
+                            path stroke=(colour(series.class)) stroke-dasharray=[dashes] d=(line) {}
                         }
+                        path stroke=(colour(series.class)) stroke-width="4" d=(dots) {}
                     }
-                    @let inside = self.has_bars() || self.is_keyed();
-                    @let lifted = if self.is_keyed() { -12.0 } else { 0.0 };
-                    @for (place, series) in self.labels(&y) {
-                        text x=(if inside { width - 8.0 } else { width + 8.0 }) text-anchor=[inside.then_some("end")]
-                            y=(number((place * height + 4.5 + lifted).max(12.0))) fill=(colour(series.class)) font-weight="bold"
-                            stroke=[inside.then_some("#fff")] stroke-width=[inside.then_some("3")] paint-order=[inside.then_some("stroke")] {
-                            (series.label)
-                        }
-                    }
-                    (self.marked(&x, &y))
-                    text x=(-LEFT + 8.0) y="-14" fill=(INK) { (raised(&self.y.text(y.power))) }
-                    text x=(width) y=(height + 42.0) text-anchor="end" fill=(INK) { (raised(&self.x.text(x.power))) }
                 }
+                @let inside = self.has_bars() || self.is_keyed();
+                @let lifted = if self.is_keyed() { -12.0 } else { 0.0 };
+                @for (place, series) in self.labels(&y) {
+                    text x=(if inside { width - 8.0 } else { width + 8.0 }) text-anchor=[inside.then_some("end")]
+                        y=(number((place * height + 4.5 + lifted).max(12.0))) fill=(colour(series.class)) font-weight="bold"
+                        stroke=[inside.then_some("#fff")] stroke-width=[inside.then_some("3")] paint-order=[inside.then_some("stroke")] {
+                        (series.label)
+                    }
+                }
+                (self.marked(&x, &y))
+                text x=(-LEFT + 8.0) y="-14" fill=(INK) { (raised(&self.y.text(y.power))) }
+                text x=(width) y=(height + 42.0) text-anchor="end" fill=(INK) { (raised(&self.x.text(x.power))) }
             }
         };
-        Some(format!("{HEAD}{}\n", visible(&drawing.into_string())))
+        Some(whole(self.title, HEIGHT, &drawing))
     }
 
     /// The events, each a dashed line with its label.
@@ -90,6 +85,19 @@ impl Figure {
     }
 }
 
+/// A drawing of this height (px) as a file of its own.
+pub(super) fn whole(title: &str, height: f64, drawing: &Markup) -> String {
+    let drawing = html! {
+        svg xmlns="http://www.w3.org/2000/svg" width=(WIDTH) height=(height) viewBox={ "0 0 " (WIDTH) " " (height) }
+            font-family="Helvetica, Arial, Liberation Sans, DejaVu Sans, sans-serif" font-size="13" {
+            title { (title) }
+            rect width=(WIDTH) height=(height) fill="#fff" {}
+            (drawing)
+        }
+    };
+    format!("{HEAD}{}\n", visible(&drawing.into_string()))
+}
+
 fn grid(x: &Axis, y: &Axis) -> Markup {
     let [width, height] = BOX;
     html! {
@@ -108,7 +116,7 @@ fn grid(x: &Axis, y: &Axis) -> Markup {
 }
 
 /// A text with its superscripts as raised digits, since few fonts have all superscripts.
-fn raised(text: &str) -> Markup {
+pub(super) fn raised(text: &str) -> Markup {
     const SUPERSCRIPTS: &str = "⁰¹²³⁴⁵⁶⁷⁸⁹⁻";
     let plain = |letter: char| "0123456789−".chars().nth(SUPERSCRIPTS.chars().position(|it| it == letter)?);
     let mut parts: Vec<(bool, String)> = Vec::new();
@@ -132,6 +140,6 @@ fn colour(class: &str) -> &'static str {
     COLOURS.iter().find(|(name, _)| class.starts_with(name)).map_or(INK, |(_, colour)| colour)
 }
 
-fn number(value: f64) -> String {
+pub(super) fn number(value: f64) -> String {
     format!("{value:.1}")
 }

@@ -5,8 +5,10 @@ pub mod campbell;
 mod curve;
 pub mod evolution;
 pub mod fill_map;
+pub mod fit;
 pub mod history;
 pub mod light_curve;
+pub mod tornado;
 pub mod verification;
 pub mod yorp;
 

@@ -9,11 +9,11 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use quasirigid::dynamics::PropagateError;
 use quasirigid_io::model::{Model, PartialEvolve, PartialRun, PartialSpinManifold, PartialVerify, Source};
-use quasirigid_io::study_file::{Answer, Command};
+use quasirigid_io::study_file::{Answer, Command, Quantity};
 use quasirigid_math::watch::cancellable;
 use serde_json::{Value, json};
 
-use super::Status;
+use super::{QuantityValue, Status, find};
 use crate::error::StudyError;
 use crate::histories::Table;
 use crate::modes::SteadySpinSettings;
@@ -33,6 +33,28 @@ pub(crate) enum Answered {
 pub(crate) struct Answers {
     pub(crate) commands: BTreeMap<Command, Answered>,
     pub(crate) notes: Vec<String>,
+}
+
+impl Answers {
+    /// The number that a quantity is in the last object of its command, or why it is none.
+    pub(crate) fn number(&self, quantity: &Quantity) -> Result<f64, (Status, String)> {
+        let refused = |reason: String| (Status::Refused, reason);
+        let no = |why: &str| refused(format!("`{}` is {why}", quantity.name));
+        match self.commands.get(&quantity.command) {
+            Some(Answered::Objects(objects, Status::Answered, _)) => {
+                match find(quantity, objects.last().unwrap_or(&Value::Null)) {
+                    QuantityValue::Value(value) => value.as_f64().ok_or_else(|| no("no number")),
+                    QuantityValue::Infinite => Err(no("infinite")),
+                    QuantityValue::Unknown => Err(no("not known")),
+                    QuantityValue::Absent(reason) | QuantityValue::Unclear(reason) => Err(refused(reason)),
+                }
+            }
+            Some(Answered::Objects(_, status, reason) | Answered::Nothing(status, reason)) => {
+                Err((*status, reason.clone()))
+            }
+            None => Err(no("not answered")),
+        }
+    }
 }
 
 /// Relative error of a time of `evolve` from which a row notes it: that of a calibrated average is told to be this much.

@@ -6,7 +6,7 @@ use std::sync::atomic::AtomicBool;
 use quasirigid_io::model::{KeyPath, KeyValue, Source, System, Template};
 use quasirigid_io::study_file::{Answer, Quantity};
 
-use crate::asked::{Answered, QuantityValue, Status, answers, find};
+use crate::asked::{Status, answers};
 use crate::error::StudyError;
 
 /// Quantity of the changed copies of a model.
@@ -58,22 +58,6 @@ impl<'a> Changed<'a> {
         let text = self.template.changed(changes).map_err(|error| no(error.to_string()))?;
         let found = answers(self.source, &text, &self.asked, self.cancelled).ok_or(Missing::Cancelled)?;
         let [quantity] = &self.asked.quantities[..] else { unreachable!("one quantity is asked for") };
-        let missing = |reason: String| Missing::No(Status::Refused, reason);
-        match found.commands.get(&quantity.command) {
-            Some(Answered::Objects(objects, Status::Answered, _)) => {
-                match find(quantity, objects.last().unwrap_or(&serde_json::Value::Null)) {
-                    QuantityValue::Value(value) => {
-                        value.as_f64().ok_or_else(|| missing(format!("`{}` is no number", quantity.name)))
-                    }
-                    QuantityValue::Infinite => Err(missing(format!("`{}` is infinite", quantity.name))),
-                    QuantityValue::Unknown => Err(missing(format!("`{}` is not known", quantity.name))),
-                    QuantityValue::Absent(reason) | QuantityValue::Unclear(reason) => Err(missing(reason)),
-                }
-            }
-            Some(Answered::Objects(_, status, reason) | Answered::Nothing(status, reason)) => {
-                Err(Missing::No(*status, reason.clone()))
-            }
-            None => Err(missing(format!("`{}` is not answered", quantity.name))),
-        }
+        found.number(quantity).map_err(|(status, reason)| Missing::No(status, reason))
     }
 }

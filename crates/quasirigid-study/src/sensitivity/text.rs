@@ -4,6 +4,7 @@ use std::fmt::{self, Write};
 
 use super::Sensitivity;
 use crate::layout::paragraph;
+use crate::report::tornado_picture;
 use crate::words::{significant, time};
 
 /// Keys that the sentence names, and those that are listed.
@@ -37,6 +38,14 @@ impl Sensitivity {
         let mut text = String::new();
         self.write(&mut text, if all { usize::MAX } else { LISTED }).expect("a string takes any text");
         text
+    }
+
+    /// Tornado of the keys that matter, as an SVG file of its own; none where the quantity is zero or no key changes it.
+    #[must_use]
+    pub fn picture(&self) -> Option<String> {
+        let shown = self.derivatives.iter().filter(|each| self.effect(each).abs() > NOTHING).take(LISTED);
+        let effects: Vec<(&str, f64)> = shown.map(|each| (each.key.as_str(), self.effect(each))).collect();
+        (self.value != 0.0).then(|| tornado_picture(&self.quantity, &effects))?
     }
 
     /// What matters most, in a sentence.

@@ -11,7 +11,7 @@ use quasirigid_study::infer::{InferSettings, Inferred};
 use crate::support::{close, column, example, finished, one_line, study};
 
 /// A rigid body that tumbles.
-const STONE: &str = r#"
+pub const STONE: &str = r#"
 [carrier]
 mass = 100.0
 center_of_mass = [0.0, 0.0, 0.0]
@@ -20,12 +20,17 @@ inertia = [10.0, 14.0, 17.0]
 angular_velocity = [0.15, 0.02, 0.9]
 "#;
 
-fn times(duration: f64, count: usize) -> Vec<f64> {
+pub fn times(duration: f64, count: usize) -> Vec<f64> {
     (0..count).map(|k| duration * k as f64 / (count - 1) as f64).collect()
 }
 
+/// A normal number.
+pub fn normal(random: &mut Random) -> f64 {
+    (-2.0 * (1.0 - random.unit()).ln()).sqrt() * (std::f64::consts::TAU * random.unit()).cos()
+}
+
 /// Columns of the history of a model, with normal noise (of its deviation) and that deviation beside each, unless it is zero.
-fn measured(
+pub fn measured(
     model: &str,
     system: System,
     times: &[f64],
@@ -34,15 +39,13 @@ fn measured(
 ) -> Measurements {
     let history = finished(&study(model), system, times);
     let mut random = Random::new(seed as u64);
-    let mut normal =
-        || (-2.0 * (1.0 - random.unit()).ln()).sqrt() * (std::f64::consts::TAU * random.unit()).cos();
     let sigmas =
         if noise > 0.0 { names.iter().map(|name| format!(",sigma_{name}")).collect() } else { String::new() };
     let mut text = format!("t,{}{sigmas}\n", names.join(","));
     for (row, t) in times.iter().enumerate() {
         write!(text, "{t}").unwrap();
         for name in names {
-            write!(text, ",{}", column(&history.columns, name)[row] + noise * normal()).unwrap();
+            write!(text, ",{}", column(&history.columns, name)[row] + noise * normal(&mut random)).unwrap();
         }
         if noise > 0.0 {
             names.iter().for_each(|_| write!(text, ",{noise}").unwrap());
@@ -52,7 +55,7 @@ fn measured(
     read(&text)
 }
 
-fn read(text: &str) -> Measurements {
+pub fn read(text: &str) -> Measurements {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("measured.csv");
     std::fs::write(&file, text).unwrap();
@@ -61,10 +64,10 @@ fn read(text: &str) -> Measurements {
 
 fn infer(model: &str, data: &Measurements, keys: &[&str], system: System) -> Result<Inferred, StudyError> {
     let vary = keys.iter().map(|key| key.parse().unwrap()).collect();
-    study(model).infer(data, &InferSettings { vary, system }, &mut ())
+    study(model).infer(Some(data), &InferSettings { vary, system, ..InferSettings::default() }, &mut ())
 }
 
-const RATES: [&str; 3] = ["wx", "wy", "wz"];
+pub const RATES: [&str; 3] = ["wx", "wy", "wz"];
 const KEYS: [&str; 2] = ["carrier.inertia.1", "initial.angular_velocity.2"];
 
 /// The stone with a first guess.

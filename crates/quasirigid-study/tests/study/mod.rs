@@ -15,6 +15,8 @@ mod forces;
 mod full_system;
 mod histories;
 mod infer;
+mod infer_design;
+mod inferred_answers;
 mod light_curve;
 mod measured;
 mod methods;

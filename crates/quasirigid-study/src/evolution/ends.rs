@@ -52,7 +52,7 @@ pub fn end(
 /// Energy above the steady spin, over that of the wobble, from which it is told to be of vibrations.
 const VIBRATING: f64 = 1.1;
 /// The same where the rotation without vibrations is known from the slow manifold, above the least energy.
-const KNOWN: f64 = 1.001;
+const KNOWN: f64 = 1.02;
 /// Share of the energy between a rotation and a steady spin below which the wobble is told by the angular momentum.
 const SMALL: f64 = 1e-6;
 

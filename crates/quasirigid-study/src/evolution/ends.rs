@@ -65,17 +65,20 @@ pub fn span(
 ) -> Result<Span, StudyError> {
     let ReferenceSpins { body, range, .. } = spins;
     let evolution = spins.evolution();
-    let (start, from) = match asked.start {
+    let (start, from, settled) = match asked.start {
         Some(target) => {
             let from = state(&evolution, target, moments)?;
-            (range.state(body, from).ok_or(StudyError::Steady)?, from)
+            let start = range.state(body, from).ok_or(StudyError::Steady)?;
+            let settled = range.settled(body, start.angular_momentum(body));
+            (start, from, settled)
         }
         None => {
             let K = full.angular_momentum(body);
             if range.is_steady(body, K) {
                 return Err(StudyError::Steady);
             }
-            let projected = spins.projected(&full);
+            // rotors and liquids that only slide settle without swinging
+            let projected = if body.cyclic().is_empty() { spins.projected(&full) } else { None };
             let settled = projected.or_else(|| range.settled(body, K));
             let small = settled.filter(|state| {
                 let motion = spins.motion(*state);
@@ -91,12 +94,13 @@ pub fn span(
                 settled.mode == state.mode && whole > known * still
             });
             let from = small.or(if vibrating { settled } else { by_energy }).or(settled);
-            (full, from.ok_or(StudyError::Steady)?)
+            (full, from.ok_or(StudyError::Steady)?, settled)
         }
     };
     let to = end(&evolution, from, &EvolveSettings { duration: None, ..asked.clone() }, moments)?;
     Ok(Span {
         placed: asked.start.is_some(),
+        settled,
         duration: asked.duration,
         level_end: level_end(asked),
         samples: asked.samples,

@@ -5,6 +5,7 @@ pub mod audit;
 mod certificate;
 pub mod check;
 pub mod cite;
+mod curve_files;
 pub mod derive;
 pub mod diff;
 pub mod evolve;

@@ -75,9 +75,6 @@ impl SpunWobble {
     ) -> Result<Start, StudyError> {
         let Self { range, place: RotationState { mode, xi }, angular_momentum } = self;
         let first = started(*angular_momentum)?;
-        if !study.body.cyclic().is_empty() {
-            return Ok(first);
-        }
         let Some(starts) = SettledStarts::derive(&study.body, range, *mode, *angular_momentum) else {
             return Ok(first);
         };

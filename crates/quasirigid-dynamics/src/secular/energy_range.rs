@@ -311,7 +311,7 @@ fn distinct([least, middle, greatest]: [f64; 3]) -> [f64; 3] {
 /// Tangent of the angle from an axis below which a spin is the steady one, to rounding.
 const STEADY: f64 = 1e-13;
 /// Tangent of the angle below which the energy has too few digits of a wobble: next to an axis `ξ` changes by twice its logarithm.
-const RESOLVED: f64 = 3e-3;
+pub(super) const RESOLVED: f64 = 3e-3;
 /// Newton's steps to a balance at most, and the relative difference that is accepted where rounding ends them.
 const BALANCE_STEPS: usize = 30;
 const BALANCED: f64 = 1e-12;

@@ -4,7 +4,7 @@
 
 use std::ops::ControlFlow;
 
-use super::energy_range::EnergyRange;
+use super::energy_range::{EnergyRange, RESOLVED};
 use super::poles::Pole;
 use crate::averaging::RotationState;
 use crate::dynamics::FullState;
@@ -20,8 +20,6 @@ const MOST_COORDINATES: usize = 30;
 /// Degree of the equations, and the defect up to which they place a start.
 const DEGREE: usize = 5;
 const ACCEPTED_DEFECT: f64 = 0.05;
-/// Amplitude (rad) below which the energy has too few digits of a wobble, and one of the same ratio is taken.
-const RESOLVED: f64 = 3e-3;
 /// Distance from the balance, in `ξ`, beyond which the equations led astray: a wobble 2.7 times as wide.
 const FARTHEST: f64 = 2.0;
 
@@ -34,7 +32,7 @@ pub struct SettledStarts<'a> {
 
 impl<'a> SettledStarts<'a> {
     /// The manifold about the spin that a mode circles, on the side of an angular momentum (N·m·s); none where every vibration is faster than ten
-    /// spins, where (Q2) serves, and where there are no such equations.
+    /// spins, where (Q2) serves, with rotors and liquids, which slide and do not swing, and where there are no such equations.
     #[must_use]
     pub fn derive(
         body: &'a FlexibleBody,
@@ -42,7 +40,7 @@ impl<'a> SettledStarts<'a> {
         mode: Mode,
         angular_momentum: [f64; 3],
     ) -> Option<Self> {
-        let equilibrium = range.equilibrium(mode).filter(|_| body.coordinates().len() <= MOST_COORDINATES)?;
+        let equilibrium = range.equilibrium(mode).filter(|_| swings(body))?;
         let pole = Pole { modes: SpinModes::about(body, equilibrium.clone()).ok()? };
         Self::about(body, (range, &pole), mode, angular_momentum)
     }
@@ -54,7 +52,7 @@ impl<'a> SettledStarts<'a> {
         mode: Mode,
         angular_momentum: [f64; 3],
     ) -> Option<Self> {
-        if body.coordinates().len() > MOST_COORDINATES {
+        if !swings(body) {
             return None;
         }
         let spin = norm(pole.modes.equilibrium.omega);
@@ -85,4 +83,9 @@ impl<'a> SettledStarts<'a> {
         let near = mode == balanced.mode && (found.xi - balanced.xi).abs() <= FARTHEST;
         near.then_some(found)
     }
+}
+
+/// Whether what moves inside a body are few coordinates that may swing.
+fn swings(body: &FlexibleBody) -> bool {
+    body.cyclic().is_empty() && body.coordinates().len() <= MOST_COORDINATES
 }

@@ -77,8 +77,7 @@ pub fn span(
             if range.is_steady(body, K) {
                 return Err(StudyError::Steady);
             }
-            // rotors and liquids that only slide settle without swinging
-            let projected = if body.cyclic().is_empty() { spins.projected(&full) } else { None };
+            let projected = spins.projected(&full);
             let settled = projected.or_else(|| range.settled(body, K));
             let small = settled.filter(|state| {
                 let motion = spins.motion(*state);
@@ -100,11 +99,10 @@ pub fn span(
     let to = end(&evolution, from, &EvolveSettings { duration: None, ..asked.clone() }, moments)?;
     Ok(Span {
         placed: asked.start.is_some(),
-        settled,
         duration: asked.duration,
         level_end: level_end(asked),
         samples: asked.samples,
-        ..Span::new(spins, start, [from, to])
+        ..Span::new(spins, (start, settled), [from, to])
     })
 }
 

@@ -71,14 +71,8 @@ impl<'a> ReferenceSpins<'a> {
         FreeRotation::at_logit(self.range.moments(), self.range.angular_momentum(), mode, xi)
     }
 
-    /// Rotation state of a full state after its vibrations have died out; none at a steady spin. (Q2), (Q21)
-    #[must_use]
-    pub fn settled(&self, start: &FullState) -> Option<RotationState> {
-        let balanced = self.range.settled(self.body, start.angular_momentum(self.body));
-        self.projected(start).or(balanced)
-    }
-
-    /// The same by the slow manifold about the spin, where a vibration is slower than ten spins; none elsewhere. (Q21)
+    /// Rotation state of a full state after its vibrations have died out, by the slow manifold about the spin, where a vibration is slower than ten
+    /// spins; none elsewhere, where [`EnergyRange::settled`] has it. (Q21)
     #[must_use]
     pub fn projected(&self, start: &FullState) -> Option<RotationState> {
         let K = start.angular_momentum(self.body);

@@ -41,13 +41,17 @@ pub struct Span {
 const SAMPLES: usize = 201;
 
 impl Span {
-    /// Span from a state of the full system, between two rotation states.
+    /// Span from a state of the full system, which settles on a rotation state, between two rotation states.
     #[must_use]
-    pub fn new(spins: &ReferenceSpins, start: FullState, ends: [RotationState; 2]) -> Self {
+    pub fn new(
+        spins: &ReferenceSpins,
+        (start, settled): (FullState, Option<RotationState>),
+        ends: [RotationState; 2],
+    ) -> Self {
         Self {
             placed: false,
             ends,
-            settled: spins.settled(&start),
+            settled,
             energies: [start.energy(spins.body), spins.motion(ends[1]).energy()],
             start,
             duration: None,

@@ -2,6 +2,7 @@
 #![allow(clippy::print_stdout, clippy::print_stderr)]
 
 mod book;
+mod cases;
 mod docs;
 mod finding;
 mod json;
@@ -23,7 +24,7 @@ use tree::Tree;
 
 type Check = fn(&Tree) -> Vec<Finding>;
 
-const CHECKS: [(&str, Check); 7] = [
+const CHECKS: [(&str, Check); 8] = [
     ("layers", layers::check),
     ("labels", labels::check),
     ("paths", paths::check),
@@ -31,6 +32,7 @@ const CHECKS: [(&str, Check); 7] = [
     ("book", book::check),
     ("versions", release::check),
     ("json", json::check),
+    ("cases", cases::check),
 ];
 
 const HELP: &str = "\
@@ -50,6 +52,7 @@ usage: cargo xtask test [--require-python] [--wheel]
   docs     TOML and commands in README.md and docs/guide are sound
   book     docs/SUMMARY.md names every chapter, links lead somewhere; then mdBook, where it is installed, builds the site
   versions workspace, crates, Python package, citation, recipe and changelog agree on the version
+  cases    tests named in the table of readers' cases exist
   json     keys of the JSON output in the guide are those of the doc comments; --write writes them
 
 exit code: 0 nothing found, 1 something found, 2 could not run";

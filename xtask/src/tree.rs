@@ -9,7 +9,7 @@ use std::path::Path;
 const SKIPPED: [&str; 3] = [".git", "dist", "target"];
 
 /// Endings of the paths of files whose text the checks read.
-const READ: [&str; 7] = [".rs", ".md", ".toml", ".bib", ".cff", ".yaml", ".ci/run"];
+const READ: [&str; 8] = [".rs", ".py", ".md", ".toml", ".bib", ".cff", ".yaml", ".ci/run"];
 
 /// The workspace in memory: every path, and the text of the files that the checks read.
 ///

@@ -125,6 +125,25 @@ impl FlexibleBody {
         self.hung.as_ref().map_or_else(held, |hung| hung.grounded().clone())
     }
 
+    /// Body with springs where nothing but the spin restores a coordinate, as strong as the centrifugal force of an angular velocity (rad/s); itself
+    /// where springs hold everything. (I13)
+    ///
+    /// # Errors
+    /// [`FlexibleError`] where that force is lost beside the other springs.
+    pub fn sprung(&self, rate: f64) -> Result<Self, FlexibleError> {
+        let Some(hung) = &self.hung else { return Ok(self.clone()) };
+        let springs = self.parts.stiffness.iter().map(|(j, k, C)| (j, k, *C)).chain(hung.springs(rate));
+        let stiffness = SparseRows::sum(self.parts.coordinates.len(), springs.collect());
+        let held = Self::new(BodyParts { stiffness, ..self.parts.clone() })?;
+        Ok(Self {
+            parts: held.parts,
+            factor: held.factor,
+            friction: held.friction,
+            hung: None,
+            ..self.clone()
+        })
+    }
+
     /// Body with the complete second order of its paths in the full equations. (K12)
     #[must_use]
     pub fn along(self, paths: Option<CurvedPaths>) -> Self {

@@ -10,6 +10,7 @@ use crate::math::sparse::SparseRows;
 pub struct Hung {
     pendulums: Vec<usize>,
     names: String,
+    springs: Vec<(usize, usize, f64)>,
     grounded: SparseRows<f64>,
 }
 
@@ -33,13 +34,15 @@ impl Hung {
         if !alone || free.is_empty() {
             return None;
         }
-        let springs = free.iter().map(|j| (*j, *j, MEASURE * MEASURE * parts.invariants.modal_mass(*j)));
-        let all = stiffness.iter().map(|(j, k, C)| (j, k, *C)).chain(springs).collect();
+        let spring = |j: &usize| (*j, *j, MEASURE * MEASURE * parts.invariants.modal_mass(*j));
+        let springs: Vec<_> = free.iter().map(spring).collect();
+        let all = stiffness.iter().map(|(j, k, C)| (j, k, *C)).chain(springs.iter().copied()).collect();
         let grounded = SparseRows::sum(elastic, all);
         let shares: Vec<f64> = (0..elastic).map(|j| f64::from(u8::from(free.contains(&j)))).collect();
         Some(Self {
             pendulums: pendulums.to_vec(),
             names: named(&parts.coordinates[..elastic], &shares),
+            springs,
             grounded,
         })
     }
@@ -53,6 +56,12 @@ impl Hung {
     /// Coordinates that the spin may restore.
     pub(super) fn pendulums(&self) -> &[usize] {
         &self.pendulums
+    }
+
+    /// Springs on the coordinates without any, as strong as the centrifugal force of an angular velocity (rad/s): entries of the stiffness.
+    pub(super) fn springs(&self, rate: f64) -> impl Iterator<Item = (usize, usize, f64)> {
+        let share = (rate / MEASURE).powi(2);
+        self.springs.iter().map(move |(j, k, C)| (*j, *k, share * C))
     }
 
     /// Stiffness matrix of the elastic coordinates with springs as strong as the centrifugal force of 1 rad/s where there are none.

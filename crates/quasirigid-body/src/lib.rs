@@ -85,5 +85,5 @@ pub use spin_matrix::{Recoiling, SpinMatrix};
 pub use spinning::SpinCoefficients;
 pub use straight::StraightKinetics;
 pub use support::Support;
-pub use watched::{Displaced, HINGE_RANGE, Hinge, RANGE, Reach, Watched};
+pub use watched::{Displaced, GIMBAL_LOCK, HINGE_RANGE, Hinge, RANGE, Reach, Watched};
 pub use wheels::{DrivenWheel, Wheels};

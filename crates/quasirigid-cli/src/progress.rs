@@ -3,7 +3,7 @@
 
 use std::io::{IsTerminal, stderr};
 use std::ops::ControlFlow;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use quasirigid_study::Watch;
@@ -17,21 +17,28 @@ pub struct Terminal<'i> {
     interrupt: Option<&'i Interrupt>,
     quiet: bool,
     bar: Option<(String, ProgressBar)>,
+    start: Instant,
+    /// Plan that is told once the work has taken long, where no terminal shows its progress.
+    plan: Option<String>,
 }
 
 /// Marks of a full progress bar.
 const MARKS: u64 = 1000;
 /// Time before a progress bar appears.
 const PATIENCE: Duration = Duration::from_secs(1);
+/// Time before a plan is told where no terminal shows the progress.
+const SILENCE: Duration = Duration::from_secs(10);
 
 impl<'i> Terminal<'i> {
     pub fn new(interrupt: &'i Interrupt, quiet: bool) -> Self {
-        Self { interrupt: Some(interrupt), quiet, bar: None }
+        let mut terminal = Self::of_whole(quiet);
+        terminal.interrupt = Some(interrupt);
+        terminal
     }
 
     /// Observer of work that has no partial result.
     pub fn of_whole(quiet: bool) -> Self {
-        Self { interrupt: None, quiet, bar: None }
+        Self { interrupt: None, quiet, bar: None, start: Instant::now(), plan: None }
     }
 
     fn bar(&self, stage: &str) -> ProgressBar {
@@ -58,6 +65,11 @@ impl<'i> Terminal<'i> {
 
 impl Watch for Terminal<'_> {
     fn at(&mut self, stage: &str, share: f64) -> ControlFlow<()> {
+        if self.start.elapsed() > SILENCE
+            && let Some(plan) = self.plan.take()
+        {
+            self.remark(&plan);
+        }
         if self.bar.as_ref().is_none_or(|(shown, _)| shown != stage) {
             self.clear();
             self.bar = Some((stage.to_owned(), self.bar(stage)));
@@ -81,6 +93,8 @@ impl Watch for Terminal<'_> {
     fn plan(&mut self, sentence: &str) {
         if stderr().is_terminal() {
             self.remark(sentence);
+        } else {
+            self.plan = Some(sentence.to_owned());
         }
     }
 }

@@ -337,6 +337,7 @@ pub fn recorded(mode: &SpinMode, seen_from_outside: [f64; 2]) -> ModeRecord {
         neutral: mode.neutral,
         overdamped: mode.overdamped(),
         decay_rate: mode.decay_rate,
+        rate_bound: Some(mode.rate_bound).filter(|bound| *bound > 0.0),
         frequency: mode.frequency,
         time_constant: Some(mode.time_constant()).filter(|time| time.is_finite()),
         damping_ratio: mode.damping_ratio(),
@@ -431,7 +432,15 @@ fn nutation(nutation: &SpinMode) -> String {
         0.0 => "which does not oscillate,".into(),
         frequency => format!("{} rad/s in the body,", significant(frequency, 4)),
     };
-    format!("the nutation, {frequency} {}", fate(nutation.decay_rate))
+    format!("the nutation, {frequency} {}", fate_of(nutation))
+}
+
+/// Fate of a mode, whose rate rounding may hide.
+pub fn fate_of(mode: &SpinMode) -> String {
+    if mode.rate_bound == 0.0 {
+        return fate(mode.decay_rate);
+    }
+    format!("decays or grows, which rounding hides, e-fold in no less than {}", time(mode.rate_bound.recip()))
 }
 
 /// Fate of a small motion with this decay rate (1/s).
@@ -508,6 +517,7 @@ fn folded(modes: &ModeList, all: &[ModeRecord]) -> String {
 fn row(out: &mut String, mode: &ModeRecord) -> fmt::Result {
     let fold = match mode.time_constant {
         None if mode.neutral => "neutral".into(),
+        None if let Some(bound) = mode.rate_bound => format!("over {}", time(bound.recip())),
         Some(constant) if constant < 0.0 => format!("GROWS {}", time(-constant)),
         Some(constant) => time(constant),
         None => "never".into(),

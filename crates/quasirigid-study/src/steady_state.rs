@@ -12,7 +12,7 @@ use crate::error::StudyError;
 use crate::liquids::unanswered;
 use crate::motion::placed;
 use crate::start::initial;
-use crate::steady::{fate, missing, recorded};
+use crate::steady::{fate, fate_of, missing, recorded};
 use crate::study::Study;
 use crate::tanks;
 use crate::words::{significant, tidied};
@@ -161,9 +161,10 @@ fn sentence(modes: &SteadyModes, near: SteadyStateGuess, subject: &str) -> Strin
             format!("The {subject} is UNSTABLE: a motion of {} {}.", mode.name, fate(mode.decay_rate))
         }
         Some(mode) => format!(
-            "No small motion about the {subject} grows: that of {} {}{}.",
+            "No small motion about the {subject} {}: that of {} {}{}.",
+            if mode.rate_bound > 0.0 { "is seen to grow" } else { "grows" },
             mode.name,
-            fate(mode.decay_rate),
+            fate_of(mode),
             if mode.decay_rate > 0.0 { ", the slowest" } else { "" },
         ),
         None => format!("The {subject} has no modes."),

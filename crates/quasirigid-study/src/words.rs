@@ -381,6 +381,13 @@ pub fn count(number: f64) -> String {
 pub fn displaced(body: &FlexibleBody, left: Displaced) -> String {
     let (reach, share) = match left {
         Displaced::Place { reach, share } => (reach, share),
+        Displaced::Gimbal { gimbal, .. } => {
+            let name = body.watched().gimbals.get(gimbal).map_or("a hinge", |hinge| hinge.name.as_str());
+            return format!(
+                "{name:?} came to the gimbal lock of its hinge, where its three axes lie in one plane and their angles end (a hinge with its middle \
+                 axis elsewhere locks elsewhere),"
+            );
+        }
         Displaced::Hinge { hinge, angle } => {
             let name = body.watched().hinges.get(hinge).map_or("a hinge", |hinge| hinge.name.as_str());
             let [angle, range] = [angle, HINGE_RANGE].map(|angle| significant(angle.to_degrees(), 3));
@@ -399,7 +406,7 @@ pub fn displaced(body: &FlexibleBody, left: Displaced) -> String {
 
 /// Range of parts and hinges in the full system, in words; none without them.
 pub fn range(body: &FlexibleBody) -> Option<String> {
-    let Watched { reaches, hinges } = body.watched();
+    let Watched { reaches, hinges, .. } = body.watched();
     let mut shortest: BTreeMap<&str, &Reach> = BTreeMap::new();
     for reach in reaches {
         let part = reach.name.split('"').nth(1).unwrap_or(&reach.name);

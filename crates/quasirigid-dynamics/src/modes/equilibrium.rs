@@ -177,7 +177,7 @@ impl RelativeEquilibrium {
         Self::extreme_towards(body, mode, given, body.wheels().angular_momentum(0.0))
     }
 
-    /// The same next to a direction: in its sense with momentum wheels, without which the sense makes no difference, and next to it among the
+    /// The same next to a direction: in its sense, and next to it among the
     /// axes of equal moments, where every spin is as steady. (M1)
     ///
     /// # Errors
@@ -189,7 +189,7 @@ impl RelativeEquilibrium {
         towards: [f64; 3],
     ) -> Result<Self, EquilibriumError> {
         let Principal { moments, axes } = Principal::compute(body.invariants().J).beside(mode, towards);
-        let sense = |axis| sense_of_wheels(body, axis, towards);
+        let sense = |axis| sense_towards(body, axis, towards);
         let axes = axes.map(sense);
         let (own, third, sign) = match mode {
             Mode::ShortAxis => (2, 0, 1.0),
@@ -235,7 +235,7 @@ impl RelativeEquilibrium {
             let principal = Principal::compute(body.invariants().J);
             principal.beside(Mode::LongAxis, towards).beside(Mode::ShortAxis, towards).axes[1]
         };
-        Self::near(body, sense_of_wheels(body, across.unwrap_or_else(frozen), towards), given)
+        Self::near(body, sense_towards(body, across.unwrap_or_else(frozen), towards), given)
     }
 
     /// Coefficients of small motions about the equilibrium. (M2)
@@ -292,11 +292,10 @@ fn directions(axes: [[f64; 3]; 3], order: [usize; 3], in_space: bool) -> Vec<[f6
     IN_PLANE.iter().chain(more).map(of).collect()
 }
 
-/// An axis in the sense of a direction, or of the wheels across it, or of the vector across both, of a body with momentum wheels; as it is
-/// without them.
-fn sense_of_wheels(body: &FlexibleBody, axis: [f64; 3], towards: [f64; 3]) -> [f64; 3] {
+/// An axis in the sense of a direction, or of the momentum wheels across it, or of the vector across both; as it is without any of these.
+fn sense_towards(body: &FlexibleBody, axis: [f64; 3], towards: [f64; 3]) -> [f64; 3] {
     let wheels = body.wheels().angular_momentum(0.0);
-    if norm(wheels) > 0.0 { sensed(axis, [towards, wheels, cross(towards, wheels)]) } else { axis }
+    sensed(axis, [towards, wheels, cross(towards, wheels)])
 }
 
 /// A direction in the sense of the first of some others that is not across it.

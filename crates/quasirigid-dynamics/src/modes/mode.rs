@@ -41,6 +41,8 @@ pub struct SpinMode {
     /// True where the motion neither decays nor grows nor oscillates as far as rounding can tell: steady spins lie side by side, and it has
     /// no rate.
     pub neutral: bool,
+    /// Bound (1/s) on the rate of decay or growth that rounding hides; zero where the decay rate is known.
+    pub rate_bound: f64,
     /// `nutation`, or the coordinate that moves most; later modes of one name are counted, `"tip" x, second`.
     pub name: String,
     /// Shares of the kinetic energy: the carrier, then each part, by name; those of 1e-3 or more.
@@ -353,7 +355,7 @@ impl Frame<'_> {
             let driven = of_direction.contains(&i).then_some(&driven);
             let mut mode = self.mode(unknowns, of_motion, (lambda, &x), (Some(i) == nutation, driven));
             if !of_spectrum {
-                mode.decay_rate = -lambda.re;
+                (mode.decay_rate, mode.rate_bound) = (-lambda.re, 0.0);
                 mode.neutral = sources[i] == Source::Neutral;
             }
             if of_direction.contains(&i) {
@@ -412,12 +414,14 @@ impl Frame<'_> {
         let leading = leading(self.body, &moved, largest, &liquids).unwrap_or_else(|| "spin".to_owned());
         let name = if nutation { "nutation".to_owned() } else { leading };
         let told = tellable(lambda, liquids.len(), lost.len());
+        let (decay_rate, rate_bound) = self.decay(unknowns.nonlinear, lambda, (delta, &rate, &q), total);
         SpinMode {
-            decay_rate: self.decay(unknowns.nonlinear, lambda, (delta, &rate, &q), total),
+            decay_rate,
             frequency: if lambda.im.abs() > DECAY_ROUNDING * lambda.norm() { lambda.im.abs() } else { 0.0 },
             of_motion,
             nutation,
             neutral: false,
+            rate_bound,
             name,
             moves: if kinetic > 0.0 { listed(moved, kinetic) } else { Vec::new() },
             dissipation: if total > 0.0 && told { listed(lost, total) } else { Vec::new() },
@@ -426,16 +430,19 @@ impl Frame<'_> {
         }
     }
 
-    /// Decay rate: from the energy balance, `2F₂·Re λ = −q̇ᴴBq̇`, where that is exact or more exact than the eigenvalue. (M4)
+    /// Decay rate and the bound on it where rounding hides it: from the energy balance, `2F₂·Re λ = −q̇ᴴBq̇`, where that is exact or more exact
+    /// than the eigenvalue. (M4)
     fn decay(
         &self,
         nonlinear: bool,
         lambda: Complex<f64>,
         (delta, rate, q): (Complex3, &[Complex<f64>], &[Complex<f64>]),
         lost: f64,
-    ) -> f64 {
-        let found = if lambda.re.abs() > DECAY_ROUNDING * lambda.norm() { -lambda.re } else { 0.0 };
-        let light = found.abs() < LIGHT * lambda.norm();
+    ) -> (f64, f64) {
+        let rounding = DECAY_ROUNDING * lambda.norm();
+        let found = if lambda.re.abs() > rounding { (-lambda.re, 0.0) } else { (0.0, rounding) };
+        let found = if lost == 0.0 { (found.0, 0.0) } else { found };
+        let light = found.0.abs() < LIGHT * lambda.norm();
         let oscillates = lambda.im.abs() > lambda.re.abs();
         let balanced = oscillates && if nonlinear { light && self.body.memories().is_empty() } else { true };
         if !balanced {
@@ -443,7 +450,7 @@ impl Frame<'_> {
         }
         let second = self.second_variation(delta, rate, q);
         let size = kinetic(&moving(self.body, self.coefficients, delta, rate, &[]));
-        if second.abs() > CANCELLED * size { lost / (2.0 * second) } else { found }
+        if second.abs() > CANCELLED * size { (lost / (2.0 * second), 0.0) } else { found }
     }
 
     /// Decay rate in the equations of motion, where dashpots alone dissipate: from the energy balance where the motion oscillates, so

@@ -217,8 +217,10 @@ impl Worker<'_, '_> {
             return self.short_run(xi);
         }
         let state = RotationState { mode: self.mode, xi };
+        let share = self.power.measurements.len() as f64 / (2 * INTERVALS[0] + 2) as f64;
         let watch = &mut *self.watch;
-        self.periodic.measure(self.body, self.range, (state, self.options.error), &mut || watch(0.0))
+        self.periodic
+            .measure(self.body, self.range, (state, self.options.error), &mut || watch(share.min(1.0)))
     }
 
     /// Measures the power near a place by a short run of the full system.

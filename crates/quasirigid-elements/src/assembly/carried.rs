@@ -144,10 +144,11 @@ impl Assembly {
         };
         let body = FlexibleBody::hanging(parts, &whole.pendulums());
         let body = body.map_err(|error| self.attribute(error))?.along(paths);
-        let body = body
-            .advected(whole.inner.advections.clone())
-            .rubbed(frictions)
-            .watching(Watched { reaches, hinges: self.watched(&whole)? });
+        let body = body.advected(whole.inner.advections.clone()).rubbed(frictions).watching(Watched {
+            reaches,
+            hinges: self.sprung(&whole)?,
+            gimbals: self.gimbals(&whole)?,
+        });
         let all = body.coordinates().len();
         let parts = whole.component.as_ref().map(|component| component.part_masses(start, all));
         let body = body.made_of(parts.unwrap_or_default());
@@ -168,7 +169,7 @@ impl Assembly {
     }
 
     /// Hinges of appendages on which springs act: these take the displacements of their places to first order. (I9), (K14)
-    fn watched(&self, whole: &Carried) -> Result<Vec<Hinge>, ElementError> {
+    fn sprung(&self, whole: &Carried) -> Result<Vec<Hinge>, ElementError> {
         let sprung: BTreeSet<usize> = self
             .attachment_points()
             .filter(|(_, role, _)| *role != Role::External)
@@ -178,9 +179,17 @@ impl Assembly {
                 },
             )
             .collect();
-        let hinge =
-            |index: usize| self.hinged[index].hinge(index, whole.start_of(ElementKind::Hinged.at(index)));
-        sprung.into_iter().map(hinge).collect()
+        sprung.into_iter().map(|index| self.hinge(whole, index)).collect()
+    }
+
+    /// Hinges of three axes, which may lock. (I14)
+    fn gimbals(&self, whole: &Carried) -> Result<Vec<Hinge>, ElementError> {
+        let gimbals = (0..self.hinged.len()).filter(|index| self.hinged[*index].axes.len() == 3);
+        gimbals.map(|index| self.hinge(whole, index)).collect()
+    }
+
+    fn hinge(&self, whole: &Carried, index: usize) -> Result<Hinge, ElementError> {
+        self.hinged[index].hinge(index, whole.start_of(ElementKind::Hinged.at(index)))
     }
 
     /// Places at which elements act.

@@ -94,7 +94,7 @@ impl Assembly {
             at(ElementId::CARRIER, Field::STIFFNESS)(Problem::Mechanism { coordinates: error.coordinates() })
         });
         Ok(Built {
-            body: body?.along(paths).watching(Watched { reaches, hinges: Vec::new() }).made_of(parts),
+            body: body?.along(paths).watching(Watched { reaches, ..Watched::default() }).made_of(parts),
             forces,
             controls: Controls::default(),
             condensation: Some(component.condensation()),

@@ -123,6 +123,9 @@ pub struct ModeRecord {
     /// Decay rate (1/s), negative for a mode that grows.
     #[serde(with = "number")]
     pub decay_rate: f64,
+    /// Bound on the rate of decay or growth (1/s), where rounding hides it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub rate_bound: Option<f64>,
     /// Frequency in body axes (rad/s).
     #[serde(with = "number")]
     pub frequency: f64,

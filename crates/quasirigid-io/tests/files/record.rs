@@ -202,7 +202,7 @@ prop_compose! {
         let [decay_rate, frequency, damping_ratio, slow, fast] = numbers;
         let seen_from_outside = [slow, fast];
         ModeRecord {
-            name, nutation, neutral, overdamped, decay_rate, frequency, time_constant, damping_ratio, seen_from_outside, moves, dissipation,
+            name, nutation, neutral, overdamped, decay_rate, rate_bound: None, frequency, time_constant, damping_ratio, seen_from_outside, moves, dissipation,
         }
     }
 }

@@ -81,17 +81,20 @@ impl<S: LaneSystem<D>, const D: usize> Task for LaneRate<'_, S, D> {
     }
 }
 
-/// `Σ weight · stage`.
+/// `Σ weight · stage`, written out, so that sums whose weights the compiler knows stay in registers and skip the zeros.
 #[inline(always)]
 fn weighted<R: Arithmetic, const D: usize>(weights: &[f64], stages: &[[Lanes; D]]) -> [Lanes; D] {
     let mut sum = [Lanes::splat(0.0); D];
-    for (weight, stage) in weights.iter().zip(stages) {
-        if *weight != 0.0 {
-            for i in 0..D {
-                sum[i] = stage[i].mul_add::<R>(Lanes::splat(*weight), sum[i]);
-            }
-        }
+    macro_rules! add {
+        ($($place:literal)+) => {
+            $(if $place < stages.len() && weights[$place] != 0.0 {
+                for i in 0..D {
+                    sum[i] = stages[$place][i].mul_add::<R>(Lanes::splat(weights[$place]), sum[i]);
+                }
+            })+
+        };
     }
+    add!(0 1 2 3 4 5 6 7 8 9 10 11 12 13 14);
     sum
 }
 
@@ -179,16 +182,28 @@ impl<'a, S: LaneSystem<D>, R: Arithmetic, const D: usize> Dop853Lanes<'a, S, R, 
         let h = remaining.select(reaches, self.h);
         let stuck = h.at_most(Lanes::splat(f64::EPSILON) * self.t.abs());
         self.stages[0] = self.stages[STAGES];
-        for stage in 1..STAGES {
-            let place = combine::<R, D>(&self.y, h, &A[stage], &self.stages[..stage]);
-            R::call(LaneRate { system: self.system, y: &place, rate: &mut self.stages[stage] });
-        }
+        let start = self.y;
+        self.rates_at::<1, STAGES>(&start, h);
         let change = combine::<R, D>(&self.carry, h, &B, &self.stages[..STAGES]);
         let error = self.error(h);
         let accepted = error.at_most(Lanes::splat(1.0)) & !stuck;
         self.adapt(h, error, [reaches, accepted, stuck]);
         self.accept(h, &change, [reaches, accepted]);
         Trial { accepted, stuck }
+    }
+
+    /// Rates at the stages from one to before another, each with weights that the compiler knows.
+    #[inline(always)]
+    fn rates_at<const FROM: usize, const TO: usize>(&mut self, start: &[Lanes; D], h: Lanes) {
+        macro_rules! stages {
+            ($($stage:literal)+) => {
+                $(if FROM <= $stage && $stage < TO {
+                    let place = combine::<R, D>(start, h, &A[$stage], &self.stages[..$stage]);
+                    R::call(LaneRate { system: self.system, y: &place, rate: &mut self.stages[$stage] });
+                })+
+            };
+        }
+        stages!(1 2 3 4 5 6 7 8 9 10 11 12 13 14 15);
     }
 
     /// Error estimate of a trial in units of the allowed error.
@@ -242,10 +257,8 @@ impl<'a, S: LaneSystem<D>, R: Arithmetic, const D: usize> Dop853Lanes<'a, S, R, 
     /// Rates at the further stages that the dense output of the last step needs, in every lane.
     #[inline(always)]
     pub fn prepare_dense(&mut self) {
-        for stage in STAGES + 1..=STAGES + EXTRA {
-            let place = combine::<R, D>(&self.start, self.last.1, &A[stage], &self.stages[..stage]);
-            R::call(LaneRate { system: self.system, y: &place, rate: &mut self.stages[stage] });
-        }
+        let start = self.start;
+        self.rates_at::<{ STAGES + 1 }, { STAGES + EXTRA + 1 }>(&start, self.last.1);
     }
 
     /// The solution of a lane over its last step, which was accepted, once the further stages are [prepared](Self::prepare_dense).

@@ -48,6 +48,7 @@ fn folded(modes: &ModeList) -> String {
 fn row(mode: &ModeRecord) -> Markup {
     let fold = match mode.time_constant {
         None if mode.neutral => "neutral".into(),
+        None if let Some(bound) = mode.rate_bound => format!("over {}", duration(bound.recip())),
         Some(constant) if constant < 0.0 => format!("grows, {}", duration(-constant)),
         Some(constant) => duration(constant),
         None => "never".into(),

@@ -177,6 +177,7 @@ fn time_constants(spin: &SteadySpinRecord) -> Markup {
                                 Some(time) if time < 0.0 => { "grows, " (duration(-time)) }
                                 Some(time) => (duration(time)),
                                 None if mode.neutral => "neutral to rounding",
+                                None if let Some(bound) = mode.rate_bound => { "over " (duration(bound.recip())) }
                                 None => "no decay",
                             }
                         }

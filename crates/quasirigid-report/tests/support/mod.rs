@@ -295,6 +295,7 @@ fn steady_spins() -> Vec<SteadySpinRecord> {
         name: name.into(),
         nutation: name == "nutation",
         neutral: false,
+        rate_bound: None,
         overdamped: false,
         decay_rate,
         frequency,

@@ -6,6 +6,7 @@ mod columns;
 mod eddy;
 mod ends;
 mod gyrostat;
+mod hanging;
 mod inputs;
 mod method;
 mod outlook;
@@ -29,7 +30,7 @@ use quasirigid::model::force::{Force, ForceLaw};
 use quasirigid::model::{Marker, Rheology, Support};
 use quasirigid::reduction::reduce;
 use quasirigid::secular::choice::{ChoiceObserver, Method};
-use quasirigid_io::model::{EvolveMethod, PartialEvolve};
+use quasirigid_io::model::{EvolveMethod, PartialEvolve, Rotation};
 use quasirigid_io::record::{EstimateRecord, EvolutionRecord, HomogeneousRecord};
 use quasirigid_math::vec3::norm;
 use serde_json::{Value, json};
@@ -95,7 +96,11 @@ impl Study {
     /// [`StudyError`] for an invalid start, for targets that are not ahead, for a duration shorter than a revolution, and for bodies that are
     /// not followed so.
     pub fn evolve(&self, asked: PartialEvolve, watch: &mut dyn Watch) -> Result<Evolved, StudyError> {
-        self.evolve_from(self.initial()?, asked, watch)
+        let mut evolved = self.evolve_from(self.initial()?, asked, watch)?;
+        if let Some(Rotation::Wobble { angle, .. }) = self.model.initial.rotation {
+            evolved.notes.extend(words::other_wobble(angle, &evolved.record));
+        }
+        Ok(evolved)
     }
 
     /// Follows the averaged rotation from a rotation in place of the model's own.
@@ -109,11 +114,20 @@ impl Study {
         watch: &mut dyn Watch,
     ) -> Result<Evolved, StudyError> {
         self.uncontrolled("evolve")?;
+        if let Some(sprung) = hanging::sprung(self, start)? {
+            let mut evolved = sprung.evolve_from(start, asked, watch)?;
+            evolved.notes.extend(hanging::note(self));
+            return Ok(evolved);
+        }
         let asked = EvolveSettings::resolve(asked, self)?;
         let revolution = std::f64::consts::TAU / norm(start.omega);
         match asked.duration.filter(|duration| revolution.is_finite() && *duration < revolution) {
             Some(duration) => Err(StudyError::WithinARevolution { duration, revolution }),
-            None => follow(self, start, &asked, watch),
+            None => {
+                let mut evolved = follow(self, start, &asked, watch)?;
+                evolved.notes.extend(words::ended_before(&asked, &evolved.record));
+                Ok(evolved)
+            }
         }
     }
 }

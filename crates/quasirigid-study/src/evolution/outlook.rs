@@ -28,11 +28,29 @@ pub struct Outlook<'w> {
     /// Sentence to be told at the next report, and whether any was told.
     sentence: Option<String>,
     told: bool,
+    /// Times (s) at which the stage of work that goes on was begun, and that it was said to take.
+    begun: f64,
+    expected: f64,
+    /// Share of the stage that was done at the last report.
+    done: f64,
 }
+
+/// Share of work from which its pace tells how long the rest takes, and how many times longer than was said is told.
+const TELLING: f64 = 0.1;
+const LONGER: f64 = 3.0;
 
 impl<'w> Outlook<'w> {
     pub fn new(watch: &'w mut dyn Watch, asked: bool) -> Self {
-        Self { watch, start: Stopwatch::start(), asked, sentence: None, told: false }
+        Self {
+            watch,
+            start: Stopwatch::start(),
+            asked,
+            sentence: None,
+            told: false,
+            begun: 0.0,
+            expected: 0.0,
+            done: 0.0,
+        }
     }
 
     /// Sentence that is due: a plan, or once that the work is long.
@@ -44,6 +62,19 @@ impl<'w> Outlook<'w> {
         let sentence = self.sentence.take().or_else(long)?;
         self.told = true;
         Some(sentence)
+    }
+
+    /// Corrects what was said of the work that goes on, by its pace up to a share of it.
+    fn correct(&mut self, share: f64) {
+        let now = self.start.waited();
+        if share < self.done {
+            self.begun = now;
+        }
+        self.done = share;
+        if let Some(whole) = longer(self.expected, now - self.begun, share) {
+            self.expected = whole;
+            self.sentence = Some(format!("this takes longer, about {}.", time(whole)));
+        }
     }
 
     /// Whether the work has taken longer than is done without being asked for.
@@ -63,8 +94,15 @@ impl<'w> Outlook<'w> {
     }
 }
 
+/// Time (s) that a stage takes by its pace, where it is much longer than was said: after a time (s) in which a share was done.
+fn longer(expected: f64, spent: f64, share: f64) -> Option<f64> {
+    let whole = spent / share;
+    (expected > 0.0 && share > TELLING && whole > LONGER * expected.max(PATIENCE)).then_some(whole)
+}
+
 impl ChoiceObserver for Outlook<'_> {
     fn observe(&mut self, share: f64) -> ControlFlow<()> {
+        self.correct(share);
         if let Some(sentence) = self.due() {
             self.watch.plan(&sentence);
         }
@@ -76,10 +114,24 @@ impl ChoiceObserver for Outlook<'_> {
         if !self.asked && seconds + spent > BEGUN {
             return Err(choice::Reason::TooLong { work, seconds, spent, most: BEGUN });
         }
+        (self.begun, self.expected) = (self.start.waited(), seconds);
         if seconds > PATIENCE {
             let work = refusals::work(work);
             self.sentence = Some(format!("{work}; this may take about {}.", time(seconds)));
         }
         Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::longer;
+
+    #[test]
+    fn long_work_corrects_what_was_said() {
+        assert_eq!(longer(8.0, 10.0, 0.25), Some(40.0));
+        assert_eq!(longer(8.0, 10.0, 0.5), None, "not three times as long");
+        assert_eq!(longer(8.0, 10.0, 0.05), None, "too early to tell");
+        assert_eq!(longer(0.0, 10.0, 0.25), None, "nothing was said");
     }
 }

@@ -187,6 +187,36 @@ pub fn notes(answer: &Answer, ends: [RotationState; 2], unranged: bool) -> Vec<S
     notes
 }
 
+/// Relative difference of a wobble from that of the model from which it is told.
+const OTHER_WOBBLE: f64 = 0.05;
+
+/// A wobble at the start of an answer that is not the one of the model (rad), which is then that of the undeformed body.
+pub fn other_wobble(of_model: f64, record: &EvolutionRecord) -> Option<String> {
+    let first = *column(&record.columns, "nutation_max").first()?;
+    ((first - of_model).abs() > OTHER_WOBBLE * of_model).then(|| {
+        format!(
+            "The model's wobble, {} degrees, is that of the undeformed body: its spin moves the parts so far that the motion starts at {} \
+             degrees about the steady spin.",
+            significant(of_model.to_degrees(), 4),
+            significant(first.to_degrees(), 4)
+        )
+    })
+}
+
+/// An answer that ends with the wobble, before the duration asked for.
+pub fn ended_before(asked: &EvolveSettings, record: &EvolutionRecord) -> Option<String> {
+    let duration =
+        asked.duration.filter(|duration| asked.until.is_none() && *duration > 1.01 * record.time)?;
+    (record.status == "finished").then(|| {
+        format!(
+            "The answer ends after {}, before the {} asked for: all but 1 % of the energy of the wobble is lost there, and the rest falls on{}.",
+            time(record.time),
+            time(duration),
+            if record.damping_time.is_finite() { format!(", e-fold in {}", time(record.damping_time)) } else { String::new() }
+        )
+    })
+}
+
 /// Vibration that grows from nothing, in a sentence.
 fn parametric(GrowingVibration { coordinate, frequency, rate, wobble }: &GrowingVibration) -> String {
     format!(

@@ -1,14 +1,14 @@
 //! Histories of the full system beside the reduced ones, events, and the verification of one by the other.
 
 use quasirigid::dynamics::{Form, Method};
-use quasirigid_io::model::System;
+use quasirigid_io::model::{EvolveMethod, PartialEvolve, System};
 use quasirigid_io::record::VerificationRecord;
 use quasirigid_study::Study;
 use quasirigid_study::settings::{PartialRun, PartialVerify};
 
 use crate::support::{
     MODEL, carrier, column, example, expression, finished, fixed, follow, gravity, history, model, point,
-    rotor, spinning, study, study_of, table, told_history, vector, whole_table,
+    rotor, spinning, study, study_of, table, told_history, try_evolve, vector, whole_table,
 };
 
 #[test]
@@ -168,6 +168,38 @@ fn a_hinge_with_a_spring_that_turns_far_ends_the_full_system_in_words() {
     let said = left_range(&study(&format!("{SWINGING}{spring}")), 100.0);
     assert!(said.contains("\"boom\" turned on its hinge by"), "{said}");
     assert!(said.contains("beyond the 17.2 degrees to which the springs at places on it hold"), "{said}");
+}
+
+/// A flap on three axes, thrown into the gimbal lock of its hinge.
+const GIMBAL: &str = "\
+[carrier]
+mass = 100
+center_of_mass = [0, 0, 0]
+inertia = [18.7972, 22.9428, 32.9804]
+[[hinged]]
+name = \"flap\"
+mass = 1.34909
+center_of_mass = [0.502087, 0.257969, 0.514757]
+inertia = [0.00866766, 0.00824693, 0.0104069]
+hinge = [0.585211, 0.421882, 0.404354]
+axes = [[-0.38891, -0.765069, -0.513243], [0.917229, -0.269391, -0.29346], [0.0862544, -0.584891, 0.806512]]
+stiffness = [0.0667958, 0.0736594, 0.0624067]
+damping = [0.029424, 0.0308987, 0.0284408]
+[initial]
+wobble = { angle = \"25 deg\", rate = 0.985933, mode = \"short-axis\" }
+";
+
+/// Three axes that come into one plane give no rates: the history ends there in words, and `evolve` tells the reason.
+#[test]
+fn a_hinge_in_gimbal_lock_ends_the_full_system_in_words() {
+    let study = study(GIMBAL);
+    let said = left_range(&study, 20.0);
+    assert!(said.contains("\"flap\" came to the gimbal lock of its hinge"), "{said}");
+    let t: f64 = said.rsplit("t = ").next().and_then(|end| end.split(' ').next()).unwrap().parse().unwrap();
+    assert!((9.5..9.75).contains(&t), "{t}"); // the middle axis is at 90 degrees at 9.745 s
+    let asked = |asked: &mut PartialEvolve| asked.method = Some(EvolveMethod::Full);
+    let said = try_evolve(&study, asked).map_or_else(|refused| refused, |found| found.record.message);
+    assert!(said.contains("gimbal lock"), "{said}");
 }
 
 #[test]

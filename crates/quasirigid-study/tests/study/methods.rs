@@ -545,3 +545,20 @@ fn coarse_flows_are_told_and_make_the_time_worse() {
     assert!(off > 0.1 && off < coarse.0.time_error.unwrap(), "{off}");
     assert!(coarse.0.verdict.contains("the approximation of the flow"), "{}", coarse.0.verdict);
 }
+
+/// A body with a wheel whose motion has not come to circle the spin that attracts it: no angle about that is known, and none is told.
+#[test]
+fn a_rotation_that_circles_something_else_so_far_says_so() {
+    let wobbling = "carrier = { mass = 290.654, center_of_mass = [-0.0340688, 0.019657, -0.0365496], inertia = [128.296, 136.209, 66.425] }\n\
+        wheel = [{ axis = [-0.0300967, 0.989521, 0.14122], momentum = 0.178514 }]\n\
+        point = [{ name = \"tip\", mass = 7.05384, position = [-0.229597, -0.120293, 0.651293] }]\n\
+        spring = [{ from = \"tip\", to = \"carrier\", stiffness = [0.0851234, 0.0802443, 0.0897405], damping = 0.015 }]\n\
+        initial = { wobble = { angle = \"13.83 deg\", rate = 0.0289235, mode = \"long-axis\" } }\n";
+    let record = evolved(&study(wobbling), |asked| asked.duration = Some(2000.0)).record;
+    assert!(
+        record.sentence.contains("does not come to circle the steady spin that attracts"),
+        "{}",
+        record.sentence
+    );
+    assert!(!record.sentence.contains("NaN"), "{}", record.sentence);
+}

@@ -6,7 +6,7 @@ use quasirigid_math::rotation::{Turn, to_inertial};
 use quasirigid_math::vec3::{dot, norm, unit};
 use quasirigid_study::modes::PrincipalAxis;
 
-use crate::support::{column, evolve, finished, modes, modes_about, study};
+use crate::support::{column, evolve, evolved, finished, modes, modes_about, study};
 
 /// Two soft points and a wheel with as much angular momentum as the body, which spins about its middle axis.
 const GYROSTAT: &str = r#"
@@ -34,6 +34,14 @@ point = [{ name = "soft", mass = 1.1899, position = [-0.9486, 0.9692, -0.3793] }
 spring = [{ from = "soft", to = "carrier", stiffness = [1.8434, 2.72, 2.6747], damping = [0.22671, 0.10788, 0.69619] }]
 wheel = [{ name = "bias", axis = [-0.8894, 0.1204, 0.4409], momentum = 1.0959 }]
 initial = { wobble = { angle = "4.684 deg", rate = 0.92998, mode = "short-axis" } }
+"#;
+
+/// A point so soft that it moves by 0.7 m and turns the axis of the spin, about which a small wobble is left.
+const TILTED: &str = r#"
+carrier = { mass = 149.31, center_of_mass = [-0.0158, -0.0024, 0.0021], inertia = [18.085, 22.035, 24.409] }
+point = [{ name = "tip", mass = 4.9497, position = [-0.7406, 0.7379, -1.6381] }]
+spring = [{ from = "tip", to = "carrier", stiffness = 115.298, damping = 3.3353 }]
+initial = { wobble = { angle = "6.242 deg", rate = 2.6453, mode = "short-axis" } }
 "#;
 
 /// Angular velocity (rad/s) in which the full system ends.
@@ -165,4 +173,22 @@ fn a_wobble_that_loses_energy_at_higher_order_alone_is_followed_at_its_own_pace(
     let full = finished(&study(&model), System::Full, &[0.0, 600.0, 1200.0]);
     let lost = column(&full.columns, "dissipated");
     assert!(((lost[2] - lost[1]) / 600.0 / found.power - 1.0).abs() < 0.02, "{lost:?} {}", found.power);
+}
+
+/// A wobble of the undeformed body that is another one about the spin of the deformed body is told, and that of a stiffer body is not.
+#[test]
+fn a_wobble_of_the_undeformed_body_is_told() {
+    let told = |stiffness: &str| {
+        let evolved = evolved(&study(&TILTED.replace("115.298", stiffness)), |_| {});
+        let first = column(&evolved.record.columns, "nutation_max")[0].to_degrees();
+        let note = evolved
+            .notes
+            .iter()
+            .any(|note| note.contains("wobble, 6.242 degrees, is that of the undeformed body"));
+        (first, note)
+    };
+    let (first, note) = told("115.298");
+    assert!(first < 1.5 && note, "{first}");
+    let (first, note) = told("4000");
+    assert!((first / 6.242 - 1.0).abs() < 0.05 && !note, "{first}");
 }

@@ -27,7 +27,9 @@ struct Verdict {
 }
 
 /// Words of a text, without numbers and the units of time behind them.
+#[track_caller]
 fn words(text: &str) -> String {
+    assert!(!text.contains("NaN"), "{text}");
     let mut told: Vec<&str> = Vec::new();
     for word in text.split_whitespace() {
         let bare = word.trim_matches(|letter: char| ",.;:()[]%".contains(letter));
@@ -99,6 +101,8 @@ fn of_evolution(model: &str, time: f64) -> Verdict {
         Ok(found) => {
             let record = found.record;
             let lasts = record.time / time;
+            let told = words(&record.sentence);
+            assert!(!told.is_empty());
             let words = vec![record.status.clone(), words(&record.message)];
             Verdict { words, numbers: vec![[lasts, lasts]] }
         }

@@ -39,6 +39,8 @@ pub struct SteadyModes {
 const SAME_EIGENVALUE: f64 = 1e-6;
 /// Share of the eigenvalue below which a decay rate follows from the energy balance, where one exists.
 const LIGHT: f64 = 1e-5;
+/// Share of the eigenvalue below which either of its parts is rounding.
+const EIGENVALUE_ROUNDING: f64 = 1e-12;
 /// Share of its terms below which the denominator of the balance is rounding.
 const CANCELLED: f64 = 1e-7;
 
@@ -158,9 +160,6 @@ struct About<'a> {
     exchanges: Vec<Exchange>,
 }
 
-/// Share of the kinetic energy below which a rotation is a lasting tilt in inertial axes, in which nothing moves.
-const TILT: f64 = 1e-12;
-
 impl About<'_> {
     fn modes(&self, found: &[Eigenmotion]) -> Vec<NamedMotion> {
         let mut modes: Vec<NamedMotion> = Vec::with_capacity(found.len());
@@ -215,10 +214,10 @@ impl About<'_> {
             leading.unwrap_or_else(|| if kinetic > 0.0 { "rotation" } else { "translation" }.to_owned());
         let rounding = self.pencil.rounding(lambda, x);
         let told = tellable(lambda, liquids.len(), lost.len());
-        let decay_rate = self.decay(lambda, x, &q, inside, rounding);
+        let (decay_rate, rate_bound) = self.decay(lambda, x, &q, inside, rounding);
         let mode = SpinMode {
             decay_rate,
-            frequency: if lambda.im.abs() > rounding.max(1e-12 * lambda.norm()) {
+            frequency: if lambda.im.abs() > rounding.max(EIGENVALUE_ROUNDING * lambda.norm()) {
                 lambda.im.abs()
             } else {
                 0.0
@@ -226,14 +225,15 @@ impl About<'_> {
             of_motion: [-of_motion.re, of_motion.im],
             nutation: false,
             neutral: false,
+            rate_bound,
             name,
             moves: if kinetic > 0.0 { listed(moved, kinetic) } else { Vec::new() },
             dissipation: if told && decay_rate != 0.0 { balance(lost) } else { Vec::new() },
             omega: delta.map(|entry| [entry.re, entry.im]),
             shape: q.iter().map(|entry| [entry.re, entry.im]).collect(),
         };
-        let tilts = turn.is_some_and(|turn| kinetic <= TILT * self.turning(lambda, turn));
-        NamedMotion { mode, turn, carried, tilts }
+        let moving = turn.map_or(f64::INFINITY, |turn| kinetic / self.turning(lambda, turn));
+        NamedMotion { mode, turn, carried, moving }
     }
 
     /// Twice the mean kinetic energy (J) that a rotation of the whole body seen at an eigenvalue has in axes that turn with it.
@@ -284,9 +284,13 @@ impl About<'_> {
         })
     }
 
-    /// Decay rate: from the energy balance where the loss is light and the other forces have a potential. (M8)
-    fn decay(&self, lambda: C, x: &[C], q: &[C], inside: f64, rounding: f64) -> f64 {
-        let found = if lambda.re.abs() > rounding.max(1e-12 * lambda.norm()) { -lambda.re } else { 0.0 };
+    /// Decay rate and the bound on it where rounding hides it: from the energy balance where the loss is light and the other forces have a
+    /// potential. (M8)
+    fn decay(&self, lambda: C, x: &[C], q: &[C], inside: f64, rounding: f64) -> (f64, f64) {
+        let rounding = rounding.max(EIGENVALUE_ROUNDING * lambda.norm());
+        let found = if lambda.re.abs() > rounding { (-lambda.re, 0.0) } else { (0.0, rounding) };
+        let lossless = self.conservative && inside == 0.0 && self.exchanges.is_empty();
+        let found = if lossless { (found.0, 0.0) } else { found };
         let light = lambda.re.abs() < LIGHT * lambda.norm();
         if !(light && self.conservative && self.body.memories().is_empty()) {
             return found;
@@ -311,6 +315,6 @@ impl About<'_> {
         }
         let below = 2.0 * b * m + gyroscopic;
         let terms = 2.0 * b.abs() * m + gyroscopic.abs();
-        if below.abs() > CANCELLED * terms { lost / below } else { found }
+        if below.abs() > CANCELLED * terms { (lost / below, 0.0) } else { found }
     }
 }

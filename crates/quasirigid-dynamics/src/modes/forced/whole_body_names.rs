@@ -14,17 +14,24 @@ pub(super) struct NamedMotion {
     pub turn: Option<[Complex<f64>; 3]>,
     /// True if the carrier moves most.
     pub carried: bool,
-    /// True if the body is tilted in inertial axes, and nothing moves.
-    pub tilts: bool,
+    /// Twice the kinetic energy in inertial axes over that in axes that turn with the body: zero of a lasting tilt, in which nothing moves.
+    pub moving: f64,
 }
 
 /// Share of the rotation about an axis from which a motion counts as about the axis, and below one minus which as across it.
 const CLEAR: f64 = 0.9;
 /// Ratio of rates in inertial axes from which they count as a fast and a slow motion of the axis.
 const APART: f64 = 2.0;
+/// Share `moving` of a lasting tilt, which is no mode, and of a slow precession of the axis of the spin.
+const TILT: f64 = 1e-12;
+const SLOW: f64 = 1e-4;
+/// Share of the carrier in the kinetic energy from which an oscillation may be the nutation.
+const LEAST_SHARE: f64 = 0.05;
+const PRECESSION: &str = "precession";
 
 /// Modes, with names of their own where there is no doubt: `pitch` and `roll-yaw` on an orbit, `nutation` and `precession` of a top. Where the forces
-/// know the attitude about the spin alone, the direction of the spin in space is no mode, and the other motion across it is the nutation.
+/// know the attitude about the spin alone, or next to nothing else, the direction of the spin in space is no mode, or the precession, and the other motion
+/// across it is the nutation.
 pub(super) fn named(
     mut motions: Vec<NamedMotion>,
     state: &SteadyState,
@@ -45,8 +52,12 @@ pub(super) fn named(
     }
     if norm(state.omega) > 0.0 {
         let all = motions.len();
-        motions.retain(|motion| !motion.tilts);
-        if state.turning == FrameRotation::Own || motions.len() < all {
+        motions.retain(|motion| motion.moving > TILT);
+        let precesses = |motion: &&mut NamedMotion| motion.moving <= SLOW && motion.mode.name == "rotation";
+        let fewer = motions.len() < all;
+        let slow: Vec<_> = motions.iter_mut().filter(precesses).collect();
+        if state.turning == FrameRotation::Own || !slow.is_empty() || fewer {
+            slow.into_iter().for_each(|motion| motion.mode.name = PRECESSION.into());
             nutation(&mut motions, state);
         }
     }
@@ -60,10 +71,11 @@ fn nutation(motions: &mut [NamedMotion], state: &SteadyState) {
     let axis = state.omega.map(|component| component / norm(state.omega));
     let across = |motion: &&mut NamedMotion| {
         let delta = motion.mode.omega.map(|[re, im]| Complex::new(re, im));
-        about(delta, axis) <= 1.0 - CLEAR
+        about(delta, axis) <= 1.0 - CLEAR && motion.mode.name != PRECESSION
     };
     let mut found: Vec<&mut NamedMotion> = motions.iter_mut().filter(across).collect();
-    let swings = |motion: &NamedMotion| motion.mode.frequency > 0.0;
+    let swings =
+        |motion: &NamedMotion| motion.mode.frequency > 0.0 && carried_share(&motion.mode) >= LEAST_SHARE;
     let most = (0..found.len())
         .filter(|number| swings(found[*number]) && found.iter().any(|motion| motion.carried))
         .max_by(|a, b| carried_share(&found[*a].mode).total_cmp(&carried_share(&found[*b].mode)));
@@ -105,7 +117,7 @@ fn top(motions: &mut [NamedMotion], axis: [f64; 3], spin: f64) {
             let (fast, slow) = if a > b { (first, second) } else { (second, first) };
             if a.max(b) >= APART * a.min(b) {
                 fast.mode.name = "nutation".into();
-                slow.mode.name = "precession".into();
+                slow.mode.name = PRECESSION.into();
             }
         }
     }

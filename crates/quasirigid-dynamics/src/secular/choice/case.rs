@@ -61,7 +61,10 @@ impl<'a> Case<'a> {
             left_out: spins.left_out(span.ends),
             decay_per_period: spins.decay_per_period(span.ends),
             internal_growth: spins.internal_growth(span.ends),
-            revolutions: spins.revolutions(span.ends),
+            revolutions: [spins.revolutions(span.ends), span.most_revolutions()]
+                .into_iter()
+                .flatten()
+                .reduce(f64::min),
             coordinates: body.coordinates().len(),
             between_axes: span.ends[0].mode != span.ends[1].mode,
         };

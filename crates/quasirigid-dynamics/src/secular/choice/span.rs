@@ -1,6 +1,9 @@
+use std::f64::consts::TAU;
+
 use super::reference_spins::ReferenceSpins;
 use crate::averaging::{FreeRotation, MeanPower, RotationState, Until};
 use crate::dynamics::FullState;
+use crate::math::vec3::norm;
 
 /// Effective moments of inertia (kg·m²) without a power: enough to place a rotation state.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -58,6 +61,12 @@ impl Span {
             level_end: None,
             samples: SAMPLES,
         }
+    }
+
+    /// Revolutions in the longest time, at the spin of the start; none without one.
+    #[must_use]
+    pub fn most_revolutions(&self) -> Option<f64> {
+        self.duration.map(|duration| duration * norm(self.start.omega) / TAU)
     }
 
     /// The wider wobble (rad) of two rotation states.

@@ -68,6 +68,10 @@ fn sentence(rows: &[Row], attractor: [f64; 3], crossed: Option<f64>) -> String {
     let taken = format!("{}, {} revolutions", time(last.t), count(last.revolutions));
     let spin = format!("the steady spin that attracts, about the axis [{axis}]");
     match crossed {
+        _ if last.nutation[1].is_nan() => format!(
+            "The rotation does not come to circle {spin}, so far: its wobble about that is over {} degrees after {taken}.",
+            significant(last.nutation[0].to_degrees(), 3)
+        ),
         Some(seconds) => format!(
             "The rotation passes a separatrix after {} and ends with a wobble of {to} degrees about {spin}, in {taken}.",
             time(seconds)

@@ -77,7 +77,8 @@ impl Driver<'_> {
         let average = Evolution::new(powers.of(powers.first), spins.range.angular_momentum());
         let [from, to] = span.ends;
         let revolutions = average.time(from, to) * norm(span.start.omega) / TAU;
-        if revolutions.is_finite() { by_modes.max(revolutions) } else { by_modes }
+        let longer = if revolutions.is_finite() { by_modes.max(revolutions) } else { by_modes };
+        span.most_revolutions().map_or(longer, |most| longer.min(most))
     }
 
     fn announce_history(&self, observer: &mut dyn ChoiceObserver) -> Result<(), Stop> {

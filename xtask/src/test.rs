@@ -162,7 +162,9 @@ fn installed(root: &Path, python: &Path) -> Result<PathBuf, String> {
     }
     let made = ["-m", "venv", "--clear"].map(OsStr::new).into_iter().chain([environment.as_os_str()]);
     step(root, python, made)?;
-    step(root, &own, ["-m", "pip", "install", "--quiet", "--disable-pip-version-check", "-r", REQUIREMENTS])?;
+    // What is imported is compiled then: a part of the libraries, half of whose installation would go into compiling all.
+    let install = ["-m", "pip", "install", "--quiet", "--disable-pip-version-check", "--no-compile", "-r"];
+    step(root, &own, install.into_iter().chain([REQUIREMENTS]))?;
     fs::write(&stamp, wanted).map_err(|error| format!("cannot write {}: {error}", stamp.display()))?;
     Ok(own)
 }

@@ -49,7 +49,7 @@ pub struct Executable {
 }
 
 impl Executable {
-    /// Executables that cargo builds by some arguments, the largest first, which take longest.
+    /// Builds by some arguments of cargo, and names the executables of tests, the largest first, which take longest.
     ///
     /// # Errors
     /// A sentence if cargo fails, or tells nothing.
@@ -59,10 +59,12 @@ impl Executable {
         arguments: impl Iterator<Item = &'a str>,
     ) -> Result<Vec<Self>, String> {
         let mut command = Command::new(cargo);
-        command.args(arguments).args(["--no-run", "--message-format=json-render-diagnostics"]);
-        let built = command.current_dir(root).stderr(Stdio::inherit()).output();
+        command.args(arguments).current_dir(root).stderr(Stdio::inherit());
+        let shown = format!("{command:?}").replace('"', "");
+        println!("\nxtask test: {shown}");
+        let built = command.arg("--message-format=json-render-diagnostics").output();
         let output = built.map_err(|error| format!("cargo does not run ({error})"))?;
-        judged(Ok(output.status), "cargo test --no-run")?;
+        judged(Ok(output.status), &shown)?;
         let told = String::from_utf8_lossy(&output.stdout);
         let mut found: Vec<Self> =
             told.lines().filter_map(|line| Self::told(&serde_json::from_str(line).ok()?)).collect();

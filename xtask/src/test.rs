@@ -57,13 +57,13 @@ pub fn run(root: &Path, wishes: Wishes) -> Step {
             None
         }
     };
-    let own = thread::scope(|scope| {
+    let (executables, own) = thread::scope(|scope| {
         let environment = python.map(|python| scope.spawn(move || installed(root, &python)));
-        step(root, &cargo, all("build").chain(TARGETS))?;
+        let executables = Executable::all(root, &cargo, all("build").chain(TARGETS))?;
         let joined = environment.map(|thread| thread.join());
-        joined.map(|made| made.unwrap_or_else(|_| Err("a thread panicked".to_owned()))).transpose()
+        let own = joined.map(|made| made.unwrap_or_else(|_| Err("a thread panicked".to_owned())));
+        Ok::<_, String>((executables, own.transpose()?))
     })?;
-    let executables = Executable::all(root, &cargo, all("test").chain(TARGETS))?;
     let of_python = own.iter().map(|own| -> Job { Box::new(|| of_python(root, own, wishes.wheel)) });
     let of_rust = executables.iter().map(|own| -> Job { Box::new(|| own.run(&cargo)) });
     let documents: Job = Box::new(|| quiet(root, &cargo, all("test").chain(["--doc", "--quiet"])));
@@ -162,7 +162,9 @@ fn installed(root: &Path, python: &Path) -> Result<PathBuf, String> {
     }
     let made = ["-m", "venv", "--clear"].map(OsStr::new).into_iter().chain([environment.as_os_str()]);
     step(root, python, made)?;
-    step(root, &own, ["-m", "pip", "install", "--quiet", "--disable-pip-version-check", "-r", REQUIREMENTS])?;
+    // What is imported is compiled then: a part of the libraries, half of whose installation would go into compiling all.
+    let install = ["-m", "pip", "install", "--quiet", "--disable-pip-version-check", "--no-compile", "-r"];
+    step(root, &own, install.into_iter().chain([REQUIREMENTS]))?;
     fs::write(&stamp, wanted).map_err(|error| format!("cannot write {}: {error}", stamp.display()))?;
     Ok(own)
 }

@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from bodies import Body, Rows
+from bodies import DURATION, Body, Rows
 from simulators import Method
 
 TITLE = "NumPy"
@@ -110,7 +110,7 @@ def stepper(method: Method, body: Body) -> Callable[[Rows, Rows, float], tuple[R
     return kept
 
 
-def history(method: Method, body: Body, step: float) -> Rows:
+def history(method: Method, body: Body, step: float, duration: float = DURATION) -> Rows:
     stepped = stepper(method, body)
     w, q = np.array(body.rates), np.array([1.0, 0.0, 0.0, 0.0])
 
@@ -118,4 +118,4 @@ def history(method: Method, body: Body, step: float) -> Rows:
         nonlocal w, q
         w, q = stepped(w, q, step)
 
-    return body.followed(step, advance, lambda time: [time, *w, *q])
+    return body.followed(step, advance, lambda time: [time, *w, *q], duration)

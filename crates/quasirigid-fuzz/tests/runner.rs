@@ -8,7 +8,7 @@ use quasirigid_fuzz::corpus::{self, HOME};
 use quasirigid_fuzz::targets::TARGETS;
 
 /// Time for the mutated inputs of one target, after its files.
-const TIME: Duration = Duration::from_millis(1200);
+const TIME: Duration = Duration::from_millis(600);
 /// Most mutated inputs of one target.
 const EXECUTIONS: u64 = 4000;
 

@@ -70,6 +70,11 @@ impl ComplexDense {
         entry[1] += im;
     }
 
+    /// Entries of a row, to change.
+    pub fn row_mut(&mut self, row: usize) -> &mut [[f64; 2]] {
+        &mut self.entries[row * self.size..(row + 1) * self.size]
+    }
+
     /// Adds a real matrix times a complex factor.
     pub fn add_scaled(&mut self, [re, im]: [f64; 2], matrix: &Dense) {
         for row in 0..self.size {
@@ -83,7 +88,7 @@ impl ComplexDense {
     }
 }
 
-/// LU factors of a complex square matrix, rows scaled to a largest entry of one.
+/// LU factors of a complex square matrix, rows scaled to a largest real or imaginary part of one.
 #[derive(Clone, Debug)]
 pub struct ComplexLu {
     scale: Vec<f64>,
@@ -97,7 +102,7 @@ impl ComplexLu {
         let size = matrix.size();
         let scale = row_scales(size, |row, column| {
             let [re, im] = matrix.at(row, column);
-            re.hypot(im)
+            re.abs().max(im.abs())
         })?;
         let scaled = Mat::from_fn(size, size, |row, column| {
             let [re, im] = matrix.at(row, column);
@@ -115,10 +120,7 @@ impl ComplexLu {
             c64::new(self.scale[row] * re, self.scale[row] * im)
         });
         self.factor.solve_in_place(x.as_mut());
-        let entries = (0..size).flat_map(|row| (0..width).map(move |column| (row, column)));
-        let solved: Vec<[f64; 2]> =
-            entries.map(|(row, column)| [x[(row, column)].re, x[(row, column)].im]).collect();
-        solved.iter().all(|[re, im]| re.is_finite() && im.is_finite()).then_some(solved)
+        finite_rows(&x)
     }
 }
 
@@ -149,11 +151,17 @@ impl SparseLu {
             c64::new(re, im)
         });
         self.factor.solve_in_place(x.as_mut());
-        let entries = (0..self.size).flat_map(|row| (0..width).map(move |column| (row, column)));
-        let solved: Vec<[f64; 2]> =
-            entries.map(|(row, column)| [x[(row, column)].re, x[(row, column)].im]).collect();
-        solved.iter().all(|[re, im]| re.is_finite() && im.is_finite()).then_some(solved)
+        finite_rows(&x)
     }
+}
+
+/// Entries row by row; none if one is no number.
+fn finite_rows(x: &Mat<c64>) -> Option<Vec<[f64; 2]>> {
+    let mut entries = Vec::with_capacity(x.nrows() * x.ncols());
+    for row in 0..x.nrows() {
+        entries.extend((0..x.ncols()).map(|column| [x[(row, column)].re, x[(row, column)].im]));
+    }
+    entries.iter().all(|[re, im]| re.is_finite() && im.is_finite()).then_some(entries)
 }
 
 /// Inverse of the largest size in each row.

@@ -155,3 +155,63 @@ impl Mul for Jet {
         }
     }
 }
+
+/// Value and gradient: a function of three variables to the first degree about a point.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Gradient {
+    /// Value.
+    pub value: f64,
+    /// Derivatives along each axis.
+    pub slopes: [f64; 3],
+}
+
+impl Gradient {
+    /// The three variables at a point.
+    #[must_use]
+    pub fn variables(x: [f64; 3]) -> [Self; 3] {
+        let slopes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+        [0, 1, 2].map(|axis| Self { value: x[axis], slopes: slopes[axis] })
+    }
+
+    fn slope_of_product(&self, other: &Self, axis: usize) -> f64 {
+        self.slopes[axis] * other.value + self.value * other.slopes[axis]
+    }
+}
+
+impl Scalar for Gradient {
+    fn scaled(self, factor: f64) -> Self {
+        Self { value: factor * self.value, slopes: self.slopes.map(|slope| factor * slope) }
+    }
+}
+
+impl From<f64> for Gradient {
+    fn from(value: f64) -> Self {
+        Self { value, slopes: [0.0; 3] }
+    }
+}
+
+impl Add for Gradient {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        let slopes = [0, 1, 2].map(|axis| self.slopes[axis] + other.slopes[axis]);
+        Self { value: self.value + other.value, slopes }
+    }
+}
+
+impl Sub for Gradient {
+    type Output = Self;
+
+    fn sub(self, other: Self) -> Self {
+        self + other.scaled(-1.0)
+    }
+}
+
+impl Mul for Gradient {
+    type Output = Self;
+
+    fn mul(self, other: Self) -> Self {
+        let slopes = [0, 1, 2].map(|axis| self.slope_of_product(&other, axis));
+        Self { value: self.value * other.value, slopes }
+    }
+}

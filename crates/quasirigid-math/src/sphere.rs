@@ -3,7 +3,7 @@
 use nalgebra::{Matrix2, Matrix3, Vector2, Vector3};
 
 use super::polynomial::{Homogeneous, Series};
-use super::scalar::Jet;
+use super::scalar::Gradient;
 
 /// Kind of a stationary point of a field. The names are those for the gradient of a function on the sphere.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -160,11 +160,8 @@ pub fn tangents(e: [f64; 3]) -> [[f64; 3]; 2] {
 /// Columns of the Jacobian of a map of three rows: its derivatives along each axis.
 #[must_use]
 pub fn jacobian(map: &Series, x: [f64; 3]) -> [[f64; 3]; 3] {
-    [0, 1, 2].map(|axis| {
-        let direction =
-            std::array::from_fn(|i| Jet { value: x[i], first: f64::from(u8::from(i == axis)), second: 0.0 });
-        map.vector(direction).map(|row| row.first)
-    })
+    let rows = map.vector(Gradient::variables(x));
+    [0, 1, 2].map(|axis| rows.map(|row| row.slopes[axis]))
 }
 
 /// Newton's method from a direction: the point, and the determinant of its slope.
@@ -202,8 +199,10 @@ fn kind(slope: &Matrix2<f64>) -> StationaryKind {
 /// Tangential part of a field at a unit vector, in its tangents, with its derivative along them.
 fn linearised(map: &Series, x: Vector3<f64>) -> (Vector2<f64>, Matrix2<f64>, [Vector3<f64>; 2]) {
     let frame = tangents(x.into()).map(Vector3::from);
-    let field = Vector3::from(map.vector(<[f64; 3]>::from(x)));
-    let slope = Matrix3::from(jacobian(map, x.into())) - field.dot(&x) * Matrix3::identity();
+    let rows = map.vector(Gradient::variables(x.into()));
+    let field = Vector3::from(rows.map(|row| row.value));
+    let slopes = Matrix3::from_fn(|row, axis| rows[row].slopes[axis]);
+    let slope = slopes - field.dot(&x) * Matrix3::identity();
     let value = Vector2::new(frame[0].dot(&field), frame[1].dot(&field));
     let matrix = Matrix2::from_fn(|i, j| frame[i].dot(&(slope * frame[j])));
     (value, matrix, frame)

@@ -51,6 +51,8 @@ def test_audit_and_bookkeeping_agree_on_every_clear_trend() -> None:
         assert ratio == pytest.approx(1.0, rel=0.05), name
 
 
+# Seconds of each history: a dozen wobbles.
+DURATION = 200.0
 # Small wobbles: -ln|R(i lambda h)| of the methods of theory 22, and of the one that keeps K, whose energy alone grows.
 CLOSED = {
     "explicit Euler": lambda rate, h: -2.0 / (rate**2 * h),
@@ -65,7 +67,7 @@ def test_a_history_made_now_has_the_constant_of_bookkeeping_and_of_theory(tmp_pa
     for method in plain.METHODS:
         for body in bodies.BODIES:
             step = method.steps[0]
-            rows = books.told(plain.history(method, body, step), body)
+            rows = books.told(plain.history(method, body, step, DURATION), body)
             np.savetxt(file, rows, fmt="%.17g", delimiter=",", header="t,wx,wy,wz,qw,qx,qy,qz", comments="")
             found = quasirigid.audit(file, inertia=list(body.moments)).invented_time_constant
             if method.name == "implicit midpoint":

@@ -159,7 +159,7 @@ def test_a_changed_number_of_modes_does_not_pass(tmp_path: Path) -> None:
     document = made(tmp_path, "nutation-damper", "modes")
     assert passes(document)
     assert not tampered(document, 200, seed=1)
-    for example, count in [("boom-satellite", 6), ("friction-wheel", 15)]:
+    for example, count in [("boom-satellite", 4), ("friction-wheel", 8)]:
         assert not tampered(made(tmp_path, example, "modes"), count, seed=2)
 
 
@@ -184,9 +184,9 @@ def test_the_matrices_are_those_of_the_model(tmp_path: Path) -> None:
 def test_histories_hold_and_their_numbers_cannot_be_changed(example: str, tmp_path: Path) -> None:
     document = made(tmp_path, example, "simulate", "--duration", "4", "--samples", "4")
     assert passes(document)
-    assert not tampered(document, 25, seed=3)
+    assert not tampered(document, 14, seed=3)
     rows = [(path, value) for path, value in numbers(document["history"]["rows"])]
-    for (row, column), value in random.Random(4).sample(rows, 10):
+    for (row, column), value in random.Random(4).sample(rows, 6):
         document["history"]["rows"][row][column] = 1.001 * value if value else 1e-6
         assert not passes(document), (row, column)
         document["history"]["rows"][row][column] = value

@@ -13,7 +13,7 @@ type C = Complex<f64>;
 pub(super) struct Fields {
     /// Products of each group, and between each group and the next.
     pub groups: Vec<Products>,
-    pub between: Vec<Products>,
+    pub between: Vec<Couplings>,
     /// `∫ū·(e × r) dV` with the flows of the first group for a unit of `∫|e × r|² dV`; zero for the other groups.
     pub load: DVector<f64>,
 }
@@ -27,6 +27,15 @@ pub(super) struct Products {
     pub friction: DMatrix<f64>,
     /// `−i∫ū_j·(e × u_k) dV`.
     pub turning: DMatrix<f64>,
+}
+
+/// Products of two groups, of which few are not zero.
+pub(super) struct Couplings(Vec<Coupling>);
+
+struct Coupling {
+    row: usize,
+    column: usize,
+    products: [f64; 3],
 }
 
 /// Weights of the components `u_x + iu_y`, `u_x − iu_y` and `u_z` in the square of a flow, and their factors in the Coriolis force, per
@@ -43,13 +52,19 @@ impl Fields {
     pub fn answer(&self, sigma: C, tau: f64) -> Option<C> {
         let mut matrix = self.groups.last()?.at(sigma, tau);
         for (own, between) in self.groups.iter().zip(&self.between).rev() {
-            let lower = eliminated(&matrix, &between.at(sigma, tau))?;
-            matrix = own.at(sigma, tau) - lower;
+            let mut eliminated = own.at(sigma, tau);
+            between.eliminate(&matrix, &mut eliminated, sigma, tau)?;
+            matrix = eliminated;
         }
         let right: Vec<[f64; 2]> = self.load.iter().map(|load| [*load, 0.0]).collect();
-        let flow = factor(&matrix)?.solve(&right, 1)?;
+        let flow = ComplexLu::new(&matrix)?.solve(&right, 1)?;
         Some(self.load.iter().zip(flow).map(|(load, [re, im])| C::new(load * re, load * im)).sum())
     }
+}
+
+/// `σM + K + 2iτG` of a pair of flows.
+fn weighted([mass, friction, turning]: [f64; 3], sigma: C, tau: f64) -> [f64; 2] {
+    [sigma.re * mass + friction, sigma.im * mass + 2.0 * tau * turning]
 }
 
 impl Products {
@@ -65,39 +80,44 @@ impl Products {
         self
     }
 
-    fn at(&self, sigma: C, tau: f64) -> DMatrix<C> {
-        let turned =
-            self.mass.zip_map(&self.turning, |mass, turning| sigma * mass + C::new(0.0, 2.0 * tau * turning));
-        turned.zip_map(&self.friction, |sum, friction| sum + friction)
+    /// Those that are not zero.
+    pub fn couplings(&self) -> Couplings {
+        let (rows, columns) = self.mass.shape();
+        let places = (0..rows).flat_map(|row| (0..columns).map(move |column| (row, column)));
+        let all = places.map(|(row, column)| Coupling { row, column, products: self.of(row, column) });
+        Couplings(all.filter(|coupling| coupling.products != [0.0; 3]).collect())
+    }
+
+    fn of(&self, row: usize, column: usize) -> [f64; 3] {
+        [&self.mass, &self.friction, &self.turning].map(|matrix| matrix[(row, column)])
+    }
+
+    fn at(&self, sigma: C, tau: f64) -> ComplexDense {
+        let mut matrix = ComplexDense::zero(self.mass.nrows());
+        for row in 0..matrix.size() {
+            let entries = matrix.row_mut(row).iter_mut().enumerate();
+            entries.for_each(|(column, entry)| *entry = weighted(self.of(row, column), sigma, tau));
+        }
+        matrix
     }
 }
 
-fn factor(matrix: &DMatrix<C>) -> Option<ComplexLu> {
-    let size = matrix.nrows();
-    let mut dense = ComplexDense::zero(size);
-    for row in 0..size {
-        (0..size)
-            .for_each(|column| dense.add(row, column, [matrix[(row, column)].re, matrix[(row, column)].im]));
-    }
-    ComplexLu::new(&dense)
-}
-
-/// `B S⁻¹ Bᵀ` for a `B` with few entries.
-fn eliminated(S: &DMatrix<C>, B: &DMatrix<C>) -> Option<DMatrix<C>> {
-    let (rows, size) = B.shape();
-    let pair = |value: C| [value.re, value.im];
-    let right: Vec<[f64; 2]> =
-        (0..size).flat_map(|row| (0..rows).map(move |column| pair(B[(column, row)]))).collect();
-    let solved = factor(S)?.solve(&right, rows)?;
-    let mut product = DMatrix::zeros(rows, rows);
-    for row in 0..rows {
-        for k in (0..size).filter(|k| B[(row, *k)] != C::ZERO) {
-            let share = B[(row, k)];
-            for column in 0..rows {
-                let [re, im] = solved[k * rows + column];
-                product[(row, column)] += share * C::new(re, im);
+impl Couplings {
+    /// Subtracts `B S⁻¹ Bᵀ` from a matrix, with these couplings in the rows of `B`; none where `S` is singular to rounding.
+    fn eliminate(&self, S: &ComplexDense, matrix: &mut ComplexDense, sigma: C, tau: f64) -> Option<()> {
+        let rows = matrix.size();
+        let mut right = vec![[0.0; 2]; S.size() * rows];
+        for Coupling { row, column, products } in &self.0 {
+            right[column * rows + row] = weighted(*products, sigma, tau);
+        }
+        let solved = ComplexLu::new(S)?.solve(&right, rows)?;
+        for Coupling { row, column, products } in &self.0 {
+            let [re, im] = weighted(*products, sigma, tau);
+            for (entry, [x, y]) in matrix.row_mut(*row).iter_mut().zip(&solved[column * rows..]) {
+                entry[0] -= re * x - im * y;
+                entry[1] -= re * y + im * x;
             }
         }
+        Some(())
     }
-    Some(product)
 }

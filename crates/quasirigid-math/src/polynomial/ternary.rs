@@ -2,8 +2,13 @@
 //! The index of a monomial depends on `(j + k, k)` alone, so products and derivatives are sums over contiguous blocks.
 //! Order of [`monomial`](super::monomial); derivative along a field (R6), docs/theory/03-reduction.md.
 
+use smallvec::SmallVec;
+
 use super::monomial::{count, exponents, index};
 use crate::scalar::Scalar;
+
+/// Highest degree whose values take no memory from the heap: values are asked for millions of times.
+const USUAL: usize = 7;
 
 /// Rows of homogeneous polynomials of one degree in three variables. Coefficients stand row by row, in the order of
 /// [`exponents`].
@@ -189,11 +194,11 @@ impl Ternary {
     /// Value at a point, added to `value` row by row.
     pub fn add_value<T: Scalar>(&self, x: [T; 3], value: &mut [T]) {
         let powers = powers(x, self.degree);
-        let monomials: Vec<T> =
+        let monomials: SmallVec<[T; count(USUAL)]> =
             exponents(self.degree).map(|[i, j, k]| powers[0][i] * powers[1][j] * powers[2][k]).collect();
         for (row, sum) in value.iter_mut().enumerate() {
             for (c, monomial) in self.row(row).iter().zip(&monomials) {
-                *sum = *sum + *monomial * T::from(*c);
+                *sum = *sum + monomial.scaled(*c);
             }
         }
     }
@@ -210,7 +215,7 @@ fn axpy(sum: &mut [f64], factor: f64, terms: &[f64]) {
     }
 }
 
-fn powers<T: Scalar>(x: [T; 3], degree: usize) -> [Vec<T>; 3] {
+fn powers<T: Scalar>(x: [T; 3], degree: usize) -> [SmallVec<[T; USUAL + 1]>; 3] {
     x.map(|variable| {
         let mut power = T::from(1.0);
         (0..=degree)

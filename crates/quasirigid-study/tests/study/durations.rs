@@ -48,13 +48,13 @@ fn a_duration_within_the_vibrations_of_the_start_is_kept() {
 /// A wobble about the axis of least inertia is followed for a time in which it stays small, though its end lies behind the separatrix.
 #[test]
 fn a_duration_before_the_separatrix_is_answered() {
-    let water = carrier(260.0, [150.0, 155.0, 220.0]).replace("[0, 0, 0]", "[0, 0, 0.1]")
+    let oil = carrier(260.0, [150.0, 155.0, 220.0]).replace("[0, 0, 0]", "[0, 0, 0.1]")
         + &rotor("wheel", [1.0, 0.2, 0.0], 0.02, 0.5)
-        + "[[cavity]]\nname = \"water\"\nshape = \"sphere\"\nradius = \"0.25 m\"\ncenter = [0.0, 0.0, -0.4]\n\
-           density = \"1 g/cm^3\"\ndynamic_viscosity = \"1 mPa s\"\n"
+        + "[[cavity]]\nname = \"oil\"\nshape = \"sphere\"\nradius = \"0.25 m\"\ncenter = [0.0, 0.0, -0.4]\n\
+           density = \"1 g/cm^3\"\ndynamic_viscosity = \"100 mPa s\"\n"
         + &wobbling("1 deg", "30 rpm", "long-axis")
         + &until("3 deg");
-    let (status, time, message) = lasting(&study(&water), 5.0);
+    let (status, time, message) = lasting(&study(&oil), 5.0);
     assert!(status == "finished" && (time / 5.0 - 1.0).abs() < 1e-9, "{time} s: {message}");
 }
 

@@ -16,7 +16,7 @@ fn compare(body: &FlexibleBody, spin: f64, mode: Mode, xi: f64) -> Result<(), Te
     let hill = HillResponse::compute(body).unwrap();
     let linear = Linear::new(body, [1e-3, 1e-2]);
     let fastest = linear.fastest();
-    let count = 100 * (1 + (motion.polhode_period() * fastest / 60.0) as usize);
+    let count = 60 * (1 + (motion.polhode_period() * fastest / 60.0) as usize);
     let truth = periodic(&linear, &motion, count);
     let response = hill.periodic(&motion).unwrap();
     prop_assert!(response.residual() < 1e-10, "{:e}", response.residual());
@@ -46,7 +46,7 @@ fn lowest(body: &FlexibleBody) -> f64 {
 }
 
 proptest! {
-    #![proptest_config(cases(5))]
+    #![proptest_config(cases(4))]
 
     /// Points on lines, in planes and in space, hinges on curved paths, free or fixed at a point.
     #[test]

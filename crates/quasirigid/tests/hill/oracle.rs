@@ -24,6 +24,48 @@ pub struct Parts {
     zero: [DVector<f64>; 2],
 }
 
+impl Parts {
+    fn weighted(terms: &[Self], weights: &[f64]) -> Self {
+        let matrix = |of: &dyn Fn(&Self) -> &DMatrix<f64>| -> DMatrix<f64> {
+            terms.iter().zip(weights).map(|(term, weight)| of(term) * *weight).sum()
+        };
+        let vector = |of: &dyn Fn(&Self) -> &DVector<f64>| -> DVector<f64> {
+            terms.iter().zip(weights).map(|(term, weight)| of(term) * *weight).sum()
+        };
+        Self {
+            p: [0, 1].map(|which| matrix(&|term| &term.p[which])),
+            Q: [0, 1].map(|which| matrix(&|term| &term.Q[which])),
+            zero: [0, 1].map(|which| vector(&|term| &term.zero[which])),
+        }
+    }
+}
+
+/// Parts at any angular momentum from ten of a size: with the angular velocity linear in `K`, momenta are linear and forces quadratic in it.
+struct Quadratic {
+    size: f64,
+    at: Vec<Parts>,
+}
+
+impl Quadratic {
+    fn new(linear: &Linear, size: f64) -> Self {
+        let at = |k: [i32; 3]| linear.parts(k.map(|k| size * f64::from(k)));
+        let axes = [[1, 0, 0], [0, 1, 0], [0, 0, 1], [-1, 0, 0], [0, -1, 0], [0, 0, -1]];
+        let nodes = [[0; 3]].into_iter().chain(axes).chain([[0, 1, 1], [1, 0, 1], [1, 1, 0]]);
+        Self { size, at: nodes.map(at).collect() }
+    }
+
+    fn at(&self, K: [f64; 3]) -> Parts {
+        let [x, y, z] = K.map(|part| part / self.size);
+        let mixed = [y * z, z * x, x * y];
+        let squares = x * x + y * y + z * z;
+        let mut weights = vec![1.0 - squares + mixed.iter().sum::<f64>()];
+        weights.extend([x, y, z].map(|k| 0.5 * (k + k * k) - k * (x + y + z - k)));
+        weights.extend([x, y, z].map(|k| 0.5 * (k * k - k)));
+        weights.extend(mixed);
+        Parts::weighted(&self.at, &weights)
+    }
+}
+
 impl<'a> Linear<'a> {
     /// `steps` in units of the coordinates and of their rates.
     pub fn new(body: &'a FlexibleBody, steps: [f64; 2]) -> Self {
@@ -51,7 +93,7 @@ impl<'a> Linear<'a> {
         [self.body.generalized_momentum(motion), self.body.load(motion)].map(DVector::from_vec)
     }
 
-    pub fn parts(&self, K: [f64; 3]) -> Parts {
+    fn parts(&self, K: [f64; 3]) -> Parts {
         let n = self.size();
         let at = |which: usize, k: usize, step: f64| {
             let mut state = [vec![0.0; n], vec![0.0; n]];
@@ -78,10 +120,9 @@ impl<'a> Linear<'a> {
         parts
     }
 
-    /// Rates of displacements and momenta of the coordinates: matrix, and vector.
-    pub fn rates(&self, K: [f64; 3]) -> (DMatrix<f64>, DVector<f64>) {
+    /// Rates of displacements and momenta of the coordinates, from the parts at an angular momentum: matrix, and vector.
+    fn rates(&self, Parts { p, Q, zero }: Parts) -> (DMatrix<f64>, DVector<f64>) {
         let (n, elastic) = (self.size(), self.elastic);
-        let Parts { p, Q, zero } = self.parts(K);
         let by_momentum = p[1].clone().try_inverse().unwrap();
         let by_displacement = -&by_momentum * &p[0];
         let drag = &Q[1] - &self.B;
@@ -103,8 +144,7 @@ impl<'a> Linear<'a> {
     }
 
     /// Rates of the coordinates at displacements and momenta of the coordinates.
-    fn velocity(&self, K: [f64; 3], y: &DVector<f64>) -> DVector<f64> {
-        let Parts { p, zero, .. } = self.parts(K);
+    fn velocity(&self, Parts { p, zero, .. }: Parts, y: &DVector<f64>) -> DVector<f64> {
         let mut q = DVector::zeros(self.size());
         q.rows_mut(0, self.elastic).copy_from(&y.rows(0, self.elastic));
         let rest = y.rows(self.elastic, self.size()) - &zero[0] - &p[0] * q;
@@ -131,8 +171,9 @@ pub fn momentum(body: &FlexibleBody, motion: &FreeRotation, t: f64) -> [f64; 3] 
 pub fn periodic(linear: &Linear, motion: &FreeRotation, count: usize) -> Periodic {
     let period = motion.polhode_period();
     let h = period / count as f64;
-    let nodes: Vec<_> =
-        (0..=4 * count).map(|i| linear.rates(momentum(linear.body, motion, 0.25 * h * i as f64))).collect();
+    let of = Quadratic::new(linear, motion.angular_momentum());
+    let at = |t: f64| of.at(momentum(linear.body, motion, t));
+    let nodes: Vec<_> = (0..=4 * count).map(|i| linear.rates(at(0.25 * h * i as f64))).collect();
     let size = linear.elastic + linear.size();
     // A step of the affine map on (matrix | vector).
     let step = |from: usize, stride: usize, h: f64, M: &DMatrix<f64>| {
@@ -162,11 +203,8 @@ pub fn periodic(linear: &Linear, motion: &FreeRotation, count: usize) -> Periodi
     let start = (DMatrix::identity(size, size) - &monodromy).lu().solve(&last.column(size)).unwrap();
     let states: Vec<DVector<f64>> =
         maps[..count].iter().map(|M| M.columns(0, size) * &start + M.column(size)).collect();
-    let rates: Vec<DVector<f64>> = states
-        .iter()
-        .enumerate()
-        .map(|(i, y)| linear.velocity(momentum(linear.body, motion, h * i as f64), y))
-        .collect();
+    let rates: Vec<DVector<f64>> =
+        states.iter().enumerate().map(|(i, y)| linear.velocity(at(h * i as f64), y)).collect();
     let power = rates.iter().map(|v| v.dot(&(&linear.B * v))).sum::<f64>() / count as f64;
     Periodic { monodromy, states, rates, power }
 }

@@ -46,7 +46,7 @@ fn stage(
     };
     let inertia = [0, 1, 2].map(|row| [0, 1, 2].map(|column| 0.5 * (J[(row, column)] + J[(column, row)])));
     // degree of the polynomials, or cells of a mesh
-    let resolution = if matches!(shape, CavityShape::Cuboid { .. }) { 4 } else { 12 };
+    let resolution = if matches!(shape, CavityShape::Cuboid { .. }) { 4 } else { 8 };
     let liquid = tank(place(-0.4), 1.0, DENSITY / unit.powi(3), viscosity * unit.powi(2));
     Assembly {
         carrier: Some(parts::carrier(260.0, place(0.1), inertia)),
@@ -61,10 +61,10 @@ fn nutation(assembly: &Assembly, mode: Mode) -> SpinMode {
     SpinModes::about(&body, spin).unwrap().nutation().unwrap().clone()
 }
 
-/// Axes and units change nothing: the nutation of a prolate body at a Reynolds number of 5, or of an oblate one at 5000, is the same in all.
+/// Axes and units change nothing: the nutation of a prolate body at a Reynolds number of 5, or of an oblate one at 500, is the same in all.
 #[test]
 fn axes_and_units_change_nothing() {
-    let cases = [(1e-2, [150.0, 40.0], Mode::LongAxis), (1e-5, [150.0, 240.0], Mode::ShortAxis)];
+    let cases = [(1e-2, [150.0, 40.0], Mode::LongAxis), (1e-4, [150.0, 240.0], Mode::ShortAxis)];
     for (shape, (viscosity, moments, mode)) in shapes().iter().zip(cases.into_iter().cycle()) {
         let plain = nutation(&stage(shape, moments, viscosity, [0.0; 3], 1.0), mode);
         let other = nutation(&stage(shape, moments, viscosity, [0.7, -1.1, 0.4], 1e-3), mode);

@@ -29,8 +29,8 @@ fn absolute(map: &Series) -> Series {
 }
 
 /// Degree `d` of vectors along rays, and the largest of its parts.
-fn largest(rows: impl Iterator<Item = Vec<Ray>>, degree: usize) -> f64 {
-    rows.flatten().fold(0.0, |size, row| size.max(row.0[degree].abs()))
+fn largest(rows: &[Vec<Ray>], degree: usize) -> f64 {
+    rows.iter().flatten().fold(0.0, |size, row| size.max(row.0[degree].abs()))
 }
 
 /// Balance `∇E·F + P` at one degree: the sum, and the largest that a part of it could be.
@@ -68,13 +68,14 @@ proptest! {
     #[test]
     fn the_spin_of_the_momentum_of_a_spin_is_the_spin(assembly in bodies(), p in 1..7usize) {
         let body = reduce(&assembly.body().unwrap(), p).unwrap();
-        let composed = |u: [f64; 3]| body.Omega.vector(body.K.vector(along(u)));
+        let composed = |u: [f64; 3]| body.Omega.vector(body.K.vector(along(u))).to_vec();
         let (Omega, K) = (absolute(&body.Omega), absolute(&body.K));
         let terms = |u: [f64; 3]| Omega.vector(K.vector(along(u.map(f64::abs)))).to_vec();
+        let [spins, terms]: [Vec<Vec<Ray>>; 2] =
+            [directions().map(composed).collect(), directions().map(terms).collect()];
         for degree in 1..=p + 1 {
-            let scale = largest(directions().map(terms), degree);
-            for u in directions() {
-                let spin = composed(u);
+            let scale = largest(&terms, degree);
+            for (u, spin) in directions().zip(&spins) {
                 for axis in 0..3 {
                     let expected = if degree == 1 { u[axis] } else { 0.0 };
                     let gap = (spin[axis].0[degree] - expected).abs();
@@ -84,8 +85,7 @@ proptest! {
         }
         // A rigid body is exact; at p = 2 nothing is odd, so the first error is a degree later.
         let first = if p == 2 { 5 } else { p + 2 };
-        let error = largest(directions().map(|u| composed(u).to_vec()), first);
-        let scale = largest(directions().map(terms), first);
+        let (error, scale) = (largest(&spins, first), largest(&terms, first));
         prop_assert!(if p == 1 { error == 0.0 } else { error > SOMETHING * scale }, "p = {p}: {error:e}");
     }
 
@@ -93,13 +93,15 @@ proptest! {
     #[test]
     fn energy_of_the_momentum_is_energy_of_the_spin(assembly in bodies(), p in 1..7usize) {
         let body = reduce(&assembly.body().unwrap(), p).unwrap();
-        let composed = |u: [f64; 3]| body.energy_of_momentum.scalar(body.K.vector(along(u)));
         let (energy, K) = (absolute(&body.energy_of_momentum), absolute(&body.K));
         let terms = |u: [f64; 3]| vec![energy.scalar(K.vector(along(u.map(f64::abs))))];
+        let terms: Vec<Vec<Ray>> = directions().map(terms).collect();
+        let both = |u| [body.energy_of_momentum.scalar(body.K.vector(along(u))), body.energy.scalar(along(u))];
+        let energies: Vec<[Ray; 2]> = directions().map(both).collect();
         for degree in 2..=p + 2 {
-            let scale = largest(directions().map(terms), degree);
-            for u in directions() {
-                let gap = (composed(u).0[degree] - body.energy.scalar(along(u)).0[degree]).abs();
+            let scale = largest(&terms, degree);
+            for [composed, own] in &energies {
+                let gap = (composed.0[degree] - own.0[degree]).abs();
                 prop_assert!(gap <= COMPOSED * scale, "p = {p}, degree {degree}: {gap:e} of {scale:e}");
             }
         }
@@ -125,13 +127,13 @@ proptest! {
     fn energy_of_the_momentum_falls_by_the_power_of_the_dashpots(assembly in bodies(), p in 1..7usize) {
         let body = reduce(&assembly.body().unwrap(), p).unwrap();
         let rate = momentum_rate(&body);
+        let powers: Vec<Ray> = directions().map(|u| body.power.scalar(body.Omega.vector(along(u)))).collect();
         for degree in 3..=p + 3 {
             let nothing = Homogeneous::zero(degree, 1);
             let (_, parts) = balance(&body.energy_of_momentum, &rate, &nothing, degree);
             let along_field = body.energy_of_momentum.rate(&rate, degree);
-            for u in directions() {
-                let K = along(u);
-                let power = body.power.scalar(body.Omega.vector(K)).0[degree];
+            for (u, power) in directions().zip(&powers) {
+                let power = power.0[degree];
                 let gap = (super::compare::value(&along_field, u)[0] + power).abs();
                 prop_assert!(gap <= ROUNDING * parts.max(power.abs()), "p = {p}, degree {degree}: {gap:e} of {parts:e}");
             }

@@ -96,7 +96,7 @@ fn spun(body: &FlexibleBody) -> Start {
 }
 
 proptest! {
-    #![proptest_config(cases(12))]
+    #![proptest_config(cases(6))]
 
     #[test]
     fn full_and_reduced_systems_go_on_with_the_same_bits(assembly in assemblies()) {

@@ -2,20 +2,25 @@
 
 use std::ops::ControlFlow;
 
-use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
+use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 use proptest::prelude::*;
 use quasirigid::averaging::{
     Drift, DriftLimits, DriftState, DriftStopReason, EddyTorque, FreeRotation, MeanPower, RotationState,
     SlowTorque,
 };
-use quasirigid::model::force::{Force, ForceLaw, MagneticField, Orbit};
+use quasirigid::model::force::{Force, ForceLaw, MagneticField, Orbit, OrbitPoint};
 use quasirigid::model::{Mode, Principal};
+use quasirigid_math::rotation::normalized;
+use quasirigid_math::vec3::{cross, dot};
 
 use super::forced::{State, forced, orbit, states};
 use crate::support::{assemblies, cases, parts, vector};
 
 type V = Vector3<f64>;
 type M = Matrix3<f64>;
+
+/// Attitude at the start, as a rotation vector.
+const TURN: V = V::new(0.4, -0.9, 0.7);
 
 /// Power of a body that dissipates nothing itself.
 #[derive(Debug)]
@@ -134,62 +139,132 @@ fn uniform_fields_leave_the_part_along_them() {
     }
 }
 
+/// The field of a dipole that turns about z, and its rate, by its derivative.
+fn field_with_rate(strength: [f64; 3], rate: f64, orbit: &Orbit, t: f64) -> [[f64; 3]; 2] {
+    let (sin, cos) = (rate * t).sin_cos();
+    let [x, y, z] = strength;
+    let m = [cos * x - sin * y, sin * x + cos * y, z];
+    let turned = [-rate * m[1], rate * m[0], 0.0];
+    let OrbitPoint { place: R, velocity: v, .. } = orbit.at(t);
+    let square = dot(R, R);
+    let (cube, fifth) = (square * square.sqrt(), square * square * square.sqrt());
+    let (along, outward) = (dot(R, m), dot(R, v));
+    let change = dot(v, m) + dot(R, turned) - 5.0 * along * outward / square;
+    let mut fields = [[0.0; 3]; 2];
+    for i in 0..3 {
+        fields[0][i] = 3.0 * R[i] * along / fifth - m[i] / cube;
+        fields[1][i] = 3.0 * (v[i] * along + R[i] * change + m[i] * outward) / fifth - turned[i] / cube;
+    }
+    fields
+}
+
+/// The derivative is that of differences of the field.
+#[test]
+fn the_rate_of_the_field_is_its_derivative() {
+    let orbit = slow_orbit(0.03, 0.1);
+    let (strength, rate, t, apart) = ([0.3, -0.2, 0.9], 0.02, 40.0, 1e-2);
+    let [B, change] = field_with_rate(strength, rate, &orbit, t).map(V::from);
+    let of = |t: f64| field(strength, rate, &orbit, t);
+    assert!((B - of(t)).norm() < 1e-14 * B.norm());
+    let difference = (of(t + apart) - of(t - apart)) / (2.0 * apart);
+    assert!((change - difference).norm() < 1e-6 * change.norm(), "{change} {difference}");
+}
+
 /// Rotation in plain vectors: angular momentum in inertial axes and attitude, by the classical method of Runge and Kutta.
 struct Turning<'a> {
     moments: [f64; 3],
-    tensor: M,
-    field: &'a dyn Fn(f64) -> V,
-    /// Time (s) of the difference that gives the rate of the field.
-    apart: f64,
-    K: V,
-    attitude: Quaternion<f64>,
-    /// Field and its rate at the end of the last step, with the time.
-    last: Option<(f64, [V; 2])>,
+    tensor: [[f64; 3]; 3],
+    /// Field and its rate at a time.
+    fields: &'a dyn Fn(f64) -> [[f64; 3]; 2],
+    K: [f64; 3],
+    attitude: [f64; 4],
+    /// Time of the end of the last step, with field and rate there.
+    last: Option<(f64, [[f64; 3]; 2])>,
+}
+
+/// `K + h dK`, `q + h dq`.
+fn moved(K: [f64; 3], q: [f64; 4], h: f64, rate: &([f64; 3], [f64; 4])) -> ([f64; 3], [f64; 4]) {
+    let (mut K, mut q) = (K, q);
+    (0..3).for_each(|i| K[i] += h * rate.0[i]);
+    (0..4).for_each(|i| q[i] += h * rate.1[i]);
+    (K, q)
+}
+
+/// Components in the axes of a unit quaternion, or with the opposite sign of its vector in those from which it turns.
+fn seen([s, x, y, z]: [f64; 4], sign: f64, vector: [f64; 3]) -> [f64; 3] {
+    let axis = [-sign * x, -sign * y, -sign * z];
+    let once = cross(axis, vector);
+    let twice = cross(axis, once);
+    let mut seen = vector;
+    (0..3).for_each(|i| seen[i] += 2.0 * (s * once[i] + twice[i]));
+    seen
 }
 
 impl Turning<'_> {
-    fn omega(&self, K: V, attitude: Quaternion<f64>) -> V {
-        let in_body = UnitQuaternion::new_normalize(attitude).inverse() * K;
-        in_body.component_div(&V::from(self.moments))
+    fn omega(&self, K: [f64; 3], attitude: [f64; 4]) -> [f64; 3] {
+        let [x, y, z] = seen(attitude, 1.0, K);
+        [x / self.moments[0], y / self.moments[1], z / self.moments[2]]
     }
 
-    /// Field and its rate at a time, from two places beside it.
-    fn fields(&self, t: f64) -> [V; 2] {
-        let [before, after] = [t - self.apart, t + self.apart].map(self.field);
-        [0.5 * (before + after), (after - before) / (2.0 * self.apart)]
-    }
-
-    fn rate(&self, [B, change]: [V; 2], K: V, attitude: Quaternion<f64>) -> (V, Quaternion<f64>) {
-        let turn = UnitQuaternion::new_normalize(attitude);
-        let omega = self.omega(K, attitude);
-        let B_B = turn.inverse() * B;
-        let torque = (self.tensor * (omega.cross(&B_B) - turn.inverse() * change)).cross(&B_B);
-        (turn * torque, attitude * Quaternion::from_imag(0.5 * omega))
+    fn rate(&self, [B, change]: [[f64; 3]; 2], K: [f64; 3], attitude: [f64; 4]) -> ([f64; 3], [f64; 4]) {
+        let turn = normalized(attitude);
+        let omega = self.omega(K, turn);
+        let B_B = seen(turn, 1.0, B);
+        let (cut, change) = (cross(omega, B_B), seen(turn, 1.0, change));
+        let mut moment = [0.0; 3];
+        for i in 0..3 {
+            for k in 0..3 {
+                moment[i] += self.tensor[i][k] * (cut[k] - change[k]);
+            }
+        }
+        let [s, x, y, z] = attitude;
+        let [u, v, w] = omega;
+        let turning =
+            [-x * u - y * v - z * w, s * u + y * w - z * v, s * v + z * u - x * w, s * w + x * v - y * u];
+        (seen(turn, -1.0, cross(moment, B_B)), turning.map(|part| 0.5 * part))
     }
 
     fn step(&mut self, t: f64, h: f64) {
         let first = match self.last {
             Some((end, fields)) if (t - end).abs() < 1e-6 * h => fields,
-            _ => self.fields(t),
+            _ => (self.fields)(t),
         };
-        let [middle, end] = [t + 0.5 * h, t + h].map(|t| self.fields(t));
-        let at = |rate: &(V, Quaternion<f64>), h: f64| (self.K + h * rate.0, self.attitude + rate.1 * h);
+        let (middle, end) = ((self.fields)(t + 0.5 * h), (self.fields)(t + h));
         let k1 = self.rate(first, self.K, self.attitude);
-        let (K, q) = at(&k1, 0.5 * h);
+        let (K, q) = moved(self.K, self.attitude, 0.5 * h, &k1);
         let k2 = self.rate(middle, K, q);
-        let (K, q) = at(&k2, 0.5 * h);
+        let (K, q) = moved(self.K, self.attitude, 0.5 * h, &k2);
         let k3 = self.rate(middle, K, q);
-        let (K, q) = at(&k3, h);
+        let (K, q) = moved(self.K, self.attitude, h, &k3);
         let k4 = self.rate(end, K, q);
-        self.K += h / 6.0 * (k1.0 + 2.0 * (k2.0 + k3.0) + k4.0);
-        let turned = self.attitude + (k1.1 + (k2.1 + k3.1) * 2.0 + k4.1) * (h / 6.0);
-        self.attitude = turned / turned.norm();
+        for (rate, weight) in [(k1, 1.0), (k2, 2.0), (k3, 2.0), (k4, 1.0)] {
+            (self.K, self.attitude) = moved(self.K, self.attitude, weight * h / 6.0, &rate);
+        }
+        self.attitude = normalized(self.attitude);
         self.last = Some((t + h, end));
     }
 
     fn energy(&self) -> f64 {
         let omega = self.omega(self.K, self.attitude);
-        0.5 * omega.dot(&V::from(self.moments).component_mul(&omega))
+        0.5 * (0..3).map(|i| self.moments[i] * omega[i] * omega[i]).sum::<f64>()
+    }
+}
+
+fn words(turn: UnitQuaternion<f64>) -> [f64; 4] {
+    [turn.w, turn.i, turn.j, turn.k]
+}
+
+fn slow_orbit(n: f64, precession: f64) -> Orbit {
+    Orbit {
+        mu: n * n,
+        semi_major_axis: 1.0,
+        eccentricity: 0.2,
+        inclination: 1.9,
+        raan: 0.4,
+        argument_of_periapsis: 0.8,
+        mean_anomaly: 0.3,
+        node_rate: precession * n,
+        periapsis_rate: -precession * n,
     }
 }
 
@@ -199,26 +274,16 @@ fn gaps(weakness: f64, omega: V, [rate, precession]: [f64; 2]) -> [f64; 3] {
     let moments = [2.0, 3.0, 4.0];
     let tensor = tensor([[0.9, 0.3, -0.2], [0.1, 0.8, 0.5], [-0.4, 0.2, 1.4]]);
     let n = 0.06 / weakness;
-    let orbit = Orbit {
-        mu: n * n,
-        semi_major_axis: 1.0,
-        eccentricity: 0.2,
-        inclination: 1.9,
-        raan: 0.4,
-        argument_of_periapsis: 0.8,
-        mean_anomaly: 0.3,
-        node_rate: precession * n / weakness,
-        periapsis_rate: -precession * n / weakness,
-    };
+    let orbit = slow_orbit(n, precession / weakness);
     let strength: [f64; 3] = (0.05 / weakness * V::new(0.3, -0.2, 0.9)).into();
     let rate = rate * n;
     let law = MagneticField::Dipole { strength, rate, orbit };
-    let of_time = |t: f64| field(strength, rate, &orbit, t);
-    let attitude = *UnitQuaternion::from_scaled_axis(V::new(0.4, -0.9, 0.7)).quaternion();
-    let turned = UnitQuaternion::new_normalize(attitude);
+    let of_time = |t: f64| field_with_rate(strength, rate, &orbit, t);
+    let turned = UnitQuaternion::from_scaled_axis(TURN);
     let K = turned * V::from(moments).component_mul(&omega);
-    let apart = 1e-5 * orbit.period();
-    let mut body = Turning { moments, tensor, field: &of_time, apart, K, attitude, last: None };
+    let attitude = words(turned);
+    let mut body =
+        Turning { moments, tensor: tensor.into(), fields: &of_time, K: K.into(), attitude, last: None };
     let orbits = 10.0 * weakness;
     let duration = orbits.round() * orbit.period();
     let motion = FreeRotation::through(moments, omega.into()).unwrap();
@@ -230,23 +295,23 @@ fn gaps(weakness: f64, omega: V, [rate, precession]: [f64; 2]) -> [f64; 3] {
     }
     let reached =
         FreeRotation::at_logit(moments, end.angular_momentum, end.rotation_state.mode, end.rotation_state.xi);
-    let direction = V::from(end.direction);
+    let (direction, turned) = (V::from(end.direction), V::from(body.K));
     println!(
         "weaker by {weakness}: {:.0} revolutions, G {:.4} {:.6} {:.6}, E {:.4} {:.6} {:.6}, turned {:.4} {:.4} rad",
         end.revolutions,
         K.norm(),
-        body.K.norm(),
+        turned.norm(),
         end.angular_momentum,
         motion.energy(),
         body.energy(),
         reached.energy(),
-        K.angle(&body.K),
+        K.angle(&turned),
         K.angle(&direction)
     );
     [
-        (body.K.norm() / end.angular_momentum - 1.0).abs(),
+        (turned.norm() / end.angular_momentum - 1.0).abs(),
         (body.energy() / reached.energy() - 1.0).abs(),
-        body.K.angle(&direction),
+        turned.angle(&direction),
     ]
 }
 
@@ -315,16 +380,13 @@ fn a_slow_spin_locks_to_the_turning_field() {
             let found = end.angular_momentum * V::from(end.direction);
             assert!((found - known).norm() < 1e-7 * K.norm(), "{share}: {found} {known}");
         }
-        let of_time = |t: f64| field(strength, rate, &orbit, t);
-        let attitude = *UnitQuaternion::from_scaled_axis(V::new(0.4, -0.9, 0.7)).quaternion();
-        let apart = 1e-4 / n;
+        let of_time = |t: f64| field_with_rate(strength, rate, &orbit, t);
         let mut body = Turning {
             moments: [I; 3],
-            tensor: M::identity() * conductor,
-            field: &of_time,
-            apart,
-            K,
-            attitude,
+            tensor: parts::diag([conductor; 3]),
+            fields: &of_time,
+            K: K.into(),
+            attitude: words(UnitQuaternion::from_scaled_axis(TURN)),
             last: None,
         };
         let duration = 8.0 * I / (conductor * decay.eigenvalues.min());
@@ -333,7 +395,7 @@ fn a_slow_spin_locks_to_the_turning_field() {
         for i in 0..steps as u64 {
             body.step(i as f64 * duration / steps, duration / steps);
             if i as f64 > 0.8 * steps {
-                (mean, counted) = (mean + body.K, counted + 1.0);
+                (mean, counted) = (mean + V::from(body.K), counted + 1.0);
             }
         }
         let gap = (mean / counted - locked).norm() / locked.norm();

@@ -11,7 +11,11 @@ const DEGREES: usize = 12;
 #[derive(Clone, Copy, Debug)]
 pub struct Ray(pub [f64; DEGREES]);
 
-impl Scalar for Ray {}
+impl Scalar for Ray {
+    fn scaled(self, factor: f64) -> Self {
+        Self(self.0.map(|part| factor * part))
+    }
+}
 
 impl From<f64> for Ray {
     fn from(value: f64) -> Self {
@@ -39,7 +43,13 @@ impl Mul for Ray {
     type Output = Self;
 
     fn mul(self, other: Self) -> Self {
-        Self(std::array::from_fn(|d| (0..=d).map(|a| self.0[a] * other.0[d - a]).sum()))
+        let mut product = [0.0; DEGREES];
+        for (a, own) in self.0.iter().enumerate().filter(|(_, own)| **own != 0.0) {
+            for b in 0..DEGREES - a {
+                product[a + b] += own * other.0[b];
+            }
+        }
+        Self(product)
     }
 }
 

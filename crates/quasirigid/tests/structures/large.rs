@@ -268,12 +268,12 @@ fn energy_stays_over_many_turns() {
     frame.members[0].elements = 2;
     part.rayleigh = [0.0; 2];
     let body = boom.body().unwrap();
-    let rotations = 20.0;
+    let rotations = 10.0;
     let (run, samples) = run(&body, [0.0, 0.02, 0.4], rotations * std::f64::consts::TAU / 0.4, 1e-9);
     assert_eq!(run.outcome, Outcome::Finished);
     let drift = samples.iter().map(|sample| sample.energy_drift.abs()).fold(0.0, f64::max);
     println!("{:.0} turns, drift {drift:.1e} J of {} J", run.last.revolutions, run.last.energy);
-    assert!(run.last.revolutions > 0.99 * rotations && drift < 1e-7 * run.last.energy, "{drift}");
+    assert!(run.last.revolutions > 0.99 * rotations && drift < 5e-8 * run.last.energy, "{drift}");
 }
 
 /// A boom beside a chain of points on springs ten thousand times as stiff as those to the carrier: rounding ends the progress of the

@@ -42,7 +42,7 @@ pub(super) fn fields(m: usize, degrees: usize, count: usize, stretch: f64) -> Fi
     let group = width.min(degrees) * count;
     Fields {
         groups: chunks.iter().map(|own| of(own, own, stretch)).collect(),
-        between: chunks.windows(2).map(|pair| of(pair[0], pair[1], stretch)).collect(),
+        between: chunks.windows(2).map(|pair| of(pair[0], pair[1], stretch).couplings()).collect(),
         load: DVector::from_fn(group, |row, _| if row < count { first[row] } else { 0.0 }),
     }
 }

@@ -35,7 +35,7 @@ pub(super) fn fields(m: usize, half: f64, [radial, axial]: [usize; 2]) -> Fields
     let block = |rows: &[usize], columns: &[usize]| products(&sums, &scales, rows, columns);
     Fields {
         groups: chunks.iter().map(|own| block(own, own)).collect(),
-        between: chunks.windows(2).map(|pair| block(pair[0], pair[1])).collect(),
+        between: chunks.windows(2).map(|pair| block(pair[0], pair[1]).couplings()).collect(),
         load: rules.load(m, &kinds, &scales, chunks[0]),
     }
 }

@@ -135,13 +135,7 @@ impl FlexibleBody {
         let springs = self.parts.stiffness.iter().map(|(j, k, C)| (j, k, *C)).chain(hung.springs(rate));
         let stiffness = SparseRows::sum(self.parts.coordinates.len(), springs.collect());
         let held = Self::new(BodyParts { stiffness, ..self.parts.clone() })?;
-        Ok(Self {
-            parts: held.parts,
-            factor: held.factor,
-            friction: held.friction,
-            hung: None,
-            ..self.clone()
-        })
+        Ok(Self { parts: held.parts, factor: held.factor, hung: None, ..self.clone() })
     }
 
     /// Body with the complete second order of its paths in the full equations. (K12)

@@ -3,6 +3,7 @@
 use std::fmt;
 use std::ops::Range;
 
+use super::gimbal::Gimbal;
 use crate::math::vec3;
 
 /// Watched places and hinges, whose displacements limit the validity of the second order of the paths.
@@ -49,7 +50,7 @@ pub enum Displaced {
     Gimbal {
         /// Index in [`Watched`].
         gimbal: usize,
-        /// Volume that unit vectors along the axes span: one of axes across each other, zero in one plane.
+        /// Volume that the axes span, over that at rest: zero in one plane.
         volume: f64,
     },
 }
@@ -60,7 +61,7 @@ pub const RANGE: f64 = 0.2;
 /// Limit of the angle (rad) of a hinge on whose appendage springs act, which take the displacement of their place to first order. The
 /// paths of the appendage itself have no limit. (K14), (I12)
 pub const HINGE_RANGE: f64 = 0.3;
-/// Volume spanned by unit vectors along the three axes of a hinge below which its angles no longer follow a rotation. (I14)
+/// Volume spanned by the three axes of a hinge, over that at rest, below which its angles no longer follow a rotation. (I14)
 pub const GIMBAL_LOCK: f64 = 2e-3;
 
 /// Watched hinge with its axes.
@@ -80,15 +81,13 @@ impl Hinge {
         vec3::norm(self.axes.iter().fold([0.0; 3], turned))
     }
 
-    /// Volume spanned by unit vectors along three axes as the appendage turns the inner ones; none of fewer axes. (I14)
+    /// Volume spanned by three axes as the appendage turns the inner ones, over that at rest; none of fewer axes. (I14)
     #[must_use]
     pub fn volume(&self, q: &[f64]) -> Option<f64> {
         let [(_, outer), (j, middle), (_, inner)] = *self.axes.as_slice() else { return None };
-        let (sin, cos) = q[j].sin_cos();
-        let along = vec3::dot(middle, inner) * (1.0 - cos);
-        let turned = vec3::add(vec3::scale(cos, inner), vec3::scale(sin, vec3::cross(middle, inner)));
-        let turned = vec3::add(turned, vec3::scale(along, middle));
-        Some(vec3::dot(outer, vec3::cross(middle, turned)).abs())
+        let turned = Gimbal { axes: vec![(j, middle)] }.turned(q, inner);
+        let [now, at_rest] = [turned, inner].map(|inner| vec3::dot(outer, vec3::cross(middle, inner)));
+        Some((now / at_rest).abs())
     }
 }
 
@@ -167,7 +166,6 @@ impl Watched {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::gimbal::Gimbal;
     use crate::math::vec3::{cross, dot, unit};
 
     /// The volume is that of the axes as they stand, each turned by those before it; a quarter turn of the middle one locks axes across each other.
@@ -180,7 +178,8 @@ mod tests {
             let before = Gimbal { axes: axes[..count].to_vec() };
             before.turned(&q, axes[count].1)
         };
-        let expected = dot(turned(0), cross(turned(1), turned(2))).abs();
+        let at_rest = dot(axes[0].1, cross(axes[1].1, axes[2].1));
+        let expected = (dot(turned(0), cross(turned(1), turned(2))) / at_rest).abs();
         let hinge = Hinge { name: "flap".into(), axes: axes.clone() };
         assert!((hinge.volume(&q).unwrap() / expected - 1.0).abs() < 1e-14);
         assert_eq!(Hinge { axes: axes[..2].to_vec(), ..hinge }.volume(&q), None);

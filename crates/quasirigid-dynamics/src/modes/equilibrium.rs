@@ -246,7 +246,20 @@ impl RelativeEquilibrium {
 
     /// The equilibrium, if every coordinate without a spring has a stiffness of the spin in it. (I13)
     fn restored(self, body: &FlexibleBody) -> Result<Self, EquilibriumError> {
-        let Some(hung) = body.hung() else { return Ok(self) };
+        let Some(hung) = body.hung().filter(|_| self.restoration(body) <= RESTORED) else { return Ok(self) };
+        Err(EquilibriumError::Unrestored {
+            coordinates: hung.names().into(),
+            axis: scale(norm(self.omega).recip(), self.omega),
+        })
+    }
+
+    /// Least stiffness in this spin, in units of that of a centrifugal force on each coordinate's own inertia; infinite where springs hold
+    /// everything. (I13)
+    #[must_use]
+    pub fn restoration(&self, body: &FlexibleBody) -> f64 {
+        if body.hung().is_none() {
+            return f64::INFINITY;
+        }
         let SpinCoefficients { centrifugal, mass, .. } = self.coefficients(body);
         let (held, spin) = (body.stiffness(), norm(self.omega));
         let own = held.diagonal();
@@ -255,15 +268,7 @@ impl RelativeEquilibrium {
         let mut left = DMatrix::from_fn(elastic, elastic, |j, k| -centrifugal.at(j, k) / (unit(j) * unit(k)));
         let springs = held.iter().filter(|(j, k, _)| *j < elastic && *k < elastic);
         springs.for_each(|(j, k, C)| left[(j, k)] += C / (unit(j) * unit(k)));
-        let least =
-            left.symmetric_eigenvalues().iter().fold(f64::INFINITY, |least, own| own.abs().min(least));
-        if least > RESTORED {
-            return Ok(self);
-        }
-        Err(EquilibriumError::Unrestored {
-            coordinates: hung.names().into(),
-            axis: scale(spin.recip(), self.omega),
-        })
+        left.symmetric_eigenvalues().iter().fold(f64::INFINITY, |least, own| own.abs().min(least))
     }
 
     /// Whether the springs withstand small displacements at this spin: `C − N` is positive definite. True of a body with more coordinates than are

@@ -80,7 +80,7 @@ pub(super) const OVERDAMPED: f64 = 0.1;
 /// Relative difference below which eigenvalues of a liquid are the same.
 const SAME_EIGENVALUE: f64 = 1e-6;
 /// Share of the eigenvalue below which a decay rate is rounding, unless the energy balance gives it.
-const DECAY_ROUNDING: f64 = 1e-12;
+pub(super) const DECAY_ROUNDING: f64 = 1e-12;
 /// Share of the eigenvalue below which a decay rate follows from the energy balance in a body with materials.
 const LIGHT: f64 = 1e-5;
 
@@ -440,8 +440,8 @@ impl Frame<'_> {
         lost: f64,
     ) -> (f64, f64) {
         let rounding = DECAY_ROUNDING * lambda.norm();
-        let found = if lambda.re.abs() > rounding { (-lambda.re, 0.0) } else { (0.0, rounding) };
-        let found = if lost == 0.0 { (found.0, 0.0) } else { found };
+        let hidden = if lost == 0.0 { 0.0 } else { rounding };
+        let found = if lambda.re.abs() > rounding { (-lambda.re, 0.0) } else { (0.0, hidden) };
         let light = found.0.abs() < LIGHT * lambda.norm();
         let oscillates = lambda.im.abs() > lambda.re.abs();
         let balanced = oscillates && if nonlinear { light && self.body.memories().is_empty() } else { true };

@@ -96,8 +96,9 @@ impl Study {
     /// [`StudyError`] for an invalid start, for targets that are not ahead, for a duration shorter than a revolution, and for bodies that are
     /// not followed so.
     pub fn evolve(&self, asked: PartialEvolve, watch: &mut dyn Watch) -> Result<Evolved, StudyError> {
+        let elsewhere = EvolveSettings::resolve(asked.clone(), self)?.start.is_some();
         let mut evolved = self.evolve_from(self.initial()?, asked, watch)?;
-        if let Some(Rotation::Wobble { angle, .. }) = self.model.initial.rotation {
+        if let (Some(Rotation::Wobble { angle, .. }), false) = (self.model.initial.rotation, elsewhere) {
             evolved.notes.extend(words::other_wobble(angle, &evolved.record));
         }
         Ok(evolved)
@@ -116,7 +117,7 @@ impl Study {
         self.uncontrolled("evolve")?;
         if let Some(sprung) = hanging::sprung(self, start)? {
             let mut evolved = sprung.evolve_from(start, asked, watch)?;
-            evolved.notes.extend(hanging::note(self));
+            evolved.notes.extend(hanging::note(self).filter(|_| evolved.has_numbers()));
             return Ok(evolved);
         }
         let asked = EvolveSettings::resolve(asked, self)?;

@@ -357,6 +357,9 @@ fn a_soft_pendulum_leaves_turns_and_power_right() {
     let [none, tiny] = [hung, soft].map(|found| &found.record);
     close(none.time, tiny.time, 1e-6);
     close(none.power, tiny.power, 1e-6);
+    let unrestored = study(&(slosh(0.0, 0.0) + &spinning([0.1, 0.0, spin])));
+    let refused = try_evolve(&unrestored, |_| {}).unwrap_err();
+    assert!(refused.contains("no spring restores"), "{refused}");
     let said =
         |evolved: &Evolved| evolved.notes.join(" ").contains("No spring restores \"slosh\" about axis 1");
     assert_eq!([said(hung), said(soft)], [true, false]);

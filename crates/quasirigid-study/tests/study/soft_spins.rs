@@ -6,7 +6,7 @@ use quasirigid_math::rotation::{Turn, to_inertial};
 use quasirigid_math::vec3::{dot, norm, unit};
 use quasirigid_study::modes::PrincipalAxis;
 
-use crate::support::{column, evolve, evolved, finished, modes, modes_about, study};
+use crate::support::{column, evolve, evolved, finished, modes, modes_about, study, target};
 
 /// Two soft points and a wheel with as much angular momentum as the body, which spins about its middle axis.
 const GYROSTAT: &str = r#"
@@ -178,8 +178,10 @@ fn a_wobble_that_loses_energy_at_higher_order_alone_is_followed_at_its_own_pace(
 /// A wobble of the undeformed body that is another one about the spin of the deformed body is told, and that of a stiffer body is not.
 #[test]
 fn a_wobble_of_the_undeformed_body_is_told() {
-    let told = |stiffness: &str| {
-        let evolved = evolved(&study(&TILTED.replace("115.298", stiffness)), |_| {});
+    let told = |stiffness: &str, start: Option<&str>| {
+        let evolved = evolved(&study(&TILTED.replace("115.298", stiffness)), |asked| {
+            asked.start = start.and_then(target);
+        });
         let first = column(&evolved.record.columns, "nutation_max")[0].to_degrees();
         let note = evolved
             .notes
@@ -187,8 +189,13 @@ fn a_wobble_of_the_undeformed_body_is_told() {
             .any(|note| note.contains("wobble, 6.242 degrees, is that of the undeformed body"));
         (first, note)
     };
-    let (first, note) = told("115.298");
+    let (first, note) = told("115.298", None);
     assert!(first < 1.5 && note, "{first}");
-    let (first, note) = told("4000");
+    let (first, note) = told("4000", None);
     assert!((first / 6.242 - 1.0).abs() < 0.05 && !note, "{first}");
+    let (first, note) = told("4000", Some("2 deg"));
+    assert!(
+        (first / 2.0 - 1.0).abs() < 0.05 && !note,
+        "a start asked for is not the wobble of the model: {first}"
+    );
 }

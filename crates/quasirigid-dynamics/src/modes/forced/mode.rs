@@ -16,7 +16,7 @@ use super::whole_body_names::{NamedMotion, named};
 use crate::model::force::{Force, ForceLaw};
 use crate::model::{FlexibleBody, Marker};
 use crate::modes::iteration::{Pair, apart_from, belongs, inverse_iteration};
-use crate::modes::mode::{SpinMode, in_order};
+use crate::modes::mode::{DECAY_ROUNDING, SpinMode, in_order};
 use crate::modes::shares::{balance, dissipation, leading, listed, moving, tellable};
 
 type C = Complex<f64>;
@@ -39,8 +39,6 @@ pub struct SteadyModes {
 const SAME_EIGENVALUE: f64 = 1e-6;
 /// Share of the eigenvalue below which a decay rate follows from the energy balance, where one exists.
 const LIGHT: f64 = 1e-5;
-/// Share of the eigenvalue below which either of its parts is rounding.
-const EIGENVALUE_ROUNDING: f64 = 1e-12;
 /// Share of its terms below which the denominator of the balance is rounding.
 const CANCELLED: f64 = 1e-7;
 
@@ -212,16 +210,12 @@ impl About<'_> {
         let leading = leading(self.body, &moved, largest, &liquids).filter(|_| !carried && kinetic > 0.0);
         let name =
             leading.unwrap_or_else(|| if kinetic > 0.0 { "rotation" } else { "translation" }.to_owned());
-        let rounding = self.pencil.rounding(lambda, x);
+        let rounding = self.pencil.rounding(lambda, x).max(DECAY_ROUNDING * lambda.norm());
         let told = tellable(lambda, liquids.len(), lost.len());
         let (decay_rate, rate_bound) = self.decay(lambda, x, &q, inside, rounding);
         let mode = SpinMode {
             decay_rate,
-            frequency: if lambda.im.abs() > rounding.max(EIGENVALUE_ROUNDING * lambda.norm()) {
-                lambda.im.abs()
-            } else {
-                0.0
-            },
+            frequency: if lambda.im.abs() > rounding { lambda.im.abs() } else { 0.0 },
             of_motion: [-of_motion.re, of_motion.im],
             nutation: false,
             neutral: false,
@@ -287,10 +281,9 @@ impl About<'_> {
     /// Decay rate and the bound on it where rounding hides it: from the energy balance where the loss is light and the other forces have a
     /// potential. (M8)
     fn decay(&self, lambda: C, x: &[C], q: &[C], inside: f64, rounding: f64) -> (f64, f64) {
-        let rounding = rounding.max(EIGENVALUE_ROUNDING * lambda.norm());
-        let found = if lambda.re.abs() > rounding { (-lambda.re, 0.0) } else { (0.0, rounding) };
         let lossless = self.conservative && inside == 0.0 && self.exchanges.is_empty();
-        let found = if lossless { (found.0, 0.0) } else { found };
+        let hidden = if lossless { 0.0 } else { rounding };
+        let found = if lambda.re.abs() > rounding { (-lambda.re, 0.0) } else { (0.0, hidden) };
         let light = lambda.re.abs() < LIGHT * lambda.norm();
         if !(light && self.conservative && self.body.memories().is_empty()) {
             return found;

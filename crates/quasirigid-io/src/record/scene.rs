@@ -1,5 +1,5 @@
 //! Scene of a run: what a viewer needs to draw the body as it moves. Arrays are packed, so that a page may carry them.
-//! The layout is that of version 2, which docs/guide/19-reports.md describes; a reader refuses others.
+//! The layout is that of version 2; a reader refuses others. How its arrays are packed stands in docs/guide/19-reports.md, too.
 
 use std::borrow::Cow;
 

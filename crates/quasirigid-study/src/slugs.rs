@@ -24,17 +24,17 @@ const MEASURED: f64 = 1.0 / 15.0;
 /// Slug of liquid in a ring.
 #[derive(Serialize)]
 pub struct SlugObject {
-    /// Angle along the ring (rad).
+    /// Along the ring (rad).
     pub arc: f64,
-    /// Of the nutation in the body at the spin of the start (rad/s), with the liquid held; 0 without a spin.
+    /// Of the nutation at the start (rad/s), liquid held.
     pub nutation_rate: f64,
-    /// Of the slug, sliding at that rate.
+    /// Sliding at that rate.
     pub reynolds: f64,
-    /// Of an oscillation at that rate.
+    /// Oscillating at that rate.
     pub womersley: f64,
-    /// `laminar`, `transitional` or `turbulent`, sliding at that rate.
+    /// `laminar`, `transitional` or `turbulent`.
     pub flow: &'static str,
-    /// On the carrier about the axis of the ring, sliding at that rate (N m).
+    /// Torque on the carrier, sliding (N m).
     pub friction: f64,
 }
 

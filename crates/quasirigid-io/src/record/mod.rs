@@ -157,49 +157,49 @@ pub struct BodyRecord {
 /// Resolution of the shape of a solid inside a surface.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 pub struct ResolutionRecord {
-    /// Degree of polynomials, or `null`.
+    /// Degree of polynomials.
     ///
     /// Degree of the polynomials of the displacement; none of finite elements.
     pub degree: Option<usize>,
-    /// Finite elements, or `null`.
+    /// Finite elements.
     pub cells: Option<usize>,
-    /// Relative error of the dissipation; `null` where nothing bounds it.
+    /// Relative error of the dissipation.
     #[serde(with = "number")]
     pub error: Option<f64>,
-    /// Resolution in a sentence.
+    /// In words.
     pub sentence: String,
 }
 
 /// File of a shape, as it was read.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 pub struct ShapeFileRecord {
-    /// Name of the body or cavity.
+    /// Of body or cavity.
     pub name: String,
     /// Its file.
     pub file: String,
-    /// Length of a unit of the file (m).
+    /// Unit of the file (m).
     pub unit: f64,
-    /// Who says so; empty where metres were assumed.
+    /// Who says so; empty: assumed.
     pub unit_from: String,
-    /// Vertices of the file.
+    /// Of the file.
     pub vertices: usize,
-    /// Triangles of the file.
+    /// Of the file.
     pub triangles: usize,
-    /// Sides of the box around it (m).
+    /// Sides of its box (m).
     pub size: [f64; 3],
     /// Volume (m³).
     pub volume: f64,
-    /// Mass (kg), or `null`.
+    /// Mass (kg).
     pub mass: Option<f64>,
-    /// Density (kg/m³), or `null`.
+    /// Density (kg/m³).
     pub density: Option<f64>,
-    /// Repairs in words; empty without any.
+    /// Repairs in words.
     pub repaired: String,
     /// Repairs.
     pub repairs: Vec<RepairRecord>,
-    /// Distance (m) within which corners were merged.
+    /// Corners merged within (m).
     pub merged_within: f64,
-    /// Choices that the file left open, and parts of it left out.
+    /// Choices left open, parts left out.
     pub remarks: Vec<String>,
     /// Doubts about its size.
     pub warnings: Vec<String>,
@@ -222,7 +222,7 @@ pub struct LiquidRecord {
     /// Mass (kg).
     #[serde(with = "number")]
     pub mass: f64,
-    /// Radius (m) of a ball that follows as slowly.
+    /// Radius of a ball as slow (m).
     #[serde(with = "number")]
     pub radius: f64,
     /// Kinematic viscosity (m²/s).
@@ -231,13 +231,13 @@ pub struct LiquidRecord {
     /// Reynolds number of the spin.
     #[serde(with = "number")]
     pub reynolds: f64,
-    /// Tensor of the slow flow (m⁷), in the file's axes.
+    /// Tensor of the slow flow (m⁷).
     #[serde(with = "number")]
     pub P: [[f64; 3]; 3],
-    /// Relative error of `P` about each axis of the cavity; `null` where exact.
+    /// Relative error of `P`, cavity's axes.
     #[serde(with = "number")]
     pub errors: Option<[f64; 3]>,
-    /// Inertia tensor (kg·m²) of an ideal liquid, in the file's axes, or `null`.
+    /// Inertia of an ideal liquid (kg·m²).
     ///
     /// That of the rigid body which is equivalent to the liquid; none where the liquid is viscous throughout.
     #[serde(with = "number")]
@@ -449,7 +449,7 @@ pub struct Column {
 /// The reduced equations against the full ones as the body is stiffened.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 pub struct VerificationRecord {
-    /// Whether every order was reached.
+    /// Whether all were reached.
     pub reached: bool,
     /// Revolutions followed.
     ///
@@ -461,12 +461,12 @@ pub struct VerificationRecord {
     pub duration: f64,
     /// One entry per order.
     pub orders: Vec<OrderRecord>,
-    /// Comparison of the mean power, or `null`.
+    /// Comparison of the mean power.
     ///
     /// Mean power of the average against that of the full system, where there is an average.
     #[serde(default)]
     pub average: Option<AverageRecord>,
-    /// Reason for its absence.
+    /// Reason of absence.
     ///
     /// Reason for a missing comparison with the average, in words.
     #[serde(default)]
@@ -476,20 +476,20 @@ pub struct VerificationRecord {
 /// The average against the full system as the body is stiffened.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 pub struct AverageRecord {
-    /// Factors `ε` of stiffness `C/ε²` and damping `B/ε`, from 1 down.
+    /// `ε` of stiffness `C/ε²`, damping `B/ε`.
     ///
     /// The first, 1, is the model itself.
     #[serde(with = "number")]
     pub epsilons: Vec<f64>,
-    /// Relative difference at each `ε`.
+    /// Relative difference at each.
     #[serde(with = "number")]
     pub errors: Vec<f64>,
-    /// Measured exponent of `ε`, or `null` within the error of measurement.
+    /// Measured exponent.
     #[serde(with = "number")]
     pub order: Option<f64>,
     /// Expected exponent.
     pub expected: usize,
-    /// Whether the order is reached.
+    /// Whether reached.
     pub reached: bool,
 }
 
@@ -503,30 +503,30 @@ pub struct OrderRecord {
     /// Form of the reduced equations.
     #[serde(default = "angular_momentum_form")]
     pub form: String,
-    /// Measured exponent of `ε`, or `null` within rounding.
+    /// Measured exponent.
     #[serde(with = "number")]
     pub order: Option<f64>,
-    /// Expected exponent, `p + 1`.
+    /// Expected, `p + 1`.
     ///
     /// Expected exponent.
     pub expected: usize,
-    /// Whether the order is reached.
+    /// Whether reached.
     pub reached: bool,
-    /// Factors `ε` of stiffness `C/ε²` and damping `B/ε`, from 1 down.
+    /// `ε` of stiffness `C/ε²`, damping `B/ε`.
     ///
     /// The first, 1, is the model itself.
     #[serde(with = "number")]
     pub epsilons: Vec<f64>,
-    /// Largest difference in spin at each `ε`, relative.
+    /// Largest relative difference in spin at each.
     #[serde(with = "number")]
     pub errors: Vec<f64>,
-    /// Largest difference in attitude at each `ε` (rad).
+    /// Largest difference at each (rad).
     #[serde(with = "number")]
     pub attitude: Vec<f64>,
-    /// Largest difference in the energy dissipated at each `ε` (J).
+    /// Largest difference at each (J).
     #[serde(with = "number")]
     pub dissipated: Vec<f64>,
-    /// Energy dissipated (J), in the full history.
+    /// Energy of the full history (J).
     #[serde(with = "number")]
     pub dissipation: Vec<f64>,
 }

@@ -168,7 +168,7 @@ pub(crate) struct HistoryVerdict {
     range: RangeObject,
     /// Largest met.
     defect: WorstDefect,
-    /// Share of energy off the spin manifold.
+    /// Share of energy off it.
     left_out: Option<f64>,
 }
 

@@ -13,59 +13,59 @@ use super::trend::Trend;
 /// Audit of a history; the first paragraph of a field is the reference of `--json` in the guide.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Audit {
-    /// Result in a few sentences, the verdict first.
+    /// Result in words, verdict first.
     pub sentence: String,
-    /// Change of the angular momentum from the first row to the last, relative.
+    /// Relative change from first to last row.
     pub momentum_drift: f64,
-    /// Change of the energy from the first row to the last, relative.
+    /// Relative change from first to last row.
     pub energy_drift: f64,
-    /// Largest change of the angular momentum from the first row to any, relative.
+    /// Largest relative change from the first row.
     pub momentum_excursion: f64,
-    /// Largest change of the energy from the first row to any, relative.
+    /// Largest relative change from the first row.
     pub energy_excursion: f64,
-    /// e-folding time (s) of the small wobble that the body does not have, negative where it grows; `null` where nothing is above the digits.
+    /// e-folding time of a wobble that the body lacks (s).
     pub invented_time_constant: Option<f64>,
-    /// Standard error of the seen time constant (s), or `null`.
+    /// Standard error of the seen one (s).
     pub time_constant_error: Option<f64>,
-    /// Longest time constant (s) that the digits and the length of the history could show; `null` where there is no wobble.
+    /// Longest that the history could show (s).
     pub longest_time_constant: Option<f64>,
-    /// e-folding time (s) of the small wobble in the history, or `null`.
+    /// e-folding time in the history (s).
     pub seen_time_constant: Option<f64>,
-    /// That of the model (s); `null` where it has no dissipation, or is not known.
+    /// e-folding time of the model (s).
     pub model_time_constant: Option<f64>,
-    /// Share of the seen rate that the model explains; `null` where it is not known.
+    /// Share of the seen rate, by the model.
     pub explained: Option<f64>,
-    /// Interval (s) in which energy or angular momentum changed fastest; `null` where neither changed.
+    /// Interval of the fastest change (s).
     pub worst_interval: Option<[f64; 2]>,
-    /// Mode of rotation, `short-axis` or `long-axis`; `null` of a body without wobble.
+    /// Mode of rotation, `short-axis` or `long-axis`.
     pub mode: Option<&'static str>,
-    /// Wobble (rad) at the start and the end, mean of an interval; `null` where none is above the digits.
+    /// Wobble at start and end (rad).
     pub wobble: Option<[f64; 2]>,
-    /// Time (s) of the first row beyond the separatrix, or `null`.
+    /// Time of the first row beyond the separatrix (s).
     pub crossing: Option<f64>,
     /// Intervals of the history.
     pub dissipation: Vec<IntervalObject>,
-    /// Most that rounding of the file makes.
+    /// Most that rounding makes.
     pub rounding: RoundingObject,
     /// Units of the file.
     pub units: UnitsObject,
-    /// Attitude of the file, or `null`.
+    /// Attitude of the file.
     pub attitude: Option<AttitudeObject>,
-    /// Order of the integrator, of several histories.
+    /// Of several histories.
     pub order: Option<OrderObject>,
-    /// Name of the file.
+    /// Name.
     pub file: String,
-    /// Number of rows.
+    /// Rows.
     pub rows: usize,
-    /// Time (s) from the first row to the last.
+    /// First to last row (s).
     pub duration: f64,
-    /// Revolutions in that time.
+    /// Revolutions.
     pub turns: f64,
-    /// Whether the limits that were asked for are kept; `null` without any.
+    /// Whether the limits are kept.
     pub within_limits: Option<bool>,
-    /// Whether the history is one of a free rigid body with this inertia, or of the model.
+    /// Whether the history is that of the body.
     pub holds: bool,
-    /// Notes to read before the numbers.
+    /// Notes to read first.
     pub notes: Vec<String>,
     /// What went in.
     pub inputs: InputsRecord,
@@ -76,11 +76,11 @@ pub struct Audit {
 pub struct IntervalObject {
     /// First and last time (s).
     pub interval: [f64; 2],
-    /// Mean wobble (rad), or `null`.
+    /// Mean wobble (rad).
     pub wobble: Option<f64>,
-    /// Rate of the energy over the energy (1/s).
+    /// Rate of the energy over it (1/s).
     pub relative_power: Option<f64>,
-    /// e-folding time (s) of the wobble, negative where it grows; `null` where the interval shows none.
+    /// e-folding time (s).
     pub time_constant: Option<f64>,
 }
 
@@ -102,11 +102,11 @@ pub struct UnitsObject {
     pub rates: String,
     /// Of the times.
     pub times: String,
-    /// Where they were found: `heading`, `motion` or `assumed`.
+    /// `heading`, `motion` or `assumed`.
     pub source: &'static str,
-    /// Factor that fits Euler's equations to the numbers, of the units over those of SI after what the heading says; `null` where the rates hardly change.
+    /// Factor to SI by Euler's equations, beyond the heading's.
     pub factor: Option<f64>,
-    /// Share of the change of the rates that Euler's equations leave unexplained, or `null`.
+    /// Share of the rates' change unexplained.
     pub misfit: Option<f64>,
 }
 
@@ -115,11 +115,11 @@ pub struct UnitsObject {
 pub struct AttitudeObject {
     /// Convention in words.
     pub convention: String,
-    /// Share of the rotation that the rates leave unexplained.
+    /// Share of the rotation unexplained.
     pub misfit: f64,
-    /// Angle (rad) of the angular momentum in inertial axes between the first row and the last.
+    /// Angle of the inertial angular momentum, first to last row (rad).
     pub direction_drift: f64,
-    /// The largest angle (rad) from the first row to any.
+    /// Largest from the first row (rad).
     pub direction_excursion: f64,
 }
 

@@ -10,15 +10,15 @@ use crate::words::significant;
 /// Order of the integrator, of several histories.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct OrderObject {
-    /// Power of the step with which the drift falls; `null` where a history shows none.
+    /// Power of the step in the drift.
     pub order: Option<f64>,
-    /// Step (s) of each history.
+    /// Step of each history (s).
     pub steps: Vec<f64>,
-    /// Drift of each: rate of the wobble (1/s), or where a history shows none the relative change of the energy.
+    /// Drift of each: wobble rate (1/s), or relative change of energy.
     pub drifts: Vec<f64>,
-    /// Step (s) at which the limits would be kept; `null` without limits or order.
+    /// Step that keeps the limits (s).
     pub enough_step: Option<f64>,
-    /// The same in words.
+    /// In words.
     pub sentence: String,
 }
 

@@ -26,17 +26,17 @@ struct CheckObject<'a> {
     order: usize,
     /// Whether no criterion fails.
     valid: bool,
-    /// On the motion: `holds`, `marginal` or `fails` (not valid), as every verdict.
+    /// On the motion: `holds`, `marginal` or `fails`, as every verdict.
     verdict: &'a str,
     /// On the power, (V11).
     dissipation_verdict: &'a str,
-    /// On averages along rigid polhodes, (V10).
+    /// On averages along polhodes, (V10).
     averages: &'a str,
     /// Reasons for the verdict.
     reasons: Vec<String>,
     /// Time (s), (V1).
     T1: f64,
-    /// Time (s), `null` for a vibration that does not decay.
+    /// Time (s).
     T2: Option<f64>,
     /// Time (s).
     T3: f64,
@@ -52,29 +52,29 @@ struct CheckObject<'a> {
     criteria: Vec<CriterionRecord>,
     /// Sizes of the degrees, (R14).
     degrees: Vec<DegreeObject>,
-    /// Order at which the terms are smallest.
+    /// Order of the smallest terms.
     optimal_order: usize,
-    /// Which equations hold: `rest`, `spin`, or `none`.
+    /// Which hold: `rest`, `spin`, or `none`.
     reduction: &'a str,
-    /// Where `rest` fails, or `null`.
+    /// Where `rest` fails.
     about_spin: Option<AboutSpinObject<'a>>,
     /// Shares.
     dissipation: &'a BTreeMap<String, f64>,
     /// As above.
     steady_spins: &'a [SteadySpinRecord],
-    /// Effects left out of the equations of motion.
+    /// Effects left out.
     left_out: Vec<String>,
-    /// Left out of files or repaired in them, with counts.
+    /// Left out or repaired, with counts.
     files: &'a [String],
     /// In cavities.
     liquids: Vec<LiquidRecord>,
-    /// Partly full, with their slosh.
+    /// Partly full.
     tanks: Vec<TankObject<'a>>,
-    /// Files of shapes, as they were read.
+    /// Shapes as they were read.
     shapes: Vec<ShapeFileRecord>,
-    /// Of a solid inside a surface, or `null`.
+    /// Of a solid in a surface.
     resolution: Option<ResolutionRecord>,
-    /// Of finite elements, or `null`.
+    /// Of finite elements.
     condensation: Option<CondensationObject>,
 }
 
@@ -83,7 +83,7 @@ struct CheckObject<'a> {
 struct DegreeObject {
     /// In the angular velocity.
     degree: usize,
-    /// Largest over directions of the spin (rad/s²).
+    /// Largest over directions (rad/s²).
     size: f64,
 }
 
@@ -94,7 +94,7 @@ struct AboutSpinObject<'a> {
     holds: bool,
     /// In words.
     sentence: &'a str,
-    /// As of `derive --about spin`, without polynomials.
+    /// Of `derive --about spin`, without polynomials.
     equations: &'a Value,
 }
 

@@ -96,36 +96,35 @@ pub struct LightCurveSettings {
 pub struct LightCurve {
     /// Title of the model.
     pub name: String,
-    /// The result in words, what does not hold first.
+    /// Result in words.
     pub sentence: String,
-    /// Whether rotation and brightness hold.
+    /// Whether it holds.
     pub holds: bool,
-    /// System of equations of the rotation.
+    /// System of equations.
     pub system: &'static str,
-    /// Facets of the outer surface.
+    /// Outer surface.
     pub surface: SurfaceObject,
-    /// Geometric albedo of a sphere of the material; `null` where none is given, and for Hapke's law, which has its own.
+    /// Geometric albedo given.
     pub albedo: Option<f64>,
     /// Mean brightness (m²).
     pub mean_brightness: f64,
-    /// Magnitude that zero stands for: `V` of the Sun's light, or the `mean` of the curve.
+    /// What magnitude zero is: `V` or the `mean`.
     pub zero: &'static str,
-    /// Greatest less least magnitude; `null` where the body is dark at a time.
+    /// Greatest less least magnitude.
     pub amplitude: f64,
     /// Times (s).
     pub t: Vec<f64>,
-    /// Area (m²) of the disc that is as bright, as a white sphere at opposition is, at one astronomical unit; times the albedo where there is
-    /// one.
+    /// Area of a white disc as bright at opposition, 1 au (m²), times the albedo.
     pub brightness: Vec<f64>,
-    /// Magnitude at one astronomical unit from Sun and observer.
+    /// At 1 au from Sun and observer.
     pub magnitude: Vec<f64>,
     /// Phase angle (rad).
     pub phase_angle: Vec<f64>,
-    /// Comparison with measured brightness; `null` without one.
+    /// Measured over computed brightness.
     pub residuals: Option<ResidualsObject>,
-    /// Frequencies found in the curve, measured where it was; `null` if not asked for.
+    /// Frequencies in the curve, of `--periods`.
     pub periods: Option<PeriodsObject>,
-    /// Notes to read before the numbers.
+    /// Notes to read first.
     pub notes: Vec<String>,
     #[serde(skip)]
     epochs: Vec<Epoch>,
@@ -138,13 +137,13 @@ pub struct LightCurve {
 pub struct SurfaceObject {
     /// `ellipsoid` or `surface`.
     pub kind: &'static str,
-    /// Number of facets.
+    /// Facets.
     pub facets: usize,
-    /// Whether the body is convex: it throws no shadow on itself.
+    /// Whether convex: no shadow on itself.
     pub convex: bool,
-    /// Relative error of the brightness by the size of the facets, estimated; zero of a convex surface of triangles, which is exact.
+    /// Relative error of the brightness by the facets' size.
     pub error: f64,
-    /// Mean cross-section of a convex body with this surface (m²).
+    /// Mean cross-section of a convex body (m²).
     pub cross_section: f64,
 }
 

@@ -23,19 +23,19 @@ const NAMED: usize = 3;
 /// Frequencies of a light curve.
 #[derive(Clone, Debug, Serialize)]
 pub struct PeriodsObject {
-    /// Whether they are those of the `measured` or of the `computed` curve.
+    /// The `measured` or the `computed` curve.
     pub of: &'static str,
     /// Lines, the strongest first.
     pub lines: Vec<LineObject>,
-    /// Why the periods may not hold; `null` where the times tell them.
+    /// Why they may not hold.
     pub doubt: Option<String>,
-    /// Greatest frequency (Hz) that was looked at.
+    /// Greatest frequency searched (Hz).
     pub highest: f64,
-    /// Root mean square of what the lines leave, over that of the curve.
+    /// RMS left by the lines, over the curve's.
     pub rest: f64,
-    /// Pairs of frequencies of which the lines are sums of multiples, or single ones, the best first; the others are aliases.
+    /// Pairs whose multiples sum to the lines, best first, then aliases.
     pub pairs: Vec<PairObject>,
-    /// Periods of the free rotation of the model, and what the curve makes of them; `null` where it is not free.
+    /// Periods of the free rotation of the model.
     pub model: Option<ModelPeriodsObject>,
 }
 
@@ -44,11 +44,11 @@ pub struct PeriodsObject {
 pub struct LineObject {
     /// Frequency (Hz).
     pub frequency: f64,
-    /// Standard deviation of the frequency (Hz), if what the lines leave is noise.
+    /// Standard deviation (Hz).
     pub deviation: f64,
-    /// Amplitude, over the mean brightness.
+    /// Over the mean brightness.
     pub amplitude: f64,
-    /// Multiples of the precession and of the rotation frequency of the model whose sum is the line; `null` of others.
+    /// Multiples of the model's precession and rotation frequency.
     pub of_model: Option<[i32; 2]>,
 }
 
@@ -57,28 +57,28 @@ pub struct LineObject {
 pub struct PairObject {
     /// First period (s).
     pub first: f64,
-    /// Second period (s); `null` of one frequency.
+    /// Second period (s).
     pub second: Option<f64>,
-    /// Standard deviations of both (s).
+    /// Standard deviations (s).
     pub deviations: [f64; 2],
-    /// Share of the power of the lines that are sums of multiples.
+    /// Share of the lines' power.
     pub explained: f64,
-    /// Multiples of each line; `null` of those that are no such sum.
+    /// Multiples of each line.
     pub numbers: Vec<Option<[i32; 2]>>,
 }
 
 /// Periods of the model's rotation, and the same from the light curve.
 #[derive(Clone, Debug, Serialize)]
 pub struct ModelPeriodsObject {
-    /// Mean period (s) of the long axis about the angular momentum, `P_phi`.
+    /// Mean period `P_phi` (s).
     pub precession_period: f64,
-    /// Period (s) about the long axis, `P_psi`.
+    /// Period `P_psi` (s).
     pub rotation_period: f64,
-    /// Both from the lines of the curve by their multiples in the model; `null` where these do not tell.
+    /// Both from the curve (s).
     pub found: Option<[f64; 2]>,
-    /// Standard deviations of those (s).
+    /// Standard deviations (s).
     pub deviations: Option<[f64; 2]>,
-    /// Share of the power in lines that belong to the model.
+    /// Share of the lines' power.
     pub explained: f64,
 }
 

@@ -7,8 +7,7 @@ use super::epochs::Epoch;
 /// Comparison with measured brightness.
 #[derive(Clone, Debug, Serialize)]
 pub struct ResidualsObject {
-    /// Root mean square of measured over computed brightness less one over the points that a free scale of each block leaves; `null` where it
-    /// leaves none.
+    /// RMS of the ratio less one.
     pub rms: f64,
     /// Blocks.
     pub blocks: Vec<BlockObject>,
@@ -23,13 +22,13 @@ pub struct ResidualsObject {
 /// A block of measured brightness.
 #[derive(Clone, Debug, Serialize)]
 pub struct BlockObject {
-    /// Number of the block, from 1.
+    /// Number, from 1.
     pub block: usize,
-    /// Number of points.
+    /// Points.
     pub points: usize,
-    /// Factor (m²) of the measured brightness.
+    /// Factor of the measured brightness (m²).
     pub scale: f64,
-    /// Root mean square of the residuals of the block.
+    /// RMS of the block.
     pub rms: f64,
 }
 

@@ -16,34 +16,34 @@ use crate::words::significant;
 pub struct LinearObject {
     /// Title of the model.
     pub name: String,
-    /// What the model is about, in words.
+    /// What the model is about.
     pub sentence: String,
-    /// The steady state.
+    /// Steady state.
     pub equilibrium: EquilibriumObject,
-    /// States, in the order of the rows of `A`.
+    /// Rows of `A`.
     pub states: Vec<Channel>,
-    /// Inputs, in the order of the columns of `B`.
+    /// Columns of `B`.
     pub inputs: Vec<Channel>,
-    /// Outputs, in the order of the rows of `C`.
+    /// Rows of `C`.
     pub outputs: Vec<Channel>,
-    /// Poles of the closed loop (1/s), real and imaginary part, the least damped first; only of a model with controllers.
+    /// Poles of the closed loop (1/s), least damped first.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub poles: Vec<[f64; 2]>,
-    /// Rows of the matrix of the states.
+    /// Matrix of the states.
     pub A: Vec<Vec<f64>>,
-    /// Rows of the matrix of the inputs.
+    /// Matrix of the inputs.
     pub B: Vec<Vec<f64>>,
-    /// Rows of the matrix of the outputs.
+    /// Matrix of the outputs.
     pub C: Vec<Vec<f64>>,
-    /// Rows of the matrix from inputs to outputs.
+    /// Matrix from inputs to outputs.
     pub D: Vec<Vec<f64>>,
-    /// Error by the states of materials and liquids with a memory; null where nothing has one.
+    /// Error by the states of materials and liquids with a memory.
     pub accuracy: Option<AccuracyObject>,
-    /// Reason for which the equations of motion are not those of the body in this state; null where there is none.
+    /// Why the equations are not those of the body.
     pub wrong: Option<String>,
-    /// Liquids whose exact response is not known, so that the error does not contain theirs.
+    /// Liquids left out of that error.
     pub not_compared: Vec<String>,
-    /// What a truncation left out; null without one.
+    /// What a truncation left out.
     pub truncation: Option<TruncationObject>,
     /// What went in, as `inputs` of every other answer.
     pub source: InputsRecord,
@@ -52,24 +52,24 @@ pub struct LinearObject {
 /// Steady state of a linear model.
 #[derive(Clone, Debug, Deserialize, Serialize)]
 pub struct EquilibriumObject {
-    /// Angular velocity (rad/s), body axes.
+    /// Angular velocity (rad/s).
     pub spin: [f64; 3],
-    /// Angular momentum (N·m·s), body axes.
+    /// Angular momentum (N·m·s).
     pub momentum: [f64; 3],
-    /// Quaternion from body to inertial axes, scalar first.
+    /// Quaternion.
     pub attitude: [f64; 4],
-    /// Displacements of the elastic coordinates, by name (m, rad).
+    /// Elastic displacements (m, rad).
     pub displacements: BTreeMap<String, f64>,
 }
 
 /// Error of a linear model.
 #[derive(Clone, Debug, Deserialize, Serialize)]
 pub struct AccuracyObject {
-    /// First and last frequency (rad/s) that it is told for.
+    /// First and last frequency (rad/s).
     pub band: [f64; 2],
-    /// Largest relative error of the angular velocities that torques on the carrier cause; null where the exact response is not known.
+    /// Largest relative error of angular velocities by torques on the carrier.
     pub error: Option<f64>,
-    /// Frequency (rad/s) of that error.
+    /// Frequency of that error (rad/s).
     pub frequency: f64,
 }
 

@@ -37,23 +37,23 @@ fn name(method: TruncationMethod) -> &'static str {
 /// is the largest response of the vibrations between channels of one unit.
 #[derive(Clone, Debug, Deserialize, Serialize)]
 pub struct TruncationObject {
-    /// Method, `balanced` or `modal`.
+    /// `balanced` or `modal`.
     pub method: String,
-    /// Number of states of the whole model.
+    /// States of the whole model.
     pub whole: usize,
-    /// Number of states kept that do not decay.
+    /// States kept that do not decay.
     pub lasting: usize,
-    /// Hankel singular values of the states that decay, descending; empty of `modal`.
+    /// Of the decaying states, descending; empty of `modal`.
     pub hankel_singular_values: Vec<f64>,
-    /// Bound on the error; null where there is none.
+    /// Bound on the error.
     pub bound: Option<f64>,
-    /// Frequency (rad/s) up to which the bound holds; null where it holds at all frequencies.
+    /// Highest frequency of the bound (rad/s); `null` of all.
     pub up_to: Option<f64>,
-    /// Largest error found at the frequencies that were compared.
+    /// Largest error found.
     pub found: f64,
-    /// Frequency (rad/s) of that error.
+    /// Frequency of that error (rad/s).
     pub frequency: f64,
-    /// Whether rounding spoils the model: an error beyond the bound was found.
+    /// Whether it exceeds the bound: rounding.
     pub spoiled: bool,
     /// Scale of each input.
     pub input_scales: Vec<f64>,

@@ -42,11 +42,11 @@ pub struct Sensitivity {
     pub quantity: String,
     /// Its value.
     pub value: f64,
-    /// Its unit; empty of a pure number.
+    /// Its unit.
     pub unit: String,
-    /// What matters most, in words.
+    /// What matters most.
     pub sentence: String,
-    /// Derivatives, the largest effect first.
+    /// Largest effect first.
     pub derivatives: Vec<KeyDerivative>,
     /// Keys without a derivative.
     pub not_known: Vec<NoDerivative>,
@@ -57,15 +57,15 @@ pub struct Sensitivity {
 pub struct KeyDerivative {
     /// Path of the key.
     pub key: String,
-    /// Value of the key, in its unit.
+    /// Value in its unit.
     pub value: f64,
-    /// Unit of the key as the file writes it; empty of a plain number, which is in SI units.
+    /// Unit in the file, empty in SI.
     pub unit: String,
-    /// Derivative of the quantity with respect to the key.
+    /// With respect to the key.
     pub derivative: f64,
-    /// Derivative of the logarithm of the quantity with respect to that of the key; `null` if the quantity is zero.
+    /// That of the logarithms.
     pub relative: Option<f64>,
-    /// Estimate of the error of the derivative.
+    /// Error of the derivative.
     pub error: f64,
     /// Size of the key that its effect is measured by: its own, of a zero that of the largest number beside it.
     #[serde(skip)]
@@ -77,7 +77,7 @@ pub struct KeyDerivative {
 pub struct NoDerivative {
     /// Path of the key.
     pub key: String,
-    /// The reason, in words.
+    /// Reason.
     pub reason: String,
 }
 

@@ -56,31 +56,31 @@ impl Default for YorpSettings {
 pub struct Yorp {
     /// Title of the model.
     pub name: String,
-    /// The result in words, what does not hold first.
+    /// Result in words.
     pub sentence: String,
     /// Whether the torques hold.
     pub holds: bool,
-    /// Spin (rad/s) about the axis of greatest inertia with the angular momentum of the start.
+    /// Spin about the axis of greatest inertia (rad/s).
     pub spin: f64,
-    /// Moment of inertia about the axis (kg·m²).
+    /// Moment of inertia about it (kg·m²).
     pub moment: f64,
-    /// Axis, along the spin, body axes.
+    /// The axis, along the spin.
     pub axis: [f64; 3],
-    /// Mean pressure of the light (Pa) over the orbit.
+    /// Mean pressure of the light (Pa).
     pub pressure: f64,
-    /// Thermal parameter of the surface.
+    /// Thermal parameter.
     pub thermal_parameter: f64,
-    /// First harmonic of the heat that is emitted, over that which is absorbed.
+    /// First harmonic of the heat emitted, over that absorbed.
     pub emission: f64,
-    /// Lag of that harmonic (rad).
+    /// Its lag (rad).
     pub lag: f64,
-    /// Error of the torques by the harmonics left out, relative to the greatest.
+    /// Relative error of the torques by harmonics left out.
     pub error: f64,
-    /// At the obliquity of the start; `null` where the Sun stands in one direction.
+    /// At the obliquity of the start.
     pub now: Option<YorpObject>,
-    /// At obliquities from 0 to 180 degrees.
+    /// Obliquities from 0 to 180 degrees.
     pub curve: Vec<YorpObject>,
-    /// Notes to read before the numbers.
+    /// Notes to read first.
     pub notes: Vec<String>,
 }
 
@@ -91,15 +91,15 @@ pub struct YorpObject {
     pub obliquity: f64,
     /// Mean torque along the spin (N·m).
     pub spin_torque: f64,
-    /// Mean torque that raises the obliquity (N·m).
+    /// Mean torque raising the obliquity (N·m).
     pub obliquity_torque: f64,
-    /// Rate of the spin (rad/s²).
+    /// Spin rate (rad/s²).
     pub spin_rate: f64,
-    /// Rate of the obliquity (rad/s).
+    /// Obliquity rate (rad/s).
     pub obliquity_rate: f64,
-    /// Time (s) in which the spin doubles at this rate; `null` where it falls.
+    /// Time at this rate (s).
     pub doubling_time: Option<f64>,
-    /// Time (s) in which the spin halves at this rate; `null` where it rises.
+    /// Time at this rate (s).
     pub halving_time: Option<f64>,
 }
 

@@ -25,24 +25,24 @@ pub use schema::schema;
 pub struct TableReference {
     /// Name, such as `spring`.
     pub name: &'static str,
-    /// Header, such as `[[spring]]`; of a table in others its name.
+    /// Header, such as `[[spring]]`, or name.
     pub title: &'static str,
-    /// What the table describes.
+    /// What it describes.
     pub meaning: &'static str,
-    /// Keys of the table, of all its kinds.
+    /// Keys of all its kinds.
     pub keys: Vec<KeyReference>,
-    /// Kinds, if there are several.
+    /// Kinds.
     pub kinds: Vec<KindReference>,
 }
 
 /// Reference of a key.
 #[derive(Clone, Debug, PartialEq, Eq, Hash, Serialize)]
 pub struct KeyReference {
-    /// Name; of a key in an inner table after a dot.
+    /// Name, in an inner table after a dot.
     pub name: String,
-    /// Form, unit, and default in parentheses.
+    /// Form, unit, and default.
     pub value: String,
-    /// Meaning; empty where name and unit say it.
+    /// Meaning, or empty.
     pub meaning: &'static str,
 }
 
@@ -51,9 +51,9 @@ pub struct KeyReference {
 pub struct KindReference {
     /// Word that chooses the kind.
     pub word: &'static str,
-    /// Keys that not every kind has.
+    /// Keys not of every kind.
     pub keys: Vec<&'static str>,
-    /// Meaning; empty where the word says it.
+    /// Meaning, or empty.
     pub meaning: &'static str,
 }
 

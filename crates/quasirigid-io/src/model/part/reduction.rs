@@ -3,13 +3,8 @@ use quasirigid_elements::PartReduction;
 use super::super::key::{Keys, integer, key};
 use super::super::table::Table;
 
-pub(in crate::model) const REDUCTION: Keys = Keys {
-    known: &[key(
-        "modes",
-        integer(0, MOST_MODES as u64).or("0"),
-        "vibrations retained beside the slow motion",
-    )],
-};
+pub(in crate::model) const REDUCTION: Keys =
+    Keys { known: &[key("modes", integer(0, MOST_MODES as u64).or("0"), "vibrations retained")] };
 
 const MOST_MODES: usize = 500;
 

@@ -22,7 +22,7 @@ pub struct EffectiveMasses {
     pub name: String,
     /// The answer in words.
     pub sentence: String,
-    /// Reference point (m), file's frame.
+    /// Point that rotations and inertia are about (m), file's frame.
     pub about: [f64; 3],
     /// The whole body.
     pub body: RigidObject,
@@ -30,17 +30,17 @@ pub struct EffectiveMasses {
     pub parts: RigidObject,
     /// Modes with the carrier held.
     pub cantilever: Vec<CantileverObject>,
-    /// Participation in translations, by mode (kg^½).
+    /// Participation factors in translations, a row for each mode (kg^½).
     pub delta_t: Vec<[f64; 3]>,
-    /// Participation in rotations, by mode (kg^½·m).
+    /// Participation factors in rotations, a row for each mode (kg^½·m).
     pub delta_r: Vec<[f64; 3]>,
-    /// Mass of the parts in no mode (kg).
+    /// Mass of the parts along each axis that no mode carries (kg).
     pub residual_mass: [f64; 3],
-    /// Inertia of the parts in no mode (kg·m²).
+    /// Inertia of the parts about each axis that no mode carries (kg·m²).
     pub residual_inertia: [f64; 3],
-    /// Largest share of a mode that dashpots bring into another.
+    /// Largest share of one mode that dashpots bring into another.
     pub damping_coupling: f64,
-    /// Modes of the body at rest.
+    /// Modes of the body at rest, on its support or free.
     pub free: Vec<FreeObject>,
 }
 
@@ -51,14 +51,14 @@ pub struct RigidObject {
     pub mass: f64,
     /// Centre of mass (m), file's frame.
     pub center_of_mass: [f64; 3],
-    /// Inertia about the point (kg·m²).
+    /// Inertia tensor about the point (kg·m²).
     pub inertia: [[f64; 3]; 3],
 }
 
 /// Cantilever mode.
 #[derive(Clone, Debug, Serialize)]
 pub struct CantileverObject {
-    /// What moves most.
+    /// Part or coordinate that moves most.
     pub name: String,
     /// Frequency (rad/s).
     pub frequency: f64,
@@ -68,24 +68,24 @@ pub struct CantileverObject {
     pub effective_mass: [f64; 3],
     /// Effective inertias about the axes (kg·m²).
     pub effective_inertia: [f64; 3],
-    /// Share of the parts' mass up to this mode.
+    /// Share of the parts' mass that modes up to this one carry.
     pub cumulative_mass: [f64; 3],
-    /// Share of the parts' inertia up to this mode.
+    /// Share of the parts' inertia that modes up to this one carry.
     pub cumulative_inertia: [f64; 3],
 }
 
 /// Mode of the body at rest.
 #[derive(Clone, Debug, Serialize)]
 pub struct FreeObject {
-    /// What moves most.
+    /// Part or coordinate that moves most.
     pub name: String,
     /// Frequency (rad/s).
     pub frequency: f64,
     /// Damping ratio of the mode alone.
     pub damping_ratio: f64,
-    /// Of the carrier at the point, unit modal mass (kg^-½).
+    /// Displacement of the carrier at the point, of unit modal mass (kg^-½).
     pub displacement: [f64; 3],
-    /// Of the carrier, unit modal mass (rad kg^-½·m⁻¹).
+    /// Rotation of the carrier, of unit modal mass (rad kg^-½·m⁻¹).
     pub rotation: [f64; 3],
 }
 

@@ -14,17 +14,17 @@ use serde::Serialize;
 pub struct FreeRotationObject {
     /// `short-axis` or `long-axis`.
     mode: &'static str,
-    /// About the long axis, P_psi (s).
+    /// About the long axis, P_psi (s); `null` where it does not end.
     rotation_period: f64,
-    /// Mean P_phi (s).
+    /// Mean one of the long axis about the angular momentum, P_phi (s).
     precession_period: f64,
-    /// Greatest angle from the axis circled (rad).
+    /// Greatest angle (rad) between the angular momentum and the axis that it circles.
     wobble: f64,
-    /// 2π|K|/2E (s).
+    /// Of a rotation at the mean rate along the angular momentum, 2π|K|/2E (s).
     effective_period: f64,
-    /// Energy over the least.
+    /// Energy over the least with this angular momentum.
     energy_ratio: f64,
-    /// Of the angular momentum, inertial.
+    /// Of the angular momentum, inertial axes.
     direction: [f64; 3],
 }
 

@@ -17,17 +17,17 @@ use crate::words::shares;
 struct HistoryObject<'a> {
     /// `full`, `reduced`, `rigid` or `manifold`.
     system: &'a str,
-    /// End.
+    /// How it ended.
     status: &'a str,
     /// In words.
     message: &'a str,
     /// Time (s).
     t: f64,
-    /// Angular velocity (rad/s).
+    /// Angular velocity (rad/s), body axes.
     omega: [f64; 3],
     /// Quaternion.
     attitude: [f64; 4],
-    /// Angular momentum (N m s).
+    /// Angular momentum (N m s), body axes.
     momentum: [f64; 3],
     /// Energy (J).
     energy: f64,
@@ -37,24 +37,24 @@ struct HistoryObject<'a> {
     dissipation: BTreeMap<String, f64>,
     /// Work of forces (J).
     work: f64,
-    /// Change by the integrator alone (J).
+    /// Change of energy by the integrator alone (J).
     energy_drift: f64,
-    /// Of `reduced`: energy left in vibrations (J), (E5).
+    /// Of `reduced`: energy left in vibrations, and out of `dissipated` (J), (E5).
     left_out: f64,
-    /// Of `reduced`: forces changed by displacements, over stiffness, (E7).
+    /// Of `reduced`: change of external forces by displacements, against the stiffness, (E7).
     load_ratio: f64,
-    /// Error of `omega` by vibrations, (E8); absent where small.
+    /// Of `reduced`: error of the angular velocity by vibrations, (E8); absent where it is small.
     #[serde(skip_serializing_if = "Option::is_none")]
     ringing: Option<RingingObject>,
-    /// Of the angular momentum, relative.
+    /// The same of the angular momentum, relative.
     momentum_drift: f64,
     /// ∫|ω| dt/2π.
     turns: f64,
-    /// Centre of mass (m), inertial.
+    /// Of the centre of mass (m), inertial axes.
     position: [f64; 3],
-    /// Its velocity (m/s).
+    /// Of the same (m/s).
     velocity: [f64; 3],
-    /// Pole (m), inertial.
+    /// Pole (m), inertial axes.
     pole: [f64; 3],
     /// Steps accepted.
     steps: u64,
@@ -68,7 +68,7 @@ struct HistoryObject<'a> {
     factorizations: u64,
     /// Of formulas of `t`.
     scan: ScanObject,
-    /// Free rotation that the rigid body would go on in.
+    /// Free rotation that the rigid body would go on in; `null` of a constrained body, of a sphere, and with rotors, liquids or wheels.
     free_rotation: Option<FreeRotationObject>,
     /// Of `manifold` alone.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -78,13 +78,13 @@ struct HistoryObject<'a> {
 /// Error of the angular velocity by vibrations.
 #[derive(Serialize)]
 struct RingingObject {
-    /// First time above 5 % (s).
+    /// First time (s) of an error above 5 %.
     from: f64,
     /// Last one (s).
     to: f64,
     /// Largest error (rad/s).
     omega: f64,
-    /// Relative to the largest `omega`.
+    /// Relative to the largest angular velocity.
     share: f64,
 }
 
@@ -93,9 +93,9 @@ struct RingingObject {
 struct ScanObject {
     /// Of the formulas.
     evaluations: u64,
-    /// Steps begin anew.
+    /// Where steps begin anew.
     breakpoints: u64,
-    /// No step passes.
+    /// That no step passes.
     stops: u64,
 }
 

@@ -78,10 +78,10 @@ struct ModesObject<'a> {
     /// Under forces, or `null`.
     #[serde(skip_serializing_if = "Option::is_none")]
     steady_state: Option<Option<SteadyStateObject>>,
-    /// Material that is no solid in the rotation.
+    /// Material that is no solid in the rotation of the start.
     #[serde(skip_serializing_if = "Option::is_none")]
     no_solid: Option<&'a str>,
-    /// Forces that do not act at the start, left out.
+    /// Names of the forces that do not act at the start, and are left out.
     #[serde(skip_serializing_if = "<[String]>::is_empty")]
     sleeping_forces: &'a [String],
 }

@@ -24,17 +24,17 @@ const MEASURED: f64 = 1.0 / 15.0;
 /// Slug of liquid in a ring.
 #[derive(Serialize)]
 pub struct SlugObject {
-    /// Along the ring (rad).
+    /// Angle along the ring (rad).
     pub arc: f64,
-    /// Of the nutation at the start (rad/s), liquid held.
+    /// Of the nutation in the body at the spin of the start (rad/s), with the liquid held; 0 without a spin.
     pub nutation_rate: f64,
-    /// Sliding at that rate.
+    /// Of the slug, sliding at that rate.
     pub reynolds: f64,
-    /// Oscillating at that rate.
+    /// Of an oscillation at that rate.
     pub womersley: f64,
-    /// `laminar`, `transitional` or `turbulent`.
+    /// `laminar`, `transitional` or `turbulent`, sliding at that rate.
     pub flow: &'static str,
-    /// Torque on the carrier, sliding (N m).
+    /// On the carrier about the axis of the ring, sliding at that rate (N m).
     pub friction: f64,
 }
 

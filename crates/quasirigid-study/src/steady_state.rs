@@ -115,11 +115,11 @@ pub struct SteadyStateObject {
     pub axis: Option<[f64; 3]>,
     /// Quaternion.
     pub attitude: [f64; 4],
-    /// Of the pole (m/s), inertial.
+    /// Of the pole (m/s), inertial axes.
     pub velocity: [f64; 3],
     /// Angle from the start (rad).
     pub away: f64,
-    /// Motions that stay or drift.
+    /// Unusual motions that stay or drift.
     pub neutral: usize,
 }
 

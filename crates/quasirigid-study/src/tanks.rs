@@ -44,9 +44,9 @@ pub struct TankObject<'a> {
     pub liquid_mass: f64,
     /// Of the liquid (m), file's frame.
     pub center_of_mass: [f64; 3],
-    /// Slowest first; none in rings.
+    /// Modes, slowest first; none in a ring.
     pub slosh: Vec<SloshObject>,
-    /// In a ring.
+    /// In a ring, or `null`.
     pub slug: Option<SlugObject>,
 }
 
@@ -61,7 +61,7 @@ pub struct SloshObject {
     pub mass: f64,
     /// Of the pendulum (m).
     pub length: f64,
-    /// Of the bob, from `center` (m).
+    /// Of the bob along `axis`, from `center` (m).
     pub height: f64,
     /// Damping ratio.
     pub damping_ratio: f64,

@@ -40,7 +40,7 @@ const APPENDAGE: Keys = Keys {
         key(
             "axes",
             array(2, &Shape::Vector).or("file's"),
-            "of the sheet: first, and one in the plane of the first two",
+            "of the sheet, in the file's: the first, and one in the plane of the first two",
         ),
         key("mass", quantity("kg"), ""),
         key("center_of_mass", vector("m"), "from the interface, sheet's axes"),
@@ -51,14 +51,22 @@ const APPENDAGE: Keys = Keys {
             "about the interface, instead",
         ),
         key("modes", list(&Shape::Table(&MODE)), "with the interface held"),
-        key("rotation_about", vector("m").or("the interface"), "point of `rotation`, from the interface"),
+        key(
+            "rotation_about",
+            vector("m").or("the interface"),
+            "point of `rotation`, from the interface, sheet's axes",
+        ),
         key("mass_unit", UNIT.or("`\"kg\"`"), "of `translation` and `rotation`"),
         key("length_unit", UNIT.or("`\"m\"`"), "of `rotation`"),
-        key("line", VECTOR.or("none"), "of a boom: mass on this line through the interface, bending across"),
+        key(
+            "line",
+            VECTOR.or("none"),
+            "of a boom: the mass is on this line through the interface and bends across it",
+        ),
         key(
             "normal",
             VECTOR.or("none"),
-            "of a panel: mass in the interface's plane across this, bending along it",
+            "of a panel: the mass is in the plane across this through the interface and bends along it",
         ),
     ],
 };
@@ -67,7 +75,7 @@ const MODE: Keys = Keys {
     known: &[
         key("frequency", quantity("rad/s"), ""),
         key("damping_ratio", NUMBER.or("0"), ""),
-        key("translation", vector("kg^½"), "∫φ dm, of unit modal mass"),
+        key("translation", vector("kg^½"), "∫φ dm, of unit modal mass, with its sign"),
         key("rotation", vector("kg^½ m"), "∫s×φ dm"),
     ],
 };

@@ -10,8 +10,11 @@ use super::{Displacements, Initial, Rotation, ellipsoid, surface};
 /// Words of the key.
 const WORDS: [&str; 2] = ["relaxed", "as-observed"];
 
-pub(super) const SHAPE: Key =
-    key("shape", words(&WORDS).or("`\"relaxed\"`"), "`\"as-observed\"`: in the rotation of the start");
+pub(super) const SHAPE: Key = key(
+    "shape",
+    words(&WORDS).or("`\"relaxed\"`"),
+    "`\"as-observed\"`: what is given is that of the body in rotation, at the start",
+);
 
 /// Reads whether a shape was observed in rotation.
 pub(super) fn observed(table: &Table<'_>) -> Option<bool> {

@@ -27,12 +27,12 @@ use crate::units::Dimension;
 pub(super) const INERTIA: Key = key(
     "inertia",
     any(&[Shape::Vector, Shape::Matrix]).in_unit("kg m²"),
-    "about its centre of mass; moments, or a tensor",
+    "about its own centre of mass; moments along the file's axes, or a tensor",
 );
 
 pub(super) const CARRIER: Keys = Keys {
     known: &[
-        key("mass", quantity("kg"), "none where parts float"),
+        key("mass", quantity("kg"), "none beside an `[[ellipsoid]]` and where parts float"),
         key("center_of_mass", vector("m"), ""),
         INERTIA,
     ],

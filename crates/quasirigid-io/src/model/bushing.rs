@@ -35,9 +35,13 @@ const PER_AXIS: Form = any(&[Shape::Number, Shape::Vector]);
 const BUSHING: Keys = Keys {
     known: &[
         NAME,
-        key("from", END, "point, node or place, or `\"carrier\"`"),
-        key("to", END, ""),
-        key("center", vector("m").or("an end without rotations, else not the carrier"), "elastic centre"),
+        key("from", END, "as of a spring"),
+        key("to", END, "as of a spring"),
+        key(
+            "center",
+            vector("m").or("an end without rotations, else the first that is not the carrier"),
+            "elastic centre",
+        ),
         key(
             "axes",
             array(2, &Shape::Vector).or("file's"),

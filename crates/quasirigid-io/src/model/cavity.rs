@@ -72,7 +72,7 @@ const ANY: Keys = Keys {
         key("file", TEXT, ""),
         UNIT,
         STRICT,
-        key("center", vector("m").or("0"), "middle, or origin of the file"),
+        key("center", vector("m").or("0"), "middle of the shape, or origin of its file"),
         key("attitude", QUATERNION.or("file's axes"), ""),
         key("density", quantity("kg/m³"), "of the liquid"),
         key("kinematic_viscosity", quantity("m²/s"), "of the liquid"),
@@ -80,17 +80,17 @@ const ANY: Keys = Keys {
         key(
             "flow",
             words(&["viscous", "boundary-layer"]).or("`\"viscous\"`"),
-            "the second ideal but at the wall",
+            "the second ideal but for a layer at the wall",
         ),
         key(
             "resolution",
             integer(1, MOST_CELLS as u64).or("8; 16"),
-            "degree, 4 to 24; or finite elements across the narrowest width, or longest side",
+            "degree of polynomials, 4 to 24; finite elements across the narrowest width, or the longest side of a surface",
         ),
         key(
             "modes",
             integer(0, 6).or("0"),
-            "fast modes, each eightfold in frequency (L11), sixteenfold (L14)",
+            "fast modes; each extends the frequencies eightfold (L11), in a boundary layer sixteenfold (L14)",
         ),
     ],
 };

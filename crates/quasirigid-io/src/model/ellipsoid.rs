@@ -39,7 +39,7 @@ const ELLIPSOID: Keys = Keys {
     known: &[
         NAME,
         key("semi_axes", vector("m"), "along the file's axes"),
-        key("diameter", quantity("m"), "instead, of the sphere of equal volume, with ratios"),
+        key("diameter", quantity("m"), "of the sphere of equal volume, instead, with one of the next two"),
         key("axis_ratios", VECTOR, ""),
         key("moment_ratios", VECTOR, "of the moments of inertia"),
         SHAPE,

@@ -15,8 +15,16 @@ use crate::units::{Dimension, UnitError, quantity};
 
 pub(super) const EVOLVE: Keys = Keys {
     known: &[
-        key("start", any(&[Shape::Number, Shape::Text]).or("that of the model"), "D/I3, or the wobble"),
-        key("until", any(&[Shape::Number, Shape::Text]).or("1 % of its energy"), "as `start`"),
+        key(
+            "start",
+            any(&[Shape::Number, Shape::Text]).or("that of the model"),
+            "D/I3, or the wobble about the axis of greatest inertia",
+        ),
+        key(
+            "until",
+            any(&[Shape::Number, Shape::Text]).or("1 % of the energy of the wobble left"),
+            "as `start`",
+        ),
         key("duration", key::quantity("s").or("none"), "longest time"),
         key("samples", integer(2, MAX_ROWS as u64).or("201"), "rows"),
         key("power", words(&["polynomial", "harmonics"]).or("as materials need"), "source of the mean power"),

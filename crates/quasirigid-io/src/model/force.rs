@@ -43,7 +43,7 @@ static KINDS: [Kind<Read>; 10] = [
         "[[force]]",
         "uniform-gravity",
         ["kind", "name", "acceleration", "during"],
-        "(F3), on a free body's centre of mass",
+        "(F3); moves a free body's centre of mass only",
         uniform_gravity
     ),
     kind!(
@@ -57,10 +57,16 @@ static KINDS: [Kind<Read>; 10] = [
         "[[force]]",
         "drag",
         ["kind", "name", "on", "at", "coefficient", "during"],
-        "−k v, inertial (F5)",
+        "−k v, v the inertial velocity of the place (F5)",
         drag
     ),
-    kind!("[[force]]", "spin-drag", ["kind", "name", "coefficient", "during"], "torque −k ω (F5)", spin_drag),
+    kind!(
+        "[[force]]",
+        "spin-drag",
+        ["kind", "name", "coefficient", "during"],
+        "torque −k ω on the carrier (F5)",
+        spin_drag
+    ),
     kind!(
         "[[force]]",
         "torque",
@@ -103,7 +109,7 @@ static KINDS: [Kind<Read>; 10] = [
         "[[force]]",
         "magnetic-dipole",
         ["kind", "name", "moment", "field", "dipole", "dipole_rate", "igrf", "orbit", "during"],
-        "torque (F8)",
+        "torque on the carrier (F8)",
         magnetic_dipole
     ),
     kind!(
@@ -124,7 +130,7 @@ static KINDS: [Kind<Read>; 10] = [
             "orbit",
             "during"
         ],
-        "torque [M(ω×B − Ḃ)]×B (F15)",
+        "torque [M(ω×B − Ḃ)]×B on the carrier (F15)",
         |table, around| eddy_current(table, around.field)
     ),
     kind!(
@@ -143,14 +149,14 @@ static KINDS: [Kind<Read>; 10] = [
             "tolerance",
             "during"
         ],
-        "pressure of light, scattered and emitted too (F27)",
+        "pressure of light on the outer surface, with what it scatters and emits (F27)",
         |table, around| sunlight(table, &around.sunlit)
     ),
     kind!(
         "[[force]]",
         "expression",
         ["kind", "name", "on", "at", "force", "torque", "axes", "timetable", "interpolation", "during"],
-        "formulas (F9): `force`, inertial, or `torque` on the carrier",
+        "formulas (F9): a `force`, inertial axes, or a `torque` on the carrier",
         expression
     ),
 ];
@@ -173,9 +179,9 @@ const ANY: Keys = Keys {
         key(
             "axes",
             words(&["body", "inertial", "place"]).or("`\"body\"`"),
-            "`\"place\"` of a `thrust` (F22)",
+            "of force or torque; a `thrust` may turn with its place (F22)",
         ),
-        key("frequency", quantity("rad/s").or("constant"), "Ω, of cos(Ωt + φ)"),
+        key("frequency", quantity("rad/s").or("constant"), "Ω, the amplitude varies as cos(Ωt + φ)"),
         key("period", quantity("s"), "instead"),
         key("phase", quantity("rad").or("0"), "φ"),
         key("moment", of(Shape::Vector).in_unit("A m²"), "body axes"),
@@ -183,19 +189,27 @@ const ANY: Keys = Keys {
         magnetic_field::DIPOLE,
         magnetic_field::DIPOLE_RATE,
         magnetic_field::MAIN_FIELD,
-        key("tensor", any(&[Shape::Number, Shape::Matrix]).in_unit("S m⁴"), "M, body axes"),
+        key("tensor", any(&[Shape::Number, Shape::Matrix]).in_unit("S m⁴"), "magnetic tensor M, body axes"),
         key("conductivity", quantity("S/m"), "instead, with a `shape`"),
         key("shape", words(&["sphere", "shell"]), "(F16)"),
         key("radius", quantity("m"), "outer one"),
         key("thickness", quantity("m"), "of a shell"),
-        key("direction", VECTOR, "towards the Sun, inertial; with `distance`, instead of `orbit`"),
+        key(
+            "direction",
+            VECTOR,
+            "towards the Sun, inertial axes; with a `distance`, instead of an `orbit` about it",
+        ),
         key("distance", quantity("m"), "of the Sun"),
-        key("file", TEXT.or("the [[surface]] or [[ellipsoid]]"), "closed surface"),
+        key(
+            "file",
+            TEXT.or("the [[surface]] or [[ellipsoid]]"),
+            "closed surface in the light, as of a [[surface]]",
+        ),
         UNIT,
         STRICT,
         key("shadows", BOOLEAN.or("`true`"), "of the surface on itself"),
-        key("tolerance", NUMBER.or("0.01"), "error over the torque's r.m.s.; 0.0001 to 0.1"),
-        key("timetable", TEXT, "CSV file instead (F14)"),
+        key("tolerance", NUMBER.or("0.01"), "error of the torque, of its root mean square; 0.0001 to 0.1"),
+        key("timetable", TEXT, "CSV file instead of components (F14)"),
         key("interpolation", words(&["held", "linear"]).or("`\"held\"`"), "of the timetable"),
         key(
             "during",

@@ -44,7 +44,7 @@ const HINGED: Keys = Keys {
         key("center_of_mass", vector("m"), ""),
         INERTIA,
         key("hinge", vector("m"), ""),
-        key("axes", list(&Shape::Vector), "1 to 3; the first carries the second"),
+        key("axes", list(&Shape::Vector), "1 to 3; the first is fixed in the carrier and carries the second"),
         key("stiffness", COEFFICIENT.in_unit("N m/rad"), "one, one per axis, or a matrix"),
         key("damping", COEFFICIENT.in_unit("N m s/rad").or("0"), "same"),
         RHEOLOGY,

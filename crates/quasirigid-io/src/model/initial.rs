@@ -18,29 +18,33 @@ use crate::units::Dimension;
 
 pub(super) const INITIAL: Keys = Keys {
     known: &[
-        key("angular_velocity", vector("rad/s"), "body axes"),
+        key(
+            "angular_velocity",
+            vector("rad/s"),
+            "body axes; only `derive` needs neither it nor one of the next two",
+        ),
         key("periods", table(&PERIODS), "observed, of a free body"),
         key("wobble", table(&WOBBLE), "of a free body"),
         key("attitude", QUATERNION.or("`[1, 0, 0, 0]`"), "from body to inertial axes"),
-        key("from", TEXT, "attitude file that gives both, or the attitude"),
+        key("from", TEXT, "attitude file that gives the attitude, and the angular velocity if it has one"),
         key(
             "at",
             any(&[Shape::Number, Shape::Text]).in_unit("s").or("first record"),
-            "time of the record, or epoch, `\"2026-01-01T00:00:00\"`",
+            "record of the file: its time, or epoch, `\"2026-01-01T00:00:00\"`",
         ),
         key(
             "displacements",
             any(&[Shape::Words(&["slow-manifold", "rest"]), Shape::Named(&MOVED)])
                 .in_unit("m, rad")
                 .or("`\"slow-manifold\"`"),
-            "deformed by the spin, without vibration",
+            "the slow manifold is deformed by the spin, without vibration",
         ),
         key(
             "displacement_rates",
             named(&MOVED).in_unit("m/s, rad/s").or("0"),
             "beside `\"rest\"` or a table",
         ),
-        key("position", vector("m").or("0"), "of the centre of mass; inertial"),
+        key("position", vector("m").or("0"), "of the centre of mass of a free body; inertial axes"),
         key("velocity", vector("m/s").or("0"), "of the same"),
     ],
 };

@@ -14,16 +14,21 @@ use crate::units::Dimension;
 /// Keys of the main field of the Earth.
 pub(super) const IGRF: Keys = Keys {
     known: &[
-        key("epoch", TEXT, "of time zero, UT, `\"2024-03-01T12:00:00\"`, 1900 to 2030"),
+        key("epoch", TEXT, "of time zero, UT, `\"2024-03-01T12:00:00\"`; from 1900 to 2030"),
         key("degree", integer(1, EarthField::MAX_DEGREE as u64).or("13"), "highest one"),
     ],
 };
 
 pub(super) const FIELD: Key = key("field", of(Shape::Vector).in_unit("T"), "uniform; inertial axes");
-pub(super) const DIPOLE: Key =
-    key("dipole", of(Shape::Vector).in_unit("T m³"), "instead, at the `orbit`'s centre, μ0/4π times moment");
-pub(super) const DIPOLE_RATE: Key = key("dipole_rate", quantity("rad/s").or("0"), "about the inertial z");
-pub(super) const MAIN_FIELD: Key = key("igrf", table(&IGRF), "instead, main field of the Earth (F21)");
+pub(super) const DIPOLE: Key = key(
+    "dipole",
+    of(Shape::Vector).in_unit("T m³"),
+    "instead, at the centre of the `orbit`: μ0/4π times its moment",
+);
+pub(super) const DIPOLE_RATE: Key =
+    key("dipole_rate", quantity("rad/s").or("0"), "of the dipole about the inertial z");
+pub(super) const MAIN_FIELD: Key =
+    key("igrf", table(&IGRF), "instead, the main field of the Earth (F21), which turns with it");
 
 /// Keys of the field of a model.
 pub(super) const TABLE: Keys = Keys {

@@ -22,9 +22,13 @@ const MODULI: Form = any(&[Shape::Number, Shape::Vector]);
 pub(super) const MATERIAL: Keys = Keys {
     known: &[
         key("density", quantity("kg/m³"), ""),
-        key("young", MODULI.in_unit("Pa"), "or E1, E2, E3"),
+        key("young", MODULI.in_unit("Pa"), "three of an orthotropic material: E1, E2, E3"),
         key("shear", MODULI.in_unit("Pa"), "instead of `young`, or G12, G13, G23"),
-        key("mu_Q", quantity("Pa"), "instead: shear modulus times `Q` (100 without)"),
+        key(
+            "mu_Q",
+            quantity("Pa"),
+            "instead: shear modulus times `Q` of the `rheology` (without one 100, noted)",
+        ),
         key("poisson", MODULI, "−1 to 0.5, or ν12, ν13, ν23"),
         RHEOLOGY,
     ],

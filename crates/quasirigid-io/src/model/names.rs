@@ -56,9 +56,9 @@ pub(super) const NODE: &[Shape] = &[Shape::Text, COUNTED];
 /// Keys of a reference to one node of a part or to several.
 pub(super) const NODES: Keys = Keys {
     known: &[
-        key("part", TEXT, "part or appendage"),
-        key("node", any(NODE), "name, number in the mesh, corner, or place"),
-        key("set", any(&[Shape::Text, COUNTED, Shape::List(&Shape::Any(NODE))]), "several"),
+        key("part", TEXT, "name of a part or an appendage"),
+        key("node", any(NODE), "name, number in the mesh, corner of a rectangle, or place"),
+        key("set", any(&[Shape::Text, COUNTED, Shape::List(&Shape::Any(NODE))]), "several, instead"),
     ],
 };
 

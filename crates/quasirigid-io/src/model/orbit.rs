@@ -14,28 +14,44 @@ pub(super) const ORBIT: Keys = Keys {
         ),
         key("gravitational_parameter", quantity("m³/s²"), "instead of `body`"),
         key("semi_major_axis", quantity("m"), "negative of a hyperbola"),
-        key("periapsis_distance", quantity("m"), "instead, any eccentricity (F23), central gravity"),
-        key("eccentricity", NUMBER.or("0 of an ellipse"), "1 of a parabola, above of a hyperbola"),
+        key(
+            "periapsis_distance",
+            quantity("m"),
+            "instead, of an orbit of any eccentricity (F23), under central gravity",
+        ),
+        key(
+            "eccentricity",
+            NUMBER.or("0 of an ellipse"),
+            "required beside `periapsis_distance`; 1 of a parabola, above 1 of a hyperbola",
+        ),
         key("excess_speed", quantity("m/s"), "instead, of a hyperbola, far away"),
         key("inclination", quantity("rad").or("0 without `file`"), ""),
-        key("node", quantity("rad").or("0 without `file`"), "of the ascending node"),
+        key("node", quantity("rad").or("0 without `file`"), "right ascension of the ascending node"),
         key("periapsis", quantity("rad").or("0 without `file`"), "its argument"),
         key("mean_anomaly", quantity("rad").or("0 of an ellipse"), "at time zero"),
         key("time_of_periapsis", quantity("s"), "instead, required of a flyby"),
-        key("file", TEXT, "instead, under central gravity: CSV `t,x,y,z`, s and m (F26)"),
-        key("planet_radius", quantity("m").or("that of `body`"), "lower orbits are refused, central gravity"),
+        key(
+            "file",
+            TEXT,
+            "instead of elements, under central gravity: CSV of places from the centre, `t,x,y,z` in s and m (F26)",
+        ),
+        key(
+            "planet_radius",
+            quantity("m").or("that of `body`"),
+            "an orbit below it is refused, under central gravity",
+        ),
         key(
             "precession",
             any(&[Shape::Words(&["J2"]), Shape::Table(&PRECESSION)]).or("none"),
-            "secular, by oblateness of Earth or Mars (F20), or rates",
+            "secular, of node and periapsis: by the oblateness of the Earth or Mars, (F20), or its rates",
         ),
     ],
 };
 
 const PRECESSION: Keys = Keys {
     known: &[
-        key("node", quantity("rad/s").or("0"), "of the node"),
-        key("periapsis", quantity("rad/s").or("0"), "of the periapsis"),
+        key("node", quantity("rad/s").or("0"), "rate of the ascending node"),
+        key("periapsis", quantity("rad/s").or("0"), "rate of the argument of the periapsis"),
     ],
 };
 

@@ -19,7 +19,7 @@ use super::value::Value;
 use crate::record::ShapeFileRecord;
 
 /// Name of an element.
-pub(super) const NAME: Key = key("name", TEXT.or("`point 1`"), "unique");
+pub(super) const NAME: Key = key("name", TEXT.or("`point 1`, `spring tip-carrier`"), "unique");
 
 /// Kind of table that describes elements: its name, its keys and its reading, in one place.
 pub(super) struct Reader {

@@ -77,7 +77,7 @@ pub(super) const ANY: Keys = Keys {
         key(
             "range",
             array(2, &Shape::Number).in_unit("its unit").or("none"),
-            "least and greatest of the key after `kind`",
+            "least and greatest value of the key after `kind`",
         ),
         key(
             "rows",

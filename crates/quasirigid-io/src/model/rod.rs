@@ -35,7 +35,7 @@ const ROD: Keys = Keys {
         key("length", quantity("m"), "with `diameter`"),
         key("diameter", quantity("m"), ""),
         key("volume", quantity("m³"), "instead, with `demagnetization`"),
-        key("demagnetization", NUMBER.or("of its spheroid"), "N, along the axis"),
+        key("demagnetization", NUMBER.or("of the spheroid of this length and diameter"), "N, along the axis"),
         key("saturation", quantity("T"), "Bs of the material (Y10)"),
         key("remanence", quantity("T"), "Br"),
         key("coercivity", quantity("A/m"), "Hc"),

@@ -11,20 +11,23 @@ use super::value::Value;
 use crate::units::Dimension;
 
 /// Axis that the angular momentum circles.
-const MODE: Key =
-    key("mode", words(&["short-axis", "long-axis", "SAM", "LAM"]), "axis circled: greatest, least inertia");
+const MODE: Key = key(
+    "mode",
+    words(&["short-axis", "long-axis", "SAM", "LAM"]),
+    "axis circled: of greatest inertia, of least",
+);
 
 pub(super) const PERIODS: Keys = Keys {
     known: &[
         key("rotation", quantity("s"), "about the long axis"),
-        key("precession", quantity("s"), "of the long axis"),
+        key("precession", quantity("s"), "of the long axis about the angular momentum"),
         MODE,
     ],
 };
 pub(super) const WOBBLE: Keys = Keys {
     known: &[
-        key("angle", quantity("rad"), "greatest, from the angular momentum"),
-        key("rate", quantity("rad/s"), "angular momentum over inertia"),
+        key("angle", quantity("rad"), "greatest, between angular momentum and axis"),
+        key("rate", quantity("rad/s"), "angular momentum over the moment of inertia"),
         MODE,
     ],
 };

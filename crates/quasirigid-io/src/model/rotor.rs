@@ -34,7 +34,7 @@ const ROTOR: Keys = Keys {
         key(
             "speed",
             any(&[Shape::Number, Shape::List(&Shape::Number)]).in_unit("rad/s").or("slow motion"),
-            "relative, at the start; of a sphere three",
+            "relative to the carrier, at the start; of a sphere one per axis",
         ),
     ],
 };

@@ -19,10 +19,10 @@ pub(super) const RUN: Keys = Keys {
         key(
             "order",
             integer(0, MAX_ORDER as u64).or("lowest from 3 that holds"),
-            "of the reduced equations; 0: rigid body",
+            "of the reduced equations, 0 for the rigid body",
         ),
         key("duration", quantity("s").or("100 revolutions"), "of the histories"),
-        key("tolerance", NUMBER.or("1e-12"), "relative, per step, 1e-15 to 1e-2"),
+        key("tolerance", NUMBER.or("1e-12"), "relative error per step, 1e-15 to 1e-2"),
         key(
             "samples",
             integer(2, MAX_ROWS as u64).or("`run`: 24 a revolution, 2001 to 50 001; `simulate`: 1001"),
@@ -31,37 +31,41 @@ pub(super) const RUN: Keys = Keys {
         key(
             "form",
             words(&["angular-momentum", "angular-velocity"]).or("`\"angular-momentum\"`"),
-            "variable integrated",
+            "variable that is integrated",
         ),
         key(
             "systems",
             list(&Shape::Words(&["full", "reduced", "rigid", "spin-manifold"]))
                 .or("`[\"reduced\", \"rigid\"]`"),
-            "",
+            "`\"spin-manifold\"`: reduced about the spin",
         ),
         key(
             "integrator",
             words(&["automatic", "explicit", "implicit"]).or("`\"automatic\"`"),
-            "of the full system",
+            "for the full system",
         ),
         key("stop", table(&STOP), "ends a run early"),
         key("verify", table(&VERIFY), "compares with the full system"),
         key("evolve", table(&EVOLVE), "secular evolution"),
-        key("spin_manifold", table(&SPIN_MANIFOLD), "reduced equations about the spin"),
+        key(
+            "spin_manifold",
+            table(&SPIN_MANIFOLD),
+            "reduced equations about the spin; `run` then keeps the backbone",
+        ),
     ],
 };
 const STOP: Keys = Keys {
     known: &[
         key("energy", quantity("J"), "at this energy"),
         key("nutation", quantity("rad"), "at this angle"),
-        key("validity", BOOLEAN.or("false"), "where the reduced equations fail"),
+        key("validity", BOOLEAN.or("false"), "where the reduced equations cease to hold"),
     ],
 };
 const VERIFY: Keys = Keys {
     known: &[
         key("revolutions", NUMBER.or("5"), "revolutions of each run"),
         key("orders", list(&Shape::Integer(0, 12)).or("1 to `order`"), ""),
-        key("halvings", integer(1, 10).or("4"), "halvings of ε"),
+        key("halvings", integer(1, 10).or("4"), "how often ε is halved"),
     ],
 };
 

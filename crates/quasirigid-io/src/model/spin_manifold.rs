@@ -21,7 +21,7 @@ pub(super) const SPIN_MANIFOLD: Keys = Keys {
             any(&[Shape::Words(&["automatic", "nutation"]), Shape::List(&Shape::Number)])
                 .in_unit("rad/s")
                 .or("`\"automatic\"`"),
-            "modes beside the nutation",
+            "modes that they follow beside the nutation",
         ),
         key("style", words(&["normal-form", "graph"]).or("`\"normal-form\"`"), ""),
     ],

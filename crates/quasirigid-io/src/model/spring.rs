@@ -36,7 +36,7 @@ const COEFFICIENT: Form = any(&[Shape::Number, Shape::Vector, Shape::Matrix]);
 const SPRING: Keys = Keys {
     known: &[
         NAME,
-        key("from", END, "point, node or place, or `\"carrier\"`"),
+        key("from", END, "point, node or place; one end may be `\"carrier\"`"),
         key("to", END, ""),
         key(
             "stiffness",
@@ -45,9 +45,9 @@ const SPRING: Keys = Keys {
         ),
         key("damping", COEFFICIENT.in_unit("N s/m").or("0"), "of a parallel dashpot"),
         RHEOLOGY,
-        key("axial", BOOLEAN.or("false"), "along its line, with scalar `stiffness`"),
-        key("anchor", vector("m"), "end on the carrier, if axial"),
-        key("tension", quantity("N").or("relaxed"), "if axial; pressure is negative"),
+        key("axial", BOOLEAN.or("false"), "along the line of its ends, with a scalar `stiffness`"),
+        key("anchor", vector("m"), "end on the carrier, of an axial spring only"),
+        key("tension", quantity("N").or("relaxed"), "of an axial spring; pressure is negative"),
         key("natural_length", quantity("m"), "instead of `tension`"),
     ],
 };

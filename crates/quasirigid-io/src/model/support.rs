@@ -12,7 +12,11 @@ pub(super) const ANY: Keys = Keys {
     known: &[
         key("kind", KIND, "`\"free\"` without the table"),
         key("point", vector("m"), "fixed or driven"),
-        key("acceleration", array(3, &Shape::Formula).in_unit("m/s²"), "of the point, in `t`; inertial"),
+        key(
+            "acceleration",
+            array(3, &Shape::Formula).in_unit("m/s²"),
+            "of a driven point, in `t`; inertial axes",
+        ),
         key("velocity", vector("m/s").or("0"), "at time zero"),
         key("position", vector("m").or("0"), "at time zero"),
     ],

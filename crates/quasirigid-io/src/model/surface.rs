@@ -46,28 +46,35 @@ pub(super) const READER: Reader = Reader {
 };
 
 /// Unit of the lengths in a file.
-pub(super) const UNIT: Key =
-    key("unit", any(&[Shape::Text, Shape::Number]).or("its label's, else `\"m\"`"), "of the file");
+pub(super) const UNIT: Key = key(
+    "unit",
+    any(&[Shape::Text, Shape::Number]).or("its label's, else `\"m\"`"),
+    "of the file, `\"2.5 cm\"`",
+);
 /// Unit of the lengths in a mesh of cells, which has no label.
 pub(super) const UNIT_OF_CELLS: Key =
-    key("unit", any(&[Shape::Text, Shape::Number]).or("`\"m\"`"), "of the file");
+    key("unit", any(&[Shape::Text, Shape::Number]).or("`\"m\"`"), "of the file, `\"2.5 cm\"`");
 /// Whether a file must need no repair.
-pub(super) const STRICT: Key = key("strict", BOOLEAN.or("`false`"), "refuses repairs");
+pub(super) const STRICT: Key = key("strict", BOOLEAN.or("`false`"), "refuses what would be repaired");
 
 const SURFACE: Keys = Keys {
     known: &[
         NAME,
-        key("file", TEXT, "OBJ, STL, PLY, OFF, VRML, glTF, VTK, gmsh, PDS table"),
+        key(
+            "file",
+            TEXT,
+            "OBJ, STL, PLY, OFF, VRML, glTF, VTK, gmsh, or a table of the Planetary Data System",
+        ),
         UNIT,
         STRICT,
-        key("parts", words(&["largest"]).or("one"), "of separate bodies"),
+        key("parts", words(&["largest"]).or("one"), "of a file with separate bodies"),
         SHAPE,
         key("material", TEXT, ""),
         key("degree", integer(1, Surface::MAX_DEGREE as u64).or("as needed"), "of polynomials, (G9)"),
         key(
             "cells",
             integer(1, Surface::MAX_CELLS as u64).or("6000 or 16000"),
-            "finite elements, (G11), of bodies with necks",
+            "finite elements, (G11), the default in bodies with necks",
         ),
     ],
 };

@@ -58,7 +58,7 @@ static SHAPES: [Kind<Read>; 7] = [
         "shape",
         "ellipsoid",
         with!("semi_axes"),
-        "of revolution, third semi-axis along `axis`",
+        "of revolution, the third semi-axis along `axis`",
         Some(ellipsoid)
     ),
     kind!("[[tank]]", "shape", "cylinder", with!("radius", "height"), "", Some(cylinder)),
@@ -67,10 +67,10 @@ static SHAPES: [Kind<Read>; 7] = [
         "shape",
         "capsule",
         with!("radius", "height"),
-        "with half a ball at each end",
+        "cylinder with half a ball at each end",
         Some(capsule)
     ),
-    kind!("[[tank]]", "shape", "cone", with!("radii", "height"), "or frustum, flat ends", Some(cone)),
+    kind!("[[tank]]", "shape", "cone", with!("radii", "height"), "or frustum, with flat ends", Some(cone)),
     kind!("[[tank]]", "shape", "profile", with!("profile"), "", Some(profile)),
     kind!(
         "[[tank]]",
@@ -90,13 +90,13 @@ static SHAPES: [Kind<Read>; 7] = [
             "kinematic_viscosity",
             "surface_tension"
         ],
-        "ring, whose liquid slides as one slug",
+        "ring of tube, whose liquid slides along it as one slug",
         None
     ),
 ];
 
 /// Acceleration under which a liquid has settled.
-const ACCELERATION: Key = key("acceleration", vector("m/s²"), "felt as a weight, body axes");
+const ACCELERATION: Key = key("acceleration", vector("m/s²"), "felt by the liquid as a weight, body axes");
 /// Keys of `settled_by`.
 const SETTLED: Keys = Keys { known: &[ACCELERATION] };
 
@@ -104,18 +104,22 @@ const SETTLED: Keys = Keys { known: &[ACCELERATION] };
 const BAFFLE: Keys = Keys {
     known: &[
         key("height", quantity("m"), "along `axis`, from `center`"),
-        key("width", quantity("m"), "from the wall"),
+        key("width", quantity("m"), "from the wall to the free edge"),
     ],
 };
 
 /// Keys of a measured mode.
 const MEASURED: Keys = Keys {
     known: &[
-        key("frequency", quantity("rad/s"), "at rest, under the same effective gravity, without diaphragm"),
+        key(
+            "frequency",
+            quantity("rad/s"),
+            "in a tank at rest, under the same effective gravity, without the diaphragm",
+        ),
         key("mass", quantity("kg"), "that sloshes"),
-        key("damping_ratio", NUMBER, "without baffles, diaphragm"),
-        key("stiffness", quantity("N/m").or("0"), "of a diaphragm or bladder"),
-        key("damping", quantity("N s/m").or("0"), "of a diaphragm or bladder"),
+        key("damping_ratio", NUMBER, "without baffles and diaphragm"),
+        key("stiffness", quantity("N/m").or("0"), "of a diaphragm or bladder, against that mass"),
+        key("damping", quantity("N s/m").or("0"), "of a diaphragm or bladder, against that mass"),
     ],
 };
 
@@ -125,34 +129,54 @@ const ANY: Keys = Keys {
         key("shape", KIND, ""),
         NAME,
         key("radius", quantity("m"), ""),
-        key("tube_radius", quantity("m"), "inner; `radius` is the ring's"),
+        key("tube_radius", quantity("m"), "inner one; `radius` is the mean one of the ring"),
         key("semi_axes", vector("m"), "across, across and along `axis`"),
         key("height", quantity("m"), "from end to end"),
-        key("radii", array(2, &Shape::Number).in_unit("m"), "the second farther along `axis`"),
+        key("radii", array(2, &Shape::Number).in_unit("m"), "of the ends, the second farther along `axis`"),
         key(
             "profile",
             any(&[Shape::List(&Shape::Array(2, &Shape::Number)), Shape::Text]).in_unit("m"),
-            "distance from the axis and height, ascending but for flat ends, or CSV",
+            "distance from the axis and height along it, from end to end, or a CSV file of both; heights ascend, but for flat ends",
         ),
-        key("center", vector("m").or("0"), "middle, or origin of the profile"),
-        key("axis", VECTOR.or("z"), "of revolution, along the effective gravity; of a tube that of the ring"),
-        key("towards", VECTOR.or("x or y"), "from the ring's centre to the liquid's middle, at the start"),
-        key("fill", NUMBER, "share of the volume"),
+        key("center", vector("m").or("0"), "middle of the shape, or origin of its profile"),
+        key(
+            "axis",
+            VECTOR.or("z"),
+            "of revolution; the effective gravity is along it, either way; of a sphere any; of a tube that of the ring",
+        ),
+        key(
+            "towards",
+            VECTOR.or("x or y"),
+            "from the centre of the ring to the middle of the liquid at the start, as far as it is across `axis`",
+        ),
+        key("fill", NUMBER, "share of the volume, between 0 and 1"),
         key("liquid_mass", quantity("kg"), "instead of `fill`"),
         key("density", quantity("kg/m³"), "of the liquid"),
-        key("kinematic_viscosity", quantity("m²/s"), "of the liquid; damps slosh (U7)"),
-        key("damping_ratio", NUMBER, "measured, of every mode, instead"),
-        key("surface", words(&["clean", "contaminated"]).or("`\"clean\"`"), "film of dirt (U7)"),
-        key("baffles", list(&Shape::Table(&BAFFLE)), "rings at the wall (U17)"),
-        key("wave_amplitude", quantity("m"), "of the surface at the wall, for baffles"),
-        key("measured", list(&Shape::Table(&MEASURED)), "of slosh modes, slowest first; and diaphragms"),
+        key(
+            "kinematic_viscosity",
+            quantity("m²/s"),
+            "of the liquid; the layer at the wall damps the slosh (U7)",
+        ),
+        key("damping_ratio", NUMBER, "of every slosh mode, measured, instead of the viscosity"),
+        key(
+            "surface",
+            words(&["clean", "contaminated"]).or("`\"clean\"`"),
+            "a film of dirt that does not stretch has a layer of its own (U7)",
+        ),
+        key("baffles", list(&Shape::Table(&BAFFLE)), "rings at the wall, across the axis (U17)"),
+        key("wave_amplitude", quantity("m"), "of the surface at the wall, by which baffles damp"),
+        key(
+            "measured",
+            list(&Shape::Table(&MEASURED)),
+            "values of the slosh modes, slowest first, in the place of the theory's; and diaphragms",
+        ),
         key("surface_tension", quantity("N/m").or("0.07"), "by which capillarity is judged"),
         key(
             "settled_by",
             any(&[Shape::Words(&["spin"]), Shape::Table(&SETTLED)]),
-            "pressed aside by the spin of `[initial]`, or an acceleration",
+            "what presses the liquid to a side: the spin of `[initial]`, or an acceleration",
         ),
-        key("modes", integer(1, Tank::MOST_MODES as u64).or("2"), "slosh modes"),
+        key("modes", integer(1, Tank::MOST_MODES as u64).or("2"), "slosh modes, of two coordinates each"),
     ],
 };
 

@@ -33,7 +33,7 @@ const WHEEL: Keys = Keys {
         key(
             "speed",
             any(&[Shape::Number, Shape::Table(&PRESCRIBED)]).in_unit("rad/s"),
-            "relative, kept by a motor",
+            "relative to the carrier, kept by a motor",
         ),
         key("momentum", quantity("N m s"), "instead of `inertia` and `speed`"),
     ],

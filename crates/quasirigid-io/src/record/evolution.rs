@@ -16,33 +16,33 @@ use super::{Column, number};
 /// circles a steady spin about no principal axis: its `circled_axis` is 0, and `D_over_I3` is not known.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 pub struct EvolutionRecord {
-    /// Answer in words.
+    /// Answer, in one or two sentences.
     pub sentence: String,
-    /// `average`, `levels`, `modes`, `manifold`, `micro-runs`, `direct`, `none`.
+    /// Method: `average`, `levels`, `modes`, `manifold`, `micro-runs`, `direct`, `none`.
     ///
     /// `average` along the polhode, `levels` of the slow energy, `modes` at the poles, reduced equations
     /// about the spin (`manifold`), `micro-runs` of the full system,
     /// `direct` integration of it, or `none` where no method holds.
     #[serde(default)]
     pub road: String,
-    /// Reason for it, and limits.
+    /// Reason for the method, and limits of its validity.
     #[serde(default)]
     pub verdict: String,
-    /// Source of the power.
+    /// Source of the power, in words.
     pub method: String,
-    /// End; `refused` or `does-not-hold` without result.
+    /// Status: how it ended; `refused` or `does-not-hold` without result.
     ///
     /// `finished` (the time or the target reached), `interrupted`, `refused` (no method holds), `does-not-hold` (the method asked for does
     /// not), or an early end by a torque: `held` (at the separatrix), `rest`, `spun-up`, `slowed`, `step-limit`, `failed`.
     pub status: String,
-    /// End in words.
+    /// End of the evolution, in a sentence.
     #[serde(default)]
     pub message: String,
-    /// `|K|` at the start (N·m·s).
+    /// Angular momentum `|K|` at the start (N·m·s).
     #[serde(with = "number")]
     #[serde(rename = "momentum")]
     pub angular_momentum: f64,
-    /// `short-axis`, `long-axis`, or with momentum wheels `steady-spin`.
+    /// Mode at the start: `short-axis`, `long-axis`, or `steady-spin` with momentum wheels.
     ///
     /// A body with momentum wheels circles no principal axis.
     pub mode_start: String,
@@ -54,30 +54,30 @@ pub struct EvolutionRecord {
     /// `D/I₃` at the end.
     #[serde(with = "number")]
     pub ratio_end: f64,
-    /// Rotation at the start.
+    /// Rotation at the start as observers describe it, or `null`.
     ///
     /// None in records of versions before this field.
     #[serde(default)]
     pub start: Option<ObservedRecord>,
-    /// Rotation at the end.
+    /// Rotation at the end as observers describe it, or `null`.
     #[serde(default)]
     pub end: Option<ObservedRecord>,
-    /// From start to end (s).
+    /// Time from start to end (s), `null` if never reached.
     ///
     /// Located whatever the rows; infinite where the end is never reached.
     #[serde(with = "number::unbounded")]
     pub time: f64,
-    /// Relative error of `time`.
+    /// Relative error of `time`, or `null`.
     ///
     /// An estimate; none if not known.
     #[serde(with = "number", default)]
     pub time_error: Option<f64>,
-    /// Ends over the materials' ranges (s).
+    /// Least and greatest `time` over the ranges of the materials (s), or `null`.
     ///
     /// None where materials have no ranges.
     #[serde(with = "number::unbounded")]
     pub time_range: Option<[f64; 2]>,
-    /// Revolutions.
+    /// Revolutions about the angular momentum.
     #[serde(with = "number::unbounded")]
     #[serde(rename = "turns")]
     pub revolutions: f64,
@@ -89,46 +89,46 @@ pub struct EvolutionRecord {
     /// Empty in records of versions before this field.
     #[serde(with = "number", default)]
     pub dissipation: BTreeMap<String, f64>,
-    /// Time to the separatrix (s).
+    /// Time to the separatrix (s), or `null`.
     ///
     /// From the start; none when the separatrix is not passed.
     #[serde(with = "number")]
     pub separatrix_time: Option<f64>,
-    /// Time within 1 % of it (s).
+    /// Time within 1 % of it (s), or `null`.
     ///
     /// None when the evolution does not come so near to the separatrix.
     #[serde(with = "number")]
     pub lingering: Option<f64>,
-    /// e-folding time, small wobble, greatest inertia (s).
+    /// e-folding time (s) of a small wobble about the axis of greatest inertia.
     ///
     /// Or about the steady spin that attracts.
     #[serde(with = "number::unbounded")]
     pub damping_time: f64,
-    /// e-folding time of growth, least inertia (s).
+    /// e-folding time (s) of growth about the axis of least inertia.
     ///
     /// Time in which a small wobble about the axis of least inertia grows by e.
     #[serde(with = "number::unbounded")]
     pub growth_time: f64,
-    /// Keys that are `null`, though not infinite.
+    /// Times and `turns` that are `null` though not infinite.
     ///
     /// Of `time`, `turns`, `damping_time` and `growth_time`: JSON has `null` for unknown and infinite alike.
     #[serde(default)]
     pub not_known: Vec<String>,
-    /// Published, of `damping_time`, (A11).
+    /// Published estimates of `damping_time`, (A11).
     ///
     /// For a homogeneous body of one quality factor; empty otherwise.
     #[serde(default)]
     pub estimates: Vec<EstimateRecord>,
-    /// Homogeneous body, as read.
+    /// Homogeneous body, as read, or `null`.
     ///
     /// The body and its material; none of other bodies, and in records of versions before this field.
     #[serde(default)]
     pub homogeneous: Option<HomogeneousRecord>,
-    /// Strongest harmonics at the start.
+    /// Strongest harmonics at the start, by number.
     pub harmonics: Vec<HarmonicRecord>,
     /// Resonances on the way, strongest first.
     pub resonances: Vec<CrossingRecord>,
-    /// Harmonic within a tenth of a vibration, at an end.
+    /// Harmonic within a tenth of a vibration at an end, or `null`.
     ///
     /// The nearest that a harmonic comes to a vibration at either end.
     #[serde(default)]
@@ -171,27 +171,27 @@ impl EvolutionRecord {
 /// A rotation as observers describe it.
 #[derive(Clone, Copy, Debug, Deserialize, PartialEq, Serialize)]
 pub struct ObservedRecord {
-    /// `P_ψ` about the long axis (s).
+    /// Period `P_ψ` about the long axis (s), `null` in a steady spin.
     ///
     /// Period of the rotation about the long axis, in body axes; infinite in a steady spin.
     #[serde(with = "number::unbounded")]
     pub rotation_period: f64,
-    /// `P_φ` of precession (s).
+    /// Period `P_φ` of the precession (s).
     ///
     /// Mean period in which the long axis goes round the angular momentum.
     #[serde(with = "number::unbounded")]
     pub precession_period: f64,
-    /// Least, from the axis circled (rad).
+    /// Least angle from the axis circled (rad).
     ///
     /// Least angle between the angular momentum and the axis that the angular momentum circles.
     #[serde(with = "number")]
     pub nutation_least: f64,
-    /// Greatest, from it (rad).
+    /// Greatest angle from it (rad).
     ///
     /// Greatest angle between the two.
     #[serde(with = "number")]
     pub nutation_greatest: f64,
-    /// `E/E₀ = I₃/D`.
+    /// Energy ratio, `E/E₀ = I₃/D`.
     ///
     /// Energy over the least that this angular momentum allows.
     #[serde(with = "number")]
@@ -204,7 +204,7 @@ pub struct HomogeneousRecord {
     /// Mass (kg).
     #[serde(with = "number")]
     pub mass: f64,
-    /// Of the ball of equal volume (m).
+    /// Radius of the ball of equal volume (m).
     #[serde(with = "number")]
     pub radius: f64,
     /// Density (kg/m³).
@@ -213,7 +213,7 @@ pub struct HomogeneousRecord {
     /// Shear modulus (Pa).
     #[serde(with = "number")]
     pub shear: f64,
-    /// Quality factor.
+    /// Quality factor, or `null`.
     ///
     /// None of another rheology.
     #[serde(with = "number", default)]
@@ -225,10 +225,10 @@ pub struct HomogeneousRecord {
 pub struct EstimateRecord {
     /// Author and year.
     pub source: String,
-    /// Least time (s).
+    /// Least time of the estimate (s).
     #[serde(with = "number::unbounded")]
     pub least: f64,
-    /// Greatest time (s).
+    /// Greatest time of the estimate (s).
     #[serde(with = "number::unbounded")]
     pub greatest: f64,
 }
@@ -244,7 +244,7 @@ pub struct HarmonicRecord {
     /// Share of the mean power.
     #[serde(with = "number")]
     pub share: f64,
-    /// By dissipator.
+    /// Parts of that share by dissipator.
     ///
     /// Empty in records of versions before this field.
     #[serde(with = "number", default)]
@@ -254,9 +254,9 @@ pub struct HarmonicRecord {
 /// A place on the way where a harmonic has the frequency of a vibration.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 pub struct CrossingRecord {
-    /// Number.
+    /// Number of the harmonic.
     pub harmonic: usize,
-    /// Of harmonic and vibration (rad/s).
+    /// Frequency of harmonic and vibration (rad/s).
     #[serde(with = "number")]
     pub frequency: f64,
     /// Coordinate that moves most.
@@ -264,7 +264,7 @@ pub struct CrossingRecord {
     /// `D/I₃`.
     #[serde(with = "number")]
     pub ratio: f64,
-    /// `short-axis` or `long-axis`.
+    /// Mode: `short-axis` or `long-axis`.
     pub mode: String,
     /// Share of the mean power.
     #[serde(with = "number")]
@@ -274,14 +274,14 @@ pub struct CrossingRecord {
 /// A harmonic beside a vibration that it does not pass.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 pub struct ApproachRecord {
-    /// Number.
+    /// Number of the harmonic.
     pub harmonic: usize,
-    /// Of the vibration (rad/s).
+    /// Frequency of the vibration (rad/s).
     #[serde(with = "number")]
     pub frequency: f64,
     /// Coordinate that moves most.
     pub coordinate: String,
-    /// Frequency ratio less one.
+    /// Ratio of frequencies less one.
     #[serde(with = "number")]
     pub distance: f64,
     /// `D/I₃`.

@@ -9,19 +9,19 @@ use super::number;
 pub struct FillMapRecord {
     /// Title of the model.
     pub name: String,
-    /// Worst fill and its slosh in words.
+    /// The worst fill and the slosh that meets the nutation there, in words.
     pub sentence: String,
-    /// Whether all points are answered and the worst holds.
+    /// Whether every point is answered, and the worst one holds.
     pub holds: bool,
-    /// Tanks that are filled alike.
+    /// Tanks whose fill is varied, all alike.
     pub tanks: Vec<String>,
-    /// Points by spin, then fill.
+    /// Points of the map, by spin, then by fill.
     pub points: Vec<FillPointRecord>,
     /// Worst point of each spin.
     ///
     /// The nutation grows fastest there, or decays slowest; between the points of the map, too. Spins without an answer are left out.
     pub worst: Vec<FillPointRecord>,
-    /// Minima of the nutation's time constant over the fill.
+    /// Points at which the time constant of the nutation is least between fills on both sides.
     pub dips: Vec<FillPointRecord>,
 }
 
@@ -31,27 +31,27 @@ pub struct FillPointRecord {
     /// Spin (rad/s).
     #[serde(with = "number")]
     pub spin: f64,
-    /// Fill of each tank.
+    /// Fill of each tank that is varied.
     #[serde(with = "number")]
     pub fill: f64,
-    /// Liquid in them (kg).
+    /// Mass of the liquid in them (kg).
     #[serde(with = "number")]
     pub liquid_mass: f64,
     /// `answered`, `doubtful` or `refused`.
     pub status: String,
-    /// Reason of doubt or refusal.
+    /// Reason of the doubt or the refusal, or `null`.
     pub reason: Option<String>,
-    /// The nutation.
+    /// The nutation, or `null` where there is none.
     pub nutation: Option<FillMotionRecord>,
-    /// Nutation rate with the liquid held (rad/s).
+    /// Rate of the nutation in the body with the liquid held (rad/s); `null` where it does not oscillate.
     #[serde(with = "number")]
     pub rigid_rate: Option<f64>,
-    /// Shares, of the nutation.
+    /// Shares of the dissipation of the nutation.
     #[serde(with = "number")]
     pub dissipation: BTreeMap<String, f64>,
-    /// Other motion growing fastest or decaying slowest.
+    /// Other motion that grows fastest, or decays slowest; `null` where there is none.
     pub slowest: Option<FillMotionRecord>,
-    /// Slosh nearest to the nutation.
+    /// Slosh whose frequency is nearest to the rate of the nutation, or `null`.
     pub nearest: Option<NearestSloshRecord>,
 }
 
@@ -63,10 +63,10 @@ pub struct FillMotionRecord {
     /// Frequency in body axes (rad/s).
     #[serde(with = "number")]
     pub frequency: f64,
-    /// Decay rate (1/s).
+    /// Decay rate (1/s), negative where it grows.
     #[serde(with = "number")]
     pub decay_rate: f64,
-    /// e-folding time (s).
+    /// e-folding time (s), negative where it grows; `null` where it does neither.
     #[serde(with = "number")]
     pub time_constant: Option<f64>,
 }
@@ -76,12 +76,12 @@ pub struct FillMotionRecord {
 pub struct NearestSloshRecord {
     /// Name of the tank.
     pub tank: String,
-    /// Number, from 1.
+    /// Number of the mode, from 1.
     pub mode: usize,
-    /// Frequency with the body held in its spin (rad/s).
+    /// Frequency in body axes with the body held in its spin (rad/s).
     #[serde(with = "number")]
     pub frequency: f64,
-    /// That frequency over `rigid_rate`.
+    /// That frequency over the rate of the nutation with the liquid held.
     #[serde(with = "number")]
     pub ratio: f64,
 }

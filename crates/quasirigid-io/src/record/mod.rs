@@ -157,49 +157,49 @@ pub struct BodyRecord {
 /// Resolution of the shape of a solid inside a surface.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 pub struct ResolutionRecord {
-    /// Degree of polynomials.
+    /// Degree of polynomials, or `null`.
     ///
     /// Degree of the polynomials of the displacement; none of finite elements.
     pub degree: Option<usize>,
-    /// Finite elements.
+    /// Finite elements, or `null`.
     pub cells: Option<usize>,
-    /// Relative error of the dissipation.
+    /// Relative error of the dissipation; `null` where nothing bounds it.
     #[serde(with = "number")]
     pub error: Option<f64>,
-    /// In words.
+    /// Resolution in a sentence.
     pub sentence: String,
 }
 
 /// File of a shape, as it was read.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 pub struct ShapeFileRecord {
-    /// Of body or cavity.
+    /// Name of the body or cavity.
     pub name: String,
     /// Its file.
     pub file: String,
-    /// Unit of the file (m).
+    /// Length of a unit of the file (m).
     pub unit: f64,
-    /// Who says so; empty: assumed.
+    /// Who says so; empty where metres were assumed.
     pub unit_from: String,
-    /// Of the file.
+    /// Vertices of the file.
     pub vertices: usize,
-    /// Of the file.
+    /// Triangles of the file.
     pub triangles: usize,
-    /// Sides of its box (m).
+    /// Sides of the box around it (m).
     pub size: [f64; 3],
     /// Volume (m³).
     pub volume: f64,
-    /// Mass (kg).
+    /// Mass (kg), or `null`.
     pub mass: Option<f64>,
-    /// Density (kg/m³).
+    /// Density (kg/m³), or `null`.
     pub density: Option<f64>,
-    /// Repairs in words.
+    /// Repairs in words; empty without any.
     pub repaired: String,
     /// Repairs.
     pub repairs: Vec<RepairRecord>,
-    /// Corners merged within (m).
+    /// Distance (m) within which corners were merged.
     pub merged_within: f64,
-    /// Choices left open, parts left out.
+    /// Choices that the file left open, and parts of it left out.
     pub remarks: Vec<String>,
     /// Doubts about its size.
     pub warnings: Vec<String>,
@@ -222,7 +222,7 @@ pub struct LiquidRecord {
     /// Mass (kg).
     #[serde(with = "number")]
     pub mass: f64,
-    /// Radius of a ball as slow (m).
+    /// Radius (m) of a ball that follows as slowly.
     #[serde(with = "number")]
     pub radius: f64,
     /// Kinematic viscosity (m²/s).
@@ -231,13 +231,13 @@ pub struct LiquidRecord {
     /// Reynolds number of the spin.
     #[serde(with = "number")]
     pub reynolds: f64,
-    /// Tensor of the slow flow (m⁷).
+    /// Tensor of the slow flow (m⁷), in the file's axes.
     #[serde(with = "number")]
     pub P: [[f64; 3]; 3],
-    /// Relative error of `P`, cavity's axes.
+    /// Relative error of `P` about each axis of the cavity; `null` where exact.
     #[serde(with = "number")]
     pub errors: Option<[f64; 3]>,
-    /// Inertia of an ideal liquid (kg·m²).
+    /// Inertia tensor (kg·m²) of an ideal liquid, in the file's axes, or `null`.
     ///
     /// That of the rigid body which is equivalent to the liquid; none where the liquid is viscous throughout.
     #[serde(with = "number")]
@@ -449,7 +449,7 @@ pub struct Column {
 /// The reduced equations against the full ones as the body is stiffened.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 pub struct VerificationRecord {
-    /// Whether all were reached.
+    /// Whether every order was reached.
     pub reached: bool,
     /// Revolutions followed.
     ///
@@ -461,12 +461,12 @@ pub struct VerificationRecord {
     pub duration: f64,
     /// One entry per order.
     pub orders: Vec<OrderRecord>,
-    /// Comparison of the mean power.
+    /// Comparison of the mean power, or `null`.
     ///
     /// Mean power of the average against that of the full system, where there is an average.
     #[serde(default)]
     pub average: Option<AverageRecord>,
-    /// Reason of absence.
+    /// Reason for its absence.
     ///
     /// Reason for a missing comparison with the average, in words.
     #[serde(default)]
@@ -476,20 +476,20 @@ pub struct VerificationRecord {
 /// The average against the full system as the body is stiffened.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 pub struct AverageRecord {
-    /// `ε` of stiffness `C/ε²`, damping `B/ε`.
+    /// Factors `ε` of stiffness `C/ε²` and damping `B/ε`, from 1 down.
     ///
     /// The first, 1, is the model itself.
     #[serde(with = "number")]
     pub epsilons: Vec<f64>,
-    /// Relative difference at each.
+    /// Relative difference at each `ε`.
     #[serde(with = "number")]
     pub errors: Vec<f64>,
-    /// Measured exponent.
+    /// Measured exponent of `ε`, or `null` within the error of measurement.
     #[serde(with = "number")]
     pub order: Option<f64>,
     /// Expected exponent.
     pub expected: usize,
-    /// Whether reached.
+    /// Whether the order is reached.
     pub reached: bool,
 }
 
@@ -503,30 +503,30 @@ pub struct OrderRecord {
     /// Form of the reduced equations.
     #[serde(default = "angular_momentum_form")]
     pub form: String,
-    /// Measured exponent.
+    /// Measured exponent of `ε`, or `null` within rounding.
     #[serde(with = "number")]
     pub order: Option<f64>,
-    /// Expected, `p + 1`.
+    /// Expected exponent, `p + 1`.
     ///
     /// Expected exponent.
     pub expected: usize,
-    /// Whether reached.
+    /// Whether the order is reached.
     pub reached: bool,
-    /// `ε` of stiffness `C/ε²`, damping `B/ε`.
+    /// Factors `ε` of stiffness `C/ε²` and damping `B/ε`, from 1 down.
     ///
     /// The first, 1, is the model itself.
     #[serde(with = "number")]
     pub epsilons: Vec<f64>,
-    /// Largest relative difference in spin at each.
+    /// Largest difference in spin at each `ε`, relative.
     #[serde(with = "number")]
     pub errors: Vec<f64>,
-    /// Largest difference at each (rad).
+    /// Largest difference in attitude at each `ε` (rad).
     #[serde(with = "number")]
     pub attitude: Vec<f64>,
-    /// Largest difference at each (J).
+    /// Largest difference in the energy dissipated at each `ε` (J).
     #[serde(with = "number")]
     pub dissipated: Vec<f64>,
-    /// Energy of the full history (J).
+    /// Energy dissipated (J), in the full history.
     #[serde(with = "number")]
     pub dissipation: Vec<f64>,
 }

@@ -7,31 +7,31 @@ use super::number;
 /// A steady spin with the small motions about it, or the reason for its absence.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 pub struct SteadySpinRecord {
-    /// Result in words, instability first.
+    /// Result, instability first, in one or two sentences.
     pub sentence: String,
     /// Axis: `least`, `middle` or `greatest` inertia, `asked`, `under forces`, `at rest`.
     ///
     /// Axis near which the spin was looked for. With momentum wheels also `greatest, opposite sense`, `least, opposite sense`, and where wheels
     /// turn the spin away from the axes `least energy` and `greatest energy`, with `locally` before them of a lesser extreme.
     pub axis: String,
-    /// Angular velocity (rad/s).
+    /// Angular velocity (rad/s), body axes; `null` if there is no such spin.
     #[serde(with = "number")]
     pub spin: Option<[f64; 3]>,
-    /// Angular momentum (N·m·s).
+    /// Angular momentum (N·m·s), body axes.
     #[serde(with = "number")]
     #[serde(rename = "momentum")]
     pub angular_momentum: Option<[f64; 3]>,
     /// Energy (J).
     #[serde(with = "number")]
     pub energy: Option<f64>,
-    /// Elastic displacements (m, rad).
+    /// Displacements of the elastic coordinates, by name (m, rad).
     #[serde(with = "number")]
     pub displacements: BTreeMap<String, f64>,
-    /// Whether no small motion is known to grow.
+    /// Whether no small motion grows, as far as is known.
     pub stable: bool,
-    /// The nutation first, overdamped ones last.
+    /// Modes: the nutation first, then by frequency, overdamped ones last.
     pub modes: Vec<ModeRecord>,
-    /// Of many coordinates: which modes these are.
+    /// Of a body of many coordinates: which modes these are.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub slowest: Option<SlowModesRecord>,
 }
@@ -39,14 +39,14 @@ pub struct SteadySpinRecord {
 /// Slowest modes of a body of many coordinates.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 pub struct SlowModesRecord {
-    /// Rate up to which modes were looked for (rad/s).
+    /// Rate (rad/s) up to which modes were looked for.
     ///
     /// Of their eigenvalues.
     #[serde(with = "number")]
     pub rate: f64,
-    /// Eigenvalues below it that were counted, but not found.
+    /// How many eigenvalues below it were counted and not found; `null` where they were not counted.
     pub missing: Option<usize>,
-    /// Whether nothing grows, found or not, since the energy is least.
+    /// Whether no motion grows, found or not, since the energy is least in the spin.
     pub positive_energy: bool,
 }
 
@@ -106,42 +106,42 @@ pub struct CampbellRecord {
 /// A mode of a spinning body.
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 pub struct ModeRecord {
-    /// `nutation`, or coordinate that moves most.
+    /// `nutation`, or the coordinate that moves most.
     ///
     /// Later ones of a name are counted: `"tip" x, second`.
     pub name: String,
-    /// Whether it is the nutation.
+    /// Whether the mode is the nutation.
     pub nutation: bool,
-    /// Whether it has no rate beyond rounding.
+    /// Whether the mode has no rate beyond rounding.
     ///
     /// It neither oscillates nor decays nor grows.
     #[serde(default)]
     pub neutral: bool,
-    /// Whether it is internal and hardly oscillates.
+    /// Whether the mode is an internal motion that hardly oscillates.
     #[serde(default)]
     pub overdamped: bool,
-    /// Decay rate (1/s).
+    /// Decay rate (1/s), negative for a mode that grows.
     #[serde(with = "number")]
     pub decay_rate: f64,
-    /// Bound on the rate (1/s), where rounding hides it.
+    /// Bound on the rate of decay or growth (1/s), where rounding hides it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub rate_bound: Option<f64>,
     /// Frequency in body axes (rad/s).
     #[serde(with = "number")]
     pub frequency: f64,
-    /// e-folding time (s).
+    /// e-folding time (s), negative where it grows; `null` where it does neither.
     #[serde(with = "number")]
     pub time_constant: Option<f64>,
     /// Damping ratio.
     #[serde(with = "number")]
     pub damping_ratio: f64,
-    /// Frequency less and plus the spin (rad/s).
+    /// Rates seen from outside, frequency less and plus the spin (rad/s).
     #[serde(with = "number")]
     pub seen_from_outside: [f64; 2],
-    /// Shares of the kinetic energy.
+    /// Shares of the kinetic energy, by part.
     #[serde(with = "number")]
     pub moves: BTreeMap<String, f64>,
-    /// Shares, negative if a force gives energy.
+    /// Shares of the dissipation, negative if a force gives energy.
     ///
     /// By spring, hinge, part, material, rotor, cavity or force.
     #[serde(with = "number")]

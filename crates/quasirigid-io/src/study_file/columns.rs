@@ -12,15 +12,15 @@ use crate::model::{KeyPath, KeyValue};
 pub(super) const COLUMN: Keys = Keys {
     known: &[
         key("name", TEXT, "of the column"),
-        key("formula", TEXT, "instead, of several columns"),
-        key("unit", TEXT.or("the column's, or SI"), "of the number"),
-        key("default", of(Shape::Value).or("the row is lost"), "for no value"),
+        key("formula", TEXT, "instead, of the numbers in several columns"),
+        key("unit", TEXT.or("that of the column, or SI"), "of the number"),
+        key("default", of(Shape::Value).or("the row is lost"), "where there is no value, in the unit"),
         key(
             "sigma",
             any(&[Shape::Text, Shape::Named(&Shape::Text)]).or("none"),
-            "column with the standard deviation, same unit; of a formula `{ P = \"P_err\" }`",
+            "column with the standard deviation, in the same unit; of a formula `{ P = \"P_err\" }`, for each column",
         ),
-        key("marks", list(&Shape::Text).or("none"), "stripped, such as `*` and `:`"),
+        key("marks", list(&Shape::Text).or("none"), "taken away around the number, such as `*` and `:`"),
     ],
 };
 

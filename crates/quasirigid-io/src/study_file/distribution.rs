@@ -44,8 +44,9 @@ pub struct Drawn {
     pub unit: Option<String>,
 }
 
-pub(super) const UNIFORM: Keys = Keys { known: &[key("uniform", ENDS, "equal probability")] };
-pub(super) const LOG_UNIFORM: Keys = Keys { known: &[key("log-uniform", ENDS, "of the logarithm")] };
+pub(super) const UNIFORM: Keys = Keys { known: &[key("uniform", ENDS, "equal probability between them")] };
+pub(super) const LOG_UNIFORM: Keys =
+    Keys { known: &[key("log-uniform", ENDS, "equal probability of the logarithm")] };
 pub(super) const NORMAL: Keys = Keys { known: &[key("normal", table(&NORMAL_KEYS), "")] };
 pub(super) const LOG_NORMAL: Keys = Keys { known: &[key("log-normal", table(&LOG_NORMAL_KEYS), "")] };
 
@@ -62,7 +63,7 @@ const NORMAL_KEYS: Keys = Keys {
 const LOG_NORMAL_KEYS: Keys = Keys {
     known: &[
         key("median", quantity("any unit"), ""),
-        key("decades", NUMBER, "powers of ten in a deviation"),
+        key("decades", NUMBER, "powers of ten in one standard deviation"),
         key("sigma", NUMBER, "instead, of the natural logarithm"),
         MIN,
         MAX,

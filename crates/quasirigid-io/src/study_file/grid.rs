@@ -11,9 +11,10 @@ use crate::model::value::Value;
 pub(super) const ENDS: Form = array(2, &Shape::Number).in_unit("any unit");
 const COUNT_OF_GRID: Key = key("count", integer(2, MAX_POINTS as u64), "numbers of the grid");
 
-pub(super) const LINEAR: Keys = Keys { known: &[key("linear", ENDS, "ends of a grid"), COUNT_OF_GRID] };
+pub(super) const LINEAR: Keys =
+    Keys { known: &[key("linear", ENDS, "ends of a grid, evenly spaced"), COUNT_OF_GRID] };
 pub(super) const GEOMETRIC: Keys =
-    Keys { known: &[key("geometric", ENDS, "ends, constant ratio"), COUNT_OF_GRID] };
+    Keys { known: &[key("geometric", ENDS, "ends of a grid with a constant ratio"), COUNT_OF_GRID] };
 pub(super) const LIST: Keys = Keys { known: &[key("list", of(Shape::List(&Shape::Value)), "any values")] };
 
 /// Most points of one grid.

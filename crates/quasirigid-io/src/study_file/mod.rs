@@ -32,19 +32,23 @@ pub(crate) const STUDY: Keys = Keys {
     known: &[
         key("model", TEXT, "file, beside the study"),
         key("seed", COUNT.or("0"), "of the draws"),
-        key("samples", integer(1, MOST_SAMPLES as u64).or("1"), "draws for each grid point and row"),
+        key(
+            "samples",
+            integer(1, MOST_SAMPLES as u64).or("1"),
+            "draws for every grid point and row of the table",
+        ),
         key(
             "sampling",
             words(&["random", "latin-hypercube", "sobol"]).or("`\"random\"`"),
-            "Sobol has at most 65536",
+            "spread of the draws; Sobol has at most 65536",
         ),
         key("part", integer(1, MOST_IN_PART as u64).or("4096"), "rows of a file of results"),
-        key("vary", named(&Shape::Shared("values")).or("none"), "keys and their values"),
+        key("vary", named(&Shape::Shared("values")).or("none"), "keys of the model and their values"),
         key("table", table(&TABLE).or("none"), "bodies, a row each"),
         key(
             "columns",
             named(&Shape::Any(&[Shape::Text, Shape::Table(&COLUMN)])).or("none"),
-            "keys and their columns; others are left out",
+            "keys of the model and the columns that give them; the others are left out",
         ),
         key("answer", table(&ANSWER), ""),
     ],

@@ -14,8 +14,8 @@ pub(super) const TABLE: Keys = Keys {
             named(&Shape::Any(&[Shape::Text, Shape::Table(&COLUMN)])).or("named like keys"),
             "key of each column",
         ),
-        key("keep", list(&Shape::Text).or("none"), "columns carried through"),
-        key("missing", list(&Shape::Text).or("none"), "no value, beside `-`, `NaN`, `null`"),
+        key("keep", list(&Shape::Text).or("none"), "columns carried through unread"),
+        key("missing", list(&Shape::Text).or("none"), "texts for no value, beside `-`, `NaN` and `null`"),
     ],
 };
 const COLUMN: Keys =

@@ -168,7 +168,7 @@ pub(crate) struct HistoryVerdict {
     range: RangeObject,
     /// Largest met.
     defect: WorstDefect,
-    /// Share of energy off it.
+    /// Share of energy off the spin manifold.
     left_out: Option<f64>,
 }
 

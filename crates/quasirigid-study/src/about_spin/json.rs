@@ -16,7 +16,7 @@ const VERSION: usize = 1;
 /// Reduced equations about a spin.
 #[derive(Serialize)]
 struct EquationsObject<'a> {
-    /// 1, raised where meanings change.
+    /// 1, raised where a key changes its meaning.
     version: usize,
     /// Title of the model.
     name: &'a str,
@@ -24,13 +24,13 @@ struct EquationsObject<'a> {
     units: &'a str,
     /// `spin`.
     about: &'a str,
-    /// At the start.
+    /// Whether they hold at the start.
     holds: bool,
     /// In words.
     sentence: String,
-    /// `least` or `greatest` inertia, with momentum wheels `least energy` or `greatest energy`.
+    /// `least` or `greatest` inertia; `least energy` or `greatest energy` where momentum wheels turn the spin away.
     axis: &'a str,
-    /// Steady (rad/s).
+    /// Steady spin (rad/s), body axes.
     spin: [f64; 3],
     /// N m s.
     angular_momentum: [f64; 3],
@@ -44,21 +44,21 @@ struct EquationsObject<'a> {
     style: &'a str,
     /// The nutation first.
     masters: Vec<MasterObject<'a>>,
-    /// (W11).
+    /// How far the equations hold, (W11).
     range: RangeObject,
-    /// The start.
+    /// The start; `null` about an axis not circled.
     start: Option<StartObject<'a>>,
     /// Effects left out.
     left_out: Vec<String>,
-    /// The nutation by amplitude, (W12).
+    /// The nutation by its amplitude, to a quarter beyond the range, (W12).
     backbone: Vec<PointObject>,
-    /// Modes left out, slowest first.
+    /// Modes left out, the slowest first.
     outer: Vec<OuterObject<'a>>,
-    /// With those modes, (W6).
+    /// Of monomials with those modes, (W6).
     resonances: Vec<ResonanceObject<'a>>,
-    /// Met to twice the range.
+    /// Resonances that the nutation meets up to twice its range.
     met: Vec<MetObject<'a>>,
-    /// Spin from which a motion grows, to tenfold.
+    /// Spin from which a motion grows, up to tenfold, or `null`.
     whirl_onset: Option<WhirlObject<'a>>,
     /// `z1`, conjugate `z1*`, ….
     variables: Vec<String>,
@@ -77,7 +77,7 @@ struct EquationsObject<'a> {
 struct MasterObject<'a> {
     /// `nutation`, or a coordinate.
     name: &'a str,
-    /// 1/s.
+    /// 1/s, negative where it grows.
     decay_rate: f64,
     /// s.
     time_constant: Option<f64>,
@@ -109,9 +109,9 @@ struct StartObject<'a> {
     within: bool,
     /// Shares.
     defect: DefectObject,
-    /// Share of energy off the spin manifold.
+    /// Share of the energy beyond the steady spin, off the spin manifold.
     left_out: Option<f64>,
-    /// z, without conjugates.
+    /// z, one of each conjugate pair.
     coordinates: &'a [[f64; 2]],
 }
 
@@ -215,7 +215,7 @@ struct StateTerm<'a> {
     rates: Vec<[f64; 2]>,
     /// m, rad.
     coordinates: Vec<[f64; 2]>,
-    /// Of the angular momentum.
+    /// Of the angular momentum, body axes.
     direction: Vec<[f64; 2]>,
 }
 

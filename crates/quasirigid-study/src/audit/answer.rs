@@ -13,59 +13,59 @@ use super::trend::Trend;
 /// Audit of a history; the first paragraph of a field is the reference of `--json` in the guide.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Audit {
-    /// Result in words, verdict first.
+    /// Result in a few sentences, the verdict first.
     pub sentence: String,
-    /// Relative change from first to last row.
+    /// Change of the angular momentum from the first row to the last, relative.
     pub momentum_drift: f64,
-    /// Relative change from first to last row.
+    /// Change of the energy from the first row to the last, relative.
     pub energy_drift: f64,
-    /// Largest relative change from the first row.
+    /// Largest change of the angular momentum from the first row to any, relative.
     pub momentum_excursion: f64,
-    /// Largest relative change from the first row.
+    /// Largest change of the energy from the first row to any, relative.
     pub energy_excursion: f64,
-    /// e-folding time of a wobble that the body lacks (s).
+    /// e-folding time (s) of the small wobble that the body does not have, negative where it grows; `null` where nothing is above the digits.
     pub invented_time_constant: Option<f64>,
-    /// Standard error of the seen one (s).
+    /// Standard error of the seen time constant (s), or `null`.
     pub time_constant_error: Option<f64>,
-    /// Longest that the history could show (s).
+    /// Longest time constant (s) that the digits and the length of the history could show; `null` where there is no wobble.
     pub longest_time_constant: Option<f64>,
-    /// e-folding time in the history (s).
+    /// e-folding time (s) of the small wobble in the history, or `null`.
     pub seen_time_constant: Option<f64>,
-    /// e-folding time of the model (s).
+    /// That of the model (s); `null` where it has no dissipation, or is not known.
     pub model_time_constant: Option<f64>,
-    /// Share of the seen rate, by the model.
+    /// Share of the seen rate that the model explains; `null` where it is not known.
     pub explained: Option<f64>,
-    /// Interval of the fastest change (s).
+    /// Interval (s) in which energy or angular momentum changed fastest; `null` where neither changed.
     pub worst_interval: Option<[f64; 2]>,
-    /// Mode of rotation, `short-axis` or `long-axis`.
+    /// Mode of rotation, `short-axis` or `long-axis`; `null` of a body without wobble.
     pub mode: Option<&'static str>,
-    /// Wobble at start and end (rad).
+    /// Wobble (rad) at the start and the end, mean of an interval; `null` where none is above the digits.
     pub wobble: Option<[f64; 2]>,
-    /// Time of the first row beyond the separatrix (s).
+    /// Time (s) of the first row beyond the separatrix, or `null`.
     pub crossing: Option<f64>,
     /// Intervals of the history.
     pub dissipation: Vec<IntervalObject>,
-    /// Most that rounding makes.
+    /// Most that rounding of the file makes.
     pub rounding: RoundingObject,
     /// Units of the file.
     pub units: UnitsObject,
-    /// Attitude of the file.
+    /// Attitude of the file, or `null`.
     pub attitude: Option<AttitudeObject>,
-    /// Of several histories.
+    /// Order of the integrator, of several histories.
     pub order: Option<OrderObject>,
-    /// Name.
+    /// Name of the file.
     pub file: String,
-    /// Rows.
+    /// Number of rows.
     pub rows: usize,
-    /// First to last row (s).
+    /// Time (s) from the first row to the last.
     pub duration: f64,
-    /// Revolutions.
+    /// Revolutions in that time.
     pub turns: f64,
-    /// Whether the limits are kept.
+    /// Whether the limits that were asked for are kept; `null` without any.
     pub within_limits: Option<bool>,
-    /// Whether the history is that of the body.
+    /// Whether the history is one of a free rigid body with this inertia, or of the model.
     pub holds: bool,
-    /// Notes to read first.
+    /// Notes to read before the numbers.
     pub notes: Vec<String>,
     /// What went in.
     pub inputs: InputsRecord,
@@ -76,11 +76,11 @@ pub struct Audit {
 pub struct IntervalObject {
     /// First and last time (s).
     pub interval: [f64; 2],
-    /// Mean wobble (rad).
+    /// Mean wobble (rad), or `null`.
     pub wobble: Option<f64>,
-    /// Rate of the energy over it (1/s).
+    /// Rate of the energy over the energy (1/s).
     pub relative_power: Option<f64>,
-    /// e-folding time (s).
+    /// e-folding time (s) of the wobble, negative where it grows; `null` where the interval shows none.
     pub time_constant: Option<f64>,
 }
 
@@ -102,11 +102,11 @@ pub struct UnitsObject {
     pub rates: String,
     /// Of the times.
     pub times: String,
-    /// `heading`, `motion` or `assumed`.
+    /// Where they were found: `heading`, `motion` or `assumed`.
     pub source: &'static str,
-    /// Factor to SI by Euler's equations, beyond the heading's.
+    /// Factor that fits Euler's equations to the numbers, of the units over those of SI after what the heading says; `null` where the rates hardly change.
     pub factor: Option<f64>,
-    /// Share of the rates' change unexplained.
+    /// Share of the change of the rates that Euler's equations leave unexplained, or `null`.
     pub misfit: Option<f64>,
 }
 
@@ -115,11 +115,11 @@ pub struct UnitsObject {
 pub struct AttitudeObject {
     /// Convention in words.
     pub convention: String,
-    /// Share of the rotation unexplained.
+    /// Share of the rotation that the rates leave unexplained.
     pub misfit: f64,
-    /// Angle of the inertial angular momentum, first to last row (rad).
+    /// Angle (rad) of the angular momentum in inertial axes between the first row and the last.
     pub direction_drift: f64,
-    /// Largest from the first row (rad).
+    /// The largest angle (rad) from the first row to any.
     pub direction_excursion: f64,
 }
 

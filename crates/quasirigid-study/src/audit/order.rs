@@ -10,15 +10,15 @@ use crate::words::significant;
 /// Order of the integrator, of several histories.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct OrderObject {
-    /// Power of the step in the drift.
+    /// Power of the step with which the drift falls; `null` where a history shows none.
     pub order: Option<f64>,
-    /// Step of each history (s).
+    /// Step (s) of each history.
     pub steps: Vec<f64>,
-    /// Drift of each: wobble rate (1/s), or relative change of energy.
+    /// Drift of each: rate of the wobble (1/s), or where a history shows none the relative change of the energy.
     pub drifts: Vec<f64>,
-    /// Step that keeps the limits (s).
+    /// Step (s) at which the limits would be kept; `null` without limits or order.
     pub enough_step: Option<f64>,
-    /// In words.
+    /// The same in words.
     pub sentence: String,
 }
 

@@ -26,17 +26,17 @@ struct CheckObject<'a> {
     order: usize,
     /// Whether no criterion fails.
     valid: bool,
-    /// On the motion: `holds`, `marginal` or `fails`, as every verdict.
+    /// On the motion: `holds`, `marginal` or `fails` (not valid), as every verdict.
     verdict: &'a str,
     /// On the power, (V11).
     dissipation_verdict: &'a str,
-    /// On averages along polhodes, (V10).
+    /// On averages along rigid polhodes, (V10).
     averages: &'a str,
     /// Reasons for the verdict.
     reasons: Vec<String>,
     /// Time (s), (V1).
     T1: f64,
-    /// Time (s).
+    /// Time (s), `null` for a vibration that does not decay.
     T2: Option<f64>,
     /// Time (s).
     T3: f64,
@@ -52,29 +52,29 @@ struct CheckObject<'a> {
     criteria: Vec<CriterionRecord>,
     /// Sizes of the degrees, (R14).
     degrees: Vec<DegreeObject>,
-    /// Order of the smallest terms.
+    /// Order at which the terms are smallest.
     optimal_order: usize,
-    /// Which hold: `rest`, `spin`, or `none`.
+    /// Which equations hold: `rest`, `spin`, or `none`.
     reduction: &'a str,
-    /// Where `rest` fails.
+    /// Where `rest` fails, or `null`.
     about_spin: Option<AboutSpinObject<'a>>,
     /// Shares.
     dissipation: &'a BTreeMap<String, f64>,
     /// As above.
     steady_spins: &'a [SteadySpinRecord],
-    /// Effects left out.
+    /// Effects left out of the equations of motion.
     left_out: Vec<String>,
-    /// Left out or repaired, with counts.
+    /// Left out of files or repaired in them, with counts.
     files: &'a [String],
     /// In cavities.
     liquids: Vec<LiquidRecord>,
-    /// Partly full.
+    /// Partly full, with their slosh.
     tanks: Vec<TankObject<'a>>,
-    /// Shapes as they were read.
+    /// Files of shapes, as they were read.
     shapes: Vec<ShapeFileRecord>,
-    /// Of a solid in a surface.
+    /// Of a solid inside a surface, or `null`.
     resolution: Option<ResolutionRecord>,
-    /// Of finite elements.
+    /// Of finite elements, or `null`.
     condensation: Option<CondensationObject>,
 }
 
@@ -83,7 +83,7 @@ struct CheckObject<'a> {
 struct DegreeObject {
     /// In the angular velocity.
     degree: usize,
-    /// Largest over directions (rad/s²).
+    /// Largest over directions of the spin (rad/s²).
     size: f64,
 }
 
@@ -94,7 +94,7 @@ struct AboutSpinObject<'a> {
     holds: bool,
     /// In words.
     sentence: &'a str,
-    /// Of `derive --about spin`, without polynomials.
+    /// As of `derive --about spin`, without polynomials.
     equations: &'a Value,
 }
 

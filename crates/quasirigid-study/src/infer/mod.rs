@@ -83,33 +83,33 @@ pub struct Inferred {
     pub sentence: String,
     /// The keys.
     pub parameters: Vec<Parameter>,
-    /// Covariance of the keys, in their units.
+    /// Covariance of the keys, in their units; `null` of those that the data do not tell, or that are at a bound.
     pub covariance: Vec<Vec<Option<f64>>>,
-    /// Sum of squared residuals, in deviations; without outliers under a robust loss.
+    /// Sum of the squares of the residuals over their deviations, of outliers left out under a robust loss.
     pub chi2: f64,
-    /// Values and priors in `chi2`, less keys at no bound.
+    /// Number of the values that `chi2` counts, priors among them, less that of the keys at no bound.
     pub degrees_of_freedom: usize,
-    /// Deviation by scatter, where none is given.
+    /// Deviation of the data that their scatter has, where none is given; else `null`.
     pub scatter: Option<f64>,
-    /// Largest, of neighbouring residuals: zero of noise, one of a misfit.
+    /// Largest correlation of neighbouring residuals among the columns: about zero of noise, near one where the history misses the data.
     pub correlation: f64,
-    /// Values over four deviations off.
+    /// Number of values more than four deviations off.
     pub outliers: usize,
     /// Columns of the history.
     pub columns: Vec<FittedColumn>,
     /// Measured answers.
     pub measured: Vec<FittedAnswer>,
-    /// Combinations that the data do not tell.
+    /// Combinations of keys that the data do not tell.
     pub not_distinguished: Vec<Combination>,
-    /// Other minima nearly as good.
+    /// Other minima that fit nearly as well.
     pub alternatives: Vec<Alternative>,
-    /// Whether at a minimum.
+    /// Whether the search ended at a least.
     pub converged: bool,
-    /// Whether the model explains the data; without deviations `null`, or `false` where the residuals are no noise.
+    /// Whether the model explains the data within their deviations; without these `null`, or `false` where the residuals are no noise.
     pub explained: Option<bool>,
-    /// Changed models followed.
+    /// Number of changed models that were followed.
     pub models: usize,
-    /// Notes to read first.
+    /// Notes to read before the numbers.
     pub notes: Vec<String>,
     /// Times (s) of the rows of the history.
     #[serde(skip)]
@@ -121,19 +121,19 @@ pub struct Inferred {
 pub struct Parameter {
     /// Path of the key.
     pub key: String,
-    /// Best value, in its unit.
+    /// Value that fits best, in its unit.
     pub value: f64,
-    /// Standard deviation.
+    /// Standard deviation; `null` where the data do not tell it, and at a bound.
     pub sigma: Option<f64>,
-    /// Ends of the interval.
+    /// Ends of the interval of 68 %; `null` where the data set none.
     pub interval_68: [Option<f64>; 2],
-    /// Ends of the interval.
+    /// Ends of the interval of 95 %; `null` where the data set none.
     pub interval_95: [Option<f64>; 2],
-    /// Whether the intervals are of the profile likelihood.
+    /// Whether the intervals are those of the profile likelihood, and not of the deviation.
     pub profiled: bool,
-    /// Bound met, `low` or `high`.
+    /// Bound that the value is at, `low` or `high`; else `null`.
     pub at_bound: Option<&'static str>,
-    /// Unit in the file, empty in SI.
+    /// Unit as the file writes it; empty of a plain number, which is in SI units.
     pub unit: String,
     /// Value in the file.
     pub before: f64,
@@ -142,11 +142,11 @@ pub struct Parameter {
 /// Column of a measured history beside the history that fits best.
 #[derive(Clone, Debug, Serialize)]
 pub struct FittedColumn {
-    /// Name.
+    /// Name of the column.
     pub name: String,
-    /// RMS residual, in deviations.
+    /// Root of the mean square of its residuals, over their deviations.
     pub rms: f64,
-    /// Greatest residual, in deviations.
+    /// Greatest residual, over its deviation.
     pub largest: f64,
     /// Unit of the column.
     #[serde(skip)]
@@ -169,31 +169,31 @@ pub struct FittedAnswer {
     pub quantity: String,
     /// Measured value.
     pub value: f64,
-    /// Standard deviation.
+    /// Its standard deviation.
     pub sigma: f64,
-    /// Value of the best model.
+    /// Value of the model that fits best.
     pub fitted: f64,
-    /// Residual, in deviations.
+    /// Residual over the deviation.
     pub residual: f64,
-    /// Unit.
+    /// Unit; empty of a pure number.
     pub unit: String,
 }
 
 /// Minimum elsewhere, of a sum that is within that of the interval of 95 %.
 #[derive(Clone, Debug, Serialize)]
 pub struct Alternative {
-    /// Values there.
+    /// Values of the keys there.
     pub values: Vec<f64>,
-    /// Rise of `chi2`, over that in one deviation.
+    /// How much larger the sum of squares is, over its rise in one deviation.
     pub rise: f64,
 }
 
 /// Combination of keys that the data do not tell: they stay as they are if each key changes by its share.
 #[derive(Clone, Debug, Serialize)]
 pub struct Combination {
-    /// Change of each key.
+    /// Relative change of each key.
     pub changes: Vec<Change>,
-    /// Standard deviation of the combination.
+    /// Standard deviation of the combination; `null` if the data do not see it at all.
     pub sigma: Option<f64>,
 }
 
@@ -202,7 +202,7 @@ pub struct Combination {
 pub struct Change {
     /// Path of the key.
     pub key: String,
-    /// Relative change; of a zero over its largest neighbour.
+    /// Relative change, of a zero over the largest number beside it.
     pub relative: f64,
 }
 

@@ -96,35 +96,36 @@ pub struct LightCurveSettings {
 pub struct LightCurve {
     /// Title of the model.
     pub name: String,
-    /// Result in words.
+    /// The result in words, what does not hold first.
     pub sentence: String,
-    /// Whether it holds.
+    /// Whether rotation and brightness hold.
     pub holds: bool,
-    /// System of equations.
+    /// System of equations of the rotation.
     pub system: &'static str,
-    /// Outer surface.
+    /// Facets of the outer surface.
     pub surface: SurfaceObject,
-    /// Geometric albedo given.
+    /// Geometric albedo of a sphere of the material; `null` where none is given, and for Hapke's law, which has its own.
     pub albedo: Option<f64>,
     /// Mean brightness (m²).
     pub mean_brightness: f64,
-    /// What magnitude zero is: `V` or the `mean`.
+    /// Magnitude that zero stands for: `V` of the Sun's light, or the `mean` of the curve.
     pub zero: &'static str,
-    /// Greatest less least magnitude.
+    /// Greatest less least magnitude; `null` where the body is dark at a time.
     pub amplitude: f64,
     /// Times (s).
     pub t: Vec<f64>,
-    /// Area of a white disc as bright at opposition, 1 au (m²), times the albedo.
+    /// Area (m²) of the disc that is as bright, as a white sphere at opposition is, at one astronomical unit; times the albedo where there is
+    /// one.
     pub brightness: Vec<f64>,
-    /// At 1 au from Sun and observer.
+    /// Magnitude at one astronomical unit from Sun and observer.
     pub magnitude: Vec<f64>,
     /// Phase angle (rad).
     pub phase_angle: Vec<f64>,
-    /// Measured over computed brightness.
+    /// Comparison with measured brightness; `null` without one.
     pub residuals: Option<ResidualsObject>,
-    /// Frequencies in the curve, of `--periods`.
+    /// Frequencies found in the curve, measured where it was; `null` if not asked for.
     pub periods: Option<PeriodsObject>,
-    /// Notes to read first.
+    /// Notes to read before the numbers.
     pub notes: Vec<String>,
     #[serde(skip)]
     epochs: Vec<Epoch>,
@@ -137,13 +138,13 @@ pub struct LightCurve {
 pub struct SurfaceObject {
     /// `ellipsoid` or `surface`.
     pub kind: &'static str,
-    /// Facets.
+    /// Number of facets.
     pub facets: usize,
-    /// Whether convex: no shadow on itself.
+    /// Whether the body is convex: it throws no shadow on itself.
     pub convex: bool,
-    /// Relative error of the brightness by the facets' size.
+    /// Relative error of the brightness by the size of the facets, estimated; zero of a convex surface of triangles, which is exact.
     pub error: f64,
-    /// Mean cross-section of a convex body (m²).
+    /// Mean cross-section of a convex body with this surface (m²).
     pub cross_section: f64,
 }
 

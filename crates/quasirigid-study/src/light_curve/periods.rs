@@ -23,19 +23,19 @@ const NAMED: usize = 3;
 /// Frequencies of a light curve.
 #[derive(Clone, Debug, Serialize)]
 pub struct PeriodsObject {
-    /// The `measured` or the `computed` curve.
+    /// Whether they are those of the `measured` or of the `computed` curve.
     pub of: &'static str,
     /// Lines, the strongest first.
     pub lines: Vec<LineObject>,
-    /// Why they may not hold.
+    /// Why the periods may not hold; `null` where the times tell them.
     pub doubt: Option<String>,
-    /// Greatest frequency searched (Hz).
+    /// Greatest frequency (Hz) that was looked at.
     pub highest: f64,
-    /// RMS left by the lines, over the curve's.
+    /// Root mean square of what the lines leave, over that of the curve.
     pub rest: f64,
-    /// Pairs whose multiples sum to the lines, best first, then aliases.
+    /// Pairs of frequencies of which the lines are sums of multiples, or single ones, the best first; the others are aliases.
     pub pairs: Vec<PairObject>,
-    /// Periods of the free rotation of the model.
+    /// Periods of the free rotation of the model, and what the curve makes of them; `null` where it is not free.
     pub model: Option<ModelPeriodsObject>,
 }
 
@@ -44,11 +44,11 @@ pub struct PeriodsObject {
 pub struct LineObject {
     /// Frequency (Hz).
     pub frequency: f64,
-    /// Standard deviation (Hz).
+    /// Standard deviation of the frequency (Hz), if what the lines leave is noise.
     pub deviation: f64,
-    /// Over the mean brightness.
+    /// Amplitude, over the mean brightness.
     pub amplitude: f64,
-    /// Multiples of the model's precession and rotation frequency.
+    /// Multiples of the precession and of the rotation frequency of the model whose sum is the line; `null` of others.
     pub of_model: Option<[i32; 2]>,
 }
 
@@ -57,28 +57,28 @@ pub struct LineObject {
 pub struct PairObject {
     /// First period (s).
     pub first: f64,
-    /// Second period (s).
+    /// Second period (s); `null` of one frequency.
     pub second: Option<f64>,
-    /// Standard deviations (s).
+    /// Standard deviations of both (s).
     pub deviations: [f64; 2],
-    /// Share of the lines' power.
+    /// Share of the power of the lines that are sums of multiples.
     pub explained: f64,
-    /// Multiples of each line.
+    /// Multiples of each line; `null` of those that are no such sum.
     pub numbers: Vec<Option<[i32; 2]>>,
 }
 
 /// Periods of the model's rotation, and the same from the light curve.
 #[derive(Clone, Debug, Serialize)]
 pub struct ModelPeriodsObject {
-    /// Mean period `P_phi` (s).
+    /// Mean period (s) of the long axis about the angular momentum, `P_phi`.
     pub precession_period: f64,
-    /// Period `P_psi` (s).
+    /// Period (s) about the long axis, `P_psi`.
     pub rotation_period: f64,
-    /// Both from the curve (s).
+    /// Both from the lines of the curve by their multiples in the model; `null` where these do not tell.
     pub found: Option<[f64; 2]>,
-    /// Standard deviations (s).
+    /// Standard deviations of those (s).
     pub deviations: Option<[f64; 2]>,
-    /// Share of the lines' power.
+    /// Share of the power in lines that belong to the model.
     pub explained: f64,
 }
 

@@ -7,7 +7,8 @@ use super::epochs::Epoch;
 /// Comparison with measured brightness.
 #[derive(Clone, Debug, Serialize)]
 pub struct ResidualsObject {
-    /// RMS of the ratio less one.
+    /// Root mean square of measured over computed brightness less one over the points that a free scale of each block leaves; `null` where it
+    /// leaves none.
     pub rms: f64,
     /// Blocks.
     pub blocks: Vec<BlockObject>,
@@ -22,13 +23,13 @@ pub struct ResidualsObject {
 /// A block of measured brightness.
 #[derive(Clone, Debug, Serialize)]
 pub struct BlockObject {
-    /// Number, from 1.
+    /// Number of the block, from 1.
     pub block: usize,
-    /// Points.
+    /// Number of points.
     pub points: usize,
-    /// Factor of the measured brightness (m²).
+    /// Factor (m²) of the measured brightness.
     pub scale: f64,
-    /// RMS of the block.
+    /// Root mean square of the residuals of the block.
     pub rms: f64,
 }
 

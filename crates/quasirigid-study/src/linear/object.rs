@@ -16,34 +16,34 @@ use crate::words::significant;
 pub struct LinearObject {
     /// Title of the model.
     pub name: String,
-    /// What the model is about.
+    /// What the model is about, in words.
     pub sentence: String,
-    /// Steady state.
+    /// The steady state.
     pub equilibrium: EquilibriumObject,
-    /// Rows of `A`.
+    /// States, in the order of the rows of `A`.
     pub states: Vec<Channel>,
-    /// Columns of `B`.
+    /// Inputs, in the order of the columns of `B`.
     pub inputs: Vec<Channel>,
-    /// Rows of `C`.
+    /// Outputs, in the order of the rows of `C`.
     pub outputs: Vec<Channel>,
-    /// Poles of the closed loop (1/s), least damped first.
+    /// Poles of the closed loop (1/s), real and imaginary part, the least damped first; only of a model with controllers.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub poles: Vec<[f64; 2]>,
-    /// Matrix of the states.
+    /// Rows of the matrix of the states.
     pub A: Vec<Vec<f64>>,
-    /// Matrix of the inputs.
+    /// Rows of the matrix of the inputs.
     pub B: Vec<Vec<f64>>,
-    /// Matrix of the outputs.
+    /// Rows of the matrix of the outputs.
     pub C: Vec<Vec<f64>>,
-    /// Matrix from inputs to outputs.
+    /// Rows of the matrix from inputs to outputs.
     pub D: Vec<Vec<f64>>,
-    /// Error by the states of materials and liquids with a memory.
+    /// Error by the states of materials and liquids with a memory; null where nothing has one.
     pub accuracy: Option<AccuracyObject>,
-    /// Why the equations are not those of the body.
+    /// Reason for which the equations of motion are not those of the body in this state; null where there is none.
     pub wrong: Option<String>,
-    /// Liquids left out of that error.
+    /// Liquids whose exact response is not known, so that the error does not contain theirs.
     pub not_compared: Vec<String>,
-    /// What a truncation left out.
+    /// What a truncation left out; null without one.
     pub truncation: Option<TruncationObject>,
     /// What went in, as `inputs` of every other answer.
     pub source: InputsRecord,
@@ -52,24 +52,24 @@ pub struct LinearObject {
 /// Steady state of a linear model.
 #[derive(Clone, Debug, Deserialize, Serialize)]
 pub struct EquilibriumObject {
-    /// Angular velocity (rad/s).
+    /// Angular velocity (rad/s), body axes.
     pub spin: [f64; 3],
-    /// Angular momentum (N·m·s).
+    /// Angular momentum (N·m·s), body axes.
     pub momentum: [f64; 3],
-    /// Quaternion.
+    /// Quaternion from body to inertial axes, scalar first.
     pub attitude: [f64; 4],
-    /// Elastic displacements (m, rad).
+    /// Displacements of the elastic coordinates, by name (m, rad).
     pub displacements: BTreeMap<String, f64>,
 }
 
 /// Error of a linear model.
 #[derive(Clone, Debug, Deserialize, Serialize)]
 pub struct AccuracyObject {
-    /// First and last frequency (rad/s).
+    /// First and last frequency (rad/s) that it is told for.
     pub band: [f64; 2],
-    /// Largest relative error of angular velocities by torques on the carrier.
+    /// Largest relative error of the angular velocities that torques on the carrier cause; null where the exact response is not known.
     pub error: Option<f64>,
-    /// Frequency of that error (rad/s).
+    /// Frequency (rad/s) of that error.
     pub frequency: f64,
 }
 

@@ -37,23 +37,23 @@ fn name(method: TruncationMethod) -> &'static str {
 /// is the largest response of the vibrations between channels of one unit.
 #[derive(Clone, Debug, Deserialize, Serialize)]
 pub struct TruncationObject {
-    /// `balanced` or `modal`.
+    /// Method, `balanced` or `modal`.
     pub method: String,
-    /// States of the whole model.
+    /// Number of states of the whole model.
     pub whole: usize,
-    /// States kept that do not decay.
+    /// Number of states kept that do not decay.
     pub lasting: usize,
-    /// Of the decaying states, descending; empty of `modal`.
+    /// Hankel singular values of the states that decay, descending; empty of `modal`.
     pub hankel_singular_values: Vec<f64>,
-    /// Bound on the error.
+    /// Bound on the error; null where there is none.
     pub bound: Option<f64>,
-    /// Highest frequency of the bound (rad/s); `null` of all.
+    /// Frequency (rad/s) up to which the bound holds; null where it holds at all frequencies.
     pub up_to: Option<f64>,
-    /// Largest error found.
+    /// Largest error found at the frequencies that were compared.
     pub found: f64,
-    /// Frequency of that error (rad/s).
+    /// Frequency (rad/s) of that error.
     pub frequency: f64,
-    /// Whether it exceeds the bound: rounding.
+    /// Whether rounding spoils the model: an error beyond the bound was found.
     pub spoiled: bool,
     /// Scale of each input.
     pub input_scales: Vec<f64>,

@@ -42,11 +42,11 @@ pub struct Sensitivity {
     pub quantity: String,
     /// Its value.
     pub value: f64,
-    /// Its unit.
+    /// Its unit; empty of a pure number.
     pub unit: String,
-    /// What matters most.
+    /// What matters most, in words.
     pub sentence: String,
-    /// Largest effect first.
+    /// Derivatives, the largest effect first.
     pub derivatives: Vec<KeyDerivative>,
     /// Keys without a derivative.
     pub not_known: Vec<NoDerivative>,
@@ -57,15 +57,15 @@ pub struct Sensitivity {
 pub struct KeyDerivative {
     /// Path of the key.
     pub key: String,
-    /// Value in its unit.
+    /// Value of the key, in its unit.
     pub value: f64,
-    /// Unit in the file, empty in SI.
+    /// Unit of the key as the file writes it; empty of a plain number, which is in SI units.
     pub unit: String,
-    /// With respect to the key.
+    /// Derivative of the quantity with respect to the key.
     pub derivative: f64,
-    /// That of the logarithms.
+    /// Derivative of the logarithm of the quantity with respect to that of the key; `null` if the quantity is zero.
     pub relative: Option<f64>,
-    /// Error of the derivative.
+    /// Estimate of the error of the derivative.
     pub error: f64,
     /// Size of the key that its effect is measured by: its own, of a zero that of the largest number beside it.
     #[serde(skip)]
@@ -77,7 +77,7 @@ pub struct KeyDerivative {
 pub struct NoDerivative {
     /// Path of the key.
     pub key: String,
-    /// Reason.
+    /// The reason, in words.
     pub reason: String,
 }
 

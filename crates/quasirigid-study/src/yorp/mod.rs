@@ -56,31 +56,31 @@ impl Default for YorpSettings {
 pub struct Yorp {
     /// Title of the model.
     pub name: String,
-    /// Result in words.
+    /// The result in words, what does not hold first.
     pub sentence: String,
     /// Whether the torques hold.
     pub holds: bool,
-    /// Spin about the axis of greatest inertia (rad/s).
+    /// Spin (rad/s) about the axis of greatest inertia with the angular momentum of the start.
     pub spin: f64,
-    /// Moment of inertia about it (kg·m²).
+    /// Moment of inertia about the axis (kg·m²).
     pub moment: f64,
-    /// The axis, along the spin.
+    /// Axis, along the spin, body axes.
     pub axis: [f64; 3],
-    /// Mean pressure of the light (Pa).
+    /// Mean pressure of the light (Pa) over the orbit.
     pub pressure: f64,
-    /// Thermal parameter.
+    /// Thermal parameter of the surface.
     pub thermal_parameter: f64,
-    /// First harmonic of the heat emitted, over that absorbed.
+    /// First harmonic of the heat that is emitted, over that which is absorbed.
     pub emission: f64,
-    /// Its lag (rad).
+    /// Lag of that harmonic (rad).
     pub lag: f64,
-    /// Relative error of the torques by harmonics left out.
+    /// Error of the torques by the harmonics left out, relative to the greatest.
     pub error: f64,
-    /// At the obliquity of the start.
+    /// At the obliquity of the start; `null` where the Sun stands in one direction.
     pub now: Option<YorpObject>,
-    /// Obliquities from 0 to 180 degrees.
+    /// At obliquities from 0 to 180 degrees.
     pub curve: Vec<YorpObject>,
-    /// Notes to read first.
+    /// Notes to read before the numbers.
     pub notes: Vec<String>,
 }
 
@@ -91,15 +91,15 @@ pub struct YorpObject {
     pub obliquity: f64,
     /// Mean torque along the spin (N·m).
     pub spin_torque: f64,
-    /// Mean torque raising the obliquity (N·m).
+    /// Mean torque that raises the obliquity (N·m).
     pub obliquity_torque: f64,
-    /// Spin rate (rad/s²).
+    /// Rate of the spin (rad/s²).
     pub spin_rate: f64,
-    /// Obliquity rate (rad/s).
+    /// Rate of the obliquity (rad/s).
     pub obliquity_rate: f64,
-    /// Time at this rate (s).
+    /// Time (s) in which the spin doubles at this rate; `null` where it falls.
     pub doubling_time: Option<f64>,
-    /// Time at this rate (s).
+    /// Time (s) in which the spin halves at this rate; `null` where it rises.
     pub halving_time: Option<f64>,
 }
 

@@ -40,7 +40,7 @@ const CONNECTION: Keys = Keys {
         key(
             "hinge",
             any(&[Shape::Vector, Shape::List(&Shape::Vector)]).or("none"),
-            "one axis, or up to three",
+            "one axis, or a list of up to three",
         ),
         key("ball", BOOLEAN.or("false"), "about all three axes"),
         key("stiffness", PER_AXIS.in_unit("N m/rad").or("0"), "or one per axis"),

@@ -44,10 +44,11 @@ const PARALLEL: f64 = 1e-6;
 const ATTACH: Key = key(
     "attach",
     any(&[Shape::Text, COUNTED, Shape::List(&Shape::Any(NODE))]).or("none"),
-    "clamped on the carrier",
+    "node, set, or list, clamped on the carrier",
 );
 /// Damping in proportion.
-const RAYLEIGH: Key = key("rayleigh", table(&PROPORTIONS).or("0"), "proportional damping");
+const RAYLEIGH: Key =
+    key("rayleigh", table(&PROPORTIONS).or("0"), "damping in proportion to `mass`, `stiffness`");
 
 const PROPORTIONS: Keys =
     Keys { known: &[key("mass", quantity("1/s").or("0"), ""), key("stiffness", quantity("s").or("0"), "")] };

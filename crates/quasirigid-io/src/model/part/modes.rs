@@ -30,7 +30,7 @@ const MODES: Keys = Keys {
         NAME,
         NODES,
         DOFS,
-        key("mass", MATRIX, "file, or one number per node"),
+        key("mass", MATRIX, "file; matrix, or one number per node"),
         MASSES,
         key("shapes", MATRIX, "file; columns"),
         key(
@@ -61,7 +61,7 @@ const MODES: Keys = Keys {
 pub(in crate::model) const NUMBERS: Keys = Keys {
     known: &[
         key("file", TEXT, ""),
-        key("name", TEXT, "in the file"),
+        key("name", TEXT, "of the matrix in the file"),
         key("unit", any(&[Shape::Text, Shape::Number]).or("SI"), ""),
     ],
 };

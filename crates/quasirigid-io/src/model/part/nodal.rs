@@ -15,13 +15,14 @@ use crate::matrix::{Dof, MatrixFile, MatrixProblem, Node, NodeTable, read_dofs, 
 use crate::units::Dimension;
 
 pub(in crate::model) const FILE: Keys =
-    Keys { known: &[key("file", TEXT, ""), key("name", TEXT, "in the file")] };
+    Keys { known: &[key("file", TEXT, ""), key("name", TEXT, "of the matrix in the file")] };
 
 /// A matrix: a file, or a table that names a matrix in a file.
 pub(super) const MATRIX: Form = any(&[Shape::Text, Shape::Shared("matrix")]);
 pub(super) const NODES: Key = key("nodes", TEXT, "file of their places");
 pub(super) const DOFS: Key = key("dofs", TEXT.or("all"), "file of the rows, `node.component`");
-pub(super) const LENGTH_UNIT: Key = key("length_unit", UNIT_OF_FILES.or("`\"m\"`"), "of the files");
+pub(super) const LENGTH_UNIT: Key =
+    key("length_unit", UNIT_OF_FILES.or("`\"m\"`"), "of the files, with the second");
 pub(super) const MASS_UNIT: Key = key("mass_unit", UNIT_OF_FILES.or("`\"kg\"`"), "");
 const UNIT_OF_FILES: Form = any(&[Shape::Text, Shape::Number]);
 

@@ -32,7 +32,7 @@ const PANEL: Keys = Keys {
         ATTITUDE,
         key("layers", list(&key::Shape::Table(&LAYER)), "lowest first"),
         key("reference", VECTOR.or("first side"), "direction of angle zero"),
-        key("offset", quantity("m").or("0"), "of the layers' middle above the nodes"),
+        key("offset", quantity("m").or("0"), "height of the layers' middle above the nodes"),
         MASSES,
         ATTACH,
         RAYLEIGH,

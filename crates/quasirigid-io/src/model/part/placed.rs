@@ -14,13 +14,17 @@ use crate::units::Dimension;
 /// Mesh of a part.
 pub(super) const FILE: Key = key("file", TEXT, "gmsh, VTK, Abaqus, CalculiX, NASTRAN, Exodus or MED");
 pub(super) const POSITION: Key = key("position", vector("m").or("0"), "origin of the mesh");
-pub(super) const ATTITUDE: Key = key("attitude", QUATERNION.or("`[1, 0, 0, 0]`"), "from the mesh's axes");
+pub(super) const ATTITUDE: Key =
+    key("attitude", QUATERNION.or("`[1, 0, 0, 0]`"), "from the mesh's axes to the file's");
 
 /// Keys of voxels: sides in metres, which win over those of the file.
-pub(super) const VOXEL: Key =
-    key("voxel", any(&[Shape::Number, Shape::Vector]).in_unit("m"), "sides, where the file has none");
-pub(super) const THRESHOLD: Key = key("threshold", quantity(""), "from which a voxel is solid");
-pub(super) const LEAST: Key = key("least_voxels", integer(1, 1 << 28), "smallest part kept");
+pub(super) const VOXEL: Key = key(
+    "voxel",
+    any(&[Shape::Number, Shape::Vector]).in_unit("m"),
+    "sides of voxels, where the file has none",
+);
+pub(super) const THRESHOLD: Key = key("threshold", quantity(""), "value from which a voxel is solid");
+pub(super) const LEAST: Key = key("least_voxels", integer(1, 1 << 28), "smallest part that is kept");
 
 /// Placement of a mesh in the file's frame.
 pub(super) struct Placement {

@@ -3,8 +3,13 @@ use quasirigid_elements::PartReduction;
 use super::super::key::{Keys, integer, key};
 use super::super::table::Table;
 
-pub(in crate::model) const REDUCTION: Keys =
-    Keys { known: &[key("modes", integer(0, MOST_MODES as u64).or("0"), "vibrations retained")] };
+pub(in crate::model) const REDUCTION: Keys = Keys {
+    known: &[key(
+        "modes",
+        integer(0, MOST_MODES as u64).or("0"),
+        "vibrations retained beside the slow motion",
+    )],
+};
 
 const MOST_MODES: usize = 500;
 

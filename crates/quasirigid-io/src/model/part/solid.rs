@@ -35,7 +35,7 @@ const SOLID: Keys = Keys {
         POSITION,
         ATTITUDE,
         key("material", TEXT, ""),
-        key("materials", named(&Shape::Text), "instead, by set of cells"),
+        key("materials", named(&Shape::Text), "instead, one for each set of cells"),
         key("axes", array(2, &Shape::Vector).or("file's"), "of an orthotropic material"),
         MASSES,
         ATTACH,

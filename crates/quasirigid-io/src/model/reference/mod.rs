@@ -25,24 +25,24 @@ pub use schema::schema;
 pub struct TableReference {
     /// Name, such as `spring`.
     pub name: &'static str,
-    /// Header, such as `[[spring]]`, or name.
+    /// Header, such as `[[spring]]`; of a table in others its name.
     pub title: &'static str,
-    /// What it describes.
+    /// What the table describes.
     pub meaning: &'static str,
-    /// Keys of all its kinds.
+    /// Keys of the table, of all its kinds.
     pub keys: Vec<KeyReference>,
-    /// Kinds.
+    /// Kinds, if there are several.
     pub kinds: Vec<KindReference>,
 }
 
 /// Reference of a key.
 #[derive(Clone, Debug, PartialEq, Eq, Hash, Serialize)]
 pub struct KeyReference {
-    /// Name, in an inner table after a dot.
+    /// Name; of a key in an inner table after a dot.
     pub name: String,
-    /// Form, unit, and default.
+    /// Form, unit, and default in parentheses.
     pub value: String,
-    /// Meaning, or empty.
+    /// Meaning; empty where name and unit say it.
     pub meaning: &'static str,
 }
 
@@ -51,9 +51,9 @@ pub struct KeyReference {
 pub struct KindReference {
     /// Word that chooses the kind.
     pub word: &'static str,
-    /// Keys not of every kind.
+    /// Keys that not every kind has.
     pub keys: Vec<&'static str>,
-    /// Meaning, or empty.
+    /// Meaning; empty where the word says it.
     pub meaning: &'static str,
 }
 

@@ -63,13 +63,13 @@ pub struct DesignSettings {
 pub struct Design {
     /// Title of the model.
     pub name: String,
-    /// What would tell most.
+    /// What would tell most, in words.
     pub sentence: String,
     /// The keys.
     pub keys: Vec<DesignKey>,
-    /// Plans, best first.
+    /// Plans, that which tells most first.
     pub plans: Vec<Plan>,
-    /// Manoeuvres not answered.
+    /// Manoeuvres that are not answered.
     pub not_answered: Vec<NotAnswered>,
 }
 
@@ -80,7 +80,7 @@ pub struct DesignKey {
     pub key: String,
     /// Value in the file.
     pub value: f64,
-    /// Unit in the file, empty in SI.
+    /// Unit as the file writes it; empty of a plain number, which is in SI units.
     pub unit: String,
 }
 
@@ -91,11 +91,11 @@ pub struct Plan {
     pub manoeuvre: String,
     /// The sensors.
     pub sensors: Vec<String>,
-    /// Whether all sensors.
+    /// Whether these are all sensors.
     pub complete: bool,
-    /// Standard deviation of each key.
+    /// Standard deviation of each key; `null` where the plan does not tell it.
     pub sigma: Vec<Option<f64>>,
-    /// Largest relative deviation of a key.
+    /// Largest deviation over the size of its key; `null` where a key is not told.
     pub worst: Option<f64>,
 }
 
@@ -104,7 +104,7 @@ pub struct Plan {
 pub struct NotAnswered {
     /// The manoeuvre.
     pub manoeuvre: String,
-    /// Reason.
+    /// The reason, in words.
     pub reason: String,
 }
 

@@ -36,7 +36,11 @@ pub(in crate::model) const READER: Reader = Reader::of_parts(
     |entry, draft| draft.part(entry, deck(entry.table, entry.name, draft.sources)),
 );
 
-const FILE: Key = key("file", TEXT, "bulk data or `.op2` of NASTRAN, `.inp` of Abaqus, CalculiX");
+const FILE: Key = key(
+    "file",
+    TEXT,
+    "bulk data or `.op2` of NASTRAN, `.inp` of Abaqus or CalculiX, with materials and sections",
+);
 const DENSITY: Key = key("density", quantity("kg/m³"), "of materials without one");
 const DECK: Keys = Keys {
     known: &[

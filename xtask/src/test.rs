@@ -31,8 +31,8 @@ pub type Step = Result<(), String>;
 
 /// Kinds of targets; naming them also builds the library of the Python package, with the features that the tests have.
 const TARGETS: [&str; 3] = ["--lib", "--bins", "--tests"];
-/// Features that the first build of a user leaves out.
-const FEATURES: [&str; 2] = ["--features", "quasirigid-cli/png"];
+/// All features, which the first build of a user leaves out, and the profile of tests, in which our crates are optimised.
+const BUILT: [&str; 3] = ["--all-features", "--profile", "test"];
 /// A program that prints the folder of an environment's packages.
 const PACKAGES: &str = "import sysconfig; print(sysconfig.get_path('purelib'))";
 
@@ -48,7 +48,7 @@ pub struct Wishes {
 /// Runs the tests of Rust beside those of Python. Those of Python come first: they take long, and much of it is waiting.
 pub fn run(root: &Path, wishes: Wishes) -> Step {
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
-    let all = |verb| [verb, "--workspace"].into_iter().chain(FEATURES);
+    let all = |verb| [verb, "--workspace"].into_iter().chain(BUILT);
     let python = match interpreter(root) {
         Ok(python) => Some(python),
         Err(missing) if wishes.python => return Err(missing),

@@ -6,6 +6,7 @@ use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use quasirigid::OPTIMIZED;
 use quasirigid_study::Watch;
 
 use crate::interrupt::Interrupt;
@@ -20,13 +21,18 @@ pub struct Terminal<'i> {
     start: Instant,
     /// Plan that is told once the work has taken long, where no terminal shows its progress.
     plan: Option<String>,
+    /// Whether the reader knows why it takes long, or need not.
+    explained: bool,
 }
 
 /// Marks of a full progress bar.
 const MARKS: u64 = 1000;
 /// Time before a progress bar appears.
 const PATIENCE: Duration = Duration::from_secs(1);
-/// Time before a plan is told where no terminal shows the progress.
+/// Explanation of long work in a program that was built to be built soon.
+const UNOPTIMIZED: &str = "This program was built without optimisation, and computes some ten times slower than one that \
+                           `cargo install --path crates/quasirigid-cli --all-features` or `cargo run --release` builds";
+/// Time before a plan is told where no terminal shows the progress, and long work is explained.
 const SILENCE: Duration = Duration::from_secs(10);
 
 impl<'i> Terminal<'i> {
@@ -38,7 +44,7 @@ impl<'i> Terminal<'i> {
 
     /// Observer of work that has no partial result.
     pub fn of_whole(quiet: bool) -> Self {
-        Self { interrupt: None, quiet, bar: None, start: Instant::now(), plan: None }
+        Self { interrupt: None, quiet, bar: None, start: Instant::now(), plan: None, explained: OPTIMIZED }
     }
 
     fn bar(&self, stage: &str) -> ProgressBar {
@@ -65,10 +71,13 @@ impl<'i> Terminal<'i> {
 
 impl Watch for Terminal<'_> {
     fn at(&mut self, stage: &str, share: f64) -> ControlFlow<()> {
-        if self.start.elapsed() > SILENCE
-            && let Some(plan) = self.plan.take()
-        {
-            self.remark(&plan);
+        if self.start.elapsed() > SILENCE {
+            if let Some(plan) = self.plan.take() {
+                self.remark(&plan);
+            }
+            if !std::mem::replace(&mut self.explained, true) {
+                self.remark(UNOPTIMIZED);
+            }
         }
         if self.bar.as_ref().is_none_or(|(shown, _)| shown != stage) {
             self.clear();

@@ -37,6 +37,9 @@ pub mod sym3;
 pub mod taylor;
 pub mod vec3;
 
+/// Whether the compiler optimised what computes; if not, an answer is the same and takes some ten times as long.
+pub const OPTIMIZED: bool = cfg!(optimized);
+
 pub use quasirigid_linear::{
     cholesky, dynamic_stiffness, eigen, factor, krylov, lu, memory, span, sparse, state_space, symmetric,
     threads, watch,

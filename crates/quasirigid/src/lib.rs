@@ -63,7 +63,7 @@ pub use quasirigid_math::quadrature::Integral;
 pub use quasirigid_math::scalar::{Scalar, Smooth};
 pub use quasirigid_math::sparse::SparseRows;
 pub use quasirigid_math::sphere::StationaryKind;
-pub use quasirigid_math::{expression, polynomial, rotation, sym3, vec3, watch};
+pub use quasirigid_math::{OPTIMIZED, expression, polynomial, rotation, sym3, vec3, watch};
 pub use quasirigid_mesh as mesh;
 pub use quasirigid_mesh::surface;
 

@@ -209,6 +209,12 @@ pub enum VolumeProblem {
         /// What is wrong.
         detail: Excerpt,
     },
+    /// An HDF5 container for a program that reads none.
+    #[error(
+        "the file is HDF5, as MED and netCDF-4 are, and this program was built without it; build it with `--features hdf5`, \
+         or save the mesh in another format"
+    )]
+    WithoutHdf5,
     /// A container that is neither Exodus nor MED.
     #[error(
         "the {container} file has neither the variables of Exodus nor the mesh of MED; save the mesh as one of them"

@@ -1,10 +1,16 @@
 //! Named arrays of a container: classic netCDF, read here, and HDF5, in which netCDF-4 and MED are kept.
 
+#[cfg(feature = "hdf5")]
 mod hdf5;
 mod netcdf;
+#[cfg(not(feature = "hdf5"))]
+mod no_hdf5;
 
+#[cfg(feature = "hdf5")]
 pub(super) use hdf5::Hdf5;
 pub(super) use netcdf::NetCdf;
+#[cfg(not(feature = "hdf5"))]
+pub(super) use no_hdf5::Hdf5;
 
 use super::problem::VolumeProblem;
 use crate::mesh::error::{Fault, MeshProblem, Place};

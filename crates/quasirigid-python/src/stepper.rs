@@ -6,6 +6,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use quasirigid::dynamics::{FullState, FullStepper, ReducedStepper, Start, StepStatus};
 use quasirigid_study::{Study, StudyError};
+use self_cell::self_cell;
 
 use crate::failure::Failure;
 
@@ -24,7 +25,27 @@ pub struct Stepper {
 #[derive(Debug)]
 enum Moved {
     Reduced(Box<ReducedStepper>),
-    Full(Box<FullStepper<'static>>),
+    Full(FullSystem),
+}
+
+self_cell!(
+    /// The full system of a study, kept beside the study that it borrows.
+    struct FullSystem {
+        owner: Arc<Study>,
+        #[not_covariant]
+        dependent: FullStepper,
+    }
+    impl {Debug}
+);
+
+impl FullSystem {
+    fn read<T>(&self, read: impl FnOnce(&FullStepper<'_>) -> T) -> T {
+        self.with_dependent(|_, stepper| read(stepper))
+    }
+
+    fn change<T>(&mut self, change: impl FnOnce(&mut FullStepper<'_>) -> T) -> T {
+        self.with_dependent_mut(|_, stepper| change(stepper))
+    }
 }
 
 impl Stepper {
@@ -40,11 +61,11 @@ impl Stepper {
         })
     }
 
-    /// The full system. It borrows the study, which then stays in memory for good: once for each model, however many steppers it has.
+    /// The full system.
     pub fn full(study: &Arc<Study>, tolerance: f64) -> Result<Self, Failure> {
         let notes = study.model.notes.clone();
-        let study: &'static Study = Box::leak(Box::new(Arc::clone(study)));
-        let body = Moved::Full(Box::new(study.full_stepper(tolerance)?));
+        let system = FullSystem::try_new(Arc::clone(study), |study| study.full_stepper(tolerance))?;
+        let body = Moved::Full(system);
         Ok(Self { body, status: StepStatus::Holds, wrong: None, notes, range: None })
     }
 }
@@ -55,7 +76,7 @@ impl Stepper {
     fn step(&mut self, torque: [f64; 3], dt: f64) -> PyResult<&'static str> {
         let found = match &mut self.body {
             Moved::Reduced(body) => body.step(torque, dt),
-            Moved::Full(body) => body.step(torque, dt),
+            Moved::Full(body) => body.change(|body| body.step(torque, dt)),
         };
         self.status = found.map_err(|cause| Failure::from(StudyError::Step(cause)))?;
         Ok(word(self.status))
@@ -71,12 +92,12 @@ impl Stepper {
         let (omega, attitude) = rotation;
         let placed = match &mut self.body {
             Moved::Reduced(body) => body.place(Start::new(omega, attitude)).map_err(StudyError::from),
-            Moved::Full(body) => {
+            Moved::Full(body) => body.change(|body| {
                 let now = body.state();
                 let (q, rate) = inside.unwrap_or((now.q, now.rate));
                 let (place, velocity) = outside.unwrap_or((now.place, now.velocity));
                 body.place(&FullState { omega, attitude, q, rate, place, velocity }).map_err(StudyError::Step)
-            }
+            }),
         };
         Ok(placed.map_err(Failure::from)?)
     }
@@ -91,10 +112,11 @@ impl Stepper {
                 state.set_item("angular_momentum", body.angular_momentum())?;
             }
             Moved::Full(body) => {
-                let FullState { omega, attitude, q, rate, place, velocity } = body.state();
+                let FullState { omega, attitude, q, rate, place, velocity } =
+                    body.change(|body| body.state());
                 state.set_item("omega", omega)?;
                 state.set_item("attitude", attitude)?;
-                state.set_item("angular_momentum", body.angular_momentum())?;
+                state.set_item("angular_momentum", body.read(|body| body.angular_momentum()))?;
                 state.set_item("q", q)?;
                 state.set_item("rate", rate)?;
                 state.set_item("place", place)?;
@@ -108,7 +130,7 @@ impl Stepper {
     fn time(&self) -> f64 {
         match &self.body {
             Moved::Reduced(body) => body.time(),
-            Moved::Full(body) => body.time(),
+            Moved::Full(body) => body.read(|body| body.time()),
         }
     }
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -94,3 +95,26 @@ def test_wrong_bodies_are_refused() -> None:
         BOOM.stepper().place([0, 0, 1], [1, 0, 0, 0], q=[0.0], rate=[0.0])
     with pytest.raises(quasirigid.Error):
         BOOM.stepper(tolerance=1.0)
+
+
+def test_bodies_end_with_their_steppers() -> None:
+    def steps(number: int) -> None:
+        for turn in range(number):
+            points = "".join(
+                f'[[point]]\nname = "p{i}"\nmass = 0.01\nposition = [{i % 7}, {i % 5 + 0.1 * turn}, {i % 3}]\n'
+                f'[[spring]]\nfrom = "p{i}"\nto = "carrier"\nstiffness = 100.0\ndamping = 0.1\n'
+                for i in range(60)
+            )
+            Model(quasirigid.EXAMPLE + points).stepper("full").step([0, 0, 1], 1e-3)
+
+    steps(3)
+    before = resident()
+    steps(1)
+    once = resident() - before
+    steps(12)
+    assert resident() - before < max(4 * once, 20e6)
+
+
+def resident() -> float:
+    """Memory of this process (bytes)."""
+    return int(Path("/proc/self/statm").read_text().split()[1]) * 4096.0

@@ -1,4 +1,4 @@
-//! Controllers against closed forms and exact recursions, about turned axes and in odd units. (Y1) to (Y5)
+//! Controllers against closed forms and exact recursions, about turned axes and in odd units. (Y1) to (Y5), (T4)
 
 use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
 use proptest::prelude::*;
@@ -89,6 +89,8 @@ impl Plant {
         let run =
             propagate_controlled(system, &built.controls, &start, &times, &options, &mut samples).unwrap();
         assert_eq!(run.outcome, Outcome::Finished);
+        // a fast filter does not shorten the steps (T4)
+        assert!(run.work.steps < 10_000, "{:?}", run.work);
         let energy = self.J / self.time.powi(2);
         assert!(run.last.energy_drift.abs() < CLOSE * energy, "{:e}", run.last.energy_drift / energy);
         samples.iter().map(|sample| self.state(sample)).collect()
@@ -178,18 +180,20 @@ proptest! {
     /// With an integral and a filtered derivative, against the exponential of the matrix of angle, rate, integral and filter.
     #[test]
     fn integral_and_filter_are_the_exponential_of_their_matrix(R in rotation(), units in units()) {
-        let mut plant = Plant::new(&R, units);
-        plant.assembly.controllers = vec![plant.controller(&pid([1.3, 0.15, 0.7], Some(0.2)), None)];
-        let A = DMatrix::from_row_slice(4, 4, &[
-            0.0, 1.0, 0.0, 0.0,
-            -1.3, 0.0, -0.15, -0.7,
-            1.0, 0.0, 0.0, 0.0,
-            0.0, 1.0 / 0.2, 0.0, -1.0 / 0.2,
-        ]);
-        let start = DVector::from_column_slice(&[START[0], START[1], 0.0, 0.0]);
-        let times = times_to(12.0, 13);
-        let known = times.iter().map(|t| (&A * *t).exp() * &start).map(|state| [state[0], state[1]]);
-        assert_close(&plant.follow(&times), known);
+        for tau in [0.2, 1e-6] {
+            let mut plant = Plant::new(&R, units);
+            plant.assembly.controllers = vec![plant.controller(&pid([1.3, 0.15, 0.7], Some(tau)), None)];
+            let A = DMatrix::from_row_slice(4, 4, &[
+                0.0, 1.0, 0.0, 0.0,
+                -1.3, 0.0, -0.15, -0.7,
+                1.0, 0.0, 0.0, 0.0,
+                0.0, 1.0 / tau, 0.0, -1.0 / tau,
+            ]);
+            let start = DVector::from_column_slice(&[START[0], START[1], 0.0, 0.0]);
+            let times = times_to(12.0, 13);
+            let known = times.iter().map(|t| (&A * *t).exp() * &start).map(|state| [state[0], state[1]]);
+            assert_close(&plant.follow(&times), known);
+        }
     }
 
     /// Held torques of a sampled PID law with a filter, and a delay within a period, of whole periods, and of some more.

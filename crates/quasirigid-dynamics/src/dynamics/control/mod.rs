@@ -93,6 +93,11 @@ impl<'a> ControlBlock<'a> {
         self.controls.controllers.iter().any(|controller| controller.sampling.is_some())
     }
 
+    /// Whether a controller acts at all times.
+    pub fn is_continuous(&self) -> bool {
+        self.controls.controllers.iter().any(|controller| controller.sampling.is_none())
+    }
+
     /// Block at the start, with the first samples.
     pub fn start(&self, seen: &Seen) -> Vec<f64> {
         let mut block = vec![0.0; self.len];

@@ -21,7 +21,7 @@ pub(super) struct FullSolver<'a> {
     costs: Costs,
     active: Active<'a>,
     allowed: State,
-    /// Fastest rate of the elastic part (1/s).
+    /// Fastest rate of the elastic part, or of the loop that a controller closes (1/s).
     fastest: f64,
     /// Steps since the last change of method.
     since: u64,
@@ -75,7 +75,7 @@ impl<'a> FullSolver<'a> {
         method: Method,
         rounding: Rounding,
     ) -> Self {
-        let (fastest, costs) = (system.fastest(), Costs::of(&system));
+        let (fastest, costs) = (system.fastest(&y), Costs::of(&system));
         let explicit = Explicit::new(system.clone(), 0.0, y.clone(), allowed.clone());
         let active = match method {
             Method::Implicit => {

@@ -10,7 +10,7 @@ use crate::model::FlexibleBody;
 pub(super) enum StiffPart {
     /// Free vibrations of the recoiling body: constant, and sparse in a large body.
     Vibrations(Box<Oscillator>, Vec<DynamicStiffness>),
-    /// Jacobian of the rates at a state, for curved paths, where `L` changes with the displacements.
+    /// Jacobian of the rates at a state, for curved paths and controllers, where `L` changes with the state.
     Jacobian(Dense, Vec<Option<ComplexLu>>),
 }
 

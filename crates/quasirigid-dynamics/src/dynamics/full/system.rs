@@ -11,7 +11,7 @@ use crate::dynamics::layout::{
     ANGLE, ATTITUDE, DISSIPATED, IMPULSE, Layout, MOMENTUM, PLACE, VELOCITY, WORK, attitude, triple,
 };
 use crate::dynamics::position::Position;
-use crate::math::eigen::Dense;
+use crate::math::eigen::{Dense, eigenvalues};
 use crate::math::lanes::Lanes;
 use crate::math::ode::{Stiff, Stretch, System};
 use crate::math::rotation::{self, Turn};
@@ -38,12 +38,16 @@ pub(super) struct FullSystem<'a> {
     stretch: Stretch,
     /// Torque on the carrier (N·m, body axes), where it is held from outside.
     held: Option<[f64; 3]>,
-    /// Steps of the finite differences of a Jacobian: in the coordinates, then in their momenta.
+    /// First component of the state that the implicit method takes as stiff. (T4)
+    first_stiff: usize,
+    /// Steps of the finite differences of a Jacobian, for each component from there on; infinite where the rates do not depend on it.
     differences: Vec<f64>,
 }
 
 /// Step of a difference over the size of the component: the root of the rounding, since rates are smooth.
 const DIFFERENCE: f64 = 1.5e-8;
+/// Largest body whose loop with a controller is taken as stiff: its Jacobian is dense.
+const MOST_IN_LOOP: usize = 60;
 /// Steps of power iteration: the frequency is needed to a few per cent.
 const POWER_ITERATIONS: usize = 40;
 
@@ -54,6 +58,8 @@ impl<'a> FullSystem<'a> {
         let control = ControlBlock::of(controls);
         let layout = Layout::of(body).with_controls(control.len());
         let accounts = body.dissipators().iter().take(layout.accounts).map(|part| Account::of(body, part));
+        let loops = control.is_continuous() && layout.n <= MOST_IN_LOOP;
+        let first_stiff = if loops { 0 } else { layout.slow() };
         Some(Self {
             system,
             layout,
@@ -65,7 +71,8 @@ impl<'a> FullSystem<'a> {
             stiff: StiffPart::vibrations(body),
             stretch: Stretch::default(),
             held: None,
-            differences: sizes[layout.slow()..].iter().map(|size| DIFFERENCE * size).collect(),
+            first_stiff,
+            differences: sizes[first_stiff..].iter().map(|size| DIFFERENCE * size).collect(),
         })
     }
 
@@ -90,19 +97,22 @@ impl<'a> FullSystem<'a> {
         slow[WORK] += dot(omega, torque);
     }
 
-    /// Jacobian of the rates of the coordinates and their momenta, by differences. (T4)
+    /// Jacobian of the rates of the stiff components, by differences. (T4)
     fn jacobian(&mut self, t: f64, y: &[f64]) -> Dense {
-        let (slow, n) = (self.layout.slow(), self.layout.n);
+        let first = self.first_stiff;
         let (mut place, mut rate, mut moved) = (y.to_vec(), y.to_vec(), y.to_vec());
         self.rate::<Unfused>(t, &place, &mut rate);
-        let mut jacobian = Dense::zero(2 * n);
-        for column in 0..2 * n {
-            place[slow + column] += self.differences[column];
-            let step = place[slow + column] - y[slow + column];
+        let mut jacobian = Dense::zero(y.len() - first);
+        for column in 0..jacobian.size() {
+            if !self.differences[column].is_finite() {
+                continue;
+            }
+            place[first + column] += self.differences[column];
+            let step = place[first + column] - y[first + column];
             self.rate::<Unfused>(t, &place, &mut moved);
-            place[slow + column] = y[slow + column];
-            for row in 0..2 * n {
-                jacobian.add(row, column, (moved[slow + row] - rate[slow + row]) / step);
+            place[first + column] = y[first + column];
+            for row in 0..jacobian.size() {
+                jacobian.add(row, column, (moved[first + row] - rate[first + row]) / step);
             }
         }
         jacobian
@@ -154,8 +164,18 @@ impl<'a> FullSystem<'a> {
         self.system.acts() || !self.control.is_empty()
     }
 
+    /// Upper estimate of the fastest rate at a state (1/s): of the elastic part, and of the loop that a controller closes. (T3), (T4)
+    pub fn fastest(&mut self, y: &[f64]) -> f64 {
+        let elastic = self.fastest_vibration();
+        if self.first_stiff == self.layout.slow() {
+            return elastic;
+        }
+        let found = eigenvalues(&self.jacobian(0.0, y)).unwrap_or_default();
+        found.iter().fold(elastic, |fastest, [re, im]| fastest.max(re.hypot(*im)))
+    }
+
     /// Upper estimate of the fastest rate of the elastic part, `|λ|` of `λ²M + λB + C` (1/s). (T3)
-    pub fn fastest(&mut self) -> f64 {
+    fn fastest_vibration(&mut self) -> f64 {
         let body = self.system.body;
         let damping = self.largest(body.damping());
         let stiffness = self.largest(body.stiffness());
@@ -285,11 +305,12 @@ impl Trajectory for FullSystem<'_> {
 
 impl Stiff for FullSystem<'_> {
     fn stiff(&self) -> usize {
-        self.layout.slow()
+        self.first_stiff
     }
 
     fn changes(&self) -> bool {
-        self.system.body.paths().is_some() || !self.system.body.frictions().is_empty()
+        let body = self.system.body;
+        self.first_stiff < self.layout.slow() || body.paths().is_some() || !body.frictions().is_empty()
     }
 
     fn renew(&mut self, t: f64, y: &[f64]) {

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
-from scipy import io, linalg, signal
+from scipy import io, linalg, signal, sparse
 
 import quasirigid
 from quasirigid import Model
@@ -163,3 +164,58 @@ def test_figures_are_drawn_on_the_axes_given() -> None:
     with pytest.raises(quasirigid.InputError, match="is not among"):
         plant.bode(omega, input="torque.z")
     plt.close(figure)
+
+
+CARRIER = """
+[carrier]
+mass = 30.0
+center_of_mass = [0.1, 0, 0]
+inertia = [9, 11, 13]
+[initial]
+angular_velocity = [0.1, -0.2, 0.3]
+[[controller]]
+name = "law"
+kind = "state-space"
+inputs = ["rate.x", "rate.y", "attitude.z"]
+outputs = ["torque.x", "torque.y"]
+"""
+
+
+def test_controllers_take_their_matrices_from_files_of_matlab_and_numpy(tmp_path: Path) -> None:
+    law = {
+        "A": np.array([[-0.5, 0.2], [0.0, -1.0]]),
+        "B": np.array([[1.0, 0.0, 0.5], [0, 2, 0]]),
+        "C": np.array([[-3.0, 0.0], [0.25, -4.0]]),
+        "D": np.array([[-1, 0, 0], [0, -2, 0]], dtype=np.int16),
+    }
+    rows = "".join(f"{name} = {matrix.tolist()}\n" for name, matrix in law.items())
+    times = np.linspace(0, 5, 6)
+    known = Model(CARRIER + rows).simulate("full", times=times).angular_velocity
+    io.savemat(tmp_path / "packed.mat", law | {"about": "a law"}, do_compression=True)
+    io.savemat(tmp_path / "plain.mat", law | {"C": sparse.csc_matrix(law["C"])})
+    np.savez(tmp_path / "law.npz", **law)
+    for file in ("packed.mat", "plain.mat", "law.npz"):
+        (tmp_path / "model.toml").write_text(CARRIER + f'matrices = "{file}"\n')
+        found = Model.from_file(tmp_path / "model.toml").simulate("full", times=times).angular_velocity
+        np.testing.assert_array_equal(found, known)
+    io.savemat(tmp_path / "other.mat", {"K": law["A"]})
+    for lines, said in (('matrices = "other.mat"', "neither A nor D"), ('matrices = "law.npz"\nD = [[1]]', "`D` here and `matrices`")):
+        (tmp_path / "model.toml").write_text(CARRIER + lines)
+        with pytest.raises(quasirigid.ModelError, match=said):
+            Model.from_file(tmp_path / "model.toml")
+
+
+def test_matrices_of_parts_come_from_files_of_matlab(tmp_path: Path) -> None:
+    nodes = "1 1 0 0\n2 2 0 0\n"
+    stiffness = np.diag(np.arange(6) + 50.0) + 0.5
+    mass = np.diag([2.0, 2, 2, 1, 1, 1])
+    part = '[carrier]\nmass = 30.0\ncenter_of_mass = [0.1, 0, 0]\ninertia = [9, 11, 13]\n[[matrices]]\nname = "p"\nnodes = "nodes.csv"\n'
+    (tmp_path / "nodes.csv").write_text(nodes)
+    io.savemat(tmp_path / "km.mat", {"K": sparse.csr_matrix(stiffness), "M": mass}, do_compression=True)
+    np.savez(tmp_path / "km.npz", K=stiffness, M=mass)
+    found = []
+    for file in ("km.mat", "km.npz"):
+        keys = f'stiffness = {{ file = "{file}", name = "K" }}\nmass = {{ file = "{file}", name = "M" }}\n'
+        (tmp_path / "model.toml").write_text(part + keys + "[initial]\nangular_velocity = [0, 0, 0.3]\n")
+        found.append(Model.from_file(tmp_path / "model.toml").modes().to_dict()["modes"])
+    assert found[0] == found[1] and len(found[0]) >= 6

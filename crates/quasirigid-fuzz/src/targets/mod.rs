@@ -88,7 +88,7 @@ impl Target {
 }
 
 /// Every target.
-pub const TARGETS: [Target; 56] = [
+pub const TARGETS: [Target; 57] = [
     Target::of_body("model_text", model::text, model::WORDS)
         .seeded(&[("examples", "toml"), ("data/published", "toml")]),
     Target::of_body("model_tables", model::text, &[]).drawn("model_text", grammar::model::model),
@@ -144,6 +144,8 @@ pub const TARGETS: [Target; 56] = [
         .seeded(&[(MATRICES, "mtx")]),
     Target::of_file("matrix_numpy", |bytes| matrix::read("a.npz", bytes, Some("K")), matrix::NUMPY)
         .seeded(&[(MATRICES, "npy"), (MATRICES, "npz")]),
+    Target::of_file("matrix_mat", |bytes| matrix::read("a.mat", bytes, Some("K")), &[])
+        .seeded(&[(MATRICES, "mat")]),
     Target::of_file("matrix_calculix", |bytes| matrix::read("a.sti", bytes, None), &[])
         .seeded(&[(MATRICES, "sti"), (BODIES, "mas")]),
     Target::of_file("matrix_dmig", |bytes| matrix::read("a.bdf", bytes, Some("kaax")), matrix::DMIG)

@@ -56,7 +56,7 @@ pub enum MatrixProblem {
     Empty,
     /// A file whose beginning and name are those of no known format.
     #[error(
-        "the file is {kind}, which is not a known matrix format; give a Matrix Market, .npy or .npz file, lines of *MATRIX OUTPUT, \
+        "the file is {kind}, which is not a known matrix format; give a Matrix Market, .npy, .npz or .mat file, lines of *MATRIX OUTPUT, \
          .sti or .mas of CalculiX, or DMIG cards or OUTPUT4 of NASTRAN"
     )]
     NotAMatrix {
@@ -243,6 +243,18 @@ pub enum MatrixProblem {
         announced: u64,
         /// Number of bytes found.
         found: u64,
+    },
+    /// A MAT file of version 7.3.
+    #[error("a MAT file of version 7.3, which is HDF5 inside; save it with '-v7'")]
+    NewerMat,
+    /// A MAT file without a matrix.
+    #[error("the file has no matrix of numbers; structures, cells and texts are not read")]
+    NoMatMatrix,
+    /// An unknown type of number in a MAT file.
+    #[error("numbers of the type {found} are not known; was the file damaged?")]
+    MatType {
+        /// Type of the data element.
+        found: u32,
     },
     /// An archive that cannot be read.
     #[error(

@@ -4,7 +4,7 @@
 use std::path::Path;
 
 use super::error::{Fault, MatrixProblem, Place};
-use super::{coordinates, harwell, op4};
+use super::{coordinates, harwell, mat, op4};
 use crate::nastran::{op2, printed};
 use crate::text_file::kind_of;
 
@@ -14,6 +14,7 @@ pub(super) enum Format {
     Market,
     Npy,
     Npz,
+    Mat,
     CalculiX,
     Coordinates,
     Harwell,
@@ -55,6 +56,8 @@ impl Format {
             Some(Self::Npy)
         } else if begins(b"PK\x03\x04") || begins(b"PK\x05\x06") {
             Some(Self::Npz)
+        } else if mat::is_mat(bytes) {
+            Some(Self::Mat)
         } else if harwell::is_text(bytes) {
             Some(Self::Harwell)
         } else if let Some(big_endian) = op4::byte_order(bytes) {

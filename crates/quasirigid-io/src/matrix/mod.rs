@@ -11,6 +11,7 @@ mod format;
 mod harwell;
 pub(crate) mod listed;
 mod market;
+mod mat;
 mod nastran;
 mod nodes;
 pub(crate) mod numpy;
@@ -52,6 +53,7 @@ pub struct MatrixFile {
 /// - NumPy `.npy`, versions 1 to 3: one or two dimensions of `f4`, `f8`, `i4` or `i8`, of either byte order, by rows
 ///   or by columns; one dimension is a column. `.npz`: several of these, or what `scipy.sparse.save_npz` writes as
 ///   `csr`, `csc`, `coo` or `bsr`, whose repeated entries are added up.
+/// - MATLAB `.mat` of version 5 (`-v6`, `-v7`): real, full or sparse, of any type of number.
 /// - CalculiX `SOLVER=MATRIXSTORAGE`, by its ending `.sti` or `.mas`: one triangle; the degrees of freedom are in the `.dof`
 ///   file beside it, see [`read_dofs`].
 /// - Harwell–Boeing: real and assembled, general, symmetric or skew-symmetric.
@@ -67,7 +69,7 @@ pub struct MatrixFile {
 /// - Real modes of NASTRAN in `OUTPUT2`, in a print file (`.f06`) or a punch file (`.pch`), of the first subcase that has some:
 ///   `FREQUENCIES`, a column of angular frequencies (rad/s), and `SHAPES`, with a column for each mode.
 ///
-/// `name` says which of several matrices; it must be given where a `.npz`, `DMIG`, `OUTPUT2` or `OUTPUT4` file has more than
+/// `name` says which of several matrices; it must be given where a `.npz`, `.mat`, `DMIG`, `OUTPUT2` or `OUTPUT4` file has more than
 /// one. Upper and lower case are the same in names of NASTRAN.
 ///
 /// # Errors
@@ -112,6 +114,7 @@ pub fn matrix_of(file: &Path, bytes: &[u8], name: Option<&str>) -> Result<Matrix
         (Format::Harwell, None) => harwell::read(bytes),
         (Format::Coordinates, None) => coordinates::read(bytes),
         (Format::Npz, name) => numpy::read_archive(bytes, name),
+        (Format::Mat, name) => mat::read(bytes, name),
         (Format::Dmig, name) => nastran::read_dmig(bytes, name),
         (Format::Op4Text, name) => op4::read_text(bytes, name),
         (Format::Op2, name) => op2::read(bytes, name),

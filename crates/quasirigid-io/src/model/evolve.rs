@@ -30,8 +30,16 @@ pub(super) const EVOLVE: Keys = Keys {
         key("power", words(&["polynomial", "harmonics"]).or("as materials need"), "source of the mean power"),
         key(
             "method",
-            words(&["average", "levels", "micro-runs", "full", "modal-rates", "spin-manifold"])
-                .or("the one that holds"),
+            words(&[
+                "average",
+                "levels",
+                "periodic-motions",
+                "micro-runs",
+                "full",
+                "modal-rates",
+                "spin-manifold",
+            ])
+            .or("the one that holds"),
             "",
         ),
     ],

@@ -35,7 +35,7 @@ fn dofs() -> Vec<Dof> {
 }
 
 /// Files of the stiffness, the name of the matrix, and the relative error of their digits.
-const FILES: [(&str, Option<&str>, f64); 23] = [
+const FILES: [(&str, Option<&str>, f64); 25] = [
     ("beam.sti", None, 0.0),
     ("symmetric.mtx", None, 0.0),
     ("general.mtx", None, 0.0),
@@ -48,6 +48,8 @@ const FILES: [(&str, Option<&str>, f64); 23] = [
     ("coo.npz", None, 0.0),
     ("dense.npz", Some("K"), 0.0),
     ("dense_compressed.npz", Some("K"), 0.0),
+    ("sparse.mat", None, 0.0),
+    ("dense.mat", Some("K"), 0.0),
     ("pynastran.op4", None, 0.0),
     ("text_dense.op4", None, 0.0),
     ("text_bigmat.op4", None, 0.0),
@@ -119,7 +121,7 @@ fn one_matrix_in_all_formats_is_one_matrix() {
 fn the_second_matrix_of_a_file_is_found_by_its_name() {
     let twice: Vec<_> = stiffness().into_iter().map(|(i, j, value)| (i, j, 2.0 * value)).collect();
     let files = ["binary_dense.op4", "binary_bigmat.op4", "binary_nonbigmat.op4"].map(|name| (name, "MAAX"));
-    for (name, matrix) in files.into_iter().chain([("dense.npz", "M"), ("dense_compressed.npz", "M")]) {
+    for (name, matrix) in files.into_iter().chain([("dense.npz", "M"), ("dense_compressed.npz", "M"), ("dense.mat", "M")]) {
         assert_same(&read_matrix(&data(name), Some(matrix)).unwrap(), &twice, 0.0, name);
     }
 }

@@ -6,6 +6,7 @@ mod bounds;
 mod catalogues;
 mod history_files;
 mod history_tables;
+mod mat_files;
 mod matrix_files;
 mod memory;
 mod mesh;

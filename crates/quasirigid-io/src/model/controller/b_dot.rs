@@ -1,5 +1,7 @@
 //! Coils against the rate of the magnetic field. (Y9)
 
+use std::path::Path;
+
 use quasirigid_body::control::{Actuator, ControlLaw, LinearLaw, RelayLaw};
 
 use super::{Draft, NamedInput, counted, numbers};
@@ -10,7 +12,7 @@ use crate::units::Dimension;
 /// Name of what the law measures.
 const MEASURED: &str = "field_rate";
 
-pub(super) fn b_dot(table: &Table<'_>, period: Option<f64>) -> Option<Draft> {
+pub(super) fn b_dot(table: &Table<'_>, period: Option<f64>, _: &Path) -> Option<Draft> {
     let rates = field_rates().map(|of| (of, MEASURED.to_owned(), 0.0));
     if table.read_or("bang_bang", false, |value| value.boolean())? {
         return switched(table, rates, period);

@@ -1,5 +1,7 @@
 //! Laws by formulas. (Y1)
 
+use std::path::Path;
+
 use quasirigid_body::control::{Actuator, ControlLaw, FormulaLaw, Measurement};
 use quasirigid_math::expression::Expression;
 
@@ -12,7 +14,7 @@ use crate::units::Dimension;
 /// Names that every formula of a controller has.
 const GIVEN: [&str; 11] = ["t", "wx", "wy", "wz", "qw", "qx", "qy", "qz", "ex", "ey", "ez"];
 
-pub(super) fn formulas(table: &Table<'_>, period: Option<f64>) -> Option<Draft> {
+pub(super) fn formulas(table: &Table<'_>, period: Option<f64>, _: &Path) -> Option<Draft> {
     let target = quaternion(table)?;
     let given = [Measurement::Time].into_iter().chain(rates());
     let given = given.chain([0, 1, 2, 3].map(|component| Measurement::Quaternion { component }));

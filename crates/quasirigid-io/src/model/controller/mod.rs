@@ -7,6 +7,8 @@ mod formulas;
 mod on_error;
 mod state_space;
 
+use std::path::Path;
+
 use quasirigid_body::control::{Actuator, ControlLaw, Controller, Input, Output, Sampling};
 use quasirigid_elements::{ElementKind, NamedController};
 
@@ -25,7 +27,8 @@ use crate::model::table::Table;
 use crate::model::value::Value;
 use crate::units::Dimension;
 
-type Read = fn(&Table<'_>, Option<f64>) -> Option<Draft>;
+/// Reader of a law from its table, the period of its samples, and the folder of the model file.
+type Read = fn(&Table<'_>, Option<f64>, &Path) -> Option<Draft>;
 
 /// Measurement, the name that `quantum` and `noise` know it by, and its reference.
 type NamedInput = (Measured, String, f64);
@@ -74,6 +77,7 @@ static KINDS: [Kind<Read>; 5] = [
             "inputs",
             "target",
             "outputs",
+            "matrices",
             "A",
             "B",
             "C",
@@ -186,6 +190,11 @@ const ANY: Keys = Keys {
             list(&Shape::Text).or("`torque.x` to `z`"),
             "`torque.x`, `wheel.NAME.torque`, `moment.x`",
         ),
+        key(
+            "matrices",
+            TEXT.or("none"),
+            "file beside the model with the matrices A, B, C and D: .mat or .npz",
+        ),
         key("A", ROWS, ""),
         key("B", ROWS, ""),
         key("C", ROWS, ""),
@@ -232,15 +241,16 @@ pub(super) const READER: Reader = Reader {
     nested: &[],
     is_body: false,
     read: |entry, draft| {
-        draft.assembly.controllers.push(controller(entry.table, entry.name)?);
+        let folder = draft.sources.folder;
+        draft.assembly.controllers.push(controller(entry.table, entry.name, folder)?);
         Some(())
     },
 };
 
-fn controller(table: &Table<'_>, name: &str) -> Option<NamedController> {
+fn controller(table: &Table<'_>, name: &str, folder: &Path) -> Option<NamedController> {
     let sampling = sampling(table);
     let period = table.get("period").and_then(|value| value.positive(Dimension::TIME));
-    let draft = (of_table(table, "kind", &KINDS)?.read)(table, period);
+    let draft = (of_table(table, "kind", &KINDS)?.read)(table, period, folder);
     let (sampling, Draft { inputs, deadbands, law, outputs, start }) = (sampling?, draft?);
     let labels: Vec<&str> = inputs.iter().map(|(_, label, _)| label.as_str()).collect();
     let [quantum, noise] = ["quantum", "noise"].map(|key| by_label(table, key, &labels));

@@ -1,5 +1,7 @@
 //! Laws on an error: PID and bang-bang. (Y5), (Y7)
 
+use std::path::Path;
+
 use quasirigid_body::control::{Actuator, ControlLaw, Pid, RelayLaw};
 
 use super::{Draft, NamedInput, numbers, outputs, quaternion};
@@ -29,7 +31,7 @@ fn errors(table: &Table<'_>) -> Option<(Vec<NamedInput>, String)> {
     Some((inputs, word.to_owned()))
 }
 
-pub(super) fn pid(table: &Table<'_>, period: Option<f64>) -> Option<Draft> {
+pub(super) fn pid(table: &Table<'_>, period: Option<f64>, _: &Path) -> Option<Draft> {
     let (mut inputs, word) = errors(table)?;
     let n = inputs.len();
     let [proportional, integral, derivative, deadband] =
@@ -67,7 +69,7 @@ pub(super) fn pid(table: &Table<'_>, period: Option<f64>) -> Option<Draft> {
     Some(Draft { inputs, deadbands, law: ControlLaw::Linear(law), outputs, start })
 }
 
-pub(super) fn bang_bang(table: &Table<'_>, period: Option<f64>) -> Option<Draft> {
+pub(super) fn bang_bang(table: &Table<'_>, period: Option<f64>, _: &Path) -> Option<Draft> {
     let period = match period {
         Some(period) => period,
         None => return table.required("period", "period = \"0.1 s\"").and(None),

@@ -28,6 +28,8 @@ sp.save_npz("coo.npz", K.tocoo())
 sp.save_npz("bsr.npz", sp.bsr_array(sp.kron(np.diag([1.0, 2.0]), full), blocksize=(2, 17)))
 np.savez("dense.npz", K=full, M=2 * full)
 np.savez_compressed("dense_compressed.npz", K=full, M=2 * full)
+scipy.io.savemat("sparse.mat", {"K": sp.csc_matrix(K), "about": "beam"}, do_compression=True)
+scipy.io.savemat("dense.mat", {"K": full, "M": 2 * full})
 
 model = BDF(debug=None)
 lower = [(i, j) for j in range(len(full)) for i in range(j, len(full)) if full[i, j] != 0.0]

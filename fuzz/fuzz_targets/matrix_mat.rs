@@ -1,0 +1,2 @@
+#![no_main]
+quasirigid_libfuzzer::fuzz!("matrix_mat");

@@ -48,6 +48,7 @@ mod surfaces;
 mod tanks;
 mod timing;
 mod values;
+mod voxel_densities;
 mod voxels;
 
 use std::fs;

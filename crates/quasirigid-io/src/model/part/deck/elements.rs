@@ -38,7 +38,7 @@ impl Made {
             };
             let axes = axes.map(|axis| self.given.placement.turned(axis));
             let name = self.name_of("MAT1", label);
-            self.mixed.regions.push(Region { cells, name, material, axes });
+            self.mixed.regions.push(Region { cells, name, material, axes, grading: None });
         }
         Ok(())
     }

@@ -40,6 +40,7 @@ mod rotation;
 mod same;
 mod sections;
 mod settings;
+mod sheets;
 mod shorthands;
 mod solids;
 mod start_file;

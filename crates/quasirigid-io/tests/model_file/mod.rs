@@ -21,6 +21,7 @@ mod initial;
 mod inp_decks;
 mod inside;
 mod keys;
+mod laminated;
 mod magnetic_control;
 mod materials;
 mod matrices;

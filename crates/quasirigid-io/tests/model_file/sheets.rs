@@ -62,7 +62,7 @@ fn effective_masses_in_output2_are_an_appendage() {
         close(found.inertia[axis][axis], moment, 1e-5);
     }
     let hertz: Vec<f64> = found.modes.iter().map(|mode| mode.frequency / std::f64::consts::TAU).collect();
-    for (found, expected) in hertz.iter().zip([89.560_745, 89.560_745, 1044.759_64]) {
+    for (found, expected) in hertz.iter().zip([89.560_745, 89.560_745, 1_044.759_64]) {
         close(*found, expected, 1e-6);
     }
     let sums = effective(&found);

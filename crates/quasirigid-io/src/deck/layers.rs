@@ -60,6 +60,8 @@ impl Cells {
         self.layers.divided += 1;
         self.layers.stretched += usize::from((whole / height - 1.0).abs() > STRETCH);
         let normal = self.normal(&lower, &upper);
+        // a cell may be given inside out
+        let normal = if dot(normal, stack) < 0.0 { scale(-1.0, normal) } else { normal };
         let first = axes[laminate.directions[0]];
         let along = add(first, scale(-dot(first, normal), normal));
         if !(norm(along) > ALONG) {

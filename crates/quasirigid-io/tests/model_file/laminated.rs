@@ -98,12 +98,14 @@ fn laminated(order: impl Fn(Vec<usize>) -> Vec<usize>) -> String {
 #[test]
 fn a_laminated_solid_is_its_plies() {
     let expected = read(&meshed(|i, ply| corners(i, ply, ply + 1)));
-    let orders: [fn(Vec<usize>) -> Vec<usize>; 4] = [
+    let orders: [fn(Vec<usize>) -> Vec<usize>; 5] = [
         |c| c,
         // on its side, and upside down
         |c| [0, 3, 7, 4, 1, 2, 6, 5].map(|at| c[at]).to_vec(),
         |c| [4, 7, 6, 5, 0, 3, 2, 1].map(|at| c[at]).to_vec(),
         |c| [1, 0, 4, 5, 2, 3, 7, 6].map(|at| c[at]).to_vec(),
+        // inside out
+        |c| [4, 5, 6, 7, 0, 1, 2, 3].map(|at| c[at]).to_vec(),
     ];
     for order in orders {
         let found = read(&laminated(order));

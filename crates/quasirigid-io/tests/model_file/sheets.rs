@@ -121,8 +121,8 @@ fn effective_masses_in_a_print_are_an_appendage() {
         close(found.center_of_mass[axis], moment / 7181.204, 1e-6);
     }
     close(found.inertia[1][2], -7747.655, 1e-6);
-    close(found.modes[0].translation[0], -64.355_97, 1e-6);
-    close(found.modes[2].rotation[1], 106.7572, 1e-6);
+    close(found.modes[0].translation[0], -64.355_97, 2e-5);
+    close(found.modes[2].rotation[1], 106.7572, 2e-5);
     close(found.modes[2].frequency, 3.736_549 * std::f64::consts::TAU, 1e-12);
     assert_eq!(found.modes.len(), 3);
     // shapes of another scale: factors of modes whose greatest displacement is one

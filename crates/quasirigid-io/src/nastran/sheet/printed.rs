@@ -11,6 +11,8 @@ const FACTORS: &str = "MODAL PARTICIPATION FACTORS";
 const EFFECTIVE: &str = "MODAL EFFECTIVE MASS";
 const RIGID: &str = "A-SET RIGID BODY MASS MATRIX";
 const EIGENVALUES: &str = "R E A L   E I G E N V A L U E S";
+/// Share by which factors are taken smaller: prints have seven digits, and all modes together carry no more than the mass.
+const ROUNDING: f64 = 1e-5;
 /// Beginning of the titles of the other tables.
 const OTHERS: &str = "MODAL EFFECTIVE";
 
@@ -114,9 +116,12 @@ impl Printed {
             frequency: std::f64::consts::TAU * frequency,
             factors: factors.map(|factor| scale * factor),
         };
-        let sheet = Sheet { rigid, modes: self.factors.iter().zip(&scales).map(mode).collect() };
+        let mut sheet = Sheet { rigid, modes: self.factors.iter().zip(&scales).map(mode).collect() };
         if !self.effective.is_empty() {
             agree(&sheet, &self.effective)?;
+        }
+        for mode in &mut sheet.modes {
+            mode.factors = mode.factors.map(|factor| (1.0 - ROUNDING) * factor);
         }
         Ok(sheet)
     }

@@ -57,9 +57,9 @@ pub use kinds::ellipsoid::Ellipsoid;
 pub use kinds::hinged::{HingeCoefficient, Hinged};
 pub use kinds::network::Network;
 pub use kinds::part::{
-    Anchor, Bar, BarKind, Connection, Coupling, ElasticMaterial, Frame, FrameNode, GivenModes, Layer,
-    Matrices, Member, Mixed, NodalMass, NodeBody, NodeLink, Orthotropic, Panel, Part, PartKind, Region, Skin,
-    Solid, Spectrum, Strain, TipMass, Weighted,
+    Anchor, Bar, BarKind, Connection, Coupling, ElasticMaterial, Frame, FrameNode, GivenModes, Grading,
+    Layer, Matrices, Member, Mixed, NodalMass, NodeBody, NodeLink, Orthotropic, Panel, Part, PartKind,
+    Region, Skin, Solid, Spectrum, Strain, TipMass, Weighted,
 };
 pub use kinds::point::{Point, PointMotion};
 pub use kinds::rotor::{Rotor, RotorKind};

@@ -5,6 +5,9 @@ use quasirigid_mesh::Mesh;
 /// Number of nodes of a pyramid: its base, then its top.
 pub(crate) const NODES: usize = 5;
 
+/// Nodes of a pyramid with the middles of its edges; one more is the middle of its base.
+pub(crate) const CURVED: usize = 13;
+
 /// Nodes of the two tetrahedra, by their places in a pyramid with these numbers.
 pub(crate) fn halves(labels: &[u64]) -> [[usize; 4]; 2] {
     let least = (0..4).min_by_key(|corner| labels.get(*corner)).unwrap_or(0);

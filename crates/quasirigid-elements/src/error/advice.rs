@@ -243,6 +243,7 @@ impl Problem {
             | Self::NoSuchNode { .. }
             | Self::NoSuchRow { .. }
             | Self::NoSuchCell { .. }
+            | Self::DensityPerCell { .. }
             | Self::NoTurnForInertia { .. }
             | Self::NoModes { .. }
             | Self::NoGuide

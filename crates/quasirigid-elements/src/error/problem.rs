@@ -237,6 +237,14 @@ pub enum Problem {
         /// Number of cells.
         count: usize,
     },
+    /// A region has not one density for each of its cells.
+    #[error("there are {found} densities and {cells} cells; give one for each")]
+    DensityPerCell {
+        /// Number of densities.
+        found: usize,
+        /// Number of cells.
+        cells: usize,
+    },
     /// Shapes are not over the rows of the mass matrix.
     #[error(
         "there are {rows} rows of shapes and {dofs} rows of the mass; each row of one is a row of the other"

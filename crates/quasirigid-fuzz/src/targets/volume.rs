@@ -107,6 +107,8 @@ pub const DECK: &[&str] = &[
 
 /// Words of NRRD files.
 pub const NRRD: &[&str] = &[
+    "II*\0\x08\0\0\0",
+    "MM\0*\0\0\0\x08",
     "NRRD0004\n",
     "type: uint8\n",
     "sizes: 2 3 4\n",

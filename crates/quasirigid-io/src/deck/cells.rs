@@ -6,6 +6,7 @@ use std::collections::HashMap;
 
 use quasirigid_mesh::{Cell, Mesh, Set, Shape};
 
+use super::layers::Layers;
 use super::{DeckModel, Plate, Solid};
 use crate::matrix::error::MatrixProblem;
 use crate::matrix::listed::LocatedProblem;
@@ -22,6 +23,8 @@ pub(crate) struct Cells {
     pub plates: Vec<(usize, usize)>,
     /// Index of the first cell and property of each solid.
     pub solids: Vec<(usize, u64)>,
+    /// Plies of laminated solids.
+    pub layers: Layers,
     /// Middles of edges that were put there.
     middles: HashMap<[usize; 2], usize>,
     put: usize,
@@ -30,6 +33,8 @@ pub(crate) struct Cells {
     pyramids: usize,
     divided: usize,
 }
+
+const BASIC: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 
 /// Edges of a solid: corners of each, in the order of its shape; of a pyramid those of the base, then the upright ones.
 const TET: &[[usize; 2]] = &[[0, 1], [1, 2], [2, 0], [0, 3], [1, 3], [2, 3]];
@@ -54,6 +59,18 @@ impl DeckModel {
     /// # Errors
     /// A grid point that no card has.
     pub fn cells(&self) -> Result<Cells, LocatedProblem> {
+        self.made_cells(false)
+    }
+
+    /// The same with laminated solids divided into their plies.
+    ///
+    /// # Errors
+    /// A grid point that no card has, a laminated solid that cannot be divided.
+    pub fn divided_cells(&self) -> Result<Cells, LocatedProblem> {
+        self.made_cells(true)
+    }
+
+    fn made_cells(&self, divided: bool) -> Result<Cells, LocatedProblem> {
         let mut cells = Cells::default();
         for point in &self.points {
             cells.index.insert(point.label, cells.mesh.nodes.len());
@@ -62,9 +79,15 @@ impl DeckModel {
         }
         cells.points_end = self.points.last().map_or(1, |point| point.label.saturating_add(1));
         let mut of_property: HashMap<u64, Vec<usize>> = HashMap::new();
-        for solid in &self.solids {
+        for (number, solid) in self.solids.iter().enumerate() {
             let first = cells.mesh.cells.len();
-            cells.solid(solid)?;
+            match self.laminates.get(&solid.property).filter(|_| divided) {
+                Some(laminate) => {
+                    let axes = self.axes_at_solids.get(&number).copied().unwrap_or(BASIC);
+                    cells.laminate(solid, laminate, axes)?;
+                }
+                None => cells.solid(solid)?,
+            }
             cells.solids.push((first, solid.property));
             of_property.entry(solid.property).or_default().extend(first..cells.mesh.cells.len());
         }
@@ -79,6 +102,7 @@ impl DeckModel {
             of_property.entry(line.property).or_default().push(cells.mesh.cells.len());
             cells.add(line.label, Shape::Line2, &nodes);
         }
+        cells.tie();
         let mut properties: Vec<(u64, Vec<usize>)> = of_property.into_iter().collect();
         properties.sort_unstable_by_key(|(property, _)| *property);
         let set = |(property, cells): (u64, Vec<usize>)| Set {
@@ -97,7 +121,7 @@ impl Cells {
         self.index.get(&label).copied().ok_or((line, MatrixProblem::NoGrid { node: label }))
     }
 
-    fn add(&mut self, label: u64, shape: Shape, nodes: &[usize]) {
+    pub(super) fn add(&mut self, label: u64, shape: Shape, nodes: &[usize]) {
         self.mesh.cells.push(Cell { label, shape, nodes: nodes.into() });
     }
 
@@ -109,15 +133,21 @@ impl Cells {
             (self.put, "middles of edges that cells leave out are put there"),
         ];
         let counted = counted.iter().filter(|(count, _)| *count > 0);
-        pyramids.into_iter().chain(counted.map(|(count, what)| format!("{what} ({count})"))).collect()
+        let counted = counted.map(|(count, what)| format!("{what} ({count})"));
+        pyramids.into_iter().chain(counted).chain(self.layers.notes()).collect()
+    }
+
+    /// A new node in the middle of an edge or a face.
+    fn put(&mut self, place: [f64; 3]) -> usize {
+        self.put += 1;
+        self.new_node(place)
     }
 
     /// A new node, numbered on from the last.
-    fn put(&mut self, place: [f64; 3]) -> usize {
-        let last = self.points_end.saturating_add(self.put as u64);
-        self.mesh.node_labels.push(last);
+    pub(super) fn new_node(&mut self, place: [f64; 3]) -> usize {
+        let put = self.mesh.nodes.len() - self.index.len();
+        self.mesh.node_labels.push(self.points_end.saturating_add(put as u64));
         self.mesh.nodes.push(place);
-        self.put += 1;
         self.mesh.nodes.len() - 1
     }
 

@@ -3,6 +3,7 @@
 
 mod cells;
 mod elements;
+mod layers;
 mod places;
 mod properties;
 pub(crate) mod sections;
@@ -13,8 +14,9 @@ use crate::matrix::error::{MatrixError, MatrixProblem};
 use crate::matrix::listed::LocatedProblem;
 pub(crate) use cells::{Cells, edges};
 pub(crate) use elements::{Axial, Bush, Line, Mean, Plate, Scalar, Solid, SpringEnd, Stiff, Tip, Up};
+pub(crate) use layers::OfPly;
 pub(crate) use places::{Places, Run};
-pub(crate) use properties::{Bending, Plating, Ply, RodSection, Stuff};
+pub(crate) use properties::{Bending, Laminate, Plating, Ply, RodSection, Stuff};
 
 /// A grid point in the basic system.
 #[derive(Clone, Copy)]
@@ -45,6 +47,10 @@ pub(crate) struct DeckModel {
     pub of_solids: HashMap<u64, u64>,
     /// Axes 1, 2, 3 of the material of solids, by property.
     pub axes_of_solids: HashMap<u64, [[f64; 3]; 3]>,
+    /// The same for single solids, by index.
+    pub axes_at_solids: HashMap<usize, [[f64; 3]; 3]>,
+    /// Plies of laminated solids, by property.
+    pub laminates: HashMap<u64, Laminate>,
     pub of_plates: HashMap<u64, Plating>,
     pub of_beams: HashMap<u64, Bending>,
     pub of_rods: HashMap<u64, RodSection>,

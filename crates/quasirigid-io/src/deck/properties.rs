@@ -47,6 +47,13 @@ pub(crate) struct Ply {
     pub angle: f64,
 }
 
+/// Plies of laminated solids, lowest first.
+pub(crate) struct Laminate {
+    pub plies: Vec<Ply>,
+    /// Axes of the material, from 0, from which the angles of plies count and along which they are stacked.
+    pub directions: [usize; 2],
+}
+
 /// Layers of plates, lowest first.
 pub(crate) struct Plating {
     pub layers: Vec<Ply>,

@@ -355,6 +355,35 @@ pub enum MatrixProblem {
         /// The material.
         material: u64,
     },
+    /// A ply without a thickness.
+    #[error("a ply of the property {property} has no thickness; give it one")]
+    NoThickness {
+        /// The property.
+        property: u64,
+    },
+    /// A material of solids that couples stretches and shears.
+    #[error(
+        "the material {material} has no three planes of symmetry in its axes; turn CORDM to them, or give MAT11"
+    )]
+    NoSymmetry {
+        /// The material.
+        material: u64,
+    },
+    /// A laminated solid that cannot be divided into its plies.
+    #[error(
+        "the laminated solid {element} is no CHEXA of 8 or CPENTA of 6 points with edges along the stack; mesh its plies, or correct PSDIR \
+         and CORDM of PCOMPS"
+    )]
+    Layered {
+        /// The element.
+        element: u64,
+    },
+    /// A file without the mass and modes of a structure that is held at its base.
+    #[error("{what}")]
+    Sheet {
+        /// What is wrong.
+        what: &'static str,
+    },
     /// A property without a material.
     #[error("the property {property} names no material; give it one")]
     NoMaterialOf {

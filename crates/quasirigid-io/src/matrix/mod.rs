@@ -15,7 +15,7 @@ mod mat;
 mod nastran;
 mod nodes;
 pub(crate) mod numpy;
-mod op2;
+pub(crate) mod op2;
 mod op4;
 mod row;
 pub(crate) mod text;

@@ -73,6 +73,11 @@ fn name_of(block: &Block) -> &str {
     &block.names[usize::from(block.names[0] == EXTERNAL)]
 }
 
+/// The matrix of one of these names, if the file has one.
+pub(crate) fn named(tape: &Tape, names: &[&str]) -> Result<Option<MatrixFile>, LocatedProblem> {
+    tape.block(names).map(|block| of_block(tape, block)).transpose()
+}
+
 /// Columns, rows, form and type stand in the trailer; the first record has names, each other one is a column.
 fn of_block(tape: &Tape, block: &Block) -> Result<MatrixFile, LocatedProblem> {
     let [_, columns, rows, _, kind, ..] = block.trailer;

@@ -31,8 +31,8 @@ use format::Format;
 pub use row::Row;
 pub(crate) use volume::abaqus as inp;
 use volume::vtk;
+pub(crate) use volume::{DensityRule, VoxelRule, read_volume_by};
 pub use volume::{VolumeFile, VolumeProblem, VoxelProblem, mesh_of, read_mesh, read_volume, volume_of};
-pub(crate) use volume::{VoxelRule, read_volume_by};
 
 /// Triangles as a file has them.
 #[derive(Clone, Debug, Default, PartialEq)]

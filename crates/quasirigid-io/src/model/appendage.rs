@@ -1,16 +1,19 @@
-//! Appendage reader: `[[appendage]]`, cantilever modes from a vendor's sheet, without shapes.
+//! Appendage reader: `[[appendage]]`, cantilever modes from a vendor's sheet or a file of NASTRAN, without shapes.
 //! Effective masses are squares that have lost the sign of the participation factor, and are refused.
 //! Equation (K17), docs/theory/12-structures.md.
+
+use std::path::Path;
 
 use quasirigid_elements::{Appendage, AppendageMode, ElementKind, Extent, InertiaPoint};
 
 use super::body::{INERTIA, inertia};
-use super::key::{Form, Key, Keys, NUMBER, Shape, VECTOR, any, array, key, list, quantity, vector};
+use super::key::{Form, Key, Keys, NUMBER, Shape, TEXT, VECTOR, any, array, key, list, quantity, vector};
 use super::names::Part;
 use super::reader::{Keyed, NAME, Naming, Reader};
 use super::surface::unit_of;
 use super::table::Table;
 use super::value::Value;
+use crate::nastran::sheet;
 use crate::units::Dimension;
 
 pub(super) const READER: Reader = Reader {
@@ -25,7 +28,9 @@ pub(super) const READER: Reader = Reader {
     nested: &[],
     is_body: false,
     read: |entry, draft| {
-        draft.assembly.appendages.push(appendage(entry.table, entry.name)?);
+        let (appendage, note) = appendage(entry.table, entry.name, draft.sources.folder)?;
+        draft.file_notes.extend(note);
+        draft.assembly.appendages.push(appendage);
         Some(())
     },
 };
@@ -51,6 +56,14 @@ const APPENDAGE: Keys = Keys {
             "about the interface, instead",
         ),
         key("modes", list(&Shape::Table(&MODE)), "with the interface held"),
+        key(
+            "file",
+            TEXT,
+            "instead of mass, centre, inertia and modes: `MEFFMASS` of NASTRAN (`.op2`, `.f06`), or an external superelement (`.op4`, \
+             `.pch`, `.op2`)",
+        ),
+        key("nodes", TEXT.or("`file`"), "of a superelement: `.pch` or `.asm` with its boundary"),
+        key("damping_ratio", NUMBER.or("0"), "of the modes of `file`"),
         key(
             "rotation_about",
             vector("m").or("the interface"),
@@ -85,20 +98,122 @@ const SQUARES: [&str; 3] = ["effective_mass", "effective_inertia", "effective_ma
 /// Axes unless the file chooses others: those of the file.
 const ALIGNED: [[f64; 3]; 2] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
 
-/// Reads an `[[appendage]]`.
-fn appendage(table: &Table<'_>, name: &str) -> Option<Appendage> {
+/// What a sheet says of an appendage.
+struct Sheet {
+    mass: f64,
+    center_of_mass: [f64; 3],
+    inertia: ([[f64; 3]; 3], InertiaPoint),
+    rotation_about: [f64; 3],
+    modes: Vec<AppendageMode>,
+    note: Option<String>,
+}
+
+/// Reads an `[[appendage]]`, with what is to tell of its file.
+fn appendage(table: &Table<'_>, name: &str, folder: &Path) -> Option<(Appendage, Option<String>)> {
     let interface = table.read("at", "at = [0.6, 0.0, 0.2]", |value| value.vector(Dimension::LENGTH));
     let axes = table.read_or("axes", ALIGNED, |value| {
         value.array("two directions", |axis| axis.vector(Dimension::NUMBER))
     });
+    let unit = |key, dimension| table.read_or(key, 1.0, |value| unit_of(&value, dimension));
+    let units = [unit("mass_unit", Dimension::MASS), unit("length_unit", Dimension::LENGTH)];
+    let sheet = match table.get("file") {
+        Some(file) => of_file(table, &file, folder, [units[0]?, units[1]?]),
+        None => typed(table, units),
+    };
+    let extent = extent(table);
+    let (interface, axes, sheet) = (interface?, axes?, sheet?);
+    let Sheet { mass, center_of_mass, inertia: (inertia, inertia_about), rotation_about, modes, note } =
+        sheet;
+    let name = name.to_owned();
+    let appendage = Appendage {
+        name,
+        interface,
+        axes,
+        mass,
+        center_of_mass,
+        inertia,
+        inertia_about,
+        rotation_about,
+        extent: extent?,
+        modes,
+    };
+    Some((appendage, note))
+}
+
+/// Keys of what a file of NASTRAN has.
+const IN_FILE: [&str; 6] =
+    ["mass", "center_of_mass", "inertia", "interface_inertia", "modes", "rotation_about"];
+
+/// Reads mass and modes from a file of NASTRAN, about the origin of the sheet.
+fn of_file(table: &Table<'_>, file: &Value<'_>, folder: &Path, [mass, length]: [f64; 2]) -> Option<Sheet> {
+    if let Some(value) = IN_FILE.iter().find_map(|key| table.get(key)) {
+        let message = format!("`{}` is in the `file`", value.key());
+        return value.refuse(message, "given twice", "leave out one of the two");
+    }
+    let nodes = match table.get("nodes") {
+        Some(value) => Some(folder.join(value.text()?)),
+        None => None,
+    };
+    let damping_ratio = table.read_or("damping_ratio", 0.0, |value| value.non_negative(Dimension::NUMBER))?;
+    let refuse = |message: String| {
+        let help = "it is looked for beside the model; MEFFMASS in .op2 or .f06, and external superelements in .op4, .pch or .op2 are read";
+        file.refuse(format!("`file`: {message}"), "cannot be used", help)
+    };
+    let path = folder.join(file.text()?);
+    let sheet = match sheet::read(&path, nodes.as_deref()) {
+        Ok(sheet) => sheet,
+        Err(error) => return refuse(error.to_string()),
+    };
+    let body = match sheet.body() {
+        Ok(body) => body,
+        Err(problem) => return refuse(format!("{}: {problem}", path.display())),
+    };
+    let mode = |mode: &sheet::SheetMode| {
+        let [x, y, z, rx, ry, rz] = mode.factors.map(|factor| mass.sqrt() * factor);
+        AppendageMode {
+            frequency: mode.frequency,
+            damping_ratio,
+            translation: [x, y, z],
+            rotation: [rx, ry, rz].map(|factor| length * factor),
+        }
+    };
+    let modes: Vec<AppendageMode> = sheet.modes.iter().map(mode).collect();
+    let hertz =
+        |mode: Option<&AppendageMode>| mode.map_or(0.0, |mode| mode.frequency / std::f64::consts::TAU);
+    let (mass, center_of_mass) = (mass * body.mass, body.center.map(|x| length * x));
+    let note = format!(
+        "{}: {mass:.6} kg with the centre of mass at [{:.6}, {:.6}, {:.6}] m from the interface, {} modes from {:.4} Hz to {:.4} Hz",
+        file.words().unwrap_or_default(),
+        center_of_mass[0],
+        center_of_mass[1],
+        center_of_mass[2],
+        modes.len(),
+        hertz(modes.first()),
+        hertz(modes.last()),
+    );
+    let unit = mass / body.mass * length.powi(2);
+    Some(Sheet {
+        mass,
+        center_of_mass,
+        inertia: (body.inertia.map(|row| row.map(|entry| unit * entry)), InertiaPoint::Interface),
+        rotation_about: [0.0; 3],
+        modes,
+        note: Some(note),
+    })
+}
+
+/// Reads mass and modes as the model gives them.
+fn typed(table: &Table<'_>, [mass_unit, length_unit]: [Option<f64>; 2]) -> Option<Sheet> {
+    for key in ["nodes", "damping_ratio"] {
+        if let Some(value) = table.get(key) {
+            return value.refuse(format!("`{key}` is of a `file`"), "without a file", "leave it out");
+        }
+    }
     let mass = table.read("mass", "mass = 12.0", |value| value.positive(Dimension::MASS));
     let center_of_mass = table
         .read("center_of_mass", "center_of_mass = [1.5, 0.0, 0.0]", |value| value.vector(Dimension::LENGTH));
     let inertia = about(table);
     let rotation_about = table.vector_or_zero("rotation_about", Dimension::LENGTH);
-    let unit = |key, dimension| table.read_or(key, 1.0, |value| unit_of(&value, dimension));
-    let (mass_unit, length_unit) =
-        (unit("mass_unit", Dimension::MASS), unit("length_unit", Dimension::LENGTH));
     let example = "modes = [{ frequency = \"0.3 Hz\", translation = [0, 0, 1.2], rotation = [0, -2.4, 0] }]";
     let modes = table.read("modes", example, |value| value.list("a list of modes", |item| mode(&item)));
     let (mut modes, translation) = (modes?, mass_unit?.sqrt());
@@ -107,18 +222,13 @@ fn appendage(table: &Table<'_>, name: &str) -> Option<Appendage> {
         mode.translation = mode.translation.map(|factor| translation * factor);
         mode.rotation = mode.rotation.map(|factor| rotation * factor);
     }
-    let (inertia, inertia_about) = inertia?;
-    Some(Appendage {
-        name: name.to_owned(),
-        interface: interface?,
-        axes: axes?,
+    Some(Sheet {
         mass: mass?,
         center_of_mass: center_of_mass?,
-        inertia,
-        inertia_about,
+        inertia: inertia?,
         rotation_about: rotation_about?,
-        extent: extent(table)?,
         modes,
+        note: None,
     })
 }
 

@@ -7,5 +7,6 @@ pub(crate) mod model;
 pub(crate) mod modes;
 pub(crate) mod op2;
 pub(crate) mod printed;
+pub(crate) mod sheet;
 pub(crate) mod systems;
 pub(crate) mod text;

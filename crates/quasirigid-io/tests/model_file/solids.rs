@@ -128,7 +128,7 @@ fn a_wrong_solid_is_refused() {
     let refused = |lines: &str| located(&pair(PAIR, lines).expect_err("a refusal"));
     assert_snapshot!(refused("materal = \"foam\"\n"), @r#"
     model.toml:15:1: unknown key "materal" in [[solid]]
-      did you mean `material`? the keys are name, file, unit, voxel, threshold, least_voxels, position, attitude, material, materials, axes, masses, attach, rayleigh
+      did you mean `material`? the keys are name, file, unit, voxel, threshold, least_voxels, densities, stiffness_exponent, position, attitude, material, materials, axes, masses, attach, rayleigh
     "#);
     assert_snapshot!(refused("unit = \"kg\"\n"), @r#"
     model.toml:15:8: `unit`: "kg" is not a decimal number with a unit

@@ -108,7 +108,7 @@ fn hexahedra_of_another_format_are_the_same() {
 }
 
 /// Bytes of a NumPy array with its last index fastest.
-fn npy(descr: &str, shape: [usize; 3], bytes: &[u8]) -> Vec<u8> {
+pub fn npy(descr: &str, shape: [usize; 3], bytes: &[u8]) -> Vec<u8> {
     let header = format!(
         "{{'descr': '{descr}', 'fortran_order': False, 'shape': ({}, {}, {}), }}\n",
         shape[0], shape[1], shape[2]

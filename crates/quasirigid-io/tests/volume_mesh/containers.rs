@@ -126,6 +126,8 @@ fn pyramids(quadratic: bool) -> Vec<u8> {
     file.integers("connect1", &[2, per_cell], Some("PYRAMID"), &cells.concat());
     file.integers("connect2", &[1, 1], Some("SPHERE"), &[3]);
     file.integers("ss_prop1", &[1], None, &[9]);
+    file.integers("elem_ss1", &[3], None, &[2, 3, 1]);
+    file.integers("side_ss1", &[3], None, &[5, 1, 6]);
     file.file()
 }
 
@@ -155,14 +157,95 @@ fn pyramids_are_tetrahedra_that_fill_them() {
         let expected = six_volumes(mesh, &sides.collect::<Vec<_>>()) / 6.0;
         assert!((total / expected - 1.0).abs() < 1e-14, "{total} and not {expected}");
         assert_eq!(mesh.nodes.len(), if quadratic { 6 + 12 + 1 } else { 6 });
+        let base = mesh.sets.iter().find(|set| set.name == "ss9").map(|set| set.nodes.len());
+        assert_eq!(base, Some(if quadratic { 8 } else { 4 }));
         assert_eq!(
             read.notes,
             [
                 "left out: 1 SPHERE of 1 nodes",
-                "sets of sides are left out (1); sets of nodes are read",
+                "sides of cells that are left out, or that have no such side, are left out (2)",
                 "pyramids are two tetrahedra each (2)",
             ]
         );
+    }
+}
+
+/// A plane: a normal and a distance.
+type Plane = ([f64; 3], f64);
+
+const fn across(normal: [f64; 3], distance: f64) -> Plane {
+    (normal, distance)
+}
+
+const X0: Plane = across([1.0, 0.0, 0.0], 0.0);
+const X1: Plane = across([1.0, 0.0, 0.0], 1.0);
+const Y0: Plane = across([0.0, 1.0, 0.0], 0.0);
+const Y1: Plane = across([0.0, 1.0, 0.0], 1.0);
+const Z0: Plane = across([0.0, 0.0, 1.0], 0.0);
+const Z1: Plane = across([0.0, 0.0, 1.0], 1.0);
+
+/// The nodes of each side, as Exodus numbers sides, are those of the cell on its plane.
+#[test]
+fn sets_of_sides_are_the_nodes_on_their_planes() {
+    let square = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]];
+    let cube = [square, square.map(|[x, y, _]| [x, y, 1.0])].concat();
+    let tet = vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+    let wedge: Vec<[f64; 3]> =
+        tet[..3].iter().copied().chain(tet[..3].iter().map(|[x, y, _]| [*x, *y, 1.0])).collect();
+    let pyramid = [square.to_vec(), vec![[0.5, 0.5, 1.0]]].concat();
+    let ring = [[0, 1], [1, 2], [2, 3], [3, 0]];
+    let hex = [ring.to_vec(), vec![[0, 4], [1, 5], [2, 6], [3, 7], [4, 5], [5, 6], [6, 7], [7, 4]]].concat();
+    let prism = vec![[0, 1], [1, 2], [2, 0], [0, 3], [1, 4], [2, 5], [3, 4], [4, 5], [5, 3]];
+    let four = vec![[0, 1], [1, 2], [2, 0], [0, 3], [1, 3], [2, 3]];
+    let five = [ring.to_vec(), vec![[0, 4], [1, 4], [2, 4], [3, 4]]].concat();
+    let slant = across([1.0, 1.0, 1.0], 1.0);
+    let upright = across([1.0, 1.0, 0.0], 1.0);
+    let sides = [
+        across([0.0, 2.0, -1.0], 0.0),
+        across([2.0, 0.0, 1.0], 2.0),
+        across([0.0, 2.0, 1.0], 2.0),
+        across([2.0, 0.0, -1.0], 0.0),
+        Z0,
+    ];
+    let flat = vec![Y0, X1, Y1, X0];
+    let cells = [
+        ("HEX", cube, hex, vec![Y0, X1, Y1, X0, Z0, Z1]),
+        ("TETRA", tet, four, vec![Y0, slant, X0, Z0]),
+        ("WEDGE", wedge, prism, vec![Y0, upright, X0, Z0, Z1]),
+        ("PYRAMID", pyramid, five, sides.to_vec()),
+        ("QUAD", square.to_vec(), ring.to_vec(), flat.clone()),
+        ("SHELL", square.to_vec(), ring.to_vec(), [vec![Z0, Z0], flat].concat()),
+    ];
+    for (name, corners, edges, planes) in cells {
+        for curved in [false, true] {
+            let mut nodes = corners.clone();
+            if curved {
+                let middle = |[a, b]: &[usize; 2]| [0, 1, 2].map(|k| 0.5 * (corners[*a][k] + corners[*b][k]));
+                nodes.extend(edges.iter().map(middle));
+            }
+            let mut file = Classic::default();
+            for (axis, name) in ["coordx", "coordy", "coordz"].iter().enumerate() {
+                file.reals(name, &nodes.iter().map(|node| node[axis]).collect::<Vec<_>>());
+            }
+            let all: Vec<i32> = (1..=nodes.len() as i32).collect();
+            file.integers("eb_prop1", &[1], None, &[30]);
+            file.integers("connect1", &[1, nodes.len()], Some(name), &all);
+            let numbers: Vec<i32> = (1..=planes.len() as i32).collect();
+            file.integers("ss_prop1", &[planes.len()], None, &numbers);
+            for side in &numbers {
+                file.integers(&format!("elem_ss{side}"), &[1], None, &[1]);
+                file.integers(&format!("side_ss{side}"), &[1], None, &[*side]);
+            }
+            let mesh = volume_of(std::path::Path::new("a.exo"), &file.file()).unwrap().mesh;
+            for (side, (normal, distance)) in (1..).zip(&planes) {
+                let on = |place: &[f64; 3]| {
+                    (place.iter().zip(normal).map(|(x, n)| x * n).sum::<f64>() - distance).abs() < 1e-12
+                };
+                let expected: Vec<usize> = (0..nodes.len()).filter(|node| on(&nodes[*node])).collect();
+                let found = mesh.sets.iter().find(|set| set.name == format!("ss{side}")).unwrap();
+                assert_eq!(found.nodes, expected, "{name} {side}");
+            }
+        }
     }
 }
 

@@ -140,7 +140,7 @@ fn cells_are_refused_by_line() {
     assert_snapshot!(with(V2, "8 4 2 5 1 9 2 3 4", "8 4 2 5 1 9 2 3 5"), @"a:22: cell 8 names node 5, which is not among the nodes before it; was the node left out?");
     assert_snapshot!(with(V2, "8 4 2 5 1 9 2 3 4", "8 4 2 5 1 9 2 3"), @"a:22: 8 values; a cell is written number nodes, with type and tags before the nodes in version 2.2");
     assert_snapshot!(with(V2, "8 4 2 5 1 9 2 3 4", "7 4 2 5 1 9 2 3 4"), @"a:22: the number 7 appears twice among the cells; renumber them");
-    assert_snapshot!(with(V2, "8 4 2 5 1 9 2 3 4", "8 19 2 5 1 9 2 3 4 1"), @"a:22: cells of type 19 (pyramid of 13 nodes) are not read; lines, triangles, quadrilaterals, tetrahedra, wedges and hexahedra of first or second order are, but no wedges of 18 nodes");
+    assert_snapshot!(with(V2, "8 4 2 5 1 9 2 3 4", "8 13 2 5 1 9 2 3 4 1"), @"a:22: cells of type 13 (wedge of 18 nodes) are not read; lines, triangles, quadrilaterals, tetrahedra, wedges and hexahedra of first or second order are, but no wedges of 18 nodes");
     assert_snapshot!(with(V2, "8 4 2 5 1 9 2 3 4", "8 13 2 5 1 9 2 3 4"), @"a:22: cells of type 13 (wedge of 18 nodes) are not read; lines, triangles, quadrilaterals, tetrahedra, wedges and hexahedra of first or second order are, but no wedges of 18 nodes");
     assert_snapshot!(with(V2, "8 4 2 5 1 9 2 3 4", "8 29 2 5 1 9 2 3 4"), @"a:22: cells of type 29 are not read; lines, triangles, quadrilaterals, tetrahedra, wedges and hexahedra of first or second order are, but no wedges of 18 nodes");
     assert_snapshot!(with(V4, "3 1 4 1\n", "3 2 4 1\n"), @"a:25: there is no entity 2 of dimension 3 in $Entities; were they left out?");

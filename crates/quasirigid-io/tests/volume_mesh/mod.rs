@@ -7,6 +7,7 @@ mod gmsh;
 mod nastran;
 mod pyramids;
 mod robustness;
+mod tiff;
 mod vtk;
 mod zoo;
 
@@ -54,7 +55,7 @@ fn set<'a>(mesh: &'a Mesh, name: &str) -> &'a Set {
 #[test]
 fn what_is_no_mesh_is_refused() {
     insta::assert_snapshot!(says("a.msh", ""), @"a.msh: the file is empty; was its download cut off?");
-    insta::assert_snapshot!(says("a.msh", "solid block\n"), @"a.msh: the file is text, which is not a known mesh format; give a .msh file of gmsh, .vtk or .vtu of VTK, .inp of Abaqus or CalculiX, .bdf or .op2 of NASTRAN, .exo of Exodus, .med, or voxels as .npy or .nrrd");
+    insta::assert_snapshot!(says("a.msh", "solid block\n"), @"a.msh: the file is text, which is not a known mesh format; give a .msh file of gmsh, .vtk or .vtu of VTK, .inp of Abaqus or CalculiX, .bdf or .op2 of NASTRAN, .exo of Exodus, .med, or voxels as .npy, .nrrd or .tif");
     insta::assert_snapshot!(says("a.inp", "*HEADING\n*NODE\n1, 0, 0, 0\n"), @"a.inp: the file has no cells; were they left out when it was written, perhaps for lack of physical groups?");
     let folder = tempfile::tempdir().unwrap();
     let problem = |file: &Path| read_mesh(file).unwrap_err().problem.to_string();

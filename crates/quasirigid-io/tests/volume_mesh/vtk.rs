@@ -77,7 +77,7 @@ fn legacy_files_are_refused_by_line() {
     assert_snapshot!(with(LEGACY, "4 4 1 2 3", "4 -1 1 2 3"), @"a:15: -1 is not a number of nodes or cells; is the file damaged?");
     assert_snapshot!(with(LEGACY, "4 4 1 2 3", "3 4 1 2 3"), @"a:15: 3 nodes for a tetrahedron of 4 nodes; is the type of the cell right?");
     assert_snapshot!(with(LEGACY, "4 4 1 2 3", "5 4 1 2 3"), @"a:15: the nodes of cell 2 end at 13, of 12 and after 8; offsets must rise up to the last");
-    assert_snapshot!(with(LEGACY, "10\n1\n10", "10\n1\n27"), @"a:19: cells of type 27 (pyramid of 13 nodes) are not read; lines, triangles, quadrilaterals, tetrahedra, wedges and hexahedra of first or second order are, but no wedges of 18 nodes");
+    assert_snapshot!(with(LEGACY, "10\n1\n10", "10\n1\n32"), @"a:19: cells of type 32 (wedge of 18 nodes) are not read; lines, triangles, quadrilaterals, tetrahedra, wedges and hexahedra of first or second order are, but no wedges of 18 nodes");
     assert_snapshot!(with(LEGACY, "10\n1\n10", "10\n1\n1.5"), @r#"a:19: "1.5" is not a number; an array has as many numbers as its line announces, of the type it announces"#);
     assert_snapshot!(with(LEGACY, "CELL_TYPES 3\n10", "CELL_TYPES 2"), @r#"a:17: the array "CELL_TYPES" has 2 values instead of 3; is the file damaged?"#);
     assert_snapshot!(says("a.vtk", &LEGACY[..LEGACY.find("CELL_TYPES").unwrap()]), @"a.vtk:15: the file ends without CELL_TYPES; was it cut off?");

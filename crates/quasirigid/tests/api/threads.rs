@@ -54,7 +54,7 @@ types! {
     elements {
         Anchor Appendage AppendageMode Approximation Assembly BeamError Built Bushing Carrier Cavity CavityShape Coefficient
         Condensation Connection Constant ElasticMaterial ElasticityError ElementError ElementId
-        ElementKind Ellipsoid End Extent Field Frame FrameNode GivenModes HingeCoefficient Hinged Incomplete InertiaPoint
+        ElementKind Ellipsoid End Extent Field Frame FrameNode GivenModes Grading HingeCoefficient Hinged Incomplete InertiaPoint
         Layer Material Matrices MeasuredSlosh Member Modulus NamedController Network NodalMass NodeRef ObservedShape Orthotropic Panel Part PartKind
         PartReduction PlaceRef Point PointMotion Prestress Problem Quantity Regime Region Relaxed Resolution Rotor
         RingBaffle RotorKind Section SectionShape SettledTank Settling ShellError SlowLiquid Slug Solid Spectrum Spring SpringLaw SunlightAccuracy SunlitShape

@@ -302,6 +302,7 @@ fn a_bushing_at_a_node_of_a_solid_is_a_full_spring() {
         name: String::new(),
         material: ElasticMaterial::Isotropic(rubber),
         axes: UPRIGHT,
+        grading: None,
     };
     let part = Part {
         name: "block".into(),

@@ -191,6 +191,7 @@ pub fn solid(mesh: Mesh, regions: &[(Vec<usize>, Material)], attached: Vec<usize
         name: String::new(),
         material: ElasticMaterial::Isotropic(material.clone()),
         axes,
+        grading: None,
     };
     let regions = regions.iter().map(region).collect();
     let kind = PartKind::Solid(Solid { mesh: Arc::new(mesh), regions });

@@ -3,6 +3,7 @@
 mod connection;
 mod constraints;
 mod frame;
+mod grading;
 mod graph;
 mod material;
 mod matrices;
@@ -18,6 +19,7 @@ use nalgebra::Vector3;
 
 pub use connection::{Anchor, Connection};
 pub use frame::{Frame, FrameNode, Member};
+pub use grading::Grading;
 pub(crate) use graph::PartGraph;
 pub use material::{ElasticMaterial, Orthotropic};
 pub use matrices::Matrices;
@@ -273,7 +275,9 @@ impl Element for Part {
         let PartKind::Solid(solid) = &self.kind else { return None };
         let [region] = &solid.regions[..] else { return None };
         match &region.material {
-            ElasticMaterial::Isotropic(material) if self.masses.is_empty() => Some(material),
+            ElasticMaterial::Isotropic(material) if self.masses.is_empty() && region.grading.is_none() => {
+                Some(material)
+            }
             _ => None,
         }
     }

@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use nalgebra::{DMatrix, DVector, Matrix3, Matrix6, Vector3};
 
-use super::{ElasticMaterial, Seat, sound};
+use super::{ElasticMaterial, Grading, Seat, sound};
 use crate::error::{ElementError, Field, Problem, at};
 use crate::finite::{Connectivity, Element, LumpedMass, elasticity, solid};
 use crate::structure::Structure;
@@ -35,6 +35,9 @@ pub struct Region {
     pub material: ElasticMaterial,
     /// Axes 1, 2, 3 of the material, a unit vector each, in the file's frame.
     pub axes: [[f64; 3]; 3],
+    /// Densities of the cells, where they differ; none where each cell has that of the material.
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub grading: Option<Grading>,
 }
 
 /// Solid cell with the data of its matrices.
@@ -45,6 +48,8 @@ struct SolidCell {
     places: Vec<Vector3<f64>>,
     density: f64,
     elasticity: Arc<Matrix6<f64>>,
+    /// Moduli relative to those of the elasticity.
+    factor: f64,
 }
 
 impl Solid {
@@ -72,16 +77,26 @@ impl Region {
         seat: Seat,
         structure: &mut Structure,
     ) -> Result<(), ElementError> {
+        let reference = self.material.density();
+        if let Some(grading) = &self.grading {
+            grading.check(self.cells.len(), reference).map_err(at(seat.place, Field::MATERIAL))?;
+        }
         let elasticity = Arc::new(self.elasticity().map_err(at(seat.place, Field::MATERIAL))?);
         let material = structure.named_material(&self.name, self.material.rheology(), seat.rayleigh);
-        let cells = self.cells.iter().map(|cell| &mesh.cells[*cell]);
-        for cell in cells.filter(|cell| cell.shape.dimension() == 3) {
+        for (number, cell) in self.cells.iter().map(|cell| &mesh.cells[*cell]).enumerate() {
+            if cell.shape.dimension() != 3 {
+                continue;
+            }
+            let (density, factor) = self.grading.as_ref().map_or((reference, 1.0), |grading| {
+                (grading.densities[number], grading.factor(grading.densities[number], reference))
+            });
             structure.elements.push(Box::new(SolidCell {
                 shape: cell.shape,
                 connectivity: seat.connectivity(&cell.nodes, 3, material),
                 places: cell.nodes.iter().map(|node| mesh.nodes[*node].into()).collect(),
-                density: self.material.density(),
+                density,
                 elasticity: Arc::clone(&elasticity),
+                factor,
             }));
         }
         Ok(())
@@ -107,7 +122,7 @@ impl Element for SolidCell {
     }
 
     fn stiffness(&self) -> DMatrix<f64> {
-        solid::stiffness(self.shape, &self.places, &self.elasticity)
+        self.factor * solid::stiffness(self.shape, &self.places, &self.elasticity)
     }
 
     fn mass(&self) -> DMatrix<f64> {
@@ -124,6 +139,6 @@ impl Element for SolidCell {
         _: &dyn Fn(Vector3<f64>) -> Vector3<f64>,
     ) -> Option<DMatrix<f64>> {
         let scalar = solid::geometric(self.shape, &self.places, &self.elasticity, displacement);
-        Some(scalar.kronecker(&Matrix3::identity()))
+        Some(self.factor * scalar.kronecker(&Matrix3::identity()))
     }
 }

@@ -39,8 +39,13 @@ impl Meshed {
         let density = exact.mass / mesh.mesh.volume(&all);
         let material = Material { density, ..solid.material.clone() };
         let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
-        let region =
-            Region { cells: all, name: String::new(), material: ElasticMaterial::Isotropic(material), axes };
+        let region = Region {
+            cells: all,
+            name: String::new(),
+            material: ElasticMaterial::Isotropic(material),
+            axes,
+            grading: None,
+        };
         let kind = PartKind::Solid(Solid { mesh: Arc::new(mesh.mesh.clone()), regions: vec![region] });
         let (name, masses, attached) = (solid.name.clone(), Vec::new(), Vec::new());
         let part = Part { name, kind, masses, attached, rayleigh: [0.0; 2] };

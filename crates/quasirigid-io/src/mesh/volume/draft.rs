@@ -54,12 +54,15 @@ impl Draft {
         Ok(self.cells.len() - 1)
     }
 
-    /// Adds a pyramid as two tetrahedra of its number, and returns the index of the first; the second follows it into sets.
+    /// Adds a pyramid of 5, 13 or 14 nodes as two tetrahedra of its number, and returns the index of the first; the second follows it into sets.
     pub(super) fn add_pyramid(&mut self, label: u64, nodes: &[u64]) -> Result<usize, MeshProblem> {
         let (shape, [first, second]) = if nodes.len() == pyramid::NODES {
             (Shape::Tet4, pyramid::halves(nodes).map(|half| half.map(|place| nodes[place]).to_vec()))
         } else {
-            let middle = self.middle_of_base(label, nodes)?;
+            let middle = match nodes.get(pyramid::CURVED) {
+                Some(given) => *given,
+                None => self.middle_of_base(label, nodes)?,
+            };
             let of = |place: Option<usize>| place.map_or(middle, |place| nodes[place]);
             (Shape::Tet10, pyramid::curved_halves(nodes).map(|half| half.map(of).to_vec()))
         };

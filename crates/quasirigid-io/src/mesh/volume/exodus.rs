@@ -1,5 +1,7 @@
-//! Exodus II meshes, in classic netCDF or in netCDF-4: blocks of elements and sets of nodes by their names or numbers.
+//! Exodus II meshes, in classic netCDF or in netCDF-4: blocks of elements, sets of nodes and sets of sides by their names or numbers.
 //! L. A. Schoof, V. R. Yarberry: EXODUS II: A finite element data model, SAND92-2137; node orders of chapter 4.
+
+mod sides;
 
 use std::collections::BTreeMap;
 
@@ -25,15 +27,13 @@ pub(super) fn is_mesh(arrays: &impl Arrays) -> bool {
     arrays.lengths("connect1").is_some() || arrays.lengths(BLOCKS).is_some()
 }
 
-/// The nodes, the cells of all blocks, and a set for each block and each set of nodes; and what is left out.
+/// The nodes, the cells of all blocks, and a set for each block, each set of nodes and each set of sides; and what is left out.
 pub(super) fn read(arrays: &impl Arrays) -> Result<(Mesh, Vec<String>), Fault> {
     let mut draft = Draft::default();
     let labels = nodes(arrays, &mut draft)?;
-    let mut notes = cells(arrays, &labels, &mut draft)?;
+    let (blocks, mut notes) = cells(arrays, &labels, &mut draft)?;
     node_sets(arrays, &labels, &mut draft)?;
-    if let Some(sides) = arrays.lengths("ss_prop1").and_then(|lengths| lengths.first().copied()) {
-        notes.push(format!("sets of sides are left out ({sides}); sets of nodes are read"));
-    }
+    notes.extend(sides::read(arrays, &labels, &blocks, &mut draft)?);
     Ok((draft.mesh(), notes))
 }
 
@@ -88,12 +88,14 @@ fn names(arrays: &impl Arrays, kind: &str, prefix: &str) -> Result<Vec<String>, 
 struct Block {
     name: String,
     kind: Option<Kind>,
+    /// Whether its first two sides are its faces, before its edges.
+    shell: bool,
     per_cell: usize,
     nodes: Vec<i64>,
 }
 
-/// Adds the cells of all blocks, each to the set of its block; returns what is left out.
-fn cells(arrays: &impl Arrays, nodes: &[u64], draft: &mut Draft) -> Result<Vec<String>, Fault> {
+/// Adds the cells of all blocks, each to the set of its block; returns the blocks and what is left out.
+fn cells(arrays: &impl Arrays, nodes: &[u64], draft: &mut Draft) -> Result<(Vec<Block>, Vec<String>), Fault> {
     let (mut blocks, mut left_out) = (Vec::new(), BTreeMap::<String, usize>::new());
     for (index, name) in names(arrays, "eb", "")?.into_iter().enumerate() {
         let connect = format!("connect{}", index + 1);
@@ -106,7 +108,8 @@ fn cells(arrays: &impl Arrays, nodes: &[u64], draft: &mut Draft) -> Result<Vec<S
         }
         let nodes = arrays.integers(&connect)?.ok_or_else(|| missing(&connect))?;
         check_length(&connect, nodes.len(), count.saturating_mul(per_cell))?;
-        blocks.push(Block { name, kind: found, per_cell: per_cell.max(1), nodes });
+        let shell = kind.to_ascii_uppercase().starts_with("SHELL");
+        blocks.push(Block { name, kind: found, shell, per_cell: per_cell.max(1), nodes });
     }
     let count = blocks.iter().map(|block| block.nodes.len() / block.per_cell).sum();
     let labels = labels(arrays, &["elem_num_map", "elem_map"], count)?;
@@ -127,7 +130,7 @@ fn cells(arrays: &impl Arrays, nodes: &[u64], draft: &mut Draft) -> Result<Vec<S
         let counted: Vec<String> = left_out.iter().map(|(kind, count)| format!("{count} {kind}")).collect();
         notes.push(format!("left out: {}", counted.join(", ")));
     }
-    Ok(notes)
+    Ok((blocks, notes))
 }
 
 fn node_sets(arrays: &impl Arrays, labels: &[u64], draft: &mut Draft) -> Result<(), Fault> {

@@ -27,14 +27,16 @@ impl Kind {
 
     /// Adds a cell, and returns its index, of a pyramid that of its first half.
     pub(super) fn add(self, draft: &mut Draft, label: u64, nodes: &[u64]) -> Result<usize, MeshProblem> {
-        let mut ordered = [0; 27];
-        let ordered = &mut ordered[..nodes.len().min(27)];
-        for (place, node) in ordered.iter_mut().enumerate() {
-            *node = nodes[self.order.get(place).map_or(place, |place| usize::from(*place))];
-        }
+        let ordered = self.ordered(nodes);
         match self.shape {
-            Some(shape) => draft.add_cell(label, shape, ordered),
-            None => draft.add_pyramid(label, ordered),
+            Some(shape) => draft.add_cell(label, shape, &ordered),
+            None => draft.add_pyramid(label, &ordered),
         }
+    }
+
+    /// The nodes of a cell in the order of its shape, those of a pyramid in that of its halves.
+    pub(super) fn ordered(self, nodes: &[u64]) -> Vec<u64> {
+        let of = |place: usize| nodes[self.order.get(place).map_or(place, |place| usize::from(*place))];
+        (0..nodes.len().min(27)).map(of).collect()
     }
 }

@@ -26,7 +26,7 @@ use crate::text_file::{FileError, bytes_of, kind_of};
 use arrays::{Container, Hdf5, NetCdf};
 pub use problem::VolumeProblem;
 pub use voxels::VoxelProblem;
-pub(crate) use voxels::VoxelRule;
+pub(crate) use voxels::{DensityRule, VoxelRule};
 
 /// Reads the nodes, cells and sets of a file, whose beginning tells the format.
 ///
@@ -45,7 +45,7 @@ pub(crate) use voxels::VoxelRule;
 /// - Exodus II, in classic netCDF or netCDF-4. Each block of elements is a set of cells and each set of nodes one of nodes, by its name, or
 ///   by its number, with `ns` before that of nodes.
 /// - MED 3 and 4 of Salome and Code_Aster. Each group of cells or nodes is a set.
-/// - Voxels, NumPy `.npy` of three dimensions or NRRD: labels, of which 0 is empty, are sets `value=3`.
+/// - Voxels, NumPy `.npy` of three dimensions, NRRD or the pages of a TIFF file: labels, of which 0 is empty, are sets `value=3`.
 ///
 /// Cells are segments, triangles, quadrilaterals, tetrahedra, wedges and hexahedra, of first or second order, pyramids of five nodes
 /// are two tetrahedra each; they come out in the node order of [`Shape`](quasirigid_mesh::Shape); cells of one node are left out. Numbers
@@ -64,6 +64,8 @@ pub struct VolumeFile {
     pub mesh: Mesh,
     /// What was left out or changed in reading, in words with counts.
     pub notes: Vec<String>,
+    /// Density (kg/m³) of each cell, where a rule for voxels gave them.
+    pub(crate) densities: Option<Vec<f64>>,
 }
 
 /// Reads a mesh as [`read_mesh`], with what was left out.
@@ -102,14 +104,18 @@ fn volume_by(file: &Path, bytes: &[u8], rule: &VoxelRule) -> Result<VolumeFile, 
     let named = FileError::new(file);
     let format = Format::of(file, bytes).map_err(named)?;
     let (mesh, mut notes) = match format {
+        Format::Npy => return voxels::read_npy(bytes, rule).map_err(named),
+        Format::Nrrd => return voxels::read_nrrd(file, bytes, rule),
+        Format::Tiff => return voxels::read_tiff(bytes, rule).map_err(named),
+        _ if rule.density.is_some() => {
+            return Err(named((Place::File, VolumeProblem::from(VoxelProblem::NoVoxels).into())));
+        }
         Format::Container(container) => of_container(container, bytes).map_err(named)?,
         Format::Gmsh => (gmsh::read(bytes).map_err(named)?, Vec::new()),
         Format::VtkLegacy => (vtk::read_legacy(bytes).map_err(named)?, Vec::new()),
         Format::VtkXml => (vtk::read_xml(bytes).map_err(named)?, Vec::new()),
         Format::Abaqus => abaqus::read(file, bytes)?,
         Format::Nastran => nastran::read(file, bytes)?,
-        Format::Npy => voxels::read_npy(bytes, rule).map_err(named)?,
-        Format::Nrrd => voxels::read_nrrd(file, bytes, rule)?,
     };
     if mesh.cells.is_empty() {
         return Err(named((Place::File, VolumeProblem::NoCells.into())));
@@ -117,7 +123,7 @@ fn volume_by(file: &Path, bytes: &[u8], rule: &VoxelRule) -> Result<VolumeFile, 
     if format != Format::Nastran {
         notes.extend(pyramid::note(&mesh));
     }
-    Ok(VolumeFile { mesh, notes })
+    Ok(VolumeFile { mesh, notes, densities: None })
 }
 
 /// The mesh of Exodus or MED in a container.
@@ -148,6 +154,7 @@ enum Format {
     Nastran,
     Npy,
     Nrrd,
+    Tiff,
 }
 
 impl Format {
@@ -160,6 +167,7 @@ impl Format {
             [] => Err((Place::File, MeshProblem::Empty)),
             _ if bytes.starts_with(b"\x93NUMPY") => Ok(Self::Npy),
             _ if bytes.starts_with(b"NRRD") => Ok(Self::Nrrd),
+            _ if voxels::is_tiff(bytes) => Ok(Self::Tiff),
             _ if op2::Layout::of(bytes).is_some() => Ok(Self::Nastran),
             _ if is_deck(file, beginning) => Ok(Self::Nastran),
             [b'$', ..] => Ok(Self::Gmsh),

@@ -17,7 +17,7 @@ pub enum VolumeProblem {
     /// A file whose beginning is that of no known format.
     #[error(
         "the file is {kind}, which is not a known mesh format; give a .msh file of gmsh, .vtk or \
-         .vtu of VTK, .inp of Abaqus or CalculiX, .bdf or .op2 of NASTRAN, .exo of Exodus, .med, or voxels as .npy or .nrrd"
+         .vtu of VTK, .inp of Abaqus or CalculiX, .bdf or .op2 of NASTRAN, .exo of Exodus, .med, or voxels as .npy, .nrrd or .tif"
     )]
     NotAMesh {
         /// What the file is; nothing of it is quoted.

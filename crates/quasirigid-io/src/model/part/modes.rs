@@ -18,6 +18,7 @@ use super::nodal::{
 };
 use super::{ATTACH, MASSES, Nodes, RAYLEIGH, Read, attached, masses, rayleigh};
 use crate::matrix::{FREQUENCIES, MatrixFile, SHAPES};
+use crate::nastran::sheet;
 use crate::units::Dimension;
 
 pub(in crate::model) const READER: Reader =
@@ -104,7 +105,12 @@ pub(super) fn modes(table: &Table<'_>, name: &str, sources: Sources<'_, '_>) -> 
         },
         None => spectrum(table, coordinates.scales.len(), folder)?,
     };
+    let given_shapes = shapes.file(folder);
     let shapes = coordinates.shapes(&shapes, &rows, mass.dofs.len())?;
+    let checked = given_shapes.filter(|_| interface.is_empty()).and_then(|file| {
+        let listed = sheet::effective(&file)?;
+        effective_masses(&listed, &mass, &shapes, units.mass)
+    });
     let given = GivenModes { mass, shapes, interface, spectrum, rheology: known.as_ref()?.rheology.clone() };
     let (masses, attached) = (masses(table, &labels), attached(table, &labels));
     let part = Part {
@@ -114,8 +120,45 @@ pub(super) fn modes(table: &Table<'_>, name: &str, sources: Sources<'_, '_>) -> 
         attached: attached?,
         rayleigh: rayleigh?,
     };
-    Some(Read { part, nodes: labels, extremes: vec![known?.extremes], notes: Vec::new() })
+    Some(Read { part, nodes: labels, extremes: vec![known?.extremes], notes: checked.into_iter().collect() })
 }
+
+/// Compares the effective masses that NASTRAN lists beside the shapes with those of these shapes and masses, in words; none of other modes.
+fn effective_masses(listed: &[[f64; 6]], mass: &NodalMass, shapes: &[Vec<f64>], unit: f64) -> Option<String> {
+    let count = shapes.first().map_or(0, Vec::len);
+    if listed.len() != count || count == 0 {
+        return None;
+    }
+    let axis_of = |row: usize| Some(mass.dofs[row].1).filter(|component| *component < 3);
+    let (mut sums, mut whole, mut modal) = (vec![[0.0; 3]; count], [0.0; 3], vec![0.0; count]);
+    for (row, column, value) in &mass.entries {
+        for mode in 0..count {
+            modal[mode] += shapes[*row][mode] * value * shapes[*column][mode];
+            if let Some(axis) = axis_of(*column) {
+                sums[mode][axis] += shapes[*row][mode] * value;
+            }
+        }
+        if let (Some(a), Some(b)) = (axis_of(*row), axis_of(*column)) {
+            whole[a] += if a == b { *value } else { 0.0 };
+        }
+    }
+    let total = whole.iter().fold(0.0, |most: f64, mass| most.max(*mass));
+    let apart = |mode: usize, axis: usize| {
+        (sums[mode][axis].powi(2) / modal[mode] - unit * listed[mode][axis]).abs() / total
+    };
+    let most = (0..3 * count).map(|at| apart(at / 3, at % 3)).fold(0.0, f64::max);
+    Some(if most < AGREE {
+        format!("effective masses are those of MEFFMASS within {:.2} % of the mass", 100.0 * most)
+    } else {
+        format!(
+            "effective masses differ from those of MEFFMASS by up to {:.1} % of the mass: are `mass`, `mass_unit` and `nodes` those of the shapes?",
+            100.0 * most
+        )
+    })
+}
+
+/// Share of the mass within which effective masses agree.
+const AGREE: f64 = 0.01;
 
 /// Accepts a table that has one of two keys.
 fn one_of(table: &Table<'_>, keys: [&'static str; 2], example: &str) -> Option<()> {

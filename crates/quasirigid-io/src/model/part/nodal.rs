@@ -3,7 +3,7 @@
 //! Equation (K9), docs/theory/12-structures.md, uses the entries.
 
 use std::collections::BTreeMap;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use quasirigid_elements::NodalMass;
 
@@ -96,6 +96,12 @@ impl<'a> NamedMatrix<'a> {
     /// Reads a matrix that may be left out.
     pub(super) fn optional(table: &Table<'a>, key: &'static str, folder: &Path) -> Option<Option<Self>> {
         table.read_or(key, None, |value| Self::read(value, None, folder).map(Some))
+    }
+
+    /// The file of the matrix.
+    pub(super) fn file(&self, folder: &Path) -> Option<PathBuf> {
+        let named = self.value.words().or_else(|| self.value.entry("file")?.words());
+        named.map(|name| folder.join(name))
     }
 
     /// Refuses a matrix that is not square.

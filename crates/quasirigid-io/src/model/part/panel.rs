@@ -60,6 +60,7 @@ pub(super) fn panel(table: &Table<'_>, name: &str, sources: Sources<'_, '_>) -> 
         Some(value) => rectangle(&value).and_then(|mesh| placed(table, mesh)).map(|mesh| Placed {
             mesh,
             notes: Vec::new(),
+            densities: None,
             aside: Vec::new(),
         }),
         None => {
@@ -75,7 +76,7 @@ pub(super) fn panel(table: &Table<'_>, name: &str, sources: Sources<'_, '_>) -> 
     let reference = table.get("reference").map(|value| value.vector(Dimension::NUMBER));
     let offset = table.read_or("offset", 0.0, |value| value.quantity(Dimension::LENGTH));
     let damping = rayleigh(table);
-    let Placed { mesh, notes, aside } = mesh?;
+    let Placed { mesh, notes, aside, .. } = mesh?;
     let nodes = Nodes::of_mesh(&mesh).with_aside(aside);
     let (masses, attached) = (masses(table, &nodes), attached(table, &nodes));
     let reference = reference.unwrap_or_else(|| Some(first_side(&mesh)))?;

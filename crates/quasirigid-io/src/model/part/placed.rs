@@ -4,11 +4,11 @@ use quasirigid_math::rotation::{ALIGNED, Attitude, to_inertial};
 use quasirigid_mesh::Mesh;
 
 use super::super::initial::unit_quaternion;
-use super::super::key::{Key, QUATERNION, Shape, TEXT, any, integer, key, quantity, vector};
-use super::super::surface::unit;
+use super::super::key::{Key, NUMBER, QUATERNION, Shape, TEXT, any, integer, key, quantity, vector};
+use super::super::surface::{unit, unit_of};
 use super::super::table::Table;
 use super::super::value::Value;
-use crate::mesh::{VolumeFile, VoxelRule, read_volume_by};
+use crate::mesh::{DensityRule, VolumeFile, VoxelRule, read_volume_by};
 use crate::units::Dimension;
 
 /// Mesh of a part.
@@ -24,6 +24,17 @@ pub(super) const VOXEL: Key = key(
     "sides of voxels, where the file has none",
 );
 pub(super) const THRESHOLD: Key = key("threshold", quantity(""), "value from which a voxel is solid");
+pub(super) const DENSITIES: Key = key(
+    "densities",
+    any(&[Shape::Text, Shape::List(&Shape::Array(2, &Shape::Number))]).in_unit("kg/m³"),
+    "of voxels: the unit of their values, or the densities of two grey values or more, straight between and beyond them: \
+     `[[0, \"0 g/cm^3\"], [255, \"2.7 g/cm^3\"]]`",
+);
+pub(super) const EXPONENT: Key = key(
+    "stiffness_exponent",
+    NUMBER.or("0"),
+    "moduli of a voxel are those of the material times this power of its density over the material's",
+);
 pub(super) const LEAST: Key = key("least_voxels", integer(1, 1 << 28), "smallest part that is kept");
 
 /// Placement of a mesh in the file's frame.
@@ -37,6 +48,8 @@ pub(super) struct Placement {
 pub(super) struct Placed {
     pub mesh: Mesh,
     pub notes: Vec<String>,
+    /// Densities (kg/m³) of the cells, where voxels have their own.
+    pub densities: Option<Vec<f64>>,
     /// Numbers of the nodes that no cell of the part names.
     pub aside: Vec<u64>,
 }
@@ -50,7 +63,7 @@ pub(super) fn mesh(table: &Table<'_>, folder: &Path, example: &str, dimension: u
     let placement = placement(table);
     let rule = rule(table, length);
     let mesh = table.read("file", example, |value| file(&value, folder, &rule?));
-    let (length, placement, VolumeFile { mut mesh, mut notes }) = (length?, placement?, mesh?);
+    let (length, placement, VolumeFile { mut mesh, mut notes, densities }) = (length?, placement?, mesh?);
     for node in &mut mesh.nodes {
         *node = placement.of(node.map(|entry| length * entry));
     }
@@ -71,7 +84,7 @@ pub(super) fn mesh(table: &Table<'_>, folder: &Path, example: &str, dimension: u
     }
     let file = table.get("file").and_then(|value| value.words()).unwrap_or_default();
     let notes = notes.into_iter().map(|note| format!("{file}: {note}")).collect();
-    Some(Placed { mesh, notes, aside })
+    Some(Placed { mesh, notes, densities, aside })
 }
 
 /// Places a mesh that is made here in the file's frame.
@@ -108,9 +121,29 @@ fn rule(table: &Table<'_>, unit: Option<f64>) -> Option<VoxelRule> {
     });
     let threshold = table.read_or("threshold", None, |value| value.quantity(Dimension::NUMBER).map(Some));
     let least = table.read_or("least_voxels", 1, |value| value.integer(1..=1 << 28));
+    let density = table.read_or("densities", None, |value| density(&value).map(Some));
     let unit = unit?;
     let size = size?.map(|size: [f64; 3]| size.map(|side| side / unit));
-    Some(VoxelRule { size, threshold: threshold?, least: least? })
+    Some(VoxelRule { size, threshold: threshold?, density: density?, least: least? })
+}
+
+/// Reads the unit of densities, or grey values in ascending order with the density of each.
+fn density(value: &Value<'_>) -> Option<DensityRule> {
+    if value.items().is_none() {
+        return unit_of(value, Dimension::DENSITY).map(DensityRule::Unit);
+    }
+    let pair = |pair: Value<'_>| {
+        let [grey, density] = pair.array("a grey value and its density", Some)?;
+        let (grey, density) = (grey.quantity(Dimension::NUMBER), density.quantity(Dimension::DENSITY));
+        Some([grey?, density?])
+    };
+    let points = value.list("grey values with their densities", pair)?;
+    if points.len() < 2 || !points.array_windows().all(|[a, b]| a[0] < b[0]) {
+        let message = "`densities` need two grey values or more, the least first";
+        let help = "write for example [[0, 0.0], [255, \"2.7 g/cm^3\"]]";
+        return value.refuse(message, "not a scale", help);
+    }
+    Some(DensityRule::Calibrated(points))
 }
 
 fn file(value: &Value<'_>, folder: &Path, rule: &VoxelRule) -> Option<VolumeFile> {

@@ -3,7 +3,7 @@
 
 use std::sync::Arc;
 
-use quasirigid_elements::{Part, PartKind, Region, Solid};
+use quasirigid_elements::{Grading, Part, PartKind, Region, Solid};
 use quasirigid_math::vec3::{cross, dot, norm, scale};
 use quasirigid_mesh::Mesh;
 
@@ -13,7 +13,7 @@ use super::super::rheology::Extremes;
 use super::super::surface::UNIT_OF_CELLS;
 use super::super::table::Table;
 use super::super::value::Value;
-use super::placed::{ATTITUDE, FILE, LEAST, POSITION, Placed, THRESHOLD, VOXEL, mesh};
+use super::placed::{ATTITUDE, DENSITIES, EXPONENT, FILE, LEAST, POSITION, Placed, THRESHOLD, VOXEL, mesh};
 use super::{ATTACH, MASSES, Nodes, PARALLEL, RAYLEIGH, Read, attached, masses, rayleigh};
 use crate::units::Dimension;
 
@@ -32,6 +32,8 @@ const SOLID: Keys = Keys {
         VOXEL,
         THRESHOLD,
         LEAST,
+        DENSITIES,
+        EXPONENT,
         POSITION,
         ATTITUDE,
         key("material", TEXT, ""),
@@ -49,17 +51,64 @@ pub(super) fn solid(table: &Table<'_>, name: &str, sources: Sources<'_, '_>) -> 
     let axes =
         table.read_or("axes", [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]], |value| axes(&value));
     let damping = rayleigh(table);
-    let Placed { mesh, notes, aside } = placed?;
+    let exponent = exponent(table);
+    let Placed { mesh, mut notes, densities, aside } = placed?;
     let nodes = Nodes::of_mesh(&mesh).with_aside(aside);
     let (masses, attached) = (masses(table, &nodes), attached(table, &nodes));
     let regions = match table.get("materials") {
         Some(value) => several(&value, table, &mesh, sources, axes?),
         None => one(table, &mesh, sources, axes?).map(|region| vec![region]),
     };
-    let (regions, extremes): (Vec<Region>, Vec<Extremes>) = regions?.into_iter().unzip();
+    let (mut regions, extremes): (Vec<Region>, Vec<Extremes>) = regions?.into_iter().unzip();
+    if let Some(densities) = densities {
+        notes.extend(grade(table, &mut regions, &densities, exponent?)?);
+    }
     let kind = PartKind::Solid(Solid { mesh: Arc::new(mesh), regions });
     let part = Part { name: name.to_owned(), kind, masses: masses?, attached: attached?, rayleigh: damping? };
     Some(Read { part, nodes, extremes, notes })
+}
+
+/// Reads the power of the density that moduli follow; there must be densities.
+fn exponent(table: &Table<'_>) -> Option<f64> {
+    let Some(value) = table.get("stiffness_exponent") else { return Some(0.0) };
+    if table.get("densities").is_none() {
+        let help = "add `densities`, or leave it out";
+        return value.refuse("`stiffness_exponent` is a power of `densities`", "of no densities", help);
+    }
+    value.between(Dimension::NUMBER, [0.0, MOST_EXPONENT], "between 0 and 10")
+}
+
+/// Largest power of the density; bone and foams have 1 to 3.
+const MOST_EXPONENT: f64 = 10.0;
+/// Least ratio of moduli between two cells that can be told from a gap.
+const LEAST_RATIO: f64 = 1e-9;
+
+/// Gives each cell of the regions its density; returns what is to tell of the moduli.
+fn grade(
+    table: &Table<'_>,
+    regions: &mut [Region],
+    densities: &[f64],
+    exponent: f64,
+) -> Option<Option<String>> {
+    let (mut least, mut greatest) = (f64::INFINITY, 0.0_f64);
+    for region in regions {
+        let own: Vec<f64> = region.cells.iter().map(|cell| densities[*cell]).collect();
+        for density in &own {
+            let factor = (density / region.material.density()).powf(exponent);
+            (least, greatest) = (least.min(factor), greatest.max(factor));
+        }
+        region.grading = Some(Grading { densities: own, exponent });
+    }
+    if exponent == 0.0 {
+        return Some(None);
+    }
+    if !(least > LEAST_RATIO * greatest) {
+        let value = table.get("stiffness_exponent")?;
+        let message =
+            format!("the moduli of the voxels are {least:.3e} to {greatest:.3e} times the material's");
+        return value.refuse(message, "too far apart", "raise `threshold`, or make the exponent smaller");
+    }
+    Some(Some(format!("moduli of the voxels are {least:.6} to {greatest:.6} times those of the material")))
 }
 
 fn one(
@@ -72,7 +121,8 @@ fn one(
     let value = table.required("material", help)?;
     let (material, extremes) = sources.materials.named(&value)?;
     let name = value.words().unwrap_or_default().to_owned();
-    Some((Region { cells: solid_cells(mesh).collect(), name, material, axes }, extremes))
+    let cells = solid_cells(mesh).collect();
+    Some((Region { cells, name, material, axes, grading: None }, extremes))
 }
 
 /// Reads the materials of sets of cells; every solid cell is in one of them.
@@ -97,7 +147,7 @@ fn several(
         cells.iter().for_each(|cell| owners[*cell] += 1);
         let (material, extremes) = sources.materials.named(&entry)?;
         let name = entry.words().unwrap_or_default().to_owned();
-        regions.push((Region { cells, name, material, axes }, extremes));
+        regions.push((Region { cells, name, material, axes, grading: None }, extremes));
     }
     let wrong: Vec<usize> = solid_cells(mesh).filter(|cell| owners[*cell] != 1).collect();
     let Some(first) = wrong.first() else { return Some(regions) };

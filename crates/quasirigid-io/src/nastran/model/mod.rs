@@ -5,6 +5,7 @@ mod elements;
 mod properties;
 mod rigid;
 mod sections;
+mod solids;
 
 use std::path::Path;
 
@@ -24,6 +25,7 @@ struct Reader {
     /// Direction of the first plane of beams whose cards leave it blank.
     default_up: Option<Up>,
     turned: elements::Turned,
+    systems_of_solids: solids::SystemsOfSolids,
 }
 
 /// Reads bulk data with the files that they include.
@@ -38,6 +40,7 @@ pub(crate) fn read(file: &Path, bytes: &[u8]) -> Result<DeckModel, MatrixError> 
     }
     reader.model.points = reader.grids.points().map_err(|fault| text.located(fault))?;
     reader.resolve_directions().map_err(|fault| text.located(fault))?;
+    reader.resolve_solids().map_err(|fault| text.located(fault))?;
     let mut model = reader.model;
     if text.superelements() > 0 {
         model.left_out.insert("BEGIN SUPER".into(), text.superelements());
@@ -62,7 +65,10 @@ impl Reader {
             }
             return Ok(());
         }
-        let carried = self.element(card, &name)? || self.property(card, &name)? || self.rigid(card, &name)?;
+        let carried = self.element(card, &name)?
+            || self.of_solids(card, &name)?
+            || self.property(card, &name)?
+            || self.rigid(card, &name)?;
         if !carried && !ANALYSIS.contains(&name.as_str()) {
             self.model.leave_out(&name.chars().take(8).collect::<String>());
         }

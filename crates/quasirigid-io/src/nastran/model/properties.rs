@@ -1,4 +1,4 @@
-//! Properties and materials of a deck: PSOLID, PSHELL, PCOMP, PBAR to PBEAML, PROD, PELAS, PBUSH, MAT1 and MAT8.
+//! Properties and materials of a deck: PSHELL, PCOMP, PBAR to PBEAML, PROD, PELAS, PBUSH, MAT1 and MAT8.
 //! Moments of a section are turned to principal axes, so that a product of inertia loses nothing.
 
 use super::Reader;
@@ -13,10 +13,6 @@ impl Reader {
     pub(super) fn property(&mut self, card: &Card, name: &str) -> Result<bool, LocatedProblem> {
         let label = || integer(card.field(2), Row::Property);
         match name {
-            "PSOLID" => {
-                let (label, material) = (label()?, integer(card.field(3), Row::Property)?);
-                self.model.of_solids.insert(label, material);
-            }
             "PSHELL" => self.shell(card, label()?)?,
             "PCOMP" => self.composite(card, label()?, [10, 4])?,
             "PCOMPG" => self.composite(card, label()?, [11, 8])?,

@@ -10,5 +10,5 @@ mod tape;
 mod words;
 
 pub(crate) use bulk::{Bulk, bulk};
-pub(crate) use results::{axes, frequencies, lacks_parameters, modes};
+pub(crate) use results::{axes, eigenvalues, frequencies, lacks_parameters, modes};
 pub(crate) use tape::{Block, Layout, Tape};

@@ -32,7 +32,7 @@ const GRID: i64 = 1;
 pub(crate) fn modes(tape: &Tape) -> Result<Modes, LocatedProblem> {
     let mut modes = Modes::default();
     if let Some(block) = tape.block(&EIGENVALUES) {
-        modes.frequencies = of_subcase(tape, block);
+        modes.frequencies = of_subcase(tape, block).into_iter().map(|[frequency, _]| frequency).collect();
     }
     for name in EIGENVECTORS {
         let Some(block) = tape.block(&[name]) else { continue };
@@ -48,7 +48,12 @@ pub(crate) fn modes(tape: &Tape) -> Result<Modes, LocatedProblem> {
 /// Angular frequencies (rad/s) in the bytes of a file; none of another file, or of one without.
 pub(crate) fn frequencies(bytes: &[u8]) -> Vec<f64> {
     let Ok(tape) = Tape::read(bytes) else { return Vec::new() };
-    tape.block(&EIGENVALUES).map(|block| of_subcase(&tape, block)).unwrap_or_default()
+    eigenvalues(&tape).into_iter().map(|[frequency, _]| frequency).collect()
+}
+
+/// Angular frequency (rad/s) and generalised mass of each mode.
+pub(crate) fn eigenvalues(tape: &Tape) -> Vec<[f64; 2]> {
+    tape.block(&EIGENVALUES).map(|block| of_subcase(tape, block)).unwrap_or_default()
 }
 
 /// Whether the bytes are a file of which nobody can tell whether the deck has PARAM,WTMASS.
@@ -62,12 +67,13 @@ fn pairs<'t>(tape: &'t Tape, block: &'t Block) -> impl Iterator<Item = (Words<'t
     tables.map(|pair| (tape.words(&pair[0]), &pair[1]))
 }
 
-/// Angular frequencies (rad/s) of the first subcase.
-fn of_subcase(tape: &Tape, block: &Block) -> Vec<f64> {
+/// Angular frequencies (rad/s) and generalised masses of the first subcase.
+fn of_subcase(tape: &Tape, block: &Block) -> Vec<[f64; 2]> {
     let mut modal = pairs(tape, block).filter(|(about, _)| about.integer(0).unwrap_or(0) / 10 == MODES);
     let Some((_, record)) = modal.next() else { return Vec::new() };
     let words = tape.words(record);
-    (0..words.len() / MODE).filter_map(|mode| words.real(mode * MODE + 3)).collect()
+    let of = |mode: usize| Some([words.real(mode * MODE + 3)?, words.real(mode * MODE + 5)?]);
+    (0..words.len() / MODE).filter_map(of).collect()
 }
 
 /// Shapes of the first subcase with real modes.

@@ -45,6 +45,7 @@ fn solid() -> Solid {
         name: String::new(),
         material: ElasticMaterial::Isotropic(material),
         axes,
+        grading: None,
     };
     Solid { mesh: Arc::new(mesh), regions: vec![region] }
 }

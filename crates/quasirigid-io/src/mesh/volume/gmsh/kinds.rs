@@ -2,8 +2,18 @@ use quasirigid_mesh::Shape;
 
 use super::{MeshProblem, VolumeProblem};
 
-/// Type of a pyramid of five nodes, which becomes two tetrahedra.
-pub(super) const PYRAMID: u64 = 7;
+/// Nodes of a pyramid, of which two tetrahedra are made: the index in the order of gmsh of each. The edges are in the order of their lesser
+/// corners, then of their greater ones; the fourteenth is the middle of the base.
+pub(super) fn pyramid(code: u64) -> Option<&'static [usize]> {
+    match code {
+        7 => Some(&PYRAMID14[..5]),
+        19 => Some(&PYRAMID14[..13]),
+        14 => Some(&PYRAMID14),
+        _ => None,
+    }
+}
+
+const PYRAMID14: [usize; 14] = [0, 1, 2, 3, 4, 5, 8, 10, 6, 7, 9, 11, 12, 13];
 /// Type of a point, which is no cell.
 pub(super) const POINT: u64 = 15;
 
@@ -56,8 +66,6 @@ pub(super) fn kind(code: u64) -> Result<Kind, MeshProblem> {
 fn name(code: u64) -> String {
     match code {
         13 => "13 (wedge of 18 nodes)".into(),
-        14 => "14 (pyramid of 14 nodes)".into(),
-        19 => "19 (pyramid of 13 nodes)".into(),
         20..=28 => format!("{code} (third order or higher)"),
         _ => code.to_string(),
     }

@@ -12,7 +12,6 @@ use super::draft::Draft;
 use super::problem::VolumeProblem;
 use crate::mesh::error::{Fault, MeshProblem, Part, Place, Row};
 use crate::mesh::file::Encoding;
-use crate::pyramid;
 use groups::Groups;
 use source::Source;
 
@@ -95,8 +94,9 @@ fn add_cell(draft: &mut Draft, label: u64, code: u64, nodes: &[u64]) -> Result<O
     if code == kinds::POINT {
         return Ok(None);
     }
-    if code == kinds::PYRAMID {
-        return draft.add_pyramid(label, nodes).map(Some);
+    if let Some(order) = kinds::pyramid(code) {
+        let ordered: Vec<u64> = order.iter().map(|place| nodes[*place]).collect();
+        return draft.add_pyramid(label, &ordered).map(Some);
     }
     let kind = kinds::kind(code)?;
     let mut ordered = [0; 27];
@@ -109,10 +109,10 @@ fn add_cell(draft: &mut Draft, label: u64, code: u64, nodes: &[u64]) -> Result<O
 
 /// Number of nodes of a type of gmsh.
 fn nodes_of(code: u64) -> Result<usize, MeshProblem> {
-    match code {
-        kinds::POINT => Ok(1),
-        kinds::PYRAMID => Ok(pyramid::NODES),
-        _ => kinds::kind(code).map(|kind| kind.shape.nodes()),
+    match kinds::pyramid(code) {
+        Some(order) => Ok(order.len()),
+        None if code == kinds::POINT => Ok(1),
+        None => kinds::kind(code).map(|kind| kind.shape.nodes()),
     }
 }
 

@@ -60,6 +60,8 @@ struct Element {
 struct Last {
     entity: i64,
     cell: usize,
+    code: u64,
+    nodes: Vec<u64>,
 }
 
 impl Element {
@@ -112,7 +114,7 @@ impl Element {
     ) -> Result<(), MeshProblem> {
         let dimension = match self.code {
             kinds::POINT => 0,
-            kinds::PYRAMID => 3,
+            code if kinds::pyramid(code).is_some() => 3,
             code => kinds::kind(code)?.shape.dimension() as i64,
         };
         let set = (group != 0).then(|| groups.set(draft, dimension, group));
@@ -120,22 +122,14 @@ impl Element {
             let node = point(draft, label, nodes[0])?;
             return set.map_or(Ok(()), |set| draft.sets.add_nodes(set, &[node]));
         }
-        let cell =
-            match last.as_ref().filter(|last| last.entity == entity && self.repeats(draft, last.cell, nodes))
-            {
-                Some(last) => last.cell,
-                None => add_cell(draft, label, self.code, nodes)?.expect("points are treated above"),
-            };
-        *last = Some(Last { entity, cell });
+        let repeated = last
+            .as_ref()
+            .filter(|last| (last.entity, last.code) == (entity, self.code) && last.nodes.as_slice() == nodes);
+        let cell = match repeated {
+            Some(last) => last.cell,
+            None => add_cell(draft, label, self.code, nodes)?.expect("points are treated above"),
+        };
+        *last = Some(Last { entity, cell, code: self.code, nodes: nodes.to_vec() });
         set.map_or(Ok(()), |set| draft.sets.add_cells(set, &[cell]))
-    }
-
-    /// Whether a cell repeats this element, for another group.
-    fn repeats(&self, draft: &Draft, cell: usize, nodes: &[u64]) -> bool {
-        let (cell, labels) = (&draft.cells()[cell], draft.node_labels());
-        kinds::kind(self.code).is_ok_and(|kind| {
-            let same = |(place, node): (usize, &usize)| labels[*node] == nodes[kind.place(place)];
-            kind.shape == cell.shape && cell.nodes.iter().enumerate().all(same)
-        })
     }
 }

@@ -1,9 +1,12 @@
-//! Voxels as meshes: each solid voxel of a NumPy array or an NRRD file is a hexahedron. Labels are sets, `value=3`, and so are the parts
-//! that no face joins, `part=1` from the largest on.
+//! Voxels as meshes: each solid voxel of a NumPy array, an NRRD file or a stack of TIFF pages is a hexahedron. Labels are sets, `value=3`,
+//! and so are the parts that no face joins, `part=1` from the largest on. A rule makes densities of the values.
 
+mod density;
 mod nrrd;
 mod parts;
 mod problem;
+#[cfg(feature = "tiff")]
+mod tiff;
 
 use std::collections::{BTreeMap, HashMap};
 use std::path::Path;
@@ -12,12 +15,13 @@ use quasirigid_math::memory;
 use quasirigid_math::vec3::{add, cross, dot, scale};
 use quasirigid_mesh::{Cell, Mesh, Set, Shape};
 
-use super::MeshProblem;
 use super::draft::finite;
 use super::problem::VolumeProblem;
+use super::{MeshProblem, VolumeFile};
 use crate::matrix::numpy::Array;
 use crate::mesh::error::{Fault, MeshError, Place};
 use crate::text_file::FileError;
+pub(crate) use density::DensityRule;
 pub use problem::VoxelProblem;
 
 /// Most voxels of a file, and most of them that are solid.
@@ -31,14 +35,26 @@ const MOST_PARTS: usize = 100;
 const OF_VOXEL: f64 = 600.0;
 
 /// What a user says of voxels.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub(crate) struct VoxelRule {
     /// Sides of a voxel, in the unit of the file.
     pub size: Option<[f64; 3]>,
-    /// Value at and above which a voxel is solid; none for labels, of which zero is empty.
+    /// Value at and above which a voxel is solid; none for labels, of which zero is empty, and for densities above zero.
     pub threshold: Option<f64>,
+    /// Density of a value.
+    pub density: Option<DensityRule>,
     /// Voxels of the smallest part that is kept.
     pub least: usize,
+}
+
+impl VoxelRule {
+    fn is_solid(&self, value: f64) -> bool {
+        match (self.threshold, &self.density) {
+            (Some(least), _) => value >= least,
+            (None, Some(rule)) => rule.of(value) > 0.0,
+            (None, None) => value != 0.0,
+        }
+    }
 }
 
 /// Values on a grid.
@@ -53,7 +69,7 @@ pub(super) struct Grid {
 }
 
 /// The mesh of a NumPy array, whose three indices are along x, y and z.
-pub(super) fn read_npy(bytes: &[u8], rule: &VoxelRule) -> Result<(Mesh, Vec<String>), Fault> {
+pub(super) fn read_npy(bytes: &[u8], rule: &VoxelRule) -> Result<VolumeFile, Fault> {
     let at = |byte: usize, problem: VolumeProblem| (Place::Byte(byte), MeshProblem::from(problem));
     let array = Array::new(bytes).map_err(|(byte, problem)| at(byte, problem.into()))?;
     let [x, y, z] = array.shape[..] else {
@@ -68,17 +84,32 @@ pub(super) fn read_npy(bytes: &[u8], rule: &VoxelRule) -> Result<(Mesh, Vec<Stri
         let place = if array.by_rows() { (i * y + j) * z + k } else { index };
         values.push(array.real(place).map_err(|(byte, problem)| at(byte, problem.into()))?);
     }
-    let edges = std::array::from_fn(|axis| std::array::from_fn(|k| if k == axis { 1.0 } else { 0.0 }));
-    Grid { sizes: [x, y, z], values, corner: [0.0; 3], edges }.mesh(rule)
+    Grid { sizes: [x, y, z], values, corner: [0.0; 3], edges: UNIT }.mesh(rule)
 }
 
 /// The mesh of an NRRD file, which may name the file of its values.
-pub(super) fn read_nrrd(
-    file: &Path,
-    bytes: &[u8],
-    rule: &VoxelRule,
-) -> Result<(Mesh, Vec<String>), MeshError> {
+pub(super) fn read_nrrd(file: &Path, bytes: &[u8], rule: &VoxelRule) -> Result<VolumeFile, MeshError> {
     nrrd::read(file, bytes)?.mesh(rule).map_err(FileError::new(file))
+}
+
+/// The mesh of TIFF pages, along z one behind the other; their columns are along x and their rows along y.
+#[cfg(feature = "tiff")]
+pub(super) fn read_tiff(bytes: &[u8], rule: &VoxelRule) -> Result<VolumeFile, Fault> {
+    tiff::read(bytes)?.mesh(rule)
+}
+
+/// TIFF in a program that was built without it.
+#[cfg(not(feature = "tiff"))]
+pub(super) fn read_tiff(_bytes: &[u8], _rule: &VoxelRule) -> Result<VolumeFile, Fault> {
+    Err(of_file(VoxelProblem::WithoutTiff))
+}
+
+/// Edges of voxels of a file that does not give them.
+const UNIT: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+
+/// Whether a file begins as TIFF or BigTIFF.
+pub(super) fn is_tiff(bytes: &[u8]) -> bool {
+    [b"II*\0", b"MM\0*", b"II+\0", b"MM\0+"].iter().any(|mark| bytes.starts_with(*mark))
 }
 
 /// Number of voxels, which is bounded.
@@ -97,7 +128,7 @@ fn of_file(problem: VoxelProblem) -> Fault {
 
 impl Grid {
     /// Hexahedra of the solid voxels.
-    fn mesh(mut self, rule: &VoxelRule) -> Result<(Mesh, Vec<String>), Fault> {
+    fn mesh(mut self, rule: &VoxelRule) -> Result<VolumeFile, Fault> {
         if let Some(size) = rule.size {
             let unit =
                 |axis: usize| scale(dot(self.edges[axis], self.edges[axis]).sqrt().recip(), self.edges[axis]);
@@ -110,15 +141,11 @@ impl Grid {
             }
             self.edges = edges;
         }
-        let labels = rule.threshold.is_none();
+        let labels = rule.threshold.is_none() && rule.density.is_none();
         if let Some(found) = self.values.iter().find(|value| labels && value.fract() != 0.0) {
             return Err(of_file(VoxelProblem::NoLabel { found: found.to_string() }));
         }
-        let mut solid: Vec<bool> = self
-            .values
-            .iter()
-            .map(|value| rule.threshold.map_or(*value != 0.0, |least| *value >= least))
-            .collect();
+        let mut solid: Vec<bool> = self.values.iter().map(|value| rule.is_solid(*value)).collect();
         let (of_part, mut sizes) = parts::parts(self.sizes, &solid);
         let mut notes = self.notes(rule, &sizes);
         let dropped = sizes.iter().filter(|size| **size < rule.least).count();
@@ -148,16 +175,34 @@ impl Grid {
             finite(*node, *place).map_err(|problem| (Place::File, problem))?;
         }
         mesh.sets = self.sets(&solid, &of_part, sizes.len());
-        Ok((mesh, notes))
+        let densities = rule.density.as_ref().map(|rule| self.densities(&solid, rule)).transpose();
+        let densities = densities.map_err(of_file)?;
+        notes.extend(densities.as_deref().map(density::told));
+        Ok(VolumeFile { mesh, notes, densities })
+    }
+
+    /// Densities of the solid voxels.
+    fn densities(&self, solid: &[bool], rule: &DensityRule) -> Result<Vec<f64>, VoxelProblem> {
+        let [x, y, _] = self.sizes;
+        let of = |voxel: usize| match rule.of(self.values[voxel]) {
+            density if density > 0.0 && density.is_finite() => Ok(density),
+            density => Err(VoxelProblem::NoDensity {
+                voxel: [voxel % x, voxel / x % y, voxel / (x * y)],
+                value: self.values[voxel].to_string(),
+                density: density.to_string(),
+            }),
+        };
+        (0..solid.len()).filter(|voxel| solid[*voxel]).map(of).collect()
     }
 
     fn notes(&self, rule: &VoxelRule, parts: &[usize]) -> Vec<String> {
         let length = |edge: &[f64; 3]| dot(*edge, *edge).sqrt();
         let [x, y, z] = [0, 1, 2].map(|axis| length(&self.edges[axis]));
         let solid: usize = parts.iter().sum();
-        let what = match rule.threshold {
-            Some(threshold) => format!("at or above {threshold}"),
-            None => "with another label than 0".to_owned(),
+        let what = match (rule.threshold, &rule.density) {
+            (Some(threshold), _) => format!("at or above {threshold}"),
+            (None, Some(_)) => "of a density above 0".to_owned(),
+            (None, None) => "with another label than 0".to_owned(),
         };
         let mut notes = vec![format!(
             "{solid} of {} voxels of {x} by {y} by {z} (in the unit of the file) are solid, {what}",

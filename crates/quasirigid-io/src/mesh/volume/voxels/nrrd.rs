@@ -7,7 +7,7 @@ use std::path::{Component, Path};
 use miniz_oxide::inflate::decompress_to_vec_with_limit;
 use quasirigid_math::vec3::{add, scale};
 
-use super::{Grid, VoxelProblem, counted};
+use super::{Grid, UNIT, VoxelProblem, counted};
 use crate::mesh::error::{MeshError, MeshProblem, Place};
 use crate::mesh::file::MAX_FILE;
 use crate::mesh::volume::problem::VolumeProblem;
@@ -88,8 +88,7 @@ impl Header {
             return Err(VoxelProblem::Dimensions { found: format!("{sizes:?}") });
         };
         let directions = self.vectors("space directions")?;
-        let mut edges: [[f64; 3]; 3] =
-            std::array::from_fn(|axis| std::array::from_fn(|k| if k == axis { 1.0 } else { 0.0 }));
+        let mut edges = UNIT;
         if let Some(directions) = &directions {
             edges
                 .copy_from_slice(directions.get(..3).ok_or_else(|| self.wrong("space directions", VECTORS))?);

@@ -1,12 +1,12 @@
 //! Unstructured grid of VTK made into nodes, cells and sets, piece after piece.
 //! Arrays of whole numbers become sets of cells; an array with more than a thousand values numbers the cells and becomes none.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashMap};
 use std::ops::Range;
 
 use quasirigid_mesh::{Cell, Mesh, Shape};
 
-use super::array::Array;
+use super::array::{Array, Values};
 use super::{Fault, MeshProblem, Place, Sets, VolumeProblem, finite};
 use crate::pyramid;
 
@@ -14,8 +14,9 @@ use crate::pyramid;
 const MOST_VALUES: usize = 1000;
 /// Type of a vertex, which is no cell.
 const VERTEX: i64 = 1;
-/// Type of a pyramid of five nodes, which becomes two tetrahedra.
+/// Types of pyramids, of five nodes and of 13, which become two tetrahedra.
 const PYRAMID: i64 = 14;
+const CURVED_PYRAMID: i64 = 27;
 
 /// A piece of an unstructured grid.
 pub(super) struct Grid<'a> {
@@ -32,11 +33,21 @@ pub(super) struct Grid<'a> {
     pub(super) groups: Vec<Array<'a>>,
 }
 
+/// Nodes that were put in the middles of the bases of pyramids, by the ends of the diagonals on which bases are cut.
+#[derive(Default)]
+struct Middles {
+    of: HashMap<[usize; 2], usize>,
+    places: Vec<[f64; 3]>,
+    /// Index of the first in the mesh.
+    first: usize,
+}
+
 impl Grid<'_> {
     /// Adds the grid to a mesh, in which points and cells count on; returns how many cells it has, with its vertices.
     pub(super) fn add_to(self, mesh: &mut Mesh, sets: &mut Sets, first_cell: u64) -> Result<u64, Fault> {
         let points = mesh.nodes.len();
         self.check_length()?;
+        let mut put = Middles { first: points + self.points.values.len() / 3, ..Middles::default() };
         let mut indices = Vec::new(); // in the mesh: none for vertices, two for pyramids
         let mut start = 0;
         for (number, (end, code)) in self.ends.whole()?.iter().zip(self.types.whole()?).enumerate() {
@@ -45,14 +56,10 @@ impl Grid<'_> {
             start += corners.len();
             let first = mesh.cells.len();
             let here = |problem| (self.place(number, start - corners.len()), problem);
-            if *code == PYRAMID {
-                let nodes = self.nodes(label, (pyramid::NODES, "pyramid of 5 nodes".into()), corners, points);
-                let nodes = nodes.map_err(here)?;
-                let labels: Vec<u64> = nodes.iter().map(|node| *node as u64).collect();
-                for half in pyramid::halves(&labels) {
-                    let nodes = half.map(|corner| nodes[corner]).into();
-                    mesh.cells.push(Cell { label, shape: Shape::Tet4, nodes });
-                }
+            if matches!(*code, PYRAMID | CURVED_PYRAMID) {
+                let count = if *code == PYRAMID { pyramid::NODES } else { pyramid::CURVED };
+                let nodes = self.nodes(label, (count, format!("pyramid of {count} nodes")), corners, points);
+                self.divide(label, &nodes.map_err(here)?, points, mesh, &mut put);
             } else if *code != VERTEX {
                 let shape = shape(*code).map_err(|problem| (self.types.origin.place(number), problem))?;
                 let nodes = self.nodes(label, (shape.nodes(), shape.to_string()), corners, points);
@@ -64,7 +71,42 @@ impl Grid<'_> {
             add_groups(array, &indices, sets)?;
         }
         self.add_points(mesh)?;
+        for place in put.places {
+            mesh.node_labels.push(mesh.nodes.len() as u64);
+            mesh.nodes.push(place);
+        }
         Ok(indices.len() as u64)
+    }
+
+    /// Adds a pyramid as two tetrahedra of its number.
+    fn divide(&self, label: u64, nodes: &[usize], first: usize, mesh: &mut Mesh, put: &mut Middles) {
+        let labels: Vec<u64> = nodes.iter().map(|node| *node as u64).collect();
+        if nodes.len() == pyramid::NODES {
+            for half in pyramid::halves(&labels) {
+                let nodes = half.map(|place| nodes[place]).into();
+                mesh.cells.push(Cell { label, shape: Shape::Tet4, nodes });
+            }
+            return;
+        }
+        let [[a, _, c, _], _] = pyramid::halves(&labels);
+        let diagonal = [nodes[a].min(nodes[c]), nodes[a].max(nodes[c])];
+        let middle = *put.of.entry(diagonal).or_insert_with(|| {
+            let places = |from: usize| [0, 1, 2, 3].map(|corner| self.point(nodes[from + corner] - first));
+            put.places.push(pyramid::middle_of_base(places(0), places(pyramid::NODES)));
+            put.first + put.places.len() - 1
+        });
+        for half in pyramid::curved_halves(&labels) {
+            let nodes = half.map(|place| place.map_or(middle, |place| nodes[place])).into();
+            mesh.cells.push(Cell { label, shape: Shape::Tet10, nodes });
+        }
+    }
+
+    /// Coordinates of a point of this piece, which exists.
+    fn point(&self, index: usize) -> [f64; 3] {
+        [0, 1, 2].map(|axis| match &self.points.values {
+            Values::Whole(values) => values[3 * index + axis] as f64,
+            Values::Real(values) => values[3 * index + axis],
+        })
     }
 
     /// Refuses a grid with more or fewer types than ends.
@@ -174,7 +216,6 @@ fn name(code: i64) -> String {
         8 => "pixel",
         11 => "voxel",
         15 | 16 => "prism over a polygon",
-        27 => "pyramid of 13 nodes",
         32 => "wedge of 18 nodes",
         42 => "polyhedron",
         68..=81 => "Lagrange or Bézier",

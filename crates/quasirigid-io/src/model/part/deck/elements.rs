@@ -20,12 +20,19 @@ impl Made {
     pub(super) fn regions(&mut self) -> Result<(), LocatedProblem> {
         // Solids of one material with equal axes, to the bit, are one region.
         let mut regions: BTreeMap<_, Solids> = BTreeMap::new();
-        for (cell, property) in &self.solids {
-            let no = (0, MatrixProblem::NoCardOf { kind: "property", label: *property });
-            let material = *self.deck.of_solids.get(property).ok_or(no)?;
+        for (cell, solid) in &self.solids {
+            let property = self.deck.solids[*solid].property;
+            let (material, given) = match self.plies.get(cell) {
+                Some((material, axes)) => (*material, Some(*axes)),
+                None => {
+                    let no = (0, MatrixProblem::NoCardOf { kind: "property", label: property });
+                    let of_property = self.deck.axes_of_solids.get(&property);
+                    let axes = self.deck.axes_at_solids.get(solid).or(of_property);
+                    (*self.deck.of_solids.get(&property).ok_or(no)?, axes.copied())
+                }
+            };
             let isotropic = matches!(self.deck.materials.get(&material), Some(Stuff::Isotropic { .. }));
-            let given = self.deck.axes_of_solids.get(property).filter(|_| !isotropic);
-            let axes = given.copied().unwrap_or(UNIT);
+            let axes = given.filter(|_| !isotropic).unwrap_or(UNIT);
             let bits = (material, axes.map(|axis| axis.map(f64::to_bits)));
             regions.entry(bits).or_insert_with(|| (material, axes, Vec::new())).2.push(*cell);
         }
@@ -38,7 +45,7 @@ impl Made {
             };
             let axes = axes.map(|axis| self.given.placement.turned(axis));
             let name = self.name_of("MAT1", label);
-            self.mixed.regions.push(Region { cells, name, material, axes });
+            self.mixed.regions.push(Region { cells, name, material, axes, grading: None });
         }
         Ok(())
     }

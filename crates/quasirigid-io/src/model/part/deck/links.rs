@@ -58,6 +58,13 @@ impl Made {
             }
             self.follow(Coupling::Mean { node, others });
         }
+        for (node, ends) in std::mem::take(&mut self.tied) {
+            let of = |(node, weight): (usize, f64)| {
+                let (displacements, rotations) = (UNIT.to_vec(), Vec::new());
+                Weighted { node, weight, displacements, rotations }
+            };
+            self.follow(Coupling::Mean { node, others: ends.map(of).to_vec() });
+        }
         Ok(())
     }
 

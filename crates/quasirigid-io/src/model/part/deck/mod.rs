@@ -21,7 +21,7 @@ use super::super::table::Table;
 use super::nodal::{LENGTH_UNIT, MASS_UNIT, Units};
 use super::placed::{ATTITUDE, POSITION, Placement, placement};
 use super::{ATTACH, MASSES, Nodes, RAYLEIGH, Read, attached, masses, rayleigh};
-use crate::deck::{Cells, DeckModel, Stuff};
+use crate::deck::{Cells, DeckModel, OfPly, Stuff};
 use crate::matrix::error::MatrixProblem;
 use crate::matrix::listed::LocatedProblem;
 use crate::text_file::{FileError, bytes_of};
@@ -80,7 +80,7 @@ pub(super) fn deck(table: &Table<'_>, name: &str, sources: Sources<'_, '_>) -> O
         Some(known) => Some(known?),
         None => None,
     };
-    let cells = match model.cells() {
+    let cells = match model.divided_cells() {
         Ok(cells) => cells,
         Err(fault) => return refuse(model.located(fault)),
     };
@@ -119,7 +119,7 @@ fn model_of(path: &Path, bytes: &[u8]) -> Result<DeckModel, FileError<MatrixProb
 #[doc(hidden)]
 pub fn deck_notes(path: &Path, bytes: &[u8]) -> Result<Vec<String>, FileError<MatrixProblem>> {
     let model = model_of(path, bytes)?;
-    let cells = model.cells().map_err(|fault| model.located(fault))?;
+    let cells = model.divided_cells().map_err(|fault| model.located(fault))?;
     Ok(model.notes().into_iter().chain(cells.notes()).collect())
 }
 
@@ -136,8 +136,12 @@ struct Given {
 struct Made {
     deck: DeckModel,
     index: HashMap<u64, usize>,
-    /// Cell and property of each solid, and cell and number of each plate.
-    solids: Vec<(usize, u64)>,
+    /// Cell and number of each solid, and of each plate.
+    solids: Vec<(usize, usize)>,
+    /// Material and axes of cells that are plies.
+    plies: HashMap<usize, OfPly>,
+    /// Nodes between two others that they follow, with the share of each.
+    tied: Vec<(usize, [(usize, f64); 2])>,
     plates: Vec<(usize, usize)>,
     given: Given,
     mixed: Mixed,
@@ -154,7 +158,7 @@ struct Made {
 impl Made {
     fn new(deck: DeckModel, cells: Cells, given: Given) -> Self {
         let notes = cells.notes();
-        let Cells { mesh, index, plates, solids, .. } = cells;
+        let Cells { mesh, index, plates, solids, layers, .. } = cells;
         let solids = ends(&solids, plates.iter().map(|(_, cell)| *cell).min().unwrap_or(mesh.cells.len()));
         let solids =
             solids.into_iter().filter(|(cell, _)| mesh.cells[*cell].shape.dimension() == 3).collect();
@@ -166,6 +170,8 @@ impl Made {
             deck,
             index,
             solids,
+            plies: layers.of_cells,
+            tied: layers.tied,
             plates,
             given,
             mixed: Mixed::default(),
@@ -276,13 +282,14 @@ fn across(unit: [f64; 3]) -> [f64; 3] {
     UNIT[least.unwrap_or(0)]
 }
 
-/// Cell and property of each cell of solids, which have one cell or two.
-fn ends(solids: &[(usize, u64)], end: usize) -> Vec<(usize, u64)> {
+/// Cell and number of each cell of solids, which have one cell or more.
+fn ends(solids: &[(usize, u64)], end: usize) -> Vec<(usize, usize)> {
     let last = solids.iter().map(|(first, _)| *first).skip(1).chain([end]);
     solids
         .iter()
         .zip(last)
-        .flat_map(|((first, property), last)| (*first..last).map(move |cell| (cell, *property)))
+        .enumerate()
+        .flat_map(|(number, ((first, _), last))| (*first..last).map(move |cell| (cell, number)))
         .collect()
 }
 

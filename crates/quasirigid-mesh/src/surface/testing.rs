@@ -85,7 +85,7 @@ pub fn sponge(level: u32, place: impl Fn([f64; 3]) -> [f64; 3]) -> ClosedSurface
     let mut corners = std::collections::HashMap::new();
     let (mut vertices, mut triangles) = (Vec::new(), Vec::new());
     for cube in (0..size.pow(3)).map(|at| [at % size, at / size % size, at / size / size]) {
-        for (axis, side) in (0..6).map(|at| (at % 3, at / 3)).filter(|_| solid(cube)) {
+        for (axis, side) in (0..6).map(|at| (at % 3, i32::from(at > 2))).filter(|_| solid(cube)) {
             let mut beside = cube;
             beside[axis] += 2 * side - 1;
             if solid(beside) {

@@ -59,7 +59,7 @@ pub use kinds::network::Network;
 pub use kinds::part::{
     Anchor, Bar, BarKind, Connection, Coupling, ElasticMaterial, Frame, FrameNode, GivenModes, Grading,
     Layer, Matrices, Member, Mixed, NodalMass, NodeBody, NodeLink, Orthotropic, Panel, Part, PartKind,
-    Region, Skin, Solid, Spectrum, Strain, TipMass, Weighted,
+    Region, Skin, Solid, Spectrum, Strain, Term, TipMass, Weighted,
 };
 pub use kinds::point::{Point, PointMotion};
 pub use kinds::rotor::{Rotor, RotorKind};

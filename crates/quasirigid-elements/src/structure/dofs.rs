@@ -45,6 +45,13 @@ pub(crate) enum Constraint {
         /// Shares, a row per component.
         shares: DMatrix<f64>,
     },
+    /// Some components move by shares of components of other nodes, the others by themselves.
+    Linear {
+        /// Components that move by themselves; the others are still but for their shares.
+        own: [bool; 6],
+        /// Components with the nodes and components that move them, none of which such a constraint moves, and their shares.
+        rows: Vec<(usize, Vec<(usize, usize, f64)>)>,
+    },
     /// Generalised coordinates: the node is no place, and its first components are so many of them.
     Coordinates(usize),
 }

@@ -29,6 +29,7 @@ impl Discrete<'_> {
                 Constraint::Shaped { columns, shares } => {
                     paths.shared(columns, &shares.rows(0, self.structure.nodes[node].dofs()).into_owned())
                 }
+                Constraint::Linear { rows, .. } => paths.some(rows, self.structure.nodes[node].dofs()),
                 Constraint::On { base: None, .. }
                 | Constraint::Free
                 | Constraint::Partly(_)
@@ -97,7 +98,10 @@ impl FollowerPaths {
     /// Bytes of the paths of a structure with so many coordinates, at most.
     pub fn room(structure: &Structure, coordinates: usize) -> f64 {
         let follows = |constraint: &&Constraint| {
-            matches!(constraint, Constraint::On { base: Some(_), .. } | Constraint::Shaped { .. })
+            matches!(
+                constraint,
+                Constraint::On { base: Some(_), .. } | Constraint::Shaped { .. } | Constraint::Linear { .. }
+            )
         };
         let nodes = structure.constraints.iter().filter(follows).count();
         (nodes * 6 * Pairs(coordinates).count() * size_of::<f64>()) as f64
@@ -124,6 +128,21 @@ impl FollowerPaths {
             spread.columns_mut(number * dofs, both).copy_from(&path.columns(0, both));
         }
         Some(spread)
+    }
+
+    /// Second order of a node some of whose components move by shares of components of others.
+    fn some(&self, rows: &[(usize, Vec<(usize, usize, f64)>)], dofs: usize) -> Option<DMatrix<f64>> {
+        let mut path = DMatrix::zeros(self.pairs, dofs);
+        let mut curved = false;
+        for (component, terms) in rows.iter().filter(|(component, _)| *component < dofs) {
+            for (base, of, share) in terms {
+                if let Some(known) = self.of.get(base) {
+                    path.column_mut(*component).axpy(*share, &known.column(*of), 1.0);
+                    curved = true;
+                }
+            }
+        }
+        curved.then_some(path)
     }
 
     /// Second order of a node that moves by shares of the components of others.

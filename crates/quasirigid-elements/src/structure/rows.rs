@@ -40,6 +40,7 @@ impl<'n> Rows<'n> {
                 }
                 Constraint::On { base, axes } => rows.held(node, *base, axes),
                 Constraint::Shaped { columns, shares } => rows.shaped(node, columns, shares),
+                Constraint::Linear { rows: moved, .. } => rows.linear(node, moved, constraints),
             };
         }
         Ok(rows)
@@ -89,6 +90,28 @@ impl<'n> Rows<'n> {
         made
     }
 
+    /// Rows of which some are unknowns of their own, others shares of rows. Nodes of this kind may share in each other: what moves by itself
+    /// is an unknown before any of them has all of its rows.
+    fn linear(
+        &mut self,
+        node: usize,
+        moved: &[(usize, Vec<(usize, usize, f64)>)],
+        constraints: &[Constraint],
+    ) -> Vec<Row> {
+        let bases = moved.iter().flat_map(|(_, terms)| terms.iter().map(|(base, ..)| *base));
+        for base in bases.chain([node]) {
+            if let (true, Constraint::Linear { own, .. }) = (self.made[base].is_empty(), &constraints[base]) {
+                self.made[base] = self.own(base, |component| own[component], Unknown::Node);
+            }
+        }
+        let mut made = self.made[node].clone();
+        for (component, terms) in moved.iter().filter(|(component, _)| *component < self.count(node)) {
+            let shares = terms.iter().flat_map(|(base, of, share)| scaled(&self.made[*base][*of], *share));
+            made[*component] = merged(shares.collect());
+        }
+        made
+    }
+
     /// Rows that are shares of other rows.
     fn shaped(&self, node: usize, columns: &[(usize, usize)], shares: &DMatrix<f64>) -> Vec<Row> {
         let row = |component: usize| {
@@ -117,7 +140,7 @@ pub(super) fn order(constraints: &[Constraint]) -> Result<Vec<usize>, Circle> {
         while let Some(node) = path.last().copied() {
             if states[node] == State::New {
                 states[node] = State::Open;
-                for base in followed(&constraints[node]) {
+                for base in followed(&constraints[node], constraints) {
                     match states[base] {
                         State::New => path.push(base),
                         State::Open => return Err(Circle { node: base }),
@@ -137,11 +160,15 @@ pub(super) fn order(constraints: &[Constraint]) -> Result<Vec<usize>, Circle> {
 }
 
 /// Nodes whose motion a node follows.
-fn followed(constrain: &Constraint) -> Vec<usize> {
+fn followed(constrain: &Constraint, all: &[Constraint]) -> Vec<usize> {
     match constrain {
         Constraint::Free | Constraint::Partly(_) | Constraint::Coordinates(_) => Vec::new(),
         Constraint::On { base, .. } => base.iter().copied().collect(),
         Constraint::Shaped { columns, .. } => columns.iter().map(|(node, _)| *node).collect(),
+        Constraint::Linear { rows, .. } => {
+            let bases = rows.iter().flat_map(|(_, terms)| terms.iter().map(|(base, ..)| *base));
+            bases.filter(|base| !matches!(all[*base], Constraint::Linear { .. })).collect()
+        }
     }
 }
 

@@ -117,3 +117,19 @@ pub(crate) struct Mean {
     pub others: Vec<(f64, [bool; 6], Vec<u64>)>,
     pub line: usize,
 }
+
+/// Term of an equation: the displacement or rotation of a grid point along a vector of the basic system, whose length is the factor.
+#[derive(Clone, Copy)]
+pub(crate) struct Term {
+    pub node: u64,
+    pub rotates: bool,
+    pub along: [f64; 3],
+}
+
+/// Sums of terms that stay zero.
+pub(crate) struct Equations {
+    /// The grid point that they make follow others, which it does once; none where they only bind components.
+    pub follower: Option<u64>,
+    pub sums: Vec<Vec<Term>>,
+    pub line: usize,
+}

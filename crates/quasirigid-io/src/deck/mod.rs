@@ -13,7 +13,9 @@ use std::collections::{BTreeMap, HashMap};
 use crate::matrix::error::{MatrixError, MatrixProblem};
 use crate::matrix::listed::LocatedProblem;
 pub(crate) use cells::{Cells, edges};
-pub(crate) use elements::{Axial, Bush, Line, Mean, Plate, Scalar, Solid, SpringEnd, Stiff, Tip, Up};
+pub(crate) use elements::{
+    Axial, Bush, Equations, Line, Mean, Plate, Scalar, Solid, SpringEnd, Stiff, Term, Tip, Up,
+};
 pub(crate) use layers::OfPly;
 pub(crate) use places::{Places, Run};
 pub(crate) use properties::{Bending, Laminate, Plating, Ply, RodSection, Stuff};
@@ -42,6 +44,7 @@ pub(crate) struct DeckModel {
     pub bushes: Vec<Bush>,
     pub stiff: Vec<Stiff>,
     pub means: Vec<Mean>,
+    pub equations: Vec<Equations>,
     pub materials: HashMap<u64, Stuff>,
     /// Material of each property of solids.
     pub of_solids: HashMap<u64, u64>,
@@ -97,12 +100,22 @@ impl DeckModel {
 
     /// Counts things that are left out.
     pub fn leave_out_all(&mut self, what: &str, count: usize) {
+        if count == 0 {
+            return;
+        }
         *self.left_out.entry(what.to_owned()).or_default() += count;
     }
 
     /// Notes that a card has something that is not carried.
     pub fn simplify(&mut self, what: &'static str) {
-        *self.simplified.entry(what).or_default() += 1;
+        self.simplify_all(what, 1);
+    }
+
+    /// Notes how many things are carried otherwise than a card says.
+    pub fn simplify_all(&mut self, what: &'static str, count: usize) {
+        if count > 0 {
+            *self.simplified.entry(what).or_default() += count;
+        }
     }
 
     /// What is left out or carried in part, in words.

@@ -1,13 +1,14 @@
 //! Couplings: nodes that follow a reference node, or a reference node that follows the mean of others; rigid bodies and multi-point constraints.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashMap, HashSet};
 
-use quasirigid_math::vec3::{add, cross, norm, scale};
+use quasirigid_math::vec3::{add, cross, dot, norm, scale};
 
 use super::Reader;
+use super::equations::UNIT;
 use super::faces::Surface;
 use super::fields::{fields, range, real};
-use crate::deck::{Mean, Stiff};
+use crate::deck::{Equations, Mean, Stiff, Term};
 use crate::matrix::listed::LocatedProblem;
 use crate::mesh::inp::Placed;
 
@@ -174,40 +175,157 @@ impl Reader {
         Ok(())
     }
 
-    /// *MPC of the types BEAM, TIE and PIN, the first node of which follows the second.
+    /// *MPC of the types BEAM, TIE, PIN, LINK and LINEAR, the first node of which follows the others; sets of equal size node by node.
     fn points_tied(&mut self, placed: &Placed, at: usize) -> Result<(), LocatedProblem> {
+        let turned = self.turned();
+        let solid: HashSet<u64> =
+            self.model.solids.iter().flat_map(|solid| solid.nodes.iter().copied()).collect();
+        let mut all = Vec::new();
         for index in 0..self.cards[at].lines.len() {
             let (line, text) = self.cards[at].lines[index].clone();
             let fields = fields(&text);
             let kind = fields.first().copied().unwrap_or_default().to_ascii_uppercase();
-            let [_, first, second] = fields[..] else {
+            let names = &fields[1.min(fields.len())..];
+            if let "PLANE" | "STRAIGHT" = kind.as_str() {
+                let nodes =
+                    names.iter().map(|name| self.nodes(placed, name, line)).collect::<Result<Vec<_>, _>>()?;
+                let nodes: Vec<u64> = nodes.into_iter().flatten().filter(|node| *node != 0).collect();
+                self.in_line(&nodes, if kind == "PLANE" { 3 } else { 2 }, line);
+                continue;
+            }
+            if names.len() != if kind == "LINEAR" { 3 } else { 2 } {
                 self.model.leave_out(&format!("*MPC {kind}"));
                 continue;
-            };
-            let (nodes, base) = (self.nodes(placed, first, line)?, self.node(placed, second, line)?);
-            let apart = nodes.iter().any(|node| !self.together(*node, base));
-            let components = match kind.as_str() {
-                "BEAM" => [true; 6],
-                "TIE" if !apart => [true; 6],
-                "PIN" if !apart => MOVES,
-                "TIE" | "PIN" => {
-                    self.model.leave_out(&format!("*MPC {kind} of nodes that lie apart"));
-                    continue;
-                }
-                _ => {
-                    self.model.leave_out(&format!("*MPC {kind}"));
-                    continue;
-                }
-            };
-            self.model.stiff.push(Stiff { base, nodes, components, line });
+            }
+            let sets =
+                names.iter().map(|name| self.nodes(placed, name, line)).collect::<Result<Vec<_>, _>>()?;
+            let count = sets[0].len();
+            if sets.iter().any(|set| set.len() != count && set.len() != 1) {
+                self.model.leave_out(&format!("*MPC {kind} of unequal sets"));
+                continue;
+            }
+            let nodes = |number: usize| sets.iter().map(|set| set[number % set.len()]).collect();
+            all.extend((0..count).map(|number| (kind.clone(), nodes(number), line)));
+        }
+        let mut bases: HashMap<u64, usize> = HashMap::new();
+        all.iter()
+            .for_each(|(_, nodes, _): &(String, Vec<u64>, usize)| *bases.entry(nodes[1]).or_default() += 1);
+        for (kind, nodes, line) in all {
+            let turns = |node: u64| self.node_of.get(&node).is_none_or(|node| turned.contains(node));
+            let both = turns(nodes[0]) && turns(nodes[1]);
+            let pinned = !turns(nodes[1]) && bases[&nodes[1]] == 1 && solid.contains(&nodes[1]);
+            self.points_tied_once(&kind, &nodes, [both, pinned], line);
         }
         Ok(())
     }
 
+    /// A rigid beam whose base nothing else turns keeps the distance of its ends, and nothing more.
+    fn points_tied_once(&mut self, kind: &str, nodes: &[u64], [both, pinned]: [bool; 2], line: usize) {
+        let (node, base) = (nodes[0], nodes[1]);
+        match (kind, self.together(node, base)) {
+            ("PIN", true) => return self.one_place([node, base], false, line),
+            ("TIE", true) => return self.one_place([node, base], both, line),
+            ("BEAM", true) if pinned => return self.one_place([node, base], false, line),
+            ("BEAM", false) if pinned => return self.link([node, base], line),
+            ("BEAM", _) => {
+                self.model
+                    .simplify("*MPC BEAM are rigid, as in Abaqus; in CalculiX they only keep distances");
+            }
+            ("TIE" | "PIN", false) => {
+                return self.model.leave_out(&format!("*MPC {kind} of nodes that lie apart"));
+            }
+            ("LINK", false) => return self.link([node, base], line),
+            ("LINEAR", _) => return self.between(node, [base, nodes[2]], line),
+            _ => return self.model.leave_out(&format!("*MPC {kind}")),
+        }
+        self.model.stiff.push(Stiff { base, nodes: vec![node], components: [true; 6], line });
+    }
+
+    /// Two nodes at one place that move, and rotate, as one.
+    fn one_place(&mut self, [node, other]: [u64; 2], rotates: bool, line: usize) {
+        let sum = |rotates: bool, axis: [f64; 3]| {
+            let term = |node, factor| Term { node, rotates, along: scale(factor, axis) };
+            vec![term(node, 1.0), term(other, -1.0)]
+        };
+        let kinds: &[bool] = if rotates { &[false, true] } else { &[false] };
+        let sums = kinds.iter().flat_map(|rotates| UNIT.map(|axis| sum(*rotates, axis))).collect();
+        self.model.equations.push(Equations { follower: None, sums, line });
+    }
+
+    /// Nodes that stay on the straight line through the first two, or in the plane through the first three.
+    fn in_line(&mut self, nodes: &[u64], count: usize, line: usize) {
+        let places: Option<Vec<[f64; 3]>> = nodes.iter().map(|node| self.place(*node)).collect();
+        let Some((places, true)) = places.map(|places| (places, nodes.len() > count)) else {
+            return self.model.leave_out("*MPC PLANE or STRAIGHT of nodes that are not there");
+        };
+        let minus = |a: [f64; 3], b: [f64; 3]| add(a, scale(-1.0, b));
+        let first = minus(places[1], places[0]);
+        let second = if count == 3 { minus(places[2], places[0]) } else { [0.0; 3] };
+        let across = if count == 3 { vec![cross(first, second)] } else { square_to(first) };
+        for (node, place) in nodes.iter().zip(&places).skip(count) {
+            let away = minus(*place, places[0]);
+            // shares of the sides by their duals in the plane, or along the line
+            let [s, t] = match count {
+                3 => {
+                    let normal = across[0];
+                    let square = dot(normal, normal);
+                    [dot(cross(away, second), normal) / square, dot(cross(first, away), normal) / square]
+                }
+                _ => [dot(away, first) / dot(first, first), 0.0],
+            };
+            let shares = [1.0 - s - t, s, t];
+            let sum = |axis: &[f64; 3]| {
+                let axis = scale(norm(*axis).recip(), *axis);
+                let term = |node, factor| Term { node, rotates: false, along: scale(factor, axis) };
+                let bases = nodes[..count].iter().zip(shares).map(|(node, share)| term(*node, -share));
+                [term(*node, 1.0)].into_iter().chain(bases).collect()
+            };
+            let sums = across.iter().map(sum).collect();
+            self.model.equations.push(Equations { follower: None, sums, line });
+        }
+    }
+
+    /// Two nodes whose distance stays.
+    pub(super) fn link(&mut self, [node, other]: [u64; 2], line: usize) {
+        let (Some(from), Some(to)) = (self.place(other), self.place(node)) else {
+            return self.model.leave_out("*MPC LINK of nodes that are not there");
+        };
+        let along = add(to, scale(-1.0, from));
+        let along = scale(norm(along).recip(), along);
+        let term = |node, along| Term { node, rotates: false, along };
+        let sums = vec![vec![term(node, along), term(other, scale(-1.0, along))]];
+        self.model.equations.push(Equations { follower: None, sums, line });
+    }
+
+    /// A node on the line between two others.
+    fn between(&mut self, node: u64, [a, b]: [u64; 2], line: usize) {
+        let (Some(here), Some(from), Some(to)) = (self.place(node), self.place(a), self.place(b)) else {
+            return self.model.leave_out("*MPC LINEAR of nodes that are not there");
+        };
+        let (side, away) = (add(to, scale(-1.0, from)), add(here, scale(-1.0, from)));
+        let share = if dot(side, side) > 0.0 { dot(away, side) / dot(side, side) } else { 0.0 };
+        let sum = |axis: [f64; 3]| {
+            let term = |node, factor| Term { node, rotates: false, along: scale(factor, axis) };
+            vec![term(node, 1.0), term(a, share - 1.0), term(b, -share)]
+        };
+        let sums = UNIT.map(sum).into();
+        self.model.equations.push(Equations { follower: Some(node), sums, line });
+    }
+
+    pub(super) fn place(&self, label: u64) -> Option<[f64; 3]> {
+        self.node_of.get(&label).map(|at| self.inp.mesh.nodes[*at])
+    }
+
     /// Whether two nodes are at one place.
     pub(super) fn together(&self, a: u64, b: u64) -> bool {
-        let place = |label: u64| self.node_of.get(&label).map(|at| self.inp.mesh.nodes[*at]);
-        let (Some(a), Some(b)) = (place(a), place(b)) else { return false };
+        let (Some(a), Some(b)) = (self.place(a), self.place(b)) else { return false };
         norm(add(a, scale(-1.0, b))) <= TOGETHER * norm(a).max(norm(b))
     }
+}
+
+/// Two directions across a third.
+fn square_to(along: [f64; 3]) -> Vec<[f64; 3]> {
+    let least = UNIT.into_iter().min_by(|a, b| dot(*a, along).abs().total_cmp(&dot(*b, along).abs()));
+    let first = cross(along, least.unwrap_or(UNIT[0]));
+    vec![first, cross(along, first)]
 }

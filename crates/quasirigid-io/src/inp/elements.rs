@@ -2,6 +2,7 @@
 
 use std::collections::{BTreeMap, HashMap};
 
+use quasirigid_math::vec3::{add, cross, norm, scale};
 use quasirigid_mesh::Shape;
 
 use super::Reader;
@@ -72,7 +73,7 @@ impl Reader {
                 (Family::Beam { shear }, SectionKind::Beam { properties, up }) => {
                     let up = match towards.get(&cell) {
                         Some(label) => Up::Point(*label),
-                        None => Up::Vector(placing.turned(up)),
+                        None => Up::Basic(placing.turned(up)),
                     };
                     self.lines(cell, properties[usize::from(!shear)], Some(up), line, family);
                 }
@@ -254,15 +255,16 @@ impl Reader {
             let (line, scope, is_spring) = (card.line, card.scope, card.name == "SPRING");
             let set = card.parameter("ELSET").unwrap_or_default().to_owned();
             let nonlinear = card.parameter("NONLINEAR").is_some();
+            let axes = card.parameter("ORIENTATION").map(|name| self.orientation(name, line)).transpose()?;
             let lines = card.lines.clone();
             for placed in self.placed(scope) {
                 for other in self.elements(&placed, &set, line)?.others {
-                    if nonlinear {
-                        self.model.leave_out("nonlinear springs and dashpots");
-                    } else {
-                        self.spring(other, &lines, is_spring, line)?;
-                    }
                     used[other] = true;
+                    let node = self.inp.others.all[other].nodes.first().copied().unwrap_or_default();
+                    let place = self.place(node).unwrap_or_default();
+                    let axes = axes.map(|axes| axes.axes_at(place, &placed.placing)).transpose()?;
+                    let card = SpringCard { lines: &lines, is_spring, nonlinear, axes, line };
+                    self.spring(other, &card)?;
                 }
             }
         }
@@ -270,7 +272,7 @@ impl Reader {
             let kind = &self.inp.types[usize::from(self.inp.others.all[index].kind)];
             let carried = ["MASS", "ROTARYI", "DCOUP3D"].contains(&kind.as_str());
             let rigid = kind.starts_with("R3D") || kind.starts_with("RB3D");
-            if !used && !carried && !rigid {
+            if !used && !carried && !rigid && !kind.starts_with("CONN") {
                 let what = format!("{kind} elements");
                 self.model.leave_out(&what);
             }
@@ -278,43 +280,105 @@ impl Reader {
         Ok(())
     }
 
-    /// A spring or dashpot with the lines of its card: degrees of freedom, unless it acts along its line, then the constant.
-    fn spring(
-        &mut self,
-        other: usize,
-        lines: &[(usize, String)],
-        is_spring: bool,
-        line: usize,
-    ) -> Result<(), LocatedProblem> {
+    /// A spring or dashpot with the lines of its card: degrees of freedom, unless it acts along its line, then the constant or a table.
+    fn spring(&mut self, other: usize, card: &SpringCard<'_>) -> Result<(), LocatedProblem> {
         let element = &self.inp.others.all[other];
         let kind = self.inp.types[usize::from(element.kind)].as_str();
         let axial = kind.ends_with('A');
-        let Some((constant, freedoms)) = (if axial {
-            lines.first().map(|constant| (constant, None))
+        let (freedoms, table) = if axial {
+            (None, card.lines)
         } else {
-            lines.get(1).map(|constant| (constant, lines.first()))
-        }) else {
-            return Err((line, MatrixProblem::Values { found: 0, row: crate::matrix::error::Row::InpCard }));
+            (card.lines.first(), card.lines.get(1..).unwrap_or_default())
         };
-        let constant = reals(constant)?.first().copied().unwrap_or(0.0);
-        let law = if is_spring { [constant, 0.0] } else { [0.0, constant] };
+        let Some(first) = table.first() else {
+            let row = crate::matrix::error::Row::InpCard;
+            return Err((card.line, MatrixProblem::Values { found: 0, row }));
+        };
+        let constant = if card.nonlinear { slope_at_rest(table)? } else { reals(first)?.first().copied() };
+        let Some(constant) = constant else {
+            self.model.leave_out("nonlinear springs and dashpots without one slope at rest");
+            return Ok(());
+        };
+        let law = if card.is_spring { [constant, 0.0] } else { [0.0, constant] };
+        let line = card.line;
         if axial {
             let [a, b, ..] = element.nodes[..] else {
                 self.model.leave_out("springs to the ground");
                 return Ok(());
             };
             self.model.axials.push(Axial { ends: [a, b], law, line });
-            return Ok(());
+        } else {
+            let freedoms = freedoms.map(reals).transpose()?.unwrap_or_default();
+            let end = |at: usize| -> Option<SpringEnd> {
+                let node = *element.nodes.get(at)?;
+                let component = *freedoms.get(at)? as u64;
+                (node != 0).then_some(SpringEnd { node, component })
+            };
+            match (card.axes, end(0), end(1)) {
+                (Some(axes), Some(from), Some(to)) => self.oriented([from, to], axes, law, line),
+                (_, from, to) => self.model.springs.push(Scalar { ends: [from, to], law: Ok(law), line }),
+            }
         }
-        let freedoms = freedoms.map(reals).transpose()?.unwrap_or_default();
-        let end = |at: usize| -> Option<SpringEnd> {
-            let node = *element.nodes.get(at)?;
-            let component = *freedoms.get(at)? as u64;
-            (node != 0).then_some(SpringEnd { node, component })
-        };
-        self.model.springs.push(Scalar { ends: [end(0), end(1)], law: Ok(law), line });
+        if card.nonlinear {
+            self.model.simplify("nonlinear springs and dashpots have their slope at rest");
+        }
         Ok(())
     }
+
+    /// A spring in one component along given axes: between nodes at one place, or along the line between them.
+    fn oriented(&mut self, [from, to]: [SpringEnd; 2], axes: [[f64; 3]; 3], law: [f64; 2], line: usize) {
+        let nodes = [from.node, to.node];
+        let (Some(a), Some(b)) = (self.place(from.node), self.place(to.node)) else {
+            return self.model.leave_out("springs of nodes that are not there");
+        };
+        let component = from.component as usize;
+        if component != to.component as usize || !(1..=6).contains(&component) {
+            return self.model.leave_out("springs between different components along an orientation");
+        }
+        let between = add(b, scale(-1.0, a));
+        let across = norm(cross(axes[(component - 1) % 3], between));
+        if self.together(from.node, to.node) || component > 3 {
+            let laws = law.map(|law| std::array::from_fn(|k| if k + 1 == component { law } else { 0.0 }));
+            self.bushing_of(nodes, axes, laws, 0.5, line);
+        } else if across <= ALONG * norm(between) {
+            self.model.axials.push(Axial { ends: nodes, law, line });
+        } else {
+            self.model.leave_out("springs that a motion of the whole body strains, as if held to the ground");
+        }
+    }
+}
+
+/// Sine of the angle up to which a spring acts along the line between its nodes.
+const ALONG: f64 = 1e-6;
+
+/// Lines of a card of springs or dashpots.
+struct SpringCard<'a> {
+    lines: &'a [(usize, String)],
+    is_spring: bool,
+    nonlinear: bool,
+    /// Axes of its components; none for those of the nodes.
+    axes: Option<[[f64; 3]; 3]>,
+    line: usize,
+}
+
+/// Slope at zero of a table of forces and elongations, at its first temperature; none at a kink, or where the table does not reach.
+fn slope_at_rest(table: &[(usize, String)]) -> Result<Option<f64>, LocatedProblem> {
+    let mut points: Vec<[f64; 2]> = Vec::new();
+    for row in table {
+        let numbers = reals(row)?;
+        let [force, elongation, ..] = numbers[..] else { return Ok(None) };
+        if points.last().is_some_and(|last| !(elongation > last[1])) {
+            break;
+        }
+        points.push([force, elongation]);
+    }
+    let slope = |pair: &[[f64; 2]]| (pair[1][0] - pair[0][0]) / (pair[1][1] - pair[0][1]);
+    let about = |pair: &&[[f64; 2]]| pair[0][1] <= 0.0 && pair[1][1] >= 0.0;
+    let slopes: Vec<f64> = points.windows(2).filter(about).map(slope).collect();
+    let inner =
+        points.first().is_some_and(|first| first[1] < 0.0) && points.last().is_some_and(|last| last[1] > 0.0);
+    let one = slopes.iter().all(|slope| (slope - slopes[0]).abs() <= ALONG * slopes[0].abs());
+    Ok(slopes.first().copied().filter(|_| inner && one))
 }
 
 const UNIT: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];

@@ -22,6 +22,8 @@ pub(super) struct Surface {
 pub(super) struct Face {
     pub corners: usize,
     pub nodes: Vec<usize>,
+    /// Whether it is a shell itself.
+    pub shell: bool,
 }
 
 /// Corners of the faces S1, S2, ... of a solid.
@@ -114,7 +116,7 @@ impl Reader {
         }
         if cell.shape.dimension() == 2 {
             let nodes = cell.nodes.iter().copied().take(2 * count).collect();
-            return Some(Face { corners: count, nodes });
+            return Some(Face { corners: count, nodes, shell: true });
         }
         let number: usize = side.strip_prefix('S')?.parse().ok()?;
         let corners = sides(count).get(number.checked_sub(1)?)?;
@@ -127,6 +129,6 @@ impl Reader {
                 nodes.extend(middle.and_then(|middle| cell.nodes.get(count + middle)));
             }
         }
-        (cell.shape.dimension() == 3).then_some(Face { corners: corners.len(), nodes })
+        (cell.shape.dimension() == 3).then_some(Face { corners: corners.len(), nodes, shell: false })
     }
 }

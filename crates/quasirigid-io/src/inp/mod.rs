@@ -2,6 +2,7 @@
 //! cards that make a body of them: materials, sections, bodies, springs and nodes that follow others. A part's cards hold in each of its places.
 //! (Abaqus Keywords Reference Guide; CalculiX CrunchiX User's Manual)
 
+mod connectors;
 mod couplings;
 mod elements;
 mod equations;
@@ -26,7 +27,7 @@ use orientation::Orientation;
 use sections::Section;
 
 /// Cards of materials, sections and the mesh, which are kept beside those of bodies.
-const CARRIED: [&str; 21] = [
+const CARRIED: [&str; 25] = [
     "MATERIAL",
     "ELASTIC",
     "DENSITY",
@@ -48,6 +49,10 @@ const CARRIED: [&str; 21] = [
     "INSTANCE",
     "ASSEMBLY",
     "INCLUDE",
+    "CONNECTOR SECTION",
+    "CONNECTOR BEHAVIOR",
+    "CONNECTOR ELASTICITY",
+    "CONNECTOR DAMPING",
 ];
 
 /// Cards that end others, say what to compute or print, and nothing of the body.
@@ -192,6 +197,7 @@ impl Reader {
         }
         self.read_bodies()?;
         self.read_springs()?;
+        self.read_connectors()?;
         self.read_couplings()?;
         self.read_ties()?;
         self.read_equations()?;

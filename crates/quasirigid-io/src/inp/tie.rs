@@ -1,37 +1,64 @@
-//! *TIE: nodes of a surface follow the nearest points of the faces of another one. A point of a triangle is the mean of its corners by its
-//! barycentric coordinates, so that the tie strains nothing when the body moves as a whole, also where the surfaces lie apart.
+//! *TIE: nodes of a surface follow the nearest points of the faces of another one, by the shape functions of the face. Where the surfaces
+//! lie apart, the face also turns the gap, so that the tie strains nothing when the body moves as a whole.
+//! Equation (K21), docs/theory/12-structures.md.
 
-use std::collections::{HashMap, HashSet};
+use std::collections::HashSet;
 
 use quasirigid_math::vec3::{add, cross, dot, norm, scale};
+use quasirigid_mesh::Shape;
+use quasirigid_mesh::surface::{NearestTriangles, nearest_weights};
 
 use super::Reader;
+use super::equations::UNIT;
 use super::faces::Surface;
 use super::fields::{fields, real};
-use crate::deck::{Mean, Stiff};
+use crate::deck::{Equations, Term};
 use crate::matrix::listed::LocatedProblem;
 
 /// Distance over the size of a face within which nodes are tied, where the card gives none.
 const NEAR: f64 = 0.05;
-/// Least weight of a corner where the node lies off the face: its rotation needs all three.
-const LEAST: f64 = 1e-3;
 /// Distance over the size of a face up to which a node is on it, or at its corner.
 const ON: f64 = 1e-6;
+/// Steps towards the nearest point of a curved face: many times the number that a face needs.
+const STEPS: usize = 20;
 
-/// Triangles of a surface, in a grid of boxes as wide as the largest of them.
-struct Triangles {
-    corners: Vec<[usize; 3]>,
-    boxes: HashMap<[i64; 3], Vec<usize>>,
+/// A face of an element, or a piece of a quadratic shell between its nodes.
+struct Piece {
+    shape: Shape,
+    nodes: Vec<usize>,
+}
+
+/// Pieces of a surface, in triangles that find the nearest.
+struct Pieces {
+    pieces: Vec<Piece>,
+    /// Piece of each triangle, and the places of its corners among the nodes of the piece.
+    triangles: Vec<(usize, [usize; 3])>,
+    nearest: NearestTriangles,
+    /// The longest side.
     width: f64,
+}
+
+/// Point of a piece.
+struct Point {
+    piece: usize,
+    /// Place on the reference cell.
+    at: [f64; 3],
+    /// From the point to the node that follows it.
+    gap: [f64; 3],
 }
 
 impl Reader {
     pub(super) fn read_ties(&mut self) -> Result<(), LocatedProblem> {
-        let plates = self.model.plates.iter().flat_map(|plate| plate.nodes.iter().copied());
-        let turned: HashSet<u64> = plates.chain(self.model.beams.iter().flat_map(|beam| beam.ends)).collect();
+        let turned = self.turned();
         for at in self.cards(&["TIE"]) {
             let card = &self.cards[at];
             let line = card.line;
+            if let Some(kind) =
+                ["CYCLIC SYMMETRY", "MULTISTAGE"].iter().find(|kind| card.parameter(kind).is_some())
+            {
+                self.model.leave_out(&format!("*TIE, {kind}"));
+                continue;
+            }
             let tolerance = card.parameter("POSITION TOLERANCE").map(|text| real(text, line)).transpose()?;
             for placed in self.placed(card.scope) {
                 for index in 0..self.cards[at].lines.len() {
@@ -47,158 +74,262 @@ impl Reader {
         Ok(())
     }
 
+    /// Nodes whose rotations something turns.
+    pub(super) fn turned(&self) -> HashSet<usize> {
+        let plates = self.model.plates.iter().flat_map(|plate| plate.nodes.iter().copied());
+        let beams = self.model.beams.iter().flat_map(|beam| beam.ends);
+        let bodies = self.model.tips.iter().filter(|tip| tip.inertia != [[0.0; 3]; 3]).map(|tip| tip.node);
+        let pieces = self.model.stiff.iter().map(|piece| piece.base);
+        let means = self.model.means.iter().map(|mean| mean.node);
+        let all = plates.chain(beams).chain(bodies).chain(pieces).chain(means);
+        all.filter_map(|label| self.node_of.get(&label).copied()).collect()
+    }
+
     fn tie(
         &mut self,
         [slave, master]: [&Surface; 2],
         tolerance: Option<f64>,
-        turned: &HashSet<u64>,
+        turned: &HashSet<usize>,
         line: usize,
     ) {
-        let triangles = Triangles::new(self, master);
+        let pieces = Pieces::new(&self.inp.mesh.nodes, master);
         let own = master.all();
-        let (mut apart, mut tied) = (0, 0);
+        let [mut apart, mut tied, mut gaps, mut flat] = [0; 4];
         for node in slave.all() {
             if own.binary_search(&node).is_ok() {
                 continue;
             }
-            let near = if triangles.corners.is_empty() {
-                self.nearest_node(node, &master.nodes, tolerance)
-            } else {
-                triangles.nearest(self, node, tolerance)
-            };
-            let label = self.inp.mesh.node_labels[node];
-            match near {
-                Some(weights) => {
-                    tied += 1;
-                    self.follow(label, weights, turned, line);
+            let Some(pieces) = &pieces else {
+                match self.at_node(node, &master.nodes, tolerance, turned) {
+                    Some(sums) => {
+                        tied += 1;
+                        self.follow(node, sums, line);
+                    }
+                    None => apart += 1,
                 }
-                None => apart += 1,
+                continue;
+            };
+            let places = &self.inp.mesh.nodes;
+            let Some(point) = pieces.nearest(places, places[node], tolerance) else {
+                apart += 1;
+                continue;
+            };
+            gaps += usize::from(norm(point.gap) > ON * pieces.width);
+            match self.on_face(node, &pieces.pieces[point.piece], &point, turned) {
+                Some(sums) => {
+                    tied += 1;
+                    self.follow(node, sums, line);
+                }
+                None => flat += 1,
             }
         }
-        if apart > 0 {
-            self.model.leave_out_all("nodes of *TIE beyond its tolerance", apart);
-        }
-        if tied > 0 {
-            self.model.simplify("nodes of *TIE follow the nearest triangle of the other surface");
-        }
+        self.model.leave_out_all("nodes of *TIE beyond its tolerance", apart);
+        self.model.leave_out_all("nodes of *TIE on faces without area", flat);
+        self.model.simplify_all("nodes of *TIE follow the nearest points of faces", tied);
+        self.model.simplify_all("nodes of *TIE are turned with a face across a gap", gaps);
     }
 
-    /// The node follows the mean of others; one at the place of another one that plates or beams turn is one piece with it.
-    fn follow(&mut self, node: u64, weights: Vec<(usize, f64)>, turned: &HashSet<u64>, line: usize) {
-        let label = |at: usize| self.inp.mesh.node_labels[at];
-        let moves = [true, true, true, false, false, false];
-        let others: Vec<_> = weights.iter().map(|(at, weight)| (*weight, moves, vec![label(*at)])).collect();
-        match weights[..] {
-            [(at, _)] if turned.contains(&node) && turned.contains(&label(at)) => {
-                let stiff = Stiff { base: label(at), nodes: vec![node], components: [true; 6], line };
-                self.model.stiff.push(stiff);
-            }
-            _ => self.model.means.push(Mean { node, components: [true; 6], others, line }),
-        }
+    fn follow(&mut self, node: usize, sums: Vec<Vec<Term>>, line: usize) {
+        let follower = Some(self.inp.mesh.node_labels[node]);
+        self.model.equations.push(Equations { follower, sums, line });
     }
 
-    /// The nearest of nodes, within the tolerance.
-    fn nearest_node(
+    fn term(&self, node: usize, rotates: bool, along: [f64; 3]) -> Term {
+        Term { node: self.inp.mesh.node_labels[node], rotates, along }
+    }
+
+    /// Sums that hold a node at a point of a face, and its rotation to that of the face; none where the face has no area. (K21)
+    fn on_face(
+        &self,
+        node: usize,
+        piece: &Piece,
+        point: &Point,
+        turned: &HashSet<usize>,
+    ) -> Option<Vec<Vec<Term>>> {
+        let slopes = piece.slopes(&self.inp.mesh.nodes, point.at)?;
+        let values = piece.shape.functions(point.at);
+        let shell = piece.nodes.iter().all(|node| turned.contains(node));
+        let parts = || piece.nodes.iter().zip(&values).zip(&slopes.of);
+        let mut sums = Vec::new();
+        for axis in UNIT {
+            let turn = slopes.halved(cross(point.gap, axis));
+            let shares = parts().map(|((other, value), slope)| {
+                self.term(*other, false, scale(-1.0, add(scale(*value, axis), cross(turn, *slope))))
+            });
+            sums.push([self.term(node, false, axis)].into_iter().chain(shares).collect());
+        }
+        for axis in UNIT.into_iter().filter(|_| turned.contains(&node)) {
+            let turn = slopes.halved(axis);
+            let share = |((other, value), slope): ((&usize, &f64), &[f64; 3])| match shell {
+                true => self.term(*other, true, scale(-value, axis)),
+                false => self.term(*other, false, cross(*slope, turn)),
+            };
+            sums.push([self.term(node, true, axis)].into_iter().chain(parts().map(share)).collect());
+        }
+        Some(sums)
+    }
+
+    /// Sums that hold a node at the nearest of others, which turns it across a gap; none beyond the tolerance, or where nothing turns.
+    fn at_node(
         &self,
         node: usize,
         others: &[usize],
         tolerance: Option<f64>,
-    ) -> Option<Vec<(usize, f64)>> {
+        turned: &HashSet<usize>,
+    ) -> Option<Vec<Vec<Term>>> {
         let places = &self.inp.mesh.nodes;
-        let distance = |other: usize| norm(add(places[other], scale(-1.0, places[node])));
-        let nearest = others.iter().copied().min_by(|a, b| distance(*a).total_cmp(&distance(*b)))?;
-        let limit = tolerance.unwrap_or(ON * norm(places[node]));
-        (distance(nearest) <= limit).then(|| vec![(nearest, 1.0)])
-    }
-}
-
-impl Triangles {
-    fn new(reader: &Reader, surface: &Surface) -> Self {
-        let mut corners = Vec::new();
-        for face in &surface.faces {
-            let count = face.corners;
-            if face.nodes.len() < 2 * count {
-                let fan = |at: usize| [face.nodes[0], face.nodes[at], face.nodes[at + 1]];
-                corners.extend((1..count - 1).map(fan));
-                continue;
-            }
-            let middle = |at: usize| face.nodes[count + at % count];
-            corners.extend((0..count).map(|at| [face.nodes[at], middle(at), middle(at + count - 1)]));
-            corners.extend((1..count - 1).map(|at| [middle(0), middle(at), middle(at + 1)]));
-        }
-        let places = &reader.inp.mesh.nodes;
-        let mut width: f64 = 0.0;
-        for [a, b, c] in &corners {
-            for [from, to] in [[a, b], [b, c], [c, a]] {
-                width = width.max(norm(add(places[*from], scale(-1.0, places[*to]))));
-            }
-        }
-        let mut boxes: HashMap<[i64; 3], Vec<usize>> = HashMap::new();
-        for (index, triangle) in corners.iter().enumerate() {
-            let centre = triangle.iter().fold([0.0; 3], |sum, node| add(sum, places[*node]));
-            boxes.entry(key(scale(1.0 / 3.0, centre), width)).or_default().push(index);
-        }
-        Self { corners, boxes, width }
-    }
-
-    /// Weights of the corners of the nearest triangle, within the tolerance.
-    fn nearest(&self, reader: &Reader, node: usize, tolerance: Option<f64>) -> Option<Vec<(usize, f64)>> {
-        let places = &reader.inp.mesh.nodes;
-        let point = places[node];
-        let [x, y, z] = key(point, self.width);
-        let mut best: Option<(f64, [usize; 3], [f64; 3])> = None;
-        for at in 0..27 {
-            let near = [x + at % 3 - 1, y + at / 3 % 3 - 1, z + at / 9 - 1];
-            for triangle in self.boxes.get(&near).into_iter().flatten() {
-                let corners = self.corners[*triangle];
-                let (distance, weights) = closest(point, corners.map(|corner| places[corner]));
-                if best.is_none_or(|(least, ..)| distance < least) {
-                    best = Some((distance, corners, weights));
-                }
-            }
-        }
-        let (distance, corners, mut weights) = best?;
-        if distance > tolerance.unwrap_or(NEAR * self.width).max(ON * self.width) {
+        let gap = |other: usize| add(places[node], scale(-1.0, places[other]));
+        let nearest = others.iter().copied().min_by(|a, b| norm(gap(*a)).total_cmp(&norm(gap(*b))))?;
+        let (gap, on) = (gap(nearest), ON * norm(places[node]));
+        let turns = turned.contains(&nearest);
+        if norm(gap) > tolerance.unwrap_or(on).max(on) || (norm(gap) > on && !turns) {
             return None;
         }
-        if distance > ON * self.width {
-            weights = weights.map(|weight| weight.max(LEAST));
+        let mut sums = Vec::new();
+        for axis in UNIT {
+            let mut sum = vec![self.term(node, false, axis), self.term(nearest, false, scale(-1.0, axis))];
+            if turns && gap != [0.0; 3] {
+                sum.push(self.term(nearest, true, cross(axis, gap)));
+            }
+            sums.push(sum);
         }
-        let weighted = corners.into_iter().zip(weights).filter(|(_, weight)| *weight > ON);
-        Some(weighted.collect())
+        for axis in UNIT.into_iter().filter(|_| turns && turned.contains(&node)) {
+            sums.push(vec![self.term(node, true, axis), self.term(nearest, true, scale(-1.0, axis))]);
+        }
+        Some(sums)
     }
 }
 
-fn key(place: [f64; 3], width: f64) -> [i64; 3] {
-    place.map(|x| if width > 0.0 { (x / width).floor() as i64 } else { 0 })
+/// Gradients of the shape functions of a face in its plane.
+struct Slopes {
+    of: Vec<[f64; 3]>,
+    normal: [f64; 3],
 }
 
-/// Distance of a point from a triangle, and the barycentric coordinates of the nearest point.
-fn closest(point: [f64; 3], [a, b, c]: [[f64; 3]; 3]) -> (f64, [f64; 3]) {
-    let minus = |p: [f64; 3], q: [f64; 3]| add(p, scale(-1.0, q));
-    let (ab, ac, ap) = (minus(b, a), minus(c, a), minus(point, a));
-    let normal = cross(ab, ac);
-    let square = dot(normal, normal);
-    let v = dot(cross(ap, ac), normal) / square;
-    let w = dot(cross(ab, ap), normal) / square;
-    let inside = [1.0 - v - w, v, w];
-    if square > 0.0 && inside.iter().all(|weight| *weight >= 0.0) {
-        return (dot(ap, normal).abs() / square.sqrt(), inside);
+impl Slopes {
+    /// `v − ½ n (n·v)`: the curl of a displacement has twice the rotation about the normal, and once that across it.
+    fn halved(&self, vector: [f64; 3]) -> [f64; 3] {
+        add(vector, scale(-0.5 * dot(self.normal, vector), self.normal))
     }
-    // on an edge or at a corner
-    let corners = [a, b, c];
-    let mut best = (f64::INFINITY, [1.0, 0.0, 0.0]);
-    for (from, to) in [(0, 1), (1, 2), (2, 0)] {
-        let (edge, away) = (minus(corners[to], corners[from]), minus(point, corners[from]));
-        let length = dot(edge, edge);
-        let share = if length > 0.0 { (dot(edge, away) / length).clamp(0.0, 1.0) } else { 0.0 };
-        let distance = norm(minus(away, scale(share, edge)));
-        if distance < best.0 {
-            let mut weights = [0.0; 3];
-            weights[from] = 1.0 - share;
-            weights[to] += share;
-            best = (distance, weights);
+}
+
+impl Piece {
+    fn place(&self, places: &[[f64; 3]], at: [f64; 3]) -> [f64; 3] {
+        let values = self.shape.functions(at);
+        let parts = self.nodes.iter().zip(values);
+        parts.fold([0.0; 3], |sum, (node, value)| add(sum, scale(value, places[*node])))
+    }
+
+    /// Tangents at a place of the reference cell.
+    fn tangents(&self, places: &[[f64; 3]], at: [f64; 3]) -> [[f64; 3]; 2] {
+        let gradients = self.shape.gradients(at);
+        let along = |axis: usize| {
+            let parts = self.nodes.iter().zip(&gradients);
+            parts.fold([0.0; 3], |sum, (node, gradient)| add(sum, scale(gradient[axis], places[*node])))
+        };
+        [along(0), along(1)]
+    }
+
+    fn slopes(&self, places: &[[f64; 3]], at: [f64; 3]) -> Option<Slopes> {
+        let [a, b] = self.tangents(places, at);
+        let area = cross(a, b);
+        if !(norm(area) > ON * norm(a) * norm(b)) {
+            return None;
         }
+        let square = dot(area, area);
+        let dual = [scale(square.recip(), cross(b, area)), scale(square.recip(), cross(area, a))];
+        let gradients = self.shape.gradients(at);
+        let slope = |gradient: &[f64; 3]| add(scale(gradient[0], dual[0]), scale(gradient[1], dual[1]));
+        let of = gradients[..self.nodes.len()].iter().map(slope).collect();
+        Some(Slopes { of, normal: scale(norm(area).recip(), area) })
     }
-    best
+
+    /// The nearest place of the reference cell, from one that is near.
+    fn nearest(&self, places: &[[f64; 3]], point: [f64; 3], from: [f64; 3]) -> [f64; 3] {
+        let away = |at: [f64; 3]| norm(add(point, scale(-1.0, self.place(places, at))));
+        let mut best = from;
+        for _ in 0..STEPS {
+            let [a, b] = self.tangents(places, best);
+            let gap = add(point, scale(-1.0, self.place(places, best)));
+            let determinant = dot(a, a) * dot(b, b) - dot(a, b).powi(2);
+            let [x, y] = [dot(a, gap), dot(b, gap)];
+            let step = [x * dot(b, b) - y * dot(a, b), y * dot(a, a) - x * dot(a, b)];
+            let next = self.inside([0, 1].map(|axis| best[axis] + step[axis] / determinant));
+            if !(away(next) < away(best)) {
+                break;
+            }
+            best = next;
+        }
+        best
+    }
+
+    /// The nearest place of the reference cell to one that may lie outside.
+    fn inside(&self, [x, y]: [f64; 2]) -> [f64; 3] {
+        if self.shape.corners() == 4 {
+            return [x.clamp(-1.0, 1.0), y.clamp(-1.0, 1.0), 0.0];
+        }
+        let (x, y) = if x + y > 1.0 { (0.5 * (1.0 + x - y), 0.5 * (1.0 + y - x)) } else { (x, y) };
+        let x = x.clamp(0.0, 1.0);
+        [x, y.clamp(0.0, 1.0 - x), 0.0]
+    }
+}
+
+impl Pieces {
+    fn new(places: &[[f64; 3]], surface: &Surface) -> Option<Self> {
+        let mut pieces = Vec::new();
+        for face in &surface.faces {
+            let (count, nodes) = (face.corners, &face.nodes);
+            let shape = match (count, nodes.len()) {
+                (3, 6) => Shape::Triangle6,
+                (3, _) => Shape::Triangle3,
+                (_, 8) => Shape::Quad8,
+                _ => Shape::Quad4,
+            };
+            if !face.shell || shape.nodes() == count {
+                pieces.push(Piece { shape, nodes: nodes[..shape.nodes()].to_vec() });
+                continue;
+            }
+            // A quadratic shell is linear ones between its nodes.
+            let middle = |at: usize| nodes[count + at % count];
+            let corner = |at: usize| vec![nodes[at], middle(at), middle(at + count - 1)];
+            pieces.extend((0..count).map(|at| Piece { shape: Shape::Triangle3, nodes: corner(at) }));
+            let shape = if count == 3 { Shape::Triangle3 } else { Shape::Quad4 };
+            pieces.push(Piece { shape, nodes: (0..count).map(middle).collect() });
+        }
+        let mut triangles = Vec::new();
+        for (index, piece) in pieces.iter().enumerate() {
+            let count = piece.shape.corners();
+            let middle = |at: usize| count + at % count;
+            let fan: Vec<[usize; 3]> = if piece.nodes.len() == count {
+                (1..count - 1).map(|at| [0, at, at + 1]).collect()
+            } else {
+                let corners = (0..count).map(|at| [at, middle(at), middle(at + count - 1)]);
+                corners.chain((1..count - 1).map(|at| [middle(0), middle(at), middle(at + 1)])).collect()
+            };
+            triangles.extend(fan.into_iter().map(|corners| (index, corners)));
+        }
+        let of = |(piece, corners): &(usize, [usize; 3])| {
+            corners.map(|corner| places[pieces[*piece].nodes[corner]])
+        };
+        let corners: Vec<[[f64; 3]; 3]> = triangles.iter().map(of).collect();
+        let sides = corners.iter().flat_map(|[a, b, c]| [[a, b], [b, c], [c, a]]);
+        let width = sides.map(|[a, b]| norm(add(*a, scale(-1.0, *b)))).fold(0.0, f64::max);
+        Some(Self { nearest: NearestTriangles::new(corners)?, pieces, triangles, width })
+    }
+
+    /// The point nearest to a place, within the tolerance.
+    fn nearest(&self, places: &[[f64; 3]], place: [f64; 3], tolerance: Option<f64>) -> Option<Point> {
+        let (triangle, on) = self.nearest.nearest(place);
+        let (piece, corners) = self.triangles[triangle];
+        let found = &self.pieces[piece];
+        let weights = nearest_weights(corners.map(|corner| places[found.nodes[corner]]), place);
+        let reference = found.shape.reference();
+        let from = (0..3).fold([0.0; 3], |sum, k| add(sum, scale(weights[k], reference[corners[k]])));
+        let from = if from.iter().all(|x| x.is_finite()) { from } else { reference[corners[0]] };
+        let at = found.nearest(places, place, from);
+        let gap = add(place, scale(-1.0, found.place(places, at)));
+        let distance = norm(gap).min(norm(add(place, scale(-1.0, on))));
+        let limit = tolerance.unwrap_or(NEAR * self.width).max(ON * self.width);
+        (distance <= limit).then_some(Point { piece, at, gap })
+    }
 }

@@ -121,7 +121,9 @@ fn one_matrix_in_all_formats_is_one_matrix() {
 fn the_second_matrix_of_a_file_is_found_by_its_name() {
     let twice: Vec<_> = stiffness().into_iter().map(|(i, j, value)| (i, j, 2.0 * value)).collect();
     let files = ["binary_dense.op4", "binary_bigmat.op4", "binary_nonbigmat.op4"].map(|name| (name, "MAAX"));
-    for (name, matrix) in files.into_iter().chain([("dense.npz", "M"), ("dense_compressed.npz", "M"), ("dense.mat", "M")]) {
+    for (name, matrix) in
+        files.into_iter().chain([("dense.npz", "M"), ("dense_compressed.npz", "M"), ("dense.mat", "M")])
+    {
         assert_same(&read_matrix(&data(name), Some(matrix)).unwrap(), &twice, 0.0, name);
     }
 }

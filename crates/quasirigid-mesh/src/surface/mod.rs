@@ -25,6 +25,6 @@ pub use facets::{Facet, Facets};
 pub use holes::Hole;
 pub use moments::Moments;
 pub(crate) use proximity::Proximity;
-pub use proximity::nearest_weights;
+pub use proximity::{NearestTriangles, nearest_weights};
 pub use repair::{Repairs, Unrepaired, repaired};
 pub use sight::Sight;

@@ -10,11 +10,16 @@ use super::tree::{Bounds, Tree};
 use quasirigid_math::connected_components::connected_components;
 use quasirigid_math::vec3::{add, cross, dot, minus, norm, scale};
 
+/// Triangles prepared for queries of the nearest of them.
+pub struct NearestTriangles {
+    triangles: Vec<Corners>,
+    tree: Tree,
+}
+
 /// A closed surface prepared for queries of distance.
 pub(crate) struct Proximity {
-    triangles: Vec<Corners>,
+    all: NearestTriangles,
     normals: Vec<Normals>,
-    tree: Tree,
 }
 
 /// Outward normals of a triangle, of the edges that leave its corners, and of its corners.
@@ -41,25 +46,22 @@ pub(crate) struct Nearest {
     pub distance: f64,
 }
 
-impl Proximity {
-    /// Surface after a map of its vertices, which may move, rotate and stretch it as a whole.
-    pub fn new(surface: &ClosedSurface, map: impl Fn([f64; 3]) -> [f64; 3]) -> Self {
-        let place = |corners: &[usize; 3]| corners.map(|corner| map(surface.vertices[corner]));
-        let triangles: Vec<Corners> = surface.triangles.iter().map(place).collect();
+impl NearestTriangles {
+    /// The triangles by their corners; none without any.
+    #[must_use]
+    pub fn new(triangles: Vec<[[f64; 3]; 3]>) -> Option<Self> {
         let boxes: Vec<Bounds> = triangles.iter().map(|corners| bounds(corners.iter().copied())).collect();
-        Self { normals: normals(&triangles, &surface.triangles), tree: Tree::new(&boxes), triangles }
+        (!triangles.is_empty()).then(|| Self { tree: Tree::new(&boxes), triangles })
     }
 
-    /// Volume that the surface encloses.
-    pub fn volume(&self) -> f64 {
-        let about = self.triangles[0][0];
-        let six = |[a, b, c]: &Corners| triple(minus(*a, about), minus(*b, *a), minus(*c, *a));
-        self.triangles.iter().map(six).sum::<f64>() / 6.0
+    /// Index of the nearest triangle, and its point nearest to another.
+    #[must_use]
+    pub fn nearest(&self, point: [f64; 3]) -> (usize, [f64; 3]) {
+        let (triangle, _, at) = self.found(point);
+        (triangle, at)
     }
 
-    /// Nearest point. The side is that of the normal there; the normal of edges and corners is the mean of their triangles, weighted by
-    /// angles `[@baerentzen2005]`.
-    pub fn nearest(&self, point: [f64; 3]) -> Nearest {
+    fn found(&self, point: [f64; 3]) -> (usize, Feature, [f64; 3]) {
         let (mut best, mut square) = ((0, Feature::Face, point), f64::INFINITY);
         let mut open = vec![(self.tree.nodes.len() - 1, 0.0)];
         while let Some((node, least)) = open.pop() {
@@ -82,7 +84,30 @@ impl Proximity {
                 }
             }
         }
-        let (triangle, feature, at) = best;
+        best
+    }
+}
+
+impl Proximity {
+    /// Surface after a map of its vertices, which may move, rotate and stretch it as a whole.
+    pub fn new(surface: &ClosedSurface, map: impl Fn([f64; 3]) -> [f64; 3]) -> Self {
+        let place = |corners: &[usize; 3]| corners.map(|corner| map(surface.vertices[corner]));
+        let triangles: Vec<Corners> = surface.triangles.iter().map(place).collect();
+        let normals = normals(&triangles, &surface.triangles);
+        Self { all: NearestTriangles::new(triangles).expect("a closed surface has triangles"), normals }
+    }
+
+    /// Volume that the surface encloses.
+    pub fn volume(&self) -> f64 {
+        let about = self.all.triangles[0][0];
+        let six = |[a, b, c]: &Corners| triple(minus(*a, about), minus(*b, *a), minus(*c, *a));
+        self.all.triangles.iter().map(six).sum::<f64>() / 6.0
+    }
+
+    /// Nearest point. The side is that of the normal there; the normal of edges and corners is the mean of their triangles, weighted by
+    /// angles `[@baerentzen2005]`.
+    pub fn nearest(&self, point: [f64; 3]) -> Nearest {
+        let (triangle, feature, at) = self.all.found(point);
         let normals = &self.normals[triangle];
         let normal = match feature {
             Feature::Face => Some(normals.face),
@@ -91,13 +116,14 @@ impl Proximity {
         };
         let inside =
             normal.map_or_else(|| self.encloses(point), |normal| dot(minus(point, at), normal) < 0.0);
-        Nearest { at, distance: if inside { -square.sqrt() } else { square.sqrt() } }
+        let distance = norm(minus(point, at));
+        Nearest { at, distance: if inside { -distance } else { distance } }
     }
 
     /// Whether the surface winds around a point.
     fn encloses(&self, point: [f64; 3]) -> bool {
         let angle = |corners: &Corners| solid_angle(corners.map(|corner| minus(corner, point)));
-        self.triangles.iter().map(angle).sum::<f64>() > 2.0 * PI
+        self.all.triangles.iter().map(angle).sum::<f64>() > 2.0 * PI
     }
 }
 

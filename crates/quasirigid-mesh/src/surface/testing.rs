@@ -73,3 +73,38 @@ pub fn turned(unit: f64) -> impl Fn([f64; 3]) -> [f64; 3] + Copy {
             .map(|x| unit * x)
     }
 }
+
+/// Menger's sponge of side `3^level` of unit cubes, whose inner faces are left out and whose corners are merged.
+pub fn sponge(level: u32, place: impl Fn([f64; 3]) -> [f64; 3]) -> ClosedSurface {
+    let size = 3_i32.pow(level);
+    let solid = |cube: [i32; 3]| {
+        let inside = cube.iter().all(|x| (0..size).contains(x));
+        let middles = |level: u32| cube.iter().filter(|x| **x / 3_i32.pow(level) % 3 == 1).count();
+        inside && (0..level).all(|level| middles(level) < 2)
+    };
+    let mut corners = std::collections::HashMap::new();
+    let (mut vertices, mut triangles) = (Vec::new(), Vec::new());
+    for cube in (0..size.pow(3)).map(|at| [at % size, at / size % size, at / size / size]) {
+        for (axis, side) in (0..6).map(|at| (at % 3, i32::from(at > 2))).filter(|_| solid(cube)) {
+            let mut beside = cube;
+            beside[axis] += 2 * side - 1;
+            if solid(beside) {
+                continue;
+            }
+            let steps =
+                [[0, 0], [1, 0], [1, 1], [0, 1]].map(|[i, j]| if side == 1 { [i, j] } else { [j, i] });
+            let [a, b, c, d] = steps.map(|[i, j]| {
+                let mut corner = cube;
+                corner[axis] += side;
+                corner[(axis + 1) % 3] += i;
+                corner[(axis + 2) % 3] += j;
+                *corners.entry(corner).or_insert_with(|| {
+                    vertices.push(place(corner.map(f64::from)));
+                    vertices.len() - 1
+                })
+            });
+            triangles.extend([[a, b, c], [a, c, d]]);
+        }
+    }
+    ClosedSurface::new(vertices, triangles).unwrap()
+}

@@ -59,7 +59,7 @@ types! {
         PartReduction PlaceRef Point PointMotion Prestress Problem Quantity Regime Region Relaxed Resolution Rotor
         RingBaffle RotorKind Section SectionShape SettledTank Settling ShellError SlowLiquid Slug Solid Spectrum Spring SpringLaw SunlightAccuracy SunlitShape
         ApplicationPoint StokesError Surface Tank TankContents TankDamping TankError TankMode TankShape TipMass Tube TubeError RotorAxis Visual Wheel WheelSpeed
-        Bar BarKind Coupling Mixed NodeBody NodeLink Skin Strain Weighted
+        Bar BarKind Coupling Mixed NodeBody NodeLink Skin Strain Term Weighted
     }
     model {
         Advection BalancedSpin BodyParts Carried Coordinate CurvedPaths Displaced Dissipator DrivenWheel

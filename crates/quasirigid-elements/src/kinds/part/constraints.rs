@@ -168,7 +168,7 @@ impl PartGraph<'_> {
         base: Option<usize>,
         axes: Vec<Vector3<f64>>,
     ) -> Result<(), Problem> {
-        if matches!(self.structure.constraints[node], Constraint::Shaped { .. }) {
+        if matches!(self.structure.constraints[node], Constraint::Shaped { .. } | Constraint::Linear { .. }) {
             return Err(Problem::NotInterface { node: self.node_name(node) });
         }
         if !self.is_free(node) {

@@ -23,7 +23,7 @@ pub use grading::Grading;
 pub(crate) use graph::PartGraph;
 pub use material::{ElasticMaterial, Orthotropic};
 pub use matrices::Matrices;
-pub use mixed::{Bar, BarKind, Coupling, Mixed, NodeBody, NodeLink, Skin, Strain, Weighted};
+pub use mixed::{Bar, BarKind, Coupling, Mixed, NodeBody, NodeLink, Skin, Strain, Term, Weighted};
 pub use modes::{GivenModes, Spectrum};
 pub use nodal::NodalMass;
 pub use nodal_body::TipMass;

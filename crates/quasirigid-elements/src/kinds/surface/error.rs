@@ -5,6 +5,7 @@ use std::f64::consts::PI;
 use super::elements::Meshed;
 use crate::kinds::compliance;
 use crate::math::vec3::{add, cross, dot, minus, norm, scale};
+use crate::math::watch;
 use quasirigid_mesh::meshing::{GradedMesh, Neck};
 use quasirigid_mesh::surface::ClosedSurface;
 
@@ -35,6 +36,7 @@ pub(super) fn between_meshes(surface: &ClosedSurface, fine: &Meshed, coarse: &Me
 /// Error of the cells in necks, whatever the solution. (G12)
 pub(super) fn hidden(surface: &ClosedSurface, mesh: &GradedMesh, necks: &[Neck]) -> f64 {
     let of = |neck: &Neck| {
+        watch::ask();
         let width = mesh.width(neck.center);
         let depth = FILLED * width / (2.0 * (0.5 * notch(surface, neck, width)).tan());
         (width / neck.radius).powi(3).max((1.0 + depth / neck.radius).powi(3) - 1.0)

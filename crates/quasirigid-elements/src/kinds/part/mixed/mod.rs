@@ -5,6 +5,7 @@
 mod mean;
 mod rod;
 
+use std::collections::HashSet;
 use std::sync::Arc;
 
 use nalgebra::{DMatrix, Vector3};
@@ -146,6 +147,25 @@ pub enum Coupling {
         /// The others.
         others: Vec<Weighted>,
     },
+    /// Some components by those of other nodes; the others are the node's own.
+    Linear {
+        /// The node.
+        node: usize,
+        /// Components 0 to 5, translations before rotations, each once, with what moves them: components that no coupling of this kind moves.
+        rows: Vec<(usize, Vec<Term>)>,
+    },
+}
+
+/// Share of a component of a node in a component of another one.
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Term {
+    /// The node.
+    pub node: usize,
+    /// Component 0 to 5, translations before rotations.
+    pub component: usize,
+    /// Share (dimensionless, m or 1/m).
+    pub share: f64,
 }
 
 /// A node of a mean, with its weight.
@@ -167,7 +187,7 @@ impl Coupling {
     #[must_use]
     pub fn node(&self) -> usize {
         match self {
-            Self::Rigid { node, .. } | Self::Mean { node, .. } => *node,
+            Self::Rigid { node, .. } | Self::Mean { node, .. } | Self::Linear { node, .. } => *node,
         }
     }
 }
@@ -221,6 +241,13 @@ impl Mixed {
                     let turned = others.iter().filter(|other| !other.rotations.is_empty());
                     turned.for_each(|other| raise(other.node, Turning::Free));
                 }
+                Coupling::Linear { node, rows } => {
+                    for (component, terms) in rows {
+                        let turned = terms.iter().filter(|term| term.component >= 3).map(|term| term.node);
+                        let own = (*component >= 3).then_some(*node);
+                        turned.chain(own).for_each(|node| raise(node, Turning::Free));
+                    }
+                }
             }
         }
         for link in self.links.iter().filter(|link| link.turns()) {
@@ -261,6 +288,7 @@ impl Mixed {
                     axes: free.iter().map(|axis| Vector3::from(*axis)).collect(),
                 },
                 Coupling::Mean { node, others } => mean(*node, others, &self.mesh.nodes, first),
+                Coupling::Linear { node, rows } => linear(rows, constraints.get(*node), first),
             };
             if let Some(known) = constraints.get_mut(coupling.node()) {
                 *known = constraint;
@@ -293,6 +321,33 @@ impl Mixed {
         Ok(())
     }
 
+    /// Accepts equations for components that there are, each once, by components that no equation gives.
+    fn check_equations(&self) -> Result<(), Problem> {
+        let equations = self.couplings.iter().filter_map(|coupling| match coupling {
+            Coupling::Linear { node, rows } => Some((*node, rows)),
+            _ => None,
+        });
+        let mut given = HashSet::new();
+        let name = |node: usize, component: usize| {
+            format!("node {} component {component}", self.mesh.node_labels[node])
+        };
+        for (node, (component, _)) in
+            equations.clone().flat_map(|(node, rows)| rows.iter().map(move |row| (node, row)))
+        {
+            if *component >= 6 || !given.insert((node, *component)) {
+                return Err(Problem::HeldTwice { node: name(node, *component) });
+            }
+        }
+        let mut terms = equations.flat_map(|(_, rows)| rows.iter().flat_map(|(_, terms)| terms));
+        let unfit = |term: &&Term| {
+            term.component >= 6 || !term.share.is_finite() || given.contains(&(term.node, term.component))
+        };
+        match terms.find(unfit) {
+            Some(term) => Err(Problem::Circle { node: name(term.node, term.component) }),
+            None => Ok(()),
+        }
+    }
+
     /// Accepts indices of nodes and cells that exist, cells that are sound, and each node following once.
     fn check(&self) -> Result<(), Problem> {
         let (nodes, cells) = (self.mesh.nodes.len(), self.mesh.cells.len());
@@ -304,6 +359,9 @@ impl Mixed {
         let of_couplings = self.couplings.iter().flat_map(|coupling| match coupling {
             Coupling::Rigid { node, base, .. } => vec![*node, *base],
             Coupling::Mean { node, others } => others.iter().map(|other| other.node).chain([*node]).collect(),
+            Coupling::Linear { node, rows } => {
+                rows.iter().flat_map(|(_, terms)| terms).map(|term| term.node).chain([*node]).collect()
+            }
         });
         let of_elements = self.bars.iter().flat_map(|bar| bar.ends);
         let of_links = self.links.iter().flat_map(|link| link.nodes);
@@ -319,12 +377,29 @@ impl Mixed {
                 return Err(Problem::HeldTwice { node });
             }
         }
+        self.check_equations()?;
         // Two shells may lie between the same nodes.
         let faults = self.mesh.check().err().unwrap_or_default();
         let faults: Vec<MeshFault> =
             faults.into_iter().filter(|fault| !matches!(fault, MeshFault::CellTwice { .. })).collect();
         if faults.is_empty() { Ok(()) } else { Err(Problem::Mesh(faults)) }
     }
+}
+
+/// Constraint of a node on components of others; components that nothing gives are as they were.
+fn linear(rows: &[(usize, Vec<Term>)], before: Option<&Constraint>, first: usize) -> Constraint {
+    let mut own = match before {
+        Some(Constraint::Partly(own)) => *own,
+        _ => [true; 6],
+    };
+    for (component, _) in rows {
+        if let Some(own) = own.get_mut(*component) {
+            *own = false;
+        }
+    }
+    let term = |term: &Term| (first + term.node, term.component, term.share);
+    let rows = rows.iter().map(|(component, terms)| (*component, terms.iter().map(term).collect()));
+    Constraint::Linear { own, rows: rows.collect() }
 }
 
 impl Bar {

@@ -9,7 +9,7 @@ use crate::matrix::error::MatrixProblem;
 use crate::matrix::listed::LocatedProblem;
 
 /// Force of a unit spring, and its moment over the size of the deck, up to which it holds nothing of the whole: the digits of cards.
-const AFLOAT: f64 = 1e-6;
+pub(super) const AFLOAT: f64 = 1e-6;
 
 impl Made {
     pub(super) fn couplings(&mut self) -> Result<(), LocatedProblem> {

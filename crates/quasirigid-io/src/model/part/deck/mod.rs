@@ -3,6 +3,8 @@
 //! Equations (K1), (K2) and (I11), docs/theory.
 
 mod elements;
+mod elimination;
+mod equations;
 mod links;
 mod nodes;
 
@@ -189,6 +191,7 @@ impl Made {
         self.skins()?;
         self.bars()?;
         self.couplings()?;
+        self.equations()?;
         self.links()?;
         let bodies = self.bodies()?;
         self.finish(bodies);

@@ -78,6 +78,9 @@ impl Made {
             match coupling {
                 Coupling::Rigid { base, .. } => used[*base] = true,
                 Coupling::Mean { others, .. } => others.iter().for_each(|other| used[other.node] = true),
+                Coupling::Linear { rows, .. } => {
+                    rows.iter().flat_map(|(_, terms)| terms).for_each(|term| used[term.node] = true);
+                }
             }
         }
         let mut kept = Vec::new();
@@ -132,6 +135,12 @@ impl Made {
                 Coupling::Mean { node, others } => {
                     *node = place[*node];
                     others.iter_mut().for_each(|other| other.node = place[other.node]);
+                }
+                Coupling::Linear { node, rows } => {
+                    *node = place[*node];
+                    rows.iter_mut()
+                        .flat_map(|(_, terms)| terms)
+                        .for_each(|term| term.node = place[term.node]);
                 }
             }
         }

@@ -24,6 +24,9 @@ impl Node {
     }
 }
 
+/// Component of a node, with the nodes and components that move it, and their shares.
+pub(crate) type GivenRow = (usize, Vec<(usize, usize, f64)>);
+
 /// Constraint of a node.
 #[derive(Clone, Debug)]
 pub(crate) enum Constraint {
@@ -50,7 +53,7 @@ pub(crate) enum Constraint {
         /// Components that move by themselves; the others are still but for their shares.
         own: [bool; 6],
         /// Components with the nodes and components that move them, none of which such a constraint moves, and their shares.
-        rows: Vec<(usize, Vec<(usize, usize, f64)>)>,
+        rows: Vec<GivenRow>,
     },
     /// Generalised coordinates: the node is no place, and its first components are so many of them.
     Coordinates(usize),

@@ -7,7 +7,7 @@ use std::collections::HashMap;
 use nalgebra::{DMatrix, Vector3};
 
 use super::discrete::{Discrete, Structure};
-use super::dofs::Constraint;
+use super::dofs::{Constraint, GivenRow};
 use super::pairs::Pairs;
 use super::rows::order;
 use crate::finite::{Element, carried};
@@ -131,7 +131,7 @@ impl FollowerPaths {
     }
 
     /// Second order of a node some of whose components move by shares of components of others.
-    fn some(&self, rows: &[(usize, Vec<(usize, usize, f64)>)], dofs: usize) -> Option<DMatrix<f64>> {
+    fn some(&self, rows: &[GivenRow], dofs: usize) -> Option<DMatrix<f64>> {
         let mut path = DMatrix::zeros(self.pairs, dofs);
         let mut curved = false;
         for (component, terms) in rows.iter().filter(|(component, _)| *component < dofs) {

@@ -4,7 +4,7 @@
 
 use nalgebra::{DMatrix, Vector3};
 
-use super::dofs::{Constraint, Node, Unknown};
+use super::dofs::{Constraint, GivenRow, Node, Unknown};
 
 /// Unknowns that move one degree of freedom, and their shares.
 type Row = Vec<(usize, f64)>;
@@ -92,12 +92,7 @@ impl<'n> Rows<'n> {
 
     /// Rows of which some are unknowns of their own, others shares of rows. Nodes of this kind may share in each other: what moves by itself
     /// is an unknown before any of them has all of its rows.
-    fn linear(
-        &mut self,
-        node: usize,
-        moved: &[(usize, Vec<(usize, usize, f64)>)],
-        constraints: &[Constraint],
-    ) -> Vec<Row> {
+    fn linear(&mut self, node: usize, moved: &[GivenRow], constraints: &[Constraint]) -> Vec<Row> {
         let bases = moved.iter().flat_map(|(_, terms)| terms.iter().map(|(base, ..)| *base));
         for base in bases.chain([node]) {
             if let (true, Constraint::Linear { own, .. }) = (self.made[base].is_empty(), &constraints[base]) {

@@ -29,7 +29,14 @@ pub(super) fn told(densities: &[f64]) -> String {
         .iter()
         .fold((f64::INFINITY, 0.0_f64), |(least, most), density| (least.min(*density), most.max(*density)));
     let mean = densities.iter().sum::<f64>() / densities.len() as f64;
-    format!("densities are {least:.6} to {greatest:.6} kg/m³, {mean:.6} in the mean")
+    let [least, greatest, mean] = [least, greatest, mean].map(six_digits);
+    format!("densities are {least} to {greatest} kg/m³, {mean} in the mean")
+}
+
+/// A positive number to six significant digits.
+fn six_digits(number: f64) -> f64 {
+    let scale = 10.0_f64.powi(5 - number.log10().floor() as i32);
+    (number * scale).round() / scale
 }
 
 #[cfg(test)]

@@ -7,7 +7,7 @@ use std::collections::HashMap;
 use quasirigid_mesh::{Cell, Mesh, Set, Shape};
 
 use super::layers::Layers;
-use super::{DeckModel, Plate, Solid};
+use super::{BASIC, DeckModel, Plate, Solid};
 use crate::matrix::error::MatrixProblem;
 use crate::matrix::listed::LocatedProblem;
 use crate::pyramid;
@@ -33,8 +33,6 @@ pub(crate) struct Cells {
     pyramids: usize,
     divided: usize,
 }
-
-const BASIC: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 
 /// Edges of a solid: corners of each, in the order of its shape; of a pyramid those of the base, then the upright ones.
 const TET: &[[usize; 2]] = &[[0, 1], [1, 2], [2, 0], [0, 3], [1, 3], [2, 3]];

@@ -3,7 +3,7 @@
 
 use std::collections::{BTreeSet, HashMap, HashSet};
 
-use quasirigid_math::vec3::{add, cross, dot, norm, scale};
+use quasirigid_math::vec3::{add, cross, dot, minus, norm, scale, unit};
 use quasirigid_mesh::Shape;
 
 use super::cells::Cells;
@@ -56,7 +56,7 @@ impl Cells {
         let stack = axes[laminate.directions[1]];
         let [lower, upper] = self.faces(&corners, stack).ok_or_else(refused)?;
         let whole: f64 = laminate.plies.iter().map(|ply| ply.thickness).sum();
-        let height = norm(add(self.middle_of(&upper), scale(-1.0, self.middle_of(&lower))));
+        let height = norm(minus(self.middle_of(&upper), self.middle_of(&lower)));
         self.layers.divided += 1;
         self.layers.stretched += usize::from((whole / height - 1.0).abs() > STRETCH);
         let normal = self.normal(&lower, &upper);
@@ -67,7 +67,7 @@ impl Cells {
         if !(norm(along) > ALONG) {
             return Err(refused());
         }
-        let along = scale(norm(along).recip(), along);
+        let along = unit(along);
         let across = cross(normal, along);
         let mut bounds = vec![0.0];
         for ply in &laminate.plies {
@@ -97,7 +97,7 @@ impl Cells {
             _ => vec![[of(&[0, 1, 2]), of(&[3, 4, 5])]],
         };
         let cosine = |[lower, upper]: &[Vec<usize>; 2]| {
-            let height = add(self.middle_of(upper), scale(-1.0, self.middle_of(lower)));
+            let height = minus(self.middle_of(upper), self.middle_of(lower));
             dot(height, stack) / (norm(height) * norm(stack))
         };
         let best = pairs.into_iter().max_by(|a, b| cosine(a).abs().total_cmp(&cosine(b).abs()))?;
@@ -123,10 +123,10 @@ impl Cells {
     fn normal(&self, lower: &[usize], upper: &[usize]) -> [f64; 3] {
         let half =
             |corner: usize| scale(0.5, add(self.mesh.nodes[lower[corner]], self.mesh.nodes[upper[corner]]));
-        let side = |from: usize, to: usize| add(half(to), scale(-1.0, half(from)));
+        let side = |from: usize, to: usize| minus(half(to), half(from));
         let area =
             if lower.len() == 4 { cross(side(0, 2), side(1, 3)) } else { cross(side(0, 1), side(0, 2)) };
-        scale(norm(area).recip(), area)
+        unit(area)
     }
 
     /// Nodes at a level between two faces.

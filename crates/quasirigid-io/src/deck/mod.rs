@@ -20,6 +20,15 @@ pub(crate) use layers::OfPly;
 pub(crate) use places::{Places, Run};
 pub(crate) use properties::{Bending, Laminate, Plating, Ply, RodSection, Stuff};
 
+/// Axes of the basic system.
+pub(crate) const BASIC: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+
+/// Axis of the basic system that is the least parallel to a direction.
+pub(crate) fn across(direction: [f64; 3]) -> [f64; 3] {
+    let least = (0..3).min_by(|a, b| direction[*a].abs().total_cmp(&direction[*b].abs()));
+    BASIC[least.unwrap_or(0)]
+}
+
 /// A grid point in the basic system.
 #[derive(Clone, Copy)]
 pub(crate) struct Point {

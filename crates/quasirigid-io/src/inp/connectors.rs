@@ -3,12 +3,11 @@
 
 use std::collections::HashMap;
 
-use quasirigid_math::vec3::{add, cross, scale};
+use quasirigid_math::vec3::{cross, minus, scale};
 
 use super::Reader;
-use super::equations::UNIT;
 use super::fields::{fields, reals};
-use crate::deck::{Axial, Bush, Equations, Term};
+use crate::deck::{Axial, BASIC, Bush, Equations, Term};
 use crate::matrix::listed::LocatedProblem;
 
 /// Stiffnesses and dampings of the six components.
@@ -69,7 +68,7 @@ impl Reader {
                     let place = self.place(a).unwrap_or_default();
                     let axes = match &axes {
                         Some(axes) => axes.axes_at(place, &placed.placing)?,
-                        None => UNIT.map(|axis| placed.placing.turned(axis)),
+                        None => BASIC.map(|axis| placed.placing.turned(axis)),
                     };
                     self.connector(&kinds, laws, &Ends { nodes: [a, b], axes, line });
                 }
@@ -148,7 +147,7 @@ impl Reader {
         let (Some(from), Some(to)) = (self.place(a), self.place(b)) else {
             return self.model.leave_out("connectors of nodes that are not there");
         };
-        let arm = if self.together(a, b) { [0.0; 3] } else { add(to, scale(-1.0, from)) };
+        let arm = if self.together(a, b) { [0.0; 3] } else { minus(to, from) };
         let sum = |axis: [f64; 3]| {
             let term = |node, rotates, along| Term { node, rotates, along };
             let mut sum = vec![term(b, false, axis), term(a, false, scale(-1.0, axis))];
@@ -157,7 +156,7 @@ impl Reader {
             }
             sum
         };
-        let sums = UNIT.map(sum).into();
+        let sums = BASIC.map(sum).into();
         self.model.equations.push(Equations { follower: None, sums, line: ends.line });
     }
 

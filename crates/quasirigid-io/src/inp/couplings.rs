@@ -2,13 +2,12 @@
 
 use std::collections::{BTreeMap, HashMap, HashSet};
 
-use quasirigid_math::vec3::{add, cross, dot, norm, scale};
+use quasirigid_math::vec3::{cross, dot, minus, norm, scale, unit};
 
 use super::Reader;
-use super::equations::UNIT;
 use super::faces::Surface;
 use super::fields::{fields, range, real};
-use crate::deck::{Equations, Mean, Stiff, Term};
+use crate::deck::{BASIC, Equations, Mean, Stiff, Term, across};
 use crate::matrix::listed::LocatedProblem;
 use crate::mesh::inp::Placed;
 
@@ -100,7 +99,7 @@ impl Reader {
     /// Area of a triangle or of a quadrilateral by its diagonals.
     fn area(&self, corners: &[usize]) -> f64 {
         let place = |at: usize| self.inp.mesh.nodes[corners[at]];
-        let from = |a: [f64; 3], b: [f64; 3]| add(b, scale(-1.0, a));
+        let from = |a: [f64; 3], b: [f64; 3]| minus(b, a);
         match corners.len() {
             3 => 0.5 * norm(cross(from(place(0), place(1)), from(place(0), place(2)))),
             4 => 0.5 * norm(cross(from(place(0), place(2)), from(place(1), place(3)))),
@@ -248,7 +247,7 @@ impl Reader {
             vec![term(node, 1.0), term(other, -1.0)]
         };
         let kinds: &[bool] = if rotates { &[false, true] } else { &[false] };
-        let sums = kinds.iter().flat_map(|rotates| UNIT.map(|axis| sum(*rotates, axis))).collect();
+        let sums = kinds.iter().flat_map(|rotates| BASIC.map(|axis| sum(*rotates, axis))).collect();
         self.model.equations.push(Equations { follower: None, sums, line });
     }
 
@@ -258,7 +257,6 @@ impl Reader {
         let Some((places, true)) = places.map(|places| (places, nodes.len() > count)) else {
             return self.model.leave_out("*MPC PLANE or STRAIGHT of nodes that are not there");
         };
-        let minus = |a: [f64; 3], b: [f64; 3]| add(a, scale(-1.0, b));
         let first = minus(places[1], places[0]);
         let second = if count == 3 { minus(places[2], places[0]) } else { [0.0; 3] };
         let across = if count == 3 { vec![cross(first, second)] } else { square_to(first) };
@@ -275,7 +273,7 @@ impl Reader {
             };
             let shares = [1.0 - s - t, s, t];
             let sum = |axis: &[f64; 3]| {
-                let axis = scale(norm(*axis).recip(), *axis);
+                let axis = unit(*axis);
                 let term = |node, factor| Term { node, rotates: false, along: scale(factor, axis) };
                 let bases = nodes[..count].iter().zip(shares).map(|(node, share)| term(*node, -share));
                 [term(*node, 1.0)].into_iter().chain(bases).collect()
@@ -290,8 +288,8 @@ impl Reader {
         let (Some(from), Some(to)) = (self.place(other), self.place(node)) else {
             return self.model.leave_out("*MPC LINK of nodes that are not there");
         };
-        let along = add(to, scale(-1.0, from));
-        let along = scale(norm(along).recip(), along);
+        let along = minus(to, from);
+        let along = unit(along);
         let term = |node, along| Term { node, rotates: false, along };
         let sums = vec![vec![term(node, along), term(other, scale(-1.0, along))]];
         self.model.equations.push(Equations { follower: None, sums, line });
@@ -302,13 +300,13 @@ impl Reader {
         let (Some(here), Some(from), Some(to)) = (self.place(node), self.place(a), self.place(b)) else {
             return self.model.leave_out("*MPC LINEAR of nodes that are not there");
         };
-        let (side, away) = (add(to, scale(-1.0, from)), add(here, scale(-1.0, from)));
+        let (side, away) = (minus(to, from), minus(here, from));
         let share = if dot(side, side) > 0.0 { dot(away, side) / dot(side, side) } else { 0.0 };
         let sum = |axis: [f64; 3]| {
             let term = |node, factor| Term { node, rotates: false, along: scale(factor, axis) };
             vec![term(node, 1.0), term(a, share - 1.0), term(b, -share)]
         };
-        let sums = UNIT.map(sum).into();
+        let sums = BASIC.map(sum).into();
         self.model.equations.push(Equations { follower: Some(node), sums, line });
     }
 
@@ -319,13 +317,12 @@ impl Reader {
     /// Whether two nodes are at one place.
     pub(super) fn together(&self, a: u64, b: u64) -> bool {
         let (Some(a), Some(b)) = (self.place(a), self.place(b)) else { return false };
-        norm(add(a, scale(-1.0, b))) <= TOGETHER * norm(a).max(norm(b))
+        norm(minus(a, b)) <= TOGETHER * norm(a).max(norm(b))
     }
 }
 
 /// Two directions across a third.
 fn square_to(along: [f64; 3]) -> Vec<[f64; 3]> {
-    let least = UNIT.into_iter().min_by(|a, b| dot(*a, along).abs().total_cmp(&dot(*b, along).abs()));
-    let first = cross(along, least.unwrap_or(UNIT[0]));
+    let first = cross(along, across(along));
     vec![first, cross(along, first)]
 }

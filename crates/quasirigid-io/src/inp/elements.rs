@@ -2,14 +2,14 @@
 
 use std::collections::{BTreeMap, HashMap};
 
-use quasirigid_math::vec3::{add, cross, norm, scale};
+use quasirigid_math::vec3::{cross, minus, norm};
 use quasirigid_mesh::Shape;
 
 use super::Reader;
 use super::fields::{fields, first, real, reals};
 use super::orientation::Orientation;
 use super::sections::SectionKind;
-use crate::deck::{Axial, Line, Plate, Scalar, Solid, SpringEnd, Tip, Up};
+use crate::deck::{Axial, BASIC, Line, Plate, Scalar, Solid, SpringEnd, Tip, Up};
 use crate::matrix::MatrixProblem;
 use crate::matrix::listed::LocatedProblem;
 use crate::mesh::inp::Placing;
@@ -232,7 +232,7 @@ impl Reader {
                     let place = self.node_of.get(&node).map_or([0.0; 3], |at| self.inp.mesh.nodes[*at]);
                     let columns = match &axes {
                         Some(axes) => axes.axes_at(place, &placed.placing)?,
-                        None => UNIT.map(|axis| placed.placing.turned(axis)),
+                        None => BASIC.map(|axis| placed.placing.turned(axis)),
                     };
                     for (i, row) in tip.inertia.iter_mut().enumerate() {
                         for (j, entry) in row.iter_mut().enumerate() {
@@ -335,7 +335,7 @@ impl Reader {
         if component != to.component as usize || !(1..=6).contains(&component) {
             return self.model.leave_out("springs between different components along an orientation");
         }
-        let between = add(b, scale(-1.0, a));
+        let between = minus(b, a);
         let across = norm(cross(axes[(component - 1) % 3], between));
         if self.together(from.node, to.node) || component > 3 {
             let laws = law.map(|law| std::array::from_fn(|k| if k + 1 == component { law } else { 0.0 }));
@@ -380,5 +380,3 @@ fn slope_at_rest(table: &[(usize, String)]) -> Result<Option<f64>, LocatedProble
     let one = slopes.iter().all(|slope| (slope - slopes[0]).abs() <= ALONG * slopes[0].abs());
     Ok(slopes.first().copied().filter(|_| inner && one))
 }
-
-const UNIT: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];

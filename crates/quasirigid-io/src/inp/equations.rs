@@ -4,7 +4,7 @@ use quasirigid_math::vec3::scale;
 
 use super::Reader;
 use super::fields::{fields, real};
-use crate::deck::{Equations, Term};
+use crate::deck::{BASIC, Equations, Term};
 use crate::matrix::listed::LocatedProblem;
 use crate::mesh::inp::Placed;
 
@@ -78,9 +78,6 @@ impl Reader {
 
     /// Axes of the displacements of a node.
     pub(super) fn axes_of(&self, node: u64, line: usize) -> Result<[[f64; 3]; 3], LocatedProblem> {
-        Ok(self.model.point(node, line)?.axes.unwrap_or(UNIT))
+        Ok(self.model.point(node, line)?.axes.unwrap_or(BASIC))
     }
 }
-
-/// Axes of the basic system.
-pub(super) const UNIT: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];

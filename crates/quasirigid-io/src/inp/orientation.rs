@@ -1,9 +1,10 @@
 //! Orientations and transformations: axes of materials and of displacements, rectangular, cylindrical or spherical.
 
-use quasirigid_math::vec3::{add, cross, dot, norm, scale};
+use quasirigid_math::vec3::{add, cross, dot, minus, norm, scale, unit};
 
 use super::Reader;
 use super::fields::reals;
+use crate::deck::across;
 use crate::matrix::MatrixProblem;
 use crate::matrix::listed::LocatedProblem;
 use crate::mesh::inp::{InpCard, Placing};
@@ -54,7 +55,6 @@ impl Orientation {
     /// Axes 1, 2, 3 at a place, of an orientation of a part that stands where it is placed.
     pub fn axes_at(&self, place: [f64; 3], placing: &Placing) -> Result<[[f64; 3]; 3], LocatedProblem> {
         let [a, b, origin] = self.points.map(|point| placing.place(point));
-        let minus = |a: [f64; 3], b: [f64; 3]| add(a, scale(-1.0, b));
         let axes = match self.kind {
             Kind::Rectangular => {
                 let x = minus(a, origin);
@@ -87,16 +87,9 @@ impl Orientation {
         if !(norm(second) > PARALLEL * norm(first) * norm(third)) {
             return Err((self.line, MatrixProblem::SystemFlat { system: 0 }));
         }
-        let unit = |vector: [f64; 3]| scale(norm(vector).recip(), vector);
         let (first, second) = (unit(first), unit(second));
         Ok([first, second, cross(first, second)])
     }
-}
-
-/// A direction that is not along another.
-fn across(axis: [f64; 3]) -> [f64; 3] {
-    let least = (0..3).min_by(|a, b| axis[*a].abs().total_cmp(&axis[*b].abs())).unwrap_or(0);
-    std::array::from_fn(|k| if k == least { 1.0 } else { 0.0 })
 }
 
 /// Axes turned by an angle (degrees) about one of them.

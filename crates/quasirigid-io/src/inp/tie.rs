@@ -4,15 +4,14 @@
 
 use std::collections::HashSet;
 
-use quasirigid_math::vec3::{add, cross, dot, norm, scale};
+use quasirigid_math::vec3::{add, cross, dot, minus, norm, scale, unit};
 use quasirigid_mesh::Shape;
 use quasirigid_mesh::surface::{NearestTriangles, nearest_weights};
 
 use super::Reader;
-use super::equations::UNIT;
 use super::faces::Surface;
 use super::fields::{fields, real};
-use crate::deck::{Equations, Term};
+use crate::deck::{BASIC, Equations, Term};
 use crate::matrix::listed::LocatedProblem;
 
 /// Distance over the size of a face within which nodes are tied, where the card gives none.
@@ -151,14 +150,14 @@ impl Reader {
         let shell = piece.nodes.iter().all(|node| turned.contains(node));
         let parts = || piece.nodes.iter().zip(&values).zip(&slopes.of);
         let mut sums = Vec::new();
-        for axis in UNIT {
+        for axis in BASIC {
             let turn = slopes.halved(cross(point.gap, axis));
             let shares = parts().map(|((other, value), slope)| {
                 self.term(*other, false, scale(-1.0, add(scale(*value, axis), cross(turn, *slope))))
             });
             sums.push([self.term(node, false, axis)].into_iter().chain(shares).collect());
         }
-        for axis in UNIT.into_iter().filter(|_| turned.contains(&node)) {
+        for axis in BASIC.into_iter().filter(|_| turned.contains(&node)) {
             let turn = slopes.halved(axis);
             let share = |((other, value), slope): ((&usize, &f64), &[f64; 3])| match shell {
                 true => self.term(*other, true, scale(-value, axis)),
@@ -178,7 +177,7 @@ impl Reader {
         turned: &HashSet<usize>,
     ) -> Option<Vec<Vec<Term>>> {
         let places = &self.inp.mesh.nodes;
-        let gap = |other: usize| add(places[node], scale(-1.0, places[other]));
+        let gap = |other: usize| minus(places[node], places[other]);
         let nearest = others.iter().copied().min_by(|a, b| norm(gap(*a)).total_cmp(&norm(gap(*b))))?;
         let (gap, on) = (gap(nearest), ON * norm(places[node]));
         let turns = turned.contains(&nearest);
@@ -186,14 +185,14 @@ impl Reader {
             return None;
         }
         let mut sums = Vec::new();
-        for axis in UNIT {
+        for axis in BASIC {
             let mut sum = vec![self.term(node, false, axis), self.term(nearest, false, scale(-1.0, axis))];
             if turns && gap != [0.0; 3] {
                 sum.push(self.term(nearest, true, cross(axis, gap)));
             }
             sums.push(sum);
         }
-        for axis in UNIT.into_iter().filter(|_| turns && turned.contains(&node)) {
+        for axis in BASIC.into_iter().filter(|_| turns && turned.contains(&node)) {
             sums.push(vec![self.term(node, true, axis), self.term(nearest, true, scale(-1.0, axis))]);
         }
         Some(sums)
@@ -241,16 +240,16 @@ impl Piece {
         let gradients = self.shape.gradients(at);
         let slope = |gradient: &[f64; 3]| add(scale(gradient[0], dual[0]), scale(gradient[1], dual[1]));
         let of = gradients[..self.nodes.len()].iter().map(slope).collect();
-        Some(Slopes { of, normal: scale(norm(area).recip(), area) })
+        Some(Slopes { of, normal: unit(area) })
     }
 
     /// The nearest place of the reference cell, from one that is near.
     fn nearest(&self, places: &[[f64; 3]], point: [f64; 3], from: [f64; 3]) -> [f64; 3] {
-        let away = |at: [f64; 3]| norm(add(point, scale(-1.0, self.place(places, at))));
+        let away = |at: [f64; 3]| norm(minus(point, self.place(places, at)));
         let mut best = from;
         for _ in 0..STEPS {
             let [a, b] = self.tangents(places, best);
-            let gap = add(point, scale(-1.0, self.place(places, best)));
+            let gap = minus(point, self.place(places, best));
             let determinant = dot(a, a) * dot(b, b) - dot(a, b).powi(2);
             let [x, y] = [dot(a, gap), dot(b, gap)];
             let step = [x * dot(b, b) - y * dot(a, b), y * dot(a, a) - x * dot(a, b)];
@@ -313,7 +312,7 @@ impl Pieces {
         };
         let corners: Vec<[[f64; 3]; 3]> = triangles.iter().map(of).collect();
         let sides = corners.iter().flat_map(|[a, b, c]| [[a, b], [b, c], [c, a]]);
-        let width = sides.map(|[a, b]| norm(add(*a, scale(-1.0, *b)))).fold(0.0, f64::max);
+        let width = sides.map(|[a, b]| norm(minus(*a, *b))).fold(0.0, f64::max);
         Some(Self { nearest: NearestTriangles::new(corners)?, pieces, triangles, width })
     }
 
@@ -327,8 +326,8 @@ impl Pieces {
         let from = (0..3).fold([0.0; 3], |sum, k| add(sum, scale(weights[k], reference[corners[k]])));
         let from = if from.iter().all(|x| x.is_finite()) { from } else { reference[corners[0]] };
         let at = found.nearest(places, place, from);
-        let gap = add(place, scale(-1.0, found.place(places, at)));
-        let distance = norm(gap).min(norm(add(place, scale(-1.0, on))));
+        let gap = minus(place, found.place(places, at));
+        let distance = norm(gap).min(norm(minus(place, on)));
         let limit = tolerance.unwrap_or(NEAR * self.width).max(ON * self.width);
         (distance <= limit).then_some(Point { piece, at, gap })
     }

@@ -26,8 +26,9 @@ impl Grading {
         Ok(())
     }
 
-    /// Moduli at a density, relative to those at the reference density.
-    pub(super) fn factor(&self, density: f64, reference: f64) -> f64 {
+    /// Moduli at a density (kg/m³), relative to those at the reference density.
+    #[must_use]
+    pub fn factor(&self, density: f64, reference: f64) -> f64 {
         (density / reference).powf(self.exponent)
     }
 }

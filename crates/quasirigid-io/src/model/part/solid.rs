@@ -92,12 +92,13 @@ fn grade(
 ) -> Option<Option<String>> {
     let (mut least, mut greatest) = (f64::INFINITY, 0.0_f64);
     for region in regions {
-        let own: Vec<f64> = region.cells.iter().map(|cell| densities[*cell]).collect();
-        for density in &own {
-            let factor = (density / region.material.density()).powf(exponent);
+        let own = region.cells.iter().map(|cell| densities[*cell]).collect();
+        let grading = Grading { densities: own, exponent };
+        for density in &grading.densities {
+            let factor = grading.factor(*density, region.material.density());
             (least, greatest) = (least.min(factor), greatest.max(factor));
         }
-        region.grading = Some(Grading { densities: own, exponent });
+        region.grading = Some(grading);
     }
     if exponent == 0.0 {
         return Some(None);

@@ -3,7 +3,7 @@
 
 use std::collections::HashMap;
 
-use quasirigid_math::vec3::{add, cross, norm, scale};
+use quasirigid_math::vec3::{add, cross, minus, scale, unit};
 
 use super::Reader;
 use crate::deck::{Laminate, Ply, Solid, Stuff};
@@ -150,8 +150,7 @@ fn system_of(card: &Card, number: usize) -> Result<Option<u64>, LocatedProblem> 
 
 /// Axes by the first side of a cell and its first face.
 fn own_axes(places: &[[f64; 3]]) -> [[f64; 3]; 3] {
-    let side = |from: usize, to: usize| add(places[to], scale(-1.0, places[from]));
-    let unit = |vector: [f64; 3]| scale(norm(vector).recip(), vector);
+    let side = |from: usize, to: usize| minus(places[to], places[from]);
     let last = if places.len() == 8 { 3 } else { 2 };
     let x = unit(side(0, 1));
     let z = unit(cross(x, side(0, last)));

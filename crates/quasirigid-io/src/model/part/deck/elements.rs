@@ -3,10 +3,10 @@
 use std::collections::BTreeMap;
 
 use quasirigid_elements::{Bar, BarKind, Coupling, ElasticMaterial, Layer, Region, SectionShape, Skin};
-use quasirigid_math::vec3::{add, cross, norm, scale};
+use quasirigid_math::vec3::{add, cross, minus, norm, scale, unit};
 
-use super::{Made, UNIT, across, along};
-use crate::deck::{Bending, Line, Plate, Plating, Ply, RodSection, Stuff, Up};
+use super::{Made, along};
+use crate::deck::{BASIC, Bending, Line, Plate, Plating, Ply, RodSection, Stuff, Up, across};
 use crate::matrix::error::MatrixProblem;
 use crate::matrix::listed::LocatedProblem;
 
@@ -32,7 +32,7 @@ impl Made {
                 }
             };
             let isotropic = matches!(self.deck.materials.get(&material), Some(Stuff::Isotropic { .. }));
-            let axes = given.filter(|_| !isotropic).unwrap_or(UNIT);
+            let axes = given.filter(|_| !isotropic).unwrap_or(BASIC);
             let bits = (material, axes.map(|axis| axis.map(f64::to_bits)));
             regions.entry(bits).or_insert_with(|| (material, axes, Vec::new())).2.push(*cell);
         }
@@ -127,7 +127,7 @@ impl Made {
             Some(Up::Basic(vector)) => Some(self.given.placement.turned(vector)),
             Some(Up::Point(label)) => {
                 let point = self.of(label, line)?;
-                Some(add(self.nodes[point], scale(-1.0, start)))
+                Some(minus(self.nodes[point], start))
             }
             None => None,
         };
@@ -136,19 +136,19 @@ impl Made {
             let axes = self.axes(labels[end], line)?;
             places[end] = add(places[end], scale(length, along(&axes, *offset)));
         }
-        let axis = add(places[1], scale(-1.0, places[0]));
+        let axis = minus(places[1], places[0]);
         if !(norm(axis) > 0.0) {
             self.deck.leave_out("beams of no length");
             return Ok(());
         }
-        let x = scale(norm(axis).recip(), axis);
+        let x = unit(axis);
         let up = direction.filter(|up| norm(cross(x, *up)) > 1e-9 * norm(*up));
         if up.is_none() && direction.is_some() {
             self.deck.simplify("beams along their own orientation have the nearest axis across");
         }
         let up = up.unwrap_or_else(|| across(x));
         let z = cross(x, up);
-        let z = scale(norm(z).recip(), z);
+        let z = unit(z);
         let y = cross(z, x);
         for end in 0..2 {
             let free = released_axes(released[end], [x, y, z]);

@@ -5,7 +5,7 @@
 use std::collections::{BTreeMap, HashMap};
 
 use quasirigid_elements::{Coupling, Mixed, Term as Share};
-use quasirigid_math::vec3::{add, cross, norm, scale};
+use quasirigid_math::vec3::{add, cross, minus, norm, scale};
 
 use super::elimination::{Elimination, Form};
 use super::links::AFLOAT;
@@ -122,7 +122,7 @@ impl Made {
                 moment = add(moment, *along);
             } else {
                 force = add(force, *along);
-                moment = add(moment, cross(add(self.nodes[*node], scale(-1.0, origin)), *along));
+                moment = add(moment, cross(minus(self.nodes[*node], origin), *along));
             }
         }
         let size = norm(box_around(&self.nodes));
@@ -142,7 +142,7 @@ impl Bases {
                 if base == start || (!whole && rotates_along != [0.0; 3]) {
                     break;
                 }
-                let arm = add(places[node], scale(-1.0, places[base]));
+                let arm = minus(places[node], places[base]);
                 rotates_along = add(rotates_along, cross(arm, moves_along));
                 node = base;
             }

@@ -1,10 +1,10 @@
 //! Rigid elements, springs and bushings of a deck.
 
 use quasirigid_elements::{Coupling, Mixed, NodeLink, Strain, Weighted};
-use quasirigid_math::vec3::{add, cross, norm, scale};
+use quasirigid_math::vec3::{add, cross, minus, norm, scale, unit};
 
-use super::{Made, UNIT, across, along, box_around};
-use crate::deck::{Axial, Bush, Mean, Scalar, SpringEnd, Stiff, Up};
+use super::{Made, along, box_around};
+use crate::deck::{Axial, BASIC, Bush, Mean, Scalar, SpringEnd, Stiff, Up, across};
 use crate::matrix::error::MatrixProblem;
 use crate::matrix::listed::LocatedProblem;
 
@@ -60,7 +60,7 @@ impl Made {
         }
         for (node, ends) in std::mem::take(&mut self.tied) {
             let of = |(node, weight): (usize, f64)| {
-                let (displacements, rotations) = (UNIT.to_vec(), Vec::new());
+                let (displacements, rotations) = (BASIC.to_vec(), Vec::new());
                 Weighted { node, weight, displacements, rotations }
             };
             self.follow(Coupling::Mean { node, others: ends.map(of).to_vec() });
@@ -129,12 +129,12 @@ impl Made {
             return Ok(());
         }
         let nodes = [self.of(labels[0], line)?, self.of(labels[1], line)?];
-        let between = add(self.nodes[nodes[1]], scale(-1.0, self.nodes[nodes[0]]));
+        let between = minus(self.nodes[nodes[1]], self.nodes[nodes[0]]);
         if !(norm(between) > 0.0) {
             self.deck.leave_out("springs along a line of no length");
             return Ok(());
         }
-        let [x, y, z] = scale(norm(between).recip(), between);
+        let [x, y, z] = unit(between);
         let shares = [[-x, -y, -z, 0.0, 0.0, 0.0], [x, y, z, 0.0, 0.0, 0.0]];
         let [stiffness, damping] = law.map(|value| value * self.given.units.mass);
         self.mixed.links.push(NodeLink { nodes, strains: vec![Strain { shares, stiffness, damping }] });
@@ -158,7 +158,7 @@ impl Made {
         let first = self.nodes[nodes[0]];
         let (mut force, mut moment) = ([0.0; 3], [0.0; 3]);
         for (node, [x, y, z, about @ ..]) in nodes.into_iter().zip(shares) {
-            let (along, arm) = ([*x, *y, *z], add(self.nodes[node], scale(-1.0, first)));
+            let (along, arm) = ([*x, *y, *z], minus(self.nodes[node], first));
             force = add(force, along);
             moment = add(moment, add(cross(arm, along), *about));
         }
@@ -175,7 +175,7 @@ impl Made {
         let laws = *self.deck.of_bushes.get(&property).ok_or(no)?;
         let nodes = [self.of(labels[0], line)?, self.of(labels[1], line)?];
         let places = nodes.map(|node| self.nodes[node]);
-        let between = add(places[1], scale(-1.0, places[0]));
+        let between = minus(places[1], places[0]);
         let axes = match axes {
             Some(axes) => axes.map(|axis| self.given.placement.turned(axis)),
             None if norm(between) > 0.0 => {
@@ -183,18 +183,18 @@ impl Made {
                 let up = match up {
                     Some(Up::Vector(vector)) => along(&first_axes, vector),
                     Some(Up::Basic(vector)) => self.given.placement.turned(vector),
-                    Some(Up::Point(label)) => add(self.nodes[self.of(label, line)?], scale(-1.0, places[0])),
-                    None => UNIT[0],
+                    Some(Up::Point(label)) => minus(self.nodes[self.of(label, line)?], places[0]),
+                    None => BASIC[0],
                 };
-                let x = scale(norm(between).recip(), between);
+                let x = unit(between);
                 let z = cross(x, up);
                 let z = if norm(z) > 1e-9 * norm(up) { z } else { cross(x, across(x)) };
-                let z = scale(norm(z).recip(), z);
+                let z = unit(z);
                 [x, cross(z, x), z]
             }
             None => {
                 self.deck.simplify("CBUSH between points at one place without CID has the basic axes");
-                UNIT.map(|axis| self.given.placement.turned(axis))
+                BASIC.map(|axis| self.given.placement.turned(axis))
             }
         };
         let centre = add(places[0], scale(share, between));
@@ -209,7 +209,7 @@ impl Made {
             }
             let mut shares = [[0.0; 6]; 2];
             for (end, sign) in [(0, -1.0), (1, 1.0)] {
-                let arm = add(centre, scale(-1.0, places[end]));
+                let arm = minus(centre, places[end]);
                 let (along, about) = if component < 3 { (axis, cross(arm, axis)) } else { ([0.0; 3], axis) };
                 for k in 0..3 {
                     shares[end][k] = sign * along[k];

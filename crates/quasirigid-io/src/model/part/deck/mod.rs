@@ -13,7 +13,7 @@ use std::path::Path;
 
 use quasirigid_body::Rheology;
 use quasirigid_elements::{ElasticMaterial, Material, Mixed, Orthotropic, Part, PartKind};
-use quasirigid_math::vec3::{add, dot, scale};
+use quasirigid_math::vec3::{add, minus, scale};
 use quasirigid_mesh::Cell;
 
 use super::super::key::{Key, Keys, TEXT, key, quantity};
@@ -23,7 +23,7 @@ use super::super::table::Table;
 use super::nodal::{LENGTH_UNIT, MASS_UNIT, Units};
 use super::placed::{ATTITUDE, POSITION, Placement, placement};
 use super::{ATTACH, MASSES, Nodes, RAYLEIGH, Read, attached, masses, rayleigh};
-use crate::deck::{Cells, DeckModel, OfPly, Stuff};
+use crate::deck::{BASIC, Cells, DeckModel, OfPly, Stuff};
 use crate::matrix::error::MatrixProblem;
 use crate::matrix::listed::LocatedProblem;
 use crate::text_file::{FileError, bytes_of};
@@ -204,7 +204,7 @@ impl Made {
 
     /// Axes of the displacements of a grid point, in the file's frame.
     fn axes(&self, label: u64, line: usize) -> Result<[[f64; 3]; 3], LocatedProblem> {
-        let axes = self.deck.point(label, line)?.axes.unwrap_or(UNIT);
+        let axes = self.deck.point(label, line)?.axes.unwrap_or(BASIC);
         Ok(axes.map(|axis| self.given.placement.turned(axis)))
     }
 
@@ -272,17 +272,9 @@ impl Made {
     }
 }
 
-const UNIT: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
-
 /// The vector of components along axes.
 fn along(axes: &[[f64; 3]; 3], components: [f64; 3]) -> [f64; 3] {
     (0..3).fold([0.0; 3], |sum, axis| add(sum, scale(components[axis], axes[axis])))
-}
-
-/// Axis that is the least parallel to a unit vector.
-fn across(unit: [f64; 3]) -> [f64; 3] {
-    let least = (0..3).min_by(|a, b| dot(UNIT[*a], unit).abs().total_cmp(&dot(UNIT[*b], unit).abs()));
-    UNIT[least.unwrap_or(0)]
 }
 
 /// Cell and number of each cell of solids, which have one cell or more.
@@ -301,5 +293,5 @@ fn box_around(places: &[[f64; 3]]) -> [f64; 3] {
     let bound = |pick: fn(f64, f64) -> f64, from: f64| {
         places.iter().fold([from; 3], |bound, place| [0, 1, 2].map(|axis| pick(bound[axis], place[axis])))
     };
-    add(bound(f64::max, f64::NEG_INFINITY), scale(-1.0, bound(f64::min, f64::INFINITY)))
+    minus(bound(f64::max, f64::NEG_INFINITY), bound(f64::min, f64::INFINITY))
 }

@@ -7,8 +7,8 @@ use quasirigid_math::vec3::scale;
 use quasirigid_mesh::{Cell, Mesh, Shape};
 
 use super::super::super::table::Table;
-use super::{Made, UNIT, box_around};
-use crate::deck::Tip;
+use super::{Made, box_around};
+use crate::deck::{BASIC, Tip};
 use crate::matrix::error::MatrixProblem;
 use crate::matrix::listed::LocatedProblem;
 
@@ -24,7 +24,7 @@ impl Made {
             let Tip { node, mass, offset, inertia, line, .. } = *tip;
             let node = self.of(node, line)?;
             let offset = scale(length, self.given.placement.turned(offset));
-            let columns = UNIT.map(|axis| self.given.placement.turned(axis));
+            let columns = BASIC.map(|axis| self.given.placement.turned(axis));
             let turned: [[f64; 3]; 3] = std::array::from_fn(|i| {
                 std::array::from_fn(|j| {
                     let sum: f64 =

@@ -105,7 +105,8 @@ fn capabilities(model: &Model) -> Vec<(bool, &'static [&'static str])> {
     };
     let sensed =
         assembly.magnetic_field.as_ref().filter(|_| assembly.controllers.iter().any(Controller::is_magnetic));
-    let fields = || assembly.forces.iter().filter_map(|force| field(force.law.timed().0)).chain(sensed);
+    let fields =
+        || assembly.forces.iter().filter_map(|force| force.law.timed().0.magnetic_field()).chain(sensed);
     let in_field = |of: fn(&MagneticField) -> bool| fields().any(of);
     let network = source.text.lines().any(|line| line.trim_start().starts_with("[[network]]"));
     vec![
@@ -146,14 +147,6 @@ fn capabilities(model: &Model) -> Vec<(bool, &'static [&'static str])> {
         (evolves, EVOLUTION),
         (evolves && material(|rheology| matches!(rheology, Rheology::QualityFactor { .. })), DAMPING_TIMES),
     ]
-}
-
-/// Magnetic field of a force.
-fn field(law: &ForceLaw<ApplicationPoint>) -> Option<&MagneticField> {
-    match law {
-        ForceLaw::EddyCurrent { field, .. } | ForceLaw::MagneticDipole { field, .. } => Some(field),
-        _ => None,
-    }
 }
 
 /// The entry of a key in the bibliography.

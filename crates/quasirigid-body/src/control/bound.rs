@@ -1,9 +1,10 @@
 //! Controllers on a body: measurements of a state, and commands to the carrier, to the motors of wheels and to coils. (Y2) to (Y4), (Y8)
 
 use super::noise::normal;
-use super::{Actuator, ControlState, Controller, HysteresisRod, Input, Sampling, SensedField};
+use super::{Actuator, ControlState, Controller, HysteresisRod, Input, Sampling, SensedField, SensedOrbit};
 use crate::Marker;
-use crate::force::MagneticField;
+use crate::force::{MagneticField, SunPath, Trajectory};
+use crate::math::rotation::Turn;
 use crate::math::vec3::{add, scale};
 
 /// Controller on a body: places as markers, internal coordinates and wheels of [`Controls`] by index.
@@ -20,6 +21,10 @@ pub struct Controls {
     pub rods: Vec<HysteresisRod>,
     /// Magnetic field that controllers and rods sense and act by; none where none does. (Y8)
     pub field: Option<MagneticField>,
+    /// Orbit relative to which controllers measure; none where none does. (Y12)
+    pub orbit: Option<Trajectory>,
+    /// Where the Sun stands; none where no controller senses it. (Y12)
+    pub sun: Option<SunPath>,
 }
 
 /// Wheel whose motor a controller may command.
@@ -47,8 +52,14 @@ pub struct Commands {
 
 impl Controls {
     /// None.
-    pub const NONE: &'static Self =
-        &Self { controllers: Vec::new(), wheels: Vec::new(), rods: Vec::new(), field: None };
+    pub const NONE: &'static Self = &Self {
+        controllers: Vec::new(),
+        wheels: Vec::new(),
+        rods: Vec::new(),
+        field: None,
+        orbit: None,
+        sun: None,
+    };
 
     /// Whether there is no controller and no rod.
     #[must_use]
@@ -66,6 +77,21 @@ impl Controls {
     #[must_use]
     pub fn sensed(&self, t: f64, attitude: [f64; 4], omega: [f64; 3]) -> SensedField {
         self.field.map_or_else(SensedField::default, |field| SensedField::of(&field, t, attitude, omega))
+    }
+
+    /// Motion relative to the orbital frame at a time (s), an attitude and an angular velocity of the carrier (rad/s, body axes); zero
+    /// without an orbit. (Y12)
+    #[must_use]
+    pub fn relative_to_orbit(&self, t: f64, attitude: [f64; 4], omega: [f64; 3]) -> SensedOrbit {
+        self.orbit
+            .as_ref()
+            .map_or_else(SensedOrbit::default, |path| SensedOrbit::of(path, t, attitude, omega))
+    }
+
+    /// Unit vector to the Sun (body axes) at a time (s) and an attitude; zero without one. (Y12)
+    #[must_use]
+    pub fn toward_sun(&self, t: f64, attitude: [f64; 4]) -> [f64; 3] {
+        self.sun.as_ref().map_or([0.0; 3], |sun| Turn::of(attitude).to_body(sun.at(t).0))
     }
 
     /// Angular momentum (N·m·s, body axes) of values about the axes of the wheels, or torque.
@@ -170,6 +196,8 @@ mod tests {
             motion: MotionState { omega, q: &[], rate: &[] },
             wheels: &[],
             field: SensedField::default(),
+            orbit: SensedOrbit::default(),
+            sun: [0.0; 3],
         };
         let (e, z, f) = (0.31_f64, 1.3, 0.17);
         let demanded = -(3.0 * e + 0.7 * z + 1.9 * (e - f) / 0.4);

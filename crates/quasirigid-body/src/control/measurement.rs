@@ -1,6 +1,6 @@
 //! What controllers measure on a body. (Y2)
 
-use super::SensedField;
+use super::{SensedField, SensedOrbit};
 use crate::math::rotation::{product, rotation_vector};
 use crate::math::vec3::{add, scale};
 use crate::{Marker, MotionState};
@@ -67,6 +67,26 @@ pub enum Measurement<P, C, W> {
         /// Body axis, 0 to 2.
         axis: usize,
     },
+    /// Component of the rotation vector (rad), of length 0 to π, from the orbital frame to the attitude; body axes. (Y12)
+    OrbitAttitude {
+        /// Body axis, 0 to 2.
+        axis: usize,
+    },
+    /// Angular velocity relative to the orbital frame about a body axis (rad/s). (Y12)
+    OrbitRate {
+        /// Body axis, 0 to 2.
+        axis: usize,
+    },
+    /// Component of the unit vector to the centre of the orbit along a body axis. (Y12)
+    Nadir {
+        /// Body axis, 0 to 2.
+        axis: usize,
+    },
+    /// Component of the unit vector to the Sun along a body axis. (Y12)
+    Sun {
+        /// Body axis, 0 to 2.
+        axis: usize,
+    },
 }
 
 /// State of a body that controllers measure.
@@ -82,6 +102,10 @@ pub struct ControlState<'a> {
     pub wheels: &'a [f64],
     /// Magnetic field; zero where no controller senses one.
     pub field: SensedField,
+    /// Motion relative to the orbital frame; zero where no controller senses it.
+    pub orbit: SensedOrbit,
+    /// Unit vector to the Sun, body axes; zero where no controller senses it.
+    pub sun: [f64; 3],
 }
 
 impl<P, C, W> Measurement<P, C, W> {
@@ -107,12 +131,26 @@ impl<P, C, W> Measurement<P, C, W> {
             Self::Wheel { wheel: own } => Measurement::Wheel { wheel: wheel(own)? },
             Self::Field { axis } => Measurement::Field { axis: *axis },
             Self::FieldRate { axis } => Measurement::FieldRate { axis: *axis },
+            Self::OrbitAttitude { axis } => Measurement::OrbitAttitude { axis: *axis },
+            Self::OrbitRate { axis } => Measurement::OrbitRate { axis: *axis },
+            Self::Nadir { axis } => Measurement::Nadir { axis: *axis },
+            Self::Sun { axis } => Measurement::Sun { axis: *axis },
         })
     }
 
     /// Whether it is of the magnetic field.
     pub(super) fn is_of_field(&self) -> bool {
         matches!(self, Self::Field { .. } | Self::FieldRate { .. })
+    }
+
+    /// Whether it is of the Sun.
+    pub(super) fn is_of_sun(&self) -> bool {
+        matches!(self, Self::Sun { .. })
+    }
+
+    /// Whether it is relative to an orbit.
+    pub(super) fn is_of_orbit(&self) -> bool {
+        matches!(self, Self::OrbitAttitude { .. } | Self::OrbitRate { .. } | Self::Nadir { .. })
     }
 }
 
@@ -137,12 +175,16 @@ impl Measurement<Marker, usize, usize> {
             Self::Wheel { wheel } => state.wheels[*wheel],
             Self::Field { axis } => state.field.field[*axis],
             Self::FieldRate { axis } => state.field.rate[*axis],
+            Self::OrbitAttitude { axis } => state.orbit.attitude[*axis],
+            Self::OrbitRate { axis } => state.orbit.rate[*axis],
+            Self::Nadir { axis } => state.orbit.nadir[*axis],
+            Self::Sun { axis } => state.sun[*axis],
         }
     }
 }
 
 /// Rotation vector (rad) from a target to an attitude, of length 0 to π, body axes. (Y2)
-fn attitude_error([s, x, y, z]: [f64; 4], attitude: [f64; 4]) -> [f64; 3] {
+pub(super) fn attitude_error([s, x, y, z]: [f64; 4], attitude: [f64; 4]) -> [f64; 3] {
     rotation_vector(product([s, -x, -y, -z], attitude))
 }
 

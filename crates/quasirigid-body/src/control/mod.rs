@@ -1,5 +1,5 @@
 //! Controllers of the attitude: what they measure, laws with states of their own, what they command; continuous or sampled.
-//! Equations (Y1) to (Y11), docs/theory/20-control.md.
+//! Equations (Y1) to (Y12), docs/theory/20-control.md.
 
 mod bound;
 mod law;
@@ -10,6 +10,7 @@ mod problem;
 mod relay;
 mod rod;
 mod sensed_field;
+mod sensed_orbit;
 
 pub use bound::{BodyController, Commands, ControlledWheel, Controls};
 pub use law::{ControlLaw, FormulaLaw, LinearLaw};
@@ -19,6 +20,7 @@ pub use problem::ControlProblem;
 pub use relay::RelayLaw;
 pub use rod::{HysteresisLoop, HysteresisRod, demagnetization_of_spheroid};
 pub use sensed_field::SensedField;
+pub use sensed_orbit::SensedOrbit;
 
 /// Controller: measurements, a law with states, and commands to actuators. (Y1)
 ///
@@ -138,6 +140,18 @@ impl<P, C, W> Controller<P, C, W> {
     pub fn is_magnetic(&self) -> bool {
         self.inputs.iter().any(|input| input.of.is_of_field())
             || self.outputs.iter().any(|output| matches!(output.to, Actuator::Moment { .. }))
+    }
+
+    /// Whether it senses the Sun. (Y12)
+    #[must_use]
+    pub fn sees_the_sun(&self) -> bool {
+        self.inputs.iter().any(|input| input.of.is_of_sun())
+    }
+
+    /// Whether it measures relative to an orbit. (Y12)
+    #[must_use]
+    pub fn is_relative_to_orbit(&self) -> bool {
+        self.inputs.iter().any(|input| input.of.is_of_orbit())
     }
 }
 

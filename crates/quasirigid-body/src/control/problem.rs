@@ -70,6 +70,18 @@ pub enum ControlProblem {
     /// A controller or a rod senses a magnetic field, or acts by one, where there is none.
     #[error("it needs a magnetic field, and the model has none")]
     NoField,
+    /// A controller measures relative to an orbit, and the model has none.
+    #[error("it measures relative to an orbit, and the model has none")]
+    NoOrbit,
+    /// A controller measures relative to an orbit, and the model has several.
+    #[error("it measures relative to an orbit, and the model has {count} that differ")]
+    SeveralOrbits {
+        /// Orbits that differ.
+        count: usize,
+    },
+    /// A controller senses the Sun, and no force has one.
+    #[error("it senses the Sun, and the model has none")]
+    NoSun,
     /// Nothing has this name.
     #[error("there is no {what} {name:?}; there are {}", if known.is_empty() { "none" } else { known })]
     Unknown {
@@ -97,6 +109,7 @@ impl ControlProblem {
             Self::Size { matrix, .. } | Self::NotFinite { matrix } => matrix,
             Self::NoOutput | Self::Repeated => "outputs",
             Self::NoField => "kind",
+            Self::NoOrbit | Self::SeveralOrbits { .. } | Self::NoSun => "inputs",
             Self::Negative { key, .. } | Self::NotPositive { key, .. } | Self::Continuous { key } => key,
             Self::Waiting { .. } => "delay",
             Self::Target { .. } => "target",
@@ -113,6 +126,9 @@ impl ControlProblem {
             Self::NoField => {
                 "add [magnetic_field] with field = [0, 0, \"30 uT\"], or with dipole or igrf and an orbit"
             }
+            Self::NoOrbit => "add a force of central gravity, or [magnetic_field], with an `orbit`",
+            Self::NoSun => "add a force of kind \"sunlight\"",
+            Self::SeveralOrbits { .. } => "give every force and [magnetic_field] the same `orbit`",
             Self::Continuous { .. } => "give the controller a `period`, or leave the key out",
             Self::Waiting { .. } => "shorten the delay, or lengthen the period",
             Self::Target { .. } => "write a quaternion of norm 1, scalar first",

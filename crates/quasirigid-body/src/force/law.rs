@@ -226,6 +226,15 @@ impl<P> ForceLaw<P> {
         }
     }
 
+    /// Magnetic field that the law acts by; none within windows.
+    #[must_use]
+    pub fn magnetic_field(&self) -> Option<&MagneticField> {
+        match self {
+            Self::MagneticDipole { field, .. } | Self::EddyCurrent { field, .. } => Some(field),
+            _ => None,
+        }
+    }
+
     /// First and last time (s) of a path that is not known over the whole of a run to this time, where the law acts.
     #[must_use]
     pub fn uncovered(&self, end: f64) -> Option<[f64; 2]> {

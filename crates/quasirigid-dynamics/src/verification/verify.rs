@@ -125,6 +125,11 @@ pub enum VerificationError {
         /// The angular velocity (rad/s).
         spin: f64,
     },
+    /// The body does not turn at the start.
+    #[error(
+        "the body is at rest at the start: a verification lasts a number of rotations; give it an angular velocity"
+    )]
+    AtRest,
     /// A history could not start.
     #[error(transparent)]
     Propagate(#[from] PropagateError),
@@ -173,6 +178,9 @@ pub fn verify(
     watch: &mut dyn FnMut(f64) -> ControlFlow<()>,
 ) -> Result<Verification, VerificationError> {
     let highest = check(system, plan)?;
+    if start.omega == [0.0; 3] {
+        return Err(VerificationError::AtRest);
+    }
     let duration = plan.rotations * TAU / norm(start.omega);
     let times: Vec<f64> = (1..=plan.samples).map(|i| duration * i as f64 / plan.samples as f64).collect();
     let epsilons = halved(plan.halvings);

@@ -1,4 +1,4 @@
-//! Controllers as elements: their names found on a body. (Y2), (Y4), (Y8)
+//! Controllers as elements: their names found on a body. (Y2), (Y4), (Y8), (Y12)
 
 use crate::Assembly;
 use crate::element::Element;
@@ -7,6 +7,7 @@ use crate::kinds::wheel::{Wheel, WheelSpeed};
 use crate::model::FlexibleBody;
 use crate::model::Marker;
 use crate::model::control::{Actuator, ControlLaw, ControlProblem, ControlledWheel, Controller, Controls};
+use crate::model::force::{ForceLaw, SunPath, Trajectory};
 use crate::number;
 
 /// Controller that names places, internal coordinates and wheels.
@@ -39,6 +40,12 @@ impl Assembly {
             if controller.is_magnetic() {
                 controls.field = self.magnetic_field;
             }
+            if controller.is_relative_to_orbit() {
+                controls.orbit = Some(self.only_orbit().map_err(|problem| refused(id, problem))?);
+            }
+            if controller.sees_the_sun() {
+                controls.sun = Some(self.sun().map_err(|problem| refused(id, problem))?);
+            }
             let key = if matches!(controller.law, ControlLaw::Formulas(_)) { "motors" } else { "outputs" };
             for output in &controller.outputs {
                 if let Actuator::Wheel { wheel } = &output.to {
@@ -61,7 +68,40 @@ impl Assembly {
     /// What is wrong with a controller on this body, as far as it names nothing.
     fn problem_of(&self, controller: &NamedController) -> Option<ControlProblem> {
         let blind = controller.is_magnetic() && self.magnetic_field.is_none();
-        controller.problem().or(blind.then_some(ControlProblem::NoField))
+        let orbit = || controller.is_relative_to_orbit().then(|| self.only_orbit().err()).flatten();
+        let sun = || controller.sees_the_sun().then(|| self.sun().err()).flatten();
+        controller.problem().or(blind.then_some(ControlProblem::NoField)).or_else(orbit).or_else(sun)
+    }
+
+    /// The orbit that attraction and magnetic fields have in common; that about the Sun where there is no other. (Y12)
+    fn only_orbit(&self) -> Result<Trajectory, ControlProblem> {
+        let laws = || self.forces.iter().map(|force| force.law.timed().0);
+        let attracted = laws().filter(|law| matches!(law, ForceLaw::CentralGravity { .. }));
+        let fields = laws().filter_map(ForceLaw::magnetic_field).chain(&self.magnetic_field);
+        let through = fields.filter_map(|field| field.orbit().copied().map(Trajectory::from));
+        let mut known: Vec<Trajectory> = Vec::new();
+        for path in attracted.filter_map(|law| law.trajectory().cloned()).chain(through) {
+            if !known.contains(&path) {
+                known.push(path);
+            }
+        }
+        if known.is_empty() {
+            known.extend(laws().find_map(|law| law.trajectory().cloned()));
+        }
+        match known.len() {
+            0 => Err(ControlProblem::NoOrbit),
+            1 => Ok(known.swap_remove(0)),
+            count => Err(ControlProblem::SeveralOrbits { count }),
+        }
+    }
+
+    /// Where the Sun stands: that of the first force of sunlight. (Y12)
+    fn sun(&self) -> Result<SunPath, ControlProblem> {
+        let mut suns = self.forces.iter().filter_map(|force| match force.law.timed().0 {
+            ForceLaw::Sunlight { sun, .. } => Some(sun.clone()),
+            _ => None,
+        });
+        suns.next().ok_or(ControlProblem::NoSun)
     }
 
     /// Index of a wheel, named at a key, among those that are controlled, to which it is added.

@@ -1,5 +1,5 @@
 //! Names of what controllers measure and command: `rate.x`, `displacement.NODE.x`, `wheel.NAME.torque`, `moment.x`.
-//! Equations (Y2), (Y4), (Y8), docs/theory/20-control.md.
+//! Equations (Y2), (Y4), (Y8), (Y12), docs/theory/20-control.md.
 
 use quasirigid_body::control::{Actuator, Measurement};
 
@@ -9,7 +9,7 @@ use super::value::Value;
 pub(super) type Measured = Measurement<String, String, String>;
 
 const AXES: [&str; 3] = ["x", "y", "z"];
-const MEASURED: &str = "write rate.x, attitude.x, displacement.NODE.x, velocity.NODE.x, coordinate.NAME, speed.NAME, wheel.NAME.momentum, field.x or field_rate.x";
+const MEASURED: &str = "write rate.x, attitude.x, displacement.NODE.x, velocity.NODE.x, coordinate.NAME, speed.NAME, wheel.NAME.momentum, field.x, field_rate.x, orbit.x, orbit_rate.x, nadir.x or sun.x";
 const COMMANDED: &str =
     "write torque.x, torque.y, torque.z, moment.x, moment.y, moment.z or wheel.NAME.torque";
 
@@ -39,6 +39,16 @@ pub(super) fn attitude(target: [f64; 4]) -> [Measured; 3] {
     [0, 1, 2].map(|axis| Measurement::Attitude { target, axis })
 }
 
+/// Attitude error from the orbital frame, axis by axis.
+pub(super) fn orbit_attitude() -> [Measured; 3] {
+    [0, 1, 2].map(|axis| Measurement::OrbitAttitude { axis })
+}
+
+/// Angular velocity relative to the orbital frame, axis by axis.
+pub(super) fn orbit_rates() -> [Measured; 3] {
+    [0, 1, 2].map(|axis| Measurement::OrbitRate { axis })
+}
+
 /// Rate of the magnetic field, axis by axis.
 pub(super) fn field_rates() -> [Measured; 3] {
     [0, 1, 2].map(|axis| Measurement::FieldRate { axis })
@@ -64,6 +74,10 @@ fn measured(name: &str, target: [f64; 4]) -> Option<Measured> {
         None if path == "attitude" => Some(Measurement::Attitude { target, axis }),
         None if path == "field" => Some(Measurement::Field { axis }),
         None if path == "field_rate" => Some(Measurement::FieldRate { axis }),
+        None if path == "orbit" => Some(Measurement::OrbitAttitude { axis }),
+        None if path == "orbit_rate" => Some(Measurement::OrbitRate { axis }),
+        None if path == "nadir" => Some(Measurement::Nadir { axis }),
+        None if path == "sun" => Some(Measurement::Sun { axis }),
         Some(("displacement", at)) => Some(Measurement::Displacement { at: at.to_owned(), axis }),
         Some(("velocity", at)) => Some(Measurement::Velocity { at: at.to_owned(), axis }),
         _ => None,

@@ -4,7 +4,7 @@
 use quasirigid::model::Marker;
 use quasirigid::model::MotionState;
 use quasirigid::model::control::{
-    Actuator, BodyController, ControlState, Controls, LinearLaw, Measurement, SensedField,
+    Actuator, BodyController, ControlState, Controls, LinearLaw, Measurement, SensedField, SensedOrbit,
 };
 use quasirigid::modes::{LinearInput, LinearModel, LinearOutput, SteadyState};
 use quasirigid_math::eigen::{Dense, eigenvalues};
@@ -176,9 +176,13 @@ impl Loop {
             Measurement::Time
             | Measurement::Quaternion { .. }
             | Measurement::Field { .. }
-            | Measurement::FieldRate { .. } => {
+            | Measurement::FieldRate { .. }
+            | Measurement::OrbitAttitude { .. }
+            | Measurement::OrbitRate { .. }
+            | Measurement::Nadir { .. }
+            | Measurement::Sun { .. } => {
                 return refused(
-                    "its law depends on the time or the quaternion itself, and has no linear model here; write it in the attitude error ex ey ez and the rates",
+                    "its law depends on the time, the orbit, the Sun or the quaternion itself, and has no linear model here; write it in the attitude error ex ey ez and the rates",
                 );
             }
         };
@@ -289,7 +293,15 @@ fn linear_law(
     let wheels: Vec<f64> = controls.wheels.iter().map(|wheel| wheel.angular_momentum).collect();
     let motion = MotionState { omega: steady.omega, q: &steady.q, rate: &still };
     let field = SensedField { field, ..SensedField::default() };
-    let state = ControlState { t: 0.0, attitude: steady.attitude, motion, wheels: &wheels, field };
+    let state = ControlState {
+        t: 0.0,
+        attitude: steady.attitude,
+        motion,
+        wheels: &wheels,
+        field,
+        orbit: SensedOrbit::default(),
+        sun: [0.0; 3],
+    };
     let mut inputs = controller.inputs(&state, None);
     for (value, input) in inputs.iter_mut().zip(&controller.inputs) {
         let is_attitude = matches!(input.of, Measurement::Attitude { .. });

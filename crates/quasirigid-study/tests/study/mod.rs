@@ -22,6 +22,7 @@ mod measured;
 mod methods;
 mod modes;
 mod notes;
+mod orbital_frame;
 mod published;
 mod ringing;
 mod rings;

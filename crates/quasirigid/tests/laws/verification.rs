@@ -9,7 +9,9 @@ use quasirigid::elements::{ApplicationPoint, Assembly, End};
 use quasirigid::model::Support;
 use quasirigid::model::force::{Axes, Conic, Force, ForceLaw, MagneticField, Orbit, Wave};
 use quasirigid::secular::MeasureError;
-use quasirigid::verification::{AverageError, Difference, VerificationPlan, verify, verify_average};
+use quasirigid::verification::{
+    AverageError, Difference, VerificationError, VerificationPlan, verify, verify_average,
+};
 use quasirigid_math::expression::Expression;
 use quasirigid_math::rotation::turned;
 use quasirigid_math::vec3::{add, norm, scale};
@@ -218,6 +220,16 @@ fn averages_that_there_are_none_of_are_refused() {
         ControlFlow::Break(())
     });
     assert!(matches!(found, Err(AverageError::Measure(MeasureError::Interrupted))), "{found:?}");
+}
+
+/// Its rotations would last for ever.
+#[test]
+fn a_body_at_rest_is_refused() {
+    let body = assembly(Support::Free, Vec::new()).body().unwrap();
+    let found = verify(Forced::not(&body), &start([0.0; 3]), &VerificationPlan::default(), &mut |_| {
+        ControlFlow::Continue(())
+    });
+    assert!(matches!(found, Err(VerificationError::AtRest)), "{found:?}");
 }
 
 /// Histories differ by the largest difference of each kind: the spin relative to the fastest, an angle, an energy.

@@ -12,7 +12,9 @@ pub(super) use clock::Clock;
 use crate::math::rotation::Turn;
 use crate::math::vec3::{add, dot, scale};
 use crate::model::MotionState;
-use crate::model::control::{BodyController, Commands, ControlState, Controls, Sampling, SensedField};
+use crate::model::control::{
+    BodyController, Commands, ControlState, Controls, Sampling, SensedField, SensedOrbit,
+};
 use crate::model::force::MagneticField;
 
 /// Places of controllers in their block of a state: angular momenta of wheels, then controller by controller, then rods.
@@ -47,6 +49,15 @@ pub(super) struct Seen<'a> {
 pub(super) struct ControlTimes {
     pub clocks: Vec<Clock>,
     pub field: Option<MagneticField>,
+}
+
+/// What the surroundings show to the sensors of a body.
+#[derive(Clone, Copy)]
+struct Sensed {
+    field: SensedField,
+    orbit: SensedOrbit,
+    /// Unit vector to the Sun, body axes.
+    sun: [f64; 3],
 }
 
 /// Action of controllers on a body.
@@ -107,7 +118,7 @@ impl<'a> ControlBlock<'a> {
         for (controller, place) in self.controls.controllers.iter().zip(&self.places) {
             block[place.states.clone()].copy_from_slice(&controller.start);
         }
-        let field = self.sensed(seen);
+        let field = self.sensed(seen).field;
         for (rod, state) in self.controls.rods.iter().zip(&mut block[self.rods.clone()]) {
             *state = rod.without_past(&field);
         }
@@ -141,14 +152,15 @@ impl<'a> ControlBlock<'a> {
     /// Action at a state, whose rates are written. (Y1), (Y4), (Y8), (Y11)
     pub fn act(&self, seen: &Seen, block: &[f64], rates: &mut [f64]) -> Action {
         rates.fill(0.0);
-        let field = self.sensed(seen);
+        let sensed = self.sensed(seen);
+        let field = sensed.field;
         let mut commands = self.controls.silence();
         for (controller, place) in self.controls.controllers.iter().zip(&self.places) {
             if controller.sampling.is_some() {
                 commands.add(controller, &block[place.held.clone()]);
                 continue;
             }
-            let inputs = controller.inputs(&self.state(seen, block, field), None);
+            let inputs = controller.inputs(&self.state(seen, block, sensed), None);
             let (values, advance) = controller.act(&inputs, &block[place.states.clone()]);
             commands.add(controller, &values);
             rates[place.states.clone()].copy_from_slice(&advance);
@@ -180,7 +192,7 @@ impl<'a> ControlBlock<'a> {
     /// Samples and commands that are due: whether something jumped. (Y3)
     pub fn jump(&self, seen: &Seen, block: &mut [f64]) -> bool {
         let mut jumped = false;
-        let field = self.sensed(seen);
+        let sensed = self.sensed(seen);
         for (index, (controller, place)) in self.controls.controllers.iter().zip(&self.places).enumerate() {
             let Some(sampling) = controller.sampling else { continue };
             let (slots, rest) = sampling.queue();
@@ -190,7 +202,7 @@ impl<'a> ControlBlock<'a> {
                 jumped = true;
             }
             let Some(sample) = ticks(0.0) else { continue };
-            let inputs = controller.inputs(&self.state(seen, block, field), Some((index, sample)));
+            let inputs = controller.inputs(&self.state(seen, block, sensed), Some((index, sample)));
             let (values, next) = controller.act(&inputs, &block[place.states.clone()]);
             block[place.states.clone()].copy_from_slice(&next);
             match slots {
@@ -207,13 +219,19 @@ impl<'a> ControlBlock<'a> {
         jumped
     }
 
-    fn sensed(&self, seen: &Seen) -> SensedField {
-        self.controls.sensed(seen.t, seen.attitude, seen.motion.omega)
+    fn sensed(&self, seen: &Seen) -> Sensed {
+        let Seen { t, attitude, motion } = *seen;
+        Sensed {
+            field: self.controls.sensed(t, attitude, motion.omega),
+            orbit: self.controls.relative_to_orbit(t, attitude, motion.omega),
+            sun: self.controls.toward_sun(t, attitude),
+        }
     }
 
-    fn state<'s>(&self, seen: &Seen<'s>, block: &'s [f64], field: SensedField) -> ControlState<'s> {
+    fn state<'s>(&self, seen: &Seen<'s>, block: &'s [f64], sensed: Sensed) -> ControlState<'s> {
         let Seen { t, attitude, motion } = *seen;
-        ControlState { t, attitude, motion, wheels: &block[..self.controls.wheels.len()], field }
+        let Sensed { field, orbit, sun } = sensed;
+        ControlState { t, attitude, motion, wheels: &block[..self.controls.wheels.len()], field, orbit, sun }
     }
 }
 

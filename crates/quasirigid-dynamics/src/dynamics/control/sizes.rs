@@ -10,19 +10,19 @@ impl ControlBlock<'_> {
     /// Size of each number of the block; infinite of what is constant between instants.
     pub fn sizes(&self, seen: &Seen, block: &[f64], scales: &Scales) -> Vec<f64> {
         let mut sizes = vec![f64::INFINITY; self.len()];
-        let field = self.sensed(seen);
+        let sensed = self.sensed(seen);
         for (rod, place) in self.controls.rods.iter().zip(self.rods.clone()) {
             sizes[place] = rod.material.coercivity;
         }
         sizes[..self.controls.wheels.len()].fill(scales.angular_momentum);
         let continuous = self.controls.controllers.iter().zip(&self.places);
         for (controller, place) in continuous.filter(|(controller, _)| controller.sampling.is_none()) {
-            let inputs = controller.inputs(&self.state(seen, block, field), None);
+            let inputs = controller.inputs(&self.state(seen, block, sensed), None);
             let Some(law) = controller.law.linearized(&inputs, &block[place.states.clone()]) else {
                 continue;
             };
             let torque = scales.angular_momentum * scales.spin;
-            let law = in_torques(law, controller, norm(field.field));
+            let law = in_torques(law, controller, norm(sensed.field.field));
             for (size, weight) in sizes[place.states.clone()].iter_mut().zip(weights(&law, scales.spin)) {
                 *size = if weight > 0.0 { torque / weight } else { 1.0 };
             }

@@ -170,7 +170,12 @@ fn passes(
     K: [f64; 3],
     pose: &Pose<f64>,
 ) -> (SlowPoint, Correction) {
-    let improved = if system.body.cyclic().is_empty() { order.saturating_sub(1) } else { order };
+    let body = system.body;
+    let improved = match (body.coordinates().is_empty(), body.cyclic().is_empty()) {
+        (true, _) => 0,
+        (false, true) => order.saturating_sub(1),
+        (false, false) => order,
+    };
     let state = State { system, acts, K, pose };
     match improved {
         0 => state.point(&Path::<1>::still(system), &Path::<1>::still(system)),

@@ -1,6 +1,6 @@
 //! Controller reader: `[[controller]]`, one function for each of five laws.
 //! Whether what they name exists is checked on the body; here keys, units and names of channels are.
-//! Equations (Y1) to (Y5) and (Y7) to (Y9), docs/theory/20-control.md.
+//! Equations (Y1) to (Y5) and (Y7) to (Y9) and (Y12), docs/theory/20-control.md.
 
 mod b_dot;
 mod formulas;
@@ -156,7 +156,7 @@ const ANY: Keys = Keys {
     known: &[
         key("kind", KIND, ""),
         NAME,
-        key("on", TEXT.or("`\"attitude\"`"), "`\"attitude\"`, `\"rate\"`, or one channel"),
+        key("on", TEXT.or("`\"attitude\"`"), "`\"attitude\"`, `\"orbit\"`, `\"rate\"`, or one channel"),
         key(
             "target",
             any(&[Shape::Quaternion, Shape::Vector, Shape::Number]).or("`[1, 0, 0, 0]`, or 0"),

@@ -5,34 +5,53 @@ use std::path::Path;
 use quasirigid_body::control::{Actuator, ControlLaw, Pid, RelayLaw};
 
 use super::{Draft, NamedInput, numbers, outputs, quaternion};
-use crate::model::channel::{attitude, measurement, rates};
+use crate::model::channel::{Measured, attitude, measurement, orbit_attitude, orbit_rates, rates};
 use crate::model::table::Table;
 use crate::units::Dimension;
 
-/// Errors of a law on an attitude, a rate or one channel, with the word for them.
-fn errors(table: &Table<'_>) -> Option<(Vec<NamedInput>, String)> {
+/// Errors of a law, axis by axis, and the rates of attitudes.
+struct Errors {
+    inputs: Vec<NamedInput>,
+    rates: Vec<NamedInput>,
+}
+
+/// Errors of a law on an attitude, to a target or to the orbit, on a rate, or on one channel.
+fn errors(table: &Table<'_>) -> Option<Errors> {
     let on = table.get("on");
     let word = match &on {
         Some(value) => value.text()?,
         None => "attitude",
     };
-    let inputs = match (word, &on) {
-        ("attitude", _) => attitude(quaternion(table)?).map(|of| (of, word.to_owned(), 0.0)).to_vec(),
+    let labelled = |all: [Measured; 3], label: &str| all.map(|of| (of, label.to_owned(), 0.0)).to_vec();
+    let (inputs, rates) = match (word, &on) {
+        ("attitude", _) => (labelled(attitude(quaternion(table)?), word), labelled(rates(), "rate")),
+        ("orbit", _) => {
+            if let Some(target) = table.get("target") {
+                let message = "the orbital frame is the target of this law";
+                return target.refuse(
+                    message,
+                    "no target beside it",
+                    "leave it out, or write a law by formulas",
+                );
+            }
+            (labelled(orbit_attitude(), word), labelled(orbit_rates(), "orbit_rate"))
+        }
         ("rate", _) => {
             let target = table.vector_or_zero("target", Dimension::ANGULAR_VELOCITY)?;
-            rates().into_iter().zip(target).map(|(of, target)| (of, word.to_owned(), target)).collect()
+            let named = rates().into_iter().zip(target).map(|(of, target)| (of, word.to_owned(), target));
+            (named.collect(), Vec::new())
         }
         (_, Some(value)) => {
             let target = table.read_or("target", 0.0, |value| value.quantity(Dimension::NUMBER))?;
-            vec![(measurement(value, [1.0, 0.0, 0.0, 0.0])?, word.to_owned(), target)]
+            (vec![(measurement(value, [1.0, 0.0, 0.0, 0.0])?, word.to_owned(), target)], Vec::new())
         }
         (_, None) => return None,
     };
-    Some((inputs, word.to_owned()))
+    Some(Errors { inputs, rates })
 }
 
 pub(super) fn pid(table: &Table<'_>, period: Option<f64>, _: &Path) -> Option<Draft> {
-    let (mut inputs, word) = errors(table)?;
+    let Errors { mut inputs, rates } = errors(table)?;
     let n = inputs.len();
     let [proportional, integral, derivative, deadband] =
         ["proportional", "integral", "derivative", "deadband"]
@@ -41,7 +60,7 @@ pub(super) fn pid(table: &Table<'_>, period: Option<f64>, _: &Path) -> Option<Dr
     let (filter, anti_windup) = (time("filter")?, time("anti_windup")?);
     let (derivative, outputs) = (derivative?, outputs(table, Some(n))?);
     let derives = derivative.iter().any(|gain| *gain != 0.0);
-    let has_rates = word == "attitude" && derives;
+    let has_rates = derives && !rates.is_empty();
     if derives && !has_rates && filter.is_none() {
         let message =
             "the derivative of this error is not measured, and a derivative without a filter has no bounds";
@@ -50,7 +69,7 @@ pub(super) fn pid(table: &Table<'_>, period: Option<f64>, _: &Path) -> Option<Dr
     }
     let mut deadbands = deadband?;
     if has_rates {
-        inputs.extend(rates().map(|of| (of, "rate".to_owned(), 0.0)));
+        inputs.extend(rates);
         deadbands.resize(2 * n, 0.0);
     }
     let signs = outputs.iter().map(sign).collect();
@@ -74,7 +93,7 @@ pub(super) fn bang_bang(table: &Table<'_>, period: Option<f64>, _: &Path) -> Opt
         Some(period) => period,
         None => return table.required("period", "period = \"0.1 s\"").and(None),
     };
-    let (mut inputs, word) = errors(table)?;
+    let Errors { mut inputs, rates } = errors(table)?;
     let n = inputs.len();
     let outputs = outputs(table, Some(n))?;
     table.required("level", "level = \"0.5 N m\"")?;
@@ -83,14 +102,14 @@ pub(super) fn bang_bang(table: &Table<'_>, period: Option<f64>, _: &Path) -> Opt
     let (levels, on, hysteresis) = (levels?, on?, hysteresis?);
     let lead = table.read_or("lead", 0.0, |value| value.non_negative(Dimension::TIME))?;
     let least = table.read_or("minimum_on", period, |value| value.positive(Dimension::TIME))?;
-    if word == "attitude" {
-        inputs.extend(rates().map(|of| (of, "rate".to_owned(), 0.0)));
+    if !rates.is_empty() {
+        inputs.extend(rates);
     } else if lead > 0.0 {
         let message = "the rate of this error is not measured";
         return table.get("lead")?.refuse(
             message,
             "no rate",
-            "leave the lead out, or measure on = \"attitude\"",
+            "leave the lead out, or measure on = \"attitude\" or \"orbit\"",
         );
     } else {
         inputs.extend(inputs.clone());

@@ -82,7 +82,7 @@ fn formulas_in_the_channels_are_the_law_on_the_orbit() {
     let body = carrier(50.0, MOMENTS)
         + &point("tip", 0.5, [0.8, 0.3, 0.4], [3.0, 0.3])
         + &start(pitched(0.2), [2e-4, -1.3e-3, 1e-4])
-        + &gravity(0.2);
+        + &gravity(0.05);
     let term = |axis: &str| format!("\"-{GAIN}*a{axis} - {BRAKE}*r{axis}\"");
     let channels = ["x", "y", "z"]
         .map(|axis| format!("a{axis} = \"orbit.{axis}\", r{axis} = \"orbit_rate.{axis}\""))
@@ -112,7 +112,7 @@ fn what_the_orbit_is_not_known_for_is_refused() {
     assert!(none.contains("it measures relative to an orbit, and the model has none"), "{none}");
     let two = body.clone()
         + &gravity(0.0)
-        + &gravity(0.1)
+        + &gravity(0.05)
         + &pd("on = \"nadir.x\"\noutputs = [\"torque.y\"]\nfilter = \"1 s\"\n");
     assert!(refused(&two).contains("the model has 2 that differ"), "{}", refused(&two));
     let aimed = refused(&(body.clone() + &gravity(0.0) + &pd("on = \"orbit\"\ntarget = [1, 0, 0, 0]\n")));

@@ -223,7 +223,7 @@ impl Study {
             markers: if table.displacements { body.markers() } else { &[] },
             coordinates: table.coordinates.then(|| (body.coordinates(), valued)),
         };
-        let history = HistoryTable::new(body.support(), None);
+        let history = HistoryTable::new(body.support(), None).under(&self.controls);
         let mut sink = TableSink::new(history, internal, &times, log, watch)?;
         let (run, manifold) = motion.follow(table.system, &about_spin, &times, &options, &mut sink)?;
         let budget = std::mem::take(&mut sink.budget);

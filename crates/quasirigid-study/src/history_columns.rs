@@ -1,6 +1,7 @@
 //! Columns of a spin history, with their units: samples, nutation, internal coordinates and displacements.
 
 use quasirigid::dynamics::{Checkpoint, Nutation, Nutations, Sample};
+use quasirigid::model::control::Controls;
 use quasirigid::model::{Coordinate, Marker, Principal, ReducedBody, Support};
 use quasirigid_io::record::Column;
 use quasirigid_io::visible::one_line;
@@ -49,6 +50,8 @@ const POLE: [Entry; 3] =
 pub struct HistoryTable<'b> {
     nutations: Option<(Nutations<'b>, [[f64; 3]; 3])>,
     after: Vec<Entry>,
+    /// Names and units of what controllers command and hold.
+    controls: Vec<(String, &'static str)>,
 }
 
 impl<'b> HistoryTable<'b> {
@@ -59,7 +62,17 @@ impl<'b> HistoryTable<'b> {
             Support::Free => PLACE.iter().chain(&POLE).copied().collect(),
         };
         let nutations = nutating.map(|body| (Nutations::new(body), Principal::compute(body.J).axes));
-        Self { nutations, after }
+        Self { nutations, after, controls: Vec::new() }
+    }
+
+    /// The table with the columns of controllers.
+    pub fn under(self, controls: &Controls) -> Self {
+        Self { controls: controls.channels(), ..self }
+    }
+
+    /// Whether it has columns of controllers.
+    pub fn is_controlled(&self) -> bool {
+        !self.controls.is_empty()
     }
 
     /// The columns, without values.
@@ -69,17 +82,20 @@ impl<'b> HistoryTable<'b> {
             |(name, unit): (&str, &str)| Column { name: name.into(), unit: unit.into(), values: Vec::new() };
         let named = |(name, unit, _): &Entry| (*name, *unit);
         let all = MOTION.iter().map(named).chain(nutation.iter().copied());
-        all.chain(self.after.iter().map(named)).map(head).collect()
+        let of_controls = self.controls.iter().map(|(name, unit)| (one_line(name), *unit));
+        let of_motion: Vec<Column> = all.chain(self.after.iter().map(named)).map(head).collect();
+        of_motion.into_iter().chain(of_controls.map(|(name, unit)| head((&name, unit)))).collect()
     }
 
-    /// Fills the row of a sample, which follows those before.
-    pub fn fill(&mut self, sample: &Sample, row: &mut Vec<f64>) {
+    /// Fills the row of a sample, which follows those before, with the numbers of the controllers.
+    pub fn fill(&mut self, sample: &Sample, controls: &[f64], row: &mut Vec<f64>) {
         row.clear();
         row.extend(MOTION.iter().map(|(.., value)| value(sample)));
         if let Some((nutations, axes)) = &mut self.nutations {
             row.extend(nutation(nutations.at(sample.angular_momentum), axes));
         }
         row.extend(self.after.iter().map(|(.., value)| value(sample)));
+        row.extend(controls);
     }
 
     /// Saves what the next rows depend on.

@@ -176,7 +176,7 @@ impl Observer for HistorySink<'_, '_> {
         if self.rows.rows() == 0 {
             self.energy = sample.energy;
         }
-        self.table.fill(sample, &mut self.row);
+        self.table.fill(sample, &[], &mut self.row);
         self.rows.push(&self.row);
         if is_frame {
             self.frames.samples.push(*sample);

@@ -22,6 +22,7 @@ pub(crate) struct TableSink<'a> {
     watch: &'a mut dyn Watch,
     duration: f64,
     row: Vec<f64>,
+    controls: Vec<f64>,
     coordinates: [Vec<f64>; 2],
 }
 
@@ -49,6 +50,7 @@ impl<'a> TableSink<'a> {
             watch,
             duration: times.last().copied().unwrap_or(0.0),
             row: Vec::new(),
+            controls: Vec::new(),
             coordinates: [Vec::new(), Vec::new()],
         })
     }
@@ -67,7 +69,7 @@ impl<'a> TableSink<'a> {
 
 impl Observer for TableSink<'_> {
     fn sample(&mut self, sample: &Sample) {
-        self.table.fill(sample, &mut self.row);
+        self.table.fill(sample, &self.controls, &mut self.row);
         let [q, rate] = &self.coordinates;
         self.internal.fill(q, rate, &mut self.row);
         match &mut self.log {
@@ -93,6 +95,15 @@ impl Observer for TableSink<'_> {
             kept.clear();
             kept.extend(new);
         }
+    }
+
+    fn keeps_controls(&self) -> bool {
+        self.table.is_controlled()
+    }
+
+    fn controls(&mut self, values: &[f64]) {
+        self.controls.clear();
+        self.controls.extend(values);
     }
 
     fn budget(&mut self, energies: &[(String, f64)]) {

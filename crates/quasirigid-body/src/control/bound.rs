@@ -50,6 +50,8 @@ pub struct Commands {
     pub moment: [f64; 3],
 }
 
+const AXES: [&str; 3] = ["x", "y", "z"];
+
 impl Controls {
     /// None.
     pub const NONE: &'static Self = &Self {
@@ -71,6 +73,26 @@ impl Controls {
     #[must_use]
     pub fn silence(&self) -> Commands {
         Commands { torque: [0.0; 3], motors: vec![0.0; self.wheels.len()], moment: [0.0; 3] }
+    }
+
+    /// Names and units of what histories tell of controllers: `wheel.NAME.momentum`, then of each controller the commands that act, such as
+    /// `CONTROLLER.torque.x`, and its states, `CONTROLLER.state.1` in units of its own.
+    #[must_use]
+    pub fn channels(&self) -> Vec<(String, &'static str)> {
+        let wheel = |wheel: &ControlledWheel| (format!("wheel.{}.momentum", wheel.name), "N m s");
+        let commanded = |to: &Actuator<usize>| match to {
+            Actuator::Torque { axis } => (format!("torque.{}", AXES[*axis]), "N m"),
+            Actuator::Wheel { wheel } => (format!("wheel.{}.torque", self.wheels[*wheel].name), "N m"),
+            Actuator::Moment { axis } => (format!("moment.{}", AXES[*axis]), "A m^2"),
+        };
+        let mut channels: Vec<_> = self.wheels.iter().map(wheel).collect();
+        for controller in &self.controllers {
+            let name = &controller.name;
+            let outputs = controller.outputs.iter().map(|output| commanded(&output.to));
+            channels.extend(outputs.map(|(channel, unit)| (format!("{name}.{channel}"), unit)));
+            channels.extend((1..=controller.start.len()).map(|state| (format!("{name}.state.{state}"), "1")));
+        }
+        channels
     }
 
     /// Magnetic field at a time (s), an attitude and an angular velocity of the carrier (rad/s, body axes); zero without one. (Y8)

@@ -90,6 +90,11 @@ pub(super) trait Trajectory {
     fn show_coordinates(&self, view: &StateView, observer: &mut dyn Observer) {
         observer.coordinates(&view.q, &view.rate);
     }
+
+    /// Passes what controllers command and hold to an observer that keeps it.
+    fn show_controls(&self, t: f64, y: &[f64], view: &StateView, observer: &mut dyn Observer) {
+        let _ = (t, y, view, observer);
+    }
 }
 
 /// Quantities of a state.
@@ -382,6 +387,7 @@ impl<M: Solver<State = T::State>, T: Trajectory> StepObserver<M> for InvariantMo
         let view = self.trajectory.view(t, y);
         let sample = self.read(t, y, &view);
         self.trajectory.show_coordinates(&view, self.observer);
+        self.trajectory.show_controls(t, y, &view, self.observer);
         self.observer.sample(&sample);
         self.outputs += 1;
     }

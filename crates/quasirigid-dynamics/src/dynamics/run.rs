@@ -124,6 +124,17 @@ pub trait Observer {
         let _ = (q, rate);
     }
 
+    /// True if [`controls`](Self::controls) is to be called.
+    fn keeps_controls(&self) -> bool {
+        false
+    }
+
+    /// Receives the numbers of [`Controls::channels`](crate::model::control::Controls::channels) of a body under controllers, just before the
+    /// sample that they belong to.
+    fn controls(&mut self, values: &[f64]) {
+        let _ = values;
+    }
+
     /// Receives the energy (J) taken by each dissipator since the start, by name, once at the end; not called for forced reduced motions.
     /// (D4)
     fn budget(&mut self, energies: &[(String, f64)]) {

@@ -6,7 +6,7 @@ use std::path::Path;
 use quasirigid_io::model::System;
 use quasirigid_study::Study;
 
-use crate::support::{carrier, close, finished, point, study};
+use crate::support::{carrier, close, column, finished, point, study};
 
 const MU: f64 = 3.986_004_418e14;
 const A: f64 = 7e6;
@@ -35,7 +35,9 @@ fn pitched(angle: f64) -> [f64; 4] {
 }
 
 fn pd(on: &str) -> String {
-    format!("[[controller]]\nkind = \"pid\"\n{on}proportional = {GAIN}\nderivative = {BRAKE}\n")
+    format!(
+        "[[controller]]\nname = \"down\"\nkind = \"pid\"\n{on}proportional = {GAIN}\nderivative = {BRAKE}\n"
+    )
 }
 
 /// A rigid body pitches by its planar equation under gravity and the law, `J2 θ̈ = −(3/2) n² (J1 − J3) sin 2θ − kP θ − kD θ̇`.
@@ -64,7 +66,8 @@ fn a_body_that_points_down_follows_its_planar_equation() {
     }
     assert!(y[0].abs() > 1e-3 && (y[0] / from).abs() < 0.9, "{y:?}");
     for system in [System::Rigid, System::Full] {
-        let last = finished(&study(&model), system, &[0.0, duration]).run.last;
+        let history = finished(&study(&model), system, &[0.0, duration]);
+        let last = history.run.last;
         let [w, x, q, z] = last.attitude;
         let ahead = [1.0 - 2.0 * (q * q + z * z), 2.0 * (x * q + w * z)];
         let pitch = (n * duration + FRAC_PI_2 - ahead[1].atan2(ahead[0])).rem_euclid(TAU);
@@ -73,6 +76,8 @@ fn a_body_that_points_down_follows_its_planar_equation() {
         assert!((pitch - y[0]).abs() < 1e-9, "{pitch} {y:?}");
         assert!((last.omega[1] + n - y[1]).abs() < 1e-9 * n, "{:?} {y:?}", last.omega);
         assert!(last.omega[0].abs() + last.omega[2].abs() < 1e-12 * n);
+        let torque = -GAIN * y[0] - BRAKE * y[1];
+        close(*column(&history.columns, "down.torque.y").last().unwrap(), torque, 1e-8);
     }
 }
 

@@ -181,6 +181,24 @@ impl<'a> ControlBlock<'a> {
         }
     }
 
+    /// Values of [`Controls::channels`] at a state: angular momenta of wheels, then of each controller the commands that act and its states.
+    pub fn channels(&self, seen: &Seen, block: &[f64]) -> Vec<f64> {
+        let sensed = self.sensed(seen);
+        let mut values = block[..self.controls.wheels.len()].to_vec();
+        for (controller, place) in self.controls.controllers.iter().zip(&self.places) {
+            let states = &block[place.states.clone()];
+            if controller.sampling.is_some() {
+                values.extend(&block[place.held.clone()]);
+            } else {
+                values.extend(
+                    controller.act(&controller.inputs(&self.state(seen, block, sensed), None), states).0,
+                );
+            }
+            values.extend(states);
+        }
+        values
+    }
+
     /// Torque (N·m) of the size that controllers exert at a state, for the scales of errors.
     pub fn size(&self, seen: &Seen, block: &[f64]) -> f64 {
         let mut rates = vec![0.0; self.len];

@@ -11,6 +11,7 @@ use crate::dynamics::layout::{
     ANGLE, ATTITUDE, DISSIPATED, IMPULSE, Layout, MOMENTUM, PLACE, VELOCITY, WORK, attitude, triple,
 };
 use crate::dynamics::position::Position;
+use crate::dynamics::run::Observer;
 use crate::math::eigen::{Dense, eigenvalues};
 use crate::math::lanes::Lanes;
 use crate::math::ode::{Stiff, Stretch, System};
@@ -285,6 +286,14 @@ impl Trajectory for FullSystem<'_> {
 
     fn left(&self, y: &[f64]) -> Option<Displaced> {
         self.system.body.left_range(&y[self.layout.q()])
+    }
+
+    fn show_controls(&self, t: f64, y: &[f64], view: &StateView, observer: &mut dyn Observer) {
+        if !self.control.is_empty() && observer.keeps_controls() {
+            let motion = MotionState { omega: view.omega, q: &view.q, rate: &view.rate };
+            let seen = Seen { t, attitude: rotation::normalized(attitude(y)), motion };
+            observer.controls(&self.control.channels(&seen, &y[self.layout.controls()]));
+        }
     }
 
     fn invariant(&self) -> Invariant {

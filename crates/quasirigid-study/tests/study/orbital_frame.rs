@@ -102,7 +102,7 @@ fn formulas_in_the_channels_are_the_law_on_the_orbit() {
         close(law.omega[axis], written.omega[axis], 1e-9);
     }
     let free = end("").omega;
-    assert!((free[1] / law.omega[1] - 1.0).abs() > 1e-2, "{free:?} {:?}", law.omega);
+    assert!((free[0] / law.omega[0] - 1.0).abs() > 0.1, "{free:?} {:?}", law.omega);
 }
 
 /// Without an orbit, with two that differ, with a target of its own, about a linear model: words that say what to do.

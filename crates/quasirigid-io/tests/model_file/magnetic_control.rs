@@ -164,7 +164,7 @@ fn mistakes_are_refused_in_their_place() {
     ));
     assert!(mixed.contains("the outputs are torques and moments, and one limit is given"), "{mixed}");
     let channel = refusal_of("[[controller]]\nkind = \"state-space\"\ninputs = [\"field.w\"]\n");
-    assert!(channel.contains("field.x or field_rate.x"), "{channel}");
+    assert!(channel.contains("field.x, field_rate.x, orbit.x, orbit_rate.x, nadir.x or sun.x"), "{channel}");
     let coil = refusal_of(
         "[[controller]]\nkind = \"state-space\"\ninputs = [\"rate.x\"]\noutputs = [\"moment.w\"]\n",
     );

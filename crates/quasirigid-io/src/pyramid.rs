@@ -8,10 +8,14 @@ pub(crate) const NODES: usize = 5;
 /// Nodes of a pyramid with the middles of its edges; one more is the middle of its base.
 pub(crate) const CURVED: usize = 13;
 
+/// Corner of the base with the least number.
+pub(crate) fn least(labels: &[u64]) -> usize {
+    (0..4).min_by_key(|corner| labels.get(*corner)).unwrap_or(0)
+}
+
 /// Nodes of the two tetrahedra, by their places in a pyramid with these numbers.
 pub(crate) fn halves(labels: &[u64]) -> [[usize; 4]; 2] {
-    let least = (0..4).min_by_key(|corner| labels.get(*corner)).unwrap_or(0);
-    let [a, b, c, d] = [0, 1, 2, 3].map(|corner| (least + corner) % 4);
+    let [a, b, c, d] = [0, 1, 2, 3].map(|corner| (least(labels) + corner) % 4);
     [[a, b, c, 4], [a, c, d, 4]]
 }
 

@@ -1,6 +1,6 @@
 //! The few largest eigenvalues of `M x = θ C x` for matrices too large for a dense solver.
 
-use super::eigen::{Dense, NoConvergence, modes};
+use super::eigen::{Dense, NoConvergence, modes, squares};
 use super::watch;
 
 /// A pencil `M x = θ C x`, `C` symmetric positive definite, `M` symmetric positive semi-definite.
@@ -29,6 +29,8 @@ const RESTARTS: usize = 60;
 /// Residual relative to the largest eigenvalue: the error of an isolated eigenvalue is then its square, that of one in a cluster
 /// the residual itself.
 const CONVERGED: f64 = 1e-4;
+/// Eigenvalue relative to the largest one up to which it is rounding, of a motion without mass or one that the inverse leaves out.
+const NULL: f64 = 1e-13;
 /// A vector that keeps less than this share of its length was in the span of the others.
 const DEPENDENT: f64 = 1e-10;
 
@@ -46,12 +48,16 @@ impl Pencil<'_> {
     /// Vectors of the `count` largest eigenvalues, largest first, each with `xᵀ C x = 1`.
     ///
     /// A block Krylov method with Rayleigh–Ritz restarts: blocks find repeated eigenvalues, which bodies of regular
-    /// shape have. The start is fixed, so the same pencil gives the same bits.
+    /// shape have. The start is fixed, so the same pencil gives the same bits. A pencil that one Krylov space would fill is solved whole:
+    /// the last vectors of such a space are rounding.
     ///
     /// # Errors
     /// [`NoConvergence`] if the residuals do not fall.
     pub fn largest(&self, count: usize) -> Result<Vec<Vec<f64>>, NoConvergence> {
         let width = (count + SPARE).min(self.size);
+        if width * DEPTH >= self.size {
+            return self.whole(count);
+        }
         let mut basis = Basis::default();
         let mut block: Vec<Vec<f64>> = (0..width).map(|column| scattered(self.size, column)).collect();
         for restart in 0..RESTARTS {
@@ -67,6 +73,45 @@ impl Pencil<'_> {
             basis = ritz;
         }
         Err(NoConvergence { size: self.size })
+    }
+
+    /// The same by dense matrices: with `M = W Wᵀ` and `Wᵀ C⁻¹ W y = θ y`, `x = C⁻¹ W y / √θ` where `θ > 0`.
+    fn whole(&self, count: usize) -> Result<Vec<Vec<f64>>, NoConvergence> {
+        let mut mass = Dense::zero(self.size);
+        for column in 0..self.size {
+            let mut unit = vec![0.0; self.size];
+            unit[column] = 1.0;
+            (self.mass)(&unit).iter().enumerate().for_each(|(row, entry)| mass.add(row, column, *entry));
+        }
+        let squares = squares(&mass)?;
+        let row = |form: usize| (0..self.size).map(|column| squares.at(form, column)).collect::<Vec<f64>>();
+        let forms: Vec<Vec<f64>> =
+            (0..self.size).map(row).filter(|form| form.iter().any(|entry| *entry != 0.0)).collect();
+        let answer = |form: &Vec<f64>| {
+            let mut answer = form.clone();
+            (self.solve)(&mut answer);
+            answer
+        };
+        let answers: Vec<Vec<f64>> = forms.iter().map(answer).collect();
+        let (mut inner, mut unit) = (Dense::zero(forms.len()), Dense::zero(forms.len()));
+        for i in 0..forms.len() {
+            unit.add(i, i, 1.0);
+            for j in 0..forms.len() {
+                inner.add(i, j, 0.5 * (dot(&forms[i], &answers[j]) + dot(&forms[j], &answers[i])));
+            }
+        }
+        let found = modes(&inner, &unit)?;
+        let least = found.frequencies.first().map_or(0.0, |lowest| NULL * lowest.powi(-2));
+        let vector = |column: usize| {
+            let mut x = vec![0.0; self.size];
+            for (row, answer) in answers.iter().enumerate() {
+                let share = found.shapes.at(row, column);
+                x.iter_mut().zip(answer).for_each(|(x, entry)| *x += share * entry);
+            }
+            x
+        };
+        let held = found.frequencies.iter().take_while(|frequency| frequency.powi(-2) > least).count();
+        Ok((0..count.min(held)).map(vector).collect())
     }
 
     /// Powers in the space of a restart: more of them where a crowd of eigenvalues keeps the residuals from falling.

@@ -7,6 +7,7 @@ mod layers;
 mod places;
 mod properties;
 pub(crate) mod sections;
+mod taper;
 
 use std::collections::{BTreeMap, HashMap};
 
@@ -18,7 +19,11 @@ pub(crate) use elements::{
 };
 pub(crate) use layers::OfPly;
 pub(crate) use places::{Places, Run};
-pub(crate) use properties::{Bending, Laminate, Plating, Ply, RodSection, Stuff};
+pub(crate) use properties::{Bending, Laminate, Plating, Ply, RodSection, Station, Stuff};
+pub(crate) use taper::Piece;
+
+/// What is left out of every format alike, since the ground holds nothing of a body afloat.
+pub(crate) const TO_GROUND: &str = "springs, dashpots, bushings and connectors to the ground";
 
 /// Axes of the basic system.
 pub(crate) const BASIC: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];

@@ -63,16 +63,25 @@ pub(crate) struct Plating {
     pub extra: f64,
 }
 
-/// Section of beams in two planes: plane 1 has the first direction.
-#[derive(Clone, Copy)]
+/// Sections of beams along their length.
+#[derive(Clone)]
 pub(crate) struct Bending {
     pub material: u64,
+    /// From the first end on, by ascending shares of the length; between them they change linearly, behind the last one they do not.
+    pub stations: Vec<Station>,
+    /// Factors of the shear areas; none where shear is neglected.
+    pub shear: Option<[f64; 2]>,
+}
+
+/// Section of a beam in two planes: plane 1 has the first direction.
+#[derive(Clone, Copy, Default, PartialEq)]
+pub(crate) struct Station {
+    /// Share of the length.
+    pub at: f64,
     pub area: f64,
     /// Moments of bending in plane 1 and 2, and the product.
     pub moments: [f64; 3],
     pub torsion: f64,
-    /// Factors of the shear areas; none where shear is neglected.
-    pub shear: Option<[f64; 2]>,
     /// Mass per length beside that of the material.
     pub extra: f64,
 }

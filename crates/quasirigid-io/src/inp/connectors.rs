@@ -7,7 +7,7 @@ use quasirigid_math::vec3::{cross, minus, scale};
 
 use super::Reader;
 use super::fields::{fields, reals};
-use crate::deck::{Axial, BASIC, Bush, Equations, Term};
+use crate::deck::{Axial, BASIC, Bush, Equations, TO_GROUND, Term};
 use crate::matrix::listed::LocatedProblem;
 
 /// Stiffnesses and dampings of the six components.
@@ -62,7 +62,7 @@ impl Reader {
                 for other in self.elements(&placed, &set, line)?.others {
                     used[other] = true;
                     let [a, b, ..] = self.inp.others.all[other].nodes[..] else {
-                        self.model.leave_out("connectors to the ground");
+                        self.model.leave_out(TO_GROUND);
                         continue;
                     };
                     let place = self.place(a).unwrap_or_default();

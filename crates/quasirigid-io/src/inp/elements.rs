@@ -9,7 +9,7 @@ use super::Reader;
 use super::fields::{fields, first, real, reals};
 use super::orientation::Orientation;
 use super::sections::SectionKind;
-use crate::deck::{Axial, BASIC, Line, Plate, Scalar, Solid, SpringEnd, Tip, Up};
+use crate::deck::{Axial, BASIC, Line, Plate, Scalar, Solid, SpringEnd, TO_GROUND, Tip, Up};
 use crate::matrix::MatrixProblem;
 use crate::matrix::listed::LocatedProblem;
 use crate::mesh::inp::Placing;
@@ -303,7 +303,7 @@ impl Reader {
         let line = card.line;
         if axial {
             let [a, b, ..] = element.nodes[..] else {
-                self.model.leave_out("springs to the ground");
+                self.model.leave_out(TO_GROUND);
                 return Ok(());
             };
             self.model.axials.push(Axial { ends: [a, b], law, line });

@@ -7,7 +7,7 @@ use super::fields::fields;
 use super::names::no;
 use crate::deck::edges;
 use crate::matrix::listed::LocatedProblem;
-use crate::mesh::inp::Placed;
+use crate::mesh::inp::{Placed, Pyramid};
 
 /// A surface.
 #[derive(Default)]
@@ -106,14 +106,25 @@ impl Reader {
         Ok(())
     }
 
+    /// A face of a pyramid, by its first half.
+    fn face_of_pyramid(&self, cell: usize, side: &str) -> Option<Face> {
+        let Pyramid { second, least } = self.inp.pyramids.get(&cell)?;
+        let [first, second] = [cell, *second].map(|half| &self.inp.mesh.cells[half].nodes);
+        let base = [first[0], first[1], first[2], second[2]];
+        let all = [0, 1, 2, 3].map(|corner| base[(corner + 4 - least) % 4]);
+        let number: usize = side.strip_prefix('S')?.parse().ok()?;
+        let corners = sides(5).get(number.checked_sub(1)?)?;
+        let nodes = corners.iter().map(|corner| all.get(*corner).copied().unwrap_or(first[3])).collect();
+        Some(Face { corners: corners.len(), nodes, shell: false })
+    }
+
     /// A face of a solid, or a shell itself.
     fn face(&self, cell: usize, side: &str) -> Option<Face> {
-        let pyramid = self.inp.types[usize::from(self.inp.type_of[cell])].starts_with("C3D5");
+        if self.inp.types[usize::from(self.inp.type_of[cell])].starts_with("C3D5") {
+            return self.face_of_pyramid(cell, side);
+        }
         let cell = &self.inp.mesh.cells[cell];
         let count = cell.shape.corners();
-        if pyramid {
-            return None; // its halves have other faces
-        }
         if cell.shape.dimension() == 2 {
             let nodes = cell.nodes.iter().copied().take(2 * count).collect();
             return Some(Face { corners: count, nodes, shell: true });

@@ -160,7 +160,8 @@ impl Reader {
         let capitals = |name: &str| name.to_ascii_uppercase();
         let sets = inp.mesh.sets.iter().enumerate().map(|(at, set)| (capitals(&set.name), at)).collect();
         let node_of = inp.mesh.node_labels.iter().enumerate().map(|(at, label)| (*label, at)).collect();
-        let cell_of = inp.mesh.cells.iter().enumerate().map(|(at, cell)| (cell.label, at)).collect();
+        // both halves of a pyramid have one number: the first one counts
+        let cell_of = inp.mesh.cells.iter().enumerate().rev().map(|(at, cell)| (cell.label, at)).collect();
         let section_of = vec![None; inp.mesh.cells.len()];
         Self {
             model: DeckModel::new(),

@@ -45,7 +45,9 @@ impl Reader {
         if let Ok(label) = name.parse::<u64>() {
             let label = label.saturating_add(placed.shifts[1]);
             let (cell, other) = (self.cell_of.get(&label).copied(), self.inp.others.of(label));
-            return Ok(Members { cells: cell.into_iter().collect(), others: other.into_iter().collect() });
+            let second = cell.and_then(|cell| self.inp.pyramids.get(&cell)).map(|pyramid| pyramid.second);
+            let cells = cell.into_iter().chain(second).collect();
+            return Ok(Members { cells, others: other.into_iter().collect() });
         }
         let mut known = false;
         for name in self.spellings(placed, name) {

@@ -4,7 +4,7 @@ use super::Reader;
 use super::fields::{fields, first, real, reals};
 use super::orientation::Orientation;
 use super::profiles::{Profile, profile};
-use crate::deck::{Bending, Plating, Ply, RodSection, Stuff};
+use crate::deck::{Bending, Plating, Ply, RodSection, Station, Stuff};
 use crate::matrix::MatrixProblem;
 use crate::matrix::listed::LocatedProblem;
 use crate::mesh::inp::{InpCard, Placing};
@@ -174,8 +174,8 @@ impl Reader {
         }
         let properties = [self.property(), self.property()];
         for (property, shear) in properties.into_iter().zip([Some([shear; 2]), None]) {
-            let bending = Bending { material, area, moments, torsion, shear, extra: 0.0 };
-            self.model.of_beams.insert(property, bending);
+            let stations = vec![Station { at: 0.0, area, moments, torsion, extra: 0.0 }];
+            self.model.of_beams.insert(property, Bending { material, stations, shear });
         }
         Ok(SectionKind::Beam { properties, up })
     }

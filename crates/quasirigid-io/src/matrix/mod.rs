@@ -83,19 +83,21 @@ pub(crate) const FREQUENCIES: &str = modes::FREQUENCIES;
 /// Name of the matrix of shapes in a file of modes.
 pub(crate) const SHAPES: &str = modes::SHAPES;
 
-/// Reads a matrix as [`read_matrix`]; where a name is needed and none is given, the usual one is taken if the file has it.
-pub(crate) fn read_usual(
+/// Reads a matrix as [`read_matrix`], and something beside it from the same bytes; where a name is needed and none is given, the usual one
+/// is taken if the file has it.
+pub(crate) fn read_usual<T>(
     file: &Path,
-    name: Option<&str>,
-    usual: Option<&str>,
-) -> Result<MatrixFile, MatrixError> {
+    [name, usual]: [Option<&str>; 2],
+    beside: impl Fn(&[u8]) -> T,
+) -> Result<(MatrixFile, T), MatrixError> {
     let bytes = bytes_of(file, MAX_FILE)?;
-    matrix_of(file, &bytes, name).or_else(|error| match (&error.problem, usual) {
+    let matrix = matrix_of(file, &bytes, name).or_else(|error| match (&error.problem, usual) {
         (MatrixProblem::WhichMatrix { names }, Some(usual)) if names.iter().any(|name| name == usual) => {
             matrix_of(file, &bytes, Some(usual))
         }
         _ => Err(error),
-    })
+    })?;
+    Ok((matrix, beside(&bytes)))
 }
 
 /// The matrix in the bytes of a file, whose name tells the format where the bytes do not.

@@ -5,7 +5,7 @@
 use std::path::Path;
 
 use quasirigid_elements::{ElementKind, ObservedShape, Surface};
-use quasirigid_mesh::surface::{ClosedSurface, repaired};
+use quasirigid_mesh::surface::{ClosedSurface, closing, repaired};
 
 use super::as_observed::{SHAPE, observed};
 use super::key::{BOOLEAN, Key, Keys, Shape, TEXT, any, integer, key, words};
@@ -57,6 +57,10 @@ pub(super) const UNIT_OF_CELLS: Key =
 /// Whether a file must need no repair.
 pub(super) const STRICT: Key = key("strict", BOOLEAN.or("`false`"), "refuses what would be repaired");
 
+/// Whether small holes are closed.
+const CLOSE_HOLES: Key =
+    key("close_holes", BOOLEAN.or("`false`"), "closes holes by caps of at most 1 % of the surface together");
+
 const SURFACE: Keys = Keys {
     known: &[
         NAME,
@@ -67,6 +71,7 @@ const SURFACE: Keys = Keys {
         ),
         UNIT,
         STRICT,
+        CLOSE_HOLES,
         key("parts", words(&["largest"]).or("one"), "of a file with separate bodies"),
         SHAPE,
         key("material", TEXT, ""),
@@ -189,8 +194,9 @@ pub(super) fn closed(
 ) -> Option<(ClosedSurface, ShapeFileRecord)> {
     let given = optional(table.get("unit"), |value| unit(&value));
     let strict = table.read_or("strict", false, |value| value.boolean());
+    let close = table.read_or("close_holes", false, |value| value.boolean());
     let value = table.required("file", example)?;
-    let (given, strict) = (given?, strict?);
+    let (given, strict, close) = (given?, strict?, close?);
     let text = value.text()?;
     let refuse =
         |message: String, label: &str, help: &str| value.refuse(format!("`file`: {message}"), label, help);
@@ -215,12 +221,17 @@ pub(super) fn closed(
     };
     vertices.iter_mut().flatten().for_each(|entry| *entry *= unit);
     let counts = [vertices.len(), triangles.len()];
-    let (surface, repairs) = match repaired(vertices, triangles) {
+    let repair = if close { closing } else { repaired };
+    let (surface, repairs) = match repair(vertices, triangles) {
         Ok(repaired) => repaired,
         Err(error) => {
-            let help = "the surface must close around one body; corners closer than 1e-5 of its size are merged, facets turned and \
-                        copies left out already";
-            return refuse(error.to_string(), "not the surface of a solid", help);
+            let mut help = "the surface must close around one body; corners closer than 1e-5 of its size are merged, facets turned and \
+                            copies left out already"
+                .to_owned();
+            if !error.holes.is_empty() && !close {
+                help.push_str("; `close_holes = true` of a [[surface]] closes small holes");
+            }
+            return refuse(error.to_string(), "not the surface of a solid", &help);
         }
     };
     if strict && !repairs.none() {

@@ -57,6 +57,23 @@ impl Text {
             .take_while(|(_, line)| !begins_superelement(line))
     }
 
+    /// Sets of this kind that the case control chooses, of each subcase in turn; none where there is no case control.
+    pub fn chosen(&self, kind: &str) -> Option<Vec<u64>> {
+        let (begin, _) = self.lines().find(|(_, line)| is_begin(line))?;
+        let set = |line: &str| {
+            let line = line.split('$').next().unwrap_or_default();
+            let (name, set) = line.split_once('=')?;
+            let set = set.trim().parse().ok().filter(|set| *set > 0)?;
+            name.trim().eq_ignore_ascii_case(kind).then_some(set)
+        };
+        Some(
+            self.lines()
+                .take_while(|(number, _)| *number < begin)
+                .filter_map(|(_, line)| set(line))
+                .collect(),
+        )
+    }
+
     /// Whether superelements follow the bulk data.
     pub fn superelements(&self) -> usize {
         self.lines().filter(|(_, line)| begins_superelement(line)).count()

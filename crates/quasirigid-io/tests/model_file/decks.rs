@@ -187,6 +187,33 @@ fn springs_and_bushings_join_bodies() {
     }
 }
 
+/// Springs, dashpots and bushings with one end at the ground are left out alike in every format, and the body is that without them.
+#[test]
+fn what_the_ground_would_hold_is_left_out_alike() {
+    let told =
+        |count: usize| format!("left out: {count} springs, dashpots, bushings and connectors to the ground");
+    let text = "BEGIN BULK\nGRID,1,,0.,0.,0.\nGRID,2,,1.,0.,0.\nCONM2,1,1,,2.\nCONM2,2,2,,3.\nCBUSH,3,7,1,2,,,,0\n\
+        PBUSH,7,K,100.,200.,300.,40.,50.,60.\n";
+    let held = "CELAS2,4,24.,1,1\nCELAS2,5,24.,,,2,3\nCDAMP2,6,1.,2,2\nCELAS1,8,9,1,2\nPELAS,9,5.\nCBUSH,10,7,2,,,,,0\n";
+    let model = deck(&format!("{text}{held}"), "");
+    assert!(model.file_notes[0].ends_with(&told(5)), "{:?}", model.file_notes);
+    assert_same(&model, &deck(text, ""), 1e-13);
+    let inp = |held: &str| {
+        let text = format!(
+            "*NODE\n1,0,0,0\n2,1,0,0\n*ELEMENT,TYPE=MASS,ELSET=M\n1,1\n2,2\n*MASS,ELSET=M\n2.\n*ELEMENT,TYPE=SPRINGA,ELSET=S\n\
+            3,1,2\n*SPRING,ELSET=S\n\n100.\n{held}"
+        );
+        let table = "[[deck]]\nname = \"sat\"\nfile = \"sat.inp\"\n";
+        written(&[("sat.inp", text)], table).unwrap_or_else(|error| panic!("{error}"))
+    };
+    let held = inp(
+        "*ELEMENT,TYPE=SPRING1,ELSET=G\n4,1\n5,2\n*SPRING,ELSET=G\n2\n9.\n*ELEMENT,TYPE=DASHPOT1,ELSET=D\n6,1\n\
+        *DASHPOT,ELSET=D\n1\n9.\n",
+    );
+    assert!(held.file_notes[0].ends_with(&told(3)), "{:?}", held.file_notes);
+    assert_same(&held, &inp(""), 1e-13);
+}
+
 /// The reference point of an RBE3 moves with the mean of its points: a mass there is spread on them by lever arms.
 #[test]
 fn a_mean_carries_a_mass_as_its_points_do() {
@@ -218,8 +245,139 @@ fn decks_without_a_property_are_refused() {
     ");
 }
 
+/// A mast of beams whose extra mass falls from end to end has the mass and the centre of mass that NASTRAN printed of it (pyNastran,
+/// `models/sol200/model_200.f06`, grid point weight generator: six digits), and the inertia of lines. NASTRAN's own is that of mass at the
+/// ends of each beam, 10 % more.
+#[test]
+fn a_tapered_mast_is_that_of_nastran() {
+    let places = [
+        [0.093728, 0.0, 0.0],
+        [0.5351075, 1.2275, 0.0643305],
+        [0.8927557, 2.2275, 0.1167383],
+        [1.253594, 3.2275, 0.1691461],
+        [1.61353, 4.24, 0.222209],
+    ];
+    let extra = [0.7993671, 0.7486528, 0.7073376, 0.6660225, 0.6241909];
+    let mut text = String::from("BEGIN BULK\nMAT1,1,1.,1.\nCONM2,10,5,,.0666,.8763962,.1567351,.8888889\n");
+    let mut sum = Sum::new();
+    for (label, [x, y, z]) in (1..).zip(places) {
+        text += &format!("GRID,{label},,{x:?},{y:?},{z:?}\n");
+    }
+    for beam in 0..4 {
+        let (label, [a, b]) = (beam + 1, [extra[beam], extra[beam + 1]]);
+        text += &format!(
+            "CBEAM,{label},{label},{label},{},0.,0.,1.\nPBEAM,{label},1,1.+4,1.-2,1.-2,,1.-2,{a:?},NO,1.,5.+3,,,,,{b:?}\n",
+            label + 1
+        );
+        let side: [f64; 3] = std::array::from_fn(|k| places[beam + 1][k] - places[beam][k]);
+        let length = side.iter().map(|x| x * x).sum::<f64>().sqrt();
+        // Gauss's three points: exact for the cubic
+        for (share, weight) in [(-0.6f64.sqrt(), 5.0), (0.0, 8.0), (0.6f64.sqrt(), 5.0)] {
+            let s = 0.5 + 0.5 * share;
+            let place = std::array::from_fn(|k| places[beam][k] + s * side[k]);
+            sum.add(weight / 18.0 * length * (a + s * (b - a)), place, [[0.0; 3]; 3]);
+        }
+    }
+    let tip = [0.8763962, 0.1567351, 0.8888889];
+    sum.add(0.0666, std::array::from_fn(|k| places[4][k] + tip[k]), [[0.0; 3]; 3]);
+    let model = deck(&text, "attach = []\n");
+    let body = model.assembly.body().unwrap_or_else(|error| panic!("{}", model.diagnose(&error)));
+    assert!((body.invariants().mass / 3.276537 - 1.0).abs() < 1e-6, "{}", body.invariants().mass);
+    let centre = sum.first.map(|first| first / sum.mass);
+    for (found, printed) in centre.iter().zip([0.8573885, 2.080729, 0.1269472]) {
+        assert!((found / printed - 1.0).abs() < 1e-6, "{centre:?}");
+    }
+    let (found, expected) = (body.inertia(), sum.inertia());
+    for i in 0..3 {
+        for j in 0..3 {
+            // the moments of the sections are 1e-6 of their area
+            assert!((found[i][j] - expected[i][j]).abs() < 3e-6 * expected[2][2], "{found:?} {expected:?}");
+        }
+    }
+    assert!(model.file_notes.iter().any(|note| note.contains("pieces of one section each (4)")));
+}
+
+/// A tapered mast clamped to a heavy body vibrates as many short uniform beams do, given by PBEAM at three places or by sizes.
+#[test]
+fn a_tapered_beam_vibrates_as_its_slices_do() {
+    let head =
+        "BEGIN BULK\nMAT1,1,7.+10,,.3,2700.\nGRID,1,,0.,0.,0.\nCONM2,9,1,,1.+6,,,,,+\n+,1.+6,,1.+6,,,1.+6\n";
+    let bar = |height: f64| {
+        let (b, h) = (0.02_f64, height);
+        let torsion = h * b.powi(3) * (1.0 / 3.0 - 0.21 * b / h * (1.0 - (b / h).powi(4) / 12.0));
+        format!("{:e},{:e},{:e},0.,{torsion:e},0.", b * h, b * h.powi(3) / 12.0, h * b.powi(3) / 12.0)
+    };
+    let mut slices = String::from(head);
+    let height = |share: f64| 0.1 - 0.06 * share;
+    let count = 24;
+    for slice in 0..count {
+        let (label, at) = (slice + 2, 2.0 * f64::from(slice + 1) / f64::from(count));
+        let section = bar(height((f64::from(slice) + 0.5) / f64::from(count)));
+        slices += &format!(
+            "GRID,{label},,{at:?},0.,0.\nCBEAM,{label},{label},{},{label},0.,1.,0.\nPBEAM,{label},1,{section},NO,1.\n",
+            label - 1
+        );
+    }
+    let beam = format!("{head}GRID,2,,2.,0.,0.\nCBEAM,1,1,1,2,0.,1.,0.\n");
+    let stations =
+        (1..5).map(|k| f64::from(k) / 4.0).map(|at| format!(",+\n+,NO,{at:?},{}", bar(height(at))));
+    let places = format!("{beam}PBEAM,1,1,{},+\n+,,,,,,,,{}\n", bar(0.1), stations.collect::<String>());
+    let sized = format!("{beam}PBEAML,1,1,,BAR,,,,,+\n+,.02,.1,,NO,1.,.02,.04\n");
+    let slow = |text: &str| frequencies(&deck(text, "[reduction]\nmodes = 6\n"));
+    let expected = slow(&slices);
+    for text in [places, sized] {
+        let found = slow(&text);
+        for (found, expected) in found.iter().zip(&expected).take(3) {
+            assert!((found / expected - 1.0).abs() < 0.02, "{found} and not {expected}");
+        }
+    }
+}
+
+/// Two beams whose meeting points MPC bind in all six components along the axes of a system, in a set of sets that the case control chooses,
+/// are one beam; a constraint that holds the whole body, one of another set and one of a scalar point are told and change nothing.
+#[test]
+fn multi_point_constraints_bind_as_equations() {
+    let head = "MAT1,1,7.+10,,.3,2700.\nPBAR,1,1,6.-4,5.-8,2.-8,6.-8\nGRID,1,,0.,0.,1.\nGRID,3,,3.,3.,2.\n\
+        CORD2R,5,,0.,0.,0.,.6,.8,1.,+\n+,1.,0.,0.\nCBAR,1,1,1,2,0.,0.,1.\n";
+    let whole = format!("BEGIN BULK\n{head}GRID,2,,1.,2.,2.\nCBAR,2,1,2,3,0.,0.,1.\n");
+    let mut halves = format!(
+        "CEND\nMPC = 9 $ 8\nBEGIN BULK\n{head}GRID,2,,1.,2.,2.,5\nGRID,4,,1.,2.,2.,5\nCBAR,2,1,4,3,0.,0.,1.,BGG\n"
+    );
+    halves = halves.replace("2,0.,0.,1.\n", "2,0.,0.,1.,BGG\n");
+    for component in 1..=6 {
+        halves += &format!("MPC,{},4,{component},1.,2,{component},-1.\n", component % 2 + 1);
+    }
+    halves += "MPCADD,9,1,2\nMPC,1,3,1,1.\nMPC,2,99,0,1.,3,1,1.\nMPC,8,3,1,1.,4,1,-1.\n";
+    let bound = deck(&halves, "");
+    assert_same(&bound, &deck(&whole, ""), 1e-7);
+    let told = "left out: 1 MPC of scalar points, 1 MPC of sets that no case control chooses, 1 equations that a motion of the whole body \
+        breaks, which act as supports";
+    assert!(bound.file_notes[0].contains(told), "{:?}", bound.file_notes);
+}
+
+/// A mast of three bars has eighteen coordinates, of which four modes are asked for: they are those of the beam by its closed form,
+/// `(1.8751/L)² √(EI/μ)` and the second within what three elements give.
+#[test]
+fn few_coordinates_have_their_modes() {
+    let mut text =
+        String::from("BEGIN BULK\nMAT1,1,7.+10,,.3,2700.\nPBAR,1,1,6.-4,5.-8,2.-8,6.-8\nGRID,1,,0.,0.,0.\n");
+    for bar in 1..4 {
+        text += &format!("GRID,{},,0.,0.,{bar}.\nCBAR,{bar},1,{bar},{},1.,0.,0.\n", bar + 1, bar + 1);
+    }
+    let table = "[carrier]\nmass = 1e8\ninertia = [1e9, 1e9, 1e9]\n[[deck]]\nname = \"mast\"\nfile = \"mast.bdf\"\nattach = [1]\n\
+        [reduction]\nmodes = 4\n";
+    let model = written(&[("mast.bdf", text)], table).unwrap_or_else(|error| panic!("{error}"));
+    let found = frequencies(&model);
+    let of = |root: f64, moment: f64| (root / 3.0).powi(2) * (7e10 * moment / (2700.0 * 6e-4)).sqrt();
+    let mut expected = [of(1.875_104, 2e-8), of(1.875_104, 5e-8), of(4.694_091, 2e-8), of(4.694_091, 5e-8)];
+    expected.sort_by(f64::total_cmp);
+    for (found, expected) in found.iter().zip(&expected) {
+        assert!((found / expected - 1.0).abs() < 5e-3, "{found} and not {expected}");
+    }
+}
+
 /// The text of a deck, and the records of the tables that NASTRAN writes of it, by hand.
-const TEXT: &str = "CEND\nBEGIN BULK\nPARAM,WTMASS,0.5\n\
+const TEXT: &str = "CEND\nMPC = 7 $ both ends\nBEGIN BULK\nPARAM,WTMASS,0.5\n\
     CORD2C,4,,100.,20.,-30.,100.,20.,0.,+\n+,200.,120.,-30.\n\
     GRID,1,,0.,0.,0.\nGRID,2,,1000.,0.,0.\nGRID,3,,1000.,800.,0.\nGRID,4,,0.,800.,0.\n\
     GRID,5,,0.,0.,500.\nGRID,6,,1000.,0.,500.\nGRID,7,,1000.,800.,500.\nGRID,8,,0.,800.,500.\n\
@@ -227,11 +385,13 @@ const TEXT: &str = "CEND\nBEGIN BULK\nPARAM,WTMASS,0.5\n\
     CHEXA,1,10,1,2,3,4,5,6,+\n+,7,8\nPSOLID,10,1\nCQUAD4,2,20,5,6,7,8\nPSHELL,20,2,4.,2,,2,,1.-8\n\
     CQUAD4,22,21,5,6,7,8,30.,1.5\nPCOMP,21,-1.,,,,,,SYM\n,3,0.25,45.,,3,0.25,0.\n\
     CBAR,3,30,10,9,1.,0.,0.,BGG\n,,,0.,30.,0.,0.,30.,0.\nPBAR,30,2,600.,2.+5,3.+5,4.+5,2.-6,,+\n+,,,,,,,,,+\n+,0.8,0.9,1.+4\n\
-    CBEAM,33,31,11,1,9\nPBEAM,31,2,700.,2.+5,3.+5,0.,5.+5,2.-6\n\
+    CBEAM,33,31,11,1,9\nPBEAM,31,2,700.,2.+5,3.+5,0.,5.+5,2.-6,+\n+,,,,,,,,,+\n\
+    +,NO,0.4,600.,1.5+5,2.+5,0.,4.+5,0.,+\n+,NO,1.,500.,1.+5,1.+5,0.,2.+5,1.-6\n\
     RBE2,4,10,123456,5,6,7,8\nRBE3,40,,11,123456,1.,123,5,8,+\n+,2.,123,6\nCROD,5,50,9,11\nPROD,50,2,80.\nCONROD,6,5,11,2,70.\n\
     CELAS2,70,300.,1,1,11,2\nCELAS1,71,72,2,3,11,1\nPELAS,72,400.\n\
     CBUSH,80,81,9,10,,,,4\nPBUSH,81,K,1.+3,2.+3,3.+3,4.+5,5.+5,6.+5,+\n+,,B,7.,8.,9.,1.,2.,3.\n\
     CONM2,60,9,4,0.02,10.,20.,30.,,+\n+,500.,50.,600.,-40.,30.,700.\n\
+    MPC,5,11,1,1.,10,1,-1.,,+\n+,,10,6,-600.\nMPC,6,11,2,1.,10,2,-1.\nMPCADD,7,5\n\
     MAT1,1,70000.,,.3,2.7-9\nMAT1,2,210000.,,.3,7.8-9\nMAT8,3,1.4+5,9000.,.3,5000.,4000.,3000.,1.6-9\nSPC1,1,123,1\nENDDATA\n";
 
 fn geometry(tape: Tape) -> Vec<u8> {
@@ -259,6 +419,7 @@ fn tables(mut tape: Tape) -> Tape {
     let system = words![2001, 20, 9, 4, 2, 2, 0, 100.0, 20.0, -30.0, 100.0, 20.0, 0.0, 200.0, 120.0, -30.0];
     tape.table("PVT0    ", &[words!["POST    ", 1, -1, "WTMASS  ", 2, 0.5]]);
     tape.table("GEOM1   ", &[system, grids]);
+    tape.table("CASECC  ", &[words![1, 7, 1, 0]]);
     let blank = -1.0; // thickness of a corner
     let none = 1.736_799_906e-18; // a blank real number of the solver
     let mut hexa = words![7308, 73, 253, 1, 10, 1, 2, 3, 4, 5, 6, 7, 8];
@@ -289,8 +450,12 @@ fn tables(mut tape: Tape) -> Tape {
     );
     let mut pbeam = words![5402, 54, 262, 31, 2, 1, 1, 0.0];
     for place in 0..11 {
-        let share = if place == 10 { 1.0 } else { 0.0 };
-        let section = if place == 0 || place == 10 { [700.0, 2e5, 3e5, 0.0, 5e5, 2e-6] } else { [0.0; 6] };
+        let (share, section) = match place {
+            0 => (0.0, [700.0, 2e5, 3e5, 0.0, 5e5, 2e-6]),
+            4 => (0.4, [600.0, 1.5e5, 2e5, 0.0, 4e5, 0.0]),
+            10 => (1.0, [500.0, 1e5, 1e5, 0.0, 2e5, 1e-6]),
+            _ => (0.0, [0.0; 6]),
+        };
         pbeam.extend(words![1.0, share]);
         pbeam.extend(section.map(Word::Real));
         pbeam.extend([0.0; 8].map(Word::Real));
@@ -353,12 +518,51 @@ fn tables(mut tape: Tape) -> Tape {
         "GEOM4   ",
         &[
             words![5481, 58, 12, 1, 123, 0, 1, -1],
+            words![
+                4901, 49, 17, 5, 11, 1, 1.0, 10, 1, -1.0, 10, 6, -600.0, -1, -1, -1, 6, 11, 2, 1.0, 10, 2,
+                -1.0, -1, -1, -1
+            ],
+            words![4891, 60, 83, 7, 5, -1],
             words![6901, 69, 295, 4, 10, 123_456, 5, 6, 7, 8, -1, 0.0],
             words![7101, 71, 187, 40, 11, 123_456, 1.0, 123, 5, 8, -1, 2.0, 123, 6, -1, -2, -3, 0.0],
         ],
     );
     tape.table("GEOM3   ", &[words![4201, 42, 18, 1, 2, 0, 3.0, 1.0, 0.0, 0.0]]);
     tape
+}
+
+/// Layers of solids in the tables of NASTRAN are those of the deck, with the axes of a system.
+#[test]
+fn layers_of_solids_in_op2_are_those_of_the_deck() {
+    let text = "BEGIN BULK\nCORD2R,4,,0.,0.,0.,.6,0.,.8,+\n+,1.,0.,0.\nGRID,1,,0.,0.,0.\nGRID,2,,3.,0.,0.\nGRID,3,,3.,2.,0.\n\
+        GRID,4,,0.,2.,0.\nGRID,5,,0.,0.,1.\nGRID,6,,3.,0.,1.\nGRID,7,,3.,2.,1.\nGRID,8,,0.,2.,1.\nCHEXA,1,5,1,2,3,4,5,6,+\n+,7,8\n\
+        MAT1,2,7.+10,,.3,2700.\nMAT1,3,2.+11,,.3,7800.\nPCOMPS,5,4,13\n,1,2,.25\n,2,3,.5,30.\n,4,2,.25\n";
+    let deck = deck(text, "");
+    let places = [[0.0, 0.0], [3.0, 0.0], [3.0, 2.0], [0.0, 2.0]];
+    for mut tape in Tape::each() {
+        let mut grids = words![4501, 45, 1];
+        for (label, at) in (1..=8).zip([0.0, 1.0].into_iter().flat_map(|z| places.map(|[x, y]| [x, y, z]))) {
+            grids.extend(words![label, 0, at[0], at[1], at[2], 0, 0, 0]);
+        }
+        let mut hexa = words![7308, 73, 253, 1, 5, 1, 2, 3, 4, 5, 6, 7, 8];
+        hexa.extend(vec![Word::Integer(0); 12]);
+        let system = words![2101, 21, 8, 4, 1, 2, 0, 0.0, 0.0, 0.0, 0.6, 0.0, 0.8, 1.0, 0.0, 0.0];
+        let mut layers = words![16006, 160, 903, 5, 4, 13, 0.0, 0.0, 0.0, 0.0, 0];
+        for (layer, material, thickness, angle) in [(1, 2, 0.25, 0.0), (2, 3, 0.5, 30.0), (4, 2, 0.25, 0.0)] {
+            layers.extend(words![layer, material, thickness, angle, 0, 0, 0, 0]);
+        }
+        layers.extend(vec![Word::Integer(-1); 8]);
+        let mut steel = words![103, 1, 77, 2, 7e10, 0.0, 0.3, 2700.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0];
+        steel.extend(words![3, 2e11, 0.0, 0.3, 7800.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0]);
+        tape.table("GEOM1   ", &[system, grids]);
+        tape.table("GEOM2   ", &[hexa]);
+        tape.table("EPT     ", &[layers]);
+        tape.table("MPT     ", &[steel]);
+        let bytes = tape.end();
+        let table = "[[deck]]\nname = \"sat\"\nfile = \"sat.op2\"\n";
+        let model = read_with(&[("sat.op2", &bytes)], table).unwrap_or_else(|error| panic!("{error}"));
+        assert_same(&model, &deck, 1e-6); // numbers of 32 bits
+    }
 }
 
 /// Frequencies of the solver are told, and other models in the same file counted.

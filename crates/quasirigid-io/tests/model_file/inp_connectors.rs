@@ -88,7 +88,7 @@ fn what_is_not_carried_of_connectors_is_counted() {
         *CONNECTOR BEHAVIOR, NAME=K\n*CONNECTOR ELASTICITY, COMPONENT=1, NONLINEAR\n1.,2.\n*CONNECTOR STOP, COMPONENT=1\n0.,1.\n";
     let note = &deck(&format!("{}*MPC\nBEAM,4,2\n{text}", beams(TOGETHER))).file_notes[0];
     let expected = "sat.inp: left out: 1 *CONNECTOR ELASTICITY of other forms than linear and of one component, \
-        1 *CONNECTOR STOP, 2 connectors of type SLOT, 1 connectors to the ground";
+        1 *CONNECTOR STOP, 2 connectors of type SLOT, 1 springs, dashpots, bushings and connectors to the ground";
     assert_eq!(note, expected);
 }
 

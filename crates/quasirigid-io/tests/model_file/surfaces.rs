@@ -107,3 +107,33 @@ fn separate_bodies_are_a_question_with_their_sizes() {
         model.notes
     );
 }
+
+/// A pyramid on a grid without one square of it is refused, and closed where the model says so, in words.
+#[test]
+fn small_holes_are_closed_on_request() {
+    let n = 12;
+    let index = |i: usize, j: usize| j * (n + 1) + i + 1;
+    let mut text = String::new();
+    for (i, j) in (0..=n).flat_map(|j| (0..=n).map(move |i| (i, j))) {
+        text += &format!("v {} {} 0\n", i as f64 / n as f64, j as f64 / n as f64);
+    }
+    text += "v 0.3 0.4 0.9\n";
+    for (i, j) in (0..n).flat_map(|j| (0..n).map(move |i| (i, j))).filter(|at| *at != (4, 7)) {
+        text +=
+            &format!("f {} {} {} {}\n", index(i, j), index(i, j + 1), index(i + 1, j + 1), index(i + 1, j));
+    }
+    for k in 0..n {
+        for [a, b, c, d] in
+            [[k, 0, k + 1, 0], [n, k, n, k + 1], [n - k, n, n - k - 1, n], [0, n - k, 0, n - k - 1]]
+        {
+            text += &format!("f {} {} {}\n", index(a, b), index(c, d), (n + 1) * (n + 1) + 1);
+        }
+    }
+    let error = read(&text, "file = \"shape.obj\"\nunit = \"m\"\n").expect_err("a hole").to_string();
+    assert!(error.contains("1 hole: 4 edges") && error.contains("close_holes = true"), "{error}");
+    let lines = "file = \"shape.obj\"\nunit = \"m\"\nclose_holes = true\n";
+    let model = read(&text, lines).unwrap_or_else(|error| panic!("{error}"));
+    assert!((model.assembly.surfaces[0].surface.volume() / 0.3 - 1.0).abs() < 1e-12);
+    let told = "1 holes closed by caps (3.333e-1 m around, 6.944e-3 m²,";
+    assert!(model.notes.iter().any(|note| note.contains(told)), "{:?}", model.notes);
+}

@@ -86,6 +86,70 @@ fn types_with_the_geometry_of_a_shape_are_read() {
     }
 }
 
+/// Every node of every type is in the sets of nodes of its elements: by a set of elements in a list, in a range, in another set or beside
+/// the elements. Elements of all types stand apart in one file.
+#[test]
+fn sets_of_elements_have_all_their_nodes() {
+    const TYPES: [(&str, usize); 18] = [
+        ("C3D4", 4),
+        ("C3D5", 5),
+        ("C3D6", 6),
+        ("C3D8", 8),
+        ("C3D10", 10),
+        ("C3D15", 15),
+        ("C3D20", 20),
+        ("C3D27", 27),
+        ("S3", 3),
+        ("S4", 4),
+        ("S6", 6),
+        ("S8R", 8),
+        ("STRI65", 6),
+        ("B31", 2),
+        ("B32", 3),
+        ("T3D2", 2),
+        ("T3D3", 3),
+        ("C3D5", 5),
+    ];
+    let (mut places, mut elements, mut sets, mut next) = (String::new(), String::new(), String::new(), 1);
+    for (number, (name, count)) in (1..).zip(TYPES) {
+        // of the second pyramid the last corner of the base has the least number
+        let mut labels: Vec<usize> = (next..next + count).collect();
+        if number == TYPES.len() {
+            labels[..4].rotate_left(1);
+        }
+        labels
+            .iter()
+            .for_each(|label| places += &format!("{label}, {label}, {}, {}\n", label % 7, label % 5));
+        let labels: Vec<String> = labels.iter().map(ToString::to_string).collect();
+        let lines: Vec<String> = labels.chunks(7).map(|chunk| chunk.join(", ")).collect();
+        elements += &format!("*ELEMENT, TYPE={name}, ELSET=own{number}\n{number}, {}\n", lines.join(",\n"));
+        sets += &format!(
+            "*ELSET, ELSET=list{number}\n{number}\n*ELSET, ELSET=range{number}, GENERATE\n{number}, {number}\n\
+             *ELSET, ELSET=set{number}\nrange{number}\n"
+        );
+        for kind in ["own", "list", "range", "set"] {
+            sets += &format!("*NSET, NSET=of {kind}{number}, ELSET={kind}{number}\n");
+        }
+        next += count;
+    }
+    let mesh = parsed("a.inp", format!("*NODE\n{places}{elements}{sets}"));
+    let mut first = 0;
+    for (number, (name, count)) in (1..).zip(TYPES) {
+        let mut expected: Vec<u64> = (first + 1..=first + count).map(|label| label as u64).collect();
+        for kind in ["own", "list", "range", "set"] {
+            let mut found: Vec<u64> = set(&mesh, &format!("of {kind}{number}"))
+                .nodes
+                .iter()
+                .map(|node| mesh.node_labels[*node])
+                .collect();
+            found.sort_unstable();
+            expected.sort_unstable();
+            assert_eq!(found, expected, "{name} by {kind}");
+        }
+        first += count;
+    }
+}
+
 #[test]
 fn lines_are_refused() {
     assert_snapshot!(with(FILE, "10, 0., 0, 0", "10"), @"a:6: 1 values; a node is written number, x, y, z");

@@ -156,6 +156,9 @@ fn root(parent: &mut [usize], mut index: usize) -> usize {
 
 #[cfg(test)]
 mod tests {
+    use std::sync::Arc;
+    use std::sync::atomic::AtomicBool;
+
     use super::*;
     use crate::surface::testing::{ball, sponge, turned};
 
@@ -184,7 +187,7 @@ mod tests {
         assert!(matches!(necks(&waisted(1.0, 0.005)), Err(MeshingError::Severed { .. })));
     }
 
-    /// Volume and inertia of a sponge of twenty of its own, to the digits; its necks are looked for no longer than someone waits.
+    /// Volume and inertia of a sponge of twenty of its own, to the digits; the search for its necks is bounded, and asks whether someone waits.
     #[test]
     fn a_sponge_has_its_inertia_and_the_search_for_its_necks_is_interrupted() {
         for (level, unit) in [(1, 1e-4), (2, 1e4), (3, 1.0)] {
@@ -207,8 +210,15 @@ mod tests {
             }
         }
         let surface = sponge(3, turned(1.0));
-        let start = std::time::Instant::now();
-        let found = watch::watched(&mut |_, _| std::ops::ControlFlow::Break(()), || necks(&surface));
-        assert!(found.is_err() && start.elapsed().as_secs() < 5);
+        // distances to the surface: those of the first grid, and of finer ones around 64 necks at most
+        let [low, high] = surface.bounds();
+        let points = |grid: Grid| grid.counts.into_iter().product::<usize>();
+        let [whole, fine] =
+            [Grid::new(low, high, CELLS[0]), Grid::new([0.0; 3], [1.0; 3], CELLS[1])].map(points);
+        assert!(whole + REFINED * fine < 1_100_000, "{whole} {fine}");
+        let proximity = Proximity::new(&surface, |at| at);
+        let cancelled = Arc::new(AtomicBool::new(true));
+        let search = || Grid::new(low, high, CELLS[0]).depths(&proximity).depths.len();
+        assert!(watch::cancellable(&cancelled, search).is_err() && whole > 10 * ASKED);
     }
 }

@@ -26,5 +26,5 @@ pub use holes::Hole;
 pub use moments::Moments;
 pub(crate) use proximity::Proximity;
 pub use proximity::{NearestTriangles, nearest_weights};
-pub use repair::{Repairs, Unrepaired, repaired};
+pub use repair::{LARGEST_SHARE, Repairs, Unclosed, Unrepaired, closing, repaired};
 pub use sight::Sight;

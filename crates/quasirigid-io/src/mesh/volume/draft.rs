@@ -31,8 +31,17 @@ pub(super) struct Draft {
     /// Node towards which a beam has its first axis, by the index of its cell.
     pub(super) towards: Vec<(usize, u64)>,
     pub(super) others: Others,
-    /// Halves of pyramids: the second of each first.
-    halves: HashMap<usize, usize>,
+    /// Pyramids by their first halves.
+    pub(super) pyramids: HashMap<usize, Pyramid>,
+}
+
+/// A pyramid of two halves.
+#[derive(Clone, Copy)]
+pub(crate) struct Pyramid {
+    /// Index of the cell that is its second half.
+    pub second: usize,
+    /// Corner of its base with which the first half begins.
+    pub least: usize,
 }
 
 impl Draft {
@@ -56,6 +65,7 @@ impl Draft {
 
     /// Adds a pyramid of 5, 13 or 14 nodes as two tetrahedra of its number, and returns the index of the first; the second follows it into sets.
     pub(super) fn add_pyramid(&mut self, label: u64, nodes: &[u64]) -> Result<usize, MeshProblem> {
+        let least = pyramid::least(nodes);
         let (shape, [first, second]) = if nodes.len() == pyramid::NODES {
             (Shape::Tet4, pyramid::halves(nodes).map(|half| half.map(|place| nodes[place]).to_vec()))
         } else {
@@ -68,7 +78,7 @@ impl Draft {
         };
         let added = self.add_cell(label, shape, &first)?;
         let nodes = second.into_iter().map(|node| self.index(label, node)).collect::<Result<_, _>>()?;
-        self.halves.insert(added, self.cells.len());
+        self.pyramids.insert(added, Pyramid { second: self.cells.len(), least });
         self.cells.push(Cell { label, shape, nodes });
         Ok(added)
     }
@@ -154,7 +164,7 @@ impl Draft {
         for (node, label) in other.nodes.iter().zip(&other.node_labels) {
             self.add_node(label.saturating_add(shifts[0]), place(*node))?;
         }
-        let second: HashSet<usize> = other.halves.values().copied().collect();
+        let second: HashSet<usize> = other.pyramids.values().map(|pyramid| pyramid.second).collect();
         for (place, cell) in other.cells.iter().enumerate() {
             let label = cell.label.saturating_add(shifts[1]);
             if second.contains(&place) {
@@ -166,8 +176,10 @@ impl Draft {
             let nodes = cell.nodes.iter().map(|node| first_node + node).collect();
             self.cells.push(Cell { label, shape: cell.shape, nodes });
         }
-        let halves = other.halves.iter().map(|(first, second)| (first_cell + first, first_cell + second));
-        self.halves.extend(halves);
+        let pyramids = other.pyramids.iter().map(|(first, Pyramid { second, least })| {
+            (first_cell + first, Pyramid { second: first_cell + second, least: *least })
+        });
+        self.pyramids.extend(pyramids);
         self.types.extend(&other.types);
         self.towards.extend(
             other.towards.iter().map(|(cell, node)| (first_cell + cell, node.saturating_add(shifts[0]))),
@@ -187,8 +199,8 @@ impl Draft {
 
     /// The mesh.
     pub(super) fn mesh(self) -> Mesh {
-        let Self { nodes, node_labels, cells, mut sets, halves, .. } = self;
-        sets.with_halves(&halves);
+        let Self { nodes, node_labels, cells, mut sets, pyramids, .. } = self;
+        sets.with_halves(&pyramids);
         Mesh { nodes, node_labels, cells, sets: sets.sorted() }
     }
 }

@@ -4,6 +4,7 @@ use std::collections::hash_map::Entry;
 use quasirigid_mesh::Set;
 
 use super::MeshProblem;
+use super::draft::Pyramid;
 use super::problem::VolumeProblem;
 
 /// Most members of all sets together: a short file can put every cell into many sets.
@@ -77,12 +78,13 @@ impl Sets {
     }
 
     /// Adds the second half of each pyramid to the sets of the first.
-    pub(super) fn with_halves(&mut self, halves: &HashMap<usize, usize>) {
-        if halves.is_empty() {
+    pub(super) fn with_halves(&mut self, pyramids: &HashMap<usize, Pyramid>) {
+        if pyramids.is_empty() {
             return;
         }
         for set in &mut self.sets {
-            let second: Vec<usize> = set.cells.iter().filter_map(|cell| halves.get(cell).copied()).collect();
+            let second = set.cells.iter().filter_map(|cell| pyramids.get(cell));
+            let second: Vec<usize> = second.map(|pyramid| pyramid.second).collect();
             set.cells.extend(second);
         }
     }

@@ -72,14 +72,14 @@ pub(super) fn modes(table: &Table<'_>, name: &str, sources: Sources<'_, '_>) -> 
     let folder = sources.folder;
     let (units, nodes, listed) = (Units::new(table), node_table(table, folder), dof_list(table, folder));
     let shapes = table.read("shapes", "shapes = \"wing-shapes.npy\"", |value| {
-        NamedMatrix::read(value, Some(SHAPES), folder)
+        NamedMatrix::with(value, Some(SHAPES), folder, sheet::effective)
     });
     let given_mass = NamedMatrix::required(table, "mass", "mass = \"wing-mass.mtx\"", folder);
     let stiffness = NamedMatrix::optional(table, "stiffness", folder);
     let damping = NamedMatrix::optional(table, "damping", folder);
     let rayleigh = rayleigh(table);
     let known = rheology(table, Scale::OF_SPRING);
-    let (units, nodes, listed, shapes) = (units?, nodes?, listed?, shapes?);
+    let (units, nodes, listed, (shapes, effective)) = (units?, nodes?, listed?, shapes?);
     let (given_mass, stiffness, damping) = (given_mass?, stiffness?, damping?);
     let lumped = given_mass.matrix.rows.min(given_mass.matrix.columns) == 1;
     one_of(table, ["frequencies", "stiffness"], "frequencies = [\"0.4 Hz\", \"1.1 Hz\"]")?;
@@ -105,12 +105,10 @@ pub(super) fn modes(table: &Table<'_>, name: &str, sources: Sources<'_, '_>) -> 
         },
         None => spectrum(table, coordinates.scales.len(), folder)?,
     };
-    let given_shapes = shapes.file(folder);
     let shapes = coordinates.shapes(&shapes, &rows, mass.dofs.len())?;
-    let checked = given_shapes.filter(|_| interface.is_empty()).and_then(|file| {
-        let listed = sheet::effective(&file)?;
-        effective_masses(&listed, &mass, &shapes, units.mass)
-    });
+    let checked = effective
+        .filter(|_| interface.is_empty())
+        .and_then(|listed| effective_masses(&listed, &mass, &shapes, units.mass));
     let given = GivenModes { mass, shapes, interface, spectrum, rheology: known.as_ref()?.rheology.clone() };
     let (masses, attached) = (masses(table, &labels), attached(table, &labels));
     let part = Part {

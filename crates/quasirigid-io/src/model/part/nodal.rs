@@ -3,7 +3,7 @@
 //! Equation (K9), docs/theory/12-structures.md, uses the entries.
 
 use std::collections::BTreeMap;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use quasirigid_elements::NodalMass;
 
@@ -52,11 +52,22 @@ impl<'a> NamedMatrix<'a> {
     /// Reads the matrix in a file that a value names, looked for beside the model: `"file"` or `{ file, name }`; of several without a name, the
     /// usual one.
     pub(super) fn read(value: Value<'a>, usual: Option<&str>, folder: &Path) -> Option<Self> {
-        if value.is_table() {
-            Self::in_table(value, &value.table("the matrix", &FILE)?, usual, folder)
-        } else {
-            Self::named(value, value, [None, usual], folder)
+        Self::with(value, usual, folder, |_| ()).map(|(matrix, ())| matrix)
+    }
+
+    /// The same with something else from the bytes of the file.
+    pub(super) fn with<T>(
+        value: Value<'a>,
+        usual: Option<&str>,
+        folder: &Path,
+        beside: impl Fn(&[u8]) -> T,
+    ) -> Option<(Self, T)> {
+        if !value.is_table() {
+            return Self::named(value, value, [None, usual], folder, beside);
         }
+        let table = value.table("the matrix", &FILE)?;
+        let (file, name) = file_and_name(&table)?;
+        Self::named(value, file, [name, usual], folder, beside)
     }
 
     /// Reads the matrix that the keys `file` and `name` of a table name.
@@ -66,21 +77,19 @@ impl<'a> NamedMatrix<'a> {
         usual: Option<&str>,
         folder: &Path,
     ) -> Option<Self> {
-        let name = match table.get("name") {
-            Some(name) => Some(name.text()?),
-            None => None,
-        };
-        Self::named(value, table.required("file", "file = \"model.op4\"")?, [name, usual], folder)
+        let (file, name) = file_and_name(table)?;
+        Self::named(value, file, [name, usual], folder, |_| ()).map(|(matrix, ())| matrix)
     }
 
-    fn named(
+    fn named<T>(
         value: Value<'a>,
         file: Value<'a>,
-        [name, usual]: [Option<&str>; 2],
+        names: [Option<&str>; 2],
         folder: &Path,
-    ) -> Option<Self> {
-        let matrix = opened(&file, folder, |path| read_usual(path, name, usual))?;
-        Some(Self { value, matrix })
+        beside: impl Fn(&[u8]) -> T,
+    ) -> Option<(Self, T)> {
+        let (matrix, found) = opened(&file, folder, |path| read_usual(path, names, &beside))?;
+        Some((Self { value, matrix }, found))
     }
 
     /// Reads a matrix that has to be there.
@@ -98,12 +107,6 @@ impl<'a> NamedMatrix<'a> {
         table.read_or(key, None, |value| Self::read(value, None, folder).map(Some))
     }
 
-    /// The file of the matrix.
-    pub(super) fn file(&self, folder: &Path) -> Option<PathBuf> {
-        let named = self.value.words().or_else(|| self.value.entry("file")?.words());
-        named.map(|name| folder.join(name))
-    }
-
     /// Refuses a matrix that is not square.
     pub(super) fn square(&self) -> Option<()> {
         let MatrixFile { rows, columns, .. } = self.matrix;
@@ -114,6 +117,15 @@ impl<'a> NamedMatrix<'a> {
         let help = "mass, damping and stiffness are square";
         self.value.refuse(message, "not square", help)
     }
+}
+
+/// The keys `file` and `name` of a table.
+fn file_and_name<'a>(table: &Table<'a>) -> Option<(Value<'a>, Option<&'a str>)> {
+    let name = match table.get("name") {
+        Some(name) => Some(name.text()?),
+        None => None,
+    };
+    Some((table.required("file", "file = \"model.op4\"")?, name))
 }
 
 /// Reads the table `nodes`.

@@ -1,6 +1,8 @@
 //! Finite-element model of bulk data: cards are read one after the other and references are resolved afterwards, since their order is free.
 //! A card that is not carried is counted by its name, and so is what a carried card has beyond what is carried.
 
+mod beams;
+mod constraints;
 mod elements;
 mod properties;
 mod rigid;
@@ -26,6 +28,7 @@ struct Reader {
     default_up: Option<Up>,
     turned: elements::Turned,
     systems_of_solids: solids::SystemsOfSolids,
+    constraints: constraints::Constraints,
 }
 
 /// Reads bulk data with the files that they include.
@@ -41,6 +44,7 @@ pub(crate) fn read(file: &Path, bytes: &[u8]) -> Result<DeckModel, MatrixError> 
     reader.model.points = reader.grids.points().map_err(|fault| text.located(fault))?;
     reader.resolve_directions().map_err(|fault| text.located(fault))?;
     reader.resolve_solids().map_err(|fault| text.located(fault))?;
+    reader.resolve_constraints(text.chosen("MPC").as_deref()).map_err(|fault| text.located(fault))?;
     let mut model = reader.model;
     if text.superelements() > 0 {
         model.left_out.insert("BEGIN SUPER".into(), text.superelements());
@@ -68,7 +72,8 @@ impl Reader {
         let carried = self.element(card, &name)?
             || self.of_solids(card, &name)?
             || self.property(card, &name)?
-            || self.rigid(card, &name)?;
+            || self.rigid(card, &name)?
+            || self.constraint(card, &name)?;
         if !carried && !ANALYSIS.contains(&name.as_str()) {
             self.model.leave_out(&name.chars().take(8).collect::<String>());
         }

@@ -1,9 +1,7 @@
-//! Properties and materials of a deck: PSHELL, PCOMP, PBAR to PBEAML, PROD, PELAS, PBUSH, MAT1 and MAT8.
-//! Moments of a section are turned to principal axes, so that a product of inertia loses nothing.
+//! Properties and materials of a deck: PSHELL, PCOMP, PROD, PELAS, PBUSH, MAT1 and MAT8.
 
 use super::Reader;
-use super::sections::library_section;
-use crate::deck::{Bending, Plating, Ply, RodSection, Stuff};
+use crate::deck::{Plating, Ply, RodSection, Stuff};
 use crate::matrix::error::{MatrixProblem, Row};
 use crate::matrix::listed::LocatedProblem;
 use crate::nastran::bulk::{Card, integer, integer_or, real_or, real_or_zero};
@@ -154,97 +152,6 @@ impl Reader {
         }
         self.model.of_plates.insert(label, Plating { layers, bottom, extra });
         Ok(())
-    }
-
-    fn bar(&mut self, card: &Card, label: u64) -> Result<(), LocatedProblem> {
-        let material = integer(card.field(3), Row::Property)?;
-        let [area, first, second, torsion, extra] =
-            [4, 5, 6, 7, 8].map(|number| real_or_zero(card.field(number)));
-        let [k1, k2, product] = [18, 19, 20].map(|number| real_or_zero(card.field(number)));
-        let (k1, k2) = (k1?, k2?);
-        let shear = (k1 > 0.0 && k2 > 0.0).then_some([k1, k2]);
-        let moments = [first?, second?, product?];
-        let bending = Bending { material, area: area?, moments, torsion: torsion?, shear, extra: extra? };
-        self.model.of_beams.insert(label, bending);
-        Ok(())
-    }
-
-    /// A tapered beam has the mean of its ends.
-    fn beam_section(&mut self, card: &Card, label: u64) -> Result<(), LocatedProblem> {
-        let material = integer(card.field(3), Row::Property)?;
-        let at = |first: usize| -> Result<[f64; 6], LocatedProblem> {
-            let mut constants = [0.0; 6];
-            for (index, constant) in constants.iter_mut().enumerate() {
-                *constant = real_or_zero(card.field(first + index))?;
-            }
-            Ok(constants)
-        };
-        let start = at(4)?;
-        let (mut constants, mut number) = (start, 18);
-        loop {
-            let word = card.field(number).text.to_ascii_uppercase();
-            let wide = match word.as_str() {
-                "YES" => 16,
-                "NO" | "YESA" => 8,
-                _ => break,
-            };
-            let station = at(number + 2)?;
-            let end = (real_or(card.field(number + 1), 1.0)? - 1.0).abs() < 1e-9;
-            if end {
-                for index in 0..6 {
-                    let there = if station[index] == 0.0 { start[index] } else { station[index] };
-                    constants[index] = 0.5 * (start[index] + there);
-                }
-                if constants.iter().zip(&start).any(|(mean, start)| (mean - start).abs() > 1e-9 * start.abs())
-                {
-                    self.model.simplify("tapered beams have the mean section of their ends");
-                }
-            }
-            number += wide;
-        }
-        let [k1, k2] = [number, number + 1].map(|number| real_or(card.field(number), 1.0));
-        let (k1, k2) = (k1?, k2?);
-        let neutral = (number + 8..number + 16).map(|number| real_or_zero(card.field(number)));
-        if neutral.collect::<Result<Vec<_>, _>>()?.iter().any(|offset| *offset != 0.0) {
-            self.model
-                .simplify("shear centres and centres of extra mass of beams off their axis are taken on it");
-        }
-        let shear = (k1 > 0.0 && k2 > 0.0).then_some([k1, k2]);
-        let [area, first, second, product, torsion, extra] = constants;
-        let moments = [first, second, product];
-        self.model.of_beams.insert(label, Bending { material, area, moments, torsion, shear, extra });
-        Ok(())
-    }
-
-    /// A section of the library by its sizes; false for one that is not known.
-    fn section(&mut self, card: &Card, label: u64, name: &str) -> Result<bool, LocatedProblem> {
-        let material = integer(card.field(3), Row::Property)?;
-        let kind = card.field(5).text.to_ascii_uppercase();
-        let count = match kind.as_str() {
-            "ROD" => 1,
-            "TUBE" | "TUBE2" | "BAR" => 2,
-            "BOX" | "T" | "L" | "CHAN" | "CHAN1" | "CHAN2" | "I1" | "T1" | "T2" | "Z" | "CROSS" | "H"
-            | "HAT" => 4,
-            "I" | "BOX1" => 6,
-            _ => return Ok(false),
-        };
-        let mut sizes = Vec::with_capacity(count);
-        for index in 0..count {
-            sizes.push(real_or_zero(card.field(10 + index))?);
-        }
-        let extra = real_or_zero(card.field(10 + count))?;
-        let tapered = name == "PBEAML"
-            && (0..count).any(|index| {
-                let other = card.field(13 + count + index).text;
-                !other.is_empty()
-                    && real_or_zero(card.field(13 + count + index)).is_ok_and(|size| size != sizes[index])
-            });
-        if tapered {
-            self.model.simplify("tapered beams of PBEAML have the section of their first end");
-        }
-        let Some((area, moments, torsion)) = library_section(&kind, &sizes) else { return Ok(false) };
-        self.model.of_beams.insert(label, Bending { material, area, moments, torsion, shear: None, extra });
-        Ok(true)
     }
 
     /// Notes the section of a rod: fields of the material, the area and the torsion, and the extra mass two fields on.

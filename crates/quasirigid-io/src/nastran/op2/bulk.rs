@@ -29,6 +29,8 @@ pub(super) enum Field<'a> {
 
 /// Blocks of parameters.
 pub(super) const PARAMETERS: [&str; 3] = ["PVT0", "PVT", "PVTS"];
+/// Case control.
+const CASES: [&str; 2] = ["CASECC", "CASEXX"];
 /// The blocks of each kind, of which the first that a file has is read: as they are, of the residual structure, and of NX.
 const BLOCKS: [&[&str]; 7] = [
     &PARAMETERS,
@@ -47,6 +49,7 @@ const BLOCKS: [&[&str]; 7] = [
 pub(crate) fn bulk(bytes: &[u8]) -> Result<Bulk, LocatedProblem> {
     let tape = Tape::read(bytes)?;
     let (mut bulk, mut found) = (Bulk::default(), false);
+    bulk.case_control(&tape);
     for names in BLOCKS {
         if let Some(block) = tape.block(names) {
             bulk.block(&tape, block);
@@ -73,6 +76,19 @@ impl Bulk {
                 self.record(words);
             }
         }
+    }
+
+    /// The sets of constraints that the subcases choose: the second word of each record. pyNastran, `op2/tables/geom/subcase.py`.
+    fn case_control(&mut self, tape: &Tape) {
+        let Some(block) = tape.block(&CASES) else { return };
+        for words in block.records.iter().skip(1).map(|record| tape.words(record)) {
+            if let Some(set) = words.integer(1) {
+                self.text.push_str(&format!("MPC = {set}"));
+                self.end(words.at);
+            }
+        }
+        self.text.push_str("BEGIN BULK");
+        self.end(block.at);
     }
 
     /// Counts the blocks of the name of one that have something else: superelements, or the model of another step.

@@ -23,6 +23,9 @@ pub(super) fn take(bulk: &mut Bulk, kind: [i64; 3], words: &Words) -> bool {
         [9102, 91, 52] => library(bulk, words, "PBARL"),
         [9202, 92, 53] => library(bulk, words, "PBEAML"),
         [5402, 54, 262] => beams(bulk, words),
+        [16006, 160, 903] => solid_layers(bulk, words),
+        [4901, 49, 17] => equations(bulk, words),
+        [4891, 60, 83] => sets(bulk, words),
         _ => return false,
     }
     true
@@ -124,6 +127,56 @@ fn numbered_layers(bulk: &mut Bulk, words: &Words) {
     }
 }
 
+/// PID, CORDM, PSDIR, SB, NB, TREF, GE and a word without meaning; of each layer its number, MID, T, THETA and four more up to eight times -1.
+/// pyNastran, `op2/tables/geom/ept.py`.
+fn solid_layers(bulk: &mut Bulk, words: &Words) {
+    let mut at = 3;
+    while at + 8 < words.len() {
+        let integer = |place: usize| words.integer(place).map_or(Field::Blank, Field::Integer);
+        let number = |place: usize| real(words, place).unwrap_or(Field::Blank);
+        let mut fields = vec![integer(at), integer(at + 1), integer(at + 2)];
+        fields.extend([Field::Blank; 5]);
+        at += 8;
+        while words.integer(at).is_some_and(|layer| layer != -1) {
+            fields.extend([integer(at), integer(at + 1), number(at + 2), number(at + 3)]);
+            fields.extend([Field::Blank; 4]);
+            at += 8;
+        }
+        bulk.card("PCOMPS", words.at, &fields);
+        at += 8;
+    }
+}
+
+/// SID, then grid point, component and factor of each term up to three times -1. pyNastran, `op2/tables/geom/geom4.py`.
+fn equations(bulk: &mut Bulk, words: &Words) {
+    let mut at = 3;
+    while at + 3 < words.len() {
+        let integer = |place: usize| words.integer(place).map_or(Field::Blank, Field::Integer);
+        let mut fields = vec![integer(at)];
+        at += 1;
+        while words.integer(at).is_some_and(|point| point != -1) {
+            let number = real(words, at + 2).unwrap_or(Field::Blank);
+            fields.extend([integer(at), integer(at + 1), number]);
+            // two terms to a line, between blank fields
+            if fields.len() % 8 == 7 {
+                fields.extend([Field::Blank; 2]);
+            }
+            at += 3;
+        }
+        bulk.card("MPC", words.at, &fields);
+        at += 3;
+    }
+}
+
+/// SID, then sets up to -1.
+fn sets(bulk: &mut Bulk, words: &Words) {
+    let all: Vec<i64> = (3..words.len()).filter_map(|place| words.integer(place)).collect();
+    for sets in all.split(|set| *set == -1).filter(|sets| !sets.is_empty()) {
+        let fields: Vec<Field<'_>> = sets.iter().map(|set| Field::Integer(*set)).collect();
+        bulk.card("MPCADD", words.at, &fields);
+    }
+}
+
 /// PID, MID, group and type of two words each, sizes and extra mass, -1; of tapered beams the sizes at each place.
 fn library(bulk: &mut Bulk, words: &Words, name: &str) {
     let mut at = 3;
@@ -158,9 +211,9 @@ fn beams(bulk: &mut Bulk, words: &Words) {
         let of_place = |index: usize| at + before + index * place;
         let mut fields = vec![integer(at), integer(at + 1)];
         fields.extend(numbers(of_place(0) + 2, 14));
-        if let Some(end) = (1..11).find(|index| words.real(of_place(*index) + 1) == Some(1.0)) {
-            fields.extend([Field::Word("YES"), Field::Double(1.0)]);
-            fields.extend(numbers(of_place(end) + 2, 14));
+        for index in (1..11).filter(|index| words.real(of_place(*index) + 1).is_some_and(|at| at > 0.0)) {
+            fields.push(Field::Word("YES"));
+            fields.extend(numbers(of_place(index) + 1, 15));
         }
         fields.extend(numbers(of_place(11), behind));
         bulk.card("PBEAM", words.at, &fields);

@@ -60,14 +60,13 @@ pub(crate) fn read(file: &Path, nodes: Option<&Path>) -> Result<Sheet, MatrixErr
     superelement::read(file, &bytes, nodes)
 }
 
-/// Effective masses of each mode along and about the three axes, where a file of NASTRAN lists them.
-pub(crate) fn effective(file: &Path) -> Option<Vec<[f64; 6]>> {
-    let bytes = bytes_of::<MatrixProblem>(file, MAX_FILE).ok()?;
-    if op2::Layout::of(&bytes).is_some() {
-        return tables::effective(&bytes);
+/// Effective masses of each mode along and about the three axes, where the bytes of a file of NASTRAN list them.
+pub(crate) fn effective(bytes: &[u8]) -> Option<Vec<[f64; 6]>> {
+    if op2::Layout::of(bytes).is_some() {
+        return tables::effective(bytes);
     }
-    let text = kind_of(&bytes) == "text";
-    text.then(|| printed::effective(&bytes)).flatten()
+    let text = kind_of(bytes) == "text";
+    text.then(|| printed::effective(bytes)).flatten()
 }
 
 impl Sheet {

@@ -1,7 +1,8 @@
 //! Repair of triangles that nearly bound a body, each step with its count.
 //!
-//! Nothing is invented: a hole stays open, and crossing parts are not united. A surface that needs no repair is taken as it is.
+//! Nothing is invented unless small holes are to be closed: a hole stays open, and crossing parts are not united. A surface that needs no repair is taken as it is.
 
+mod caps;
 mod facets;
 mod orient;
 mod weld;
@@ -15,6 +16,7 @@ use super::holes::holes;
 use super::parts::used;
 use super::topology::sides;
 use super::{ClosedSurface, Hole, SurfaceError};
+pub use caps::{LARGEST_SHARE, Unclosed};
 
 /// Repairs that were made to triangles, with their counts.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -35,6 +37,14 @@ pub struct Repairs {
     pub inverted: usize,
     /// Corners of no facet that were left out.
     pub unused: usize,
+    /// Holes closed by caps.
+    pub holes: usize,
+    /// Length of their rims (m).
+    pub rims: f64,
+    /// Area of the caps (m²).
+    pub caps: f64,
+    /// Their share of the surface.
+    pub share: f64,
 }
 
 impl Repairs {
@@ -55,6 +65,7 @@ impl Repairs {
             ("facets turned around", self.reversed),
             ("shells turned inside out", self.inverted),
             ("unused corners dropped", self.unused),
+            ("holes closed", self.holes),
         ];
         all.into_iter().filter(|(_, count)| *count > 0).collect()
     }
@@ -67,6 +78,11 @@ impl fmt::Display for Repairs {
             let within = match (name, self.within) {
                 ("corners merged", 0.0) => " at the same place".to_owned(),
                 ("corners merged", within) => format!(" within {within:.1e} m"),
+                ("holes closed", _) => {
+                    let Self { rims, caps, share, .. } = self;
+                    let percent = 100.0 * share;
+                    format!(" by caps ({rims:.3e} m around, {caps:.3e} m², {percent:.2} % of the surface)")
+                }
                 _ => String::new(),
             };
             write!(f, "{comma}{count} {name}{within}")?;
@@ -82,6 +98,8 @@ pub struct Unrepaired {
     pub fault: SurfaceError,
     /// Holes that are left, the one with the longest rim first.
     pub holes: Vec<Hole>,
+    /// Cause for which they were not closed, where they were to be.
+    pub unclosed: Option<Unclosed>,
 }
 
 /// Holes that a message lists.
@@ -89,14 +107,18 @@ const LISTED: usize = 3;
 
 impl fmt::Display for Unrepaired {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { fault, holes } = self;
+        let Self { fault, holes, unclosed } = self;
         if !matches!(fault, SurfaceError::Open { .. }) {
             return write!(f, "{fault}");
         }
         let listed: Vec<String> = holes.iter().take(LISTED).map(Hole::to_string).collect();
         let (noun, more) = (if holes.len() == 1 { "hole" } else { "holes" }, holes.len() > LISTED);
         let more = if more { "; …" } else { "" };
-        write!(f, "the surface has {} {noun}: {}{more}; fill what is open", holes.len(), listed.join("; "))
+        write!(f, "the surface has {} {noun}: {}{more}; ", holes.len(), listed.join("; "))?;
+        match unclosed {
+            Some(cause) => write!(f, "{cause}"),
+            None => f.write_str("fill what is open"),
+        }
     }
 }
 
@@ -112,14 +134,33 @@ pub fn repaired(
     vertices: Vec<[f64; 3]>,
     triangles: Vec<[usize; 3]>,
 ) -> Result<(ClosedSurface, Repairs), Unrepaired> {
+    mended(vertices, triangles, false)
+}
+
+/// The same with holes closed by caps, which have at most [`LARGEST_SHARE`] of the surface together.
+///
+/// # Errors
+/// [`Unrepaired`], with the cause for which holes were not closed.
+pub fn closing(
+    vertices: Vec<[f64; 3]>,
+    triangles: Vec<[usize; 3]>,
+) -> Result<(ClosedSurface, Repairs), Unrepaired> {
+    mended(vertices, triangles, true)
+}
+
+fn mended(
+    vertices: Vec<[f64; 3]>,
+    triangles: Vec<[usize; 3]>,
+    close: bool,
+) -> Result<(ClosedSurface, Repairs), Unrepaired> {
     use SurfaceError::{NoSuchVertex, NotFinite};
     let mut draft = Draft { vertices, triangles, repairs: Repairs::default() };
     match check(&draft.vertices, &draft.triangles) {
         Ok(()) => {}
         Err(fault @ (NoSuchVertex { .. } | NotFinite { .. })) => {
-            return Err(Unrepaired { fault, holes: Vec::new() });
+            return Err(Unrepaired { fault, holes: Vec::new(), unclosed: None });
         }
-        Err(_) => draft.repair()?,
+        Err(_) => draft.repair(close)?,
     }
     let Draft { vertices, triangles, mut repairs } = draft;
     let all = vertices.len();
@@ -136,12 +177,13 @@ struct Draft {
 }
 
 impl Draft {
-    fn repair(&mut self) -> Result<(), Unrepaired> {
+    fn repair(&mut self, close: bool) -> Result<(), Unrepaired> {
         self.drop_collapsed();
         self.drop_repeats();
         self.weld();
         self.drop_repeats();
         self.orient();
+        let unclosed = if close { self.close().err() } else { None };
         self.flatten();
         self.turn_outward();
         let Err(fault) = check(&self.vertices, &self.triangles) else { return Ok(()) };
@@ -151,7 +193,7 @@ impl Draft {
                 return Ok(());
             }
         }
-        Err(Unrepaired { fault, holes: holes(&self.vertices, &self.triangles) })
+        Err(Unrepaired { fault, holes: holes(&self.vertices, &self.triangles), unclosed })
     }
 
     /// Number of edges of one facet only.

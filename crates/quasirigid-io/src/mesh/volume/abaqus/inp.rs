@@ -1,9 +1,10 @@
 //! What a file of Abaqus has beside its mesh: types, elements that are no cells, the places of its parts, and the cards that are kept.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashMap};
 
 use quasirigid_mesh::Mesh;
 
+use super::super::draft::Pyramid;
 use super::super::others::Others;
 use super::block::Placing;
 use super::keyword::Keyword;
@@ -17,6 +18,8 @@ pub(crate) struct Inp {
     pub type_of: Vec<u16>,
     /// Node towards which a beam has its first axis, by the index of its cell.
     pub towards: Vec<(usize, u64)>,
+    /// Pyramids by the indices of their first halves.
+    pub pyramids: HashMap<usize, Pyramid>,
     pub others: Others,
     /// Where parts and instances are: their prefixes and shifts of numbers.
     pub placed: Vec<Placed>,

@@ -12,6 +12,7 @@ use std::path::{Path, PathBuf};
 use quasirigid_mesh::Mesh;
 
 use super::draft::Draft;
+pub(crate) use super::draft::Pyramid;
 use super::others::Other;
 use super::problem::VolumeProblem;
 use crate::deck::{Places, Run};
@@ -419,9 +420,23 @@ impl Reader {
         let type_of = std::mem::take(&mut self.whole.types);
         let towards = std::mem::take(&mut self.whole.towards);
         let others = std::mem::take(&mut self.whole.others);
+        let pyramids = self.whole.pyramids.clone();
         let Self { types, cards, counts, left_out, places, whole, .. } = self;
         let mesh = whole.mesh();
-        Ok(Inp { mesh, types, type_of, towards, others, placed, cards, counts, left_out, notes, places })
+        Ok(Inp {
+            mesh,
+            types,
+            type_of,
+            towards,
+            pyramids,
+            others,
+            placed,
+            cards,
+            counts,
+            left_out,
+            notes,
+            places,
+        })
     }
 
     /// Where parts are left out, moved or numbered on.

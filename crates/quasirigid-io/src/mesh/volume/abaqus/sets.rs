@@ -119,8 +119,9 @@ impl Filling {
             label: cells.to_owned(),
         };
         let cells = &set.ok_or_else(no_such)?.cells;
-        let mut nodes: Vec<usize> =
-            cells.iter().flat_map(|cell| draft.cells()[*cell].nodes.iter().copied()).collect();
+        let second = cells.iter().filter_map(|cell| draft.pyramids.get(cell)).map(|pyramid| pyramid.second);
+        let all = cells.iter().copied().chain(second);
+        let mut nodes: Vec<usize> = all.flat_map(|cell| draft.cells()[cell].nodes.iter().copied()).collect();
         nodes.sort_unstable();
         nodes.dedup();
         self.add(draft, &nodes)

@@ -2,11 +2,13 @@
 
 use std::collections::BTreeMap;
 
-use quasirigid_elements::{Bar, BarKind, Coupling, ElasticMaterial, Layer, Region, SectionShape, Skin};
+use quasirigid_elements::{
+    Bar, BarKind, Coupling, ElasticMaterial, Layer, Material, Region, SectionShape, Skin,
+};
 use quasirigid_math::vec3::{add, cross, minus, norm, scale, unit};
 
 use super::{Made, along};
-use crate::deck::{BASIC, Bending, Line, Plate, Plating, Ply, RodSection, Stuff, Up, across};
+use crate::deck::{BASIC, Line, Piece, Plate, Plating, Ply, RodSection, Station, Stuff, Up, across};
 use crate::matrix::error::MatrixProblem;
 use crate::matrix::listed::LocatedProblem;
 
@@ -114,10 +116,10 @@ impl Made {
     fn beam(&mut self, index: usize) -> Result<(), LocatedProblem> {
         let Line { property, ends: labels, up, offsets, released, line, .. } = self.deck.beams[index];
         let no = (line, MatrixProblem::NoCardOf { kind: "property", label: property });
-        let bending = *self.deck.of_beams.get(&property).ok_or(no)?;
-        let Bending { material, area, extra, .. } = bending;
+        let bending = self.deck.of_beams.get(&property).ok_or(no)?;
+        let (material, shear, pieces) = (bending.material, bending.shear, bending.pieces());
         let name = self.name_of("MAT1", material);
-        let material = self.isotropic(material, if area > 0.0 { extra / area } else { 0.0 })?;
+        let material = self.isotropic(material, 0.0)?;
         let mut ends = [self.of(labels[0], line)?, self.of(labels[1], line)?];
         let length = self.given.units.length;
         let first_axes = self.axes(labels[0], line)?;
@@ -157,18 +159,31 @@ impl Made {
             }
             if offsets[end] != [0.0; 3] || !free.is_empty() {
                 let node = self.new_node(places[end]);
+                self.following.insert(node);
                 self.mixed.couplings.push(Coupling::Rigid { node, base: ends[end], free });
                 ends[end] = node;
             }
         }
-        let kind = self.section(&bending, y, z);
-        self.mixed.bars.push(Bar { ends, kind, name, material });
+        if pieces.len() > 1 {
+            self.deck.simplify("tapered beams are divided into pieces of one section each");
+        }
+        let mut from = ends[0];
+        for (left, Piece { end, section, heavy }) in (0..pieces.len()).rev().zip(pieces) {
+            let inner = add(scale(1.0 - end, places[0]), scale(end, places[1]));
+            let to = if left == 0 { ends[1] } else { self.new_node(inner) };
+            let kind = self.section(&section, shear, [y, z]);
+            let share = |part: f64| if section.area > 0.0 { part / section.area } else { 0.0 };
+            let density = material.density * share(heavy[0]) + self.in_kilograms(share(heavy[1]));
+            let material = Material { density, ..material.clone() };
+            self.mixed.bars.push(Bar { ends: [from, to], kind, name: name.clone(), material });
+            from = to;
+        }
         Ok(())
     }
 
     /// Section in principal axes.
-    fn section(&mut self, bending: &Bending, y: [f64; 3], z: [f64; 3]) -> BarKind {
-        let Bending { area, moments: [first, second, product], torsion, shear, .. } = *bending;
+    fn section(&mut self, section: &Station, shear: Option<[f64; 2]>, [y, z]: [[f64; 3]; 2]) -> BarKind {
+        let Station { area, moments: [first, second, product], torsion, .. } = *section;
         let length = self.given.units.length;
         let area_si = area * length.powi(2);
         if first.max(second).max(torsion) <= 0.0 {
@@ -194,7 +209,6 @@ impl Made {
         self.labels.push(self.next_label);
         self.next_label = self.next_label.saturating_add(1);
         self.nodes.push(place);
-        self.following.insert(self.nodes.len() - 1);
         self.nodes.len() - 1
     }
 }

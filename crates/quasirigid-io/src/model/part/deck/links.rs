@@ -4,7 +4,7 @@ use quasirigid_elements::{Coupling, Mixed, NodeLink, Strain, Weighted};
 use quasirigid_math::vec3::{add, cross, minus, norm, scale, unit};
 
 use super::{Made, along, box_around};
-use crate::deck::{Axial, BASIC, Bush, Mean, Scalar, SpringEnd, Stiff, Up, across};
+use crate::deck::{Axial, BASIC, Bush, Mean, Scalar, SpringEnd, Stiff, TO_GROUND, Up, across};
 use crate::matrix::error::MatrixProblem;
 use crate::matrix::listed::LocatedProblem;
 
@@ -88,7 +88,7 @@ impl Made {
                 }
             };
             let [Some(from), Some(to)] = ends else {
-                self.deck.leave_out("springs to the ground");
+                self.deck.leave_out(TO_GROUND);
                 continue;
             };
             if [from, to]
@@ -125,7 +125,7 @@ impl Made {
     fn axial(&mut self, index: usize) -> Result<(), LocatedProblem> {
         let Axial { ends: labels, law, line } = self.deck.axials[index];
         if labels.contains(&0) {
-            self.deck.leave_out("springs to the ground");
+            self.deck.leave_out(TO_GROUND);
             return Ok(());
         }
         let nodes = [self.of(labels[0], line)?, self.of(labels[1], line)?];
@@ -168,7 +168,7 @@ impl Made {
     fn bush(&mut self, index: usize) -> Result<(), LocatedProblem> {
         let Bush { property, ends: labels, up, axes, share, line } = self.deck.bushes[index];
         if labels[1] == 0 {
-            self.deck.leave_out("CBUSH to the ground");
+            self.deck.leave_out(TO_GROUND);
             return Ok(());
         }
         let no = (line, MatrixProblem::NoCardOf { kind: "property", label: property });

@@ -36,8 +36,11 @@ impl Boom {
     fn moved(&self, id: ElementId) -> Result<MovingBody, ElementError> {
         let direction = number::unit(self.direction).map_err(at(id, Field::DIRECTION))?;
         number::finite(&self.position).map_err(at(id, Field::POSITION))?;
-        number::non_negative(self.mass).map_err(at(id, Field::MASS))?;
-        number::non_negative(self.tip_mass).map_err(at(id, Field::new("tip_mass")))?;
+        for (mass, field) in [(self.mass, Field::MASS), (self.tip_mass, Field::new("tip_mass"))] {
+            if mass != 0.0 {
+                number::mass(mass).map_err(at(id, field))?;
+            }
+        }
         number::mass(self.mass + self.tip_mass).map_err(at(id, Field::MASS))?;
         self.length.check().map_err(at(id, Field::new("length")))?;
         // places in shares of the length

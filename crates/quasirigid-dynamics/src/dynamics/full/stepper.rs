@@ -52,7 +52,7 @@ impl<'a> FullStepper<'a> {
             return Err(StepperError::Timed { name: force.name.clone() });
         }
         if let Some(drive) = system.body.drives().iter().find(|drive| drive.has_corners()) {
-            return Err(StepperError::Timed { name: drive.name.clone() });
+            return Err(StepperError::Cornered { name: drive.name.clone() });
         }
         let solver = solver(system, initial, &options, [0.0; 3])?;
         let kinetics = Kinetics::new(system.body).ok_or(PropagateError::LightCarrier)?;

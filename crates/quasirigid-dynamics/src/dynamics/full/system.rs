@@ -214,6 +214,7 @@ impl<'a> FullSystem<'a> {
     /// Upper estimate of the fastest rate of the elastic part, `|λ|` of `λ²M + λB + C` (1/s). (T3)
     fn fastest_vibration(&mut self) -> f64 {
         let body = self.system.body;
+        self.kinetics.drive(body.drives().iter().map(|_| 0.0));
         let damping = self.largest(body.damping());
         let stiffness = self.largest(body.stiffness());
         0.5 * (damping + (damping * damping + 4.0 * stiffness).sqrt())

@@ -87,9 +87,9 @@ fn class(error: &StudyError) -> &'static str {
         StudyError::Record(_) | StudyError::Write { .. } => "FileError",
         StudyError::Model(_) | StudyError::Extreme { .. } => "ModelError",
         StudyError::Reduction(_) | StudyError::Validity(_) | StudyError::Vibration(_) => "ReductionError",
-        StudyError::Drive { .. } | StudyError::Propagate(_) | StudyError::Step(StepperError::Failed(_) | StepperError::Long { .. }) => {
-            "PropagationError"
-        }
+        StudyError::Drive { .. }
+        | StudyError::Propagate(_)
+        | StudyError::Step(StepperError::Failed(_) | StepperError::Long { .. }) => "PropagationError",
         StudyError::Verification(_) => "VerificationError",
         StudyError::History { .. } => "TooLargeError",
         StudyError::NoSpin { .. }

@@ -45,7 +45,7 @@ pub enum StepperError {
     },
     /// The law of a driven part may have corners, or change in a short time.
     #[error(
-        "the law that drives {name:?} may have corners or change in a moment, which steps of another length do not meet; write it by polynomials, sines and cosines, or follow the body by a history"
+        "the law that drives {name:?} may have corners or change in a moment, which steps of another length do not meet; write it by sums and products of t, sines and cosines, or follow the body by a history"
     )]
     Cornered {
         /// Name of the part.

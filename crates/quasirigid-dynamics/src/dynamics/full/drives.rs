@@ -82,6 +82,19 @@ impl<'a> Drives<'a> {
     }
 }
 
+/// Times at which the rates of drives are looked at.
+const LOOKS: usize = 64;
+
+/// Size of the energies (J) of driven parts up to an end (s), by which errors of the work of drives are judged; none without drives. (T9)
+pub(super) fn energy(body: &FlexibleBody, end: f64) -> Option<f64> {
+    let at = |t: f64| {
+        let moving = |drive: &Drive| body.invariants().modal_mass(drive.coordinate) * drive.at(t)[1].powi(2);
+        body.drives().iter().map(moving).sum::<f64>()
+    };
+    let looks = (0..=LOOKS).map(|look| at(end * look as f64 / LOOKS as f64));
+    (!body.drives().is_empty()).then(|| looks.fold(0.0, f64::max))
+}
+
 /// Change of the rest of the work (J) where rates jump, from the momenta and rates before and after. (T9)
 pub(super) fn rest_of_jump(before: &[[f64; 2]], after: &[[f64; 2]]) -> f64 {
     let each = before.iter().zip(after).map(|([p0, u0], [p1, u1])| -0.5 * (p0 + p1) * (u1 - u0));

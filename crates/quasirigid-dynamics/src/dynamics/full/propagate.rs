@@ -3,6 +3,7 @@
 //! or they would set the step.
 //! "Errors allowed" and equations (T1), docs/theory/08-full-system.md; (D4), docs/theory/11-materials.md.
 
+use super::drives::energy;
 use super::solver::FullSolver;
 use super::start::FullState;
 use super::system::FullSystem;
@@ -10,7 +11,7 @@ use crate::dynamics::conserved_momentum::Conserved;
 use crate::dynamics::control::{ControlBlock, Seen};
 use crate::dynamics::external::Forced;
 use crate::dynamics::invariant_monitor::InvariantMonitor;
-use crate::dynamics::layout::{ATTITUDE, Layout, MOMENTUM, PLACE, VELOCITY, triple};
+use crate::dynamics::layout::{ATTITUDE, Layout, MOMENTUM, PLACE, VELOCITY, WORK, triple};
 use crate::dynamics::run::{Observer, Options, PropagateError, Run, check, check_covered};
 use crate::dynamics::scale::Scales;
 use crate::math::ode::{Solver, integrate};
@@ -81,6 +82,9 @@ pub fn propagate_controlled(
     check(scales.spin, initial.attitude, times, options)?;
     let mut sizes = sizes(system.body, layout, &scales);
     sizes[layout.controls()].copy_from_slice(&block.sizes(&seen, started, &scales));
+    if let Some(energy) = energy(system.body, end) {
+        sizes[WORK] = energy.max(scales.spin * scales.angular_momentum);
+    }
     let allowed = sizes.iter().map(|size| options.tolerance * size).collect();
     let mut full = FullSystem::new(system, controls, &sizes).ok_or(PropagateError::LightCarrier)?;
     full.begin(&mut y, end);

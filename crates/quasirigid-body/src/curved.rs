@@ -1,7 +1,8 @@
 //! Full equations along curved paths: momenta, velocities and loads with the fields of the paths as extra coordinates.
 //! The body on straight paths has more coordinates, the last of which follow the others; the mass matrix then changes with `q` and is
-//! factored at each displacement.
-//! Equations (K12) and (K13), docs/theory/12-structures.md; (I12), docs/theory/02-invariants.md; (S6), docs/theory/01-system.md.
+//! factored at each displacement. Of driven coordinates the rates are given, and the momenta follow.
+//! Equations (K12) and (K13), docs/theory/12-structures.md; (I12), docs/theory/02-invariants.md; (S6), docs/theory/01-system.md; (T8),
+//! docs/theory/08-full-system.md.
 
 use nalgebra::{Cholesky, DMatrix, DVectorViewMut, Dyn};
 
@@ -32,6 +33,12 @@ pub(super) struct CurvedKinetics<'a> {
     drift: [f64; 3],
     u: [f64; 3],
     placed: Option<Placed>,
+    /// Coordinates that move by their momenta, and those that are driven, with the rates of these. (T8)
+    free: Vec<usize>,
+    driven: Vec<usize>,
+    driving: Vec<f64>,
+    /// Momenta of the free coordinates beyond those that the drives give them.
+    own: Vec<f64>,
 }
 
 /// Factors that depend on the displacements alone, kept because a Jacobian by differences evaluates many momenta at the same
@@ -41,8 +48,10 @@ struct Placed {
     q: Vec<f64>,
     /// First moment of the displacement.
     s: [f64; 3],
+    /// Mass matrix of the free coordinates, and its columns of the driven ones.
     mass: Option<Cholesky<f64, Dyn>>,
-    /// `h_j`, and `M⁻¹h`, a row for each coordinate.
+    beside: DMatrix<f64>,
+    /// `h_j`, and `M⁻¹h`, a row for each free coordinate.
     h: DMatrix<f64>,
     turned: DMatrix<f64>,
     /// `(J − hᵀM⁻¹h)⁻¹`.
@@ -53,7 +62,9 @@ impl<'a> CurvedKinetics<'a> {
     /// Prepares the body.
     pub fn new(body: &'a FlexibleBody, paths: &'a CurvedPaths) -> Self {
         let Invariants { S, pairs, .. } = &paths.straight;
-        let all = S.len();
+        let (all, n) = (S.len(), body.coordinates().len());
+        let driven: Vec<usize> = body.drives().iter().map(|drive| drive.coordinate).collect();
+        let free: Vec<usize> = (0..n).filter(|j| !driven.contains(j)).collect();
         let mut curved = Self {
             body,
             paths,
@@ -62,13 +73,17 @@ impl<'a> CurvedKinetics<'a> {
             mass: DMatrix::zeros(all, all),
             z: vec![0.0; all],
             z_rate: vec![0.0; all],
-            fields: paths.amplitudes(&vec![0.0; body.coordinates().len()]),
+            fields: paths.amplitudes(&vec![0.0; n]),
             h: vec![[0.0; 3]; all],
             grown: vec![[0.0; 6]; all],
             spin: [0.0; 3],
             drift: [0.0; 3],
             u: [0.0; 3],
             placed: None,
+            own: vec![0.0; free.len()],
+            free,
+            driving: vec![0.0; driven.len()],
+            driven,
         };
         for (j, k, pair) in pairs.iter() {
             curved.second[j * all + k] = pair.J2;
@@ -165,37 +180,70 @@ impl<'a> CurvedKinetics<'a> {
         if let Some(placed) = self.placed.take_if(|placed| placed.q == q) {
             return placed;
         }
-        let n = q.len();
         let (J, s) = self.displace(q);
-        let h = DMatrix::from_row_iterator(n, 3, (0..n).flat_map(|j| self.gathered(&self.h, j)));
-        let mass = Cholesky::<f64, Dyn>::new(self.mass());
+        let n = self.free.len();
+        let h = DMatrix::from_row_iterator(n, 3, self.free.iter().flat_map(|j| self.gathered(&self.h, *j)));
+        let all = self.mass();
+        let (own, beside) = match self.driven.is_empty() {
+            true => (all, DMatrix::zeros(n, 0)),
+            false => {
+                let rows = all.select_rows(&self.free);
+                (rows.select_columns(&self.free), rows.select_columns(&self.driven))
+            }
+        };
+        let mass = Cholesky::<f64, Dyn>::new(own);
         let turned =
             mass.as_ref().map_or_else(|| DMatrix::from_element(n, 3, f64::NAN), |factor| factor.solve(&h));
         let schur = h.transpose() * &turned;
         let at = |i: usize, j: usize| 0.5 * (schur[(i, j)] + schur[(j, i)]);
         let entries = [at(0, 0), at(1, 1), at(2, 2), at(1, 2), at(2, 0), at(0, 1)];
         let inverse = crate::math::sym3::inverse(std::array::from_fn(|i| J[i] - entries[i]));
-        Placed { q: q.to_vec(), s, mass, h, turned, inverse }
+        Placed { q: q.to_vec(), s, mass, beside, h, turned, inverse }
     }
 
-    /// Angular velocity at these momenta; writes the rates of the coordinates.
+    /// Sets the rates of the driven coordinates, in the order of the drives. (T8)
+    pub fn drive(&mut self, rates: impl Iterator<Item = f64>) {
+        self.driving.iter_mut().zip(rates).for_each(|(own, rate)| *own = rate);
+    }
+
+    /// Angular velocity at these momenta, of which those of driven coordinates do not count; writes the rates of the coordinates. (T8)
     pub fn velocities(&mut self, K: [f64; 3], p: &[f64], q: &[f64], rate: &mut [f64]) -> [f64; 3] {
         let placed = self.place(q);
-        let load = placed
-            .turned
-            .row_iter()
-            .zip(p)
-            .fold(K, |load, (turned, p)| add(load, scale(-p, [turned[0], turned[1], turned[2]])));
+        let K = self.undriven(&placed, K, p);
+        let rows = placed.turned.row_iter().zip(&self.own);
+        let load = rows.fold(K, |load, (turned, p)| add(load, scale(-p, [turned[0], turned[1], turned[2]])));
         let omega = times(placed.inverse, load);
         let turning = placed.h.row_iter().map(|h| dot([h[0], h[1], h[2]], omega));
-        rate.iter_mut().zip(p).zip(turning).for_each(|((rate, p), turning)| *rate = p - turning);
+        self.own.iter_mut().zip(turning).for_each(|(p, turning)| *p -= turning);
         match &placed.mass {
-            Some(factor) => factor.solve_mut(&mut DVectorViewMut::from_slice(rate, q.len())),
-            None => rate.fill(f64::NAN),
+            Some(factor) => {
+                let free = self.free.len();
+                factor.solve_mut(&mut DVectorViewMut::from_slice(&mut self.own, free));
+            }
+            None => self.own.fill(f64::NAN),
         }
+        self.free.iter().zip(&self.own).for_each(|(j, own)| rate[*j] = *own);
+        self.driven.iter().zip(&self.driving).for_each(|(j, driving)| rate[*j] = *driving);
         self.move_on(omega, rate, placed.s);
         self.placed = Some(placed);
         omega
+    }
+
+    /// Angular momentum without that of the drives, which is returned, and momenta of the free coordinates without theirs. (T8)
+    fn undriven(&mut self, placed: &Placed, K: [f64; 3], p: &[f64]) -> [f64; 3] {
+        self.own.iter_mut().zip(&self.free).for_each(|(own, j)| *own = p[*j]);
+        for (column, driving) in placed.beside.column_iter().zip(&self.driving) {
+            add_scaled(&mut self.own, -driving, column.as_slice());
+        }
+        let drives = self.driven.iter().zip(&self.driving);
+        drives.fold(K, |K, (j, driving)| add(K, scale(-driving, self.gathered(&self.h, *j))))
+    }
+
+    /// Momentum of a coordinate in the motion set last. (K13)
+    pub fn momentum_of(&self, j: usize) -> f64 {
+        let n = self.body.coordinates().len();
+        let fields = (0..self.paths.fields()).map(|e| self.momentum(n + e) * self.fields.slopes[(e, j)]);
+        self.momentum(j) + fields.sum::<f64>()
     }
 
     /// Adds the centrifugal and Coriolis loads of the motion set last to `sum`. (K13)

@@ -74,20 +74,22 @@ impl FlexibleBody {
             memories: memories.collect(),
             coordinates: self.coordinates()[kept.clone()].to_vec(),
             cyclic,
+            drives: self.drives().iter().filter_map(|drive| drive.locked(&kept)).collect(),
             markers: self.markers().iter().map(|marker| marker.locked(&kept)).collect(),
             ..self.parts.clone()
         };
         let paths = self.paths.as_ref().and_then(|paths| paths.locked(self.coordinates().len(), &kept));
         let advections = self.advections.iter().filter(|_| cyclic > 0).map(|own| own.moved(kept.start));
         let frictions = self.frictions.iter().filter(|own| kept.contains(&own.coordinate));
+        let locked = Self::hanging(parts, if kept.start == 0 { self.pendulums() } else { &[] })
+            .expect("a block of a positive definite matrix is positive definite");
         Self {
-            paths,
+            paths: paths.or(locked.paths),
             frictions: frictions.map(|own| own.moved(own.coordinate - kept.start, 1.0)).collect(),
             advections: advections.collect(),
             watched: self.watched.locked(&kept),
             part_masses: self.part_masses.iter().map(|part| part.locked(kept.clone())).collect(),
-            ..Self::hanging(parts, if kept.start == 0 { self.pendulums() } else { &[] })
-                .expect("a block of a positive definite matrix is positive definite")
+            ..locked
         }
     }
 }

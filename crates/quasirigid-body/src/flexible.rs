@@ -6,8 +6,8 @@ use std::ops::Range;
 
 use super::flexible_error::named;
 use super::{
-    Advection, Coordinate, CurvedPaths, Displaced, Dissipator, FlexibleError, Friction, Hung, Invariants,
-    LiquidMemory, Marker, PartMass, Support, Viscoelastic, Watched, Wheels,
+    Advection, Coordinate, CurvedPaths, Displaced, Dissipator, Drive, FlexibleError, Friction, Hung,
+    Invariants, LiquidMemory, Marker, PartMass, Support, Viscoelastic, Watched, Wheels,
 };
 use crate::math::cholesky::Cholesky;
 use crate::math::sparse::SparseRows;
@@ -63,8 +63,29 @@ pub struct BodyParts {
     pub cyclic: usize,
     /// Momentum wheels.
     pub wheels: Wheels,
+    /// Drives of elastic coordinates, one at most for each. (T7)
+    pub drives: Vec<Drive>,
     /// Places whose displacement is watched.
     pub markers: Vec<Marker>,
+}
+
+/// Angular frequency (rad/s) of the springs that stand for drives in a factor: results do not depend on it.
+const HELD: f64 = 1.0;
+
+impl BodyParts {
+    /// Stiffness of the elastic coordinates, with springs where drives hold some: to be factored, no force.
+    fn held_stiffness(&self, elastic: usize) -> SparseRows<f64> {
+        let own = self.stiffness.block(0..elastic);
+        if self.drives.is_empty() {
+            return own;
+        }
+        let spring = |drive: &Drive| {
+            let j = drive.coordinate;
+            (j, j, HELD * HELD * self.invariants.modal_mass(j))
+        };
+        let springs = self.drives.iter().map(spring);
+        SparseRows::sum(elastic, own.iter().map(|(j, k, C)| (j, k, *C)).chain(springs).collect())
+    }
 }
 
 impl FlexibleBody {
@@ -81,14 +102,15 @@ impl FlexibleBody {
     /// # Errors
     /// [`FlexibleError`] names the coordinates that move without stiffness and are not among these, or without friction.
     pub fn hanging(parts: BodyParts, pendulums: &[usize]) -> Result<Self, FlexibleError> {
-        let BodyParts { coordinates, stiffness, damping, .. } = &parts;
+        let BodyParts { coordinates, damping, .. } = &parts;
         let elastic = coordinates.len() - parts.cyclic;
+        let stiffness = parts.held_stiffness(elastic);
         let (held, braked) = coordinates.split_at(elastic);
         let mechanism = |direction: &[f64]| FlexibleError::Mechanism { coordinates: named(held, direction) };
-        let (factor, hung) = match Cholesky::new(&stiffness.block(0..elastic)) {
+        let (factor, hung) = match Cholesky::new(&stiffness) {
             Ok(factor) => (factor, None),
             Err(singular) => {
-                let hung = Hung::of(&parts, elastic, pendulums, &singular.direction);
+                let hung = Hung::of(&parts, &stiffness, pendulums, &singular.direction);
                 let hung = hung.ok_or_else(|| mechanism(&singular.direction))?;
                 let factor = Cholesky::new(hung.grounded()).map_err(|other| mechanism(&other.direction))?;
                 (factor, Some(hung))
@@ -97,18 +119,35 @@ impl FlexibleBody {
         let friction = Cholesky::new(&damping.block(elastic..coordinates.len())).map_err(|singular| {
             FlexibleError::Frictionless { coordinates: named(braked, &singular.direction) }
         })?;
+        // with rates that are given, momenta are solved for as along curved paths (T8)
+        let paths = (!parts.drives.is_empty())
+            .then(|| CurvedPaths { straight: parts.invariants.clone(), followers: Vec::new() });
         Ok(Self {
             parts,
             advections: Vec::new(),
             watched: Watched::default(),
             part_masses: Vec::new(),
-            paths: None,
+            paths,
             frictions: Vec::new(),
             elastic,
             factor,
             friction,
             hung,
         })
+    }
+
+    /// Drives of coordinates, which the full system alone follows: no answer about rest or a steady spin has them. (T7)
+    #[must_use]
+    pub fn drives(&self) -> &[Drive] {
+        &self.parts.drives
+    }
+
+    /// Names of the coordinates that are driven, for messages; none where nothing is driven. (T7)
+    #[must_use]
+    pub fn driven(&self) -> Option<String> {
+        let names: Vec<&str> =
+            self.drives().iter().map(|drive| &*self.parts.coordinates[drive.coordinate].name).collect();
+        (!names.is_empty()).then(|| names.join(", "))
     }
 
     /// Coordinates that nothing restores but the spin; none where springs hold everything. (I13)
@@ -141,7 +180,7 @@ impl FlexibleBody {
     /// Body with the complete second order of its paths in the full equations. (K12)
     #[must_use]
     pub fn along(self, paths: Option<CurvedPaths>) -> Self {
-        Self { paths, ..self }
+        Self { paths: paths.or(self.paths), ..self }
     }
 
     /// Body with friction beyond the damping matrix. (U12)

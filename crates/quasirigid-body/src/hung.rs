@@ -18,17 +18,17 @@ pub struct Hung {
 const MEASURE: f64 = 1.0;
 
 impl Hung {
-    /// The pendulums among the elastic coordinates that move in a direction without stiffness; none if anything else moves in it.
+    /// The pendulums among the elastic coordinates, of this stiffness, that move in a direction without any; none if anything else moves in it.
     pub(super) fn of(
         parts: &BodyParts,
-        elastic: usize,
+        stiffness: &SparseRows<f64>,
         pendulums: &[usize],
         direction: &[f64],
     ) -> Option<Self> {
+        let elastic = stiffness.size();
         let largest = direction.iter().fold(0.0, |most: f64, amount| most.max(amount.abs()));
         let moves = |amount: f64| amount.abs() > f64::EPSILON.sqrt() * largest;
         let alone = (0..elastic).filter(|j| moves(direction[*j])).all(|j| pendulums.contains(&j));
-        let stiffness = parts.stiffness.block(0..elastic);
         let diagonal = stiffness.diagonal();
         let free: Vec<usize> = pendulums.iter().copied().filter(|j| diagonal[*j] == 0.0).collect();
         if !alone || free.is_empty() {

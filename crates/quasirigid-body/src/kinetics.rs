@@ -74,8 +74,15 @@ impl<'a> Kinetics<'a> {
         self.body
     }
 
+    /// Sets the rates of the driven coordinates, in the order of the drives: zero at first. (T8)
+    pub fn drive(&mut self, rates: impl Iterator<Item = f64>) {
+        if let Some(curved) = &mut self.curved {
+            curved.drive(rates);
+        }
+    }
+
     /// Angular velocity at these momenta (N·m·s, without the wheels; units of the coordinates) and coordinates; writes the rates of the
-    /// coordinates.
+    /// coordinates. Momenta of driven coordinates are not asked for: they follow. (T8)
     pub fn velocities(&mut self, K: [f64; 3], p: &[f64], q: &[f64], rate: &mut [f64]) -> Velocities<'_> {
         if let Some(curved) = &mut self.curved {
             let omega = curved.velocities(K, p, q, rate);
@@ -142,6 +149,13 @@ impl<'a> Kinetics<'a> {
 }
 
 impl Velocities<'_> {
+    /// Momenta of the driven coordinates, in the order of the drives. (T8)
+    pub fn driven_momenta(&self) -> impl Iterator<Item = f64> {
+        let momentum = |curved: &CurvedKinetics, j: usize| curved.momentum_of(j);
+        let drives = self.body.drives().iter();
+        drives.filter_map(move |drive| Some(momentum(self.curved?, drive.coordinate)))
+    }
+
     /// Adds the load on each coordinate, centrifugal and Coriolis, spring and dashpot, to `sum`; returns the power that the dashpots take
     /// (W). (S4)
     pub fn add_loads(&self, q: &[f64], rate: &[f64], sum: &mut [f64]) -> f64 {

@@ -18,6 +18,7 @@ mod coordinate;
 mod curved;
 mod derived;
 mod dissipator;
+mod drive;
 mod energy_form;
 mod equations;
 mod expanded;
@@ -56,6 +57,7 @@ pub use advection::Advection;
 pub use balanced::BalancedSpin;
 pub use coordinate::{Carried, Coordinate, Marker};
 pub use dissipator::{Dissipator, Viscoelastic};
+pub use drive::{Drive, DriveFault};
 pub use energy_form::EnergyMotion;
 #[doc(hidden)]
 pub use energy_form::{energy_form, energy_form_under, energy_gradient, momentum_rate};

@@ -187,6 +187,7 @@ impl Hinged {
             stiffness: HingeCoefficient::PerAxis(Vec::new()),
             damping: HingeCoefficient::PerAxis(Vec::new()),
             rheology: Rheology::Elastic,
+            angle: None,
             places: Vec::new(),
         }
     }

@@ -47,6 +47,7 @@ pub use contribution::{PartReduction, SlowLiquid};
 pub use error::{ElementError, Field, Problem};
 pub use kinds::appendage::{Appendage, AppendageMode, Extent, InertiaPoint};
 pub use kinds::application_point::ApplicationPoint;
+pub use kinds::boom::Boom;
 pub use kinds::bushing::Bushing;
 pub use kinds::carrier::Carrier;
 pub use kinds::cavity::{
@@ -62,6 +63,7 @@ pub use kinds::part::{
     Region, Skin, Solid, Spectrum, Strain, Term, TipMass, Weighted,
 };
 pub use kinds::point::{Point, PointMotion};
+pub use kinds::prescribed::PrescribedMotion;
 pub use kinds::rotor::{Rotor, RotorKind};
 pub use kinds::spring::{Coefficient, Prestress, Spring, SpringLaw};
 pub use kinds::surface::{Approximation, Resolution, Surface};
@@ -93,6 +95,8 @@ kinds! {
     bushings: Bushing(Bushing) = "bushing", Role::Link, name;
     /// Rigid appendages on hinges.
     hinged: Hinged(Hinged) = "appendage", Role::OnCarrier(Field::HINGE), name;
+    /// Booms whose lengths are prescribed.
+    booms: Boom(Boom) = "boom", Role::OnCarrier(Field::POSITION), name;
     /// Appendages known by their cantilever modes.
     appendages: Appendage(Appendage) = "modal appendage", Role::OnCarrier(Field::MODES), name;
     /// Ellipsoids, each of them a whole body.

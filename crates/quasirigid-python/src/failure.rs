@@ -87,9 +87,9 @@ fn class(error: &StudyError) -> &'static str {
         StudyError::Record(_) | StudyError::Write { .. } => "FileError",
         StudyError::Model(_) | StudyError::Extreme { .. } => "ModelError",
         StudyError::Reduction(_) | StudyError::Validity(_) | StudyError::Vibration(_) => "ReductionError",
-        StudyError::Propagate(_) | StudyError::Step(StepperError::Failed(_) | StepperError::Long { .. }) => {
-            "PropagationError"
-        }
+        StudyError::Drive { .. }
+        | StudyError::Propagate(_)
+        | StudyError::Step(StepperError::Failed(_) | StepperError::Long { .. }) => "PropagationError",
         StudyError::Verification(_) => "VerificationError",
         StudyError::History { .. } => "TooLargeError",
         StudyError::NoSpin { .. }
@@ -118,8 +118,9 @@ fn class(error: &StudyError) -> &'static str {
         | StudyError::Cantilever(_)
         | StudyError::NothingHeld
         | StudyError::Linear(_)
-        | StudyError::Step(StepperError::Timed { .. })
+        | StudyError::Step(StepperError::Timed { .. } | StepperError::Cornered { .. })
         | StudyError::NotExported { .. }
+        | StudyError::Driven { .. }
         | StudyError::Uncertified { .. } => "UnsupportedError",
         StudyError::Submanifold(_) | StudyError::SteadySpinBeyond { .. } => "ReductionError",
         StudyError::Unaveraged(_)

@@ -440,7 +440,7 @@ pub struct SpinsArgs {
 #[derive(FromPyObject)]
 #[pyo3(from_item_all)]
 pub struct TableArgs {
-    system: String,
+    system: Option<String>,
     coordinates: bool,
     displacements: bool,
     times: Option<Vec<f64>>,
@@ -478,7 +478,7 @@ impl SpinManifoldArgs {
 
 impl TableArgs {
     fn table(self) -> Result<Table, Failure> {
-        let system = named::<System>(Some(&self.system), "system")?.unwrap_or(System::Reduced);
+        let system = named::<System>(self.system.as_deref(), "system")?;
         let manifold = self.spin_manifold.partial()?;
         let Self { coordinates, displacements, times, .. } = self;
         Ok(Table { system, coordinates, displacements, times, manifold })

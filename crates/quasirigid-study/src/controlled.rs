@@ -73,7 +73,8 @@ pub fn follow(
     let controls = &motion.study().controls;
     if system == System::Full {
         let start = motion.full()?;
-        return Ok(propagate_controlled(motion.system(), controls, &start, times, options, observer)?);
+        let run = propagate_controlled(motion.system(), controls, &start, times, options, observer);
+        return run.map_err(|error| motion.study().told_of(error));
     }
     let body = motion.body.frozen();
     let forces: Vec<Force<Marker>> = motion.forces.iter().map(frozen).collect();

@@ -65,6 +65,7 @@ impl Study {
     /// # Errors
     /// [`StudyError::Reduction`] and [`StudyError::Vibration`].
     pub fn derive(&self) -> Result<Equations<'_>, StudyError> {
+        self.undriven("derive")?;
         self.without_slugs("derive")?;
         let Study { body, order, .. } = self;
         Ok(Equations {

@@ -104,6 +104,7 @@ impl Study {
     /// # Errors
     /// [`StudyError::NothingHeld`] for a body without a carrier, [`StudyError::Cantilever`] for one without cantilever modes.
     pub fn effective_masses(&self, about: Option<[f64; 3]>) -> Result<EffectiveMasses, StudyError> {
+        self.undriven("effective masses")?;
         let carrier = self.model.assembly.locked_carrier().map_err(|error| self.model.diagnose(&error))?;
         let carrier = carrier.ok_or(StudyError::NothingHeld)?;
         let pole = self.body.pole();

@@ -61,7 +61,7 @@ impl Study {
     /// [`StudyError::NotExported`] for a body whose equations have more than a torque in them, [`StudyError`] for an invalid start, and
     /// where the reduction fails.
     pub fn export(&self, target: Target, name: &str) -> Result<Export, StudyError> {
-        self.uncontrolled("export")?;
+        self.left_alone("export")?;
         self.without_slugs("export")?;
         refuse(self)?;
         let motion = Motion::new(self, self.start_or_rest()?);

@@ -34,10 +34,13 @@ impl FreeRotationObject {
         [self.precession_period, self.rotation_period]
     }
 
-    /// Free rotation from a sample; none of a constrained body, of one with rotors, liquids or wheels, of a sphere, and at rest.
+    /// Free rotation from a sample; none of a constrained body, of one with rotors, liquids, wheels or driven parts, of a sphere, and at rest.
     pub fn of(body: &FlexibleBody, sample: &Sample) -> Option<Self> {
         let Principal { moments, axes } = Principal::compute(body.invariants().J);
-        let free = *body.support() == Support::Free && body.cyclic().is_empty() && body.wheels().is_empty();
+        let free = *body.support() == Support::Free
+            && body.cyclic().is_empty()
+            && body.wheels().is_empty()
+            && body.drives().is_empty();
         if !free || sample.angular_momentum == [0.0; 3] || !Mode::any_exists(moments) {
             return None;
         }

@@ -11,6 +11,7 @@ use quasirigid_math::memory;
 
 use crate::about_spin::OnManifold;
 use crate::controlled;
+use crate::driven;
 use crate::error::StudyError;
 use crate::free_rotation::FreeRotationObject;
 use crate::history_columns::{HistoryTable, Internal};
@@ -52,8 +53,8 @@ pub(crate) fn even_times(samples: usize, duration: f64) -> Vec<f64> {
 /// Contents of the table of a history.
 #[derive(Clone, Debug)]
 pub struct Table {
-    /// System of equations.
-    pub system: System,
+    /// System of equations; by default the reduced, of a body with driven parts the full.
+    pub system: Option<System>,
     /// Internal coordinates and their rates, too.
     pub coordinates: bool,
     /// Displacements of points, appendages and nodes, too.
@@ -194,8 +195,10 @@ impl Study {
         watch: &mut dyn Watch,
     ) -> Result<History, StudyError> {
         let body = &self.body;
-        controlled::carries(self, table.system)?;
-        slugs::carries(self, table.system)?;
+        let system = table.system.unwrap_or_else(|| self.usual_system());
+        controlled::carries(self, system)?;
+        slugs::carries(self, system)?;
+        driven::carries(self, system)?;
         let settings = RunSettings::resolve(asked, self)?;
         let about_spin = SpinManifoldSettings::resolve(table.manifold.clone(), None, self)?;
         let options = settings.options(self, stop_axis(self, spin.omega)?)?;
@@ -210,22 +213,22 @@ impl Study {
         for (wanted, setting) in
             [(table.coordinates, Setting::Coordinates), (table.displacements, Setting::Displacements)]
         {
-            if wanted && table.system == System::Rigid {
+            if wanted && system == System::Rigid {
                 return Err(StudyError::NoCoordinates { setting });
             }
         }
         let motion = Motion::new(self, spin);
-        let (order, Doubts { remarks, wrong }) = Doubts::before(&motion, table.system, settings.form)?;
+        let (order, Doubts { remarks, wrong }) = Doubts::before(&motion, system, settings.form)?;
         let motion = motion.of_order(order);
         remarks.iter().for_each(|note| watch.remark(note));
-        let valued = if table.system == System::Full { body.coordinates().len() } else { body.elastic() };
+        let valued = if system == System::Full { body.coordinates().len() } else { body.elastic() };
         let internal = Internal {
             markers: if table.displacements { body.markers() } else { &[] },
             coordinates: table.coordinates.then(|| (body.coordinates(), valued)),
         };
         let history = HistoryTable::new(body.support(), None).under(&self.controls);
         let mut sink = TableSink::new(history, internal, &times, log, watch)?;
-        let (run, manifold) = motion.follow(table.system, &about_spin, &times, &options, &mut sink)?;
+        let (run, manifold) = motion.follow(system, &about_spin, &times, &options, &mut sink)?;
         let budget = std::mem::take(&mut sink.budget);
         let (columns, log) = sink.finish()?;
         let (forced, last) = (motion.is_acted_on(), run.last);
@@ -234,12 +237,12 @@ impl Study {
         // the defect judges the equations about a spin: their energy is truncated, whatever the integrator does
         let note = match &manifold {
             Some(verdict) => verdict.note(),
-            None => energy_note(table.system.recorded(), forced, accounts),
+            None => energy_note(system.recorded(), forced, accounts),
         };
         let verdict = judged::along_the_motion(run.load_ratio);
         let doubt = load_doubt(verdict, run.load_ratio);
         let wrong = wrong.or_else(|| doubt.clone().filter(|_| verdict == Verdict::Fails));
-        let reduced = table.system == System::Reduced;
+        let reduced = system == System::Reduced;
         let fastest = if reduced { judged::at_the_fastest(&motion, &columns)? } else { None };
         let wrong = wrong.or_else(|| fastest.as_ref().filter(|found| found.fails()).map(Fastest::doubt));
         let faster = fastest.as_ref().map(Fastest::doubt);
@@ -251,7 +254,7 @@ impl Study {
         let left = manifold.as_ref().and_then(|verdict| verdict.status(run.outcome));
         let (status, message) = left.unwrap_or_else(|| status(body, run.outcome, last.t));
         Ok(History {
-            system: table.system,
+            system,
             status,
             message,
             columns,

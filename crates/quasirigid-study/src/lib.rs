@@ -66,6 +66,7 @@ pub mod cite;
 mod controlled;
 pub mod derive;
 pub mod difference;
+mod driven;
 pub mod effective_masses;
 mod encounters;
 mod equal_moments;

@@ -130,7 +130,7 @@ impl Study {
     /// # Errors
     /// [`StudyError::AxisUnderForces`], and those of a start that is none.
     pub fn modes(&self, asked: SteadySpinSettings) -> Result<Modes, StudyError> {
-        self.uncontrolled("modes")?;
+        self.left_alone("modes")?;
         let body = &self.body;
         let (acting, sleeping) = steady_state::at_start(self);
         let under_forces = acts(body, &acting);

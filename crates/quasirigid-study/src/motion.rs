@@ -16,6 +16,7 @@ use quasirigid_math::vec3::{add, norm, scale};
 
 use crate::about_spin::{self, OnManifold};
 use crate::controlled;
+use crate::driven;
 use crate::error::StudyError;
 use crate::settings::SpinManifoldSettings;
 use crate::slugs;
@@ -115,6 +116,7 @@ impl<'a> Motion<'a> {
         observer: &mut dyn Observer,
     ) -> Result<(Run, Option<OnManifold>), StudyError> {
         slugs::carries(self.study, system)?;
+        driven::carries(self.study, system)?;
         if !self.study.controls.is_empty() {
             return Ok((controlled::follow(self, system, times, options, observer)?, None));
         }
@@ -133,7 +135,8 @@ impl<'a> Motion<'a> {
         observer: &mut dyn Observer,
     ) -> Result<Run, StudyError> {
         match system {
-            System::Full => Ok(propagate_full(self.system(), &self.full()?, times, options, observer)?),
+            System::Full => propagate_full(self.system(), &self.full()?, times, options, observer)
+                .map_err(|error| self.study.told_of(error)),
             System::Reduced if self.starts_displaced() && self.order > 0 => {
                 let run = self.follow_reduced(system, times, options, observer)?;
                 Ok(Run { left_out: run.left_out + self.vibrations_of_the_start()?, ..run })
@@ -214,7 +217,8 @@ impl<'a> Motion<'a> {
         let mut state = match &self.displaced {
             Some((q, rate)) => {
                 let mut rate = rate.clone();
-                let slow = if cyclic.is_empty() { None } else { self.on_slow_manifold()? };
+                let slaved = !cyclic.is_empty() && self.body.drives().is_empty();
+                let slow = if slaved { self.on_slow_manifold()? } else { None };
                 slow.iter().for_each(|slow| rate[cyclic.clone()].copy_from_slice(&slow.rate[cyclic.clone()]));
                 FullState { omega, attitude, q: q.clone(), rate, place, velocity }
             }
@@ -225,10 +229,10 @@ impl<'a> Motion<'a> {
             },
         };
         self.speeds.iter().for_each(|(coordinate, speed)| state.rate[*coordinate] = *speed);
-        Ok(state)
+        Ok(state.driven(self.body))
     }
 
-    /// The state of the body with sliding liquids held where they lie at rest, these at rest in it.
+    /// The state of the body with sliding liquids and driven parts held where they lie at the start, these at rest in it.
     fn beside_slugs(&self) -> Result<FullState, StudyError> {
         let Some(held) = self.study.held()? else { return self.spun() };
         let state = Motion::new(held, self.start).full()?;

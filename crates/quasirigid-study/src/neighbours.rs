@@ -35,14 +35,14 @@ pub struct Parting {
 }
 
 /// Parting of the motion to a time (s) from its neighbours, as rigid bodies under the same controllers; none of a regular motion, of one that is
-/// known to the end, and of one on which nothing acts, and where the rigid body is not followed or the watch ends it.
+/// known to the end, and of one on which nothing acts, and where parts are driven, the rigid body is not followed or the watch ends it.
 pub(crate) fn parting(
     motion: &Motion,
     end: f64,
     options: &Options,
     watch: &mut dyn Watch,
 ) -> Option<Parting> {
-    if !motion.is_acted_on() || !(end > 0.0) {
+    if !motion.is_acted_on() || !(end > 0.0) || !motion.body.drives().is_empty() {
         return None;
     }
     let apart = (PER_TOLERANCE * options.tolerance).min(MOST_APART);

@@ -139,7 +139,7 @@ impl Study {
         keeping: Option<&Keeping>,
         watch: &mut dyn Watch,
     ) -> Result<RunOutcome, StudyError> {
-        self.uncontrolled("run")?;
+        self.left_alone("run")?;
         self.without_slugs("run")?;
         let mut kept = keeping.map(|keeping| KeptRun::open(keeping, self, asked)).transpose()?;
         let settings = RunSettings::resolve(asked, self)?;

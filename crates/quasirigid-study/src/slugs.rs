@@ -8,6 +8,7 @@ use quasirigid_io::model::{Displacements, Model, System};
 use quasirigid_math::vec3::{add, cross, dot, norm, scale};
 use serde::Serialize;
 
+use crate::driven;
 use crate::error::StudyError;
 use crate::layout::paragraph;
 use crate::study::Study;
@@ -72,33 +73,47 @@ pub fn carries(study: &Study, system: System) -> Result<(), StudyError> {
     }
 }
 
-/// The model with its sliding liquids held where they lie at rest, and nothing else displaced.
+/// The model with its sliding liquids held where they lie at rest and its driven parts locked where they start, and nothing else displaced.
 pub fn held(model: &Model) -> Model {
     let mut model = model.clone();
+    driven::lock(&mut model);
     model.assembly.tubes.iter_mut().for_each(|tube| tube.held = true);
     model.extremes = None;
     model.initial.displacements = Displacements::SlowManifold;
     model
 }
 
-/// Coordinates of a body whose liquids slide, from those of the body in which these are held: they lie at rest.
+/// Coordinates of a body whose liquids slide or whose parts are driven, from those of the body in which these are held: zero.
 pub fn with_slugs(study: &Study, held: Vec<f64>) -> Vec<f64> {
-    let slides = |j: usize| study.body.frictions().iter().any(|friction| friction.coordinate == j);
+    let body = &study.body;
+    let slides = |j: usize| {
+        body.frictions().iter().any(|friction| friction.coordinate == j)
+            || body.drives().iter().any(|drive| drive.coordinate == j)
+    };
     let mut held = held.into_iter();
     let count = study.body.coordinates().len();
     (0..count).map(|j| if slides(j) { 0.0 } else { held.next().unwrap_or_default() }).collect()
 }
 
-/// What a judgement of the reduced equations is about, in words; none where nothing slides.
+/// What a judgement of the reduced equations is about, in words; none where nothing slides and nothing is driven.
 pub fn unjudged(study: &Study) -> Option<String> {
-    let names: Vec<String> =
-        study.body.frictions().iter().map(|friction| format!("{:?}", friction.name)).collect();
-    (!names.is_empty()).then(|| {
-        format!(
-            "NO ANSWER for the body as it is: the liquid of {} slides along its ring without a spring, so that there are no reduced equations; `simulate --system full` follows it. What is told here is of this liquid held where it lies at the start.",
-            names.join(", ")
-        )
-    })
+    let quoted = |names: &mut dyn Iterator<Item = &String>| {
+        names.map(|name| format!("{name:?}")).collect::<Vec<_>>().join(", ")
+    };
+    let sliding = quoted(&mut study.body.frictions().iter().map(|friction| &friction.name));
+    let driven = quoted(&mut study.body.drives().iter().map(|drive| &drive.name));
+    let why = match (sliding.is_empty(), driven.is_empty()) {
+        (true, true) => return None,
+        (false, true) => format!("the liquid of {sliding} slides along its ring without a spring"),
+        (true, false) => format!("a law over time moves {driven}"),
+        (false, false) => {
+            format!("a law over time moves {driven}, and the liquid of {sliding} slides along its ring")
+        }
+    };
+    let held = if driven.is_empty() { "this liquid held" } else { "all of this held" };
+    Some(format!(
+        "NO ANSWER for the body as it is: {why}, so that there are no reduced equations; `simulate --system full` follows it. What is told here is of {held} where it lies at the start."
+    ))
 }
 
 /// Warning to stand before modes about a steady spin whose nutation has this frequency (rad/s), at which the flow of a liquid is not developed.

@@ -65,7 +65,7 @@ impl Study {
         asked: &PartialRun,
         rounding: Rounding,
     ) -> Result<SpinPathPlan<'a>, StudyError> {
-        self.uncontrolled("a list of spins")?;
+        self.left_alone("a list of spins")?;
         self.without_slugs("a list of spins")?;
         let options =
             Options { rounding, ..RunSettings::resolve(asked, self)?.options(self, [0.0, 0.0, 1.0])? };

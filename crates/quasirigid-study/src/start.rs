@@ -21,7 +21,9 @@ pub fn initial(study: &Study) -> Result<Start, StudyError> {
     let Study { model, body, .. } = study;
     let file = &model.source.file;
     let rotation = model.initial.rotation.ok_or_else(|| StudyError::NoSpin { file: file.into() })?;
-    if let (Some(held), Displacements::SlowManifold) = (study.held()?, &model.initial.displacements)
+    let settled = matches!(model.initial.displacements, Displacements::SlowManifold);
+    if let Some(held) = study.held()?
+        && (settled || !body.drives().is_empty())
         && !matches!(rotation, Rotation::Spin(_))
     {
         return initial(held);

@@ -32,7 +32,7 @@ impl Study {
     /// [`StudyError::NotExported`] for a body whose equations have more than a torque in them, [`StudyError`] for an invalid start, and
     /// where the reduction fails.
     pub fn reduced_steps(&self, tolerance: f64) -> Result<ReducedSteps, StudyError> {
-        self.uncontrolled("stepper")?;
+        self.left_alone("stepper")?;
         self.without_slugs("reduced equations")?;
         refuse(self)?;
         let motion = Motion::new(self, self.start_or_rest()?);

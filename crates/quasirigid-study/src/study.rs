@@ -66,7 +66,7 @@ pub struct Study {
     visuals: OnceLock<Vec<Visual>>,
     /// Reduced equations by order, once they were asked for.
     reductions: Mutex<BTreeMap<usize, Arc<ReducedBody>>>,
-    /// The study with sliding liquids held, once it was asked for.
+    /// The study with sliding liquids and driven parts held, once it was asked for.
     held: OnceLock<Box<Self>>,
 }
 
@@ -193,9 +193,10 @@ impl Study {
         Ok(Arc::clone(kept().entry(order).or_insert(reduced)))
     }
 
-    /// The study with its sliding liquids held where they lie at rest; none where nothing slides.
+    /// The study with its sliding liquids held where they lie at rest and its driven parts locked where they start; none where nothing slides
+    /// or is driven.
     pub(crate) fn held(&self) -> Result<Option<&Self>, StudyError> {
-        if self.body.frictions().is_empty() {
+        if self.body.frictions().is_empty() && self.body.drives().is_empty() {
             return Ok(None);
         }
         if self.held.get().is_none() {

@@ -27,7 +27,7 @@ impl Study {
         plan: &VerificationPlan,
         watch: &mut dyn Watch,
     ) -> Result<Option<VerificationRecord>, StudyError> {
-        self.uncontrolled("verify")?;
+        self.left_alone("verify")?;
         self.without_slugs("verify")?;
         let motion = Motion::new(self, self.initial()?);
         Ok(follow(&motion, plan, watch)?.map(|found| record::verification(plan, &found)))

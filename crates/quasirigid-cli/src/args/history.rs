@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 use quasirigid::dynamics::{Form, Method};
-use quasirigid_io::model::{EvolveMethod, Named, Power, System};
+use quasirigid_io::model::{EvolveMethod, Power, System};
 use quasirigid_io::record::TableFormat;
 use quasirigid_study::settings::{PartialRun, Setting};
 
@@ -73,8 +73,9 @@ pub struct Simulate {
     pub common: Common,
     #[command(flatten)]
     pub run: RunOptions,
-    #[arg(long, help = Setting::System.help(), value_parser = named::<System>(), default_value = System::Reduced.name())]
-    pub system: System,
+    /// System of equations to integrate [default: reduced, or full for a body with driven parts]
+    #[arg(long, value_parser = named::<System>())]
+    pub system: Option<System>,
     #[command(flatten)]
     pub spin_manifold: SpinManifoldOptions,
     #[arg(long, help = Setting::Coordinates.help())]

@@ -26,7 +26,7 @@ pub fn simulate(arguments: &Simulate) -> Result<ExitStatus, Failure> {
     if matches!(format, HistoryFormat::Table(_)) && arguments.attitude.are_given() {
         return Err(Failure::NoAttitudeFile { with: "--format aem, aem1, stk, msopck or basilisk" });
     }
-    if arguments.spin_manifold.is_given() && arguments.system != System::SpinManifold {
+    if arguments.spin_manifold.is_given() && arguments.system != Some(System::SpinManifold) {
         return Err(Failure::NotAboutSpin { with: "--system spin-manifold" });
     }
     let study = open(common)?;

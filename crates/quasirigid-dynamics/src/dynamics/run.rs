@@ -15,7 +15,7 @@ use super::timing::Missed;
 use crate::math::ode::{Checkpoint, StepError, StopReason, Work};
 use crate::math::simd::Rounding;
 use crate::model::force::Force;
-use crate::model::{Displaced, Form, Marker, Method};
+use crate::model::{Displaced, DriveFault, Form, Marker, Method};
 
 /// Start of a propagation. States of the full system from a start: [`settled`](Self::settled) on the slow manifold or
 /// [`at_rest`](Self::at_rest). Starts from other data: [`matched`](Self::matched) or [`wobbling`](Self::wobbling).
@@ -89,7 +89,7 @@ pub struct Sample {
     pub energy: f64,
     /// Energy taken by the dashpots since the start (J). (P4)
     pub dissipated: f64,
-    /// Work of the external forces since the start (J). (F12)
+    /// Work of the external forces and of drives since the start (J). (F12), (T9)
     pub work: f64,
     /// Energy drift (J): change by errors of the integrator; of a reduced system under external forces also by the truncation. (P4)
     pub energy_drift: f64,
@@ -342,6 +342,19 @@ pub enum PropagateError {
         /// End of the run (s).
         end: f64,
     },
+    /// No drive follows the law of a coordinate. (T10)
+    #[error("the law that drives coordinate {} {fault}", coordinate + 1)]
+    Drive {
+        /// Index of the coordinate.
+        coordinate: usize,
+        /// Fault of the law.
+        fault: DriveFault,
+    },
+    /// Coordinates are driven, which reduced equations do not have.
+    #[error(
+        "a part of the body is driven over time, which reduced equations and slow manifolds leave out; follow the body with the full system"
+    )]
+    Driven,
     /// The mass matrix is not positive: the carrier is too light beside the masses that move on it.
     #[error("the carrier's mass is below 1e-13 of the sprung mass; give the carrier a mass, or leave it out")]
     LightCarrier,

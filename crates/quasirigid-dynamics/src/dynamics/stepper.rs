@@ -43,6 +43,14 @@ pub enum StepperError {
         /// Name of the force.
         name: String,
     },
+    /// The law of a driven part may have corners, or change in a short time.
+    #[error(
+        "the law that drives {name:?} may have corners or change in a moment, which steps of another length do not meet; write it by sums and products of t, sines and cosines, or follow the body by a history"
+    )]
+    Cornered {
+        /// Name of the part.
+        name: String,
+    },
     /// More sub-steps than are worked with are needed.
     #[error(
         "a step of {dt} s needs more than {MOST_SUBSTEPS} steps of the integrator; give shorter steps, or a looser tolerance"

@@ -70,6 +70,9 @@ pub enum CantileverError {
     /// No spring holds some coordinate.
     #[error("the spin alone restores some coordinates, which have no frequency on a carrier that is held")]
     Hung,
+    /// A coordinate is driven.
+    #[error("a part follows a law over time, and has no modes; give it a constant place")]
+    Driven,
     /// The eigenvalue solver fails.
     #[error(transparent)]
     NoConvergence(#[from] NoConvergence),
@@ -86,6 +89,9 @@ impl CantileverModes {
     /// # Errors
     /// [`CantileverError`] for a coordinate that no spring holds, and where the eigenvalue solver fails.
     pub fn about(body: &FlexibleBody, about: [f64; 3]) -> Result<Self, CantileverError> {
+        if !body.drives().is_empty() {
+            return Err(CantileverError::Driven);
+        }
         if body.hung().is_some() {
             return Err(CantileverError::Hung);
         }

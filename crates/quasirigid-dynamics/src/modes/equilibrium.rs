@@ -67,6 +67,14 @@ pub enum EquilibriumError {
         /// Axis, body axes.
         axis: [f64; 3],
     },
+    /// Drives move some coordinates. (T7)
+    #[error(
+        "{coordinates} follows a law over time, and a body that it moves has no steady spin: follow it with the full system, or give the part a constant place"
+    )]
+    Driven {
+        /// Names of the coordinates.
+        coordinates: String,
+    },
 }
 
 /// Difference of moments, as a share of the largest, below which they count as nearly equal: loads may turn a steady spin to anywhere between
@@ -94,12 +102,18 @@ const EQUAL: f64 = 1e-12;
 /// Cosine of the angle from a direction below which an axis is across it.
 const ACROSS: f64 = 1e-9;
 
+/// Refuses a body whose parts follow laws over time.
+fn undriven(body: &FlexibleBody) -> Result<(), EquilibriumError> {
+    body.driven().map_or(Ok(()), |coordinates| Err(EquilibriumError::Driven { coordinates }))
+}
+
 impl RelativeEquilibrium {
     /// Relative equilibrium whose axis continues a direction as the spin rises from zero. (M1)
     ///
     /// # Errors
     /// [`EquilibriumError`] if there is none, or the continuation loses it.
     pub fn near(body: &FlexibleBody, axis: [f64; 3], given: SpinMagnitude) -> Result<Self, EquilibriumError> {
+        undriven(body)?;
         let (SpinMagnitude::Rate(value) | SpinMagnitude::AngularMomentum(value)) = given;
         let length = norm(axis);
         if !(value > 0.0 && value.is_finite() && length > 0.0 && length.is_finite()) {
@@ -124,6 +138,7 @@ impl RelativeEquilibrium {
         omega: [f64; 3],
         given: SpinMagnitude,
     ) -> Result<Self, EquilibriumError> {
+        undriven(body)?;
         let (SpinMagnitude::Rate(value) | SpinMagnitude::AngularMomentum(value)) = given;
         let rate = norm(omega);
         if !(value > 0.0 && value.is_finite() && rate > 0.0 && rate.is_finite()) {
@@ -148,6 +163,7 @@ impl RelativeEquilibrium {
         omega: [f64; 3],
         given: SpinMagnitude,
     ) -> Result<Self, EquilibriumError> {
+        undriven(body)?;
         let axis = unit(omega);
         let led = Guess::deformed(body, omega).and_then(|guess| guess.newton(body, 1.0, given, axis));
         let led = led.and_then(|(found, balanced)| found.finish(body, balanced).restored(body).ok());

@@ -36,6 +36,14 @@ pub enum ReductionError {
         /// Names of the coordinates.
         coordinates: String,
     },
+    /// Drives move some coordinates. (T7)
+    #[error(
+        "{coordinates} follows a law over time, and reduced equations have none: follow the body with the full system, or give the part a constant place"
+    )]
+    Driven {
+        /// Names of the coordinates.
+        coordinates: String,
+    },
 }
 
 /// Derives the reduced equations of a body to order `p`. (R1)–(R11)
@@ -100,6 +108,9 @@ fn finite(reduced: &ReducedBody) -> Result<(), ReductionError> {
 pub(super) fn manifold(body: &FlexibleBody, order: usize) -> Result<SlowManifold, ReductionError> {
     if order > MAX_ORDER {
         return Err(ReductionError::Order { order });
+    }
+    if let Some(coordinates) = body.driven() {
+        return Err(ReductionError::Driven { coordinates });
     }
     if let Some(hung) = body.hung().filter(|_| order > 0) {
         return Err(ReductionError::Hung { coordinates: hung.names().into() });

@@ -24,8 +24,8 @@ use crate::math::sym3::Sym;
 use crate::model::control::Controls;
 use crate::model::force::Force;
 use crate::model::{
-    BodyParts, Coordinate, CurvedPaths, FlexibleBody, FlexibleError, Friction, Hinge, Invariants, Marker,
-    Pair, Support, Watched,
+    BodyParts, Coordinate, CurvedPaths, Drive, FlexibleBody, FlexibleError, Friction, Hinge, Invariants,
+    Marker, Pair, Support, Watched,
 };
 use crate::structure::Block;
 use crate::structure::Component;
@@ -140,6 +140,7 @@ impl Assembly {
             coordinates: whole.coordinates(),
             cyclic: whole.inner.coordinates.len(),
             wheels: whole.inner.wheels.clone(),
+            drives: whole.drives(),
             markers,
         };
         let body = FlexibleBody::hanging(parts, &whole.pendulums());
@@ -179,7 +180,8 @@ impl Assembly {
                 },
             )
             .collect();
-        sprung.into_iter().map(|index| self.hinge(whole, index)).collect()
+        let turning = sprung.into_iter().filter(|index| self.hinged[*index].turns());
+        turning.map(|index| self.hinge(whole, index)).collect()
     }
 
     /// Hinges of three axes, which may lock. (I14)
@@ -372,6 +374,11 @@ impl Carried {
         turning.flat_map(|moved| moved.start..moved.start + moved.moving_body.shapes.len()).collect()
     }
 
+    /// Drives of pieces. (T7)
+    fn drives(&self) -> Vec<Drive> {
+        self.moving_bodies.iter().filter_map(|moved| moved.moving_body.drive(moved.start)).collect()
+    }
+
     /// First coordinate of an element; the first of all for one without coordinates.
     fn start_of(&self, id: ElementId) -> usize {
         let modal = self.modal_bodies.iter().find(|modal| modal.id == id).map(|modal| modal.start);
@@ -410,7 +417,7 @@ impl Carried {
         }
         for Moved { moving_body, .. } in &self.moving_bodies {
             mass += moving_body.piece.mass;
-            first += moving_body.piece.mass * moving_body.base + moving_body.piece.first;
+            first += moving_body.first_moment();
         }
         for Modal { modal_body: ModalBody { piece, base, .. }, .. } in &self.modal_bodies {
             mass += piece.mass;

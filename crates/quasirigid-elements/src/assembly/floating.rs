@@ -85,6 +85,7 @@ impl Assembly {
             coordinates: exact.as_ref().map_or(component.coordinates(), |exact| exact.coordinates(size)),
             cyclic: 0,
             wheels: Wheels::default(),
+            drives: Vec::new(),
             markers: match &exact {
                 Some(exact) => exact.markers(markers),
                 None => markers,

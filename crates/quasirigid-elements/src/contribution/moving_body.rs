@@ -2,8 +2,9 @@ use nalgebra::{Matrix3, Vector3};
 
 use crate::contribution::Attachment;
 use crate::contribution::{Field as Shape, Piece};
+use crate::math::expression::Expression;
 use crate::math::sparse::SparseRows;
-use crate::model::{Carried, Coordinate, CurvedPaths, Follower, Gimbal, Pair};
+use crate::model::{Carried, Coordinate, CurvedPaths, Drive, Follower, Gimbal, Pair};
 
 /// A rigid piece placed on the body, with the coordinates that move it.
 pub(crate) struct MovingBody {
@@ -11,18 +12,25 @@ pub(crate) struct MovingBody {
     pub piece: Piece,
     /// Place of the base (m), in the file's frame.
     pub base: Vector3<f64>,
+    /// Map of the places on the piece to those from the base without displacements: the identity but of pieces that are turned or whose places
+    /// are shares of a length.
+    pub pose: Matrix3<f64>,
     /// One shape per coordinate, outermost first.
     pub shapes: Vec<Shape>,
     /// Curvature of the path of each pair of coordinates, `G_jk`.
     pub curvature: Vec<Vec<Shape>>,
     /// Hinge axes about which the piece rotates, outermost first; none of a material point, which has no orientation.
     pub axes: Vec<Vector3<f64>>,
+    /// Whether places on it have an orientation, that of the carrier where it does not rotate.
+    pub oriented: bool,
     /// Name and unit of each coordinate.
     pub coordinates: Vec<Coordinate>,
     /// Place watched on the piece: its name, and its position from the base.
     pub marker: (String, Vector3<f64>),
     /// Other places on the piece at which springs and forces may act.
     pub places: Vec<(String, Vector3<f64>)>,
+    /// Law of its only coordinate, where a drive moves it. (T7)
+    pub law: Option<Expression>,
 }
 
 /// Second moment along a line, as a share of the whole, and first moment, as a share of its size, below which no mass is off the hinge
@@ -30,6 +38,33 @@ pub(crate) struct MovingBody {
 const FLAT: [f64; 2] = [1e-15, 1e-14];
 
 impl MovingBody {
+    /// The piece locked at an angle (rad) about the only axis of its hinge.
+    pub fn locked(self, angle: f64) -> Self {
+        let axis = self.axes.first().map_or(Matrix3::zeros(), |axis| axis.cross_matrix());
+        let pose = Matrix3::identity() + angle.sin() * axis + (1.0 - angle.cos()) * axis * axis;
+        Self {
+            pose,
+            shapes: Vec::new(),
+            curvature: Vec::new(),
+            axes: Vec::new(),
+            oriented: angle == 0.0, // what turns with a place elsewhere would have to be turned here (F22)
+            coordinates: Vec::new(),
+            law: None,
+            ..self
+        }
+    }
+
+    /// First moment (kg·m) about the origin of the file's frame.
+    pub fn first_moment(&self) -> Vector3<f64> {
+        self.piece.mass * self.base + self.pose * self.piece.first
+    }
+
+    /// Drive of its coordinate, with its coordinates numbered from `start`. (T7)
+    pub fn drive(&self, start: usize) -> Option<Drive> {
+        let law = self.law.clone()?;
+        Some(Drive { name: self.marker.0.clone(), coordinate: start, law })
+    }
+
     /// Axes of the hinge of the piece, with its coordinates numbered from `start`; none of a piece that does not rotate.
     fn gimbal(&self, start: usize) -> Option<Gimbal> {
         let axes = self.axes.iter().enumerate().map(|(j, axis)| (start + j, (*axis).into()));
@@ -78,7 +113,7 @@ impl MovingBody {
 
     /// Position field of the piece from a pole.
     pub fn position(&self, pole: Vector3<f64>) -> Shape {
-        Shape::position(self.base - pole)
+        Shape { constant: self.base - pole, linear: self.pose }
     }
 
     /// Invariants of the coordinates of the piece with each other, numbered from `start`. (I4)–(I6)
@@ -112,9 +147,9 @@ impl MovingBody {
         });
         Attachment {
             name: name.to_owned(),
-            position: self.base + s,
+            position: self.base + self.pose * s,
             shapes: shapes().map(|(j, H)| (start + j, displaced(H))).collect(),
-            rotations: (!self.axes.is_empty()).then(|| shapes().map(|(j, H)| (start + j, turn(H))).collect()),
+            rotations: self.oriented.then(|| shapes().map(|(j, H)| (start + j, turn(H))).collect()),
             curvature: curved.filter(|(.., G)| *G != [0.0; 3]).collect(),
             carried: self.gimbal(start).map(|gimbal| Carried { gimbal, arm: (*s).into() }),
         }

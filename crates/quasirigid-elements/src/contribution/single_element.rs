@@ -43,6 +43,7 @@ impl SingleElementBody {
             coordinates,
             cyclic: 0,
             wheels: Wheels::default(),
+            drives: Vec::new(),
             markers,
         })
         .map_err(|error| at(place, Field::YOUNG)(Problem::Mechanism { coordinates: error.coordinates() }))

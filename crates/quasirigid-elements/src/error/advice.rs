@@ -164,6 +164,10 @@ impl Problem {
                 ("here", "write one to three axes, for example hinge = [[0, 1, 0], [0, 0, 1]]")
             }
             Self::AxisCount { .. } => ("here", "write one to three axes, for example axes = [[0, 0, 1]]"),
+            Self::DrivenAxes { .. } => {
+                ("one axis", "write one axis, for example axes = [[0, 0, 1]], or leave `angle` out")
+            }
+            Self::DrivenSpring => ("beside `angle`", "leave it out, or leave `angle` out"),
             Self::DependentAxes => ("here", "no axis may be a combination of the others"),
             Self::ValuePerAxis { .. } if connection => {
                 ("here", "write one number for all axes, or one per axis")

@@ -505,6 +505,15 @@ pub enum Problem {
         /// Number of axes given.
         count: usize,
     },
+    /// A drive turns a hinge about several axes.
+    #[error("a drive turns a hinge about one axis, not {count}")]
+    DrivenAxes {
+        /// Number of axes given.
+        count: usize,
+    },
+    /// A driven hinge has a spring or a damper.
+    #[error("a drive holds the hinge at its angle, so that neither spring nor damper acts on it")]
+    DrivenSpring,
     /// The axes of a hinge are linearly dependent.
     #[error("the axes are not independent, so two of them would be the same motion")]
     DependentAxes,

@@ -10,6 +10,7 @@ use crate::contribution::{Field as Shape, Piece};
 use crate::element::{Element, ElementSite};
 use crate::error::{ElementError, ElementId, ElementKind, Field, Problem, at};
 use crate::kinds::coefficient;
+use crate::kinds::prescribed::PrescribedMotion;
 use crate::model::{Coordinate, Hinge, Inertia, Rheology};
 use crate::number;
 use crate::structure::Block;
@@ -42,6 +43,8 @@ pub struct Hinged {
     pub damping: HingeCoefficient,
     /// Rheology of the hinge spring itself: response to periodic strain, beside the damping.
     pub rheology: Rheology,
+    /// Angle (rad) of a hinge of one axis that a drive turns or locks, zero at the place given here: then it has neither stiffness nor damping.
+    pub angle: Option<PrescribedMotion>,
     /// Places on the appendage at which springs and forces act: names and equilibrium positions (m), in the file's frame.
     pub places: Vec<(String, [f64; 3])>,
 }
@@ -56,6 +59,8 @@ pub enum HingeCoefficient {
     Full(Vec<Vec<f64>>),
 }
 
+/// Key of the angle.
+const ANGLE: Field = Field::new("angle");
 /// Sine of the angle between two axes, or triple product of three, above which they are linearly independent.
 const INDEPENDENT: f64 = 1e-6;
 /// Moment of inertia about an axis, as a share of the appendage's largest, above which the axis moves mass.
@@ -73,18 +78,55 @@ impl Hinged {
         let piece = Piece::rigid(self.mass, center, &inertia);
         let shapes: Vec<_> = axes.iter().map(|a| Shape::linear(a.cross_matrix())).collect();
         moves_mass(&piece, &shapes).map_err(at(place, Field::AXES))?;
-        Ok(MovingBody {
+        self.check_drive(place)?;
+        let turning = MovingBody {
             piece,
             base: hinge,
+            pose: Matrix3::identity(),
             shapes,
             curvature: curvature(&axes),
             coordinates: (1..=axes.len())
                 .map(|axis| Coordinate { name: format!("\"{}\" about axis {axis}", self.name), unit: "rad" })
                 .collect(),
             axes,
+            oriented: true,
             marker: (self.name.clone(), farthest(&piece, center)),
             places: self.placed(hinge).map_err(at(place, Field::PLACES))?,
+            law: self.angle.as_ref().and_then(|angle| angle.law().cloned()),
+        };
+        Ok(match self.locked() {
+            Some(angle) => turning.locked(angle),
+            None => turning,
         })
+    }
+
+    /// Accepts a drive of one axis in place of spring and damper.
+    fn check_drive(&self, place: ElementId) -> Result<(), ElementError> {
+        let Some(angle) = &self.angle else { return Ok(()) };
+        if self.axes.len() != 1 {
+            return Err(at(place, ANGLE)(Problem::DrivenAxes { count: self.axes.len() }));
+        }
+        for (coefficient, field) in [(&self.stiffness, Field::STIFFNESS), (&self.damping, Field::DAMPING)] {
+            let matrix = coefficient::hinge_matrix(coefficient, 1).map_err(at(place, field))?;
+            if matrix[(0, 0)] != 0.0 {
+                return Err(at(place, field)(Problem::DrivenSpring));
+            }
+        }
+        if self.rheology != Rheology::Elastic {
+            return Err(at(place, Field::RHEOLOGY)(Problem::DrivenSpring));
+        }
+        angle.check().map_err(at(place, ANGLE))
+    }
+
+    /// Angle (rad) at which the hinge is locked.
+    fn locked(&self) -> Option<f64> {
+        self.angle.as_ref()?.constant()
+    }
+
+    /// Whether the hinge turns at all: not where it is locked at an angle.
+    #[must_use]
+    pub fn turns(&self) -> bool {
+        self.locked().is_none()
     }
 
     fn placed(&self, hinge: Vector3<f64>) -> Result<Vec<(String, Vector3<f64>)>, Problem> {
@@ -138,11 +180,12 @@ impl Hinged {
 
 impl Element for Hinged {
     fn check(&self, id: ElementId, _: &Assembly) -> Vec<ElementError> {
-        self.moved(id).err().into_iter().chain(self.about_axes(id, 0).err()).collect()
+        let spring = if self.angle.is_some() { None } else { self.about_axes(id, 0).err() };
+        self.moved(id).err().into_iter().chain(spring).collect()
     }
 
     fn incomplete(&self) -> Vec<Incomplete> {
-        vec![Incomplete::Hinges]
+        if self.turns() { vec![Incomplete::Hinges] } else { Vec::new() }
     }
 
     fn rheologies_mut(&mut self) -> Vec<&mut Rheology> {
@@ -166,7 +209,7 @@ impl Element for Hinged {
     }
 
     fn block(&self, site: &ElementSite<'_>) -> Result<Option<Block>, ElementError> {
-        self.about_axes(site.id, site.start).map(Some)
+        if self.angle.is_some() { Ok(None) } else { self.about_axes(site.id, site.start).map(Some) }
     }
 }
 

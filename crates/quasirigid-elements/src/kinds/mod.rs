@@ -3,6 +3,7 @@
 
 pub(crate) mod appendage;
 pub(crate) mod application_point;
+pub(crate) mod boom;
 pub(crate) mod bushing;
 pub(crate) mod carrier;
 pub(crate) mod cavity;
@@ -15,6 +16,7 @@ pub(crate) mod hinged;
 pub(crate) mod network;
 pub(crate) mod part;
 pub(crate) mod point;
+pub(crate) mod prescribed;
 pub(crate) mod ritz;
 pub(crate) mod rod;
 pub(crate) mod rotor;

@@ -1,7 +1,7 @@
 //! Material point on straight paths: free, on a line or in a plane of the carrier.
 //! The constraint leaves unit vectors as its shapes, so its coordinates are displacements along them and need no equation of constraint.
 
-use nalgebra::Vector3;
+use nalgebra::{Matrix3, Vector3};
 
 use crate::Assembly;
 use crate::contribution::MovingBody;
@@ -80,15 +80,18 @@ impl Point {
         Ok(MovingBody {
             piece: Piece::point(self.mass),
             base: self.position.into(),
+            pose: Matrix3::identity(),
             shapes: directions.iter().map(|(direction, _)| Shape::constant(*direction)).collect(),
             curvature: vec![still; directions.len()],
             axes: Vec::new(),
+            oriented: false,
             coordinates: directions
                 .iter()
                 .map(|(_, axis)| Coordinate { name: format!("\"{}\" {axis}", self.name), unit: "m" })
                 .collect(),
             marker: (self.name.clone(), Vector3::zeros()),
             places: Vec::new(),
+            law: None,
         })
     }
 }

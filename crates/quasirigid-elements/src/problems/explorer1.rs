@@ -75,6 +75,7 @@ impl Explorer1 {
             damping: HingeCoefficient::PerAxis(vec![self.damping; 2]),
             rheology: Rheology::Elastic,
             places: Vec::new(),
+            angle: None,
         }
     }
 

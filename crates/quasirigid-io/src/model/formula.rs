@@ -1,5 +1,7 @@
+use quasirigid_elements::PrescribedMotion;
 use quasirigid_math::expression::Expression;
 
+use super::key::{Form, Keys, Shape, any, key, of};
 use super::value::Value;
 use crate::units::Dimension;
 
@@ -16,6 +18,25 @@ pub(super) const PLACE: Variables = Variables {
     names: &["x", "y", "z", "vx", "vy", "vz", "t", "wx", "wy", "wz", "qw", "qx", "qy", "qz"],
     meaning: "x y z (m), vx vy vz (m/s), t (s), wx wy wz (rad/s) and qw qx qy qz",
 };
+
+/// Number, or a formula of the time in a table.
+pub(super) const PRESCRIBED: Form = any(&[Shape::Number, Shape::Table(&LAW)]);
+/// Keys of the formula of a quantity over time.
+pub(super) const LAW: Keys = Keys { known: &[key("formula", of(Shape::Formula), "in `t`")] };
+
+/// Reads a number, or a formula of the time, of what a drive prescribes; `title` is the key in messages.
+pub(super) fn prescribed(
+    value: &Value<'_>,
+    title: &'static str,
+    dimension: Dimension,
+) -> Option<PrescribedMotion> {
+    if !value.is_table() {
+        return value.quantity(dimension).map(PrescribedMotion::Constant);
+    }
+    let table = value.table(title, &LAW)?;
+    let text = table.required("formula", "{ formula = \"0.1 * t\" }")?;
+    formula(&text, &TIME, dimension).map(PrescribedMotion::Law)
+}
 
 /// Reads three formulas, or numbers in their place.
 pub(super) fn formulas(

@@ -2,9 +2,10 @@
 //! The names of its places are registered here, because springs and forces are read later and refer to them.
 //! Equations (I8) and (I9), docs/theory/02-invariants.md.
 
-use quasirigid_elements::{ElementKind, HingeCoefficient, Hinged};
+use quasirigid_elements::{ElementKind, HingeCoefficient, Hinged, PrescribedMotion};
 
 use super::body::{INERTIA, inertia};
+use super::formula::{PRESCRIBED, prescribed};
 use super::key::{Form, Keys, Shape, any, key, list, named, quantity, vector};
 use super::names::Part;
 use super::reader::{Keyed, NAME, Naming, Reader};
@@ -48,6 +49,11 @@ const HINGED: Keys = Keys {
         key("stiffness", COEFFICIENT.in_unit("N m/rad"), "one, one per axis, or a matrix"),
         key("damping", COEFFICIENT.in_unit("N m s/rad").or("0"), "same"),
         RHEOLOGY,
+        key(
+            "angle",
+            PRESCRIBED.in_unit("rad"),
+            "about one axis, instead of them: locked, or driven over time",
+        ),
         key("places", named(&Shape::Vector).in_unit("m").or("none"), "for springs and forces"),
     ],
 };
@@ -61,9 +67,13 @@ pub(super) fn hinged(table: &Table<'_>, name: &str) -> Option<(Hinged, Extremes)
     let hinge = table.read("hinge", "hinge = [1.0, 0.0, 0.0]", |value| value.vector(Dimension::LENGTH));
     let axes = table.read("axes", "axes = [[0, 0, 1]]", |value| axes(&value));
     let count = axes.as_ref().map_or(1, Vec::len);
-    let stiffness = table.read("stiffness", "stiffness = \"0.565 N m/rad\"", |value| {
-        coefficient(&value, Dimension::ROTATIONAL_STIFFNESS, count)
-    });
+    let angle = angle(table)?;
+    let stiffness = match angle {
+        Some(_) => Some(HingeCoefficient::PerAxis(vec![0.0; count])),
+        None => table.read("stiffness", "stiffness = \"0.565 N m/rad\"", |value| {
+            coefficient(&value, Dimension::ROTATIONAL_STIFFNESS, count)
+        }),
+    };
     let damping = table.read_or("damping", HingeCoefficient::PerAxis(vec![0.0; count]), |value| {
         coefficient(&value, Dimension::ROTATIONAL_DAMPING, count)
     });
@@ -81,9 +91,23 @@ pub(super) fn hinged(table: &Table<'_>, name: &str) -> Option<(Hinged, Extremes)
         stiffness: stiffness?,
         damping: damping?,
         rheology: known.rheology,
+        angle,
         places: places?,
     };
     Some((hinged, known.extremes))
+}
+
+/// Reads the angle of a driven hinge, which has neither spring nor damper; none where there is no drive.
+fn angle(table: &Table<'_>) -> Option<Option<PrescribedMotion>> {
+    let Some(angle) = table.get("angle") else { return Some(None) };
+    for key in ["stiffness", "damping", "rheology"] {
+        if let Some(other) = table.get(key) {
+            let message = format!("`{key}` beside `angle`: a drive holds the hinge at its angle");
+            let help = "give either `angle`, or the spring and the damper of the hinge";
+            return other.refuse(message, "one of the two", help);
+        }
+    }
+    prescribed(&angle, "`angle`", Dimension::ANGLE).map(Some)
 }
 
 fn axes(value: &Value<'_>) -> Option<Vec<[f64; 3]>> {

@@ -2,6 +2,7 @@
 //! Displacements default to the slow manifold: a body started undeformed would first vibrate, which nobody asked for.
 //! Equation (Q8), docs/theory/16-methods.md, tells where the slow manifold can be used as a start.
 
+use std::ops::Range;
 use std::path::Path;
 
 use quasirigid_body::Support;
@@ -209,8 +210,9 @@ fn at_rest(body: &Body<'_>) -> Vec<Vec<f64>> {
     };
     // A `motion` without a direction is refused by the laws of mechanics, with the rest of the body.
     let points = assembly.points.iter().map(|point| point.coordinates_of([0.0; 3]).unwrap_or_default());
-    let hinged = assembly.hinged.iter().map(|part| vec![0.0; part.axes.len()]);
-    points.chain(hinged).chain(assembly.tubes.iter().map(|_| vec![0.0])).collect()
+    let hinged = assembly.hinged.iter().map(|part| vec![0.0; if part.turns() { part.axes.len() } else { 0 }]);
+    let booms = assembly.booms.iter().map(|boom| vec![0.0; usize::from(boom.length.law().is_some())]);
+    points.chain(hinged).chain(booms).chain(assembly.tubes.iter().map(|_| vec![0.0])).collect()
 }
 
 /// Reads the coordinates, or their rates, of the parts that a table names; the others are at rest.
@@ -232,12 +234,19 @@ fn amounts(value: &Value<'_>, body: &Body<'_>, along: Dimension, about: Dimensio
             Some(Part::Point(index)) => of_point(&value, body, index, along).map(|q| (index, q)),
             Some(Part::Hinged(index)) => {
                 let points = body.assembly().map_or(0, |assembly| assembly.points.len());
-                let axes = body.assembly()?.hinged[index].axes.len();
-                of_hinge(&value, ("the hinge", axes), about).map(|q| (points + index, q))
+                let part = &body.assembly()?.hinged[index];
+                match part.angle {
+                    Some(_) => driven(&value, key, "`angle`"),
+                    None => {
+                        of_hinge(&value, ("the hinge", part.axes.len()), about).map(|q| (points + index, q))
+                    }
+                }
             }
+            Some(Part::Boom) => driven(&value, key, "`length`"),
             Some(Part::Slug(index)) => {
-                let first =
-                    body.assembly().map_or(0, |assembly| assembly.points.len() + assembly.hinged.len());
+                let first = body.assembly().map_or(0, |assembly| {
+                    assembly.points.len() + assembly.hinged.len() + assembly.booms.len()
+                });
                 of_hinge(&value, ("the ring", 1), about).map(|q| (first + index, q))
             }
             Some(Part::Throughout | Part::Flexible(_)) => value.refuse_at(
@@ -274,6 +283,16 @@ fn amounts(value: &Value<'_>, body: &Body<'_>, along: Dimension, about: Dimensio
         }
     }
     good.then(|| parts.concat())
+}
+
+/// Refuses the coordinate of a part that a drive holds.
+fn driven<T>(value: &Value<'_>, key: Range<usize>, law: &str) -> Option<T> {
+    value.refuse_at(
+        key,
+        format!("{:?} has the place that its {law} gives at t = 0", value.key()),
+        "driven",
+        format!("leave it out, and change {law}"),
+    )
 }
 
 fn of_point(value: &Value<'_>, body: &Body<'_>, index: usize, along: Dimension) -> Option<Vec<f64>> {

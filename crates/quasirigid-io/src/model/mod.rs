@@ -6,6 +6,7 @@
 mod appendage;
 mod as_observed;
 mod body;
+mod boom;
 mod bushing;
 mod cavity;
 mod change;
@@ -104,6 +105,7 @@ const READERS: &[&Reader] = &[
     &part::connection::READER,
     &point::READER,
     &hinged::READER,
+    &boom::READER,
     &appendage::READER,
     &spring::READER,
     &bushing::READER,

@@ -46,6 +46,8 @@ pub(super) enum Part {
     Slug(usize),
     /// An appendage without shapes.
     Modal,
+    /// A boom of a prescribed length.
+    Boom,
 }
 
 /// End of a spring, or place of a force.
@@ -175,6 +177,11 @@ impl<'a> Names<'a> {
                 format!("{name:?} is known by its modes alone, but {}", what.rule()),
                 "no place on it",
                 format!("write {CARRIER:?}, with the place of its interface"),
+            ),
+            Some(Part::Boom) => value.refuse(
+                format!("{name:?} is a boom that is run out, but {}", what.rule()),
+                "no place on it",
+                format!("write {CARRIER:?}, with the place of its root"),
             ),
             None if self.parts.problems.full() => None,
             None if self.all(ElementKind::Point).is_empty() => value.refuse(

@@ -1,7 +1,7 @@
 use quasirigid_elements::{ElementKind, Wheel, WheelSpeed};
 
-use super::formula::{TIME, formula};
-use super::key::{Keys, Shape, VECTOR, any, key, of, quantity};
+use super::formula::{LAW, PRESCRIBED, TIME, formula};
+use super::key::{Keys, VECTOR, key, quantity};
 use super::names::Part;
 use super::reader::{Keyed, NAME, Naming, Reader};
 use super::table::Table;
@@ -30,15 +30,10 @@ const WHEEL: Keys = Keys {
         NAME,
         key("axis", VECTOR, ""),
         key("inertia", quantity("kg m²"), ""),
-        key(
-            "speed",
-            any(&[Shape::Number, Shape::Table(&PRESCRIBED)]).in_unit("rad/s"),
-            "relative to the carrier, kept by a motor",
-        ),
+        key("speed", PRESCRIBED.in_unit("rad/s"), "relative to the carrier, kept by a motor"),
         key("momentum", quantity("N m s"), "instead of `inertia` and `speed`"),
     ],
 };
-const PRESCRIBED: Keys = Keys { known: &[key("formula", of(Shape::Formula), "in `t`")] };
 
 /// Reads a `[[wheel]]`.
 pub(super) fn wheel(table: &Table<'_>, name: &str) -> Option<Wheel> {
@@ -69,7 +64,7 @@ fn given_speed(table: &Table<'_>) -> Option<WheelSpeed> {
         let speed = speed.quantity(Dimension::ANGULAR_VELOCITY)?;
         return Some(WheelSpeed::Constant { angular_momentum: inertia? * speed });
     }
-    let prescribed = speed.table("`speed`", &PRESCRIBED)?;
+    let prescribed = speed.table("`speed`", &LAW)?;
     let value = prescribed.required("formula", "speed = { formula = \"300 + 20 * sin(0.1 * t)\" }")?;
     let speed = formula(&value, &TIME, Dimension::ANGULAR_VELOCITY)?;
     Some(WheelSpeed::Prescribed { inertia: inertia?, speed })

@@ -9,6 +9,7 @@ mod connections;
 mod connections_refused;
 mod controllers;
 mod decks;
+mod drives;
 mod eddy_currents;
 mod elements;
 mod ellipsoids;

@@ -599,7 +599,7 @@ class Model:
     @overload
     def simulate(
         self,
-        system: str = "reduced",
+        system: str | None = None,
         *,
         initial: None = None,
         duration: float | str | None = None,
@@ -621,7 +621,7 @@ class Model:
     @overload
     def simulate(
         self,
-        system: str = "reduced",
+        system: str | None = None,
         *,
         initial: ArrayLike,
         duration: float | str | None = None,
@@ -639,7 +639,7 @@ class Model:
     @_arguments.renamed("integrator")
     def simulate(
         self,
-        system: str = "reduced",
+        system: str | None = None,
         *,
         initial: ArrayLike | None = None,
         duration: float | str | None = None,
@@ -660,7 +660,8 @@ class Model:
         """Follows the spin in time.
 
         Args:
-            system: ``reduced``, ``full``, ``rigid``, or ``spin-manifold`` for the reduced equations about the spin.
+            system: ``reduced``, ``full``, ``rigid``, or ``spin-manifold`` for the reduced equations about the
+                spin; by default ``reduced``, and ``full`` for a body with driven parts.
             initial: Angular velocities at the start (rad/s), body axes, ``(n, 3)``: one history each, on every core, in
                 place of the model's own start. A row that fails has its reason.
             duration: Duration (s); the model's own, or a hundred revolutions.

@@ -43,11 +43,11 @@ def spin_manifold(degree: int | None, masters: str | Sequence[float] | None, sty
 
 
 def table(
-    system: str, about: dict[str, Any], coordinates: bool, displacements: bool, times: ArrayLike | None
+    system: str | None, about: dict[str, Any], coordinates: bool, displacements: bool, times: ArrayLike | None
 ) -> dict[str, Any]:
     """Contents of the table of a history."""
     return {
-        "system": _arguments.word(system, "system") or "",
+        "system": _arguments.word(system, "system"),
         "spin_manifold": about,
         "coordinates": bool(coordinates),
         "displacements": bool(displacements),

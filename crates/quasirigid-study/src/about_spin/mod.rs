@@ -106,7 +106,7 @@ impl Study {
         asked: PartialSpinManifold,
         axis: Option<PrincipalAxis>,
     ) -> Result<AboutSpin<'_>, StudyError> {
-        self.uncontrolled("a derivation about a spin")?;
+        self.left_alone("a derivation about a spin")?;
         let settings = SpinManifoldSettings::resolve(asked, axis, self)?;
         watch::stage("expanding about the spin");
         let mut ask = |share: f64| {

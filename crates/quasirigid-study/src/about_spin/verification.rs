@@ -27,7 +27,7 @@ impl Study {
         asked: &PartialSpinVerify,
         watch: &mut dyn Watch,
     ) -> Result<Option<SpinVerification>, StudyError> {
-        self.uncontrolled("verify")?;
+        self.left_alone("verify")?;
         self.without_slugs("verify")?;
         let settings = SpinManifoldSettings::resolve(asked.spin_manifold.clone(), None, self)?;
         let Planned { plan: about, .. } = planned(&Motion::new(self, self.initial()?), &settings)?;

@@ -161,7 +161,7 @@ fn simulated(study: &Study, asked: &Answer, watch: &mut Remarks<'_>) -> Result<A
     let times: Vec<f64> = asked.times.iter().map(|(_, seconds)| *seconds).collect();
     let count = times.len().max(1);
     let table = Table {
-        system: asked.system,
+        system: Some(asked.system),
         coordinates: false,
         displacements: false,
         times: (!times.is_empty()).then_some(times),

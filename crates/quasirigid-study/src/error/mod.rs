@@ -7,6 +7,7 @@ use std::path::PathBuf;
 use quasirigid::averaging::{FreeRotationError, ObservedError, Unaveraged};
 use quasirigid::dynamics::{PropagateError, StepperError};
 use quasirigid::elements::ElementError;
+use quasirigid::model::DriveFault;
 use quasirigid::modes::{CantileverError, EquilibriumError, LinearError, TruncationError};
 use quasirigid::reduction::{ReductionError, ValidityError};
 use quasirigid::submanifold::{ExpansionError, SubmanifoldError};
@@ -152,6 +153,20 @@ pub enum StudyError {
         names: Vec<String>,
         /// The answer.
         what: &'static str,
+    },
+    /// Parts that drives move, in an answer that does not have them. (T7)
+    Driven {
+        /// Names of the parts.
+        names: Vec<String>,
+        /// The answer.
+        what: &'static str,
+    },
+    /// A law that no drive follows. (T10)
+    Drive {
+        /// Name of the part.
+        name: String,
+        /// Fault of the law.
+        fault: DriveFault,
     },
     /// Controllers without a linear model.
     NotLinear {

@@ -91,6 +91,15 @@ impl StudyError {
                 names.iter().map(|name| format!("{name:?}")).collect::<Vec<_>>().join(", "),
                 name(Setting::System)
             ),
+            Self::Driven { names, what } => format!(
+                "{what}: {} a law over time, and such a body has no state of rest and no steady spin to answer for; follow it by `simulate` with {} full, or lock the part: `angle` or `length` = a number",
+                match names.as_slice() {
+                    [name] => format!("{name:?} follows"),
+                    names => format!("{} follow", names.iter().map(|name| format!("{name:?}")).collect::<Vec<_>>().join(", ")),
+                },
+                name(Setting::System)
+            ),
+            Self::Drive { name, fault } => format!("the law that drives {name:?} {fault}"),
             Self::NotLinear { name, what } => format!("controller {name:?}: {what}"),
             Self::NoSlowSeries { spin } => format!(
                 "rotors and liquids do not follow the spin, {} rad/s: friction or stiffness is too small, the slow series does not hold, and the reduced equations do not hold; follow the body with {} full, where they start at rest in it, or a rotor at the `speed` given in [[rotor]]",

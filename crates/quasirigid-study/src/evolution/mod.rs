@@ -114,7 +114,7 @@ impl Study {
         asked: PartialEvolve,
         watch: &mut dyn Watch,
     ) -> Result<Evolved, StudyError> {
-        self.uncontrolled("evolve")?;
+        self.left_alone("evolve")?;
         if let Some(sprung) = hanging::sprung(self, start)? {
             let mut evolved = sprung.evolve_from(start, asked, watch)?;
             evolved.notes.extend(hanging::note(self).filter(|_| evolved.has_numbers()));

@@ -79,7 +79,13 @@ fn history(study: &Study, text: &str, times: &[f64], system: System) -> Result<H
 
 fn of_study(study: &Study, times: Vec<f64>, system: System) -> Result<History, StudyError> {
     let manifold = PartialSpinManifold::default();
-    let table = Table { system, coordinates: false, displacements: false, times: Some(times), manifold };
+    let table = Table {
+        system: Some(system),
+        coordinates: false,
+        displacements: false,
+        times: Some(times),
+        manifold,
+    };
     let settings = PartialRun { samples: Some(2), ..PartialRun::default() };
     study.simulate_from(study.initial()?, &settings, &table, &mut ())
 }

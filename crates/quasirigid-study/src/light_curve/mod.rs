@@ -170,7 +170,7 @@ impl Study {
         let scale = scale(asked, &law, shape.cross_section())?;
         let epochs = Epochs::new(&asked.view, asked.epoch)?;
         let table = Table {
-            system: asked.system,
+            system: Some(asked.system),
             coordinates: false,
             displacements: false,
             times: epochs.times(),

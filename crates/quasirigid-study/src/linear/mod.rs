@@ -87,6 +87,7 @@ impl Study {
             return Err(StudyError::NoBand { low, high });
         }
         self.without_rods("the linear model")?;
+        self.undriven("the linear model")?;
         let inputs: Vec<_> = ins.iter().map(|name| self.input(name)).collect::<Result<_, _>>()?;
         let outputs: Vec<_> = outs.iter().map(|name| self.output(name, &ins)).collect::<Result<_, _>>()?;
         let (forces, sleeping) = steady_state::at_start(self);

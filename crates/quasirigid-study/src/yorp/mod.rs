@@ -120,6 +120,7 @@ impl Study {
     /// Those of [`initial`](Self::initial), and [`StudyError::Yorp`] for a model without one force of sunlight on one orbit, on a support, or
     /// at rest, and for a surface that there is not.
     pub fn yorp(&self, asked: YorpSettings) -> Result<Yorp, StudyError> {
+        self.undriven("yorp")?;
         let surface = surface(asked)?;
         let (loads, sun) = self.sunlight()?;
         let spin = self.short_axis_spin()?;

@@ -6,6 +6,7 @@ mod audit;
 mod audit_attitude;
 mod checks;
 mod derive;
+mod driven;
 mod durations;
 mod eddy_currents;
 mod encounters;

@@ -60,7 +60,13 @@ pub fn of_order(model: &str, order: impl Into<Option<usize>>) -> Study {
 /// Table of a system of equations at times (s).
 pub fn table(system: System, times: &[f64]) -> Table {
     let manifold = PartialSpinManifold::default();
-    Table { system, coordinates: false, displacements: false, times: Some(times.to_vec()), manifold }
+    Table {
+        system: Some(system),
+        coordinates: false,
+        displacements: false,
+        times: Some(times.to_vec()),
+        manifold,
+    }
 }
 
 /// Table with coordinates and displacements.

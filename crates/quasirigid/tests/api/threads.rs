@@ -52,17 +52,17 @@ types! {
         WobblingEllipsoid
     }
     elements {
-        Anchor Appendage AppendageMode Approximation Assembly BeamError Built Bushing Carrier Cavity CavityShape Coefficient
+        Anchor Appendage AppendageMode Approximation Assembly BeamError Built Boom Bushing Carrier Cavity CavityShape Coefficient
         Condensation Connection Constant ElasticMaterial ElasticityError ElementError ElementId
         ElementKind Ellipsoid End Extent Field Frame FrameNode GivenModes Grading HingeCoefficient Hinged Incomplete InertiaPoint
         Layer Material Matrices MeasuredSlosh Member Modulus NamedController Network NodalMass NodeRef ObservedShape Orthotropic Panel Part PartKind
-        PartReduction PlaceRef Point PointMotion Prestress Problem Quantity Regime Region Relaxed Resolution Rotor
+        PartReduction PlaceRef Point PointMotion PrescribedMotion Prestress Problem Quantity Regime Region Relaxed Resolution Rotor
         RingBaffle RotorKind Section SectionShape SettledTank Settling ShellError SlowLiquid Slug Solid Spectrum Spring SpringLaw SunlightAccuracy SunlitShape
         ApplicationPoint StokesError Surface Tank TankContents TankDamping TankError TankMode TankShape TipMass Tube TubeError RotorAxis Visual Wheel WheelSpeed
         Bar BarKind Coupling Mixed NodeBody NodeLink Skin Strain Term Weighted
     }
     model {
-        Advection BalancedSpin BodyParts Carried Coordinate CurvedPaths Displaced Dissipator DrivenWheel
+        Advection BalancedSpin BodyParts Carried Coordinate CurvedPaths Displaced Dissipator Drive DriveFault DrivenWheel
         EnergyMotion[f64] ExpandedMotion FlexibleBody FlexibleError Follower Form Friction Gimbal Hinge Hung
         Inertia InertiaError Invariants Kinetics LiquidFlow LiquidMemory Marker Measured Method Mode
         MotionState[f64] Pair PartMass Polhode Principal RationalModulus Reach Recoiling ReducedBody Rheology RheologyError

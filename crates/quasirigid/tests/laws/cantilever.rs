@@ -192,6 +192,7 @@ fn a_pendulum_without_a_spring_has_no_cantilever_modes() {
         damping: HingeCoefficient::PerAxis(vec![0.0]),
         rheology: Rheology::Elastic,
         places: Vec::new(),
+        angle: None,
     };
     let carrier = Some(parts::carrier(20.0, [0.0; 3], parts::diag([3.0, 4.0, 5.0])));
     let body = Assembly { carrier, hinged: vec![pendulum], ..Assembly::default() }.body().unwrap();

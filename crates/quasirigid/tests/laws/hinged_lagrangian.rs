@@ -337,6 +337,7 @@ fn satellite(axes: &[&[[f64; 3]]], stiffness: f64, [metre, kilogram]: [f64; 2]) 
             damping: full(0.02 * stiffness),
             rheology: Rheology::Elastic,
             places: Vec::new(),
+            angle: None,
         }
     };
     let carrier = parts::carrier(60.0 * kilogram, place([0.02, -0.03, 0.05]), tensor([20.0, 25.0, 40.0]));
@@ -416,6 +417,7 @@ fn a_balance_on_a_hinge_is_that_which_the_body_reaches_from_rest() {
         damping: HingeCoefficient::PerAxis(vec![1e-3]),
         rheology: Rheology::Elastic,
         places: Vec::new(),
+        angle: None,
     };
     let assembly = Assembly { carrier: Some(carrier), hinged: vec![arm], ..Assembly::default() };
     let (body, lagrangian) = (assembly.body().unwrap(), Lagrangian::of(&assembly));
@@ -565,6 +567,7 @@ fn decays_as_its_lagrangian_says(stiffness: f64) {
         damping: HingeCoefficient::PerAxis(vec![0.1; 2]),
         rheology: Rheology::Elastic,
         places: Vec::new(),
+        angle: None,
     };
     let assembly = Assembly { carrier: Some(carrier), hinged: vec![pendulum], ..Assembly::default() };
     let rate = 0.5 * std::f64::consts::PI;
@@ -592,6 +595,7 @@ fn hung(hinge: [f64; 3], center_of_mass: [f64; 3], second: f64) -> FlexibleBody 
         damping: HingeCoefficient::PerAxis(vec![0.02 / second; 2]),
         rheology: Rheology::Elastic,
         places: Vec::new(),
+        angle: None,
     };
     Assembly { carrier: Some(carrier), hinged: vec![bob], ..Assembly::default() }.body().unwrap()
 }

@@ -111,6 +111,7 @@ fn a_motor_of_a_hinge_turns_it_and_not_the_whole() {
         damping: HingeCoefficient::PerAxis(vec![0.6, 0.4]),
         rheology: Rheology::Elastic,
         places: Vec::new(),
+        angle: None,
     };
     let body = Assembly { hinged: vec![boom], ..satellite() }.body().unwrap();
     let axis = |number: usize| {

@@ -86,6 +86,7 @@ fn hinged() -> Assembly {
         damping: HingeCoefficient::PerAxis(vec![0.6]),
         rheology: Rheology::Elastic,
         places: Vec::new(),
+        angle: None,
     };
     Assembly { carrier: Some(carrier()), hinged: vec![arm], ..Assembly::default() }
 }

@@ -34,6 +34,7 @@ pub fn assembly() -> Assembly {
             damping: HingeCoefficient::PerAxis(vec![0.4, 0.3]),
             rheology: Rheology::Elastic,
             places: Vec::new(),
+            angle: None,
         }],
         ..Assembly::default()
     }

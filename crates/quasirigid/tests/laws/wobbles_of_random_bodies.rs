@@ -119,6 +119,7 @@ fn boom(random: &mut Random, M: f64, L: f64, spin: f64) -> Hinged {
         axes,
         rheology: Rheology::Elastic,
         places: Vec::new(),
+        angle: None,
     }
 }
 

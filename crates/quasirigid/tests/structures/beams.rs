@@ -95,6 +95,7 @@ impl Cantilever {
             coordinates: body.coordinates().to_vec(),
             cyclic: 0,
             wheels: body.wheels().clone(),
+            drives: Vec::new(),
             markers: body.markers().to_vec(),
         })
         .unwrap()

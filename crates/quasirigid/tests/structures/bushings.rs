@@ -66,6 +66,7 @@ fn boom(axes: Vec<[f64; 3]>, stiffness: Vec<f64>, damping: Vec<f64>) -> Hinged {
         damping: HingeCoefficient::PerAxis(damping),
         rheology: Rheology::Elastic,
         places: vec![("root".into(), HINGE), ("tip".into(), [2.1, -0.8, 1.2])],
+        angle: None,
     }
 }
 

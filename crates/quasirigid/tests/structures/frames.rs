@@ -73,6 +73,7 @@ fn of_a_rod(axes: &[[f64; 3]], stiffness: f64, damping: f64) -> FlexibleBody {
         damping: HingeCoefficient::PerAxis(vec![damping; axes.len()]),
         rheology: Rheology::Elastic,
         places: Vec::new(),
+        angle: None,
     };
     Assembly { carrier: Some(carrier()), hinged: vec![hinged], ..Assembly::default() }.body().unwrap()
 }

@@ -6,6 +6,7 @@ mod beams;
 mod buckling;
 mod bushings;
 mod common;
+mod deployment;
 mod dissipators;
 mod ellipsoids;
 mod exported;

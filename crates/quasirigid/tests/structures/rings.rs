@@ -331,6 +331,7 @@ fn a_slow_slug_is_a_hinged_arc() {
         damping: HingeCoefficient::PerAxis(vec![by_shear(&slug, 1e-3) / 1e-3]),
         rheology: Rheology::Elastic,
         places: Vec::new(),
+        angle: None,
     };
     let bodies = [with_ring.body().unwrap(), Assembly::default().with(carrier).with(arc).body().unwrap()];
     let ends = bodies.each_ref().map(|body| {

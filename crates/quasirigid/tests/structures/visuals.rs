@@ -112,6 +112,7 @@ fn appendages_and_rotors_turn() {
         damping: HingeCoefficient::PerAxis(vec![1.0, 1.0]),
         rheology: Rheology::Elastic,
         places: vec![("tip".into(), [3.0, 0.2, -0.3])],
+        angle: None,
     };
     let kind = RotorKind::Flywheel { axis: [0.0, 3.0, 4.0] };
     let rotor = Rotor { name: "flywheel".into(), kind, inertia: 0.2, friction: 0.05, speed: None };
@@ -177,6 +178,7 @@ fn springs_end_at_places_of_appendages() {
         damping: HingeCoefficient::PerAxis(vec![1.0]),
         rheology: Rheology::Elastic,
         places: places.map(|(name, place)| (name.into(), place)).into(),
+        angle: None,
     };
     let law = parts::axial(5.0, 0.0, Some([0.5, 0.5, 0.5]));
     let spring = |(place, (name, _)): (usize, (&str, [f64; 3]))| Spring {

@@ -162,6 +162,7 @@ fn stage() -> FlexibleBody {
         damping: HingeCoefficient::PerAxis(vec![0.472_748_094; 2]),
         rheology: Rheology::Elastic,
         places: Vec::new(),
+        angle: None,
     };
     let carrier = parts::carrier(900.0, [0.0; 3], parts::diag([1100.0, 1150.0, 300.0]));
     Assembly { carrier: Some(carrier), hinged: vec![boom], ..Assembly::default() }.body().unwrap()

@@ -43,6 +43,7 @@ pub fn hinged() -> Assembly {
         damping: HingeCoefficient::PerAxis(vec![1.1, 1.6]),
         rheology: Rheology::Elastic,
         places: Vec::new(),
+        angle: None,
     };
     Assembly { hinged: vec![boom], ..two_masses_without_points() }
 }

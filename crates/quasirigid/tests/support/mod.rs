@@ -268,6 +268,7 @@ fn hinged() -> impl Strategy<Value = (Hinged, Vec<Mass>)> {
                 damping: hinge_matrix(damping, count, 2.0 * ratio * about * frequency),
                 rheology: Rheology::Elastic,
                 places: Vec::new(),
+                angle: None,
             };
             (hinge, masses)
         },

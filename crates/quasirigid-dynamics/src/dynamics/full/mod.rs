@@ -1,5 +1,6 @@
 //! The full stiff system: the reference for the reduced equations. (T1)
 
+mod drives;
 mod periodic;
 mod propagate;
 mod solver;

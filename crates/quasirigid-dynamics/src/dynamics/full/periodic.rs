@@ -105,7 +105,7 @@ struct Flow {
 
 impl<'a> ClosedSystem<'a> {
     fn new(body: &'a FlexibleBody, start: [f64; 3]) -> Option<Self> {
-        if !body.frictions().is_empty() {
+        if !body.frictions().is_empty() || !body.drives().is_empty() {
             return None;
         }
         let (elastic, n) = (body.elastic(), body.coordinates().len());

@@ -3,6 +3,7 @@
 //! or they would set the step.
 //! "Errors allowed" and equations (T1), docs/theory/08-full-system.md; (D4), docs/theory/11-materials.md.
 
+use super::drives::energy;
 use super::solver::FullSolver;
 use super::start::FullState;
 use super::system::FullSystem;
@@ -10,7 +11,7 @@ use crate::dynamics::conserved_momentum::Conserved;
 use crate::dynamics::control::{ControlBlock, Seen};
 use crate::dynamics::external::Forced;
 use crate::dynamics::invariant_monitor::InvariantMonitor;
-use crate::dynamics::layout::{ATTITUDE, Layout, MOMENTUM, PLACE, VELOCITY, triple};
+use crate::dynamics::layout::{ATTITUDE, Layout, MOMENTUM, PLACE, VELOCITY, WORK, triple};
 use crate::dynamics::run::{Observer, Options, PropagateError, Run, check, check_covered};
 use crate::dynamics::scale::Scales;
 use crate::math::ode::{Solver, integrate};
@@ -58,6 +59,9 @@ pub fn propagate_controlled(
     options: &Options,
     observer: &mut dyn Observer,
 ) -> Result<Run, PropagateError> {
+    let end = times.last().copied().unwrap_or_default();
+    check_drives(system.body, end)?;
+    let initial = &initial.clone().driven(system.body);
     check_state(system.body, initial)?;
     let block = ControlBlock::of(controls);
     let layout = Layout::of(system.body).with_controls(block.len());
@@ -69,7 +73,6 @@ pub fn propagate_controlled(
     if !(torque.is_finite() && started.iter().all(|value| value.is_finite())) {
         return Err(PropagateError::NoForce);
     }
-    let end = times.last().copied().unwrap_or_default();
     check_covered(system.forces, end)?;
     let (pose, motion) = (initial.pose(), (initial.omega, triple(&y, MOMENTUM)));
     let (mut scales, mut timing) = Scales::controlled(system, (torque, block.times()), motion, pose, end);
@@ -79,8 +82,12 @@ pub fn propagate_controlled(
     check(scales.spin, initial.attitude, times, options)?;
     let mut sizes = sizes(system.body, layout, &scales);
     sizes[layout.controls()].copy_from_slice(&block.sizes(&seen, started, &scales));
+    if let Some(energy) = energy(system.body, end) {
+        sizes[WORK] = energy.max(scales.spin * scales.angular_momentum);
+    }
     let allowed = sizes.iter().map(|size| options.tolerance * size).collect();
-    let full = FullSystem::new(system, controls, &sizes).ok_or(PropagateError::LightCarrier)?;
+    let mut full = FullSystem::new(system, controls, &sizes).ok_or(PropagateError::LightCarrier)?;
+    full.begin(&mut y, end);
     let angular_momentum = Conserved::of(triple(&y, MOMENTUM), initial.attitude, scales.inside);
     let mut monitor = InvariantMonitor::new(full.clone(), &y, angular_momentum, options, observer);
     if let Some(timing) = &mut timing {
@@ -102,6 +109,15 @@ pub fn propagate_controlled(
     };
     observer.budget(&budget(system.body, &solver.y()[layout.accounts()], last.dissipated));
     Ok(run)
+}
+
+/// Refuses laws that no drive follows up to an end (s). (T10)
+pub(super) fn check_drives(body: &FlexibleBody, end: f64) -> Result<(), PropagateError> {
+    let faults = body.drives().iter().filter_map(|drive| Some((drive.coordinate, drive.fault(end)?)));
+    match faults.into_iter().next() {
+        Some((coordinate, fault)) => Err(PropagateError::Drive { coordinate, fault }),
+        None => Ok(()),
+    }
 }
 
 /// Refuses a state that is none of a body.
@@ -135,6 +151,10 @@ pub(super) fn sizes(body: &FlexibleBody, layout: Layout, scales: &Scales) -> Vec
     for (j, k, pair) in body.invariants().pairs.iter().filter(|(j, k, _)| j == k) {
         sizes[layout.q().start + j] = (scales.inertia / pair.A).sqrt();
         sizes[layout.p().start + k] = scales.spin * (scales.inertia * pair.A).sqrt();
+    }
+    for drive in body.drives() {
+        sizes[layout.q().start + drive.coordinate] = f64::INFINITY;
+        sizes[layout.p().start + drive.coordinate] = f64::INFINITY;
     }
     sizes
 }

@@ -3,7 +3,7 @@ use crate::dynamics::layout::{ATTITUDE, Layout, MOMENTUM, PLACE, VELOCITY};
 use crate::dynamics::run::PropagateError;
 use crate::dynamics::slow::{SlowPoint, SlowState, slow_state_point};
 use crate::math::vec3::add;
-use crate::model::{FlexibleBody, MotionState};
+use crate::model::{Drive, FlexibleBody, MotionState};
 
 /// Initial state of a run of the full system.
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -24,12 +24,26 @@ pub struct FullState {
 }
 
 impl FullState {
-    /// Rotating body without displacement: elastic parts at rest in their equilibrium.
+    /// Rotating body without displacement: elastic parts at rest in their equilibrium, driven ones by their laws.
     #[must_use]
     pub fn at_rest(body: &FlexibleBody, omega: [f64; 3], attitude: [f64; 4]) -> Self {
         let n = body.coordinates().len();
         let still = vec![0.0; n];
-        Self { omega, attitude, q: still.clone(), rate: still, place: [0.0; 3], velocity: [0.0; 3] }
+        let (place, velocity) = ([0.0; 3], [0.0; 3]);
+        Self { omega, attitude, q: still.clone(), rate: still, place, velocity }.driven(body)
+    }
+
+    /// The state with its driven coordinates and their rates by their laws just after the start; itself for a body without drives. (T7)
+    #[must_use]
+    pub fn driven(mut self, body: &FlexibleBody) -> Self {
+        for drive in body.drives() {
+            let Drive { coordinate, .. } = *drive;
+            let places = self.q.get_mut(coordinate).zip(self.rate.get_mut(coordinate));
+            if let Some((q, rate)) = places {
+                [*q, *rate, _] = drive.at(f64::MIN_POSITIVE);
+            }
+        }
+        self
     }
 
     /// State on the slow manifold of order `p` that belongs to a slow motion.

@@ -1,6 +1,7 @@
 //! The full system step by step, under a torque that is held over each step: for hardware loops and other integrators' loops. (T1)
 
-use super::propagate::{check_state, sizes};
+use super::drives::Drives;
+use super::propagate::{check_drives, check_state, sizes};
 use super::solver::FullSolver;
 use super::start::FullState;
 use super::system::FullSystem;
@@ -24,6 +25,7 @@ pub struct FullStepper<'a> {
     system: Forced<'a>,
     layout: Layout,
     kinetics: Kinetics<'a>,
+    drives: Option<Drives<'a>>,
     options: Options,
 }
 
@@ -49,9 +51,13 @@ impl<'a> FullStepper<'a> {
         if let Some(force) = system.forces.iter().find(|force| timed(&force.law)) {
             return Err(StepperError::Timed { name: force.name.clone() });
         }
+        if let Some(drive) = system.body.drives().iter().find(|drive| drive.has_corners()) {
+            return Err(StepperError::Cornered { name: drive.name.clone() });
+        }
         let solver = solver(system, initial, &options, [0.0; 3])?;
         let kinetics = Kinetics::new(system.body).ok_or(PropagateError::LightCarrier)?;
-        Ok(Self { solver, system, layout: Layout::of(system.body), kinetics, options })
+        let (layout, drives) = (Layout::of(system.body), Drives::of(system.body));
+        Ok(Self { solver, system, layout, kinetics, drives, options })
     }
 
     /// Puts the body into another state; the time begins anew.
@@ -96,6 +102,11 @@ impl<'a> FullStepper<'a> {
         let (q, p) = (&y[self.layout.q()], &y[self.layout.p()]);
         let wheels = self.system.body.wheels().angular_momentum(self.solver.t());
         let own = add(triple(y, MOMENTUM), scale(-1.0, wheels));
+        if let Some(drives) = &mut self.drives {
+            drives.set(self.solver.t(), q);
+            self.kinetics.drive(drives.rates());
+        }
+        let q = self.drives.as_ref().map_or(q, Drives::q);
         let mut rate = vec![0.0; self.layout.n];
         let omega = self.kinetics.velocities(own, p, q, &mut rate).omega;
         FullState {
@@ -128,6 +139,8 @@ fn solver<'a>(
     options: &Options,
     torque: [f64; 3],
 ) -> Result<FullSolver<'a>, PropagateError> {
+    check_drives(system.body, 0.0)?;
+    let initial = &initial.clone().driven(system.body);
     check_state(system.body, initial)?;
     check_start(norm(initial.omega), initial.attitude, &[], options)?;
     let layout = Layout::of(system.body);

@@ -3,6 +3,7 @@
 //! Jacobian by differences on curved ones.
 //! Equations (S3), (S4), docs/theory/01-system.md; (T1) to (T4), docs/theory/08-full-system.md.
 
+use super::drives::{Drives, rest_of_jump};
 use super::stiff_part::StiffPart;
 use crate::dynamics::control::{ControlBlock, Seen};
 use crate::dynamics::external::{Forced, Pose};
@@ -29,6 +30,8 @@ pub(super) struct FullSystem<'a> {
     layout: Layout,
     control: ControlBlock<'a>,
     kinetics: Kinetics<'a>,
+    /// Drives of coordinates, where there are any.
+    drives: Option<Drives<'a>>,
     /// Kinetics for stages side by side and the angular velocities of the last ones, where nothing acts from outside on a small body.
     straight: Option<StraightKinetics>,
     omega: [Lanes; 3],
@@ -65,6 +68,7 @@ impl<'a> FullSystem<'a> {
             system,
             layout,
             kinetics: Kinetics::new(body)?,
+            drives: Drives::of(body),
             straight: if system.acts() || !control.is_empty() { None } else { StraightKinetics::new(body) },
             control,
             omega: [Lanes::splat(0.0); 3],
@@ -75,6 +79,39 @@ impl<'a> FullSystem<'a> {
             first_stiff,
             differences: sizes[first_stiff..].iter().map(|size| DIFFERENCE * size).collect(),
         })
+    }
+
+    /// Sets the work of a state at the start to zero, for a run up to an end (s). (T9)
+    pub fn begin(&mut self, y: &mut [f64], end: f64) {
+        System::enter(self, Stretch { from: 0.0, to: end });
+        if let Some(drives) = self.driven_at(0.0, y) {
+            y[WORK] = -drives.carried();
+        }
+    }
+
+    /// Drives with the momenta of their coordinates at a time and a state; none without. (T8)
+    fn driven_at(&mut self, t: f64, y: &[f64]) -> Option<&Drives<'a>> {
+        let t = self.stretch.within(t);
+        let own = add(triple(y, MOMENTUM), scale(-1.0, self.wheels(t, y)));
+        let drives = self.drives.as_mut()?;
+        drives.set(t, &y[self.layout.q()]);
+        self.kinetics.drive(drives.rates());
+        let mut rate = vec![0.0; self.layout.n];
+        let velocities = self.kinetics.velocities(own, &y[self.layout.p()], drives.q(), &mut rate);
+        drives.note(velocities.driven_momenta());
+        Some(drives)
+    }
+
+    /// The state after the rates of drives jump at the end of a stretch, with the work of that; none elsewhere. (T9)
+    fn kinked(&mut self, t: f64, y: &[f64]) -> Option<Vec<f64>> {
+        let (stretch, after) = (self.stretch, Drives::beyond(self.stretch, t)?);
+        let before = self.driven_at(t, y)?.motion();
+        self.stretch = Stretch::default();
+        let rest = self.driven_at(after, y).map(|drives| rest_of_jump(&before, &drives.motion()));
+        self.stretch = stretch;
+        let mut next = y.to_vec();
+        next[WORK] += rest?;
+        Some(next)
     }
 
     /// Holds a torque on the carrier (N·m, body axes), beside the forces.
@@ -178,6 +215,7 @@ impl<'a> FullSystem<'a> {
     /// Upper estimate of the fastest rate of the elastic part, `|λ|` of `λ²M + λB + C` (1/s). (T3)
     fn fastest_vibration(&mut self) -> f64 {
         let body = self.system.body;
+        self.kinetics.drive(body.drives().iter().map(|_| 0.0));
         let damping = self.largest(body.damping());
         let stiffness = self.largest(body.stiffness());
         0.5 * (damping + (damping * damping + 4.0 * stiffness).sqrt())
@@ -213,10 +251,16 @@ impl System<Vec<f64>> for FullSystem<'_> {
         let (slow, fast) = rate.split_at_mut(self.layout.slow());
         let (q_rate, p_rate) = fast.split_at_mut(self.layout.n);
         let own = add(K, scale(-1.0, self.wheels(t, y)));
+        if let Some(drives) = &mut self.drives {
+            drives.set(t, q);
+            self.kinetics.drive(drives.rates());
+        }
+        let q = self.drives.as_ref().map_or(q, Drives::q);
         let velocities = self.kinetics.velocities(own, p, q, q_rate);
         p_rate.fill(0.0);
         slow[DISSIPATED] = velocities.add_loads(q, q_rate, p_rate);
         let omega = velocities.omega;
+        let driven: Vec<f64> = velocities.driven_momenta().collect();
         for (power, account) in slow[self.layout.accounts()].iter_mut().zip(&self.accounts) {
             *power = account.power(q_rate);
         }
@@ -232,6 +276,9 @@ impl System<Vec<f64>> for FullSystem<'_> {
             }
         } else {
             slow[PLACE..PLACE + 3].copy_from_slice(&triple(y, VELOCITY));
+            if self.drives.is_some() {
+                slow[WORK] = 0.0;
+            }
         }
         if let Some(torque) = self.held {
             if !self.system.acts() {
@@ -239,6 +286,10 @@ impl System<Vec<f64>> for FullSystem<'_> {
                 slow[IMPULSE..IMPULSE + 3].fill(0.0);
             }
             Self::add_held(y, torque, omega, slow);
+        }
+        if let Some(drives) = &mut self.drives {
+            drives.note(driven.into_iter());
+            slow[WORK] += drives.rest_of_power(p_rate);
         }
     }
 
@@ -253,19 +304,24 @@ impl Trajectory for FullSystem<'_> {
     const ATTITUDE: usize = ATTITUDE;
 
     fn view(&mut self, t: f64, y: &[f64]) -> StateView {
-        let (q, p) = (&y[self.layout.q()], &y[self.layout.p()]);
+        let (mut q, mut p) = (y[self.layout.q()].to_vec(), y[self.layout.p()].to_vec());
+        let mut carried = 0.0;
+        if let Some(drives) = self.driven_at(t, y) {
+            carried = drives.carried();
+            (q, p) = (drives.q().to_vec(), drives.momenta(&p));
+        }
         let mut rate = vec![0.0; self.layout.n];
         let angular_momentum = triple(y, MOMENTUM);
         let own = add(angular_momentum, scale(-1.0, self.wheels(t, y)));
-        let omega = self.kinetics.velocities(own, p, q, &mut rate).omega;
-        let kinetic = dot(omega, own) + product(p, &rate);
-        let elastic = product(&self.system.body.stiffness().times(q), q);
-        let (dissipated, work) = (y[DISSIPATED], y[WORK]);
+        let omega = self.kinetics.velocities(own, &p, &q, &mut rate).omega;
+        let kinetic = dot(omega, own) + product(&p, &rate);
+        let elastic = product(&self.system.body.stiffness().times(&q), &q);
+        let (dissipated, work) = (y[DISSIPATED], y[WORK] + carried);
         StateView {
             omega,
             angular_momentum,
             energy: 0.5 * (kinetic + elastic),
-            q: q.to_vec(),
+            q,
             rate,
             dissipated,
             work,
@@ -300,15 +356,20 @@ impl Trajectory for FullSystem<'_> {
         if self.acts() { Invariant::Impulse } else { Invariant::AngularMomentum }
     }
 
+    fn enter(&mut self, stretch: Stretch, _: bool) {
+        System::enter(self, stretch);
+    }
+
     fn jumped(&mut self, t: f64, y: &Vec<f64>) -> Option<Vec<f64>> {
+        let kinked = self.kinked(t, y);
         if !self.control.is_sampled() {
-            return None;
+            return kinked;
         }
         let StateView { omega, q, rate, .. } = self.view(t, y);
         let motion = MotionState { omega, q: &q, rate: &rate };
-        let mut next = y.clone();
+        let mut next = kinked.clone().unwrap_or_else(|| y.clone());
         let seen = Seen { t, attitude: attitude(y), motion };
-        self.control.jump(&seen, &mut next[self.layout.controls()]).then_some(next)
+        self.control.jump(&seen, &mut next[self.layout.controls()]).then_some(next).or(kinked)
     }
 }
 

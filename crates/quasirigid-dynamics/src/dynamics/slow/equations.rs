@@ -105,6 +105,9 @@ impl<'a> SlowEquations<'a> {
     }
 
     pub(super) fn check(&self) -> Result<(), PropagateError> {
+        if !self.system.body.drives().is_empty() {
+            return Err(PropagateError::Driven);
+        }
         if self.order > MAX_FORCED_ORDER {
             return Err(PropagateError::Order { order: self.order });
         }

@@ -85,6 +85,7 @@ pub(super) fn stops<'a>(system: Forced<'a>, omega: [f64; 3], pose: &Pose<f64>, e
         stops.formulas.extend(acceleration.iter().map(alone));
     }
     stops.formulas.extend(system.body.wheels().driven.iter().map(|wheel| alone(&wheel.speed)));
+    stops.formulas.extend(system.body.drives().iter().map(|drive| alone(&drive.law)));
     stops.formulas.retain(|Formula { formula, time, .. }| formula.uses(*time));
     if stops.formulas.is_empty() {
         stops.followed = end;

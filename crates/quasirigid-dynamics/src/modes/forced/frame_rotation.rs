@@ -77,6 +77,9 @@ impl FrameRotation {
         if body.wheels().driven.iter().any(|wheel| wheel.speed.uses(0)) {
             return Err(SteadyError::Wheel);
         }
+        if let Some(coordinates) = body.driven() {
+            return Err(SteadyError::Changes { what: format!("what drives {coordinates}"), part: None });
+        }
         let mut found = ForceDirections::default();
         let mut acceleration = V::zeros();
         let driven = matches!(body.support(), Support::Prescribed { .. });

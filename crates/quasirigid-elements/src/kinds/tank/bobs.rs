@@ -258,12 +258,15 @@ impl Tank {
             let body = MovingBody {
                 piece: Piece::point(mass),
                 base,
+                pose: Matrix3::identity(),
                 shapes: directions.iter().map(|(direction, _)| Shape::constant(*direction)).collect(),
                 curvature: vec![vec![Shape::constant(Vector3::zeros()); 2]; 2],
                 axes: Vec::new(),
+                oriented: false,
                 coordinates: directions.iter().map(coordinate).collect(),
                 marker: (label, Vector3::zeros()),
                 places: Vec::new(),
+                law: None,
             };
             (body, [mass * frequency * frequency, 2.0 * damping_ratio * mass * frequency])
         };

@@ -105,12 +105,15 @@ impl Slug {
         let piece = self.piece();
         MovingBody {
             base: center,
+            pose: Matrix3::identity(),
             shapes: vec![Shape::linear(turn)],
             curvature: vec![vec![Shape::linear(turn * turn)]],
             axes: vec![axis],
+            oriented: true,
             coordinates: vec![Coordinate { name: format!("\"{}\" along the ring", self.name), unit: "rad" }],
             marker: (self.name.clone(), piece.first / piece.mass),
             places: Vec::new(),
+            law: None,
             piece,
         }
     }

@@ -463,7 +463,7 @@ fn an_unstable_spin_is_refused() {
     let found = evolved(&study, |_| {}).record;
     assert_eq!((&*found.status, &*found.road), ("refused", "none"));
     assert!(found.message.contains("unstable: a motion of \"p\""), "{}", found.message);
-    assert!(evolution::text("model", &found).contains("NO ANSWER"));
+    assert!(evolution::text("model", BodyKind::Spacecraft, &found).contains("NO ANSWER"));
     let check = study.check().unwrap().text();
     assert!(check.contains("is UNSTABLE"), "{check}");
 }
@@ -478,7 +478,7 @@ fn a_tether_whose_wobble_the_modes_do_not_know_is_refused() {
             + &spinning([0.01, 0.001, 0.01])),
     );
     let found = evolved(&study, |_| {});
-    let text = evolution::text("model", &found.record);
+    let text = evolution::text("model", BodyKind::Spacecraft, &found.record);
     assert!(!found.holds() && text.starts_with("model: NO ANSWER"), "{text}");
     assert!(text.contains("small wobble, short axis   stays as it is"), "{text}");
     let found = modes_about(&study, PrincipalAxis::Greatest);

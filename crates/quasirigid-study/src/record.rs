@@ -1,7 +1,7 @@
 //! Results of the library as parts of a run record.
 
 use quasirigid::dynamics::{Event, Missed, Options, Outcome, Ringing, Run};
-use quasirigid::model::{Principal, ReducedBody, Support};
+use quasirigid::model::{FlexibleBody, Principal, ReducedBody, Support};
 use quasirigid::reduction::{Validity, Verdict, residual};
 use quasirigid::verification::{AverageRow, Difference, OrderRow, VerificationPlan};
 use quasirigid_io::model::{Model, Named, System};

@@ -2,7 +2,7 @@
 
 use std::sync::LazyLock;
 
-use quasirigid_io::model::{EvolveMethod, System};
+use quasirigid_io::model::{BodyKind, EvolveMethod, System};
 use quasirigid_math::rotation::{normalized, to_inertial};
 use quasirigid_study::Study;
 use quasirigid_study::about_spin::{AboutSpin, verification_text};

@@ -3,7 +3,7 @@
 use std::f64::consts::FRAC_PI_2;
 use std::time::{Duration, Instant};
 
-use quasirigid_io::model::{EvolveMethod, Power, System, Target};
+use quasirigid_io::model::{BodyKind, EvolveMethod, Power, System, Target};
 use quasirigid_io::record::EvolutionRecord;
 use quasirigid_study::Study;
 use quasirigid_study::evolution;

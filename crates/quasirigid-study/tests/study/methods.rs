@@ -4,7 +4,7 @@
 use std::f64::consts::TAU;
 
 use quasirigid::secular::GyrostatSpins;
-use quasirigid_io::model::{EvolveMethod, Power, System};
+use quasirigid_io::model::{BodyKind, EvolveMethod, Power, System};
 use quasirigid_io::record::{EvolutionRecord, SteadySpinRecord};
 use quasirigid_math::rotation::angle;
 use quasirigid_math::vec3::norm;

@@ -1,6 +1,6 @@
 //! What a study says beside its numbers: orders beyond the kinematics, materials that are no solids, losses by material, spins beyond gravity.
 
-use quasirigid_io::model::System;
+use quasirigid_io::model::{BodyKind, System};
 use quasirigid_study::evolution;
 use quasirigid_study::settings::PartialRun;
 

@@ -332,9 +332,9 @@ mod tests {
             let tried =
                 vec![(Method::LevelCurves, levels), (Method::SpinManifold, Reason::ManifoldWithoutEnd)];
             let stop = Stop::Refused { reason: Reason::UnknownLength, tried };
-            text(&super::Reason::of(stop).unwrap(), true)
+            text(&super::Reason::of(stop).unwrap(), BodyKind::Spacecraft, true)
         };
-        let last = of_choice(&Reason::UnknownLength, true);
+        let last = of_choice(&Reason::UnknownLength, BodyKind::Spacecraft, true);
         assert_eq!(after(Reason::LevelsFail { error: 0.2 }), last);
         assert_eq!(after(Reason::Lossless), format!("the reduced equations dissipate nothing; {last}"));
     }

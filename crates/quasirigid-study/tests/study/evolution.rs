@@ -268,7 +268,7 @@ fn steady_spins_and_rest_are_told_apart() {
     assert!(!refusal.contains("principal axis"), "{refusal}");
     let tiny = evolved(&study(MODEL), |asked| asked.until = target("1e-6 deg"));
     let text = one_line(&evolution::text("model", BodyKind::Spacecraft, &tiny.record));
-    assert!(tiny.holds() && text.contains("wobble of 1.00e-6 degrees"), "{text}");
+    assert!(tiny.holds() && text.contains("nutation of 1.00e-6 degrees"), "{text}");
 }
 
 /// Planetary B7: "the body spins about a principal axis".
@@ -282,7 +282,7 @@ fn a_wobble_needs_its_axis() {
         )
     };
     let refusal = try_evolve(&of("short-axis"), |_| {}).unwrap_err();
-    assert!(refusal.contains("no axis of greatest inertia to wobble about"), "{refusal}");
+    assert!(refusal.contains("no axis of greatest inertia for a wobble"), "{refusal}");
     assert!(refusal.contains("mode = \"long-axis\""), "{refusal}");
     let long = of("long-axis");
     assert!(evolved(&long, |asked| asked.until = target("0.9")).holds());

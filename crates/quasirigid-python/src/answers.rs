@@ -295,7 +295,7 @@ pub fn evolve(
     let evolved = study.evolve(asked, &mut shared)?;
     let (holds, answers, mut json) =
         (evolved.holds(), evolved.has_numbers(), study.with_inputs(evolved.json()));
-    let mut text = evolution::text(&study.model.name, &evolved.record);
+    let mut text = evolution::text(&study.model.name, study.model.kind, &evolved.record);
     if let Some(draws) = draws {
         let uncertainty = study.uncertainty(draws, &mut shared)?.ok_or(StudyError::Interrupted)?;
         text.push_str(&uncertainty_text(&uncertainty));

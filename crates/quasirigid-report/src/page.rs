@@ -25,19 +25,20 @@ const POLICY: &str =
 /// with histories of any length and a scene of 10 000 vertices, six modes and 2000 frames.
 pub fn page(record: &RunRecord) -> String {
     let title = format!("{} · quasirigid report", record.model.name);
+    let kind = record.body.kind;
     let viewer = if record.scene.is_some() { viewer::STYLE } else { "" };
     let body = html! {
         main {
             (head::section(record))
             (overview::facts(record))
-            @if let Some(scene) = &record.scene { (viewer::section(scene)) }
+            @if let Some(scene) = &record.scene { (viewer::section(kind, scene)) }
             (answer::section(record))
-            @if let Some(evolution) = &record.evolution { (evolution::section(evolution)) }
-            @if !record.steady_spins.is_empty() { (modes::section(&record.steady_spins, record.campbell.as_ref())) }
-            @if let Some(about) = &record.about_spin { (about_spin::section(about)) }
+            @if let Some(evolution) = &record.evolution { (evolution::section(kind, evolution)) }
+            @if !record.steady_spins.is_empty() { (modes::section(kind, &record.steady_spins, record.campbell.as_ref())) }
+            @if let Some(about) = &record.about_spin { (about_spin::section(kind, about)) }
             (figures::section(record))
             (validity::section(&record.validity))
-            @if let Some(verification) = &record.verification { (verification::section(verification)) }
+            @if let Some(verification) = &record.verification { (verification::section(kind, verification)) }
             (reduction::section(&record.reduction))
             (body::section(&record.body))
             @if !record.liquids.is_empty() { (liquids::section(&record.liquids)) }

@@ -2,6 +2,7 @@
 //! The scripts need no library and no network; names of the scene become text alone.
 
 use maud::{Markup, PreEscaped, html};
+use quasirigid_io::model::BodyKind;
 use quasirigid_io::record::SceneRecord;
 
 use crate::packed;
@@ -39,11 +40,14 @@ const SCRIPTS: [&str; 25] = [
     include_str!("assets/viewer/start.js"),
 ];
 
-/// The viewer with its scene.
-pub fn section(scene: &SceneRecord) -> Markup {
-    let scene = serde_json::to_value(scene).expect("a scene is numbers and text");
+/// The viewer with the scene of a body of a kind.
+pub fn section(kind: BodyKind, scene: &SceneRecord) -> Markup {
+    let mut scene = serde_json::to_value(scene).expect("a scene is numbers and text");
+    for mode in scene["modes"].as_array_mut().into_iter().flatten() {
+        mode["name"] = mode["name"].as_str().map(|name| kind.mode_name(name)).into();
+    }
     html! {
-        (PreEscaped(MARKUP))
+        (PreEscaped(MARKUP.replace("{Nutation}", kind.title())))
         script type="application/octet-stream" id="scene" { (packed::data(scene)) }
     }
 }

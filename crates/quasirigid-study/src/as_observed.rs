@@ -7,7 +7,7 @@ use std::path::Path;
 use quasirigid::averaging::{FreeRotation, ObservedPeriods};
 use quasirigid::elements::{ElementError, ObservedShape, Relaxed};
 use quasirigid::model::{FlexibleBody, Mode, Principal};
-use quasirigid_io::model::{Model, Rotation};
+use quasirigid_io::model::{BodyKind, Model, Rotation};
 use quasirigid_math::sym3::{Sym, times};
 use quasirigid_math::vec3::dot;
 
@@ -22,6 +22,8 @@ pub struct Observed {
     pub principal: Principal,
     /// What was observed.
     shape: ObservedShape,
+    /// Kind of the body.
+    kind: BodyKind,
 }
 
 /// Cosine of the angle below which two axes are not the same.
@@ -46,7 +48,12 @@ impl Observed {
         if same {
             Ok(())
         } else {
-            Err(Box::new(Turned { observed: self.principal.moments, relaxed: *relaxed, mode }))
+            Err(Box::new(Turned {
+                observed: self.principal.moments,
+                relaxed: *relaxed,
+                mode,
+                kind: self.kind,
+            }))
         }
     }
 
@@ -88,6 +95,7 @@ pub struct Turned {
     observed: [f64; 3],
     relaxed: Principal,
     mode: Mode,
+    kind: BodyKind,
 }
 
 impl std::fmt::Display for Turned {
@@ -100,9 +108,10 @@ impl std::fmt::Display for Turned {
             |values: [f64; 3]| values.map(|value| format!("{} kg m^2", significant(value, 6))).join(", ");
         write!(
             f,
-            "the bulge of the spin is larger than the difference of the moments observed ({}): without it, the body has {} and another axis of {which} inertia. The bulge follows the spin, so that there is no wobble about the axis observed; give an angular_velocity to follow what happens, or a stiffer material",
+            "the bulge of the spin is larger than the difference of the moments observed ({}): without it, the body has {} and another axis of {which} inertia. The bulge follows the spin, so that there is no {} about the axis observed; give an angular_velocity to follow what happens, or a stiffer material",
             listed(self.observed),
-            listed(self.relaxed.moments)
+            listed(self.relaxed.moments),
+            self.kind.nutation()
         )
     }
 }
@@ -114,7 +123,8 @@ pub fn relax(model: &mut Model) -> Result<Option<Observed>, StudyError> {
     let rotation = model.initial.rotation;
     let file = model.source.file.clone();
     let Some(rotation) = rotation else { return Err(StudyError::NoSpin { file }) };
-    let products = |inertia| mean_products(&file, rotation, inertia).map_err(Failure::Study);
+    let (kind, given) = (model.kind, (file.as_path(), rotation));
+    let products = |inertia| mean_products(given, kind, inertia).map_err(Failure::Study);
     let found = model.assembly.relaxed(products);
     let Relaxed { assembly, inertia } = found.map_err(|failure| match failure {
         Failure::Element(error) => model.diagnose(&error).into(),
@@ -124,7 +134,7 @@ pub fn relax(model: &mut Model) -> Result<Option<Observed>, StudyError> {
         *end = end.shaped_as(&assembly);
     }
     model.assembly = assembly;
-    Ok(Some(Observed { principal: Principal::compute(inertia), shape }))
+    Ok(Some(Observed { principal: Principal::compute(inertia), shape, kind }))
 }
 
 /// Failure of the search for a relaxed body.
@@ -147,7 +157,11 @@ fn periodic_moments([relaxed, spun]: [[f64; 3]; 2], mode: Mode) -> [f64; 3] {
 }
 
 /// Mean of `ωωᵀ` (rad²/s², axes of the file) over the free rotation of the body with these inertia tensors, relaxed and in rotation. (G17)
-fn mean_products(file: &Path, rotation: Rotation, [relaxed, spun]: [Sym; 2]) -> Result<Sym, StudyError> {
+fn mean_products(
+    (file, rotation): (&Path, Rotation),
+    kind: BodyKind,
+    [relaxed, spun]: [Sym; 2],
+) -> Result<Sym, StudyError> {
     let principal = Principal::compute(spun);
     let moments = principal.moments;
     let motion = match rotation {
@@ -163,7 +177,8 @@ fn mean_products(file: &Path, rotation: Rotation, [relaxed, spun]: [Sym; 2]) -> 
             .map_err(|cause| StudyError::Observed { file: file.into(), cause })?,
         Rotation::Wobble { angle, rate, mode } => {
             if !mode.exists(moments) {
-                return Err(StudyError::NoWobble { file: file.into(), cause: NoWobble { moments, mode } });
+                let cause = NoWobble { moments, mode, kind };
+                return Err(StudyError::NoWobble { file: file.into(), cause });
             }
             FreeRotation::at_nutation(moments, rate * moments[mode.circled()], mode, angle)?
         }

@@ -39,8 +39,9 @@ pub(crate) fn noted(
             "this is the one next to the start; of one across it"
         };
         record.sentence = format!(
-            "{} Every spin in the plane of the two equal moments is steady, with a rate of its own: {which} the nutation {other}.",
-            record.sentence
+            "{} Every spin in the plane of the two equal moments is steady, with a rate of its own: {which} the {} {other}.",
+            record.sentence,
+            study.model.kind.nutation()
         );
         return (record, modes);
     }

@@ -252,7 +252,7 @@ impl Study {
         let ringing = run.ringing.map(ringing_doubt);
         let notes = [chaos, ringing, faster, doubt, note].into_iter().flatten().collect();
         let left = manifold.as_ref().and_then(|verdict| verdict.status(run.outcome));
-        let (status, message) = left.unwrap_or_else(|| status(body, run.outcome, last.t));
+        let (status, message) = left.unwrap_or_else(|| status(self, run.outcome, last.t));
         Ok(History {
             system,
             status,

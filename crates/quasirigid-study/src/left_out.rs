@@ -67,7 +67,7 @@ fn about(study: &Study, omega: [f64; 3]) -> Option<SpinModes> {
 
 /// Error of the liquids about the axis of extreme inertia next to an angular velocity, in words; none if they are right.
 fn liquids(study: &Study, omega: [f64; 3], modes: Option<SpinModes>) -> Option<String> {
-    let nutation = modes.as_ref().and_then(SpinModes::nutation);
+    let (kind, nutation) = (study.model.kind, modes.as_ref().and_then(SpinModes::nutation));
     let why = "The equations of motion describe liquids by slow flow and a few relaxations, without the Coriolis force";
     let (spin, frequency) = match (&modes, nutation) {
         (Some(modes), Some(nutation)) => (modes.equilibrium.omega, nutation.frequency),
@@ -78,10 +78,15 @@ fn liquids(study: &Study, omega: [f64; 3], modes: Option<SpinModes>) -> Option<S
     }
     let Some(nutation) = nutation else {
         let slow = study.liquids.iter().all(|liquid| liquid.reynolds(norm(omega)) <= 1.0);
-        return (!slow).then(|| format!("{why}; there is no nutation by which to judge the error."));
+        return (!slow)
+            .then(|| format!("{why}; there is no {} by which to judge the error.", kind.nutation()));
     };
     let share = loss_left_out(nutation);
     (share > Limits::default().losses_left_out).then(|| {
-        format!("{why}: with them the rate of a small wobble at this spin is off by {} %. The commands modes and evolve give the rate.", significant(100.0 * share, 2))
+        format!(
+            "{why}: with them the rate of a small {} at this spin is off by {} %. The commands modes and evolve give the rate.",
+            kind.nutation(),
+            significant(100.0 * share, 2)
+        )
     })
 }

@@ -1,7 +1,7 @@
 //! Steady spins that a user asks for, with the modes about them.
 
 use quasirigid::modes::{SpinMagnitude, SpinModes, acts};
-use quasirigid_io::model::{Named, Rotation};
+use quasirigid_io::model::{BodyKind, Named, Rotation};
 use quasirigid_io::record::SteadySpinRecord;
 use quasirigid_math::vec3::norm;
 use serde::Serialize;
@@ -51,6 +51,8 @@ pub struct SteadySpinSettings {
 /// Steady spins with their modes.
 #[derive(Clone, Debug)]
 pub struct Modes {
+    /// Kind of the body, for the words.
+    pub(crate) kind: BodyKind,
     /// One record for each.
     pub spins: Vec<SteadySpinRecord>,
     /// Modes of each as they were solved; none under forces.
@@ -95,7 +97,9 @@ impl Modes {
             .as_ref()
             .map(|why| paragraph(&format!("{name}: NO SOLID: {why}."), "", "  ") + "\n");
         let asleep = steady_state::asleep(&self.sleeping).map(|said| paragraph(&said, "", "  ") + "\n");
-        warning.unwrap_or_default() + &asleep.unwrap_or_default() + &steady::text(name, &self.spins, all)
+        warning.unwrap_or_default()
+            + &asleep.unwrap_or_default()
+            + &steady::text(name, self.kind, &self.spins, all)
     }
 
     /// For machines.
@@ -143,6 +147,7 @@ impl Study {
             let near = steady_state::near(self, asked.omega)?;
             let steady_state::Told { record, state } = steady_state::told(self, &acting, near);
             return Ok(Modes {
+                kind: self.model.kind,
                 spins: vec![record],
                 solved: Vec::new(),
                 state,
@@ -161,7 +166,15 @@ impl Study {
             (None, None) => steady::poles(self, omega, given, asked.all),
         };
         let no_solid = flowing_at(self, omega);
-        Ok(Modes { spins, solved, state: None, under_forces: false, no_solid, sleeping })
+        Ok(Modes {
+            kind: self.model.kind,
+            spins,
+            solved,
+            state: None,
+            under_forces: false,
+            no_solid,
+            sleeping,
+        })
     }
 }
 

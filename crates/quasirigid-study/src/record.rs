@@ -43,6 +43,7 @@ pub fn body(study: &Study) -> BodyRecord {
             Support::Prescribed { .. } => "prescribed".into(),
         },
         inertia: body.inertia(),
+        kind: study.model.kind,
         principal_moments: principal.moments,
         principal_axes: principal.axes,
         coordinates: body.coordinates().iter().map(|coordinate| coordinate.name.clone()).collect(),
@@ -173,9 +174,9 @@ pub fn history(
     equations: &str,
     options: &Options,
     followed: Followed,
-    (body, run): (&FlexibleBody, &Run),
+    (study, run): (&Study, &Run),
 ) -> HistoryRecord {
-    let (status, message) = status(body, run.outcome, run.last.t);
+    let (status, message) = status(study, run.outcome, run.last.t);
     HistoryRecord {
         system: system.recorded().into(),
         form: equations.into(),
@@ -221,7 +222,7 @@ fn method(system: System, work: Work) -> String {
 }
 
 /// End of a run: a word, and a sentence.
-pub fn status(body: &FlexibleBody, outcome: Outcome, t: f64) -> (&'static str, String) {
+pub fn status(study: &Study, outcome: Outcome, t: f64) -> (&'static str, String) {
     match outcome {
         Outcome::Finished => ("finished", "the run reached its end".into()),
         Outcome::Interrupted => ("interrupted", format!("the run was interrupted at t = {t} s")),
@@ -229,7 +230,7 @@ pub fn status(body: &FlexibleBody, outcome: Outcome, t: f64) -> (&'static str, S
             ("step-limit", format!("the run reached its step limit at t = {t} s; loosen the tolerance"))
         }
         Outcome::LeftRange(left) => {
-            ("left-validity", format!("{} at t = {t} s", words::displaced(body, left)))
+            ("left-validity", format!("{} at t = {t} s", words::displaced(&study.body, left)))
         }
         Outcome::Missed(slides @ Missed::Slides { .. }) => ("sliding", slides.to_string()),
         Outcome::Missed(missed) => ("missed-force", missed.to_string()),
@@ -240,7 +241,8 @@ pub fn status(body: &FlexibleBody, outcome: Outcome, t: f64) -> (&'static str, S
         Outcome::Event(Event::Nutation { angle, .. }) => (
             "event",
             format!(
-                "the nutation passed {} degrees at t = {t} s, where the run was to stop",
+                "the {} passed {} degrees at t = {t} s, where the run was to stop",
+                study.model.kind.nutation(),
                 angle.to_degrees()
             ),
         ),

@@ -431,9 +431,9 @@ impl<'a> Plan<'a> {
             run.outcome,
             Outcome::Failed(_) | Outcome::Missed(_) | Outcome::StepLimit | Outcome::LeftRange(_)
         ) {
-            watch.remark(&format!("{name}: {}", record::status(body, run.outcome, run.last.t).1));
+            watch.remark(&format!("{name}: {}", record::status(self.study, run.outcome, run.last.t).1));
         }
-        let mut history = record::history(system, equations, &self.options, followed, (body, &run));
+        let mut history = record::history(system, equations, &self.options, followed, (self.study, &run));
         let note = verdict.as_ref().and_then(OnManifold::note).or_else(|| scanned(run.scan));
         if let Some((status, message)) = verdict.and_then(|verdict| verdict.status(run.outcome)) {
             (history.status, history.message) = (status.into(), message);

@@ -123,8 +123,9 @@ pub fn warning(study: &Study, frequency: f64) -> Option<String> {
         free.map(|slug| (slug, slug.womersley(frequency))).find(|(_, womersley)| *womersley > UNSTEADY);
     lags.map(|(slug, womersley)| {
         format!(
-            "{MAY_NOT_HOLD}, since small motions of the liquid of tank {:?} are damped as developed laminar flow, and the nutation has the Womersley number {} in its tube.",
+            "{MAY_NOT_HOLD}, since small motions of the liquid of tank {:?} are damped as developed laminar flow, and the {} has the Womersley number {} in its tube.",
             slug.name,
+            study.model.kind.nutation(),
             significant(womersley, 2)
         )
     })
@@ -152,7 +153,8 @@ pub fn text(study: &Study, slug: &Slug) -> String {
     );
     if reynolds > 0.0 {
         words.push_str(&format!(
-            " Sliding around with the nutation it has the Reynolds number {}: {flow} flow, {} N m.",
+            " Sliding around with the {} it has the Reynolds number {}: {flow} flow, {} N m.",
+            study.model.kind.nutation(),
             significant(reynolds, 3),
             significant(friction, 3),
         ));
@@ -169,11 +171,11 @@ pub fn notes(study: &Study) -> Vec<String> {
 }
 
 fn of_slug(study: &Study, slug: &Slug) -> Vec<String> {
-    let name = &slug.name;
+    let (name, nutation) = (&slug.name, study.model.kind.nutation());
     let SlugObject { nutation_rate, reynolds, womersley, flow, .. } = SlugObject::of(study, slug);
     let runs = if nutation_rate > 0.0 {
         format!(
-            "; sliding around with the nutation, {} rad/s in the body, its flow is {flow}, the Reynolds number {}",
+            "; sliding around with the {nutation}, {} rad/s in the body, its flow is {flow}, the Reynolds number {}",
             significant(nutation_rate, 3),
             significant(reynolds, 3)
         )
@@ -212,7 +214,7 @@ fn of_slug(study: &Study, slug: &Slug) -> Vec<String> {
     if womersley > UNSTEADY {
         notes.push(format!(
             "{MAY_NOT_HOLD} for small motions of the liquid of tank {name:?} (modes, linear models, the end of a decay): its flow is taken as laminar and developed at each moment, and at the Womersley \
-             number {} of the nutation it lags.",
+             number {} of the {nutation} it lags.",
             significant(womersley, 2)
         ));
     }

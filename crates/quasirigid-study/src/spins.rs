@@ -121,7 +121,7 @@ impl SpinPathPlan<'_> {
             Outcome::Finished => self.times.last(),
             _ => omega.len().checked_sub(1).and_then(|last| self.times.get(last)),
         };
-        let (status, message) = status(&self.study.body, outcome, reached.copied().unwrap_or(0.0));
+        let (status, message) = status(self.study, outcome, reached.copied().unwrap_or(0.0));
         Spins { omega, status, message, notes: remarks, wrong }
     }
 }

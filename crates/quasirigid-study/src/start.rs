@@ -7,7 +7,7 @@ use quasirigid::dynamics::Start;
 use quasirigid::model::{FlexibleBody, Mode, Principal, ReducedBody};
 use quasirigid::reduction::{Comparison, Criterion, Relaxation, Verdict, manifold_has_meaning, residual};
 use quasirigid::secular::spun_state;
-use quasirigid_io::model::{Displacements, Rotation};
+use quasirigid_io::model::{BodyKind, Displacements, Rotation};
 use quasirigid_math::sym3::{inverse, times};
 use quasirigid_math::vec3::norm;
 
@@ -52,7 +52,7 @@ pub fn initial(study: &Study) -> Result<Start, StudyError> {
         }
         Rotation::Wobble { angle, rate, mode } => {
             if !mode.exists(principal.moments) {
-                let cause = NoWobble { moments: principal.moments, mode };
+                let cause = NoWobble { moments: principal.moments, mode, kind: model.kind };
                 return Err(StudyError::NoWobble { file: file.into(), cause });
             }
             let circled = observed.map_or(&principal, |observed| &observed.principal);
@@ -111,16 +111,19 @@ pub fn follows_its_spin(body: &FlexibleBody, reduced: &ReducedBody, spin: [f64; 
         || (residual(body, reduced, spin).elastic <= UNBALANCED && manifold_has_meaning(body, reduced, spin))
 }
 
-/// A wobble about an axis that the body does not have.
+/// A nutation about an axis that the body does not have.
 #[derive(Debug)]
 pub struct NoWobble {
     /// Principal moments (kg·m²), ascending.
     pub(crate) moments: [f64; 3],
     pub(crate) mode: Mode,
+    /// Kind of the body.
+    pub(crate) kind: BodyKind,
 }
 
 impl Display for NoWobble {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        let nutation = self.kind.nutation();
         let [I1, I2, I3] = self.moments;
         let (which, those, a, b) = match self.mode {
             Mode::ShortAxis => ("greatest", "greatest", I2, I3),
@@ -129,11 +132,11 @@ impl Display for NoWobble {
         let [a, b] = [a, b].map(|moment| significant(moment, 6));
         write!(
             f,
-            "this body has no axis of {which} inertia to wobble about: its two {those} moments are equal ({a} and {b} kg m^2)"
+            "this body has no axis of {which} inertia for a {nutation}: its two {those} moments are equal ({a} and {b} kg m^2)"
         )?;
         match self.mode.other() {
             other if !other.exists(self.moments) => {
-                f.write_str(", and so is the third: such a body does not wobble")
+                write!(f, ", and so is the third: such a body has no {nutation}")
             }
             Mode::LongAxis => {
                 f.write_str("; measure the angle from the axis of least inertia, mode = \"long-axis\"")

@@ -7,7 +7,7 @@ use quasirigid::modes::{
     EquilibriumError, ModeRange, NEARLY_EQUAL, RelativeEquilibrium, SpinMagnitude, SpinMode, SpinModes, acts,
 };
 use quasirigid::secular::GyrostatSpins;
-use quasirigid_io::model::Named;
+use quasirigid_io::model::{BodyKind, Named};
 use quasirigid_io::record::{ModeList, ModeRecord, SlowModesRecord, SteadySpinRecord, place_of_spin};
 use quasirigid_io::visible::one_line;
 use quasirigid_math::rotation::angle;
@@ -314,7 +314,7 @@ fn told(
             .into_iter()
             .chain(tanks::warning(study, modes.equilibrium.omega))
             .chain(slugs::warning(study, frequency))
-            .chain([sentence(place, &modes)])
+            .chain([sentence(place, study.model.kind, &modes)])
             .collect::<Vec<_>>()
             .join(" "),
         axis: name.into(),
@@ -399,19 +399,21 @@ fn beyond(slow: &SlowModesRecord, unstable: bool) -> String {
 }
 
 /// Result of a steady spin at a place in words, instability first.
-fn sentence(place: &str, modes: &SpinModes) -> String {
-    let own = sentence_on_found(place, modes);
+fn sentence(place: &str, kind: BodyKind, modes: &SpinModes) -> String {
+    let own = sentence_on_found(place, kind, modes);
     match slowest(modes.range) {
         Some(slow) => format!("{own} {}", beyond(&slow, modes.unstable())),
         None => own,
     }
 }
 
-fn sentence_on_found(place: &str, modes: &SpinModes) -> String {
+fn sentence_on_found(place: &str, kind: BodyKind, modes: &SpinModes) -> String {
     let about = format!("About {place}");
     let growing = modes.modes.iter().filter(|mode| mode.grows());
     let fastest = growing.max_by(|a, b| b.decay_rate.total_cmp(&a.decay_rate));
-    let nutation = modes.nutation().map_or_else(|| "there is no nutation".into(), nutation);
+    let nutation = modes
+        .nutation()
+        .map_or_else(|| format!("there is no {}", kind.nutation()), |mode| nutation(kind, mode));
     match fastest {
         Some(mode) if !mode.nutation => format!(
             "{about} the spin is UNSTABLE: a motion of {} {}; {nutation}.",
@@ -424,15 +426,18 @@ fn sentence_on_found(place: &str, modes: &SpinModes) -> String {
 }
 
 /// Nutation in words.
-fn nutation(nutation: &SpinMode) -> String {
-    if nutation.neutral {
-        return "the nutation is neutral to rounding and has no time constant, since the spins beside this one are steady too".into();
+fn nutation(kind: BodyKind, mode: &SpinMode) -> String {
+    let noun = kind.nutation();
+    if mode.neutral {
+        return format!(
+            "the {noun} is neutral to rounding and has no time constant, since the spins beside this one are steady too"
+        );
     }
-    let frequency = match nutation.frequency {
+    let frequency = match mode.frequency {
         0.0 => "which does not oscillate,".into(),
         frequency => format!("{} rad/s in the body,", significant(frequency, 4)),
     };
-    format!("the nutation, {frequency} {}", fate_of(nutation))
+    format!("the {noun}, {frequency} {}", fate_of(mode))
 }
 
 /// Fate of a mode, whose rate rounding may hide.
@@ -455,15 +460,20 @@ pub fn fate(decay_rate: f64) -> String {
 }
 
 /// Steady spins with their modes, for a terminal of 80 columns; every mode if asked for all, else the first, and overdamped ones in a line.
-pub fn text(name: &str, spins: &[SteadySpinRecord], all: bool) -> String {
+pub fn text(name: &str, kind: BodyKind, spins: &[SteadySpinRecord], all: bool) -> String {
     let mut text = String::new();
     for spin in spins {
-        write(&mut text, &one_line(name), spin, all).expect("a string takes any text");
+        write(&mut text, &one_line(name), spin, (kind, all)).expect("a string takes any text");
     }
     text
 }
 
-fn write(out: &mut String, name: &str, record: &SteadySpinRecord, all: bool) -> fmt::Result {
+fn write(
+    out: &mut String,
+    name: &str,
+    record: &SteadySpinRecord,
+    (kind, all): (BodyKind, bool),
+) -> fmt::Result {
     if !out.is_empty() {
         writeln!(out)?;
     }
@@ -477,10 +487,10 @@ fn write(out: &mut String, name: &str, record: &SteadySpinRecord, all: bool) -> 
     writeln!(out, "\n  {:<NAME$} {:>12} {:>9} {:>14}  seen from outside", "mode", "rad/s", "zeta", "e-fold")?;
     let modes = record.mode_list();
     if all {
-        return modes.listed.iter().chain(&modes.folded).try_for_each(|mode| row(out, mode));
+        return modes.listed.iter().chain(&modes.folded).try_for_each(|mode| row(out, kind, mode));
     }
     let listed = if record.slowest.is_some() { modes.listed.len() } else { LISTED };
-    modes.listed.iter().take(listed).try_for_each(|mode| row(out, mode))?;
+    modes.listed.iter().take(listed).try_for_each(|mode| row(out, kind, mode))?;
     if modes.listed.len() > listed {
         writeln!(out, "  and {} more (--all lists them)", modes.listed.len() - listed)?;
     }
@@ -514,7 +524,7 @@ fn folded(modes: &ModeList, all: &[ModeRecord]) -> String {
     )
 }
 
-fn row(out: &mut String, mode: &ModeRecord) -> fmt::Result {
+fn row(out: &mut String, kind: BodyKind, mode: &ModeRecord) -> fmt::Result {
     let fold = match mode.time_constant {
         None if mode.neutral => "neutral".into(),
         None if let Some(bound) = mode.rate_bound => format!("over {}", time(bound.recip())),
@@ -524,7 +534,7 @@ fn row(out: &mut String, mode: &ModeRecord) -> fmt::Result {
     };
     let [slow, fast] = mode.seen_from_outside.map(|rate| significant(rate, 4));
     let seen = if mode.frequency > 0.0 { format!("{slow}, {fast}") } else { String::new() };
-    let mut name = mode.name.as_str();
+    let mut name = kind.mode_name(&mode.name);
     if name.chars().count() > NAME {
         writeln!(out, "  {name}")?;
         name = "";

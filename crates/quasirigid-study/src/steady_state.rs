@@ -3,7 +3,7 @@
 use quasirigid::model::Marker;
 use quasirigid::model::force::Force;
 use quasirigid::modes::{SteadyModes, SteadyState, SteadyStateGuess, acts};
-use quasirigid_io::model::Rotation;
+use quasirigid_io::model::{BodyKind, Rotation};
 use quasirigid_io::record::SteadySpinRecord;
 use quasirigid_math::vec3::norm;
 use serde::Serialize;
@@ -92,7 +92,7 @@ fn record(
     SteadySpinRecord {
         sentence: tanks::warning(study, state.omega)
             .into_iter()
-            .chain([sentence(modes, near, &subject(study, forces))])
+            .chain([sentence(modes, near, (study.model.kind, &subject(study, forces)))])
             .collect::<Vec<_>>()
             .join(" "),
         axis: if acts(&study.body, forces) { UNDER_FORCES } else { AT_REST }.into(),
@@ -154,16 +154,20 @@ fn subject(study: &Study, forces: &[Force<Marker>]) -> String {
 }
 
 /// Result of the steady state in words, instability first.
-fn sentence(modes: &SteadyModes, near: SteadyStateGuess, subject: &str) -> String {
+fn sentence(modes: &SteadyModes, near: SteadyStateGuess, (kind, subject): (BodyKind, &str)) -> String {
     let fastest = modes.modes.iter().min_by(|a, b| a.decay_rate.total_cmp(&b.decay_rate));
     let mut sentence = match fastest {
         Some(mode) if mode.grows() => {
-            format!("The {subject} is UNSTABLE: a motion of {} {}.", mode.name, fate(mode.decay_rate))
+            format!(
+                "The {subject} is UNSTABLE: a motion of {} {}.",
+                kind.mode_name(&mode.name),
+                fate(mode.decay_rate)
+            )
         }
         Some(mode) => format!(
             "No small motion about the {subject} {}: that of {} {}{}.",
             if mode.rate_bound > 0.0 { "is seen to grow" } else { "grows" },
-            mode.name,
+            kind.mode_name(&mode.name),
             fate_of(mode),
             if mode.decay_rate > 0.0 { ", the slowest" } else { "" },
         ),

@@ -3,6 +3,7 @@
 use std::fmt::{self, Write};
 use std::path::Path;
 
+use quasirigid_io::model::BodyKind;
 use quasirigid_io::record::{Column, HistoryRecord, RunRecord};
 use quasirigid_io::visible::one_line;
 
@@ -44,7 +45,7 @@ fn write(out: &mut String, record: &RunRecord) -> fmt::Result {
         writeln!(out, "{}", paragraph(note, "  Note: ", "  "))?;
     }
     for history in &record.histories {
-        write_history(out, history)?;
+        write_history(out, record.body.kind, history)?;
     }
     if let Some(evolution) = &record.evolution {
         writeln!(
@@ -53,7 +54,7 @@ fn write(out: &mut String, record: &RunRecord) -> fmt::Result {
             paragraph(&format!("Over many revolutions: {}", evolution.sentence), "", "  ")
         )?;
         if evolution.status == "finished" {
-            write_wobble(out, &evolution.columns)?;
+            write_nutation(out, record.body.kind, &evolution.columns)?;
         }
     }
     if let Some(verification) = &record.verification {
@@ -62,7 +63,7 @@ fn write(out: &mut String, record: &RunRecord) -> fmt::Result {
     Ok(())
 }
 
-fn write_history(out: &mut String, history: &HistoryRecord) -> fmt::Result {
+fn write_history(out: &mut String, kind: BodyKind, history: &HistoryRecord) -> fmt::Result {
     let last = |name: &str| {
         let column = history.columns.iter().find(|column| column.name == name);
         column.and_then(|column| column.values.last().copied()).unwrap_or(f64::NAN)
@@ -88,8 +89,9 @@ fn write_history(out: &mut String, history: &HistoryRecord) -> fmt::Result {
     let degrees = |value: f64| significant(value.to_degrees(), 5);
     let angles = [degrees(first("nutation_max")), degrees(last("nutation_max"))];
     let axes = [first("circled_axis"), last("circled_axis")];
-    writeln!(out, "  nutation, greatest {}", nutation(&angles, axes))?;
-    write_wobble(out, &history.columns)?;
+    let greatest = format!("{}, greatest", kind.nutation());
+    writeln!(out, "  {greatest:<18} {}", nutation(&angles, axes))?;
+    write_nutation(out, kind, &history.columns)?;
     writeln!(
         out,
         "  energy dissipated  {:>12} J of {} J",
@@ -109,11 +111,11 @@ fn write_history(out: &mut String, history: &HistoryRecord) -> fmt::Result {
 }
 
 /// The greatest nutation against time, where it changes.
-fn write_wobble(out: &mut String, columns: &[Column]) -> fmt::Result {
+fn write_nutation(out: &mut String, kind: BodyKind, columns: &[Column]) -> fmt::Result {
     let named =
         |name: &str| columns.iter().find(|column| column.name == name).map(|column| column.values.as_slice());
     match named("t").zip(named("nutation_max")).and_then(|(times, angles)| spark(times, angles)) {
-        Some(line) => writeln!(out, "  nutation over time   {line}"),
+        Some(line) => writeln!(out, "  {:<20} {line}", format!("{} over time", kind.nutation())),
         None => Ok(()),
     }
 }

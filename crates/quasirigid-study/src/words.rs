@@ -40,7 +40,7 @@ fn names(comparison: Comparison) -> (&'static str, &'static str) {
         Comparison::Residual => ("residual of the full equations", "|residual|/|load|"),
         Comparison::Loads => ("load changed by displacement", "|dQ/dq|/C"),
         Comparison::Power => ("convergence of the power", "change of P/P"),
-        Comparison::Wobbles => ("rates of small wobbles", "change of rate"),
+        Comparison::Wobbles => ("rates of small motions", "change of rate"),
         Comparison::Levels => ("averages along rigid polhodes", "max|f4|/max|f2|"),
         Comparison::Forgetting => ("decay of initial vibrations", "T2/T3"),
     }
@@ -98,7 +98,7 @@ fn sentence(criterion: &Criterion, validity: &Validity) -> String {
             "Two orders more change the power that is dissipated by {ratio} of itself: what follows from it is no better at this order."
         ),
         Comparison::Wobbles => format!(
-            "Rate or frequency of a small wobble about a steady spin differs by {ratio} from that of the modes of the full system."
+            "Rate or frequency of a small motion about a steady spin differs by {ratio} from that of the modes of the full system."
         ),
         Comparison::Levels => format!(
             "The elastic torque is {ratio} of that of the rigid body: the angular momentum follows the rigid polhode no better than this, and averages along it have relative errors of this size."

@@ -66,7 +66,7 @@ pub fn evolve(arguments: &Evolve) -> Result<ExitStatus, Failure> {
     } else if arguments.format == EvolveFormat::Csv {
         output::to_stdout(&interrupt, |out| history_csv(&record.columns, out))?;
     } else {
-        output::print(&evolution::text(&study.model.name, record))?;
+        output::print(&evolution::text(&study.model.name, study.model.kind, record))?;
         if let Some(uncertainty) = &uncertainty {
             output::print(&uncertainty_text(uncertainty))?;
         }

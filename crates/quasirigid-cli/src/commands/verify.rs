@@ -37,7 +37,7 @@ fn about_spin(arguments: &Verify) -> Result<ExitStatus, Failure> {
         remark("the verification was interrupted; nothing was measured");
         return Ok(ExitStatus::CheckFailed);
     };
-    let text = || verification_text(&study.model.name, &found);
+    let text = || verification_text(&study.model.name, study.model.kind, &found);
     output::print_answer(arguments.common.json, || study.with_inputs(verification_json(&found)), text)?;
     Ok(if found.reached() { ExitStatus::Done } else { ExitStatus::CheckFailed })
 }

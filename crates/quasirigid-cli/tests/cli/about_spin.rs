@@ -53,7 +53,7 @@ fn what_has_no_equations_about_its_spin_is_refused_in_words() {
         (&forced, "derive model.toml --about spin", "without external forces (push)"),
         (&forced, "simulate model.toml --system spin-manifold", "follow it with --system full"),
         (&driven, "derive model.toml --about spin", "without external forces"),
-        (&sphere, "derive model.toml --about spin", "no mode about this spin is a nutation"),
+        (&sphere, "derive model.toml --about spin", "in no mode about this spin does"),
         (MODEL, "derive model.toml --about spin --degree 12", "lies from 1 to 11"),
         (
             MODEL,

@@ -47,7 +47,7 @@ fn text_names_times_criteria_frequencies_terms_and_steady_spins() {
       displacement against size       max|r|/max|rho|      0.00155    0.1  holds
       residual of the full equations  |residual|/|load|    0.00574    0.1  holds
       convergence of the power        change of P/P        0.00957    0.1  holds
-      rates of small wobbles          change of rate        0.0112    0.1  holds
+      rates of small motions          change of rate        0.0112    0.1  holds
       averages along rigid polhodes   max|f4|/max|f2|      3.76e-4    0.1  holds
       decay of initial vibrations     T2/T3                  0.531      1  holds
 

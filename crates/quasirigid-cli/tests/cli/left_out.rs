@@ -23,7 +23,7 @@ systems = [\"full\"]
 
 #[test]
 fn liquids_that_the_equations_of_motion_do_not_hold_are_told_first() {
-    let off = "with them the rate of a small wobble at this spin is off by 87 %";
+    let off = "with them the rate of a small nutation at this spin is off by 87 %";
     let folder = folder_with(WATER);
     for command in ["simulate model.toml --system full -q", "run model.toml -o out"] {
         let ran = ran_in(folder.path(), command);

@@ -60,7 +60,7 @@ pub enum MeasureError {
         reason: String,
     },
     /// The motion left the range of energies between the steady spins.
-    #[error("the wobble of the full system left the mode in which its power was to be measured")]
+    #[error("the motion of the full system left the mode in which its power was to be measured")]
     LeftMode,
     /// The mean does not settle.
     #[error("the mean power of the full system does not settle: it differs by {:.2} % from one window to the next", 100.0 * .change)]
@@ -72,7 +72,7 @@ pub enum MeasureError {
     #[error("no periodic motion of the full system was found")]
     NoPeriodicMotion,
     /// A change of the periodic motion grows.
-    #[error("a vibration grows beside the wobble, e-fold in {:.4} s", 1.0 / .rate)]
+    #[error("a vibration grows beside the rotation, e-fold in {:.4} s", 1.0 / .rate)]
     Grows {
         /// Rate of growth (1/s).
         rate: f64,

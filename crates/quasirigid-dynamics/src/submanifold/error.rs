@@ -29,7 +29,7 @@ pub enum SubmanifoldError {
     },
     /// No mode about the spin is a nutation.
     #[error(
-        "no mode about this spin is a nutation with a frequency: the reduced equations about a spin have nothing to follow (a sphere, or an overdamped nutation)"
+        "in no mode about this spin does the angular momentum circle in the body: the reduced equations about a spin have nothing to follow (a sphere, or an overdamped motion)"
     )]
     NoNutation,
     /// A part has no equations of motion.

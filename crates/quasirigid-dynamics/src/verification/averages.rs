@@ -40,7 +40,7 @@ pub enum AverageError {
     #[error("the full system has no equation for part of the dissipation")]
     LeftOut,
     /// The body spins steadily.
-    #[error("the body spins steadily, so that there is no wobble")]
+    #[error("the body spins steadily, so that there is nothing to average over")]
     Steady,
     /// No steady spin was found.
     #[error(transparent)]

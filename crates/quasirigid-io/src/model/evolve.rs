@@ -18,11 +18,11 @@ pub(super) const EVOLVE: Keys = Keys {
         key(
             "start",
             any(&[Shape::Number, Shape::Text]).or("that of the model"),
-            "D/I3, or the wobble about the axis of greatest inertia",
+            "D/I3, or the nutation (wobble) about the axis of greatest inertia",
         ),
         key(
             "until",
-            any(&[Shape::Number, Shape::Text]).or("1 % of the energy of the wobble left"),
+            any(&[Shape::Number, Shape::Text]).or("1 % of the energy of the nutation left"),
             "as `start`",
         ),
         key("duration", key::quantity("s").or("none"), "longest time"),

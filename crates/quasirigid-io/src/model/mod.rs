@@ -6,6 +6,7 @@
 mod appendage;
 mod as_observed;
 mod body;
+mod body_kind;
 mod boom;
 mod bushing;
 mod cavity;
@@ -66,6 +67,7 @@ use std::path::Path;
 
 use quasirigid_elements::{Assembly, ElementError};
 
+pub use body_kind::BodyKind;
 pub use change::{ChangeError, KeyContent, Path as KeyPath, Template, WrittenNumber, changed};
 pub use diagnostic::Diagnostic;
 pub use error::{FileProblem, ModelError};
@@ -188,6 +190,8 @@ const KEYS: [Key; OTHERS.len() + READERS.len()] = {
 pub struct Model {
     /// Name of the body; the file's own name if it gives none.
     pub name: String,
+    /// Kind of the body.
+    pub kind: BodyKind,
     /// The body.
     pub assembly: Assembly,
     /// The body with every rheology at the least and at the greatest of its range; none if the file gives no range.
@@ -268,13 +272,14 @@ impl Model {
         let (former_names, values_read) = (problems.former_names(), problems.values());
         let diagnostics = problems.into_diagnostics();
         match content {
-            Some(Content { name, parts, initial, run, uncertainty, notes, file_notes })
+            Some(Content { name, kind, parts, initial, run, uncertainty, notes, file_notes })
                 if diagnostics.is_empty() =>
             {
                 let name = name.unwrap_or_else(|| stem(&source.file));
                 let Parts { assembly, extremes, spans, shapes } = parts;
                 Ok(Self {
                     name,
+                    kind,
                     assembly,
                     extremes,
                     initial,
@@ -298,6 +303,7 @@ impl Model {
 /// Content of a file.
 struct Content {
     name: Option<String>,
+    kind: BodyKind,
     parts: Parts,
     initial: Initial,
     run: RunTable,
@@ -318,8 +324,11 @@ fn content(text: &str, folder: &Path, problems: &Problems<'_>) -> Option<Content
     }
     let file = Table::new("the file", 0..0, &tree, &FILE, &|_| None, problems);
     let mut notes = Vec::new();
-    let name = file.table("body", "[body]", &settings::BODY).and_then(|table| table.get("name"));
+    let titled = file.table("body", "[body]", &settings::BODY);
+    let name = titled.as_ref().and_then(|table| table.get("name"));
     let name = name.and_then(|value| value.name()).map(str::to_owned);
+    let kind = titled.as_ref().and_then(|table| table.get("kind"));
+    let kind = kind.map(|value| value.named::<BodyKind>());
     let body = body::body(&file, folder, problems, &mut notes);
     let file_notes = body.file_notes.clone();
     notes.splice(..0, file_notes.iter().cloned());
@@ -354,9 +363,15 @@ fn content(text: &str, folder: &Path, problems: &Problems<'_>) -> Option<Content
     };
     spun?;
     observed?;
+    let parts = body.parts?;
+    let kind = match kind {
+        Some(given) => given?,
+        None => BodyKind::inferred(&file, &parts.assembly),
+    };
     Some(Content {
         name,
-        parts: body.parts?,
+        kind,
+        parts,
         initial: initial?,
         run: run?,
         uncertainty: uncertainty?,

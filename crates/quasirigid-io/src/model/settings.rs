@@ -13,7 +13,16 @@ use super::table::Table;
 use super::value::Value;
 use crate::units::Dimension;
 
-pub(super) const BODY: Keys = Keys { known: &[key("name", TEXT.or("file's name"), "title of results")] };
+pub(super) const BODY: Keys = Keys {
+    known: &[
+        key("name", TEXT.or("file's name"), "title of results"),
+        key(
+            "kind",
+            words(&["spacecraft", "small-body"]).or("by its parts"),
+            "whose word results take: nutation or wobble",
+        ),
+    ],
+};
 pub(super) const RUN: Keys = Keys {
     known: &[
         key(

@@ -23,6 +23,8 @@ use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
+use crate::model::BodyKind;
+
 pub use about_spin::{AboutSpinRecord, MasterRecord};
 pub use error::RecordError;
 pub use evolution::{
@@ -138,6 +140,9 @@ pub struct BodyRecord {
     pub pole: [f64; 3],
     /// `free`, `fixed-point` or `prescribed`.
     pub support: String,
+    /// Kind of the body, `spacecraft` or `small-body`; a spacecraft in records of versions before this field.
+    #[serde(default)]
+    pub kind: BodyKind,
     /// Inertia tensor about the pole (kg·m²), in the file's axes.
     #[serde(with = "number")]
     pub inertia: [[f64; 3]; 3],

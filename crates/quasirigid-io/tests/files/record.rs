@@ -39,7 +39,7 @@ prop_compose! {
     ) -> BodyRecord {
         BodyRecord {
             mass, center_of_mass, pole, support, inertia, principal_moments, principal_axes, coordinates,
-            resolution,
+            resolution, kind: quasirigid_io::model::BodyKind::SmallBody,
         }
     }
 }
@@ -313,6 +313,7 @@ pub fn sample() -> RunRecord {
             center_of_mass: [0.0; 3],
             pole: [0.0; 3],
             support: "free".into(),
+            kind: quasirigid_io::model::BodyKind::SmallBody,
             inertia: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
             principal_moments: [1.0; 3],
             principal_axes: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],

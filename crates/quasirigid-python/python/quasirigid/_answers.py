@@ -456,7 +456,7 @@ class LightCurve(Answer, Tabled):
 
 
 class Evolution(_Tabled):
-    """Secular evolution of the rotation, averaged over its wobble.
+    """Secular evolution of the rotation, averaged over its nutation.
 
     Where no method holds, the sentence says so and why, and ``time``, ``turns`` and ``power`` are ``None``. An evolution that
     ended before its target (``status`` is ``held``, ``rest``, ``spun-up``, ...) does not hold either, and has the numbers up to there.
@@ -476,8 +476,8 @@ class Evolution(_Tabled):
     time = _number("Time from the start to the end (s); infinite where the end is never reached, ``None`` where no method holds.")
     turns = _number("Revolutions about the angular momentum; infinite or ``None`` as ``time``.")
     power = _number("Mean power dissipated at the start (W); ``None`` where no method holds.")
-    damping_time = _number("Time in which a small wobble about the axis of greatest inertia decays by e (s); ``None`` if not known.")
-    growth_time = _number("Time in which a small wobble about the axis of least inertia grows by e (s); ``None`` if not known.")
+    damping_time = _number("Time in which a small nutation about the axis of greatest inertia decays by e (s); ``None`` if not known.")
+    growth_time = _number("Time in which a small nutation about the axis of least inertia grows by e (s); ``None`` if not known.")
 
     @property
     def time_error(self) -> float | None:
@@ -520,7 +520,7 @@ class Evolution(_Tabled):
     dissipation = entry(dict[str, float], "Shares of the dissipators in ``power``, by name.")
 
     def plot(self) -> Figure:
-        """Wobble and energy against time (needs matplotlib).
+        """Nutation and energy against time (needs matplotlib).
 
         Raises:
             Refused: if there is no row to draw.

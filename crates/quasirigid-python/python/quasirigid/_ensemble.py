@@ -112,8 +112,8 @@ class Evolutions(_Rows, Tabled):
     ratio_start = column("``D/I₃`` at the start.")
     ratio_end = column("``D/I₃`` at the end.")
     separatrix_time = column("Times from the start to the separatrix (s); NaN where it is not passed.")
-    damping_time = column("Times in which a small wobble about the axis of greatest inertia decays by e (s).")
-    growth_time = column("Times in which a small wobble about the axis of least inertia grows by e (s).")
+    damping_time = column("Times in which a small nutation about the axis of greatest inertia decays by e (s).")
+    growth_time = column("Times in which a small nutation about the axis of least inertia grows by e (s).")
 
     def plot(self) -> Figure:
         """Histogram of the times (needs matplotlib)."""

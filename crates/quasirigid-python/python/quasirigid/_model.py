@@ -796,9 +796,9 @@ class Model:
         Args:
             initial: Angular velocities at the start (rad/s), body axes, ``(n, 3)``: one evolution each, on every core, in
                 place of the model's own start. A row that fails has its reason.
-            start: Where to start: the ratio ``D/I₃`` as ``0.9`` or ``"90% of I3"``, or the greatest wobble about the axis of
+            start: Where to start: the ratio ``D/I₃`` as ``0.9`` or ``"90% of I3"``, or the greatest nutation about the axis of
                 greatest inertia as ``"20 deg"``. By default the model's start.
-            until: Where to end, in the same form. By default the model's own, or 1 % of the energy of the wobble left.
+            until: Where to end, in the same form. By default the model's own, or 1 % of the energy of the nutation left.
             duration: Longest time (s).
             samples: Number of rows, 2 to 10000000; the model's own, or 201.
             power: Source of the mean power: ``polynomial`` or ``harmonics``.

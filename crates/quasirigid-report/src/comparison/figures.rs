@@ -1,8 +1,9 @@
 //! Figures of a comparison: one curve for each run. Curves of equations that do not hold say so in their names.
 
+use quasirigid_io::model::BodyKind;
 use quasirigid_io::record::{Column, HistoryRecord};
 
-use super::Compared;
+use super::{Compared, kind};
 use crate::columns::{TimeUnit, column, main_history, norm, vectors};
 use crate::figure::{Figure, Quantity, Series};
 use crate::figures::history::distances;
@@ -13,15 +14,19 @@ const STYLES: [&str; 8] = ["s1", "s2", "s3", "s4", "s1 dashed", "s2 dashed", "s3
 
 /// The figures with a curve.
 pub fn of(runs: &[Compared<'_>]) -> Vec<Figure> {
-    let mut figures = vec![nutation(runs), spin(runs), loss(runs), difference(runs), evolution(runs)];
+    let kind = kind(runs);
+    let mut figures =
+        vec![nutation(kind, runs), spin(runs), loss(runs), difference(runs), evolution(kind, runs)];
     figures.retain(Figure::has_curves);
     figures
 }
 
-fn nutation(runs: &[Compared<'_>]) -> Figure {
-    let caption = "Greatest angle between the angular momentum and the axis of the steady spin that it circles, over one turn of the \
-                   nutation.";
-    figure("nutation", "Nutation", caption, ("nutation", "°", false), runs, |_, history| {
+fn nutation(kind: BodyKind, runs: &[Compared<'_>]) -> Figure {
+    let caption = format!(
+        "Greatest angle between the angular momentum and the axis of the steady spin that it circles, over one turn of the {}.",
+        kind.nutation()
+    );
+    figure("nutation", kind.title(), &caption, (kind.nutation(), "°", false), runs, |_, history| {
         Some(values(&history.columns, "nutation_max")?.map(f64::to_degrees).collect())
     })
 }
@@ -84,7 +89,7 @@ fn figure(
     };
     Figure {
         id,
-        title,
+        title: title.into(),
         caption: caption.into(),
         series: runs.iter().take(STYLES.len()).enumerate().filter_map(curve).collect(),
         ..Figure::over_time("t", &time, Quantity { name, unit: unit.into(), log })
@@ -92,7 +97,7 @@ fn figure(
 }
 
 /// Nutation over many revolutions, of the runs with an answer.
-fn evolution(runs: &[Compared<'_>]) -> Figure {
+fn evolution(kind: BodyKind, runs: &[Compared<'_>]) -> Figure {
     let answers = || {
         runs.iter()
             .take(STYLES.len())
@@ -107,11 +112,17 @@ fn evolution(runs: &[Compared<'_>]) -> Figure {
     });
     Figure {
         id: "evolution-nutation",
-        title: "Nutation over many revolutions",
-        caption: "Greatest angle between the angular momentum and the axis that it circles, in one period of the nutation; of the runs \
-                  with an answer."
-            .into(),
+        title: format!("{} over many revolutions", kind.title()),
+        caption: format!(
+            "Greatest angle between the angular momentum and the axis that it circles, in one period of the {}; of the runs \
+             with an answer.",
+            kind.nutation()
+        ),
         series: curves.collect(),
-        ..Figure::over_time("evolution", &time, Quantity { name: "nutation", unit: "°".into(), log: false })
+        ..Figure::over_time(
+            "evolution",
+            &time,
+            Quantity { name: kind.nutation(), unit: "°".into(), log: false },
+        )
     }
 }

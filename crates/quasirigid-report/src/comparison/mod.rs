@@ -5,6 +5,7 @@ mod figures;
 mod rows;
 
 use maud::{Markup, html};
+use quasirigid_io::model::BodyKind;
 use quasirigid_io::record::RunRecord;
 
 use crate::charts;
@@ -39,6 +40,12 @@ impl Compared<'_> {
     fn reduced_holds(&self) -> bool {
         Verdict::of_all(&self.record.validity) != Verdict::Fails
     }
+}
+
+/// Kind of the bodies that are compared: small bodies where every run is of one.
+fn kind(runs: &[Compared<'_>]) -> BodyKind {
+    let small = runs.iter().all(|run| run.record.body.kind == BodyKind::SmallBody);
+    if small { BodyKind::SmallBody } else { BodyKind::Spacecraft }
 }
 
 /// The page of a comparison: one HTML file that needs no other.

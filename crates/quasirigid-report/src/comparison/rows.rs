@@ -1,6 +1,6 @@
 use quasirigid_io::record::{HistoryRecord, ModeRecord, RunRecord, SteadySpinRecord, place_of_spin};
 
-use super::Compared;
+use super::{Compared, kind};
 use crate::columns::{column, ends, main_history};
 use crate::number::{digits, duration, percent, short};
 use crate::sections::overview::answered;
@@ -8,7 +8,7 @@ use crate::sections::overview::answered;
 /// A quantity of every run, in words.
 pub struct Row {
     /// Name of the quantity.
-    pub name: &'static str,
+    pub name: String,
     /// Its value in each run.
     pub values: Vec<String>,
 }
@@ -48,7 +48,7 @@ const REDUCED: (&str, Value) =
     ("Power of the reduced equations at the start [W]", |record| Some(digits(record.reduction.power, 4)));
 
 /// Results of the histories, which hold as far as their equations.
-const FOLLOWED: [(&str, Value); 6] = [
+const FOLLOWED: [(&str, Value); 5] = [
     ("Duration", |record| {
         let (first, last) = ends(column(&main_history(record)?.columns, "t")?.values.iter().copied())?;
         Some(duration(last - first))
@@ -57,34 +57,41 @@ const FOLLOWED: [(&str, Value); 6] = [
     ("Revolutions", |record| Some(digits(main_history(record)?.revolutions, 5))),
     ("Energy dissipated [J]", |record| Some(digits(main_history(record)?.dissipated, 4))),
     ("Energy drift [J]", |record| Some(digits(main_history(record)?.energy_drift, 2))),
-    ("Nutation, start → end", |record| nutation(main_history(record)?)),
 ];
 
-/// Results with verdicts of their own: modes of the spinning body, evolution, verification.
-const JUDGED: [(&str, Value); 7] = [
-    ("Steady spin next to the start", |record| {
-        let spin = steady(record)?;
-        let grows = |time: f64| time < 0.0;
-        let words = match spin.stable {
-            true => "stable",
-            false
-                if spin.slowest.is_some()
-                    && !spin.modes.iter().filter_map(|mode| mode.time_constant).any(grows) =>
-            {
-                "stability not known"
-            }
-            false => "unstable",
-        };
-        Some(format!("{words}, about {}", place_of_spin(&spin.axis)))
-    }),
-    ("Time constant of the nutation", |record| {
-        Some(match mode(record)?.time_constant {
-            Some(time) if time < 0.0 => format!("grows, {}", duration(-time)),
-            Some(time) => duration(time),
-            None => "no decay".to_owned(),
-        })
-    }),
-    ("Frequency of the nutation [rad/s]", |record| Some(digits(mode(record)?.frequency, 5))),
+/// Results with verdicts of their own: of the modes of the spinning body its stability.
+const STEADY: (&str, Value) = ("Steady spin next to the start", |record| {
+    let spin = steady(record)?;
+    let grows = |time: f64| time < 0.0;
+    let words = match spin.stable {
+        true => "stable",
+        false
+            if spin.slowest.is_some()
+                && !spin.modes.iter().filter_map(|mode| mode.time_constant).any(grows) =>
+        {
+            "stability not known"
+        }
+        false => "unstable",
+    };
+    Some(format!("{words}, about {}", place_of_spin(&spin.axis)))
+});
+
+/// Time constant of the nutation.
+fn time_constant(record: &RunRecord) -> Option<String> {
+    Some(match mode(record)?.time_constant {
+        Some(time) if time < 0.0 => format!("grows, {}", duration(-time)),
+        Some(time) => duration(time),
+        None => "no decay".to_owned(),
+    })
+}
+
+/// Frequency of the nutation.
+fn frequency(record: &RunRecord) -> Option<String> {
+    Some(digits(mode(record)?.frequency, 5))
+}
+
+/// Results with verdicts of their own: evolution, verification.
+const JUDGED: [(&str, Value); 4] = [
     ("Over many revolutions", |record| {
         Some(match (answered(record), &record.evolution) {
             (Some(evolution), _) => evolution.status.clone(),
@@ -103,7 +110,7 @@ const JUDGED: [(&str, Value); 7] = [
 /// The quantities of the runs that one of them has.
 pub fn of(runs: &[Compared<'_>]) -> Vec<Row> {
     let told = |holds: fn(&Compared<'_>) -> bool| {
-        move |(name, value): &(&'static str, Value)| {
+        move |(name, value): (String, Value)| {
             let text = |run: &Compared<'_>| match value(run.record) {
                 Some(_) if !holds(run) => FALSE.to_owned(),
                 found => found.filter(|text| !text.is_empty()).unwrap_or_else(|| NONE.to_owned()),
@@ -111,10 +118,20 @@ pub fn of(runs: &[Compared<'_>]) -> Vec<Row> {
             Row { name, values: runs.iter().map(text).collect() }
         }
     };
-    let followed = FOLLOWED.iter().map(told(|run| run.holds()));
-    let reduced = std::iter::once(&REDUCED).map(told(|run| run.reduced_holds()));
-    let others = JUDGED.iter().chain(&GIVEN).map(told(|_| true));
-    let all = followed.chain(reduced).chain(others);
+    let own = |rows: &[(&str, Value)]| -> Vec<(String, Value)> {
+        rows.iter().map(|(name, value)| ((*name).to_owned(), *value)).collect()
+    };
+    let kind = kind(runs);
+    let angles: (_, Value) =
+        (format!("{}, start → end", kind.title()), |record| nutation(main_history(record)?));
+    let modes: [(_, Value); 2] = [
+        (format!("Time constant of the {}", kind.nutation()), time_constant),
+        (format!("Frequency of the {} [rad/s]", kind.nutation()), frequency),
+    ];
+    let followed = own(&FOLLOWED).into_iter().chain([angles]).map(told(|run| run.holds()));
+    let reduced = own(&[REDUCED]).into_iter().map(told(|run| run.reduced_holds()));
+    let judged = own(&[STEADY]).into_iter().chain(modes).chain(own(&JUDGED)).chain(own(&GIVEN));
+    let all = followed.chain(reduced).chain(judged.map(told(|_| true)));
     all.filter(|row| row.values.iter().any(|value| value != NONE)).collect()
 }
 

@@ -81,7 +81,7 @@ pub struct Figure {
     /// Identifier within the page.
     pub id: &'static str,
     /// Title.
-    pub title: &'static str,
+    pub title: String,
     /// Caption: the content, and the way of drawing.
     pub caption: String,
     /// The horizontal axis.
@@ -100,7 +100,7 @@ impl Figure {
     /// A chart of two quantities, without curves, names and caption.
     pub fn new(x: Quantity, y: Quantity) -> Self {
         let (series, marks) = (Vec::new(), Vec::new());
-        Self { id: "", title: "", caption: String::new(), x, y, link: None, series, marks }
+        Self { id: "", title: String::new(), caption: String::new(), x, y, link: None, series, marks }
     }
 
     /// A chart over the time, which figures of a group show in the same range, without curves, names and caption.
@@ -349,7 +349,7 @@ mod tests {
         let mark = |x: f64| Mark { x, label: "start".into() };
         Figure {
             id: "shares",
-            title: "Shares",
+            title: "Shares".into(),
             caption: String::new(),
             x: quantity("nutation", "°"),
             y: quantity("share", "%"),

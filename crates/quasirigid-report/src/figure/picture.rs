@@ -64,7 +64,7 @@ impl Figure {
                 text x=(width) y=(height + 42.0) text-anchor="end" fill=(INK) { (raised(&self.x.text(x.power))) }
             }
         };
-        Some(whole(self.title, HEIGHT, &drawing))
+        Some(whole(&self.title, HEIGHT, &drawing))
     }
 
     /// The events, each a dashed line with its label.

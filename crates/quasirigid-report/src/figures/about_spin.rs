@@ -1,5 +1,6 @@
 //! Figures of the reduced equations about the spin: time constant, frequency and dissipation against the nutation.
 
+use quasirigid_io::model::BodyKind;
 use quasirigid_io::record::AboutSpinRecord;
 
 use crate::columns::column;
@@ -12,7 +13,8 @@ const CURVES: [&str; 4] = ["s1", "s2", "s3", "s4"];
 const SPREAD: f64 = 30.0;
 
 /// Time in which the nutation falls or grows by e, against the nutation.
-pub fn time_constant(about: &AboutSpinRecord) -> Figure {
+pub fn time_constant(kind: BodyKind, about: &AboutSpinRecord) -> Figure {
+    let nutation = kind.nutation();
     let rates = values(about, "decay_rate");
     let times = |sign: f64| -> Vec<f64> {
         let time = |rate: &f64| if sign * rate > 0.0 { (sign * rate).recip() } else { f64::NAN };
@@ -24,32 +26,37 @@ pub fn time_constant(about: &AboutSpinRecord) -> Figure {
     let series = curves.into_iter().filter(|(.., y)| y.iter().any(|time| time.is_finite()));
     Figure {
         id: "backbone-time",
-        title: "Time constant of the nutation",
+        title: format!("Time constant of the {nutation}"),
         caption: format!(
-            "Time in which the nutation falls or grows by e, by its greatest angle over a period. {}",
+            "Time in which the {nutation} falls or grows by e, by its greatest angle over a period. {}",
             border(about)
         ),
         series: series.map(|(label, class, y)| Series::line(label, class, angles(about), y)).collect(),
-        ..over_nutation(about, Quantity { name: "time constant", unit: "s".into(), log: high > SPREAD * low })
+        ..over_nutation(
+            (kind, about),
+            Quantity { name: "time constant", unit: "s".into(), log: high > SPREAD * low },
+        )
     }
 }
 
 /// Frequency of the nutation in body axes, against the nutation.
-pub fn frequency(about: &AboutSpinRecord) -> Figure {
+pub fn frequency(kind: BodyKind, about: &AboutSpinRecord) -> Figure {
+    let nutation = kind.nutation();
     Figure {
         id: "backbone-frequency",
-        title: "Frequency of the nutation",
+        title: format!("Frequency of the {nutation}"),
         caption: format!(
-            "Frequency in body axes of the nutation, by its greatest angle over a period. {}",
+            "Frequency in body axes of the {nutation}, by its greatest angle over a period. {}",
             border(about)
         ),
         series: vec![Series::line("", "s1", angles(about), values(about, "frequency").to_vec())],
-        ..over_nutation(about, Quantity { name: "frequency", unit: "rad/s".into(), log: false })
+        ..over_nutation((kind, about), Quantity { name: "frequency", unit: "rad/s".into(), log: false })
     }
 }
 
 /// Share of each dissipator in the mean power, against the nutation.
-pub fn dissipation(about: &AboutSpinRecord) -> Figure {
+pub fn dissipation(kind: BodyKind, about: &AboutSpinRecord) -> Figure {
+    let nutation = kind.nutation();
     let mut shares: Vec<(&String, Vec<f64>)> = about
         .dissipators
         .iter()
@@ -65,13 +72,13 @@ pub fn dissipation(about: &AboutSpinRecord) -> Figure {
     let series = shares.into_iter().zip(CURVES);
     Figure {
         id: "backbone-dissipation",
-        title: "Dissipation along the nutation",
+        title: format!("Dissipation along the {nutation}"),
         caption: format!(
-            "Share of each dissipator in the mean power, by the greatest angle of the nutation.{more} {}",
+            "Share of each dissipator in the mean power, by the greatest angle of the {nutation}.{more} {}",
             border(about)
         ),
         series: series.map(|((name, y), class)| Series::line(name, class, angles(about), y)).collect(),
-        ..over_nutation(about, Quantity { name: "share of the power", unit: "%".into(), log: false })
+        ..over_nutation((kind, about), Quantity { name: "share of the power", unit: "%".into(), log: false })
     }
 }
 
@@ -84,8 +91,8 @@ fn angles(about: &AboutSpinRecord) -> Vec<f64> {
 }
 
 /// A figure over the nutation, without curves, names and caption.
-fn over_nutation(about: &AboutSpinRecord, y: Quantity) -> Figure {
-    let nutation = Quantity { name: "nutation", unit: "°".into(), log: false };
+fn over_nutation((kind, about): (BodyKind, &AboutSpinRecord), y: Quantity) -> Figure {
+    let nutation = Quantity { name: kind.nutation(), unit: "°".into(), log: false };
     Figure { marks: marks(about), ..Figure::new(nutation, y) }
 }
 

@@ -1,5 +1,6 @@
 //! Campbell diagram: frequencies of the modes over the spin.
 
+use quasirigid_io::model::BodyKind;
 use quasirigid_io::record::CampbellRecord;
 
 use crate::figure::{Figure, Mark, Quantity, Series};
@@ -8,7 +9,7 @@ use crate::figure::{Figure, Mark, Quantity, Series};
 const SPREAD: f64 = 1000.0;
 
 /// Frequencies in body axes, those of modes that grow apart, and the spin itself.
-pub fn campbell(record: &CampbellRecord) -> Figure {
+pub fn campbell(kind: BodyKind, record: &CampbellRecord) -> Figure {
     let points = |label: &str, class: &'static str, grows: bool| {
         let rows = record.spins.iter().zip(&record.frequencies).zip(&record.decay_rates);
         let (x, y) = rows.filter(|(_, rate)| (**rate < 0.0) == grows).map(|((x, y), _)| (*x, *y)).unzip();
@@ -23,12 +24,13 @@ pub fn campbell(record: &CampbellRecord) -> Figure {
     let series = [points("modes", "s1", false), points("growing", "s2", true), line];
     Figure {
         id: "campbell",
-        title: "Frequencies of the modes over the spin",
+        title: "Frequencies of the modes over the spin".into(),
         caption: format!(
             "Frequencies in body axes of the small motions about the steady spin near the axis of {} inertia, with the displacements \
              that the spin gives; modes that grow stand out. Dashed: the spin itself. A damper is tuned where its line meets that of the \
-             nutation, which rises with the spin.",
-            record.axis
+             {}, which rises with the spin.",
+            record.axis,
+            kind.nutation()
         ),
         series: series.into_iter().filter(|series| !series.x.is_empty()).collect(),
         marks: vec![Mark { x: record.spin, label: "this run".into() }],

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use quasirigid_io::model::BodyKind;
 use quasirigid_io::record::{Column, CrossingRecord, EvolutionRecord, HarmonicRecord};
 
 use super::curve::{Curve, unit};
@@ -21,18 +22,19 @@ const LOGARITHMIC_RATIO: f64 = 300.0;
 const EARLIEST: f64 = 1e-6;
 
 /// Nutation against time, on a logarithmic axis where the rows span many decades.
-pub fn nutation(evolution: &EvolutionRecord) -> Figure {
+pub fn nutation(kind: BodyKind, evolution: &EvolutionRecord) -> Figure {
     let curves = [
         Curve { name: "nutation_max", label: "max", class: "s1" },
         Curve { name: "nutation_min", label: "min", class: "s2" },
     ];
-    let y = Quantity { name: "nutation", unit: "°".into(), log: false };
+    let y = Quantity { name: kind.nutation(), unit: "°".into(), log: false };
     Figure {
         id: "evolution-nutation",
-        title: "Nutation over many revolutions",
+        title: format!("{} over many revolutions", kind.title()),
         caption: format!(
             "Greatest and least angle between the angular momentum and the axis that it circles, in one period of the \
-             nutation.{}",
+             {}.{}",
+            kind.nutation(),
             if evolution.separatrix_time.is_some() { " At the separatrix that axis changes." } else { "" }
         ),
         ..over_time(evolution, &curves, f64::to_degrees, y)
@@ -40,18 +42,21 @@ pub fn nutation(evolution: &EvolutionRecord) -> Figure {
 }
 
 /// Mean power against time.
-pub fn power(evolution: &EvolutionRecord) -> Figure {
+pub fn power(kind: BodyKind, evolution: &EvolutionRecord) -> Figure {
+    let nutation = kind.nutation();
     let curve = Curve { name: "power", label: "power", class: "s1" };
     let y = Quantity { name: "power", unit: unit(&evolution.columns, "power"), log: true };
     Figure {
         id: "evolution-power",
-        title: "Mean power dissipated over many revolutions",
+        title: "Mean power dissipated over many revolutions".into(),
         caption: format!(
             "{}{}",
             if evolution.road == "direct" {
-                "Taken over the interval from row to row of the full system; it vanishes with the nutation."
+                format!(
+                    "Taken over the interval from row to row of the full system; it vanishes with the {nutation}."
+                )
             } else {
-                "Averaged over the nutation; it vanishes with it."
+                format!("Averaged over the {nutation}; it vanishes with it.")
             },
             if evolution.separatrix_time.is_some() {
                 " It dips at the separatrix, where the spin lingers near the middle axis."
@@ -88,7 +93,7 @@ fn over_time(
 const FACTOR: f64 = 10.0;
 
 /// Power against `D/I₃` instead of time, with the resonances marked.
-pub fn map(evolution: &EvolutionRecord) -> Figure {
+pub fn map(kind: BodyKind, evolution: &EvolutionRecord) -> Figure {
     let columns = with_gaps(&evolution.columns);
     let values = |name: &str| column(&columns, name).map_or_else(Vec::new, |column| column.values.clone());
     let (place, followed) = (values("D_over_I3"), values("power"));
@@ -104,11 +109,13 @@ pub fn map(evolution: &EvolutionRecord) -> Figure {
     };
     Figure {
         id: "evolution-map",
-        title: "Mean power along the evolution",
-        caption: "From the axis of least inertia towards that of greatest, D/I₃ = 1: the power that was followed, and that of the \
-                  reduced equations, which know no resonance, where it is within a factor of ten. Lines mark where a harmonic of the nutation meets an elastic \
-                  frequency."
-            .into(),
+        title: "Mean power along the evolution".into(),
+        caption: format!(
+            "From the axis of least inertia towards that of greatest, D/I₃ = 1: the power that was followed, and that of the \
+             reduced equations, which know no resonance, where it is within a factor of ten. Lines mark where a harmonic of the {} meets an elastic \
+             frequency.",
+            kind.nutation()
+        ),
         series: drawn.map(|(label, class, power)| Series::line(label, class, place.clone(), power)).collect(),
         marks: evolution.resonances.iter().take(MARKED).map(crossing).collect(),
         link: None,
@@ -117,8 +124,9 @@ pub fn map(evolution: &EvolutionRecord) -> Figure {
     }
 }
 
-/// Share of each harmonic of the wobble in the mean power at the start, by dissipator.
-pub fn harmonics(evolution: &EvolutionRecord) -> Figure {
+/// Share of each harmonic of the nutation in the mean power at the start, by dissipator.
+pub fn harmonics(kind: BodyKind, evolution: &EvolutionRecord) -> Figure {
+    let nutation = kind.nutation();
     let harmonics = &evolution.harmonics[..evolution.harmonics.len().min(HARMONICS)];
     let parts = parts(harmonics);
     let width = GROUP / parts.len().max(1) as f64;
@@ -130,10 +138,11 @@ pub fn harmonics(evolution: &EvolutionRecord) -> Figure {
     };
     Figure {
         id: "evolution-harmonics",
-        title: "Dissipation by harmonic of the wobble",
-        caption: "Share in the mean power at the start of each harmonic of the wobble, the motion of the angular momentum in the axes of \
-                  the body, and of each dissipator in it."
-            .into(),
+        title: format!("Dissipation by harmonic of the {nutation}"),
+        caption: format!(
+            "Share in the mean power at the start of each harmonic of the {nutation}, the motion of the angular momentum in the axes of \
+             the body, and of each dissipator in it."
+        ),
         series: parts.into_iter().enumerate().map(bars).collect(),
         ..Figure::new(
             Quantity { name: "harmonic", unit: "1".into(), log: false },

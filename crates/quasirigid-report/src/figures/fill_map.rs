@@ -52,7 +52,7 @@ fn figure(record: &FillMapRecord) -> Option<Figure> {
     let quantity = |name: &'static str, unit: &str, log: bool| Quantity { name, unit: unit.to_owned(), log };
     Some(Figure {
         id: "fills",
-        title: "Time constant of the nutation over the fill",
+        title: "Time constant of the nutation over the fill".into(),
         caption: "e-folding time of the nutation at a few spins. Dashed: it grows.".into(),
         x: quantity("fill", "1", false),
         y: quantity("e-folding time", unit, true),

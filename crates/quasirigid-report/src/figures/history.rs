@@ -32,7 +32,7 @@ fn first_rows(history: &HistoryRecord, rows: usize) -> Figure {
     });
     Figure {
         id: "spin",
-        title: "Spin in body axes",
+        title: "Spin in body axes".into(),
         caption: "Components of the angular velocity in the axes of the body. Where they swing faster than a pixel is wide, \
                   a band spans their extremes."
             .into(),
@@ -53,7 +53,7 @@ pub fn first_revolutions(history: &HistoryRecord) -> Option<Figure> {
     }
     Some(Figure {
         id: "first-turns",
-        title: "Spin in body axes: the beginning",
+        title: "Spin in body axes: the beginning".into(),
         caption: format!("About the first {FIRST_REVOLUTIONS} revolutions of the figure above."),
         ..first_rows(history, rows)
     })
@@ -69,7 +69,7 @@ pub fn energy(history: &HistoryRecord) -> Figure {
     ];
     Figure {
         id: "energy",
-        title: "Energy, its loss, and numerical drift",
+        title: "Energy, its loss, and numerical drift".into(),
         caption: "Energy of the motion, and what the dashpots took of it; beside it the size of the change made by the integrator \
                   alone, since one can imitate the other."
             .into(),
@@ -83,6 +83,7 @@ pub fn energy(history: &HistoryRecord) -> Figure {
 
 /// Nutation of every system, so that the dissipative body stands beside the rigid one: the greatest angle, and of the first the least.
 pub fn nutation(record: &RunRecord, main: &HistoryRecord) -> Figure {
+    let kind = record.body.kind;
     let time = TimeUnit::of(&main.columns, usize::MAX);
     let greatest = record.histories.iter().zip(COLOURS).filter_map(|(history, class)| {
         degrees(history, &time, Curve { name: "nutation_max", label: &history.system, class })
@@ -90,12 +91,14 @@ pub fn nutation(record: &RunRecord, main: &HistoryRecord) -> Figure {
     let least = degrees(main, &time, Curve { name: "nutation_min", label: "least", class: "s1 dashed" });
     Figure {
         id: "nutation",
-        title: "Nutation",
-        caption: "Greatest angle between the angular momentum and the axis of the steady spin that it circles, over one turn of the \
-                  nutation. Dashed: the least angle of the first system; the two differ for a body of three different moments."
-            .into(),
+        title: kind.title().into(),
+        caption: format!(
+            "Greatest angle between the angular momentum and the axis of the steady spin that it circles, over one turn of the \
+             {}. Dashed: the least angle of the first system; the two differ for a body of three different moments.",
+            kind.nutation()
+        ),
         series: greatest.chain(least).collect(),
-        ..Figure::over_time("t", &time, Quantity { name: "nutation", unit: "°".into(), log: false })
+        ..Figure::over_time("t", &time, Quantity { name: kind.nutation(), unit: "°".into(), log: false })
     }
 }
 
@@ -116,7 +119,7 @@ pub fn difference(record: &RunRecord) -> Option<Figure> {
     let series: Vec<Series> = curves.collect();
     (!series.is_empty()).then(|| Figure {
         id: "difference",
-        title: "Difference in spin between systems of equations",
+        title: "Difference in spin between systems of equations".into(),
         caption: format!(
             "Distance of the angular velocity of each system from that of the {} one at the same time, relative to its size.",
             main.system

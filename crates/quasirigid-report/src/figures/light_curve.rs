@@ -40,7 +40,7 @@ fn figure(columns: &[Column]) -> Option<Figure> {
     let quantity = |name: &'static str, unit: &str| Quantity { name, unit: unit.to_owned(), log: false };
     Some(Figure {
         id: "light-curve",
-        title: "Light curve",
+        title: "Light curve".into(),
         caption,
         series,
         ..Figure::new(quantity("t", &unit.name), quantity("brightness", "1"))

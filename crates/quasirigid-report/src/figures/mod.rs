@@ -26,6 +26,7 @@ const MOTION: &str = "motion";
 
 /// Every figure that a record has something to draw in.
 pub fn all(record: &RunRecord) -> Vec<Figure> {
+    let kind = record.body.kind;
     let mut figures = Vec::new();
     if let Some(history) = main_history(record) {
         figures.push(history::spin(history));
@@ -34,17 +35,21 @@ pub fn all(record: &RunRecord) -> Vec<Figure> {
         figures.push(history::nutation(record, history));
         figures.extend(history::difference(record));
     }
-    figures.extend(record.campbell.iter().map(campbell::campbell));
+    figures.extend(record.campbell.iter().map(|found| campbell::campbell(kind, found)));
     if let Some(about) = &record.about_spin {
         figures.extend([
-            about_spin::time_constant(about),
-            about_spin::frequency(about),
-            about_spin::dissipation(about),
+            about_spin::time_constant(kind, about),
+            about_spin::frequency(kind, about),
+            about_spin::dissipation(kind, about),
         ]);
     }
     if let Some(secular) = &record.evolution {
-        figures.extend([evolution::nutation(secular), evolution::power(secular), evolution::map(secular)]);
-        figures.push(evolution::harmonics(secular));
+        figures.extend([
+            evolution::nutation(kind, secular),
+            evolution::power(kind, secular),
+            evolution::map(kind, secular),
+            evolution::harmonics(kind, secular),
+        ]);
     }
     figures.extend(record.verification.iter().map(|found| verification::convergence(&found.orders)));
     figures.retain(Figure::has_curves);

@@ -21,7 +21,7 @@ pub fn convergence(orders: &[OrderRecord]) -> Figure {
         });
     Figure {
         id: "convergence",
-        title: "Difference in spin as the body is stiffened",
+        title: "Difference in spin as the body is stiffened".into(),
         caption: "Largest difference between the full and the reduced system, relative to the spin, with the measured slope of each \
                   order. Dashed: each halving of ε divides it by 2ᵖ⁺¹, as the theory predicts, until rounding levels it."
             .into(),

@@ -27,7 +27,7 @@ fn figure(columns: &[Column]) -> Option<Figure> {
     let quantity = |name: &'static str, unit: &str| Quantity { name, unit: unit.to_owned(), log: false };
     Some(Figure {
         id: "yorp",
-        title: "YORP",
+        title: "YORP".into(),
         caption: "Mean torque of sunlight over the rotation and the orbit.".to_owned(),
         series,
         ..Figure::new(quantity("obliquity", "deg"), quantity("torque", "N m"))

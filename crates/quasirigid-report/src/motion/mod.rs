@@ -274,7 +274,7 @@ impl Movie<'_> {
                 Some(3.0) => " about the axis of greatest inertia",
                 _ => "",
             };
-            format!("nutation up to {}°{axis}", digits(angle.to_degrees(), 3))
+            format!("{} up to {}°{axis}", self.record.body.kind.nutation(), digits(angle.to_degrees(), 3))
         });
         let time = stretch.frames[0].0 - zero;
         let after = if time > 0.0 { format!("after {}", duration(time)) } else { "at the start".to_owned() };

@@ -1,6 +1,7 @@
 //! The answer in four numbers.
 
 use maud::{Markup, html};
+use quasirigid_io::model::BodyKind;
 use quasirigid_io::record::{HistoryRecord, RunRecord};
 
 use super::dissipation::bars;
@@ -22,7 +23,7 @@ pub fn section(record: &RunRecord) -> Markup {
                 },
                 Some(history) => {
                 dl {
-                    (spin(history))
+                    (spin(record.body.kind, history))
                     (dissipation(record, history))
                     (drift(history))
                     (revolutions(history))
@@ -39,7 +40,7 @@ pub fn tile(name: &str, value: Markup, remark: Markup) -> Markup {
     html! { div { dt { (name) } dd.value { (value) } dd.remark { (remark) } } }
 }
 
-fn spin(history: &HistoryRecord) -> Markup {
+fn spin(kind: BodyKind, history: &HistoryRecord) -> Markup {
     let omega = vectors(&history.columns, ["wx", "wy", "wz"]).unwrap_or_default();
     let nutation =
         column(&history.columns, "nutation_max").and_then(|column| ends(column.values.iter().copied()));
@@ -52,7 +53,7 @@ fn spin(history: &HistoryRecord) -> Markup {
         value,
         html! {
             @if let Some((start, end)) = nutation {
-                "nutation " (digits(start.to_degrees(), 3)) "° → " (digits(end.to_degrees(), 3)) "°"
+                (kind.nutation()) " " (digits(start.to_degrees(), 3)) "° → " (digits(end.to_degrees(), 3)) "°"
             } @else {
                 "angular rate |ω|"
             }

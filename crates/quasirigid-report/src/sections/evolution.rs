@@ -5,6 +5,7 @@
 use std::f64::consts::TAU;
 
 use maud::{Markup, html};
+use quasirigid_io::model::BodyKind;
 use quasirigid_io::record::{
     ApproachRecord, CrossingRecord, EstimateRecord, EvolutionRecord, HarmonicRecord, ObservedRecord,
 };
@@ -22,7 +23,7 @@ const MAX_LISTED: usize = 12;
 const EXACT: f64 = 1e-6;
 
 /// The rotation over many revolutions: the answer, its numbers, nutation and power against time, and the dissipators.
-pub fn section(evolution: &EvolutionRecord) -> Markup {
+pub fn section(kind: BodyKind, evolution: &EvolutionRecord) -> Markup {
     if evolution.status == "refused" {
         return html! { section aria-label="Over many revolutions" { h2 { "Over many revolutions" } (sentence(evolution)) } };
     }
@@ -39,16 +40,16 @@ pub fn section(evolution: &EvolutionRecord) -> Markup {
                 @if of_axes(evolution) { (mode(evolution)) }
                 (power(evolution))
             }
-            (nutation(evolution).draw())
-            (power_figure(evolution).draw())
-            @if of_axes(evolution) { (map(evolution).draw()) }
+            (nutation(kind, evolution).draw())
+            (power_figure(kind, evolution).draw())
+            @if of_axes(evolution) { (map(kind, evolution).draw()) }
             (bars("Dissipation shares at the start", &evolution.dissipation))
-            @if !evolution.harmonics.is_empty() { (harmonics_figure(evolution).draw()) }
+            @if !evolution.harmonics.is_empty() { (harmonics_figure(kind, evolution).draw()) }
             @if of_axes(evolution) {
-                (harmonics(&evolution.harmonics))
-                (resonances(&evolution.resonances, evolution.approach.as_ref()))
+                (harmonics(kind, &evolution.harmonics))
+                (resonances(kind, &evolution.resonances, evolution.approach.as_ref()))
             }
-            (details(evolution))
+            (details(kind, evolution))
         }
     }
 }
@@ -150,13 +151,13 @@ fn until(seconds: f64) -> String {
     if seconds == f64::INFINITY { "never".into() } else { duration(seconds) }
 }
 
-fn harmonics(harmonics: &[HarmonicRecord]) -> Markup {
+fn harmonics(kind: BodyKind, harmonics: &[HarmonicRecord]) -> Markup {
     if harmonics.is_empty() {
         return html! { p.absent { "The record holds no harmonics." } };
     }
     let (shown, more) = first(harmonics, MAX_LISTED);
     table(
-        "Harmonics of the wobble at the start",
+        &format!("Harmonics of the {} at the start", kind.nutation()),
         &["Number", "Frequency [rad/s]", "Period", "Share in the power"],
         html! {
             @for harmonic in shown {
@@ -172,12 +173,12 @@ fn harmonics(harmonics: &[HarmonicRecord]) -> Markup {
     )
 }
 
-fn resonances(crossings: &[CrossingRecord], approach: Option<&ApproachRecord>) -> Markup {
+fn resonances(kind: BodyKind, crossings: &[CrossingRecord], approach: Option<&ApproachRecord>) -> Markup {
     html! {
         div.resonances {
             @if crossings.is_empty() {
                 p {
-                    "No harmonic of the wobble passes a natural frequency on the way"
+                    "No harmonic of the " (kind.nutation()) " passes a natural frequency on the way"
                     @if let Some(near) = approach {
                         "; harmonic " (near.harmonic) " comes within " (percent(near.distance.abs())) " of "
                         (digits(near.frequency, 4)) " rad/s, " (near.coordinate)
@@ -210,7 +211,14 @@ fn crossing_table(crossings: &[CrossingRecord]) -> Markup {
     table("Resonances on the way, strongest first", &headings, rows)
 }
 
-fn details(evolution: &EvolutionRecord) -> Markup {
+fn details(kind: BodyKind, evolution: &EvolutionRecord) -> Markup {
+    let small = |fate: &str| format!("Small {} about the {fate} by e", kind.nutation());
+    let [decay, growth, steady] = [
+        "axis of greatest inertia, decay",
+        "axis of least inertia, growth",
+        "steady spin that attracts, decay",
+    ]
+    .map(small);
     let lingering = match evolution.lingering {
         None => "none: it does not come so near".into(),
         Some(f64::INFINITY) => "infinite".into(),
@@ -222,20 +230,15 @@ fn details(evolution: &EvolutionRecord) -> Markup {
         ("End", html! { (evolution.message) }),
     ];
     let ends = [("Rotation at the start", evolution.start), ("Rotation at the end", evolution.end)];
-    let told =
-        |(place, rotation): (_, Option<ObservedRecord>)| rotation.map(|it| (place, html! { (observed(it)) }));
+    let told = |(place, rotation): (_, Option<ObservedRecord>)| {
+        rotation.map(|it| (place, html! { (observed(kind, it)) }))
+    };
     rows.extend(ends.into_iter().filter_map(told));
     let damping = html! { (until(evolution.damping_time)) };
     if of_axes(evolution) {
-        rows.extend([
-            ("Small wobble about the axis of greatest inertia, decay by e", damping),
-            (
-                "Small wobble about the axis of least inertia, growth by e",
-                html! { (until(evolution.growth_time)) },
-            ),
-        ]);
+        rows.extend([(&*decay, damping), (&*growth, html! { (until(evolution.growth_time)) })]);
     } else {
-        rows.push(("Small wobble about the steady spin that attracts, decay by e", damping));
+        rows.push((&steady, damping));
     }
     if !evolution.estimates.is_empty() {
         rows.push(("Published estimates of the decay", html! { (estimates(&evolution.estimates)) }));
@@ -256,12 +259,13 @@ fn estimates(estimates: &[EstimateRecord]) -> String {
 }
 
 /// A rotation as observers describe it.
-fn observed(rotation: ObservedRecord) -> String {
+fn observed(kind: BodyKind, rotation: ObservedRecord) -> String {
+    let nutation = kind.nutation();
     let spun = |period: f64| if period.is_finite() { duration(period) } else { "none".into() };
     let [least, greatest] =
         [rotation.nutation_least, rotation.nutation_greatest].map(|angle| digits(angle.to_degrees(), 3));
     format!(
-        "P_ψ {}, P_φ {}, E/E₀ {}, wobble {least} to {greatest} degrees",
+        "P_ψ {}, P_φ {}, E/E₀ {}, {nutation} {least} to {greatest} degrees",
         spun(rotation.rotation_period),
         spun(rotation.precession_period),
         digits(rotation.energy_ratio, 5)

@@ -1,6 +1,7 @@
 use std::collections::BTreeMap;
 
 use maud::{Markup, html};
+use quasirigid_io::model::BodyKind;
 use quasirigid_io::record::{CampbellRecord, ModeList, ModeRecord, SteadySpinRecord, place_of_spin};
 
 use super::table::{first, table};
@@ -12,17 +13,17 @@ const MAX_LISTED: usize = 12;
 const SHARES: usize = 3;
 
 /// Steady spins with the angular momentum of the start, instability first, with the small motions about them.
-pub fn section(spins: &[SteadySpinRecord], diagram: Option<&CampbellRecord>) -> Markup {
+pub fn section(kind: BodyKind, spins: &[SteadySpinRecord], diagram: Option<&CampbellRecord>) -> Markup {
     html! {
         section aria-label="Modes" {
             h2 { "Steady spins and their modes" }
-            @for spin in spins { (one(spin)) }
-            @if let Some(diagram) = diagram { (campbell(diagram).draw()) }
+            @for spin in spins { (one(kind, spin)) }
+            @if let Some(diagram) = diagram { (campbell(kind, diagram).draw()) }
         }
     }
 }
 
-fn one(spin: &SteadySpinRecord) -> Markup {
+fn one(kind: BodyKind, spin: &SteadySpinRecord) -> Markup {
     let modes = spin.mode_list();
     let (shown, more) = first(&modes.listed, MAX_LISTED);
     html! {
@@ -31,7 +32,7 @@ fn one(spin: &SteadySpinRecord) -> Markup {
             (table(
                 &format!("Modes about {}", place_of_spin(&spin.axis)),
                 &["Mode", "Frequency in the body [rad/s]", "Damping ratio", "Time constant", "Dissipated by"],
-                html! { @for mode in shown { (row(mode)) } },
+                html! { @for mode in shown { (row(kind, mode)) } },
             ))
             @if let Some(more) = more { p.absent { (more) } }
             @if !modes.folded.is_empty() { p.absent { (folded(&modes)) } }
@@ -45,7 +46,7 @@ fn folded(modes: &ModeList) -> String {
     format!("{} overdamped motions, with time constants of {least} to {most}", modes.folded.len())
 }
 
-fn row(mode: &ModeRecord) -> Markup {
+fn row(kind: BodyKind, mode: &ModeRecord) -> Markup {
     let fold = match mode.time_constant {
         None if mode.neutral => "neutral".into(),
         None if let Some(bound) = mode.rate_bound => format!("over {}", duration(bound.recip())),
@@ -55,7 +56,7 @@ fn row(mode: &ModeRecord) -> Markup {
     };
     html! {
         tr {
-            th scope="row" { (mode.name) }
+            th scope="row" { (kind.mode_name(&mode.name)) }
             td { (digits(mode.frequency, 5)) }
             td { (digits(mode.damping_ratio, 2)) }
             td { (fold) }

@@ -4,6 +4,7 @@
 use std::collections::BTreeMap;
 
 use maud::{Markup, html};
+use quasirigid_io::model::BodyKind;
 use quasirigid_io::record::{EvolutionRecord, RunRecord, SteadySpinRecord, place_of_spin};
 
 use super::dissipation::bar;
@@ -77,7 +78,7 @@ pub fn facts(record: &RunRecord) -> Markup {
         @if modes.is_some() || shares.is_some() || fate.is_some() {
             section.overview aria-label="Overview" {
                 @if let Some((title, sentence)) = fate { div { h2 { "Fate" } p.fate { (title) } p.remark { (sentence) } } }
-                @if let Some(spin) = modes { (time_constants(spin)) }
+                @if let Some(spin) = modes { (time_constants(record.body.kind, spin)) }
                 @if let Some((when, shares)) = shares { (dissipators(when, shares)) }
             }
         }
@@ -100,11 +101,11 @@ fn history_sentence(record: &RunRecord) -> Option<String> {
     let (first, last) = ends(column(&history.columns, "t")?.values.iter().copied())?;
     let nutation =
         column(&history.columns, "nutation_max").and_then(|column| ends(column.values.iter().copied()));
-    let wobble = nutation.map_or_else(String::new, |(start, end)| {
-        format!(" the nutation {},", change(start.to_degrees(), end.to_degrees()))
+    let changed = nutation.map_or_else(String::new, |(start, end)| {
+        format!(" the {} {},", record.body.kind.nutation(), change(start.to_degrees(), end.to_degrees()))
     });
     Some(format!(
-        "In {} the {} body makes {} revolutions:{wobble} {} J are dissipated.",
+        "In {} the {} body makes {} revolutions:{changed} {} J are dissipated.",
         duration(last - first),
         history.system,
         digits(history.revolutions, 4),
@@ -163,7 +164,7 @@ fn fate(record: &RunRecord) -> Option<(String, String)> {
     }
 }
 
-fn time_constants(spin: &SteadySpinRecord) -> Markup {
+fn time_constants(kind: BodyKind, spin: &SteadySpinRecord) -> Markup {
     let listed = spin.modes.iter().filter(|mode| !mode.overdamped).take(MAX_LISTED);
     html! {
         div {
@@ -171,7 +172,7 @@ fn time_constants(spin: &SteadySpinRecord) -> Markup {
             table.compact {
                 @for mode in listed {
                     tr {
-                        th scope="row" { (mode.name) }
+                        th scope="row" { (kind.mode_name(&mode.name)) }
                         td {
                             @match mode.time_constant {
                                 Some(time) if time < 0.0 => { "grows, " (duration(-time)) }

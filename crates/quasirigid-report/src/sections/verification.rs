@@ -3,6 +3,7 @@
 //! Scaling in `ε`: (R1), docs/theory/03-reduction.md.
 
 use maud::{Markup, html};
+use quasirigid_io::model::BodyKind;
 use quasirigid_io::record::{AverageRecord, OrderRecord, VerificationRecord};
 
 use super::table::table;
@@ -11,7 +12,7 @@ use crate::number::{digits, duration, short, tidy};
 use crate::verdict::Verdict;
 
 /// The reduced equations against the full ones: the difference, and its fall as the body is stiffened.
-pub fn section(verification: &VerificationRecord) -> Markup {
+pub fn section(kind: BodyKind, verification: &VerificationRecord) -> Markup {
     let VerificationRecord { reached, rotations, duration: seconds, orders, average, average_left_out } =
         verification;
     html! {
@@ -25,17 +26,20 @@ pub fn section(verification: &VerificationRecord) -> Markup {
             }
             (convergence(orders).draw())
             (differences(orders))
-            @if let Some(average) = average { (mean_power(average)) }
+            @if let Some(average) = average { (mean_power(kind, average)) }
             @if let Some(why) = average_left_out { p.absent { (why) } }
         }
     }
 }
 
 /// The average beside the full system.
-fn mean_power(AverageRecord { errors, order, expected, reached, .. }: &AverageRecord) -> Markup {
+fn mean_power(
+    kind: BodyKind,
+    AverageRecord { errors, order, expected, reached, .. }: &AverageRecord,
+) -> Markup {
     html! {
         p {
-            "The average over the wobble at the start has the mean power of a run of the full system to " (first(errors))
+            "The average over the " (kind.nutation()) " at the start has the mean power of a run of the full system to " (first(errors))
             ", relative; with ever stiffer bodies that falls with order "
             (order.map_or_else(|| "that is below what the run resolves".into(), |order| digits(order, 4)))
             " in ε, expected " (expected) ". "

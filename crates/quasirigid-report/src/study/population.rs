@@ -47,7 +47,7 @@ fn figure(record: &SweepRecord, columns: &[SweepColumn]) -> Option<Figure> {
     let unit = record.quantities.iter().find(|quantity| quantity.name == TIME)?.unit.clone();
     let quantity = |name: &'static str, unit: &str| Quantity { name, unit: unit.to_owned(), log: true };
     let mut figure = Figure::new(quantity("size", &size.unit), quantity("time", &unit));
-    (figure.id, figure.title) = ("population", TITLE);
+    (figure.id, figure.title) = ("population", TITLE.into());
     let series = |label: &str, class: &'static str, rows: &[usize]| {
         let of = |column: &Vec<f64>| rows.iter().map(|row| column[*row]).collect();
         Series::line(label, class, of(sizes), of(times)).of_points()

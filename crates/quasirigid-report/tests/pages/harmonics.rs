@@ -75,7 +75,7 @@ fn few_colours_show_any_number_of_dissipators() {
 #[test]
 fn page_has_the_bars_with_their_data() {
     let page = page(&record());
-    let (_, after) = page.split_once("Dissipation by harmonic of the wobble</h3>").unwrap();
+    let (_, after) = page.split_once("Dissipation by harmonic of the nutation</h3>").unwrap();
     let figure = after.split("</figure>").next().unwrap();
     let data = &super::packed::figures(figure)[0];
     assert!(

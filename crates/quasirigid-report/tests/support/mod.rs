@@ -342,6 +342,7 @@ pub fn record(rows: usize, duration: f64, alpha: f64) -> RunRecord {
             center_of_mass: [0.0195, 0.1049, 0.0122],
             pole: [0.0195, 0.1049, 0.0122],
             support: "free".into(),
+            kind: quasirigid_io::model::BodyKind::Spacecraft,
             inertia: inertia(),
             principal_moments: MOMENTS,
             principal_axes: axes(),

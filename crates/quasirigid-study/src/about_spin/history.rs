@@ -4,6 +4,7 @@ use std::ops::ControlFlow;
 
 use quasirigid::dynamics::{Observer, Options, Outcome, Run, Scan};
 use quasirigid::submanifold::{AmplitudeRange, Defect, ManifoldRun, propagate_on_manifold};
+use quasirigid_io::model::BodyKind;
 use serde::Serialize;
 
 use super::json::RangeObject;
@@ -28,6 +29,8 @@ pub struct OnManifold {
     pub left_out: f64,
     /// Motion left out that grows, in words.
     pub growing: Option<String>,
+    /// Kind of the body.
+    kind: BodyKind,
 }
 
 /// Share of the internal energy of a start from which the vibrations left out are told, and above which the start is not near the spin manifold.
@@ -58,7 +61,10 @@ pub(crate) fn follow(
         }
         found => found?,
     };
-    let (manifold, Some(state)) = (found.manifold, found.state) else { return Err(StudyError::MiddleAxis) };
+    let kind = motion.study().model.kind;
+    let (manifold, Some(state)) = (found.manifold, found.state) else {
+        return Err(StudyError::MiddleAxis { kind });
+    };
     let start = manifold.start(&state);
     let range = manifold.range(SHARE);
     let ManifoldRun { outcome, last, worst, work, .. } =
@@ -69,7 +75,10 @@ pub(crate) fn follow(
         worst: worst.0,
         worst_time: worst.1,
         left_out: start.left_out,
-        growing: manifold.growing_outside().map(|(name, decay_rate)| growth(name, decay_rate)),
+        growing: manifold
+            .growing_outside()
+            .map(|(name, decay_rate)| growth(kind.mode_name(name), decay_rate)),
+        kind,
     };
     Ok((
         Run { outcome, last, work, scan: Scan::default(), left_out: 0.0, load_ratio: 0.0, ringing: None },
@@ -89,7 +98,7 @@ impl OnManifold {
     /// The verdict in a sentence.
     #[must_use]
     pub fn sentence(&self) -> String {
-        let Self { degree, range, worst, worst_time, left_out, growing } = self;
+        let Self { degree, range, worst, worst_time, left_out, growing, kind } = self;
         if let Some(growing) = growing {
             return format!(
                 "The history DOES NOT HOLD: {growing}, which the reduced equations about the spin leave out."
@@ -107,7 +116,8 @@ impl OnManifold {
             );
         }
         let held = format!(
-            "hold to a nutation of {} degrees within {} % at degree {degree}",
+            "hold to a {} of {} degrees within {} % at degree {degree}",
+            kind.nutation(),
             significant(range.nutation.to_degrees(), 3),
             significant(100.0 * range.share, 1)
         );

@@ -15,7 +15,7 @@ use quasirigid::submanifold::{
     AmplitudeRange, Backbone, CrossedResonance, Defect, ManifoldStart, Masters, SpinManifold,
     SpinManifoldPlan, SubmanifoldError,
 };
-use quasirigid_io::model::PartialSpinManifold;
+use quasirigid_io::model::{BodyKind, PartialSpinManifold};
 use quasirigid_math::rotation::angle;
 use quasirigid_math::vec3::{dot, norm, scale, unit};
 use quasirigid_math::watch;
@@ -213,7 +213,7 @@ fn derived<'a>(
         return Err(StudyError::SteadySpinBeyond { what: displaced(body, left) });
     }
     if let Masters::With(frequencies) = &plan.masters {
-        there(&manifold, frequencies)?;
+        there(&manifold, frequencies, motion.study().model.kind)?;
     }
     Ok(Derived { manifold, name, state })
 }
@@ -239,7 +239,7 @@ fn planned(motion: &Motion<'_>, settings: &SpinManifoldSettings) -> Result<Plann
         return Err(StudyError::AtRest);
     }
     if settings.axis == Some(PrincipalAxis::Middle) {
-        return Err(StudyError::MiddleAxis);
+        return Err(StudyError::MiddleAxis { kind: study.model.kind });
     }
     let given = SpinMagnitude::AngularMomentum(norm(K));
     let mut found = steady::found(study, state.omega, given);
@@ -283,7 +283,7 @@ fn circled(study: &Study, K: [f64; 3], found: &[NamedSpin]) -> Result<usize, Stu
 }
 
 /// Refuses frequencies asked for that no mode about the spin has.
-fn there(manifold: &SpinManifold, frequencies: &[f64]) -> Result<(), StudyError> {
+fn there(manifold: &SpinManifold, frequencies: &[f64], kind: BodyKind) -> Result<(), StudyError> {
     let found = &manifold.masters[1..];
     let missing = frequencies.iter().enumerate().find(|(at, frequency)| {
         let near = |master: f64| (master - **frequency).abs() <= SAME_FREQUENCY * frequency.max(master);
@@ -295,7 +295,7 @@ fn there(manifold: &SpinManifold, frequencies: &[f64]) -> Result<(), StudyError>
     let mut modes: Vec<(String, f64)> = kept.chain(outer).collect();
     modes.sort_by(|a, b| (a.1 - frequency).abs().total_cmp(&(b.1 - frequency).abs()));
     modes.dedup();
-    Err(StudyError::NoMaster { frequency: *frequency, modes })
+    Err(StudyError::NoMaster { frequency: *frequency, modes, kind })
 }
 
 /// The start of a state, and whether it lies within the range.
@@ -331,14 +331,19 @@ impl AboutSpin<'_> {
     fn reason(&self) -> Option<String> {
         let percent = significant(100.0 * self.range.share, 1);
         let fails = "The reduced equations about the spin DO NOT HOLD";
+        let kind = self.study.model.kind;
+        let nutation = kind.nutation();
         if let Some((name, decay_rate)) = self.manifold.unstable() {
-            return Some(format!("{fails}: the steady spin is unstable, {}.", growth(name, decay_rate)));
+            return Some(format!(
+                "{fails}: the steady spin is unstable, {}.",
+                growth(kind.mode_name(name), decay_rate)
+            ));
         }
         if self.range.amplitude <= 0.0 {
             let near = self.manifold.near_resonances().first().map_or_else(String::new, |(_, mode)| {
                 format!(", with {} in resonance: follow its mode too", mode.name)
             });
-            return Some(format!("{fails} at any nutation within {percent} %{near}."));
+            return Some(format!("{fails} at any {nutation} within {percent} %{near}."));
         }
         let outside = self.start.as_ref().filter(|start| !start.within);
         if let Some(start) = outside {
@@ -351,7 +356,7 @@ impl AboutSpin<'_> {
                 ));
             }
             return Some(format!(
-                "{fails} at the start: its nutation is {} degrees, and at degree {} they hold to {held} degrees within {percent} %.",
+                "{fails} at the start: its {nutation} is {} degrees, and at degree {} they hold to {held} degrees within {percent} %.",
                 degrees(start.nutation),
                 self.manifold.degree()
             ));
@@ -365,7 +370,8 @@ impl AboutSpin<'_> {
         self.reason().unwrap_or_else(|| {
             let at_least = if self.range.beyond { "at least " } else { "" };
             format!(
-                "The reduced equations about the spin hold to a nutation of {at_least}{} degrees within {} % at degree {}.",
+                "The reduced equations about the spin hold to a {} of {at_least}{} degrees within {} % at degree {}.",
+                self.study.model.kind.nutation(),
                 significant(self.range.nutation.to_degrees(), 3),
                 significant(100.0 * self.range.share, 1),
                 self.manifold.degree()

@@ -79,7 +79,9 @@ impl AboutSpin<'_> {
             writeln!(out, "  largest displacement {}: {}", coordinate.name, significant(*q, 3))?;
         }
         if let Some(start) = &self.start {
-            writeln!(out, "  nutation of the start {} degrees", significant(start.nutation.to_degrees(), 3))?;
+            let (noun, angle) =
+                (self.study.model.kind.nutation(), significant(start.nutation.to_degrees(), 3));
+            writeln!(out, "  {noun} of the start {angle} degrees")?;
         }
         Ok(())
     }
@@ -92,7 +94,7 @@ impl AboutSpin<'_> {
         let heading = format!("Masters, degree {}, {style}", self.manifold.degree());
         writeln!(out, "\n{heading:<42} {:>14} {:>12}", "e-fold", "rad/s")?;
         for (k, master) in self.manifold.masters.iter().enumerate() {
-            let name = format!("z{} {}", k + 1, master.name);
+            let name = format!("z{} {}", k + 1, self.study.model.kind.mode_name(&master.name));
             writeln!(
                 out,
                 "  {name:<40} {:>14} {:>12}",
@@ -104,7 +106,8 @@ impl AboutSpin<'_> {
     }
 
     fn write_backbone(&self, out: &mut String) -> fmt::Result {
-        writeln!(out, "\nBackbone: the nutation by its amplitude, other masters at rest")?;
+        let nutation = self.study.model.kind.nutation();
+        writeln!(out, "\nBackbone: the {nutation} by its amplitude, other masters at rest")?;
         writeln!(
             out,
             "  {:>10} {:>10} {:>16} {:>12} {:>12} {:>10}",
@@ -127,7 +130,7 @@ impl AboutSpin<'_> {
         inner.iter().step_by(WITHIN / BACKBONE_ROWS).try_for_each(|point| row(out, point))?;
         for (place, point) in [("small", &inner[1]), ("the widest", &inner[WITHIN])] {
             if let Some(words) = dissipation(&shares(&point.power)) {
-                writeln!(out, "{}", paragraph(&format!("at {place} nutation {words}"), "  ", "    "))?;
+                writeln!(out, "{}", paragraph(&format!("at {place} {nutation} {words}"), "  ", "    "))?;
             }
         }
         Ok(())
@@ -171,7 +174,8 @@ impl AboutSpin<'_> {
         }
         words.extend(self.crossed.iter().take(LISTED).map(|crossed| {
             format!(
-                "at a nutation of {} degrees harmonic {} meets {}, {} rad/s, which may be captured: follow its mode too",
+                "at a {} of {} degrees harmonic {} meets {}, {} rad/s, which may be captured: follow its mode too",
+                self.study.model.kind.nutation(),
                 significant(crossed.nutation.to_degrees(), 3),
                 crossed.harmonic,
                 crossed.name,

@@ -3,6 +3,7 @@
 use std::fmt::{self, Write};
 
 use quasirigid::verification::{SpinVerification, VerificationError, verify_about_spin};
+use quasirigid_io::model::BodyKind;
 use quasirigid_io::visible::one_line;
 use serde_json::{Value, json};
 
@@ -62,20 +63,21 @@ pub fn verification_json(found: &SpinVerification) -> Value {
 
 /// The differences and their orders, for a terminal of 80 columns.
 #[must_use]
-pub fn verification_text(name: &str, found: &SpinVerification) -> String {
+pub fn verification_text(name: &str, kind: BodyKind, found: &SpinVerification) -> String {
     let mut text = String::new();
-    write(&mut text, &one_line(name), found).expect("a string takes any text");
+    write(&mut text, &one_line(name), kind, found).expect("a string takes any text");
     text
 }
 
 /// Columns that fit a terminal.
 const COLUMNS: usize = 5;
 
-fn write(out: &mut String, name: &str, found: &SpinVerification) -> fmt::Result {
+fn write(out: &mut String, name: &str, kind: BodyKind, found: &SpinVerification) -> fmt::Result {
     let title = format!(
         "{name}: the full system against the reduced equations about the spin over {}, from points of the spin manifold at \
-         nutations of {} degrees and its halves.",
+         {}s of {} degrees and its halves.",
         time(found.duration),
+        kind.nutation(),
         significant(found.amplitudes[0].to_degrees(), 3)
     );
     writeln!(out, "{}", paragraph(&title, "", "  "))?;

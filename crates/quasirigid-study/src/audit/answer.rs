@@ -53,6 +53,9 @@ pub struct Audit {
     pub attitude: Option<AttitudeObject>,
     /// Order of the integrator, of several histories.
     pub order: Option<OrderObject>,
+    /// Noun of the angle, for people.
+    #[serde(skip)]
+    pub(super) nutation: &'static str,
     /// Name of the file.
     pub file: String,
     /// Number of rows.

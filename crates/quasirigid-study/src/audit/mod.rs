@@ -24,6 +24,7 @@ use std::path::{Path, PathBuf};
 
 use quasirigid::model::Inertia;
 use quasirigid_io::history_file::{identity, read_history};
+use quasirigid_io::model::BodyKind;
 use quasirigid_io::record::{InputsRecord, ValueRecord};
 use quasirigid_math::sym3::Sym;
 use serde_json::json;
@@ -48,6 +49,17 @@ pub enum AuditBody<'a> {
     Inertia(Inertia),
     /// Body of a model, in its axes.
     Model(&'a Study),
+}
+
+impl AuditBody<'_> {
+    /// Noun of the angle: that of the kind of a model; of a simulator's rigid body, wobble.
+    fn nutation(self) -> &'static str {
+        match self {
+            Self::Model(study) => study.model.kind,
+            Self::Inertia(_) => BodyKind::SmallBody,
+        }
+        .nutation()
+    }
 }
 
 /// Limits that a history is held to.
@@ -91,13 +103,14 @@ pub fn audit(files: &[PathBuf], body: AuditBody<'_>, asked: &AuditSettings) -> R
     };
     let limits = Limits { drift: asked.limit, time_constant: asked.min_time_constant };
     let order = if files.len() > 1 || !asked.steps.is_empty() {
-        Some(order_of(files, &rigid, asked, limits)?)
+        Some(order_of(files, &rigid, asked, (limits, body.nutation()))?)
     } else {
         None
     };
     let inputs = inputs(files, body)?;
     let (measured, drift) = (&measured, &drift);
-    Ok(answered(&Found { file, measured, drift, body: &rigid, model: model.as_ref(), limits }, order, inputs))
+    let (model, nutation) = (model.as_ref(), body.nutation());
+    Ok(answered(&Found { file, measured, drift, body: &rigid, model, nutation, limits }, order, inputs))
 }
 
 fn read(file: &Path, rigid: &Rigid) -> Result<Measured, AuditError> {
@@ -125,7 +138,7 @@ fn order_of(
     files: &[PathBuf],
     rigid: &Rigid,
     asked: &AuditSettings,
-    limits: Limits,
+    (limits, nutation): (Limits, &str),
 ) -> Result<OrderObject, AuditError> {
     if !asked.steps.is_empty() && asked.steps.len() != files.len() || files.len() < 2 {
         let problem = format!(
@@ -140,7 +153,7 @@ fn order_of(
         let drift = Drift::of(&measured, rigid);
         Ok(Run::of(&measured, &drift, asked.steps.get(k).copied()))
     });
-    order(&runs.collect::<Result<Vec<_>, AuditError>>()?, limits)
+    order(&runs.collect::<Result<Vec<_>, AuditError>>()?, limits, nutation)
 }
 
 /// What an audit found.
@@ -150,13 +163,15 @@ struct Found<'a> {
     drift: &'a Drift,
     body: &'a Rigid,
     model: Option<&'a OfModel>,
+    nutation: &'static str,
     limits: Limits,
 }
 
 fn answered(found: &Found<'_>, order: Option<OrderObject>, inputs: InputsRecord) -> Audit {
     let Found { file, measured, drift, body, model, .. } = found;
     let explained = Explained::of(drift, *model);
-    let told = Told { measured, body, drift, model: *model, left: explained.left, alone: order.is_none() };
+    let (left, nutation, alone) = (explained.left, found.nutation, order.is_none());
+    let told = Told { measured, body, drift, model: *model, left, nutation, alone };
     let trend = drift.wobble_trend.as_ref().filter(|trend| trend.is_seen());
     let attitude =
         measured.attitude.zip(measured.direction(body)).map(|(found, [last, largest])| AttitudeObject {
@@ -206,6 +221,7 @@ fn answered(found: &Found<'_>, order: Option<OrderObject>, inputs: InputsRecord)
         units: UnitsObject::of(measured),
         attitude,
         order,
+        nutation,
         file: file.file_name().unwrap_or(file.as_os_str()).to_string_lossy().into_owned(),
         rows: t.len(),
         duration: t[t.len() - 1] - t[0],

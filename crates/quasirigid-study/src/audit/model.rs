@@ -39,8 +39,9 @@ pub fn of_model(study: &Study, body: &Rigid, measured: &Measured, drift: &Drift)
     match nutation {
         Some(mode) if mode.neutral => OfModel::Rate(0.0),
         Some(mode) => OfModel::Rate(mode.decay_rate),
-        None => OfModel::Unknown(
-            found.unfound().map_or_else(|| "its steady spin has no nutation".to_owned(), str::to_owned),
-        ),
+        None => OfModel::Unknown(found.unfound().map_or_else(
+            || format!("its steady spin has no {}", study.model.kind.nutation()),
+            str::to_owned,
+        )),
     }
 }

@@ -63,7 +63,7 @@ impl Run {
 }
 
 /// The order that several runs show.
-pub fn order(runs: &[Run], limits: Limits) -> Result<OrderObject, AuditError> {
+pub fn order(runs: &[Run], limits: Limits, nutation: &str) -> Result<OrderObject, AuditError> {
     let steps: Vec<f64> = runs.iter().map(|run| run.step).collect();
     let refuse = |problem: String| Err(AuditError::Steps { problem });
     let first = &runs[0];
@@ -98,7 +98,7 @@ pub fn order(runs: &[Run], limits: Limits) -> Result<OrderObject, AuditError> {
         let by_time = limits.time_constant.and_then(|least| Some(of(run.rate? * least)));
         by_drift.into_iter().chain(by_time).reduce(f64::min)
     });
-    let sentence = words(order, by_rate, enough);
+    let sentence = words(order, by_rate.then_some(nutation), enough);
     Ok(OrderObject { order, steps, drifts: drifts.unwrap_or_default(), enough_step: enough, sentence })
 }
 
@@ -111,12 +111,15 @@ fn slope(steps: &[f64], drifts: &[f64]) -> f64 {
     both / x.iter().map(|x| (x - mean_x).powi(2)).sum::<f64>()
 }
 
-fn words(order: Option<f64>, by_rate: bool, enough: Option<f64>) -> String {
+fn words(order: Option<f64>, by_rate_of: Option<&str>, enough: Option<f64>) -> String {
     let Some(order) = order else {
         return "The order of the integrator does not show: a history has no drift above its digits."
             .to_owned();
     };
-    let what = if by_rate { "invented rate of the wobble" } else { "change of the energy" };
+    let what = by_rate_of.map_or_else(
+        || "change of the energy".to_owned(),
+        |nutation| format!("invented rate of the {nutation}"),
+    );
     let first = format!("The {what} falls with the power {} of the step", significant(order, 3));
     match enough {
         Some(step) => format!("{first}; a step of {} s would keep the limit.", significant(step, 3)),

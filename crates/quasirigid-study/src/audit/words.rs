@@ -13,7 +13,7 @@ use super::rigid::Rigid;
 use crate::layout::paragraph;
 use crate::words::{significant, time};
 
-/// Wobble (rad) above which the time constant of a small one is only the trend of its amplitude.
+/// Nutation (rad) above which the time constant of a small one is only the trend of its amplitude.
 const LARGE: f64 = 0.35;
 /// Misfit of Euler's equations from which the history is told not to be one of this body.
 pub const ROUGH: f64 = 0.1;
@@ -38,6 +38,8 @@ pub struct Told<'a> {
     pub model: Option<&'a OfModel>,
     /// Rate (1/s) that nothing explains.
     pub left: Option<f64>,
+    /// Noun of the angle.
+    pub nutation: &'static str,
     /// Whether the history is the only one.
     pub alone: bool,
 }
@@ -90,7 +92,8 @@ impl Told<'_> {
             let beyond =
                 if self.explains() { " beyond what the model explains" } else { ", which no rigid body has" };
             return format!(
-                "The history INVENTS {what}: the wobble about {axis} {fate} e-fold in {}{beyond}.",
+                "The history INVENTS {what}: the {} about {axis} {fate} e-fold in {}{beyond}.",
+                self.nutation,
                 time(rate.abs().recip())
             );
         }
@@ -127,29 +130,29 @@ impl Told<'_> {
 
     /// Why there is no time constant.
     fn without_constant(&self, axis: &str) -> String {
-        let drift = self.drift;
+        let (drift, nutation) = (self.drift, self.nutation);
         if !self.body.wobbles() {
-            return "a body of three equal moments has no wobble.".to_owned();
+            return format!("a body of three equal moments has no {nutation}.");
         }
         if !drift.has_wobble {
-            return format!("there is no wobble above {} that could decay.", self.floor());
+            return format!("there is no {nutation} above {} that could decay.", self.floor());
         }
         if let Some(at) = drift.crossing {
             return format!(
-                "the motion crosses the separatrix at {} s, so that its wobble has no time constant.",
+                "the motion crosses the separatrix at {} s, so that its {nutation} has no time constant.",
                 significant(at, 6)
             );
         }
         if drift.short {
             return format!(
-                "in {} revolutions, less than a period of the wobble, no trend can be told from an oscillation.",
+                "in {} revolutions, less than a period of the {nutation}, no trend can be told from an oscillation.",
                 significant(drift.turns, 2)
             );
         }
         if self.explains() && time_constant(drift.wobble_trend.as_ref()).is_some() {
-            return format!("the model explains the trend of the wobble about {axis}.");
+            return format!("the model explains the trend of the {nutation} about {axis}.");
         }
-        format!("the wobble about {axis} has no trend above {}.", self.floor())
+        format!("the {nutation} about {axis} has no trend above {}.", self.floor())
     }
 
     /// What a change has to exceed.
@@ -184,7 +187,8 @@ impl Told<'_> {
             }
             (OfModel::Rate(0.0), _) => Some("The model has no dissipation.".to_owned()),
             (OfModel::Rate(rate), Some(seen)) => Some(format!(
-                "The wobble has the time constant {} in the history and {} in the model, which explains {} % of the rate.",
+                "The {} has the time constant {} in the history and {} in the model, which explains {} % of the rate.",
+                self.nutation,
                 signed(seen),
                 signed(rate.recip()),
                 significant(100.0 * rate * seen, 3)
@@ -235,8 +239,9 @@ impl Told<'_> {
         if let (Some([from, to]), Some(_)) = (self.drift.wobble(), self.left)
             && from.max(to) > LARGE
         {
+            let nutation = self.nutation;
             notes.push(format!(
-                "the wobble is large, {} degrees: the time constant is the trend of its amplitude, not that of a small wobble",
+                "the {nutation} is large, {} degrees: the time constant is the trend of its amplitude, not that of a small {nutation}",
                 significant(from.max(to).to_degrees(), 3)
             ));
         }
@@ -312,7 +317,7 @@ impl Audit {
         writeln!(
             out,
             "\n  {:>12} {:>12} {:>10} {:>14} {:>14}",
-            "from (s)", "to (s)", "wobble", "power (1/s)", "e-fold"
+            "from (s)", "to (s)", self.nutation, "power (1/s)", "e-fold"
         )?;
         for interval in &self.dissipation {
             let [from, to] = interval.interval.map(|t| significant(t, 6));

@@ -12,7 +12,7 @@ use quasirigid::modes::{CantileverError, EquilibriumError, LinearError, Truncati
 use quasirigid::reduction::{ReductionError, ValidityError};
 use quasirigid::submanifold::{ExpansionError, SubmanifoldError};
 use quasirigid::verification::VerificationError;
-use quasirigid_io::model::{ChangeError, ModelError};
+use quasirigid_io::model::{BodyKind, ChangeError, ModelError};
 use quasirigid_io::record::RecordError;
 use quasirigid_math::eigen::NoConvergence;
 use quasirigid_math::memory::TooMuchMemory;
@@ -227,23 +227,23 @@ pub enum StudyError {
         /// Principal moments (kg·m²), ascending.
         moments: [f64; 3],
     },
-    /// A wobble that the body does not have.
+    /// A nutation that the body does not have.
     NoWobble {
         /// File of the model.
         file: PathBuf,
         /// Cause.
         cause: NoWobble,
     },
-    /// A wobble, or periods, of a body that owes its axis to the bulge of its spin.
+    /// A nutation, or periods, of a body that owes its axis to the bulge of its spin.
     Turned {
         /// File of the model.
         file: PathBuf,
         /// The moments with and without the spin.
         cause: Box<Turned>,
     },
-    /// A wobble whose angle is out of range.
+    /// A nutation whose angle is out of range.
     Nutation {
-        /// Angle of the wobble (rad).
+        /// Angle (rad).
         angle: f64,
     },
     /// A rotation that no rigid body makes.
@@ -296,12 +296,14 @@ pub enum StudyError {
         /// Angular velocity (rad/s) up to which the torque holds.
         fastest: f64,
     },
-    /// A target of more wobble than the start has.
+    /// A target of more nutation than the start has.
     Calmer {
-        /// Wobble at the start (rad).
+        /// Nutation at the start (rad).
         from: f64,
         /// Target (rad).
         to: f64,
+        /// Kind of the body.
+        kind: BodyKind,
     },
     /// A driven pole.
     DrivenPole,
@@ -325,7 +327,10 @@ pub enum StudyError {
         names: Vec<String>,
     },
     /// Reduced equations about the axis of middle inertia.
-    MiddleAxis,
+    MiddleAxis {
+        /// Kind of the body.
+        kind: BodyKind,
+    },
     /// Events in a history by the reduced equations about a spin.
     EventsAboutSpin,
     /// A steady spin that displaces a part beyond the range of its paths.
@@ -339,6 +344,8 @@ pub enum StudyError {
         frequency: f64,
         /// Names and frequencies (rad/s) of the modes, nearest first.
         modes: Vec<(String, f64)>,
+        /// Kind of the body.
+        kind: BodyKind,
     },
     /// A file that cannot be written.
     Write {

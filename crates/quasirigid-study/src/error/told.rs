@@ -43,7 +43,7 @@ impl StudyError {
             ),
             Self::Observed { file, cause } => format!("{}: [initial] periods: {cause}", file.display()),
             Self::Turned { file, cause } => format!("{}: [initial]: {cause}", file.display()),
-            Self::NoWobble { file, cause } => format!("{}: [initial] wobble: {cause}", file.display()),
+            Self::NoWobble { file, cause } => format!("{}: [initial] `wobble`: {cause}", file.display()),
             Self::NoStart(cause) => format!(
                 "the start: {cause}; there is no slow manifold at this spin; give [initial] displacements = \"rest\", or numbers"
             ),
@@ -107,7 +107,7 @@ impl StudyError {
                 name(Setting::System)
             ),
             Self::Nutation { angle } => format!(
-                "the wobble must lie between 0 and 90 degrees, not {}",
+                "the angle of nutation (wobble) must lie between 0 and 90 degrees, not {}",
                 significant(angle.to_degrees(), 6)
             ),
             Self::Extreme { cause } => format!("at one end of the ranges of the materials: {cause}"),
@@ -140,8 +140,9 @@ impl StudyError {
                     name(Setting::System)
                 )
             }
-            Self::MiddleAxis => format!(
-                "a spin about the axis of middle inertia has no nutation to follow; take {} least or greatest",
+            Self::MiddleAxis { kind } => format!(
+                "a spin about the axis of middle inertia has no {} to follow; take {} least or greatest",
+                kind.nutation(),
                 name(Setting::Axis)
             ),
             Self::EventsAboutSpin => format!(
@@ -152,7 +153,7 @@ impl StudyError {
                 "no reduced equations about the spin, since in the steady spin {}",
                 what.trim_end_matches(',')
             ),
-            Self::NoMaster { frequency, modes } => {
+            Self::NoMaster { frequency, modes, kind } => {
                 let list = modes.iter().take(LISTED_MODES);
                 let list = list.map(|(name, frequency)| format!("{name} {}", significant(*frequency, 5)));
                 let list = list.collect::<Vec<_>>().join(", ");
@@ -162,7 +163,8 @@ impl StudyError {
                     format!("the next are {list}")
                 };
                 format!(
-                    "no mode about this spin beside the nutation has a frequency near {} rad/s; {known}",
+                    "no mode about this spin beside the {} has a frequency near {} rad/s; {known}",
+                    kind.nutation(),
                     significant(*frequency, 5)
                 )
             }
@@ -209,10 +211,10 @@ impl StudyError {
                 "no rotation of this body has D/I3 = {ratio}: it lies between {least:.6}, a spin about the axis of least inertia, and 1, one about that of greatest, and both limits are steady spins"
             ),
             Self::Steady => format!(
-                "the body starts in a steady spin, from which nothing evolves by itself; if it is unstable, as `modes` tells, the least wobble grows: give [initial] a wobble, or choose another start with {from}"
+                "the body starts in a steady spin, from which nothing evolves by itself; if it is unstable, as `modes` tells, the least disturbance grows: give [initial] `wobble`, or choose another start with {from}"
             ),
             Self::EqualMoments { moment } => format!(
-                "the three principal moments of this body are equal, {} kg m^2: every spin is steady, and there is no wobble to follow",
+                "the three principal moments of this body are equal, {} kg m^2: every spin is steady, and there is nothing to follow",
                 significant(*moment, 6)
             ),
             Self::NoAxes { moment } => format!(
@@ -249,15 +251,16 @@ impl StudyError {
                 "the energy of the rotation is beyond the range of numbers; give [initial] a slower spin".into()
             }
             Self::NoShortAxis { moments: [_, middle, greatest] } => format!(
-                "this body has no axis of greatest inertia from which a wobble could be measured: its two greatest moments are equal, {} and {} kg m^2; say how far to go by D/I3, such as {until} 0.9",
+                "this body has no axis of greatest inertia from which an angle could be measured: its two greatest moments are equal, {} and {} kg m^2; say how far to go by D/I3, such as {until} 0.9",
                 significant(*middle, 6),
                 significant(*greatest, 6)
             ),
             Self::Backwards { from: start, to } => format!(
                 "dissipation only raises D/I3, and the target {to} lies below the start, {start}; choose a higher one with {until}, or an earlier start with {from}"
             ),
-            Self::Calmer { from: start, to } => format!(
-                "dissipation only lowers the wobble, and that at the start, {} degrees, is smaller than the target, {} degrees; choose a smaller one with {until}, or an earlier start with {from}",
+            Self::Calmer { from: start, to, kind } => format!(
+                "dissipation only lowers the {}, and that at the start, {} degrees, is smaller than the target, {} degrees; choose a smaller one with {until}, or an earlier start with {from}",
+                kind.nutation(),
                 significant(start.to_degrees(), 3),
                 significant(to.to_degrees(), 3)
             ),

@@ -9,7 +9,7 @@ use quasirigid_io::model::Target;
 use crate::error::StudyError;
 use crate::settings::EvolveSettings;
 
-/// Share of the wobble's energy that is left at the end of an evolution without a target.
+/// Share of the nutation's energy that is left at the end of an evolution without a target.
 pub const LEFT: f64 = 0.01;
 
 /// Rotation state of a target, for a body whose moments of inertia (kg·m²) are given.
@@ -42,7 +42,10 @@ pub fn end(
     let [start, end] = [from, target].map(|state| evolution.ratio(state));
     if end < start {
         return Err(match asked.until {
-            Some(Target::Wobble(to)) => StudyError::Calmer { from: evolution.motion(from).nutation()[1], to },
+            Some(Target::Wobble(to)) => {
+                let from = evolution.motion(from).nutation()[1];
+                StudyError::Calmer { from, to, kind: asked.kind }
+            }
             _ => StudyError::Backwards { from: start, to: end },
         });
     }

@@ -2,7 +2,7 @@ use quasirigid::averaging::{FreeRotation, PolynomialPower, PowerSource, Response
 use quasirigid::dynamics::Start;
 use quasirigid::model::{FlexibleBody, Principal, ReducedBody};
 use quasirigid::secular::choice::AveragePowers;
-use quasirigid_io::model::Power;
+use quasirigid_io::model::{BodyKind, Power};
 use quasirigid_math::rotation::to_inertial;
 use quasirigid_math::vec3::{norm, scale};
 
@@ -21,6 +21,8 @@ pub struct Inputs {
     pub direction: [f64; 3],
     /// What the spin makes of a body that was observed in rotation.
     pub observed: Option<Observed>,
+    /// Kind of the body, for the words.
+    pub kind: BodyKind,
     /// Order of the reduced equations.
     pub order: usize,
     /// Whether a material loses energy by a law that the polynomial leaves out.
@@ -56,6 +58,7 @@ impl Inputs {
             principal,
             direction: scale(1.0 / norm(K), to_inertial(start.attitude, K)),
             observed: None,
+            kind: BodyKind::default(),
             order: reduced.order,
             viscoelastic: !body.viscoelastic().is_empty(),
             measured: measured.collect(),

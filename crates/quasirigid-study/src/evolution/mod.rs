@@ -99,7 +99,7 @@ impl Study {
         let elsewhere = EvolveSettings::resolve(asked.clone(), self)?.start.is_some();
         let mut evolved = self.evolve_from(self.initial()?, asked, watch)?;
         if let (Some(Rotation::Wobble { angle, .. }), false) = (self.model.initial.rotation, elsewhere) {
-            evolved.notes.extend(words::other_wobble(angle, &evolved.record));
+            evolved.notes.extend(words::other_nutation(angle, self.model.kind, &evolved.record));
         }
         Ok(evolved)
     }
@@ -153,11 +153,12 @@ pub(crate) fn follow(
     let slaved = slaved_order(study, *order, start.omega)?;
     let state = study.reduced(slaved)?;
     let inputs = Inputs::new(body, [&reduced, &state], start, asked.power)?;
-    let inputs = Inputs { observed: study.observed, ..inputs };
+    let inputs = Inputs { observed: study.observed, kind: model.kind, ..inputs };
     eddy::check(&torque, &inputs)?;
     let flow = flowing(&inputs.powers.response, &inputs.initial);
     if let (Some(message), true) = (&flow, asked.method != Some(EvolveMethod::Average)) {
-        let record = record::refused_from(&inputs.initial, &Reason::NoSolid(message.clone()), None);
+        let record =
+            record::refused_from(&inputs.initial, &Reason::NoSolid(message.clone()), None, model.kind);
         return Ok(Evolved { record, notes: Vec::new() });
     }
     let mut outlook = Outlook::new(observer, asked.method.is_some());
@@ -170,11 +171,11 @@ pub(crate) fn follow(
         Ok(chosen) => chosen,
         Err(not_followed) => {
             let NotFollowed { stop, initial, rates } = *not_followed;
-            let record = record::refused_from(&initial, &outlook.reason(stop)?, rates);
+            let record = record::refused_from(&initial, &outlook.reason(stop)?, rates, model.kind);
             return Ok(Evolved { record, notes: Vec::new() });
         }
     };
-    let verdict = Verdict::of(&chosen.followed);
+    let verdict = Verdict::of(&chosen.followed, model.kind);
     let answer = Answer::new(&inputs, body, chosen);
     let mut watch = |share: f64| outlook.observe(share);
     let evolution = answer.evolution();
@@ -283,7 +284,7 @@ fn homogeneous(Study { model, body, .. }: &Study) -> Option<HomogeneousRecord> {
     Some(HomogeneousRecord { mass, radius, density, shear: material.shear(), quality })
 }
 
-/// Published estimates of the time in which the wobble is damped, at a spin (rad/s) about the axis of greatest inertia.
+/// Published estimates of the time in which the nutation is damped, at a spin (rad/s) about the axis of greatest inertia.
 fn estimates(study: &Study, spin: f64) -> Vec<EstimateRecord> {
     let Some(HomogeneousRecord { mass, density, shear, quality: Some(quality), .. }) = homogeneous(study)
     else {

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use quasirigid::averaging::{Evolution, FreeRotation, MeanPower, RotationState};
 use quasirigid::model::Mode;
+use quasirigid_io::model::BodyKind;
 use quasirigid_io::record::{Column, CrossingRecord, EvolutionRecord, HarmonicRecord, ObservedRecord};
 
 use super::answer::{Answer, modal_folding};
@@ -79,10 +80,15 @@ pub fn refused(
 }
 
 /// Record of a body without momentum wheels that no method leads along, from a rotation of it.
-pub fn refused_from(initial: &FreeRotation, reason: &Reason, rates: Option<Rates>) -> EvolutionRecord {
+pub fn refused_from(
+    initial: &FreeRotation,
+    reason: &Reason,
+    rates: Option<Rates>,
+    kind: BodyKind,
+) -> EvolutionRecord {
     let times = [Mode::ShortAxis, Mode::LongAxis].map(|mode| modal_folding(rates, mode).unwrap_or(f64::NAN));
     let blank = blank(initial.angular_momentum(), mode(initial.mode()));
-    refused(&refusals::text(reason, false), times, blank)
+    refused(&refusals::text(reason, kind, false), times, blank)
 }
 
 impl Answer<'_> {
@@ -115,7 +121,7 @@ impl Answer<'_> {
         let [ratio_start, ratio_end] = [of_levels(&start, from), of_levels(&end, to)];
         let mut record = EvolutionRecord {
             road: road(self.method).into(),
-            method: source_of_power(self.method, self.source, self.inputs.order),
+            method: source_of_power(self.method, self.source, self.inputs.order, asked.kind),
             status: if verdict.fails { "does-not-hold" } else { rows.status }.into(),
             message: if verdict.fails { verdict.sentence.clone() } else { words::message(rows, asked, ages) },
             verdict: verdict.sentence,
@@ -150,10 +156,10 @@ impl Answer<'_> {
             columns,
             ..blank(self.initial.angular_momentum(), mode(from.mode))
         };
-        record.sentence = words::sentence(&record, rows.drift.as_ref());
+        record.sentence = words::sentence(&record, rows.drift.as_ref(), asked.kind);
         let takes = |motion: FreeRotation| self.inputs.powers.response.mean_power(&motion) > 0.0;
         if !ages && self.by_polynomial() && takes(evolution.motion(from)) {
-            record.sentence = words::lossless(self.inputs.order);
+            record.sentence = words::lossless(self.inputs.order, asked.kind);
         }
         record.with_unknown_named()
     }

@@ -4,15 +4,15 @@ use quasirigid::averaging::Way;
 use quasirigid::model::Mode;
 use quasirigid::secular::choice::{self, Instability, Work};
 use quasirigid::secular::{AverageCriteria, DirectStopReason};
-use quasirigid_io::model::{EvolveMethod, Named};
+use quasirigid_io::model::{BodyKind, EvolveMethod, Named};
 use quasirigid_math::vec3::{norm, scale};
 
 use super::reason::Reason;
 use crate::liquids::unknown;
 use crate::words::{growth, significant, time};
 
-/// Reason in words, without a full stop, for a body with momentum wheels or without.
-pub fn text(reason: &Reason, wheels: bool) -> String {
+/// Reason in words, without a full stop, for a body of a kind, with momentum wheels or without.
+pub fn text(reason: &Reason, kind: BodyKind, wheels: bool) -> String {
     match reason {
         Reason::NoSolid(words) => words.clone(),
         Reason::ChangingWheel => {
@@ -25,14 +25,17 @@ pub fn text(reason: &Reason, wheels: bool) -> String {
              method that is asked for has no limit",
             time(*seconds)
         ),
-        Reason::Choice(reason) => of_choice(reason, wheels),
-        Reason::AfterLevels(reasons) => reasons.each_ref().map(|reason| of_choice(reason, wheels)).join("; "),
+        Reason::Choice(reason) => of_choice(reason, kind, wheels),
+        Reason::AfterLevels(reasons) => {
+            reasons.each_ref().map(|reason| of_choice(reason, kind, wheels)).join("; ")
+        }
     }
 }
 
 /// Reason of the choice in words.
-fn of_choice(reason: &choice::Reason, wheels: bool) -> String {
+fn of_choice(reason: &choice::Reason, kind: BodyKind, wheels: bool) -> String {
     use choice::Reason;
+    let nutation = kind.nutation();
     match reason {
         Reason::Equilibrium(error) => error.to_string(),
         Reason::Modes(error) => {
@@ -42,34 +45,34 @@ fn of_choice(reason: &choice::Reason, wheels: bool) -> String {
             "no steady spin of least energy was found: a spring may be too soft for the centrifugal load"
                 .into()
         }
-        Reason::Unstable(instability) => unstable(instability),
+        Reason::Unstable(instability) => unstable(instability, kind),
         Reason::UnknownLiquidResponse(liquids) => unknown(liquids),
-        Reason::LossesLeftOut { share } => left_out(*share),
-        Reason::AverageFails(criteria) => unfounded(*criteria),
+        Reason::LossesLeftOut { share } => left_out(*share, kind),
+        Reason::AverageFails(criteria) => unfounded(*criteria, kind),
         Reason::NotPrepared => "this method is not one that can be asked for".into(),
         Reason::AverageUnderTorque(criteria) => format!(
             "under a torque the average alone is followed, and it does not hold: {}",
-            unfounded(*criteria)
+            unfounded(*criteria, kind)
         ),
-        Reason::NoModalRate if wheels => "the modes give no rate of a small wobble".into(),
+        Reason::NoModalRate if wheels => format!("the modes give no rate of a small {nutation}"),
         Reason::NoModalRate => {
-            "the modes about the steady spins give no rate at which a small wobble changes".into()
+            format!("the modes about the steady spins give no rate at which a small {nutation} changes")
         }
         Reason::TooWideForModes { error, wobble } => format!(
-            "the average is off by {} % at the axis, where the linear modes hold, and the wobble of {} degrees \
+            "the average is off by {} % at the axis, where the linear modes hold, and the {nutation} of {} degrees \
              is too wide for them",
             significant(100.0 * error, 2),
             degrees(*wobble)
         ),
         Reason::TooWideForLiquids { wobble } => format!(
-            "the response of a spinning liquid is known for small wobbles, and {}",
+            "the response of a spinning liquid is known for small {nutation}s, and {}",
             match wobble {
                 Some(wobble) => format!("one of {} degrees is too wide for it", degrees(*wobble)),
-                None => "the way to the end leads through the separatrix, where the wobble is 90 degrees".into(),
+                None => format!("the way to the end leads through the separatrix, where the {nutation} is 90 degrees"),
             }
         ),
         Reason::TooWideForNutation { widest } => format!(
-            "the rates of the modes, which include every loss of this body, hold for wobbles below {} degrees",
+            "the rates of the modes, which include every loss of this body, hold for {nutation}s below {} degrees",
             significant(widest.to_degrees(), 2)
         ),
         Reason::RatioOfLevels => {
@@ -98,10 +101,10 @@ fn of_choice(reason: &choice::Reason, wheels: bool) -> String {
             "the reduced equations about a spin do not reach from one pole to the other".into()
         }
         Reason::BeyondManifold { .. } if wheels => {
-            "the reduced equations about the steady spin do not hold at this wobble".into()
+            format!("the reduced equations about the steady spin do not hold at this {nutation}")
         }
         Reason::BeyondManifold { wobble } => format!(
-            "the reduced equations about the spin do not hold at the nutation of the start, {} degrees, or the \
+            "the reduced equations about the spin do not hold at the {nutation} of the start, {} degrees, or the \
              start is too far off them",
             degrees(*wobble)
         ),
@@ -115,7 +118,7 @@ fn of_choice(reason: &choice::Reason, wheels: bool) -> String {
         Reason::ShortRunsWithWheels => "periodic motions and short runs cannot measure the power of a body with momentum wheels".into(),
         Reason::WithinRevolution { t } => format!(
             "the energy of the full system falls to the target within {}, less than a revolution: that is the \
-             transient of the start, not the decay of a wobble; its history in the full system shows it",
+             transient of the start, not the decay of a {nutation}; its history in the full system shows it",
             time(*t)
         ),
         Reason::Unfinished { t, ending, .. } if wheels => {
@@ -126,7 +129,7 @@ fn of_choice(reason: &choice::Reason, wheels: bool) -> String {
             format!("the full system was followed for {} and did not reach the target{failure}", time(*t))
         }
         Reason::Unfinished { t, revolutions, ending, instability } => {
-            let instability = instability.as_ref().map(|found| format!("; {}", unstable(found)));
+            let instability = instability.as_ref().map(|found| format!("; {}", unstable(found, kind)));
             format!(
                 "the full system was followed for {} ({} revolutions) and did not reach the target: {}{}",
                 time(*t),
@@ -136,13 +139,12 @@ fn of_choice(reason: &choice::Reason, wheels: bool) -> String {
             )
         }
         Reason::NothingDissipated => "nothing in the body dissipates: the rotation stays as it is".into(),
-        Reason::UnknownLength if wheels => {
-            "the modes give no rate of a small wobble, so the length of a run of the full system \
+        Reason::UnknownLength if wheels => format!(
+            "the modes give no rate of a small {nutation}, so the length of a run of the full system \
              cannot be estimated"
-                .into()
-        }
+        ),
         Reason::UnknownLength => format!(
-            "at one end the modes give no rate of a small wobble beyond rounding, so the length of a run of the \
+            "at one end the modes give no rate of a small {nutation} beyond rounding, so the length of a run of the \
              full system cannot be estimated; the method {}, asked for, needs no estimate",
             method(Work::History)
         ),
@@ -190,12 +192,14 @@ fn degrees(angle: f64) -> String {
 }
 
 /// Reason why an average does not hold, in words.
-pub fn unfounded(criteria: AverageCriteria) -> String {
+pub fn unfounded(criteria: AverageCriteria, kind: BodyKind) -> String {
+    let nutation = kind.nutation();
     let AverageCriteria { poles, settling, moments, probed, rounding, liquids } = criteria;
     let percent = |share: f64| significant(100.0 * share, 2);
     if liquids >= criteria.error() {
-        return "the wobble is too wide for the response of a spinning liquid, which is known for small ones"
-            .into();
+        return format!(
+            "the {nutation} is too wide for the response of a spinning liquid, which is known for small ones"
+        );
     }
     if rounding >= criteria.error() {
         return "its power is hidden in rounding: two moments of inertia are nearly equal".into();
@@ -211,31 +215,32 @@ pub fn unfounded(criteria: AverageCriteria) -> String {
     }
     if settling > poles {
         return format!(
-            "the wobble changes at {} of the relaxation rate of the internal motion",
+            "the {nutation} changes at {} of the relaxation rate of the internal motion",
             significant(settling, 2)
         );
     }
-    format!("a small wobble changes at a rate that is {} % off that of the linear modes", percent(poles))
+    format!("a small {nutation} changes at a rate that is {} % off that of the linear modes", percent(poles))
 }
 
-fn unstable(Instability { about, name, decay_rate }: &Instability) -> String {
+fn unstable(Instability { about, name, decay_rate }: &Instability, kind: BodyKind) -> String {
     let spin = match about {
         Some(Mode::ShortAxis) => "about the axis of greatest inertia",
         Some(Mode::LongAxis) => "about the axis of least inertia",
         None => "of least energy",
     };
-    format!("the steady spin {spin} is unstable: {}", growth(name, *decay_rate))
+    format!("the steady spin {spin} is unstable: {}", growth(kind.mode_name(name), *decay_rate))
 }
 
-/// Sentence on losses that the equations of motion leave out, as a share of the rate of a small wobble.
-fn left_out(share: f64) -> String {
+/// Sentence on losses that the equations of motion leave out, as a share of the rate of a small nutation.
+fn left_out(share: f64, kind: BodyKind) -> String {
     let why = "the full system has no equations of motion for all that dissipates (materials and liquids whose \
                response is known only in the frequency domain)";
     if !share.is_finite() {
         return format!("{why}, and the modes do not tell their share");
     }
     format!(
-        "{why}: with the losses that it has, the rate of a small wobble is off by {} %",
+        "{why}: with the losses that it has, the rate of a small {} is off by {} %",
+        kind.nutation(),
         significant(100.0 * share, 2)
     )
 }
@@ -283,8 +288,8 @@ mod tests {
             (Reason::Lossless, "nothing is dissipated", "the reduced equations dissipate nothing"),
             (
                 Reason::NoModalRate,
-                "the modes about the steady spins give no rate at which a small wobble changes",
-                "the modes give no rate of a small wobble",
+                "the modes about the steady spins give no rate at which a small nutation changes",
+                "the modes give no rate of a small nutation",
             ),
             (
                 Reason::ManifoldThroughSeparatrix,
@@ -295,13 +300,13 @@ mod tests {
                 Reason::BeyondManifold { wobble: 0.25 },
                 "the reduced equations about the spin do not hold at the nutation of the start, 14.3 degrees, or \
                  the start is too far off them",
-                "the reduced equations about the steady spin do not hold at this wobble",
+                "the reduced equations about the steady spin do not hold at this nutation",
             ),
             (
                 Reason::UnknownLength,
-                "at one end the modes give no rate of a small wobble beyond rounding, so the length of \
+                "at one end the modes give no rate of a small nutation beyond rounding, so the length of \
                  a run of the full system cannot be estimated; the method full, asked for, needs no estimate",
-                "the modes give no rate of a small wobble, so the length of a run of the full \
+                "the modes give no rate of a small nutation, so the length of a run of the full \
                  system cannot be estimated",
             ),
             (
@@ -312,7 +317,10 @@ mod tests {
             ),
         ];
         for (reason, without, with) in rows {
-            assert_eq!([false, true].map(|wheels| of_choice(&reason, wheels)), [without, with]);
+            assert_eq!(
+                [false, true].map(|wheels| of_choice(&reason, BodyKind::Spacecraft, wheels)),
+                [without, with]
+            );
         }
     }
 
@@ -324,9 +332,9 @@ mod tests {
             let tried =
                 vec![(Method::LevelCurves, levels), (Method::SpinManifold, Reason::ManifoldWithoutEnd)];
             let stop = Stop::Refused { reason: Reason::UnknownLength, tried };
-            text(&super::Reason::of(stop).unwrap(), true)
+            text(&super::Reason::of(stop).unwrap(), BodyKind::Spacecraft, true)
         };
-        let last = of_choice(&Reason::UnknownLength, true);
+        let last = of_choice(&Reason::UnknownLength, BodyKind::Spacecraft, true);
         assert_eq!(after(Reason::LevelsFail { error: 0.2 }), last);
         assert_eq!(after(Reason::Lossless), format!("the reduced equations dissipate nothing; {last}"));
     }

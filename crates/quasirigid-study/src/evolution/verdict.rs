@@ -6,13 +6,16 @@ use quasirigid::averaging::PowerSource;
 use quasirigid::model::Mode;
 use quasirigid::secular::choice::{AverageBasis, Followed, Method, Outcome};
 use quasirigid::secular::{ManifoldBoundary, ManifoldHistory, MeasuredBy, MeasuredPower, Places};
+use quasirigid_io::model::BodyKind;
 
 use super::refusals::unfounded;
 use crate::resolution::{NOTHING, known};
 use crate::words::significant;
 
 /// Reason for a history of the full system.
-pub const FOLLOWED: &str = "The full system was followed from start to end; the wobble is its envelope.";
+pub fn followed_fully(kind: BodyKind) -> String {
+    format!("The full system was followed from start to end; the {} is its envelope.", kind.nutation())
+}
 
 /// Least relative error of a time that is stated.
 const LEAST: f64 = 1e-6;
@@ -32,21 +35,23 @@ pub struct Verdict {
 }
 
 impl Verdict {
-    /// Verdict on what was followed.
-    pub fn of(Followed { outcome, error, .. }: &Followed) -> Self {
+    /// Verdict on what was followed of a body of a kind.
+    pub fn of(Followed { outcome, error, .. }: &Followed, kind: BodyKind) -> Self {
+        let nutation = kind.nutation();
         let (sentence, error_source) = match outcome {
             Outcome::Average { basis: AverageBasis::Stiff | AverageBasis::UnderTorque, .. } => {
                 (String::new(), None)
             }
             Outcome::Average { basis: AverageBasis::Fails(criteria), .. } => {
-                (format!("THE AVERAGE DOES NOT HOLD: {}.", unfounded(*criteria)), None)
+                (format!("THE AVERAGE DOES NOT HOLD: {}.", unfounded(*criteria, kind)), None)
             }
             Outcome::Average { basis: AverageBasis::Criteria, .. } | Outcome::SpinningFrame(_) => {
                 ("Averaged along the polhode".into(), Some("the modes about the steady spins"))
             }
             Outcome::ModalRates(_) => (
-                "Averaged at the rates that the modes about the steady spins have; the wobble is small enough for them"
-                    .into(),
+                format!(
+                    "Averaged at the rates that the modes about the steady spins have; the {nutation} is small enough for them"
+                ),
                 Some(""),
             ),
             Outcome::LevelCurves(_) => {
@@ -57,9 +62,9 @@ impl Verdict {
                 );
                 (sentence, error.map(|_| "the modes about the steady spins"))
             }
-            Outcome::SpinManifold(history) => (reduced(history), Some("")),
+            Outcome::SpinManifold(history) => (reduced(history, kind), Some("")),
             Outcome::Measured { power, .. } => (measured(power), Some("")),
-            Outcome::FullSystem(_) => (FOLLOWED.into(), None),
+            Outcome::FullSystem(_) => (followed_fully(kind), None),
         };
         let fails = matches!(outcome, Outcome::Average { basis: AverageBasis::Fails(_), .. });
         Self { sentence, error_source, error: *error, fails }
@@ -133,27 +138,29 @@ pub fn road(method: Method) -> &'static str {
 }
 
 /// Source of the power of a method that follows it from start to end, in words; none of an average.
-pub fn followed_power(method: Method) -> Option<&'static str> {
+pub fn followed_power(method: Method, kind: BodyKind) -> Option<String> {
+    let envelope = |followed: &str| {
+        let nutation = kind.nutation();
+        format!(
+            "{followed} from start to end; the {nutation} is the envelope, that of a rigid body with the same energy"
+        )
+    };
     match method {
-        Method::PeriodicMotions => Some("that of periodic motions of the full system along the way"),
-        Method::MicroRuns => Some("measured by short runs of the full system along the way"),
+        Method::PeriodicMotions => Some("that of periodic motions of the full system along the way".into()),
+        Method::MicroRuns => Some("measured by short runs of the full system along the way".into()),
         Method::LevelCurves => {
-            Some("mean of the power of the reduced equations along level curves of the slow energy")
+            Some("mean of the power of the reduced equations along level curves of the slow energy".into())
         }
-        Method::SpinManifold => Some(
-            "the reduced equations about the spin from start to end; the wobble is the envelope, that of a rigid body with the same energy",
-        ),
-        Method::FullSystem => Some(
-            "the full system from start to end; the wobble is the envelope, that of a rigid body with the same energy",
-        ),
+        Method::SpinManifold => Some(envelope("the reduced equations about the spin")),
+        Method::FullSystem => Some(envelope("the full system")),
         Method::Average(_) | Method::SpinningFrame | Method::ModalRates => None,
     }
 }
 
 /// Source of the power in words; of averages that of the power averaged, from reduced equations of an order.
-pub fn source_of_power(method: Method, source: PowerSource, order: usize) -> String {
-    if let Some(words) = followed_power(method) {
-        return words.into();
+pub fn source_of_power(method: Method, source: PowerSource, order: usize, kind: BodyKind) -> String {
+    if let Some(words) = followed_power(method, kind) {
+        return words;
     }
     match source {
         _ if method == Method::SpinningFrame => {
@@ -170,14 +177,15 @@ pub fn source_of_power(method: Method, source: PowerSource, order: usize) -> Str
 }
 
 /// Reduced equations about a spin that were followed, and their range, in words.
-fn reduced(ManifoldHistory { beside, range, .. }: &ManifoldHistory) -> String {
+fn reduced(ManifoldHistory { beside, range, .. }: &ManifoldHistory, kind: BodyKind) -> String {
     let beside = if beside.is_empty() {
         String::new()
     } else {
         format!(", with the motion of {}", beside.join(" and "))
     };
     format!(
-        "The reduced equations about the spin were followed{beside}; they hold to a nutation of {} degrees",
+        "The reduced equations about the spin were followed{beside}; they hold to a {} of {} degrees",
+        kind.nutation(),
         significant(range.to_degrees(), 3)
     )
 }

@@ -5,6 +5,7 @@ use std::fmt::{self, Write};
 
 use quasirigid::averaging::{DriftHistory, DriftStopReason, MeanPower, RotationState, spin_barrier};
 use quasirigid::secular::choice::{GrowingVibration, Method};
+use quasirigid_io::model::BodyKind;
 use quasirigid_io::record::{Column, EstimateRecord, EvolutionRecord, HomogeneousRecord, ObservedRecord};
 use quasirigid_io::visible::one_line;
 
@@ -51,15 +52,16 @@ pub fn finished(t: f64, asked: &EvolveSettings) -> String {
     } else if asked.until.is_some() {
         format!("The target was reached after {reached}.")
     } else {
-        format!("All but 1 % of the energy of the wobble was lost after {reached}.")
+        format!("All but 1 % of the energy of the {} was lost after {reached}.", asked.kind.nutation())
     }
 }
 
 /// Sentence for a loss that the equations followed leave out.
-pub fn lossless(order: usize) -> String {
+pub fn lossless(order: usize, kind: BodyKind) -> String {
     format!(
         "Nothing is dissipated by the reduced equations of order {order}, though the body loses energy in the harmonics of its \
-         wobble: take a higher order, or the power by harmonics."
+         {}: take a higher order, or the power by harmonics.",
+        kind.nutation()
     )
 }
 
@@ -76,9 +78,10 @@ pub fn uncertain(rows: &EvolutionTable) -> Option<String> {
 }
 
 /// The answer in a sentence or two.
-pub fn sentence(record: &EvolutionRecord, drift: Option<&DriftHistory>) -> String {
-    let wobble = column(&record.columns, "nutation_max");
-    let [from, to] = [wobble.first(), wobble.last()].map(|angle| angle.copied().unwrap_or(f64::NAN));
+pub fn sentence(record: &EvolutionRecord, drift: Option<&DriftHistory>, kind: BodyKind) -> String {
+    let nutation = kind.nutation();
+    let angles = column(&record.columns, "nutation_max");
+    let [from, to] = [angles.first(), angles.last()].map(|angle| angle.copied().unwrap_or(f64::NAN));
     let [first, last] = [from, to].map(|angle| significant(angle.to_degrees(), 3));
     if record.time.is_infinite() {
         return "Nothing is dissipated: the rotation stays as it is.".into();
@@ -95,8 +98,9 @@ pub fn sentence(record: &EvolutionRecord, drift: Option<&DriftHistory>) -> Strin
     let drifted = drift.map_or_else(String::new, |drift| {
         let [before, after] =
             [record.angular_momentum, drift.end.angular_momentum].map(|G| significant(G, 4));
-        let died_out =
-            drift.died_out.map_or_else(String::new, |t| format!(" Its wobble died out after {}.", time(t)));
+        let died_out = drift
+            .died_out
+            .map_or_else(String::new, |t| format!(" Its {nutation} died out after {}.", time(t)));
         format!("{died_out} The angular momentum went from {before} to {after} N m s.")
     });
     let axis = if record.mode_start == "short-axis" { "greatest" } else { "least" };
@@ -107,13 +111,13 @@ pub fn sentence(record: &EvolutionRecord, drift: Option<&DriftHistory>) -> Strin
     };
     if record.mode_start != record.mode_end {
         return format!(
-            "The rotation goes over from the {} to the {} mode and ends with a wobble of {last} {taken}.{crossed}{drifted}",
+            "The rotation goes over from the {} to the {} mode and ends with a {nutation} of {last} {taken}.{crossed}{drifted}",
             record.mode_start, record.mode_end
         );
     }
     if record.separatrix_time.is_some() {
         return format!(
-            "The rotation turns over: it comes to circle the other side of the axis of {axis} inertia, and ends with a wobble \
+            "The rotation turns over: it comes to circle the other side of the axis of {axis} inertia, and ends with a {nutation} \
              of {last} {taken}.{crossed}{drifted}"
         );
     }
@@ -127,7 +131,7 @@ pub fn sentence(record: &EvolutionRecord, drift: Option<&DriftHistory>) -> Strin
         format!("{verb} from {first} to {last}")
     };
     format!(
-        "The wobble about the axis of {axis} inertia {changes} {taken}, {} mode throughout.{drifted}",
+        "The {nutation} about the axis of {axis} inertia {changes} {taken}, {} mode throughout.{drifted}",
         record.mode_start
     )
 }
@@ -146,7 +150,8 @@ fn odds(probability: f64) -> String {
 /// Notes to read before the numbers.
 pub fn notes(answer: &Answer, ends: [RotationState; 2], unranged: bool) -> Vec<String> {
     let inputs = answer.inputs;
-    let mut notes: Vec<String> = answer.parametric.iter().map(parametric).collect();
+    let mut notes: Vec<String> =
+        answer.parametric.iter().map(|growing| parametric(growing, inputs.kind)).collect();
     if answer.may_be_unstable && !matches!(answer.method, Method::FullSystem) {
         notes.push(
             "Whether a vibration grows in the spin about the axis of greatest inertia is NOT KNOWN: of so many coordinates the slowest modes \
@@ -187,40 +192,44 @@ pub fn notes(answer: &Answer, ends: [RotationState; 2], unranged: bool) -> Vec<S
     notes
 }
 
-/// Relative difference of a wobble from that of the model from which it is told.
-const OTHER_WOBBLE: f64 = 0.05;
+/// Relative difference of a nutation from that of the model from which it is told.
+const OTHER_NUTATION: f64 = 0.05;
 
-/// A wobble at the start of an answer that is not the one of the model (rad), which is then that of the undeformed body.
-pub fn other_wobble(of_model: f64, record: &EvolutionRecord) -> Option<String> {
+/// Nutation at the start of an answer that is not the one of the model (rad), which is then that of the undeformed body.
+pub fn other_nutation(of_model: f64, kind: BodyKind, record: &EvolutionRecord) -> Option<String> {
     let first = *column(&record.columns, "nutation_max").first()?;
-    ((first - of_model).abs() > OTHER_WOBBLE * of_model).then(|| {
+    ((first - of_model).abs() > OTHER_NUTATION * of_model).then(|| {
         format!(
-            "The model's wobble, {} degrees, is that of the undeformed body: its spin moves the parts so far that the motion starts at {} \
+            "The model's {}, {} degrees, is that of the undeformed body: its spin moves the parts so far that the motion starts at {} \
              degrees about the steady spin.",
+            kind.nutation(),
             significant(of_model.to_degrees(), 4),
             significant(first.to_degrees(), 4)
         )
     })
 }
 
-/// An answer that ends with the wobble, before the duration asked for.
+/// An answer that ends with the nutation, before the duration asked for.
 pub fn ended_before(asked: &EvolveSettings, record: &EvolutionRecord) -> Option<String> {
     let duration =
         asked.duration.filter(|duration| asked.until.is_none() && *duration > 1.01 * record.time)?;
     (record.status == "finished").then(|| {
         format!(
-            "The answer ends after {}, before the {} asked for: all but 1 % of the energy of the wobble is lost there, and the rest falls on{}.",
+            "The answer ends after {}, before the {} asked for: all but 1 % of the energy of the {} is lost there, and the rest falls on{}.",
             time(record.time),
             time(duration),
+            asked.kind.nutation(),
             if record.damping_time.is_finite() { format!(", e-fold in {}", time(record.damping_time)) } else { String::new() }
         )
     })
 }
 
 /// Vibration that grows from nothing, in a sentence.
-fn parametric(GrowingVibration { coordinate, frequency, rate, wobble }: &GrowingVibration) -> String {
+fn parametric(growing: &GrowingVibration, kind: BodyKind) -> String {
+    let GrowingVibration { coordinate, frequency, rate, wobble } = growing;
     format!(
-        "Parametric resonance: at a wobble of {} degrees a vibration of {coordinate} at {} rad/s grows from nothing, e-fold in {}.",
+        "Parametric resonance: at a {} of {} degrees a vibration of {coordinate} at {} rad/s grows from nothing, e-fold in {}.",
+        kind.nutation(),
         significant(wobble.to_degrees(), 3),
         significant(*frequency, 4),
         time(rate.recip())
@@ -246,15 +255,15 @@ pub fn beyond_gravity(homogeneous: Option<HomogeneousRecord>, spins: [f64; 2]) -
 }
 
 /// The answer, the table and the details, for a terminal of 80 columns.
-pub fn text(name: &str, record: &EvolutionRecord) -> String {
+pub fn text(name: &str, kind: BodyKind, record: &EvolutionRecord) -> String {
     let mut text = String::new();
-    write(&mut text, &one_line(name), record).expect("a string takes any text");
+    write(&mut text, &one_line(name), kind, record).expect("a string takes any text");
     text
 }
 
-fn write(out: &mut String, name: &str, record: &EvolutionRecord) -> fmt::Result {
+fn write(out: &mut String, name: &str, kind: BodyKind, record: &EvolutionRecord) -> fmt::Result {
     if record.status == "refused" {
-        return refused(out, name, record);
+        return refused(out, name, kind, record);
     }
     let spaced = |words: &str| if words.is_empty() { String::new() } else { format!("{words} ") };
     let (before, after) = match record.status.as_str() {
@@ -267,7 +276,7 @@ fn write(out: &mut String, name: &str, record: &EvolutionRecord) -> fmt::Result 
     if !after.is_empty() {
         writeln!(out, "{}", paragraph(after.trim_end(), "  ", "  "))?;
     }
-    table(out, &record.columns)?;
+    table(out, kind, &record.columns)?;
     writeln!(out)?;
     for (place, rotation) in [("start", record.start), ("end", record.end)] {
         if let Some(rotation) = rotation.filter(|rotation| !rotation.rotation_period.is_nan()) {
@@ -278,7 +287,7 @@ fn write(out: &mut String, name: &str, record: &EvolutionRecord) -> fmt::Result 
         writeln!(out, "{}", paragraph(&made_of(body), "  ", "      "))?;
     }
     writeln!(out, "  mean power at the start    {} W", significant(record.power, 4))?;
-    small_wobbles(out, record)?;
+    small_nutations(out, kind, record)?;
     estimates(out, record)?;
     if let Some(lingering) = record.lingering {
         writeln!(
@@ -308,17 +317,17 @@ fn made_of(body: &HomogeneousRecord) -> String {
 }
 
 /// An evolution that no method leads along.
-fn refused(out: &mut String, name: &str, record: &EvolutionRecord) -> fmt::Result {
+fn refused(out: &mut String, name: &str, kind: BodyKind, record: &EvolutionRecord) -> fmt::Result {
     writeln!(out, "{}", paragraph(&format!("{name}: {}", record.sentence), "", "  "))?;
     if record.damping_time.is_nan() && (record.growth_time.is_nan() || record.mode_end == STEADY_SPIN) {
         return Ok(());
     }
     writeln!(out)?;
-    small_wobbles(out, record)?;
+    small_nutations(out, kind, record)?;
     writeln!(out, "  (from the modes about the steady spins)")
 }
 
-/// Published estimates of the decay of the small wobble about the axis of greatest inertia.
+/// Published estimates of the decay of the small nutation about the axis of greatest inertia.
 fn estimates(out: &mut String, record: &EvolutionRecord) -> fmt::Result {
     if record.estimates.is_empty() || !record.damping_time.is_finite() {
         return Ok(());
@@ -349,42 +358,46 @@ fn periods(rotation: &ObservedRecord) -> String {
     format!("P_psi {}, P_phi {around}, E/E0 {}", spun(rotation_period), significant(energy_ratio, 5))
 }
 
-/// Rates of small wobbles about the axes.
-fn small_wobbles(out: &mut String, record: &EvolutionRecord) -> fmt::Result {
+/// Rates of small nutations about the axes.
+fn small_nutations(out: &mut String, kind: BodyKind, record: &EvolutionRecord) -> fmt::Result {
+    let mut told = |about: &str, fate: String| {
+        writeln!(out, "  {:<26} {fate}", format!("small {}{about}", kind.nutation()))
+    };
     let folding = |verb: &str, seconds: f64| match seconds {
         f64::INFINITY => "stays as it is".to_owned(),
         _ if seconds.is_nan() => "is not known".to_owned(),
         _ => format!("{verb} e-fold in {}", time(seconds)),
     };
     if record.mode_end == STEADY_SPIN {
-        return writeln!(out, "  small wobble               {}", folding("falls", record.damping_time));
+        return told("", folding("falls", record.damping_time));
     }
-    writeln!(out, "  small wobble, short axis   {}", folding("falls", record.damping_time))?;
-    writeln!(out, "  small wobble, long axis    {}", folding("grows", record.growth_time))
+    told(", short axis", folding("falls", record.damping_time))?;
+    told(", long axis", folding("grows", record.growth_time))
 }
 
-fn table(out: &mut String, columns: &[Column]) -> fmt::Result {
+fn table(out: &mut String, kind: BodyKind, columns: &[Column]) -> fmt::Result {
     let [t, ratio, axis, least, greatest, power, revolutions] =
         ["t", "D_over_I3", "circled_axis", "nutation_min", "nutation_max", "power", "turns"]
             .map(|name| column(columns, name));
     let of_axes = axis.iter().any(|circled| *circled > 0.0);
     let places = if of_axes { "    D/I3  mode   " } else { "" };
-    writeln!(out, "\n            time revolutions {places}wobble, degrees       power, W")?;
+    let angles = format!("{}, degrees", kind.nutation());
+    writeln!(out, "\n            time revolutions {places}{angles:<20}  power, W")?;
     let rows = t.len();
     let shown = TABLE_ROWS.min(rows);
     for i in 0..shown {
         let row = if shown < 2 { 0 } else { i * (rows - 1) / (shown - 1) };
         let mode = if axis[row] == 3.0 { "short" } else { "long" };
         let place = if of_axes { format!("{:>8.5}  {mode:<5}  ", ratio[row]) } else { String::new() };
-        let wobble = [least, greatest].map(|angle| significant(angle[row].to_degrees(), 3));
-        let wobble = if greatest[row].is_nan() {
-            format!("over {}", wobble[0])
+        let angles = [least, greatest].map(|angle| significant(angle[row].to_degrees(), 3));
+        let angles = if greatest[row].is_nan() {
+            format!("over {}", angles[0])
         } else {
-            format!("{} to {}", wobble[0], wobble[1])
+            format!("{} to {}", angles[0], angles[1])
         };
         writeln!(
             out,
-            "  {:>14} {:>11} {place}{wobble:<18} {:>11}",
+            "  {:>14} {:>11} {place}{angles:<18} {:>11}",
             time(t[row]),
             count(revolutions[row]),
             significant(power[row], 4)

@@ -1,6 +1,6 @@
 //! Settings of an evolution.
 
-use quasirigid_io::model::{EvolveMethod, PartialEvolve, Power, Target};
+use quasirigid_io::model::{BodyKind, EvolveMethod, PartialEvolve, Power, Target};
 
 use super::{Setting, SettingError, count, time};
 use crate::study::Study;
@@ -13,7 +13,7 @@ const SAMPLES: usize = 201;
 pub struct EvolveSettings {
     /// Start; none for the initial state of the model.
     pub start: Option<Target>,
-    /// Target; none for 1 % of the energy of the wobble.
+    /// Target; none for 1 % of the energy of the nutation.
     pub until: Option<Target>,
     /// Longest time (s).
     pub duration: Option<f64>,
@@ -23,6 +23,8 @@ pub struct EvolveSettings {
     pub power: Option<Power>,
     /// Method; none leaves the choice to the criteria.
     pub method: Option<EvolveMethod>,
+    /// Kind of the body, for the words.
+    pub(crate) kind: BodyKind,
 }
 
 impl EvolveSettings {
@@ -40,6 +42,7 @@ impl EvolveSettings {
             samples: count(Setting::EvolutionSamples, samples)?.unwrap_or(SAMPLES),
             power,
             method,
+            kind: study.model.kind,
         })
     }
 

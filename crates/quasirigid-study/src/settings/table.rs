@@ -121,10 +121,10 @@ settings! {
     "Angular velocity (rad/s): the steady spin nearest to its direction, with its size [default: the angular momentum \
      of the start, about both axes of extreme inertia]";
     Start: "start", "--start", "evolve.start", "from", "", Read,
-    "Where to start: D/I3 = |K|^2/2EI3 as 0.9 or \"90% of I3\", or the greatest wobble about the axis of greatest \
+    "Where to start: D/I3 = |K|^2/2EI3 as 0.9 or \"90% of I3\", or the greatest nutation (wobble) about the axis of greatest \
      inertia as \"20 deg\" [default: the file's, or the initial state]";
     Until: "until", "--until", "evolve.until", "to", "", Read,
-    "Where to end, in the same form [default: the file's, or 1 % of the energy of the wobble left]";
+    "Where to end, in the same form [default: the file's, or 1 % of the energy of the nutation left]";
     EvolutionDuration: "duration", "--duration", "evolve = { duration = \"10 yr\" } in [run]", "", "s", Positive,
     "Longest time, in seconds or with a unit such as \"10 Gyr\" [default: the file's, or none]";
     EvolutionSamples: "samples", "--samples", "evolve.samples", "", "", Count(2, MAX_ROWS),

@@ -2,7 +2,7 @@
 
 use std::sync::LazyLock;
 
-use quasirigid_io::model::{EvolveMethod, System};
+use quasirigid_io::model::{BodyKind, EvolveMethod, System};
 use quasirigid_math::rotation::{normalized, to_inertial};
 use quasirigid_study::Study;
 use quasirigid_study::about_spin::{AboutSpin, verification_text};
@@ -84,7 +84,7 @@ fn verify_measures_the_order_in_the_amplitude() {
     for row in &found.rows {
         assert!((row.order.unwrap() - (row.degree + 1) as f64).abs() < 0.35, "{row:?}");
     }
-    let text = verification_text("damper", &found);
+    let text = verification_text("damper", BodyKind::Spacecraft, &found);
     assert!(text.contains("Every order is reached."), "{text}");
 }
 

@@ -3,7 +3,7 @@
 use std::f64::consts::FRAC_PI_2;
 use std::time::{Duration, Instant};
 
-use quasirigid_io::model::{EvolveMethod, Power, System, Target};
+use quasirigid_io::model::{BodyKind, EvolveMethod, Power, System, Target};
 use quasirigid_io::record::EvolutionRecord;
 use quasirigid_study::Study;
 use quasirigid_study::evolution;
@@ -54,7 +54,10 @@ fn power_is_that_of_the_source_asked_for() {
     close(harmonics, polynomial, 1e-3);
     let other = study(&asteroid("kind = \"quality-factor\", Q = 100"));
     let none = with(&other, Some(Power::Polynomial));
-    assert!(evolution::text("a", &none.record).contains("Nothing is dissipated"), "{none:?}");
+    assert!(
+        evolution::text("a", BodyKind::Spacecraft, &none.record).contains("Nothing is dissipated"),
+        "{none:?}"
+    );
     let said = none.notes.join(" ") + &none.record.message;
     assert!(said.contains("take it from the harmonics"), "{said}");
 }
@@ -113,7 +116,7 @@ fn shares_of_dissipators_sum_to_one() {
     }
     let one = evolve(&asteroid(KELVIN_VOIGT));
     assert!(one.dissipation.iter().eq([(&"rock".to_owned(), &1.0)]), "{:?}", one.dissipation);
-    assert!(!evolution::text("asteroid", &one).contains("dissipation shares"));
+    assert!(!evolution::text("asteroid", BodyKind::Spacecraft, &one).contains("dissipation shares"));
 }
 
 /// The wobble at the start and at the end is the same by every method: a long-axis and a short-axis mode. The remaining differences are
@@ -197,7 +200,7 @@ fn told(study: &Study, set: impl Fn(&mut PartialEvolve), status: &str) -> Evolut
     assert_eq!(record.status, status, "{message}");
     assert!(message.ends_with('.') && message.len() > 20, "{message}");
     if status != "finished" {
-        let text = evolution::text("A", &record);
+        let text = evolution::text("A", BodyKind::Spacecraft, &record);
         let (_, told) = text.split_once(": ").unwrap();
         assert!(one_line(told).starts_with(message), "{text}");
     }
@@ -264,8 +267,8 @@ fn steady_spins_and_rest_are_told_apart() {
     let refusal = try_evolve(&with("[1e200, 2e200, 0]"), |_| {}).unwrap_err();
     assert!(!refusal.contains("principal axis"), "{refusal}");
     let tiny = evolved(&study(MODEL), |asked| asked.until = target("1e-6 deg"));
-    let text = one_line(&evolution::text("model", &tiny.record));
-    assert!(tiny.holds() && text.contains("wobble of 1.00e-6 degrees"), "{text}");
+    let text = one_line(&evolution::text("model", BodyKind::Spacecraft, &tiny.record));
+    assert!(tiny.holds() && text.contains("nutation of 1.00e-6 degrees"), "{text}");
 }
 
 /// Planetary B7: "the body spins about a principal axis".
@@ -279,7 +282,7 @@ fn a_wobble_needs_its_axis() {
         )
     };
     let refusal = try_evolve(&of("short-axis"), |_| {}).unwrap_err();
-    assert!(refusal.contains("no axis of greatest inertia to wobble about"), "{refusal}");
+    assert!(refusal.contains("no axis of greatest inertia for a wobble"), "{refusal}");
     assert!(refusal.contains("mode = \"long-axis\""), "{refusal}");
     let long = of("long-axis");
     assert!(evolved(&long, |asked| asked.until = target("0.9")).holds());
@@ -289,7 +292,7 @@ fn a_wobble_needs_its_axis() {
     let loss = evolved(&second, |asked| {
         (asked.power, asked.method) = (Some(Power::Polynomial), Some(EvolveMethod::Average));
     });
-    let text = one_line(&evolution::text("model", &loss.record));
+    let text = one_line(&evolution::text("model", BodyKind::Spacecraft, &loss.record));
     assert!(text.contains("though the body loses energy"), "{text}");
 }
 
@@ -311,7 +314,7 @@ fn slender_bodies_are_answered() {
             // Both sources of the power agree.
             close(found.record.time, (length / 3000.0_f64).powi(2) * 7.0562e17, 1e-3);
         } else {
-            let text = evolution::text("model", &found.record);
+            let text = evolution::text("model", BodyKind::Spacecraft, &found.record);
             assert!(text.contains("NO ANSWER"), "{length} {power:?}: {text}");
         }
     }

@@ -4,7 +4,7 @@
 use std::f64::consts::TAU;
 
 use quasirigid::secular::GyrostatSpins;
-use quasirigid_io::model::{EvolveMethod, Power, System};
+use quasirigid_io::model::{BodyKind, EvolveMethod, Power, System};
 use quasirigid_io::record::{EvolutionRecord, SteadySpinRecord};
 use quasirigid_math::rotation::angle;
 use quasirigid_math::vec3::norm;
@@ -149,7 +149,7 @@ fn a_gyrostat_comes_to_its_steady_spin_as_in_the_full_system() {
     let tip = point("tip", 4.0, [1.2, 0.3, 0.8], [300.0, 60.0]);
     let stiff = |start| gyrostat([10.0, 14.0, 18.0], &tip, "axis = [1.0, 0.3, 0.5]\nmomentum = 6.0", start);
     let levels = as_the_full_system(&(stiff([0.3, 0.4, 0.4]) + &until("20 deg")), "levels");
-    assert!(levels.sentence.starts_with("The wobble about the steady spin that attracts, about the axis [0.358, 0.260, 0.897], falls from 24.9 to 20.0 deg"), "{}", levels.sentence);
+    assert!(levels.sentence.starts_with("The nutation about the steady spin that attracts, about the axis [0.358, 0.260, 0.897], falls from 24.9 to 20.0 deg"), "{}", levels.sentence);
     let soft = gyrostat(
         [10.0, 14.0, 18.0],
         &point("tip", 1.0, [0.5, 0.3, 0.4], [20.0, 1.0]),
@@ -463,7 +463,7 @@ fn an_unstable_spin_is_refused() {
     let found = evolved(&study, |_| {}).record;
     assert_eq!((&*found.status, &*found.road), ("refused", "none"));
     assert!(found.message.contains("unstable: a motion of \"p\""), "{}", found.message);
-    assert!(evolution::text("model", &found).contains("NO ANSWER"));
+    assert!(evolution::text("model", BodyKind::Spacecraft, &found).contains("NO ANSWER"));
     let check = study.check().unwrap().text();
     assert!(check.contains("is UNSTABLE"), "{check}");
 }
@@ -478,9 +478,9 @@ fn a_tether_whose_wobble_the_modes_do_not_know_is_refused() {
             + &spinning([0.01, 0.001, 0.01])),
     );
     let found = evolved(&study, |_| {});
-    let text = evolution::text("model", &found.record);
+    let text = evolution::text("model", BodyKind::Spacecraft, &found.record);
     assert!(!found.holds() && text.starts_with("model: NO ANSWER"), "{text}");
-    assert!(text.contains("small wobble, short axis   stays as it is"), "{text}");
+    assert!(text.contains("small nutation, short axis stays as it is"), "{text}");
     let found = modes_about(&study, PrincipalAxis::Greatest);
     assert!(mode(&found.spins[0].modes, "nutation").neutral, "{found:?}");
 }

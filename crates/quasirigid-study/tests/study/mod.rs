@@ -18,6 +18,7 @@ mod histories;
 mod infer;
 mod infer_design;
 mod inferred_answers;
+mod kinds;
 mod light_curve;
 mod measured;
 mod methods;

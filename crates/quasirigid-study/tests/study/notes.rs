@@ -1,6 +1,6 @@
 //! What a study says beside its numbers: orders beyond the kinematics, materials that are no solids, losses by material, spins beyond gravity.
 
-use quasirigid_io::model::System;
+use quasirigid_io::model::{BodyKind, System};
 use quasirigid_study::evolution;
 use quasirigid_study::settings::PartialRun;
 
@@ -107,7 +107,7 @@ fn a_solid_at_its_own_harmonics_is_followed() {
     ] {
         let study = study(&rock(rheology));
         let evolved = evolved(&study, |_| {});
-        let text = evolution::text("rock", &evolved.record) + &evolved.notes.join(" ");
+        let text = evolution::text("rock", BodyKind::Spacecraft, &evolved.record) + &evolved.notes.join(" ");
         assert!(evolved.holds() && !text.contains("SOLID"), "{rheology}: {text}");
         if checked {
             let found = study.check().unwrap();
@@ -161,7 +161,7 @@ fn shares_have_the_names_of_the_materials() {
 #[test]
 fn a_homogeneous_body_is_echoed() {
     let record = evolve(&rock("kind = \"quality-factor\", Q = 250").replace(" km\"", " m\""));
-    let text = one_line(&evolution::text("rock", &record));
+    let text = one_line(&evolution::text("rock", BodyKind::Spacecraft, &record));
     assert!(
         text.contains(
             "body 5027 kg, as a ball 0.8434 m in radius, 2000 kg/m^3, shear modulus 1.000e9 Pa, Q = 250"

@@ -88,7 +88,7 @@ fn every_answer_says_how_well_the_shape_is_resolved() {
     let time_error = record.time_error.unwrap();
     assert!(time_error >= error, "{time_error} {error}");
     // One number stands for the time, and includes the error of the shape.
-    let text = one_line(&evolution::text("contact binary", &record));
+    let text = one_line(&evolution::text("contact binary", study.model.kind, &record));
     let words: Vec<&str> = text.split("the time is good to ").collect();
     assert!(words.len() == 2 && !text.contains("known to"), "{text}");
     let told = words[1].split(' ').next().unwrap();
@@ -107,7 +107,7 @@ fn every_answer_says_how_well_the_shape_is_resolved() {
 fn polynomials_that_do_not_follow_the_shape_do_not_hold() {
     let study = necked("degree = 2");
     let found = evolved(&study, |_| {});
-    let text = one_line(&evolution::text(&study.model.name, &found.record));
+    let text = one_line(&evolution::text(&study.model.name, study.model.kind, &found.record));
     assert!(!found.holds() && text.starts_with("contact binary: THE SHAPE IS NOT RESOLVED."), "{text}");
     let notes = study.model.notes.join(" ");
     assert!(notes.contains("The shape of \"nucleus\" is hard to resolve"), "{notes}");

@@ -57,7 +57,7 @@ pub enum Wobble {
 impl fmt::Display for Wobble {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Nutation(angle) => write!(f, "a nutation of {angle} rad"),
+            Self::Nutation(angle) => write!(f, "a wobble of {angle} rad"),
             Self::Ratio(ratio) => write!(f, "D/I3 = {ratio}"),
         }
     }
@@ -89,7 +89,7 @@ pub enum EllipsoidRefusal {
     },
     /// No rotation has this state.
     #[error(
-        "{wobble} is not a rotation state of this body, whose D/I3 runs from {least} to 1; nutation runs from 0 to pi/2"
+        "{wobble} is not a rotation state of this body, whose D/I3 runs from {least} to 1; the angle of wobble runs from 0 to pi/2"
     )]
     NoState {
         /// State asked for.
@@ -99,7 +99,7 @@ pub enum EllipsoidRefusal {
     },
     /// The two greatest moments are equal, so that no axis of greatest inertia is circled.
     #[error(
-        "the two greatest moments are equal: the body has no axis of greatest inertia of its own to wobble about"
+        "the two greatest moments are equal: the body has no axis of greatest inertia of its own for a wobble"
     )]
     NoShortAxis,
     /// Moments of inertia, power or time outside of the range of double precision.

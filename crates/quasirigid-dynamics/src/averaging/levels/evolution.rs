@@ -56,7 +56,7 @@ pub enum LevelError {
     Open,
     /// The wobble is so small that its energy is lost in rounding.
     #[error(
-        "a wobble of {angle:.3e} rad is too small to be followed: its energy is lost in rounding; ask for a larger one"
+        "an angle of {angle:.3e} rad is too small to be followed: its energy is lost in rounding; ask for a larger one"
     )]
     TooSmall {
         /// The wobble (rad).
@@ -64,7 +64,7 @@ pub enum LevelError {
     },
     /// The wobble is about a family of steady spins.
     #[error(
-        "the steady spins that attract form a family, and a wobble about them has no angle; give a duration or a share of the energy"
+        "the steady spins that attract form a family, from which there is no angle; give a duration or a share of the energy"
     )]
     Family,
 }

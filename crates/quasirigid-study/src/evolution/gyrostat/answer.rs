@@ -7,7 +7,7 @@ use quasirigid::secular::{DirectRow, DirectRun, DirectStopReason};
 use quasirigid_math::vec3::norm;
 
 use super::attracting_spin::AttractingSpin;
-use crate::evolution::verdict::{FOLLOWED, Verdict};
+use crate::evolution::verdict::{Verdict, followed_fully};
 use crate::settings::EvolveSettings;
 use crate::words::significant;
 
@@ -78,7 +78,7 @@ impl AttractingSpin<'_> {
     pub fn with_tail(&self, run: DirectRun, goal: Option<f64>, asked: &EvolveSettings) -> Answer {
         let (first, end) = (run.rows[0], run.rows[run.rows.len() - 1]);
         let verdict = Verdict {
-            sentence: FOLLOWED.into(),
+            sentence: followed_fully(asked.kind),
             error: Some(run.energy_drift.abs() / (first.energy - end.energy).abs()),
             ..Verdict::default()
         };
@@ -89,8 +89,9 @@ impl AttractingSpin<'_> {
         }
         let left = asked.duration.map(|duration| duration - end.t);
         if let Ok(tail) = self.tail(self.row(end, f64::NAN), goal, left, asked.samples) {
+            let nutation = asked.kind.nutation();
             answer.verdict.sentence = format!(
-                "The full system was followed until its wobble was {} degrees, and the rate of the nutation from there on; the wobble is the envelope.",
+                "The full system was followed until its {nutation} was {} degrees, and the rate of the {nutation} from there on; the {nutation} is the envelope.",
                 significant(BEHIND.to_degrees(), 2)
             );
             answer.rows.extend(&tail[1..]);

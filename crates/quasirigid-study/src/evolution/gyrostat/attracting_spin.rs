@@ -132,7 +132,7 @@ impl<'a> AttractingSpin<'a> {
         }
         match (asked.until, self.goal_from(own, asked)) {
             (Some(Target::Wobble(to)), Some(goal)) if goal >= own => {
-                Err(StudyError::Calmer { from: self.wobble.nutation(own)[1], to })
+                Err(StudyError::Calmer { from: self.wobble.nutation(own)[1], to, kind: asked.kind })
             }
             (_, goal) => Ok(goal),
         }

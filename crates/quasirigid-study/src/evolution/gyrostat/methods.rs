@@ -144,7 +144,8 @@ fn on_manifold(
     }
     let verdict = Verdict {
         sentence: format!(
-            "The reduced equations about the steady spin were followed; they hold to a nutation of {} degrees",
+            "The reduced equations about the steady spin were followed; they hold to a {} of {} degrees",
+            asked.kind.nutation(),
             significant(history.range.to_degrees(), 3)
         ),
         error_source: Some(""),
@@ -161,10 +162,11 @@ fn modal_rates(spin: &AttractingSpin, goal: Option<f64>, asked: &EvolveSettings)
         return Err(Reason::TooWideForNutation { widest: MODES_ALONE_WOBBLE });
     }
     let rows = spin.tail(spin.start(), goal, asked.duration, asked.samples)?;
+    let nutation = asked.kind.nutation();
     let verdict = Verdict {
-        sentence:
-            "Followed at the rate of the nutation about the steady spin; the wobble is small enough for it"
-                .into(),
+        sentence: format!(
+            "Followed at the rate of the {nutation} about the steady spin; the {nutation} is small enough for it"
+        ),
         error_source: Some(""),
         error: Some(greatest * greatest),
         fails: false,

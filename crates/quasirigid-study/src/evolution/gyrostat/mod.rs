@@ -34,8 +34,10 @@ pub fn follow(
     check(study, asked)?;
     let full = Motion::new(study, start).full()?;
     let G = norm(full.angular_momentum(&study.body));
-    let refused =
-        |reason: &Reason, rate| Evolved { record: record::refused(reason, rate, G), notes: Vec::new() };
+    let refused = |reason: &Reason, rate| Evolved {
+        record: record::refused(reason, rate, G, study.model.kind),
+        notes: Vec::new(),
+    };
     let changing = study.body.wheels().driven.iter().any(|wheel| wheel.speed.uses(0));
     let no_solid = || flowing_at(study, start.omega).map(Reason::NoSolid);
     if let Some(reason) = changing.then_some(Reason::ChangingWheel).or_else(no_solid) {
@@ -61,7 +63,7 @@ fn check(study: &Study, asked: &EvolveSettings) -> Result<(), StudyError> {
     } else if asked.start.is_some() {
         "it starts from the initial state of the model"
     } else if matches!(asked.until, Some(Target::Ratio(_))) {
-        "it goes to a wobble, as \"5 deg\", about the steady spin that attracts: D/I3 says nothing of a body with stored angular momentum"
+        "it goes to an angle, as \"5 deg\", from the steady spin that attracts: D/I3 says nothing of a body with stored angular momentum"
     } else {
         return Ok(());
     };

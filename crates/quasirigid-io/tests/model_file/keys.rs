@@ -13,7 +13,7 @@ fn an_unknown_key_is_refused_with_the_nearest_known_one() {
     "#);
     assert_snapshot!(refusal_of("[[points]]\nmass = 1\n"), @r#"
 model.toml:9:3: unknown key "points" in the file
-  did you mean `point`? the keys are body, carrier, material, section, reduction, support, magnetic_field, initial, run, uncertainty, ellipsoid, surface, beam, panel, solid, deck, matrices, modes, connection, point, hinged, appendage, spring, bushing, network, rotor, wheel, cavity, tank, force, controller, rod
+  did you mean `point`? the keys are body, carrier, material, section, reduction, support, magnetic_field, initial, run, uncertainty, ellipsoid, surface, beam, panel, solid, deck, matrices, modes, connection, point, hinged, boom, appendage, spring, bushing, network, rotor, wheel, cavity, tank, force, controller, rod
 "#);
     assert_snapshot!(refusal_of("[run]\ntemperature = 300\n"), @r#"
     model.toml:10:1: unknown key "temperature" in [run]

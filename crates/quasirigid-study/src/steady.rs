@@ -534,7 +534,8 @@ fn row(out: &mut String, kind: BodyKind, mode: &ModeRecord) -> fmt::Result {
     };
     let [slow, fast] = mode.seen_from_outside.map(|rate| significant(rate, 4));
     let seen = if mode.frequency > 0.0 { format!("{slow}, {fast}") } else { String::new() };
-    let mut name = kind.mode_name(&mode.name);
+    let told = kind.mode_name(&mode.name);
+    let mut name = &*told;
     if name.chars().count() > NAME {
         writeln!(out, "  {name}")?;
         name = "";

@@ -1,5 +1,7 @@
 //! Kind of a body, which chooses one word in every sentence about its motion.
 
+use std::borrow::Cow;
+
 use quasirigid_elements::Assembly;
 use serde::{Deserialize, Serialize};
 
@@ -14,6 +16,8 @@ use super::table::Table;
 ///
 /// assert_eq!(BodyKind::Spacecraft.nutation(), "nutation");
 /// assert_eq!(BodyKind::SmallBody.nutation(), "wobble");
+/// assert_eq!(BodyKind::SmallBody.mode_name("nutation, second"), "wobble, second");
+/// assert_eq!(BodyKind::SmallBody.mode_name("tip along x"), "tip along x");
 /// ```
 #[derive(Clone, Copy, Debug, Default, Deserialize, Eq, PartialEq, Serialize)]
 #[serde(rename_all = "kebab-case")]
@@ -46,8 +50,13 @@ impl BodyKind {
 
     /// Name of a mode in a sentence: that of the nutation by its noun, any other as it is.
     #[must_use]
-    pub fn mode_name(self, name: &str) -> &str {
-        if name == NUTATION { self.nutation() } else { name }
+    pub fn mode_name(self, name: &str) -> Cow<'_, str> {
+        match name.strip_prefix(NUTATION) {
+            Some(rest) if rest.is_empty() || rest.starts_with(", ") => {
+                Cow::Owned(self.nutation().to_owned() + rest)
+            }
+            _ => Cow::Borrowed(name),
+        }
     }
 
     /// Kind of a body whose file does not give it: a network, an ellipsoid and the inside of a surface are small bodies.
@@ -58,7 +67,7 @@ impl BodyKind {
     }
 }
 
-/// Name of the mode of the nutation in records, a contract.
+/// Name of the mode of the nutation in records, a contract; a further one of that name has a number behind a comma.
 const NUTATION: &str = "nutation";
 
 impl Named for BodyKind {

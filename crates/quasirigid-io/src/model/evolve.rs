@@ -22,7 +22,7 @@ pub(super) const EVOLVE: Keys = Keys {
         ),
         key(
             "until",
-            any(&[Shape::Number, Shape::Text]).or("1 % of the energy of the nutation left"),
+            any(&[Shape::Number, Shape::Text]).or("1 % of the energy above the steady spin"),
             "as `start`",
         ),
         key("duration", key::quantity("s").or("none"), "longest time"),

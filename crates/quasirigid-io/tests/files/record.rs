@@ -708,7 +708,7 @@ fn broken_json_is_located() {
     fs::write(&file, text).unwrap();
     let error = refusal(dir.path());
     assert!(
-        matches!(&error, RecordError::Json { line: 74, problem, .. }
+        matches!(&error, RecordError::Json { line: 75, problem, .. }
         if problem == "invalid value: string \"large\", expected a number or null"),
         "{error}"
     );

@@ -77,7 +77,7 @@ pub(crate) fn follow(
         left_out: start.left_out,
         growing: manifold
             .growing_outside()
-            .map(|(name, decay_rate)| growth(kind.mode_name(name), decay_rate)),
+            .map(|(name, decay_rate)| growth(&kind.mode_name(name), decay_rate)),
         kind,
     };
     Ok((

@@ -336,7 +336,7 @@ impl AboutSpin<'_> {
         if let Some((name, decay_rate)) = self.manifold.unstable() {
             return Some(format!(
                 "{fails}: the steady spin is unstable, {}.",
-                growth(kind.mode_name(name), decay_rate)
+                growth(&kind.mode_name(name), decay_rate)
             ));
         }
         if self.range.amplitude <= 0.0 {

@@ -228,7 +228,7 @@ fn unstable(Instability { about, name, decay_rate }: &Instability, kind: BodyKin
         Some(Mode::LongAxis) => "about the axis of least inertia",
         None => "of least energy",
     };
-    format!("the steady spin {spin} is unstable: {}", growth(kind.mode_name(name), *decay_rate))
+    format!("the steady spin {spin} is unstable: {}", growth(&kind.mode_name(name), *decay_rate))
 }
 
 /// Sentence on losses that the equations of motion leave out, as a share of the rate of a small nutation.

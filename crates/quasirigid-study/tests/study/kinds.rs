@@ -23,16 +23,13 @@ fn of_kind(model: &str, kind: BodyKind) -> Study {
 
 /// Words of a page that a browser shows.
 fn shown(page: &str) -> String {
-    let mut shown = String::new();
-    for part in page.split('<').skip(1) {
-        let (tag, text) = part.split_once('>').unwrap_or((part, ""));
-        let name = tag.split_whitespace().next().unwrap_or_default();
-        if !["script", "style"].contains(&name) {
-            shown.push_str(text);
-            shown.push(' ');
-        }
-    }
-    shown
+    let without = |page: String, name: &str| {
+        let (start, end) = (format!("<{name}"), format!("</{name}>"));
+        let outside = |part: &'_ str| part.split_once(&end).map_or(part, |(_, rest)| rest).to_owned();
+        page.split(&start).map(outside).collect::<String>()
+    };
+    let page = ["script", "style"].iter().fold(page.to_owned(), |page, name| without(page, name));
+    page.split('<').filter_map(|part| Some(part.split_once('>')?.1)).collect::<Vec<_>>().join(" ")
 }
 
 /// Every output of a body.

@@ -139,7 +139,7 @@ fn a_nutation_without_a_rate_is_neutral_and_no_instability() {
         let nutation = &found.spins[0].modes[0];
         assert!(nutation.neutral && nutation.time_constant.is_none(), "{nutation:#?}");
         assert!(found.spins[0].stable, "{found:#?}");
-        assert!(text(&found).contains("the nutation is neutral to rounding"), "{}", text(&found));
+        assert!(text(&found).contains("the wobble is neutral to rounding"), "{}", text(&found));
     }
 }
 
@@ -174,7 +174,7 @@ fn forces_that_sleep_at_the_start_are_named() {
 fn a_sphere_has_no_nutation() {
     let model = flat_spin("[100, 100, 100]", "kind = \"kelvin-voigt\", time = 5.0");
     let text = text(&modes_about(&study(&model), PrincipalAxis::Greatest));
-    assert!(text.contains("there is no nutation"), "{text}");
+    assert!(text.contains("there is no wobble"), "{text}");
 }
 
 /// A tip mass on each side of a hub.

@@ -211,7 +211,7 @@ fn ball(viscosity: &str) -> String {
 /// The slow flow and two relaxations give a wobble on oil at a Reynolds number of 9000 less than half its decay; honey at rest in the body they know.
 #[test]
 fn liquids_that_the_equations_of_motion_do_not_hold_are_told() {
-    let off = "with them the rate of a small wobble at this spin is off by 57 %";
+    let off = "with them the rate of a small nutation at this spin is off by 57 %";
     for (viscosity, holds) in [("1e-5 m^2/s", false), ("1 m^2/s", true)] {
         let study = study(&ball(viscosity));
         let (checked, history) = (study.check().unwrap(), follow(&study, System::Full, &[0.0, 20.0]));

@@ -5,7 +5,7 @@
 use std::path::Path;
 
 use quasirigid_elements::{ElementKind, ObservedShape, Surface};
-use quasirigid_mesh::surface::{ClosedSurface, closing, repaired};
+use quasirigid_mesh::surface::{ClosedSurface, SurfaceError, closing, repaired};
 
 use super::as_observed::{SHAPE, observed};
 use super::key::{BOOLEAN, Key, Keys, Shape, TEXT, any, integer, key, words};
@@ -228,7 +228,7 @@ pub(super) fn closed(
             let mut help = "the surface must close around one body; corners closer than 1e-5 of its size are merged, facets turned and \
                             copies left out already"
                 .to_owned();
-            if !error.holes.is_empty() && !close {
+            if matches!(error.fault, SurfaceError::Open { .. }) && !close {
                 help.push_str("; `close_holes = true` of a [[surface]] closes small holes");
             }
             return refuse(error.to_string(), "not the surface of a solid", &help);

@@ -192,7 +192,7 @@ fn springs_and_bushings_join_bodies() {
 fn what_the_ground_would_hold_is_left_out_alike() {
     let told =
         |count: usize| format!("left out: {count} springs, dashpots, bushings and connectors to the ground");
-    let text = "BEGIN BULK\nGRID,1,,0.,0.,0.\nGRID,2,,1.,0.,0.\nCONM2,1,1,,2.\nCONM2,2,2,,3.\nCBUSH,3,7,1,2,,,,0\n\
+    let text = "BEGIN BULK\nGRID,1,,0.,0.,0.\nGRID,2,,1.,0.,0.\nCONM2,1,1,,2.,,,,,+\n+,1.,,1.,,,1.\nCONM2,2,2,,3.,,,,,+\n+,2.,,2.,,,2.\nCBUSH,3,7,1,2,,,,0\n\
         PBUSH,7,K,100.,200.,300.,40.,50.,60.\n";
     let held = "CELAS2,4,24.,1,1\nCELAS2,5,24.,,,2,3\nCDAMP2,6,1.,2,2\nCELAS1,8,9,1,2\nPELAS,9,5.\nCBUSH,10,7,2,,,,,0\n";
     let model = deck(&format!("{text}{held}"), "");
@@ -200,8 +200,8 @@ fn what_the_ground_would_hold_is_left_out_alike() {
     assert_same(&model, &deck(text, ""), 1e-13);
     let inp = |held: &str| {
         let text = format!(
-            "*NODE\n1,0,0,0\n2,1,0,0\n*ELEMENT,TYPE=MASS,ELSET=M\n1,1\n2,2\n*MASS,ELSET=M\n2.\n*ELEMENT,TYPE=SPRINGA,ELSET=S\n\
-            3,1,2\n*SPRING,ELSET=S\n\n100.\n{held}"
+            "*NODE\n1,0,0,0\n2,1,0,0\n3,0,1,0\n*ELEMENT,TYPE=MASS,ELSET=M\n1,1\n2,2\n3,3\n*MASS,ELSET=M\n2.\n*ELEMENT,TYPE=SPRINGA,ELSET=S\n\
+            7,1,2\n8,2,3\n9,3,1\n*SPRING,ELSET=S\n\n100.\n{held}"
         );
         let table = "[[deck]]\nname = \"sat\"\nfile = \"sat.inp\"\n";
         written(&[("sat.inp", text)], table).unwrap_or_else(|error| panic!("{error}"))
@@ -266,7 +266,7 @@ fn a_tapered_mast_is_that_of_nastran() {
     for beam in 0..4 {
         let (label, [a, b]) = (beam + 1, [extra[beam], extra[beam + 1]]);
         text += &format!(
-            "CBEAM,{label},{label},{label},{},0.,0.,1.\nPBEAM,{label},1,1.+4,1.-2,1.-2,,1.-2,{a:?},NO,1.,5.+3,,,,,{b:?}\n",
+            "CBEAM,{label},{label},{label},{},0.,0.,1.\nPBEAM,{label},1,1.+4,1.-2,1.-2,,1.-2,{a:?}\n,NO,1.,5.+3,,,,,{b:?}\n",
             label + 1
         );
         let side: [f64; 3] = std::array::from_fn(|k| places[beam + 1][k] - places[beam][k]);
@@ -314,15 +314,14 @@ fn a_tapered_beam_vibrates_as_its_slices_do() {
         let (label, at) = (slice + 2, 2.0 * f64::from(slice + 1) / f64::from(count));
         let section = bar(height((f64::from(slice) + 0.5) / f64::from(count)));
         slices += &format!(
-            "GRID,{label},,{at:?},0.,0.\nCBEAM,{label},{label},{},{label},0.,1.,0.\nPBEAM,{label},1,{section},NO,1.\n",
+            "GRID,{label},,{at:?},0.,0.\nCBEAM,{label},{label},{},{label},0.,1.,0.\nPBEAM,{label},1,{section}\n",
             label - 1
         );
     }
     let beam = format!("{head}GRID,2,,2.,0.,0.\nCBEAM,1,1,1,2,0.,1.,0.\n");
-    let stations =
-        (1..5).map(|k| f64::from(k) / 4.0).map(|at| format!(",+\n+,NO,{at:?},{}", bar(height(at))));
-    let places = format!("{beam}PBEAM,1,1,{},+\n+,,,,,,,,{}\n", bar(0.1), stations.collect::<String>());
-    let sized = format!("{beam}PBEAML,1,1,,BAR,,,,,+\n+,.02,.1,,NO,1.,.02,.04\n");
+    let stations = (1..5).map(|k| f64::from(k) / 4.0).map(|at| format!("\n,NO,{at:?},{}", bar(height(at))));
+    let places = format!("{beam}PBEAM,1,1,{}\n,,,,,,,,{}\n", bar(0.1), stations.collect::<String>());
+    let sized = format!("{beam}PBEAML,1,1,,BAR\n,.02,.1,,NO,1.,.02,.04\n");
     let slow = |text: &str| frequencies(&deck(text, "[reduction]\nmodes = 6\n"));
     let expected = slow(&slices);
     for text in [places, sized] {
@@ -364,7 +363,7 @@ fn few_coordinates_have_their_modes() {
     for bar in 1..4 {
         text += &format!("GRID,{},,0.,0.,{bar}.\nCBAR,{bar},1,{bar},{},1.,0.,0.\n", bar + 1, bar + 1);
     }
-    let table = "[carrier]\nmass = 1e8\ninertia = [1e9, 1e9, 1e9]\n[[deck]]\nname = \"mast\"\nfile = \"mast.bdf\"\nattach = [1]\n\
+    let table = "[carrier]\nmass = 1e8\ncenter_of_mass = [0, 0, 0]\ninertia = [1e9, 1e9, 1e9]\n[[deck]]\nname = \"mast\"\nfile = \"mast.bdf\"\nattach = [1]\n\
         [reduction]\nmodes = 4\n";
     let model = written(&[("mast.bdf", text)], table).unwrap_or_else(|error| panic!("{error}"));
     let found = frequencies(&model);
@@ -391,7 +390,7 @@ const TEXT: &str = "CEND\nMPC = 7 $ both ends\nBEGIN BULK\nPARAM,WTMASS,0.5\n\
     CELAS2,70,300.,1,1,11,2\nCELAS1,71,72,2,3,11,1\nPELAS,72,400.\n\
     CBUSH,80,81,9,10,,,,4\nPBUSH,81,K,1.+3,2.+3,3.+3,4.+5,5.+5,6.+5,+\n+,,B,7.,8.,9.,1.,2.,3.\n\
     CONM2,60,9,4,0.02,10.,20.,30.,,+\n+,500.,50.,600.,-40.,30.,700.\n\
-    MPC,5,11,1,1.,10,1,-1.,,+\n+,,10,6,-600.\nMPC,6,11,2,1.,10,2,-1.\nMPCADD,7,5\n\
+    MPC,5,1,1,1.,2,1,-1.,,+\n+,,3,1,1.,4,1,-1.\nMPC,6,1,2,1.,4,2,-1.\nMPCADD,7,5\n\
     MAT1,1,70000.,,.3,2.7-9\nMAT1,2,210000.,,.3,7.8-9\nMAT8,3,1.4+5,9000.,.3,5000.,4000.,3000.,1.6-9\nSPC1,1,123,1\nENDDATA\n";
 
 fn geometry(tape: Tape) -> Vec<u8> {
@@ -519,8 +518,8 @@ fn tables(mut tape: Tape) -> Tape {
         &[
             words![5481, 58, 12, 1, 123, 0, 1, -1],
             words![
-                4901, 49, 17, 5, 11, 1, 1.0, 10, 1, -1.0, 10, 6, -600.0, -1, -1, -1, 6, 11, 2, 1.0, 10, 2,
-                -1.0, -1, -1, -1
+                4901, 49, 17, 5, 1, 1, 1.0, 2, 1, -1.0, 3, 1, 1.0, 4, 1, -1.0, -1, -1, -1, 6, 1, 2, 1.0, 4,
+                2, -1.0, -1, -1, -1,
             ],
             words![4891, 60, 83, 7, 5, -1],
             words![6901, 69, 295, 4, 10, 123_456, 5, 6, 7, 8, -1, 0.0],

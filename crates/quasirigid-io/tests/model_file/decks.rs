@@ -297,7 +297,8 @@ fn a_tapered_mast_is_that_of_nastran() {
     assert!(model.file_notes.iter().any(|note| note.contains("pieces of one section each (4)")));
 }
 
-/// A tapered mast clamped to a heavy body vibrates as many short uniform beams do, given by PBEAM at three places or by sizes.
+/// A tapered mast clamped to a heavy body vibrates as many short uniform beams do: given by PBEAM at four places and by the sizes of its ends,
+/// between which the constants of the section, not its sizes, change linearly.
 #[test]
 fn a_tapered_beam_vibrates_as_its_slices_do() {
     let head =
@@ -305,28 +306,38 @@ fn a_tapered_beam_vibrates_as_its_slices_do() {
     let bar = |height: f64| {
         let (b, h) = (0.02_f64, height);
         let torsion = h * b.powi(3) * (1.0 / 3.0 - 0.21 * b / h * (1.0 - (b / h).powi(4) / 12.0));
-        format!("{:e},{:e},{:e},0.,{torsion:e},0.", b * h, b * h.powi(3) / 12.0, h * b.powi(3) / 12.0)
+        [b * h, b * h.powi(3) / 12.0, h * b.powi(3) / 12.0, torsion]
     };
-    let mut slices = String::from(head);
+    let fields =
+        |[area, first, second, torsion]: [f64; 4]| format!("{area:e},{first:e},{second:e},0.,{torsion:e},0.");
     let height = |share: f64| 0.1 - 0.06 * share;
+    let on_the_line = |share: f64| {
+        let [from, to] = [0.1, 0.04].map(bar);
+        [0, 1, 2, 3].map(|k| (1.0 - share) * from[k] + share * to[k])
+    };
     let count = 24;
-    for slice in 0..count {
-        let (label, at) = (slice + 2, 2.0 * f64::from(slice + 1) / f64::from(count));
-        let section = bar(height((f64::from(slice) + 0.5) / f64::from(count)));
-        slices += &format!(
-            "GRID,{label},,{at:?},0.,0.\nCBEAM,{label},{label},{},{label},0.,1.,0.\nPBEAM,{label},1,{section}\n",
-            label - 1
-        );
-    }
+    let sliced = |section: &dyn Fn(f64) -> [f64; 4]| {
+        let mut text = String::from(head);
+        for slice in 0..count {
+            let (label, at) = (slice + 2, 2.0 * f64::from(slice + 1) / f64::from(count));
+            let section = fields(section((f64::from(slice) + 0.5) / f64::from(count)));
+            text += &format!(
+                "GRID,{label},,{at:?},0.,0.\nCBEAM,{label},{label},{},{label},0.,1.,0.\nPBEAM,{label},1,{section}\n",
+                label - 1
+            );
+        }
+        text
+    };
     let beam = format!("{head}GRID,2,,2.,0.,0.\nCBEAM,1,1,1,2,0.,1.,0.\n");
-    let stations = (1..5).map(|k| f64::from(k) / 4.0).map(|at| format!("\n,NO,{at:?},{}", bar(height(at))));
-    let places = format!("{beam}PBEAM,1,1,{}\n,,,,,,,,{}\n", bar(0.1), stations.collect::<String>());
+    let stations =
+        (1..5).map(|k| f64::from(k) / 4.0).map(|at| format!("\n,NO,{at:?},{}", fields(bar(height(at)))));
+    let places = format!("{beam}PBEAM,1,1,{}\n,,,,,,,,{}\n", fields(bar(0.1)), stations.collect::<String>());
     let sized = format!("{beam}PBEAML,1,1,,BAR\n,.02,.1,,NO,1.,.02,.04\n");
     let slow = |text: &str| frequencies(&deck(text, "[reduction]\nmodes = 6\n"));
-    let expected = slow(&slices);
-    for text in [places, sized] {
-        let found = slow(&text);
-        for (found, expected) in found.iter().zip(&expected).take(3) {
+    let by_height = |share: f64| bar(height(share));
+    let cases: [(String, &dyn Fn(f64) -> [f64; 4]); 2] = [(places, &by_height), (sized, &on_the_line)];
+    for (text, section) in cases {
+        for (found, expected) in slow(&text).iter().zip(&slow(&sliced(section))).take(3) {
             assert!((found / expected - 1.0).abs() < 0.02, "{found} and not {expected}");
         }
     }

@@ -265,7 +265,7 @@ fn order_zero_is_an_order_of_the_file_too() {
     assert_eq!((file.holds(), file.text()), (asked.holds(), asked.text()));
 }
 
-/// Half a degree is more than the wobble of the start.
+/// Half a degree is more than the nutation of the start.
 #[test]
 fn target_that_the_start_has_passed_is_told_in_its_own_unit() {
     let calm = study(&MODEL.replace("[0.12, 0.035, 0.02]", "[0.0, 1e-4, 0.2]"));
@@ -274,7 +274,7 @@ fn target_that_the_start_has_passed_is_told_in_its_own_unit() {
     })
     .unwrap_err();
     assert!(
-        said.contains("dissipation only lowers the wobble") && said.contains("target, 20.0 degrees"),
+        said.contains("dissipation only lowers the nutation") && said.contains("target, 20.0 degrees"),
         "{said}"
     );
 }

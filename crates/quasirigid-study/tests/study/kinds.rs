@@ -97,6 +97,11 @@ fn bodies() -> Vec<(&'static str, String)> {
     ]
 }
 
+/// Text without the names of columns, which are the same for both.
+fn without_columns(text: &str) -> String {
+    text.replace("nutation_min", "").replace("nutation_max", "")
+}
+
 #[test]
 fn outputs_of_both_kinds_differ_by_the_word_alone() {
     let words = |kind: BodyKind| [kind.nutation(), kind.title()];
@@ -105,7 +110,7 @@ fn outputs_of_both_kinds_differ_by_the_word_alone() {
     for (name, model) in bodies() {
         let [spacecraft, small] = [BodyKind::Spacecraft, BodyKind::SmallBody].map(|kind| told(&model, kind));
         for ((output, one), (_, other)) in spacecraft.iter().zip(&small) {
-            let [one, other] = [one, other].map(|text| one_line(text));
+            let [one, other] = [one, other].map(|text| without_columns(&one_line(text)));
             assert!(!one.to_lowercase().contains("wobbl"), "{name}, {output}: {one}");
             assert!(!other.to_lowercase().contains("nutation"), "{name}, {output}: {other}");
             assert_eq!(one.replace(nutation, wobble).replace(a, b), other, "{name}, {output}");

@@ -186,7 +186,7 @@ fn a_wobble_of_the_undeformed_body_is_told() {
         let note = evolved
             .notes
             .iter()
-            .any(|note| note.contains("wobble, 6.242 degrees, is that of the undeformed body"));
+            .any(|note| note.contains("nutation, 6.242 degrees, is that of the undeformed body"));
         (first, note)
     };
     let (first, note) = told("115.298", None);

@@ -55,7 +55,7 @@ fn a_pencil_smaller_than_a_space_is_solved_whole() {
     };
     let stiffness = |x: &[f64]| diagonal(x, &stiff);
     let mass = |x: &[f64]| diagonal(x, &heavy);
-    let solve = |x: &mut [f64]| x.copy_from_slice(&diagonal(&x.to_vec(), &|i| stiff(i).recip()));
+    let solve = |x: &mut [f64]| x.copy_from_slice(&diagonal(x, &|i| stiff(i).recip()));
     let pencil = Pencil { size, stiffness: &stiffness, solve: &solve, mass: &mass };
     let found = pencil.largest(4).unwrap();
     assert_eq!(found.len(), 4);
